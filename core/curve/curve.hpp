@@ -1,0 +1,26 @@
+#pragma once
+/// A smooth (C∞) piece of a contour over its own parameter u ∈ [begin(), end()].
+#include "core/curve/vec.hpp"
+
+namespace bahnwerk {
+
+/// Value and the first three derivatives with respect to the parameter of the curve at hand.
+struct Jet {
+  Vec value, d1, d2, d3;
+};
+
+enum class CurveKind { line, arc, rational };
+
+/// Immutable; every call is thread-safe, allocation-free and O(degree).
+class Curve {
+ public:
+  virtual ~Curve() = default;
+  virtual CurveKind kind() const = 0;
+  virtual double begin() const = 0;
+  virtual double end() const = 0;
+  virtual Jet at(double u) const = 0;
+  /// |dh/du|, mm per unit of u; cheaper than at().
+  virtual double speed(double u) const = 0;
+};
+
+}  // namespace bahnwerk

@@ -1,0 +1,53 @@
+#pragma once
+/// The few ways in which planning fails. They carry numbers and places, not prose; api/ turns them into problem
+/// documents.
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace bahnwerk {
+
+/// Base of everything that core throws on purpose.
+struct PlanningError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// One fault in the input, at a place inside the document, e.g. {"blocks", 3, "segments", 0, "arc"} →
+/// /blocks/3/segments/0/arc.
+struct InputFault {
+  std::vector<std::string> place;
+  std::string message;
+};
+/// The input is well-formed but means nothing: zero length, a gap, contradictory limits. All faults found, in document
+/// order.
+struct InvalidInput : PlanningError {
+  explicit InvalidInput(std::vector<InputFault> list)
+      : PlanningError(list.empty() ? std::string("invalid input") : list.front().message), faults(std::move(list)) {}
+  std::vector<InputFault> faults;
+};
+
+/// No motion satisfies the limits.
+struct Infeasible : PlanningError {
+  using PlanningError::PlanningError;
+};
+/// A pose lies outside what the machine reaches; `path_length` is where, mm.
+struct UnreachablePose : PlanningError {
+  UnreachablePose(const std::string& what, double at) : PlanningError(what), path_length(at) {}
+  double path_length;
+};
+/// A tolerance cannot be met; `reached` is the best found, in the tolerance's unit.
+struct ToleranceUnreachable : PlanningError {
+  ToleranceUnreachable(const std::string& what, double best) : PlanningError(what), reached(best) {}
+  double reached;
+};
+
+enum class StopReason { cancelled, deadline, budget };
+/// Thrown by Progress::report when the planner has to end.
+struct Stopped : PlanningError {
+  explicit Stopped(StopReason why) : PlanningError("stopped"), reason(why) {}
+  StopReason reason;
+};
+
+}  // namespace bahnwerk

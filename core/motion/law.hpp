@@ -1,0 +1,40 @@
+#pragma once
+/// A motion law s(t): path length over time as a piecewise polynomial of degree ≤ 3, continuous in s and v.
+#include <cstddef>
+#include <vector>
+
+namespace bahnwerk {
+
+/// State of the law: s mm, v mm/s, a mm/s², j mm/s³.
+struct LawState {
+  double s = 0, v = 0, a = 0, j = 0;
+};
+
+/// s(t) = s + v τ + a τ²/2 + j τ³/6 with τ = t − t0 ∈ [0, duration]; it ends at path length `s_end`.
+struct LawPiece {
+  double t0 = 0, duration = 0;
+  double s = 0, s_end = 0;
+  double v = 0, a = 0, j = 0;
+  std::size_t segment = 0;  ///< the path segment in which the whole piece lies
+
+  LawState at(double tau) const {
+    return {s + tau * (v + tau * (a / 2 + tau * j / 6)), v + tau * (a + tau * j / 2), a + tau * j, j};
+  }
+};
+
+class MotionLaw {
+ public:
+  /// Appends a piece behind the last one; its t0 is set here.
+  void append(LawPiece piece);
+  const std::vector<LawPiece>& pieces() const { return pieces_; }
+  double duration() const { return pieces_.empty() ? 0.0 : pieces_.back().t0 + pieces_.back().duration; }
+  /// Index of the piece that holds t. O(log n), O(1) with a good hint.
+  std::size_t find(double t, std::size_t hint = 0) const;
+  /// The same motion, uniformly slowed: lasts `factor` ≥ 1 times as long.
+  MotionLaw slowed(double factor) const;
+
+ private:
+  std::vector<LawPiece> pieces_;
+};
+
+}  // namespace bahnwerk
