@@ -20,12 +20,25 @@ struct LawPiece {
   LawState at(double tau) const {
     return {s + tau * (v + tau * (a / 2 + tau * j / 6)), v + tau * (a + tau * j / 2), a + tau * j, j};
   }
+  /// The same motion, lasting `factor` ≥ 1 times as long; t0 included.
+  void slow(double factor) {
+    t0 *= factor;
+    duration *= factor;
+    v /= factor;
+    a /= factor * factor;
+    j /= factor * factor * factor;
+  }
 };
 
 class MotionLaw {
  public:
   /// Appends a piece behind the last one; its t0 is set here.
   void append(LawPiece piece);
+  /// Lets the last piece, which has to run at constant speed, go on to path length `s_end`.
+  void extend(double s_end, double duration) {
+    pieces_.back().s_end = s_end;
+    pieces_.back().duration += duration;
+  }
   const std::vector<LawPiece>& pieces() const { return pieces_; }
   double duration() const { return pieces_.empty() ? 0.0 : pieces_.back().t0 + pieces_.back().duration; }
   /// Index of the piece that holds t. O(log n), O(1) with a good hint.

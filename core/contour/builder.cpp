@@ -1,0 +1,169 @@
+#include "core/contour/builder.hpp"
+
+#include <cstdio>
+
+#include "core/curve/arc.hpp"
+#include "core/curve/line.hpp"
+#include "core/curve/nurbs.hpp"
+#include "core/curve/rational.hpp"
+
+namespace bahnwerk {
+
+namespace {
+
+constexpr std::size_t max_faults = 100;
+constexpr std::size_t max_notes = 50;
+
+std::string number(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", x);
+  return text;
+}
+
+bool finite(Vec v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+}  // namespace
+
+ContourBuilder::ContourBuilder(std::size_t dimension, Vec start) : position_(start) {
+  contour_.dimension = dimension;
+  if (!finite(start)) faults_.push_back({{"contour", "start"}, "the start point is not finite"});
+}
+
+void ContourBuilder::block(Mode mode, double feed) {
+  const std::size_t at = contour_.path.size();
+  if (!contour_.blocks.empty()) contour_.blocks.back().last = at;
+  contour_.blocks.push_back({mode, feed, at, at});
+  segment_ = 0;
+  if (!(feed > 0))
+    faults_.push_back(
+        {{"contour", "blocks", std::to_string(contour_.blocks.size() - 1), "feed"}, "the feed must be positive"});
+}
+
+std::vector<std::string> ContourBuilder::place(std::vector<std::string> inner) const {
+  std::vector<std::string> full{"contour", "blocks", std::to_string(contour_.blocks.size() - 1), "segments",
+                                std::to_string(segment_ - 1)};
+  full.insert(full.end(), inner.begin(), inner.end());
+  return full;
+}
+
+void ContourBuilder::fault(std::vector<std::string> inner, std::string message) {
+  if (faults_.size() < max_faults) faults_.push_back({place(std::move(inner)), std::move(message)});
+}
+
+void ContourBuilder::next_segment() {
+  if (contour_.blocks.empty()) block(Mode::cut, std::numeric_limits<double>::infinity());
+  ++segment_;
+  ++total_;
+}
+
+void ContourBuilder::drop(const std::string& why) {
+  if (++dropped_ <= max_notes)
+    contour_.notes.push_back("block " + std::to_string(contour_.blocks.size() - 1) + " segment " +
+                             std::to_string(segment_ - 1) + " dropped: " + why);
+}
+
+template <class Make>
+void ContourBuilder::guarded(Make make) {
+  try {
+    make();
+  } catch (const InvalidInput& e) {
+    for (const InputFault& f : e.faults) fault(f.place, f.message);
+  }
+}
+
+/// False, with a note, for a curve without length.
+bool ContourBuilder::add(const std::shared_ptr<const Curve>& curve, Vec end) {
+  try {
+    contour_.path.append(curve, total_ - 1);
+  } catch (const InvalidInput& e) {
+    drop(e.what());
+    return false;
+  }
+  position_ = end;
+  return true;
+}
+
+bool ContourBuilder::meets(Vec start, const char* what) {
+  const double gap = norm(start - position_);
+  if (!(gap <= joint_tolerance)) {
+    fault({what}, "starts " + number(gap) + " mm away from where the contour stands (tolerance " +
+                      number(joint_tolerance) + " mm)");
+    return false;
+  }
+  if (gap > 0) {
+    ++moved_;
+    worst_move_ = std::max(worst_move_, gap);
+  }
+  return true;
+}
+
+void ContourBuilder::line(Vec to) {
+  next_segment();
+  if (!finite(to)) return fault({"line"}, "the end point is not finite");
+  const double length = norm(to - position_);
+  if (length < min_segment_length) {
+    drop("a line of " + number(length) + " mm");
+    // The end counts: many dropped lines in a row must not lose a real distance.
+    return;
+  }
+  add(std::make_shared<Line>(position_, to), to);
+}
+
+void ContourBuilder::arc(Vec to, Vec centre, bool counter_clockwise, Vec normal) {
+  next_segment();
+  if (!finite(to) || !finite(centre) || !finite(normal)) return fault({"arc"}, "a coordinate is not finite");
+  guarded([&] {
+    auto arc = std::make_shared<Arc>(Arc::through(position_, to, centre, normal, counter_clockwise));
+    if (const double length = arc->speed(arc->begin()) * (arc->end() - arc->begin()); length < min_segment_length)
+      return drop("an arc of " + number(length) + " mm");
+    add(arc, to);
+  });
+}
+
+void ContourBuilder::polynomial(const std::vector<std::vector<double>>& rows) {
+  next_segment();
+  guarded([&] {
+    auto moved = rows;
+    Vec start;
+    for (std::size_t k = 0; k < rows.size() && k < 3; ++k) {
+      if (rows[k].empty()) throw InvalidInput({{{"polynomial", "coefficients", std::to_string(k)}, "no coefficients"}});
+      start[k] = rows[k].front();
+    }
+    if (!meets(start, "polynomial")) return;
+    for (std::size_t k = 0; k < rows.size() && k < 3; ++k) moved[k][0] = position_[k];
+    auto curve = std::make_shared<Rational>(Rational::from_power_basis(moved));
+    add(curve, curve->at(curve->end()).value);
+  });
+}
+
+void ContourBuilder::nurbs(int degree, std::vector<Vec> points, std::vector<double> weights,
+                           std::vector<double> knots) {
+  next_segment();
+  guarded([&] {
+    const Nurbs given(degree, points, weights, knots);
+    const Vec start = given.at(given.begin()).value;
+    if (!meets(start, "nurbs")) return;
+    // A start that misses by rounding: shift the whole curve, its shape stays.
+    const Vec shift = position_ - start;
+    for (Vec& p : points) p += shift;
+    for (auto& piece : Nurbs(degree, std::move(points), std::move(weights), std::move(knots)).pieces()) {
+      const Vec end = piece.at(piece.end()).value;
+      add(std::make_shared<Rational>(std::move(piece)), end);
+    }
+  });
+}
+
+Contour ContourBuilder::finish() {
+  if (!contour_.blocks.empty()) contour_.blocks.back().last = contour_.path.size();
+  if (faults_.empty() && contour_.path.empty())
+    faults_.push_back({{"contour"}, "the contour has no length: nothing to move along"});
+  if (!faults_.empty()) throw InvalidInput(std::move(faults_));
+  if (dropped_ > max_notes)
+    contour_.notes.push_back("… and " + std::to_string(dropped_ - max_notes) + " more segments without length dropped");
+  if (moved_ > 0)
+    contour_.notes.push_back(std::to_string(moved_) + " curve starts moved onto the end before them, at most " +
+                             number(worst_move_) + " mm");
+  return std::move(contour_);
+}
+
+}  // namespace bahnwerk

@@ -1,0 +1,57 @@
+#pragma once
+/// Builds a contour segment by segment. It collects every fault instead of stopping at the first, and cleans what real
+/// part files bring: segments without length are dropped with a note, ends that miss by rounding are joined.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/contour/contour.hpp"
+#include "core/errors.hpp"
+
+namespace bahnwerk {
+
+/// Segments shorter than this carry no direction: they are dropped, mm.
+inline constexpr double min_segment_length = 1e-6;
+/// A curve may start this far from where the last one ended, mm; it is then moved there.
+inline constexpr double joint_tolerance = 1e-3;
+
+/// Cost: O(1) per line and arc, O(degree · panels) per polynomial or NURBS.
+class ContourBuilder {
+ public:
+  ContourBuilder(std::size_t dimension, Vec start);
+
+  void block(Mode mode, double feed);  ///< mm/s; infinity = limited by the axes alone
+  void line(Vec to);
+  /// `normal` points to the viewer who sees the sense of rotation. Different heights along it make a helix.
+  void arc(Vec to, Vec centre, bool counter_clockwise, Vec normal = {0, 0, 1});
+  /// Power basis on u ∈ [0,1], one row per coordinate.
+  void polynomial(const std::vector<std::vector<double>>& rows);
+  void nurbs(int degree, std::vector<Vec> points, std::vector<double> weights, std::vector<double> knots);
+
+  /// A finding of the reader's own about the current segment's document.
+  void fault(std::vector<std::string> place, std::string message);
+
+  Vec position() const { return position_; }
+  /// Throws InvalidInput with places like {"contour","blocks","3","segments","0","arc","center"}, relative to the job's
+  /// spec.
+  Contour finish();
+
+ private:
+  void next_segment();
+  bool add(const std::shared_ptr<const Curve>& curve, Vec end);
+  bool meets(Vec start, const char* what);
+  std::vector<std::string> place(std::vector<std::string> inner) const;
+  void drop(const std::string& why);
+  template <class Make>
+  void guarded(Make make);
+
+  Contour contour_;
+  Vec position_;
+  std::size_t segment_ = 0;  // of the current block, counted from 1
+  std::size_t total_ = 0;
+  std::size_t dropped_ = 0, moved_ = 0;
+  double worst_move_ = 0;
+  std::vector<InputFault> faults_;
+};
+
+}  // namespace bahnwerk

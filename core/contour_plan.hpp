@@ -1,0 +1,55 @@
+#pragma once
+/// From a contour to a verified plan: law, setpoints, the judge's verdict and the proven bound.
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/contour/contour.hpp"
+#include "core/machine/machine.hpp"
+#include "core/plan.hpp"
+#include "core/progress.hpp"
+
+namespace bahnwerk {
+
+enum class PlanningMethod { braking_reserve, time_optimal };
+
+struct ContourPlanning {
+  PlanningMethod method = PlanningMethod::braking_reserve;
+  double braking_reserve = 0.7;                              ///< K_b [Bock (2.11)]
+  double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad
+};
+
+struct BlockReport {
+  Mode mode = Mode::cut;
+  double start_time = 0, end_time = 0;  ///< s, of the planned motion
+  double length = 0;                    ///< mm
+};
+
+/// A tangent jump below the corner angle, passed at speed.
+struct SmallJoint {
+  double s = 0;              ///< mm
+  double angle = 0;          ///< rad
+  double velocity = 0;       ///< mm/s
+  std::vector<double> step;  ///< velocity step per axis, mm/s
+};
+
+struct ContourPlan {
+  std::unique_ptr<SetpointSource> setpoints;
+  Verification verification;
+  Bound bound;
+  double duration = 0, cut_time = 0, position_time = 0;  ///< s, planned
+  double path_length = 0;                                ///< mm
+  std::size_t iterations = 0;                            ///< passes of the planner over its grid
+  std::size_t pieces = 0;                                ///< pieces of the law
+  std::vector<BlockReport> blocks;
+  std::vector<SmallJoint> joints;
+  std::vector<std::string> notes;
+};
+
+/// Cost: O(grid cells), about 1 µs each with verification and bound. Throws InvalidInput, Stopped. A plan that the
+/// judge rejects is planned again on a finer grid twice; what is returned may still be unverified: look at
+/// `verification.passed`.
+ContourPlan plan_contour(Contour contour, const Machine& machine, const ContourPlanning& planning, Progress& progress);
+
+}  // namespace bahnwerk

@@ -1,0 +1,275 @@
+#include "core/motion/acceleration_limited.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/errors.hpp"
+#include "core/motion/cell_law.hpp"
+#include "core/motion/runs.hpp"
+#include "core/motion/speed_chain.hpp"
+
+namespace bahnwerk {
+
+namespace {
+
+constexpr std::size_t cells_between_reports = 1 << 15;
+constexpr double divide_above =
+    1e-2;  // an excess beyond this needs smaller cells, below it a smaller share of the limit
+
+template <int N>
+class RunPlanner {
+ public:
+  RunPlanner(const Contour& contour, const Machine& machine, const AccelerationLimitedOptions& options,
+             const std::vector<double>& feed, const Runs& runs, Progress& progress)
+      : path_(contour.path),
+        machine_(machine),
+        options_(options),
+        feed_(feed),
+        progress_(progress),
+        limit_(machine),
+        chain_(grid_, feed, runs, machine, options) {}
+
+  void plan(std::size_t first, std::size_t last, double fraction, AccelerationLimitedResult& result) {
+    const auto tick = [&](std::size_t c) {
+      if (c % cells_between_reports == 0) progress_.report("planning", fraction);
+    };
+    grid_.build(path_, first, last, feed_, machine_, options_.grid);
+    grid_.grade_ends(path_);
+    std::size_t rounds = 0;
+    for (int division = 0;; ++division) {  // first the grid …
+      share();
+      chain_.solve(share_, tick);
+      dirty_.assign(grid_.cells.size(), 1);
+      pieces_.resize(grid_.cells.size());
+      excess_.assign(grid_.cells.size(), {});
+      shape();
+      ++rounds;
+      if (division == options_.max_divisions || !mark_divisions()) break;
+      grid_.divide(path_, parts_);
+    }
+    for (int round = 0; round < options_.max_rounds && shrink_shares();
+         ++round) {  // … then the limits inside its cells
+      chain_.update(share_, dirty_, tick);
+      shape();
+      ++rounds;
+    }
+    emit(result.law);
+    result.rounds = std::max(result.rounds, rounds);
+    result.cells += grid_.cells.size();
+  }
+
+ private:
+  /// Smooth cells leave what the law may bulge between their ends: the acceleration of an axis along a saturated law is
+  /// a parabola of height ≈ turn²/8 there.
+  void share() {
+    const std::size_t n = grid_.cells.size();
+    share_.resize(n);
+    for (std::size_t c = 0; c < n; ++c) {
+      double square = 0;
+      for (std::size_t k = 0; k < N; ++k) {
+        const double d = grid_.right(c).d1[k] - grid_.left(c).d1[k];
+        square += d * d;
+      }
+      share_[c] = 1 - 0.15 * square;
+    }
+  }
+
+  /// Laws of the curved cells that changed, and where they exceed a limit between their stations.
+  void shape() {
+    const std::size_t n = grid_.cells.size();
+    for (std::size_t c = 0; c < n; ++c) {
+      const GridCell& cell = grid_.cells[c];
+      const double h = grid_.length(c);
+      if (!dirty_[c] || cell.straight || !(h > 0)) continue;
+      const double b1 = chain_.node(c), g = chain_.middle(c), b2 = chain_.node(c + 1);
+      const Station<N>&l = grid_.left(c), &r = grid_.right(c);
+      pieces_[c] = cell_law(b1, g, b2, h);
+      const bool cusp = cell.cusp_left || cell.cusp_right;
+      excess_[c] = !cusp && surely_within<N>(l, r, h, pieces_[c], limit_)
+                       ? Excess{}
+                       : cell_excess<N>(l, r, h, pieces_[c], cell, limit_, feed_[cell.segment]);
+    }
+  }
+
+  /// How far v² bends inside a cell: the ramp of its acceleration over its length.
+  double ramp(std::size_t c) const {
+    return (chain_.node(c + 1) - 2 * chain_.middle(c) + chain_.node(c)) / (grid_.length(c) * grid_.length(c));
+  }
+
+  /// What a ramp of acceleration instead of a jump costs, s. At a peak of v² only the area under the ramp. At a trough
+  /// v² stays lower all along the arcs that leave it, until they have doubled it: about an eighth of the cell's own
+  /// time.
+  double switching_loss(std::size_t c, double bend, double v, double h) const {
+    const double left = std::abs(chain_.middle(c) - chain_.node(c)) / h,
+                 right = std::abs(chain_.node(c + 1) - chain_.middle(c)) / h;
+    const double jump = std::abs(bend) * h, scale = std::max(left, right), area = jump * h * h / (16 * v * v * v);
+    return bend > 0 && jump > 0.2 * scale ? std::max(area, 0.125 * jump / scale * h / v) : area;
+  }
+
+  /// Where a law switches inside a cell the ramp is far from its neighbours': estimates what that costs and divides
+  /// such cells until the whole stays below the tolerance; also cells that exceed a limit by far. False = nothing to
+  /// divide.
+  bool mark_divisions() {
+    const std::size_t n = grid_.cells.size();
+    parts_.assign(n, 1);
+    loss_.assign(n, 0);
+    double time = 0, total = 0;
+    std::size_t curved = 0;
+    bool divide = false;
+    for (std::size_t c = 0; c < n; ++c) {
+      const GridCell& cell = grid_.cells[c];
+      const double v = 0.5 * (std::sqrt(chain_.node(c)) + std::sqrt(chain_.node(c + 1))), h = grid_.length(c);
+      if (v > 0) time += h / v;
+      if (cell.straight) continue;
+      ++curved;
+      if (std::max(excess_[c].acceleration, excess_[c].velocity) > divide_above) {
+        parts_[c] = 4;
+        divide = true;
+      }
+      const bool before = c > 0 && grid_.cells[c - 1].segment == cell.segment,
+                 after = c + 1 < n && grid_.cells[c + 1].segment == cell.segment;
+      double smooth = 0;
+      if (before && after)
+        smooth = 0.5 * (ramp(c - 1) + ramp(c + 1));
+      else if (before)
+        smooth = ramp(c - 1);
+      else if (after)
+        smooth = ramp(c + 1);
+      loss_[c] = v > 0 ? switching_loss(c, ramp(c) - smooth, v, h) : 0;
+      total += loss_[c];
+    }
+    if (curved > 0 && total > options_.tolerance * time) {
+      divide = true;
+      const double share = options_.tolerance * time / static_cast<double>(curved);
+      for (std::size_t c = 0; c < n; ++c)
+        if (loss_[c] > share)
+          parts_[c] =
+              std::max(parts_[c], static_cast<std::uint8_t>(std::min(8.0, std::ceil(std::sqrt(loss_[c] / share)))));
+    }
+    return divide;
+  }
+
+  /// Cells that exceed a limit a little get a smaller share of it. False = none does.
+  bool shrink_shares() {
+    bool any = false;
+    for (std::size_t c = 0; c < grid_.cells.size(); ++c) {
+      dirty_[c] = excess_[c].acceleration > options_.excess;
+      if (!dirty_[c]) continue;
+      share_[c] /= 1 + 1.2 * excess_[c].acceleration;
+      any = true;
+    }
+    return any;
+  }
+
+  /// `s` and `s_end` count from the begin of the segment.
+  void piece(MotionLaw& law, std::size_t segment, double s, double s_end, double v1, double v2, double a) {
+    LawPiece p;
+    p.v = v1;
+    p.a = a;
+    p.duration = 2 * (s_end - s) / (v1 + v2);
+    append(law, p, segment, s, s_end);
+  }
+
+  void append(MotionLaw& law, LawPiece p, std::size_t segment, double s, double s_end) {
+    p.segment = segment;
+    p.s = path_[segment].s0() + s;
+    p.s_end = path_[segment].s0() + s_end;
+    p.slow(slow_);
+    law.append(p);
+  }
+
+  void emit(MotionLaw& law) {
+    double most = 0;
+    for (const Excess& e : excess_) most = std::max({most, e.acceleration, e.velocity});
+    slow_ = most > 0 ? std::sqrt(1 + most) * (1 + 1e-12) : 1;
+    for (std::size_t c = 0; c < grid_.cells.size(); ++c) {
+      const std::size_t segment = grid_.cells[c].segment;
+      const double s1 = grid_.left(c).s, s2 = grid_.right(c).s, b1 = chain_.node(c), b2 = chain_.node(c + 1);
+      if (grid_.cells[c].straight) {
+        straight(law, segment, s1, s2, b1, b2, chain_.acceleration(c), chain_.cap(c));
+      } else if (s2 > s1) {
+        if (cruise(c) && c > 0 && grid_.cells[c - 1].segment == segment && cruise(c - 1))
+          law.extend(path_[segment].s0() + s2, pieces_[c].duration * slow_);
+        else
+          append(law, pieces_[c], segment, s1, s2);
+      }
+    }
+  }
+
+  /// Constant speed through the whole cell: such cells of one segment become one piece.
+  bool cruise(std::size_t c) const {
+    return !grid_.cells[c].straight && chain_.node(c) == chain_.middle(c) && chain_.middle(c) == chain_.node(c + 1);
+  }
+
+  /// Accelerate, hold, brake: exact on a straight line.
+  void straight(MotionLaw& law, std::size_t segment, double s1, double s2, double b1, double b2, double a, double cap) {
+    const double peak = std::min(cap, 0.5 * (b1 + b2) + a * (s2 - s1));
+    const double v1 = std::sqrt(b1), v2 = std::sqrt(b2), v = std::sqrt(std::max({peak, b1, b2}));
+    const double up = (peak - b1) / (2 * a), down = (peak - b2) / (2 * a), hair = 1e-13 * (s2 - s1);
+    double s = s1;
+    const bool rises = up > hair, falls = down > hair;
+    double end = falls ? std::min(s2, std::max(s1, s2 - down)) : s2;
+    if (rises) {
+      const double to = std::min(end, s1 + up);
+      // Without a plateau both ramps meet in one point.
+      const bool plateau = end - to > hair;
+      const double meet = plateau ? to : end;
+      piece(law, segment, s, meet, v1, v, a);
+      s = meet;
+    }
+    if (end - s > hair || (!rises && !falls)) {
+      piece(law, segment, s, end, v, v, 0);
+      s = end;
+    }
+    if (falls) piece(law, segment, s, s2, v, v2, -a);
+  }
+
+  const Path& path_;
+  const Machine& machine_;
+  const AccelerationLimitedOptions& options_;
+  const std::vector<double>& feed_;
+  Progress& progress_;
+  AxisBounds<N> limit_;
+  double slow_ = 1;
+  Grid<N> grid_;
+  SpeedChain<N> chain_;
+  std::vector<double> share_, loss_;
+  std::vector<Excess> excess_;
+  std::vector<LawPiece> pieces_;  // of curved cells, before slowing
+  std::vector<std::uint8_t> dirty_, parts_;
+};
+
+template <int N>
+AccelerationLimitedResult plan(const Contour& contour, const Machine& machine,
+                               const AccelerationLimitedOptions& options, Progress& progress, double from, double to) {
+  const std::vector<double> feed = contour.feeds();
+  const Runs runs = find_runs(contour, machine, options.corner_angle);
+  AccelerationLimitedResult result;
+  RunPlanner<N> planner(contour, machine, options, feed, runs, progress);
+  const double length = contour.path.length();
+  std::size_t silent = 0;
+  for (std::size_t i = 0; i + 1 < runs.begin.size(); ++i) {
+    const double fraction = from + (to - from) * contour.path[runs.begin[i]].s0() / length;
+    if (++silent == 256) {
+      progress.report("planning", fraction);
+      silent = 0;
+    }
+    planner.plan(runs.begin[i], runs.begin[i + 1], fraction, result);
+  }
+  return result;
+}
+
+}  // namespace
+
+AccelerationLimitedResult plan_acceleration_limited(const Contour& contour, const Machine& machine,
+                                                    const AccelerationLimitedOptions& options, Progress& progress,
+                                                    double from, double to) {
+  for (const AxisLimits& axis : machine.axes)
+    if (!(axis.velocity > 0) || !(axis.acceleration > 0) || !std::isfinite(axis.acceleration))
+      throw InvalidInput(
+          {{{"machine", "axes", axis.name}, "velocity and acceleration must be positive, acceleration finite"}});
+  return machine.dimension() == 2 ? plan<2>(contour, machine, options, progress, from, to)
+                                  : plan<3>(contour, machine, options, progress, from, to);
+}
+
+}  // namespace bahnwerk

@@ -1,0 +1,133 @@
+#pragma once
+/// The motion law inside one curved cell, and by how much it exceeds the limits between the stations.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/motion/grid.hpp"
+#include "core/motion/law.hpp"
+#include "core/motion/station_limits.hpp"
+
+namespace bahnwerk {
+
+/// Jerk constant in time, from speed² b1 with the solved acceleration (g − b1)/h to speed² b2; s counts from the cell's
+/// left end.
+inline LawPiece cell_law(double b1, double g, double b2, double h) {
+  const double v1 = std::sqrt(b1), v2 = std::sqrt(b2);
+  LawPiece p;
+  p.v = v1;
+  if (b1 == g && g == b2) {
+    p.duration = h / v1;
+    return p;
+  }
+  // h = v1 T + (2 a1 + a2) T²/6 and v2 = v1 + (a1 + a2) T/2 ⇒ a1 T²/6 + (2 v1 + v2) T/3 = h
+  const double a1 = (g - b1) / h, half = (2 * v1 + v2) / 6, root = half * half + a1 * h / 6;
+  if (root > 0.01 * half * half) {
+    p.duration = h / (half + std::sqrt(root));
+    p.a = a1;
+    p.j = (2 * (v2 - v1) / p.duration - 2 * a1) / p.duration;
+  } else {
+    p.duration = 2 * h / (v1 + v2);
+    p.a = (v2 - v1) / p.duration;
+  }
+  return p;
+}
+
+/// Relative excess over the limits: of |axis acceleration|/A, and of (axis velocity/V)², (v/feed)². Negative = within.
+struct Excess {
+  double acceleration = -1, velocity = -1;
+};
+
+namespace cell_law_detail {
+
+/// The path between two stations from their derivatives: the cubic of h'' and the quintic of h' that the grid keeps
+/// exact enough.
+template <int N>
+struct Between {
+  const Station<N>&l, &r;
+  double h;
+  double d2(std::size_t k, double x) const {
+    const double y = 1 - x;
+    return y * y * (1 + 2 * x) * l.d2[k] + x * x * (1 + 2 * y) * r.d2[k] + h * x * y * (y * l.d3[k] - x * r.d3[k]);
+  }
+  double d1(std::size_t k, double x) const {
+    const double y = 1 - x;
+    return y * y * y *
+               ((1 + 3 * x + 6 * x * x) * l.d1[k] + h * (x + 3 * x * x) * l.d2[k] + 0.5 * h * h * x * x * l.d3[k]) +
+           x * x * x *
+               ((1 + 3 * y + 6 * y * y) * r.d1[k] - h * (y + 3 * y * y) * r.d2[k] + 0.5 * h * h * y * y * r.d3[k]);
+  }
+};
+
+/// Largest |f| over a cell from five even samples: the quartic through them gives four more, parabolas the peaks
+/// between.
+inline double peak(const std::array<double, 5>& f) {
+  double most = 0;
+  for (const double x : f) most = std::max(most, std::abs(x));
+  if (most < 0.9) return most;
+  const std::array<double, 9> g{f[0], (35 * f[0] + 140 * f[1] - 70 * f[2] + 28 * f[3] - 5 * f[4]) / 128,
+                                f[1], (-5 * f[0] + 60 * f[1] + 90 * f[2] - 20 * f[3] + 3 * f[4]) / 128,
+                                f[2], (3 * f[0] - 20 * f[1] + 90 * f[2] + 60 * f[3] - 5 * f[4]) / 128,
+                                f[3], (-5 * f[0] + 28 * f[1] - 70 * f[2] + 140 * f[3] + 35 * f[4]) / 128,
+                                f[4]};
+  double between = most;
+  for (std::size_t i = 1; i < 8; ++i) {
+    const double slope = 0.5 * (g[i + 1] - g[i - 1]), bend = g[i + 1] - 2 * g[i] + g[i - 1];
+    between = std::max(between, std::abs(g[i]));
+    if (std::abs(slope) < std::abs(bend)) between = std::max(between, std::abs(g[i] - 0.5 * slope * slope / bend));
+  }
+  return between + 0.15 * (between - most) + 1e-9;
+}
+
+}  // namespace cell_law_detail
+
+/// True when the law surely stays within the limits, by a look at both ends and at half time: what a parabola through
+/// these three points can hide is far less than what it bends.
+template <int N>
+inline bool surely_within(const Station<N>& l, const Station<N>& r, double h, const LawPiece& p,
+                          const AxisBounds<N>& limit) {
+  const cell_law_detail::Between<N> path{l, r, h};
+  const LawState middle = p.at(0.5 * p.duration), end = p.at(p.duration);
+  const double x = middle.s / h, b1 = p.v * p.v, b = middle.v * middle.v, b2 = end.v * end.v;
+  for (std::size_t k = 0; k < N; ++k) {
+    const double d1 = path.d1(k, x), A = limit.acceleration[k];
+    const double fl = l.d2[k] * b1 + l.d1[k] * p.a, f = path.d2(k, x) * b + d1 * middle.a,
+                 fr = r.d2[k] * b2 + r.d1[k] * end.a;
+    const double bend = std::abs(fl - 2 * f + fr), most = std::max({std::abs(fl), std::abs(f), std::abs(fr)});
+    // The parabola's peak lies at most bend/8 above its points. In a smooth cell the cubic part is smaller by its turn,
+    // a few 1e-3; a law that switches inside bends more.
+    if (most + 0.15 * bend > A * (1 + 1e-9) || (bend > 1e-3 * A && most + bend > A)) return false;
+    if (d1 * d1 * b > 0.98 * limit.velocity[k] * limit.velocity[k]) return false;
+  }
+  return true;
+}
+
+/// Peaks over a cell, from samples of the law on the rebuilt path.
+template <int N>
+inline Excess cell_excess(const Station<N>& l, const Station<N>& r, double h, const LawPiece& p, const GridCell& cell,
+                          const AxisBounds<N>& limit, double feed) {
+  constexpr std::size_t last = 4;
+  const cell_law_detail::Between<N> path{l, r, h};
+  std::array<std::array<double, last + 1>, 2 * N> value{};
+  double fastest = 0;
+  for (std::size_t i = 0; i <= last; ++i) {
+    const LawState law = p.at(p.duration * static_cast<double>(i) / last);
+    const double x = i == 0 ? 0 : i == last ? 1 : law.s / h, b = law.v * law.v;
+    fastest = std::max(fastest, b);
+    for (std::size_t k = 0; k < N; ++k) {
+      const double d1 = path.d1(k, x);
+      value[k][i] = (path.d2(k, x) * b + d1 * law.a) / limit.acceleration[k];
+      value[N + k][i] = d1 * d1 * b / (limit.velocity[k] * limit.velocity[k]);
+    }
+  }
+  Excess worst{0, fastest / (feed * feed)};
+  for (std::size_t k = 0; k < N; ++k) {
+    // The model does not hold next to a cusp; half of the limit is in reserve there.
+    if (!cell.cusp_left && !cell.cusp_right)
+      worst.acceleration = std::max(worst.acceleration, cell_law_detail::peak(value[k]));
+    worst.velocity = std::max(worst.velocity, cell_law_detail::peak(value[N + k]));
+  }
+  return {worst.acceleration - 1, worst.velocity - 1};
+}
+
+}  // namespace bahnwerk

@@ -1,0 +1,212 @@
+#include "core/motion/grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bahnwerk {
+
+namespace {
+
+constexpr int max_parts = 16;  // cells laid at once; more and the interval is halved first
+constexpr int end_halvings = 4;
+constexpr double min_interval = 1e-6;  // of a segment's parameter range: grading towards a cusp ends here
+
+template <int N>
+Station<N> station(const Segment& segment, double u) {
+  const PathPoint p = segment.at_parameter(u);
+  Station<N> at;
+  at.u = u;
+  at.s = segment.travelled(u);
+  for (std::size_t k = 0; k < N; ++k) {
+    at.d1[k] = p.d1[k];
+    at.d2[k] = p.d2[k];
+    at.d3[k] = p.d3[k];
+  }
+  return at;
+}
+
+template <int N>
+double distance(const std::array<double, N>& a, const std::array<double, N>& b) {
+  double sum = 0;
+  for (std::size_t k = 0; k < N; ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
+  return std::sqrt(sum);
+}
+
+/// Most that v² can be where the path bends: |n · q̈| ≤ Σ |n_k| A_k with the unit normal n, so v² κ ≤ Σ |n_k| A_k.
+template <int N>
+double curvature_cap(const Station<N>& at, const Machine& machine, double feed) {
+  double square = 0, sum = 0;
+  for (std::size_t k = 0; k < N; ++k) {
+    square += at.d2[k] * at.d2[k];
+    sum += std::abs(at.d2[k]) * machine.axes[k].acceleration;
+  }
+  return std::min(feed * feed, square > 0 ? sum / square : std::numeric_limits<double>::infinity());
+}
+
+/// Lays the cells of one curved segment.
+template <int N>
+class Layer {
+ public:
+  Layer(Grid<N>& grid, const Segment& segment, std::uint32_t index, const Machine& machine, double feed,
+        const GridOptions& options)
+      : grid_(grid), segment_(segment), index_(index), machine_(machine), feed_(feed), options_(options) {}
+
+  void lay() {
+    const std::vector<double> panel = segment_.panel_parameters();
+    smallest_ = min_interval * (panel.back() - panel.front());
+    push(station<N>(segment_, panel.front()));
+    for (std::size_t i = 1; i < panel.size(); ++i) {
+      const Station<N> left = grid_.stations.back();
+      interval(left, station<N>(segment_, panel[i]));
+    }
+  }
+
+ private:
+  void push(const Station<N>& at) { grid_.stations.push_back(at); }
+
+  void cell_to(const Station<N>& at) {
+    GridCell cell;
+    cell.station = static_cast<std::uint32_t>(grid_.stations.size() - 1);
+    cell.segment = index_;
+    cell.cusp_left = segment_.cusp_begin() && grid_.stations.back().u == segment_.curve().begin();
+    cell.cusp_right = segment_.cusp_end() && at.u == segment_.curve().end();
+    grid_.cells.push_back(cell);
+    push(at);
+  }
+
+  /// How many cells [left, right] needs, judged at its middle.
+  double parts(const Station<N>& left, const Station<N>& right) const {
+    const Station<N> mid = station<N>(segment_, 0.5 * (left.u + right.u));
+    const double turn = distance<N>(left.d1, mid.d1) + distance<N>(mid.d1, right.d1);
+    const double h = right.s - left.s;
+    if (!(h > 0)) return 1;
+    const double t = (mid.s - left.s) / h, r = 1 - t;
+    double error = 0;  // of the cubic model of d2, relative to what the axis allows
+    const double cap = std::min({curvature_cap<N>(left, machine_, feed_), curvature_cap<N>(mid, machine_, feed_),
+                                 curvature_cap<N>(right, machine_, feed_)});
+    for (std::size_t k = 0; k < N; ++k) {
+      const double model = r * r * (1 + 2 * t) * left.d2[k] + t * t * (1 + 2 * r) * right.d2[k] +
+                           h * t * r * (r * left.d3[k] - t * right.d3[k]);
+      error =
+          std::max(error, std::abs(model - mid.d2[k]) * (std::isfinite(cap) ? cap : 0) / machine_.axes[k].acceleration);
+    }
+    return std::max(turn / options_.angle, std::sqrt(std::sqrt(error / options_.hermite)));
+  }
+
+  void interval(const Station<N>& left, const Station<N>& right) {
+    const double need = parts(left, right);
+    const bool at_cusp = (segment_.cusp_begin() && left.u == segment_.curve().begin()) ||
+                         (segment_.cusp_end() && right.u == segment_.curve().end());
+    if ((need > max_parts || at_cusp) && right.u - left.u > smallest_) {
+      const Station<N> mid = station<N>(segment_, 0.5 * (left.u + right.u));
+      interval(left, mid);
+      interval(mid, right);
+      return;
+    }
+    const int n = std::clamp(static_cast<int>(std::ceil(need)), 1, max_parts);
+    const double du = (right.u - left.u) / n;
+    for (int i = 1; i < n; ++i) cell(station<N>(segment_, left.u + i * du));
+    cell(right);
+  }
+
+  /// A cell up to `right`, parted where an axis turns round (zero inertia): the touching points of time-optimal laws
+  /// lie there.
+  void cell(const Station<N>& right) {
+    const Station<N> left = grid_.stations.back();
+    std::array<double, N> turning{};
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < N; ++k) {
+      if (!(left.d1[k] * right.d1[k] < 0)) continue;
+      double a = left.u, b = right.u, fa = left.d1[k], fb = right.d1[k], u = a;
+      for (int i = 0; i < 8; ++i) {  // regula falsi (Illinois); the tangent is nearly linear here
+        u = b - fb * (b - a) / (fb - fa);
+        const double f = segment_.at_parameter(u).d1[k];
+        if (std::abs(f) < 1e-14) break;
+        if (f * fb < 0) {
+          a = b;
+          fa = fb;
+        } else {
+          fa *= 0.5;
+        }
+        b = u;
+        fb = f;
+      }
+      const double share = (u - left.u) / (right.u - left.u);
+      if (!(share > 1e-3 && share < 1 - 1e-3)) continue;
+      std::size_t i = count++;
+      for (; i > 0 && turning[i - 1] > u; --i) turning[i] = turning[i - 1];
+      turning[i] = u;
+    }
+    for (std::size_t i = 0; i < count; ++i)
+      if (turning[i] > grid_.stations.back().u) cell_to(station<N>(segment_, turning[i]));
+    cell_to(right);
+  }
+
+  Grid<N>& grid_;
+  const Segment& segment_;
+  std::uint32_t index_;
+  const Machine& machine_;
+  double feed_;
+  const GridOptions& options_;
+  double smallest_ = 0;
+};
+
+}  // namespace
+
+template <int N>
+void Grid<N>::build(const Path& path, std::size_t first, std::size_t last, const std::vector<double>& feed,
+                    const Machine& machine, const GridOptions& options) {
+  stations.clear();
+  cells.clear();
+  for (std::size_t i = first; i < last; ++i) {
+    const Segment& segment = path[i];
+    if (segment.straight()) {
+      cells.push_back({static_cast<std::uint32_t>(stations.size()), static_cast<std::uint32_t>(i), true, false, false});
+      stations.push_back(station<N>(segment, segment.curve().begin()));
+      stations.push_back(station<N>(segment, segment.curve().end()));
+    } else {
+      Layer<N>(*this, segment, static_cast<std::uint32_t>(i), machine, feed[i], options).lay();
+    }
+  }
+}
+
+template <int N>
+void Grid<N>::grade_ends(const Path& path) {
+  std::vector<std::uint8_t> parts;
+  for (int i = 0; i < end_halvings; ++i) {
+    parts.assign(cells.size(), 1);
+    if (!cells.front().straight) parts.front() = 2;
+    if (!cells.back().straight) parts.back() = 2;
+    if (!cells.front().straight || !cells.back().straight) divide(path, parts);
+  }
+}
+
+template <int N>
+void Grid<N>::divide(const Path& path, const std::vector<std::uint8_t>& parts) {
+  std::vector<Station<N>> new_stations;
+  std::vector<GridCell> new_cells;
+  std::size_t total = 0;
+  for (const auto p : parts) total += p;
+  new_cells.reserve(total);
+  new_stations.reserve(stations.size() + total - cells.size());
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const Segment& segment = path[cells[c].segment];
+    if (c == 0 || cells[c].station != cells[c - 1].station + 1) new_stations.push_back(left(c));
+    const double u0 = left(c).u, du = (right(c).u - u0) / parts[c];
+    for (int i = 1; i <= parts[c]; ++i) {
+      GridCell cell = cells[c];
+      cell.station = static_cast<std::uint32_t>(new_stations.size() - 1);
+      cell.cusp_left = cell.cusp_left && i == 1;
+      cell.cusp_right = cell.cusp_right && i == parts[c];
+      new_cells.push_back(cell);
+      new_stations.push_back(i == parts[c] ? right(c) : station<N>(segment, u0 + i * du));
+    }
+  }
+  stations = std::move(new_stations);
+  cells = std::move(new_cells);
+}
+
+template class Grid<2>;
+template class Grid<3>;
+
+}  // namespace bahnwerk

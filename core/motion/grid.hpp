@@ -1,0 +1,62 @@
+#pragma once
+/// The stations of one run of a path at which a planner looks: dense where the path turns, one cell per straight
+/// segment.
+///
+/// A run goes from rest to rest. Cells lie inside one segment each, so curvature may jump from cell to cell. Inside a
+/// cell the curvature vector is reproduced by the cubic through its values and derivatives at both ends to `hermite` of
+/// an axis limit; that is what lets the planner hold limits between stations, not only on them.
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/contour/contour.hpp"
+#include "core/machine/machine.hpp"
+
+namespace bahnwerk {
+
+/// One side of a node: path length from the begin of its segment (short differences stay exact on long paths), curve
+/// parameter, and the axes' derivatives by path length (N axes).
+template <int N>
+struct Station {
+  double s = 0, u = 0;
+  std::array<double, N> d1{}, d2{}, d3{};
+};
+
+struct GridCell {
+  std::uint32_t station = 0;  ///< its left station; the right one is station + 1
+  std::uint32_t segment = 0;  ///< path segment
+  bool straight = false;
+  bool cusp_left = false, cusp_right = false;  ///< unbounded curvature at that end, where the speed is zero
+};
+
+struct GridOptions {
+  double angle = 0.004;  ///< most a cell turns, rad
+  double hermite =
+      1e-10;  ///< error allowed to the cubic model of a curvature vector, as a fraction of the axis acceleration limit
+};
+
+template <int N>
+class Grid {
+ public:
+  std::vector<Station<N>> stations;
+  std::vector<GridCell> cells;
+
+  double length(std::size_t c) const { return right(c).s - left(c).s; }
+  const Station<N>& left(std::size_t c) const { return stations[cells[c].station]; }
+  const Station<N>& right(std::size_t c) const { return stations[cells[c].station + 1]; }
+
+  /// Stations for the path segments [first, last). O(cells).
+  void build(const Path& path, std::size_t first, std::size_t last, const std::vector<double>& feed,
+             const Machine& machine, const GridOptions& options);
+  /// Halves the first and the last cell towards the rest at the run's ends, where the speed changes by more than it is.
+  /// O(cells).
+  void grade_ends(const Path& path);
+  /// Divides cell c into parts[c] cells. O(cells).
+  void divide(const Path& path, const std::vector<std::uint8_t>& parts);
+};
+
+extern template class Grid<2>;
+extern template class Grid<3>;
+
+}  // namespace bahnwerk

@@ -1,0 +1,32 @@
+#include "core/motion/law.hpp"
+
+#include <algorithm>
+
+namespace bahnwerk {
+
+void MotionLaw::append(LawPiece piece) {
+  piece.t0 = duration();
+  pieces_.push_back(piece);
+}
+
+std::size_t MotionLaw::find(double t, std::size_t hint) const {
+  const std::size_t n = pieces_.size();
+  auto holds = [&](std::size_t i) { return pieces_[i].t0 <= t && (i + 1 == n || t < pieces_[i + 1].t0); };
+  if (hint < n && holds(hint)) return hint;
+  if (hint + 1 < n && holds(hint + 1)) return hint + 1;
+  const auto after =
+      std::upper_bound(pieces_.begin(), pieces_.end(), t, [](double x, const LawPiece& p) { return x < p.t0; });
+  return after == pieces_.begin() ? 0 : static_cast<std::size_t>(after - pieces_.begin()) - 1;
+}
+
+MotionLaw MotionLaw::slowed(double factor) const {
+  MotionLaw law;
+  law.pieces_.reserve(pieces_.size());
+  for (LawPiece p : pieces_) {
+    p.slow(factor);
+    law.pieces_.push_back(p);
+  }
+  return law;
+}
+
+}  // namespace bahnwerk

@@ -1,0 +1,105 @@
+#pragma once
+/// Two neighbours in a chain of speeds, the half-planes between them, and the two questions a planner asks: how fast
+/// may I be next if I am this fast now, and how fast may I be now if I must not be faster than that next?
+///
+/// Inside a grid cell of length Δ, b = v² is a quadratic in s with Bernstein coefficients b1, g, b2: path acceleration
+/// (g − b1)/Δ at the left, (b2 − g)/Δ at the right. An axis acceleration h'' b + h' a [Bock (2.7)] at the left station
+/// is therefore linear in (b1, g), at the right one in (g, b2), and the whole run is one chain b1 g b2 g b3 … of
+/// variables whose links are polygons around the origin.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace bahnwerk {
+
+/// Two-sided half-planes |p x + q y| ≤ c between the variables x, y of a link, at most M of them. The origin satisfies
+/// all.
+template <int M>
+struct LinkRows {
+  std::array<double, M> p, q, c;
+  int n = 0;
+  void add(double px, double qy, double limit) {
+    p[static_cast<std::size_t>(n)] = px;
+    q[static_cast<std::size_t>(n)] = qy;
+    c[static_cast<std::size_t>(n)] = limit;
+    ++n;
+  }
+};
+
+/// Largest y ≤ cap for a given x for which some y ∈ [0, cap] exists. O(rows), no branches.
+template <int M>
+double reach_forward(const LinkRows<M>& rows, double x, double cap) {
+  double best = cap;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rows.n); ++i) {
+    const double q = std::abs(rows.q[i]);
+    const double p = std::copysign(rows.p[i], rows.p[i] * rows.q[i]);  // sign(q) · p
+    // The hair of slack absorbs the rounding of x where q is tiny; q = 0 gives infinity.
+    const double bound = (rows.c[i] * (1 + 1e-13) - p * x) / q;
+    best = bound < best ? bound : best;
+  }
+  return std::max(best, 0.0);
+}
+
+/// Largest x ≤ cap_x for which some y ∈ [0, cap_y] satisfies every row: a linear program in two variables, walked along
+/// its edges from y = cap_y. Usually one or two steps of O(rows).
+template <int M>
+double reach_backward(const LinkRows<M>& rows, double cap_x, double cap_y) {
+  const auto n = static_cast<std::size_t>(rows.n);
+  double y = cap_y;
+  for (int step = 0; step < 3 * M; ++step) {
+    // The tightest upper and lower bound on x at this y, with their slopes dx/dy.
+    double upper = cap_x, upper_slope = 0, upper_hair = 0, lower = 0, lower_slope = 0, lower_hair = 0, most = y;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double p = std::abs(rows.p[i]);
+      if (!(p * cap_x > 1e-9 * rows.c[i])) {  // as good as a limit on y alone
+        most = std::min(most, (rows.c[i] - (p > 0 ? p * cap_x : 0)) / std::abs(rows.q[i]));
+        continue;
+      }
+      const double slope = -std::copysign(rows.q[i], rows.p[i] * rows.q[i]) / p;
+      const double width = rows.c[i] / p, middle = slope * y;
+      // At a vertex take the line that leads on to smaller y: the one of larger slope. The hair is rounding, 1e-13 of
+      // the row.
+      const double line = middle + width, hair = 1e-13 * (width + std::abs(middle));
+      if (line < upper - hair || (line < upper + hair && slope > upper_slope)) {
+        upper = std::min(line, upper);
+        upper_slope = slope;
+        upper_hair = hair;
+      }
+      if (middle - width > lower) {
+        lower = middle - width;
+        lower_slope = slope;
+        lower_hair = hair;
+      }
+    }
+    if (most < y) {  // a limit on y alone
+      y = most;
+      continue;
+    }
+    if (lower - upper > lower_hair + upper_hair) {  // y is too large: go back to where the two lines meet
+      const double gain = lower_slope - upper_slope;
+      if (!(gain > 0)) return std::max(0.0, upper);  // rounding only: the origin is feasible
+      y = std::max(0.0, y - (lower - upper) / gain);
+      if (y == 0) return std::min(cap_x, upper);
+      continue;
+    }
+    if (upper_slope >= 0 || y <= 0) return upper;
+    // A smaller y lets x grow along the active line, until a line of larger slope takes over.
+    double next = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double p = std::abs(rows.p[i]);
+      if (!(p * cap_x > 1e-9 * rows.c[i])) continue;
+      const double slope = -std::copysign(rows.q[i], rows.p[i] * rows.q[i]) / p;
+      if (!(slope > upper_slope)) continue;
+      const double here = slope * y + rows.c[i] / p;  // ≥ upper
+      next = std::max(next, y - (here - upper) / (slope - upper_slope));
+    }
+    if (cap_x < std::numeric_limits<double>::infinity()) next = std::max(next, y - (cap_x - upper) / -upper_slope);
+    if (!(next < y * (1 - 1e-15))) return upper;
+    y = next;
+  }
+  return 0;  // not reached: each step visits another vertex
+}
+
+}  // namespace bahnwerk

@@ -1,0 +1,21 @@
+#pragma once
+/// Where a contour has to be passed at rest, and how fast its small tangent jumps may be passed.
+#include <vector>
+
+#include "core/contour/contour.hpp"
+#include "core/machine/machine.hpp"
+
+namespace bahnwerk {
+
+struct Runs {
+  /// Segment indices at which a run begins, 0 first, path.size() last: between two of them the motion does not stop.
+  std::vector<std::size_t> begin;
+  /// Per segment: largest v² at the joint where it begins; infinity at smooth joints, unused at the begin of runs.
+  std::vector<double> joint_cap;
+};
+
+/// A tangent jump above `corner_angle` (rad) or a cusp ends a run. A smaller jump Δ is passed so slowly that the
+/// velocity step |Δ_k| v of every axis stays within its acceleration · cycle_time. O(segments).
+Runs find_runs(const Contour& contour, const Machine& machine, double corner_angle);
+
+}  // namespace bahnwerk

@@ -1,0 +1,159 @@
+#pragma once
+/// Implementation of SpeedChain (a template over the number of axes).
+#include <algorithm>
+#include <cmath>
+
+#include "core/motion/acceleration_limited.hpp"
+
+namespace bahnwerk {
+
+template <int N>
+SpeedChain<N>::SpeedChain(const Grid<N>& grid, const std::vector<double>& feed, const Runs& runs,
+                          const Machine& machine, const AccelerationLimitedOptions& options)
+    : grid_(grid), feed_(feed), runs_(runs), options_(options), limit_(machine) {}
+
+/// Caps that need no neighbour: feed, axis velocity, limit curve, tangent jumps, rest at both ends.
+template <int N>
+void SpeedChain<N>::limit() {
+  const std::size_t n = grid_.cells.size();
+  node_cap_.assign(n + 1, unlimited);
+  middle_cap_.resize(n);
+  acceleration_.resize(n);
+  cap_.resize(n);
+  double most = 0, length = 0;  // |a| ≤ |A|, so v² can never exceed 2 |A| s: keeps everything finite
+  for (const double A : limit_.acceleration) most += A * A;
+  for (std::size_t c = 0; c < n; ++c) length += grid_.length(c);
+  most = 2 * std::sqrt(most) * length;
+  for (std::size_t c = 0; c < n; ++c) {
+    const GridCell& cell = grid_.cells[c];
+    const Station<N>&l = grid_.left(c), &r = grid_.right(c);
+    const double feed = feed_[cell.segment], h = r.s - l.s;
+    double left = std::min(most, feed * feed), right = left, middle = left, a = unlimited;
+    for (std::size_t k = 0; k < N; ++k) {
+      const double V2 = limit_.velocity[k] * limit_.velocity[k];
+      const double tl = l.d1[k] * l.d1[k], tr = r.d1[k] * r.d1[k];
+      if (cell.straight) a = std::min(a, limit_.acceleration[k] / std::abs(l.d1[k]));
+      if (V2 >= middle * std::max(tl, tr)) continue;  // nowhere near
+      const double vl = V2 / tl, vr = V2 / tr;
+      left = std::min(left, vl);
+      right = std::min(right, vr);
+      if (!cell.straight)
+        middle = std::min(middle, middle_cap(vl, -2 * vl * l.d2[k] / l.d1[k], vr, -2 * vr * r.d2[k] / r.d1[k], h));
+    }
+    if (options_.keep_reserve && !cell.straight) {
+      for (std::size_t k = 0; k < N; ++k) {
+        const double A = options_.braking_reserve * limit_.acceleration[k];
+        const double cl = A / std::abs(l.d2[k]), cr = A / std::abs(r.d2[k]);
+        if (!cell.cusp_left) left = std::min(left, cl);
+        if (!cell.cusp_right) right = std::min(right, cr);
+        if (std::min(cl, cr) < middle)
+          middle = std::min(middle, middle_cap(cl, -cl * l.d3[k] / l.d2[k], cr, -cr * r.d3[k] / r.d2[k], h));
+      }
+    }
+    cap_[c] = std::min(left, right);
+    acceleration_[c] = a;
+    middle_cap_[c] = middle;
+    if (c > 0 && cell.segment != grid_.cells[c - 1].segment) left = std::min(left, runs_.joint_cap[cell.segment]);
+    node_cap_[c] = std::min(node_cap_[c], left);
+    node_cap_[c + 1] = right;
+  }
+  node_cap_[0] = node_cap_[n] = 0;
+}
+
+template <int N>
+Rows<N> SpeedChain<N>::rows_left(std::size_t c, double share, bool flip) const {
+  return link(grid_.left(c), grid_.length(c), (grid_.cells[c].cusp_left ? 0.5 : 1) * share, flip,
+              grid_.cells[c].segment);
+}
+
+template <int N>
+Rows<N> SpeedChain<N>::rows_right(std::size_t c, double share, bool flip) const {
+  return link(grid_.right(c), -grid_.length(c), (grid_.cells[c].cusp_right ? 0.5 : 1) * share, flip,
+              grid_.cells[c].segment);
+}
+
+/// At a cusp (above) the curvature is unbounded while v² κ → 0: half of the limit is kept in reserve there.
+template <int N>
+inline Rows<N> SpeedChain<N>::link(const Station<N>& at, double h, double share, bool flip, std::size_t segment) const {
+  Rows<N> rows;
+  if (flip)
+    acceleration_rows<N, true>(rows, at, h, share, limit_);
+  else
+    acceleration_rows<N, false>(rows, at, h, share, limit_);
+  if (options_.keep_reserve) {
+    const double a = reserve_limit<N>(at, limit_, feed_[segment], options_.braking_reserve).acceleration;
+    if (std::isfinite(a)) rows.add(1 / h, -1 / h, a);
+  }
+  return rows;
+}
+
+template <int N>
+void SpeedChain<N>::step_back(std::size_t c, double share) {
+  if (grid_.cells[c].straight) {
+    node_stop_[c] = std::min(node_cap_[c], node_stop_[c + 1] + 2 * acceleration_[c] * grid_.length(c));
+  } else {
+    middle_stop_[c] = reach_backward(rows_right(c, share, true), middle_cap_[c], node_stop_[c + 1]);
+    node_stop_[c] = reach_backward(rows_left(c, share, false), node_cap_[c], middle_stop_[c]);
+  }
+}
+
+template <int N>
+void SpeedChain<N>::step_forward(std::size_t c, double share) {
+  if (grid_.cells[c].straight) {
+    node_[c + 1] = std::min(node_stop_[c + 1], node_[c] + 2 * acceleration_[c] * grid_.length(c));
+  } else {
+    middle_[c] = reach_forward(rows_left(c, share, false), node_[c], middle_stop_[c]);
+    node_[c + 1] = reach_forward(rows_right(c, share, true), middle_[c], node_stop_[c + 1]);
+  }
+}
+
+template <int N>
+template <class Tick>
+void SpeedChain<N>::solve(const std::vector<double>& share, Tick&& tick) {
+  limit();
+  const std::size_t n = grid_.cells.size();
+  node_stop_.resize(n + 1);
+  middle_stop_.resize(n);
+  node_.resize(n + 1);
+  middle_.resize(n);
+  node_stop_[n] = 0;
+  for (std::size_t c = n; c-- > 0;) {
+    tick(c);
+    step_back(c, share[c]);
+  }
+  node_[0] = 0;
+  for (std::size_t c = 0; c < n; ++c) {
+    tick(c);
+    step_forward(c, share[c]);
+  }
+}
+
+template <int N>
+template <class Tick>
+void SpeedChain<N>::update(const std::vector<double>& share, std::vector<std::uint8_t>& dirty, Tick&& tick) {
+  const auto differs = [](double a, double b) { return std::abs(a - b) > 1e-14 * std::abs(b); };
+  const std::size_t n = grid_.cells.size();
+  bool moved = false;  // did the right neighbour change?
+  for (std::size_t c = n; c-- > 0;) {
+    if (!dirty[c] && !moved) continue;
+    tick(c);
+    const double node = node_stop_[c], middle = middle_stop_[c];
+    step_back(c, share[c]);
+    moved = differs(node_stop_[c], node);
+    if (moved || differs(middle_stop_[c], middle)) dirty[c] = 1;
+  }
+  moved = false;
+  for (std::size_t c = 0; c < n; ++c) {
+    // A cell whose right neighbour may start slower than before has to be driven again, too.
+    const bool capped = node_[c + 1] > node_stop_[c + 1] || (c + 1 < n && dirty[c + 1] != 0);
+    if (!dirty[c] && !moved && !capped) continue;
+    tick(c);
+    const double node = node_[c + 1], middle = middle_[c];
+    step_forward(c, share[c]);
+    const bool changed = differs(node_[c + 1], node);
+    if (moved || changed || differs(middle_[c], middle)) dirty[c] = 1;
+    moved = changed;
+  }
+}
+
+}  // namespace bahnwerk

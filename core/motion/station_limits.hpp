@@ -1,0 +1,77 @@
+#pragma once
+/// What the axes allow at one station of a curved cell, as rows of the link between v² there and the cell's middle
+/// coefficient.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/motion/grid.hpp"
+#include "core/motion/reach.hpp"
+
+namespace bahnwerk {
+
+/// Limits in the form the inner loop wants.
+template <int N>
+struct AxisBounds {
+  std::array<double, N> velocity{}, acceleration{};
+  explicit AxisBounds(const Machine& machine) {
+    for (std::size_t k = 0; k < N; ++k) {
+      velocity[k] = machine.axes[k].velocity;
+      acceleration[k] = machine.axes[k].acceleration;
+    }
+  }
+};
+
+template <int N>
+using Rows = LinkRows<2 * N + 1>;
+
+/// Rows of the link (b at the station, g): `h` is the cell's length, negative at its right end; the path acceleration
+/// is (g − b)/h. `share` of the limits may be used. `Flip` exchanges the variables' order: (g, b).
+template <int N, bool Flip>
+inline void acceleration_rows(Rows<N>& rows, const Station<N>& at, double h, double share, const AxisBounds<N>& limit) {
+  const double w = 1 / h;
+  for (std::size_t k = 0; k < N; ++k) {
+    const double A = share * limit.acceleration[k];
+    const double t = w * at.d1[k], p = at.d2[k] - t;
+    Flip ? rows.add(t, p, A) : rows.add(p, t, A);
+    // Where the axis turns round (h'_k ≈ 0) its acceleration says little about a, but its slope h''' v² + 3 h'' a does:
+    // without it the law would chatter around the point. The neglected term h'_k da/ds is of second order in the cell
+    // there.
+    if (std::abs(at.d1[k]) < 4 * std::abs(h * at.d2[k])) {
+      const double tilt = t + at.d2[k], shift = at.d2[k] + h / 3 * at.d3[k] - tilt;
+      Flip ? rows.add(tilt, shift, A) : rows.add(shift, tilt, A);
+    }
+  }
+}
+
+/// [Bock 2.2.3]: the limit curve v↓² = min(feed², V²/h'², K_b A/|h''|) of (2.12)–(2.15), and the acceleration a↓ below
+/// it, (2.16) with |h''| v↓² in place of the printed |h'' v↓|². Condition (2.11) is kept with h'' (printed h').
+struct ReserveLimit {
+  double speed2 = 0;        ///< v↓²
+  double acceleration = 0;  ///< a↓
+};
+template <int N>
+inline ReserveLimit reserve_limit(const Station<N>& at, const AxisBounds<N>& limit, double feed, double reserve) {
+  ReserveLimit r{feed * feed, std::numeric_limits<double>::infinity()};
+  for (std::size_t k = 0; k < N; ++k) {
+    const double t = std::abs(at.d1[k]), c = std::abs(at.d2[k]);
+    if (t > 0) r.speed2 = std::min(r.speed2, limit.velocity[k] * limit.velocity[k] / (t * t));
+    if (c > 0) r.speed2 = std::min(r.speed2, reserve * limit.acceleration[k] / c);
+  }
+  for (std::size_t k = 0; k < N; ++k) {
+    const double t = std::abs(at.d1[k]), c = std::abs(at.d2[k]);
+    const double used = c > 0 ? c * r.speed2 : 0;
+    if (t > 0) r.acceleration = std::min(r.acceleration, (limit.acceleration[k] - used) / t);
+  }
+  return r;
+}
+
+/// A cap φ(s) on v² over a cell, from its values and slopes at both ends: the largest middle coefficient g that keeps
+/// v² below φ to third order when the ends touch it, and safely below it otherwise.
+inline double middle_cap(double left, double left_slope, double right, double right_slope, double h) {
+  const double tangents = std::min(left + 0.5 * h * left_slope, right - 0.5 * h * right_slope);
+  return std::max(tangents, std::min(left, right));
+}
+
+}  // namespace bahnwerk

@@ -1,0 +1,61 @@
+#pragma once
+/// A path, a law and a machine: the state of every axis at any time, and the series of setpoints.
+#include <memory>
+
+#include "core/contour/contour.hpp"
+#include "core/machine/machine.hpp"
+#include "core/motion/law.hpp"
+#include "core/plan.hpp"
+
+namespace bahnwerk {
+
+/// State of the tool head: position mm, velocity mm/s, acceleration mm/s², jerk mm/s³; and of the path.
+struct State {
+  Vec position, velocity, acceleration, jerk;
+  LawState path;
+};
+
+/// Immutable and thread-safe once made. sample() costs a binary search and one path evaluation; a good hint saves the
+/// search.
+class Trajectory {
+ public:
+  Trajectory(std::shared_ptr<const Contour> contour, MotionLaw law)
+      : contour_(std::move(contour)), law_(std::move(law)) {}
+  const Contour& contour() const { return *contour_; }
+  const MotionLaw& law() const { return law_; }
+  double duration() const { return law_.duration(); }
+  /// State just after t (right limits); `piece` is the hint and is updated.
+  State sample(double t, std::size_t& piece) const;
+
+ private:
+  std::shared_ptr<const Contour> contour_;
+  MotionLaw law_;
+};
+
+/// How many cycles a motion of `duration` takes and by what factor (≥ 1) it is slowed to end exactly on the last one.
+struct Cycles {
+  std::size_t count = 0;  ///< setpoints = count + 1
+  double factor = 1;
+};
+Cycles whole_cycles(double duration, double cycle_time);
+
+/// Columns x y [z] vx … ax … s v, row k at k · cycle_time; the last row is at rest.
+class CartesianSetpoints final : public SetpointSource {
+ public:
+  /// `trajectory` must already last a whole number of cycles.
+  CartesianSetpoints(std::shared_ptr<const Trajectory> trajectory, const Machine& machine, std::size_t cycles);
+  const std::vector<Column>& columns() const override { return columns_; }
+  std::size_t count() const override { return cycles_ + 1; }
+  double cycle_time() const override { return cycle_time_; }
+  double duration() const override { return static_cast<double>(cycles_) * cycle_time_; }
+  void read(std::size_t first, std::size_t rows, double* out) const override;
+
+ private:
+  std::shared_ptr<const Trajectory> trajectory_;
+  std::vector<Column> columns_;
+  std::size_t cycles_;
+  std::size_t dimension_;
+  double cycle_time_;
+};
+
+}  // namespace bahnwerk

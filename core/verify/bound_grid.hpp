@@ -1,0 +1,78 @@
+#pragma once
+/// The nodes of the lower bound: places on the path with what every motion has to respect there.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "core/contour/contour.hpp"
+#include "core/machine/machine.hpp"
+#include "core/verify/pulse.hpp"
+
+namespace bahnwerk::verify {
+
+struct BoundNode {
+  Vec position, tangent, curvature;  ///< mm, 1, 1/mm; curvature 0 at cusps, where the speed is 0 anyway
+  double s = 0, u = 0;               ///< arc length, mm, and the segment's parameter
+  double cap = 0;                    ///< largest b = v² allowed at this place itself, mm²/s², may be infinite
+  double blur = 0;                   ///< how far rounding may have moved a component of the tangent
+  std::size_t segment = 0;
+
+  /// Bounds of h'_k² under that rounding: conditions are always used in their weaker reading.
+  double least(std::size_t k) const { return square(std::max(0.0, std::abs(tangent[k]) - blur)); }
+  double most(std::size_t k) const { return square(std::abs(tangent[k]) + blur); }
+
+ private:
+  static double square(double x) { return x * x; }
+};
+
+/// Between node i and node i + 1. Across a joint both nodes are the same place with the tangents of either side.
+struct BoundCell {
+  enum class Kind : unsigned char { straight, curved, joint };
+  std::array<double, 3> energy{};    ///< 2 A_k ∫|h'_k| ds from above, mm²/s²: what |h'_k² b| may change by
+  std::array<double, 3> way{};       ///< |Δx_k| from below, mm
+  std::array<double, 3> velocity{};  ///< what axis k may run at, by its own limit, the feed and the other axes', mm/s
+  double length = 0;                 ///< mm
+  Kind kind = Kind::joint;
+  bool divisible = false;  ///< curved, and long enough for its coordinates to tell more when halved
+};
+
+class BoundGrid {
+ public:
+  BoundGrid(const Contour& contour, const Machine& machine, double corner_angle, Pulse& pulse);
+
+  /// The first grid over the segments [first, last), at rest at both ends.
+  void build(std::size_t first, std::size_t last);
+  /// Quarters the cells marked. O(n).
+  void refine(const std::vector<unsigned char>& marked);
+
+  std::size_t axes() const { return axes_; }
+  double acceleration(std::size_t k) const { return acceleration_[k]; }
+  double velocity(std::size_t k) const { return velocity_[k]; }
+  double feed(std::size_t segment) const { return feeds_[segment]; }
+  const std::vector<BoundNode>& nodes() const { return nodes_; }
+  const std::vector<BoundCell>& cells() const { return cells_; }
+
+ private:
+  BoundNode node(std::size_t segment, double u) const;
+  double place_cap(const BoundNode& n) const;
+  static bool hides_valley(const BoundNode& a, const BoundNode& middle, const BoundNode& b);
+  bool too_wide(const BoundNode& a, const BoundNode& b, double turn_limit) const;
+  void append_segment(std::size_t segment);
+  void append_between(const BoundNode& a, const BoundNode& b, int depth);
+  void append_with_roots(const BoundNode& a, const BoundNode& b, int axis);
+  void append(const BoundNode& b);
+  BoundCell cell(BoundNode& a, BoundNode& b) const;
+
+  const Contour& contour_;
+  std::size_t axes_;
+  std::array<double, 3> acceleration_{}, velocity_{};
+  double cycle_time_, corner_angle_;
+  std::vector<double> feeds_;
+  Pulse& pulse_;
+  std::vector<BoundNode> nodes_, old_nodes_;  ///< the old ones are kept for their memory
+  std::vector<BoundCell> cells_, old_cells_;
+};
+
+}  // namespace bahnwerk::verify

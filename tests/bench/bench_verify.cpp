@@ -1,0 +1,75 @@
+// What judging costs per law piece and bounding per node, for growing plans.
+#include <benchmark/benchmark.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "core/verify/judge.hpp"
+#include "core/verify/lower_bound.hpp"
+#include "tests/core/verify/reference.hpp"
+
+namespace bahnwerk {
+namespace {
+
+using reference::machine;
+using reference::Maker;
+
+enum Shape : int { lines, arcs, cubics };
+
+// A wave of `periods` periods, 40 mm each: one shape only, all joints tangent (lines: corners).
+Contour wave(Shape shape, int periods) {
+  Maker make;
+  for (int i = 0; i < periods; ++i) {
+    const double x = 40.0 * i;
+    if (shape == lines) make.line({x + 20, 10}).line({x + 40, 0});
+    if (shape == arcs) make.arc({x + 20, 0}, {x + 10, 0}, false).arc({x + 40, 0}, {x + 30, 0}, true);
+    if (shape == cubics)
+      make.bezier({{x + 8, 9}, {x + 12, 9}, {x + 20, 0}}, {1, 1.2, 0.9, 1})
+          .bezier({{x + 28, -9}, {x + 32, -9}, {x + 40, 0}});
+  }
+  return make.done();
+}
+
+// Even pieces that speed up and slow down a little, at rest wherever segments meet at corners.
+MotionLaw wavy_law(const Contour& contour, std::size_t pieces) {
+  const std::size_t n = contour.path.size(), each = std::max<std::size_t>(2, pieces / n);
+  std::vector<reference::Stop> stops;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = 0; k < each; ++k)
+      stops.push_back({contour.path[i].s0() + contour.path[i].length() * double(k) / double(each),
+                       k == 0 && (i == 0 || contour.path[i].straight()) ? 0 : 100 + 0.1 * double((k * 7919) % 100)});
+  stops.push_back({contour.path.length(), 0});
+  return reference::law_through(contour.path, stops);
+}
+
+void judging(benchmark::State& state, Shape shape) {
+  const auto pieces = static_cast<std::size_t>(state.range(0));
+  const Contour contour = wave(shape, static_cast<int>(std::max<std::size_t>(1, pieces / 200)));
+  const MotionLaw law = wavy_law(contour, pieces);
+  const Machine m = machine(2, 1800, 16000);
+  SilentProgress silent;
+  for (auto _ : state) benchmark::DoNotOptimize(judge({contour, m, law, 1e-3}, silent));
+  state.counters["per_piece"] = benchmark::Counter(
+      double(law.pieces().size()), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+BENCHMARK_CAPTURE(judging, lines, lines)->RangeMultiplier(10)->Range(1000, 100000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(judging, arcs, arcs)->RangeMultiplier(10)->Range(1000, 100000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(judging, cubics, cubics)->RangeMultiplier(10)->Range(1000, 100000)->Unit(benchmark::kMillisecond);
+
+void bounding(benchmark::State& state, Shape shape) {
+  const Contour contour = wave(shape, static_cast<int>(state.range(0)));
+  const Machine m = machine(2, 1800, 16000);
+  SilentProgress silent;
+  Bound bound;
+  for (auto _ : state) bound = lower_bound(contour, m, 1e-3, silent);
+  const double nodes = std::atof(bound.basis.substr(bound.basis.find_first_of("0123456789")).c_str());
+  state.counters["nodes"] = nodes;
+  state.counters["per_node"] =
+      benchmark::Counter(nodes, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+BENCHMARK_CAPTURE(bounding, lines, lines)->RangeMultiplier(10)->Range(10, 10000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(bounding, arcs, arcs)->RangeMultiplier(10)->Range(3, 300)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(bounding, cubics, cubics)->RangeMultiplier(10)->Range(3, 300)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace bahnwerk

@@ -1,0 +1,112 @@
+#include "core/contour/builder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace bahnwerk {
+namespace {
+
+const double nan = std::numeric_limits<double>::quiet_NaN();
+const double none = std::numeric_limits<double>::infinity();
+
+std::vector<InputFault> faults_of(ContourBuilder& b) {
+  try {
+    b.finish();
+  } catch (const InvalidInput& e) {
+    return e.faults;
+  }
+  return {};
+}
+
+std::string pointer(const InputFault& f) {
+  std::string text;
+  for (const auto& p : f.place) text += "/" + p;
+  return text;
+}
+
+TEST(ContourBuilder, BlocksCoverTheirSegments) {
+  ContourBuilder b(2, {});
+  b.block(Mode::cut, 400);
+  b.line({10, 0, 0});
+  b.arc({20, 10, 0}, {10, 10, 0}, true);
+  b.block(Mode::position, none);
+  b.line({20, 30, 0});
+  const Contour c = b.finish();
+  ASSERT_EQ(c.path.size(), 3u);
+  ASSERT_EQ(c.blocks.size(), 2u);
+  EXPECT_EQ(c.blocks[0].last, 2u);
+  EXPECT_EQ(c.blocks[1].first, 2u);
+  EXPECT_NEAR(c.path.length(), 10 + 5 * M_PI + 20, 1e-12);
+  EXPECT_EQ(c.feeds(), (std::vector<double>{400, 400, none}));
+  EXPECT_TRUE(c.notes.empty());
+}
+
+TEST(ContourBuilder, DropsWhatHasNoLengthWithANote) {
+  ContourBuilder b(2, {});
+  b.line({0, 0, 0});
+  b.line({1e-8, 0, 0});
+  b.polynomial({{0, 0, 0}, {0, 0}});
+  b.line({10, 0, 0});
+  const Contour c = b.finish();
+  EXPECT_EQ(c.path.size(), 1u);
+  EXPECT_EQ(c.notes.size(), 3u);
+  EXPECT_NEAR(c.path.length(), 10, 1e-12);
+}
+
+TEST(ContourBuilder, ManyTinyStepsKeepTheirDistance) {
+  ContourBuilder b(2, {});
+  for (int i = 1; i <= 1000; ++i) b.line({i * 1e-8, 0, 0});
+  b.line({1e-5, 1, 0});
+  EXPECT_NEAR(b.finish().path.length(), 1 + 1e-5, 2e-6);
+}
+
+TEST(ContourBuilder, CollectsEveryFaultWithItsPlace) {
+  ContourBuilder b(2, {});
+  b.block(Mode::cut, 100);
+  b.line({nan, 0, 0});
+  b.arc({10, 0, 0}, {4, 0, 0}, true);  // radii 4 and 6
+  b.polynomial({{5, 1}, {0, 1}});      // a gap of 5 mm
+  b.block(Mode::cut, -1);
+  b.nurbs(3, {{0, 0, 0}, {1, 0, 0}}, {1, 1}, {0, 0, 1, 1});
+  const auto faults = faults_of(b);
+  ASSERT_GE(faults.size(), 5u);  // the NURBS has two
+  EXPECT_EQ(pointer(faults[0]), "/contour/blocks/0/segments/0/line");
+  EXPECT_EQ(pointer(faults[1]), "/contour/blocks/0/segments/1/arc/center");
+  EXPECT_EQ(pointer(faults[2]), "/contour/blocks/0/segments/2/polynomial");
+  EXPECT_EQ(pointer(faults[3]), "/contour/blocks/1/feed");
+  EXPECT_EQ(pointer(faults[4]).rfind("/contour/blocks/1/segments/0/nurbs", 0), 0u);
+}
+
+TEST(ContourBuilder, NothingToMoveAlongIsAFault) {
+  ContourBuilder b(2, {});
+  b.line({0, 0, 0});
+  const auto faults = faults_of(b);
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_EQ(pointer(faults[0]), "/contour");
+}
+
+TEST(ContourBuilder, SmallGapsAreJoinedWithANote) {
+  ContourBuilder b(2, {});
+  b.line({10, 0, 0});
+  b.polynomial({{10.0004, 5}, {0, 0, 3}});
+  const Contour c = b.finish();
+  EXPECT_EQ(c.notes.size(), 1u);
+  EXPECT_LT(norm(c.path[1].at(c.path[1].s0()).value - Vec{10, 0, 0}), 1e-12);
+}
+
+TEST(Joints, AngleAndStep) {
+  ContourBuilder b(2, {});
+  b.line({10, 0, 0});
+  b.line({10, 10, 0});
+  b.line({10, 20, 0});
+  const auto list = joints(b.finish().path);
+  ASSERT_EQ(list.size(), 2u);
+  EXPECT_NEAR(list[0].angle, M_PI / 2, 1e-15);
+  EXPECT_NEAR(list[0].step.x, -1, 1e-15);
+  EXPECT_EQ(list[0].next, 1u);
+  EXPECT_EQ(list[1].angle, 0);
+}
+
+}  // namespace
+}  // namespace bahnwerk

@@ -1,0 +1,59 @@
+#include "core/motion/law.hpp"
+
+#include <gtest/gtest.h>
+
+namespace bahnwerk {
+namespace {
+
+MotionLaw trapezoid() {  // 0 → 10 mm/s in 1 s, hold 2 s, brake 1 s
+  MotionLaw law;
+  law.append({0, 1, 0, 5, 0, 10, 0, 0});
+  law.append({0, 2, 5, 25, 10, 0, 0, 0});
+  law.append({0, 1, 25, 30, 10, -10, 0, 0});
+  return law;
+}
+
+TEST(MotionLaw, PiecesFollowEachOther) {
+  const MotionLaw law = trapezoid();
+  EXPECT_DOUBLE_EQ(law.duration(), 4);
+  EXPECT_DOUBLE_EQ(law.pieces()[2].t0, 3);
+  const LawState end = law.pieces()[2].at(1);
+  EXPECT_DOUBLE_EQ(end.s, 30);
+  EXPECT_DOUBLE_EQ(end.v, 0);
+}
+
+TEST(MotionLaw, FindsThePieceWithAndWithoutAHint) {
+  const MotionLaw law = trapezoid();
+  for (std::size_t hint = 0; hint < 5; ++hint) {
+    EXPECT_EQ(law.find(0, hint), 0u);
+    EXPECT_EQ(law.find(0.999, hint), 0u);
+    EXPECT_EQ(law.find(1, hint), 1u);
+    EXPECT_EQ(law.find(3.5, hint), 2u);
+    EXPECT_EQ(law.find(4, hint), 2u);
+    EXPECT_EQ(law.find(99, hint), 2u);
+    EXPECT_EQ(law.find(-1, hint), 0u);
+  }
+}
+
+TEST(MotionLaw, SlowedRunsTheSameWay) {
+  const MotionLaw law = trapezoid(), slow = law.slowed(1.25);
+  EXPECT_DOUBLE_EQ(slow.duration(), 5);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const LawPiece &p = law.pieces()[i], &q = slow.pieces()[i];
+    const LawState a = p.at(0.3 * p.duration), b = q.at(0.3 * q.duration);
+    EXPECT_DOUBLE_EQ(a.s, b.s);
+    EXPECT_NEAR(a.v, 1.25 * b.v, 1e-14 * a.v);
+    EXPECT_NEAR(a.a, 1.25 * 1.25 * b.a, 1e-14 * std::abs(a.a));
+  }
+}
+
+TEST(LawPiece, StateIsTheDerivative) {
+  const LawPiece p{0, 1, 2, 0, 3, 4, 5, 0};
+  const double t = 0.7, d = 1e-5;
+  EXPECT_NEAR((p.at(t + d).s - p.at(t - d).s) / (2 * d), p.at(t).v, 1e-8);
+  EXPECT_NEAR((p.at(t + d).v - p.at(t - d).v) / (2 * d), p.at(t).a, 1e-8);
+  EXPECT_NEAR((p.at(t + d).a - p.at(t - d).a) / (2 * d), p.at(t).j, 1e-8);
+}
+
+}  // namespace
+}  // namespace bahnwerk

@@ -1,0 +1,90 @@
+#include "core/motion/trajectory.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/contour/builder.hpp"
+#include "core/motion/acceleration_limited.hpp"
+
+namespace bahnwerk {
+namespace {
+
+Machine machine(std::size_t axes = 2) {
+  Machine m;
+  for (const char* name : {"x", "y", "z"})
+    if (m.axes.size() < axes) m.axes.push_back({name, 1800, 16000, unlimited});
+  return m;
+}
+
+std::shared_ptr<const Trajectory> trajectory(const Machine& m, Cycles& cycles) {
+  ContourBuilder b(m.dimension(), {});
+  b.block(Mode::cut, 400);
+  b.line({20, 0, 0});
+  b.arc({20, 20, 0}, {20, 10, 0}, true);
+  b.nurbs(3, {{20, 20, 0}, {10, 20, 0}, {0, 30, 0}, {-10, 20, 0}, {-20, 20, 0}}, {1, 2, 1, 1, 1},
+          {0, 0, 0, 0, 0.4, 1, 1, 1, 1});
+  auto contour = std::make_shared<const Contour>(b.finish());
+  SilentProgress progress;
+  const MotionLaw law = plan_acceleration_limited(*contour, m, {}, progress).law;
+  cycles = whole_cycles(law.duration(), m.cycle_time);
+  return std::make_shared<const Trajectory>(contour, law.slowed(cycles.factor));
+}
+
+TEST(Cycles, SlowByLessThanOneCycle) {
+  for (const double t : {1e-9, 0.0009999, 0.001, 0.0010001, 7.3936, 0.3, 12345.678}) {
+    const Cycles c = whole_cycles(t, 0.001);
+    EXPECT_GE(c.factor, 1);
+    EXPECT_LT(static_cast<double>(c.count) * 0.001 - t, 0.001 * (1 + 1e-9));
+    EXPECT_NEAR(c.factor * t, static_cast<double>(c.count) * 0.001, 1e-12 * t);
+  }
+  EXPECT_EQ(whole_cycles(7.3936, 0.001).count, 7394u);
+}
+
+TEST(Trajectory, VelocityAndAccelerationAreDerivatives) {
+  Cycles cycles;
+  const auto t = trajectory(machine(), cycles);
+  std::size_t piece = 0;
+  const double d = 1e-6;
+  int compared = 0;
+  for (double at = 0.0107; at < t->duration() - 0.01; at += 0.0053) {
+    const State before = t->sample(at - d, piece), here = t->sample(at, piece), after = t->sample(at + d, piece);
+    if (t->law().find(at - d) != t->law().find(at + d)) continue;  // a joint of the law in between
+    for (std::size_t k = 0; k < 2; ++k) {
+      EXPECT_NEAR((after.position[k] - before.position[k]) / (2 * d), here.velocity[k], 1e-4);
+      EXPECT_NEAR((after.velocity[k] - before.velocity[k]) / (2 * d), here.acceleration[k], 1);
+    }
+    ++compared;
+  }
+  EXPECT_GT(compared, 20);
+}
+
+TEST(CartesianSetpoints, EndAtRestOnTheLastRowAndSlicesAgree) {
+  Cycles cycles;
+  const Machine m = machine();
+  const auto t = trajectory(m, cycles);
+  const CartesianSetpoints points(t, m, cycles.count);
+  ASSERT_EQ(points.columns().size(), 8u);
+  EXPECT_EQ(points.columns()[0].name, "x");
+  EXPECT_EQ(points.columns()[3].name, "vy");
+  EXPECT_EQ(points.columns()[6].name, "s");
+  std::vector<double> all(points.count() * 8), slice(3 * 8);
+  points.read(0, points.count(), all.data());
+  points.read(points.count() / 2, 3, slice.data());
+  for (std::size_t i = 0; i < slice.size(); ++i) EXPECT_EQ(slice[i], all[points.count() / 2 * 8 + i]);
+  const double* last = all.data() + (points.count() - 1) * 8;
+  EXPECT_EQ(last[0], -20);
+  EXPECT_EQ(last[1], 20);
+  for (const int i : {2, 3, 4, 5, 7}) EXPECT_EQ(last[i], 0);
+  EXPECT_EQ(last[6], t->contour().path.length());
+  EXPECT_EQ(all[0], 0);
+  EXPECT_EQ(all[7], 0);
+}
+
+TEST(CartesianSetpoints, ThreeAxesHaveElevenColumns) {
+  Cycles cycles;
+  const Machine m = machine(3);
+  const auto t = trajectory(m, cycles);
+  EXPECT_EQ(CartesianSetpoints(t, m, cycles.count).columns().size(), 11u);
+}
+
+}  // namespace
+}  // namespace bahnwerk

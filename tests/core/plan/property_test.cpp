@@ -1,0 +1,103 @@
+/// Random contours and limits: every plan is verified, within its bound, and behaves as physics says.
+/// Quick run: 20 000 cases in eight shards; BAHNWERK_CASES multiplies them.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "core/contour_plan.hpp"
+#include "random_contour.hpp"
+
+namespace bahnwerk {
+namespace {
+
+using testing::Outline;
+
+class PlanProperty : public ::testing::TestWithParam<int> {
+ protected:
+  /// A Machine by value: the plan must not hang on anything of ours.
+  static ContourPlan plan(const Outline& outline, const Machine& machine, PlanningMethod method) {
+    SilentProgress progress;
+    ContourPlanning planning;
+    planning.method = method;
+    planning.braking_reserve = 0.7;
+    return plan_contour(build(outline), machine, planning, progress);
+  }
+  static std::string failures(const ContourPlan& p) {
+    std::string text;
+    for (const Check& c : p.verification.checks)
+      if (!c.passed)
+        text += c.name + " limit " + std::to_string(c.limit) + " value " + std::to_string(c.value) + " at " +
+                std::to_string(c.at) + "; ";
+    return text;
+  }
+};
+
+std::size_t cases(std::size_t quick) {
+  const char* factor = std::getenv("BAHNWERK_CASES");
+  return factor ? static_cast<std::size_t>(static_cast<double>(quick) * std::atof(factor)) : quick;
+}
+
+/// Mostly a few segments, now and then up to 200.
+std::size_t segment_count(Random& random) {
+  const double pick = random.uniform();
+  return 1 + static_cast<std::size_t>(pick < 0.9     ? random.below(3)
+                                      : pick < 0.995 ? random.below(12)
+                                                     : random.below(200));
+}
+
+TEST_P(PlanProperty, VerifiedBoundedMonotoneReversibleDivisibleScalable) {
+  Random random(1000 + static_cast<std::uint64_t>(GetParam()));
+  for (std::size_t i = 0; i < cases(2500); ++i) {
+    SCOPED_TRACE("shard " + std::to_string(GetParam()) + " case " + std::to_string(i));
+    const std::size_t dimension = random.chance(0.25) ? 3 : 2;
+    const Outline outline = testing::random_outline(random, segment_count(random), dimension);
+    const Machine machine = testing::random_machine(random, dimension);
+
+    const ContourPlan fast = plan(outline, machine, PlanningMethod::time_optimal);
+    ASSERT_TRUE(fast.verification.passed) << failures(fast);
+    ASSERT_GE(fast.bound.gap, 0);
+    ASSERT_LE(fast.bound.gap, 1e-4);
+    ASSERT_GE(fast.setpoints->duration(), fast.duration);
+    ASSERT_LT(fast.setpoints->duration(), fast.duration + machine.cycle_time);
+
+    switch (i % 5) {
+      case 0: {
+        const ContourPlan reserve = plan(outline, machine, PlanningMethod::braking_reserve);
+        ASSERT_TRUE(reserve.verification.passed) << failures(reserve);
+        ASSERT_LE(fast.duration, reserve.duration * (1 + 1e-9));
+        break;
+      }
+      case 1: {  // looser limits never take longer
+        Machine loose = machine;
+        const std::size_t axis = random.below(dimension);
+        (random.chance(0.5) ? loose.axes[axis].velocity : loose.axes[axis].acceleration) *= random.uniform(1, 2);
+        ASSERT_LE(plan(outline, loose, PlanningMethod::time_optimal).duration, fast.duration * (1 + 1e-5));
+        break;
+      }
+      case 2: {
+        const double backwards = plan(testing::reversed(outline), machine, PlanningMethod::time_optimal).duration;
+        ASSERT_NEAR(backwards, fast.duration, 1e-5 * fast.duration);
+        break;
+      }
+      case 3: {
+        const double cut = plan(testing::divided(outline, random), machine, PlanningMethod::time_optimal).duration;
+        ASSERT_NEAR(cut, fast.duration, 1e-5 * fast.duration);
+        break;
+      }
+      default: {  // another unit of length
+        Machine other = machine;
+        for (AxisLimits& a : other.axes) {
+          a.velocity *= 1024;
+          a.acceleration *= 1024;
+        }
+        ASSERT_NEAR(plan(testing::scaled(outline, 1024), other, PlanningMethod::time_optimal).duration, fast.duration,
+                    1e-6 * fast.duration);
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shards, PlanProperty, ::testing::Range(0, 8));
+
+}  // namespace
+}  // namespace bahnwerk
