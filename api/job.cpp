@@ -1,0 +1,154 @@
+#include "api/job.hpp"
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "api/embedded.hpp"
+#include "api/json_text.hpp"
+#include "api/pointer.hpp"
+#include "api/problem.hpp"
+#include "api/schema.hpp"
+
+namespace bahnwerk::api {
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+constexpr std::array<std::string_view, 5> state_names{"queued", "running", "succeeded", "failed", "cancelled"};
+
+const Schema& envelope_schema() {
+  static const Schema schema(embedded("job"));
+  return schema;
+}
+
+const Schema& kind_schema(const Kind& kind) {
+  static const auto schemas = [] {
+    std::vector<Schema> list;
+    for (const auto& each : kinds()) list.emplace_back(each.schema);
+    return list;
+  }();
+  return schemas[static_cast<std::size_t>(&kind - kinds().data())];
+}
+
+std::string summary(const std::vector<FieldError>& errors) {
+  const std::string first =
+      (errors.front().pointer.empty() ? "the document" : errors.front().pointer) + ": " + errors.front().message;
+  if (errors.size() == 1) return first;
+  const bool more = errors.size() >= Schema::most_faults;
+  return first + " (and " + (more ? "at least " : "") + std::to_string(errors.size() - 1) + " more)";
+}
+
+/// scheme://host…, http or https, of printable ASCII without blanks.
+bool is_web_address(std::string_view uri) {
+  const auto scheme = uri.find("://");
+  if (scheme == uri.npos || (uri.substr(0, scheme) != "http" && uri.substr(0, scheme) != "https")) return false;
+  const auto host = uri.substr(scheme + 3);
+  const auto end = host.find_first_of("/?#");
+  if (host.substr(0, end).empty()) return false;
+  return std::all_of(uri.begin(), uri.end(),
+                     [](char c) { return c > 0x20 && c < 0x7F && c != '"' && c != '<' && c != '>' && c != '\\'; });
+}
+
+std::optional<std::string> optional_string(const json& document, const char* key) {
+  const auto at = document.find(key);
+  if (at == document.end() || !at->is_string()) return std::nullopt;
+  return at->get<std::string>();
+}
+
+template <class T>
+ordered_json nullable(const std::optional<T>& value) {
+  return value ? ordered_json(*value) : ordered_json(nullptr);
+}
+ordered_json nullable_time(const std::optional<std::int64_t>& ms) {
+  return ms ? ordered_json(rfc3339(*ms)) : ordered_json(nullptr);
+}
+
+/// What the envelope's schema leaves to code: texts with a grammar of their own.
+void check_texts(const json& document, std::vector<FieldError>& errors) {
+  const auto control = [](const std::string& text) {
+    return std::any_of(text.begin(), text.end(),
+                       [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; });
+  };
+  for (const char* key : {"name", "reference"})
+    if (const auto value = optional_string(document, key); value && control(*value))
+      errors.push_back({pointer("", {key}), "must not contain control characters"});
+  if (const auto value = optional_string(document, "deadline"); value && !parse_rfc3339(*value))
+    errors.push_back({"/deadline", "must be an RFC 3339 time such as 2026-01-31T12:00:00Z"});
+  if (const auto value = optional_string(document, "callback"); value && !is_web_address(*value))
+    errors.push_back({"/callback", "must be an absolute http or https address"});
+}
+
+}  // namespace
+
+std::string_view to_string(JobState state) { return state_names[static_cast<std::size_t>(state)]; }
+
+std::optional<JobState> job_state(std::string_view text) {
+  for (std::size_t i = 0; i < state_names.size(); ++i)
+    if (state_names[i] == text) return static_cast<JobState>(i);
+  return std::nullopt;
+}
+
+JobRequest parse_job(std::string_view body) {
+  const json document = parse_json(body);
+  auto errors = envelope_schema().validate(document);
+  if (errors.empty()) check_texts(document, errors);
+
+  // The spec's faults are worth naming even when the envelope has some of its own.
+  const Kind* kind = nullptr;
+  if (document.is_object() && document.contains("kind") && document["kind"].is_string())
+    kind = find_kind(document["kind"].get_ref<const std::string&>());
+  if (!kind && errors.empty()) {
+    std::string known;
+    for (const auto& each : kinds()) known += (known.empty() ? "" : ", ") + std::string(each.name);
+    const std::string message =
+        in_quotes(document["kind"].get_ref<const std::string&>()) + " is not a kind of this server; known: " + known;
+    throw Problem("unknown-kind", message, {{"/kind", message}});
+  }
+  if (kind && document.contains("spec") && document["spec"].is_object())
+    for (auto& error : kind_schema(*kind).validate(document["spec"], "/spec")) errors.push_back(std::move(error));
+  if (!errors.empty()) {
+    std::string detail = summary(errors);
+    throw Problem("schema-violation", std::move(detail), std::move(errors));
+  }
+  kind->check(document["spec"]);
+
+  JobRequest request;
+  request.kind = kind->name;
+  request.name = optional_string(document, "name");
+  request.reference = optional_string(document, "reference");
+  request.callback = optional_string(document, "callback");
+  request.priority = document.value("priority", 0);
+  if (const auto deadline = optional_string(document, "deadline")) request.deadline = parse_rfc3339(*deadline);
+  if (const auto budget = document.find("time_budget"); budget != document.end() && !budget->is_null())
+    request.time_budget = budget->get<double>();
+  request.spec = document["spec"].dump();
+  return request;
+}
+
+ordered_json job_resource(const Job& job, bool with_spec) {
+  const auto& request = job.request;
+  const std::string self = "/v1/jobs/" + job.id;
+  ordered_json resource{{"id", job.id},
+                        {"kind", request.kind},
+                        {"name", nullable(request.name)},
+                        {"reference", nullable(request.reference)},
+                        {"priority", request.priority},
+                        {"deadline", nullable_time(request.deadline)},
+                        {"time_budget", nullable(request.time_budget)},
+                        {"callback", nullable(request.callback)}};
+  if (with_spec) resource["spec"] = ordered_json::parse(request.spec);
+  resource["state"] = to_string(job.state);
+  resource["progress"] = {{"fraction", job.fraction}, {"stage", job.stage}, {"message", job.message}};
+  resource["attempt"] = job.attempt;
+  resource["created_at"] = rfc3339(job.created_at);
+  resource["started_at"] = nullable_time(job.started_at);
+  resource["finished_at"] = nullable_time(job.finished_at);
+  resource["error"] = job.error ? ordered_json::parse(*job.error) : ordered_json(nullptr);
+  resource["links"] = {
+      {"self", self}, {"result", self + "/result"}, {"setpoints", self + "/setpoints"}, {"cancel", self + "/cancel"}};
+  return resource;
+}
+
+}  // namespace bahnwerk::api

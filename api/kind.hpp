@@ -1,0 +1,36 @@
+#pragma once
+/// A kind of job is one descriptor in one list. Adding one: its core folder, api/kinds/<kind>.cpp, its schema with
+/// examples, its line in kinds.cpp, its tests. Nothing else.
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string_view>
+
+#include "core/plan.hpp"
+#include "core/progress.hpp"
+
+namespace bahnwerk::api {
+
+/// What planning a document yields: the result document (contract form, setpoints' summary included) and the setpoints,
+/// if the kind has any.
+struct PlannedJob {
+  nlohmann::ordered_json result;
+  std::unique_ptr<SetpointSource> setpoints;
+  bool verified = false;
+};
+
+struct Kind {
+  std::string_view name;
+  std::string_view title;
+  std::string_view schema;  ///< the schema's JSON text, embedded at build time; served as /v1/schemas/<name>
+  /// Semantic checks of a spec that passed the schema; throws Problem "semantic-violation" naming every fault.
+  void (*check)(const nlohmann::json& spec);
+  /// Plans. Deterministic: same spec and version, same bits. Throws core's errors; never returns an unverified plan as
+  /// verified.
+  PlannedJob (*plan)(const nlohmann::json& spec, Progress& progress);
+};
+
+std::span<const Kind> kinds();
+const Kind* find_kind(std::string_view name);  ///< nullptr when unknown
+
+}  // namespace bahnwerk::api

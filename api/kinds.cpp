@@ -1,0 +1,24 @@
+// The list of kinds.
+#include <array>
+
+#include "api/embedded.hpp"
+#include "api/kind.hpp"
+#include "api/kinds/contour.hpp"
+
+namespace bahnwerk::api {
+
+std::span<const Kind> kinds() {
+  static const std::array list{
+      Kind{"contour", "A tool head along a planar or spatial contour", embedded("contour"), contour::check,
+           contour::plan},
+  };
+  return list;
+}
+
+const Kind* find_kind(std::string_view name) {
+  for (const auto& kind : kinds())
+    if (kind.name == name) return &kind;
+  return nullptr;
+}
+
+}  // namespace bahnwerk::api

@@ -1,0 +1,124 @@
+#include "api/kinds/contour.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "api/problem.hpp"
+#include "core/errors.hpp"
+
+namespace bahnwerk::api::contour {
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+constexpr std::size_t most_joints_listed = 1000;  // a fine polyline passes as many as it has points
+
+ordered_json columns(const SetpointSource& source) {
+  ordered_json list = ordered_json::array();
+  for (const auto& column : source.columns()) list.push_back({{"name", column.name}, {"unit", column.unit}});
+  return list;
+}
+
+ordered_json verification(const Verification& verdict) {
+  ordered_json checks = ordered_json::array();
+  for (const auto& c : verdict.checks)
+    checks.push_back({{"name", c.name},
+                      {"unit", c.unit},
+                      {"limit", c.limit},
+                      {"value", c.value},
+                      {"at", c.at},
+                      {"passed", c.passed}});
+  return {{"passed", verdict.passed}, {"checks", std::move(checks)}};
+}
+
+ordered_json details(const ContourPlan& plan, const Machine& machine, const ContourPlanning& planning) {
+  ordered_json blocks = ordered_json::array(), joints = ordered_json::array();
+  for (const auto& block : plan.blocks)
+    blocks.push_back({{"mode", block.mode == Mode::cut ? "cut" : "position"},
+                      {"start_time", block.start_time},
+                      {"end_time", block.end_time},
+                      {"length", block.length}});
+  for (const auto& joint : plan.joints) {
+    if (joints.size() == most_joints_listed) break;
+    ordered_json step = ordered_json::object();
+    for (std::size_t k = 0; k < joint.step.size(); ++k) step[machine.axes[k].name] = joint.step[k];
+    joints.push_back({{"s", joint.s},
+                      {"angle", joint.angle * 180 / std::numbers::pi},
+                      {"velocity", joint.velocity},
+                      {"velocity_step", std::move(step)}});
+  }
+  return {{"method", planning.method == PlanningMethod::time_optimal ? "time_optimal" : "braking_reserve"},
+          {"law_pieces", plan.pieces},
+          {"notes", plan.notes},
+          {"blocks", std::move(blocks)},
+          {"joints_passed", plan.joints.size()},
+          {"joints", std::move(joints)}};
+}
+
+}  // namespace
+
+void check_together(const Contour& contour, const Machine& machine) {
+  std::vector<InputFault> faults;
+  if (machine.dimension() < contour.dimension)
+    faults.push_back({{"machine", "axes", "z"}, "is required: the contour is in space"});
+  if (machine.dimension() > contour.dimension)
+    faults.push_back({{"machine", "axes", "z"}, "has no coordinate to move: the contour is planar"});
+  // No motion along a segment is faster than its feed or all axes at full speed together.
+  double fastest = 0, shortest_time = 0;
+  for (const auto& axis : machine.axes) fastest += axis.velocity * axis.velocity;
+  fastest = std::sqrt(fastest);
+  for (const auto& block : contour.blocks)
+    for (std::size_t i = block.first; i < block.last; ++i)
+      shortest_time += contour.path[i].length() / std::min(block.feed, fastest);
+  if (shortest_time / machine.cycle_time > most_setpoints)
+    faults.push_back({{"machine", "cycle_time"},
+                      "the motion would have more than " + std::to_string(static_cast<long>(most_setpoints)) +
+                          " setpoints: lengthen the cycle, raise the speeds or split the contour"});
+  if (!faults.empty()) throw InvalidInput(std::move(faults));
+}
+
+void check(const json& spec) {
+  try {
+    check_together(geometry(spec), machine(spec));
+  } catch (const InvalidInput&) {
+    throw problem_from_current_exception("/spec");
+  }
+}
+
+PlannedJob plan(const json& spec, Progress& progress) {
+  progress.report("read", 0.0);
+  const Machine limits = machine(spec);
+  const ContourPlanning options = planning(spec);
+  Contour path = geometry(spec);
+  check_together(path, limits);
+  ContourPlan plan = plan_contour(std::move(path), limits, options, progress);
+  const auto& setpoints = *plan.setpoints;
+  if (static_cast<double>(setpoints.count()) > most_setpoints)
+    throw InvalidInput({{{"machine", "cycle_time"},
+                         "the motion has " + std::to_string(setpoints.count()) + " setpoints, at most " +
+                             std::to_string(static_cast<long>(most_setpoints)) + " are allowed"}});
+  PlannedJob job;
+  job.verified = plan.verification.passed;
+  job.result = {{"kind", "contour"},
+                {"summary",
+                 {{"duration", plan.duration},
+                  {"cut_time", plan.cut_time},
+                  {"position_time", plan.position_time},
+                  {"path_length", plan.path_length},
+                  {"iterations", plan.iterations}}},
+                {"verification", verification(plan.verification)},
+                {"bound", {{"duration", plan.bound.duration}, {"gap", plan.bound.gap}, {"basis", plan.bound.basis}}},
+                {"setpoints",
+                 {{"count", setpoints.count()},
+                  {"duration", setpoints.duration()},
+                  {"cycle_time", setpoints.cycle_time()},
+                  {"columns", columns(setpoints)}}},
+                {"details", details(plan, limits, options)}};
+  job.setpoints = std::move(plan.setpoints);
+  return job;
+}
+
+}  // namespace bahnwerk::api::contour

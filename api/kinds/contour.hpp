@@ -1,0 +1,29 @@
+#pragma once
+/// Kind "contour": JSON spec → core → result document. The only place where degrees become radians.
+#include <nlohmann/json_fwd.hpp>
+
+#include "api/kind.hpp"
+#include "core/contour/contour.hpp"
+#include "core/contour_plan.hpp"
+#include "core/machine/machine.hpp"
+
+namespace bahnwerk::api::contour {
+
+/// Largest number of segments, and of setpoints of one job.
+inline constexpr std::size_t most_segments = 2'000'000;
+inline constexpr double most_setpoints = 20'000'000;
+
+/// The readers take a spec that passed its schema.
+Machine machine(const nlohmann::json& spec);
+ContourPlanning planning(const nlohmann::json& spec);
+/// Throws InvalidInput naming every fault, with places relative to the spec.
+Contour geometry(const nlohmann::json& spec);
+
+/// Throws InvalidInput if the axes do not fit the contour, or if even at full speed the motion would take more than
+/// most_setpoints.
+void check_together(const Contour& contour, const Machine& machine);
+
+void check(const nlohmann::json& spec);
+PlannedJob plan(const nlohmann::json& spec, Progress& progress);
+
+}  // namespace bahnwerk::api::contour

@@ -1,0 +1,192 @@
+// The spec of kind "contour" → contour, machine, planning.
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "api/kinds/contour.hpp"
+#include "core/contour/builder.hpp"
+#include "core/contour/polyline.hpp"
+#include "core/errors.hpp"
+
+namespace bahnwerk::api::contour {
+namespace {
+
+using nlohmann::json;
+using Place = std::vector<std::string>;
+
+Vec vec(const json& point) {
+  Vec v;
+  for (std::size_t k = 0; k < point.size(); ++k) v[k] = point[k].get<double>();
+  return v;
+}
+
+std::vector<Vec> vecs(const json& points) {
+  std::vector<Vec> list;
+  list.reserve(points.size());
+  for (const auto& point : points) list.push_back(vec(point));
+  return list;
+}
+
+/// mm/s; infinity where the axes alone limit.
+double feed(const json& block) {
+  const auto at = block.find("feed");
+  return at == block.end() || at->is_null() ? unlimited : at->get<double>();
+}
+
+/// Before any geometry: whether every point has as many coordinates as the first one.
+class DimensionCheck {
+ public:
+  explicit DimensionCheck(std::size_t dimension) : dimension_(dimension) {}
+
+  void point(const json& value, const Place& place) { count(value.size(), "coordinates", place); }
+  void points(const json& list, Place place) {
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (list[i].size() == dimension_) continue;
+      place.push_back(std::to_string(i));
+      point(list[i], place);
+      place.pop_back();
+    }
+  }
+  void segment(const json& segment, const Place& place);
+  void fault(Place place, std::string message) {
+    if (faults_.size() < most_faults) faults_.push_back({std::move(place), std::move(message)});
+  }
+  void finish() {
+    if (!faults_.empty()) throw InvalidInput(std::move(faults_));
+  }
+
+ private:
+  static constexpr std::size_t most_faults = 100;
+  std::size_t dimension_;
+  std::vector<InputFault> faults_;
+
+  void count(std::size_t n, const char* what, const Place& place) {
+    if (n != dimension_)
+      fault(place,
+            "has " + std::to_string(n) + " " + what + ", the contour's first point has " + std::to_string(dimension_));
+  }
+  static Place below(Place place, std::initializer_list<const char*> inner) {
+    place.insert(place.end(), inner.begin(), inner.end());
+    return place;
+  }
+};
+
+void DimensionCheck::segment(const json& segment, const Place& place) {
+  const auto member = segment.begin();  // exactly one, says the schema
+  const std::string& form = member.key();
+  const json& value = member.value();
+  if (form == "line") {
+    if (value.size() != dimension_) point(value, below(place, {"line"}));
+  } else if (form == "arc") {
+    for (const char* end : {"to", "center"})
+      if (value[end].size() != dimension_) point(value[end], below(place, {"arc", end}));
+    if (!value.contains("normal")) return;
+    if (dimension_ == 2)
+      fault(below(place, {"arc", "normal"}), "only an arc in space has a normal");
+    else if (!(norm(vec(value["normal"])) > 1e-9))
+      fault(below(place, {"arc", "normal"}), "must not be zero");
+  } else if (form == "polynomial") {
+    const auto& rows = value["coefficients"];
+    if (rows.size() != dimension_) count(rows.size(), "rows", below(place, {"polynomial", "coefficients"}));
+  } else {
+    points(value["points"], below(place, {"nurbs", "points"}));
+  }
+}
+
+void add_segment(ContourBuilder& builder, const json& segment) {
+  const auto member = segment.begin();  // exactly one, says the schema
+  const std::string& form = member.key();
+  const json& value = member.value();
+  if (form == "line") {
+    builder.line(vec(value));
+  } else if (form == "arc") {
+    const bool counter_clockwise = value["direction"] == "ccw";
+    if (value.contains("normal"))
+      builder.arc(vec(value["to"]), vec(value["center"]), counter_clockwise, vec(value["normal"]));
+    else
+      builder.arc(vec(value["to"]), vec(value["center"]), counter_clockwise);
+  } else if (form == "polynomial") {
+    auto rows = value["coefficients"].get<std::vector<std::vector<double>>>();
+    std::size_t longest = 0;
+    for (const auto& row : rows) longest = std::max(longest, row.size());
+    for (auto& row : rows) row.resize(longest, 0.0);
+    builder.polynomial(rows);
+  } else {
+    auto points = vecs(value["points"]);
+    std::vector<double> weights(points.size(), 1.0);
+    if (value.contains("weights")) weights = value["weights"].get<std::vector<double>>();
+    builder.nurbs(value["degree"].get<int>(), std::move(points), std::move(weights),
+                  value["knots"].get<std::vector<double>>());
+  }
+}
+
+Contour from_points(const json& contour) {
+  const auto& points = contour["points"];
+  const std::size_t dimension = points[0].size();
+  DimensionCheck check(dimension);
+  check.points(points, {"contour", "points"});
+  check.finish();
+  return polyline(dimension, vecs(points), contour.value("closed", false), feed(contour));
+}
+
+Contour from_blocks(const json& contour) {
+  const std::size_t dimension = contour["start"].size();
+  const auto& blocks = contour["blocks"];
+  DimensionCheck check(dimension);
+  std::size_t total = 0;
+  Place place{"contour", "blocks", "", "segments", ""};
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    place[2] = std::to_string(b);
+    const auto& segments = blocks[b]["segments"];
+    total += segments.size();
+    for (std::size_t s = 0; s < segments.size(); ++s) {
+      place[4] = std::to_string(s);
+      check.segment(segments[s], place);
+    }
+  }
+  if (total > most_segments)
+    check.fault({"contour", "blocks"}, "has " + std::to_string(total) + " segments, at most " +
+                                           std::to_string(most_segments) + " are allowed");
+  check.finish();
+
+  ContourBuilder builder(dimension, vec(contour["start"]));
+  for (const auto& block : blocks) {
+    builder.block(block["mode"] == "cut" ? Mode::cut : Mode::position, feed(block));
+    for (const auto& segment : block["segments"]) add_segment(builder, segment);
+  }
+  return builder.finish();
+}
+
+}  // namespace
+
+Contour geometry(const json& spec) {
+  const auto& contour = spec["contour"];
+  return contour.contains("points") ? from_points(contour) : from_blocks(contour);
+}
+
+Machine machine(const json& spec) {
+  const auto& document = spec["machine"];
+  Machine machine;
+  machine.cycle_time = document.value("cycle_time", 0.001);
+  for (const char* name : {"x", "y", "z"}) {
+    const auto& axes = document["axes"];
+    if (!axes.contains(name)) continue;
+    machine.axes.push_back(
+        {name, axes[name]["velocity"].get<double>(), axes[name]["acceleration"].get<double>(), unlimited});
+  }
+  return machine;
+}
+
+ContourPlanning planning(const json& spec) {
+  ContourPlanning planning;
+  if (!spec.contains("planning")) return planning;
+  const auto& document = spec["planning"];
+  planning.method = document.value("method", "braking_reserve") == "time_optimal" ? PlanningMethod::time_optimal
+                                                                                  : PlanningMethod::braking_reserve;
+  planning.braking_reserve = document.value("braking_reserve", planning.braking_reserve);
+  if (document.contains("corner") && document["corner"].contains("angle"))
+    planning.corner_angle = document["corner"]["angle"].get<double>() * std::numbers::pi / 180;
+  return planning;
+}
+
+}  // namespace bahnwerk::api::contour

@@ -1,0 +1,75 @@
+#include "api/openapi.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "api/embedded.hpp"
+#include "api/kind.hpp"
+#include "api/problem.hpp"
+
+namespace bahnwerk::api {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// #/$defs/point → #/components/schemas/contour.point, everywhere below.
+void move_refs(ordered_json& node, const std::string& name) {
+  constexpr std::string_view local = "#/$defs/";
+  for (auto& [key, child] : node.items()) {
+    if (key == "$ref" && child.is_string() && child.get_ref<const std::string&>().starts_with(local))
+      child = "#/components/schemas/" + name + "." + child.get_ref<const std::string&>().substr(local.size());
+    else if (child.is_structured())
+      move_refs(child, name);
+  }
+}
+
+/// Puts a schema file into the document's components, its definitions beside it as NAME.definition.
+void add_schema(ordered_json& components, std::string_view file, const std::string& name) {
+  ordered_json schema = ordered_json::parse(embedded(file));
+  schema.erase("$schema");
+  schema.erase("$id");
+  move_refs(schema, name);
+  if (schema.contains("$defs")) {
+    for (auto& [key, definition] : schema["$defs"].items()) components[name + "." + key] = definition;
+    schema.erase("$defs");
+  }
+  components[name] = std::move(schema);
+}
+
+}  // namespace
+
+ordered_json openapi_document() {
+  ordered_json document = ordered_json::parse(embedded("openapi"));
+  document["info"]["version"] = BAHNWERK_VERSION;
+  auto& components = document["components"];
+  auto& schemas = components["schemas"];
+
+  add_schema(schemas, "job", "JobDocument");
+  auto& spec = schemas["JobDocument"]["properties"]["spec"];
+  ordered_json specs = ordered_json::array();
+  auto& kind = schemas["JobDocument"]["properties"]["kind"]["enum"] = ordered_json::array();
+  auto& name = components["parameters"]["name"]["schema"]["enum"] = ordered_json::array({"job"});
+  for (const auto& each : kinds()) {
+    add_schema(schemas, each.name, std::string(each.name));
+    specs.push_back({{"$ref", "#/components/schemas/" + std::string(each.name)}});
+    kind.push_back(each.name);
+    name.push_back(each.name);
+  }
+  spec = specs.size() == 1 ? specs.front() : ordered_json{{"description", spec["description"]}, {"oneOf", specs}};
+
+  auto& slug = components["parameters"]["slug"]["schema"]["enum"] = ordered_json::array();
+  auto& type = schemas["Problem"]["properties"]["type"]["enum"] = ordered_json::array({"about:blank"});
+  for (const auto& each : problem_types()) {
+    slug.push_back(each.slug);
+    type.push_back("/problems/" + std::string(each.slug));
+  }
+  return document;
+}
+
+ordered_json kinds_document() {
+  ordered_json list = ordered_json::array();
+  for (const auto& kind : kinds())
+    list.push_back({{"name", kind.name}, {"title", kind.title}, {"schema", "/v1/schemas/" + std::string(kind.name)}});
+  return {{"kinds", std::move(list)}};
+}
+
+}  // namespace bahnwerk::api

@@ -1,0 +1,151 @@
+#include "api/problem.hpp"
+
+#include <array>
+#include <exception>
+#include <nlohmann/json.hpp>
+
+#include "api/pointer.hpp"
+#include "core/errors.hpp"
+
+namespace bahnwerk::api {
+namespace {
+
+constexpr std::array<ProblemType, 24> catalogue{{
+    // What a request can meet.
+    {"invalid-json", 400, "The body is not valid JSON",
+     "The body has to be one JSON document (RFC 8259) in UTF-8: no NaN or Infinity, no duplicate keys, no comments, "
+     "nothing behind the "
+     "last bracket, at most 64 levels of nesting. `detail` names the line and column where reading stopped."},
+    {"schema-violation", 422, "The document does not follow its schema",
+     "Every entry of `errors` points at one field and says what was expected there. The schema itself is served under "
+     "/v1/schemas/job for the envelope and /v1/schemas/{kind} for `spec`; for a query parameter the pointer starts "
+     "with /query."},
+    {"semantic-violation", 422, "The document follows its schema but makes no sense",
+     "Every entry of `errors` points at one field whose value contradicts another one or the geometry: a gap between "
+     "two segments, an "
+     "arc whose radii differ, coordinates of the wrong dimension. Correct the field and post the document again."},
+    {"unknown-kind", 422, "There is no such kind of job",
+     "`kind` names what is to be planned. GET /v1/kinds lists the kinds that this server knows."},
+    {"not-found", 404, "There is nothing at this address",
+     "The job was deleted, never existed, or the path is misspelled. GET /v1/jobs lists the jobs, GET /openapi.json "
+     "every path."},
+    {"method-not-allowed", 405, "This address does not take that method",
+     "The `Allow` header lists the methods that the address takes; GET /openapi.json describes them."},
+    {"not-acceptable", 406, "None of the media types asked for can be produced",
+     "Ask with another `Accept` header. Setpoints come as application/json, text/csv, application/x-ndjson or "
+     "application/octet-stream; everything else as application/json."},
+    {"unsupported-media-type", 415, "The body's media type is not supported",
+     "Post job documents with `Content-Type: application/json`."},
+    {"idempotency-conflict", 409, "The idempotency key was used with another body",
+     "An `Idempotency-Key` belongs to exactly one document. Use a new key for a new document; repeat the identical "
+     "body to get the job "
+     "that the key already created."},
+    {"job-not-finished", 409, "The job is not in a state that allows this",
+     "A result and setpoints exist only once the job has succeeded, and a running job cannot be deleted. Wait for the "
+     "job "
+     "(GET /v1/jobs/{id} with `Prefer: wait=30`) or cancel it first."},
+    {"payload-too-large", 413, "The body is too large",
+     "The document is longer than this server accepts. Split the contour into several jobs or describe it with curves "
+     "instead of many "
+     "short lines."},
+    {"too-many-jobs", 429, "Too many jobs are waiting",
+     "The queue is full. Repeat the request after the number of seconds given in `Retry-After`; nothing was stored."},
+    {"unauthorized", 401, "The request carries no valid credentials",
+     "Send the credentials that the operator of this server gave you."},
+    {"forbidden", 403, "The credentials do not allow this",
+     "The credentials are valid, but not for this operation. Ask the operator of this server."},
+    {"draining", 503, "The server is about to stop and takes no more jobs",
+     "Repeat the request after the number of seconds given in `Retry-After`, or ask another instance; nothing was "
+     "stored."},
+    // Why planning failed; found in a job's `error`.
+    {"infeasible", 0, "No motion satisfies the limits",
+     "The limits contradict each other or the contour. `detail` names where. Loosen the limits or change the contour."},
+    {"unreachable-pose", 0, "A pose lies outside what the machine reaches",
+     "`detail` names the path length at which the machine cannot follow. Move the part or choose another machine."},
+    {"tolerance-unreachable", 0, "A tolerance cannot be met",
+     "`detail` names the best value reached. Widen the tolerance or allow the planner more freedom."},
+    {"budget-exhausted", 0, "The time budget ran out before the plan was finished",
+     "Post the job again with a larger `time_budget`, or without one."},
+    {"deadline-exceeded", 0, "The deadline passed before the plan was finished",
+     "Post the job again with a later `deadline`, a higher `priority`, or without a deadline."},
+    {"verification-failed", 0, "The finished plan did not pass the independent verification",
+     "The plan was computed but breaks a limit, so it was not released; `detail` names the checks. This is a fault of "
+     "the planner, not "
+     "of the document: please report it together with the document."},
+    {"cancelled", 0, "The job was cancelled",
+     "Someone asked for it with POST /v1/jobs/{id}/cancel. Post the document again if needed."},
+    {"worker-lost", 0, "The process that planned the job died repeatedly",
+     "The job was given up after it ended its worker more than once. Please report it together with the document."},
+    {"internal", 500, "Something went wrong inside the server",
+     "This is a fault of the server, not of the request. Report it with the value of `X-Request-Id` or the job's id."},
+}};
+
+Problem semantic(const InvalidInput& fault, std::string_view prefix) {
+  std::vector<FieldError> errors;
+  errors.reserve(fault.faults.size());
+  for (const auto& f : fault.faults) errors.push_back({pointer(prefix, f.place), f.message});
+  std::string detail = errors.empty()       ? std::string(fault.what())
+                       : errors.size() == 1 ? errors.front().message
+                                            : std::to_string(errors.size()) + " faults in the document";
+  return {"semantic-violation", std::move(detail), std::move(errors)};
+}
+
+std::string number(double value) {
+  return nlohmann::json(value).dump();  // shortest text; "null" for anything not finite
+}
+
+}  // namespace
+
+std::span<const ProblemType> problem_types() { return catalogue; }
+
+const ProblemType& problem_type(std::string_view slug) {
+  for (const auto& type : catalogue)
+    if (type.slug == slug) return type;
+  throw std::out_of_range("no problem type " + std::string(slug));
+}
+
+Problem::Problem(std::string_view slug, std::string detail, std::vector<FieldError> errors)
+    : std::runtime_error(std::move(detail)), type_(&problem_type(slug)), errors_(std::move(errors)) {}
+
+nlohmann::json Problem::document(std::string_view instance) const {
+  nlohmann::json document{
+      {"type", "/problems/" + std::string(type_->slug)}, {"title", type_->title}, {"detail", what()}};
+  if (type_->status != 0) document["status"] = type_->status;
+  if (!instance.empty()) document["instance"] = instance;
+  if (!errors_.empty()) {
+    auto& list = document["errors"] = nlohmann::json::array();
+    for (const auto& error : errors_) list.push_back({{"pointer", error.pointer}, {"message", error.message}});
+  }
+  return document;
+}
+
+Problem problem_from_current_exception(std::string_view prefix) {
+  try {
+    throw;
+  } catch (const Problem& problem) {
+    return problem;
+  } catch (const InvalidInput& fault) {
+    return semantic(fault, prefix);
+  } catch (const Infeasible& fault) {
+    return {"infeasible", fault.what()};
+  } catch (const UnreachablePose& fault) {
+    return {"unreachable-pose", std::string(fault.what()) + " (at path length " + number(fault.path_length) + " mm)"};
+  } catch (const ToleranceUnreachable& fault) {
+    return {"tolerance-unreachable",
+            std::string(fault.what()) + " (best value reached: " + number(fault.reached) + ")"};
+  } catch (const Stopped& stop) {
+    switch (stop.reason) {
+      case StopReason::cancelled:
+        return {"cancelled", "The job was cancelled while it was planned."};
+      case StopReason::deadline:
+        return {"deadline-exceeded", "The deadline passed while the job was planned."};
+      case StopReason::budget:
+        return {"budget-exhausted", "The time budget ran out while the job was planned."};
+    }
+    return {"internal", "The planner was stopped."};
+  } catch (...) {
+    return {"internal", "The planner ended unexpectedly."};  // its text may carry what no client should see
+  }
+}
+
+}  // namespace bahnwerk::api

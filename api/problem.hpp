@@ -1,0 +1,46 @@
+#pragma once
+/// The one catalogue of problems (RFC 9457): slug, HTTP status, title, and what to do about it.
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bahnwerk::api {
+
+struct ProblemType {
+  std::string_view slug;  ///< e.g. "schema-violation"; its page is /problems/<slug>
+  int status;             ///< HTTP status; 0 for slugs that only occur in a job's `error`
+  std::string_view title;
+  std::string_view advice;  ///< one or two sentences for the slug's page: what it means and what to change
+};
+std::span<const ProblemType> problem_types();
+const ProblemType& problem_type(std::string_view slug);  ///< throws std::out_of_range for a slug not in the catalogue
+
+/// One fault in a document, at an RFC 6901 pointer into the request.
+struct FieldError {
+  std::string pointer;
+  std::string message;
+};
+
+class Problem : public std::runtime_error {
+ public:
+  Problem(std::string_view slug, std::string detail, std::vector<FieldError> errors = {});
+  const ProblemType& type() const { return *type_; }
+  const std::vector<FieldError>& errors() const { return errors_; }
+  /// The problem document; `instance` is the request path or the job's link, omitted when empty.
+  nlohmann::json document(std::string_view instance = {}) const;
+
+ private:
+  const ProblemType* type_;
+  std::vector<FieldError> errors_;
+};
+
+/// Turns whatever a planner threw into the problem a job carries as `error`: InvalidInput → semantic-violation with
+/// pointers below `prefix` ("/spec"), Infeasible → infeasible, UnreachablePose → unreachable-pose,
+/// ToleranceUnreachable, Stopped → cancelled / deadline-exceeded / budget-exhausted, anything else → internal (without
+/// its text). Call inside a catch block.
+Problem problem_from_current_exception(std::string_view prefix = "/spec");
+
+}  // namespace bahnwerk::api

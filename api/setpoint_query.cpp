@@ -1,0 +1,90 @@
+// The query string of GET /v1/jobs/{id}/setpoints.
+#include <algorithm>
+#include <charconv>
+
+#include "api/pointer.hpp"
+#include "api/problem.hpp"
+#include "api/setpoints.hpp"
+
+namespace bahnwerk::api {
+namespace {
+
+constexpr std::size_t most_points = 20'000;  // an envelope is held in memory: 20 000 points of 12 columns are 4 MB
+
+std::optional<std::size_t> natural(std::string_view text) {
+  std::size_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::vector<std::string> split(std::string_view text) {
+  std::vector<std::string> parts;
+  for (;;) {
+    const auto comma = text.find(',');
+    parts.emplace_back(text.substr(0, comma));
+    if (comma == text.npos) return parts;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+}  // namespace
+
+SetpointQuery parse_setpoint_query(const std::vector<std::pair<std::string, std::string>>& query) {
+  SetpointQuery result;
+  std::vector<FieldError> errors;
+  std::vector<std::string> seen;
+  bool every_given = false;
+  for (const auto& [key, value] : query) {
+    const auto fault = [&, &name = key](std::string message) {
+      errors.push_back({pointer("/query", {name.substr(0, 100)}), std::move(message)});
+    };
+    if (std::find(seen.begin(), seen.end(), key) != seen.end()) {
+      fault("given more than once");
+      continue;
+    }
+    seen.push_back(key);
+    if (key == "columns") {
+      result.columns = split(value);
+      for (auto column = result.columns.begin(); column != result.columns.end(); ++column) {
+        if (column->empty()) {
+          fault("a column name is empty");
+          break;
+        }
+        if (std::find(result.columns.begin(), column, *column) != column) {
+          fault("column " + in_quotes(*column) + " is named twice");
+          break;
+        }
+      }
+      continue;
+    }
+    if (key != "first" && key != "count" && key != "every" && key != "points") {
+      fault("unknown parameter; known are first, count, every, columns, points");
+      continue;
+    }
+    const auto number = natural(value);
+    if (!number) {
+      fault("must be a non-negative integer");
+    } else if (key == "first") {
+      result.first = *number;
+    } else if (key == "count") {
+      result.count = *number;
+    } else if (key == "every") {
+      every_given = true;
+      result.every = *number;
+      if (*number == 0) fault("must be at least 1");
+    } else {
+      result.points = *number;
+      if (*number == 0 || *number > most_points) fault("must be from 1 to " + std::to_string(most_points));
+    }
+  }
+  if (result.points && every_given)
+    errors.push_back({"/query/points", "cannot be combined with every: an envelope looks at every row"});
+  if (!errors.empty()) {
+    std::string detail = errors.front().pointer + ": " + errors.front().message;
+    throw Problem("schema-violation", std::move(detail), std::move(errors));
+  }
+  return result;
+}
+
+}  // namespace bahnwerk::api

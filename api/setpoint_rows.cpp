@@ -1,0 +1,75 @@
+#include "api/setpoint_rows.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
+namespace bahnwerk::api {
+namespace {
+constexpr std::size_t block_rows = 2048;
+}
+
+RowCursor::RowCursor(const SetpointSeries& series, std::size_t first, std::size_t every, std::size_t rows)
+    : series_(&series), first_(first), every_(every), rows_(rows) {}
+
+void RowCursor::rewind() { given_ = loaded_ = 0; }
+
+const double* RowCursor::next() {
+  if (given_ == rows_) return nullptr;
+  const std::size_t width = series_->columns.size();
+  if (given_ == loaded_) {
+    const std::size_t wanted = std::min(rows_ - given_, 1 + (block_rows - 1) / every_);
+    block_.clear();
+    series_->read(first_ + given_ * every_, (wanted - 1) * every_ + 1, block_);
+    if (block_.size() != ((wanted - 1) * every_ + 1) * width) throw std::runtime_error("setpoints: short read");
+    loaded_ += wanted;
+    offset_ = 0;
+  }
+  const double* row = block_.data() + offset_;
+  offset_ += every_ * width;
+  ++given_;
+  return row;
+}
+
+SetpointSeries envelope(SetpointSeries series, std::size_t first, std::size_t rows, std::size_t points,
+                        std::vector<std::size_t> columns) {
+  SetpointSeries result;
+  result.count = std::min(points, rows);
+  result.cycle_time = series.cycle_time;
+  result.columns.push_back({"index", "1"});
+  for (std::size_t c : columns) {
+    result.columns.push_back({series.columns[c].name + "_min", series.columns[c].unit});
+    result.columns.push_back({series.columns[c].name + "_max", series.columns[c].unit});
+  }
+  const std::size_t width = result.columns.size(), buckets = result.count;
+  // Bucket limits without rows · buckets, which could overflow: rows = quotient · buckets + remainder.
+  const auto begin = [=](std::size_t b) { return b * (rows / buckets) + b * (rows % buckets) / buckets; };
+  auto table = std::make_shared<std::vector<double>>();
+  result.read = [=, series = std::move(series), columns = std::move(columns)](std::size_t from, std::size_t count,
+                                                                              std::vector<double>& out) {
+    if (table->empty()) {
+      table->reserve(buckets * width);
+      RowCursor cursor(series, first, 1, rows);
+      for (std::size_t b = 0; b < buckets; ++b) {
+        const std::size_t base = table->size();
+        table->resize(base + width);
+        double* line = table->data() + base;
+        line[0] = static_cast<double>(first + begin(b));
+        for (std::size_t k = begin(b); k < begin(b + 1); ++k) {
+          const double* row = cursor.next();
+          for (std::size_t i = 0; i < columns.size(); ++i) {
+            const double value = row[columns[i]];
+            double &low = line[1 + 2 * i], &high = line[2 + 2 * i];
+            low = k == begin(b) ? value : std::min(low, value);
+            high = k == begin(b) ? value : std::max(high, value);
+          }
+        }
+      }
+    }
+    out.assign(table->begin() + static_cast<std::ptrdiff_t>(from * width),
+               table->begin() + static_cast<std::ptrdiff_t>((from + count) * width));
+  };
+  return result;
+}
+
+}  // namespace bahnwerk::api

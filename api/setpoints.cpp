@@ -1,0 +1,222 @@
+#include "api/setpoints.hpp"
+
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+
+#include "api/pointer.hpp"
+#include "api/problem.hpp"
+#include "api/setpoint_rows.hpp"
+
+namespace bahnwerk::api {
+namespace {
+
+constexpr std::size_t piece_size = 64 * 1024;
+
+[[noreturn]] void refuse(std::string parameter, std::string message) {
+  throw Problem("schema-violation", message, {{pointer("/query", {std::move(parameter)}), message}});
+}
+
+std::string text(std::string_view value) {
+  return nlohmann::json(value).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+/// RFC 4180: quotes only where needed.
+std::string csv_field(const std::string& name) {
+  if (name.find_first_of(",\"\r\n") == name.npos) return name;
+  std::string field = "\"";
+  for (char c : name) field.append(c == '"' ? 2 : 1, c);
+  return field + '"';
+}
+
+void append_f64(std::string& out, double value) {
+  auto bits = std::bit_cast<std::uint64_t>(value);
+  for (int i = 0; i < 8; ++i, bits >>= 8) out += static_cast<char>(bits & 0xFF);
+}
+
+std::vector<std::size_t> select(const SetpointSeries& series, const std::vector<std::string>& names) {
+  std::vector<std::size_t> selected;
+  if (names.empty())
+    for (std::size_t c = 0; c < series.columns.size(); ++c) selected.push_back(c);
+  for (const auto& name : names) {
+    std::size_t c = 0;
+    while (c < series.columns.size() && series.columns[c].name != name) ++c;
+    if (c == series.columns.size()) {
+      std::string known;
+      for (const auto& column : series.columns) known += (known.empty() ? "" : ", ") + column.name;
+      refuse("columns", "no column " + in_quotes(name) + "; there are " + known);
+    }
+    selected.push_back(c);
+  }
+  return selected;
+}
+
+}  // namespace
+
+void append_number(std::string& out, double value) {
+  if (!std::isfinite(value)) {  // no verified plan holds one; JSON has no word for it
+    out += "null";
+    return;
+  }
+  char buffer[32];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value == 0 ? 0.0 : value).ptr;
+  out.append(buffer, end);
+}
+
+struct SetpointStream::State {
+  SetpointSeries series;
+  SetpointFormat format;
+  std::vector<std::size_t> selected;
+  std::vector<Column> answered;
+  std::size_t first = 0, every = 1, rows = 0;
+  RowCursor cursor{series, 0, 1, 0};
+
+  // JSON: array k holds column selected[k] and is preceded by its opening text. Others: text before each value of a
+  // row.
+  std::vector<std::string> opening;
+  std::string head, tail;
+  std::size_t array = 0;
+  bool headed = false, in_array = false, comma = false, done = false;
+
+  void prepare_json(std::size_t spanned, bool is_envelope);
+  void prepare_rows();
+  bool json_step(std::string& out, std::size_t limit);
+  bool row_step(std::string& out);
+};
+
+void SetpointStream::State::prepare_json(std::size_t spanned, bool is_envelope) {
+  const auto integer = [&](const char* name, std::size_t value) {
+    head += (head.empty() ? "{\"" : ",\"") + std::string(name) + "\":" + std::to_string(value);
+  };
+  integer("first", first);
+  if (is_envelope) {
+    integer("count", spanned);
+    integer("points", rows);
+  } else {
+    integer("every", every);
+    integer("count", rows);
+  }
+  head += ",\"cycle_time\":";
+  append_number(head, series.cycle_time);
+  const auto column = [&](std::size_t k, std::size_t suffix) {
+    const auto& name = answered[k].name;
+    return "{\"name\":" + text(std::string_view(name).substr(0, name.size() - suffix)) +
+           ",\"unit\":" + text(answered[k].unit);
+  };
+  if (is_envelope) {
+    opening.push_back(",\"index\":[");
+    for (std::size_t k = 1; k < answered.size(); k += 2) {
+      opening.push_back((k == 1 ? "],\"columns\":[" : "]},") + column(k, 4) + ",\"min\":[");
+      opening.push_back("],\"max\":[");
+    }
+  } else {
+    for (std::size_t k = 0; k < answered.size(); ++k)
+      opening.push_back((k == 0 ? ",\"columns\":[" : "]},") + column(k, 0) + ",\"values\":[");
+  }
+  tail = "]}]}\n";
+}
+
+void SetpointStream::State::prepare_rows() {
+  for (std::size_t k = 0; k < answered.size(); ++k) {
+    if (format == SetpointFormat::csv) {
+      head += (k ? "," : "") + csv_field(answered[k].name);
+      opening.push_back(k ? "," : "");
+    } else if (format == SetpointFormat::ndjson) {
+      opening.push_back((k ? "," : "{") + text(answered[k].name) + ":");
+    }
+  }
+  if (format == SetpointFormat::csv) head += '\n';
+}
+
+/// Column after column, reading the series once per column, so that nothing holds the whole.
+bool SetpointStream::State::json_step(std::string& out, std::size_t limit) {
+  if (array == opening.size()) {
+    out += tail;
+    return false;
+  }
+  if (!in_array) {
+    out += opening[array];
+    cursor.rewind();
+    in_array = true;
+    comma = false;
+  }
+  while (out.size() < limit) {
+    const double* row = cursor.next();
+    if (!row) {
+      in_array = false;
+      ++array;
+      break;
+    }
+    if (comma) out += ',';
+    comma = true;
+    append_number(out, row[selected[array]]);
+  }
+  return true;
+}
+
+bool SetpointStream::State::row_step(std::string& out) {
+  const double* row = cursor.next();
+  if (!row) return false;
+  for (std::size_t k = 0; k < selected.size(); ++k) {
+    if (format == SetpointFormat::f64) {
+      append_f64(out, row[selected[k]]);
+    } else {
+      out += opening[k];
+      append_number(out, row[selected[k]]);
+    }
+  }
+  if (format == SetpointFormat::csv) out += '\n';
+  if (format == SetpointFormat::ndjson) out += "}\n";
+  return true;
+}
+
+SetpointStream::SetpointStream(SetpointSeries series, SetpointQuery query, SetpointFormat format)
+    : state_(std::make_unique<State>()) {
+  auto& s = *state_;
+  if (query.first > series.count)
+    refuse("first",
+           "row " + std::to_string(query.first) + " is beyond the series of " + std::to_string(series.count) + " rows");
+  if (query.every == 0) refuse("every", "must be at least 1");
+  const std::size_t rest = series.count - query.first;
+  const std::size_t spanned = query.count ? std::min(*query.count, rest) : rest;
+  s.selected = select(series, query.columns);
+  s.format = format;
+  s.first = query.first;
+  s.every = query.every;
+  if (query.points) {
+    s.series = envelope(std::move(series), query.first, spanned, *query.points, std::move(s.selected));
+    s.selected = select(s.series, {});
+    s.rows = s.series.count;
+    s.every = 1;
+    s.cursor = RowCursor(s.series, 0, 1, s.rows);
+  } else {
+    s.series = std::move(series);
+    s.rows = spanned == 0 ? 0 : 1 + (spanned - 1) / query.every;
+    s.cursor = RowCursor(s.series, query.first, query.every, s.rows);
+  }
+  for (std::size_t c : s.selected) s.answered.push_back(s.series.columns[c]);
+  if (format == SetpointFormat::json)
+    s.prepare_json(spanned, query.points.has_value());
+  else
+    s.prepare_rows();
+}
+
+SetpointStream::~SetpointStream() = default;
+SetpointStream::SetpointStream(SetpointStream&&) noexcept = default;
+
+bool SetpointStream::next(std::string& out) {
+  auto& s = *state_;
+  if (s.done) return false;
+  const std::size_t begin = out.size(), limit = begin + piece_size;
+  if (!s.headed) out += s.head;
+  s.headed = true;
+  while (out.size() < limit && !s.done)
+    s.done = s.format == SetpointFormat::json ? !s.json_step(out, limit) : !s.row_step(out);
+  return out.size() != begin;
+}
+
+const std::vector<Column>& SetpointStream::columns() const { return state_->answered; }
+
+}  // namespace bahnwerk::api

@@ -1,0 +1,139 @@
+#include "api/job.hpp"
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "api/json_text.hpp"
+#include "tests/api/documents.hpp"
+
+namespace bahnwerk::api {
+namespace {
+
+using nlohmann::json;
+
+TEST(ParseJob, ReadsEveryMember) {
+  const auto request = parse_job(test::read_file(test::source("schemas/examples/job/complete.json")));
+  EXPECT_EQ(request.kind, "contour");
+  EXPECT_EQ(request.name, "bracket 12");
+  EXPECT_EQ(request.reference, "WO-4711");
+  EXPECT_EQ(request.priority, 5);
+  EXPECT_EQ(request.deadline, parse_rfc3339("2026-01-31T11:00:00Z"));
+  EXPECT_EQ(request.time_budget, 2.5);
+  EXPECT_EQ(request.callback, "https://example.com/done?job=12");
+  EXPECT_EQ(json::parse(request.spec), test::read_json(test::source("schemas/examples/job/complete.json"))["spec"]);
+}
+
+TEST(ParseJob, AbsentAndNullAreTheSame) {
+  auto document = test::read_json(test::source("schemas/examples/job/minimal.json"));
+  for (int pass = 0; pass < 2; ++pass) {
+    const auto request = parse_job(document.dump());
+    EXPECT_FALSE(request.name || request.reference || request.callback || request.deadline || request.time_budget);
+    EXPECT_EQ(request.priority, 0);
+    for (const char* key : {"name", "reference", "callback", "deadline", "time_budget"}) document[key] = nullptr;
+  }
+}
+
+TEST(ParseJob, TheSpecHasOneForm) {
+  const auto spec = [](const char* number) {
+    return parse_job(
+               std::string(
+                   R"({"kind":"contour","priority":1.0,"spec":{"machine":{"axes":{"y":{"acceleration":1,"velocity":1},
+      "x":{"velocity":1e2,"acceleration":1}}},"contour":{"points":[[0,0],[)") +
+               number + R"(,0]]}}})")
+        .spec;
+  };
+  EXPECT_EQ(spec("12"), spec("12.0"));
+  EXPECT_EQ(spec("12"), spec("1.2e1"));
+  EXPECT_NE(spec("12"), spec("12.5"));
+}
+
+TEST(ParseJob, RefusesABodyThatIsNoObject) {
+  for (const char* body : {"[]", "null", "1", "\"contour\""}) {
+    const auto problem = test::refusal(body);
+    ASSERT_TRUE(problem) << body;
+    EXPECT_EQ(problem->type().slug, "schema-violation");
+    EXPECT_EQ(test::pointers(*problem), std::vector<std::string>{""});
+  }
+}
+
+TEST(ParseJob, TenMegabytesAreReadOrRefusedQuickly) {
+  std::string points = "[0,0]";
+  while (points.size() < 10'000'000)
+    points += ",[" + std::to_string(points.size() % 1000) + ".25," + std::to_string(points.size() / 1000) + ".125]";
+  const auto body = [&](const std::string& end) {
+    return R"({"kind":"contour","spec":{"machine":{"axes":{"x":{"velocity":1000,"acceleration":1000},"y":{"velocity":1000,"acceleration":1000}}},
+      "contour":{"points":[)" +
+           points + end + "]}}}";
+  };
+  EXPECT_GT(parse_job(body("")).spec.size(), 9'000'000u);
+  const auto problem = test::refusal(body(",[\"x\",0]"));
+  ASSERT_TRUE(problem);
+  EXPECT_EQ(problem->errors().size(), 1u);
+  const auto garbage = test::refusal("{\"kind\":\"" + std::string(10'000'000, 'k') + "\",\"spec\":{}}");
+  ASSERT_TRUE(garbage);
+  EXPECT_LT(garbage->document().dump().size(), 2000u);
+  const auto keys = test::refusal("{\"" + std::string(10'000'000, 'k') + "\":1}");
+  ASSERT_TRUE(keys);
+}
+
+Job sample() {
+  Job job;
+  job.id = "0190b6a4-0000-7000-8000-000000000001";
+  job.request.kind = "contour";
+  job.request.name = "bracket";
+  job.request.spec = R"({"contour":{"start":[0,0.5]}})";
+  job.created_at = 1769860800000;
+  return job;
+}
+
+TEST(JobResource, HasTheMembersOfTheContractInOrder) {
+  const auto resource = job_resource(sample());
+  EXPECT_EQ(
+      resource.dump(),
+      R"({"id":"0190b6a4-0000-7000-8000-000000000001","kind":"contour","name":"bracket","reference":null,"priority":0,"deadline":null,)"
+      R"("time_budget":null,"callback":null,"spec":{"contour":{"start":[0,0.5]}},"state":"queued",)"
+      R"("progress":{"fraction":0.0,"stage":"","message":""},"attempt":0,"created_at":"2026-01-31T12:00:00.000Z","started_at":null,)"
+      R"("finished_at":null,"error":null,"links":{"self":"/v1/jobs/0190b6a4-0000-7000-8000-000000000001",)"
+      R"("result":"/v1/jobs/0190b6a4-0000-7000-8000-000000000001/result",)"
+      R"("setpoints":"/v1/jobs/0190b6a4-0000-7000-8000-000000000001/setpoints",)"
+      R"("cancel":"/v1/jobs/0190b6a4-0000-7000-8000-000000000001/cancel"}})");
+}
+
+TEST(JobResource, ShowsWhatIsKnown) {
+  Job job = sample();
+  job.request.deadline = 1769860800000;
+  job.request.time_budget = 1.5;
+  job.state = JobState::failed;
+  job.attempt = 2;
+  job.started_at = 1769860801000;
+  job.finished_at = 1769860802500;
+  job.error = Problem("infeasible", "no way").document().dump();
+  const auto resource = job_resource(job, false);
+  EXPECT_FALSE(resource.contains("spec"));
+  EXPECT_EQ(resource["deadline"], "2026-01-31T12:00:00.000Z");
+  EXPECT_EQ(resource["time_budget"], 1.5);
+  EXPECT_EQ(resource["state"], "failed");
+  EXPECT_EQ(resource["finished_at"], "2026-01-31T12:00:02.500Z");
+  EXPECT_EQ(resource["error"]["type"], "/problems/infeasible");
+}
+
+TEST(JobState, NamesReadBack) {
+  for (auto state : {JobState::queued, JobState::running, JobState::succeeded, JobState::failed, JobState::cancelled})
+    EXPECT_EQ(job_state(to_string(state)), state);
+  EXPECT_FALSE(job_state("done"));
+  EXPECT_FALSE(job_state(""));
+}
+
+TEST(PlanJob, RefusesAnUnknownKind) {
+  SilentProgress progress;
+  try {
+    plan_job("knitting", "{}", progress);
+    FAIL();
+  } catch (const Problem& problem) {
+    EXPECT_EQ(problem.type().slug, "unknown-kind");
+  }
+}
+
+}  // namespace
+}  // namespace bahnwerk::api

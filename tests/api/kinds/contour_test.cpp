@@ -1,0 +1,198 @@
+#include "api/kinds/contour.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "core/errors.hpp"
+#include "tests/api/documents.hpp"
+
+namespace bahnwerk::api::contour {
+namespace {
+
+using nlohmann::json;
+
+json example(const std::string& name) {
+  return test::read_json(test::source("schemas/examples/contour/" + name + ".json"));
+}
+json job_spec(const std::string& name) {
+  return json::parse(parse_job(test::read_file(test::source("examples/" + name + ".json"))).spec);
+}
+
+TEST(ContourInput, ReadsEveryFormOfSegment) {
+  const Contour contour = geometry(example("complete"));
+  EXPECT_EQ(contour.dimension, 2u);
+  ASSERT_EQ(contour.blocks.size(), 2u);
+  EXPECT_EQ(contour.blocks[0].mode, Mode::cut);
+  EXPECT_EQ(contour.blocks[0].feed, 400);
+  EXPECT_EQ(contour.blocks[1].mode, Mode::position);
+  EXPECT_EQ(contour.blocks[1].feed, unlimited);
+  ASSERT_GE(contour.path.size(), 5u);
+  EXPECT_NEAR(contour.path[0].length(), 40, 1e-12);
+  EXPECT_NEAR(contour.path[1].length(), 10 * std::numbers::pi / 2, 1e-9);
+  const Vec end = contour.path.at(contour.path.length()).value;
+  EXPECT_NEAR(end.x, 0, 1e-9);
+  EXPECT_NEAR(end.y, 60, 1e-9);
+  EXPECT_EQ(contour.path[4].source(), 4u);
+}
+
+TEST(ContourInput, ReadsSpace) {
+  const Contour contour = geometry(example("space"));
+  EXPECT_EQ(contour.dimension, 3u);
+  const double turn = 2 * std::numbers::pi * 10;
+  EXPECT_NEAR(contour.path[0].length(), std::sqrt(turn * turn + 25), 1e-9);
+  EXPECT_NEAR(contour.path.at(contour.path.length()).value.z, 8, 1e-9);
+}
+
+TEST(ContourInput, ClosesAPolylineOnDemand) {
+  json spec = example("points");
+  const double closed = geometry(spec).path.length();
+  spec["contour"]["closed"] = false;
+  EXPECT_NEAR(closed - geometry(spec).path.length(), std::hypot(12, 12), 1e-9);
+  EXPECT_EQ(geometry(spec).blocks[0].feed, 150);
+  spec["contour"].erase("feed");
+  EXPECT_EQ(geometry(spec).blocks[0].feed, unlimited);
+}
+
+TEST(ContourInput, RowsOfDifferentLengthAreFilledWithZeros) {
+  json spec = example("minimal");
+  spec["contour"]["blocks"][0]["segments"] = {{{"polynomial", {{"coefficients", {{0, 10}, {0, 0, 5}}}}}}};
+  const Vec end = geometry(spec).path.at(1e9).value;
+  EXPECT_NEAR(end.x, 10, 1e-9);
+  EXPECT_NEAR(end.y, 5, 1e-9);
+}
+
+TEST(ContourInput, ReadsMachineAndPlanningWithTheirDefaults) {
+  const Machine limits = machine(example("space"));
+  ASSERT_EQ(limits.dimension(), 3u);
+  EXPECT_EQ(limits.axes[2].name, "z");
+  EXPECT_EQ(limits.axes[2].velocity, 500);
+  EXPECT_EQ(limits.axes[2].acceleration, 5000);
+  EXPECT_EQ(limits.axes[2].jerk, unlimited);
+  EXPECT_EQ(limits.cycle_time, 0.002);
+  EXPECT_EQ(machine(example("minimal")).cycle_time, 0.001);
+
+  const ContourPlanning defaults = planning(example("minimal"));
+  EXPECT_EQ(defaults.method, PlanningMethod::braking_reserve);
+  EXPECT_EQ(defaults.braking_reserve, 0.7);
+  EXPECT_DOUBLE_EQ(defaults.corner_angle, 0.1 * std::numbers::pi / 180);
+  json spec = example("complete");
+  spec["planning"] = {{"method", "time_optimal"}, {"braking_reserve", 0.5}, {"corner", {{"angle", 90}}}};
+  const ContourPlanning given = planning(spec);
+  EXPECT_EQ(given.method, PlanningMethod::time_optimal);
+  EXPECT_EQ(given.braking_reserve, 0.5);
+  EXPECT_DOUBLE_EQ(given.corner_angle, std::numbers::pi / 2);
+}
+
+TEST(ContourInput, NamesEveryPointOfTheWrongDimension) {
+  json spec = example("points");
+  for (int i = 1; i < 4; ++i) spec["contour"]["points"][i].push_back(0);
+  try {
+    check(spec);
+    FAIL();
+  } catch (const Problem& problem) {
+    EXPECT_EQ(test::pointers(problem),
+              (std::vector<std::string>{"/spec/contour/points/1", "/spec/contour/points/2", "/spec/contour/points/3"}));
+  }
+}
+
+TEST(ContourPlan, OfAStraightLineHasTheClosedFormDuration) {
+  SilentProgress progress;
+  const auto job = plan(job_spec("line"), progress);
+  const double v = 1800, a = 16000, length = 100;
+  const double expected = v * v / a < length ? length / v + v / a : 2 * std::sqrt(length / a);
+  EXPECT_NEAR(job.result["summary"]["duration"].get<double>(), expected, 1e-9);
+  EXPECT_TRUE(job.verified);
+}
+
+TEST(ContourPlan, TheResultHasTheContractsForm) {
+  SilentProgress progress;
+  const auto job = plan(job_spec("bracket"), progress);
+  const auto& result = job.result;
+  std::vector<std::string> members;
+  for (const auto& [name, value] : result.items()) members.push_back(name);
+  EXPECT_EQ(members, (std::vector<std::string>{"kind", "summary", "verification", "bound", "setpoints", "details"}));
+  EXPECT_EQ(result["kind"], "contour");
+  for (const char* name : {"duration", "cut_time", "position_time", "path_length"})
+    EXPECT_GT(result["summary"][name].get<double>(), 0) << name;
+  EXPECT_GT(result["summary"]["iterations"].get<int>(), 0);
+  EXPECT_NEAR(result["summary"]["cut_time"].get<double>() + result["summary"]["position_time"].get<double>(),
+              result["summary"]["duration"].get<double>(), 1e-9);
+  EXPECT_TRUE(result["verification"]["passed"].get<bool>()) << result["verification"].dump(1);
+  EXPECT_EQ(result["verification"]["passed"].get<bool>(), job.verified);
+  ASSERT_FALSE(result["verification"]["checks"].empty());
+  for (const auto& check : result["verification"]["checks"])
+    for (const char* name : {"name", "unit", "limit", "value", "at", "passed"})
+      EXPECT_FALSE(check.at(name).is_null()) << check.dump();
+  EXPECT_GE(result["bound"]["gap"].get<double>(), 0);
+  EXPECT_LE(result["bound"]["gap"].get<double>(), 1e-4);
+  const auto& setpoints = result["setpoints"];
+  EXPECT_EQ(setpoints["count"], job.setpoints->count());
+  EXPECT_NEAR(setpoints["duration"].get<double>(), (setpoints["count"].get<double>() - 1) * 0.001, 1e-9);
+  EXPECT_EQ(setpoints["columns"][0], (json{{"name", "x"}, {"unit", "mm"}}));
+  EXPECT_EQ(setpoints["columns"].size(), job.setpoints->columns().size());
+  EXPECT_EQ(result["details"]["blocks"].size(), 15u);
+  EXPECT_EQ(result["details"]["method"], "time_optimal");
+}
+
+TEST(ContourPlan, TheSameDocumentGivesTheSameBits) {
+  SilentProgress progress;
+  for (const char* name : {"bracket", "polyline"}) {
+    const auto first = plan(job_spec(name), progress), second = plan(job_spec(name), progress);
+    EXPECT_EQ(first.result.dump(), second.result.dump());
+    const std::size_t n = first.setpoints->count() * first.setpoints->columns().size();
+    std::vector<double> a(n), b(n);
+    first.setpoints->read(0, first.setpoints->count(), a.data());
+    second.setpoints->read(0, second.setpoints->count(), b.data());
+    EXPECT_TRUE(a == b);
+  }
+}
+
+TEST(ContourPlan, EveryExampleIsVerifiedByBothMethods) {
+  SilentProgress progress;
+  for (const auto& file : test::json_files("examples"))
+    for (const char* method : {"time_optimal", "braking_reserve"}) {
+      json document = test::read_json(file);
+      document["spec"]["planning"]["method"] = method;
+      const auto request = parse_job(document.dump());
+      EXPECT_NO_THROW({
+        const auto job = plan_job(request.kind, request.spec, progress);
+        EXPECT_TRUE(job.verified);
+        EXPECT_GE(job.result["bound"]["gap"].get<double>(), 0);
+      }) << file
+         << method;
+    }
+}
+
+/// Asks to stop at the first report after the start.
+struct Impatient final : Progress {
+  int reports = 0;
+  void report(std::string_view, double, std::string_view) override {
+    if (++reports == 2) throw Stopped(StopReason::budget);
+  }
+};
+
+TEST(ContourPlan, StopsWhenAsked) {
+  Impatient progress;
+  EXPECT_THROW(plan(job_spec("bracket"), progress), Stopped);
+}
+
+/// The tangents of the examples meet where a drawing says that they do: only intended corners stop the head.
+TEST(Examples, TangentialJointsAreExact) {
+  const auto jumps = [](const char* name) {
+    std::vector<double> angles;
+    for (const Joint& joint : joints(geometry(job_spec(name)).path))
+      if (joint.angle < 0.1) angles.push_back(joint.angle);
+    return angles;
+  };
+  for (const char* name : {"bracket", "circle", "helix"})
+    EXPECT_THAT(jumps(name), testing::Each(testing::Le(1e-9))) << name;
+  EXPECT_EQ(jumps("circle").size(), 2u);
+  EXPECT_EQ(jumps("helix").size(), 4u);
+  EXPECT_GE(jumps("bracket").size(), 20u);
+}
+
+}  // namespace
+}  // namespace bahnwerk::api::contour

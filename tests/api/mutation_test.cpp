@@ -1,0 +1,134 @@
+// Broken documents never crash: each is a request or a Problem, and the two judges of a schema agree.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "api/embedded.hpp"
+#include "api/json_text.hpp"
+#include "api/schema.hpp"
+#include "api/schema_explain.hpp"
+#include "tests/api/documents.hpp"
+
+namespace bahnwerk::api {
+namespace {
+
+using nlohmann::json;
+
+std::vector<std::string> seeds() {
+  std::vector<std::string> bodies;
+  for (const auto& file : test::json_files("schemas/examples/contour"))
+    bodies.push_back(test::job_with_spec(test::read_json(file)).dump());
+  for (const auto& file : test::json_files("schemas/examples/job")) bodies.push_back(test::read_file(file));
+  return bodies;
+}
+
+/// Accepted or refused with a document that can be sent.
+bool accepted(const std::string& body) {
+  try {
+    const auto request = parse_job(body);
+    EXPECT_EQ(parse_json(request.spec).dump(), request.spec);
+    return true;
+  } catch (const Problem& problem) {
+    EXPECT_NO_THROW(problem.document("/v1/jobs").dump());
+    const auto slug = problem.type().slug;
+    EXPECT_TRUE(slug == "invalid-json" || slug == "schema-violation" || slug == "semantic-violation" ||
+                slug == "unknown-kind")
+        << slug;
+    return false;
+  }
+}
+
+TEST(Mutations, OfBytesNeverCrash) {
+  const auto bodies = seeds();
+  std::mt19937_64 random(20260131);
+  const std::string alphabet = "{}[]\",:0123456789.eE+-ntf \\/u\x80\xc3\xff";
+  int good = 0;
+  for (int trial = 0; trial < 20'000; ++trial) {
+    std::string body = bodies[random() % bodies.size()];
+    for (std::size_t edits = 1 + random() % 4; edits > 0 && !body.empty(); --edits) {
+      const std::size_t at = random() % body.size();
+      switch (random() % 5) {
+        case 0:
+          body[at] = static_cast<char>(random());
+          break;
+        case 1:
+          body[at] = alphabet[random() % alphabet.size()];
+          break;
+        case 2:
+          body.erase(at, 1 + random() % 8);
+          break;
+        case 3:
+          body.insert(at, 1, alphabet[random() % alphabet.size()]);
+          break;
+        default:
+          body.insert(at, body.substr(random() % body.size(), random() % 20));
+          break;
+      }
+    }
+    good += accepted(body);
+  }
+  EXPECT_GT(good, 100) << "mutations that stay valid have to occur";
+  EXPECT_LT(good, 19'000);
+}
+
+/// Replaces, removes or adds one value somewhere in a document.
+void mutate(json& node, std::mt19937_64& random) {
+  static const std::vector<json> values{nullptr,
+                                        true,
+                                        0,
+                                        -1,
+                                        2,
+                                        1.5,
+                                        1e9,
+                                        "",
+                                        "cut",
+                                        "text",
+                                        json::array(),
+                                        json::object(),
+                                        json::array({0, 0}),
+                                        json::array({1, 2, 3}),
+                                        json::object({{"line", {1, 1}}})};
+  json* at = &node;
+  while (at->is_structured() && !at->empty() && random() % 5) {
+    auto child = at->begin();
+    std::advance(child, static_cast<std::ptrdiff_t>(random() % at->size()));
+    at = &*child;
+  }
+  if (at->is_object() && random() % 2) {
+    static const char* names[] = {"feed", "line", "arc",  "points",  "closed",   "gcode",
+                                  "jerk", "z",    "mode", "unknown", "tolerance"};
+    (*at)[names[random() % std::size(names)]] = values[random() % values.size()];
+  } else if (at->is_object() && !at->empty() && random() % 2) {
+    auto member = at->begin();
+    std::advance(member, static_cast<std::ptrdiff_t>(random() % at->size()));
+    at->erase(member);
+  } else if (at->is_array() && random() % 2) {
+    at->push_back(values[random() % values.size()]);
+  } else {
+    *at = values[random() % values.size()];
+  }
+}
+
+TEST(Mutations, OfValuesAreJudgedAlikeByBothJudges) {
+  const Schema schema(embedded("contour"));
+  const json rules = json::parse(embedded("contour"));
+  std::mt19937_64 random(7);
+  std::vector<json> specs;
+  for (const auto& file : test::json_files("schemas/examples/contour")) specs.push_back(test::read_json(file));
+  int valid = 0;
+  for (int trial = 0; trial < 20'000; ++trial) {
+    json spec = specs[random() % specs.size()];
+    for (std::size_t edits = 1 + random() % 2; edits > 0; --edits) mutate(spec, random);
+    const auto errors = schema.validate(spec);
+    ASSERT_EQ(errors.empty(), explain(rules, spec, "", 50).empty()) << spec.dump();
+    for (const auto& error : errors) ASSERT_NE(error.message, "does not follow the schema") << spec.dump();
+    valid += errors.empty();
+    accepted(test::job_with_spec(spec).dump());
+  }
+  EXPECT_GT(valid, 500);
+  EXPECT_LT(valid, 15'000);
+}
+
+}  // namespace
+}  // namespace bahnwerk::api

@@ -1,0 +1,136 @@
+#include "api/openapi.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "api/job.hpp"
+#include "api/kind.hpp"
+#include "api/problem.hpp"
+#include "tests/api/documents.hpp"
+
+namespace bahnwerk::api {
+namespace {
+
+using nlohmann::ordered_json;
+
+template <class Visit>
+void walk(const ordered_json& node, const Visit& visit) {
+  for (const auto& [key, child] : node.items()) {
+    visit(key, child);
+    if (child.is_structured()) walk(child, visit);
+  }
+}
+
+TEST(OpenApi, ListsExactlyTheRoutes) {
+  const std::set<std::string> expected{"POST /v1/jobs",
+                                       "GET /v1/jobs",
+                                       "GET /v1/jobs/{id}",
+                                       "DELETE /v1/jobs/{id}",
+                                       "GET /v1/jobs/{id}/result",
+                                       "GET /v1/jobs/{id}/setpoints",
+                                       "POST /v1/jobs/{id}/cancel",
+                                       "GET /v1/kinds",
+                                       "GET /v1/schemas/{name}",
+                                       "GET /openapi.json",
+                                       "GET /problems/{slug}",
+                                       "GET /healthz",
+                                       "GET /readyz",
+                                       "GET /metrics"};
+  std::set<std::string> found, ids;
+  const auto document = openapi_document();
+  for (const auto& [path, methods] : document["paths"].items())
+    for (const auto& [method, operation] : methods.items()) {
+      std::string upper = method;
+      for (char& c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+      found.insert(upper + " " + path);
+      EXPECT_TRUE(ids.insert(operation["operationId"]).second);
+      EXPECT_TRUE(operation["responses"].contains("405"));
+    }
+  EXPECT_EQ(found, expected);
+}
+
+TEST(OpenApi, ListsExactlyTheSlugsKindsAndSchemas) {
+  const auto document = openapi_document();
+  std::vector<std::string> slugs, types{"about:blank"}, kind_names, schema_names{"job"};
+  for (const auto& type : problem_types()) {
+    slugs.emplace_back(type.slug);
+    types.push_back("/problems/" + slugs.back());
+  }
+  for (const auto& kind : kinds()) {
+    kind_names.emplace_back(kind.name);
+    schema_names.emplace_back(kind.name);
+    EXPECT_TRUE(document["components"]["schemas"].contains(std::string(kind.name)));
+  }
+  EXPECT_EQ(document["components"]["parameters"]["slug"]["schema"]["enum"], slugs);
+  EXPECT_EQ(document["components"]["schemas"]["Problem"]["properties"]["type"]["enum"], types);
+  EXPECT_EQ(document["components"]["schemas"]["JobDocument"]["properties"]["kind"]["enum"], kind_names);
+  EXPECT_EQ(document["components"]["parameters"]["name"]["schema"]["enum"], schema_names);
+}
+
+TEST(OpenApi, EveryReferenceLeadsSomewhereAndEveryComponentIsUsed) {
+  const auto document = openapi_document();
+  std::set<std::string> used;
+  walk(document, [&](const std::string& key, const ordered_json& value) {
+    if (key != "$ref") return;
+    const std::string ref = value;
+    ASSERT_EQ(ref.substr(0, 2), "#/") << ref;
+    EXPECT_TRUE(document.contains(ordered_json::json_pointer(ref.substr(1)))) << ref;
+    used.insert(ref);
+  });
+  for (const auto& [section, components] : document["components"].items())
+    for (const auto& [name, component] : components.items())
+      EXPECT_TRUE(used.count("#/components/" + section + "/" + name)) << section << "/" << name;
+}
+
+TEST(OpenApi, EveryHttpSlugHasAResponse) {
+  std::string responses;
+  const auto document = openapi_document();
+  for (const auto& [name, response] : document["components"]["responses"].items()) responses += response.dump();
+  for (const auto& type : problem_types()) {
+    const bool credentials = type.slug == "unauthorized" || type.slug == "forbidden";  // this version asks for none
+    if (type.status == 0 || credentials) continue;
+    EXPECT_NE(responses.find(std::string(type.slug)), std::string::npos) << type.slug;
+  }
+}
+
+TEST(OpenApi, PathParametersAreDeclared) {
+  const auto document = openapi_document();
+  for (const auto& [path, methods] : document["paths"].items())
+    for (const auto& [method, operation] : methods.items()) {
+      std::set<std::string> declared;
+      for (const auto& parameter : operation.value("parameters", ordered_json::array())) {
+        const auto& target = document[ordered_json::json_pointer(parameter["$ref"].get<std::string>().substr(1))];
+        if (target["in"] == "path") declared.insert(target["name"]);
+      }
+      const auto open = path.find('{');
+      const std::set<std::string> expected =
+          open == path.npos ? std::set<std::string>{}
+                            : std::set<std::string>{path.substr(open + 1, path.find('}') - open - 1)};
+      EXPECT_EQ(declared, expected) << path;
+    }
+}
+
+TEST(OpenApi, TheJobResourceIsTheOneDescribed) {
+  const auto schema = openapi_document()["components"]["schemas"]["Job"];
+  Job job;
+  job.request.spec = "{}";
+  std::vector<std::string> described, written;
+  for (const auto& [name, property] : schema["properties"].items()) described.push_back(name);
+  const auto resource = job_resource(job);
+  for (const auto& [name, value] : resource.items()) written.push_back(name);
+  EXPECT_EQ(described, written);
+}
+
+TEST(Kinds, AreListedWithTheirSchemas) {
+  const auto document = kinds_document();
+  ASSERT_EQ(document["kinds"].size(), kinds().size());
+  EXPECT_EQ(document["kinds"][0]["name"], "contour");
+  EXPECT_EQ(document["kinds"][0]["schema"], "/v1/schemas/contour");
+  EXPECT_EQ(find_kind("contour"), &kinds()[0]);
+  EXPECT_EQ(find_kind("Contour"), nullptr);
+}
+
+}  // namespace
+}  // namespace bahnwerk::api

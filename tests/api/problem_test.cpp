@@ -1,0 +1,120 @@
+#include "api/problem.hpp"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "core/errors.hpp"
+
+namespace bahnwerk::api {
+namespace {
+
+const std::map<std::string, int> contract{{"invalid-json", 400},
+                                          {"schema-violation", 422},
+                                          {"semantic-violation", 422},
+                                          {"unknown-kind", 422},
+                                          {"not-found", 404},
+                                          {"method-not-allowed", 405},
+                                          {"not-acceptable", 406},
+                                          {"unsupported-media-type", 415},
+                                          {"idempotency-conflict", 409},
+                                          {"job-not-finished", 409},
+                                          {"payload-too-large", 413},
+                                          {"too-many-jobs", 429},
+                                          {"unauthorized", 401},
+                                          {"forbidden", 403},
+                                          {"draining", 503},
+                                          {"infeasible", 0},
+                                          {"unreachable-pose", 0},
+                                          {"tolerance-unreachable", 0},
+                                          {"budget-exhausted", 0},
+                                          {"deadline-exceeded", 0},
+                                          {"verification-failed", 0},
+                                          {"cancelled", 0},
+                                          {"worker-lost", 0},
+                                          {"internal", 500}};
+
+TEST(Catalogue, HoldsExactlyTheContractsSlugsWithTheirStatus) {
+  std::map<std::string, int> found;
+  for (const auto& type : problem_types()) found.emplace(type.slug, type.status);
+  EXPECT_EQ(found, contract);
+  EXPECT_EQ(problem_types().size(), contract.size()) << "a slug occurs twice";
+}
+
+TEST(Catalogue, EverySlugHasATitleAndAdviceOfItsOwn) {
+  std::set<std::string_view> titles, advice;
+  for (const auto& type : problem_types()) {
+    EXPECT_GT(type.title.size(), 10u) << type.slug;
+    EXPECT_GT(type.advice.size(), 40u) << type.slug;
+    titles.insert(type.title);
+    advice.insert(type.advice);
+    EXPECT_EQ(&problem_type(type.slug), &type);
+  }
+  EXPECT_EQ(titles.size(), contract.size());
+  EXPECT_EQ(advice.size(), contract.size());
+}
+
+TEST(Catalogue, RefusesAnUnknownSlug) { EXPECT_THROW(problem_type("no-such-slug"), std::out_of_range); }
+
+TEST(Document, CarriesTheMembersOfRfc9457) {
+  const Problem problem("schema-violation", "one fault", {{"/spec/a~1b", "is required"}});
+  EXPECT_EQ(problem.document("/v1/jobs"),
+            (nlohmann::json{{"type", "/problems/schema-violation"},
+                            {"title", problem_type("schema-violation").title},
+                            {"status", 422},
+                            {"detail", "one fault"},
+                            {"instance", "/v1/jobs"},
+                            {"errors", {{{"pointer", "/spec/a~1b"}, {"message", "is required"}}}}}));
+}
+
+TEST(Document, LeavesOutWhatIsEmpty) {
+  const auto document = Problem("infeasible", "no way").document();
+  EXPECT_FALSE(document.contains("status"));
+  EXPECT_FALSE(document.contains("instance"));
+  EXPECT_FALSE(document.contains("errors"));
+}
+
+template <class Error>
+Problem translated(const Error& error) {
+  try {
+    throw error;
+  } catch (...) {
+    return problem_from_current_exception();
+  }
+}
+
+TEST(FromException, InputFaultsBecomePointersBelowThePrefix) {
+  const InvalidInput error({{{"contour", "points", "7"}, "first"}, {{"machine", "a/b~c"}, "second"}});
+  const Problem problem = translated(error);
+  EXPECT_EQ(problem.type().slug, "semantic-violation");
+  ASSERT_EQ(problem.errors().size(), 2u);
+  EXPECT_EQ(problem.errors()[0].pointer, "/spec/contour/points/7");
+  EXPECT_EQ(problem.errors()[0].message, "first");
+  EXPECT_EQ(problem.errors()[1].pointer, "/spec/machine/a~1b~0c");
+}
+
+TEST(FromException, EveryErrorOfTheCoreHasItsSlug) {
+  EXPECT_EQ(translated(Infeasible("x")).type().slug, "infeasible");
+  EXPECT_EQ(translated(UnreachablePose("x", 12.5)).type().slug, "unreachable-pose");
+  EXPECT_THAT(translated(UnreachablePose("x", 12.5)).what(), testing::HasSubstr("12.5"));
+  EXPECT_EQ(translated(ToleranceUnreachable("x", 0.25)).type().slug, "tolerance-unreachable");
+  EXPECT_THAT(translated(ToleranceUnreachable("x", 0.25)).what(), testing::HasSubstr("0.25"));
+  EXPECT_EQ(translated(Stopped(StopReason::cancelled)).type().slug, "cancelled");
+  EXPECT_EQ(translated(Stopped(StopReason::deadline)).type().slug, "deadline-exceeded");
+  EXPECT_EQ(translated(Stopped(StopReason::budget)).type().slug, "budget-exhausted");
+  EXPECT_EQ(translated(Problem("verification-failed", "kept")).type().slug, "verification-failed");
+}
+
+TEST(FromException, AnythingElseIsInternalAndKeepsItsTextToItself) {
+  for (const Problem& problem :
+       {translated(std::runtime_error("secret path")), translated(std::bad_alloc()), translated(42)}) {
+    EXPECT_EQ(problem.type().slug, "internal");
+    EXPECT_THAT(problem.what(), testing::Not(testing::HasSubstr("secret")));
+  }
+}
+
+}  // namespace
+}  // namespace bahnwerk::api

@@ -1,0 +1,60 @@
+#include <gtest/gtest.h>
+
+#include "api/problem.hpp"
+#include "api/setpoints.hpp"
+#include "tests/api/documents.hpp"
+
+namespace bahnwerk::api {
+namespace {
+
+using Pairs = std::vector<std::pair<std::string, std::string>>;
+using Pointers = std::vector<std::string>;
+
+Pointers faults(const Pairs& query) {
+  try {
+    parse_setpoint_query(query);
+  } catch (const Problem& problem) {
+    EXPECT_EQ(problem.type().slug, "schema-violation");
+    return test::pointers(problem);
+  }
+  return {};
+}
+
+TEST(SetpointQuery, ReadsEveryParameter) {
+  const auto query = parse_setpoint_query({{"first", "10"}, {"count", "20"}, {"every", "3"}, {"columns", "x,vy"}});
+  EXPECT_EQ(query.first, 10u);
+  EXPECT_EQ(query.count, 20u);
+  EXPECT_EQ(query.every, 3u);
+  EXPECT_EQ(query.columns, (Pointers{"x", "vy"}));
+  EXPECT_EQ(parse_setpoint_query({{"points", "500"}}).points, 500u);
+}
+
+TEST(SetpointQuery, DefaultsToEverything) {
+  const auto query = parse_setpoint_query({});
+  EXPECT_EQ(query.first, 0u);
+  EXPECT_EQ(query.every, 1u);
+  EXPECT_FALSE(query.count || query.points);
+  EXPECT_TRUE(query.columns.empty());
+}
+
+TEST(SetpointQuery, RefusesWhatIsNoNaturalNumber) {
+  for (const char* text : {"", "-1", "+1", "1.5", "1e3", "x", " 1", "0x10", "99999999999999999999999"})
+    for (const char* name : {"first", "count", "every", "points"})
+      EXPECT_EQ(faults({{name, text}}), Pointers{std::string("/query/") + name}) << text;
+  EXPECT_EQ(faults({{"every", "0"}}), Pointers{"/query/every"});
+  EXPECT_EQ(faults({{"points", "0"}}), Pointers{"/query/points"});
+  EXPECT_EQ(faults({{"points", "20001"}}), Pointers{"/query/points"});
+}
+
+TEST(SetpointQuery, RefusesContradictionsAndStrangers) {
+  EXPECT_EQ(faults({{"points", "10"}, {"every", "2"}}), Pointers{"/query/points"});
+  EXPECT_EQ(faults({{"offset", "10"}}), Pointers{"/query/offset"});
+  EXPECT_EQ(faults({{"a/b", ""}}), Pointers{"/query/a~1b"});
+  EXPECT_EQ(faults({{"first", "1"}, {"first", "1"}}), Pointers{"/query/first"});
+  for (const char* columns : {"", "x,", ",x", "x,,y", "x,x"})
+    EXPECT_EQ(faults({{"columns", columns}}), Pointers{"/query/columns"}) << columns;
+  EXPECT_EQ(faults({{"first", "-"}, {"count", "-"}}), (Pointers{"/query/first", "/query/count"}));
+}
+
+}  // namespace
+}  // namespace bahnwerk::api

@@ -1,0 +1,162 @@
+#include "api/setpoints.hpp"
+
+#include <gtest/gtest.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "api/problem.hpp"
+#include "tests/api/documents.hpp"
+#include "tests/api/series.hpp"
+
+namespace bahnwerk::api {
+namespace {
+
+using nlohmann::json;
+
+using namespace test;
+
+constexpr SetpointFormat formats[] = {SetpointFormat::json, SetpointFormat::csv, SetpointFormat::ndjson,
+                                      SetpointFormat::f64};
+
+TEST(AppendNumber, IsTheShortestTextThatReadsBack) {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 100'000; ++i) {
+    double value;
+    const std::uint64_t bits = random();
+    std::memcpy(&value, &bits, 8);
+    if (!std::isfinite(value)) continue;
+    std::string text;
+    append_number(text, value);
+    double back;
+    std::from_chars(text.data(), text.data() + text.size(), back);
+    ASSERT_EQ(back, value);
+    ASSERT_EQ(json::parse(text).get<double>(), value) << text;
+  }
+}
+
+TEST(AppendNumber, WritesPlainFormsPlainly) {
+  const auto text = [](double value) {
+    std::string out;
+    append_number(out, value);
+    return out;
+  };
+  EXPECT_EQ(text(-0.0), "0");
+  EXPECT_EQ(text(12), "12");
+  EXPECT_EQ(text(0.1), "0.1");
+  EXPECT_EQ(text(-1e-9), "-1e-09");
+  EXPECT_EQ(text(std::numeric_limits<double>::infinity()), "null");
+  EXPECT_EQ(text(std::nan("")), "null");
+}
+
+TEST(SetpointStream, EveryFormatHoldsTheSeries) {
+  for (std::size_t rows : {1u, 2u, 2047u, 2048u, 2049u, 20'000u})
+    for (auto format : formats) {
+      Source source{rows};
+      EXPECT_EQ(table(source, {}, format), expected(0, rows, 1)) << rows;
+    }
+}
+
+TEST(SetpointStream, SlicesEqualTheWhole) {
+  std::mt19937_64 random(2);
+  for (int trial = 0; trial < 300; ++trial) {
+    Source source{random() % 6000 + 1};
+    SetpointQuery query;
+    query.first = random() % (source.rows + 1);
+    query.every = trial % 3 == 0 ? 1 + random() % 5000 : 1 + random() % 7;
+    if (trial % 4) query.count = random() % 6000;
+    const std::size_t end = std::min(source.rows, query.first + query.count.value_or(source.rows));
+    ASSERT_EQ(table(source, query, formats[trial % 4]), expected(query.first, end, query.every));
+  }
+}
+
+TEST(SetpointStream, ReadsInBoundedPieces) {
+  for (auto format : formats) {
+    Source source{50'000};
+    answer(source, {}, format);
+    EXPECT_LE(source.widest, 2048u);
+    EXPECT_EQ(source.total, (format == SetpointFormat::json ? 3u : 1u) * 50'000u);
+  }
+  Source sparse{1'000'000};
+  SetpointQuery query;
+  query.every = 100'000;
+  answer(sparse, query, SetpointFormat::csv);
+  EXPECT_EQ(sparse.total, 10u) << "rows that are not asked for are not read when they are far apart";
+}
+
+TEST(SetpointStream, JsonSaysWhichRows) {
+  Source source{100};
+  SetpointQuery query;
+  query.first = 10;
+  query.count = 20;
+  query.every = 6;
+  query.columns = {"vx"};
+  EXPECT_EQ(
+      json::parse(answer(source, query, SetpointFormat::json)),
+      (json{{"first", 10},
+            {"every", 6},
+            {"count", 4},
+            {"cycle_time", 0.001},
+            {"columns",
+             {{{"name", "vx"}, {"unit", "mm/s"}, {"values", {cell(10, 1), cell(16, 1), cell(22, 1), cell(28, 1)}}}}}}));
+}
+
+TEST(SetpointStream, CsvHeaderFollowsRfc4180) {
+  Source source{3};
+  std::string header;
+  from_csv(answer(source, {}, SetpointFormat::csv), &header);
+  EXPECT_EQ(header, "x,vx,\"a,\"\"b\"\"\"");
+}
+
+TEST(SetpointStream, ColumnsComeInTheOrderAskedFor) {
+  Source source{3};
+  SetpointQuery query;
+  query.columns = {"vx", "x"};
+  SetpointStream stream(source.series(), query, SetpointFormat::csv);
+  ASSERT_EQ(stream.columns().size(), 2u);
+  EXPECT_EQ(stream.columns()[0].name, "vx");
+  EXPECT_EQ(stream.columns()[1].name, "x");
+  EXPECT_EQ(from_csv(answer(source, query, SetpointFormat::csv))[2], (std::vector<double>{cell(2, 1), cell(2, 0)}));
+}
+
+TEST(SetpointStream, AnEmptySliceIsAnEmptyAnswer) {
+  for (auto format : formats)
+    for (bool envelope : {false, true}) {
+      Source source{5};
+      SetpointQuery query;
+      query.first = 5;
+      if (envelope) query.points = 10;
+      const auto text = answer(source, query, format);
+      if (format == SetpointFormat::json)
+        EXPECT_EQ(json::parse(text)["count"], 0);
+      else if (format == SetpointFormat::csv)
+        EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1);
+      else
+        EXPECT_EQ(text, "");
+    }
+}
+
+TEST(SetpointStream, RefusesUnknownColumnsAndRowsBeyondTheEnd) {
+  const auto fault = [](const SetpointQuery& query) -> std::vector<std::string> {
+    Source source{5};
+    try {
+      SetpointStream stream(source.series(), query, SetpointFormat::json);
+    } catch (const Problem& problem) {
+      EXPECT_EQ(problem.type().slug, "schema-violation");
+      return test::pointers(problem);
+    }
+    return {};
+  };
+  SetpointQuery beyond, unknown;
+  beyond.first = 6;
+  unknown.columns = {"x", "zz"};
+  EXPECT_EQ(fault(beyond), std::vector<std::string>{"/query/first"});
+  EXPECT_EQ(fault(unknown), std::vector<std::string>{"/query/columns"});
+}
+
+}  // namespace
+}  // namespace bahnwerk::api
