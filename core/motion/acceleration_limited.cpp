@@ -179,6 +179,7 @@ class RunPlanner {
   }
 
   void emit(MotionLaw& law) {
+    law.reserve(grid_.cells.size() + 2);
     double most = 0;
     for (const Excess& e : excess_) most = std::max({most, e.acceleration, e.velocity});
     slow_ = most > 0 ? std::sqrt(1 + most) * (1 + 1e-12) : 1;

@@ -172,13 +172,31 @@ void Grid<N>::build(const Path& path, std::size_t first, std::size_t last, const
 
 template <int N>
 void Grid<N>::grade_ends(const Path& path) {
-  std::vector<std::uint8_t> parts;
-  for (int i = 0; i < end_halvings; ++i) {
-    parts.assign(cells.size(), 1);
-    if (!cells.front().straight) parts.front() = 2;
-    if (!cells.back().straight) parts.back() = 2;
-    if (!cells.front().straight || !cells.back().straight) divide(path, parts);
-  }
+  // Parts of the end cell, from the rest: 1/16 1/16 1/8 1/4 1/2.
+  const auto part = [](int i) { return i == 0 ? 0.0 : std::ldexp(1.0, i - 1 - end_halvings); };
+  const auto halve = [&](bool front) {
+    const GridCell old = front ? cells.front() : cells.back();
+    if (old.straight) return;
+    const Segment& segment = path[old.segment];
+    const double u0 = stations[old.station].u, u1 = stations[old.station + 1].u;
+    std::vector<Station<N>> inner;
+    for (int i = 1; i <= end_halvings; ++i)
+      inner.push_back(
+          station<N>(segment, front ? u0 + part(i) * (u1 - u0) : u1 - part(end_halvings + 1 - i) * (u1 - u0)));
+    std::vector<GridCell> parts(inner.size() + 1, old);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      parts[i].station = old.station + static_cast<std::uint32_t>(i);
+      parts[i].cusp_left = old.cusp_left && i == 0;
+      parts[i].cusp_right = old.cusp_right && i + 1 == parts.size();
+    }
+    for (GridCell& cell : cells)
+      if (cell.station > old.station) cell.station += static_cast<std::uint32_t>(inner.size());
+    stations.insert(stations.begin() + old.station + 1, inner.begin(), inner.end());
+    const auto at = front ? cells.begin() : cells.end() - 1;
+    cells.insert(cells.erase(at), parts.begin(), parts.end());
+  };
+  halve(false);
+  halve(true);
 }
 
 template <int N>

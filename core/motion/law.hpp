@@ -1,5 +1,6 @@
 #pragma once
 /// A motion law s(t): path length over time as a piecewise polynomial of degree ≤ 3, continuous in s and v.
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -34,6 +35,11 @@ class MotionLaw {
  public:
   /// Appends a piece behind the last one; its t0 is set here.
   void append(LawPiece piece);
+  /// Makes room for so many more pieces.
+  void reserve(std::size_t more) {
+    if (pieces_.size() + more > pieces_.capacity())
+      pieces_.reserve(std::max(pieces_.size() + more, 2 * pieces_.capacity()));
+  }
   /// Lets the last piece, which has to run at constant speed, go on to path length `s_end`.
   void extend(double s_end, double duration) {
     pieces_.back().s_end = s_end;

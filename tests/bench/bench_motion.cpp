@@ -53,11 +53,12 @@ Contour spline(int n, bool rational) {
 
 enum Kind { arc_contour, cubic_contour, rational_contour };
 
-void plan(benchmark::State& state, Kind kind, bool reserve) {
+void plan(benchmark::State& state, Kind kind, bool reserve, bool refine) {
   const auto wanted = static_cast<double>(state.range(0));
   // Segments enough for about the wanted number of cells at the default fineness.
   AccelerationLimitedOptions options;
   options.keep_reserve = reserve;
+  if (!refine) options.max_divisions = options.max_rounds = 0;
   const Machine m = machine();
   SilentProgress progress;
   auto make = [&](int n) { return kind == arc_contour ? arcs(n) : spline(n, kind == rational_contour); };
@@ -82,13 +83,17 @@ void plan(benchmark::State& state, Kind kind, bool reserve) {
 }
 
 #define SIZES RangeMultiplier(10)->Range(1000, 1000000)->Complexity(benchmark::oAuto)->Unit(benchmark::kMillisecond)
-BENCHMARK_CAPTURE(plan, time_optimal_arcs, arc_contour, false)->SIZES;
-BENCHMARK_CAPTURE(plan, time_optimal_cubic_spline, cubic_contour, false)->SIZES;
-BENCHMARK_CAPTURE(plan, time_optimal_nurbs, rational_contour, false)->SIZES;
-BENCHMARK_CAPTURE(plan, braking_reserve_arcs, arc_contour, true)->SIZES;
-BENCHMARK_CAPTURE(plan, braking_reserve_cubic_spline, cubic_contour, true)->SIZES;
-BENCHMARK_CAPTURE(plan, braking_reserve_nurbs, rational_contour, true)->SIZES;
+// One solution on a given grid, what planners are usually compared by …
+BENCHMARK_CAPTURE(plan, time_optimal_arcs_fixed_grid, arc_contour, false, false)->SIZES;
+BENCHMARK_CAPTURE(plan, time_optimal_cubic_spline_fixed_grid, cubic_contour, false, false)->SIZES;
+BENCHMARK_CAPTURE(plan, time_optimal_nurbs_fixed_grid, rational_contour, false, false)->SIZES;
+BENCHMARK_CAPTURE(plan, braking_reserve_nurbs_fixed_grid, rational_contour, true, false)->SIZES;
+// … and all that a plan needs to be within 1e-5 of converged, per point of the final grid.
+BENCHMARK_CAPTURE(plan, time_optimal_arcs, arc_contour, false, true)->SIZES;
+BENCHMARK_CAPTURE(plan, time_optimal_cubic_spline, cubic_contour, false, true)->SIZES;
+BENCHMARK_CAPTURE(plan, time_optimal_nurbs, rational_contour, false, true)->SIZES;
+BENCHMARK_CAPTURE(plan, braking_reserve_arcs, arc_contour, true, true)->SIZES;
+BENCHMARK_CAPTURE(plan, braking_reserve_nurbs, rational_contour, true, true)->SIZES;
 
 }  // namespace
 }  // namespace bahnwerk
-
