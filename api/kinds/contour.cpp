@@ -92,7 +92,7 @@ PlannedJob plan(const json& spec, Progress& progress) {
   progress.report("read", 0.0);
   const Machine limits = machine(spec);
   const ContourPlanning options = planning(spec);
-  Contour path = geometry(spec);
+  Contour path = geometry(spec, progress);
   check_together(path, limits);
   ContourPlan plan = plan_contour(std::move(path), limits, options, progress);
   const auto& setpoints = *plan.setpoints;

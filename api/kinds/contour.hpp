@@ -17,6 +17,7 @@ inline constexpr double most_setpoints = 20'000'000;
 Machine machine(const nlohmann::json& spec);
 ContourPlanning planning(const nlohmann::json& spec);
 /// Throws InvalidInput naming every fault, with places relative to the spec.
+Contour geometry(const nlohmann::json& spec, Progress& progress);
 Contour geometry(const nlohmann::json& spec);
 
 /// Throws InvalidInput if the axes do not fit the contour, or if even at full speed the motion would take more than

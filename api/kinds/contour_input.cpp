@@ -129,7 +129,7 @@ Contour from_points(const json& contour) {
   return polyline(dimension, vecs(points), contour.value("closed", false), feed(contour));
 }
 
-Contour from_blocks(const json& contour) {
+Contour from_blocks(const json& contour, Progress& progress) {
   const std::size_t dimension = contour["start"].size();
   const auto& blocks = contour["blocks"];
   DimensionCheck check(dimension);
@@ -150,18 +150,28 @@ Contour from_blocks(const json& contour) {
   check.finish();
 
   ContourBuilder builder(dimension, vec(contour["start"]));
+  constexpr std::size_t segments_per_report = 256;  // up to 0.1 ms each
+  std::size_t read = 0;
   for (const auto& block : blocks) {
     builder.block(block["mode"] == "cut" ? Mode::cut : Mode::position, feed(block));
-    for (const auto& segment : block["segments"]) add_segment(builder, segment);
+    for (const auto& segment : block["segments"]) {
+      if (++read % segments_per_report == 0) progress.report("reading", 0);
+      add_segment(builder, segment);
+    }
   }
   return builder.finish();
 }
 
 }  // namespace
 
-Contour geometry(const json& spec) {
+Contour geometry(const json& spec, Progress& progress) {
   const auto& contour = spec["contour"];
-  return contour.contains("points") ? from_points(contour) : from_blocks(contour);
+  return contour.contains("points") ? from_points(contour) : from_blocks(contour, progress);
+}
+
+Contour geometry(const json& spec) {
+  SilentProgress silent;
+  return geometry(spec, silent);
 }
 
 Machine machine(const json& spec) {

@@ -12,7 +12,9 @@ namespace bahnwerk {
 
 namespace {
 
-constexpr std::size_t cells_between_reports = 1 << 15;
+// Memory: about 400 bytes per cell. Beyond the usual number cells get wider, up to the coarsest; the gap then tells
+// what that costs.
+constexpr double usual_cells = 2e6, most_cells = 8e6, coarsest_angle = 0.02;  // rad
 constexpr double divide_above =
     1e-2;  // an excess beyond this needs smaller cells, below it a smaller share of the limit
 
@@ -29,29 +31,30 @@ class RunPlanner {
         limit_(machine),
         chain_(grid_, feed, runs, machine, options) {}
 
-  void plan(std::size_t first, std::size_t last, double fraction, AccelerationLimitedResult& result) {
-    const auto tick = [&](std::size_t c) {
-      if (c % cells_between_reports == 0) progress_.report("planning", fraction);
-    };
-    grid_.build(path_, first, last, feed_, machine_, options_.grid);
+  /// `from` … `to` is the run's share of progress.
+  void plan(std::size_t first, std::size_t last, double from, double to, AccelerationLimitedResult& result) {
+    PlanningPulse pulse(progress_, from, to);
+    pulse.part(0, 0.2);
+    grid_.build(path_, first, last, feed_, machine_, options_.grid, pulse);
     grid_.grade_ends(path_);
     std::size_t rounds = 0;
     for (int division = 0;; ++division) {  // first the grid …
       share();
-      chain_.solve(share_, tick);
+      pulse.half_of_rest();
+      chain_.solve(share_, pulse);
       dirty_.assign(grid_.cells.size(), 1);
       pieces_.resize(grid_.cells.size());
       excess_.assign(grid_.cells.size(), {});
-      shape();
+      shape(pulse);
       ++rounds;
-      if (division == options_.max_divisions || !mark_divisions()) break;
-      grid_.divide(path_, parts_);
+      if (division == options_.max_divisions || !mark_divisions(pulse)) break;
+      grid_.divide(path_, parts_, pulse);
     }
     for (int round = 0; round < options_.max_rounds && shrink_shares();
-         ++round) {  // … then the limits inside its cells
-      chain_.update(share_, dirty_, tick);
-      shape();
-      ++rounds;
+         ++round, ++rounds) {  // … then the limits in its cells
+      pulse.half_of_rest();
+      chain_.update(share_, dirty_, pulse);
+      shape(pulse);
     }
     emit(result.law);
     result.rounds = std::max(result.rounds, rounds);
@@ -75,9 +78,10 @@ class RunPlanner {
   }
 
   /// Laws of the curved cells that changed, and where they exceed a limit between their stations.
-  void shape() {
+  void shape(PlanningPulse& pulse) {
     const std::size_t n = grid_.cells.size();
     for (std::size_t c = 0; c < n; ++c) {
+      pulse(c, n);
       const GridCell& cell = grid_.cells[c];
       const double h = grid_.length(c);
       if (!dirty_[c] || cell.straight || !(h > 0)) continue;
@@ -109,7 +113,7 @@ class RunPlanner {
   /// Where a law switches inside a cell the ramp is far from its neighbours': estimates what that costs and divides
   /// such cells until the whole stays below the tolerance; also cells that exceed a limit by far. False = nothing to
   /// divide.
-  bool mark_divisions() {
+  bool mark_divisions(PlanningPulse& pulse) {
     const std::size_t n = grid_.cells.size();
     parts_.assign(n, 1);
     loss_.assign(n, 0);
@@ -117,6 +121,7 @@ class RunPlanner {
     std::size_t curved = 0;
     bool divide = false;
     for (std::size_t c = 0; c < n; ++c) {
+      pulse(c, n);
       const GridCell& cell = grid_.cells[c];
       const double v = 0.5 * (std::sqrt(chain_.node(c)) + std::sqrt(chain_.node(c + 1))), h = grid_.length(c);
       if (v > 0) time += h / v;
@@ -248,14 +253,11 @@ AccelerationLimitedResult plan(const Contour& contour, const Machine& machine,
   AccelerationLimitedResult result;
   RunPlanner<N> planner(contour, machine, options, feed, runs, progress);
   const double length = contour.path.length();
-  std::size_t silent = 0;
   for (std::size_t i = 0; i + 1 < runs.begin.size(); ++i) {
-    const double fraction = from + (to - from) * contour.path[runs.begin[i]].s0() / length;
-    if (++silent == 256) {
-      progress.report("planning", fraction);
-      silent = 0;
-    }
-    planner.plan(runs.begin[i], runs.begin[i + 1], fraction, result);
+    const auto fraction = [&](std::size_t segment) {
+      return from + (to - from) * (segment < contour.path.size() ? contour.path[segment].s0() / length : 1);
+    };
+    planner.plan(runs.begin[i], runs.begin[i + 1], fraction(runs.begin[i]), fraction(runs.begin[i + 1]), result);
   }
   return result;
 }
@@ -269,8 +271,16 @@ AccelerationLimitedResult plan_acceleration_limited(const Contour& contour, cons
     if (!(axis.velocity > 0) || !(axis.acceleration > 0) || !std::isfinite(axis.acceleration))
       throw InvalidInput(
           {{{"machine", "axes", axis.name}, "velocity and acceleration must be positive, acceleration finite"}});
-  return machine.dimension() == 2 ? plan<2>(contour, machine, options, progress, from, to)
-                                  : plan<3>(contour, machine, options, progress, from, to);
+  AccelerationLimitedOptions fitted = options;
+  const double turn = total_turn(contour.path);
+  fitted.grid.angle = std::max(options.grid.angle, std::min(coarsest_angle, turn / usual_cells));
+  if (turn / fitted.grid.angle > most_cells)
+    throw InvalidInput(
+        {{{"contour"},
+          "the contour turns by " + std::to_string(static_cast<long>(turn)) + " rad in all, more than the " +
+              std::to_string(static_cast<long>(most_cells * coarsest_angle)) + " that fit into memory"}});
+  return machine.dimension() == 2 ? plan<2>(contour, machine, fitted, progress, from, to)
+                                  : plan<3>(contour, machine, fitted, progress, from, to);
 }
 
 }  // namespace bahnwerk

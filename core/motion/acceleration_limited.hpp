@@ -35,8 +35,8 @@ struct AccelerationLimitedResult {
   std::size_t cells = 0;   ///< cells of the final grids
 };
 
-/// Throws InvalidInput for limits that are not positive, Stopped when progress says so. Progress runs from `from` to
-/// `to`.
+/// Throws InvalidInput for limits that are not positive and for contours that turn by more than 160 000 rad, Stopped
+/// when progress says so. Progress runs from `from` to `to`.
 AccelerationLimitedResult plan_acceleration_limited(const Contour& contour, const Machine& machine,
                                                     const AccelerationLimitedOptions& options, Progress& progress,
                                                     double from = 0, double to = 1);

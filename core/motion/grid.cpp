@@ -155,10 +155,11 @@ class Layer {
 
 template <int N>
 void Grid<N>::build(const Path& path, std::size_t first, std::size_t last, const std::vector<double>& feed,
-                    const Machine& machine, const GridOptions& options) {
+                    const Machine& machine, const GridOptions& options, PlanningPulse& pulse) {
   stations.clear();
   cells.clear();
   for (std::size_t i = first; i < last; ++i) {
+    pulse.now(i - first, last - first);
     const Segment& segment = path[i];
     if (segment.straight()) {
       cells.push_back({static_cast<std::uint32_t>(stations.size()), static_cast<std::uint32_t>(i), true, false, false});
@@ -200,7 +201,7 @@ void Grid<N>::grade_ends(const Path& path) {
 }
 
 template <int N>
-void Grid<N>::divide(const Path& path, const std::vector<std::uint8_t>& parts) {
+void Grid<N>::divide(const Path& path, const std::vector<std::uint8_t>& parts, PlanningPulse& pulse) {
   std::vector<Station<N>> new_stations;
   std::vector<GridCell> new_cells;
   std::size_t total = 0;
@@ -208,6 +209,7 @@ void Grid<N>::divide(const Path& path, const std::vector<std::uint8_t>& parts) {
   new_cells.reserve(total);
   new_stations.reserve(stations.size() + total - cells.size());
   for (std::size_t c = 0; c < cells.size(); ++c) {
+    pulse(c, cells.size());
     const Segment& segment = path[cells[c].segment];
     if (c == 0 || cells[c].station != cells[c - 1].station + 1) new_stations.push_back(left(c));
     const double u0 = left(c).u, du = (right(c).u - u0) / parts[c];
@@ -222,6 +224,22 @@ void Grid<N>::divide(const Path& path, const std::vector<std::uint8_t>& parts) {
   }
   stations = std::move(new_stations);
   cells = std::move(new_cells);
+}
+
+double total_turn(const Path& path) {
+  double turn = 0;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const Segment& segment = path[i];
+    if (segment.straight()) continue;
+    if (segment.curve().kind() == CurveKind::arc) {
+      turn += norm(segment.at_parameter(segment.curve().begin()).d2) * segment.length();
+      continue;
+    }
+    const std::vector<double> panel = segment.panel_parameters();
+    for (std::size_t k = 1; k < panel.size(); ++k)
+      turn += angle_between(segment.at_parameter(panel[k - 1]).d1, segment.at_parameter(panel[k]).d1);
+  }
+  return turn;
 }
 
 template class Grid<2>;

@@ -12,6 +12,7 @@
 
 #include "core/contour/contour.hpp"
 #include "core/machine/machine.hpp"
+#include "core/motion/pulse.hpp"
 
 namespace bahnwerk {
 
@@ -48,13 +49,16 @@ class Grid {
 
   /// Stations for the path segments [first, last). O(cells).
   void build(const Path& path, std::size_t first, std::size_t last, const std::vector<double>& feed,
-             const Machine& machine, const GridOptions& options);
+             const Machine& machine, const GridOptions& options, PlanningPulse& pulse);
   /// Halves the first and the last cell towards the rest at the run's ends, where the speed changes by more than it is.
   /// O(cells).
   void grade_ends(const Path& path);
   /// Divides cell c into parts[c] cells. O(cells).
-  void divide(const Path& path, const std::vector<std::uint8_t>& parts);
+  void divide(const Path& path, const std::vector<std::uint8_t>& parts, PlanningPulse& pulse);
 };
+
+/// By how much the path turns in all, rad, about: what the number of cells follows.
+double total_turn(const Path& path);
 
 extern template class Grid<2>;
 extern template class Grid<3>;

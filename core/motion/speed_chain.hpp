@@ -11,6 +11,7 @@
 
 #include "core/contour/contour.hpp"
 #include "core/motion/grid.hpp"
+#include "core/motion/pulse.hpp"
 #include "core/motion/runs.hpp"
 #include "core/motion/station_limits.hpp"
 
@@ -26,11 +27,9 @@ class SpeedChain {
 
   /// Takes the grid as it is now and solves all of it. `share` is the part of the acceleration limits that each cell
   /// may use.
-  template <class Tick>
-  void solve(const std::vector<double>& share, Tick&& tick);
+  void solve(const std::vector<double>& share, PlanningPulse& pulse);
   /// Solves again where `dirty` cells (1) have a new share, and marks in `dirty` every cell whose speeds changed.
-  template <class Tick>
-  void update(const std::vector<double>& share, std::vector<std::uint8_t>& dirty, Tick&& tick);
+  void update(const std::vector<double>& share, std::vector<std::uint8_t>& dirty, PlanningPulse& pulse);
 
   double node(std::size_t c) const { return node_[c]; }                  ///< v² at the left end of cell c, mm²/s²
   double middle(std::size_t c) const { return middle_[c]; }              ///< its middle Bernstein coefficient
@@ -38,7 +37,7 @@ class SpeedChain {
   double cap(std::size_t c) const { return cap_[c]; }                    ///< v² that a straight cell may hold
 
  private:
-  void limit();
+  void limit(PlanningPulse& pulse);
   Rows<N> rows_left(std::size_t c, double share, bool flip) const;
   Rows<N> rows_right(std::size_t c, double share, bool flip) const;
   Rows<N> link(const Station<N>& at, double h, double share, bool flip, std::size_t segment) const;

@@ -14,7 +14,7 @@ SpeedChain<N>::SpeedChain(const Grid<N>& grid, const std::vector<double>& feed, 
 
 /// Caps that need no neighbour: feed, axis velocity, limit curve, tangent jumps, rest at both ends.
 template <int N>
-void SpeedChain<N>::limit() {
+void SpeedChain<N>::limit(PlanningPulse& pulse) {
   const std::size_t n = grid_.cells.size();
   node_cap_.assign(n + 1, unlimited);
   middle_cap_.resize(n);
@@ -25,6 +25,7 @@ void SpeedChain<N>::limit() {
   for (std::size_t c = 0; c < n; ++c) length += grid_.length(c);
   most = 2 * std::sqrt(most) * length;
   for (std::size_t c = 0; c < n; ++c) {
+    pulse(c, n);
     const GridCell& cell = grid_.cells[c];
     const Station<N>&l = grid_.left(c), &r = grid_.right(c);
     const double feed = feed_[cell.segment], h = r.s - l.s;
@@ -108,9 +109,8 @@ void SpeedChain<N>::step_forward(std::size_t c, double share) {
 }
 
 template <int N>
-template <class Tick>
-void SpeedChain<N>::solve(const std::vector<double>& share, Tick&& tick) {
-  limit();
+void SpeedChain<N>::solve(const std::vector<double>& share, PlanningPulse& pulse) {
+  limit(pulse);
   const std::size_t n = grid_.cells.size();
   node_stop_.resize(n + 1);
   middle_stop_.resize(n);
@@ -118,25 +118,24 @@ void SpeedChain<N>::solve(const std::vector<double>& share, Tick&& tick) {
   middle_.resize(n);
   node_stop_[n] = 0;
   for (std::size_t c = n; c-- > 0;) {
-    tick(c);
+    pulse(n - 1 - c, n);
     step_back(c, share[c]);
   }
   node_[0] = 0;
   for (std::size_t c = 0; c < n; ++c) {
-    tick(c);
+    pulse(c, n);
     step_forward(c, share[c]);
   }
 }
 
 template <int N>
-template <class Tick>
-void SpeedChain<N>::update(const std::vector<double>& share, std::vector<std::uint8_t>& dirty, Tick&& tick) {
+void SpeedChain<N>::update(const std::vector<double>& share, std::vector<std::uint8_t>& dirty, PlanningPulse& pulse) {
   const auto differs = [](double a, double b) { return std::abs(a - b) > 1e-14 * std::abs(b); };
   const std::size_t n = grid_.cells.size();
   bool moved = false;  // did the right neighbour change?
   for (std::size_t c = n; c-- > 0;) {
+    pulse(n - 1 - c, n);
     if (!dirty[c] && !moved) continue;
-    tick(c);
     const double node = node_stop_[c], middle = middle_stop_[c];
     step_back(c, share[c]);
     moved = differs(node_stop_[c], node);
@@ -144,10 +143,10 @@ void SpeedChain<N>::update(const std::vector<double>& share, std::vector<std::ui
   }
   moved = false;
   for (std::size_t c = 0; c < n; ++c) {
+    pulse(c, n);
     // A cell whose right neighbour may start slower than before has to be driven again, too.
     const bool capped = node_[c + 1] > node_stop_[c + 1] || (c + 1 < n && dirty[c + 1] != 0);
     if (!dirty[c] && !moved && !capped) continue;
-    tick(c);
     const double node = node_[c + 1], middle = middle_[c];
     step_forward(c, share[c]);
     const bool changed = differs(node_[c + 1], node);

@@ -23,7 +23,9 @@ Contour mixed() {
 
 Grid<2> grid_of(const Contour& contour, const GridOptions& options = {}) {
   Grid<2> grid;
-  grid.build(contour.path, 0, contour.path.size(), contour.feeds(), machine(), options);
+  SilentProgress progress;
+  PlanningPulse pulse(progress, 0, 1);
+  grid.build(contour.path, 0, contour.path.size(), contour.feeds(), machine(), options, pulse);
   return grid;
 }
 
@@ -84,7 +86,9 @@ TEST(Grid, DivideKeepsTheEnds) {
   parts[1] = 5;
   parts[n - 1] = 2;
   const double left = grid.left(1).s, right = grid.right(1).s;
-  grid.divide(contour.path, parts);
+  SilentProgress progress;
+  PlanningPulse pulse(progress, 0, 1);
+  grid.divide(contour.path, parts, pulse);
   EXPECT_EQ(grid.cells.size(), n + 5);
   EXPECT_EQ(grid.left(1).s, left);
   EXPECT_EQ(grid.right(5).s, right);
