@@ -1,0 +1,134 @@
+#include "server/cli/cli.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <thread>
+
+#include "server/runtime/log.hpp"
+
+namespace bahnwerk::server::cli {
+namespace {
+
+/// A duration given in seconds.
+CLI::Option* add_seconds(CLI::App& app, const std::string& name, std::chrono::milliseconds& value,
+                         const std::string& text) {
+  return app
+      .add_option_function<double>(
+          name,
+          [&value](double seconds) { value = std::chrono::milliseconds(static_cast<std::int64_t>(seconds * 1e3)); },
+          text)
+      ->check(CLI::Range(0.0, 86400.0))
+      ->default_str(std::to_string(value.count() / 1000))
+      ->type_name("SECONDS");
+}
+
+void add_serve(CLI::App& app, ServiceOptions& options, std::string& role, std::string& level) {
+  const auto env = [](CLI::Option* option) {
+    std::string name = "BAHNWERK_";
+    for (const char c : option->get_lnames().front()) name += c == '-' ? '_' : static_cast<char>(std::toupper(c));
+    option->envname(name);
+  };
+  env(app.add_option("--listen", options.listen, "address to serve on; port 0 picks a free one")
+          ->type_name("HOST:PORT"));
+  env(app.add_option("--store", options.store, "where jobs live: sqlite:PATH")->type_name("URL"));
+  env(app.add_option("--workers", options.workers, "planner threads; 0 accepts jobs without planning them")
+          ->check(CLI::Range(0, 1024)));
+  env(app.add_option("--role", role, "all = serve and plan; api and worker need a store that processes share")
+          ->check(CLI::IsMember({"all", "api", "worker"})));
+  env(app.add_option("--http-threads", options.http_threads, "socket threads")->check(CLI::Range(1, 64)));
+  env(app.add_option("--max-queued", options.max_queued, "waiting jobs before new ones are refused (429)"));
+  env(app.add_option("--max-body", options.limits.max_body, "largest request body, bytes or with a suffix: 64MiB")
+          ->transform(CLI::AsSizeValue(false)));
+  env(app.add_option("--max-connections", options.limits.max_connections,
+                     "open connections before new ones are refused (503)")
+          ->check(CLI::Range(1, 1'000'000)));
+  env(add_seconds(app, "--header-timeout", options.limits.header_timeout, "for a request's header"));
+  env(add_seconds(app, "--body-timeout", options.limits.body_timeout, "for a request's body, plus 1 s per 100 kB"));
+  env(add_seconds(app, "--idle-timeout", options.limits.idle_timeout, "between requests of a connection"));
+  env(add_seconds(app, "--write-timeout", options.limits.write_timeout,
+                  "for each piece of an answer, plus 1 s per 100 kB"));
+  env(add_seconds(app, "--drain-timeout", options.drain_timeout, "that running jobs may go on after SIGTERM"));
+  env(app.add_option("--log-level", level, "least level logged")
+          ->check(CLI::IsMember({"debug", "info", "warn", "error"})));
+}
+
+int run_serve(const ServiceOptions& options, const std::string& role, const std::string& level) {
+  using log::Level;
+  log::set_level(level == "debug"   ? Level::debug
+                 : level == "warn"  ? Level::warn
+                 : level == "error" ? Level::error
+                                    : Level::info);
+  if (role != "all") {
+    std::cerr << "bahnwerk: --role " << role
+              << " needs a store that processes share; a SQLite file is owned by one process (use --role all)\n";
+    return exit_usage;
+  }
+  return serve(options);
+}
+
+}  // namespace
+
+std::string read_input(const std::string& path) {
+  if (path == "-") return {std::istreambuf_iterator<char>(std::cin), {}};
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw std::runtime_error("cannot read " + path);
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (file.bad()) throw std::runtime_error("cannot read " + path);
+  return text;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"Bahnwerk: plans motions from contours to verified setpoints."};
+  app.set_version_flag("--version", BAHNWERK_VERSION);
+  app.require_subcommand(1);
+  app.option_defaults()->always_capture_default();
+
+  ServiceOptions options;
+  options.workers = std::max(2U, std::thread::hardware_concurrency()) - 1;
+  std::string role = "all", level = "info", job, out, id, server = "http://127.0.0.1:8080", format = "csv", key;
+  bool wait = false;
+
+  CLI::App* serve_command =
+      app.add_subcommand("serve", "runs the service; every flag also as environment variable BAHNWERK_...");
+  add_serve(*serve_command, options, role, level);
+  CLI::App* plan_command = app.add_subcommand("plan", "plans a job document offline, prints the result document");
+  plan_command->add_option("job", job, "job document, - for stdin")->required()->capture_default_str();
+  plan_command->add_option("--out", out, "directory for result.json and setpoints.csv")->type_name("DIR");
+  const auto add_server = [&](CLI::App* command) {
+    command->add_option("--server", server, "where the service is")->envname("BAHNWERK_SERVER")->type_name("URL");
+  };
+  CLI::App* submit_command =
+      app.add_subcommand("submit", "posts a job document, prints the job (with --wait: the result)");
+  submit_command->add_option("job", job, "job document, - for stdin")->required();
+  submit_command->add_flag("--wait", wait, "waits for the end");
+  submit_command->add_option("--idempotency-key", key, "the same key and document give the same job");
+  add_server(submit_command);
+  CLI::App* watch_command = app.add_subcommand("watch", "follows a job to its end, prints it");
+  watch_command->add_option("id", id, "the job")->required();
+  add_server(watch_command);
+  CLI::App* fetch_command = app.add_subcommand("fetch", "prints a job's setpoints");
+  fetch_command->add_option("id", id, "the job")->required();
+  fetch_command->add_option("--format", format, "csv, ndjson or f64 (little-endian doubles, row-major)")
+      ->check(CLI::IsMember({"csv", "ndjson", "f64", "json"}));
+  add_server(fetch_command);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? exit_ok : exit_usage;
+  }
+  try {
+    if (*serve_command) return run_serve(options, role, level);
+    if (*plan_command) return plan(job, out);
+    if (*submit_command) return submit(server, job, key, wait);
+    if (*watch_command) return watch(server, id);
+    return fetch(server, id, format);
+  } catch (const std::exception& error) {
+    std::cerr << "bahnwerk: " << error.what() << '\n';
+    return exit_usage;
+  }
+}
+
+}  // namespace bahnwerk::server::cli

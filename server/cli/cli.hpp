@@ -1,0 +1,27 @@
+#pragma once
+/// The command line: `bahnwerk serve | plan | submit | watch | fetch`.
+#include <cstdint>
+#include <string>
+
+#include "server/service.hpp"
+
+namespace bahnwerk::server::cli {
+
+inline constexpr int exit_ok = 0;
+inline constexpr int exit_failed = 1;       ///< planning failed; the problem document is on stdout
+inline constexpr int exit_usage = 2;        ///< bad input or usage
+inline constexpr int exit_unreachable = 3;  ///< no server answered
+
+int run(int argc, char** argv);  ///< the whole program; its exit code
+
+int serve(const ServiceOptions& options);
+/// `job` is a file or "-" for stdin; with `out`, writes result.json and setpoints.csv there.
+int plan(const std::string& job, const std::string& out);
+int submit(const std::string& server, const std::string& job, const std::string& key, bool wait);
+int watch(const std::string& server, const std::string& id);
+int fetch(const std::string& server, const std::string& id, const std::string& format);
+
+/// The file's bytes, or stdin's for "-". Throws std::runtime_error with a sentence.
+std::string read_input(const std::string& path);
+
+}  // namespace bahnwerk::server::cli

@@ -1,0 +1,28 @@
+#pragma once
+/// A small blocking HTTP/1.1 client for the terminal commands.
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+#include "server/http/message.hpp"
+
+namespace bahnwerk::server::cli {
+
+/// No server, or the connection broke; the text is a sentence for the user.
+struct Unreachable : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+class HttpClient {
+ public:
+  explicit HttpClient(std::string url);  ///< http://HOST[:PORT][/PREFIX]; throws std::invalid_argument
+
+  /// One request on its own connection. The body of a 2xx answer goes piece by piece to `sink` when there is one.
+  Response request(const std::string& method, const std::string& target, const Pairs& headers,
+                   const std::string& body = {}, const std::function<void(std::string_view)>& sink = nullptr) const;
+
+ private:
+  std::string url_, host_, port_, prefix_;
+};
+
+}  // namespace bahnwerk::server::cli

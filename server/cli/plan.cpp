@@ -1,0 +1,92 @@
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "api/problem.hpp"
+#include "api/setpoints.hpp"
+#include "core/errors.hpp"
+#include "server/cli/cli.hpp"
+#include "server/cli/progress_bar.hpp"
+#include "server/runtime/clock.hpp"
+
+namespace bahnwerk::server::cli {
+namespace {
+
+/// Shows progress on a terminal and holds the document's own time limits, as a worker does.
+class TerminalProgress final : public Progress {
+ public:
+  explicit TerminalProgress(const api::JobRequest& request) : request_(request) {}
+  void report(std::string_view stage, double fraction, std::string_view message) override {
+    if (request_.deadline && now_ms() >= *request_.deadline) throw Stopped(StopReason::deadline);
+    if (request_.time_budget && seconds_since(start_) >= *request_.time_budget) throw Stopped(StopReason::budget);
+    if (seconds_since(shown_) < 0.1) return;
+    shown_ = std::chrono::steady_clock::now();
+    bar_.show(fraction, stage, message);
+  }
+
+ private:
+  const api::JobRequest& request_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now(), shown_ = start_;
+  ProgressBar bar_;
+};
+
+int report_problem(const api::Problem& problem) {
+  std::cout << problem.document().dump(2) << std::endl;
+  const int status = problem.type().status;
+  return status >= 400 && status < 500 ? exit_usage : exit_failed;  // the document was wrong, or planning failed
+}
+
+void finish(std::ofstream& file, const std::filesystem::path& path) {
+  file.close();
+  if (!file) throw std::runtime_error("cannot write " + path.string());
+}
+
+void write_files(const std::filesystem::path& folder, const std::string& result, const SetpointSource* source) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw std::runtime_error("cannot make " + folder.string() + ": " + error.message());
+  std::ofstream document(folder / "result.json", std::ios::binary);
+  document << result << '\n';
+  finish(document, folder / "result.json");
+  if (!source) return;
+  api::SetpointSeries series;
+  series.columns = source->columns();
+  series.count = source->count();
+  series.cycle_time = source->cycle_time();
+  series.read = [&](std::size_t first, std::size_t rows, std::vector<double>& values) {
+    values.resize(rows * source->columns().size());
+    source->read(first, rows, values.data());
+  };
+  api::SetpointStream stream(std::move(series), {}, api::SetpointFormat::csv);
+  std::ofstream file(folder / "setpoints.csv", std::ios::binary);
+  for (bool more = true; more;) {
+    std::string piece;
+    more = stream.next(piece);
+    file << piece;
+  }
+  finish(file, folder / "setpoints.csv");
+}
+
+}  // namespace
+
+int plan(const std::string& job, const std::string& out) {
+  const std::string text = read_input(job);
+  api::PlannedJob planned;
+  try {
+    const api::JobRequest request = api::parse_job(text);
+    TerminalProgress progress(request);
+    planned = api::plan_job(request.kind, request.spec, progress);
+    if (!planned.verified) throw api::Problem("verification-failed", "The plan was not verified against its limits.");
+  } catch (...) {
+    return report_problem(api::problem_from_current_exception("/spec"));
+  }
+  const std::string result = planned.result.dump(2);
+  if (!out.empty()) write_files(out, result, planned.setpoints.get());
+  std::cout << result << std::endl;
+  if (!std::cout) throw std::runtime_error("cannot write the result document");
+  return exit_ok;
+}
+
+}  // namespace bahnwerk::server::cli

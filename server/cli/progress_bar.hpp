@@ -1,0 +1,24 @@
+#pragma once
+#include <string>
+#include <string_view>
+
+namespace bahnwerk::server::cli {
+
+/// One line on stderr that is rewritten in place; silent when stderr is no terminal.
+class ProgressBar {
+ public:
+  ProgressBar();
+  ~ProgressBar();  ///< clears the line
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+  void show(double fraction, std::string_view stage, std::string_view message);
+
+ private:
+  const bool terminal_;
+  bool drawn_ = false;
+};
+
+/// "[#####     ]  50 %  stage  message", at most `width` characters, control characters left out.
+std::string progress_line(double fraction, std::string_view stage, std::string_view message, std::size_t width);
+
+}  // namespace bahnwerk::server::cli

@@ -1,0 +1,134 @@
+/// submit, watch, fetch: a terminal client of the service.
+#include <cstdio>
+#include <iostream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "server/cli/cli.hpp"
+#include "server/cli/http_client.hpp"
+#include "server/cli/progress_bar.hpp"
+#include "server/http/uri.hpp"
+
+namespace bahnwerk::server::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// Prints a refusal as the server gave it: the problem document on stdout, its sentence on stderr.
+int refused(const Response& response) {
+  const ordered_json problem = ordered_json::parse(response.body, nullptr, false);
+  if (problem.is_object()) {
+    std::cout << problem.dump(2) << std::endl;
+    std::cerr << "bahnwerk: refused with " << response.status << ": " << problem.value("detail", "") << '\n';
+  } else {
+    std::cerr << "bahnwerk: the server answered " << response.status << " without a problem document\n";
+  }
+  return exit_usage;
+}
+
+ordered_json parse(const Response& response) {
+  ordered_json document = ordered_json::parse(response.body, nullptr, false);
+  if (!document.is_object()) throw std::runtime_error("the server's answer is not the JSON document expected");
+  return document;
+}
+
+std::string job_path(const std::string& id) { return "/v1/jobs/" + encode_component(id); }
+
+bool final(const ordered_json& job) {
+  const std::string state = job.value("state", "");
+  return state != "queued" && state != "running";
+}
+
+/// Follows the job to its end. The last answer read, a refusal or the job's final resource.
+Response follow(const HttpClient& client, const std::string& id) {
+  ProgressBar bar;
+  std::string etag;
+  for (;;) {
+    Pairs headers{{"Accept", "application/json"}, {"Prefer", "wait=30"}};
+    if (!etag.empty()) headers.emplace_back("If-None-Match", etag);
+    Response response = client.request("GET", job_path(id), headers);
+    if (response.status == 304) continue;
+    if (response.status != 200) return response;
+    const ordered_json job = parse(response);
+    if (final(job)) return response;
+    etag = response.header("ETag").value_or("");
+    const ordered_json progress = job.value("progress", ordered_json::object());
+    const auto text = [&](const char* key) {
+      return progress.contains(key) && progress[key].is_string() ? progress[key].get<std::string>() : std::string();
+    };
+    const bool queued = job.value("state", "") == "queued";
+    bar.show(progress.value("fraction", 0.0), queued ? "queued" : text("stage"), text("message"));
+  }
+}
+
+template <class Work>
+int guarded(Work&& work) {
+  try {
+    return work();
+  } catch (const Unreachable& error) {
+    std::cerr << "bahnwerk: " << error.what() << "\n";
+    return exit_unreachable;
+  }
+}
+
+}  // namespace
+
+int submit(const std::string& server, const std::string& job, const std::string& key, bool wait) {
+  const HttpClient client(server);
+  const std::string text = read_input(job);
+  return guarded([&] {
+    Pairs headers{{"Content-Type", "application/json"}, {"Accept", "application/json"}};
+    if (!key.empty()) headers.emplace_back("Idempotency-Key", key);
+    const Response posted = client.request("POST", "/v1/jobs", headers, text);
+    if (posted.status != 202) return refused(posted);
+    const ordered_json resource = parse(posted);
+    if (!wait) {
+      std::cout << resource.dump(2) << std::endl;
+      return exit_ok;
+    }
+    const std::string id = resource.value("id", "");
+    const Response ended = follow(client, id);
+    if (ended.status != 200) return refused(ended);
+    const ordered_json last = parse(ended);
+    if (last.value("state", "") != "succeeded") {
+      std::cout << last.value("error", ordered_json()).dump(2) << std::endl;
+      return exit_failed;
+    }
+    const Response result = client.request("GET", job_path(id) + "/result", {{"Accept", "application/json"}});
+    if (result.status != 200) return refused(result);
+    std::cout << parse(result).dump(2) << std::endl;
+    return exit_ok;
+  });
+}
+
+int watch(const std::string& server, const std::string& id) {
+  const HttpClient client(server);
+  return guarded([&] {
+    const Response ended = follow(client, id);
+    if (ended.status != 200) return refused(ended);
+    const ordered_json job = parse(ended);
+    std::cout << job.dump(2) << std::endl;
+    return job.value("state", "") == "succeeded" ? exit_ok : exit_failed;
+  });
+}
+
+int fetch(const std::string& server, const std::string& id, const std::string& format) {
+  static const std::map<std::string, std::string> types{{"csv", "text/csv"},
+                                                        {"ndjson", "application/x-ndjson"},
+                                                        {"f64", "application/octet-stream"},
+                                                        {"json", "application/json"}};
+  const HttpClient client(server);
+  return guarded([&] {
+    const auto print = [](std::string_view piece) {
+      if (std::fwrite(piece.data(), 1, piece.size(), stdout) != piece.size())
+        throw std::runtime_error("cannot write the setpoints");
+    };
+    const Response response =
+        client.request("GET", job_path(id) + "/setpoints", {{"Accept", types.at(format)}}, {}, print);
+    if (response.status != 200) return refused(response);
+    if (std::fflush(stdout) != 0) throw std::runtime_error("cannot write the setpoints");
+    return exit_ok;
+  });
+}
+
+}  // namespace bahnwerk::server::cli

@@ -1,0 +1,76 @@
+#include "server/http/answer.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "server/runtime/log.hpp"
+#include "server/store/store.hpp"
+
+namespace bahnwerk::server {
+namespace {
+
+using nlohmann::ordered_json;
+
+std::string dump(const ordered_json& document) {
+  return document.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+Response problem_response(int status, const ordered_json& document) {
+  Response response;
+  response.status = status;
+  response.set("Content-Type", "application/problem+json");
+  response.set("Cache-Control", "no-store");
+  response.body = dump(document);
+  return response;
+}
+
+}  // namespace
+
+Response json_answer(int status, const ordered_json& document) {
+  return text_answer(status, "application/json", dump(document));
+}
+
+Response text_answer(int status, std::string type, std::string body) {
+  Response response;
+  response.status = status;
+  response.set("Content-Type", std::move(type));
+  response.body = std::move(body);
+  return response;
+}
+
+Response problem_answer(const api::Problem& problem, std::string_view instance) {
+  // Slugs that otherwise only occur in a job's `error` have no status of their own; over HTTP they are the server's
+  // fault.
+  const int status = problem.type().status == 0 ? 500 : problem.type().status;
+  Response response = problem_response(status, ordered_json(problem.document(instance)));
+  if (status == 429 || status == 503) response.set("Retry-After", status == 429 ? "5" : "10");
+  return response;
+}
+
+Response http_error_answer(int status, std::string_view detail, std::string_view instance) {
+  ordered_json document{
+      {"type", "about:blank"}, {"title", status_phrase(status)}, {"status", status}, {"detail", detail}};
+  if (!instance.empty()) document["instance"] = instance;
+  return problem_response(status, document);
+}
+
+Response answer_from_current_exception(const Request& request) {
+  const auto internal = [&](const char* detail) {
+    return problem_answer(api::Problem("internal", detail), request.target);
+  };
+  try {
+    throw;
+  } catch (const api::Problem& problem) {
+    return problem_answer(problem, request.target);
+  } catch (const HttpError& error) {
+    return http_error_answer(error.status, error.what(), request.target);
+  } catch (const StoreError& error) {
+    log::error("store_failed", {{"request", request.id}, {"path", request.path}, {"detail", error.what()}});
+    return internal(error.full ? "The store has no space left; nothing of this request was kept. Try again later."
+                               : "The store failed; nothing of this request was kept.");
+  } catch (const std::exception& error) {
+    log::error("handler_failed", {{"request", request.id}, {"path", request.path}, {"detail", error.what()}});
+    return internal("The server failed on this request; its log says more under the request id.");
+  }
+}
+
+}  // namespace bahnwerk::server

@@ -1,0 +1,275 @@
+#include "server/http/connection.hpp"
+
+#include <boost/asio/as_tuple.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/asio/use_awaitable.hpp>
+#include <boost/asio/write.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+
+#include "server/http/handover.hpp"
+#include "server/http/uri.hpp"
+#include "server/runtime/log.hpp"
+
+namespace bahnwerk::server {
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = boost::beast::http;
+using beast::error_code;
+
+struct Connection::Incoming {
+  RequestPtr request = std::make_shared<Request>();
+  bool keep_alive = false;
+  bool http_1_0 = false;
+};
+
+namespace {
+
+int fault_status(const error_code& error) {
+  if (error == http::error::header_limit || error == http::error::buffer_overflow) return 431;
+  if (error == http::error::body_limit) return 413;
+  if (error == http::error::bad_version) return 505;
+  return error.category() == make_error_code(http::error::bad_line_ending).category() &&
+                 error != http::error::end_of_stream && error != http::error::partial_message
+             ? 400
+             : 0;
+}
+
+std::string lower(std::string_view text) {
+  std::string out(text);
+  for (char& c : out)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return out;
+}
+
+std::string http_date() {
+  char text[40];
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  gmtime_r(&now, &parts);
+  const std::size_t size = std::strftime(text, sizeof text, "%a, %d %b %Y %H:%M:%S GMT", &parts);
+  return {text, size};
+}
+
+template <class Message>
+void put_headers(Message& message, const Response& response) {
+  message.set(http::field::date, http_date());
+  message.set("X-Content-Type-Options", "nosniff");
+  for (const auto& [name, value] : response.headers) message.insert(name, value);
+}
+
+}  // namespace
+
+Connection::Connection(asio::ip::tcp::socket socket, std::shared_ptr<ConnectionContext> context)
+    : stream_(std::move(socket)), context_(std::move(context)), buffer_(context_->limits.max_header + (64 << 10)) {
+  error_code ignored;
+  stream_.socket().set_option(asio::ip::tcp::no_delay(true), ignored);
+  const auto remote = stream_.socket().remote_endpoint(ignored);
+  if (!ignored) peer_ = remote.address().to_string();
+}
+
+void Connection::expire(std::chrono::milliseconds base, std::size_t bytes) {
+  stream_.expires_after(base + std::chrono::milliseconds(bytes / 100));
+}
+
+void Connection::close_if_idle() {
+  asio::post(stream_.get_executor(), [self = shared_from_this()] {
+    if (self->idle_) self->stream_.close();
+  });
+}
+
+asio::awaitable<bool> Connection::await_first_byte() {
+  if (buffer_.size() > 0) co_return true;  // pipelined
+  stream_.expires_after(context_->limits.idle_timeout);
+  idle_ = true;
+  if (context_->closing) co_return false;
+  auto [error, size] = co_await stream_.async_read_some(buffer_.prepare(4096), tuple_awaitable);
+  idle_ = false;
+  if (error) co_return false;
+  buffer_.commit(size);
+  co_return true;
+}
+
+asio::awaitable<std::optional<Connection::Incoming>> Connection::read() {
+  const Limits& limits = context_->limits;
+  const std::string too_large = "The request body is larger than " + std::to_string(limits.max_body) + " bytes.";
+  Incoming incoming;
+  const auto broken = [&](int status, const std::string& detail) {
+    incoming.keep_alive = false;
+    incoming.request->fault = Fault{status, detail};
+    return std::optional(std::move(incoming));
+  };
+  Request& request = *incoming.request;
+  request.peer = peer_;
+  const bool begun = co_await await_first_byte();
+  if (!begun) co_return std::nullopt;
+
+  http::request_parser<http::string_body> parser;
+  parser.header_limit(static_cast<std::uint32_t>(limits.max_header));
+  parser.body_limit(boost::none);  // compared below, where there is an answer to it
+  stream_.expires_after(limits.header_timeout);
+  auto [error, size] = co_await http::async_read_header(stream_, buffer_, parser, tuple_awaitable);
+  if (error) {
+    const int status = fault_status(error);
+    if (status == 0) co_return std::nullopt;
+    co_return broken(status, "The request's header is malformed: " + error.message() + ".");
+  }
+  auto& message = parser.get();
+  request.method = message.method_string();
+  request.target = message.target();
+  for (const auto& field : message) request.headers.emplace_back(lower(field.name_string()), field.value());
+  incoming.http_1_0 = message.version() == 10;
+  incoming.keep_alive = message.keep_alive() && !context_->closing;
+
+  const std::size_t announced = parser.content_length() ? static_cast<std::size_t>(*parser.content_length()) : 0;
+  if (parser.content_length() && *parser.content_length() > limits.max_body) co_return broken(413, too_large);
+  if (message.version() == 11 && message.count(http::field::host) != 1)
+    co_return broken(400, "An HTTP/1.1 request needs exactly one Host header.");
+  const auto target = parse_target(request.target);
+  if (!target) co_return broken(400, "The request's target is malformed.");
+  request.path = target->path;
+  request.segments = target->segments;
+  request.query = target->query;
+
+  if (!parser.is_done()) {
+    const auto expect = request.header("expect");
+    if (expect && lower(*expect) != "100-continue") co_return broken(417, "Only 100-continue can be expected.");
+    if (expect) {
+      const bool written = co_await write_raw("HTTP/1.1 100 Continue\r\n\r\n");
+      if (!written) co_return std::nullopt;
+    }
+    parser.body_limit(limits.max_body);
+    expire(limits.body_timeout, announced);
+    auto [body_error, body_size] = co_await http::async_read(stream_, buffer_, parser, tuple_awaitable);
+    if (body_error) {
+      const int status = fault_status(body_error);
+      if (status == 0) co_return std::nullopt;
+      co_return broken(status,
+                       status == 413 ? too_large : "The request's body is malformed: " + body_error.message() + ".");
+    }
+    request.body = std::move(parser.get().body());
+  }
+  co_return std::optional(std::move(incoming));
+}
+
+asio::awaitable<Response> Connection::answer(RequestPtr request) {
+  const auto handover = std::make_shared<Handover<Response>>(stream_.get_executor());
+  {
+    const auto promise = std::make_shared<Promise>(handover);
+    context_->hooks.handler(std::move(request), [promise](Response response) {
+      Handover<Response>::set(promise->handover, std::move(response));
+    });
+  }
+  co_return co_await handover->get();
+}
+
+asio::awaitable<bool> Connection::write_raw(std::string text) {
+  expire(context_->limits.write_timeout, text.size());
+  auto [error, size] = co_await asio::async_write(stream_, asio::buffer(text), tuple_awaitable);
+  co_return !error;
+}
+
+asio::awaitable<bool> Connection::write(Response response, const Incoming& incoming) {
+  if (response.stream) co_return co_await write_stream(std::move(response), incoming);
+  const bool bodiless = response.status == 204 || response.status == 304;
+  http::response<http::string_body> message(static_cast<http::status>(response.status), incoming.http_1_0 ? 10 : 11);
+  put_headers(message, response);
+  message.keep_alive(incoming.keep_alive);
+  if (!bodiless) message.content_length(response.body.size());
+  expire(context_->limits.write_timeout, response.body.size());
+  if (!bodiless && incoming.request->method != "HEAD") message.body() = std::move(response.body);
+  http::response_serializer<http::string_body> serializer(message);
+  if (message.body().empty()) {
+    auto [error, size] = co_await http::async_write_header(stream_, serializer, tuple_awaitable);
+    co_return !error;
+  }
+  auto [error, size] = co_await http::async_write(stream_, serializer, tuple_awaitable);
+  co_return !error;
+}
+
+asio::awaitable<bool> Connection::write_stream(Response response, const Incoming& incoming) {
+  struct Piece {
+    std::string text;
+    bool more = false, failed = false;
+  };
+  const bool chunked = !incoming.http_1_0;  // HTTP/1.0 has no chunks: its end is the connection's end
+  http::response<http::empty_body> message(static_cast<http::status>(response.status), incoming.http_1_0 ? 10 : 11);
+  put_headers(message, response);
+  message.keep_alive(incoming.keep_alive && chunked);
+  if (chunked) message.chunked(true);
+  http::response_serializer<http::empty_body> serializer(message);
+  stream_.expires_after(context_->limits.write_timeout);
+  auto [error, size] = co_await http::async_write_header(stream_, serializer, tuple_awaitable);
+  if (error) co_return false;
+  if (incoming.request->method == "HEAD") co_return chunked;
+
+  const auto pull = std::make_shared<std::function<bool(std::string&)>>(std::move(response.stream));
+  for (bool more = true; more;) {
+    const auto handover = std::make_shared<Handover<Piece>>(stream_.get_executor());
+    context_->hooks.offload([pull, handover, id = incoming.request->id] {
+      Piece piece;
+      try {
+        piece.more = (*pull)(piece.text);
+      } catch (const std::exception& failure) {
+        piece.failed = true;
+        log::error("stream_failed", {{"request", id}, {"detail", failure.what()}});
+      }
+      Handover<Piece>::set(handover, std::move(piece));
+    });
+    const Piece piece = co_await handover->get();
+    if (piece.failed) co_return false;
+    more = piece.more;
+    if (piece.text.empty()) continue;  // an empty chunk would mean the end
+    expire(context_->limits.write_timeout, piece.text.size());
+    if (chunked) {
+      auto [failed, written] =
+          co_await asio::async_write(stream_, http::make_chunk(asio::buffer(piece.text)), tuple_awaitable);
+      if (failed) co_return false;
+    } else {
+      auto [failed, written] = co_await asio::async_write(stream_, asio::buffer(piece.text), tuple_awaitable);
+      if (failed) co_return false;
+    }
+  }
+  if (!chunked) co_return false;
+  co_return co_await write_raw("0\r\n\r\n");
+}
+
+asio::awaitable<void> Connection::linger() {
+  // Closing with unread input would reset the connection, and the client might lose the answer.
+  error_code ignored;
+  stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
+  stream_.expires_after(std::chrono::seconds(2));
+  buffer_.clear();
+  for (;;) {
+    auto [error, size] = co_await stream_.async_read_some(buffer_.prepare(32 << 10), tuple_awaitable);
+    if (error) co_return;
+  }
+}
+
+asio::awaitable<void> Connection::serve() {
+  for (;;) {
+    std::optional<Incoming> incoming = co_await read();
+    if (!incoming) break;
+    Response response = co_await answer(incoming->request);
+    if (response.close || context_->closing) incoming->keep_alive = false;
+    const bool written = co_await write(std::move(response), *incoming);
+    if (!written) break;
+    if (!incoming->keep_alive) {
+      co_await linger();
+      break;
+    }
+  }
+  stream_.close();
+}
+
+asio::awaitable<void> Connection::refuse() {
+  Incoming nothing;
+  Response response = http_error_answer(503, "Too many connections.", "");
+  response.set("Retry-After", "1");
+  const bool written = co_await write(std::move(response), nothing);
+  if (written) co_await linger();
+  stream_.close();
+}
+
+}  // namespace bahnwerk::server

@@ -1,0 +1,179 @@
+#include "server/http/listener.hpp"
+
+#include <boost/asio/as_tuple.hpp>
+#include <boost/asio/co_spawn.hpp>
+#include <boost/asio/detached.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/asio/strand.hpp>
+#include <boost/asio/use_awaitable.hpp>
+#include <condition_variable>
+#include <map>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "server/http/connection.hpp"
+#include "server/runtime/log.hpp"
+
+namespace bahnwerk::server {
+namespace asio = boost::asio;
+using asio::ip::tcp;
+
+namespace {
+
+constexpr auto tuple_awaitable = asio::as_tuple(asio::use_awaitable);
+
+/// Which connections are open, so that an orderly end can close the idle ones and wait for the rest.
+class Open {
+ public:
+  std::size_t add(const std::shared_ptr<Connection>& connection) {
+    const std::lock_guard lock(mutex_);
+    list_.emplace(connection.get(), connection);
+    return list_.size();
+  }
+  std::size_t remove(Connection* connection) {
+    const std::lock_guard lock(mutex_);
+    list_.erase(connection);
+    if (list_.empty()) empty_.notify_all();
+    return list_.size();
+  }
+  std::size_t size() const {
+    const std::lock_guard lock(mutex_);
+    return list_.size();
+  }
+  bool drain(std::chrono::milliseconds patience) {
+    std::unique_lock lock(mutex_);
+    for (const auto& [key, connection] : list_)
+      if (const auto alive = connection.lock()) alive->close_if_idle();
+    return empty_.wait_for(lock, patience, [&] { return list_.empty(); });
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::condition_variable empty_;
+  std::map<Connection*, std::weak_ptr<Connection>> list_;
+};
+
+struct Address {
+  std::string host, port;
+};
+Address split_address(const std::string& text) {
+  const std::size_t colon = text.rfind(':');
+  if (colon == std::string::npos || colon == 0 || colon + 1 == text.size())
+    throw std::runtime_error("'" + text +
+                             "' is no address to listen on; expected HOST:PORT, for example 127.0.0.1:8080");
+  std::string host = text.substr(0, colon);
+  if (host.front() == '[' && host.back() == ']') host = host.substr(1, host.size() - 2);
+  const std::string port = text.substr(colon + 1);
+  if (port.find_first_not_of("0123456789") != std::string::npos || port.size() > 5 || std::stoi(port) > 65535)
+    throw std::runtime_error("'" + port + "' is no port; expected 0 to 65535");
+  return {host, port};
+}
+
+}  // namespace
+
+struct Listener::State {
+  asio::io_context io;
+  tcp::acceptor acceptor{asio::make_strand(io)};
+  std::shared_ptr<ConnectionContext> context = std::make_shared<ConnectionContext>();
+  Open open;
+  std::vector<std::thread> threads;
+
+  asio::awaitable<void> accept() {
+    asio::steady_timer pause(acceptor.get_executor());
+    while (!context->closing) {
+      auto [error, socket] = co_await acceptor.async_accept(asio::make_strand(io), tuple_awaitable);
+      if (error == asio::error::operation_aborted || context->closing) break;
+      if (error) {  // out of descriptors, mostly: the pause lets some close
+        log::warn("accept_failed", {{"detail", error.message()}});
+        pause.expires_after(std::chrono::milliseconds(100));
+        co_await pause.async_wait(tuple_awaitable);
+        continue;
+      }
+      spawn(std::move(socket));
+    }
+  }
+
+  void spawn(tcp::socket socket) {
+    const std::size_t before = open.size(), limit = context->limits.max_connections;
+    if (before >= 2 * limit) return;  // even refusing politely has its limit
+    const auto executor = socket.get_executor();
+    const auto connection = std::make_shared<Connection>(std::move(socket), context);
+    context->hooks.connections(open.add(connection));
+    asio::co_spawn(executor, run(connection, before >= limit), asio::detached);
+  }
+
+  asio::awaitable<void> run(std::shared_ptr<Connection> connection, bool refuse) {
+    try {
+      if (refuse)
+        co_await connection->refuse();
+      else
+        co_await connection->serve();
+    } catch (const std::exception& error) {
+      log::error("connection_failed", {{"detail", error.what()}});
+    }
+    context->hooks.connections(open.remove(connection.get()));
+  }
+};
+
+Listener::Listener(Limits limits, ListenerHooks hooks) : state_(std::make_unique<State>()) {
+  state_->context->limits = limits;
+  state_->context->hooks = std::move(hooks);
+}
+
+Listener::~Listener() { stop(std::chrono::milliseconds(0)); }
+
+void Listener::open(const std::string& address) {
+  const Address where = split_address(address);
+  boost::system::error_code error;
+  tcp::resolver resolver(state_->io);
+  const auto found =
+      resolver.resolve(where.host, where.port, tcp::resolver::passive | tcp::resolver::numeric_service, error);
+  if (error || found.empty())
+    throw std::runtime_error("cannot find the address '" + where.host + "': " + error.message());
+  const tcp::endpoint endpoint = found.begin()->endpoint();
+  const auto check = [&](const char* what) {
+    if (!error) return;
+    if (error == asio::error::address_in_use)
+      throw std::runtime_error(address + " is taken by another program; choose another with --listen HOST:PORT");
+    if (error == asio::error::access_denied)
+      throw std::runtime_error("no permission to listen on " + address + "; ports below 1024 need a privileged user");
+    throw std::runtime_error("cannot " + std::string(what) + " " + address + ": " + error.message());
+  };
+  auto& acceptor = state_->acceptor;
+  acceptor.open(endpoint.protocol(), error);
+  check("open");
+  acceptor.set_option(tcp::acceptor::reuse_address(true), error);
+  acceptor.bind(endpoint, error);
+  check("bind");
+  acceptor.listen(asio::socket_base::max_listen_connections, error);
+  check("listen on");
+}
+
+std::string Listener::address() const {
+  const auto endpoint = state_->acceptor.local_endpoint();
+  const std::string host = endpoint.address().to_string();
+  return (endpoint.address().is_v6() ? "[" + host + "]" : host) + ":" + std::to_string(endpoint.port());
+}
+
+void Listener::start(unsigned threads) {
+  asio::co_spawn(state_->acceptor.get_executor(), state_->accept(), asio::detached);
+  for (unsigned i = 0; i < threads; ++i) state_->threads.emplace_back([this] { state_->io.run(); });
+}
+
+bool Listener::stop(std::chrono::milliseconds patience) {
+  if (state_->threads.empty()) return true;
+  state_->context->closing = true;
+  asio::post(state_->acceptor.get_executor(), [this] {
+    boost::system::error_code ignored;
+    state_->acceptor.close(ignored);
+  });
+  const bool finished = state_->open.drain(patience);
+  state_->io.stop();
+  for (auto& thread : state_->threads) thread.join();
+  state_->threads.clear();
+  return finished;
+}
+
+}  // namespace bahnwerk::server

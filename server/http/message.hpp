@@ -1,0 +1,64 @@
+#pragma once
+/// A request and its answer as plain values: what handlers see. No sockets, no Beast.
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace bahnwerk::server {
+
+using Pairs = std::vector<std::pair<std::string, std::string>>;
+
+/// The message itself was broken, or too much: what to answer instead of handling it.
+struct Fault {
+  int status;
+  std::string detail;
+};
+
+struct Request {
+  std::string method;                 ///< upper case as sent
+  std::string target;                 ///< as sent
+  std::string path;                   ///< decoded, for messages and logs
+  std::vector<std::string> segments;  ///< the path's parts, each decoded: "/v1/jobs/a%2Fb" → v1, jobs, a/b
+  Pairs query;                        ///< decoded, in order
+  Pairs headers;                      ///< names in lower case, in order
+  std::string body;
+  std::string peer;  ///< client's address
+
+  std::string id;              ///< request id, set by middleware
+  std::string route;           ///< the matched pattern, set by the router; empty when none matched
+  Pairs parameters;            ///< of the pattern, e.g. {id}
+  std::optional<Fault> fault;  ///< then the other members are only as complete as reading came
+
+  /// Value of a header (lower-case name), several lines joined by ", "; nullopt when absent.
+  std::optional<std::string> header(std::string_view name) const;
+  const std::string& parameter(std::string_view name) const;  ///< of the matched pattern; throws std::out_of_range
+};
+
+struct Response {
+  int status = 200;
+  Pairs headers;
+  std::string body;
+  /// Instead of `body`: called until it returns false, appends a piece each time. Written chunked. May block; may
+  /// throw, then the connection breaks off, so that the client sees that the answer is not whole.
+  std::function<bool(std::string&)> stream;
+  bool close = false;  ///< end the connection after this answer
+
+  Response& set(std::string name, std::string value);  ///< replaces a header of that name (exact spelling)
+  std::optional<std::string> header(std::string_view name) const;
+};
+
+/// Takes the answer, once, from any thread.
+using Reply = std::function<void(Response)>;
+using RequestPtr = std::shared_ptr<Request>;
+using Handler = std::function<void(RequestPtr, Reply)>;
+/// Wraps a handler into another. The list's first is the outermost.
+using Middleware = std::function<Handler(Handler)>;
+Handler compose(const std::vector<Middleware>& list, Handler innermost);
+
+std::string_view status_phrase(int status);
+
+}  // namespace bahnwerk::server

@@ -1,0 +1,99 @@
+#include "server/http/middleware.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "server/http/answer.hpp"
+#include "server/runtime/clock.hpp"
+#include "server/runtime/log.hpp"
+#include "server/runtime/uuid7.hpp"
+
+namespace bahnwerk::server {
+namespace {
+
+bool usable_id(const std::string& id) {
+  return !id.empty() && id.size() <= 128 &&
+         std::all_of(id.begin(), id.end(), [](char c) { return c > ' ' && c < 127; });
+}
+
+/// A label must come from a short list: a client could otherwise grow the metrics without end.
+std::string_view method_label(std::string_view method) {
+  static constexpr std::array<std::string_view, 7> known{"GET", "HEAD", "POST", "DELETE", "PUT", "PATCH", "OPTIONS"};
+  return std::find(known.begin(), known.end(), method) != known.end() ? method : "other";
+}
+
+[[noreturn]] void throw_fault(const Fault& fault) {
+  if (fault.status == 413) throw api::Problem("payload-too-large", fault.detail);
+  throw HttpError(fault.status, fault.detail);
+}
+
+std::string_view route_label(const Request& request) {
+  return request.route.empty() ? std::string_view("unmatched") : std::string_view(request.route);
+}
+
+}  // namespace
+
+Middleware request_id() {
+  return [](Handler next) -> Handler {
+    return [next = std::move(next)](RequestPtr request, Reply reply) {
+      const auto given = request->header("x-request-id");
+      request->id = given && usable_id(*given) ? *given : random_id();
+      next(request, [reply = std::move(reply), id = request->id](Response response) {
+        response.set("X-Request-Id", id);
+        reply(std::move(response));
+      });
+    };
+  };
+}
+
+Middleware access_log() {
+  return [](Handler next) -> Handler {
+    return [next = std::move(next)](RequestPtr request, Reply reply) {
+      const auto start = std::chrono::steady_clock::now();
+      next(request, [reply = std::move(reply), request, start](Response response) {
+        nlohmann::ordered_json line{{"request", request->id},         {"method", request->method},
+                                    {"route", route_label(*request)}, {"path", request->path.substr(0, 500)},
+                                    {"status", response.status},      {"ms", seconds_since(start) * 1e3},
+                                    {"peer", request->peer}};
+        if (!response.stream) line["bytes"] = response.body.size();
+        log::info("request", line);
+        reply(std::move(response));
+      });
+    };
+  };
+}
+
+Middleware count(Metrics& metrics) {
+  return [&metrics](Handler next) -> Handler {
+    return [next = std::move(next), &metrics](RequestPtr request, Reply reply) {
+      const auto start = std::chrono::steady_clock::now();
+      next(request, [reply = std::move(reply), request, start, &metrics](Response response) {
+        metrics.request(route_label(*request), method_label(request->method), response.status, seconds_since(start));
+        reply(std::move(response));
+      });
+    };
+  };
+}
+
+Middleware guard() {
+  return [](Handler next) -> Handler {
+    return [next = std::move(next)](RequestPtr request, Reply reply) {
+      try {
+        if (request->fault) throw_fault(*request->fault);
+        next(request, reply);
+      } catch (...) {
+        reply(answer_from_current_exception(*request));
+      }
+    };
+  };
+}
+
+Handler on_pool(Pool& pool, std::function<Response(const Request&)> work) {
+  return [&pool, work = std::move(work)](RequestPtr request, Reply reply) {
+    pool.post([work, request = std::move(request), reply = std::move(reply)] {
+      reply_with(*request, reply, [&] { return work(*request); });
+    });
+  };
+}
+
+}  // namespace bahnwerk::server

@@ -1,0 +1,31 @@
+#pragma once
+/// From method and path to a handler. HEAD is answered by GET's handler (the connection leaves the body out), OPTIONS
+/// and wrong methods with the list of right ones.
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "server/http/message.hpp"
+
+namespace bahnwerk::server {
+
+class Router {
+ public:
+  /// Pattern: literal segments and {name}s, e.g. "/v1/jobs/{id}". Literals win over names.
+  void add(std::string_view method, std::string_view pattern, Handler handler);
+  /// Sets route and parameters of the request, then calls the handler; not-found and method-not-allowed otherwise.
+  void operator()(const RequestPtr& request, const Reply& reply) const;
+
+ private:
+  struct Route {
+    std::string pattern;
+    std::vector<std::string> segments;
+    std::map<std::string, Handler, std::less<>> methods;
+    bool matches(const std::vector<std::string>& path, Pairs& parameters) const;
+    std::string allow() const;
+  };
+  std::vector<Route> routes_;
+};
+
+}  // namespace bahnwerk::server

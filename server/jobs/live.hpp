@@ -1,0 +1,50 @@
+#pragma once
+/// The jobs being planned right now, as they stand this moment. The store follows a little later.
+#include <atomic>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "api/job.hpp"
+
+namespace bahnwerk::server {
+
+/// One attempt at a job. The planner's thread writes, others read or ask it to stop.
+class LiveJob {
+ public:
+  explicit LiveJob(const api::Job& job) : id_(job.id), attempt_(job.attempt), revision_(job.revision) {}
+  const std::string& id() const { return id_; }
+  int attempt() const { return attempt_; }
+
+  void publish(double fraction, std::string_view stage, std::string_view message);  ///< the revision grows
+  std::uint64_t revision() const;
+  void overlay(api::Job& job) const;  ///< puts the present progress over what the store knew of the same attempt
+
+  std::atomic<bool> cancel{false};     ///< a client wants it to end
+  std::atomic<bool> interrupt{false};  ///< the service ends; the job goes back to the queue
+
+ private:
+  const std::string id_;
+  const int attempt_;
+  mutable std::mutex mutex_;
+  double fraction_ = 0;
+  std::string stage_, message_;
+  std::uint64_t revision_;
+};
+
+class LiveJobs {
+ public:
+  std::shared_ptr<LiveJob> add(const api::Job& job);
+  void remove(const std::string& id);
+  void cancel(const std::string& id);
+  void interrupt_all();
+  void overlay(api::Job& job) const;
+  std::size_t size() const;
+
+ private:
+  mutable std::mutex mutex_;
+  std::map<std::string, std::shared_ptr<LiveJob>> jobs_;
+};
+
+}  // namespace bahnwerk::server

@@ -1,0 +1,51 @@
+#pragma once
+/// Who waits for a job to change is called back, once: when it changed, when the time is over, or at the end of
+/// service. No thread blocks per waiter: one thread keeps the deadlines.
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace bahnwerk::server {
+
+class Notifier {
+ public:
+  using Token = std::uint64_t;
+  using Clock = std::chrono::steady_clock;
+
+  Notifier();
+  ~Notifier();  ///< calls whoever still waits
+  Notifier(const Notifier&) = delete;
+  Notifier& operator=(const Notifier&) = delete;
+
+  /// `wake` is called from any thread and must be quick.
+  Token wait(const std::string& job, Clock::time_point until, std::function<void()> wake);
+  void wake(Token token);                ///< calls this one now, unless it was called already
+  void changed(const std::string& job);  ///< calls all that wait for the job
+  void release();                        ///< calls all, and from now on each new one at once
+
+ private:
+  struct Waiter {
+    std::string job;
+    Clock::time_point until;
+    std::function<void()> wake;
+  };
+  using Waiters = std::map<Token, Waiter>;
+  void loop();
+
+  std::mutex mutex_;
+  std::condition_variable tick_;
+  Token next_ = 1;
+  Waiters waiters_;
+  std::multimap<std::string, Token> by_job_;
+  std::multimap<Clock::time_point, Token> by_time_;
+  std::function<void()> take(Waiters::iterator waiter);  ///< removes it from all indexes; under the lock
+  bool released_ = false, stop_ = false;
+  std::thread thread_;
+};
+
+}  // namespace bahnwerk::server

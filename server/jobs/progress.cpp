@@ -1,0 +1,60 @@
+#include "server/jobs/progress.hpp"
+
+#include <algorithm>
+
+#include "core/errors.hpp"
+
+namespace bahnwerk::server {
+namespace {
+
+constexpr auto publish_interval = std::chrono::milliseconds(100);
+constexpr auto keep_interval = std::chrono::milliseconds(500);
+
+}  // namespace
+
+JobProgress::JobProgress(const api::Job& job, std::shared_ptr<LiveJob> live, Hooks hooks)
+    : live_(std::move(live)),
+      hooks_(std::move(hooks)),
+      deadline_(job.request.deadline),
+      budget_(job.request.time_budget),
+      start_(hooks_.now()),
+      published_(start_ - publish_interval),
+      kept_(start_) {}
+
+JobProgress::Stop JobProgress::reason() const {
+  if (live_->cancel) return Stop::cancelled;
+  if (live_->interrupt) return Stop::interrupted;
+  if (deadline_ && hooks_.now_ms() >= *deadline_) return Stop::deadline;
+  if (budget_ && std::chrono::duration<double>(hooks_.now() - start_).count() >= *budget_) return Stop::budget;
+  return Stop::none;
+}
+
+void JobProgress::report(std::string_view stage, double fraction, std::string_view message) {
+  stopped_ = reason();
+  switch (stopped_) {
+    case Stop::none:
+      break;
+    case Stop::deadline:
+      throw Stopped(StopReason::deadline);
+    case Stop::budget:
+      throw Stopped(StopReason::budget);
+    case Stop::cancelled:
+    case Stop::interrupted:
+      throw Stopped(StopReason::cancelled);
+  }
+  // Progress never runs backwards, whatever a planner's stages claim; NaN counts as no news.
+  if (fraction > fraction_) fraction_ = std::min(fraction, 1.0);
+  const auto now = hooks_.now();
+  if (now - published_ < publish_interval && stage == stage_) return;
+  if (now - published_ < publish_interval / 10) return;  // stages may flicker by
+  published_ = now;
+  stage_ = stage;
+  live_->publish(fraction_, stage, message);
+  hooks_.publish();
+  if (now - kept_ < keep_interval || keeping_->exchange(true)) return;
+  kept_ = now;
+  hooks_.keep({live_->id(), live_->attempt(), fraction_, stage_, std::string(message), live_->revision()},
+              [keeping = keeping_] { *keeping = false; });
+}
+
+}  // namespace bahnwerk::server

@@ -1,0 +1,48 @@
+#pragma once
+/// What a planner reports to while a worker runs it: checks whether to stop on every call (nanoseconds), publishes
+/// rarely.
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/progress.hpp"
+#include "server/jobs/live.hpp"
+#include "server/store/store.hpp"
+
+namespace bahnwerk::server {
+
+class JobProgress final : public Progress {
+ public:
+  using Clock = std::chrono::steady_clock;
+  enum class Stop { none, cancelled, deadline, budget, interrupted };
+
+  /// `publish` is called when clients can see a change (at most every 100 ms), `keep` when the store shall know (at
+  /// most every 500 ms, and never while a former one is under way).
+  struct Hooks {
+    std::function<void()> publish;
+    std::function<void(Progressed, std::function<void()>)> keep;
+    std::function<std::int64_t()> now_ms;    ///< wall clock, for the deadline
+    std::function<Clock::time_point()> now;  ///< steady clock, for budget and throttling
+  };
+  JobProgress(const api::Job& job, std::shared_ptr<LiveJob> live, Hooks hooks);
+
+  /// Throws Stopped when the job has to end; stopped() then says why. From the planner's thread only.
+  void report(std::string_view stage, double fraction, std::string_view message = {}) override;
+  Stop stopped() const { return stopped_; }
+
+ private:
+  Stop reason() const;
+  std::shared_ptr<LiveJob> live_;
+  Hooks hooks_;
+  std::optional<std::int64_t> deadline_;
+  std::optional<double> budget_;
+  Clock::time_point start_, published_, kept_;
+  std::string stage_;
+  double fraction_ = 0;
+  std::shared_ptr<std::atomic<bool>> keeping_ = std::make_shared<std::atomic<bool>>(false);
+  Stop stopped_ = Stop::none;
+};
+
+}  // namespace bahnwerk::server

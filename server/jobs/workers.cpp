@@ -1,0 +1,183 @@
+#include "server/jobs/workers.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "api/problem.hpp"
+#include "core/errors.hpp"
+#include "server/jobs/progress.hpp"
+#include "server/runtime/clock.hpp"
+#include "server/runtime/log.hpp"
+
+namespace bahnwerk::server {
+
+Workers::Workers(Store& store, LiveJobs& live, Notifier& notifier, Metrics& metrics, Planner planner)
+    : store_(store), live_(live), notifier_(notifier), metrics_(metrics), planner_(std::move(planner)) {}
+
+Workers::~Workers() {
+  stop_claiming();
+  interrupt();
+  for (auto& thread : threads_) thread.join();
+}
+
+void Workers::start(unsigned threads) {
+  {
+    const std::lock_guard lock(mutex_);
+    active_ = threads;
+  }
+  for (unsigned i = 0; i < threads; ++i) threads_.emplace_back([this] { loop(); });
+}
+
+void Workers::poke() {
+  {
+    const std::lock_guard lock(mutex_);
+    ++pokes_;
+  }
+  wake_.notify_one();
+}
+
+void Workers::stop_claiming() {
+  {
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+  }
+  wake_.notify_all();
+}
+
+bool Workers::wait_idle(std::chrono::milliseconds patience) {
+  std::unique_lock lock(mutex_);
+  return idle_.wait_for(lock, patience, [&] { return active_ == 0; });
+}
+
+void Workers::interrupt() {
+  {
+    const std::lock_guard lock(mutex_);
+    interrupted_ = true;
+  }
+  wake_.notify_all();
+  live_.interrupt_all();
+}
+
+void Workers::sleep(std::chrono::milliseconds time) {
+  std::unique_lock lock(mutex_);
+  wake_.wait_for(lock, time, [&] { return interrupted_; });
+}
+
+void Workers::loop() {
+  for (;;) {
+    std::uint64_t seen = 0;
+    {
+      const std::lock_guard lock(mutex_);
+      if (stopping_) break;
+      seen = pokes_;
+    }
+    std::optional<api::Job> job;
+    try {
+      job = store_.claim(now_ms());
+    } catch (const std::exception& error) {
+      log::error("claim_failed", {{"detail", error.what()}});
+      sleep(std::chrono::seconds(1));
+      continue;
+    }
+    if (job) {
+      run(*job);
+      continue;
+    }
+    std::unique_lock lock(mutex_);
+    wake_.wait(lock, [&] { return stopping_ || pokes_ != seen; });
+  }
+  const std::lock_guard lock(mutex_);
+  --active_;
+  idle_.notify_all();
+}
+
+Workers::Kept Workers::persist(const std::string& id, const std::function<bool()>& write,
+                               const std::function<bool()>& give_up) {
+  for (;;) {
+    try {
+      if (!write()) log::warn("job_ending_ignored", {{"job", id}, {"detail", "the attempt was over already"}});
+      return Kept::yes;
+    } catch (const StoreError& error) {
+      log::error("store_failed", {{"job", id}, {"detail", error.what()}});
+    }
+    {
+      const std::lock_guard lock(mutex_);
+      if (interrupted_) return Kept::no;  // still `running` in the store: the next start takes it up again
+    }
+    for (int i = 0; i < 10; ++i) {
+      if (give_up()) return Kept::given_up;
+      sleep(std::chrono::milliseconds(100));
+    }
+  }
+}
+
+void Workers::run(const api::Job& job) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::string& id = job.id;
+  const auto live = live_.add(job);
+  {
+    const std::lock_guard lock(mutex_);
+    if (interrupted_) live->interrupt = true;
+  }
+  log::info("job_started", {{"job", id}, {"kind", job.request.kind}, {"attempt", job.attempt}});
+  JobProgress progress(
+      job, live,
+      {.publish = [&] { notifier_.changed(id); },
+       .keep = [&](Progressed p, std::function<void()> done) { store_.progress(std::move(p), std::move(done)); },
+       .now_ms = now_ms,
+       .now = [] { return std::chrono::steady_clock::now(); }});
+  const auto never = [] { return false; };
+  std::string outcome;
+  std::optional<api::PlannedJob> planned;
+  std::optional<api::Problem> problem;
+  try {
+    if (store_.cancel_requested(id)) live->cancel = true;  // asked for between the claim and now
+    progress.report("planning", 0);
+    planned = planner_(job.request.kind, job.request.spec, progress);
+    if (!planned->verified) throw api::Problem("verification-failed", "The plan was not verified against its limits.");
+  } catch (...) {
+    planned.reset();
+    problem = api::problem_from_current_exception("/spec");
+  }
+  bool cancelled = problem && progress.stopped() == JobProgress::Stop::cancelled;
+  if (planned) {
+    outcome = "succeeded";
+    try {
+      const auto kept = persist(
+          id, [&] { return store_.succeed(id, job.attempt, *planned, now_ms(), live->revision()); },
+          [&] { return live->cancel.load(); });
+      if (kept == Kept::given_up) {
+        cancelled = true;
+        problem.emplace("cancelled", "The job was cancelled while its result could not be stored.");
+      }
+    } catch (...) {  // not the store: the plan's own setpoints could not be computed
+      problem = api::problem_from_current_exception("/spec");
+    }
+  }
+  if (problem && progress.stopped() == JobProgress::Stop::interrupted) {
+    outcome = "queued";
+    persist(
+        id, [&] { return store_.requeue(id, job.attempt, now_ms(), live->revision()); }, never);
+  } else if (problem) {
+    Ending ending;
+    ending.state = cancelled ? api::JobState::cancelled : api::JobState::failed;
+    ending.error = problem->document("/v1/jobs/" + id).dump();
+    outcome = api::to_string(ending.state);
+    persist(
+        id,
+        [&] {
+          ending.now = now_ms();
+          ending.revision = live->revision();
+          return store_.end(id, job.attempt, ending);
+        },
+        never);
+  }
+  live_.remove(id);
+  notifier_.changed(id);
+  const double seconds = seconds_since(start);
+  metrics_.planned(job.request.kind, outcome, seconds);
+  nlohmann::ordered_json line{{"job", id}, {"kind", job.request.kind}, {"state", outcome}, {"seconds", seconds}};
+  if (problem) line["problem"] = problem->type().slug;
+  log::info("job_ended", line);
+}
+
+}  // namespace bahnwerk::server

@@ -1,0 +1,57 @@
+#pragma once
+/// The threads that plan: claim a job from the store, plan it, store how it ended. They never touch a socket.
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "api/job.hpp"
+#include "server/jobs/live.hpp"
+#include "server/jobs/notifier.hpp"
+#include "server/runtime/metrics.hpp"
+#include "server/store/store.hpp"
+
+namespace bahnwerk::server {
+
+/// What plans; api::plan_job in service, something small in tests.
+using Planner = std::function<api::PlannedJob(const std::string& kind, const std::string& spec, Progress& progress)>;
+
+class Workers {
+ public:
+  Workers(Store& store, LiveJobs& live, Notifier& notifier, Metrics& metrics, Planner planner);
+  ~Workers();  ///< interrupts and joins
+  Workers(const Workers&) = delete;
+  Workers& operator=(const Workers&) = delete;
+
+  void start(unsigned threads);
+  void poke();                                         ///< a job was queued
+  void stop_claiming();                                ///< what runs goes on, nothing new begins
+  bool wait_idle(std::chrono::milliseconds patience);  ///< after stop_claiming: true when all threads have ended
+  void interrupt();  ///< running planners stop at their next report; their jobs go back to the queue
+
+ private:
+  void loop();
+  void run(const api::Job& job);
+  enum class Kept { yes, no, given_up };
+  /// Stores an ending; while the store fails (disk full) waits and tries again, until interrupted (no) or `give_up`
+  /// (given_up).
+  Kept persist(const std::string& id, const std::function<bool()>& write, const std::function<bool()>& give_up);
+  void sleep(std::chrono::milliseconds time);
+
+  Store& store_;
+  LiveJobs& live_;
+  Notifier& notifier_;
+  Metrics& metrics_;
+  Planner planner_;
+  std::mutex mutex_;
+  std::condition_variable wake_, idle_;
+  std::uint64_t pokes_ = 0;
+  unsigned active_ = 0;
+  bool stopping_ = false, interrupted_ = false;
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace bahnwerk::server

@@ -1,0 +1,59 @@
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "api/problem.hpp"
+#include "server/http/accept.hpp"
+#include "server/http/answer.hpp"
+#include "server/routes/context.hpp"
+
+namespace bahnwerk::server {
+
+api::Job find_job(Context& context, const std::string& id, bool with_spec) {
+  auto job = context.store.get(id, with_spec);
+  if (!job) throw api::Problem("not-found", "There is no job " + id + ".");
+  context.live.overlay(*job);
+  return std::move(*job);
+}
+
+Response job_answer(int status, const api::Job& job) {
+  Response response = json_answer(status, api::job_resource(job, false));
+  response.body.pop_back();  // the closing brace
+  response.body.append(",\"spec\":").append(job.request.spec).append("}");
+  response.set("ETag", "\"" + std::to_string(job.revision) + "\"");
+  return response;
+}
+
+void require_json(const Request& request) {
+  static constexpr std::array<std::string_view, 1> offers{"application/json"};
+  if (!negotiate(request.header("accept"), offers))
+    throw api::Problem("not-acceptable", "This address answers application/json only.");
+}
+
+bool matches_etag(const Request& request, const std::string& etag) {
+  const auto given = request.header("if-none-match");
+  if (!given) return false;
+  std::string_view rest = *given;
+  while (!rest.empty()) {
+    const std::size_t comma = rest.find(',');
+    std::string_view item = rest.substr(0, comma);
+    rest = comma == std::string_view::npos ? std::string_view() : rest.substr(comma + 1);
+    while (item.starts_with(' ')) item.remove_prefix(1);
+    while (item.ends_with(' ')) item.remove_suffix(1);
+    if (item.starts_with("W/")) item.remove_prefix(2);  // If-None-Match compares weakly [RFC 9110, 13.1.2]
+    if (item == "*" || item == etag) return true;
+  }
+  return false;
+}
+
+Response with_etag(const Request& request, const std::string& etag, Response response) {
+  if (matches_etag(request, etag)) {
+    response.status = 304;
+    response.body.clear();
+    response.stream = nullptr;
+  }
+  response.set("ETag", etag);
+  response.set("Cache-Control", "no-cache");
+  return response;
+}
+
+}  // namespace bahnwerk::server

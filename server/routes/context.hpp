@@ -1,0 +1,48 @@
+#pragma once
+/// What the handlers work with, and the functions that hang them into the router. One file per group of addresses.
+#include <atomic>
+#include <functional>
+
+#include "server/http/router.hpp"
+#include "server/jobs/live.hpp"
+#include "server/jobs/notifier.hpp"
+#include "server/jobs/workers.hpp"
+#include "server/runtime/metrics.hpp"
+#include "server/runtime/pool.hpp"
+#include "server/store/store.hpp"
+
+namespace bahnwerk::server {
+
+/// Checks a posted document; api::parse_job in service, something small in tests.
+using Parser = std::function<api::JobRequest(std::string_view body)>;
+
+struct Context {
+  Store& store;
+  Workers& workers;
+  LiveJobs& live;
+  Notifier& notifier;
+  Pool& pool;
+  Metrics& metrics;
+  Parser parse;
+  std::size_t max_queued;
+  const std::atomic<bool>& draining;
+};
+
+void add_job_routes(Router& router, Context& context);     ///< POST and GET /v1/jobs, GET/DELETE /v1/jobs/{id}, cancel
+void add_result_routes(Router& router, Context& context);  ///< /v1/jobs/{id}/result, /v1/jobs/{id}/setpoints
+void add_meta_routes(Router& router, Context& context);    ///< kinds, schemas, openapi.json, problems
+void add_health_routes(Router& router, Context& context);  ///< healthz, readyz, metrics
+void add_page_routes(Router& router, Context& context);    ///< the status page
+
+/// The job as it stands this moment; throws Problem not-found.
+api::Job find_job(Context& context, const std::string& id, bool with_spec = true);
+/// The job resource's text. The spec is put in as it is stored: it may have megabytes, parsing it for every look would
+/// be waste.
+Response job_answer(int status, const api::Job& job);
+/// Throws Problem not-acceptable unless the request takes application/json.
+void require_json(const Request& request);
+/// Answers 304 when If-None-Match names `etag` (quotes included), else `response` with it.
+Response with_etag(const Request& request, const std::string& etag, Response response);
+bool matches_etag(const Request& request, const std::string& etag);
+
+}  // namespace bahnwerk::server

@@ -1,0 +1,41 @@
+#include <nlohmann/json.hpp>
+
+#include "api/problem.hpp"
+#include "server/http/answer.hpp"
+#include "server/http/middleware.hpp"
+#include "server/routes/context.hpp"
+
+namespace bahnwerk::server {
+namespace {
+
+Response uncached(Response response) {
+  response.set("Cache-Control", "no-store");
+  return response;
+}
+
+Response ready(Context& context) {
+  if (context.draining) throw api::Problem("draining", "The server is about to stop.");
+  try {
+    context.store.ping();
+  } catch (const StoreError& error) {
+    throw HttpError(503, std::string("The store cannot be reached: ") + error.what());
+  }
+  return uncached(json_answer(200, {{"status", "ready"}}));
+}
+
+Response metrics(Context& context) {
+  for (const auto& [state, count] : context.store.counts()) context.metrics.jobs(api::to_string(state), count);
+  return uncached(text_answer(200, "text/plain; version=0.0.4; charset=utf-8", context.metrics.text()));
+}
+
+}  // namespace
+
+void add_health_routes(Router& router, Context& context) {
+  router.add("GET", "/healthz", [](const RequestPtr&, const Reply& reply) {
+    reply(uncached(json_answer(200, {{"status", "alive"}})));
+  });
+  router.add("GET", "/readyz", on_pool(context.pool, [&](const Request&) { return ready(context); }));
+  router.add("GET", "/metrics", on_pool(context.pool, [&](const Request&) { return metrics(context); }));
+}
+
+}  // namespace bahnwerk::server

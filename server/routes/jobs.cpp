@@ -1,0 +1,108 @@
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "api/problem.hpp"
+#include "server/http/answer.hpp"
+#include "server/http/middleware.hpp"
+#include "server/routes/context.hpp"
+#include "server/routes/submit.hpp"
+#include "server/routes/watch.hpp"
+#include "server/runtime/clock.hpp"
+
+namespace bahnwerk::server {
+namespace {
+
+constexpr std::size_t longest_list = 200;
+
+[[noreturn]] void bad_query(const std::string& name, const std::string& message) {
+  throw api::Problem("schema-violation", "The query is not valid: " + name + ": " + message,
+                     {{"/query/" + name, message}});
+}
+
+JobFilter parse_filter(const Pairs& query) {
+  JobFilter filter;
+  for (const auto& [name, value] : query) {
+    if (value.empty()) continue;
+    if (name == "state") {
+      filter.state = api::job_state(value);
+      if (!filter.state) bad_query(name, "expected queued, running, succeeded, failed or cancelled");
+    } else if (name == "kind") {
+      filter.kind = value;
+    } else if (name == "reference") {
+      filter.reference = value;
+    } else if (name == "limit") {
+      const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), filter.limit);
+      if (error != std::errc() || end != value.data() + value.size() || filter.limit < 1 || filter.limit > longest_list)
+        bad_query(name, "expected an integer from 1 to " + std::to_string(longest_list));
+    } else if (name == "cursor") {
+      if (value.size() != 36 || value.find_first_not_of("0123456789abcdef-") != std::string::npos)
+        bad_query(name, "expected the `next` of a former page");
+      filter.before = value;
+    } else {
+      bad_query(name, "unknown parameter");
+    }
+  }
+  return filter;
+}
+
+Response list(Context& context, const Request& request) {
+  require_json(request);
+  JobFilter filter = parse_filter(request.query);
+  const std::size_t limit = filter.limit++;  // one more tells whether there is a next page
+  auto jobs = context.store.list(filter);
+  const bool more = jobs.size() > limit;
+  if (more) jobs.pop_back();
+  auto page = nlohmann::ordered_json::array();
+  for (auto& job : jobs) {
+    context.live.overlay(job);
+    page.push_back(api::job_resource(job, false));
+  }
+  nlohmann::ordered_json document{{"jobs", std::move(page)}, {"next", nullptr}};
+  if (more) document["next"] = jobs.back().id;
+  Response response = json_answer(200, document);
+  response.set("Cache-Control", "no-store");
+  return response;
+}
+
+Response cancel(Context& context, const Request& request) {
+  require_json(request);
+  const std::string& id = request.parameter("id");
+  if (!context.store.cancel(id, now_ms())) throw api::Problem("not-found", "There is no job " + id + ".");
+  context.live.cancel(id);
+  context.notifier.changed(id);
+  Response response = job_answer(202, find_job(context, id));
+  response.set("Location", "/v1/jobs/" + id);
+  return response;
+}
+
+Response remove(Context& context, const Request& request) {
+  const std::string& id = request.parameter("id");
+  switch (context.store.remove(id)) {
+    case Removed::unknown:
+      throw api::Problem("not-found", "There is no job " + id + ".");
+    case Removed::running:
+      throw api::Problem("job-not-finished", "The job is running; cancel it first.");
+    case Removed::yes:
+      break;
+  }
+  context.notifier.changed(id);
+  Response response;
+  response.status = 204;
+  return response;
+}
+
+}  // namespace
+
+void add_job_routes(Router& router, Context& context) {
+  router.add("POST", "/v1/jobs",
+             [&](const RequestPtr& request, const Reply& reply) { submit(context, request, reply); });
+  router.add("GET", "/v1/jobs", on_pool(context.pool, [&](const Request& request) { return list(context, request); }));
+  router.add("GET", "/v1/jobs/{id}",
+             [&](const RequestPtr& request, const Reply& reply) { watch(context, request, reply); });
+  router.add("DELETE", "/v1/jobs/{id}",
+             on_pool(context.pool, [&](const Request& request) { return remove(context, request); }));
+  router.add("POST", "/v1/jobs/{id}/cancel",
+             on_pool(context.pool, [&](const Request& request) { return cancel(context, request); }));
+}
+
+}  // namespace bahnwerk::server

@@ -1,0 +1,76 @@
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "api/embedded.hpp"
+#include "api/kind.hpp"
+#include "api/openapi.hpp"
+#include "api/problem.hpp"
+#include "server/http/accept.hpp"
+#include "server/http/answer.hpp"
+#include "server/http/middleware.hpp"
+#include "server/routes/context.hpp"
+#include "server/routes/html.hpp"
+
+namespace bahnwerk::server {
+namespace {
+
+/// Texts that never change while the process runs.
+Handler constant(const std::function<std::string()>& make, std::string type) {
+  const auto text = std::make_shared<const std::string>(make());
+  return [text, type = std::move(type)](const RequestPtr& request, const Reply& reply) {
+    require_json(*request);
+    Response response = text_answer(200, type, *text);
+    response.set("Cache-Control", "max-age=60");
+    reply(std::move(response));
+  };
+}
+
+void schema(const RequestPtr& request, const Reply& reply) {
+  static constexpr std::array<std::string_view, 2> offers{"application/schema+json", "application/json"};
+  const auto chosen = negotiate(request->header("accept"), offers);
+  if (!chosen) throw api::Problem("not-acceptable", "Schemas come as application/schema+json or application/json.");
+  std::string name = request->parameter("name");
+  if (name.ends_with(".json")) name.resize(name.size() - 5);
+  const std::string_view text = name == "openapi" ? std::string_view() : api::embedded(name);
+  if (text.empty()) throw api::Problem("not-found", "There is no schema " + name + "; /v1/kinds lists them.");
+  Response response = text_answer(200, std::string(offers[*chosen]), std::string(text));
+  response.set("Cache-Control", "max-age=60");
+  response.set("Vary", "Accept");
+  reply(std::move(response));
+}
+
+void problem_page(const RequestPtr& request, const Reply& reply) {
+  static constexpr std::array<std::string_view, 2> offers{"text/html", "application/json"};
+  const auto chosen = negotiate(request->header("accept"), offers);
+  if (!chosen) throw api::Problem("not-acceptable", "This page comes as text/html or application/json.");
+  const auto types = api::problem_types();
+  const std::string& slug = request->parameter("slug");
+  const auto type = std::find_if(types.begin(), types.end(), [&](const auto& each) { return each.slug == slug; });
+  if (type == types.end()) throw api::Problem("not-found", "There is no problem type " + slug + ".");
+  Response response;
+  if (*chosen == 0) {
+    const std::string where = type->status ? "HTTP status " + std::to_string(type->status)
+                                           : std::string("found in the <code>error</code> of a job");
+    response = html_page(type->title, "<p><code>/problems/" + std::string(type->slug) + "</code>, " + where +
+                                          "</p>\n<p>" + escape_html(type->advice) + "</p>\n");
+  } else {
+    nlohmann::ordered_json document{{"type", "/problems/" + std::string(type->slug)}, {"title", type->title}};
+    if (type->status) document["status"] = type->status;
+    document["advice"] = type->advice;
+    response = json_answer(200, document);
+  }
+  response.set("Vary", "Accept");
+  reply(std::move(response));
+}
+
+}  // namespace
+
+void add_meta_routes(Router& router, Context&) {
+  router.add("GET", "/v1/kinds", constant([] { return api::kinds_document().dump(); }, "application/json"));
+  router.add("GET", "/openapi.json", constant([] { return api::openapi_document().dump(2); }, "application/json"));
+  router.add("GET", "/v1/schemas/{name}", schema);
+  router.add("GET", "/problems/{slug}", problem_page);
+}
+
+}  // namespace bahnwerk::server

@@ -1,0 +1,117 @@
+#include <algorithm>
+#include <memory>
+
+#include "api/problem.hpp"
+#include "api/setpoints.hpp"
+#include "server/http/answer.hpp"
+#include "server/http/middleware.hpp"
+#include "server/routes/context.hpp"
+
+namespace bahnwerk::server {
+namespace {
+
+/// Throws unless the job succeeded: only then there is something to fetch. A job that ended otherwise never will have
+/// it.
+void require_success(Context& context, const std::string& id) {
+  const api::Job job = find_job(context, id, false);
+  switch (job.state) {
+    case api::JobState::succeeded:
+      return;
+    case api::JobState::queued:
+    case api::JobState::running:
+      throw api::Problem("job-not-finished",
+                         "The job is " + std::string(api::to_string(job.state)) + "; it has no result yet.");
+    case api::JobState::failed:
+    case api::JobState::cancelled:
+      break;
+  }
+  throw api::Problem("not-found", "The job " + std::string(api::to_string(job.state)) +
+                                      " and has no result; /v1/jobs/" + id + " says why in `error`.");
+}
+
+Response result(Context& context, const Request& request) {
+  require_json(request);
+  const std::string& id = request.parameter("id");
+  require_success(context, id);
+  auto document = context.store.result(id);
+  if (!document) throw api::Problem("not-found", "There is no job " + id + ".");  // deleted in between
+  return with_etag(request, "\"result\"", text_answer(200, "application/json", std::move(*document)));
+}
+
+/// Reads rows through the store's chunks; the last one is kept, since rows come in order.
+api::SetpointSeries stored_series(Store& store, const SeriesInfo& info) {
+  struct Chunk {
+    std::size_t first = static_cast<std::size_t>(-1);
+    std::vector<double> values;
+  };
+  api::SetpointSeries series;
+  series.columns = info.columns;
+  series.count = info.count;
+  series.cycle_time = info.cycle_time;
+  series.read = [&store, info, chunk = std::make_shared<Chunk>()](std::size_t first, std::size_t rows,
+                                                                  std::vector<double>& out) {
+    const std::size_t width = info.columns.size();
+    out.resize(rows * width);
+    for (std::size_t done = 0; done < rows;) {
+      const std::size_t at = first + done, start = at - at % info.chunk_rows;
+      if (chunk->first != start) {
+        store.read_chunk(info, start, chunk->values);
+        chunk->first = start;
+      }
+      const std::size_t take = std::min(rows - done, start + info.chunk_rows - at);
+      std::copy_n(chunk->values.begin() + static_cast<std::ptrdiff_t>((at - start) * width), take * width,
+                  out.begin() + static_cast<std::ptrdiff_t>(done * width));
+      done += take;
+    }
+  };
+  return series;
+}
+
+std::string format_name(api::SetpointFormat format) {
+  switch (format) {
+    case api::SetpointFormat::json:
+      return "json";
+    case api::SetpointFormat::csv:
+      return "csv";
+    case api::SetpointFormat::ndjson:
+      return "ndjson";
+    case api::SetpointFormat::f64:
+      break;
+  }
+  return "f64";
+}
+
+Response setpoints(Context& context, const Request& request) {
+  const std::string& id = request.parameter("id");
+  const auto format = api::negotiate_setpoints(request.header("accept").value_or(""));
+  if (!format)
+    throw api::Problem(
+        "not-acceptable",
+        "Setpoints come as application/json, text/csv, application/x-ndjson or application/octet-stream.");
+  const api::SetpointQuery query = api::parse_setpoint_query(request.query);
+  require_success(context, id);
+  const auto info = context.store.series(id);
+  if (!info) throw api::Problem("not-found", "The job " + id + " has no setpoints.");
+  const auto stream =
+      std::make_shared<api::SetpointStream>(api::SetpointStream(stored_series(context.store, *info), query, *format));
+  std::string columns;
+  for (const Column& column : stream->columns()) columns += (columns.empty() ? "" : ",") + column.name;
+  Response response;
+  response.set("Content-Type", std::string(api::content_type(*format)));
+  response.set("X-Columns", columns);
+  response.set("Vary", "Accept");
+  response.stream = [stream](std::string& piece) { return stream->next(piece); };
+  // A succeeded job never changes: the address, query included, and the format name the bytes.
+  return with_etag(request, "\"setpoints-" + format_name(*format) + "\"", std::move(response));
+}
+
+}  // namespace
+
+void add_result_routes(Router& router, Context& context) {
+  router.add("GET", "/v1/jobs/{id}/result",
+             on_pool(context.pool, [&](const Request& request) { return result(context, request); }));
+  router.add("GET", "/v1/jobs/{id}/setpoints",
+             on_pool(context.pool, [&](const Request& request) { return setpoints(context, request); }));
+}
+
+}  // namespace bahnwerk::server

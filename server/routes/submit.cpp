@@ -1,0 +1,84 @@
+#include "server/routes/submit.hpp"
+
+#include <openssl/evp.h>
+
+#include <algorithm>
+
+#include "server/http/accept.hpp"
+#include "server/http/answer.hpp"
+#include "server/runtime/clock.hpp"
+
+namespace bahnwerk::server {
+namespace {
+
+std::string sha256(std::string_view text) {
+  unsigned char digest[EVP_MAX_MD_SIZE];
+  unsigned int size = 0;
+  if (EVP_Digest(text.data(), text.size(), digest, &size, EVP_sha256(), nullptr) != 1)
+    throw std::runtime_error("SHA-256 failed");
+  std::string out;
+  for (unsigned int i = 0; i < size; ++i) {
+    out += "0123456789abcdef"[digest[i] >> 4];
+    out += "0123456789abcdef"[digest[i] & 15];
+  }
+  return out;
+}
+
+std::string idempotency_key(const Request& request) {
+  const std::string key = request.header("idempotency-key").value_or("");
+  const bool visible = std::all_of(key.begin(), key.end(), [](char c) { return c >= ' ' && c < 127; });
+  if (key.size() > 255 || !visible) throw HttpError(400, "Idempotency-Key takes 1 to 255 printable ASCII characters.");
+  return key;
+}
+
+Response accepted(Context& context, const Inserted& inserted) {
+  switch (inserted.what) {
+    case Inserted::What::conflict:
+      throw api::Problem("idempotency-conflict", "This Idempotency-Key was used before with another body.");
+    case Inserted::What::full:
+      throw api::Problem("too-many-jobs",
+                         std::to_string(context.max_queued) + " jobs are waiting; no more are taken now.");
+    case Inserted::What::created:
+      context.workers.poke();
+      break;
+    case Inserted::What::replayed:
+      break;
+  }
+  const api::Job job = find_job(context, inserted.id);
+  Response response = job_answer(202, job);
+  response.set("Location", "/v1/jobs/" + job.id);
+  return response;
+}
+
+}  // namespace
+
+void submit(Context& context, const RequestPtr& request, const Reply& reply) {
+  require_json(*request);
+  if (!is_json(request->header("content-type").value_or("")))
+    throw api::Problem("unsupported-media-type", "Job documents are posted with Content-Type: application/json.");
+  if (context.draining) throw api::Problem("draining", "The server is about to stop and takes no new jobs.");
+  NewJob job;
+  job.idempotency_key = idempotency_key(*request);
+  context.pool.post([&context, request, reply, job = std::move(job)]() mutable {
+    try {
+      if (!job.idempotency_key.empty()) job.body_hash = sha256(request->body);
+      job.request = context.parse(request->body);
+      job.now = now_ms();
+      job.max_queued = context.max_queued;
+      context.store.insert(std::move(job),
+                           [&context, request, reply](const Inserted& inserted, std::exception_ptr error) {
+                             // On the store's thread: hand over at once.
+                             context.pool.post([&context, request, reply, inserted, error = std::move(error)] {
+                               reply_with(*request, reply, [&] {
+                                 if (error) std::rethrow_exception(error);
+                                 return accepted(context, inserted);
+                               });
+                             });
+                           });
+    } catch (...) {
+      reply(answer_from_current_exception(*request));
+    }
+  });
+}
+
+}  // namespace bahnwerk::server

@@ -1,0 +1,9 @@
+#pragma once
+#include "server/routes/context.hpp"
+
+namespace bahnwerk::server {
+
+/// POST /v1/jobs: answers 202 only after the job is durable; parses on the pool, waits for the commit without a thread.
+void submit(Context& context, const RequestPtr& request, const Reply& reply);
+
+}  // namespace bahnwerk::server

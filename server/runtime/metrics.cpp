@@ -1,0 +1,84 @@
+#include "server/runtime/metrics.hpp"
+
+#include <prometheus/counter.h>
+#include <prometheus/gauge.h>
+#include <prometheus/histogram.h>
+#include <prometheus/registry.h>
+#include <prometheus/text_serializer.h>
+
+namespace bahnwerk::server {
+namespace {
+
+using Buckets = prometheus::Histogram::BucketBoundaries;
+const Buckets request_buckets{0.0005, 0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1, 2.5, 5, 10, 60};
+const Buckets planning_buckets{0.001, 0.005, 0.01, 0.05, 0.1, 0.5, 1, 5, 10, 30, 60, 300, 1800};
+const Buckets commit_buckets{0.0001, 0.00025, 0.0005, 0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.5, 1, 5};
+
+}  // namespace
+
+struct Metrics::State {
+  prometheus::Registry registry;
+  prometheus::Family<prometheus::Counter>& requests = prometheus::BuildCounter()
+                                                          .Name("bahnwerk_http_requests_total")
+                                                          .Help("HTTP requests answered, by route, method and status")
+                                                          .Register(registry);
+  prometheus::Family<prometheus::Histogram>& latency =
+      prometheus::BuildHistogram()
+          .Name("bahnwerk_http_request_seconds")
+          .Help("From the request's last byte to the answer's first, s")
+          .Register(registry);
+  prometheus::Family<prometheus::Histogram>& planning = prometheus::BuildHistogram()
+                                                            .Name("bahnwerk_planning_seconds")
+                                                            .Help("Planning time of jobs by kind and final state, s")
+                                                            .Register(registry);
+  prometheus::Histogram& commits = prometheus::BuildHistogram()
+                                       .Name("bahnwerk_store_commit_seconds")
+                                       .Help("Durable store transactions, s")
+                                       .Register(registry)
+                                       .Add({}, commit_buckets);
+  prometheus::Counter& writes = prometheus::BuildCounter()
+                                    .Name("bahnwerk_store_writes_total")
+                                    .Help("Writes committed; divided by the commits it is the size of a group")
+                                    .Register(registry)
+                                    .Add({});
+  prometheus::Family<prometheus::Gauge>& job_states =
+      prometheus::BuildGauge().Name("bahnwerk_jobs").Help("Jobs in the store by state").Register(registry);
+  prometheus::Gauge& queue = prometheus::BuildGauge()
+                                 .Name("bahnwerk_queue_length")
+                                 .Help("Jobs waiting for a worker")
+                                 .Register(registry)
+                                 .Add({});
+  prometheus::Gauge& open =
+      prometheus::BuildGauge().Name("bahnwerk_http_connections").Help("Open connections").Register(registry).Add({});
+};
+
+Metrics::Metrics() : state_(std::make_unique<State>()) {}
+Metrics::~Metrics() = default;
+
+void Metrics::request(std::string_view route, std::string_view method, int status, double seconds) {
+  state_->requests
+      .Add({{"route", std::string(route)}, {"method", std::string(method)}, {"status", std::to_string(status)}})
+      .Increment();
+  state_->latency.Add({{"route", std::string(route)}, {"method", std::string(method)}}, request_buckets)
+      .Observe(seconds);
+}
+
+void Metrics::planned(std::string_view kind, std::string_view state, double seconds) {
+  state_->planning.Add({{"kind", std::string(kind)}, {"state", std::string(state)}}, planning_buckets).Observe(seconds);
+}
+
+void Metrics::commit(double seconds, std::size_t writes) {
+  state_->commits.Observe(seconds);
+  state_->writes.Increment(static_cast<double>(writes));
+}
+
+void Metrics::connections(std::size_t open) { state_->open.Set(static_cast<double>(open)); }
+
+void Metrics::jobs(std::string_view state, std::size_t count) {
+  state_->job_states.Add({{"state", std::string(state)}}).Set(static_cast<double>(count));
+  if (state == "queued") state_->queue.Set(static_cast<double>(count));
+}
+
+std::string Metrics::text() const { return prometheus::TextSerializer().Serialize(state_->registry.Collect()); }
+
+}  // namespace bahnwerk::server

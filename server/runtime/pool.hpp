@@ -1,0 +1,24 @@
+#pragma once
+/// Threads for short blocking work (store reads, parsing, compressing), so that the threads that serve sockets never
+/// wait on a disk.
+#include <functional>
+#include <memory>
+
+namespace bahnwerk::server {
+
+class Pool {
+ public:
+  explicit Pool(unsigned threads);
+  ~Pool();  ///< runs what was posted, then joins
+  Pool(const Pool&) = delete;
+  Pool& operator=(const Pool&) = delete;
+  /// `work` must not throw.
+  void post(std::function<void()> work);
+  void join();  ///< waits for everything posted; nothing may be posted afterwards
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace bahnwerk::server

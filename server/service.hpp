@@ -1,0 +1,60 @@
+#pragma once
+/// The whole service: store, workers and listener put together, started and orderly ended.
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <string>
+
+#include "server/http/listener.hpp"
+#include "server/routes/context.hpp"
+
+namespace bahnwerk::server {
+
+struct ServiceOptions {
+  std::string listen = "127.0.0.1:8080";
+  std::string store = "sqlite:var/bahnwerk.db";
+  unsigned workers = 1;  ///< planner threads; 0 = accepts jobs without planning them
+  unsigned http_threads = 2;
+  std::size_t max_queued = 10'000;
+  Limits limits;
+  std::chrono::milliseconds drain_timeout{10'000};  ///< how long running jobs may go on after the end was asked for
+};
+
+/// What the service calls to understand and to plan documents; the real ones come from api/.
+struct Engine {
+  Parser parse;
+  Planner plan;
+};
+Engine real_engine();
+
+class Service {
+ public:
+  /// Opens store and port, recovers, and serves. Throws std::runtime_error (StoreError included) with a sentence for
+  /// the operator.
+  Service(const ServiceOptions& options, Engine engine);
+  ~Service();
+  Service(const Service&) = delete;
+  Service& operator=(const Service&) = delete;
+
+  std::string address() const;  ///< HOST:PORT as bound
+  /// Orderly end: new jobs are refused, running ones may finish within the drain timeout and go back to the queue
+  /// otherwise, requests in flight are answered, the store is checkpointed. False when a planner did not stop in time;
+  /// then only _exit is safe.
+  bool drain();
+
+ private:
+  void stop_listening();
+  ServiceOptions options_;
+  std::atomic<bool> draining_{false};
+  Metrics metrics_;
+  std::unique_ptr<Store> store_;
+  Router router_;
+  Notifier notifier_;
+  LiveJobs live_;
+  std::unique_ptr<Listener> listener_;  ///< its sockets outlive whoever may still answer: pool, store, workers
+  std::unique_ptr<Pool> pool_;
+  std::unique_ptr<Workers> workers_;
+  std::unique_ptr<Context> context_;
+};
+
+}  // namespace bahnwerk::server

@@ -1,0 +1,14 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "server/store/store.hpp"
+
+namespace bahnwerk::server {
+
+/// Opens the store named by a URL: sqlite:PATH (the directory is made when it is missing). `observer` is told of every
+/// commit (seconds, writes). Throws StoreError with a sentence for the operator.
+std::unique_ptr<Store> open_store(const std::string& url, std::function<void(double, std::size_t)> observer);
+
+}  // namespace bahnwerk::server

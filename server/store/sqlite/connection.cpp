@@ -1,0 +1,135 @@
+#include "server/store/sqlite/connection.hpp"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <sqlite3.h>
+
+#include <map>
+
+#include "server/store/store.hpp"
+
+namespace bahnwerk::server {
+namespace {
+
+/// Runs `work`, turning SQLite's errors into the store's.
+template <class Work>
+auto guarded(Work&& work) -> decltype(work()) {
+  try {
+    return work();
+  } catch (const SQLite::Exception& error) {
+    const bool full = error.getErrorCode() == SQLITE_FULL;
+    throw StoreError(full ? std::string("no space left for the store") : std::string("store: ") + error.what(), full);
+  }
+}
+
+}  // namespace
+
+Query::~Query() {
+  statement_->tryReset();
+  try {
+    statement_->clearBindings();
+  } catch (const SQLite::Exception&) {  // cannot fail on a reset statement
+  }
+}
+
+Query& Query::operator<<(std::int64_t value) {
+  guarded([&] { statement_->bind(++bound_, value); });
+  return *this;
+}
+Query& Query::operator<<(double value) {
+  guarded([&] { statement_->bind(++bound_, value); });
+  return *this;
+}
+Query& Query::operator<<(std::string_view text) {
+  guarded([&] { statement_->bind(++bound_, std::string(text)); });
+  return *this;
+}
+Query& Query::operator<<(const std::optional<std::string>& text) {
+  guarded([&] { text ? statement_->bind(++bound_, *text) : statement_->bind(++bound_); });
+  return *this;
+}
+Query& Query::operator<<(std::optional<std::int64_t> value) {
+  guarded([&] { value ? statement_->bind(++bound_, *value) : statement_->bind(++bound_); });
+  return *this;
+}
+Query& Query::operator<<(std::optional<double> value) {
+  guarded([&] { value ? statement_->bind(++bound_, *value) : statement_->bind(++bound_); });
+  return *this;
+}
+Query& Query::blob(std::string_view bytes) {
+  guarded([&] { statement_->bindNoCopy(++bound_, bytes.data(), static_cast<int>(bytes.size())); });
+  return *this;
+}
+
+bool Query::step() {
+  return guarded([&] { return statement_->executeStep(); });
+}
+int Query::run() {
+  return guarded([&] { return statement_->exec(); });
+}
+int Query::one_int() {
+  step();
+  return static_cast<int>(integer(0));
+}
+
+std::int64_t Query::integer(int column) const { return statement_->getColumn(column).getInt64(); }
+double Query::number(int column) const { return statement_->getColumn(column).getDouble(); }
+std::string Query::text(int column) const { return statement_->getColumn(column).getString(); }
+std::string_view Query::bytes(int column) const {
+  const SQLite::Column value = statement_->getColumn(column);
+  const auto* data = static_cast<const char*>(value.getBlob());
+  return {data, static_cast<std::size_t>(value.getBytes())};
+}
+bool Query::null(int column) const { return statement_->getColumn(column).isNull(); }
+std::optional<std::string> Query::optional_text(int column) const {
+  return null(column) ? std::nullopt : std::optional(text(column));
+}
+std::optional<std::int64_t> Query::optional_integer(int column) const {
+  return null(column) ? std::nullopt : std::optional(integer(column));
+}
+
+struct Connection::State {
+  State(const std::string& path, int flags) : database(path, flags, 5000) {}
+  SQLite::Database database;
+  std::map<std::string, SQLite::Statement, std::less<>> statements;
+};
+
+Connection::Connection(const std::string& path, bool writer, int max_pages) {
+  guarded([&] {
+    const int flags = SQLite::OPEN_READWRITE | SQLite::OPEN_NOMUTEX | (writer ? SQLite::OPEN_CREATE : 0);
+    state_ = std::make_unique<State>(path, flags);
+    auto& database = state_->database;
+    if (writer) {
+      SQLite::Statement wal(database, "PRAGMA journal_mode = WAL");
+      wal.executeStep();
+      if (wal.getColumn(0).getString() != "wal")
+        throw StoreError("the store's file system does not support SQLite's WAL", false);
+    }
+    database.exec("PRAGMA synchronous = FULL");
+    database.exec("PRAGMA foreign_keys = ON");
+    if (!writer) database.exec("PRAGMA query_only = ON");
+    if (max_pages > 0) database.tryExec("PRAGMA max_page_count = " + std::to_string(max_pages));
+  });
+}
+
+Connection::~Connection() = default;
+
+Query Connection::query(std::string_view sql) {
+  auto found = state_->statements.find(sql);
+  if (found == state_->statements.end()) {
+    guarded([&] {
+      found = state_->statements.emplace(std::string(sql), SQLite::Statement(state_->database, std::string(sql))).first;
+    });
+  }
+  return Query(found->second);
+}
+
+void Connection::execute(const char* sql) {
+  guarded([&] { state_->database.exec(sql); });
+}
+
+void Connection::rollback() noexcept {
+  // A full disk may have rolled back already.
+  if (sqlite3_get_autocommit(state_->database.getHandle()) == 0) state_->database.tryExec("ROLLBACK");
+}
+
+}  // namespace bahnwerk::server

@@ -1,0 +1,67 @@
+#pragma once
+/// One connection to the database with its prepared statements. Not thread-safe; errors come as StoreError.
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace SQLite {
+class Statement;
+}
+
+namespace bahnwerk::server {
+
+/// A statement in use: bind with `<<` in order of the parameters, step, read columns. Reset when it goes out of scope.
+class Query {
+ public:
+  explicit Query(SQLite::Statement& statement) : statement_(&statement) {}
+  ~Query();
+  Query(const Query&) = delete;
+  Query& operator=(const Query&) = delete;
+
+  Query& operator<<(std::int64_t value);
+  Query& operator<<(double value);
+  Query& operator<<(std::string_view text);
+  Query& operator<<(const std::string& text) { return *this << std::string_view(text); }
+  Query& operator<<(const std::optional<std::string>& text);
+  Query& operator<<(std::optional<std::int64_t> value);
+  Query& operator<<(std::optional<double> value);
+  Query& blob(std::string_view bytes);  ///< must outlive the statement's use
+
+  bool step();  ///< true: a row is there
+  int run();    ///< to the end; rows changed
+  int one_int();
+
+  std::int64_t integer(int column) const;
+  double number(int column) const;
+  std::string text(int column) const;
+  std::string_view bytes(int column) const;  ///< valid until the next step
+  bool null(int column) const;
+  std::optional<std::string> optional_text(int column) const;
+  std::optional<std::int64_t> optional_integer(int column) const;
+
+ private:
+  SQLite::Statement* statement_;
+  int bound_ = 0;
+};
+
+class Connection {
+ public:
+  /// Opens (and for a writer creates) the file: WAL, synchronous=FULL, foreign keys, busy timeout 5 s.
+  /// `max_pages` > 0 caps the file's size, for tests of a full disk.
+  Connection(const std::string& path, bool writer, int max_pages = 0);
+  ~Connection();
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
+
+  Query query(std::string_view sql);  ///< prepared once, then reused
+  void execute(const char* sql);
+  void rollback() noexcept;  ///< if a transaction is open
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace bahnwerk::server

@@ -1,0 +1,21 @@
+#pragma once
+/// The schema's history: numbered SQL files under server/store/migrations, each applied once, in order, in its own
+/// transaction.
+#include <span>
+#include <string_view>
+
+namespace bahnwerk::server {
+
+class Connection;
+
+struct Migration {
+  int number;  ///< 1, 2, …; the database's `user_version` after it
+  std::string_view name;
+  const char* sql;
+};
+std::span<const Migration> migrations();
+
+/// Brings the database up to date. Throws StoreError when it was written by a newer version.
+void migrate(Connection& connection);
+
+}  // namespace bahnwerk::server

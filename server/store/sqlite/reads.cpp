@@ -1,0 +1,119 @@
+/// SqliteStore: what only reads.
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "server/store/codec.hpp"
+#include "server/store/sqlite/reader.hpp"
+#include "server/store/sqlite/rows.hpp"
+
+namespace bahnwerk::server {
+namespace {
+
+/// Damaged data reads as a failed store, with a sentence, not as a crash.
+template <class Work>
+auto unpacking(Work&& work) -> decltype(work()) {
+  try {
+    return work();
+  } catch (const StoreError&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw StoreError(error.what(), false);
+  }
+}
+
+}  // namespace
+
+std::optional<api::Job> SqliteStore::get(const std::string& id, bool with_spec) {
+  static const std::string light = std::string("SELECT ") + job_columns + " FROM jobs WHERE id = ?";
+  static const std::string whole = std::string("SELECT ") + job_columns +
+                                   ", (SELECT spec FROM specs WHERE specs.seq = jobs.seq) FROM jobs WHERE id = ?";
+  Reader reader(*this);
+  Query row = reader.query(with_spec ? whole : light);
+  row << id;
+  if (!row.step()) return std::nullopt;
+  api::Job job = job_from_row(row);
+  if (with_spec) job.request.spec = unpacking([&] { return unpack_text(row.bytes(job_seq_column + 1)); });
+  return job;
+}
+
+std::vector<api::Job> SqliteStore::list(const JobFilter& filter) {
+  std::string sql = std::string("SELECT ") + job_columns + " FROM jobs WHERE true";
+  if (filter.state) sql += " AND state = ?";
+  if (filter.kind) sql += " AND kind = ?";
+  if (filter.reference) sql += " AND reference = ?";
+  if (!filter.before.empty()) sql += " AND id < ?";
+  sql += " ORDER BY id DESC LIMIT ?";
+  Reader reader(*this);
+  Query rows = reader.query(sql);
+  if (filter.state) rows << api::to_string(*filter.state);
+  if (filter.kind) rows << *filter.kind;
+  if (filter.reference) rows << *filter.reference;
+  if (!filter.before.empty()) rows << filter.before;
+  rows << static_cast<std::int64_t>(filter.limit);
+  std::vector<api::Job> jobs;
+  while (rows.step()) jobs.push_back(job_from_row(rows));
+  return jobs;
+}
+
+std::map<api::JobState, std::size_t> SqliteStore::counts() {
+  std::map<api::JobState, std::size_t> counts;
+  for (const auto state : {api::JobState::queued, api::JobState::running, api::JobState::succeeded,
+                           api::JobState::failed, api::JobState::cancelled})
+    counts[state] = 0;
+  Reader reader(*this);
+  Query rows = reader.query("SELECT state, jobs FROM job_counts");
+  while (rows.step())
+    if (const auto state = api::job_state(rows.text(0))) counts[*state] = static_cast<std::size_t>(rows.integer(1));
+  return counts;
+}
+
+void SqliteStore::ping() {
+  Reader reader(*this);
+  reader.query("SELECT count(*) FROM (SELECT 1 FROM jobs LIMIT 1)").one_int();
+}
+
+bool SqliteStore::cancel_requested(const std::string& id) {
+  Reader reader(*this);
+  Query row = reader.query("SELECT cancel_requested FROM jobs WHERE id = ?");
+  row << id;
+  return row.step() && row.integer(0) != 0;
+}
+
+std::optional<std::string> SqliteStore::result(const std::string& id) {
+  Reader reader(*this);
+  Query row = reader.query("SELECT document FROM results JOIN jobs USING (seq) WHERE id = ?");
+  row << id;
+  if (!row.step()) return std::nullopt;
+  return unpacking([&] { return unpack_text(row.bytes(0)); });
+}
+
+std::optional<SeriesInfo> SqliteStore::series(const std::string& id) {
+  Reader reader(*this);
+  Query row = reader.query(
+      "SELECT seq, columns, row_count, chunk_rows, cycle_time FROM results JOIN jobs USING (seq) WHERE id = ?");
+  row << id;
+  if (!row.step() || row.null(1)) return std::nullopt;
+  return unpacking([&] {
+    SeriesInfo info;
+    info.key = row.integer(0);
+    for (const auto& column : nlohmann::json::parse(row.text(1)))
+      info.columns.push_back({column.at("name").get<std::string>(), column.at("unit").get<std::string>()});
+    info.count = static_cast<std::size_t>(row.integer(2));
+    info.chunk_rows = static_cast<std::size_t>(row.integer(3));
+    info.cycle_time = row.number(4);
+    return info;
+  });
+}
+
+void SqliteStore::read_chunk(const SeriesInfo& series, std::size_t first_row, std::vector<double>& out) {
+  Reader reader(*this);
+  Query row = reader.query("SELECT row_count, data FROM chunks WHERE seq = ? AND first_row = ?");
+  row << series.key << static_cast<std::int64_t>(first_row);
+  if (!row.step()) throw StoreError("the setpoints are gone: the job was deleted", false);
+  unpacking([&] { unpack_rows(row.bytes(1), series.columns.size(), out); });
+  const std::size_t rows = std::min(series.chunk_rows, series.count - first_row);
+  if (static_cast<std::size_t>(row.integer(0)) != rows || out.size() != rows * series.columns.size())
+    throw StoreError("stored setpoints are damaged", false);
+}
+
+}  // namespace bahnwerk::server

@@ -1,0 +1,32 @@
+#include "server/store/sqlite/rows.hpp"
+
+#include "server/store/store.hpp"
+
+namespace bahnwerk::server {
+
+api::Job job_from_row(const Query& row) {
+  api::Job job;
+  job.id = row.text(0);
+  job.request.kind = row.text(1);
+  job.request.name = row.optional_text(2);
+  job.request.reference = row.optional_text(3);
+  job.request.callback = row.optional_text(4);
+  job.request.priority = static_cast<int>(row.integer(5));
+  job.request.deadline = row.optional_integer(6);
+  if (!row.null(7)) job.request.time_budget = row.number(7);
+  const auto state = api::job_state(row.text(8));
+  if (!state) throw StoreError("store: unknown state " + row.text(8), false);
+  job.state = *state;
+  job.fraction = row.number(9);
+  job.stage = row.text(10);
+  job.message = row.text(11);
+  job.attempt = static_cast<int>(row.integer(12));
+  job.created_at = row.integer(13);
+  job.started_at = row.optional_integer(14);
+  job.finished_at = row.optional_integer(15);
+  job.error = row.optional_text(16);
+  job.revision = static_cast<std::uint64_t>(row.integer(17));
+  return job;
+}
+
+}  // namespace bahnwerk::server

@@ -1,0 +1,18 @@
+#pragma once
+/// Rows of table `jobs` as api::Job.
+#include <string>
+
+#include "api/job.hpp"
+#include "server/store/sqlite/connection.hpp"
+
+namespace bahnwerk::server {
+
+/// The columns that job_from_row expects, from column 0 on.
+inline constexpr const char* job_columns =
+    "id, kind, name, reference, callback, priority, deadline, time_budget, state, fraction, stage, message, attempt, "
+    "created_at, started_at, finished_at, error, revision, seq";
+inline constexpr int job_seq_column = 18;
+
+api::Job job_from_row(const Query& row);  ///< without its spec
+
+}  // namespace bahnwerk::server

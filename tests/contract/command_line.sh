@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# Exit codes and sentences of the command line.
+source "$(dirname "$0")/lib.sh"
+code_of() { local code=0; "$@" >"$work/out" 2>"$work/err" || code=$?; echo $code; }
+
+expect_equal "$(code_of "$bahnwerk" plan "$examples/line.json")" 0
+expect_equal "$(code_of "$bahnwerk" plan /no/such/file)" 2
+expect_equal "$(code_of "$bahnwerk" plan "$work")" 2 "a directory"
+echo '{"kind":' | { code=0; "$bahnwerk" plan - >"$work/body" || code=$?; expect_equal $code 2; }
+expect_json '.type == "/problems/invalid-json"'
+jq '.kind = "nonsense"' "$examples/line.json" | { code=0; "$bahnwerk" plan - >"$work/body" || code=$?; expect_equal $code 2; }
+expect_json '.type == "/problems/unknown-kind"'
+snake 20000 '{"time_budget":0.2}' | { code=0; "$bahnwerk" plan - >"$work/body" || code=$?; expect_equal $code 1; }
+expect_json '.type == "/problems/budget-exhausted"'
+expect_equal "$(code_of "$bahnwerk" nonsense)" 2
+expect_equal "$(code_of "$bahnwerk")" 2
+expect_equal "$(code_of "$bahnwerk" --help)" 0
+expect_equal "$(code_of "$bahnwerk" serve --help)" 0
+for flag in listen store workers role drain-timeout max-queued max-body; do
+  grep -q -- "--$flag .*BAHNWERK_${flag//-/_}" <(tr 'a-z-' 'A-Z_' <"$work/out") 2>/dev/null ||
+    grep -qi -- "--$flag.*(Env:BAHNWERK_$(tr 'a-z-' 'A-Z_' <<<"$flag"))" "$work/out" || fail "help names --$flag and its variable"
+done
+expect_equal "$(code_of "$bahnwerk" fetch x --server https://localhost)" 2
+expect_equal "$(code_of "$bahnwerk" fetch x --server nonsense)" 2
+
+# Refusals of serve, each a sentence.
+refused() { # words, then the command
+  local words=$1
+  shift
+  expect_equal "$(code_of timeout 20 "$@")" 2 "$words"
+  grep -q -- "$words" "$work/err" || fail "expected a sentence with '$words', got: $(cat "$work/err")"
+}
+refused "not available in this version" "$bahnwerk" serve --store postgresql://localhost/x
+refused "unsupported store" "$bahnwerk" serve --store /tmp/x.db
+refused "is no address" "$bahnwerk" serve --listen nonsense --store "sqlite:$work/a.db"
+refused "is no port" "$bahnwerk" serve --listen 127.0.0.1:99999 --store "sqlite:$work/a.db"
+refused "owned by one process" "$bahnwerk" serve --role worker
+refused "workers" "$bahnwerk" serve --workers many
+refused "is a directory" "$bahnwerk" serve --store "sqlite:$work"
+refused "cannot make the store's directory" "$bahnwerk" serve --store sqlite:/proc/nowhere/a.db
+echo "this is no database, but long enough to be looked at closely ................................" >"$work/text.db"
+refused "not a database" "$bahnwerk" serve --listen 127.0.0.1:0 --store "sqlite:$work/text.db"
+start_server
+refused "is taken by another program" "$bahnwerk" serve --listen "$address" --store "sqlite:$work/a.db"
+refused "another bahnwerk" "$bahnwerk" serve --listen 127.0.0.1:0 --store "sqlite:$work/store.db"
+stop_server || fail "orderly end"
+
+# Flags from the environment.
+export BAHNWERK_MAX_BODY=1kb
+start_server
+head -c 2000 /dev/zero | tr '\0' ' ' >"$work/big"
+post "$work/big"
+expect_problem payload-too-large 413

@@ -1,0 +1,88 @@
+#!/usr/bin/env bash
+# What broken, slow and greedy clients get, and that the others do not notice.
+source "$(dirname "$0")/lib.sh"
+start_server --workers 0 --header-timeout 1 --body-timeout 1 --idle-timeout 2 --max-connections 20 --max-body 100000
+
+# raw SECONDS: sends stdin as it is, prints what comes back until the server closes or the time is over.
+raw() {
+  exec 3<>"/dev/tcp/$host/$port"
+  cat >&3
+  timeout "$1" cat <&3 || true
+  exec 3>&- 3<&-
+}
+first_line() { head -n 1 | tr -d '\r'; }
+
+expect_equal "$(printf 'GET /healthz HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n' | raw 5 | first_line)" "HTTP/1.1 200 OK"
+# Two requests in one packet: two answers.
+expect_equal "$(printf 'GET /healthz HTTP/1.1\r\nHost: x\r\n\r\nGET /healthz HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n' |
+  raw 5 | grep -c '200 OK')" 2 "pipelined"
+expect_equal "$(printf 'GET /healthz HTTP/1.0\r\n\r\n' | raw 5 | first_line)" "HTTP/1.0 200 OK" "HTTP/1.0"
+expect_equal "$(printf 'GET http://x/healthz HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n' | raw 5 | first_line)" \
+  "HTTP/1.1 200 OK" "absolute form"
+refused() { expect_equal "$(printf "$2" | raw 5 | first_line | cut -d' ' -f2)" "$1" "for $(head -c 60 <<<"$2")"; }
+refused 400 'nonsense\r\n\r\n'
+refused 400 'GET /%%zz HTTP/1.1\r\nHost: x\r\n\r\n'
+refused 400 'GET nothing HTTP/1.1\r\nHost: x\r\n\r\n'
+refused 400 'GET / HTTP/1.1\r\n\r\n'
+refused 400 'GET / HTTP/1.1\r\nHost: x\r\nHost: y\r\n\r\n'
+refused 400 'GET / HTTP/1.1\r\nHost: x\r\nBro ken: y\r\n\r\n'
+refused 400 'POST /v1/jobs HTTP/1.1\r\nHost: x\r\nContent-Length: 5\r\nContent-Length: 6\r\n\r\nhello'
+refused 400 'POST /v1/jobs HTTP/1.1\r\nHost: x\r\nContent-Length: five\r\n\r\n'
+refused 400 'POST /v1/jobs HTTP/1.1\r\nHost: x\r\nContent-Length: 5\r\nTransfer-Encoding: chunked\r\n\r\n0\r\n\r\n'
+refused 400 'POST /v1/jobs HTTP/1.1\r\nHost: x\r\nTransfer-Encoding: chunked\r\n\r\nzz\r\n'
+refused 413 'POST /v1/jobs HTTP/1.1\r\nHost: x\r\nContent-Length: 99999999\r\n\r\n'
+refused 413 "POST /v1/jobs HTTP/1.1\r\nHost: x\r\nTransfer-Encoding: chunked\r\n\r\n1869f\r\n$(head -c 99999 /dev/zero | tr '\0' a)\r\n10\r\naaaaaaaaaaaaaaaa\r\n"
+refused 417 'POST /v1/jobs HTTP/1.1\r\nHost: x\r\nContent-Length: 5\r\nExpect: miracles\r\n\r\n'
+refused 431 "GET / HTTP/1.1\r\nHost: x\r\nX-Long: $(head -c 40000 /dev/zero | tr '\0' a)\r\n\r\n"
+refused 505 'GET / HTTP/2.0\r\nHost: x\r\n\r\n'
+# The refusal is a problem document too.
+printf 'GET / HTTP/1.1\r\n\r\n' | raw 5 | tr -d '\r' | sed '1,/^$/d' >"$work/body"
+expect_json '.type == "about:blank" and .status == 400 and (.detail | length > 0)'
+
+# Expect: 100-continue gets its 100 before the body is sent.
+expect_equal "$(printf 'POST /v1/jobs HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\nContent-Length: 2\r\nExpect: 100-continue\r\nConnection: close\r\n\r\n{}' |
+  raw 5 | grep -o '^HTTP/1.1 [0-9]*' | tr '\n' ' ')" "HTTP/1.1 100 HTTP/1.1 422 "
+
+# closed_after MS MS: whether the server closes a half request's connection between these times.
+closed_between() {
+  local began=$(date +%s%N) took
+  raw 20 >/dev/null
+  took=$((($(date +%s%N) - began) / 1000000))
+  ((took >= $1 && took < $2)) || fail "closed after $took ms, expected $1 to $2"
+}
+printf 'GET / HTTP/1.1\r\nHost: x\r\nX-Half:' | closed_between 800 8000                               # header never ends
+printf 'POST /v1/jobs HTTP/1.1\r\nHost: x\r\nContent-Length: 50\r\n\r\nhalf' | closed_between 800 8000 # body never ends
+printf '' | closed_between 1800 10000                                                       # says nothing at all
+# Slow loris: a byte every 200 ms does not keep the header's time from running.
+began=$SECONDS
+(printf 'GET / HTTP/1.1\r\n' && for _ in $(seq 50); do printf 'X: y\r\n' || break; sleep 0.2; done) 2>/dev/null | raw 15 >/dev/null || true
+((SECONDS - began < 14)) || fail "a slow client held its connection"
+
+# Twenty silent connections are the limit; the next is told so, and all is well when they are gone.
+for i in $(seq 20); do exec {fd}<>"/dev/tcp/$host/$port"; silent[i]=$fd; done
+sleep 0.3
+request GET /healthz
+expect_status 503
+expect_header Retry-After 1
+for fd in "${silent[@]}"; do exec {fd}>&-; done
+sleep 0.3
+request GET /healthz
+expect_status 200
+
+request HEAD /v1/kinds
+expect_status 200
+length=$(header Content-Length)
+request GET /v1/kinds
+expect_equal "$(wc -c <"$work/body")" "$length" "HEAD's Content-Length"
+request OPTIONS /v1/jobs
+expect_status 204
+expect_header Allow "GET, HEAD, POST, OPTIONS"
+request GET /healthz -H "X-Request-Id: $(head -c 200 /dev/zero | tr '\0' x)"
+[[ $(header X-Request-Id) =~ ^[0-9a-f]{32}$ ]] || fail "an unusable request id is replaced"
+# The log is JSON, line for line, whatever was sent.
+request GET "/%00%ff%22%0a%7b"
+expect_status 404
+stop_server || fail "orderly end"
+jq -e . "$work/log" >/dev/null || fail "the log is not JSON lines"
+jq -se 'map(select(.event == "request")) | length > 5 and all(has("request") and has("status") and has("ms"))' "$work/log" >/dev/null ||
+  fail "request lines of the log"

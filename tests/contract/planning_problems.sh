@@ -1,0 +1,63 @@
+#!/usr/bin/env bash
+# Why planning fails, in the job's `error`: cancelled, deadline-exceeded, budget-exhausted; and draining while a job still runs.
+source "$(dirname "$0")/lib.sh"
+start_server --workers 1 --drain-timeout 3
+
+snake 20000 '{"time_budget":0.5}' >"$work/budget.json"
+post "$work/budget.json"
+expect_status 202
+await failed
+expect_error budget-exhausted
+expect_json '.error.instance == "/v1/jobs/" + .id and .finished_at != null'
+request GET "/v1/jobs/$id/result"
+expect_problem not-found 404
+
+deadline=$(date -u -d '+2 seconds' +%Y-%m-%dT%H:%M:%SZ)
+snake 20000 "{\"deadline\":\"$deadline\"}" >"$work/deadline.json"
+post "$work/deadline.json"
+expect_status 202
+await failed
+expect_error deadline-exceeded
+
+snake 20000 >"$work/long.json"
+post "$work/long.json"
+long=$id
+await running
+post "$examples/line.json"
+queued=$id
+
+# A queued job is cancelled at once, a running one within a second; asking again changes nothing.
+request POST "/v1/jobs/$queued/cancel"
+expect_status 202
+expect_json '.state == "cancelled"'
+expect_error cancelled
+id=$long
+asked=$(date +%s%N)
+request POST "/v1/jobs/$id/cancel"
+expect_status 202
+await cancelled 10
+elapsed=$((($(date +%s%N) - asked) / 1000000))
+((elapsed < ${CANCEL_LIMIT_MS:-1000})) || fail "a running planner stopped only after $elapsed ms"
+expect_error cancelled
+finished=$(field .finished_at)
+request POST "/v1/jobs/$id/cancel"
+expect_status 202
+expect_json '.state == "cancelled" and .finished_at == $finished' --arg finished "$finished"
+
+# While the server waits for a running job before it ends, it answers, but takes nothing new.
+post "$work/long.json"
+await running
+kill -TERM "$server_pid"
+for _ in $(seq 50); do
+  request GET /readyz
+  [[ $status == 503 ]] && break
+  sleep 0.05
+done
+expect_problem draining 503
+post "$examples/line.json"
+expect_problem draining 503
+[[ $(header Retry-After) =~ ^[0-9]+$ ]] || fail "draining says when to come again"
+request GET /healthz
+expect_status 200
+request GET "/v1/jobs/$long" -H 'Prefer: wait=30'
+expect_status 200

@@ -1,0 +1,83 @@
+#!/usr/bin/env bash
+# The disk runs full: posts are refused with a problem, nothing acknowledged is lost, and all goes on when there is space again.
+# Needs a file system of its own; exits 77 (skipped) where none can be mounted.
+if [[ -z ${INSIDE:-} ]]; then
+  if [[ $(id -u) == 0 ]]; then exec env INSIDE=1 unshare -m "$0" "$@"; else exec env INSIDE=1 unshare -Urm "$0" "$@"; fi
+fi
+source "$(dirname "$0")/../contract/lib.sh"
+mkdir "$work/disk"
+mount -t tmpfs -o size=6m tmpfs "$work/disk" || exit 77
+trap 'stop_server KILL >/dev/null 2>&1 || true; umount "$work/disk"; rm -rf "$work"' EXIT
+store=$work/disk/store.db
+
+start_server --workers 1
+post "$examples/line.json"
+await succeeded
+first=$id
+stop_server || fail "orderly end"
+
+# Documents of about 150 kB that do not compress well, until there is no space for the next.
+head -c 3m /dev/zero >"$work/disk/ballast"
+start_server --workers 0
+awk 'BEGIN {
+  srand(5)
+  printf "{\"kind\":\"contour\",\"spec\":{\"contour\":{\"points\":[[0,0]"
+  for (i = 1; i < 8000; i++) printf ",[%.9g,%.9g]", i + rand(), rand()
+  printf "]},\"machine\":{\"kinematics\":\"cartesian\",\"axes\":{\"x\":{\"velocity\":1800,\"acceleration\":16000},"
+  printf "\"y\":{\"velocity\":1800,\"acceleration\":16000}},\"cycle_time\":0.001},\"planning\":{\"method\":\"time_optimal\"}}}"
+}' >"$work/job.json"
+accepted=() refused=0
+for _ in $(seq 100); do
+  post "$work/job.json"
+  case $status in
+    202) accepted+=("$id") ;;
+    500)
+      expect_problem internal 500
+      expect_json '.detail | test("space")'
+      refused=$((refused + 1))
+      ((refused >= 3)) && break
+      ;;
+    *) fail "expected 202 or a problem" ;;
+  esac
+done
+((refused >= 3)) || fail "the disk did not run full"
+((${#accepted[@]} >= 3)) || fail "the disk was full from the beginning"
+request GET /healthz
+expect_status 200
+request GET "/v1/jobs/$first/result"
+expect_status 200
+for id in "${accepted[@]}"; do
+  request GET "/v1/jobs/$id"
+  expect_status 200
+done
+
+# Killed on a full disk, started on a full disk.
+stop_server KILL || true
+rm "$work/disk/ballast"
+start_server --workers 0
+for id in "$first" "${accepted[@]}"; do
+  request GET "/v1/jobs/$id"
+  expect_status 200
+done
+for id in "${accepted[@]}"; do
+  request POST "/v1/jobs/$id/cancel"
+  expect_status 202
+done
+
+stop_server || fail "orderly end"
+
+# A worker that cannot store its result keeps it until there is space.
+start_server --workers 1
+head -c 20m /dev/zero >"$work/disk/ballast" 2>/dev/null || true
+while post "$examples/bracket.json" && [[ $status == 202 ]]; do last=$id; sleep 0.05; done
+expect_problem internal 500
+rm "$work/disk/ballast"
+post "$examples/line.json"
+expect_status 202
+await succeeded
+if [[ -n ${last:-} ]]; then
+  id=$last
+  await succeeded
+  expect_json '.attempt == 1'
+fi
+echo "${#accepted[@]} accepted before the disk was full"

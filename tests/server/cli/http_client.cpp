@@ -1,0 +1,21 @@
+#include "server/cli/http_client.hpp"
+
+#include <gtest/gtest.h>
+
+namespace bahnwerk::server::cli {
+namespace {
+
+TEST(HttpClient, TakesServers) {
+  for (const char* url : {"http://localhost:8080", "http://127.0.0.1", "http://[::1]:8080/", "http://host/prefix/"})
+    EXPECT_NO_THROW(HttpClient{url}) << url;
+  for (const char* url : {"", "localhost:8080", "https://localhost", "ftp://x", "http://", "nonsense"})
+    EXPECT_THROW(HttpClient{url}, std::invalid_argument) << url;
+}
+
+TEST(HttpClient, SaysWhenNobodyAnswers) {
+  const HttpClient client("http://127.0.0.1:1");  // tcpmux: nobody listens
+  EXPECT_THROW(client.request("GET", "/", {}), Unreachable);
+}
+
+}  // namespace
+}  // namespace bahnwerk::server::cli

@@ -1,0 +1,87 @@
+#include "server/jobs/notifier.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <future>
+
+namespace bahnwerk::server {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = Notifier::Clock;
+
+TEST(Notifier, CallsOnceWhenTheJobChanges) {
+  Notifier notifier;
+  std::atomic<int> mine{0}, others{0};
+  notifier.wait("a", Clock::now() + 1h, [&] { ++mine; });
+  notifier.wait("a", Clock::now() + 1h, [&] { ++mine; });
+  notifier.wait("b", Clock::now() + 1h, [&] { ++others; });
+  notifier.changed("a");
+  notifier.changed("a");
+  EXPECT_EQ(mine, 2);
+  EXPECT_EQ(others, 0);
+}
+
+TEST(Notifier, CallsWhenTheTimeIsOver) {
+  Notifier notifier;
+  std::promise<void> late, early;
+  notifier.wait("a", Clock::now() + 1h, [] {});
+  notifier.wait("a", Clock::now() + 60ms, [&] { late.set_value(); });
+  notifier.wait("a", Clock::now() + 20ms, [&] { early.set_value(); });  // becomes the next deadline
+  const auto start = Clock::now();
+  early.get_future().wait();
+  late.get_future().wait();
+  EXPECT_GE(Clock::now() - start, 40ms);
+}
+
+TEST(Notifier, WakesByToken) {
+  Notifier notifier;
+  int calls = 0;
+  const auto token = notifier.wait("a", Clock::now() + 1h, [&] { ++calls; });
+  notifier.wake(token);
+  notifier.wake(token);
+  notifier.changed("a");
+  EXPECT_EQ(calls, 1);
+}
+
+TEST(Notifier, ReleasesAllAtTheEnd) {
+  int calls = 0;
+  {
+    Notifier notifier;
+    notifier.wait("a", Clock::now() + 1h, [&] { ++calls; });
+    notifier.release();
+    EXPECT_EQ(calls, 1);
+    notifier.wait("a", Clock::now() + 1h, [&] { ++calls; });
+    EXPECT_EQ(calls, 2) << "nobody waits any more";
+  }
+  {
+    Notifier notifier;
+    notifier.wait("a", Clock::now() + 1h, [&] { ++calls; });
+  }
+  EXPECT_EQ(calls, 3);
+}
+
+TEST(Notifier, LosesNobodyUnderLoad) {
+  std::atomic<int> calls{0};
+  constexpr int threads = 4, each = 500;
+  {
+    Notifier notifier;
+    std::vector<std::thread> list;
+    for (int t = 0; t < threads; ++t)
+      list.emplace_back([&, t] {
+        for (int i = 0; i < each; ++i) {
+          const std::string job = std::to_string((t + i) % 5);
+          const auto token =
+              notifier.wait(job, Clock::now() + std::chrono::microseconds(i * 7 % 900), [&] { ++calls; });
+          if (i % 3 == 0) notifier.changed(job);
+          if (i % 5 == 0) notifier.wake(token);
+        }
+      });
+    for (auto& thread : list) thread.join();
+  }
+  EXPECT_EQ(calls, threads * each);
+}
+
+}  // namespace
+}  // namespace bahnwerk::server

@@ -1,0 +1,154 @@
+#include "server/jobs/progress.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/errors.hpp"
+
+namespace bahnwerk::server {
+namespace {
+
+using namespace std::chrono_literals;
+using Stop = JobProgress::Stop;
+
+/// A planner's time runs only when the test says so.
+struct ProgressTest : testing::Test {
+  api::Job job = [] {
+    api::Job made;
+    made.id = "j";
+    made.state = api::JobState::running;
+    made.attempt = 1;
+    made.revision = 10;
+    return made;
+  }();
+  std::shared_ptr<LiveJob> live = std::make_shared<LiveJob>(job);
+  JobProgress::Clock::time_point now{1000s};
+  std::int64_t wall = 5000;
+  int published = 0;
+  std::vector<Progressed> kept;
+  std::function<void()> done;
+  bool keep_at_once = true;
+
+  JobProgress make() {
+    return JobProgress(job, live,
+                       {.publish = [this] { ++published; },
+                        .keep =
+                            [this](Progressed progress, std::function<void()> ready) {
+                              kept.push_back(std::move(progress));
+                              done = std::move(ready);
+                              if (keep_at_once) done();
+                            },
+                        .now_ms = [this] { return wall; },
+                        .now = [this] { return now; }});
+  }
+};
+
+TEST_F(ProgressTest, PublishesSeldomAndKeepsMoreSeldom) {
+  JobProgress progress = make();
+  for (int i = 0; i < 10'000; ++i) {  // 10 s of a planner that reports every millisecond
+    now += 1ms;
+    progress.report("grid", i / 10'000.0);
+  }
+  EXPECT_NEAR(published, 100, 2);
+  EXPECT_NEAR(static_cast<double>(kept.size()), 20, 2);
+  for (std::size_t i = 1; i < kept.size(); ++i) {
+    EXPECT_GT(kept[i].fraction, kept[i - 1].fraction);
+    EXPECT_GT(kept[i].revision, kept[i - 1].revision);
+  }
+  api::Job seen = job;
+  live->overlay(seen);
+  EXPECT_EQ(seen.stage, "grid");
+  EXPECT_GT(seen.fraction, 0.98);
+  EXPECT_EQ(seen.revision, 10U + static_cast<unsigned>(published));
+}
+
+TEST_F(ProgressTest, NeverRunsBackwards) {
+  JobProgress progress = make();
+  for (const double fraction : {0.5, 0.2, std::nan(""), -1.0, 7.0, 0.1}) {
+    now += 1s;
+    progress.report("x", fraction);
+    api::Job seen = job;
+    live->overlay(seen);
+    EXPECT_EQ(seen.fraction, fraction > 1 || seen.fraction == 1 ? 1 : 0.5);
+  }
+}
+
+TEST_F(ProgressTest, KeepsNothingWhileTheStoreIsBusy) {
+  keep_at_once = false;
+  JobProgress progress = make();
+  for (int i = 0; i < 20; ++i) {
+    now += 1s;
+    progress.report("x", 0.01 * i);
+  }
+  EXPECT_EQ(kept.size(), 1U);
+  done();
+  now += 1s;
+  progress.report("x", 0.9);
+  EXPECT_EQ(kept.size(), 2U);
+}
+
+TEST_F(ProgressTest, StopsAtOnceOnCancel) {
+  JobProgress progress = make();
+  progress.report("x", 0);
+  live->cancel = true;
+  EXPECT_THROW(progress.report("x", 0), Stopped);
+  EXPECT_EQ(progress.stopped(), Stop::cancelled);
+}
+
+TEST_F(ProgressTest, StopsForTheEndOfService) {
+  JobProgress progress = make();
+  live->interrupt = true;
+  EXPECT_THROW(progress.report("x", 0), Stopped);
+  EXPECT_EQ(progress.stopped(), Stop::interrupted);
+}
+
+TEST_F(ProgressTest, HoldsTheDeadline) {
+  job.request.deadline = 6000;
+  JobProgress progress = make();
+  wall = 5999;
+  EXPECT_NO_THROW(progress.report("x", 0));
+  wall = 6000;
+  try {
+    progress.report("x", 0);
+    FAIL();
+  } catch (const Stopped& stopped) {
+    EXPECT_EQ(stopped.reason, StopReason::deadline);
+  }
+}
+
+TEST_F(ProgressTest, HoldsTheBudget) {
+  job.request.time_budget = 2.0;
+  JobProgress progress = make();
+  now += 1999ms;
+  EXPECT_NO_THROW(progress.report("x", 0));
+  now += 1ms;
+  try {
+    progress.report("x", 0);
+    FAIL();
+  } catch (const Stopped& stopped) {
+    EXPECT_EQ(stopped.reason, StopReason::budget);
+  }
+}
+
+TEST(LiveJob, CoversOnlyItsOwnAttempt) {
+  api::Job job;
+  job.id = "j";
+  job.state = api::JobState::running;
+  job.attempt = 2;
+  LiveJob live(job);
+  live.publish(0.7, "grid", "");
+  api::Job other = job;
+  other.attempt = 3;
+  live.overlay(other);
+  EXPECT_EQ(other.fraction, 0);
+  other = job;
+  other.state = api::JobState::succeeded;
+  live.overlay(other);
+  EXPECT_EQ(other.fraction, 0);
+  live.overlay(job);
+  EXPECT_EQ(job.fraction, 0.7);
+}
+
+}  // namespace
+}  // namespace bahnwerk::server

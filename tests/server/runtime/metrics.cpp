@@ -1,0 +1,32 @@
+#include "server/runtime/metrics.hpp"
+
+#include <gmock/gmock.h>
+
+namespace bahnwerk::server {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(Metrics, CountWhatTheyAreTold) {
+  Metrics metrics;
+  metrics.request("/v1/jobs/{id}", "GET", 200, 0.002);
+  metrics.request("/v1/jobs/{id}", "GET", 200, 0.004);
+  metrics.request("/v1/jobs/{id}", "GET", 404, 0.001);
+  metrics.planned("contour", "succeeded", 2);
+  metrics.commit(0.003, 7);
+  metrics.jobs("queued", 5);
+  const std::string text = metrics.text();
+  EXPECT_THAT(text,
+              HasSubstr("bahnwerk_http_requests_total{method=\"GET\",route=\"/v1/jobs/{id}\",status=\"200\"} 2\n"));
+  EXPECT_THAT(text,
+              HasSubstr("bahnwerk_http_requests_total{method=\"GET\",route=\"/v1/jobs/{id}\",status=\"404\"} 1\n"));
+  EXPECT_THAT(text, HasSubstr("bahnwerk_http_request_seconds_count{method=\"GET\",route=\"/v1/jobs/{id}\"} 3\n"));
+  EXPECT_THAT(text, HasSubstr("bahnwerk_planning_seconds_sum{kind=\"contour\",state=\"succeeded\"} 2\n"));
+  EXPECT_THAT(text, HasSubstr("bahnwerk_store_commit_seconds_count 1\n"));
+  EXPECT_THAT(text, HasSubstr("bahnwerk_store_writes_total 7\n"));
+  EXPECT_THAT(text, HasSubstr("bahnwerk_jobs{state=\"queued\"} 5\n"));
+  EXPECT_THAT(text, HasSubstr("bahnwerk_queue_length 5\n"));
+}
+
+}  // namespace
+}  // namespace bahnwerk::server
