@@ -40,9 +40,8 @@ std::size_t cases(std::size_t quick) {
 /// Mostly a few segments, now and then up to 200.
 std::size_t segment_count(Random& random) {
   const double pick = random.uniform();
-  return 1 + static_cast<std::size_t>(pick < 0.9     ? random.below(3)
-                                      : pick < 0.995 ? random.below(12)
-                                                     : random.below(200));
+  const std::uint64_t most = pick < 0.9 ? 2 : pick < 0.995 ? 8 : 200;
+  return 1 + static_cast<std::size_t>(random.below(most));
 }
 
 TEST_P(PlanProperty, VerifiedBoundedMonotoneReversibleDivisibleScalable) {
