@@ -187,6 +187,13 @@ BoundCell BoundGrid::cell(BoundNode& a, BoundNode& b) const {
   }
   const Segment& segment = contour_.path[a.segment];
   c.length = b.s - a.s;
+  if (const double blur = 64 * epsilon * (1 + b.s); c.length <= blur) {
+    // Differences over such a cell are rounding: only |d(v²)/ds| ≤ 2 |A| is asked of it.
+    double square = 0;
+    for (std::size_t k = 0; k < axes_; ++k) square += sq(acceleration_[k]);
+    c.slip = 2 * std::sqrt(square) * (c.length + blur);
+    return c;
+  }
   c.kind = segment.straight() ? BoundCell::Kind::straight : BoundCell::Kind::curved;
   const bool arc = segment.curve().kind() == CurveKind::arc;
   double bend = 0, rounding = 0;

@@ -27,13 +27,15 @@ struct BoundNode {
   static double square(double x) { return x * x; }
 };
 
-/// Between node i and node i + 1. Across a joint both nodes are the same place with the tangents of either side.
+/// Between node i and node i + 1. Across a joint both nodes are the same place with the tangents of either side; so
+/// they are where a root of h'_k falls onto the end of a segment, up to the rounding of s.
 struct BoundCell {
   enum class Kind : unsigned char { straight, curved, joint };
   std::array<double, 3> energy{};    ///< 2 A_k ∫|h'_k| ds from above, mm²/s²: what |h'_k² b| may change by
   std::array<double, 3> way{};       ///< |Δx_k| from below, mm
   std::array<double, 3> velocity{};  ///< what axis k may run at, by its own limit, the feed and the other axes', mm/s
   double length = 0;                 ///< mm
+  double slip = 0;                   ///< across a joint: what b may change by, mm²/s²
   Kind kind = Kind::joint;
   bool divisible = false;  ///< curved, and long enough for its coordinates to tell more when halved
 };

@@ -112,7 +112,7 @@ class Solver {
 
   // What a cell lets through from a node with speed² b to the other one: q b' ≤ p b + energy for every axis.
   double across(const BoundCell& cell, const BoundNode& from, const BoundNode& to, double b) const {
-    if (cell.kind == BoundCell::Kind::joint) return b;
+    if (cell.kind == BoundCell::Kind::joint) return b + cell.slip;
     double most = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < grid_.axes(); ++k) {
       const double q = to.least(k);
