@@ -10,7 +10,7 @@
 namespace bahnwerk {
 namespace {
 
-double rounded(double x) { return std::round(x * 1e4) / 1e4; }
+double rounded(double x) { return std::round(x * 1e7) / 1e7; }
 
 TEST(Slots, AreVerifiedWithinTheirBound) {
   Random random(17);
@@ -23,10 +23,19 @@ TEST(Slots, AreVerifiedWithinTheirBound) {
     const double w = random.chance(0.5) ? 0 : random.uniform(-3, 3);  // upright, or turned
     const auto at = [&](double u, double v) {
       const Vec p{x + u * std::cos(w) - v * std::sin(w), y + u * std::sin(w) + v * std::cos(w), 0};
-      return w == 0 ? p : Vec{rounded(p.x * 1e3) / 1e3, rounded(p.y * 1e3) / 1e3, 0};
+      return w == 0 ? p : Vec{rounded(p.x), rounded(p.y), 0};
     };
     ContourBuilder b(2, at(0, 0));
     b.block(Mode::cut, random.chance(0.5) ? 400 : unlimited);
+    // A rounded rectangle with quarter arcs, then a slot with half circles from its start.
+    b.line(at(length, 0));
+    b.arc(at(length + r, r), at(length, r), true);
+    b.line(at(length + r, r + length));
+    b.arc(at(length, length + 2 * r), at(length, r + length), true);
+    b.line(at(0, length + 2 * r));
+    b.arc(at(-r, length + r), at(0, length + r), true);
+    b.line(at(-r, r));
+    b.arc(at(0, 0), at(0, r), true);
     b.line(at(length, 0));
     b.arc(at(length, 2 * r), at(length, r), true);
     b.line(at(-length, 2 * r));

@@ -2,17 +2,27 @@
 
 #include <gtest/gtest.h>
 
-#include <regex>
 #include <set>
 
 namespace bahnwerk::server {
 namespace {
 
+/// "x" stands for any hexadecimal digit, "v" for the variant's 8, 9, a or b.
+bool has_form(const std::string& id, const std::string& form) {
+  if (id.size() != form.size()) return false;
+  for (std::size_t i = 0; i < id.size(); ++i) {
+    const std::string allowed = form[i] == 'x' ? "0123456789abcdef" : form[i] == 'v' ? "89ab" : std::string(1, form[i]);
+    if (allowed.find(id[i]) == std::string::npos) return false;
+  }
+  return true;
+}
+
 TEST(Uuid7, HasTheFormOfRfc9562) {
   Uuid7 ids;
-  const std::regex form("[0-9a-f]{8}-[0-9a-f]{4}-7[0-9a-f]{3}-[89ab][0-9a-f]{3}-[0-9a-f]{12}");
-  for (int i = 0; i < 1000; ++i) EXPECT_TRUE(std::regex_match(ids.next(1'700'000'000'000 + i), form));
-  EXPECT_EQ(ids.next(0x0123456789ab * 4 / 4).substr(0, 13).size(), 13U);
+  for (int i = 0; i < 1000; ++i) {
+    const std::string id = ids.next(1'700'000'000'000 + i);
+    EXPECT_TRUE(has_form(id, "xxxxxxxx-xxxx-7xxx-vxxx-xxxxxxxxxxxx")) << id;
+  }
 }
 
 TEST(Uuid7, CarriesTheTime) {
