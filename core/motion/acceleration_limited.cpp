@@ -43,7 +43,7 @@ class RunPlanner {
       pulse.half_of_rest();
       chain_.solve(share_, pulse);
       dirty_.assign(grid_.cells.size(), 1);
-      pieces_.resize(grid_.cells.size());
+      laws_.resize(grid_.cells.size());
       excess_.assign(grid_.cells.size(), {});
       shape(pulse);
       ++rounds;
@@ -87,11 +87,11 @@ class RunPlanner {
       if (!dirty_[c] || cell.straight || !(h > 0)) continue;
       const double b1 = chain_.node(c), g = chain_.middle(c), b2 = chain_.node(c + 1);
       const Station<N>&l = grid_.left(c), &r = grid_.right(c);
-      pieces_[c] = cell_law(b1, g, b2, h);
+      laws_[c] = cell_law(b1, g, b2, h);
       const bool cusp = cell.cusp_left || cell.cusp_right;
-      excess_[c] = !cusp && surely_within<N>(l, r, h, pieces_[c], limit_)
+      excess_[c] = !cusp && surely_within<N>(l, r, h, laws_[c], limit_)
                        ? Excess{}
-                       : cell_excess<N>(l, r, h, pieces_[c], cell, limit_, feed_[cell.segment]);
+                       : cell_excess<N>(l, r, h, laws_[c], cell, limit_, feed_[cell.segment]);
     }
   }
 
@@ -168,14 +168,15 @@ class RunPlanner {
 
   /// `s` and `s_end` count from the begin of the segment.
   void piece(MotionLaw& law, std::size_t segment, double s, double s_end, double v1, double v2, double a) {
-    LawPiece p;
-    p.v = v1;
-    p.a = a;
-    p.duration = 2 * (s_end - s) / (v1 + v2);
-    append(law, p, segment, s, s_end);
+    append(law, {2 * (s_end - s) / (v1 + v2), v1, a, 0}, segment, s, s_end);
   }
 
-  void append(MotionLaw& law, LawPiece p, std::size_t segment, double s, double s_end) {
+  void append(MotionLaw& law, const CellLaw& cell, std::size_t segment, double s, double s_end) {
+    LawPiece p;
+    p.duration = cell.duration;
+    p.v = cell.v;
+    p.a = cell.a;
+    p.j = cell.j;
     p.segment = segment;
     p.s = path_[segment].s0() + s;
     p.s_end = path_[segment].s0() + s_end;
@@ -195,9 +196,9 @@ class RunPlanner {
         straight(law, segment, s1, s2, b1, b2, chain_.acceleration(c), chain_.cap(c));
       } else if (s2 > s1) {
         if (cruise(c) && c > 0 && grid_.cells[c - 1].segment == segment && cruise(c - 1))
-          law.extend(path_[segment].s0() + s2, pieces_[c].duration * slow_);
+          law.extend(path_[segment].s0() + s2, laws_[c].duration * slow_);
         else
-          append(law, pieces_[c], segment, s1, s2);
+          append(law, laws_[c], segment, s1, s2);
       }
     }
   }
@@ -241,7 +242,7 @@ class RunPlanner {
   SpeedChain<N> chain_;
   std::vector<double> share_, loss_;
   std::vector<Excess> excess_;
-  std::vector<LawPiece> pieces_;  // of curved cells, before slowing
+  std::vector<CellLaw> laws_;  // of curved cells, before slowing
   std::vector<std::uint8_t> dirty_, parts_;
 };
 
@@ -272,7 +273,7 @@ AccelerationLimitedResult plan_acceleration_limited(const Contour& contour, cons
       throw InvalidInput(
           {{{"machine", "axes", axis.name}, "velocity and acceleration must be positive, acceleration finite"}});
   AccelerationLimitedOptions fitted = options;
-  const double turn = total_turn(contour.path);
+  const double turn = total_turn(contour.path, 0, contour.path.size());
   fitted.grid.angle = std::max(options.grid.angle, std::min(coarsest_angle, turn / usual_cells));
   if (turn / fitted.grid.angle > most_cells)
     throw InvalidInput(

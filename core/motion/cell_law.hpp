@@ -10,11 +10,19 @@
 
 namespace bahnwerk {
 
-/// Jerk constant in time, from speed² b1 with the solved acceleration (g − b1)/h to speed² b2; s counts from the cell's
+/// Jerk constant in time over one cell; s counts from its left end.
+struct CellLaw {
+  double duration = 0, v = 0, a = 0, j = 0;
+  LawState at(double tau) const {
+    return {tau * (v + tau * (a / 2 + tau * j / 6)), v + tau * (a + tau * j / 2), a + tau * j, j};
+  }
+};
+
+/// From speed² b1 with the solved acceleration (g − b1)/h to speed² b2; s counts from the cell's
 /// left end.
-inline LawPiece cell_law(double b1, double g, double b2, double h) {
+inline CellLaw cell_law(double b1, double g, double b2, double h) {
   const double v1 = std::sqrt(b1), v2 = std::sqrt(b2);
-  LawPiece p;
+  CellLaw p;
   p.v = v1;
   if (b1 == g && g == b2) {
     p.duration = h / v1;
@@ -84,7 +92,7 @@ inline double peak(const std::array<double, 5>& f) {
 /// True when the law surely stays within the limits, by a look at both ends and at half time: what a parabola through
 /// these three points can hide is far less than what it bends.
 template <int N>
-inline bool surely_within(const Station<N>& l, const Station<N>& r, double h, const LawPiece& p,
+inline bool surely_within(const Station<N>& l, const Station<N>& r, double h, const CellLaw& p,
                           const AxisBounds<N>& limit) {
   const cell_law_detail::Between<N> path{l, r, h};
   const LawState middle = p.at(0.5 * p.duration), end = p.at(p.duration);
@@ -104,7 +112,7 @@ inline bool surely_within(const Station<N>& l, const Station<N>& r, double h, co
 
 /// Peaks over a cell, from samples of the law on the rebuilt path.
 template <int N>
-inline Excess cell_excess(const Station<N>& l, const Station<N>& r, double h, const LawPiece& p, const GridCell& cell,
+inline Excess cell_excess(const Station<N>& l, const Station<N>& r, double h, const CellLaw& p, const GridCell& cell,
                           const AxisBounds<N>& limit, double feed) {
   constexpr std::size_t last = 4;
   const cell_law_detail::Between<N> path{l, r, h};

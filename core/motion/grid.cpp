@@ -158,6 +158,11 @@ void Grid<N>::build(const Path& path, std::size_t first, std::size_t last, const
                     const Machine& machine, const GridOptions& options, PlanningPulse& pulse) {
   stations.clear();
   cells.clear();
+  // Growing step by step would touch twice the memory.
+  const auto expected =
+      static_cast<std::size_t>(1.1 * total_turn(path, first, last) / options.angle) + 2 * (last - first) + 16;
+  stations.reserve(expected);
+  cells.reserve(expected);
   for (std::size_t i = first; i < last; ++i) {
     pulse.now(i - first, last - first);
     const Segment& segment = path[i];
@@ -226,9 +231,9 @@ void Grid<N>::divide(const Path& path, const std::vector<std::uint8_t>& parts, P
   cells = std::move(new_cells);
 }
 
-double total_turn(const Path& path) {
+double total_turn(const Path& path, std::size_t first, std::size_t last) {
   double turn = 0;
-  for (std::size_t i = 0; i < path.size(); ++i) {
+  for (std::size_t i = first; i < last; ++i) {
     const Segment& segment = path[i];
     if (segment.straight()) continue;
     if (segment.curve().kind() == CurveKind::arc) {

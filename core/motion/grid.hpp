@@ -57,8 +57,8 @@ class Grid {
   void divide(const Path& path, const std::vector<std::uint8_t>& parts, PlanningPulse& pulse);
 };
 
-/// By how much the path turns in all, rad, about: what the number of cells follows.
-double total_turn(const Path& path);
+/// By how much the path turns over the segments [first, last), rad, about: what the number of cells follows.
+double total_turn(const Path& path, std::size_t first, std::size_t last);
 
 extern template class Grid<2>;
 extern template class Grid<3>;
