@@ -47,9 +47,9 @@ struct ContourPlan {
   std::vector<std::string> notes;
 };
 
-/// Cost: O(grid cells), about 1 µs each with verification and bound. Throws InvalidInput, Stopped. A plan that the
-/// judge rejects is planned again on a finer grid twice; what is returned may still be unverified: look at
-/// `verification.passed`.
+/// Cost: O(grid cells), about 1 µs each with verification and bound. Throws InvalidInput, Stopped. A time-optimal plan
+/// that is not within 5e-6 of its bound, and any plan that the judge rejects, is planned again on a finer grid, three
+/// times at most; what is returned may still be unverified: look at `verification.passed`.
 ContourPlan plan_contour(Contour contour, const Machine& machine, const ContourPlanning& planning, Progress& progress);
 
 }  // namespace bahnwerk

@@ -49,6 +49,9 @@ class MotionLaw {
   double duration() const { return pieces_.empty() ? 0.0 : pieces_.back().t0 + pieces_.back().duration; }
   /// Index of the piece that holds t. O(log n), O(1) with a good hint.
   std::size_t find(double t, std::size_t hint = 0) const;
+  /// Slows what lies between the two rests around t to last `factor` ≥ 1 times as long; what follows comes later.
+  /// O(pieces).
+  void slow_run(double t, double factor);
   /// The same motion, uniformly slowed: lasts `factor` ≥ 1 times as long.
   MotionLaw slowed(double factor) const;
 

@@ -47,6 +47,24 @@ TEST(MotionLaw, SlowedRunsTheSameWay) {
   }
 }
 
+TEST(MotionLaw, SlowsOneRunAndShiftsTheRest) {
+  MotionLaw law = trapezoid();
+  const MotionLaw second = trapezoid();
+  for (LawPiece q : second.pieces()) {
+    q.s += 30;
+    q.s_end += 30;
+    law.append(q);
+  }
+  law.slow_run(2.5, 1.5);
+  EXPECT_DOUBLE_EQ(law.duration(), 4 * 1.5 + 4);
+  EXPECT_DOUBLE_EQ(law.pieces()[1].v, 10 / 1.5);
+  EXPECT_DOUBLE_EQ(law.pieces()[3].t0, 6);
+  EXPECT_DOUBLE_EQ(law.pieces()[4].v, 10);
+  law.slow_run(6.5, 2);
+  EXPECT_DOUBLE_EQ(law.duration(), 6 + 8);
+  EXPECT_DOUBLE_EQ(law.pieces()[0].t0, 0);
+}
+
 TEST(LawPiece, StateIsTheDerivative) {
   const LawPiece p{0, 1, 2, 0, 3, 4, 5, 0};
   const double t = 0.7, d = 1e-5;

@@ -93,7 +93,8 @@ inline Outline scaled(Outline o, double factor) {
   return o;
 }
 
-/// Cuts every line into collinear pieces and every arc into pieces about the same centre.
+/// Cuts every line into collinear pieces and every arc (but nearly full ones, whose centre rounding decides about) into
+/// pieces about the same centre.
 inline Outline divided(const Outline& o, Random& random) {
   Outline out{o.dimension, {}, {}};
   for (std::size_t i = 0; i < o.shapes.size(); ++i) {
@@ -102,7 +103,7 @@ inline Outline divided(const Outline& o, Random& random) {
     const double share = random.uniform(0.05, 0.95);
     if (s.kind == Shape::line) {
       a.to = b.from = s.from + share * (s.to - s.from);
-    } else if (s.kind == Shape::arc && o.dimension == 2) {
+    } else if (s.kind == Shape::arc && o.dimension == 2 && norm(s.to - s.from) > 0.1 * norm(s.to - s.centre)) {
       const Vec p = s.from - s.centre, q = s.to - s.centre;
       double sweep = std::atan2(cross(p, q).z, dot(p, q));
       if (s.counter_clockwise && sweep <= 1e-9) sweep += 2 * M_PI;
