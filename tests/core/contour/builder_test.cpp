@@ -95,6 +95,13 @@ TEST(ContourBuilder, SmallGapsAreJoinedWithANote) {
   EXPECT_LT(norm(c.path[1].at(c.path[1].s0()).value - Vec{10, 0, 0}), 1e-12);
 }
 
+TEST(ContourBuilder, ACircleMayStartAHairBesideItsEnd) {
+  ContourBuilder b(2, {});
+  b.polynomial({{0, 10 + 2e-7}, {0, 0}});
+  b.arc({10, 0, 0}, {10, 5, 0}, true);
+  EXPECT_NEAR(b.finish().path[1].length(), 10 * M_PI, 1e-6);
+}
+
 TEST(Joints, AngleAndStep) {
   ContourBuilder b(2, {});
   b.line({10, 0, 0});
