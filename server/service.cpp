@@ -21,8 +21,9 @@ Engine real_engine() { return {api::parse_job, api::plan_job}; }
 Service::Service(const ServiceOptions& options, Engine engine) : options_(options) {
   store_ = open_store(options.store, [this](double seconds, std::size_t writes) { metrics_.commit(seconds, writes); });
   pool_ = std::make_unique<Pool>(std::max(4U, std::thread::hardware_concurrency()));
+  heavy_ = std::make_unique<Pool>(1);
   workers_ = std::make_unique<Workers>(*store_, live_, notifier_, metrics_, std::move(engine.plan));
-  context_ = std::make_unique<Context>(Context{*store_, *workers_, live_, notifier_, *pool_, metrics_,
+  context_ = std::make_unique<Context>(Context{*store_, *workers_, live_, notifier_, *pool_, *heavy_, metrics_,
                                                std::move(engine.parse), options.max_queued, draining_});
   add_job_routes(router_, *context_);
   add_result_routes(router_, *context_);
@@ -47,6 +48,7 @@ Service::~Service() {
   stop_listening();
   // From here on nobody asks any more: let what is under way end from the top to the bottom.
   workers_.reset();
+  heavy_->join();
   pool_->join();
   store_.reset();
 }

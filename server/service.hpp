@@ -52,7 +52,7 @@ class Service {
   Notifier notifier_;
   LiveJobs live_;
   std::unique_ptr<Listener> listener_;  ///< its sockets outlive whoever may still answer: pool, store, workers
-  std::unique_ptr<Pool> pool_;
+  std::unique_ptr<Pool> pool_, heavy_;
   std::unique_ptr<Workers> workers_;
   std::unique_ptr<Context> context_;
 };

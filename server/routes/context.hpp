@@ -22,6 +22,7 @@ struct Context {
   LiveJobs& live;
   Notifier& notifier;
   Pool& pool;
+  Pool& heavy;  ///< one thread, for large documents: read one after the other, they cannot exhaust memory together
   Metrics& metrics;
   Parser parse;
   std::size_t max_queued;

@@ -11,6 +11,8 @@
 namespace bahnwerk::server {
 namespace {
 
+constexpr std::size_t large_document = 1 << 20;  ///< bytes; a parsed document takes about 25 times its text
+
 std::string sha256(std::string_view text) {
   unsigned char digest[EVP_MAX_MD_SIZE];
   unsigned int size = 0;
@@ -59,7 +61,8 @@ void submit(Context& context, const RequestPtr& request, const Reply& reply) {
   if (context.draining) throw api::Problem("draining", "The server is about to stop and takes no new jobs.");
   NewJob job;
   job.idempotency_key = idempotency_key(*request);
-  context.pool.post([&context, request, reply, job = std::move(job)]() mutable {
+  Pool& pool = request->body.size() > large_document ? context.heavy : context.pool;
+  pool.post([&context, request, reply, job = std::move(job)]() mutable {
     try {
       if (!job.idempotency_key.empty()) job.body_hash = sha256(request->body);
       job.request = context.parse(request->body);

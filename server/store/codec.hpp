@@ -11,7 +11,8 @@ std::string pack_text(std::string_view text);
 std::string unpack_text(std::string_view packed);  ///< throws std::runtime_error when damaged
 
 /// Packs rows × columns doubles, row-major. Setpoints are smooth, so per column the second difference of the bit
-/// patterns is small: differences, zigzag, bytes of equal weight together, then zstd. Cost ≈ 10 ns per double.
+/// patterns is small: differences, zigzag, bytes of equal weight together, then zstd. Packing costs about 50 ns,
+/// unpacking 20 ns per double.
 std::string pack_rows(const double* values, std::size_t rows, std::size_t columns);
 /// Throws std::runtime_error when damaged or not of `columns` columns.
 void unpack_rows(std::string_view packed, std::size_t columns, std::vector<double>& out);
