@@ -14,8 +14,9 @@ namespace bahnwerk {
 namespace {
 
 constexpr int attempts = 4;
-constexpr double close_enough = 5e-6;  // gap to the bound at which a time-optimal plan counts as converged
-constexpr double report_jump = 1e-9;   // rad; below it a tangent jump is rounding
+constexpr std::size_t most_cells = 500'000;  // that may be planned once more for the sake of the gap
+constexpr double close_enough = 5e-6;        // gap to the bound at which a time-optimal plan counts as converged
+constexpr double report_jump = 1e-9;         // rad; below it a tangent jump is rounding
 
 constexpr double largest_hair = 1e-4;
 constexpr int most_hairs = 6;
@@ -82,9 +83,11 @@ ContourPlan plan_contour(Contour input, const Machine& machine, const ContourPla
   options.keep_reserve = planning.method == PlanningMethod::braking_reserve;
   options.braking_reserve = planning.braking_reserve;
   options.corner_angle = planning.corner_angle;
+  std::size_t cells = 0;
   const auto solve = [&] {
     AccelerationLimitedResult result = plan_acceleration_limited(*contour, machine, options, progress, 0.2, 0.6);
     plan.iterations += result.rounds;
+    cells = result.cells;
     return std::move(result.law);
   };
 
@@ -92,7 +95,7 @@ ContourPlan plan_contour(Contour input, const Machine& machine, const ContourPla
   MotionLaw law = solve();
   // The proven bound tells whether the grid was fine enough.
   for (int attempt = 1; planning.method == PlanningMethod::time_optimal && attempt < attempts; ++attempt) {
-    if (with_gap(bound, law.duration()).gap <= close_enough) break;
+    if (with_gap(bound, law.duration()).gap <= close_enough || cells > most_cells) break;
     refine(options);
     if (MotionLaw finer = solve(); finer.duration() < law.duration()) law = std::move(finer);
   }

@@ -14,7 +14,7 @@ namespace {
 
 // Memory: about 400 bytes per cell. Beyond the usual number cells get wider, up to the coarsest; the gap then tells
 // what that costs.
-constexpr double usual_cells = 2e6, most_cells = 8e6, coarsest_angle = 0.02;  // rad
+constexpr double usual_cells = 1e6, most_cells = 8e6, coarsest_angle = 0.02;  // rad
 constexpr double divide_above =
     1e-2;  // an excess beyond this needs smaller cells, below it a smaller share of the limit
 
@@ -56,7 +56,8 @@ class RunPlanner {
       chain_.update(share_, dirty_, pulse);
       shape(pulse);
     }
-    emit(result.law);
+    pulse.half_of_rest();
+    emit(result.law, pulse);
     result.rounds = std::max(result.rounds, rounds);
     result.cells += grid_.cells.size();
   }
@@ -184,12 +185,13 @@ class RunPlanner {
     law.append(p);
   }
 
-  void emit(MotionLaw& law) {
+  void emit(MotionLaw& law, PlanningPulse& pulse) {
     law.reserve(grid_.cells.size() + 2);
     double most = 0;
     for (const Excess& e : excess_) most = std::max({most, e.acceleration, e.velocity});
     slow_ = most > 0 ? std::sqrt(1 + most) * (1 + 1e-12) : 1;
     for (std::size_t c = 0; c < grid_.cells.size(); ++c) {
+      pulse(c, grid_.cells.size());
       const std::size_t segment = grid_.cells[c].segment;
       const double s1 = grid_.left(c).s, s2 = grid_.right(c).s, b1 = chain_.node(c), b2 = chain_.node(c + 1);
       if (grid_.cells[c].straight) {

@@ -1,0 +1,112 @@
+#include "docs/draw/plans.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "core/progress.hpp"
+
+namespace bahnwerk::draw {
+
+namespace {
+
+/// v over s from the largest v² at a path point.
+std::vector<Line> limit_lines(const Contour& contour,
+                              const std::function<double(const PathPoint&, double feed)>& speed2) {
+  constexpr int steps = 400;  // per segment
+  std::vector<Line> lines;
+  const std::vector<double> feeds = contour.feeds();
+  for (std::size_t i = 0; i < contour.path.size(); ++i) {
+    const Segment& segment = contour.path[i];
+    Line& line = lines.emplace_back();
+    for (int j = 0; j <= steps; ++j) {
+      const double s = segment.s0() + segment.length() * j / steps;
+      const PathPoint at = segment.at(s);
+      line.push_back({s, std::sqrt(speed2(at, feeds[i]))});
+    }
+  }
+  return lines;
+}
+
+double velocity_cap(const PathPoint& at, const Machine& machine, double feed) {
+  double most = feed * feed;
+  for (std::size_t k = 0; k < machine.dimension(); ++k) {
+    const double v = machine.axes[k].velocity / std::abs(at.d1[k]);
+    most = std::min(most, v * v);
+  }
+  return most;
+}
+
+}  // namespace
+
+AccelerationLimitedResult plan(const Contour& contour, const Machine& machine, bool keep_reserve,
+                               const GridOptions& grid, double tolerance) {
+  AccelerationLimitedOptions options;
+  options.keep_reserve = keep_reserve;
+  options.braking_reserve = reserve;
+  options.grid = grid;
+  options.tolerance = tolerance;
+  SilentProgress silent;
+  return plan_acceleration_limited(contour, machine, options, silent);
+}
+
+void along(const Contour& contour, const MotionLaw& law, const std::function<void(double t, const State&)>& look) {
+  for (const LawPiece& p : law.pieces()) {
+    const int steps = std::max(2, static_cast<int>(std::ceil(p.duration / 2e-4)));
+    for (int i = 0; i <= steps; ++i) {
+      const double tau = p.duration * i / steps;
+      const LawState at = p.at(tau);
+      const PathPoint h = contour.path[p.segment].at(std::clamp(at.s, p.s, p.s_end));
+      look(p.t0 + tau, {h.value, at.v * h.d1, at.v * at.v * h.d2 + at.a * h.d1, {}, at});
+    }
+  }
+}
+
+Line speed_over_length(const Contour& contour, const MotionLaw& law) {
+  Line line;
+  along(contour, law, [&](double, const State& at) { line.push_back({at.path.s, at.path.v}); });
+  return line;
+}
+
+Line use_over_time(const Contour& contour, const MotionLaw& law, const Machine& machine, std::size_t axis) {
+  Line line;
+  along(contour, law, [&](double t, const State& at) {
+    line.push_back({t, std::abs(at.acceleration[axis]) / machine.axes[axis].acceleration});
+  });
+  return line;
+}
+
+double share_at_limit(const Contour& contour, const MotionLaw& law, const Machine& machine) {
+  double used = 0, last_time = 0;
+  bool last = false;
+  along(contour, law, [&](double t, const State& at) {
+    bool full = false;
+    for (std::size_t k = 0; k < machine.dimension(); ++k)
+      full = full || std::abs(at.acceleration[k]) > 0.999 * machine.axes[k].acceleration ||
+             std::abs(at.velocity[k]) > 0.999 * machine.axes[k].velocity;
+    if (full && last) used += t - last_time;
+    last = full;
+    last_time = t;
+  });
+  return used / law.duration();
+}
+
+std::vector<Line> highest_speed(const Contour& contour, const Machine& machine) {
+  return limit_lines(contour, [&](const PathPoint& at, double feed) {
+    const double bend = std::abs(at.d1[0] * at.d2[1] - at.d1[1] * at.d2[0]);
+    const double room =
+        machine.axes[0].acceleration * std::abs(at.d1[1]) + machine.axes[1].acceleration * std::abs(at.d1[0]);
+    return std::min(velocity_cap(at, machine, feed), room / bend);
+  });
+}
+
+std::vector<Line> reserve_speed(const Contour& contour, const Machine& machine) {
+  return limit_lines(contour, [&](const PathPoint& at, double feed) {
+    double most = velocity_cap(at, machine, feed);
+    for (std::size_t k = 0; k < machine.dimension(); ++k)
+      most = std::min(most, reserve * machine.axes[k].acceleration / std::abs(at.d2[k]));
+    return most;
+  });
+}
+
+}  // namespace bahnwerk::draw

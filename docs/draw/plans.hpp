@@ -1,0 +1,33 @@
+#pragma once
+/// Planned laws and limit curves as lines to draw.
+#include <functional>
+
+#include "core/contour/contour.hpp"
+#include "core/machine/machine.hpp"
+#include "core/motion/acceleration_limited.hpp"
+#include "core/motion/trajectory.hpp"
+#include "docs/draw/chart.hpp"
+
+namespace bahnwerk::draw {
+
+inline constexpr double reserve = 0.7;  ///< K_b
+
+AccelerationLimitedResult plan(const Contour& contour, const Machine& machine, bool keep_reserve,
+                               const GridOptions& grid = {}, double tolerance = 1e-6);
+
+/// Calls `look` for states all along the law, both sides of every border between its pieces included.
+void along(const Contour& contour, const MotionLaw& law, const std::function<void(double t, const State&)>& look);
+
+Line speed_over_length(const Contour& contour, const MotionLaw& law);
+/// |a_k|/A_k over time.
+Line use_over_time(const Contour& contour, const MotionLaw& law, const Machine& machine, std::size_t axis);
+/// Share of the duration in which some axis uses more than 0.999 of its acceleration or velocity.
+double share_at_limit(const Contour& contour, const MotionLaw& law, const Machine& machine);
+
+/// Limit curves, one line per path segment, since they jump with the curvature.
+/// Largest speed at which any path acceleration is allowed at all, two axes: v² κ ≤ A_x |y'| + A_y |x'|.
+std::vector<Line> highest_speed(const Contour& contour, const Machine& machine);
+/// The limit curve of [Bock (2.15)].
+std::vector<Line> reserve_speed(const Contour& contour, const Machine& machine);
+
+}  // namespace bahnwerk::draw
