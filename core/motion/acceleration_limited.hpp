@@ -4,9 +4,10 @@
 ///
 /// Per run (rest to rest) a grid is laid, one backward pass finds the largest v² from which each node can still come to
 /// rest, one forward pass takes the largest v² that stays below it; cells where the law switches are divided until the
-/// estimated loss falls below `tolerance`. Straight segments are one cell each and exact. The result is piecewise
-/// quadratic in time. Cost: O(cells) time and memory per run, about 100–200 ns per cell for two axes, path evaluation
-/// included (tests/bench).
+/// estimated loss falls below `tolerance`, and cells in which a limit is exceeded between the stations get a smaller
+/// share of it. Straight segments are one cell each and exact. The result is piecewise cubic in time. Cost: O(cells)
+/// time and memory per run; for two axes, path evaluation included, about 350 ns per cell for one solution and 1.2 µs
+/// with all rounds (tests/bench/bench_motion.cpp).
 #include <cstddef>
 #include <vector>
 

@@ -4,8 +4,8 @@
 ///
 /// Backward: the largest v² from which the rest of the run can still be driven. Forward: from rest, the largest v²
 /// below that. Links are polygons around the origin, so what the backward pass allows the forward pass finds. After
-/// some cells change, only what they influence is solved again. Cost: about 100 ns per cell and full solution with two
-/// axes; O(1) memory per cell.
+/// some cells change, only what they influence is solved again. Cost: O(cells); two small linear programs and two
+/// divisions per axis and cell.
 #include <cstdint>
 #include <vector>
 
