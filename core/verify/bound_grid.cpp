@@ -11,7 +11,7 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double widest_turn = 0.02;  // rad per cell
-constexpr double curvature_change = 0.03, slight_turn = 1e-4;
+constexpr double curvature_change = 0.01, slight_turn = 1e-4;
 constexpr double no_direction = 1e-12;  // |h'_k| below this: the axis stands still, its conditions are dropped
 constexpr double give = 1 + 1e-11;      // caps give way for the rounding of curvatures
 constexpr int deepest = 40;

@@ -2,7 +2,12 @@
 # The disk runs full: posts are refused with a problem, nothing acknowledged is lost, and all goes on when there is space again.
 # Needs a file system of its own; exits 77 (skipped) where none can be mounted.
 if [[ -z ${INSIDE:-} ]]; then
-  if [[ $(id -u) == 0 ]]; then exec env INSIDE=1 unshare -m "$0" "$@"; else exec env INSIDE=1 unshare -Urm "$0" "$@"; fi
+  user=()
+  [[ $(id -u) == 0 ]] || user=(-Ur)
+  for how in private unchanged; do  # below a plain chroot nothing can be made private
+    unshare "${user[@]}" -m --propagation $how true 2>/dev/null && exec env INSIDE=1 unshare "${user[@]}" -m --propagation $how "$0" "$@"
+  done
+  exit 77
 fi
 source "$(dirname "$0")/../contract/lib.sh"
 mkdir "$work/disk"
