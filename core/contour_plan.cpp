@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/motion/acceleration_limited.hpp"
 #include "core/motion/trajectory.hpp"

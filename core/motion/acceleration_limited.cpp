@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/errors.hpp"
 #include "core/motion/cell_law.hpp"
@@ -29,7 +30,8 @@ class RunPlanner {
         feed_(feed),
         progress_(progress),
         limit_(machine),
-        chain_(grid_, feed, runs, machine, options) {}
+        chain_(grid_, feed, runs, machine,
+               options.keep_reserve ? std::optional(options.braking_reserve) : std::nullopt) {}
 
   /// `from` … `to` is the run's share of progress.
   void plan(std::size_t first, std::size_t last, double from, double to, AccelerationLimitedResult& result) {

@@ -7,6 +7,7 @@
 /// some cells change, only what they influence is solved again. Cost: O(cells); two small linear programs and two
 /// divisions per axis and cell.
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/contour/contour.hpp"
@@ -17,13 +18,12 @@
 
 namespace bahnwerk {
 
-struct AccelerationLimitedOptions;
-
 template <int N>
 class SpeedChain {
  public:
+  /// `reserve` is K_b of [Bock (2.11)], if a braking reserve is kept.
   SpeedChain(const Grid<N>& grid, const std::vector<double>& feed, const Runs& runs, const Machine& machine,
-             const AccelerationLimitedOptions& options);
+             std::optional<double> reserve);
 
   /// Takes the grid as it is now and solves all of it. `share` is the part of the acceleration limits that each cell
   /// may use.
@@ -47,7 +47,7 @@ class SpeedChain {
   const Grid<N>& grid_;
   const std::vector<double>& feed_;
   const Runs& runs_;
-  const AccelerationLimitedOptions& options_;
+  std::optional<double> reserve_;
   AxisBounds<N> limit_;
   std::vector<double> node_cap_, middle_cap_;    // what needs no neighbour
   std::vector<double> node_stop_, middle_stop_;  // what can still stop
@@ -55,6 +55,7 @@ class SpeedChain {
   std::vector<double> acceleration_, cap_;
 };
 
-}  // namespace bahnwerk
+extern template class SpeedChain<2>;
+extern template class SpeedChain<3>;
 
-#include "core/motion/speed_chain_impl.hpp"
+}  // namespace bahnwerk

@@ -6,15 +6,10 @@
 
 #include "core/contour/builder.hpp"
 #include "core/motion/acceleration_limited.hpp"
+#include "tests/core/motion/two_axes.hpp"
 
 namespace bahnwerk {
 namespace {
-
-Machine machine() {
-  Machine m;
-  m.axes = {{"x", 1800, 16000, unlimited}, {"y", 1800, 16000, unlimited}};
-  return m;
-}
 
 /// A smooth rosette of arcs: one run, every joint tangential.
 Contour arcs(int n) {
@@ -59,7 +54,7 @@ void plan(benchmark::State& state, Kind kind, bool reserve, bool refine) {
   AccelerationLimitedOptions options;
   options.keep_reserve = reserve;
   if (!refine) options.max_divisions = options.max_rounds = 0;
-  const Machine m = machine();
+  const Machine m = bahnwerk::testing::two_axes();
   SilentProgress progress;
   auto make = [&](int n) { return kind == arc_contour ? arcs(n) : spline(n, kind == rational_contour); };
   const std::size_t per_50 = plan_acceleration_limited(make(50), m, options, progress).cells;

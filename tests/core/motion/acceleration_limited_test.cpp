@@ -4,19 +4,14 @@
 
 #include "core/contour/builder.hpp"
 #include "core/errors.hpp"
+#include "two_axes.hpp"
 
 namespace bahnwerk {
 namespace {
 
-Machine machine() {
-  Machine m;
-  m.axes = {{"x", 1800, 16000, unlimited}, {"y", 1800, 16000, unlimited}};
-  return m;
-}
-
 double duration(const Contour& contour, const AccelerationLimitedOptions& options = {}) {
   SilentProgress progress;
-  return plan_acceleration_limited(contour, machine(), options, progress).law.duration();
+  return plan_acceleration_limited(contour, bahnwerk::testing::two_axes(), options, progress).law.duration();
 }
 
 Contour curve() {
@@ -75,11 +70,11 @@ TEST(AccelerationLimited, StopsWhenAsked) {
   struct Impatient final : Progress {
     void report(std::string_view, double, std::string_view) override { throw Stopped(StopReason::cancelled); }
   } impatient;
-  EXPECT_THROW(plan_acceleration_limited(curve(), machine(), {}, impatient), Stopped);
+  EXPECT_THROW(plan_acceleration_limited(curve(), bahnwerk::testing::two_axes(), {}, impatient), Stopped);
 }
 
 TEST(AccelerationLimited, RefusesLimitsThatAreNone) {
-  Machine m = machine();
+  Machine m = bahnwerk::testing::two_axes();
   m.axes[1].acceleration = 0;
   SilentProgress progress;
   EXPECT_THROW(plan_acceleration_limited(curve(), m, {}, progress), InvalidInput);

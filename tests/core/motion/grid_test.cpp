@@ -3,15 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "core/contour/builder.hpp"
+#include "two_axes.hpp"
 
 namespace bahnwerk {
 namespace {
-
-Machine machine() {
-  Machine m;
-  m.axes = {{"x", 1800, 16000, unlimited}, {"y", 1800, 16000, unlimited}};
-  return m;
-}
 
 Contour mixed() {
   ContourBuilder b(2, {});
@@ -25,7 +20,7 @@ Grid<2> grid_of(const Contour& contour, const GridOptions& options = {}) {
   Grid<2> grid;
   SilentProgress progress;
   PlanningPulse pulse(progress, 0, 1);
-  grid.build(contour.path, 0, contour.path.size(), contour.feeds(), machine(), options, pulse);
+  grid.build(contour.path, 0, contour.path.size(), contour.feeds(), bahnwerk::testing::two_axes(), options, pulse);
   return grid;
 }
 

@@ -1,16 +1,14 @@
-#pragma once
-/// Implementation of SpeedChain (a template over the number of axes).
+#include "core/motion/speed_chain.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include "core/motion/acceleration_limited.hpp"
 
 namespace bahnwerk {
 
 template <int N>
 SpeedChain<N>::SpeedChain(const Grid<N>& grid, const std::vector<double>& feed, const Runs& runs,
-                          const Machine& machine, const AccelerationLimitedOptions& options)
-    : grid_(grid), feed_(feed), runs_(runs), options_(options), limit_(machine) {}
+                          const Machine& machine, std::optional<double> reserve)
+    : grid_(grid), feed_(feed), runs_(runs), reserve_(reserve), limit_(machine) {}
 
 /// Caps that need no neighbour: feed, axis velocity, limit curve, tangent jumps, rest at both ends.
 template <int N>
@@ -41,9 +39,9 @@ void SpeedChain<N>::limit(PlanningPulse& pulse) {
       if (!cell.straight)
         middle = std::min(middle, middle_cap(vl, -2 * vl * l.d2[k] / l.d1[k], vr, -2 * vr * r.d2[k] / r.d1[k], h));
     }
-    if (options_.keep_reserve && !cell.straight) {
+    if (reserve_ && !cell.straight) {
       for (std::size_t k = 0; k < N; ++k) {
-        const double A = options_.braking_reserve * limit_.acceleration[k];
+        const double A = *reserve_ * limit_.acceleration[k];
         const double cl = A / std::abs(l.d2[k]), cr = A / std::abs(r.d2[k]);
         if (!cell.cusp_left) left = std::min(left, cl);
         if (!cell.cusp_right) right = std::min(right, cr);
@@ -81,8 +79,8 @@ inline Rows<N> SpeedChain<N>::link(const Station<N>& at, double h, double share,
     acceleration_rows<N, true>(rows, at, h, share, limit_);
   else
     acceleration_rows<N, false>(rows, at, h, share, limit_);
-  if (options_.keep_reserve) {
-    const double a = reserve_limit<N>(at, limit_, feed_[segment], options_.braking_reserve).acceleration;
+  if (reserve_) {
+    const double a = reserve_limit<N>(at, limit_, feed_[segment], *reserve_).acceleration;
     if (std::isfinite(a)) rows.add(1 / h, -1 / h, a);
   }
   return rows;
@@ -154,5 +152,8 @@ void SpeedChain<N>::update(const std::vector<double>& share, std::vector<std::ui
     moved = changed;
   }
 }
+
+template class SpeedChain<2>;
+template class SpeedChain<3>;
 
 }  // namespace bahnwerk
