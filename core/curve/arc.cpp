@@ -42,6 +42,37 @@ Jet Arc::at(double u) const {
           (r1 * c) * e2_ - (r1 * s) * e1_ + climb_, (-r2 * c) * e1_ - (r2 * s) * e2_, (r3 * s) * e1_ - (r3 * c) * e2_};
 }
 
+bool Arc::derivatives(PathBatch& batch) const {
+  // From the first point on by the addition theorems; up to 0.1 rad these terms are exact to 1e-18.
+  const double u0 = batch.u[0], reach = std::abs(sweep_ * (batch.u[batch.count - 1] - u0));
+  if (!(reach <= 0.1)) return false;
+  const double s0 = std::sin(sweep_ * u0), c0 = std::cos(sweep_ * u0);
+  const double r1 = radius_ * sweep_, r2 = r1 * sweep_, r3 = r2 * sweep_;
+  batch.planar = e1_.z == 0 && e2_.z == 0 && climb_.z == 0;
+  const std::size_t axes = batch.planar ? 2 : 3;
+  const auto both = [](double x) { return PointPair{x, x}; };
+  for (std::size_t p = 0; p < batch.used_pairs(); ++p) {
+    const PointPair x = (batch.u.pair[p] - both(u0)) * both(sweep_), y = x * x;
+    const PointPair sine =
+        x * (both(1) -
+             y * (both(1.0 / 6) - y * (both(1.0 / 120) -
+                                       y * (both(1.0 / 5040) - y * (both(1.0 / 362880) - y * both(1.0 / 39916800))))));
+    const PointPair versine =
+        y *
+        (both(0.5) - y * (both(1.0 / 24) - y * (both(1.0 / 720) - y * (both(1.0 / 40320) - y * both(1.0 / 3628800)))));
+    const PointPair s = both(s0) + (both(c0) * sine - both(s0) * versine),
+                    c = both(c0) - (both(s0) * sine + both(c0) * versine);
+    for (std::size_t k = 0; k < axes; ++k) {
+      const PointPair a = both(e1_[k]), b = both(e2_[k]);
+      const PointPair out = c * a + s * b, along = c * b - s * a;
+      batch.d1[k].pair[p] = both(r1) * along + both(climb_[k]);
+      batch.d2[k].pair[p] = both(-r2) * out;
+      batch.d3[k].pair[p] = both(-r3) * along;
+    }
+  }
+  return true;
+}
+
 Arc Arc::through(Vec from, Vec to, Vec centre, Vec normal, bool counter_clockwise, double tolerance) {
   if (!usable(from) || !usable(to) || !usable(centre))
     fault("", "the arc's points have to be finite and within 1e9 mm");

@@ -24,6 +24,7 @@ class Arc final : public Curve {
   double end() const override { return 1; }
   Jet at(double u) const override;
   double speed(double) const override { return length_; }
+  bool derivatives(PathBatch& batch) const override;
 
   Vec centre() const { return centre_; }
   double radius() const { return radius_; }

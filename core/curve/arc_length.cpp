@@ -45,10 +45,11 @@ const Tables& tables() {
 }
 
 /// Σ c[k] x^k, k < 13, by Estrin's scheme: short dependency chains, fixed order of operations.
-double estrin(const std::array<double, 13>& c, double x) {
-  const double x2 = x * x, x4 = x2 * x2, x8 = x4 * x4;
-  const double a = (c[0] + c[1] * x) + (c[2] + c[3] * x) * x2, b = (c[4] + c[5] * x) + (c[6] + c[7] * x) * x2;
-  const double d = (c[8] + c[9] * x) + (c[10] + c[11] * x) * x2;
+template <class Number>
+Number estrin(const std::array<double, 13>& c, Number x) {
+  const Number x2 = x * x, x4 = x2 * x2, x8 = x4 * x4;
+  const Number a = (c[0] + c[1] * x) + (c[2] + c[3] * x) * x2, b = (c[4] + c[5] * x) + (c[6] + c[7] * x) * x2;
+  const Number d = (c[8] + c[9] * x) + (c[10] + c[11] * x) * x2;
   return (a + b * x4) + (d + c[12] * x4) * x8;
 }
 /// Σ k c[k] x^(k−1).
@@ -205,6 +206,19 @@ double ArcLength::at(double u) const {
   if (!(u < end_)) return length_;
   const Panel& panel = panels_[panel_of(u_, u)];
   return std::clamp(panel.base + estrin(panel.s, (u - panel.centre) * panel.inverse_half), 0.0, length_);
+}
+
+void ArcLength::at(PathBatch& batch) const {
+  if (!panels_.empty()) {
+    const std::size_t i = panel_of(u_, std::clamp(batch.u[0], begin_, end_));
+    if (batch.u[0] > begin_ && batch.u[batch.count - 1] <= u_[i + 1]) {
+      const Panel& panel = panels_[i];
+      for (std::size_t p = 0; p < batch.used_pairs(); ++p)
+        batch.s.pair[p] = panel.base + estrin(panel.s, (batch.u.pair[p] - panel.centre) * panel.inverse_half);
+      return;
+    }
+  }
+  for (std::size_t i = 0; i < batch.count; ++i) batch.s.set(i, at(batch.u[i]));
 }
 
 std::vector<double> ArcLength::borders() const { return panels_.empty() ? std::vector{begin_, end_} : u_; }

@@ -24,6 +24,7 @@ class ArcLength {
   double length() const { return length_; }
   /// s(u) from the beginning, mm; u is clamped to the curve. O(log panels).
   double at(double u) const;
+  void at(PathBatch& batch) const;
   /// u(s); s is clamped to [0, length()]. O(log panels), usually one Newton step from a polynomial start.
   double inverse(double s) const;
   /// Borders of the panels, ascending from begin to end of the parameter.

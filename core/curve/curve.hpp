@@ -1,5 +1,6 @@
 #pragma once
 /// A smooth (C∞) piece of a contour over its own parameter u ∈ [begin(), end()].
+#include "core/curve/path_batch.hpp"
 #include "core/curve/vec.hpp"
 
 namespace bahnwerk {
@@ -21,6 +22,8 @@ class Curve {
   virtual Jet at(double u) const = 0;
   /// |dh/du|, mm per unit of u; cheaper than at().
   virtual double speed(double u) const = 0;
+  /// Derivatives by the parameter at all points of a batch. False: take them one by one.
+  virtual bool derivatives(PathBatch&) const { return false; }
 };
 
 }  // namespace bahnwerk

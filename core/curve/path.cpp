@@ -71,6 +71,24 @@ PathPoint Segment::at_parameter(double u) const {
   return point;
 }
 
+void Segment::at_parameters(PathBatch& batch) const {
+  batch.close();
+  arc_length_.at(batch);
+  const double first = batch.u[0], last = batch.u[batch.count - 1];
+  const bool special = straight_ || (expansion_ && (expansion_->covers(first) || expansion_->covers(last))) ||
+                       (cusp_begin_ && first <= curve_->begin()) || (cusp_end_ && last >= curve_->end());
+  if (!special && curve_->derivatives(batch)) return by_arc_length(batch);
+  batch.planar = false;
+  for (std::size_t i = 0; i < batch.count; ++i) {
+    const PathPoint point = at_parameter(batch.u[i]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      batch.d1[k].set(i, point.d1[k]);
+      batch.d2[k].set(i, point.d2[k]);
+      batch.d3[k].set(i, point.d3[k]);
+    }
+  }
+}
+
 PathPoint Segment::at(double s) const {
   if (straight_) return {start_ + std::clamp(s - s0_, 0.0, arc_length_.length()) * tangent_, tangent_, {}, {}};
   return at_parameter(parameter(s));

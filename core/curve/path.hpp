@@ -38,6 +38,8 @@ class Segment {
   PathPoint at_parameter(
       double u) const;  ///< derivatives by arc length at u; one-sided limits at vanishing parametric tangents
   PathPoint at(double s) const;
+  /// Path length and derivatives by it at all parameters of a batch.
+  void at_parameters(PathBatch& batch) const;
   /// Where nodes belong: borders of the arc-length table's panels, ascending, ends included; dense where the curve is
   /// difficult.
   std::vector<double> panel_parameters() const;

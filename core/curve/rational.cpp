@@ -90,6 +90,55 @@ Jet Rational::at(double u) const {
           {i3 * a.t3[0], i3 * a.t3[1], i3 * b.t3[0]}};
 }
 
+namespace {
+
+/// Derivatives/k!, k = 1 … 3, of one coordinate at two points.
+struct PairTaylor {
+  PointPair t0, t1, t2, t3;
+};
+PairTaylor horner3(const double* c, std::size_t stride, std::size_t degree, PointPair x) {
+  const double top = c[degree * stride];
+  PairTaylor r{{top, top}, {}, {}, {}};
+  for (std::size_t k = degree; k-- > 0;) {
+    const double next = c[k * stride];
+    r.t3 = r.t3 * x + r.t2;
+    r.t2 = r.t2 * x + r.t1;
+    r.t1 = r.t1 * x + r.t0;
+    r.t0 = r.t0 * x + PointPair{next, next};
+  }
+  return r;
+}
+
+}  // namespace
+
+bool Rational::derivatives(PathBatch& batch) const {
+  const double i1 = inverse_, i2 = i1 * i1 * 2, i3 = i1 * i1 * i1 * 6;
+  batch.planar = plane_;
+  const std::size_t axes = batch.planar ? 2 : 3;
+  for (std::size_t p = 0; p < batch.used_pairs(); ++p) {
+    const PointPair x = (batch.u.pair[p] - PointPair{pivot_, pivot_}) * PointPair{i1, i1};
+    PairTaylor w;
+    PointPair inverse;
+    if (rational_) {
+      w = horner3(c_.data() + 3, 4, degree_, x);
+      inverse = PointPair{1, 1} / w.t0;
+    }
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+      PairTaylor a = horner3(c_.data() + axis, stride_, degree_, x);
+      if (rational_) {  // as in at()
+        a.t0 = a.t0 * inverse;
+        a.t1 = (a.t1 - w.t1 * a.t0) * inverse;
+        a.t2 = (a.t2 - w.t1 * a.t1 - w.t2 * a.t0) * inverse;
+        a.t3 = (a.t3 - w.t1 * a.t2 - w.t2 * a.t1 - w.t3 * a.t0) * inverse;
+      }
+      batch.d1[axis].pair[p] = PointPair{i1, i1} * a.t1;
+      batch.d2[axis].pair[p] = PointPair{i2, i2} * a.t2;
+      batch.d3[axis].pair[p] = PointPair{i3, i3} * a.t3;
+    }
+  }
+  return true;
+}
+
 double Rational::speed(double u) const {
   const double t = (u - pivot_) * inverse_;
   const Pair x{t, t};

@@ -31,6 +31,7 @@ class Rational final : public Curve {
   double end() const override { return end_; }
   Jet at(double u) const override;
   double speed(double u) const override;
+  bool derivatives(PathBatch& batch) const override;
 
   std::size_t degree() const { return degree_; }
   bool rational() const { return rational_; }
@@ -70,7 +71,7 @@ class Rational final : public Curve {
   double pivot_ = 0, inverse_ = 1, reach_ = 1, begin_ = 0, end_ = 1;
   Vec origin_;
   std::size_t degree_ = 0, stride_ = 2, vanishing_ = 0;
-  bool rational_ = false;
+  bool rational_ = false, plane_ = true;
   std::vector<double> c_;  ///< t^k from k·stride: x y [z w]; z = 0 and w = 1 where they do not exist
   std::vector<double> d_;  ///< the derivative's, for polynomials
   double extent_ = 0, noise_ = 0;

@@ -36,6 +36,7 @@ Rational Rational::build(const Polynomial (&numerator)[3], const Polynomial& wei
   for (const Polynomial& p : numerator) size = std::max(size, p.size());
   r.degree_ = size - 1;
   const bool planar = std::all_of(numerator[2].begin(), numerator[2].end(), [](double x) { return x == 0; });
+  r.plane_ = planar;
   r.stride_ = planar && !r.rational_ ? 2 : 4;
   r.c_.assign(size * r.stride_, 0.0);
   for (std::size_t axis = 0; axis < (r.stride_ == 2 ? 2U : 3U); ++axis) {

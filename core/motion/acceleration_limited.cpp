@@ -16,6 +16,7 @@ namespace {
 // Memory: about 400 bytes per cell. Beyond the usual number cells get wider, up to the coarsest; the gap then tells
 // what that costs.
 constexpr double usual_cells = 1e6, most_cells = 8e6, coarsest_angle = 0.02;  // rad
+constexpr std::size_t block = 2048;                                           // cells that stay in a cache
 constexpr double divide_above =
     1e-2;  // an excess beyond this needs smaller cells, below it a smaller share of the limit
 
@@ -38,16 +39,10 @@ class RunPlanner {
     PlanningPulse pulse(progress_, from, to);
     pulse.part(0, 0.2);
     grid_.build(path_, first, last, feed_, machine_, options_.grid, pulse);
-    grid_.grade_ends(path_);
     std::size_t rounds = 0;
     for (int division = 0;; ++division) {  // first the grid …
-      share();
       pulse.half_of_rest();
-      chain_.solve(share_, pulse);
-      dirty_.assign(grid_.cells.size(), 1);
-      laws_.resize(grid_.cells.size());
-      excess_.assign(grid_.cells.size(), {});
-      shape(pulse);
+      solve(pulse);
       ++rounds;
       if (division == options_.max_divisions || !mark_divisions(pulse)) break;
       grid_.divide(path_, parts_, pulse);
@@ -56,7 +51,7 @@ class RunPlanner {
          ++round, ++rounds) {  // … then the limits in its cells
       pulse.half_of_rest();
       chain_.update(share_, dirty_, pulse);
-      shape(pulse);
+      for (std::size_t c = 0; c < grid_.cells.size(); c += block) shape(c, pulse);
     }
     pulse.half_of_rest();
     emit(result.law, pulse);
@@ -67,10 +62,8 @@ class RunPlanner {
  private:
   /// Smooth cells leave what the law may bulge between their ends: the acceleration of an axis along a saturated law is
   /// a parabola of height ≈ turn²/8 there.
-  void share() {
-    const std::size_t n = grid_.cells.size();
-    share_.resize(n);
-    for (std::size_t c = 0; c < n; ++c) {
+  void share(std::size_t first, std::size_t last) {
+    for (std::size_t c = first; c < last; ++c) {
       double square = 0;
       for (std::size_t k = 0; k < N; ++k) {
         const double d = grid_.right(c).d1[k] - grid_.left(c).d1[k];
@@ -80,21 +73,48 @@ class RunPlanner {
     }
   }
 
-  /// Laws of the curved cells that changed, and where they exceed a limit between their stations.
-  void shape(PlanningPulse& pulse) {
+  /// Speeds of all cells and their laws, block by block: reading the cells once more costs as much as the work on them.
+  void solve(PlanningPulse& pulse) {
     const std::size_t n = grid_.cells.size();
-    for (std::size_t c = 0; c < n; ++c) {
-      pulse(c, n);
+    dirty_.assign(n, 1);
+    laws_.resize(n);
+    excess_.assign(n, {});
+    share_.resize(n);
+    chain_.start();
+    for (std::size_t end = n; end > 0;) {
+      const std::size_t begin = (end - 1) / block * block;
+      pulse(begin, n);
+      share(begin, end);
+      chain_.backward(begin, end, share_);
+      end = begin;
+    }
+    for (std::size_t c = 0; c < n; c += block) {
+      chain_.forward(c, std::min(n, c + block), share_);
+      shape(c, pulse);
+    }
+  }
+
+  /// Laws of the curved cells of a block that changed, and where they exceed a limit between their stations.
+  void shape(std::size_t first, PlanningPulse& pulse) {
+    const std::size_t n = grid_.cells.size(), last = std::min(n, first + block);
+    std::size_t after = n;
+    double v2 = 0;
+    pulse(first, n);
+    for (std::size_t c = first; c < last; ++c) {
       const GridCell& cell = grid_.cells[c];
       const double h = grid_.length(c);
       if (!dirty_[c] || cell.straight || !(h > 0)) continue;
       const double b1 = chain_.node(c), g = chain_.middle(c), b2 = chain_.node(c + 1);
       const Station<N>&l = grid_.left(c), &r = grid_.right(c);
-      laws_[c] = cell_law(b1, g, b2, h);
+      // Cells come in order: the left speed is the right one of the cell before, unless that was skipped.
+      if (after != c) v2 = std::sqrt(b1);
+      const double v1 = v2;
+      v2 = std::sqrt(b2);
+      after = c + 1;
+      laws_[c] = cell_law(b1, v1, g, b2, v2, h);
       const bool cusp = cell.cusp_left || cell.cusp_right;
-      excess_[c] = !cusp && surely_within<N>(l, r, h, laws_[c], limit_)
-                       ? Excess{}
-                       : cell_excess<N>(l, r, h, laws_[c], cell, limit_, feed_[cell.segment]);
+      const std::optional<Excess> smooth = cusp ? std::nullopt : smooth_excess<N>(l, r, h, laws_[c], b1, b2, limit_);
+      excess_[c] = smooth ? *smooth : cell_excess<N>(l, r, h, laws_[c], cell, limit_, feed_[cell.segment]);
     }
   }
 
@@ -175,16 +195,14 @@ class RunPlanner {
   }
 
   void append(MotionLaw& law, const CellLaw& cell, std::size_t segment, double s, double s_end) {
-    LawPiece p;
-    p.duration = cell.duration;
-    p.v = cell.v;
-    p.a = cell.a;
-    p.j = cell.j;
+    LawPiece& p = law.next();
+    p.duration = cell.duration * slow_;
+    p.v = cell.v * faster_;
+    p.a = cell.a * (faster_ * faster_);
+    p.j = cell.j * (faster_ * faster_ * faster_);
     p.segment = segment;
     p.s = path_[segment].s0() + s;
     p.s_end = path_[segment].s0() + s_end;
-    p.slow(slow_);
-    law.append(p);
   }
 
   void emit(MotionLaw& law, PlanningPulse& pulse) {
@@ -192,6 +210,7 @@ class RunPlanner {
     double most = 0;
     for (const Excess& e : excess_) most = std::max({most, e.acceleration, e.velocity});
     slow_ = most > 0 ? std::sqrt(1 + most) * (1 + 1e-12) : 1;
+    faster_ = 1 / slow_;
     for (std::size_t c = 0; c < grid_.cells.size(); ++c) {
       pulse(c, grid_.cells.size());
       const std::size_t segment = grid_.cells[c].segment;
@@ -241,13 +260,13 @@ class RunPlanner {
   const std::vector<double>& feed_;
   Progress& progress_;
   AxisBounds<N> limit_;
-  double slow_ = 1;
+  double slow_ = 1, faster_ = 1;  // by what the law is slowed; its inverse
   Grid<N> grid_;
   SpeedChain<N> chain_;
-  std::vector<double> share_, loss_;
-  std::vector<Excess> excess_;
-  std::vector<CellLaw> laws_;  // of curved cells, before slowing
-  std::vector<std::uint8_t> dirty_, parts_;
+  LargeVector<double> share_, loss_;
+  LargeVector<Excess> excess_;
+  LargeVector<CellLaw> laws_;  // of curved cells, before slowing
+  LargeVector<std::uint8_t> dirty_, parts_;
 };
 
 template <int N>

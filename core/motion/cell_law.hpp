@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "core/motion/grid.hpp"
 #include "core/motion/law.hpp"
@@ -18,10 +19,8 @@ struct CellLaw {
   }
 };
 
-/// From speed² b1 with the solved acceleration (g − b1)/h to speed² b2; s counts from the cell's
-/// left end.
-inline CellLaw cell_law(double b1, double g, double b2, double h) {
-  const double v1 = std::sqrt(b1), v2 = std::sqrt(b2);
+/// From v1 = √b1 to v2 = √b2 with the solved acceleration (g − b1)/h at the begin; s counts from the cell's left end.
+inline CellLaw cell_law(double b1, double v1, double g, double b2, double v2, double h) {
   CellLaw p;
   p.v = v1;
   if (b1 == g && g == b2) {
@@ -29,11 +28,13 @@ inline CellLaw cell_law(double b1, double g, double b2, double h) {
     return p;
   }
   // h = v1 T + (2 a1 + a2) T²/6 and v2 = v1 + (a1 + a2) T/2 ⇒ a1 T²/6 + (2 v1 + v2) T/3 = h
-  const double a1 = (g - b1) / h, half = (2 * v1 + v2) / 6, root = half * half + a1 * h / 6;
+  const double w = 1 / h, a1 = (g - b1) * w, half = (2 * v1 + v2) * (1.0 / 6),
+               root = half * half + (g - b1) * (1.0 / 6);
   if (root > 0.01 * half * half) {
-    p.duration = h / (half + std::sqrt(root));
+    const double mean = half + std::sqrt(root), rate = mean * w;  // 1/T
+    p.duration = h / mean;
     p.a = a1;
-    p.j = (2 * (v2 - v1) / p.duration - 2 * a1) / p.duration;
+    p.j = 2 * ((v2 - v1) * rate - a1) * rate;
   } else {
     p.duration = 2 * h / (v1 + v2);
     p.a = (v2 - v1) / p.duration;
@@ -89,25 +90,33 @@ inline double peak(const std::array<double, 5>& f) {
 
 }  // namespace cell_law_detail
 
-/// True when the law surely stays within the limits, by a look at both ends and at half time: what a parabola through
-/// these three points can hide is far less than what it bends.
+/// Where nothing switches inside a cell a look at both ends and at half time is enough: what the parabola through these
+/// three points hides is smaller than its bend by the angle that the path turns. Returns what the accelerations exceed
+/// their limits by at most; nothing where that is too rough to judge by.
 template <int N>
-inline bool surely_within(const Station<N>& l, const Station<N>& r, double h, const CellLaw& p,
-                          const AxisBounds<N>& limit) {
-  const cell_law_detail::Between<N> path{l, r, h};
-  const LawState middle = p.at(0.5 * p.duration), end = p.at(p.duration);
-  const double x = middle.s / h, b1 = p.v * p.v, b = middle.v * middle.v, b2 = end.v * end.v;
+inline std::optional<Excess> smooth_excess(const Station<N>& l, const Station<N>& r, double h, const CellLaw& p,
+                                           double b1, double b2, const AxisBounds<N>& limit) {
+  const LawState middle = p.at(0.5 * p.duration);
+  const double a2 = p.a + p.duration * p.j, b = middle.v * middle.v, off = middle.s - 0.5 * h;
+  double most = 0;
+  bool smooth = std::abs(off) < 0.01 * h;  // otherwise too far to expand the path about s = h/2
   for (std::size_t k = 0; k < N; ++k) {
-    const double d1 = path.d1(k, x), A = limit.acceleration[k];
-    const double fl = l.d2[k] * b1 + l.d1[k] * p.a, f = path.d2(k, x) * b + d1 * middle.a,
-                 fr = r.d2[k] * b2 + r.d1[k] * end.a;
-    const double bend = std::abs(fl - 2 * f + fr), most = std::max({std::abs(fl), std::abs(f), std::abs(fr)});
-    // The parabola's peak lies at most bend/8 above its points. In a smooth cell the cubic part is smaller by its turn,
-    // a few 1e-3; a law that switches inside bends more.
-    if (most + 0.15 * bend > A * (1 + 1e-9) || (bend > 1e-3 * A && most + bend > A)) return false;
-    if (d1 * d1 * b > 0.98 * limit.velocity[k] * limit.velocity[k]) return false;
+    // The cubic of h'' and the quintic of h' between the stations, at s = h/2 and from there.
+    const double c = 0.5 * (l.d2[k] + r.d2[k]) + 0.125 * h * (l.d3[k] - r.d3[k]);
+    const double t =
+        0.5 * (l.d1[k] + r.d1[k]) + h * (0.15625 * (l.d2[k] - r.d2[k]) + 0.015625 * h * (l.d3[k] + r.d3[k]));
+    const double slope = 1.5 * (r.d2[k] - l.d2[k]) / h - 0.25 * (l.d3[k] + r.d3[k]);
+    const double d2 = c + off * slope, d1 = t + off * c, inverse = limit.inverse_acceleration[k];
+    const double fl = (l.d2[k] * b1 + l.d1[k] * p.a) * inverse, f = (d2 * b + d1 * middle.a) * inverse,
+                 fr = (r.d2[k] * b2 + r.d1[k] * a2) * inverse;
+    const double bend = fl - 2 * f + fr, tilt = 0.5 * (fr - fl), size = std::abs(bend);
+    double peak = std::max({std::abs(fl), std::abs(f), std::abs(fr)});
+    smooth = smooth && (size < 1e-3 || peak + size < 1) && d1 * d1 * b < 0.98 * limit.velocity2[k];
+    if (peak > 0.99 && std::abs(tilt) < size) peak = std::max(peak, std::abs(f - 0.5 * tilt * tilt / bend));
+    most = std::max(most, peak + 0.02 * size);
   }
-  return true;
+  const bool clear = most <= 1 + 1e-9 || most > 1 + 1e-7;
+  return smooth && clear ? std::optional(Excess{most - 1, -1}) : std::nullopt;
 }
 
 /// Peaks over a cell, from samples of the law on the rebuilt path.

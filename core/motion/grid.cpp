@@ -26,6 +26,20 @@ Station<N> station(const Segment& segment, double u) {
 }
 
 template <int N>
+Station<N> station(const PathBatch& batch, std::size_t i) {
+  Station<N> at;
+  at.u = batch.u[i];
+  at.s = batch.s[i];
+  for (std::size_t k = 0; k < N; ++k) {
+    const bool flat = k == 2 && batch.planar;
+    at.d1[k] = flat ? 0 : batch.d1[k][i];
+    at.d2[k] = flat ? 0 : batch.d2[k][i];
+    at.d3[k] = flat ? 0 : batch.d3[k][i];
+  }
+  return at;
+}
+
+template <int N>
 double distance(const std::array<double, N>& a, const std::array<double, N>& b) {
   double sum = 0;
   for (std::size_t k = 0; k < N; ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
@@ -75,8 +89,7 @@ class Layer {
   }
 
   /// How many cells [left, right] needs, judged at its middle.
-  double parts(const Station<N>& left, const Station<N>& right) const {
-    const Station<N> mid = station<N>(segment_, 0.5 * (left.u + right.u));
+  double parts(const Station<N>& left, const Station<N>& mid, const Station<N>& right) const {
     const double turn = distance<N>(left.d1, mid.d1) + distance<N>(mid.d1, right.d1);
     const double h = right.s - left.s;
     if (!(h > 0)) return 1;
@@ -94,18 +107,24 @@ class Layer {
   }
 
   void interval(const Station<N>& left, const Station<N>& right) {
-    const double need = parts(left, right);
+    const Station<N> mid = station<N>(segment_, 0.5 * (left.u + right.u));
+    const double need = parts(left, mid, right);
     const bool at_cusp = (segment_.cusp_begin() && left.u == segment_.curve().begin()) ||
                          (segment_.cusp_end() && right.u == segment_.curve().end());
     if ((need > max_parts || at_cusp) && right.u - left.u > smallest_) {
-      const Station<N> mid = station<N>(segment_, 0.5 * (left.u + right.u));
       interval(left, mid);
       interval(mid, right);
       return;
     }
     const int n = std::clamp(static_cast<int>(std::ceil(need)), 1, max_parts);
     const double du = (right.u - left.u) / n;
-    for (int i = 1; i < n; ++i) cell(station<N>(segment_, left.u + i * du));
+    if (n > 1) {
+      PathBatch batch;
+      batch.count = static_cast<std::size_t>(n - 1);
+      for (int i = 1; i < n; ++i) batch.u.set(static_cast<std::size_t>(i - 1), left.u + i * du);
+      segment_.at_parameters(batch);
+      for (std::size_t i = 0; i < batch.count; ++i) cell(station<N>(batch, i));
+    }
     cell(right);
   }
 
@@ -163,7 +182,9 @@ void Grid<N>::build(const Path& path, std::size_t first, std::size_t last, const
       static_cast<std::size_t>(1.1 * total_turn(path, first, last) / options.angle) + 2 * (last - first) + 16;
   stations.reserve(expected);
   cells.reserve(expected);
+  run_length = 0;
   for (std::size_t i = first; i < last; ++i) {
+    run_length += path[i].length();
     pulse.now(i - first, last - first);
     const Segment& segment = path[i];
     if (segment.straight()) {
@@ -173,42 +194,41 @@ void Grid<N>::build(const Path& path, std::size_t first, std::size_t last, const
     } else {
       Layer<N>(*this, segment, static_cast<std::uint32_t>(i), machine, feed[i], options).lay();
     }
+    if (i == first) grade_end(path, true);  // while few cells stand behind it
   }
+  grade_end(path, false);
 }
 
 template <int N>
-void Grid<N>::grade_ends(const Path& path) {
+void Grid<N>::grade_end(const Path& path, bool front) {
   // Parts of the end cell, from the rest: 1/16 1/16 1/8 1/4 1/2.
   const auto part = [](int i) { return i == 0 ? 0.0 : std::ldexp(1.0, i - 1 - end_halvings); };
-  const auto halve = [&](bool front) {
-    const GridCell old = front ? cells.front() : cells.back();
-    if (old.straight) return;
-    const Segment& segment = path[old.segment];
-    const double u0 = stations[old.station].u, u1 = stations[old.station + 1].u;
-    std::vector<Station<N>> inner;
-    for (int i = 1; i <= end_halvings; ++i)
-      inner.push_back(
-          station<N>(segment, front ? u0 + part(i) * (u1 - u0) : u1 - part(end_halvings + 1 - i) * (u1 - u0)));
-    std::vector<GridCell> parts(inner.size() + 1, old);
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      parts[i].station = old.station + static_cast<std::uint32_t>(i);
-      parts[i].cusp_left = old.cusp_left && i == 0;
-      parts[i].cusp_right = old.cusp_right && i + 1 == parts.size();
-    }
+  const GridCell old = front ? cells.front() : cells.back();
+  if (old.straight) return;
+  const Segment& segment = path[old.segment];
+  const double u0 = stations[old.station].u, u1 = stations[old.station + 1].u;
+  std::vector<Station<N>> inner;
+  for (int i = 1; i <= end_halvings; ++i)
+    inner.push_back(
+        station<N>(segment, front ? u0 + part(i) * (u1 - u0) : u1 - part(end_halvings + 1 - i) * (u1 - u0)));
+  std::vector<GridCell> parts(inner.size() + 1, old);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    parts[i].station = old.station + static_cast<std::uint32_t>(i);
+    parts[i].cusp_left = old.cusp_left && i == 0;
+    parts[i].cusp_right = old.cusp_right && i + 1 == parts.size();
+  }
+  if (front)
     for (GridCell& cell : cells)
       if (cell.station > old.station) cell.station += static_cast<std::uint32_t>(inner.size());
-    stations.insert(stations.begin() + old.station + 1, inner.begin(), inner.end());
-    const auto at = front ? cells.begin() : cells.end() - 1;
-    cells.insert(cells.erase(at), parts.begin(), parts.end());
-  };
-  halve(false);
-  halve(true);
+  stations.insert(stations.begin() + old.station + 1, inner.begin(), inner.end());
+  const auto at = front ? cells.begin() : cells.end() - 1;
+  cells.insert(cells.erase(at), parts.begin(), parts.end());
 }
 
 template <int N>
-void Grid<N>::divide(const Path& path, const std::vector<std::uint8_t>& parts, PlanningPulse& pulse) {
-  std::vector<Station<N>> new_stations;
-  std::vector<GridCell> new_cells;
+void Grid<N>::divide(const Path& path, const LargeVector<std::uint8_t>& parts, PlanningPulse& pulse) {
+  LargeVector<Station<N>> new_stations;
+  LargeVector<GridCell> new_cells;
   std::size_t total = 0;
   for (const auto p : parts) total += p;
   new_cells.reserve(total);

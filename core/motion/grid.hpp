@@ -13,6 +13,7 @@
 #include "core/contour/contour.hpp"
 #include "core/machine/machine.hpp"
 #include "core/motion/pulse.hpp"
+#include "core/numeric/large_pages.hpp"
 
 namespace bahnwerk {
 
@@ -40,21 +41,23 @@ struct GridOptions {
 template <int N>
 class Grid {
  public:
-  std::vector<Station<N>> stations;
-  std::vector<GridCell> cells;
+  LargeVector<Station<N>> stations;
+  LargeVector<GridCell> cells;
+  double run_length = 0;  ///< mm
 
   double length(std::size_t c) const { return right(c).s - left(c).s; }
   const Station<N>& left(std::size_t c) const { return stations[cells[c].station]; }
   const Station<N>& right(std::size_t c) const { return stations[cells[c].station + 1]; }
 
-  /// Stations for the path segments [first, last). O(cells).
+  /// Stations for the path segments [first, last); the first and the last cell are halved towards the rest at the run's
+  /// ends, where the speed changes by more than it is. O(cells).
   void build(const Path& path, std::size_t first, std::size_t last, const std::vector<double>& feed,
              const Machine& machine, const GridOptions& options, PlanningPulse& pulse);
-  /// Halves the first and the last cell towards the rest at the run's ends, where the speed changes by more than it is.
-  /// O(cells).
-  void grade_ends(const Path& path);
   /// Divides cell c into parts[c] cells. O(cells).
-  void divide(const Path& path, const std::vector<std::uint8_t>& parts, PlanningPulse& pulse);
+  void divide(const Path& path, const LargeVector<std::uint8_t>& parts, PlanningPulse& pulse);
+
+ private:
+  void grade_end(const Path& path, bool front);
 };
 
 /// By how much the path turns over the segments [first, last), rad, about: what the number of cells follows.

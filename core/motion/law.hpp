@@ -35,6 +35,13 @@ class MotionLaw {
  public:
   /// Appends a piece behind the last one; its t0 is set here.
   void append(LawPiece piece);
+  /// The same, to be filled in by the caller: no copy.
+  LawPiece& next() {
+    const double t = duration();
+    LawPiece& piece = pieces_.emplace_back();
+    piece.t0 = t;
+    return piece;
+  }
   /// Makes room for so many more pieces.
   void reserve(std::size_t more) {
     if (pieces_.size() + more > pieces_.capacity())

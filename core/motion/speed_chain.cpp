@@ -10,68 +10,55 @@ SpeedChain<N>::SpeedChain(const Grid<N>& grid, const std::vector<double>& feed, 
                           const Machine& machine, std::optional<double> reserve)
     : grid_(grid), feed_(feed), runs_(runs), reserve_(reserve), limit_(machine) {}
 
-/// Caps that need no neighbour: feed, axis velocity, limit curve, tangent jumps, rest at both ends.
+/// Caps that need no neighbour: feed, axis velocity, limit curve, tangent jumps.
 template <int N>
-void SpeedChain<N>::limit(PlanningPulse& pulse) {
-  const std::size_t n = grid_.cells.size();
-  node_cap_.assign(n + 1, unlimited);
-  middle_cap_.resize(n);
-  acceleration_.resize(n);
-  cap_.resize(n);
-  double most = 0, length = 0;  // |a| ≤ |A|, so v² can never exceed 2 |A| s: keeps everything finite
-  for (const double A : limit_.acceleration) most += A * A;
-  for (std::size_t c = 0; c < n; ++c) length += grid_.length(c);
-  most = 2 * std::sqrt(most) * length;
-  for (std::size_t c = 0; c < n; ++c) {
-    pulse(c, n);
-    const GridCell& cell = grid_.cells[c];
-    const Station<N>&l = grid_.left(c), &r = grid_.right(c);
-    const double feed = feed_[cell.segment], h = r.s - l.s;
-    double left = std::min(most, feed * feed), right = left, middle = left, a = unlimited;
-    for (std::size_t k = 0; k < N; ++k) {
-      const double V2 = limit_.velocity[k] * limit_.velocity[k];
-      const double tl = l.d1[k] * l.d1[k], tr = r.d1[k] * r.d1[k];
-      if (cell.straight) a = std::min(a, limit_.acceleration[k] / std::abs(l.d1[k]));
-      if (V2 >= middle * std::max(tl, tr)) continue;  // nowhere near
-      const double vl = V2 / tl, vr = V2 / tr;
-      left = std::min(left, vl);
-      right = std::min(right, vr);
-      if (!cell.straight)
-        middle = std::min(middle, middle_cap(vl, -2 * vl * l.d2[k] / l.d1[k], vr, -2 * vr * r.d2[k] / r.d1[k], h));
-    }
-    if (reserve_ && !cell.straight) {
-      for (std::size_t k = 0; k < N; ++k) {
-        const double A = *reserve_ * limit_.acceleration[k];
-        const double cl = A / std::abs(l.d2[k]), cr = A / std::abs(r.d2[k]);
-        if (!cell.cusp_left) left = std::min(left, cl);
-        if (!cell.cusp_right) right = std::min(right, cr);
-        if (std::min(cl, cr) < middle)
-          middle = std::min(middle, middle_cap(cl, -cl * l.d3[k] / l.d2[k], cr, -cr * r.d3[k] / r.d2[k], h));
-      }
-    }
-    cap_[c] = std::min(left, right);
-    acceleration_[c] = a;
-    middle_cap_[c] = middle;
-    if (c > 0 && cell.segment != grid_.cells[c - 1].segment) left = std::min(left, runs_.joint_cap[cell.segment]);
-    node_cap_[c] = std::min(node_cap_[c], left);
-    node_cap_[c + 1] = right;
+inline void SpeedChain<N>::limit(std::size_t c) {
+  const GridCell& cell = grid_.cells[c];
+  const Station<N>&l = grid_.left(c), &r = grid_.right(c);
+  const double feed = feed_[cell.segment], h = r.s - l.s;
+  double left = std::min(most_, feed * feed), right = left, middle = left;
+  for (std::size_t k = 0; k < N; ++k) {
+    const double V2 = limit_.velocity2[k], tl = l.d1[k] * l.d1[k], tr = r.d1[k] * r.d1[k];
+    if (V2 >= middle * std::max(tl, tr)) continue;  // nowhere near
+    const double vl = V2 / tl, vr = V2 / tr;
+    left = std::min(left, vl);
+    right = std::min(right, vr);
+    if (!cell.straight)
+      middle = std::min(middle, middle_cap(vl, -2 * vl * l.d2[k] / l.d1[k], vr, -2 * vr * r.d2[k] / r.d1[k], h));
   }
-  node_cap_[0] = node_cap_[n] = 0;
+  if (reserve_ && !cell.straight) {
+    for (std::size_t k = 0; k < N; ++k) {
+      const double A = *reserve_ * limit_.acceleration[k];
+      const double cl = A / std::abs(l.d2[k]), cr = A / std::abs(r.d2[k]);
+      if (!cell.cusp_left) left = std::min(left, cl);
+      if (!cell.cusp_right) right = std::min(right, cr);
+      if (std::min(cl, cr) < middle)
+        middle = std::min(middle, middle_cap(cl, -cl * l.d3[k] / l.d2[k], cr, -cr * r.d3[k] / r.d2[k], h));
+    }
+  }
+  middle_cap_[c] = cell.straight ? std::min(left, right) : middle;
+  if (c > 0 && cell.segment != grid_.cells[c - 1].segment) left = std::min(left, runs_.joint_cap[cell.segment]);
+  node_cap_[c] = left;
+  node_cap_[c + 1] = std::min(node_cap_[c + 1], right);
+}
+
+template <int N>
+double SpeedChain<N>::acceleration(std::size_t c) const {
+  double a = unlimited;
+  for (std::size_t k = 0; k < N; ++k) a = std::min(a, limit_.acceleration[k] / std::abs(grid_.left(c).d1[k]));
+  return a;
 }
 
 template <int N>
 Rows<N> SpeedChain<N>::rows_left(std::size_t c, double share, bool flip) const {
-  return link(grid_.left(c), grid_.length(c), (grid_.cells[c].cusp_left ? 0.5 : 1) * share, flip,
-              grid_.cells[c].segment);
+  return link(grid_.left(c), grid_.length(c), left_part(c) * share, flip, grid_.cells[c].segment);
 }
 
 template <int N>
 Rows<N> SpeedChain<N>::rows_right(std::size_t c, double share, bool flip) const {
-  return link(grid_.right(c), -grid_.length(c), (grid_.cells[c].cusp_right ? 0.5 : 1) * share, flip,
-              grid_.cells[c].segment);
+  return link(grid_.right(c), -grid_.length(c), right_part(c) * share, flip, grid_.cells[c].segment);
 }
 
-/// At a cusp (above) the curvature is unbounded while v² κ → 0: half of the limit is kept in reserve there.
 template <int N>
 inline Rows<N> SpeedChain<N>::link(const Station<N>& at, double h, double share, bool flip, std::size_t segment) const {
   Rows<N> rows;
@@ -89,45 +76,68 @@ inline Rows<N> SpeedChain<N>::link(const Station<N>& at, double h, double share,
 template <int N>
 void SpeedChain<N>::step_back(std::size_t c, double share) {
   if (grid_.cells[c].straight) {
-    node_stop_[c] = std::min(node_cap_[c], node_stop_[c + 1] + 2 * acceleration_[c] * grid_.length(c));
+    node_stop_[c] = std::min(node_cap_[c], node_stop_[c + 1] + 2 * acceleration(c) * grid_.length(c));
   } else {
-    middle_stop_[c] = reach_backward(rows_right(c, share, true), middle_cap_[c], node_stop_[c + 1]);
-    node_stop_[c] = reach_backward(rows_left(c, share, false), node_cap_[c], middle_stop_[c]);
+    const double w = 1 / grid_.length(c);
+    const PlainLink<N> right(grid_.right(c), w, share * right_part(c), limit_);
+    middle_stop_[c] = right.plain && !reserve_
+                          ? right.backward_right(middle_cap_[c], node_stop_[c + 1])
+                          : reach_backward(rows_right(c, share, true), middle_cap_[c], node_stop_[c + 1]);
+    const PlainLink<N> left(grid_.left(c), w, share * left_part(c), limit_);
+    node_stop_[c] = left.plain && !reserve_ ? left.backward_left(node_cap_[c], middle_stop_[c])
+                                            : reach_backward(rows_left(c, share, false), node_cap_[c], middle_stop_[c]);
   }
 }
 
 template <int N>
 void SpeedChain<N>::step_forward(std::size_t c, double share) {
   if (grid_.cells[c].straight) {
-    node_[c + 1] = std::min(node_stop_[c + 1], node_[c] + 2 * acceleration_[c] * grid_.length(c));
+    node_[c + 1] = std::min(node_stop_[c + 1], node_[c] + 2 * acceleration(c) * grid_.length(c));
   } else {
-    middle_[c] = reach_forward(rows_left(c, share, false), node_[c], middle_stop_[c]);
-    node_[c + 1] = reach_forward(rows_right(c, share, true), middle_[c], node_stop_[c + 1]);
+    const double w = 1 / grid_.length(c);
+    const PlainLink<N> left(grid_.left(c), w, share * left_part(c), limit_),
+        right(grid_.right(c), w, share * right_part(c), limit_);
+    middle_[c] = left.plain && !reserve_ ? left.forward_left(node_[c], middle_stop_[c])
+                                         : reach_forward(rows_left(c, share, false), node_[c], middle_stop_[c]);
+    node_[c + 1] = right.plain && !reserve_ ? right.forward_right(middle_[c], node_stop_[c + 1])
+                                            : reach_forward(rows_right(c, share, true), middle_[c], node_stop_[c + 1]);
   }
 }
 
 template <int N>
-void SpeedChain<N>::solve(const std::vector<double>& share, PlanningPulse& pulse) {
-  limit(pulse);
+void SpeedChain<N>::start() {
   const std::size_t n = grid_.cells.size();
+  node_cap_.resize(n + 1);
+  middle_cap_.resize(n);
   node_stop_.resize(n + 1);
   middle_stop_.resize(n);
   node_.resize(n + 1);
   middle_.resize(n);
-  node_stop_[n] = 0;
-  for (std::size_t c = n; c-- > 0;) {
-    pulse(n - 1 - c, n);
-    step_back(c, share[c]);
-  }
-  node_[0] = 0;
-  for (std::size_t c = 0; c < n; ++c) {
-    pulse(c, n);
-    step_forward(c, share[c]);
-  }
+  double square = 0;  // |a| ≤ |A|, so v² can never exceed 2 |A| s: keeps everything finite
+  for (const double A : limit_.acceleration) square += A * A;
+  most_ = 2 * std::sqrt(square) * grid_.run_length;
+  node_cap_[n] = node_stop_[n] = node_[0] = 0;
 }
 
 template <int N>
-void SpeedChain<N>::update(const std::vector<double>& share, std::vector<std::uint8_t>& dirty, PlanningPulse& pulse) {
+void SpeedChain<N>::backward(std::size_t first, std::size_t last, const LargeVector<double>& share) {
+  for (std::size_t c = last; c-- > first;) {
+    limit(c);
+    // What this cell's limits take from the node at its right may be taken afterwards: the links are convex and hold
+    // the origin.
+    node_stop_[c + 1] = std::min(node_stop_[c + 1], node_cap_[c + 1]);
+    step_back(c, share[c]);
+  }
+  if (first == 0) node_cap_[0] = node_stop_[0] = 0;
+}
+
+template <int N>
+void SpeedChain<N>::forward(std::size_t first, std::size_t last, const LargeVector<double>& share) {
+  for (std::size_t c = first; c < last; ++c) step_forward(c, share[c]);
+}
+
+template <int N>
+void SpeedChain<N>::update(const LargeVector<double>& share, LargeVector<std::uint8_t>& dirty, PlanningPulse& pulse) {
   const auto differs = [](double a, double b) { return std::abs(a - b) > 1e-14 * std::abs(b); };
   const std::size_t n = grid_.cells.size();
   bool moved = false;  // did the right neighbour change?

@@ -25,19 +25,26 @@ class SpeedChain {
   SpeedChain(const Grid<N>& grid, const std::vector<double>& feed, const Runs& runs, const Machine& machine,
              std::optional<double> reserve);
 
-  /// Takes the grid as it is now and solves all of it. `share` is the part of the acceleration limits that each cell
-  /// may use.
-  void solve(const std::vector<double>& share, PlanningPulse& pulse);
+  /// Takes the grid as it is now.
+  void start();
+  /// What can still stop, for cells [first, last); to be called for all of them from the last on. `share` is the part
+  /// of the acceleration limits that each cell may use.
+  void backward(std::size_t first, std::size_t last, const LargeVector<double>& share);
+  /// The law of cells [first, last), to be called for all of them from the first on.
+  void forward(std::size_t first, std::size_t last, const LargeVector<double>& share);
   /// Solves again where `dirty` cells (1) have a new share, and marks in `dirty` every cell whose speeds changed.
-  void update(const std::vector<double>& share, std::vector<std::uint8_t>& dirty, PlanningPulse& pulse);
+  void update(const LargeVector<double>& share, LargeVector<std::uint8_t>& dirty, PlanningPulse& pulse);
 
-  double node(std::size_t c) const { return node_[c]; }                  ///< v² at the left end of cell c, mm²/s²
-  double middle(std::size_t c) const { return middle_[c]; }              ///< its middle Bernstein coefficient
-  double acceleration(std::size_t c) const { return acceleration_[c]; }  ///< of straight cells, mm/s²
-  double cap(std::size_t c) const { return cap_[c]; }                    ///< v² that a straight cell may hold
+  double node(std::size_t c) const { return node_[c]; }       ///< v² at the left end of cell c, mm²/s²
+  double middle(std::size_t c) const { return middle_[c]; }   ///< its middle Bernstein coefficient
+  double acceleration(std::size_t c) const;                   ///< what a straight cell allows along the path, mm/s²
+  double cap(std::size_t c) const { return middle_cap_[c]; }  ///< v² that a straight cell may hold
 
  private:
-  void limit(PlanningPulse& pulse);
+  void limit(std::size_t c);
+  /// At a cusp the curvature is unbounded while v² κ → 0: half of the limit is kept in reserve there.
+  double left_part(std::size_t c) const { return grid_.cells[c].cusp_left ? 0.5 : 1; }
+  double right_part(std::size_t c) const { return grid_.cells[c].cusp_right ? 0.5 : 1; }
   Rows<N> rows_left(std::size_t c, double share, bool flip) const;
   Rows<N> rows_right(std::size_t c, double share, bool flip) const;
   Rows<N> link(const Station<N>& at, double h, double share, bool flip, std::size_t segment) const;
@@ -49,10 +56,10 @@ class SpeedChain {
   const Runs& runs_;
   std::optional<double> reserve_;
   AxisBounds<N> limit_;
-  std::vector<double> node_cap_, middle_cap_;    // what needs no neighbour
-  std::vector<double> node_stop_, middle_stop_;  // what can still stop
-  std::vector<double> node_, middle_;            // the law
-  std::vector<double> acceleration_, cap_;
+  double most_ = 0;                              // v² that the run's length allows
+  LargeVector<double> node_cap_, middle_cap_;    // what needs no neighbour
+  LargeVector<double> node_stop_, middle_stop_;  // what can still stop
+  LargeVector<double> node_, middle_;            // the law
 };
 
 extern template class SpeedChain<2>;

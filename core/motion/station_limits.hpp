@@ -15,10 +15,13 @@ namespace bahnwerk {
 template <int N>
 struct AxisBounds {
   std::array<double, N> velocity{}, acceleration{};
+  std::array<double, N> velocity2{}, inverse_acceleration{};  ///< V², 1/A
   explicit AxisBounds(const Machine& machine) {
     for (std::size_t k = 0; k < N; ++k) {
       velocity[k] = machine.axes[k].velocity;
       acceleration[k] = machine.axes[k].acceleration;
+      velocity2[k] = velocity[k] * velocity[k];
+      inverse_acceleration[k] = 1 / acceleration[k];
     }
   }
 };
@@ -44,6 +47,72 @@ inline void acceleration_rows(Rows<N>& rows, const Station<N>& at, double h, dou
     }
   }
 }
+
+/// Rows of a link in their usual form. Where no axis turns round near the station, |h'_k| ≥ 4 |h h''_k|, all rows rise
+/// together and the answers of reach.hpp need no search: with σ = sign h'_k the row of axis k says, at the cell's left
+/// end, |σ h''_k b + (g − b) |h'_k|/h| ≤ A_k, at its right end |σ h''_k b + (b − g) |h'_k|/h| ≤ A_k.
+template <int N>
+struct PlainLink {
+  std::array<double, N> tilt, rate, limit;  ///< σ h''_k, |h'_k|/h, A_k
+  bool plain = true;
+  /// `w` = 1/h.
+  PlainLink(const Station<N>& at, double w, double share, const AxisBounds<N>& bounds) {
+    for (std::size_t k = 0; k < N; ++k) {
+      tilt[k] = std::copysign(at.d2[k], at.d1[k] * at.d2[k]);
+      rate[k] = std::abs(at.d1[k]) * w;
+      limit[k] = share * bounds.acceleration[k];
+      plain = plain && !(rate[k] < 4 * std::abs(tilt[k])) && rate[k] > 0;
+    }
+  }
+  /// Largest second variable for a given first one; the hair absorbs the rounding of x. Divisions come first: the
+  /// speeds hang on each other from cell to cell, what is between them decides the time of a pass.
+  double forward_left(double b, double cap) const {
+    double best = unlimited;
+    for (std::size_t k = 0; k < N; ++k) {
+      const double inverse = 1 / rate[k], most = limit[k] * (1 + 1e-13) * inverse, factor = 1 - tilt[k] * inverse;
+      best = std::min(best, factor * b + most);
+    }
+    return std::max(std::min(cap, best), 0.0);
+  }
+  double forward_right(double g, double cap) const {
+    double best = unlimited;
+    for (std::size_t k = 0; k < N; ++k) {
+      const double inverse = 1 / (rate[k] + tilt[k]), most = limit[k] * (1 + 1e-13) * inverse;
+      best = std::min(best, rate[k] * inverse * g + most);
+    }
+    return std::max(std::min(cap, best), 0.0);
+  }
+  /// Largest first variable for which the second one, up to a cap, exists. Row k reads |x − (1 + e_k) y| ≤ w_k with
+  /// 1 + e_k > 0, so the largest x belongs to the largest y that all rows can share.
+  double backward_left(double cap_b, double cap_g) const {
+    std::array<double, N> e, w;
+    for (std::size_t k = 0; k < N; ++k) {
+      const double inverse = 1 / (rate[k] - tilt[k]);
+      e[k] = tilt[k] * inverse;
+      w[k] = limit[k] * inverse;
+    }
+    return largest(e, w, cap_b, cap_g);
+  }
+  double backward_right(double cap_g, double cap_b) const {
+    std::array<double, N> e, w;
+    for (std::size_t k = 0; k < N; ++k) {
+      const double inverse = 1 / rate[k];
+      e[k] = tilt[k] * inverse;
+      w[k] = limit[k] * inverse;
+    }
+    return largest(e, w, cap_g, cap_b);
+  }
+
+ private:
+  static double largest(const std::array<double, N>& e, const std::array<double, N>& w, double cap_x, double cap_y) {
+    double y = unlimited;
+    for (std::size_t i = 0; i < N; ++i)
+      for (std::size_t k = i + 1; k < N; ++k) y = std::min(y, (w[i] + w[k]) / std::abs(e[i] - e[k]));
+    y = std::min(y, cap_y);
+    for (std::size_t k = 0; k < N; ++k) cap_x = std::min(cap_x, (1 + e[k]) * y + w[k]);
+    return cap_x;
+  }
+};
 
 /// [Bock 2.2.3]: the limit curve v↓² = min(feed², V²/h'², K_b A/|h''|) of (2.12)–(2.15), and the acceleration a↓ below
 /// it, (2.16) with |h''| v↓² in place of the printed |h'' v↓|². Condition (2.11) is kept with h'' (printed h').

@@ -1,0 +1,32 @@
+#pragma once
+/// Up to 16 neighbouring points of one path segment at once: planners lay their grids this way, at a fraction of the
+/// cost of single points.
+#include <array>
+#include <cstddef>
+
+namespace bahnwerk {
+
+/// Two points at a time; a vector extension of GCC and Clang that compiles to plain multiplications and additions.
+typedef double PointPair __attribute__((vector_size(16)));
+
+struct PathBatch {
+  static constexpr std::size_t most = 16, pairs = most / 2;
+  /// One number per point; the last of an odd count stands twice.
+  struct Row {
+    std::array<PointPair, pairs> pair;
+    double operator[](std::size_t i) const { return pair[i / 2][i % 2]; }
+    void set(std::size_t i, double value) { pair[i / 2][i % 2] = value; }
+  };
+  std::size_t count = 0;          ///< points asked for, 1 … 16
+  Row u;                          ///< in: parameters, ascending
+  Row s;                          ///< out: path length from the begin of the segment, mm
+  std::array<Row, 3> d1, d2, d3;  ///< out: derivatives of x, y, z
+  bool planar = true;             ///< out: z is constant, its rows are not written
+  std::size_t used_pairs() const { return (count + 1) / 2; }
+  /// Makes whole pairs of what was asked for.
+  void close() {
+    if (count % 2 == 1) u.set(count, u[count - 1]);
+  }
+};
+
+}  // namespace bahnwerk
