@@ -98,23 +98,28 @@ inline std::optional<Excess> smooth_excess(const Station<N>& l, const Station<N>
                                            double b1, double b2, const AxisBounds<N>& limit) {
   const LawState middle = p.at(0.5 * p.duration);
   const double a2 = p.a + p.duration * p.j, b = middle.v * middle.v, off = middle.s - 0.5 * h;
+  // Too far to expand the path about s = h/2, or v² bends too much for the reserve of 2 % below.
+  bool smooth = std::abs(off) < 0.01 * h && std::abs(b1 - 2 * b + b2) < 1e-3 * b;
   double most = 0;
-  bool smooth = std::abs(off) < 0.01 * h;  // otherwise too far to expand the path about s = h/2
+  const Lanes<N> fl = (l.d2 * b1 + l.d1 * p.a) * limit.inverse_acceleration,
+                 fr = (r.d2 * b2 + r.d1 * a2) * limit.inverse_acceleration;
   for (std::size_t k = 0; k < N; ++k) {
+    const double ends = std::max(std::abs(fl[k]), std::abs(fr[k]));
+    if (ends < 0.98) continue;
     // The cubic of h'' and the quintic of h' between the stations, at s = h/2 and from there.
     const double c = 0.5 * (l.d2[k] + r.d2[k]) + 0.125 * h * (l.d3[k] - r.d3[k]);
     const double t =
         0.5 * (l.d1[k] + r.d1[k]) + h * (0.15625 * (l.d2[k] - r.d2[k]) + 0.015625 * h * (l.d3[k] + r.d3[k]));
     const double slope = 1.5 * (r.d2[k] - l.d2[k]) / h - 0.25 * (l.d3[k] + r.d3[k]);
-    const double d2 = c + off * slope, d1 = t + off * c, inverse = limit.inverse_acceleration[k];
-    const double fl = (l.d2[k] * b1 + l.d1[k] * p.a) * inverse, f = (d2 * b + d1 * middle.a) * inverse,
-                 fr = (r.d2[k] * b2 + r.d1[k] * a2) * inverse;
-    const double bend = fl - 2 * f + fr, tilt = 0.5 * (fr - fl), size = std::abs(bend);
-    double peak = std::max({std::abs(fl), std::abs(f), std::abs(fr)});
-    smooth = smooth && (size < 1e-3 || peak + size < 1) && d1 * d1 * b < 0.98 * limit.velocity2[k];
-    if (peak > 0.99 && std::abs(tilt) < size) peak = std::max(peak, std::abs(f - 0.5 * tilt * tilt / bend));
+    const double f = ((c + off * slope) * b + (t + off * c) * middle.a) * limit.inverse_acceleration[k];
+    const double bend = fl[k] - 2 * f + fr[k], tilt = 0.5 * (fr[k] - fl[k]), size = std::abs(bend);
+    double peak = std::max(ends, std::abs(f));
+    if (std::abs(tilt) < size) peak = std::max(peak, std::abs(f - 0.5 * tilt * tilt / bend));
+    smooth = smooth && size < 1e-3;
     most = std::max(most, peak + 0.02 * size);
   }
+  const Lanes<N> vl = l.d1 * l.d1 * b1, vr = r.d1 * r.d1 * b2;
+  for (std::size_t k = 0; k < N; ++k) smooth = smooth && std::max(vl[k], vr[k]) < 0.97 * limit.velocity2[k];
   const bool clear = most <= 1 + 1e-9 || most > 1 + 1e-7;
   return smooth && clear ? std::optional(Excess{most - 1, -1}) : std::nullopt;
 }

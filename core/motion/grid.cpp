@@ -40,7 +40,7 @@ Station<N> station(const PathBatch& batch, std::size_t i) {
 }
 
 template <int N>
-double distance(const std::array<double, N>& a, const std::array<double, N>& b) {
+double distance(const Lanes<N>& a, const Lanes<N>& b) {
   double sum = 0;
   for (std::size_t k = 0; k < N; ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
   return std::sqrt(sum);

@@ -13,6 +13,7 @@
 #include "core/contour/contour.hpp"
 #include "core/machine/machine.hpp"
 #include "core/motion/pulse.hpp"
+#include "core/numeric/lanes.hpp"
 #include "core/numeric/large_pages.hpp"
 
 namespace bahnwerk {
@@ -22,7 +23,7 @@ namespace bahnwerk {
 template <int N>
 struct Station {
   double s = 0, u = 0;
-  std::array<double, N> d1{}, d2{}, d3{};
+  Lanes<N> d1{}, d2{}, d3{};
 };
 
 struct GridCell {

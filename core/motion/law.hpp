@@ -2,7 +2,8 @@
 /// A motion law s(t): path length over time as a piecewise polynomial of degree ≤ 3, continuous in s and v.
 #include <algorithm>
 #include <cstddef>
-#include <vector>
+
+#include "core/numeric/large_pages.hpp"
 
 namespace bahnwerk {
 
@@ -52,7 +53,7 @@ class MotionLaw {
     pieces_.back().s_end = s_end;
     pieces_.back().duration += duration;
   }
-  const std::vector<LawPiece>& pieces() const { return pieces_; }
+  const LargeVector<LawPiece>& pieces() const { return pieces_; }
   double duration() const { return pieces_.empty() ? 0.0 : pieces_.back().t0 + pieces_.back().duration; }
   /// Index of the piece that holds t. O(log n), O(1) with a good hint.
   std::size_t find(double t, std::size_t hint = 0) const;
@@ -63,7 +64,7 @@ class MotionLaw {
   MotionLaw slowed(double factor) const;
 
  private:
-  std::vector<LawPiece> pieces_;
+  LargeVector<LawPiece> pieces_;
 };
 
 }  // namespace bahnwerk

@@ -12,7 +12,7 @@ SpeedChain<N>::SpeedChain(const Grid<N>& grid, const std::vector<double>& feed, 
 
 /// Caps that need no neighbour: feed, axis velocity, limit curve, tangent jumps.
 template <int N>
-inline void SpeedChain<N>::limit(std::size_t c) {
+inline typename SpeedChain<N>::Caps SpeedChain<N>::caps(std::size_t c) const {
   const GridCell& cell = grid_.cells[c];
   const Station<N>&l = grid_.left(c), &r = grid_.right(c);
   const double feed = feed_[cell.segment], h = r.s - l.s;
@@ -36,10 +36,12 @@ inline void SpeedChain<N>::limit(std::size_t c) {
         middle = std::min(middle, middle_cap(cl, -cl * l.d3[k] / l.d2[k], cr, -cr * r.d3[k] / r.d2[k], h));
     }
   }
-  middle_cap_[c] = cell.straight ? std::min(left, right) : middle;
-  if (c > 0 && cell.segment != grid_.cells[c - 1].segment) left = std::min(left, runs_.joint_cap[cell.segment]);
-  node_cap_[c] = left;
-  node_cap_[c + 1] = std::min(node_cap_[c + 1], right);
+  if (cell.straight) middle = std::min(left, right);
+  if (c == 0)
+    left = 0;
+  else if (cell.segment != grid_.cells[c - 1].segment)
+    left = std::min(left, runs_.joint_cap[cell.segment]);
+  return {left, middle, right};
 }
 
 template <int N>
@@ -74,61 +76,59 @@ inline Rows<N> SpeedChain<N>::link(const Station<N>& at, double h, double share,
 }
 
 template <int N>
-void SpeedChain<N>::step_back(std::size_t c, double share) {
+inline void SpeedChain<N>::step_back(std::size_t c, double share, const Caps& cap) {
   if (grid_.cells[c].straight) {
-    node_stop_[c] = std::min(node_cap_[c], node_stop_[c + 1] + 2 * acceleration(c) * grid_.length(c));
+    node_stop_[c] = std::min(cap.left, node_stop_[c + 1] + 2 * acceleration(c) * grid_.length(c));
   } else {
     const double w = 1 / grid_.length(c);
     const PlainLink<N> right(grid_.right(c), w, share * right_part(c), limit_);
-    middle_stop_[c] = right.plain && !reserve_
-                          ? right.backward_right(middle_cap_[c], node_stop_[c + 1])
-                          : reach_backward(rows_right(c, share, true), middle_cap_[c], node_stop_[c + 1]);
+    middle_stop_[c] = right.plain() && !reserve_
+                          ? right.backward_right(cap.middle, node_stop_[c + 1])
+                          : reach_backward(rows_right(c, share, true), cap.middle, node_stop_[c + 1]);
     const PlainLink<N> left(grid_.left(c), w, share * left_part(c), limit_);
-    node_stop_[c] = left.plain && !reserve_ ? left.backward_left(node_cap_[c], middle_stop_[c])
-                                            : reach_backward(rows_left(c, share, false), node_cap_[c], middle_stop_[c]);
+    node_stop_[c] = left.plain() && !reserve_ ? left.backward_left(cap.left, middle_stop_[c])
+                                              : reach_backward(rows_left(c, share, false), cap.left, middle_stop_[c]);
   }
 }
 
 template <int N>
-void SpeedChain<N>::step_forward(std::size_t c, double share) {
+inline void SpeedChain<N>::step_forward(std::size_t c, double share) {
   if (grid_.cells[c].straight) {
     node_[c + 1] = std::min(node_stop_[c + 1], node_[c] + 2 * acceleration(c) * grid_.length(c));
   } else {
     const double w = 1 / grid_.length(c);
     const PlainLink<N> left(grid_.left(c), w, share * left_part(c), limit_),
         right(grid_.right(c), w, share * right_part(c), limit_);
-    middle_[c] = left.plain && !reserve_ ? left.forward_left(node_[c], middle_stop_[c])
-                                         : reach_forward(rows_left(c, share, false), node_[c], middle_stop_[c]);
-    node_[c + 1] = right.plain && !reserve_ ? right.forward_right(middle_[c], node_stop_[c + 1])
-                                            : reach_forward(rows_right(c, share, true), middle_[c], node_stop_[c + 1]);
+    middle_[c] = left.plain() && !reserve_ ? left.forward_left(node_[c], middle_stop_[c])
+                                           : reach_forward(rows_left(c, share, false), node_[c], middle_stop_[c]);
+    node_[c + 1] = right.plain() && !reserve_
+                       ? right.forward_right(middle_[c], node_stop_[c + 1])
+                       : reach_forward(rows_right(c, share, true), middle_[c], node_stop_[c + 1]);
   }
 }
 
 template <int N>
 void SpeedChain<N>::start() {
   const std::size_t n = grid_.cells.size();
-  node_cap_.resize(n + 1);
-  middle_cap_.resize(n);
   node_stop_.resize(n + 1);
   middle_stop_.resize(n);
   node_.resize(n + 1);
   middle_.resize(n);
   double square = 0;  // |a| ≤ |A|, so v² can never exceed 2 |A| s: keeps everything finite
-  for (const double A : limit_.acceleration) square += A * A;
+  for (std::size_t k = 0; k < N; ++k) square += limit_.acceleration[k] * limit_.acceleration[k];
   most_ = 2 * std::sqrt(square) * grid_.run_length;
-  node_cap_[n] = node_stop_[n] = node_[0] = 0;
+  node_stop_[n] = node_[0] = 0;
 }
 
 template <int N>
 void SpeedChain<N>::backward(std::size_t first, std::size_t last, const LargeVector<double>& share) {
   for (std::size_t c = last; c-- > first;) {
-    limit(c);
-    // What this cell's limits take from the node at its right may be taken afterwards: the links are convex and hold
-    // the origin.
-    node_stop_[c + 1] = std::min(node_stop_[c + 1], node_cap_[c + 1]);
-    step_back(c, share[c]);
+    // What this cell's caps take from the node at its right may be taken afterwards: the links are convex and hold the
+    // origin.
+    const Caps cap = caps(c);
+    node_stop_[c + 1] = std::min(node_stop_[c + 1], cap.right);
+    step_back(c, share[c], cap);
   }
-  if (first == 0) node_cap_[0] = node_stop_[0] = 0;
 }
 
 template <int N>
@@ -145,7 +145,8 @@ void SpeedChain<N>::update(const LargeVector<double>& share, LargeVector<std::ui
     pulse(n - 1 - c, n);
     if (!dirty[c] && !moved) continue;
     const double node = node_stop_[c], middle = middle_stop_[c];
-    step_back(c, share[c]);
+    step_back(c, share[c], caps(c));
+    if (c > 0) node_stop_[c] = std::min(node_stop_[c], caps(c - 1).right);
     moved = differs(node_stop_[c], node);
     if (moved || differs(middle_stop_[c], middle)) dirty[c] = 1;
   }

@@ -38,17 +38,20 @@ class SpeedChain {
   double node(std::size_t c) const { return node_[c]; }       ///< v² at the left end of cell c, mm²/s²
   double middle(std::size_t c) const { return middle_[c]; }   ///< its middle Bernstein coefficient
   double acceleration(std::size_t c) const;                   ///< what a straight cell allows along the path, mm/s²
-  double cap(std::size_t c) const { return middle_cap_[c]; }  ///< v² that a straight cell may hold
+  double cap(std::size_t c) const { return caps(c).middle; }  ///< v² that a straight cell may hold
 
  private:
-  void limit(std::size_t c);
+  struct Caps {
+    double left, middle, right;  // on v², of what needs no neighbour; of a straight cell's middle: of all of it
+  };
+  Caps caps(std::size_t c) const;
   /// At a cusp the curvature is unbounded while v² κ → 0: half of the limit is kept in reserve there.
   double left_part(std::size_t c) const { return grid_.cells[c].cusp_left ? 0.5 : 1; }
   double right_part(std::size_t c) const { return grid_.cells[c].cusp_right ? 0.5 : 1; }
   Rows<N> rows_left(std::size_t c, double share, bool flip) const;
   Rows<N> rows_right(std::size_t c, double share, bool flip) const;
   Rows<N> link(const Station<N>& at, double h, double share, bool flip, std::size_t segment) const;
-  void step_back(std::size_t c, double share);
+  void step_back(std::size_t c, double share, const Caps& cap);
   void step_forward(std::size_t c, double share);
 
   const Grid<N>& grid_;
@@ -57,7 +60,6 @@ class SpeedChain {
   std::optional<double> reserve_;
   AxisBounds<N> limit_;
   double most_ = 0;                              // v² that the run's length allows
-  LargeVector<double> node_cap_, middle_cap_;    // what needs no neighbour
   LargeVector<double> node_stop_, middle_stop_;  // what can still stop
   LargeVector<double> node_, middle_;            // the law
 };

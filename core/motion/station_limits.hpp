@@ -14,8 +14,8 @@ namespace bahnwerk {
 /// Limits in the form the inner loop wants.
 template <int N>
 struct AxisBounds {
-  std::array<double, N> velocity{}, acceleration{};
-  std::array<double, N> velocity2{}, inverse_acceleration{};  ///< V², 1/A
+  Lanes<N> velocity{}, acceleration{};
+  Lanes<N> velocity2{}, inverse_acceleration{};  ///< V², 1/A
   explicit AxisBounds(const Machine& machine) {
     for (std::size_t k = 0; k < N; ++k) {
       velocity[k] = machine.axes[k].velocity;
@@ -52,66 +52,53 @@ inline void acceleration_rows(Rows<N>& rows, const Station<N>& at, double h, dou
 /// together and the answers of reach.hpp need no search: with σ = sign h'_k the row of axis k says, at the cell's left
 /// end, |σ h''_k b + (g − b) |h'_k|/h| ≤ A_k, at its right end |σ h''_k b + (b − g) |h'_k|/h| ≤ A_k.
 template <int N>
-struct PlainLink {
-  std::array<double, N> tilt, rate, limit;  ///< σ h''_k, |h'_k|/h, A_k
-  bool plain = true;
+class PlainLink {
+ public:
   /// `w` = 1/h.
-  PlainLink(const Station<N>& at, double w, double share, const AxisBounds<N>& bounds) {
-    for (std::size_t k = 0; k < N; ++k) {
-      tilt[k] = std::copysign(at.d2[k], at.d1[k] * at.d2[k]);
-      rate[k] = std::abs(at.d1[k]) * w;
-      limit[k] = share * bounds.acceleration[k];
-      plain = plain && !(rate[k] < 4 * std::abs(tilt[k])) && rate[k] > 0;
-    }
+  PlainLink(const Station<N>& at, double w, double share, const AxisBounds<N>& bounds)
+      : tilt_(turned<N>(at.d2, at.d1)), rate_(w * magnitude<N>(at.d1)), limit_(share * bounds.acceleration) {
+    const Lanes<N> size = magnitude<N>(tilt_);
+    for (std::size_t k = 0; k < N; ++k) plain_ = plain_ && rate_[k] >= 4 * size[k] && rate_[k] > 0;
   }
+  bool plain() const { return plain_; }
+
   /// Largest second variable for a given first one; the hair absorbs the rounding of x. Divisions come first: the
   /// speeds hang on each other from cell to cell, what is between them decides the time of a pass.
   double forward_left(double b, double cap) const {
-    double best = unlimited;
-    for (std::size_t k = 0; k < N; ++k) {
-      const double inverse = 1 / rate[k], most = limit[k] * (1 + 1e-13) * inverse, factor = 1 - tilt[k] * inverse;
-      best = std::min(best, factor * b + most);
-    }
-    return std::max(std::min(cap, best), 0.0);
+    const Lanes<N> inverse = (1 + 1e-13) / rate_, most = limit_ * inverse, factor = 1 - tilt_ * inverse;
+    return reached(factor * b + most, cap);
   }
   double forward_right(double g, double cap) const {
-    double best = unlimited;
-    for (std::size_t k = 0; k < N; ++k) {
-      const double inverse = 1 / (rate[k] + tilt[k]), most = limit[k] * (1 + 1e-13) * inverse;
-      best = std::min(best, rate[k] * inverse * g + most);
-    }
-    return std::max(std::min(cap, best), 0.0);
+    const Lanes<N> inverse = (1 + 1e-13) / (rate_ + tilt_), most = limit_ * inverse, factor = rate_ * inverse;
+    return reached(factor * g + most, cap);
   }
   /// Largest first variable for which the second one, up to a cap, exists. Row k reads |x − (1 + e_k) y| ≤ w_k with
   /// 1 + e_k > 0, so the largest x belongs to the largest y that all rows can share.
   double backward_left(double cap_b, double cap_g) const {
-    std::array<double, N> e, w;
-    for (std::size_t k = 0; k < N; ++k) {
-      const double inverse = 1 / (rate[k] - tilt[k]);
-      e[k] = tilt[k] * inverse;
-      w[k] = limit[k] * inverse;
-    }
-    return largest(e, w, cap_b, cap_g);
+    const Lanes<N> inverse = 1 / (rate_ - tilt_);
+    return largest(tilt_ * inverse, limit_ * inverse, cap_b, cap_g);
   }
   double backward_right(double cap_g, double cap_b) const {
-    std::array<double, N> e, w;
-    for (std::size_t k = 0; k < N; ++k) {
-      const double inverse = 1 / rate[k];
-      e[k] = tilt[k] * inverse;
-      w[k] = limit[k] * inverse;
-    }
-    return largest(e, w, cap_g, cap_b);
+    const Lanes<N> inverse = 1 / rate_;
+    return largest(tilt_ * inverse, limit_ * inverse, cap_g, cap_b);
   }
 
  private:
-  static double largest(const std::array<double, N>& e, const std::array<double, N>& w, double cap_x, double cap_y) {
+  static double reached(const Lanes<N>& line, double cap) {
+    for (std::size_t k = 0; k < N; ++k) cap = std::min(cap, line[k]);
+    return std::max(cap, 0.0);
+  }
+  static double largest(const Lanes<N>& e, const Lanes<N>& w, double cap_x, double cap_y) {
     double y = unlimited;
     for (std::size_t i = 0; i < N; ++i)
       for (std::size_t k = i + 1; k < N; ++k) y = std::min(y, (w[i] + w[k]) / std::abs(e[i] - e[k]));
     y = std::min(y, cap_y);
-    for (std::size_t k = 0; k < N; ++k) cap_x = std::min(cap_x, (1 + e[k]) * y + w[k]);
+    const Lanes<N> line = (1 + e) * y + w;
+    for (std::size_t k = 0; k < N; ++k) cap_x = std::min(cap_x, line[k]);
     return cap_x;
   }
+  Lanes<N> tilt_, rate_, limit_;  // σ h''_k, |h'_k|/h, A_k
+  bool plain_ = true;
 };
 
 /// [Bock 2.2.3]: the limit curve v↓² = min(feed², V²/h'², K_b A/|h''|) of (2.12)–(2.15), and the acceleration a↓ below

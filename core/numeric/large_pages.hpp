@@ -1,37 +1,40 @@
 #pragma once
-/// Storage for arrays of many megabytes that are written once and read a few times, as planners' grids are: asked from
-/// the system in large pages, because taking fresh memory 4 KiB at a time costs as much as computing what goes in.
-#include <sys/mman.h>
-
+/// Storage for large arrays that are written once and read a few times, as planners' grids are. Taking
+/// fresh memory from the system 4 KiB at a time costs as much as computing what goes in; so it comes in large pages,
+/// and what is given back is kept for the next plan, up to 512 MiB per process.
 #include <cstddef>
-#include <cstdlib>
 #include <limits>
 #include <new>
 #include <vector>
 
 namespace bahnwerk {
 
-/// A standard allocator; below a megabyte it is the usual one. What the system refuses stays on ordinary pages.
+namespace large_pages {
+inline constexpr std::size_t least = std::size_t{1} << 17;  ///< bytes; smaller arrays are ordinary ones
+inline constexpr std::size_t most_kept = std::size_t{1} << 29;
+/// At least `bytes` ≥ least of memory, its content undefined. Throws std::bad_alloc. Thread-safe.
+void* take(std::size_t bytes);
+/// Gives back what take(bytes) returned.
+void give(void* memory, std::size_t bytes) noexcept;
+}  // namespace large_pages
+
+/// A standard allocator.
 template <class T>
 struct LargePages {
   using value_type = T;
-  static constexpr std::size_t page = std::size_t{1} << 21, large = page / 2;
-
   LargePages() = default;
   template <class U>
   LargePages(const LargePages<U>&) {}
 
   T* allocate(std::size_t n) {
-    if (n > std::numeric_limits<std::size_t>::max() / 2 / sizeof(T)) throw std::bad_array_new_length();
+    if (n > std::numeric_limits<std::size_t>::max() / 4 / sizeof(T)) throw std::bad_array_new_length();
     const std::size_t bytes = n * sizeof(T);
-    const bool use = bytes >= large;
-    const std::size_t size = use ? (bytes + page - 1) / page * page : bytes;
-    void* memory = use ? std::aligned_alloc(page, size) : std::malloc(size > 0 ? size : 1);
-    if (memory == nullptr) throw std::bad_alloc();
-    if (use) madvise(memory, size, MADV_HUGEPAGE);
-    return static_cast<T*>(memory);
+    return static_cast<T*>(bytes < large_pages::least ? ::operator new(bytes) : large_pages::take(bytes));
   }
-  void deallocate(T* memory, std::size_t) { std::free(memory); }
+  void deallocate(T* memory, std::size_t n) noexcept {
+    const std::size_t bytes = n * sizeof(T);
+    bytes < large_pages::least ? ::operator delete(memory) : large_pages::give(memory, bytes);
+  }
   friend bool operator==(const LargePages&, const LargePages&) { return true; }
 };
 

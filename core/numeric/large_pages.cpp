@@ -1,0 +1,83 @@
+#include "core/numeric/large_pages.hpp"
+
+#include <sys/mman.h>
+
+#include <cstdlib>
+#include <mutex>
+
+namespace bahnwerk::large_pages {
+namespace {
+
+constexpr std::size_t page = std::size_t{1} << 21;
+
+/// Sizes come in eight steps per doubling, so that what a plan gives back fits the next one of about its size.
+std::size_t rounded(std::size_t bytes) {
+  std::size_t step = least;
+  while (step * 16 < bytes) step *= 2;
+  return (bytes + step - 1) / step * step;
+}
+
+struct Kept {
+  void* memory;
+  std::size_t size;
+};
+
+class Store {
+ public:
+  void* take(std::size_t size) {
+    const std::lock_guard lock(mutex_);
+    for (std::size_t i = kept_.size(); i-- > 0;) {  // the last one given back is the likeliest to be in a cache
+      if (kept_[i].size != size) continue;
+      void* memory = kept_[i].memory;
+      kept_.erase(kept_.begin() + static_cast<std::ptrdiff_t>(i));
+      total_ -= size;
+      return memory;
+    }
+    return nullptr;
+  }
+  bool keep(void* memory, std::size_t size) noexcept {
+    const std::lock_guard lock(mutex_);
+    if (size > most_kept) return false;
+    while (total_ + size > most_kept) {
+      std::free(kept_.front().memory);
+      total_ -= kept_.front().size;
+      kept_.erase(kept_.begin());
+    }
+    try {
+      kept_.push_back({memory, size});
+    } catch (const std::bad_alloc&) {
+      return false;
+    }
+    total_ += size;
+    return true;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<Kept> kept_;  // a few dozen at most, oldest first
+  std::size_t total_ = 0;
+};
+
+/// Never destroyed: vectors with static lifetime may give back later.
+Store& store() {
+  static Store* const made = new Store;
+  return *made;
+}
+
+}  // namespace
+
+void* take(std::size_t bytes) {
+  const std::size_t size = rounded(bytes);
+  if (void* memory = store().take(size)) return memory;
+  const bool large = size >= page;
+  void* memory = std::aligned_alloc(large ? page : 64, large ? (size + page - 1) / page * page : size);
+  if (memory == nullptr) throw std::bad_alloc();
+  if (large) madvise(memory, size, MADV_HUGEPAGE);  // what the system refuses stays on ordinary pages
+  return memory;
+}
+
+void give(void* memory, std::size_t bytes) noexcept {
+  if (!store().keep(memory, rounded(bytes))) std::free(memory);
+}
+
+}  // namespace bahnwerk::large_pages
