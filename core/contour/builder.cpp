@@ -11,7 +11,6 @@ namespace bahnwerk {
 
 namespace {
 
-constexpr std::size_t max_faults = 100;
 constexpr std::size_t max_notes = 50;
 
 std::string number(double x) {
@@ -24,9 +23,18 @@ bool finite(Vec v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isf
 
 }  // namespace
 
-ContourBuilder::ContourBuilder(std::size_t dimension, Vec start) : position_(start) {
+ContourBuilder::ContourBuilder(std::size_t dimension, Vec start, std::string reader)
+    : position_(start), reader_(std::move(reader)) {
   contour_.dimension = dimension;
-  if (!finite(start)) faults_.push_back({{"contour", "start"}, "the start point is not finite"});
+  if (!finite(start)) keep({"contour", "start"}, "the start point is not finite");
+}
+
+void ContourBuilder::keep(std::vector<std::string> place, std::string message) {
+  if (full()) return;
+  if (reader_.empty())
+    faults_.push_back({std::move(place), std::move(message)});
+  else
+    faults_.push_back({{"contour", reader_}, "line " + std::to_string(line_) + ": " + message});
 }
 
 void ContourBuilder::block(Mode mode, double feed) {
@@ -35,19 +43,19 @@ void ContourBuilder::block(Mode mode, double feed) {
   contour_.blocks.push_back({mode, feed, at, at});
   segment_ = 0;
   if (!(feed > 0))
-    faults_.push_back(
-        {{"contour", "blocks", std::to_string(contour_.blocks.size() - 1), "feed"}, "the feed must be positive"});
+    keep({"contour", "blocks", std::to_string(contour_.blocks.size() - 1), "feed"}, "the feed must be positive");
 }
 
 std::vector<std::string> ContourBuilder::place(std::vector<std::string> inner) const {
-  std::vector<std::string> full{"contour", "blocks", std::to_string(contour_.blocks.size() - 1), "segments",
-                                std::to_string(segment_ - 1)};
-  full.insert(full.end(), inner.begin(), inner.end());
-  return full;
+  if (!reader_.empty()) return {};  // keep() knows it
+  std::vector<std::string> whole{"contour", "blocks", std::to_string(contour_.blocks.size() - 1), "segments",
+                                 std::to_string(segment_ - 1)};
+  whole.insert(whole.end(), inner.begin(), inner.end());
+  return whole;
 }
 
 void ContourBuilder::fault(std::vector<std::string> inner, std::string message) {
-  if (faults_.size() < max_faults) faults_.push_back({place(std::move(inner)), std::move(message)});
+  keep(place(std::move(inner)), std::move(message));
 }
 
 void ContourBuilder::next_segment() {
@@ -57,24 +65,28 @@ void ContourBuilder::next_segment() {
 }
 
 void ContourBuilder::drop(const std::string& why) {
-  if (++dropped_ <= max_notes)
-    contour_.notes.push_back("block " + std::to_string(contour_.blocks.size() - 1) + " segment " +
-                             std::to_string(segment_ - 1) + " dropped: " + why);
+  if (++dropped_ > max_notes) return;
+  contour_.notes.push_back(reader_.empty() ? "block " + std::to_string(contour_.blocks.size() - 1) + " segment " +
+                                                 std::to_string(segment_ - 1) + " dropped: " + why
+                                           : "line " + std::to_string(line_) + ": dropped: " + why);
 }
 
+/// False, with its faults kept, for what cannot be made.
 template <class Make>
-void ContourBuilder::guarded(Make make) {
+bool ContourBuilder::guarded(Make make) {
   try {
     make();
+    return true;
   } catch (const InvalidInput& e) {
     for (const InputFault& f : e.faults) fault(f.place, f.message);
+    return false;
   }
 }
 
 /// False, with a note, for a curve without length.
 bool ContourBuilder::add(const std::shared_ptr<const Curve>& curve, Vec end) {
   try {
-    contour_.path.append(curve, total_ - 1);
+    contour_.path.append(curve, reader_.empty() ? total_ - 1 : line_);
   } catch (const InvalidInput& e) {
     drop(e.what());
     return false;
@@ -109,17 +121,18 @@ void ContourBuilder::line(Vec to) {
   add(std::make_shared<Line>(position_, to), to);
 }
 
-void ContourBuilder::arc(Vec to, Vec centre, bool counter_clockwise, Vec normal) {
+void ContourBuilder::arc(Vec to, Vec centre, bool counter_clockwise, Vec normal, double tolerance) {
   next_segment();
   if (!finite(to) || !finite(centre) || !finite(normal)) return fault({"arc"}, "a coordinate is not finite");
   // An arc too short to be one means a full circle whose start came out a hair beside its end.
   if (norm(to - position_) < min_segment_length) to = position_;
-  guarded([&] {
-    auto arc = std::make_shared<Arc>(Arc::through(position_, to, centre, normal, counter_clockwise));
+  const bool made = guarded([&] {
+    auto arc = std::make_shared<Arc>(Arc::through(position_, to, centre, normal, counter_clockwise, tolerance));
     if (const double length = arc->speed(arc->begin()) * (arc->end() - arc->begin()); length < min_segment_length)
       return drop("an arc of " + number(length) + " mm");
     add(arc, to);
   });
+  if (!made) position_ = to;
 }
 
 void ContourBuilder::polynomial(const std::vector<std::vector<double>>& rows) {
@@ -157,8 +170,7 @@ void ContourBuilder::nurbs(int degree, std::vector<Vec> points, std::vector<doub
 
 Contour ContourBuilder::finish() {
   if (!contour_.blocks.empty()) contour_.blocks.back().last = contour_.path.size();
-  if (faults_.empty() && contour_.path.empty())
-    faults_.push_back({{"contour"}, "the contour has no length: nothing to move along"});
+  if (faults_.empty() && contour_.path.empty()) keep({"contour"}, "the contour has no length: nothing to move along");
   if (!faults_.empty()) throw InvalidInput(std::move(faults_));
   if (dropped_ > max_notes)
     contour_.notes.push_back("… and " + std::to_string(dropped_ - max_notes) + " more segments without length dropped");

@@ -102,6 +102,43 @@ TEST(ContourBuilder, ACircleMayStartAHairBesideItsEnd) {
   EXPECT_NEAR(b.finish().path[1].length(), 10 * M_PI, 1e-6);
 }
 
+TEST(ContourBuilder, AReaderOfTextNamesLines) {
+  ContourBuilder b(2, {}, "gcode");
+  b.at_line(3);
+  b.start({1, 0, 0});
+  b.line({1, 1e-8, 0});
+  b.at_line(7);
+  b.line({5, 0, 0});
+  const Contour c = b.finish();
+  EXPECT_EQ(c.path[0].source(), 7u);
+  EXPECT_NEAR(c.path.length(), 4, 1e-12);
+  ASSERT_EQ(c.notes.size(), 1u);
+  EXPECT_EQ(c.notes[0].rfind("line 3: dropped", 0), 0u);
+}
+
+TEST(ContourBuilder, AReaderOfTextHasItsOwnPlace) {
+  ContourBuilder b(2, {}, "gcode");
+  b.at_line(12);
+  b.block(Mode::cut, 0);
+  b.arc({10, 0, 0}, {4, 0, 0}, true);  // radii 4 and 6
+  b.at_line(13);
+  b.arc({0, 10, 0}, {0, 0, 0}, true);  // from where the wrong one should have ended
+  b.fault({}, "odd");
+  const auto faults = faults_of(b);
+  ASSERT_EQ(faults.size(), 3u);
+  for (const InputFault& f : faults) EXPECT_EQ(pointer(f), "/contour/gcode");
+  EXPECT_EQ(faults[0].message.rfind("line 12: ", 0), 0u);
+  EXPECT_EQ(faults[1].message.rfind("line 12: ", 0), 0u);
+  EXPECT_EQ(faults[2].message, "line 13: odd");
+}
+
+TEST(ContourBuilder, KeepsAHundredFaults) {
+  ContourBuilder b(2, {});
+  for (int i = 0; i < 200; ++i) b.block(Mode::cut, -1);
+  EXPECT_TRUE(b.full());
+  EXPECT_EQ(faults_of(b).size(), 100u);
+}
+
 TEST(Joints, AngleAndStep) {
   ContourBuilder b(2, {});
   b.line({10, 0, 0});

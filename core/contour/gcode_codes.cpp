@@ -1,0 +1,152 @@
+#include "core/contour/gcode_codes.hpp"
+
+namespace bahnwerk::gcode {
+namespace {
+
+constexpr Code refused(const char* why) { return {Group::none, Action::refuse, why}; }
+constexpr Code ignored() { return {Group::none, Action::nothing, ""}; }
+
+constexpr Code motion(Action action) { return {Group::motion, action, ""}; }
+
+}  // namespace
+
+std::string name(int tenfold) {
+  std::string text(1, 'G');
+  text += std::to_string(tenfold / 10);
+  if (tenfold % 10 != 0) text.append(1, '.').append(std::to_string(tenfold % 10));
+  return text;
+}
+
+Code meaning(int tenfold) {
+  switch (tenfold) {
+    case 0:
+      return motion(Action::rapid);
+    case 10:
+      return motion(Action::line);
+    case 20:
+      return motion(Action::arc_cw);
+    case 30:
+      return motion(Action::arc_ccw);
+    case 50:
+      return motion(Action::cubic);
+    case 51:
+      return motion(Action::quadratic);
+    case 800:
+      return {Group::none, Action::no_motion, ""};  // headers put it beside G0
+    case 170:
+      return {Group::plane, Action::plane_xy, ""};
+    case 180:
+      return {Group::plane, Action::plane_zx, ""};
+    case 190:
+      return {Group::plane, Action::plane_yz, ""};
+    case 200:
+      return {Group::units, Action::inch, ""};
+    case 210:
+      return {Group::units, Action::millimetre, ""};
+    case 900:
+      return {Group::distance, Action::absolute, ""};
+    case 910:
+      return {Group::distance, Action::incremental, ""};
+    case 901:
+      return {Group::centres, Action::absolute_centres, ""};
+    case 911:
+      return {Group::centres, Action::incremental_centres, ""};
+    case 40:
+      return {Group::none, Action::dwell, "dwell (G4) ignored"};
+    case 280:
+    case 300:
+    case 530:
+      return {Group::none, Action::machine_point,
+              "move to a point of the machine (G28, G30, G53) left out: the contour does not reach there"};
+    case 90:
+    case 610:
+    case 611:
+    case 640:
+      return {Group::none, Action::path_control,
+              "path control (G9, G61, G64) ignored: the planning of the job says how corners are taken"};
+    case 430:
+    case 431:
+      return {Group::none, Action::tool_length, "tool length (G43) ignored: the contour is that of the tool's tip"};
+    case 150:  // no polar coordinates
+    case 400:  // no cutter radius compensation
+    case 490:  // no tool length
+    case 540:  // the one work offset
+    case 690:  // no rotation
+    case 921:  // no offset
+    case 940:  // feed per minute
+    case 970:  // spindle speed per minute
+    case 980:
+    case 990:  // return of canned cycles
+      return ignored();
+    case 410:
+    case 411:
+    case 420:
+    case 421:
+      return refused("cutter radius compensation is not supported: program the path of the tool's centre, with G40");
+    case 730:
+    case 740:
+    case 760:
+    case 810:
+    case 820:
+    case 830:
+    case 840:
+    case 850:
+    case 860:
+    case 870:
+    case 880:
+    case 890:
+      return refused("canned cycles are not supported: program their moves");
+    case 550:
+    case 560:
+    case 570:
+    case 580:
+    case 590:
+    case 591:
+    case 592:
+    case 593:
+      return refused("only the work offset G54 is supported: the program does not tell where the others are");
+    case 100:
+    case 520:
+    case 920:
+    case 922:
+    case 923:
+      return refused("offsets of the coordinates are not supported");
+    case 930:
+      return refused("inverse time feed is not supported: use G94 with F per minute");
+    case 950:
+      return refused("feed per revolution is not supported: use G94 with F per minute");
+    case 960:
+      return refused("constant surface speed is not supported");
+    case 52:
+    case 53:
+      return refused("NURBS blocks are not supported: use G5, or the job's own form of a NURBS");
+    case 160:
+      return refused("polar coordinates are not supported");
+    case 500:
+    case 510:
+    case 680:
+      return refused("scaling and rotation of the coordinates are not supported");
+    case 70:
+      return refused("diameters (G7) are not supported");
+    case 310:
+    case 382:
+    case 383:
+    case 384:
+    case 385:
+      return refused("probing is not supported");
+    case 330:
+    case 331:
+      return refused("threading is not supported");
+    case 440:
+    case 432:
+      return refused("only G43 and G49 are supported for the tool's length");
+    case 650:
+    case 660:
+    case 670:
+      return refused("macros are not supported");
+    default:
+      return refused("is not known");
+  }
+}
+
+}  // namespace bahnwerk::gcode

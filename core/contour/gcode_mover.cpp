@@ -1,0 +1,132 @@
+#include "core/contour/gcode_mover.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace bahnwerk::gcode {
+namespace {
+
+Vec normal(Plane plane) { return plane == Plane::xy ? Vec{0, 0, 1} : plane == Plane::zx ? Vec{0, 1, 0} : Vec{1, 0, 0}; }
+
+/// Angle from one end of an arc to the other, rad, in (0, 2π].
+double swept(Vec from, Vec to, Vec centre, Vec n, bool counter_clockwise) {
+  const Vec a = from - centre, b = to - centre;
+  double angle = std::atan2(dot(cross(a, b), n), dot(a - dot(a, n) * n, b - dot(b, n) * n));
+  if (!counter_clockwise) angle = -angle;
+  return angle > 0 ? angle : angle + 2 * std::numbers::pi;
+}
+
+}  // namespace
+
+void Mover::use(Mode mode, double feed) {
+  if (mode == mode_ && feed == feed_) return;
+  mode_ = mode;
+  feed_ = feed;
+  new_block_ = true;
+}
+
+std::size_t Mover::split() {
+  new_block_ = true;
+  return builder_.blocks();
+}
+
+void Mover::begin_block() {
+  if (new_block_) builder_.block(mode_, feed_);
+  new_block_ = false;
+}
+
+void Mover::go(Vec to) {
+  if (to.z != at_.z) climbs_ = true;
+  at_ = to;
+  started_ = true;
+}
+
+void Mover::start(Vec at) {
+  at_ = at;
+  started_ = true;
+  builder_.start(placed(at));
+}
+
+void Mover::line(Vec to) {
+  const bool still = to == at_;  // programs repeat places: that is no move
+  go(to);
+  if (still) return;
+  begin_block();
+  builder_.line(placed(to));
+}
+
+void Mover::arc(Vec to, Vec centre, ArcMove how) {
+  const Vec n = normal(how.plane), from = at_;
+  const double rise = dot(to - from, n);
+  const bool full = to - from - rise * n == Vec{};
+  const std::size_t circles = full ? how.turns : how.turns - 1;
+  go(to);
+  if (how.plane != Plane::xy) climbs_ = true;
+  begin_block();
+
+  constexpr double turn = 2 * std::numbers::pi;
+  const double last = full ? 0 : swept(from, to, centre, n, how.counter_clockwise);
+  const double pitch = circles > 0 ? rise * (turn / (static_cast<double>(circles) * turn + last)) : 0;
+  for (std::size_t i = 0; i < circles; ++i) {
+    // Back to where the contour really stands, a rounding beside the program: a circle has to close.
+    const bool exact = full && i + 1 == circles;
+    const double climb = exact ? dot(placed(to) - builder_.position(), n) : pitch;
+    builder_.arc(builder_.position() + climb * n, placed(centre), how.counter_clockwise, n, how.tolerance);
+  }
+  if (!full) builder_.arc(placed(to), placed(centre), how.counter_clockwise, n, how.tolerance);
+}
+
+void Mover::arc(Vec to, double radius, ArcMove how) {
+  const Vec n = normal(how.plane);
+  const Vec way = to - at_, chord = way - dot(way, n) * n;
+  const double half = 0.5 * norm(chord), size = std::abs(radius);
+  const auto refuse = [&](const char* why) {
+    builder_.fault({}, why);
+    line(to);
+  };
+  if (!(half > 0)) return refuse("R cannot tell a full circle: its centre has to be given with I, J, K");
+  if (!(size > 0)) return refuse("the radius R is zero");
+  if (half - size > how.tolerance) return refuse("the radius R is too small: the end is further away than 2 R");
+  // To the left of the chord lies the centre of a counter-clockwise arc of less than half a turn.
+  const double height = size > half ? std::sqrt((size - half) * (size + half)) : 0;
+  const bool left = how.counter_clockwise == (radius > 0);
+  const Vec aside = cross(n, chord) / (2 * half);
+  arc(to, at_ + 0.5 * chord + (left ? height : -height) * aside, how);
+}
+
+void Mover::spline(Vec to, Vec first, std::optional<Vec> second) {
+  const Vec a = builder_.position(), b = placed(first), end = placed(to);
+  go(to);
+  begin_block();
+  std::vector<std::vector<double>> rows;
+  for (std::size_t k = 0; k < (a.z == 0 ? 2U : 3U); ++k) {
+    // Differences of the control points, so that large coordinates cost no digits.
+    const double d1 = b[k] - a[k];
+    if (second) {
+      const double d2 = (*second)[k] - b[k], d3 = end[k] - (*second)[k];
+      rows.push_back(k == 2 ? std::vector{a.z} : std::vector{a[k], 3 * d1, 3 * (d2 - d1), d3 - 2 * d2 + d1});
+    } else {
+      rows.push_back(k == 2 ? std::vector{a.z} : std::vector{a[k], 2 * d1, (end[k] - b[k]) - d1});
+    }
+  }
+  builder_.polynomial(rows);
+}
+
+Contour Mover::finish(std::size_t positioning) {
+  Contour contour = builder_.finish();
+  contour.dimension = climbs_ ? 3 : 2;
+  std::vector<Block> kept;
+  for (std::size_t i = 0; i < contour.blocks.size(); ++i) {
+    Block block = contour.blocks[i];
+    if (i < positioning) block.mode = Mode::position;
+    if (block.first == block.last) continue;
+    if (!kept.empty() && kept.back().mode == block.mode && kept.back().feed == block.feed)
+      kept.back().last = block.last;
+    else
+      kept.push_back(block);
+  }
+  contour.blocks = std::move(kept);
+  return contour;
+}
+
+}  // namespace bahnwerk::gcode

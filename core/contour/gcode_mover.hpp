@@ -1,0 +1,57 @@
+#pragma once
+/// The moves of a part program, in mm: from where it stands to the next place, as segments of a contour.
+#include <optional>
+
+#include "core/contour/builder.hpp"
+
+namespace bahnwerk::gcode {
+
+/// Plane of arcs by its normal: G17 z, G18 y, G19 x. Seen against it G3 turns counter-clockwise.
+enum class Plane { xy, zx, yz };
+
+struct ArcMove {
+  Plane plane = Plane::xy;
+  bool counter_clockwise = false;
+  std::size_t turns = 1;    ///< P: the last one, which may be part of a turn, included
+  double tolerance = 0.01;  ///< by which the radii may differ, mm
+};
+
+class Mover {
+ public:
+  /// `flat`: every height is 0, for a contour that keeps one height.
+  explicit Mover(bool flat) : builder_(2, {}, "gcode"), flat_(flat) {}
+
+  /// The next moves are of this mode and feed (mm/s): a new block where that changes.
+  void use(Mode mode, double feed);
+  /// Whatever comes next begins a block, and its index.
+  std::size_t split();
+
+  /// The first move of all may only tell where the contour starts.
+  void start(Vec at);
+  bool started() const { return started_; }
+  void line(Vec to);
+  void arc(Vec to, Vec centre, ArcMove how);
+  /// |radius| of the arc, negative for more than half a turn.
+  void arc(Vec to, double radius, ArcMove how);
+  /// Bézier curve; no second control point: of degree 2.
+  void spline(Vec to, Vec first, std::optional<Vec> second);
+
+  Vec position() const { return at_; }  ///< as programmed
+  bool climbs() const { return climbs_; }
+  ContourBuilder& builder() { return builder_; }
+  /// The first `positioning` blocks are no cuts: the switch came after them. Throws InvalidInput.
+  Contour finish(std::size_t positioning);
+
+ private:
+  void begin_block();
+  Vec placed(Vec p) const { return flat_ ? Vec{p.x, p.y, 0} : p; }
+  void go(Vec to);
+
+  ContourBuilder builder_;
+  Vec at_;
+  Mode mode_ = Mode::cut;
+  double feed_ = 0;
+  bool new_block_ = true, flat_, started_ = false, climbs_ = false;
+};
+
+}  // namespace bahnwerk::gcode

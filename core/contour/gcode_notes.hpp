@@ -1,0 +1,44 @@
+#pragma once
+/// What a part program says beyond its contour: one note per matter, with its first line and how often it came.
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace bahnwerk::gcode {
+
+class Notes {
+ public:
+  /// `key` names the matter; the text of its first note stays. O(log matters), of which 64 are kept.
+  void add(int key, std::size_t line, const char* text) {
+    const auto at = entries_.find(key);
+    if (at != entries_.end())
+      ++at->second.count;
+    else if (entries_.size() < most)
+      entries_.emplace(key, Entry{text, line, 1});
+  }
+  /// "line 7 and 2 more: text", by line.
+  std::vector<std::string> texts() const {
+    std::vector<std::pair<std::size_t, std::string>> list;
+    for (const auto& [key, entry] : entries_) {
+      const std::string more = entry.count > 1 ? " and " + std::to_string(entry.count - 1) + " more" : "";
+      list.emplace_back(entry.line, "line " + std::to_string(entry.line) + more + ": " + entry.text);
+    }
+    std::sort(list.begin(), list.end());
+    std::vector<std::string> result;
+    for (auto& [line, text] : list) result.push_back(std::move(text));
+    return result;
+  }
+
+ private:
+  static constexpr std::size_t most = 64;
+  struct Entry {
+    std::string text;
+    std::size_t line, count;
+  };
+  std::map<int, Entry> entries_;
+};
+
+}  // namespace bahnwerk::gcode

@@ -1,0 +1,190 @@
+#include "core/contour/gcode_words.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+
+namespace bahnwerk::gcode {
+namespace {
+
+bool blank(char c) { return c == ' ' || c == '\t'; }
+bool end_of_line(char c) { return c == '\n' || c == '\r'; }
+bool part_of_number(char c) { return (c >= '0' && c <= '9') || c == '.'; }
+
+std::string shown(char c) {
+  if (c > ' ' && c < 127) return std::string("'") + c + "'";
+  char text[16];
+  std::snprintf(text, sizeof text, "byte 0x%02X", static_cast<unsigned>(static_cast<unsigned char>(c)));
+  return text;
+}
+
+/// What a character that begins no word stands for, if that is known.
+std::string strange(char c) {
+  switch (c) {
+    case '#':
+    case '=':
+      return "parameters (#) are not supported: the numbers themselves have to stand in the program";
+    case '[':
+    case ']':
+      return "expressions ([ ]) are not supported: the numbers themselves have to stand in the program";
+    case ')':
+      return "a comment ends that did not begin";
+    case '/':
+      return "/ may stand only at the begin of a line";
+    default:
+      return "unexpected " + shown(c);
+  }
+}
+
+}  // namespace
+
+Lines::Lines(std::string_view text) : at_(text.data()), end_(text.data() + text.size()) {
+  if (text.substr(0, 3) == "\xEF\xBB\xBF") at_ += 3;  // byte order mark
+}
+
+void Lines::skip_blanks() {
+  while (at_ != end_ && blank(*at_)) ++at_;
+}
+
+void Lines::skip_line() {
+  while (at_ != end_ && !end_of_line(*at_)) ++at_;
+}
+
+bool Lines::next(Line& line, bool skip_slash) {
+  if (at_ == end_) return false;
+  line.number = ++number_;
+  line.letters_ = 0;
+  line.g_count = line.m_count = 0;
+  line.slash = line.percent = false;
+  line.fault.clear();
+  skip_blanks();
+  if (at_ != end_ && *at_ == '%') {
+    line.percent = true;
+    skip_line();
+  } else if (at_ != end_ && *at_ == '/') {
+    line.slash = true;
+    ++at_;
+    skip_blanks();
+    if (at_ != end_ && *at_ >= '1' && *at_ <= '9') ++at_;  // /2: one of several switches
+    if (skip_slash) skip_line();
+  }
+  words(line);
+  if (!line.fault.empty() && line.has('O'))
+    line.fault = "subprograms and O words that steer the program are not supported";
+  skip_line();
+  if (at_ != end_ && *at_++ == '\r' && at_ != end_ && *at_ == '\n') ++at_;
+  return true;
+}
+
+void Lines::words(Line& line) {
+  for (;;) {
+    skip_blanks();
+    if (at_ == end_ || end_of_line(*at_)) return;
+    const char c = *at_;
+    if (c == ';') return;
+    if (c == '(') {
+      if (!comment(line)) return;
+      continue;
+    }
+    const char letter = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c == ':' ? 'O' : c;
+    if (letter < 'A' || letter > 'Z') {
+      line.fault = strange(c);
+      return;
+    }
+    ++at_;
+    if (!word(line, letter)) return;
+  }
+}
+
+bool Lines::comment(Line& line) {
+  while (++at_ != end_ && !end_of_line(*at_)) {
+    if (*at_ == ')') {
+      ++at_;
+      return true;
+    }
+  }
+  line.fault = "the comment does not end";
+  return false;
+}
+
+bool Lines::word(Line& line, char letter) {
+  double value = 0;
+  if (!number(line, letter, value)) return false;
+  if (letter == 'G' || letter == 'M') {
+    const double scaled = letter == 'G' ? 10 * value : value, code = std::round(scaled);
+    if (!(value >= 0 && value < 10'000 && std::abs(scaled - code) < 1e-6)) {
+      line.fault = std::string("there is no such ") + letter + " word";
+      return false;
+    }
+    auto& list = letter == 'G' ? line.g : line.m;
+    auto& count = letter == 'G' ? line.g_count : line.m_count;
+    if (count == Line::most_codes) {
+      line.fault = std::string("too many ") + letter + " words";
+      return false;
+    }
+    list[count++] = static_cast<int>(code);
+    return true;
+  }
+  if (line.has(letter)) {
+    line.fault = std::string("the letter ") + letter + " stands twice";
+    return false;
+  }
+  line.letters_ |= 1U << (letter - 'A');
+  line.values_[static_cast<std::size_t>(letter - 'A')] = value;
+  return true;
+}
+
+bool Lines::number(Line& line, char letter, double& value) {
+  constexpr double largest = 1e9;
+  skip_blanks();
+  bool negative = false;
+  if (at_ != end_ && (*at_ == '+' || *at_ == '-')) {
+    negative = *at_++ == '-';
+    skip_blanks();
+  }
+  const char* first = at_;
+  while (at_ != end_ && part_of_number(*at_)) ++at_;
+  const char* last = at_;
+
+  // Rarely, blanks divide a number; its parts are then joined here.
+  std::array<char, 64> joined;
+  skip_blanks();
+  if (at_ != last && last != first && at_ != end_ && part_of_number(*at_)) {
+    std::size_t size = 0;
+    for (const char* c = first; c != end_ && (blank(*c) || part_of_number(*c)); at_ = ++c) {
+      if (blank(*c)) continue;
+      if (size == joined.size()) {
+        line.fault = std::string("the number of ") + letter + " is too long";
+        return false;
+      }
+      joined[size++] = *c;
+    }
+    first = joined.data();
+    last = first + size;
+  }
+  if (first == last) {
+    const bool odd = at_ != end_ && (*at_ == '#' || *at_ == '[');
+    line.fault = odd ? strange(*at_) : std::string("the letter ") + letter + " has no number";
+    if (letter == 'O') line.letters_ |= letters("O");
+    return false;
+  }
+  const auto [stop, error] = std::from_chars(first, last, value, std::chars_format::fixed);
+  if (error == std::errc::result_out_of_range || (error == std::errc{} && !(value <= largest))) {
+    // Numbers of lines and programs are names.
+    if (letter == 'N' || letter == 'O') {
+      value = 0;
+      return true;
+    }
+    line.fault = std::string("the number of ") + letter + " is out of range (largest: 1e9)";
+    return false;
+  }
+  if (error != std::errc{} || stop != last) {
+    line.fault = std::string("what follows ") + letter + " is not a number";
+    return false;
+  }
+  if (negative) value = -value;
+  return true;
+}
+
+}  // namespace bahnwerk::gcode

@@ -1,0 +1,34 @@
+// Any text either is a part program or has faults, each with its line; reading never does anything else.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "core/contour/gcode.hpp"
+#include "core/errors.hpp"
+
+namespace {
+
+void demand(bool holds) {
+  if (!holds) std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  bahnwerk::GcodeOptions options;
+  options.most_segments = 2'000;
+  try {
+    const bahnwerk::Contour contour = bahnwerk::read_gcode({reinterpret_cast<const char*>(data), size}, options);
+    demand(contour.path.length() > 0 && !contour.blocks.empty());
+    demand(contour.blocks.front().first == 0 && contour.blocks.back().last == contour.path.size());
+    for (const auto& block : contour.blocks) demand(block.feed > 0 && block.first < block.last);
+  } catch (const bahnwerk::InvalidInput& e) {
+    demand(!e.faults.empty() && e.faults.size() <= 100);
+    for (const auto& fault : e.faults) {
+      demand(fault.place.size() == 2 && fault.place[1] == "gcode");
+      demand(std::string_view(fault.message).substr(0, 5) == "line ");
+    }
+  }
+  return 0;
+}
