@@ -5,6 +5,8 @@
 
 #include "api/kinds/contour.hpp"
 #include "core/contour/builder.hpp"
+#include "core/contour/dxf.hpp"
+#include "core/contour/gcode.hpp"
 #include "core/contour/polyline.hpp"
 #include "core/errors.hpp"
 
@@ -162,11 +164,32 @@ Contour from_blocks(const json& contour, Progress& progress) {
   return builder.finish();
 }
 
+Contour from_gcode(const json& contour, Progress& progress) {
+  GcodeOptions options;
+  options.feed = feed(contour);
+  options.most_segments = most_segments;
+  return read_gcode(contour["gcode"].get_ref<const std::string&>(), options, progress);
+}
+
+Contour from_dxf(const json& contour, Progress& progress) {
+  DxfOptions options;
+  options.feed = feed(contour);
+  options.most_curves = most_segments;
+  options.tolerance = contour.value("chain", options.tolerance);
+  if (contour.value("order", "as_drawn") == "nearest") options.order = DxfOrder::nearest;
+  if (contour.contains("layers")) options.layers = contour["layers"].get<std::vector<std::string>>();
+  if (contour.contains("unit")) options.millimetres_per_unit = contour["unit"].get<double>();
+  return read_dxf(contour["dxf"].get_ref<const std::string&>(), options, progress);
+}
+
 }  // namespace
 
 Contour geometry(const json& spec, Progress& progress) {
   const auto& contour = spec["contour"];
-  return contour.contains("points") ? from_points(contour) : from_blocks(contour, progress);
+  if (contour.contains("points")) return from_points(contour);
+  if (contour.contains("gcode")) return from_gcode(contour, progress);
+  if (contour.contains("dxf")) return from_dxf(contour, progress);
+  return from_blocks(contour, progress);
 }
 
 Contour geometry(const json& spec) {

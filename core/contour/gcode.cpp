@@ -1,7 +1,7 @@
 #include "core/contour/gcode.hpp"
 
-#include "core/contour/gcode_interpreter.hpp"
-#include "core/contour/gcode_words.hpp"
+#include "core/contour/gcode/interpreter.hpp"
+#include "core/contour/gcode/words.hpp"
 
 namespace bahnwerk {
 namespace {

@@ -1,9 +1,7 @@
 #include "server/cli/cli.hpp"
 
 #include <CLI/CLI.hpp>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <thread>
 
 #include "server/runtime/log.hpp"
@@ -70,15 +68,6 @@ int run_serve(const ServiceOptions& options, const std::string& role, const std:
 
 }  // namespace
 
-std::string read_input(const std::string& path) {
-  if (path == "-") return {std::istreambuf_iterator<char>(std::cin), {}};
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw std::runtime_error("cannot read " + path);
-  std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (file.bad()) throw std::runtime_error("cannot read " + path);
-  return text;
-}
-
 int run(int argc, char** argv) {
   CLI::App app{"Bahnwerk: plans motions from contours to verified setpoints."};
   app.set_version_flag("--version", BAHNWERK_VERSION);
@@ -87,14 +76,21 @@ int run(int argc, char** argv) {
 
   ServiceOptions options;
   options.workers = std::max(2U, std::thread::hardware_concurrency()) - 1;
-  std::string role = "all", level = "info", job, out, id, server = "http://127.0.0.1:8080", format = "csv", key;
+  std::string role = "all", level = "info", job, contour, out, id, server = "http://127.0.0.1:8080", format = "csv",
+              key;
   bool wait = false;
 
   CLI::App* serve_command =
       app.add_subcommand("serve", "runs the service; every flag also as environment variable BAHNWERK_...");
   add_serve(*serve_command, options, role, level);
+  const auto add_contour = [&](CLI::App* command) {
+    command
+        ->add_option("--contour", contour, "part program or drawing (.dxf) to take instead of the document's contour")
+        ->type_name("FILE");
+  };
   CLI::App* plan_command = app.add_subcommand("plan", "plans a job document offline, prints the result document");
   plan_command->add_option("job", job, "job document, - for stdin")->required()->capture_default_str();
+  add_contour(plan_command);
   plan_command->add_option("--out", out, "directory for result.json and setpoints.csv")->type_name("DIR");
   const auto add_server = [&](CLI::App* command) {
     command->add_option("--server", server, "where the service is")->envname("BAHNWERK_SERVER")->type_name("URL");
@@ -102,6 +98,7 @@ int run(int argc, char** argv) {
   CLI::App* submit_command =
       app.add_subcommand("submit", "posts a job document, prints the job (with --wait: the result)");
   submit_command->add_option("job", job, "job document, - for stdin")->required();
+  add_contour(submit_command);
   submit_command->add_flag("--wait", wait, "waits for the end");
   submit_command->add_option("--idempotency-key", key, "the same key and document give the same job");
   add_server(submit_command);
@@ -121,8 +118,8 @@ int run(int argc, char** argv) {
   }
   try {
     if (*serve_command) return run_serve(options, role, level);
-    if (*plan_command) return plan(job, out);
-    if (*submit_command) return submit(server, job, key, wait);
+    if (*plan_command) return plan(read_job(job, contour), out);
+    if (*submit_command) return submit(server, read_job(job, contour), key, wait);
     if (*watch_command) return watch(server, id);
     return fetch(server, id, format);
   } catch (const std::exception& error) {

@@ -15,7 +15,7 @@ inline constexpr int exit_unreachable = 3;  ///< no server answered
 int run(int argc, char** argv);  ///< the whole program; its exit code
 
 int serve(const ServiceOptions& options);
-/// `job` is a file or "-" for stdin; with `out`, writes result.json and setpoints.csv there.
+/// `job` is the document; with `out`, writes result.json and setpoints.csv there.
 int plan(const std::string& job, const std::string& out);
 int submit(const std::string& server, const std::string& job, const std::string& key, bool wait);
 int watch(const std::string& server, const std::string& id);
@@ -23,5 +23,8 @@ int fetch(const std::string& server, const std::string& id, const std::string& f
 
 /// The file's bytes, or stdin's for "-". Throws std::runtime_error with a sentence.
 std::string read_input(const std::string& path);
+/// The job document of that file; `contour`, if not empty, is a part program or drawing (.dxf) that takes the place of
+/// its contour.
+std::string read_job(const std::string& job, const std::string& contour);
 
 }  // namespace bahnwerk::server::cli

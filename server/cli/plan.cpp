@@ -72,10 +72,9 @@ void write_files(const std::filesystem::path& folder, const std::string& result,
 }  // namespace
 
 int plan(const std::string& job, const std::string& out) {
-  const std::string text = read_input(job);
   api::PlannedJob planned;
   try {
-    const api::JobRequest request = api::parse_job(text);
+    const api::JobRequest request = api::parse_job(job);
     TerminalProgress progress(request);
     planned = api::plan_job(request.kind, request.spec, progress);
     if (!planned.verified) throw api::Problem("verification-failed", "The plan was not verified against its limits.");

@@ -75,11 +75,10 @@ int guarded(Work&& work) {
 
 int submit(const std::string& server, const std::string& job, const std::string& key, bool wait) {
   const HttpClient client(server);
-  const std::string text = read_input(job);
   return guarded([&] {
     Pairs headers{{"Content-Type", "application/json"}, {"Accept", "application/json"}};
     if (!key.empty()) headers.emplace_back("Idempotency-Key", key);
-    const Response posted = client.request("POST", "/v1/jobs", headers, text);
+    const Response posted = client.request("POST", "/v1/jobs", headers, job);
     if (posted.status != 202) return refused(posted);
     const ordered_json resource = parse(posted);
     if (!wait) {

@@ -12,6 +12,17 @@ jq '.kind = "nonsense"' "$examples/line.json" | { code=0; "$bahnwerk" plan - >"$
 expect_json '.type == "/problems/unknown-kind"'
 snake 20000 '{"time_budget":0.2}' | { code=0; "$bahnwerk" plan - >"$work/body" || code=$?; expect_equal $code 1; }
 expect_json '.type == "/problems/budget-exhausted"'
+# A part program and a drawing take the contour's place.
+printf 'G21 G90\nM3\nG1 X100 F6000\nM5\nG0 Y50\nM2\n' >"$work/part.ngc"
+expect_equal "$(code_of "$bahnwerk" plan "$examples/line.json" --contour "$work/part.ngc")" 0
+expect_equal "$(jq '[.details.blocks[].mode] | join(" ")' "$work/out")" '"cut position"'
+printf '0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n10\n0\n20\n0\n40\n5\n0\nENDSEC\n0\nEOF\n' >"$work/part.DXF"
+expect_equal "$(code_of "$bahnwerk" plan - --contour "$work/part.DXF" <"$examples/line.json")" 0
+expect_equal "$(jq '.summary.path_length * 1e6 | round' "$work/out")" 31415927
+printf 'G1 X10\nG41 X20\n' >"$work/wrong.nc"
+expect_equal "$(code_of "$bahnwerk" plan "$examples/line.json" --contour "$work/wrong.nc")" 2
+jq -e '.errors[0].pointer == "/spec/contour/gcode" and (.errors[0].message | startswith("line 2: "))' "$work/out" >/dev/null ||
+  fail "the fault names its line"
 expect_equal "$(code_of "$bahnwerk" nonsense)" 2
 expect_equal "$(code_of "$bahnwerk")" 2
 expect_equal "$(code_of "$bahnwerk" --help)" 0

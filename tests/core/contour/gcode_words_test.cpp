@@ -1,6 +1,6 @@
-#include "core/contour/gcode_words.hpp"
-
 #include <gtest/gtest.h>
+
+#include "core/contour/gcode/words.hpp"
 
 namespace bahnwerk::gcode {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/contour/gcode_mover.hpp"
+#include "core/contour/gcode/mover.hpp"
 
 #include <cmath>
 #include <numbers>

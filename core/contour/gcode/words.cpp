@@ -1,4 +1,4 @@
-#include "core/contour/gcode_words.hpp"
+#include "core/contour/gcode/words.hpp"
 
 #include <charconv>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/contour/gcode_interpreter.hpp"
+#include "core/contour/gcode/interpreter.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,10 +5,10 @@
 #include <string>
 
 #include "core/contour/gcode.hpp"
-#include "core/contour/gcode_codes.hpp"
-#include "core/contour/gcode_mover.hpp"
-#include "core/contour/gcode_notes.hpp"
-#include "core/contour/gcode_words.hpp"
+#include "core/contour/gcode/codes.hpp"
+#include "core/contour/gcode/mover.hpp"
+#include "core/contour/gcode/notes.hpp"
+#include "core/contour/gcode/words.hpp"
 
 namespace bahnwerk::gcode {
 

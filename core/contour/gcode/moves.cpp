@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/contour/gcode_interpreter.hpp"
+#include "core/contour/gcode/interpreter.hpp"
 
 namespace bahnwerk::gcode {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/contour/gcode_codes.hpp"
+#include "core/contour/gcode/codes.hpp"
 
 namespace bahnwerk::gcode {
 namespace {

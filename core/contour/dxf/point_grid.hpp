@@ -1,0 +1,81 @@
+#pragma once
+/// Points hashed by the cell of a regular grid that they lie in: who is near? O(1) per point and query while cells hold
+/// few points; a query looks at no more than `most_looks` points per cell (the last ones added), so that a million
+/// points at one place stay linear, too.
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/curve/vec.hpp"
+
+namespace bahnwerk {
+
+class PointGrid {
+ public:
+  static constexpr std::size_t most_looks = 256;
+
+  /// For about `expected` points and queries of this radius, mm (1e-9 at least).
+  PointGrid(double radius, std::size_t expected)
+      : radius_(std::max(radius, 1e-9)),
+        inverse_(0.25 / radius_),
+        heads_(std::bit_ceil(2 * expected + 2), none),
+        mask_(heads_.size() - 1) {}
+
+  void add(Vec p) {
+    const std::size_t cell = slot({index(p.x), index(p.y), index(p.z)});
+    next_.push_back(heads_[cell]);
+    points_.push_back(p);
+    heads_[cell] = static_cast<std::uint32_t>(points_.size() - 1);
+  }
+
+  /// visit(i, distance) for the points i (in the order they were added) within the radius, until it returns false.
+  template <class Visit>
+  void near(Vec p, Visit visit) const {
+    std::array<std::size_t, 8> seen;
+    std::size_t cells = 0;
+    for (std::int64_t x = index(p.x - radius_); x <= index(p.x + radius_); ++x)
+      for (std::int64_t y = index(p.y - radius_); y <= index(p.y + radius_); ++y)
+        for (std::int64_t z = index(p.z - radius_); z <= index(p.z + radius_); ++z) {
+          const std::size_t cell = slot({x, y, z});
+          // Two cells may share a slot: its points are looked at once.
+          bool again = false;
+          for (std::size_t i = 0; i < cells; ++i) again = again || seen[i] == cell;
+          if (again || cells == seen.size()) continue;
+          seen[cells++] = cell;
+          std::size_t looks = 0;
+          for (std::uint32_t i = heads_[cell]; i != none && looks < most_looks; i = next_[i], ++looks) {
+            const double distance = norm(points_[i] - p);
+            if (distance <= radius_ && !visit(static_cast<std::size_t>(i), distance)) return;
+          }
+        }
+  }
+
+ private:
+  static constexpr std::uint32_t none = UINT32_MAX;
+
+  /// Half a cell off, so that whole numbers do not lie on borders; 4 radii wide, so that a query meets 2 per axis at
+  /// most.
+  std::int64_t index(double x) const {
+    constexpr double largest = 4e18;  // what lies beyond shares a cell
+    return static_cast<std::int64_t>(std::clamp(std::floor(x * inverse_ + 0.5), -largest, largest));
+  }
+  std::size_t slot(std::array<std::int64_t, 3> cell) const {
+    std::uint64_t h = 0;
+    for (const std::int64_t i : cell) {
+      h = (h ^ static_cast<std::uint64_t>(i)) * 0x9e3779b97f4a7c15ULL;
+      h ^= h >> 29;
+    }
+    return static_cast<std::size_t>(h) & mask_;
+  }
+
+  double radius_, inverse_;
+  std::vector<std::uint32_t> heads_, next_;
+  std::size_t mask_;
+  std::vector<Vec> points_;
+};
+
+}  // namespace bahnwerk

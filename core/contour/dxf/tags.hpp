@@ -1,0 +1,70 @@
+#pragma once
+/// The lowest layer of a DXF file: lines in pairs, a group code and its value; pairs from one code 0 to the next form a
+/// record (a section, a table entry, an entity). Views point into the text. O(bytes), no allocation but the tags.
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/contour/reading_progress.hpp"
+#include "core/errors.hpp"
+namespace bahnwerk {
+
+/// What is wrong in a DXF file, at {"contour","dxf"}: "line 12: …".
+InputFault dxf_fault(std::size_t line, const std::string& what);
+/// Throws it as InvalidInput.
+[[noreturn]] void refuse_dxf(std::size_t line, const std::string& what);
+
+struct DxfTag {
+  int code = 0;
+  std::string_view value;  ///< without the white space around it
+  std::size_t line = 0;    ///< of the value, counted from 1
+};
+
+/// A finite number; anything else throws InvalidInput with the tag's line.
+double dxf_real(const DxfTag& tag);
+/// An integer within ±2³¹ (written as one, or as a real number without fraction).
+long dxf_integer(const DxfTag& tag);
+
+/// Text from a file for a message: shortened, and what is not printable ASCII replaced by '?'.
+std::string dxf_quoted(std::string_view text);
+
+struct DxfRecord {
+  std::string_view type;  ///< value of the code 0
+  std::size_t line = 0;   ///< of that value
+  std::vector<DxfTag> tags;
+};
+
+class DxfTags {
+ public:
+  /// Refuses binary DXF and DWG files. A byte order mark is skipped.
+  DxfTags(std::string_view text, Progress& progress);
+
+  /// The next pair, comments (999) skipped; false at the end of the text. Throws InvalidInput for a group code that is
+  /// no integer from −5 to 1071, and for a code without a value.
+  bool next(DxfTag& tag);
+  /// The next record; false at the end. Pairs before the first code 0 are skipped. With `keep` false the tags are not
+  /// stored.
+  bool next(DxfRecord& record, bool keep = true);
+
+  /// Where the next record begins: to read it again later.
+  struct Mark {
+    std::size_t offset = 0, line = 0;
+  };
+  Mark mark() const;
+  void seek(Mark mark);
+  std::size_t line() const { return line_; }         ///< lines read so far
+  ReadingProgress& progress() { return progress_; }  ///< for those who work on the records
+
+ private:
+  bool next_line(std::string_view& line);
+
+  std::string_view text_;
+  ReadingProgress progress_;
+  std::size_t at_ = 0, line_ = 0;
+  bool pending_ = false;  ///< the last record ended at a code 0, which is in tag_
+  DxfTag tag_;
+  Mark pending_mark_;
+};
+
+}  // namespace bahnwerk

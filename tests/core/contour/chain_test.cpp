@@ -1,0 +1,197 @@
+#include "core/contour/dxf/chain.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "core/contour/dxf/chain_order.hpp"
+#include "core/contour/dxf/point_grid.hpp"
+#include "core/numeric/random.hpp"
+
+namespace bahnwerk {
+namespace {
+
+Strand line(Vec from, Vec to) {
+  const double length = norm(to - from);
+  const Vec way = (to - from) / length;
+  return {from, to, way, way, length};
+}
+
+std::vector<Chain> chained(const std::vector<Strand>& strands, double tolerance = 0.01) {
+  SilentProgress silent;
+  return chains(strands, tolerance, silent);
+}
+
+std::string shape(const std::vector<Chain>& list) {
+  std::string text;
+  for (const Chain& c : list) {
+    if (!text.empty()) text += " ";
+    for (const ChainLink& l : c.links) {
+      text += l.reversed ? '-' : '+';
+      text += std::to_string(l.strand);
+    }
+    if (c.closed) text += "o";
+  }
+  return text;
+}
+
+TEST(Chain, JoinsAndReverses) {
+  EXPECT_EQ(shape(chained({line({0, 0, 0}, {10, 0, 0}), line({20, 0, 0}, {10, 0, 0}), line({0, 0, 0}, {0, 5, 0})})),
+            "-2+0-1");
+}
+
+TEST(Chain, ClosesRings) {
+  EXPECT_EQ(shape(chained({line({0, 0, 0}, {10, 0, 0}), line({0, 10, 0}, {0, 0, 0}), line({10, 0, 0}, {10, 10, 0}),
+                           line({0, 10, 0}, {10, 10, 0})})),
+            "+0+2-3+1o");
+}
+
+TEST(Chain, GoesStraightOnWhereSeveralMeet) {
+  // A cross of four lines: two straight chains.
+  EXPECT_EQ(shape(chained({line({-5, 0, 0}, {0, 0, 0}), line({0, 0, 0}, {0, 5, 0}), line({0, -5, 0}, {0, 0, 0}),
+                           line({0, 0, 0}, {5, 0, 0})})),
+            "+0+3 +2+1");
+}
+
+TEST(Chain, FigureOfEightIsOneChain) {
+  // Two loops through one point; tangents along the diagonals there.
+  const double h = std::sqrt(0.5);
+  const Strand right{{0, 0, 0}, {0, 0, 0}, {h, h, 0}, {-h, h, 0}, 30};
+  EXPECT_EQ(shape(chained({right})), "+0o");
+  const Strand up{{0, 0, 0}, {10, 0, 0}, {h, h, 0}, {h, -h, 0}, 15},
+      down{{10, 0, 0}, {0, 0, 0}, {-h, -h, 0}, {-h, h, 0}, 15};
+  const Strand up_left{{0, 0, 0}, {-10, 0, 0}, {-h, h, 0}, {-h, -h, 0}, 15};
+  const Strand down_left{{-10, 0, 0}, {0, 0, 0}, {h, -h, 0}, {h, h, 0}, 15};
+  EXPECT_EQ(shape(chained({up, down, up_left, down_left})), "+0+1+2+3o");
+}
+
+TEST(Chain, CoincidentEndsComeBeforeGaps) {
+  // The gap of 0.005 would be straight on, the coincident end turns by 90°.
+  EXPECT_EQ(
+      shape(chained({line({0, 0, 0}, {10, 0, 0}), line({10.005, 0, 0}, {20, 0, 0}), line({10, 0, 0}, {10, 5, 0})})),
+      "+0+2 +1");
+}
+
+TEST(Chain, ToleranceIsKept) {
+  const std::vector<Strand> two{line({0, 0, 0}, {10, 0, 0}), line({10.009, 0, 0}, {20, 0, 0})};
+  EXPECT_EQ(shape(chained(two, 0.01)), "+0+1");
+  EXPECT_EQ(shape(chained(two, 0.008)), "+0 +1");
+  EXPECT_EQ(shape(chained(two, 0)), "+0 +1");
+  EXPECT_EQ(shape(chained({line({0, 0, 0}, {1, 0, 0}), line({1, 0, 0}, {2, 0, 0})}, 0)), "+0+1");
+}
+
+TEST(Chain, EveryStrandOnce) {
+  Random random(3);
+  std::vector<Strand> strands;
+  for (int i = 0; i < 4000; ++i) {
+    const Vec p{std::floor(random.uniform(0, 30)), std::floor(random.uniform(0, 30)), 0};
+    strands.push_back(line(p, p + Vec{1 + std::floor(random.uniform(0, 2)), std::floor(random.uniform(0, 3)), 0}));
+  }
+  std::vector<int> seen(strands.size());
+  for (const Chain& c : chained(strands)) {
+    const auto begin = [&](const ChainLink& l) { return l.reversed ? strands[l.strand].to : strands[l.strand].from; };
+    const auto end = [&](const ChainLink& l) { return l.reversed ? strands[l.strand].from : strands[l.strand].to; };
+    for (std::size_t i = 0; i < c.links.size(); ++i) {
+      ++seen[c.links[i].strand];
+      if (i > 0) {
+        EXPECT_EQ(end(c.links[i - 1]), begin(c.links[i]));
+      }
+    }
+    if (c.closed) {
+      EXPECT_EQ(begin(c.links.front()), end(c.links.back()));
+    }
+  }
+  for (const int n : seen) EXPECT_EQ(n, 1);
+}
+
+TEST(Chain, ManyAtOnePointStayQuick) {
+  std::vector<Strand> star;
+  for (int i = 0; i < 100'000; ++i) star.push_back(line({0, 0, 0}, {std::cos(i * 1e-4), std::sin(i * 1e-4), 0}));
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_FALSE(chained(star).empty());
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
+}
+
+TEST(PointGrid, FindsAllWithinTheRadius) {
+  Random random(11);
+  PointGrid grid(0.3, 500);
+  std::vector<Vec> points;
+  for (int i = 0; i < 500; ++i) {
+    points.push_back({random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-0.5, 0.5)});
+    grid.add(points.back());
+  }
+  for (int k = 0; k < 200; ++k) {
+    const Vec p{random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-0.5, 0.5)};
+    std::size_t expected = 0, found = 0;
+    for (const Vec& q : points) expected += norm(q - p) <= 0.3 ? 1 : 0;
+    grid.near(p, [&](std::size_t i, double distance) {
+      EXPECT_EQ(distance, norm(points[i] - p));
+      ++found;
+      return true;
+    });
+    EXPECT_EQ(found, expected);
+  }
+}
+
+TEST(ChainOrder, AgreesWithASearchThroughAll) {
+  Random random(5);
+  SilentProgress silent;
+  for (int round = 0; round < 20; ++round) {
+    std::vector<ChainEntries> list;
+    for (int i = 0; i < 120; ++i) {
+      ChainEntries e;
+      e.closed = random.chance(0.5);
+      for (std::uint64_t k = e.closed ? 1 + random.below(5) : 2; k > 0; --k)
+        e.at.push_back({random.uniform(0, 100), random.uniform(0, 100), random.chance(0.5) ? 0.0 : 1.0});
+      list.push_back(e);
+    }
+    const auto order = nearest_order(list, silent);
+    ASSERT_EQ(order.size(), list.size());
+    std::vector<bool> left(list.size(), true);
+    Vec at = list[0].at[0];
+    for (const ChainVisit& v : order) {
+      ASSERT_TRUE(left[v.chain]);
+      double best = HUGE_VAL;
+      for (std::size_t c = 0; c < list.size(); ++c)
+        for (const Vec& p : list[c].at)
+          if (left[c]) best = std::min(best, norm(p - at));
+      EXPECT_EQ(norm(list[v.chain].at[v.entry] - at), best);
+      left[v.chain] = false;
+      at = list[v.chain].closed ? list[v.chain].at[v.entry] : list[v.chain].at[1 - v.entry];
+    }
+  }
+}
+
+TEST(ChainOrder, AHundredThousandInNoTime) {
+  Random random(6);
+  std::vector<ChainEntries> list;
+  for (int i = 0; i < 100'000; ++i) {
+    const Vec p{random.uniform(0, 1000), random.uniform(0, 1000), 0};
+    list.push_back({{p, p + Vec{1, 0, 0}}, false});
+  }
+  SilentProgress silent;
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_EQ(nearest_order(list, silent).size(), list.size());
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
+}
+
+/// Counts what is reported: the tree reports its steps.
+class Counting final : public Progress {
+ public:
+  void report(std::string_view, double, std::string_view) override { ++reports; }
+  int reports = 0;
+};
+
+TEST(ChainOrder, ManyAtOnePlaceWithinACircleOfOthers) {
+  // Seen from the middle all of the circle is equally far: it must not be searched at every step.
+  std::vector<ChainEntries> loops;
+  for (int i = 0; i < 50'000; ++i)
+    loops.push_back({{Vec{}, Vec{100 * std::cos(i * 1e-3), 100 * std::sin(i * 1e-3), 0}, Vec{}}, true});
+  Counting counting;
+  EXPECT_EQ(nearest_order(loops, counting).size(), loops.size());
+  EXPECT_LT(counting.reports, 1'000);  // of 16 384 steps each
+}
+
+}  // namespace
+}  // namespace bahnwerk
