@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/verify/bound_grid.hpp"
+#include "core/verify/rest_to_rest.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -15,6 +16,7 @@ using verify::BoundCell;
 using verify::BoundGrid;
 using verify::BoundNode;
 using verify::Pulse;
+using verify::rest_to_rest;
 
 constexpr double negligible_direction = 1e-24;  // h'_k² below this says nothing about b
 // Enough when a refinement changes the bound by less than this (the next one brings about a sixteenth of it) and when
@@ -194,7 +196,10 @@ Bound lower_bound(const Contour& contour, const Machine& machine, double corner_
       ++last;
     grid.build(first, last);
     pulse.done(static_cast<double>(first + last) / 2 / static_cast<double>(path.size()));
-    duration += run_duration(grid, solver, marked);
+    double run = run_duration(grid, solver, marked);
+    if (last == first + 1 && path[first].straight())
+      run = std::max(run, rest_to_rest(path[first], grid.feed(first), machine) * (1 - 1e-12));
+    duration += run;
     nodes += grid.nodes().size();
     pulse.done(static_cast<double>(last) / static_cast<double>(path.size()));
   }
