@@ -13,8 +13,8 @@ namespace bahnwerk {
 
 namespace {
 
-// Memory: about 400 bytes per cell. Beyond the usual number cells get wider, up to the coarsest; the gap then tells
-// what that costs.
+// Memory: about 270 bytes per cell of a window, 80 for the law of each. Beyond the usual number cells get wider, up to
+// the coarsest; the gap then tells what that costs.
 constexpr double usual_cells = 1e6, most_cells = 8e6, coarsest_angle = 0.02;  // rad
 constexpr std::size_t block = 2048;                                           // cells that stay in a cache
 constexpr double divide_above =
@@ -34,15 +34,73 @@ class RunPlanner {
         chain_(grid_, feed, runs, machine,
                options.keep_reserve ? std::optional(options.braking_reserve) : std::nullopt) {}
 
-  /// `from` … `to` is the run's share of progress.
+  /// The run over the segments [first, last); `from` … `to` is its share of progress.
   void plan(std::size_t first, std::size_t last, double from, double to, AccelerationLimitedResult& result) {
+    if (reach(first, last, static_cast<double>(options_.window)) < last)
+      return plan_long(first, last, from, to, result);
     PlanningPulse pulse(progress_, from, to);
+    solve_window(first, last, 0, pulse, result);
+    slow_ = slowing(excess(grid_.cells.size()));
+    emit(grid_.cells.size(), result, pulse);
+  }
+
+ private:
+  /// The end of the segments from `first` on that have about so many cells; one at least.
+  std::size_t reach(std::size_t first, std::size_t last, double cells) const {
+    std::size_t end = first;
+    for (; end < last && cells > 0; ++end) cells -= 1 + total_turn(path_, end, end + 1) / options_.grid.angle;
+    return end;
+  }
+
+  /// Window by window, each to a stop at its end. Kept is what lies before the last segment border which that stop does
+  /// not reach and where the speed is given by what came before; the next window begins there. Where there is none, or
+  /// the next window cannot go on from it, windows grow.
+  void plan_long(std::size_t first, std::size_t last, double from, double to, AccelerationLimitedResult& result) {
+    struct Place {
+      std::size_t segment, pieces, cells;
+      double entry, most;
+    };
+    const std::size_t first_piece = result.law.pieces().size();
+    Place at{first, first_piece, result.cells, 0, 0}, before = at;
+    double window = static_cast<double>(options_.window);
+    const auto fraction = [&](std::size_t segment) {
+      const double begin = path_[first].s0(), end = path_[last - 1].s1();
+      return from + (to - from) * ((segment < last ? path_[segment].s0() : end) - begin) / (end - begin);
+    };
+    slow_ = 1;
+    while (at.segment < last) {
+      const std::size_t end = reach(at.segment, last, window);
+      PlanningPulse pulse(progress_, fraction(at.segment), fraction(end));
+      solve_window(at.segment, end, at.entry, pulse, result);
+      const std::size_t keep = end == last ? grid_.cells.size() : border();
+      if (!chain_.enters() || keep == 0) {
+        if (!chain_.enters()) at = before;
+        result.law.truncate(at.pieces);
+        window *= 2;
+        continue;
+      }
+      before = at;
+      emit(keep, result, pulse);
+      at = {end == last ? last : grid_.cells[keep].segment, result.law.pieces().size(), result.cells, chain_.node(keep),
+            std::max(at.most, excess(keep))};
+    }
+    if (const double slow = slowing(at.most); slow > 1) result.law.slow_from(first_piece, slow);
+  }
+
+  std::size_t border() const {
+    for (std::size_t c = chain_.unaffected(share_); c > 0; --c)
+      if (grid_.cells[c].segment != grid_.cells[c - 1].segment && chain_.slack(c)) return c;
+    return 0;
+  }
+
+  void solve_window(std::size_t first, std::size_t last, double entry, PlanningPulse& pulse,
+                    AccelerationLimitedResult& result) {
     pulse.part(0, 0.2);
     grid_.build(path_, first, last, feed_, machine_, options_.grid, pulse);
     std::size_t rounds = 0;
     for (int division = 0;; ++division) {  // first the grid …
       pulse.half_of_rest();
-      solve(pulse);
+      solve(entry, pulse);
       ++rounds;
       if (division == options_.max_divisions || !mark_divisions(pulse)) break;
       grid_.divide(path_, parts_, pulse);
@@ -54,12 +112,19 @@ class RunPlanner {
       for (std::size_t c = 0; c < grid_.cells.size(); c += block) shape(c, pulse);
     }
     pulse.half_of_rest();
-    emit(result.law, pulse);
     result.rounds = std::max(result.rounds, rounds);
-    result.cells += grid_.cells.size();
   }
 
- private:
+  double excess(std::size_t cells) const {
+    double acceleration = 0, velocity = 0;
+    for (std::size_t c = 0; c < cells; ++c) {
+      acceleration = std::max(acceleration, excess_[c].acceleration);
+      velocity = std::max(velocity, excess_[c].velocity);
+    }
+    return std::max(acceleration, velocity);
+  }
+  static double slowing(double excess) { return excess > 0 ? std::sqrt(1 + excess) * (1 + 1e-12) : 1; }
+
   /// Smooth cells leave what the law may bulge between their ends: the acceleration of an axis along a saturated law is
   /// a parabola of height ≈ turn²/8 there.
   void share(std::size_t first, std::size_t last) {
@@ -74,13 +139,13 @@ class RunPlanner {
   }
 
   /// Speeds of all cells and their laws, block by block: reading the cells once more costs as much as the work on them.
-  void solve(PlanningPulse& pulse) {
+  void solve(double entry, PlanningPulse& pulse) {
     const std::size_t n = grid_.cells.size();
     dirty_.assign(n, 1);
     laws_.resize(n);
     excess_.assign(n, {});
     share_.resize(n);
-    chain_.start();
+    chain_.start(entry);
     for (std::size_t end = n; end > 0;) {
       const std::size_t begin = (end - 1) / block * block;
       pulse(begin, n);
@@ -205,14 +270,14 @@ class RunPlanner {
     p.s_end = path_[segment].s0() + s_end;
   }
 
-  void emit(MotionLaw& law, PlanningPulse& pulse) {
-    law.reserve(grid_.cells.size() + 2);
-    double most = 0;
-    for (const Excess& e : excess_) most = std::max({most, e.acceleration, e.velocity});
-    slow_ = most > 0 ? std::sqrt(1 + most) * (1 + 1e-12) : 1;
+  /// The law of the first cells.
+  void emit(std::size_t cells, AccelerationLimitedResult& result, PlanningPulse& pulse) {
+    MotionLaw& law = result.law;
+    law.reserve(cells + 2);
+    result.cells += cells;
     faster_ = 1 / slow_;
-    for (std::size_t c = 0; c < grid_.cells.size(); ++c) {
-      pulse(c, grid_.cells.size());
+    for (std::size_t c = 0; c < cells; ++c) {
+      pulse(c, cells);
       const std::size_t segment = grid_.cells[c].segment;
       const double s1 = grid_.left(c).s, s2 = grid_.right(c).s, b1 = chain_.node(c), b2 = chain_.node(c + 1);
       if (grid_.cells[c].straight) {

@@ -5,9 +5,10 @@
 /// Per run (rest to rest) a grid is laid, one backward pass finds the largest v² from which each node can still come to
 /// rest, one forward pass takes the largest v² that stays below it; cells where the law switches are divided until the
 /// estimated loss falls below `tolerance`, and cells in which a limit is exceeded between the stations get a smaller
-/// share of it. Straight segments are one cell each and exact. The result is piecewise cubic in time. Cost: O(cells)
-/// time and memory per run; for two axes, path evaluation included, about 350 ns per cell for one solution and 1.2 µs
-/// with all rounds (tests/bench/bench_motion.cpp).
+/// share of it. Runs beyond `window` cells are planned in overlapping windows, each to a stop at its end; what is kept
+/// of it is what that stop cannot reach, so the law is that of the whole run. Straight segments are one cell each and
+/// exact. The result is piecewise cubic in time. Cost: O(cells) time and memory per run; for two axes, path evaluation
+/// included, about 350 ns per cell for one solution and 1.2 µs with all rounds (tests/bench/bench_motion.cpp).
 #include <cstddef>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct AccelerationLimitedOptions {
   int max_divisions = 5,
       max_rounds = 5;  ///< times that the grid is divided, then that limits inside cells are tightened
   GridOptions grid;
+  std::size_t window = 1 << 18;  ///< cells planned at once; longer runs are planned piece by piece
 };
 
 struct AccelerationLimitedResult {

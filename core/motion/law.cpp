@@ -19,6 +19,15 @@ std::size_t MotionLaw::find(double t, std::size_t hint) const {
   return after == pieces_.begin() ? 0 : static_cast<std::size_t>(after - pieces_.begin()) - 1;
 }
 
+void MotionLaw::slow_from(std::size_t first, double factor) {
+  double at = first < pieces_.size() ? pieces_[first].t0 : 0;
+  for (std::size_t i = first; i < pieces_.size(); ++i) {
+    pieces_[i].slow(factor);
+    pieces_[i].t0 = at;
+    at += pieces_[i].duration;
+  }
+}
+
 void MotionLaw::slow_run(double t, double factor) {
   std::size_t first = find(t), last = first + 1;
   while (first > 0 && pieces_[first].v > 0) --first;

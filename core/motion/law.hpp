@@ -60,6 +60,10 @@ class MotionLaw {
   /// Slows what lies between the two rests around t to last `factor` ≥ 1 times as long; what follows comes later.
   /// O(pieces).
   void slow_run(double t, double factor);
+  /// Keeps only the first pieces.
+  void truncate(std::size_t pieces) { pieces_.resize(pieces); }
+  /// Slows everything from piece `first` on to last `factor` ≥ 1 times as long. O(pieces).
+  void slow_from(std::size_t first, double factor);
   /// The same motion, uniformly slowed: lasts `factor` ≥ 1 times as long.
   MotionLaw slowed(double factor) const;
 

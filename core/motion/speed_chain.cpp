@@ -38,7 +38,7 @@ inline typename SpeedChain<N>::Caps SpeedChain<N>::caps(std::size_t c) const {
   }
   if (cell.straight) middle = std::min(left, right);
   if (c == 0)
-    left = 0;
+    left = entry_ > 0 ? std::min(left, runs_.joint_cap[cell.segment]) : 0;
   else if (cell.segment != grid_.cells[c - 1].segment)
     left = std::min(left, runs_.joint_cap[cell.segment]);
   return {left, middle, right};
@@ -75,20 +75,18 @@ inline Rows<N> SpeedChain<N>::link(const Station<N>& at, double h, double share,
   return rows;
 }
 
+/// What may be driven at the cell's middle and left end if the right end allows `next`.
 template <int N>
-inline void SpeedChain<N>::step_back(std::size_t c, double share, const Caps& cap) {
-  if (grid_.cells[c].straight) {
-    node_stop_[c] = std::min(cap.left, node_stop_[c + 1] + 2 * acceleration(c) * grid_.length(c));
-  } else {
-    const double w = 1 / grid_.length(c);
-    const PlainLink<N> right(grid_.right(c), w, share * right_part(c), limit_);
-    middle_stop_[c] = right.plain() && !reserve_
-                          ? right.backward_right(cap.middle, node_stop_[c + 1])
-                          : reach_backward(rows_right(c, share, true), cap.middle, node_stop_[c + 1]);
-    const PlainLink<N> left(grid_.left(c), w, share * left_part(c), limit_);
-    node_stop_[c] = left.plain() && !reserve_ ? left.backward_left(cap.left, middle_stop_[c])
-                                              : reach_backward(rows_left(c, share, false), cap.left, middle_stop_[c]);
-  }
+inline typename SpeedChain<N>::Stop SpeedChain<N>::step_back(std::size_t c, double share, const Caps& cap,
+                                                             double next) const {
+  if (grid_.cells[c].straight) return {next, std::min(cap.left, next + 2 * acceleration(c) * grid_.length(c))};
+  const double w = 1 / grid_.length(c);
+  const PlainLink<N> right(grid_.right(c), w, share * right_part(c), limit_);
+  const double middle = right.plain() && !reserve_ ? right.backward_right(cap.middle, next)
+                                                   : reach_backward(rows_right(c, share, true), cap.middle, next);
+  const PlainLink<N> left(grid_.left(c), w, share * left_part(c), limit_);
+  return {middle, left.plain() && !reserve_ ? left.backward_left(cap.left, middle)
+                                            : reach_backward(rows_left(c, share, false), cap.left, middle)};
 }
 
 template <int N>
@@ -108,7 +106,8 @@ inline void SpeedChain<N>::step_forward(std::size_t c, double share) {
 }
 
 template <int N>
-void SpeedChain<N>::start() {
+void SpeedChain<N>::start(double entry) {
+  entry_ = entry;
   const std::size_t n = grid_.cells.size();
   node_stop_.resize(n + 1);
   middle_stop_.resize(n);
@@ -117,7 +116,8 @@ void SpeedChain<N>::start() {
   double square = 0;  // |a| ≤ |A|, so v² can never exceed 2 |A| s: keeps everything finite
   for (std::size_t k = 0; k < N; ++k) square += limit_.acceleration[k] * limit_.acceleration[k];
   most_ = 2 * std::sqrt(square) * grid_.run_length;
-  node_stop_[n] = node_[0] = 0;
+  node_stop_[n] = 0;
+  node_[0] = entry;
 }
 
 template <int N>
@@ -127,13 +127,27 @@ void SpeedChain<N>::backward(std::size_t first, std::size_t last, const LargeVec
     // origin.
     const Caps cap = caps(c);
     node_stop_[c + 1] = std::min(node_stop_[c + 1], cap.right);
-    step_back(c, share[c], cap);
+    const Stop stop = step_back(c, share[c], cap, node_stop_[c + 1]);
+    middle_stop_[c] = stop.middle;
+    node_stop_[c] = stop.node;
   }
 }
 
 template <int N>
 void SpeedChain<N>::forward(std::size_t first, std::size_t last, const LargeVector<double>& share) {
   for (std::size_t c = first; c < last; ++c) step_forward(c, share[c]);
+}
+
+template <int N>
+std::size_t SpeedChain<N>::unaffected(const LargeVector<double>& share) const {
+  double next = unlimited;
+  for (std::size_t c = grid_.cells.size(); c-- > 0;) {
+    const Caps cap = caps(c);
+    const Stop stop = step_back(c, share[c], cap, std::min(next, cap.right));
+    next = c > 0 ? std::min(stop.node, caps(c - 1).right) : stop.node;
+    if (next == node_stop_[c]) return c;
+  }
+  return 0;
 }
 
 template <int N>
@@ -145,7 +159,9 @@ void SpeedChain<N>::update(const LargeVector<double>& share, LargeVector<std::ui
     pulse(n - 1 - c, n);
     if (!dirty[c] && !moved) continue;
     const double node = node_stop_[c], middle = middle_stop_[c];
-    step_back(c, share[c], caps(c));
+    const Stop stop = step_back(c, share[c], caps(c), node_stop_[c + 1]);
+    middle_stop_[c] = stop.middle;
+    node_stop_[c] = stop.node;
     if (c > 0) node_stop_[c] = std::min(node_stop_[c], caps(c - 1).right);
     moved = differs(node_stop_[c], node);
     if (moved || differs(middle_stop_[c], middle)) dirty[c] = 1;

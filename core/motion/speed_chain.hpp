@@ -25,13 +25,20 @@ class SpeedChain {
   SpeedChain(const Grid<N>& grid, const std::vector<double>& feed, const Runs& runs, const Machine& machine,
              std::optional<double> reserve);
 
-  /// Takes the grid as it is now.
-  void start();
+  /// Takes the grid as it is now, entered at speed² `entry` (0: at rest).
+  void start(double entry);
   /// What can still stop, for cells [first, last); to be called for all of them from the last on. `share` is the part
   /// of the acceleration limits that each cell may use.
   void backward(std::size_t first, std::size_t last, const LargeVector<double>& share);
   /// The law of cells [first, last), to be called for all of them from the first on.
   void forward(std::size_t first, std::size_t last, const LargeVector<double>& share);
+  /// The motion comes to rest at the end of the grid. The first cell from the right that would be driven the same if it
+  /// did not: nothing behind the grid changes the law up to there. 0 if there is none.
+  std::size_t unaffected(const LargeVector<double>& share) const;
+  /// Whether the law is below what can still stop at cell c, by a hair: then its speed there comes from before.
+  bool slack(std::size_t c) const { return node_[c] < node_stop_[c] * (1 - 1e-4); }
+  /// Whether the entry is not too fast.
+  bool enters() const { return entry_ <= node_stop_[0] * (1 + 1e-12); }
   /// Solves again where `dirty` cells (1) have a new share, and marks in `dirty` every cell whose speeds changed.
   void update(const LargeVector<double>& share, LargeVector<std::uint8_t>& dirty, PlanningPulse& pulse);
 
@@ -51,7 +58,10 @@ class SpeedChain {
   Rows<N> rows_left(std::size_t c, double share, bool flip) const;
   Rows<N> rows_right(std::size_t c, double share, bool flip) const;
   Rows<N> link(const Station<N>& at, double h, double share, bool flip, std::size_t segment) const;
-  void step_back(std::size_t c, double share, const Caps& cap);
+  struct Stop {
+    double middle, node;
+  };
+  Stop step_back(std::size_t c, double share, const Caps& cap, double next) const;
   void step_forward(std::size_t c, double share);
 
   const Grid<N>& grid_;
@@ -59,6 +69,7 @@ class SpeedChain {
   const Runs& runs_;
   std::optional<double> reserve_;
   AxisBounds<N> limit_;
+  double entry_ = 0;
   double most_ = 0;                              // v² that the run's length allows
   LargeVector<double> node_stop_, middle_stop_;  // what can still stop
   LargeVector<double> node_, middle_;            // the law

@@ -66,6 +66,41 @@ TEST(AccelerationLimited, TinyPiecesInALongRun) {
   EXPECT_NEAR(duration(b.finish()), expected, 1e-9 * expected);
 }
 
+TEST(AccelerationLimited, WindowsGiveTheLawOfTheWholeRun) {
+  const Machine m = bahnwerk::testing::two_axes();
+  SilentProgress progress;
+  ContourBuilder b(2, {});
+  Vec at{};
+  double heading = 0;
+  for (int i = 0; i < 400; ++i) {  // arcs and lines without a stop
+    const double side = i % 3 ? 1 : -1, sweep = side * (0.4 + 1.2 * std::abs(std::sin(i))),
+                 r = 4 + 3 * std::cos(2.0 * i);
+    const Vec centre = at + r * Vec{std::cos(heading + side * M_PI / 2), std::sin(heading + side * M_PI / 2), 0};
+    const Vec d = at - centre;
+    at = centre + Vec{std::cos(sweep) * d.x - std::sin(sweep) * d.y, std::sin(sweep) * d.x + std::cos(sweep) * d.y, 0};
+    heading += sweep;
+    b.arc(at, centre, side > 0);
+    if (i % 7 == 0) b.line(at = at + 5 * Vec{std::cos(heading), std::sin(heading), 0});
+  }
+  const Contour contour = b.finish();
+  for (const bool reserve : {false, true}) {
+    AccelerationLimitedOptions whole, pieces;
+    whole.keep_reserve = pieces.keep_reserve = reserve;
+    const auto expected = plan_acceleration_limited(contour, m, whole, progress);
+    for (const std::size_t window : {500u, 3000u, 20000u}) {
+      pieces.window = window;
+      const auto got = plan_acceleration_limited(contour, m, pieces, progress);
+      EXPECT_NEAR(got.law.duration(), expected.law.duration(), 2e-6 * expected.law.duration()) << window;
+      const auto& list = got.law.pieces();
+      for (std::size_t i = 1; i < list.size(); ++i) {
+        ASSERT_NEAR(list[i].v, list[i - 1].at(list[i - 1].duration).v, 1e-9 * (1 + list[i].v)) << i;
+        ASSERT_EQ(list[i].s, list[i - 1].s_end);
+      }
+      EXPECT_NEAR(list.back().s_end, contour.path.length(), 1e-9);
+    }
+  }
+}
+
 TEST(AccelerationLimited, StopsWhenAsked) {
   struct Impatient final : Progress {
     void report(std::string_view, double, std::string_view) override { throw Stopped(StopReason::cancelled); }
