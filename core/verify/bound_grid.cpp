@@ -237,7 +237,7 @@ BoundCell BoundGrid::cell(BoundNode& a, BoundNode& b) const {
   return c;
 }
 
-void BoundGrid::build(std::size_t first, std::size_t last) {
+void BoundGrid::build(std::size_t first, std::size_t last, bool rest_first, bool rest_last) {
   nodes_.clear(), cells_.clear();
   double expected = 0;
   for (std::size_t i = first; i < last; ++i) {
@@ -247,7 +247,8 @@ void BoundGrid::build(std::size_t first, std::size_t last) {
   }
   nodes_.reserve(static_cast<std::size_t>(expected)), cells_.reserve(static_cast<std::size_t>(expected));
   for (std::size_t i = first; i < last; ++i) append_segment(i);
-  nodes_.front().cap = nodes_.back().cap = 0;
+  if (rest_first) nodes_.front().cap = 0;
+  if (rest_last) nodes_.back().cap = 0;
 }
 
 void BoundGrid::refine(const std::vector<unsigned char>& marked) {

@@ -44,8 +44,9 @@ class BoundGrid {
  public:
   BoundGrid(const Contour& contour, const Machine& machine, double corner_angle, Pulse& pulse);
 
-  /// The first grid over the segments [first, last), at rest at both ends.
-  void build(std::size_t first, std::size_t last);
+  /// The first grid over the segments [first, last), at rest where it begins and ends or as fast there as the place
+  /// itself allows.
+  void build(std::size_t first, std::size_t last, bool rest_first = true, bool rest_last = true);
   /// Quarters the cells marked. O(n).
   void refine(const std::vector<unsigned char>& marked);
 

@@ -24,6 +24,8 @@ constexpr double negligible_direction = 1e-24;  // h'_k² below this says nothin
 // anything shows.
 constexpr double converged = 3e-7, clear = 1e-3;
 constexpr int least_rounds = 2, most_rounds = 8;
+// Longer runs are cut here for the sake of memory; what speed a motion has at a cut is left open.
+constexpr std::size_t longest_stretch = 200'000;  // segments
 
 double sq(double x) { return x * x; }
 
@@ -194,13 +196,17 @@ Bound lower_bound(const Contour& contour, const Machine& machine, double corner_
     while (last < path.size() && list[last - 1].angle <= corner_angle && !path[last - 1].cusp_end() &&
            !path[last].cusp_begin())
       ++last;
-    grid.build(first, last);
-    pulse.done(static_cast<double>(first + last) / 2 / static_cast<double>(path.size()));
-    double run = run_duration(grid, solver, marked);
+    double run = 0;
+    for (std::size_t begin = first, end = 0; begin < last; begin = end) {
+      end = std::min(begin + longest_stretch, last);
+      grid.build(begin, end, begin == first, end == last);
+      pulse.done(static_cast<double>(begin + end) / 2 / static_cast<double>(path.size()));
+      run += run_duration(grid, solver, marked);
+      nodes += grid.nodes().size();
+    }
     if (last == first + 1 && path[first].straight())
       run = std::max(run, rest_to_rest(path[first], grid.feed(first), machine) * (1 - 1e-12));
     duration += run;
-    nodes += grid.nodes().size();
     pulse.done(static_cast<double>(last) / static_cast<double>(path.size()));
   }
   return {duration, 0, "axis energies between " + std::to_string(nodes) + " nodes of the path"};

@@ -30,7 +30,8 @@ namespace bahnwerk {
 /// in its weaker reading and the sum is reduced by 1e-12 + 4e-16 per node. Distance to the true optimum: exact on
 /// polylines; ≤ 5e-6 beyond the reference's own error on 3,000 random contours of arcs, lines and rational pieces (held
 /// to 2e-5 by tests against a dense solution). Cost: ≈ 85 ns per node on lines, 300–600 ns on arcs and free-form
-/// curves, O(n) time and ≈ 0.4 kB per node between two rests. Calls progress every few ms; throws what it throws.
+/// curves, O(n) time and ≈ 0.4 kB per node between two rests, of at most 200,000
+/// segments (at such a cut the speed is left open). Calls progress every few ms; throws what it throws.
 Bound lower_bound(const Contour& contour, const Machine& machine, double corner_angle, Progress& progress,
                   double progress_from = 0, double progress_to = 1);
 

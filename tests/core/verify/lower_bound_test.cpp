@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/contour/polyline.hpp"
 #include "core/errors.hpp"
 #include "core/verify/judge.hpp"
 #include "tests/core/verify/reference.hpp"
@@ -251,6 +252,16 @@ TEST(WithGap, IsPlannedOverBoundMinusOne) {
   EXPECT_EQ(with_gap({2, 0, ""}, 2).gap, 0);
   EXPECT_LT(with_gap({2, 0, ""}, 1.999).gap, -4e-4);
   EXPECT_EQ(with_gap({0, 0, ""}, 0).gap, 0);
+}
+
+TEST(LowerBound, LongRunsAreCutAndStayBelow) {
+  std::vector<Vec> points;
+  constexpr int n = 450'000;
+  for (int i = 0; i <= n; ++i) points.push_back({i * 1e-3, 0, 0});
+  const double v = 1800, a = 16000, length = n * 1e-3, whole = length / v + v / a;
+  const double proven = bound(polyline(2, points, false, unlimited), machine(2, v, a));
+  EXPECT_LE(proven, whole);
+  EXPECT_GE(proven, whole - 0.5 * v / a);  // what an open speed at the last cut can save
 }
 
 }  // namespace
