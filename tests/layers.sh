@@ -5,7 +5,7 @@ cd "${1:-.}"
 declare -A below=(
   [core/numeric]=""
   [core/curve]="core/numeric"
-  [core/contour]="core/curve core/numeric"
+  [core/contour]="core/machine core/curve core/numeric"
   [core/machine]="core/curve core/numeric"
   [core/motion]="core/contour core/machine core/curve core/numeric"
   [core/verify]="core/motion/law core/motion/trajectory core/motion/limits core/contour core/machine core/curve core/numeric"

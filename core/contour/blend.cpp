@@ -1,0 +1,309 @@
+#include "core/contour/blend.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <string>
+
+#include "core/contour/blend/layout.hpp"
+#include "core/contour/blend/smooth_run.hpp"
+#include "core/errors.hpp"
+
+namespace bahnwerk {
+
+namespace {
+
+using namespace blending;
+
+constexpr double least_tolerance = 1e-5, most_tolerance = 1e3;  // mm
+constexpr double tiny_share = 0.01;                             // of the tolerance: lines shorter than this are merged
+constexpr double used_share = 0.97;                             // of the tolerance for blends, after merging
+constexpr double reversal = 170 * 3.14159265358979323846 / 180;
+constexpr double fastest = 1e6;           // mm/s, where nothing limits the speed
+constexpr double shortest_rest = 1e-9;    // mm of a segment that is worth keeping between two blends
+constexpr double shortest_change = 1e-4;  // mm; in less the rounding of coordinates shows in a curve's direction
+constexpr double small_jump = 1e-6;       // rad, worth a note
+constexpr int most_splits = 4;            // times that a run is cut where it cannot be smoothed
+constexpr std::size_t progress_step = 256;
+
+struct Count {
+  std::size_t corners = 0, runs = 0, run_segments = 0, failed = 0, unsmoothed = 0;
+};
+
+class Blender {
+ public:
+  Blender(const Contour& given, const BlendOptions& options, const Machine& machine, Progress& progress, double from,
+          double to)
+      : given_(given), options_(options), machine_(machine), progress_(progress), from_(from), to_(to) {
+    result_.dimension = given.dimension;
+    result_.notes = given.notes;
+    result_.blocks = given.blocks;
+    block_.resize(given.path.size());
+    for (std::size_t b = 0; b < given.blocks.size(); ++b)
+      for (std::size_t i = given.blocks[b].first; i < given.blocks[b].last; ++i) block_[i] = b;
+    breathe_ = [this] { breathe(); };
+  }
+
+  Contour run() {
+    breathe();
+    const std::size_t n = given_.path.size();
+    for (std::size_t i = 0; i < n;) {
+      std::size_t j = i + 1;
+      while (j < n && mode(j) == mode(i)) ++j;
+      auto list = stretches(given_.path, i, j, block_, tiny_share * options_.tolerance, reversal);
+      list.front().rest_begin = i == 0 || rests(i);
+      list.back().rest_end = j == n || rests(j);
+      for (const Stretch& s : list) process(s, 0);
+      i = j;
+    }
+    finish_blocks();
+    note();
+    progress_.report("blend", to_);
+    return std::move(result_);
+  }
+
+ private:
+  Mode mode(std::size_t segment) const {
+    return given_.blocks.empty() ? Mode::cut : given_.blocks[block_[segment]].mode;
+  }
+  /// The motion rests at the joint where segment i begins.
+  bool rests(std::size_t i) const {
+    const Segment &before = given_.path[i - 1], &after = given_.path[i];
+    return before.cusp_end() || after.cusp_begin() ||
+           angle_between(before.at_parameter(before.curve().end()).d1, after.at_parameter(after.curve().begin()).d1) >
+               options_.corner_angle;
+  }
+  void breathe() {
+    const double share = static_cast<double>(done_) / static_cast<double>(std::max<std::size_t>(1, given_.path.size()));
+    progress_.report("blend", from_ + (to_ - from_) * std::min(1.0, share));
+  }
+  Ability ability(std::size_t block) const {
+    Ability a{0, HUGE_VAL, HUGE_VAL, 0};
+    double square = 0;
+    for (const AxisLimits& axis : machine_.axes) {
+      square += axis.velocity * axis.velocity;
+      a.acceleration = std::min(a.acceleration, axis.acceleration);
+      a.jerk = std::min(a.jerk, axis.jerk);
+    }
+    a.speed = std::min(std::sqrt(square), fastest);
+    if (!given_.blocks.empty()) a.speed = std::min(a.speed, given_.blocks[block].feed);
+    a.step = a.speed * machine_.cycle_time;
+    return a;
+  }
+
+  void process(const Stretch& stretch, int depth) {
+    std::vector<Ability> abilities;
+    abilities.reserve(stretch.elements.size());
+    for (const Element& e : stretch.elements) abilities.push_back(ability(e.block));
+    const auto changes = lay_out(stretch, used_share * options_.tolerance, abilities);
+    double at = 0;
+    std::size_t hint = 0;
+    for (const Change& change : changes) {
+      if (change.b - change.a < shortest_change) {
+        ++count_.failed;
+      } else if (!change.run) {
+        corner(stretch, change, at, hint);
+      } else {
+        keep(stretch, at, change.a, hint);
+        at = smooth(stretch, change, depth, hint) ? change.b : change.a;
+      }
+    }
+    keep(stretch, at, stretch.length(), hint);
+  }
+
+  void append(const std::shared_ptr<const Curve>& curve, const Element& from) {
+    const std::size_t before = result_.path.size();
+    try {
+      result_.path.append(curve, from.source);
+    } catch (const InvalidInput&) {
+      return;  // without length
+    }
+    owner_.insert(owner_.end(), result_.path.size() - before, from.block);
+  }
+
+  /// What lies between a and b as it is.
+  void keep(const Stretch& stretch, double a, double b, std::size_t& hint) {
+    if (!(b > a)) return;
+    for (std::size_t i = hint = stretch.find(a, hint); i < stretch.elements.size(); ++i) {
+      const Element& e = stretch.elements[i];
+      if (e.begin >= b) break;
+      hint = i;
+      const double low = std::max(0.0, a - e.begin), high = std::min(e.length, b - e.begin);
+      if (high - low > shortest_rest || (low <= 0 && high >= e.length)) append(e.part(low, high), e);
+      tick();
+    }
+  }
+
+  void tick() {
+    if (++done_ % progress_step == 0) breathe();
+  }
+
+  /// Keeps what lies between `at` and the blend, and moves `at` behind it. Leaves everything as it is if the joint
+  /// cannot be blended within the tolerance.
+  void corner(const Stretch& stretch, const Change& change, double& at, std::size_t& hint) {
+    tick();
+    const Element &before = stretch.elements[change.joint - 1], &after = stretch.elements[change.joint];
+    double d1 = after.begin - change.a, d2 = change.b - after.begin;
+    const double tolerance = used_share * options_.tolerance;
+    for (int attempt = 0; attempt < 12; ++attempt) {
+      Rational curve = corner_curve(before, d1, after, d2);
+      // Between lines the reach is exact.
+      const double deviation = before.straight && after.straight ? 0.0 : corner_deviation(curve, before, d1, after, d2);
+      if (deviation <= tolerance) {
+        keep(stretch, at, after.begin - d1, hint);
+        at = after.begin + d2;
+        if (before.block == after.block) {
+          append(std::make_shared<Rational>(std::move(curve)), before);
+        } else {
+          append(std::make_shared<Rational>(curve.restricted(0, 0.5, 0.25)), before);
+          append(std::make_shared<Rational>(curve.restricted(0.5, 1, 0.75)), after);
+        }
+        ++count_.corners;
+        return;
+      }
+      const double factor = std::clamp(std::sqrt(0.95 * tolerance / deviation), 0.3, 0.97);
+      d1 *= factor;
+      d2 *= factor;
+    }
+    ++count_.failed;
+  }
+
+  bool smooth(const Stretch& stretch, const Change& change, int depth, std::size_t hint) {
+    const double length = stretch.length(), near = 1e-9 * length;
+    RunRange range{change.a, change.b, true, true};
+    if (range.a <= near) range.a = 0, range.clamped_begin = !stretch.rest_begin;
+    if (range.b >= length - near) range.b = length, range.clamped_end = !stretch.rest_end;
+    std::vector<double> borders;
+    std::size_t segments = 1;
+    for (std::size_t i = stretch.find(range.a, hint) + 1;
+         i < stretch.elements.size() && stretch.elements[i].begin < range.b; ++i, ++segments)
+      if (stretch.elements[i].block != stretch.elements[i - 1].block) borders.push_back(stretch.elements[i].begin);
+    const SmoothedRun run =
+        smooth_run(stretch, range, borders, used_share * options_.tolerance, given_.dimension, breathe_);
+    if (!run.done) return split(stretch, range, run.troubles, depth, hint);
+    for (std::size_t k = 0; k < run.pieces.size(); ++k) {
+      hint = stretch.find(0.5 * (run.breaks[k] + run.breaks[k + 1]), hint);
+      append(std::make_shared<Rational>(run.pieces[k]), stretch.elements[hint]);
+    }
+    done_ += segments;
+    ++count_.runs;
+    count_.run_segments += segments;
+    return true;
+  }
+
+  /// A run that cannot be smoothed as a whole: the sharpest joints next to the trouble become rests, and what lies
+  /// between them is laid out anew.
+  bool split(const Stretch& stretch, const RunRange& range, const std::vector<double>& troubles, int depth,
+             std::size_t hint) {
+    std::vector<std::size_t> cuts;
+    for (const double t : troubles) {
+      const std::size_t here = stretch.find(t, hint);
+      std::size_t best = 0;
+      double sharpest = 0;
+      for (std::size_t j = here > 2 ? here - 2 : 1; j < std::min(stretch.elements.size(), here + 4); ++j) {
+        const double border = stretch.elements[j].begin;
+        if (!(border > range.a && border < range.b)) continue;
+        const double turn = joint_shape(stretch.elements[j - 1], stretch.elements[j]).turn;
+        if (turn > sharpest) sharpest = turn, best = j;
+      }
+      if (best > 0 && (cuts.empty() || best > cuts.back())) cuts.push_back(best);
+    }
+    if (cuts.empty() || depth >= most_splits) {
+      ++count_.unsmoothed;
+      return false;
+    }
+    std::size_t i = stretch.find(range.a, hint);
+    cuts.push_back(stretch.elements.size());
+    for (std::size_t k = 0; k < cuts.size(); ++k) {
+      Stretch part;
+      part.rest_begin = k > 0 || !range.clamped_begin;
+      part.rest_end = k + 1 < cuts.size() || !range.clamped_end;
+      for (; i < cuts[k] && stretch.elements[i].begin < range.b; ++i) {
+        const Element& whole = stretch.elements[i];
+        const double low = std::max(0.0, range.a - whole.begin), high = std::min(whole.length, range.b - whole.begin);
+        if (!(high > low)) continue;
+        part.elements.push_back(cut(whole, low, high, part.length()));
+      }
+      if (!part.elements.empty()) process(part, depth + 1);
+    }
+    return true;
+  }
+
+  /// Part of an element as an element of its own.
+  Element cut(const Element& whole, double low, double high, double begin) {
+    Element e = whole;
+    e.begin = begin;
+    if (low <= 0 && high >= whole.length) return e;
+    if (e.straight) {
+      e.from = whole.from + low * whole.tangent;
+      e.length = high - low;
+      e.segment = nullptr;
+      return e;
+    }
+    parts_.push_back(std::make_unique<Segment>(whole.part(low, high), 0.0, whole.source));
+    e.segment = parts_.back().get();
+    e.length = e.segment->length();
+    return e;
+  }
+
+  void finish_blocks() {
+    std::size_t i = 0;
+    for (std::size_t b = 0; b < result_.blocks.size(); ++b) {
+      result_.blocks[b].first = i;
+      while (i < owner_.size() && owner_[i] <= b) ++i;
+      result_.blocks[b].last = i;
+    }
+  }
+
+  void note() {
+    char text[200];
+    std::snprintf(text, sizeof text, "blended within %.6g mm: %zu joints, %zu runs of %zu short segments",
+                  options_.tolerance, count_.corners, count_.runs, count_.run_segments);
+    result_.notes.emplace_back(text);
+    std::size_t stops = 0;
+    double where = 0;
+    std::size_t small = 0;
+    for (const Joint& j : joints(result_.path)) {
+      if (j.angle > options_.corner_angle && stops++ == 0) where = j.s;
+      if (j.angle > small_jump && j.angle <= options_.corner_angle) ++small;
+    }
+    if (small > 0) {
+      std::snprintf(text, sizeof text, "%zu tangent jumps below the corner angle left", small);
+      result_.notes.emplace_back(text);
+    }
+    if (stops > 0) {
+      std::snprintf(text, sizeof text, "%zu corners not blended (reversals, borders of cutting), the first at %.6g mm",
+                    stops, where);
+      result_.notes.emplace_back(text);
+    }
+    if (count_.unsmoothed + count_.failed > 0) {
+      std::snprintf(text, sizeof text, "%zu runs could not be smoothed and %zu joints not blended within the tolerance",
+                    count_.unsmoothed, count_.failed);
+      result_.notes.emplace_back(text);
+    }
+  }
+
+  const Contour& given_;
+  const BlendOptions& options_;
+  const Machine& machine_;
+  Progress& progress_;
+  double from_, to_;
+  std::function<void()> breathe_;
+  std::vector<std::size_t> block_, owner_;
+  std::vector<std::unique_ptr<Segment>> parts_;
+  Contour result_;
+  Count count_;
+  std::size_t done_ = 0;
+};
+
+}  // namespace
+
+Contour blend(const Contour& given, const BlendOptions& options, const Machine& machine, Progress& progress,
+              double from, double to) {
+  if (!(options.tolerance >= least_tolerance && options.tolerance <= most_tolerance))
+    throw InvalidInput({{{"planning", "corner", "tolerance"}, "the tolerance has to be 1e-5 to 1e3 mm"}});
+  return Blender(given, options, machine, progress, from, to).run();
+}
+
+}  // namespace bahnwerk

@@ -1,0 +1,43 @@
+#pragma once
+/// The curve that replaces one joint: a Bézier curve of degree 7 that has position and three derivatives by arc length
+/// in common with the contour at both ends.
+///
+/// With L = λ(d₁ + d₂) as the length of its parameter interval the ends are f⁽ᵏ⁾ = Lᵏ h⁽ᵏ⁾. Between two lines that turn
+/// by θ, both cut back by d, its control points lie at d, (1 − 2λ/7) d, (1 − 4λ/7) d, (1 − 6λ/7) d from the corner; its
+/// middle is then 2 S d sin(θ/2) away from the corner, S = (64 − 44 λ)/128, which is the largest distance in either
+/// direction. λ = 0.9 + 0.03 θ is what passes a corner of given deviation soonest with a limit on |h''v² + h'a| (found
+/// by scanning λ and integrating the fastest motion; 0.5 to 5 % shorter than λ = 1, and its peak curvature is within 4
+/// % of the circle's with the same deviation for small θ).
+#include "core/contour/blend/elements.hpp"
+#include "core/curve/rational.hpp"
+
+namespace bahnwerk::blending {
+
+/// What meets at a joint.
+struct JointShape {
+  double turn = 0;      ///< θ, rad
+  double bend = 0;      ///< |jump of the curvature vector|, 1/mm
+  double tightest = 0;  ///< larger curvature of both sides, 1/mm
+};
+JointShape joint_shape(const Element& before, const Element& after);
+
+/// What the machine can use: the speed that feed and axes allow, mm/s, the weakest axis, and the way in one cycle.
+struct Ability {
+  double speed = 0, acceleration = 0, jerk = 0;
+  double step = 0;  ///< mm; shorter blends are of no use
+};
+
+/// How far a blend should reach, mm.
+struct Reach {
+  double allowed = 0;  ///< by the tolerance
+  double wanted = 0;   ///< what the machine can use of it
+};
+Reach reach(const JointShape& joint, double tolerance, const Ability& ability);
+
+/// The blend from `d1` before the end of `before` to `d2` behind the begin of `after`.
+Rational corner_curve(const Element& before, double d1, const Element& after, double d2);
+
+/// Largest distance between a blend and what it replaces, both ways, from samples; exact for symmetric blends of lines.
+double corner_deviation(const Rational& curve, const Element& before, double d1, const Element& after, double d2);
+
+}  // namespace bahnwerk::blending

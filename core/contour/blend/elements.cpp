@@ -1,0 +1,141 @@
+#include "core/contour/blend/elements.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/curve/arc.hpp"
+#include "core/curve/line.hpp"
+#include "core/curve/rational.hpp"
+
+namespace bahnwerk::blending {
+
+Jet Element::at(double along) const {
+  if (straight) return {from + along * tangent, tangent, {}, {}};
+  return segment->at(segment->s0() + along);
+}
+
+std::shared_ptr<const Curve> Element::part(double a, double b) const {
+  const bool whole = a <= 0 && b >= length;
+  // Not owned here: the given contour may go, so a curve is copied by its kind.
+  if (straight) return std::make_shared<Line>(from + a * tangent, from + b * tangent);
+  const Curve& curve = segment->curve();
+  const double u0 = a <= 0 ? curve.begin() : segment->parameter(segment->s0() + a);
+  const double u1 = b >= length ? curve.end() : segment->parameter(segment->s0() + b);
+  if (curve.kind() == CurveKind::arc) {
+    const auto& arc = static_cast<const Arc&>(curve);
+    if (whole) return std::make_shared<Arc>(arc);
+    const double turn = u0 * arc.sweep(), c = std::cos(turn), s = std::sin(turn);
+    return std::make_shared<Arc>(arc.centre() + (u0 * arc.rise()) * arc.normal(), c * arc.e1() + s * arc.e2(),
+                                 c * arc.e2() - s * arc.e1(), arc.radius(), (u1 - u0) * arc.sweep(),
+                                 (u1 - u0) * arc.rise());
+  }
+  const auto& rational = static_cast<const Rational&>(curve);
+  if (whole) return std::make_shared<Rational>(rational);
+  // A vanishing tangent at a kept end stays the pivot, exactly.
+  if (rational.vanishing_begin() > 0 && a <= 0)
+    return std::make_shared<Rational>(rational.restricted(u0, u1, u0, rational.vanishing_begin()));
+  if (rational.vanishing_end() > 0 && b >= length)
+    return std::make_shared<Rational>(rational.restricted(u0, u1, u1, rational.vanishing_end()));
+  return std::make_shared<Rational>(rational.restricted(u0, u1, 0.5 * (u0 + u1)));
+}
+
+std::size_t Stretch::find(double t, std::size_t hint) const {
+  const std::size_t n = elements.size();
+  for (std::size_t i = hint; i < std::min(n, hint + 2); ++i)
+    if ((i == 0 || t >= elements[i].begin) && (i + 1 == n || t < elements[i + 1].begin)) return i;
+  const auto after = std::upper_bound(elements.begin(), elements.end(), t,
+                                      [](double value, const Element& e) { return value < e.begin; });
+  return after == elements.begin() ? 0 : static_cast<std::size_t>(after - elements.begin()) - 1;
+}
+
+namespace {
+
+Vec start_of(const Segment& s) { return s.curve().at(s.curve().begin()).value; }
+Vec end_of(const Segment& s) { return s.curve().at(s.curve().end()).value; }
+
+Element whole(const Segment& s, std::size_t block) {
+  Element e;
+  e.segment = &s;
+  e.straight = s.straight();
+  if (e.straight) {
+    e.from = start_of(s);
+    e.tangent = s.at_parameter(s.curve().begin()).d1;
+  }
+  e.length = s.length();
+  e.source = s.source();
+  e.block = block;
+  return e;
+}
+
+/// Lines [first, last) with their vertices thinned: none closer than `tiny` to the one kept before.
+void append_lines(const Path& path, std::size_t first, std::size_t last, const std::vector<std::size_t>& blocks,
+                  double tiny, std::vector<Element>& out) {
+  const std::size_t at = out.size();
+  Vec from = start_of(path[first]);
+  std::size_t begin = first;  // first segment since the vertex kept last
+  for (std::size_t i = first; i < last; ++i) {
+    const Vec to = end_of(path[i]);
+    const double length = norm(to - from);
+    const bool final = i + 1 == last;
+    if (length < tiny && !final) continue;
+    if (length < tiny && out.size() > at) {
+      // The end stays, so the vertex before it goes.
+      Element& e = out.back();
+      const Vec way = to - e.from;
+      if (norm(way) >= tiny) {
+        e.segment = nullptr;
+        e.length = norm(way);
+        e.tangent = way / e.length;
+        continue;
+      }
+    }
+    if (length < 1e-12) continue;
+    if (begin == i) {
+      out.push_back(whole(path[i], blocks[i]));
+    } else {
+      Element e;
+      e.from = from;
+      e.length = length;
+      e.tangent = (to - from) / length;
+      e.source = path[begin].source();
+      e.block = blocks[i];
+      out.push_back(e);
+    }
+    from = to;
+    begin = i + 1;
+  }
+}
+
+}  // namespace
+
+std::vector<Stretch> stretches(const Path& path, std::size_t first, std::size_t last,
+                               const std::vector<std::size_t>& blocks, double tiny, double reversal) {
+  std::vector<Element> elements;
+  for (std::size_t i = first; i < last;) {
+    if (!path[i].straight()) {
+      elements.push_back(whole(path[i], blocks[i]));
+      ++i;
+      continue;
+    }
+    std::size_t j = i;
+    while (j < last && path[j].straight()) ++j;
+    append_lines(path, i, j, blocks, tiny, elements);
+    i = j;
+  }
+  std::vector<Stretch> list;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    Element& e = elements[i];
+    bool cut = i == 0;
+    if (i > 0) {
+      const Element& before = elements[i - 1];
+      cut = (before.segment && before.segment->cusp_end()) || (e.segment && e.segment->cusp_begin()) ||
+            angle_between(before.at(before.length).d1, e.at(0).d1) > reversal;
+    }
+    if (cut) list.emplace_back();
+    e.begin = list.back().length();
+    list.back().elements.push_back(e);
+  }
+  return list;
+}
+
+}  // namespace bahnwerk::blending

@@ -1,0 +1,42 @@
+#pragma once
+/// The stretches of a contour that blending works on: curves between two places at which the path has to stay.
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "core/contour/contour.hpp"
+
+namespace bahnwerk::blending {
+
+/// One curve of a stretch: a path segment, or the line that stands for several tiny ones.
+struct Element {
+  const Segment* segment = nullptr;  ///< none for a merged line
+  bool straight = true;
+  Vec from, tangent;  ///< of a straight element
+  double begin = 0;   ///< where it starts along the stretch, mm
+  double length = 0;
+  std::size_t source = 0, block = 0;
+
+  double end() const { return begin + length; }
+  /// h and its derivatives by arc length at `along` ∈ [0, length] from its start.
+  Jet at(double along) const;
+  /// The curve between two places; the segment's own one if that is all of it.
+  std::shared_ptr<const Curve> part(double a, double b) const;
+};
+
+/// Consecutive elements of one mode. At its ends the path stays where it is.
+struct Stretch {
+  std::vector<Element> elements;
+  bool rest_begin = true, rest_end = true;  ///< the motion rests there, so the direction is free
+  double length() const { return elements.empty() ? 0.0 : elements.back().end(); }
+  /// Index of the element that holds `t` (the later one at a joint). O(log n), O(1) with a good hint.
+  std::size_t find(double t, std::size_t hint) const;
+};
+
+/// Cuts the segments [first, last) of a path (all of one mode) at joints that turn by more than `reversal` rad and at
+/// cusps. Lines shorter than `tiny` mm are merged into their neighbours: vertices move by no more than that.
+/// `blocks[i]` is the block of segment i. O(segments).
+std::vector<Stretch> stretches(const Path& path, std::size_t first, std::size_t last,
+                               const std::vector<std::size_t>& blocks, double tiny, double reversal);
+
+}  // namespace bahnwerk::blending

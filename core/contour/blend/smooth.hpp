@@ -1,0 +1,50 @@
+#pragma once
+/// The smoothest quintic spline through a tube of balls: it minimises ∫ w |f'''|² dt subject to |f(tᵢ) − pᵢ| < rᵢ.
+///
+/// Interior-point method: Newton's method on ½∫w|f'''|² − μ Σ gᵢ log(1 − |f(tᵢ) − pᵢ|²/rᵢ²) for falling μ, started from
+/// a smoothing spline (a quadratic penalty instead of the logarithm) that lies inside the tube. The weights make the
+/// energy dimensionless and even: w = H⁵/ρ² per break interval, where H is the length on which the tube lets a curve
+/// bend (its "scale") and ρ the tube's radius; so rough and calm regions of one contour count alike. All systems are
+/// banded: O(breaks + sites) per step, some 25 steps.
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "core/curve/curve.hpp"
+
+namespace bahnwerk::blending {
+
+struct TubeSite {
+  double t = 0;
+  Vec p;
+  double radius = 0;  ///< mm
+};
+
+struct TubeEnd {
+  bool clamped = false;  ///< three derivatives are given, by t; otherwise only the position
+  Jet jet;
+};
+
+struct TubeProblem {
+  std::size_t dimension = 2;
+  std::vector<TubeSite> sites;  ///< ascending t, strictly inside the breaks
+  std::vector<double> breaks;   ///< strictly ascending, at least 8 intervals
+  std::vector<double> scale;    ///< H per interval, mm
+  TubeEnd begin, end;
+};
+
+struct TubeSpline {
+  std::vector<double> knots;
+  std::vector<Vec> points;  ///< degree 5
+  bool inside = false;      ///< every site holds
+  std::size_t worst = 0;    ///< if not: the site that is violated most
+  std::size_t steps = 0;    ///< Newton steps taken
+
+  /// f and its derivatives in break interval `span`.
+  Jet at(std::size_t span, double t) const;
+};
+
+/// `breathe` is called at least every 20 ms or so and may throw.
+TubeSpline smooth_in_tube(const TubeProblem& problem, const std::function<void()>& breathe);
+
+}  // namespace bahnwerk::blending

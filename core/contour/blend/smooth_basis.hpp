@@ -1,0 +1,22 @@
+#pragma once
+/// B-splines of degree 5: values and three derivatives of the six that do not vanish at a place.
+/// [Piegl, Tiller: The NURBS Book, A2.3]
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace bahnwerk::blending {
+
+inline constexpr std::size_t spline_degree = 5;
+inline constexpr std::size_t spline_order = spline_degree + 1;
+
+/// [k][i]: k-th derivative of the i-th of the six.
+using BasisRow = std::array<std::array<double, spline_order>, 4>;
+
+/// The breaks with both ends six times: four continuous derivatives inside, position at the ends.
+std::vector<double> clamped_knots(const std::vector<double>& breaks);
+
+/// Basis functions span … span + 5 at t in [breaks[span], breaks[span + 1]]. O(degree²).
+BasisRow basis_at(const std::vector<double>& knots, std::size_t span, double t);
+
+}  // namespace bahnwerk::blending

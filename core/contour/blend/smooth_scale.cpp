@@ -1,0 +1,95 @@
+#include "core/contour/blend/smooth_scale.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bahnwerk::blending {
+
+namespace {
+
+constexpr double growth = 1.4, slope = 0.4;
+constexpr double node_step = 0.25;  // of H
+constexpr std::size_t fewest = 8;   // intervals
+
+/// The contour around t, `h` long, stays within the tolerance of its chord.
+bool flat(const Stretch& stretch, double a, double b, double t, double h, double tolerance) {
+  const double low = std::max(a, t - 0.5 * h), high = std::min(b, t + 0.5 * h);
+  const Vec p = point_of(stretch, low), way = point_of(stretch, high) - p;
+  const double square = dot(way, way);
+  constexpr int samples = 8;
+  for (int i = 1; i < samples; ++i) {
+    const Vec d = point_of(stretch, low + (high - low) * i / samples) - p;
+    const Vec off = square > 0 ? d - std::clamp(dot(d, way) / square, 0.0, 1.0) * way : d;
+    if (!(norm(off) <= tolerance)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Vec point_of(const Stretch& stretch, double t) {
+  const Element& e = stretch.elements[stretch.find(t, stretch.elements.size())];
+  const double along = std::clamp(t - e.begin, 0.0, e.length);
+  return e.straight ? e.from + along * e.tangent : e.at(along).value;
+}
+
+BendScale::BendScale(const Stretch& stretch, double a, double b, double tolerance,
+                     const std::function<void()>& breathe) {
+  const double most = 0.5 * (b - a), least = std::min(tolerance, most);
+  least_ = least / 16;
+  double h = most;
+  for (double t = a;; t = std::min(b, t + node_step * h)) {
+    while (h > least && !flat(stretch, a, b, t, h, tolerance)) h /= growth;
+    while (h < most && flat(stretch, a, b, t, h * growth, tolerance)) h *= growth;
+    h = std::clamp(h, least, most);
+    t_.push_back(t);
+    h_.push_back(h);
+    if (t >= b) break;
+    if ((t_.size() & 1023) == 1023 && breathe) breathe();
+  }
+  grade();
+}
+
+double BendScale::at(double t) const {
+  const auto after = std::upper_bound(t_.begin(), t_.end(), t);
+  if (after == t_.begin()) return h_.front();
+  if (after == t_.end()) return h_.back();
+  const auto i = static_cast<std::size_t>(after - t_.begin());
+  const double x = (t - t_[i - 1]) / (t_[i] - t_[i - 1]);
+  return h_[i - 1] + x * (h_[i] - h_[i - 1]);
+}
+
+void BendScale::refine(const std::vector<double>& places) {
+  std::size_t next = 0;  // nodes before it are done
+  for (const double t : places) {
+    const auto after = static_cast<std::size_t>(std::upper_bound(t_.begin(), t_.end(), t) - t_.begin());
+    for (std::size_t i = std::max(next, after > 0 ? after - 1 : 0); i < std::min(after + 1, t_.size()); ++i) {
+      h_[i] = std::max(least_, 0.5 * h_[i]);
+      next = i + 1;
+    }
+  }
+  grade();
+}
+
+void BendScale::grade() {
+  for (std::size_t i = 1; i < t_.size(); ++i) h_[i] = std::min(h_[i], h_[i - 1] + slope * (t_[i] - t_[i - 1]));
+  for (std::size_t i = t_.size() - 1; i-- > 0;) h_[i] = std::min(h_[i], h_[i + 1] + slope * (t_[i + 1] - t_[i]));
+}
+
+std::vector<double> BendScale::breaks() const {
+  // Equal steps of ∫ 2/H dt.
+  std::vector<double> sum(t_.size(), 0.0);
+  for (std::size_t i = 1; i < t_.size(); ++i) sum[i] = sum[i - 1] + (t_[i] - t_[i - 1]) * (1 / h_[i - 1] + 1 / h_[i]);
+  const std::size_t intervals = std::max(fewest, static_cast<std::size_t>(std::ceil(sum.back())));
+  std::vector<double> list{t_.front()};
+  for (std::size_t k = 1, i = 1; k < intervals; ++k) {
+    const double wanted = sum.back() * static_cast<double>(k) / static_cast<double>(intervals);
+    while (sum[i] < wanted) ++i;
+    const double x = (wanted - sum[i - 1]) / (sum[i] - sum[i - 1]);
+    list.push_back(t_[i - 1] + x * (t_[i] - t_[i - 1]));
+  }
+  list.push_back(t_.back());
+  return list;
+}
+
+}  // namespace bahnwerk::blending

@@ -1,0 +1,35 @@
+#pragma once
+/// How finely a spline has to be able to bend along a run of segments.
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "core/contour/blend/elements.hpp"
+
+namespace bahnwerk::blending {
+
+/// H(t): about the length of contour around t that stays within the tolerance of its chord (√(8 R ε) on an arc). It
+/// changes by at most 0.4 per mm of t, so neighbouring spline intervals are of similar size.
+class BendScale {
+ public:
+  /// Between a and b of a stretch, mm; `tolerance` mm. O(nodes · log elements), some 4 nodes per H.
+  BendScale(const Stretch& stretch, double a, double b, double tolerance, const std::function<void()>& breathe);
+
+  double at(double t) const;
+  /// Halves H around these places (ascending), but not below a sixteenth of the tolerance.
+  void refine(const std::vector<double>& places);
+  /// Spline breaks: intervals of H/2, at least 8, their ends a and b.
+  std::vector<double> breaks() const;
+
+ private:
+  /// Applies the bound on the slope.
+  void grade();
+
+  std::vector<double> t_, h_;
+  double least_ = 0;
+};
+
+/// Point of a stretch at `t`. O(log elements).
+Vec point_of(const Stretch& stretch, double t);
+
+}  // namespace bahnwerk::blending

@@ -1,0 +1,77 @@
+#include "core/contour/blend/corner.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/contour/polyline.hpp"
+#include "core/curve/arc.hpp"
+#include "core/curve/curvature.hpp"
+
+namespace bahnwerk::blending {
+namespace {
+
+std::vector<Stretch> corner(double turn) {
+  static Contour kept;
+  kept = polyline(2, {{}, {10, 0, 0}, {10 + 10 * std::cos(turn), 10 * std::sin(turn), 0}}, false, 1);
+  return stretches(kept.path, 0, 2, {0, 0}, 1e-6, 3);
+}
+
+TEST(BlendCorner, ReachBetweenLinesIsExact) {
+  for (const double turn : {0.05, 0.5, 1.5, 2.7}) {
+    const auto s = corner(turn);
+    const Element &a = s[0].elements[0], &b = s[0].elements[1];
+    const Reach r = reach(joint_shape(a, b), 0.01, {1800, 16000, HUGE_VAL, 0});
+    EXPECT_LE(r.wanted, r.allowed);
+    const Rational curve = corner_curve(a, r.allowed, b, r.allowed);
+    EXPECT_NEAR(corner_deviation(curve, a, r.allowed, b, r.allowed), 0.01, 1e-9) << turn;
+    EXPECT_NEAR(norm(curve.at(0.5).value - Vec{10, 0, 0}), 0.01, 1e-9) << turn;
+  }
+}
+
+TEST(BlendCorner, ThreeDerivativesInCommon) {
+  Contour c;
+  c.path.append(std::make_shared<Arc>(Arc({0, 5, 0}, {0, -1, 0}, {1, 0, 0}, 5, 1.2)), 0);
+  const Vec end = c.path[0].curve().at(1).value;
+  c.path.append(std::make_shared<Arc>(Arc(end - Vec{8, 0, 0}, {1, 0, 0}, {0, -1, 0}, 8, 0.7)), 0);
+  const auto s = stretches(c.path, 0, 2, {0, 0}, 1e-6, 3);
+  const Element &a = s[0].elements[0], &b = s[0].elements[1];
+  const Rational curve = corner_curve(a, 0.4, b, 0.3);
+  const Jet begin = by_arc_length(curve.at(0)), finish = by_arc_length(curve.at(1));
+  const Jet left = a.at(a.length - 0.4), right = b.at(0.3);
+  for (const auto& [x, y] : {std::pair{begin, left}, std::pair{finish, right}}) {
+    EXPECT_LE(norm(x.value - y.value), 1e-12);
+    EXPECT_LE(norm(x.d1 - y.d1), 1e-11);
+    EXPECT_LE(norm(x.d2 - y.d2), 1e-9);
+    EXPECT_LE(norm(x.d3 - y.d3), 1e-7);
+  }
+}
+
+TEST(BlendCorner, CurvatureJumpStaysWithinItsEstimate) {
+  Contour c = polyline(2, {{}, {20, 0, 0}}, false, 1);
+  c.path.append(std::make_shared<Arc>(Arc({20, 10, 0}, {0, -1, 0}, {1, 0, 0}, 10, 1.5)), 1);
+  const auto s = stretches(c.path, 0, 2, {0, 0}, 1e-6, 3);
+  const Element &a = s[0].elements[0], &b = s[0].elements[1];
+  const JointShape shape = joint_shape(a, b);
+  EXPECT_EQ(shape.turn, 0);
+  EXPECT_NEAR(shape.bend, 0.1, 1e-12);
+  const Reach r = reach(shape, 1e-4, {1800, 16000, HUGE_VAL, 0});
+  const double deviation = corner_deviation(corner_curve(a, r.allowed, b, r.allowed), a, r.allowed, b, r.allowed);
+  EXPECT_LE(deviation, 1.1e-4);
+  EXPECT_GE(deviation, 0.8e-4);
+}
+
+TEST(BlendCorner, WantsNoMoreThanSpeedAndJerkAskFor) {
+  JointShape shape;
+  shape.turn = 1e-3;
+  const Reach calm = reach(shape, 1, {10, 16000, HUGE_VAL, 0});
+  const Reach fast = reach(shape, 1, {1000, 16000, HUGE_VAL, 0});
+  const Reach jerky = reach(shape, 1, {1000, 16000, 1e5, 0});
+  EXPECT_LT(calm.wanted, fast.wanted + 1);
+  EXPECT_LT(fast.wanted, jerky.wanted);
+  EXPECT_LE(jerky.wanted, jerky.allowed);
+  EXPECT_EQ(reach({}, 1, {1000, 16000, 1e5, 0}).wanted, 0);
+}
+
+}  // namespace
+}  // namespace bahnwerk::blending

@@ -1,0 +1,115 @@
+#include "core/verify/tube.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/contour/builder.hpp"
+#include "core/contour/polyline.hpp"
+#include "core/curve/arc.hpp"
+#include "core/curve/rational.hpp"
+#include "core/verify/tube_bound.hpp"
+
+namespace bahnwerk {
+namespace {
+
+Check check(const Contour& given, const Contour& path, double tolerance) {
+  SilentProgress progress;
+  return tube_check(given, path, tolerance, progress);
+}
+Contour line(std::vector<Vec> points) { return polyline(2, points, false, 1); }
+
+TEST(Tube, SameContourIsAtNoDistance) {
+  ContourBuilder b(2, {});
+  b.line({10, 0, 0});
+  b.arc({10, 0, 0}, {10, 5, 0}, true);  // a full circle
+  b.nurbs(3, {{10, 0, 0}, {20, 0, 0}, {20, 10, 0}, {0, 10, 0}}, {1, 3, 1, 1}, {0, 0, 0, 0, 1, 1, 1, 1});
+  const Contour c = b.finish();
+  const Check k = check(c, c, 0.01);
+  EXPECT_TRUE(k.passed);
+  EXPECT_LE(k.value, 1.5e-6);
+  EXPECT_EQ(k.name, "deviation from contour");
+}
+
+TEST(Tube, ParallelLinesAndArcs) {
+  EXPECT_NEAR(check(line({{}, {10, 0, 0}}), line({{0, 0.004, 0}, {10, 0.004, 0}}), 0.01).value, 0.004, 2e-6);
+  const auto arc = [](double radius) {
+    Contour c;
+    c.blocks = {{Mode::cut, 1, 0, 1}};
+    c.path.append(std::make_shared<Arc>(Arc({}, {1, 0, 0}, {0, 1, 0}, radius, 4)), 0);
+    return c;
+  };
+  EXPECT_NEAR(check(arc(10), arc(10.003), 0.01).value, 0.003, 2e-6);
+  EXPECT_FALSE(check(arc(10), arc(10.02), 0.01).passed);
+}
+
+TEST(Tube, ACutCornerCountsFromBothSides) {
+  // The chamfer is 0.1·√½ from the corner, though its points are at most 0.05 from the lines.
+  const Contour given = line({{}, {10, 0, 0}, {10, 10, 0}});
+  const Contour chamfer = line({{}, {9.9, 0, 0}, {10, 0.1, 0}, {10, 10, 0}});
+  EXPECT_NEAR(check(given, chamfer, 0.08).value, 0.1 * std::sqrt(0.5), 2e-6);
+  EXPECT_TRUE(check(given, chamfer, 0.0708).passed);
+  EXPECT_FALSE(check(given, chamfer, 0.0706).passed);
+}
+
+TEST(Tube, SeesABulgeBetweenSamples) {
+  // A bump 0.011 high and 0.02 wide in the middle of a long line.
+  Contour bump;
+  bump.blocks = {{Mode::cut, 1, 0, 3}};
+  const auto add = [&](const std::vector<Vec>& p) {
+    bump.path.append(std::make_shared<Rational>(Rational::bezier(p)), 0);
+  };
+  add({{}, {50, 0, 0}});
+  add({{50, 0, 0}, {50.01, 0.022, 0}, {50.02, 0, 0}});
+  add({{50.02, 0, 0}, {100, 0, 0}});
+  const Check k = check(line({{}, {100, 0, 0}}), bump, 0.01);
+  EXPECT_FALSE(k.passed);
+  EXPECT_GE(k.value, 0.011 - 1e-9);
+  EXPECT_NEAR(k.at, 50, 0.1);
+  EXPECT_NEAR(check(line({{}, {100, 0, 0}}), bump, 0.02).value, 0.011, 2e-6);
+}
+
+TEST(Tube, AMissingLoopIsMissed) {
+  // The path leaves out a loop that begins and ends at the same point.
+  const Contour given = line({{}, {10, 0, 0}, {15, 0, 0}, {15, 5, 0}, {10, 0, 0}, {10, -10, 0}});
+  EXPECT_FALSE(check(given, line({{}, {10, 0, 0}, {10, -10, 0}}), 0.01).passed);
+  EXPECT_TRUE(check(given, given, 0.01).passed);
+}
+
+TEST(Tube, ABranchNearbyDoesNotCount) {
+  // Two passes of the same line; the path wanders to where the contour only comes later.
+  const Contour given = line({{}, {10, 0, 0}, {10, 5, 0}, {0, 5, 0}, {0, 0.005, 0}, {20, 0.005, 0}});
+  const Contour shortcut = line({{}, {20, 0, 0}});
+  EXPECT_FALSE(check(given, shortcut, 0.01).passed);
+}
+
+TEST(Tube, BackAndForthOnOneLine) {
+  const Contour given = line({{}, {10, 0, 0}, {5, 0, 0}, {20, 0, 0}, {0, 0, 0}});
+  EXPECT_TRUE(check(given, given, 0.01).passed);
+  EXPECT_FALSE(check(given, line({{}, {20, 0, 0}, {0, 0, 0}}), 0.01).passed);
+}
+
+TEST(Tube, EndsCount) {
+  EXPECT_NEAR(check(line({{}, {10, 0, 0}}), line({{}, {9.995, 0, 0}}), 0.01).value, 0.005, 2e-6);
+  EXPECT_FALSE(check(line({{}, {10, 0, 0}}), line({{}, {9.98, 0, 0}}), 0.01).passed);
+}
+
+TEST(TubeBound, HoldsAndTightens) {
+  const Rational curves[] = {Rational::bezier({{100, 0, 0}, {101, 3, 1}, {104, -2, 0}, {105, 1, 2}}),
+                             Rational::bezier({{100, 0, 0}, {101, 3, 1}, {104, -2, 0}, {105, 1, 2}}, {1, 3, 0.5, 2})};
+  for (const Rational& curve : curves) {
+    const verify::BendBound bound(curve);
+    for (double width = 1; width > 1e-3; width *= 0.5) {
+      double most = 0;
+      for (int i = 0; i <= 50; ++i) most = std::max(most, norm(curve.at(0.4 + width * (i / 50.0 - 0.4)).d2));
+      const double b = bound.at(0.4 - 0.4 * width, 0.4 + 0.6 * width);
+      EXPECT_GE(b, most * (1 - 1e-9));
+      if (width < 0.01) {
+        EXPECT_LE(b, 1.5 * most + 1);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace bahnwerk
