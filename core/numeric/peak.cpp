@@ -170,6 +170,9 @@ void PeakSweep::raise(std::size_t channel, double value, double at, std::size_t 
   if (peak.finite && std::abs(value) > peak.value) peak = {std::abs(value), at, tag, true};
 }
 
+// What no longer decays below this is rounding: it matters next to the peak only.
+constexpr double noise_like = 1e-6;
+
 bool PeakSweep::absorb(const ChebyshevRule& rule, double begin, double end, std::size_t tag, bool resolved,
                        Patience patience) {
   evaluations_ += static_cast<std::size_t>(rule.points);
@@ -208,6 +211,7 @@ bool PeakSweep::absorb(const ChebyshevRule& rule, double begin, double end, std:
     const double magnitude = std::max(scales_[channel], largest);
     const double missing = tail <= resolution / 8 * magnitude ? tail * 8
                            : tail <= earlier / 8              ? tail * tail / earlier * 8 / 7
+                           : tail <= noise_like * magnitude   ? tail * 64
                                                               : std::numeric_limits<double>::infinity();
 
     if (resolved && bound + 4 * missing <= peak.value * (1 + 1e-12)) continue;

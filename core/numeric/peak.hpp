@@ -99,7 +99,7 @@ class PeakSweep {
   }
 
  private:
-  static constexpr int max_depth = 40, noisy_depth = 16;
+  static constexpr int max_depth = 40, noisy_depth = 12;
   static constexpr std::size_t budget_cap = 100000;
   /// full: halve what is not resolved. some: take noise below 5e-11 for what it is. none: take the outer bound.
   enum class Patience { full, some, none };
