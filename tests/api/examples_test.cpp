@@ -48,7 +48,7 @@ TEST(Examples, OfEveryKindAreAccepted) {
       EXPECT_FALSE(problem) << file << problem->document().dump(1);
     }
   }
-  for (const char* folder : {"schemas/examples/job", "examples"})
+  for (const char* folder : {"schemas/examples/job", "examples", "examples/parts"})
     for (const auto& file : test::json_files(folder)) {
       const auto problem = test::refusal(test::read_file(file));
       EXPECT_FALSE(problem) << file << problem->document().dump(1);
