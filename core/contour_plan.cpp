@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/contour/blend.hpp"
 #include "core/motion/acceleration_limited.hpp"
+#include "core/motion/jerk_limited.hpp"
 #include "core/motion/trajectory.hpp"
 #include "core/verify/judge.hpp"
 #include "core/verify/lower_bound.hpp"
+#include "core/verify/tube.hpp"
 
 namespace bahnwerk {
 
@@ -25,7 +28,7 @@ constexpr int most_hairs = 6;
 bool slow_by_a_hair(const Verification& verification, double factor, MotionLaw& law) {
   for (const Check& check : verification.checks) {
     const bool scales = check.name.starts_with("velocity ") || check.name.starts_with("acceleration ") ||
-                        check.name.starts_with("path velocity");
+                        check.name.starts_with("jerk ") || check.name.starts_with("path ");
     if (!check.passed && !(scales && check.value < check.limit * (1 + largest_hair))) return false;
   }
   for (const Check& check : verification.checks)
@@ -63,40 +66,80 @@ void report_joints(const Contour& contour, const Machine& machine, const MotionL
   }
 }
 
-/// Half the turn per cell, a sixteenth of its model's error, a tenth of the loss.
-void refine(AccelerationLimitedOptions& options) {
-  options.grid.angle *= 0.5;
-  options.grid.hermite *= 1.0 / 16;
-  options.tolerance *= 0.1;
+/// What the methods have in common: a law for the contour, on request by a finer grid.
+class Solver {
+ public:
+  Solver(const Contour& contour, const Machine& machine, const ContourPlanning& planning)
+      : contour_(contour), machine_(machine), jerk_limited_(planning.method == PlanningMethod::jerk_limited) {
+    smooth_.corner_angle = quick_.corner_angle = planning.corner_angle;
+    quick_.keep_reserve = planning.method == PlanningMethod::braking_reserve;
+    quick_.braking_reserve = planning.braking_reserve;
+    smooth_.path = {planning.path.velocity, planning.path.acceleration, planning.path.jerk};
+  }
+  MotionLaw solve(Progress& progress, double from, double to) {
+    if (jerk_limited_) {
+      JerkLimitedResult result = plan_jerk_limited(contour_, machine_, smooth_, progress, from, to);
+      iterations_ += result.iterations;
+      cells_ = result.cells;
+      return std::move(result.law);
+    }
+    AccelerationLimitedResult result = plan_acceleration_limited(contour_, machine_, quick_, progress, from, to);
+    iterations_ += result.rounds;
+    cells_ = result.cells;
+    return std::move(result.law);
+  }
+  /// Half the turn per cell, a sixteenth of its model's error, a tenth of the loss.
+  void refine() {
+    quick_.grid.angle *= 0.5;
+    quick_.grid.hermite *= 1.0 / 16;
+    quick_.tolerance *= 0.1;
+    smooth_.angle *= 0.5;
+    smooth_.tolerance *= 0.1;
+  }
+  std::size_t iterations() const { return iterations_; }
+  std::size_t cells() const { return cells_; }
+
+ private:
+  const Contour& contour_;
+  const Machine& machine_;
+  bool jerk_limited_;
+  AccelerationLimitedOptions quick_;
+  JerkLimitedOptions smooth_;
+  std::size_t iterations_ = 0, cells_ = 0;
+};
+
+Machine held_limits(const Machine& machine, const ContourPlanning& planning) {
+  Machine held = machine;
+  if (planning.method != PlanningMethod::jerk_limited)
+    for (AxisLimits& axis : held.axes) axis.jerk = unlimited;
+  return held;
 }
 
 }  // namespace
 
-ContourPlan plan_contour(Contour input, const Machine& machine, const ContourPlanning& planning, Progress& progress) {
-  auto contour = std::make_shared<const Contour>(std::move(input));
+ContourPlan plan_contour(Contour input, const Machine& given_machine, const ContourPlanning& planning,
+                         Progress& progress) {
+  const Machine machine = held_limits(given_machine, planning);
+  const auto given = std::make_shared<const Contour>(std::move(input));
+  const bool blended = planning.corner_mode == CornerMode::blend;
+  const double read = blended ? 0.1 : 0.0, bounded = 0.2, planned = 0.6, judged = blended ? 0.95 : 1.0;
+  auto contour = given;
+  if (blended)
+    contour = std::make_shared<const Contour>(
+        blend(*given, {planning.blend_tolerance, planning.corner_angle}, machine, progress, 0.0, read));
   ContourPlan plan;
   plan.notes = contour->notes;
   plan.path_length = contour->path.length();
 
-  AccelerationLimitedOptions options;
-  options.keep_reserve = planning.method == PlanningMethod::braking_reserve;
-  options.braking_reserve = planning.braking_reserve;
-  options.corner_angle = planning.corner_angle;
-  std::size_t cells = 0;
-  const auto solve = [&] {
-    AccelerationLimitedResult result = plan_acceleration_limited(*contour, machine, options, progress, 0.2, 0.6);
-    plan.iterations += result.rounds;
-    cells = result.cells;
-    return std::move(result.law);
-  };
-
-  const Bound bound = lower_bound(*contour, machine, planning.corner_angle, progress, 0.0, 0.2);
-  MotionLaw law = solve();
+  Solver solver(*contour, machine, planning);
+  const Bound bound = lower_bound(*contour, machine, planning.corner_angle, progress, read, bounded);
+  MotionLaw law = solver.solve(progress, bounded, planned);
   // The proven bound tells whether the grid was fine enough.
   for (int attempt = 1; planning.method == PlanningMethod::time_optimal && attempt < attempts; ++attempt) {
-    if (with_gap(bound, law.duration()).gap <= close_enough || cells > most_cells) break;
-    refine(options);
-    if (MotionLaw finer = solve(); finer.duration() < law.duration()) law = std::move(finer);
+    if (with_gap(bound, law.duration()).gap <= close_enough || solver.cells() > most_cells) break;
+    solver.refine();
+    if (MotionLaw finer = solver.solve(progress, bounded, planned); finer.duration() < law.duration())
+      law = std::move(finer);
   }
 
   std::shared_ptr<const Trajectory> trajectory;
@@ -105,18 +148,29 @@ ContourPlan plan_contour(Contour input, const Machine& machine, const ContourPla
     for (int hair = 0;; ++hair) {
       cycles = whole_cycles(law.duration(), machine.cycle_time);
       trajectory = std::make_shared<const Trajectory>(contour, law.slowed(cycles.factor));
-      JudgeInput judged{*contour, machine, trajectory->law(), planning.corner_angle};
-      judged.progress_from = 0.6;
-      judged.progress_to = 1.0;
-      plan.verification = judge(judged, progress);
+      JudgeInput judgement{*contour, machine, trajectory->law(), planning.corner_angle};
+      judgement.progress_from = planned;
+      judgement.progress_to = judged;
+      if (planning.method == PlanningMethod::jerk_limited) {
+        judgement.check_jerk = true;
+        judgement.path_velocity = planning.path.velocity;
+        judgement.path_acceleration = planning.path.acceleration;
+        judgement.path_jerk = planning.path.jerk;
+      }
+      plan.verification = judge(judgement, progress);
       if (plan.verification.passed || hair == most_hairs || !slow_by_a_hair(plan.verification, cycles.factor, law))
         break;
     }
     if (plan.verification.passed || attempt == attempts) break;
-    refine(options);
-    law = solve();
+    solver.refine();
+    law = solver.solve(progress, bounded, planned);
+  }
+  if (blended) {
+    plan.verification.checks.push_back(tube_check(*given, *contour, planning.blend_tolerance, progress, judged, 1.0));
+    plan.verification.passed = plan.verification.passed && plan.verification.checks.back().passed;
   }
 
+  plan.iterations = solver.iterations();
   plan.pieces = law.pieces().size();
   plan.duration = law.duration();
   plan.bound = with_gap(bound, plan.duration);

@@ -12,12 +12,21 @@
 
 namespace bahnwerk {
 
-enum class PlanningMethod { braking_reserve, time_optimal };
+enum class PlanningMethod { braking_reserve, time_optimal, jerk_limited };
+enum class CornerMode { stop, blend };
+
+/// Limits along the path, held by jerk_limited: mm/s, mm/s², mm/s³.
+struct AlongPath {
+  double velocity = unlimited, acceleration = unlimited, jerk = unlimited;
+};
 
 struct ContourPlanning {
   PlanningMethod method = PlanningMethod::braking_reserve;
   double braking_reserve = 0.7;                              ///< K_b [Bock (2.11)]
   double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad
+  CornerMode corner_mode = CornerMode::stop;
+  double blend_tolerance = 0;  ///< mm, of CornerMode::blend
+  AlongPath path;
 };
 
 struct BlockReport {
@@ -39,7 +48,7 @@ struct ContourPlan {
   Verification verification;
   Bound bound;
   double duration = 0, cut_time = 0, position_time = 0;  ///< s, planned
-  double path_length = 0;                                ///< mm
+  double path_length = 0;                                ///< mm, of the path driven: after blending
   std::size_t iterations = 0;                            ///< passes of the planner over its grid
   std::size_t pieces = 0;                                ///< pieces of the law
   std::vector<BlockReport> blocks;
@@ -47,6 +56,9 @@ struct ContourPlan {
   std::vector<std::string> notes;
 };
 
+/// With CornerMode::blend the contour is rounded first, and the verification also holds how far that strays. The axes'
+/// jerk limits count with jerk_limited alone.
+///
 /// Cost: O(grid cells), about 1 µs each with verification and bound. Throws InvalidInput, Stopped. A time-optimal plan
 /// that is not within 5e-6 of its bound, and any plan that the judge rejects, is planned again on a finer grid, three
 /// times at most; what is returned may still be unverified: look at `verification.passed`.

@@ -34,6 +34,18 @@ ordered_json verification(const Verification& verdict) {
   return {{"passed", verdict.passed}, {"checks", std::move(checks)}};
 }
 
+const char* name(PlanningMethod method) {
+  switch (method) {
+    case PlanningMethod::time_optimal:
+      return "time_optimal";
+    case PlanningMethod::jerk_limited:
+      return "jerk_limited";
+    case PlanningMethod::braking_reserve:
+      break;
+  }
+  return "braking_reserve";
+}
+
 ordered_json details(const ContourPlan& plan, const Machine& machine, const ContourPlanning& planning) {
   ordered_json blocks = ordered_json::array(), joints = ordered_json::array();
   for (const auto& block : plan.blocks)
@@ -50,12 +62,8 @@ ordered_json details(const ContourPlan& plan, const Machine& machine, const Cont
                       {"velocity", joint.velocity},
                       {"velocity_step", std::move(step)}});
   }
-  return {{"method", planning.method == PlanningMethod::time_optimal ? "time_optimal" : "braking_reserve"},
-          {"law_pieces", plan.pieces},
-          {"notes", plan.notes},
-          {"blocks", std::move(blocks)},
-          {"joints_passed", plan.joints.size()},
-          {"joints", std::move(joints)}};
+  return {{"method", name(planning.method)}, {"law_pieces", plan.pieces},           {"notes", plan.notes},
+          {"blocks", std::move(blocks)},     {"joints_passed", plan.joints.size()}, {"joints", std::move(joints)}};
 }
 
 }  // namespace
@@ -80,9 +88,29 @@ void check_together(const Contour& contour, const Machine& machine) {
   if (!faults.empty()) throw InvalidInput(std::move(faults));
 }
 
+void check_planning(const Machine& machine, const ContourPlanning& planning) {
+  std::vector<InputFault> faults;
+  const bool smooth = planning.method == PlanningMethod::jerk_limited;
+  const auto& axes = machine.axes;
+  const bool jerk = std::any_of(axes.begin(), axes.end(), [](const AxisLimits& axis) { return axis.jerk < unlimited; });
+  if (smooth && !jerk && !(planning.path.jerk < unlimited))
+    faults.push_back({{"machine", "axes", "x", "jerk"}, "is required by method jerk_limited, of one axis at least"});
+  const AlongPath& path = planning.path;
+  if (!smooth && std::min({path.velocity, path.acceleration, path.jerk}) < unlimited)
+    faults.push_back(
+        {{"planning", "path"}, "is held by method jerk_limited only; blocks limit the speed by their feed"});
+  if (planning.corner_mode == CornerMode::blend && !(planning.blend_tolerance > 0))
+    faults.push_back({{"planning", "corner", "tolerance"}, "is required by mode blend"});
+  if (planning.corner_mode == CornerMode::stop && planning.blend_tolerance > 0)
+    faults.push_back({{"planning", "corner", "tolerance"}, "belongs to mode blend"});
+  if (!faults.empty()) throw InvalidInput(std::move(faults));
+}
+
 void check(const json& spec) {
   try {
-    check_together(geometry(spec), machine(spec));
+    const Machine limits = machine(spec);
+    check_planning(limits, planning(spec));
+    check_together(geometry(spec), limits);
   } catch (const InvalidInput&) {
     throw problem_from_current_exception("/spec");
   }
@@ -93,6 +121,7 @@ PlannedJob plan(const json& spec, Progress& progress) {
   const Machine limits = machine(spec);
   const ContourPlanning options = planning(spec);
   Contour path = geometry(spec, progress);
+  check_planning(limits, options);
   check_together(path, limits);
   ContourPlan plan = plan_contour(std::move(path), limits, options, progress);
   const auto& setpoints = *plan.setpoints;
@@ -100,6 +129,12 @@ PlannedJob plan(const json& spec, Progress& progress) {
     throw InvalidInput({{{"machine", "cycle_time"},
                          "the motion has " + std::to_string(setpoints.count()) + " setpoints, at most " +
                              std::to_string(static_cast<long>(most_setpoints)) + " are allowed"}});
+  if (options.method != PlanningMethod::jerk_limited)
+    for (const auto& axis : limits.axes)
+      if (axis.jerk < unlimited) {
+        plan.notes.push_back("jerk limits are given but not held: only method jerk_limited holds them");
+        break;
+      }
   PlannedJob job;
   job.verified = plan.verification.passed;
   job.result = {{"kind", "contour"},

@@ -24,6 +24,9 @@ Contour geometry(const nlohmann::json& spec);
 /// most_setpoints.
 void check_together(const Contour& contour, const Machine& machine);
 
+/// Throws InvalidInput if the planning asks for what machine and options do not give.
+void check_planning(const Machine& machine, const ContourPlanning& planning);
+
 void check(const nlohmann::json& spec);
 PlannedJob plan(const nlohmann::json& spec, Progress& progress);
 

@@ -204,8 +204,10 @@ Machine machine(const json& spec) {
   for (const char* name : {"x", "y", "z"}) {
     const auto& axes = document["axes"];
     if (!axes.contains(name)) continue;
-    machine.axes.push_back(
-        {name, axes[name]["velocity"].get<double>(), axes[name]["acceleration"].get<double>(), unlimited});
+    const auto& axis = axes[name];
+    const bool jerk = axis.contains("jerk") && !axis["jerk"].is_null();
+    machine.axes.push_back({name, axis["velocity"].get<double>(), axis["acceleration"].get<double>(),
+                            jerk ? axis["jerk"].get<double>() : unlimited});
   }
   return machine;
 }
@@ -214,11 +216,22 @@ ContourPlanning planning(const json& spec) {
   ContourPlanning planning;
   if (!spec.contains("planning")) return planning;
   const auto& document = spec["planning"];
-  planning.method = document.value("method", "braking_reserve") == "time_optimal" ? PlanningMethod::time_optimal
-                                                                                  : PlanningMethod::braking_reserve;
+  const std::string method = document.value("method", "braking_reserve");
+  planning.method = method == "time_optimal"   ? PlanningMethod::time_optimal
+                    : method == "jerk_limited" ? PlanningMethod::jerk_limited
+                                               : PlanningMethod::braking_reserve;
   planning.braking_reserve = document.value("braking_reserve", planning.braking_reserve);
-  if (document.contains("corner") && document["corner"].contains("angle"))
-    planning.corner_angle = document["corner"]["angle"].get<double>() * std::numbers::pi / 180;
+  if (document.contains("corner")) {
+    const auto& corner = document["corner"];
+    if (corner.contains("angle")) planning.corner_angle = corner["angle"].get<double>() * std::numbers::pi / 180;
+    if (corner.value("mode", "stop") == "blend") planning.corner_mode = CornerMode::blend;
+    planning.blend_tolerance = corner.value("tolerance", 0.0);
+  }
+  if (document.contains("path")) {
+    const auto& path = document["path"];
+    planning.path = {path.value("velocity", unlimited), path.value("acceleration", unlimited),
+                     path.value("jerk", unlimited)};
+  }
   return planning;
 }
 

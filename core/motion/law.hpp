@@ -1,6 +1,8 @@
 #pragma once
-/// A motion law s(t): path length over time as a piecewise polynomial of degree ≤ 3, continuous in s and v.
+/// A motion law s(t): path length over time as a piecewise polynomial of degree ≤ 4, continuous in s and v,
+/// and in a where jerk is limited.
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 #include "core/numeric/large_pages.hpp"
@@ -12,16 +14,19 @@ struct LawState {
   double s = 0, v = 0, a = 0, j = 0;
 };
 
-/// s(t) = s + v τ + a τ²/2 + j τ³/6 with τ = t − t0 ∈ [0, duration]; it ends at path length `s_end`.
+/// s(t) = s + v τ + a τ²/2 + j τ³/6 + q τ⁴/24 with τ = t − t0 ∈ [0, duration]; it ends at path length `s_end`.
 struct LawPiece {
   double t0 = 0, duration = 0;
   double s = 0, s_end = 0;
   double v = 0, a = 0, j = 0;
   std::size_t segment = 0;  ///< the path segment in which the whole piece lies
+  double q = 0;             ///< snap, mm/s⁴: jerk changes evenly over the piece
 
   LawState at(double tau) const {
-    return {s + tau * (v + tau * (a / 2 + tau * j / 6)), v + tau * (a + tau * j / 2), a + tau * j, j};
+    return {s + tau * (v + tau * (a / 2 + tau * (j / 6 + tau * q / 24))), v + tau * (a + tau * (j / 2 + tau * q / 6)),
+            a + tau * (j + tau * q / 2), j + tau * q};
   }
+  bool constant_acceleration() const { return j == 0 && q == 0; }
   /// The same motion, lasting `factor` ≥ 1 times as long; t0 included.
   void slow(double factor) {
     t0 *= factor;
@@ -29,8 +34,13 @@ struct LawPiece {
     v /= factor;
     a /= factor * factor;
     j /= factor * factor * factor;
+    q /= factor * factor * factor * factor;
   }
 };
+
+/// Where v (a = 0: the first two) and a (j = 0: the last) of a piece may turn, as τ; infinite where they do not. They
+/// may lie outside the piece.
+std::array<double, 3> turning_points(const LawPiece& piece);
 
 class MotionLaw {
  public:

@@ -77,13 +77,13 @@ class Sweeper {
   }
 
   void judge_piece(const LawPiece& piece, const Segment& segment) {
-    const double finite = piece.s + piece.s_end + piece.v + piece.a + piece.j + piece.duration;
+    const double finite = piece.s + piece.s_end + piece.v + piece.a + piece.j + piece.q + piece.duration;
     if (!std::isfinite(finite)) {
       for (std::size_t c = 0; c < channels_.size(); ++c) peaks_.raise(c, finite, 0, index_);
       return;
     }
     if (segment.straight()) return straight(piece, segment);
-    if (piece.j != 0) return over_time(piece, segment);
+    if (!piece.constant_acceleration()) return over_time(piece, segment);
     over_parameter(piece, segment);
   }
 
@@ -99,24 +99,49 @@ class Sweeper {
     };
     offer(0);
     offer(piece.duration);
-    if (piece.j == 0) return;
-    const double vertex = -piece.a / piece.j;
-    if (vertex > 0 && vertex < piece.duration) offer(vertex);
+    for (const double tau : turning_points(piece))
+      if (tau > 0 && tau < piece.duration) offer(tau);
   }
 
   void over_time(const LawPiece& piece, const Segment& segment) {
+    if (segment.curve().kind() == CurveKind::rational) {
+      const double u0 = segment.parameter(piece.s), u1 = segment.parameter(piece.s_end);
+      measure(piece, segment, u0, u1, segment.arc_length(u0), segment.arc_length(u1), 0);
+    }
+    // Counted from the begin of the segment: far along a path the rounding of s would show as noise.
+    LawPiece local = piece;
+    local.s = piece.s - segment.s0();
     const bool open = segment.cusp_begin() || segment.cusp_end();
     peaks_.sweep(0, piece.duration, open, index_,
                  [&](const ChebyshevRule& rule, double begin, double end, double* values) {
                    pulse_.work(static_cast<std::size_t>(rule.points));
                    for (int i = 0; i < rule.points; ++i) {
-                     const LawState x = piece.at(begin + rule.node[i] * (end - begin));
-                     const PathPoint h = segment.at_parameter(segment.parameter(x.s));
+                     const LawState x = local.at(begin + rule.node[i] * (end - begin));
+                     const PathPoint h = segment.at_parameter(segment.parameter_at(x.s));
                      for (std::size_t c = 0; c < channels_.size(); ++c)
                        values[c * rule.points + i] = value(channels_[c], h, x);
                    }
                    return true;
                  });
+  }
+
+  // ∫|dh/du|du over [u0, u1] against the way from s0 to s1, halved until the rule resolves it.
+  void measure(const LawPiece& piece, const Segment& segment, double u0, double u1, double s0, double s1, int depth) {
+    if (!(u1 > u0)) return;
+    const ChebyshevRule& rule = lobatto_rule(true);
+    pulse_.work(static_cast<std::size_t>(rule.points));
+    double whole = 0;
+    for (int i = 0; i < rule.points; ++i)
+      whole += rule.whole[static_cast<std::size_t>(i)] *
+               segment.curve().speed(u0 + rule.node[static_cast<std::size_t>(i)] * (u1 - u0));
+    const double miss = std::abs(whole * (u1 - u0) - (s1 - s0)), middle = u0 + 0.5 * (u1 - u0);
+    if (miss <= 1e-11 * (s1 - s0) + 2e-12 * segment.length() || depth == 12 || !(middle > u0 && middle < u1)) {
+      arc_length_.raise(miss, piece.t0);
+      return;
+    }
+    const double s = segment.arc_length(middle);
+    measure(piece, segment, u0, middle, s0, s, depth + 1);
+    measure(piece, segment, middle, u1, s, s1, depth + 1);
   }
 
   void over_parameter(const LawPiece& piece, const Segment& segment) {
@@ -187,7 +212,7 @@ class Sweeper {
   double moment(const LawPiece& piece, double at) const {
     if (piece.segment >= in_.contour.path.size()) return piece.t0;
     const Segment& segment = in_.contour.path[piece.segment];
-    if (segment.straight() || piece.j != 0) return piece.t0 + at;
+    if (segment.straight() || !piece.constant_acceleration()) return piece.t0 + at;
     const double ds = piece.s_end - piece.s, s = std::clamp(segment.arc_length(at) - piece.s, 0.0, std::max(ds, 0.0));
     const double v1 = piece.v + piece.a * piece.duration;
     const double b = ds > 0 ? piece.v * piece.v + (v1 * v1 - piece.v * piece.v) * (s / ds) : 0;

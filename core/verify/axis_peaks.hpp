@@ -15,8 +15,8 @@ struct AxisPeaks {
 
 /// With h by arc length and the law's v, a, j: v_k = h'v, a_k = h''v² + h'a, j_k = h'''v³ + 3h''va + h'j.
 /// Pieces of constant a are followed over the curve's parameter, where b = v² is linear in s and everything is smooth
-/// up to rest and cusps (v_k² and j_k² are searched); pieces with jerk over time. Pieces with an invalid segment are
-/// left out (another check's fault).
+/// up to rest and cusps (v_k² and j_k² are searched); pieces with jerk or snap over time. Pieces with an invalid
+/// segment are left out (another check's fault).
 AxisPeaks axis_peaks(const JudgeInput& input, Pulse& pulse);
 
 }  // namespace bahnwerk::verify

@@ -11,9 +11,10 @@ namespace bahnwerk {
 struct JudgeInput {
   const Contour& contour;
   const Machine& machine;
-  const MotionLaw& law;                       ///< what will be sampled
-  double corner_angle = 0;                    ///< rad, a larger tangent jump needs a stop
-  bool check_jerk = false;                    ///< also judge axis jerk where its limit is finite
+  const MotionLaw& law;     ///< what will be sampled
+  double corner_angle = 0;  ///< rad, a larger tangent jump needs a stop
+  bool check_jerk = false;  ///< also judge jerk where its limit is finite, and what goes with it
+  double path_velocity = unlimited, path_acceleration = unlimited, path_jerk = unlimited;  ///< along the path
   double position_tolerance = 1e-6;           ///< mm, by which curves may miss each other at a joint
   double progress_from = 0, progress_to = 1;  ///< the share of the whole job's progress that judging takes
 };
@@ -24,13 +25,15 @@ struct JudgeInput {
 /// shows; nothing in the law makes the judge crash.
 ///
 /// Checks, in this order: `velocity <axis>`, `acceleration <axis>`, `jerk <axis>` (limited axes only); `path velocity
-/// (feed F)` per distinct finite feed; `velocity step at joints` (tangent jump times speed against acceleration · cycle
-/// time, the worst axis and joint); `corner rest`, `cusp rest`, `start at rest`, `end at rest` (mm/s against 1e-9 of
-/// the peak speed); `continuity of velocity`; `continuity of position` (law and path, the worse in relation to its
-/// limit); `continuity of time`; `pieces within segments`; `forward motion`; `path covered`; `distance from contour`
-/// (law evaluated on the path, at the segments' ends); `arc length` (∫|dh/du|du of every piece on a free-form segment,
-/// integrated here, against the length the law believes in). Cost: ≈ 50 ns per law piece on straight segments, ≈ 0.4 µs
-/// on arcs and cubics. Calls progress every few ms.
+/// (feed F)` per distinct finite feed; `path velocity`, `path acceleration`, `path jerk` where limited; `velocity step
+/// at joints` (tangent jump times speed against acceleration · cycle time, the worst axis and joint); with check_jerk
+/// `acceleration step at joints` (|Δ(h″v² + h′a)| against jerk · cycle time, likewise); `corner rest`, `cusp rest`,
+/// `start at rest`, `end at rest` (mm/s against 1e-9 of the peak speed); `continuity of velocity`; with check_jerk
+/// `continuity of acceleration` (also zero at rests, against 1e-9 of the peak); `continuity of position` (law and path,
+/// the worse in relation to its limit); `continuity of time`; `pieces within segments`; `forward motion`; `path
+/// covered`; `distance from contour` (law evaluated on the path, at the segments' ends); `arc length` (∫|dh/du|du of
+/// every piece on a free-form segment, integrated here, against the length the law believes in). Cost: ≈ 50 ns per law
+/// piece on straight segments, ≈ 0.4 µs on arcs and cubics. Calls progress every few ms.
 Verification judge(const JudgeInput& input, Progress& progress);
 
 }  // namespace bahnwerk

@@ -15,19 +15,20 @@ constexpr double cover_tolerance = 1e-9;   // of the path length
 constexpr double order_tolerance = 1e-12;  // of the path length: rounding of s(t) at the ends of pieces
 constexpr std::size_t most_feeds = 32;     // checks written per document; beyond that the most strained ones
 
-// Smallest and largest v of a piece with their moments: the ends and the vertex of the parabola.
+// Smallest and largest v of a piece with their moments: the ends and where a = 0.
 struct SpeedRange {
   double low, high, low_at, high_at;
 };
 SpeedRange speed_range(const LawPiece& p) {
   SpeedRange r{p.v, p.v, p.t0, p.t0};
   auto offer = [&](double tau) {
-    const double v = p.v + tau * (p.a + tau * p.j / 2);
+    const double v = p.at(tau).v;
     if (!(v >= r.low)) r.low = v, r.low_at = p.t0 + tau;
     if (!(v <= r.high)) r.high = v, r.high_at = p.t0 + tau;
   };
-  const double vertex = p.j != 0 ? -p.a / p.j : 0;
-  if (vertex > 0 && vertex < p.duration) offer(vertex);
+  if (!p.constant_acceleration())
+    for (const double tau : turning_points(p))
+      if (tau > 0 && tau < p.duration) offer(tau);
   offer(p.duration);
   return r;
 }
@@ -55,6 +56,7 @@ class LawChecker {
       pulse.work(1);
       const SpeedRange v = speed_range(p);
       peak_.raise(v.high, v.high_at);
+      if (in_.check_jerk) path_peaks(p);
       backward_.raise(-v.low, v.low_at);
       if (p.segment >= path_.size() || !(p.duration >= 0)) {
         outside_.raise(INFINITY, p.t0);
@@ -73,6 +75,8 @@ class LawChecker {
     if (!pieces.empty()) {
       const LawPiece &first = pieces.front(), &last = pieces.back();
       start_.raise(std::abs(first.v), 0);
+      acceleration_gap_.raise(std::abs(first.a), 0);
+      acceleration_gap_.raise(std::abs(last.at(last.duration).a), in_.law.duration());
       end_.raise(std::abs(last.at(last.duration).v), in_.law.duration());
       uncovered_.raise(std::abs(first.s), 0);
       uncovered_.raise(std::abs(path_.length() - last.s_end), in_.law.duration());
@@ -83,10 +87,22 @@ class LawChecker {
   }
 
  private:
+  // Acceleration and jerk along the path: a is a parabola, j even.
+  void path_peaks(const LawPiece& p) {
+    for (const double tau : {0.0, turning_points(p)[2], p.duration}) {
+      if (!(tau >= 0 && tau <= p.duration)) continue;
+      const LawState x = p.at(tau);
+      path_acceleration_.raise(std::abs(x.a), p.t0 + tau);
+      path_jerk_.raise(std::abs(x.j), p.t0 + tau);
+    }
+  }
+
   // From one piece to the next: continuity, and what holds at the joints of the path that lie between.
   void pass(const LawPiece& before, const LawPiece& after) {
     const double t = after.t0, v0 = before.at(before.duration).v, v1 = after.v;
     velocity_gap_.raise(std::abs(v1 - v0), t);
+    const double a0 = before.at(before.duration).a, a1 = after.a;
+    acceleration_gap_.raise(std::abs(a1 - a0), t);
     position_gap_.raise(std::abs(after.s - before.s_end), t);
     time_gap_.raise(std::abs(after.t0 - (before.t0 + before.duration)), t);
     if (before.segment >= path_.size() || after.segment >= path_.size() || before.segment == after.segment) return;
@@ -105,8 +121,10 @@ class LawChecker {
     const Joint& joint = joints_[before.segment];
     if (joint.angle > in_.corner_angle) {
       corner_.raise(v, t);
+      acceleration_gap_.raise(std::max(std::abs(a0), std::abs(a1)), t);
       return;  // at rest no velocity step remains
     }
+    if (in_.check_jerk) pass_joint(left, right, v, a0, a1, t);
     for (std::size_t k = 0; k < in_.machine.axes.size() && k < 3; ++k) {
       const double limit = in_.machine.axes[k].acceleration * in_.machine.cycle_time,
                    step = std::abs(joint.step[k]) * v;
@@ -114,6 +132,21 @@ class LawChecker {
         step_limit_ = limit;
         step_.value = 0;
         step_.raise(step, t);
+      }
+    }
+  }
+
+  // What the axes' accelerations jump by where curvature does.
+  void pass_joint(const Segment& left, const Segment& right, double v, double a0, double a1, double t) {
+    const PathPoint l = left.at_parameter(left.curve().end()), r = right.at_parameter(right.curve().begin());
+    for (std::size_t k = 0; k < in_.machine.axes.size() && k < 3; ++k) {
+      const double limit = in_.machine.axes[k].jerk * in_.machine.cycle_time;
+      if (!(limit < unlimited)) continue;
+      const double step = std::abs((r.d2[k] - l.d2[k]) * v * v + r.d1[k] * a1 - l.d1[k] * a0);
+      if (jump_limit_ == 0 || !(step * jump_limit_ <= jump_.value * limit)) {
+        jump_limit_ = limit;
+        jump_.value = 0;
+        jump_.raise(step, t);
       }
     }
   }
@@ -131,9 +164,15 @@ class LawChecker {
       feeds.resize(most_feeds);
     }
     for (Check& c : feeds) list.push_back(std::move(c));
+    if (in_.path_velocity < unlimited) list.push_back(make_check("path velocity", "mm/s", in_.path_velocity, peak_));
+    if (in_.check_jerk && in_.path_acceleration < unlimited)
+      list.push_back(make_check("path acceleration", "mm/s²", in_.path_acceleration, path_acceleration_));
+    if (in_.check_jerk && in_.path_jerk < unlimited)
+      list.push_back(make_check("path jerk", "mm/s³", in_.path_jerk, path_jerk_));
     const double rest = rest_tolerance * peak_.value, length = path_.length();
     if (!joints_.empty()) {
       list.push_back(make_check("velocity step at joints", "mm/s", step_limit_, step_));
+      if (jump_limit_ > 0) list.push_back(make_check("acceleration step at joints", "mm/s²", jump_limit_, jump_));
       list.push_back(make_check("corner rest", "mm/s", rest, corner_));
     }
     if (has_cusp_) list.push_back(make_check("cusp rest", "mm/s", rest, cusp_));
@@ -141,6 +180,9 @@ class LawChecker {
     list.push_back(make_check("end at rest", "mm/s", rest, end_));
     list.push_back(make_check("continuity of velocity", "mm/s", rest, velocity_gap_));
     const double law_limit = order_tolerance * length, joint_limit = in_.position_tolerance;
+    if (in_.check_jerk)
+      list.push_back(make_check("continuity of acceleration", "mm/s²", rest_tolerance * path_acceleration_.value,
+                                acceleration_gap_));
     const bool law_worse = !(position_gap_.value * joint_limit < joint_gap_.value * law_limit);
     list.push_back(make_check("continuity of position", "mm", law_worse ? law_limit : joint_limit,
                               law_worse ? position_gap_ : joint_gap_));
@@ -157,10 +199,10 @@ class LawChecker {
   std::vector<Joint> joints_;
   std::vector<double> distinct_;
   std::vector<Worst> feed_peaks_;
-  double step_limit_ = 0;
+  double step_limit_ = 0, jump_limit_ = 0;
   bool has_cusp_ = false;
   Worst peak_, backward_, outside_, position_gap_, joint_gap_, velocity_gap_, time_gap_, step_, corner_, cusp_, start_,
-      end_, uncovered_, distance_;
+      end_, uncovered_, distance_, path_acceleration_, path_jerk_, acceleration_gap_, jump_;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -86,6 +87,33 @@ TEST(ContourInput, ReadsMachineAndPlanningWithTheirDefaults) {
   EXPECT_DOUBLE_EQ(given.corner_angle, std::numbers::pi / 2);
 }
 
+TEST(ContourInput, ReadsJerkBlendingAndLimitsAlongThePath) {
+  const json spec = example("blend");
+  EXPECT_EQ(machine(spec).axes[1].jerk, 800000);
+  const ContourPlanning given = planning(spec);
+  EXPECT_EQ(given.method, PlanningMethod::jerk_limited);
+  EXPECT_EQ(given.corner_mode, CornerMode::blend);
+  EXPECT_EQ(given.blend_tolerance, 0.05);
+  EXPECT_EQ(given.path.velocity, 120);
+  EXPECT_EQ(given.path.acceleration, 10000);
+  EXPECT_EQ(given.path.jerk, 500000);
+}
+
+TEST(ContourInput, ReadsPartPrograms) {
+  const Contour program = geometry(example("gcode"));
+  ASSERT_EQ(program.blocks.size(), 2u);
+  EXPECT_EQ(program.blocks[0].mode, Mode::cut);
+  EXPECT_EQ(program.blocks[0].feed, 150);
+  EXPECT_EQ(program.blocks[1].mode, Mode::position);
+  const Contour drawing = geometry(example("dxf"));
+  EXPECT_EQ(drawing.blocks[0].feed, 120);
+  double cut = 0;
+  for (const Block& block : drawing.blocks)
+    for (std::size_t i = block.first; i < block.last; ++i)
+      if (block.mode == Mode::cut) cut += drawing.path[i].length();
+  EXPECT_NEAR(cut, 40 + 10 * std::numbers::pi + 8 * std::numbers::pi, 1e-9);
+}
+
 TEST(ContourInput, NamesEveryPointOfTheWrongDimension) {
   json spec = example("points");
   for (int i = 1; i < 4; ++i) spec["contour"]["points"][i].push_back(0);
@@ -135,6 +163,33 @@ TEST(ContourPlan, TheResultHasTheContractsForm) {
   EXPECT_EQ(setpoints["columns"].size(), job.setpoints->columns().size());
   EXPECT_EQ(result["details"]["blocks"].size(), 15u);
   EXPECT_EQ(result["details"]["method"], "time_optimal");
+}
+
+TEST(ContourPlan, BlendsWithinTheToleranceAndHoldsJerk) {
+  SilentProgress progress;
+  json spec = example("blend");
+  const auto job = plan(spec, progress);
+  EXPECT_TRUE(job.verified) << job.result["verification"].dump(1);
+  std::map<std::string, nlohmann::ordered_json> checks;
+  for (const auto& check : job.result["verification"]["checks"]) checks[check["name"].get<std::string>()] = check;
+  for (const char* name : {"jerk x", "jerk y", "path velocity", "path acceleration", "path jerk",
+                           "continuity of acceleration", "deviation from contour"})
+    EXPECT_TRUE(checks.contains(name)) << name;
+  EXPECT_LE(checks["deviation from contour"]["value"].get<double>(), 0.05);
+  EXPECT_GE(job.result["bound"]["gap"].get<double>(), 0);
+  spec["planning"].erase("corner");
+  const auto stopping = plan(spec, progress);
+  EXPECT_TRUE(stopping.verified);
+  EXPECT_GT(stopping.result["summary"]["duration"].get<double>(), job.result["summary"]["duration"].get<double>());
+}
+
+TEST(ContourPlan, SaysWhichLimitsAreNotHeld) {
+  SilentProgress progress;
+  json spec = example("blend");
+  spec["planning"] = {{"method", "time_optimal"}};
+  const auto job = plan(spec, progress);
+  ASSERT_EQ(job.result["details"]["notes"].size(), 1u);
+  EXPECT_THAT(job.result["details"]["notes"][0].get<std::string>(), ::testing::HasSubstr("jerk"));
 }
 
 TEST(ContourPlan, TheSameDocumentGivesTheSameBits) {

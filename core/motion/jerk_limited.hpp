@@ -1,0 +1,44 @@
+#pragma once
+/// The fastest motion law within velocity, acceleration and jerk limits of every axis and of the path: smooth
+/// acceleration, at rest with zero acceleration at both ends of every run [Bock Def. 2.6], [Herrmann (4.80)].
+///
+/// Per run (rest to rest) a grid is laid by turn and by time, an interior-point method (jerk_solver.hpp) finds v² and a
+/// at its nodes, cells in which the law switches are divided and the problem solved again; cells in which a limit is
+/// exceeded between nodes get a smaller share of it; what remains slows the run uniformly, so that limits hold
+/// everywhere. The result is piecewise quartic in time with continuous acceleration. A straight segment alone between
+/// two rests takes the closed form (profile.hpp). The problem is not convex: what is found is a local optimum. Should
+/// the method find nothing, other starts are tried, and at last a slow law that holds the limits.
+///
+/// Cost: O(cells) per iteration. A smooth spline takes about 30 iterations in all on 1e3 to 1e4 cells, 50 to 100 on 1e5
+/// to 1e6: 12 to 38 µs per cell (tests/bench/bench_jerk.cpp).
+#include <cstddef>
+
+#include "core/contour/contour.hpp"
+#include "core/machine/machine.hpp"
+#include "core/motion/jerk_start.hpp"
+#include "core/motion/law.hpp"
+#include "core/progress.hpp"
+
+namespace bahnwerk {
+
+struct JerkLimitedOptions {
+  double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad; larger tangent jumps are corners with a stop
+  JerkPathOptions path;     ///< limits of v mm/s, |a| mm/s², |j| mm/s³ along the path; infinite unless given
+  double gap = 1e-4;        ///< loss of duration to the solver, relative
+  double tolerance = 3e-4;  ///< loss of duration to the grid, relative, estimated
+  double angle = 0.02;      ///< most a cell turns, rad
+  int max_divisions = 3, max_rounds = 10;  ///< times that the grid is divided, then that limits in cells are tightened
+};
+
+struct JerkLimitedResult {
+  MotionLaw law;
+  std::size_t iterations = 0;  ///< Newton steps, times cells, over the cells: all rounds
+  std::size_t cells = 0;       ///< cells of the final grids
+};
+
+/// Throws InvalidInput for limits that are not positive, Stopped when progress says so. Progress runs from `from` to
+/// `to`.
+JerkLimitedResult plan_jerk_limited(const Contour& contour, const Machine& machine, const JerkLimitedOptions& options,
+                                    Progress& progress, double from = 0, double to = 1);
+
+}  // namespace bahnwerk

@@ -1,0 +1,81 @@
+#include "core/motion/jerk_start.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bahnwerk {
+
+namespace {
+
+/// v² after a way h from b, growing as from rest with constant jerk and with at most the acceleration.
+double grow(double b, double h, double acceleration, double jerk) {
+  double most = b + 2 * acceleration * h;
+  if (std::isfinite(jerk)) {
+    const double k = std::cbrt(20.25 * jerk * jerk);  // b = k s^(4/3)
+    const double r = b / k, s = std::sqrt(r * std::sqrt(r)) + h;
+    most = std::min(most, k * s * std::cbrt(s));
+  }
+  return most;
+}
+
+}  // namespace
+
+template <int N>
+PathLimits path_limits(const Station<N>& at, const Machine& machine, const JerkPathOptions& path, double feed) {
+  PathLimits limits{std::min(feed, path.velocity), path.acceleration, path.jerk};
+  limits.cap *= limits.cap;
+  for (std::size_t k = 0; k < N; ++k) {
+    const AxisLimits& axis = machine.axes[k];
+    const double d1 = std::abs(at.d1[k]), d2 = std::abs(at.d2[k]), d3 = std::abs(at.d3[k]);
+    if (d1 > 0) {
+      limits.cap = std::min(limits.cap, axis.velocity * axis.velocity / (d1 * d1));
+      limits.acceleration = std::min(limits.acceleration, axis.acceleration / d1);
+      limits.jerk = std::min(limits.jerk, axis.jerk / d1);
+    }
+    if (d2 > 0) limits.cap = std::min(limits.cap, axis.acceleration / d2);
+    if (d3 > 0 && std::isfinite(axis.jerk)) {
+      const double v = std::cbrt(axis.jerk / d3);
+      limits.cap = std::min(limits.cap, v * v);
+    }
+  }
+  return limits;
+}
+
+template <int N>
+void rough_profile(const Grid<N>& grid, const std::vector<double>& feed, const Machine& machine,
+                   const JerkPathOptions& path, const LargeVector<double>& node_cap, RoughProfile& profile,
+                   PlanningPulse& pulse) {
+  constexpr double part = 0.7;  // of the straight limits: bending needs some, too
+  const std::size_t n = grid.cells.size();
+  auto& b = profile.b;
+  b.assign(node_cap.begin(), node_cap.end());
+  profile.duration.resize(n);
+  const auto limits = [&](const Station<N>& at, std::size_t c) {
+    return path_limits<N>(at, machine, path, feed[grid.cells[c].segment]);
+  };
+  for (std::size_t c = 0; c < n; ++c) {
+    pulse(c, n);
+    const PathLimits l = limits(grid.left(c), c), r = limits(grid.right(c), c);
+    if (!grid.cells[c].cusp_left) b[c] = std::min(b[c], l.cap);
+    if (!grid.cells[c].cusp_right) b[c + 1] = std::min(b[c + 1], r.cap);
+    b[c + 1] = std::min(b[c + 1], grow(b[c], grid.length(c), part * l.acceleration, part * l.jerk));
+  }
+  for (std::size_t c = n; c-- > 0;) {
+    pulse(n - 1 - c, n);
+    const PathLimits r = limits(grid.right(c), c);
+    const double h = grid.length(c), a = part * r.acceleration, j = part * r.jerk;
+    b[c] = std::min(b[c], grow(b[c + 1], h, a, j));
+    const double between = std::min({r.cap, grow(b[c], 0.5 * h, a, j), grow(b[c + 1], 0.5 * h, a, j)});
+    const double m = std::sqrt(std::max({between, b[c], b[c + 1]}));
+    profile.duration[c] = h / (m + std::sqrt(b[c])) + h / (m + std::sqrt(b[c + 1]));
+  }
+}
+
+template PathLimits path_limits<2>(const Station<2>&, const Machine&, const JerkPathOptions&, double);
+template PathLimits path_limits<3>(const Station<3>&, const Machine&, const JerkPathOptions&, double);
+template void rough_profile<2>(const Grid<2>&, const std::vector<double>&, const Machine&, const JerkPathOptions&,
+                               const LargeVector<double>&, RoughProfile&, PlanningPulse&);
+template void rough_profile<3>(const Grid<3>&, const std::vector<double>&, const Machine&, const JerkPathOptions&,
+                               const LargeVector<double>&, RoughProfile&, PlanningPulse&);
+
+}  // namespace bahnwerk

@@ -1,0 +1,48 @@
+#pragma once
+/// A rough speed profile of one run: where the interior-point method starts and by which the grid is laid.
+///
+/// Caps from velocity, curvature and h‴, then one pass each way that lets v² grow no faster than from rest with a
+/// constant jerk, v² = (9/2 J s²)^(2/3), and no faster than 2 A. Neither optimal nor feasible. O(nodes).
+#include <vector>
+
+#include "core/motion/grid.hpp"
+#include "core/motion/jerk_cell.hpp"
+#include "core/motion/pulse.hpp"
+#include "core/motion/runs.hpp"
+
+namespace bahnwerk {
+
+/// What the axes allow along the path at one place.
+struct PathLimits {
+  double cap = unlimited;           ///< of v², mm²/s²
+  double acceleration = unlimited;  ///< along a straight, mm/s²
+  double jerk = unlimited;          ///< along a straight, mm/s³
+};
+
+struct JerkPathOptions {
+  double velocity = unlimited, acceleration = unlimited, jerk = unlimited;
+};
+
+template <int N>
+PathLimits path_limits(const Station<N>& at, const Machine& machine, const JerkPathOptions& path, double feed);
+
+/// v² at every node, and how long each cell then takes, s, about (rest at the ends of cells allowed).
+struct RoughProfile {
+  LargeVector<double> b, duration;
+};
+/// `node_cap`: largest v² per node, from joints and feeds; zero at both ends.
+template <int N>
+void rough_profile(const Grid<N>& grid, const std::vector<double>& feed, const Machine& machine,
+                   const JerkPathOptions& path, const LargeVector<double>& node_cap, RoughProfile& profile,
+                   PlanningPulse& pulse);
+
+extern template PathLimits path_limits<2>(const Station<2>&, const Machine&, const JerkPathOptions&, double);
+extern template PathLimits path_limits<3>(const Station<3>&, const Machine&, const JerkPathOptions&, double);
+extern template void rough_profile<2>(const Grid<2>&, const std::vector<double>&, const Machine&,
+                                      const JerkPathOptions&, const LargeVector<double>&, RoughProfile&,
+                                      PlanningPulse&);
+extern template void rough_profile<3>(const Grid<3>&, const std::vector<double>&, const Machine&,
+                                      const JerkPathOptions&, const LargeVector<double>&, RoughProfile&,
+                                      PlanningPulse&);
+
+}  // namespace bahnwerk
