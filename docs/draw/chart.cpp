@@ -58,6 +58,8 @@ void thin(const Line& p, std::size_t a, std::size_t b, std::vector<bool>& keep) 
 }  // namespace
 
 Chart::Chart(Frame frame) : frame_(std::move(frame)) {
+  if (!frame_.legend) top_ = 40;
+  if (frame_.x_label.empty()) bottom_ = 34;
   if (frame_.equal_scale) {
     const double scale = (frame_.width - left_ - frame_.right) / (frame_.x.to - frame_.x.from);
     frame_.height = top_ + bottom_ + scale * (frame_.y.to - frame_.y.from);
@@ -112,10 +114,14 @@ void Chart::line(const Line& points, const Style& style, const std::string& labe
   std::string path;
   for (std::size_t i = 0; i < p.size(); ++i)
     if (keep[i]) path += (path.empty() ? "M" : "L") + number(p[i].x) + " " + number(p[i].y);
-  body_ +=
-      "<path d=\"" + path + "\" fill=\"none\" stroke-linejoin=\"round\" clip-path=\"url(#frame)\" " + look + "/>\n";
+  body_ += "<path d=\"" + path + "\" fill=\"none\" stroke-linejoin=\"round\" clip-path=\"url(#" + frame_.id + ")\" " +
+           look + "/>\n";
   if (label.empty()) return;
   body_ += "<path d=\"M" + number(legend_x_) + " 47h26\" " + look + "/>\n";
+  legend(label);
+}
+
+void Chart::legend(const std::string& label) {
   text(legend_x_ + 32, 51.5, label, "fill=\"#222\"");
   const auto letters = std::count_if(label.begin(), label.end(), [](char c) { return (c & 0xC0) != 0x80; });  // UTF-8
   legend_x_ += 46 + 6.4 * static_cast<double>(letters);
@@ -154,15 +160,36 @@ void Chart::note(Point at, const std::string& words, const std::string& anchor) 
   text(px(at.x), py(at.y), words, "fill=\"#555\" text-anchor=\"" + anchor + "\"");
 }
 
-void Chart::save(const std::string& file) const {
+void Chart::tube(const Line& points, double reach, const std::string& colour, const std::string& label) {
+  const double scale = px(1) - px(0);
+  std::string path;
+  for (const Point& p : points) path += (path.empty() ? "M" : "L") + number(px(p.x)) + " " + number(py(p.y));
+  body_ += "<path d=\"" + path + "\" fill=\"none\" stroke-linejoin=\"round\" clip-path=\"url(#" + frame_.id +
+           ")\" stroke=\"" + colour + "\" stroke-width=\"" + number(2 * reach * scale) + "\" opacity=\"0.6\"/>\n";
+  body_ += "<rect x=\"" + number(legend_x_) + "\" y=\"41\" width=\"26\" height=\"12\" opacity=\"0.6\" fill=\"" +
+           colour + "\"/>\n";
+  legend(label);
+}
+
+void Chart::save(const std::string& file) const { save(file, {*this}); }
+
+void Chart::save(const std::string& file, const std::vector<Chart>& charts) {
+  double height = 0;
+  std::string clips, body;
+  for (const Chart& c : charts) {
+    const Frame& f = c.frame_;
+    clips += "<clipPath id=\"" + f.id + "\"><rect x=\"" + number(c.left_ - 1) + "\" y=\"" + number(c.top_ - 2) +
+             "\" width=\"" + number(f.width - c.left_ - f.right + 2) + "\" height=\"" +
+             number(f.height - c.top_ - c.bottom_ + 4) + "\"/></clipPath>\n";
+    body += height > 0 ? "<g transform=\"translate(0 " + number(height) + ")\">\n" + c.body_ + "</g>\n" : c.body_;
+    height += f.height;
+  }
   std::ofstream out(file);
-  const std::string w = number(frame_.width), h = number(frame_.height);
+  const std::string w = number(charts.front().frame_.width), h = number(height);
   out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << w << " " << h << "\" width=\"" << w
       << "\" height=\"" << h << "\" font-family=\"Helvetica, Arial, sans-serif\" font-size=\"13\">\n"
-      << "<clipPath id=\"frame\"><rect x=\"" << number(left_ - 1) << "\" y=\"" << number(top_ - 2) << "\" width=\""
-      << number(frame_.width - left_ - frame_.right + 2) << "\" height=\"" << number(frame_.height - top_ - bottom_ + 4)
-      << "\"/></clipPath>\n<rect width=\"" << w << "\" height=\"" << h << "\" fill=\"#ffffff\"/>\n"
-      << body_ << "</svg>\n";
+      << clips << "<rect width=\"" << w << "\" height=\"" << h << "\" fill=\"#ffffff\"/>\n"
+      << body << "</svg>\n";
   out.close();
   if (!out) throw std::runtime_error("cannot write " + file);
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <memory>
 
+#include "core/contour/blend.hpp"
+#include "core/motion/jerk_limited.hpp"
 #include "core/progress.hpp"
 
 namespace bahnwerk::draw {
@@ -50,6 +52,18 @@ AccelerationLimitedResult plan(const Contour& contour, const Machine& machine, b
   return plan_acceleration_limited(contour, machine, options, silent);
 }
 
+MotionLaw plan_smooth(const Contour& contour, const Machine& machine) {
+  SilentProgress silent;
+  return plan_jerk_limited(contour, machine, {}, silent).law;
+}
+
+Contour rounded(const Contour& contour, double tolerance, const Machine& machine) {
+  BlendOptions options;
+  options.tolerance = tolerance;
+  SilentProgress silent;
+  return blend(contour, options, machine, silent);
+}
+
 void along(const Contour& contour, const MotionLaw& law, const std::function<void(double t, const State&)>& look) {
   for (const LawPiece& p : law.pieces()) {
     const int steps = std::max(2, static_cast<int>(std::ceil(p.duration / 2e-4)));
@@ -57,7 +71,9 @@ void along(const Contour& contour, const MotionLaw& law, const std::function<voi
       const double tau = p.duration * i / steps;
       const LawState at = p.at(tau);
       const PathPoint h = contour.path[p.segment].at(std::clamp(at.s, p.s, p.s_end));
-      look(p.t0 + tau, {h.value, at.v * h.d1, at.v * at.v * h.d2 + at.a * h.d1, {}, at});
+      const double b = at.v * at.v;
+      look(p.t0 + tau,
+           {h.value, at.v * h.d1, b * h.d2 + at.a * h.d1, b * at.v * h.d3 + 3 * at.v * at.a * h.d2 + at.j * h.d1, at});
     }
   }
 }
@@ -72,6 +88,22 @@ Line use_over_time(const Contour& contour, const MotionLaw& law, const Machine& 
   Line line;
   along(contour, law, [&](double t, const State& at) {
     line.push_back({t, std::abs(at.acceleration[axis]) / machine.axes[axis].acceleration});
+  });
+  return line;
+}
+
+Line most_used(const Contour& contour, const MotionLaw& law, const Machine& machine, Quantity quantity) {
+  Line line;
+  along(contour, law, [&](double t, const State& at) {
+    double most = 0;
+    for (std::size_t k = 0; k < machine.dimension(); ++k) {
+      const AxisLimits& axis = machine.axes[k];
+      const double share = quantity == Quantity::velocity       ? at.velocity[k] / axis.velocity
+                           : quantity == Quantity::acceleration ? at.acceleration[k] / axis.acceleration
+                                                                : at.jerk[k] / axis.jerk;
+      most = std::max(most, std::abs(share));
+    }
+    line.push_back({t, most});
   });
   return line;
 }

@@ -15,12 +15,20 @@ inline constexpr double reserve = 0.7;  ///< K_b
 AccelerationLimitedResult plan(const Contour& contour, const Machine& machine, bool keep_reserve,
                                const GridOptions& grid = {}, double tolerance = 1e-6);
 
+/// The fastest law with limited jerk.
+MotionLaw plan_smooth(const Contour& contour, const Machine& machine);
+/// The contour with its corners and runs of chords rounded.
+Contour rounded(const Contour& contour, double tolerance, const Machine& machine);
+
 /// Calls `look` for states all along the law, both sides of every border between its pieces included.
 void along(const Contour& contour, const MotionLaw& law, const std::function<void(double t, const State&)>& look);
 
 Line speed_over_length(const Contour& contour, const MotionLaw& law);
 /// |a_k|/A_k over time.
 Line use_over_time(const Contour& contour, const MotionLaw& law, const Machine& machine, std::size_t axis);
+enum class Quantity { velocity, acceleration, jerk };
+/// The largest share of its limit that any axis uses, over time.
+Line most_used(const Contour& contour, const MotionLaw& law, const Machine& machine, Quantity quantity);
 /// Share of the duration in which some axis uses more than 0.999 of its acceleration or velocity.
 double share_at_limit(const Contour& contour, const MotionLaw& law, const Machine& machine);
 

@@ -1,5 +1,7 @@
 #include "docs/draw/shapes.hpp"
 
+#include <cmath>
+
 #include "core/contour/builder.hpp"
 
 namespace bahnwerk::draw {
@@ -60,6 +62,12 @@ Machine machine() {
   return m;
 }
 
+Machine smooth_machine() {
+  Machine m;
+  m.axes = {{"x", 300, 8000, 8e5}, {"y", 300, 8000, 8e5}};
+  return m;
+}
+
 Contour circle(double radius, double run_in, double feed) {
   ContourBuilder build(2, {0, 0, 0});
   build.block(Mode::cut, feed);
@@ -87,6 +95,32 @@ Contour bracket() {
   cut(build, {60, 0, 0}, outline);
   build.block(Mode::position, unlimited);
   build.line({0, 0, 0});
+  return build.finish();
+}
+
+Contour plate() {
+  ContourBuilder build(2, {6, 0, 0});
+  build.block(Mode::cut, unlimited);
+  for (const Vec to : {Vec{17, 0, 0}, Vec{20, 3, 0}, Vec{20, 12, 0}, Vec{14.5, 12, 0}, Vec{12.5, 7, 0},
+                       Vec{10.5, 12, 0}, Vec{8, 12, 0}})
+    build.line(to);
+  constexpr int chords = 24;
+  for (int i = 1; i <= chords; ++i) {
+    const double t = 1.5707963267948966 * i / chords;
+    build.line({8 - 8 * std::sin(t), 5 + 7 * std::cos(t), 0});
+  }
+  build.line({0, 2, 0});
+  build.arc({2, 0, 0}, {2, 2, 0}, true);
+  build.line({6, 0, 0});
+  return build.finish();
+}
+
+Contour corner(double angle) {
+  const double x = std::cos(0.5 * angle), y = -std::sin(0.5 * angle);
+  ContourBuilder build(2, {-x, y, 0});
+  build.block(Mode::cut, unlimited);
+  build.line({0, 0, 0});
+  build.line({x, y, 0});
   return build.finish();
 }
 
