@@ -177,9 +177,8 @@ class RunPlanner {
       v2 = std::sqrt(b2);
       after = c + 1;
       laws_[c] = cell_law(b1, v1, g, b2, v2, h);
-      const bool cusp = cell.cusp_left || cell.cusp_right;
-      const std::optional<Excess> smooth = cusp ? std::nullopt : smooth_excess<N>(l, r, h, laws_[c], b1, b2, limit_);
-      excess_[c] = smooth ? *smooth : cell_excess<N>(l, r, h, laws_[c], cell, limit_, feed_[cell.segment]);
+      if (cell.cusp_left || cell.cusp_right || !smooth_excess<N>(l, r, h, laws_[c], b1, b2, limit_, excess_[c]))
+        excess_[c] = cell_excess<N>(l, r, h, laws_[c], cell, limit_, feed_[cell.segment]);
     }
   }
 

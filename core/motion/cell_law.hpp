@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 #include "core/motion/grid.hpp"
 #include "core/motion/law.hpp"
@@ -92,10 +91,10 @@ inline double peak(const std::array<double, 5>& f) {
 
 /// Where nothing switches inside a cell a look at both ends and at half time is enough: what the parabola through these
 /// three points hides is smaller than its bend by the angle that the path turns. Returns what the accelerations exceed
-/// their limits by at most; nothing where that is too rough to judge by.
+/// their limits by at most; false where that is too rough to judge by.
 template <int N>
-inline std::optional<Excess> smooth_excess(const Station<N>& l, const Station<N>& r, double h, const CellLaw& p,
-                                           double b1, double b2, const AxisBounds<N>& limit) {
+inline bool smooth_excess(const Station<N>& l, const Station<N>& r, double h, const CellLaw& p, double b1, double b2,
+                          const AxisBounds<N>& limit, Excess& excess) {
   const LawState middle = p.at(0.5 * p.duration);
   const double a2 = p.a + p.duration * p.j, b = middle.v * middle.v, off = middle.s - 0.5 * h;
   // Too far to expand the path about s = h/2, or v² bends too much for the reserve of 2 % below.
@@ -112,16 +111,22 @@ inline std::optional<Excess> smooth_excess(const Station<N>& l, const Station<N>
         0.5 * (l.d1[k] + r.d1[k]) + h * (0.15625 * (l.d2[k] - r.d2[k]) + 0.015625 * h * (l.d3[k] + r.d3[k]));
     const double slope = 1.5 * (r.d2[k] - l.d2[k]) / h - 0.25 * (l.d3[k] + r.d3[k]);
     const double f = ((c + off * slope) * b + (t + off * c) * middle.a) * limit.inverse_acceleration[k];
-    const double bend = fl[k] - 2 * f + fr[k], tilt = 0.5 * (fr[k] - fl[k]), size = std::abs(bend);
+    const double bend = fl[k] - 2 * f + fr[k], tilt = std::abs(0.5 * (fr[k] - fl[k])), size = std::abs(bend);
     double peak = std::max(ends, std::abs(f));
-    if (std::abs(tilt) < size) peak = std::max(peak, std::abs(f - 0.5 * tilt * tilt / bend));
+    if (tilt < size) {  // the parabola's vertex lies tilt²/(2 size) beyond f: less than this, which needs no division
+      const double rise = std::min(0.125 * size, 0.5 * tilt);
+      peak =
+          peak + rise + 0.02 * size <= 1 + 1e-9 ? peak + rise : std::max(peak, std::abs(f - 0.5 * tilt * tilt / bend));
+    }
     smooth = smooth && size < 1e-3;
     most = std::max(most, peak + 0.02 * size);
   }
-  const Lanes<N> vl = l.d1 * l.d1 * b1, vr = r.d1 * r.d1 * b2;
-  for (std::size_t k = 0; k < N; ++k) smooth = smooth && std::max(vl[k], vr[k]) < 0.97 * limit.velocity2[k];
-  const bool clear = most <= 1 + 1e-9 || most > 1 + 1e-7;
-  return smooth && clear ? std::optional(Excess{most - 1, -1}) : std::nullopt;
+  if (std::max(b1, b2) > 0.97 * limit.slowest2) {
+    const Lanes<N> vl = l.d1 * l.d1 * b1, vr = r.d1 * r.d1 * b2;
+    for (std::size_t k = 0; k < N; ++k) smooth = smooth && std::max(vl[k], vr[k]) < 0.97 * limit.velocity2[k];
+  }
+  excess = {most - 1, -1};
+  return smooth && (most <= 1 + 1e-9 || most > 1 + 1e-7);
 }
 
 /// Peaks over a cell, from samples of the law on the rebuilt path.

@@ -37,11 +37,15 @@ inline typename SpeedChain<N>::Caps SpeedChain<N>::caps(std::size_t c) const {
     }
   }
   if (cell.straight) middle = std::min(left, right);
-  if (c == 0)
-    left = entry_ > 0 ? std::min(left, runs_.joint_cap[cell.segment]) : 0;
-  else if (cell.segment != grid_.cells[c - 1].segment)
-    left = std::min(left, runs_.joint_cap[cell.segment]);
-  return {left, middle, right};
+  return {first_cap(c, left), middle, right};
+}
+
+/// The cap at a cell's left end with what the joint there allows.
+template <int N>
+inline double SpeedChain<N>::first_cap(std::size_t c, double cap) const {
+  if (c == 0 && !(entry_ > 0)) return 0;
+  const std::uint32_t segment = grid_.cells[c].segment;
+  return c == 0 || segment != grid_.cells[c - 1].segment ? std::min(cap, runs_.joint_cap[segment]) : cap;
 }
 
 template <int N>
@@ -89,6 +93,24 @@ inline typename SpeedChain<N>::Stop SpeedChain<N>::step_back(std::size_t c, doub
                                             : reach_backward(rows_left(c, share, false), cap.left, middle)};
 }
 
+/// The same with the cell's caps; `next` is lowered to what the cell allows at its right end. Axis velocities are
+/// looked at only where the speed is above the least of them: |h'_k| ≤ 1.
+template <int N>
+inline typename SpeedChain<N>::Stop SpeedChain<N>::stop(std::size_t c, double share, double& next) const {
+  if (!reserve_ && !grid_.cells[c].straight) {
+    const double feed = feed_[grid_.cells[c].segment], cap = std::min(most_, feed * feed);
+    const double end = std::min(next, cap);
+    const Stop quick = step_back(c, share, {first_cap(c, cap), cap, cap}, end);
+    if (std::max({end, quick.middle, quick.node}) <= limit_.slowest2) {
+      next = end;
+      return quick;
+    }
+  }
+  const Caps cap = caps(c);
+  next = std::min(next, cap.right);
+  return step_back(c, share, cap, next);
+}
+
 template <int N>
 inline void SpeedChain<N>::step_forward(std::size_t c, double share) {
   if (grid_.cells[c].straight) {
@@ -115,7 +137,7 @@ void SpeedChain<N>::start(double entry) {
   middle_.resize(n);
   double square = 0;  // |a| ≤ |A|, so v² can never exceed 2 |A| s: keeps everything finite
   for (std::size_t k = 0; k < N; ++k) square += limit_.acceleration[k] * limit_.acceleration[k];
-  most_ = 2 * std::sqrt(square) * grid_.run_length;
+  most_ = entry + 2 * std::sqrt(square) * grid_.run_length;
   node_stop_[n] = 0;
   node_[0] = entry;
 }
@@ -125,9 +147,7 @@ void SpeedChain<N>::backward(std::size_t first, std::size_t last, const LargeVec
   for (std::size_t c = last; c-- > first;) {
     // What this cell's caps take from the node at its right may be taken afterwards: the links are convex and hold the
     // origin.
-    const Caps cap = caps(c);
-    node_stop_[c + 1] = std::min(node_stop_[c + 1], cap.right);
-    const Stop stop = step_back(c, share[c], cap, node_stop_[c + 1]);
+    const Stop stop = this->stop(c, share[c], node_stop_[c + 1]);
     middle_stop_[c] = stop.middle;
     node_stop_[c] = stop.node;
   }
@@ -142,8 +162,7 @@ template <int N>
 std::size_t SpeedChain<N>::unaffected(const LargeVector<double>& share) const {
   double next = unlimited;
   for (std::size_t c = grid_.cells.size(); c-- > 0;) {
-    const Caps cap = caps(c);
-    const Stop stop = step_back(c, share[c], cap, std::min(next, cap.right));
+    const Stop stop = this->stop(c, share[c], next);
     next = c > 0 ? std::min(stop.node, caps(c - 1).right) : stop.node;
     if (next == node_stop_[c]) return c;
   }
@@ -159,7 +178,7 @@ void SpeedChain<N>::update(const LargeVector<double>& share, LargeVector<std::ui
     pulse(n - 1 - c, n);
     if (!dirty[c] && !moved) continue;
     const double node = node_stop_[c], middle = middle_stop_[c];
-    const Stop stop = step_back(c, share[c], caps(c), node_stop_[c + 1]);
+    const Stop stop = this->stop(c, share[c], node_stop_[c + 1]);
     middle_stop_[c] = stop.middle;
     node_stop_[c] = stop.node;
     if (c > 0) node_stop_[c] = std::min(node_stop_[c], caps(c - 1).right);

@@ -52,6 +52,7 @@ class SpeedChain {
     double left, middle, right;  // on v², of what needs no neighbour; of a straight cell's middle: of all of it
   };
   Caps caps(std::size_t c) const;
+  double first_cap(std::size_t c, double cap) const;
   /// At a cusp the curvature is unbounded while v² κ → 0: half of the limit is kept in reserve there.
   double left_part(std::size_t c) const { return grid_.cells[c].cusp_left ? 0.5 : 1; }
   double right_part(std::size_t c) const { return grid_.cells[c].cusp_right ? 0.5 : 1; }
@@ -61,6 +62,7 @@ class SpeedChain {
   struct Stop {
     double middle, node;
   };
+  Stop stop(std::size_t c, double share, double& next) const;
   Stop step_back(std::size_t c, double share, const Caps& cap, double next) const;
   void step_forward(std::size_t c, double share);
 
@@ -69,7 +71,7 @@ class SpeedChain {
   const Runs& runs_;
   std::optional<double> reserve_;
   AxisBounds<N> limit_;
-  double entry_ = 0;
+  double entry_ = 0;                             // v² at the begin
   double most_ = 0;                              // v² that the run's length allows
   LargeVector<double> node_stop_, middle_stop_;  // what can still stop
   LargeVector<double> node_, middle_;            // the law

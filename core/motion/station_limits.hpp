@@ -16,11 +16,13 @@ template <int N>
 struct AxisBounds {
   Lanes<N> velocity{}, acceleration{};
   Lanes<N> velocity2{}, inverse_acceleration{};  ///< V², 1/A
+  double slowest2 = unlimited;                   ///< least V²
   explicit AxisBounds(const Machine& machine) {
     for (std::size_t k = 0; k < N; ++k) {
       velocity[k] = machine.axes[k].velocity;
       acceleration[k] = machine.axes[k].acceleration;
       velocity2[k] = velocity[k] * velocity[k];
+      slowest2 = std::min(slowest2, velocity2[k]);
       inverse_acceleration[k] = 1 / acceleration[k];
     }
   }
