@@ -13,7 +13,7 @@ namespace bahnwerk {
 
 namespace {
 
-// Memory: about 270 bytes per cell of a window, 80 for the law of each. Beyond the usual number cells get wider, up to
+// Memory: about 270 bytes per cell of a window, 72 for the law of each. Beyond the usual number cells get wider, up to
 // the coarsest; the gap then tells what that costs.
 constexpr double usual_cells = 1e6, most_cells = 8e6, coarsest_angle = 0.02;  // rad
 constexpr std::size_t block = 2048;                                           // cells that stay in a cache

@@ -183,14 +183,11 @@ ProfileState Profile::sample(double t) const {
 
 void append(MotionLaw& law, const Profile& profile, double begin, std::size_t segment) {
   const auto pieces = profile.pieces();
-  for (const ProfilePiece& p : pieces)
-    if (p.snap != 0)
-      throw InvalidInput(std::vector<InputFault>{{{"limits", "snap"}, "its pieces are not of degree 3"}});
   law.reserve(pieces.size());
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const ProfilePiece& p = pieces[i];
     const double end = i + 1 < pieces.size() ? pieces[i + 1].s : profile.distance;
-    law.append({0, p.duration, begin + p.s, begin + end, p.v, p.a, p.j, segment});
+    law.append({0, p.duration, begin + p.s, begin + end, p.v, p.a, p.j, segment, p.snap});
   }
 }
 

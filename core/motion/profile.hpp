@@ -76,8 +76,7 @@ double direct_distance(double start_speed, double end_speed, const ProfileLimits
 /// Shortest distance of a straight_profile, mm: at most the direct one. Throws InvalidInput.
 double least_distance(double start_speed, double end_speed, const ProfileLimits& limits);
 
-/// Appends the move as pieces of path segment `segment`, starting at path length `begin` (mm). Throws InvalidInput for
-/// a snap-limited move, whose pieces are of degree 4.
+/// Appends the move as pieces of path segment `segment`, starting at path length `begin` (mm).
 void append(MotionLaw& law, const Profile& profile, double begin, std::size_t segment);
 
 }  // namespace bahnwerk

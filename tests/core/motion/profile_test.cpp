@@ -204,7 +204,17 @@ TEST(Profile, BecomesALaw) {
     EXPECT_NEAR(a.v, b.v, 1e-13);
     EXPECT_NEAR(a.a, b.a, 1e-12);
   }
-  EXPECT_THROW(append(law, straight_profile(30, 2, 1, {10, 5, 20, 100}), 0, 0), InvalidInput);
+  const Profile snap = straight_profile(30, 2, 1, {10, 5, 20, 100});
+  MotionLaw quartic;
+  append(quartic, snap, 0, 0);
+  ASSERT_EQ(quartic.pieces().size(), snap.count);
+  EXPECT_DOUBLE_EQ(quartic.duration(), snap.duration);
+  for (double t = 0; t < snap.duration; t += 0.01) {
+    const LawPiece& piece = quartic.pieces()[quartic.find(t)];
+    const LawState state = piece.at(t - piece.t0);
+    EXPECT_NEAR(state.s, snap.sample(t).s, 1e-12);
+    EXPECT_NEAR(state.j, snap.sample(t).j, 1e-9);
+  }
 }
 
 }  // namespace
