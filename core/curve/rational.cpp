@@ -117,8 +117,8 @@ bool Rational::derivatives(PathBatch& batch) const {
   const std::size_t axes = batch.planar ? 2 : 3;
   for (std::size_t p = 0; p < batch.used_pairs(); ++p) {
     const PointPair x = (batch.u.pair[p] - PointPair{pivot_, pivot_}) * PointPair{i1, i1};
-    PairTaylor w;
-    PointPair inverse;
+    PairTaylor w{};
+    PointPair inverse{};
     if (rational_) {
       w = horner3(c_.data() + 3, 4, degree_, x);
       inverse = PointPair{1, 1} / w.t0;
