@@ -28,9 +28,18 @@ namespace jerk_cell_detail {
 constexpr double least_root = 0.01;
 }  // namespace jerk_cell_detail
 
-/// Between two moving nodes.
-inline JerkCell jerk_cell(JerkNode l, JerkNode r, double h) {
-  const double v1 = std::sqrt(l.b), v2 = std::sqrt(r.b), mean = 0.5 * (v1 + v2);
+/// Speed at a node and half of its inverse, the derivative of v by b.
+struct JerkSpeed {
+  double v = 0, dv = 0;
+};
+inline JerkSpeed jerk_speed(double b) {
+  const double v = std::sqrt(b);
+  return {v, 0.5 / v};
+}
+
+/// Between two moving nodes, their speeds given.
+inline JerkCell jerk_cell(JerkNode l, JerkSpeed vl, JerkNode r, JerkSpeed vr, double h) {
+  const double v1 = vl.v, v2 = vr.v, mean = 0.5 * (v1 + v2);
   const double R =
       std::sqrt(std::max(mean * mean + h * (l.a - r.a) * (1.0 / 3), jerk_cell_detail::least_root * mean * mean));
   JerkCell c;
@@ -40,11 +49,14 @@ inline JerkCell jerk_cell(JerkNode l, JerkNode r, double h) {
   c.j2 = (2 * l.a + 4 * r.a - m6) * u;
   const double Tv = -0.5 * c.T / R, Ta = Tv * c.T * (1.0 / 6);
   const double t1 = -(c.j1 + m6 * u) * u, t2 = -(c.j2 - m6 * u) * u, u6 = 6 * u * u;
-  const double w1 = 0.5 / v1, w2 = 0.5 / v2;
+  const double w1 = vl.dv, w2 = vr.dv;
   c.dT = {Tv * w1, Ta, Tv * w2, -Ta};
   c.dj1 = {(t1 * Tv - u6) * w1, t1 * Ta - 4 * u, (t1 * Tv + u6) * w2, -t1 * Ta - 2 * u};
   c.dj2 = {(t2 * Tv + u6) * w1, t2 * Ta + 2 * u, (t2 * Tv - u6) * w2, -t2 * Ta + 4 * u};
   return c;
+}
+inline JerkCell jerk_cell(JerkNode l, JerkNode r, double h) {
+  return jerk_cell(l, jerk_speed(l.b), r, jerk_speed(r.b), h);
 }
 
 /// Between rest and a node with speed² b: constant jerk, T = 3h/v, |a| = 2v²/(3h), j = 2v³/(9h²). `a` of the moving

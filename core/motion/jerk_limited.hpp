@@ -9,8 +9,8 @@
 /// two rests takes the closed form (profile.hpp). The problem is not convex: what is found is a local optimum. Should
 /// the method find nothing, other starts are tried, and at last a slow law that holds the limits.
 ///
-/// Cost: O(cells) per iteration. A smooth spline takes about 30 iterations in all on 1e3 to 1e4 cells, 50 to 100 on 1e5
-/// to 1e6: 12 to 38 µs per cell (tests/bench/bench_jerk.cpp).
+/// Cost: O(cells) per iteration. A smooth spline takes 25 to 35 iterations in all, 8 to 9 µs per cell at 1e3 cells, 10
+/// at 1e4, 13 to 17 at 1e5 (tests/bench/bench_jerk.cpp).
 #include <cstddef>
 
 #include "core/contour/contour.hpp"

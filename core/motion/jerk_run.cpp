@@ -1,0 +1,172 @@
+/// The order in which a run is planned.
+#include "core/motion/jerk_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/motion/profile.hpp"
+
+namespace bahnwerk {
+
+namespace {
+
+/// A law that had to be slowed by more than this may have a better start.
+constexpr double good_enough = 1.01;
+
+}  // namespace
+
+template <int N, int M>
+void JerkRunPlanner<N, M>::plan(std::size_t first, std::size_t last, double from, double to,
+                                JerkLimitedResult& result) {
+  PlanningPulse pulse(progress_, from, to);
+  pulse.part(0, 0.1);
+  if (last == first + 1 && alone(first, result)) return;
+  double shortest = unlimited;
+  for (const Start start : {Start{0.7, 0.3}, Start{0.2, 1}, Start{0.02, 1}, Start{0, 0}}) {
+    // The last one is no optimum at all, but always a law.
+    if (start.part == 0 && shortest < unlimited) break;
+    const double duration = attempt(first, last, start, pulse);
+    if (duration < shortest) {
+      shortest = duration;
+      std::swap(best_, pieces_);
+    }
+    if (slow_ < good_enough) break;
+  }
+  result.law.reserve(best_.size());
+  for (const LawPiece& p : best_) result.law.append(p);
+  result.cells += grid_.cells.size();
+  result.iterations += static_cast<std::size_t>(work_ / static_cast<double>(grid_.cells.size()) + 0.5);
+}
+
+template <int N, int M>
+bool JerkRunPlanner<N, M>::alone(std::size_t segment, JerkLimitedResult& result) {
+  const Segment& line = path_[segment];
+  if (!line.straight()) return false;
+  const PathPoint p = line.at_parameter(line.curve().begin());
+  ProfileLimits limits{std::min(feed_[segment], options_.path.velocity), options_.path.acceleration, options_.path.jerk,
+                       unlimited};
+  for (std::size_t k = 0; k < N; ++k) {
+    const double t = std::abs(p.d1[k]);
+    if (t == 0) continue;
+    limits.velocity = std::min(limits.velocity, machine_.axes[k].velocity / t);
+    limits.acceleration = std::min(limits.acceleration, machine_.axes[k].acceleration / t);
+    limits.jerk = std::min(limits.jerk, machine_.axes[k].jerk / t);
+  }
+  if (!std::isfinite(limits.jerk)) return false;  // its acceleration would jump
+  append(result.law, straight_profile(line.length(), 0, 0, limits), line.s0(), segment);
+  ++result.cells;
+  return true;
+}
+
+template <int N, int M>
+double JerkRunPlanner<N, M>::attempt(std::size_t first, std::size_t last, Start start, PlanningPulse& pulse) {
+  GridOptions grid;
+  grid.angle = options_.angle;
+  grid.hermite = 1e-5;
+  pulse.half_of_rest();
+  grid_.build(path_, first, last, feed_, machine_, grid, pulse);
+  lay(pulse);
+  state_.resize(grid_.cells.size() + 1);
+  measured_ = false;
+  soften(pulse);
+  guess(start.part);
+  if (start.mu > 0) improve(start.mu, pulse);
+  if (start.mu == 0) pose(pulse);
+  certify(pulse);
+  return emit(pulse);
+}
+
+template <int N, int M>
+void JerkRunPlanner<N, M>::improve(double mu, PlanningPulse& pulse) {
+  JerkSolverOptions solver;
+  double reach = 3e-2;
+  int division = 0;
+  bool fresh = true;
+  for (int round = 0;; ++round) {
+    pulse.half_of_rest();
+    if (mu > 0) {
+      pose(pulse);
+      fresh = true;
+    }
+    solver.gap = solver.violation = reach;
+    measured_ = false;
+    const JerkSolverResult r = solver_.solve(problem_, state_, mu, solver, pulse);
+    work_ += r.iterations * static_cast<double>(grid_.cells.size());
+    if (!std::isfinite(r.duration)) return;
+    mu = 0;
+    if (reach > 1e-3 && reach < 1e-2 && division < options_.max_divisions && mark(pulse)) {
+      ++division;
+      refine(pulse);
+      mu = std::max(10 * r.mu, 1e-2);
+      continue;
+    }
+    measure(soft_, pulse);
+    if (fresh) pose_middles(true, pulse);
+    fresh = false;
+    // What is left slows the run by its half (v², a) or third (j) power.
+    if (reach <= options_.gap &&
+        (round >= options_.max_rounds ||
+         (std::max(worst_.v, worst_.a) < 1 + 4 * options_.gap && worst_.j < 1 + 4 * options_.gap)))
+      break;
+    tighten();
+    reach = std::max(0.1 * reach, options_.gap);
+  }
+}
+
+template <int N, int M>
+double JerkRunPlanner<N, M>::emit(PlanningPulse& pulse) {
+  const std::size_t n = grid_.cells.size();
+  slow_ = 1;
+  if (worst_.v > 1) slow_ = std::max(slow_, std::sqrt(worst_.v));
+  if (worst_.a > 1) slow_ = std::max(slow_, std::sqrt(worst_.a));
+  if (worst_.j > 1) slow_ = std::max(slow_, std::cbrt(worst_.j));
+  if (slow_ > 1) slow_ *= 1 + 1e-12;
+  pieces_.clear();
+  pieces_.reserve(n);
+  double total = 0;
+  bool sound = std::isfinite(slow_);
+  for (std::size_t c = 0; c < n; ++c) {
+    pulse(c, n);
+    const double h = grid_.length(c);
+    LawPiece p = jerk_piece(state_[c], state_[c + 1], h);
+    sound = sound && p.duration > 0 && std::abs(p.at(p.duration).s - h) <= 1e-9 * h;
+    for (const double t : turning_points(p))
+      if (t > 0 && t < p.duration) sound = sound && p.at(t).v > 0;
+    p.segment = grid_.cells[c].segment;
+    p.s = path_[p.segment].s0() + grid_.left(c).s;
+    p.s_end = path_[p.segment].s0() + grid_.right(c).s;
+    p.slow(slow_);
+    total += p.duration;
+    pieces_.push_back(p);
+  }
+  if (!sound || !std::isfinite(total)) slow_ = unlimited;
+  return std::isfinite(slow_) ? total : unlimited;
+}
+
+template void JerkRunPlanner<2, 2>::plan(std::size_t first, std::size_t last, double from, double to,
+                                         JerkLimitedResult& result);
+template bool JerkRunPlanner<2, 2>::alone(std::size_t segment, JerkLimitedResult& result);
+template double JerkRunPlanner<2, 2>::attempt(std::size_t first, std::size_t last, Start start, PlanningPulse& pulse);
+template void JerkRunPlanner<2, 2>::improve(double mu, PlanningPulse& pulse);
+template double JerkRunPlanner<2, 2>::emit(PlanningPulse& pulse);
+template void JerkRunPlanner<2, 3>::plan(std::size_t first, std::size_t last, double from, double to,
+                                         JerkLimitedResult& result);
+template bool JerkRunPlanner<2, 3>::alone(std::size_t segment, JerkLimitedResult& result);
+template double JerkRunPlanner<2, 3>::attempt(std::size_t first, std::size_t last, Start start, PlanningPulse& pulse);
+template void JerkRunPlanner<2, 3>::improve(double mu, PlanningPulse& pulse);
+template double JerkRunPlanner<2, 3>::emit(PlanningPulse& pulse);
+template void JerkRunPlanner<3, 3>::plan(std::size_t first, std::size_t last, double from, double to,
+                                         JerkLimitedResult& result);
+template bool JerkRunPlanner<3, 3>::alone(std::size_t segment, JerkLimitedResult& result);
+template double JerkRunPlanner<3, 3>::attempt(std::size_t first, std::size_t last, Start start, PlanningPulse& pulse);
+template void JerkRunPlanner<3, 3>::improve(double mu, PlanningPulse& pulse);
+template double JerkRunPlanner<3, 3>::emit(PlanningPulse& pulse);
+template void JerkRunPlanner<3, 4>::plan(std::size_t first, std::size_t last, double from, double to,
+                                         JerkLimitedResult& result);
+template bool JerkRunPlanner<3, 4>::alone(std::size_t segment, JerkLimitedResult& result);
+template double JerkRunPlanner<3, 4>::attempt(std::size_t first, std::size_t last, Start start, PlanningPulse& pulse);
+template void JerkRunPlanner<3, 4>::improve(double mu, PlanningPulse& pulse);
+template double JerkRunPlanner<3, 4>::emit(PlanningPulse& pulse);
+
+}  // namespace bahnwerk

@@ -1,0 +1,176 @@
+#pragma once
+/// Plans the runs of a contour one after the other under limits of jerk (jerk_limited.hpp): the state of one run and
+/// the steps on it. jerk_pose.cpp lays the grid and states the problem, jerk_refine.cpp divides cells in which the law
+/// switches, jerk_certify.cpp looks between the nodes, jerk_run.cpp puts them in order.
+#include <algorithm>
+#include <cmath>
+
+#include "core/motion/jerk_grid.hpp"
+#include "core/motion/jerk_limited.hpp"
+#include "core/motion/jerk_peaks.hpp"
+#include "core/motion/jerk_solver.hpp"
+
+namespace bahnwerk {
+
+namespace jerk_run_detail {
+/// The solver may use this part of every limit; what lies below `sure` between the nodes needs no closer look.
+constexpr double full_share = 1 - 2e-5, sure = 1 - 1e-5;
+}  // namespace jerk_run_detail
+
+/// N axes, M rows: one more when the path itself is limited.
+template <int N, int M>
+class JerkRunPlanner {
+ public:
+  JerkRunPlanner(const Contour& contour, const Machine& machine, const JerkLimitedOptions& options,
+                 const std::vector<double>& feed, const Runs& runs, Progress& progress)
+      : path_(contour.path), machine_(machine), options_(options), feed_(feed), runs_(runs), progress_(progress) {
+    for (std::size_t k = 0; k < M; ++k) {
+      const bool axis = k < N;
+      const double V = axis ? machine.axes[k].velocity : options.path.velocity;
+      limit_.inverse_velocity2[k] = 1 / (V * V);
+      limit_.inverse_acceleration[k] = 1 / (axis ? machine.axes[k].acceleration : options.path.acceleration);
+      limit_.inverse_jerk[k] = 1 / (axis ? machine.axes[k].jerk : options.path.jerk);
+      if (axis && std::isfinite(machine.axes[k].jerk))
+        jerk_time_ = std::min(jerk_time_, machine.axes[k].acceleration / machine.axes[k].jerk);
+    }
+    if (!std::isfinite(jerk_time_)) jerk_time_ = 0;
+  }
+
+  void plan(std::size_t first, std::size_t last, double from, double to, JerkLimitedResult& result);
+
+ private:
+  /// Where the interior-point method starts: which part of the rough profile's v², and the barrier.
+  struct Start {
+    double part, mu;
+  };
+
+  /// A straight segment alone between two rests has a closed form.
+  bool alone(std::size_t segment, JerkLimitedResult& result);
+
+  /// Solves the run from the given start; its pieces then hold all limits. Their duration, infinite if it came to
+  /// nothing.
+  double attempt(std::size_t first, std::size_t last, Start start, PlanningPulse& pulse);
+
+  /// Solves, looks between the nodes, and solves again with a smaller gap.
+  void improve(double mu, PlanningPulse& pulse);
+
+  JerkStation<M> rows_of(const Station<N>& s) const {
+    JerkStation<M> r;
+    for (std::size_t k = 0; k < N; ++k) {
+      r.d1[k] = s.d1[k];
+      r.d2[k] = s.d2[k];
+      r.d3[k] = s.d3[k];
+    }
+    if constexpr (M > N) r.d1[N] = 1;
+    return r;
+  }
+
+  bool joint(std::size_t node) const {
+    return node > 0 && node < grid_.cells.size() && grid_.cells[node].segment != grid_.cells[node - 1].segment;
+  }
+
+  /// Largest v² per node: velocity limits, feeds, joints.
+  void caps(LargeVector<double>& cap, PlanningPulse& pulse) const;
+
+  /// The first (or last) inner Bernstein coefficient that the limits on v² leave a cell: of φ(s) it is φ ± h/3 φ′, and
+  /// never needs to be below both ends' values.
+  double cell_cap(std::size_t c, bool at_end) const;
+
+  void rough(PlanningPulse& pulse);
+
+  /// Nodes where the law needs them, by a rough profile.
+  void lay(PlanningPulse& pulse);
+
+  /// What the solver may do with jerk: no more than takes an axis from one limit of its acceleration to the other in a
+  /// quarter of a mean cell. A larger jerk gains nothing that the grid could show, and without any limit along some
+  /// axis the law would swing between the nodes.
+  void soften(PlanningPulse& pulse);
+
+  /// From the rough profile of the grid as it is; part 0: rest to rest by one bow, v² ~ (s (L − s)/L)^(4/3).
+  void guess(double part);
+
+  void pose(PlanningPulse& pulse);
+
+  /// Rows for the acceleration between nodes: in long cells, and, once there is a law to look at, where an axis comes
+  /// near its limit.
+  void pose_middles(bool looked, PlanningPulse& pulse);
+
+  void add_node(std::size_t node, const JerkStation<M>& s, const std::array<double, M>& inverse);
+
+  /// How long the law at hand takes for a cell, s.
+  double duration(std::size_t c) const { return jerk_piece(state_[c], state_[c + 1], grid_.length(c)).duration; }
+
+  /// Where acceleration rises from rest or in a trough of v² the law stays slower for all that follows: the part of the
+  /// cell's duration that a jerk as large as allowed would save, if the change of acceleration is one worth a node.
+  double slack_ramp(std::size_t c, double change, double jerk) const;
+
+  /// Where the law switches inside a cell its jerk ramps instead of jumping: a deficit of speed that lasts for about
+  /// a/j. Estimates what that costs and marks cells for division until the sum stays below the tolerance. False =
+  /// nothing to divide.
+  bool mark(PlanningPulse& pulse);
+
+  /// Divides the grid and carries the law over.
+  void refine(PlanningPulse& pulse);
+
+  double feed(std::size_t c) const { return std::min(feed_[grid_.cells[c].segment], options_.path.velocity); }
+
+  struct Worst {
+    double v = 0, a = 0, j = 0;
+  };
+
+  JerkStation<M> rows_of(const PathPoint& p) const {
+    JerkStation<M> r;
+    for (std::size_t k = 0; k < N; ++k) {
+      r.d1[k] = p.d1[k];
+      r.d2[k] = p.d2[k];
+      r.d3[k] = p.d3[k];
+    }
+    if constexpr (M > N) r.d1[N] = 1;
+    return r;
+  }
+
+  /// Peaks of every cell, from samples.
+  void measure(const RowLimits<M>& limit, PlanningPulse& pulse);
+
+  /// Continuous peaks on the path itself wherever samples leave a doubt, and what holds at nodes alone: afterwards
+  /// `worst_` is what the run has to be slowed by. Positions are rounded as those of the finished law are: on
+  /// micrometres far from the path's begin that noise shows, and the peaks' outer bounds contain it.
+  void certify(PlanningPulse& pulse);
+
+  void raise(const CellPeaks<M>& peaks) {
+    worst_.v = std::max(worst_.v, peaks.velocity);
+    for (std::size_t k = 0; k < M; ++k) {
+      worst_.a = std::max(worst_.a, peaks.acceleration[k]);
+      worst_.j = std::max(worst_.j, peaks.jerk[k]);
+    }
+  }
+
+  /// Cells that exceed a limit between their nodes get a smaller share of it.
+  void tighten();
+
+  /// The run's pieces, slowed by what still exceeds a limit. Returns their duration, infinite if they are no law.
+  double emit(PlanningPulse& pulse);
+
+  const Path& path_;
+  const Machine& machine_;
+  const JerkLimitedOptions& options_;
+  const std::vector<double>& feed_;
+  const Runs& runs_;
+  Progress& progress_;
+  RowLimits<M> limit_, soft_;
+  double jerk_time_ = unlimited;
+  Grid<N> grid_;
+  RoughProfile rough_;
+  LargeVector<double> cap_, loss_;
+  LargeVector<Division> division_;
+  LargeVector<JerkNode> state_;
+  JerkProblem<M> problem_;
+  JerkSolver<M> solver_;
+  LargeVector<CellPeaks<M>> peaks_;
+  bool measured_ = false;  ///< peaks_ are those of the law at hand
+  Worst worst_;
+  LargeVector<LawPiece> pieces_, best_;
+  double slow_ = 1, work_ = 0;
+};
+
+}  // namespace bahnwerk

@@ -1,0 +1,48 @@
+#pragma once
+/// Which part of a Newton step each cell takes. One tight row would hold up a long run everywhere; so parts differ
+/// along the run, but only gradually: where they differ, the step's linear equations hold no longer, by as much as they
+/// differ from cell to cell.
+#include <algorithm>
+
+#include "core/numeric/large_pages.hpp"
+
+namespace bahnwerk {
+
+struct JerkSteps {
+  LargeVector<double> primal, dual;  ///< per cell: first 1/(the part that reaches a wall), after fit() the part taken
+  double mean_primal = 0, mean_dual = 0;
+
+  void still(std::size_t cells) {
+    primal.assign(cells, 0);
+    dual.assign(cells, 0);
+  }
+  /// `reach` is the part of the way to the wall that may be taken; `even` the same part everywhere.
+  void fit(double reach, bool even) {
+    mean_primal = fit(primal, reach, even);
+    mean_dual = fit(dual, reach, even);
+  }
+
+ private:
+  static constexpr double slope = 0.02, growth = 1.05;  // most that parts rise by from cell to cell
+  static double fit(LargeVector<double>& part, double reach, bool even) {
+    double most = reach;
+    for (double& p : part) {
+      most = std::max(most, p);
+      p = std::min(1.0, reach / p);
+    }
+    if (even) {
+      part.assign(part.size(), reach / most);
+      return reach / most;
+    }
+    double last = 1, sum = 0;
+    for (double& p : part) last = p = std::min(p, std::min(last + slope, last * growth));
+    last = 1;
+    for (std::size_t c = part.size(); c-- > 0;) {
+      last = part[c] = std::min(part[c], std::min(last + slope, last * growth));
+      sum += last;
+    }
+    return sum / static_cast<double>(part.size());
+  }
+};
+
+}  // namespace bahnwerk
