@@ -10,11 +10,10 @@ namespace bahnwerk {
 using jerk_run_detail::sure;
 
 template <int N, int M>
-void JerkRunPlanner<N, M>::measure(const RowLimits<M>& limit, PlanningPulse& pulse) {
+void JerkRunPlanner<N, M>::measure(const RowLimits<M>& limit, bool exact, PlanningPulse& pulse) {
   const std::size_t n = grid_.cells.size();
   peaks_.resize(n);
   worst_ = {};
-  measured_ = true;
   for (std::size_t c = 0; c < n; ++c) {
     pulse(c, n);
     const double h = grid_.length(c), f = feed(c);
@@ -23,6 +22,11 @@ void JerkRunPlanner<N, M>::measure(const RowLimits<M>& limit, PlanningPulse& pul
           &r = problem_.stations[problem_.cells[c].station + 1];
     if (grid_.cells[c].straight) {
       peaks_[c] = cell_peaks<M>(law, h, limit, 1 / (f * f), [&](double, JerkStation<M>& out) { out = l; });
+    } else if (exact) {
+      const Segment& segment = path_[grid_.cells[c].segment];
+      peaks_[c] = cell_peaks<M>(law, h, limit, 1 / (f * f), [&](double s, JerkStation<M>& out) {
+        out = s <= 0 ? l : s >= h ? r : rows_of(segment.at_parameter(segment.parameter_at(grid_.left(c).s + s)));
+      });
     } else {
       const Segment& segment = path_[grid_.cells[c].segment];
       const double um = 0.5 * (grid_.left(c).u + grid_.right(c).u);
@@ -35,7 +39,7 @@ void JerkRunPlanner<N, M>::measure(const RowLimits<M>& limit, PlanningPulse& pul
 
 template <int N, int M>
 void JerkRunPlanner<N, M>::certify(PlanningPulse& pulse) {
-  if (!measured_ || soft_.inverse_jerk != limit_.inverse_jerk) measure(limit_, pulse);
+  measure(limit_, true, pulse);  // a model of the path is good enough to plan by, not to vouch for
   worst_ = {};
   PeakSweep sweep(std::vector<double>(3 * M, 1.0));
   const std::size_t n = grid_.cells.size();
@@ -100,16 +104,16 @@ void JerkRunPlanner<N, M>::tighten() {
   }
 }
 
-template void JerkRunPlanner<2, 2>::measure(const RowLimits<2>& limit, PlanningPulse& pulse);
+template void JerkRunPlanner<2, 2>::measure(const RowLimits<2>& limit, bool exact, PlanningPulse& pulse);
 template void JerkRunPlanner<2, 2>::certify(PlanningPulse& pulse);
 template void JerkRunPlanner<2, 2>::tighten();
-template void JerkRunPlanner<2, 3>::measure(const RowLimits<3>& limit, PlanningPulse& pulse);
+template void JerkRunPlanner<2, 3>::measure(const RowLimits<3>& limit, bool exact, PlanningPulse& pulse);
 template void JerkRunPlanner<2, 3>::certify(PlanningPulse& pulse);
 template void JerkRunPlanner<2, 3>::tighten();
-template void JerkRunPlanner<3, 3>::measure(const RowLimits<3>& limit, PlanningPulse& pulse);
+template void JerkRunPlanner<3, 3>::measure(const RowLimits<3>& limit, bool exact, PlanningPulse& pulse);
 template void JerkRunPlanner<3, 3>::certify(PlanningPulse& pulse);
 template void JerkRunPlanner<3, 3>::tighten();
-template void JerkRunPlanner<3, 4>::measure(const RowLimits<4>& limit, PlanningPulse& pulse);
+template void JerkRunPlanner<3, 4>::measure(const RowLimits<4>& limit, bool exact, PlanningPulse& pulse);
 template void JerkRunPlanner<3, 4>::certify(PlanningPulse& pulse);
 template void JerkRunPlanner<3, 4>::tighten();
 

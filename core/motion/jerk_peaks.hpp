@@ -101,7 +101,9 @@ inline double peak(const std::array<double, 5>& f, double& doubt) {
     between = std::max(between, std::abs(g[i]));
     if (std::abs(slope) < std::abs(bend)) between = std::max(between, std::abs(g[i] - 0.5 * slope * slope / bend));
   }
-  doubt = std::max(doubt, between + 0.15 * (between - most) + 0.3 * fourth);
+  double third = 0;  // a cubic may pass a parabola through its neighbours by 0.065 of it
+  for (std::size_t i = 2; i < 8; ++i) third = std::max(third, std::abs(g[i + 1] - g[i - 2] - 3 * (g[i] - g[i - 1])));
+  doubt = std::max(doubt, between + 0.15 * (between - most) + 0.3 * fourth + 0.1 * third);
   return between + 0.15 * (between - most);
 }
 }  // namespace jerk_peaks_detail

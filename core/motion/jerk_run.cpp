@@ -68,7 +68,6 @@ double JerkRunPlanner<N, M>::attempt(std::size_t first, std::size_t last, Start 
   grid_.build(path_, first, last, feed_, machine_, grid, pulse);
   lay(pulse);
   state_.resize(grid_.cells.size() + 1);
-  measured_ = false;
   soften(pulse);
   guess(start.part);
   if (start.mu > 0) improve(start.mu, pulse);
@@ -90,7 +89,6 @@ void JerkRunPlanner<N, M>::improve(double mu, PlanningPulse& pulse) {
       fresh = true;
     }
     solver.gap = solver.violation = reach;
-    measured_ = false;
     const JerkSolverResult r = solver_.solve(problem_, state_, mu, solver, pulse);
     work_ += r.iterations * static_cast<double>(grid_.cells.size());
     if (!std::isfinite(r.duration)) return;
@@ -101,7 +99,7 @@ void JerkRunPlanner<N, M>::improve(double mu, PlanningPulse& pulse) {
       mu = std::max(10 * r.mu, 1e-2);
       continue;
     }
-    measure(soft_, pulse);
+    measure(soft_, false, pulse);
     if (fresh) pose_middles(true, pulse);
     fresh = false;
     // What is left slows the run by its half (v², a) or third (j) power.

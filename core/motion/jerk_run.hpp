@@ -130,7 +130,7 @@ class JerkRunPlanner {
   }
 
   /// Peaks of every cell, from samples.
-  void measure(const RowLimits<M>& limit, PlanningPulse& pulse);
+  void measure(const RowLimits<M>& limit, bool exact, PlanningPulse& pulse);
 
   /// Continuous peaks on the path itself wherever samples leave a doubt, and what holds at nodes alone: afterwards
   /// `worst_` is what the run has to be slowed by. Positions are rounded as those of the finished law are: on
@@ -167,7 +167,6 @@ class JerkRunPlanner {
   JerkProblem<M> problem_;
   JerkSolver<M> solver_;
   LargeVector<CellPeaks<M>> peaks_;
-  bool measured_ = false;  ///< peaks_ are those of the law at hand
   Worst worst_;
   LargeVector<LawPiece> pieces_, best_;
   double slow_ = 1, work_ = 0;
