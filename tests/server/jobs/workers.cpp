@@ -89,6 +89,8 @@ TEST_F(WorkersTest, PlansAndStores) {
     EXPECT_EQ(job.fraction, 1);
     EXPECT_EQ(store->series(id)->count, 5000U);
   }
+  // A worker leaves the list after its job has ended in the store.
+  for (int i = 0; i < 3000 && live.size() > 0; ++i) std::this_thread::sleep_for(5ms);
   EXPECT_EQ(live.size(), 0U);
 }
 
