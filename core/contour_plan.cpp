@@ -74,7 +74,7 @@ class Solver {
     smooth_.corner_angle = quick_.corner_angle = planning.corner_angle;
     quick_.keep_reserve = planning.method == PlanningMethod::braking_reserve;
     quick_.braking_reserve = planning.braking_reserve;
-    smooth_.path = {planning.path.velocity, planning.path.acceleration, planning.path.jerk};
+    smooth_.path = planning.path;
   }
   MotionLaw solve(Progress& progress, double from, double to) {
     if (jerk_limited_) {
@@ -153,9 +153,7 @@ ContourPlan plan_contour(Contour input, const Machine& given_machine, const Cont
       judgement.progress_to = judged;
       if (planning.method == PlanningMethod::jerk_limited) {
         judgement.check_jerk = true;
-        judgement.path_velocity = planning.path.velocity;
-        judgement.path_acceleration = planning.path.acceleration;
-        judgement.path_jerk = planning.path.jerk;
+        judgement.path = planning.path;
       }
       plan.verification = judge(judgement, progress);
       if (plan.verification.passed || hair == most_hairs || !slow_by_a_hair(plan.verification, cycles.factor, law))

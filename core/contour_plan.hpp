@@ -15,18 +15,13 @@ namespace bahnwerk {
 enum class PlanningMethod { braking_reserve, time_optimal, jerk_limited };
 enum class CornerMode { stop, blend };
 
-/// Limits along the path, held by jerk_limited: mm/s, mm/s², mm/s³.
-struct AlongPath {
-  double velocity = unlimited, acceleration = unlimited, jerk = unlimited;
-};
-
 struct ContourPlanning {
   PlanningMethod method = PlanningMethod::braking_reserve;
   double braking_reserve = 0.7;                              ///< K_b [Bock (2.11)]
   double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad
   CornerMode corner_mode = CornerMode::stop;
   double blend_tolerance = 0;  ///< mm, of CornerMode::blend
-  AlongPath path;
+  AlongPath path;              ///< held by jerk_limited
 };
 
 struct BlockReport {

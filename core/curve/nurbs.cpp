@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/curve/bspline_basis.hpp"
 #include "core/errors.hpp"
 
 namespace bahnwerk {
@@ -99,47 +100,7 @@ std::size_t Nurbs::span(double u) const {
 
 Jet Nurbs::at(double u) const {
   const std::size_t p = degree_, k = span(u), orders = std::min<std::size_t>(3, p);
-  // A2.3: the triangle of basis functions (upper part) and knot differences (lower part).
-  std::array<std::array<double, order_limit>, order_limit> ndu{};
-  std::array<double, order_limit> left{}, right{};
-  ndu[0][0] = 1;
-  for (std::size_t j = 1; j <= p; ++j) {
-    left[j] = u - knots_[k + 1 - j];
-    right[j] = knots_[k + j] - u;
-    double saved = 0;
-    for (std::size_t r = 0; r < j; ++r) {
-      ndu[j][r] = right[r + 1] + left[j - r];
-      const double share = ndu[r][j - 1] / ndu[j][r];
-      ndu[r][j] = saved + right[r + 1] * share;
-      saved = left[j - r] * share;
-    }
-    ndu[j][j] = saved;
-  }
-  std::array<std::array<double, order_limit>, 4> basis{};
-  for (std::size_t r = 0; r <= p; ++r) {
-    basis[0][r] = ndu[r][p];
-    std::array<std::array<double, 4>, 2> a{};
-    std::size_t now = 0;
-    a[0][0] = 1;
-    double factor = 1;
-    for (std::size_t o = 1; o <= orders; ++o) {
-      const std::size_t next = 1 - now, rest = p - o;
-      double sum = 0;
-      for (std::size_t j = 0; j <= o; ++j) {  // a_{o,j} for basis function r + j − o of degree p − o
-        const bool has = j<o, had = j> 0;
-        double value = 0;
-        if (r + j >= o && r + j - o <= rest) {
-          const double difference = ndu[rest + 1][r + j - o];
-          value = ((has ? a[now][j] : 0.0) - (had ? a[now][j - 1] : 0.0)) / difference;
-          sum += value * ndu[r + j - o][rest];
-        }
-        a[next][j] = value;
-      }
-      factor *= static_cast<double>(rest + 1);
-      basis[o][r] = factor * sum;
-      now = next;
-    }
-  }
+  const BsplineBasis<order_limit> basis = bspline_basis<order_limit>(knots_, p, k, u);
   // Homogeneous derivatives relative to one control point (large coordinates), then the quotient rule (A4.2).
   const Vec base = points_[k - p];
   std::array<Homogeneous, 4> h{};

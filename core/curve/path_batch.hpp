@@ -4,10 +4,12 @@
 #include <array>
 #include <cstddef>
 
+#include "core/numeric/lanes.hpp"
+
 namespace bahnwerk {
 
-/// Two points at a time; a vector extension of GCC and Clang that compiles to plain multiplications and additions.
-typedef double PointPair __attribute__((vector_size(16)));
+/// Two points at a time.
+using PointPair = Lanes<2>;
 
 struct PathBatch {
   static constexpr std::size_t most = 16, pairs = most / 2;

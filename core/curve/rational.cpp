@@ -6,8 +6,7 @@
 namespace bahnwerk {
 namespace {
 
-// Two coordinates at a time; a vector extension of GCC and Clang that compiles to plain multiplications and additions.
-typedef double Pair __attribute__((vector_size(16)));
+using Pair = Lanes<2>;  // two coordinates at a time
 Pair load(const double* p) { return Pair{p[0], p[1]}; }
 
 struct Taylor {

@@ -16,6 +16,11 @@ struct AxisLimits {
   double jerk = unlimited;          ///< mm/s³
 };
 
+/// Limits of speed, acceleration and jerk along the path: mm/s, mm/s², mm/s³.
+struct AlongPath {
+  double velocity = unlimited, acceleration = unlimited, jerk = unlimited;
+};
+
 struct Machine {
   std::vector<AxisLimits> axes;  ///< 2 or 3, in the order of the coordinates
   double cycle_time = 0.001;     ///< s

@@ -340,13 +340,9 @@ AccelerationLimitedResult plan(const Contour& contour, const Machine& machine,
   const Runs runs = find_runs(contour, machine, options.corner_angle);
   AccelerationLimitedResult result;
   RunPlanner<N> planner(contour, machine, options, feed, runs, progress);
-  const double length = contour.path.length();
-  for (std::size_t i = 0; i + 1 < runs.begin.size(); ++i) {
-    const auto fraction = [&](std::size_t segment) {
-      return from + (to - from) * (segment < contour.path.size() ? contour.path[segment].s0() / length : 1);
-    };
-    planner.plan(runs.begin[i], runs.begin[i + 1], fraction(runs.begin[i]), fraction(runs.begin[i + 1]), result);
-  }
+  for_each_run(contour.path, runs, from, to, [&](std::size_t first, std::size_t last, double begin, double end) {
+    planner.plan(first, last, begin, end, result);
+  });
   return result;
 }
 

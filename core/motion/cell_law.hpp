@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/motion/even_samples.hpp"
 #include "core/motion/grid.hpp"
 #include "core/motion/law.hpp"
 #include "core/motion/station_limits.hpp"
@@ -67,24 +68,10 @@ struct Between {
   }
 };
 
-/// Largest |f| over a cell from five even samples: the quartic through them gives four more, parabolas the peaks
-/// between.
+/// Largest |f| over a cell from five even samples.
 inline double peak(const std::array<double, 5>& f) {
-  double most = 0;
-  for (const double x : f) most = std::max(most, std::abs(x));
-  if (most < 0.9) return most;
-  const std::array<double, 9> g{f[0], (35 * f[0] + 140 * f[1] - 70 * f[2] + 28 * f[3] - 5 * f[4]) / 128,
-                                f[1], (-5 * f[0] + 60 * f[1] + 90 * f[2] - 20 * f[3] + 3 * f[4]) / 128,
-                                f[2], (3 * f[0] - 20 * f[1] + 90 * f[2] + 60 * f[3] - 5 * f[4]) / 128,
-                                f[3], (-5 * f[0] + 28 * f[1] - 70 * f[2] + 140 * f[3] + 35 * f[4]) / 128,
-                                f[4]};
-  double between = most;
-  for (std::size_t i = 1; i < 8; ++i) {
-    const double slope = 0.5 * (g[i + 1] - g[i - 1]), bend = g[i + 1] - 2 * g[i] + g[i - 1];
-    between = std::max(between, std::abs(g[i]));
-    if (std::abs(slope) < std::abs(bend)) between = std::max(between, std::abs(g[i] - 0.5 * slope * slope / bend));
-  }
-  return between + 0.15 * (between - most) + 1e-9;
+  const EvenSamples samples(f, 0.9);
+  return samples.most < 0.9 ? samples.most : samples.peak() + 1e-9;
 }
 
 }  // namespace cell_law_detail

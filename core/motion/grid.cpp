@@ -5,14 +5,8 @@
 
 namespace bahnwerk {
 
-namespace {
-
-constexpr int max_parts = 16;  // cells laid at once; more and the interval is halved first
-constexpr int end_halvings = 4;
-constexpr double min_interval = 1e-6;  // of a segment's parameter range: grading towards a cusp ends here
-
 template <int N>
-Station<N> station(const Segment& segment, double u) {
+Station<N> station_at(const Segment& segment, double u) {
   const PathPoint p = segment.at_parameter(u);
   Station<N> at;
   at.u = u;
@@ -24,6 +18,12 @@ Station<N> station(const Segment& segment, double u) {
   }
   return at;
 }
+
+namespace {
+
+constexpr int max_parts = 16;  // cells laid at once; more and the interval is halved first
+constexpr int end_halvings = 4;
+constexpr double min_interval = 1e-6;  // of a segment's parameter range: grading towards a cusp ends here
 
 template <int N>
 Station<N> station(const PathBatch& batch, std::size_t i) {
@@ -68,10 +68,10 @@ class Layer {
   void lay() {
     const std::vector<double> panel = segment_.panel_parameters();
     smallest_ = min_interval * (panel.back() - panel.front());
-    push(station<N>(segment_, panel.front()));
+    push(station_at<N>(segment_, panel.front()));
     for (std::size_t i = 1; i < panel.size(); ++i) {
       const Station<N> left = grid_.stations.back();
-      interval(left, station<N>(segment_, panel[i]));
+      interval(left, station_at<N>(segment_, panel[i]));
     }
   }
 
@@ -107,7 +107,7 @@ class Layer {
   }
 
   void interval(const Station<N>& left, const Station<N>& right) {
-    const Station<N> mid = station<N>(segment_, 0.5 * (left.u + right.u));
+    const Station<N> mid = station_at<N>(segment_, 0.5 * (left.u + right.u));
     const double need = parts(left, mid, right);
     const bool at_cusp = (segment_.cusp_begin() && left.u == segment_.curve().begin()) ||
                          (segment_.cusp_end() && right.u == segment_.curve().end());
@@ -157,7 +157,7 @@ class Layer {
       turning[i] = u;
     }
     for (std::size_t i = 0; i < count; ++i)
-      if (turning[i] > grid_.stations.back().u) cell_to(station<N>(segment_, turning[i]));
+      if (turning[i] > grid_.stations.back().u) cell_to(station_at<N>(segment_, turning[i]));
     cell_to(right);
   }
 
@@ -189,8 +189,8 @@ void Grid<N>::build(const Path& path, std::size_t first, std::size_t last, const
     const Segment& segment = path[i];
     if (segment.straight()) {
       cells.push_back({static_cast<std::uint32_t>(stations.size()), static_cast<std::uint32_t>(i), true, false, false});
-      stations.push_back(station<N>(segment, segment.curve().begin()));
-      stations.push_back(station<N>(segment, segment.curve().end()));
+      stations.push_back(station_at<N>(segment, segment.curve().begin()));
+      stations.push_back(station_at<N>(segment, segment.curve().end()));
     } else {
       Layer<N>(*this, segment, static_cast<std::uint32_t>(i), machine, feed[i], options).lay();
     }
@@ -210,7 +210,7 @@ void Grid<N>::grade_end(const Path& path, bool front) {
   std::vector<Station<N>> inner;
   for (int i = 1; i <= end_halvings; ++i)
     inner.push_back(
-        station<N>(segment, front ? u0 + part(i) * (u1 - u0) : u1 - part(end_halvings + 1 - i) * (u1 - u0)));
+        station_at<N>(segment, front ? u0 + part(i) * (u1 - u0) : u1 - part(end_halvings + 1 - i) * (u1 - u0)));
   std::vector<GridCell> parts(inner.size() + 1, old);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     parts[i].station = old.station + static_cast<std::uint32_t>(i);
@@ -227,28 +227,9 @@ void Grid<N>::grade_end(const Path& path, bool front) {
 
 template <int N>
 void Grid<N>::divide(const Path& path, const LargeVector<std::uint8_t>& parts, PlanningPulse& pulse) {
-  LargeVector<Station<N>> new_stations;
-  LargeVector<GridCell> new_cells;
-  std::size_t total = 0;
-  for (const auto p : parts) total += p;
-  new_cells.reserve(total);
-  new_stations.reserve(stations.size() + total - cells.size());
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    pulse(c, cells.size());
-    const Segment& segment = path[cells[c].segment];
-    if (c == 0 || cells[c].station != cells[c - 1].station + 1) new_stations.push_back(left(c));
-    const double u0 = left(c).u, du = (right(c).u - u0) / parts[c];
-    for (int i = 1; i <= parts[c]; ++i) {
-      GridCell cell = cells[c];
-      cell.station = static_cast<std::uint32_t>(new_stations.size() - 1);
-      cell.cusp_left = cell.cusp_left && i == 1;
-      cell.cusp_right = cell.cusp_right && i == parts[c];
-      new_cells.push_back(cell);
-      new_stations.push_back(i == parts[c] ? right(c) : station<N>(segment, u0 + i * du));
-    }
-  }
-  stations = std::move(new_stations);
-  cells = std::move(new_cells);
+  divide(
+      path, [&](std::size_t c) { return parts[c]; },
+      [&](std::size_t c, int i, double u0, double u1) { return u0 + i * ((u1 - u0) / parts[c]); }, pulse);
 }
 
 double total_turn(const Path& path, std::size_t first, std::size_t last) {
@@ -267,6 +248,8 @@ double total_turn(const Path& path, std::size_t first, std::size_t last) {
   return turn;
 }
 
+template Station<2> station_at<2>(const Segment&, double);
+template Station<3> station_at<3>(const Segment&, double);
 template class Grid<2>;
 template class Grid<3>;
 

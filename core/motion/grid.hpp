@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "core/contour/contour.hpp"
@@ -54,16 +55,56 @@ class Grid {
   /// ends, where the speed changes by more than it is. O(cells).
   void build(const Path& path, std::size_t first, std::size_t last, const std::vector<double>& feed,
              const Machine& machine, const GridOptions& options, PlanningPulse& pulse);
-  /// Divides cell c into parts[c] cells. O(cells).
+  /// Divides cell c into parts[c] equal cells. O(cells).
   void divide(const Path& path, const LargeVector<std::uint8_t>& parts, PlanningPulse& pulse);
+  /// Divides cell c into count(c) cells; inner part i ends at the parameter place(c, i, u0, u1) between the cell's own
+  /// ends. Parts finer than path length resolves are left out. O(cells).
+  template <class Count, class Place>
+  void divide(const Path& path, Count&& count, Place&& place, PlanningPulse& pulse);
 
  private:
   void grade_end(const Path& path, bool front);
 };
 
+/// The station at a parameter of a segment.
+template <int N>
+Station<N> station_at(const Segment& segment, double u);
+
+template <int N>
+template <class Count, class Place>
+void Grid<N>::divide(const Path& path, Count&& count, Place&& place, PlanningPulse& pulse) {
+  LargeVector<Station<N>> new_stations;
+  LargeVector<GridCell> new_cells;
+  std::size_t total = 0;
+  for (std::size_t c = 0; c < cells.size(); ++c) total += count(c);
+  new_cells.reserve(total);
+  new_stations.reserve(stations.size() + total - cells.size());
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    pulse(c, cells.size());
+    const GridCell& old = cells[c];
+    if (c == 0 || old.station != cells[c - 1].station + 1) new_stations.push_back(left(c));
+    const int parts = count(c);
+    for (int i = 1; i <= parts; ++i) {
+      GridCell cell = old;
+      cell.station = static_cast<std::uint32_t>(new_stations.size() - 1);
+      cell.cusp_left = old.cusp_left && i == 1;
+      cell.cusp_right = old.cusp_right && i == parts;
+      const Station<N> next =
+          i == parts ? right(c) : station_at<N>(path[old.segment], place(c, i, left(c).u, right(c).u));
+      if (i < parts && !(next.s > new_stations.back().s)) continue;
+      new_cells.push_back(cell);
+      new_stations.push_back(next);
+    }
+  }
+  stations = std::move(new_stations);
+  cells = std::move(new_cells);
+}
+
 /// By how much the path turns over the segments [first, last), rad, about: what the number of cells follows.
 double total_turn(const Path& path, std::size_t first, std::size_t last);
 
+extern template Station<2> station_at<2>(const Segment&, double);
+extern template Station<3> station_at<3>(const Segment&, double);
 extern template class Grid<2>;
 extern template class Grid<3>;
 

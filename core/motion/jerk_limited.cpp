@@ -16,13 +16,9 @@ JerkLimitedResult plan(const Contour& contour, const Machine& machine, const Jer
   const Runs runs = find_runs(contour, machine, options.corner_angle);
   JerkLimitedResult result;
   JerkRunPlanner<N, M> planner(contour, machine, options, feed, runs, progress);
-  const double length = contour.path.length();
-  for (std::size_t i = 0; i + 1 < runs.begin.size(); ++i) {
-    const auto fraction = [&](std::size_t segment) {
-      return from + (to - from) * (segment < contour.path.size() ? contour.path[segment].s0() / length : 1);
-    };
-    planner.plan(runs.begin[i], runs.begin[i + 1], fraction(runs.begin[i]), fraction(runs.begin[i + 1]), result);
-  }
+  for_each_run(contour.path, runs, from, to, [&](std::size_t first, std::size_t last, double begin, double end) {
+    planner.plan(first, last, begin, end, result);
+  });
   return result;
 }
 
@@ -35,7 +31,7 @@ JerkLimitedResult plan_jerk_limited(const Contour& contour, const Machine& machi
     if (!(axis.velocity > 0) || !(axis.acceleration > 0) || !std::isfinite(axis.acceleration) || !(axis.jerk > 0))
       faults.push_back(
           {{"machine", "axes", axis.name}, "velocity, acceleration and jerk must be positive, acceleration finite"});
-  const JerkPathOptions& along = options.path;
+  const AlongPath& along = options.path;
   if (!(along.velocity > 0) || !(along.acceleration > 0) || !(along.jerk > 0))
     faults.push_back({{"planning"}, "limits along the path must be positive"});
   if (!faults.empty()) throw InvalidInput(faults);

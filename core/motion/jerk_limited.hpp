@@ -23,7 +23,7 @@ namespace bahnwerk {
 
 struct JerkLimitedOptions {
   double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad; larger tangent jumps are corners with a stop
-  JerkPathOptions path;     ///< limits of v mm/s, |a| mm/s², |j| mm/s³ along the path; infinite unless given
+  AlongPath path;           ///< limits of v mm/s, |a| mm/s², |j| mm/s³ along the path; infinite unless given
   double gap = 1e-4;        ///< loss of duration to the solver, relative
   double tolerance = 3e-4;  ///< loss of duration to the grid, relative, estimated
   double angle = 0.02;      ///< most a cell turns, rad

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/motion/even_samples.hpp"
 #include "core/motion/grid.hpp"
 #include "core/motion/jerk_problem.hpp"
 #include "core/motion/law.hpp"
@@ -82,29 +83,12 @@ struct RowLimits {
 };
 
 namespace jerk_peaks_detail {
-/// Largest |f| over [0, 1] from five even samples: the quartic through them gives four more, parabolas the peaks
-/// between. `doubt` becomes what they cannot know about.
+/// Largest |f| over [0, 1] from five even samples. `doubt` becomes what they cannot know about.
 inline double peak(const std::array<double, 5>& f, double& doubt) {
-  double most = 0;
-  for (const double x : f) most = std::max(most, std::abs(x));
+  const EvenSamples samples(f, 0.7);
   const double fourth = std::abs(f[0] - 4 * f[1] + 6 * f[2] - 4 * f[3] + f[4]);
-  doubt = std::max(doubt, most + 0.3 * fourth);
-  if (most < 0.7) return most;
-  const std::array<double, 9> g{f[0], (35 * f[0] + 140 * f[1] - 70 * f[2] + 28 * f[3] - 5 * f[4]) / 128,
-                                f[1], (-5 * f[0] + 60 * f[1] + 90 * f[2] - 20 * f[3] + 3 * f[4]) / 128,
-                                f[2], (3 * f[0] - 20 * f[1] + 90 * f[2] + 60 * f[3] - 5 * f[4]) / 128,
-                                f[3], (-5 * f[0] + 28 * f[1] - 70 * f[2] + 140 * f[3] + 35 * f[4]) / 128,
-                                f[4]};
-  double between = most;
-  for (std::size_t i = 1; i < 8; ++i) {
-    const double slope = 0.5 * (g[i + 1] - g[i - 1]), bend = g[i + 1] - 2 * g[i] + g[i - 1];
-    between = std::max(between, std::abs(g[i]));
-    if (std::abs(slope) < std::abs(bend)) between = std::max(between, std::abs(g[i] - 0.5 * slope * slope / bend));
-  }
-  double third = 0;  // a cubic may pass a parabola through its neighbours by 0.065 of it
-  for (std::size_t i = 2; i < 8; ++i) third = std::max(third, std::abs(g[i + 1] - g[i - 2] - 3 * (g[i] - g[i - 1])));
-  doubt = std::max(doubt, between + 0.15 * (between - most) + 0.3 * fourth + 0.1 * third);
-  return between + 0.15 * (between - most);
+  doubt = std::max(doubt, samples.peak() + 0.3 * fourth + 0.1 * samples.third);
+  return samples.peak();
 }
 }  // namespace jerk_peaks_detail
 

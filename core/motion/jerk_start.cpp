@@ -21,7 +21,7 @@ double grow(double b, double h, double acceleration, double jerk) {
 }  // namespace
 
 template <int N>
-PathLimits path_limits(const Station<N>& at, const Machine& machine, const JerkPathOptions& path, double feed) {
+PathLimits path_limits(const Station<N>& at, const Machine& machine, const AlongPath& path, double feed) {
   PathLimits limits{std::min(feed, path.velocity), path.acceleration, path.jerk};
   limits.cap *= limits.cap;
   for (std::size_t k = 0; k < N; ++k) {
@@ -42,9 +42,8 @@ PathLimits path_limits(const Station<N>& at, const Machine& machine, const JerkP
 }
 
 template <int N>
-void rough_profile(const Grid<N>& grid, const std::vector<double>& feed, const Machine& machine,
-                   const JerkPathOptions& path, const LargeVector<double>& node_cap, RoughProfile& profile,
-                   PlanningPulse& pulse) {
+void rough_profile(const Grid<N>& grid, const std::vector<double>& feed, const Machine& machine, const AlongPath& path,
+                   const LargeVector<double>& node_cap, RoughProfile& profile, PlanningPulse& pulse) {
   constexpr double part = 0.7;  // of the straight limits: bending needs some, too
   const std::size_t n = grid.cells.size();
   auto& b = profile.b;
@@ -71,11 +70,11 @@ void rough_profile(const Grid<N>& grid, const std::vector<double>& feed, const M
   }
 }
 
-template PathLimits path_limits<2>(const Station<2>&, const Machine&, const JerkPathOptions&, double);
-template PathLimits path_limits<3>(const Station<3>&, const Machine&, const JerkPathOptions&, double);
-template void rough_profile<2>(const Grid<2>&, const std::vector<double>&, const Machine&, const JerkPathOptions&,
+template PathLimits path_limits<2>(const Station<2>&, const Machine&, const AlongPath&, double);
+template PathLimits path_limits<3>(const Station<3>&, const Machine&, const AlongPath&, double);
+template void rough_profile<2>(const Grid<2>&, const std::vector<double>&, const Machine&, const AlongPath&,
                                const LargeVector<double>&, RoughProfile&, PlanningPulse&);
-template void rough_profile<3>(const Grid<3>&, const std::vector<double>&, const Machine&, const JerkPathOptions&,
+template void rough_profile<3>(const Grid<3>&, const std::vector<double>&, const Machine&, const AlongPath&,
                                const LargeVector<double>&, RoughProfile&, PlanningPulse&);
 
 }  // namespace bahnwerk

@@ -19,12 +19,8 @@ struct PathLimits {
   double jerk = unlimited;          ///< along a straight, mm/s³
 };
 
-struct JerkPathOptions {
-  double velocity = unlimited, acceleration = unlimited, jerk = unlimited;
-};
-
 template <int N>
-PathLimits path_limits(const Station<N>& at, const Machine& machine, const JerkPathOptions& path, double feed);
+PathLimits path_limits(const Station<N>& at, const Machine& machine, const AlongPath& path, double feed);
 
 /// v² at every node, and how long each cell then takes, s, about (rest at the ends of cells allowed).
 struct RoughProfile {
@@ -32,17 +28,14 @@ struct RoughProfile {
 };
 /// `node_cap`: largest v² per node, from joints and feeds; zero at both ends.
 template <int N>
-void rough_profile(const Grid<N>& grid, const std::vector<double>& feed, const Machine& machine,
-                   const JerkPathOptions& path, const LargeVector<double>& node_cap, RoughProfile& profile,
-                   PlanningPulse& pulse);
+void rough_profile(const Grid<N>& grid, const std::vector<double>& feed, const Machine& machine, const AlongPath& path,
+                   const LargeVector<double>& node_cap, RoughProfile& profile, PlanningPulse& pulse);
 
-extern template PathLimits path_limits<2>(const Station<2>&, const Machine&, const JerkPathOptions&, double);
-extern template PathLimits path_limits<3>(const Station<3>&, const Machine&, const JerkPathOptions&, double);
-extern template void rough_profile<2>(const Grid<2>&, const std::vector<double>&, const Machine&,
-                                      const JerkPathOptions&, const LargeVector<double>&, RoughProfile&,
-                                      PlanningPulse&);
-extern template void rough_profile<3>(const Grid<3>&, const std::vector<double>&, const Machine&,
-                                      const JerkPathOptions&, const LargeVector<double>&, RoughProfile&,
-                                      PlanningPulse&);
+extern template PathLimits path_limits<2>(const Station<2>&, const Machine&, const AlongPath&, double);
+extern template PathLimits path_limits<3>(const Station<3>&, const Machine&, const AlongPath&, double);
+extern template void rough_profile<2>(const Grid<2>&, const std::vector<double>&, const Machine&, const AlongPath&,
+                                      const LargeVector<double>&, RoughProfile&, PlanningPulse&);
+extern template void rough_profile<3>(const Grid<3>&, const std::vector<double>&, const Machine&, const AlongPath&,
+                                      const LargeVector<double>&, RoughProfile&, PlanningPulse&);
 
 }  // namespace bahnwerk

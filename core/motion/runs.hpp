@@ -18,4 +18,15 @@ struct Runs {
 /// velocity step |Δ_k| v of every axis stays within its acceleration · cycle_time. O(segments).
 Runs find_runs(const Contour& contour, const Machine& machine, double corner_angle);
 
+/// Plans run by run: plan(first segment, one past the last, begin and end of its share of the progress from `from` to
+/// `to`, by path length).
+template <class Plan>
+void for_each_run(const Path& path, const Runs& runs, double from, double to, Plan&& plan) {
+  const auto fraction = [&](std::size_t segment) {
+    return from + (to - from) * (segment < path.size() ? path[segment].s0() / path.length() : 1);
+  };
+  for (std::size_t i = 0; i + 1 < runs.begin.size(); ++i)
+    plan(runs.begin[i], runs.begin[i + 1], fraction(runs.begin[i]), fraction(runs.begin[i + 1]));
+}
+
 }  // namespace bahnwerk

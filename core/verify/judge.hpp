@@ -11,10 +11,10 @@ namespace bahnwerk {
 struct JudgeInput {
   const Contour& contour;
   const Machine& machine;
-  const MotionLaw& law;     ///< what will be sampled
-  double corner_angle = 0;  ///< rad, a larger tangent jump needs a stop
-  bool check_jerk = false;  ///< also judge jerk where its limit is finite, and what goes with it
-  double path_velocity = unlimited, path_acceleration = unlimited, path_jerk = unlimited;  ///< along the path
+  const MotionLaw& law;                       ///< what will be sampled
+  double corner_angle = 0;                    ///< rad, a larger tangent jump needs a stop
+  bool check_jerk = false;                    ///< also judge jerk where its limit is finite, and what goes with it
+  AlongPath path = {};                        ///< limits along the path
   double position_tolerance = 1e-6;           ///< mm, by which curves may miss each other at a joint
   double progress_from = 0, progress_to = 1;  ///< the share of the whole job's progress that judging takes
 };

@@ -164,11 +164,11 @@ class LawChecker {
       feeds.resize(most_feeds);
     }
     for (Check& c : feeds) list.push_back(std::move(c));
-    if (in_.path_velocity < unlimited) list.push_back(make_check("path velocity", "mm/s", in_.path_velocity, peak_));
-    if (in_.check_jerk && in_.path_acceleration < unlimited)
-      list.push_back(make_check("path acceleration", "mm/s²", in_.path_acceleration, path_acceleration_));
-    if (in_.check_jerk && in_.path_jerk < unlimited)
-      list.push_back(make_check("path jerk", "mm/s³", in_.path_jerk, path_jerk_));
+    if (in_.path.velocity < unlimited) list.push_back(make_check("path velocity", "mm/s", in_.path.velocity, peak_));
+    if (in_.check_jerk && in_.path.acceleration < unlimited)
+      list.push_back(make_check("path acceleration", "mm/s²", in_.path.acceleration, path_acceleration_));
+    if (in_.check_jerk && in_.path.jerk < unlimited)
+      list.push_back(make_check("path jerk", "mm/s³", in_.path.jerk, path_jerk_));
     const double rest = rest_tolerance * peak_.value, length = path_.length();
     if (!joints_.empty()) {
       list.push_back(make_check("velocity step at joints", "mm/s", step_limit_, step_));

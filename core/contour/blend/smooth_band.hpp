@@ -29,7 +29,7 @@ class BandMatrix {
         double sum = at(i, j);
         const std::size_t low = std::max(first, j > width_ ? j - width_ : 0);
         for (std::size_t k = low; k < j; ++k) sum -= at(i, k) * at(j, k);
-        at(i, j) = sum;  // L·D for now: row j holds L·D too until its division below
+        at(i, j) = sum;  // row i of L·D; the division below makes it L
       }
       for (std::size_t j = first; j < i; ++j) {
         const double scaled = at(i, j) / at(j, j);

@@ -1,9 +1,9 @@
 #pragma once
 /// B-splines of degree 5: values and three derivatives of the six that do not vanish at a place.
-/// [Piegl, Tiller: The NURBS Book, A2.3]
-#include <array>
 #include <cstddef>
 #include <vector>
+
+#include "core/curve/bspline_basis.hpp"
 
 namespace bahnwerk::blending {
 
@@ -11,7 +11,7 @@ inline constexpr std::size_t spline_degree = 5;
 inline constexpr std::size_t spline_order = spline_degree + 1;
 
 /// [k][i]: k-th derivative of the i-th of the six.
-using BasisRow = std::array<std::array<double, spline_order>, 4>;
+using BasisRow = BsplineBasis<spline_order>;
 
 /// The breaks with both ends six times: four continuous derivatives inside, position at the ends.
 std::vector<double> clamped_knots(const std::vector<double>& breaks);

@@ -7,18 +7,13 @@
 #include "core/contour/dxf/drawing.hpp"
 #include "core/contour/dxf/tags.hpp"
 #include "dxf_text.hpp"
+#include "tests/core/contour/expect_near.hpp"
 
 namespace bahnwerk {
 namespace {
 
 using namespace test;
 constexpr double pi = std::numbers::pi;
-
-void expect_near(Vec a, Vec b, double tolerance = 1e-12) {
-  EXPECT_NEAR(a.x, b.x, tolerance);
-  EXPECT_NEAR(a.y, b.y, tolerance);
-  EXPECT_NEAR(a.z, b.z, tolerance);
-}
 
 /// A block "part" with base point (1, 0): a quarter circle from (3, 0) to (1, 2) about (1, 0).
 DxfText with_block() {

@@ -6,18 +6,13 @@
 
 #include "core/contour/dxf/entity.hpp"
 #include "dxf_text.hpp"
+#include "tests/core/contour/expect_near.hpp"
 
 namespace bahnwerk {
 namespace {
 
 using namespace test;
 constexpr double pi = std::numbers::pi;
-
-void expect_near(Vec a, Vec b, double tolerance = 1e-12) {
-  EXPECT_NEAR(a.x, b.x, tolerance);
-  EXPECT_NEAR(a.y, b.y, tolerance);
-  EXPECT_NEAR(a.z, b.z, tolerance);
-}
 
 TEST(DxfEntity, Line) {
   const Contour c = read([](DxfText& t) { t.line(1, 2, 4, 6); });

@@ -9,6 +9,7 @@
 #include "core/contour/gcode.hpp"
 #include "core/curve/arc.hpp"
 #include "core/errors.hpp"
+#include "tests/core/contour/expect_near.hpp"
 
 namespace bahnwerk {
 
@@ -42,10 +43,6 @@ inline Vec end_of(const Contour& contour) { return end_of(contour.path[contour.p
 inline const Arc& arc_of(const Segment& segment) {
   EXPECT_EQ(segment.curve().kind(), CurveKind::arc);
   return static_cast<const Arc&>(segment.curve());
-}
-
-inline void expect_near(Vec a, Vec b, double tolerance = 1e-12) {
-  EXPECT_LE(norm(a - b), tolerance) << a.x << " " << a.y << " " << a.z << " is not " << b.x << " " << b.y << " " << b.z;
 }
 
 /// Every segment begins where the one before ends.

@@ -27,9 +27,7 @@ MotionLaw law(const Contour& contour, const Machine& m, const JerkLimitedOptions
   SilentProgress progress;
   MotionLaw result = plan_jerk_limited(contour, m, options, progress).law;
   JudgeInput input{contour, m, result, options.corner_angle, true};
-  input.path_velocity = options.path.velocity;
-  input.path_acceleration = options.path.acceleration;
-  input.path_jerk = options.path.jerk;
+  input.path = options.path;
   for (const Check& check : judge(input, progress).checks)
     EXPECT_TRUE(check.passed) << check.name << ' ' << check.value << " > " << check.limit;
   return result;

@@ -52,9 +52,7 @@ TEST_P(JerkProperty, NoLimitIsViolated) {
     const Contour contour = testing::build(p.outline);
     const MotionLaw law = plan_jerk_limited(contour, p.machine, p.options, progress).law;
     JudgeInput input{contour, p.machine, law, p.options.corner_angle, true};
-    input.path_velocity = p.options.path.velocity;
-    input.path_acceleration = p.options.path.acceleration;
-    input.path_jerk = p.options.path.jerk;
+    input.path = p.options.path;
     for (const Check& check : judge(input, progress).checks)
       ASSERT_TRUE(check.passed) << "seed " << seed << ": " << check.name << ' ' << check.value << " > " << check.limit;
   }

@@ -56,8 +56,8 @@ Verification verdict(const Contour& contour, const MotionLaw& law, double path_a
   SilentProgress silent;
   const Machine m = machine();
   JudgeInput input{contour, m, law, 1e-3, true};
-  input.path_acceleration = path_acceleration;
-  input.path_jerk = path_jerk;
+  input.path.acceleration = path_acceleration;
+  input.path.jerk = path_jerk;
   return judge(input, silent);
 }
 
