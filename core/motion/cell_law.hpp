@@ -70,7 +70,7 @@ struct Between {
 
 /// Largest |f| over a cell from five even samples.
 inline double peak(const std::array<double, 5>& f) {
-  const EvenSamples samples(f, 0.9);
+  const EvenSamples<double> samples(f, 0.9);
   return samples.most < 0.9 ? samples.most : samples.peak() + 1e-9;
 }
 

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "core/motion/law.hpp"
+#include "core/numeric/lanes.hpp"
 
 namespace bahnwerk {
 
@@ -17,46 +18,39 @@ struct JerkNode {
   double b = 0, a = 0;
 };
 
-/// Duration and the jerk at both ends, with their gradients by (b₁, a₁, b₂, a₂).
-struct JerkCell {
-  double T = 0, j1 = 0, j2 = 0;
-  std::array<double, 4> dT{}, dj1{}, dj2{};
+/// Duration and the jerk at both ends, with their gradients by (b₁, a₁, b₂, a₂). L: a number, or one per cell.
+template <class L>
+struct JerkCellOf {
+  L T{}, j1{}, j2{};
+  std::array<L, 4> dT{}, dj1{}, dj2{};
 };
+using JerkCell = JerkCellOf<double>;
 
 namespace jerk_cell_detail {
 /// Most of v̄² that a change of acceleration may take from the discriminant: beyond lies no sensible law.
 constexpr double least_root = 0.01;
 }  // namespace jerk_cell_detail
 
-/// Speed at a node and half of its inverse, the derivative of v by b.
-struct JerkSpeed {
-  double v = 0, dv = 0;
-};
-inline JerkSpeed jerk_speed(double b) {
-  const double v = std::sqrt(b);
-  return {v, 0.5 / v};
-}
-
-/// Between two moving nodes, their speeds given.
-inline JerkCell jerk_cell(JerkNode l, JerkSpeed vl, JerkNode r, JerkSpeed vr, double h) {
-  const double v1 = vl.v, v2 = vr.v, mean = 0.5 * (v1 + v2);
-  const double R =
-      std::sqrt(std::max(mean * mean + h * (l.a - r.a) * (1.0 / 3), jerk_cell_detail::least_root * mean * mean));
-  JerkCell c;
-  c.T = 2 * h / (mean + R);
-  const double u = 1 / c.T, m6 = 6 * (v2 - v1) * u;
-  c.j1 = (m6 - 4 * l.a - 2 * r.a) * u;
-  c.j2 = (2 * l.a + 4 * r.a - m6) * u;
-  const double Tv = -0.5 * c.T / R, Ta = Tv * c.T * (1.0 / 6);
-  const double t1 = -(c.j1 + m6 * u) * u, t2 = -(c.j2 - m6 * u) * u, u6 = 6 * u * u;
-  const double w1 = vl.dv, w2 = vr.dv;
+/// Between two moving nodes: v speeds, w = 1/(2v) their derivatives by b, a accelerations.
+template <class L>
+inline JerkCellOf<L> jerk_cell(L v1, L w1, L a1, L v2, L w2, L a2, L h) {
+  const L mean = 0.5 * (v1 + v2), square = mean * mean;
+  const L R = root(larger(square + (1.0 / 3) * h * (a1 - a2), jerk_cell_detail::least_root * square));
+  JerkCellOf<L> c;
+  const L sum = mean + R, u = sum / (2.0 * h), m6 = 6.0 * (v2 - v1) * u;
+  c.T = 2.0 * h / sum;
+  c.j1 = (m6 - 4.0 * a1 - 2.0 * a2) * u;
+  c.j2 = (2.0 * a1 + 4.0 * a2 - m6) * u;
+  const L Tv = -0.5 * c.T / R, Ta = Tv * c.T * (1.0 / 6);
+  const L t1 = -(c.j1 + m6 * u) * u, t2 = -(c.j2 - m6 * u) * u, u6 = 6.0 * u * u;
   c.dT = {Tv * w1, Ta, Tv * w2, -Ta};
-  c.dj1 = {(t1 * Tv - u6) * w1, t1 * Ta - 4 * u, (t1 * Tv + u6) * w2, -t1 * Ta - 2 * u};
-  c.dj2 = {(t2 * Tv + u6) * w1, t2 * Ta + 2 * u, (t2 * Tv - u6) * w2, -t2 * Ta + 4 * u};
+  c.dj1 = {(t1 * Tv - u6) * w1, t1 * Ta - 4.0 * u, (t1 * Tv + u6) * w2, -t1 * Ta - 2.0 * u};
+  c.dj2 = {(t2 * Tv + u6) * w1, t2 * Ta + 2.0 * u, (t2 * Tv - u6) * w2, -t2 * Ta + 4.0 * u};
   return c;
 }
 inline JerkCell jerk_cell(JerkNode l, JerkNode r, double h) {
-  return jerk_cell(l, jerk_speed(l.b), r, jerk_speed(r.b), h);
+  const double v1 = std::sqrt(l.b), v2 = std::sqrt(r.b);
+  return jerk_cell(v1, 0.5 / v1, l.a, v2, 0.5 / v2, r.a, h);
 }
 
 /// Between rest and a node with speed² b: constant jerk, T = 3h/v, |a| = 2v²/(3h), j = 2v³/(9h²). `a` of the moving

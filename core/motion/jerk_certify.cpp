@@ -10,6 +10,19 @@ namespace bahnwerk {
 using jerk_run_detail::sure;
 
 template <int N, int M>
+void JerkRunPlanner<N, M>::look_half_way(PlanningPulse& pulse) {
+  const std::size_t n = grid_.cells.size();
+  middle_.resize(n);
+  for (std::size_t c = 0; c < n; ++c) {
+    pulse(c, n);
+    if (grid_.cells[c].straight) continue;
+    const Segment& segment = path_[grid_.cells[c].segment];
+    const double u = 0.5 * (grid_.left(c).u + grid_.right(c).u);
+    middle_[c] = {rows_of(segment.at_parameter(u)), segment.travelled(u) - grid_.left(c).s};
+  }
+}
+
+template <int N, int M>
 void JerkRunPlanner<N, M>::measure(const RowLimits<M>& limit, bool exact, PlanningPulse& pulse) {
   const std::size_t n = grid_.cells.size();
   peaks_.resize(n);
@@ -18,20 +31,18 @@ void JerkRunPlanner<N, M>::measure(const RowLimits<M>& limit, bool exact, Planni
     pulse(c, n);
     const double h = grid_.length(c), f = feed(c);
     const LawPiece law = jerk_piece(state_[c], state_[c + 1], h);
-    const JerkStation<M>&l = problem_.stations[problem_.cells[c].station],
-          &r = problem_.stations[problem_.cells[c].station + 1];
+    const JerkPoint<M> l(problem_.stations[problem_.cells[c].station]),
+        r(problem_.stations[problem_.cells[c].station + 1]);
+    const Segment& segment = path_[grid_.cells[c].segment];
     if (grid_.cells[c].straight) {
-      peaks_[c] = cell_peaks<M>(law, h, limit, 1 / (f * f), [&](double, JerkStation<M>& out) { out = l; });
+      peaks_[c] = cell_peaks<M>(law, h, limit, 1 / (f * f), l, r, [&](double) { return l; });
     } else if (exact) {
-      const Segment& segment = path_[grid_.cells[c].segment];
-      peaks_[c] = cell_peaks<M>(law, h, limit, 1 / (f * f), [&](double s, JerkStation<M>& out) {
-        out = s <= 0 ? l : s >= h ? r : rows_of(segment.at_parameter(segment.parameter_at(grid_.left(c).s + s)));
+      peaks_[c] = cell_peaks<M>(law, h, limit, 1 / (f * f), l, r, [&](double s) {
+        return JerkPoint<M>(rows_of(segment.at_parameter(segment.parameter_at(grid_.left(c).s + s))));
       });
     } else {
-      const Segment& segment = path_[grid_.cells[c].segment];
-      const double um = 0.5 * (grid_.left(c).u + grid_.right(c).u);
-      const CellPath<M> path(l, rows_of(segment.at_parameter(um)), r, segment.travelled(um) - grid_.left(c).s, h);
-      peaks_[c] = cell_peaks<M>(law, h, limit, 1 / (f * f), [&](double s, JerkStation<M>& out) { path.at(s, out); });
+      const CellPath<M> path(l, JerkPoint<M>(middle_[c].at), r, middle_[c].s, h);
+      peaks_[c] = cell_peaks<M>(law, h, limit, 1 / (f * f), l, r, [&](double s) { return path.at(s); });
     }
     raise(peaks_[c]);
   }
@@ -104,15 +115,19 @@ void JerkRunPlanner<N, M>::tighten() {
   }
 }
 
+template void JerkRunPlanner<2, 2>::look_half_way(PlanningPulse& pulse);
 template void JerkRunPlanner<2, 2>::measure(const RowLimits<2>& limit, bool exact, PlanningPulse& pulse);
 template void JerkRunPlanner<2, 2>::certify(PlanningPulse& pulse);
 template void JerkRunPlanner<2, 2>::tighten();
+template void JerkRunPlanner<2, 3>::look_half_way(PlanningPulse& pulse);
 template void JerkRunPlanner<2, 3>::measure(const RowLimits<3>& limit, bool exact, PlanningPulse& pulse);
 template void JerkRunPlanner<2, 3>::certify(PlanningPulse& pulse);
 template void JerkRunPlanner<2, 3>::tighten();
+template void JerkRunPlanner<3, 3>::look_half_way(PlanningPulse& pulse);
 template void JerkRunPlanner<3, 3>::measure(const RowLimits<3>& limit, bool exact, PlanningPulse& pulse);
 template void JerkRunPlanner<3, 3>::certify(PlanningPulse& pulse);
 template void JerkRunPlanner<3, 3>::tighten();
+template void JerkRunPlanner<3, 4>::look_half_way(PlanningPulse& pulse);
 template void JerkRunPlanner<3, 4>::measure(const RowLimits<4>& limit, bool exact, PlanningPulse& pulse);
 template void JerkRunPlanner<3, 4>::certify(PlanningPulse& pulse);
 template void JerkRunPlanner<3, 4>::tighten();

@@ -7,31 +7,51 @@
 
 namespace bahnwerk {
 
-/// Diagonal block and right-hand side of one node.
+/// Diagonal block and right-hand side of one node. L: a number, or one per node.
+template <class L>
 struct NodeBlock {
-  double bb = 0, ba = 0, aa = 0, rb = 0, ra = 0;
-  void add(double weight, double p, double q, double r) {
-    bb += weight * p * p;
-    ba += weight * p * q;
-    aa += weight * q * q;
-    rb -= r * p;
-    ra -= r * q;
+  L bb{}, ba{}, aa{}, rb{}, ra{};
+  /// A row with gradient (p, q).
+  void add(L w, L p, L q, L y) {
+    const L wp = w * p;
+    bb = bb + wp * p;
+    ba = ba + wp * q;
+    aa = aa + w * q * q;
+    rb = rb - y * p;
+    ra = ra - y * q;
   }
 };
 
-/// Sums over rows of products of (t, nb, na) among each other and with the right-hand side.
+/// Sums over rows of products of their gradients (t, nb, na) among each other and with the right-hand side.
+template <class L>
 struct RowSums {
-  double tt = 0, tb = 0, ta = 0, bb = 0, ba = 0, aa = 0, yt = 0, yb = 0, ya = 0;
+  L tt{}, tb{}, ta{}, bb{}, ba{}, aa{}, yt{}, yb{}, ya{};
+  void add(L w, L y, L t, L nb, L na) {
+    add(w, y, t, nb);
+    ta = ta + w * t * na;
+    ba = ba + w * nb * na;
+    aa = aa + w * na * na;
+    ya = ya + y * na;
+  }
+  void add(L w, L y, L t, L nb) {
+    const L wt = w * t;
+    tt = tt + wt * t;
+    tb = tb + wt * nb;
+    bb = bb + w * nb * nb;
+    yt = yt + y * t;
+    yb = yb + y * nb;
+  }
 };
 
 /// Symmetric matrix and right-hand side of one cell by (b₁, a₁, b₂, a₂).
+template <class L>
 struct CellMatrix {
-  double m00 = 0, m01 = 0, m11 = 0, m02 = 0, m03 = 0, m12 = 0, m13 = 0, m22 = 0, m23 = 0, m33 = 0;
-  std::array<double, 4> r{};
+  L m00{}, m01{}, m11{}, m02{}, m03{}, m12{}, m13{}, m22{}, m23{}, m33{};
+  std::array<L, 4> r{};
 
   /// s q qᵀ, −r q.
-  void add(const std::array<double, 4>& q, double s, double y) {
-    const double q0 = s * q[0], q1 = s * q[1], q2 = s * q[2];
+  void add(const std::array<L, 4>& q, L s, L y) {
+    const L q0 = s * q[0], q1 = s * q[1], q2 = s * q[2];
     m00 += q0 * q[0];
     m01 += q0 * q[1];
     m02 += q0 * q[2];
@@ -45,11 +65,11 @@ struct CellMatrix {
     for (std::size_t i = 0; i < 4; ++i) r[i] -= y * q[i];
   }
   /// Rows with gradient t q + (nb, na) on the left node.
-  void add_left(const std::array<double, 4>& q, const RowSums& s) {
+  void add_left(const std::array<L, 4>& q, const RowSums<L>& s) {
     add(q, s.tt, s.yt);
-    m00 += 2 * s.tb * q[0] + s.bb;
+    m00 += 2.0 * s.tb * q[0] + s.bb;
     m01 += s.tb * q[1] + s.ta * q[0] + s.ba;
-    m11 += 2 * s.ta * q[1] + s.aa;
+    m11 += 2.0 * s.ta * q[1] + s.aa;
     m02 += s.tb * q[2];
     m03 += s.tb * q[3];
     m12 += s.ta * q[2];
@@ -58,11 +78,11 @@ struct CellMatrix {
     r[1] -= s.ya;
   }
   /// Likewise on the right node.
-  void add_right(const std::array<double, 4>& q, const RowSums& s) {
+  void add_right(const std::array<L, 4>& q, const RowSums<L>& s) {
     add(q, s.tt, s.yt);
-    m22 += 2 * s.tb * q[2] + s.bb;
+    m22 += 2.0 * s.tb * q[2] + s.bb;
     m23 += s.tb * q[3] + s.ta * q[2] + s.ba;
-    m33 += 2 * s.ta * q[3] + s.aa;
+    m33 += 2.0 * s.ta * q[3] + s.aa;
     m02 += s.tb * q[0];
     m12 += s.tb * q[1];
     m03 += s.ta * q[0];
@@ -71,11 +91,11 @@ struct CellMatrix {
     r[3] -= s.ya;
   }
   /// Rows with gradient t q + nb (1, 0, 1, 0).
-  void add_both(const std::array<double, 4>& q, const RowSums& s) {
+  void add_both(const std::array<L, 4>& q, const RowSums<L>& s) {
     add(q, s.tt, s.yt);
-    m00 += 2 * s.tb * q[0] + s.bb;
+    m00 += 2.0 * s.tb * q[0] + s.bb;
     m02 += s.tb * (q[0] + q[2]) + s.bb;
-    m22 += 2 * s.tb * q[2] + s.bb;
+    m22 += 2.0 * s.tb * q[2] + s.bb;
     m01 += s.tb * q[1];
     m12 += s.tb * q[1];
     m03 += s.tb * q[3];
@@ -92,7 +112,7 @@ struct Elimination {
 };
 
 /// Eliminates the left node of a cell whose block, the cell's matrix included, is `now`; `after` is the right node's.
-inline Elimination eliminate(const NodeBlock& now, const CellMatrix& K, NodeBlock& after) {
+inline Elimination eliminate(const NodeBlock<double>& now, const CellMatrix<double>& K, NodeBlock<double>& after) {
   Elimination e;
   const double ib = 1 / now.bb, l = now.ba * ib;
   const double ia = 1 / std::max(now.aa - l * now.ba, 1e-15 * now.aa);
@@ -112,7 +132,8 @@ inline Elimination eliminate(const NodeBlock& now, const CellMatrix& K, NodeBloc
 }
 
 /// The same for a node next to rest, where a = tie · b.
-inline Elimination eliminate_tied(const NodeBlock& now, double tie, const CellMatrix& K, NodeBlock& after) {
+inline Elimination eliminate_tied(const NodeBlock<double>& now, double tie, const CellMatrix<double>& K,
+                                  NodeBlock<double>& after) {
   Elimination e;
   const double i = 1 / (now.bb + tie * (2 * now.ba + tie * now.aa));
   const double eb = K.m02 + tie * K.m12, ea = K.m03 + tie * K.m13, r = now.rb + tie * now.ra;

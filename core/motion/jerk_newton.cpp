@@ -9,192 +9,221 @@ namespace bahnwerk {
 
 namespace {
 
-/// Sums of products of rows with weights w and right-hand sides y.
-template <int M>
-inline RowSums row_sums(const Lanes<M>& w, const Lanes<M>& y, const Lanes<M>& t, const Lanes<M>& nb,
-                        const Lanes<M>& na) {
-  const Lanes<M> wt = w * t, wb = w * nb;
-  return {sum<M>(wt * t),      sum<M>(wt * nb), sum<M>(wt * na), sum<M>(wb * nb), sum<M>(wb * na),
-          sum<M>(w * na * na), sum<M>(y * t),   sum<M>(y * nb),  sum<M>(y * na)};
+inline Twin along(const std::array<Twin, 4>& q, Twin b1, Twin a1, Twin b2, Twin a2) {
+  return q[0] * b1 + q[1] * a1 + q[2] * b2 + q[3] * a2;
 }
 
-inline double along(const std::array<double, 4>& q, JerkNode l, JerkNode r) {
-  return q[0] * l.b + q[1] * l.a + q[2] * r.b + q[3] * r.a;
+/// One cell's law into its lane.
+inline void set(JerkCellOf<Twin>& laws, std::size_t lane, const JerkCell& law) {
+  laws.T[lane] = law.T;
+  laws.j1[lane] = law.j1;
+  laws.j2[lane] = law.j2;
+  for (std::size_t i = 0; i < 4; ++i) {
+    laws.dT[i][lane] = law.dT[i];
+    laws.dj1[i][lane] = law.dj1[i];
+    laws.dj2[i][lane] = law.dj2[i];
+  }
 }
 
 }  // namespace
 
 template <int M>
-void JerkSolver<M>::assemble_node(std::size_t c, NodeBlock& now, Sums& sums, std::size_t& next_node) {
-  const auto& p = *problem_;
-  const JerkNode x = (*x_)[c];
-  const double mu = target_ * weight(c), moved = moved_target_ * weight(c);
-  const double primal = std::min(steps_.primal[c - 1], steps_.primal[c]),
-               dual = std::min(steps_.dual[c - 1], steps_.dual[c]);
-  now.bb += 3 * (p.cells[c - 1].h + p.cells[c].h) * speed_[c].dv * speed_[c].dv * speed_[c].dv / x.b;
-  RowState<2>& cap = node_[c].cap;
-  // Only the upper side of a cap counts; its rows have RowState's form with the lower side left alone.
-  const Lanes<2> i = lanes<2>(p.inverse_cap[c]), q = i * cap_slopes(c);
-  cap.zp = cap.zp + dual * ((moved - cap.zp * cap.dp) * cap.ip - cap.zp);
-  cap.sp = cap.sp + primal * cap.dp;
-  cap.ip = 1.0 / cap.sp;
-  cap.dp = 1.0 - (i * x.b + q * x.a) - cap.sp;
-  const Lanes<2> w = cap.zp * cap.ip, y = (mu - cap.zp * cap.dp) * cap.ip;
-  for (std::size_t e = 0; e < 2; ++e) now.add(w[e], i[e], q[e], y[e]);
-  sums.cap_gap += sum<2>(cap.sp * cap.zp);
-  sums.cap_violation = std::max(sums.cap_violation, largest<2>(magnitude<2>(cap.dp)));
-  for (; next_node < p.nodes.size() && p.nodes[next_node].node == c; ++next_node) {
-    const auto& set = p.nodes[next_node];
-    RowState<M>& rows = acceleration_[next_node];
-    const Lanes<M> sb = lanes<M>(set.p), sa = lanes<M>(set.q);
-    Lanes<M> v, r;
-    rows.move(moved, primal, dual);
-    rows.weigh(sb * x.b + sa * x.a, lanes<M>(set.share), mu, v, r, sums.gap, sums.violation);
-    const Lanes<M> vb = v * sb;
-    now.bb += sum<M>(vb * sb);
-    now.ba += sum<M>(vb * sa);
-    now.aa += sum<M>(v * sa * sa);
-    now.rb -= sum<M>(r * sb);
-    now.ra -= sum<M>(r * sa);
+void JerkSolver<M>::move_nodes() {
+  for (std::size_t i = 0; i < twin * groups_; i += twin) {
+    const Twin part = two(steps_.node_primal, i);
+    const Twin b = two(b_, i) + part * two(db_, i), v = root(b);
+    put(b_, i, b);
+    put(a_, i, two(a_, i) + part * two(da_, i));
+    put(v_, i, v);
+    put(w_, i, 0.5 / v);
   }
+  if (!(b_[0] > 0)) w_[0] = 0;
+  for (std::size_t i = n_; i < w_.size(); ++i) w_[i] = 0;
 }
 
 template <int M>
-void JerkSolver<M>::assemble_cell(std::size_t c, CellMatrix& K, Sums& sums, std::size_t& next_middle) {
-  const auto& p = *problem_;
-  const auto& x = *x_;
-  const double mu = target_ * weight_[c], moved = moved_target_ * weight_[c];
-  CellState& cell = cell_[c];
-  evaluate(c);
-  const JerkCell& law = cell.law;
-  sums.duration += law.T;
+void JerkSolver<M>::evaluate(std::size_t g, const Ends& x) {
+  Cells& cells = cells_[g];
+  cells.law = jerk_cell(x.v1, x.w1, x.a1, x.v2, x.w2, x.a2, cells.h);
+  if (g == 0 && !(b_[0] > 0)) set(cells.law, 0, rest_cell(b_[1], cells.h[0], 1));
+  if (g + 1 < groups_) return;
+  const std::size_t last = (n_ - 1) % twin;
+  set(cells.law, last, rest_cell(b_[n_ - 1], cells.h[last], 0));
+  JerkCell none;
+  none.T = no_weight;
+  for (std::size_t lane = last + 1; lane < twin; ++lane) set(cells.law, lane, none);
+}
+
+template <int M>
+NodeBlock<Twin> JerkSolver<M>::assemble_nodes(std::size_t g, JerkTotals<Twin>& totals) {
+  Nodes& nodes = nodes_[g];
+  const std::size_t i = twin * g;
+  const Twin b = two(b_, i), a = two(a_, i), w = two(w_, i), mu = target_ * nodes.weight;
+  const Twin primal = two(steps_.node_primal, i), dual = two(steps_.node_dual, i);
+  NodeBlock<Twin> block;
+  // Of the duration's curvature the convex part, 3 (h₁ + h₂)/(8 v⁵).
+  const Twin w2 = w * w;
+  block.bb = 18.0 * (nodes.slope[1] - nodes.slope[0]) * (w2 * w2 * w);
+  for (std::size_t k = 0; k < 2; ++k) {
+    Twin weight, y;
+    const Twin p = nodes.cap[k], q = p * nodes.slope[k];
+    nodes.capped[k].move(primal, dual);
+    nodes.capped[k].weigh(1.0 - (p * b + q * a), mu, weight, y);
+    block.add(weight, p, q, y);
+    totals.count(nodes.capped[k]);
+  }
+  nodes.rows.assemble(b, a, mu, primal, dual, block, totals);
+  return block;
+}
+
+template <int M>
+CellMatrix<Twin> JerkSolver<M>::assemble_cells(std::size_t g, std::size_t& next_middle, JerkTotals<Twin>& totals) {
+  Cells& cells = cells_[g];
+  const Ends x = ends(g);
+  evaluate(g, x);
+  const JerkCellOf<Twin>& law = cells.law;
+  const Twin mu = target_ * cells.weight, primal = two(steps_.primal, twin * g), dual = two(steps_.dual, twin * g);
+  CellMatrix<Twin> K;
   for (std::size_t i = 0; i < 4; ++i) K.r[i] = -law.dT[i];
-  Lanes<M> w, y;
-  for (std::size_t e = 0; e < 2; ++e) {
-    const JerkRows<M> row = rows_at(c, e);
-    cell.by_b[e] = row.nb;
-    cell.by_a[e] = row.na;
-    cell.jerk[e].move(moved, steps_.primal[c], steps_.dual[c]);
-    cell.jerk[e].weigh(row.g, lanes<M>(p.cells[c].share[e]), mu, w, y, sums.gap, sums.violation);
-    const RowSums s = row_sums<M>(w, y, row.t, row.nb, row.na);
-    if (e == 0)
-      K.add_left(law.dj1, s);
-    else
-      K.add_right(law.dj2, s);
+  K.add_left(law.dj1, cells.end[0].assemble(x.b1, x.v1, x.w1, x.a1, law.j1, mu, primal, dual, totals));
+  K.add_right(law.dj2, cells.end[1].assemble(x.b2, x.v2, x.w2, x.a2, law.j2, mu, primal, dual, totals));
+  if (next_middle < middles_.size() && middles_[next_middle].cells == g) {
+    Middles& set = middles_[next_middle++];
+    const JerkMiddle<Twin> m = jerk_middle(x.v1, x.w1, x.a1, x.v2, x.w2, x.a2, law);
+    K.add_both(m.dg, set.rows.assemble(x.b1 + x.b2, m, target_ * set.weight, primal, dual, totals));
   }
-  for (; next_middle < p.middles.size() && p.middles[next_middle].cell == c; ++next_middle) {
-    const auto& set = p.middles[next_middle];
-    MiddleState& state = middle_[next_middle];
-    const JerkMiddle m = middle_at(c);
-    state.gradient = m.dg;
-    const Lanes<M> d1 = lanes<M>(set.d1), d2 = lanes<M>(set.d2);
-    state.rows.move(moved, steps_.primal[c], steps_.dual[c]);
-    state.rows.weigh(d2 * (x[c].b + x[c + 1].b) + d1 * m.g, lanes<M>(set.share), mu, w, y, sums.gap, sums.violation);
-    K.add_both(m.dg, row_sums<M>(w, y, d1, d2, all_lanes<M>(0)));
-  }
+  return K;
 }
 
 template <int M>
 void JerkSolver<M>::assemble(PlanningPulse& pulse) {
-  std::size_t next_node = 0, next_middle = 0;
-  NodeBlock now, after;
-  Sums sums;
-  sums.gap = sums.violation = all_lanes<M>(0);
-  move_node(1);
-  for (std::size_t c = 0; c < n_; ++c) {
-    pulse(c, n_);
-    now = after;
-    if (c > 0) assemble_node(c, now, sums, next_node);
-    if (c > 0 && c + 1 < n_) move_node(c + 1);
-    CellMatrix K;
-    assemble_cell(c, K, sums, next_middle);
-    after = {K.m22, K.m23, K.m33, K.r[2], K.r[3]};
-    if (c == 0) continue;
-    now.bb += K.m00;
-    now.ba += K.m01;
-    now.aa += K.m11;
-    now.rb += K.r[0];
-    now.ra += K.r[1];
-    const bool first = c == 1, last = c + 1 == n_;
-    node_[c].elimination =
-        first || last ? eliminate_tied(now, rest_tie(problem_->cells[first ? 0 : c].h) * (first ? 1 : -1), K, after)
-                      : eliminate(now, K, after);
+  move_nodes();
+  std::size_t next_joint = 0, next_middle = 0;
+  NodeBlock<double> now, after;
+  JerkTotals<Twin> totals;
+  JerkTotals<double> at_joints;
+  Twin duration{};
+  const bool resting = !(b_[0] > 0);
+  for (std::size_t g = 0; g < groups_; ++g) {
+    pulse(twin * g, n_);
+    const NodeBlock<Twin> blocks = assemble_nodes(g, totals);
+    const CellMatrix<Twin> Ks = assemble_cells(g, next_middle, totals);
+    duration += cells_[g].law.T;
+    for (std::size_t e = 0; e < twin && twin * g + e < n_; ++e) {
+      const std::size_t c = twin * g + e;
+      const CellMatrix<double> K = lane(Ks, e);
+      now = after;
+      after = {K.m22, K.m23, K.m33, K.r[2], K.r[3]};
+      if (c == 0) continue;
+      now.bb += blocks.bb[e] + K.m00;
+      now.ba += blocks.ba[e] + K.m01;
+      now.aa += blocks.aa[e] + K.m11;
+      now.rb += blocks.rb[e] + K.r[0];
+      now.ra += blocks.ra[e] + K.r[1];
+      for (; next_joint < joints_.size() && joints_[next_joint].node == c; ++next_joint)
+        joints_[next_joint].rows.assemble(b_[c], a_[c], target_ * weight(c), steps_.node_primal[c], steps_.node_dual[c],
+                                          now, at_joints);
+      if (c == 1 && resting)
+        elimination_[c] = eliminate_tied(now, rest_tie(cells_[0].h[0]), K, after);
+      else if (c + 1 == n_)
+        elimination_[c] = eliminate_tied(now, -rest_tie(cells_[g].h[e]), K, after);
+      else
+        elimination_[c] = eliminate(now, K, after);
+    }
   }
-  duration_ = sums.duration;
-  gap_ = sum<M>(sums.gap) + sums.cap_gap;
-  violation_ = std::max(largest<M>(sums.violation), sums.cap_violation);
+  duration_ = duration[0] + duration[1];
+  gap_ = totals.gap[0] + totals.gap[1] + at_joints.gap;
+  violation_ = std::max({totals.violation[0], totals.violation[1], at_joints.violation});
+}
+
+template <int M>
+void JerkSolver<M>::direct_cells(std::size_t g, std::size_t& next_middle, Twin& primal, Twin& dual) {
+  Cells& cells = cells_[g];
+  const Ends x = ends(g);
+  const std::size_t i = twin * g;
+  const Twin b1 = two(db_, i), a1 = two(da_, i), b2 = two(db_, i + 1), a2 = two(da_, i + 1);
+  const Twin mu = target_ * cells.weight, change = along(cells.law.dT, b1, a1, b2, a2);
+  promise_ += change[0] + change[1];
+  // No cell may leave the range in which its linearisation means something: of its duration, and of the root in its
+  // law (jerk_cell.hpp), it loses no more than half.
+  primal = 2.0 * absolute(change) / cells.law.T;
+  const Twin mean = 0.5 * (x.v1 + x.v2), h3 = (1.0 / 3) * cells.h;
+  const Twin now = mean * mean + h3 * (x.a1 - x.a2), fall = -mean * (x.w1 * b1 + x.w2 * b2) - h3 * (a1 - a2);
+  Twin loss = 2.0 * fall / larger(now, jerk_cell_detail::least_root * mean * mean);
+  if (g == 0 && !(b_[0] > 0)) loss[0] = 0;
+  if (g + 1 == groups_)
+    for (std::size_t lane = (n_ - 1) % twin; lane < twin; ++lane) loss[lane] = 0;
+  primal = larger(primal, loss);
+  cells.end[0].step(x.v1, x.w1, x.a1, along(cells.law.dj1, b1, a1, b2, a2), b1, a1, mu, primal, dual);
+  cells.end[1].step(x.v2, x.w2, x.a2, along(cells.law.dj2, b1, a1, b2, a2), b2, a2, mu, primal, dual);
+  if (next_middle == 0 || middles_[next_middle - 1].cells != g) return;
+  Middles& set = middles_[--next_middle];
+  set.rows.step(b1 + b2, along(set.rows.gradient, b1, a1, b2, a2), target_ * set.weight, primal, dual);
+}
+
+template <int M>
+void JerkSolver<M>::direct_nodes(std::size_t g, Twin& primal, Twin& dual) {
+  Nodes& nodes = nodes_[g];
+  const std::size_t i = twin * g;
+  const Twin db = two(db_, i), da = two(da_, i), w = two(w_, i), mu = target_ * nodes.weight;
+  for (std::size_t k = 0; k < 2; ++k) nodes.capped[k].step(nodes.cap[k] * (db + nodes.slope[k] * da), mu, primal, dual);
+  nodes.rows.step(db, da, mu, primal, dual);
+  // Speeds stay positive, and no node runs away on the strength of its linearisation.
+  const Twin growth = 4.0 * w * w * db;
+  primal = larger(primal, larger(growth * (-1 / 0.8), growth * (1 / 1.5)));
 }
 
 template <int M>
 void JerkSolver<M>::direction(PlanningPulse& pulse) {
-  const auto& p = *problem_;
-  const auto& x = *x_;
-  const Lanes<M> inverse_jerk = lanes<M>(p.inverse_jerk), none = all_lanes<M>(0);
-  std::size_t next_node = p.nodes.size(), next_middle = p.middles.size();
-  double promise = 0;
-  dx_[n_] = dx_[0] = {};
-  for (std::size_t c = n_; c-- > 0;) {
-    pulse(n_ - 1 - c, n_);
-    if (c > 0) dx_[c] = node_[c].elimination.back(dx_[c + 1]);
-    const JerkNode l = dx_[c], r = dx_[c + 1];
-    CellState& cell = cell_[c];
-    Lanes<M> primal = none, dual = none;
-    const double change = along(cell.law.dT, l, r);
-    promise += change;
-    const double mu = target_ * weight_[c];
-    for (std::size_t e = 0; e < 2; ++e) {
-      const JerkNode d = e ? r : l;
-      const Lanes<M> t = inverse_jerk * lanes<M>(p.stations[p.cells[c].station + e].d1);
-      cell.jerk[e].step(t * along(e ? cell.law.dj2 : cell.law.dj1, l, r) + cell.by_b[e] * d.b + cell.by_a[e] * d.a, mu,
-                        primal, dual);
+  std::size_t next_middle = middles_.size(), next_joint = joints_.size();
+  promise_ = 0;
+  db_[n_] = da_[n_] = 0;
+  for (std::size_t g = groups_; g-- > 0;) {
+    pulse(n_ - 1 - twin * g, n_);
+    for (std::size_t c = std::min(twin * g + twin, n_); c-- > std::max(twin * g, std::size_t{1});) {
+      const JerkNode d = elimination_[c].back({db_[c + 1], da_[c + 1]});
+      db_[c] = d.b;
+      da_[c] = d.a;
     }
-    for (; next_middle > 0 && p.middles[next_middle - 1].cell == c; --next_middle) {
-      const auto& set = p.middles[next_middle - 1];
-      MiddleState& state = middle_[next_middle - 1];
-      state.rows.step(lanes<M>(set.d2) * (l.b + r.b) + lanes<M>(set.d1) * along(state.gradient, l, r), mu, primal,
-                      dual);
+    Twin primal, dual{};
+    direct_cells(g, next_middle, primal, dual);
+    direct_nodes(g, primal, dual);
+    for (; next_joint > 0 && joints_[next_joint - 1].node >= twin * g; --next_joint) {
+      Joint& joint = joints_[next_joint - 1];
+      const std::size_t e = joint.node % twin;
+      double joint_primal = primal[e], joint_dual = dual[e];
+      joint.rows.step(db_[joint.node], da_[joint.node], target_ * weight(joint.node), joint_primal, joint_dual);
+      primal[e] = joint_primal;
+      dual[e] = joint_dual;
     }
-    // No cell may leave the range in which its linearisation means something.
-    double most_primal = 2 * std::abs(change) / cell.law.T, most_dual = 0;
-    if (c > 0 && c + 1 < n_) {  // the root in the cell's law (jerk_cell.hpp) loses no more than half
-      const double h = p.cells[c].h, mean = 0.5 * (speed_[c].v + speed_[c + 1].v);
-      const double root = mean * mean + (1.0 / 3) * h * (x[c].a - x[c + 1].a);
-      const double fall = -mean * (speed_[c].dv * l.b + speed_[c + 1].dv * r.b) - (1.0 / 3) * h * (l.a - r.a);
-      if (2 * fall > most_primal * root)
-        most_primal = 2 * fall / std::max(root, jerk_cell_detail::least_root * mean * mean);
-    }
-    if (c > 0) {
-      const double node_mu = target_ * weight(c);
-      for (; next_node > 0 && p.nodes[next_node - 1].node == c; --next_node) {
-        const auto& set = p.nodes[next_node - 1];
-        acceleration_[next_node - 1].step(lanes<M>(set.p) * l.b + lanes<M>(set.q) * l.a, node_mu, primal, dual);
-      }
-      RowState<2>& cap = node_[c].cap;
-      cap.dp = cap.dp - lanes<2>(p.inverse_cap[c]) * (l.b + cap_slopes(c) * l.a);
-      const Lanes<2> f = cap.dp * cap.ip;
-      most_primal = std::max(most_primal, largest<2>(-1.0 * f));
-      most_dual = largest<2>(1.0 + f - node_mu * cap.ip / cap.zp);
-      // Speeds stay positive, and no node runs away on the strength of its linearisation.
-      const double growth = l.b / x[c].b;
-      most_primal = std::max(most_primal, std::max(-growth / 0.8, growth / 1.5));
-    }
-    steps_.primal[c] = std::max(most_primal, largest<M>(primal));
-    steps_.dual[c] = std::max(most_dual, largest<M>(dual));
+    put(steps_.primal, twin * g, primal);
+    put(steps_.dual, twin * g, dual);
   }
-  promise_ = promise;
 }
 
-template void JerkSolver<2>::assemble_node(std::size_t, NodeBlock&, Sums&, std::size_t&);
-template void JerkSolver<2>::assemble_cell(std::size_t, CellMatrix&, Sums&, std::size_t&);
+template void JerkSolver<2>::move_nodes();
+template void JerkSolver<2>::evaluate(std::size_t, const Ends&);
+template NodeBlock<Twin> JerkSolver<2>::assemble_nodes(std::size_t, JerkTotals<Twin>&);
+template CellMatrix<Twin> JerkSolver<2>::assemble_cells(std::size_t, std::size_t&, JerkTotals<Twin>&);
 template void JerkSolver<2>::assemble(PlanningPulse&);
+template void JerkSolver<2>::direct_cells(std::size_t, std::size_t&, Twin&, Twin&);
+template void JerkSolver<2>::direct_nodes(std::size_t, Twin&, Twin&);
 template void JerkSolver<2>::direction(PlanningPulse&);
-template void JerkSolver<3>::assemble_node(std::size_t, NodeBlock&, Sums&, std::size_t&);
-template void JerkSolver<3>::assemble_cell(std::size_t, CellMatrix&, Sums&, std::size_t&);
+template void JerkSolver<3>::move_nodes();
+template void JerkSolver<3>::evaluate(std::size_t, const Ends&);
+template NodeBlock<Twin> JerkSolver<3>::assemble_nodes(std::size_t, JerkTotals<Twin>&);
+template CellMatrix<Twin> JerkSolver<3>::assemble_cells(std::size_t, std::size_t&, JerkTotals<Twin>&);
 template void JerkSolver<3>::assemble(PlanningPulse&);
+template void JerkSolver<3>::direct_cells(std::size_t, std::size_t&, Twin&, Twin&);
+template void JerkSolver<3>::direct_nodes(std::size_t, Twin&, Twin&);
 template void JerkSolver<3>::direction(PlanningPulse&);
-template void JerkSolver<4>::assemble_node(std::size_t, NodeBlock&, Sums&, std::size_t&);
-template void JerkSolver<4>::assemble_cell(std::size_t, CellMatrix&, Sums&, std::size_t&);
+template void JerkSolver<4>::move_nodes();
+template void JerkSolver<4>::evaluate(std::size_t, const Ends&);
+template NodeBlock<Twin> JerkSolver<4>::assemble_nodes(std::size_t, JerkTotals<Twin>&);
+template CellMatrix<Twin> JerkSolver<4>::assemble_cells(std::size_t, std::size_t&, JerkTotals<Twin>&);
 template void JerkSolver<4>::assemble(PlanningPulse&);
+template void JerkSolver<4>::direct_cells(std::size_t, std::size_t&, Twin&, Twin&);
+template void JerkSolver<4>::direct_nodes(std::size_t, Twin&, Twin&);
 template void JerkSolver<4>::direction(PlanningPulse&);
 
 }  // namespace bahnwerk

@@ -11,57 +11,45 @@
 
 namespace bahnwerk {
 
+/// Derivatives of M quantities by arc length, side by side.
+template <int M>
+struct JerkPoint {
+  Lanes<M> d1, d2, d3;
+  JerkPoint(const Lanes<M>& first, const Lanes<M>& second, const Lanes<M>& third) : d1(first), d2(second), d3(third) {}
+  explicit JerkPoint(const JerkStation<M>& s) : d1(lanes(s.d1)), d2(lanes(s.d2)), d3(lanes(s.d3)) {}
+};
+
 /// The path over a cell from three stations: h″ is the quintic through their values and derivatives, h′ its integral.
 template <int M>
 class CellPath {
  public:
   /// `middle` lies at `sm` of [0, h].
-  CellPath(const JerkStation<M>& left, const JerkStation<M>& middle, const JerkStation<M>& right, double sm, double h)
-      : h_(h) {
-    const double x = sm / h;
-    for (std::size_t k = 0; k < M; ++k) {
-      d1_[k] = left.d1[k];
-      // Divided differences over the nodes 0 0 x x 1 1 of d2 as a function of s/h.
-      const double f0 = left.d2[k], fx = middle.d2[k], f1 = right.d2[k];
-      const double g0 = h * left.d3[k], gx = h * middle.d3[k], g1 = h * right.d3[k];
-      const double a1 = g0, a2 = (fx - f0) / x, a3 = gx, a4 = (f1 - fx) / (1 - x), a5 = g1;
-      const double b1 = (a2 - a1) / x, b2 = (a3 - a2) / x, b3 = (a4 - a3) / (1 - x), b4 = (a5 - a4) / (1 - x);
-      const double c1 = (b2 - b1) / x, c2 = b3 - b2, c3 = (b4 - b3) / (1 - x);
-      const double e1 = c2 - c1, e2 = (c3 - c2) / (1 - x);
-      const double q = e2 - e1;
-      // f0 + s (a1 + s (b1 + (s − x)(c1 + (s − x)(e1 + (s − 1) q)))) in powers of s = arc/h
-      std::array<double, 6> p{f0, a1, b1, 0, 0, 0};
-      const double c = c1, e = e1;
-      // (s−x) c
-      p[2] += -x * c;
-      p[3] += c;
-      // (s−x)² e
-      p[2] += x * x * e;
-      p[3] += -2 * x * e;
-      p[4] += e;
-      // (s−x)² (s−1) q
-      p[2] += -x * x * q;
-      p[3] += (x * x + 2 * x) * q;
-      p[4] += (-2 * x - 1) * q;
-      p[5] += q;
-      p_[k] = p;
-    }
+  CellPath(const JerkPoint<M>& left, const JerkPoint<M>& middle, const JerkPoint<M>& right, double sm, double h)
+      : w_(1 / h), d1_(left.d1) {
+    const double x = sm * w_, y = 1 - x, ix = 1 / x, iy = 1 / y;
+    // Divided differences over the nodes 0 0 x x 1 1 of h″ as a function of s/h.
+    const Lanes<M>&f0 = left.d2, &fx = middle.d2, &f1 = right.d2;
+    const Lanes<M> a1 = h * left.d3, a2 = ix * (fx - f0), a3 = h * middle.d3, a4 = iy * (f1 - fx), a5 = h * right.d3;
+    const Lanes<M> b1 = ix * (a2 - a1), b2 = ix * (a3 - a2), b3 = iy * (a4 - a3), b4 = iy * (a5 - a4);
+    const Lanes<M> c1 = ix * (b2 - b1), c2 = b3 - b2, c3 = iy * (b4 - b3);
+    const Lanes<M> e = c2 - c1, q = iy * (c3 - c2) - e;
+    // f0 + s (a1 + s (b1 + (s − x)(c1 + (s − x)(e + (s − 1) q)))) in powers of s = arc/h
+    p_ = {f0, a1, b1 - x * c1 + (x * x) * (e - q), c1 - (2 * x) * e + (x * x + 2 * x) * q, e - (2 * x + 1) * q, q};
   }
-  void at(double s, JerkStation<M>& out) const {
-    const double x = s / h_;
-    for (std::size_t k = 0; k < M; ++k) {
-      const auto& p = p_[k];
-      out.d1[k] =
-          d1_[k] + s * (p[0] + x * (p[1] / 2 + x * (p[2] / 3 + x * (p[3] / 4 + x * (p[4] / 5 + x * p[5] / 6)))));
-      out.d2[k] = p[0] + x * (p[1] + x * (p[2] + x * (p[3] + x * (p[4] + x * p[5]))));
-      out.d3[k] = (p[1] + x * (2 * p[2] + x * (3 * p[3] + x * (4 * p[4] + x * 5 * p[5])))) / h_;
-    }
+  JerkPoint<M> at(double s) const {
+    const double x = s * w_;
+    const auto& p = p_;
+    return {d1_ + s * (p[0] + x * ((1.0 / 2) * p[1] +
+                                   x * ((1.0 / 3) * p[2] +
+                                        x * ((1.0 / 4) * p[3] + x * ((1.0 / 5) * p[4] + x * ((1.0 / 6) * p[5])))))),
+            p[0] + x * (p[1] + x * (p[2] + x * (p[3] + x * (p[4] + x * p[5])))),
+            w_ * (p[1] + x * (2.0 * p[2] + x * (3.0 * p[3] + x * (4.0 * p[4] + x * (5.0 * p[5])))))};
   }
 
  private:
-  double h_;
-  std::array<double, M> d1_;
-  std::array<std::array<double, 6>, M> p_;
+  double w_;
+  Lanes<M> d1_;
+  std::array<Lanes<M>, 6> p_;
 };
 
 /// Peaks over a cell in relation to the limits: of each axis' acceleration and jerk, of (speed/limit)² at worst.
@@ -84,11 +72,12 @@ struct RowLimits {
 
 namespace jerk_peaks_detail {
 /// Largest |f| over [0, 1] from five even samples. `doubt` becomes what they cannot know about.
-inline double peak(const std::array<double, 5>& f, double& doubt) {
-  const EvenSamples samples(f, 0.7);
-  const double fourth = std::abs(f[0] - 4 * f[1] + 6 * f[2] - 4 * f[3] + f[4]);
-  doubt = std::max(doubt, samples.peak() + 0.3 * fourth + 0.1 * samples.third);
-  return samples.peak();
+template <class L>
+inline L peak(const std::array<L, 5>& f, L& doubt) {
+  const EvenSamples<L> samples(f, 0.7);
+  const L fourth = absolute(f[0] - 4.0 * f[1] + 6.0 * f[2] - 4.0 * f[3] + f[4]), most = samples.peak();
+  doubt = larger(doubt, most + 0.3 * fourth + 0.1 * samples.third);
+  return most;
 }
 }  // namespace jerk_peaks_detail
 
@@ -100,29 +89,25 @@ inline double peak_speed2(const LawPiece& law) {
   return most * most;
 }
 
-/// `path(s, station)` gives the derivatives at s ∈ [0, h] of the cell.
+/// `path(s)` gives the derivatives at s ∈ (0, h) of the cell, `left` and `right` are those at its ends.
 template <int M, class PathAt>
-CellPeaks<M> cell_peaks(const LawPiece& law, double h, const RowLimits<M>& limit, double inverse_feed2, PathAt&& path) {
-  std::array<std::array<double, 5>, M> velocity, acceleration, jerk;
+CellPeaks<M> cell_peaks(const LawPiece& law, double h, const RowLimits<M>& limit, double inverse_feed2,
+                        const JerkPoint<M>& left, const JerkPoint<M>& right, PathAt&& path) {
+  std::array<Lanes<M>, 5> velocity, acceleration, jerk;
   for (std::size_t i = 0; i < 5; ++i) {
     const LawState x = law.at(law.duration * static_cast<double>(i) * 0.25);
     const double b = x.v * x.v;
-    JerkStation<M> d;
-    path(i == 0 ? 0 : i == 4 ? h : std::clamp(x.s, 0.0, h), d);
-    for (std::size_t k = 0; k < M; ++k) {
-      velocity[k][i] = d.d1[k] * d.d1[k] * b * limit.inverse_velocity2[k];
-      acceleration[k][i] = (d.d2[k] * b + d.d1[k] * x.a) * limit.inverse_acceleration[k];
-      jerk[k][i] = (d.d3[k] * b * x.v + 3 * d.d2[k] * x.v * x.a + d.d1[k] * x.j) * limit.inverse_jerk[k];
-    }
+    const JerkPoint<M> d = i == 0 ? left : i == 4 ? right : path(std::clamp(x.s, 0.0, h));
+    velocity[i] = b * d.d1 * d.d1 * lanes(limit.inverse_velocity2);
+    acceleration[i] = (b * d.d2 + x.a * d.d1) * lanes(limit.inverse_acceleration);
+    jerk[i] = ((b * x.v) * d.d3 + (3 * x.v * x.a) * d.d2 + x.j * d.d1) * lanes(limit.inverse_jerk);
   }
   CellPeaks<M> peaks;
-  peaks.velocity = peak_speed2(law) * inverse_feed2;
-  peaks.doubt = peaks.velocity;
-  for (std::size_t k = 0; k < M; ++k) {
-    peaks.velocity = std::max(peaks.velocity, jerk_peaks_detail::peak(velocity[k], peaks.doubt));
-    peaks.acceleration[k] = jerk_peaks_detail::peak(acceleration[k], peaks.doubt);
-    peaks.jerk[k] = jerk_peaks_detail::peak(jerk[k], peaks.doubt);
-  }
+  Lanes<M> doubt = 0.0 * velocity[0];
+  peaks.velocity = std::max(peak_speed2(law) * inverse_feed2, largest_of(jerk_peaks_detail::peak(velocity, doubt)));
+  peaks.acceleration = numbers<M>(jerk_peaks_detail::peak(acceleration, doubt));
+  peaks.jerk = numbers<M>(jerk_peaks_detail::peak(jerk, doubt));
+  peaks.doubt = std::max(peaks.velocity, largest_of(doubt));
   return peaks;
 }
 

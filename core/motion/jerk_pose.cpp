@@ -160,6 +160,7 @@ void JerkRunPlanner<N, M>::pose(PlanningPulse& pulse) {
     }
   }
   pose_middles(false, pulse);
+  look_half_way(pulse);
 }
 
 template <int N, int M>

@@ -1,113 +1,195 @@
 #pragma once
-/// The rows of JerkProblem as the interior-point method sees them: linearisations, slacks and multipliers of both
-/// sides.
-#include <algorithm>
-#include <bit>
+/// The rows of JerkProblem as the interior-point method sees them: two neighbouring cells, or nodes, are calculated
+/// with at once, so that nothing has to be summed across a vector register. L is a number, or one per cell.
+#include <array>
+#include <cstddef>
 
-#include "core/motion/jerk_problem.hpp"
+#include "core/motion/jerk_elimination.hpp"
 #include "core/numeric/lanes.hpp"
 
 namespace bahnwerk {
 
-template <int M>
-inline Lanes<M> lanes(const std::array<double, M>& a) {
-  return std::bit_cast<Lanes<M>>(a);
-}
-template <int M>
-inline Lanes<M> all_lanes(double a) {
-  std::array<double, M> r;
-  r.fill(a);
-  return lanes<M>(r);
-}
-template <int M>
-inline double sum(const Lanes<M>& a) {
-  double s = a[0];
-  for (std::size_t k = 1; k < M; ++k) s += a[k];
-  return s;
-}
-template <int M>
-inline Lanes<M> larger(const Lanes<M>& a, const Lanes<M>& b) {
-  if constexpr (M == 2) {
-    return a > b ? a : b;
-  } else {
-    return Lanes<M>::each([&](std::size_t i) { return std::max(a[i], b[i]); });
-  }
-}
-template <int M>
-inline double largest(const Lanes<M>& a) {
-  double most = a[0];
-  for (std::size_t k = 1; k < M; ++k) most = std::max(most, a[k]);
-  return most;
+/// Two neighbours at once.
+using Twin = Lanes<2>;
+constexpr std::size_t twin = 2;
+inline Twin all(double a) { return Twin{a, a}; }
+/// Of a lane that stands for nothing.
+constexpr double no_weight = 1e-30;
+inline CellMatrix<double> lane(const CellMatrix<Twin>& K, std::size_t e) {
+  return {K.m00[e],
+          K.m01[e],
+          K.m11[e],
+          K.m02[e],
+          K.m03[e],
+          K.m12[e],
+          K.m13[e],
+          K.m22[e],
+          K.m23[e],
+          K.m33[e],
+          {K.r[0][e], K.r[1][e], K.r[2][e], K.r[3][e]}};
 }
 
-/// State of M two-sided rows |g| ≤ share: slacks s and multipliers z of both sides, 1/s, and the step of the slacks.
-template <int M>
-struct RowState {
-  Lanes<M> sp, sm, zp, zm, ip, im, dp, dm;
+/// A row g ≤ share: slack s, multiplier z, step d of the slack.
+template <class L>
+struct JerkSide {
+  L s, z, d;
+  L i;  ///< 1/s; from step() on the part of z that the step takes
 
-  /// Slacks are what is free, but at least `least`.
-  void begin(const Lanes<M>& g, const Lanes<M>& share, double mu, double least) {
-    const Lanes<M> wall = all_lanes<M>(least);
-    sp = larger<M>(share - g, wall);
-    sm = larger<M>(share + g, wall);
-    ip = 1.0 / sp;
-    im = 1.0 / sm;
-    zp = mu * ip;
-    zm = mu * im;
-    dp = dm = all_lanes<M>(0);
+  /// The slack is what is free, but at least `least`.
+  void begin(L room, L mu, L least) {
+    s = larger(room, least);
+    z = mu / s;
+    d = i = 0.0 * s;
   }
-  /// Takes parts of the step that aimed at s z = mu.
-  void move(double mu, double primal, double dual) {
-    zp = zp + dual * ((mu - zp * dp) * ip - zp);
-    zm = zm + dual * ((mu - zm * dm) * im - zm);
-    sp = sp + primal * dp;
-    sm = sm + primal * dm;
+  /// Takes parts of the last step.
+  void move(L primal, L dual) {
+    s = s + primal * d;
+    z = z - dual * i * z;
   }
-  /// Weights and right-hand sides of the rows in the Newton system; sums of s z and largest residuals are added up.
-  void weigh(const Lanes<M>& g, const Lanes<M>& share, double mu, Lanes<M>& w, Lanes<M>& y, Lanes<M>& gap,
-             Lanes<M>& violation) {
-    dp = share - g - sp;
-    dm = share + g - sm;
-    ip = 1.0 / sp;
-    im = 1.0 / sm;
-    w = zp * ip + zm * im;
-    y = (mu - zp * dp) * ip - (mu - zm * dm) * im;
-    gap = gap + sp * zp + sm * zm;
-    violation = larger<M>(violation, larger<M>(magnitude<M>(dp), magnitude<M>(dm)));
+  /// `room` is share − g: residual, weight and right-hand side of the row in the Newton system.
+  void weigh(L room, L mu, L& w, L& y) {
+    d = room - s;
+    i = 1.0 / s;
+    w = z * i;
+    y = mu * i - w * d;
   }
-  /// The step when the values change by `d`; `primal` and `dual` become at least 1/(the part of it that reaches zero).
-  void step(const Lanes<M>& d, double mu, Lanes<M>& primal, Lanes<M>& dual) {
-    dp = dp - d;
-    dm = dm + d;
-    const Lanes<M> fp = dp * ip, fm = dm * im;
-    primal = larger<M>(primal, larger<M>(-1.0 * fp, -1.0 * fm));
-    dual = larger<M>(dual, larger<M>(1.0 + fp - mu * ip / zp, 1.0 + fm - mu * im / zm));
+  /// The step when g changes by `change`; `primal` and `dual` become at least 1/(the part of it that reaches zero).
+  void step(L change, L mu, L& primal, L& dual) {
+    d = d - change;
+    const L f = d * i;
+    primal = larger(primal, -f);
+    i = 1.0 + f - mu * i / z;
+    dual = larger(dual, i);
   }
 };
 
-/// Jerk rows at one end of a cell: value g and gradient t · (that of the path's jerk) + (nb, na) on the node there.
-template <int M>
-struct JerkRows {
-  Lanes<M> g, t, nb, na;
+/// What the rows amount to at an iterate.
+template <class L>
+struct JerkTotals {
+  L gap{}, violation{};
+  void count(const JerkSide<L>& side) {
+    gap = gap + side.s * side.z;
+    violation = larger(violation, absolute(side.d));
+  }
 };
-template <int M>
-inline JerkRows<M> jerk_rows(const JerkStation<M>& s, JerkNode x, JerkSpeed speed, double j,
-                             const Lanes<M>& inverse_jerk) {
-  const double v = speed.v, va = v * x.a, vb = x.b * v, w = x.b > 0 ? 3 * x.a * speed.dv : 0;
-  const Lanes<M> d1 = inverse_jerk * lanes<M>(s.d1), d2 = inverse_jerk * lanes<M>(s.d2),
-                 d3 = inverse_jerk * lanes<M>(s.d3);
-  return {d3 * vb + d2 * (3 * va) + d1 * j, d1, d3 * (1.5 * v) + d2 * w, d2 * (3 * v)};
-}
+
+/// A row |g| ≤ share.
+template <class L>
+struct JerkRow {
+  JerkSide<L> up, down;
+
+  void begin(L g, L share, L mu, L least) {
+    up.begin(share - g, mu, least);
+    down.begin(share + g, mu, least);
+  }
+  void move(L primal, L dual) {
+    up.move(primal, dual);
+    down.move(primal, dual);
+  }
+  void weigh(L g, L share, L mu, L& w, L& y, JerkTotals<L>& totals) {
+    L w2, y2;
+    up.weigh(share - g, mu, w, y);
+    down.weigh(share + g, mu, w2, y2);
+    w = w + w2;
+    y = y - y2;
+    totals.count(up);
+    totals.count(down);
+  }
+  void step(L change, L mu, L& primal, L& dual) {
+    up.step(change, mu, primal, dual);
+    down.step(-change, mu, primal, dual);
+  }
+};
+
+/// M rows |p b + q a| ≤ share at one node.
+template <class L, int M>
+struct JerkNodeRows {
+  std::array<L, M> p, q, share;
+  std::array<JerkRow<L>, M> rows;
+
+  void begin(L b, L a, L mu, L least) {
+    for (std::size_t k = 0; k < M; ++k) rows[k].begin(p[k] * b + q[k] * a, share[k], mu, least);
+  }
+  void assemble(L b, L a, L mu, L primal, L dual, NodeBlock<L>& block, JerkTotals<L>& totals) {
+    for (std::size_t k = 0; k < M; ++k) {
+      L w, y;
+      rows[k].move(primal, dual);
+      rows[k].weigh(p[k] * b + q[k] * a, share[k], mu, w, y, totals);
+      block.add(w, p[k], q[k], y);
+    }
+  }
+  void step(L db, L da, L mu, L& primal, L& dual) {
+    for (std::size_t k = 0; k < M; ++k) rows[k].step(p[k] * db + q[k] * da, mu, primal, dual);
+  }
+};
+
+/// Jerk of M quantities at one end of a cell, in parts of their limits: d₃ v³ + d₂ v a + d₁ j.
+template <class L, int M>
+struct JerkEndRows {
+  std::array<L, M> d1, d2, d3, share;  ///< h′/J, 3 h″/J, h‴/J
+  std::array<JerkRow<L>, M> rows;
+
+  /// Values, and gradients by the node's b and a beside that of the path's jerk.
+  L value(std::size_t k, L b, L v, L a, L j) const { return v * (d3[k] * b + d2[k] * a) + d1[k] * j; }
+  L by_b(std::size_t k, L v, L w, L a) const { return 1.5 * d3[k] * v + d2[k] * (a * w); }
+  L by_a(std::size_t k, L v) const { return d2[k] * v; }
+
+  void begin(L b, L v, L a, L j, L mu, L least) {
+    for (std::size_t k = 0; k < M; ++k) rows[k].begin(value(k, b, v, a, j), share[k], mu, least);
+  }
+  RowSums<L> assemble(L b, L v, L w, L a, L j, L mu, L primal, L dual, JerkTotals<L>& totals) {
+    RowSums<L> sums;
+    for (std::size_t k = 0; k < M; ++k) {
+      L weight, y;
+      rows[k].move(primal, dual);
+      rows[k].weigh(value(k, b, v, a, j), share[k], mu, weight, y, totals);
+      sums.add(weight, y, d1[k], by_b(k, v, w, a), by_a(k, v));
+    }
+    return sums;
+  }
+  void step(L v, L w, L a, L dj, L db, L da, L mu, L& primal, L& dual) {
+    for (std::size_t k = 0; k < M; ++k)
+      rows[k].step(d1[k] * dj + by_b(k, v, w, a) * db + by_a(k, v) * da, mu, primal, dual);
+  }
+};
 
 /// The middle Bernstein coefficient of a(t), with its gradient.
+template <class L>
 struct JerkMiddle {
-  double g = 0;
-  std::array<double, 4> dg{};
+  L g;
+  std::array<L, 4> dg;
 };
-inline JerkMiddle jerk_middle(JerkNode l, JerkSpeed vl, JerkNode r, JerkSpeed vr, const JerkCell& cell) {
-  const double u = 1 / cell.T, mean = (vr.v - vl.v) * u, gT = -3 * mean * u;
-  return {3 * mean - l.a - r.a,
-          {gT * cell.dT[0] - 3 * u * vl.dv, gT * cell.dT[1] - 1, gT * cell.dT[2] + 3 * u * vr.dv, gT * cell.dT[3] - 1}};
+template <class L>
+inline JerkMiddle<L> jerk_middle(L v1, L w1, L a1, L v2, L w2, L a2, const JerkCellOf<L>& cell) {
+  const L u = 1.0 / cell.T, mean = (v2 - v1) * u, gT = -3.0 * mean * u, u3 = 3.0 * u;
+  return {3.0 * mean - a1 - a2,
+          {gT * cell.dT[0] - u3 * w1, gT * cell.dT[1] - 1.0, gT * cell.dT[2] + u3 * w2, gT * cell.dT[3] - 1.0}};
 }
+
+/// M rows |d₂ (b₁ + b₂) + d₁ g| ≤ share, g the middle coefficient.
+template <class L, int M>
+struct JerkMiddleRows {
+  std::array<L, M> d1, d2, share;
+  std::array<JerkRow<L>, M> rows;
+  std::array<L, 4> gradient;
+
+  void begin(L b, L g, L mu, L least) {
+    for (std::size_t k = 0; k < M; ++k) rows[k].begin(d2[k] * b + d1[k] * g, share[k], mu, least);
+  }
+  RowSums<L> assemble(L b, const JerkMiddle<L>& m, L mu, L primal, L dual, JerkTotals<L>& totals) {
+    RowSums<L> sums;
+    gradient = m.dg;
+    for (std::size_t k = 0; k < M; ++k) {
+      L w, y;
+      rows[k].move(primal, dual);
+      rows[k].weigh(d2[k] * b + d1[k] * m.g, share[k], mu, w, y, totals);
+      sums.add(w, y, d1[k], d2[k]);
+    }
+    return sums;
+  }
+  void step(L db, L dg, L mu, L& primal, L& dual) {
+    for (std::size_t k = 0; k < M; ++k) rows[k].step(d2[k] * db + d1[k] * dg, mu, primal, dual);
+  }
+};
 
 }  // namespace bahnwerk

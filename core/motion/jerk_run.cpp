@@ -14,6 +14,9 @@ namespace {
 /// A law that had to be slowed by more than this may have a better start.
 constexpr double good_enough = 1.01;
 
+/// So near to a cell's end, in parts of it, speed at rest is rounding.
+constexpr double rest = 1e-6;
+
 }  // namespace
 
 template <int N, int M>
@@ -130,7 +133,7 @@ double JerkRunPlanner<N, M>::emit(PlanningPulse& pulse) {
     LawPiece p = jerk_piece(state_[c], state_[c + 1], h);
     sound = sound && p.duration > 0 && std::abs(p.at(p.duration).s - h) <= 1e-9 * h;
     for (const double t : turning_points(p))
-      if (t > 0 && t < p.duration) sound = sound && p.at(t).v > 0;
+      if (t > rest * p.duration && t < (1 - rest) * p.duration) sound = sound && p.at(t).v > 0;
     p.segment = grid_.cells[c].segment;
     p.s = path_[p.segment].s0() + grid_.left(c).s;
     p.s_end = path_[p.segment].s0() + grid_.right(c).s;

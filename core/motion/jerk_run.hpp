@@ -114,6 +114,10 @@ class JerkRunPlanner {
 
   double feed(std::size_t c) const { return std::min(feed_[grid_.cells[c].segment], options_.path.velocity); }
 
+  struct Middle {
+    JerkStation<M> at;
+    double s = 0;  ///< from the cell's left end
+  };
   struct Worst {
     double v = 0, a = 0, j = 0;
   };
@@ -129,7 +133,10 @@ class JerkRunPlanner {
     return r;
   }
 
-  /// Peaks of every cell, from samples.
+  /// The path in the middle of every curved cell, for measure().
+  void look_half_way(PlanningPulse& pulse);
+
+  /// Peaks of every cell, from samples; `exact`: of the path itself.
   void measure(const RowLimits<M>& limit, bool exact, PlanningPulse& pulse);
 
   /// Continuous peaks on the path itself wherever samples leave a doubt, and what holds at nodes alone: afterwards
@@ -166,6 +173,7 @@ class JerkRunPlanner {
   LargeVector<JerkNode> state_;
   JerkProblem<M> problem_;
   JerkSolver<M> solver_;
+  LargeVector<Middle> middle_;
   LargeVector<CellPeaks<M>> peaks_;
   Worst worst_;
   LargeVector<LawPiece> pieces_, best_;

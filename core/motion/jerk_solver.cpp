@@ -19,76 +19,65 @@ constexpr int uneven_steps = 10;
 
 template <int M>
 void JerkSolver<M>::start(double mu, PlanningPulse& pulse) {
-  const auto& p = *problem_;
-  const auto& x = *x_;
-  n_ = p.cells.size();
-  dx_.assign(n_ + 1, {});
-  speed_.assign(n_ + 1, {});
-  cell_.resize(n_);
-  node_.resize(n_ + 1);
-  acceleration_.resize(p.nodes.size());
-  weight_.resize(n_);
-  for (std::size_t i = 1; i < n_; ++i) speed_[i] = jerk_speed(x[i].b);
   // A slack starts at what is free, but not too near the wall.
-  const double least = std::min(0.1, mu);
+  const Twin least = all(std::min(0.1, mu));
   scale_ = 0;
-  for (std::size_t c = 0; c < n_; ++c) {
-    pulse(c, n_);
-    evaluate(c);
-    weight_[c] = cell_[c].law.T;
-    for (std::size_t e = 0; e < 2; ++e)
-      cell_[c].jerk[e].begin(rows_at(c, e).g, lanes<M>(p.cells[c].share[e]), mu * weight_[c], least);
-    scale_ += 2 * 2 * M * weight_[c];
+  for (std::size_t g = 0; g < groups_; ++g) {
+    pulse(twin * g, n_);
+    const Ends x = ends(g);
+    evaluate(g, x);
+    Cells& cells = cells_[g];
+    const Twin T = cells.weight = cells.law.T;
+    cells.end[0].begin(x.b1, x.v1, x.a1, cells.law.j1, mu * T, least);
+    cells.end[1].begin(x.b2, x.v2, x.a2, cells.law.j2, mu * T, least);
+    scale_ += 2 * 2 * M * (T[0] + T[1]);
   }
-  for (std::size_t i = 0; i < p.nodes.size(); ++i) {
-    const auto& set = p.nodes[i];
-    acceleration_[i].begin(lanes<M>(set.p) * x[set.node].b + lanes<M>(set.q) * x[set.node].a, lanes<M>(set.share),
-                           mu * weight(set.node), least);
-    scale_ += 2 * M * weight(set.node);
+  for (std::size_t g = 0; g < groups_; ++g) {
+    Nodes& nodes = nodes_[g];
+    for (std::size_t e = 0; e < twin; ++e) {
+      const std::size_t i = twin * g + e;
+      const bool inner = i > 0 && i < n_;
+      nodes.weight[e] = inner ? 0.5 * (cells_[(i - 1) / twin].weight[(i - 1) % twin] + cells_[g].weight[e]) : no_weight;
+      scale_ += (2 * M + 2) * nodes.weight[e];
+    }
+    const Twin b = two(b_, twin * g), a = two(a_, twin * g), w = mu * nodes.weight;
+    for (std::size_t k = 0; k < 2; ++k) nodes.capped[k].begin(1.0 - nodes.cap[k] * (b + nodes.slope[k] * a), w, least);
+    nodes.rows.begin(b, a, w, least);
   }
-  for (std::size_t i = 1; i < n_; ++i) {
-    node_[i].cap.begin((x[i].b + cap_slopes(i) * x[i].a) * lanes<2>(p.inverse_cap[i]), all_lanes<2>(1), mu * weight(i),
-                       least);
-    scale_ += 2 * weight(i);
+  for (Joint& joint : joints_) {
+    joint.rows.begin(b_[joint.node], a_[joint.node], mu * weight(joint.node), least[0]);
+    scale_ += 2 * M * weight(joint.node);
   }
   start_middles(mu);
-  steps_.still(n_);
+  steps_.still(twin * groups_);
 }
 
 /// Rows for cells' middles may come later than the others.
 template <int M>
 void JerkSolver<M>::start_middles(double mu) {
-  const auto& p = *problem_;
-  const auto& x = *x_;
-  middle_.resize(p.middles.size());
-  for (std::size_t i = 0; i < p.middles.size(); ++i) {
-    const auto& set = p.middles[i];
-    const JerkMiddle m = middle_at(set.cell);
-    middle_[i].rows.begin(lanes<M>(set.d2) * (x[set.cell].b + x[set.cell + 1].b) + lanes<M>(set.d1) * m.g,
-                          lanes<M>(set.share), mu * weight_[set.cell], std::min(0.1, mu));
-    scale_ += 2 * M * weight_[set.cell];
+  for (Middles& set : middles_) {
+    const Ends x = ends(set.cells);
+    const Cells& cells = cells_[set.cells];
+    for (std::size_t e = 0; e < twin; ++e)
+      if (set.weight[e] != no_weight) set.weight[e] = cells.weight[e];
+    const JerkMiddle<Twin> m = jerk_middle(x.v1, x.w1, x.a1, x.v2, x.w2, x.a2, cells.law);
+    set.rows.begin(x.b1 + x.b2, m.g, mu * set.weight, all(std::min(0.1, mu)));
+    scale_ += 2 * M * (set.weight[0] + set.weight[1]);
   }
-}
-
-template <int M>
-void JerkSolver<M>::move_nodes() {
-  for (std::size_t i = 1; i < n_; ++i) move_node(i);
 }
 
 template <int M>
 JerkSolverResult JerkSolver<M>::solve(const JerkProblem<M>& problem, LargeVector<JerkNode>& x, double mu,
                                       const JerkSolverOptions& options, PlanningPulse& pulse) {
   problem_ = &problem;
-  x_ = &x;
-  n_ = problem.cells.size();
-  x[1].a = rest_tie(problem.cells[0].h) * x[1].b;
-  x[n_ - 1].a = -rest_tie(problem.cells[n_ - 1].h) * x[n_ - 1].b;
+  adopt(x);
+  const bool same_middles = adopt_middles();
   if (mu > 0) start(mu, pulse);
-  if (mu == 0 && middle_.size() != problem.middles.size()) start_middles(gap_ / scale_);
-  steps_.still(n_);
+  if (mu == 0 && !same_middles) start_middles(gap_ / scale_);
+  steps_.still(twin * groups_);
   JerkSolverResult result;
   int stuck = 0;
-  target_ = moved_target_ = mu > 0 ? mu : gap_ / scale_;
+  target_ = mu > 0 ? mu : gap_ / scale_;
   for (;; ++result.iterations) {
     assemble(pulse);
     result.duration = duration_;
@@ -107,7 +96,6 @@ JerkSolverResult JerkSolver<M>::solve(const JerkProblem<M>& problem, LargeVector
     // What the next step aims at: the less of this one could be taken, the nearer to the present μ.
     const double step = std::min(steps_.mean_primal, steps_.mean_dual), miss = 1 - step;
     const double now = (1 - step) * gap_ / scale_ + step * target_;
-    moved_target_ = target_;
     target_ = std::max(now * std::clamp(miss * miss, 0.1, 0.8), least_gap * options.gap * duration_ / scale_);
     stuck = step < stuck_step ? stuck + 1 : 0;
     if (stuck == stuck_steps) {  // too near a wall: from here again, with slacks and multipliers in balance
@@ -117,6 +105,7 @@ JerkSolverResult JerkSolver<M>::solve(const JerkProblem<M>& problem, LargeVector
       stuck = 0;
     }
   }
+  for (std::size_t i = 0; i <= n_; ++i) x[i] = {b_[i], a_[i]};
   return result;
 }
 

@@ -12,6 +12,7 @@
 /// to 0.3 µs per cell with two axes; 13 to 15 steps from a rough start to a gap of 3e-2, about as many again to 1e-4.
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
 
 #include "core/motion/jerk_elimination.hpp"
 #include "core/motion/jerk_problem.hpp"
@@ -43,77 +44,77 @@ class JerkSolver {
                          const JerkSolverOptions& options, PlanningPulse& pulse);
 
  private:
-  struct CellState {
-    JerkCell law;
-    std::array<RowState<M>, 2> jerk;     ///< rows at both ends
-    std::array<Lanes<M>, 2> by_b, by_a;  ///< their gradients on the node there
+  /// Two cells, or nodes, next to each other, their rows and all that these need. Lanes that stand for no inner node or
+  /// no cell have rows without gradients and next to no weight.
+  struct Cells {
+    Twin h, weight;
+    JerkCellOf<Twin> law;
+    std::array<JerkEndRows<Twin, M>, 2> end;
   };
-  struct NodeState {
-    RowState<2> cap;  ///< towards the left and the right cell; the upper side only
-    Elimination elimination;
+  struct Nodes {
+    Twin weight;
+    std::array<Twin, 2> cap, slope;        ///< rows cap (b + slope a) ≤ 1 towards the left and the right cell
+    std::array<JerkSide<Twin>, 2> capped;  ///< their states
+    JerkNodeRows<Twin, M> rows;
   };
-  struct MiddleState {
-    RowState<M> rows;
-    std::array<double, 4> gradient;
+  /// Further rows of one node.
+  struct Joint {
+    std::size_t node = 0;
+    JerkNodeRows<double, M> rows;
   };
-  struct Sums {
-    Lanes<M> gap, violation;
-    double cap_gap = 0, cap_violation = 0, duration = 0;
+  struct Middles {
+    std::size_t cells = 0;
+    Twin weight;
+    JerkMiddleRows<Twin, M> rows;
+  };
+  /// What both nodes' b, a and speeds are at the ends of two cells.
+  struct Ends {
+    Twin b1, a1, v1, w1, b2, a2, v2, w2;
   };
 
+  void adopt(const LargeVector<JerkNode>& x);
+  void adopt_nodes();
+  void adopt_cells();
+  /// False: they are others than before, and need to be started.
+  bool adopt_middles();
   void start(double mu, PlanningPulse& pulse);
   void start_middles(double mu);
-  void move_node(std::size_t i) {
-    JerkNode& x = (*x_)[i];
-    const double part = std::min(steps_.primal[i - 1], steps_.primal[i]);
-    x.b += part * dx_[i].b;
-    x.a += part * dx_[i].a;
-    speed_[i] = jerk_speed(x.b);
-  }
   void move_nodes();
+  void evaluate(std::size_t g, const Ends& x);
+  NodeBlock<Twin> assemble_nodes(std::size_t g, JerkTotals<Twin>& totals);
+  CellMatrix<Twin> assemble_cells(std::size_t g, std::size_t& next_middle, JerkTotals<Twin>& totals);
   void assemble(PlanningPulse& pulse);
-  void assemble_cell(std::size_t c, CellMatrix& K, Sums& sums, std::size_t& next_middle);
-  void assemble_node(std::size_t c, NodeBlock& now, Sums& sums, std::size_t& next_node);
+  void direct_cells(std::size_t g, std::size_t& next_middle, Twin& primal, Twin& dual);
+  void direct_nodes(std::size_t g, Twin& primal, Twin& dual);
   void direction(PlanningPulse& pulse);
 
-  void evaluate(std::size_t c) {
-    const auto& x = *x_;
-    const double h = problem_->cells[c].h;
-    JerkCell& law = cell_[c].law;
-    if (c == 0)
-      law = rest_cell(x[1].b, h, 1);
-    else if (c + 1 == n_)
-      law = rest_cell(x[c].b, h, 0);
-    else
-      law = jerk_cell(x[c], speed_[c], x[c + 1], speed_[c + 1], h);
+  Ends ends(std::size_t g) const {
+    const std::size_t i = twin * g;
+    return {two(b_, i),     two(a_, i),     two(v_, i),     two(w_, i),
+            two(b_, i + 1), two(a_, i + 1), two(v_, i + 1), two(w_, i + 1)};
   }
-  JerkRows<M> rows_at(std::size_t c, std::size_t end) const {
-    const auto& cell = problem_->cells[c];
-    const JerkCell& law = cell_[c].law;
-    return jerk_rows<M>(problem_->stations[cell.station + end], (*x_)[c + end], speed_[c + end], end ? law.j2 : law.j1,
-                        lanes<M>(problem_->inverse_jerk));
+  static Twin two(const LargeVector<double>& x, std::size_t i) {
+    Twin r;
+    std::memcpy(&r, x.data() + i, sizeof r);
+    return r;
   }
-  JerkMiddle middle_at(std::size_t c) const {
-    return jerk_middle((*x_)[c], speed_[c], (*x_)[c + 1], speed_[c + 1], cell_[c].law);
+  static void put(LargeVector<double>& x, std::size_t i, Twin value) {
+    std::memcpy(x.data() + i, &value, sizeof value);
   }
-  double weight(std::size_t node) const { return 0.5 * (weight_[node - 1] + weight_[node]); }
-  /// Of caps i by a, towards both cells, relative to that by b.
-  Lanes<2> cap_slopes(std::size_t i) const {
-    return lanes<2>({-(2.0 / 3) * problem_->cells[i - 1].h, (2.0 / 3) * problem_->cells[i].h});
-  }
+  double weight(std::size_t node) const { return nodes_[node / twin].weight[node % twin]; }
 
   const JerkProblem<M>* problem_ = nullptr;
-  LargeVector<JerkNode>* x_ = nullptr;
-  std::size_t n_ = 0;
-  LargeVector<JerkNode> dx_;
-  LargeVector<JerkSpeed> speed_;
-  LargeVector<CellState> cell_;
-  LargeVector<NodeState> node_;
-  LargeVector<RowState<M>> acceleration_;
-  LargeVector<MiddleState> middle_;
-  LargeVector<double> weight_;
+  std::size_t n_ = 0, groups_ = 0;
+  LargeVector<double> b_, a_, v_, w_;  ///< per node: v², a, v, 1/(2v); the last is 0 at rest
+  LargeVector<double> db_, da_;
+  LargeVector<Cells> cells_;
+  LargeVector<Nodes> nodes_;
+  LargeVector<Joint> joints_;
+  LargeVector<Middles> middles_;
+  LargeVector<std::size_t> posed_middles_;  ///< their cells
+  LargeVector<Elimination> elimination_;
   JerkSteps steps_;
-  double target_ = 0, moved_target_ = 0;  ///< μ aimed at now, and by the step that is to be taken
+  double target_ = 0;  ///< μ aimed at
   double duration_ = 0, gap_ = 0, violation_ = 0, scale_ = 0, promise_ = 0;
 };
 

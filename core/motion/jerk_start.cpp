@@ -7,15 +7,15 @@ namespace bahnwerk {
 
 namespace {
 
-/// v² after a way h from b, growing as from rest with constant jerk and with at most the acceleration.
-double grow(double b, double h, double acceleration, double jerk) {
-  double most = b + 2 * acceleration * h;
-  if (std::isfinite(jerk)) {
-    const double k = std::cbrt(20.25 * jerk * jerk);  // b = k s^(4/3)
-    const double r = b / k, s = std::sqrt(r * std::sqrt(r)) + h;
-    most = std::min(most, k * s * std::cbrt(s));
-  }
-  return most;
+/// The smaller one of `most` and v² after a way h from b, growing as from rest with constant jerk, b = (9/2 J
+/// s²)^(2/3), and with at most the acceleration.
+double grow(double most, double b, double h, double acceleration, double jerk) {
+  most = std::min(most, b + 2 * acceleration * h);
+  if (!std::isfinite(jerk)) return most;
+  const double k = 4.5 * jerk, s = std::sqrt(b * std::sqrt(b) / k) + h, cube = k * s * s;  // v³
+  if (cube * cube >= most * most * most) return most;
+  const double v = std::cbrt(cube);
+  return v * v;
 }
 
 }  // namespace
@@ -34,8 +34,11 @@ PathLimits path_limits(const Station<N>& at, const Machine& machine, const Along
     }
     if (d2 > 0) limits.cap = std::min(limits.cap, axis.acceleration / d2);
     if (d3 > 0 && std::isfinite(axis.jerk)) {
-      const double v = std::cbrt(axis.jerk / d3);
-      limits.cap = std::min(limits.cap, v * v);
+      const double cube = axis.jerk / d3;  // v³
+      if (cube * cube < limits.cap * limits.cap * limits.cap) {
+        const double v = std::cbrt(cube);
+        limits.cap = v * v;
+      }
     }
   }
   return limits;
@@ -57,14 +60,14 @@ void rough_profile(const Grid<N>& grid, const std::vector<double>& feed, const M
     const PathLimits l = limits(grid.left(c), c), r = limits(grid.right(c), c);
     if (!grid.cells[c].cusp_left) b[c] = std::min(b[c], l.cap);
     if (!grid.cells[c].cusp_right) b[c + 1] = std::min(b[c + 1], r.cap);
-    b[c + 1] = std::min(b[c + 1], grow(b[c], grid.length(c), part * l.acceleration, part * l.jerk));
+    b[c + 1] = grow(b[c + 1], b[c], grid.length(c), part * l.acceleration, part * l.jerk);
   }
   for (std::size_t c = n; c-- > 0;) {
     pulse(n - 1 - c, n);
     const PathLimits r = limits(grid.right(c), c);
     const double h = grid.length(c), a = part * r.acceleration, j = part * r.jerk;
-    b[c] = std::min(b[c], grow(b[c + 1], h, a, j));
-    const double between = std::min({r.cap, grow(b[c], 0.5 * h, a, j), grow(b[c + 1], 0.5 * h, a, j)});
+    b[c] = grow(b[c], b[c + 1], h, a, j);
+    const double between = grow(grow(r.cap, b[c], 0.5 * h, a, j), b[c + 1], 0.5 * h, a, j);
     const double m = std::sqrt(std::max({between, b[c], b[c + 1]}));
     profile.duration[c] = h / (m + std::sqrt(b[c])) + h / (m + std::sqrt(b[c + 1]));
   }

@@ -10,38 +10,41 @@ namespace bahnwerk {
 
 struct JerkSteps {
   LargeVector<double> primal, dual;  ///< per cell: first 1/(the part that reaches a wall), after fit() the part taken
+  LargeVector<double> node_primal, node_dual;  ///< per node: the smaller part of both its cells
   double mean_primal = 0, mean_dual = 0;
 
   void still(std::size_t cells) {
     primal.assign(cells, 0);
     dual.assign(cells, 0);
+    node_primal.assign(cells + 1, 0);
+    node_dual.assign(cells + 1, 0);
   }
   /// `reach` is the part of the way to the wall that may be taken; `even` the same part everywhere.
   void fit(double reach, bool even) {
-    mean_primal = fit(primal, reach, even);
-    mean_dual = fit(dual, reach, even);
+    mean_primal = fit(primal, node_primal, reach, even);
+    mean_dual = fit(dual, node_dual, reach, even);
   }
 
  private:
   static constexpr double slope = 0.02, growth = 1.05;  // most that parts rise by from cell to cell
-  static double fit(LargeVector<double>& part, double reach, bool even) {
-    double most = reach;
-    for (double& p : part) {
-      most = std::max(most, p);
-      p = std::min(1.0, reach / p);
-    }
+  static double fit(LargeVector<double>& part, LargeVector<double>& node, double reach, bool even) {
+    const std::size_t n = part.size();
     if (even) {
-      part.assign(part.size(), reach / most);
+      double most = reach;
+      for (const double p : part) most = std::max(most, p);
+      part.assign(n, reach / most);
+      node.assign(n + 1, reach / most);
       return reach / most;
     }
     double last = 1, sum = 0;
-    for (double& p : part) last = p = std::min(p, std::min(last + slope, last * growth));
+    for (double& p : part) last = p = std::min(std::min(1.0, reach / p), std::min(last + slope, last * growth));
     last = 1;
-    for (std::size_t c = part.size(); c-- > 0;) {
+    for (std::size_t c = n; c-- > 0;) {
       last = part[c] = std::min(part[c], std::min(last + slope, last * growth));
       sum += last;
     }
-    return sum / static_cast<double>(part.size());
+    for (std::size_t i = 1; i < n; ++i) node[i] = std::min(part[i - 1], part[i]);
+    return sum / static_cast<double>(n);
   }
 };
 
