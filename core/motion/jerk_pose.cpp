@@ -99,9 +99,11 @@ void JerkRunPlanner<N, M>::soften(PlanningPulse& pulse) {
 }
 
 template <int N, int M>
-void JerkRunPlanner<N, M>::guess(double part) {
+void JerkRunPlanner<N, M>::guess(Start start, PlanningPulse& pulse) {
   const std::size_t n = grid_.cells.size();
-  const auto& b = rough_.b;
+  if (start.smooth) smooth<N>(grid_, 2 * jerk_time_, rough_, pulse);
+  const auto& b = start.smooth ? rough_.smooth_b : rough_.b;
+  const double part = start.part;
   for (std::size_t i = 1; i < n; ++i) {
     const double l = grid_.length(i - 1), r = grid_.length(i);
     state_[i].b = part * b[i];
@@ -207,7 +209,7 @@ template double JerkRunPlanner<2, 2>::cell_cap(std::size_t c, bool at_end) const
 template void JerkRunPlanner<2, 2>::rough(PlanningPulse& pulse);
 template void JerkRunPlanner<2, 2>::lay(PlanningPulse& pulse);
 template void JerkRunPlanner<2, 2>::soften(PlanningPulse& pulse);
-template void JerkRunPlanner<2, 2>::guess(double part);
+template void JerkRunPlanner<2, 2>::guess(Start start, PlanningPulse& pulse);
 template void JerkRunPlanner<2, 2>::pose(PlanningPulse& pulse);
 template void JerkRunPlanner<2, 2>::pose_middles(bool looked, PlanningPulse& pulse);
 template void JerkRunPlanner<2, 2>::add_node(std::size_t node, const JerkStation<2>& s,
@@ -217,7 +219,7 @@ template double JerkRunPlanner<2, 3>::cell_cap(std::size_t c, bool at_end) const
 template void JerkRunPlanner<2, 3>::rough(PlanningPulse& pulse);
 template void JerkRunPlanner<2, 3>::lay(PlanningPulse& pulse);
 template void JerkRunPlanner<2, 3>::soften(PlanningPulse& pulse);
-template void JerkRunPlanner<2, 3>::guess(double part);
+template void JerkRunPlanner<2, 3>::guess(Start start, PlanningPulse& pulse);
 template void JerkRunPlanner<2, 3>::pose(PlanningPulse& pulse);
 template void JerkRunPlanner<2, 3>::pose_middles(bool looked, PlanningPulse& pulse);
 template void JerkRunPlanner<2, 3>::add_node(std::size_t node, const JerkStation<3>& s,
@@ -227,7 +229,7 @@ template double JerkRunPlanner<3, 3>::cell_cap(std::size_t c, bool at_end) const
 template void JerkRunPlanner<3, 3>::rough(PlanningPulse& pulse);
 template void JerkRunPlanner<3, 3>::lay(PlanningPulse& pulse);
 template void JerkRunPlanner<3, 3>::soften(PlanningPulse& pulse);
-template void JerkRunPlanner<3, 3>::guess(double part);
+template void JerkRunPlanner<3, 3>::guess(Start start, PlanningPulse& pulse);
 template void JerkRunPlanner<3, 3>::pose(PlanningPulse& pulse);
 template void JerkRunPlanner<3, 3>::pose_middles(bool looked, PlanningPulse& pulse);
 template void JerkRunPlanner<3, 3>::add_node(std::size_t node, const JerkStation<3>& s,
@@ -237,7 +239,7 @@ template double JerkRunPlanner<3, 4>::cell_cap(std::size_t c, bool at_end) const
 template void JerkRunPlanner<3, 4>::rough(PlanningPulse& pulse);
 template void JerkRunPlanner<3, 4>::lay(PlanningPulse& pulse);
 template void JerkRunPlanner<3, 4>::soften(PlanningPulse& pulse);
-template void JerkRunPlanner<3, 4>::guess(double part);
+template void JerkRunPlanner<3, 4>::guess(Start start, PlanningPulse& pulse);
 template void JerkRunPlanner<3, 4>::pose(PlanningPulse& pulse);
 template void JerkRunPlanner<3, 4>::pose_middles(bool looked, PlanningPulse& pulse);
 template void JerkRunPlanner<3, 4>::add_node(std::size_t node, const JerkStation<4>& s,

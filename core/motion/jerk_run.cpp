@@ -26,7 +26,7 @@ void JerkRunPlanner<N, M>::plan(std::size_t first, std::size_t last, double from
   pulse.part(0, 0.1);
   if (last == first + 1 && alone(first, result)) return;
   double shortest = unlimited;
-  for (const Start start : {Start{0.7, 0.3}, Start{0.2, 1}, Start{0.02, 1}, Start{0, 0}}) {
+  for (const Start start : {Start{0.8, 0.1, true}, Start{0.7, 0.3}, Start{0.2, 1}, Start{0.02, 1}, Start{0, 0}}) {
     // The last one is no optimum at all, but always a law.
     if (start.part == 0 && shortest < unlimited) break;
     const double duration = attempt(first, last, start, pulse);
@@ -72,7 +72,7 @@ double JerkRunPlanner<N, M>::attempt(std::size_t first, std::size_t last, Start 
   lay(pulse);
   state_.resize(grid_.cells.size() + 1);
   soften(pulse);
-  guess(start.part);
+  guess(start, pulse);
   if (start.mu > 0) improve(start.mu, pulse);
   if (start.mu == 0) pose(pulse);
   certify(pulse);

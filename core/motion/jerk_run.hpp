@@ -39,9 +39,11 @@ class JerkRunPlanner {
   void plan(std::size_t first, std::size_t last, double from, double to, JerkLimitedResult& result);
 
  private:
-  /// Where the interior-point method starts: which part of the rough profile's v², and the barrier.
+  /// Where the interior-point method starts: which part of the rough profile's v², the barrier, and whether the profile
+  /// is smoothed before.
   struct Start {
     double part, mu;
+    bool smooth = false;
   };
 
   /// A straight segment alone between two rests has a closed form.
@@ -87,7 +89,7 @@ class JerkRunPlanner {
   void soften(PlanningPulse& pulse);
 
   /// From the rough profile of the grid as it is; part 0: rest to rest by one bow, v² ~ (s (L − s)/L)^(4/3).
-  void guess(double part);
+  void guess(Start start, PlanningPulse& pulse);
 
   void pose(PlanningPulse& pulse);
 

@@ -73,11 +73,47 @@ void rough_profile(const Grid<N>& grid, const std::vector<double>& feed, const M
   }
 }
 
+template <int N>
+void smooth(const Grid<N>& grid, double window, RoughProfile& profile, PlanningPulse& pulse) {
+  constexpr double most = 4;  // times v²: a narrow trough may be as narrow for a good reason, a cusp for instance
+  const std::size_t n = grid.cells.size();
+  auto& [b, duration, smooth_b, s, t] = profile;
+  s.resize(n + 1);
+  t.resize(n + 1);
+  s[0] = t[0] = 0;
+  for (std::size_t c = 0; c < n; ++c) {
+    s[c + 1] = s[c] + grid.length(c);
+    t[c + 1] = t[c] + duration[c];
+  }
+  /// Way at a time inside cell c: the cubic through the speeds at both ends.
+  const auto way = [&](std::size_t c, double time) {
+    const double T = duration[c], x = (time - t[c]) / T, h = s[c + 1] - s[c];
+    const double v0 = T * std::sqrt(b[c]), v1 = T * std::sqrt(b[c + 1]);
+    return s[c] + x * (v0 + x * (3 * h - 2 * v0 - v1 + x * (v0 + v1 - 2 * h)));
+  };
+  smooth_b.assign(b.begin(), b.end());
+  std::size_t from = 0, to = 0;
+  for (std::size_t i = 1; i < n; ++i) {
+    pulse(i, n);
+    const double w = std::min({0.5 * window, t[i], t[n] - t[i]});
+    if (!(w > 0)) continue;
+    while (from > 0 && t[from] > t[i] - w) --from;  // where windows widen their begin may go back
+    while (from + 1 < i && t[from + 1] <= t[i] - w) ++from;
+    while (to > i && t[to] > t[i] + w) --to;
+    while (to + 1 < n && t[to + 1] <= t[i] + w) ++to;
+    const double v = (way(to, t[i] + w) - way(from, t[i] - w)) / (2 * w);
+    smooth_b[i] = std::min(v * v, most * b[i]);
+  }
+}
+
 template PathLimits path_limits<2>(const Station<2>&, const Machine&, const AlongPath&, double);
 template PathLimits path_limits<3>(const Station<3>&, const Machine&, const AlongPath&, double);
 template void rough_profile<2>(const Grid<2>&, const std::vector<double>&, const Machine&, const AlongPath&,
                                const LargeVector<double>&, RoughProfile&, PlanningPulse&);
 template void rough_profile<3>(const Grid<3>&, const std::vector<double>&, const Machine&, const AlongPath&,
                                const LargeVector<double>&, RoughProfile&, PlanningPulse&);
+
+template void smooth<2>(const Grid<2>&, double, RoughProfile&, PlanningPulse&);
+template void smooth<3>(const Grid<3>&, double, RoughProfile&, PlanningPulse&);
 
 }  // namespace bahnwerk

@@ -25,11 +25,18 @@ PathLimits path_limits(const Station<N>& at, const Machine& machine, const Along
 /// v² at every node, and how long each cell then takes, s, about (rest at the ends of cells allowed).
 struct RoughProfile {
   LargeVector<double> b, duration;
+  LargeVector<double> smooth_b;  ///< by smooth()
+  LargeVector<double> s, t;      ///< of the nodes, from the run's begin: by smooth()
 };
 /// `node_cap`: largest v² per node, from joints and feeds; zero at both ends.
 template <int N>
 void rough_profile(const Grid<N>& grid, const std::vector<double>& feed, const Machine& machine, const AlongPath& path,
                    const LargeVector<double>& node_cap, RoughProfile& profile, PlanningPulse& pulse);
+
+/// Rounds off the kinks of a profile, at which jerk would be out of all proportion: `smooth_b` becomes the square of its
+/// mean speed over this time, s, less next to the run's ends. O(nodes).
+template <int N>
+void smooth(const Grid<N>& grid, double window, RoughProfile& profile, PlanningPulse& pulse);
 
 extern template PathLimits path_limits<2>(const Station<2>&, const Machine&, const AlongPath&, double);
 extern template PathLimits path_limits<3>(const Station<3>&, const Machine&, const AlongPath&, double);
@@ -37,5 +44,8 @@ extern template void rough_profile<2>(const Grid<2>&, const std::vector<double>&
                                       const LargeVector<double>&, RoughProfile&, PlanningPulse&);
 extern template void rough_profile<3>(const Grid<3>&, const std::vector<double>&, const Machine&, const AlongPath&,
                                       const LargeVector<double>&, RoughProfile&, PlanningPulse&);
+
+extern template void smooth<2>(const Grid<2>&, double, RoughProfile&, PlanningPulse&);
+extern template void smooth<3>(const Grid<3>&, double, RoughProfile&, PlanningPulse&);
 
 }  // namespace bahnwerk
