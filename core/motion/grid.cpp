@@ -226,6 +226,26 @@ void Grid<N>::grade_end(const Path& path, bool front) {
 }
 
 template <int N>
+void Grid<N>::slice(const Grid& of, std::size_t first, std::size_t last) {
+  const auto at = [](auto& items, std::size_t i) { return items.begin() + static_cast<std::ptrdiff_t>(i); };
+  const std::uint32_t begin = of.cells[first].station, end = of.cells[last - 1].station + 2;
+  stations.assign(at(of.stations, begin), at(of.stations, end));
+  cells.assign(at(of.cells, first), at(of.cells, last));
+  run_length = 0;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    cells[c].station -= begin;
+    run_length += length(c);
+  }
+}
+
+template <int N>
+void Grid<N>::cut(std::size_t last) {
+  for (std::size_t c = last; c < cells.size(); ++c) run_length -= length(c);
+  cells.resize(last);
+  stations.resize(cells.back().station + 2);
+}
+
+template <int N>
 void Grid<N>::divide(const Path& path, const LargeVector<std::uint8_t>& parts, PlanningPulse& pulse) {
   divide(
       path, [&](std::size_t c) { return parts[c]; },

@@ -55,6 +55,10 @@ class Grid {
   /// ends, where the speed changes by more than it is. O(cells).
   void build(const Path& path, std::size_t first, std::size_t last, const std::vector<double>& feed,
              const Machine& machine, const GridOptions& options, PlanningPulse& pulse);
+  /// Becomes the cells [first, last) of another grid. O(last − first).
+  void slice(const Grid& of, std::size_t first, std::size_t last);
+  /// Keeps the cells [0, last) only.
+  void cut(std::size_t last);
   /// Divides cell c into parts[c] equal cells. O(cells).
   void divide(const Path& path, const LargeVector<std::uint8_t>& parts, PlanningPulse& pulse);
   /// Divides cell c into count(c) cells; inner part i ends at the parameter place(c, i, u0, u1) between the cell's own

@@ -15,9 +15,9 @@ void JerkSolver<M>::adopt(const LargeVector<JerkNode>& x) {
     b_[i] = x[i].b;
     a_[i] = x[i].a;
   }
-  if (!(b_[0] > 0)) a_[1] = rest_tie(problem_->cells[0].h) * b_[1];
-  a_[n_ - 1] = -rest_tie(problem_->cells[n_ - 1].h) * b_[n_ - 1];
-  for (std::size_t i = 0; i < n_; ++i) {
+  if (from_rest()) a_[1] = rest_tie(problem_->cells[0].h) * b_[1];
+  if (to_rest()) a_[n_ - 1] = -rest_tie(problem_->cells[n_ - 1].h) * b_[n_ - 1];
+  for (std::size_t i = 0; i <= n_; ++i) {
     v_[i] = std::sqrt(b_[i]);
     w_[i] = b_[i] > 0 ? 0.5 / v_[i] : 0;
   }

@@ -84,6 +84,7 @@ void JerkRunPlanner<N, M>::certify(PlanningPulse& pulse) {
     }
     if (c > 0) worst_.v = std::max(worst_.v, state_[c].b / cap_[c]);
   }
+  if (exit_.b > 0) worst_.v = std::max(worst_.v, exit_.b / cap_[n]);
   for (const auto& rows : problem_.nodes)
     for (std::size_t k = 0; k < M; ++k)
       worst_.a = std::max(worst_.a, std::abs(rows.p[k] * state_[rows.node].b + rows.q[k] * state_[rows.node].a));

@@ -19,6 +19,8 @@ JerkLimitedResult plan(const Contour& contour, const Machine& machine, const Jer
   for_each_run(contour.path, runs, from, to, [&](std::size_t first, std::size_t last, double begin, double end) {
     planner.plan(first, last, begin, end, result);
   });
+  if (result.cells > 0)
+    result.iterations = static_cast<std::size_t>(planner.work() / static_cast<double>(result.cells) + 0.5);
   return result;
 }
 

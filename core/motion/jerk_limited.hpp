@@ -23,10 +23,11 @@ namespace bahnwerk {
 
 struct JerkLimitedOptions {
   double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad; larger tangent jumps are corners with a stop
-  AlongPath path;           ///< limits of v mm/s, |a| mm/s², |j| mm/s³ along the path; infinite unless given
-  double gap = 1e-4;        ///< loss of duration to the solver, relative
-  double tolerance = 3e-4;  ///< loss of duration to the grid, relative, estimated
-  double angle = 0.02;      ///< most a cell turns, rad
+  AlongPath path;             ///< limits of v mm/s, |a| mm/s², |j| mm/s³ along the path; infinite unless given
+  double gap = 1e-4;          ///< loss of duration to the solver, relative
+  double tolerance = 3e-4;    ///< loss of duration to the grid, relative, estimated
+  double angle = 0.02;        ///< most a cell turns, rad
+  std::size_t window = 1200;  ///< cells of longer runs that are planned at once, before they are divided; 0 = all
   int max_divisions = 3, max_rounds = 10;  ///< times that the grid is divided, then that limits in cells are tightened
 };
 

@@ -37,18 +37,18 @@ void JerkSolver<M>::move_nodes() {
     put(v_, i, v);
     put(w_, i, 0.5 / v);
   }
-  if (!(b_[0] > 0)) w_[0] = 0;
-  for (std::size_t i = n_; i < w_.size(); ++i) w_[i] = 0;
+  if (from_rest()) w_[0] = 0;
+  for (std::size_t i = to_rest() ? n_ : n_ + 1; i < w_.size(); ++i) w_[i] = 0;
 }
 
 template <int M>
 void JerkSolver<M>::evaluate(std::size_t g, const Ends& x) {
   Cells& cells = cells_[g];
   cells.law = jerk_cell(x.v1, x.w1, x.a1, x.v2, x.w2, x.a2, cells.h);
-  if (g == 0 && !(b_[0] > 0)) set(cells.law, 0, rest_cell(b_[1], cells.h[0], 1));
+  if (g == 0 && from_rest()) set(cells.law, 0, rest_cell(b_[1], cells.h[0], 1));
   if (g + 1 < groups_) return;
   const std::size_t last = (n_ - 1) % twin;
-  set(cells.law, last, rest_cell(b_[n_ - 1], cells.h[last], 0));
+  if (to_rest()) set(cells.law, last, rest_cell(b_[n_ - 1], cells.h[last], 0));
   JerkCell none;
   none.T = no_weight;
   for (std::size_t lane = last + 1; lane < twin; ++lane) set(cells.law, lane, none);
@@ -103,7 +103,6 @@ void JerkSolver<M>::assemble(PlanningPulse& pulse) {
   JerkTotals<Twin> totals;
   JerkTotals<double> at_joints;
   Twin duration{};
-  const bool resting = !(b_[0] > 0);
   for (std::size_t g = 0; g < groups_; ++g) {
     pulse(twin * g, n_);
     const NodeBlock<Twin> blocks = assemble_nodes(g, totals);
@@ -123,9 +122,9 @@ void JerkSolver<M>::assemble(PlanningPulse& pulse) {
       for (; next_joint < joints_.size() && joints_[next_joint].node == c; ++next_joint)
         joints_[next_joint].rows.assemble(b_[c], a_[c], target_ * weight(c), steps_.node_primal[c], steps_.node_dual[c],
                                           now, at_joints);
-      if (c == 1 && resting)
+      if (c == 1 && from_rest())
         elimination_[c] = eliminate_tied(now, rest_tie(cells_[0].h[0]), K, after);
-      else if (c + 1 == n_)
+      else if (c + 1 == n_ && to_rest())
         elimination_[c] = eliminate_tied(now, -rest_tie(cells_[g].h[e]), K, after);
       else
         elimination_[c] = eliminate(now, K, after);
@@ -150,9 +149,9 @@ void JerkSolver<M>::direct_cells(std::size_t g, std::size_t& next_middle, Twin& 
   const Twin mean = 0.5 * (x.v1 + x.v2), h3 = (1.0 / 3) * cells.h;
   const Twin now = mean * mean + h3 * (x.a1 - x.a2), fall = -mean * (x.w1 * b1 + x.w2 * b2) - h3 * (a1 - a2);
   Twin loss = 2.0 * fall / larger(now, jerk_cell_detail::least_root * mean * mean);
-  if (g == 0 && !(b_[0] > 0)) loss[0] = 0;
+  if (g == 0 && from_rest()) loss[0] = 0;
   if (g + 1 == groups_)
-    for (std::size_t lane = (n_ - 1) % twin; lane < twin; ++lane) loss[lane] = 0;
+    for (std::size_t lane = (n_ - 1) % twin + (to_rest() ? 0 : 1); lane < twin; ++lane) loss[lane] = 0;
   primal = larger(primal, loss);
   cells.end[0].step(x.v1, x.w1, x.a1, along(cells.law.dj1, b1, a1, b2, a2), b1, a1, mu, primal, dual);
   cells.end[1].step(x.v2, x.w2, x.a2, along(cells.law.dj2, b1, a1, b2, a2), b2, a2, mu, primal, dual);

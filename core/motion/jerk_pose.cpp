@@ -6,8 +6,6 @@
 
 namespace bahnwerk {
 
-using jerk_run_detail::full_share;
-
 namespace {
 
 /// A cell that lasts this part of A/J gets rows for the acceleration half-way.
@@ -40,7 +38,8 @@ void JerkRunPlanner<N, M>::caps(LargeVector<double>& cap, PlanningPulse& pulse) 
       }
     }
   }
-  cap[0] = cap[n] = 0;
+  if (!(entry_.b > 0)) cap[0] = 0;
+  if (!(exit_.b > 0)) cap[n] = 0;
 }
 
 template <int N, int M>
@@ -85,11 +84,11 @@ void JerkRunPlanner<N, M>::lay(PlanningPulse& pulse) {
                                                                                : Spread::even};
   }
   divide<N>(grid_, path_, division_, pulse);
+  rough(pulse);
 }
 
 template <int N, int M>
-void JerkRunPlanner<N, M>::soften(PlanningPulse& pulse) {
-  rough(pulse);
+void JerkRunPlanner<N, M>::soften() {
   double total = 0;
   for (const double t : rough_.duration) total += t;
   const double mean = total / static_cast<double>(grid_.cells.size());
@@ -109,7 +108,9 @@ void JerkRunPlanner<N, M>::guess(Start start, PlanningPulse& pulse) {
     state_[i].b = part * b[i];
     state_[i].a = 0.5 * part * ((b[i] - b[i - 1]) * r / l + (b[i + 1] - b[i]) * l / r) / (l + r);
   }
-  state_[0] = state_[n] = {};
+  state_[0] = entry_;
+  state_[n] = {};
+  follow();
   if (part > 0) return;
   double L = 0, s = 0;
   for (std::size_t c = 0; c < n; ++c) L += grid_.length(c);
@@ -129,8 +130,8 @@ void JerkRunPlanner<N, M>::pose(PlanningPulse& pulse) {
   problem_.inverse_jerk = soft_.inverse_jerk;
   problem_.inverse_cap.resize(n + 1);
   for (std::size_t i = 1; i < n; ++i)
-    problem_.inverse_cap[i] = {1 / (full_share * std::min(cap_[i], cell_cap(i - 1, true))),
-                               1 / (full_share * std::min(cap_[i], cell_cap(i, false)))};
+    problem_.inverse_cap[i] = {1 / (share_ * std::min(cap_[i], cell_cap(i - 1, true))),
+                               1 / (share_ * std::min(cap_[i], cell_cap(i, false)))};
   problem_.stations.clear();
   problem_.stations.reserve(grid_.stations.size());
   for (const auto& s : grid_.stations) problem_.stations.push_back(rows_of(s));
@@ -143,7 +144,7 @@ void JerkRunPlanner<N, M>::pose(PlanningPulse& pulse) {
     auto& cell = problem_.cells[c];
     cell.h = grid_.length(c);
     cell.station = grid_.cells[c].station;
-    for (auto& share : cell.share) share.fill(full_share);
+    for (auto& share : cell.share) share.fill(share_);
     const JerkStation<M>& s = problem_.stations[cell.station];
     if (c > 0) {
       add_node(c, s, limit_.inverse_acceleration);
@@ -174,15 +175,16 @@ void JerkRunPlanner<N, M>::pose_middles(bool looked, PlanningPulse& pulse) {
       if (a > near_limit) return true;
     return false;
   };
-  for (std::size_t c = 1; c + 1 < n; ++c) {
+  const auto near_any = [&](std::size_t c) { return near(c) || (c > 0 && near(c - 1)) || (c + 1 < n && near(c + 1)); };
+  for (std::size_t c = entry_.b > 0 ? 0 : 1; c < (exit_.b > 0 ? n : n - 1); ++c) {
     pulse(c, n);
-    if (duration(c) < middle_from * jerk_time_ && !(looked && (near(c - 1) || near(c) || near(c + 1)))) continue;
+    if (duration(c) < middle_from * jerk_time_ && !(looked && near_any(c))) continue;
     const JerkStation<M>&s = problem_.stations[problem_.cells[c].station],
           &r = problem_.stations[problem_.cells[c].station + 1];
     const double h = problem_.cells[c].h;
     MiddleRows<M> m;
     m.cell = c;
-    m.share.fill(full_share);
+    m.share.fill(share_);
     for (std::size_t k = 0; k < M; ++k) {
       const double i = limit_.inverse_acceleration[k];
       m.d1[k] = (0.5 * (s.d1[k] + r.d1[k]) + h * 0.125 * (s.d2[k] - r.d2[k])) * i;
@@ -196,7 +198,7 @@ template <int N, int M>
 void JerkRunPlanner<N, M>::add_node(std::size_t node, const JerkStation<M>& s, const std::array<double, M>& inverse) {
   NodeRows<M> rows;
   rows.node = node;
-  rows.share.fill(full_share);
+  rows.share.fill(share_);
   for (std::size_t k = 0; k < M; ++k) {
     rows.p[k] = s.d2[k] * inverse[k];
     rows.q[k] = s.d1[k] * inverse[k];
@@ -208,7 +210,7 @@ template void JerkRunPlanner<2, 2>::caps(LargeVector<double>& cap, PlanningPulse
 template double JerkRunPlanner<2, 2>::cell_cap(std::size_t c, bool at_end) const;
 template void JerkRunPlanner<2, 2>::rough(PlanningPulse& pulse);
 template void JerkRunPlanner<2, 2>::lay(PlanningPulse& pulse);
-template void JerkRunPlanner<2, 2>::soften(PlanningPulse& pulse);
+template void JerkRunPlanner<2, 2>::soften();
 template void JerkRunPlanner<2, 2>::guess(Start start, PlanningPulse& pulse);
 template void JerkRunPlanner<2, 2>::pose(PlanningPulse& pulse);
 template void JerkRunPlanner<2, 2>::pose_middles(bool looked, PlanningPulse& pulse);
@@ -218,7 +220,7 @@ template void JerkRunPlanner<2, 3>::caps(LargeVector<double>& cap, PlanningPulse
 template double JerkRunPlanner<2, 3>::cell_cap(std::size_t c, bool at_end) const;
 template void JerkRunPlanner<2, 3>::rough(PlanningPulse& pulse);
 template void JerkRunPlanner<2, 3>::lay(PlanningPulse& pulse);
-template void JerkRunPlanner<2, 3>::soften(PlanningPulse& pulse);
+template void JerkRunPlanner<2, 3>::soften();
 template void JerkRunPlanner<2, 3>::guess(Start start, PlanningPulse& pulse);
 template void JerkRunPlanner<2, 3>::pose(PlanningPulse& pulse);
 template void JerkRunPlanner<2, 3>::pose_middles(bool looked, PlanningPulse& pulse);
@@ -228,7 +230,7 @@ template void JerkRunPlanner<3, 3>::caps(LargeVector<double>& cap, PlanningPulse
 template double JerkRunPlanner<3, 3>::cell_cap(std::size_t c, bool at_end) const;
 template void JerkRunPlanner<3, 3>::rough(PlanningPulse& pulse);
 template void JerkRunPlanner<3, 3>::lay(PlanningPulse& pulse);
-template void JerkRunPlanner<3, 3>::soften(PlanningPulse& pulse);
+template void JerkRunPlanner<3, 3>::soften();
 template void JerkRunPlanner<3, 3>::guess(Start start, PlanningPulse& pulse);
 template void JerkRunPlanner<3, 3>::pose(PlanningPulse& pulse);
 template void JerkRunPlanner<3, 3>::pose_middles(bool looked, PlanningPulse& pulse);
@@ -238,7 +240,7 @@ template void JerkRunPlanner<3, 4>::caps(LargeVector<double>& cap, PlanningPulse
 template double JerkRunPlanner<3, 4>::cell_cap(std::size_t c, bool at_end) const;
 template void JerkRunPlanner<3, 4>::rough(PlanningPulse& pulse);
 template void JerkRunPlanner<3, 4>::lay(PlanningPulse& pulse);
-template void JerkRunPlanner<3, 4>::soften(PlanningPulse& pulse);
+template void JerkRunPlanner<3, 4>::soften();
 template void JerkRunPlanner<3, 4>::guess(Start start, PlanningPulse& pulse);
 template void JerkRunPlanner<3, 4>::pose(PlanningPulse& pulse);
 template void JerkRunPlanner<3, 4>::pose_middles(bool looked, PlanningPulse& pulse);

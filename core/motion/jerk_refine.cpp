@@ -20,6 +20,8 @@ double JerkRunPlanner<N, M>::slack_ramp(std::size_t c, double change, double jer
 template <int N, int M>
 bool JerkRunPlanner<N, M>::mark(PlanningPulse& pulse) {
   const std::size_t n = grid_.cells.size();
+  const auto from_rest = [&](std::size_t c) { return c == 0 && !(entry_.b > 0); };
+  const auto to_rest = [&](std::size_t c) { return c + 1 == n && !(exit_.b > 0); };
   loss_.assign(n, 0);
   double time = 0, total = 0;
   for (std::size_t c = 0; c < n; ++c) {
@@ -30,7 +32,7 @@ bool JerkRunPlanner<N, M>::mark(PlanningPulse& pulse) {
     const double v = std::sqrt(std::max(state_[c].b, state_[c + 1].b));
     time += T;
     if (jerk > 0) loss_[c] = change * T * T / 24 * std::max(T, std::min(a / jerk, jerk_time_)) / v;
-    const bool rest = c == 0 || c + 1 == n;
+    const bool rest = from_rest(c) || to_rest(c);
     if (rest || end > p.a) loss_[c] += (rest ? 0.5 : 0.125) * T * slack_ramp(c, std::abs(end - p.a), jerk);
     total += loss_[c];
   }
@@ -42,14 +44,12 @@ bool JerkRunPlanner<N, M>::mark(PlanningPulse& pulse) {
   division_.assign(n, {});
   for (std::size_t c = 0; c < n; ++c) {
     if (loss_[c] <= 0.5 * bearable / static_cast<double>(many)) continue;
-    division_[c] = {static_cast<std::uint16_t>(4), c == 0       ? Spread::from_rest
-                                                   : c + 1 == n ? Spread::to_rest
-                                                                : Spread::even};
+    division_[c].parts = 4;
     if (c > 0 && division_[c - 1].parts == 1) division_[c - 1].parts = 2;
     if (c + 1 < n && division_[c + 1].parts == 1) division_[c + 1].parts = 2;
   }
-  if (division_[0].parts > 1) division_[0].spread = Spread::from_rest;
-  if (division_[n - 1].parts > 1) division_[n - 1].spread = Spread::to_rest;
+  if (from_rest(0)) division_[0].spread = Spread::from_rest;
+  if (to_rest(n - 1)) division_[n - 1].spread = Spread::to_rest;
   return true;
 }
 

@@ -9,10 +9,17 @@
 
 namespace bahnwerk {
 
+using jerk_run_detail::full_share;
+using jerk_run_detail::good_enough;
+
 namespace {
 
-/// A law that had to be slowed by more than this may have a better start.
-constexpr double good_enough = 1.01;
+/// Runs of more cells than so many windows are planned window by window.
+constexpr double longer = 1.5;
+
+/// As long as the end of a window is open, the solver keeps to this part of every limit, and as exactly as this: so
+/// that the state in which the window is left has room to move.
+constexpr double open_share = 1 - 1e-2, open_violation = 2e-3;
 
 /// So near to a cell's end, in parts of it, speed at rest is rounding.
 constexpr double rest = 1e-6;
@@ -25,21 +32,51 @@ void JerkRunPlanner<N, M>::plan(std::size_t first, std::size_t last, double from
   PlanningPulse pulse(progress_, from, to);
   pulse.part(0, 0.1);
   if (last == first + 1 && alone(first, result)) return;
-  double shortest = unlimited;
-  for (const Start start : {Start{0.8, 0.1, true}, Start{0.7, 0.3}, Start{0.2, 1}, Start{0.02, 1}, Start{0, 0}}) {
-    // The last one is no optimum at all, but always a law.
-    if (start.part == 0 && shortest < unlimited) break;
-    const double duration = attempt(first, last, start, pulse);
+  build(first, last, pulse);
+  const auto window = static_cast<double>(options_.window);
+  if (window == 0 || static_cast<double>(grid_.cells.size()) < longer * window || !plan_windows(from, to))
+    plan_whole(first, last, pulse);
+  result.law.reserve(pieces_.size());
+  for (LawPiece& p : pieces_) {
+    p.slow(slow_);
+    result.law.append(p);
+  }
+  result.cells += pieces_.size();
+}
+
+template <int N, int M>
+void JerkRunPlanner<N, M>::build(std::size_t first, std::size_t last, PlanningPulse& pulse) {
+  GridOptions grid;
+  grid.angle = options_.angle;
+  grid.hermite = 1e-5;
+  pulse.half_of_rest();
+  grid_.build(path_, first, last, feed_, machine_, grid, pulse);
+  lay(pulse);
+  soften();
+  keep_ = all_cells;
+}
+
+template <int N, int M>
+void JerkRunPlanner<N, M>::plan_whole(std::size_t first, std::size_t last, PlanningPulse& pulse) {
+  double shortest = unlimited, slow = 1;
+  for (const Start& start : starts) {
+    pieces_.clear();
+    const double duration = attempt(start, pulse);
     if (duration < shortest) {
       shortest = duration;
+      slow = slow_;
       std::swap(best_, pieces_);
     }
     if (slow_ < good_enough) break;
+    build(first, last, pulse);  // its cells may have been divided
   }
-  result.law.reserve(best_.size());
-  for (const LawPiece& p : best_) result.law.append(p);
-  result.cells += grid_.cells.size();
-  result.iterations += static_cast<std::size_t>(work_ / static_cast<double>(grid_.cells.size()) + 0.5);
+  if (shortest == unlimited) {  // no optimum at all, but a law
+    pieces_.clear();
+    attempt({0, 0}, pulse);
+  } else {
+    std::swap(best_, pieces_);
+    slow_ = slow;
+  }
 }
 
 template <int N, int M>
@@ -63,18 +100,14 @@ bool JerkRunPlanner<N, M>::alone(std::size_t segment, JerkLimitedResult& result)
 }
 
 template <int N, int M>
-double JerkRunPlanner<N, M>::attempt(std::size_t first, std::size_t last, Start start, PlanningPulse& pulse) {
-  GridOptions grid;
-  grid.angle = options_.angle;
-  grid.hermite = 1e-5;
-  pulse.half_of_rest();
-  grid_.build(path_, first, last, feed_, machine_, grid, pulse);
-  lay(pulse);
+double JerkRunPlanner<N, M>::attempt(Start start, PlanningPulse& pulse) {
+  exit_ = {};
   state_.resize(grid_.cells.size() + 1);
-  soften(pulse);
+  const bool open = keep_ < grid_.cells.size();
+  share_ = open ? open_share : full_share;
   guess(start, pulse);
+  pose(pulse);
   if (start.mu > 0) improve(start.mu, pulse);
-  if (start.mu == 0) pose(pulse);
   certify(pulse);
   return emit(pulse);
 }
@@ -87,11 +120,9 @@ void JerkRunPlanner<N, M>::improve(double mu, PlanningPulse& pulse) {
   bool fresh = true;
   for (int round = 0;; ++round) {
     pulse.half_of_rest();
-    if (mu > 0) {
-      pose(pulse);
-      fresh = true;
-    }
-    solver.gap = solver.violation = reach;
+    const bool open = round == 0 && keep_ < grid_.cells.size();
+    solver.gap = reach;
+    solver.violation = open ? open_violation : reach;
     const JerkSolverResult r = solver_.solve(problem_, state_, mu, solver, pulse);
     work_ += r.iterations * static_cast<double>(grid_.cells.size());
     if (!std::isfinite(r.duration)) return;
@@ -99,8 +130,16 @@ void JerkRunPlanner<N, M>::improve(double mu, PlanningPulse& pulse) {
     if (reach > 1e-3 && reach < 1e-2 && division < options_.max_divisions && mark(pulse)) {
       ++division;
       refine(pulse);
+      pose(pulse);
+      fresh = true;
       mu = std::max(10 * r.mu, 1e-2);
       continue;
+    }
+    if (open) {
+      leave();
+      share_ = full_share;
+      pose(pulse);
+      mu = r.mu;
     }
     measure(soft_, false, pulse);
     if (fresh) pose_middles(true, pulse);
@@ -123,8 +162,6 @@ double JerkRunPlanner<N, M>::emit(PlanningPulse& pulse) {
   if (worst_.a > 1) slow_ = std::max(slow_, std::sqrt(worst_.a));
   if (worst_.j > 1) slow_ = std::max(slow_, std::cbrt(worst_.j));
   if (slow_ > 1) slow_ *= 1 + 1e-12;
-  pieces_.clear();
-  pieces_.reserve(n);
   double total = 0;
   bool sound = std::isfinite(slow_);
   for (std::size_t c = 0; c < n; ++c) {
@@ -137,36 +174,44 @@ double JerkRunPlanner<N, M>::emit(PlanningPulse& pulse) {
     p.segment = grid_.cells[c].segment;
     p.s = path_[p.segment].s0() + grid_.left(c).s;
     p.s_end = path_[p.segment].s0() + grid_.right(c).s;
-    p.slow(slow_);
     total += p.duration;
     pieces_.push_back(p);
   }
   if (!sound || !std::isfinite(total)) slow_ = unlimited;
-  return std::isfinite(slow_) ? total : unlimited;
+  return std::isfinite(slow_) ? total * slow_ : unlimited;
 }
 
 template void JerkRunPlanner<2, 2>::plan(std::size_t first, std::size_t last, double from, double to,
                                          JerkLimitedResult& result);
 template bool JerkRunPlanner<2, 2>::alone(std::size_t segment, JerkLimitedResult& result);
-template double JerkRunPlanner<2, 2>::attempt(std::size_t first, std::size_t last, Start start, PlanningPulse& pulse);
+
+template void JerkRunPlanner<2, 2>::build(std::size_t first, std::size_t last, PlanningPulse& pulse);
+template void JerkRunPlanner<2, 2>::plan_whole(std::size_t first, std::size_t last, PlanningPulse& pulse);
+template double JerkRunPlanner<2, 2>::attempt(Start start, PlanningPulse& pulse);
 template void JerkRunPlanner<2, 2>::improve(double mu, PlanningPulse& pulse);
 template double JerkRunPlanner<2, 2>::emit(PlanningPulse& pulse);
 template void JerkRunPlanner<2, 3>::plan(std::size_t first, std::size_t last, double from, double to,
                                          JerkLimitedResult& result);
 template bool JerkRunPlanner<2, 3>::alone(std::size_t segment, JerkLimitedResult& result);
-template double JerkRunPlanner<2, 3>::attempt(std::size_t first, std::size_t last, Start start, PlanningPulse& pulse);
+template void JerkRunPlanner<2, 3>::build(std::size_t first, std::size_t last, PlanningPulse& pulse);
+template void JerkRunPlanner<2, 3>::plan_whole(std::size_t first, std::size_t last, PlanningPulse& pulse);
+template double JerkRunPlanner<2, 3>::attempt(Start start, PlanningPulse& pulse);
 template void JerkRunPlanner<2, 3>::improve(double mu, PlanningPulse& pulse);
 template double JerkRunPlanner<2, 3>::emit(PlanningPulse& pulse);
 template void JerkRunPlanner<3, 3>::plan(std::size_t first, std::size_t last, double from, double to,
                                          JerkLimitedResult& result);
 template bool JerkRunPlanner<3, 3>::alone(std::size_t segment, JerkLimitedResult& result);
-template double JerkRunPlanner<3, 3>::attempt(std::size_t first, std::size_t last, Start start, PlanningPulse& pulse);
+template void JerkRunPlanner<3, 3>::build(std::size_t first, std::size_t last, PlanningPulse& pulse);
+template void JerkRunPlanner<3, 3>::plan_whole(std::size_t first, std::size_t last, PlanningPulse& pulse);
+template double JerkRunPlanner<3, 3>::attempt(Start start, PlanningPulse& pulse);
 template void JerkRunPlanner<3, 3>::improve(double mu, PlanningPulse& pulse);
 template double JerkRunPlanner<3, 3>::emit(PlanningPulse& pulse);
 template void JerkRunPlanner<3, 4>::plan(std::size_t first, std::size_t last, double from, double to,
                                          JerkLimitedResult& result);
 template bool JerkRunPlanner<3, 4>::alone(std::size_t segment, JerkLimitedResult& result);
-template double JerkRunPlanner<3, 4>::attempt(std::size_t first, std::size_t last, Start start, PlanningPulse& pulse);
+template void JerkRunPlanner<3, 4>::build(std::size_t first, std::size_t last, PlanningPulse& pulse);
+template void JerkRunPlanner<3, 4>::plan_whole(std::size_t first, std::size_t last, PlanningPulse& pulse);
+template double JerkRunPlanner<3, 4>::attempt(Start start, PlanningPulse& pulse);
 template void JerkRunPlanner<3, 4>::improve(double mu, PlanningPulse& pulse);
 template double JerkRunPlanner<3, 4>::emit(PlanningPulse& pulse);
 

@@ -1,9 +1,11 @@
 #pragma once
 /// Plans the runs of a contour one after the other under limits of jerk (jerk_limited.hpp): the state of one run and
 /// the steps on it. jerk_pose.cpp lays the grid and states the problem, jerk_refine.cpp divides cells in which the law
-/// switches, jerk_certify.cpp looks between the nodes, jerk_run.cpp puts them in order.
+/// switches, jerk_certify.cpp looks between the nodes, jerk_run.cpp puts them in order, jerk_windows.cpp for long runs
+/// window by window.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/motion/jerk_grid.hpp"
 #include "core/motion/jerk_limited.hpp"
@@ -15,6 +17,8 @@ namespace bahnwerk {
 namespace jerk_run_detail {
 /// The solver may use this part of every limit; what lies below `sure` between the nodes needs no closer look.
 constexpr double full_share = 1 - 2e-5, sure = 1 - 1e-5;
+/// A law that had to be slowed by more than this may have a better start.
+constexpr double good_enough = 1.01;
 }  // namespace jerk_run_detail
 
 /// N axes, M rows: one more when the path itself is limited.
@@ -37,6 +41,8 @@ class JerkRunPlanner {
   }
 
   void plan(std::size_t first, std::size_t last, double from, double to, JerkLimitedResult& result);
+  /// Newton steps times cells, of all runs.
+  double work() const { return work_; }
 
  private:
   /// Where the interior-point method starts: which part of the rough profile's v², the barrier, and whether the profile
@@ -45,13 +51,34 @@ class JerkRunPlanner {
     double part, mu;
     bool smooth = false;
   };
+  static constexpr std::array starts{Start{0.8, 0.1, true}, Start{0.7, 0.3}, Start{0.2, 1}, Start{0.02, 1}};
 
   /// A straight segment alone between two rests has a closed form.
   bool alone(std::size_t segment, JerkLimitedResult& result);
 
-  /// Solves the run from the given start; its pieces then hold all limits. Their duration, infinite if it came to
-  /// nothing.
-  double attempt(std::size_t first, std::size_t last, Start start, PlanningPulse& pulse);
+  /// Lays the grid of a run, with its rough profile.
+  void build(std::size_t first, std::size_t last, PlanningPulse& pulse);
+
+  /// Plans the run whose grid is at hand. Its pieces then hold all limits.
+  void plan_whole(std::size_t first, std::size_t last, PlanningPulse& pulse);
+
+  /// The same window by window; `from` … `to` is the share of progress. False: some window came to nothing, and the
+  /// grid at hand is the run's again.
+  bool plan_windows(double from, double to);
+
+  /// Makes about so many cells of the run's from `begin` on the grid at hand, to be passed from `entry_` to rest; more,
+  /// if the rest would slow most of them. Returns how many.
+  std::size_t take_window(std::size_t begin, std::size_t cells);
+
+  /// Throws away what the rest at the window's end slows: what is left ends in motion.
+  void leave();
+
+  /// Lets a first guess follow what the window before found, and blend over into its own.
+  void follow();
+
+  /// Solves the grid at hand from the given start. Returns the duration of the law slowed by `slow_`, infinite if it
+  /// came to nothing.
+  double attempt(Start start, PlanningPulse& pulse);
 
   /// Solves, looks between the nodes, and solves again with a smaller gap.
   void improve(double mu, PlanningPulse& pulse);
@@ -86,7 +113,7 @@ class JerkRunPlanner {
   /// What the solver may do with jerk: no more than takes an axis from one limit of its acceleration to the other in a
   /// quarter of a mean cell. A larger jerk gains nothing that the grid could show, and without any limit along some
   /// axis the law would swing between the nodes.
-  void soften(PlanningPulse& pulse);
+  void soften();
 
   /// From the rough profile of the grid as it is; part 0: rest to rest by one bow, v² ~ (s (L − s)/L)^(4/3).
   void guess(Start start, PlanningPulse& pulse);
@@ -157,7 +184,8 @@ class JerkRunPlanner {
   /// Cells that exceed a limit between their nodes get a smaller share of it.
   void tighten();
 
-  /// The run's pieces, slowed by what still exceeds a limit. Returns their duration, infinite if they are no law.
+  /// Appends the law's pieces to `pieces_`, and finds by how much they have to be slowed for what still exceeds a
+  /// limit. Returns their duration then, infinite if they are no law.
   double emit(PlanningPulse& pulse);
 
   const Path& path_;
@@ -168,8 +196,13 @@ class JerkRunPlanner {
   Progress& progress_;
   RowLimits<M> limit_, soft_;
   double jerk_time_ = unlimited;
-  Grid<N> grid_;
-  RoughProfile rough_;
+  Grid<N> grid_, run_grid_;  // at hand, and the run's when that is a window of it
+  RoughProfile rough_, run_rough_;
+  JerkNode entry_, exit_;  // states at both ends: rest but in windows
+  static constexpr std::size_t all_cells = std::numeric_limits<std::size_t>::max();
+  double share_ = jerk_run_detail::full_share;
+  std::size_t keep_ = all_cells;            // cells of a window that the rest at its end does not slow
+  LargeVector<JerkNode> tail_, next_tail_;  // what the window before, and this one, found behind these
   LargeVector<double> cap_, loss_;
   LargeVector<Division> division_;
   LargeVector<JerkNode> state_;

@@ -38,8 +38,9 @@ struct JerkSolverResult {
 template <int M>
 class JerkSolver {
  public:
-  /// From the states in `x` (inner nodes b > 0), which it improves in place. `mu` is where the barrier starts (1 for a
-  /// rough start, small for one near the solution); 0 goes on from the last solution after a change of shares.
+  /// From the states in `x` (inner nodes b > 0), which it improves in place. Both end nodes stay as they are: at rest,
+  /// or, where b > 0, in motion. `mu` is where the barrier starts (1 for a rough start, small for one near the
+  /// solution); 0 goes on from the last solution after a change of shares.
   JerkSolverResult solve(const JerkProblem<M>& problem, LargeVector<JerkNode>& x, double mu,
                          const JerkSolverOptions& options, PlanningPulse& pulse);
 
@@ -93,6 +94,8 @@ class JerkSolver {
     return {two(b_, i),     two(a_, i),     two(v_, i),     two(w_, i),
             two(b_, i + 1), two(a_, i + 1), two(v_, i + 1), two(w_, i + 1)};
   }
+  bool from_rest() const { return !(b_[0] > 0); }
+  bool to_rest() const { return !(b_[n_] > 0); }
   static Twin two(const LargeVector<double>& x, std::size_t i) {
     Twin r;
     std::memcpy(&r, x.data() + i, sizeof r);

@@ -18,6 +18,19 @@ double grow(double most, double b, double h, double acceleration, double jerk) {
   return v * v;
 }
 
+constexpr double part = 0.7;  // of the straight limits: bending needs some, too
+
+/// The backward pass over one cell: v² at its left end, and its duration.
+template <int N>
+void backward(const Grid<N>& grid, std::size_t c, const PathLimits& right, RoughProfile& profile) {
+  auto& b = profile.b;
+  const double h = grid.length(c), a = part * right.acceleration, j = part * right.jerk;
+  b[c] = grow(b[c], b[c + 1], h, a, j);
+  const double between = grow(grow(right.cap, b[c], 0.5 * h, a, j), b[c + 1], 0.5 * h, a, j);
+  const double m = std::sqrt(std::max({between, b[c], b[c + 1]}));
+  profile.duration[c] = h / (m + std::sqrt(b[c])) + h / (m + std::sqrt(b[c + 1]));
+}
+
 }  // namespace
 
 template <int N>
@@ -47,7 +60,6 @@ PathLimits path_limits(const Station<N>& at, const Machine& machine, const Along
 template <int N>
 void rough_profile(const Grid<N>& grid, const std::vector<double>& feed, const Machine& machine, const AlongPath& path,
                    const LargeVector<double>& node_cap, RoughProfile& profile, PlanningPulse& pulse) {
-  constexpr double part = 0.7;  // of the straight limits: bending needs some, too
   const std::size_t n = grid.cells.size();
   auto& b = profile.b;
   b.assign(node_cap.begin(), node_cap.end());
@@ -64,13 +76,21 @@ void rough_profile(const Grid<N>& grid, const std::vector<double>& feed, const M
   }
   for (std::size_t c = n; c-- > 0;) {
     pulse(n - 1 - c, n);
-    const PathLimits r = limits(grid.right(c), c);
-    const double h = grid.length(c), a = part * r.acceleration, j = part * r.jerk;
-    b[c] = grow(b[c], b[c + 1], h, a, j);
-    const double between = grow(grow(r.cap, b[c], 0.5 * h, a, j), b[c + 1], 0.5 * h, a, j);
-    const double m = std::sqrt(std::max({between, b[c], b[c + 1]}));
-    profile.duration[c] = h / (m + std::sqrt(b[c])) + h / (m + std::sqrt(b[c + 1]));
+    backward(grid, c, limits(grid.right(c), c), profile);
   }
+}
+
+template <int N>
+std::size_t brake(const Grid<N>& grid, const std::vector<double>& feed, const Machine& machine, const AlongPath& path,
+                  RoughProfile& profile) {
+  std::size_t c = grid.cells.size();
+  profile.b[c] = 0;
+  while (c-- > 0) {
+    const double before = profile.b[c];
+    backward(grid, c, path_limits<N>(grid.right(c), machine, path, feed[grid.cells[c].segment]), profile);
+    if (profile.b[c] == before) return c;
+  }
+  return 0;
 }
 
 template <int N>
@@ -113,6 +133,10 @@ template void rough_profile<2>(const Grid<2>&, const std::vector<double>&, const
 template void rough_profile<3>(const Grid<3>&, const std::vector<double>&, const Machine&, const AlongPath&,
                                const LargeVector<double>&, RoughProfile&, PlanningPulse&);
 
+template std::size_t brake<2>(const Grid<2>&, const std::vector<double>&, const Machine&, const AlongPath&,
+                              RoughProfile&);
+template std::size_t brake<3>(const Grid<3>&, const std::vector<double>&, const Machine&, const AlongPath&,
+                              RoughProfile&);
 template void smooth<2>(const Grid<2>&, double, RoughProfile&, PlanningPulse&);
 template void smooth<3>(const Grid<3>&, double, RoughProfile&, PlanningPulse&);
 

@@ -33,8 +33,14 @@ template <int N>
 void rough_profile(const Grid<N>& grid, const std::vector<double>& feed, const Machine& machine, const AlongPath& path,
                    const LargeVector<double>& node_cap, RoughProfile& profile, PlanningPulse& pulse);
 
-/// Rounds off the kinks of a profile, at which jerk would be out of all proportion: `smooth_b` becomes the square of its
-/// mean speed over this time, s, less next to the run's ends. O(nodes).
+/// Brings a profile to rest at its end. Returns the node up to which it stays what it was, 0 if it does nowhere.
+/// O(nodes changed).
+template <int N>
+std::size_t brake(const Grid<N>& grid, const std::vector<double>& feed, const Machine& machine, const AlongPath& path,
+                  RoughProfile& profile);
+
+/// Rounds off the kinks of a profile, at which jerk would be out of all proportion: `smooth_b` becomes the square of
+/// its mean speed over this time, s, less next to the run's ends. O(nodes).
 template <int N>
 void smooth(const Grid<N>& grid, double window, RoughProfile& profile, PlanningPulse& pulse);
 
@@ -45,6 +51,10 @@ extern template void rough_profile<2>(const Grid<2>&, const std::vector<double>&
 extern template void rough_profile<3>(const Grid<3>&, const std::vector<double>&, const Machine&, const AlongPath&,
                                       const LargeVector<double>&, RoughProfile&, PlanningPulse&);
 
+extern template std::size_t brake<2>(const Grid<2>&, const std::vector<double>&, const Machine&, const AlongPath&,
+                                     RoughProfile&);
+extern template std::size_t brake<3>(const Grid<3>&, const std::vector<double>&, const Machine&, const AlongPath&,
+                                     RoughProfile&);
 extern template void smooth<2>(const Grid<2>&, double, RoughProfile&, PlanningPulse&);
 extern template void smooth<3>(const Grid<3>&, double, RoughProfile&, PlanningPulse&);
 

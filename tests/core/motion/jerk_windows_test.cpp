@@ -1,0 +1,106 @@
+/// Long runs planned window by window: as quick as when they are planned whole, within all limits, without a step.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/contour/builder.hpp"
+#include "core/motion/jerk_limited.hpp"
+#include "core/verify/judge.hpp"
+#include "tests/core/plan/random_contour.hpp"
+
+namespace bahnwerk {
+namespace {
+
+Machine machine(double jerk) {
+  Machine m;
+  m.axes = {{"x", 1800, 16000, jerk}, {"y", 1200, 9000, jerk}};
+  return m;
+}
+
+/// Waves of random height and length, one spline.
+Contour waves(int spans, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<Vec> points;
+  std::vector<double> knots(3, 0);
+  double x = 0;
+  for (int i = 0; i < spans + 3; ++i) {
+    points.push_back({x, random.uniform(-10, 10), 0});
+    x += random.uniform(2, 12);
+  }
+  for (int i = 0; i <= spans; ++i) knots.push_back(i);
+  knots.insert(knots.end(), 3, spans);
+  ContourBuilder b(2, points.front());
+  b.block(Mode::cut, unlimited);
+  b.nurbs(3, points, std::vector<double>(points.size(), 1), knots);
+  return b.finish();
+}
+
+/// Lines and half circles that join smoothly: curvature jumps at every joint.
+Contour serpentine(int turns, std::uint64_t seed) {
+  Random random(seed);
+  Vec at{};
+  ContourBuilder b(2, at);
+  b.block(Mode::cut, 600);
+  for (int i = 0; i < turns; ++i) {
+    const double radius = random.uniform(0.5, 8);
+    const bool forth = i % 2 == 0;
+    at.x += (forth ? 1 : -1) * random.uniform(1, 60);
+    b.line(at);
+    const Vec centre{at.x, at.y + radius, 0};
+    at.y += 2 * radius;
+    b.arc(at, centre, forth);
+  }
+  return b.finish();
+}
+
+/// Plans, and has the judge look at every limit, and at every step of speed and acceleration.
+double judged(const Contour& contour, const Machine& m, JerkLimitedOptions options, std::size_t window) {
+  SilentProgress progress;
+  options.window = window;
+  const MotionLaw law = plan_jerk_limited(contour, m, options, progress).law;
+  JudgeInput input{contour, m, law, options.corner_angle, true};
+  input.path = options.path;
+  for (const Check& check : judge(input, progress).checks)
+    EXPECT_TRUE(check.passed) << window << ": " << check.name << ' ' << check.value << " > " << check.limit;
+  return law.duration();
+}
+
+constexpr double loss = 1e-3;  // relative: by what windows may miss the whole solution
+
+TEST(JerkWindows, SplineIsAsQuickAsWhole) {
+  const Contour contour = waves(300, 1);
+  for (const double jerk : {1e5, 1e6, 1e7}) {
+    const double whole = judged(contour, machine(jerk), {}, 0);
+    for (const std::size_t window : {400, 1200})
+      EXPECT_NEAR(judged(contour, machine(jerk), {}, window), whole, loss * whole) << window << ' ' << jerk;
+  }
+}
+
+TEST(JerkWindows, SerpentineIsAsQuickAsWhole) {
+  const Contour contour = serpentine(100, 2);
+  for (const double jerk : {1e5, 1e6, 1e7}) {
+    const double whole = judged(contour, machine(jerk), {}, 0);
+    for (const std::size_t window : {400, 1200})
+      EXPECT_NEAR(judged(contour, machine(jerk), {}, window), whole, loss * whole) << window << ' ' << jerk;
+  }
+}
+
+TEST(JerkWindows, RandomProblemsHoldAllLimits) {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    Random random(seed);
+    const std::size_t dimension = random.chance(0.5) ? 2 : 3;
+    const Contour contour = testing::build(testing::random_outline(random, 2 + random.below(20), dimension));
+    Machine m = testing::random_machine(random, dimension);
+    const double time = std::pow(10, random.uniform(-3, -1));
+    for (AxisLimits& a : m.axes) a.jerk = a.acceleration / (time * std::pow(10, random.uniform(-0.5, 0.5)));
+    JerkLimitedOptions options;
+    if (random.chance(0.2)) {
+      options.path.acceleration = std::pow(10, random.uniform(2, 4.5));
+      options.path.jerk = options.path.acceleration / time;
+    }
+    judged(contour, m, options, 40 + random.below(200));
+  }
+}
+
+}  // namespace
+}  // namespace bahnwerk
