@@ -91,21 +91,21 @@ Jet Rational::at(double u) const {
 
 namespace {
 
-/// Derivatives/k!, k = 1 … 3, of one coordinate at two points.
-struct PairTaylor {
-  PointPair t0, t1, t2, t3;
-};
-PairTaylor horner3(const double* c, std::size_t stride, std::size_t degree, PointPair x) {
+/// Derivatives/k!, k < rows, of one coordinate at two points. The first steps leave out what is still zero.
+template <std::size_t rows>
+std::array<PointPair, rows> taylor(const double* c, std::size_t stride, std::size_t degree, PointPair x) {
+  std::array<PointPair, rows> t{};
+  std::size_t k = degree;
+  const auto step = [&](std::size_t known) {
+    const double next = c[--k * stride];
+    for (std::size_t r = known; r > 0; --r) t[r] = t[r] * x + t[r - 1];
+    t[0] = t[0] * x + PointPair{next, next};
+  };
   const double top = c[degree * stride];
-  PairTaylor r{{top, top}, {}, {}, {}};
-  for (std::size_t k = degree; k-- > 0;) {
-    const double next = c[k * stride];
-    r.t3 = r.t3 * x + r.t2;
-    r.t2 = r.t2 * x + r.t1;
-    r.t1 = r.t1 * x + r.t0;
-    r.t0 = r.t0 * x + PointPair{next, next};
-  }
-  return r;
+  t[0] = PointPair{top, top};
+  for (std::size_t known = 1; known < rows && k > 0; ++known) step(known);
+  while (k > 0) step(rows - 1);
+  return t;
 }
 
 }  // namespace
@@ -116,23 +116,26 @@ bool Rational::derivatives(PathBatch& batch) const {
   const std::size_t axes = batch.planar ? 2 : 3;
   for (std::size_t p = 0; p < batch.used_pairs(); ++p) {
     const PointPair x = (batch.u.pair[p] - PointPair{pivot_, pivot_}) * PointPair{i1, i1};
-    PairTaylor w{};
-    PointPair inverse{};
-    if (rational_) {
-      w = horner3(c_.data() + 3, 4, degree_, x);
-      inverse = PointPair{1, 1} / w.t0;
-    }
-    for (std::size_t axis = 0; axis < axes; ++axis) {
-      PairTaylor a = horner3(c_.data() + axis, stride_, degree_, x);
-      if (rational_) {  // as in at()
-        a.t0 = a.t0 * inverse;
-        a.t1 = (a.t1 - w.t1 * a.t0) * inverse;
-        a.t2 = (a.t2 - w.t1 * a.t1 - w.t2 * a.t0) * inverse;
-        a.t3 = (a.t3 - w.t1 * a.t2 - w.t2 * a.t1 - w.t3 * a.t0) * inverse;
+    if (!rational_) {
+      for (std::size_t axis = 0; axis < axes; ++axis) {
+        const auto d = taylor<3>(d_.data() + axis, stride_, degree_ - 1, x);
+        batch.d1[axis].pair[p] = i1 * d[0];
+        batch.d2[axis].pair[p] = (i1 * i1) * d[1];
+        batch.d3[axis].pair[p] = (i1 * i1 * i1 * 2) * d[2];
       }
-      batch.d1[axis].pair[p] = PointPair{i1, i1} * a.t1;
-      batch.d2[axis].pair[p] = PointPair{i2, i2} * a.t2;
-      batch.d3[axis].pair[p] = PointPair{i3, i3} * a.t3;
+      continue;
+    }
+    const auto w = taylor<4>(c_.data() + 3, 4, degree_, x);
+    const PointPair inverse = PointPair{1, 1} / w[0];
+    for (std::size_t axis = 0; axis < axes; ++axis) {  // as in at()
+      auto a = taylor<4>(c_.data() + axis, stride_, degree_, x);
+      a[0] = a[0] * inverse;
+      a[1] = (a[1] - w[1] * a[0]) * inverse;
+      a[2] = (a[2] - w[1] * a[1] - w[2] * a[0]) * inverse;
+      a[3] = (a[3] - w[1] * a[2] - w[2] * a[1] - w[3] * a[0]) * inverse;
+      batch.d1[axis].pair[p] = i1 * a[1];
+      batch.d2[axis].pair[p] = i2 * a[2];
+      batch.d3[axis].pair[p] = i3 * a[3];
     }
   }
   return true;

@@ -6,6 +6,8 @@
 
 #include "core/errors.hpp"
 #include "core/motion/cell_law.hpp"
+#include "core/motion/division_marks.hpp"
+#include "core/motion/law_writer.hpp"
 #include "core/motion/runs.hpp"
 #include "core/motion/speed_chain.hpp"
 
@@ -16,27 +18,30 @@ namespace {
 // Memory: about 270 bytes per cell of a window, 72 for the law of each. Beyond the usual number cells get wider, up to
 // the coarsest; the gap then tells what that costs.
 constexpr double usual_cells = 1e6, most_cells = 8e6, coarsest_angle = 0.02;  // rad
-constexpr std::size_t block = 2048;                                           // cells that stay in a cache
-constexpr double divide_above =
-    1e-2;  // an excess beyond this needs smaller cells, below it a smaller share of the limit
+constexpr std::size_t block = 512;                                            // cells that stay in a cache
 
 template <int N>
 class RunPlanner {
  public:
   RunPlanner(const Contour& contour, const Machine& machine, const AccelerationLimitedOptions& options,
-             const std::vector<double>& feed, const Runs& runs, Progress& progress)
+             const std::vector<double>& feed, const Runs& runs, double cells, Progress& progress)
       : path_(contour.path),
         machine_(machine),
         options_(options),
         feed_(feed),
         progress_(progress),
+        one_window_(cells <= static_cast<double>(options.window)),
         limit_(machine),
         chain_(grid_, feed, runs, machine,
-               options.keep_reserve ? std::optional(options.braking_reserve) : std::nullopt) {}
+               options.keep_reserve ? std::optional(options.braking_reserve) : std::nullopt),
+        marks_(grid_, chain_) {
+    // Curves whose curvature changes fast take up to twice as many. Memory that is not written to costs nothing.
+    grid_.reserve(static_cast<std::size_t>(2.1 * std::min(cells, 2 * static_cast<double>(options.window))) + 16);
+  }
 
   /// The run over the segments [first, last); `from` … `to` is its share of progress.
   void plan(std::size_t first, std::size_t last, double from, double to, AccelerationLimitedResult& result) {
-    if (reach(first, last, static_cast<double>(options_.window)) < last)
+    if (!one_window_ && reach(first, last, static_cast<double>(options_.window)) < last)
       return plan_long(first, last, from, to, result);
     PlanningPulse pulse(progress_, from, to);
     solve_window(first, last, 0, pulse, result);
@@ -102,14 +107,19 @@ class RunPlanner {
       pulse.half_of_rest();
       solve(entry, pulse);
       ++rounds;
-      if (division == options_.max_divisions || !mark_divisions(pulse)) break;
-      grid_.divide(path_, parts_, pulse);
+      if (division == options_.max_divisions || !marks_.mark(excess_, options_.tolerance, pulse)) break;
+      grid_.divide(path_, marks_.parts, pulse);
     }
     for (int round = 0; round < options_.max_rounds && shrink_shares();
          ++round, ++rounds) {  // … then the limits in its cells
       pulse.half_of_rest();
       chain_.update(share_, dirty_, pulse);
-      for (std::size_t c = 0; c < grid_.cells.size(); c += block) shape(c, pulse);
+      for (std::size_t c = 0; c < grid_.cells.size(); ++c) {
+        pulse(c, grid_.cells.size());
+        if (!dirty_[c]) continue;
+        shape(c, std::sqrt(chain_.node(c)));
+        judge(c);
+      }
     }
     pulse.half_of_rest();
     result.rounds = std::max(result.rounds, rounds);
@@ -127,123 +137,57 @@ class RunPlanner {
 
   /// Smooth cells leave what the law may bulge between their ends: the acceleration of an axis along a saturated law is
   /// a parabola of height ≈ turn²/8 there.
-  void share(std::size_t first, std::size_t last) {
-    for (std::size_t c = first; c < last; ++c) {
-      double square = 0;
-      for (std::size_t k = 0; k < N; ++k) {
-        const double d = grid_.right(c).d1[k] - grid_.left(c).d1[k];
-        square += d * d;
-      }
-      share_[c] = 1 - 0.15 * square;
-    }
+  double share(std::size_t c) const {
+    const Lanes<N> turn = grid_.right(c).d1 - grid_.left(c).d1;
+    return 1 - 0.15 * sum(turn * turn);
   }
 
   /// Speeds of all cells and their laws, block by block: reading the cells once more costs as much as the work on them.
   void solve(double entry, PlanningPulse& pulse) {
     const std::size_t n = grid_.cells.size();
-    dirty_.assign(n, 1);
     laws_.resize(n);
-    excess_.assign(n, {});
+    ends_.resize(n);
+    excess_.resize(n);
     share_.resize(n);
     chain_.start(entry);
     for (std::size_t end = n; end > 0;) {
       const std::size_t begin = (end - 1) / block * block;
       pulse(begin, n);
-      share(begin, end);
-      chain_.backward(begin, end, share_);
+      chain_.backward(begin, end, [this](std::size_t c) { return share_[c] = share(c); });
       end = begin;
     }
-    for (std::size_t c = 0; c < n; c += block) {
-      chain_.forward(c, std::min(n, c + block), share_);
-      shape(c, pulse);
+    for (std::size_t begin = 0; begin < n; begin += block) {
+      const std::size_t end = std::min(n, begin + block);
+      pulse(begin, n);
+      double v = std::sqrt(chain_.node(begin));
+      chain_.forward(begin, end, share_, [&](std::size_t c) { v = shape(c, v); });
+      for (std::size_t c = begin; c < end; ++c) judge(c);
     }
   }
 
-  /// Laws of the curved cells of a block that changed, and where they exceed a limit between their stations.
-  void shape(std::size_t first, PlanningPulse& pulse) {
-    const std::size_t n = grid_.cells.size(), last = std::min(n, first + block);
-    std::size_t after = n;
-    double v2 = 0;
-    pulse(first, n);
-    for (std::size_t c = first; c < last; ++c) {
-      const GridCell& cell = grid_.cells[c];
-      const double h = grid_.length(c);
-      if (!dirty_[c] || cell.straight || !(h > 0)) continue;
-      const double b1 = chain_.node(c), g = chain_.middle(c), b2 = chain_.node(c + 1);
-      const Station<N>&l = grid_.left(c), &r = grid_.right(c);
-      // Cells come in order: the left speed is the right one of the cell before, unless that was skipped.
-      if (after != c) v2 = std::sqrt(b1);
-      const double v1 = v2;
-      v2 = std::sqrt(b2);
-      after = c + 1;
-      laws_[c] = cell_law(b1, v1, g, b2, v2, h);
-      if (cell.cusp_left || cell.cusp_right || !smooth_excess<N>(l, r, h, laws_[c], b1, b2, limit_, excess_[c]))
-        excess_[c] = cell_excess<N>(l, r, h, laws_[c], cell, limit_, feed_[cell.segment]);
-    }
+  /// The law of a curved cell. `v` is the speed at its left end; returns that at its right end.
+  [[gnu::always_inline]] double shape(std::size_t c, double v) {
+    const double v2 = std::sqrt(chain_.node(c + 1)), h = grid_.length(c);
+    ends_[c] = grid_.right(c).s;
+    if (!grid_.cells[c].straight && h > 0) laws_[c] = cell_law(chain_.node(c), v, chain_.middle(c), v2, h);
+    return v2;
   }
 
-  /// How far v² bends inside a cell: the ramp of its acceleration over its length.
-  double ramp(std::size_t c) const {
-    return (chain_.node(c + 1) - 2 * chain_.middle(c) + chain_.node(c)) / (grid_.length(c) * grid_.length(c));
-  }
-
-  /// What a ramp of acceleration instead of a jump costs, s. At a peak of v² only the area under the ramp. At a trough
-  /// v² stays lower all along the arcs that leave it, until they have doubled it: about an eighth of the cell's own
-  /// time.
-  double switching_loss(std::size_t c, double bend, double v, double h) const {
-    const double left = std::abs(chain_.middle(c) - chain_.node(c)) / h,
-                 right = std::abs(chain_.node(c + 1) - chain_.middle(c)) / h;
-    const double jump = std::abs(bend) * h, scale = std::max(left, right), area = jump * h * h / (16 * v * v * v);
-    return bend > 0 && jump > 0.2 * scale ? std::max(area, 0.125 * jump / scale * h / v) : area;
-  }
-
-  /// Where a law switches inside a cell the ramp is far from its neighbours': estimates what that costs and divides
-  /// such cells until the whole stays below the tolerance; also cells that exceed a limit by far. False = nothing to
-  /// divide.
-  bool mark_divisions(PlanningPulse& pulse) {
-    const std::size_t n = grid_.cells.size();
-    parts_.assign(n, 1);
-    loss_.assign(n, 0);
-    double time = 0, total = 0;
-    std::size_t curved = 0;
-    bool divide = false;
-    for (std::size_t c = 0; c < n; ++c) {
-      pulse(c, n);
-      const GridCell& cell = grid_.cells[c];
-      const double v = 0.5 * (std::sqrt(chain_.node(c)) + std::sqrt(chain_.node(c + 1))), h = grid_.length(c);
-      if (v > 0) time += h / v;
-      if (cell.straight) continue;
-      ++curved;
-      if (std::max(excess_[c].acceleration, excess_[c].velocity) > divide_above) {
-        parts_[c] = 4;
-        divide = true;
-      }
-      const bool before = c > 0 && grid_.cells[c - 1].segment == cell.segment,
-                 after = c + 1 < n && grid_.cells[c + 1].segment == cell.segment;
-      double smooth = 0;
-      if (before && after)
-        smooth = 0.5 * (ramp(c - 1) + ramp(c + 1));
-      else if (before)
-        smooth = ramp(c - 1);
-      else if (after)
-        smooth = ramp(c + 1);
-      loss_[c] = v > 0 ? switching_loss(c, ramp(c) - smooth, v, h) : 0;
-      total += loss_[c];
-    }
-    if (curved > 0 && total > options_.tolerance * time) {
-      divide = true;
-      const double share = options_.tolerance * time / static_cast<double>(curved);
-      for (std::size_t c = 0; c < n; ++c)
-        if (loss_[c] > share)
-          parts_[c] =
-              std::max(parts_[c], static_cast<std::uint8_t>(std::min(8.0, std::ceil(std::sqrt(loss_[c] / share)))));
-    }
-    return divide;
+  /// Where a curved cell exceeds a limit between its stations.
+  void judge(std::size_t c) {
+    const GridCell& cell = grid_.cells[c];
+    const Station<N>&l = grid_.stations[cell.station], &r = (&l)[1];
+    const double h = r.s - l.s;
+    excess_[c] = {-1, -1};
+    if (cell.straight || !(h > 0)) return;
+    if (!cell.regular() || !smooth_excess<N>(l, r, h, laws_[c], chain_.node(c), chain_.node(c + 1), limit_, excess_[c]))
+      excess_[c] = cell_excess<N>(l, r, h, laws_[c], cell, limit_, feed_[cell.segment]);
   }
 
   /// Cells that exceed a limit a little get a smaller share of it. False = none does.
   bool shrink_shares() {
     bool any = false;
+    dirty_.resize(grid_.cells.size());
     for (std::size_t c = 0; c < grid_.cells.size(); ++c) {
       dirty_[c] = excess_[c].acceleration > options_.excess;
       if (!dirty_[c]) continue;
@@ -253,69 +197,25 @@ class RunPlanner {
     return any;
   }
 
-  /// `s` and `s_end` count from the begin of the segment.
-  void piece(MotionLaw& law, std::size_t segment, double s, double s_end, double v1, double v2, double a) {
-    append(law, {2 * (s_end - s) / (v1 + v2), v1, a, 0}, segment, s, s_end);
-  }
-
-  void append(MotionLaw& law, const CellLaw& cell, std::size_t segment, double s, double s_end) {
-    LawPiece& p = law.next();
-    p.duration = cell.duration * slow_;
-    p.v = cell.v * faster_;
-    p.a = cell.a * (faster_ * faster_);
-    p.j = cell.j * (faster_ * faster_ * faster_);
-    p.segment = segment;
-    p.s = path_[segment].s0() + s;
-    p.s_end = path_[segment].s0() + s_end;
-  }
-
   /// The law of the first cells.
   void emit(std::size_t cells, AccelerationLimitedResult& result, PlanningPulse& pulse) {
-    MotionLaw& law = result.law;
-    law.reserve(cells + 2);
+    result.law.reserve(cells + 2);
     result.cells += cells;
-    faster_ = 1 / slow_;
+    LawWriter law(result.law, path_, slow_);
+    bool cruises = false;  // constant speed through the whole cell: such cells of one segment become one piece
     for (std::size_t c = 0; c < cells; ++c) {
       pulse(c, cells);
-      const std::size_t segment = grid_.cells[c].segment;
-      const double s1 = grid_.left(c).s, s2 = grid_.right(c).s, b1 = chain_.node(c), b2 = chain_.node(c + 1);
-      if (grid_.cells[c].straight) {
-        straight(law, segment, s1, s2, b1, b2, chain_.acceleration(c), chain_.cap(c));
-      } else if (s2 > s1) {
-        if (cruise(c) && c > 0 && grid_.cells[c - 1].segment == segment && cruise(c - 1))
-          law.extend(path_[segment].s0() + s2, laws_[c].duration * slow_);
-        else
-          append(law, laws_[c], segment, s1, s2);
-      }
+      const GridCell& cell = grid_.cells[c];
+      const bool follows = c > 0 && grid_.cells[c - 1].segment == cell.segment, cruised = follows && cruises;
+      const double s1 = follows ? ends_[c - 1] : 0, s2 = ends_[c], b1 = chain_.node(c), b2 = chain_.node(c + 1);
+      cruises = !cell.straight && b1 == b2 && b1 == chain_.middle(c);
+      if (cell.straight)
+        law.straight(cell.segment, s1, s2, b1, b2, chain_.acceleration(c), chain_.cap(c));
+      else if (cruises && cruised && s2 > s1)
+        law.extend(laws_[c].duration, cell.segment, s2);
+      else if (s2 > s1)
+        law.cell(laws_[c], cell.segment, s1, s2);
     }
-  }
-
-  /// Constant speed through the whole cell: such cells of one segment become one piece.
-  bool cruise(std::size_t c) const {
-    return !grid_.cells[c].straight && chain_.node(c) == chain_.middle(c) && chain_.middle(c) == chain_.node(c + 1);
-  }
-
-  /// Accelerate, hold, brake: exact on a straight line.
-  void straight(MotionLaw& law, std::size_t segment, double s1, double s2, double b1, double b2, double a, double cap) {
-    const double peak = std::min(cap, 0.5 * (b1 + b2) + a * (s2 - s1));
-    const double v1 = std::sqrt(b1), v2 = std::sqrt(b2), v = std::sqrt(std::max({peak, b1, b2}));
-    const double up = (peak - b1) / (2 * a), down = (peak - b2) / (2 * a), hair = 1e-13 * (s2 - s1);
-    double s = s1;
-    const bool rises = up > hair, falls = down > hair;
-    double end = falls ? std::min(s2, std::max(s1, s2 - down)) : s2;
-    if (rises) {
-      const double to = std::min(end, s1 + up);
-      // Without a plateau both ramps meet in one point.
-      const bool plateau = end - to > hair;
-      const double meet = plateau ? to : end;
-      piece(law, segment, s, meet, v1, v, a);
-      s = meet;
-    }
-    if (end - s > hair || (!rises && !falls)) {
-      piece(law, segment, s, end, v, v, 0);
-      s = end;
-    }
-    if (falls) piece(law, segment, s, s2, v, v2, -a);
   }
 
   const Path& path_;
@@ -323,23 +223,27 @@ class RunPlanner {
   const AccelerationLimitedOptions& options_;
   const std::vector<double>& feed_;
   Progress& progress_;
+  bool one_window_;  // enough for any run
   AxisBounds<N> limit_;
-  double slow_ = 1, faster_ = 1;  // by what the law is slowed; its inverse
+  double slow_ = 1;  // by what the law is slowed
   Grid<N> grid_;
   SpeedChain<N> chain_;
-  LargeVector<double> share_, loss_;
-  LargeVector<Excess> excess_;
-  LargeVector<CellLaw> laws_;  // of curved cells, before slowing
-  LargeVector<std::uint8_t> dirty_, parts_;
+  UnsetVector<double> share_, ends_;  // ends: path length of cells' right ends from the begin of their segment
+  UnsetVector<Excess> excess_;
+  UnsetVector<CellLaw> laws_;        // of curved cells, before slowing
+  UnsetVector<std::uint8_t> dirty_;  // whose laws change with the shares
+  DivisionMarks<N> marks_;
 };
 
 template <int N>
 AccelerationLimitedResult plan(const Contour& contour, const Machine& machine,
-                               const AccelerationLimitedOptions& options, Progress& progress, double from, double to) {
+                               const AccelerationLimitedOptions& options, double turn, Progress& progress, double from,
+                               double to) {
   const std::vector<double> feed = contour.feeds();
   const Runs runs = find_runs(contour, machine, options.corner_angle);
   AccelerationLimitedResult result;
-  RunPlanner<N> planner(contour, machine, options, feed, runs, progress);
+  const double cells = turn / options.grid.angle + 2 * static_cast<double>(contour.path.size());
+  RunPlanner<N> planner(contour, machine, options, feed, runs, cells, progress);
   for_each_run(contour.path, runs, from, to, [&](std::size_t first, std::size_t last, double begin, double end) {
     planner.plan(first, last, begin, end, result);
   });
@@ -363,8 +267,8 @@ AccelerationLimitedResult plan_acceleration_limited(const Contour& contour, cons
         {{{"contour"},
           "the contour turns by " + std::to_string(static_cast<long>(turn)) + " rad in all, more than the " +
               std::to_string(static_cast<long>(most_cells * coarsest_angle)) + " that fit into memory"}});
-  return machine.dimension() == 2 ? plan<2>(contour, machine, fitted, progress, from, to)
-                                  : plan<3>(contour, machine, fitted, progress, from, to);
+  return machine.dimension() == 2 ? plan<2>(contour, machine, fitted, turn, progress, from, to)
+                                  : plan<3>(contour, machine, fitted, turn, progress, from, to);
 }
 
 }  // namespace bahnwerk

@@ -8,7 +8,7 @@
 /// share of it. Runs beyond `window` cells are planned in overlapping windows, each to a stop at its end; what is kept
 /// of it is what that stop cannot reach, so the law is that of the whole run. Straight segments are one cell each and
 /// exact. The result is piecewise cubic in time. Cost: O(cells) time and memory per run; for two axes, path evaluation
-/// included, about 150 ns per cell for one solution and 0.6 µs with all rounds (tests/bench/bench_motion.cpp).
+/// included, about 85 ns per cell for one solution and 0.6 µs with all rounds (tests/bench/bench_motion.cpp).
 #include <cstddef>
 #include <vector>
 

@@ -13,38 +13,29 @@ namespace bahnwerk {
 
 /// Jerk constant in time over one cell; s counts from its left end.
 struct CellLaw {
-  double duration = 0, v = 0, a = 0, j = 0;
+  double duration, v, a, j;
   LawState at(double tau) const {
-    return {tau * (v + tau * (a / 2 + tau * j / 6)), v + tau * (a + tau * j / 2), a + tau * j, j};
+    const double bend = tau * j;
+    return {tau * (v + tau * (0.5 * a + (1.0 / 6) * bend)), v + tau * (a + 0.5 * bend), a + bend, j};
   }
 };
 
-/// From v1 = √b1 to v2 = √b2 with the solved acceleration (g − b1)/h at the begin; s counts from the cell's left end.
-inline CellLaw cell_law(double b1, double v1, double g, double b2, double v2, double h) {
-  CellLaw p;
-  p.v = v1;
-  if (b1 == g && g == b2) {
-    p.duration = h / v1;
-    return p;
-  }
+/// From v1 = √b1 to v2 with the solved acceleration (g − b1)/h at the begin; s counts from the cell's left end.
+inline CellLaw cell_law(double b1, double v1, double g, double v2, double h) {
   // h = v1 T + (2 a1 + a2) T²/6 and v2 = v1 + (a1 + a2) T/2 ⇒ a1 T²/6 + (2 v1 + v2) T/3 = h
   const double w = 1 / h, a1 = (g - b1) * w, half = (2 * v1 + v2) * (1.0 / 6),
                root = half * half + (g - b1) * (1.0 / 6);
   if (root > 0.01 * half * half) {
     const double mean = half + std::sqrt(root), rate = mean * w;  // 1/T
-    p.duration = h / mean;
-    p.a = a1;
-    p.j = 2 * ((v2 - v1) * rate - a1) * rate;
-  } else {
-    p.duration = 2 * h / (v1 + v2);
-    p.a = (v2 - v1) / p.duration;
+    return {h / mean, v1, a1, 2 * ((v2 - v1) * rate - a1) * rate};
   }
-  return p;
+  const double duration = 2 * h / (v1 + v2);
+  return {duration, v1, (v2 - v1) / duration, 0};
 }
 
 /// Relative excess over the limits: of |axis acceleration|/A, and of (axis velocity/V)², (v/feed)². Negative = within.
 struct Excess {
-  double acceleration = -1, velocity = -1;
+  double acceleration, velocity;
 };
 
 namespace cell_law_detail {
@@ -83,43 +74,44 @@ template <int N>
 inline bool smooth_excess(const Station<N>& l, const Station<N>& r, double h, const CellLaw& p, double b1, double b2,
                           const AxisBounds<N>& limit, Excess& excess) {
   const LawState middle = p.at(0.5 * p.duration);
-  const double a2 = p.a + p.duration * p.j, b = middle.v * middle.v, off = middle.s - 0.5 * h;
-  // Too far to expand the path about s = h/2, or v² bends too much for the reserve of 2 % below.
-  bool smooth = std::abs(off) < 0.01 * h && std::abs(b1 - 2 * b + b2) < 1e-3 * b;
-  double most = 0;
-  const Lanes<N> fl = (l.d2 * b1 + l.d1 * p.a) * limit.inverse_acceleration,
-                 fr = (r.d2 * b2 + r.d1 * a2) * limit.inverse_acceleration;
-  for (std::size_t k = 0; k < N; ++k) {
-    const double ends = std::max(std::abs(fl[k]), std::abs(fr[k]));
-    if (ends < 0.98) continue;
-    // The cubic of h'' and the quintic of h' between the stations, at s = h/2 and from there.
-    const double c = 0.5 * (l.d2[k] + r.d2[k]) + 0.125 * h * (l.d3[k] - r.d3[k]);
-    const double t =
-        0.5 * (l.d1[k] + r.d1[k]) + h * (0.15625 * (l.d2[k] - r.d2[k]) + 0.015625 * h * (l.d3[k] + r.d3[k]));
-    const double slope = 1.5 * (r.d2[k] - l.d2[k]) / h - 0.25 * (l.d3[k] + r.d3[k]);
-    const double f = ((c + off * slope) * b + (t + off * c) * middle.a) * limit.inverse_acceleration[k];
-    const double bend = fl[k] - 2 * f + fr[k], tilt = std::abs(0.5 * (fr[k] - fl[k])), size = std::abs(bend);
-    double peak = std::max(ends, std::abs(f));
-    if (tilt < size) {  // the parabola's vertex lies tilt²/(2 size) beyond f: less than this, which needs no division
-      const double rise = std::min(0.125 * size, 0.5 * tilt);
-      peak =
-          peak + rise + 0.02 * size <= 1 + 1e-9 ? peak + rise : std::max(peak, std::abs(f - 0.5 * tilt * tilt / bend));
+  const double a2 = p.a + p.duration * p.j, b = middle.v * middle.v, off = middle.s - 0.5 * h, w = 1 / h;
+  // The cubic of h'' and the quintic of h' between the stations, at s = h/2 and from there.
+  const Lanes<N> turn = r.d2 - l.d2, rate = l.d3 + r.d3;
+  const Lanes<N> c = 0.5 * (l.d2 + r.d2) + (0.125 * h) * (l.d3 - r.d3);
+  const Lanes<N> t = 0.5 * (l.d1 + r.d1) - (0.15625 * h) * turn + (0.015625 * h * h) * rate;
+  const Lanes<N> slope = (1.5 * w) * turn - 0.25 * rate;
+  const Lanes<N> f = (b * (c + off * slope) + middle.a * (t + off * c)) * limit.inverse_acceleration,
+                 fl = (b1 * l.d2 + p.a * l.d1) * limit.inverse_acceleration,
+                 fr = (b2 * r.d2 + a2 * r.d1) * limit.inverse_acceleration;
+  const Lanes<N> ends = larger(magnitude(fl), magnitude(fr)), bend = fl + fr - 2 * f, size = magnitude(bend),
+                 tilt = 0.5 * magnitude(fr - fl);
+  // Where the parabola has its vertex inside the cell it lies tilt²/(2 size) beyond f: less than this, which needs no
+  // division.
+  const Lanes<N> peak = larger(ends, magnitude(f));
+  double most = largest(peak + smaller(0.125 * size, 0.5 * tilt) + 0.02 * size), bent = largest(size);
+  if (most > 1 + 1e-9 || bent >= 1e-3) {
+    most = bent = 0;
+    for (std::size_t k = 0; k < N; ++k) {
+      if (ends[k] < 0.98) continue;
+      const double vertex = tilt[k] < size[k] ? std::abs(f[k] - 0.5 * tilt[k] * tilt[k] / bend[k]) : 0;
+      most = std::max(most, std::max(peak[k], vertex) + 0.02 * size[k]);
+      bent = std::max(bent, size[k]);
     }
-    smooth = smooth && size < 1e-3;
-    most = std::max(most, peak + 0.02 * size);
-  }
-  if (std::max(b1, b2) > 0.97 * limit.slowest2) {
-    const Lanes<N> vl = l.d1 * l.d1 * b1, vr = r.d1 * r.d1 * b2;
-    for (std::size_t k = 0; k < N; ++k) smooth = smooth && std::max(vl[k], vr[k]) < 0.97 * limit.velocity2[k];
   }
   excess = {most - 1, -1};
+  // Too far to expand the path about s = h/2, or v² bends too much for the reserve of 2 %.
+  bool smooth = bent < 1e-3 && std::abs(off) < 0.01 * h && std::abs(b1 - 2 * b + b2) < 1e-3 * b;
+  if (std::max(b1, b2) > 0.97 * limit.slowest2) {
+    const Lanes<N> fastest = larger(l.d1 * l.d1 * b1, r.d1 * r.d1 * b2);
+    for (std::size_t k = 0; k < N; ++k) smooth = smooth && fastest[k] < 0.97 * limit.velocity2[k];
+  }
   return smooth && (most <= 1 + 1e-9 || most > 1 + 1e-7);
 }
 
 /// Peaks over a cell, from samples of the law on the rebuilt path.
 template <int N>
-inline Excess cell_excess(const Station<N>& l, const Station<N>& r, double h, const CellLaw& p, const GridCell& cell,
-                          const AxisBounds<N>& limit, double feed) {
+Excess cell_excess(const Station<N>& l, const Station<N>& r, double h, const CellLaw& p, const GridCell& cell,
+                   const AxisBounds<N>& limit, double feed) {
   constexpr std::size_t last = 4;
   const cell_law_detail::Between<N> path{l, r, h};
   std::array<std::array<double, last + 1>, 2 * N> value{};

@@ -17,11 +17,11 @@ struct EvenSamples {
               ///< 0.065 of it; 0 if no `most` reaches `worth`
 
   EvenSamples(const std::array<L, 5>& f, double worth) {
-    most = absolute(f[0]);
-    for (std::size_t i = 1; i < 5; ++i) most = larger(most, absolute(f[i]));
+    most = magnitude(f[0]);
+    for (std::size_t i = 1; i < 5; ++i) most = larger(most, magnitude(f[i]));
     between = most;
     third = 0.0 * most;
-    if (largest_of(most) < worth) return;
+    if (largest(most) < worth) return;
     constexpr double part = 1.0 / 128;
     const std::array<L, 9> g{f[0], (35.0 * f[0] + 140.0 * f[1] - 70.0 * f[2] + 28.0 * f[3] - 5.0 * f[4]) * part,
                              f[1], (-5.0 * f[0] + 60.0 * f[1] + 90.0 * f[2] - 20.0 * f[3] + 3.0 * f[4]) * part,
@@ -30,11 +30,11 @@ struct EvenSamples {
                              f[4]};
     for (std::size_t i = 1; i < 8; ++i) {
       const L slope = 0.5 * (g[i + 1] - g[i - 1]), bend = g[i + 1] - 2.0 * g[i] + g[i - 1];
-      between = larger(between, absolute(g[i]));
+      between = larger(between, magnitude(g[i]));
       // (no peak where bend is 0: that division's outcome is not used)
       between =
-          larger(between, where_less(absolute(slope), absolute(bend), absolute(g[i] - 0.5 * slope * slope / bend)));
-      if (i > 1) third = larger(third, absolute(g[i + 1] - g[i - 2] - 3.0 * (g[i] - g[i - 1])));
+          larger(between, where_less(magnitude(slope), magnitude(bend), magnitude(g[i] - 0.5 * slope * slope / bend)));
+      if (i > 1) third = larger(third, magnitude(g[i + 1] - g[i - 2] - 3.0 * (g[i] - g[i - 1])));
     }
   }
   /// The peak, with a reserve for what parabolas miss.

@@ -26,35 +26,22 @@ constexpr int end_halvings = 4;
 constexpr double min_interval = 1e-6;  // of a segment's parameter range: grading towards a cusp ends here
 
 template <int N>
+Lanes<N> lanes(const std::array<PathBatch::Row, 3>& rows, std::size_t i, bool planar) {
+  if constexpr (N == 2)
+    return Lanes<2>{rows[0][i], rows[1][i]};
+  else
+    return Lanes<N>{rows[0][i], rows[1][i], planar ? 0 : rows[2][i]};
+}
+
+template <int N>
 Station<N> station(const PathBatch& batch, std::size_t i) {
-  Station<N> at;
-  at.u = batch.u[i];
-  at.s = batch.s[i];
-  for (std::size_t k = 0; k < N; ++k) {
-    const bool flat = k == 2 && batch.planar;
-    at.d1[k] = flat ? 0 : batch.d1[k][i];
-    at.d2[k] = flat ? 0 : batch.d2[k][i];
-    at.d3[k] = flat ? 0 : batch.d3[k][i];
-  }
-  return at;
+  return {batch.s[i], batch.u[i], lanes<N>(batch.d1, i, batch.planar), lanes<N>(batch.d2, i, batch.planar),
+          lanes<N>(batch.d3, i, batch.planar)};
 }
 
 template <int N>
 double distance(const Lanes<N>& a, const Lanes<N>& b) {
-  double sum = 0;
-  for (std::size_t k = 0; k < N; ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
-  return std::sqrt(sum);
-}
-
-/// Most that v² can be where the path bends: |n · q̈| ≤ Σ |n_k| A_k with the unit normal n, so v² κ ≤ Σ |n_k| A_k.
-template <int N>
-double curvature_cap(const Station<N>& at, const Machine& machine, double feed) {
-  double square = 0, sum = 0;
-  for (std::size_t k = 0; k < N; ++k) {
-    square += at.d2[k] * at.d2[k];
-    sum += std::abs(at.d2[k]) * machine.axes[k].acceleration;
-  }
-  return std::min(feed * feed, square > 0 ? sum / square : std::numeric_limits<double>::infinity());
+  return std::sqrt(sum((a - b) * (a - b)));
 }
 
 /// Lays the cells of one curved segment.
@@ -63,7 +50,10 @@ class Layer {
  public:
   Layer(Grid<N>& grid, const Segment& segment, std::uint32_t index, const Machine& machine, double feed,
         const GridOptions& options)
-      : grid_(grid), segment_(segment), index_(index), machine_(machine), feed_(feed), options_(options) {}
+      : grid_(grid), segment_(segment), index_(index), feed2_(feed * feed), options_(options) {
+    for (std::size_t k = 0; k < N; ++k) acceleration_[k] = machine.axes[k].acceleration;
+    inverse_acceleration_ = 1 / acceleration_;
+  }
 
   void lay() {
     const std::vector<double> panel = segment_.panel_parameters();
@@ -88,32 +78,47 @@ class Layer {
     push(at);
   }
 
+  /// Most that v² can be where the path bends: |n · q̈| ≤ Σ |n_k| A_k with the unit normal n, so v² κ ≤ Σ |n_k| A_k.
+  double curvature_cap(const Station<N>& at) const {
+    const double square = sum(at.d2 * at.d2);
+    return square > 0 ? sum(magnitude(at.d2) * acceleration_) / square : std::numeric_limits<double>::infinity();
+  }
+
   /// How many cells [left, right] needs, judged at its middle.
   double parts(const Station<N>& left, const Station<N>& mid, const Station<N>& right) const {
     const double turn = distance<N>(left.d1, mid.d1) + distance<N>(mid.d1, right.d1);
     const double h = right.s - left.s;
     if (!(h > 0)) return 1;
     const double t = (mid.s - left.s) / h, r = 1 - t;
-    double error = 0;  // of the cubic model of d2, relative to what the axis allows
-    const double cap = std::min({curvature_cap<N>(left, machine_, feed_), curvature_cap<N>(mid, machine_, feed_),
-                                 curvature_cap<N>(right, machine_, feed_)});
-    for (std::size_t k = 0; k < N; ++k) {
-      const double model = r * r * (1 + 2 * t) * left.d2[k] + t * t * (1 + 2 * r) * right.d2[k] +
-                           h * t * r * (r * left.d3[k] - t * right.d3[k]);
-      error =
-          std::max(error, std::abs(model - mid.d2[k]) * (std::isfinite(cap) ? cap : 0) / machine_.axes[k].acceleration);
-    }
+    const double cap = std::min({feed2_, curvature_cap(left), curvature_cap(mid), curvature_cap(right)});
+    // Of the cubic model of d2, relative to what the axis allows.
+    const Lanes<N> model =
+        (r * r * (1 + 2 * t)) * left.d2 + (t * t * (1 + 2 * r)) * right.d2 + (h * t * r) * (r * left.d3 - t * right.d3);
+    const double error = std::isfinite(cap) ? cap * largest(magnitude(model - mid.d2) * inverse_acceleration_) : 0;
     return std::max(turn / options_.angle, std::sqrt(std::sqrt(error / options_.hermite)));
   }
 
-  void interval(const Station<N>& left, const Station<N>& right) {
-    const Station<N> mid = station_at<N>(segment_, 0.5 * (left.u + right.u));
+  /// Cells between two stations; `known` is the one in the middle, if it has been looked at before.
+  void interval(const Station<N>& left, const Station<N>& right, const Station<N>* known = nullptr) {
+    // Three at once cost no more than the middle alone, and are what both halves need.
+    std::array<Station<N>, 3> inner;
+    if (!known) {
+      PathBatch batch;
+      batch.count = 3;
+      const double middle = 0.5 * (left.u + right.u);
+      batch.u.set(0, 0.5 * (left.u + middle));
+      batch.u.set(1, middle);
+      batch.u.set(2, 0.5 * (middle + right.u));
+      segment_.at_parameters(batch);
+      for (std::size_t i = 0; i < 3; ++i) inner[i] = station<N>(batch, i);
+    }
+    const Station<N>& mid = known ? *known : inner[1];
     const double need = parts(left, mid, right);
     const bool at_cusp = (segment_.cusp_begin() && left.u == segment_.curve().begin()) ||
                          (segment_.cusp_end() && right.u == segment_.curve().end());
     if ((need > max_parts || at_cusp) && right.u - left.u > smallest_) {
-      interval(left, mid);
-      interval(mid, right);
+      interval(left, mid, known ? nullptr : &inner[0]);
+      interval(mid, right, known ? nullptr : &inner[2]);
       return;
     }
     const int n = std::clamp(static_cast<int>(std::ceil(need)), 1, max_parts);
@@ -131,6 +136,14 @@ class Layer {
   /// A cell up to `right`, parted where an axis turns round (zero inertia): the touching points of time-optimal laws
   /// lie there.
   void cell(const Station<N>& right) {
+    const Lanes<N> product = grid_.stations.back().d1 * right.d1;
+    bool turns = false;
+    for (std::size_t k = 0; k < N; ++k) turns = turns || product[k] < 0;
+    if (turns) part_turning(right);
+    cell_to(right);
+  }
+
+  [[gnu::noinline]] void part_turning(const Station<N>& right) {
     const Station<N> left = grid_.stations.back();
     std::array<double, N> turning{};
     std::size_t count = 0;
@@ -158,15 +171,14 @@ class Layer {
     }
     for (std::size_t i = 0; i < count; ++i)
       if (turning[i] > grid_.stations.back().u) cell_to(station_at<N>(segment_, turning[i]));
-    cell_to(right);
   }
 
   Grid<N>& grid_;
   const Segment& segment_;
   std::uint32_t index_;
-  const Machine& machine_;
-  double feed_;
+  double feed2_;
   const GridOptions& options_;
+  Lanes<N> acceleration_, inverse_acceleration_;
   double smallest_ = 0;
 };
 
@@ -177,11 +189,6 @@ void Grid<N>::build(const Path& path, std::size_t first, std::size_t last, const
                     const Machine& machine, const GridOptions& options, PlanningPulse& pulse) {
   stations.clear();
   cells.clear();
-  // Growing step by step would touch twice the memory.
-  const auto expected =
-      static_cast<std::size_t>(1.1 * total_turn(path, first, last) / options.angle) + 2 * (last - first) + 16;
-  stations.reserve(expected);
-  cells.reserve(expected);
   run_length = 0;
   for (std::size_t i = first; i < last; ++i) {
     run_length += path[i].length();
@@ -262,8 +269,12 @@ double total_turn(const Path& path, std::size_t first, std::size_t last) {
       continue;
     }
     const std::vector<double> panel = segment.panel_parameters();
-    for (std::size_t k = 1; k < panel.size(); ++k)
-      turn += angle_between(segment.at_parameter(panel[k - 1]).d1, segment.at_parameter(panel[k]).d1);
+    Vec before = segment.at_parameter(panel[0]).d1;
+    for (std::size_t k = 1; k < panel.size(); ++k) {
+      const Vec after = segment.at_parameter(panel[k]).d1;
+      turn += angle_between(before, after);
+      before = after;
+    }
   }
   return turn;
 }

@@ -32,6 +32,7 @@ struct GridCell {
   std::uint32_t segment = 0;  ///< path segment
   bool straight = false;
   bool cusp_left = false, cusp_right = false;  ///< unbounded curvature at that end, where the speed is zero
+  bool regular() const { return !(straight | cusp_left | cusp_right); }
 };
 
 struct GridOptions {
@@ -51,6 +52,11 @@ class Grid {
   const Station<N>& left(std::size_t c) const { return stations[cells[c].station]; }
   const Station<N>& right(std::size_t c) const { return stations[cells[c].station + 1]; }
 
+  /// Makes room for so many cells: growing step by step would touch twice the memory.
+  void reserve(std::size_t cells_expected) {
+    stations.reserve(cells_expected);
+    cells.reserve(cells_expected);
+  }
   /// Stations for the path segments [first, last); the first and the last cell are halved towards the rest at the run's
   /// ends, where the speed changes by more than it is. O(cells).
   void build(const Path& path, std::size_t first, std::size_t last, const std::vector<double>& feed,

@@ -145,7 +145,7 @@ void JerkSolver<M>::direct_cells(std::size_t g, std::size_t& next_middle, Twin& 
   promise_ += change[0] + change[1];
   // No cell may leave the range in which its linearisation means something: of its duration, and of the root in its
   // law (jerk_cell.hpp), it loses no more than half.
-  primal = 2.0 * absolute(change) / cells.law.T;
+  primal = 2.0 * magnitude(change) / cells.law.T;
   const Twin mean = 0.5 * (x.v1 + x.v2), h3 = (1.0 / 3) * cells.h;
   const Twin now = mean * mean + h3 * (x.a1 - x.a2), fall = -mean * (x.w1 * b1 + x.w2 * b2) - h3 * (a1 - a2);
   Twin loss = 2.0 * fall / larger(now, jerk_cell_detail::least_root * mean * mean);

@@ -75,7 +75,7 @@ namespace jerk_peaks_detail {
 template <class L>
 inline L peak(const std::array<L, 5>& f, L& doubt) {
   const EvenSamples<L> samples(f, 0.7);
-  const L fourth = absolute(f[0] - 4.0 * f[1] + 6.0 * f[2] - 4.0 * f[3] + f[4]), most = samples.peak();
+  const L fourth = magnitude(f[0] - 4.0 * f[1] + 6.0 * f[2] - 4.0 * f[3] + f[4]), most = samples.peak();
   doubt = larger(doubt, most + 0.3 * fourth + 0.1 * samples.third);
   return most;
 }
@@ -104,10 +104,10 @@ CellPeaks<M> cell_peaks(const LawPiece& law, double h, const RowLimits<M>& limit
   }
   CellPeaks<M> peaks;
   Lanes<M> doubt = 0.0 * velocity[0];
-  peaks.velocity = std::max(peak_speed2(law) * inverse_feed2, largest_of(jerk_peaks_detail::peak(velocity, doubt)));
+  peaks.velocity = std::max(peak_speed2(law) * inverse_feed2, largest(jerk_peaks_detail::peak(velocity, doubt)));
   peaks.acceleration = numbers<M>(jerk_peaks_detail::peak(acceleration, doubt));
   peaks.jerk = numbers<M>(jerk_peaks_detail::peak(jerk, doubt));
-  peaks.doubt = std::max(peaks.velocity, largest_of(doubt));
+  peaks.doubt = std::max(peaks.velocity, largest(doubt));
   return peaks;
 }
 

@@ -69,7 +69,7 @@ struct JerkTotals {
   L gap{}, violation{};
   void count(const JerkSide<L>& side) {
     gap = gap + side.s * side.z;
-    violation = larger(violation, absolute(side.d));
+    violation = larger(violation, magnitude(side.d));
   }
 };
 

@@ -79,31 +79,43 @@ inline Rows<N> SpeedChain<N>::link(const Station<N>& at, double h, double share,
   return rows;
 }
 
+template <int N>
+double SpeedChain<N>::search_left(std::size_t c, double share, double cap_node, double cap_middle) const {
+  return reach_backward(rows_left(c, share, false), cap_node, cap_middle);
+}
+
+template <int N>
+double SpeedChain<N>::search_right(std::size_t c, double share, double cap_middle, double cap_node) const {
+  return reach_backward(rows_right(c, share, true), cap_middle, cap_node);
+}
+
 /// What may be driven at the cell's middle and left end if the right end allows `next`.
 template <int N>
 inline typename SpeedChain<N>::Stop SpeedChain<N>::step_back(std::size_t c, double share, const Caps& cap,
                                                              double next) const {
   if (grid_.cells[c].straight) return {next, std::min(cap.left, next + 2 * acceleration(c) * grid_.length(c))};
-  const double w = 1 / grid_.length(c);
-  const PlainLink<N> right(grid_.right(c), w, share * right_part(c), limit_);
-  const double middle = right.plain() && !reserve_ ? right.backward_right(cap.middle, next)
-                                                   : reach_backward(rows_right(c, share, true), cap.middle, next);
-  const PlainLink<N> left(grid_.left(c), w, share * left_part(c), limit_);
-  return {middle, left.plain() && !reserve_ ? left.backward_left(cap.left, middle)
-                                            : reach_backward(rows_left(c, share, false), cap.left, middle)};
+  const double h = grid_.length(c);
+  const PlainLink<N> left(PlainStation<N>(grid_.left(c), limit_), h, share * left_part(c)),
+      right(PlainStation<N>(grid_.right(c), limit_), h, share * right_part(c));
+  const double middle =
+      right.plain() && !reserve_ ? right.backward_right(cap.middle, next) : search_right(c, share, cap.middle, next);
+  return {middle,
+          left.plain() && !reserve_ ? left.backward_left(cap.left, middle) : search_left(c, share, cap.left, middle)};
 }
 
 /// The same with the cell's caps; `next` is lowered to what the cell allows at its right end. Axis velocities are
 /// looked at only where the speed is above the least of them: |h'_k| ≤ 1.
 template <int N>
-inline typename SpeedChain<N>::Stop SpeedChain<N>::stop(std::size_t c, double share, double& next) const {
+typename SpeedChain<N>::Stop SpeedChain<N>::stop(std::size_t c, double share, double& next) const {
   if (!reserve_ && !grid_.cells[c].straight) {
     const double feed = feed_[grid_.cells[c].segment], cap = std::min(most_, feed * feed);
     const double end = std::min(next, cap);
-    const Stop quick = step_back(c, share, {first_cap(c, cap), cap, cap}, end);
-    if (std::max({end, quick.middle, quick.node}) <= limit_.slowest2) {
-      next = end;
-      return quick;
+    if (end <= limit_.slowest2) {
+      const Stop quick = step_back(c, share, {first_cap(c, cap), cap, cap}, end);
+      if (std::max(quick.middle, quick.node) <= limit_.slowest2) {
+        next = end;
+        return quick;
+      }
     }
   }
   const Caps cap = caps(c);
@@ -112,89 +124,69 @@ inline typename SpeedChain<N>::Stop SpeedChain<N>::stop(std::size_t c, double sh
 }
 
 template <int N>
-inline void SpeedChain<N>::step_forward(std::size_t c, double share) {
-  if (grid_.cells[c].straight) {
-    node_[c + 1] = std::min(node_stop_[c + 1], node_[c] + 2 * acceleration(c) * grid_.length(c));
-  } else {
-    const double w = 1 / grid_.length(c);
-    const PlainLink<N> left(grid_.left(c), w, share * left_part(c), limit_),
-        right(grid_.right(c), w, share * right_part(c), limit_);
-    middle_[c] = left.plain() && !reserve_ ? left.forward_left(node_[c], middle_stop_[c])
-                                           : reach_forward(rows_left(c, share, false), node_[c], middle_stop_[c]);
-    node_[c + 1] = right.plain() && !reserve_
-                       ? right.forward_right(middle_[c], node_stop_[c + 1])
-                       : reach_forward(rows_right(c, share, true), middle_[c], node_stop_[c + 1]);
-  }
+double SpeedChain<N>::step_forward(std::size_t c, double share) {
+  const double h = grid_.length(c);
+  if (grid_.cells[c].straight)
+    return speed_[c + 1].node = std::min(speed_[c + 1].node_stop, speed_[c].node + 2 * acceleration(c) * h);
+  const PlainLink<N> left(PlainStation<N>(grid_.left(c), limit_), h, share * left_part(c)),
+      right(PlainStation<N>(grid_.right(c), limit_), h, share * right_part(c));
+  const double cap = speed_[c].middle_stop, next = speed_[c + 1].node_stop;
+  const double middle = left.plain() && !reserve_ ? left.forward_left(speed_[c].node, cap)
+                                                  : reach_forward(rows_left(c, share, false), speed_[c].node, cap);
+  speed_[c].middle = middle;
+  return speed_[c + 1].node = right.plain() && !reserve_ ? right.forward_right(middle, next)
+                                                         : reach_forward(rows_right(c, share, true), middle, next);
 }
 
 template <int N>
 void SpeedChain<N>::start(double entry) {
   entry_ = entry;
   const std::size_t n = grid_.cells.size();
-  node_stop_.resize(n + 1);
-  middle_stop_.resize(n);
-  node_.resize(n + 1);
-  middle_.resize(n);
+  speed_.resize(n + 1);
   double square = 0;  // |a| ≤ |A|, so v² can never exceed 2 |A| s: keeps everything finite
   for (std::size_t k = 0; k < N; ++k) square += limit_.acceleration[k] * limit_.acceleration[k];
   most_ = entry + 2 * std::sqrt(square) * grid_.run_length;
-  node_stop_[n] = 0;
-  node_[0] = entry;
+  speed_[n].node_stop = 0;
+  speed_[0].node = entry;
 }
 
 template <int N>
-void SpeedChain<N>::backward(std::size_t first, std::size_t last, const LargeVector<double>& share) {
-  for (std::size_t c = last; c-- > first;) {
-    // What this cell's caps take from the node at its right may be taken afterwards: the links are convex and hold the
-    // origin.
-    const Stop stop = this->stop(c, share[c], node_stop_[c + 1]);
-    middle_stop_[c] = stop.middle;
-    node_stop_[c] = stop.node;
-  }
-}
-
-template <int N>
-void SpeedChain<N>::forward(std::size_t first, std::size_t last, const LargeVector<double>& share) {
-  for (std::size_t c = first; c < last; ++c) step_forward(c, share[c]);
-}
-
-template <int N>
-std::size_t SpeedChain<N>::unaffected(const LargeVector<double>& share) const {
+std::size_t SpeedChain<N>::unaffected(const UnsetVector<double>& share) const {
   double next = unlimited;
   for (std::size_t c = grid_.cells.size(); c-- > 0;) {
     const Stop stop = this->stop(c, share[c], next);
     next = c > 0 ? std::min(stop.node, caps(c - 1).right) : stop.node;
-    if (next == node_stop_[c]) return c;
+    if (next == speed_[c].node_stop) return c;
   }
   return 0;
 }
 
 template <int N>
-void SpeedChain<N>::update(const LargeVector<double>& share, LargeVector<std::uint8_t>& dirty, PlanningPulse& pulse) {
+void SpeedChain<N>::update(const UnsetVector<double>& share, UnsetVector<std::uint8_t>& dirty, PlanningPulse& pulse) {
   const auto differs = [](double a, double b) { return std::abs(a - b) > 1e-14 * std::abs(b); };
   const std::size_t n = grid_.cells.size();
   bool moved = false;  // did the right neighbour change?
   for (std::size_t c = n; c-- > 0;) {
     pulse(n - 1 - c, n);
     if (!dirty[c] && !moved) continue;
-    const double node = node_stop_[c], middle = middle_stop_[c];
-    const Stop stop = this->stop(c, share[c], node_stop_[c + 1]);
-    middle_stop_[c] = stop.middle;
-    node_stop_[c] = stop.node;
-    if (c > 0) node_stop_[c] = std::min(node_stop_[c], caps(c - 1).right);
-    moved = differs(node_stop_[c], node);
-    if (moved || differs(middle_stop_[c], middle)) dirty[c] = 1;
+    const double node = speed_[c].node_stop, middle = speed_[c].middle_stop;
+    const Stop stop = this->stop(c, share[c], speed_[c + 1].node_stop);
+    speed_[c].middle_stop = stop.middle;
+    speed_[c].node_stop = stop.node;
+    if (c > 0) speed_[c].node_stop = std::min(speed_[c].node_stop, caps(c - 1).right);
+    moved = differs(speed_[c].node_stop, node);
+    if (moved || differs(speed_[c].middle_stop, middle)) dirty[c] = 1;
   }
   moved = false;
   for (std::size_t c = 0; c < n; ++c) {
     pulse(c, n);
     // A cell whose right neighbour may start slower than before has to be driven again, too.
-    const bool capped = node_[c + 1] > node_stop_[c + 1] || (c + 1 < n && dirty[c + 1] != 0);
+    const bool capped = speed_[c + 1].node > speed_[c + 1].node_stop || (c + 1 < n && dirty[c + 1] != 0);
     if (!dirty[c] && !moved && !capped) continue;
-    const double node = node_[c + 1], middle = middle_[c];
+    const double node = speed_[c + 1].node, middle = speed_[c].middle;
     step_forward(c, share[c]);
-    const bool changed = differs(node_[c + 1], node);
-    if (moved || changed || differs(middle_[c], middle)) dirty[c] = 1;
+    const bool changed = differs(speed_[c + 1].node, node);
+    if (moved || changed || differs(speed_[c].middle, middle)) dirty[c] = 1;
     moved = changed;
   }
 }

@@ -50,57 +50,59 @@ inline void acceleration_rows(Rows<N>& rows, const Station<N>& at, double h, dou
   }
 }
 
+/// What a link in its usual form needs of a station, whatever cell lies beside it: h''_k/h'_k and A_k/|h'_k|.
+template <int N>
+struct PlainStation {
+  Lanes<N> tilt, reach;
+  PlainStation(const Station<N>& at, const AxisBounds<N>& limit) {
+    const Lanes<N> inverse = 1 / at.d1;
+    tilt = at.d2 * inverse;
+    reach = limit.acceleration * magnitude(inverse);
+  }
+};
+
 /// Rows of a link in their usual form. Where no axis turns round near the station, |h'_k| ≥ 4 |h h''_k|, all rows rise
-/// together and the answers of reach.hpp need no search: with σ = sign h'_k the row of axis k says, at the cell's left
-/// end, |σ h''_k b + (g − b) |h'_k|/h| ≤ A_k, at its right end |σ h''_k b + (b − g) |h'_k|/h| ≤ A_k.
+/// together and the answers of reach.hpp need no search: divided by |h'_k|/h, with t = h h''_k/h'_k and w = h
+/// A_k/|h'_k| the row of axis k says, at the cell's left end, |t b + g − b| ≤ w, at its right end |t b + b − g| ≤ w.
 template <int N>
 class PlainLink {
  public:
-  /// `w` = 1/h.
-  PlainLink(const Station<N>& at, double w, double share, const AxisBounds<N>& bounds)
-      : tilt_(turned<N>(at.d2, at.d1)), rate_(w * magnitude<N>(at.d1)), limit_(share * bounds.acceleration) {
-    const Lanes<N> size = magnitude<N>(tilt_);
-    for (std::size_t k = 0; k < N; ++k) plain_ = plain_ && rate_[k] >= 4 * size[k] && rate_[k] > 0;
+  PlainLink(const PlainStation<N>& at, double h, double share) : tilt_(h * at.tilt), width_(share * h * at.reach) {}
+  bool plain() const {
+    const Lanes<N> size = magnitude(tilt_);
+    bool plain = true;
+    for (std::size_t k = 0; k < N; ++k) plain = plain && size[k] <= 0.25;
+    return plain;
   }
-  bool plain() const { return plain_; }
 
   /// Largest second variable for a given first one; the hair absorbs the rounding of x. Divisions come first: the
   /// speeds hang on each other from cell to cell, what is between them decides the time of a pass.
-  double forward_left(double b, double cap) const {
-    const Lanes<N> inverse = (1 + 1e-13) / rate_, most = limit_ * inverse, factor = 1 - tilt_ * inverse;
-    return reached(factor * b + most, cap);
-  }
+  double forward_left(double b, double cap) const { return reached((hair - tilt_) * b + width_, cap); }
   double forward_right(double g, double cap) const {
-    const Lanes<N> inverse = (1 + 1e-13) / (rate_ + tilt_), most = limit_ * inverse, factor = rate_ * inverse;
-    return reached(factor * g + most, cap);
+    const Lanes<N> factor = hair / (1 + tilt_);
+    return reached(factor * g + factor * width_, cap);
   }
-  /// Largest first variable for which the second one, up to a cap, exists. Row k reads |x − (1 + e_k) y| ≤ w_k with
-  /// 1 + e_k > 0, so the largest x belongs to the largest y that all rows can share.
+  /// Largest first variable for which the second one, up to a cap, exists. Row k reads |x − f_k y| ≤ w_k with f_k > 0,
+  /// so the largest x belongs to the largest y that all rows can share.
   double backward_left(double cap_b, double cap_g) const {
-    const Lanes<N> inverse = 1 / (rate_ - tilt_);
-    return largest(tilt_ * inverse, limit_ * inverse, cap_b, cap_g);
+    const Lanes<N> factor = 1 / (1 - tilt_);
+    return largest(factor, factor * width_, cap_b, cap_g);
   }
-  double backward_right(double cap_g, double cap_b) const {
-    const Lanes<N> inverse = 1 / rate_;
-    return largest(tilt_ * inverse, limit_ * inverse, cap_g, cap_b);
-  }
+  double backward_right(double cap_g, double cap_b) const { return largest(1 + tilt_, width_, cap_g, cap_b); }
 
  private:
+  static constexpr double hair = 1 + 1e-13;
   static double reached(const Lanes<N>& line, double cap) {
     for (std::size_t k = 0; k < N; ++k) cap = std::min(cap, line[k]);
-    return std::max(cap, 0.0);
+    return cap;
   }
-  static double largest(const Lanes<N>& e, const Lanes<N>& w, double cap_x, double cap_y) {
-    double y = unlimited;
+  static double largest(const Lanes<N>& f, const Lanes<N>& w, double cap_x, double y) {
     for (std::size_t i = 0; i < N; ++i)
-      for (std::size_t k = i + 1; k < N; ++k) y = std::min(y, (w[i] + w[k]) / std::abs(e[i] - e[k]));
-    y = std::min(y, cap_y);
-    const Lanes<N> line = (1 + e) * y + w;
-    for (std::size_t k = 0; k < N; ++k) cap_x = std::min(cap_x, line[k]);
-    return cap_x;
+      for (std::size_t k = i + 1; k < N; ++k)
+        if (const double apart = std::abs(f[i] - f[k]), both = w[i] + w[k]; apart * y > both) y = both / apart;
+    return reached(f * y + w, cap_x);
   }
-  Lanes<N> tilt_, rate_, limit_;  // σ h''_k, |h'_k|/h, A_k
-  bool plain_ = true;
+  Lanes<N> tilt_, width_;
 };
 
 /// [Bock 2.2.3]: the limit curve v↓² = min(feed², V²/h'², K_b A/|h''|) of (2.12)–(2.15), and the acceleration a↓ below

@@ -1,5 +1,6 @@
 #pragma once
-/// One number per axis, calculated with at once: two axes fit a vector register of every 64-bit processor.
+/// One number per axis, or per cell, calculated with at once: two fit a vector register of every 64-bit processor.
+/// The functions below serve plain numbers as well, so that one piece of code can serve both.
 #include <array>
 #include <bit>
 #include <cmath>
@@ -42,25 +43,36 @@ struct LanesOf {
       return each([&](std::size_t i) { return a * b[i]; });
     }
     friend type operator*(const type& a, double b) { return b * a; }
+    friend type operator/(double a, const type& b) {
+      return each([&](std::size_t i) { return a / b[i]; });
+    }
     friend type operator-(const type& a) {
       return each([&](std::size_t i) { return -a[i]; });
+    }
+    friend type root(const type& a) {
+      return each([&](std::size_t i) { return std::sqrt(a[i]); });
+    }
+    friend type magnitude(const type& a) {
+      return each([&](std::size_t i) { return std::abs(a[i]); });
+    }
+    friend type smaller(const type& a, const type& b) {
+      return each([&](std::size_t i) { return a[i] < b[i] ? a[i] : b[i]; });
     }
     friend type larger(const type& a, const type& b) {
       return each([&](std::size_t i) { return a[i] > b[i] ? a[i] : b[i]; });
     }
-    friend type absolute(const type& a) {
-      return each([&](std::size_t i) { return std::abs(a[i]); });
-    }
     friend type where_less(const type& a, const type& b, const type& yes) {
       return each([&](std::size_t i) { return a[i] < b[i] ? yes[i] : 0.0; });
     }
-    friend double largest_of(const type& a) {
+    friend double sum(const type& a) {
+      double s = a[0];
+      for (std::size_t i = 1; i < N; ++i) s += a[i];
+      return s;
+    }
+    friend double largest(const type& a) {
       double most = a[0];
       for (std::size_t i = 1; i < N; ++i) most = a[i] > most ? a[i] : most;
       return most;
-    }
-    friend type operator/(double a, const type& b) {
-      return each([&](std::size_t i) { return a / b[i]; });
     }
   };
 };
@@ -72,43 +84,29 @@ struct LanesOf<2> {
 template <int N>
 using Lanes = typename LanesOf<N>::type;
 
-/// |a| lane by lane.
-template <int N>
-inline Lanes<N> magnitude(const Lanes<N>& a) {
-  if constexpr (N == 2) {
-    typedef long long Bits __attribute__((vector_size(16)));
-    const Bits sign = {static_cast<long long>(1ULL << 63), static_cast<long long>(1ULL << 63)};
-    return reinterpret_cast<Lanes<2>>(reinterpret_cast<Bits>(a) & ~sign);
-  } else {
-    return Lanes<N>::each([&](std::size_t i) { return std::abs(a[i]); });
-  }
-}
-
-/// a with its sign changed where b is negative.
-template <int N>
-inline Lanes<N> turned(const Lanes<N>& a, const Lanes<N>& b) {
-  if constexpr (N == 2) {
-    typedef long long Bits __attribute__((vector_size(16)));
-    const Bits sign = {static_cast<long long>(1ULL << 63), static_cast<long long>(1ULL << 63)};
-    return reinterpret_cast<Lanes<2>>(reinterpret_cast<Bits>(a) ^ (reinterpret_cast<Bits>(b) & sign));
-  } else {
-    return Lanes<N>::each([&](std::size_t i) { return std::signbit(b[i]) ? -a[i] : a[i]; });
-  }
-}
-
-/// What lanes and plain numbers have in common, for code that serves both.
 inline double root(double a) { return std::sqrt(a); }
 inline Lanes<2> root(Lanes<2> a) { return Lanes<2>{std::sqrt(a[0]), std::sqrt(a[1])}; }
+
+inline double magnitude(double a) { return std::abs(a); }
+inline Lanes<2> magnitude(Lanes<2> a) {
+  typedef long long Bits __attribute__((vector_size(16)));
+  const Bits sign = {static_cast<long long>(1ULL << 63), static_cast<long long>(1ULL << 63)};
+  return reinterpret_cast<Lanes<2>>(reinterpret_cast<Bits>(a) & ~sign);
+}
+
+inline double smaller(double a, double b) { return a < b ? a : b; }
+inline Lanes<2> smaller(Lanes<2> a, Lanes<2> b) { return a < b ? a : b; }
 inline double larger(double a, double b) { return a > b ? a : b; }
 inline Lanes<2> larger(Lanes<2> a, Lanes<2> b) { return a > b ? a : b; }
-inline double absolute(double a) { return std::abs(a); }
-inline Lanes<2> absolute(Lanes<2> a) { return magnitude<2>(a); }
+
 /// `yes` where a < b, else 0.
 inline double where_less(double a, double b, double yes) { return a < b ? yes : 0; }
 inline Lanes<2> where_less(Lanes<2> a, Lanes<2> b, Lanes<2> yes) { return a < b ? yes : Lanes<2>{0, 0}; }
-/// The largest lane.
-inline double largest_of(double a) { return a; }
-inline double largest_of(Lanes<2> a) { return a[0] > a[1] ? a[0] : a[1]; }
+
+/// Over all lanes.
+inline double sum(Lanes<2> a) { return a[0] + a[1]; }
+inline double largest(double a) { return a; }
+inline double largest(Lanes<2> a) { return a[0] > a[1] ? a[0] : a[1]; }
 
 /// The numbers of an array as lanes, and back.
 template <std::size_t N>

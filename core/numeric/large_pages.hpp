@@ -41,4 +41,20 @@ struct LargePages {
 template <class T>
 using LargeVector = std::vector<T, LargePages<T>>;
 
+/// The same for arrays that are written before they are read: resize() leaves new numbers undefined, and so saves a
+/// pass over them.
+template <class T>
+struct UnsetPages : LargePages<T> {
+  template <class U>
+  struct rebind {
+    using other = UnsetPages<U>;
+  };
+  UnsetPages() = default;
+  template <class U>
+  UnsetPages(const UnsetPages<U>&) {}
+  void construct(T* at) { ::new (static_cast<void*>(at)) T; }
+};
+template <class T>
+using UnsetVector = std::vector<T, UnsetPages<T>>;
+
 }  // namespace bahnwerk

@@ -25,7 +25,7 @@ void compare(std::uint64_t seed) {
     }
     const AxisBounds<N> limit(machine);
     const double h = std::pow(10, random.uniform(-3, -0.5)), share = random.uniform(0.5, 1);
-    const PlainLink<N> link(at, 1 / h, share, limit);
+    const PlainLink<N> link(PlainStation<N>(at, limit), h, share);
     if (!link.plain()) continue;
     ++plain;
     Rows<N> left, right;
