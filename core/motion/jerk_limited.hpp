@@ -9,8 +9,8 @@
 /// two rests takes the closed form (profile.hpp). The problem is not convex: what is found is a local optimum. Should
 /// the method find nothing, other starts are tried, and at last a slow law that holds the limits.
 ///
-/// Cost: O(cells) per iteration. A smooth spline takes 25 to 35 iterations in all, 8 to 9 µs per cell at 1e3 cells, 10
-/// at 1e4, 13 to 17 at 1e5 (tests/bench/bench_jerk.cpp).
+/// Long runs are planned window by window (jerk_windows.cpp). Cost: O(cells), linear; a smooth spline takes 20 to 28
+/// iterations in all, 4 to 6 µs per cell from 1e3 to 1e6 cells (tests/bench/bench_jerk.cpp).
 #include <cstddef>
 
 #include "core/contour/contour.hpp"

@@ -16,6 +16,7 @@ namespace {
 
 /// Runs of more cells than so many windows are planned window by window.
 constexpr double longer = 1.5;
+constexpr std::size_t few_cells = 200;  // too few for windows
 
 /// As long as the end of a window is open, the solver keeps to this part of every limit, and as exactly as this: so
 /// that the state in which the window is left has room to move.
@@ -33,9 +34,26 @@ void JerkRunPlanner<N, M>::plan(std::size_t first, std::size_t last, double from
   pulse.part(0, 0.1);
   if (last == first + 1 && alone(first, result)) return;
   build(first, last, pulse);
-  const auto window = static_cast<double>(options_.window);
-  if (window == 0 || static_cast<double>(grid_.cells.size()) < longer * window || !plan_windows(from, to))
-    plan_whole(first, last, pulse);
+  const std::size_t n = grid_.cells.size(), window = options_.window;
+  best_duration_ = unlimited;
+  bool done =
+      window > 0 && static_cast<double>(n) > longer * static_cast<double>(window) && plan_windows(window, from, to);
+  if (!done) {
+    done = plan_whole(starts[0], pulse);
+    for (std::size_t i = 1; i < starts.size() && !done; ++i) {
+      build(first, last, pulse);  // its cells may have been divided
+      // Where a long law is lost short ones may still be found.
+      done = (i == 1 && window > 0 && n > few_cells && plan_windows(n / 4, from, to)) || plan_whole(starts[i], pulse);
+    }
+    if (!done) {
+      if (best_duration_ == unlimited) {  // no optimum at all, but a law
+        build(first, last, pulse);
+        plan_whole({0, 0}, pulse);
+      }
+      std::swap(best_, pieces_);
+      slow_ = best_slow_;
+    }
+  }
   result.law.reserve(pieces_.size());
   for (LawPiece& p : pieces_) {
     p.slow(slow_);
@@ -57,26 +75,16 @@ void JerkRunPlanner<N, M>::build(std::size_t first, std::size_t last, PlanningPu
 }
 
 template <int N, int M>
-void JerkRunPlanner<N, M>::plan_whole(std::size_t first, std::size_t last, PlanningPulse& pulse) {
-  double shortest = unlimited, slow = 1;
-  for (const Start& start : starts) {
-    pieces_.clear();
-    const double duration = attempt(start, pulse);
-    if (duration < shortest) {
-      shortest = duration;
-      slow = slow_;
-      std::swap(best_, pieces_);
-    }
-    if (slow_ < good_enough) break;
-    build(first, last, pulse);  // its cells may have been divided
-  }
-  if (shortest == unlimited) {  // no optimum at all, but a law
-    pieces_.clear();
-    attempt({0, 0}, pulse);
-  } else {
+bool JerkRunPlanner<N, M>::plan_whole(Start start, PlanningPulse& pulse) {
+  pieces_.clear();
+  const double duration = attempt(start, pulse);
+  if (slow_ < good_enough) return true;
+  if (duration < best_duration_) {
+    best_duration_ = duration;
+    best_slow_ = slow_;
     std::swap(best_, pieces_);
-    slow_ = slow;
   }
+  return false;
 }
 
 template <int N, int M>
@@ -186,7 +194,7 @@ template void JerkRunPlanner<2, 2>::plan(std::size_t first, std::size_t last, do
 template bool JerkRunPlanner<2, 2>::alone(std::size_t segment, JerkLimitedResult& result);
 
 template void JerkRunPlanner<2, 2>::build(std::size_t first, std::size_t last, PlanningPulse& pulse);
-template void JerkRunPlanner<2, 2>::plan_whole(std::size_t first, std::size_t last, PlanningPulse& pulse);
+template bool JerkRunPlanner<2, 2>::plan_whole(Start start, PlanningPulse& pulse);
 template double JerkRunPlanner<2, 2>::attempt(Start start, PlanningPulse& pulse);
 template void JerkRunPlanner<2, 2>::improve(double mu, PlanningPulse& pulse);
 template double JerkRunPlanner<2, 2>::emit(PlanningPulse& pulse);
@@ -194,7 +202,7 @@ template void JerkRunPlanner<2, 3>::plan(std::size_t first, std::size_t last, do
                                          JerkLimitedResult& result);
 template bool JerkRunPlanner<2, 3>::alone(std::size_t segment, JerkLimitedResult& result);
 template void JerkRunPlanner<2, 3>::build(std::size_t first, std::size_t last, PlanningPulse& pulse);
-template void JerkRunPlanner<2, 3>::plan_whole(std::size_t first, std::size_t last, PlanningPulse& pulse);
+template bool JerkRunPlanner<2, 3>::plan_whole(Start start, PlanningPulse& pulse);
 template double JerkRunPlanner<2, 3>::attempt(Start start, PlanningPulse& pulse);
 template void JerkRunPlanner<2, 3>::improve(double mu, PlanningPulse& pulse);
 template double JerkRunPlanner<2, 3>::emit(PlanningPulse& pulse);
@@ -202,7 +210,7 @@ template void JerkRunPlanner<3, 3>::plan(std::size_t first, std::size_t last, do
                                          JerkLimitedResult& result);
 template bool JerkRunPlanner<3, 3>::alone(std::size_t segment, JerkLimitedResult& result);
 template void JerkRunPlanner<3, 3>::build(std::size_t first, std::size_t last, PlanningPulse& pulse);
-template void JerkRunPlanner<3, 3>::plan_whole(std::size_t first, std::size_t last, PlanningPulse& pulse);
+template bool JerkRunPlanner<3, 3>::plan_whole(Start start, PlanningPulse& pulse);
 template double JerkRunPlanner<3, 3>::attempt(Start start, PlanningPulse& pulse);
 template void JerkRunPlanner<3, 3>::improve(double mu, PlanningPulse& pulse);
 template double JerkRunPlanner<3, 3>::emit(PlanningPulse& pulse);
@@ -210,7 +218,7 @@ template void JerkRunPlanner<3, 4>::plan(std::size_t first, std::size_t last, do
                                          JerkLimitedResult& result);
 template bool JerkRunPlanner<3, 4>::alone(std::size_t segment, JerkLimitedResult& result);
 template void JerkRunPlanner<3, 4>::build(std::size_t first, std::size_t last, PlanningPulse& pulse);
-template void JerkRunPlanner<3, 4>::plan_whole(std::size_t first, std::size_t last, PlanningPulse& pulse);
+template bool JerkRunPlanner<3, 4>::plan_whole(Start start, PlanningPulse& pulse);
 template double JerkRunPlanner<3, 4>::attempt(Start start, PlanningPulse& pulse);
 template void JerkRunPlanner<3, 4>::improve(double mu, PlanningPulse& pulse);
 template double JerkRunPlanner<3, 4>::emit(PlanningPulse& pulse);

@@ -59,12 +59,13 @@ class JerkRunPlanner {
   /// Lays the grid of a run, with its rough profile.
   void build(std::size_t first, std::size_t last, PlanningPulse& pulse);
 
-  /// Plans the run whose grid is at hand. Its pieces then hold all limits.
-  void plan_whole(std::size_t first, std::size_t last, PlanningPulse& pulse);
+  /// Plans the run whose grid is at hand from the given start. Its pieces, slowed by `slow_`, then hold all limits;
+  /// kept in `best_` if they are the quickest so far. False: there may be something much better.
+  bool plan_whole(Start start, PlanningPulse& pulse);
 
   /// The same window by window; `from` … `to` is the share of progress. False: some window came to nothing, and the
   /// grid at hand is the run's again.
-  bool plan_windows(double from, double to);
+  bool plan_windows(std::size_t window, double from, double to);
 
   /// Makes about so many cells of the run's from `begin` on the grid at hand, to be passed from `entry_` to rest; more,
   /// if the rest would slow most of them. Returns how many.
@@ -212,7 +213,7 @@ class JerkRunPlanner {
   LargeVector<CellPeaks<M>> peaks_;
   Worst worst_;
   LargeVector<LawPiece> pieces_, best_;
-  double slow_ = 1, work_ = 0;
+  double slow_ = 1, best_duration_ = unlimited, best_slow_ = 1, work_ = 0;
 };
 
 }  // namespace bahnwerk

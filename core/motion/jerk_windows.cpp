@@ -14,8 +14,9 @@ using jerk_run_detail::good_enough;
 
 namespace {
 
-/// Before braking begins a law may still differ from that of the whole run: for so long, in A/J and in braking times.
-constexpr double jerk_times = 1, braking_times = 0.25;
+/// Before braking begins, by the rough profile, a law may still differ from that of the whole run: for so long, in A/J
+/// and in braking times.
+constexpr double jerk_times = 3, braking_times = 4;
 /// The largest excess of any window slows the whole run. One that is to blame for more was most likely left in a bad
 /// place by the one before, which is then planned again, twice as long. Should that happen often it is the run's own
 /// fault.
@@ -27,7 +28,7 @@ constexpr double last_window = 1.5;
 }  // namespace
 
 template <int N, int M>
-bool JerkRunPlanner<N, M>::plan_windows(double from, double to) {
+bool JerkRunPlanner<N, M>::plan_windows(std::size_t window, double from, double to) {
   struct Place {  // where a window begins, and what is known there
     std::size_t begin, cells, pieces;
     double slow;
@@ -39,7 +40,7 @@ bool JerkRunPlanner<N, M>::plan_windows(double from, double to) {
   const std::size_t n = run_grid_.cells.size();
   double reported = from;
   pieces_.clear();
-  std::vector<Place> places{{0, options_.window, 0, 1, {}, {}}};
+  std::vector<Place> places{{0, window, 0, 1, {}, {}}};
   for (std::size_t failures = 0; places.back().begin < n;) {
     Place& here = places.back();
     here.cells = take_window(here.begin, here.cells);
@@ -64,7 +65,7 @@ bool JerkRunPlanner<N, M>::plan_windows(double from, double to) {
     if (!(slow_ < good_enough)) break;
     pulse.part(1, 1);
     reported = std::max(reported, from + (to - from) * static_cast<double>(end) / static_cast<double>(n));
-    places.push_back({end, options_.window, pieces_.size(), std::max(here.slow, slow_), exit_, next_tail_});
+    places.push_back({end, window, pieces_.size(), std::max(here.slow, slow_), exit_, next_tail_});
   }
   std::swap(grid_, run_grid_);
   std::swap(rough_, run_rough_);
@@ -127,19 +128,19 @@ void JerkRunPlanner<N, M>::follow() {
   }
 }
 
-template bool JerkRunPlanner<2, 2>::plan_windows(double from, double to);
+template bool JerkRunPlanner<2, 2>::plan_windows(std::size_t window, double from, double to);
 template std::size_t JerkRunPlanner<2, 2>::take_window(std::size_t begin, std::size_t cells);
 template void JerkRunPlanner<2, 2>::leave();
 template void JerkRunPlanner<2, 2>::follow();
-template bool JerkRunPlanner<2, 3>::plan_windows(double from, double to);
+template bool JerkRunPlanner<2, 3>::plan_windows(std::size_t window, double from, double to);
 template std::size_t JerkRunPlanner<2, 3>::take_window(std::size_t begin, std::size_t cells);
 template void JerkRunPlanner<2, 3>::leave();
 template void JerkRunPlanner<2, 3>::follow();
-template bool JerkRunPlanner<3, 3>::plan_windows(double from, double to);
+template bool JerkRunPlanner<3, 3>::plan_windows(std::size_t window, double from, double to);
 template std::size_t JerkRunPlanner<3, 3>::take_window(std::size_t begin, std::size_t cells);
 template void JerkRunPlanner<3, 3>::leave();
 template void JerkRunPlanner<3, 3>::follow();
-template bool JerkRunPlanner<3, 4>::plan_windows(double from, double to);
+template bool JerkRunPlanner<3, 4>::plan_windows(std::size_t window, double from, double to);
 template std::size_t JerkRunPlanner<3, 4>::take_window(std::size_t begin, std::size_t cells);
 template void JerkRunPlanner<3, 4>::leave();
 template void JerkRunPlanner<3, 4>::follow();
