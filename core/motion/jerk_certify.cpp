@@ -9,6 +9,14 @@ namespace bahnwerk {
 
 using jerk_run_detail::sure;
 
+namespace {
+
+/// Where an axis turns round, its jerk inside a cell hangs on its jerk at both ends only loosely. A share smaller than
+/// this does not help any more, a smaller cell does.
+constexpr double least_share = 0.5;
+
+}  // namespace
+
 template <int N, int M>
 void JerkRunPlanner<N, M>::look_half_way(PlanningPulse& pulse) {
   const std::size_t n = grid_.cells.size();
@@ -97,6 +105,21 @@ void JerkRunPlanner<N, M>::certify(PlanningPulse& pulse) {
 }
 
 template <int N, int M>
+bool JerkRunPlanner<N, M>::stubborn() {
+  const std::size_t n = grid_.cells.size();
+  bool any = false;
+  division_.assign(n, {});
+  for (std::size_t c = 0; c < n; ++c)
+    for (std::size_t k = 0; k < M; ++k)
+      if (peaks_[c].jerk[k] > 1.05 &&
+          std::min(problem_.cells[c].share[0][k], problem_.cells[c].share[1][k]) <= least_share) {
+        division_[c].parts = 4;
+        any = true;
+      }
+  return any;
+}
+
+template <int N, int M>
 void JerkRunPlanner<N, M>::tighten() {
   const std::size_t n = grid_.cells.size();
   const auto less = [](double peak) { return peak > sure ? sure / (sure + 1.05 * (peak - sure)) : 1.0; };
@@ -108,7 +131,7 @@ void JerkRunPlanner<N, M>::tighten() {
     for (std::size_t k = 0; k < M; ++k) rows.share[k] *= less(peaks_[rows.cell].acceleration[k]);
   for (std::size_t c = 0; c < n; ++c) {
     for (auto& share : problem_.cells[c].share)
-      for (std::size_t k = 0; k < M; ++k) share[k] *= less(peaks_[c].jerk[k]);
+      for (std::size_t k = 0; k < M; ++k) share[k] = std::max(least_share, share[k] * less(peaks_[c].jerk[k]));
     if (c > 0) {
       problem_.inverse_cap[c][0] /= less(peaks_[c - 1].velocity);
       problem_.inverse_cap[c][1] /= less(peaks_[c].velocity);
@@ -119,18 +142,22 @@ void JerkRunPlanner<N, M>::tighten() {
 template void JerkRunPlanner<2, 2>::look_half_way(PlanningPulse& pulse);
 template void JerkRunPlanner<2, 2>::measure(const RowLimits<2>& limit, bool exact, PlanningPulse& pulse);
 template void JerkRunPlanner<2, 2>::certify(PlanningPulse& pulse);
+template bool JerkRunPlanner<2, 2>::stubborn();
 template void JerkRunPlanner<2, 2>::tighten();
 template void JerkRunPlanner<2, 3>::look_half_way(PlanningPulse& pulse);
 template void JerkRunPlanner<2, 3>::measure(const RowLimits<3>& limit, bool exact, PlanningPulse& pulse);
 template void JerkRunPlanner<2, 3>::certify(PlanningPulse& pulse);
+template bool JerkRunPlanner<2, 3>::stubborn();
 template void JerkRunPlanner<2, 3>::tighten();
 template void JerkRunPlanner<3, 3>::look_half_way(PlanningPulse& pulse);
 template void JerkRunPlanner<3, 3>::measure(const RowLimits<3>& limit, bool exact, PlanningPulse& pulse);
 template void JerkRunPlanner<3, 3>::certify(PlanningPulse& pulse);
+template bool JerkRunPlanner<3, 3>::stubborn();
 template void JerkRunPlanner<3, 3>::tighten();
 template void JerkRunPlanner<3, 4>::look_half_way(PlanningPulse& pulse);
 template void JerkRunPlanner<3, 4>::measure(const RowLimits<4>& limit, bool exact, PlanningPulse& pulse);
 template void JerkRunPlanner<3, 4>::certify(PlanningPulse& pulse);
+template bool JerkRunPlanner<3, 4>::stubborn();
 template void JerkRunPlanner<3, 4>::tighten();
 
 }  // namespace bahnwerk

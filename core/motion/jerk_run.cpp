@@ -158,6 +158,15 @@ void JerkRunPlanner<N, M>::improve(double mu, PlanningPulse& pulse) {
          (std::max(worst_.v, worst_.a) < 1 + 4 * options_.gap && worst_.j < 1 + 4 * options_.gap)))
       break;
     tighten();
+    if (division < 2 * options_.max_divisions && stubborn()) {
+      ++division;
+      refine(pulse);
+      pose(pulse);
+      fresh = true;
+      mu = std::max(10 * r.mu, 1e-2);
+      reach = 3e-3;
+      continue;
+    }
     reach = std::max(0.1 * reach, options_.gap);
   }
 }

@@ -182,6 +182,9 @@ class JerkRunPlanner {
     }
   }
 
+  /// Marks cells for division in which shares of the limit of jerk do not help. False = there are none.
+  bool stubborn();
+
   /// Cells that exceed a limit between their nodes get a smaller share of it.
   void tighten();
 

@@ -9,6 +9,7 @@
 #include "core/contour/builder.hpp"
 #include "core/errors.hpp"
 #include "core/motion/acceleration_limited.hpp"
+#include "core/numeric/random.hpp"
 #include "core/verify/judge.hpp"
 
 namespace bahnwerk {
@@ -131,6 +132,29 @@ TEST(JerkLimited, OneAxisMayBeUnlimitedInJerk) {
   const double T = duration(curve(), m);
   EXPECT_LT(T, duration(curve(), machine(1e6)) * (1 + converged));
   EXPECT_GT(T, duration(curve(), machine(unlimited)) * (1 - converged));
+}
+
+/// A law slowed by 2 needs an eighth of the jerk. So eight times the jerk can do no better than halve the duration: a
+/// duration that falls by more was too long before.
+TEST(JerkLimited, EightTimesTheJerkHalvesTheDurationAtMost) {
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    Random random(seed);
+    std::vector<Vec> points{{}};
+    for (int i = 0; i < 6; ++i) points.push_back({random.uniform(-20, 20), random.uniform(-20, 20), 0});
+    ContourBuilder b(2, {});
+    b.block(Mode::cut, unlimited);
+    b.nurbs(3, points, std::vector<double>(points.size(), 1.0), {0, 0, 0, 0, 0.25, 0.5, 0.75, 1, 1, 1, 1});
+    const Contour contour = b.finish();
+    for (const double other : {1.0, 100.0, unlimited})  // times the jerk of x
+      for (const double jerk : {1e4, 1e5, 1e6}) {
+        const auto with = [&](double J) {
+          Machine m = machine(J);
+          m.axes[1].jerk = other * J;
+          return duration(contour, m);
+        };
+        EXPECT_LE(with(jerk), 2.1 * with(8 * jerk)) << seed << ' ' << jerk << ' ' << other;
+      }
+  }
 }
 
 TEST(JerkLimited, SmallJerkScalesLikeItsCubeRoot) {
