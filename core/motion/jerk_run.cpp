@@ -45,11 +45,11 @@ void JerkRunPlanner<N, M>::plan(std::size_t first, std::size_t last, double from
       // Where a long law is lost short ones may still be found.
       done = (i == 1 && window > 0 && n > few_cells && plan_windows(n / 4, from, to)) || plan_whole(starts[i], pulse);
     }
-    if (!done) {
-      if (best_duration_ == unlimited) {  // no optimum at all, but a law
-        build(first, last, pulse);
-        plan_whole({0, 0}, pulse);
-      }
+    if (!done && best_duration_ == unlimited) {  // no optimum at all, but a law
+      build(first, last, pulse);
+      done = plan_whole({0, 0}, pulse);
+    }
+    if (!done && best_duration_ < unlimited) {
       std::swap(best_, pieces_);
       slow_ = best_slow_;
     }

@@ -85,6 +85,40 @@ TEST(JerkWindows, SerpentineIsAsQuickAsWhole) {
   }
 }
 
+/// A spline on which the solver is lost as a whole: there is a law nevertheless, and windows find a far better one.
+TEST(JerkWindows, FindALawWhereTheWholeRunIsLost) {
+  Random random(4);
+  const double height = std::pow(10, random.uniform(-1, 1.3)), length = std::pow(10, random.uniform(-0.5, 1.2));
+  std::vector<Vec> points;
+  std::vector<double> knots(3, 0);
+  double x = 0;
+  for (int i = 0; i < 253; ++i) {
+    points.push_back({x, random.uniform(-height, height), 0});
+    x += length * random.uniform(0.3, 2);
+  }
+  for (int i = 0; i <= 250; ++i) knots.push_back(i);
+  knots.insert(knots.end(), 3, 250);
+  ContourBuilder b(2, points.front());
+  b.block(Mode::cut, unlimited);
+  b.nurbs(3, points, std::vector<double>(points.size(), 1), knots);
+  const Contour contour = b.finish();
+  Random limits(1004);
+  Machine m = machine(0);
+  m.axes[0].jerk = std::pow(10, limits.uniform(4.5, 7));
+  m.axes[1].jerk = std::pow(10, limits.uniform(4.5, 7));
+  SilentProgress progress;
+  JerkLimitedOptions options;
+  const MotionLaw parts = plan_jerk_limited(contour, m, options, progress).law;
+  options.window = 0;
+  const MotionLaw whole = plan_jerk_limited(contour, m, options, progress).law;
+  for (const MotionLaw* law : {&parts, &whole}) {
+    ASSERT_FALSE(law->pieces().empty());
+    EXPECT_EQ(law->pieces().front().s, 0);
+    EXPECT_NEAR(law->pieces().back().s_end, contour.path.length(), 1e-9 * contour.path.length());
+  }
+  EXPECT_LT(parts.duration(), whole.duration() * (1 + loss));
+}
+
 TEST(JerkWindows, RandomProblemsHoldAllLimits) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     Random random(seed);
