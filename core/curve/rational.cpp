@@ -111,6 +111,7 @@ std::array<PointPair, rows> taylor(const double* c, std::size_t stride, std::siz
 }  // namespace
 
 bool Rational::derivatives(PathBatch& batch) const {
+  if (degree_ == 0) return false;
   const double i1 = inverse_, i2 = i1 * i1 * 2, i3 = i1 * i1 * i1 * 6;
   batch.planar = plane_;
   const std::size_t axes = batch.planar ? 2 : 3;

@@ -39,17 +39,17 @@ void JerkRunPlanner<N, M>::measure(const RowLimits<M>& limit, bool exact, Planni
     pulse(c, n);
     const double h = grid_.length(c), f = feed(c);
     const LawPiece law = jerk_piece(state_[c], state_[c + 1], h);
-    const JerkPoint<M> l(problem_.stations[problem_.cells[c].station]),
-        r(problem_.stations[problem_.cells[c].station + 1]);
+    const JerkStation<M>&l = problem_.stations[problem_.cells[c].station],
+          &r = problem_.stations[problem_.cells[c].station + 1];
     const Segment& segment = path_[grid_.cells[c].segment];
     if (grid_.cells[c].straight) {
       peaks_[c] = cell_peaks<M>(law, h, limit, 1 / (f * f), l, r, [&](double) { return l; });
     } else if (exact) {
       peaks_[c] = cell_peaks<M>(law, h, limit, 1 / (f * f), l, r, [&](double s) {
-        return JerkPoint<M>(rows_of(segment.at_parameter(segment.parameter_at(grid_.left(c).s + s))));
+        return rows_of(segment.at_parameter(segment.parameter_at(grid_.left(c).s + s)));
       });
     } else {
-      const CellPath<M> path(l, JerkPoint<M>(middle_[c].at), r, middle_[c].s, h);
+      const CellPath<M> path(l, middle_[c].at, r, middle_[c].s, h);
       peaks_[c] = cell_peaks<M>(law, h, limit, 1 / (f * f), l, r, [&](double s) { return path.at(s); });
     }
     raise(peaks_[c]);

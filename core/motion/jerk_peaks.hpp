@@ -11,20 +11,12 @@
 
 namespace bahnwerk {
 
-/// Derivatives of M quantities by arc length, side by side.
-template <int M>
-struct JerkPoint {
-  Lanes<M> d1, d2, d3;
-  JerkPoint(const Lanes<M>& first, const Lanes<M>& second, const Lanes<M>& third) : d1(first), d2(second), d3(third) {}
-  explicit JerkPoint(const JerkStation<M>& s) : d1(lanes(s.d1)), d2(lanes(s.d2)), d3(lanes(s.d3)) {}
-};
-
 /// The path over a cell from three stations: h″ is the quintic through their values and derivatives, h′ its integral.
 template <int M>
 class CellPath {
  public:
   /// `middle` lies at `sm` of [0, h].
-  CellPath(const JerkPoint<M>& left, const JerkPoint<M>& middle, const JerkPoint<M>& right, double sm, double h)
+  CellPath(const JerkStation<M>& left, const JerkStation<M>& middle, const JerkStation<M>& right, double sm, double h)
       : w_(1 / h), d1_(left.d1) {
     const double x = sm * w_, y = 1 - x, ix = 1 / x, iy = 1 / y;
     // Divided differences over the nodes 0 0 x x 1 1 of h″ as a function of s/h.
@@ -36,7 +28,7 @@ class CellPath {
     // f0 + s (a1 + s (b1 + (s − x)(c1 + (s − x)(e + (s − 1) q)))) in powers of s = arc/h
     p_ = {f0, a1, b1 - x * c1 + (x * x) * (e - q), c1 - (2 * x) * e + (x * x + 2 * x) * q, e - (2 * x + 1) * q, q};
   }
-  JerkPoint<M> at(double s) const {
+  JerkStation<M> at(double s) const {
     const double x = s * w_;
     const auto& p = p_;
     return {d1_ + s * (p[0] + x * ((1.0 / 2) * p[1] +
@@ -92,12 +84,12 @@ inline double peak_speed2(const LawPiece& law) {
 /// `path(s)` gives the derivatives at s ∈ (0, h) of the cell, `left` and `right` are those at its ends.
 template <int M, class PathAt>
 CellPeaks<M> cell_peaks(const LawPiece& law, double h, const RowLimits<M>& limit, double inverse_feed2,
-                        const JerkPoint<M>& left, const JerkPoint<M>& right, PathAt&& path) {
+                        const JerkStation<M>& left, const JerkStation<M>& right, PathAt&& path) {
   std::array<Lanes<M>, 5> velocity, acceleration, jerk;
   for (std::size_t i = 0; i < 5; ++i) {
     const LawState x = law.at(law.duration * static_cast<double>(i) * 0.25);
     const double b = x.v * x.v;
-    const JerkPoint<M> d = i == 0 ? left : i == 4 ? right : path(std::clamp(x.s, 0.0, h));
+    const JerkStation<M> d = i == 0 ? left : i == 4 ? right : path(std::clamp(x.s, 0.0, h));
     velocity[i] = b * d.d1 * d.d1 * lanes(limit.inverse_velocity2);
     acceleration[i] = (b * d.d2 + x.a * d.d1) * lanes(limit.inverse_acceleration);
     jerk[i] = ((b * x.v) * d.d3 + (3 * x.v * x.a) * d.d2 + x.j * d.d1) * lanes(limit.inverse_jerk);

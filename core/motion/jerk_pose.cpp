@@ -19,7 +19,7 @@ void JerkRunPlanner<N, M>::caps(LargeVector<double>& cap, PlanningPulse& pulse) 
   cap.assign(n + 1, unlimited);
   for (std::size_t c = 0; c < n; ++c) {
     pulse(c, n);
-    const double f = std::min(feed_[grid_.cells[c].segment], options_.path.velocity);
+    const double f = feed(c);
     for (const std::size_t e : {std::size_t{0}, std::size_t{1}}) {
       const Station<N>& s = e ? grid_.right(c) : grid_.left(c);
       double most = f * f;
@@ -45,7 +45,7 @@ void JerkRunPlanner<N, M>::caps(LargeVector<double>& cap, PlanningPulse& pulse) 
 template <int N, int M>
 double JerkRunPlanner<N, M>::cell_cap(std::size_t c, bool at_end) const {
   const Station<N>&l = grid_.left(c), &r = grid_.right(c), &s = at_end ? r : l;
-  const double f = std::min(feed_[grid_.cells[c].segment], options_.path.velocity), h = at_end ? l.s - r.s : r.s - l.s;
+  const double f = feed(c), h = at_end ? l.s - r.s : r.s - l.s;
   double cap = f * f;
   for (std::size_t k = 0; k < N; ++k) {
     const double least = limit_.inverse_velocity2[k] * std::max(l.d1[k] * l.d1[k], r.d1[k] * r.d1[k]);

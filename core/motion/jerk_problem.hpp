@@ -14,6 +14,7 @@
 #include <cstdint>
 
 #include "core/motion/jerk_cell.hpp"
+#include "core/numeric/lanes.hpp"
 #include "core/numeric/large_pages.hpp"
 
 namespace bahnwerk {
@@ -21,7 +22,7 @@ namespace bahnwerk {
 /// Derivatives of M quantities by arc length: the axes and, where limited, the path itself (1, 0, 0).
 template <int M>
 struct JerkStation {
-  std::array<double, M> d1{}, d2{}, d3{};
+  Lanes<M> d1{}, d2{}, d3{};
 };
 
 /// M rows |p b + q a| ≤ share at one node.

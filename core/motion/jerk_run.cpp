@@ -11,11 +11,10 @@ namespace bahnwerk {
 
 using jerk_run_detail::full_share;
 using jerk_run_detail::good_enough;
+using jerk_run_detail::last_window;
 
 namespace {
 
-/// Runs of more cells than so many windows are planned window by window.
-constexpr double longer = 1.5;
 constexpr std::size_t few_cells = 200;  // too few for windows
 
 /// As long as the end of a window is open, the solver keeps to this part of every limit, and as exactly as this: so
@@ -36,8 +35,8 @@ void JerkRunPlanner<N, M>::plan(std::size_t first, std::size_t last, double from
   build(first, last, pulse);
   const std::size_t n = grid_.cells.size(), window = options_.window;
   best_duration_ = unlimited;
-  bool done =
-      window > 0 && static_cast<double>(n) > longer * static_cast<double>(window) && plan_windows(window, from, to);
+  bool done = window > 0 && static_cast<double>(n) > last_window * static_cast<double>(window) &&
+              plan_windows(window, from, to);
   if (!done) {
     done = plan_whole(starts[0], pulse);
     for (std::size_t i = 1; i < starts.size() && !done; ++i) {
@@ -126,6 +125,13 @@ void JerkRunPlanner<N, M>::improve(double mu, PlanningPulse& pulse) {
   double reach = 3e-2;
   int division = 0;
   bool fresh = true;
+  const auto divide = [&](double barrier) {
+    ++division;
+    refine(pulse);
+    pose(pulse);
+    fresh = true;
+    mu = std::max(10 * barrier, 1e-2);
+  };
   for (int round = 0;; ++round) {
     pulse.half_of_rest();
     const bool open = round == 0 && keep_ < grid_.cells.size();
@@ -136,11 +142,7 @@ void JerkRunPlanner<N, M>::improve(double mu, PlanningPulse& pulse) {
     if (!std::isfinite(r.duration)) return;
     mu = 0;
     if (reach > 1e-3 && reach < 1e-2 && division < options_.max_divisions && mark(pulse)) {
-      ++division;
-      refine(pulse);
-      pose(pulse);
-      fresh = true;
-      mu = std::max(10 * r.mu, 1e-2);
+      divide(r.mu);
       continue;
     }
     if (open) {
@@ -159,11 +161,7 @@ void JerkRunPlanner<N, M>::improve(double mu, PlanningPulse& pulse) {
       break;
     tighten();
     if (division < 2 * options_.max_divisions && stubborn()) {
-      ++division;
-      refine(pulse);
-      pose(pulse);
-      fresh = true;
-      mu = std::max(10 * r.mu, 1e-2);
+      divide(r.mu);
       reach = 3e-3;
       continue;
     }
@@ -201,7 +199,6 @@ double JerkRunPlanner<N, M>::emit(PlanningPulse& pulse) {
 template void JerkRunPlanner<2, 2>::plan(std::size_t first, std::size_t last, double from, double to,
                                          JerkLimitedResult& result);
 template bool JerkRunPlanner<2, 2>::alone(std::size_t segment, JerkLimitedResult& result);
-
 template void JerkRunPlanner<2, 2>::build(std::size_t first, std::size_t last, PlanningPulse& pulse);
 template bool JerkRunPlanner<2, 2>::plan_whole(Start start, PlanningPulse& pulse);
 template double JerkRunPlanner<2, 2>::attempt(Start start, PlanningPulse& pulse);

@@ -19,6 +19,8 @@ namespace jerk_run_detail {
 constexpr double full_share = 1 - 2e-5, sure = 1 - 1e-5;
 /// A law that had to be slowed by more than this may have a better start.
 constexpr double good_enough = 1.01;
+/// The last window of a run is up to so many windows long; what is no longer than that is planned whole.
+constexpr double last_window = 1.5;
 }  // namespace jerk_run_detail
 
 /// N axes, M rows: one more when the path itself is limited.
@@ -84,12 +86,14 @@ class JerkRunPlanner {
   /// Solves, looks between the nodes, and solves again with a smaller gap.
   void improve(double mu, PlanningPulse& pulse);
 
-  JerkStation<M> rows_of(const Station<N>& s) const {
+  /// `at`: a station of the grid or a point of the path.
+  template <class Point>
+  JerkStation<M> rows_of(const Point& at) const {
     JerkStation<M> r;
     for (std::size_t k = 0; k < N; ++k) {
-      r.d1[k] = s.d1[k];
-      r.d2[k] = s.d2[k];
-      r.d3[k] = s.d3[k];
+      r.d1[k] = at.d1[k];
+      r.d2[k] = at.d2[k];
+      r.d3[k] = at.d3[k];
     }
     if constexpr (M > N) r.d1[N] = 1;
     return r;
@@ -151,17 +155,6 @@ class JerkRunPlanner {
   struct Worst {
     double v = 0, a = 0, j = 0;
   };
-
-  JerkStation<M> rows_of(const PathPoint& p) const {
-    JerkStation<M> r;
-    for (std::size_t k = 0; k < N; ++k) {
-      r.d1[k] = p.d1[k];
-      r.d2[k] = p.d2[k];
-      r.d3[k] = p.d3[k];
-    }
-    if constexpr (M > N) r.d1[N] = 1;
-    return r;
-  }
 
   /// The path in the middle of every curved cell, for measure().
   void look_half_way(PlanningPulse& pulse);

@@ -11,6 +11,7 @@
 namespace bahnwerk {
 
 using jerk_run_detail::good_enough;
+using jerk_run_detail::last_window;
 
 namespace {
 
@@ -22,8 +23,6 @@ constexpr double jerk_times = 3, braking_times = 4;
 /// fault.
 constexpr double well = 1 + 1e-3;
 constexpr std::size_t most_failures(std::size_t windows) { return 3 + windows / 8; }
-/// What is left of a run when its last window begins is no more than so many windows.
-constexpr double last_window = 1.5;
 
 }  // namespace
 
@@ -43,19 +42,20 @@ bool JerkRunPlanner<N, M>::plan_windows(std::size_t window, double from, double 
   std::vector<Place> places{{0, window, 0, 1, {}, {}}};
   for (std::size_t failures = 0; places.back().begin < n;) {
     Place& here = places.back();
-    here.cells = take_window(here.begin, here.cells);
-    const std::size_t end = here.begin + keep_;
+    std::size_t end = 0;
+    double progress = reported;
     entry_ = here.entry;
     tail_ = here.tail;
-    PlanningPulse pulse(progress_, reported,
-                        std::max(reported, from + (to - from) * static_cast<double>(end) / static_cast<double>(n)));
     for (const Start& start : starts) {
-      pieces_.resize(here.pieces);
+      here.cells = take_window(here.begin, here.cells);
+      end = here.begin + keep_;
+      progress = std::max(reported, from + (to - from) * static_cast<double>(end) / static_cast<double>(n));
+      PlanningPulse pulse(progress_, reported, progress);
       pulse.part(0, 0.1);
+      pieces_.resize(here.pieces);
       attempt(start, pulse);
       if (end < n && !(exit_.b > 0)) slow_ = unlimited;  // it never came to that
       if (slow_ < good_enough) break;
-      take_window(here.begin, here.cells);
     }
     if (slow_ > well && ++failures <= most_failures(places.size()) && (places.size() > 1 || end < n)) {
       if (places.size() > 1) places.pop_back();
@@ -63,8 +63,7 @@ bool JerkRunPlanner<N, M>::plan_windows(std::size_t window, double from, double 
       continue;
     }
     if (!(slow_ < good_enough)) break;
-    pulse.part(1, 1);
-    reported = std::max(reported, from + (to - from) * static_cast<double>(end) / static_cast<double>(n));
+    reported = progress;
     places.push_back({end, window, pieces_.size(), std::max(here.slow, slow_), exit_, next_tail_});
   }
   std::swap(grid_, run_grid_);
