@@ -8,6 +8,7 @@ declare -A below=(
   [core/contour]="core/machine core/curve core/numeric"
   [core/machine]="core/curve core/numeric"
   [core/motion]="core/contour core/machine core/curve core/numeric"
+  [core/winding]="core/numeric"
   [core/verify]="core/motion/law core/motion/trajectory core/motion/limits core/contour core/machine core/curve core/numeric"
   [core]="core/"
   [api]="core api"

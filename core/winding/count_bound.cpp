@@ -1,0 +1,55 @@
+#include "core/winding/count_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bahnwerk::winding {
+namespace {
+
+/// Points whose hull holds the region: ends of edges and, about arcs, the corners of tangents every 0.2°.
+std::vector<Point> around(const Region& region) {
+  std::vector<Point> points;
+  for (const Edge& edge : region.edges()) {
+    points.push_back(edge.from);
+    if (edge.straight() || edge.turn < 0) continue;
+    const int pieces = 1 + static_cast<int>(edge.turn / 0.0035);
+    const double stretch = 1 / std::cos(edge.turn / pieces / 2);
+    for (int k = 0; k < pieces; ++k)
+      points.push_back(edge.centre + stretch * (edge.at((k + 0.5) / pieces) - edge.centre));
+  }
+  return points;
+}
+
+}  // namespace
+
+std::vector<Point> convex_hull(std::vector<Point> points) {
+  std::sort(points.begin(), points.end(), [](Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+  std::vector<Point> hull;
+  for (int side = 0; side < 2; ++side) {
+    const std::size_t start = hull.size();
+    for (const Point& p : points) {
+      while (hull.size() >= start + 2 && cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0)
+        hull.pop_back();
+      hull.push_back(p);
+    }
+    hull.pop_back();  // the begin of the other side
+    std::reverse(points.begin(), points.end());
+  }
+  return hull;
+}
+
+std::size_t most_wires(const Region& room, double radius, double least_distance) {
+  const Region centres = room.inward(radius);
+  if (centres.empty()) return 0;
+  const std::vector<Point> hull = convex_hull(around(centres));
+  double doubled = 0, length = 0;
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const Point next = hull[i + 1 == hull.size() ? 0 : i + 1];
+    doubled += cross(hull[i], next);
+    length += distance(hull[i], next);
+  }
+  const double d = least_distance;
+  return static_cast<std::size_t>(std::floor(doubled / (std::sqrt(3.0) * d * d) + length / (2 * d) + 1 + 1e-9));
+}
+
+}  // namespace bahnwerk::winding

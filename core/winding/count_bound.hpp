@@ -1,0 +1,19 @@
+#pragma once
+/// How many wires can be in a room at most: a proven bound.
+#include <cstddef>
+#include <vector>
+
+#include "core/winding/region.hpp"
+
+namespace bahnwerk::winding {
+
+/// No layout has more wires of `radius` in the room whose centres are at least `least_distance` apart.
+/// Centres lie in the room's inner part, hence in its convex hull K, of area A and boundary length P; in a convex set
+/// no more than 2 A/(√3 d²) + P/(2 d) + 1 points are d or more apart [Oler: An inequality in the geometry of numbers,
+/// Acta Math. 105, 1961]. Arcs of the hull are replaced by tangents outside of it, within 1e-6 of area and length.
+std::size_t most_wires(const Region& room, double radius, double least_distance);
+
+/// Corners of the convex hull, counterclockwise.
+std::vector<Point> convex_hull(std::vector<Point> points);
+
+}  // namespace bahnwerk::winding

@@ -1,0 +1,57 @@
+#pragma once
+/// The room inside a boundary of lines and arcs: a slot, or what liner and wedge leave of it. Distances, areas and
+/// offsets are exact up to rounding; nothing is chopped into chords.
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/winding/edge.hpp"
+
+namespace bahnwerk::winding {
+
+struct Box {
+  Point low, high;
+};
+
+class Region {
+ public:
+  Region() = default;
+  /// One or more closed loops of edges end to end, the room on their left. Ends may miss by 1e-6 mm. Throws
+  /// std::invalid_argument if a loop does not close.
+  explicit Region(std::vector<Edge> edges);
+
+  /// The nearest point of the boundary: `distance` is positive inside, `normal` the unit vector into the room.
+  struct Nearest {
+    double distance = 0;
+    Point at, normal;
+    std::size_t edge = 0;
+  };
+  Nearest nearest(Point p) const;
+  double distance(Point p) const { return nearest(p).distance; }
+
+  bool empty() const { return edges_.empty(); }
+  double area() const;    ///< mm²
+  double length() const;  ///< of the boundary, mm
+  const Box& box() const { return box_; }
+  std::span<const Edge> edges() const { return edges_; }
+  /// Whether the boundary turns to the right (more than 1e-9) where edge `i` begins: a corner that juts into the room.
+  bool juts_at(std::size_t i) const { return corner_[i] < 0; }
+  bool recedes_at(std::size_t i) const { return corner_[i] > 0; }
+  std::size_t before(std::size_t i) const { return before_[i]; }
+  /// Whether edge `i` is the first of its loop.
+  bool begins_loop(std::size_t i) const { return before_[i] >= i; }
+
+  /// All points at least `depth` inside the boundary; several loops where a neck closes, empty where nothing is left.
+  /// A negative depth widens the room, around its corners by arcs. O(n²) for n edges.
+  Region inward(double depth) const;
+  /// This room without that of `other`. Boundaries must not run along each other. O(n·m).
+  Region without(const Region& other) const;
+
+ private:
+  std::vector<Edge> edges_;
+  std::vector<std::size_t> before_, after_;
+  std::vector<int> corner_;  ///< at the begin of each edge: +1 turns left, 0 smooth, −1 turns right
+  Box box_;
+};
+
+}  // namespace bahnwerk::winding

@@ -1,0 +1,116 @@
+// Offsets and differences of regions: edges are split where they meet, the parts that bound the result are kept and
+// joined again.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "core/winding/region.hpp"
+
+namespace bahnwerk::winding {
+namespace {
+
+constexpr double joint = 1e-6;  // mm, ends this close are one
+constexpr double crumb = 1e-9;  // mm, shorter parts are rounding
+
+/// The parts into which meetings cut every edge.
+std::vector<Edge> split(const std::vector<Edge>& edges, const std::vector<std::vector<double>>& cuts) {
+  std::vector<Edge> parts;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    std::vector<double> at = cuts[i];
+    at.push_back(0);
+    at.push_back(1);
+    std::sort(at.begin(), at.end());
+    const double least = crumb / edges[i].length();
+    double last = 0;
+    for (const double f : at) {
+      if (f - last < least) continue;
+      parts.push_back(edges[i].part(last, f));
+      last = f;
+    }
+  }
+  return parts;
+}
+
+/// Loops of positive area made of parts that lie end to end; parts that lead nowhere are dropped.
+std::vector<Edge> joined(std::vector<Edge> parts) {
+  std::vector<Edge> edges;
+  std::vector<char> used(parts.size());
+  for (std::size_t start = 0; start < parts.size(); ++start) {
+    if (used[start]) continue;
+    std::vector<Edge> loop{parts[start]};
+    used[start] = 1;
+    bool closed = false;
+    while (!closed) {
+      const Point end = loop.back().to;
+      closed = distance(end, loop.front().from) < joint && (loop.size() > 1 || !loop.back().straight());
+      if (closed) break;
+      std::size_t next = parts.size();
+      double nearest = joint;
+      for (std::size_t i = 0; i < parts.size(); ++i)
+        if (const double gap = distance(parts[i].from, end); !used[i] && gap < nearest) {
+          nearest = gap;
+          next = i;
+        }
+      if (next == parts.size()) break;
+      used[next] = 1;
+      loop.push_back(parts[next]);
+    }
+    double doubled = 0;
+    for (const Edge& edge : loop) doubled += edge.doubled_area();
+    if (closed && doubled > 1e-9) edges.insert(edges.end(), loop.begin(), loop.end());
+  }
+  return edges;
+}
+
+/// Every edge moved by `depth` to its left, and arcs about the corners at which that opens gaps.
+std::vector<Edge> moved(const Region& region, double depth) {
+  std::vector<Edge> edges;
+  for (std::size_t i = 0; i < region.edges().size(); ++i) {
+    const Edge& edge = region.edges()[i];
+    if (depth > 0 ? region.juts_at(i) : region.recedes_at(i)) {
+      const Point in = left_of(region.edges()[region.before(i)].direction(1)), out = left_of(edge.direction(0));
+      edges.push_back(arc_between(edge.from, edge.from + depth * in, edge.from + depth * out, depth < 0));
+    }
+    Edge shifted = edge;
+    shifted.from += depth * left_of(edge.direction(0));
+    shifted.to += depth * left_of(edge.direction(1));
+    if (!edge.straight()) shifted.radius += edge.turn > 0 ? -depth : depth;
+    if (edge.straight() || shifted.radius > crumb) edges.push_back(shifted);
+  }
+  return edges;
+}
+
+}  // namespace
+
+Region Region::inward(double depth) const {
+  if (depth == 0 || empty()) return *this;
+  const std::vector<Edge> edges = moved(*this, depth);
+  std::vector<std::vector<double>> cuts(edges.size());
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    for (std::size_t k = i + 1; k < edges.size(); ++k)
+      for (const Meeting& m : meetings(edges[i], edges[k])) {
+        cuts[i].push_back(m.first);
+        cuts[k].push_back(m.second);
+      }
+  std::vector<Edge> parts = split(edges, cuts);
+  std::erase_if(parts, [&](const Edge& part) { return std::abs(distance(part.at(0.5)) - depth) > 1e-9; });
+  return Region(joined(std::move(parts)));
+}
+
+Region Region::without(const Region& other) const {
+  std::vector<std::vector<double>> mine(edges_.size()), theirs(other.edges_.size());
+  for (std::size_t i = 0; i < edges_.size(); ++i)
+    for (std::size_t k = 0; k < other.edges_.size(); ++k)
+      for (const Meeting& m : meetings(edges_[i], other.edges_[k])) {
+        mine[i].push_back(m.first);
+        theirs[k].push_back(m.second);
+      }
+  std::vector<Edge> parts = split(edges_, mine);
+  std::erase_if(parts, [&](const Edge& part) { return other.distance(part.at(0.5)) > 0; });
+  for (const Edge& part : split(other.edges_, theirs))
+    if (distance(part.at(0.5)) > 0) parts.push_back(part.reversed());
+  return Region(joined(std::move(parts)));
+}
+
+}  // namespace bahnwerk::winding
