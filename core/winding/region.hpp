@@ -41,6 +41,9 @@ class Region {
   /// Whether edge `i` is the first of its loop.
   bool begins_loop(std::size_t i) const { return before_[i] >= i; }
 
+  /// Every edge moved by `depth` into the room, with arcs about the corners at which that opens gaps: what bounds
+  /// inward(depth), not yet cut where it leaves it.
+  std::vector<Edge> parallels(double depth) const;
   /// All points at least `depth` inside the boundary; several loops where a neck closes, empty where nothing is left.
   /// A negative depth widens the room, around its corners by arcs. O(n²) for n edges.
   Region inward(double depth) const;

@@ -63,13 +63,14 @@ std::vector<Edge> joined(std::vector<Edge> parts) {
   return edges;
 }
 
-/// Every edge moved by `depth` to its left, and arcs about the corners at which that opens gaps.
-std::vector<Edge> moved(const Region& region, double depth) {
+}  // namespace
+
+std::vector<Edge> Region::parallels(double depth) const {
   std::vector<Edge> edges;
-  for (std::size_t i = 0; i < region.edges().size(); ++i) {
-    const Edge& edge = region.edges()[i];
-    if (depth > 0 ? region.juts_at(i) : region.recedes_at(i)) {
-      const Point in = left_of(region.edges()[region.before(i)].direction(1)), out = left_of(edge.direction(0));
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    const Edge& edge = edges_[i];
+    if (depth > 0 ? juts_at(i) : recedes_at(i)) {
+      const Point in = left_of(edges_[before_[i]].direction(1)), out = left_of(edge.direction(0));
       edges.push_back(arc_between(edge.from, edge.from + depth * in, edge.from + depth * out, depth < 0));
     }
     Edge shifted = edge;
@@ -81,11 +82,9 @@ std::vector<Edge> moved(const Region& region, double depth) {
   return edges;
 }
 
-}  // namespace
-
 Region Region::inward(double depth) const {
   if (depth == 0 || empty()) return *this;
-  const std::vector<Edge> edges = moved(*this, depth);
+  const std::vector<Edge> edges = parallels(depth);
   std::vector<std::vector<double>> cuts(edges.size());
   for (std::size_t i = 0; i < edges.size(); ++i)
     for (std::size_t k = i + 1; k < edges.size(); ++k)
