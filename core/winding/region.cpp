@@ -22,6 +22,12 @@ void widen(Box& box, const Edge& edge) {
     if (const Point p = edge.centre + edge.radius * d; distance(edge.at(edge.nearest(p)), p) < 1e-9) widen(box, p);
 }
 
+/// At the tip of a cusp tangents say nothing: whether the boundary turns left (+1) or right a little away from it.
+int cusp(const Edge& before, const Edge& after) {
+  const Point tip = after.from;
+  return cross(tip - before.at(0.99), after.at(0.01) - tip) > 0 ? 1 : -1;
+}
+
 }  // namespace
 
 Region::Region(std::vector<Edge> edges) : edges_(std::move(edges)) {
@@ -44,9 +50,10 @@ Region::Region(std::vector<Edge> edges) : edges_(std::move(edges)) {
     if (closes) first = i + 1;
   }
   for (std::size_t i = 0; i < n; ++i) {
-    const double turn = cross(edges_[before_[i]].direction(1), edges_[i].direction(0));
-    const bool back = dot(edges_[before_[i]].direction(1), edges_[i].direction(0)) < 0;
-    corner_[i] = std::abs(turn) < 1e-9 && !back ? 0 : turn > 0 ? 1 : -1;
+    const Edge &before = edges_[before_[i]], &after = edges_[i];
+    const double turn = cross(before.direction(1), after.direction(0));
+    const bool back = dot(before.direction(1), after.direction(0)) < 0;
+    corner_[i] = std::abs(turn) > 1e-9 ? (turn > 0 ? 1 : -1) : back ? cusp(before, after) : 0;
   }
   if (n == 0) box_ = {};
 }

@@ -99,6 +99,18 @@ TEST(RotorSlotTest, FlanksHaveTheirAnglesAndLengths) {
       << "the shoe's arc runs out smoothly";
 }
 
+TEST(RotorSlotTest, HalfCirclesMeetInCusps) {
+  RotorSlot s;
+  s.groove_pitch = 1.3;  // twice the radius
+  s.base_width = s.height = 0.4 + 11 * 1.3;
+  const Slot slot = make_slot(s);
+  for (int k = 0; k < 11; ++k) {
+    const double tip = 0.4 + 0.65 + k * 1.3;
+    EXPECT_NEAR(slot.room.distance({tip, 0.9}), 0.25, 1e-9) << "above the cusp";
+    EXPECT_LT(slot.room.distance({tip, 0.6}), 0) << "in the ridge";
+  }
+}
+
 TEST(RotorSlotTest, ImpossibleParametersAreNamed) {
   const auto with = [](auto change) {
     RotorSlot s;

@@ -1,0 +1,136 @@
+#include "core/winding/packing/centre_room.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bahnwerk::winding {
+namespace {
+
+constexpr double cells = 4096;
+
+}  // namespace
+
+CentreRoom::CentreRoom(const Region& room, double radius) : region_(room.inward(radius)) {
+  // A wire that just fits leaves a point or a line, which rounding may lose.
+  if (region_.empty()) region_ = room.inward(radius - 5e-10);
+  if (region_.empty()) return;
+  const std::span<const Edge> edges = region_.edges();
+  const std::size_t n = edges.size();
+  const auto corner = [&](std::size_t i) {
+    const Edge& before = edges[region_.before(i)];
+    if (region_.juts_at(i)) return -1;
+    const double turn = cross(before.direction(1), edges[i].direction(0));
+    return std::abs(turn) < 1e-9 && dot(before.direction(1), edges[i].direction(0)) > 0 ? 0 : 1;
+  };
+  pieces_.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Edge& edge = edges[i];
+    Piece& piece = pieces_[i];
+    piece.from = edge.from;
+    piece.to = edge.to;
+    piece.corner_from = corner(i);
+    if (edge.straight()) {
+      piece.length = edge.length();
+      piece.along = (1 / piece.length) * (edge.to - edge.from);
+      continue;
+    }
+    piece.centre = edge.centre;
+    piece.radius = edge.radius;
+    piece.side = edge.turn > 0 ? 1 : -1;
+    piece.over_half = std::abs(edge.turn) > 3.141592653589793;
+    if (std::abs(edge.turn) >= 6.283185307179586 - 1e-12) piece.to = piece.from;
+  }
+  for (std::size_t i = 0; i < n; ++i) pieces_[region_.before(i)].corner_to = pieces_[i].corner_from;
+
+  // A margin outside, as wires are pushed out while they are squeezed.
+  const Box& box = region_.box();
+  const double margin = 0.5 * radius;
+  const double width = box.high.x - box.low.x + 2 * margin, height = box.high.y - box.low.y + 2 * margin;
+  low_ = {box.low.x - margin, box.low.y - margin};
+  const double cell = std::max(std::sqrt(width * height / cells), std::max(width, height) / cells);
+  per_cell_ = 1 / cell;
+  columns_ = std::max(1, static_cast<int>(std::ceil(width / cell)));
+  const int rows = std::max(1, static_cast<int>(std::ceil(height / cell)));
+  last_column_ = columns_ - 1;
+  last_row_ = rows - 1;
+  first_.push_back(0);
+  std::vector<std::uint32_t> all(n);
+  for (std::size_t i = 0; i < n; ++i) all[i] = static_cast<std::uint32_t>(i);
+  const double reach = cell * std::sqrt(0.5) * (1 + 1e-9);
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns_; ++column) {
+      const Point middle = low_ + Point{(column + 0.5) * cell, (row + 0.5) * cell};
+      const Hit hit = nearest(middle, all);
+      const double least = std::sqrt(hit.square);
+      inside_.push_back(hit.inside && least > reach);
+      if (!inside_.back())
+        for (std::size_t i = 0; i < n; ++i)
+          if (std::sqrt(nearest(middle, {&all[i], 1}).square) <= least + 2 * reach)
+            among_.push_back(static_cast<std::uint32_t>(i));
+      first_.push_back(static_cast<std::uint32_t>(among_.size()));
+    }
+}
+
+CentreRoom::Hit CentreRoom::nearest(Point p, std::span<const std::uint32_t> among) const {
+  Hit best{std::numeric_limits<double>::max(), {}, false};
+  for (const std::uint32_t i : among) {
+    const Piece& piece = pieces_[i];
+    Point at;
+    int end = 0;  // 1: nearest to its begin, 2: to its end
+    bool inside = false;
+    if (piece.radius == 0) {
+      const double f = dot(p - piece.from, piece.along);
+      if (f <= 0) {
+        at = piece.from;
+        end = 1;
+      } else if (f >= piece.length) {
+        at = piece.to;
+        end = 2;
+      } else {
+        at = piece.from + f * piece.along;
+      }
+      inside = cross(piece.along, p - piece.from) >= 0;
+    } else {
+      const Point d = p - piece.centre;
+      const double after = piece.side * cross(piece.from - piece.centre, d);
+      const double before = piece.side * cross(d, piece.to - piece.centre);
+      const bool whole = piece.from == piece.to;
+      const bool within = whole || (piece.over_half ? after >= 0 || before >= 0 : after >= 0 && before >= 0);
+      const double away = norm(d);
+      if (within && away > 0) {
+        at = piece.centre + (piece.radius / away) * d;
+      } else {
+        end = square_distance(p, piece.from) <= square_distance(p, piece.to) ? 1 : 2;
+        at = end == 1 ? piece.from : piece.to;
+      }
+      inside = piece.side * (piece.radius - away) >= 0;
+    }
+    const double square = square_distance(p, at);
+    if (square >= best.square) continue;
+    const int corner = end == 1 ? piece.corner_from : end == 2 ? piece.corner_to : 0;
+    best = {square, at, corner != 0 ? corner < 0 : inside};
+  }
+  return best;
+}
+
+Point CentreRoom::way_in(Point p, std::size_t cell) const {
+  const Hit hit = nearest(p, {among_.data() + first_[cell], first_[cell + 1] - first_[cell]});
+  return hit.inside ? Point{} : hit.at - p;
+}
+
+std::vector<Point> CentreRoom::spread(double pitch) const {
+  std::vector<Point> points;
+  if (empty()) return points;
+  const Box& box = region_.box();
+  for (double y = box.low.y + pitch / 2; y < box.high.y; y += pitch)
+    for (double x = box.low.x + pitch / 2; x < box.high.x; x += pitch)
+      if (holds({x, y})) points.push_back({x, y});
+  for (const Edge& edge : region_.edges()) {
+    const int parts = std::max(1, static_cast<int>(std::ceil(edge.length() / pitch)));
+    for (int i = 0; i < parts; ++i) points.push_back(edge.at(static_cast<double>(i) / parts));
+  }
+  return points;
+}
+
+}  // namespace bahnwerk::winding

@@ -1,0 +1,58 @@
+#pragma once
+/// Where the centres of wires of one radius may lie, made for the many queries of a packing search.
+/// A square grid knows which cells lie inside for certain and which boundary pieces can be the nearest one in the
+/// others; a query costs 5 … 30 ns. Lengths mm.
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/winding/region.hpp"
+
+namespace bahnwerk::winding {
+
+class CentreRoom {
+ public:
+  /// All points of `room` at least `radius` away from its boundary. O((edges of room)²) and 4096 distances.
+  CentreRoom(const Region& room, double radius);
+
+  bool empty() const { return region_.empty(); }
+  const Region& region() const { return region_; }
+  /// The way from `p` to the nearest point where a centre may lie; nothing if `p` is one itself. Its squared length is
+  /// differentiable in the corners of the room, which the distance from the nearest wall is not.
+  Point way_in(Point p) const {
+    const auto column = static_cast<int>(std::clamp((p.x - low_.x) * per_cell_, 0.0, last_column_));
+    const auto row = static_cast<int>(std::clamp((p.y - low_.y) * per_cell_, 0.0, last_row_));
+    const std::size_t cell = static_cast<std::size_t>(row * columns_ + column);
+    return inside_[cell] ? Point{} : way_in(p, cell);
+  }
+  bool holds(Point p) const { return way_in(p) == Point{}; }
+  /// Points spread over the room and its boundary at most about `pitch` apart, in a fixed order.
+  std::vector<Point> spread(double pitch) const;
+
+ private:
+  struct Piece {
+    Point from, to, centre, along;
+    double radius = 0, length = 0;
+    double side = 0;  ///< of an arc: +1 the room is inside its circle, −1 outside
+    bool over_half = false;
+    int corner_from = 0, corner_to = 0;  ///< −1: juts into the room, +1: does not, 0: smooth
+  };
+  struct Hit {
+    double square = 0;
+    Point at;
+    bool inside = false;
+  };
+  Hit nearest(Point p, std::span<const std::uint32_t> among) const;
+  Point way_in(Point p, std::size_t cell) const;
+
+  Region region_;
+  std::vector<Piece> pieces_;
+  Point low_;
+  double per_cell_ = 1, last_column_ = 0, last_row_ = 0;
+  int columns_ = 0;
+  std::vector<std::uint8_t> inside_;          ///< whether all of a cell lies inside
+  std::vector<std::uint32_t> first_, among_;  ///< pieces of cell i: among_[first_[i] … first_[i+1])
+};
+
+}  // namespace bahnwerk::winding

@@ -1,0 +1,36 @@
+#pragma once
+/// Layouts from which a packing search begins.
+#include <vector>
+
+#include "core/numeric/random.hpp"
+#include "core/winding/packing/centre_room.hpp"
+
+namespace bahnwerk::winding {
+
+/// Rows of wires: neighbours in a row `pitch` apart, rows `height` apart and shifted by half a pitch.
+struct Rows {
+  Point origin;
+  Point along{1, 0};  ///< unit vector
+  double pitch = 1, height = 0.8660254037844386;
+};
+/// All points of `rows` where a centre may lie.
+std::vector<Point> points_of(const Rows& rows, const CentreRoom& room);
+
+/// Directions of the room's sides at least `least` long, by their chords, with a point of each.
+struct Side {
+  Point at, along, inwards;
+  double length = 0;
+};
+std::vector<Side> sides(const Region& room, double least);
+
+/// Random layouts of about as many wires as fit at `distance`: rows along a random side, rows along two sides that
+/// meet halfway between them, or rows in any direction, squeezed to a smaller pitch until there are `count` of them.
+/// May return more or fewer.
+std::vector<Point> random_rows(const CentreRoom& room, const std::vector<Side>& sides, double distance,
+                               std::size_t count, Random& random);
+
+/// The most wires that lie in unsqueezed rows, over many directions, shifts and stretches of the rows.
+std::vector<Point> best_rows(const CentreRoom& room, const std::vector<Side>& sides, double distance,
+                             std::size_t trials, Random& random);
+
+}  // namespace bahnwerk::winding
