@@ -4,6 +4,7 @@
 #include "api/embedded.hpp"
 #include "api/kind.hpp"
 #include "api/kinds/contour.hpp"
+#include "api/kinds/fill_factor.hpp"
 
 namespace bahnwerk::api {
 
@@ -11,6 +12,8 @@ std::span<const Kind> kinds() {
   static const std::array list{
       Kind{"contour", "A tool head along a planar or spatial contour", embedded("contour"), contour::check,
            contour::plan},
+      Kind{"fill_factor", "How many round wires a slot takes, by winding styles", embedded("fill_factor"),
+           fill_factor::check, fill_factor::plan},
   };
   return list;
 }

@@ -44,16 +44,17 @@ ordered_json openapi_document() {
   auto& schemas = components["schemas"];
 
   add_schema(schemas, "job", "JobDocument");
-  auto& spec = schemas["JobDocument"]["properties"]["spec"];
-  ordered_json specs = ordered_json::array();
-  auto& kind = schemas["JobDocument"]["properties"]["kind"]["enum"] = ordered_json::array();
-  auto& name = components["parameters"]["name"]["schema"]["enum"] = ordered_json::array({"job"});
+  ordered_json specs = ordered_json::array(), kind = ordered_json::array(), name = ordered_json::array({"job"});
   for (const auto& each : kinds()) {
     add_schema(schemas, each.name, std::string(each.name));
     specs.push_back({{"$ref", "#/components/schemas/" + std::string(each.name)}});
     kind.push_back(each.name);
     name.push_back(each.name);
   }
+  // Only now: adding a member to an ordered object moves all others.
+  schemas["JobDocument"]["properties"]["kind"]["enum"] = std::move(kind);
+  components["parameters"]["name"]["schema"]["enum"] = std::move(name);
+  auto& spec = schemas["JobDocument"]["properties"]["spec"];
   spec = specs.size() == 1 ? specs.front() : ordered_json{{"description", spec["description"]}, {"oneOf", specs}};
 
   auto& slug = components["parameters"]["slug"]["schema"]["enum"] = ordered_json::array();

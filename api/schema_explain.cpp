@@ -190,28 +190,43 @@ class Explainer {
     return text;
   }
 
-  /// Speaks for the one branch whose required members are there; else says which branches there are.
+  /// Whether a branch of a choice speaks of another type, or of another value of a member that it holds constant.
+  static bool excluded(const json& branch, const json& value) {
+    if (branch.contains("const")) return value.type() != branch["const"].type();
+    if (branch.contains("type") && branch["type"].is_string() && !is_type(value, branch["type"])) return true;
+    if (!branch.contains("properties") || !value.is_object()) return false;
+    for (const auto& [name, member] : branch["properties"].items())
+      if (member.is_object() && member.contains("const") && value.contains(name) && value[name] != member["const"])
+        return true;
+    return false;
+  }
+  static bool complete(const json& branch, const json& value) {
+    if (!branch.contains("required")) return true;
+    return value.is_object() &&
+           std::all_of(branch["required"].begin(), branch["required"].end(),
+                       [&](const json& name) { return value.contains(name.get_ref<const std::string&>()); });
+  }
+
+  /// Speaks for the one branch that the value means, by its type or a constant member, else by the required members
+  /// that are there; if that leaves none or several, says which branches there are.
   void one_of(const json& branches, const json& value, std::string& at) {
-    const json* candidate = nullptr;
-    std::size_t candidates = 0, valid = 0;
+    std::vector<const json*> possible, filled;
+    std::size_t valid = 0;
     std::string titles;
-    for (const auto& branch : branches) {
+    for (const auto& each : branches) {
+      const json& branch = resolve_ref(root_, each);
       Explainer inner(root_, 1);
       inner.visit(branch, value, at);
       valid += inner.errors.empty();
       titles += (titles.empty() ? "" : ", or ") + branch.value("title", std::string("another form"));
-      bool complete = true;
-      if (branch.contains("required"))
-        for (const auto& name : branch["required"])
-          complete &= value.is_object() && value.contains(name.get_ref<const std::string&>());
-      if (complete) {
-        candidate = &branch;
-        ++candidates;
-      }
+      if (excluded(branch, value)) continue;
+      possible.push_back(&branch);
+      if (complete(branch, value)) filled.push_back(&branch);
     }
     if (valid == 1) return;
-    if (candidates == 1)
-      visit(*candidate, value, at);
+    if (possible.size() != 1) possible = filled;
+    if (possible.size() == 1)
+      visit(*possible.front(), value, at);
     else
       add(at, "must be exactly one of: " + titles);
   }

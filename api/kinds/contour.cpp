@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "api/problem.hpp"
+#include "api/verification.hpp"
 #include "core/errors.hpp"
 
 namespace bahnwerk::api::contour {
@@ -20,18 +21,6 @@ ordered_json columns(const SetpointSource& source) {
   ordered_json list = ordered_json::array();
   for (const auto& column : source.columns()) list.push_back({{"name", column.name}, {"unit", column.unit}});
   return list;
-}
-
-ordered_json verification(const Verification& verdict) {
-  ordered_json checks = ordered_json::array();
-  for (const auto& c : verdict.checks)
-    checks.push_back({{"name", c.name},
-                      {"unit", c.unit},
-                      {"limit", c.limit},
-                      {"value", c.value},
-                      {"at", c.at},
-                      {"passed", c.passed}});
-  return {{"passed", verdict.passed}, {"checks", std::move(checks)}};
 }
 
 const char* name(PlanningMethod method) {

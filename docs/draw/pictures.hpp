@@ -17,4 +17,8 @@ void plate_in_colour(const std::string& file);
 void use_on_plate(const std::string& file);
 void corner_enlarged(const std::string& file);
 
+// docs/methods/fill_factor.md
+void fill_pictures(const std::string& folder);  ///< nine files
+void fill_table();
+
 }  // namespace bahnwerk::draw

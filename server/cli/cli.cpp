@@ -91,7 +91,7 @@ int run(int argc, char** argv) {
   CLI::App* plan_command = app.add_subcommand("plan", "plans a job document offline, prints the result document");
   plan_command->add_option("job", job, "job document, - for stdin")->required()->capture_default_str();
   add_contour(plan_command);
-  plan_command->add_option("--out", out, "directory for result.json and setpoints.csv")->type_name("DIR");
+  plan_command->add_option("--out", out, "directory for result.json, setpoints.csv and drawings")->type_name("DIR");
   const auto add_server = [&](CLI::App* command) {
     command->add_option("--server", server, "where the service is")->envname("BAHNWERK_SERVER")->type_name("URL");
   };

@@ -43,13 +43,22 @@ void finish(std::ofstream& file, const std::filesystem::path& path) {
   if (!file) throw std::runtime_error("cannot write " + path.string());
 }
 
-void write_files(const std::filesystem::path& folder, const std::string& result, const SetpointSource* source) {
+void write(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  finish(file, path);
+}
+
+/// result.json, the drawings that it holds, setpoints.csv.
+void write_files(const std::filesystem::path& folder, const nlohmann::ordered_json& result,
+                 const SetpointSource* source) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw std::runtime_error("cannot make " + folder.string() + ": " + error.message());
-  std::ofstream document(folder / "result.json", std::ios::binary);
-  document << result << '\n';
-  finish(document, folder / "result.json");
+  write(folder / "result.json", result.dump(2) + '\n');
+  if (result["details"].contains("drawings"))
+    for (const auto& [name, drawing] : result["details"]["drawings"].items())
+      write(folder / name, drawing.get<std::string>());
   if (!source) return;
   api::SetpointSeries series;
   series.columns = source->columns();
@@ -81,9 +90,8 @@ int plan(const std::string& job, const std::string& out) {
   } catch (...) {
     return report_problem(api::problem_from_current_exception("/spec"));
   }
-  const std::string result = planned.result.dump(2);
-  if (!out.empty()) write_files(out, result, planned.setpoints.get());
-  std::cout << result << std::endl;
+  if (!out.empty()) write_files(out, planned.result, planned.setpoints.get());
+  std::cout << planned.result.dump(2) << std::endl;
   if (!std::cout) throw std::runtime_error("cannot write the result document");
   return exit_ok;
 }

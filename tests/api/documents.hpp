@@ -49,6 +49,8 @@ inline std::optional<Problem> refusal(const std::string& body) {
   return std::nullopt;
 }
 
-inline nlohmann::json job_with_spec(const nlohmann::json& spec) { return {{"kind", "contour"}, {"spec", spec}}; }
+inline nlohmann::json job_with_spec(std::string_view kind, const nlohmann::json& spec) {
+  return {{"kind", kind}, {"spec", spec}};
+}
 
 }  // namespace bahnwerk::api::test

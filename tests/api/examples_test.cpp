@@ -11,14 +11,14 @@ namespace {
 
 using nlohmann::json;
 
-/// Checks every case of a file of faulty documents; returns how many there were.
-std::size_t check_cases(const std::string& file, const std::string& folder, const std::string& base, bool specs) {
+/// Checks every case of a file of faulty documents, specs of a kind or whole jobs; returns how many there were.
+std::size_t check_cases(const std::string& file, const std::string& folder, std::string_view kind = {}) {
   const json cases = test::read_json(file);
   for (const auto& each : cases) {
     SCOPED_TRACE(std::filesystem::path(file).filename().string() + ": " + each["why"].get<std::string>());
-    json document = test::read_json(test::source(folder + "/" + each.value("of", base)));
+    json document = test::read_json(test::source(folder + "/" + each.value("of", "complete.json")));
     document.patch_inplace(each["patch"]);
-    const auto problem = test::refusal((specs ? test::job_with_spec(document) : document).dump());
+    const auto problem = test::refusal((kind.empty() ? document : test::job_with_spec(kind, document)).dump());
     if (!problem) {
       ADD_FAILURE() << "accepted";
       continue;
@@ -44,7 +44,7 @@ TEST(Examples, OfEveryKindAreAccepted) {
     const auto files = test::json_files("schemas/examples/" + std::string(kind.name));
     EXPECT_FALSE(files.empty()) << kind.name;
     for (const auto& file : files) {
-      const auto problem = test::refusal(test::job_with_spec(test::read_json(file)).dump());
+      const auto problem = test::refusal(test::job_with_spec(kind.name, test::read_json(file)).dump());
       EXPECT_FALSE(problem) << file << problem->document().dump(1);
     }
   }
@@ -59,11 +59,10 @@ TEST(Examples, FaultyDocumentsAreRefusedAtTheRightPlace) {
   std::size_t count = 0;
   for (const auto& kind : kinds()) {
     const std::string folder = "schemas/examples/" + std::string(kind.name);
-    for (const auto& file : test::json_files(folder + "/invalid"))
-      count += check_cases(file, folder, "complete.json", true);
+    for (const auto& file : test::json_files(folder + "/invalid")) count += check_cases(file, folder, kind.name);
   }
   for (const auto& file : test::json_files("schemas/examples/job/invalid"))
-    count += check_cases(file, "schemas/examples/job", "complete.json", false);
+    count += check_cases(file, "schemas/examples/job");
   EXPECT_GE(count, 40u);
 }
 
@@ -72,7 +71,7 @@ TEST(Examples, WhatALaterVersionTakesIsSaidToBeUnavailable) {
   for (const auto& each : cases) {
     json spec = test::read_json(test::source("schemas/examples/contour/complete.json"));
     spec.patch_inplace(each["patch"]);
-    const auto problem = test::refusal(test::job_with_spec(spec).dump());
+    const auto problem = test::refusal(test::job_with_spec("contour", spec).dump());
     ASSERT_TRUE(problem);
     for (const auto& error : problem->errors())
       EXPECT_THAT(error.message, testing::HasSubstr("not available in this version")) << error.pointer;

@@ -6,6 +6,7 @@
 
 #include "api/embedded.hpp"
 #include "api/json_text.hpp"
+#include "api/kind.hpp"
 #include "api/schema.hpp"
 #include "api/schema_explain.hpp"
 #include "tests/api/documents.hpp"
@@ -17,8 +18,9 @@ using nlohmann::json;
 
 std::vector<std::string> seeds() {
   std::vector<std::string> bodies;
-  for (const auto& file : test::json_files("schemas/examples/contour"))
-    bodies.push_back(test::job_with_spec(test::read_json(file)).dump());
+  for (const auto& kind : kinds())
+    for (const auto& file : test::json_files("schemas/examples/" + std::string(kind.name)))
+      bodies.push_back(test::job_with_spec(kind.name, test::read_json(file)).dump());
   for (const auto& file : test::json_files("schemas/examples/job")) bodies.push_back(test::read_file(file));
   return bodies;
 }
@@ -88,7 +90,9 @@ void mutate(json& node, std::mt19937_64& random) {
                                         json::object(),
                                         json::array({0, 0}),
                                         json::array({1, 2, 3}),
-                                        json::object({{"line", {1, 1}}})};
+                                        json::object({{"line", {1, 1}}}),
+                                        "polygon",
+                                        json::object({{"copper", 0.9}, {"outer", 1}})};
   json* at = &node;
   while (at->is_structured() && !at->empty() && random() % 5) {
     auto child = at->begin();
@@ -96,8 +100,8 @@ void mutate(json& node, std::mt19937_64& random) {
     at = &*child;
   }
   if (at->is_object() && random() % 2) {
-    static const char* names[] = {"feed", "line", "arc",  "points",  "closed",   "gcode",
-                                  "jerk", "z",    "mode", "unknown", "tolerance"};
+    static const char* names[] = {"feed", "line",    "arc",       "points", "closed", "gcode", "jerk",   "z",
+                                  "mode", "unknown", "tolerance", "type",   "slot",   "wires", "copper", "liner"};
     (*at)[names[random() % std::size(names)]] = values[random() % values.size()];
   } else if (at->is_object() && !at->empty() && random() % 2) {
     auto member = at->begin();
@@ -110,12 +114,14 @@ void mutate(json& node, std::mt19937_64& random) {
   }
 }
 
-TEST(Mutations, OfValuesAreJudgedAlikeByBothJudges) {
-  const Schema schema(embedded("contour"));
-  const json rules = json::parse(embedded("contour"));
+class MutationsOfValues : public testing::TestWithParam<std::string> {};
+
+TEST_P(MutationsOfValues, AreJudgedAlikeByBothJudges) {
+  const Schema schema(embedded(GetParam()));
+  const json rules = json::parse(embedded(GetParam()));
   std::mt19937_64 random(7);
   std::vector<json> specs;
-  for (const auto& file : test::json_files("schemas/examples/contour")) specs.push_back(test::read_json(file));
+  for (const auto& file : test::json_files("schemas/examples/" + GetParam())) specs.push_back(test::read_json(file));
   int valid = 0;
   for (int trial = 0; trial < 20'000; ++trial) {
     json spec = specs[random() % specs.size()];
@@ -124,11 +130,19 @@ TEST(Mutations, OfValuesAreJudgedAlikeByBothJudges) {
     ASSERT_EQ(errors.empty(), explain(rules, spec, "", 50).empty()) << spec.dump();
     for (const auto& error : errors) ASSERT_NE(error.message, "does not follow the schema") << spec.dump();
     valid += errors.empty();
-    accepted(test::job_with_spec(spec).dump());
+    accepted(test::job_with_spec(GetParam(), spec).dump());
   }
   EXPECT_GT(valid, 500);
   EXPECT_LT(valid, 15'000);
 }
+
+std::vector<std::string> names_of_kinds() {
+  std::vector<std::string> names;
+  for (const auto& kind : kinds()) names.emplace_back(kind.name);
+  return names;
+}
+INSTANTIATE_TEST_SUITE_P(Kinds, MutationsOfValues, testing::ValuesIn(names_of_kinds()),
+                         [](const auto& each) { return each.param; });
 
 }  // namespace
 }  // namespace bahnwerk::api

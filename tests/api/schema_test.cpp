@@ -98,7 +98,7 @@ class Lint {
     const std::string description = schema.value("description", "");
     if (description.size() < 5) find(at, "no description");
     if (has_type(schema, "number") || has_type(schema, "integer")) {
-      static const std::set<std::string> units{"mm", "mm/s", "mm/s²", "mm/s³", "s", "deg", "(1)"};
+      static const std::set<std::string> units{"mm", "mm/s", "mm/s²", "mm/s³", "s", "deg", "°C", "(1)"};
       bool unit = false;
       std::string text = description;
       for (char& c : text)

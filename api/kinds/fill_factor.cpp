@@ -1,0 +1,202 @@
+#include "api/kinds/fill_factor.hpp"
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "api/problem.hpp"
+#include "api/verification.hpp"
+#include "core/errors.hpp"
+#include "core/winding/drawing.hpp"
+
+namespace bahnwerk::api::fill_factor {
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+using winding::Point;
+
+ordered_json point(Point p) { return {p.x, p.y}; }
+
+ordered_json points(std::span<const Point> list) {
+  ordered_json out = ordered_json::array();
+  for (const Point& p : list) out.push_back(point(p));
+  return out;
+}
+
+/// Edges in order, each from the end of the one before; a loop begins where "from" stands.
+ordered_json outline(const winding::Region& region) {
+  ordered_json list = ordered_json::array();
+  for (std::size_t i = 0; i < region.edges().size(); ++i) {
+    const winding::Edge& edge = region.edges()[i];
+    ordered_json piece = ordered_json::object();
+    if (region.begins_loop(i)) piece["from"] = point(edge.from);
+    if (edge.straight()) {
+      piece["line"] = point(edge.to);
+    } else {
+      piece["arc"] = {
+          {"to", point(edge.to)}, {"center", point(edge.centre)}, {"direction", edge.turn > 0 ? "ccw" : "cw"}};
+    }
+    list.push_back(std::move(piece));
+  }
+  return list;
+}
+
+ordered_json wire(const winding::Wire& wire) {
+  return {{"copper", wire.copper}, {"outer", wire.outer}, {"tolerance", wire.tolerance}};
+}
+
+ordered_json producible(const winding::Producible& verdict) {
+  if (!verdict.first) return nullptr;
+  const bool pushed = verdict.first->reason == winding::Producible::Reason::pushed_out;
+  return {{"wire", verdict.first->wire + 1},
+          {"laid", verdict.first->laid + 1},
+          {"reason", pushed ? "pushed_out" : "no_support"},
+          {"unsupported", verdict.unsupported.size()}};
+}
+
+ordered_json spread(const FilledLayout& filled) {
+  std::map<std::size_t, std::size_t> often;
+  double sum = 0;
+  for (const std::size_t count : filled.sampled) {
+    ++often[count];
+    sum += static_cast<double>(count);
+  }
+  ordered_json histogram = ordered_json::array();
+  for (const auto& [count, times] : often) histogram.push_back({{"count", count}, {"samples", times}});
+  return {{"samples", filled.sampled.size()},
+          {"least", often.begin()->first},
+          {"mean", sum / static_cast<double>(filled.sampled.size())},
+          {"most", often.rbegin()->first},
+          {"histogram", std::move(histogram)}};
+}
+
+ordered_json layout(const FilledLayout& filled, double slot_area) {
+  const auto& turns = filled.turns;
+  ordered_json out = {{"algorithm", name(filled.algorithm)},
+                      {"wire", wire(filled.wire)},
+                      {"count", filled.count()},
+                      {"bound", filled.bound},
+                      {"electrical_fill", filled.electrical},
+                      {"mechanical_fill", filled.mechanical},
+                      {"allowed_overlap", filled.overlap},
+                      {"max_overlap", filled.overlaps.deepest},
+                      {"total_overlap_area", filled.overlaps.area},
+                      {"producible", filled.producible.producible()},
+                      {"slips", producible(filled.producible)},
+                      {"turns",
+                       {{"serial", turns.serial},
+                        {"parallel", turns.parallel},
+                        {"wires", turns.wires},
+                        {"loss", turns.loss},
+                        {"electrical_fill", electrical_fill(turns.wires, filled.wire, slot_area)}}},
+                      {"resistance_per_metre", filled.resistance},
+                      {"positions", points(filled.layout.wires)}};
+  if (!filled.layout.pulls.empty()) out["pulls"] = points(filled.layout.pulls);
+  if (!filled.regions.empty()) {
+    static constexpr const char* names[] = {"head_bottom", "slot_back", "head_top"};
+    ordered_json regions = ordered_json::object();
+    for (std::size_t k = 0; k < filled.regions.size(); ++k)
+      regions[names[k]] = {{"positions", points(filled.regions[k].wires)}, {"pulls", points(filled.regions[k].pulls)}};
+    out["regions"] = std::move(regions);
+  }
+  if (!filled.sampled.empty()) out["robustness"] = spread(filled);
+  return out;
+}
+
+std::string percent(double share) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f %%", 100 * share);
+  return text;
+}
+
+std::string drawing(const FillRequest& request, const FilledLayout& filled) {
+  winding::DrawnWires drawn;
+  char copper[32];
+  std::snprintf(copper, sizeof copper, "%.3g mm", filled.wire.copper);
+  drawn.title = std::string(name(filled.algorithm)) + ", " + copper + ": " + std::to_string(filled.count()) +
+                " wires, " + percent(filled.electrical) + " copper";
+  drawn.radius = filled.wire.radius();
+  drawn.copper = filled.wire.copper;
+  drawn.wires = filled.layout.wires;
+  drawn.slipping = filled.producible.slipping();
+  return slot_drawing(request.slot, drawn);
+}
+
+ordered_json drawings(const FillRequest& request, const FillPlan& plan) {
+  ordered_json out = ordered_json::object();
+  std::vector<winding::FillCurve> curves;
+  for (const std::size_t best : plan.best) {
+    const FilledLayout& filled = plan.layouts[best];
+    out[std::string(name(filled.algorithm)) + ".svg"] = drawing(request, filled);
+    curves.push_back({filled.algorithm, {}});
+    for (const FilledLayout& each : plan.layouts)
+      if (each.algorithm == filled.algorithm)
+        curves.back().values.push_back({each.wire.copper, each.electrical, each.mechanical});
+  }
+  if (request.wires.size() > 1) out["fill_factors.svg"] = fill_chart(curves, "Fill factors of the slot");
+  return out;
+}
+
+ordered_json summary(const FilledLayout& filled) {
+  return {{"algorithm", name(filled.algorithm)},
+          {"wire", wire(filled.wire)},
+          {"count", filled.count()},
+          {"electrical_fill", filled.electrical},
+          {"mechanical_fill", filled.mechanical},
+          {"producible", filled.producible.producible()}};
+}
+
+/// The best of those that can be wound.
+ordered_json best_producible(const FillPlan& plan) {
+  const FilledLayout* best = nullptr;
+  for (const FilledLayout& filled : plan.layouts)
+    if (filled.producible.producible() && filled.count() > 0 && (!best || filled.electrical > best->electrical))
+      best = &filled;
+  return best ? summary(*best) : ordered_json(nullptr);
+}
+
+}  // namespace
+
+void check(const json& spec) {
+  try {
+    request(spec);
+  } catch (const InvalidInput&) {
+    throw problem_from_current_exception("/spec");
+  }
+}
+
+PlannedJob plan(const json& spec, Progress& progress) {
+  progress.report("read", 0.0);
+  const FillRequest asked = request(spec);
+  const FillPlan plan = plan_fill(asked, progress);
+  const FilledLayout& top = plan.layouts[plan.top];
+  const double area = asked.slot.iron.area();
+  ordered_json layouts = ordered_json::array(), best = ordered_json::array();
+  for (const FilledLayout& filled : plan.layouts) layouts.push_back(layout(filled, area));
+  for (const std::size_t i : plan.best) best.push_back(summary(plan.layouts[i]));
+  ordered_json details = {{"slot",
+                           {{"area", area},
+                            {"room_area", asked.slot.room.area()},
+                            {"outline", outline(asked.slot.iron)},
+                            {"room", outline(asked.slot.room)}}},
+                          {"best", std::move(best)},
+                          {"layouts", std::move(layouts)}};
+  if (spec.value("drawings", true)) details["drawings"] = drawings(asked, plan);
+  PlannedJob job;
+  job.verified = plan.verification.passed;
+  ordered_json short_form = summary(top);
+  short_form["best_producible"] = best_producible(plan);
+  job.result = {
+      {"kind", "fill_factor"},
+      {"summary", std::move(short_form)},
+      {"verification", verification(plan.verification)},
+      {"bound",
+       {{"count", top.bound},
+        {"gap", top.count() == 0 ? 0.0 : static_cast<double>(top.bound) / static_cast<double>(top.count()) - 1},
+        {"basis", "Oler's inequality on the convex hull of the wires' centres"}}},
+      {"details", std::move(details)}};
+  return job;
+}
+
+}  // namespace bahnwerk::api::fill_factor

@@ -1,0 +1,19 @@
+#pragma once
+/// Kind "fill_factor": JSON spec → core → result document.
+#include <nlohmann/json_fwd.hpp>
+
+#include "api/kind.hpp"
+#include "core/fill_plan.hpp"
+
+namespace bahnwerk::api::fill_factor {
+
+/// Most wires that one layout may have, by the proven bound.
+inline constexpr std::size_t most_wires = 5000;
+
+/// Reads a spec that passed its schema. Throws InvalidInput naming every fault, with places relative to the spec.
+FillRequest request(const nlohmann::json& spec);
+
+void check(const nlohmann::json& spec);
+PlannedJob plan(const nlohmann::json& spec, Progress& progress);
+
+}  // namespace bahnwerk::api::fill_factor

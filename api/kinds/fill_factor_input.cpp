@@ -1,0 +1,273 @@
+// The spec of kind "fill_factor" → slot, wires, options.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "api/kinds/fill_factor.hpp"
+#include "core/errors.hpp"
+#include "core/winding/count_bound.hpp"
+
+namespace bahnwerk::api::fill_factor {
+namespace {
+
+using nlohmann::json;
+using winding::Wire;
+
+constexpr double degree = std::numbers::pi / 180;
+
+winding::Point point(const json& value) { return {value[0].get<double>(), value[1].get<double>()}; }
+
+/// A number that may be absent or null.
+template <class T>
+std::optional<T> given(const json& object, const char* member) {
+  const auto at = object.find(member);
+  if (at == object.end() || at->is_null()) return std::nullopt;
+  return at->get<T>();
+}
+
+winding::StatorSlot stator(const json& s) {
+  winding::StatorSlot slot;
+  slot.base_width = s["base_width"];
+  slot.opening_width = s["opening_width"];
+  slot.height = s["height"];
+  slot.tip_angle = degree * s["tip_angle"].get<double>();
+  slot.base_radius = s["base_radius"];
+  slot.base_corner_radius = s.value("base_corner_radius", 0.0);
+  slot.tip_corner_radius = s.value("tip_corner_radius", 0.0);
+  slot.liner = s.value("liner", 0.0);
+  slot.wedge_thickness = s.value("wedge_thickness", 0.0);
+  slot.wedge_width = s.value("wedge_width", 0.0);
+  return slot;
+}
+
+winding::RotorSlot rotor(const json& s) {
+  winding::RotorSlot slot;
+  slot.grooves = s["grooves"];
+  slot.groove_radius = s["groove_radius"];
+  slot.groove_pitch = s["groove_pitch"];
+  slot.shoe_radius = s["shoe_radius"];
+  slot.shoe_angle = degree * s["shoe_angle"].get<double>();
+  slot.root_angle = degree * s["root_angle"].get<double>();
+  slot.base_width = s["base_width"];
+  slot.root_flank = s["root_flank"];
+  slot.shoe_flank = s["shoe_flank"];
+  slot.height = s["height"];
+  return slot;
+}
+
+winding::PolygonSlot polygon(const json& s) {
+  winding::PolygonSlot slot;
+  for (const auto& p : s["points"]) slot.points.push_back(point(p));
+  slot.liner = s.value("liner", 0.0);
+  slot.corner_radius = s.value("corner_radius", 0.0);
+  return slot;
+}
+
+winding::Slot slot(const json& s) {
+  if (s["type"] == "stator") return make_slot(stator(s));
+  if (s["type"] == "rotor") return make_slot(rotor(s));
+  return make_slot(polygon(s));
+}
+
+std::string mm(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+/// Standard wires on both sides of a diameter that none has.
+std::string neighbours(double copper, int grade) {
+  std::string below, above;
+  for (const Wire& wire : winding::standard_wires(grade, 0, 10, winding::Series::r40)) {
+    if (wire.copper < copper) below = mm(wire.copper);
+    if (wire.copper > copper && above.empty()) above = mm(wire.copper);
+  }
+  return below.empty() || above.empty() ? below + above : below + " and " + above;
+}
+
+/// The tolerance of the standard wire whose copper diameter is nearest.
+double usual_tolerance(double copper, int grade) {
+  const auto list = winding::standard_wires(grade, 0, 10, winding::Series::r40);
+  return std::min_element(
+             list.begin(), list.end(),
+             [&](const Wire& a, const Wire& b) { return std::abs(a.copper - copper) < std::abs(b.copper - copper); })
+      ->tolerance;
+}
+
+class WireReader {
+ public:
+  WireReader(int grade, std::vector<InputFault>& faults) : grade_(grade), faults_(faults) {}
+
+  std::vector<Wire> read(const json& spec) {
+    std::vector<Wire> wires;
+    const json list = spec.value("wires", json("standard"));
+    if (list.is_string()) return standard(spec.value("wire_range", json::object()));
+    for (std::size_t i = 0; i < list.size(); ++i)
+      if (const auto wire = read_one(list[i], std::to_string(i))) wires.push_back(*wire);
+    return wires;
+  }
+
+ private:
+  int grade_;
+  std::vector<InputFault>& faults_;
+
+  std::vector<Wire> standard(const json& range) {
+    const auto series = range.value("series", "R20") == "R40" ? winding::Series::r40 : winding::Series::r20;
+    const double least = range.value("least", 0.5), most = range.value("most", 1.6);
+    auto wires = winding::standard_wires(grade_, least, most, series);
+    if (wires.empty())
+      faults_.push_back({{"wire_range"}, "holds no standard wire; one is " + neighbours(least, grade_)});
+    return wires;
+  }
+
+  std::optional<Wire> read_one(const json& value, const std::string& index) {
+    if (value.is_number()) {
+      const auto wire = winding::standard_wire(value, grade_);
+      if (!wire)
+        faults_.push_back({{"wires", index},
+                           "is no standard wire; the nearest are " + neighbours(value, grade_) +
+                               ", or give copper and outer diameter"});
+      return wire;
+    }
+    const double copper = value["copper"], outer = value["outer"];
+    if (outer < copper) faults_.push_back({{"wires", index, "outer"}, "is less than the copper diameter"});
+    return Wire{copper, outer, given<double>(value, "tolerance").value_or(usual_tolerance(copper, grade_))};
+  }
+};
+
+/// Members of `heads` for one type of slot.
+class HeadReader {
+ public:
+  HeadReader(const json& heads, std::vector<InputFault>& faults) : heads_(heads), faults_(faults) {}
+
+  void take(const char* member, double& value, double unit = 1) {
+    known_.emplace_back(member);
+    if (const auto v = given<double>(heads_, member)) value = unit * *v;
+  }
+  void take(const char* member, int& value) {
+    known_.emplace_back(member);
+    if (const auto v = given<int>(heads_, member)) value = *v;
+  }
+  void finish(const std::string& type) {
+    for (const auto& [member, value] : heads_.items())
+      if (std::find(known_.begin(), known_.end(), member) == known_.end())
+        faults_.push_back({{"heads", member}, "does not belong to " + type});
+  }
+
+ private:
+  const json& heads_;
+  std::vector<InputFault>& faults_;
+  std::vector<std::string> known_;
+};
+
+winding::StatorHeads stator_heads(const json& heads, const winding::StatorSlot& slot, std::vector<InputFault>& faults) {
+  constexpr double behind_base = 99.971 - 95.7;  // [Herrmann Table 4.3]
+  winding::StatorHeads h;
+  h.base_radius = slot.base_radius + slot.liner;
+  h.tool_radius = h.base_radius + behind_base;
+  HeadReader reader(heads, faults);
+  reader.take("slot_pitch", h.slot_pitch, degree);
+  reader.take("span", h.span);
+  reader.take("tool_radius", h.tool_radius);
+  reader.take("tool_shift", h.tool_shift);
+  reader.take("tool_height", h.tool_height);
+  reader.take("stack", h.stack);
+  reader.finish("a stator slot");
+  if (h.tool_radius < h.base_radius)
+    faults.push_back({{"heads", "tool_radius"}, "lies inside the slot's base, at " + mm(h.base_radius) + " mm"});
+  if (h.span * h.slot_pitch >= std::numbers::pi)
+    faults.push_back(
+        {{"heads", "span"}, "takes the coil to the other side of the stator: less than half a turn is possible"});
+  return h;
+}
+
+winding::RotorHeads rotor_heads(const json& heads, std::vector<InputFault>& faults) {
+  winding::RotorHeads h;
+  HeadReader reader(heads, faults);
+  reader.take("cap_height", h.cap_height);
+  reader.take("cap_base", h.cap_base);
+  reader.take("stack", h.stack);
+  reader.take("tooth_half_width", h.tooth_half_width);
+  reader.take("tooth_radius", h.tooth_radius);
+  reader.finish("a rotor slot");
+  if (h.cap_height <= h.cap_base) faults.push_back({{"heads", "cap_height"}, "is no higher than the cap's grooves"});
+  return h;
+}
+
+winding::Algorithm algorithm(const std::string& text) {
+  for (const auto a : {winding::Algorithm::orthocyclic_base, winding::Algorithm::orthocyclic_flank,
+                       winding::Algorithm::raabe, winding::Algorithm::potential})
+    if (text == name(a)) return a;
+  return winding::Algorithm::needle;
+}
+
+void read_algorithms(const json& spec, FillRequest& request, std::vector<InputFault>& faults) {
+  const json all{"orthocyclic_base", "orthocyclic_flank", "raabe", "potential", "needle"};
+  const json list = spec.value("algorithms", all);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const auto each = algorithm(list[i]);
+    if (std::find(request.algorithms.begin(), request.algorithms.end(), each) != request.algorithms.end())
+      faults.push_back({{"algorithms", std::to_string(i)}, "is named twice"});
+    request.algorithms.push_back(each);
+  }
+}
+
+void read_heads(const json& spec, FillRequest& request, std::vector<InputFault>& faults) {
+  const json heads = spec.value("heads", json::object());
+  if (spec["slot"]["type"] == "stator") request.heads = stator_heads(heads, stator(spec["slot"]), faults);
+  if (spec["slot"]["type"] == "rotor") request.heads = rotor_heads(heads, faults);
+  if (spec["slot"]["type"] == "polygon" && !heads.empty())
+    faults.push_back({{"heads"}, "a polygon has no winding heads: tie_in draws all its wires"});
+}
+
+/// Wires that do not fit at all, and more than anybody winds.
+void check_sizes(const FillRequest& request, bool listed, std::vector<InputFault>& faults) {
+  std::size_t most = 0;
+  for (std::size_t i = 0; i < request.wires.size(); ++i) {
+    const double r = request.wires[i].radius();
+    const std::size_t bound = winding::most_wires(request.slot.room, r, 2 * r);
+    most = std::max(most, bound);
+    if (bound <= most_wires) continue;
+    const std::vector<std::string> place =
+        listed ? std::vector<std::string>{"wires", std::to_string(i)} : std::vector<std::string>{"wire_range", "least"};
+    faults.push_back({place, "is too thin for this slot: up to " + std::to_string(bound) + " wires, at most " +
+                                 std::to_string(most_wires) + " are computed"});
+    return;
+  }
+  if (most == 0 && !request.wires.empty()) faults.push_back({{"wires"}, "none of the wires fits into the slot"});
+}
+
+}  // namespace
+
+FillRequest request(const json& spec) {
+  FillRequest request;
+  request.slot = slot(spec["slot"]);
+  std::vector<InputFault> faults;
+  const int grade = spec.value("grade", 2);
+  request.wires = WireReader(grade, faults).read(spec);
+  read_algorithms(spec, request, faults);
+  request.overlap_tolerance = given<double>(spec, "overlap_tolerance");
+  request.seed = spec.value("seed", std::uint64_t{1});
+  request.effort = spec.value("effort", 1.0);
+  request.shifts = spec.value("shifts", 4);
+  request.tie_in = spec.contains("tie_in") ? point(spec["tie_in"]) : request.slot.pull;
+  read_heads(spec, request, faults);
+  const json turns = spec.value("turns", json::object());
+  request.serial = given<std::size_t>(turns, "serial");
+  request.parallel = given<std::size_t>(turns, "parallel");
+  request.temperature = spec.value("temperature", 20.0);
+  const json hold = spec.value("producible", json::object());
+  request.producible.friction = hold.value("friction", request.producible.friction);
+  request.producible.touch = hold.value("touch", request.producible.touch);
+  if (spec.contains("robustness")) {
+    const json& r = spec["robustness"];
+    request.sampling = {r["samples"].get<int>(), given<double>(r, "wire_tolerance"), r.value("slot_tolerance", 0.0)};
+  }
+  if (faults.empty()) check_sizes(request, spec.contains("wires") && spec["wires"].is_array(), faults);
+  if (!faults.empty()) throw InvalidInput(std::move(faults));
+  return request;
+}
+
+}  // namespace bahnwerk::api::fill_factor

@@ -1,0 +1,119 @@
+#include "api/kinds/fill_factor.hpp"
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "core/errors.hpp"
+#include "tests/api/documents.hpp"
+
+namespace bahnwerk::api::fill_factor {
+namespace {
+
+using nlohmann::json;
+
+json example(const std::string& name) {
+  return test::read_json(test::source("schemas/examples/fill_factor/" + name + ".json"));
+}
+
+TEST(FillFactorInput, ReadsAStatorSlot) {
+  const FillRequest r = request(example("complete"));
+  EXPECT_EQ(r.slot.type, winding::Slot::Type::stator);
+  EXPECT_NEAR(r.slot.room.area(), 73.18, 0.01);
+  EXPECT_EQ(r.wires.size(), 21u);
+  EXPECT_EQ(r.algorithms.size(), 5u);
+  const auto& heads = std::get<winding::StatorHeads>(r.heads);
+  EXPECT_NEAR(heads.slot_pitch, 7.5 * std::numbers::pi / 180, 1e-15);
+  EXPECT_NEAR(heads.base_radius, 95.7, 1e-12);
+  EXPECT_EQ(r.parallel, 4u);
+  EXPECT_FALSE(r.serial);
+  EXPECT_EQ(r.sampling.samples, 20);
+}
+
+TEST(FillFactorInput, DefaultsAreTheSources) {
+  json spec = example("complete");
+  for (const char* member : {"heads", "tie_in", "algorithms", "wires", "wire_range", "robustness"}) spec.erase(member);
+  const FillRequest r = request(spec), full = request(example("complete"));
+  EXPECT_NEAR(std::get<winding::StatorHeads>(r.heads).tool_radius, 99.971, 1e-9);
+  EXPECT_EQ(r.tie_in, full.tie_in);
+  EXPECT_EQ(r.algorithms, full.algorithms);
+  EXPECT_EQ(r.wires.size(), 11u);
+  EXPECT_EQ(r.sampling.samples, 0);
+}
+
+TEST(FillFactorInput, ReadsWiresOfEveryForm) {
+  const auto wires = request(example("wires")).wires;
+  ASSERT_EQ(wires.size(), 3u);
+  EXPECT_NEAR(wires[0].outer, 0.989, 1e-12);
+  EXPECT_NEAR(wires[1].outer, 1.0, 1e-12);
+  EXPECT_NEAR(wires[1].tolerance, wires[0].tolerance, 1e-12) << "of the standard wire next to it";
+  EXPECT_NEAR(wires[2].tolerance, 0.02, 1e-12);
+}
+
+TEST(FillFactorInput, AllFaultsAreNamedAtOnce) {
+  json spec = example("complete");
+  spec["wires"] = {0.91, 0.9, 0.93};
+  spec["algorithms"] = {"raabe", "raabe"};
+  try {
+    request(spec);
+    FAIL();
+  } catch (const InvalidInput& error) {
+    EXPECT_EQ(error.faults.size(), 3u);
+    EXPECT_THAT(error.faults[0].message, testing::HasSubstr("0.9 and 0.95"));
+  }
+}
+
+TEST(FillFactorPlan, ResultHasTheContractsForm) {
+  SilentProgress silent;
+  json spec = example("wires");
+  spec["algorithms"] = {"potential", "needle"};
+  spec["overlap_tolerance"] = nullptr;
+  const PlannedJob job = plan(spec, silent);
+  EXPECT_TRUE(job.verified);
+  EXPECT_EQ(job.setpoints, nullptr);
+  const auto& r = job.result;
+  ASSERT_EQ(r["details"]["layouts"].size(), 6u);
+  for (const auto& layout : r["details"]["layouts"]) {
+    for (const char* member : {"algorithm", "wire", "count", "bound", "electrical_fill", "mechanical_fill", "positions",
+                               "max_overlap", "total_overlap_area", "producible", "turns", "resistance_per_metre"})
+      EXPECT_TRUE(layout.contains(member)) << member;
+    EXPECT_EQ(layout["positions"].size(), layout["count"]);
+    EXPECT_EQ(layout["slips"].is_null(), layout["producible"].get<bool>());
+    EXPECT_EQ(layout["turns"]["serial"], 10);
+    EXPECT_LE(layout["turns"]["electrical_fill"].get<double>(), layout["electrical_fill"].get<double>() + 1e-12);
+  }
+  EXPECT_EQ(r["details"]["best"].size(), 2u);
+  EXPECT_GE(r["bound"]["gap"].get<double>(), 0);
+  EXPECT_TRUE(r["details"]["drawings"].contains("potential.svg"));
+  EXPECT_TRUE(r["details"]["drawings"].contains("fill_factors.svg"));
+  spec["drawings"] = false;
+  EXPECT_FALSE(plan(spec, silent).result["details"].contains("drawings"));
+}
+
+TEST(FillFactorPlan, NeedleTellsOfAllFourRegions) {
+  SilentProgress silent;
+  json spec = example("rotor");
+  spec["algorithms"] = {"needle"};
+  const auto layout = plan(spec, silent).result["details"]["layouts"][0];
+  const std::size_t count = layout["count"];
+  EXPECT_EQ(layout["pulls"].size(), count);
+  for (const char* region : {"head_bottom", "slot_back", "head_top"})
+    EXPECT_EQ(layout["regions"][region]["positions"].size(), count);
+}
+
+TEST(FillFactorPlan, RobustnessIsADistribution) {
+  SilentProgress silent;
+  json spec = example("rotor");
+  spec["algorithms"] = {"needle"};
+  spec["robustness"] = {{"samples", 12}, {"slot_tolerance", 0.05}};
+  const auto spread = plan(spec, silent).result["details"]["layouts"][0]["robustness"];
+  std::size_t sum = 0;
+  for (const auto& bar : spread["histogram"]) sum += bar["samples"].get<std::size_t>();
+  EXPECT_EQ(sum, 12u);
+  EXPECT_LE(spread["least"], spread["mean"]);
+  EXPECT_LE(spread["mean"], spread["most"]);
+}
+
+}  // namespace
+}  // namespace bahnwerk::api::fill_factor

@@ -1,0 +1,58 @@
+/// Time of what every layout stands on: distances to a slot, the judge's look at a layout; and of a whole sweep.
+#include <benchmark/benchmark.h>
+
+#include "core/fill_plan.hpp"
+#include "core/numeric/random.hpp"
+#include "core/verify/layout_judge.hpp"
+
+namespace bahnwerk {
+namespace {
+
+using winding::Algorithm;
+
+/// One distance to the room's boundary; both slots have some 14 edges.
+void distance(benchmark::State& state, const winding::Slot& slot) {
+  Random random(1);
+  std::vector<winding::Point> points;
+  const auto& box = slot.room.box();
+  for (int k = 0; k < 4096; ++k)
+    points.push_back({random.uniform(box.low.x, box.high.x), random.uniform(box.low.y, box.high.y)});
+  std::size_t i = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(slot.room.distance(points[i++ % points.size()]));
+}
+
+/// Wires on a lattice, judged; time per wire grows with their number: every pair is looked at.
+void judging(benchmark::State& state) {
+  const auto n = static_cast<std::size_t>(state.range(0));
+  const double side = std::sqrt(static_cast<double>(n));
+  const winding::Slot slot = make_slot(winding::PolygonSlot{{{0, 0}, {side, 0}, {side, side}, {0, side}}, 0, 0});
+  std::vector<winding::Point> wires;
+  for (double y = 0.5; y < side; ++y)
+    for (double x = 0.5; x < side; ++x) wires.push_back({x, y});
+  SilentProgress silent;
+  const JudgedLayout layout{"lattice", 0.9, 0.5, 0, wires, n};
+  for (auto _ : state) benchmark::DoNotOptimize(judge_layouts(slot.room, std::span(&layout, 1), silent, 0, 1));
+  state.SetComplexityN(state.range(0));
+}
+
+/// The example stator slot, 0.50 to 1.60 mm, five layouts each, verdicts and judge included.
+void sweep(benchmark::State& state, winding::Series series) {
+  FillRequest request;
+  request.slot = make_slot(winding::StatorSlot{});
+  request.wires = winding::standard_wires(2, 0.5, 1.6, series);
+  request.algorithms = {Algorithm::orthocyclic_base, Algorithm::orthocyclic_flank, Algorithm::raabe,
+                        Algorithm::potential, Algorithm::needle};
+  request.tie_in = request.slot.pull;
+  request.heads = winding::StatorHeads{};
+  SilentProgress silent;
+  for (auto _ : state) benchmark::DoNotOptimize(plan_fill(request, silent));
+}
+
+BENCHMARK_CAPTURE(distance, stator, make_slot(winding::StatorSlot{}));
+BENCHMARK_CAPTURE(distance, rotor, make_slot(winding::RotorSlot{}));
+BENCHMARK(judging)->RangeMultiplier(4)->Range(64, 4096)->Complexity();
+BENCHMARK_CAPTURE(sweep, r20, winding::Series::r20)->Unit(benchmark::kSecond)->Iterations(1);
+BENCHMARK_CAPTURE(sweep, r40, winding::Series::r40)->Unit(benchmark::kSecond)->Iterations(1);
+
+}  // namespace
+}  // namespace bahnwerk

@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# Layouts of a slot over HTTP: the same bits with one worker and with two, and as `bahnwerk plan` gives them; drawings; no
+# setpoints; clear faults.
+source "$(dirname "$0")/lib.sh"
+jq '.spec.wires = [1.5, 1.6] | .spec.effort = 0.2 | .spec.robustness = {"samples": 1}' "$examples/stator_slot.json" >"$work/job.json"
+jq '.spec.seed = 2 | .spec.wires = [1.4]' "$work/job.json" >"$work/other.json"
+
+start_server --workers 1
+post "$work/job.json"
+expect_status 202
+await succeeded 120
+request GET "/v1/jobs/$id/result"
+expect_status 200
+expect_json '.verification.passed and .bound.count >= .summary.count and .kind == "fill_factor"'
+expect_json '.details.layouts | length == 10 and all(.count == (.positions | length))'
+expect_json '.details.drawings["potential.svg"] | startswith("<svg")'
+jq -S . "$work/body" >"$work/one.json"
+request GET "/v1/jobs/$id/setpoints"
+expect_problem not-found 404
+request GET "/v1/jobs/$id"
+expect_json '.progress.fraction == 1'
+stop_server
+
+store=$work/two.db
+start_server --workers 2
+post "$work/job.json"
+first=$id
+post "$work/other.json"
+await succeeded 120
+id=$first
+await succeeded 120
+request GET "/v1/jobs/$id/result"
+jq -S . "$work/body" >"$work/two.json"
+cmp "$work/one.json" "$work/two.json" || fail "one worker and two give different layouts"
+
+"$bahnwerk" plan "$work/job.json" --out "$work/offline" | jq -S . >"$work/offline.json"
+cmp "$work/one.json" "$work/offline.json" || fail "the service and the command line give different layouts"
+jq -S . "$work/offline/result.json" | cmp - "$work/one.json" || fail "result.json"
+for name in orthocyclic_base orthocyclic_flank raabe potential needle fill_factors; do
+  [[ $(head -c 4 "$work/offline/$name.svg") == '<svg' ]] || fail "$name.svg"
+done
+
+jq '.spec.slot.base_corner_radius = 3 ' "$work/job.json" >"$work/bad.json"
+post "$work/bad.json"
+expect_problem semantic-violation 422
+expect_json '.errors[0].pointer == "/spec/slot/base_corner_radius"'
+jq 'del(.spec.slot.height)' "$work/job.json" >"$work/bad.json"
+post "$work/bad.json"
+expect_problem schema-violation 422
+expect_json '.errors[0].pointer == "/spec/slot/height"'
+
+# A long search is stopped within a second.
+jq '.spec.wires = [0.6] | .spec.effort = 100 | del(.spec.robustness)' "$work/job.json" >"$work/long.json"
+post "$work/long.json"
+sleep 1
+request POST "/v1/jobs/$id/cancel"
+expect_status 202
+await cancelled 3

@@ -1,0 +1,125 @@
+#include "core/fill_plan.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "core/errors.hpp"
+
+namespace bahnwerk {
+namespace {
+
+using winding::Algorithm;
+
+FillRequest stator(std::vector<double> copper) {
+  FillRequest request;
+  request.slot = make_slot(winding::StatorSlot{});
+  for (const double d : copper) request.wires.push_back(*winding::standard_wire(d, 2));
+  request.algorithms = {Algorithm::orthocyclic_base, Algorithm::orthocyclic_flank, Algorithm::raabe,
+                        Algorithm::potential, Algorithm::needle};
+  request.tie_in = request.slot.pull;
+  request.heads = winding::StatorHeads{};
+  return request;
+}
+
+const FilledLayout& of(const FillPlan& plan, Algorithm algorithm, std::size_t wire = 0) {
+  std::size_t seen = 0;
+  for (const FilledLayout& filled : plan.layouts)
+    if (filled.algorithm == algorithm && seen++ == wire) return filled;
+  throw std::logic_error("no such layout");
+}
+
+/// Whether progress never goes back and the planner stops where it is told to.
+class Watch final : public Progress {
+ public:
+  explicit Watch(double stop = 2) : stop_(stop) {}
+  void report(std::string_view stage, double fraction, std::string_view) override {
+    EXPECT_GE(fraction, last_ - 1e-12) << stage;
+    EXPECT_LE(fraction, 1 + 1e-12);
+    last_ = fraction;
+    stages.insert(std::string(stage));
+    if (fraction >= stop_) throw Stopped(StopReason::cancelled);
+  }
+  std::set<std::string> stages;
+
+ private:
+  double stop_, last_ = 0;
+};
+
+TEST(FillPlan, OrderingsOfTheSource) {
+  Watch watch;
+  const FillPlan plan = plan_fill(stator({0.63, 0.9, 1.25}), watch);
+  EXPECT_TRUE(plan.verification.passed);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const FilledLayout& most = of(plan, Algorithm::potential, i);
+    for (const auto other :
+         {Algorithm::orthocyclic_base, Algorithm::orthocyclic_flank, Algorithm::raabe, Algorithm::needle})
+      EXPECT_GT(most.count(), of(plan, other, i).count());
+    EXPECT_LE(most.count(), most.bound);
+    // [Herrmann 4.2.3]: which of the layouts can be wound.
+    EXPECT_FALSE(most.producible.producible());
+    EXPECT_FALSE(of(plan, Algorithm::orthocyclic_base, i).producible.producible());
+    EXPECT_FALSE(of(plan, Algorithm::orthocyclic_flank, i).producible.producible());
+    EXPECT_TRUE(of(plan, Algorithm::needle, i).producible.producible());
+  }
+  EXPECT_GT(of(plan, Algorithm::needle, 0).mechanical, of(plan, Algorithm::needle, 2).mechanical);
+  EXPECT_TRUE(watch.stages.count("potential, 0.9 mm"));
+}
+
+TEST(FillPlan, TheSearchKeepsTheAllowedOverlap) {
+  FillRequest request = stator({1.0});
+  request.algorithms = {Algorithm::potential};
+  SilentProgress silent;
+  const FillPlan source = plan_fill(request, silent);
+  const winding::Wire& wire = request.wires.front();
+  EXPECT_NEAR(source.layouts[0].overlap, 0.5 * wire.tolerance * wire.radius(), 1e-15);
+  EXPECT_LE(source.layouts[0].overlaps.deepest, source.layouts[0].overlap + 1e-9);
+  request.overlap_tolerance = 0;
+  const FillPlan exact = plan_fill(request, silent);
+  EXPECT_LE(exact.layouts[0].overlaps.deepest, 1e-9);
+  EXPECT_LE(exact.layouts[0].count(), source.layouts[0].count());
+}
+
+TEST(FillPlan, SameRequestSameBits) {
+  FillRequest request = stator({1.6});
+  request.sampling = {2, std::nullopt, 0.05};
+  SilentProgress silent;
+  const FillPlan a = plan_fill(request, silent), b = plan_fill(request, silent);
+  for (std::size_t i = 0; i < a.layouts.size(); ++i) {
+    EXPECT_EQ(a.layouts[i].layout.wires, b.layouts[i].layout.wires);
+    EXPECT_EQ(a.layouts[i].sampled, b.layouts[i].sampled);
+  }
+}
+
+TEST(FillPlan, SamplesSpreadAroundTheNominalCount) {
+  FillRequest request = stator({0.9});
+  request.algorithms = {Algorithm::needle};
+  request.sampling = {40, 0.04, 0.1};
+  SilentProgress silent;
+  const FillPlan plan = plan_fill(request, silent);
+  const FilledLayout& filled = plan.layouts[0];
+  ASSERT_EQ(filled.sampled.size(), 40u);
+  const auto [least, most] = std::minmax_element(filled.sampled.begin(), filled.sampled.end());
+  EXPECT_LT(*least, *most);
+  EXPECT_GT(*most, filled.count()) << "thinner wires in a wider slot";
+  request.sampling = {5, 0.0, 0};
+  const FillPlan exact = plan_fill(request, silent);
+  for (const std::size_t count : exact.layouts[0].sampled) EXPECT_EQ(count, filled.count());
+}
+
+TEST(FillPlan, StopsWhereItIsTold) {
+  Watch watch(0.3);
+  EXPECT_THROW(plan_fill(stator({0.9, 1.0}), watch), Stopped);
+}
+
+TEST(FillPlan, AWireThatDoesNotFitIsNoFault) {
+  FillRequest request = stator({1.0});
+  request.wires.push_back({6, 6.2, 0.03});
+  SilentProgress silent;
+  const FillPlan plan = plan_fill(request, silent);
+  EXPECT_TRUE(plan.verification.passed);
+  for (std::size_t i = 5; i < 10; ++i) EXPECT_EQ(plan.layouts[i].count(), 0u);
+}
+
+}  // namespace
+}  // namespace bahnwerk
