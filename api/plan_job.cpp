@@ -9,14 +9,14 @@
 namespace bahnwerk::api {
 namespace {
 
-/// "velocity x: 1801.2 mm/s at 0.25 s, limit 1800 mm/s; …", of the checks that failed.
+/// "velocity x: 1801.2 mm/s, limit 1800 mm/s, at 0.25; …", of the checks that failed. What `at` counts is the kind's.
 std::string failed_checks(const nlohmann::ordered_json& result) {
   std::string text;
   for (const auto& check : result.at("verification").at("checks")) {
     if (check.at("passed").get<bool>()) continue;
     const auto unit = check.at("unit").get<std::string>();
     text += (text.empty() ? "" : "; ") + check.at("name").get<std::string>() + ": " + check.at("value").dump() + " " +
-            unit + " at " + check.at("at").dump() + " s, limit " + check.at("limit").dump() + " " + unit;
+            unit + ", limit " + check.at("limit").dump() + " " + unit + ", at " + check.at("at").dump();
   }
   return text.empty() ? "the plan is not verified" : text;
 }

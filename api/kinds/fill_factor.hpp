@@ -8,7 +8,7 @@
 namespace bahnwerk::api::fill_factor {
 
 /// Most wires that one layout may have, by the proven bound.
-inline constexpr std::size_t most_wires = 5000;
+inline constexpr std::size_t most_wires = 2000;  // whether they can be wound takes half a minute
 
 /// Reads a spec that passed its schema. Throws InvalidInput naming every fault, with places relative to the spec.
 FillRequest request(const nlohmann::json& spec);

@@ -265,6 +265,9 @@ FillRequest request(const json& spec) {
     const json& r = spec["robustness"];
     request.sampling = {r["samples"].get<int>(), given<double>(r, "wire_tolerance"), r.value("slot_tolerance", 0.0)};
   }
+  // Heads that cannot be built are refused before anything is planned.
+  if (faults.empty() && std::holds_alternative<winding::RotorHeads>(request.heads))
+    laying_regions(request.slot, std::get<winding::RotorHeads>(request.heads));
   if (faults.empty()) check_sizes(request, spec.contains("wires") && spec["wires"].is_array(), faults);
   if (!faults.empty()) throw InvalidInput(std::move(faults));
   return request;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/winding/crossings.hpp"
 #include "core/winding/region.hpp"
 
 namespace bahnwerk::winding {
@@ -86,12 +87,10 @@ Region Region::inward(double depth) const {
   if (depth == 0 || empty()) return *this;
   const std::vector<Edge> edges = parallels(depth);
   std::vector<std::vector<double>> cuts(edges.size());
-  for (std::size_t i = 0; i < edges.size(); ++i)
-    for (std::size_t k = i + 1; k < edges.size(); ++k)
-      for (const Meeting& m : meetings(edges[i], edges[k])) {
-        cuts[i].push_back(m.first);
-        cuts[k].push_back(m.second);
-      }
+  each_meeting(edges, [&](std::size_t i, std::size_t k, const Meeting& m) {
+    cuts[i].push_back(m.first);
+    cuts[k].push_back(m.second);
+  });
   std::vector<Edge> parts = split(edges, cuts);
   std::erase_if(parts, [&](const Edge& part) { return std::abs(distance(part.at(0.5)) - depth) > 1e-9; });
   return Region(joined(std::move(parts)));

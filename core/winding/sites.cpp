@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/winding/crossings.hpp"
+
 namespace bahnwerk::winding {
 namespace {
 
@@ -55,13 +57,12 @@ Borders borders_of(const Region& room, double radius) {
   for (std::size_t i = 0; i < edges.size(); ++i) {
     corner(edges[i].from);  // where edges join all but smoothly, their crossing may get lost in rounding
     corner(edges[i].to);
-    for (std::size_t k = i + 1; k < edges.size(); ++k)
-      for (const Meeting& m : meetings(edges[i], edges[k])) {
-        corner(edges[i].at(m.first));
-        cuts[i].push_back(m.first);
-        cuts[k].push_back(m.second);
-      }
   }
+  each_meeting(edges, [&](std::size_t i, std::size_t k, const Meeting& m) {
+    corner(edges[i].at(m.first));
+    cuts[i].push_back(m.first);
+    cuts[k].push_back(m.second);
+  });
   for (std::size_t i = 0; i < edges.size(); ++i) {
     std::sort(cuts[i].begin(), cuts[i].end());
     for (std::size_t k = 1; k < cuts[i].size(); ++k) {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/winding/crossings.hpp"
 #include "core/winding/fillet.hpp"
 #include "core/winding/slot.hpp"
 #include "core/winding/slot_faults.hpp"
@@ -9,23 +10,17 @@
 namespace bahnwerk::winding {
 namespace {
 
-/// Edges that meet elsewhere than at their common corners: the polygon crosses itself. O(n²).
+/// Edges that meet elsewhere than at their common corners, or turn back there: the polygon crosses itself.
 void check_simple(const std::vector<Edge>& loop) {
-  const std::size_t n = loop.size();
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t k = i + 1; k < n; ++k) {
-      const bool neighbours = k == i + 1 || (i == 0 && k + 1 == n);
-      const Point u = loop[i].direction(0), v = loop[k].direction(0);
-      bool fault = neighbours && std::abs(cross(u, v)) < 1e-12 && dot(u, v) < 0;
-      if (!neighbours) {
-        fault = !meetings(loop[i], loop[k]).empty();
-        for (const Point& p : {loop[i].from, loop[i].to}) fault |= distance(loop[k].at(loop[k].nearest(p)), p) < 1e-9;
-        for (const Point& p : {loop[k].from, loop[k].to}) fault |= distance(loop[i].at(loop[i].nearest(p)), p) < 1e-9;
-      }
-      if (fault)
-        SlotFaults().stop("points", "the edge that begins at point " + std::to_string(k) +
-                                        " meets the one that begins at point " + std::to_string(i));
-    }
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const std::size_t next = i + 1 == loop.size() ? 0 : i + 1;
+    const Point u = loop[i].direction(0), v = loop[next].direction(0);
+    if (std::abs(cross(u, v)) < 1e-12 && dot(u, v) < 0)
+      SlotFaults().stop("points", "the polygon turns back at point " + std::to_string(next));
+  }
+  if (const auto contact = self_contact(loop))
+    SlotFaults().stop("points", "the edge that begins at point " + std::to_string(contact->second) +
+                                    " meets the one that begins at point " + std::to_string(contact->first));
 }
 
 /// The longest edge steeper than 45°, else the longest.

@@ -2,6 +2,7 @@
 #include <numbers>
 #include <string>
 
+#include "core/winding/crossings.hpp"
 #include "core/winding/slot.hpp"
 #include "core/winding/slot_faults.hpp"
 
@@ -66,7 +67,8 @@ Slot make_slot(const RotorSlot& s) {
     const Point to = i + 1 == s.grooves ? bottom : Point{middle.x + half, shape.cusp};
     Edge groove = arc_between(middle, from, to, true);
     if (i == 0) loop = root(s, shape, groove);
-    loop.push_back(groove);
+    // Nothing is left of a single groove that does not reach the root's flank: the shoe's arc begins at its bottom.
+    if (groove.length() > 1e-9) loop.push_back(groove);
   }
   // The last groove runs out into the pole shoe's flank.
   const Edge shoe = arc({s.base_width, s.shoe_radius}, s.shoe_radius, -quarter, std::atan2(shape.shoe.y, shape.shoe.x));
@@ -74,6 +76,8 @@ Slot make_slot(const RotorSlot& s) {
   loop.push_back(shoe);
   loop.push_back(line(shoe.to, end));
   loop.push_back(line(end, loop.front().from));
+  if (self_contact(loop))
+    SlotFaults().stop("root_flank", "leaves no room: the line from flank end to flank end meets the grooves");
   Slot slot;
   slot.type = Slot::Type::rotor;
   slot.iron = Region(std::move(loop));

@@ -120,6 +120,9 @@ TEST(RotorSlotTest, ImpossibleParametersAreNamed) {
   EXPECT_EQ(with([](auto& s) { s.groove_radius = 0.6; }), "groove_radius");
   EXPECT_EQ(with([](auto& s) { s.base_width = 13; }), "base_width");
   EXPECT_EQ(with([](auto& s) { s.height = 13; }), "height");
+  EXPECT_EQ(with([](auto& s) { s.root_flank = 0.1; }), "root_flank") << "the closing line runs through the grooves";
+  EXPECT_EQ(with([](auto& s) { s.root_flank = s.shoe_flank = 0.1; }), "root_flank");
+  EXPECT_EQ(with([](auto& s) { s.grooves = 1, s.base_width = s.height = 0.5; }), "");
   EXPECT_EQ(with([](auto&) {}), "");
 }
 
