@@ -1,6 +1,5 @@
 #pragma once
 /// Block-tridiagonal elimination with 2 × 2 blocks: what a cell adds to the Newton system, and one node at a time.
-#include <algorithm>
 #include <array>
 
 #include "core/motion/jerk_cell.hpp"
@@ -11,6 +10,13 @@ namespace bahnwerk {
 template <class L>
 struct NodeBlock {
   L bb{}, ba{}, aa{}, rb{}, ra{};
+  void add(const NodeBlock& other) {
+    bb = bb + other.bb;
+    ba = ba + other.ba;
+    aa = aa + other.aa;
+    rb = rb + other.rb;
+    ra = ra + other.ra;
+  }
   /// A row with gradient (p, q).
   void add(L w, L p, L q, L y) {
     const L wp = w * p;
@@ -26,6 +32,15 @@ struct NodeBlock {
 template <class L>
 struct RowSums {
   L tt{}, tb{}, ta{}, bb{}, ba{}, aa{}, yt{}, yb{}, ya{};
+  /// Of one row: sums begin with it, since adding to zeros costs as much as adding.
+  static RowSums of(L w, L y, L t, L nb, L na) {
+    const L wt = w * t, wb = w * nb;
+    return {wt * t, wt * nb, wt * na, wb * nb, wb * na, w * na * na, y * t, y * nb, y * na};
+  }
+  static RowSums of(L w, L y, L t, L nb) {
+    const L wt = w * t;
+    return {wt * t, wt * nb, L{}, w * nb * nb, L{}, L{}, y * t, y * nb, L{}};
+  }
   void add(L w, L y, L t, L nb, L na) {
     add(w, y, t, nb);
     ta = ta + w * t * na;
@@ -49,74 +64,77 @@ struct CellMatrix {
   L m00{}, m01{}, m11{}, m02{}, m03{}, m12{}, m13{}, m22{}, m23{}, m33{};
   std::array<L, 4> r{};
 
-  /// s q qᵀ, −r q.
-  void add(const std::array<L, 4>& q, L s, L y) {
-    const L q0 = s * q[0], q1 = s * q[1], q2 = s * q[2];
-    m00 += q0 * q[0];
-    m01 += q0 * q[1];
-    m02 += q0 * q[2];
-    m03 += q0 * q[3];
-    m11 += q1 * q[1];
-    m12 += q1 * q[2];
-    m13 += q1 * q[3];
-    m22 += q2 * q[2];
-    m23 += q2 * q[3];
-    m33 += s * q[3] * q[3];
-    for (std::size_t i = 0; i < 4; ++i) r[i] -= y * q[i];
+  /// Of the rows at the left node, with gradient t q + n, n = (nb, na) on it; `from`: negative gradient of what is
+  /// minimised. With u = Σ w t (t q + n) it is q uᵀ + Σ w t n qᵀ + Σ w n nᵀ.
+  static CellMatrix of_left(const std::array<L, 4>& q, const RowSums<L>& s, const std::array<L, 4>& from) {
+    const L u0 = s.tt * q[0] + s.tb, u1 = s.tt * q[1] + s.ta, u2 = s.tt * q[2];
+    return {u0 * q[0] + s.tb * q[0] + s.bb,
+            u0 * q[1] + s.ta * q[0] + s.ba,
+            u1 * q[1] + s.ta * q[1] + s.aa,
+            u0 * q[2],
+            u0 * q[3],
+            u1 * q[2],
+            u1 * q[3],
+            u2 * q[2],
+            u2 * q[3],
+            s.tt * q[3] * q[3],
+            {from[0] - s.yt * q[0] - s.yb, from[1] - s.yt * q[1] - s.ya, from[2] - s.yt * q[2], from[3] - s.yt * q[3]}};
   }
-  /// Rows with gradient t q + (nb, na) on the left node.
-  void add_left(const std::array<L, 4>& q, const RowSums<L>& s) {
-    add(q, s.tt, s.yt);
-    m00 += 2.0 * s.tb * q[0] + s.bb;
-    m01 += s.tb * q[1] + s.ta * q[0] + s.ba;
-    m11 += 2.0 * s.ta * q[1] + s.aa;
-    m02 += s.tb * q[2];
-    m03 += s.tb * q[3];
-    m12 += s.ta * q[2];
-    m13 += s.ta * q[3];
-    r[0] -= s.yb;
-    r[1] -= s.ya;
-  }
-  /// Likewise on the right node.
+  /// Likewise rows at the right node.
   void add_right(const std::array<L, 4>& q, const RowSums<L>& s) {
-    add(q, s.tt, s.yt);
-    m22 += 2.0 * s.tb * q[2] + s.bb;
-    m23 += s.tb * q[3] + s.ta * q[2] + s.ba;
-    m33 += 2.0 * s.ta * q[3] + s.aa;
-    m02 += s.tb * q[0];
-    m12 += s.tb * q[1];
-    m03 += s.ta * q[0];
-    m13 += s.ta * q[1];
-    r[2] -= s.yb;
-    r[3] -= s.ya;
+    const L u1 = s.tt * q[1], u2 = s.tt * q[2] + s.tb, u3 = s.tt * q[3] + s.ta;
+    m00 += s.tt * q[0] * q[0];
+    m01 += u1 * q[0];
+    m11 += u1 * q[1];
+    m02 += u2 * q[0];
+    m03 += u3 * q[0];
+    m12 += u2 * q[1];
+    m13 += u3 * q[1];
+    m22 += u2 * q[2] + s.tb * q[2] + s.bb;
+    m23 += u2 * q[3] + s.ta * q[2] + s.ba;
+    m33 += u3 * q[3] + s.ta * q[3] + s.aa;
+    r[0] -= s.yt * q[0];
+    r[1] -= s.yt * q[1];
+    r[2] -= s.yt * q[2] + s.yb;
+    r[3] -= s.yt * q[3] + s.ya;
   }
   /// Rows with gradient t q + nb (1, 0, 1, 0).
   void add_both(const std::array<L, 4>& q, const RowSums<L>& s) {
-    add(q, s.tt, s.yt);
-    m00 += 2.0 * s.tb * q[0] + s.bb;
-    m02 += s.tb * (q[0] + q[2]) + s.bb;
-    m22 += 2.0 * s.tb * q[2] + s.bb;
-    m01 += s.tb * q[1];
-    m12 += s.tb * q[1];
-    m03 += s.tb * q[3];
-    m23 += s.tb * q[3];
-    r[0] -= s.yb;
-    r[2] -= s.yb;
+    const L u0 = s.tt * q[0] + s.tb, u1 = s.tt * q[1], u2 = s.tt * q[2] + s.tb, u3 = s.tt * q[3];
+    m00 += u0 * q[0] + s.tb * q[0] + s.bb;
+    m01 += u0 * q[1];
+    m11 += u1 * q[1];
+    m02 += u0 * q[2] + s.tb * q[0] + s.bb;
+    m03 += u0 * q[3];
+    m12 += u2 * q[1];
+    m13 += u1 * q[3];
+    m22 += u2 * q[2] + s.tb * q[2] + s.bb;
+    m23 += u2 * q[3];
+    m33 += u3 * q[3];
+    r[0] -= s.yt * q[0] + s.yb;
+    r[1] -= s.yt * q[1];
+    r[2] -= s.yt * q[2] + s.yb;
+    r[3] -= s.yt * q[3];
   }
 };
 
 /// An eliminated node: x = y − F x_next.
+template <class L>
 struct Elimination {
-  double fbb, fba, fab, faa, yb, ya;
-  JerkNode back(JerkNode next) const { return {yb - fbb * next.b - fba * next.a, ya - fab * next.b - faa * next.a}; }
+  L fbb{}, fba{}, fab{}, faa{}, yb{}, ya{};
+  void back(L next_b, L next_a, L& b, L& a) const {
+    b = yb - fbb * next_b - fba * next_a;
+    a = ya - fab * next_b - faa * next_a;
+  }
 };
 
 /// Eliminates the left node of a cell whose block, the cell's matrix included, is `now`; `after` is the right node's.
-inline Elimination eliminate(const NodeBlock<double>& now, const CellMatrix<double>& K, NodeBlock<double>& after) {
-  Elimination e;
-  const double ib = 1 / now.bb, l = now.ba * ib;
-  const double ia = 1 / std::max(now.aa - l * now.ba, 1e-15 * now.aa);
-  const auto solve = [&](double rb, double ra, double& b, double& a) {
+template <class L>
+inline Elimination<L> eliminate(const NodeBlock<L>& now, const CellMatrix<L>& K, NodeBlock<L>& after) {
+  Elimination<L> e;
+  const L ib = 1.0 / now.bb, l = now.ba * ib;
+  const L ia = 1.0 / larger(now.aa - l * now.ba, 1e-15 * now.aa);
+  const auto solve = [&](L rb, L ra, L& b, L& a) {
     a = ia * (ra - l * rb);
     b = ib * rb - l * a;
   };
@@ -132,9 +150,9 @@ inline Elimination eliminate(const NodeBlock<double>& now, const CellMatrix<doub
 }
 
 /// The same for a node next to rest, where a = tie · b.
-inline Elimination eliminate_tied(const NodeBlock<double>& now, double tie, const CellMatrix<double>& K,
-                                  NodeBlock<double>& after) {
-  Elimination e;
+inline Elimination<double> eliminate_tied(const NodeBlock<double>& now, double tie, const CellMatrix<double>& K,
+                                          NodeBlock<double>& after) {
+  Elimination<double> e;
   const double i = 1 / (now.bb + tie * (2 * now.ba + tie * now.aa));
   const double eb = K.m02 + tie * K.m12, ea = K.m03 + tie * K.m13, r = now.rb + tie * now.ra;
   e.fbb = i * eb;

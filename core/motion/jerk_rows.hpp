@@ -1,6 +1,6 @@
 #pragma once
-/// The rows of JerkProblem as the interior-point method sees them: two neighbouring cells, or nodes, are calculated
-/// with at once, so that nothing has to be summed across a vector register. L is a number, or one per cell.
+/// The rows of JerkProblem as the interior-point method sees them: two cells, or nodes, are calculated with at once, so
+/// that nothing has to be summed across a vector register. L is a number, or one per cell.
 #include <array>
 #include <cstddef>
 
@@ -9,12 +9,15 @@
 
 namespace bahnwerk {
 
-/// Two neighbours at once.
+/// One cell, or node, of either half of the run.
 using Twin = Lanes<2>;
 constexpr std::size_t twin = 2;
 inline Twin all(double a) { return Twin{a, a}; }
 /// Of a lane that stands for nothing.
 constexpr double no_weight = 1e-30;
+inline NodeBlock<double> lane(const NodeBlock<Twin>& n, std::size_t e) {
+  return {n.bb[e], n.ba[e], n.aa[e], n.rb[e], n.ra[e]};
+}
 inline CellMatrix<double> lane(const CellMatrix<Twin>& K, std::size_t e) {
   return {K.m00[e],
           K.m01[e],
@@ -28,12 +31,37 @@ inline CellMatrix<double> lane(const CellMatrix<Twin>& K, std::size_t e) {
           K.m33[e],
           {K.r[0][e], K.r[1][e], K.r[2][e], K.r[3][e]}};
 }
+inline void set(NodeBlock<Twin>& blocks, std::size_t lane, const NodeBlock<double>& block) {
+  blocks.bb[lane] = block.bb;
+  blocks.ba[lane] = block.ba;
+  blocks.aa[lane] = block.aa;
+  blocks.rb[lane] = block.rb;
+  blocks.ra[lane] = block.ra;
+}
+inline void set(Elimination<Twin>& nodes, std::size_t lane, const Elimination<double>& node) {
+  nodes.fbb[lane] = node.fbb;
+  nodes.fba[lane] = node.fba;
+  nodes.fab[lane] = node.fab;
+  nodes.faa[lane] = node.faa;
+  nodes.yb[lane] = node.yb;
+  nodes.ya[lane] = node.ya;
+}
+inline void set(JerkCellOf<Twin>& laws, std::size_t lane, const JerkCell& law) {
+  laws.T[lane] = law.T;
+  laws.j1[lane] = law.j1;
+  laws.j2[lane] = law.j2;
+  for (std::size_t i = 0; i < 4; ++i) {
+    laws.dT[i][lane] = law.dT[i];
+    laws.dj1[i][lane] = law.dj1[i];
+    laws.dj2[i][lane] = law.dj2[i];
+  }
+}
 
 /// A row g ≤ share: slack s, multiplier z, step d of the slack.
 template <class L>
 struct JerkSide {
   L s, z, d;
-  L i;  ///< 1/s; from step() on the part of z that the step takes
+  L i;  ///< 1/(s z), which gives 1/s and 1/z without a second division; from step() on the part of z that it takes
 
   /// The slack is what is free, but at least `least`.
   void begin(L room, L mu, L least) {
@@ -46,19 +74,23 @@ struct JerkSide {
     s = s + primal * d;
     z = z - dual * i * z;
   }
-  /// `room` is share − g: residual, weight and right-hand side of the row in the Newton system.
-  void weigh(L room, L mu, L& w, L& y) {
+  /// `room` is share − g: residual, weight and right-hand side of the row in the Newton system. Returns s z.
+  L weigh(L room, L mu, L& w, L& y) {
+    const L gap = s * z;
     d = room - s;
-    i = 1.0 / s;
-    w = z * i;
-    y = mu * i - w * d;
+    i = 1.0 / gap;
+    const L is = z * i;
+    w = z * is;
+    y = is * (mu - z * d);
+    return gap;
   }
-  /// The step when g changes by `change`; `primal` and `dual` become at least 1/(the part of it that reaches zero).
+  /// The step when g changes by `change`; `dual` becomes at least 1/(the part of it that reaches zero), `primal` at
+  /// most the negative of that.
   void step(L change, L mu, L& primal, L& dual) {
     d = d - change;
-    const L f = d * i;
-    primal = larger(primal, -f);
-    i = 1.0 + f - mu * i / z;
+    const L f = d * (z * i);
+    primal = smaller(primal, f);
+    i = 1.0 + f - mu * i;
     dual = larger(dual, i);
   }
 };
@@ -67,8 +99,8 @@ struct JerkSide {
 template <class L>
 struct JerkTotals {
   L gap{}, violation{};
-  void count(const JerkSide<L>& side) {
-    gap = gap + side.s * side.z;
+  void count(const JerkSide<L>& side, L side_gap) {
+    gap = gap + side_gap;
     violation = larger(violation, magnitude(side.d));
   }
 };
@@ -88,12 +120,10 @@ struct JerkRow {
   }
   void weigh(L g, L share, L mu, L& w, L& y, JerkTotals<L>& totals) {
     L w2, y2;
-    up.weigh(share - g, mu, w, y);
-    down.weigh(share + g, mu, w2, y2);
+    totals.count(up, up.weigh(share - g, mu, w, y));
+    totals.count(down, down.weigh(share + g, mu, w2, y2));
     w = w + w2;
     y = y - y2;
-    totals.count(up);
-    totals.count(down);
   }
   void step(L change, L mu, L& primal, L& dual) {
     up.step(change, mu, primal, dual);
@@ -131,7 +161,7 @@ struct JerkEndRows {
 
   /// Values, and gradients by the node's b and a beside that of the path's jerk.
   L value(std::size_t k, L b, L v, L a, L j) const { return v * (d3[k] * b + d2[k] * a) + d1[k] * j; }
-  L by_b(std::size_t k, L v, L w, L a) const { return 1.5 * d3[k] * v + d2[k] * (a * w); }
+  L by_b(std::size_t k, L v, L w, L a) const { return d3[k] * (1.5 * v) + d2[k] * (a * w); }
   L by_a(std::size_t k, L v) const { return d2[k] * v; }
 
   void begin(L b, L v, L a, L j, L mu, L least) {
@@ -143,13 +173,16 @@ struct JerkEndRows {
       L weight, y;
       rows[k].move(primal, dual);
       rows[k].weigh(value(k, b, v, a, j), share[k], mu, weight, y, totals);
-      sums.add(weight, y, d1[k], by_b(k, v, w, a), by_a(k, v));
+      if (k == 0)
+        sums = RowSums<L>::of(weight, y, d1[k], by_b(k, v, w, a), by_a(k, v));
+      else
+        sums.add(weight, y, d1[k], by_b(k, v, w, a), by_a(k, v));
     }
     return sums;
   }
   void step(L v, L w, L a, L dj, L db, L da, L mu, L& primal, L& dual) {
-    for (std::size_t k = 0; k < M; ++k)
-      rows[k].step(d1[k] * dj + by_b(k, v, w, a) * db + by_a(k, v) * da, mu, primal, dual);
+    const L by_d3 = 1.5 * v * db, by_d2 = a * w * db + v * da;
+    for (std::size_t k = 0; k < M; ++k) rows[k].step(d1[k] * dj + d2[k] * by_d2 + d3[k] * by_d3, mu, primal, dual);
   }
 };
 
@@ -183,7 +216,10 @@ struct JerkMiddleRows {
       L w, y;
       rows[k].move(primal, dual);
       rows[k].weigh(d2[k] * b + d1[k] * m.g, share[k], mu, w, y, totals);
-      sums.add(w, y, d1[k], d2[k]);
+      if (k == 0)
+        sums = RowSums<L>::of(w, y, d1[k], d2[k]);
+      else
+        sums.add(w, y, d1[k], d2[k]);
     }
     return sums;
   }

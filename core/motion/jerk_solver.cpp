@@ -32,24 +32,24 @@ void JerkSolver<M>::start(double mu, PlanningPulse& pulse) {
     cells.end[1].begin(x.b2, x.v2, x.a2, cells.law.j2, mu * T, least);
     scale_ += 2 * 2 * M * (T[0] + T[1]);
   }
-  for (std::size_t g = 0; g < groups_; ++g) {
-    Nodes& nodes = nodes_[g];
-    for (std::size_t e = 0; e < twin; ++e) {
-      const std::size_t i = twin * g + e;
-      const bool inner = i > 0 && i < n_;
-      nodes.weight[e] = inner ? 0.5 * (cells_[(i - 1) / twin].weight[(i - 1) % twin] + cells_[g].weight[e]) : no_weight;
-      scale_ += (2 * M + 2) * nodes.weight[e];
+  for (std::size_t i = 0; i <= groups_; ++i) {
+    Nodes& nodes = nodes_[i];
+    for (std::size_t half = 0; half < twin; ++half) {
+      nodes.weight[half] = holds(i, half) ? 0.5 * (cell_weight(i - 1, half) + cell_weight(i, half)) : no_weight;
+      scale_ += (2 * M + 2) * nodes.weight[half];
     }
-    const Twin b = two(b_, twin * g), a = two(a_, twin * g), w = mu * nodes.weight;
+    const Twin b = b_[i], a = a_[i], w = mu * nodes.weight;
     for (std::size_t k = 0; k < 2; ++k) nodes.capped[k].begin(1.0 - nodes.cap[k] * (b + nodes.slope[k] * a), w, least);
     nodes.rows.begin(b, a, w, least);
   }
   for (Joint& joint : joints_) {
-    joint.rows.begin(b_[joint.node], a_[joint.node], mu * weight(joint.node), least[0]);
-    scale_ += 2 * M * weight(joint.node);
+    const std::size_t i = joint.node, half = joint.half;
+    const double weight = nodes_[i].weight[half];
+    joint.rows.begin(b_[i][half], a_[i][half], mu * weight, least[0]);
+    scale_ += 2 * M * weight;
   }
   start_middles(mu);
-  steps_.still(twin * groups_);
+  steps_.still(groups_);
 }
 
 /// Rows for cells' middles may come later than the others.
@@ -69,13 +69,18 @@ void JerkSolver<M>::start_middles(double mu) {
 template <int M>
 JerkSolverResult JerkSolver<M>::solve(const JerkProblem<M>& problem, LargeVector<JerkNode>& x, double mu,
                                       const JerkSolverOptions& options, PlanningPulse& pulse) {
+  JerkSolverResult result;
+  if (problem.cells.size() < twin) {  // nothing is unknown
+    result.duration = jerk_piece(x[0], x[1], problem.cells[0].h).duration;
+    result.converged = true;
+    return result;
+  }
   problem_ = &problem;
   adopt(x);
   const bool same_middles = adopt_middles();
   if (mu > 0) start(mu, pulse);
   if (mu == 0 && !same_middles) start_middles(gap_ / scale_);
-  steps_.still(twin * groups_);
-  JerkSolverResult result;
+  steps_.still(groups_);
   int stuck = 0;
   target_ = mu > 0 ? mu : gap_ / scale_;
   for (;; ++result.iterations) {
@@ -92,7 +97,7 @@ JerkSolverResult JerkSolver<M>::solve(const JerkProblem<M>& problem, LargeVector
       break;
     }
     if (result.iterations == options.iterations) break;
-    steps_.fit(std::max(0.9, 1 - 10 * target_), mu > 0 || result.iterations >= uneven_steps);
+    steps_.fit(std::max(0.9, 1 - 10 * target_), mu > 0 || result.iterations >= uneven_steps, odd());
     // What the next step aims at: the less of this one could be taken, the nearer to the present μ.
     const double step = std::min(steps_.mean_primal, steps_.mean_dual), miss = 1 - step;
     const double now = (1 - step) * gap_ / scale_ + step * target_;
@@ -105,7 +110,8 @@ JerkSolverResult JerkSolver<M>::solve(const JerkProblem<M>& problem, LargeVector
       stuck = 0;
     }
   }
-  for (std::size_t i = 0; i <= n_; ++i) x[i] = {b_[i], a_[i]};
+  for (std::size_t i = 0; i <= n_; ++i)
+    x[i] = i <= groups_ ? JerkNode{b_[i][0], a_[i][0]} : JerkNode{b_[n_ - i][1], -a_[n_ - i][1]};
   return result;
 }
 

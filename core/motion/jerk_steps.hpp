@@ -4,47 +4,58 @@
 /// differ from cell to cell.
 #include <algorithm>
 
+#include "core/motion/jerk_rows.hpp"
 #include "core/numeric/large_pages.hpp"
 
 namespace bahnwerk {
 
+/// In the order of jerk_solver.hpp: both halves of the run from its ends inwards.
 struct JerkSteps {
-  LargeVector<double> primal, dual;  ///< per cell: first 1/(the part that reaches a wall), after fit() the part taken
-  LargeVector<double> node_primal, node_dual;  ///< per node: the smaller part of both its cells
+  LargeVector<Twin> primal, dual;  ///< per cell: first 1/(the part that reaches a wall), after fit() the part taken
+  LargeVector<Twin> node_primal, node_dual;  ///< per node: the smaller part of both its cells
   double mean_primal = 0, mean_dual = 0;
 
   void still(std::size_t cells) {
-    primal.assign(cells, 0);
-    dual.assign(cells, 0);
-    node_primal.assign(cells + 1, 0);
-    node_dual.assign(cells + 1, 0);
+    primal.assign(cells, Twin{});
+    dual.assign(cells, Twin{});
+    node_primal.assign(cells + 1, Twin{});
+    node_dual.assign(cells + 1, Twin{});
   }
-  /// `reach` is the part of the way to the wall that may be taken; `even` the same part everywhere.
-  void fit(double reach, bool even) {
-    mean_primal = fit(primal, node_primal, reach, even);
-    mean_dual = fit(dual, node_dual, reach, even);
+  /// `reach` is the part of the way to the wall that may be taken; `even` the same part everywhere. `odd`: the last
+  /// cell of the second half is the first half's last one once more.
+  void fit(double reach, bool even, bool odd) {
+    mean_primal = fit(primal, node_primal, reach, even, odd);
+    mean_dual = fit(dual, node_dual, reach, even, odd);
   }
 
  private:
   static constexpr double slope = 0.02, growth = 1.05;  // most that parts rise by from cell to cell
-  static double fit(LargeVector<double>& part, LargeVector<double>& node, double reach, bool even) {
+  static Twin next(Twin last) { return smaller(last + slope, last * growth); }
+  static double fit(LargeVector<Twin>& part, LargeVector<Twin>& node, double reach, bool even, bool odd) {
     const std::size_t n = part.size();
     if (even) {
-      double most = reach;
-      for (const double p : part) most = std::max(most, p);
-      part.assign(n, reach / most);
-      node.assign(n + 1, reach / most);
-      return reach / most;
+      Twin most = all(reach);
+      for (const Twin p : part) most = larger(most, p);
+      const double taken = reach / largest(most);
+      part.assign(n, all(taken));
+      node.assign(n + 1, all(taken));
+      return taken;
     }
-    double last = 1, sum = 0;
-    for (double& p : part) last = p = std::min(std::min(1.0, reach / p), std::min(last + slope, last * growth));
-    last = 1;
+    Twin last = all(1), sum{};
+    for (Twin& p : part) last = p = smaller(smaller(all(1), reach / p), next(last));
+    // On across the middle, where either half meets the other one.
+    const Twin other = {last[1], last[0]};
+    part[n - 1] = smaller(last, odd ? other : next(other));
+    last = all(1);
     for (std::size_t c = n; c-- > 0;) {
-      last = part[c] = std::min(part[c], std::min(last + slope, last * growth));
+      last = part[c] = smaller(part[c], next(last));
       sum += last;
     }
-    for (std::size_t i = 1; i < n; ++i) node[i] = std::min(part[i - 1], part[i]);
-    return sum / static_cast<double>(n);
+    for (std::size_t i = 1; i < n; ++i) node[i] = smaller(part[i - 1], part[i]);
+    const double middle = odd ? node[n - 1][1] : std::min(part[n - 1][0], part[n - 1][1]);
+    node[n] = all(middle);
+    const double twice = odd ? part[n - 1][1] : 0;
+    return (sum[0] + sum[1] - twice) / static_cast<double>(odd ? twin * n - 1 : twin * n);
   }
 };
 
