@@ -1,7 +1,8 @@
 // The spec of kind "fill_factor" → slot, wires, options.
+#include "api/kinds/fill_factor_input.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -13,19 +14,10 @@ namespace bahnwerk::api::fill_factor {
 namespace {
 
 using nlohmann::json;
-using winding::Wire;
 
 constexpr double degree = std::numbers::pi / 180;
 
 winding::Point point(const json& value) { return {value[0].get<double>(), value[1].get<double>()}; }
-
-/// A number that may be absent or null.
-template <class T>
-std::optional<T> given(const json& object, const char* member) {
-  const auto at = object.find(member);
-  if (at == object.end() || at->is_null()) return std::nullopt;
-  return at->get<T>();
-}
 
 winding::StatorSlot stator(const json& s) {
   winding::StatorSlot slot;
@@ -71,72 +63,6 @@ winding::Slot slot(const json& s) {
   return make_slot(polygon(s));
 }
 
-std::string mm(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
-}
-
-/// Standard wires on both sides of a diameter that none has.
-std::string neighbours(double copper, int grade) {
-  std::string below, above;
-  for (const Wire& wire : winding::standard_wires(grade, 0, 10, winding::Series::r40)) {
-    if (wire.copper < copper) below = mm(wire.copper);
-    if (wire.copper > copper && above.empty()) above = mm(wire.copper);
-  }
-  return below.empty() || above.empty() ? below + above : below + " and " + above;
-}
-
-/// The tolerance of the standard wire whose copper diameter is nearest.
-double usual_tolerance(double copper, int grade) {
-  const auto list = winding::standard_wires(grade, 0, 10, winding::Series::r40);
-  return std::min_element(
-             list.begin(), list.end(),
-             [&](const Wire& a, const Wire& b) { return std::abs(a.copper - copper) < std::abs(b.copper - copper); })
-      ->tolerance;
-}
-
-class WireReader {
- public:
-  WireReader(int grade, std::vector<InputFault>& faults) : grade_(grade), faults_(faults) {}
-
-  std::vector<Wire> read(const json& spec) {
-    std::vector<Wire> wires;
-    const json list = spec.value("wires", json("standard"));
-    if (list.is_string()) return standard(spec.value("wire_range", json::object()));
-    for (std::size_t i = 0; i < list.size(); ++i)
-      if (const auto wire = read_one(list[i], std::to_string(i))) wires.push_back(*wire);
-    return wires;
-  }
-
- private:
-  int grade_;
-  std::vector<InputFault>& faults_;
-
-  std::vector<Wire> standard(const json& range) {
-    const auto series = range.value("series", "R20") == "R40" ? winding::Series::r40 : winding::Series::r20;
-    const double least = range.value("least", 0.5), most = range.value("most", 1.6);
-    auto wires = winding::standard_wires(grade_, least, most, series);
-    if (wires.empty())
-      faults_.push_back({{"wire_range"}, "holds no standard wire; one is " + neighbours(least, grade_)});
-    return wires;
-  }
-
-  std::optional<Wire> read_one(const json& value, const std::string& index) {
-    if (value.is_number()) {
-      const auto wire = winding::standard_wire(value, grade_);
-      if (!wire)
-        faults_.push_back({{"wires", index},
-                           "is no standard wire; the nearest are " + neighbours(value, grade_) +
-                               ", or give copper and outer diameter"});
-      return wire;
-    }
-    const double copper = value["copper"], outer = value["outer"];
-    if (outer < copper) faults_.push_back({{"wires", index, "outer"}, "is less than the copper diameter"});
-    return Wire{copper, outer, given<double>(value, "tolerance").value_or(usual_tolerance(copper, grade_))};
-  }
-};
-
 /// Members of `heads` for one type of slot.
 class HeadReader {
  public:
@@ -176,7 +102,8 @@ winding::StatorHeads stator_heads(const json& heads, const winding::StatorSlot& 
   reader.take("stack", h.stack);
   reader.finish("a stator slot");
   if (h.tool_radius < h.base_radius)
-    faults.push_back({{"heads", "tool_radius"}, "lies inside the slot's base, at " + mm(h.base_radius) + " mm"});
+    faults.push_back(
+        {{"heads", "tool_radius"}, "lies inside the slot's base, at " + short_number(h.base_radius) + " mm"});
   if (h.span * h.slot_pitch >= std::numbers::pi)
     faults.push_back(
         {{"heads", "span"}, "takes the coil to the other side of the stator: less than half a turn is possible"});
@@ -245,8 +172,7 @@ FillRequest request(const json& spec) {
   FillRequest request;
   request.slot = slot(spec["slot"]);
   std::vector<InputFault> faults;
-  const int grade = spec.value("grade", 2);
-  request.wires = WireReader(grade, faults).read(spec);
+  request.wires = wires(spec, spec.value("grade", 2), faults);
   read_algorithms(spec, request, faults);
   request.overlap_tolerance = given<double>(spec, "overlap_tolerance");
   request.seed = spec.value("seed", std::uint64_t{1});

@@ -23,7 +23,7 @@ struct JudgedLayout {
 /// Checks, per algorithm the worst over its layouts, with the wire's copper diameter (mm) as `at`: `overlap beyond what
 /// is allowed <algorithm>` and `overlap with the boundary <algorithm>` (mm, a wire outside counts with its whole
 /// distance), both against 1e-9; `count beyond the bound <algorithm>`.
-/// Cost: O(n² + n · edges) per layout of n wires, about 1 ns per pair.
+/// Cost: O(n² + n · edges) per layout of n wires, about 2 ns per pair.
 Verification judge_layouts(const winding::Region& room, std::span<const JudgedLayout> layouts, Progress& progress,
                            double progress_from, double progress_to);
 
