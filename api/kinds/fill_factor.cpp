@@ -1,13 +1,12 @@
 #include "api/kinds/fill_factor.hpp"
 
-#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "api/problem.hpp"
 #include "api/verification.hpp"
 #include "core/errors.hpp"
-#include "core/winding/drawing.hpp"
+#include "core/fill_drawings.hpp"
 
 namespace bahnwerk::api::fill_factor {
 namespace {
@@ -104,37 +103,13 @@ ordered_json layout(const FilledLayout& filled, double slot_area) {
   return out;
 }
 
-std::string percent(double share) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f %%", 100 * share);
-  return text;
-}
-
-std::string drawing(const FillRequest& request, const FilledLayout& filled) {
-  winding::DrawnWires drawn;
-  char copper[32];
-  std::snprintf(copper, sizeof copper, "%.3g mm", filled.wire.copper);
-  drawn.title = std::string(name(filled.algorithm)) + ", " + copper + ": " + std::to_string(filled.count()) +
-                " wires, " + percent(filled.electrical) + " copper";
-  drawn.radius = filled.wire.radius();
-  drawn.copper = filled.wire.copper;
-  drawn.wires = filled.layout.wires;
-  drawn.slipping = filled.producible.slipping();
-  return slot_drawing(request.slot, drawn);
-}
-
 ordered_json drawings(const FillRequest& request, const FillPlan& plan) {
   ordered_json out = ordered_json::object();
-  std::vector<winding::FillCurve> curves;
   for (const std::size_t best : plan.best) {
     const FilledLayout& filled = plan.layouts[best];
-    out[std::string(name(filled.algorithm)) + ".svg"] = drawing(request, filled);
-    curves.push_back({filled.algorithm, {}});
-    for (const FilledLayout& each : plan.layouts)
-      if (each.algorithm == filled.algorithm)
-        curves.back().values.push_back({each.wire.copper, each.electrical, each.mechanical});
+    out[std::string(name(filled.algorithm)) + ".svg"] = layout_drawing(request.slot, filled);
   }
-  if (request.wires.size() > 1) out["fill_factors.svg"] = fill_chart(curves, "Fill factors of the slot");
+  if (request.wires.size() > 1) out["fill_factors.svg"] = fill_factor_chart(plan, "Fill factors of the slot");
   return out;
 }
 

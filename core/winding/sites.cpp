@@ -87,13 +87,18 @@ Sites::Sites(const Region& room, double radius) : room_(room), radius_(radius), 
   first_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), -1);
 }
 
+namespace {
+
+/// Clamped, so that what lies outside the room's box belongs to a cell at its rim.
+int cell_at(double offset, double size, int cells) {
+  return static_cast<int>(std::clamp(std::floor(offset / size), 0.0, static_cast<double>(cells - 1)));
+}
+
+}  // namespace
+
 template <class Visit>
 bool Sites::around(Point p, int reach, Visit visit) const {
-  // Clamped, so that what lies outside the room's box belongs to a cell at its rim.
-  const auto cell = [&](double offset, int cells) {
-    return static_cast<int>(std::clamp(std::floor(offset / cell_), 0.0, static_cast<double>(cells - 1)));
-  };
-  const int x = cell(p.x - room_.box().low.x, columns_), y = cell(p.y - room_.box().low.y, rows_);
+  const int x = cell_at(p.x - room_.box().low.x, cell_, columns_), y = cell_at(p.y - room_.box().low.y, cell_, rows_);
   for (int row = std::max(0, y - reach); row <= std::min(rows_ - 1, y + reach); ++row)
     for (int column = std::max(0, x - reach); column <= std::min(columns_ - 1, x + reach); ++column)
       for (int i = first_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
@@ -130,11 +135,9 @@ void Sites::lay(Point centre) {
       if (clear_of_wires(p) && in_room(p)) corners_.push_back(p);
     return true;
   });
-  const auto index = [&](double offset, int cells) {
-    return static_cast<std::size_t>(std::clamp(std::floor(offset / cell_), 0.0, static_cast<double>(cells - 1)));
-  };
-  int& head = first_[index(centre.y - room_.box().low.y, rows_) * static_cast<std::size_t>(columns_) +
-                     index(centre.x - room_.box().low.x, columns_)];
+  const int x = cell_at(centre.x - room_.box().low.x, cell_, columns_);
+  const int y = cell_at(centre.y - room_.box().low.y, cell_, rows_);
+  int& head = first_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x)];
   next_.push_back(head);
   head = static_cast<int>(wires_.size());
   wires_.push_back(centre);

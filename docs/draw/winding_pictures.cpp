@@ -4,8 +4,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "core/fill_plan.hpp"
-#include "core/winding/drawing.hpp"
+#include "core/fill_drawings.hpp"
 #include "core/winding/svg.hpp"
 #include "docs/draw/pictures.hpp"
 
@@ -36,14 +35,6 @@ FillRequest stator_sweep() {
                            Algorithm::potential, Algorithm::needle});
   r.heads = StatorHeads{};
   return r;
-}
-
-std::string drawing(const FillRequest& r, const FilledLayout& filled) {
-  char title[120];
-  std::snprintf(title, sizeof title, "%s, %.2f mm: %zu wires, %.1f %% copper", name(filled.algorithm),
-                filled.wire.copper, filled.count(), 100 * filled.electrical);
-  return slot_drawing(
-      r.slot, {title, filled.wire.radius(), filled.wire.copper, filled.layout.wires, filled.producible.slipping()});
 }
 
 /// A slot without wires, its parameters beside it.
@@ -129,20 +120,14 @@ void fill_pictures(const std::string& folder) {
   SilentProgress silent;
   const FillRequest sweep = stator_sweep();
   const FillPlan plan = plan_fill(sweep, silent);
-  std::vector<FillCurve> curves;
-  for (const std::size_t best : plan.best) {
-    const FilledLayout& filled = plan.layouts[best];
-    save(folder + "/stator_" + name(filled.algorithm) + ".svg", drawing(sweep, filled));
-    curves.push_back({filled.algorithm, {}});
-    for (const FilledLayout& each : plan.layouts)
-      if (each.algorithm == filled.algorithm)
-        curves.back().values.push_back({each.wire.copper, each.electrical, each.mechanical});
-  }
-  save(folder + "/fill_factors.svg", fill_chart(curves, "Fill factors of the example stator slot, grade 2"));
+  for (const std::size_t best : plan.best)
+    save(folder + "/stator_" + name(plan.layouts[best].algorithm) + ".svg",
+         layout_drawing(sweep.slot, plan.layouts[best]));
+  save(folder + "/fill_factors.svg", fill_factor_chart(plan, "Fill factors of the example stator slot, grade 2"));
   FillRequest rotor = request(make_slot(RotorSlot{}), standard_wires(2, 1.12, 1.12, Series::r20), {Algorithm::needle});
   rotor.heads = RotorHeads{};
   const FillPlan laid = plan_fill(rotor, silent);
-  save(folder + "/rotor_needle.svg", drawing(rotor, laid.layouts.front()));
+  save(folder + "/rotor_needle.svg", layout_drawing(rotor.slot, laid.layouts.front()));
 }
 
 void fill_table() {

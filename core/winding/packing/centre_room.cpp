@@ -17,12 +17,7 @@ CentreRoom::CentreRoom(const Region& room, double radius) : region_(room.inward(
   if (region_.empty()) return;
   const std::span<const Edge> edges = region_.edges();
   const std::size_t n = edges.size();
-  const auto corner = [&](std::size_t i) {
-    const Edge& before = edges[region_.before(i)];
-    if (region_.juts_at(i)) return -1;
-    const double turn = cross(before.direction(1), edges[i].direction(0));
-    return std::abs(turn) < 1e-9 && dot(before.direction(1), edges[i].direction(0)) > 0 ? 0 : 1;
-  };
+  const auto corner = [&](std::size_t i) { return region_.juts_at(i) ? -1 : region_.recedes_at(i) ? 1 : 0; };
   pieces_.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
     const Edge& edge = edges[i];

@@ -4,16 +4,14 @@
 
 #include <numbers>
 
+#include "tests/core/winding/rooms.hpp"
+
 namespace bahnwerk::winding {
 namespace {
 
 using std::numbers::pi;
 
-Region polygon(const std::vector<Point>& p) {
-  std::vector<Edge> loop;
-  for (std::size_t i = 0; i < p.size(); ++i) loop.push_back(line(p[i], p[(i + 1) % p.size()]));
-  return Region(loop);
-}
+using test::polygon;
 
 // Oler's inequality is an equality for triangles full of touching circles.
 TEST(CountBound, IsExactInTrianglesOfWires) {

@@ -5,24 +5,21 @@
 #include <numbers>
 
 #include "tests/core/winding/random_region.hpp"
+#include "tests/core/winding/rooms.hpp"
 
 namespace bahnwerk::winding {
 namespace {
 
 using std::numbers::pi;
 
-Region rectangle(double width, double height) {
-  return Region({line({0, 0}, {width, 0}), line({width, 0}, {width, height}), line({width, height}, {0, height}),
-                 line({0, height}, {0, 0})});
-}
+using test::polygon;
+using test::rectangle;
+
 Region disc(double radius) { return Region({arc({0, 0}, radius, 0, 2 * pi)}); }
 /// Two squares of 4 mm joined by a neck of 1 mm width and 2 mm length.
 Region dumbbell() {
-  std::vector<Point> p{{0, 0},  {4, 0}, {4, 1.5}, {6, 1.5}, {6, 0}, {10, 0},
-                       {10, 4}, {6, 4}, {6, 2.5}, {4, 2.5}, {4, 4}, {0, 4}};
-  std::vector<Edge> loop;
-  for (std::size_t i = 0; i < p.size(); ++i) loop.push_back(line(p[i], p[(i + 1) % p.size()]));
-  return Region(loop);
+  return polygon(
+      {{0, 0}, {4, 0}, {4, 1.5}, {6, 1.5}, {6, 0}, {10, 0}, {10, 4}, {6, 4}, {6, 2.5}, {4, 2.5}, {4, 4}, {0, 4}});
 }
 
 TEST(Region, KnowsAreasAndLengths) {
