@@ -14,6 +14,8 @@ namespace {
 /// Where an axis turns round, its jerk inside a cell hangs on its jerk at both ends only loosely. A share smaller than
 /// this does not help any more, a smaller cell does.
 constexpr double least_share = 0.5;
+/// A peak from which on shares are not even tried, and one for which they are.
+constexpr double hopeless = 1.15, bearable = 1.05;
 
 }  // namespace
 
@@ -111,8 +113,9 @@ bool JerkRunPlanner<N, M>::stubborn() {
   division_.assign(n, {});
   for (std::size_t c = 0; c < n; ++c)
     for (std::size_t k = 0; k < M; ++k)
-      if (peaks_[c].jerk[k] > 1.05 &&
-          std::min(problem_.cells[c].share[0][k], problem_.cells[c].share[1][k]) <= least_share) {
+      if (peaks_[c].jerk[k] > hopeless ||
+          (peaks_[c].jerk[k] > bearable &&
+           std::min(problem_.cells[c].share[0][k], problem_.cells[c].share[1][k]) <= least_share)) {
         division_[c].parts = 4;
         any = true;
       }

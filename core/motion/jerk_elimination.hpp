@@ -1,6 +1,7 @@
 #pragma once
 /// Block-tridiagonal elimination with 2 × 2 blocks: what a cell adds to the Newton system, and one node at a time.
 #include <array>
+#include <limits>
 
 #include "core/motion/jerk_cell.hpp"
 
@@ -128,12 +129,19 @@ struct Elimination {
   }
 };
 
+/// The diagonal of a node's block is what rows add to it less what the elimination of the nodes before takes away
+/// again. Stiff rows leave so little of it that rounding decides whether anything is left; this part of the sum, what
+/// rounding may have taken, is given back.
+constexpr double given_back = 0.5 * std::numeric_limits<double>::epsilon();
+
 /// Eliminates the left node of a cell whose block, the cell's matrix included, is `now`; `after` is the right node's.
+/// `bb` and `aa` are the sums on its diagonal before anything was taken away.
 template <class L>
-inline Elimination<L> eliminate(const NodeBlock<L>& now, const CellMatrix<L>& K, NodeBlock<L>& after) {
+inline Elimination<L> eliminate(const NodeBlock<L>& now, L bb, L aa, const CellMatrix<L>& K, NodeBlock<L>& after) {
   Elimination<L> e;
-  const L ib = 1.0 / now.bb, l = now.ba * ib;
-  const L ia = 1.0 / larger(now.aa - l * now.ba, 1e-15 * now.aa);
+  const L ib = 1.0 / (now.bb + given_back * bb), l = now.ba * ib;
+  const L left = now.aa + given_back * aa;
+  const L ia = 1.0 / larger(left - l * now.ba, 1e-15 * left);
   const auto solve = [&](L rb, L ra, L& b, L& a) {
     a = ia * (ra - l * rb);
     b = ib * rb - l * a;

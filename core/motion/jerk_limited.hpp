@@ -10,7 +10,7 @@
 /// the method find nothing, other starts are tried, and at last a slow law that holds the limits.
 ///
 /// Long runs are planned window by window (jerk_windows.cpp). Cost: O(cells), linear; a smooth spline takes 20 to 28
-/// iterations in all, 4 to 6 µs per cell from 1e3 to 1e6 cells (tests/bench/bench_jerk.cpp).
+/// iterations in all, 3.5 to 5 µs per cell from 1e3 to 1e6 cells (tests/bench/bench_jerk.cpp).
 #include <cstddef>
 
 #include "core/contour/contour.hpp"
@@ -27,8 +27,9 @@ struct JerkLimitedOptions {
   double gap = 1e-4;          ///< loss of duration to the solver, relative
   double tolerance = 3e-4;    ///< loss of duration to the grid, relative, estimated
   double angle = 0.02;        ///< most a cell turns, rad
-  std::size_t window = 1200;  ///< cells of longer runs that are planned at once, before they are divided; 0 = all
-  int max_divisions = 3, max_rounds = 10;  ///< times that the grid is divided, then that limits in cells are tightened
+  std::size_t window = 2400;  ///< cells of longer runs that are planned at once, before they are divided; 0 = all
+  /// Times that the grid is divided for accuracy, and that it is divided or shares are tightened for what cells exceed.
+  int max_divisions = 3, max_rounds = 40;
 };
 
 struct JerkLimitedResult {

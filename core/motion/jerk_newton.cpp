@@ -97,7 +97,8 @@ void JerkSolver<M>::eliminate_first(const NodeBlock<Twin>& now, const CellMatrix
     const CellMatrix<double> cell = lane(K, half);
     NodeBlock<double> rest = lane(after, half);
     set(elimination_[1], half,
-        rests(half) ? eliminate_tied(block, rest_tie(cells_[0].h[half]), cell, rest) : eliminate(block, cell, rest));
+        rests(half) ? eliminate_tied(block, rest_tie(cells_[0].h[half]), cell, rest)
+                    : eliminate(block, block.bb, block.aa, cell, rest));
     set(after, half, rest);
   }
 }
@@ -112,7 +113,7 @@ JerkNode JerkSolver<M>::meet(const NodeBlock<Twin>& blocks) const {
   const bool tied = groups_ == 1 && rests(0), tied_back = n_ - groups_ == 1 && rests(1);
   const Elimination<double> e = tied        ? eliminate_tied(first, rest_tie(cells_[0].h[0]), nothing, none)
                                 : tied_back ? eliminate_tied(first, -rest_tie(cells_[0].h[1]), nothing, none)
-                                            : eliminate(first, nothing, none);
+                                            : eliminate(first, first.bb, first.aa, nothing, none);
   return {e.yb, e.ya};
 }
 
@@ -121,6 +122,7 @@ void JerkSolver<M>::assemble(PlanningPulse& pulse) {
   move_nodes();
   std::size_t next_joint = 0, next_middle = 0;
   NodeBlock<Twin> after;
+  Twin before_bb{}, before_aa{};
   JerkTotals<Twin> totals;
   JerkTotals<double> at_joints;
   Twin duration{};
@@ -129,14 +131,17 @@ void JerkSolver<M>::assemble(PlanningPulse& pulse) {
     NodeBlock<Twin> now = assemble_nodes(g, totals);
     const CellMatrix<Twin> K = assemble_cells(g, next_middle, totals);
     duration += cells_[g].law.T;
-    now.add(after);
     now.add({K.m00, K.m01, K.m11, K.r[0], K.r[1]});
+    const Twin bb = now.bb + before_bb, aa = now.aa + before_aa;
+    now.add(after);
     while (joint_at(g, next_joint)) now.add(assemble_joint(joints_[next_joint++], at_joints));
     after = {K.m22, K.m23, K.m33, K.r[2], K.r[3]};
+    before_bb = K.m22;
+    before_aa = K.m33;
     if (g == 1)
       eliminate_first(now, K, after);
     else if (g > 1)
-      elimination_[g] = eliminate(now, K, after);
+      elimination_[g] = eliminate(now, bb, aa, K, after);
     if (missing(g, 1)) set(after, 1, lane(now, 1));  // it is the node in the middle, and stays
   }
   after.add(assemble_nodes(groups_, totals));

@@ -21,6 +21,10 @@ constexpr std::size_t few_cells = 200;  // too few for windows
 /// that the state in which the window is left has room to move.
 constexpr double open_share = 1 - 1e-2, open_violation = 2e-3;
 
+/// A solver that has not converged and violates rows by more has gone astray: once in a run it begins anew where it
+/// came from, then that has to do.
+constexpr double astray = 1e-2;
+
 /// So near to a cell's end, in parts of it, speed at rest is rounding.
 constexpr double rest = 1e-6;
 
@@ -109,6 +113,7 @@ bool JerkRunPlanner<N, M>::alone(std::size_t segment, JerkLimitedResult& result)
 template <int N, int M>
 double JerkRunPlanner<N, M>::attempt(Start start, PlanningPulse& pulse) {
   exit_ = {};
+  sped_up_ = 1;
   state_.resize(grid_.cells.size() + 1);
   const bool open = keep_ < grid_.cells.size();
   share_ = open ? open_share : full_share;
@@ -124,7 +129,7 @@ void JerkRunPlanner<N, M>::improve(double mu, PlanningPulse& pulse) {
   JerkSolverOptions solver;
   double reach = 3e-2;
   int division = 0;
-  bool fresh = true;
+  bool fresh = true, anew = false;
   const auto divide = [&](double barrier) {
     ++division;
     refine(pulse);
@@ -137,9 +142,18 @@ void JerkRunPlanner<N, M>::improve(double mu, PlanningPulse& pulse) {
     const bool open = round == 0 && keep_ < grid_.cells.size();
     solver.gap = reach;
     solver.violation = open ? open_violation : reach;
+    before_ = state_;
     const JerkSolverResult r = solver_.solve(problem_, state_, mu, solver, pulse);
     work_ += r.iterations * static_cast<double>(grid_.cells.size());
+    if (round > 0 && !r.converged && !(r.violation < astray)) {
+      state_ = before_;
+      if (anew) return;
+      anew = true;
+      mu = 1e-2;
+      continue;
+    }
     if (!std::isfinite(r.duration)) return;
+    if (round == 0) sped_up_ = speed_up();
     mu = 0;
     if (reach > 1e-3 && reach < 1e-2 && division < options_.max_divisions && mark(pulse)) {
       divide(r.mu);
@@ -160,7 +174,7 @@ void JerkRunPlanner<N, M>::improve(double mu, PlanningPulse& pulse) {
          (std::max(worst_.v, worst_.a) < 1 + 4 * options_.gap && worst_.j < 1 + 4 * options_.gap)))
       break;
     tighten();
-    if (division < 2 * options_.max_divisions && stubborn()) {
+    if (division < 4 * options_.max_divisions && stubborn()) {
       divide(r.mu);
       reach = 3e-3;
       continue;

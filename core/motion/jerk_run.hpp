@@ -73,6 +73,9 @@ class JerkRunPlanner {
   /// if the rest would slow most of them. Returns how many.
   std::size_t take_window(std::size_t begin, std::size_t cells);
 
+  /// How much faster than the law that the window before threw away this one passes the same place.
+  double speed_up() const;
+
   /// Throws away what the rest at the window's end slows: what is left ends in motion.
   void leave();
 
@@ -199,10 +202,11 @@ class JerkRunPlanner {
   static constexpr std::size_t all_cells = std::numeric_limits<std::size_t>::max();
   double share_ = jerk_run_detail::full_share;
   std::size_t keep_ = all_cells;            // cells of a window that the rest at its end does not slow
+  double overlap_ = 1, sped_up_ = 1;        // of windows, in what is hoped for; what it was too short for
   LargeVector<JerkNode> tail_, next_tail_;  // what the window before, and this one, found behind these
   LargeVector<double> cap_, loss_;
   LargeVector<Division> division_;
-  LargeVector<JerkNode> state_;
+  LargeVector<JerkNode> state_, before_;  // as solved, and before
   JerkProblem<M> problem_;
   JerkSolver<M> solver_;
   LargeVector<Middle> middle_;

@@ -16,12 +16,16 @@ using jerk_run_detail::last_window;
 namespace {
 
 /// Before braking begins, by the rough profile, a law may still differ from that of the whole run: for so long, in A/J
-/// and in braking times.
-constexpr double jerk_times = 3, braking_times = 4;
+/// and in braking times, is hoped at first.
+constexpr double jerk_times = 5, braking_times = 5;
+/// Half-way through what was thrown away, the next window's law must not be faster than the one thrown away was by more
+/// than this: else the window's end slowed even what was kept.
+constexpr double untouched = 1.01;
+constexpr double longest_overlap = 64;
 /// The largest excess of any window slows the whole run. One that is to blame for more was most likely left in a bad
 /// place by the one before, which is then planned again, twice as long. Should that happen often it is the run's own
 /// fault.
-constexpr double well = 1 + 1e-3;
+constexpr double well = 1 + 3e-4;
 constexpr std::size_t most_failures(std::size_t windows) { return 3 + windows / 8; }
 
 }  // namespace
@@ -39,6 +43,7 @@ bool JerkRunPlanner<N, M>::plan_windows(std::size_t window, double from, double 
   const std::size_t n = run_grid_.cells.size();
   double reported = from;
   pieces_.clear();
+  overlap_ = 1;
   std::vector<Place> places{{0, window, 0, 1, {}, {}}};
   for (std::size_t failures = 0; places.back().begin < n;) {
     Place& here = places.back();
@@ -56,6 +61,12 @@ bool JerkRunPlanner<N, M>::plan_windows(std::size_t window, double from, double 
       attempt(start, pulse);
       if (end < n && !(exit_.b > 0)) slow_ = unlimited;  // it never came to that
       if (slow_ < good_enough) break;
+    }
+    // Where the run was lost as a whole, longer windows would be lost, too.
+    if (sped_up_ > untouched && overlap_ < longest_overlap && window == options_.window) {
+      overlap_ *= 2;
+      places.pop_back();
+      continue;
     }
     if (slow_ > well && ++failures <= most_failures(places.size()) && (places.size() > 1 || end < n)) {
       if (places.size() > 1) places.pop_back();
@@ -98,11 +109,23 @@ std::size_t JerkRunPlanner<N, M>::take_window(std::size_t begin, std::size_t cel
     keep_ = brake<N>(grid_, feed_, machine_, options_.path, rough_);
     double braking = 0;
     for (std::size_t c = keep_; c < end - begin; ++c) braking += rough_.duration[c];
-    for (double time = jerk_times * jerk_time_ + braking_times * braking; keep_ > 0 && time > 0;)
+    for (double time = overlap_ * (jerk_times * jerk_time_ + braking_times * braking); keep_ > 0 && time > 0;)
       time -= rough_.duration[--keep_];
     while (keep_ > 0 && joint(keep_)) --keep_;  // what holds across a joint is one window's affair
     if (2 * keep_ >= cells) return cells;
   }
+}
+
+template <int N, int M>
+double JerkRunPlanner<N, M>::speed_up() const {
+  const std::size_t n = std::min(tail_.size(), state_.size());
+  if (n == 0) return 1;
+  LargeVector<double> time(n, 0.0);  // by the law thrown away, up to each node
+  for (std::size_t i = 1; i < n; ++i)
+    time[i] = time[i - 1] + 2 * grid_.length(i - 1) / (std::sqrt(tail_[i - 1].b) + std::sqrt(tail_[i].b));
+  const auto half =
+      static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), 0.5 * time[n - 1]) - time.begin());
+  return half > 0 && half < n && tail_[half].b > 0 ? std::sqrt(state_[half].b / tail_[half].b) : 1;
 }
 
 template <int N, int M>
@@ -129,18 +152,22 @@ void JerkRunPlanner<N, M>::follow() {
 
 template bool JerkRunPlanner<2, 2>::plan_windows(std::size_t window, double from, double to);
 template std::size_t JerkRunPlanner<2, 2>::take_window(std::size_t begin, std::size_t cells);
+template double JerkRunPlanner<2, 2>::speed_up() const;
 template void JerkRunPlanner<2, 2>::leave();
 template void JerkRunPlanner<2, 2>::follow();
 template bool JerkRunPlanner<2, 3>::plan_windows(std::size_t window, double from, double to);
 template std::size_t JerkRunPlanner<2, 3>::take_window(std::size_t begin, std::size_t cells);
+template double JerkRunPlanner<2, 3>::speed_up() const;
 template void JerkRunPlanner<2, 3>::leave();
 template void JerkRunPlanner<2, 3>::follow();
 template bool JerkRunPlanner<3, 3>::plan_windows(std::size_t window, double from, double to);
 template std::size_t JerkRunPlanner<3, 3>::take_window(std::size_t begin, std::size_t cells);
+template double JerkRunPlanner<3, 3>::speed_up() const;
 template void JerkRunPlanner<3, 3>::leave();
 template void JerkRunPlanner<3, 3>::follow();
 template bool JerkRunPlanner<3, 4>::plan_windows(std::size_t window, double from, double to);
 template std::size_t JerkRunPlanner<3, 4>::take_window(std::size_t begin, std::size_t cells);
+template double JerkRunPlanner<3, 4>::speed_up() const;
 template void JerkRunPlanner<3, 4>::leave();
 template void JerkRunPlanner<3, 4>::follow();
 

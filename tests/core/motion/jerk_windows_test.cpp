@@ -81,26 +81,23 @@ TEST(JerkWindows, SplineIsAsQuickAsWhole) {
 
 TEST(JerkWindows, SerpentineIsAsQuickAsWhole) { expect_as_quick_as_whole(serpentine(100, 2)); }
 
-/// A spline on which the solver is lost as a whole: there is a law nevertheless, and windows find a far better one.
-TEST(JerkWindows, FindALawWhereTheWholeRunIsLost) {
-  Random random(4);
-  const double height = std::pow(10, random.uniform(-1, 1.3)), length = std::pow(10, random.uniform(-0.5, 1.2));
-  const Contour contour = waves(250, random, height, 0.3 * length, 2 * length);
-  Random limits(1004);
-  Machine m = machine(0);
-  m.axes[0].jerk = std::pow(10, limits.uniform(4.5, 7));
-  m.axes[1].jerk = std::pow(10, limits.uniform(4.5, 7));
-  SilentProgress progress;
-  JerkLimitedOptions options;
-  const MotionLaw parts = plan_jerk_limited(contour, m, options, progress).law;
-  options.window = 0;
-  const MotionLaw whole = plan_jerk_limited(contour, m, options, progress).law;
-  for (const MotionLaw* law : {&parts, &whole}) {
-    ASSERT_FALSE(law->pieces().empty());
-    EXPECT_EQ(law->pieces().front().s, 0);
-    EXPECT_NEAR(law->pieces().back().s_end, contour.path.length(), 1e-9 * contour.path.length());
+/// Splines and limits over three decades. On these an elimination that trusts its pivots loses its way, windows need a
+/// longer overlap than is hoped for, or cells have to be divided many times: each was once planned worse, by 1 % (16,
+/// 31, 69) to a factor of 30.
+TEST(JerkWindows, HardSplinesAreAsQuickAsWhole) {
+  for (const std::uint64_t seed : {4, 13, 15, 16, 31, 45, 54, 59, 69}) {
+    Random random(seed);
+    const double height = std::pow(10, random.uniform(-1, 1.3)), length = std::pow(10, random.uniform(-0.5, 1.2));
+    const Contour contour = waves(250, random, height, 0.3 * length, 2 * length);
+    Random limits(seed + 1000);
+    Machine m = machine(0);
+    for (AxisLimits& a : m.axes) a.jerk = std::pow(10, limits.uniform(4.5, 7));
+    const double whole = judged(contour, m, {}, 0);
+    EXPECT_LT(judged(contour, m, {}, JerkLimitedOptions{}.window), whole * (1 + loss)) << seed;
+    // With eight times the jerk a law can take half as long at best: slowed by two, it needs an eighth.
+    for (AxisLimits& a : m.axes) a.jerk *= 8;
+    EXPECT_LT(whole, 2.02 * judged(contour, m, {}, 0)) << seed;
   }
-  EXPECT_LT(parts.duration(), whole.duration() * (1 + loss));
 }
 
 TEST(JerkWindows, RandomProblemsHoldAllLimits) {
