@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <functional>
-#include <string>
 
 #include "core/contour/blend/layout.hpp"
+#include "core/contour/blend/note.hpp"
 #include "core/contour/blend/smooth_run.hpp"
 #include "core/errors.hpp"
 
@@ -23,13 +22,8 @@ constexpr double reversal = 170 * 3.14159265358979323846 / 180;
 constexpr double fastest = 1e6;           // mm/s, where nothing limits the speed
 constexpr double shortest_rest = 1e-9;    // mm of a segment that is worth keeping between two blends
 constexpr double shortest_change = 1e-4;  // mm; in less the rounding of coordinates shows in a curve's direction
-constexpr double small_jump = 1e-6;       // rad, worth a note
 constexpr int most_splits = 4;            // times that a run is cut where it cannot be smoothed
 constexpr std::size_t progress_step = 256;
-
-struct Count {
-  std::size_t corners = 0, runs = 0, run_segments = 0, failed = 0, unsmoothed = 0;
-};
 
 class Blender {
  public:
@@ -58,7 +52,7 @@ class Blender {
       i = j;
     }
     finish_blocks();
-    note();
+    note(result_, count_, options_);
     progress_.report("blend", to_);
     return std::move(result_);
   }
@@ -196,19 +190,7 @@ class Blender {
   /// between them is laid out anew.
   bool split(const Stretch& stretch, const RunRange& range, const std::vector<double>& troubles, int depth,
              std::size_t hint) {
-    std::vector<std::size_t> cuts;
-    for (const double t : troubles) {
-      const std::size_t here = stretch.find(t, hint);
-      std::size_t best = 0;
-      double sharpest = 0;
-      for (std::size_t j = here > 2 ? here - 2 : 1; j < std::min(stretch.elements.size(), here + 4); ++j) {
-        const double border = stretch.elements[j].begin;
-        if (!(border > range.a && border < range.b)) continue;
-        const double turn = joint_shape(stretch.elements[j - 1], stretch.elements[j]).turn;
-        if (turn > sharpest) sharpest = turn, best = j;
-      }
-      if (best > 0 && (cuts.empty() || best > cuts.back())) cuts.push_back(best);
-    }
+    std::vector<std::size_t> cuts = sharpest_joints(stretch, range.a, range.b, troubles, hint);
     if (cuts.empty() || depth >= most_splits) {
       ++count_.unsmoothed;
       return false;
@@ -256,34 +238,6 @@ class Blender {
     }
   }
 
-  void note() {
-    char text[200];
-    std::snprintf(text, sizeof text, "blended within %.6g mm: %zu joints, %zu runs of %zu short segments",
-                  options_.tolerance, count_.corners, count_.runs, count_.run_segments);
-    result_.notes.emplace_back(text);
-    std::size_t stops = 0;
-    double where = 0;
-    std::size_t small = 0;
-    for (const Joint& j : joints(result_.path)) {
-      if (j.angle > options_.corner_angle && stops++ == 0) where = j.s;
-      if (j.angle > small_jump && j.angle <= options_.corner_angle) ++small;
-    }
-    if (small > 0) {
-      std::snprintf(text, sizeof text, "%zu tangent jumps below the corner angle left", small);
-      result_.notes.emplace_back(text);
-    }
-    if (stops > 0) {
-      std::snprintf(text, sizeof text, "%zu corners not blended (reversals, borders of cutting), the first at %.6g mm",
-                    stops, where);
-      result_.notes.emplace_back(text);
-    }
-    if (count_.unsmoothed + count_.failed > 0) {
-      std::snprintf(text, sizeof text, "%zu runs could not be smoothed and %zu joints not blended within the tolerance",
-                    count_.unsmoothed, count_.failed);
-      result_.notes.emplace_back(text);
-    }
-  }
-
   const Contour& given_;
   const BlendOptions& options_;
   const Machine& machine_;
@@ -293,7 +247,7 @@ class Blender {
   std::vector<std::size_t> block_, owner_;
   std::vector<std::unique_ptr<Segment>> parts_;
   Contour result_;
-  Count count_;
+  BlendCount count_;
   std::size_t done_ = 0;
 };
 

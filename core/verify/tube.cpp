@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/verify/limb.hpp"
 #include "core/verify/tube_bound.hpp"
 #include "core/verify/worst.hpp"
 
@@ -11,80 +12,16 @@ namespace bahnwerk {
 
 namespace {
 
-constexpr double limb_turn = 0.5;  // rad: a piece that turns less has one nearest point to anything near it
-constexpr int limb_depth = 24, cell_depth = 48;
+using verify::Limb;
+using verify::Nearest;
+using verify::nearest;
+
+constexpr int cell_depth = 48;
 constexpr double finest = 1e-6;   // mm
 constexpr double reach_back = 8;  // tolerances along the other curve
 constexpr double longest = 40;    // tolerances: in more a missing way there and back would not show
 constexpr double close = 0.99;    // of the tolerance: no need to know better
 constexpr std::size_t breath = 2048;
-
-/// A piece of a segment that turns little.
-struct Limb {
-  std::size_t segment = 0;
-  double u0 = 0, u1 = 0;
-  Vec p0, p1;
-  double length = 0;
-};
-
-void add_limbs(const Segment& s, std::size_t index, double u0, double u1, int depth, std::vector<Limb>& out) {
-  const Jet a = s.at_parameter(u0), b = s.at_parameter(u1);
-  if (!s.straight() && depth > 0) {
-    const double middle = 0.5 * (u0 + u1), quarter = 0.25 * (u1 - u0);
-    Vec last = a.d1;
-    double turn = 0;
-    for (const double u : {u0 + quarter, middle, u1 - quarter, u1}) {
-      const Vec next = u == u1 ? b.d1 : s.at_parameter(u).d1;
-      turn += angle_between(last, next);
-      last = next;
-    }
-    if (!(turn <= limb_turn)) {
-      add_limbs(s, index, u0, middle, depth - 1, out);
-      add_limbs(s, index, middle, u1, depth - 1, out);
-      return;
-    }
-  }
-  out.push_back({index, u0, u1, a.value, b.value, s.arc_length(u1) - s.arc_length(u0)});
-}
-
-struct Nearest {
-  double u = 0, distance = 0;
-};
-
-/// The point of a limb between u0 and u1 nearest to p.
-Nearest nearest(const Curve& curve, double u0, double u1, Vec p) {
-  const auto slope = [&](const Jet& h) { return dot(h.value - p, h.d1); };
-  Jet low = curve.at(u0), high = curve.at(u1);
-  if (curve.kind() == CurveKind::line) {
-    const double square = dot(low.d1, low.d1);
-    const double u = square > 0 ? std::clamp(u0 + dot(p - low.value, low.d1) / square, u0, u1) : u0;
-    return {u, norm(curve.at(u).value - p)};
-  }
-  double a = u0, b = u1, fa = slope(low), fb = slope(high);
-  if (!(fa < 0)) return {u0, norm(low.value - p)};
-  if (!(fb > 0)) return {u1, norm(high.value - p)};
-  // Regula falsi (Illinois).
-  Nearest best{u0, norm(low.value - p)};
-  if (const double d = norm(high.value - p); d < best.distance) best = {u1, d};
-  for (int i = 0, side = 0; i < 40 && b - a > 1e-13 * (u1 - u0); ++i) {
-    const double u = i % 8 == 7 ? 0.5 * (a + b) : std::clamp((a * fb - b * fa) / (fb - fa), a, b);
-    const Jet h = curve.at(u);
-    const double f = slope(h);
-    const double distance = norm(h.value - p);
-    if (!(distance > best.distance)) best = {u, distance};
-    if (std::abs(f) <= 1e-12 * norm(h.d1) * (distance + 1e-4)) break;
-    if (f < 0) {
-      a = u, fa = f;
-      if (side == -1) fb *= 0.5;
-      side = -1;
-    } else {
-      b = u, fb = f;
-      if (side == 1) fa *= 0.5;
-      side = 1;
-    }
-  }
-  return best;
-}
 
 /// Matched pieces: [b0, b1] of a path segment, [a0, a1] of a contour segment, with the distances at both ends.
 struct Cell {
@@ -149,7 +86,7 @@ class Tube {
   void cut(const Path& path, std::vector<Limb>& limbs) {
     for (std::size_t i = 0; i < path.size(); ++i) {
       if (i % breath == 0) tell(0);
-      add_limbs(path[i], i, path[i].curve().begin(), path[i].curve().end(), limb_depth, limbs);
+      verify::add_limbs(path[i], i, limbs);
     }
   }
 

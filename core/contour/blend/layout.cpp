@@ -67,4 +67,22 @@ std::vector<Change> lay_out(const Stretch& stretch, double tolerance, const std:
   return list;
 }
 
+std::vector<std::size_t> sharpest_joints(const Stretch& stretch, double a, double b,
+                                         const std::vector<double>& troubles, std::size_t hint) {
+  std::vector<std::size_t> cuts;
+  for (const double t : troubles) {
+    const std::size_t here = stretch.find(t, hint);
+    std::size_t best = 0;
+    double sharpest = 0;
+    for (std::size_t j = here > 2 ? here - 2 : 1; j < std::min(stretch.elements.size(), here + 4); ++j) {
+      const double border = stretch.elements[j].begin;
+      if (!(border > a && border < b)) continue;
+      const double turn = joint_shape(stretch.elements[j - 1], stretch.elements[j]).turn;
+      if (turn > sharpest) sharpest = turn, best = j;
+    }
+    if (best > 0 && (cuts.empty() || best > cuts.back())) cuts.push_back(best);
+  }
+  return cuts;
+}
+
 }  // namespace bahnwerk::blending

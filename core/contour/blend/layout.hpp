@@ -22,4 +22,9 @@ struct Change {
 /// the tolerance alone limits. `ability[i]` is what the machine can do on element i. O(elements).
 std::vector<Change> lay_out(const Stretch& stretch, double tolerance, const std::vector<Ability>& ability);
 
+/// For each place of `troubles`, ascending, on a run from a to b: the sharpest joint inside it near that place, by the
+/// element that begins there. Ascending, none twice, none where no joint turns. `hint` is an element not behind a.
+std::vector<std::size_t> sharpest_joints(const Stretch& stretch, double a, double b,
+                                         const std::vector<double>& troubles, std::size_t hint);
+
 }  // namespace bahnwerk::blending
