@@ -142,7 +142,7 @@ void JerkRunPlanner<N, M>::improve(double mu, PlanningPulse& pulse) {
     const bool open = round == 0 && keep_ < grid_.cells.size();
     solver.gap = reach;
     solver.violation = open ? open_violation : reach;
-    before_ = state_;
+    if (round > 0) before_ = state_;
     const JerkSolverResult r = solver_.solve(problem_, state_, mu, solver, pulse);
     work_ += r.iterations * static_cast<double>(grid_.cells.size());
     if (round > 0 && !r.converged && !(r.violation < astray)) {

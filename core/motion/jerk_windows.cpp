@@ -120,12 +120,15 @@ template <int N, int M>
 double JerkRunPlanner<N, M>::speed_up() const {
   const std::size_t n = std::min(tail_.size(), state_.size());
   if (n == 0) return 1;
-  LargeVector<double> time(n, 0.0);  // by the law thrown away, up to each node
-  for (std::size_t i = 1; i < n; ++i)
-    time[i] = time[i - 1] + 2 * grid_.length(i - 1) / (std::sqrt(tail_[i - 1].b) + std::sqrt(tail_[i].b));
-  const auto half =
-      static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), 0.5 * time[n - 1]) - time.begin());
-  return half > 0 && half < n && tail_[half].b > 0 ? std::sqrt(state_[half].b / tail_[half].b) : 1;
+  // How long the law thrown away takes for cell c.
+  const auto time = [&](std::size_t c) {
+    return 2 * grid_.length(c) / (std::sqrt(tail_[c].b) + std::sqrt(tail_[c + 1].b));
+  };
+  double all = 0, passed = 0;
+  for (std::size_t c = 0; c + 1 < n; ++c) all += time(c);
+  std::size_t half = 0;
+  while (half + 1 < n && passed < 0.5 * all) passed += time(half++);
+  return tail_[half].b > 0 ? std::sqrt(state_[half].b / tail_[half].b) : 1;
 }
 
 template <int N, int M>
