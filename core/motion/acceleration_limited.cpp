@@ -212,7 +212,7 @@ class RunPlanner {
       if (cell.straight)
         law.straight(cell.segment, s1, s2, b1, b2, chain_.acceleration(c), chain_.cap(c));
       else if (cruises && cruised && s2 > s1)
-        law.extend(laws_[c].duration, cell.segment, s2);
+        law.extend(cell.segment, s2);
       else if (s2 > s1)
         law.cell(laws_[c], cell.segment, s1, s2);
     }

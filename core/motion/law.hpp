@@ -59,9 +59,10 @@ class MotionLaw {
       pieces_.reserve(std::max(pieces_.size() + more, 2 * pieces_.capacity()));
   }
   /// Lets the last piece, which has to run at constant speed, go on to path length `s_end`.
-  void extend(double s_end, double duration) {
-    pieces_.back().s_end = s_end;
-    pieces_.back().duration += duration;
+  void extend(double s_end) {
+    LawPiece& last = pieces_.back();
+    last.s_end = s_end;
+    last.duration = (s_end - last.s) / last.v;  // not a sum: over many cells that would round
   }
   const LargeVector<LawPiece>& pieces() const { return pieces_; }
   double duration() const { return pieces_.empty() ? 0.0 : pieces_.back().t0 + pieces_.back().duration; }

@@ -2,6 +2,7 @@
 /// Writes the law of one run, cell by cell, all of it slowed by one factor.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/curve/path.hpp"
 #include "core/motion/cell_law.hpp"
@@ -28,36 +29,34 @@ class LawWriter {
   }
 
   /// Lets the last piece, which has to run at constant speed, go on to `s_end`.
-  void extend(double duration, std::size_t segment, double s_end) {
-    law_.extend(path_[segment].s0() + s_end, duration * slow_);
-  }
+  void extend(std::size_t segment, double s_end) { law_.extend(path_[segment].s0() + s_end); }
 
-  /// Accelerate, hold, brake between the v² b1 and b2: exact on a straight line.
+  /// Accelerate, hold, brake between the v² b1 and b2: exact on a straight line. The lengths of the phases come from
+  /// their speeds, never from differences of places: a slow feed is reached within nanometres, of which the rounding of
+  /// s far along the path leaves nothing.
   void straight(std::size_t segment, double s1, double s2, double b1, double b2, double a, double cap) {
-    const double peak = std::min(cap, 0.5 * (b1 + b2) + a * (s2 - s1));
-    const double v1 = std::sqrt(b1), v2 = std::sqrt(b2), v = std::sqrt(std::max({peak, b1, b2}));
-    const double up = (peak - b1) / (2 * a), down = (peak - b2) / (2 * a), hair = 1e-13 * (s2 - s1);
-    double s = s1;
-    const bool rises = up > hair, falls = down > hair;
-    double end = falls ? std::min(s2, std::max(s1, s2 - down)) : s2;
-    if (rises) {
-      const double to = std::min(end, s1 + up);
-      // Without a plateau both ramps meet in one point.
-      const bool plateau = end - to > hair;
-      const double meet = plateau ? to : end;
-      ramp(segment, s, meet, v1, v, a);
-      s = meet;
+    const double way = s2 - s1, least = 4 * epsilon, top = 0.5 * (b1 + b2) + a * way;
+    const double v1 = std::sqrt(b1), v2 = std::sqrt(b2), v = std::sqrt(std::max({std::min(cap, top), b1, b2}));
+    double up = (v - v1) * (v + v1) / (2 * a), down = (v - v2) * (v + v2) / (2 * a);
+    const double hold = way - up - down;
+    const bool holds = cap < top && hold > least * way;
+    if (!holds) {  // both ramps meet in one point; their difference is known better than their sum
+      up = std::clamp(0.5 * way + (b2 - b1) / (4 * a), 0.0, way);
+      down = way - up;
     }
-    if (end - s > hair || (!rises && !falls)) {
-      ramp(segment, s, end, v, v, 0);
-      s = end;
-    }
-    if (falls) ramp(segment, s, s2, v, v2, -a);
+    const bool rises = v - v1 > least * v, falls = v - v2 > least * v;
+    const double begin_hold = rises ? std::min(s2, falls || holds ? s1 + up : s2) : s1;
+    const double end_hold = falls ? std::max(begin_hold, holds ? s2 - down : begin_hold) : s2;
+    if (rises) ramp(segment, s1, begin_hold, falls || holds ? up : way, v1, v, a);
+    if (holds || (!rises && !falls)) ramp(segment, begin_hold, end_hold, holds ? hold : way, v, v, 0);
+    if (falls) ramp(segment, end_hold, s2, rises || holds ? down : way, v, v2, -a);
   }
 
  private:
-  void ramp(std::size_t segment, double s, double s_end, double v1, double v2, double a) {
-    cell({2 * (s_end - s) / (v1 + v2), v1, a, 0}, segment, s, s_end);
+  static constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+  void ramp(std::size_t segment, double s, double s_end, double length, double v1, double v2, double a) {
+    cell({2 * length / (v1 + v2), v1, a, 0}, segment, s, s_end);
   }
 
   MotionLaw& law_;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/numeric/peak.hpp"
+#include "core/verify/rounding.hpp"
 
 namespace bahnwerk::verify {
 namespace {
@@ -125,6 +126,13 @@ class Sweeper {
                  });
   }
 
+  // To what the quadrature of a stretch resolves its length, mm.
+  static double resolution(const Segment& segment, double way) { return 1e-11 * way + 2e-12 * segment.length(); }
+
+  void raise_arc_length(double miss, const Segment& segment, double way, double when) {
+    arc_length_.raise(miss, 5 * resolution(segment, way) + rounding * segment.s1(), when);
+  }
+
   // ∫|dh/du|du over [u0, u1] against the way from s0 to s1, halved until the rule resolves it.
   void measure(const LawPiece& piece, const Segment& segment, double u0, double u1, double s0, double s1, int depth) {
     if (!(u1 > u0)) return;
@@ -135,10 +143,8 @@ class Sweeper {
       whole += rule.whole[static_cast<std::size_t>(i)] *
                segment.curve().speed(u0 + rule.node[static_cast<std::size_t>(i)] * (u1 - u0));
     const double miss = std::abs(whole * (u1 - u0) - (s1 - s0)), middle = u0 + 0.5 * (u1 - u0);
-    if (miss <= 1e-11 * (s1 - s0) + 2e-12 * segment.length() || depth == 12 || !(middle > u0 && middle < u1)) {
-      arc_length_.raise(miss, piece.t0);
-      return;
-    }
+    if (miss <= resolution(segment, s1 - s0) || depth == 12 || !(middle > u0 && middle < u1))
+      return raise_arc_length(miss, segment, s1 - s0, piece.t0);
     const double s = segment.arc_length(middle);
     measure(piece, segment, u0, middle, s0, s, depth + 1);
     measure(piece, segment, middle, u1, s, s1, depth + 1);
@@ -178,8 +184,8 @@ class Sweeper {
           whole += rule.whole[i] * speed[i];
         }
         const double miss = std::abs(whole * (end - begin) - (to - from));
-        resolved = miss <= 1e-11 * (to - from) + 2e-12 * segment.length();
-        if (resolved) arc_length_.raise(miss, piece.t0);
+        resolved = miss <= resolution(segment, to - from);
+        if (resolved) raise_arc_length(miss, segment, to - from, piece.t0);
         for (int i = 0; i < n; ++i) {
           double part = 0;
           for (int j = 0; j < n; ++j) part += rule.integral[i][j] * speed[j];
@@ -224,7 +230,7 @@ class Sweeper {
   Pulse& pulse_;
   std::vector<Channel> channels_;
   PeakSweep peaks_;
-  Worst arc_length_;
+  Strained arc_length_;
   std::size_t index_ = 0;
   std::size_t end_segment_ = static_cast<std::size_t>(-1);  // where the last piece ended, to invert u(s) once per piece
   double end_s_ = 0, end_u_ = 0;

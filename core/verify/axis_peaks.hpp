@@ -10,7 +10,9 @@ namespace bahnwerk::verify {
 
 struct AxisPeaks {
   std::vector<Check> checks;  ///< velocity, acceleration, jerk of each limited axis
-  Worst arc_length;           ///< |∫|dh/du|du − (s_end − s)| of a piece on a free-form segment, mm
+  /// |∫|dh/du|du − (s_end − s)| of a piece on a free-form segment, mm, against five times what the quadrature resolves:
+  /// 1e-11 of the piece and 2e-12 of the segment, and the rounding of s.
+  Strained arc_length;
 };
 
 /// With h by arc length and the law's v, a, j: v_k = h'v, a_k = h''v² + h'a, j_k = h'''v³ + 3h''va + h'j.

@@ -15,7 +15,7 @@ Verification judge(const JudgeInput& input, Progress& progress) {
   Verification result;
   result.checks = std::move(axes.checks);
   for (Check& check : verify::law_checks(input, pulse)) result.checks.push_back(std::move(check));
-  result.checks.push_back(verify::make_check("arc length", "mm", 1e-9 * input.contour.path.length(), axes.arc_length));
+  result.checks.push_back(verify::make_check("arc length", "mm", axes.arc_length));
   result.passed = std::all_of(result.checks.begin(), result.checks.end(), [](const Check& c) { return c.passed; });
   pulse.done(1);
   pulse.report();

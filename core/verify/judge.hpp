@@ -21,19 +21,21 @@ struct JudgeInput {
 
 /// Judges a law along its contour. Every `value` is the true continuous peak: closed form on straight segments and for
 /// path velocity, interpolation with outer bounds and roots on curved ones (core/numeric/peak.hpp), resolved to 2e-11
-/// of the limit. A limit holds when value ≤ limit · (1 + 1e-9). Not a number anywhere fails the check in which it
-/// shows; nothing in the law makes the judge crash.
+/// of the limit. A limit of the document holds when value ≤ limit · (1 + 1e-9); all other tolerances are what rounding
+/// may do to the pieces at hand (core/verify/rounding.hpp), each reported with the value that strains it most. Not a
+/// number anywhere fails the check in which it shows; nothing in the law makes the judge crash.
 ///
 /// Checks, in this order: `velocity <axis>`, `acceleration <axis>`, `jerk <axis>` (limited axes only); `path velocity
 /// (feed F)` per distinct finite feed; `path velocity`, `path acceleration`, `path jerk` where limited; `velocity step
 /// at joints` (tangent jump times speed against acceleration · cycle time, the worst axis and joint); with check_jerk
 /// `acceleration step at joints` (|Δ(h″v² + h′a)| against jerk · cycle time, likewise); `corner rest`, `cusp rest`,
-/// `start at rest`, `end at rest` (mm/s against 1e-9 of the peak speed); `continuity of velocity`; with check_jerk
-/// `continuity of acceleration` (also zero at rests, against 1e-9 of the peak); `continuity of position` (law and path,
-/// the worse in relation to its limit); `continuity of time`; `pieces within segments`; `forward motion`; `path
-/// covered`; `distance from contour` (law evaluated on the path, at the segments' ends); `arc length` (∫|dh/du|du of
-/// every piece on a free-form segment, integrated here, against the length the law believes in). Cost: ≈ 50 ns per law
-/// piece on straight segments, ≈ 0.4 µs on arcs and cubics. Calls progress every few ms.
+/// `start at rest`, `end at rest`; `continuity of velocity`; with check_jerk `continuity of acceleration` (also zero at
+/// rests); `continuity of position` (law and path, the worse in relation to its limit); `continuity of time`; `pieces
+/// within segments`; `forward motion`; `path covered` (32 ε of its length); `distance from contour` (law evaluated on
+/// the path, at the segments' ends, against position_tolerance + 32 ε of the coordinates); `arc length` (∫|dh/du|du of
+/// every piece on a free-form segment, integrated here, against the length the law believes in). A piece of rest (v = a
+/// = j = 0, s = s_end) is a motion like any other: a dwell. Cost: ≈ 50 ns per law piece on straight segments, ≈ 0.4 µs
+/// on arcs and cubics. Calls progress every few ms.
 Verification judge(const JudgeInput& input, Progress& progress);
 
 }  // namespace bahnwerk

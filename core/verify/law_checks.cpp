@@ -5,15 +5,13 @@
 #include <cstdio>
 #include <utility>
 
+#include "core/verify/rounding.hpp"
 #include "core/verify/worst.hpp"
 
 namespace bahnwerk::verify {
 namespace {
 
-constexpr double rest_tolerance = 1e-9;    // of the peak speed
-constexpr double cover_tolerance = 1e-9;   // of the path length
-constexpr double order_tolerance = 1e-12;  // of the path length: rounding of s(t) at the ends of pieces
-constexpr std::size_t most_feeds = 32;     // checks written per document; beyond that the most strained ones
+constexpr std::size_t most_feeds = 32;  // checks written per document; beyond that the most strained ones
 
 // Smallest and largest v of a piece with their moments: the ends and where a = 0.
 struct SpeedRange {
@@ -57,9 +55,10 @@ class LawChecker {
       const SpeedRange v = speed_range(p);
       peak_.raise(v.high, v.high_at);
       if (in_.check_jerk) path_peaks(p);
-      backward_.raise(-v.low, v.low_at);
+      const PieceRounding r = rounding_of(p);
+      backward_.raise(std::isnan(v.low) ? v.low : std::max(0.0, -v.low), r.speed, v.low_at);
       if (p.segment >= path_.size() || !(p.duration >= 0)) {
-        outside_.raise(INFINITY, p.t0);
+        outside_.raise(INFINITY, 0, p.t0);
         continue;
       }
       if (feeds[p.segment] < unlimited) {
@@ -67,21 +66,24 @@ class LawChecker {
         feed_peaks_[static_cast<std::size_t>(at)].raise(v.high, v.high_at);
       }
       const Segment& segment = path_[p.segment];
-      outside_.raise(std::max(segment.s0() - p.s, p.s_end - segment.s1()), p.t0);
-      outside_.raise(p.s - p.s_end, p.t0);
-      position_gap_.raise(std::abs(p.at(p.duration).s - p.s_end), p.t0 + p.duration);
+      const double most = std::max({0.0, segment.s0() - p.s, p.s_end - segment.s1(), p.s - p.s_end});
+      outside_.raise(std::isfinite(p.s + p.s_end) ? most : INFINITY, rounding * segment.s1(), p.t0);
+      position_gap_.raise(std::abs(p.at(p.duration).s - p.s_end), r.position, p.t0 + p.duration);
     }
     for (std::size_t i = 1; i < pieces.size(); ++i) pass(pieces[i - 1], pieces[i]);
     if (!pieces.empty()) {
       const LawPiece &first = pieces.front(), &last = pieces.back();
-      start_.raise(std::abs(first.v), 0);
-      acceleration_gap_.raise(std::abs(first.a), 0);
-      acceleration_gap_.raise(std::abs(last.at(last.duration).a), in_.law.duration());
-      end_.raise(std::abs(last.at(last.duration).v), in_.law.duration());
-      uncovered_.raise(std::abs(first.s), 0);
-      uncovered_.raise(std::abs(path_.length() - last.s_end), in_.law.duration());
+      const PieceRounding r0 = rounding_of(first), r1 = rounding_of(last);
+      start_.raise(std::abs(first.v), r0.speed, 0);
+      acceleration_gap_.raise(std::abs(first.a), r0.acceleration, 0);
+      const double end = in_.law.duration();
+      const LawState x = last.at(last.duration);
+      acceleration_gap_.raise(std::abs(x.a), r1.acceleration, end);
+      end_.raise(std::abs(x.v), r1.speed, end);
+      uncovered_.raise(std::abs(first.s), rounding * path_.length(), 0);
+      uncovered_.raise(std::abs(path_.length() - last.s_end), rounding * path_.length(), end);
     } else {
-      uncovered_.raise(path_.length(), 0);
+      uncovered_.raise(path_.length(), 0, 0);
     }
     return report();
   }
@@ -100,39 +102,36 @@ class LawChecker {
   // From one piece to the next: continuity, and what holds at the joints of the path that lie between.
   void pass(const LawPiece& before, const LawPiece& after) {
     const double t = after.t0, v0 = before.at(before.duration).v, v1 = after.v;
-    velocity_gap_.raise(std::abs(v1 - v0), t);
+    const PieceRounding r0 = rounding_of(before), r1 = rounding_of(after);
+    velocity_gap_.raise(std::abs(v1 - v0), r0.speed + r1.speed, t);
     const double a0 = before.at(before.duration).a, a1 = after.a;
-    acceleration_gap_.raise(std::abs(a1 - a0), t);
-    position_gap_.raise(std::abs(after.s - before.s_end), t);
-    time_gap_.raise(std::abs(after.t0 - (before.t0 + before.duration)), t);
+    acceleration_gap_.raise(std::abs(a1 - a0), r0.acceleration + r1.acceleration, t);
+    position_gap_.raise(std::abs(after.s - before.s_end), r0.position + r1.position, t);
+    time_gap_.raise(std::abs(after.t0 - (before.t0 + before.duration)), rounding * std::abs(t), t);
     if (before.segment >= path_.size() || after.segment >= path_.size() || before.segment == after.segment) return;
     if (after.segment != before.segment + 1) {
-      outside_.raise(INFINITY, t);
+      outside_.raise(INFINITY, 0, t);
       return;
     }
     double v = std::max(std::abs(v0), std::abs(v1));
     if (std::isnan(v0)) v = v0;
     const Segment &left = path_[before.segment], &right = path_[after.segment];
-    if (left.cusp_end() || right.cusp_begin()) has_cusp_ = true, cusp_.raise(v, t);
+    if (left.cusp_end() || right.cusp_begin()) has_cusp_ = true, cusp_.raise(v, r0.speed + r1.speed, t);
     const Vec there = right.at_parameter(right.curve().begin()).value;
-    joint_gap_.raise(norm(left.at_parameter(left.curve().end()).value - there), t);
-    distance_.raise(norm(left.at(before.s_end).value - there), t);
-    distance_.raise(norm(right.at(after.s).value - there), t);
+    const double apart = in_.position_tolerance + rounding * norm(there);
+    joint_gap_.raise(norm(left.at_parameter(left.curve().end()).value - there), apart, t);
+    distance_.raise(norm(left.at(before.s_end).value - there), apart, t);
+    distance_.raise(norm(right.at(after.s).value - there), apart, t);
     const Joint& joint = joints_[before.segment];
     if (joint.angle > in_.corner_angle) {
-      corner_.raise(v, t);
-      acceleration_gap_.raise(std::max(std::abs(a0), std::abs(a1)), t);
+      corner_.raise(v, r0.speed + r1.speed, t);
+      acceleration_gap_.raise(std::max(std::abs(a0), std::abs(a1)), r0.acceleration + r1.acceleration, t);
       return;  // at rest no velocity step remains
     }
     if (in_.check_jerk) pass_joint(left, right, v, a0, a1, t);
     for (std::size_t k = 0; k < in_.machine.axes.size() && k < 3; ++k) {
-      const double limit = in_.machine.axes[k].acceleration * in_.machine.cycle_time,
-                   step = std::abs(joint.step[k]) * v;
-      if (step_limit_ == 0 || !(step * step_limit_ <= step_.value * limit)) {
-        step_limit_ = limit;
-        step_.value = 0;
-        step_.raise(step, t);
-      }
+      const double limit = in_.machine.axes[k].acceleration * in_.machine.cycle_time;
+      if (limit < unlimited) step_.raise(std::abs(joint.step[k]) * v, limit, t);
     }
   }
 
@@ -142,12 +141,7 @@ class LawChecker {
     for (std::size_t k = 0; k < in_.machine.axes.size() && k < 3; ++k) {
       const double limit = in_.machine.axes[k].jerk * in_.machine.cycle_time;
       if (!(limit < unlimited)) continue;
-      const double step = std::abs((r.d2[k] - l.d2[k]) * v * v + r.d1[k] * a1 - l.d1[k] * a0);
-      if (jump_limit_ == 0 || !(step * jump_limit_ <= jump_.value * limit)) {
-        jump_limit_ = limit;
-        jump_.value = 0;
-        jump_.raise(step, t);
-      }
+      jump_.raise(std::abs((r.d2[k] - l.d2[k]) * v * v + r.d1[k] * a1 - l.d1[k] * a0), limit, t);
     }
   }
 
@@ -169,28 +163,24 @@ class LawChecker {
       list.push_back(make_check("path acceleration", "mm/s²", in_.path.acceleration, path_acceleration_));
     if (in_.check_jerk && in_.path.jerk < unlimited)
       list.push_back(make_check("path jerk", "mm/s³", in_.path.jerk, path_jerk_));
-    const double rest = rest_tolerance * peak_.value, length = path_.length();
     if (!joints_.empty()) {
-      list.push_back(make_check("velocity step at joints", "mm/s", step_limit_, step_));
-      if (jump_limit_ > 0) list.push_back(make_check("acceleration step at joints", "mm/s²", jump_limit_, jump_));
-      list.push_back(make_check("corner rest", "mm/s", rest, corner_));
+      list.push_back(make_limit_check("velocity step at joints", "mm/s", step_));
+      if (jump_.limit > 0) list.push_back(make_limit_check("acceleration step at joints", "mm/s²", jump_));
+      list.push_back(make_check("corner rest", "mm/s", corner_));
     }
-    if (has_cusp_) list.push_back(make_check("cusp rest", "mm/s", rest, cusp_));
-    list.push_back(make_check("start at rest", "mm/s", rest, start_));
-    list.push_back(make_check("end at rest", "mm/s", rest, end_));
-    list.push_back(make_check("continuity of velocity", "mm/s", rest, velocity_gap_));
-    const double law_limit = order_tolerance * length, joint_limit = in_.position_tolerance;
-    if (in_.check_jerk)
-      list.push_back(make_check("continuity of acceleration", "mm/s²", rest_tolerance * path_acceleration_.value,
-                                acceleration_gap_));
-    const bool law_worse = !(position_gap_.value * joint_limit < joint_gap_.value * law_limit);
-    list.push_back(make_check("continuity of position", "mm", law_worse ? law_limit : joint_limit,
-                              law_worse ? position_gap_ : joint_gap_));
-    list.push_back(make_check("continuity of time", "s", order_tolerance * in_.law.duration(), time_gap_));
-    list.push_back(make_check("pieces within segments", "mm", order_tolerance * length, outside_));
-    list.push_back(make_check("forward motion", "mm/s", rest, backward_));
-    list.push_back(make_check("path covered", "mm", cover_tolerance * length, uncovered_));
-    list.push_back(make_check("distance from contour", "mm", in_.position_tolerance, distance_));
+    if (has_cusp_) list.push_back(make_check("cusp rest", "mm/s", cusp_));
+    list.push_back(make_check("start at rest", "mm/s", start_));
+    list.push_back(make_check("end at rest", "mm/s", end_));
+    list.push_back(make_check("continuity of velocity", "mm/s", velocity_gap_));
+    if (in_.check_jerk) list.push_back(make_check("continuity of acceleration", "mm/s²", acceleration_gap_));
+    Strained position = position_gap_;
+    position.raise(joint_gap_.value, joint_gap_.limit, joint_gap_.at);
+    list.push_back(make_check("continuity of position", "mm", position));
+    list.push_back(make_check("continuity of time", "s", time_gap_));
+    list.push_back(make_check("pieces within segments", "mm", outside_));
+    list.push_back(make_check("forward motion", "mm/s", backward_));
+    list.push_back(make_check("path covered", "mm", uncovered_));
+    list.push_back(make_check("distance from contour", "mm", distance_));
     return list;
   }
 
@@ -199,10 +189,10 @@ class LawChecker {
   std::vector<Joint> joints_;
   std::vector<double> distinct_;
   std::vector<Worst> feed_peaks_;
-  double step_limit_ = 0, jump_limit_ = 0;
   bool has_cusp_ = false;
-  Worst peak_, backward_, outside_, position_gap_, joint_gap_, velocity_gap_, time_gap_, step_, corner_, cusp_, start_,
-      end_, uncovered_, distance_, path_acceleration_, path_jerk_, acceleration_gap_, jump_;
+  Worst peak_, path_acceleration_, path_jerk_;
+  Strained backward_, outside_, position_gap_, joint_gap_, velocity_gap_, acceleration_gap_, time_gap_, step_, jump_,
+      corner_, cusp_, start_, end_, uncovered_, distance_;
 };
 
 }  // namespace

@@ -1,13 +1,15 @@
 #pragma once
 /// The largest of many values with the moment it occurred; not-a-number wins over everything and stays.
 #include <cmath>
+#include <limits>
 #include <string>
+#include <utility>
 
 #include "core/plan.hpp"
 
 namespace bahnwerk::verify {
 
-inline constexpr double limit_tolerance = 1e-9;  ///< relative, of every limit check
+inline constexpr double limit_tolerance = 1e-9;  ///< relative, of every limit that the document sets
 
 struct Worst {
   double value = 0;
@@ -19,9 +21,36 @@ struct Worst {
   }
 };
 
+/// The one of many values that comes nearest to its own limit, or exceeds it by most; not-a-number stays here, too.
+struct Strained {
+  double value = 0;
+  double limit = 0;
+  double at = 0;
+  void raise(double candidate, double bound, double when) {
+    if (!std::isfinite(bound)) bound = 0;  // a law out of bounds does not widen its own tolerance
+    double strain = candidate == 0 ? 0 : candidate / bound;
+    if (std::isnan(strain)) strain = std::numeric_limits<double>::infinity();
+    if (std::isnan(value) || (strain <= strain_ && !std::isnan(candidate))) return;
+    value = candidate, limit = bound, at = when, strain_ = strain;
+  }
+
+ private:
+  double strain_ = -1;
+};
+
 /// passed = value ≤ limit · (1 + 1e-9); false for NaN.
 inline Check make_check(std::string name, std::string unit, double limit, const Worst& worst) {
   return {std::move(name), std::move(unit), limit, worst.value, worst.at, worst.value <= limit * (1 + limit_tolerance)};
+}
+
+/// The same of a limit of its own for each value.
+inline Check make_limit_check(std::string name, std::string unit, const Strained& worst) {
+  return make_check(std::move(name), std::move(unit), worst.limit, {worst.value, worst.at});
+}
+
+/// passed = value ≤ limit; false for NaN. For tolerances that are derived from rounding.
+inline Check make_check(std::string name, std::string unit, const Strained& worst) {
+  return {std::move(name), std::move(unit), worst.limit, worst.value, worst.at, worst.value <= worst.limit};
 }
 
 }  // namespace bahnwerk::verify

@@ -109,6 +109,39 @@ TEST_F(Trapezoid, PositionGap) {
                 {"continuity of position"});
 }
 
+/// Tolerances are those of rounding, at every speed: a law that is wrong by a little more fails.
+TEST(Judge, TolerancesFollowTheSpeedOfTheMotion) {
+  constexpr double eps = std::numeric_limits<double>::epsilon();
+  for (const double scale : {1e-4, 1e-2, 1.0, 1e2, 1e5}) {
+    for (const double length : {1e-3, 1.0, 1e6}) {
+      SCOPED_TRACE(testing::Message() << scale << " mm/s over " << length << " mm");
+      const Contour line = Maker().line({length, 0}).done();
+      const Machine m = machine(2, 2 * scale, 100 * scale * scale / length);
+      const MotionLaw law =
+          law_through(line.path, {{0, 0}, {0.25 * length, scale}, {0.75 * length, scale}, {length, 0}});
+      expect_failed(verdict(line, m, law), {});
+      // What a check allows is 32 ε of the terms that enter, of one piece or of two: some ten times as much fails, a
+      // tenth of it passes.
+      const auto expect = [&](const std::string& name, std::size_t piece,
+                              const std::function<void(LawPiece&, double)>& edit) {
+        const auto by = [&](double part) {
+          return verdict(line, m, edited(law, piece, [&](LawPiece& p) { edit(p, part * 1000 * eps); }));
+        };
+        EXPECT_FALSE(find(by(1), name).passed) << name << ' ' << find(by(1), name).value;
+        expect_failed(by(0.01), {});
+      };
+      expect("start at rest", 0, [&](LawPiece& p, double e) { p.v = e * scale; });
+      expect("continuity of velocity", 1, [&](LawPiece& p, double e) { p.v += e * scale; });
+      expect("end at rest", 2, [&](LawPiece& p, double e) { p.a *= 1 - e; });
+      expect("forward motion", 2, [&](LawPiece& p, double e) { p.a *= 1 + e; });
+      expect("continuity of position", 1, [&](LawPiece& p, double e) { p.duration *= 1 + e; });
+      expect("continuity of position", 1, [&](LawPiece& p, double e) { p.s += e * length; });
+      expect("pieces within segments", 2, [&](LawPiece& p, double e) { p.s_end += e * length; });
+      expect("path covered", 2, [&](LawPiece& p, double e) { p.s_end -= e * length; });
+    }
+  }
+}
+
 TEST_F(Trapezoid, StartsOrEndsInMotion) {
   expect_failed(verdict(contour, machine(2, 1200, 16000),
                         law_through(contour.path, {{0, 1e-3}, {45, 1200}, {55, 1200}, {100, 0}})),
