@@ -2,13 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <utility>
 
 #include "core/contour/blend.hpp"
+#include "core/errors.hpp"
 #include "core/motion/acceleration_limited.hpp"
+#include "core/motion/block_times.hpp"
 #include "core/motion/jerk_limited.hpp"
 #include "core/motion/trajectory.hpp"
 #include "core/verify/judge.hpp"
 #include "core/verify/lower_bound.hpp"
+#include "core/verify/setpoint_checks.hpp"
 #include "core/verify/tube.hpp"
 
 namespace bahnwerk {
@@ -36,18 +41,14 @@ bool slow_by_a_hair(const Verification& verification, double factor, MotionLaw& 
   return true;
 }
 
-/// Times of the blocks from the law: a piece never spans two segments.
-void report_blocks(const Contour& contour, const MotionLaw& law, ContourPlan& plan) {
-  std::size_t i = 0;
-  const auto& pieces = law.pieces();
-  double t = 0;
-  for (const Block& block : contour.blocks) {
-    BlockReport report{block.mode, t, t, 0};
-    while (i < pieces.size() && pieces[i].segment < block.last) ++i;
-    t = i < pieces.size() ? pieces[i].t0 : law.duration();
-    report.end_time = t;
+/// Times of the blocks in the motion that is sampled; the sums per mode in the planned one, which is `factor` quicker.
+void report_blocks(const Contour& contour, const MotionLaw& sampled, double factor, ContourPlan& plan) {
+  const std::vector<BlockTime> times = block_times(contour, sampled);
+  for (std::size_t b = 0; b < times.size(); ++b) {
+    const Block& block = contour.blocks[b];
+    BlockReport report{block.mode, times[b].begin, times[b].end, 0};
     if (block.last > block.first) report.length = contour.path[block.last - 1].s1() - contour.path[block.first].s0();
-    (block.mode == Mode::cut ? plan.cut_time : plan.position_time) += report.end_time - report.start_time;
+    (block.mode == Mode::cut ? plan.cut_time : plan.position_time) += (report.end_time - report.start_time) / factor;
     plan.blocks.push_back(report);
   }
 }
@@ -108,6 +109,15 @@ class Solver {
   std::size_t iterations_ = 0, cells_ = 0;
 };
 
+void check_count(const MotionLaw& law, const Machine& machine, const ContourPlanning& planning) {
+  const double count = std::ceil(law.duration() / machine.cycle_time) + 1;
+  if (!(count > planning.most_setpoints)) return;
+  char text[120];
+  std::snprintf(text, sizeof text, "the motion has %.0f setpoints, at most %.0f are allowed", count,
+                planning.most_setpoints);
+  throw InvalidInput({{{"machine", "cycle_time"}, text}});
+}
+
 Machine held_limits(const Machine& machine, const ContourPlanning& planning) {
   Machine held = machine;
   if (planning.method != PlanningMethod::jerk_limited)
@@ -122,7 +132,7 @@ ContourPlan plan_contour(Contour input, const Machine& given_machine, const Cont
   const Machine machine = held_limits(given_machine, planning);
   const auto given = std::make_shared<const Contour>(std::move(input));
   const bool blended = planning.corner_mode == CornerMode::blend;
-  const double read = blended ? 0.1 : 0.0, bounded = 0.2, planned = 0.6, judged = blended ? 0.95 : 1.0;
+  const double read = blended ? 0.1 : 0.0, bounded = 0.2, planned = 0.6, judged = 0.85, served = blended ? 0.95 : 1.0;
   auto contour = given;
   if (blended)
     contour = std::make_shared<const Contour>(
@@ -142,6 +152,7 @@ ContourPlan plan_contour(Contour input, const Machine& given_machine, const Cont
       law = std::move(finer);
   }
 
+  check_count(law, machine, planning);
   std::shared_ptr<const Trajectory> trajectory;
   Cycles cycles;
   for (int attempt = 1;; ++attempt) {
@@ -162,19 +173,25 @@ ContourPlan plan_contour(Contour input, const Machine& given_machine, const Cont
     if (plan.verification.passed || attempt == attempts) break;
     solver.refine();
     law = solver.solve(progress, bounded, planned);
+    check_count(law, machine, planning);
   }
-  if (blended) {
-    plan.verification.checks.push_back(tube_check(*given, *contour, planning.blend_tolerance, progress, judged, 1.0));
-    plan.verification.passed = plan.verification.passed && plan.verification.checks.back().passed;
-  }
+  const auto also = [&plan](Check check) {
+    plan.verification.passed = plan.verification.passed && check.passed;
+    plan.verification.checks.push_back(std::move(check));
+  };
+  auto setpoints = std::make_unique<CartesianSetpoints>(trajectory, machine, cycles.count);
+  for (Check& check : setpoint_checks({*contour, machine, trajectory->law(), *setpoints, judged, served}, progress))
+    also(std::move(check));
+  also(bound_check(bound, law.duration()));
+  if (blended) also(tube_check(*given, *contour, planning.blend_tolerance, progress, served, 1.0));
 
   plan.iterations = solver.iterations();
   plan.pieces = law.pieces().size();
   plan.duration = law.duration();
   plan.bound = with_gap(bound, plan.duration);
-  report_blocks(*contour, law, plan);
+  report_blocks(*contour, trajectory->law(), cycles.factor, plan);
   report_joints(*contour, machine, law, planning.corner_angle, plan);
-  plan.setpoints = std::make_unique<CartesianSetpoints>(trajectory, machine, cycles.count);
+  plan.setpoints = std::move(setpoints);
   return plan;
 }
 

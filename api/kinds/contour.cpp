@@ -108,16 +108,13 @@ void check(const json& spec) {
 PlannedJob plan(const json& spec, Progress& progress) {
   progress.report("read", 0.0);
   const Machine limits = machine(spec);
-  const ContourPlanning options = planning(spec);
+  ContourPlanning options = planning(spec);
+  options.most_setpoints = most_setpoints;
   Contour path = geometry(spec, progress);
   check_planning(limits, options);
   check_together(path, limits);
   ContourPlan plan = plan_contour(std::move(path), limits, options, progress);
   const auto& setpoints = *plan.setpoints;
-  if (static_cast<double>(setpoints.count()) > most_setpoints)
-    throw InvalidInput({{{"machine", "cycle_time"},
-                         "the motion has " + std::to_string(setpoints.count()) + " setpoints, at most " +
-                             std::to_string(static_cast<long>(most_setpoints)) + " are allowed"}});
   if (options.method != PlanningMethod::jerk_limited)
     for (const auto& axis : limits.axes)
       if (axis.jerk < unlimited) {

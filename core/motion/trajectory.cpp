@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/motion/block_times.hpp"
+
 namespace bahnwerk {
 
 State Trajectory::sample(double t, std::size_t& piece) const {
@@ -35,16 +37,31 @@ CartesianSetpoints::CartesianSetpoints(std::shared_ptr<const Trajectory> traject
       cycles_(cycles),
       dimension_(machine.dimension()),
       cycle_time_(machine.cycle_time) {
-  for (const auto& [prefix, unit] : {std::pair{"", "mm"}, std::pair{"v", "mm/s"}, std::pair{"a", "mm/s^2"}})
+  for (const auto& [prefix, unit] : {std::pair{"", "mm"}, std::pair{"v", "mm/s"}, std::pair{"a", "mm/s²"}})
     for (const AxisLimits& axis : machine.axes) columns_.push_back({prefix + axis.name, unit});
   columns_.push_back({"s", "mm"});
   columns_.push_back({"v", "mm/s"});
+  columns_.push_back({"mode", "1"});
+  columns_.push_back({"block", "1"});
+  const Contour& contour = trajectory_->contour();
+  const std::vector<BlockTime> times = block_times(contour, trajectory_->law());
+  for (std::size_t b = 0; b < times.size(); ++b)
+    if (times[b].end > times[b].begin || contour.blocks[b].last > contour.blocks[b].first)
+      labels_.push_back({times[b].begin, b, contour.blocks[b].mode == Mode::cut});
+  if (labels_.empty()) labels_.push_back({0, 0, true});
 }
 
 void CartesianSetpoints::read(std::size_t first, std::size_t rows, double* out) const {
-  std::size_t piece = trajectory_->law().find(static_cast<double>(first) * cycle_time_);
+  const double begin = static_cast<double>(first) * cycle_time_;
+  std::size_t piece = trajectory_->law().find(begin);
+  const auto later = std::upper_bound(labels_.begin(), labels_.end(), begin,
+                                      [](double t, const Label& label) { return t < label.begin; });
+  const Label* label = &labels_[later == labels_.begin() ? 0 : static_cast<std::size_t>(later - labels_.begin()) - 1];
+  const Label* const last_label = &labels_.back();
   for (std::size_t row = first; row < first + rows; ++row) {
-    State state = trajectory_->sample(static_cast<double>(row) * cycle_time_, piece);
+    const double t = static_cast<double>(row) * cycle_time_;
+    State state = trajectory_->sample(t, piece);
+    while (label != last_label && label[1].begin <= t) ++label;
     if (row == cycles_) {  // arrived: at rest, exactly at the end of the path
       const Segment& last = trajectory_->contour().path[trajectory_->contour().path.size() - 1];
       state = {};
@@ -56,6 +73,8 @@ void CartesianSetpoints::read(std::size_t first, std::size_t rows, double* out) 
     for (std::size_t k = 0; k < dimension_; ++k) *out++ = state.acceleration[k];
     *out++ = state.path.s;
     *out++ = state.path.v;
+    *out++ = label->cut ? 1 : 0;
+    *out++ = static_cast<double>(label->block);
   }
 }
 

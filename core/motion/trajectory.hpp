@@ -39,10 +39,13 @@ struct Cycles {
 };
 Cycles whole_cycles(double duration, double cycle_time);
 
-/// Columns x y [z] vx … ax … s v, row k at k · cycle_time; the last row is at rest.
+/// Columns x y [z] vx … ax … s v mode block, row k at k · cycle_time; the last row is at rest. `mode` is 1 in a block
+/// that cuts, 0 in one that positions; `block` is the index of that block in the contour, from 0. Both come from the
+/// times of the blocks, not from the place on the path; a row at the moment where two blocks meet belongs to the later
+/// one, the last row to the last block that is not empty.
 class CartesianSetpoints final : public SetpointSource {
  public:
-  /// `trajectory` must already last a whole number of cycles.
+  /// `trajectory` must already last a whole number of cycles. O(pieces + blocks).
   CartesianSetpoints(std::shared_ptr<const Trajectory> trajectory, const Machine& machine, std::size_t cycles);
   const std::vector<Column>& columns() const override { return columns_; }
   std::size_t count() const override { return cycles_ + 1; }
@@ -53,6 +56,12 @@ class CartesianSetpoints final : public SetpointSource {
  private:
   std::shared_ptr<const Trajectory> trajectory_;
   std::vector<Column> columns_;
+  struct Label {
+    double begin;  // s: from here to the next label's begin
+    std::size_t block;
+    bool cut;
+  };
+  std::vector<Label> labels_;  // of the blocks that are not empty, in order; one at least
   std::size_t cycles_;
   std::size_t dimension_;
   double cycle_time_;

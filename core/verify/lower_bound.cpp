@@ -8,6 +8,7 @@
 
 #include "core/verify/bound_grid.hpp"
 #include "core/verify/rest_to_rest.hpp"
+#include "core/verify/worst.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -216,6 +217,10 @@ Bound with_gap(Bound bound, double planned) {
   bound.gap = bound.duration > 0 ? (planned - bound.duration) / bound.duration : 0;
   if (bound.gap < 0 && bound.gap > -1e-14) bound.gap = 0;
   return bound;
+}
+
+Check bound_check(const Bound& bound, double planned) {
+  return verify::make_check("bound", "s", planned, {bound.duration, 0});
 }
 
 }  // namespace bahnwerk

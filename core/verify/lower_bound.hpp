@@ -39,4 +39,8 @@ Bound lower_bound(const Contour& contour, const Machine& machine, double corner_
 /// than rounding.
 Bound with_gap(Bound bound, double planned);
 
+/// Check "bound", s: `value` is the bound, `limit` the planned duration. A plan that is shorter than its bound by more
+/// than 1e-9 of itself does not pass: one of the two is wrong.
+Check bound_check(const Bound& bound, double planned);
+
 }  // namespace bahnwerk

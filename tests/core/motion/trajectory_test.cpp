@@ -4,6 +4,7 @@
 
 #include "core/contour/builder.hpp"
 #include "core/motion/acceleration_limited.hpp"
+#include "core/motion/block_times.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -62,15 +63,18 @@ TEST(CartesianSetpoints, EndAtRestOnTheLastRowAndSlicesAgree) {
   const Machine m = machine();
   const auto t = trajectory(m, cycles);
   const CartesianSetpoints points(t, m, cycles.count);
-  ASSERT_EQ(points.columns().size(), 8u);
+  ASSERT_EQ(points.columns().size(), 10u);
   EXPECT_EQ(points.columns()[0].name, "x");
   EXPECT_EQ(points.columns()[3].name, "vy");
+  EXPECT_EQ(points.columns()[4].unit, "mm/s²");
   EXPECT_EQ(points.columns()[6].name, "s");
-  std::vector<double> all(points.count() * 8), slice(3 * 8);
+  EXPECT_EQ(points.columns()[8].name, "mode");
+  EXPECT_EQ(points.columns()[9].name, "block");
+  std::vector<double> all(points.count() * 10), slice(3 * 10);
   points.read(0, points.count(), all.data());
   points.read(points.count() / 2, 3, slice.data());
-  for (std::size_t i = 0; i < slice.size(); ++i) EXPECT_EQ(slice[i], all[points.count() / 2 * 8 + i]);
-  const double* last = all.data() + (points.count() - 1) * 8;
+  for (std::size_t i = 0; i < slice.size(); ++i) EXPECT_EQ(slice[i], all[points.count() / 2 * 10 + i]);
+  const double* last = all.data() + (points.count() - 1) * 10;
   EXPECT_EQ(last[0], -20);
   EXPECT_EQ(last[1], 20);
   for (const int i : {2, 3, 4, 5, 7}) EXPECT_EQ(last[i], 0);
@@ -79,11 +83,54 @@ TEST(CartesianSetpoints, EndAtRestOnTheLastRowAndSlicesAgree) {
   EXPECT_EQ(all[7], 0);
 }
 
-TEST(CartesianSetpoints, ThreeAxesHaveElevenColumns) {
+TEST(CartesianSetpoints, ThreeAxesHaveThirteenColumns) {
   Cycles cycles;
   const Machine m = machine(3);
   const auto t = trajectory(m, cycles);
-  EXPECT_EQ(CartesianSetpoints(t, m, cycles.count).columns().size(), 11u);
+  EXPECT_EQ(CartesianSetpoints(t, m, cycles.count).columns().size(), 13u);
+}
+
+/// Rows of the columns mode and block, of 10 mm in each block.
+TEST(CartesianSetpoints, ModeAndBlockChangeWhereTheBlocksMeet) {
+  ContourBuilder b(2, {});
+  b.block(Mode::position, unlimited);  // left empty
+  b.block(Mode::cut, 200);
+  b.line({10, 0, 0});
+  b.block(Mode::position, unlimited);
+  b.line({20, 0, 0});
+  b.block(Mode::cut, unlimited);  // left empty, too
+  b.block(Mode::cut, 100);
+  b.line({30, 0, 0});
+  b.block(Mode::position, unlimited);
+  const auto contour = std::make_shared<const Contour>(b.finish());
+  ASSERT_EQ(contour->blocks.size(), 6u);
+  const Machine m = machine();
+  SilentProgress progress;
+  const MotionLaw law = plan_acceleration_limited(*contour, m, {}, progress).law;
+  const Cycles cycles = whole_cycles(law.duration(), m.cycle_time);
+  const auto t = std::make_shared<const Trajectory>(contour, law.slowed(cycles.factor));
+  const CartesianSetpoints points(t, m, cycles.count);
+  const std::vector<BlockTime> times = block_times(*contour, t->law());
+  ASSERT_EQ(times.size(), 6u);
+  EXPECT_EQ(times[0].end, 0);
+  EXPECT_EQ(times[3].begin, times[3].end);
+  EXPECT_EQ(times[5].end, t->duration());
+  std::vector<double> rows(points.count() * 10);
+  points.read(0, points.count(), rows.data());
+  for (std::size_t k = 0; k < points.count(); ++k) {
+    const double s = rows[10 * k + 6], at = static_cast<double>(k) * m.cycle_time;
+    const std::size_t block = s < 10 ? 1 : s < 20 ? 2 : 4;
+    ASSERT_EQ(rows[10 * k + 9], static_cast<double>(block)) << k;
+    ASSERT_EQ(rows[10 * k + 8], block == 2 ? 0 : 1) << k;
+    ASSERT_GE(at, times[block].begin) << k;
+    ASSERT_LE(at, times[block].end * (1 + 1e-15)) << k;
+  }
+  // Any row by itself says the same.
+  for (std::size_t k = 0; k < points.count(); ++k) {
+    double row[10];
+    points.read(k, 1, row);
+    ASSERT_EQ(row[9], rows[10 * k + 9]) << k;
+  }
 }
 
 }  // namespace
