@@ -192,6 +192,7 @@ ContourPlan plan_contour(Contour input, const Machine& given_machine, const Cont
   report_blocks(*contour, trajectory->law(), cycles.factor, plan);
   report_joints(*contour, machine, law, planning.corner_angle, plan);
   plan.setpoints = std::move(setpoints);
+  plan.path = contour;
   return plan;
 }
 

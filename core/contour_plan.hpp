@@ -41,6 +41,7 @@ struct SmallJoint {
 
 struct ContourPlan {
   std::unique_ptr<SetpointSource> setpoints;
+  std::shared_ptr<const Contour> path;  ///< as driven: after blending
   Verification verification;
   Bound bound;
   double duration = 0, cut_time = 0, position_time = 0;  ///< s, planned

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "api/problem.hpp"
 #include "api/verification.hpp"
+#include "core/contour_drawing.hpp"
 #include "core/errors.hpp"
 
 namespace bahnwerk::api::contour {
@@ -53,6 +55,12 @@ ordered_json details(const ContourPlan& plan, const Machine& machine, const Cont
   }
   return {{"method", name(planning.method)}, {"law_pieces", plan.pieces},           {"notes", plan.notes},
           {"blocks", std::move(blocks)},     {"joints_passed", plan.joints.size()}, {"joints", std::move(joints)}};
+}
+
+ordered_json drawings(const ContourPlan& plan, Progress& progress) {
+  char title[80];
+  std::snprintf(title, sizeof title, "path of %.6g mm, %.6g s", plan.path_length, plan.duration);
+  return {{"contour.svg", contour_drawing(*plan.path, {title}, progress)}};
 }
 
 }  // namespace
@@ -138,6 +146,7 @@ PlannedJob plan(const json& spec, Progress& progress) {
                   {"cycle_time", setpoints.cycle_time()},
                   {"columns", columns(setpoints)}}},
                 {"details", details(plan, limits, options)}};
+  job.result["details"]["drawings"] = drawings(plan, progress);
   job.setpoints = std::move(plan.setpoints);
   return job;
 }

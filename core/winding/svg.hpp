@@ -33,8 +33,9 @@ inline std::string circle(Point at, double radius, const std::string& style) {
 }
 
 inline std::string segment(Point a, Point b, const std::string& style) {
-  return "<path" + attribute("d", "M" + number(a.x) + " " + number(a.y) + "L" + number(b.x) + " " + number(b.y)) + " " +
-         style + "/>\n";
+  return "<path" +
+         attribute("d", std::string("M") + number(a.x) + " " + number(a.y) + "L" + number(b.x) + " " + number(b.y)) +
+         " " + style + "/>\n";
 }
 
 inline std::string escaped(const std::string& words) {
