@@ -57,7 +57,7 @@ struct ContourPlan {
 /// jerk limits count with jerk_limited alone. Verified are the law (core/verify/judge.hpp), every setpoint
 /// (core/verify/setpoint_checks.hpp), and that the duration is not below its bound.
 ///
-/// Cost: O(grid cells), about 1 µs each with verification and bound, and 0.2 to 1 µs per setpoint. Throws InvalidInput,
+/// Cost: O(grid cells), about 1 µs each with verification and bound, and 0.1 to 0.3 µs per setpoint. Throws InvalidInput,
 /// also for a motion of more than most_setpoints, and Stopped. A time-optimal plan
 /// that is not within 5e-6 of its bound, and any plan that the judge rejects, is planned again on a finer grid, three
 /// times at most; what is returned may still be unverified: look at `verification.passed`.

@@ -36,8 +36,8 @@ struct SetpointInput {
 /// `setpoints end at rest`   mm/s   last row: largest |v|, and |a| · cycle time, of any axis and of the path: 0
 ///
 /// Of each the row is reported that strains its tolerance most; `at` is its time. Not a number fails. Memory: one
-/// chunk of rows. Cost: reading the rows, and about as much again: 0.1 µs a row on lines and arcs, 0.2–0.5 µs on
-/// free-form curves. Calls progress every chunk; throws what it throws.
+/// chunk of rows. Cost per row, reading included: 80 ns on lines, 170 ns on arcs, 260 ns on cubics, of which reading
+/// takes 35, 90, 110 ns (bench_verify). Calls progress every 2048 rows; throws what it throws.
 std::vector<Check> setpoint_checks(const SetpointInput& input, Progress& progress);
 
 }  // namespace bahnwerk

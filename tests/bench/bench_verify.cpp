@@ -1,11 +1,16 @@
 // What judging costs per law piece and bounding per node, for growing plans.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <memory>
 #include <string>
+#include <vector>
 
+#include "core/motion/trajectory.hpp"
 #include "core/verify/judge.hpp"
 #include "core/verify/lower_bound.hpp"
+#include "core/verify/setpoint_checks.hpp"
 #include "tests/core/verify/reference.hpp"
 
 namespace bahnwerk {
@@ -55,6 +60,38 @@ void judging(benchmark::State& state, Shape shape) {
 BENCHMARK_CAPTURE(judging, lines, lines)->RangeMultiplier(10)->Range(1000, 100000)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(judging, arcs, arcs)->RangeMultiplier(10)->Range(1000, 100000)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(judging, cubics, cubics)->RangeMultiplier(10)->Range(1000, 100000)->Unit(benchmark::kMillisecond);
+
+// Reading rows alone (check = false), or checking them, which reads them too.
+void rows(benchmark::State& state, Shape shape, bool check) {
+  const Contour contour = wave(shape, static_cast<int>(state.range(0)));
+  const Machine m = machine(2, 1800, 16000, 1e-4);
+  const MotionLaw law = wavy_law(contour, 200 * contour.path.size());
+  const Cycles cycles = whole_cycles(law.duration(), m.cycle_time);
+  const auto trajectory =
+      std::make_shared<const Trajectory>(std::make_shared<const Contour>(contour), law.slowed(cycles.factor));
+  const CartesianSetpoints source(trajectory, m, cycles.count);
+  std::vector<double> chunk(1024 * source.columns().size());
+  SilentProgress silent;
+  for (auto _ : state) {
+    if (check) {
+      benchmark::DoNotOptimize(setpoint_checks({contour, m, trajectory->law(), source}, silent));
+      continue;
+    }
+    for (std::size_t first = 0; first < source.count(); first += 1024) {
+      source.read(first, std::min<std::size_t>(1024, source.count() - first), chunk.data());
+      benchmark::DoNotOptimize(chunk.data());
+    }
+  }
+  state.counters["rows"] = double(source.count());
+  state.counters["per_row"] = benchmark::Counter(
+      double(source.count()), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+BENCHMARK_CAPTURE(rows, read_lines, lines, false)->Arg(100)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(rows, check_lines, lines, true)->Arg(100)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(rows, read_arcs, arcs, false)->Arg(100)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(rows, check_arcs, arcs, true)->Arg(100)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(rows, read_cubics, cubics, false)->Arg(100)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(rows, check_cubics, cubics, true)->Arg(100)->Unit(benchmark::kMillisecond);
 
 void bounding(benchmark::State& state, Shape shape) {
   const Contour contour = wave(shape, static_cast<int>(state.range(0)));

@@ -6,7 +6,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <set>
 
+#include "api/setpoints.hpp"
 #include "core/errors.hpp"
 #include "tests/api/documents.hpp"
 
@@ -161,8 +163,72 @@ TEST(ContourPlan, TheResultHasTheContractsForm) {
   EXPECT_NEAR(setpoints["duration"].get<double>(), (setpoints["count"].get<double>() - 1) * 0.001, 1e-9);
   EXPECT_EQ(setpoints["columns"][0], (json{{"name", "x"}, {"unit", "mm"}}));
   EXPECT_EQ(setpoints["columns"].size(), job.setpoints->columns().size());
+  EXPECT_EQ(setpoints["columns"][4]["unit"], "mm/s²");
+  EXPECT_EQ(setpoints["columns"][8], (json{{"name", "mode"}, {"unit", "1"}}));
+  EXPECT_EQ(setpoints["columns"][9], (json{{"name", "block"}, {"unit", "1"}}));
+  std::set<std::string> checks;
+  for (const auto& check : result["verification"]["checks"]) checks.insert(check["name"].get<std::string>());
+  for (const char* name : {"setpoints position", "setpoints velocity", "setpoints acceleration", "setpoints end",
+                           "setpoints mode and block", "bound"})
+    EXPECT_TRUE(checks.contains(name)) << name;
   EXPECT_EQ(result["details"]["blocks"].size(), 15u);
+  EXPECT_THAT(result["details"]["drawings"]["contour.svg"].get<std::string>(), ::testing::StartsWith("<svg "));
   EXPECT_EQ(result["details"]["method"], "time_optimal");
+}
+
+TEST(ContourPlan, BlocksAreInTheTimeOfTheSetpoints) {
+  SilentProgress progress;
+  json spec = job_spec("bracket");
+  spec["machine"]["cycle_time"] = 0.02;  // slows the motion by up to 0.6 %
+  const auto job = plan(spec, progress);
+  const auto& blocks = job.result["details"]["blocks"];
+  const double duration = job.result["setpoints"]["duration"];
+  EXPECT_GT(duration, job.result["summary"]["duration"].get<double>() + 1e-5);
+  EXPECT_NEAR(blocks.back()["end_time"].get<double>(), duration, 1e-14 * duration);
+  const std::size_t count = job.setpoints->count();
+  std::vector<double> rows(count * 10);
+  job.setpoints->read(0, count, rows.data());
+  for (std::size_t k = 0; k < count; ++k) {
+    const double t = static_cast<double>(k) * 0.02;
+    const auto& block = blocks.at(static_cast<std::size_t>(rows[k * 10 + 9]));
+    EXPECT_GE(t, block["start_time"].get<double>()) << k;
+    EXPECT_LE(t, block["end_time"].get<double>() * (1 + 1e-14)) << k;
+    EXPECT_EQ(rows[k * 10 + 8], block["mode"] == "cut" ? 1 : 0) << k;
+  }
+}
+
+TEST(ContourPlan, ModeAndBlockOnTheWire) {
+  SilentProgress progress;
+  const auto job = plan(job_spec("bracket"), progress);
+  const auto answer = [&](SetpointQuery query, SetpointFormat format) {
+    SetpointSeries series;
+    series.columns = job.setpoints->columns();
+    series.count = job.setpoints->count();
+    series.cycle_time = 0.001;
+    series.read = [&](std::size_t first, std::size_t rows, std::vector<double>& out) {
+      out.resize(rows * job.setpoints->columns().size());
+      job.setpoints->read(first, rows, out.data());
+    };
+    SetpointStream stream(std::move(series), std::move(query), format);
+    std::string text;
+    while (stream.next(text)) continue;
+    return text;
+  };
+  SetpointQuery query;
+  query.columns = {"mode", "block"};
+  query.first = job.setpoints->count() - 2;
+  EXPECT_EQ(answer(query, SetpointFormat::csv), "mode,block\n0,14\n0,14\n");
+  EXPECT_EQ(answer(query, SetpointFormat::ndjson), "{\"mode\":0,\"block\":14}\n{\"mode\":0,\"block\":14}\n");
+  EXPECT_EQ(answer(query, SetpointFormat::f64).size(), 32u);
+  // An envelope tells which blocks a stretch of time touches, and whether all, some or none of it cuts.
+  query.first = 0;
+  query.points = 3;
+  const auto envelope = json::parse(answer(query, SetpointFormat::json));
+  EXPECT_EQ(envelope["columns"][0], (json{{"name", "mode"}, {"unit", "1"}, {"min", {0, 0, 0}}, {"max", {1, 1, 1}}}));
+  EXPECT_EQ(envelope["columns"][1]["min"][0], 0);
+  EXPECT_EQ(envelope["columns"][1]["max"][2], 14);
+  for (const int bucket : {0, 1})
+    EXPECT_LE(envelope["columns"][1]["max"][bucket], envelope["columns"][1]["min"][bucket + 1]);
 }
 
 TEST(ContourPlan, BlendsWithinTheToleranceAndHoldsJerk) {

@@ -5,11 +5,13 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 #include <utility>
 
 #include "core/contour/builder.hpp"
 #include "core/contour_plan.hpp"
+#include "tests/core/plan/random_contour.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -153,6 +155,30 @@ TEST(Speeds, FeedsThatDifferByDecadesFromBlockToBlock) {
     }
     expect_verified(b.finish(), machine({2e5, 16000, 8e5}, 0.1), method,
                     "decades " + std::to_string(static_cast<int>(method)));
+  }
+}
+
+/// Random contours, each block at a feed of its own, at any scale, near the origin and far off.
+TEST(Speeds, RandomContoursAtAnyScale) {
+  const char* factor = std::getenv("BAHNWERK_CASES");
+  const int cases = static_cast<int>(150 * (factor ? std::strtod(factor, nullptr) : 1));
+  for (int n = 0; n < cases; ++n) {
+    Random random(static_cast<std::uint64_t>(40'000 + n));
+    auto outline = testing::random_outline(random, 1 + random.below(6), 2);
+    const double scale = std::pow(10, random.uniform(-2, 3));
+    outline = testing::scaled(outline, scale);
+    double feed = unlimited;
+    for (double& f : outline.feeds) f = feed = random.chance(0.5) ? std::pow(10, random.uniform(-4, 5)) : feed;
+    Machine m = testing::random_machine(random, 2);
+    for (AxisLimits& axis : m.axes) axis.jerk = axis.acceleration * std::pow(10, random.uniform(0.5, 3));
+    const Contour given = testing::build(outline);
+    double time = 0;
+    for (std::size_t i = 0; i < given.path.size(); ++i)
+      time += given.path[i].length() / std::min(given.feeds()[i], 100.0) + 0.1;
+    m.cycle_time = std::max(1e-5, time / 5000);
+    for (const PlanningMethod method : methods)
+      expect_verified(given, m, method,
+                      "seed " + std::to_string(40'000 + n) + " method " + std::to_string(static_cast<int>(method)));
   }
 }
 
