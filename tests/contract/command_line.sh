@@ -12,6 +12,13 @@ jq '.kind = "nonsense"' "$examples/line.json" | { code=0; "$bahnwerk" plan - >"$
 expect_json '.type == "/problems/unknown-kind"'
 snake 20000 '{"time_budget":0.2}' | { code=0; "$bahnwerk" plan - >"$work/body" || code=$?; expect_equal $code 1; }
 expect_json '.type == "/problems/budget-exhausted"'
+# Slow feeds are planned as any other; --out writes result, setpoints with mode and block, and the drawing.
+jq '.spec.contour.blocks[0].feed = 0.1 | .spec.machine.cycle_time = 0.1' "$examples/line.json" >"$work/slow.json"
+expect_equal "$(code_of "$bahnwerk" plan "$work/slow.json" --out "$work/slow")" 0 "100 mm at 0.1 mm/s"
+expect_equal "$(head -n 1 "$work/slow/setpoints.csv" | tr -d '\r')" "x,y,vx,vy,ax,ay,s,v,mode,block"
+expect_equal "$(tail -n 1 "$work/slow/setpoints.csv" | tr -d '\r')" "100,0,0,0,0,0,100,0,1,0"
+grep -q '<path class="cut"' "$work/slow/contour.svg" || fail "a drawing of the contour"
+expect_equal "$(jq '[.verification.checks[] | select(.name | startswith("setpoints ")).passed] | length > 8 and all' "$work/out")" true
 # A part program and a drawing take the contour's place.
 printf 'G21 G90\nM3\nG1 X100 F6000\nM5\nG0 Y50\nM2\n' >"$work/part.ngc"
 expect_equal "$(code_of "$bahnwerk" plan "$examples/line.json" --contour "$work/part.ngc")" 0
