@@ -5,7 +5,9 @@
 /// weights, or fit points alone: then the cubic spline through them) and INSERT (nested, arrays, any scale, mirrored).
 /// Nothing is approximated: an ellipse becomes a rational curve of degree 2, an arc in a block scaled unequally an
 /// ellipse. Extrusion directions follow the arbitrary axis algorithm. What else is in model space is skipped with a
-/// note per kind; so is what lies on frozen or switched-off layers or is invisible. Paper space is not read.
+/// note per kind; so is what lies on frozen or switched-off layers or is invisible. Paper space is read, with a note,
+/// only where model space holds no curve at all: the sheet among the entities, else the first sheet that holds
+/// something.
 ///
 /// Entities with ends that meet become one block (core/contour/dxf/chain.hpp). Gaps are closed by moving an end where
 /// the curve beside the gap is 100 times as long (a line turns, an arc is moved and scaled with its sweep kept, control
@@ -37,14 +39,15 @@ struct DxfOptions {
   double tolerance = 0.01;              ///< ends this close are joined, mm; 0 … 10
   DxfOrder order = DxfOrder::as_drawn;  ///< of blocks: by their first entity in the file, or always the nearest next
                                         ///< (open ones may then be reversed, closed ones start at another corner)
-  std::vector<std::string> layers;      ///< only these; empty = all
+  std::vector<std::string> layers;      ///< only these; empty = all. Each has to exist
   double feed = std::numeric_limits<double>::infinity();  ///< mm/s, > 0; infinity = limited by the axes alone
   std::optional<double> millimetres_per_unit;  ///< > 0; else $INSUNITS counts, and mm with a note where that is missing
   std::size_t most_curves = 2'000'000;         ///< after blocks are resolved; more are refused
 };
 
 /// Throws InvalidInput with up to 100 faults at {"contour","dxf"}, each with a message "line 123: …"; for an option
-/// without a meaning at {"contour","tolerance"}, {"contour","feed"} or {"contour","unit"}.
+/// without a meaning at {"contour","tolerance"}, {"contour","feed"}, {"contour","unit"} or {"contour","layers",index};
+/// the last one's message lists the layers that exist.
 Contour read_dxf(std::string_view text, const DxfOptions& options = {});
 /// `progress` hears "reading" at least every 100 ms; what it throws passes through.
 Contour read_dxf(std::string_view text, const DxfOptions& options, Progress& progress);

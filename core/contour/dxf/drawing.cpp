@@ -3,18 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <unordered_set>
 #include <utility>
 
 #include "core/contour/builder.hpp"
 #include "core/contour/dxf/entity.hpp"
 #include "core/contour/dxf/file.hpp"
+#include "core/contour/dxf/layers.hpp"
 
 namespace bahnwerk {
 namespace {
 
 constexpr std::size_t most_faults = 100;
 constexpr std::size_t most_depth = 32;
+constexpr const char* in_paper_space = "skipped: in paper space";
 
 /// An entity of a block, kept for the next time the block is inserted.
 struct Entity {
@@ -28,25 +29,20 @@ struct Entity {
 class Reader {
  public:
   Reader(std::string_view text, const DxfReading& reading, Progress& progress)
-      : tags_(text, progress), reading_(reading) {
-    for (const std::string& name : reading.layers) wanted_.insert(dxf_lower(name));
-  }
+      : tags_(text, progress), reading_(reading), layers_(reading.layers) {}
 
   DxfDrawing read() {
     file_ = dxf_file(tags_);
+    layers_.declare(file_);
     drawing_.notes = file_.notes;
     const Affine to_mm = scale();
-    tags_.seek(*file_.entities);
-    DxfRecord record;
     try {
-      while (faults_.size() < most_faults && tags_.next(record) && record.type != "ENDSEC" && record.type != "EOF") {
-        count();
-        Entity entity;
-        if (parse(record, true, entity)) draw(std::move(entity), to_mm, {}, 0);
-      }
+      entities(*file_.entities, to_mm);
+      if (drawing_.strands.empty() && !left_out_ && faults_.empty()) paper_space(to_mm);
     } catch (const InvalidInput& e) {  // no use to go on
       faults_.insert(faults_.end(), e.faults.begin(), e.faults.end());
     }
+    if (faults_.empty()) faults_ = layers_.missing();
     if (!faults_.empty()) {
       if (faults_.size() > most_faults) faults_.resize(most_faults);
       throw InvalidInput(std::move(faults_));
@@ -79,6 +75,42 @@ class Reader {
     return {{unit, 0, 0}, {0, unit, 0}, {0, 0, unit}, {}};
   }
 
+  /// The entities of model space, or with paper_ those of paper space, from here to the end of the section or block.
+  void entities(DxfTags::Mark first, const Affine& to_mm) {
+    tags_.seek(first);
+    DxfRecord record;
+    while (faults_.size() < most_faults && tags_.next(record) && record.type != "ENDSEC" && record.type != "ENDBLK" &&
+           record.type != "EOF") {
+      count();
+      Entity entity;
+      if (parse(record, true, entity)) draw(std::move(entity), to_mm, {}, 0);
+    }
+  }
+
+  /// For drawings that were made on a sheet: model space holds no curve at all. The sheet shown last stands among the
+  /// entities, the others are blocks; the first one that holds something is read.
+  void paper_space(const Affine& to_mm) {
+    std::map<std::size_t, std::pair<std::string, DxfTags::Mark>> sheets;  // by line
+    for (const auto& [name, place] : file_.blocks)
+      if (name.starts_with("*paper_space")) sheets.emplace(place.line, std::pair{name, place.first});
+    space_ = Space::paper;
+    blocks_.clear();  // their entities in paper space count now
+    const auto model = noted_;
+    const auto holds_something = [&](DxfTags::Mark first, const std::string& name) {
+      noted_ = model;
+      noted_.erase(in_paper_space);
+      entities(first, to_mm);
+      if (!drawing_.strands.empty())
+        drawing_.notes.push_back("model space is empty: " + name + " was read, in the drawing's unit");
+      return !drawing_.strands.empty() || left_out_;
+    };
+    if (holds_something(*file_.entities, "paper space")) return;
+    space_ = Space::sheet;
+    for (const auto& [line, sheet] : sheets)
+      if (holds_something(sheet.second, "the sheet " + dxf_quoted(sheet.first) + " of paper space")) return;
+    noted_ = model;
+  }
+
   void fault(InputFault f) { faults_.push_back(std::move(f)); }
   void note(const std::string& what, std::size_t line) {
     Occurrence& o = noted_[what];
@@ -94,9 +126,12 @@ class Reader {
     entity.line = record.line;
     try {
       entity.common = dxf_common(record);
-      if (entity.common.paper) {
-        note("skipped: in paper space", record.line);
+      if (space_ == Space::model && entity.common.paper) {
+        note(in_paper_space, record.line);
+      } else if (space_ == Space::paper && top && !entity.common.paper) {
+        return false;  // noted when model space was read
       } else if (entity.common.invisible) {
+        left_out_ |= record.type == "INSERT" || dxf_has_curves(record.type);
         note("skipped: invisible", record.line);
       } else if (record.type == "INSERT") {
         entity.insert = dxf_insert(record);
@@ -119,20 +154,23 @@ class Reader {
   /// The layer that counts for an entity, and whether it is switched off.
   Inherited layer_of(const Entity& entity, const Inherited& inherited) {
     if (entity.common.layer == "0" && !inherited.layer.empty()) return inherited;
-    return {entity.common.layer, known(entity.common.layer).state.off};
+    return {entity.common.layer, layers_[entity.common.layer].state.off};
   }
 
   /// With a note if not. Of an INSERT only a frozen layer hides everything.
   bool shown(const Entity& entity, const Inherited& inherited) {
     const Inherited own = layer_of(entity, inherited);
-    const Layer& layer = known(own.layer);
+    const DxfLayers::Layer& layer = layers_[own.layer];
     if (layer.state.frozen) {
+      left_out_ = true;
       note("skipped: on a frozen layer, " + dxf_quoted(own.layer), entity.line);
       return false;
     }
     if (entity.type == "INSERT") return true;
     if (own.off) note("skipped: on a layer switched off, " + dxf_quoted(own.layer), entity.line);
-    return !own.off && layer.wanted;
+    const bool visible = !own.off && layer.wanted;
+    left_out_ |= !visible;
+    return visible;
   }
 
   void draw(Entity entity, const Affine& map, const Inherited& inherited, std::size_t depth) {
@@ -226,21 +264,6 @@ class Reader {
     return found->second;
   }
 
-  struct Layer {
-    DxfLayer state;
-    bool wanted = true;
-  };
-  /// By the name as written, so that its lower case is made once.
-  const Layer& known(std::string_view name) {
-    const auto [found, is_new] = layers_.try_emplace(name);
-    if (is_new) {
-      const std::string lower = dxf_lower(name);
-      if (const auto state = file_.layers.find(lower); state != file_.layers.end()) found->second.state = state->second;
-      found->second.wanted = wanted_.empty() || wanted_.contains(lower);
-    }
-    return found->second;
-  }
-
   void report() {
     constexpr std::size_t most_notes = 50;
     std::size_t left = most_notes;
@@ -263,9 +286,10 @@ class Reader {
   DxfDrawing drawing_;
   std::vector<InputFault> faults_;
   std::map<std::string, Occurrence> noted_;
-  std::unordered_set<std::string> wanted_;
-  std::unordered_map<std::string_view, Layer> layers_;
+  DxfLayers layers_;
   std::unordered_map<std::string, std::vector<Entity>> blocks_;
+  enum class Space { model, paper, sheet } space_ = Space::model;  // sheet: a block that is one
+  bool left_out_ = false;  // a curve was not drawn because of its layer or because it is invisible
   std::size_t inserted_ = 0, curves_ = 0, dropped_ = 0, dropped_line_ = 0;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
-/// A whole DXF file: sections, unit, layers, blocks; everything drawn in model space, blocks resolved, in mm.
+/// A whole DXF file: sections, unit, layers, blocks; everything drawn in model space, blocks resolved, in mm. Paper
+/// space is read instead, with a note, if model space holds no curve at all, hidden ones included.
 #include <cstddef>
 #include <optional>
 #include <string>

@@ -25,13 +25,12 @@ void header(const DxfRecord& section, DxfFile& file) {
 
 void layer(const DxfRecord& record, DxfFile& file) {
   DxfLayer layer;
-  std::string_view name;
   for (const DxfTag& tag : record.tags) {
-    if (tag.code == 2) name = tag.value;
+    if (tag.code == 2) layer.name = tag.value;
     if (tag.code == 70) layer.frozen = (dxf_integer(tag) & 1) != 0;
     if (tag.code == 62) layer.off = dxf_integer(tag) < 0;
   }
-  file.layers.emplace(dxf_lower(name), layer);
+  file.layers.emplace(dxf_lower(layer.name), layer);
 }
 
 void block(const DxfRecord& record, const DxfTags& tags, DxfFile& file) {

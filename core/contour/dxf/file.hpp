@@ -13,6 +13,7 @@ namespace bahnwerk {
 
 struct DxfLayer {
   bool frozen = false, off = false;
+  std::string_view name = {};  ///< as written
 };
 struct DxfBlockPlace {
   DxfTags::Mark first;  ///< its first entity

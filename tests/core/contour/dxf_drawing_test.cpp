@@ -178,6 +178,82 @@ TEST(DxfDrawing, FaultsOnLayersNotShownDoNotMatter) {
   EXPECT_EQ(faults(text, options).size(), 1u);
 }
 
+DxfText& paper_line(DxfText& t, double x0, double x1, const char* layer = "0") {
+  return t.tag(0, "LINE", 67, 1, 8, layer, 10, x0, 20, 0, 11, x1, 21, 0);
+}
+
+TEST(DxfDrawing, PaperSpaceIsReadWhereModelSpaceIsEmpty) {
+  const Contour c = read([](DxfText& t) {
+    t.tag(0, "TEXT", 10, 0, 20, 0, 1, "model");
+    t.tag(0, "VIEWPORT", 67, 1, 10, 0, 20, 0);
+    paper_line(paper_line(t, 0, 3), 5, 9);
+  });
+  EXPECT_NEAR(cut_length(c), 7, 1e-12);
+  EXPECT_TRUE(noted(c, "model space is empty: paper space was read"));
+  EXPECT_TRUE(noted(c, "TEXT is nothing"));
+  EXPECT_FALSE(noted(c, "skipped: in paper space"));
+  // One curve in model space, and paper space is left out as before.
+  const Contour model = read([](DxfText& t) { paper_line(t, 0, 3).line(0, 0, 2, 0); });
+  EXPECT_NEAR(cut_length(model), 2, 1e-12);
+  EXPECT_TRUE(noted(model, "skipped: in paper space (1"));
+}
+
+TEST(DxfDrawing, HiddenCurvesKeepPaperSpaceOut) {
+  const auto hidden = [](auto curve) {
+    return faults(drawing([&](DxfText& t) {
+      curve(t);
+      paper_line(t, 0, 3);
+    }));
+  };
+  EXPECT_EQ(hidden([](DxfText& t) { t.tag(0, "LINE", 60, 1, 10, 0, 20, 0, 11, 5, 21, 5); }).size(), 1u);
+  EXPECT_EQ(hidden([](DxfText&) {}).size(), 0u);
+  // What paper space hides is told.
+  const auto list = faults(drawing([](DxfText& t) { t.tag(0, "LINE", 67, 1, 60, 1, 10, 0, 20, 0, 11, 5, 21, 5); }));
+  ASSERT_EQ(list.size(), 1u);
+  EXPECT_NE(list[0].find("invisible"), std::string::npos);
+}
+
+TEST(DxfDrawing, PaperSpaceBringsBlocksAndOtherSheets) {
+  DxfText t;
+  t.unit(4).section("BLOCKS");
+  t.tag(0, "BLOCK", 8, "0", 2, "*Model_Space", 70, 0, 10, 0, 20, 0, 0, "ENDBLK");
+  t.tag(0, "BLOCK", 8, "0", 2, "*Paper_Space", 70, 0, 10, 0, 20, 0, 0, "ENDBLK");
+  t.tag(0, "BLOCK", 8, "0", 2, "*Paper_Space0", 70, 0, 10, 0, 20, 0);
+  t.tag(0, "VIEWPORT", 67, 1, 10, 0, 20, 0).tag(0, "ENDBLK");
+  t.tag(0, "BLOCK", 8, "0", 2, "*Paper_Space1", 70, 0, 10, 0, 20, 0);
+  paper_line(t, 0, 4).line(10, 0, 15, 0).tag(0, "INSERT", 67, 1, 8, "0", 2, "part", 10, 0, 20, 9);
+  t.tag(0, "ENDBLK");
+  t.tag(0, "BLOCK", 8, "0", 2, "part", 70, 0, 10, 0, 20, 0).line(0, 0, 7, 0).tag(0, "ENDBLK");
+  t.end().section("ENTITIES").end();
+  const Contour c = read_dxf(t.eof());
+  EXPECT_NEAR(cut_length(c), 4 + 5 + 7, 1e-12);
+  EXPECT_TRUE(noted(c, "the sheet \"*paper_space1\" of paper space was read"));
+}
+
+TEST(DxfDrawing, AnUnknownLayerIsAFaultThatListsThoseThatExist) {
+  DxfText t;
+  t.unit(4).section("TABLES").tag(0, "TABLE", 2, "LAYER", 70, 1);
+  t.tag(0, "LAYER", 2, "Engrave", 70, 0, 62, 7, 0, "ENDTAB").end();
+  t.section("ENTITIES").line(0, 0, 1, 0, "CUT").line(0, 1, 1, 1, "0").end();
+  const std::string text = t.eof();
+  DxfOptions options;
+  options.layers = {"cut", "Cutt", "engrave", "x"};
+  EXPECT_EQ(
+      faults(text, options),
+      (std::vector<std::string>{"/contour/layers/1 is no layer of the drawing; it has \"0\", \"CUT\", \"Engrave\"",
+                                "/contour/layers/3 is no layer of the drawing; it has \"0\", \"CUT\", \"Engrave\""}));
+  options.layers = {"cut", "engrave"};
+  EXPECT_NEAR(cut_length(read_dxf(text, options)), 1, 1e-12);
+  // Hundreds of layers are not all listed.
+  const std::string many = drawing([](DxfText& d) {
+    for (int i = 0; i < 200; ++i) d.line(0, i, 1, i, std::to_string(i).c_str());
+  });
+  options.layers = {"none"};
+  const auto list = faults(many, options);
+  ASSERT_EQ(list.size(), 1u);
+  EXPECT_NE(list[0].find("and 170 more"), std::string::npos) << list[0];
+}
+
 TEST(DxfDrawing, HeightsMakeItSpatialOnlyIfSomethingRises) {
   const Contour high = read([](DxfText& t) { t.tag(0, "LINE", 10, 0, 20, 0, 30, 5, 11, 1, 21, 0, 31, 5); });
   EXPECT_EQ(high.dimension, 2u);
