@@ -9,10 +9,12 @@
 #include "core/errors.hpp"
 #include "core/motion/acceleration_limited.hpp"
 #include "core/motion/block_times.hpp"
+#include "core/motion/dwell.hpp"
 #include "core/motion/jerk_limited.hpp"
 #include "core/motion/trajectory.hpp"
 #include "core/verify/judge.hpp"
 #include "core/verify/lower_bound.hpp"
+#include "core/verify/rest_check.hpp"
 #include "core/verify/setpoint_checks.hpp"
 #include "core/verify/tube.hpp"
 
@@ -57,9 +59,11 @@ void report_joints(const Contour& contour, const Machine& machine, const MotionL
                    ContourPlan& plan) {
   std::size_t i = 0;
   const auto& pieces = law.pieces();
+  const std::vector<bool> rest = contour.rest_places();
   for (const Joint& joint : joints(contour.path)) {
     if (joint.angle > corner_angle || joint.angle < report_jump) continue;
     while (i < pieces.size() && pieces[i].segment < joint.next) ++i;
+    if (rest[joint.next]) continue;
     if (i == pieces.size()) break;
     SmallJoint report{joint.s, joint.angle, pieces[i].v, {}};
     for (std::size_t k = 0; k < machine.dimension(); ++k) report.step.push_back(joint.step[k] * pieces[i].v);
@@ -125,33 +129,43 @@ Machine held_limits(const Machine& machine, const ContourPlanning& planning) {
   return held;
 }
 
+/// The axes that a contour moves: in the plane x and y. The others stand still and limit nothing.
+Machine moving_axes(Machine machine, const Contour& contour) {
+  if (machine.axes.size() > contour.dimension) machine.axes.resize(contour.dimension);
+  return machine;
+}
+
 }  // namespace
 
 ContourPlan plan_contour(Contour input, const Machine& given_machine, const ContourPlanning& planning,
                          Progress& progress) {
-  const Machine machine = held_limits(given_machine, planning);
+  const Machine machine = held_limits(given_machine, planning), moving = moving_axes(machine, input);
+  if (planning.stop_at_mode_change) stop_at_mode_changes(input);
   const auto given = std::make_shared<const Contour>(std::move(input));
   const bool blended = planning.corner_mode == CornerMode::blend;
   const double read = blended ? 0.1 : 0.0, bounded = 0.2, planned = 0.6, judged = 0.85, served = blended ? 0.95 : 1.0;
   auto contour = given;
   if (blended)
     contour = std::make_shared<const Contour>(
-        blend(*given, {planning.blend_tolerance, planning.corner_angle}, machine, progress, 0.0, read));
+        blend(*given, {planning.blend_tolerance, planning.corner_angle}, moving, progress, 0.0, read));
   ContourPlan plan;
   plan.notes = contour->notes;
   plan.path_length = contour->path.length();
 
-  Solver solver(*contour, machine, planning);
-  const Bound bound = lower_bound(*contour, machine, planning.corner_angle, progress, read, bounded);
+  Solver solver(*contour, moving, planning);
+  const Bound bound = lower_bound(*contour, moving, planning.corner_angle, progress, read, bounded);
   MotionLaw law = solver.solve(progress, bounded, planned);
-  // The proven bound tells whether the grid was fine enough.
+  const double dwell = contour->dwell();
+  // The proven bound tells whether the grid was fine enough, by the motion alone.
   for (int attempt = 1; planning.method == PlanningMethod::time_optimal && attempt < attempts; ++attempt) {
-    if (with_gap(bound, law.duration()).gap <= close_enough || solver.cells() > most_cells) break;
+    if (with_gap({bound.duration - dwell, 0, {}}, law.duration()).gap <= close_enough || solver.cells() > most_cells)
+      break;
     solver.refine();
     if (MotionLaw finer = solver.solve(progress, bounded, planned); finer.duration() < law.duration())
       law = std::move(finer);
   }
 
+  law = with_dwells(std::move(law), *contour);
   check_count(law, machine, planning);
   std::shared_ptr<const Trajectory> trajectory;
   Cycles cycles;
@@ -172,7 +186,7 @@ ContourPlan plan_contour(Contour input, const Machine& given_machine, const Cont
     }
     if (plan.verification.passed || attempt == attempts) break;
     solver.refine();
-    law = solver.solve(progress, bounded, planned);
+    law = with_dwells(solver.solve(progress, bounded, planned), *contour);
     check_count(law, machine, planning);
   }
   const auto also = [&plan](Check check) {
@@ -183,6 +197,7 @@ ContourPlan plan_contour(Contour input, const Machine& given_machine, const Cont
   for (Check& check : setpoint_checks({*contour, machine, trajectory->law(), *setpoints, judged, served}, progress))
     also(std::move(check));
   also(bound_check(bound, law.duration()));
+  if (!given->rests.empty()) also(rest_check(*given, *contour, trajectory->law()));
   if (blended) also(tube_check(*given, *contour, planning.blend_tolerance, progress, served, 1.0));
 
   plan.iterations = solver.iterations();
@@ -190,7 +205,7 @@ ContourPlan plan_contour(Contour input, const Machine& given_machine, const Cont
   plan.duration = law.duration();
   plan.bound = with_gap(bound, plan.duration);
   report_blocks(*contour, trajectory->law(), cycles.factor, plan);
-  report_joints(*contour, machine, law, planning.corner_angle, plan);
+  report_joints(*contour, moving, law, planning.corner_angle, plan);
   plan.setpoints = std::move(setpoints);
   plan.path = contour;
   return plan;

@@ -23,6 +23,7 @@ struct ContourPlanning {
   double blend_tolerance = 0;  ///< mm, of CornerMode::blend
   AlongPath path;              ///< held by jerk_limited
   double most_setpoints = 20'000'000;
+  bool stop_at_mode_change = false;  ///< whether the head rests where cutting and positioning meet
 };
 
 struct BlockReport {
@@ -53,6 +54,9 @@ struct ContourPlan {
   std::vector<std::string> notes;
 };
 
+/// A contour in the plane runs on a machine with more axes: those stand still, at rest in every setpoint, and neither
+/// plan nor bound depend on them.
+///
 /// With CornerMode::blend the contour is rounded first, and the verification also holds how far that strays. The axes'
 /// jerk limits count with jerk_limited alone. Verified are the law (core/verify/judge.hpp), every setpoint
 /// (core/verify/setpoint_checks.hpp), and that the duration is not below its bound.

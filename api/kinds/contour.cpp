@@ -65,23 +65,32 @@ ordered_json drawings(const ContourPlan& plan, Progress& progress) {
 
 }  // namespace
 
-void check_together(const Contour& contour, const Machine& machine) {
+void check_together(const Contour& contour, const Machine& machine, const ContourPlanning& planning) {
   std::vector<InputFault> faults;
   if (machine.dimension() < contour.dimension)
     faults.push_back({{"machine", "axes", "z"}, "is required: the contour is in space"});
-  if (machine.dimension() > contour.dimension)
-    faults.push_back({{"machine", "axes", "z"}, "has no coordinate to move: the contour is planar"});
+  // Of a planar contour's machine the axes beyond the plane stand still.
+  const auto moving = [&](std::size_t k) { return k < contour.dimension; };
+  if (planning.method == PlanningMethod::jerk_limited && !(planning.path.jerk < unlimited)) {
+    bool jerk = false;
+    for (std::size_t k = 0; k < machine.dimension(); ++k) jerk |= moving(k) && machine.axes[k].jerk < unlimited;
+    if (!jerk)
+      faults.push_back({{"machine", "axes", "x", "jerk"},
+                        "is required by method jerk_limited, of one axis at least that the contour moves"});
+  }
   // No motion along a segment is faster than its feed or all axes at full speed together.
   double fastest = 0, shortest_time = 0;
-  for (const auto& axis : machine.axes) fastest += axis.velocity * axis.velocity;
+  for (std::size_t k = 0; k < machine.dimension(); ++k)
+    if (moving(k)) fastest += machine.axes[k].velocity * machine.axes[k].velocity;
   fastest = std::sqrt(fastest);
   for (const auto& block : contour.blocks)
     for (std::size_t i = block.first; i < block.last; ++i)
       shortest_time += contour.path[i].length() / std::min(block.feed, fastest);
+  shortest_time += contour.dwell();
   if (shortest_time / machine.cycle_time > most_setpoints)
     faults.push_back({{"machine", "cycle_time"},
                       "the motion would have more than " + std::to_string(static_cast<long>(most_setpoints)) +
-                          " setpoints: lengthen the cycle, raise the speeds or split the contour"});
+                          " setpoints: lengthen the cycle, raise the speeds, shorten the dwells or split the contour"});
   if (!faults.empty()) throw InvalidInput(std::move(faults));
 }
 
@@ -106,8 +115,9 @@ void check_planning(const Machine& machine, const ContourPlanning& planning) {
 void check(const json& spec) {
   try {
     const Machine limits = machine(spec);
-    check_planning(limits, planning(spec));
-    check_together(geometry(spec), limits);
+    const ContourPlanning options = planning(spec);
+    check_planning(limits, options);
+    check_together(geometry(spec), limits, options);
   } catch (const InvalidInput&) {
     throw problem_from_current_exception("/spec");
   }
@@ -120,7 +130,7 @@ PlannedJob plan(const json& spec, Progress& progress) {
   options.most_setpoints = most_setpoints;
   Contour path = geometry(spec, progress);
   check_planning(limits, options);
-  check_together(path, limits);
+  check_together(path, limits, options);
   ContourPlan plan = plan_contour(std::move(path), limits, options, progress);
   const auto& setpoints = *plan.setpoints;
   if (options.method != PlanningMethod::jerk_limited)

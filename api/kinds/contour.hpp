@@ -20,9 +20,9 @@ ContourPlanning planning(const nlohmann::json& spec);
 Contour geometry(const nlohmann::json& spec, Progress& progress);
 Contour geometry(const nlohmann::json& spec);
 
-/// Throws InvalidInput if the axes do not fit the contour, or if even at full speed the motion would take more than
-/// most_setpoints.
-void check_together(const Contour& contour, const Machine& machine);
+/// Throws InvalidInput if an axis is missing that the contour moves, if none that it moves has the jerk limit that
+/// method jerk_limited needs, or if even at full speed the motion would take more than most_setpoints.
+void check_together(const Contour& contour, const Machine& machine, const ContourPlanning& planning);
 
 /// Throws InvalidInput if the planning asks for what machine and options do not give.
 void check_planning(const Machine& machine, const ContourPlanning& planning);

@@ -90,7 +90,7 @@ void DimensionCheck::segment(const json& segment, const Place& place) {
   } else if (form == "polynomial") {
     const auto& rows = value["coefficients"];
     if (rows.size() != dimension_) count(rows.size(), "rows", below(place, {"polynomial", "coefficients"}));
-  } else {
+  } else if (form == "nurbs") {
     points(value["points"], below(place, {"nurbs", "points"}));
   }
 }
@@ -113,6 +113,8 @@ void add_segment(ContourBuilder& builder, const json& segment) {
     for (const auto& row : rows) longest = std::max(longest, row.size());
     for (auto& row : rows) row.resize(longest, 0.0);
     builder.polynomial(rows);
+  } else if (form == "dwell") {
+    builder.dwell(value.get<double>());
   } else {
     auto points = vecs(value["points"]);
     std::vector<double> weights(points.size(), 1.0);
@@ -221,6 +223,7 @@ ContourPlanning planning(const json& spec) {
                     : method == "jerk_limited" ? PlanningMethod::jerk_limited
                                                : PlanningMethod::braking_reserve;
   planning.braking_reserve = document.value("braking_reserve", planning.braking_reserve);
+  planning.stop_at_mode_change = document.value("mode_change", "pass") == "stop";
   if (document.contains("corner")) {
     const auto& corner = document["corner"];
     if (corner.contains("angle")) planning.corner_angle = corner["angle"].get<double>() * std::numbers::pi / 180;

@@ -31,6 +31,8 @@ class Blender {
           double to)
       : given_(given), options_(options), machine_(machine), progress_(progress), from_(from), to_(to) {
     result_.dimension = given.dimension;
+    result_.height = given.height;
+    rest_ = given.rest_places();
     result_.notes = given.notes;
     result_.blocks = given.blocks;
     block_.resize(given.path.size());
@@ -43,14 +45,16 @@ class Blender {
     breathe();
     const std::size_t n = given_.path.size();
     for (std::size_t i = 0; i < n;) {
+      take_rests(i);
       std::size_t j = i + 1;
-      while (j < n && mode(j) == mode(i)) ++j;
+      while (j < n && mode(j) == mode(i) && !rest_[j]) ++j;
       auto list = stretches(given_.path, i, j, block_, tiny_share * options_.tolerance, reversal);
       list.front().rest_begin = i == 0 || rests(i);
       list.back().rest_end = j == n || rests(j);
       for (const Stretch& s : list) process(s, 0);
       i = j;
     }
+    take_rests(n);
     finish_blocks();
     note(result_, count_, options_);
     progress_.report("blend", to_);
@@ -64,9 +68,14 @@ class Blender {
   /// The motion rests at the joint where segment i begins.
   bool rests(std::size_t i) const {
     const Segment &before = given_.path[i - 1], &after = given_.path[i];
-    return before.cusp_end() || after.cusp_begin() ||
+    return rest_[i] || before.cusp_end() || after.cusp_begin() ||
            angle_between(before.at_parameter(before.curve().end()).d1, after.at_parameter(after.curve().begin()).d1) >
                options_.corner_angle;
+  }
+  /// The path goes exactly through the places of rests, which are ends of stretches.
+  void take_rests(std::size_t segment) {
+    for (std::size_t i = result_.rests.size(); i < given_.rests.size() && given_.rests[i].segment <= segment; ++i)
+      result_.rests.push_back({result_.path.size(), given_.rests[i].seconds, given_.rests[i].block});
   }
   void breathe() {
     const double share = static_cast<double>(done_) / static_cast<double>(std::max<std::size_t>(1, given_.path.size()));
@@ -245,6 +254,7 @@ class Blender {
   double from_, to_;
   std::function<void()> breathe_;
   std::vector<std::size_t> block_, owner_;
+  std::vector<bool> rest_;
   std::vector<std::unique_ptr<Segment>> parts_;
   Contour result_;
   BlendCount count_;

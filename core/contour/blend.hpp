@@ -10,9 +10,9 @@
 /// keeps its shape exactly.
 ///
 /// How long a blend is: as long as the tolerance allows, but no longer than the machine can use (a joint of 1e-5 rad
-/// needs no metre). Not blended, each with a note: turns of more than 170° and cusps (the motion rests there), and
-/// borders between cutting and positioning, where the path stays as it was. A corner blend between two blocks of one
-/// mode is cut in its middle, so each half has the feed of its own block.
+/// needs no metre). Not blended: rests of the contour, and each with a note turns of more than 170° and cusps (the
+/// motion rests there), and borders between cutting and positioning, where the path stays as it was. A corner blend
+/// between two blocks of one mode is cut in its middle, so each half has the feed of its own block.
 #include "core/contour/contour.hpp"
 #include "core/machine/machine.hpp"
 #include "core/progress.hpp"

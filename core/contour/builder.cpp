@@ -168,6 +168,13 @@ void ContourBuilder::nurbs(int degree, std::vector<Vec> points, std::vector<doub
   });
 }
 
+void ContourBuilder::dwell(double seconds) {
+  next_segment();
+  if (!(seconds >= 0 && seconds <= longest_rest))
+    return fault({"dwell"}, "a dwell lasts between 0 and " + number(longest_rest) + " s");
+  contour_.rests.push_back({contour_.path.size(), seconds, contour_.blocks.size() - 1});
+}
+
 Contour ContourBuilder::finish() {
   if (!contour_.blocks.empty()) contour_.blocks.back().last = contour_.path.size();
   if (faults_.empty() && contour_.path.empty()) keep({"contour"}, "the contour has no length: nothing to move along");

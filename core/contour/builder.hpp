@@ -34,6 +34,9 @@ class ContourBuilder {
   void polynomial(const std::vector<std::vector<double>>& rows);
   void nurbs(int degree, std::vector<Vec> points, std::vector<double> weights, std::vector<double> knots);
 
+  /// The head rests at the current point, s; 0 = it only stops.
+  void dwell(double seconds);
+
   /// A finding of the reader's own about the current segment's document.
   void fault(std::vector<std::string> place, std::string message);
   bool full() const { return faults_.size() >= max_faults; }  ///< further faults are not kept

@@ -17,13 +17,29 @@ struct Block {
   std::size_t first = 0, last = 0;
 };
 
+/// The motion rests where path segment `segment` begins; segment == path.size(): at the end of the path.
+struct Rest {
+  std::size_t segment = 0;
+  double seconds = 0;     ///< for how long, 0 = it only stops
+  std::size_t block = 0;  ///< the block that the rest belongs to; it may hold nothing else
+};
+inline constexpr double longest_rest = 86400;  ///< s, of one dwell
+
 struct Contour {
   std::size_t dimension = 2;
+  double height = 0;  ///< mm, of a planar contour (whose path has z = 0): where a third axis stands, 0 if not known
   Path path;
   std::vector<Block> blocks;          ///< in order, covering every segment; empty blocks are kept (first == last)
+  std::vector<Rest> rests;            ///< by segment, at one place by block: dwells add up
   std::vector<std::string> notes;     ///< what was dropped or moved on reading, for the report
   std::vector<double> feeds() const;  ///< per path segment, mm/s
+  /// Per path segment, and last for the end of the path: whether the motion rests there. O(segments + rests).
+  std::vector<bool> rest_places() const;
+  double dwell() const;  ///< s, of all rests
 };
+
+/// Adds a rest of 0 s wherever cutting and positioning meet. O(blocks + rests).
+void stop_at_mode_changes(Contour& contour);
 
 /// Where two path segments meet.
 struct Joint {

@@ -39,7 +39,9 @@ Contour read_gcode(std::string_view text, const GcodeOptions& options, Progress&
   // One height throughout, known only now: the same again at height 0.
   gcode::Interpreter flat(options, true);
   read(text, options.block_delete, flat, progress);
-  return flat.finish();
+  Contour contour = flat.finish();
+  contour.height = interpreter.height();
+  return contour;
 }
 
 Contour read_gcode(std::string_view text, const GcodeOptions& options) {

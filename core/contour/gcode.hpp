@@ -16,18 +16,22 @@
 /// - G0 always positions, without a feed limit. Other moves cut while the tool is on: M3 or M4 on, M5 off; M62 or M64
 ///   on, M63 or M65 off. A program that uses both pairs cuts while both are on; both are off until they are first
 ///   switched on. A program that switches nothing on cuts whatever is not G0. Switches act before their line's motion.
-/// - F is in program units per minute. Before the first F only the axes limit the feed. Other moves than G0 keep F with
-///   the tool off.
+/// - F is in program units per minute. Before the first F only the axes limit the feed, which is noted. Other moves
+///   than G0 keep F with the tool off.
+/// - G4 dwells, at most 86 400 s, after its line's switches and before its motion. Its time is P, else X, U, F or S,
+///   always in seconds as LinuxCNC and GRBL have it; the note with the total shows where a program meant milliseconds.
+///   Without a time it only stops. It is part of the cut while the tool is on; where nothing switches the tool, unless
+///   G0 is in force.
 ///
 /// Start: where the machine stands before is unknown. The contour starts at the end of the first motion if that is G0
-/// in G90 with X and Y, else at the origin. It has 3 coordinates if any motion changes Z, else 2.
+/// in G90 with X and Y, else at the origin. It has 3 coordinates if any motion changes Z, else 2 and one height.
 ///
 /// Form: one block per line, capitals or not, blanks anywhere, also in numbers; N and O words; comments in ( ) and
 /// behind a semicolon; LF, CRLF or CR. M2, M30 or the second % end the program. A block of the contour begins where
 /// mode or feed changes.
 ///
-/// Noted and left out: dwells, path control (G9, G61, G64), stops, tool changes, tool length (G43: the contour is that
-/// of the tool's tip), unknown M words, lines that begin with /, moves to a point of the machine (G28, G30, G53) before
+/// Noted and left out: path control (G9, G61, G64), stops, tool changes, tool length (G43: the contour is that of the
+/// tool's tip), unknown M words, lines that begin with /, moves to a point of the machine (G28, G30, G53) before
 /// the first or after the last other motion.
 ///
 /// Refused, with the line: parameters, expressions, subprograms, cutter radius compensation (G41, G42), canned cycles,

@@ -1,19 +1,30 @@
 #include "core/motion/block_times.hpp"
 
+#include "core/motion/dwell.hpp"
+
 namespace bahnwerk {
 
 std::vector<BlockTime> block_times(const Contour& contour, const MotionLaw& law) {
-  std::vector<BlockTime> times;
-  times.reserve(contour.blocks.size());
-  const auto& pieces = law.pieces();
-  std::size_t i = 0;
-  double t = 0;
-  for (const Block& block : contour.blocks) {
-    const double begin = t;
-    while (i < pieces.size() && pieces[i].segment < block.last) ++i;  // a piece never spans two segments
-    t = i < pieces.size() ? pieces[i].t0 : law.duration();
-    times.push_back({begin, t});
+  const auto& blocks = contour.blocks;
+  std::vector<double> begin;
+  begin.reserve(blocks.size() + 1);
+  const auto enter = [&](std::size_t block, double t) {
+    while (begin.size() <= block && begin.size() < blocks.size()) begin.push_back(t);
+  };
+  std::size_t block = 0, rest = 0;              // of the segment at hand; the next one of the contour
+  for (const LawPiece& piece : law.pieces()) {  // none spans two segments
+    while (rest < contour.rests.size() && !(contour.rests[rest].seconds > 0)) ++rest;
+    if (rest < contour.rests.size() && dwells(piece)) {
+      enter(contour.rests[rest++].block, piece.t0);
+      continue;
+    }
+    while (block < blocks.size() && piece.segment >= blocks[block].last) ++block;
+    enter(block, piece.t0);
   }
+  while (begin.size() <= blocks.size()) begin.push_back(law.duration());
+  std::vector<BlockTime> times;
+  times.reserve(blocks.size());
+  for (std::size_t b = 0; b < blocks.size(); ++b) times.push_back({begin[b], begin[b + 1]});
   return times;
 }
 

@@ -13,7 +13,7 @@ struct BlockTime {
 };
 
 /// One entry per block of the contour, in order, without gaps. A piece of the law belongs to the block of its path
-/// segment. O(pieces + blocks).
+/// segment, a dwell (core/motion/dwell.hpp) to the block of its rest. O(pieces + blocks + rests).
 std::vector<BlockTime> block_times(const Contour& contour, const MotionLaw& law);
 
 }  // namespace bahnwerk

@@ -8,9 +8,11 @@ Runs find_runs(const Contour& contour, const Machine& machine, double corner_ang
   Runs runs;
   const Path& path = contour.path;
   runs.begin.push_back(0);
+  const std::vector<bool> rest = contour.rest_places();
   runs.joint_cap.assign(path.size(), unlimited);
   for (const Joint& joint : joints(path)) {
-    if (joint.angle > corner_angle || path[joint.next].cusp_begin() || path[joint.next - 1].cusp_end()) {
+    if (rest[joint.next] || joint.angle > corner_angle || path[joint.next].cusp_begin() ||
+        path[joint.next - 1].cusp_end()) {
       runs.begin.push_back(joint.next);
       continue;
     }

@@ -14,8 +14,8 @@ struct Runs {
   std::vector<double> joint_cap;
 };
 
-/// A tangent jump above `corner_angle` (rad) or a cusp ends a run. A smaller jump Δ is passed so slowly that the
-/// velocity step |Δ_k| v of every axis stays within its acceleration · cycle_time. O(segments).
+/// A tangent jump above `corner_angle` (rad), a cusp or a rest of the contour ends a run. A smaller jump Δ is passed so
+/// slowly that the velocity step |Δ_k| v of every axis stays within its acceleration · cycle_time. O(segments).
 Runs find_runs(const Contour& contour, const Machine& machine, double corner_angle);
 
 /// Plans run by run: plan(first segment, one past the last, begin and end of its share of the progress from `from` to

@@ -68,6 +68,7 @@ void CartesianSetpoints::read(std::size_t first, std::size_t rows, double* out) 
       state.position = last.at_parameter(last.curve().end()).value;
       state.path.s = last.s1();
     }
+    if (const Contour& contour = trajectory_->contour(); contour.dimension < 3) state.position.z = contour.height;
     for (std::size_t k = 0; k < dimension_; ++k) *out++ = state.position[k];
     for (std::size_t k = 0; k < dimension_; ++k) *out++ = state.velocity[k];
     for (std::size_t k = 0; k < dimension_; ++k) *out++ = state.acceleration[k];

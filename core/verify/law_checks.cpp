@@ -39,7 +39,11 @@ std::string feed_name(double feed) {
 
 class LawChecker {
  public:
-  explicit LawChecker(const JudgeInput& in) : in_(in), path_(in.contour.path), joints_(joints(path_)) {}
+  explicit LawChecker(const JudgeInput& in)
+      : in_(in),
+        path_(in.contour.path),
+        joints_(joints(path_)),
+        rest_(path_.size() > 0 ? in.contour.rest_places() : std::vector<bool>()) {}
 
   std::vector<Check> run(Pulse& pulse) {
     const auto& pieces = in_.law.pieces();
@@ -123,7 +127,7 @@ class LawChecker {
     distance_.raise(norm(left.at(before.s_end).value - there), apart, t);
     distance_.raise(norm(right.at(after.s).value - there), apart, t);
     const Joint& joint = joints_[before.segment];
-    if (joint.angle > in_.corner_angle) {
+    if (joint.angle > in_.corner_angle || rest_[after.segment]) {
       corner_.raise(v, r0.speed + r1.speed, t);
       acceleration_gap_.raise(std::max(std::abs(a0), std::abs(a1)), r0.acceleration + r1.acceleration, t);
       return;  // at rest no velocity step remains
@@ -187,6 +191,7 @@ class LawChecker {
   const JudgeInput& in_;
   const Path& path_;
   std::vector<Joint> joints_;
+  std::vector<bool> rest_;
   std::vector<double> distinct_;
   std::vector<Worst> feed_peaks_;
   bool has_cusp_ = false;

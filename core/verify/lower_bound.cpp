@@ -188,13 +188,14 @@ Bound lower_bound(const Contour& contour, const Machine& machine, double corner_
   Pulse pulse(progress, "bound", progress_from, progress_to);
   pulse.report();
   const std::vector<Joint> list = joints(path);
+  const std::vector<bool> rest = contour.rest_places();
   BoundGrid grid(contour, machine, corner_angle, pulse);
   Solver solver(grid, pulse);
   std::vector<unsigned char> marked;
   double duration = 0;
   std::size_t nodes = 0;
   for (std::size_t first = 0, last = 1; first < path.size(); first = last++) {
-    while (last < path.size() && list[last - 1].angle <= corner_angle && !path[last - 1].cusp_end() &&
+    while (last < path.size() && !rest[last] && list[last - 1].angle <= corner_angle && !path[last - 1].cusp_end() &&
            !path[last].cusp_begin())
       ++last;
     double run = 0;
@@ -210,6 +211,7 @@ Bound lower_bound(const Contour& contour, const Machine& machine, double corner_
     duration += run;
     pulse.done(static_cast<double>(last) / static_cast<double>(path.size()));
   }
+  duration += contour.dwell();
   return {duration, 0, "axis energies between " + std::to_string(nodes) + " nodes of the path"};
 }
 

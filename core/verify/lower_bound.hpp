@@ -8,7 +8,7 @@
 namespace bahnwerk {
 
 /// No motion is shorter that keeps the axes' velocity and acceleration limits and the feeds, rests at both ends, at
-/// corners (tangent jump > corner_angle, rad) and at cusps, and passes every other joint with |Δt_k| v ≤ A_k · cycle
+/// corners (tangent jump > corner_angle, rad), at cusps and, as long as asked, at the contour's rests, and passes every other joint with |Δt_k| v ≤ A_k · cycle
 /// time in every axis. Jerk limits count on runs that are one straight segment (closed form);
 /// elsewhere they are left out, which can only lower the bound. Acceleration limits must be finite. `gap` is
 /// left 0: see with_gap.

@@ -88,9 +88,21 @@ class RowChecker {
   void enter(std::size_t i) {
     piece_ = i;
     rounding_ = verify::rounding_of(pieces_[i]);
-    const std::size_t segment = pieces_[i].segment;
+    const LawPiece& piece = pieces_[i];
+    const auto& rests = in_.contour.rests;
+    while (rest_at_ < rests.size() && !(rests[rest_at_].seconds > 0)) ++rest_at_;
+    const bool stands = piece.v == 0 && piece.a == 0 && piece.j == 0 && piece.q == 0;
+    if (stands && rest_at_ < rests.size()) {
+      block_ = rests[rest_at_++].block;
+      return;
+    }
     const auto& blocks = in_.contour.blocks;
-    while (block_ + 1 < blocks.size() && blocks[block_].last <= segment) ++block_;
+    while (way_block_ + 1 < blocks.size() && blocks[way_block_].last <= piece.segment) ++way_block_;
+    block_ = way_block_;
+  }
+  /// Of a point of the path; axes beyond a planar contour stand at its height.
+  double coordinate(const Vec& point, std::size_t axis) const {
+    return axis < in_.contour.dimension ? point[axis] : in_.contour.height;
   }
 
   void check(std::size_t k, const double* row) {
@@ -111,7 +123,7 @@ class RowChecker {
     const double place = rounding * (norm(h.value) + segment.length()), quick = rounding * std::abs(v),
                  quicker = rounding * (bend + a) + rounding_.acceleration + std::abs(law.j) * blur;
     for (std::size_t axis = 0; axis < axes_; ++axis) {
-      position_.raise(std::abs(row[position_column_[axis]] - h.value[axis]), place, t);
+      position_.raise(std::abs(row[position_column_[axis]] - coordinate(h.value, axis)), place, t);
       velocity_.raise(std::abs(row[velocity_column_[axis]] - h.d1[axis] * v), quick, t);
       acceleration_.raise(std::abs(row[acceleration_column_[axis]] - (h.d2[axis] * (v * v) + h.d1[axis] * law.a)),
                           quicker, t);
@@ -120,13 +132,13 @@ class RowChecker {
 
   void check_last(const double* row) {
     const double t = in_.law.duration();
-    enter(pieces_.size() - 1);
+    while (piece_ + 1 < pieces_.size()) enter(piece_ + 1);
     label(row, t);
     const Segment& last = path_[path_.size() - 1];
     const Vec there = last.at_parameter(last.curve().end()).value;
     double off = std::abs(row[s_column_] - path_.length()), moving = std::abs(row[v_column_]);
     for (std::size_t axis = 0; axis < axes_; ++axis) {
-      off = larger(off, std::abs(row[position_column_[axis]] - there[axis]));
+      off = larger(off, std::abs(row[position_column_[axis]] - coordinate(there, axis)));
       moving = larger(moving, std::abs(row[velocity_column_[axis]]));
       moving = larger(moving, std::abs(row[acceleration_column_[axis]]) * cycle_time_);
     }
@@ -166,6 +178,7 @@ class RowChecker {
   std::array<std::size_t, 3> position_column_{}, velocity_column_{}, acceleration_column_{};
   std::size_t s_column_ = 0, v_column_ = 0, mode_column_ = 0, block_column_ = 0;
   std::size_t piece_ = 0, block_ = 0, mislabelled_ = 0;
+  std::size_t way_block_ = 0, rest_at_ = 0;  // block of the segment at hand; the next rest of the contour
   PieceRounding rounding_;
   double before_ = 0, mislabelled_at_ = 0;
   Strained count_, time_, path_column_, speed_, forward_, position_, velocity_, acceleration_, end_, rest_;

@@ -20,8 +20,8 @@ struct SetpointInput {
 
 /// Reads all rows, 1024 at a time, and evaluates path and law at their times by itself. So the rows keep the limits
 /// that the motion keeps. Row k is the state just after t = k · cycle time; the last row is at rest, exactly at the
-/// path's end. ε, and what rounding does to a piece of the law: core/verify/rounding.hpp. Besides that t is off by
-/// ε t, so with the law's v, a, j at that moment:
+/// path's end. An axis beyond a planar contour stands at the contour's height. ε, and what rounding does to a piece of
+/// the law: core/verify/rounding.hpp. Besides that t is off by ε t, so with the law's v, a, j at that moment:
 ///
 /// `setpoints count`         1      |rows − (duration / cycle time + 1)|; columns that are missing count, too: 0
 /// `setpoints time`          s      (rows − 1) · cycle time against the law's duration: 32 ε of it
@@ -31,9 +31,9 @@ struct SetpointInput {
 /// `setpoints position`      mm     axes against the path at the row's s: 32 ε (|h| + length of the segment)
 /// `setpoints velocity`      mm/s   axes against h′ v with the row's s and v: 32 ε v
 /// `setpoints acceleration`  mm/s²  axes against h″ v² + h′ a: 32 ε (|h″| v² + |a|) + 32 ε (|a| + |j| T …) + |j| ε t
-/// `setpoints mode and block`  1    rows whose mode or block is not that of the segment on which the law then is: 0
-/// `setpoints end`           mm     last row: distance from the path's end and of s from its length: 0
-/// `setpoints end at rest`   mm/s   last row: largest |v|, and |a| · cycle time, of any axis and of the path: 0
+/// `setpoints mode and block`  1    rows whose mode or block is not that of the segment or dwell at which the law then
+/// is: 0 `setpoints end`           mm     last row: distance from the path's end and of s from its length: 0 `setpoints
+/// end at rest`   mm/s   last row: largest |v|, and |a| · cycle time, of any axis and of the path: 0
 ///
 /// Of each the row is reported that strains its tolerance most; `at` is its time. Not a number fails. Memory: one
 /// chunk of rows. Cost per row, reading included: 80 ns on lines, 170 ns on arcs, 260 ns on cubics, of which reading

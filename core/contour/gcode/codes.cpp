@@ -52,7 +52,7 @@ Code meaning(int tenfold) {
     case 911:
       return {Group::centres, Action::incremental_centres, ""};
     case 40:
-      return {Group::none, Action::dwell, "dwell (G4) ignored"};
+      return {Group::none, Action::dwell, ""};
     case 280:
     case 300:
     case 530:

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace bahnwerk::gcode {
 namespace {
 
 constexpr double inch = 25.4;  // mm
-// Keys of notes: G words tenfold, M words from here on.
-constexpr int key_m = 100'000, key_slash = 200'000, key_output = 200'001, key_zero_power = 200'002, key_rest = 200'003;
 
 std::string m_name(int m) {
   std::string text(1, 'M');
@@ -22,6 +21,7 @@ Interpreter::Interpreter(const GcodeOptions& options, bool flat)
       mover_(flat),
       unit_(options.inch ? inch : 1),
       feed_(options.feed),
+      fed_(std::isfinite(options.feed)),
       switch_output_(options.output) {}
 
 void Interpreter::fault(const std::string& message) {
@@ -38,6 +38,7 @@ bool Interpreter::execute(const Line& line) {
   ContourBuilder& builder = mover_.builder();
   builder.at_line(line.number);
   used_ = 0;
+  dwell_.reset();
   sound_ = true;
   ends_ = moves_machine_ = unknown_m_ = false;
   if (line.slash)
@@ -47,6 +48,7 @@ bool Interpreter::execute(const Line& line) {
     g_words(line);
     feed(line);
     m_words(line);
+    dwell(line);
     move(line);
     leftovers(line);
   }
@@ -110,8 +112,7 @@ void Interpreter::g_word(const Line& line, int tenfold) {
       absolute_centres_ = code.action == Action::absolute_centres;
       break;
     case Action::dwell:
-      dwell(line);
-      note(tenfold, line, code.text);
+      dwell_time(line);
       break;
     case Action::machine_point:
       moves_machine_ = true;
@@ -133,12 +134,30 @@ void Interpreter::g_word(const Line& line, int tenfold) {
   }
 }
 
-/// Its time is P, in other dialects X, U or F; then it is no coordinate and no feed.
+/// Its time is P, in other dialects X, U, F or S; then it is no coordinate, feed or speed. Always seconds: the dialects
+/// that mean milliseconds write the same words.
+void Interpreter::dwell_time(const Line& line) {
+  if (dwell_) return fault("two dwells (G4) in one line");
+  dwell_ = 0;  // none given: it only stops
+  for (const char letter : std::string_view("PXUFS"))
+    if (takes(line, letters({&letter, 1}))) {
+      dwell_ = line[letter];
+      break;
+    }
+  if (!line.has('P') && line.any(letters("YZ")))
+    fault("a dwell takes no coordinates: give its time with P");
+}
+
+/// Behind the line's switches and before its motion. It is part of the cut if the tool is on; where nothing switches
+/// the tool, if what moves is no G0.
 void Interpreter::dwell(const Line& line) {
-  if (takes(line, letters("P"))) return;
-  for (const char* letter : {"X", "U", "F"})
-    if (takes(line, letters(letter))) break;
-  if (line.any(letters("YZ"))) fault("a dwell takes no coordinates: give its time with P");
+  if (!dwell_) return;
+  const bool on = spindle_ && output_, moves = motion_ != Action::rapid && motion_ != Action::no_motion;
+  const bool cuts = on && (moves || first_spindle_ || first_output_);
+  if (!(*dwell_ >= 0 && *dwell_ <= longest_rest)) return fault("a dwell (G4) lasts between 0 and 86400 s");
+  dwelt_ += *dwell_;
+  mover_.dwell(cuts ? Mode::cut : Mode::position, *dwell_);
+  note(key_dwell, line, "");
 }
 
 void Interpreter::feed(const Line& line) {
@@ -146,11 +165,12 @@ void Interpreter::feed(const Line& line) {
   const double value = line['F'];
   if (!(value > 0)) return fault("the feed F must be greater than zero");
   feed_ = value * unit_ / 60;
+  fed_ = true;
 }
 
 void Interpreter::m_words(const Line& line) {
   for (std::size_t i = 0; i < line.m_count; ++i) m_word(line, line.m[i]);
-  if (line.has('S') && line['S'] == 0 && first_spindle_ && spindle_)
+  if (line.has('S') && line['S'] == 0 && (used_ & letters("S")) == 0 && first_spindle_ && spindle_)
     note(key_zero_power, line, "S0 does not switch the tool off, M5 does");
 }
 
@@ -225,6 +245,9 @@ void Interpreter::rest(const Line& line) { note(key_rest, line, "what follows th
 
 Contour Interpreter::finish() {
   Contour contour = mover_.finish(std::max(first_spindle_.value_or(0), first_output_.value_or(0)));
+  char dwelt[120];
+  std::snprintf(dwelt, sizeof dwelt, "dwell (G4), %.6g s in all: its time was taken as seconds", dwelt_);
+  notes_.complete(key_dwell, dwelt);
   for (std::string& text : notes_.texts()) contour.notes.push_back(std::move(text));
   return contour;
 }

@@ -12,6 +12,10 @@
 
 namespace bahnwerk::gcode {
 
+/// Keys of notes: G words tenfold, M words from key_m on.
+inline constexpr int key_dwell = 40, key_m = 100'000, key_slash = 200'000, key_output = 200'001,
+                     key_zero_power = 200'002, key_rest = 200'003, key_no_feed = 200'004;
+
 class Interpreter {
  public:
   Interpreter(const GcodeOptions& options, bool flat);
@@ -24,7 +28,9 @@ class Interpreter {
   void rest(const Line& line);
 
   /// The contour keeps one height other than 0: to be read again as a flat one.
-  bool lifted() const { return !mover_.climbs() && mover_.position().z != 0; }
+  bool lifted() const { return height() != 0; }
+  /// Of a contour that keeps one, mm.
+  double height() const { return mover_.climbs() ? 0 : mover_.position().z; }
   /// Throws InvalidInput.
   Contour finish();
 
@@ -33,6 +39,7 @@ class Interpreter {
   void g_word(const Line& line, int tenfold);
   void m_words(const Line& line);
   void m_word(const Line& line, int m);
+  void dwell_time(const Line& line);
   void dwell(const Line& line);
   void feed(const Line& line);
   void move(const Line& line);
@@ -59,14 +66,17 @@ class Interpreter {
   double unit_;  // mm
   bool absolute_ = true, absolute_centres_ = false;
   double feed_;                          // mm/s
+  bool fed_ = false;                     // a feed is known
   bool spindle_ = true, output_ = true;  // on as long as the program does not use them
   std::optional<int> switch_output_;
   std::optional<Vec> last_handle_;  // of the G5 before: P Q
+  double dwelt_ = 0;                // s, of all dwells
   std::size_t away_ = 0;            // line of a move to a point of the machine, after the first move
 
   std::optional<std::size_t> first_spindle_, first_output_;  // block where the switch is first used
   // of the line at hand
   std::uint32_t used_ = 0;
+  std::optional<double> dwell_;  // s
   bool sound_ = true, ends_ = false, moves_machine_ = false, unknown_m_ = false;
 };
 

@@ -1,5 +1,6 @@
 #include "core/contour/gcode/mover.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -112,20 +113,44 @@ void Mover::spline(Vec to, Vec first, std::optional<Vec> second) {
   builder_.polynomial(rows);
 }
 
+void Mover::dwell(Mode mode, double seconds) {
+  use(mode, feed_);
+  begin_block();
+  builder_.dwell(seconds);
+}
+
+/// Neighbours of one mode and feed become one block, and dwells alone join a neighbour of their mode. Blocks of nothing
+/// go.
+void Mover::join_blocks(Contour& contour) {
+  std::vector<std::size_t> dwells(contour.blocks.size(), 0), owner(contour.blocks.size(), 0);
+  for (const Rest& rest : contour.rests) ++dwells[rest.block];
+  std::vector<Block> kept;
+  bool still = false;  // the last block kept holds dwells alone
+  for (std::size_t i = 0; i < contour.blocks.size(); ++i) {
+    const Block& block = contour.blocks[i];
+    const bool moves = block.first < block.last;
+    if (moves || dwells[i] > 0) {
+      if (!kept.empty() && kept.back().mode == block.mode && (still || !moves || kept.back().feed == block.feed)) {
+        if (moves) kept.back().feed = block.feed;
+        kept.back().last = block.last;
+        still = still && !moves;
+      } else {
+        kept.push_back(block);
+        still = !moves;
+      }
+    }
+    owner[i] = kept.empty() ? 0 : kept.size() - 1;
+  }
+  for (Rest& rest : contour.rests) rest.block = owner[rest.block];
+  contour.blocks = std::move(kept);
+}
+
 Contour Mover::finish(std::size_t positioning) {
   Contour contour = builder_.finish();
   contour.dimension = climbs_ ? 3 : 2;
-  std::vector<Block> kept;
-  for (std::size_t i = 0; i < contour.blocks.size(); ++i) {
-    Block block = contour.blocks[i];
-    if (i < positioning) block.mode = Mode::position;
-    if (block.first == block.last) continue;
-    if (!kept.empty() && kept.back().mode == block.mode && kept.back().feed == block.feed)
-      kept.back().last = block.last;
-    else
-      kept.push_back(block);
-  }
-  contour.blocks = std::move(kept);
+  for (std::size_t i = 0; i < std::min(positioning, contour.blocks.size()); ++i)
+    contour.blocks[i].mode = Mode::position;
+  join_blocks(contour);
   return contour;
 }
 

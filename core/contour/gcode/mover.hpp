@@ -1,5 +1,6 @@
 #pragma once
 /// The moves of a part program, in mm: from where it stands to the next place, as segments of a contour.
+#include <limits>
 #include <optional>
 
 #include "core/contour/builder.hpp"
@@ -36,6 +37,9 @@ class Mover {
   /// Bézier curve; no second control point: of degree 2.
   void spline(Vec to, Vec first, std::optional<Vec> second);
 
+  /// The head rests where it stands, s, as part of a block of this mode.
+  void dwell(Mode mode, double seconds);
+
   Vec position() const { return at_; }  ///< as programmed
   bool climbs() const { return climbs_; }
   ContourBuilder& builder() { return builder_; }
@@ -44,13 +48,14 @@ class Mover {
 
  private:
   void begin_block();
+  static void join_blocks(Contour& contour);
   Vec placed(Vec p) const { return flat_ ? Vec{p.x, p.y, 0} : p; }
   void go(Vec to);
 
   ContourBuilder builder_;
   Vec at_;
   Mode mode_ = Mode::cut;
-  double feed_ = 0;
+  double feed_ = std::numeric_limits<double>::infinity();
   bool new_block_ = true, flat_, started_ = false, climbs_ = false;
 };
 

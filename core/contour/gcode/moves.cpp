@@ -55,6 +55,8 @@ void Interpreter::move(const Line& line) {
   }
   mover_.use(motion_ != Action::rapid && spindle_ && output_ ? Mode::cut : Mode::position,
              motion_ == Action::rapid ? unlimited : feed_);
+  if (motion_ != Action::rapid && !fed_)
+    note(key_no_feed, line, "a move other than G0 without F: only the axes limit its speed");
   if (motion_ != Action::cubic) last_handle_.reset();
   // What follows a fault in the line shall only keep track of the place.
   if (motion_ == Action::rapid || motion_ == Action::line || !sound_) return straight(line);

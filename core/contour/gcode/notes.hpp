@@ -19,6 +19,10 @@ class Notes {
     else if (entries_.size() < most)
       entries_.emplace(key, Entry{text, line, 1});
   }
+  /// Replaces the text of a matter that was noted.
+  void complete(int key, std::string text) {
+    if (const auto at = entries_.find(key); at != entries_.end()) at->second.text = std::move(text);
+  }
   /// "line 7 and 2 more: text", by line.
   std::vector<std::string> texts() const {
     std::vector<std::pair<std::size_t, std::string>> list;

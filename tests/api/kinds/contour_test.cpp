@@ -249,6 +249,38 @@ TEST(ContourPlan, BlendsWithinTheToleranceAndHoldsJerk) {
   EXPECT_GT(stopping.result["summary"]["duration"].get<double>(), job.result["summary"]["duration"].get<double>());
 }
 
+TEST(ContourInput, ReadsDwellsAndModeChanges) {
+  const json spec = example("dwell");
+  const Contour contour = geometry(spec);
+  ASSERT_EQ(contour.rests.size(), 3u);
+  EXPECT_EQ(contour.rests[1].seconds, 0.4);
+  EXPECT_EQ(contour.rests[1].segment, 3u);
+  EXPECT_EQ(contour.rests[1].block, 2u);
+  EXPECT_TRUE(planning(spec).stop_at_mode_change);
+  EXPECT_FALSE(planning(example("complete")).stop_at_mode_change);
+}
+
+TEST(ContourPlan, DwellsCountInTheirBlocksAndAPlaneLeavesZAlone) {
+  SilentProgress progress;
+  json spec = example("dwell");
+  const auto job = plan(spec, progress);
+  ASSERT_TRUE(job.verified) << job.result["verification"].dump(1);
+  std::vector<std::string> columns;
+  for (const auto& column : job.setpoints->columns()) columns.push_back(column.name);
+  for (const char* name : {"z", "vz", "az"}) EXPECT_THAT(columns, ::testing::Contains(name));
+  const auto& blocks = job.result["details"]["blocks"];
+  ASSERT_EQ(blocks.size(), 4u);
+  EXPECT_NEAR(blocks[2]["end_time"].get<double>() - blocks[2]["start_time"].get<double>(), 0.4, 1e-3);
+  spec["contour"]["blocks"][0]["segments"][0]["dwell"] = 0;
+  spec["contour"]["blocks"][2]["segments"][0]["dwell"] = 0;
+  const auto stops = plan(spec, progress);
+  for (const char* time : {"duration", "cut_time"})
+    EXPECT_NEAR(job.result["summary"][time].get<double>() - stops.result["summary"][time].get<double>(), 0.8, 1e-9);
+  spec["planning"].erase("mode_change");
+  const auto passes = plan(spec, progress);
+  EXPECT_LE(passes.result["summary"]["duration"].get<double>(), stops.result["summary"]["duration"].get<double>());
+}
+
 TEST(ContourPlan, SaysWhichLimitsAreNotHeld) {
   SilentProgress progress;
   json spec = example("blend");

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <limits>
+#include <string>
 
 namespace bahnwerk {
 namespace {
@@ -137,6 +140,70 @@ TEST(ContourBuilder, KeepsAHundredFaults) {
   for (int i = 0; i < 200; ++i) b.block(Mode::cut, -1);
   EXPECT_TRUE(b.full());
   EXPECT_EQ(faults_of(b).size(), 100u);
+}
+
+TEST(ContourBuilder, DwellsRestAtTheCurrentPoint) {
+  ContourBuilder b(2, {});
+  b.block(Mode::cut, 400);
+  b.dwell(0.5);
+  b.line({10, 0, 0});
+  b.dwell(1);
+  b.dwell(0);
+  b.block(Mode::position, none);
+  b.dwell(2);
+  b.block(Mode::cut, none);
+  b.line({20, 0, 0});
+  b.dwell(longest_rest);
+  const Contour c = b.finish();
+  EXPECT_EQ(c.path.size(), 2u);
+  ASSERT_EQ(c.blocks.size(), 3u);
+  const std::vector<std::array<double, 3>> expected{{0, 0.5, 0}, {1, 1, 0}, {1, 0, 0}, {1, 2, 1}, {2, longest_rest, 2}};
+  ASSERT_EQ(c.rests.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_EQ(static_cast<double>(c.rests[i].segment), expected[i][0]);
+    EXPECT_EQ(c.rests[i].seconds, expected[i][1]);
+    EXPECT_EQ(static_cast<double>(c.rests[i].block), expected[i][2]);
+  }
+  EXPECT_EQ(c.rest_places(), (std::vector{true, true, true}));
+  EXPECT_EQ(c.dwell(), 3.5 + longest_rest);
+}
+
+TEST(ContourBuilder, DwellsWithoutAMeaningAndContoursOfDwellsAlone) {
+  ContourBuilder b(2, {});
+  b.line({10, 0, 0});
+  b.dwell(-1);
+  b.dwell(nan);
+  b.dwell(1.001 * longest_rest);
+  const auto faults = faults_of(b);
+  ASSERT_EQ(faults.size(), 3u);
+  EXPECT_EQ(pointer(faults[1]), "/contour/blocks/0/segments/2/dwell");
+  ContourBuilder still(2, {});
+  still.dwell(1);
+  ASSERT_EQ(faults_of(still).size(), 1u);
+}
+
+TEST(Contour, StopsWhereTheModeChanges) {
+  ContourBuilder b(2, {});
+  b.block(Mode::cut, 400);
+  b.line({10, 0, 0});
+  b.block(Mode::cut, 200);
+  b.line({20, 0, 0});
+  b.block(Mode::position, none);
+  b.dwell(1);
+  b.block(Mode::cut, 200);  // the head was at rest here anyway
+  b.line({30, 0, 0});
+  b.dwell(2);
+  b.block(Mode::position, none);
+  b.line({40, 0, 0});
+  b.block(Mode::cut, none);
+  b.line({50, 0, 0});
+  Contour c = b.finish();
+  stop_at_mode_changes(c);
+  std::string rests;
+  for (const Rest& rest : c.rests)
+    rests += std::to_string(rest.segment) + ":" + std::to_string(rest.block) + ":" +
+             std::to_string(std::lround(rest.seconds)) + " ";
+  EXPECT_EQ(rests, "2:2:1 3:3:2 3:4:0 4:5:0 ");
 }
 
 TEST(Joints, AngleAndStep) {

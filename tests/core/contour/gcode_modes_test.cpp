@@ -1,5 +1,6 @@
 // Cut or position, feeds, blocks, what is noted; and programs as they come from a shop.
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 #include "tests/core/contour/gcode_support.hpp"
@@ -81,14 +82,72 @@ TEST(GcodeModes, MotionIsModal) {
 }
 
 TEST(GcodeModes, DwellsTakeTheirOwnWords) {
-  for (const char* dwell : {"G4 P0.5", "G4 X1.5", "G04 F2", "G4 U3", "G4"}) {
-    const Contour c = read_gcode(std::string("F60 G1 X10\n") + dwell + "\nX20\n" + dwell + "\n");
+  const std::vector<std::pair<std::string, double>> dwells{{"G4 P0.5", 0.5}, {"G4 X1.5", 1.5}, {"G04 F2", 2},
+                                                           {"G4 U3", 3},     {"G4 S4", 4},     {"G4 P1 S800", 1},
+                                                           {"G4 P2 F60", 2}, {"G4", 0}};
+  for (const auto& [dwell, seconds] : dwells) {
+    const Contour c = read_gcode("F60 G1 X10\n" + dwell + "\nX20\n" + dwell + "\n");
     EXPECT_NEAR(c.path.length(), 20, 1e-12) << dwell;
     EXPECT_EQ(blocks(c), "c1") << dwell;
     EXPECT_TRUE(noted(c, "line 2 and 1 more: ", "dwell")) << dwell;
+    EXPECT_TRUE(noted(c, "line 2", ", " + std::to_string(std::lround(2 * seconds)) + " s in all")) << dwell;
+    ASSERT_EQ(c.rests.size(), 2u) << dwell;
+    EXPECT_EQ(c.rests[0].segment, 1u) << dwell;
+    EXPECT_EQ(c.rests[1].segment, 2u) << dwell;
+    for (const Rest& rest : c.rests) {
+      EXPECT_EQ(rest.seconds, seconds) << dwell;
+      EXPECT_EQ(rest.block, 0u) << dwell;
+    }
   }
-  EXPECT_NEAR(read_gcode("G1 X10\nG4 P1 X20").path.length(), 20, 1e-12);
-  EXPECT_EQ(fault_lines("G1 X10\nG4 X1 Y2"), (std::vector{2}));
+  const Contour before = read_gcode("G1 X10\nG4 P1 X20");  // the dwell comes before the motion of its line
+  EXPECT_NEAR(before.path.length(), 20, 1e-12);
+  ASSERT_EQ(before.rests.size(), 1u);
+  EXPECT_EQ(before.rests[0].segment, 1u);
+  EXPECT_EQ(fault_lines("G1 X10\nG4 X1 Y2\nG4 P-1\nG4 P86401\nG4 G4 P1"), (std::vector{2, 3, 4, 5}));
+  EXPECT_EQ(fault_lines("G4 P5\nM30"), (std::vector{2}));  // nothing moves
+}
+
+/// "c.5@0": mode of the block, seconds and segment of each rest.
+std::string rests(std::string_view text) {
+  const Contour c = read_gcode(text);
+  std::string list;
+  for (const Rest& rest : c.rests) {
+    char one[60];
+    std::snprintf(one, sizeof one, "%s%c%g@%zu", list.empty() ? "" : " ",
+                  c.blocks.at(rest.block).mode == Mode::cut ? 'c' : 'p', rest.seconds, rest.segment);
+    list += one;
+  }
+  return list;
+}
+
+TEST(GcodeModes, ADwellBelongsToWhatTheToolDoes) {
+  // Without a switch: G0 positions.
+  EXPECT_EQ(rests("G0 X1 Y1\nG4 P1\nF60 G1 X5\nG4 P2\nG0 X9\nG4 P3"), "p1@0 c2@1 p3@2");
+  // With one: the tool counts, and before it is first used nothing cuts.
+  const char* pierced = "G0 X1 Y1\nF60 G4 P1\nM3\nG4 P2\nG1 X5\nM5\nG4 P3\nG0 X9\nG4 P4\nM3\nG4 P5\n";
+  EXPECT_EQ(rests(pierced), "p1@0 c2@0 p3@1 p4@2 c5@2");
+  EXPECT_EQ(blocks(pierced), "p c1 p c");
+  EXPECT_EQ(rests("F60 G1 X1\nG4 P1\nM3\nX2\nG4 P2"), "p1@1 c2@2");
+  // A switch acts before the dwell of its line.
+  EXPECT_EQ(rests("F60 G1 X1\nM3 G4 P1\nX2\nM5 G4 P2"), "c1@1 p2@2");
+  // Those of one place keep their blocks; feeds do not divide them.
+  EXPECT_EQ(blocks("F60 M3 G1 X1\nG4 P1\nF120 X2\nM5\nG4 P1\nM3\nG4 P1\nF180 X3"), "c1 c2 p2 c3");
+}
+
+TEST(GcodeModes, MovesWithoutAFeedAreNoted) {
+  const Contour c = read_gcode("G0 X5 Y5\nG1 X10\nY7\nG2 X20 R8\nF60 X30 R8\nG0 X0\nG1 X9");
+  EXPECT_TRUE(noted(c, "line 2 and 2 more: ", "without F")) << c.notes.at(0);
+  EXPECT_EQ(c.notes.size(), 1u);
+  EXPECT_TRUE(read_gcode("G0 X5 Y5\nX6\nF60 G1 X10").notes.empty());
+  EXPECT_TRUE(read_gcode("G1 X10", {.feed = 5}).notes.empty());
+}
+
+TEST(GcodeModes, OneHeightIsKept) {
+  const Contour c = read_gcode("G0 X0 Y0 Z-3\nF60 G1 X10\nG2 X20 R5");
+  EXPECT_EQ(c.dimension, 2u);
+  EXPECT_EQ(c.height, -3);
+  EXPECT_EQ(c.path.at(5).value.z, 0);
+  EXPECT_EQ(read_gcode("G0 X0 Y0 Z-3\nF60 G1 X10 Z-4").height, 0);
 }
 
 TEST(GcodeModes, WhatIsNoted) {

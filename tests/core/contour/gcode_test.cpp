@@ -147,7 +147,7 @@ Vec bezier(const std::vector<Vec>& p, double u) {
 }
 
 TEST(Gcode, CubicSplines) {
-  const Contour c = read_gcode("G0 X1 Y2\nG5 I0 J3 P0 Q-3 X4 Y2\nP-5 Q3 X9 Y4\nG1 X20");
+  const Contour c = read_gcode("G0 X1 Y2\nF60 G5 I0 J3 P0 Q-3 X4 Y2\nP-5 Q3 X9 Y4\nG1 X20");
   ASSERT_EQ(c.path.size(), 3u);
   const std::vector<Vec> first{{1, 2, 0}, {1, 5, 0}, {4, -1, 0}, {4, 2, 0}};
   const std::vector<Vec> second{{4, 2, 0}, {4, 5, 0}, {4, 7, 0}, {9, 4, 0}};  // goes on as the first one ended
@@ -212,11 +212,11 @@ TEST(Gcode, WhereTheContourStarts) {
 }
 
 TEST(Gcode, RepeatedPlacesAreNoMoves) {
-  const Contour c = read_gcode("G0 X1 Y1\nG1 X1 Y1\nX5\nX5 Y1\nG0 X5\nG1 Y9");
+  const Contour c = read_gcode("G0 X1 Y1 F60\nG1 X1 Y1\nX5\nX5 Y1\nG0 X5\nG1 Y9");
   EXPECT_EQ(c.path.size(), 2u);
   EXPECT_EQ(c.blocks.size(), 1u);
   EXPECT_TRUE(c.notes.empty());
-  const Contour tiny = read_gcode("G0 X1 Y1\nG1 X1.0000001\nX5");
+  const Contour tiny = read_gcode("G0 X1 Y1 F60\nG1 X1.0000001\nX5");
   ASSERT_EQ(tiny.notes.size(), 1u);
   EXPECT_EQ(tiny.notes[0].rfind("line 2: ", 0), 0u);
 }

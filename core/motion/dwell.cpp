@@ -1,0 +1,31 @@
+#include "core/motion/dwell.hpp"
+
+#include <algorithm>
+
+namespace bahnwerk {
+
+MotionLaw with_dwells(MotionLaw law, const Contour& contour) {
+  if (!(contour.dwell() > 0) || law.pieces().empty()) return law;
+  const Path& path = contour.path;
+  MotionLaw result;
+  result.reserve(law.pieces().size() + contour.rests.size());
+  std::size_t next = 0;
+  const auto rest = [&](std::size_t before, double s) {
+    for (; next < contour.rests.size() && contour.rests[next].segment <= before; ++next) {
+      if (!(contour.rests[next].seconds > 0)) continue;
+      LawPiece piece;
+      piece.duration = contour.rests[next].seconds;
+      piece.s = piece.s_end = s;
+      piece.segment = std::min(before, path.size() - 1);
+      result.append(piece);
+    }
+  };
+  for (const LawPiece& piece : law.pieces()) {
+    rest(piece.segment, piece.s);
+    result.append(piece);
+  }
+  rest(path.size(), law.pieces().back().s_end);
+  return result;
+}
+
+}  // namespace bahnwerk
