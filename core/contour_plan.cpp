@@ -150,6 +150,12 @@ ContourPlan plan_contour(Contour input, const Machine& given_machine, const Cont
         blend(*given, {planning.blend_tolerance, planning.corner_angle}, moving, progress, 0.0, read));
   ContourPlan plan;
   plan.notes = contour->notes;
+  for (std::size_t k = moving.dimension(); k < machine.dimension(); ++k) {
+    char text[120];
+    std::snprintf(text, sizeof text, "axis %s stands still at %.6g mm: the contour is planar",
+                  machine.axes[k].name.c_str(), contour->height);
+    plan.notes.emplace_back(text);
+  }
   plan.path_length = contour->path.length();
 
   Solver solver(*contour, moving, planning);
@@ -165,7 +171,7 @@ ContourPlan plan_contour(Contour input, const Machine& given_machine, const Cont
       law = std::move(finer);
   }
 
-  law = with_dwells(std::move(law), *contour);
+  law = with_dwells(std::move(law), *contour, progress, planned);
   check_count(law, machine, planning);
   std::shared_ptr<const Trajectory> trajectory;
   Cycles cycles;
@@ -186,7 +192,7 @@ ContourPlan plan_contour(Contour input, const Machine& given_machine, const Cont
     }
     if (plan.verification.passed || attempt == attempts) break;
     solver.refine();
-    law = with_dwells(solver.solve(progress, bounded, planned), *contour);
+    law = with_dwells(solver.solve(progress, bounded, planned), *contour, progress, planned);
     check_count(law, machine, planning);
   }
   const auto also = [&plan](Check check) {
@@ -197,7 +203,7 @@ ContourPlan plan_contour(Contour input, const Machine& given_machine, const Cont
   for (Check& check : setpoint_checks({*contour, machine, trajectory->law(), *setpoints, judged, served}, progress))
     also(std::move(check));
   also(bound_check(bound, law.duration()));
-  if (!given->rests.empty()) also(rest_check(*given, *contour, trajectory->law()));
+  if (!given->rests.empty()) also(rest_check(*given, *contour, trajectory->law(), progress, served));
   if (blended) also(tube_check(*given, *contour, planning.blend_tolerance, progress, served, 1.0));
 
   plan.iterations = solver.iterations();

@@ -4,7 +4,11 @@
 
 namespace bahnwerk {
 
-MotionLaw with_dwells(MotionLaw law, const Contour& contour) {
+namespace {
+constexpr std::size_t pieces_per_report = 1 << 18;  // some 10 ms
+}
+
+MotionLaw with_dwells(MotionLaw law, const Contour& contour, Progress& progress, double at) {
   if (!(contour.dwell() > 0) || law.pieces().empty()) return law;
   const Path& path = contour.path;
   MotionLaw result;
@@ -18,11 +22,13 @@ MotionLaw with_dwells(MotionLaw law, const Contour& contour) {
       piece.s = piece.s_end = s;
       piece.segment = std::min(before, path.size() - 1);
       result.append(piece);
+      if (result.pieces().size() % pieces_per_report == 0) progress.report("planning", at);
     }
   };
   for (const LawPiece& piece : law.pieces()) {
     rest(piece.segment, piece.s);
     result.append(piece);
+    if (result.pieces().size() % pieces_per_report == 0) progress.report("planning", at);
   }
   rest(path.size(), law.pieces().back().s_end);
   return result;

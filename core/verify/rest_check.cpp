@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/verify/pulse.hpp"
+
 namespace bahnwerk {
 namespace {
 
@@ -17,7 +19,8 @@ Vec begin_of(const Path& path, std::size_t segment) {
 /// The moments at rest of a law, one after the other.
 class Rests {
  public:
-  Rests(const Contour& driven, const MotionLaw& law) : path_(driven.path), law_(law) {}
+  Rests(const Contour& driven, const MotionLaw& law, verify::Pulse& pulse)
+      : path_(driven.path), law_(law), pulse_(pulse) {}
 
   double begin = 0, lasts = 0;  ///< s
   Vec place;                    ///< mm
@@ -25,7 +28,8 @@ class Rests {
   /// False behind the last one.
   bool next() {
     const auto& pieces = law_.pieces();
-    while (next_ < pieces.size() && !(pieces[next_].v == 0)) ++next_;
+    for (; next_ < pieces.size() && !(pieces[next_].v == 0); ++next_) pulse_.work(1);
+    pulse_.work(8);
     if (next_ > pieces.size() || pieces.empty()) return false;
     if (next_ == pieces.size()) {  // the end, which other checks hold to be at rest
       begin = law_.duration();
@@ -40,7 +44,7 @@ class Rests {
     if (first.segment >= path_.size()) return false;
     place = path_[first.segment].at(first.s).value;
     while (next_ < pieces.size() && stands(pieces[next_]) && pieces[next_].s == first.s)
-      lasts += pieces[next_++].duration;
+      lasts += pieces[next_++].duration, pulse_.work(1);
     if (lasts > 0 && next_ == pieces.size()) ++next_;  // it was the end
     if (lasts == 0) ++next_;
     return true;
@@ -51,14 +55,17 @@ class Rests {
 
   const Path& path_;
   const MotionLaw& law_;
+  verify::Pulse& pulse_;
   std::size_t next_ = 0;
 };
 
 }  // namespace
 
-Check rest_check(const Contour& given, const Contour& driven, const MotionLaw& law, double position_tolerance) {
+Check rest_check(const Contour& given, const Contour& driven, const MotionLaw& law, Progress& progress,
+                 double progress_at, double position_tolerance) {
+  verify::Pulse pulse(progress, "verify", progress_at, progress_at);
   Check check{"dwell", "s", rounding * law.duration(), 0, 0, false};
-  Rests at(driven, law);
+  Rests at(driven, law, pulse);
   for (std::size_t i = 0, j = 0; i < given.rests.size(); i = j) {
     double seconds = 0;
     for (j = i; j < given.rests.size() && given.rests[j].segment == given.rests[i].segment; ++j)

@@ -3,6 +3,7 @@
 #include "core/contour/contour.hpp"
 #include "core/motion/law.hpp"
 #include "core/plan.hpp"
+#include "core/progress.hpp"
 
 namespace bahnwerk {
 
@@ -10,7 +11,9 @@ namespace bahnwerk {
 /// the path driven has to be within `position_tolerance` (mm) of the place, and the law to stand there for the sum of
 /// the seconds. `value`, s: by how much the worst rest is too short, infinite where the motion does not rest at all;
 /// `limit`: 16 ε of the law's duration, what adding and slowing dwells may round. `at`: that rest, s. Name "dwell".
-/// Reads geometry, rests and law alone. O(pieces + rests).
-Check rest_check(const Contour& given, const Contour& driven, const MotionLaw& law, double position_tolerance = 1e-6);
+/// Reads geometry, rests and law alone. O(pieces + rests). Progress stays at the fraction `progress_at`; throws what it
+/// throws.
+Check rest_check(const Contour& given, const Contour& driven, const MotionLaw& law, Progress& progress,
+                 double progress_at = 1, double position_tolerance = 1e-6);
 
 }  // namespace bahnwerk

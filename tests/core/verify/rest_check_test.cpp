@@ -36,11 +36,16 @@ MotionLaw law(double begin, double first, double second, double end) {
   return law;
 }
 
+Check rests(const Contour& given, const Contour& driven, const MotionLaw& law) {
+  SilentProgress progress;
+  return rest_check(given, driven, law, progress);
+}
+
 TEST(RestCheck, PassesWhatRestsLongEnough) {
   Contour c = contour();
   c.rests = {{0, 0.5, 0}, {1, 1, 0}, {1, 2, 0}, {2, 0, 0}, {3, 0.25, 0}};
-  EXPECT_TRUE(rest_check(c, c, law(0.5, 3, 0, 0.25)).passed);
-  EXPECT_TRUE(rest_check(c, c, law(0.6, 3.1, 1, 0.25)).passed);
+  EXPECT_TRUE(rests(c, c, law(0.5, 3, 0, 0.25)).passed);
+  EXPECT_TRUE(rests(c, c, law(0.6, 3.1, 1, 0.25)).passed);
   MotionLaw divided;  // in two parts
   rest(divided, 0, 0.5);
   drive(divided, 0);
@@ -49,22 +54,22 @@ TEST(RestCheck, PassesWhatRestsLongEnough) {
   drive(divided, 1);
   drive(divided, 2);
   rest(divided, 3, 0.25);
-  EXPECT_TRUE(rest_check(c, c, divided).passed);
+  EXPECT_TRUE(rests(c, c, divided).passed);
 }
 
 TEST(RestCheck, FindsRestsThatAreTooShort) {
   Contour c = contour();
   c.rests = {{0, 0.5, 0}, {1, 3, 0}, {3, 0.25, 0}};
-  const Check first = rest_check(c, c, law(0.499, 3, 0, 0.25));
+  const Check first = rests(c, c, law(0.499, 3, 0, 0.25));
   EXPECT_FALSE(first.passed);
   EXPECT_NEAR(first.value, 0.001, 1e-12);
   EXPECT_EQ(first.at, 0);
-  const Check middle = rest_check(c, c, law(0.5, 2.9999, 5, 5));
+  const Check middle = rests(c, c, law(0.5, 2.9999, 5, 5));
   EXPECT_FALSE(middle.passed);
   EXPECT_NEAR(middle.value, 0.0001, 1e-12);
   EXPECT_NEAR(middle.at, 2.5, 1e-12);
-  EXPECT_FALSE(rest_check(c, c, law(0.5, 3, 0, 0.2)).passed);
-  EXPECT_FALSE(rest_check(c, c, law(0.5, 3, 0, 0)).passed);
+  EXPECT_FALSE(rests(c, c, law(0.5, 3, 0, 0.2)).passed);
+  EXPECT_FALSE(rests(c, c, law(0.5, 3, 0, 0)).passed);
 }
 
 TEST(RestCheck, FindsStopsThatAreNotMade) {
@@ -73,11 +78,11 @@ TEST(RestCheck, FindsStopsThatAreNotMade) {
   MotionLaw through;  // at 10 mm/s, without a stop
   for (std::size_t i = 0; i < 3; ++i)
     through.append({0, 1, 10.0 * static_cast<double>(i), 10.0 * static_cast<double>(i + 1), 10, 0, 0, i});
-  const Check check = rest_check(c, c, through);
+  const Check check = rests(c, c, through);
   EXPECT_FALSE(check.passed);
   EXPECT_TRUE(std::isinf(check.value));
-  EXPECT_TRUE(rest_check(c, c, law(0, 0, 0, 0)).passed);
-  EXPECT_FALSE(rest_check(c, c, MotionLaw()).passed);
+  EXPECT_TRUE(rests(c, c, law(0, 0, 0, 0)).passed);
+  EXPECT_FALSE(rests(c, c, MotionLaw()).passed);
 }
 
 TEST(RestCheck, TheRestHasToBeAtItsPlace) {
@@ -87,11 +92,11 @@ TEST(RestCheck, TheRestHasToBeAtItsPlace) {
   aside.line({10, 1e-5, 0});
   aside.line({20, 0, 0});
   aside.line({30, 0, 0});
-  EXPECT_FALSE(rest_check(given, aside.finish(), law(0, 1, 0, 0)).passed);
-  EXPECT_FALSE(rest_check(given, given, law(0, 0, 1, 0)).passed);
+  EXPECT_FALSE(rests(given, aside.finish(), law(0, 1, 0, 0)).passed);
+  EXPECT_FALSE(rests(given, given, law(0, 0, 1, 0)).passed);
   given.rests = {{2, 1, 0}, {2, 1, 0}};
-  EXPECT_FALSE(rest_check(given, given, law(0, 2, 1, 0)).passed);
-  EXPECT_TRUE(rest_check(given, given, law(0, 2, 2, 0)).passed);
+  EXPECT_FALSE(rests(given, given, law(0, 2, 1, 0)).passed);
+  EXPECT_TRUE(rests(given, given, law(0, 2, 2, 0)).passed);
 }
 
 }  // namespace
