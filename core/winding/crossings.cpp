@@ -14,20 +14,17 @@ struct Extent {
   std::size_t edge = 0;
 };
 
-Extent extent(const Edge& edge, std::size_t index) {
-  // An arc reaches over its chord by its rise at most, or is part of its circle.
-  const bool wide = std::abs(edge.turn) > std::numbers::pi;
-  const double rise = edge.straight() ? 0 : wide ? 2 * edge.radius : edge.radius * (1 - std::cos(edge.turn / 2));
-  const Point a = edge.from, b = edge.to, more{rise + touch, rise + touch};
-  return {Point{std::min(a.x, b.x), std::min(a.y, b.y)} - more, Point{std::max(a.x, b.x), std::max(a.y, b.y)} + more,
-          index};
+std::vector<Box> boxes_of(std::span<const Edge> edges) {
+  std::vector<Box> boxes;
+  for (const Edge& edge : edges) boxes.push_back(extent(edge, touch));
+  return boxes;
 }
 
-/// Calls `visit(i, k)`, i < k, for edges whose extents overlap, until it returns false.
+/// Calls `visit(i, k)`, i < k, for boxes that overlap, until it returns false.
 template <class Visit>
-void each_close_pair(std::span<const Edge> edges, Visit visit) {
+void each_close_pair(std::span<const Box> boxes, Visit visit) {
   std::vector<Extent> extents;
-  for (std::size_t i = 0; i < edges.size(); ++i) extents.push_back(extent(edges[i], i));
+  for (std::size_t i = 0; i < boxes.size(); ++i) extents.push_back({boxes[i].low, boxes[i].high, i});
   std::sort(extents.begin(), extents.end(), [](const Extent& a, const Extent& b) {
     return a.low.x < b.low.x || (a.low.x == b.low.x && a.edge < b.edge);
   });
@@ -48,17 +45,19 @@ bool touches(const Edge& a, const Edge& b) {
 }  // namespace
 
 void each_meeting(std::span<const Edge> edges,
-                  const std::function<void(std::size_t, std::size_t, const Meeting&)>& visit) {
-  each_close_pair(edges, [&](std::size_t i, std::size_t k) {
-    for (const Meeting& meeting : meetings(edges[i], edges[k])) visit(i, k, meeting);
-    return true;
-  });
+                  const std::function<void(std::size_t, std::size_t, const Meeting&)>& visit,
+                  std::span<const Box> boxes) {
+  each_close_pair(boxes.empty() ? boxes_of(edges) : std::vector<Box>(boxes.begin(), boxes.end()),
+                  [&](std::size_t i, std::size_t k) {
+                    for (const Meeting& meeting : meetings(edges[i], edges[k])) visit(i, k, meeting);
+                    return true;
+                  });
 }
 
 std::optional<std::pair<std::size_t, std::size_t>> self_contact(std::span<const Edge> loop) {
   std::optional<std::pair<std::size_t, std::size_t>> found;
   const std::size_t n = loop.size();
-  each_close_pair(loop, [&](std::size_t i, std::size_t k) {
+  each_close_pair(boxes_of(loop), [&](std::size_t i, std::size_t k) {
     const bool neighbours = k == i + 1 || (i == 0 && k + 1 == n);
     if (!neighbours && touches(loop[i], loop[k])) found = {i, k};
     return !found;

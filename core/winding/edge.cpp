@@ -124,6 +124,15 @@ Edge arc_between(Point centre, Point from, Point to, bool counterclockwise) {
   return {from, to, centre, distance(centre, from), turn};
 }
 
+Box extent(const Edge& edge, double more) {
+  // An arc reaches over its chord by its rise at most, or is part of its circle.
+  const bool wide = std::abs(edge.turn) > std::numbers::pi;
+  const double rise = edge.straight() ? 0 : wide ? 2 * edge.radius : edge.radius * (1 - std::cos(edge.turn / 2));
+  const Point a = edge.from, b = edge.to, around{rise + more, rise + more};
+  return {Point{std::min(a.x, b.x), std::min(a.y, b.y)} - around,
+          Point{std::max(a.x, b.x), std::max(a.y, b.y)} + around};
+}
+
 std::vector<Meeting> meetings(const Edge& a, const Edge& b) {
   std::vector<Meeting> found;
   for (const Point& p : carriers_meet(a, b)) {

@@ -6,6 +6,10 @@
 
 namespace bahnwerk::winding {
 
+struct Box {
+  Point low, high;
+};
+
 struct Edge {
   Point from, to;
   Point centre;       ///< of an arc
@@ -29,6 +33,9 @@ Edge line(Point from, Point to);
 Edge arc(Point centre, double radius, double start, double turn);
 /// The arc about `centre` from one point to another on its circle, at most one turn.
 Edge arc_between(Point centre, Point from, Point to, bool counterclockwise);
+
+/// A box that holds the edge and `more` mm around it; about arcs it may be larger.
+Box extent(const Edge& edge, double more);
 
 /// Where two edges meet, as fractions of each; lines that overlap meet nowhere. At most two.
 struct Meeting {

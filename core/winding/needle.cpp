@@ -26,8 +26,9 @@ double share(std::size_t wires, const Region& room, double radius) {
 
 NeedleLayout needle(const LayingRegions& regions, double radius, Point tie_in, Progress& progress) {
   NeedleLayout layouts;
-  std::array<Sites, 4> sites{Sites(regions.at[0].room, radius), Sites(regions.at[1].room, radius),
-                             Sites(regions.at[2].room, radius), Sites(regions.at[3].room, radius)};
+  std::array<Sites, 4> sites{Sites(regions.at[0].room, radius, &progress), Sites(regions.at[1].room, radius, &progress),
+                             Sites(regions.at[2].room, radius, &progress),
+                             Sites(regions.at[3].room, radius, &progress)};
   Point pull = tie_in;
   for (;;) {
     progress.report("laying", share(layouts[0].wires.size(), regions.at[0].room, radius));
@@ -57,7 +58,7 @@ std::vector<Point> turn_pulls(const LayingRegions& regions, const Layout& layout
 
 Layout needle(const Region& room, double radius, Point pull, Progress& progress) {
   Layout layout;
-  Sites sites(room, radius);
+  Sites sites(room, radius, &progress);
   while (const std::optional<Point> place = sites.nearest(pull)) {
     progress.report("laying", share(layout.wires.size(), room, radius));
     sites.lay(*place);

@@ -28,7 +28,7 @@ Extent extent(const Box& box, Point origin, Point along) {
 
 Layout orthocyclic(const Region& room, double radius, Point pull, double angle, Progress& progress) {
   Layout layout;
-  Sites sites(room, radius);
+  Sites sites(room, radius, &progress);
   const std::optional<Point> first = sites.nearest(pull);
   if (!first) return layout;
   const double pitch = 2 * radius;

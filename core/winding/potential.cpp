@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
+#include "core/winding/margin.hpp"
 #include "core/winding/packing/search.hpp"
 
 namespace bahnwerk::winding {
 namespace {
 
-constexpr double slack = 1e-9;       // mm
+constexpr double slack = verify_margin;
 constexpr double unit_work = 5.5e8;  // Squeeze::work spent on one number of wires at effort 1
 
 void demand(double radius, const PotentialOptions& options) {
@@ -25,29 +25,6 @@ std::uint64_t work_of(const PotentialOptions& options, double share) {
 /// Few wires have few ways to lie; more tries would find the same again.
 std::size_t tries_of(const PotentialOptions& options, double share, std::size_t count) {
   return static_cast<std::size_t>(share * options.effort * (300 + 60.0 * static_cast<double>(count))) + 8;
-}
-
-/// Wires in a room that is a point or hardly more once they are in it: Region drops
-/// what has less than about 1e-9 mm².
-std::vector<Point> wedged(const Region& room, double radius, double overlap) {
-  std::vector<Point> wires;
-  const Region loose = room.inward(radius - 1e-4);
-  for (const Edge& edge : loose.edges()) {
-    Point p = edge.from;
-    double depth = room.distance(p);
-    for (double step = 1e-4; step > 1e-12; step /= 2)
-      for (int i = 0; i < 16; ++i) {
-        const double angle = i * (std::numbers::pi / 8);
-        const Point q = p + step * Point{std::cos(angle), std::sin(angle)};
-        if (const double d = room.distance(q); d > depth) {
-          depth = d;
-          p = q;
-        }
-      }
-    wires.push_back(p);
-    if (!packed(room, radius, overlap, wires)) wires.pop_back();
-  }
-  return wires;
 }
 
 }  // namespace
@@ -66,7 +43,7 @@ std::optional<std::vector<Point>> pack(const Region& room, double radius, std::s
                                        std::span<const std::vector<Point>> hints, const PotentialOptions& options,
                                        Progress& progress) {
   demand(radius, options);
-  const CentreRoom centres(room, radius);
+  const CentreRoom centres(room, radius, progress);
   PackingSearch search(centres, 2 * radius - options.overlap, options.seed, progress);
   auto found = search.find(count, hints, work_of(options, 4), tries_of(options, 4, count));
   if (found && !packed(room, radius, options.overlap, *found)) found.reset();
@@ -80,11 +57,8 @@ std::vector<Point> potential(const Region& room, double radius, std::span<const 
   for (const std::vector<Point>& hint : hints)
     if (hint.size() > best.size() && packed(room, radius, options.overlap, hint)) best = hint;
   progress.report("potential", 0);
-  const CentreRoom centres(room, radius);
-  if (centres.empty()) {
-    std::vector<Point> wires = wedged(room, radius, options.overlap);
-    return wires.size() > best.size() ? wires : best;
-  }
+  const CentreRoom centres(room, radius, progress);
+  if (centres.empty()) return best;
   const double least = 2 * radius - options.overlap;
   PackingSearch search(centres, least, options.seed, progress);
   const auto take = [&](std::vector<Point> wires) {

@@ -23,7 +23,7 @@ std::optional<Point> lowest_at(double x, const Sites& sites, const Box& box) {
 
 Layout raabe(const Region& room, double radius, Progress& progress, int shifts) {
   Layout best;
-  const Sites empty(room, radius);
+  const Sites empty(room, radius, &progress);
   Sites search = empty;
   const std::optional<Point> initial = search.least(up);
   if (!initial) return best;

@@ -55,26 +55,29 @@ Region::Region(std::vector<Edge> edges) : edges_(std::move(edges)) {
     const bool back = dot(before.direction(1), after.direction(0)) < 0;
     corner_[i] = std::abs(turn) > 1e-9 ? (turn > 0 ? 1 : -1) : back ? cusp(before, after) : 0;
   }
+  tree_ = EdgeTree(edges_);
   if (n == 0) box_ = {};
 }
 
 Region::Nearest Region::nearest(Point p) const {
   double best = std::numeric_limits<double>::max(), where = 0;
   std::size_t which = 0;
-  for (std::size_t i = 0; i < edges_.size(); ++i) {
-    const Edge& edge = edges_[i];
-    // An arc is no nearer than its circle.
-    if (!edge.straight()) {
-      const double gap = winding::distance(p, edge.centre) - edge.radius;
-      if (gap * gap > best) continue;
+  tree_.near(p, best, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const Edge& edge = edges_[i];
+      // An arc is no nearer than its circle.
+      if (!edge.straight()) {
+        const double gap = winding::distance(p, edge.centre) - edge.radius;
+        if (gap * gap > best) continue;
+      }
+      const double f = edge.nearest(p), d = square_distance(edge.at(f), p);
+      if (d < best || (d == best && i < which)) {
+        best = d;
+        where = f;
+        which = i;
+      }
     }
-    const double f = edge.nearest(p), d = square_distance(edge.at(f), p);
-    if (d < best) {
-      best = d;
-      where = f;
-      which = i;
-    }
-  }
+  });
   const Edge& edge = edges_[which];
   Nearest found{std::sqrt(best), edge.at(where), left_of(edge.direction(where)), which};
   const Point d = p - found.at;

@@ -11,8 +11,10 @@
 namespace bahnwerk::winding {
 namespace {
 
-constexpr double joint = 1e-6;  // mm, ends this close are one
-constexpr double crumb = 1e-9;  // mm, shorter parts are rounding
+constexpr double joint = 1e-6;         // mm, ends this close are one
+constexpr double crumb = 1e-9;         // mm, shorter parts are rounding
+constexpr double reach_margin = 1e-8;  // mm, what lacks no more is not given up before it is cut
+constexpr Box nowhere{{1e300, 1e300}, {-1e300, -1e300}};
 
 /// The parts into which meetings cut every edge.
 std::vector<Edge> split(const std::vector<Edge>& edges, const std::vector<std::vector<double>>& cuts) {
@@ -83,16 +85,59 @@ std::vector<Edge> Region::parallels(double depth) const {
   return edges;
 }
 
-Region Region::inward(double depth) const {
+double Region::first_reached(const Edge& parallel, double depth) const {
+  double from = 0;
+  for (int step = 0; step < 100 && from < 1; ++step) {
+    const Nearest nearest = this->nearest(parallel.at(from));
+    if (nearest.distance >= depth - reach_margin) return from;
+    // What is too near to one straight edge is an interval: the distance from a convex set is convex along a line.
+    const Edge& edge = edges_[nearest.edge];
+    if (!edge.straight() || nearest.distance < 0) return from;
+    const auto near = [&](double f) {
+      const Point p = parallel.at(f);
+      return winding::distance(edge.at(edge.nearest(p)), p) < depth - reach_margin;
+    };
+    if (near(1)) return 1;
+    double last = from, beyond = 1;
+    for (int k = 0; k < 50; ++k) {
+      const double middle = (last + beyond) / 2;
+      (near(middle) ? last : beyond) = middle;
+    }
+    if (last <= from) return from;
+    from = last;
+  }
+  return from;
+}
+
+std::vector<Box> Region::reached(const std::vector<Edge>& parallels, double depth, Progress* progress) const {
+  std::vector<Box> boxes;
+  for (const Edge& edge : parallels) {
+    if (progress && boxes.size() % 64 == 0) progress->report("parallels", 0);
+    double first = 0, last = 1;
+    if (depth > 0 && edge.straight()) {
+      first = first_reached(edge, depth);
+      last = first < 1 ? 1 - first_reached(edge.reversed(), depth) : 0;
+    }
+    boxes.push_back(first < 1 ? extent(edge.part(first, std::max(first, last)), reach_margin) : nowhere);
+  }
+  return boxes;
+}
+
+Region Region::inward(double depth, Progress* progress) const {
   if (depth == 0 || empty()) return *this;
   const std::vector<Edge> edges = parallels(depth);
   std::vector<std::vector<double>> cuts(edges.size());
-  each_meeting(edges, [&](std::size_t i, std::size_t k, const Meeting& m) {
+  const auto cut = [&](std::size_t i, std::size_t k, const Meeting& m) {
     cuts[i].push_back(m.first);
     cuts[k].push_back(m.second);
-  });
+  };
+  each_meeting(edges, cut, edges.size() < many_edges ? std::vector<Box>{} : reached(edges, depth, progress));
   std::vector<Edge> parts = split(edges, cuts);
-  std::erase_if(parts, [&](const Edge& part) { return std::abs(distance(part.at(0.5)) - depth) > 1e-9; });
+  std::size_t seen = 0;
+  std::erase_if(parts, [&](const Edge& part) {
+    if (progress && ++seen % 512 == 0) progress->report("parallels", 0);
+    return std::abs(distance(part.at(0.5)) - depth) > 1e-9;
+  });
   return Region(joined(std::move(parts)));
 }
 

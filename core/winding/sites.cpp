@@ -4,12 +4,13 @@
 #include <cmath>
 #include <limits>
 
-#include "core/winding/crossings.hpp"
+#include "core/winding/centre_borders.hpp"
+#include "core/winding/margin.hpp"
 
 namespace bahnwerk::winding {
 namespace {
 
-constexpr double slack = 5e-10;    // mm that a place may lack
+constexpr double slack = fit_margin;
 constexpr double on_edge = 1e-10;  // mm by which a point may miss the edge it belongs to
 constexpr double equal = 1e-9;     // mm, costs closer than this are the same
 
@@ -37,47 +38,10 @@ void at_reach(const Edge& edge, Point centre, double reach, Found found) {
     if (distance(edge.at(edge.nearest(p)), p) <= on_edge) found(p);
 }
 
-/// The pieces of the room's parallels that keep `radius` from the whole boundary, and their crossings. Unlike the
-/// boundary of inward(radius) they include a room that is exactly as wide as one wire.
-struct Borders {
-  std::vector<Edge> pieces;
-  std::vector<Point> corners;
-};
-Borders borders_of(const Region& room, double radius) {
-  const std::vector<Edge> edges = room.parallels(radius);
-  Borders found;
-  const auto inside = [&](Point p) { return room.distance(p) >= radius - slack; };
-  const auto corner = [&](Point p) {
-    if (inside(p)) found.corners.push_back(p);
-  };
-  // An arc with the wire's own radius shrinks to its centre.
-  for (const Edge& edge : room.edges())
-    if (!edge.straight() && edge.turn > 0 && std::abs(edge.radius - radius) <= slack) corner(edge.centre);
-  std::vector<std::vector<double>> cuts(edges.size(), {0, 1});
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    corner(edges[i].from);  // where edges join all but smoothly, their crossing may get lost in rounding
-    corner(edges[i].to);
-  }
-  each_meeting(edges, [&](std::size_t i, std::size_t k, const Meeting& m) {
-    corner(edges[i].at(m.first));
-    cuts[i].push_back(m.first);
-    cuts[k].push_back(m.second);
-  });
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    std::sort(cuts[i].begin(), cuts[i].end());
-    for (std::size_t k = 1; k < cuts[i].size(); ++k) {
-      const double from = cuts[i][k - 1], to = cuts[i][k];
-      if ((to - from) * edges[i].length() > slack && inside(edges[i].at((from + to) / 2)))
-        found.pieces.push_back(edges[i].part(from, to));
-    }
-  }
-  return found;
-}
-
 }  // namespace
 
-Sites::Sites(const Region& room, double radius) : room_(room), radius_(radius), apart_(2 * radius) {
-  Borders found = borders_of(room, radius);
+Sites::Sites(const Region& room, double radius, Progress* progress) : room_(room), radius_(radius), apart_(2 * radius) {
+  CentreBorders found = centre_borders(room, radius, progress);
   borders_ = std::move(found.pieces);
   corners_ = std::move(found.corners);
   const Point size = room.box().high - room.box().low;

@@ -21,8 +21,8 @@ namespace bahnwerk::winding {
 
 class Sites {
  public:
-  /// `radius` of the wires, mm, > 0.
-  Sites(const Region& room, double radius);
+  /// `radius` of the wires, mm, > 0. Reports fraction 0 to `progress`, if there is one.
+  Sites(const Region& room, double radius, Progress* progress = nullptr);
 
   /// A wire lies at `centre` from now on; it need not be free.
   void lay(Point centre);

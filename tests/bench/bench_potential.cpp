@@ -54,11 +54,11 @@ void minimisation(benchmark::State& state) {
   const Region room = stator_room();
   const auto count = static_cast<std::size_t>(state.range(0));
   const double radius = std::sqrt(0.86 * room.area() / (static_cast<double>(count) * std::numbers::pi));
-  const CentreRoom centres(room, radius);
+  SilentProgress progress;
+  const CentreRoom centres(room, radius, progress);
   const std::vector<Point> places = centres.spread(radius / 3);
   Random random(1);
   Minimiser minimiser;
-  SilentProgress progress;
   for (auto _ : state) {
     state.PauseTiming();
     Squeeze squeeze(centres, 2 * radius);

@@ -4,30 +4,41 @@
 #include <cmath>
 #include <limits>
 
+#include "core/winding/centre_borders.hpp"
+
 namespace bahnwerk::winding {
 namespace {
 
 constexpr double cells = 4096;
+constexpr double on_line = 1e-10;  // mm, a point this near to a line lies on it
 
 }  // namespace
 
-CentreRoom::CentreRoom(const Region& room, double radius) : region_(room.inward(radius)) {
-  // A wire that just fits leaves a point or a line, which rounding may lose.
-  if (region_.empty()) region_ = room.inward(radius - 5e-10);
-  if (region_.empty()) return;
-  const std::span<const Edge> edges = region_.edges();
-  const std::size_t n = edges.size();
-  const auto corner = [&](std::size_t i) { return region_.juts_at(i) ? -1 : region_.recedes_at(i) ? 1 : 0; };
+CentreRoom::CentreRoom(const Region& room, double radius, Progress& progress)
+    : region_(room.inward(radius, &progress)) {
+  progress.report("potential", 0);
+  const CentreBorders fits = exact_fits(centre_borders(room, radius, &progress), region_, &progress);
+  edges_.assign(region_.edges().begin(), region_.edges().end());
+  edges_.insert(edges_.end(), fits.pieces.begin(), fits.pieces.end());
+  for (const Point corner : fits.corners) edges_.push_back(line(corner, corner));
+  if (edges_.empty()) return;
+  const std::size_t n = edges_.size(), areas = region_.edges().size();
+  box_ = areas > 0 ? region_.box() : extent(edges_.front(), 0);
   pieces_.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
-    const Edge& edge = edges[i];
+    const Edge& edge = edges_[i];
+    if (i >= areas) {
+      const Box more = extent(edge, 0);
+      box_.low = {std::min(box_.low.x, more.low.x), std::min(box_.low.y, more.low.y)};
+      box_.high = {std::max(box_.high.x, more.high.x), std::max(box_.high.y, more.high.y)};
+    }
     Piece& piece = pieces_[i];
+    piece.thin = i >= areas;
     piece.from = edge.from;
     piece.to = edge.to;
-    piece.corner_from = corner(i);
     if (edge.straight()) {
       piece.length = edge.length();
-      piece.along = (1 / piece.length) * (edge.to - edge.from);
+      piece.along = piece.length > 0 ? (1 / piece.length) * (edge.to - edge.from) : Point{1, 0};
       continue;
     }
     piece.centre = edge.centre;
@@ -36,10 +47,12 @@ CentreRoom::CentreRoom(const Region& room, double radius) : region_(room.inward(
     piece.over_half = std::abs(edge.turn) > 3.141592653589793;
     if (std::abs(edge.turn) >= 6.283185307179586 - 1e-12) piece.to = piece.from;
   }
-  for (std::size_t i = 0; i < n; ++i) pieces_[region_.before(i)].corner_to = pieces_[i].corner_from;
+  for (std::size_t i = 0; i < areas; ++i)
+    pieces_[i].corner_from = region_.juts_at(i) ? -1 : region_.recedes_at(i) ? 1 : 0;
+  for (std::size_t i = 0; i < areas; ++i) pieces_[region_.before(i)].corner_to = pieces_[i].corner_from;
 
   // A margin outside, as wires are pushed out while they are squeezed.
-  const Box& box = region_.box();
+  const Box& box = box_;
   const double margin = 0.5 * radius;
   const double width = box.high.x - box.low.x + 2 * margin, height = box.high.y - box.low.y + 2 * margin;
   low_ = {box.low.x - margin, box.low.y - margin};
@@ -53,8 +66,9 @@ CentreRoom::CentreRoom(const Region& room, double radius) : region_(room.inward(
   std::vector<std::uint32_t> all(n);
   for (std::size_t i = 0; i < n; ++i) all[i] = static_cast<std::uint32_t>(i);
   const double reach = cell * std::sqrt(0.5) * (1 + 1e-9);
-  for (int row = 0; row < rows; ++row)
+  for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns_; ++column) {
+      if (n > 100 || column == 0) progress.report("potential", 0);
       const Point middle = low_ + Point{(column + 0.5) * cell, (row + 0.5) * cell};
       const Hit hit = nearest(middle, all);
       const double least = std::sqrt(hit.square);
@@ -65,6 +79,7 @@ CentreRoom::CentreRoom(const Region& room, double radius) : region_(room.inward(
             among_.push_back(static_cast<std::uint32_t>(i));
       first_.push_back(static_cast<std::uint32_t>(among_.size()));
     }
+  }
 }
 
 CentreRoom::Hit CentreRoom::nearest(Point p, std::span<const std::uint32_t> among) const {
@@ -104,7 +119,7 @@ CentreRoom::Hit CentreRoom::nearest(Point p, std::span<const std::uint32_t> amon
     const double square = square_distance(p, at);
     if (square >= best.square) continue;
     const int corner = end == 1 ? piece.corner_from : end == 2 ? piece.corner_to : 0;
-    best = {square, at, corner != 0 ? corner < 0 : inside};
+    best = {square, at, piece.thin ? square <= on_line * on_line : corner != 0 ? corner < 0 : inside};
   }
   return best;
 }
@@ -117,11 +132,11 @@ Point CentreRoom::way_in(Point p, std::size_t cell) const {
 std::vector<Point> CentreRoom::spread(double pitch) const {
   std::vector<Point> points;
   if (empty()) return points;
-  const Box& box = region_.box();
+  const Box& box = box_;
   for (double y = box.low.y + pitch / 2; y < box.high.y; y += pitch)
     for (double x = box.low.x + pitch / 2; x < box.high.x; x += pitch)
       if (holds({x, y})) points.push_back({x, y});
-  for (const Edge& edge : region_.edges()) {
+  for (const Edge& edge : edges_) {
     const int parts = std::max(1, static_cast<int>(std::ceil(edge.length() / pitch)));
     for (int i = 0; i < parts; ++i) points.push_back(edge.at(static_cast<double>(i) / parts));
   }

@@ -7,17 +7,22 @@
 #include <span>
 #include <vector>
 
+#include "core/progress.hpp"
 #include "core/winding/region.hpp"
 
 namespace bahnwerk::winding {
 
 class CentreRoom {
  public:
-  /// All points of `room` at least `radius` away from its boundary. O((edges of room)²) and 4096 distances.
-  CentreRoom(const Region& room, double radius);
+  /// All points of `room` at least `radius` away from its boundary: areas, and the lines and points that exact fits
+  /// leave. O((edges of room)²) and 4096 distances. Reports stage "potential".
+  CentreRoom(const Region& room, double radius, Progress& progress);
 
-  bool empty() const { return region_.empty(); }
-  const Region& region() const { return region_; }
+  bool empty() const { return edges_.empty(); }
+  const Region& region() const { return region_; }  ///< the areas
+  const Box& box() const { return box_; }
+  /// What bounds the areas, and the lines of exact fits; a point is a line without length.
+  std::span<const Edge> edges() const { return edges_; }
   /// The way from `p` to the nearest point where a centre may lie; nothing if `p` is one itself. Its squared length is
   /// differentiable in the corners of the room, which the distance from the nearest wall is not.
   Point way_in(Point p) const {
@@ -36,6 +41,7 @@ class CentreRoom {
     double radius = 0, length = 0;
     double side = 0;  ///< of an arc: +1 the room is inside its circle, −1 outside
     bool over_half = false;
+    bool thin = false;                   ///< bounds no area: an exact fit
     int corner_from = 0, corner_to = 0;  ///< −1: juts into the room, +1: does not, 0: smooth
   };
   struct Hit {
@@ -47,6 +53,8 @@ class CentreRoom {
   Point way_in(Point p, std::size_t cell) const;
 
   Region region_;
+  std::vector<Edge> edges_;
+  Box box_;
   std::vector<Piece> pieces_;
   Point low_;
   double per_cell_ = 1, last_column_ = 0, last_row_ = 0;

@@ -16,10 +16,10 @@ constexpr std::size_t elite = 4;  // starts from which hops go on
 PackingSearch::PackingSearch(const CentreRoom& room, double distance, std::uint64_t seed, Progress& progress)
     : room_(room), squeeze_(room, distance), random_(seed), progress_(progress) {
   if (room.empty()) return;
-  sides_ = winding::sides(room.region(), 1.5 * distance);
+  sides_ = winding::sides(room.edges(), 1.5 * distance);
   // Points in cells a distance wide, for the holes between wires.
   std::vector<Point> points = room.spread(distance / 4);
-  const Box& box = room.region().box();
+  const Box& box = room.box();
   low_ = box.low;
   side_ = distance;
   columns_ = static_cast<std::size_t>((box.high.x - low_.x) / side_) + 1;

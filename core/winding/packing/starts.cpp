@@ -70,15 +70,15 @@ Rows anywhere(const Box& box, double distance, double stretch, Random& random) {
 
 std::vector<Point> points_of(const Rows& rows, const CentreRoom& room) {
   std::vector<Point> points;
-  each_point(rows, room.region().box(), [&](Point p) {
+  each_point(rows, room.box(), [&](Point p) {
     if (settle(room, p)) points.push_back(p);
   });
   return points;
 }
 
-std::vector<Side> sides(const Region& room, double least) {
+std::vector<Side> sides(std::span<const Edge> edges, double least) {
   std::vector<Side> found;
-  for (const Edge& edge : room.edges()) {
+  for (const Edge& edge : edges) {
     const double chord = distance(edge.from, edge.to);
     if (chord < least) continue;
     const Point along = unit(edge.to - edge.from);
@@ -94,7 +94,7 @@ std::vector<Point> random_rows(const CentreRoom& room, const std::vector<Side>& 
   std::vector<Rows> grains;
   std::vector<Side> anchors;
   if (sides.empty() || kind < 0.2) {
-    grains.push_back(anywhere(room.region().box(), distance, stretch, random));
+    grains.push_back(anywhere(room.box(), distance, stretch, random));
   } else {
     const std::size_t number = sides.size() > 1 && kind > 0.55 ? 2 : 1;
     for (std::size_t i = 0; i < number; ++i) {
@@ -114,7 +114,7 @@ std::vector<Point> random_rows(const CentreRoom& room, const std::vector<Side>& 
       Rows rows = grains[g];
       rows.pitch *= scale;
       rows.height *= scale;
-      each_point(rows, room.region().box(), [&](Point p) {
+      each_point(rows, room.box(), [&](Point p) {
         if (grains.size() == 2) {
           const double a = dot(p - anchors[0].at, anchors[0].inwards), b = dot(p - anchors[1].at, anchors[1].inwards);
           if ((a < b + border) != (g == 0)) return;
@@ -141,7 +141,7 @@ std::vector<Point> best_rows(const CentreRoom& room, const std::vector<Side>& si
     const double stretch = i % 2 == 0 ? 1.0 : random.uniform(1, 1.4142135623730951);
     Rows rows;
     if (sides.empty() || i % 4 == 3) {
-      rows = anywhere(room.region().box(), distance, stretch, random);
+      rows = anywhere(room.box(), distance, stretch, random);
     } else {
       rows = along_side(sides[(i / 4) % sides.size()], distance, stretch, false, random);
     }

@@ -16,12 +16,12 @@ struct Rows {
 /// All points of `rows` where a centre may lie.
 std::vector<Point> points_of(const Rows& rows, const CentreRoom& room);
 
-/// Directions of the room's sides at least `least` long, by their chords, with a point of each.
+/// Directions of the edges at least `least` long, by their chords, with a point of each.
 struct Side {
   Point at, along, inwards;
   double length = 0;
 };
-std::vector<Side> sides(const Region& room, double least);
+std::vector<Side> sides(std::span<const Edge> edges, double least);
 
 /// Random layouts of about as many wires as fit at `distance`: rows along a random side, rows along two sides that
 /// meet halfway between them, or rows in any direction, squeezed to a smaller pitch until there are `count` of them.

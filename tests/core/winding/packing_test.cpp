@@ -21,7 +21,7 @@ TEST(CentreRoom, AgreesWithTheExactRegion) {
   const Region rooms[] = {stator_room(), circle(), polygon({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}}), gon(60)};
   for (const Region& room : rooms) {
     const double radius = 0.2;
-    const CentreRoom centres(room, radius);
+    const CentreRoom centres(room, radius, silent);
     const Box& b = room.box();
     int inside = 0;
     for (int i = 0; i < 4000; ++i) {
@@ -47,7 +47,7 @@ TEST(Squeeze, EnergyAndForcesAgreeWithAllPairs) {
   Random random(3);
   const Region room = stator_room();
   const double radius = 0.35, least = 0.69;
-  const CentreRoom centres(room, radius);
+  const CentreRoom centres(room, radius, silent);
   for (const std::size_t n : {2u, 30u, 200u}) {
     Squeeze squeeze(centres, least);
     std::vector<Point> wires(n), gradient(n), unused(n);
@@ -79,7 +79,7 @@ TEST(Squeeze, EnergyAndForcesAgreeWithAllPairs) {
 
 TEST(Minimiser, EndsWhereForcesBalance) {
   Random random(5);
-  const CentreRoom centres(square(), 0.1);
+  const CentreRoom centres(square(), 0.1, silent);
   for (int round = 0; round < 20; ++round) {
     Squeeze squeeze(centres, 0.2);
     std::vector<Point> wires(33), gradient(33);
@@ -97,8 +97,8 @@ TEST(Minimiser, EndsWhereForcesBalance) {
 TEST(Rows, KeepTheirDistanceInTheRoom) {
   Random random(11);
   const Region room = stator_room();
-  const CentreRoom centres(room, 0.4);
-  const auto found = best_rows(centres, sides(centres.region(), 1), 0.8, 300, random);
+  const CentreRoom centres(room, 0.4, silent);
+  const auto found = best_rows(centres, sides(centres.edges(), 1), 0.8, 300, random);
   EXPECT_GE(found.size(), 90u);
   EXPECT_TRUE(packed(room, 0.4, 0, found));
 }

@@ -29,7 +29,11 @@ double rule(const Wire& wire) { return 0.5 * wire.tolerance * wire.radius(); }
 class FourStarts {
  public:
   FourStarts(const Region& slot, const Wire& wire, Random& random)
-      : slot_(slot), wire_(wire), random_(random), room_(slot, wire.radius()), squeeze_(room_, 2 * wire.radius()) {
+      : slot_(slot),
+        wire_(wire),
+        random_(random),
+        room_(slot, wire.radius(), silent_),
+        squeeze_(room_, 2 * wire.radius()) {
     places_ = room_.spread(wire.radius() / 4);
   }
   std::size_t most() {
@@ -69,6 +73,7 @@ class FourStarts {
   const Region& slot_;
   Wire wire_;
   Random& random_;
+  SilentProgress silent_;
   CentreRoom room_;
   Squeeze squeeze_;
   Minimiser minimiser_;
