@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
+
+#include "core/winding/margin.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -11,7 +14,7 @@ namespace {
 using winding::Edge;
 using winding::Point;
 
-constexpr double rounding = 1e-9;  // mm
+constexpr double rounding = winding::verify_margin;
 
 /// Angle of the direction from `p` to the edge's end, less that to its begin; arcs in steps of half a degree: a point
 /// between an arc and its chord is far too near to the boundary anyway.
@@ -55,14 +58,39 @@ double beyond(const winding::Region& room, Point p, double radius) {
   return radius - (inside ? nearest : -nearest);
 }
 
-double deepest_overlap(std::span<const Point> wires, double radius) {
-  double least = 1e300;
-  for (std::size_t i = 0; i < wires.size(); ++i)
-    for (std::size_t k = 0; k < i; ++k) {
-      const double dx = wires[i].x - wires[k].x, dy = wires[i].y - wires[k].y;
-      least = std::min(least, dx * dx + dy * dy);
-    }
-  return 2 * radius - std::sqrt(least);
+/// Asks `progress` once in a while.
+class Breath {
+ public:
+  Breath(Progress& progress, double from, double to) : progress_(progress), from_(from), to_(to) {}
+  /// `share` of the whole is done, `work` comparisons since the last call.
+  void take(double share, std::size_t work) {
+    work_ += work;
+    if (work_ < 65536) return;
+    work_ = 0;
+    progress_.report("verification", from_ + (to_ - from_) * share);
+  }
+
+ private:
+  Progress& progress_;
+  double from_, to_;
+  std::size_t work_ = 65536;
+};
+
+/// 2 · radius less the least distance of two wires, or as little as that there are none within 2 · radius along x.
+/// A NaN is passed on.
+double deepest_overlap(std::span<const Point> wires, double radius, double share, Breath& breath) {
+  std::vector<Point> sorted(wires.begin(), wires.end());
+  for (const Point& p : sorted)
+    if (std::isnan(p.x) || std::isnan(p.y)) return std::numeric_limits<double>::quiet_NaN();
+  std::sort(sorted.begin(), sorted.end(), [](const Point& a, const Point& b) { return a.x < b.x; });
+  double least = 2 * radius;
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    std::size_t k = i + 1;
+    for (; k < sorted.size() && sorted[k].x - sorted[i].x < least; ++k)
+      least = std::min(least, std::hypot(sorted[k].x - sorted[i].x, sorted[k].y - sorted[i].y));
+    breath.take(share, k - i);
+  }
+  return 2 * radius - least;
 }
 
 void raise(Check& check, double value, double at) {
@@ -85,23 +113,33 @@ Verification judge_layouts(const winding::Region& room, std::span<const JudgedLa
     verdict.checks.push_back({name, unit, limit, -1e300, 0, true});
     return verdict.checks.back();
   };
-  double done = 0;
-  for (const JudgedLayout& layout : layouts) {
-    const double share = done++ / static_cast<double>(layouts.size());
-    progress.report("judging", progress_from + (progress_to - progress_from) * share);
+  Breath breath(progress, progress_from, progress_to);
+  double beyond_bound = -1e300, at_bound = 0;
+  for (std::size_t i = 0; i < layouts.size(); ++i) {
+    const JudgedLayout& layout = layouts[i];
+    const double share = static_cast<double>(i) / static_cast<double>(layouts.size());
+    const std::string name = layout.algorithm + (layout.region.empty() ? "" : ", " + layout.region);
+    const winding::Region& where = layout.room ? *layout.room : room;
     double outside = -1e300;
     for (const Point& p : layout.wires) {
-      const double over = beyond(room, p, layout.radius);
+      breath.take(share, 16 * where.edges().size());
+      const double over = beyond(where, p, layout.radius);
       if (over > outside || std::isnan(over)) outside = over;
     }
-    const double overlap = layout.wires.size() < 2 ? -layout.overlap : deepest_overlap(layout.wires, layout.radius);
-    raise(check("overlap beyond what is allowed " + layout.algorithm, "mm", rounding), overlap - layout.overlap,
+    const double overlap =
+        layout.wires.size() < 2 ? -layout.overlap : deepest_overlap(layout.wires, layout.radius, share, breath);
+    raise(check("overlap beyond what is allowed " + name, "mm", rounding), overlap - layout.overlap, layout.copper);
+    raise(check("overlap with the boundary " + name, "mm", rounding), layout.wires.empty() ? 0 : outside,
           layout.copper);
-    raise(check("overlap with the boundary " + layout.algorithm, "mm", rounding), layout.wires.empty() ? 0 : outside,
-          layout.copper);
-    raise(check("count beyond the bound " + layout.algorithm, "1", 0),
-          static_cast<double>(layout.wires.size()) - static_cast<double>(layout.bound), layout.copper);
+    const auto count = static_cast<double>(layout.wires.size());
+    if (layout.room) {
+      raise(check("wires missing " + name, "1", 0), std::abs(static_cast<double>(layout.count) - count), layout.copper);
+    } else if (count - static_cast<double>(layout.bound) > beyond_bound) {
+      beyond_bound = count - static_cast<double>(layout.bound);
+      at_bound = layout.copper;
+    }
   }
+  if (!layouts.empty()) raise(check("bound", "1", 0), beyond_bound, at_bound);
   verdict.passed = std::all_of(verdict.checks.begin(), verdict.checks.end(), [](const Check& c) { return c.passed; });
   return verdict;
 }

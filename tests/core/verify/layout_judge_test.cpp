@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/numeric/random.hpp"
 #include "core/winding/slot.hpp"
 
 namespace bahnwerk {
@@ -61,6 +62,46 @@ TEST(LayoutJudge, AgreesWithTheRegionAboutClearances) {
       const double beyond = judge(slot.room, 0.6, {{x, y}}).checks[1].value;
       EXPECT_NEAR(beyond, 0.6 - slot.room.distance({x, y}), 1e-9) << x << ' ' << y;
     }
+}
+
+TEST(LayoutJudge, LooksAtEveryRegionInItsOwnRoom) {
+  const Region head({winding::line({0, 0}, {9, 0}), winding::line({9, 0}, {9, 9}), winding::line({9, 9}, {0, 9}),
+                     winding::line({0, 9}, {0, 0})});
+  const auto verdict = [&](const std::vector<Point>& first, const std::vector<Point>& second) {
+    JudgedLayout layouts[] = {{"any", 0.9, 1, 0, first, 9}, {"any", 0.9, 1, 0, second, 9}};
+    layouts[1].region = "head";
+    layouts[1].room = &head;
+    layouts[1].count = first.size();
+    SilentProgress silent;
+    return judge_layouts(square(), layouts, silent, 0, 1);
+  };
+  EXPECT_TRUE(verdict({{1, 1}, {3, 1}}, {{8, 8}, {6, 8}}).passed);
+  EXPECT_FALSE(verdict({{1, 1}, {3, 1}}, {{8.1, 8}, {6, 8}}).passed) << "in the head's wall";
+  EXPECT_FALSE(verdict({{1, 1}, {3, 1}}, {{8, 8}, {6.1, 8}}).passed) << "an overlap in the head";
+  const Verification missing = verdict({{1, 1}, {3, 1}}, {{8, 8}});
+  EXPECT_FALSE(missing.passed);
+  for (const Check& check : missing.checks) EXPECT_EQ(check.passed, check.name != "wires missing any, head");
+}
+
+TEST(LayoutJudge, CountAboveTheBoundFailsTheCheckOfThatName) {
+  const Verification verdict = judge(square(), 0.5, {{1, 1}, {3, 3}}, 0, 1);
+  ASSERT_EQ(verdict.checks.back().name, "bound");
+  EXPECT_FALSE(verdict.checks.back().passed);
+  EXPECT_EQ(verdict.checks.back().value, 1);
+}
+
+TEST(LayoutJudge, FindsTheDeepestOverlapOfAllPairs) {
+  Random random(3);
+  for (int k = 0; k < 50; ++k) {
+    std::vector<Point> wires;
+    double least = 2;
+    for (std::size_t i = 0; i < 30; ++i) {
+      wires.push_back({random.uniform(-20, 20), random.uniform(-20, 20)});
+      for (std::size_t j = 0; j < i; ++j)
+        least = std::min(least, std::hypot(wires[i].x - wires[j].x, wires[i].y - wires[j].y));
+    }
+    EXPECT_NEAR(judge(square(), 1, wires).checks[0].value, 2 - least, 1e-15);
+  }
 }
 
 TEST(LayoutJudge, JudgesAnEmptyLayout) { EXPECT_TRUE(judge(square(), 3, {}).passed); }
