@@ -11,8 +11,11 @@ std::string layout_drawing(const winding::Slot& slot, const FilledLayout& filled
   char title[120];
   std::snprintf(title, sizeof title, "%s, %.3g mm: %zu wires, %.1f %% copper", name(filled.algorithm),
                 filled.wire.copper, filled.count(), 100 * filled.electrical);
-  return slot_drawing(
-      slot, {title, filled.wire.radius(), filled.wire.copper, filled.layout.wires, filled.producible.slipping()});
+  winding::DrawnWires drawn{title, filled.wire.radius(), filled.wire.copper, filled.layout.wires,
+                            filled.producible.slipping()};
+  for (const auto& each : filled.blocked)
+    if (each.part == winding::Obstruction::Part::channel && !each.back) drawn.unreached = each.wire;
+  return slot_drawing(slot, drawn);
 }
 
 std::string fill_factor_chart(const FillPlan& plan, const std::string& title) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "core/errors.hpp"
 #include "core/numeric/random.hpp"
 #include "core/progress_part.hpp"
 #include "core/verify/layout_judge.hpp"
@@ -18,6 +19,14 @@ using winding::Algorithm;
 using winding::Layout;
 using winding::Region;
 using winding::Wire;
+
+winding::LayingRegions regions_of(const FillRequest& request) {
+  winding::LayingRegions regions = std::holds_alternative<winding::StatorHeads>(request.heads)
+                                       ? laying_regions(request.slot, std::get<winding::StatorHeads>(request.heads))
+                                       : laying_regions(request.slot, std::get<winding::RotorHeads>(request.heads));
+  if (!request.back.empty()) regions.at[2].room = request.back;
+  return regions;
+}
 
 /// The slot in which layouts are made, nominal or with its walls moved outwards by `wall` mm.
 class Filler {
@@ -40,7 +49,7 @@ class Filler {
         options.overlap = overlap;
         options.seed = request_.seed;
         options.effort = request_.effort;
-        options.most = winding::most_wires(slot_.room, radius, 2 * radius - overlap);
+        options.most = winding::most_wires(slot_.room, radius, 2 * radius - overlap, &progress);
         Layout layout{winding::potential(slot_.room, radius, hints, options, progress), {}};
         nearest_first(layout.wires);
         return layout;
@@ -66,22 +75,13 @@ class Filler {
   Layout needle(double radius, std::vector<Layout>& regions, Progress& progress) const {
     if (std::holds_alternative<std::monostate>(request_.heads))
       return winding::needle(slot_.room, radius, request_.tie_in, progress);
-    const winding::Slot& nominal = request_.slot;
-    winding::LayingRegions at = std::holds_alternative<winding::StatorHeads>(request_.heads)
-                                    ? laying_regions(nominal, std::get<winding::StatorHeads>(request_.heads))
-                                    : laying_regions(nominal, std::get<winding::RotorHeads>(request_.heads));
+    winding::LayingRegions at = regions_of(request_);
     for (winding::LayingRegion& region : at.at) region.room = region.room.inward(-wall_);
     winding::NeedleLayout laid = winding::needle(at, radius, request_.tie_in, progress);
     regions.assign(std::make_move_iterator(laid.begin() + 1), std::make_move_iterator(laid.end()));
     return std::move(laid[0]);
   }
 };
-
-/// By [Herrmann 4.2.3] two wires may share half of what their diameters may be too large.
-double allowed_overlap(const FillRequest& request, Algorithm algorithm, const Wire& wire) {
-  if (algorithm != Algorithm::potential) return 0;
-  return request.overlap_tolerance.value_or(0.5 * wire.tolerance) * wire.radius();
-}
 
 /// A wire and a slot as they may turn out.
 struct Sample {
@@ -115,10 +115,35 @@ std::vector<std::size_t> sampled_counts(const FillRequest& request, Algorithm al
   return counts;
 }
 
+/// What of wire and needle does not pass, in the slot and in the coil's other one.
+std::vector<FilledLayout::Blocked> blocked(const FillRequest& request, const FilledLayout& filled, Progress& progress) {
+  std::vector<FilledLayout::Blocked> found;
+  if (!request.slot.opening || filled.count() == 0) return found;
+  const winding::Opening& opening = *request.slot.opening;
+  const double radius = filled.wire.radius();
+  for (const winding::Obstruction& each : opening_obstructions(opening, radius, request.needle))
+    found.push_back({each, false});
+  // Beside a rotor's coil the needle has all the room between the poles.
+  if (!request.needle || !found.empty() || request.slot.type == winding::Slot::Type::rotor) return found;
+  const auto channel = [&](const Region& room, winding::Needle needle, const Layout& layout, bool back) {
+    ProgressPart last(progress, "needle access", 1, 1);
+    const auto wire = first_out_of_reach(room, opening, needle, radius, request.producible.touch, layout.wires, last);
+    if (wire) found.push_back({{winding::Obstruction::Part::channel, 0, 0, *wire}, back});
+  };
+  channel(request.slot.room, *request.needle, filled.layout, false);
+  if (filled.regions.empty()) return found;
+  winding::Needle other = *request.needle;
+  if (other.stand == winding::Needle::Stand::left) other.stand = winding::Needle::Stand::right;
+  channel(request.back.empty() ? request.slot.room : request.back, other, filled.regions[1], true);
+  return found;
+}
+
 void report(const FillRequest& request, FilledLayout& filled, Progress& progress) {
   const double radius = filled.wire.radius();
-  filled.bound = winding::most_wires(request.slot.room, radius, 2 * radius - filled.overlap);
-  filled.electrical = electrical_fill(filled.count(), filled.wire, request.slot.iron.area());
+  progress.report("bound", 0);
+  filled.bound = winding::most_wires(request.slot.room, radius, 2 * radius - filled.overlap, &progress);
+  progress.report("bound", 0);
+  filled.electrical = electrical_fill(request.sides * filled.count(), filled.wire, request.slot.iron.area());
   filled.mechanical = mechanical_fill(filled.count(), filled.wire, request.slot.room.area());
   filled.overlaps = winding::overlaps(filled.layout.wires, radius);
   filled.turns = winding::turns(filled.count(), request.serial, request.parallel);
@@ -130,6 +155,33 @@ void report(const FillRequest& request, FilledLayout& filled, Progress& progress
         turn_pulls(laying_regions(request.slot, std::get<winding::RotorHeads>(request.heads)), filled.layout);
   filled.producible =
       winding::producible(request.slot.room, radius, filled.layout, request.tie_in, request.producible, progress);
+  filled.blocked = blocked(request, filled, progress);
+}
+
+std::string most_places(const FillPlan& plan) {
+  std::size_t most = 0;
+  for (const FilledLayout& filled : plan.layouts) most = std::max(most, filled.count());
+  return "the largest has " + std::to_string(most) + " wires";
+}
+
+/// All layouts in all regions.
+Verification verified(const FillRequest& request, const FillPlan& plan, Progress& progress, double from) {
+  winding::LayingRegions at;
+  if (!std::holds_alternative<std::monostate>(request.heads)) at = regions_of(request);
+  std::vector<JudgedLayout> judged;
+  for (const FilledLayout& filled : plan.layouts) {
+    JudgedLayout each{name(filled.algorithm), filled.wire.copper,  filled.wire.radius(),
+                      filled.overlap,         filled.layout.wires, filled.bound};
+    judged.push_back(each);
+    for (std::size_t k = 0; k < filled.regions.size(); ++k) {
+      each.region = region_name(k);
+      each.room = &at.at[k + 1].room;
+      each.wires = filled.regions[k].wires;
+      each.count = filled.count();
+      judged.push_back(each);
+    }
+  }
+  return judge_layouts(request.slot.room, judged, progress, from, 1);
 }
 
 /// Relative time of an algorithm.
@@ -153,9 +205,20 @@ const char* name(Algorithm algorithm) {
   return "needle";
 }
 
+/// By [Herrmann 4.2.3] two wires may share half of what their diameters may be too large.
+double allowed_overlap(const FillRequest& request, Algorithm algorithm, const Wire& wire) {
+  if (algorithm != Algorithm::potential) return 0;
+  return request.overlap_tolerance.value_or(0.5 * wire.tolerance) * wire.radius();
+}
+
+const char* region_name(std::size_t region) {
+  static constexpr const char* names[] = {"head_bottom", "slot_back", "head_top"};
+  return names[region];
+}
+
 FillPlan plan_fill(const FillRequest& request, Progress& progress) {
   FillPlan plan;
-  constexpr double judging = 0.98;  // where the judge begins
+  constexpr double judging = 0.98;  // where verification begins
   // The search goes last of a wire's algorithms: the layouts of the others are its hints.
   std::vector<std::size_t> order(request.algorithms.size());
   double total = 0, done = 0;
@@ -192,11 +255,10 @@ FillPlan plan_fill(const FillRequest& request, Progress& progress) {
       filled.sampled = sampled_counts(request, filled.algorithm, wire, drawn, rest);
     }
   }
-  std::vector<JudgedLayout> judged;
-  for (const FilledLayout& filled : plan.layouts)
-    judged.push_back({name(filled.algorithm), filled.wire.copper, filled.wire.radius(), filled.overlap,
-                      filled.layout.wires, filled.bound});
-  plan.verification = judge_layouts(request.slot.room, judged, progress, judging, 1);
+  if ((request.serial || request.parallel) &&
+      std::none_of(plan.layouts.begin(), plan.layouts.end(), [](const FilledLayout& l) { return l.turns.fits; }))
+    throw Infeasible("no layout takes the turns asked for: " + most_places(plan));
+  plan.verification = verified(request, plan, progress, judging);
   const auto better = [&](std::size_t a, std::size_t b) {
     return plan.layouts[a].electrical > plan.layouts[b].electrical;
   };

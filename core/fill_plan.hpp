@@ -1,6 +1,6 @@
 #pragma once
-/// From a slot to its layouts: every wire by every algorithm, checked by the independent judge, with a proven bound on
-/// the count.
+/// From a slot to its layouts: every wire by every algorithm, checked by the independent verifier, with a proven bound
+/// on the count.
 #include <cstdint>
 #include <optional>
 #include <variant>
@@ -8,6 +8,7 @@
 
 #include "core/plan.hpp"
 #include "core/progress.hpp"
+#include "core/winding/access.hpp"
 #include "core/winding/fill.hpp"
 #include "core/winding/layout.hpp"
 #include "core/winding/needle.hpp"
@@ -38,6 +39,10 @@ struct FillRequest {
   std::optional<std::size_t> serial, parallel;
   double temperature = 20;  ///< °C
   winding::ProducibleOptions producible;
+  std::optional<winding::Needle> needle;  ///< needs a channel; none: only the wire must pass the opening
+  /// Where the coil's wires go in its other slot; empty: in the same room. See core/winding/coil_sides.hpp.
+  winding::Region back;
+  std::size_t sides = 1;  ///< coil sides that share the slot's area, all with as many wires
   FillSampling sampling;
 };
 
@@ -51,11 +56,17 @@ struct FilledLayout {
   double electrical = 0, mechanical = 0;
   winding::Overlaps overlaps;
   winding::Producible producible;
+  /// What does not pass opening or slot; `back` of those in the coil's other slot.
+  struct Blocked : winding::Obstruction {
+    bool back = false;
+  };
+  std::vector<Blocked> blocked;
   winding::Turns turns;
   double resistance = 0;             ///< Ω/m of the coil's conductor
   std::vector<std::size_t> sampled;  ///< counts of the samples
 
   std::size_t count() const { return layout.wires.size(); }
+  bool can_be_wound() const { return producible.producible() && blocked.empty(); }
 };
 
 struct FillPlan {
@@ -65,10 +76,15 @@ struct FillPlan {
   Verification verification;
 };
 
-/// Same request, same bits. Throws Stopped. Cost: that of the algorithms, see their headers; the judge is quadratic in
-/// the wires of a layout.
+/// Same request, same bits. Throws Stopped; Infeasible if turns are asked for and no layout takes them. Cost: that of
+/// the algorithms, see their headers; verification is quadratic in the wires of a layout.
 FillPlan plan_fill(const FillRequest& request, Progress& progress);
 
+/// By how much two wires of a layout may be nearer than their diameter, mm [Herrmann 4.2.3].
+double allowed_overlap(const FillRequest& request, winding::Algorithm algorithm, const winding::Wire& wire);
+
 const char* name(winding::Algorithm algorithm);
+/// Of FilledLayout::regions.
+const char* region_name(std::size_t region);
 
 }  // namespace bahnwerk

@@ -54,6 +54,20 @@ ordered_json producible(const winding::Producible& verdict) {
           {"unsupported", verdict.unsupported.size()}};
 }
 
+/// What of wire and needle does not pass.
+ordered_json blocked(const FilledLayout& filled) {
+  ordered_json list = ordered_json::array();
+  for (const auto& each : filled.blocked) {
+    if (each.part == winding::Obstruction::Part::channel) {
+      list.push_back({{"part", "channel"}, {"wire", each.wire + 1}, {"region", each.back ? "slot_back" : "slot"}});
+    } else {
+      const bool wire = each.part == winding::Obstruction::Part::wire;
+      list.push_back({{"part", wire ? "wire" : "needle"}, {"needed", each.needed}, {"clear", each.clear}});
+    }
+  }
+  return list;
+}
+
 ordered_json spread(const FilledLayout& filled) {
   std::map<std::size_t, std::size_t> often;
   double sum = 0;
@@ -81,32 +95,35 @@ ordered_json layout(const FilledLayout& filled, double slot_area) {
                       {"allowed_overlap", filled.overlap},
                       {"max_overlap", filled.overlaps.deepest},
                       {"total_overlap_area", filled.overlaps.area},
-                      {"producible", filled.producible.producible()},
+                      {"producible", filled.can_be_wound()},
+                      {"blocked_by", blocked(filled)},
                       {"slips", producible(filled.producible)},
                       {"turns",
                        {{"serial", turns.serial},
                         {"parallel", turns.parallel},
                         {"wires", turns.wires},
-                        {"loss", turns.loss},
+                        {"loss", turns.fits ? ordered_json(turns.loss) : ordered_json(nullptr)},
+                        {"fits", turns.fits},
                         {"electrical_fill", electrical_fill(turns.wires, filled.wire, slot_area)}}},
                       {"resistance_per_metre", filled.resistance},
                       {"positions", points(filled.layout.wires)}};
   if (!filled.layout.pulls.empty()) out["pulls"] = points(filled.layout.pulls);
   if (!filled.regions.empty()) {
-    static constexpr const char* names[] = {"head_bottom", "slot_back", "head_top"};
     ordered_json regions = ordered_json::object();
     for (std::size_t k = 0; k < filled.regions.size(); ++k)
-      regions[names[k]] = {{"positions", points(filled.regions[k].wires)}, {"pulls", points(filled.regions[k].pulls)}};
+      regions[region_name(k)] = {{"positions", points(filled.regions[k].wires)},
+                                 {"pulls", points(filled.regions[k].pulls)}};
     out["regions"] = std::move(regions);
   }
   if (!filled.sampled.empty()) out["robustness"] = spread(filled);
   return out;
 }
 
-ordered_json drawings(const FillRequest& request, const FillPlan& plan) {
+ordered_json drawings(const FillRequest& request, const FillPlan& plan, Progress& progress) {
   ordered_json out = ordered_json::object();
   for (const std::size_t best : plan.best) {
     const FilledLayout& filled = plan.layouts[best];
+    progress.report("drawing", 1);
     out[std::string(name(filled.algorithm)) + ".svg"] = layout_drawing(request.slot, filled);
   }
   if (request.wires.size() > 1) out["fill_factors.svg"] = fill_factor_chart(plan, "Fill factors of the slot");
@@ -119,14 +136,15 @@ ordered_json summary(const FilledLayout& filled) {
           {"count", filled.count()},
           {"electrical_fill", filled.electrical},
           {"mechanical_fill", filled.mechanical},
-          {"producible", filled.producible.producible()}};
+          {"producible", filled.can_be_wound()}};
 }
 
-/// The best of those that can be wound.
+/// The best of those that can be wound and take the turns asked for.
 ordered_json best_producible(const FillPlan& plan) {
   const FilledLayout* best = nullptr;
   for (const FilledLayout& filled : plan.layouts)
-    if (filled.producible.producible() && filled.count() > 0 && (!best || filled.electrical > best->electrical))
+    if (filled.can_be_wound() && filled.count() > 0 && filled.turns.fits &&
+        (!best || filled.electrical > best->electrical))
       best = &filled;
   return best ? summary(*best) : ordered_json(nullptr);
 }
@@ -146,18 +164,21 @@ PlannedJob plan(const json& spec, Progress& progress) {
   const FillRequest asked = request(spec);
   const FillPlan plan = plan_fill(asked, progress);
   const FilledLayout& top = plan.layouts[plan.top];
-  const double area = asked.slot.iron.area();
+  const double area = asked.slot.iron.area();  // of all coil sides
   ordered_json layouts = ordered_json::array(), best = ordered_json::array();
-  for (const FilledLayout& filled : plan.layouts) layouts.push_back(layout(filled, area));
+  for (const FilledLayout& filled : plan.layouts) {
+    progress.report("writing", 1);
+    layouts.push_back(layout(filled, area / static_cast<double>(asked.sides)));
+  }
   for (const std::size_t i : plan.best) best.push_back(summary(plan.layouts[i]));
-  ordered_json details = {{"slot",
-                           {{"area", area},
-                            {"room_area", asked.slot.room.area()},
-                            {"outline", outline(asked.slot.iron)},
-                            {"room", outline(asked.slot.room)}}},
-                          {"best", std::move(best)},
-                          {"layouts", std::move(layouts)}};
-  if (spec.value("drawings", true)) details["drawings"] = drawings(asked, plan);
+  ordered_json slot = {{"area", area},
+                       {"room_area", asked.slot.room.area()},
+                       {"outline", outline(asked.slot.iron)},
+                       {"room", outline(asked.slot.room)}};
+  if (asked.slot.opening) slot["clear_opening"] = asked.slot.opening->clear;
+  if (!asked.slot.taken.empty()) slot["taken"] = outline(asked.slot.taken);
+  ordered_json details = {{"slot", std::move(slot)}, {"best", std::move(best)}, {"layouts", std::move(layouts)}};
+  if (spec.value("drawings", true)) details["drawings"] = drawings(asked, plan, progress);
   PlannedJob job;
   job.verified = plan.verification.passed;
   ordered_json short_form = summary(top);

@@ -8,6 +8,7 @@
 
 #include "api/kinds/fill_factor.hpp"
 #include "core/errors.hpp"
+#include "core/winding/coil_sides.hpp"
 #include "core/winding/count_bound.hpp"
 
 namespace bahnwerk::api::fill_factor {
@@ -54,6 +55,7 @@ winding::PolygonSlot polygon(const json& s) {
   for (const auto& p : s["points"]) slot.points.push_back(point(p));
   slot.liner = s.value("liner", 0.0);
   slot.corner_radius = s.value("corner_radius", 0.0);
+  if (s.contains("opening")) slot.opening = {point(s["opening"][0]), point(s["opening"][1])};
   return slot;
 }
 
@@ -149,21 +151,56 @@ void read_heads(const json& spec, FillRequest& request, std::vector<InputFault>&
     faults.push_back({{"heads"}, "a polygon has no winding heads: tie_in draws all its wires"});
 }
 
-/// Wires that do not fit at all, and more than anybody winds.
-void check_sizes(const FillRequest& request, bool listed, std::vector<InputFault>& faults) {
-  std::size_t most = 0;
-  for (std::size_t i = 0; i < request.wires.size(); ++i) {
-    const double r = request.wires[i].radius();
-    const std::size_t bound = winding::most_wires(request.slot.room, r, 2 * r);
-    most = std::max(most, bound);
-    if (bound <= most_wires) continue;
-    const std::vector<std::string> place =
-        listed ? std::vector<std::string>{"wires", std::to_string(i)} : std::vector<std::string>{"wire_range", "least"};
-    faults.push_back({place, "is too thin for this slot: up to " + std::to_string(bound) + " wires, at most " +
-                                 std::to_string(most_wires) + " are computed"});
-    return;
+/// Room for one of two coil sides, and the needle that lays it.
+void read_sides(const json& spec, FillRequest& request, std::vector<InputFault>& faults) {
+  const bool two = spec.value("coil_sides", 1) == 2;
+  const auto* stator = std::get_if<winding::StatorHeads>(&request.heads);
+  const auto how = stator && stator->span > 1 ? winding::Sharing::layers : winding::Sharing::beside;
+  if (two && request.slot.type != winding::Slot::Type::rotor) {
+    winding::SharedSlot half = shared(request.slot, how);
+    request.slot = std::move(half.slot);
+    request.back = std::move(half.back);
+    request.sides = 2;
   }
-  if (most == 0 && !request.wires.empty()) faults.push_back({{"wires"}, "none of the wires fits into the slot"});
+  const auto width = given<double>(spec, "needle_width");
+  if (!width) return;
+  if (!request.slot.opening) faults.push_back({{"needle_width"}, "needs the opening of the polygon, slot.opening"});
+  const bool beside = two && how == winding::Sharing::beside && request.slot.type != winding::Slot::Type::rotor;
+  request.needle = winding::Needle{*width, beside ? winding::Needle::Stand::left : winding::Needle::Stand::middle};
+}
+
+/// Wires that do not fit at all, more than anybody winds, turns that no layout can take. By the thinnest wire: the
+/// thicker the fewer.
+void check_sizes(const FillRequest& request, bool listed, std::vector<InputFault>& faults) {
+  const auto thinnest =
+      std::min_element(request.wires.begin(), request.wires.end(),
+                       [](const winding::Wire& a, const winding::Wire& b) { return a.outer < b.outer; });
+  if (thinnest == request.wires.end()) return;
+  const double r = thinnest->radius();
+  const std::size_t bound = winding::most_wires(request.slot.room, r, 2 * r);
+  if (bound == 0) faults.push_back({{"wires"}, "none of the wires fits into the slot"});
+  if (bound > most_wires) {
+    const std::string index = std::to_string(thinnest - request.wires.begin());
+    const std::vector<std::string> place =
+        listed ? std::vector<std::string>{"wires", index} : std::vector<std::string>{"wire_range", "least"};
+    faults.push_back({place, "is too thin for this slot: the bound is " + short_number(static_cast<double>(bound)) +
+                                 " wires, at most " + std::to_string(most_wires) + " are computed"});
+  }
+  if (bound == 0 || bound > most_wires || !(request.serial || request.parallel)) return;
+  // Layout potential may overlap wires, by different shares of their radii.
+  std::size_t most = bound;
+  if (std::find(request.algorithms.begin(), request.algorithms.end(), winding::Algorithm::potential) !=
+      request.algorithms.end())
+    for (const winding::Wire& wire : request.wires) {
+      const double overlap = allowed_overlap(request, winding::Algorithm::potential, wire);
+      if (wire.outer - overlap > 2 * r) continue;  // takes no more than the thinnest without overlap
+      most = std::max(most, winding::most_wires(request.slot.room, wire.radius(), wire.outer - overlap));
+    }
+  const std::size_t needed = request.serial.value_or(1) * request.parallel.value_or(1);
+  if (needed > most)
+    faults.push_back({{"turns"},
+                      "need " + std::to_string(needed) + " places; the slot has no more than " + std::to_string(most) +
+                          ", by a proven bound"});
 }
 
 }  // namespace
@@ -180,6 +217,7 @@ FillRequest request(const json& spec) {
   request.shifts = spec.value("shifts", 4);
   request.tie_in = spec.contains("tie_in") ? point(spec["tie_in"]) : request.slot.pull;
   read_heads(spec, request, faults);
+  read_sides(spec, request, faults);
   const json turns = spec.value("turns", json::object());
   request.serial = given<std::size_t>(turns, "serial");
   request.parallel = given<std::size_t>(turns, "parallel");

@@ -43,15 +43,16 @@ Overlaps overlaps(std::span<const Point> wires, double radius) {
 Turns turns(std::size_t count, std::optional<std::size_t> serial, std::optional<std::size_t> parallel) {
   Turns t;
   if (serial && parallel) {
-    t = {*serial, *parallel, 0, 0};
+    t = {*serial, *parallel};
   } else if (serial) {
-    t = {*serial, count / *serial, 0, 0};
+    t = {*serial, count / *serial};
   } else {
-    t = {count / parallel.value_or(1), parallel.value_or(1), 0, 0};
+    t = {count / parallel.value_or(1), parallel.value_or(1)};
   }
   t.wires = t.serial * t.parallel;
-  if (t.wires > count) t.wires = 0;
-  t.loss = count == 0 ? 0 : 1 - static_cast<double>(t.wires) / static_cast<double>(count);
+  t.fits = t.wires > 0 && t.wires <= count;
+  if (!t.fits) t.wires = 0;
+  t.loss = t.fits ? 1 - static_cast<double>(t.wires) / static_cast<double>(count) : 0;
   return t;
 }
 

@@ -26,7 +26,8 @@ Overlaps overlaps(std::span<const Point> wires, double radius);  ///< O(n log n)
 struct Turns {
   std::size_t serial = 0, parallel = 0;
   std::size_t wires = 0;  ///< places used, 0 if the coil does not fit
-  double loss = 0;        ///< share of the places that stay empty
+  double loss = 0;        ///< share of the places that stay empty; 0 if the coil does not fit
+  bool fits = false;      ///< whether the layout takes the coil: at least one turn, all of its wires
 };
 /// What is not given becomes as large as `count` places allow; with neither, one wire in parallel.
 Turns turns(std::size_t count, std::optional<std::size_t> serial, std::optional<std::size_t> parallel);

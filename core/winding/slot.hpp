@@ -3,6 +3,8 @@
 /// and 4.2]; docs/methods/fill_factor.md draws both and says how unclear parameters are read. Coordinates: origin in
 /// the middle of the base (stator) or in the corner at the inner radius (rotor), y from the base into the room. Lengths
 /// mm, angles rad.
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "core/winding/region.hpp"
@@ -43,14 +45,26 @@ struct RotorSlot {
 struct PolygonSlot {
   std::vector<Point> points;
   double liner = 0;
-  double corner_radius = 0;  ///< of convex corners
+  double corner_radius = 0;                          ///< of convex corners
+  std::optional<std::array<Point, 2>> opening = {};  ///< its ends, on the outline
+};
+
+/// Where wires and needle get in.
+struct Opening {
+  Point middle;
+  Point into{0, -1};  ///< unit vector
+  double clear = 0;   ///< width between the tooth tips, mm
+  double cover = 0;   ///< of the tooth tips on the inside: the liner's thickness, mm
 };
 
 struct Slot {
   enum class Type { stator, rotor, polygon };
   Type type = Type::polygon;
-  Region iron;  ///< the slot as punched
-  Region room;  ///< what wires may fill
+  Region iron;                     ///< the slot as punched
+  Region room;                     ///< what wires may fill
+  std::optional<Opening> opening;  ///< of a polygon only if it is given
+  Region wedge;                    ///< as it is drawn; room leaves it out
+  Region taken;                    ///< where another coil side lies already; empty: nowhere
   /// Where the winding head pulls a wire from: [Herrmann 4.2.1] uses (−4, −4) mm for the stator.
   Point pull;
   Point flank_pull;  ///< the same for layers that begin at a flank: (−4, 0) mm there

@@ -1,14 +1,14 @@
 #include <algorithm>
-#include <array>
+#include <cmath>
 
 #include "core/winding/drawing.hpp"
+#include "core/winding/legend.hpp"
 #include "core/winding/svg.hpp"
 
 namespace bahnwerk::winding {
 namespace {
 
 constexpr double margin = 24, title_height = 34;  // px
-constexpr std::array layer_colours{"#e9c46a", "#8ab17d", "#7fb3d5", "#e8a07c", "#b39ddb", "#9fd3c7"};
 
 /// Millimetres to pixels, y upwards.
 struct Frame {
@@ -66,37 +66,82 @@ std::vector<int> layers(const Region& room, double radius, std::span<const Point
   return layer;
 }
 
-std::string slot_drawing(const Slot& slot, const DrawnWires& drawn) {
+namespace {
+
+std::string filled(const Region& region, const Frame& frame, const char* fill, const char* stroke, const char* width) {
+  if (region.empty()) return {};
+  return "<path" + svg::attribute("d", outline(region, frame)) + svg::attribute("fill", fill) +
+         svg::attribute("stroke", stroke) + svg::attribute("stroke-width", width) + "/>\n";
+}
+
+/// The opening between the tooth tips, and these.
+std::string opening(const Slot& slot, const Frame& frame) {
+  if (!slot.opening) return {};
+  const Opening& o = *slot.opening;
+  const Point along = left_of(o.into), half = 0.5 * o.clear * along;
+  std::string out =
+      svg::segment(frame(o.middle - half), frame(o.middle + half),
+                   std::string("stroke=\"") + look::opening + "\" stroke-width=\"2\" stroke-dasharray=\"5 3\"");
+  if (slot.type != Slot::Type::stator) return out;
+  double wide = 0;  // of the slot at its tooth tips
+  for (const Edge& edge : slot.iron.edges())
+    for (const Point p : {edge.from, edge.to})
+      if (std::abs(dot(p - o.middle, o.into)) < 1e-6) wide = std::max(wide, std::abs(dot(p - o.middle, along)));
+  const std::string thick = std::string("stroke=\"") + look::outline + "\" stroke-width=\"5\"";
+  for (const double side : {-1.0, 1.0})
+    if (wide > o.clear / 2)
+      out += svg::segment(frame(o.middle + side * half), frame(o.middle + (side * wide) * along), thick);
+  return out;
+}
+
+std::string ring(Point at, double radius, const char* colour) {
+  return svg::circle(at, radius, std::string("stroke=\"") + colour + "\" stroke-width=\"2\" fill=\"none\"");
+}
+
+}  // namespace
+
+std::string slot_drawing(const Slot& slot, const DrawnWires& wires) {
+  DrawnWires drawn = wires;
   const Box& box = slot.iron.box();
   const double wide = box.high.x - box.low.x, high = box.high.y - box.low.y;
   const Frame frame{box, std::min(640 / wide, 760 / high)};
-  const double width = std::max(2 * margin + frame.scale * wide, 420.0);
-  std::string out = svg::open(width, 2 * margin + title_height + frame.scale * high);
-  out += svg::text({margin, margin + 4}, drawn.title, "fill=\"#20242a\"");
-  out += "<path d=\"" + outline(slot.iron, frame) + "\" fill=\"#e6e9ed\" stroke=\"#4a525c\" stroke-width=\"1.6\"/>\n";
-  out += "<path d=\"" + outline(slot.room, frame) + "\" fill=\"#ffffff\" stroke=\"#8a919b\" stroke-width=\"1\"/>\n";
   const std::vector<int> layer = layers(slot.room, drawn.radius, drawn.wires);
   const double size = std::min(0.75 * frame.scale * drawn.radius, 13.0);
+  drawn.numbered = size > 5;
+  const bool layerless = std::find(layer.begin(), layer.end(), -1) != layer.end();
+  const double beside = 2 * margin + frame.scale * wide;
+  const Legend key = legend(slot, drawn, layerless, {beside, margin + title_height + 12}, frame.scale);
+  std::string out = svg::open(std::max(beside + legend_width, 480.0),
+                              2 * margin + title_height + std::max(frame.scale * high, key.height));
+  out += svg::text({margin, margin + 4}, drawn.title, "fill=\"#20242a\"");
+  out += filled(slot.iron, frame, look::liner, look::outline, "1.6");
+  out += filled(slot.taken, frame, look::taken, "#8a919b", "1");
+  out += filled(slot.room, frame, "#ffffff", "#8a919b", "1");
+  out += filled(slot.wedge, frame, look::wedge, "#8a919b", "1");
+  out += opening(slot, frame);
   for (std::size_t i = 0; i < drawn.wires.size(); ++i) {
     const Point at = frame(drawn.wires[i]);
     const std::string colour =
-        layer[i] < 0 ? "#d5d9de" : layer_colours[static_cast<std::size_t>(layer[i]) % layer_colours.size()];
-    out += svg::circle(at, frame.scale * drawn.radius, "fill=\"#7a4a21\" fill-opacity=\"0.35\"");
+        layer[i] < 0 ? look::nowhere : look::layers[static_cast<std::size_t>(layer[i]) % look::layer_count];
+    out +=
+        svg::circle(at, frame.scale * drawn.radius, std::string("fill=\"") + look::enamel + "\" fill-opacity=\"0.35\"");
     out += svg::circle(at, frame.scale * drawn.copper / 2,
-                       "fill=\"" + colour + "\" stroke=\"#7a4a21\" stroke-width=\"0.6\"");
-    if (size > 5)
+                       "fill=\"" + colour + "\" stroke=\"" + look::enamel + "\" stroke-width=\"0.6\"");
+    if (drawn.numbered)
       out += svg::text({at.x, at.y + 0.36 * size}, std::to_string(i + 1),
                        "text-anchor=\"middle\" fill=\"#20242a\" font-size=\"" + svg::number(size) + "\"");
   }
   for (const std::size_t i : drawn.slipping) {
     const Point at = frame(drawn.wires[i]);
     const double r = 0.62 * frame.scale * drawn.radius;
-    const std::string red = "stroke=\"#c1121f\" stroke-width=\"2\" fill=\"none\"";
-    out += svg::circle(at, frame.scale * drawn.radius - 1, red);
+    const std::string red = std::string("stroke=\"") + look::slips + "\" stroke-width=\"2\" fill=\"none\"";
+    out += ring(at, frame.scale * drawn.radius - 1, look::slips);
     out +=
         svg::segment(at - Point{r, r}, at + Point{r, r}, red) + svg::segment(at + Point{-r, r}, at + Point{r, -r}, red);
   }
-  return out + "</svg>\n";
+  if (drawn.unreached)
+    out += ring(frame(drawn.wires[*drawn.unreached]), frame.scale * drawn.radius + 1, look::unreached);
+  return out + key.svg + "</svg>\n";
 }
 
 }  // namespace bahnwerk::winding

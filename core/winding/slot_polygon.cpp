@@ -36,6 +36,20 @@ double flank_of(const std::vector<Edge>& loop) {
   return angle;
 }
 
+/// Both ends on the outline, the slot on one side of the line between them.
+Opening opening_of(const Region& iron, const std::array<Point, 2>& ends, double liner) {
+  const double clear = distance(ends[0], ends[1]);
+  if (clear < 1e-6) SlotFaults().stop("opening", "its ends are the same");
+  for (const Point end : ends)
+    if (std::abs(iron.distance(end)) > 1e-3)
+      SlotFaults().stop("opening", "ends " + SlotFaults::mm(std::abs(iron.distance(end))) + " away from the outline");
+  Opening opening{0.5 * (ends[0] + ends[1]), left_of(unit(ends[1] - ends[0])), clear, liner};
+  const auto depth = [&](double k) { return iron.distance(opening.middle + k * clear * opening.into); };
+  if (depth(0.01) < depth(-0.01)) opening.into = -opening.into;
+  if (!(depth(0.01) > 0)) SlotFaults().stop("opening", "does not lead into the slot");
+  return opening;
+}
+
 }  // namespace
 
 Slot make_slot(const PolygonSlot& s) {
@@ -65,6 +79,7 @@ Slot make_slot(const PolygonSlot& s) {
   slot.iron = Region(std::move(loop));
   slot.room = slot.iron.inward(s.liner);
   if (slot.room.empty()) faults.stop("liner", "leaves no room");
+  if (s.opening) slot.opening = opening_of(slot.iron, *s.opening, s.liner);
   const Point low = slot.iron.box().low;
   slot.pull = low - Point{4, 4};
   slot.flank_pull = low - Point{4, 0};

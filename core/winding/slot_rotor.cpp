@@ -75,7 +75,8 @@ Slot make_slot(const RotorSlot& s) {
   const Point end = shoe.to + s.shoe_flank * shape.shoe;
   loop.push_back(shoe);
   loop.push_back(line(shoe.to, end));
-  loop.push_back(line(end, loop.front().from));
+  const Point loop_end = loop.front().from;
+  loop.push_back(line(end, loop_end));
   if (self_contact(loop))
     SlotFaults().stop("root_flank", "leaves no room: the line from flank end to flank end meets the grooves");
   Slot slot;
@@ -83,6 +84,8 @@ Slot make_slot(const RotorSlot& s) {
   slot.iron = Region(std::move(loop));
   if (!(slot.iron.area() > 0)) SlotFaults().stop("root_flank", "leaves no room");
   slot.room = slot.iron;
+  // Open from flank end to flank end: the needle moves beside the coil, between the poles.
+  slot.opening = Opening{0.5 * (end + loop_end), -left_of(unit(end - loop_end)), distance(end, loop_end), 0};
   slot.pull = slot.flank_pull = {-4, -4};
   slot.flank = s.root_angle;
   return slot;

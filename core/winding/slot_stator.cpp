@@ -35,8 +35,8 @@ Region iron(const StatorSlot& s, SlotFaults& faults) {
   return Region(std::move(loop));
 }
 
-Region wedge(const StatorSlot& s) {
-  const double half = s.wedge_width / 2, low = s.height - s.wedge_thickness, high = s.height + 1;
+Region wedge(const StatorSlot& s, double high) {
+  const double half = s.wedge_width / 2, low = s.height - s.wedge_thickness;
   return Region({line({-half, low}, {half, low}), line({half, low}, {half, high}), line({half, high}, {-half, high}),
                  line({-half, high}, {-half, low})});
 }
@@ -50,8 +50,13 @@ Slot make_slot(const StatorSlot& s) {
   slot.iron = iron(s, faults);
   slot.room = slot.iron.inward(s.liner);
   if (slot.room.empty()) faults.stop("liner", "leaves no room");
-  if (s.wedge_thickness > 0 && s.wedge_width > 0) slot.room = slot.room.without(wedge(s));
+  if (s.wedge_thickness > 0 && s.wedge_width > 0) {
+    slot.room = slot.room.without(wedge(s, s.height + 1));
+    slot.wedge = wedge(s, s.height);
+  }
   if (slot.room.empty()) faults.stop("wedge_thickness", "leaves no room");
+  // Without its liner, as in [Herrmann Fig. 4.16]: 3.1 mm in the example.
+  slot.opening = Opening{{0, s.height}, {0, -1}, s.opening_width - 2 * s.tip_corner_radius, s.liner};
   slot.pull = {-4, -4};
   slot.flank_pull = {-4, 0};
   slot.flank = -s.tip_angle;

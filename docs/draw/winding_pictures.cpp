@@ -141,7 +141,7 @@ void fill_table() {
     for (std::size_t k = 0; k < sweep.algorithms.size(); ++k) {
       const FilledLayout& f = plan.layouts[i + k];
       std::printf(" %zu, %.1f, %.1f%s |", f.count(), 100 * f.electrical, 100 * f.mechanical,
-                  f.producible.producible() ? " ✓" : "");
+                  f.can_be_wound() ? " ✓" : "");
     }
   }
   std::printf("\n");

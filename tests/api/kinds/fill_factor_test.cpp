@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <set>
 
 #include "core/errors.hpp"
 #include "tests/api/documents.hpp"
@@ -79,7 +80,7 @@ TEST(FillFactorPlan, ResultHasTheContractsForm) {
                                "max_overlap", "total_overlap_area", "producible", "turns", "resistance_per_metre"})
       EXPECT_TRUE(layout.contains(member)) << member;
     EXPECT_EQ(layout["positions"].size(), layout["count"]);
-    EXPECT_EQ(layout["slips"].is_null(), layout["producible"].get<bool>());
+    EXPECT_EQ(layout["slips"].is_null() && layout["blocked_by"].empty(), layout["producible"].get<bool>());
     EXPECT_EQ(layout["turns"]["serial"], 10);
     EXPECT_LE(layout["turns"]["electrical_fill"].get<double>(), layout["electrical_fill"].get<double>() + 1e-12);
   }
@@ -100,6 +101,74 @@ TEST(FillFactorPlan, NeedleTellsOfAllFourRegions) {
   EXPECT_EQ(layout["pulls"].size(), count);
   for (const char* region : {"head_bottom", "slot_back", "head_top"})
     EXPECT_EQ(layout["regions"][region]["positions"].size(), count);
+}
+
+TEST(FillFactorInput, TurnsBeyondTheBoundAreRefused) {
+  json spec = example("wires");
+  spec["turns"] = {{"serial", 1000}, {"parallel", 3}};
+  try {
+    request(spec);
+    FAIL();
+  } catch (const InvalidInput& error) {
+    EXPECT_EQ(error.faults.at(0).place, std::vector<std::string>{"turns"});
+  }
+}
+
+TEST(FillFactorInput, WiresThatFillASlotExactlyAreTaken) {
+  for (const auto& [width, height] : {std::pair{7, 1}, {1, 1}, {2, 2}, {1, 12}}) {
+    const json spec = {{"slot", {{"type", "polygon"}, {"points", {{0, 0}, {width, 0}, {width, height}, {0, height}}}}},
+                       {"wires", {{{"copper", 0.9}, {"outer", 1.0}}}},
+                       {"overlap_tolerance", 0},
+                       {"drawings", false}};
+    SilentProgress silent;
+    const PlannedJob job = plan(spec, silent);
+    EXPECT_TRUE(job.verified);
+    EXPECT_EQ(job.result["summary"]["count"], width * height);
+    EXPECT_EQ(job.result["bound"]["count"], width * height);
+  }
+}
+
+TEST(FillFactorInput, NeedleInAPolygonNeedsItsOpening) {
+  json spec = example("minimal");
+  spec["needle_width"] = 2;
+  EXPECT_THROW(request(spec), InvalidInput);
+  spec["slot"]["opening"] = {{2, 12}, {4.5, 12}};
+  EXPECT_NEAR(request(spec).slot.opening->clear, 2.5, 1e-12);
+  EXPECT_EQ(request(spec).slot.opening->into, (winding::Point{0, -1}));
+  spec["slot"]["opening"] = {{2, 12}, {4.5, 11}};
+  EXPECT_THROW(request(spec), InvalidInput) << "inside the slot";
+}
+
+TEST(FillFactorInput, CoilSidesShareTheSlot) {
+  json spec = example("complete");
+  spec["coil_sides"] = 2;
+  spec["needle_width"] = 1.5;
+  const FillRequest layers = request(spec);
+  EXPECT_NEAR(layers.slot.room.area(), 73.18 / 2, 0.01);
+  EXPECT_EQ(layers.needle->stand, winding::Needle::Stand::middle) << "the other side lies below";
+  spec["heads"]["span"] = 1;
+  EXPECT_EQ(request(spec).needle->stand, winding::Needle::Stand::left) << "the other side lies beside";
+}
+
+TEST(FillFactorPlan, SaysWhatBlocksTheNeedle) {
+  SilentProgress silent;
+  json spec = example("complete");
+  for (const char* member : {"robustness", "turns", "wire_range"}) spec.erase(member);
+  spec["wires"] = {0.9};
+  spec["algorithms"] = {"needle"};
+  spec["needle_width"] = 3.5;
+  const auto result = plan(spec, silent).result;
+  const auto& layout = result["details"]["layouts"][0];
+  EXPECT_FALSE(layout["producible"].get<bool>());
+  EXPECT_TRUE(layout["slips"].is_null());
+  ASSERT_EQ(layout["blocked_by"].size(), 1u);
+  EXPECT_EQ(layout["blocked_by"][0]["part"], "needle");
+  EXPECT_TRUE(result["summary"]["best_producible"].is_null());
+  std::set<std::string> names;
+  for (const auto& check : result["verification"]["checks"]) names.insert(check["name"]);
+  for (const char* region : {"head_bottom", "slot_back", "head_top"})
+    EXPECT_TRUE(names.count(std::string("overlap with the boundary needle, ") + region)) << region;
+  EXPECT_TRUE(names.count("bound"));
 }
 
 TEST(FillFactorPlan, RobustnessIsADistribution) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <ctime>
 #include <set>
 
 #include "core/errors.hpp"
@@ -105,6 +107,81 @@ TEST(FillPlan, SamplesSpreadAroundTheNominalCount) {
   request.sampling = {5, 0.0, 0};
   const FillPlan exact = plan_fill(request, silent);
   for (const std::size_t count : exact.layouts[0].sampled) EXPECT_EQ(count, filled.count());
+}
+
+/// The longest that the planner computed without a report, s of processor time: what else runs here does not count.
+class Gaps final : public Progress {
+ public:
+  void report(std::string_view stage, double, std::string_view) override {
+    const double now = processor_time();
+    if (now - last_ > longest) {
+      longest = now - last_;
+      where = std::string(stage);
+    }
+    last_ = now;
+  }
+  double longest = 0;
+  std::string where;
+
+ private:
+  static double processor_time() {
+    timespec t;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+  }
+  double last_ = processor_time();
+};
+
+TEST(FillPlan, ReportsEvery100MillisecondsWithManyCorners) {
+  winding::PolygonSlot polygon;
+  for (int k = 0; k < 2000; ++k) {
+    const double a = 2 * 3.141592653589793 * k / 2000;
+    polygon.points.push_back(5 * winding::Point{std::cos(a), std::sin(a)});
+  }
+  FillRequest request = stator({});
+  request.slot = make_slot(polygon);
+  request.slot.opening = winding::Opening{{0, 5}, {0, -1}, 3, 0};
+  request.needle = winding::Needle{2};
+  request.heads = {};
+  request.wires = {{0.7, 0.75, 0.03}, {8.8, 9.2, 0.02}};
+  request.effort = 0.1;
+  request.sampling = {1, std::nullopt, 0.01};
+  Gaps gaps;
+  EXPECT_TRUE(plan_fill(request, gaps).verification.passed);
+  EXPECT_LT(gaps.longest, 0.1) << gaps.where;
+}
+
+TEST(FillPlan, TellsWhatDoesNotPassTheOpening) {
+  FillRequest request = stator({0.9});
+  request.algorithms = {Algorithm::needle};
+  request.needle = winding::Needle{2.6};
+  SilentProgress silent;
+  EXPECT_TRUE(plan_fill(request, silent).layouts[0].can_be_wound()) << "as in the source";
+  request.needle = winding::Needle{3.1};
+  const FillPlan wide = plan_fill(request, silent);
+  ASSERT_EQ(wide.layouts[0].blocked.size(), 1u);
+  EXPECT_EQ(wide.layouts[0].blocked[0].part, winding::Obstruction::Part::needle);
+  EXPECT_TRUE(wide.layouts[0].producible.producible()) << "the pile itself would hold";
+  winding::StatorSlot narrow;
+  narrow.opening_width = narrow.wedge_width = 0.62;
+  request.slot = make_slot(narrow);
+  request.needle.reset();
+  const FillPlan thin = plan_fill(request, silent);
+  ASSERT_EQ(thin.layouts[0].blocked.size(), 1u);
+  EXPECT_EQ(thin.layouts[0].blocked[0].part, winding::Obstruction::Part::wire);
+  EXPECT_NEAR(thin.layouts[0].blocked[0].clear, 0.02, 1e-12);
+}
+
+TEST(FillPlan, TurnsThatNoLayoutTakesAreInfeasible) {
+  FillRequest request = stator({0.9, 1.6});
+  request.algorithms = {Algorithm::needle};
+  SilentProgress silent;
+  request.serial = 40;
+  const FillPlan plan = plan_fill(request, silent);
+  EXPECT_TRUE(plan.layouts[0].turns.fits);
+  EXPECT_FALSE(plan.layouts[1].turns.fits) << "the thick wire";
+  request.serial = 75;
+  EXPECT_THROW(plan_fill(request, silent), Infeasible);
 }
 
 TEST(FillPlan, StopsWhereItIsTold) {

@@ -58,7 +58,10 @@ TEST(Fill, TurnsTakeWholeMultiples) {
   const Turns both = turns(83, 10, 8);
   EXPECT_EQ(both.wires, 80u);
   EXPECT_EQ(turns(83, 12, 7).wires, 0u) << "84 do not fit";
-  EXPECT_EQ(turns(83, 12, 7).loss, 1);
+  EXPECT_FALSE(turns(83, 12, 7).fits);
+  EXPECT_EQ(turns(83, 12, 7).loss, 0) << "nothing is laid that could be lost";
+  EXPECT_FALSE(turns(3, std::nullopt, 4).fits) << "less than a turn";
+  EXPECT_TRUE(both.fits);
   EXPECT_EQ(turns(0, std::nullopt, std::nullopt).wires, 0u);
   EXPECT_EQ(turns(83, std::nullopt, std::nullopt).wires, 83u);
 }
