@@ -224,6 +224,36 @@ TEST(Dwell, RandomContoursAreExactlyLongerAndVerified) {
   }
 }
 
+TEST(Dwell, RoundedPathsGoExactlyThroughTheRests) {
+  Random random(7012);
+  for (int i = 0; i < 24; ++i) {
+    SCOPED_TRACE(i);
+    ContourBuilder b(2, {});
+    Vec at;
+    double heading = 0, dwell = 0;
+    std::vector<Vec> places;
+    const double size = std::pow(10, random.uniform(-1, 1));  // mm: runs of short lines, and corners between long ones
+    for (int k = 0; k < 60; ++k) {
+      if (k % 15 == 0) b.block(random.chance(0.5) ? Mode::cut : Mode::position, random.uniform(20, 400));
+      heading += random.uniform(-1, 1);
+      at = at + size * random.uniform(0.3, 1) * testing::direction(heading);
+      b.line(at);
+      if (!random.chance(0.15)) continue;
+      places.push_back(at);
+      b.dwell(0.02);
+      dwell += 0.02;
+    }
+    const Options options{methods[i % 2], 0.05, random.chance(0.3)};
+    const Contour contour = b.finish();
+    const ContourPlan p = plan(contour, options);
+    ASSERT_TRUE(p.verification.passed) << failures(p);
+    for (const Vec place : places) ASSERT_GE(standing(p, place.x, place.y), 0.018);
+    Contour stops = contour;
+    for (Rest& rest : stops.rests) rest.seconds = 0;
+    ASSERT_NEAR(plan(stops, options).duration + dwell, p.duration, 1e-12 * p.duration);
+  }
+}
+
 TEST(ModeChange, StopRestsAtEveryBorderAndIsNeverFaster) {
   for (const PlanningMethod method : methods)
     for (const double blend : {0.0, 0.5}) {
