@@ -92,6 +92,20 @@ std::optional<SetpointFormat> negotiate_setpoints(std::string_view accept) {
   return best;
 }
 
+std::string_view format_name(SetpointFormat format) {
+  switch (format) {
+    case SetpointFormat::csv:
+      return "csv";
+    case SetpointFormat::ndjson:
+      return "ndjson";
+    case SetpointFormat::f64:
+      return "f64";
+    case SetpointFormat::json:
+      break;
+  }
+  return "json";
+}
+
 std::string_view content_type(SetpointFormat format) {
   switch (format) {
     case SetpointFormat::csv:

@@ -32,14 +32,6 @@ const Schema& kind_schema(const Kind& kind) {
   return schemas[static_cast<std::size_t>(&kind - kinds().data())];
 }
 
-std::string summary(const std::vector<FieldError>& errors) {
-  const std::string first =
-      (errors.front().pointer.empty() ? "the document" : errors.front().pointer) + ": " + errors.front().message;
-  if (errors.size() == 1) return first;
-  const bool more = errors.size() >= Schema::most_faults;
-  return first + " (and " + (more ? "at least " : "") + std::to_string(errors.size() - 1) + " more)";
-}
-
 /// scheme://host…, http or https, of printable ASCII without blanks.
 bool is_web_address(std::string_view uri) {
   const auto scheme = uri.find("://");
@@ -80,6 +72,24 @@ void check_texts(const json& document, std::vector<FieldError>& errors) {
     errors.push_back({"/callback", "must be an absolute http or https address"});
 }
 
+/// What the document asks for and cannot have, of the envelope and of the spec together.
+void check_meaning(const json& document, const Kind& kind) {
+  std::vector<FieldError> errors;
+  if (optional_string(document, "callback"))
+    errors.push_back({"/callback",
+                      "is not available in this version: leave it out or null, and wait for the job with "
+                      "Prefer: wait or its events"});
+  try {
+    kind.check(document["spec"]);
+  } catch (const Problem& problem) {
+    if (errors.empty() || problem.type().slug != "semantic-violation") throw;
+    errors.insert(errors.end(), problem.errors().begin(), problem.errors().end());
+  }
+  if (errors.empty()) return;
+  std::string detail = summary(errors);
+  throw Problem("semantic-violation", std::move(detail), std::move(errors));
+}
+
 }  // namespace
 
 std::string_view to_string(JobState state) { return state_names[static_cast<std::size_t>(state)]; }
@@ -109,25 +119,26 @@ JobRequest parse_job(std::string_view body) {
   if (kind && document.contains("spec") && document["spec"].is_object())
     for (auto& error : kind_schema(*kind).validate(document["spec"], "/spec")) errors.push_back(std::move(error));
   if (!errors.empty()) {
-    std::string detail = summary(errors);
+    std::string detail = summary(errors, Schema::most_faults);
     throw Problem("schema-violation", std::move(detail), std::move(errors));
   }
-  kind->check(document["spec"]);
+  check_meaning(document, *kind);
 
   JobRequest request;
   request.kind = kind->name;
   request.name = optional_string(document, "name");
   request.reference = optional_string(document, "reference");
-  request.callback = optional_string(document, "callback");
   request.priority = document.value("priority", 0);
   if (const auto deadline = optional_string(document, "deadline")) request.deadline = parse_rfc3339(*deadline);
   if (const auto budget = document.find("time_budget"); budget != document.end() && !budget->is_null())
     request.time_budget = budget->get<double>();
-  request.spec = document["spec"].dump();
+  request.document = body;
   return request;
 }
 
-ordered_json job_resource(const Job& job, bool with_spec) {
+json job_spec(std::string_view document) { return std::move(parse_json(document).at("spec")); }
+
+ordered_json job_resource(const Job& job) {
   const auto& request = job.request;
   const std::string self = "/v1/jobs/" + job.id;
   ordered_json resource{{"id", job.id},
@@ -138,7 +149,6 @@ ordered_json job_resource(const Job& job, bool with_spec) {
                         {"deadline", nullable_time(request.deadline)},
                         {"time_budget", nullable(request.time_budget)},
                         {"callback", nullable(request.callback)}};
-  if (with_spec) resource["spec"] = ordered_json::parse(request.spec);
   resource["state"] = to_string(job.state);
   resource["progress"] = {{"fraction", job.fraction}, {"stage", job.stage}, {"message", job.message}};
   resource["attempt"] = job.attempt;
@@ -146,8 +156,8 @@ ordered_json job_resource(const Job& job, bool with_spec) {
   resource["started_at"] = nullable_time(job.started_at);
   resource["finished_at"] = nullable_time(job.finished_at);
   resource["error"] = job.error ? ordered_json::parse(*job.error) : ordered_json(nullptr);
-  resource["links"] = {
-      {"self", self}, {"result", self + "/result"}, {"setpoints", self + "/setpoints"}, {"cancel", self + "/cancel"}};
+  auto& links = resource["links"] = {{"self", self}};
+  for (const char* part : {"spec", "events", "result", "setpoints", "cancel"}) links[part] = self + "/" + part;
   return resource;
 }
 

@@ -1,5 +1,6 @@
 #include "api/openapi.hpp"
 
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "api/embedded.hpp"
@@ -35,6 +36,25 @@ void add_schema(ordered_json& components, std::string_view file, const std::stri
   components[name] = std::move(schema);
 }
 
+/// What every operation can answer before its handler is asked: faults of the message and of the query.
+void add_common_responses(ordered_json& paths) {
+  static constexpr std::array<std::pair<const char*, const char*>, 10> common{{{"400", "BadRequest"},
+                                                                               {"408", "RequestTimeout"},
+                                                                               {"413", "PayloadTooLarge"},
+                                                                               {"417", "ExpectationFailed"},
+                                                                               {"422", "InvalidQuery"},
+                                                                               {"431", "HeaderTooLarge"},
+                                                                               {"500", "Internal"},
+                                                                               {"501", "NotImplemented"},
+                                                                               {"503", "TooManyConnections"},
+                                                                               {"505", "VersionNotSupported"}}};
+  for (auto& [path, methods] : paths.items())
+    for (auto& [method, operation] : methods.items())
+      for (const auto& [status, name] : common)
+        if (auto& responses = operation["responses"]; !responses.contains(status))
+          responses[status] = {{"$ref", std::string("#/components/responses/") + name}};
+}
+
 }  // namespace
 
 ordered_json openapi_document() {
@@ -57,8 +77,10 @@ ordered_json openapi_document() {
   auto& spec = schemas["JobDocument"]["properties"]["spec"];
   spec = specs.size() == 1 ? specs.front() : ordered_json{{"description", spec["description"]}, {"oneOf", specs}};
 
+  add_common_responses(document["paths"]);
+
   auto& slug = components["parameters"]["slug"]["schema"]["enum"] = ordered_json::array();
-  auto& type = schemas["Problem"]["properties"]["type"]["enum"] = ordered_json::array({"about:blank"});
+  auto& type = schemas["Problem"]["properties"]["type"]["enum"] = ordered_json::array();
   for (const auto& each : problem_types()) {
     slug.push_back(each.slug);
     type.push_back("/problems/" + std::string(each.slug));

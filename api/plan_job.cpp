@@ -23,11 +23,11 @@ std::string failed_checks(const nlohmann::ordered_json& result) {
 
 }  // namespace
 
-PlannedJob plan_job(const std::string& kind, const std::string& spec, Progress& progress) {
+PlannedJob plan_job(const std::string& kind, const std::string& document, Progress& progress) {
   const Kind* descriptor = find_kind(kind);
   if (!descriptor)
     throw Problem("unknown-kind", in_quotes(kind) + " is not a kind of this server", {{"/kind", "unknown kind"}});
-  PlannedJob job = descriptor->plan(nlohmann::json::parse(spec), progress);
+  PlannedJob job = descriptor->plan(job_spec(document), progress);
   if (!job.verified) throw Problem("verification-failed", failed_checks(job.result));
   return job;
 }

@@ -10,7 +10,7 @@
 namespace bahnwerk::api {
 namespace {
 
-constexpr std::array<ProblemType, 24> catalogue{{
+constexpr std::array<ProblemType, 34> catalogue{{
     // What a request can meet.
     {"invalid-json", 400, "The body is not valid JSON",
      "The body has to be one JSON document (RFC 8259) in UTF-8: no NaN or Infinity, no duplicate keys, no comments, "
@@ -20,7 +20,7 @@ constexpr std::array<ProblemType, 24> catalogue{{
      "Every entry of `errors` points at one field and says what was expected there. The schema itself is served under "
      "/v1/schemas/job for the envelope and /v1/schemas/{kind} for `spec`; for a query parameter the pointer starts "
      "with /query."},
-    {"semantic-violation", 422, "The document follows its schema but makes no sense",
+    {"semantic-violation", 422, "The document is semantically invalid",
      "Every entry of `errors` points at one field whose value contradicts another one or the geometry: a gap between "
      "two segments, an "
      "arc whose radii differ, coordinates of the wrong dimension. Correct the field and post the document again."},
@@ -35,15 +35,18 @@ constexpr std::array<ProblemType, 24> catalogue{{
      "Ask with another `Accept` header. Setpoints come as application/json, text/csv, application/x-ndjson or "
      "application/octet-stream; everything else as application/json."},
     {"unsupported-media-type", 415, "The body's media type is not supported",
-     "Post job documents with `Content-Type: application/json`."},
+     "Post job documents with `Content-Type: application/json`, plain or with `Content-Encoding: gzip`."},
     {"idempotency-conflict", 409, "The idempotency key was used with another body",
      "An `Idempotency-Key` belongs to exactly one document. Use a new key for a new document; repeat the identical "
      "body to get the job "
      "that the key already created."},
-    {"job-not-finished", 409, "The job is not in a state that allows this",
+    {"job-not-finished", 409, "The job has not ended yet",
      "A result and setpoints exist only once the job has succeeded, and a running job cannot be deleted. Wait for the "
      "job "
      "(GET /v1/jobs/{id} with `Prefer: wait=30`) or cancel it first."},
+    {"no-result", 409, "The job ended without a result",
+     "The job failed or was cancelled, so it has neither a result nor setpoints and never will have. `error` is the "
+     "job's own problem document: it says why and what to change."},
     {"payload-too-large", 413, "The body is too large",
      "The document is longer than this server accepts. Split the contour into several jobs or describe it with curves "
      "instead of many "
@@ -57,6 +60,27 @@ constexpr std::array<ProblemType, 24> catalogue{{
     {"draining", 503, "The server is about to stop and takes no more jobs",
      "Repeat the request after the number of seconds given in `Retry-After`, or ask another instance; nothing was "
      "stored."},
+    {"storage-full", 507, "The server's storage is full",
+     "Nothing of the request was kept. Repeat it after the number of seconds given in `Retry-After`; the operator has "
+     "to free space or to delete jobs that are no longer needed."},
+    {"store-unavailable", 503, "The server's store does not answer",
+     "The database cannot be reached at the moment. Repeat the request after the number of seconds given in "
+     "`Retry-After`; the operator finds the reason in the server's log."},
+    {"too-many-connections", 503, "Too many connections are open",
+     "Close connections that are no longer needed, use one connection for several requests, and repeat the request "
+     "after the number of seconds given in `Retry-After`."},
+    {"bad-request", 400, "The HTTP request is malformed",
+     "The target, a header or the framing of the message does not follow HTTP/1.1 (RFC 9112); `detail` says what. The "
+     "connection is closed after this answer."},
+    {"request-timeout", 408, "The request did not arrive in time",
+     "The header or the body was not complete within the server's time limits. Send it again without pauses."},
+    {"expectation-failed", 417, "The expectation of the request cannot be met",
+     "The only value of `Expect` that this server knows is `100-continue`."},
+    {"header-too-large", 431, "The request's header is too large",
+     "Shorten the target and the header lines; together they may take 32 KiB."},
+    {"not-implemented", 501, "The request uses a part of HTTP that this server does not implement",
+     "Of the transfer codings only `chunked` is known; compress a body with `Content-Encoding: gzip` instead."},
+    {"http-version-not-supported", 505, "The HTTP version is not supported", "Use HTTP/1.1 or HTTP/1.0."},
     // Why planning failed; found in a job's `error`.
     {"infeasible", 0, "No motion satisfies the limits",
      "The limits contradict each other or the contour. `detail` names where. Loosen the limits or change the contour."},
@@ -84,9 +108,7 @@ Problem semantic(const InvalidInput& fault, std::string_view prefix) {
   std::vector<FieldError> errors;
   errors.reserve(fault.faults.size());
   for (const auto& f : fault.faults) errors.push_back({pointer(prefix, f.place), f.message});
-  std::string detail = errors.empty()       ? std::string(fault.what())
-                       : errors.size() == 1 ? errors.front().message
-                                            : std::to_string(errors.size()) + " faults in the document";
+  std::string detail = errors.empty() ? std::string(fault.what()) : summary(errors);
   return {"semantic-violation", std::move(detail), std::move(errors)};
 }
 
@@ -98,6 +120,13 @@ std::string number(double value) {
 
 std::span<const ProblemType> problem_types() { return catalogue; }
 
+std::string summary(std::span<const FieldError> errors, std::size_t most) {
+  const FieldError& first = errors.front();
+  std::string text = (first.pointer.empty() ? "the document" : first.pointer) + ": " + first.message;
+  if (errors.size() == 1) return text;
+  return text + " (and " + (errors.size() >= most ? "at least " : "") + std::to_string(errors.size() - 1) + " more)";
+}
+
 const ProblemType& problem_type(std::string_view slug) {
   for (const auto& type : catalogue)
     if (type.slug == slug) return type;
@@ -106,6 +135,11 @@ const ProblemType& problem_type(std::string_view slug) {
 
 Problem::Problem(std::string_view slug, std::string detail, std::vector<FieldError> errors)
     : std::runtime_error(std::move(detail)), type_(&problem_type(slug)), errors_(std::move(errors)) {}
+
+Problem& Problem::because_of(std::string error) {
+  error_ = std::move(error);
+  return *this;
+}
 
 nlohmann::json Problem::document(std::string_view instance) const {
   nlohmann::json document{
@@ -116,6 +150,7 @@ nlohmann::json Problem::document(std::string_view instance) const {
     auto& list = document["errors"] = nlohmann::json::array();
     for (const auto& error : errors_) list.push_back({{"pointer", error.pointer}, {"message", error.message}});
   }
+  if (!error_.empty()) document["error"] = nlohmann::json::parse(error_);
   return document;
 }
 

@@ -24,17 +24,24 @@ struct FieldError {
   std::string message;
 };
 
+/// "/spec/machine/axes/z: is required (and 2 more)": the first fault in full and how many follow. `errors` is not
+/// empty; from `most` faults on the list may have been cut, and the text says "at least".
+std::string summary(std::span<const FieldError> errors, std::size_t most = static_cast<std::size_t>(-1));
+
 class Problem : public std::runtime_error {
  public:
   Problem(std::string_view slug, std::string detail, std::vector<FieldError> errors = {});
   const ProblemType& type() const { return *type_; }
   const std::vector<FieldError>& errors() const { return errors_; }
+  /// Adds the member `error`: the problem document (JSON text) of the job that the request is about.
+  Problem& because_of(std::string error);
   /// The problem document; `instance` is the request path or the job's link, omitted when empty.
   nlohmann::json document(std::string_view instance = {}) const;
 
  private:
   const ProblemType* type_;
   std::vector<FieldError> errors_;
+  std::string error_;
 };
 
 /// Turns whatever a planner threw into the problem a job carries as `error`: InvalidInput → semantic-violation with

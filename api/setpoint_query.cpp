@@ -58,8 +58,14 @@ SetpointQuery parse_setpoint_query(const std::vector<std::pair<std::string, std:
       }
       continue;
     }
+    if (key == "format") {
+      for (const auto format : {SetpointFormat::json, SetpointFormat::csv, SetpointFormat::ndjson, SetpointFormat::f64})
+        if (format_name(format) == value) result.format = format;
+      if (!result.format) fault("must be json, csv, ndjson or f64");
+      continue;
+    }
     if (key != "first" && key != "count" && key != "every" && key != "points") {
-      fault("unknown parameter; known are first, count, every, columns, points");
+      fault("unknown parameter; known are first, count, every, columns, points, format");
       continue;
     }
     const auto number = natural(value);

@@ -17,13 +17,15 @@ enum class SetpointFormat { json, csv, ndjson, f64 };
 /// From an Accept header; absent or "*/*" → json. nullopt = nothing acceptable (not-acceptable).
 std::optional<SetpointFormat> negotiate_setpoints(std::string_view accept);
 std::string_view content_type(SetpointFormat format);
+std::string_view format_name(SetpointFormat format);  ///< json, csv, ndjson, f64
 
 struct SetpointQuery {
   std::size_t first = 0;
   std::optional<std::size_t> count;  ///< rows of the series that the slice spans, before `every`
   std::size_t every = 1;
-  std::optional<std::size_t> points;  ///< min/max envelope with about this many points, for charts
-  std::vector<std::string> columns;   ///< empty = all
+  std::optional<std::size_t> points;     ///< min/max envelope with about this many points, for charts
+  std::vector<std::string> columns;      ///< empty = all
+  std::optional<SetpointFormat> format;  ///< wins over Accept: a link in a page cannot carry a header
 };
 /// From a decoded query string's pairs. Throws Problem schema-violation (422) with pointers like /query/first for
 /// values that are no non-negative integers, for every = 0, points = 0, points together with every, and for unknown

@@ -19,24 +19,28 @@ constexpr std::chrono::seconds answer_patience{5};
 Engine real_engine() { return {api::parse_job, api::plan_job}; }
 
 Service::Service(const ServiceOptions& options, Engine engine) : options_(options) {
-  store_ = open_store(options.store, [this](double seconds, std::size_t writes) { metrics_.commit(seconds, writes); });
-  pool_ = std::make_unique<Pool>(std::max(4U, std::thread::hardware_concurrency()));
-  heavy_ = std::make_unique<Pool>(1);
-  workers_ = std::make_unique<Workers>(*store_, live_, notifier_, metrics_, std::move(engine.plan));
-  context_ = std::make_unique<Context>(Context{*store_, *workers_, live_, notifier_, *pool_, *heavy_, metrics_,
-                                               std::move(engine.parse), options.max_queued, draining_});
-  add_job_routes(router_, *context_);
-  add_result_routes(router_, *context_);
-  add_meta_routes(router_, *context_);
-  add_health_routes(router_, *context_);
-  add_page_routes(router_, *context_);
+  // The address first: whoever cannot have it must not leave a new database behind. Nobody is answered before start().
   const Handler handler = compose({request_id(), access_log(), count(metrics_), guard()},
                                   [this](const RequestPtr& request, const Reply& reply) { router_(request, reply); });
   listener_ = std::make_unique<Listener>(
       options.limits, ListenerHooks{.handler = handler,
                                     .offload = [this](std::function<void()> work) { pool_->post(std::move(work)); },
                                     .connections = [this](std::size_t open) { metrics_.connections(open); }});
+  check_store(options.store);
   listener_->open(options.listen);
+  store_ = open_store(options.store, [this](double seconds, std::size_t writes) { metrics_.commit(seconds, writes); });
+  pool_ = std::make_unique<Pool>(std::max(4U, std::thread::hardware_concurrency()));
+  heavy_ = std::make_unique<Pool>(1);
+  workers_ = std::make_unique<Workers>(*store_, live_, notifier_, metrics_, std::move(engine.plan));
+  deadlines_ = std::make_unique<Deadlines>(*store_, notifier_);
+  context_ = std::make_unique<Context>(Context{*store_, *workers_, live_, notifier_, *deadlines_, *pool_, *heavy_,
+                                               metrics_, std::move(engine.parse), options.max_queued,
+                                               options.limits.max_body, draining_});
+  add_job_routes(router_, *context_);
+  add_result_routes(router_, *context_);
+  add_meta_routes(router_, *context_);
+  add_health_routes(router_, *context_);
+  add_page_routes(router_, *context_);
   listener_->start(options.http_threads);
   workers_->start(options.workers);
 }
@@ -50,6 +54,7 @@ Service::~Service() {
   workers_.reset();
   heavy_->join();
   pool_->join();
+  deadlines_.reset();
   store_.reset();
 }
 

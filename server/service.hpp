@@ -54,6 +54,7 @@ class Service {
   std::unique_ptr<Listener> listener_;  ///< its sockets outlive whoever may still answer: pool, store, workers
   std::unique_ptr<Pool> pool_, heavy_;
   std::unique_ptr<Workers> workers_;
+  std::unique_ptr<Deadlines> deadlines_;
   std::unique_ptr<Context> context_;
 };
 

@@ -110,6 +110,27 @@ int run(int argc, char** argv) {
   fetch_command->add_option("--format", format, "csv, ndjson or f64 (little-endian doubles, row-major)")
       ->check(CLI::IsMember({"csv", "ndjson", "f64", "json"}));
   add_server(fetch_command);
+  const std::pair<CLI::App*, const char*> exit_codes[] = {
+      {serve_command, "0 ended in order, 1 a planner did not stop in time, 2 could not start"},
+      {plan_command, "0 planned and verified, 1 planning failed (problem document on stdout), 2 bad input or usage"},
+      {submit_command,
+       "0 posted (with --wait: planned and verified), 1 with --wait: planning failed or was cancelled, 2 refused, bad "
+       "input or usage, 3 no server reached, or it cannot serve now (429, 5xx)"},
+      {watch_command,
+       "0 succeeded, 1 planning failed or was cancelled, 2 refused or bad usage, 3 no server reached, or it cannot "
+       "serve now (429, 5xx)"},
+      {fetch_command,
+       "0 printed, 1 the job failed or was cancelled, 2 refused or bad usage, 3 no server reached, or it cannot serve "
+       "now (429, 5xx)"}};
+  for (const auto& [command, codes] : exit_codes) {
+    command->footer("Exit codes: " + std::string(codes) + ".");
+    // Makes a command read its own environment variables when it is parsed. Without it all commands read theirs after
+    // that, also those that were not called: they share variables, and the environment won over a flag.
+    command->parse_complete_callback([] {});
+  }
+  app.footer(
+      "A flag wins over its environment variable. Exit codes: 0 done, 1 planning failed, 2 bad input or usage, 3 no "
+      "server reached; `bahnwerk COMMAND --help` says more.");
 
   try {
     app.parse(argc, argv);

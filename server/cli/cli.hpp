@@ -8,9 +8,9 @@
 namespace bahnwerk::server::cli {
 
 inline constexpr int exit_ok = 0;
-inline constexpr int exit_failed = 1;       ///< planning failed; the problem document is on stdout
-inline constexpr int exit_usage = 2;        ///< bad input or usage
-inline constexpr int exit_unreachable = 3;  ///< no server answered
+inline constexpr int exit_failed = 1;       ///< planning failed or was cancelled; the problem document is on stdout
+inline constexpr int exit_usage = 2;        ///< bad input or usage, or refused by the server
+inline constexpr int exit_unreachable = 3;  ///< no server answered, or one that cannot serve now: trying again may help
 
 int run(int argc, char** argv);  ///< the whole program; its exit code
 

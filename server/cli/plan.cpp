@@ -85,7 +85,7 @@ int plan(const std::string& job, const std::string& out) {
   try {
     const api::JobRequest request = api::parse_job(job);
     TerminalProgress progress(request);
-    planned = api::plan_job(request.kind, request.spec, progress);
+    planned = api::plan_job(request.kind, request.document, progress);
     if (!planned.verified) throw api::Problem("verification-failed", "The plan was not verified against its limits.");
   } catch (...) {
     return report_problem(api::problem_from_current_exception("/spec"));

@@ -11,6 +11,7 @@ class ProgressBar {
   ~ProgressBar();  ///< clears the line
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
+  bool visible() const { return terminal_; }
   void show(double fraction, std::string_view stage, std::string_view message);
 
  private:

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "server/cli/cli.hpp"
 #include "server/cli/http_client.hpp"
@@ -23,7 +24,8 @@ int refused(const Response& response) {
   } else {
     std::cerr << "bahnwerk: the server answered " << response.status << " without a problem document\n";
   }
-  return exit_usage;
+  if (response.status >= 500 || response.status == 429) return exit_unreachable;
+  return problem.is_object() && problem.value("type", "") == "/problems/no-result" ? exit_failed : exit_usage;
 }
 
 ordered_json parse(const Response& response) {
@@ -39,19 +41,22 @@ bool final(const ordered_json& job) {
   return state != "queued" && state != "running";
 }
 
-/// Follows the job to its end. The last answer read, a refusal or the job's final resource.
+/// Follows the job to its end. The last answer read, a refusal or the job's final resource. On a terminal the server
+/// answers about once a second, for the bar; otherwise once a minute.
 Response follow(const HttpClient& client, const std::string& id) {
   ProgressBar bar;
-  std::string etag;
+  std::string etag = "\"0\"";  // of no job: the first answer comes at once
   for (;;) {
-    Pairs headers{{"Accept", "application/json"}, {"Prefer", "wait=30"}};
-    if (!etag.empty()) headers.emplace_back("If-None-Match", etag);
+    Pairs headers{{"Accept", "application/json"}, {"Prefer", "wait=60"}};
+    if (bar.visible()) headers.emplace_back("If-None-Match", etag);
     Response response = client.request("GET", job_path(id), headers);
+    if (response.status != 200 && response.status != 304) return response;
+    if (!response.header("Preference-Applied"))  // a server, or a proxy before it, that does not hold answers
+      std::this_thread::sleep_for(std::chrono::seconds(1));
     if (response.status == 304) continue;
-    if (response.status != 200) return response;
     const ordered_json job = parse(response);
     if (final(job)) return response;
-    etag = response.header("ETag").value_or("");
+    etag = response.header("ETag").value_or(etag);
     const ordered_json progress = job.value("progress", ordered_json::object());
     const auto text = [&](const char* key) {
       return progress.contains(key) && progress[key].is_string() ? progress[key].get<std::string>() : std::string();

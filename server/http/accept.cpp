@@ -69,6 +69,17 @@ std::optional<std::size_t> negotiate(std::optional<std::string_view> accept, std
   return best;
 }
 
+std::optional<Coding> content_coding(std::string_view content_encoding) {
+  Coding coding = Coding::identity;
+  while (!content_encoding.empty()) {
+    const std::string name = lower(cut(content_encoding, ','));
+    if (name.empty() || name == "identity") continue;
+    if ((name != "gzip" && name != "x-gzip") || coding == Coding::gzip) return std::nullopt;
+    coding = Coding::gzip;
+  }
+  return coding;
+}
+
 bool is_json(std::string_view content_type) {
   if (lower(cut(content_type, ';')) != "application/json") return false;
   while (!content_type.empty()) {

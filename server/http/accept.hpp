@@ -11,6 +11,11 @@ namespace bahnwerk::server {
 /// acceptable.
 std::optional<std::size_t> negotiate(std::optional<std::string_view> accept, std::span<const std::string_view> offers);
 
+/// How a body is packed, from its Content-Encoding [RFC 9110, 8.4]; nullopt: in a way, or a chain of ways, that is not
+/// supported.
+enum class Coding { identity, gzip };
+std::optional<Coding> content_coding(std::string_view content_encoding);
+
 /// Whether a Content-Type header says application/json (any charset parameter must be utf-8).
 bool is_json(std::string_view content_type);
 

@@ -1,5 +1,6 @@
 #include "server/http/answer.hpp"
 
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "server/runtime/log.hpp"
@@ -42,15 +43,26 @@ Response problem_answer(const api::Problem& problem, std::string_view instance) 
   // fault.
   const int status = problem.type().status == 0 ? 500 : problem.type().status;
   Response response = problem_response(status, ordered_json(problem.document(instance)));
-  if (status == 429 || status == 503) response.set("Retry-After", status == 429 ? "5" : "10");
+  if (status == 429 || status == 503 || status == 507) response.set("Retry-After", status == 429 ? "5" : "10");
   return response;
 }
 
-Response http_error_answer(int status, std::string_view detail, std::string_view instance) {
-  ordered_json document{
-      {"type", "about:blank"}, {"title", status_phrase(status)}, {"status", status}, {"detail", detail}};
-  if (!instance.empty()) document["instance"] = instance;
-  return problem_response(status, document);
+api::Problem http_problem(int status, const std::string& detail) {
+  static constexpr std::array<std::pair<int, std::string_view>, 8> slugs{{{400, "bad-request"},
+                                                                          {408, "request-timeout"},
+                                                                          {413, "payload-too-large"},
+                                                                          {417, "expectation-failed"},
+                                                                          {431, "header-too-large"},
+                                                                          {501, "not-implemented"},
+                                                                          {503, "too-many-connections"},
+                                                                          {505, "http-version-not-supported"}}};
+  for (const auto& [code, slug] : slugs)
+    if (code == status) return {slug, detail};
+  return {"internal", detail};
+}
+
+Response http_error_answer(int status, const std::string& detail, std::string_view instance) {
+  return problem_answer(http_problem(status, detail), instance);
 }
 
 Response answer_from_current_exception(const Request& request) {
@@ -61,12 +73,13 @@ Response answer_from_current_exception(const Request& request) {
     throw;
   } catch (const api::Problem& problem) {
     return problem_answer(problem, request.target);
-  } catch (const HttpError& error) {
-    return http_error_answer(error.status, error.what(), request.target);
   } catch (const StoreError& error) {
     log::error("store_failed", {{"request", request.id}, {"path", request.path}, {"detail", error.what()}});
-    return internal(error.full ? "The store has no space left; nothing of this request was kept. Try again later."
-                               : "The store failed; nothing of this request was kept.");
+    if (error.full)
+      return problem_answer(
+          api::Problem("storage-full", "The store has no space left; nothing of this request was kept."),
+          request.target);
+    return internal("The store failed; nothing of this request was kept.");
   } catch (const std::exception& error) {
     log::error("handler_failed", {{"request", request.id}, {"path", request.path}, {"detail", error.what()}});
     return internal("The server failed on this request; its log says more under the request id.");

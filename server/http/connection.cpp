@@ -124,6 +124,8 @@ asio::awaitable<std::optional<Connection::Incoming>> Connection::read() {
 
   const std::size_t announced = parser.content_length() ? static_cast<std::size_t>(*parser.content_length()) : 0;
   if (parser.content_length() && *parser.content_length() > limits.max_body) co_return broken(413, too_large);
+  if (const auto coding = request.header("transfer-encoding"); coding && lower(*coding) != "chunked")
+    co_return broken(501, "Of the transfer codings only chunked is known.");
   if (message.version() == 11 && message.count(http::field::host) != 1)
     co_return broken(400, "An HTTP/1.1 request needs exactly one Host header.");
   const auto target = parse_target(request.target);
@@ -171,7 +173,7 @@ asio::awaitable<bool> Connection::write_raw(std::string text) {
 }
 
 asio::awaitable<bool> Connection::write(Response response, const Incoming& incoming) {
-  if (response.stream) co_return co_await write_stream(std::move(response), incoming);
+  if (response.stream || response.feed) co_return co_await write_stream(std::move(response), incoming);
   const bool bodiless = response.status == 204 || response.status == 304;
   http::response<http::string_body> message(static_cast<http::status>(response.status), incoming.http_1_0 ? 10 : 11);
   put_headers(message, response);
@@ -196,27 +198,36 @@ asio::awaitable<bool> Connection::write_stream(Response response, const Incoming
   const bool chunked = !incoming.http_1_0;  // HTTP/1.0 has no chunks: its end is the connection's end
   http::response<http::empty_body> message(static_cast<http::status>(response.status), incoming.http_1_0 ? 10 : 11);
   put_headers(message, response);
-  message.keep_alive(incoming.keep_alive && chunked);
+  const auto feed = std::move(response.feed);
+  message.keep_alive(incoming.keep_alive && chunked && !feed);
   if (chunked) message.chunked(true);
   http::response_serializer<http::empty_body> serializer(message);
   stream_.expires_after(context_->limits.write_timeout);
   auto [error, size] = co_await http::async_write_header(stream_, serializer, tuple_awaitable);
   if (error) co_return false;
   if (incoming.request->method == "HEAD") co_return chunked;
+  if (feed) stop_when_gone(feed);
 
   const auto pull = std::make_shared<std::function<bool(std::string&)>>(std::move(response.stream));
   for (bool more = true; more;) {
     const auto handover = std::make_shared<Handover<Piece>>(stream_.get_executor());
-    context_->hooks.offload([pull, handover, id = incoming.request->id] {
-      Piece piece;
-      try {
-        piece.more = (*pull)(piece.text);
-      } catch (const std::exception& failure) {
-        piece.failed = true;
-        log::error("stream_failed", {{"request", id}, {"detail", failure.what()}});
-      }
-      Handover<Piece>::set(handover, std::move(piece));
-    });
+    if (feed) {
+      feed->next([handover](std::optional<std::string> text) {
+        const bool piece_follows = text.has_value();
+        Handover<Piece>::set(handover, {std::move(text).value_or(""), piece_follows, false});
+      });
+    } else {
+      context_->hooks.offload([pull, handover, id = incoming.request->id] {
+        Piece piece;
+        try {
+          piece.more = (*pull)(piece.text);
+        } catch (const std::exception& failure) {
+          piece.failed = true;
+          log::error("stream_failed", {{"request", id}, {"detail", failure.what()}});
+        }
+        Handover<Piece>::set(handover, std::move(piece));
+      });
+    }
     const Piece piece = co_await handover->get();
     if (piece.failed) co_return false;
     more = piece.more;
@@ -232,7 +243,17 @@ asio::awaitable<bool> Connection::write_stream(Response response, const Incoming
     }
   }
   if (!chunked) co_return false;
-  co_return co_await write_raw("0\r\n\r\n");
+  const bool ended = co_await write_raw("0\r\n\r\n");
+  co_return ended && !feed;  // a feed's connection may have lasted for hours: it ends here
+}
+
+void Connection::stop_when_gone(std::shared_ptr<Feed> feed) {
+  stream_.socket().async_wait(asio::ip::tcp::socket::wait_read,
+                              [self = shared_from_this(), feed = std::move(feed)](error_code error) {
+                                error_code ignored;
+                                if (!error && self->stream_.socket().available(ignored) > 0) return;  // not the end
+                                feed->stop();
+                              });
 }
 
 asio::awaitable<void> Connection::linger() {

@@ -38,6 +38,16 @@ struct Request {
   const std::string& parameter(std::string_view name) const;  ///< of the matched pattern; throws std::out_of_range
 };
 
+/// A body that comes about while it is sent, for hours maybe, without a thread that waits for it.
+class Feed {
+ public:
+  using Ready = std::function<void(std::optional<std::string>)>;
+  virtual ~Feed() = default;
+  /// Calls `ready` once, from any thread: with the next piece, or with nullopt at the end. Must not block.
+  virtual void next(Ready ready) = 0;
+  virtual void stop() = 0;  ///< the client has gone; from any thread
+};
+
 struct Response {
   int status = 200;
   Pairs headers;
@@ -45,7 +55,8 @@ struct Response {
   /// Instead of `body`: called until it returns false, appends a piece each time. Written chunked. May block; may
   /// throw, then the connection breaks off, so that the client sees that the answer is not whole.
   std::function<bool(std::string&)> stream;
-  bool close = false;  ///< end the connection after this answer
+  std::shared_ptr<Feed> feed;  ///< instead of both; the connection ends with it
+  bool close = false;          ///< end the connection after this answer
 
   Response& set(std::string name, std::string value);  ///< replaces a header of that name (exact spelling)
   std::optional<std::string> header(std::string_view name) const;
@@ -58,7 +69,5 @@ using Handler = std::function<void(RequestPtr, Reply)>;
 /// Wraps a handler into another. The list's first is the outermost.
 using Middleware = std::function<Handler(Handler)>;
 Handler compose(const std::vector<Middleware>& list, Handler innermost);
-
-std::string_view status_phrase(int status);
 
 }  // namespace bahnwerk::server

@@ -22,11 +22,6 @@ std::string_view method_label(std::string_view method) {
   return std::find(known.begin(), known.end(), method) != known.end() ? method : "other";
 }
 
-[[noreturn]] void throw_fault(const Fault& fault) {
-  if (fault.status == 413) throw api::Problem("payload-too-large", fault.detail);
-  throw HttpError(fault.status, fault.detail);
-}
-
 std::string_view route_label(const Request& request) {
   return request.route.empty() ? std::string_view("unmatched") : std::string_view(request.route);
 }
@@ -79,7 +74,7 @@ Middleware guard() {
   return [](Handler next) -> Handler {
     return [next = std::move(next)](RequestPtr request, Reply reply) {
       try {
-        if (request->fault) throw_fault(*request->fault);
+        if (request->fault) throw http_problem(request->fault->status, request->fault->detail);
         next(request, reply);
       } catch (...) {
         reply(answer_from_current_exception(*request));

@@ -1,5 +1,8 @@
 #include "server/http/router.hpp"
 
+#include <algorithm>
+
+#include "api/pointer.hpp"
 #include "server/http/answer.hpp"
 
 namespace bahnwerk::server {
@@ -14,6 +17,32 @@ std::vector<std::string> split(std::string_view pattern) {
     pattern = slash == std::string_view::npos ? std::string_view() : pattern.substr(slash + 1);
   }
   return parts;
+}
+
+/// Throws Problem schema-violation with every fault: a parameter that is unknown, empty or given twice is a mistake of
+/// the client, and a guess of what was meant would hide it.
+void check_query(const Pairs& query, const std::vector<std::string_view>& known) {
+  std::vector<api::FieldError> errors;
+  for (std::size_t i = 0; i < query.size(); ++i) {
+    const auto& [name, value] = query[i];
+    const auto fault = [&, &key = name](std::string message) {
+      errors.push_back({api::pointer("/query", {key.substr(0, 100)}), std::move(message)});
+    };
+    const auto same = [&, &key = name](const auto& other) { return other.first == key; };
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      std::string list;
+      for (const auto each : known) list.append(list.empty() ? "; known are " : ", ").append(each);
+      fault("unknown parameter" + (known.empty() ? "; this address takes none" : list));
+    } else if (std::any_of(query.begin(), query.begin() + static_cast<std::ptrdiff_t>(i), same)) {
+      fault("given more than once");
+    } else if (value.empty()) {
+      fault("must have a value");
+    }
+    if (errors.size() == 20) break;
+  }
+  if (errors.empty()) return;
+  std::string detail = "The query is not valid: " + api::summary(errors);
+  throw api::Problem("schema-violation", std::move(detail), std::move(errors));
 }
 
 }  // namespace
@@ -39,14 +68,16 @@ std::string Router::Route::allow() const {
   return list + ", OPTIONS";
 }
 
-void Router::add(std::string_view method, std::string_view pattern, Handler handler) {
+void Router::add(std::string_view method, std::string_view pattern, Handler handler,
+                 std::vector<std::string_view> query) {
+  Method entry{std::move(handler), std::move(query)};
   for (Route& route : routes_) {
     if (route.pattern != pattern) continue;
-    route.methods.emplace(method, std::move(handler));
+    route.methods.emplace(method, std::move(entry));
     return;
   }
   Route route{std::string(pattern), split(pattern), {}};
-  route.methods.emplace(method, std::move(handler));
+  route.methods.emplace(method, std::move(entry));
   routes_.push_back(std::move(route));
 }
 
@@ -64,7 +95,10 @@ void Router::operator()(const RequestPtr& request, const Reply& reply) const {
   if (!found) throw api::Problem("not-found", "There is nothing at " + request->path + ".");
   request->route = found->pattern;
   const auto handler = found->methods.find(request->method == "HEAD" ? "GET" : request->method);
-  if (handler != found->methods.end()) return handler->second(request, reply);
+  if (handler != found->methods.end()) {
+    check_query(request->query, handler->second.query);
+    return handler->second.handler(request, reply);
+  }
   Response response;
   if (request->method == "OPTIONS") {
     response.status = 204;

@@ -12,16 +12,23 @@ namespace bahnwerk::server {
 
 class Router {
  public:
-  /// Pattern: literal segments and {name}s, e.g. "/v1/jobs/{id}". Literals win over names.
-  void add(std::string_view method, std::string_view pattern, Handler handler);
-  /// Sets route and parameters of the request, then calls the handler; not-found and method-not-allowed otherwise.
+  /// Pattern: literal segments and {name}s, e.g. "/v1/jobs/{id}". Literals win over names. `query`: the parameters that
+  /// may follow the `?`, each at most once and with a value; anything else is a schema-violation.
+  void add(std::string_view method, std::string_view pattern, Handler handler,
+           std::vector<std::string_view> query = {});
+  /// Sets route and parameters of the request, then calls the handler; not-found, method-not-allowed and
+  /// schema-violation otherwise.
   void operator()(const RequestPtr& request, const Reply& reply) const;
 
  private:
+  struct Method {
+    Handler handler;
+    std::vector<std::string_view> query;
+  };
   struct Route {
     std::string pattern;
     std::vector<std::string> segments;
-    std::map<std::string, Handler, std::less<>> methods;
+    std::map<std::string, Method, std::less<>> methods;
     bool matches(const std::vector<std::string>& path, Pairs& parameters) const;
     std::string allow() const;
   };

@@ -22,6 +22,7 @@ std::optional<Target> parse_target(std::string_view target) {
   for (const auto& segment : url.segments()) result.segments.push_back(segment);
   urls::encoding_opts options;
   options.space_as_plus = true;
+  if (url.encoded_query().empty()) return result;  // "/path?" has no parameter, not one with an empty name
   for (const auto& pair : url.params(options)) result.query.emplace_back(pair.key, pair.value);
   return result;
 }

@@ -24,6 +24,7 @@ void LiveJob::overlay(api::Job& job) const {
   job.stage = stage_;
   job.message = message_;
   job.revision = std::max(job.revision, revision_);
+  job.state_revision = claimed_;
 }
 
 std::shared_ptr<LiveJob> LiveJobs::add(const api::Job& job) {

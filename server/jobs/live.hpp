@@ -13,7 +13,8 @@ namespace bahnwerk::server {
 /// One attempt at a job. The planner's thread writes, others read or ask it to stop.
 class LiveJob {
  public:
-  explicit LiveJob(const api::Job& job) : id_(job.id), attempt_(job.attempt), revision_(job.revision) {}
+  explicit LiveJob(const api::Job& job)
+      : id_(job.id), attempt_(job.attempt), claimed_(job.revision), revision_(job.revision) {}
   const std::string& id() const { return id_; }
   int attempt() const { return attempt_; }
 
@@ -27,6 +28,7 @@ class LiveJob {
  private:
   const std::string id_;
   const int attempt_;
+  const std::uint64_t claimed_;  ///< the revision with which it began to run
   mutable std::mutex mutex_;
   double fraction_ = 0;
   std::string stage_, message_;

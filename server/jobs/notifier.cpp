@@ -16,13 +16,14 @@ Notifier::~Notifier() {
   thread_.join();
 }
 
-Notifier::Token Notifier::wait(const std::string& job, Clock::time_point until, std::function<void()> wake) {
+Notifier::Token Notifier::wait(const std::string& job, Clock::time_point until, std::function<void()> wake,
+                               std::optional<Clock::time_point> progress_from) {
   Token token = 0;
   {
     const std::lock_guard lock(mutex_);
     token = next_++;
     if (!released_) {
-      waiters_.emplace(token, Waiter{job, until, std::move(wake)});
+      waiters_.emplace(token, Waiter{job, until, std::move(wake), progress_from});
       by_job_.emplace(job, token);
       by_time_.emplace(until, token);
       wake = nullptr;
@@ -33,19 +34,32 @@ Notifier::Token Notifier::wait(const std::string& job, Clock::time_point until, 
   return token;
 }
 
+namespace {
+
+template <class Index>
+void erase(Index& index, const typename Index::key_type& key, Notifier::Token token) {
+  for (auto [at, end] = index.equal_range(key); at != end; ++at) {
+    if (at->second != token) continue;
+    index.erase(at);
+    return;
+  }
+}
+
+}  // namespace
+
 std::function<void()> Notifier::take(Waiters::iterator waiter) {
-  const auto erase = [&](auto& index, const auto& key) {
-    for (auto [at, end] = index.equal_range(key); at != end; ++at) {
-      if (at->second != waiter->first) continue;
-      index.erase(at);
-      return;
-    }
-  };
-  erase(by_job_, waiter->second.job);
-  erase(by_time_, waiter->second.until);
+  erase(by_job_, waiter->second.job, waiter->first);
+  erase(by_time_, waiter->second.until, waiter->first);
   auto wake = std::move(waiter->second.wake);
   waiters_.erase(waiter);
   return wake;
+}
+
+void Notifier::advance(Waiters::iterator waiter, Clock::time_point until) {
+  if (waiter->second.until <= until) return;
+  erase(by_time_, waiter->second.until, waiter->first);
+  waiter->second.until = until;
+  by_time_.emplace(until, waiter->first);
 }
 
 void Notifier::wake(Token token) {
@@ -59,13 +73,22 @@ void Notifier::wake(Token token) {
   call();
 }
 
-void Notifier::changed(const std::string& job) {
+void Notifier::changed(const std::string& job, Change change) {
   std::vector<std::function<void()>> calls;
   {
     const std::lock_guard lock(mutex_);
-    for (auto found = by_job_.find(job); found != by_job_.end(); found = by_job_.find(job))
-      calls.push_back(take(waiters_.find(found->second)));
+    const auto now = Clock::now();
+    for (auto [at, end] = by_job_.equal_range(job); at != end;) {
+      const auto waiter = waiters_.find(at->second);
+      ++at;  // take() removes the entry
+      const auto& from = waiter->second.progress_from;
+      if (change == Change::state || (from && now >= *from))
+        calls.push_back(take(waiter));
+      else if (from)
+        advance(waiter, *from);
+    }
   }
+  tick_.notify_one();
   for (const auto& call : calls) call();
 }
 

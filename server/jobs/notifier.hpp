@@ -7,10 +7,13 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 
 namespace bahnwerk::server {
+
+enum class Change { state, progress };
 
 class Notifier {
  public:
@@ -22,17 +25,21 @@ class Notifier {
   Notifier(const Notifier&) = delete;
   Notifier& operator=(const Notifier&) = delete;
 
+  /// A change of state wakes every waiter. Progress alone wakes those that gave `progress_from`, and not before that
+  /// time: a waiter that comes again at once is called as often as it allows, not as often as the planner reports.
   /// `wake` is called from any thread and must be quick.
-  Token wait(const std::string& job, Clock::time_point until, std::function<void()> wake);
-  void wake(Token token);                ///< calls this one now, unless it was called already
-  void changed(const std::string& job);  ///< calls all that wait for the job
-  void release();                        ///< calls all, and from now on each new one at once
+  Token wait(const std::string& job, Clock::time_point until, std::function<void()> wake,
+             std::optional<Clock::time_point> progress_from = std::nullopt);
+  void wake(Token token);  ///< calls this one now, unless it was called already
+  void changed(const std::string& job, Change change = Change::state);
+  void release();  ///< calls all, and from now on each new one at once
 
  private:
   struct Waiter {
     std::string job;
     Clock::time_point until;
     std::function<void()> wake;
+    std::optional<Clock::time_point> progress_from;
   };
   using Waiters = std::map<Token, Waiter>;
   void loop();
@@ -43,7 +50,8 @@ class Notifier {
   Waiters waiters_;
   std::multimap<std::string, Token> by_job_;
   std::multimap<Clock::time_point, Token> by_time_;
-  std::function<void()> take(Waiters::iterator waiter);  ///< removes it from all indexes; under the lock
+  std::function<void()> take(Waiters::iterator waiter);             ///< removes it from all indexes; under the lock
+  void advance(Waiters::iterator waiter, Clock::time_point until);  ///< an earlier time for it; under the lock
   bool released_ = false, stop_ = false;
   std::thread thread_;
 };

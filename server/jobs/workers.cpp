@@ -118,10 +118,11 @@ void Workers::run(const api::Job& job) {
     const std::lock_guard lock(mutex_);
     if (interrupted_) live->interrupt = true;
   }
+  notifier_.changed(id);
   log::info("job_started", {{"job", id}, {"kind", job.request.kind}, {"attempt", job.attempt}});
   JobProgress progress(
       job, live,
-      {.publish = [&] { notifier_.changed(id); },
+      {.publish = [&] { notifier_.changed(id, Change::progress); },
        .keep = [&](Progressed p, std::function<void()> done) { store_.progress(std::move(p), std::move(done)); },
        .now_ms = now_ms,
        .now = [] { return std::chrono::steady_clock::now(); }});
@@ -132,7 +133,7 @@ void Workers::run(const api::Job& job) {
   try {
     if (store_.cancel_requested(id)) live->cancel = true;  // asked for between the claim and now
     progress.report("planning", 0);
-    planned = planner_(job.request.kind, job.request.spec, progress);
+    planned = planner_(job.request.kind, job.request.document, progress);
     if (!planned->verified) throw api::Problem("verification-failed", "The plan was not verified against its limits.");
   } catch (...) {
     planned.reset();

@@ -17,7 +17,8 @@
 namespace bahnwerk::server {
 
 /// What plans; api::plan_job in service, something small in tests.
-using Planner = std::function<api::PlannedJob(const std::string& kind, const std::string& spec, Progress& progress)>;
+using Planner =
+    std::function<api::PlannedJob(const std::string& kind, const std::string& document, Progress& progress)>;
 
 class Workers {
  public:

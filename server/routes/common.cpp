@@ -8,19 +8,33 @@
 
 namespace bahnwerk::server {
 
-api::Job find_job(Context& context, const std::string& id, bool with_spec) {
-  auto job = context.store.get(id, with_spec);
+api::Job find_job(Context& context, const std::string& id) {
+  auto job = context.store.get(id, false);
   if (!job) throw api::Problem("not-found", "There is no job " + id + ".");
   context.live.overlay(*job);
   return std::move(*job);
 }
 
 Response job_answer(int status, const api::Job& job) {
-  Response response = json_answer(status, api::job_resource(job, false));
-  response.body.pop_back();  // the closing brace
-  response.body.append(",\"spec\":").append(job.request.spec).append("}");
-  response.set("ETag", "\"" + std::to_string(job.revision) + "\"");
+  Response response = json_answer(status, api::job_resource(job));
+  response.set("ETag", job_etag(job));
   return response;
+}
+
+bool final(const api::Job& job) { return job.state != api::JobState::queued && job.state != api::JobState::running; }
+
+std::string job_etag(const api::Job& job) { return "\"" + std::to_string(job.revision) + "\""; }
+
+void require_success(Context& context, const std::string& id) {
+  const api::Job job = find_job(context, id);
+  if (job.state == api::JobState::succeeded) return;
+  const std::string state(api::to_string(job.state));
+  if (!final(job)) throw api::Problem("job-not-finished", "The job is " + state + "; it has no result yet.");
+  const std::string error = job.error.value_or("{}");
+  const std::string why = nlohmann::json::parse(error).value("detail", "");
+  throw api::Problem("no-result", (state == "cancelled" ? "The job was cancelled" : "The job failed") +
+                                      std::string(" and has no result: ") + why)
+      .because_of(error);
 }
 
 void require_json(const Request& request) {
@@ -50,6 +64,7 @@ Response with_etag(const Request& request, const std::string& etag, Response res
     response.status = 304;
     response.body.clear();
     response.stream = nullptr;
+    response.feed = nullptr;
   }
   response.set("ETag", etag);
   response.set("Cache-Control", "no-cache");

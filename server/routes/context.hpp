@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "server/http/router.hpp"
+#include "server/jobs/deadlines.hpp"
 #include "server/jobs/live.hpp"
 #include "server/jobs/notifier.hpp"
 #include "server/jobs/workers.hpp"
@@ -21,24 +22,30 @@ struct Context {
   Workers& workers;
   LiveJobs& live;
   Notifier& notifier;
+  Deadlines& deadlines;
   Pool& pool;
   Pool& heavy;  ///< one thread, for large documents: read one after the other, they cannot exhaust memory together
   Metrics& metrics;
   Parser parse;
   std::size_t max_queued;
+  std::size_t max_body;  ///< bytes, of a body that comes compressed, too
   const std::atomic<bool>& draining;
 };
 
-void add_job_routes(Router& router, Context& context);     ///< POST and GET /v1/jobs, GET/DELETE /v1/jobs/{id}, cancel
+void add_job_routes(Router& router,
+                    Context& context);  ///< POST and GET /v1/jobs, GET/DELETE /v1/jobs/{id}, spec, events, cancel
 void add_result_routes(Router& router, Context& context);  ///< /v1/jobs/{id}/result, /v1/jobs/{id}/setpoints
 void add_meta_routes(Router& router, Context& context);    ///< kinds, schemas, openapi.json, problems
 void add_health_routes(Router& router, Context& context);  ///< healthz, readyz, metrics
-void add_page_routes(Router& router, Context& context);    ///< the status page
+void add_page_routes(Router& router, Context& context);    ///< the list of jobs and a page per job
 
-/// The job as it stands this moment; throws Problem not-found.
-api::Job find_job(Context& context, const std::string& id, bool with_spec = true);
-/// The job resource's text. The spec is put in as it is stored: it may have megabytes, parsing it for every look would
-/// be waste.
+/// The job as it stands this moment, without its document; throws Problem not-found.
+api::Job find_job(Context& context, const std::string& id);
+/// Throws unless the job succeeded, only then there is something to fetch: job-not-finished, or no-result with the
+/// job's error.
+void require_success(Context& context, const std::string& id);
+bool final(const api::Job& job);  ///< it has ended
+std::string job_etag(const api::Job& job);
 Response job_answer(int status, const api::Job& job);
 /// Throws Problem not-acceptable unless the request takes application/json.
 void require_json(const Request& request);

@@ -18,7 +18,7 @@ Response ready(Context& context) {
   try {
     context.store.ping();
   } catch (const StoreError& error) {
-    throw HttpError(503, std::string("The store cannot be reached: ") + error.what());
+    throw api::Problem("store-unavailable", std::string("The store cannot be reached: ") + error.what());
   }
   return uncached(json_answer(200, {{"status", "ready"}}));
 }

@@ -8,11 +8,20 @@ namespace bahnwerk::server {
 namespace {
 
 constexpr std::string_view style =
-    "body{font:16px/1.5 system-ui,sans-serif;max-width:60rem;margin:2rem auto;padding:0 "
+    "body{font:16px/1.5 system-ui,sans-serif;max-width:66rem;margin:2rem auto;padding:0 "
     "1rem;color:#1c2430;background:#fff}"
-    "table{border-collapse:collapse;width:100%}th,td{text-align:left;padding:.3rem .6rem;border-bottom:1px solid "
-    "#d5dae1}"
-    "code{font-family:ui-monospace,monospace;font-size:.9em}";
+    "h1{font-size:1.5rem}h2{font-size:1.1rem;margin:2rem 0 .4rem}a{color:#0a58a8}"
+    "table{border-collapse:collapse;width:100%}"
+    "th,td{text-align:left;vertical-align:top;padding:.3rem .6rem;border-bottom:1px solid #d5dae1}"
+    "thead th{border-bottom:2px solid #98a3b3}th.n,td.n{text-align:right}td.n{font-variant-numeric:tabular-nums}"
+    "td.k,.state{white-space:nowrap}figure{display:inline-block;margin:0 1rem 1rem 0}"
+    "code{font-family:ui-monospace,monospace;font-size:.9em}"
+    "nav{margin:-.5rem 0 1rem}.scroll{overflow-x:auto}"
+    ".state{display:inline-block;padding:0 .5rem;border-radius:.3rem;background:#e4e8ee}"
+    ".succeeded{background:#d3ecd6;color:#0d4d19}.failed{background:#f9d9d6;color:#7d1109}"
+    ".running{background:#d8e7f8;color:#0b3f77}"
+    ".error{border-left:4px solid #b3261e;padding:.1rem 1rem;background:#fdf3f2}"
+    "img{max-width:100%;max-height:80vh;border:1px solid #d5dae1;background:#fff}progress{width:100%;height:1.2rem}";
 
 /// The style's hash lets it pass the policy without 'unsafe-inline'.
 std::string policy() {
@@ -21,7 +30,7 @@ std::string policy() {
   EVP_Digest(style.data(), style.size(), digest, &size, EVP_sha256(), nullptr);
   unsigned char base64[64] = {};
   EVP_EncodeBlock(base64, digest, static_cast<int>(size));
-  return "default-src 'none'; style-src 'sha256-" + std::string(reinterpret_cast<const char*>(base64)) +
+  return "default-src 'none'; img-src 'self'; style-src 'sha256-" + std::string(reinterpret_cast<const char*>(base64)) +
          "'; frame-ancestors 'none'; base-uri 'none'; form-action 'none'";
 }
 
@@ -53,12 +62,27 @@ std::string escape_html(std::string_view text) {
   return out;
 }
 
-Response html_page(std::string_view title, std::string_view body) {
+std::string prose_html(std::string_view text) {
+  std::string out;
+  bool code = false;
+  for (const char c : escape_html(text)) {
+    if (c != '`') {
+      out += c;
+      continue;
+    }
+    code = !code;
+    out += code ? "<code>" : "</code>";
+  }
+  return code ? out + "</code>" : out;
+}
+
+Response html_page(std::string_view title, std::string_view body, int refresh) {
   static const std::string content_policy = policy();
   std::string page =
       "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-      "content=\"width=device-width\"><title>" +
-      escape_html(title) + "</title><style>";
+      "content=\"width=device-width\">";
+  if (refresh > 0) page += "<meta http-equiv=\"refresh\" content=\"" + std::to_string(refresh) + "\">";
+  page += "<title>" + escape_html(title) + "</title><style>";
   page.append(style).append("</style></head><body>\n<h1>").append(escape_html(title)).append("</h1>\n");
   page.append(body).append("</body></html>\n");
   Response response = text_answer(200, "text/html; charset=utf-8", std::move(page));

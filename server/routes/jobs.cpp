@@ -5,6 +5,7 @@
 #include "server/http/answer.hpp"
 #include "server/http/middleware.hpp"
 #include "server/routes/context.hpp"
+#include "server/routes/events.hpp"
 #include "server/routes/submit.hpp"
 #include "server/routes/watch.hpp"
 #include "server/runtime/clock.hpp"
@@ -22,7 +23,6 @@ constexpr std::size_t longest_list = 200;
 JobFilter parse_filter(const Pairs& query) {
   JobFilter filter;
   for (const auto& [name, value] : query) {
-    if (value.empty()) continue;
     if (name == "state") {
       filter.state = api::job_state(value);
       if (!filter.state) bad_query(name, "expected queued, running, succeeded, failed or cancelled");
@@ -34,12 +34,10 @@ JobFilter parse_filter(const Pairs& query) {
       const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), filter.limit);
       if (error != std::errc() || end != value.data() + value.size() || filter.limit < 1 || filter.limit > longest_list)
         bad_query(name, "expected an integer from 1 to " + std::to_string(longest_list));
-    } else if (name == "cursor") {
+    } else {  // cursor: the router lets nothing else through
       if (value.size() != 36 || value.find_first_not_of("0123456789abcdef-") != std::string::npos)
         bad_query(name, "expected the `next` of a former page");
       filter.before = value;
-    } else {
-      bad_query(name, "unknown parameter");
     }
   }
   return filter;
@@ -55,7 +53,7 @@ Response list(Context& context, const Request& request) {
   auto page = nlohmann::ordered_json::array();
   for (auto& job : jobs) {
     context.live.overlay(job);
-    page.push_back(api::job_resource(job, false));
+    page.push_back(api::job_resource(job));
   }
   nlohmann::ordered_json document{{"jobs", std::move(page)}, {"next", nullptr}};
   if (more) document["next"] = jobs.back().id;
@@ -73,6 +71,15 @@ Response cancel(Context& context, const Request& request) {
   Response response = job_answer(202, find_job(context, id));
   response.set("Location", "/v1/jobs/" + id);
   return response;
+}
+
+/// The document as it was posted, byte for byte: ready to be posted again.
+Response document(Context& context, const Request& request) {
+  require_json(request);
+  const std::string& id = request.parameter("id");
+  auto job = context.store.get(id, true);
+  if (!job) throw api::Problem("not-found", "There is no job " + id + ".");
+  return with_etag(request, "\"spec\"", text_answer(200, "application/json", std::move(job->request.document)));
 }
 
 Response remove(Context& context, const Request& request) {
@@ -96,9 +103,14 @@ Response remove(Context& context, const Request& request) {
 void add_job_routes(Router& router, Context& context) {
   router.add("POST", "/v1/jobs",
              [&](const RequestPtr& request, const Reply& reply) { submit(context, request, reply); });
-  router.add("GET", "/v1/jobs", on_pool(context.pool, [&](const Request& request) { return list(context, request); }));
+  router.add("GET", "/v1/jobs", on_pool(context.pool, [&](const Request& request) { return list(context, request); }),
+             {"state", "kind", "reference", "limit", "cursor"});
   router.add("GET", "/v1/jobs/{id}",
              [&](const RequestPtr& request, const Reply& reply) { watch(context, request, reply); });
+  router.add("GET", "/v1/jobs/{id}/spec",
+             on_pool(context.pool, [&](const Request& request) { return document(context, request); }));
+  router.add("GET", "/v1/jobs/{id}/events",
+             [&](const RequestPtr& request, const Reply& reply) { events(context, request, reply); });
   router.add("DELETE", "/v1/jobs/{id}",
              on_pool(context.pool, [&](const Request& request) { return remove(context, request); }));
   router.add("POST", "/v1/jobs/{id}/cancel",

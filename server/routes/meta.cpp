@@ -53,7 +53,7 @@ void problem_page(const RequestPtr& request, const Reply& reply) {
     const std::string where = type->status ? "HTTP status " + std::to_string(type->status)
                                            : std::string("found in the <code>error</code> of a job");
     response = html_page(type->title, "<p><code>/problems/" + std::string(type->slug) + "</code>, " + where +
-                                          "</p>\n<p>" + escape_html(type->advice) + "</p>\n");
+                                          "</p>\n<p>" + prose_html(type->advice) + "</p>\n");
   } else {
     nlohmann::ordered_json document{{"type", "/problems/" + std::string(type->slug)}, {"title", type->title}};
     if (type->status) document["status"] = type->status;

@@ -10,25 +10,6 @@
 namespace bahnwerk::server {
 namespace {
 
-/// Throws unless the job succeeded: only then there is something to fetch. A job that ended otherwise never will have
-/// it.
-void require_success(Context& context, const std::string& id) {
-  const api::Job job = find_job(context, id, false);
-  switch (job.state) {
-    case api::JobState::succeeded:
-      return;
-    case api::JobState::queued:
-    case api::JobState::running:
-      throw api::Problem("job-not-finished",
-                         "The job is " + std::string(api::to_string(job.state)) + "; it has no result yet.");
-    case api::JobState::failed:
-    case api::JobState::cancelled:
-      break;
-  }
-  throw api::Problem("not-found", "The job " + std::string(api::to_string(job.state)) +
-                                      " and has no result; /v1/jobs/" + id + " says why in `error`.");
-}
-
 Response result(Context& context, const Request& request) {
   require_json(request);
   const std::string& id = request.parameter("id");
@@ -67,28 +48,14 @@ api::SetpointSeries stored_series(Store& store, const SeriesInfo& info) {
   return series;
 }
 
-std::string format_name(api::SetpointFormat format) {
-  switch (format) {
-    case api::SetpointFormat::json:
-      return "json";
-    case api::SetpointFormat::csv:
-      return "csv";
-    case api::SetpointFormat::ndjson:
-      return "ndjson";
-    case api::SetpointFormat::f64:
-      break;
-  }
-  return "f64";
-}
-
 Response setpoints(Context& context, const Request& request) {
   const std::string& id = request.parameter("id");
-  const auto format = api::negotiate_setpoints(request.header("accept").value_or(""));
+  const api::SetpointQuery query = api::parse_setpoint_query(request.query);
+  const auto format = query.format ? query.format : api::negotiate_setpoints(request.header("accept").value_or(""));
   if (!format)
     throw api::Problem(
         "not-acceptable",
         "Setpoints come as application/json, text/csv, application/x-ndjson or application/octet-stream.");
-  const api::SetpointQuery query = api::parse_setpoint_query(request.query);
   require_success(context, id);
   const auto info = context.store.series(id);
   if (!info) throw api::Problem("not-found", "The job " + id + " has no setpoints.");
@@ -100,9 +67,11 @@ Response setpoints(Context& context, const Request& request) {
   response.set("Content-Type", std::string(api::content_type(*format)));
   response.set("X-Columns", columns);
   response.set("Vary", "Accept");
+  const std::string name(api::format_name(*format));
+  if (query.format) response.set("Content-Disposition", "attachment; filename=\"" + id + "." + name + "\"");
   response.stream = [stream](std::string& piece) { return stream->next(piece); };
   // A succeeded job never changes: the address, query included, and the format name the bytes.
-  return with_etag(request, "\"setpoints-" + format_name(*format) + "\"", std::move(response));
+  return with_etag(request, "\"setpoints-" + name + "\"", std::move(response));
 }
 
 }  // namespace
@@ -111,7 +80,8 @@ void add_result_routes(Router& router, Context& context) {
   router.add("GET", "/v1/jobs/{id}/result",
              on_pool(context.pool, [&](const Request& request) { return result(context, request); }));
   router.add("GET", "/v1/jobs/{id}/setpoints",
-             on_pool(context.pool, [&](const Request& request) { return setpoints(context, request); }));
+             on_pool(context.pool, [&](const Request& request) { return setpoints(context, request); }),
+             {"first", "count", "every", "columns", "points", "format"});
 }
 
 }  // namespace bahnwerk::server

@@ -6,6 +6,7 @@
 
 #include "server/http/accept.hpp"
 #include "server/http/answer.hpp"
+#include "server/http/gzip.hpp"
 #include "server/runtime/clock.hpp"
 
 namespace bahnwerk::server {
@@ -29,7 +30,8 @@ std::string sha256(std::string_view text) {
 std::string idempotency_key(const Request& request) {
   const std::string key = request.header("idempotency-key").value_or("");
   const bool visible = std::all_of(key.begin(), key.end(), [](char c) { return c >= ' ' && c < 127; });
-  if (key.size() > 255 || !visible) throw HttpError(400, "Idempotency-Key takes 1 to 255 printable ASCII characters.");
+  if (key.size() > 255 || !visible)
+    throw api::Problem("bad-request", "Idempotency-Key takes 1 to 255 printable ASCII characters.");
   return key;
 }
 
@@ -42,6 +44,7 @@ Response accepted(Context& context, const Inserted& inserted) {
                          std::to_string(context.max_queued) + " jobs are waiting; no more are taken now.");
     case Inserted::What::created:
       context.workers.poke();
+      context.deadlines.poke();
       break;
     case Inserted::What::replayed:
       break;
@@ -52,18 +55,36 @@ Response accepted(Context& context, const Inserted& inserted) {
   return response;
 }
 
+/// The body without its packing, with the limit that a plain one has.
+void unpack_body(Request& request, std::size_t most) {
+  auto text = gunzip(request.body, most);
+  if (!text) throw http_problem(413, "The request body, unpacked, is larger than " + std::to_string(most) + " bytes.");
+  request.body = std::move(*text);
+}
+
 }  // namespace
 
 void submit(Context& context, const RequestPtr& request, const Reply& reply) {
   require_json(*request);
   if (!is_json(request->header("content-type").value_or("")))
     throw api::Problem("unsupported-media-type", "Job documents are posted with Content-Type: application/json.");
+  const auto coding = content_coding(request->header("content-encoding").value_or(""));
+  if (!coding) {
+    Response response =
+        problem_answer(api::Problem("unsupported-media-type", "Of content codings only gzip and identity are known."),
+                       request->target);
+    response.set("Accept-Encoding", "gzip, identity");
+    return reply(std::move(response));
+  }
   if (context.draining) throw api::Problem("draining", "The server is about to stop and takes no new jobs.");
   NewJob job;
   job.idempotency_key = idempotency_key(*request);
-  Pool& pool = request->body.size() > large_document ? context.heavy : context.pool;
-  pool.post([&context, request, reply, job = std::move(job)]() mutable {
+  // How large a packed body is shows only when it is unpacked: one after the other, too.
+  const bool large = request->body.size() > large_document || *coding == Coding::gzip;
+  Pool& pool = large ? context.heavy : context.pool;
+  pool.post([&context, request, reply, coding, job = std::move(job)]() mutable {
     try {
+      if (*coding == Coding::gzip) unpack_body(*request, context.max_body);
       if (!job.idempotency_key.empty()) job.body_hash = sha256(request->body);
       job.request = context.parse(request->body);
       job.now = now_ms();

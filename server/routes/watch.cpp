@@ -10,18 +10,71 @@ namespace {
 
 constexpr int longest_wait = 60;
 
-std::string etag(const api::Job& job) { return "\"" + std::to_string(job.revision) + "\""; }
+/// One request that is held. It looks at the job on the pool, and again whenever the notifier calls.
+struct Waiting : std::enable_shared_from_this<Waiting> {
+  Waiting(Context& all, RequestPtr asked, Reply answer, int seconds)
+      : context(all),
+        request(std::move(asked)),
+        reply(std::move(answer)),
+        id(request->parameter("id")),
+        any_change(request->header("if-none-match").has_value()),
+        wait(seconds),
+        until(Notifier::Clock::now() + std::chrono::seconds(seconds)),
+        progress_from(Notifier::Clock::now() + progress_interval) {}
 
-bool final(const api::Job& job) { return job.state != api::JobState::queued && job.state != api::JobState::running; }
+  bool over() const { return context.draining || Notifier::Clock::now() >= until; }
+  /// What the client waits for has come about.
+  bool due(const api::Job& job) const {
+    if (final(job)) return true;
+    if (!any_change || matches_etag(*request, job_etag(job))) return false;
+    return !knows_state(*request, job) || Notifier::Clock::now() >= progress_from;
+  }
+  Notifier::Clock::time_point next_look(const api::Job& job) const {
+    const bool progressed = any_change && !matches_etag(*request, job_etag(job));
+    return progressed ? std::min(until, progress_from) : until;
+  }
 
-Response resource(Context& context, const Request& request) {
-  const api::Job light = find_job(context, request.parameter("id"), false);
-  if (matches_etag(request, etag(light))) return with_etag(request, etag(light), Response());
-  const api::Job job = find_job(context, light.id);
-  return with_etag(request, etag(job), job_answer(200, job));
-}
+  void look() {
+    try {
+      const api::Job job = find_job(context, id);
+      if (over() || due(job)) {
+        Response response = with_etag(*request, job_etag(job), job_answer(200, job));
+        response.set("Preference-Applied", "wait=" + std::to_string(wait));
+        return reply(std::move(response));
+      }
+      const auto again = [self = shared_from_this()] { self->context.pool.post([self] { self->look(); }); };
+      const auto token =
+          context.notifier.wait(id, next_look(job), again, any_change ? std::optional(progress_from) : std::nullopt);
+      // What changed between the look and the wait would be missed.
+      const api::Job now = find_job(context, id);
+      if (now.revision != job.revision && (due(now) || next_look(now) != next_look(job))) context.notifier.wake(token);
+    } catch (...) {
+      reply(answer_from_current_exception(*request));
+    }
+  }
+
+  Context& context;
+  const RequestPtr request;
+  const Reply reply;
+  const std::string id;
+  const bool any_change;
+  const int wait;
+  const Notifier::Clock::time_point until, progress_from;
+};
 
 }  // namespace
+
+bool knows_state(const Request& request, const api::Job& job) {
+  if (job.state_revision == 0) return false;
+  const std::string tags = request.header("if-none-match").value_or("");
+  for (std::size_t at = tags.find('"'); at != std::string::npos; at = tags.find('"', at + 1)) {
+    std::uint64_t revision = 0;
+    const char* const begin = tags.data() + at + 1;
+    const auto [end, error] = std::from_chars(begin, tags.data() + tags.size(), revision);
+    if (error == std::errc() && *end == '"' && revision >= job.state_revision && revision <= job.revision) return true;
+  }
+  return false;
+}
 
 int preferred_wait(const Request& request) {
   const std::string preferences = request.header("prefer").value_or("");
@@ -41,28 +94,15 @@ int preferred_wait(const Request& request) {
 
 void watch(Context& context, const RequestPtr& request, const Reply& reply) {
   require_json(*request);
+  if (const int wait = preferred_wait(*request); wait > 0) {
+    context.pool.post([waiting = std::make_shared<Waiting>(context, request, reply, wait)] { waiting->look(); });
+    return;
+  }
   context.pool.post([&context, request, reply] {
-    try {
-      const std::string& id = request->parameter("id");
-      const api::Job job = find_job(context, id, false);
-      const int wait = preferred_wait(*request);
-      const bool known = !request->header("if-none-match") || matches_etag(*request, etag(job));
-      if (wait == 0 || final(job) || !known) return reply(resource(context, *request));
-      const auto until = Notifier::Clock::now() + std::chrono::seconds(wait);
-      const auto token = context.notifier.wait(id, until, [&context, request, reply, wait] {
-        context.pool.post([&context, request, reply, wait] {
-          reply_with(*request, reply, [&] {
-            Response response = resource(context, *request);
-            response.set("Preference-Applied", "wait=" + std::to_string(wait));
-            return response;
-          });
-        });
-      });
-      // What changed between the first look and the wait would be missed.
-      if (find_job(context, id, false).revision != job.revision) context.notifier.wake(token);
-    } catch (...) {
-      reply(answer_from_current_exception(*request));
-    }
+    reply_with(*request, reply, [&] {
+      const api::Job job = find_job(context, request->parameter("id"));
+      return with_etag(*request, job_etag(job), job_answer(200, job));
+    });
   });
 }
 

@@ -6,12 +6,16 @@
 
 namespace bahnwerk::server {
 
-std::unique_ptr<Store> open_store(const std::string& url, std::function<void(double, std::size_t)> observer) {
+void check_store(const std::string& url) {
   if (url.starts_with("postgresql:") || url.starts_with("postgres:"))
     throw StoreError("PostgreSQL is not available in this version; use sqlite:PATH", false);
   if (!url.starts_with("sqlite:") || url.size() == 7)
     throw StoreError("unsupported store '" + url + "'; expected sqlite:PATH, for example sqlite:var/bahnwerk.db",
                      false);
+}
+
+std::unique_ptr<Store> open_store(const std::string& url, std::function<void(double, std::size_t)> observer) {
+  check_store(url);
   SqliteOptions options;
   options.path = url.substr(7);
   options.observer = std::move(observer);

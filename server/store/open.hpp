@@ -7,6 +7,9 @@
 
 namespace bahnwerk::server {
 
+/// Throws StoreError unless open_store takes such a URL; touches nothing.
+void check_store(const std::string& url);
+
 /// Opens the store named by a URL: sqlite:PATH (the directory is made when it is missing). `observer` is told of every
 /// commit (seconds, writes). Throws StoreError with a sentence for the operator.
 std::unique_ptr<Store> open_store(const std::string& url, std::function<void(double, std::size_t)> observer);

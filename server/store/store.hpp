@@ -66,6 +66,12 @@ struct Progressed {
 
 enum class Removed { yes, running, unknown };
 
+/// The queued jobs that were ended because their deadline had passed, and the next deadline in the queue.
+struct Expired {
+  std::vector<std::string> ids;
+  std::optional<std::int64_t> next;  ///< ms since 1970 UTC
+};
+
 class Store {
  public:
   virtual ~Store() = default;
@@ -74,8 +80,9 @@ class Store {
   /// share a commit.
   virtual void insert(NewJob job, std::function<void(Inserted, std::exception_ptr)> done) = 0;
 
-  virtual std::optional<api::Job> get(const std::string& id, bool with_spec = true) = 0;
-  virtual std::vector<api::Job> list(const JobFilter& filter) = 0;  ///< newest first, without specs
+  /// `with_document` false leaves JobRequest::document empty.
+  virtual std::optional<api::Job> get(const std::string& id, bool with_document = true) = 0;
+  virtual std::vector<api::Job> list(const JobFilter& filter) = 0;  ///< newest first, without documents
   virtual std::map<api::JobState, std::size_t> counts() = 0;
   virtual void ping() = 0;  ///< a real query; throws StoreError
 
@@ -94,8 +101,11 @@ class Store {
   /// instead.
   virtual bool requeue(const std::string& id, int attempt, std::int64_t now, std::uint64_t revision) = 0;
 
+  /// Ends queued jobs whose deadline has passed as deadline-exceeded. Writes only when there are any.
+  virtual Expired expire(std::int64_t now) = 0;
+
   /// A queued job is cancelled at once, of a running one the wish is kept; finished ones stay. Returns the job after
-  /// that, without its spec.
+  /// that, without its document.
   virtual std::optional<api::Job> cancel(const std::string& id, std::int64_t now) = 0;
   virtual bool cancel_requested(const std::string& id) = 0;
   virtual Removed remove(const std::string& id) = 0;

@@ -22,6 +22,16 @@ const std::map<std::string, int> contract{{"invalid-json", 400},
                                           {"unsupported-media-type", 415},
                                           {"idempotency-conflict", 409},
                                           {"job-not-finished", 409},
+                                          {"no-result", 409},
+                                          {"storage-full", 507},
+                                          {"store-unavailable", 503},
+                                          {"too-many-connections", 503},
+                                          {"bad-request", 400},
+                                          {"request-timeout", 408},
+                                          {"expectation-failed", 417},
+                                          {"header-too-large", 431},
+                                          {"not-implemented", 501},
+                                          {"http-version-not-supported", 505},
                                           {"payload-too-large", 413},
                                           {"too-many-jobs", 429},
                                           {"unauthorized", 401},
@@ -70,6 +80,22 @@ TEST(Document, CarriesTheMembersOfRfc9457) {
                             {"errors", {{{"pointer", "/spec/a~1b"}, {"message", "is required"}}}}}));
 }
 
+TEST(Document, CarriesTheErrorOfTheJob) {
+  const std::string error = Problem("infeasible", "no way").document("/v1/jobs/1").dump();
+  const auto document = Problem("no-result", "The job failed").because_of(error).document("/v1/jobs/1/result");
+  EXPECT_EQ(document["status"], 409);
+  EXPECT_EQ(document["error"]["type"], "/problems/infeasible");
+  EXPECT_EQ(document["error"]["detail"], "no way");
+}
+
+TEST(Summary, NamesTheFirstPlaceAndHowManyFollow) {
+  const FieldError at{"/spec/a", "is required"};
+  EXPECT_EQ(summary(std::vector{at}), "/spec/a: is required");
+  EXPECT_EQ(summary(std::vector{at, at, at}), "/spec/a: is required (and 2 more)");
+  EXPECT_EQ(summary(std::vector{at, at, at}, 3), "/spec/a: is required (and at least 2 more)");
+  EXPECT_EQ(summary(std::vector<FieldError>{{"", "must be an object"}}), "the document: must be an object");
+}
+
 TEST(Document, LeavesOutWhatIsEmpty) {
   const auto document = Problem("infeasible", "no way").document();
   EXPECT_FALSE(document.contains("status"));
@@ -94,6 +120,7 @@ TEST(FromException, InputFaultsBecomePointersBelowThePrefix) {
   EXPECT_EQ(problem.errors()[0].pointer, "/spec/contour/points/7");
   EXPECT_EQ(problem.errors()[0].message, "first");
   EXPECT_EQ(problem.errors()[1].pointer, "/spec/machine/a~1b~0c");
+  EXPECT_STREQ(problem.what(), "/spec/contour/points/7: first (and 1 more)") << "the detail names the first place";
 }
 
 TEST(FromException, EveryErrorOfTheCoreHasItsSlug) {

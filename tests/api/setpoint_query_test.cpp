@@ -27,6 +27,7 @@ TEST(SetpointQuery, ReadsEveryParameter) {
   EXPECT_EQ(query.every, 3u);
   EXPECT_EQ(query.columns, (Pointers{"x", "vy"}));
   EXPECT_EQ(parse_setpoint_query({{"points", "500"}}).points, 500u);
+  EXPECT_EQ(parse_setpoint_query({{"format", "ndjson"}}).format, SetpointFormat::ndjson);
 }
 
 TEST(SetpointQuery, DefaultsToEverything) {
@@ -48,6 +49,8 @@ TEST(SetpointQuery, RefusesWhatIsNoNaturalNumber) {
 
 TEST(SetpointQuery, RefusesContradictionsAndStrangers) {
   EXPECT_EQ(faults({{"points", "10"}, {"every", "2"}}), Pointers{"/query/points"});
+  for (const char* format : {"", "CSV", "xml"})
+    EXPECT_EQ(faults({{"format", format}}), Pointers{"/query/format"}) << format;
   EXPECT_EQ(faults({{"offset", "10"}}), Pointers{"/query/offset"});
   EXPECT_EQ(faults({{"a/b", ""}}), Pointers{"/query/a~1b"});
   EXPECT_EQ(faults({{"first", "1"}, {"first", "1"}}), Pointers{"/query/first"});

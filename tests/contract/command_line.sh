@@ -49,19 +49,88 @@ refused() { # words, then the command
   grep -q -- "$words" "$work/err" || fail "expected a sentence with '$words', got: $(cat "$work/err")"
 }
 refused "not available in this version" "$bahnwerk" serve --store postgresql://localhost/x
-refused "unsupported store" "$bahnwerk" serve --store /tmp/x.db
+refused "unsupported store" "$bahnwerk" serve --listen 127.0.0.1:0 --store /tmp/x.db
 refused "is no address" "$bahnwerk" serve --listen nonsense --store "sqlite:$work/a.db"
 refused "is no port" "$bahnwerk" serve --listen 127.0.0.1:99999 --store "sqlite:$work/a.db"
 refused "owned by one process" "$bahnwerk" serve --role worker
 refused "workers" "$bahnwerk" serve --workers many
-refused "is a directory" "$bahnwerk" serve --store "sqlite:$work"
-refused "cannot make the store's directory" "$bahnwerk" serve --store sqlite:/proc/nowhere/a.db
+refused "is a directory" "$bahnwerk" serve --listen 127.0.0.1:0 --store "sqlite:$work"
+refused "cannot make the store's directory" "$bahnwerk" serve --listen 127.0.0.1:0 --store sqlite:/proc/nowhere/a.db
 echo "this is no database, but long enough to be looked at closely ................................" >"$work/text.db"
 refused "not a database" "$bahnwerk" serve --listen 127.0.0.1:0 --store "sqlite:$work/text.db"
 start_server
-refused "is taken by another program" "$bahnwerk" serve --listen "$address" --store "sqlite:$work/a.db"
+refused "is taken by another program" "$bahnwerk" serve --listen "$address" --store "sqlite:$work/new/b.db"
+[[ -e $work/new ]] && fail "a database was made before the address was sure"
 refused "another bahnwerk" "$bahnwerk" serve --listen 127.0.0.1:0 --store "sqlite:$work/store.db"
 stop_server || fail "orderly end"
+
+# Exit codes of the client, and a flag against its variable. `client CODE WORDS…`
+start_server --workers 0 --max-queued 1
+client() {
+  local code=$1
+  shift
+  expect_equal "$(code_of "$bahnwerk" "$@")" "$code" "for bahnwerk $*: $(cat "$work/err")"
+}
+dead=http://127.0.0.1:1
+client 0 submit "$examples/line.json" --server "$url"
+id=$(jq -r .id "$work/out")
+client 3 submit "$examples/line.json" --server "$url" # the queue is full: later
+jq -e '.type == "/problems/too-many-jobs"' "$work/out" >/dev/null || fail "a refusal is printed"
+client 2 submit /no/such/file --server "$url"
+echo '{"kind":' >"$work/broken.json"
+client 2 submit "$work/broken.json" --server "$url"
+client 2 watch no-such-job --server "$url"
+client 2 fetch no-such-job --server "$url"
+client 2 fetch "$id" --server "$url" # not finished
+client 2 fetch "$id" --format xml --server "$url"
+request POST "/v1/jobs/$id/cancel"
+client 1 watch "$id" --server "$url"
+jq -e '.state == "cancelled"' "$work/out" >/dev/null || fail "watch prints the job"
+client 1 fetch "$id" --server "$url"
+jq -e '.type == "/problems/no-result" and .error.type == "/problems/cancelled"' "$work/out" >/dev/null || fail "fetch says why"
+for command in "submit $examples/line.json" "watch $id" "fetch $id"; do
+  client 3 $command --server "$dead"
+  BAHNWERK_SERVER=$dead client 3 $command
+  # A flag wins over its variable, and a variable of another command does not matter.
+  expected=0
+  [[ $command == submit* ]] || expected=1
+  BAHNWERK_SERVER=$dead BAHNWERK_WORKERS=many client $expected $command --server "$url"
+  [[ $command == submit* ]] && request POST "/v1/jobs/$(jq -r .id "$work/out")/cancel"
+  BAHNWERK_SERVER=$url client $expected $command
+  [[ $command == submit* ]] && request POST "/v1/jobs/$(jq -r .id "$work/out")/cancel"
+  BAHNWERK_SERVER=$url client 3 $command --server "$dead"
+done
+stop_server || fail "orderly end"
+start_server --workers 1
+client 0 submit "$examples/line.json" --wait --server "$url"
+snake 20000 '{"time_budget":0.2}' >"$work/budget.json"
+client 1 submit "$work/budget.json" --wait --server "$url"
+jq -e '.type == "/problems/budget-exhausted"' "$work/out" >/dev/null || fail "submit --wait prints why"
+stop_server || fail "orderly end"
+for command in "" serve plan submit watch fetch; do
+  client 0 $command --help
+  grep -q "Exit codes: 0 " "$work/out" || fail "help of '$command' names the exit codes"
+done
+
+# Every flag of serve wins over its variable, and every variable is read.
+client 0 serve --help
+mapfile -t flags < <(grep -o 'Env:BAHNWERK_[A-Z_]*' "$work/out" | sort -u | sed 's/Env:BAHNWERK_//')
+((${#flags[@]} >= 14)) || fail "help names ${#flags[@]} variables"
+declare -A good=([LISTEN]= [STORE]= [WORKERS]=1 [ROLE]=all [HTTP_THREADS]=1 [MAX_QUEUED]=5 [MAX_BODY]=1MiB [MAX_CONNECTIONS]=9
+  [HEADER_TIMEOUT]=5 [BODY_TIMEOUT]=5 [IDLE_TIMEOUT]=5 [WRITE_TIMEOUT]=5 [DRAIN_TIMEOUT]=1 [LOG_LEVEL]=debug)
+for name in "${flags[@]}"; do
+  [[ -v "good[$name]" ]] || continue
+  base=()
+  [[ $name == LISTEN ]] || base+=(--listen 127.0.0.1:0)
+  [[ $name == STORE ]] || base+=(--store "sqlite:$work/flags.db")
+  export "BAHNWERK_$name=nonsense"
+  expect_equal "$(code_of timeout 20 "$bahnwerk" serve "${base[@]}")" 2 "BAHNWERK_$name is read"
+  flag=()
+  [[ -z ${good[$name]} ]] || flag=("--$(tr 'A-Z_' 'a-z-' <<<"$name")" "${good[$name]}")
+  start_server "${flag[@]}" # gives --listen and --store itself
+  stop_server || fail "an orderly end with BAHNWERK_$name"
+  unset "BAHNWERK_$name"
+done
 
 # Flags from the environment.
 export BAHNWERK_MAX_BODY=1kb

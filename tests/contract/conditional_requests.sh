@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# ETag, If-None-Match, and `Prefer: wait`, which holds the answer until the job changes.
+# ETag, If-None-Match, and `Prefer: wait`, which holds the answer until the job has ended, or with If-None-Match until it changes.
 source "$(dirname "$0")/lib.sh"
 start_server --workers 1
 
@@ -48,8 +48,9 @@ expect_header Preference-Applied wait=2
 took=$(seconds "$began")
 ((took >= 1900 && took < 10000)) || fail "held for $took ms instead of 2000"
 
-# A running job's progress wakes the waiter, and every revision differs.
+# A running job's progress wakes the waiter, once a second at most, and every revision differs.
 request GET "/v1/jobs/$long"
+began=$(date +%s%N)
 for _ in 1 2 3; do
   etag=$(header ETag)
   request GET "/v1/jobs/$long" -H "If-None-Match: $etag" -H 'Prefer: wait=30'
@@ -57,6 +58,13 @@ for _ in 1 2 3; do
   [[ $(header ETag) != "$etag" ]] || fail "woken without a change"
   expect_json '.progress.fraction >= 0 and .progress.fraction <= 1 and (.progress.stage | length > 0)'
 done
+(($(seconds "$began") >= 3000)) || fail "woken three times within $(seconds "$began") ms"
+# Without If-None-Match progress does not count: held for the whole time.
+began=$(date +%s%N)
+request GET "/v1/jobs/$long" -H 'Prefer: wait=2'
+expect_status 200
+expect_header Preference-Applied wait=2
+(($(seconds "$began") >= 1900)) || fail "progress ended the wait"
 
 # Cancelling the queued job wakes who waits for it.
 request GET "/v1/jobs/$short"
@@ -76,6 +84,6 @@ for i in $(seq 200); do
 done
 request GET /readyz
 expect_status 200
-for pid in "${pids[@]}"; do wait "$pid"; done
 request POST "/v1/jobs/$long/cancel"
 expect_status 202
+for pid in "${pids[@]}"; do wait "$pid" || fail "a waiter was not answered"; done

@@ -42,7 +42,7 @@ jq '.name = "<script>alert(1)</script>"' "$examples/line.json" >"$work/job.json"
 post "$work/job.json"
 request GET / -H 'Accept: text/html'
 expect_status 200
-grep -q "/v1/jobs/$id" "$work/body" || fail "the page links the job"
+grep -q "/jobs/$id" "$work/body" || fail "the page links the job"
 grep -q '<script' "$work/body" && fail "names are escaped"
 request GET / -H 'Accept: application/json'
 expect_problem not-acceptable 406

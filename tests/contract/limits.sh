@@ -35,9 +35,10 @@ refused 413 "POST /v1/jobs HTTP/1.1\r\nHost: x\r\nTransfer-Encoding: chunked\r\n
 refused 417 'POST /v1/jobs HTTP/1.1\r\nHost: x\r\nContent-Length: 5\r\nExpect: miracles\r\n\r\n'
 refused 431 "GET / HTTP/1.1\r\nHost: x\r\nX-Long: $(head -c 40000 /dev/zero | tr '\0' a)\r\n\r\n"
 refused 505 'GET / HTTP/2.0\r\nHost: x\r\n\r\n'
+refused 501 'POST /v1/jobs HTTP/1.1\r\nHost: x\r\nTransfer-Encoding: gzip, chunked\r\n\r\n0\r\n\r\n'
 # The refusal is a problem document too.
 printf 'GET / HTTP/1.1\r\n\r\n' | raw 5 | tr -d '\r' | sed '1,/^$/d' >"$work/body"
-expect_json '.type == "about:blank" and .status == 400 and (.detail | length > 0)'
+expect_json '.type == "/problems/bad-request" and .status == 400 and (.detail | length > 0)'
 
 # Expect: 100-continue gets its 100 before the body is sent.
 expect_equal "$(printf 'POST /v1/jobs HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\nContent-Length: 2\r\nExpect: 100-continue\r\nConnection: close\r\n\r\n{}' |

@@ -9,8 +9,11 @@ expect_status 202
 await failed
 expect_error budget-exhausted
 expect_json '.error.instance == "/v1/jobs/" + .id and .finished_at != null'
-request GET "/v1/jobs/$id/result"
-expect_problem not-found 404
+for part in result setpoints; do
+  request GET "/v1/jobs/$id/$part"
+  expect_problem no-result 409
+  expect_json '.error.type == "/problems/budget-exhausted" and .error.instance == "/v1/jobs/" + $id' --arg id "$id"
+done
 
 deadline=$(date -u -d '+2 seconds' +%Y-%m-%dT%H:%M:%SZ)
 snake 20000 "{\"deadline\":\"$deadline\"}" >"$work/deadline.json"
@@ -25,6 +28,18 @@ long=$id
 await running
 post "$examples/line.json"
 queued=$id
+
+# A deadline that passes in the queue ends the job there, though the only worker is busy.
+deadline=$(date -u -d '+2 seconds' +%Y-%m-%dT%H:%M:%SZ)
+jq --arg deadline "$deadline" '.deadline = $deadline' "$examples/line.json" >"$work/deadline.json"
+post "$work/deadline.json"
+expect_status 202
+request GET "/v1/jobs/$id" -H 'Prefer: wait=20'
+expect_error deadline-exceeded
+expect_json '.state == "failed" and .attempt == 0 and .started_at == null'
+id=$long
+request GET "/v1/jobs/$id"
+expect_json '.state == "running"'
 
 # A queued job is cancelled at once, a running one within a second; asking again changes nothing.
 request POST "/v1/jobs/$queued/cancel"
@@ -47,6 +62,7 @@ expect_json '.state == "cancelled" and .finished_at == $finished' --arg finished
 # While the server waits for a running job before it ends, it answers, but takes nothing new.
 post "$work/long.json"
 await running
+busy=$id
 kill -TERM "$server_pid"
 for _ in $(seq 50); do
   request GET /readyz
@@ -61,3 +77,4 @@ request GET /healthz
 expect_status 200
 request GET "/v1/jobs/$long" -H 'Prefer: wait=30'
 expect_status 200
+expect_equal "$(curl -sS --max-time 20 "$url/v1/jobs/$busy/events" | grep -c '^event: state')" 1 "events end with the service"

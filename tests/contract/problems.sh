@@ -18,6 +18,37 @@ jq '.kind = "teleport"' "$examples/line.json" >"$work/bad.json"
 post "$work/bad.json"
 expect_problem unknown-kind 422
 
+# The detail names the first place and how many follow.
+jq '.spec.contour = {"points": [[1, 1], [1, 1]]} | .callback = "https://example.com/done"' "$examples/line.json" >"$work/bad.json"
+post "$work/bad.json"
+expect_problem semantic-violation 422
+expect_json '(.detail | test("^/callback: .* \\(and 1 more\\)$")) and .errors[1].pointer == "/spec/contour"'
+
+# Packed bodies: gzip as any other, anything else is refused, a bomb is cut at the limit of a body.
+gzip -c "$examples/line.json" >"$work/line.gz"
+request POST /v1/jobs -H 'Content-Type: application/json' -H 'Content-Encoding: br' --data-binary "@$work/line.gz"
+expect_problem unsupported-media-type 415
+expect_header Accept-Encoding "gzip, identity"
+request POST /v1/jobs -H 'Content-Type: application/json' -H 'Content-Encoding: gzip' --data-binary "@$examples/line.json"
+expect_problem bad-request 400
+head -c 300000000 /dev/zero | gzip -c >"$work/bomb.gz"
+request POST /v1/jobs -H 'Content-Type: application/json' -H 'Content-Encoding: gzip' --data-binary "@$work/bomb.gz"
+expect_problem payload-too-large 413
+request POST /v1/jobs -H 'Content-Type: application/json' -H 'Content-Encoding: gzip' --data-binary "@$work/line.gz"
+expect_status 202
+packed=$(field .id)
+request GET "/v1/jobs/$packed/spec"
+cmp "$work/body" "$examples/line.json" || fail "the document as posted, unpacked"
+request DELETE "/v1/jobs/$packed"
+expect_status 204
+
+# Parameters of the query: unknown, empty and repeated ones are refused, whatever the address.
+for path in '/v1/jobs?state=' '/v1/jobs?limit=1&limit=1' '/v1/jobs/x?a=1' '/v1/jobs/x/result?a=' '/v1/kinds?x=1' '/?page=2' '/v1/jobs/x/setpoints?first='; do
+  request GET "$path"
+  expect_problem schema-violation 422
+  expect_json '.errors | length == 1 and (.[0].pointer | startswith("/query/"))'
+done
+
 request GET /nothing/here
 expect_problem not-found 404
 request GET /v1/jobs/01890000-0000-7000-8000-000000000000

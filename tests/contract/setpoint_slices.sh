@@ -49,9 +49,15 @@ lines=$(wc -l <"$work/body")
 
 request GET "/v1/jobs/$id/setpoints?first=$((rows - 1))" -H 'Accept: application/x-ndjson'
 expect_equal "$(wc -l <"$work/body")" 1 "the last row"
-for query in first=-1 every=0 count=x columns=nonsense points=0 colour=1 "first=$((rows + 1))" 'points=5&every=2'; do
+for query in first=-1 every=0 count=x columns=nonsense points=0 colour=1 first= points= columns= format= format=xml 'first=1&first=2' "first=$((rows + 1))" 'points=5&every=2'; do
   request GET "/v1/jobs/$id/setpoints?$query"
   expect_problem schema-violation 422
+done
+# A link in a page cannot carry a header: the form in the query, and a name for the file.
+for format in csv ndjson f64 json; do
+  request GET "/v1/jobs/$id/setpoints?format=$format&count=3" -H 'Accept: text/html,*/*;q=0.8'
+  expect_status 200
+  expect_header Content-Disposition "attachment; filename=\"$id.$format\""
 done
 request HEAD "/v1/jobs/$id/setpoints"
 expect_status 200

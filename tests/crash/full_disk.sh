@@ -36,8 +36,9 @@ for _ in $(seq 100); do
   post "$work/job.json"
   case $status in
     202) accepted+=("$id") ;;
-    500)
-      expect_problem internal 500
+    507)
+      expect_problem storage-full 507
+      [[ $(header Retry-After) =~ ^[0-9]+$ ]] || fail "a full disk says when to come again"
       expect_json '.detail | test("space")'
       refused=$((refused + 1))
       ((refused >= 3)) && break

@@ -12,6 +12,7 @@ namespace bahnwerk::server {
 std::optional<api::Job> SqliteStore::claim(std::int64_t now) {
   std::optional<api::Job> job;
   std::string packed;
+  bool whole = true;
   writer_.run([&](Connection& connection) {
     job.reset();
     Query next = connection.query("SELECT seq FROM jobs WHERE state = 'queued' ORDER BY priority DESC, seq LIMIT 1");
@@ -26,12 +27,13 @@ std::optional<api::Job> SqliteStore::claim(std::int64_t now) {
     claimed.step();
     job = job_from_row(claimed);
     claimed.step();
-    Query spec = connection.query("SELECT spec FROM specs WHERE seq = ?");
+    Query spec = connection.query("SELECT spec, whole FROM specs WHERE seq = ?");
     spec << seq;
     if (!spec.step()) throw StoreError("store: a job without its spec", false);
     packed = spec.bytes(0);
+    whole = spec.integer(1) != 0;
   });
-  if (job) job->request.spec = unpack_text(packed);
+  if (job) job->request.document = unpack_document(job->request.kind, packed, whole);
   return job;
 }
 

@@ -23,16 +23,19 @@ auto unpacking(Work&& work) -> decltype(work()) {
 
 }  // namespace
 
-std::optional<api::Job> SqliteStore::get(const std::string& id, bool with_spec) {
+std::optional<api::Job> SqliteStore::get(const std::string& id, bool with_document) {
   static const std::string light = std::string("SELECT ") + job_columns + " FROM jobs WHERE id = ?";
-  static const std::string whole = std::string("SELECT ") + job_columns +
-                                   ", (SELECT spec FROM specs WHERE specs.seq = jobs.seq) FROM jobs WHERE id = ?";
+  static const std::string whole =
+      std::string("SELECT ") + job_columns + ", spec, whole FROM jobs JOIN specs USING (seq) WHERE id = ?";
   Reader reader(*this);
-  Query row = reader.query(with_spec ? whole : light);
+  Query row = reader.query(with_document ? whole : light);
   row << id;
   if (!row.step()) return std::nullopt;
   api::Job job = job_from_row(row);
-  if (with_spec) job.request.spec = unpacking([&] { return unpack_text(row.bytes(job_seq_column + 1)); });
+  if (with_document)
+    job.request.document = unpacking([&] {
+      return unpack_document(job.request.kind, row.bytes(job_seq_column + 1), row.integer(job_seq_column + 2) != 0);
+    });
   return job;
 }
 

@@ -1,5 +1,6 @@
 #include "server/store/sqlite/rows.hpp"
 
+#include "server/store/codec.hpp"
 #include "server/store/store.hpp"
 
 namespace bahnwerk::server {
@@ -26,7 +27,14 @@ api::Job job_from_row(const Query& row) {
   job.finished_at = row.optional_integer(15);
   job.error = row.optional_text(16);
   job.revision = static_cast<std::uint64_t>(row.integer(17));
+  if (job.state != api::JobState::running) job.state_revision = job.revision;
   return job;
+}
+
+std::string unpack_document(const std::string& kind, std::string_view packed, bool whole) {
+  std::string text = unpack_text(packed);
+  if (!whole) text = "{\"kind\":\"" + kind + "\",\"spec\":" + text + "}";
+  return text;
 }
 
 }  // namespace bahnwerk::server

@@ -1,6 +1,7 @@
 #pragma once
 /// Rows of table `jobs` as api::Job.
 #include <string>
+#include <string_view>
 
 #include "api/job.hpp"
 #include "server/store/sqlite/connection.hpp"
@@ -13,6 +14,9 @@ inline constexpr const char* job_columns =
     "created_at, started_at, finished_at, error, revision, seq";
 inline constexpr int job_seq_column = 18;
 
-api::Job job_from_row(const Query& row);  ///< without its spec
+api::Job job_from_row(const Query& row);  ///< without its document
+
+/// A row of `specs` as a job document; with `whole` false the row is of version 0.1 and holds the spec alone.
+std::string unpack_document(const std::string& kind, std::string_view packed, bool whole);
 
 }  // namespace bahnwerk::server

@@ -19,6 +19,12 @@ std::string cancelled_error(const std::string& id) {
   return api::Problem("cancelled", "The job was cancelled.").document("/v1/jobs/" + id).dump();
 }
 
+std::string deadline_error(const std::string& id) {
+  return api::Problem("deadline-exceeded", "The deadline passed while the job waited in the queue.")
+      .document("/v1/jobs/" + id)
+      .dump();
+}
+
 std::string lost_error(const std::string& id, std::int64_t attempts) {
   return api::Problem("worker-lost", "The process ended " + std::to_string(attempts) +
                                          " times while it planned this job; it is not tried again.")
@@ -87,14 +93,14 @@ void SqliteStore::insert(NewJob job, std::function<void(Inserted, std::exception
     Inserted outcome;
   };
   const auto call = std::make_shared<Call>();
-  call->packed = pack_text(job.request.spec);
+  call->packed = pack_text(job.request.document);
   call->job = std::move(job);
   writer_.post(
       [this, call](Connection& connection) { call->outcome = insert_one(connection, call->job, call->packed); },
       [call, done = std::move(done)](const std::exception_ptr& error) { done(call->outcome, error); });
 }
 
-Inserted SqliteStore::insert_one(Connection& connection, const NewJob& job, const std::string& packed_spec) {
+Inserted SqliteStore::insert_one(Connection& connection, const NewJob& job, const std::string& packed_document) {
   const bool keyed = !job.idempotency_key.empty();
   if (keyed) {
     Query known =
@@ -118,13 +124,48 @@ Inserted SqliteStore::insert_one(Connection& connection, const NewJob& job, cons
   insert.step();
   const std::int64_t seq = insert.integer(0);
   insert.step();
-  (connection.query("INSERT INTO specs (seq, spec) VALUES (?, ?)") << seq).blob(packed_spec).run();
+  (connection.query("INSERT INTO specs (seq, spec, whole) VALUES (?, ?, 1)") << seq).blob(packed_document).run();
   if (keyed) {
     (connection.query("INSERT INTO idempotency_keys (key, body_hash, seq) VALUES (?, ?, ?)")
      << job.idempotency_key << job.body_hash << seq)
         .run();
   }
   return {Inserted::What::created, id};
+}
+
+Expired SqliteStore::expire(std::int64_t now) {
+  constexpr std::size_t most = 256;  // of one transaction: others wait for it
+  constexpr auto earliest =
+      "SELECT id, deadline FROM jobs WHERE state = 'queued' AND deadline IS NOT NULL ORDER BY deadline LIMIT ?";
+  Expired expired;
+  {
+    Reader reader(*this);
+    Query next = reader.query(earliest);
+    next << std::int64_t{1};
+    if (!next.step()) return expired;
+    expired.next = next.integer(1);
+    if (*expired.next > now) return expired;
+  }
+  writer_.run([&](Connection& connection) {
+    expired = {};
+    {
+      Query due = connection.query(earliest);
+      due << static_cast<std::int64_t>(most + 1);
+      while (due.step()) {
+        if (due.integer(1) > now || expired.ids.size() == most) {
+          expired.next = due.integer(1);
+          break;
+        }
+        expired.ids.push_back(due.text(0));
+      }
+    }
+    for (const std::string& id : expired.ids)
+      (connection.query("UPDATE jobs SET state = 'failed', error = ?, finished_at = ?, revision = revision + 1 "
+                        "WHERE id = ? AND state = 'queued'")
+       << deadline_error(id) << now << id)
+          .run();
+  });
+  return expired;
 }
 
 std::optional<api::Job> SqliteStore::cancel(const std::string& id, std::int64_t now) {

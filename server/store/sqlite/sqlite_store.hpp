@@ -31,7 +31,7 @@ class SqliteStore final : public Store {
   ~SqliteStore() override;
 
   void insert(NewJob job, std::function<void(Inserted, std::exception_ptr)> done) override;
-  std::optional<api::Job> get(const std::string& id, bool with_spec) override;
+  std::optional<api::Job> get(const std::string& id, bool with_document) override;
   std::vector<api::Job> list(const JobFilter& filter) override;
   std::map<api::JobState, std::size_t> counts() override;
   void ping() override;
@@ -41,6 +41,7 @@ class SqliteStore final : public Store {
   bool succeed(const std::string& id, int attempt, const api::PlannedJob& planned, std::int64_t now,
                std::uint64_t revision) override;
   bool requeue(const std::string& id, int attempt, std::int64_t now, std::uint64_t revision) override;
+  Expired expire(std::int64_t now) override;
   std::optional<api::Job> cancel(const std::string& id, std::int64_t now) override;
   bool cancel_requested(const std::string& id) override;
   Removed remove(const std::string& id) override;
@@ -51,7 +52,7 @@ class SqliteStore final : public Store {
 
  private:
   class Reader;  ///< a reading connection on loan
-  Inserted insert_one(Connection& connection, const NewJob& job, const std::string& packed_spec);
+  Inserted insert_one(Connection& connection, const NewJob& job, const std::string& packed_document);
   void recover(std::int64_t now);
   bool write_flag(const std::function<bool(Connection&)>& work);  ///< runs it on the writer, returns what it returned
 

@@ -21,7 +21,7 @@ json example(const std::string& name) {
   return test::read_json(test::source("schemas/examples/contour/" + name + ".json"));
 }
 json job_spec(const std::string& name) {
-  return json::parse(parse_job(test::read_file(test::source("examples/" + name + ".json"))).spec);
+  return job_spec(parse_job(test::read_file(test::source("examples/" + name + ".json"))).document);
 }
 
 TEST(ContourInput, ReadsEveryFormOfSegment) {
@@ -312,7 +312,7 @@ TEST(ContourPlan, EveryExampleIsVerifiedByBothMethods) {
       document["spec"]["planning"]["method"] = method;
       const auto request = parse_job(document.dump());
       EXPECT_NO_THROW({
-        const auto job = plan_job(request.kind, request.spec, progress);
+        const auto job = plan_job(request.kind, request.document, progress);
         EXPECT_TRUE(job.verified);
         EXPECT_GE(job.result["bound"]["gap"].get<double>(), 0);
       }) << file

@@ -32,6 +32,15 @@ TEST(Negotiate, FollowsRfc9110) {
   EXPECT_EQ(choose("application/json ; charset=utf-8 ; q=1"), 1);
 }
 
+TEST(ContentCoding, KnowsGzipAndIdentity) {
+  for (const char* text : {"", "identity", "Identity", " identity , identity"})
+    EXPECT_EQ(content_coding(text), Coding::identity) << text;
+  for (const char* text : {"gzip", "GZIP", "x-gzip", "identity, gzip"})
+    EXPECT_EQ(content_coding(text), Coding::gzip) << text;
+  for (const char* text : {"br", "deflate", "gzip, gzip", "gzip, br", "zstd", "gzip;q=1"})
+    EXPECT_FALSE(content_coding(text)) << text;
+}
+
 TEST(IsJson, TakesParameters) {
   EXPECT_TRUE(is_json("application/json"));
   EXPECT_TRUE(is_json("Application/JSON; charset=UTF-8"));

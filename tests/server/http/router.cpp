@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "server/http/answer.hpp"
 #include "server/http/middleware.hpp"
 #include "server/http/uri.hpp"
@@ -22,6 +24,7 @@ struct RouterTest : testing::Test {
     router.add("GET", "/", says("root"));
     router.add("GET", "/v1/jobs/{id}", says("job"));
     router.add("DELETE", "/v1/jobs/{id}", says("delete"));
+    router.add("GET", "/list", says("list"), {"state", "limit"});
     router.add("GET", "/v1/jobs/newest", says("newest"));
     router.add("GET", "/v1/jobs/{id}/files/{name}", says("file"));
     router.add("POST", "/throws", [](const RequestPtr&, const Reply&) { throw std::runtime_error("secret"); });
@@ -33,6 +36,7 @@ struct RouterTest : testing::Test {
     const auto parsed = parse_target(target).value();
     request->path = parsed.path;
     request->segments = parsed.segments;
+    request->query = parsed.query;
     Response answer;
     const Handler handler =
         compose({request_id(), guard()}, [&](const RequestPtr& r, const Reply& reply) { router(r, reply); });
@@ -46,7 +50,7 @@ struct RouterTest : testing::Test {
 
 TEST_F(RouterTest, FindsHandlersAndParameters) {
   EXPECT_EQ(ask("GET", "/").body, "root");
-  EXPECT_EQ(ask("GET", "/v1/jobs/17?x=y").body, "job id=17");
+  EXPECT_EQ(ask("GET", "/v1/jobs/17?").body, "job id=17");
   EXPECT_EQ(route, "/v1/jobs/{id}");
   EXPECT_EQ(ask("GET", "/v1/jobs/a%2Fb/files/c").body, "file id=a/b name=c");
   EXPECT_EQ(ask("DELETE", "/v1/jobs/17").body, "delete id=17");
@@ -68,6 +72,28 @@ TEST_F(RouterTest, ListsTheMethods) {
 TEST_F(RouterTest, FindsNothing) {
   for (const char* target : {"/v1", "/v1/jobs", "/v1/jobs/", "/v1/jobs/17/", "/v1/jobs/17/files", "//", "/v1//17"})
     EXPECT_EQ(ask("GET", target).status, 404) << target;
+}
+
+TEST_F(RouterTest, TakesOnlyTheParametersOfTheRouteOnceAndWithAValue) {
+  EXPECT_EQ(ask("GET", "/list").body, "list");
+  EXPECT_EQ(ask("GET", "/list?limit=3&state=queued").body, "list");
+  const auto pointers = [&](const std::string& target) {
+    const Response answer = ask("GET", target);
+    EXPECT_EQ(answer.status, 422) << target;
+    EXPECT_NE(answer.body.find("/problems/schema-violation"), std::string::npos);
+    std::vector<std::string> list;
+    const auto document = nlohmann::json::parse(answer.body);
+    for (const auto& error : document["errors"]) list.push_back(error["pointer"]);
+    return list;
+  };
+  using List = std::vector<std::string>;
+  EXPECT_EQ(pointers("/list?limit="), List{"/query/limit"});
+  EXPECT_EQ(pointers("/list?limit"), List{"/query/limit"});
+  EXPECT_EQ(pointers("/list?limit=3&limit=3"), List{"/query/limit"});
+  EXPECT_EQ(pointers("/list?colour=red&state="), (List{"/query/colour", "/query/state"}));
+  EXPECT_EQ(pointers("/v1/jobs/17?x=y"), List{"/query/x"});
+  EXPECT_EQ(pointers("/list?=1"), List{"/query/"});
+  EXPECT_EQ(ask("GET", "/nothing?x=y").status, 404);
 }
 
 TEST_F(RouterTest, KeepsAnExceptionsTextToItself) {

@@ -35,6 +35,34 @@ TEST(Notifier, CallsWhenTheTimeIsOver) {
   EXPECT_GE(Clock::now() - start, 40ms);
 }
 
+TEST(Notifier, ProgressWakesWhomItConcernsAndNotTooEarly) {
+  Notifier notifier;
+  std::atomic<int> end{0}, soon{0}, later{0};
+  const auto start = Clock::now();
+  notifier.wait("a", start + 1h, [&] { ++end; });
+  notifier.wait(
+      "a", start + 1h, [&] { ++soon; }, start);
+  std::promise<void> due;
+  notifier.wait(
+      "a", start + 1h,
+      [&] {
+        ++later;
+        due.set_value();
+      },
+      start + 80ms);
+  notifier.changed("a", Change::progress);
+  EXPECT_EQ(soon, 1);
+  EXPECT_EQ(end, 0);
+  EXPECT_EQ(later, 0) << "too early";
+  notifier.changed("a", Change::progress);
+  due.get_future().wait();  // without another change
+  EXPECT_GE(Clock::now() - start, 80ms);
+  EXPECT_EQ(later, 1);
+  EXPECT_EQ(end, 0) << "waits for the state";
+  notifier.changed("a");
+  EXPECT_EQ(end, 1);
+}
+
 TEST(Notifier, WakesByToken) {
   Notifier notifier;
   int calls = 0;

@@ -62,7 +62,7 @@ struct WorkersTest : StoreTest {
   std::string post(const std::string& what, int priority = 0) {
     NewJob job = new_job(priority);
     job.now = now_ms();
-    job.request.spec = nlohmann::json{{"do", what}}.dump();
+    job.request.document = nlohmann::json{{"do", what}}.dump();
     const std::string id = insert_id(*store, job);
     if (workers) workers->poke();
     return id;
@@ -120,10 +120,10 @@ TEST_F(WorkersTest, CancelsARunningJob) {
 TEST_F(WorkersTest, HoldsDeadlineAndBudget) {
   start(1);
   NewJob late = new_job();
-  late.request.spec = R"({"do":"succeed"})";
+  late.request.document = R"({"do":"succeed"})";
   late.request.deadline = now_ms() - 1;
   NewJob costly = new_job();
-  costly.request.spec = R"({"do":"loop"})";
+  costly.request.document = R"({"do":"loop"})";
   costly.request.time_budget = 0.05;
   const auto a = insert_id(*store, late), b = insert_id(*store, costly);
   workers->poke();

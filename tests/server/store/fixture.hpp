@@ -56,7 +56,7 @@ inline NewJob new_job(int priority = 0, const std::string& key = "", const std::
   NewJob job;
   job.request.kind = "ramp";
   job.request.priority = priority;
-  job.request.spec = R"({"n":1})";
+  job.request.document = R"({"n":1})";
   job.idempotency_key = key;
   job.body_hash = body;
   job.now = 1'700'000'000'000;

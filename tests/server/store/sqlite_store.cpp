@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include "fixture.hpp"
+#include "server/store/codec.hpp"
 #include "server/store/open.hpp"
 
 namespace bahnwerk::server {
@@ -18,7 +19,7 @@ TEST_F(StoreTest, KeepsEverythingOfAJob) {
   job.request.callback = "http://x/y";
   job.request.deadline = 1'800'000'000'000;
   job.request.time_budget = 2.5;
-  job.request.spec = "{\"text\":\"" + std::string(100'000, 'a') + "\"}";
+  job.request.document = "{\"text\":\"" + std::string(100'000, 'a') + "\"}";
   const std::string id = insert_id(*store, job);
   for (int round = 0; round < 2; ++round, open()) {
     const auto kept = store->get(id);
@@ -29,12 +30,56 @@ TEST_F(StoreTest, KeepsEverythingOfAJob) {
     EXPECT_EQ(kept->request.priority, 7);
     EXPECT_EQ(kept->request.deadline, job.request.deadline);
     EXPECT_EQ(kept->request.time_budget, job.request.time_budget);
-    EXPECT_EQ(kept->request.spec, job.request.spec);
+    EXPECT_EQ(kept->request.document, job.request.document);
     EXPECT_EQ(kept->state, JobState::queued);
     EXPECT_EQ(kept->created_at, job.now);
     EXPECT_FALSE(kept->started_at || kept->finished_at || kept->error);
   }
   EXPECT_FALSE(store->get("no such job"));
+}
+
+TEST_F(StoreTest, ReadsDocumentsOfTheFirstVersion) {
+  const std::string id = insert_id(*store);
+  store.reset();
+  {
+    Connection connection((folder.path / "store.db").string(), true);
+    const std::string spec = pack_text(R"({"n":2})");
+    connection.query("UPDATE specs SET whole = 0, spec = ?").blob(spec).run();
+  }
+  open();
+  EXPECT_EQ(store->get(id)->request.document, R"({"kind":"ramp","spec":{"n":2}})");
+  EXPECT_EQ(store->claim(1)->request.document, R"({"kind":"ramp","spec":{"n":2}})");
+}
+
+TEST_F(StoreTest, EndsQueuedJobsWhoseDeadlinePassed) {
+  EXPECT_FALSE(store->expire(1000).next);
+  const auto with_deadline = [&](std::optional<std::int64_t> deadline) {
+    NewJob job = new_job();
+    job.request.deadline = deadline;
+    return insert_id(*store, job);
+  };
+  const std::string running = with_deadline(500);
+  store->claim(1);
+  const std::string never = with_deadline(std::nullopt), late = with_deadline(3000), due = with_deadline(1000);
+  EXPECT_EQ(store->expire(999).next, 1000);
+  const auto revision = store->get(due)->revision;
+  const Expired expired = store->expire(1000);
+  EXPECT_EQ(expired.ids, std::vector<std::string>{due});
+  EXPECT_EQ(expired.next, 3000);
+  const auto job = store->get(due);
+  EXPECT_EQ(job->state, JobState::failed);
+  EXPECT_EQ(job->finished_at, 1000);
+  EXPECT_EQ(job->attempt, 0);
+  EXPECT_GT(job->revision, revision);
+  EXPECT_NE(job->error->find("/problems/deadline-exceeded"), std::string::npos);
+  EXPECT_NE(job->error->find("/v1/jobs/" + due), std::string::npos);
+  for (const auto& id : {never, late}) EXPECT_EQ(store->get(id)->state, JobState::queued);
+  EXPECT_EQ(store->get(running)->state, JobState::running) << "its planner holds the deadline";
+  EXPECT_EQ(store->counts()[JobState::failed], 1U);
+  for (int i = 0; i < 600; ++i) with_deadline(2000 + i % 2);
+  std::size_t ended = 0;
+  for (Expired part = store->expire(2001); !part.ids.empty(); part = store->expire(2001)) ended += part.ids.size();
+  EXPECT_EQ(ended, 600U);
 }
 
 TEST_F(StoreTest, ClaimsByPriorityThenInOrder) {
@@ -46,7 +91,7 @@ TEST_F(StoreTest, ClaimsByPriorityThenInOrder) {
     EXPECT_EQ(job->id, expected);
     EXPECT_EQ(job->state, JobState::running);
     EXPECT_EQ(job->attempt, 1);
-    EXPECT_EQ(job->request.spec, R"({"n":1})");
+    EXPECT_EQ(job->request.document, R"({"n":1})");
   }
   EXPECT_FALSE(store->claim(1));
 }
@@ -221,7 +266,7 @@ TEST_F(StoreTest, SurvivesAFullDisk) {
   std::string noise;
   for (unsigned i = 0, x = 1; i < 20'000; ++i)
     noise += static_cast<char>('a' + ((x = x * 1664525U + 1013904223U) >> 24) % 26);
-  big.request.spec = "\"" + noise + "\"";
+  big.request.document = "\"" + noise + "\"";
   std::vector<std::string> accepted;
   bool full = false;
   for (int i = 0; i < 200 && !full; ++i) {
@@ -236,7 +281,7 @@ TEST_F(StoreTest, SurvivesAFullDisk) {
   ASSERT_GT(accepted.size(), 3U);
   store->ping();
   EXPECT_EQ(store->counts()[JobState::queued], accepted.size());
-  for (const auto& id : accepted) EXPECT_EQ(store->get(id)->request.spec, big.request.spec);
+  for (const auto& id : accepted) EXPECT_EQ(store->get(id)->request.document, big.request.document);
   EXPECT_EQ(store->remove(accepted.front()), Removed::yes);
   EXPECT_NO_THROW(insert_id(*store, big)) << "space was freed";
 }

@@ -1,0 +1,69 @@
+#include "server/jobs/deadlines.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "server/runtime/clock.hpp"
+#include "server/runtime/log.hpp"
+
+namespace bahnwerk::server {
+namespace {
+
+constexpr std::int64_t longest_sleep = 10'000;  ///< ms; the system's clock may be set meanwhile
+constexpr std::int64_t retry = 1'000;           ///< ms after the store failed
+
+}  // namespace
+
+Deadlines::Deadlines(Store& store, Notifier& notifier) : store_(store), notifier_(notifier) {
+  look();
+  thread_ = std::thread([this] { loop(); });
+}
+
+Deadlines::~Deadlines() {
+  {
+    const std::lock_guard lock(mutex_);
+    stop_ = true;
+  }
+  wake_.notify_one();
+  thread_.join();
+}
+
+void Deadlines::poke() {
+  {
+    const std::lock_guard lock(mutex_);
+    ++pokes_;
+  }
+  wake_.notify_one();
+}
+
+std::optional<std::int64_t> Deadlines::look() {
+  try {
+    const Expired expired = store_.expire(now_ms());
+    for (const std::string& id : expired.ids) {
+      notifier_.changed(id);
+      log::info("job_ended", {{"job", id}, {"state", "failed"}, {"problem", "deadline-exceeded"}});
+    }
+    return expired.next;
+  } catch (const StoreError& error) {
+    log::error("expire_failed", {{"detail", error.what()}});
+    return now_ms() + retry;
+  }
+}
+
+void Deadlines::loop() {
+  std::unique_lock lock(mutex_);
+  while (!stop_) {
+    const std::uint64_t seen = pokes_;
+    lock.unlock();
+    const auto next = look();
+    lock.lock();
+    const auto poked = [&] { return stop_ || pokes_ != seen; };
+    if (next)
+      wake_.wait_for(lock, std::chrono::milliseconds(std::clamp<std::int64_t>(*next - now_ms(), 0, longest_sleep)),
+                     poked);
+    else
+      wake_.wait(lock, poked);
+  }
+}
+
+}  // namespace bahnwerk::server

@@ -1,0 +1,222 @@
+#include "server/routes/job_page.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "api/problem.hpp"
+#include "api/setpoints.hpp"
+#include "server/http/accept.hpp"
+#include "server/http/answer.hpp"
+#include "server/http/uri.hpp"
+#include "server/routes/html.hpp"
+
+namespace bahnwerk::server {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// The result without the details that a page does not show: they may have a hundred megabytes, parsed many times that.
+ordered_json read_result(const std::string& text) {
+  int kept = 0;  // depth at which a member of details begins that is left out
+  const auto filter = [&](int depth, ordered_json::parse_event_t event, ordered_json& value) {
+    if (event == ordered_json::parse_event_t::key && depth == 1) kept = value == "details";
+    return !(kept && depth == 2 && event == ordered_json::parse_event_t::key && value != "drawings" &&
+             value != "notes" && value != "method");
+  };
+  return ordered_json::parse(text, filter, false);
+}
+
+/// Six significant digits are enough for the eye; the exact value is in the result.
+std::string number(double value) {
+  if (std::abs(value) >= 1e6 || (value != 0 && std::abs(value) < 1e-4)) {
+    std::array<char, 32> text;
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific, 3).ptr;
+    return {text.data(), end};
+  }
+  std::array<char, 32> text;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 6).ptr;
+  return {text.data(), end};
+}
+
+std::string text_of(const ordered_json& value) {
+  if (value.is_number_float()) return number(value.get<double>());
+  if (value.is_string()) return escape_html(value.get<std::string>());
+  if (value.is_object()) {
+    std::string list;
+    for (const auto& [key, member] : value.items())
+      list += (list.empty() ? "" : ", ") + escape_html(key) + " " + text_of(member);
+    return list;
+  }
+  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+  return escape_html(value.dump());
+}
+
+/// Of a figure in a summary or a bound, by its name: all kinds name lengths and times alike. Others have none.
+std::string unit_of(const std::string& key, const ordered_json& value) {
+  if (!value.is_number()) return "";
+  if (key.ends_with("duration") || key.ends_with("time")) return " s";
+  return key.ends_with("length") ? " mm" : "";
+}
+
+std::string rows_of(const ordered_json& object) {
+  std::string rows;
+  if (!object.is_object()) return rows;
+  for (const auto& [key, value] : object.items()) {
+    std::string name = key;
+    for (char& c : name)
+      if (c == '_') c = ' ';
+    rows += "<tr><th>" + escape_html(name) + "</th><td>" + text_of(value) + unit_of(key, value) + "</td></tr>\n";
+  }
+  return rows;
+}
+
+std::string failure(const api::Job& job) {
+  const ordered_json error = ordered_json::parse(job.error.value_or("{}"), nullptr, false);
+  if (!error.is_object() || error.empty()) return "";
+  const std::string type = error.value("type", "");
+  std::string text = "<div class=\"error\"><p><strong>" + escape_html(error.value("title", "")) + ".</strong> " +
+                     escape_html(error.value("detail", "")) + "</p>\n";
+  if (error.contains("errors")) {
+    text += "<ul>";
+    for (const auto& fault : error["errors"])
+      text += "<li><code>" + escape_html(fault.value("pointer", "")) + "</code> " +
+              escape_html(fault.value("message", "")) + "</li>";
+    text += "</ul>\n";
+  }
+  for (const auto& each : api::problem_types())
+    if (type == "/problems/" + std::string(each.slug))
+      text += "<p>" + prose_html(each.advice) + " <a href=\"" + type + "\">" + std::string(each.slug) + "</a></p>\n";
+  return text + "</div>\n";
+}
+
+std::string verification(const ordered_json& verdict) {
+  if (!verdict.is_object() || !verdict.contains("checks")) return "";
+  std::string text = "<h2>Verification: " + std::string(verdict.value("passed", false) ? "passed" : "failed") +
+                     "</h2>\n<div class=\"scroll\"><table><thead><tr><th>check</th><th class=\"n\">value</th><th "
+                     "class=\"n\">limit</th>"
+                     "<th>unit</th><th class=\"n\">at</th><th></th></tr></thead>\n";
+  for (const auto& check : verdict["checks"])
+    text += "<tr><td>" + text_of(check["name"]) + "</td><td class=\"n\">" + text_of(check["value"]) +
+            "</td><td class=\"n\">" + text_of(check["limit"]) + "</td><td>" + text_of(check["unit"]) +
+            "</td><td class=\"n\">" + text_of(check["at"]) + "</td><td>" +
+            (check.value("passed", false) ? "passed" : "<strong>failed</strong>") + "</td></tr>\n";
+  return text + "</table></div>\n";
+}
+
+std::string drawings(const std::string& page, const ordered_json& details) {
+  if (!details.contains("drawings") || !details["drawings"].is_object() || details["drawings"].empty()) return "";
+  std::string text = "<h2>Drawings</h2>\n";
+  for (const auto& [name, drawing] : details["drawings"].items()) {
+    const std::string link = page + "/drawings/" + encode_component(name);
+    text += "<figure><a href=\"" + link + "\"><img src=\"" + link + "\" alt=\"" + escape_html(name) +
+            "\"></a><figcaption>" + escape_html(name) + "</figcaption></figure>\n";
+  }
+  return text;
+}
+
+std::string downloads(const std::string& link, const ordered_json& result) {
+  std::string text = "<h2>Downloads</h2>\n<p><a href=\"" + link + "/spec\">document as posted</a>";
+  if (!result.is_null()) {
+    text += " · <a href=\"" + link + "/result\">result</a>";
+    if (result.contains("setpoints"))
+      for (const auto format : {api::SetpointFormat::csv, api::SetpointFormat::ndjson, api::SetpointFormat::f64,
+                                api::SetpointFormat::json}) {
+        const std::string name(api::format_name(format));
+        text += " · <a href=\"" + link + "/setpoints?format=" + name + "\">setpoints, " + name + "</a>";
+      }
+  }
+  return text + " · <a href=\"" + link + "\">job</a></p>\n";
+}
+
+std::string facts(const api::Job& job) {
+  std::string rows;
+  const auto row = [&](const char* name, const std::string& value) {
+    if (!value.empty()) rows += "<tr><th>" + std::string(name) + "</th><td>" + value + "</td></tr>\n";
+  };
+  const auto time = [](const std::optional<std::int64_t>& ms) { return ms ? time_label(*ms) : std::string(); };
+  row("state", state_label(job));
+  row("kind", escape_html(job.request.kind));
+  row("name", escape_html(job.request.name.value_or("")));
+  row("reference", escape_html(job.request.reference.value_or("")));
+  row("id", "<code>" + job.id + "</code>");
+  row("priority", std::to_string(job.request.priority));
+  row("deadline", time(job.request.deadline));
+  row("created", time(job.created_at));
+  row("started", time(job.started_at));
+  row("finished", time(job.finished_at));
+  row("attempt", std::to_string(job.attempt));
+  return "<table>\n" + rows + "</table>\n";
+}
+
+std::string body(const api::Job& job, const ordered_json& result) {
+  const std::string page = "/jobs/" + job.id;
+  std::string text = "<nav><a href=\"/\">all jobs</a></nav>\n" + failure(job) + facts(job);
+  if (job.state == api::JobState::running)
+    text += "<p><progress max=\"1\" value=\"" + number(job.fraction) + "\"></progress><br>" + escape_html(job.stage) +
+            " " + escape_html(job.message) + "</p>\n";
+  if (result.is_object()) {
+    const ordered_json details = result.value("details", ordered_json::object());
+    text += drawings(page, details);
+    text += "<h2>Summary</h2>\n<table>\n" + rows_of(result.value("summary", ordered_json())) + "</table>\n";
+    if (result.contains("bound")) text += "<h2>Bound</h2>\n<table>\n" + rows_of(result["bound"]) + "</table>\n";
+    if (details.contains("notes") && !details["notes"].empty()) {
+      text += "<h2>Notes</h2>\n<ul>";
+      for (const auto& note : details["notes"]) text += "<li>" + text_of(note) + "</li>";
+      text += "</ul>\n";
+    }
+    text += verification(result.value("verification", ordered_json()));
+  }
+  return text + downloads("/v1/jobs/" + job.id, result);
+}
+
+Response uncached(Response response) {
+  response.set("Cache-Control", "no-store");
+  return response;
+}
+
+}  // namespace
+
+std::string time_label(std::int64_t ms) {
+  const std::string text = api::rfc3339(ms);
+  return text.substr(0, 10) + " " + text.substr(11, 8) + " UTC";
+}
+
+std::string state_label(const api::Job& job) {
+  const std::string state(api::to_string(job.state));
+  std::string text = "<span class=\"state " + state + "\">" + state + "</span>";
+  if (job.state == api::JobState::running) text += " " + std::to_string(static_cast<int>(job.fraction * 100)) + " %";
+  return text;
+}
+
+Response job_page(Context& context, const Request& request) {
+  static constexpr std::array<std::string_view, 1> offers{"text/html"};
+  if (!negotiate(request.header("accept"), offers))
+    throw api::Problem("not-acceptable", "This page comes as text/html.");
+  const api::Job job = find_job(context, request.parameter("id"));
+  ordered_json result;
+  if (job.state == api::JobState::succeeded)
+    if (const auto text = context.store.result(job.id)) result = read_result(*text);
+  const std::string title = job.request.name && !job.request.name->empty() ? *job.request.name : "Job " + job.id;
+  return uncached(html_page(title, body(job, result), final(job) ? 0 : 2));
+}
+
+Response drawing(Context& context, const Request& request) {
+  static constexpr std::array<std::string_view, 1> offers{"image/svg+xml"};
+  if (!negotiate(request.header("accept"), offers))
+    throw api::Problem("not-acceptable", "Drawings come as image/svg+xml.");
+  const std::string &id = request.parameter("id"), &name = request.parameter("name");
+  require_success(context, id);
+  const auto text = context.store.result(id);
+  const ordered_json result = text ? read_result(*text) : ordered_json();
+  const ordered_json::json_pointer all("/details/drawings");
+  if (!result.contains(all) || !result[all].contains(name))
+    throw api::Problem("not-found", "The job " + id + " has no drawing " + name + ".");
+  Response response = text_answer(200, "image/svg+xml", result[all][name].get<std::string>());
+  // Opened on its own, a picture is a document: it gets no more rights than the page.
+  response.set("Content-Security-Policy", "default-src 'none'; style-src 'unsafe-inline'; frame-ancestors 'none'");
+  return with_etag(request, "\"drawing\"", std::move(response));
+}
+
+}  // namespace bahnwerk::server

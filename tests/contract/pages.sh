@@ -1,0 +1,85 @@
+#!/usr/bin/env bash
+# The pages for people: the list, a page per job; every link of them leads somewhere.
+source "$(dirname "$0")/lib.sh"
+start_server --workers 1
+page() {
+  request GET "$1" -H 'Accept: text/html,application/xhtml+xml;q=0.9,*/*;q=0.8'
+  expect_status 200
+  expect_header Content-Type "text/html; charset=utf-8"
+  [[ $(header Content-Security-Policy) == "default-src 'none'; img-src 'self'; style-src 'sha256-"* ]] || fail "a strict policy"
+  grep -qiE '<script|style=|onload|javascript:' "$work/body" && fail "scripts or styles in $1"
+  cp "$work/body" "$work/page"
+}
+# Every address that the last page names answers, with what a browser would send.
+links() {
+  local count=0 link
+  for link in $(grep -oE '(href|src)="[^"]*"' "$work/page" | cut -d'"' -f2 | sort -u); do
+    [[ $link == /* ]] || fail "an outside address: $link"
+    request GET "$link" -H 'Accept: text/html,application/xhtml+xml,application/xml;q=0.9,image/avif,*/*;q=0.8'
+    expect_status 200
+    [[ -s $work/body ]] || fail "$link is empty"
+    count=$((count + 1))
+  done
+  ((count >= $1)) || fail "only $count links"
+}
+has() { grep -q -- "$1" "$work/page" || fail "the page lacks '$1'"; }
+hasnt() { grep -q -- "$1" "$work/page" && fail "the page has '$1'" || true; }
+
+jq '.name = "<script>alert(1)</script>"' "$examples/bracket.json" >"$work/job.json"
+post "$work/job.json"
+await succeeded
+page "/jobs/$id"
+has '&lt;script&gt;'
+has 'class="state succeeded"'
+has 'Verification: passed'
+has '<td>acceleration x</td>'
+has '<th>path length</th><td>1178.19 mm</td>'
+has 'setpoints?format=csv'
+hasnt 'http-equiv="refresh"'
+links 8
+
+jq -c '.spec.wires = [0.9] | .spec.algorithms = ["orthocyclic_base", "needle"]' "$examples/stator_slot.json" >"$work/slot.json"
+post "$work/slot.json"
+await succeeded
+page "/jobs/$id"
+has 'drawings/needle.svg'
+hasnt 'setpoints?' # this kind has none
+links 6
+request GET "/jobs/$id/drawings/needle.svg"
+expect_header Content-Type image/svg+xml
+request GET "/jobs/$id/drawings/nothing.svg"
+expect_problem not-found 404
+
+snake 20000 '{"time_budget":0.5}' >"$work/budget.json"
+post "$work/budget.json"
+await failed
+page "/jobs/$id"
+has 'The time budget ran out'
+has 'larger <code>time_budget</code>'
+has 'href="/problems/budget-exhausted"'
+hasnt '/result"'
+hasnt 'setpoints?'
+links 4
+
+snake 20000 >"$work/long.json"
+post "$work/long.json"
+await running
+page "/jobs/$id"
+has 'http-equiv="refresh"'
+has '<progress max="1" value="'
+hasnt '/result"'
+links 3
+request POST "/v1/jobs/$id/cancel"
+await cancelled
+page "/jobs/$id"
+has 'The job was cancelled'
+hasnt 'http-equiv="refresh"'
+links 4
+
+page /
+for state in succeeded failed cancelled; do has "class=\"state $state\""; done
+links 8
+request GET /jobs/nobody
+expect_problem not-found 404
+request GET "/jobs/$id" -H 'Accept: application/json'
+expect_problem not-acceptable 406

@@ -1,0 +1,53 @@
+#include "server/jobs/deadlines.hpp"
+
+#include <gtest/gtest.h>
+
+#include <future>
+
+#include "../store/fixture.hpp"
+#include "server/runtime/clock.hpp"
+
+namespace bahnwerk::server {
+namespace {
+
+using namespace std::chrono_literals;
+
+struct DeadlinesTest : StoreTest {
+  std::string post(std::int64_t deadline) {
+    NewJob job = new_job();
+    job.request.deadline = deadline;
+    return insert_id(*store, job);
+  }
+  /// Waits until the job ends; ms since `start`.
+  std::int64_t await(const std::string& id, std::int64_t start) {
+    while (store->get(id)->state == api::JobState::queued && now_ms() < start + 20'000)
+      std::this_thread::sleep_for(2ms);
+    return now_ms() - start;
+  }
+  Notifier notifier;
+};
+
+TEST_F(DeadlinesTest, EndsAtOnceWhatPassedBeforeTheStart) {
+  const std::string id = post(now_ms() - 1);
+  const Deadlines deadlines(*store, notifier);
+  EXPECT_EQ(store->get(id)->state, api::JobState::failed) << "before anything else is done";
+}
+
+TEST_F(DeadlinesTest, EndsWhatPassesAndTellsWhoWaits) {
+  Deadlines deadlines(*store, notifier);
+  const std::int64_t start = now_ms();
+  const std::string late = post(start + 300'000);
+  deadlines.poke();
+  const std::string id = post(start + 300);  // becomes the next one
+  std::promise<void> woken;
+  notifier.wait(id, Notifier::Clock::now() + 60s, [&] { woken.set_value(); });
+  deadlines.poke();
+  const auto took = await(id, start);
+  EXPECT_GE(took, 300);
+  EXPECT_LT(took, 3000);
+  EXPECT_EQ(woken.get_future().wait_for(5s), std::future_status::ready);
+  EXPECT_EQ(store->get(late)->state, api::JobState::queued);
+}
+
+}  // namespace
+}  // namespace bahnwerk::server
