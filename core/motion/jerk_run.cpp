@@ -120,6 +120,11 @@ double JerkRunPlanner<N, M>::attempt(Start start, PlanningPulse& pulse) {
   guess(start, pulse);
   pose(pulse);
   if (start.mu > 0) improve(start.mu, pulse);
+  // A solver that diverged on a divided grid leaves the states that dividing interpolated, to 1e-9: next to a rest the
+  // acceleration has to be exactly what the cell's law says.
+  const std::size_t n = grid_.cells.size();
+  if (n > 1 && !(state_[0].b > 0)) state_[1].a = rest_tie(grid_.length(0)) * state_[1].b;
+  if (n > 1 && !(state_[n].b > 0)) state_[n - 1].a = -rest_tie(grid_.length(n - 1)) * state_[n - 1].b;
   certify(pulse);
   return emit(pulse);
 }

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -89,7 +88,7 @@ TEST(JerkLimited, SolverAgreesWithDoubleS) {
 }
 
 TEST(JerkLimited, WithinHalfAPercentOfADirectSolution) {
-  std::ifstream file(std::filesystem::path(__FILE__).parent_path() / "reference/jerk.csv");
+  std::ifstream file(BAHNWERK_SOURCE "/tests/core/motion/reference/jerk.csv");
   std::string text;
   int problems = 0;
   while (std::getline(file, text)) {
