@@ -20,7 +20,7 @@ using nlohmann::json;
 json example(const std::string& name) {
   return test::read_json(test::source("schemas/examples/contour/" + name + ".json"));
 }
-json job_spec(const std::string& name) {
+json example_spec(const std::string& name) {
   return job_spec(parse_job(test::read_file(test::source("examples/" + name + ".json"))).document);
 }
 
@@ -130,7 +130,7 @@ TEST(ContourInput, NamesEveryPointOfTheWrongDimension) {
 
 TEST(ContourPlan, OfAStraightLineHasTheClosedFormDuration) {
   SilentProgress progress;
-  const auto job = plan(job_spec("line"), progress);
+  const auto job = plan(example_spec("line"), progress);
   const double v = 1800, a = 16000, length = 100;
   const double expected = v * v / a < length ? length / v + v / a : 2 * std::sqrt(length / a);
   EXPECT_NEAR(job.result["summary"]["duration"].get<double>(), expected, 1e-9);
@@ -139,7 +139,7 @@ TEST(ContourPlan, OfAStraightLineHasTheClosedFormDuration) {
 
 TEST(ContourPlan, TheResultHasTheContractsForm) {
   SilentProgress progress;
-  const auto job = plan(job_spec("bracket"), progress);
+  const auto job = plan(example_spec("bracket"), progress);
   const auto& result = job.result;
   std::vector<std::string> members;
   for (const auto& [name, value] : result.items()) members.push_back(name);
@@ -178,7 +178,7 @@ TEST(ContourPlan, TheResultHasTheContractsForm) {
 
 TEST(ContourPlan, BlocksAreInTheTimeOfTheSetpoints) {
   SilentProgress progress;
-  json spec = job_spec("bracket");
+  json spec = example_spec("bracket");
   spec["machine"]["cycle_time"] = 0.02;  // slows the motion by up to 0.6 %
   const auto job = plan(spec, progress);
   const auto& blocks = job.result["details"]["blocks"];
@@ -199,7 +199,7 @@ TEST(ContourPlan, BlocksAreInTheTimeOfTheSetpoints) {
 
 TEST(ContourPlan, ModeAndBlockOnTheWire) {
   SilentProgress progress;
-  const auto job = plan(job_spec("bracket"), progress);
+  const auto job = plan(example_spec("bracket"), progress);
   const auto answer = [&](SetpointQuery query, SetpointFormat format) {
     SetpointSeries series;
     series.columns = job.setpoints->columns();
@@ -293,7 +293,7 @@ TEST(ContourPlan, SaysWhichLimitsAreNotHeld) {
 TEST(ContourPlan, TheSameDocumentGivesTheSameBits) {
   SilentProgress progress;
   for (const char* name : {"bracket", "polyline"}) {
-    const auto first = plan(job_spec(name), progress), second = plan(job_spec(name), progress);
+    const auto first = plan(example_spec(name), progress), second = plan(example_spec(name), progress);
     EXPECT_EQ(first.result.dump(), second.result.dump());
     const std::size_t n = first.setpoints->count() * first.setpoints->columns().size();
     std::vector<double> a(n), b(n);
@@ -330,14 +330,14 @@ struct Impatient final : Progress {
 
 TEST(ContourPlan, StopsWhenAsked) {
   Impatient progress;
-  EXPECT_THROW(plan(job_spec("bracket"), progress), Stopped);
+  EXPECT_THROW(plan(example_spec("bracket"), progress), Stopped);
 }
 
 /// The tangents of the examples meet where a drawing says that they do: only intended corners stop the head.
 TEST(Examples, TangentialJointsAreExact) {
   const auto jumps = [](const char* name) {
     std::vector<double> angles;
-    for (const Joint& joint : joints(geometry(job_spec(name)).path))
+    for (const Joint& joint : joints(geometry(example_spec(name)).path))
       if (joint.angle < 0.1) angles.push_back(joint.angle);
     return angles;
   };
