@@ -180,6 +180,7 @@ ContourPlan plan_contour(Contour input, const Machine& given_machine, const Cont
       cycles = whole_cycles(law.duration(), machine.cycle_time);
       trajectory = std::make_shared<const Trajectory>(contour, law.slowed(cycles.factor));
       JudgeInput judgement{*contour, machine, trajectory->law(), planning.corner_angle};
+      if (blended) judgement.given = given.get();
       judgement.progress_from = planned;
       judgement.progress_to = judged;
       if (planning.method == PlanningMethod::jerk_limited) {
@@ -204,7 +205,9 @@ ContourPlan plan_contour(Contour input, const Machine& given_machine, const Cont
     also(std::move(check));
   also(bound_check(bound, law.duration()));
   if (!given->rests.empty()) also(rest_check(*given, *contour, trajectory->law(), progress, served));
-  if (blended) also(tube_check(*given, *contour, planning.blend_tolerance, progress, served, 1.0));
+  if (blended)
+    for (Check& check : tube_checks(*given, *contour, planning.blend_tolerance, progress, served, 1.0))
+      also(std::move(check));
 
   plan.iterations = solver.iterations();
   plan.pieces = law.pieces().size();

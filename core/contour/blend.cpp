@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <string>
 
 #include "core/contour/blend/layout.hpp"
 #include "core/contour/blend/note.hpp"
@@ -18,10 +19,12 @@ using namespace blending;
 constexpr double least_tolerance = 1e-5, most_tolerance = 1e3;  // mm
 constexpr double tiny_share = 0.01;                             // of the tolerance: lines shorter than this are merged
 constexpr double used_share = 0.97;                             // of the tolerance for blends, after merging
+constexpr double fitted_share = 0.975;                          // of the tolerance: what has to be proven of a blend
 constexpr double reversal = 170 * 3.14159265358979323846 / 180;
 constexpr double fastest = 1e6;           // mm/s, where nothing limits the speed
 constexpr double shortest_rest = 1e-9;    // mm of a segment that is worth keeping between two blends
 constexpr double shortest_change = 1e-4;  // mm; in less the rounding of coordinates shows in a curve's direction
+constexpr int most_attempts = 12;         // at the length of a blend
 constexpr int most_splits = 4;            // times that a run is cut where it cannot be smoothed
 constexpr std::size_t progress_step = 256;
 
@@ -104,7 +107,7 @@ class Blender {
     std::size_t hint = 0;
     for (const Change& change : changes) {
       if (change.b - change.a < shortest_change) {
-        ++count_.failed;
+        fail(stretch.elements[change.run ? stretch.find(change.a, hint) : change.joint]);
       } else if (!change.run) {
         corner(stretch, change, at, hint);
       } else {
@@ -149,27 +152,30 @@ class Blender {
     const Element &before = stretch.elements[change.joint - 1], &after = stretch.elements[change.joint];
     double d1 = after.begin - change.a, d2 = change.b - after.begin;
     const double tolerance = used_share * options_.tolerance;
-    for (int attempt = 0; attempt < 12; ++attempt) {
-      Rational curve = corner_curve(before, d1, after, d2);
-      // Between lines the reach is exact.
-      const double deviation = before.straight && after.straight ? 0.0 : corner_deviation(curve, before, d1, after, d2);
-      if (deviation <= tolerance) {
+    for (int attempt = 0; attempt < most_attempts && d1 + d2 >= shortest_change; ++attempt) {
+      const Rational curve = corner_curve(before, d1, after, d2);
+      const CornerFit fit = corner_fit(curve, before, d1, after, d2, fitted_share * options_.tolerance);
+      if (fit.deviation <= fitted_share * options_.tolerance) {
         keep(stretch, at, after.begin - d1, hint);
         at = after.begin + d2;
         if (before.block == after.block) {
-          append(std::make_shared<Rational>(std::move(curve)), before);
+          append(std::make_shared<Rational>(curve), before);
         } else {
-          append(std::make_shared<Rational>(curve.restricted(0, 0.5, 0.25)), before);
-          append(std::make_shared<Rational>(curve.restricted(0.5, 1, 0.75)), after);
+          append(std::make_shared<Rational>(curve.restricted(0, fit.joint, 0.5 * fit.joint)), before);
+          append(std::make_shared<Rational>(curve.restricted(fit.joint, 1, 0.5 * (fit.joint + 1))), after);
         }
         ++count_.corners;
         return;
       }
-      const double factor = std::clamp(std::sqrt(0.95 * tolerance / deviation), 0.3, 0.97);
+      const double factor = std::clamp(std::sqrt(0.95 * tolerance / fit.deviation), 0.3, 0.97 - 0.04 * attempt);
       d1 *= factor;
       d2 *= factor;
     }
-    ++count_.failed;
+    fail(after);
+  }
+
+  void fail(const Element& after) {
+    if (count_.failed++ == 0) count_.first_failed = after.at(0).value;
   }
 
   bool smooth(const Stretch& stretch, const Change& change, int depth, std::size_t hint) {
@@ -183,7 +189,8 @@ class Blender {
          i < stretch.elements.size() && stretch.elements[i].begin < range.b; ++i, ++segments)
       if (stretch.elements[i].block != stretch.elements[i - 1].block) borders.push_back(stretch.elements[i].begin);
     const SmoothedRun run =
-        smooth_run(stretch, range, borders, used_share * options_.tolerance, given_.dimension, breathe_);
+        smooth_run(stretch, range, borders, {used_share * options_.tolerance, fitted_share * options_.tolerance},
+                   given_.dimension, breathe_);
     if (!run.done) return split(stretch, range, run.troubles, depth, hint);
     for (std::size_t k = 0; k < run.pieces.size(); ++k) {
       hint = stretch.find(0.5 * (run.breaks[k] + run.breaks[k + 1]), hint);
@@ -201,7 +208,7 @@ class Blender {
              std::size_t hint) {
     std::vector<std::size_t> cuts = sharpest_joints(stretch, range.a, range.b, troubles, hint);
     if (cuts.empty() || depth >= most_splits) {
-      ++count_.unsmoothed;
+      if (count_.unsmoothed++ == 0) count_.first_unsmoothed = stretch.elements[stretch.find(range.a, hint)].at(0).value;
       return false;
     }
     std::size_t i = stretch.find(range.a, hint);
@@ -244,6 +251,10 @@ class Blender {
       result_.blocks[b].first = i;
       while (i < owner_.size() && owner_[i] <= b) ++i;
       result_.blocks[b].last = i;
+      if (result_.blocks[b].first == i && given_.blocks[b].first < given_.blocks[b].last)
+        throw ToleranceUnreachable(
+            "block " + std::to_string(b) + " is too short to keep a place on the rounded contour",
+            given_.path[given_.blocks[b].first].length());
     }
   }
 

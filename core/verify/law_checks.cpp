@@ -31,6 +31,17 @@ SpeedRange speed_range(const LawPiece& p) {
   return r;
 }
 
+/// Per path segment. A path driven in place of another contour has to obey that one's feeds; a segment of none of its
+/// blocks may not be driven at all.
+std::vector<double> feeds_to_hold(const JudgeInput& in) {
+  if (!in.given) return in.contour.feeds();
+  std::vector<double> feed(in.contour.path.size(), 0.0);
+  for (std::size_t b = 0; b < std::min(in.given->blocks.size(), in.contour.blocks.size()); ++b)
+    for (std::size_t i = in.contour.blocks[b].first; i < std::min(in.contour.blocks[b].last, feed.size()); ++i)
+      feed[i] = in.given->blocks[b].feed;
+  return feed;
+}
+
 std::string feed_name(double feed) {
   char text[64];
   std::snprintf(text, sizeof text, "path velocity (feed %.10g)", feed);
@@ -47,7 +58,7 @@ class LawChecker {
 
   std::vector<Check> run(Pulse& pulse) {
     const auto& pieces = in_.law.pieces();
-    const std::vector<double> feeds = in_.contour.feeds();
+    const std::vector<double> feeds = feeds_to_hold(in_);
     distinct_ = feeds;
     std::sort(distinct_.begin(), distinct_.end());
     distinct_.erase(std::unique(distinct_.begin(), distinct_.end()), distinct_.end());

@@ -1,5 +1,6 @@
 #pragma once
-/// Pieces of segments that turn little, so that each has one nearest point to anything near it.
+/// Pieces of segments that turn little, so that each has one nearest point to anything near it
+/// (core/curve/matched.hpp).
 #include <vector>
 
 #include "core/curve/path.hpp"
@@ -17,12 +18,5 @@ struct Limb {
 /// Cuts a segment, the `index`-th of its path, until no piece turns by more than 0.5 rad (at most 2²⁴ pieces), and adds
 /// them to `limbs` in order.
 void add_limbs(const Segment& segment, std::size_t index, std::vector<Limb>& limbs);
-
-struct Nearest {
-  double u = 0, distance = 0;
-};
-
-/// The point of a curve between u0 and u1 nearest to p, one limb at most.
-Nearest nearest(const Curve& curve, double u0, double u1, Vec p);
 
 }  // namespace bahnwerk::verify

@@ -66,7 +66,7 @@ void checking(benchmark::State& state, Kind kind) {
   SilentProgress progress;
   const Contour path = blend(given, {0.02}, bahnwerk::testing::two_axes(), progress);
   for (auto _ : state) {
-    const Check check = tube_check(given, path, 0.02, progress);
+    const Check check = tube_checks(given, path, 0.02, progress).back();
     if (!check.passed) state.SkipWithError("outside the tube");
   }
   finish(state);

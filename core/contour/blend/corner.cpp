@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/curve/line.hpp"
+#include "core/curve/matched.hpp"
+
 namespace bahnwerk::blending {
 
 namespace {
@@ -14,24 +17,34 @@ constexpr double bend_share = 0.0075;  // deviation of a blended curvature jump:
 double stretch_factor(double turn) { return 0.9 + 0.03 * turn; }
 double middle_share(double turn) { return (64 - 44 * stretch_factor(turn)) / 64 * std::sin(0.5 * turn); }
 
-/// Distance of p from the curve of an element between a and b: Newton from the nearest of a few samples.
-double distance(const Element& e, double a, double b, Vec p) {
-  if (e.straight) return norm(e.from + std::clamp(dot(p - e.from, e.tangent), a, b) * e.tangent - p);
-  constexpr int samples = 8;
-  double best = HUGE_VAL, at = a;
-  for (int i = 0; i <= samples; ++i) {
-    const double t = a + (b - a) * i / samples;
-    if (const double d = norm(e.at(t).value - p); d < best) best = d, at = t;
+constexpr double proof_share = 1e-3;                     // of the tolerance: how exactly it is held
+constexpr double first_place = 0.05, last_place = 0.95;  // of a joint on its blend
+
+/// What lies between two places of an element, as a curve between two parameters.
+struct Part {
+  Part(const Element& e, double from, double to)
+      : line(e.straight ? Line(e.from + from * e.tangent, e.from + to * e.tangent) : Line({}, {})),
+        curve(e.straight ? static_cast<const Curve&>(line) : e.segment->curve()),
+        u0(e.straight ? 0 : e.parameter(from)),
+        u1(e.straight ? 1 : e.parameter(to)) {}
+  Part(const Part&) = delete;
+  Part& operator=(const Part&) = delete;
+
+  Line line;
+  const Curve& curve;
+  double u0, u1;
+};
+
+/// The place on a blend nearest to a point.
+double place_of(const Rational& curve, Vec p) {
+  constexpr int samples = 16;
+  double best = HUGE_VAL, at = 0.5;
+  for (int i = 1; i < samples; ++i) {
+    const double u = static_cast<double>(i) / samples;
+    if (const double d = norm(curve.at(u).value - p); d < best) best = d, at = u;
   }
-  // Newton on (h − p)·h' = 0, kept in the interval.
-  for (int i = 0; i < 4; ++i) {
-    const Jet h = e.at(at);
-    const double slope = 1 + dot(h.value - p, h.d2);
-    if (!(slope > 0.1)) break;
-    at = std::clamp(at - dot(h.value - p, h.d1) / slope, a, b);
-    best = std::min(best, norm(e.at(at).value - p));
-  }
-  return best;
+  const Nearest n = nearest(curve, at - 1.0 / samples, at + 1.0 / samples, p);
+  return std::clamp(n.distance <= best ? n.u : at, first_place, last_place);
 }
 
 }  // namespace
@@ -85,17 +98,33 @@ Rational corner_curve(const Element& before, double d1, const Element& after, do
   return Rational::bezier(p);
 }
 
-double corner_deviation(const Rational& curve, const Element& before, double d1, const Element& after, double d2) {
-  const Vec corner = after.at(0).value;
-  double worst = 0, nearest = HUGE_VAL;
-  constexpr int samples = 32;
-  for (int i = 1; i < samples; ++i) {
-    const Vec p = curve.at(static_cast<double>(i) / samples).value;
-    const double d = std::min(distance(before, before.length - d1, before.length, p), distance(after, 0, d2, p));
-    worst = std::max(worst, std::isfinite(d) ? d : HUGE_VAL);
-    nearest = std::min(nearest, norm(p - corner));
+CornerFit corner_fit(const Rational& curve, const Element& before, double d1, const Element& after, double d2,
+                     double tolerance) {
+  const Vec joint = after.at(0).value;
+  CornerFit fit;
+  if (before.straight && after.straight && std::abs(d1 - d2) <= 1e-9 * (d1 + d2)) {
+    fit.deviation = norm(curve.at(0.5).value - joint);
+    return fit;
   }
-  return std::max(worst, nearest);
+  fit.joint = place_of(curve, joint);
+  const double off = norm(curve.at(fit.joint).value - joint);
+  fit.deviation = off;
+  if (!(off <= tolerance)) return fit;
+  const Part left(before, before.length - d1, before.length), right(after, 0, d2);
+  const double slack = proof_share * tolerance, least = (1 - proof_share) * tolerance;
+  const auto half = [&](const Part& part, double u0, double u1) {
+    const MatchedPieces pieces{u0,
+                               u1,
+                               part.u0,
+                               part.u1,
+                               norm(curve.at(u0).value - part.curve.at(part.u0).value),
+                               norm(curve.at(u1).value - part.curve.at(part.u1).value)};
+    double found = least;
+    return MatchedDistance(curve, part.curve).bound(pieces, tolerance, slack, found);
+  };
+  for (const double bound : {half(left, 0, fit.joint), half(right, fit.joint, 1)})
+    if (!(bound <= fit.deviation)) fit.deviation = std::isnan(bound) ? HUGE_VAL : bound;
+  return fit;
 }
 
 }  // namespace bahnwerk::blending

@@ -37,7 +37,17 @@ Reach reach(const JointShape& joint, double tolerance, const Ability& ability);
 /// The blend from `d1` before the end of `before` to `d2` behind the begin of `after`.
 Rational corner_curve(const Element& before, double d1, const Element& after, double d2);
 
-/// Largest distance between a blend and what it replaces, both ways, from samples; exact for symmetric blends of lines.
-double corner_deviation(const Rational& curve, const Element& before, double d1, const Element& after, double d2);
+/// How a blend fits what it replaces.
+struct CornerFit {
+  double deviation = 0;  ///< mm. Up to the tolerance: proven. Above: one distance of more than the tolerance
+  double joint = 0.5;    ///< the parameter of the blend that belongs to the joint; strictly between 0 and 1
+};
+
+/// Matches the blend up to the place nearest to the joint with what it replaces of `before`, and the rest with what it
+/// replaces of `after`, both forward only; so distances are those in order along both, and the joint has a place on the
+/// blend within the tolerance of it. Closed form between lines cut back alike, where the deviation is at the joint;
+/// else a bound that is refined until it is within the tolerance or a distance is not (core/curve/matched.hpp).
+CornerFit corner_fit(const Rational& curve, const Element& before, double d1, const Element& after, double d2,
+                     double tolerance);
 
 }  // namespace bahnwerk::blending

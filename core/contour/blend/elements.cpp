@@ -67,7 +67,7 @@ Element whole(const Segment& s, std::size_t block) {
   return e;
 }
 
-/// Lines [first, last) with their vertices thinned: none closer than `tiny` to the one kept before.
+/// Lines [first, last) of one block with their vertices thinned: none closer than `tiny` to the one kept before.
 void append_lines(const Path& path, std::size_t first, std::size_t last, const std::vector<std::size_t>& blocks,
                   double tiny, std::vector<Element>& out) {
   const std::size_t at = out.size();
@@ -118,8 +118,12 @@ std::vector<Stretch> stretches(const Path& path, std::size_t first, std::size_t 
       continue;
     }
     std::size_t j = i;
-    while (j < last && path[j].straight()) ++j;
+    while (j < last && path[j].straight() && blocks[j] == blocks[i]) ++j;
+    const std::size_t before = elements.size();
     append_lines(path, i, j, blocks, tiny, elements);
+    // Nothing but a loop that small: no block may be lost.
+    if (elements.size() == before)
+      for (std::size_t k = i; k < j; ++k) elements.push_back(whole(path[k], blocks[k]));
     i = j;
   }
   std::vector<Stretch> list;

@@ -1,5 +1,6 @@
 #pragma once
 /// The stretches of a contour that blending works on: curves between two places at which the path has to stay.
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -22,6 +23,10 @@ struct Element {
   Jet at(double along) const;
   /// The curve between two places; the segment's own one if that is all of it.
   std::shared_ptr<const Curve> part(double a, double b) const;
+  /// The curve's parameter at `along`, of a curved element.
+  double parameter(double along) const {
+    return segment->parameter(std::clamp(segment->s0() + along, segment->s0(), segment->s1()));
+  }
 };
 
 /// Consecutive elements of one mode. At its ends the path stays where it is.
@@ -34,8 +39,9 @@ struct Stretch {
 };
 
 /// Cuts the segments [first, last) of a path (all of one mode) at joints that turn by more than `reversal` rad and at
-/// cusps. Lines shorter than `tiny` mm are merged into their neighbours: vertices move by no more than that.
-/// `blocks[i]` is the block of segment i. O(segments).
+/// cusps. Lines shorter than `tiny` mm are merged into neighbours of the same block: vertices move by no more than
+/// twice that, borders of blocks not at all, and each block keeps an element. `blocks[i]` is the block of segment i.
+/// O(segments).
 std::vector<Stretch> stretches(const Path& path, std::size_t first, std::size_t last,
                                const std::vector<std::size_t>& blocks, double tiny, double reversal);
 

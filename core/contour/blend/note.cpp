@@ -32,11 +32,16 @@ void note(Contour& blended, const BlendCount& count, const BlendOptions& options
                   stops, where);
     blended.notes.emplace_back(text);
   }
-  if (count.unsmoothed + count.failed > 0) {
-    std::snprintf(text, sizeof text, "%zu runs could not be smoothed and %zu joints not blended within the tolerance",
-                  count.unsmoothed, count.failed);
+  const auto left = [&](const char* what, std::size_t number, Vec first) {
+    if (number == 0) return;
+    const int end = std::snprintf(text, sizeof text, "%zu %s within the tolerance, the first at %.6g, %.6g", number,
+                                  what, first.x, first.y);
+    if (blended.dimension == 3)
+      std::snprintf(text + end, sizeof text - static_cast<std::size_t>(end), ", %.6g", first.z);
     blended.notes.emplace_back(text);
-  }
+  };
+  left("runs could not be smoothed", count.unsmoothed, count.first_unsmoothed);
+  left("joints could not be blended", count.failed, count.first_failed);
 }
 
 }  // namespace bahnwerk::blending

@@ -6,6 +6,7 @@
 #include "core/contour/blend/smooth.hpp"
 #include "core/contour/blend/smooth_basis.hpp"
 #include "core/contour/blend/smooth_scale.hpp"
+#include "core/curve/bend_bound.hpp"
 #include "core/curve/nurbs.hpp"
 
 namespace bahnwerk::blending {
@@ -52,17 +53,28 @@ std::vector<TubeSite> sites_of(const Stretch& stretch, const RunRange& range, co
   return sites;
 }
 
-/// Moves the nearest inner break onto each border.
-void snap(std::vector<double>& breaks, const std::vector<double>& borders) {
-  std::size_t taken = 0;
-  for (const double t : borders) {
-    auto i = static_cast<std::size_t>(std::upper_bound(breaks.begin(), breaks.end(), t) - breaks.begin());
-    if (i == 0 || i >= breaks.size()) continue;
-    if (i > 1 && t - breaks[i - 1] < breaks[i] - t) --i;
-    if (i <= taken || i + 1 >= breaks.size()) continue;
-    breaks[i] = t;
-    taken = i;
+/// Ends a piece at each border, exactly there: blocks shorter than the spline's spans have pieces of their own.
+void cut_at(const std::vector<double>& borders, SmoothedRun& run) {
+  if (borders.empty()) return;
+  std::vector<Rational> pieces;
+  std::vector<double> breaks{run.breaks.front()};
+  auto border = borders.begin();
+  for (std::size_t k = 0; k < run.pieces.size(); ++k) {
+    const double begin = run.breaks[k], end = run.breaks[k + 1];
+    double u = 0;
+    while (border != borders.end() && *border <= begin) ++border;
+    for (; border != borders.end() && *border < end; ++border) {
+      const double next = (*border - begin) / (end - begin);
+      if (!(next > u && next < 1)) continue;
+      pieces.push_back(run.pieces[k].restricted(u, next, 0.5 * (u + next)));
+      breaks.push_back(*border);
+      u = next;
+    }
+    pieces.push_back(u > 0 ? run.pieces[k].restricted(u, 1, 0.5 * (u + 1)) : std::move(run.pieces[k]));
+    breaks.push_back(end);
   }
+  run.pieces = std::move(pieces);
+  run.breaks = std::move(breaks);
 }
 
 TubeEnd end_of(const Stretch& stretch, double t, bool clamped) {
@@ -71,45 +83,119 @@ TubeEnd end_of(const Stretch& stretch, double t, bool clamped) {
   return {clamped, e.at(along)};
 }
 
+/// Bounds of |f''| per span: the control points of f'' that count there.
+std::vector<double> bends_of(const TubeSpline& spline) {
+  const auto derivative = [&](const std::vector<Vec>& points, std::size_t degree, std::size_t skipped) {
+    std::vector<Vec> list;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      const double width = spline.knots[i + skipped + degree + 1] - spline.knots[i + skipped + 1];
+      list.push_back((static_cast<double>(degree) / width) * (points[i + 1] - points[i]));
+    }
+    return list;
+  };
+  const auto second = derivative(derivative(spline.points, spline_degree, 0), spline_degree - 1, 1);
+  std::vector<double> bends;
+  for (std::size_t k = 0; k + spline_degree - 1 <= second.size(); ++k) {
+    double most = 0;
+    for (std::size_t i = k; i < k + spline_degree - 1; ++i)
+      if (const double size = norm(second[i]); !(size <= most)) most = size;
+    bends.push_back(most);
+  }
+  return bends;
+}
+
+/// What an element bulges from its chord between two places on it.
+double bulge_of(const Element& e, double from, double to) {
+  if (e.straight) return 0;
+  const double u0 = e.parameter(from), u1 = e.parameter(to);
+  return u1 > u0 ? BendBound(e.segment->curve()).at(u0, u1) * (u1 - u0) * (u1 - u0) / 8 : 0.0;
+}
+
 struct Finding {
   bool turning = false;        ///< the curve all but turns round in a point, at `places`
   std::vector<double> places;  ///< otherwise: outside, between sites
 };
 
-/// Looks between the sites and at the speed.
-Finding inspect(const Stretch& stretch, const TubeProblem& problem, const TubeSpline& spline, double tolerance,
-                const std::function<void()>& breathe) {
-  Finding found;
-  std::vector<double> slow;
-  std::size_t span = 0;
-  double last = problem.breaks.front();
-  for (std::size_t i = 0; i <= problem.sites.size(); ++i) {
-    if ((i & 8191) == 8191 && breathe) breathe();
-    const double next = i < problem.sites.size() ? problem.sites[i].t : problem.breaks.back();
-    double worst = tolerance, place = -1, least = slowest, halt = -1;
-    for (int k = 1; k <= 4; ++k) {
-      const double t = last + (next - last) * k / 4;
-      while (span + 2 < problem.breaks.size() && t >= problem.breaks[span + 1]) ++span;
-      const Jet f = spline.at(span, t);
-      const double off = norm(f.value - point_of(stretch, t));
-      if (k < 4 && !(off <= worst)) worst = off, place = t;
-      if (const double speed = norm(f.d1); !(speed >= least)) least = speed, halt = t;
+/// Looks at the distance, everywhere, and at the speed.
+class Inspection {
+ public:
+  Inspection(const Stretch& stretch, const TubeProblem& problem, const TubeSpline& spline,
+             const RunTolerance& tolerance)
+      : stretch_(stretch), problem_(problem), spline_(spline), tolerance_(tolerance), bends_(bends_of(spline)) {}
+
+  Finding run(const std::function<void()>& breathe) {
+    Finding found;
+    std::vector<double> slow;
+    Place last = place(problem_.breaks.front());
+    for (std::size_t i = 0; i <= problem_.sites.size(); ++i) {
+      if ((i & 4095) == 4095 && breathe) breathe();
+      const double begin = last.t, end = i < problem_.sites.size() ? problem_.sites[i].t : problem_.breaks.back();
+      worst_ = tolerance_.aimed, outside_ = -1;
+      double least = slowest, halt = -1;
+      for (int k = 1; k <= 4; ++k) {
+        const Place next = place(k < 4 ? begin + (end - begin) * k / 4 : end);
+        if (k < 4 && !(next.off <= worst_)) worst_ = next.off, outside_ = next.t;
+        if (!(next.speed >= least)) least = next.speed, halt = next.t;
+        if (outside_ < 0) prove(last, next, most_halvings);
+        last = next;
+      }
+      if (outside_ >= 0) found.places.push_back(outside_);
+      if (halt >= 0 && (slow.empty() || halt - slow.back() > problem_.scale[span_])) slow.push_back(halt);
     }
-    if (place >= 0) found.places.push_back(place);
-    if (halt >= 0 && (slow.empty() || halt - slow.back() > problem.scale[span])) slow.push_back(halt);
-    last = next;
+    found.turning = !slow.empty();
+    if (found.turning) found.places = std::move(slow);
+    return found;
   }
-  found.turning = !slow.empty();
-  if (found.turning) found.places = std::move(slow);
-  return found;
-}
+
+ private:
+  static constexpr int most_halvings = 12;
+  struct Place {
+    double t = 0, off = 0, speed = 0;
+    std::size_t span = 0;
+  };
+
+  Place place(double t) {
+    span_ = std::min(span_, bends_.size() - 1);
+    while (span_ > 0 && t < problem_.breaks[span_]) --span_;
+    while (span_ + 2 < problem_.breaks.size() && t >= problem_.breaks[span_ + 1]) ++span_;
+    const Jet f = spline_.at(span_, t);
+    return {t, norm(f.value - point_of(stretch_, t)), norm(f.d1), span_};
+  }
+
+  /// Between two places the distance is at most the larger one at them plus what both curves bulge.
+  void prove(const Place& a, const Place& b, int depth) {
+    const double width = b.t - a.t;
+    double bend = 0;
+    for (std::size_t k = a.span; k <= b.span; ++k) bend = std::max(bend, bends_[k]);
+    element_ = stretch_.find(0.5 * (a.t + b.t), element_);
+    const Element& e = stretch_.elements[element_];
+    const double bulge = bend * width * width / 8 + bulge_of(e, std::max(0.0, a.t - e.begin), b.t - e.begin);
+    if (std::max(a.off, b.off) + bulge <= tolerance_.proven) return;
+    const Place middle = place(0.5 * (a.t + b.t));
+    if (!(middle.off <= worst_) || depth == 0) {
+      worst_ = middle.off;
+      outside_ = middle.t;
+      return;
+    }
+    prove(a, middle, depth - 1);
+    if (outside_ < 0) prove(middle, b, depth - 1);
+  }
+
+  const Stretch& stretch_;
+  const TubeProblem& problem_;
+  const TubeSpline& spline_;
+  const RunTolerance& tolerance_;
+  std::vector<double> bends_;
+  std::size_t span_ = 0, element_ = 0;
+  double worst_ = 0, outside_ = -1;
+};
 
 }  // namespace
 
 SmoothedRun smooth_run(const Stretch& stretch, const RunRange& range, const std::vector<double>& borders,
-                       double tolerance, std::size_t dimension, const std::function<void()>& breathe) {
+                       const RunTolerance& tolerance, std::size_t dimension, const std::function<void()>& breathe) {
   SmoothedRun run;
-  BendScale scale(stretch, range.a, range.b, tolerance, breathe);
+  BendScale scale(stretch, range.a, range.b, tolerance.aimed, breathe);
   std::vector<double> extra;
   TubeProblem problem;
   problem.dimension = dimension;
@@ -117,11 +203,10 @@ SmoothedRun smooth_run(const Stretch& stretch, const RunRange& range, const std:
   problem.end = end_of(stretch, range.b, range.clamped_end);
   for (int round = 0; round < most_rounds; ++round) {
     problem.breaks = scale.breaks();
-    snap(problem.breaks, borders);
     problem.scale.clear();
     for (std::size_t k = 0; k + 1 < problem.breaks.size(); ++k)
       problem.scale.push_back(2 * (problem.breaks[k + 1] - problem.breaks[k]));
-    problem.sites = sites_of(stretch, range, scale, site_share * tolerance, extra);
+    problem.sites = sites_of(stretch, range, scale, site_share * tolerance.aimed, extra);
     const TubeSpline spline = smooth_in_tube(problem, breathe);
     if (!spline.inside) {
       run.troubles.clear();
@@ -133,12 +218,13 @@ SmoothedRun smooth_run(const Stretch& stretch, const RunRange& range, const std:
       scale.refine(run.troubles);
       continue;
     }
-    const Finding finding = inspect(stretch, problem, spline, tolerance, breathe);
+    const Finding finding = Inspection(stretch, problem, spline, tolerance).run(breathe);
     if (finding.places.empty()) {
       for (Rational& piece : Nurbs(spline_degree, spline.points, {}, spline.knots).pieces())
         run.pieces.push_back(std::move(piece));
       run.breaks = problem.breaks;
       run.done = run.pieces.size() + 1 == run.breaks.size();
+      if (run.done) cut_at(borders, run);
       return run;
     }
     run.troubles = finding.places;

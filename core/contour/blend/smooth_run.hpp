@@ -14,6 +14,11 @@ struct RunRange {
   bool clamped_begin = false, clamped_end = false;  ///< leave and meet the contour with three derivatives
 };
 
+struct RunTolerance {
+  double aimed = 0;   ///< mm, at every place looked at
+  double proven = 0;  ///< mm, everywhere; a little larger
+};
+
 struct SmoothedRun {
   bool done = false;
   std::vector<Rational> pieces;  ///< Bézier curves of degree 5, joined with four continuous derivatives
@@ -21,10 +26,11 @@ struct SmoothedRun {
   std::vector<double> troubles;  ///< if not done: where along the stretch it failed
 };
 
-/// |f(t) − contour(t)| ≤ tolerance for all t (checked between the sites as well), so both are within the tolerance of
-/// each other. `borders`: places, ascending, at which a break should lie (changes of the block). Not done when the
-/// curve would turn round in a point or cannot be kept inside.
+/// |f(t) − contour(t)| ≤ tolerance.proven for all t: from the distances at places so close together that what both
+/// curves bulge between them fits in, too. So each is within the tolerance of the other, in order, and a place of the
+/// contour has its own on the curve. `borders`: places, strictly ascending (changes of the block), at which a piece
+/// ends, however close together they are. Not done when the curve would turn round in a point or cannot be kept inside.
 SmoothedRun smooth_run(const Stretch& stretch, const RunRange& range, const std::vector<double>& borders,
-                       double tolerance, std::size_t dimension, const std::function<void()>& breathe);
+                       const RunTolerance& tolerance, std::size_t dimension, const std::function<void()>& breathe);
 
 }  // namespace bahnwerk::blending

@@ -1,9 +1,8 @@
-#include "core/contour/blend/corner.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "core/contour/blend/corner.hpp"
 #include "core/contour/polyline.hpp"
 #include "core/curve/arc.hpp"
 #include "core/curve/curvature.hpp"
@@ -24,7 +23,9 @@ TEST(BlendCorner, ReachBetweenLinesIsExact) {
     const Reach r = reach(joint_shape(a, b), 0.01, {1800, 16000, HUGE_VAL, 0});
     EXPECT_LE(r.wanted, r.allowed);
     const Rational curve = corner_curve(a, r.allowed, b, r.allowed);
-    EXPECT_NEAR(corner_deviation(curve, a, r.allowed, b, r.allowed), 0.01, 1e-9) << turn;
+    const CornerFit fit = corner_fit(curve, a, r.allowed, b, r.allowed, 0.01);
+    EXPECT_NEAR(fit.deviation, 0.01, 1e-9) << turn;
+    EXPECT_EQ(fit.joint, 0.5);
     EXPECT_NEAR(norm(curve.at(0.5).value - Vec{10, 0, 0}), 0.01, 1e-9) << turn;
   }
 }
@@ -56,9 +57,30 @@ TEST(BlendCorner, CurvatureJumpStaysWithinItsEstimate) {
   EXPECT_EQ(shape.turn, 0);
   EXPECT_NEAR(shape.bend, 0.1, 1e-12);
   const Reach r = reach(shape, 1e-4, {1800, 16000, HUGE_VAL, 0});
-  const double deviation = corner_deviation(corner_curve(a, r.allowed, b, r.allowed), a, r.allowed, b, r.allowed);
-  EXPECT_LE(deviation, 1.1e-4);
-  EXPECT_GE(deviation, 0.8e-4);
+  const Rational curve = corner_curve(a, r.allowed, b, r.allowed);
+  EXPECT_LE(corner_fit(curve, a, r.allowed, b, r.allowed, 1.1e-4).deviation, 1.1e-4);
+  EXPECT_GT(corner_fit(curve, a, r.allowed, b, r.allowed, 0.8e-4).deviation, 0.8e-4);
+}
+
+TEST(BlendCorner, ALopsidedBlendOfLinesIsMeasured) {
+  // Cut back unequally the curve first runs past the corner; its middle says nothing.
+  const auto s = corner(1.5);
+  const Element &a = s[0].elements[0], &b = s[0].elements[1];
+  const Rational curve = corner_curve(a, 0.2, b, 4);
+  double off = 0;
+  for (int i = 0; i <= 1000; ++i) {
+    const Vec p = curve.at(i / 1000.0).value;
+    double near = HUGE_VAL;
+    for (int k = 0; k <= 1000; ++k) {
+      near = std::min(near, norm(p - a.at(a.length * k / 1000).value));
+      near = std::min(near, norm(p - b.at(b.length * k / 1000).value));
+    }
+    off = std::max(off, near);
+  }
+  EXPECT_GT(corner_fit(curve, a, 0.2, b, 4, 0.9 * off).deviation, 0.9 * off);
+  const CornerFit fit = corner_fit(curve, a, 0.2, b, 4, 10);
+  EXPECT_GE(fit.deviation, off - 0.02);
+  EXPECT_LE(norm(curve.at(fit.joint).value - Vec{10, 0, 0}), fit.deviation + 1e-12);
 }
 
 TEST(BlendCorner, WantsNoMoreThanSpeedAndJerkAskFor) {

@@ -1,9 +1,8 @@
-#include "core/contour/blend/elements.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "core/contour/blend/elements.hpp"
 #include "core/contour/builder.hpp"
 #include "core/contour/polyline.hpp"
 
@@ -36,6 +35,22 @@ TEST(BlendElements, MergesTinyLinesAndKeepsTheEnds) {
       EXPECT_EQ(elements[i].begin, elements[i - 1].end());
     }
   }
+}
+
+TEST(BlendElements, NoBlockIsMergedAway) {
+  // Blocks of one tiny line each, then one that is a tiny way there and back.
+  std::vector<Vec> points;
+  for (int i = 0; i <= 50; ++i) points.push_back({0.001 * i, 0, 0});
+  points.push_back(points[49]);
+  points.push_back(points[50]);
+  points.push_back({1, 0, 0});
+  const Contour c = polyline(2, points, false, 1);
+  std::vector<std::size_t> blocks;
+  for (std::size_t i = 0; i < c.path.size(); ++i) blocks.push_back(std::min<std::size_t>(i, 50) + (i > 51 ? 1 : 0));
+  std::vector<bool> kept(blocks.back() + 1, false);
+  for (const Stretch& s : stretches(c.path, 0, c.path.size(), blocks, 0.01, 3))
+    for (const Element& e : s.elements) kept[e.block] = true;
+  for (std::size_t b = 0; b < kept.size(); ++b) EXPECT_TRUE(kept[b]) << b;
 }
 
 TEST(BlendElements, PartsLieOnTheirCurves) {

@@ -173,9 +173,62 @@ TEST(Blend, FeedChangesInsideARun) {
   }
   const Contour path = blended(b.finish(), 0.01);
   expect_g3(path.path);
-  const Vec border = path.path[path.blocks[1].first].curve().at(0).value;
+  const Curve& after = path.path[path.blocks[1].first].curve();
+  const Vec border = after.at(after.begin()).value;
   EXPECT_NEAR(border.x, 0, 0.01);
   EXPECT_NEAR(border.y, 20, 0.01);
+}
+
+TEST(Blend, EveryBlockKeepsItsPlaceHoweverShort) {
+  // Blocks far shorter than the tolerance and than the spline's spans, in a run and at corners.
+  for (const double width : {0.2, 0.01, 1e-4, 2e-6})
+    for (const double turn : {0.01, 1.5}) {
+      ContourBuilder b(2, {});
+      b.block(Mode::cut, 200);
+      Vec at;
+      const auto go = [&](double length, double heading) {
+        at += length * Vec{std::cos(heading), std::sin(heading), 0};
+        b.line(at);
+      };
+      for (int i = 0; i < 50; ++i) go(0.2, i % 2 ? turn : 0);
+      for (int i = 0; i < 3; ++i) {
+        b.block(Mode::cut, 5 + i);
+        go(width, i == 1 ? turn : 0);
+      }
+      b.block(Mode::cut, 200);
+      for (int i = 0; i < 50; ++i) go(0.2, i % 2 ? turn : 0);
+      const Contour given = b.finish(), path = blended(given, 0.02);
+      ASSERT_EQ(path.blocks.size(), given.blocks.size());
+      for (std::size_t k = 0; k < path.blocks.size(); ++k) {
+        ASSERT_LT(path.blocks[k].first, path.blocks[k].last) << width << " block " << k;
+        const Vec begin = path.path.at(path.path[path.blocks[k].first].s0()).value;
+        EXPECT_LE(norm(begin - given.path.at(given.path[given.blocks[k].first].s0()).value), 0.02) << width << " " << k;
+      }
+    }
+}
+
+TEST(Blend, WhatDoesNotFitIsRoundedLess) {
+  // The spline's weights make it bend far more sharply near its begin than its derivatives there tell.
+  ContourBuilder b(2, {0.45, -0.1, 0});
+  b.block(Mode::position, unlimited);
+  b.line({0.32, -0.21, 0});
+  b.nurbs(3, {{0.32, -0.21, 0}, {0.17, -0.23, 0}, {0.31, -0.4, 0}, {0.36, -0.07, 0}}, {7.86, 3.21, 0.31, 2.22},
+          {0, 0, 0, 0, 1, 1, 1, 1});
+  Machine slow;
+  slow.axes = {{"x", 100, 1000, unlimited}, {"y", 100, 1000, unlimited}};
+  const Contour given = b.finish();
+  SilentProgress progress;
+  const Path path = blend(given, {0.02}, slow, progress).path;
+  EXPECT_EQ(path.size(), 3u);  // rounded all the same
+  double worst = 0;
+  for (int i = 0; i <= 2000; ++i) {
+    double near = HUGE_VAL;
+    for (int k = 0; k <= 2000; ++k)
+      near = std::min(
+          near, norm(path.at(path.length() * i / 2000).value - given.path.at(given.path.length() * k / 2000).value));
+    worst = std::max(worst, near);
+  }
+  EXPECT_LE(worst, 0.02);
 }
 
 TEST(Blend, SameInputSameBits) {

@@ -37,7 +37,7 @@ double duration(const Contour& contour) {
 
 Check tube(const Contour& given, const Contour& path, double tolerance) {
   SilentProgress progress;
-  return tube_check(given, path, tolerance, progress);
+  return tube_checks(given, path, tolerance, progress).back();
 }
 
 /// What every blended contour owes: ends and blocks kept, joints continuous to the third derivative unless they stop.

@@ -8,14 +8,13 @@
 #include "core/contour/polyline.hpp"
 #include "core/curve/arc.hpp"
 #include "core/curve/rational.hpp"
-#include "core/verify/tube_bound.hpp"
 
 namespace bahnwerk {
 namespace {
 
 Check check(const Contour& given, const Contour& path, double tolerance) {
   SilentProgress progress;
-  return tube_check(given, path, tolerance, progress);
+  return tube_checks(given, path, tolerance, progress).back();
 }
 Contour line(std::vector<Vec> points) { return polyline(2, points, false, 1); }
 
@@ -94,21 +93,72 @@ TEST(Tube, EndsCount) {
   EXPECT_FALSE(check(line({{}, {10, 0, 0}}), line({{}, {9.98, 0, 0}}), 0.01).passed);
 }
 
-TEST(TubeBound, HoldsAndTightens) {
-  const Rational curves[] = {Rational::bezier({{100, 0, 0}, {101, 3, 1}, {104, -2, 0}, {105, 1, 2}}),
-                             Rational::bezier({{100, 0, 0}, {101, 3, 1}, {104, -2, 0}, {105, 1, 2}}, {1, 3, 0.5, 2})};
-  for (const Rational& curve : curves) {
-    const verify::BendBound bound(curve);
-    for (double width = 1; width > 1e-3; width *= 0.5) {
-      double most = 0;
-      for (int i = 0; i <= 50; ++i) most = std::max(most, norm(curve.at(0.4 + width * (i / 50.0 - 0.4)).d2));
-      const double b = bound.at(0.4 - 0.4 * width, 0.4 + 0.6 * width);
-      EXPECT_GE(b, most * (1 - 1e-9));
-      if (width < 0.01) {
-        EXPECT_LE(b, 1.5 * most + 1);
-      }
-    }
+/// Three blocks of one line each, with the borders at `one` and `two`.
+Contour blocks(double one, double two) {
+  ContourBuilder b(2, {});
+  b.block(Mode::cut, 200);
+  b.line({one, 0, 0});
+  b.block(Mode::cut, 5);
+  b.line({two, 0, 0});
+  b.block(Mode::position, 200);
+  b.line({10, 0, 0});
+  return b.finish();
+}
+std::vector<Check> checks(const Contour& given, const Contour& path) {
+  SilentProgress progress;
+  return tube_checks(given, path, 0.01, progress);
+}
+
+TEST(Tube, BordersStayWhereTheyWere) {
+  const Contour given = blocks(4, 4.2);
+  for (const Check& c : checks(given, blocks(4.0099, 4.1901))) EXPECT_TRUE(c.passed) << c.name;
+  for (const auto& [one, two] : {std::pair{4.0101, 4.2}, {4.0, 4.1899}, {3.9, 4.1}}) {
+    const auto moved = checks(given, blocks(one, two));
+    EXPECT_TRUE(moved[0].passed);
+    EXPECT_FALSE(moved[1].passed) << one;
   }
+}
+
+TEST(Tube, BlocksAreTheContours) {
+  const Contour given = blocks(4, 4.2);
+  const auto refused = [&](const Contour& path) {
+    const auto list = checks(given, path);
+    EXPECT_EQ(list[0].name, "blocks out of order");
+    EXPECT_FALSE(list[0].passed);
+    EXPECT_GE(list[0].value, 1);
+    EXPECT_FALSE(list[1].passed);
+  };
+  Contour path = given;
+  path.blocks[1].mode = Mode::position;
+  refused(path);
+  path = given;  // the slow block's length is given to the one before
+  path.blocks[0].last = path.blocks[1].first = 2;
+  refused(path);
+  path = given;
+  path.blocks.pop_back();
+  refused(path);
+  path = given;
+  path.blocks[2].last = 2;
+  refused(path);
+  path = given;  // overlapping
+  path.blocks[1].first = 0;
+  refused(path);
+  path = given;
+  std::swap(path.blocks[0], path.blocks[1]);
+  refused(path);
+}
+
+TEST(Tube, CoilsWithinTheTolerancePass) {
+  // Some hundred turns that come back on themselves; the path leaves out every other vertex.
+  std::vector<Vec> coil, half;
+  for (int i = 0; i <= 600; ++i) {
+    const Vec p{1e-4 * i + 0.003 * std::cos(2.0 * i), 0.003 * std::sin(2.0 * i), 0};
+    coil.push_back(p);
+    if (i % 2 == 0) half.push_back(p);
+  }
+  EXPECT_TRUE(check(line(coil), line(half), 0.01).passed);
+  EXPECT_TRUE(check(line(half), line(coil), 0.01).passed);
+  EXPECT_FALSE(check(line(coil), line(half), 0.001).passed);
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
-#include "core/verify/tube_bound.hpp"
+#include "core/curve/bend_bound.hpp"
 
 #include <cmath>
 
 #include "core/curve/arc.hpp"
 #include "core/curve/rational.hpp"
 
-namespace bahnwerk::verify {
+namespace bahnwerk {
 
 namespace {
 
@@ -63,4 +63,4 @@ double BendBound::at(double u0, double u1) const {
   return (norm(second) + 2 * h1 * w[1] + h * w[2]) / least * per_u * per_u;
 }
 
-}  // namespace bahnwerk::verify
+}  // namespace bahnwerk

@@ -5,7 +5,7 @@
 
 #include "core/curve/curve.hpp"
 
-namespace bahnwerk::verify {
+namespace bahnwerk {
 
 /// Bounds |h_uu| of one curve; a curve and its chord, both traversed linearly in u over [u0, u1], are nowhere further
 /// apart than max|h_uu| (u1 − u0)²/8.
@@ -22,4 +22,4 @@ class BendBound {
   bool rational_ = false, weighted_ = false;
 };
 
-}  // namespace bahnwerk::verify
+}  // namespace bahnwerk
