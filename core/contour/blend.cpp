@@ -51,7 +51,7 @@ class Blender {
       take_rests(i);
       std::size_t j = i + 1;
       while (j < n && mode(j) == mode(i) && !rest_[j]) ++j;
-      auto list = stretches(given_.path, i, j, block_, tiny_share * options_.tolerance, reversal);
+      auto list = stretches(given_.path, i, j, block_, tiny_share * options_.tolerance, reversal, breathe_);
       list.front().rest_begin = i == 0 || rests(i);
       list.back().rest_end = j == n || rests(j);
       for (const Stretch& s : list) process(s, 0);
@@ -59,7 +59,7 @@ class Blender {
     }
     take_rests(n);
     finish_blocks();
-    note(result_, count_, options_);
+    note(result_, count_, options_, breathe_);
     progress_.report("blend", to_);
     return std::move(result_);
   }
@@ -102,7 +102,7 @@ class Blender {
     std::vector<Ability> abilities;
     abilities.reserve(stretch.elements.size());
     for (const Element& e : stretch.elements) abilities.push_back(ability(e.block));
-    const auto changes = lay_out(stretch, used_share * options_.tolerance, abilities);
+    const auto changes = lay_out(stretch, used_share * options_.tolerance, abilities, breathe_);
     double at = 0;
     std::size_t hint = 0;
     for (const Change& change : changes) {

@@ -15,7 +15,7 @@ constexpr double slack_share = 0.004;  // of the tolerance: what polygons may di
 constexpr double enough = 0.99;        // of the tolerance: no need to know better
 constexpr std::size_t most_cells_per_edge = 64, least_cells = 50'000'000;
 constexpr std::size_t most_points = 20'000'000;
-constexpr std::size_t limb_units = 4, cell_units = 4;  // of a pulse's work
+constexpr std::size_t limb_units = 16, cell_units = 8, halving_units = 16;  // of a pulse's work
 
 }  // namespace
 
@@ -72,6 +72,7 @@ void TubeBlock::follow(const Limb& link, std::size_t limb, double at, std::size_
   for (std::size_t k = limb; k < limbs_.size() && walked <= most; ++k) {
     const Limb& l = limbs_[k];
     const double from = k == limb ? at : l.u0;
+    pulse_.work(1);
     const Nearest n = nearest((*given_.path)[l.segment].curve(), from, l.u1, link.p1);
     if (n.distance < best) best = n.distance, to = k, place = n.u;
     entered = entered || n.distance <= near;
@@ -110,13 +111,14 @@ void TubeBlock::lay(const Limb& link, std::size_t limb, double at, Vec p, std::s
 Worst TubeBlock::bound() {
   Worst worst;
   const double slack = std::min(finest, 1e-3 * tolerance_);
+  const auto work = [this](std::size_t halvings) { pulse_.work(halving_units * halvings); };
   double found = 0;
   for (const Cell& c : cells_)
     if (c.pieces.ends() <= tolerance_) found = std::max(found, c.pieces.ends());
   for (const Cell& c : cells_) {
     pulse_.work(cell_units);
     const Segment& segment = (*path_.path)[c.path];
-    const MatchedDistance distance(segment.curve(), (*given_.path)[c.given].curve());
+    const MatchedDistance distance(segment.curve(), (*given_.path)[c.given].curve(), work);
     const double b = distance.bound(c.pieces, tolerance_, slack, found);
     if (std::isnan(b) || b > worst.value) worst.raise(b, segment.arc_length(c.pieces.a1));
   }

@@ -50,6 +50,8 @@ std::size_t Stretch::find(double t, std::size_t hint) const {
 
 namespace {
 
+constexpr std::size_t breath = 32768;  // elements
+
 Vec start_of(const Segment& s) { return s.curve().at(s.curve().begin()).value; }
 Vec end_of(const Segment& s) { return s.curve().at(s.curve().end()).value; }
 
@@ -109,9 +111,12 @@ void append_lines(const Path& path, std::size_t first, std::size_t last, const s
 }  // namespace
 
 std::vector<Stretch> stretches(const Path& path, std::size_t first, std::size_t last,
-                               const std::vector<std::size_t>& blocks, double tiny, double reversal) {
+                               const std::vector<std::size_t>& blocks, double tiny, double reversal,
+                               const std::function<void()>& breathe) {
   std::vector<Element> elements;
+  std::size_t pause = first + breath;
   for (std::size_t i = first; i < last;) {
+    if (i >= pause && breathe) breathe(), pause = i + breath;
     if (!path[i].straight()) {
       elements.push_back(whole(path[i], blocks[i]));
       ++i;
@@ -128,6 +133,7 @@ std::vector<Stretch> stretches(const Path& path, std::size_t first, std::size_t 
   }
   std::vector<Stretch> list;
   for (std::size_t i = 0; i < elements.size(); ++i) {
+    if (i % breath == breath - 1 && breathe) breathe();
     Element& e = elements[i];
     bool cut = i == 0;
     if (i > 0) {

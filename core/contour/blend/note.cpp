@@ -7,11 +7,13 @@ namespace bahnwerk::blending {
 
 namespace {
 
-constexpr double small_jump = 1e-6;  // rad, worth a note
+constexpr std::size_t breath = 32768;  // joints
+constexpr double small_jump = 1e-6;    // rad, worth a note
 
 }  // namespace
 
-void note(Contour& blended, const BlendCount& count, const BlendOptions& options) {
+void note(Contour& blended, const BlendCount& count, const BlendOptions& options,
+          const std::function<void()>& breathe) {
   char text[200];
   std::snprintf(text, sizeof text, "blended within %.6g mm: %zu joints, %zu runs of %zu short segments",
                 options.tolerance, count.corners, count.runs, count.run_segments);
@@ -19,9 +21,13 @@ void note(Contour& blended, const BlendCount& count, const BlendOptions& options
   std::size_t stops = 0;
   double where = 0;
   std::size_t small = 0;
-  for (const Joint& j : joints(blended.path)) {
-    if (j.angle > options.corner_angle && stops++ == 0) where = j.s;
-    if (j.angle > small_jump && j.angle <= options.corner_angle) ++small;
+  for (std::size_t i = 1; i < blended.path.size(); ++i) {
+    if (i % breath == 0) breathe();
+    const Segment &before = blended.path[i - 1], &after = blended.path[i];
+    const double angle =
+        angle_between(before.at_parameter(before.curve().end()).d1, after.at_parameter(after.curve().begin()).d1);
+    if (angle > options.corner_angle && stops++ == 0) where = after.s0();
+    if (angle > small_jump && angle <= options.corner_angle) ++small;
   }
   if (small > 0) {
     std::snprintf(text, sizeof text, "%zu tangent jumps below the corner angle left", small);

@@ -1,6 +1,7 @@
 #pragma once
 /// What blending did, in words for the contour's notes.
 #include <cstddef>
+#include <functional>
 
 #include "core/contour/blend.hpp"
 
@@ -13,6 +14,6 @@ struct BlendCount {
 };
 
 /// Adds to the notes of the blended contour: what was blended, which jumps and corners are left, what failed.
-void note(Contour& blended, const BlendCount& count, const BlendOptions& options);
+void note(Contour& blended, const BlendCount& count, const BlendOptions& options, const std::function<void()>& breathe);
 
 }  // namespace bahnwerk::blending
