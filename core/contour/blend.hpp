@@ -11,8 +11,15 @@
 ///
 /// How long a blend is: as long as the tolerance allows, but no longer than the machine can use (a joint of 1e-5 rad
 /// needs no metre). Not blended: rests of the contour, and each with a note turns of more than 170° and cusps (the
-/// motion rests there), and borders between cutting and positioning, where the path stays as it was. A corner blend
-/// between two blocks of one mode is cut in its middle, so each half has the feed of its own block.
+/// motion rests there), and borders between cutting and positioning, where the path stays as it was.
+///
+/// A border between two blocks of one mode keeps its place: every block with a length owns a piece of the rounded path,
+/// however short it is, in order, and begins within the tolerance of where it began. A corner blend is cut at the place
+/// that belongs to the joint, a run at every border inside it. So the feed of a block holds there and nowhere else.
+///
+/// A change is made only if its deviation is proven to fit, from bounds of what curves bulge between places where they
+/// have been compared. A corner that does not fit is rounded less; a run is cut at its sharpest joints; what still does
+/// not fit stays as it is, with a note of how many there are and where the first one is.
 #include "core/contour/contour.hpp"
 #include "core/machine/machine.hpp"
 #include "core/progress.hpp"
@@ -24,12 +31,12 @@ struct BlendOptions {
   double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad; larger jumps that stay are noted as stops
 };
 
-/// The blended contour: same dimension, same blocks (some may be empty), notes extended. Every point of it has a point
-/// of `given` within the tolerance and vice versa, in order along both (core/verify/tube.hpp checks that). Throws
-/// InvalidInput at {"planning","corner","tolerance"} for a tolerance that is not in 1e-5 … 1e3 mm, Stopped when
-/// progress says so. Progress runs from `from` to `to`. Cost: O(segments): 10 µs per chord of
-/// a long run, 25 µs per corner, 65 µs per segment where many short runs alternate with corners
-/// (tests/bench/bench_blend.cpp, one core of 2.3 GHz).
+/// The blended contour: same dimension, same blocks, notes extended. Every point of a block has a point of the same
+/// block of `given` within the tolerance and vice versa, in order along both (core/verify/tube.hpp checks that). Throws
+/// InvalidInput at {"planning","corner","tolerance"} for a tolerance that is not in 1e-5 … 1e3 mm, ToleranceUnreachable
+/// for a block of less than some 1e-11 mm that got lost, Stopped when progress says so. Progress runs from `from` to
+/// `to`. Cost: O(segments): 10 µs per chord of a long run, 25 µs per corner, 65 µs per segment where many short runs
+/// alternate with corners (tests/bench/bench_blend.cpp, one core of 2.3 GHz).
 Contour blend(const Contour& given, const BlendOptions& options, const Machine& machine, Progress& progress,
               double from = 0, double to = 1);
 
