@@ -169,7 +169,7 @@ class BlockFeeds : public ::testing::TestWithParam<int> {};
 
 TEST_P(BlockFeeds, HoldInEveryRow) {
   const std::size_t shards = 4, shard = static_cast<std::size_t>(GetParam());
-  for (std::size_t seed = shard; seed < cases("BAHNWERK_BLOCK_CASES", 24); seed += shards) {
+  for (std::size_t seed = shard; seed < cases("BAHNWERK_BLOCK_CASES", 16); seed += shards) {
     Random random(7000 + seed);
     const Contour given = short_blocks(random);
     const Machine machine = machine_of(random);
@@ -197,7 +197,7 @@ class FreeForm : public ::testing::TestWithParam<int> {};
 
 TEST_P(FreeForm, RoundedContoursAreVerified) {
   const std::size_t shards = 4, shard = static_cast<std::size_t>(GetParam());
-  for (std::size_t seed = shard; seed < cases("BAHNWERK_CURVE_CASES", 120); seed += shards) {
+  for (std::size_t seed = shard; seed < cases("BAHNWERK_CURVE_CASES", 80); seed += shards) {
     Random random(9000 + seed);
     const Contour given = free_form(random);
     ContourPlanning planning;
