@@ -136,7 +136,9 @@ JobRequest parse_job(std::string_view body) {
   return request;
 }
 
-json job_spec(std::string_view document) { return std::move(parse_json(document).at("spec")); }
+json job_spec(std::string_view document, Progress* progress) {
+  return std::move(parse_json(document, progress).at("spec"));
+}
 
 ordered_json job_resource(const Job& job) {
   const auto& request = job.request;

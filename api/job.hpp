@@ -24,8 +24,9 @@ struct JobRequest {
 /// duplicate keys), unknown-kind, schema-violation, semantic-violation.
 JobRequest parse_job(std::string_view body);
 
-/// The spec of a checked document's text, numbers in one form (2.0 = 2), as it is planned.
-nlohmann::json job_spec(std::string_view document);
+/// The spec of a checked document's text, numbers in one form (2.0 = 2), as it is planned. Reading asks `progress`, if
+/// given.
+nlohmann::json job_spec(std::string_view document, Progress* progress = nullptr);
 
 enum class JobState { queued, running, succeeded, failed, cancelled };
 std::string_view to_string(JobState state);

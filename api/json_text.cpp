@@ -17,8 +17,10 @@ using nlohmann::json;
 /// win.
 class Builder : public nlohmann::json_sax<json> {
  public:
+  explicit Builder(Progress* progress) : progress_(progress) {}
   json root;
   std::string fault;          // empty: none
+  bool too_large = false;     // the fault is one of size
   std::string fault_pointer;  // for a fault that is a member of the document
   std::size_t fault_byte = 0;
 
@@ -44,6 +46,7 @@ class Builder : public nlohmann::json_sax<json> {
   bool end_object() override { return close(); }
   bool end_array() override { return close(); }
   bool key(string_t& value) override {
+    if (stack_.back()->size() >= most_members) return fail_for_size("an object", "members", most_members);
     auto [member, fresh] = stack_.back()->get_ref<json::object_t&>().emplace(std::move(value), nullptr);
     slot_ = &member->second;
     if (fresh) return true;
@@ -56,6 +59,9 @@ class Builder : public nlohmann::json_sax<json> {
   }
 
  private:
+  static constexpr std::size_t values_per_report = 4096;  // 0.5 ms
+  Progress* progress_;
+  std::size_t values_ = 0;
   std::vector<json*> stack_;
   json* slot_ = nullptr;  // where the value of the last key goes
 
@@ -63,22 +69,29 @@ class Builder : public nlohmann::json_sax<json> {
     fault = std::move(what);
     return false;
   }
+  bool fail_for_size(const std::string& what, const std::string& parts, std::size_t most) {
+    too_large = true;
+    return fail(what + " has more than " + std::to_string(most) + " " + parts);
+  }
   template <class T>
   bool place(T&& value) {
-    put(std::forward<T>(value));
-    return true;
+    return put(std::forward<T>(value)) || fail_for_size("an array", "items", most_items);
   }
   json* put(json value) {
+    if (progress_ && ++values_ % values_per_report == 0) progress_->report("read", 0);
     if (stack_.empty()) return &(root = std::move(value));
     if (stack_.back()->is_object()) return &(*slot_ = std::move(value));
     auto& array = stack_.back()->get_ref<json::array_t&>();
+    if (array.size() >= most_items) return nullptr;
     array.push_back(std::move(value));
     return &array.back();
   }
   bool open(json value) {
     if (stack_.size() == deepest_nesting)
       return fail("nested deeper than " + std::to_string(deepest_nesting) + " levels");
-    stack_.push_back(put(std::move(value)));
+    json* placed = put(std::move(value));
+    if (!placed) return fail_for_size("an array", "items", most_items);
+    stack_.push_back(placed);
     return true;
   }
   bool close() {
@@ -123,9 +136,56 @@ std::string position(std::string_view text, std::size_t byte) {
 
 }  // namespace
 
-json parse_json(std::string_view text) {
-  Builder builder;
+std::size_t document_memory(std::string_view text) {
+  // A value takes 16 bytes, in an array that grows by doubling; a container a block of its own, a member a tree's node.
+  constexpr std::size_t value = 24, array = 88, object = 64, member = 72;
+  std::size_t bytes = value;
+  bool inside = false;    // a string
+  std::size_t depth = 0;  // beyond deepest_nesting reading ends
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (inside) {
+      ++bytes;
+      if (c == '\\') ++i;
+      inside = c != '"';
+      continue;
+    }
+    switch (c) {
+      case '"':
+        inside = true;
+        break;
+      case ',':
+        bytes += value;
+        break;
+      case '[':
+      case '{':
+        bytes += c == '[' ? array : object;
+        if (++depth > deepest_nesting) return bytes;
+        break;
+      case ']':
+      case '}':
+        if (depth > 0) --depth;
+        break;
+      case ':':
+        bytes += member;
+        break;
+      default:
+        break;
+    }
+  }
+  return bytes;
+}
+
+json parse_json(std::string_view text, Progress* progress) {
+  constexpr std::size_t always_small = 1 << 20;
+  if (text.size() > always_small)
+    if (const std::size_t bytes = document_memory(text); bytes > most_document_memory)
+      throw Problem("payload-too-large", "The document has too many parts: read, it would take " +
+                                             std::to_string(bytes >> 20) + " MiB of memory, at most " +
+                                             std::to_string(most_document_memory >> 20) + " MiB are allowed.");
+  Builder builder(progress);
   if (json::sax_parse(text.begin(), text.end(), &builder)) return std::move(builder.root);
+  if (builder.too_large) throw Problem("payload-too-large", "In the document " + builder.fault + ".");
   std::vector<FieldError> errors;
   if (!builder.fault_pointer.empty()) {
     errors.push_back({builder.fault_pointer, builder.fault});

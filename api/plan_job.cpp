@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/job.hpp"
+#include "api/json_text.hpp"
 #include "api/pointer.hpp"
 #include "api/problem.hpp"
 #include "api/setpoints.hpp"
@@ -27,7 +28,7 @@ PlannedJob plan_job(const std::string& kind, const std::string& document, Progre
   const Kind* descriptor = find_kind(kind);
   if (!descriptor)
     throw Problem("unknown-kind", in_quotes(kind) + " is not a kind of this server", {{"/kind", "unknown kind"}});
-  PlannedJob job = descriptor->plan(job_spec(document), progress);
+  PlannedJob job = descriptor->plan(job_spec(document, &progress), progress);
   if (!job.verified) throw Problem("verification-failed", failed_checks(job.result));
   return job;
 }

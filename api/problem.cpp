@@ -80,7 +80,8 @@ constexpr std::array<ProblemType, 34> catalogue{{
      "Shorten the target and the header lines; together they may take 32 KiB."},
     {"not-implemented", 501, "The request uses a part of HTTP that this server does not implement",
      "Of the transfer codings only `chunked` is known; compress a body with `Content-Encoding: gzip` instead."},
-    {"http-version-not-supported", 505, "The HTTP version is not supported", "Use HTTP/1.1 or HTTP/1.0."},
+    {"http-version-not-supported", 505, "The HTTP version is not supported",
+     "Send the request as HTTP/1.1 or HTTP/1.0; later versions are not spoken here."},
     // Why planning failed; found in a job's `error`.
     {"infeasible", 0, "No motion satisfies the limits",
      "The limits contradict each other or the contour. `detail` names where. Loosen the limits or change the contour."},

@@ -4,15 +4,34 @@
 #include <thread>
 
 #include "server/http/middleware.hpp"
+#include "server/runtime/clock.hpp"
+#include "server/runtime/descriptors.hpp"
 #include "server/runtime/log.hpp"
 #include "server/store/open.hpp"
 
 namespace bahnwerk::server {
 namespace {
 
-/// After the drain timeout a planner has this long to notice (its rule: 100 ms) and its job to be put back.
-constexpr std::chrono::seconds stop_patience{5};
-constexpr std::chrono::seconds answer_patience{5};
+/// After the drain timeout a planner has this long to notice (its rule: 100 ms of its processor time) and its job to be
+/// put back, then requests have what is left of the second until the end.
+constexpr std::chrono::milliseconds stop_patience{700};
+constexpr std::chrono::milliseconds answer_patience{200};
+
+/// Checks of posted documents have threads of their own: they may take long, and looks at jobs must not wait for them.
+constexpr unsigned check_threads = 2;
+
+/// Descriptors beside connections: the store's files and readers, log, event loops.
+constexpr std::size_t other_descriptors = 128;
+
+Limits affordable(Limits limits) {
+  const std::size_t more = limits.spare_connections + other_descriptors;
+  const std::size_t open = raise_descriptors(2 * limits.max_connections + more);  // those that leave count, too
+  if (open >= limits.max_connections + more) return limits;
+  const std::size_t most = open > more + 16 ? open - more : 16;
+  log::warn("max_connections_lowered", {{"from", limits.max_connections}, {"to", most}, {"descriptors", open}});
+  limits.max_connections = most;
+  return limits;
+}
 
 }  // namespace
 
@@ -23,18 +42,22 @@ Service::Service(const ServiceOptions& options, Engine engine) : options_(option
   const Handler handler = compose({request_id(), access_log(), count(metrics_), guard()},
                                   [this](const RequestPtr& request, const Reply& reply) { router_(request, reply); });
   listener_ = std::make_unique<Listener>(
-      options.limits, ListenerHooks{.handler = handler,
-                                    .offload = [this](std::function<void()> work) { pool_->post(std::move(work)); },
-                                    .connections = [this](std::size_t open) { metrics_.connections(open); }});
+      affordable(options.limits),
+      ListenerHooks{.handler = handler,
+                    .offload = [this](std::function<void()> work) { pool_->post(std::move(work)); },
+                    .connections = [this](std::size_t open) { metrics_.connections(open); }});
   check_store(options.store);
   listener_->open(options.listen);
-  store_ = open_store(options.store, [this](double seconds, std::size_t writes) { metrics_.commit(seconds, writes); });
+  store_ = open_store(
+      options.store, [this](double seconds, std::size_t writes) { metrics_.commit(seconds, writes); },
+      options.store_reserve);
   pool_ = std::make_unique<Pool>(std::max(4U, std::thread::hardware_concurrency()));
-  heavy_ = std::make_unique<Pool>(1);
+  checks_ = std::make_unique<Pool>(check_threads);
+  heavy_ = std::make_unique<Pool>(1, options.worker_nice);
   workers_ = std::make_unique<Workers>(*store_, live_, notifier_, metrics_, std::move(engine.plan));
   deadlines_ = std::make_unique<Deadlines>(*store_, notifier_);
-  context_ = std::make_unique<Context>(Context{*store_, *workers_, live_, notifier_, *deadlines_, *pool_, *heavy_,
-                                               metrics_, std::move(engine.parse), options.max_queued,
+  context_ = std::make_unique<Context>(Context{*store_, *workers_, live_, notifier_, *deadlines_, *pool_, *checks_,
+                                               *heavy_, metrics_, std::move(engine.parse), options.max_queued,
                                                options.limits.max_body, draining_});
   add_job_routes(router_, *context_);
   add_result_routes(router_, *context_);
@@ -42,16 +65,17 @@ Service::Service(const ServiceOptions& options, Engine engine) : options_(option
   add_health_routes(router_, *context_);
   add_page_routes(router_, *context_);
   listener_->start(options.http_threads);
-  workers_->start(options.workers);
+  workers_->start(options.workers, options.worker_nice);
 }
 
 Service::~Service() {
   draining_ = true;
   workers_->stop_claiming();
   workers_->interrupt();
-  stop_listening();
+  stop_listening(answer_patience);
   // From here on nobody asks any more: let what is under way end from the top to the bottom.
   workers_.reset();
+  checks_->join();
   heavy_->join();
   pool_->join();
   deadlines_.reset();
@@ -60,32 +84,48 @@ Service::~Service() {
 
 std::string Service::address() const { return listener_->address(); }
 
-void Service::stop_listening() {
+bool Service::stop_listening(std::chrono::milliseconds patience) {
   notifier_.release();
-  if (!listener_->stop(answer_patience)) log::warn("requests_cut_off");
+  const bool answered = listener_->stop(patience);
+  if (!answered) log::warn("requests_cut_off");
+  return answered;
 }
 
-bool Service::drain() {
+Service::Drained Service::drain() {
+  using Clock = std::chrono::steady_clock;
+  using std::chrono::milliseconds;
+  const auto until = Clock::now() + options_.drain_timeout;
+  const auto left = [&](Clock::time_point end) {
+    return std::max(milliseconds(0), std::chrono::duration_cast<milliseconds>(end - Clock::now()));
+  };
   log::info("drain_started", {{"running", live_.size()}});
   draining_ = true;
   notifier_.release();
   workers_->stop_claiming();
+  bool stuck = false;
   if (!workers_->wait_idle(options_.drain_timeout)) {
     log::info("drain_timeout", {{"running", live_.size()}});
     workers_->interrupt();
-    if (!workers_->wait_idle(stop_patience)) {
+    if (!workers_->wait_idle(left(until + stop_patience))) {
       log::error("planner_did_not_stop", {{"running", live_.size()}});
-      return false;
+      stuck = true;
     }
   }
-  stop_listening();
+  const bool answered = stop_listening(std::max(left(until), answer_patience));
+  // Whoever was cut off, or has gone, may have left a check behind that nobody waits for.
+  const auto rest = std::max(left(until), answer_patience / 2);
+  const bool idle = checks_->wait_idle(rest) && heavy_->wait_idle(left(until) + milliseconds(10)) &&
+                    pool_->wait_idle(left(until) + milliseconds(10));
   try {
+    // A planner that gets no processor time cannot put its job back; whatever it still does comes too late then.
+    if (stuck)
+      for (const auto& live : live_.all()) store_->requeue(live->id(), live->attempt(), now_ms(), live->revision());
     store_->checkpoint();
   } catch (const StoreError& error) {
     log::error("checkpoint_failed", {{"detail", error.what()}});
   }
-  log::info("drain_finished");
-  return true;
+  log::info("drain_finished", {{"requests_cut_off", !answered}});
+  return idle && !stuck ? Drained::clean : Drained::late;
 }
 
 }  // namespace bahnwerk::server

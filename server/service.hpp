@@ -13,6 +13,8 @@ namespace bahnwerk::server {
 struct ServiceOptions {
   std::string listen = "127.0.0.1:8080";
   std::string store = "sqlite:var/bahnwerk.db";
+  std::size_t store_reserve = std::size_t{8} << 20;  ///< bytes of disk set aside, so that a full one can be emptied
+  int worker_nice = 10;  ///< how far the planners' priority lies below that of the threads that answer
   unsigned workers = 1;  ///< planner threads; 0 = accepts jobs without planning them
   unsigned http_threads = 2;
   std::size_t max_queued = 10'000;
@@ -38,12 +40,14 @@ class Service {
 
   std::string address() const;  ///< HOST:PORT as bound
   /// Orderly end: new jobs are refused, running ones may finish within the drain timeout and go back to the queue
-  /// otherwise, requests in flight are answered, the store is checkpointed. False when a planner did not stop in time;
-  /// then only _exit is safe.
-  bool drain();
+  /// otherwise, requests in flight are answered within that time, too, the store is checkpointed. Takes at most the
+  /// drain timeout and a second. clean: all threads are at rest; late: some request or planner is not, what it does is
+  /// lost (its job is back in the queue), and only _exit is safe.
+  enum class Drained { clean, late };
+  Drained drain();
 
  private:
-  void stop_listening();
+  bool stop_listening(std::chrono::milliseconds patience);
   ServiceOptions options_;
   std::atomic<bool> draining_{false};
   Metrics metrics_;
@@ -52,7 +56,7 @@ class Service {
   Notifier notifier_;
   LiveJobs live_;
   std::unique_ptr<Listener> listener_;  ///< its sockets outlive whoever may still answer: pool, store, workers
-  std::unique_ptr<Pool> pool_, heavy_;
+  std::unique_ptr<Pool> pool_, checks_, heavy_;
   std::unique_ptr<Workers> workers_;
   std::unique_ptr<Deadlines> deadlines_;
   std::unique_ptr<Context> context_;

@@ -124,13 +124,13 @@ void add_segment(ContourBuilder& builder, const json& segment) {
   }
 }
 
-Contour from_points(const json& contour) {
+Contour from_points(const json& contour, Progress& progress) {
   const auto& points = contour["points"];
   const std::size_t dimension = points[0].size();
   DimensionCheck check(dimension);
   check.points(points, {"contour", "points"});
   check.finish();
-  return polyline(dimension, vecs(points), contour.value("closed", false), feed(contour));
+  return polyline(dimension, vecs(points), contour.value("closed", false), feed(contour), &progress);
 }
 
 Contour from_blocks(const json& contour, Progress& progress) {
@@ -188,7 +188,7 @@ Contour from_dxf(const json& contour, Progress& progress) {
 
 Contour geometry(const json& spec, Progress& progress) {
   const auto& contour = spec["contour"];
-  if (contour.contains("points")) return from_points(contour);
+  if (contour.contains("points")) return from_points(contour, progress);
   if (contour.contains("gcode")) return from_gcode(contour, progress);
   if (contour.contains("dxf")) return from_dxf(contour, progress);
   return from_blocks(contour, progress);

@@ -4,7 +4,7 @@
 
 namespace bahnwerk {
 
-Contour polyline(std::size_t dimension, const std::vector<Vec>& points, bool closed, double feed) {
+Contour polyline(std::size_t dimension, const std::vector<Vec>& points, bool closed, double feed, Progress* progress) {
   std::vector<InputFault> faults;
   for (std::size_t i = 0; i < points.size() && faults.size() < 100; ++i)
     if (!std::isfinite(norm(points[i])))
@@ -14,7 +14,11 @@ Contour polyline(std::size_t dimension, const std::vector<Vec>& points, bool clo
 
   ContourBuilder builder(dimension, points.front());
   builder.block(Mode::cut, feed);
-  for (std::size_t i = 1; i < points.size(); ++i) builder.line(points[i]);
+  constexpr std::size_t points_per_report = 4096;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (progress && i % points_per_report == 0) progress->report("reading", 0);
+    builder.line(points[i]);
+  }
   if (closed) builder.line(points.front());
   return builder.finish();
 }

@@ -3,11 +3,14 @@
 #include <vector>
 
 #include "core/contour/contour.hpp"
+#include "core/progress.hpp"
 
 namespace bahnwerk {
 
 /// One cut block. Points closer than min_segment_length to the last kept one are dropped with a note. Throws
-/// InvalidInput with places like {"contour","points","7"}. O(n).
-Contour polyline(std::size_t dimension, const std::vector<Vec>& points, bool closed, double feed);
+/// InvalidInput with places like {"contour","points","7"}. O(n), about 0.2 µs per point; `progress` is asked every few
+/// thousand.
+Contour polyline(std::size_t dimension, const std::vector<Vec>& points, bool closed, double feed,
+                 Progress* progress = nullptr);
 
 }  // namespace bahnwerk

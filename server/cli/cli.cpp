@@ -31,19 +31,38 @@ void add_serve(CLI::App& app, ServiceOptions& options, std::string& role, std::s
   env(app.add_option("--listen", options.listen, "address to serve on; port 0 picks a free one")
           ->type_name("HOST:PORT"));
   env(app.add_option("--store", options.store, "where jobs live: sqlite:PATH")->type_name("URL"));
+  env(app.add_option(
+             "--store-reserve", options.store_reserve,
+             "disk space set aside beside the store, so that jobs can be deleted when the disk is full; bytes or "
+             "with a suffix: 8MiB")
+          ->transform(CLI::AsSizeValue(false)));
   env(app.add_option("--workers", options.workers, "planner threads; 0 accepts jobs without planning them")
           ->check(CLI::Range(0, 1024)));
+  env(app.add_option("--worker-nice", options.worker_nice,
+                     "priority of planner threads below those that answer, 0 to 19")
+          ->check(CLI::Range(0, 19)));
   env(app.add_option("--role", role, "all = serve and plan; api and worker need a store that processes share")
           ->check(CLI::IsMember({"all", "api", "worker"})));
   env(app.add_option("--http-threads", options.http_threads, "socket threads")->check(CLI::Range(1, 64)));
   env(app.add_option("--max-queued", options.max_queued, "waiting jobs before new ones are refused (429)"));
   env(app.add_option("--max-body", options.limits.max_body, "largest request body, bytes or with a suffix: 64MiB")
           ->transform(CLI::AsSizeValue(false)));
+  env(app.add_option("--max-bodies", options.limits.max_bodies,
+                     "bytes of all request bodies in hand at one time before further ones are refused (503)")
+          ->transform(CLI::AsSizeValue(false)));
   env(app.add_option("--max-connections", options.limits.max_connections,
-                     "open connections before new ones are refused (503)")
+                     "open connections; one more and the longest idle is closed, or the new one refused (503)")
           ->check(CLI::Range(1, 1'000'000)));
-  env(add_seconds(app, "--header-timeout", options.limits.header_timeout, "for a request's header"));
-  env(add_seconds(app, "--body-timeout", options.limits.body_timeout, "for a request's body, plus 1 s per 100 kB"));
+  env(app.add_option("--max-connections-per-address", options.limits.max_per_address,
+                     "the same for one address (IPv6: one /64); 0 = no limit")
+          ->check(CLI::Range(0, 1'000'000)));
+  env(app.add_option("--spare-connections", options.limits.spare_connections,
+                     "connections beyond the limit, for /healthz and /readyz alone")
+          ->check(CLI::Range(0, 1'000)));
+  env(add_seconds(app, "--header-timeout", options.limits.header_timeout,
+                  "for a request's header, from connecting on (408)"));
+  env(add_seconds(app, "--body-timeout", options.limits.body_timeout,
+                  "for a request's body, plus 1 s per 100 kB received (408)"));
   env(add_seconds(app, "--idle-timeout", options.limits.idle_timeout, "between requests of a connection"));
   env(add_seconds(app, "--write-timeout", options.limits.write_timeout,
                   "for each piece of an answer, plus 1 s per 100 kB"));

@@ -38,7 +38,7 @@ int serve(const ServiceOptions& options) {
   log::info("signal", {{"signal", received == SIGTERM ? "SIGTERM" : "SIGINT"}});
   // A second signal takes its default course: the process ends at once.
   pthread_sigmask(SIG_UNBLOCK, &ends, nullptr);
-  if (!service->drain()) ::_exit(exit_failed);
+  if (service->drain() == Service::Drained::late) ::_exit(exit_ok);
   service.reset();
   return exit_ok;
 }

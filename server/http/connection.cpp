@@ -1,5 +1,6 @@
 #include "server/http/connection.hpp"
 
+#include <algorithm>
 #include <boost/asio/as_tuple.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
@@ -26,6 +27,10 @@ struct Connection::Incoming {
 
 namespace {
 
+constexpr std::size_t read_size = 64 << 10;
+constexpr std::size_t bytes_per_ms = 100;  // 100 kB/s: what a slow client has to manage
+constexpr std::chrono::milliseconds spare_patience{2'000};
+
 int fault_status(const error_code& error) {
   if (error == http::error::header_limit || error == http::error::buffer_overflow) return 431;
   if (error == http::error::body_limit) return 413;
@@ -35,6 +40,9 @@ int fault_status(const error_code& error) {
              ? 400
              : 0;
 }
+
+/// The memory set aside for bodies is taken.
+const error_code no_room = make_error_code(boost::system::errc::not_enough_memory);
 
 std::string lower(std::string_view text) {
   std::string out(text);
@@ -61,8 +69,14 @@ void put_headers(Message& message, const Response& response) {
 
 }  // namespace
 
-Connection::Connection(asio::ip::tcp::socket socket, std::shared_ptr<ConnectionContext> context)
-    : stream_(std::move(socket)), context_(std::move(context)), buffer_(context_->limits.max_header + (64 << 10)) {
+Connection::Connection(asio::ip::tcp::socket socket, std::shared_ptr<ConnectionContext> context, ConnectionTable::Id id,
+                       bool spare)
+    : stream_(std::move(socket)),
+      context_(std::move(context)),
+      buffer_(context_->limits.max_header + read_size),
+      timer_(stream_.get_executor()),
+      id_(id),
+      spare_(spare) {
   error_code ignored;
   stream_.socket().set_option(asio::ip::tcp::no_delay(true), ignored);
   const auto remote = stream_.socket().remote_endpoint(ignored);
@@ -70,25 +84,100 @@ Connection::Connection(asio::ip::tcp::socket socket, std::shared_ptr<ConnectionC
 }
 
 void Connection::expire(std::chrono::milliseconds base, std::size_t bytes) {
-  stream_.expires_after(base + std::chrono::milliseconds(bytes / 100));
+  stream_.expires_after(base + std::chrono::milliseconds(bytes / bytes_per_ms));
 }
 
-void Connection::close_if_idle() {
-  asio::post(stream_.get_executor(), [self = shared_from_this()] {
-    if (self->idle_) self->stream_.close();
+// The stream's own timer closes the socket when it runs out; reading is cut by another one, so that the client can
+// still be told.
+void Connection::read_until(Time until) {
+  const auto turn = ++turn_;
+  timer_.expires_at(until);
+  timer_.async_wait([weak = weak_from_this(), turn](const error_code& error) {
+    const auto self = weak.lock();
+    if (!error && self && self->turn_ == turn) self->stop_reading(Cut::timeout);
   });
 }
 
-asio::awaitable<bool> Connection::await_first_byte() {
-  if (buffer_.size() > 0) co_return true;  // pipelined
-  stream_.expires_after(context_->limits.idle_timeout);
-  idle_ = true;
-  if (context_->closing) co_return false;
-  auto [error, size] = co_await stream_.async_read_some(buffer_.prepare(4096), tuple_awaitable);
-  idle_ = false;
-  if (error) co_return false;
+void Connection::stop_clock() {
+  ++turn_;
+  timer_.cancel();
+}
+
+void Connection::stop_reading(Cut why) {
+  cut_ = why;
+  stream_.cancel();
+}
+
+void Connection::cut(Cut why) {
+  asio::post(stream_.get_executor(), [self = shared_from_this(), why] {
+    self->leaving_ = true;
+    if (self->reading_) self->stop_reading(why);
+  });
+}
+
+void Connection::enter(ConnectionTable::Phase phase) {
+  reading_ = phase != ConnectionTable::Phase::busy;
+  context_->table.enter(id_, phase, std::chrono::steady_clock::now());
+}
+
+/// A composed read would miss a cut that falls between two of its parts; this asks before every one.
+asio::awaitable<error_code> Connection::read_some() {
+  if (cut_ != Cut::none) co_return asio::error::operation_aborted;
+  const std::size_t room = std::min(read_size, buffer_.max_size() - buffer_.size());
+  if (room == 0) co_return http::error::buffer_overflow;
+  auto [error, size] = co_await stream_.async_read_some(buffer_.prepare(room), tuple_awaitable);
   buffer_.commit(size);
-  co_return true;
+  co_return error;
+}
+
+template <class Parser>
+asio::awaitable<error_code> Connection::read_header(Parser& parser) {
+  const Limits& limits = context_->limits;
+  const auto whole = std::min(limits.header_timeout, spare_ ? spare_patience : limits.header_timeout);
+  if (first_)
+    read_until(connected_ + whole);
+  else if (buffer_.size() == 0)
+    read_until(std::chrono::steady_clock::now() + limits.idle_timeout);
+  bool begun = false;
+  for (;;) {
+    if (buffer_.size() > 0) {
+      error_code error;
+      buffer_.consume(parser.put(buffer_.data(), error));
+      if (error != http::error::need_more) co_return error;
+      if (!begun && !first_) read_until(std::chrono::steady_clock::now() + whole);
+      begun = true;
+    }
+    const error_code error = co_await read_some();
+    if (error && begun && error == asio::error::eof) co_return http::error::partial_message;
+    if (error) co_return begun || cut_ == Cut::none ? error : error_code(http::error::end_of_stream);
+  }
+}
+
+template <class Parser>
+asio::awaitable<error_code> Connection::read_body(Parser& parser, Request& request) {
+  const auto share = std::make_shared<BodyBudget::Share>(context_->bodies);
+  request.body_share = share;
+  parser.eager(true);
+  parser.body_limit(context_->limits.max_body);
+  const auto start = std::chrono::steady_clock::now();
+  for (std::size_t received = 0, fresh = buffer_.size();; fresh = buffer_.size() - fresh) {
+    if (!share->add(fresh)) co_return no_room;
+    received += fresh;
+    while (buffer_.size() > 0 && !parser.is_done()) {
+      error_code error;
+      const std::size_t used = parser.put(buffer_.data(), error);
+      buffer_.consume(used);
+      if (error == http::error::need_more) break;
+      if (error) co_return error;
+      if (used == 0) break;
+    }
+    if (parser.is_done()) co_return error_code();
+    read_until(start + context_->limits.body_timeout + std::chrono::milliseconds(received / bytes_per_ms));
+    enter(ConnectionTable::Phase::body);
+    fresh = buffer_.size();  // the begin of a chunk's header, maybe
+    const error_code error = co_await read_some();
+    if (error) co_return error == asio::error::eof ? error_code(http::error::partial_message) : error;
+  }
 }
 
 asio::awaitable<std::optional<Connection::Incoming>> Connection::read() {
@@ -100,17 +189,34 @@ asio::awaitable<std::optional<Connection::Incoming>> Connection::read() {
     incoming.request->fault = Fault{status, detail};
     return std::optional(std::move(incoming));
   };
+  const auto late = [&](const char* part) {
+    return broken(408, cut_ == Cut::timeout ? "The request's " + std::string(part) + " did not arrive in time."
+                       : cut_ == Cut::crowded
+                           ? "The request's " + std::string(part) + " came slowly, and others wait for a connection."
+                           : "The server is about to stop.");
+  };
   Request& request = *incoming.request;
   request.peer = peer_;
-  const bool begun = co_await await_first_byte();
-  if (!begun) co_return std::nullopt;
+  stream_.expires_never();
+  cut_ = Cut::none;
+  enter(ConnectionTable::Phase::waiting);
+  if (context_->closing || leaving_) co_return std::nullopt;
 
   http::request_parser<http::string_body> parser;
   parser.header_limit(static_cast<std::uint32_t>(limits.max_header));
   parser.body_limit(boost::none);  // compared below, where there is an answer to it
-  stream_.expires_after(limits.header_timeout);
-  auto [error, size] = co_await http::async_read_header(stream_, buffer_, parser, tuple_awaitable);
+  const error_code error = co_await read_header(parser);
+  first_ = false;
+  stop_clock();
+  const struct Done {  // from here on nobody cuts it, except in the middle of the body
+    Connection& connection;
+    ~Done() {
+      connection.stop_clock();
+      connection.enter(ConnectionTable::Phase::busy);
+    }
+  } done{*this};
   if (error) {
+    if (cut_ != Cut::none && error != http::error::end_of_stream) co_return late("header");
     const int status = fault_status(error);
     if (status == 0) co_return std::nullopt;
     co_return broken(status, "The request's header is malformed: " + error.message() + ".");
@@ -120,9 +226,8 @@ asio::awaitable<std::optional<Connection::Incoming>> Connection::read() {
   request.target = message.target();
   for (const auto& field : message) request.headers.emplace_back(lower(field.name_string()), field.value());
   incoming.http_1_0 = message.version() == 10;
-  incoming.keep_alive = message.keep_alive() && !context_->closing;
+  incoming.keep_alive = message.keep_alive() && !context_->closing && !spare_;
 
-  const std::size_t announced = parser.content_length() ? static_cast<std::size_t>(*parser.content_length()) : 0;
   if (parser.content_length() && *parser.content_length() > limits.max_body) co_return broken(413, too_large);
   if (const auto coding = request.header("transfer-encoding"); coding && lower(*coding) != "chunked")
     co_return broken(501, "Of the transfer codings only chunked is known.");
@@ -133,6 +238,8 @@ asio::awaitable<std::optional<Connection::Incoming>> Connection::read() {
   request.path = target->path;
   request.segments = target->segments;
   request.query = target->query;
+  if (spare_ && request.path != "/healthz" && request.path != "/readyz")
+    co_return broken(503, "All connections are in use; this one serves health and readiness only.");
 
   if (!parser.is_done()) {
     const auto expect = request.header("expect");
@@ -140,15 +247,17 @@ asio::awaitable<std::optional<Connection::Incoming>> Connection::read() {
     if (expect) {
       const bool written = co_await write_raw("HTTP/1.1 100 Continue\r\n\r\n");
       if (!written) co_return std::nullopt;
+      stream_.expires_never();
     }
-    parser.body_limit(limits.max_body);
-    expire(limits.body_timeout, announced);
-    auto [body_error, body_size] = co_await http::async_read(stream_, buffer_, parser, tuple_awaitable);
-    if (body_error) {
-      const int status = fault_status(body_error);
+    const error_code failed = co_await read_body(parser, request);
+    if (failed) {
+      if (cut_ != Cut::none) co_return late("body");
+      if (failed == no_room)
+        co_return broken(503, "The bodies of other requests take all the memory set aside for them.");
+      const int status = fault_status(failed);
       if (status == 0) co_return std::nullopt;
       co_return broken(status,
-                       status == 413 ? too_large : "The request's body is malformed: " + body_error.message() + ".");
+                       status == 413 ? too_large : "The request's body is malformed: " + failed.message() + ".");
     }
     request.body = std::move(parser.get().body());
   }
@@ -273,7 +382,7 @@ asio::awaitable<void> Connection::serve() {
     std::optional<Incoming> incoming = co_await read();
     if (!incoming) break;
     Response response = co_await answer(incoming->request);
-    if (response.close || context_->closing) incoming->keep_alive = false;
+    if (response.close || context_->closing || leaving_) incoming->keep_alive = false;
     const bool written = co_await write(std::move(response), *incoming);
     if (!written) break;
     if (!incoming->keep_alive) {
@@ -281,15 +390,6 @@ asio::awaitable<void> Connection::serve() {
       break;
     }
   }
-  stream_.close();
-}
-
-asio::awaitable<void> Connection::refuse() {
-  Incoming nothing;
-  Response response = http_error_answer(503, "Too many connections.", "");
-  response.set("Retry-After", "1");
-  const bool written = co_await write(std::move(response), nothing);
-  if (written) co_await linger();
   stream_.close();
 }
 

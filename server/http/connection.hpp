@@ -5,34 +5,51 @@
 #include <boost/asio/any_io_executor.hpp>
 #include <boost/asio/awaitable.hpp>
 #include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/core/tcp_stream.hpp>
 #include <memory>
 #include <optional>
 
+#include "server/http/body_budget.hpp"
+#include "server/http/connection_table.hpp"
 #include "server/http/listener.hpp"
 
 namespace bahnwerk::server {
 
 /// What all connections of a listener share.
 struct ConnectionContext {
+  explicit ConnectionContext(const Limits& l)
+      : limits(l),
+        bodies(std::make_shared<BodyBudget>(l.max_bodies)),
+        table({.most = l.max_connections, .most_per_address = l.max_per_address, .spare = l.spare_connections}) {}
   Limits limits;
   ListenerHooks hooks;
+  std::shared_ptr<BodyBudget> bodies;
+  ConnectionTable table;
   std::atomic<bool> closing{false};
 };
 
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
-  Connection(boost::asio::ip::tcp::socket socket, std::shared_ptr<ConnectionContext> context);
+  enum class Cut { none, timeout, crowded, closing };
+  /// `spare`: serves one request, for health or readiness; answers 503 to any other.
+  Connection(boost::asio::ip::tcp::socket socket, std::shared_ptr<ConnectionContext> context, ConnectionTable::Id id,
+             bool spare);
 
-  boost::asio::awaitable<void> serve();   ///< until the client or a fault ends it
-  boost::asio::awaitable<void> refuse();  ///< answers 503 and closes
-  void close_if_idle();                   ///< from any thread
+  boost::asio::awaitable<void> serve();  ///< until the client or a fault ends it
+  /// Ends it unless a request is being answered; a client in the middle of a request gets a 408. From any thread.
+  void cut(Cut why);
 
  private:
+  using Time = std::chrono::steady_clock::time_point;
   struct Incoming;  ///< a request as read, or the answer to a broken one
-  boost::asio::awaitable<bool> await_first_byte();
   boost::asio::awaitable<std::optional<Incoming>> read();
+  boost::asio::awaitable<boost::system::error_code> read_some();
+  template <class Parser>
+  boost::asio::awaitable<boost::system::error_code> read_header(Parser& parser);
+  template <class Parser>
+  boost::asio::awaitable<boost::system::error_code> read_body(Parser& parser, Request& request);
   boost::asio::awaitable<Response> answer(RequestPtr request);
   boost::asio::awaitable<bool> write(Response response, const Incoming& incoming);
   boost::asio::awaitable<bool> write_stream(Response response, const Incoming& incoming);
@@ -40,12 +57,23 @@ class Connection : public std::enable_shared_from_this<Connection> {
   boost::asio::awaitable<bool> write_raw(std::string text);
   boost::asio::awaitable<void> linger();
   void expire(std::chrono::milliseconds base, std::size_t bytes);
+  void read_until(Time until);  ///< reading is cut at that time
+  void stop_clock();
+  void stop_reading(Cut why);
+  void enter(ConnectionTable::Phase phase);
 
   boost::beast::tcp_stream stream_;
   std::shared_ptr<ConnectionContext> context_;
   boost::beast::flat_buffer buffer_;
+  boost::asio::steady_timer timer_;
+  std::uint64_t turn_ = 0;  ///< of the timer: one that ran out before it was set anew says nothing
   std::string peer_;
-  bool idle_ = false;
+  const ConnectionTable::Id id_;
+  const bool spare_;
+  const Time connected_ = std::chrono::steady_clock::now();
+  bool reading_ = false, first_ = true;
+  bool leaving_ = false;  ///< the request in hand is the last
+  Cut cut_ = Cut::none;
 };
 
 }  // namespace bahnwerk::server

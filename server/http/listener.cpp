@@ -24,36 +24,50 @@ namespace {
 
 constexpr auto tuple_awaitable = asio::as_tuple(asio::use_awaitable);
 
-/// Which connections are open, so that an orderly end can close the idle ones and wait for the rest.
+/// Which connections are open, so that one can be closed and an orderly end can wait for all.
 class Open {
  public:
-  std::size_t add(const std::shared_ptr<Connection>& connection) {
+  std::size_t add(ConnectionTable::Id id, const std::shared_ptr<Connection>& connection) {
     const std::lock_guard lock(mutex_);
-    list_.emplace(connection.get(), connection);
+    list_.emplace(id, connection);
     return list_.size();
   }
-  std::size_t remove(Connection* connection) {
+  std::size_t remove(ConnectionTable::Id id) {
     const std::lock_guard lock(mutex_);
-    list_.erase(connection);
+    list_.erase(id);
     if (list_.empty()) empty_.notify_all();
     return list_.size();
   }
-  std::size_t size() const {
+  void cut(ConnectionTable::Id id) {
     const std::lock_guard lock(mutex_);
-    return list_.size();
+    if (const auto found = list_.find(id); found != list_.end())
+      if (const auto alive = found->second.lock()) alive->cut(Connection::Cut::crowded);
   }
   bool drain(std::chrono::milliseconds patience) {
     std::unique_lock lock(mutex_);
-    for (const auto& [key, connection] : list_)
-      if (const auto alive = connection.lock()) alive->close_if_idle();
+    for (const auto& [id, connection] : list_)
+      if (const auto alive = connection.lock()) alive->cut(Connection::Cut::closing);
     return empty_.wait_for(lock, patience, [&] { return list_.empty(); });
   }
 
  private:
-  mutable std::mutex mutex_;
+  std::mutex mutex_;
   std::condition_variable empty_;
-  std::map<Connection*, std::weak_ptr<Connection>> list_;
+  std::map<ConnectionTable::Id, std::weak_ptr<Connection>> list_;
 };
+
+/// What the limit per address counts as one: an IPv4 address, or the /64 that an IPv6 customer has all of.
+std::string address_key(const tcp::socket& socket) {
+  boost::system::error_code error;
+  const auto remote = socket.remote_endpoint(error);
+  if (error) return {};
+  const auto address = remote.address();
+  if (address.is_v4()) return address.to_string();
+  const auto v6 = address.to_v6();
+  if (v6.is_v4_mapped()) return asio::ip::make_address_v4(asio::ip::v4_mapped, v6).to_string();
+  const auto bytes = v6.to_bytes();
+  return {bytes.begin(), bytes.begin() + 8};
+}
 
 struct Address {
   std::string host, port;
@@ -76,7 +90,7 @@ Address split_address(const std::string& text) {
 struct Listener::State {
   asio::io_context io;
   tcp::acceptor acceptor{asio::make_strand(io)};
-  std::shared_ptr<ConnectionContext> context = std::make_shared<ConnectionContext>();
+  std::shared_ptr<ConnectionContext> context;
   Open open;
   std::vector<std::thread> threads;
 
@@ -87,6 +101,7 @@ struct Listener::State {
       if (error == asio::error::operation_aborted || context->closing) break;
       if (error) {  // out of descriptors, mostly: the pause lets some close
         log::warn("accept_failed", {{"detail", error.message()}});
+        if (const auto idle = context->table.longest_waiting(std::chrono::steady_clock::now())) open.cut(*idle);
         pause.expires_after(std::chrono::milliseconds(100));
         co_await pause.async_wait(tuple_awaitable);
         continue;
@@ -96,29 +111,29 @@ struct Listener::State {
   }
 
   void spawn(tcp::socket socket) {
-    const std::size_t before = open.size(), limit = context->limits.max_connections;
-    if (before >= 2 * limit) return;  // even refusing politely has its limit
+    const auto admission = context->table.admit(address_key(socket), std::chrono::steady_clock::now());
+    if (admission.leave) open.cut(*admission.leave);
+    if (admission.place == ConnectionTable::Place::none) return;  // even refusing politely has its limit
+    const bool spare = admission.place == ConnectionTable::Place::spare;
     const auto executor = socket.get_executor();
-    const auto connection = std::make_shared<Connection>(std::move(socket), context);
-    context->hooks.connections(open.add(connection));
-    asio::co_spawn(executor, run(connection, before >= limit), asio::detached);
+    const auto connection = std::make_shared<Connection>(std::move(socket), context, admission.id, spare);
+    context->hooks.connections(open.add(admission.id, connection));
+    asio::co_spawn(executor, run(connection, admission.id), asio::detached);
   }
 
-  asio::awaitable<void> run(std::shared_ptr<Connection> connection, bool refuse) {
+  asio::awaitable<void> run(std::shared_ptr<Connection> connection, ConnectionTable::Id id) {
     try {
-      if (refuse)
-        co_await connection->refuse();
-      else
-        co_await connection->serve();
+      co_await connection->serve();
     } catch (const std::exception& error) {
       log::error("connection_failed", {{"detail", error.what()}});
     }
-    context->hooks.connections(open.remove(connection.get()));
+    context->table.remove(id);
+    context->hooks.connections(open.remove(id));
   }
 };
 
 Listener::Listener(Limits limits, ListenerHooks hooks) : state_(std::make_unique<State>()) {
-  state_->context->limits = limits;
+  state_->context = std::make_shared<ConnectionContext>(limits);
   state_->context->hooks = std::move(hooks);
 }
 

@@ -12,10 +12,13 @@ namespace bahnwerk::server {
 
 struct Limits {
   std::size_t max_body = std::size_t{64} << 20;      ///< bytes; larger requests are answered 413
+  std::size_t max_bodies = std::size_t{256} << 20;   ///< bytes of all bodies in hand; further ones are answered 503
   std::size_t max_header = 32 << 10;                 ///< bytes; 431
-  std::size_t max_connections = 1024;                ///< further ones are answered 503 and closed
-  std::chrono::milliseconds header_timeout{10'000};  ///< from the first byte to the end of the header
-  std::chrono::milliseconds body_timeout{30'000};    ///< for the body, plus 1 s per 100 kB of it
+  std::size_t max_connections = 1024;                ///< then the one that has been idle longest makes room
+  std::size_t max_per_address = 512;                 ///< the same for one address (IPv6: one /64); 0 = no such limit
+  std::size_t spare_connections = 32;                ///< beyond the limit, for /healthz and /readyz alone
+  std::chrono::milliseconds header_timeout{10'000};  ///< for the header: from connecting, later from its first byte
+  std::chrono::milliseconds body_timeout{30'000};    ///< for the body, plus 1 s per 100 kB received
   std::chrono::milliseconds idle_timeout{75'000};    ///< between requests of a connection
   std::chrono::milliseconds write_timeout{30'000};   ///< for each piece of an answer, plus 1 s per 100 kB of it
 };

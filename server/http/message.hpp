@@ -26,7 +26,8 @@ struct Request {
   Pairs query;                        ///< decoded, in order
   Pairs headers;                      ///< names in lower case, in order
   std::string body;
-  std::string peer;  ///< client's address
+  std::shared_ptr<void> body_share;  ///< of the memory set aside for bodies; given back with the last copy
+  std::string peer;                  ///< client's address
 
   std::string id;              ///< request id, set by middleware
   std::string route;           ///< the matched pattern, set by the router; empty when none matched

@@ -60,6 +60,13 @@ void LiveJobs::overlay(api::Job& job) const {
   live->overlay(job);
 }
 
+std::vector<std::shared_ptr<LiveJob>> LiveJobs::all() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<std::shared_ptr<LiveJob>> list;
+  for (const auto& [id, live] : jobs_) list.push_back(live);
+  return list;
+}
+
 std::size_t LiveJobs::size() const {
   const std::lock_guard lock(mutex_);
   return jobs_.size();

@@ -5,6 +5,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "api/job.hpp"
 
@@ -42,6 +43,7 @@ class LiveJobs {
   void cancel(const std::string& id);
   void interrupt_all();
   void overlay(api::Job& job) const;
+  std::vector<std::shared_ptr<LiveJob>> all() const;
   std::size_t size() const;
 
  private:

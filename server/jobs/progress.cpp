@@ -21,16 +21,17 @@ JobProgress::JobProgress(const api::Job& job, std::shared_ptr<LiveJob> live, Hoo
       published_(start_ - publish_interval),
       kept_(start_) {}
 
-JobProgress::Stop JobProgress::reason() const {
+JobProgress::Stop JobProgress::reason(std::string_view stage) const {
   if (live_->cancel) return Stop::cancelled;
   if (live_->interrupt) return Stop::interrupted;
   if (deadline_ && hooks_.now_ms() >= *deadline_) return Stop::deadline;
+  if (stage == "storing") return Stop::none;  // the budget is one of planning
   if (budget_ && std::chrono::duration<double>(hooks_.now() - start_).count() >= *budget_) return Stop::budget;
   return Stop::none;
 }
 
 void JobProgress::report(std::string_view stage, double fraction, std::string_view message) {
-  stopped_ = reason();
+  stopped_ = reason(stage);
   switch (stopped_) {
     case Stop::none:
       break;

@@ -33,7 +33,7 @@ class JobProgress final : public Progress {
   Stop stopped() const { return stopped_; }
 
  private:
-  Stop reason() const;
+  Stop reason(std::string_view stage) const;
   std::shared_ptr<LiveJob> live_;
   Hooks hooks_;
   std::optional<std::int64_t> deadline_;

@@ -7,6 +7,8 @@
 #include "server/jobs/progress.hpp"
 #include "server/runtime/clock.hpp"
 #include "server/runtime/log.hpp"
+#include "server/runtime/memory.hpp"
+#include "server/runtime/priority.hpp"
 
 namespace bahnwerk::server {
 
@@ -19,12 +21,17 @@ Workers::~Workers() {
   for (auto& thread : threads_) thread.join();
 }
 
-void Workers::start(unsigned threads) {
+void Workers::start(unsigned threads, int nice) {
   {
     const std::lock_guard lock(mutex_);
     active_ = threads;
   }
-  for (unsigned i = 0; i < threads; ++i) threads_.emplace_back([this] { loop(); });
+  for (unsigned i = 0; i < threads; ++i) {
+    threads_.emplace_back([this, nice] {
+      lower_priority(nice);
+      loop();
+    });
+  }
 }
 
 void Workers::poke() {
@@ -79,7 +86,10 @@ void Workers::loop() {
       continue;
     }
     if (job) {
+      const bool large = job->request.document.size() >= worth_giving_back;
       run(*job);
+      job.reset();
+      if (large) give_back_memory();
       continue;
     }
     std::unique_lock lock(mutex_);
@@ -139,18 +149,18 @@ void Workers::run(const api::Job& job) {
     planned.reset();
     problem = api::problem_from_current_exception("/spec");
   }
-  bool cancelled = problem && progress.stopped() == JobProgress::Stop::cancelled;
+  bool given_up = false;
   if (planned) {
     outcome = "succeeded";
     try {
       const auto kept = persist(
-          id, [&] { return store_.succeed(id, job.attempt, *planned, now_ms(), live->revision()); },
+          id, [&] { return store_.succeed(id, job.attempt, *planned, now_ms(), live->revision(), progress); },
           [&] { return live->cancel.load(); });
       if (kept == Kept::given_up) {
-        cancelled = true;
+        given_up = true;
         problem.emplace("cancelled", "The job was cancelled while its result could not be stored.");
       }
-    } catch (...) {  // not the store: the plan's own setpoints could not be computed
+    } catch (...) {  // not the store: stopped, or the plan's own setpoints could not be computed
       problem = api::problem_from_current_exception("/spec");
     }
   }
@@ -160,6 +170,7 @@ void Workers::run(const api::Job& job) {
         id, [&] { return store_.requeue(id, job.attempt, now_ms(), live->revision()); }, never);
   } else if (problem) {
     Ending ending;
+    const bool cancelled = given_up || progress.stopped() == JobProgress::Stop::cancelled;
     ending.state = cancelled ? api::JobState::cancelled : api::JobState::failed;
     ending.error = problem->document("/v1/jobs/" + id).dump();
     outcome = api::to_string(ending.state);

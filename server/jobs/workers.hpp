@@ -27,7 +27,8 @@ class Workers {
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
-  void start(unsigned threads);
+  /// `nice`: how far their priority lies below that of the threads that answer (Linux).
+  void start(unsigned threads, int nice = 0);
   void poke();                                         ///< a job was queued
   void stop_claiming();                                ///< what runs goes on, nothing new begins
   bool wait_idle(std::chrono::milliseconds patience);  ///< after stop_claiming: true when all threads have ended

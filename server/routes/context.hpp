@@ -24,7 +24,8 @@ struct Context {
   Notifier& notifier;
   Deadlines& deadlines;
   Pool& pool;
-  Pool& heavy;  ///< one thread, for large documents: read one after the other, they cannot exhaust memory together
+  Pool& checks;  ///< of posted documents
+  Pool& heavy;   ///< one thread, for large documents: read one after the other, they cannot exhaust memory together
   Metrics& metrics;
   Parser parse;
   std::size_t max_queued;

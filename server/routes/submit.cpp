@@ -8,11 +8,23 @@
 #include "server/http/answer.hpp"
 #include "server/http/gzip.hpp"
 #include "server/runtime/clock.hpp"
+#include "server/runtime/memory.hpp"
 
 namespace bahnwerk::server {
 namespace {
 
 constexpr std::size_t large_document = 1 << 20;  ///< bytes; a parsed document takes about 25 times its text
+
+/// What checking a large document leaves in the allocator goes back to the system, whether or not it was valid.
+struct GiveBack {
+  explicit GiveBack(std::size_t bytes) : large(bytes >= worth_giving_back) {}
+  ~GiveBack() {
+    if (large) give_back_memory();
+  }
+  GiveBack(const GiveBack&) = delete;
+  GiveBack& operator=(const GiveBack&) = delete;
+  const bool large;
+};
 
 std::string sha256(std::string_view text) {
   unsigned char digest[EVP_MAX_MD_SIZE];
@@ -81,11 +93,12 @@ void submit(Context& context, const RequestPtr& request, const Reply& reply) {
   job.idempotency_key = idempotency_key(*request);
   // How large a packed body is shows only when it is unpacked: one after the other, too.
   const bool large = request->body.size() > large_document || *coding == Coding::gzip;
-  Pool& pool = large ? context.heavy : context.pool;
+  Pool& pool = large ? context.heavy : context.checks;
   pool.post([&context, request, reply, coding, job = std::move(job)]() mutable {
     try {
       if (*coding == Coding::gzip) unpack_body(*request, context.max_body);
       if (!job.idempotency_key.empty()) job.body_hash = sha256(request->body);
+      const GiveBack afterwards(request->body.size());
       job.request = context.parse(request->body);
       job.now = now_ms();
       job.max_queued = context.max_queued;

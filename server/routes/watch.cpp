@@ -98,6 +98,11 @@ void watch(Context& context, const RequestPtr& request, const Reply& reply) {
     context.pool.post([waiting = std::make_shared<Waiting>(context, request, reply, wait)] { waiting->look(); });
     return;
   }
+  // Most looks are at a job that was looked at a moment ago: no other thread has to be woken for those.
+  if (auto job = context.store.at_hand(request->parameter("id"))) {
+    context.live.overlay(*job);
+    return reply(with_etag(*request, job_etag(*job), job_answer(200, *job)));
+  }
   context.pool.post([&context, request, reply] {
     reply_with(*request, reply, [&] {
       const api::Job job = find_job(context, request->parameter("id"));

@@ -1,6 +1,7 @@
 #pragma once
 /// Threads for short blocking work (store reads, parsing, compressing), so that the threads that serve sockets never
 /// wait on a disk.
+#include <chrono>
 #include <functional>
 #include <memory>
 
@@ -8,12 +9,14 @@ namespace bahnwerk::server {
 
 class Pool {
  public:
-  explicit Pool(unsigned threads);
+  explicit Pool(unsigned threads, int nice = 0);
   ~Pool();  ///< runs what was posted, then joins
   Pool(const Pool&) = delete;
   Pool& operator=(const Pool&) = delete;
   /// `work` must not throw.
   void post(std::function<void()> work);
+  /// True when everything posted has run, false when that takes longer than `patience`.
+  bool wait_idle(std::chrono::milliseconds patience);
   void join();  ///< waits for everything posted; nothing may be posted afterwards
 
  private:

@@ -14,11 +14,13 @@ void check_store(const std::string& url) {
                      false);
 }
 
-std::unique_ptr<Store> open_store(const std::string& url, std::function<void(double, std::size_t)> observer) {
+std::unique_ptr<Store> open_store(const std::string& url, std::function<void(double, std::size_t)> observer,
+                                  std::size_t reserve) {
   check_store(url);
   SqliteOptions options;
   options.path = url.substr(7);
   options.observer = std::move(observer);
+  options.reserve = reserve;
   const auto folder = std::filesystem::path(options.path).parent_path();
   std::error_code error;
   if (!folder.empty()) std::filesystem::create_directories(folder, error);

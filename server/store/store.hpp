@@ -80,11 +80,13 @@ class Store {
   /// share a commit.
   virtual void insert(NewJob job, std::function<void(Inserted, std::exception_ptr)> done) = 0;
 
+  /// The job without its document, if it is known without a look at the disk: for threads that must not wait.
+  virtual std::optional<api::Job> at_hand(const std::string&) { return std::nullopt; }
   /// `with_document` false leaves JobRequest::document empty.
   virtual std::optional<api::Job> get(const std::string& id, bool with_document = true) = 0;
   virtual std::vector<api::Job> list(const JobFilter& filter) = 0;  ///< newest first, without documents
   virtual std::map<api::JobState, std::size_t> counts() = 0;
-  virtual void ping() = 0;  ///< a real query; throws StoreError
+  virtual void ping() = 0;  ///< a real query; throws StoreError, also when there is no space for another job
 
   /// The next job: highest priority, then first come; it becomes `running` and its attempt grows by one.
   virtual std::optional<api::Job> claim(std::int64_t now) = 0;
@@ -93,10 +95,11 @@ class Store {
   /// Ends attempt `attempt` of a running job. False: it is not running any more, or is another attempt; nothing
   /// changed.
   virtual bool end(const std::string& id, int attempt, const Ending& ending) = 0;
-  /// The same for success: the result, all setpoints and the state in one transaction. Memory: bounded, whatever the
-  /// series' length.
+  /// The same for success: from then on the result and all setpoints are there. Long series go in piece by piece
+  /// before that, so that neither memory nor other writers suffer from their length; `progress` is asked between the
+  /// pieces and may throw Stopped. After a StoreError a further call goes on where this one ended.
   virtual bool succeed(const std::string& id, int attempt, const api::PlannedJob& planned, std::int64_t now,
-                       std::uint64_t revision) = 0;
+                       std::uint64_t revision, Progress& progress) = 0;
   /// Puts a running job back as if the attempt had not been made; a job whose cancellation was asked for is cancelled
   /// instead.
   virtual bool requeue(const std::string& id, int attempt, std::int64_t now, std::uint64_t revision) = 0;

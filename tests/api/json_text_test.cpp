@@ -101,5 +101,62 @@ TEST(ParseJson, KeepsEveryDouble) {
     EXPECT_EQ(parse_json(json(x).dump()).get<double>(), x);
 }
 
+std::string repeated(std::string_view piece, std::size_t bytes) {
+  std::string text = "[";
+  while (text.size() < bytes) text.append(piece).append(",");
+  text.back() = ']';
+  return text;
+}
+
+TEST(ParseJson, RefusesWhatWouldTakeTooMuchMemoryBeforeReadingIt) {
+  for (const char* piece : {"[]", "{}", R"({"a":{}})", "[[[[]]]]"}) {
+    const auto problem = fault(repeated(piece, 64 << 20));
+    EXPECT_EQ(problem.type().slug, "payload-too-large") << piece;
+    EXPECT_THAT(problem.what(), HasSubstr("at most 768 MiB"));
+  }
+}
+
+TEST(ParseJson, StopsWhereAnArrayOrObjectHasTooManyParts) {
+  EXPECT_EQ(parse_json(repeated("0", 2 * most_items)).size(), most_items);
+  for (const char* piece : {"0", "[]", "{}"}) {
+    const auto problem = fault(repeated(piece, (std::string_view(piece).size() + 1) * (most_items + 1)));
+    EXPECT_EQ(problem.type().slug, "payload-too-large") << piece;
+    EXPECT_THAT(problem.what(), HasSubstr("an array has more than 2000000 items"));
+  }
+  std::string object = "{";
+  for (std::size_t i = 0; i < most_members; ++i) object += "\"" + std::to_string(i) + "\":0,";
+  EXPECT_EQ(parse_json(object.substr(0, object.size() - 1) + "}").size(), most_members);
+  const auto problem = fault(object + "\"x\":0}");
+  EXPECT_EQ(problem.type().slug, "payload-too-large");
+  EXPECT_THAT(problem.what(), HasSubstr("an object has more than 10000 members"));
+}
+
+TEST(ParseJson, LargestDocumentsOfTheSchemasFit) {
+  // Two million points in space, two million lines, a program of 64 MB: what the schema of contours allows.
+  EXPECT_LT(2e6 * static_cast<double>(document_memory("[1234.56789,1234.56789,12.3],")), 768.0 * 1048576);
+  EXPECT_LT(2e6 * static_cast<double>(document_memory(R"({"line":[1234.56789,1234.56789]},)")), 768.0 * 1048576);
+  EXPECT_LT(document_memory('"' + std::string(64 << 20, 'x') + '"'), std::size_t{65} << 20);
+}
+
+TEST(ParseJson, EstimatesMemoryFromAbove) {
+  // What lies inside strings counts by its length alone, whatever it looks like.
+  EXPECT_EQ(document_memory(R"("[[[{{{:::,,,")"), document_memory(R"("abcabcabcabc")"));
+  EXPECT_EQ(document_memory(R"("a\"[[[")"), document_memory(R"("a\"bcd")"));
+  EXPECT_GE(document_memory("[[],[]]"), 3 * (sizeof(json) + 24));
+  EXPECT_GE(document_memory(R"({"a":1,"b":2})"), sizeof(json) + 48 + 2 * (32 + 32 + sizeof(json)));
+}
+
+TEST(ParseJson, AsksProgress) {
+  struct Counter : Progress {
+    void report(std::string_view stage, double, std::string_view) override {
+      EXPECT_EQ(stage, "read");
+      if (++reports == 3) throw std::runtime_error("stop");
+    }
+    int reports = 0;
+  } counter;
+  EXPECT_THROW(parse_json(repeated("1", 100'000), &counter), std::runtime_error);
+  EXPECT_EQ(counter.reports, 3);
+}
+
 }  // namespace
 }  // namespace bahnwerk::api

@@ -38,11 +38,11 @@ code=0
 stop_server TERM || code=$?
 expect_equal $code $((128 + 15)) "exit code after a second signal"
 
-# An answer under way when the end is asked for is still given whole.
+# An answer under way when the end is asked for is still given whole, if the drain timeout lasts.
 start_server --workers 0
 request POST "/v1/jobs/$id/cancel"
 stop_server || fail "orderly end"
-start_server --workers 1 --drain-timeout 1
+start_server --workers 1 --drain-timeout 20
 post "$work/short.json"
 await succeeded
 request GET "/v1/jobs/$id/setpoints" -H 'Accept: text/csv'

@@ -260,7 +260,7 @@ TEST_F(ServiceTest, ManyStreamsTakeNoThreadsAndEndWithTheService) {
   EXPECT_LE(threads() - before, 100) << "the clients' own";
   EXPECT_EQ(get("/healthz").status, 200);
   EXPECT_EQ(ended, 0);
-  EXPECT_TRUE(service->drain());
+  EXPECT_EQ(service->drain(), Service::Drained::clean);
   for (auto& thread : clients) thread.join();
   EXPECT_EQ(ended, 100);
 }
@@ -312,7 +312,7 @@ TEST_F(ServiceTest, DrainsUnderLoad) {
     }
   });
   std::this_thread::sleep_for(300ms);
-  EXPECT_TRUE(service->drain());
+  EXPECT_EQ(service->drain(), Service::Drained::clean);
   stop = true;
   service.reset();
   for (auto& thread : clients) thread.join();
@@ -378,7 +378,56 @@ TEST_F(ServiceTest, StandsManyClientsAtOnce) {
     });
   for (auto& thread : clients) thread.join();
   EXPECT_EQ(get("/readyz").status, 200);
-  EXPECT_TRUE(service->drain());
+  EXPECT_EQ(service->drain(), Service::Drained::clean);
+}
+
+TEST_F(ServiceTest, EndsInTimeWhateverItIsDoing) {
+  using Clock = std::chrono::steady_clock;
+  options.drain_timeout = 300ms;
+  Engine engine = stub_engine();
+  engine.parse = [parse = engine.parse](std::string_view body) {
+    if (body == R"({"slow":true})") std::this_thread::sleep_for(3s);
+    return parse(body);
+  };
+  service = std::make_unique<Service>(options, std::move(engine));
+  client = std::make_unique<HttpClient>("http://" + service->address());
+  await(posted(R"({"forever":true})"), "running");
+  std::thread checked([&] {  // nothing can stop a check
+    try {
+      HttpClient("http://" + service->address())
+          .request("POST", "/v1/jobs", {{"Content-Type", "application/json"}}, R"({"slow":true})");
+    } catch (const cli::Unreachable&) {
+    }
+  });
+  std::this_thread::sleep_for(300ms);
+  const auto start = Clock::now();
+  EXPECT_EQ(service->drain(), Service::Drained::late);
+  EXPECT_LE(Clock::now() - start, options.drain_timeout + 1s);
+  service.reset();  // waits for the check; the process would not
+  checked.join();
+}
+
+TEST_F(ServiceTest, LooksAtJobsWhileDocumentsAreChecked) {
+  std::atomic<bool> over{false};
+  Engine engine = stub_engine();
+  engine.parse = [&over, parse = engine.parse](std::string_view body) {
+    while (body == R"({"slow":true})" && !over) std::this_thread::sleep_for(1ms);
+    return parse(body);
+  };
+  service = std::make_unique<Service>(options, std::move(engine));
+  client = std::make_unique<HttpClient>("http://" + service->address());
+  const std::string id = posted("{}");
+  std::vector<std::thread> posters;
+  for (int i = 0; i < 16; ++i)
+    posters.emplace_back([&] {
+      HttpClient("http://" + service->address())
+          .request("POST", "/v1/jobs", {{"Content-Type", "application/json"}}, R"({"slow":true})");
+    });
+  std::this_thread::sleep_for(200ms);
+  await(id, "succeeded");
+  EXPECT_EQ(get("/readyz").status, 200);
+  over = true;
+  for (auto& thread : posters) thread.join();
 }
 
 TEST_F(ServiceTest, EndsWithoutADrain) {

@@ -16,7 +16,8 @@ auto guarded(Work&& work) -> decltype(work()) {
   try {
     return work();
   } catch (const SQLite::Exception& error) {
-    const bool full = error.getErrorCode() == SQLITE_FULL;
+    // The shared memory of the log is a file, too.
+    const bool full = error.getErrorCode() == SQLITE_FULL || error.getExtendedErrorCode() == SQLITE_IOERR_SHMSIZE;
     throw StoreError(full ? std::string("no space left for the store") : std::string("store: ") + error.what(), full);
   }
 }
@@ -103,9 +104,12 @@ Connection::Connection(const std::string& path, bool writer, int max_pages) {
       wal.executeStep();
       if (wal.getColumn(0).getString() != "wal")
         throw StoreError("the store's file system does not support SQLite's WAL", false);
+      int step = 256 << 10;
+      sqlite3_file_control(database.getHandle(), "main", SQLITE_FCNTL_CHUNK_SIZE, &step);
     }
     database.exec("PRAGMA synchronous = FULL");
     database.exec("PRAGMA foreign_keys = ON");
+    database.exec("PRAGMA temp_store = MEMORY");  // a statement's own journal must not need a disk that is full
     if (!writer) database.exec("PRAGMA query_only = ON");
     if (max_pages > 0) database.tryExec("PRAGMA max_page_count = " + std::to_string(max_pages));
   });
@@ -125,6 +129,11 @@ Query Connection::query(std::string_view sql) {
 
 void Connection::execute(const char* sql) {
   guarded([&] { state_->database.exec(sql); });
+}
+
+bool Connection::allocate(std::int64_t bytes) noexcept {
+  sqlite3_int64 size = bytes;
+  return sqlite3_file_control(state_->database.getHandle(), "main", SQLITE_FCNTL_SIZE_HINT, &size) == SQLITE_OK;
 }
 
 void Connection::rollback() noexcept {

@@ -58,6 +58,9 @@ class Connection {
   Query query(std::string_view sql);  ///< prepared once, then reused
   void execute(const char* sql);
   void rollback() noexcept;  ///< if a transaction is open
+  /// Gives the file so many bytes on the disk, in steps of 256 KiB, before they are needed; false when there is no
+  /// room.
+  bool allocate(std::int64_t bytes) noexcept;
 
  private:
   struct State;

@@ -27,6 +27,7 @@ std::optional<api::Job> SqliteStore::get(const std::string& id, bool with_docume
   static const std::string light = std::string("SELECT ") + job_columns + " FROM jobs WHERE id = ?";
   static const std::string whole =
       std::string("SELECT ") + job_columns + ", spec, whole FROM jobs JOIN specs USING (seq) WHERE id = ?";
+  const std::uint64_t commits = writer_.commits();  // before the look, so that a change during it counts as later
   Reader reader(*this);
   Query row = reader.query(with_document ? whole : light);
   row << id;
@@ -36,8 +37,12 @@ std::optional<api::Job> SqliteStore::get(const std::string& id, bool with_docume
     job.request.document = unpacking([&] {
       return unpack_document(job.request.kind, row.bytes(job_seq_column + 1), row.integer(job_seq_column + 2) != 0);
     });
+  else
+    cache_.put(commits, job);
   return job;
 }
+
+std::optional<api::Job> SqliteStore::at_hand(const std::string& id) { return cache_.find(writer_.commits(), id); }
 
 std::vector<api::Job> SqliteStore::list(const JobFilter& filter) {
   std::string sql = std::string("SELECT ") + job_columns + " FROM jobs WHERE true";
@@ -71,6 +76,7 @@ std::map<api::JobState, std::size_t> SqliteStore::counts() {
 }
 
 void SqliteStore::ping() {
+  if (writer_.full()) throw StoreError("no space left for the store", true);
   Reader reader(*this);
   reader.query("SELECT count(*) FROM (SELECT 1 FROM jobs LIMIT 1)").one_int();
 }

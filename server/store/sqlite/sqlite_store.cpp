@@ -38,7 +38,8 @@ SqliteStore::SqliteStore(SqliteOptions options)
     : options_(std::move(options)),
       lock_(options_.path + ".lock"),
       connection_(options_.path, true, options_.max_pages),
-      writer_(connection_, options_.observer) {
+      reserve_(options_.path + ".reserve", options_.reserve),
+      writer_(connection_, reserve_, options_.observer) {
   writer_.run([&](Connection& connection) {
     connection.execute("COMMIT");  // each migration is a transaction of its own
     migrate(connection);
@@ -68,21 +69,22 @@ void SqliteStore::recover(std::int64_t now) {
              "revision = revision + ? WHERE id = ?")
          << recovery_leap << orphan.id)
             .run();
-        continue;
+        continue;  // rows that the lost attempt stored go when the next one begins
       }
       const std::string error = orphan.cancelled ? cancelled_error(orphan.id) : lost_error(orphan.id, orphan.attempt);
       (connection.query("UPDATE jobs SET state = ?, error = ?, finished_at = ?, revision = revision + ? WHERE id = ?")
        << std::string_view(orphan.cancelled ? "cancelled" : "failed") << error << now << recovery_leap << orphan.id)
           .run();
+      (connection.query("DELETE FROM chunks WHERE seq = (SELECT seq FROM jobs WHERE id = ?)") << orphan.id).run();
     }
     Query last = connection.query("SELECT max(id) FROM jobs");
     if (last.step() && !last.null(0)) ids_.advance_past(last.text(0));
   });
 }
 
-bool SqliteStore::write_flag(const std::function<bool(Connection&)>& work) {
+bool SqliteStore::write_flag(const std::function<bool(Connection&)>& work, Writer::Bytes adds) {
   bool result = false;
-  writer_.run([&](Connection& connection) { result = work(connection); });
+  writer_.run([&](Connection& connection) { result = work(connection); }, adds);
   return result;
 }
 
@@ -95,9 +97,10 @@ void SqliteStore::insert(NewJob job, std::function<void(Inserted, std::exception
   const auto call = std::make_shared<Call>();
   call->packed = pack_text(job.request.document);
   call->job = std::move(job);
+  const Writer::Bytes adds = call->packed.size() + Writer::row;
   writer_.post(
       [this, call](Connection& connection) { call->outcome = insert_one(connection, call->job, call->packed); },
-      [call, done = std::move(done)](const std::exception_ptr& error) { done(call->outcome, error); });
+      [call, done = std::move(done)](const std::exception_ptr& error) { done(call->outcome, error); }, adds);
 }
 
 Inserted SqliteStore::insert_one(Connection& connection, const NewJob& job, const std::string& packed_document) {

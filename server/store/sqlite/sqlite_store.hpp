@@ -11,6 +11,8 @@
 #include "server/runtime/uuid7.hpp"
 #include "server/store/sqlite/connection.hpp"
 #include "server/store/sqlite/file_lock.hpp"
+#include "server/store/sqlite/job_cache.hpp"
+#include "server/store/sqlite/reserve.hpp"
 #include "server/store/sqlite/writer.hpp"
 #include "server/store/store.hpp"
 
@@ -18,8 +20,9 @@ namespace bahnwerk::server {
 
 struct SqliteOptions {
   std::string path;
-  int max_pages = 0;     ///< > 0 caps the file's size in pages of 4 KiB: a full disk on demand
-  int max_attempts = 2;  ///< a job that was running when the process died so often ends as worker-lost
+  int max_pages = 0;        ///< > 0 caps the file's size in pages of 4 KiB: a full disk on demand
+  std::size_t reserve = 0;  ///< bytes of disk set aside, so that a full disk can be emptied
+  int max_attempts = 2;     ///< a job that was running when the process died so often ends as worker-lost
   Writer::Observer observer = [](double, std::size_t) {};
 };
 
@@ -31,6 +34,7 @@ class SqliteStore final : public Store {
   ~SqliteStore() override;
 
   void insert(NewJob job, std::function<void(Inserted, std::exception_ptr)> done) override;
+  std::optional<api::Job> at_hand(const std::string& id) override;
   std::optional<api::Job> get(const std::string& id, bool with_document) override;
   std::vector<api::Job> list(const JobFilter& filter) override;
   std::map<api::JobState, std::size_t> counts() override;
@@ -39,7 +43,7 @@ class SqliteStore final : public Store {
   void progress(Progressed progress, std::function<void()> done) override;
   bool end(const std::string& id, int attempt, const Ending& ending) override;
   bool succeed(const std::string& id, int attempt, const api::PlannedJob& planned, std::int64_t now,
-               std::uint64_t revision) override;
+               std::uint64_t revision, Progress& progress) override;
   bool requeue(const std::string& id, int attempt, std::int64_t now, std::uint64_t revision) override;
   Expired expire(std::int64_t now) override;
   std::optional<api::Job> cancel(const std::string& id, std::int64_t now) override;
@@ -54,12 +58,15 @@ class SqliteStore final : public Store {
   class Reader;  ///< a reading connection on loan
   Inserted insert_one(Connection& connection, const NewJob& job, const std::string& packed_document);
   void recover(std::int64_t now);
-  bool write_flag(const std::function<bool(Connection&)>& work);  ///< runs it on the writer, returns what it returned
+  /// Runs it on the writer, returns what it returned.
+  bool write_flag(const std::function<bool(Connection&)>& work, Writer::Bytes adds);
 
   SqliteOptions options_;
   FileLock lock_;
   Connection connection_;  ///< the writer's
+  Reserve reserve_;        ///< the writer's
   Uuid7 ids_;              ///< the writer's
+  JobCache cache_;
   std::mutex readers_mutex_;
   std::vector<std::unique_ptr<Connection>> readers_;
   Writer writer_;  ///< last: its thread ends before anything it uses

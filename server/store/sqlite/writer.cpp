@@ -4,15 +4,33 @@
 #include <memory>
 
 #include "server/runtime/clock.hpp"
+#include "server/store/store.hpp"
 
 namespace bahnwerk::server {
 namespace {
 
 constexpr std::size_t max_group = 512;
+constexpr std::size_t page_size = 4096;
+constexpr std::size_t comfortable =
+    1 << 20;  // bytes free, of disk and file, from which on a full disk no longer is one
+constexpr auto look_interval = std::chrono::seconds(1);
+
+bool says_full(const std::exception_ptr& error) {
+  if (!error) return false;
+  try {
+    std::rethrow_exception(error);
+  } catch (const StoreError& failure) {
+    return failure.full;
+  } catch (...) {
+    return false;
+  }
+}
 
 }  // namespace
 
-Writer::Writer(Connection& connection, Observer observer) : connection_(connection), observer_(std::move(observer)) {
+Writer::Writer(Connection& connection, Reserve& reserve, Observer observer)
+    : connection_(connection), reserve_(reserve), observer_(std::move(observer)) {
+  full_ = reserve_.bytes() > 0;  // until it was looked
   thread_ = std::thread([this] { loop(); });
 }
 
@@ -25,69 +43,171 @@ Writer::~Writer() {
   thread_.join();
 }
 
-void Writer::post(Work work, Done done) {
+void Writer::post(Work work, Done done, Bytes adds) {
   {
     const std::lock_guard lock(mutex_);
-    waiting_.push_back({std::move(work), std::move(done)});
+    waiting_.push_back({std::move(work), std::move(done), adds});
   }
   wake_.notify_one();
 }
 
-void Writer::run(const Work& work) {
+void Writer::run(const Work& work, Bytes adds) {
   const auto promise = std::make_shared<std::promise<void>>();  // outlives whichever side is later
-  post(work, [promise](const std::exception_ptr& error) {
-    if (error)
-      promise->set_exception(error);
-    else
-      promise->set_value();
-  });
+  post(
+      work,
+      [promise](const std::exception_ptr& error) {
+        if (error)
+          promise->set_exception(error);
+        else
+          promise->set_value();
+      },
+      adds);
   promise->get_future().get();
 }
 
 void Writer::loop() {
   for (;;) {
-    std::deque<Item> group;
     {
       std::unique_lock lock(mutex_);
-      wake_.wait(lock, [&] { return stop_ || !waiting_.empty(); });
-      if (waiting_.empty()) return;
-      if (waiting_.size() <= max_group) {
-        group.swap(waiting_);
-      } else {
-        for (std::size_t i = 0; i < max_group; ++i) {
-          group.push_back(std::move(waiting_.front()));
-          waiting_.pop_front();
-        }
-      }
+      const auto due = [&] { return stop_ || !waiting_.empty(); };
+      if (full())
+        wake_.wait_for(lock, look_interval, due);
+      else
+        wake_.wait(lock, due);
+      if (stop_ && waiting_.empty()) return;
     }
-    commit(group);
+    std::deque<Item> group = take();
+    if (full()) look_for_space();
+    if (!group.empty()) commit(group);
   }
 }
 
-void Writer::commit(std::deque<Item>& group) {
+std::deque<Writer::Item> Writer::take() {
+  const std::lock_guard lock(mutex_);
+  std::deque<Item> group;
+  if (waiting_.size() <= max_group) {
+    group.swap(waiting_);
+    return group;
+  }
+  for (std::size_t i = 0; i < max_group; ++i) {
+    group.push_back(std::move(waiting_.front()));
+    waiting_.pop_front();
+  }
+  return group;
+}
+
+std::exception_ptr Writer::try_group(std::deque<Item>& group) {
   const auto start = std::chrono::steady_clock::now();
-  std::exception_ptr error;
   try {
     connection_.execute("BEGIN IMMEDIATE");
-    for (Item& item : group) item.work(connection_);
-    connection_.execute("COMMIT");
-    observer_(seconds_since(start), group.size());
-  } catch (...) {
-    error = std::current_exception();
-    connection_.rollback();
-  }
-  if (error && group.size() > 1) {  // one bad work must not fail its neighbours
+    Bytes adds = 0;
     for (Item& item : group) {
-      std::deque<Item> alone;
-      alone.push_back(std::move(item));
-      commit(alone);
+      item.work(connection_);
+      adds += item.adds;
     }
-    return;
+    secure(adds);
+    connection_.execute("COMMIT");
+  } catch (...) {
+    const auto error = std::current_exception();
+    connection_.rollback();
+    return error;
+  }
+  ++commits_;
+  observer_(seconds_since(start), group.size());
+  return nullptr;
+}
+
+// Pages that a transaction adds are in the log first and reach the file at a checkpoint. They get their place on the
+// disk before the commit: otherwise a log full of them could not be emptied on a full disk, and would keep the space
+// that deleting needs.
+void Writer::secure(Bytes adds) {
+  const auto bytes = std::int64_t{connection_.query("PRAGMA page_count").one_int()} * std::int64_t{page_size};
+  if (bytes <= allocated_) return;
+  if (connection_.allocate(bytes))
+    allocated_ = bytes;
+  else if (adds > 0)
+    throw StoreError("no space left for the store", true);
+}
+
+void Writer::commit(std::deque<Item>& group) {
+  std::exception_ptr error;
+  if (group.size() > 1) {
+    Bytes adds = 0;
+    for (const Item& item : group) adds += item.adds;
+    const bool together = room_for(adds) == Room::enough && !try_group(group);
+    if (!together) {  // one bad work must not fail its neighbours
+      for (Item& item : group) {
+        std::deque<Item> one;
+        one.push_back(std::move(item));
+        commit(one);
+      }
+      return;
+    }
+  } else {
+    error = alone(group);
   }
   for (Item& item : group) {
     if (item.done) item.done(error);
     item = {};  // what it captured goes before the next group is awaited
   }
+}
+
+std::exception_ptr Writer::alone(std::deque<Item>& one) {
+  const Bytes adds = one.front().adds;
+  Room room = room_for(adds);
+  if (room != Room::enough) {
+    checkpoint();  // the log's own space may be all that is missing
+    room = room_for(adds);
+  }
+  if (room == Room::none) {
+    full_ = true;
+    return std::make_exception_ptr(StoreError("no space left for the store", true));
+  }
+  if (room == Room::with_reserve) reserve_.give_up();
+  std::exception_ptr error = try_group(one);
+  if (says_full(error)) {
+    full_ = true;
+    if (adds == frees && reserve_.held()) {
+      reserve_.give_up();
+      error = try_group(one);
+    }
+  }
+  if (!error && adds > 0) full_ = false;
+  if (!reserve_.held()) {
+    checkpoint();
+    reserve_.take();
+  }
+  return error;
+}
+
+Writer::Room Writer::room_for(Bytes bytes) {
+  if (bytes == 0) return Room::enough;
+  const std::size_t space = reserve_.free_space();
+  if (reserve_.held() && space >= 2 * bytes) return Room::enough;
+  // Pages that deleted jobs left are used again: then the file does not grow, and the log alone needs room.
+  const bool inside = free_pages() > bytes / page_size + 16;
+  if (reserve_.held() && inside && space >= bytes + bytes / 8) return Room::enough;
+  return reserve_.held() && inside && bytes < reserve_.bytes() / 2 ? Room::with_reserve : Room::none;
+}
+
+std::size_t Writer::free_pages() noexcept {
+  try {
+    return static_cast<std::size_t>(connection_.query("PRAGMA freelist_count").one_int());
+  } catch (...) {  // a file that cannot be read will say so where it matters
+    return 0;
+  }
+}
+
+void Writer::checkpoint() noexcept {
+  try {
+    connection_.execute("PRAGMA wal_checkpoint(TRUNCATE)");
+  } catch (...) {  // a disk too full even for that: the log keeps what it has
+  }
+}
+
+void Writer::look_for_space() {
+  if (!reserve_.held()) checkpoint();
+  if (reserve_.take() && reserve_.free_space() + free_pages() * page_size >= comfortable) full_ = false;
 }
 
 }  // namespace bahnwerk::server

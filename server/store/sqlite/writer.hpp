@@ -1,6 +1,8 @@
 #pragma once
 /// Group commit: one thread owns the writing connection; whatever waits when it comes round shares one transaction.
+#include <atomic>
 #include <condition_variable>
+#include <cstdint>
 #include <deque>
 #include <exception>
 #include <functional>
@@ -8,6 +10,7 @@
 #include <thread>
 
 #include "server/store/sqlite/connection.hpp"
+#include "server/store/sqlite/reserve.hpp"
 
 namespace bahnwerk::server {
 
@@ -19,25 +22,50 @@ class Writer {
   using Done = std::function<void(std::exception_ptr)>;
   /// Told of every commit: seconds, works in it.
   using Observer = std::function<void(double, std::size_t)>;
+  /// About how many bytes a work adds to the database. One that adds none (deletes, cancels, ends a job) may use the
+  /// reserve when the disk is full; one that adds some is refused while there is not twice that much room, once for the
+  /// log and once for the file: what is committed can then always be moved into the file.
+  using Bytes = std::size_t;
+  static constexpr Bytes frees = 0, row = 4096;
 
-  Writer(Connection& connection, Observer observer);
+  Writer(Connection& connection, Reserve& reserve, Observer observer);
   ~Writer();  ///< does what was posted, then ends
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
 
-  void post(Work work, Done done);
-  void run(const Work& work);  ///< posts and waits; rethrows
+  void post(Work work, Done done, Bytes adds);
+  void run(const Work& work, Bytes adds = frees);  ///< posts and waits; rethrows
+
+  /// The disk was full when last something was written, or the reserve is used up. Ends by itself within about a second
+  /// of there being room.
+  bool full() const { return full_ || !reserve_.held(); }
+  /// Grows with every commit, before anybody is told of it: what was read at one count is current as long as it stands.
+  std::uint64_t commits() const { return commits_; }
 
  private:
   struct Item {
     Work work;
     Done done;
+    Bytes adds = 0;
   };
+  enum class Room { enough, with_reserve, none };
   void loop();
+  std::deque<Item> take();
   void commit(std::deque<Item>& group);
+  std::exception_ptr try_group(std::deque<Item>& group);
+  std::exception_ptr alone(std::deque<Item>& one);
+  Room room_for(Bytes bytes);
+  void secure(Bytes adds);
+  std::size_t free_pages() noexcept;
+  void checkpoint() noexcept;
+  void look_for_space();
 
   Connection& connection_;
+  Reserve& reserve_;
   Observer observer_;
+  std::int64_t allocated_ = 0;  ///< bytes that the file is known to have on the disk
+  std::atomic<bool> full_{false};
+  std::atomic<std::uint64_t> commits_{0};
   std::mutex mutex_;
   std::condition_variable wake_;
   std::deque<Item> waiting_;

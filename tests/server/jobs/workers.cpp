@@ -175,10 +175,10 @@ TEST_F(WorkersTest, GivesUpAnUnstorableResultWhenCancelled) {
 }
 
 TEST_F(WorkersTest, TellsWhoWaits) {
-  start(1);
   const auto id = post("loop");
   std::promise<void> woken;
   notifier.wait(id, Notifier::Clock::now() + 1h, [&] { woken.set_value(); });
+  start(1);
   EXPECT_EQ(woken.get_future().wait_for(10s), std::future_status::ready);
 }
 

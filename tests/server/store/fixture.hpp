@@ -81,6 +81,7 @@ struct StoreTest : testing::Test {
     store = std::make_unique<SqliteStore>(std::move(options));
   }
   StoreTest() { open(); }
+  SilentProgress silent;
   TempFolder folder;
   std::unique_ptr<Store> store;
 };

@@ -104,7 +104,7 @@ TEST_F(StoreTest, BehavesAsTheModel) {
           const int attempt = static_cast<int>(random() % 3);
           const std::size_t rows = random() % 2 ? random() % 6000 : 0;
           const bool right = model.count(id) && model[id].state == JobState::running && model[id].attempt == attempt;
-          ASSERT_EQ(store->succeed(id, attempt, ramp_plan(rows), 2, 0), right);
+          ASSERT_EQ(store->succeed(id, attempt, ramp_plan(rows), 2, 0, silent), right);
           if (right) model[id].state = JobState::succeeded, model[id].rows = rows;
           break;
         }

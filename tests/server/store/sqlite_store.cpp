@@ -98,12 +98,12 @@ TEST_F(StoreTest, ClaimsByPriorityThenInOrder) {
 
 TEST_F(StoreTest, TakesAResultOnceAndFromTheRightAttempt) {
   const std::string id = insert_id(*store);
-  EXPECT_FALSE(store->succeed(id, 1, ramp_plan(10), 2, 0)) << "not running yet";
+  EXPECT_FALSE(store->succeed(id, 1, ramp_plan(10), 2, 0, silent)) << "not running yet";
   store->claim(1);
-  EXPECT_FALSE(store->succeed(id, 2, ramp_plan(10), 2, 0)) << "another attempt";
+  EXPECT_FALSE(store->succeed(id, 2, ramp_plan(10), 2, 0, silent)) << "another attempt";
   EXPECT_FALSE(store->result(id));
-  EXPECT_TRUE(store->succeed(id, 1, ramp_plan(10), 2, 40));
-  EXPECT_FALSE(store->succeed(id, 1, ramp_plan(99), 3, 0)) << "twice";
+  EXPECT_TRUE(store->succeed(id, 1, ramp_plan(10), 2, 40, silent));
+  EXPECT_FALSE(store->succeed(id, 1, ramp_plan(99), 3, 0, silent)) << "twice";
   EXPECT_FALSE(store->end(id, 1, {JobState::failed, "{}", 3, 0}));
   EXPECT_FALSE(store->requeue(id, 1, 3, 0));
   const auto job = store->get(id);
@@ -118,7 +118,7 @@ TEST_F(StoreTest, GivesBackEveryRowAcrossChunks) {
   constexpr std::size_t count = 3 * 4096 + 17;
   const std::string id = insert_id(*store);
   store->claim(1);
-  ASSERT_TRUE(store->succeed(id, 1, ramp_plan(count), 2, 0));
+  ASSERT_TRUE(store->succeed(id, 1, ramp_plan(count), 2, 0, silent));
   const auto series = store->series(id);
   ASSERT_TRUE(series);
   EXPECT_EQ(series->count, count);
@@ -140,7 +140,7 @@ TEST_F(StoreTest, GivesBackEveryRowAcrossChunks) {
 TEST_F(StoreTest, KnowsPlansWithoutSetpoints) {
   const std::string id = insert_id(*store);
   store->claim(1);
-  ASSERT_TRUE(store->succeed(id, 1, ramp_plan(0), 2, 0));
+  ASSERT_TRUE(store->succeed(id, 1, ramp_plan(0), 2, 0, silent));
   EXPECT_TRUE(store->result(id));
   EXPECT_FALSE(store->series(id));
 }
@@ -279,11 +279,12 @@ TEST_F(StoreTest, SurvivesAFullDisk) {
   }
   EXPECT_TRUE(full);
   ASSERT_GT(accepted.size(), 3U);
-  store->ping();
+  EXPECT_THROW(store->ping(), StoreError) << "nobody should send more";
   EXPECT_EQ(store->counts()[JobState::queued], accepted.size());
   for (const auto& id : accepted) EXPECT_EQ(store->get(id)->request.document, big.request.document);
   EXPECT_EQ(store->remove(accepted.front()), Removed::yes);
   EXPECT_NO_THROW(insert_id(*store, big)) << "space was freed";
+  EXPECT_NO_THROW(store->ping());
 }
 
 TEST_F(StoreTest, IsOwnedByOneProcess) {

@@ -1,0 +1,39 @@
+#pragma once
+/// Jobs as they were last read. Many clients ask again and again for the few jobs that run or have just ended, and the
+/// store is written rarely.
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <unordered_map>
+
+#include "api/job.hpp"
+
+namespace bahnwerk::server {
+
+/// All that it holds was read at one count of commits; the next commit empties it, so nothing has to say what it
+/// changed. Thread-safe.
+class JobCache {
+ public:
+  void put(std::uint64_t commits, const api::Job& job) {
+    const std::lock_guard lock(mutex_);
+    if (commits < commits_) return;
+    if (commits > commits_ || jobs_.size() >= most) jobs_.clear();
+    commits_ = commits;
+    jobs_.insert_or_assign(job.id, job);
+  }
+  std::optional<api::Job> find(std::uint64_t commits, const std::string& id) const {
+    const std::lock_guard lock(mutex_);
+    if (commits != commits_) return std::nullopt;
+    const auto found = jobs_.find(id);
+    return found == jobs_.end() ? std::nullopt : std::optional(found->second);
+  }
+
+ private:
+  static constexpr std::size_t most = 4096;
+  mutable std::mutex mutex_;
+  std::uint64_t commits_ = 0;
+  std::unordered_map<std::string, api::Job> jobs_;
+};
+
+}  // namespace bahnwerk::server

@@ -1,0 +1,132 @@
+#!/usr/bin/env bash
+# More connections than there is room for: silent ones make room, slow ones are cut, health and readiness always answer.
+source "$(dirname "$0")/lib.sh"
+ulimit -n 8192 2>/dev/null || ulimit -n "$(ulimit -Hn)"
+
+# open_silent N: N connections that say nothing; their descriptors are in $silent.
+silent=()
+open_silent() {
+  for _ in $(seq "$1"); do
+    exec {fd}<>"/dev/tcp/$host/$port" || fail "cannot connect"
+    silent+=("$fd")
+  done
+}
+close_silent() {
+  for fd in "${silent[@]}"; do exec {fd}>&-; done
+  silent=()
+}
+# answered PATH: the status of a request on a connection of its own.
+answered() { curl -s --max-time 10 -o "$work/body" -D "$work/headers" -w '%{http_code}' "$url$1" || true; }
+
+# 1 100 silent connections, more than the limit, and nobody else notices.
+start_server --workers 0
+post "$examples/line.json"
+open_silent 1100
+for _ in 1 2 3; do
+  expect_equal "$(answered /healthz)" 200 "health beside silent connections"
+  expect_equal "$(answered /readyz)" 200 "readiness beside silent connections"
+  expect_equal "$(answered "/v1/jobs/$id")" 200 "a job beside silent connections"
+done
+close_silent
+stop_server || fail "orderly end"
+
+# The same where one address may have few: it is its own oldest that go.
+start_server --workers 0 --max-connections-per-address 10
+open_silent 30
+expect_equal "$(answered /v1/kinds)" 200
+expect_equal "$(answered /metrics)" 200
+open=$(sed -n 's/^bahnwerk_http_connections //p' "$work/body")
+((open <= 12)) || fail "$open connections of one address"
+close_silent
+stop_server || fail "orderly end"
+
+# Where nobody is idle: held answers take all places; health and readiness still answer, others hear why not.
+start_server --workers 0 --max-connections 5 --spare-connections 3
+post "$examples/line.json"
+held=()
+for _ in 1 2 3 4 5; do
+  curl -s --max-time 60 -H 'Prefer: wait=30' "$url/v1/jobs/$id" >/dev/null &
+  held+=($!)
+done
+sleep 1
+for _ in 1 2 3 4 5 6; do
+  expect_equal "$(answered /healthz)" 200 "health on a spare connection"
+  expect_equal "$(answered /readyz)" 200 "readiness on a spare connection"
+done
+status=$(answered /v1/kinds)
+expect_problem too-many-connections 503
+[[ $(header Retry-After) -gt 0 ]] || fail "expected Retry-After"
+kill "${held[@]}" 2>/dev/null || true
+wait "${held[@]}" 2>/dev/null || true
+stop_server || fail "orderly end"
+
+# The time of a header runs from connecting, however slowly it dribbles in; who is cut in the middle is told.
+start_server --workers 0 --header-timeout 2 --body-timeout 2 --idle-timeout 60
+# raw_answer: sends stdin, prints what comes back until the server closes; at most 20 s.
+raw_answer() {
+  exec 3<>"/dev/tcp/$host/$port"
+  cat >&3 2>/dev/null || true
+  timeout 20 cat <&3 || true
+  exec 3>&- 3<&-
+}
+cut_off() {
+  local began=$(date +%s%N) took
+  raw_answer | tr -d '\r' >"$work/raw"
+  took=$((($(date +%s%N) - began) / 1000000))
+  ((took >= 1500 && took < 15000)) || fail "cut after $took ms"
+  sed -n '1,/^$/p' "$work/raw" >"$work/headers"
+  sed '1,/^$/d' "$work/raw" >"$work/body"
+  status=$(sed -n '1s/.* \([0-9][0-9][0-9]\) .*/\1/p' "$work/raw")
+}
+cut_off < <(printf 'GET /healthz HTTP/1.1\r\nHost: x\r\nX-Half:')
+expect_status 408
+expect_json '.type == "/problems/request-timeout"'
+cut_off < <(printf 'POST /v1/jobs HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\nContent-Length: 50\r\n\r\n{"half')
+expect_problem request-timeout 408
+cut_off < <(printf 'POST /v1/jobs HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\nTransfer-Encoding: chunked\r\n\r\n5\r\n{"hal')
+expect_problem request-timeout 408
+cut_off < <(printf 'GET /healthz HTTP/1.1\r\nHost: x\r\n' && for _ in $(seq 50); do printf 'X: y\r\n' || break; sleep 0.2; done)
+expect_status 408
+cut_off < <(printf '')
+[[ ! -s $work/raw ]] || fail "a connection that never said anything is closed without an answer"
+# A body that keeps coming may take longer than its base time: 1 s more for every 100 kB of it.
+size=600000
+{
+  printf 'POST /v1/jobs HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\nContent-Length: %d\r\nConnection: close\r\n\r\n' $size
+  for _ in 1 2 3 4 5 6; do head -c 100000 /dev/zero | tr '\0' ' '; sleep 0.5; done
+} | raw_answer | head -n 1 | grep -q ' 400 ' || fail "a steady body was not read to its end"
+# After a request the header's time is the idle one.
+exec 3<>"/dev/tcp/$host/$port"
+printf 'GET /healthz HTTP/1.1\r\nHost: x\r\n\r\n' >&3
+sleep 3
+printf 'GET /healthz HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n' >&3
+expect_equal "$(timeout 10 cat <&3 | grep -c '200 OK')" 2 "a connection that rested 3 s"
+exec 3>&- 3<&-
+stop_server || fail "orderly end"
+
+# Half a body on every connection there is: the ones that stand still make room.
+start_server --workers 0 --max-connections 20 --spare-connections 4
+for _ in $(seq 20); do
+  exec {fd}<>"/dev/tcp/$host/$port"
+  printf 'POST /v1/jobs HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\nContent-Length: 50\r\n\r\n{"half' >&"$fd"
+  silent+=("$fd")
+done
+sleep 0.5
+expect_equal "$(answered /healthz)" 200 "health beside half bodies"
+expect_equal "$(answered /v1/kinds)" 503 "none of the bodies has stood still for long"
+sleep 6
+expect_equal "$(answered /v1/kinds)" 200 "room made by half a body"
+expect_equal "$(timeout 5 head -n 1 <&"${silent[0]}" | tr -d '\r')" "HTTP/1.1 408 Request Timeout" "the one that made room is told"
+close_silent
+
+# All bodies together have a budget.
+stop_server || fail "orderly end"
+start_server --workers 0 --max-bodies 100000
+head -c 150000 /dev/zero | tr '\0' ' ' >"$work/blank"
+post "$work/blank"
+expect_problem too-many-connections 503
+head -c 90000 /dev/zero | tr '\0' ' ' >"$work/blank"
+for _ in 1 2 3; do
+  post "$work/blank"
+  expect_problem invalid-json 400
+done
