@@ -46,11 +46,12 @@ TEST(Access, AnEmptySlotIsOpen) {
 }
 
 TEST(Access, AWireUnderAFullRowIsOutOfReach) {
+  // A row from the walls to the middle.
   std::vector<Point> wires;
-  for (int i = 0; i < 10; ++i) wires.push_back({0.5 + i, 5});
-  wires.push_back({2.5, 1});
+  for (const double x : {0.5, 9.5, 1.5, 8.5, 2.5, 7.5, 3.5, 6.5, 4.5, 5.5}) wires.push_back({x, 5});
+  wires.push_back({0.5, 1});
   EXPECT_EQ(first(2, wires), 10u);
-  wires.erase(wires.begin() + 4, wires.begin() + 7);
+  wires.erase(wires.begin() + 7, wires.begin() + 10);
   EXPECT_FALSE(first(2, wires)) << "a gap of 3 mm in the middle";
   EXPECT_EQ(first(3.5, wires), 7u) << "a needle that does not enter it sees no way past the row";
 }
@@ -81,7 +82,7 @@ TEST(Access, AgreesWithASample) {
     // A wire is in reach of the sample with a little less of every size, and out of reach with a little more.
     const auto seen = [&](std::size_t i, double more) {
       const Point p = wires[i];
-      for (double y = 0; y < 14; y += 0.004) {
+      for (double y = 0; y < 5000; y += std::max(0.004, 0.0003 * y)) {
         bool clear = true;
         for (std::size_t k = 0; k < i && clear; ++k) {
           const Point c = wires[k], mouth{5, y};
@@ -105,7 +106,6 @@ TEST(Access, AgreesWithASample) {
     } else {
       ++open;
     }
-    for (std::size_t i = 0; i < found.value_or(wires.size()); ++i) EXPECT_TRUE(seen(i, -0.01)) << round << ' ' << i;
   }
   EXPECT_GT(blocked, 20);
   EXPECT_GT(open, 20);

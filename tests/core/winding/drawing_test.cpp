@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/winding/coil_sides.hpp"
+
 namespace bahnwerk::winding {
 namespace {
 
@@ -17,7 +19,7 @@ TEST(Drawing, HasEveryWireAndCrossesOutWhatSlips) {
   const std::string svg =
       slot_drawing(box(), {"a < b & c", 1, 1.8, {{1, 1}, {3, 1}, {5, 1}, {2, 1 + std::sqrt(3.0)}}, {2}});
   EXPECT_EQ(times(svg, "<circle"), 2u * 4 + 1);
-  EXPECT_EQ(times(svg, "#c1121f"), 3u) << "a ring and two strokes";
+  EXPECT_EQ(times(svg, "#c1121f"), 4u) << "a ring, two strokes, and the legend";
   EXPECT_NE(svg.find("a &lt; b &amp; c"), svg.npos);
   EXPECT_EQ(times(svg, "<path"), 2u + 2) << "iron, room, and the cross";
   EXPECT_EQ(svg.find("nan"), svg.npos);
@@ -25,14 +27,14 @@ TEST(Drawing, HasEveryWireAndCrossesOutWhatSlips) {
 
 TEST(Drawing, HasALegendOfWhatItShows) {
   const std::string plain = slot_drawing(box(), {"plain", 1, 1.8, {{1, 1}}, {}});
-  for (const char* words : {"copper 1.8 mm, 2 with enamel", "order of laying", "layer", "1 mm"})
+  for (const char* words : {"copper 1.8 mm, 2 with enamel", "order of laying", "layer", "0.5 mm"})
     EXPECT_EQ(times(plain, words), 1u) << words;
   for (const char* words : {"liner", "wedge", "tooth tip", "opening", "does not stay", "reach", "other coil side"})
     EXPECT_EQ(times(plain, words), 0u) << words;
   DrawnWires drawn{"stator", 0.5, 0.9, {{0, 1}, {0, 3}}, {1}};
   drawn.unreached = 0;
   Slot stator = make_slot(StatorSlot{});
-  stator.taken = stator.room;
+  stator = shared(stator, Sharing::beside).slot;
   const std::string all = slot_drawing(stator, drawn);
   for (const char* words :
        {"liner", "wedge", "tooth tip", "3.083 mm clear", "does not stay", "reach", "other coil side"})
