@@ -48,7 +48,8 @@ class Region {
   /// parallels lie elsewhere and would cross each other there, up to n² times. A few distances each.
   /// Reports fraction 0 to `progress`, if there is one.
   std::vector<Box> reached(const std::vector<Edge>& parallels, double depth, Progress* progress = nullptr) const;
-  /// All points at least `depth` inside the boundary; several loops where a neck closes, empty where nothing is left.
+  /// The areas of all points at least `depth` inside the boundary; several loops where a neck closes, empty where
+  /// nothing is left. Lines and points are left out: centre_borders knows them.
   /// A negative depth widens the room, around its corners by arcs. O(n²) for n edges.
   Region inward(double depth, Progress* progress = nullptr) const;
   /// This room without that of `other`. Boundaries must not run along each other. O(n·m).

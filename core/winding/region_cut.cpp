@@ -14,6 +14,7 @@ namespace {
 constexpr double joint = 1e-6;         // mm, ends this close are one
 constexpr double crumb = 1e-9;         // mm, shorter parts are rounding
 constexpr double reach_margin = 1e-8;  // mm, what lacks no more is not given up before it is cut
+constexpr double together = 2e-9;      // mm, edges no further apart have nothing between them
 constexpr Box nowhere{{1e300, 1e300}, {-1e300, -1e300}};
 
 /// The parts into which meetings cut every edge.
@@ -33,6 +34,55 @@ std::vector<Edge> split(const std::vector<Edge>& edges, const std::vector<std::v
     }
   }
   return parts;
+}
+
+/// Whether `end`, where another edge has the direction `along`, lies on `edge` and that edge runs the other way there.
+bool runs_back(const Edge& edge, Point end, Point along, double& at) {
+  at = edge.nearest(end);
+  return distance(edge.at(at), end) <= together && dot(edge.direction(at), along) < -1 + 1e-9;
+}
+
+/// Without the parts that run forth and back over each other, as where the room is twice the depth wide: they bound no
+/// area, and no side of them is inside.
+std::vector<Edge> without_lines(std::vector<Edge> parts, Progress* progress) {
+  std::vector<std::vector<double>> cuts(parts.size());
+  const auto each_pair = [&](auto visit) {
+    std::vector<Box> boxes;
+    for (const Edge& part : parts) boxes.push_back(extent(part, together));
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (progress && i % 64 == 0) progress->report("parallels", 0);
+      for (std::size_t k = i + 1; k < parts.size(); ++k)
+        if (boxes[i].low.x <= boxes[k].high.x && boxes[k].low.x <= boxes[i].high.x &&
+            boxes[i].low.y <= boxes[k].high.y && boxes[k].low.y <= boxes[i].high.y)
+          visit(i, k);
+    }
+  };
+  bool any = false;
+  const auto cut = [&](std::size_t i, const Edge& other) {
+    double at = 0;
+    for (const double end : {0.0, 1.0})
+      if (runs_back(parts[i], other.at(end), other.direction(end), at)) {
+        cuts[i].push_back(at);
+        any = true;
+      }
+  };
+  each_pair([&](std::size_t i, std::size_t k) {
+    cut(i, parts[k]);
+    cut(k, parts[i]);
+  });
+  if (!any) return parts;
+  parts = split(parts, cuts);
+  std::vector<char> dropped(parts.size());
+  each_pair([&](std::size_t i, std::size_t k) {
+    const Edge &a = parts[i], &b = parts[k];
+    double at = 0;
+    if (dropped[i] || dropped[k] || distance(a.from, b.to) > joint || distance(a.to, b.from) > joint) return;
+    if (runs_back(a, b.at(0.5), b.direction(0.5), at)) dropped[i] = dropped[k] = 1;
+  });
+  std::vector<Edge> left;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (!dropped[i]) left.push_back(parts[i]);
+  return left;
 }
 
 /// Loops of positive area made of parts that lie end to end; parts that lead nowhere are dropped.
@@ -60,7 +110,12 @@ std::vector<Edge> joined(std::vector<Edge> parts) {
       loop.push_back(parts[next]);
     }
     double doubled = 0;
-    for (const Edge& edge : loop) doubled += edge.doubled_area();
+    const Point origin = loop.front().from;  // or far from (0, 0) rounding makes an area of nothing
+    for (Edge edge : loop) {
+      edge.from -= origin;
+      edge.to -= origin;
+      doubled += edge.doubled_area();
+    }
     if (closed && doubled > 1e-9) edges.insert(edges.end(), loop.begin(), loop.end());
   }
   return edges;
@@ -138,7 +193,7 @@ Region Region::inward(double depth, Progress* progress) const {
     if (progress && ++seen % 512 == 0) progress->report("parallels", 0);
     return std::abs(distance(part.at(0.5)) - depth) > 1e-9;
   });
-  return Region(joined(std::move(parts)));
+  return Region(joined(without_lines(std::move(parts), progress)));
 }
 
 Region Region::without(const Region& other) const {

@@ -76,16 +76,50 @@ TEST(ExactFit, OfTheInscribedCircle) {
   expect_count(Region({arc({3, 4}, 0.5, 0, 2 * std::numbers::pi)}), 0, 1, "a circle");
 }
 
+// Rooms with a corridor of 4 × 1 mm: its line is part of where centres may lie, beside areas.
+const std::vector<Point> corridor{{0, 0}, {2, 0}, {2, 0.5}, {6, 0.5}, {6, 1.5}, {2, 1.5}, {2, 2}, {0, 2}};
+/// Its walls do not begin beside each other.
+const std::vector<Point> staggered{{0, 0}, {2, 0}, {2, 0.5}, {6, 0.5}, {6.5, 1.5}, {3, 1.5}, {3, 2}, {0, 2}};
+const std::vector<Point> between_rooms{{0, 0}, {2, 0}, {2, 0.5}, {6, 0.5}, {6, 0}, {8, 0},
+                                       {8, 2}, {6, 2}, {6, 1.5}, {2, 1.5}, {2, 2}, {0, 2}};
+
 TEST(ExactFit, OfACorridorBesideARoom) {
-  // A room of 2 × 2 mm and a corridor of 4 × 1 mm from its middle: its line is part of where centres may lie.
-  for (const double angle : angles) {
-    const Region room =
-        polygon(turned({{0, 0}, {2, 0}, {2, 0.5}, {6, 0.5}, {6, 1.5}, {2, 1.5}, {2, 2}, {0, 2}}, angle, {100, 200}));
-    EXPECT_GE(most_wires(room, 0.5, 1), 8u);
-    const auto wires = potential(room, 0.5, {}, {}, silent);
-    EXPECT_EQ(wires.size(), 8u) << angle;
-    expect_allowed(room, 0.5, 0, wires);
-  }
+  const std::pair<std::vector<Point>, std::size_t> rooms[] = {{corridor, 8}, {staggered, 8}, {between_rooms, 12}};
+  for (const auto& [corners, count] : rooms)
+    for (const double angle : angles)
+      for (const Point place : {Point{100, 200}, places[1]}) {
+        const Region room = polygon(turned(corners, angle, place));
+        EXPECT_GE(most_wires(room, 0.5, 1), count);
+        const auto wires = potential(room, 0.5, {}, {}, silent);
+        EXPECT_GE(wires.size(), count) << angle;
+        expect_allowed(room, 0.5, 0, wires);
+      }
+  EXPECT_EQ(potential(polygon(corridor), 0.5, {}, {}, silent).size(), 8u);
+}
+
+TEST(ExactFit, LinesAreNoAreas) {
+  for (const auto& corners : {corridor, staggered, between_rooms, box(7, 1), box(1, 1)})
+    for (const double angle : angles)
+      for (const Point place : places) {
+        const Region room = polygon(turned(corners, angle, place)), centres = room.inward(0.5);
+        double length = 0;
+        for (const Edge& edge : centres.edges()) {
+          const Point inside = edge.at(0.5) + 1e-6 * left_of(edge.direction(0.5));
+          EXPECT_GT(room.distance(inside), 0.5 + 1e-7) << angle;
+          length += edge.length();
+        }
+        if (corners.size() == 4) {
+          EXPECT_EQ(length, 0) << angle;
+        }
+        // The tip of a cusp between arcs of 0.5 mm is known to √(2 · 0.5 mm · fit_margin) = 2.2e-5 mm.
+        double lines = 0;
+        for (const Edge& piece : exact_fits(centre_borders(room, 0.5), centres).pieces) lines += piece.length();
+        if (corners == corridor) {
+          EXPECT_NEAR(lines, 2 * 3.5, 1e-4) << angle;
+        } else if (corners == between_rooms) {
+          EXPECT_NEAR(lines, 2 * 4, 1e-4) << angle;
+        }
+      }
 }
 
 TEST(ExactFit, AMillionthTooLargeDoesNotFit) {
