@@ -49,14 +49,14 @@ Interval hidden(Point disc, double reach, double x) {
   return at;
 }
 
-/// Whether any height from `low` to `high` is in none of the open intervals.
+/// Whether any finite height from `low` to `high` is in none of the open intervals.
 bool left_open(std::vector<Interval>& taken, double low, double high) {
   std::sort(taken.begin(), taken.end(), [](const Interval& a, const Interval& b) { return a.low < b.low; });
   for (const Interval& each : taken) {
     if (each.low >= low) break;
     low = std::max(low, each.high);
   }
-  return low <= high;
+  return low <= high && low < endless;
 }
 
 /// The highest that walls facing the opening rise to between two uprights, below the opening.

@@ -66,6 +66,13 @@ TEST(Access, TheLastWireUnderATipNeedsAFreeChannel) {
   EXPECT_FALSE(first(1, wires)) << "within the clear opening, from above";
 }
 
+TEST(Access, AWireThatHidesEveryMouthIsInTheWay) {
+  // The second lies under the first as seen from any height above that.
+  const std::vector<Point> wires{{4.4, 9.3}, {3.8, 1.2}};
+  EXPECT_EQ(first(3.2, wires), 1u);
+  EXPECT_FALSE(first(0.1, wires)) << "a thin needle goes down beside the first";
+}
+
 // The intervals against a dense sample of mouths.
 TEST(Access, AgreesWithASample) {
   Random random(17);
@@ -106,6 +113,7 @@ TEST(Access, AgreesWithASample) {
     } else {
       ++open;
     }
+    for (std::size_t i = 0; i < found.value_or(wires.size()); ++i) EXPECT_TRUE(seen(i, -0.01)) << round << ", " << i;
   }
   EXPECT_GT(blocked, 20);
   EXPECT_GT(open, 20);
