@@ -85,8 +85,26 @@ std::vector<Edge> without_lines(std::vector<Edge> parts, Progress* progress) {
   return left;
 }
 
-/// Loops of positive area made of parts that lie end to end; parts that lead nowhere are dropped.
+/// Drops parts that come from nowhere or lead nowhere. At a shallow corner the parallels run past their crossing for
+/// some 1e-6 mm before they are too near to a wall to be told from what bounds the result.
+void drop_tails(std::vector<Edge>& parts) {
+  for (bool dropped = true; dropped;) {
+    std::vector<char> led_to(parts.size()), leads_on(parts.size());
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      for (std::size_t k = 0; k < parts.size(); ++k)
+        if ((i != k || !parts[i].straight()) && distance(parts[i].to, parts[k].from) < joint)
+          leads_on[i] = led_to[k] = 1;
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      if (led_to[i] && leads_on[i]) parts[left++] = parts[i];
+    dropped = left < parts.size();
+    parts.resize(left);
+  }
+}
+
+/// Loops of positive area made of parts that lie end to end.
 std::vector<Edge> joined(std::vector<Edge> parts) {
+  drop_tails(parts);
   std::vector<Edge> edges;
   std::vector<char> used(parts.size());
   for (std::size_t start = 0; start < parts.size(); ++start) {

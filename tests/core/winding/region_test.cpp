@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "tests/core/winding/random_region.hpp"
@@ -118,6 +119,23 @@ TEST(Region, WithoutCutsAPieceAway) {
 
 TEST(Region, RefusesALoopThatDoesNotClose) {
   EXPECT_THROW(Region({line({0, 0}, {1, 0}), line({1, 0}, {1, 1})}), std::invalid_argument);
+}
+
+// Fine outlines have corners so shallow that parallels hardly part there.
+TEST(Region, InwardOfAFineOutline) {
+  for (const double wave : {0.0, 0.002, 0.02})
+    for (const int corners : {50, 200, 500, 1000, 2000})
+      for (const double depth : {0.05, 0.2, 0.5}) {
+        std::vector<Point> points;
+        for (int i = 0; i < corners; ++i) {
+          const double a = 2 * std::numbers::pi * i / corners;
+          points.push_back(40 * (1 + wave * std::sin(37 * a)) * Point{std::cos(a), std::sin(a)});
+        }
+        const Region outline = polygon(points), inner = outline.inward(depth);
+        // Steiner: A - depth P + depth² π, where nothing closes.
+        const double area = outline.area() - depth * outline.length() + depth * depth * std::numbers::pi;
+        EXPECT_NEAR(inner.area(), area, 0.02 * depth * outline.length()) << wave << ", " << corners << ", " << depth;
+      }
 }
 
 }  // namespace
