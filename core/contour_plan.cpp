@@ -27,16 +27,16 @@ constexpr std::size_t most_cells = 500'000;  // that may be planned once more fo
 constexpr double close_enough = 5e-6;        // gap to the bound at which a time-optimal plan counts as converged
 constexpr double report_jump = 1e-9;         // rad; below it a tangent jump is rounding
 
-constexpr double largest_hair = 1e-4;
-constexpr int most_hairs = 6;
+constexpr double largest_excess = 1e-4;  // of a limit
+constexpr int most_corrections = 6;
 
-/// On pieces so short that rounding shows the judge may find a hair too much: slows those runs by it. False if that is
-/// not what is wrong. `factor` is what the judged law was slowed by.
-bool slow_by_a_hair(const Verification& verification, double factor, MotionLaw& law) {
+/// On pieces so short that rounding shows the verifier may find a limit exceeded by a little: slows those sections by
+/// as much. False if that is not what is wrong. `factor` is what the judged law was slowed by.
+bool slow_by_the_excess(const Verification& verification, double factor, MotionLaw& law) {
   for (const Check& check : verification.checks) {
     const bool scales = check.name.starts_with("velocity ") || check.name.starts_with("acceleration ") ||
                         check.name.starts_with("jerk ") || check.name.starts_with("path ");
-    if (!check.passed && !(scales && check.value < check.limit * (1 + largest_hair))) return false;
+    if (!check.passed && !(scales && check.value < check.limit * (1 + largest_excess))) return false;
   }
   for (const Check& check : verification.checks)
     if (!check.passed) law.slow_run(check.at / factor, check.value / check.limit);
@@ -176,7 +176,7 @@ ContourPlan plan_contour(Contour input, const Machine& given_machine, const Cont
   std::shared_ptr<const Trajectory> trajectory;
   Cycles cycles;
   for (int attempt = 1;; ++attempt) {
-    for (int hair = 0;; ++hair) {
+    for (int correction = 0;; ++correction) {
       cycles = whole_cycles(law.duration(), machine.cycle_time);
       trajectory = std::make_shared<const Trajectory>(contour, law.slowed(cycles.factor));
       JudgeInput judgement{*contour, machine, trajectory->law(), planning.corner_angle};
@@ -188,7 +188,8 @@ ContourPlan plan_contour(Contour input, const Machine& given_machine, const Cont
         judgement.path = planning.path;
       }
       plan.verification = judge(judgement, progress);
-      if (plan.verification.passed || hair == most_hairs || !slow_by_a_hair(plan.verification, cycles.factor, law))
+      if (plan.verification.passed || correction == most_corrections ||
+          !slow_by_the_excess(plan.verification, cycles.factor, law))
         break;
     }
     if (plan.verification.passed || attempt == attempts) break;

@@ -31,9 +31,9 @@ struct SetpointInput {
 /// `setpoints position`      mm     axes against the path at the row's s: 32 ε (|h| + length of the segment)
 /// `setpoints velocity`      mm/s   axes against h′ v with the row's s and v: 32 ε v
 /// `setpoints acceleration`  mm/s²  axes against h″ v² + h′ a: 32 ε (|h″| v² + |a|) + 32 ε (|a| + |j| T …) + |j| ε t
-/// `setpoints mode and block`  1    rows whose mode or block is not that of the segment or dwell at which the law then
-/// is: 0 `setpoints end`           mm     last row: distance from the path's end and of s from its length: 0 `setpoints
-/// end at rest`   mm/s   last row: largest |v|, and |a| · cycle time, of any axis and of the path: 0
+/// `setpoints mode and block`  1    rows with another mode or block than the segment or dwell at which the law is: 0
+/// `setpoints end`           mm     last row: distance from the path's end and of s from its length: 0
+/// `setpoints end at rest`   mm/s   last row: largest |v|, and |a| · cycle time, of any axis and of the path: 0
 ///
 /// Of each the row is reported that strains its tolerance most; `at` is its time. Not a number fails. Memory: one
 /// chunk of rows. Cost per row, reading included: 80 ns on lines, 170 ns on arcs, 260 ns on cubics, of which reading
