@@ -56,11 +56,11 @@ void report_blocks(const Contour& contour, const MotionLaw& sampled, double fact
 }
 
 void report_joints(const Contour& contour, const Machine& machine, const MotionLaw& law, double corner_angle,
-                   ContourPlan& plan) {
+                   ContourPlan& plan, Progress& progress) {
   std::size_t i = 0;
   const auto& pieces = law.pieces();
   const std::vector<bool> rest = contour.rest_places();
-  for (const Joint& joint : joints(contour.path)) {
+  for (const Joint& joint : joints(contour.path, [&] { progress.report("verify", 1); })) {
     if (joint.angle > corner_angle || joint.angle < report_jump) continue;
     while (i < pieces.size() && pieces[i].segment < joint.next) ++i;
     if (rest[joint.next]) continue;
@@ -215,7 +215,7 @@ ContourPlan plan_contour(Contour input, const Machine& given_machine, const Cont
   plan.duration = law.duration();
   plan.bound = with_gap(bound, plan.duration);
   report_blocks(*contour, trajectory->law(), cycles.factor, plan);
-  report_joints(*contour, moving, law, planning.corner_angle, plan);
+  report_joints(*contour, moving, law, planning.corner_angle, plan, progress);
   plan.setpoints = std::move(setpoints);
   plan.path = contour;
   return plan;

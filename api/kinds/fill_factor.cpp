@@ -161,7 +161,7 @@ void check(const json& spec) {
 
 PlannedJob plan(const json& spec, Progress& progress) {
   progress.report("read", 0.0);
-  const FillRequest asked = request(spec);
+  const FillRequest asked = request(spec, &progress);
   const FillPlan plan = plan_fill(asked, progress);
   const FilledLayout& top = plan.layouts[plan.top];
   const double area = asked.slot.iron.area();  // of all coil sides

@@ -11,7 +11,7 @@ namespace bahnwerk::api::fill_factor {
 inline constexpr std::size_t most_wires = 2000;  // whether they can be wound takes half a minute
 
 /// Reads a spec that passed its schema. Throws InvalidInput naming every fault, with places relative to the spec.
-FillRequest request(const nlohmann::json& spec);
+FillRequest request(const nlohmann::json& spec, Progress* progress = nullptr);
 
 void check(const nlohmann::json& spec);
 PlannedJob plan(const nlohmann::json& spec, Progress& progress);

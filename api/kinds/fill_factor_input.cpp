@@ -59,10 +59,10 @@ winding::PolygonSlot polygon(const json& s) {
   return slot;
 }
 
-winding::Slot slot(const json& s) {
+winding::Slot slot(const json& s, Progress* progress) {
   if (s["type"] == "stator") return make_slot(stator(s));
   if (s["type"] == "rotor") return make_slot(rotor(s));
-  return make_slot(polygon(s));
+  return make_slot(polygon(s), progress);
 }
 
 /// Members of `heads` for one type of slot.
@@ -205,9 +205,9 @@ void check_sizes(const FillRequest& request, bool listed, std::vector<InputFault
 
 }  // namespace
 
-FillRequest request(const json& spec) {
+FillRequest request(const json& spec, Progress* progress) {
   FillRequest request;
-  request.slot = slot(spec["slot"]);
+  request.slot = slot(spec["slot"], progress);
   std::vector<InputFault> faults;
   request.wires = wires(spec, spec.value("grade", 2), faults);
   read_algorithms(spec, request, faults);

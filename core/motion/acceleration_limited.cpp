@@ -240,7 +240,7 @@ AccelerationLimitedResult plan(const Contour& contour, const Machine& machine,
                                const AccelerationLimitedOptions& options, double turn, Progress& progress, double from,
                                double to) {
   const std::vector<double> feed = contour.feeds();
-  const Runs runs = find_runs(contour, machine, options.corner_angle);
+  const Runs runs = find_runs(contour, machine, options.corner_angle, [&] { progress.report("planning", from); });
   AccelerationLimitedResult result;
   const double cells = turn / options.grid.angle + 2 * static_cast<double>(contour.path.size());
   RunPlanner<N> planner(contour, machine, options, feed, runs, cells, progress);

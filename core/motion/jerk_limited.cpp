@@ -13,7 +13,7 @@ template <int N, int M>
 JerkLimitedResult plan(const Contour& contour, const Machine& machine, const JerkLimitedOptions& options,
                        Progress& progress, double from, double to) {
   const std::vector<double> feed = contour.feeds();
-  const Runs runs = find_runs(contour, machine, options.corner_angle);
+  const Runs runs = find_runs(contour, machine, options.corner_angle, [&] { progress.report("planning", from); });
   JerkLimitedResult result;
   JerkRunPlanner<N, M> planner(contour, machine, options, feed, runs, progress);
   for_each_run(contour.path, runs, from, to, [&](std::size_t first, std::size_t last, double begin, double end) {

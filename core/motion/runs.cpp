@@ -4,13 +4,14 @@
 
 namespace bahnwerk {
 
-Runs find_runs(const Contour& contour, const Machine& machine, double corner_angle) {
+Runs find_runs(const Contour& contour, const Machine& machine, double corner_angle,
+               const std::function<void()>& pause) {
   Runs runs;
   const Path& path = contour.path;
   runs.begin.push_back(0);
   const std::vector<bool> rest = contour.rest_places();
   runs.joint_cap.assign(path.size(), unlimited);
-  for (const Joint& joint : joints(path)) {
+  for (const Joint& joint : joints(path, pause)) {
     if (rest[joint.next] || joint.angle > corner_angle || path[joint.next].cusp_begin() ||
         path[joint.next - 1].cusp_end()) {
       runs.begin.push_back(joint.next);

@@ -1,5 +1,6 @@
 #pragma once
 /// Where a contour has to be passed at rest, and how fast its small tangent jumps may be passed.
+#include <functional>
 #include <vector>
 
 #include "core/contour/contour.hpp"
@@ -15,8 +16,10 @@ struct Runs {
 };
 
 /// A tangent jump above `corner_angle` (rad), a cusp or a rest of the contour ends a run. A smaller jump Δ is passed so
-/// slowly that the velocity step |Δ_k| v of every axis stays within its acceleration · cycle_time. O(segments).
-Runs find_runs(const Contour& contour, const Machine& machine, double corner_angle);
+/// slowly that the velocity step |Δ_k| v of every axis stays within its acceleration · cycle_time. O(segments);
+/// `pause` as in joints().
+Runs find_runs(const Contour& contour, const Machine& machine, double corner_angle,
+               const std::function<void()>& pause = {});
 
 /// Plans run by run: plan(first segment, one past the last, begin and end of its share of the progress from `from` to
 /// `to`, by path length).

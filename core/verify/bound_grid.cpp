@@ -169,7 +169,7 @@ void BoundGrid::append_with_roots(const BoundNode& a, const BoundNode& b, int ax
 
 void BoundGrid::append(const BoundNode& b) {
   nodes_.push_back(b);
-  pulse_.work(1);
+  pulse_.work(contour_.path[b.segment].straight() ? 1 : 8);
   if (nodes_.size() < 2) return;
   cells_.push_back(cell(nodes_[nodes_.size() - 2], nodes_.back()));
 }
@@ -252,8 +252,8 @@ void BoundGrid::build(std::size_t first, std::size_t last, bool rest_first, bool
 }
 
 void BoundGrid::refine(const std::vector<unsigned char>& marked) {
-  std::vector<BoundNode>& old = old_nodes_;
-  std::vector<BoundCell>& old_cells = old_cells_;
+  LargeVector<BoundNode>& old = old_nodes_;
+  LargeVector<BoundCell>& old_cells = old_cells_;
   old.swap(nodes_), old_cells.swap(cells_);
   nodes_.clear(), cells_.clear();
   const std::size_t size = old.size() + 4 * static_cast<std::size_t>(std::count(marked.begin(), marked.end(), 1));

@@ -8,6 +8,7 @@
 
 #include "core/contour/contour.hpp"
 #include "core/machine/machine.hpp"
+#include "core/numeric/large_pages.hpp"
 #include "core/verify/pulse.hpp"
 
 namespace bahnwerk::verify {
@@ -54,8 +55,8 @@ class BoundGrid {
   double acceleration(std::size_t k) const { return acceleration_[k]; }
   double velocity(std::size_t k) const { return velocity_[k]; }
   double feed(std::size_t segment) const { return feeds_[segment]; }
-  const std::vector<BoundNode>& nodes() const { return nodes_; }
-  const std::vector<BoundCell>& cells() const { return cells_; }
+  const LargeVector<BoundNode>& nodes() const { return nodes_; }
+  const LargeVector<BoundCell>& cells() const { return cells_; }
 
  private:
   BoundNode node(std::size_t segment, double u) const;
@@ -74,8 +75,8 @@ class BoundGrid {
   double cycle_time_, corner_angle_;
   std::vector<double> feeds_;
   Pulse& pulse_;
-  std::vector<BoundNode> nodes_, old_nodes_;  ///< the old ones are kept for their memory
-  std::vector<BoundCell> cells_, old_cells_;
+  LargeVector<BoundNode> nodes_, old_nodes_;  ///< the old ones are kept for their memory
+  LargeVector<BoundCell> cells_, old_cells_;
 };
 
 }  // namespace bahnwerk::verify

@@ -50,10 +50,10 @@ std::string feed_name(double feed) {
 
 class LawChecker {
  public:
-  explicit LawChecker(const JudgeInput& in)
+  LawChecker(const JudgeInput& in, Pulse& pulse)
       : in_(in),
         path_(in.contour.path),
-        joints_(joints(path_)),
+        joints_(joints(path_, [&] { pulse.report(); })),
         rest_(path_.size() > 0 ? in.contour.rest_places() : std::vector<bool>()) {}
 
   std::vector<Check> run(Pulse& pulse) {
@@ -213,6 +213,6 @@ class LawChecker {
 
 }  // namespace
 
-std::vector<Check> law_checks(const JudgeInput& input, Pulse& pulse) { return LawChecker(input).run(pulse); }
+std::vector<Check> law_checks(const JudgeInput& input, Pulse& pulse) { return LawChecker(input, pulse).run(pulse); }
 
 }  // namespace bahnwerk::verify

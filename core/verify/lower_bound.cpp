@@ -67,7 +67,7 @@ class Solver {
       const double term = time_[i] - lost, next = sum + term;
       lost = (next - sum) - term;
       sum = next;
-      if (i % 64 == 0) pulse_.work(8);
+      if (i % 64 == 0) pulse_.work(64);
     }
     return sum;
   }
@@ -85,6 +85,7 @@ class Solver {
     };
     Doubt doubt;
     for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (i % 64 == 0) pulse_.work(64);
       if (!cells[i].divisible || time_[i] < 1e-10 * total) continue;
       const bool mixed = active_[i] == 0 || disputed(i);
       if (mixed) doubt.time += time_[i];
@@ -187,7 +188,7 @@ Bound lower_bound(const Contour& contour, const Machine& machine, double corner_
   if (path.empty()) return {0, 0, "empty contour"};
   Pulse pulse(progress, "bound", progress_from, progress_to);
   pulse.report();
-  const std::vector<Joint> list = joints(path);
+  const std::vector<Joint> list = joints(path, [&] { pulse.report(); });
   const std::vector<bool> rest = contour.rest_places();
   BoundGrid grid(contour, machine, corner_angle, pulse);
   Solver solver(grid, pulse);

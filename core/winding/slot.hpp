@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/progress.hpp"
 #include "core/winding/region.hpp"
 
 namespace bahnwerk::winding {
@@ -74,6 +75,7 @@ struct Slot {
 /// Throw InvalidInput naming each impossible parameter by its member in the schema.
 Slot make_slot(const StatorSlot&);
 Slot make_slot(const RotorSlot&);
-Slot make_slot(const PolygonSlot&);
+/// Asks `progress`, if there is one: with thousands of corners this takes a tenth of a second.
+Slot make_slot(const PolygonSlot&, Progress* progress = nullptr);
 
 }  // namespace bahnwerk::winding

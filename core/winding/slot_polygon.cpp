@@ -52,7 +52,7 @@ Opening opening_of(const Region& iron, const std::array<Point, 2>& ends, double 
 
 }  // namespace
 
-Slot make_slot(const PolygonSlot& s) {
+Slot make_slot(const PolygonSlot& s, Progress* progress) {
   SlotFaults faults;
   std::vector<Point> points = s.points;
   if (points.size() > 1 && points.front() == points.back()) points.pop_back();
@@ -77,7 +77,7 @@ Slot make_slot(const PolygonSlot& s) {
     for (std::size_t i = loop.size(); i-- > 0;)
       if (!round_corner(loop, i, s.corner_radius)) faults.stop("corner_radius", "does not fit between its edges");
   slot.iron = Region(std::move(loop));
-  slot.room = slot.iron.inward(s.liner);
+  slot.room = slot.iron.inward(s.liner, progress);
   if (slot.room.empty()) faults.stop("liner", "leaves no room");
   if (s.opening) slot.opening = opening_of(slot.iron, *s.opening, s.liner);
   const Point low = slot.iron.box().low;

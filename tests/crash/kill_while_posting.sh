@@ -36,7 +36,7 @@ count=$(wc -l <"$work/acknowledged")
 ((count > rounds * 4)) || fail "only $count jobs were acknowledged: nothing was tested"
 cursor=
 while :; do
-  request GET "/v1/jobs?limit=200&cursor=$cursor"
+  request GET "/v1/jobs?limit=200${cursor:+&cursor=$cursor}"
   expect_status 200
   field '.jobs[] | .id' >>"$work/present"
   cursor=$(field '.next // empty')

@@ -26,7 +26,7 @@ slot() {
       t = 6.283185307179586 * i / n
       printf "%s[%.9f,%.9f]", i ? "," : "", (7 + 0.1 * sin(40 * t)) * cos(t), 15 + (13 + 0.1 * sin(40 * t)) * sin(t)
     }
-    printf "]},\"wires\":[0.7]}}"
+    printf "]},\"wires\":[0.71]}}"
   }'
 }
 waves 300000 '{"method":"time_optimal"}' null >"$work/optimal.json"

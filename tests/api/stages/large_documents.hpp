@@ -15,6 +15,9 @@ struct Large {
   nlohmann::json spec;
 };
 
+/// The document as it would be posted.
+inline std::string job(const Large& large) { return nlohmann::json{{"kind", large.kind}, {"spec", large.spec}}.dump(); }
+
 inline void PrintTo(const Large& large, std::ostream* out) { *out << large.name; }
 
 inline nlohmann::json machine_xy(bool jerk = false) {
@@ -122,7 +125,7 @@ inline std::vector<Large> large_documents() {
       {"many wires",
        "fill_factor",
        {{"slot", wavy_slot(60)},
-        {"wires", {0.3}},
+        {"wires", {0.355}},
         {"algorithms", {"orthocyclic_flank", "raabe", "potential", "needle"}}}},
   };
 }

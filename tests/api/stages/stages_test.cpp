@@ -70,13 +70,13 @@ struct Stages : testing::TestWithParam<test::Large> {};
 
 TEST_P(Stages, ReportOften) {
   const test::Large& large = GetParam();
-  const std::string spec = large.spec.dump();
+  const std::string document = test::job(large);
   constexpr int most_runs = 4;
   GapMeter meter;
   for (int run = 0; run < most_runs; ++run) {
     meter.begin();
     try {
-      plan_job(large.kind, spec, meter);
+      plan_job(large.kind, document, meter);
     } catch (...) {
       const auto problem = problem_from_current_exception();
       ADD_FAILURE() << problem.type().slug << ": " << problem.what();
@@ -127,17 +127,18 @@ TEST(StagesOfExamples, StopAtWhicheverReportTheyAreTold) {
     const auto document = test::read_json(test::source("examples/" + file + ".json"));
     small.push_back({file, document["kind"], document["spec"]});
   }
-  for (const auto& [name, kind, document] : small) {
-    const std::string spec = document.dump();
+  for (const test::Large& each : small) {
+    const std::string document = test::job(each);
     StopAt all(0);
-    plan_job(kind, spec, all);
-    ASSERT_GT(all.reports, 3) << name;
+    plan_job(each.kind, document, all);
+    ASSERT_GT(all.reports, 3) << each.name;
     // All of the first and the last ones, some between: a search reports thousands of times alike.
     const int step = std::max(1, all.reports / 12);
     for (int k = 1; k <= all.reports; k += k < 6 || k > all.reports - 6 ? 1 : std::min(step, all.reports - 6 - k + 1)) {
       StopAt stop(k);
-      EXPECT_THROW(plan_job(kind, spec, stop), Stopped) << name << ", report " << k << " of " << all.reports;
-      EXPECT_EQ(stop.reports, k) << name << ": went on after it was told to stop, in stage " << stop.last;
+      EXPECT_THROW(plan_job(each.kind, document, stop), Stopped)
+          << each.name << ", report " << k << " of " << all.reports;
+      EXPECT_EQ(stop.reports, k) << each.name << ": went on after it was told to stop, in stage " << stop.last;
     }
   }
 }
