@@ -29,10 +29,10 @@ slot() {
     printf "]},\"wires\":[0.71]}}"
   }'
 }
-waves 300000 '{"method":"time_optimal"}' null >"$work/optimal.json"
-waves 60000 '{"method":"jerk_limited"}' 800000 >"$work/smooth.json"
-waves 60000 '{"method":"braking_reserve","corner":{"mode":"blend","tolerance":0.02}}' null >"$work/blended.json"
-slot "${CORNERS:-2000}" >"$work/slot.json"
+waves 100000 '{"method":"time_optimal"}' null >"$work/optimal.json"
+waves 30000 '{"method":"jerk_limited"}' 800000 >"$work/smooth.json"
+waves 30000 '{"method":"braking_reserve","corner":{"mode":"blend","tolerance":0.02}}' null >"$work/blended.json"
+slot "${CORNERS:-400}" >"$work/slot.json"
 
 # reach: posts $document and holds until a stage is shown that is not in $seen; false when the job has ended without one.
 reach() {
