@@ -8,10 +8,10 @@
 namespace bahnwerk {
 
 /// No motion is shorter that keeps the axes' velocity and acceleration limits and the feeds, rests at both ends, at
-/// corners (tangent jump > corner_angle, rad), at cusps and, as long as asked, at the contour's rests, and passes every other joint with |Δt_k| v ≤ A_k · cycle
-/// time in every axis. Jerk limits count on runs that are one straight segment (closed form);
-/// elsewhere they are left out, which can only lower the bound. Acceleration limits must be finite. `gap` is
-/// left 0: see with_gap.
+/// corners (tangent jump > corner_angle, rad), at cusps and, as long as asked, at the contour's rests, and passes every
+/// other joint with |Δt_k| v ≤ A_k · cycle time in every axis. Jerk limits count on runs that are one straight segment
+/// (closed form); elsewhere they are left out, which can only lower the bound. Acceleration limits must be finite.
+/// `gap` is left 0: see with_gap.
 ///
 /// The argument. With b = v² and h the path by arc length, axis k moves with ẋ_k = h'_k v and d(h'_k² b)/ds = 2 h'_k
 /// ẍ_k. Hence between two places between which x_k is monotone, h'_k² b changes by at most 2 A_k |Δx_k|: exact, however
