@@ -239,25 +239,15 @@ BoundCell BoundGrid::cell(BoundNode& a, BoundNode& b) const {
 
 void BoundGrid::build(std::size_t first, std::size_t last, bool rest_first, bool rest_last) {
   nodes_.clear(), cells_.clear();
-  double expected = 0;
-  for (std::size_t i = first; i < last; ++i) {
-    const Curve& curve = contour_.path[i].curve();
-    const double turn = curve.kind() == CurveKind::arc ? std::abs(static_cast<const Arc&>(curve).sweep()) : 0.5;
-    expected += contour_.path[i].straight() ? 2 : 6 + turn / widest_turn;
-  }
-  nodes_.reserve(static_cast<std::size_t>(expected)), cells_.reserve(static_cast<std::size_t>(expected));
   for (std::size_t i = first; i < last; ++i) append_segment(i);
   if (rest_first) nodes_.front().cap = 0;
   if (rest_last) nodes_.back().cap = 0;
 }
 
 void BoundGrid::refine(const std::vector<unsigned char>& marked) {
-  LargeVector<BoundNode>& old = old_nodes_;
-  LargeVector<BoundCell>& old_cells = old_cells_;
+  Blocks<BoundNode> old;
+  Blocks<BoundCell> old_cells;
   old.swap(nodes_), old_cells.swap(cells_);
-  nodes_.clear(), cells_.clear();
-  const std::size_t size = old.size() + 4 * static_cast<std::size_t>(std::count(marked.begin(), marked.end(), 1));
-  nodes_.reserve(size), cells_.reserve(size);
   nodes_.push_back(old.front());
   for (std::size_t i = 0; i < old_cells.size(); ++i) {
     if (i % 64 == 0) pulse_.work(16);

@@ -2,6 +2,7 @@
 /// The nodes of the lower bound: places on the path with what every motion has to respect there.
 #include <algorithm>
 #include <array>
+#include <boost/container/deque.hpp>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -41,6 +42,11 @@ struct BoundCell {
   bool divisible = false;  ///< curved, and long enough for its coordinates to tell more when halved
 };
 
+/// Grows without moving what it holds: copying a large grid would take longer than progress may wait.
+template <class T>
+using Blocks =
+    boost::container::deque<T, LargePages<T>, boost::container::deque_options_t<boost::container::block_size<4096>>>;
+
 class BoundGrid {
  public:
   BoundGrid(const Contour& contour, const Machine& machine, double corner_angle, Pulse& pulse);
@@ -55,8 +61,8 @@ class BoundGrid {
   double acceleration(std::size_t k) const { return acceleration_[k]; }
   double velocity(std::size_t k) const { return velocity_[k]; }
   double feed(std::size_t segment) const { return feeds_[segment]; }
-  const LargeVector<BoundNode>& nodes() const { return nodes_; }
-  const LargeVector<BoundCell>& cells() const { return cells_; }
+  const Blocks<BoundNode>& nodes() const { return nodes_; }
+  const Blocks<BoundCell>& cells() const { return cells_; }
 
  private:
   BoundNode node(std::size_t segment, double u) const;
@@ -75,8 +81,8 @@ class BoundGrid {
   double cycle_time_, corner_angle_;
   std::vector<double> feeds_;
   Pulse& pulse_;
-  LargeVector<BoundNode> nodes_, old_nodes_;  ///< the old ones are kept for their memory
-  LargeVector<BoundCell> cells_, old_cells_;
+  Blocks<BoundNode> nodes_;
+  Blocks<BoundCell> cells_;
 };
 
 }  // namespace bahnwerk::verify
