@@ -97,7 +97,7 @@ template <int N>
 void smooth(const Grid<N>& grid, double window, RoughProfile& profile, PlanningPulse& pulse) {
   constexpr double most = 4;  // times v²: a narrow trough may be as narrow for a good reason, a cusp for instance
   const std::size_t n = grid.cells.size();
-  auto& [b, duration, smooth_b, s, t] = profile;
+  auto &b = profile.b, &duration = profile.duration, &smooth_b = profile.smooth_b, &s = profile.s, &t = profile.t;
   s.resize(n + 1);
   t.resize(n + 1);
   s[0] = t[0] = 0;
