@@ -119,7 +119,7 @@ JobRequest parse_job(std::string_view body) {
   if (kind && document.contains("spec") && document["spec"].is_object())
     for (auto& error : kind_schema(*kind).validate(document["spec"], "/spec")) errors.push_back(std::move(error));
   if (!errors.empty()) {
-    std::string detail = summary(errors, Schema::most_faults);
+    std::string detail = summary(errors, Schema::max_faults);
     throw Problem("schema-violation", std::move(detail), std::move(errors));
   }
   check_meaning(document, *kind);

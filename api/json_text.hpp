@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string_view>
 
-#include "core/progress.hpp"
+#include "core/base/progress.hpp"
 
 namespace bahnwerk::api {
 

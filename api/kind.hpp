@@ -6,8 +6,8 @@
 #include <span>
 #include <string_view>
 
-#include "core/plan.hpp"
-#include "core/progress.hpp"
+#include "core/base/progress.hpp"
+#include "core/base/setpoint_source.hpp"
 
 namespace bahnwerk::api {
 

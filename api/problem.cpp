@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/pointer.hpp"
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 
 namespace bahnwerk::api {
 namespace {

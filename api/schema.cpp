@@ -43,7 +43,7 @@ std::vector<FieldError> Schema::validate(const json& document, std::string_view 
   valijson::Validator validator(valijson::Validator::kStrongTypes);
   const valijson::adapters::NlohmannJsonAdapter adapter(document);
   if (validator.validate(state_->compiled, adapter, nullptr)) return {};
-  auto errors = explain(state_->document, document, prefix, most_faults);
+  auto errors = explain(state_->document, document, prefix, max_faults);
   if (errors.empty()) errors.push_back({std::string(prefix), "does not follow the schema"});
   return errors;
 }

@@ -19,11 +19,11 @@ class Schema {
   ~Schema();
   Schema(Schema&&) noexcept;
 
-  /// The faults, at most `most_faults`, one per place, each at prefix + the pointer of the deepest field at fault; a
+  /// The faults, at most `max_faults`, one per place, each at prefix + the pointer of the deepest field at fault; a
   /// missing member is named by the pointer that it would have. Empty: the document is valid. Cost: linear in the
   /// document, ≈ 0.6 µs per number.
   std::vector<FieldError> validate(const nlohmann::json& document, std::string_view prefix = {}) const;
-  static constexpr std::size_t most_faults = 50;
+  static constexpr std::size_t max_faults = 50;
 
  private:
   struct State;

@@ -45,11 +45,11 @@ std::size_t characters(const std::string& text) {
 
 class Explainer {
  public:
-  Explainer(const json& root, std::size_t most) : root_(root), most_(most) {}
+  Explainer(const json& root, std::size_t most) : root_(root), max_(most) {}
   std::vector<FieldError> errors;
 
   void visit(const json& unresolved, const json& value, std::string& at) {
-    if (errors.size() >= most_) return;
+    if (errors.size() >= max_) return;
     const json& schema = resolve_ref(root_, unresolved);
     if (schema.is_boolean()) {
       if (!schema.get<bool>()) add(at, "is not allowed here");
@@ -67,10 +67,10 @@ class Explainer {
 
  private:
   const json& root_;
-  std::size_t most_;
+  std::size_t max_;
 
   void add(const std::string& at, std::string message) {
-    if (errors.size() >= most_) return;
+    if (errors.size() >= max_) return;
     for (const auto& error : errors)
       if (error.pointer == at) return;
     errors.push_back({at, std::move(message)});
@@ -136,7 +136,7 @@ class Explainer {
     size(schema, "minItems", "maxItems", value.size(), "item", at);
     if (!schema.contains("items")) return;
     const std::size_t length = at.size();
-    for (std::size_t i = 0; i < value.size() && errors.size() < most_; ++i) {
+    for (std::size_t i = 0; i < value.size() && errors.size() < max_; ++i) {
       append_token(at, std::to_string(i));
       visit(schema["items"], value[i], at);
       at.resize(length);

@@ -9,7 +9,7 @@
 namespace bahnwerk::api {
 namespace {
 
-constexpr std::size_t most_points = 20'000;  // an envelope is held in memory: 20 000 points of 12 columns are 4 MB
+constexpr std::size_t max_points = 20'000;  // an envelope is held in memory: 20 000 points of 12 columns are 4 MB
 
 std::optional<std::size_t> natural(std::string_view text) {
   std::size_t value = 0;
@@ -81,7 +81,7 @@ SetpointQuery parse_setpoint_query(const std::vector<std::pair<std::string, std:
       if (*number == 0) fault("must be at least 1");
     } else {
       result.points = *number;
-      if (*number == 0 || *number > most_points) fault("must be from 1 to " + std::to_string(most_points));
+      if (*number == 0 || *number > max_points) fault("must be from 1 to " + std::to_string(max_points));
     }
   }
   if (result.points && every_given)

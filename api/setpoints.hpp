@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/plan.hpp"
+#include "core/base/setpoint_source.hpp"
 
 namespace bahnwerk::api {
 

@@ -1,8 +1,8 @@
 #pragma once
-/// The judge's verdict as every kind reports it.
+/// The verifier's verdict as every kind reports it.
 #include <nlohmann/json_fwd.hpp>
 
-#include "core/plan.hpp"
+#include "core/base/verification.hpp"
 
 namespace bahnwerk::api {
 

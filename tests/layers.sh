@@ -1,27 +1,58 @@
 #!/usr/bin/env bash
-# The house has floors and an #include only ever points down: fails on the first include that does not.
+# An #include only ever points down: fails on the first one that does not. Each layer names what it may include: a folder
+# (it ends with /) with all that is below it, or an exact header. A layer may include its own files.
 set -euo pipefail
 cd "${1:-.}"
-declare -A below=(
+declare -A allowed=(
+  [core/base]=""
   [core/numeric]=""
-  [core/curve]="core/numeric"
-  [core/contour]="core/machine core/curve core/numeric"
-  [core/machine]="core/curve core/numeric"
-  [core/motion]="core/contour core/machine core/curve core/numeric"
-  [core/winding]="core/numeric"
-  [core/verify]="core/motion/law core/motion/trajectory core/motion/limits core/contour core/machine core/winding/region core/winding/edge core/winding/point core/winding/margin core/curve core/numeric"
-  [core]="core/"
-  [api]="core api"
-  [server]="api core server"
+  [core/numeric/optimise]="core/base/ core/numeric/"
+  [core/geometry/curve]="core/base/ core/numeric/"
+  [core/geometry/path]="core/geometry/curve/ core/base/ core/numeric/"
+  [core/geometry/region]="core/base/"
+  [core/drawing]="core/geometry/"
+  [core/machine]=""
+  [core/contour]="core/machine/ core/geometry/curve/ core/geometry/path/ core/base/"
+  [core/motion/law]="core/contour/contour.hpp core/machine/ core/geometry/path/ core/numeric/ core/base/"
+  [core/motion/grid]="core/contour/contour.hpp core/machine/ core/geometry/path/ core/numeric/ core/base/"
+  [core/motion/profile]="core/motion/law/ core/machine/ core/base/"
+  [core/motion/acceleration]="core/motion/grid/ core/motion/law/ core/contour/contour.hpp core/machine/ core/geometry/path/ core/numeric/ core/base/"
+  [core/motion/jerk]="core/motion/profile/ core/motion/grid/ core/motion/law/ core/contour/contour.hpp core/machine/ core/numeric/ core/base/"
+  [core/winding]="core/drawing/svg.hpp core/geometry/region/ core/numeric/random.hpp core/base/"
+  # The verifier sees what the user gave and the finished motion, no planner.
+  [core/verify]="core/motion/law/time_law.hpp core/contour/contour.hpp core/machine/machine.hpp
+    core/winding/margin.hpp core/geometry/region/region.hpp
+    core/geometry/curve/arc.hpp core/geometry/curve/vec.hpp core/geometry/path/matched.hpp core/geometry/path/path.hpp
+    core/numeric/large_pages.hpp core/numeric/peak.hpp
+    core/base/errors.hpp core/base/progress.hpp core/base/progress_scope.hpp core/base/setpoint_source.hpp core/base/verification.hpp"
+  [core/plan]="core/verify/ core/winding/ core/motion/law/ core/motion/acceleration/acceleration_limited.hpp core/motion/jerk/jerk_limited.hpp
+    core/contour/ core/machine/ core/drawing/ core/geometry/ core/numeric/random.hpp core/base/"
+  [api]="core/plan/ core/base/
+    core/contour/contour.hpp core/contour/builder.hpp core/contour/polyline.hpp core/contour/dxf.hpp core/contour/gcode.hpp core/machine/machine.hpp
+    core/winding/wire.hpp core/winding/slot/coil_sides.hpp core/winding/layout/count_bound.hpp"
+  [server]="api/ core/base/errors.hpp core/base/progress.hpp"
+  [server/runtime]="api/job.hpp"
+  [server/store]="server/runtime/ api/job.hpp api/problem.hpp api/setpoints.hpp"
+  [server/http]="server/runtime/ server/store/store.hpp api/pointer.hpp api/problem.hpp"
+  [server/jobs]="server/runtime/ server/store/store.hpp api/job.hpp api/problem.hpp core/base/errors.hpp core/base/progress.hpp"
+  [server/routes]="server/http/ server/jobs/ server/runtime/ server/store/store.hpp api/"
+  [server/cli]="server/service.hpp server/http/message.hpp server/http/uri.hpp server/runtime/ api/problem.hpp api/setpoints.hpp core/base/errors.hpp"
 )
 bad=0
-while IFS=: read -r file _ include; do
+while IFS=: read -r file line include; do
   target=${include#*\"}; target=${target%\"*}
-  case $file in core/*/*) floor=$(cut -d/ -f1,2 <<<"$file") ;; core/*) floor=core ;; *) floor=${file%%/*} ;; esac
-  [[ $target == core/*.hpp && $target != core/*/* ]] && continue  # core's own shared headers (progress, errors, plan)
-  [[ $floor != core && $target == "$floor"/* ]] && continue
+  layer=${file%/*}
+  while [[ -z ${allowed[$layer]+named} && $layer == */* ]]; do layer=${layer%/*}; done
+  if [[ -z ${allowed[$layer]+named} ]]; then echo "$file belongs to no layer of $0"; bad=1; continue; fi
+  target_layer=${target%/*}
+  while [[ -z ${allowed[$target_layer]+named} && $target_layer == */* ]]; do target_layer=${target_layer%/*}; done
+  [[ $target_layer == "$layer" ]] && continue
+  # server/*.cpp puts the parts together.
+  [[ $layer == server && $target == server/* ]] && continue
   ok=0
-  for allowed in ${below[$floor]:-}; do [[ $target == "$allowed"* ]] && ok=1; done
-  if [[ $ok == 0 ]]; then echo "$file includes $target: arrow points up"; bad=1; fi
+  for entry in ${allowed[$layer]}; do
+    if [[ $target == "$entry" || ($entry == */ && $target == "$entry"*) ]]; then ok=1; fi
+  done
+  if [[ $ok == 0 ]]; then echo "$file:$line includes $target, which $layer may not"; bad=1; fi
 done < <(grep -RnE '^#include "' core api server --include='*.hpp' --include='*.cpp')
 exit $bad

@@ -8,8 +8,8 @@
 
 #include "api/problem.hpp"
 #include "api/verification.hpp"
-#include "core/contour_drawing.hpp"
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
+#include "core/plan/contour_drawing.hpp"
 
 namespace bahnwerk::api::contour {
 namespace {
@@ -23,18 +23,6 @@ ordered_json columns(const SetpointSource& source) {
   ordered_json list = ordered_json::array();
   for (const auto& column : source.columns()) list.push_back({{"name", column.name}, {"unit", column.unit}});
   return list;
-}
-
-const char* name(PlanningMethod method) {
-  switch (method) {
-    case PlanningMethod::time_optimal:
-      return "time_optimal";
-    case PlanningMethod::jerk_limited:
-      return "jerk_limited";
-    case PlanningMethod::braking_reserve:
-      break;
-  }
-  return "braking_reserve";
 }
 
 ordered_json details(const ContourPlan& plan, const Machine& machine, const ContourPlanning& planning) {
@@ -53,8 +41,12 @@ ordered_json details(const ContourPlan& plan, const Machine& machine, const Cont
                       {"velocity", joint.velocity},
                       {"velocity_step", std::move(step)}});
   }
-  return {{"method", name(planning.method)}, {"law_pieces", plan.pieces},           {"notes", plan.notes},
-          {"blocks", std::move(blocks)},     {"joints_passed", plan.joints.size()}, {"joints", std::move(joints)}};
+  return {{"method", name_of<PlanningMethod>(planning.method, planning_methods)},
+          {"law_pieces", plan.pieces},
+          {"notes", plan.notes},
+          {"blocks", std::move(blocks)},
+          {"joints_passed", plan.joints.size()},
+          {"joints", std::move(joints)}};
 }
 
 ordered_json drawings(const ContourPlan& plan, Progress& progress) {
@@ -87,9 +79,9 @@ void check_together(const Contour& contour, const Machine& machine, const Contou
     for (std::size_t i = block.first; i < block.last; ++i)
       shortest_time += contour.path[i].length() / std::min(block.feed, fastest);
   shortest_time += contour.dwell();
-  if (shortest_time / machine.cycle_time > most_setpoints)
+  if (shortest_time / machine.cycle_time > max_setpoints)
     faults.push_back({{"machine", "cycle_time"},
-                      "the motion would have more than " + std::to_string(static_cast<long>(most_setpoints)) +
+                      "the motion would have more than " + std::to_string(static_cast<long>(max_setpoints)) +
                           " setpoints: lengthen the cycle, raise the speeds, shorten the dwells or split the contour"});
   if (!faults.empty()) throw InvalidInput(std::move(faults));
 }
@@ -127,7 +119,7 @@ PlannedJob plan(const json& spec, Progress& progress) {
   progress.report("read", 0.0);
   const Machine limits = machine(spec);
   ContourPlanning options = planning(spec);
-  options.most_setpoints = most_setpoints;
+  options.max_setpoints = max_setpoints;
   Contour path = geometry(spec, progress);
   check_planning(limits, options);
   check_together(path, limits, options);

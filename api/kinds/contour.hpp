@@ -4,14 +4,14 @@
 
 #include "api/kind.hpp"
 #include "core/contour/contour.hpp"
-#include "core/contour_plan.hpp"
 #include "core/machine/machine.hpp"
+#include "core/plan/contour_plan.hpp"
 
 namespace bahnwerk::api::contour {
 
 /// Largest number of segments, and of setpoints of one job.
-inline constexpr std::size_t most_segments = 2'000'000;
-inline constexpr double most_setpoints = 20'000'000;
+inline constexpr std::size_t max_segments = 2'000'000;
+inline constexpr double max_setpoints = 20'000'000;
 
 /// The readers take a spec that passed its schema.
 Machine machine(const nlohmann::json& spec);
@@ -21,7 +21,7 @@ Contour geometry(const nlohmann::json& spec, Progress& progress);
 Contour geometry(const nlohmann::json& spec);
 
 /// Throws InvalidInput if an axis is missing that the contour moves, if none that it moves has the jerk limit that
-/// method jerk_limited needs, or if even at full speed the motion would take more than most_setpoints.
+/// method jerk_limited needs, or if even at full speed the motion would take more than max_setpoints.
 void check_together(const Contour& contour, const Machine& machine, const ContourPlanning& planning);
 
 /// Throws InvalidInput if the planning asks for what machine and options do not give.

@@ -4,11 +4,11 @@
 #include <numbers>
 
 #include "api/kinds/contour.hpp"
+#include "core/base/errors.hpp"
 #include "core/contour/builder.hpp"
 #include "core/contour/dxf.hpp"
 #include "core/contour/gcode.hpp"
 #include "core/contour/polyline.hpp"
-#include "core/errors.hpp"
 
 namespace bahnwerk::api::contour {
 namespace {
@@ -51,14 +51,14 @@ class DimensionCheck {
   }
   void segment(const json& segment, const Place& place);
   void fault(Place place, std::string message) {
-    if (faults_.size() < most_faults) faults_.push_back({std::move(place), std::move(message)});
+    if (faults_.size() < max_faults) faults_.push_back({std::move(place), std::move(message)});
   }
   void finish() {
     if (!faults_.empty()) throw InvalidInput(std::move(faults_));
   }
 
  private:
-  static constexpr std::size_t most_faults = 100;
+  static constexpr std::size_t max_faults = 100;
   std::size_t dimension_;
   std::vector<InputFault> faults_;
 
@@ -148,9 +148,9 @@ Contour from_blocks(const json& contour, Progress& progress) {
       check.segment(segments[s], place);
     }
   }
-  if (total > most_segments)
-    check.fault({"contour", "blocks"}, "has " + std::to_string(total) + " segments, at most " +
-                                           std::to_string(most_segments) + " are allowed");
+  if (total > max_segments)
+    check.fault({"contour", "blocks"},
+                "has " + std::to_string(total) + " segments, at most " + std::to_string(max_segments) + " are allowed");
   check.finish();
 
   ContourBuilder builder(dimension, vec(contour["start"]));
@@ -169,14 +169,14 @@ Contour from_blocks(const json& contour, Progress& progress) {
 Contour from_gcode(const json& contour, Progress& progress) {
   GcodeOptions options;
   options.feed = feed(contour);
-  options.most_segments = most_segments;
+  options.max_segments = max_segments;
   return read_gcode(contour["gcode"].get_ref<const std::string&>(), options, progress);
 }
 
 Contour from_dxf(const json& contour, Progress& progress) {
   DxfOptions options;
   options.feed = feed(contour);
-  options.most_curves = most_segments;
+  options.max_curves = max_segments;
   options.tolerance = contour.value("chain", options.tolerance);
   if (contour.value("order", "as_drawn") == "nearest") options.order = DxfOrder::nearest;
   if (contour.contains("layers")) options.layers = contour["layers"].get<std::vector<std::string>>();
@@ -218,10 +218,8 @@ ContourPlanning planning(const json& spec) {
   ContourPlanning planning;
   if (!spec.contains("planning")) return planning;
   const auto& document = spec["planning"];
-  const std::string method = document.value("method", "braking_reserve");
-  planning.method = method == "time_optimal"   ? PlanningMethod::time_optimal
-                    : method == "jerk_limited" ? PlanningMethod::jerk_limited
-                                               : PlanningMethod::braking_reserve;
+  if (document.contains("method"))
+    planning.method = value_of<PlanningMethod>(document["method"].get<std::string>(), planning_methods);
   planning.braking_reserve = document.value("braking_reserve", planning.braking_reserve);
   planning.stop_at_mode_change = document.value("mode_change", "pass") == "stop";
   if (document.contains("corner")) {

@@ -5,15 +5,14 @@
 
 #include "api/problem.hpp"
 #include "api/verification.hpp"
-#include "core/errors.hpp"
-#include "core/fill_drawings.hpp"
+#include "core/base/errors.hpp"
+#include "core/plan/fill_drawings.hpp"
 
 namespace bahnwerk::api::fill_factor {
 namespace {
 
 using nlohmann::json;
 using nlohmann::ordered_json;
-using winding::Point;
 
 ordered_json point(Point p) { return {p.x, p.y}; }
 
@@ -24,10 +23,10 @@ ordered_json points(std::span<const Point> list) {
 }
 
 /// Edges in order, each from the end of the one before; a loop begins where "from" stands.
-ordered_json outline(const winding::Region& region) {
+ordered_json outline(const Region& region) {
   ordered_json list = ordered_json::array();
   for (std::size_t i = 0; i < region.edges().size(); ++i) {
-    const winding::Edge& edge = region.edges()[i];
+    const Edge& edge = region.edges()[i];
     ordered_json piece = ordered_json::object();
     if (region.begins_loop(i)) piece["from"] = point(edge.from);
     if (edge.straight()) {

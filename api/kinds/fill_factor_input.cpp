@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "api/kinds/fill_factor.hpp"
-#include "core/errors.hpp"
-#include "core/winding/coil_sides.hpp"
-#include "core/winding/count_bound.hpp"
+#include "core/base/errors.hpp"
+#include "core/winding/layout/count_bound.hpp"
+#include "core/winding/slot/coil_sides.hpp"
 
 namespace bahnwerk::api::fill_factor {
 namespace {
@@ -18,7 +18,7 @@ using nlohmann::json;
 
 constexpr double degree = std::numbers::pi / 180;
 
-winding::Point point(const json& value) { return {value[0].get<double>(), value[1].get<double>()}; }
+Point point(const json& value) { return {value[0].get<double>(), value[1].get<double>()}; }
 
 winding::StatorSlot stator(const json& s) {
   winding::StatorSlot slot;
@@ -125,18 +125,12 @@ winding::RotorHeads rotor_heads(const json& heads, std::vector<InputFault>& faul
   return h;
 }
 
-winding::Algorithm algorithm(const std::string& text) {
-  for (const auto a : {winding::Algorithm::orthocyclic_base, winding::Algorithm::orthocyclic_flank,
-                       winding::Algorithm::raabe, winding::Algorithm::potential})
-    if (text == name(a)) return a;
-  return winding::Algorithm::needle;
-}
-
 void read_algorithms(const json& spec, FillRequest& request, std::vector<InputFault>& faults) {
-  const json all{"orthocyclic_base", "orthocyclic_flank", "raabe", "potential", "needle"};
+  json all = json::array();
+  for (const auto& entry : winding::algorithms) all.push_back(entry.name);
   const json list = spec.value("algorithms", all);
   for (std::size_t i = 0; i < list.size(); ++i) {
-    const auto each = algorithm(list[i]);
+    const auto each = value_of<winding::Algorithm>(list[i].get<std::string>(), winding::algorithms);
     if (std::find(request.algorithms.begin(), request.algorithms.end(), each) != request.algorithms.end())
       faults.push_back({{"algorithms", std::to_string(i)}, "is named twice"});
     request.algorithms.push_back(each);
@@ -177,16 +171,16 @@ void check_sizes(const FillRequest& request, bool listed, std::vector<InputFault
                        [](const winding::Wire& a, const winding::Wire& b) { return a.outer < b.outer; });
   if (thinnest == request.wires.end()) return;
   const double r = thinnest->radius();
-  const std::size_t bound = winding::most_wires(request.slot.room, r, 2 * r);
+  const std::size_t bound = winding::max_wires(request.slot.room, r, 2 * r);
   if (bound == 0) faults.push_back({{"wires"}, "none of the wires fits into the slot"});
-  if (bound > most_wires) {
+  if (bound > max_wires) {
     const std::string index = std::to_string(thinnest - request.wires.begin());
     const std::vector<std::string> place =
         listed ? std::vector<std::string>{"wires", index} : std::vector<std::string>{"wire_range", "least"};
     faults.push_back({place, "is too thin for this slot: the bound is " + short_number(static_cast<double>(bound)) +
-                                 " wires, at most " + std::to_string(most_wires) + " are computed"});
+                                 " wires, at most " + std::to_string(max_wires) + " are computed"});
   }
-  if (bound == 0 || bound > most_wires || !(request.serial || request.parallel)) return;
+  if (bound == 0 || bound > max_wires || !(request.serial || request.parallel)) return;
   // Layout potential may overlap wires, by different shares of their radii.
   std::size_t most = bound;
   if (std::find(request.algorithms.begin(), request.algorithms.end(), winding::Algorithm::potential) !=
@@ -194,7 +188,7 @@ void check_sizes(const FillRequest& request, bool listed, std::vector<InputFault
     for (const winding::Wire& wire : request.wires) {
       const double overlap = allowed_overlap(request, winding::Algorithm::potential, wire);
       if (wire.outer - overlap > 2 * r) continue;  // takes no more than the thinnest without overlap
-      most = std::max(most, winding::most_wires(request.slot.room, wire.radius(), wire.outer - overlap));
+      most = std::max(most, winding::max_wires(request.slot.room, wire.radius(), wire.outer - overlap));
     }
   const std::size_t needed = request.serial.value_or(1) * request.parallel.value_or(1);
   if (needed > most)

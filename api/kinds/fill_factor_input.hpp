@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 #include "core/winding/wire.hpp"
 
 namespace bahnwerk::api::fill_factor {

@@ -5,10 +5,10 @@
 #include <functional>
 #include <string>
 
+#include "core/base/errors.hpp"
 #include "core/contour/blend/layout.hpp"
 #include "core/contour/blend/note.hpp"
 #include "core/contour/blend/smooth_run.hpp"
-#include "core/errors.hpp"
 
 namespace bahnwerk {
 
@@ -16,16 +16,16 @@ namespace {
 
 using namespace blending;
 
-constexpr double least_tolerance = 1e-5, most_tolerance = 1e3;  // mm
-constexpr double tiny_share = 0.01;                             // of the tolerance: lines shorter than this are merged
-constexpr double used_share = 0.97;                             // of the tolerance for blends, after merging
-constexpr double fitted_share = 0.975;                          // of the tolerance: what has to be proven of a blend
+constexpr double min_tolerance = 1e-5, max_tolerance = 1e3;  // mm
+constexpr double tiny_share = 0.01;                          // of the tolerance: lines shorter than this are merged
+constexpr double used_share = 0.97;                          // of the tolerance for blends, after merging
+constexpr double fitted_share = 0.975;                       // of the tolerance: what has to be proven of a blend
 constexpr double reversal = 170 * 3.14159265358979323846 / 180;
 constexpr double fastest = 1e6;           // mm/s, where nothing limits the speed
 constexpr double shortest_rest = 1e-9;    // mm of a segment that is worth keeping between two blends
 constexpr double shortest_change = 1e-4;  // mm; in less the rounding of coordinates shows in a curve's direction
-constexpr int most_attempts = 12;         // at the length of a blend
-constexpr int most_splits = 4;            // times that a run is cut where it cannot be smoothed
+constexpr int max_attempts = 12;          // at the length of a blend
+constexpr int max_splits = 4;             // times that a run is cut where it cannot be smoothed
 constexpr std::size_t progress_step = 256;
 
 class Blender {
@@ -152,7 +152,7 @@ class Blender {
     const Element &before = stretch.elements[change.joint - 1], &after = stretch.elements[change.joint];
     double d1 = after.begin - change.a, d2 = change.b - after.begin;
     const double tolerance = used_share * options_.tolerance;
-    for (int attempt = 0; attempt < most_attempts && d1 + d2 >= shortest_change; ++attempt) {
+    for (int attempt = 0; attempt < max_attempts && d1 + d2 >= shortest_change; ++attempt) {
       const Rational curve = corner_curve(before, d1, after, d2);
       const CornerFit fit = corner_fit(curve, before, d1, after, d2, fitted_share * options_.tolerance);
       if (fit.deviation <= fitted_share * options_.tolerance) {
@@ -207,7 +207,7 @@ class Blender {
   bool split(const Stretch& stretch, const RunRange& range, const std::vector<double>& troubles, int depth,
              std::size_t hint) {
     std::vector<std::size_t> cuts = sharpest_joints(stretch, range.a, range.b, troubles, hint);
-    if (cuts.empty() || depth >= most_splits) {
+    if (cuts.empty() || depth >= max_splits) {
       if (count_.unsmoothed++ == 0) count_.first_unsmoothed = stretch.elements[stretch.find(range.a, hint)].at(0).value;
       return false;
     }
@@ -276,7 +276,7 @@ class Blender {
 
 Contour blend(const Contour& given, const BlendOptions& options, const Machine& machine, Progress& progress,
               double from, double to) {
-  if (!(options.tolerance >= least_tolerance && options.tolerance <= most_tolerance))
+  if (!(options.tolerance >= min_tolerance && options.tolerance <= max_tolerance))
     throw InvalidInput({{{"planning", "corner", "tolerance"}, "the tolerance has to be 1e-5 to 1e3 mm"}});
   return Blender(given, options, machine, progress, from, to).run();
 }

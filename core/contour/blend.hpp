@@ -20,9 +20,9 @@
 /// A change is made only if its deviation is proven to fit, from bounds of what curves bulge between places where they
 /// have been compared. A corner that does not fit is rounded less; a run is cut at its sharpest joints; what still does
 /// not fit stays as it is, with a note of how many there are and where the first one is.
+#include "core/base/progress.hpp"
 #include "core/contour/contour.hpp"
 #include "core/machine/machine.hpp"
-#include "core/progress.hpp"
 
 namespace bahnwerk {
 
@@ -32,11 +32,11 @@ struct BlendOptions {
 };
 
 /// The blended contour: same dimension, same blocks, notes extended. Every point of a block has a point of the same
-/// block of `given` within the tolerance and vice versa, in order along both (core/verify/tube.hpp checks that). Throws
-/// InvalidInput at {"planning","corner","tolerance"} for a tolerance that is not in 1e-5 … 1e3 mm, ToleranceUnreachable
-/// for a block of less than some 1e-11 mm that got lost, Stopped when progress says so. Progress runs from `from` to
-/// `to`. Cost: O(segments): 10 µs per chord of a long run, 25 µs per corner, 65 µs per segment where many short runs
-/// alternate with corners (tests/bench/bench_blend.cpp, one core of 2.3 GHz).
+/// block of `given` within the tolerance and vice versa, in order along both (core/verify/geometry/tube.hpp checks
+/// that). Throws InvalidInput at {"planning","corner","tolerance"} for a tolerance that is not in 1e-5 … 1e3 mm,
+/// ToleranceUnreachable for a block of less than some 1e-11 mm that got lost, Stopped when progress says so. Progress
+/// runs from `from` to `to`. Cost: O(segments): 10 µs per chord of a long run, 25 µs per corner, 65 µs per segment
+/// where many short runs alternate with corners (tests/bench/bench_blend.cpp, one core of 2.3 GHz).
 Contour blend(const Contour& given, const BlendOptions& options, const Machine& machine, Progress& progress,
               double from = 0, double to = 1);
 

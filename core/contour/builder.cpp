@@ -2,10 +2,10 @@
 
 #include <cstdio>
 
-#include "core/curve/arc.hpp"
-#include "core/curve/line.hpp"
-#include "core/curve/nurbs.hpp"
-#include "core/curve/rational.hpp"
+#include "core/geometry/curve/arc.hpp"
+#include "core/geometry/curve/line.hpp"
+#include "core/geometry/curve/nurbs.hpp"
+#include "core/geometry/curve/rational.hpp"
 
 namespace bahnwerk {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/errors.hpp"
 #include "core/contour/contour.hpp"
-#include "core/errors.hpp"
 
 namespace bahnwerk {
 

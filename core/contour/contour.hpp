@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/curve/path.hpp"
+#include "core/geometry/path/path.hpp"
 
 namespace bahnwerk {
 

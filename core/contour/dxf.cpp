@@ -4,11 +4,11 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/base/progress_scope.hpp"
 #include "core/contour/builder.hpp"
 #include "core/contour/dxf/cut.hpp"
 #include "core/contour/dxf/drawing.hpp"
 #include "core/contour/dxf/tags.hpp"
-#include "core/contour/reading_progress.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -26,7 +26,7 @@ void check(const DxfOptions& options) {
 /// 2 or 3; a planar drawing is put to z = 0.
 std::size_t flatten(DxfDrawing& drawing, Progress& progress) {
   double most = 0, low = HUGE_VAL, high = -HUGE_VAL;
-  ReadingProgress reading(progress);
+  ProgressScope reading(progress, "reading", 0, 0);
   // Within one strand heights may differ from curve to curve, too.
   for (const DxfStrand& strand : drawing.strands) {
     double bottom = HUGE_VAL, top = -HUGE_VAL;
@@ -71,7 +71,7 @@ Contour read_dxf(std::string_view text, const DxfOptions& options) {
 Contour read_dxf(std::string_view text, const DxfOptions& options, Progress& progress) {
   check(options);
   DxfDrawing drawing =
-      read_dxf_drawing(text, {options.layers, options.millimetres_per_unit, options.most_curves}, progress);
+      read_dxf_drawing(text, {options.layers, options.millimetres_per_unit, options.max_curves}, progress);
   if (drawing.strands.empty()) {
     std::string what = "the drawing holds nothing to move along";
     for (std::size_t i = 0; i < std::min<std::size_t>(drawing.notes.size(), 5); ++i) what += "; " + drawing.notes[i];
@@ -86,7 +86,7 @@ Contour read_dxf(std::string_view text, const DxfOptions& options, Progress& pro
 
   ContourBuilder builder(dimension, first_point(list.front().curves.front()), "dxf");
   GapReport gaps;
-  ReadingProgress reading(progress);
+  ProgressScope reading(progress, "reading", 0, 0);
   for (Cut& cut : list) {
     builder.at_line(cut.lines.front());
     const Vec start = first_point(cut.curves.front());

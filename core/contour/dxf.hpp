@@ -28,8 +28,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/contour/contour.hpp"
-#include "core/progress.hpp"
 
 namespace bahnwerk {
 
@@ -42,7 +42,7 @@ struct DxfOptions {
   std::vector<std::string> layers;      ///< only these; empty = all. Each has to exist
   double feed = std::numeric_limits<double>::infinity();  ///< mm/s, > 0; infinity = limited by the axes alone
   std::optional<double> millimetres_per_unit;  ///< > 0; else $INSUNITS counts, and mm with a note where that is missing
-  std::size_t most_curves = 2'000'000;         ///< after blocks are resolved; more are refused
+  std::size_t max_curves = 2'000'000;          ///< after blocks are resolved; more are refused
 };
 
 /// Throws InvalidInput with up to 100 faults at {"contour","dxf"}, each with a message "line 123: …"; for an option

@@ -41,8 +41,8 @@
 #include <optional>
 #include <string_view>
 
+#include "core/base/progress.hpp"
 #include "core/contour/contour.hpp"
-#include "core/progress.hpp"
 
 namespace bahnwerk {
 
@@ -51,7 +51,7 @@ struct GcodeOptions {
   bool inch = false;                                      ///< units before the first G20 or G21
   bool block_delete = true;                               ///< leave out lines that begin with /
   std::optional<int> output = std::nullopt;  ///< the tool's switch in M62 … M65; unset: the first one named
-  std::size_t most_segments = 2'000'000;
+  std::size_t max_segments = 2'000'000;
 };
 
 /// Throws InvalidInput with every fault found, at most 100, each at {"contour","gcode"} with a message "line 12: …".

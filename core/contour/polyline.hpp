@@ -2,8 +2,8 @@
 /// A contour from points, joined by straight lines.
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/contour/contour.hpp"
-#include "core/progress.hpp"
 
 namespace bahnwerk {
 

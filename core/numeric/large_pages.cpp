@@ -37,8 +37,8 @@ class Store {
   }
   bool keep(void* memory, std::size_t size) noexcept {
     const std::lock_guard lock(mutex_);
-    if (size > most_kept) return false;
-    while (total_ + size > most_kept) {
+    if (size > max_kept) return false;
+    while (total_ + size > max_kept) {
       std::free(kept_.front().memory);
       total_ -= kept_.front().size;
       kept_.erase(kept_.begin());

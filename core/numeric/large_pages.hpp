@@ -11,7 +11,7 @@ namespace bahnwerk {
 
 namespace large_pages {
 inline constexpr std::size_t least = std::size_t{1} << 17;  ///< bytes; smaller arrays are ordinary ones
-inline constexpr std::size_t most_kept = std::size_t{1} << 29;
+inline constexpr std::size_t max_kept = std::size_t{1} << 29;
 /// At least `bytes` ≥ least of memory, its content undefined. Throws std::bad_alloc. Thread-safe.
 void* take(std::size_t bytes);
 /// Gives back what take(bytes) returned.

@@ -18,7 +18,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/motion/law.hpp"
+#include "core/motion/law/time_law.hpp"
 
 namespace bahnwerk::verify {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "core/plan.hpp"
+#include "core/base/verification.hpp"
 
 namespace bahnwerk::verify {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/winding/crossings.hpp"
+#include "core/geometry/region/crossings.hpp"
 #include "core/winding/margin.hpp"
 
 namespace bahnwerk::winding {

@@ -3,7 +3,7 @@
 /// boundary, by what bounds it.
 #include <vector>
 
-#include "core/winding/region.hpp"
+#include "core/geometry/region/region.hpp"
 
 namespace bahnwerk::winding {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "core/winding/point.hpp"
+#include "core/geometry/region/point.hpp"
 #include "core/winding/wire.hpp"
 
 namespace bahnwerk::winding {

@@ -18,7 +18,7 @@ void limits(Chart& chart, const std::vector<Line>& lines, const Style& style, co
 
 void speeds(const std::string& file, const std::string& title, const Contour& contour, double highest) {
   const Machine m = machine();
-  const MotionLaw fast = plan(contour, m, false).law, kept = plan(contour, m, true).law;
+  const TimeLaw fast = plan(contour, m, false).law, kept = plan(contour, m, true).law;
   Chart chart({title, "path length s, mm", "speed v, mm/s", {0, contour.path.length()}, {0, highest}});
   limits(chart, highest_speed(contour, m), limit_blue, "limit for time_optimal");
   limits(chart, reserve_speed(contour, m), limit_orange, "v\u2193, K_b = 0.7");
@@ -40,7 +40,7 @@ void speeds_on_window(const std::string& file) {
 void bracket_in_colour(const std::string& file) {
   constexpr double fastest = 900;
   const Contour contour = bracket();
-  const MotionLaw law = plan(contour, machine(), false).law;
+  const TimeLaw law = plan(contour, machine(), false).law;
   Chart chart(
       {"examples/bracket.json without feeds, time_optimal", "x, mm", "y, mm", {-4, 124}, {-4, 84}, 800, 0, true, 96});
   bool first = true;
@@ -60,7 +60,7 @@ void bracket_in_colour(const std::string& file) {
 void use_on_window(const std::string& file) {
   const Contour contour = window();
   const Machine m = machine();
-  const MotionLaw law = plan(contour, m, false).law;
+  const TimeLaw law = plan(contour, m, false).law;
   Chart chart({"How much of its acceleration each axis uses, window of the bracket, time_optimal",
                "time t, s",
                "|a_k| / A_k",

@@ -12,7 +12,7 @@ constexpr double step = 0.25;  // mm, at most
 
 }  // namespace
 
-void coloured_cuts(Chart& chart, const Contour& contour, const MotionLaw& law, double fastest, double width) {
+void coloured_cuts(Chart& chart, const Contour& contour, const TimeLaw& law, double fastest, double width) {
   std::vector<bool> cut(contour.path.size());
   for (const Block& block : contour.blocks)
     for (std::size_t i = block.first; i < block.last; ++i) cut[i] = block.mode == Mode::cut;

@@ -1,13 +1,13 @@
 #pragma once
 /// A planned contour as a map in which colour is speed.
 #include "core/contour/contour.hpp"
-#include "core/motion/law.hpp"
+#include "core/motion/law/time_law.hpp"
 #include "docs/draw/chart.hpp"
 
 namespace bahnwerk::draw {
 
 /// Blocks that cut in the colours of 0 … `fastest` mm/s.
-void coloured_cuts(Chart& chart, const Contour& contour, const MotionLaw& law, double fastest, double width);
+void coloured_cuts(Chart& chart, const Contour& contour, const TimeLaw& law, double fastest, double width);
 
 /// All of the path as it is, segment by segment.
 void plain(Chart& chart, const Contour& contour, const Style& style, const std::string& label = {});

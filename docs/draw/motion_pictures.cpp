@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "core/contour/blend.hpp"
-#include "core/motion/profile.hpp"
+#include "core/motion/profile/profile.hpp"
 #include "docs/draw/colours.hpp"
 #include "docs/draw/map.hpp"
 #include "docs/draw/pictures.hpp"
@@ -66,7 +66,7 @@ void plate_in_colour(const std::string& file) {
   constexpr double fastest = 350;
   const Machine m = smooth_machine();
   const Contour given = plate(), round = rounded(given, plate_tolerance, m);
-  const MotionLaw law = plan_smooth(round, m);
+  const TimeLaw law = plan_smooth(round, m);
   Chart chart({milliseconds("A plate rounded within 0.2 mm, jerk_limited:", law.duration()),
                "x, mm",
                "y, mm",
@@ -87,7 +87,7 @@ void plate_in_colour(const std::string& file) {
 void use_on_plate(const std::string& file) {
   const Machine m = smooth_machine();
   const Contour round = rounded(plate(), plate_tolerance, m);
-  const MotionLaw sharp = plan(round, m, false).law, smooth = plan_smooth(round, m);
+  const TimeLaw sharp = plan(round, m, false).law, smooth = plan_smooth(round, m);
   const Range time{0, std::max(sharp.duration(), smooth.duration())};
   std::vector<Chart> charts;
   const auto panel = [&](const std::string& title, const std::string& label, Quantity quantity, double most,

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <memory>
 
+#include "core/base/progress.hpp"
 #include "core/contour/blend.hpp"
-#include "core/motion/jerk_limited.hpp"
-#include "core/progress.hpp"
+#include "core/motion/jerk/jerk_limited.hpp"
 
 namespace bahnwerk::draw {
 
@@ -52,7 +52,7 @@ AccelerationLimitedResult plan(const Contour& contour, const Machine& machine, b
   return plan_acceleration_limited(contour, machine, options, silent);
 }
 
-MotionLaw plan_smooth(const Contour& contour, const Machine& machine) {
+TimeLaw plan_smooth(const Contour& contour, const Machine& machine) {
   SilentProgress silent;
   return plan_jerk_limited(contour, machine, {}, silent).law;
 }
@@ -64,7 +64,7 @@ Contour rounded(const Contour& contour, double tolerance, const Machine& machine
   return blend(contour, options, machine, silent);
 }
 
-void along(const Contour& contour, const MotionLaw& law, const std::function<void(double t, const State&)>& look) {
+void along(const Contour& contour, const TimeLaw& law, const std::function<void(double t, const State&)>& look) {
   for (const LawPiece& p : law.pieces()) {
     const int steps = std::max(2, static_cast<int>(std::ceil(p.duration / 2e-4)));
     for (int i = 0; i <= steps; ++i) {
@@ -78,13 +78,13 @@ void along(const Contour& contour, const MotionLaw& law, const std::function<voi
   }
 }
 
-Line speed_over_length(const Contour& contour, const MotionLaw& law) {
+Line speed_over_length(const Contour& contour, const TimeLaw& law) {
   Line line;
   along(contour, law, [&](double, const State& at) { line.push_back({at.path.s, at.path.v}); });
   return line;
 }
 
-Line use_over_time(const Contour& contour, const MotionLaw& law, const Machine& machine, std::size_t axis) {
+Line use_over_time(const Contour& contour, const TimeLaw& law, const Machine& machine, std::size_t axis) {
   Line line;
   along(contour, law, [&](double t, const State& at) {
     line.push_back({t, std::abs(at.acceleration[axis]) / machine.axes[axis].acceleration});
@@ -92,7 +92,7 @@ Line use_over_time(const Contour& contour, const MotionLaw& law, const Machine& 
   return line;
 }
 
-Line most_used(const Contour& contour, const MotionLaw& law, const Machine& machine, Quantity quantity) {
+Line most_used(const Contour& contour, const TimeLaw& law, const Machine& machine, Quantity quantity) {
   Line line;
   along(contour, law, [&](double t, const State& at) {
     double most = 0;
@@ -108,7 +108,7 @@ Line most_used(const Contour& contour, const MotionLaw& law, const Machine& mach
   return line;
 }
 
-double share_at_limit(const Contour& contour, const MotionLaw& law, const Machine& machine) {
+double share_at_limit(const Contour& contour, const TimeLaw& law, const Machine& machine) {
   double used = 0, last_time = 0;
   bool last = false;
   along(contour, law, [&](double t, const State& at) {

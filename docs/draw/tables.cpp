@@ -1,7 +1,7 @@
 #include <cstdio>
 
-#include "core/progress.hpp"
-#include "core/verify/lower_bound.hpp"
+#include "core/base/progress.hpp"
+#include "core/verify/bound/lower_bound.hpp"
 #include "docs/draw/pictures.hpp"
 #include "docs/draw/plans.hpp"
 #include "docs/draw/shapes.hpp"

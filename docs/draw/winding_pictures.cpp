@@ -4,8 +4,8 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "core/fill_drawings.hpp"
-#include "core/winding/svg.hpp"
+#include "core/drawing/svg.hpp"
+#include "core/plan/fill_drawings.hpp"
 #include "docs/draw/pictures.hpp"
 
 namespace bahnwerk::draw {

@@ -6,7 +6,7 @@
 
 #include "api/problem.hpp"
 #include "api/setpoints.hpp"
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 #include "server/cli/cli.hpp"
 #include "server/cli/progress_bar.hpp"
 #include "server/runtime/clock.hpp"

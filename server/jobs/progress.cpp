@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 
 namespace bahnwerk::server {
 namespace {

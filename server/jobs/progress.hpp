@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "core/progress.hpp"
+#include "core/base/progress.hpp"
 #include "server/jobs/live.hpp"
 #include "server/store/store.hpp"
 

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/problem.hpp"
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 #include "server/jobs/progress.hpp"
 #include "server/runtime/clock.hpp"
 #include "server/runtime/log.hpp"

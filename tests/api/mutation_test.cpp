@@ -1,4 +1,4 @@
-// Broken documents never crash: each is a request or a Problem, and the two judges of a schema agree.
+// Broken documents never crash: each is a request or a Problem, and the two verdicts on a schema agree.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

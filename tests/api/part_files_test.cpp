@@ -13,7 +13,7 @@
 #include "api/kinds/contour.hpp"
 #include "core/contour/dxf.hpp"
 #include "core/contour/gcode.hpp"
-#include "core/curve/arc.hpp"
+#include "core/geometry/curve/arc.hpp"
 #include "tests/api/documents.hpp"
 
 namespace bahnwerk::api {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 
 namespace bahnwerk::api {
 namespace {

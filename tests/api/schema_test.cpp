@@ -62,7 +62,7 @@ TEST(Schema, PutsThePrefixBeforeEveryPointer) {
 TEST(Schema, StopsAtTheFirstFifty) {
   json many = json::array();
   for (int i = 0; i < 1000; ++i) many.push_back("x");
-  EXPECT_EQ(Schema(R"({"items":{"type":"number"}})").validate(many).size(), Schema::most_faults);
+  EXPECT_EQ(Schema(R"({"items":{"type":"number"}})").validate(many).size(), Schema::max_faults);
 }
 
 TEST(Schema, RefusesKeywordsThatItWouldIgnore) {

@@ -6,7 +6,7 @@
 #include "core/contour/blend.hpp"
 #include "core/contour/polyline.hpp"
 #include "core/numeric/random.hpp"
-#include "core/verify/tube.hpp"
+#include "core/verify/geometry/tube.hpp"
 #include "tests/core/motion/two_axes.hpp"
 
 namespace bahnwerk {

@@ -4,11 +4,11 @@
 #include <memory>
 #include <vector>
 
-#include "core/curve/arc.hpp"
-#include "core/curve/line.hpp"
-#include "core/curve/nurbs.hpp"
-#include "core/curve/path.hpp"
-#include "core/curve/rational.hpp"
+#include "core/geometry/curve/arc.hpp"
+#include "core/geometry/curve/line.hpp"
+#include "core/geometry/curve/nurbs.hpp"
+#include "core/geometry/curve/rational.hpp"
+#include "core/geometry/path/path.hpp"
 
 namespace bahnwerk {
 namespace {

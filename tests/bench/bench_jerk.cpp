@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/contour/builder.hpp"
-#include "core/motion/jerk_limited.hpp"
+#include "core/motion/jerk/jerk_limited.hpp"
 
 namespace bahnwerk {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/contour/builder.hpp"
-#include "core/motion/acceleration_limited.hpp"
+#include "core/motion/acceleration/acceleration_limited.hpp"
 #include "tests/core/motion/two_axes.hpp"
 
 namespace bahnwerk {

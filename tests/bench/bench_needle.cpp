@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "core/winding/needle.hpp"
-#include "core/winding/orthocyclic.hpp"
-#include "core/winding/producible.hpp"
-#include "core/winding/raabe.hpp"
+#include "core/winding/laying/needle.hpp"
+#include "core/winding/laying/producible.hpp"
+#include "core/winding/layout/orthocyclic.hpp"
+#include "core/winding/layout/raabe.hpp"
 
 namespace bahnwerk::winding {
 namespace {

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "core/numeric/random.hpp"
+#include "core/winding/layout/potential.hpp"
 #include "core/winding/packing/squeeze.hpp"
-#include "core/winding/potential.hpp"
 
 namespace bahnwerk::winding {
 namespace {
@@ -22,7 +22,7 @@ Region stator_room() {
 }
 
 /// Thousandths of a millimetre: overall diameter, least overall diameter, copper (IEC 60317-0-1, grade 2, R 20).
-void most_wires(benchmark::State& state) {
+void max_wires(benchmark::State& state) {
   const Region room = stator_room();
   const double outer = 1e-3 * static_cast<double>(state.range(0)), least = 1e-3 * static_cast<double>(state.range(1));
   PotentialOptions options;
@@ -34,7 +34,7 @@ void most_wires(benchmark::State& state) {
   state.counters["wires"] = static_cast<double>(wires);
   state.counters["mechanical"] = area / room.area();
 }
-BENCHMARK(most_wires)
+BENCHMARK(max_wires)
     ->Args({566, 545})
     ->Args({630, 607})
     ->Args({704, 680})

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/motion/profile.hpp"
+#include "core/motion/profile/profile.hpp"
 #include "core/numeric/random.hpp"
 
 namespace bahnwerk {

@@ -1,4 +1,4 @@
-// What judging costs per law piece and bounding per node, for growing plans.
+// What verifying costs per law piece and bounding per node, for growing plans.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "core/motion/trajectory.hpp"
-#include "core/verify/judge.hpp"
-#include "core/verify/lower_bound.hpp"
-#include "core/verify/setpoint_checks.hpp"
+#include "core/motion/law/trajectory.hpp"
+#include "core/verify/bound/lower_bound.hpp"
+#include "core/verify/setpoints/setpoint_checks.hpp"
+#include "core/verify/verifier.hpp"
 #include "tests/core/verify/reference.hpp"
 
 namespace bahnwerk {
@@ -36,7 +36,7 @@ Contour wave(Shape shape, int periods) {
 }
 
 // Even pieces that speed up and slow down a little, at rest wherever segments meet at corners.
-MotionLaw wavy_law(const Contour& contour, std::size_t pieces) {
+TimeLaw wavy_law(const Contour& contour, std::size_t pieces) {
   const std::size_t n = contour.path.size(), each = std::max<std::size_t>(2, pieces / n);
   std::vector<reference::Stop> stops;
   for (std::size_t i = 0; i < n; ++i)
@@ -47,25 +47,25 @@ MotionLaw wavy_law(const Contour& contour, std::size_t pieces) {
   return reference::law_through(contour.path, stops);
 }
 
-void judging(benchmark::State& state, Shape shape) {
+void verifying(benchmark::State& state, Shape shape) {
   const auto pieces = static_cast<std::size_t>(state.range(0));
   const Contour contour = wave(shape, static_cast<int>(std::max<std::size_t>(1, pieces / 200)));
-  const MotionLaw law = wavy_law(contour, pieces);
+  const TimeLaw law = wavy_law(contour, pieces);
   const Machine m = machine(2, 1800, 16000);
   SilentProgress silent;
-  for (auto _ : state) benchmark::DoNotOptimize(judge({contour, m, law, 1e-3}, silent));
+  for (auto _ : state) benchmark::DoNotOptimize(verify_motion({contour, m, law, 1e-3}, silent));
   state.counters["per_piece"] = benchmark::Counter(
       double(law.pieces().size()), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
-BENCHMARK_CAPTURE(judging, lines, lines)->RangeMultiplier(10)->Range(1000, 100000)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(judging, arcs, arcs)->RangeMultiplier(10)->Range(1000, 100000)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(judging, cubics, cubics)->RangeMultiplier(10)->Range(1000, 100000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(verifying, lines, lines)->RangeMultiplier(10)->Range(1000, 100000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(verifying, arcs, arcs)->RangeMultiplier(10)->Range(1000, 100000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(verifying, cubics, cubics)->RangeMultiplier(10)->Range(1000, 100000)->Unit(benchmark::kMillisecond);
 
 // Reading rows alone (check = false), or checking them, which reads them too.
 void rows(benchmark::State& state, Shape shape, bool check) {
   const Contour contour = wave(shape, static_cast<int>(state.range(0)));
   const Machine m = machine(2, 1800, 16000, 1e-4);
-  const MotionLaw law = wavy_law(contour, 200 * contour.path.size());
+  const TimeLaw law = wavy_law(contour, 200 * contour.path.size());
   const Cycles cycles = whole_cycles(law.duration(), m.cycle_time);
   const auto trajectory =
       std::make_shared<const Trajectory>(std::make_shared<const Contour>(contour), law.slowed(cycles.factor));

@@ -1,9 +1,9 @@
-/// Time of what every layout stands on: distances to a slot, the judge's look at a layout; and of a whole sweep.
+/// Time of what every layout stands on: distances to a slot, the verifier's look at a layout; and of a whole sweep.
 #include <benchmark/benchmark.h>
 
-#include "core/fill_plan.hpp"
 #include "core/numeric/random.hpp"
-#include "core/verify/layout_judge.hpp"
+#include "core/plan/fill_plan.hpp"
+#include "core/verify/layout_verifier.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -13,7 +13,7 @@ using winding::Algorithm;
 /// One distance to the room's boundary; both slots have some 14 edges.
 void distance(benchmark::State& state, const winding::Slot& slot) {
   Random random(1);
-  std::vector<winding::Point> points;
+  std::vector<Point> points;
   const auto& box = slot.room.box();
   for (int k = 0; k < 4096; ++k)
     points.push_back({random.uniform(box.low.x, box.high.x), random.uniform(box.low.y, box.high.y)});
@@ -21,21 +21,21 @@ void distance(benchmark::State& state, const winding::Slot& slot) {
   for (auto _ : state) benchmark::DoNotOptimize(slot.room.distance(points[i++ % points.size()]));
 }
 
-/// Wires on a lattice, judged; time per wire grows with their number: every pair is looked at.
-void judging(benchmark::State& state) {
+/// Wires on a lattice, verified; time per wire grows with their number: every pair is looked at.
+void verifying(benchmark::State& state) {
   const auto n = static_cast<std::size_t>(state.range(0));
   const double side = std::sqrt(static_cast<double>(n));
   const winding::Slot slot = make_slot(winding::PolygonSlot{{{0, 0}, {side, 0}, {side, side}, {0, side}}, 0, 0});
-  std::vector<winding::Point> wires;
+  std::vector<Point> wires;
   for (double y = 0.5; y < side; ++y)
     for (double x = 0.5; x < side; ++x) wires.push_back({x, y});
   SilentProgress silent;
-  const JudgedLayout layout{"lattice", 0.9, 0.5, 0, wires, n};
-  for (auto _ : state) benchmark::DoNotOptimize(judge_layouts(slot.room, std::span(&layout, 1), silent, 0, 1));
+  const LayoutToVerify layout{"lattice", 0.9, 0.5, 0, wires, n};
+  for (auto _ : state) benchmark::DoNotOptimize(verify_layouts(slot.room, std::span(&layout, 1), silent, 0, 1));
   state.SetComplexityN(state.range(0));
 }
 
-/// The example stator slot, 0.50 to 1.60 mm, five layouts each, verdicts and judge included.
+/// The example stator slot, 0.50 to 1.60 mm, five layouts each, verdicts and verifier included.
 void sweep(benchmark::State& state, winding::Series series) {
   FillRequest request;
   request.slot = make_slot(winding::StatorSlot{});
@@ -50,7 +50,7 @@ void sweep(benchmark::State& state, winding::Series series) {
 
 BENCHMARK_CAPTURE(distance, stator, make_slot(winding::StatorSlot{}));
 BENCHMARK_CAPTURE(distance, rotor, make_slot(winding::RotorSlot{}));
-BENCHMARK(judging)->RangeMultiplier(4)->Range(64, 4096)->Complexity();
+BENCHMARK(verifying)->RangeMultiplier(4)->Range(64, 4096)->Complexity();
 BENCHMARK_CAPTURE(sweep, r20, winding::Series::r20)->Unit(benchmark::kSecond)->Iterations(1);
 BENCHMARK_CAPTURE(sweep, r40, winding::Series::r40)->Unit(benchmark::kSecond)->Iterations(1);
 

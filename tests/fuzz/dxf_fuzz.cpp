@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "core/base/errors.hpp"
 #include "core/contour/dxf.hpp"
-#include "core/errors.hpp"
 
 namespace {
 
@@ -17,7 +17,7 @@ void demand(bool holds) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   bahnwerk::DxfOptions options;
-  options.most_curves = 1'000;
+  options.max_curves = 1'000;
   if (size > 0 && data[size - 1] % 2 == 1) options.order = bahnwerk::DxfOrder::nearest;
   try {
     const bahnwerk::Contour contour = bahnwerk::read_dxf({reinterpret_cast<const char*>(data), size}, options);

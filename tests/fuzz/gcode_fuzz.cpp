@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "core/base/errors.hpp"
 #include "core/contour/gcode.hpp"
-#include "core/errors.hpp"
 
 namespace {
 
@@ -17,7 +17,7 @@ void demand(bool holds) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   bahnwerk::GcodeOptions options;
-  options.most_segments = 2'000;
+  options.max_segments = 2'000;
   try {
     const bahnwerk::Contour contour = bahnwerk::read_gcode({reinterpret_cast<const char*>(data), size}, options);
     demand(contour.path.length() > 0 && !contour.blocks.empty());

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/curve/line.hpp"
-#include "core/curve/matched.hpp"
+#include "core/geometry/curve/line.hpp"
+#include "core/geometry/path/matched.hpp"
 
 namespace bahnwerk::blending {
 

@@ -9,7 +9,7 @@
 /// by scanning λ and integrating the fastest motion; 0.5 to 5 % shorter than λ = 1, and its peak curvature is within 4
 /// % of the circle's with the same deviation for small θ).
 #include "core/contour/blend/elements.hpp"
-#include "core/curve/rational.hpp"
+#include "core/geometry/curve/rational.hpp"
 
 namespace bahnwerk::blending {
 
@@ -46,7 +46,7 @@ struct CornerFit {
 /// Matches the blend up to the place nearest to the joint with what it replaces of `before`, and the rest with what it
 /// replaces of `after`, both forward only; so distances are those in order along both, and the joint has a place on the
 /// blend within the tolerance of it. Closed form between lines cut back alike, where the deviation is at the joint;
-/// else a bound that is refined until it is within the tolerance or a distance is not (core/curve/matched.hpp).
+/// else a bound that is refined until it is within the tolerance or a distance is not (core/geometry/path/matched.hpp).
 CornerFit corner_fit(const Rational& curve, const Element& before, double d1, const Element& after, double d2,
                      double tolerance);
 

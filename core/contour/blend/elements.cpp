@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/curve/arc.hpp"
-#include "core/curve/line.hpp"
-#include "core/curve/rational.hpp"
+#include "core/geometry/curve/arc.hpp"
+#include "core/geometry/curve/line.hpp"
+#include "core/geometry/curve/rational.hpp"
 
 namespace bahnwerk::blending {
 

@@ -13,7 +13,7 @@ namespace {
 constexpr double first_penalty = 1, last_penalty = 1e9, penalty_factor = 10;
 constexpr double start_fill = 0.95;  // of the radius, where the logarithm takes over
 constexpr double first_mu = 0.3, last_mu = 1e-4, mu_factor = 0.15;
-constexpr int most_newton = 12;  // steps per μ
+constexpr int max_newton = 12;  // steps per μ
 
 /// A site with its basis values.
 struct Row {
@@ -53,7 +53,7 @@ class Solver {
       }
     }
     for (double mu = first_mu; out.inside && mu >= last_mu; mu *= mu_factor)
-      for (int i = 0; i < most_newton; ++i) {
+      for (int i = 0; i < max_newton; ++i) {
         ++out.steps;
         if (step_barrier(mu)) break;
       }

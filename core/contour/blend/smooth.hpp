@@ -10,7 +10,7 @@
 #include <functional>
 #include <vector>
 
-#include "core/curve/curve.hpp"
+#include "core/geometry/curve/curve.hpp"
 
 namespace bahnwerk::blending {
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/curve/bspline_basis.hpp"
+#include "core/geometry/curve/bspline_basis.hpp"
 
 namespace bahnwerk::blending {
 

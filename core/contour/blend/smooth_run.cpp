@@ -6,14 +6,14 @@
 #include "core/contour/blend/smooth.hpp"
 #include "core/contour/blend/smooth_basis.hpp"
 #include "core/contour/blend/smooth_scale.hpp"
-#include "core/curve/bend_bound.hpp"
-#include "core/curve/nurbs.hpp"
+#include "core/geometry/curve/nurbs.hpp"
+#include "core/geometry/path/bend_bound.hpp"
 
 namespace bahnwerk::blending {
 
 namespace {
 
-constexpr int most_rounds = 8;
+constexpr int max_rounds = 8;
 constexpr double site_share = 0.96;  // of the tolerance at the sites; the rest is for what lies between them
 constexpr double site_step = 0.25;   // of H
 constexpr double slowest = 0.05;     // smallest |f'|: below it the curve all but turns round in a point
@@ -136,7 +136,7 @@ class Inspection {
         const Place next = place(k < 4 ? begin + (end - begin) * k / 4 : end);
         if (k < 4 && !(next.off <= worst_)) worst_ = next.off, outside_ = next.t;
         if (!(next.speed >= least)) least = next.speed, halt = next.t;
-        if (outside_ < 0) prove(last, next, most_halvings);
+        if (outside_ < 0) prove(last, next, max_halvings);
         last = next;
       }
       if (outside_ >= 0) found.places.push_back(outside_);
@@ -148,7 +148,7 @@ class Inspection {
   }
 
  private:
-  static constexpr int most_halvings = 12;
+  static constexpr int max_halvings = 12;
   struct Place {
     double t = 0, off = 0, speed = 0;
     std::size_t span = 0;
@@ -201,7 +201,7 @@ SmoothedRun smooth_run(const Stretch& stretch, const RunRange& range, const std:
   problem.dimension = dimension;
   problem.begin = end_of(stretch, range.a, range.clamped_begin);
   problem.end = end_of(stretch, range.b, range.clamped_end);
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < max_rounds; ++round) {
     problem.breaks = scale.breaks();
     problem.scale.clear();
     for (std::size_t k = 0; k + 1 < problem.breaks.size(); ++k)

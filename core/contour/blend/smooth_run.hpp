@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/contour/blend/elements.hpp"
-#include "core/curve/rational.hpp"
+#include "core/geometry/curve/rational.hpp"
 
 namespace bahnwerk::blending {
 

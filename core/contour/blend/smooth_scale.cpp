@@ -36,7 +36,7 @@ Vec point_of(const Stretch& stretch, double t) {
 BendScale::BendScale(const Stretch& stretch, double a, double b, double tolerance,
                      const std::function<void()>& breathe) {
   const double most = 0.5 * (b - a), least = std::min(tolerance, most);
-  least_ = least / 16;
+  min_ = least / 16;
   double h = most;
   for (double t = a;; t = std::min(b, t + node_step * h)) {
     while (h > least && !flat(stretch, a, b, t, h, tolerance)) h /= growth;
@@ -64,7 +64,7 @@ void BendScale::refine(const std::vector<double>& places) {
   for (const double t : places) {
     const auto after = static_cast<std::size_t>(std::upper_bound(t_.begin(), t_.end(), t) - t_.begin());
     for (std::size_t i = std::max(next, after > 0 ? after - 1 : 0); i < std::min(after + 1, t_.size()); ++i) {
-      h_[i] = std::max(least_, 0.5 * h_[i]);
+      h_[i] = std::max(min_, 0.5 * h_[i]);
       next = i + 1;
     }
   }

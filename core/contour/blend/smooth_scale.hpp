@@ -26,7 +26,7 @@ class BendScale {
   void grade();
 
   std::vector<double> t_, h_;
-  double least_ = 0;
+  double min_ = 0;
 };
 
 /// Point of a stretch at `t`. O(log elements).

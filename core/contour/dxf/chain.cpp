@@ -5,14 +5,14 @@
 #include <cstdint>
 #include <tuple>
 
+#include "core/base/progress_scope.hpp"
 #include "core/contour/dxf/point_grid.hpp"
-#include "core/contour/reading_progress.hpp"
 
 namespace bahnwerk {
 namespace {
 
 constexpr std::uint32_t none = UINT32_MAX;
-constexpr std::size_t most_partners = 8;
+constexpr std::size_t max_partners = 8;
 
 /// End 2i is where strand i begins, 2i + 1 where it ends.
 Vec place(const std::vector<Strand>& strands, std::size_t end) {
@@ -42,7 +42,7 @@ std::uint32_t cost(const std::vector<Strand>& strands, std::size_t a, std::size_
 }
 
 std::vector<Pair> pairs(const std::vector<Strand>& strands, const std::vector<bool>& closed, double tolerance,
-                        ReadingProgress& progress) {
+                        ProgressScope& progress) {
   PointGrid grid(tolerance, 2 * strands.size());
   std::vector<std::uint32_t> ends;
   std::vector<Pair> list;
@@ -55,7 +55,7 @@ std::vector<Pair> pairs(const std::vector<Strand>& strands, const std::vector<bo
       grid.near(p, [&](std::size_t k, double distance) {
         if (distance > tolerance || ends[k] / 2 == i) return true;
         list.push_back({cost(strands, ends[k], end, distance, tolerance), ends[k], static_cast<std::uint32_t>(end)});
-        return ++found < most_partners;
+        return ++found < max_partners;
       });
     }
     for (std::size_t end = 2 * i; end < 2 * i + 2; ++end) {
@@ -74,7 +74,7 @@ std::vector<Chain> chains(const std::vector<Strand>& strands, double tolerance, 
   for (std::size_t i = 0; i < n; ++i)
     closed[i] = norm(strands[i].to - strands[i].from) <= std::min(tolerance, 0.1 * strands[i].length);
 
-  ReadingProgress reading(progress);
+  ProgressScope reading(progress, "reading", 0, 0);
   auto list = pairs(strands, closed, tolerance, reading);
   std::sort(list.begin(), list.end(), [&](const Pair& p, const Pair& q) {
     reading.work();

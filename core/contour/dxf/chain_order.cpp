@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-#include "core/contour/reading_progress.hpp"
+#include "core/base/progress_scope.hpp"
 namespace bahnwerk {
 namespace {
 
@@ -14,7 +14,7 @@ constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 /// Points that can be removed, and the nearest of those left.
 class NearestTree {
  public:
-  NearestTree(const std::vector<Vec>& points, ReadingProgress& progress)
+  NearestTree(const std::vector<Vec>& points, ProgressScope& progress)
       : points_(points),
         order_(points.size()),
         leaf_of_(points.size()),
@@ -113,7 +113,7 @@ class NearestTree {
   std::vector<std::size_t> order_, leaf_of_;
   std::vector<bool> alive_;
   std::vector<Node> nodes_;
-  ReadingProgress& progress_;
+  ProgressScope& progress_;
 };
 
 }  // namespace
@@ -126,7 +126,7 @@ std::vector<ChainVisit> nearest_order(const std::vector<ChainEntries>& chains, P
     points.insert(points.end(), chains[c].at.begin(), chains[c].at.end());
     chain_of.resize(points.size(), c);
   }
-  ReadingProgress reading(progress);
+  ProgressScope reading(progress, "reading", 0, 0);
   NearestTree tree(points, reading);
   std::vector<ChainVisit> order;
   for (std::size_t next = points.empty() ? none : 0; next != none;) {

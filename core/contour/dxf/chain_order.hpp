@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/curve/vec.hpp"
-#include "core/progress.hpp"
+#include "core/base/progress.hpp"
+#include "core/geometry/curve/vec.hpp"
 
 namespace bahnwerk {
 

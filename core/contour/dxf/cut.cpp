@@ -5,9 +5,9 @@
 #include <iterator>
 #include <numbers>
 
+#include "core/base/progress_scope.hpp"
 #include "core/contour/dxf/chain.hpp"
 #include "core/contour/dxf/chain_order.hpp"
-#include "core/contour/reading_progress.hpp"
 namespace bahnwerk {
 namespace {
 
@@ -28,7 +28,7 @@ void append(Cut& cut, Drawn curve, std::size_t line) {
 }
 
 /// Where a closed cut may start: at its corners, or anywhere between curves if it has none.
-std::vector<std::size_t> starts(const Cut& cut, ReadingProgress& progress) {
+std::vector<std::size_t> starts(const Cut& cut, ProgressScope& progress) {
   constexpr double corner = 1e-3;  // rad
   std::vector<std::size_t> list;
   const std::size_t n = cut.curves.size();
@@ -53,7 +53,7 @@ void turn_round(Cut& cut) {
 std::vector<Cut> cuts(std::vector<DxfStrand> strands, double tolerance, Progress& progress) {
   std::vector<Strand> ends;
   ends.reserve(strands.size());
-  ReadingProgress reading(progress);
+  ProgressScope reading(progress, "reading", 0, 0);
   for (const DxfStrand& s : strands) {
     double length = 0;
     for (const Drawn& curve : s.curves) length += extent(curve);
@@ -85,7 +85,7 @@ std::vector<Cut> cuts(std::vector<DxfStrand> strands, double tolerance, Progress
 }
 
 std::vector<Cut> nearest(std::vector<Cut> cuts, Progress& progress) {
-  ReadingProgress reading(progress);
+  ProgressScope reading(progress, "reading", 0, 0);
   std::vector<ChainEntries> entries;
   std::vector<std::vector<std::size_t>> where(cuts.size());
   for (std::size_t c = 0; c < cuts.size(); ++c) {

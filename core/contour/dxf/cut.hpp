@@ -3,11 +3,11 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/base/progress.hpp"
+#include "core/base/progress_scope.hpp"
 #include "core/contour/builder.hpp"
 #include "core/contour/dxf/drawing.hpp"
 #include "core/contour/dxf/drawn.hpp"
-#include "core/contour/reading_progress.hpp"
-#include "core/progress.hpp"
 
 namespace bahnwerk {
 
@@ -34,6 +34,6 @@ struct GapReport {
 };
 
 /// Adds a cut to the block begun in `builder`, which stands at its start.
-void write_cut(ContourBuilder& builder, const Cut& cut, GapReport& gaps, ReadingProgress& progress);
+void write_cut(ContourBuilder& builder, const Cut& cut, GapReport& gaps, ProgressScope& progress);
 
 }  // namespace bahnwerk

@@ -13,8 +13,8 @@
 namespace bahnwerk {
 namespace {
 
-constexpr std::size_t most_faults = 100;
-constexpr std::size_t most_depth = 32;
+constexpr std::size_t max_faults = 100;
+constexpr std::size_t max_depth = 32;
 constexpr const char* in_paper_space = "skipped: in paper space";
 
 /// An entity of a block, kept for the next time the block is inserted.
@@ -44,7 +44,7 @@ class Reader {
     }
     if (faults_.empty()) faults_ = layers_.missing();
     if (!faults_.empty()) {
-      if (faults_.size() > most_faults) faults_.resize(most_faults);
+      if (faults_.size() > max_faults) faults_.resize(max_faults);
       throw InvalidInput(std::move(faults_));
     }
     report();
@@ -79,7 +79,7 @@ class Reader {
   void entities(DxfTags::Mark first, const Affine& to_mm) {
     tags_.seek(first);
     DxfRecord record;
-    while (faults_.size() < most_faults && tags_.next(record) && record.type != "ENDSEC" && record.type != "ENDBLK" &&
+    while (faults_.size() < max_faults && tags_.next(record) && record.type != "ENDSEC" && record.type != "ENDBLK" &&
            record.type != "EOF") {
       count();
       Entity entity;
@@ -207,8 +207,8 @@ class Reader {
       const auto* spline = std::get_if<DrawnSpline>(&curve);
       curves_ += spline == nullptr ? 1 : spline->points.size() - spline->degree;
     }
-    if (curves_ > reading_.most_curves)
-      refuse_dxf(line, "more than " + std::to_string(reading_.most_curves) + " curves in the drawing");
+    if (curves_ > reading_.max_curves)
+      refuse_dxf(line, "more than " + std::to_string(reading_.max_curves) + " curves in the drawing");
     if (!strand.curves.empty()) drawing_.strands.push_back(std::move(strand));
   }
 
@@ -229,19 +229,19 @@ class Reader {
     if (found == file_.blocks.end())
       return fault(dxf_fault(entity.line, "the INSERT names a block that does not exist, " + dxf_quoted(at.block)));
     if (found->second.external) return note("skipped: a reference to another file", entity.line);
-    if (depth >= most_depth)
-      refuse_dxf(entity.line, "blocks are nested more than " + std::to_string(most_depth) + " deep: does " +
+    if (depth >= max_depth)
+      refuse_dxf(entity.line, "blocks are nested more than " + std::to_string(max_depth) + " deep: does " +
                                   dxf_quoted(at.block) + " contain itself?");
     const std::vector<Entity>& inside = entities_of(found->first, found->second);
     for (std::size_t row = 0; row < at.rows; ++row)
       for (std::size_t column = 0; column < at.columns; ++column) {
         // What draws nothing costs, too: billions of empty blocks can be written in a few lines.
-        if ((inserted_ += 1 + inside.size()) > 4 * reading_.most_curves)
-          refuse_dxf(entity.line, "more than " + std::to_string(4 * reading_.most_curves) + " entities inserted");
+        if ((inserted_ += 1 + inside.size()) > 4 * reading_.max_curves)
+          refuse_dxf(entity.line, "more than " + std::to_string(4 * reading_.max_curves) + " entities inserted");
         count();
         const Affine inner = map * at.map(found->second.base, row, column);
         for (const Entity& e : inside) {
-          if (faults_.size() >= most_faults) return;
+          if (faults_.size() >= max_faults) return;
           count();
           draw(e, inner, inherited, depth + 1);
         }
@@ -254,7 +254,7 @@ class Reader {
     const auto here = tags_.mark();
     tags_.seek(place.first);
     DxfRecord record;
-    while (faults_.size() < most_faults && tags_.next(record) && record.type != "ENDBLK" && record.type != "ENDSEC" &&
+    while (faults_.size() < max_faults && tags_.next(record) && record.type != "ENDBLK" && record.type != "ENDSEC" &&
            record.type != "EOF") {
       count();
       Entity entity;
@@ -265,11 +265,11 @@ class Reader {
   }
 
   void report() {
-    constexpr std::size_t most_notes = 50;
-    std::size_t left = most_notes;
+    constexpr std::size_t max_notes = 50;
+    std::size_t left = max_notes;
     for (const auto& [what, o] : noted_) {
       if (left-- == 0) {
-        drawing_.notes.push_back("… and " + std::to_string(noted_.size() - most_notes) + " more kinds of notes");
+        drawing_.notes.push_back("… and " + std::to_string(noted_.size() - max_notes) + " more kinds of notes");
         break;
       }
       drawing_.notes.push_back(what + " (" + std::to_string(o.count) + (o.count == 1 ? ", line " : ", first in line ") +

@@ -7,15 +7,15 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/contour/dxf/drawn.hpp"
-#include "core/progress.hpp"
 
 namespace bahnwerk {
 
 struct DxfReading {
   std::vector<std::string> layers;             ///< only these (upper and lower case are the same); empty = all
   std::optional<double> millimetres_per_unit;  ///< instead of what the file says
-  std::size_t most_curves = 2'000'000;         ///< after blocks are resolved; more are refused
+  std::size_t max_curves = 2'000'000;          ///< after blocks are resolved; more are refused
 };
 
 /// One entity: curves end to end.

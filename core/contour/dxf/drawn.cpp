@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "core/curve/nurbs.hpp"
+#include "core/geometry/curve/nurbs.hpp"
 
 namespace bahnwerk {
 namespace {

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/curve/vec.hpp"
+#include "core/geometry/curve/vec.hpp"
 
 namespace bahnwerk {
 
@@ -32,7 +32,7 @@ struct DrawnArc {
   Vec at(double angle) const { return centre + std::cos(angle) * a + std::sin(angle) * b; }
   bool circular() const;  ///< half-axes equal and perpendicular to 1e-9
 };
-/// A NURBS that core/curve/nurbs.hpp accepts; ends and end directions are kept beside it.
+/// A NURBS that core/geometry/curve/nurbs.hpp accepts; ends and end directions are kept beside it.
 struct DrawnSpline {
   std::size_t degree = 0;
   std::vector<Vec> points;

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/progress_scope.hpp"
 #include "core/contour/dxf/cut.hpp"
 #include "core/contour/dxf/point_grid.hpp"
-#include "core/contour/reading_progress.hpp"
 namespace bahnwerk {
 namespace {
 
@@ -26,7 +26,7 @@ bool same_curve(const Drawn& a, const Drawn& b, bool turned, double tolerance) {
   return true;
 }
 
-bool same_strand(const DxfStrand& a, const DxfStrand& b, bool turned, double tolerance, ReadingProgress& progress) {
+bool same_strand(const DxfStrand& a, const DxfStrand& b, bool turned, double tolerance, ProgressScope& progress) {
   const std::size_t n = a.curves.size();
   if (b.curves.size() != n) return false;
   for (std::size_t i = 0; i < n; ++i) {
@@ -44,7 +44,7 @@ std::size_t drop_duplicates(std::vector<DxfStrand>& strands, double tolerance, P
   std::vector<DxfStrand> kept;
   kept.reserve(strands.size());
   std::size_t dropped = 0;
-  ReadingProgress reading(progress);
+  ProgressScope reading(progress, "reading", 0, 0);
   for (DxfStrand& strand : strands) {
     double length = 0;
     for (const Drawn& curve : strand.curves) length += extent(curve);

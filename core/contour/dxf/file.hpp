@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/contour/dxf/tags.hpp"
-#include "core/curve/vec.hpp"
+#include "core/geometry/curve/vec.hpp"
 
 namespace bahnwerk {
 

@@ -25,7 +25,7 @@ const DxfLayers::Layer& DxfLayers::operator[](std::string_view name) {
 }
 
 std::vector<InputFault> DxfLayers::missing() const {
-  constexpr std::size_t most_listed = 30;
+  constexpr std::size_t max_listed = 30;
   if (wanted_.empty()) return {};
   std::map<std::string, std::string> existing;  // sorted; by the name in lower case, as written
   for (const auto& [lower, layer] : declared_) existing.emplace(lower, layer.name);
@@ -33,7 +33,7 @@ std::vector<InputFault> DxfLayers::missing() const {
   std::string list;
   std::size_t listed = 0;
   for (const auto& [lower, name] : existing) {
-    if (listed == most_listed) break;
+    if (listed == max_listed) break;
     list += (listed++ == 0 ? "" : ", ") + dxf_quoted(name);
   }
   if (existing.size() > listed) list += " and " + std::to_string(existing.size() - listed) + " more";

@@ -5,8 +5,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "core/base/errors.hpp"
 #include "core/contour/dxf/file.hpp"
-#include "core/errors.hpp"
 
 namespace bahnwerk {
 

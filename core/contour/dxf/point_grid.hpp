@@ -1,6 +1,6 @@
 #pragma once
 /// Points hashed by the cell of a regular grid that they lie in: who is near? O(1) per point and query while cells hold
-/// few points; a query looks at no more than `most_looks` points per cell (the last ones added), so that a million
+/// few points; a query looks at no more than `max_looks` points per cell (the last ones added), so that a million
 /// points at one place stay linear, too.
 #include <algorithm>
 #include <array>
@@ -10,13 +10,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/curve/vec.hpp"
+#include "core/geometry/curve/vec.hpp"
 
 namespace bahnwerk {
 
 class PointGrid {
  public:
-  static constexpr std::size_t most_looks = 256;
+  static constexpr std::size_t max_looks = 256;
 
   /// For about `expected` points and queries of this radius, mm (1e-9 at least).
   PointGrid(double radius, std::size_t expected)
@@ -47,7 +47,7 @@ class PointGrid {
           if (again || cells == seen.size()) continue;
           seen[cells++] = cell;
           std::size_t looks = 0;
-          for (std::uint32_t i = heads_[cell]; i != none && looks < most_looks; i = next_[i], ++looks) {
+          for (std::uint32_t i = heads_[cell]; i != none && looks < max_looks; i = next_[i], ++looks) {
             const double distance = norm(points_[i] - p);
             if (distance <= radius_ && !visit(static_cast<std::size_t>(i), distance)) return;
           }

@@ -102,7 +102,7 @@ struct Tags {
   long flags = 0, degree = 3;
 };
 
-Tags collected(const DxfRecord& record, ReadingProgress& progress) {
+Tags collected(const DxfRecord& record, ProgressScope& progress) {
   Tags t;
   Vec none;
   double number = 0;

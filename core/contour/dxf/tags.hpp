@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/contour/reading_progress.hpp"
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
+#include "core/base/progress_scope.hpp"
 namespace bahnwerk {
 
 /// What is wrong in a DXF file, at {"contour","dxf"}: "line 12: …".
@@ -53,14 +53,14 @@ class DxfTags {
   };
   Mark mark() const;
   void seek(Mark mark);
-  std::size_t line() const { return line_; }         ///< lines read so far
-  ReadingProgress& progress() { return progress_; }  ///< for those who work on the records
+  std::size_t line() const { return line_; }       ///< lines read so far
+  ProgressScope& progress() { return progress_; }  ///< for those who work on the records
 
  private:
   bool next_line(std::string_view& line);
 
   std::string_view text_;
-  ReadingProgress progress_;
+  ProgressScope progress_;
   std::size_t at_ = 0, line_ = 0;
   bool pending_ = false;  ///< the last record ended at a code 0, which is in tag_
   DxfTag tag_;

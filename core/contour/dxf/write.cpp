@@ -42,8 +42,8 @@ void write_arc(ContourBuilder& builder, const DrawnArc& arc, Vec end) {
 }
 
 /// A span takes the builder some 10 µs: long splines are handed over in parts, each a spline of its own.
-void write_spans(ContourBuilder& builder, const DrawnSpline& s, ReadingProgress& progress) {
-  constexpr std::size_t most_spans = 512, steps_per_span = 16;
+void write_spans(ContourBuilder& builder, const DrawnSpline& s, ProgressScope& progress) {
+  constexpr std::size_t max_spans = 512, steps_per_span = 16;
   const std::size_t p = s.degree, n = s.points.size();
   const auto part = [](const auto& list, std::size_t first, std::size_t last) {
     const auto at = [&](std::size_t i) { return list.begin() + static_cast<std::ptrdiff_t>(i); };
@@ -51,7 +51,7 @@ void write_spans(ContourBuilder& builder, const DrawnSpline& s, ReadingProgress&
   };
   // Between the knots k and end, k < end ≤ n, count the points k − p … end − 1 and the knots k − p … end + p.
   for (std::size_t k = p; k < n;) {
-    std::size_t end = std::min(k + most_spans, n);
+    std::size_t end = std::min(k + max_spans, n);
     while (end < n && s.knots[end] == s.knots[k]) ++end;  // a part needs a domain
     while (end < n && s.knots[end] == s.knots[end + 1]) ++end;
     if (s.knots[end] == s.knots[n]) end = n;
@@ -64,7 +64,7 @@ void write_spans(ContourBuilder& builder, const DrawnSpline& s, ReadingProgress&
 
 /// A displacement that is linear in the parameter takes the ends where they belong: a spline whose control points are
 /// their Greville abscissae is the parameter itself.
-void write_spline(ContourBuilder& builder, DrawnSpline spline, Vec end, ReadingProgress& progress) {
+void write_spline(ContourBuilder& builder, DrawnSpline spline, Vec end, ProgressScope& progress) {
   const Vec at_first = builder.position() - spline.from, at_last = end - spline.to;
   const std::size_t p = spline.degree, n = spline.points.size();
   const double begin = spline.knots[p], range = spline.knots[n] - begin;
@@ -84,7 +84,7 @@ void write_spline(ContourBuilder& builder, DrawnSpline spline, Vec end, ReadingP
 
 }  // namespace
 
-void write_cut(ContourBuilder& builder, const Cut& cut, GapReport& gaps, ReadingProgress& progress) {
+void write_cut(ContourBuilder& builder, const Cut& cut, GapReport& gaps, ProgressScope& progress) {
   const Vec start = builder.position();
   const std::size_t n = cut.curves.size();
   const auto bridge = [&](Vec to) {

@@ -52,8 +52,8 @@ bool Interpreter::execute(const Line& line) {
     move(line);
     leftovers(line);
   }
-  if (builder.segments() > options_.most_segments) {
-    fault("more than " + std::to_string(options_.most_segments) + " segments are not accepted");
+  if (builder.segments() > options_.max_segments) {
+    fault("more than " + std::to_string(options_.max_segments) + " segments are not accepted");
     return false;
   }
   return !ends_ && !builder.full();
@@ -144,8 +144,7 @@ void Interpreter::dwell_time(const Line& line) {
       dwell_ = line[letter];
       break;
     }
-  if (!line.has('P') && line.any(letters("YZ")))
-    fault("a dwell takes no coordinates: give its time with P");
+  if (!line.has('P') && line.any(letters("YZ"))) fault("a dwell takes no coordinates: give its time with P");
 }
 
 /// Behind the line's switches and before its motion. It is part of the cut if the tool is on; where nothing switches

@@ -8,8 +8,8 @@ namespace bahnwerk::gcode {
 namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
-constexpr double largest = 1e9;   // mm
-constexpr int most_turns = 1000;  // of one helix
+constexpr double largest = 1e9;  // mm
+constexpr int max_turns = 1000;  // of one helix
 
 }  // namespace
 
@@ -79,8 +79,8 @@ void Interpreter::arc(const Line& line) {
   ArcMove how{plane_, motion_ == Action::arc_ccw, 1, unit_ == 1 ? 0.01 : 0.0005 * unit_};
   if ((used_ & letters("P")) == 0 && takes(line, letters("P"))) {
     const double turns = line['P'];
-    if (!(turns >= 1 && turns <= most_turns && turns == std::floor(turns)))
-      fault("the number of turns P must be a whole one from 1 to " + std::to_string(most_turns));
+    if (!(turns >= 1 && turns <= max_turns && turns == std::floor(turns)))
+      fault("the number of turns P must be a whole one from 1 to " + std::to_string(max_turns));
     else
       how.turns = static_cast<std::size_t>(turns);
   }

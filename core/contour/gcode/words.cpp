@@ -119,7 +119,7 @@ bool Lines::word(Line& line, char letter) {
     }
     auto& list = letter == 'G' ? line.g : line.m;
     auto& count = letter == 'G' ? line.g_count : line.m_count;
-    if (count == Line::most_codes) {
+    if (count == Line::max_codes) {
       line.fault = std::string("too many ") + letter + " words";
       return false;
     }

@@ -10,12 +10,12 @@ namespace bahnwerk::gcode {
 
 /// One line of a program. G and M words are lists, every other letter has at most one number.
 struct Line {
-  static constexpr std::size_t most_codes = 16;
+  static constexpr std::size_t max_codes = 16;
 
   std::size_t number = 0;  ///< in the text, from 1
-  std::array<int, most_codes> g{};
+  std::array<int, max_codes> g{};
   std::size_t g_count = 0;  ///< g holds tenfold numbers: G5.1 is 51
-  std::array<int, most_codes> m{};
+  std::array<int, max_codes> m{};
   std::size_t m_count = 0;
   bool slash = false;    ///< begins with /
   bool percent = false;  ///< begins with %

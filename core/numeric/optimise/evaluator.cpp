@@ -90,7 +90,7 @@ void OptimisationEvaluator::values(std::span<const double> z, bool gradients) {
 void OptimisationEvaluator::remember() {
   const bool first = !best_.defined;
   worst_ = first ? point_.objective : std::max(worst_, point_.objective);
-  least_ = first ? point_.objective : std::min(least_, point_.objective);
+  min_ = first ? point_.objective : std::min(min_, point_.objective);
   worst_violation_ = std::max(worst_violation_, point_.violation);
   const double tolerance = options_.constraint_tolerance;
   const bool feasible = point_.violation <= tolerance, was = best_.violation <= tolerance;

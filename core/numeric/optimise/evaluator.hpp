@@ -35,7 +35,7 @@ class OptimisationEvaluator {
   const OptimisationPoint& best() const { return best_; }
   /// Finite values for points where the problem is undefined, worse than any seen: methods without gradients compare
   /// them.
-  double worse_objective() const { return worst_ + (worst_ - least_) + 1; }
+  double worse_objective() const { return worst_ + (worst_ - min_) + 1; }
   double worse_row() const { return worst_violation_ + 1; }
 
   void report();
@@ -53,7 +53,7 @@ class OptimisationEvaluator {
   Progress& progress_;
   std::vector<double> scale_, row_scale_, lower_, upper_;
   OptimisationPoint point_, best_;
-  double worst_ = 0, least_ = 0, worst_violation_ = 0;
+  double worst_ = 0, min_ = 0, worst_violation_ = 0;
   std::size_t evaluations_ = 0;
 };
 

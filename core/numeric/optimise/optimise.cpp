@@ -80,7 +80,7 @@ class Solve {
         return result(OptimisationStatus::evaluation_limit, confirmed_.kkt_residual);
       if (!feasible() && allow_elastic) {
         allow_elastic = false;
-        OptimisationResult least = least_violation();
+        OptimisationResult least = min_violation();
         if (least.status == OptimisationStatus::infeasible) return least;
         z = evaluator_.best().z;
         continue;
@@ -146,7 +146,7 @@ class Solve {
 
   /// Infeasible where the largest violation has a confirmed local minimum above the tolerance; the evaluator has seen
   /// the point.
-  OptimisationResult least_violation() {
+  OptimisationResult min_violation() {
     const OptimisationProblem elastic = elastic_problem(evaluator_.problem());
     OptimisationOptions options = options_;
     options.method = OptimisationMethod::slsqp;

@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "core/progress.hpp"
+#include "core/base/progress.hpp"
 
 namespace bahnwerk {
 

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "core/progress.hpp"
-#include "core/winding/region.hpp"
+#include "core/base/progress.hpp"
+#include "core/geometry/region/region.hpp"
 
 namespace bahnwerk::winding {
 

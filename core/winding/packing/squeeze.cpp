@@ -120,7 +120,7 @@ void Squeeze::share(std::span<const Point> wires, std::vector<double>& of_each) 
     of_each[i] += dot(in, in);
   }
   for (const Pair& pair : pairs_) {
-    const double overlap = distance_ - winding::distance(wires[pair.a], wires[pair.b]);
+    const double overlap = distance_ - bahnwerk::distance(wires[pair.a], wires[pair.b]);
     if (overlap <= 0) continue;
     of_each[pair.a] += 0.5 * overlap * overlap;
     of_each[pair.b] += 0.5 * overlap * overlap;

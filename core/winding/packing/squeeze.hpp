@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/progress.hpp"
+#include "core/base/progress.hpp"
 #include "core/winding/packing/centre_room.hpp"
 
 namespace bahnwerk::winding {

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "api/setpoints.hpp"
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 #include "tests/api/documents.hpp"
 
 namespace bahnwerk::api::contour {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <set>
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 #include "tests/api/documents.hpp"
 
 namespace bahnwerk::api::fill_factor {
@@ -134,7 +134,7 @@ TEST(FillFactorInput, NeedleInAPolygonNeedsItsOpening) {
   EXPECT_THROW(request(spec), InvalidInput);
   spec["slot"]["opening"] = {{2, 12}, {4.5, 12}};
   EXPECT_NEAR(request(spec).slot.opening->clear, 2.5, 1e-12);
-  EXPECT_EQ(request(spec).slot.opening->into, (winding::Point{0, -1}));
+  EXPECT_EQ(request(spec).slot.opening->into, (Point{0, -1}));
   spec["slot"]["opening"] = {{2, 12}, {4.5, 11}};
   EXPECT_THROW(request(spec), InvalidInput) << "inside the slot";
 }

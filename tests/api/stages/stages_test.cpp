@@ -7,7 +7,7 @@
 #include <map>
 #include <vector>
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 #include "large_documents.hpp"
 #include "tests/api/documents.hpp"
 

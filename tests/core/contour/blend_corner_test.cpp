@@ -4,8 +4,8 @@
 
 #include "core/contour/blend/corner.hpp"
 #include "core/contour/polyline.hpp"
-#include "core/curve/arc.hpp"
-#include "core/curve/curvature.hpp"
+#include "core/geometry/curve/arc.hpp"
+#include "core/geometry/curve/curvature.hpp"
 
 namespace bahnwerk::blending {
 namespace {

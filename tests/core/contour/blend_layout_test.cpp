@@ -1,9 +1,8 @@
-#include "core/contour/blend/layout.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "core/contour/blend/layout.hpp"
 #include "core/contour/polyline.hpp"
 #include "core/numeric/random.hpp"
 

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
+#include "core/base/errors.hpp"
 #include "core/contour/builder.hpp"
 #include "core/contour/polyline.hpp"
-#include "core/curve/curvature.hpp"
-#include "core/errors.hpp"
+#include "core/geometry/curve/curvature.hpp"
 
 namespace bahnwerk {
 namespace {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 
 namespace bahnwerk {
 namespace {

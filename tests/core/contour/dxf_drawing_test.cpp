@@ -115,7 +115,7 @@ TEST(DxfInsert, BillionsOfCopiesAreRefusedQuickly) {
     }
     t.end().section("ENTITIES").tag(0, "INSERT", 2, "b11").end();
     DxfOptions options;
-    options.most_curves = 10'000;
+    options.max_curves = 10'000;
     const auto list = faults(t.eof(), options);
     ASSERT_EQ(list.size(), 1u);
     EXPECT_NE(list[0].find("more than"), std::string::npos);

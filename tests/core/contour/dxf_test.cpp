@@ -244,7 +244,7 @@ std::string rich_drawing() {
 TEST(Dxf, MutatedFilesAreReadOrRefused) {
   const std::string text = rich_drawing();
   DxfOptions options;
-  options.most_curves = 2'000;
+  options.max_curves = 2'000;
   ASSERT_TRUE(faults(text, options).empty());
   Random random(20261121);
   const std::string alphabet = "0123456789.-+eE \n\r\tANBINSRT";

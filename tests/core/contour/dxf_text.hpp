@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/errors.hpp"
 #include "core/contour/dxf.hpp"
-#include "core/errors.hpp"
 
 namespace bahnwerk::test {
 

@@ -2,7 +2,7 @@
 // Points that agree.
 #include <gtest/gtest.h>
 
-#include "core/curve/vec.hpp"
+#include "core/geometry/curve/vec.hpp"
 
 namespace bahnwerk {
 

@@ -138,9 +138,9 @@ TEST(GcodeFaults, ASecondProgramIsNotReadAlong) {
 TEST(GcodeFaults, TooLong) {
   std::string text = "G1\n";
   for (int i = 1; i <= 20; ++i) text.append("X").append(std::to_string(i)).append(1, '\n');
-  EXPECT_EQ(read_gcode(text, {.most_segments = 20}).path.size(), 20u);
-  EXPECT_EQ(fault_lines(text, {.most_segments = 19}), (std::vector{21}));
-  EXPECT_EQ(fault_lines("G0 X1 Y0\nG2 I-1 P1000\nG2 I-1 P1000\n", {.most_segments = 1000}), (std::vector{3}));
+  EXPECT_EQ(read_gcode(text, {.max_segments = 20}).path.size(), 20u);
+  EXPECT_EQ(fault_lines(text, {.max_segments = 19}), (std::vector{21}));
+  EXPECT_EQ(fault_lines("G0 X1 Y0\nG2 I-1 P1000\nG2 I-1 P1000\n", {.max_segments = 1000}), (std::vector{3}));
 }
 
 TEST(GcodeFaults, PlacesStayFinite) {

@@ -54,7 +54,7 @@ TEST(GcodeMutation, BeginsWithGoodPrograms) {
 TEST(GcodeMutation, ReadsOrRefuses) {
   Random random(20240611);
   GcodeOptions options;
-  options.most_segments = 2'000;
+  options.max_segments = 2'000;
   int good = 0, bad = 0;
   double worst = 0;
   for (int run = 0; run < 20'000; ++run) {

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/errors.hpp"
 #include "core/contour/gcode.hpp"
-#include "core/curve/arc.hpp"
-#include "core/errors.hpp"
+#include "core/geometry/curve/arc.hpp"
 #include "tests/core/contour/expect_near.hpp"
 
 namespace bahnwerk {

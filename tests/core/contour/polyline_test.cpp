@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 
 namespace bahnwerk {
 namespace {

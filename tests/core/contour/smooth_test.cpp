@@ -6,7 +6,7 @@
 
 #include "core/contour/blend/smooth_band.hpp"
 #include "core/contour/blend/smooth_basis.hpp"
-#include "core/curve/nurbs.hpp"
+#include "core/geometry/curve/nurbs.hpp"
 #include "core/numeric/random.hpp"
 
 namespace bahnwerk::blending {

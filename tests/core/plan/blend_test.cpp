@@ -8,10 +8,10 @@
 
 #include "core/contour/builder.hpp"
 #include "core/contour/polyline.hpp"
-#include "core/curve/curvature.hpp"
-#include "core/motion/acceleration_limited.hpp"
+#include "core/geometry/curve/curvature.hpp"
+#include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/numeric/random.hpp"
-#include "core/verify/tube.hpp"
+#include "core/verify/geometry/tube.hpp"
 
 namespace bahnwerk {
 namespace {

@@ -8,10 +8,10 @@
 
 #include "core/contour/blend.hpp"
 #include "core/contour/builder.hpp"
-#include "core/contour_plan.hpp"
-#include "core/motion/acceleration_limited.hpp"
+#include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/numeric/random.hpp"
-#include "core/verify/judge.hpp"
+#include "core/plan/contour_plan.hpp"
+#include "core/verify/verifier.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -252,10 +252,10 @@ TEST(BlockFeed, AShortSlowBlockInARunStaysSlow) {
 Verification verify(const Contour& given, const Contour& driven) {
   SilentProgress progress;
   const Machine machine = quick_machine();
-  const MotionLaw law = plan_acceleration_limited(driven, machine, {}, progress).law;
-  JudgeInput input{driven, machine, law, 0.1 * pi / 180};
+  const TimeLaw law = plan_acceleration_limited(driven, machine, {}, progress).law;
+  VerifierInput input{driven, machine, law, 0.1 * pi / 180};
   input.given = &given;
-  return judge(input, progress);
+  return verify_motion(input, progress);
 }
 
 TEST(BlockFeed, TheGivenFeedsCount) {

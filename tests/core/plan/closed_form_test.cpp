@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "core/contour/builder.hpp"
-#include "core/contour_plan.hpp"
+#include "core/plan/contour_plan.hpp"
 
 namespace bahnwerk {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/fill_plan.hpp"
+#include "core/plan/fill_plan.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <ctime>
 #include <set>
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -136,7 +136,7 @@ TEST(FillPlan, ReportsEvery100MillisecondsWithManyCorners) {
   winding::PolygonSlot polygon;
   for (int k = 0; k < 2000; ++k) {
     const double a = 2 * 3.141592653589793 * k / 2000;
-    polygon.points.push_back(5 * winding::Point{std::cos(a), std::sin(a)});
+    polygon.points.push_back(5 * Point{std::cos(a), std::sin(a)});
   }
   FillRequest request = stator({});
   request.slot = make_slot(polygon);

@@ -4,8 +4,8 @@
 
 #include <cstdlib>
 
-#include "core/contour_plan.hpp"
-#include "random_contour.hpp"
+#include "core/plan/contour_plan.hpp"
+#include "tests/core/plan/random_contour.hpp"
 
 namespace bahnwerk {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/contour/gcode.hpp"
-#include "core/contour_plan.hpp"
-#include "random_contour.hpp"
+#include "core/plan/contour_plan.hpp"
+#include "tests/core/plan/random_contour.hpp"
 
 namespace bahnwerk {
 namespace {

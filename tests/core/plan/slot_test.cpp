@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "core/contour/builder.hpp"
-#include "core/contour_plan.hpp"
 #include "core/numeric/random.hpp"
+#include "core/plan/contour_plan.hpp"
 
 namespace bahnwerk {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cstdlib>
 
-#include "core/contour_plan.hpp"
+#include "core/plan/contour_plan.hpp"
 #include "tests/core/plan/random_contour.hpp"
 
 namespace bahnwerk {

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "core/contour/builder.hpp"
-#include "core/contour_plan.hpp"
+#include "core/plan/contour_plan.hpp"
 #include "tests/core/plan/random_contour.hpp"
 
 namespace bahnwerk {

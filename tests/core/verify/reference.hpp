@@ -1,6 +1,6 @@
 #pragma once
-/// What the tests hold the judge and the bound against: contours by hand, a law by hand, and a slow dense solution of
-/// the acceleration-limited problem that shares no formula with the bound.
+/// What the tests hold the verifier and the bound against: contours by hand, a law by hand, and a slow dense solution
+/// of the acceleration-limited problem that shares no formula with the bound.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "core/contour/contour.hpp"
-#include "core/curve/arc.hpp"
-#include "core/curve/line.hpp"
-#include "core/curve/rational.hpp"
+#include "core/geometry/curve/arc.hpp"
+#include "core/geometry/curve/line.hpp"
+#include "core/geometry/curve/rational.hpp"
 #include "core/machine/machine.hpp"
-#include "core/motion/law.hpp"
+#include "core/motion/law/time_law.hpp"
 
 namespace bahnwerk::reference {
 
@@ -181,8 +181,8 @@ inline double dense_optimum(const Contour& contour, const Machine& machine, doub
 struct Stop {
   double s, v;
 };
-inline MotionLaw law_through(const Path& path, const std::vector<Stop>& stops) {
-  MotionLaw law;
+inline TimeLaw law_through(const Path& path, const std::vector<Stop>& stops) {
+  TimeLaw law;
   for (std::size_t i = 1; i < stops.size(); ++i) {
     const Stop &p = stops[i - 1], &q = stops[i];
     LawPiece piece;

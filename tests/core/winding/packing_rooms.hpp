@@ -7,10 +7,12 @@
 #include <numbers>
 #include <vector>
 
-#include "core/progress.hpp"
-#include "tests/core/winding/rooms.hpp"
+#include "core/base/progress.hpp"
+#include "tests/core/geometry/region/rooms.hpp"
 
 namespace bahnwerk::winding::test {
+
+using namespace bahnwerk::test;
 
 inline Region square() { return polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}); }
 inline Region triangle() { return polygon({{0, 0}, {1, 0}, {0.5, std::sqrt(0.75)}}); }

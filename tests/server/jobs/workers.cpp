@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "../store/fixture.hpp"
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 #include "server/runtime/clock.hpp"
 
 namespace bahnwerk::server {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 #include "tests/core/numeric/optimise/gradient_check.hpp"
 #include "tests/core/numeric/optimise/problems.hpp"
 

@@ -1,0 +1,33 @@
+#pragma once
+/// The names of an enumeration's values as they stand in documents: one table beside the enumeration, read both ways.
+/// A name or value that is not in the table is an error, never a default.
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace bahnwerk {
+
+template <class Enumeration>
+struct Named {
+  Enumeration value;
+  const char* name;
+};
+
+/// Throws std::logic_error for a value without a name.
+template <class Enumeration>
+const char* name_of(Enumeration value, std::span<const Named<Enumeration>> table) {
+  for (const auto& entry : table)
+    if (entry.value == value) return entry.name;
+  throw std::logic_error("a value without a name");
+}
+
+/// Throws std::invalid_argument for an unknown name.
+template <class Enumeration>
+Enumeration value_of(std::string_view name, std::span<const Named<Enumeration>> table) {
+  for (const auto& entry : table)
+    if (entry.name == name) return entry.value;
+  throw std::invalid_argument("unknown name: " + std::string(name));
+}
+
+}  // namespace bahnwerk

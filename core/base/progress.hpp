@@ -1,0 +1,21 @@
+#pragma once
+/// What a planner calls while it works: it reports where it stands and learns whether to stop.
+/// Rule: no planner runs 100 ms without a call. Reporting is cheap; implementations throttle what they publish.
+#include <string_view>
+
+namespace bahnwerk {
+
+class Progress {
+ public:
+  virtual ~Progress() = default;
+  /// `fraction` in [0,1] over the whole job. Throws Stopped (core/base/errors.hpp) when the planner has to end.
+  virtual void report(std::string_view stage, double fraction, std::string_view message = {}) = 0;
+};
+
+/// Reports to nobody and never stops.
+class SilentProgress final : public Progress {
+ public:
+  void report(std::string_view, double, std::string_view) override {}
+};
+
+}  // namespace bahnwerk

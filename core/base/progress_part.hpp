@@ -1,0 +1,25 @@
+#pragma once
+/// A share of a job's progress, for a planner that is one of several.
+#include <string>
+#include <utility>
+
+#include "core/base/progress.hpp"
+
+namespace bahnwerk {
+
+/// Maps what a planner reports to [from, to] of the whole, under one name.
+class ProgressPart final : public Progress {
+ public:
+  ProgressPart(Progress& whole, std::string stage, double from, double to)
+      : whole_(whole), stage_(std::move(stage)), from_(from), to_(to) {}
+  void report(std::string_view, double fraction, std::string_view message = {}) override {
+    whole_.report(stage_, from_ + (to_ - from_) * fraction, message);
+  }
+
+ private:
+  Progress& whole_;
+  std::string stage_;
+  double from_, to_;
+};
+
+}  // namespace bahnwerk

@@ -1,0 +1,63 @@
+#pragma once
+/// A stage of a job's progress, for code that works in small steps: it counts them and calls Progress often enough to
+/// stop within milliseconds, seldom enough to cost nothing.
+#include <cstddef>
+#include <string_view>
+
+#include "core/base/progress.hpp"
+
+namespace bahnwerk {
+
+class ProgressScope {
+ public:
+  /// `stage` runs from `from` to `to` of the whole job, and has to outlive this object.
+  ProgressScope(Progress& progress, std::string_view stage, double from, double to)
+      : progress_(progress), stage_(stage), from_(from), to_(to), begin_(from), end_(to) {}
+
+  /// What follows is this part, [begin, end] ⊂ [0, 1], of the stage.
+  void part(double begin, double end) {
+    begin_ = from_ + begin * (to_ - from_);
+    end_ = from_ + end * (to_ - from_);
+    fraction_ = 0;
+    report();
+  }
+  /// What follows is half of what is left: for loops whose number is not known before. Follows part().
+  void half_of_rest() { part(end_fraction(), 0.5 + 0.5 * end_fraction()); }
+  /// How much of this part is done, in [0,1]; tells nobody yet.
+  void done(double fraction) { fraction_ = fraction; }
+
+  /// `units` of roughly 0.1 to 1 µs have been worked.
+  void work(std::size_t units = 1) {
+    work_ += units;
+    if (work_ >= units_per_report) report();
+  }
+  /// Step i of n of this part is due; a few hundred nanoseconds each.
+  void operator()(std::size_t i, std::size_t n) {
+    if (i % steps_per_report == 0) report(i, n);
+  }
+  /// Step i of n of this part is due; up to a millisecond each.
+  void now(std::size_t i, std::size_t n) {
+    if (i % long_steps_per_report == 0) report(i, n);
+  }
+  void report() {
+    work_ = 0;
+    progress_.report(stage_, begin_ + fraction_ * (end_ - begin_));
+  }
+
+ private:
+  static constexpr std::size_t units_per_report = 8192, steps_per_report = 1 << 14, long_steps_per_report = 16;
+  void report(std::size_t i, std::size_t n) {
+    done(static_cast<double>(i) / static_cast<double>(n));
+    report();
+  }
+  double end_fraction() const { return to_ > from_ ? (end_ - from_) / (to_ - from_) : 1; }
+
+  Progress& progress_;
+  std::string_view stage_;
+  double from_, to_;     // of the job
+  double begin_, end_;   // of the job, this part
+  double fraction_ = 0;  // of this part
+  std::size_t work_ = 0;
+};
+
+}  // namespace bahnwerk

@@ -1,0 +1,30 @@
+#pragma once
+/// What every plan says about itself: the checks of the independent verifier and the proven lower bound.
+#include <string>
+#include <vector>
+
+namespace bahnwerk {
+
+/// One line of the verifier's verdict: the true continuous peak `value` at `at` seconds against `limit`.
+struct Check {
+  std::string name;
+  std::string unit;
+  double limit = 0;
+  double value = 0;
+  double at = 0;
+  bool passed = false;
+};
+
+struct Verification {
+  bool passed = false;
+  std::vector<Check> checks;
+};
+
+/// No motion under the same limits is shorter than `duration` (s). gap = planned / duration − 1.
+struct Bound {
+  double duration = 0;
+  double gap = 0;
+  std::string basis;
+};
+
+}  // namespace bahnwerk

@@ -1,0 +1,153 @@
+#pragma once
+/// What a drawing of a path is made of: points so close that chords do, and lines thinned to what shows.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <unordered_set>
+#include <utility>
+
+#include "core/geometry/curve/arc.hpp"
+#include "core/geometry/path/path.hpp"
+#include "core/geometry/region/point.hpp"
+
+namespace bahnwerk::drawing {
+
+/// Points of a segment so close that chords stay within `tolerance`, mm; its begin is left out.
+class Sampler {
+ public:
+  Sampler(double tolerance, const std::function<void(Vec)>& to) : tolerance_(tolerance), to_(to) {}
+  void operator()(const Segment& segment) {
+    const Curve& curve = segment.curve();
+    if (segment.straight()) return to_(curve.at(curve.end()).value);
+    if (curve.kind() == CurveKind::arc) {
+      const double sweep = std::abs(static_cast<const Arc&>(curve).sweep()), radius = segment.length() / sweep;
+      const double step = 2 * std::acos(std::max(0.5, 1 - tolerance_ / radius));
+      const int n = std::max(1, static_cast<int>(std::ceil(sweep / step)));
+      for (int i = 1; i <= n; ++i) to_(curve.at(i == n ? curve.end() : at(curve, i, n)).value);
+      return;
+    }
+    double u = curve.begin();
+    Vec p = curve.at(u).value;
+    for (const double end : segment.panel_parameters()) {
+      if (!(end > u)) continue;
+      const Vec q = curve.at(end).value;
+      between(curve, u, p, end, q, 0);
+      u = end, p = q;
+    }
+  }
+
+ private:
+  static constexpr int deepest = 12;
+  static double at(const Curve& curve, int i, int n) { return curve.begin() + (curve.end() - curve.begin()) * i / n; }
+  /// Distance from the line through a and b, or from a where they are one.
+  static double off(Vec p, Vec a, Vec b) {
+    const Vec way = b - a;
+    const double length = norm(way);
+    return length > 0 ? norm(cross(way, p - a)) / length : norm(p - a);
+  }
+  void between(const Curve& curve, double u0, Vec p0, double u1, Vec p1, int depth) {
+    const double u = u0 + (u1 - u0) / 2;
+    const Vec middle = curve.at(u).value;
+    const double bulge = std::max({off(middle, p0, p1), off(curve.at(u0 + (u1 - u0) / 4).value, p0, p1),
+                                   off(curve.at(u0 + (u1 - u0) * 3 / 4).value, p0, p1)});
+    if (depth >= deepest || bulge <= tolerance_ / 2) {
+      to_(middle);
+      return to_(p1);
+    }
+    between(curve, u0, p0, u, middle, depth + 1);
+    between(curve, u, middle, u1, p1, depth + 1);
+  }
+
+  double tolerance_;
+  const std::function<void(Vec)>& to_;
+};
+
+/// Path data of many lines, thinned: a point is left out while one straight line passes all points since the last kept
+/// one within half of the tolerance; kept points lie on a lattice of a third of it, and no line is drawn twice.
+class Thinned {
+ public:
+  explicit Thinned(double tolerance) : reach_(tolerance / 2), lattice_(tolerance / 3) {}
+
+  void begin(Point p) {
+    end();
+    anchor_ = last_ = p;
+    open_ = true;
+    low_ = -HUGE_VAL, high_ = HUGE_VAL, farthest_ = 0;
+  }
+  void to(Point p) {
+    if (!fits(p)) {
+      line(anchor_, last_);
+      anchor_ = last_;
+      low_ = -HUGE_VAL, high_ = HUGE_VAL, farthest_ = 0;
+      fits(p);
+    }
+    last_ = p;
+  }
+  void end() {
+    if (open_) line(anchor_, last_);
+    open_ = false;
+    pen_ = nowhere;
+  }
+  /// In units of lattice(), px.
+  const std::string& data() const { return data_; }
+  double lattice() const { return lattice_; }
+
+ private:
+  using Place = std::pair<std::int32_t, std::int32_t>;
+  static constexpr Place nowhere{INT32_MIN, INT32_MIN};
+
+  /// Whether the line from the anchor to p passes all points since; narrows the directions that later ones may have.
+  bool fits(Point p) {
+    const double dx = p.x - anchor_.x, dy = p.y - anchor_.y, d = std::hypot(dx, dy);
+    if (d < farthest_ - reach_) return false;  // turned back
+    if (d <= reach_) {
+      farthest_ = std::max(farthest_, d);
+      return true;
+    }
+    double angle = std::atan2(dy, dx);
+    const double half = std::asin(reach_ / d);
+    if (low_ > -HUGE_VAL) {
+      const double turn = 2 * std::numbers::pi, middle = (low_ + high_) / 2;
+      angle -= turn * std::round((angle - middle) / turn);
+      if (angle < low_ || angle > high_) return false;
+    }
+    low_ = std::max(low_, angle - half), high_ = std::min(high_, angle + half);
+    farthest_ = std::max(farthest_, d);
+    return true;
+  }
+  Place place(Point p) const {
+    return {static_cast<std::int32_t>(std::lround(p.x / lattice_)),
+            static_cast<std::int32_t>(std::lround(p.y / lattice_))};
+  }
+  void line(Point from, Point to) {
+    Place a = place(from), b = place(to);
+    const auto key = [](Place p) { return (static_cast<std::uint64_t>(p.first & 0xFFFF) << 16) | (p.second & 0xFFFF); };
+    const std::uint64_t one = key(a), other = key(b);
+    if (!drawn_.insert(std::min(one, other) << 32 | std::max(one, other)).second) return;
+    char text[48];
+    if (a != pen_) {
+      std::snprintf(text, sizeof text, "M%d %dl", a.first, a.second);
+      data_ += text;
+    } else if (b.first >= a.first) {
+      data_ += ' ';  // a minus sign separates by itself
+    }
+    const int dx = b.first - a.first, dy = b.second - a.second;
+    std::snprintf(text, sizeof text, dy < 0 ? "%d%d" : "%d %d", dx, dy);
+    data_ += text;
+    pen_ = b;
+  }
+
+  double reach_, lattice_;  // px
+  std::string data_;
+  std::unordered_set<std::uint64_t> drawn_;
+  Place pen_ = nowhere;
+  Point anchor_{}, last_{};
+  double low_ = 0, high_ = 0, farthest_ = 0;
+  bool open_ = false;
+};
+
+}  // namespace bahnwerk::drawing

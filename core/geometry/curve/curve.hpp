@@ -1,0 +1,29 @@
+#pragma once
+/// A smooth (C∞) piece of a contour over its own parameter u ∈ [begin(), end()].
+#include "core/geometry/curve/path_batch.hpp"
+#include "core/geometry/curve/vec.hpp"
+
+namespace bahnwerk {
+
+/// Value and the first three derivatives with respect to the parameter of the curve at hand.
+struct Jet {
+  Vec value, d1, d2, d3;
+};
+
+enum class CurveKind { line, arc, rational };
+
+/// Immutable; every call is thread-safe, allocation-free and O(degree).
+class Curve {
+ public:
+  virtual ~Curve() = default;
+  virtual CurveKind kind() const = 0;
+  virtual double begin() const = 0;
+  virtual double end() const = 0;
+  virtual Jet at(double u) const = 0;
+  /// |dh/du|, mm per unit of u; cheaper than at().
+  virtual double speed(double u) const = 0;
+  /// Derivatives by the parameter at all points of a batch. False: take them one by one.
+  virtual bool derivatives(PathBatch&) const { return false; }
+};
+
+}  // namespace bahnwerk

@@ -1,0 +1,33 @@
+#pragma once
+/// Geometry next to a vanishing parametric tangent, where the usual quotients are 0/0.
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "core/geometry/curve/rational.hpp"
+
+namespace bahnwerk {
+
+/// With ρ ≥ 0 the scaled distance from the end, V = w² h' = ρᵐ W(ρ) and W × W' = ρʳ C(ρ) are divided out as
+/// polynomials, so tangent W/|W|, binormal curvature b = w² ρ^(r−m) C/|W|³ and db/ds come without cancellation for
+/// every ρ > 0, and as limits at 0. Valid in the near zone ρ ≤ 1/16. O(degree), no allocation after construction.
+class EndExpansion {
+ public:
+  /// `curve` has a vanishing tangent at exactly one end.
+  explicit EndExpansion(const Rational& curve);
+
+  bool covers(double u) const { return (u - end_) * inward_ <= zone_; }
+  /// d1, d2, d3 of `point` by arc length at u; at the end itself the one-sided limits, or 0 for a part that has none.
+  void derivatives(double u, Jet& point) const;
+  /// The curvature grows without bound towards the end.
+  bool unbounded() const { return curvature_power_ < 0; }
+
+ private:
+  using Rows = std::vector<Vec>;
+  double end_, inward_, inverse_reach_, zone_;
+  int curvature_power_, rate_power_;
+  Rows tangent_, binormal_, rate_;  ///< W, C and G (see the .cpp)
+  std::vector<double> weight_;
+};
+
+}  // namespace bahnwerk

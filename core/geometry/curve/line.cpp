@@ -1,0 +1,10 @@
+#include "core/geometry/curve/line.hpp"
+
+namespace bahnwerk {
+
+Jet Line::at(double u) const {
+  // From the nearer end, so that both end points come out exactly.
+  return {u < 0.5 ? from_ + u * way_ : to_ - (1 - u) * way_, way_, {}, {}};
+}
+
+}  // namespace bahnwerk

@@ -1,0 +1,80 @@
+#pragma once
+/// One C∞ piece: a polynomial, or a quotient of polynomials N(u)/w(u) with w > 0, of degree ≤ 24.
+///
+/// Stored in the power basis of t = (u − pivot)/reach with |t| ≤ 1, relative to an origin on the curve, so that neither
+/// large coordinates nor a parameter far from 0 cost digits. Power-basis rounding grows like 2.4ⁿ ε at worst (degree 5:
+/// 80 ε, degree 16: 1e6 ε), and with the ratio of the weights; Horner with the derivatives carried along. Measured
+/// cost: see tests/bench/bench_curve.cpp.
+#include <cstddef>
+#include <vector>
+
+#include "core/geometry/curve/curve.hpp"
+#include "core/numeric/polynomial.hpp"
+
+namespace bahnwerk {
+
+class Rational final : public Curve {
+ public:
+  static constexpr std::size_t max_degree = 24;
+
+  /// h(u) = Σ rows[d][k] u^k on [0, 1], one row per coordinate (2 or 3; rows may differ in length). Throws InvalidInput
+  /// at
+  /// {"polynomial","coefficients",…} for anything not finite or beyond 1e9, empty rows, or a degree above 24.
+  static Rational from_power_basis(const std::vector<std::vector<double>>& rows);
+  /// Bézier curve on [0, 1]; no weights = all one. Throws InvalidInput at {"points"…} or {"weights"…}: not finite,
+  /// beyond 1e9 mm, weights not positive or more than a factor of 1e6 apart, counts that do not fit, degree outside 1
+  /// … 24.
+  static Rational bezier(const std::vector<Vec>& points, const std::vector<double>& weights = {});
+
+  CurveKind kind() const override { return CurveKind::rational; }
+  double begin() const override { return begin_; }
+  double end() const override { return end_; }
+  Jet at(double u) const override;
+  double speed(double u) const override;
+  bool derivatives(PathBatch& batch) const override;
+
+  std::size_t degree() const { return degree_; }
+  bool rational() const { return rational_; }
+  /// The same curve restricted to [u0, u1] and expanded about `pivot` ∈ [u0, u1]; parameters keep their meaning.
+  /// `vanishing`: the lowest coefficients 1 … vanishing are set to exactly 0, which makes the parametric tangent vanish
+  /// to that order at the pivot, an end, with full relative accuracy around it.
+  Rational restricted(double u0, double u1, double pivot, std::size_t vanishing = 0) const;
+  /// Order of the zero of dh/du at an end (0: none), as set by restricted(). At most one end vanishes.
+  std::size_t vanishing_begin() const { return pivot_ == begin_ ? vanishing_ : 0; }
+  std::size_t vanishing_end() const { return pivot_ == end_ ? vanishing_ : 0; }
+
+  /// For whoever analyses the piece: h(u) = origin + (N_x, N_y, N_z)(t)/w(t), t = (u − pivot)/reach; w = {1} for a
+  /// polynomial.
+  Vec origin() const { return origin_; }
+  double pivot() const { return pivot_; }
+  double reach() const { return reach_; }
+  Polynomial coordinate(std::size_t axis) const;
+  Polynomial weight() const;
+  /// Σ |coefficient| over the numerators without the constant: bounds the extent of the piece up to the weight, mm.
+  double extent() const { return extent_; }
+  /// What rounding of the input coordinates may have done to a coefficient, mm.
+  double noise() const { return noise_; }
+  /// All of it on one straight line, to 1e-12 of its extent (or the rounding of the coordinates).
+  bool collinear() const;
+  /// The projection of a collinear piece onto its line: rounding no longer hides where it turns back.
+  Rational straightened() const;
+
+ private:
+  Rational() = default;
+  Vec longest() const;
+  Vec numerator(std::size_t k) const {
+    return {c_[k * stride_], c_[k * stride_ + 1], stride_ == 4 ? c_[k * 4 + 2] : 0.0};
+  }
+  static Rational build(const Polynomial (&numerator)[3], const Polynomial& weight, Vec origin, double u0, double u1,
+                        double pivot, double reach, double noise);
+
+  double pivot_ = 0, inverse_ = 1, reach_ = 1, begin_ = 0, end_ = 1;
+  Vec origin_;
+  std::size_t degree_ = 0, stride_ = 2, vanishing_ = 0;
+  bool rational_ = false, plane_ = true;
+  std::vector<double> c_;  ///< t^k from k·stride: x y [z w]; z = 0 and w = 1 where they do not exist
+  std::vector<double> d_;  ///< the derivative's, for polynomials
+  double extent_ = 0, noise_ = 0;
+};
+
+}  // namespace bahnwerk

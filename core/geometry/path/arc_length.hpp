@@ -1,0 +1,54 @@
+#pragma once
+/// Arc length over the parameter and back.
+///
+/// Lines and arcs: closed form. Rational pieces: adaptive panels; on each the speed is interpolated by a polynomial of
+/// degree 11 at Chebyshev points, bisected until its last two coefficients are below 2e-13 of the panel's mean speed
+/// (or do not matter to the whole), and integrated exactly. Next to an end where the tangent vanishes the panels shrink
+/// geometrically and the innermost one is the monomial s ~ ρ^(m+1), so that both directions keep relative accuracy
+/// there. Accuracy of s(u), u(s): some 1e-15 of the length (tests hold 1e-12). Building: below 1 µs per panel; 4–25
+/// panels for ordinary pieces.
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "core/geometry/curve/curve.hpp"
+#include "core/geometry/curve/rational.hpp"
+
+namespace bahnwerk {
+
+class ArcLength {
+ public:
+  /// The curve is read, not kept. Rational pieces have to be regular inside (core/geometry/path/regular.hpp).
+  explicit ArcLength(const Curve& curve);
+
+  double length() const { return length_; }
+  /// s(u) from the beginning, mm; u is clamped to the curve. O(log panels).
+  double at(double u) const;
+  void at(PathBatch& batch) const;
+  /// u(s); s is clamped to [0, length()]. O(log panels), usually one Newton step from a polynomial start.
+  double inverse(double s) const;
+  /// Borders of the panels, ascending from begin to end of the parameter.
+  std::vector<double> borders() const;
+
+ private:
+  static constexpr std::size_t terms = 13;  ///< of s on a panel
+  static constexpr std::size_t starts = 8;  ///< of the start of Newton's method
+  struct Panel {
+    double centre, inverse_half;      ///< x = (u − centre)·inverse_half ∈ [−1, 1]
+    double base;                      ///< s = base + Σ s[k] x^k
+    double s_middle, s_inverse_half;  ///< y = (s − s_middle)·s_inverse_half ∈ [−1, 1]
+    std::array<double, terms> s;
+    std::array<double, starts> start;  ///< x ≈ Σ start[k] y^k
+    unsigned monomial;                 ///< > 0: s = base + s[monomial] x^monomial alone
+  };
+  void add(const Rational& curve, double a, double b, int depth, double scale);
+  void add_monomial(const Rational& curve, double a, double b, double end, std::size_t order);
+  void finish(Panel panel, double a, double b);
+  double inverse_on(const Panel& panel, double s) const;
+
+  double begin_, end_, length_ = 0;
+  std::vector<double> u_, s_;  ///< borders, panels + 1 of each; empty for constant speed
+  std::vector<Panel> panels_;
+};
+
+}  // namespace bahnwerk

@@ -1,0 +1,46 @@
+#pragma once
+/// One piece of a boundary: a straight line or an arc of a circle.
+#include <vector>
+
+#include "core/geometry/region/point.hpp"
+
+namespace bahnwerk {
+
+struct Box {
+  Point low, high;
+};
+
+struct Edge {
+  Point from, to;
+  Point centre;       ///< of an arc
+  double radius = 0;  ///< of an arc, mm; 0: a straight line
+  double turn = 0;    ///< of an arc, rad: positive counterclockwise, at most a full circle
+
+  bool straight() const { return radius == 0; }
+  double length() const;
+  Point at(double fraction) const;         ///< fraction 0 … 1 of the length
+  Point direction(double fraction) const;  ///< unit tangent
+  /// Fraction of the point of the edge that is nearest to `p`, in [0, 1].
+  double nearest(Point p) const;
+  Edge part(double first, double last) const;
+  Edge reversed() const;
+  /// Twice the area between the edge and the origin, counterclockwise positive; a loop's sum is twice its area.
+  double doubled_area() const;
+};
+
+Edge line(Point from, Point to);
+/// From `start` rad, over `turn` rad (positive counterclockwise).
+Edge arc(Point centre, double radius, double start, double turn);
+/// The arc about `centre` from one point to another on its circle, at most one turn.
+Edge arc_between(Point centre, Point from, Point to, bool counterclockwise);
+
+/// A box that holds the edge and `more` mm around it; about arcs it may be larger.
+Box extent(const Edge& edge, double more);
+
+/// Where two edges meet, as fractions of each; lines that overlap meet nowhere. At most two.
+struct Meeting {
+  double first = 0, second = 0;
+};
+std::vector<Meeting> meetings(const Edge& a, const Edge& b);
+
+}  // namespace bahnwerk

@@ -1,0 +1,55 @@
+#pragma once
+/// The edges of a boundary in nested boxes: which of them can be nearest to a point.
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/geometry/region/edge.hpp"
+
+namespace bahnwerk {
+
+/// A binary tree over blocks of edges in their order: edges that follow each other lie side by side, so that no sorting
+/// is needed. O(n) to build; a query takes O(log n) blocks where one part of the boundary is clearly the nearest, all
+/// of them in the middle of a circle.
+class EdgeTree {
+ public:
+  EdgeTree() = default;
+  explicit EdgeTree(std::span<const Edge> edges);
+
+  /// Calls `visit(first, last)` for blocks of edges in ascending nearness of their boxes, as long as those lie no
+  /// farther than `best`, a squared distance in mm² that `visit` may lessen.
+  template <class Visit>
+  void near(Point p, const double& best, Visit visit) const {
+    if (count_ > 0) near(1, p, best, visit);
+  }
+
+ private:
+  static constexpr std::size_t block = 32;
+  std::size_t count_ = 0, leaves_ = 0;
+  std::vector<Box> boxes_;  ///< of node k, whose halves are 2 k and 2 k + 1; leaves are the last ones
+
+  static double square_distance_to(const Box& box, Point p) {
+    const double x = std::max({box.low.x - p.x, p.x - box.high.x, 0.0});
+    const double y = std::max({box.low.y - p.y, p.y - box.high.y, 0.0});
+    return x * x + y * y;
+  }
+  template <class Visit>
+  void near(std::size_t node, Point p, const double& best, Visit& visit) const {
+    if (node >= leaves_) {
+      const std::size_t first = (node - leaves_) * block;
+      visit(first, std::min(first + block, count_));
+      return;
+    }
+    std::size_t halves[] = {2 * node, 2 * node + 1};
+    double away[] = {square_distance_to(boxes_[halves[0]], p), square_distance_to(boxes_[halves[1]], p)};
+    if (away[1] < away[0]) {
+      std::swap(halves[0], halves[1]);
+      std::swap(away[0], away[1]);
+    }
+    for (const int k : {0, 1})
+      if (away[k] <= best) near(halves[k], p, best, visit);
+  }
+};
+
+}  // namespace bahnwerk

@@ -1,0 +1,276 @@
+#include "core/motion/acceleration/acceleration_limited.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/base/errors.hpp"
+#include "core/motion/acceleration/cell_law.hpp"
+#include "core/motion/acceleration/division_marks.hpp"
+#include "core/motion/acceleration/law_writer.hpp"
+#include "core/motion/acceleration/speed_chain.hpp"
+#include "core/motion/grid/sections.hpp"
+
+namespace bahnwerk {
+
+namespace {
+
+// Memory: about 270 bytes per cell of a window, 72 for the law of each. Beyond the usual number cells get wider, up to
+// the coarsest; the gap then tells what that costs.
+constexpr double usual_cells = 1e6, max_cells = 8e6, coarsest_angle = 0.02;  // rad
+constexpr std::size_t block = 512;                                           // cells that stay in a cache
+
+template <int N>
+class SectionPlanner {
+ public:
+  SectionPlanner(const Contour& contour, const Machine& machine, const AccelerationLimitedOptions& options,
+             const std::vector<double>& feed, const Sections& sections, double cells, Progress& progress)
+      : path_(contour.path),
+        machine_(machine),
+        options_(options),
+        feed_(feed),
+        progress_(progress),
+        one_window_(cells <= static_cast<double>(options.window)),
+        limit_(machine),
+        chain_(grid_, feed, sections, machine,
+               options.keep_reserve ? std::optional(options.braking_reserve) : std::nullopt),
+        marks_(grid_, chain_) {
+    // Curves whose curvature changes fast take up to twice as many. Memory that is not written to costs nothing.
+    grid_.reserve(static_cast<std::size_t>(2.1 * std::min(cells, 2 * static_cast<double>(options.window))) + 16);
+  }
+
+  /// The run over the segments [first, last); `from` … `to` is its share of progress.
+  void plan(std::size_t first, std::size_t last, double from, double to, AccelerationLimitedResult& result) {
+    if (!one_window_ && reach(first, last, static_cast<double>(options_.window)) < last)
+      return plan_long(first, last, from, to, result);
+    ProgressScope pulse(progress_, "planning", from, to);
+    solve_window(first, last, 0, pulse, result);
+    slow_ = slowing(excess(grid_.cells.size()));
+    emit(grid_.cells.size(), result, pulse);
+  }
+
+ private:
+  /// The end of the segments from `first` on that have about so many cells; one at least.
+  std::size_t reach(std::size_t first, std::size_t last, double cells) const {
+    std::size_t end = first;
+    for (; end < last && cells > 0; ++end) cells -= 1 + total_turn(path_, end, end + 1) / options_.grid.angle;
+    return end;
+  }
+
+  /// Window by window, each to a stop at its end. Kept is what lies before the last segment border which that stop does
+  /// not reach and where the speed is given by what came before; the next window begins there. Where there is none, or
+  /// the next window cannot go on from it, windows grow.
+  void plan_long(std::size_t first, std::size_t last, double from, double to, AccelerationLimitedResult& result) {
+    struct Place {
+      std::size_t segment, pieces, cells;
+      double entry, most;
+    };
+    const std::size_t first_piece = result.law.pieces().size();
+    Place at{first, first_piece, result.cells, 0, 0}, before = at;
+    double window = static_cast<double>(options_.window);
+    const auto fraction = [&](std::size_t segment) {
+      const double begin = path_[first].s0(), end = path_[last - 1].s1();
+      return from + (to - from) * ((segment < last ? path_[segment].s0() : end) - begin) / (end - begin);
+    };
+    slow_ = 1;
+    while (at.segment < last) {
+      const std::size_t end = reach(at.segment, last, window);
+      ProgressScope pulse(progress_, "planning", fraction(at.segment), fraction(end));
+      solve_window(at.segment, end, at.entry, pulse, result);
+      const std::size_t keep = end == last ? grid_.cells.size() : border();
+      if (!chain_.enters() || keep == 0) {
+        if (!chain_.enters()) at = before;
+        result.law.truncate(at.pieces);
+        window *= 2;
+        continue;
+      }
+      before = at;
+      emit(keep, result, pulse);
+      at = {end == last ? last : grid_.cells[keep].segment, result.law.pieces().size(), result.cells, chain_.node(keep),
+            std::max(at.most, excess(keep))};
+    }
+    if (const double slow = slowing(at.most); slow > 1) result.law.slow_from(first_piece, slow);
+  }
+
+  std::size_t border() const {
+    for (std::size_t c = chain_.unaffected(share_); c > 0; --c)
+      if (grid_.cells[c].segment != grid_.cells[c - 1].segment && chain_.slack(c)) return c;
+    return 0;
+  }
+
+  void solve_window(std::size_t first, std::size_t last, double entry, ProgressScope& pulse,
+                    AccelerationLimitedResult& result) {
+    pulse.part(0, 0.2);
+    grid_.build(path_, first, last, feed_, machine_, options_.grid, pulse);
+    std::size_t rounds = 0;
+    for (int division = 0;; ++division) {  // first the grid …
+      pulse.half_of_rest();
+      solve(entry, pulse);
+      ++rounds;
+      if (division == options_.max_divisions || !marks_.mark(excess_, options_.tolerance, pulse)) break;
+      grid_.divide(path_, marks_.parts, pulse);
+    }
+    for (int round = 0; round < options_.max_rounds && shrink_shares();
+         ++round, ++rounds) {  // … then the limits in its cells
+      pulse.half_of_rest();
+      chain_.update(share_, dirty_, pulse);
+      for (std::size_t c = 0; c < grid_.cells.size(); ++c) {
+        pulse(c, grid_.cells.size());
+        if (!dirty_[c]) continue;
+        shape(c, std::sqrt(chain_.node(c)));
+        check_cell(c);
+      }
+    }
+    pulse.half_of_rest();
+    result.rounds = std::max(result.rounds, rounds);
+  }
+
+  double excess(std::size_t cells) const {
+    double acceleration = 0, velocity = 0;
+    for (std::size_t c = 0; c < cells; ++c) {
+      acceleration = std::max(acceleration, excess_[c].acceleration);
+      velocity = std::max(velocity, excess_[c].velocity);
+    }
+    return std::max(acceleration, velocity);
+  }
+  static double slowing(double excess) { return excess > 0 ? std::sqrt(1 + excess) * (1 + 1e-12) : 1; }
+
+  /// Smooth cells leave what the law may bulge between their ends: the acceleration of an axis along a saturated law is
+  /// a parabola of height ≈ turn²/8 there.
+  double share(std::size_t c) const {
+    const Lanes<N> turn = grid_.right(c).d1 - grid_.left(c).d1;
+    return 1 - 0.15 * sum(turn * turn);
+  }
+
+  /// Speeds of all cells and their laws, block by block: reading the cells once more costs as much as the work on them.
+  void solve(double entry, ProgressScope& pulse) {
+    const std::size_t n = grid_.cells.size();
+    laws_.resize(n);
+    ends_.resize(n);
+    excess_.resize(n);
+    share_.resize(n);
+    chain_.start(entry);
+    for (std::size_t end = n; end > 0;) {
+      const std::size_t begin = (end - 1) / block * block;
+      pulse(begin, n);
+      chain_.backward(begin, end, [this](std::size_t c) { return share_[c] = share(c); });
+      end = begin;
+    }
+    for (std::size_t begin = 0; begin < n; begin += block) {
+      const std::size_t end = std::min(n, begin + block);
+      pulse(begin, n);
+      double v = std::sqrt(chain_.node(begin));
+      chain_.forward(begin, end, share_, [&](std::size_t c) { v = shape(c, v); });
+      for (std::size_t c = begin; c < end; ++c) check_cell(c);
+    }
+  }
+
+  /// The law of a curved cell. `v` is the speed at its left end; returns that at its right end.
+  [[gnu::always_inline]] double shape(std::size_t c, double v) {
+    const double v2 = std::sqrt(chain_.node(c + 1)), h = grid_.length(c);
+    ends_[c] = grid_.right(c).s;
+    if (!grid_.cells[c].straight && h > 0) laws_[c] = cell_law(chain_.node(c), v, chain_.middle(c), v2, h);
+    return v2;
+  }
+
+  /// Where a curved cell exceeds a limit between its stations.
+  void check_cell(std::size_t c) {
+    const GridCell& cell = grid_.cells[c];
+    const Station<N>&l = grid_.stations[cell.station], &r = (&l)[1];
+    const double h = r.s - l.s;
+    excess_[c] = {-1, -1};
+    if (cell.straight || !(h > 0)) return;
+    if (!cell.regular() || !smooth_excess<N>(l, r, h, laws_[c], chain_.node(c), chain_.node(c + 1), limit_, excess_[c]))
+      excess_[c] = cell_excess<N>(l, r, h, laws_[c], cell, limit_, feed_[cell.segment]);
+  }
+
+  /// Cells that exceed a limit a little get a smaller share of it. False = none does.
+  bool shrink_shares() {
+    bool any = false;
+    dirty_.resize(grid_.cells.size());
+    for (std::size_t c = 0; c < grid_.cells.size(); ++c) {
+      dirty_[c] = excess_[c].acceleration > options_.excess;
+      if (!dirty_[c]) continue;
+      share_[c] /= 1 + 1.2 * excess_[c].acceleration;
+      any = true;
+    }
+    return any;
+  }
+
+  /// The law of the first cells.
+  void emit(std::size_t cells, AccelerationLimitedResult& result, ProgressScope& pulse) {
+    result.law.reserve(cells + 2);
+    result.cells += cells;
+    LawWriter law(result.law, path_, slow_);
+    bool cruises = false;  // constant speed through the whole cell: such cells of one segment become one piece
+    for (std::size_t c = 0; c < cells; ++c) {
+      pulse(c, cells);
+      const GridCell& cell = grid_.cells[c];
+      const bool follows = c > 0 && grid_.cells[c - 1].segment == cell.segment, cruised = follows && cruises;
+      const double s1 = follows ? ends_[c - 1] : 0, s2 = ends_[c], b1 = chain_.node(c), b2 = chain_.node(c + 1);
+      cruises = !cell.straight && b1 == b2 && b1 == chain_.middle(c);
+      if (cell.straight)
+        law.straight(cell.segment, s1, s2, b1, b2, chain_.acceleration(c), chain_.cap(c));
+      else if (cruises && cruised && s2 > s1)
+        law.extend(cell.segment, s2);
+      else if (s2 > s1)
+        law.cell(laws_[c], cell.segment, s1, s2);
+    }
+  }
+
+  const Path& path_;
+  const Machine& machine_;
+  const AccelerationLimitedOptions& options_;
+  const std::vector<double>& feed_;
+  Progress& progress_;
+  bool one_window_;  // enough for any run
+  AxisBounds<N> limit_;
+  double slow_ = 1;  // by what the law is slowed
+  Grid<N> grid_;
+  SpeedChain<N> chain_;
+  UnsetVector<double> share_, ends_;  // ends: path length of cells' right ends from the begin of their segment
+  UnsetVector<Excess> excess_;
+  UnsetVector<CellLaw> laws_;        // of curved cells, before slowing
+  UnsetVector<std::uint8_t> dirty_;  // whose laws change with the shares
+  DivisionMarks<N> marks_;
+};
+
+template <int N>
+AccelerationLimitedResult plan(const Contour& contour, const Machine& machine,
+                               const AccelerationLimitedOptions& options, double turn, Progress& progress, double from,
+                               double to) {
+  const std::vector<double> feed = contour.feeds();
+  const Sections sections =
+      find_sections(contour, machine, options.corner_angle, [&] { progress.report("planning", from); });
+  AccelerationLimitedResult result;
+  const double cells = turn / options.grid.angle + 2 * static_cast<double>(contour.path.size());
+  SectionPlanner<N> planner(contour, machine, options, feed, sections, cells, progress);
+  for_each_section(contour.path, sections, from, to,
+                   [&](std::size_t first, std::size_t last, double begin, double end) {
+                     planner.plan(first, last, begin, end, result);
+                   });
+  return result;
+}
+
+}  // namespace
+
+AccelerationLimitedResult plan_acceleration_limited(const Contour& contour, const Machine& machine,
+                                                    const AccelerationLimitedOptions& options, Progress& progress,
+                                                    double from, double to) {
+  for (const AxisLimits& axis : machine.axes)
+    if (!(axis.velocity > 0) || !(axis.acceleration > 0) || !std::isfinite(axis.acceleration))
+      throw InvalidInput(
+          {{{"machine", "axes", axis.name}, "velocity and acceleration must be positive, acceleration finite"}});
+  AccelerationLimitedOptions fitted = options;
+  const double turn = total_turn(contour.path, 0, contour.path.size());
+  fitted.grid.angle = std::max(options.grid.angle, std::min(coarsest_angle, turn / usual_cells));
+  if (turn / fitted.grid.angle > max_cells)
+    throw InvalidInput(
+        {{{"contour"},
+          "the contour turns by " + std::to_string(static_cast<long>(turn)) + " rad in all, more than the " +
+              std::to_string(static_cast<long>(max_cells * coarsest_angle)) + " that fit into memory"}});
+  return machine.dimension() == 2 ? plan<2>(contour, machine, fitted, turn, progress, from, to)
+                                  : plan<3>(contour, machine, fitted, turn, progress, from, to);
+}
+
+}  // namespace bahnwerk

@@ -1,0 +1,89 @@
+#pragma once
+/// Which cells of an acceleration-limited law have to be divided: where it switches inside a cell, and where it exceeds
+/// a limit by far.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "core/motion/acceleration/cell_law.hpp"
+#include "core/motion/acceleration/speed_chain.hpp"
+#include "core/motion/grid/grid.hpp"
+
+namespace bahnwerk {
+
+template <int N>
+class DivisionMarks {
+ public:
+  DivisionMarks(const Grid<N>& grid, const SpeedChain<N>& chain) : grid_(grid), chain_(chain) {}
+
+  LargeVector<std::uint8_t> parts;  ///< into how many each cell is to be divided
+
+  /// Where a law switches inside a cell the ramp is far from its neighbours': estimates what that costs and divides
+  /// such cells until the whole stays below the tolerance; also cells that exceed a limit by far. False = nothing to
+  /// divide. O(cells).
+  bool mark(const UnsetVector<Excess>& excess, double tolerance, ProgressScope& pulse) {
+    const std::size_t n = grid_.cells.size();
+    parts.assign(n, 1);
+    loss_.assign(n, 0);
+    double time = 0, total = 0;
+    std::size_t curved = 0;
+    bool divide = false;
+    for (std::size_t c = 0; c < n; ++c) {
+      pulse(c, n);
+      const GridCell& cell = grid_.cells[c];
+      const double v = 0.5 * (std::sqrt(chain_.node(c)) + std::sqrt(chain_.node(c + 1))), h = grid_.length(c);
+      if (v > 0) time += h / v;
+      if (cell.straight) continue;
+      ++curved;
+      if (std::max(excess[c].acceleration, excess[c].velocity) > divide_above) {
+        parts[c] = 4;
+        divide = true;
+      }
+      const bool before = c > 0 && grid_.cells[c - 1].segment == cell.segment,
+                 after = c + 1 < n && grid_.cells[c + 1].segment == cell.segment;
+      double smooth = 0;
+      if (before && after)
+        smooth = 0.5 * (ramp(c - 1) + ramp(c + 1));
+      else if (before)
+        smooth = ramp(c - 1);
+      else if (after)
+        smooth = ramp(c + 1);
+      loss_[c] = v > 0 ? switching_loss(c, ramp(c) - smooth, v, h) : 0;
+      total += loss_[c];
+    }
+    if (curved > 0 && total > tolerance * time) {
+      divide = true;
+      const double share = tolerance * time / static_cast<double>(curved);
+      for (std::size_t c = 0; c < n; ++c)
+        if (loss_[c] > share)
+          parts[c] =
+              std::max(parts[c], static_cast<std::uint8_t>(std::min(8.0, std::ceil(std::sqrt(loss_[c] / share)))));
+    }
+    return divide;
+  }
+
+ private:
+  // An excess beyond this needs smaller cells, below it a smaller share of the limit.
+  static constexpr double divide_above = 1e-2;
+
+  /// How far v² bends inside a cell: the ramp of its acceleration over its length.
+  double ramp(std::size_t c) const {
+    return (chain_.node(c + 1) - 2 * chain_.middle(c) + chain_.node(c)) / (grid_.length(c) * grid_.length(c));
+  }
+
+  /// What a ramp of acceleration instead of a jump costs, s. At a peak of v² only the area under the ramp. At a trough
+  /// v² stays lower all along the arcs that leave it, until they have doubled it: about an eighth of the cell's own
+  /// time.
+  double switching_loss(std::size_t c, double bend, double v, double h) const {
+    const double left = std::abs(chain_.middle(c) - chain_.node(c)) / h,
+                 right = std::abs(chain_.node(c + 1) - chain_.middle(c)) / h;
+    const double jump = std::abs(bend) * h, scale = std::max(left, right), area = jump * h * h / (16 * v * v * v);
+    return bend > 0 && jump > 0.2 * scale ? std::max(area, 0.125 * jump / scale * h / v) : area;
+  }
+
+  const Grid<N>& grid_;
+  const SpeedChain<N>& chain_;
+  LargeVector<double> loss_;
+};
+
+}  // namespace bahnwerk

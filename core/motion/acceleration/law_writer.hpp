@@ -1,0 +1,67 @@
+#pragma once
+/// Writes the law of one run, cell by cell, all of it slowed by one factor.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/geometry/path/path.hpp"
+#include "core/motion/acceleration/cell_law.hpp"
+#include "core/motion/law/time_law.hpp"
+
+namespace bahnwerk {
+
+/// Path lengths count from the begin of the segment. O(1) each.
+class LawWriter {
+ public:
+  LawWriter(TimeLaw& law, const Path& path, double slow)
+      : law_(law), path_(path), slow_(slow), v_(1 / slow), a_(v_ * v_), j_(a_ * v_) {}
+
+  void cell(const CellLaw& cell, std::size_t segment, double s, double s_end) {
+    const double from = path_[segment].s0();
+    LawPiece& p = law_.next();
+    p.duration = cell.duration * slow_;
+    p.s = from + s;
+    p.s_end = from + s_end;
+    p.v = cell.v * v_;
+    p.a = cell.a * a_;
+    p.j = cell.j * j_;
+    p.segment = segment;
+  }
+
+  /// Lets the last piece, which has to run at constant speed, go on to `s_end`.
+  void extend(std::size_t segment, double s_end) { law_.extend(path_[segment].s0() + s_end); }
+
+  /// Accelerate, hold, brake between the v² b1 and b2: exact on a straight line. The lengths of the phases come from
+  /// their speeds, never from differences of places: a slow feed is reached within nanometres, of which the rounding of
+  /// s far along the path leaves nothing.
+  void straight(std::size_t segment, double s1, double s2, double b1, double b2, double a, double cap) {
+    const double way = s2 - s1, least = 4 * epsilon, top = 0.5 * (b1 + b2) + a * way;
+    const double v1 = std::sqrt(b1), v2 = std::sqrt(b2), v = std::sqrt(std::max({std::min(cap, top), b1, b2}));
+    double up = (v - v1) * (v + v1) / (2 * a), down = (v - v2) * (v + v2) / (2 * a);
+    const double hold = way - up - down;
+    const bool holds = cap < top && hold > least * way;
+    if (!holds) {  // both ramps meet in one point; their difference is known better than their sum
+      up = std::clamp(0.5 * way + (b2 - b1) / (4 * a), 0.0, way);
+      down = way - up;
+    }
+    const bool rises = v - v1 > least * v, falls = v - v2 > least * v;
+    const double begin_hold = rises ? std::min(s2, falls || holds ? s1 + up : s2) : s1;
+    const double end_hold = falls ? std::max(begin_hold, holds ? s2 - down : begin_hold) : s2;
+    if (rises) ramp(segment, s1, begin_hold, falls || holds ? up : way, v1, v, a);
+    if (holds || (!rises && !falls)) ramp(segment, begin_hold, end_hold, holds ? hold : way, v, v, 0);
+    if (falls) ramp(segment, end_hold, s2, rises || holds ? down : way, v, v2, -a);
+  }
+
+ private:
+  static constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+  void ramp(std::size_t segment, double s, double s_end, double length, double v1, double v2, double a) {
+    cell({2 * length / (v1 + v2), v1, a, 0}, segment, s, s_end);
+  }
+
+  TimeLaw& law_;
+  const Path& path_;
+  double slow_, v_, a_, j_;  // factors of durations, speeds, accelerations, jerks
+};
+
+}  // namespace bahnwerk

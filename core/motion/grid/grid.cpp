@@ -1,0 +1,287 @@
+#include "core/motion/grid/grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bahnwerk {
+
+template <int N>
+Station<N> station_at(const Segment& segment, double u) {
+  const PathPoint p = segment.at_parameter(u);
+  Station<N> at;
+  at.u = u;
+  at.s = segment.travelled(u);
+  for (std::size_t k = 0; k < N; ++k) {
+    at.d1[k] = p.d1[k];
+    at.d2[k] = p.d2[k];
+    at.d3[k] = p.d3[k];
+  }
+  return at;
+}
+
+namespace {
+
+constexpr int max_parts = 16;  // cells laid at once; more and the interval is halved first
+constexpr int end_halvings = 4;
+constexpr double min_interval = 1e-6;  // of a segment's parameter range: grading towards a cusp ends here
+
+template <int N>
+Lanes<N> lanes(const std::array<PathBatch::Row, 3>& rows, std::size_t i, bool planar) {
+  if constexpr (N == 2)
+    return Lanes<2>{rows[0][i], rows[1][i]};
+  else
+    return Lanes<N>{rows[0][i], rows[1][i], planar ? 0 : rows[2][i]};
+}
+
+template <int N>
+Station<N> station(const PathBatch& batch, std::size_t i) {
+  return {batch.s[i], batch.u[i], lanes<N>(batch.d1, i, batch.planar), lanes<N>(batch.d2, i, batch.planar),
+          lanes<N>(batch.d3, i, batch.planar)};
+}
+
+template <int N>
+double distance(const Lanes<N>& a, const Lanes<N>& b) {
+  return std::sqrt(sum((a - b) * (a - b)));
+}
+
+/// Lays the cells of one curved segment.
+template <int N>
+class Layer {
+ public:
+  Layer(Grid<N>& grid, const Segment& segment, std::uint32_t index, const Machine& machine, double feed,
+        const GridOptions& options)
+      : grid_(grid), segment_(segment), index_(index), feed2_(feed * feed), options_(options) {
+    for (std::size_t k = 0; k < N; ++k) acceleration_[k] = machine.axes[k].acceleration;
+    inverse_acceleration_ = 1 / acceleration_;
+  }
+
+  void lay() {
+    const std::vector<double> panel = segment_.panel_parameters();
+    smallest_ = min_interval * (panel.back() - panel.front());
+    push(station_at<N>(segment_, panel.front()));
+    for (std::size_t i = 1; i < panel.size(); ++i) {
+      const Station<N> left = grid_.stations.back();
+      interval(left, station_at<N>(segment_, panel[i]));
+    }
+  }
+
+ private:
+  void push(const Station<N>& at) { grid_.stations.push_back(at); }
+
+  void cell_to(const Station<N>& at) {
+    GridCell cell;
+    cell.station = static_cast<std::uint32_t>(grid_.stations.size() - 1);
+    cell.segment = index_;
+    cell.cusp_left = segment_.cusp_begin() && grid_.stations.back().u == segment_.curve().begin();
+    cell.cusp_right = segment_.cusp_end() && at.u == segment_.curve().end();
+    grid_.cells.push_back(cell);
+    push(at);
+  }
+
+  /// Most that v² can be where the path bends: |n · q̈| ≤ Σ |n_k| A_k with the unit normal n, so v² κ ≤ Σ |n_k| A_k.
+  double curvature_cap(const Station<N>& at) const {
+    const double square = sum(at.d2 * at.d2);
+    return square > 0 ? sum(magnitude(at.d2) * acceleration_) / square : std::numeric_limits<double>::infinity();
+  }
+
+  /// How many cells [left, right] needs, estimated at its middle.
+  double parts(const Station<N>& left, const Station<N>& mid, const Station<N>& right) const {
+    const double turn = distance<N>(left.d1, mid.d1) + distance<N>(mid.d1, right.d1);
+    const double h = right.s - left.s;
+    if (!(h > 0)) return 1;
+    const double t = (mid.s - left.s) / h, r = 1 - t;
+    const double cap = std::min({feed2_, curvature_cap(left), curvature_cap(mid), curvature_cap(right)});
+    // Of the cubic model of d2, relative to what the axis allows.
+    const Lanes<N> model =
+        (r * r * (1 + 2 * t)) * left.d2 + (t * t * (1 + 2 * r)) * right.d2 + (h * t * r) * (r * left.d3 - t * right.d3);
+    const double error = std::isfinite(cap) ? cap * largest(magnitude(model - mid.d2) * inverse_acceleration_) : 0;
+    return std::max(turn / options_.angle, std::sqrt(std::sqrt(error / options_.hermite)));
+  }
+
+  /// Cells between two stations; `known` is the one in the middle, if it has been looked at before.
+  void interval(const Station<N>& left, const Station<N>& right, const Station<N>* known = nullptr) {
+    // Three at once cost no more than the middle alone, and are what both halves need.
+    std::array<Station<N>, 3> inner;
+    if (!known) {
+      PathBatch batch;
+      batch.count = 3;
+      const double middle = 0.5 * (left.u + right.u);
+      batch.u.set(0, 0.5 * (left.u + middle));
+      batch.u.set(1, middle);
+      batch.u.set(2, 0.5 * (middle + right.u));
+      segment_.at_parameters(batch);
+      for (std::size_t i = 0; i < 3; ++i) inner[i] = station<N>(batch, i);
+    }
+    const Station<N>& mid = known ? *known : inner[1];
+    const double need = parts(left, mid, right);
+    const bool at_cusp = (segment_.cusp_begin() && left.u == segment_.curve().begin()) ||
+                         (segment_.cusp_end() && right.u == segment_.curve().end());
+    if ((need > max_parts || at_cusp) && right.u - left.u > smallest_) {
+      interval(left, mid, known ? nullptr : &inner[0]);
+      interval(mid, right, known ? nullptr : &inner[2]);
+      return;
+    }
+    const int n = std::clamp(static_cast<int>(std::ceil(need)), 1, max_parts);
+    const double du = (right.u - left.u) / n;
+    if (n > 1) {
+      PathBatch batch;
+      batch.count = static_cast<std::size_t>(n - 1);
+      for (int i = 1; i < n; ++i) batch.u.set(static_cast<std::size_t>(i - 1), left.u + i * du);
+      segment_.at_parameters(batch);
+      for (std::size_t i = 0; i < batch.count; ++i) cell(station<N>(batch, i));
+    }
+    cell(right);
+  }
+
+  /// A cell up to `right`, parted where an axis turns round (zero inertia): the touching points of time-optimal laws
+  /// lie there.
+  void cell(const Station<N>& right) {
+    const Lanes<N> product = grid_.stations.back().d1 * right.d1;
+    bool turns = false;
+    for (std::size_t k = 0; k < N; ++k) turns = turns || product[k] < 0;
+    if (turns) part_turning(right);
+    cell_to(right);
+  }
+
+  [[gnu::noinline]] void part_turning(const Station<N>& right) {
+    const Station<N> left = grid_.stations.back();
+    std::array<double, N> turning{};
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < N; ++k) {
+      if (!(left.d1[k] * right.d1[k] < 0)) continue;
+      double a = left.u, b = right.u, fa = left.d1[k], fb = right.d1[k], u = a;
+      for (int i = 0; i < 8; ++i) {  // regula falsi (Illinois); the tangent is nearly linear here
+        u = b - fb * (b - a) / (fb - fa);
+        const double f = segment_.at_parameter(u).d1[k];
+        if (std::abs(f) < 1e-14) break;
+        if (f * fb < 0) {
+          a = b;
+          fa = fb;
+        } else {
+          fa *= 0.5;
+        }
+        b = u;
+        fb = f;
+      }
+      const double share = (u - left.u) / (right.u - left.u);
+      if (!(share > 1e-3 && share < 1 - 1e-3)) continue;
+      std::size_t i = count++;
+      for (; i > 0 && turning[i - 1] > u; --i) turning[i] = turning[i - 1];
+      turning[i] = u;
+    }
+    for (std::size_t i = 0; i < count; ++i)
+      if (turning[i] > grid_.stations.back().u) cell_to(station_at<N>(segment_, turning[i]));
+  }
+
+  Grid<N>& grid_;
+  const Segment& segment_;
+  std::uint32_t index_;
+  double feed2_;
+  const GridOptions& options_;
+  Lanes<N> acceleration_, inverse_acceleration_;
+  double smallest_ = 0;
+};
+
+}  // namespace
+
+template <int N>
+void Grid<N>::build(const Path& path, std::size_t first, std::size_t last, const std::vector<double>& feed,
+                    const Machine& machine, const GridOptions& options, ProgressScope& pulse) {
+  stations.clear();
+  cells.clear();
+  run_length = 0;
+  for (std::size_t i = first; i < last; ++i) {
+    run_length += path[i].length();
+    pulse.now(i - first, last - first);
+    const Segment& segment = path[i];
+    if (segment.straight()) {
+      cells.push_back({static_cast<std::uint32_t>(stations.size()), static_cast<std::uint32_t>(i), true, false, false});
+      stations.push_back(station_at<N>(segment, segment.curve().begin()));
+      stations.push_back(station_at<N>(segment, segment.curve().end()));
+    } else {
+      Layer<N>(*this, segment, static_cast<std::uint32_t>(i), machine, feed[i], options).lay();
+    }
+    if (i == first) grade_end(path, true);  // while few cells stand behind it
+  }
+  grade_end(path, false);
+}
+
+template <int N>
+void Grid<N>::grade_end(const Path& path, bool front) {
+  // Parts of the end cell, from the rest: 1/16 1/16 1/8 1/4 1/2.
+  const auto part = [](int i) { return i == 0 ? 0.0 : std::ldexp(1.0, i - 1 - end_halvings); };
+  const GridCell old = front ? cells.front() : cells.back();
+  if (old.straight) return;
+  const Segment& segment = path[old.segment];
+  const double u0 = stations[old.station].u, u1 = stations[old.station + 1].u;
+  std::vector<Station<N>> inner;
+  for (int i = 1; i <= end_halvings; ++i)
+    inner.push_back(
+        station_at<N>(segment, front ? u0 + part(i) * (u1 - u0) : u1 - part(end_halvings + 1 - i) * (u1 - u0)));
+  std::vector<GridCell> parts(inner.size() + 1, old);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    parts[i].station = old.station + static_cast<std::uint32_t>(i);
+    parts[i].cusp_left = old.cusp_left && i == 0;
+    parts[i].cusp_right = old.cusp_right && i + 1 == parts.size();
+  }
+  if (front)
+    for (GridCell& cell : cells)
+      if (cell.station > old.station) cell.station += static_cast<std::uint32_t>(inner.size());
+  stations.insert(stations.begin() + old.station + 1, inner.begin(), inner.end());
+  const auto at = front ? cells.begin() : cells.end() - 1;
+  cells.insert(cells.erase(at), parts.begin(), parts.end());
+}
+
+template <int N>
+void Grid<N>::slice(const Grid& of, std::size_t first, std::size_t last) {
+  const auto at = [](auto& items, std::size_t i) { return items.begin() + static_cast<std::ptrdiff_t>(i); };
+  const std::uint32_t begin = of.cells[first].station, end = of.cells[last - 1].station + 2;
+  stations.assign(at(of.stations, begin), at(of.stations, end));
+  cells.assign(at(of.cells, first), at(of.cells, last));
+  run_length = 0;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    cells[c].station -= begin;
+    run_length += length(c);
+  }
+}
+
+template <int N>
+void Grid<N>::cut(std::size_t last) {
+  for (std::size_t c = last; c < cells.size(); ++c) run_length -= length(c);
+  cells.resize(last);
+  stations.resize(cells.back().station + 2);
+}
+
+template <int N>
+void Grid<N>::divide(const Path& path, const LargeVector<std::uint8_t>& parts, ProgressScope& pulse) {
+  divide(
+      path, [&](std::size_t c) { return parts[c]; },
+      [&](std::size_t c, int i, double u0, double u1) { return u0 + i * ((u1 - u0) / parts[c]); }, pulse);
+}
+
+double total_turn(const Path& path, std::size_t first, std::size_t last) {
+  double turn = 0;
+  for (std::size_t i = first; i < last; ++i) {
+    const Segment& segment = path[i];
+    if (segment.straight()) continue;
+    if (segment.curve().kind() == CurveKind::arc) {
+      turn += norm(segment.at_parameter(segment.curve().begin()).d2) * segment.length();
+      continue;
+    }
+    const std::vector<double> panel = segment.panel_parameters();
+    Vec before = segment.at_parameter(panel[0]).d1;
+    for (std::size_t k = 1; k < panel.size(); ++k) {
+      const Vec after = segment.at_parameter(panel[k]).d1;
+      turn += angle_between(before, after);
+      before = after;
+    }
+  }
+  return turn;
+}
+
+template Station<2> station_at<2>(const Segment&, double);
+template Station<3> station_at<3>(const Segment&, double);
+template class Grid<2>;
+template class Grid<3>;
+
+}  // namespace bahnwerk

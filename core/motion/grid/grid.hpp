@@ -1,0 +1,121 @@
+#pragma once
+/// The stations of one run of a path at which a planner looks: dense where the path turns, one cell per straight
+/// segment.
+///
+/// A run goes from rest to rest. Cells lie inside one segment each, so curvature may jump from cell to cell. Inside a
+/// cell the curvature vector is reproduced by the cubic through its values and derivatives at both ends to `hermite` of
+/// an axis limit; that is what lets the planner hold limits between stations, not only on them.
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/base/progress_scope.hpp"
+#include "core/contour/contour.hpp"
+#include "core/machine/machine.hpp"
+#include "core/numeric/lanes.hpp"
+#include "core/numeric/large_pages.hpp"
+
+namespace bahnwerk {
+
+/// One side of a node: path length from the begin of its segment (short differences stay exact on long paths), curve
+/// parameter, and the axes' derivatives by path length (N axes).
+template <int N>
+struct Station {
+  double s = 0, u = 0;
+  Lanes<N> d1{}, d2{}, d3{};
+};
+
+struct GridCell {
+  std::uint32_t station = 0;  ///< its left station; the right one is station + 1
+  std::uint32_t segment = 0;  ///< path segment
+  bool straight = false;
+  bool cusp_left = false, cusp_right = false;  ///< unbounded curvature at that end, where the speed is zero
+  bool regular() const { return !(straight | cusp_left | cusp_right); }
+};
+
+struct GridOptions {
+  double angle = 0.004;  ///< most a cell turns, rad
+  double hermite =
+      1e-10;  ///< error allowed to the cubic model of a curvature vector, as a fraction of the axis acceleration limit
+};
+
+template <int N>
+class Grid {
+ public:
+  LargeVector<Station<N>> stations;
+  LargeVector<GridCell> cells;
+  double run_length = 0;  ///< mm
+
+  double length(std::size_t c) const { return right(c).s - left(c).s; }
+  const Station<N>& left(std::size_t c) const { return stations[cells[c].station]; }
+  const Station<N>& right(std::size_t c) const { return stations[cells[c].station + 1]; }
+
+  /// Makes room for so many cells: growing step by step would touch twice the memory.
+  void reserve(std::size_t cells_expected) {
+    stations.reserve(cells_expected);
+    cells.reserve(cells_expected);
+  }
+  /// Stations for the path segments [first, last); the first and the last cell are halved towards the rest at the run's
+  /// ends, where the speed changes by more than it is. O(cells).
+  void build(const Path& path, std::size_t first, std::size_t last, const std::vector<double>& feed,
+             const Machine& machine, const GridOptions& options, ProgressScope& pulse);
+  /// Becomes the cells [first, last) of another grid. O(last − first).
+  void slice(const Grid& of, std::size_t first, std::size_t last);
+  /// Keeps the cells [0, last) only.
+  void cut(std::size_t last);
+  /// Divides cell c into parts[c] equal cells. O(cells).
+  void divide(const Path& path, const LargeVector<std::uint8_t>& parts, ProgressScope& pulse);
+  /// Divides cell c into count(c) cells; inner part i ends at the parameter place(c, i, u0, u1) between the cell's own
+  /// ends. Parts finer than path length resolves are left out. O(cells).
+  template <class Count, class Place>
+  void divide(const Path& path, Count&& count, Place&& place, ProgressScope& pulse);
+
+ private:
+  void grade_end(const Path& path, bool front);
+};
+
+/// The station at a parameter of a segment.
+template <int N>
+Station<N> station_at(const Segment& segment, double u);
+
+template <int N>
+template <class Count, class Place>
+void Grid<N>::divide(const Path& path, Count&& count, Place&& place, ProgressScope& pulse) {
+  LargeVector<Station<N>> new_stations;
+  LargeVector<GridCell> new_cells;
+  std::size_t total = 0;
+  for (std::size_t c = 0; c < cells.size(); ++c) total += count(c);
+  new_cells.reserve(total);
+  new_stations.reserve(stations.size() + total - cells.size());
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    pulse(c, cells.size());
+    const GridCell& old = cells[c];
+    if (c == 0 || old.station != cells[c - 1].station + 1) new_stations.push_back(left(c));
+    const int parts = count(c);
+    for (int i = 1; i <= parts; ++i) {
+      GridCell cell = old;
+      cell.station = static_cast<std::uint32_t>(new_stations.size() - 1);
+      cell.cusp_left = old.cusp_left && i == 1;
+      cell.cusp_right = old.cusp_right && i == parts;
+      const Station<N> next =
+          i == parts ? right(c) : station_at<N>(path[old.segment], place(c, i, left(c).u, right(c).u));
+      if (i < parts && !(next.s > new_stations.back().s)) continue;
+      new_cells.push_back(cell);
+      new_stations.push_back(next);
+    }
+  }
+  stations = std::move(new_stations);
+  cells = std::move(new_cells);
+}
+
+/// By how much the path turns over the segments [first, last), rad, about: what the number of cells follows.
+double total_turn(const Path& path, std::size_t first, std::size_t last);
+
+extern template Station<2> station_at<2>(const Segment&, double);
+extern template Station<3> station_at<3>(const Segment&, double);
+extern template class Grid<2>;
+extern template class Grid<3>;
+
+}  // namespace bahnwerk

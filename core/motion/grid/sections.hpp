@@ -1,0 +1,35 @@
+#pragma once
+/// Where a contour has to be passed at rest, and how fast its small tangent jumps may be passed.
+#include <functional>
+#include <vector>
+
+#include "core/contour/contour.hpp"
+#include "core/machine/machine.hpp"
+
+namespace bahnwerk {
+
+struct Sections {
+  /// Segment indices at which a run begins, 0 first, path.size() last: between two of them the motion does not stop.
+  std::vector<std::size_t> begin;
+  /// Per segment: largest v² at the joint where it begins; infinity at smooth joints, unused at the begin of sections.
+  std::vector<double> joint_cap;
+};
+
+/// A tangent jump above `corner_angle` (rad), a cusp or a rest of the contour ends a run. A smaller jump Δ is passed so
+/// slowly that the velocity step |Δ_k| v of every axis stays within its acceleration · cycle_time. O(segments);
+/// `pause` as in joints().
+Sections find_sections(const Contour& contour, const Machine& machine, double corner_angle,
+                       const std::function<void()>& pause = {});
+
+/// Plans run by run: plan(first segment, one past the last, begin and end of its share of the progress from `from` to
+/// `to`, by path length).
+template <class Plan>
+void for_each_section(const Path& path, const Sections& sections, double from, double to, Plan&& plan) {
+  const auto fraction = [&](std::size_t segment) {
+    return from + (to - from) * (segment < path.size() ? path[segment].s0() / path.length() : 1);
+  };
+  for (std::size_t i = 0; i + 1 < sections.begin.size(); ++i)
+    plan(sections.begin[i], sections.begin[i + 1], fraction(sections.begin[i]), fraction(sections.begin[i + 1]));
+}
+
+}  // namespace bahnwerk

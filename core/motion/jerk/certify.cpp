@@ -1,0 +1,166 @@
+/// Looks between the nodes: peaks of every cell, shares of limits, and what a run has to be slowed by.
+#include <algorithm>
+#include <cmath>
+
+#include "core/motion/jerk/section.hpp"
+#include "core/numeric/peak.hpp"
+
+namespace bahnwerk {
+
+using jerk_run_detail::sure;
+
+namespace {
+
+/// Where an axis turns round, its jerk inside a cell hangs on its jerk at both ends only loosely. A share smaller than
+/// this does not help any more, a smaller cell does.
+constexpr double min_share = 0.5;
+/// A peak from which on shares are not even tried, and one for which they are.
+constexpr double hopeless = 1.15, bearable = 1.05;
+
+}  // namespace
+
+template <int N, int M>
+void JerkRunPlanner<N, M>::look_half_way(ProgressScope& pulse) {
+  const std::size_t n = grid_.cells.size();
+  middle_.resize(n);
+  for (std::size_t c = 0; c < n; ++c) {
+    pulse(c, n);
+    if (grid_.cells[c].straight) continue;
+    const Segment& segment = path_[grid_.cells[c].segment];
+    const double u = 0.5 * (grid_.left(c).u + grid_.right(c).u);
+    middle_[c] = {rows_of(segment.at_parameter(u)), segment.travelled(u) - grid_.left(c).s};
+  }
+}
+
+template <int N, int M>
+void JerkRunPlanner<N, M>::measure(const RowLimits<M>& limit, bool exact, ProgressScope& pulse) {
+  const std::size_t n = grid_.cells.size();
+  peaks_.resize(n);
+  worst_ = {};
+  for (std::size_t c = 0; c < n; ++c) {
+    pulse(c, n);
+    const double h = grid_.length(c), f = feed(c);
+    const LawPiece law = jerk_piece(state_[c], state_[c + 1], h);
+    const JerkStation<M>&l = problem_.stations[problem_.cells[c].station],
+          &r = problem_.stations[problem_.cells[c].station + 1];
+    const Segment& segment = path_[grid_.cells[c].segment];
+    if (grid_.cells[c].straight) {
+      peaks_[c] = cell_peaks<M>(law, h, limit, 1 / (f * f), l, r, [&](double) { return l; });
+    } else if (exact) {
+      peaks_[c] = cell_peaks<M>(law, h, limit, 1 / (f * f), l, r, [&](double s) {
+        return rows_of(segment.at_parameter(segment.parameter_at(grid_.left(c).s + s)));
+      });
+    } else {
+      const CellPath<M> path(l, middle_[c].at, r, middle_[c].s, h);
+      peaks_[c] = cell_peaks<M>(law, h, limit, 1 / (f * f), l, r, [&](double s) { return path.at(s); });
+    }
+    raise(peaks_[c]);
+  }
+}
+
+template <int N, int M>
+void JerkRunPlanner<N, M>::certify(ProgressScope& pulse) {
+  measure(limit_, true, pulse);  // a model of the path is good enough to plan by, not to vouch for
+  worst_ = {};
+  PeakSweep sweep(std::vector<double>(3 * M, 1.0));
+  const std::size_t n = grid_.cells.size();
+  for (std::size_t c = 0; c < n; ++c) {
+    pulse(c, n);
+    if (peaks_[c].doubt > sure) {
+      LawPiece law = jerk_piece(state_[c], state_[c + 1], grid_.length(c));
+      if (!(law.duration > 0) || !std::isfinite(law.duration)) continue;  // emit() refuses the run
+      const Segment& segment = path_[grid_.cells[c].segment];
+      law.s = segment.s0() + grid_.left(c).s;
+      const bool open = grid_.cells[c].cusp_left || grid_.cells[c].cusp_right;
+      sweep.sweep(0, law.duration, open, c, [&](const ChebyshevRule& rule, double begin, double end, double* values) {
+        const auto points = static_cast<std::size_t>(rule.points);
+        for (std::size_t i = 0; i < points; ++i) {
+          const LawState x = law.at(begin + rule.node[i] * (end - begin));
+          const JerkStation<M> d = rows_of(segment.at(x.s));
+          const double b = x.v * x.v;
+          for (std::size_t k = 0; k < M; ++k) {
+            values[k * points + i] = d.d1[k] * d.d1[k] * b * limit_.inverse_velocity2[k];
+            values[(M + k) * points + i] = (d.d2[k] * b + d.d1[k] * x.a) * limit_.inverse_acceleration[k];
+            values[(2 * M + k) * points + i] =
+                (d.d3[k] * b * x.v + 3 * d.d2[k] * x.v * x.a + d.d1[k] * x.j) * limit_.inverse_jerk[k];
+          }
+        }
+        return true;
+      });
+      const double f = feed(c);
+      worst_.v = std::max(worst_.v, peak_speed2(law) / (f * f));
+    } else {
+      raise(peaks_[c]);
+    }
+    if (c > 0) worst_.v = std::max(worst_.v, state_[c].b / cap_[c]);
+  }
+  if (exit_.b > 0) worst_.v = std::max(worst_.v, exit_.b / cap_[n]);
+  for (const auto& rows : problem_.nodes)
+    for (std::size_t k = 0; k < M; ++k)
+      worst_.a = std::max(worst_.a, std::abs(rows.p[k] * state_[rows.node].b + rows.q[k] * state_[rows.node].a));
+  const auto bound = [](double peak) { return peak > 1 ? 1 + 1.5 * (peak - 1) : peak; };
+  for (std::size_t k = 0; k < M; ++k) {
+    worst_.v = std::max(worst_.v, bound(sweep[k].value));
+    worst_.a = std::max(worst_.a, bound(sweep[M + k].value));
+    worst_.j = std::max(worst_.j, bound(sweep[2 * M + k].value));
+  }
+}
+
+template <int N, int M>
+bool JerkRunPlanner<N, M>::stubborn() {
+  const std::size_t n = grid_.cells.size();
+  bool any = false;
+  division_.assign(n, {});
+  for (std::size_t c = 0; c < n; ++c)
+    for (std::size_t k = 0; k < M; ++k)
+      if (peaks_[c].jerk[k] > hopeless ||
+          (peaks_[c].jerk[k] > bearable &&
+           std::min(problem_.cells[c].share[0][k], problem_.cells[c].share[1][k]) <= min_share)) {
+        division_[c].parts = 4;
+        any = true;
+      }
+  return any;
+}
+
+template <int N, int M>
+void JerkRunPlanner<N, M>::tighten() {
+  const std::size_t n = grid_.cells.size();
+  const auto less = [](double peak) { return peak > sure ? sure / (sure + 1.05 * (peak - sure)) : 1.0; };
+  for (auto& rows : problem_.nodes) {
+    for (std::size_t k = 0; k < M; ++k)
+      rows.share[k] *= less(std::max(peaks_[rows.node - 1].acceleration[k], peaks_[rows.node].acceleration[k]));
+  }
+  for (auto& rows : problem_.middles)
+    for (std::size_t k = 0; k < M; ++k) rows.share[k] *= less(peaks_[rows.cell].acceleration[k]);
+  for (std::size_t c = 0; c < n; ++c) {
+    for (auto& share : problem_.cells[c].share)
+      for (std::size_t k = 0; k < M; ++k) share[k] = std::max(min_share, share[k] * less(peaks_[c].jerk[k]));
+    if (c > 0) {
+      problem_.inverse_cap[c][0] /= less(peaks_[c - 1].velocity);
+      problem_.inverse_cap[c][1] /= less(peaks_[c].velocity);
+    }
+  }
+}
+
+template void JerkRunPlanner<2, 2>::look_half_way(ProgressScope& pulse);
+template void JerkRunPlanner<2, 2>::measure(const RowLimits<2>& limit, bool exact, ProgressScope& pulse);
+template void JerkRunPlanner<2, 2>::certify(ProgressScope& pulse);
+template bool JerkRunPlanner<2, 2>::stubborn();
+template void JerkRunPlanner<2, 2>::tighten();
+template void JerkRunPlanner<2, 3>::look_half_way(ProgressScope& pulse);
+template void JerkRunPlanner<2, 3>::measure(const RowLimits<3>& limit, bool exact, ProgressScope& pulse);
+template void JerkRunPlanner<2, 3>::certify(ProgressScope& pulse);
+template bool JerkRunPlanner<2, 3>::stubborn();
+template void JerkRunPlanner<2, 3>::tighten();
+template void JerkRunPlanner<3, 3>::look_half_way(ProgressScope& pulse);
+template void JerkRunPlanner<3, 3>::measure(const RowLimits<3>& limit, bool exact, ProgressScope& pulse);
+template void JerkRunPlanner<3, 3>::certify(ProgressScope& pulse);
+template bool JerkRunPlanner<3, 3>::stubborn();
+template void JerkRunPlanner<3, 3>::tighten();
+template void JerkRunPlanner<3, 4>::look_half_way(ProgressScope& pulse);
+template void JerkRunPlanner<3, 4>::measure(const RowLimits<4>& limit, bool exact, ProgressScope& pulse);
+template void JerkRunPlanner<3, 4>::certify(ProgressScope& pulse);
+template bool JerkRunPlanner<3, 4>::stubborn();
+template void JerkRunPlanner<3, 4>::tighten();
+
+}  // namespace bahnwerk

@@ -1,0 +1,31 @@
+#include "core/motion/jerk/jerk_grid.hpp"
+
+namespace bahnwerk {
+
+double division_point(Division division, int i) {
+  const double x = static_cast<double>(i) / division.parts, y = 1 - x;
+  switch (division.spread) {
+    case Spread::even:
+      break;
+    case Spread::from_rest:
+      return x * x * x;
+    case Spread::to_rest:
+      return 1 - y * y * y;
+    case Spread::both:
+      return x < 0.5 ? 4 * x * x * x : 1 - 4 * y * y * y;
+  }
+  return x;
+}
+
+template <int N>
+void divide(Grid<N>& grid, const Path& path, const LargeVector<Division>& division, ProgressScope& pulse) {
+  grid.divide(
+      path, [&](std::size_t c) { return division[c].parts; },
+      [&](std::size_t c, int i, double u0, double u1) { return u0 + division_point(division[c], i) * (u1 - u0); },
+      pulse);
+}
+
+template void divide<2>(Grid<2>&, const Path&, const LargeVector<Division>&, ProgressScope&);
+template void divide<3>(Grid<3>&, const Path&, const LargeVector<Division>&, ProgressScope&);
+
+}  // namespace bahnwerk

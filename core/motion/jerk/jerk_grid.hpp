@@ -1,0 +1,28 @@
+#pragma once
+/// Divides the cells of a Grid for a jerk-limited law: straight segments, too, need nodes where the law changes its
+/// jerk, and near rest, where s ~ t³, nodes crowd.
+#include <cstdint>
+
+#include "core/motion/grid/grid.hpp"
+
+namespace bahnwerk {
+
+/// How the parts of a cell lie in it: evenly, or evenly in time next to a rest.
+enum class Spread : std::uint8_t { even, from_rest, to_rest, both };
+
+struct Division {
+  std::uint16_t parts = 1;
+  Spread spread = Spread::even;
+};
+
+/// Where part i of n ends, as a fraction of the cell.
+double division_point(Division division, int i);
+
+/// Divides cell c of the grid into division[c]. O(cells).
+template <int N>
+void divide(Grid<N>& grid, const Path& path, const LargeVector<Division>& division, ProgressScope& pulse);
+
+extern template void divide<2>(Grid<2>&, const Path&, const LargeVector<Division>&, ProgressScope&);
+extern template void divide<3>(Grid<3>&, const Path&, const LargeVector<Division>&, ProgressScope&);
+
+}  // namespace bahnwerk

@@ -1,0 +1,268 @@
+/// One step of the interior-point method: from the run's ends to its middle the last step is taken, the linear system
+/// assembled and eliminated, and back to the ends its solution found and how much of it can be taken.
+#include <algorithm>
+#include <cmath>
+
+#include "core/motion/jerk/solver.hpp"
+
+namespace bahnwerk {
+
+namespace {
+
+inline Twin along(const std::array<Twin, 4>& q, Twin b1, Twin a1, Twin b2, Twin a2) {
+  return q[0] * b1 + q[1] * a1 + q[2] * b2 + q[3] * a2;
+}
+
+}  // namespace
+
+template <int M>
+void JerkSolver<M>::move_nodes() {
+  for (std::size_t i = 0; i <= groups_; ++i) {
+    const Twin part = steps_.node_primal[i];
+    b_[i] += part * db_[i];
+    a_[i] += part * da_[i];
+    v_[i] = root(b_[i]);
+    w_[i] = 0.5 / v_[i];
+  }
+  for (std::size_t half = 0; half < twin; ++half)
+    if (rests(half)) w_[0][half] = 0;
+}
+
+template <int M>
+void JerkSolver<M>::evaluate(std::size_t g, const Ends& x) {
+  Cells& cells = cells_[g];
+  cells.law = jerk_cell(x.v1, x.w1, x.a1, x.v2, x.w2, x.a2, cells.h);
+  for (std::size_t half = 0; g == 0 && half < twin; ++half)
+    if (rests(half)) set(cells.law, half, rest_cell(b_[1][half], cells.h[half], 1));
+  if (!missing(g, 1)) return;
+  JerkCell none;
+  none.T = no_weight;
+  set(cells.law, 1, none);
+}
+
+template <int M>
+NodeBlock<Twin> JerkSolver<M>::assemble_nodes(std::size_t i, JerkTotals<Twin>& totals) {
+  Nodes& nodes = nodes_[i];
+  const Twin b = b_[i], a = a_[i], w = w_[i], mu = target_ * nodes.weight;
+  const Twin primal = steps_.node_primal[i], dual = steps_.node_dual[i];
+  NodeBlock<Twin> block;
+  // Of the duration's curvature the convex part, 3 (h₁ + h₂)/(8 v⁵).
+  const Twin w2 = w * w;
+  block.bb = 18.0 * (nodes.slope[1] - nodes.slope[0]) * (w2 * w2 * w);
+  for (std::size_t k = 0; k < 2; ++k) {
+    Twin weight, y;
+    const Twin p = nodes.cap[k], q = p * nodes.slope[k];
+    nodes.capped[k].move(primal, dual);
+    totals.count(nodes.capped[k], nodes.capped[k].weigh(1.0 - (p * b + q * a), mu, weight, y));
+    block.add(weight, p, q, y);
+  }
+  nodes.rows.assemble(b, a, mu, primal, dual, block, totals);
+  return block;
+}
+
+template <int M>
+CellMatrix<Twin> JerkSolver<M>::assemble_cells(std::size_t g, std::size_t& next_middle, JerkTotals<Twin>& totals) {
+  Cells& cells = cells_[g];
+  const Ends x = ends(g);
+  evaluate(g, x);
+  const JerkCellOf<Twin>& law = cells.law;
+  const Twin mu = target_ * cells.weight, primal = steps_.primal[g], dual = steps_.dual[g];
+  auto K = CellMatrix<Twin>::of_left(law.dj1,
+                                     cells.end[0].assemble(x.b1, x.v1, x.w1, x.a1, law.j1, mu, primal, dual, totals),
+                                     {-law.dT[0], -law.dT[1], -law.dT[2], -law.dT[3]});
+  K.add_right(law.dj2, cells.end[1].assemble(x.b2, x.v2, x.w2, x.a2, law.j2, mu, primal, dual, totals));
+  if (next_middle < middles_.size() && middles_[next_middle].cells == g) {
+    Middles& set = middles_[next_middle++];
+    const JerkMiddle<Twin> m = jerk_middle(x.v1, x.w1, x.a1, x.v2, x.w2, x.a2, law);
+    K.add_both(m.dg, set.rows.assemble(x.b1 + x.b2, m, target_ * set.weight, primal, dual, totals));
+  }
+  return K;
+}
+
+template <int M>
+NodeBlock<Twin> JerkSolver<M>::assemble_joint(Joint& joint, JerkTotals<double>& totals) {
+  const std::size_t i = joint.node, half = joint.half;
+  NodeBlock<double> block;
+  joint.rows.assemble(b_[i][half], a_[i][half], target_ * nodes_[i].weight[half], steps_.node_primal[i][half],
+                      steps_.node_dual[i][half], block, totals);
+  NodeBlock<Twin> blocks;
+  set(blocks, half, block);
+  return blocks;
+}
+
+template <int M>
+void JerkSolver<M>::eliminate_first(const NodeBlock<Twin>& now, const CellMatrix<Twin>& K, NodeBlock<Twin>& after) {
+  for (std::size_t half = 0; half < twin; ++half) {
+    const NodeBlock<double> block = lane(now, half);
+    const CellMatrix<double> cell = lane(K, half);
+    NodeBlock<double> rest = lane(after, half);
+    set(elimination_[1], half,
+        rests(half) ? eliminate_tied(block, rest_tie(cells_[0].h[half]), cell, rest)
+                    : eliminate(block, block.bb, block.aa, cell, rest));
+    set(after, half, rest);
+  }
+}
+
+template <int M>
+JerkNode JerkSolver<M>::meet(const NodeBlock<Twin>& blocks) const {
+  NodeBlock<double> first = lane(blocks, 0);
+  const NodeBlock<double> second = lane(blocks, 1);
+  first.add({second.bb, -second.ba, second.aa, second.rb, -second.ra});
+  const CellMatrix<double> nothing;
+  NodeBlock<double> none;
+  const bool tied = groups_ == 1 && rests(0), tied_back = n_ - groups_ == 1 && rests(1);
+  const Elimination<double> e = tied        ? eliminate_tied(first, rest_tie(cells_[0].h[0]), nothing, none)
+                                : tied_back ? eliminate_tied(first, -rest_tie(cells_[0].h[1]), nothing, none)
+                                            : eliminate(first, first.bb, first.aa, nothing, none);
+  return {e.yb, e.ya};
+}
+
+template <int M>
+void JerkSolver<M>::assemble(ProgressScope& pulse) {
+  move_nodes();
+  std::size_t next_joint = 0, next_middle = 0;
+  NodeBlock<Twin> after;
+  Twin before_bb{}, before_aa{};
+  JerkTotals<Twin> totals;
+  JerkTotals<double> at_joints;
+  Twin duration{};
+  for (std::size_t g = 0; g < groups_; ++g) {
+    pulse(twin * g, n_);
+    NodeBlock<Twin> now = assemble_nodes(g, totals);
+    const CellMatrix<Twin> K = assemble_cells(g, next_middle, totals);
+    duration += cells_[g].law.T;
+    now.add({K.m00, K.m01, K.m11, K.r[0], K.r[1]});
+    const Twin bb = now.bb + before_bb, aa = now.aa + before_aa;
+    now.add(after);
+    while (joint_at(g, next_joint)) now.add(assemble_joint(joints_[next_joint++], at_joints));
+    after = {K.m22, K.m23, K.m33, K.r[2], K.r[3]};
+    before_bb = K.m22;
+    before_aa = K.m33;
+    if (g == 1)
+      eliminate_first(now, K, after);
+    else if (g > 1)
+      elimination_[g] = eliminate(now, bb, aa, K, after);
+    if (missing(g, 1)) set(after, 1, lane(now, 1));  // it is the node in the middle, and stays
+  }
+  after.add(assemble_nodes(groups_, totals));
+  while (joint_at(groups_, next_joint)) after.add(assemble_joint(joints_[next_joint++], at_joints));
+  middle_ = meet(after);
+  duration_ = duration[0] + duration[1];
+  gap_ = totals.gap[0] + totals.gap[1] + at_joints.gap;
+  violation_ = std::max({totals.violation[0], totals.violation[1], at_joints.violation});
+}
+
+template <int M>
+void JerkSolver<M>::direct_cells(std::size_t g, std::size_t& next_middle, Twin& min_primal, Twin& max_dual) {
+  Cells& cells = cells_[g];
+  const Ends x = ends(g);
+  const Twin b1 = db_[g], a1 = da_[g], b2 = db_[g + 1], a2 = da_[g + 1];
+  const Twin mu = target_ * cells.weight, change = along(cells.law.dT, b1, a1, b2, a2);
+  promise_ += change[0] + change[1];
+  // No cell may leave the range in which its linearisation means something: of its duration, and of the root in its
+  // law (jerk_cell.hpp), it loses no more than half.
+  Twin primal = -2.0 * magnitude(change) / cells.law.T, dual{};
+  const Twin mean = 0.5 * (x.v1 + x.v2), h3 = (1.0 / 3) * cells.h;
+  const Twin now = mean * mean + h3 * (x.a1 - x.a2), fall = -mean * (x.w1 * b1 + x.w2 * b2) - h3 * (a1 - a2);
+  Twin loss = 2.0 * fall / larger(now, jerk_cell_detail::min_root * mean * mean);
+  for (std::size_t half = 0; half < twin; ++half)
+    if ((g == 0 && rests(half)) || missing(g, half)) loss[half] = 0;
+  primal = smaller(primal, -loss);
+  cells.end[0].step(x.v1, x.w1, x.a1, along(cells.law.dj1, b1, a1, b2, a2), b1, a1, mu, primal, dual);
+  cells.end[1].step(x.v2, x.w2, x.a2, along(cells.law.dj2, b1, a1, b2, a2), b2, a2, mu, primal, dual);
+  if (next_middle > 0 && middles_[next_middle - 1].cells == g) {
+    Middles& set = middles_[--next_middle];
+    set.rows.step(b1 + b2, along(set.rows.gradient, b1, a1, b2, a2), target_ * set.weight, primal, dual);
+  }
+  min_primal = primal;
+  max_dual = dual;
+}
+
+template <int M>
+void JerkSolver<M>::direct_nodes(std::size_t i, std::size_t& next_joint, Twin& min_primal, Twin& max_dual) {
+  Nodes& nodes = nodes_[i];
+  Twin primal{}, dual{};  // in registers: a reference may be to what rows store
+  const Twin db = db_[i], da = da_[i], w = w_[i], mu = target_ * nodes.weight;
+  for (std::size_t k = 0; k < 2; ++k) nodes.capped[k].step(nodes.cap[k] * (db + nodes.slope[k] * da), mu, primal, dual);
+  nodes.rows.step(db, da, mu, primal, dual);
+  // Speeds stay positive, and no node runs away on the strength of its linearisation.
+  const Twin growth = 4.0 * w * w * db;
+  primal = smaller(primal, smaller(growth * (1 / 0.8), growth * (-1 / 1.5)));
+  for (; next_joint > 0 && joints_[next_joint - 1].node == i; --next_joint) {
+    Joint& joint = joints_[next_joint - 1];
+    const std::size_t half = joint.half;
+    double joint_primal = primal[half], joint_dual = dual[half];
+    joint.rows.step(db[half], da[half], mu[half], joint_primal, joint_dual);
+    primal[half] = joint_primal;
+    dual[half] = joint_dual;
+  }
+  min_primal = primal;
+  max_dual = dual;
+}
+
+template <int M>
+void JerkSolver<M>::direction(ProgressScope& pulse) {
+  std::size_t next_middle = middles_.size(), next_joint = joints_.size();
+  promise_ = 0;
+  db_[groups_] = Twin{middle_.b, odd() ? 0 : middle_.b};
+  da_[groups_] = Twin{middle_.a, odd() ? 0 : -middle_.a};
+  // A node's rows count for the cell to the right of it: in the second half that is the outer one.
+  Twin primal, dual;
+  direct_nodes(groups_, next_joint, primal, dual);
+  Twin inner_primal = all(primal[0]), inner_dual = all(dual[0]);
+  for (std::size_t g = groups_; g-- > 0;) {
+    pulse(n_ - twin * (g + 1) + odd(), n_);
+    if (g > 0) elimination_[g].back(db_[g + 1], da_[g + 1], db_[g], da_[g]);
+    if (missing(g, 1)) {
+      db_[g][1] = middle_.b;
+      da_[g][1] = -middle_.a;
+    }
+    Twin node_primal, node_dual;
+    direct_nodes(g, next_joint, node_primal, node_dual);
+    direct_cells(g, next_middle, primal, dual);
+    steps_.primal[g] = -smaller(primal, Twin{node_primal[0], inner_primal[1]});
+    steps_.dual[g] = larger(dual, Twin{node_dual[0], inner_dual[1]});
+    if (missing(g, 1)) {  // the node in the middle again
+      node_primal = smaller(node_primal, inner_primal);
+      node_dual = larger(node_dual, inner_dual);
+    }
+    inner_primal = node_primal;
+    inner_dual = node_dual;
+  }
+}
+
+template void JerkSolver<2>::move_nodes();
+template void JerkSolver<2>::evaluate(std::size_t, const Ends&);
+template NodeBlock<Twin> JerkSolver<2>::assemble_nodes(std::size_t, JerkTotals<Twin>&);
+template CellMatrix<Twin> JerkSolver<2>::assemble_cells(std::size_t, std::size_t&, JerkTotals<Twin>&);
+template NodeBlock<Twin> JerkSolver<2>::assemble_joint(Joint&, JerkTotals<double>&);
+template void JerkSolver<2>::eliminate_first(const NodeBlock<Twin>&, const CellMatrix<Twin>&, NodeBlock<Twin>&);
+template JerkNode JerkSolver<2>::meet(const NodeBlock<Twin>&) const;
+template void JerkSolver<2>::assemble(ProgressScope&);
+template void JerkSolver<2>::direct_cells(std::size_t, std::size_t&, Twin&, Twin&);
+template void JerkSolver<2>::direct_nodes(std::size_t, std::size_t&, Twin&, Twin&);
+template void JerkSolver<2>::direction(ProgressScope&);
+template void JerkSolver<3>::move_nodes();
+template void JerkSolver<3>::evaluate(std::size_t, const Ends&);
+template NodeBlock<Twin> JerkSolver<3>::assemble_nodes(std::size_t, JerkTotals<Twin>&);
+template CellMatrix<Twin> JerkSolver<3>::assemble_cells(std::size_t, std::size_t&, JerkTotals<Twin>&);
+template NodeBlock<Twin> JerkSolver<3>::assemble_joint(Joint&, JerkTotals<double>&);
+template void JerkSolver<3>::eliminate_first(const NodeBlock<Twin>&, const CellMatrix<Twin>&, NodeBlock<Twin>&);
+template JerkNode JerkSolver<3>::meet(const NodeBlock<Twin>&) const;
+template void JerkSolver<3>::assemble(ProgressScope&);
+template void JerkSolver<3>::direct_cells(std::size_t, std::size_t&, Twin&, Twin&);
+template void JerkSolver<3>::direct_nodes(std::size_t, std::size_t&, Twin&, Twin&);
+template void JerkSolver<3>::direction(ProgressScope&);
+template void JerkSolver<4>::move_nodes();
+template void JerkSolver<4>::evaluate(std::size_t, const Ends&);
+template NodeBlock<Twin> JerkSolver<4>::assemble_nodes(std::size_t, JerkTotals<Twin>&);
+template CellMatrix<Twin> JerkSolver<4>::assemble_cells(std::size_t, std::size_t&, JerkTotals<Twin>&);
+template NodeBlock<Twin> JerkSolver<4>::assemble_joint(Joint&, JerkTotals<double>&);
+template void JerkSolver<4>::eliminate_first(const NodeBlock<Twin>&, const CellMatrix<Twin>&, NodeBlock<Twin>&);
+template JerkNode JerkSolver<4>::meet(const NodeBlock<Twin>&) const;
+template void JerkSolver<4>::assemble(ProgressScope&);
+template void JerkSolver<4>::direct_cells(std::size_t, std::size_t&, Twin&, Twin&);
+template void JerkSolver<4>::direct_nodes(std::size_t, std::size_t&, Twin&, Twin&);
+template void JerkSolver<4>::direction(ProgressScope&);
+
+}  // namespace bahnwerk

@@ -1,0 +1,250 @@
+/// Lays the grid of a run, a first law on it, and the rows of its problem.
+#include <algorithm>
+#include <cmath>
+
+#include "core/motion/jerk/section.hpp"
+
+namespace bahnwerk {
+
+namespace {
+
+/// A cell that lasts this part of A/J gets rows for the acceleration half-way.
+constexpr double middle_from = 0.15, near_limit = 0.8;
+
+}  // namespace
+
+template <int N, int M>
+void JerkRunPlanner<N, M>::caps(LargeVector<double>& cap, ProgressScope& pulse) const {
+  const std::size_t n = grid_.cells.size();
+  cap.assign(n + 1, unlimited);
+  for (std::size_t c = 0; c < n; ++c) {
+    pulse(c, n);
+    const double f = feed(c);
+    for (const std::size_t e : {std::size_t{0}, std::size_t{1}}) {
+      const Station<N>& s = e ? grid_.right(c) : grid_.left(c);
+      double most = f * f;
+      for (std::size_t k = 0; k < N; ++k) {
+        const double t = s.d1[k] * s.d1[k] * limit_.inverse_velocity2[k];
+        if (t * most > 1) most = 1 / t;
+      }
+      cap[c + e] = std::min(cap[c + e], most);
+    }
+    if (joint(c)) {
+      cap[c] = std::min(cap[c], sections_.joint_cap[grid_.cells[c].segment]);
+
+      for (std::size_t k = 0; k < N; ++k) {
+        const double step = std::abs(grid_.left(c).d2[k] - grid_.right(c - 1).d2[k]) * limit_.inverse_jerk[k];
+        if (step * cap[c] > machine_.cycle_time) cap[c] = machine_.cycle_time / step;
+      }
+    }
+  }
+  if (!(entry_.b > 0)) cap[0] = 0;
+  if (!(exit_.b > 0)) cap[n] = 0;
+}
+
+template <int N, int M>
+double JerkRunPlanner<N, M>::cell_cap(std::size_t c, bool at_end) const {
+  const Station<N>&l = grid_.left(c), &r = grid_.right(c), &s = at_end ? r : l;
+  const double f = feed(c), h = at_end ? l.s - r.s : r.s - l.s;
+  double cap = f * f;
+  for (std::size_t k = 0; k < N; ++k) {
+    const double least = limit_.inverse_velocity2[k] * std::max(l.d1[k] * l.d1[k], r.d1[k] * r.d1[k]);
+    if (least * cap <= 1) continue;
+    const double t = s.d1[k] * s.d1[k] * limit_.inverse_velocity2[k];
+    // φ = 1/t, φ′ = −2 φ h″/h′
+    const double sloped = t > 0 ? (1 - (2.0 / 3) * h * s.d2[k] / s.d1[k]) / t : 0;
+    cap = std::min(cap, std::max(sloped, 1 / least));
+  }
+  return cap;
+}
+
+template <int N, int M>
+void JerkRunPlanner<N, M>::rough(ProgressScope& pulse) {
+  caps(cap_, pulse);
+  rough_profile<N>(grid_, feed_, machine_, options_.path, cap_, rough_, pulse);
+}
+
+template <int N, int M>
+void JerkRunPlanner<N, M>::lay(ProgressScope& pulse) {
+  rough(pulse);
+  const std::size_t n = grid_.cells.size();
+  double total = 0;
+  for (const double t : rough_.duration) total += t;
+  division_.assign(n, {});
+  for (std::size_t c = 0; c < n; ++c) {
+    const bool straight = grid_.cells[c].straight;
+    const bool rest_left = c == 0, rest_right = c + 1 == n;
+    const double t = rough_.duration[c];
+    const double tau = std::min(std::max(jerk_time_ / 6, straight ? t / 40 : t), total / 40);
+    int parts = static_cast<int>(std::clamp(std::ceil(t / tau), 1.0, 64.0));
+    if (rest_left || rest_right) parts = std::max(parts, 4);
+    division_[c] = {static_cast<std::uint16_t>(parts), rest_left && rest_right ? Spread::both
+                                                       : rest_left             ? Spread::from_rest
+                                                       : rest_right            ? Spread::to_rest
+                                                                               : Spread::even};
+  }
+  divide<N>(grid_, path_, division_, pulse);
+  rough(pulse);
+}
+
+template <int N, int M>
+void JerkRunPlanner<N, M>::soften() {
+  double total = 0;
+  for (const double t : rough_.duration) total += t;
+  const double mean = total / static_cast<double>(grid_.cells.size());
+  soft_ = limit_;
+  for (std::size_t k = 0; k < M; ++k)
+    soft_.inverse_jerk[k] = std::max(limit_.inverse_jerk[k], 0.125 * mean * limit_.inverse_acceleration[k]);
+}
+
+template <int N, int M>
+void JerkRunPlanner<N, M>::guess(Start start, ProgressScope& pulse) {
+  const std::size_t n = grid_.cells.size();
+  if (start.smooth) smooth<N>(grid_, 2 * jerk_time_, rough_, pulse);
+  const auto& b = start.smooth ? rough_.smooth_b : rough_.b;
+  const double part = start.part;
+  for (std::size_t i = 1; i < n; ++i) {
+    const double l = grid_.length(i - 1), r = grid_.length(i);
+    state_[i].b = part * b[i];
+    state_[i].a = 0.5 * part * ((b[i] - b[i - 1]) * r / l + (b[i + 1] - b[i]) * l / r) / (l + r);
+  }
+  state_[0] = entry_;
+  state_[n] = {};
+  follow();
+  if (part > 0) return;
+  double L = 0, s = 0;
+  for (std::size_t c = 0; c < n; ++c) L += grid_.length(c);
+  for (std::size_t i = 1; i < n; ++i) {
+    s += grid_.length(i - 1);
+    const double x = s * (L - s) / L, root = std::cbrt(x);
+    state_[i] = {x * root, (2.0 / 3) * root * (L - 2 * s) / L};
+  }
+  state_[1].a = rest_tie(grid_.length(0)) * state_[1].b;
+  state_[n - 1].a = -rest_tie(grid_.length(n - 1)) * state_[n - 1].b;
+}
+
+template <int N, int M>
+void JerkRunPlanner<N, M>::pose(ProgressScope& pulse) {
+  const std::size_t n = grid_.cells.size();
+  caps(cap_, pulse);
+  problem_.inverse_jerk = soft_.inverse_jerk;
+  problem_.inverse_cap.resize(n + 1);
+  for (std::size_t i = 1; i < n; ++i)
+    problem_.inverse_cap[i] = {1 / (share_ * std::min(cap_[i], cell_cap(i - 1, true))),
+                               1 / (share_ * std::min(cap_[i], cell_cap(i, false)))};
+  problem_.stations.clear();
+  problem_.stations.reserve(grid_.stations.size());
+  for (const auto& s : grid_.stations) problem_.stations.push_back(rows_of(s));
+  problem_.cells.resize(n);
+  problem_.nodes.clear();
+  problem_.nodes.reserve(n);
+  problem_.middles.clear();
+  for (std::size_t c = 0; c < n; ++c) {
+    pulse(c, n);
+    auto& cell = problem_.cells[c];
+    cell.h = grid_.length(c);
+    cell.station = grid_.cells[c].station;
+    for (auto& share : cell.share) share.fill(share_);
+    const JerkStation<M>& s = problem_.stations[cell.station];
+    if (c > 0) {
+      add_node(c, s, limit_.inverse_acceleration);
+      if (joint(c)) {
+        const JerkStation<M>& before = problem_.stations[problem_.cells[c - 1].station + 1];
+        add_node(c, before, limit_.inverse_acceleration);
+        JerkStation<M> step;
+        std::array<double, M> inverse{};
+        for (std::size_t k = 0; k < N; ++k) {
+          step.d1[k] = s.d1[k] - before.d1[k];
+          step.d2[k] = s.d2[k] - before.d2[k];
+          inverse[k] = limit_.inverse_jerk[k] / machine_.cycle_time;
+        }
+        add_node(c, step, inverse);
+      }
+    }
+  }
+  pose_middles(false, pulse);
+  look_half_way(pulse);
+}
+
+template <int N, int M>
+void JerkRunPlanner<N, M>::pose_middles(bool looked, ProgressScope& pulse) {
+  const std::size_t n = grid_.cells.size();
+  problem_.middles.clear();
+  const auto near = [&](std::size_t c) {
+    for (const double a : peaks_[c].acceleration)
+      if (a > near_limit) return true;
+    return false;
+  };
+  const auto near_any = [&](std::size_t c) { return near(c) || (c > 0 && near(c - 1)) || (c + 1 < n && near(c + 1)); };
+  for (std::size_t c = entry_.b > 0 ? 0 : 1; c < (exit_.b > 0 ? n : n - 1); ++c) {
+    pulse(c, n);
+    if (duration(c) < middle_from * jerk_time_ && !(looked && near_any(c))) continue;
+    const JerkStation<M>&s = problem_.stations[problem_.cells[c].station],
+          &r = problem_.stations[problem_.cells[c].station + 1];
+    const double h = problem_.cells[c].h;
+    MiddleRows<M> m;
+    m.cell = c;
+    m.share.fill(share_);
+    for (std::size_t k = 0; k < M; ++k) {
+      const double i = limit_.inverse_acceleration[k];
+      m.d1[k] = (0.5 * (s.d1[k] + r.d1[k]) + h * 0.125 * (s.d2[k] - r.d2[k])) * i;
+      m.d2[k] = (0.25 * (s.d2[k] + r.d2[k]) + h * 0.0625 * (s.d3[k] - r.d3[k])) * i;
+    }
+    problem_.middles.push_back(m);
+  }
+}
+
+template <int N, int M>
+void JerkRunPlanner<N, M>::add_node(std::size_t node, const JerkStation<M>& s, const std::array<double, M>& inverse) {
+  NodeRows<M> rows;
+  rows.node = node;
+  rows.share.fill(share_);
+  for (std::size_t k = 0; k < M; ++k) {
+    rows.p[k] = s.d2[k] * inverse[k];
+    rows.q[k] = s.d1[k] * inverse[k];
+  }
+  problem_.nodes.push_back(rows);
+}
+
+template void JerkRunPlanner<2, 2>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
+template double JerkRunPlanner<2, 2>::cell_cap(std::size_t c, bool at_end) const;
+template void JerkRunPlanner<2, 2>::rough(ProgressScope& pulse);
+template void JerkRunPlanner<2, 2>::lay(ProgressScope& pulse);
+template void JerkRunPlanner<2, 2>::soften();
+template void JerkRunPlanner<2, 2>::guess(Start start, ProgressScope& pulse);
+template void JerkRunPlanner<2, 2>::pose(ProgressScope& pulse);
+template void JerkRunPlanner<2, 2>::pose_middles(bool looked, ProgressScope& pulse);
+template void JerkRunPlanner<2, 2>::add_node(std::size_t node, const JerkStation<2>& s,
+                                             const std::array<double, 2>& inverse);
+template void JerkRunPlanner<2, 3>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
+template double JerkRunPlanner<2, 3>::cell_cap(std::size_t c, bool at_end) const;
+template void JerkRunPlanner<2, 3>::rough(ProgressScope& pulse);
+template void JerkRunPlanner<2, 3>::lay(ProgressScope& pulse);
+template void JerkRunPlanner<2, 3>::soften();
+template void JerkRunPlanner<2, 3>::guess(Start start, ProgressScope& pulse);
+template void JerkRunPlanner<2, 3>::pose(ProgressScope& pulse);
+template void JerkRunPlanner<2, 3>::pose_middles(bool looked, ProgressScope& pulse);
+template void JerkRunPlanner<2, 3>::add_node(std::size_t node, const JerkStation<3>& s,
+                                             const std::array<double, 3>& inverse);
+template void JerkRunPlanner<3, 3>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
+template double JerkRunPlanner<3, 3>::cell_cap(std::size_t c, bool at_end) const;
+template void JerkRunPlanner<3, 3>::rough(ProgressScope& pulse);
+template void JerkRunPlanner<3, 3>::lay(ProgressScope& pulse);
+template void JerkRunPlanner<3, 3>::soften();
+template void JerkRunPlanner<3, 3>::guess(Start start, ProgressScope& pulse);
+template void JerkRunPlanner<3, 3>::pose(ProgressScope& pulse);
+template void JerkRunPlanner<3, 3>::pose_middles(bool looked, ProgressScope& pulse);
+template void JerkRunPlanner<3, 3>::add_node(std::size_t node, const JerkStation<3>& s,
+                                             const std::array<double, 3>& inverse);
+template void JerkRunPlanner<3, 4>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
+template double JerkRunPlanner<3, 4>::cell_cap(std::size_t c, bool at_end) const;
+template void JerkRunPlanner<3, 4>::rough(ProgressScope& pulse);
+template void JerkRunPlanner<3, 4>::lay(ProgressScope& pulse);
+template void JerkRunPlanner<3, 4>::soften();
+template void JerkRunPlanner<3, 4>::guess(Start start, ProgressScope& pulse);
+template void JerkRunPlanner<3, 4>::pose(ProgressScope& pulse);
+template void JerkRunPlanner<3, 4>::pose_middles(bool looked, ProgressScope& pulse);
+template void JerkRunPlanner<3, 4>::add_node(std::size_t node, const JerkStation<4>& s,
+                                             const std::array<double, 4>& inverse);
+
+}  // namespace bahnwerk

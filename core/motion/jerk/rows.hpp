@@ -1,0 +1,231 @@
+#pragma once
+/// The rows of JerkProblem as the interior-point method sees them: two cells, or nodes, are calculated with at once, so
+/// that nothing has to be summed across a vector register. L is a number, or one per cell.
+#include <array>
+#include <cstddef>
+
+#include "core/motion/jerk/elimination.hpp"
+#include "core/numeric/lanes.hpp"
+
+namespace bahnwerk {
+
+/// One cell, or node, of either half of the run.
+using Twin = Lanes<2>;
+constexpr std::size_t twin = 2;
+inline Twin all(double a) { return Twin{a, a}; }
+/// Of a lane that stands for nothing.
+constexpr double no_weight = 1e-30;
+inline NodeBlock<double> lane(const NodeBlock<Twin>& n, std::size_t e) {
+  return {n.bb[e], n.ba[e], n.aa[e], n.rb[e], n.ra[e]};
+}
+inline CellMatrix<double> lane(const CellMatrix<Twin>& K, std::size_t e) {
+  return {K.m00[e],
+          K.m01[e],
+          K.m11[e],
+          K.m02[e],
+          K.m03[e],
+          K.m12[e],
+          K.m13[e],
+          K.m22[e],
+          K.m23[e],
+          K.m33[e],
+          {K.r[0][e], K.r[1][e], K.r[2][e], K.r[3][e]}};
+}
+inline void set(NodeBlock<Twin>& blocks, std::size_t lane, const NodeBlock<double>& block) {
+  blocks.bb[lane] = block.bb;
+  blocks.ba[lane] = block.ba;
+  blocks.aa[lane] = block.aa;
+  blocks.rb[lane] = block.rb;
+  blocks.ra[lane] = block.ra;
+}
+inline void set(Elimination<Twin>& nodes, std::size_t lane, const Elimination<double>& node) {
+  nodes.fbb[lane] = node.fbb;
+  nodes.fba[lane] = node.fba;
+  nodes.fab[lane] = node.fab;
+  nodes.faa[lane] = node.faa;
+  nodes.yb[lane] = node.yb;
+  nodes.ya[lane] = node.ya;
+}
+inline void set(JerkCellOf<Twin>& laws, std::size_t lane, const JerkCell& law) {
+  laws.T[lane] = law.T;
+  laws.j1[lane] = law.j1;
+  laws.j2[lane] = law.j2;
+  for (std::size_t i = 0; i < 4; ++i) {
+    laws.dT[i][lane] = law.dT[i];
+    laws.dj1[i][lane] = law.dj1[i];
+    laws.dj2[i][lane] = law.dj2[i];
+  }
+}
+
+/// A row g ≤ share: slack s, multiplier z, step d of the slack.
+template <class L>
+struct JerkSide {
+  L s, z, d;
+  L i;  ///< 1/(s z), which gives 1/s and 1/z without a second division; from step() on the part of z that it takes
+
+  /// The slack is what is free, but at least `least`.
+  void begin(L room, L mu, L least) {
+    s = larger(room, least);
+    z = mu / s;
+    d = i = 0.0 * s;
+  }
+  /// Takes parts of the last step.
+  void move(L primal, L dual) {
+    s = s + primal * d;
+    z = z - dual * i * z;
+  }
+  /// `room` is share − g: residual, weight and right-hand side of the row in the Newton system. Returns s z.
+  L weigh(L room, L mu, L& w, L& y) {
+    const L gap = s * z;
+    d = room - s;
+    i = 1.0 / gap;
+    const L is = z * i;
+    w = z * is;
+    y = is * (mu - z * d);
+    return gap;
+  }
+  /// The step when g changes by `change`; `dual` becomes at least 1/(the part of it that reaches zero), `primal` at
+  /// most the negative of that.
+  void step(L change, L mu, L& primal, L& dual) {
+    d = d - change;
+    const L f = d * (z * i);
+    primal = smaller(primal, f);
+    i = 1.0 + f - mu * i;
+    dual = larger(dual, i);
+  }
+};
+
+/// What the rows amount to at an iterate.
+template <class L>
+struct JerkTotals {
+  L gap{}, violation{};
+  void count(const JerkSide<L>& side, L side_gap) {
+    gap = gap + side_gap;
+    violation = larger(violation, magnitude(side.d));
+  }
+};
+
+/// A row |g| ≤ share.
+template <class L>
+struct JerkRow {
+  JerkSide<L> up, down;
+
+  void begin(L g, L share, L mu, L least) {
+    up.begin(share - g, mu, least);
+    down.begin(share + g, mu, least);
+  }
+  void move(L primal, L dual) {
+    up.move(primal, dual);
+    down.move(primal, dual);
+  }
+  void weigh(L g, L share, L mu, L& w, L& y, JerkTotals<L>& totals) {
+    L w2, y2;
+    totals.count(up, up.weigh(share - g, mu, w, y));
+    totals.count(down, down.weigh(share + g, mu, w2, y2));
+    w = w + w2;
+    y = y - y2;
+  }
+  void step(L change, L mu, L& primal, L& dual) {
+    up.step(change, mu, primal, dual);
+    down.step(-change, mu, primal, dual);
+  }
+};
+
+/// M rows |p b + q a| ≤ share at one node.
+template <class L, int M>
+struct JerkNodeRows {
+  std::array<L, M> p, q, share;
+  std::array<JerkRow<L>, M> rows;
+
+  void begin(L b, L a, L mu, L least) {
+    for (std::size_t k = 0; k < M; ++k) rows[k].begin(p[k] * b + q[k] * a, share[k], mu, least);
+  }
+  void assemble(L b, L a, L mu, L primal, L dual, NodeBlock<L>& block, JerkTotals<L>& totals) {
+    for (std::size_t k = 0; k < M; ++k) {
+      L w, y;
+      rows[k].move(primal, dual);
+      rows[k].weigh(p[k] * b + q[k] * a, share[k], mu, w, y, totals);
+      block.add(w, p[k], q[k], y);
+    }
+  }
+  void step(L db, L da, L mu, L& primal, L& dual) {
+    for (std::size_t k = 0; k < M; ++k) rows[k].step(p[k] * db + q[k] * da, mu, primal, dual);
+  }
+};
+
+/// Jerk of M quantities at one end of a cell, in parts of their limits: d₃ v³ + d₂ v a + d₁ j.
+template <class L, int M>
+struct JerkEndRows {
+  std::array<L, M> d1, d2, d3, share;  ///< h′/J, 3 h″/J, h‴/J
+  std::array<JerkRow<L>, M> rows;
+
+  /// Values, and gradients by the node's b and a beside that of the path's jerk.
+  L value(std::size_t k, L b, L v, L a, L j) const { return v * (d3[k] * b + d2[k] * a) + d1[k] * j; }
+  L by_b(std::size_t k, L v, L w, L a) const { return d3[k] * (1.5 * v) + d2[k] * (a * w); }
+  L by_a(std::size_t k, L v) const { return d2[k] * v; }
+
+  void begin(L b, L v, L a, L j, L mu, L least) {
+    for (std::size_t k = 0; k < M; ++k) rows[k].begin(value(k, b, v, a, j), share[k], mu, least);
+  }
+  RowSums<L> assemble(L b, L v, L w, L a, L j, L mu, L primal, L dual, JerkTotals<L>& totals) {
+    RowSums<L> sums;
+    for (std::size_t k = 0; k < M; ++k) {
+      L weight, y;
+      rows[k].move(primal, dual);
+      rows[k].weigh(value(k, b, v, a, j), share[k], mu, weight, y, totals);
+      if (k == 0)
+        sums = RowSums<L>::of(weight, y, d1[k], by_b(k, v, w, a), by_a(k, v));
+      else
+        sums.add(weight, y, d1[k], by_b(k, v, w, a), by_a(k, v));
+    }
+    return sums;
+  }
+  void step(L v, L w, L a, L dj, L db, L da, L mu, L& primal, L& dual) {
+    const L by_d3 = 1.5 * v * db, by_d2 = a * w * db + v * da;
+    for (std::size_t k = 0; k < M; ++k) rows[k].step(d1[k] * dj + d2[k] * by_d2 + d3[k] * by_d3, mu, primal, dual);
+  }
+};
+
+/// The middle Bernstein coefficient of a(t), with its gradient.
+template <class L>
+struct JerkMiddle {
+  L g;
+  std::array<L, 4> dg;
+};
+template <class L>
+inline JerkMiddle<L> jerk_middle(L v1, L w1, L a1, L v2, L w2, L a2, const JerkCellOf<L>& cell) {
+  const L u = 1.0 / cell.T, mean = (v2 - v1) * u, gT = -3.0 * mean * u, u3 = 3.0 * u;
+  return {3.0 * mean - a1 - a2,
+          {gT * cell.dT[0] - u3 * w1, gT * cell.dT[1] - 1.0, gT * cell.dT[2] + u3 * w2, gT * cell.dT[3] - 1.0}};
+}
+
+/// M rows |d₂ (b₁ + b₂) + d₁ g| ≤ share, g the middle coefficient.
+template <class L, int M>
+struct JerkMiddleRows {
+  std::array<L, M> d1, d2, share;
+  std::array<JerkRow<L>, M> rows;
+  std::array<L, 4> gradient;
+
+  void begin(L b, L g, L mu, L least) {
+    for (std::size_t k = 0; k < M; ++k) rows[k].begin(d2[k] * b + d1[k] * g, share[k], mu, least);
+  }
+  RowSums<L> assemble(L b, const JerkMiddle<L>& m, L mu, L primal, L dual, JerkTotals<L>& totals) {
+    RowSums<L> sums;
+    gradient = m.dg;
+    for (std::size_t k = 0; k < M; ++k) {
+      L w, y;
+      rows[k].move(primal, dual);
+      rows[k].weigh(d2[k] * b + d1[k] * m.g, share[k], mu, w, y, totals);
+      if (k == 0)
+        sums = RowSums<L>::of(w, y, d1[k], d2[k]);
+      else
+        sums.add(w, y, d1[k], d2[k]);
+    }
+    return sums;
+  }
+  void step(L db, L dg, L mu, L& primal, L& dual) {
+    for (std::size_t k = 0; k < M; ++k) rows[k].step(d2[k] * db + d1[k] * dg, mu, primal, dual);
+  }
+};
+
+}  // namespace bahnwerk

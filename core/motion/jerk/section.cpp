@@ -1,0 +1,251 @@
+/// The order in which a run is planned.
+#include "core/motion/jerk/section.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/motion/profile/profile.hpp"
+
+namespace bahnwerk {
+
+using jerk_run_detail::full_share;
+using jerk_run_detail::good_enough;
+using jerk_run_detail::last_window;
+
+namespace {
+
+constexpr std::size_t few_cells = 200;  // too few for windows
+
+/// As long as the end of a window is open, the solver keeps to this part of every limit, and as exactly as this: so
+/// that the state in which the window is left has room to move.
+constexpr double open_share = 1 - 1e-2, open_violation = 2e-3;
+
+/// A solver that has not converged and violates rows by more has gone astray: once in a run it begins anew where it
+/// came from, then that has to do.
+constexpr double astray = 1e-2;
+
+/// So near to a cell's end, in parts of it, speed at rest is rounding.
+constexpr double rest = 1e-6;
+
+}  // namespace
+
+template <int N, int M>
+void JerkRunPlanner<N, M>::plan(std::size_t first, std::size_t last, double from, double to,
+                                JerkLimitedResult& result) {
+  ProgressScope pulse(progress_, "planning", from, to);
+  pulse.part(0, 0.1);
+  if (last == first + 1 && alone(first, result)) return;
+  build(first, last, pulse);
+  const std::size_t n = grid_.cells.size(), window = options_.window;
+  best_duration_ = unlimited;
+  bool done = window > 0 && static_cast<double>(n) > last_window * static_cast<double>(window) &&
+              plan_windows(window, from, to);
+  if (!done) {
+    done = plan_whole(starts[0], pulse);
+    for (std::size_t i = 1; i < starts.size() && !done; ++i) {
+      build(first, last, pulse);  // its cells may have been divided
+      // Where a long law is lost short ones may still be found.
+      done = (i == 1 && window > 0 && n > few_cells && plan_windows(n / 4, from, to)) || plan_whole(starts[i], pulse);
+    }
+    if (!done && best_duration_ == unlimited) {  // no optimum at all, but a law
+      build(first, last, pulse);
+      done = plan_whole({0, 0}, pulse);
+    }
+    if (!done && best_duration_ < unlimited) {
+      std::swap(best_, pieces_);
+      slow_ = best_slow_;
+    }
+  }
+  result.law.reserve(pieces_.size());
+  for (LawPiece& p : pieces_) {
+    p.slow(slow_);
+    result.law.append(p);
+  }
+  result.cells += pieces_.size();
+}
+
+template <int N, int M>
+void JerkRunPlanner<N, M>::build(std::size_t first, std::size_t last, ProgressScope& pulse) {
+  GridOptions grid;
+  grid.angle = options_.angle;
+  grid.hermite = 1e-5;
+  pulse.half_of_rest();
+  grid_.build(path_, first, last, feed_, machine_, grid, pulse);
+  lay(pulse);
+  soften();
+  keep_ = all_cells;
+}
+
+template <int N, int M>
+bool JerkRunPlanner<N, M>::plan_whole(Start start, ProgressScope& pulse) {
+  pieces_.clear();
+  const double duration = attempt(start, pulse);
+  if (slow_ < good_enough) return true;
+  if (duration < best_duration_) {
+    best_duration_ = duration;
+    best_slow_ = slow_;
+    std::swap(best_, pieces_);
+  }
+  return false;
+}
+
+template <int N, int M>
+bool JerkRunPlanner<N, M>::alone(std::size_t segment, JerkLimitedResult& result) {
+  const Segment& line = path_[segment];
+  if (!line.straight()) return false;
+  const PathPoint p = line.at_parameter(line.curve().begin());
+  ProfileLimits limits{std::min(feed_[segment], options_.path.velocity), options_.path.acceleration, options_.path.jerk,
+                       unlimited};
+  for (std::size_t k = 0; k < N; ++k) {
+    const double t = std::abs(p.d1[k]);
+    if (t == 0) continue;
+    limits.velocity = std::min(limits.velocity, machine_.axes[k].velocity / t);
+    limits.acceleration = std::min(limits.acceleration, machine_.axes[k].acceleration / t);
+    limits.jerk = std::min(limits.jerk, machine_.axes[k].jerk / t);
+  }
+  if (!std::isfinite(limits.jerk)) return false;  // its acceleration would jump
+  append(result.law, straight_profile(line.length(), 0, 0, limits), line.s0(), segment);
+  ++result.cells;
+  return true;
+}
+
+template <int N, int M>
+double JerkRunPlanner<N, M>::attempt(Start start, ProgressScope& pulse) {
+  exit_ = {};
+  sped_up_ = 1;
+  state_.resize(grid_.cells.size() + 1);
+  const bool open = keep_ < grid_.cells.size();
+  share_ = open ? open_share : full_share;
+  guess(start, pulse);
+  pose(pulse);
+  if (start.mu > 0) improve(start.mu, pulse);
+  // A solver that diverged on a divided grid leaves the states that dividing interpolated, to 1e-9: next to a rest the
+  // acceleration has to be exactly what the cell's law says.
+  const std::size_t n = grid_.cells.size();
+  if (n > 1 && !(state_[0].b > 0)) state_[1].a = rest_tie(grid_.length(0)) * state_[1].b;
+  if (n > 1 && !(state_[n].b > 0)) state_[n - 1].a = -rest_tie(grid_.length(n - 1)) * state_[n - 1].b;
+  certify(pulse);
+  return emit(pulse);
+}
+
+template <int N, int M>
+void JerkRunPlanner<N, M>::improve(double mu, ProgressScope& pulse) {
+  JerkSolverOptions solver;
+  double reach = 3e-2;
+  int division = 0;
+  bool fresh = true, anew = false;
+  const auto divide = [&](double barrier) {
+    ++division;
+    refine(pulse);
+    pose(pulse);
+    fresh = true;
+    mu = std::max(10 * barrier, 1e-2);
+  };
+  for (int round = 0;; ++round) {
+    pulse.half_of_rest();
+    const bool open = round == 0 && keep_ < grid_.cells.size();
+    solver.gap = reach;
+    solver.violation = open ? open_violation : reach;
+    if (round > 0) before_ = state_;
+    const JerkSolverResult r = solver_.solve(problem_, state_, mu, solver, pulse);
+    work_ += r.iterations * static_cast<double>(grid_.cells.size());
+    if (round > 0 && !r.converged && !(r.violation < astray)) {
+      state_ = before_;
+      if (anew) return;
+      anew = true;
+      mu = 1e-2;
+      continue;
+    }
+    if (!std::isfinite(r.duration)) return;
+    if (round == 0) sped_up_ = speed_up();
+    mu = 0;
+    if (reach > 1e-3 && reach < 1e-2 && division < options_.max_divisions && mark(pulse)) {
+      divide(r.mu);
+      continue;
+    }
+    if (open) {
+      leave();
+      share_ = full_share;
+      pose(pulse);
+      mu = r.mu;
+    }
+    measure(soft_, false, pulse);
+    if (fresh) pose_middles(true, pulse);
+    fresh = false;
+    // What is left slows the run by its half (v², a) or third (j) power.
+    if (reach <= options_.gap &&
+        (round >= options_.max_rounds ||
+         (std::max(worst_.v, worst_.a) < 1 + 4 * options_.gap && worst_.j < 1 + 4 * options_.gap)))
+      break;
+    tighten();
+    if (division < 4 * options_.max_divisions && stubborn()) {
+      divide(r.mu);
+      reach = 3e-3;
+      continue;
+    }
+    reach = std::max(0.1 * reach, options_.gap);
+  }
+}
+
+template <int N, int M>
+double JerkRunPlanner<N, M>::emit(ProgressScope& pulse) {
+  const std::size_t n = grid_.cells.size();
+  slow_ = 1;
+  if (worst_.v > 1) slow_ = std::max(slow_, std::sqrt(worst_.v));
+  if (worst_.a > 1) slow_ = std::max(slow_, std::sqrt(worst_.a));
+  if (worst_.j > 1) slow_ = std::max(slow_, std::cbrt(worst_.j));
+  if (slow_ > 1) slow_ *= 1 + 1e-12;
+  double total = 0;
+  bool sound = std::isfinite(slow_);
+  for (std::size_t c = 0; c < n; ++c) {
+    pulse(c, n);
+    const double h = grid_.length(c);
+    LawPiece p = jerk_piece(state_[c], state_[c + 1], h);
+    sound = sound && p.duration > 0 && std::abs(p.at(p.duration).s - h) <= 1e-9 * h;
+    for (const double t : turning_points(p))
+      if (t > rest * p.duration && t < (1 - rest) * p.duration) sound = sound && p.at(t).v > 0;
+    p.segment = grid_.cells[c].segment;
+    p.s = path_[p.segment].s0() + grid_.left(c).s;
+    p.s_end = path_[p.segment].s0() + grid_.right(c).s;
+    total += p.duration;
+    pieces_.push_back(p);
+  }
+  if (!sound || !std::isfinite(total)) slow_ = unlimited;
+  return std::isfinite(slow_) ? total * slow_ : unlimited;
+}
+
+template void JerkRunPlanner<2, 2>::plan(std::size_t first, std::size_t last, double from, double to,
+                                         JerkLimitedResult& result);
+template bool JerkRunPlanner<2, 2>::alone(std::size_t segment, JerkLimitedResult& result);
+template void JerkRunPlanner<2, 2>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
+template bool JerkRunPlanner<2, 2>::plan_whole(Start start, ProgressScope& pulse);
+template double JerkRunPlanner<2, 2>::attempt(Start start, ProgressScope& pulse);
+template void JerkRunPlanner<2, 2>::improve(double mu, ProgressScope& pulse);
+template double JerkRunPlanner<2, 2>::emit(ProgressScope& pulse);
+template void JerkRunPlanner<2, 3>::plan(std::size_t first, std::size_t last, double from, double to,
+                                         JerkLimitedResult& result);
+template bool JerkRunPlanner<2, 3>::alone(std::size_t segment, JerkLimitedResult& result);
+template void JerkRunPlanner<2, 3>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
+template bool JerkRunPlanner<2, 3>::plan_whole(Start start, ProgressScope& pulse);
+template double JerkRunPlanner<2, 3>::attempt(Start start, ProgressScope& pulse);
+template void JerkRunPlanner<2, 3>::improve(double mu, ProgressScope& pulse);
+template double JerkRunPlanner<2, 3>::emit(ProgressScope& pulse);
+template void JerkRunPlanner<3, 3>::plan(std::size_t first, std::size_t last, double from, double to,
+                                         JerkLimitedResult& result);
+template bool JerkRunPlanner<3, 3>::alone(std::size_t segment, JerkLimitedResult& result);
+template void JerkRunPlanner<3, 3>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
+template bool JerkRunPlanner<3, 3>::plan_whole(Start start, ProgressScope& pulse);
+template double JerkRunPlanner<3, 3>::attempt(Start start, ProgressScope& pulse);
+template void JerkRunPlanner<3, 3>::improve(double mu, ProgressScope& pulse);
+template double JerkRunPlanner<3, 3>::emit(ProgressScope& pulse);
+template void JerkRunPlanner<3, 4>::plan(std::size_t first, std::size_t last, double from, double to,
+                                         JerkLimitedResult& result);
+template bool JerkRunPlanner<3, 4>::alone(std::size_t segment, JerkLimitedResult& result);
+template void JerkRunPlanner<3, 4>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
+template bool JerkRunPlanner<3, 4>::plan_whole(Start start, ProgressScope& pulse);
+template double JerkRunPlanner<3, 4>::attempt(Start start, ProgressScope& pulse);
+template void JerkRunPlanner<3, 4>::improve(double mu, ProgressScope& pulse);
+template double JerkRunPlanner<3, 4>::emit(ProgressScope& pulse);
+
+}  // namespace bahnwerk

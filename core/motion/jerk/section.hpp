@@ -1,0 +1,224 @@
+#pragma once
+/// Plans the runs of a contour one after the other under limits of jerk (jerk_limited.hpp): the state of one run and
+/// the steps on it. jerk_pose.cpp lays the grid and states the problem, jerk_refine.cpp divides cells in which the law
+/// switches, jerk_certify.cpp looks between the nodes, jerk_run.cpp puts them in order, jerk_windows.cpp for long runs
+/// window by window.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/motion/jerk/jerk_grid.hpp"
+#include "core/motion/jerk/jerk_limited.hpp"
+#include "core/motion/jerk/peaks.hpp"
+#include "core/motion/jerk/solver.hpp"
+
+namespace bahnwerk {
+
+namespace jerk_run_detail {
+/// The solver may use this part of every limit; what lies below `sure` between the nodes needs no closer look.
+constexpr double full_share = 1 - 2e-5, sure = 1 - 1e-5;
+/// A law that had to be slowed by more than this may have a better start.
+constexpr double good_enough = 1.01;
+/// The last window of a run is up to so many windows long; what is no longer than that is planned whole.
+constexpr double last_window = 1.5;
+}  // namespace jerk_run_detail
+
+/// N axes, M rows: one more when the path itself is limited.
+template <int N, int M>
+class JerkRunPlanner {
+ public:
+  JerkRunPlanner(const Contour& contour, const Machine& machine, const JerkLimitedOptions& options,
+                 const std::vector<double>& feed, const Sections& sections, Progress& progress)
+      : path_(contour.path),
+        machine_(machine),
+        options_(options),
+        feed_(feed),
+        sections_(sections),
+        progress_(progress) {
+    for (std::size_t k = 0; k < M; ++k) {
+      const bool axis = k < N;
+      const double V = axis ? machine.axes[k].velocity : options.path.velocity;
+      limit_.inverse_velocity2[k] = 1 / (V * V);
+      limit_.inverse_acceleration[k] = 1 / (axis ? machine.axes[k].acceleration : options.path.acceleration);
+      limit_.inverse_jerk[k] = 1 / (axis ? machine.axes[k].jerk : options.path.jerk);
+      if (axis && std::isfinite(machine.axes[k].jerk))
+        jerk_time_ = std::min(jerk_time_, machine.axes[k].acceleration / machine.axes[k].jerk);
+    }
+    if (!std::isfinite(jerk_time_)) jerk_time_ = 0;
+  }
+
+  void plan(std::size_t first, std::size_t last, double from, double to, JerkLimitedResult& result);
+  /// Newton steps times cells, of all sections.
+  double work() const { return work_; }
+
+ private:
+  /// Where the interior-point method starts: which part of the rough profile's v², the barrier, and whether the profile
+  /// is smoothed before.
+  struct Start {
+    double part, mu;
+    bool smooth = false;
+  };
+  static constexpr std::array starts{Start{0.8, 0.1, true}, Start{0.7, 0.3}, Start{0.2, 1}, Start{0.02, 1}};
+
+  /// A straight segment alone between two rests has a closed form.
+  bool alone(std::size_t segment, JerkLimitedResult& result);
+
+  /// Lays the grid of a run, with its rough profile.
+  void build(std::size_t first, std::size_t last, ProgressScope& pulse);
+
+  /// Plans the run whose grid is at hand from the given start. Its pieces, slowed by `slow_`, then hold all limits;
+  /// kept in `best_` if they are the quickest so far. False: there may be something much better.
+  bool plan_whole(Start start, ProgressScope& pulse);
+
+  /// The same window by window; `from` … `to` is the share of progress. False: some window came to nothing, and the
+  /// grid at hand is the run's again.
+  bool plan_windows(std::size_t window, double from, double to);
+
+  /// Makes about so many cells of the run's from `begin` on the grid at hand, to be passed from `entry_` to rest; more,
+  /// if the rest would slow most of them. Returns how many.
+  std::size_t take_window(std::size_t begin, std::size_t cells);
+
+  /// How much faster than the law that the window before threw away this one passes the same place.
+  double speed_up() const;
+
+  /// Throws away what the rest at the window's end slows: what is left ends in motion.
+  void leave();
+
+  /// Lets a first guess follow what the window before found, and blend over into its own.
+  void follow();
+
+  /// Solves the grid at hand from the given start. Returns the duration of the law slowed by `slow_`, infinite if it
+  /// came to nothing.
+  double attempt(Start start, ProgressScope& pulse);
+
+  /// Solves, looks between the nodes, and solves again with a smaller gap.
+  void improve(double mu, ProgressScope& pulse);
+
+  /// `at`: a station of the grid or a point of the path.
+  template <class Point>
+  JerkStation<M> rows_of(const Point& at) const {
+    JerkStation<M> r;
+    for (std::size_t k = 0; k < N; ++k) {
+      r.d1[k] = at.d1[k];
+      r.d2[k] = at.d2[k];
+      r.d3[k] = at.d3[k];
+    }
+    if constexpr (M > N) r.d1[N] = 1;
+    return r;
+  }
+
+  bool joint(std::size_t node) const {
+    return node > 0 && node < grid_.cells.size() && grid_.cells[node].segment != grid_.cells[node - 1].segment;
+  }
+
+  /// Largest v² per node: velocity limits, feeds, joints.
+  void caps(LargeVector<double>& cap, ProgressScope& pulse) const;
+
+  /// The first (or last) inner Bernstein coefficient that the limits on v² leave a cell: of φ(s) it is φ ± h/3 φ′, and
+  /// never needs to be below both ends' values.
+  double cell_cap(std::size_t c, bool at_end) const;
+
+  void rough(ProgressScope& pulse);
+
+  /// Nodes where the law needs them, by a rough profile.
+  void lay(ProgressScope& pulse);
+
+  /// What the solver may do with jerk: no more than takes an axis from one limit of its acceleration to the other in a
+  /// quarter of a mean cell. A larger jerk gains nothing that the grid could show, and without any limit along some
+  /// axis the law would swing between the nodes.
+  void soften();
+
+  /// From the rough profile of the grid as it is; part 0: rest to rest by one bow, v² ~ (s (L − s)/L)^(4/3).
+  void guess(Start start, ProgressScope& pulse);
+
+  void pose(ProgressScope& pulse);
+
+  /// Rows for the acceleration between nodes: in long cells, and, once there is a law to look at, where an axis comes
+  /// near its limit.
+  void pose_middles(bool looked, ProgressScope& pulse);
+
+  void add_node(std::size_t node, const JerkStation<M>& s, const std::array<double, M>& inverse);
+
+  /// How long the law at hand takes for a cell, s.
+  double duration(std::size_t c) const { return jerk_piece(state_[c], state_[c + 1], grid_.length(c)).duration; }
+
+  /// Where acceleration rises from rest or in a trough of v² the law stays slower for all that follows: the part of the
+  /// cell's duration that a jerk as large as allowed would save, if the change of acceleration is one worth a node.
+  double slack_ramp(std::size_t c, double change, double jerk) const;
+
+  /// Where the law switches inside a cell its jerk ramps instead of jumping: a deficit of speed that lasts for about
+  /// a/j. Estimates what that costs and marks cells for division until the sum stays below the tolerance. False =
+  /// nothing to divide.
+  bool mark(ProgressScope& pulse);
+
+  /// Divides the grid and carries the law over.
+  void refine(ProgressScope& pulse);
+
+  double feed(std::size_t c) const { return std::min(feed_[grid_.cells[c].segment], options_.path.velocity); }
+
+  struct Middle {
+    JerkStation<M> at;
+    double s = 0;  ///< from the cell's left end
+  };
+  struct Worst {
+    double v = 0, a = 0, j = 0;
+  };
+
+  /// The path in the middle of every curved cell, for measure().
+  void look_half_way(ProgressScope& pulse);
+
+  /// Peaks of every cell, from samples; `exact`: of the path itself.
+  void measure(const RowLimits<M>& limit, bool exact, ProgressScope& pulse);
+
+  /// Continuous peaks on the path itself wherever samples leave a doubt, and what holds at nodes alone: afterwards
+  /// `worst_` is what the run has to be slowed by. Positions are rounded as those of the finished law are: on
+  /// micrometres far from the path's begin that noise shows, and the peaks' outer bounds contain it.
+  void certify(ProgressScope& pulse);
+
+  void raise(const CellPeaks<M>& peaks) {
+    worst_.v = std::max(worst_.v, peaks.velocity);
+    for (std::size_t k = 0; k < M; ++k) {
+      worst_.a = std::max(worst_.a, peaks.acceleration[k]);
+      worst_.j = std::max(worst_.j, peaks.jerk[k]);
+    }
+  }
+
+  /// Marks cells for division in which shares of the limit of jerk do not help. False = there are none.
+  bool stubborn();
+
+  /// Cells that exceed a limit between their nodes get a smaller share of it.
+  void tighten();
+
+  /// Appends the law's pieces to `pieces_`, and finds by how much they have to be slowed for what still exceeds a
+  /// limit. Returns their duration then, infinite if they are no law.
+  double emit(ProgressScope& pulse);
+
+  const Path& path_;
+  const Machine& machine_;
+  const JerkLimitedOptions& options_;
+  const std::vector<double>& feed_;
+  const Sections& sections_;
+  Progress& progress_;
+  RowLimits<M> limit_, soft_;
+  double jerk_time_ = unlimited;
+  Grid<N> grid_, run_grid_;  // at hand, and the run's when that is a window of it
+  RoughProfile rough_, run_rough_;
+  JerkNode entry_, exit_;  // states at both ends: rest but in windows
+  static constexpr std::size_t all_cells = std::numeric_limits<std::size_t>::max();
+  double share_ = jerk_run_detail::full_share;
+  std::size_t keep_ = all_cells;            // cells of a window that the rest at its end does not slow
+  double overlap_ = 1, sped_up_ = 1;        // of windows, in what is hoped for; what it was too short for
+  LargeVector<JerkNode> tail_, next_tail_;  // what the window before, and this one, found behind these
+  LargeVector<double> cap_, loss_;
+  LargeVector<Division> division_;
+  LargeVector<JerkNode> state_, before_;  // as solved, and before
+  JerkProblem<M> problem_;
+  JerkSolver<M> solver_;
+  LargeVector<Middle> middle_;
+  LargeVector<CellPeaks<M>> peaks_;
+  Worst worst_;
+  LargeVector<LawPiece> pieces_, best_;
+  double slow_ = 1, best_duration_ = unlimited, best_slow_ = 1, work_ = 0;
+};
+
+}  // namespace bahnwerk

@@ -1,0 +1,61 @@
+#pragma once
+/// A rough speed profile of one run: where the interior-point method starts and by which the grid is laid.
+///
+/// Caps from velocity, curvature and h‴, then one pass each way that lets v² grow no faster than from rest with a
+/// constant jerk, v² = (9/2 J s²)^(2/3), and no faster than 2 A. Neither optimal nor feasible. O(nodes).
+#include <vector>
+
+#include "core/base/progress_scope.hpp"
+#include "core/motion/grid/grid.hpp"
+#include "core/motion/grid/sections.hpp"
+#include "core/motion/jerk/cell.hpp"
+
+namespace bahnwerk {
+
+/// What the axes allow along the path at one place.
+struct PathLimits {
+  double cap = unlimited;           ///< of v², mm²/s²
+  double acceleration = unlimited;  ///< along a straight, mm/s²
+  double jerk = unlimited;          ///< along a straight, mm/s³
+};
+
+template <int N>
+PathLimits path_limits(const Station<N>& at, const Machine& machine, const AlongPath& path, double feed);
+
+/// v² at every node, and how long each cell then takes, s, about (rest at the ends of cells allowed).
+struct RoughProfile {
+  LargeVector<double> b, duration;
+  LargeVector<double> smooth_b;  ///< by smooth()
+  LargeVector<double> s, t;      ///< of the nodes, from the run's begin: by smooth()
+};
+/// `node_cap`: largest v² per node, from joints and feeds; zero at both ends.
+template <int N>
+void rough_profile(const Grid<N>& grid, const std::vector<double>& feed, const Machine& machine, const AlongPath& path,
+                   const LargeVector<double>& node_cap, RoughProfile& profile, ProgressScope& pulse);
+
+/// Brings a profile to rest at its end. Returns the node up to which it stays what it was, 0 if it does nowhere.
+/// O(nodes changed).
+template <int N>
+std::size_t brake(const Grid<N>& grid, const std::vector<double>& feed, const Machine& machine, const AlongPath& path,
+                  RoughProfile& profile);
+
+/// Rounds off the kinks of a profile, at which jerk would be out of all proportion: `smooth_b` becomes the square of
+/// its mean speed over this time, s, less next to the run's ends. O(nodes).
+template <int N>
+void smooth(const Grid<N>& grid, double window, RoughProfile& profile, ProgressScope& pulse);
+
+extern template PathLimits path_limits<2>(const Station<2>&, const Machine&, const AlongPath&, double);
+extern template PathLimits path_limits<3>(const Station<3>&, const Machine&, const AlongPath&, double);
+extern template void rough_profile<2>(const Grid<2>&, const std::vector<double>&, const Machine&, const AlongPath&,
+                                      const LargeVector<double>&, RoughProfile&, ProgressScope&);
+extern template void rough_profile<3>(const Grid<3>&, const std::vector<double>&, const Machine&, const AlongPath&,
+                                      const LargeVector<double>&, RoughProfile&, ProgressScope&);
+
+extern template std::size_t brake<2>(const Grid<2>&, const std::vector<double>&, const Machine&, const AlongPath&,
+                                     RoughProfile&);
+extern template std::size_t brake<3>(const Grid<3>&, const std::vector<double>&, const Machine&, const AlongPath&,
+                                     RoughProfile&);
+extern template void smooth<2>(const Grid<2>&, double, RoughProfile&, ProgressScope&);
+extern template void smooth<3>(const Grid<3>&, double, RoughProfile&, ProgressScope&);
+
+}  // namespace bahnwerk

@@ -1,0 +1,37 @@
+#include "core/motion/law/dwell.hpp"
+
+#include <algorithm>
+
+namespace bahnwerk {
+
+namespace {
+constexpr std::size_t pieces_per_report = 1 << 18;  // some 10 ms
+}
+
+TimeLaw with_dwells(TimeLaw law, const Contour& contour, Progress& progress, double at) {
+  if (!(contour.dwell() > 0) || law.pieces().empty()) return law;
+  const Path& path = contour.path;
+  TimeLaw result;
+  result.reserve(law.pieces().size() + contour.rests.size());
+  std::size_t next = 0;
+  const auto rest = [&](std::size_t before, double s) {
+    for (; next < contour.rests.size() && contour.rests[next].segment <= before; ++next) {
+      if (!(contour.rests[next].seconds > 0)) continue;
+      LawPiece piece;
+      piece.duration = contour.rests[next].seconds;
+      piece.s = piece.s_end = s;
+      piece.segment = std::min(before, path.size() - 1);
+      result.append(piece);
+      if (result.pieces().size() % pieces_per_report == 0) progress.report("planning", at);
+    }
+  };
+  for (const LawPiece& piece : law.pieces()) {
+    rest(piece.segment, piece.s);
+    result.append(piece);
+    if (result.pieces().size() % pieces_per_report == 0) progress.report("planning", at);
+  }
+  rest(path.size(), law.pieces().back().s_end);
+  return result;
+}
+
+}  // namespace bahnwerk

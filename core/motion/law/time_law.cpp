@@ -1,0 +1,73 @@
+#include "core/motion/law/time_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bahnwerk {
+
+std::array<double, 3> turning_points(const LawPiece& p) {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  std::array<double, 3> at{never, never, never};
+  if (p.q == 0) {
+    if (p.j != 0) at[0] = -p.a / p.j;
+    return at;
+  }
+  at[2] = -p.j / p.q;
+  // a + j τ + q τ²/2 = 0, without cancellation
+  const double root = p.j * p.j - 2 * p.a * p.q;
+  if (root >= 0) {
+    const double sum = -(p.j + std::copysign(std::sqrt(root), p.j));
+    at[0] = sum / p.q;
+    if (sum != 0) at[1] = 2 * p.a / sum;
+  }
+  return at;
+}
+
+void TimeLaw::append(LawPiece piece) {
+  piece.t0 = duration();
+  pieces_.push_back(piece);
+}
+
+std::size_t TimeLaw::find(double t, std::size_t hint) const {
+  const std::size_t n = pieces_.size();
+  auto holds = [&](std::size_t i) { return pieces_[i].t0 <= t && (i + 1 == n || t < pieces_[i + 1].t0); };
+  if (hint < n && holds(hint)) return hint;
+  if (hint + 1 < n && holds(hint + 1)) return hint + 1;
+  const auto after =
+      std::upper_bound(pieces_.begin(), pieces_.end(), t, [](double x, const LawPiece& p) { return x < p.t0; });
+  return after == pieces_.begin() ? 0 : static_cast<std::size_t>(after - pieces_.begin()) - 1;
+}
+
+void TimeLaw::slow_from(std::size_t first, double factor) {
+  double at = first < pieces_.size() ? pieces_[first].t0 : 0;
+  for (std::size_t i = first; i < pieces_.size(); ++i) {
+    pieces_[i].slow(factor);
+    pieces_[i].t0 = at;
+    at += pieces_[i].duration;
+  }
+}
+
+void TimeLaw::slow_run(double t, double factor) {
+  std::size_t first = find(t), last = first + 1;
+  while (first > 0 && pieces_[first].v > 0) --first;
+  while (last < pieces_.size() && pieces_[last].v > 0) ++last;
+  double at = pieces_[first].t0;
+  for (std::size_t i = first; i < pieces_.size(); ++i) {
+    if (i < last) pieces_[i].slow(factor);
+    pieces_[i].t0 = at;
+    at += pieces_[i].duration;
+  }
+}
+
+TimeLaw TimeLaw::slowed(double factor) const {
+  TimeLaw law;
+  law.pieces_.reserve(pieces_.size());
+  for (LawPiece p : pieces_) {
+    p.slow(factor);
+    law.pieces_.push_back(p);
+  }
+  return law;
+}
+
+}  // namespace bahnwerk

@@ -1,0 +1,241 @@
+#include "core/plan/contour_drawing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "core/drawing/path_lines.hpp"
+#include "core/drawing/svg.hpp"
+
+namespace bahnwerk {
+namespace {
+
+using drawing::Sampler;
+using drawing::Thinned;
+
+constexpr double plot_size = 720, left = 64, right = 16, top = 60, gap = 44;  // px
+constexpr double first_tolerance = 0.2, last_tolerance = 52;                  // px
+const std::string ink = "fill=\"#20242a\"";
+
+/// How cuts and positioning are drawn, on a canvas whose unit is `unit` px.
+std::string style(bool cut, double unit = 1) {
+  char text[120];
+  if (cut)
+    std::snprintf(text, sizeof text, "stroke=\"#1f5fbf\" stroke-width=\"%.4g\"", 1.6 / unit);
+  else
+    std::snprintf(text, sizeof text, "stroke=\"#d9730d\" stroke-width=\"%.4g\" stroke-dasharray=\"%.4g %.4g\"",
+                  1 / unit, 4 / unit, 3 / unit);
+  return text;
+}
+
+struct Box {
+  Vec low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+  void hold(Vec p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+};
+
+/// One view: two coordinates on a frame with axes.
+struct View {
+  std::size_t across = 0, up = 1;
+  Vec low, high;
+  double scale = 1, y0 = top;
+  double width() const { return scale * (high[across] - low[across]); }
+  double height() const { return scale * (high[up] - low[up]); }
+  Point operator()(Vec p) const { return {left + scale * (p[across] - low[across]), y0 + scale * (high[up] - p[up])}; }
+};
+
+/// 1, 2 or 5 times a power of ten, at least `least`.
+double nice(double least) {
+  const double power = std::pow(10, std::floor(std::log10(least)));
+  for (const double factor : {1.0, 2.0, 5.0})
+    if (factor * power >= least * (1 - 1e-9)) return factor * power;
+  return 10 * power;
+}
+
+std::string millimetres(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.7g", std::abs(value) < 1e-12 ? 0 : value);
+  return text;
+}
+
+std::string axes(const View& view) {
+  static constexpr std::array names{"x, mm", "y, mm", "z, mm"};
+  const double bottom = view.y0 + view.height(), end = left + view.width();
+  std::string out = "<rect";
+  for (const auto& [name, value] :
+       {std::pair{"x", left}, {"y", view.y0}, {"width", view.width()}, {"height", view.height()}})
+    out += svg::attribute(name, svg::number(value));
+  out += " fill=\"none\" stroke=\"#8a919b\"/>\n";
+  const std::string grid = "stroke=\"#e6e9ed\"", small = " font-size=\"11\"";
+  const double step = nice(70 / view.scale), step_up = nice(36 / view.scale);
+  const auto ticks = [](double low, double high, double by, const std::function<void(double)>& at) {
+    for (double k = std::ceil(low / by - 1e-9); k <= high / by + 1e-9; ++k) at(k * by);
+  };
+  ticks(view.low[view.across], view.high[view.across], step, [&](double value) {
+    const double x = left + view.scale * (value - view.low[view.across]);
+    out += svg::segment({x, view.y0}, {x, bottom}, grid);
+    out += svg::text({x, bottom + 15}, millimetres(value), ink + small + " text-anchor=\"middle\"");
+  });
+  ticks(view.low[view.up], view.high[view.up], step_up, [&](double value) {
+    const double y = view.y0 + view.scale * (view.high[view.up] - value);
+    out += svg::segment({left, y}, {end, y}, grid);
+    out += svg::text({left - 6, y + 4}, millimetres(value), ink + small + " text-anchor=\"end\"");
+  });
+  out += svg::text({end, bottom + 30}, names[view.across], ink + small + " text-anchor=\"end\"");
+  out += svg::text({6, view.y0 - 6}, names[view.up], ink + small);
+  return out;
+}
+
+class Drawer {
+ public:
+  Drawer(const Contour& contour, const ContourDrawingOptions& options, Progress& progress)
+      : contour_(contour), options_(options), progress_(progress) {}
+
+  std::string run() {
+    measure();
+    lay();
+    std::string frame = svg::open(left + views_[0].width() + right, views_.back().y0 + views_.back().height() + gap);
+    frame += svg::text({6, 20}, options_.title, ink);
+    for (const View& view : views_) frame += axes(view);
+    const std::size_t around = frame.size() + legend(first_tolerance).size() + 400;
+    budget_ = options_.max_bytes - std::min(options_.max_bytes, around);
+    std::string paths;
+    double tolerance = first_tolerance;
+    while (tolerance <= last_tolerance && !draw(tolerance, paths)) tolerance *= std::numbers::sqrt2;
+    const bool fits = tolerance <= last_tolerance;
+    if (!fits)
+      paths = svg::text({left + 12, views_[0].y0 + 24}, "The path is too intricate to be drawn.", "fill=\"#c1121f\"");
+    return frame + legend(fits ? tolerance : 0) + paths + "</svg>\n";
+  }
+
+ private:
+  bool cuts(const Block& block) const { return block.mode == Mode::cut; }
+
+  void measure() {
+    const std::function<void(Vec)> hold = [this](Vec p) { box_.hold(p); };
+    for (const Block& block : contour_.blocks) {
+      for (std::size_t i = block.first; i < block.last; ++i) {
+        const Segment& segment = contour_.path[i];
+        if (i == 0) box_.hold(segment.curve().at(segment.curve().begin()).value);
+        Sampler(segment.length() / 500, hold)(segment);
+        pulse();
+        length_[cuts(block) ? 0 : 1] += segment.length();
+      }
+    }
+  }
+
+  /// Views below each other at one scale, each with a margin.
+  void lay() {
+    const Vec size = box_.high - box_.low;
+    const double largest = std::max({size.x, size.y, size.z, 1e-9}), margin = 0.04 * largest;
+    View view;
+    view.scale = plot_size / (largest + 2 * margin);
+    view.low = box_.low - Vec{margin, margin, margin};
+    view.high = box_.high + Vec{margin, margin, margin};
+    // Room for the legend and for ticks on paths along one axis.
+    const double least = 320 / view.scale, thin = 60 / view.scale;
+    if (const double wide = view.high.x - view.low.x; wide < least) view.high.x += least - wide;
+    for (const std::size_t k : {1U, 2U}) {
+      double &low = k == 1 ? view.low.y : view.low.z, &high = k == 1 ? view.high.y : view.high.z;
+      if (const double more = thin - (high - low); more > 0) low -= more / 2, high += more / 2;
+    }
+    views_.push_back(view);
+    if (contour_.dimension < 3 || !(size.z > 0)) return;
+    view.up = 2;
+    view.y0 = views_[0].y0 + views_[0].height() + gap + 16;
+    views_.push_back(view);
+  }
+
+  /// False: larger than allowed.
+  bool draw(double tolerance, std::string& paths) {
+    paths.clear();
+    for (const View& view : views_) {
+      std::array<Thinned, 2> lines{Thinned(tolerance), Thinned(tolerance)};
+      const auto size = [&] { return paths.size() + lines[0].data().size() + lines[1].data().size() + 600; };
+      for (const Block& block : contour_.blocks) {
+        if (block.first == block.last) continue;
+        Thinned& line = lines[cuts(block) ? 0 : 1];
+        const Curve& curve = contour_.path[block.first].curve();
+        line.begin(view(curve.at(curve.begin()).value));
+        const std::function<void(Vec)> to = [&](Vec p) {
+          line.to(view(p));
+          pulse();
+        };
+        Sampler sampler(0.1 * tolerance / view.scale, to);
+        for (std::size_t i = block.first; i < block.last; ++i) {
+          sampler(contour_.path[i]);
+          if (size() > budget_) return false;
+        }
+        line.end();
+      }
+      for (const std::size_t k : {1U, 0U})  // cuts on top
+        if (!lines[k].data().empty()) append(paths, k == 0, lines[k]);
+      if (!contour_.path.empty()) {
+        const Curve& first = contour_.path[0].curve();
+        paths += svg::circle(view(first.at(first.begin()).value), 4, "class=\"begin\" fill=\"#1d8a5f\"");
+      }
+      if (size() > budget_) return false;
+    }
+    return true;
+  }
+
+  static void append(std::string& paths, bool cut, const Thinned& lines) {
+    char scale[40];
+    std::snprintf(scale, sizeof scale, "scale(%.9g)", lines.lattice());
+    paths.append("<path")
+        .append(svg::attribute("class", cut ? "cut" : "position"))
+        .append(svg::attribute("transform", scale))
+        .append(svg::attribute("d", lines.data()))
+        .append(" fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\" ")
+        .append(style(cut, lines.lattice()))
+        .append("/>\n");
+  }
+
+  std::string legend(double tolerance) const {
+    std::string out;
+    double x = left;
+    const auto entry = [&](const std::string& sample, const std::string& words) {
+      out += sample + svg::text({x + 32, 42}, words, ink + " font-size=\"12\"");
+      x += 46 + 6.6 * static_cast<double>(words.size());
+    };
+    const auto line = [&](const std::string& look) { return svg::segment({x, 38}, {x + 26, 38}, look); };
+    char words[60];
+    for (const std::size_t k : {0U, 1U}) {
+      std::snprintf(words, sizeof words, "%s %.6g mm", k == 0 ? "cut" : "position", length_[k]);
+      if (length_[k] > 0) entry(line(style(k == 0)), words);
+    }
+    entry(svg::circle({x + 20, 38}, 4, "fill=\"#1d8a5f\""), "begin");
+    if (tolerance > 0) {
+      std::snprintf(words, sizeof words, "drawn to %.2g mm", tolerance / views_[0].scale);
+      out += svg::text({x + 8, 42}, words, "fill=\"#5c6570\" font-size=\"12\"");
+    }
+    return out;
+  }
+
+  void pulse() {
+    if (++points_ % 4096 == 0) progress_.report("drawing", 1);
+  }
+
+  const Contour& contour_;
+  const ContourDrawingOptions& options_;
+  Progress& progress_;
+  Box box_;
+  std::array<double, 2> length_{};  // mm, cut and positioned
+  std::vector<View> views_;
+  std::size_t points_ = 0, budget_ = 0;
+};
+
+}  // namespace
+
+std::string contour_drawing(const Contour& contour, const ContourDrawingOptions& options, Progress& progress) {
+  return Drawer(contour, options, progress).run();
+}
+
+}  // namespace bahnwerk

@@ -1,0 +1,260 @@
+#include "core/plan/fill_plan.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "core/base/errors.hpp"
+#include "core/base/progress_part.hpp"
+#include "core/numeric/random.hpp"
+#include "core/verify/layout_verifier.hpp"
+#include "core/winding/layout/count_bound.hpp"
+#include "core/winding/layout/orthocyclic.hpp"
+#include "core/winding/layout/potential.hpp"
+#include "core/winding/layout/raabe.hpp"
+
+namespace bahnwerk {
+namespace {
+
+using winding::Algorithm;
+using winding::Layout;
+using winding::Wire;
+
+winding::LayingRegions regions_of(const FillRequest& request) {
+  winding::LayingRegions regions = std::holds_alternative<winding::StatorHeads>(request.heads)
+                                       ? laying_regions(request.slot, std::get<winding::StatorHeads>(request.heads))
+                                       : laying_regions(request.slot, std::get<winding::RotorHeads>(request.heads));
+  if (!request.back.empty()) regions.at[2].room = request.back;
+  return regions;
+}
+
+/// The slot in which layouts are made, nominal or with its walls moved outwards by `wall` mm.
+class Filler {
+ public:
+  explicit Filler(const FillRequest& request, double wall = 0) : request_(request), slot_(request.slot), wall_(wall) {
+    slot_.room = slot_.room.inward(-wall);
+  }
+
+  Layout lay(Algorithm algorithm, double radius, double overlap, std::span<const std::vector<Point>> hints,
+             std::vector<Layout>& regions, Progress& progress) const {
+    switch (algorithm) {
+      case Algorithm::orthocyclic_base:
+        return winding::orthocyclic(slot_.room, radius, slot_.pull, 0, progress);
+      case Algorithm::orthocyclic_flank:
+        return winding::orthocyclic(slot_.room, radius, slot_.flank_pull, slot_.flank, progress);
+      case Algorithm::raabe:
+        return winding::raabe(slot_.room, radius, progress, request_.shifts);
+      case Algorithm::potential: {
+        winding::PotentialOptions options;
+        options.overlap = overlap;
+        options.seed = request_.seed;
+        options.effort = request_.effort;
+        options.most = winding::max_wires(slot_.room, radius, 2 * radius - overlap, &progress);
+        Layout layout{winding::potential(slot_.room, radius, hints, options, progress), {}};
+        nearest_first(layout.wires);
+        return layout;
+      }
+      case Algorithm::needle:
+        break;
+    }
+    return needle(radius, regions, progress);
+  }
+
+ private:
+  const FillRequest& request_;
+  winding::Slot slot_;
+  double wall_;
+
+  /// A search tells nothing of an order: the one that gives every wire the most support.
+  void nearest_first(std::vector<Point>& wires) const {
+    std::stable_sort(wires.begin(), wires.end(), [&](Point a, Point b) {
+      return square_distance(a, request_.tie_in) < square_distance(b, request_.tie_in);
+    });
+  }
+
+  Layout needle(double radius, std::vector<Layout>& regions, Progress& progress) const {
+    if (std::holds_alternative<std::monostate>(request_.heads))
+      return winding::needle(slot_.room, radius, request_.tie_in, progress);
+    winding::LayingRegions at = regions_of(request_);
+    for (winding::LayingRegion& region : at.at) region.room = region.room.inward(-wall_);
+    winding::NeedleLayout laid = winding::needle(at, radius, request_.tie_in, progress);
+    regions.assign(std::make_move_iterator(laid.begin() + 1), std::make_move_iterator(laid.end()));
+    return std::move(laid[0]);
+  }
+};
+
+/// A wire and a slot as they may turn out.
+struct Sample {
+  double diameter, wall;  ///< 0 … 1 and −1 … 1 of the tolerances
+};
+
+std::vector<Sample> samples(const FillRequest& request) {
+  Random random(request.seed);
+  std::vector<Sample> list;
+  for (int k = 0; k < request.sampling.samples; ++k) {
+    const double diameter = random.uniform();
+    list.push_back({diameter, random.uniform(-1, 1)});
+  }
+  return list;
+}
+
+std::vector<std::size_t> sampled_counts(const FillRequest& request, Algorithm algorithm, const Wire& wire,
+                                        const std::vector<Sample>& list, Progress& progress) {
+  std::vector<std::size_t> counts;
+  const double tolerance = request.sampling.wire_tolerance.value_or(wire.tolerance);
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    const double n = static_cast<double>(list.size());
+    ProgressPart part(progress, "sampling", static_cast<double>(k) / n, (static_cast<double>(k) + 1) / n);
+    const Filler filler(request, request.sampling.slot_tolerance * list[k].wall);
+    Wire drawn = wire;
+    drawn.outer *= 1 - tolerance * list[k].diameter;
+    std::vector<Layout> regions;
+    const double overlap = allowed_overlap(request, algorithm, drawn);
+    counts.push_back(filler.lay(algorithm, drawn.radius(), overlap, {}, regions, part).wires.size());
+  }
+  return counts;
+}
+
+/// What of wire and needle does not pass, in the slot and in the coil's other one.
+std::vector<FilledLayout::Blocked> blocked(const FillRequest& request, const FilledLayout& filled, Progress& progress) {
+  std::vector<FilledLayout::Blocked> found;
+  if (!request.slot.opening || filled.count() == 0) return found;
+  const winding::Opening& opening = *request.slot.opening;
+  const double radius = filled.wire.radius();
+  for (const winding::Obstruction& each : opening_obstructions(opening, radius, request.needle))
+    found.push_back({each, false});
+  // Beside a rotor's coil the needle has all the room between the poles.
+  if (!request.needle || !found.empty() || request.slot.type == winding::Slot::Type::rotor) return found;
+  const auto channel = [&](const Region& room, winding::Needle needle, const Layout& layout, bool back) {
+    ProgressPart last(progress, "needle access", 1, 1);
+    const auto wire = first_out_of_reach(room, opening, needle, radius, request.producible.touch, layout.wires, last);
+    if (wire) found.push_back({{winding::Obstruction::Part::channel, 0, 0, *wire}, back});
+  };
+  channel(request.slot.room, *request.needle, filled.layout, false);
+  if (filled.regions.empty()) return found;
+  winding::Needle other = *request.needle;
+  if (other.stand == winding::Needle::Stand::left) other.stand = winding::Needle::Stand::right;
+  channel(request.back.empty() ? request.slot.room : request.back, other, filled.regions[1], true);
+  return found;
+}
+
+void report(const FillRequest& request, FilledLayout& filled, Progress& progress) {
+  const double radius = filled.wire.radius();
+  progress.report("bound", 0);
+  filled.bound = winding::max_wires(request.slot.room, radius, 2 * radius - filled.overlap, &progress);
+  progress.report("bound", 0);
+  filled.electrical = electrical_fill(request.sides * filled.count(), filled.wire, request.slot.iron.area());
+  filled.mechanical = mechanical_fill(filled.count(), filled.wire, request.slot.room.area());
+  filled.overlaps = winding::overlaps(filled.layout.wires, radius);
+  filled.turns = winding::turns(filled.count(), request.serial, request.parallel);
+  filled.resistance =
+      resistance_per_metre(filled.wire, std::max<std::size_t>(filled.turns.parallel, 1), request.temperature);
+  // In a rotor a wire comes from its own place in the head before; elsewhere that is unknown but to the simulation.
+  if (filled.algorithm != Algorithm::needle && std::holds_alternative<winding::RotorHeads>(request.heads))
+    filled.layout.pulls =
+        turn_pulls(laying_regions(request.slot, std::get<winding::RotorHeads>(request.heads)), filled.layout);
+  filled.producible =
+      winding::producible(request.slot.room, radius, filled.layout, request.tie_in, request.producible, progress);
+  filled.blocked = blocked(request, filled, progress);
+}
+
+std::string max_places(const FillPlan& plan) {
+  std::size_t most = 0;
+  for (const FilledLayout& filled : plan.layouts) most = std::max(most, filled.count());
+  return "the largest has " + std::to_string(most) + " wires";
+}
+
+/// All layouts in all regions.
+Verification verified(const FillRequest& request, const FillPlan& plan, Progress& progress, double from) {
+  winding::LayingRegions at;
+  if (!std::holds_alternative<std::monostate>(request.heads)) at = regions_of(request);
+  std::vector<LayoutToVerify> verified;
+  for (const FilledLayout& filled : plan.layouts) {
+    LayoutToVerify each{name(filled.algorithm), filled.wire.copper,  filled.wire.radius(),
+                        filled.overlap,         filled.layout.wires, filled.bound};
+    verified.push_back(each);
+    for (std::size_t k = 0; k < filled.regions.size(); ++k) {
+      each.region = region_name(k);
+      each.room = &at.at[k + 1].room;
+      each.wires = filled.regions[k].wires;
+      each.count = filled.count();
+      verified.push_back(each);
+    }
+  }
+  return verify_layouts(request.slot.room, verified, progress, from, 1);
+}
+
+/// Relative time of an algorithm.
+double weight(Algorithm algorithm) { return algorithm == Algorithm::potential ? 20 : 1; }
+
+}  // namespace
+
+const char* name(Algorithm algorithm) { return name_of<Algorithm>(algorithm, winding::algorithms); }
+
+/// By [Herrmann 4.2.3] two wires may share half of what their diameters may be too large.
+double allowed_overlap(const FillRequest& request, Algorithm algorithm, const Wire& wire) {
+  if (algorithm != Algorithm::potential) return 0;
+  return request.overlap_tolerance.value_or(0.5 * wire.tolerance) * wire.radius();
+}
+
+const char* region_name(std::size_t region) {
+  static constexpr const char* names[] = {"head_bottom", "slot_back", "head_top"};
+  return names[region];
+}
+
+FillPlan plan_fill(const FillRequest& request, Progress& progress) {
+  FillPlan plan;
+  constexpr double verifying = 0.98;  // where verification begins
+  // The search goes last of a wire's algorithms: the layouts of the others are its hints.
+  std::vector<std::size_t> order(request.algorithms.size());
+  double total = 0, done = 0;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    order[k] = k;
+    total += weight(request.algorithms[k]) * static_cast<double>(request.wires.size());
+  }
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return weight(request.algorithms[a]) < weight(request.algorithms[b]);
+  });
+  const std::vector<Sample> drawn = samples(request);
+  const Filler filler(request);
+  for (const Wire& wire : request.wires) {
+    const std::size_t first = plan.layouts.size();
+    plan.layouts.resize(first + order.size());
+    std::vector<std::vector<Point>> hints;
+    for (const std::size_t k : order) {
+      FilledLayout& filled = plan.layouts[first + k];
+      filled.algorithm = request.algorithms[k];
+      filled.wire = wire;
+      filled.overlap = allowed_overlap(request, filled.algorithm, wire);
+      char cell[64];
+      std::snprintf(cell, sizeof cell, "%s, %.3g mm", name(filled.algorithm), wire.copper);
+      const double from = verifying * done / total, to = verifying * (done += weight(filled.algorithm)) / total;
+      const double nominal = drawn.empty() ? to : from + (to - from) / (1 + static_cast<double>(drawn.size()));
+      const double laid = from + 0.9 * (nominal - from);
+      ProgressPart laying(progress, cell, from, laid), checking(progress, cell, laid, nominal);
+      laying.report({}, 0);
+      filled.layout = filler.lay(filled.algorithm, wire.radius(), filled.overlap, hints, filled.regions, laying);
+      report(request, filled, checking);
+      hints.push_back(filled.layout.wires);
+      if (drawn.empty()) continue;
+      ProgressPart rest(progress, cell, nominal, to);
+      filled.sampled = sampled_counts(request, filled.algorithm, wire, drawn, rest);
+    }
+  }
+  if ((request.serial || request.parallel) &&
+      std::none_of(plan.layouts.begin(), plan.layouts.end(), [](const FilledLayout& l) { return l.turns.fits; }))
+    throw Infeasible("no layout takes the turns asked for: " + max_places(plan));
+  plan.verification = verified(request, plan, progress, verifying);
+  const auto better = [&](std::size_t a, std::size_t b) {
+    return plan.layouts[a].electrical > plan.layouts[b].electrical;
+  };
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    std::size_t best = k;
+    for (std::size_t i = k; i < plan.layouts.size(); i += order.size())
+      if (better(i, best)) best = i;
+    plan.best.push_back(best);
+    if (k == 0 || better(best, plan.top)) plan.top = best;
+  }
+  return plan;
+}
+
+}  // namespace bahnwerk

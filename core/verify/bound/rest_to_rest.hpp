@@ -1,0 +1,39 @@
+#pragma once
+/// The shortest straight move from rest to rest under limits on speed, acceleration and jerk: what no motion along a
+/// straight run can beat.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/geometry/path/path.hpp"
+#include "core/machine/machine.hpp"
+
+namespace bahnwerk::verify {
+
+/// s over `way` mm; acceleration finite, speed and jerk may be infinite. Jerk J, 0, −J, 0, −J, 0, J with what is not
+/// needed left out: full speed V is reached if way ≥ V (V/A + A/J), or V 2 √(V/J) when A is not; full acceleration A if
+/// way ≥ 2 A³/J².
+inline double rest_to_rest(double way, double speed, double acceleration, double jerk) {
+  if (!(way > 0)) return 0;
+  const double ramp = acceleration / jerk;  // s, 0 without a limit on jerk
+  const double change = speed >= acceleration * ramp ? speed / acceleration + ramp : 2 * std::sqrt(speed / jerk);
+  if (way >= speed * change) return way / speed + change;
+  if (way >= 2 * acceleration * ramp * ramp) return ramp + std::sqrt(ramp * ramp + 4 * way / acceleration);
+  return std::cbrt(32 * way / jerk);
+}
+
+/// The same along a straight path segment: all axes share one law.
+inline double rest_to_rest(const Segment& straight, double feed, const Machine& machine) {
+  const Vec way = straight.at_parameter(straight.curve().begin()).d1;
+  double speed = feed, acceleration = unlimited, jerk = unlimited;
+  for (std::size_t k = 0; k < machine.dimension(); ++k) {
+    const double t = std::abs(way[k]);
+    if (!(t > 1e-12)) continue;
+    speed = std::min(speed, machine.axes[k].velocity / t);
+    acceleration = std::min(acceleration, machine.axes[k].acceleration / t);
+    jerk = std::min(jerk, machine.axes[k].jerk / t);
+  }
+  return rest_to_rest(straight.length(), speed, acceleration, jerk);
+}
+
+}  // namespace bahnwerk::verify

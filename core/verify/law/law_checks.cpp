@@ -1,0 +1,220 @@
+#include "core/verify/law/law_checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "core/verify/rounding.hpp"
+#include "core/verify/worst.hpp"
+
+namespace bahnwerk::verify {
+namespace {
+
+constexpr std::size_t max_feeds = 32;  // checks written per document; beyond that the most strained ones
+
+// Smallest and largest v of a piece with their moments: the ends and where a = 0.
+struct SpeedRange {
+  double low, high, low_at, high_at;
+};
+SpeedRange speed_range(const LawPiece& p) {
+  SpeedRange r{p.v, p.v, p.t0, p.t0};
+  auto offer = [&](double tau) {
+    const double v = p.at(tau).v;
+    if (!(v >= r.low)) r.low = v, r.low_at = p.t0 + tau;
+    if (!(v <= r.high)) r.high = v, r.high_at = p.t0 + tau;
+  };
+  if (!p.constant_acceleration())
+    for (const double tau : turning_points(p))
+      if (tau > 0 && tau < p.duration) offer(tau);
+  offer(p.duration);
+  return r;
+}
+
+/// Per path segment. A path driven in place of another contour has to obey that one's feeds; a segment of none of its
+/// blocks may not be driven at all.
+std::vector<double> feeds_to_hold(const VerifierInput& in) {
+  if (!in.given) return in.contour.feeds();
+  std::vector<double> feed(in.contour.path.size(), 0.0);
+  for (std::size_t b = 0; b < std::min(in.given->blocks.size(), in.contour.blocks.size()); ++b)
+    for (std::size_t i = in.contour.blocks[b].first; i < std::min(in.contour.blocks[b].last, feed.size()); ++i)
+      feed[i] = in.given->blocks[b].feed;
+  return feed;
+}
+
+std::string feed_name(double feed) {
+  char text[64];
+  std::snprintf(text, sizeof text, "path velocity (feed %.10g)", feed);
+  return text;
+}
+
+class LawChecker {
+ public:
+  LawChecker(const VerifierInput& in, ProgressScope& pulse)
+      : in_(in),
+        path_(in.contour.path),
+        joints_(joints(path_, [&] { pulse.report(); })),
+        rest_(path_.size() > 0 ? in.contour.rest_places() : std::vector<bool>()) {}
+
+  std::vector<Check> run(ProgressScope& pulse) {
+    const auto& pieces = in_.law.pieces();
+    const std::vector<double> feeds = feeds_to_hold(in_);
+    distinct_ = feeds;
+    std::sort(distinct_.begin(), distinct_.end());
+    distinct_.erase(std::unique(distinct_.begin(), distinct_.end()), distinct_.end());
+    while (!distinct_.empty() && !(distinct_.back() < unlimited)) distinct_.pop_back();
+    feed_peaks_.resize(distinct_.size());
+
+    for (const LawPiece& p : pieces) {
+      pulse.work(1);
+      const SpeedRange v = speed_range(p);
+      peak_.raise(v.high, v.high_at);
+      if (in_.check_jerk) path_peaks(p);
+      const PieceRounding r = rounding_of(p);
+      backward_.raise(std::isnan(v.low) ? v.low : std::max(0.0, -v.low), r.speed, v.low_at);
+      if (p.segment >= path_.size() || !(p.duration >= 0)) {
+        outside_.raise(INFINITY, 0, p.t0);
+        continue;
+      }
+      if (feeds[p.segment] < unlimited) {
+        const auto at = std::lower_bound(distinct_.begin(), distinct_.end(), feeds[p.segment]) - distinct_.begin();
+        feed_peaks_[static_cast<std::size_t>(at)].raise(v.high, v.high_at);
+      }
+      const Segment& segment = path_[p.segment];
+      const double most = std::max({0.0, segment.s0() - p.s, p.s_end - segment.s1(), p.s - p.s_end});
+      outside_.raise(std::isfinite(p.s + p.s_end) ? most : INFINITY, rounding * segment.s1(), p.t0);
+      position_gap_.raise(std::abs(p.at(p.duration).s - p.s_end), r.position, p.t0 + p.duration);
+    }
+    for (std::size_t i = 1; i < pieces.size(); ++i) pass(pieces[i - 1], pieces[i]);
+    if (!pieces.empty()) {
+      const LawPiece &first = pieces.front(), &last = pieces.back();
+      const PieceRounding r0 = rounding_of(first), r1 = rounding_of(last);
+      start_.raise(std::abs(first.v), r0.speed, 0);
+      acceleration_gap_.raise(std::abs(first.a), r0.acceleration, 0);
+      const double end = in_.law.duration();
+      const LawState x = last.at(last.duration);
+      acceleration_gap_.raise(std::abs(x.a), r1.acceleration, end);
+      end_.raise(std::abs(x.v), r1.speed, end);
+      uncovered_.raise(std::abs(first.s), rounding * path_.length(), 0);
+      uncovered_.raise(std::abs(path_.length() - last.s_end), rounding * path_.length(), end);
+    } else {
+      uncovered_.raise(path_.length(), 0, 0);
+    }
+    return report();
+  }
+
+ private:
+  // Acceleration and jerk along the path: a is a parabola, j even.
+  void path_peaks(const LawPiece& p) {
+    for (const double tau : {0.0, turning_points(p)[2], p.duration}) {
+      if (!(tau >= 0 && tau <= p.duration)) continue;
+      const LawState x = p.at(tau);
+      path_acceleration_.raise(std::abs(x.a), p.t0 + tau);
+      path_jerk_.raise(std::abs(x.j), p.t0 + tau);
+    }
+  }
+
+  // From one piece to the next: continuity, and what holds at the joints of the path that lie between.
+  void pass(const LawPiece& before, const LawPiece& after) {
+    const double t = after.t0, v0 = before.at(before.duration).v, v1 = after.v;
+    const PieceRounding r0 = rounding_of(before), r1 = rounding_of(after);
+    velocity_gap_.raise(std::abs(v1 - v0), r0.speed + r1.speed, t);
+    const double a0 = before.at(before.duration).a, a1 = after.a;
+    acceleration_gap_.raise(std::abs(a1 - a0), r0.acceleration + r1.acceleration, t);
+    position_gap_.raise(std::abs(after.s - before.s_end), r0.position + r1.position, t);
+    time_gap_.raise(std::abs(after.t0 - (before.t0 + before.duration)), rounding * std::abs(t), t);
+    if (before.segment >= path_.size() || after.segment >= path_.size() || before.segment == after.segment) return;
+    if (after.segment != before.segment + 1) {
+      outside_.raise(INFINITY, 0, t);
+      return;
+    }
+    double v = std::max(std::abs(v0), std::abs(v1));
+    if (std::isnan(v0)) v = v0;
+    const Segment &left = path_[before.segment], &right = path_[after.segment];
+    if (left.cusp_end() || right.cusp_begin()) has_cusp_ = true, cusp_.raise(v, r0.speed + r1.speed, t);
+    const Vec there = right.at_parameter(right.curve().begin()).value;
+    const double apart = in_.position_tolerance + rounding * norm(there);
+    joint_gap_.raise(norm(left.at_parameter(left.curve().end()).value - there), apart, t);
+    distance_.raise(norm(left.at(before.s_end).value - there), apart, t);
+    distance_.raise(norm(right.at(after.s).value - there), apart, t);
+    const Joint& joint = joints_[before.segment];
+    if (joint.angle > in_.corner_angle || rest_[after.segment]) {
+      corner_.raise(v, r0.speed + r1.speed, t);
+      acceleration_gap_.raise(std::max(std::abs(a0), std::abs(a1)), r0.acceleration + r1.acceleration, t);
+      return;  // at rest no velocity step remains
+    }
+    if (in_.check_jerk) pass_joint(left, right, v, a0, a1, t);
+    for (std::size_t k = 0; k < in_.machine.axes.size() && k < 3; ++k) {
+      const double limit = in_.machine.axes[k].acceleration * in_.machine.cycle_time;
+      if (limit < unlimited) step_.raise(std::abs(joint.step[k]) * v, limit, t);
+    }
+  }
+
+  // What the axes' accelerations jump by where curvature does.
+  void pass_joint(const Segment& left, const Segment& right, double v, double a0, double a1, double t) {
+    const PathPoint l = left.at_parameter(left.curve().end()), r = right.at_parameter(right.curve().begin());
+    for (std::size_t k = 0; k < in_.machine.axes.size() && k < 3; ++k) {
+      const double limit = in_.machine.axes[k].jerk * in_.machine.cycle_time;
+      if (!(limit < unlimited)) continue;
+      jump_.raise(std::abs((r.d2[k] - l.d2[k]) * v * v + r.d1[k] * a1 - l.d1[k] * a0), limit, t);
+    }
+  }
+
+  std::vector<Check> report() const {
+    std::vector<Check> list;
+    std::vector<Check> feeds;
+    for (std::size_t i = 0; i < distinct_.size(); ++i)
+      feeds.push_back(make_check(feed_name(distinct_[i]), "mm/s", distinct_[i], feed_peaks_[i]));
+    if (feeds.size() > max_feeds) {
+      std::stable_sort(feeds.begin(), feeds.end(), [](const Check& a, const Check& b) {
+        if (a.passed != b.passed) return b.passed;
+        return a.passed && a.value * b.limit > b.value * a.limit;
+      });
+      feeds.resize(max_feeds);
+    }
+    for (Check& c : feeds) list.push_back(std::move(c));
+    if (in_.path.velocity < unlimited) list.push_back(make_check("path velocity", "mm/s", in_.path.velocity, peak_));
+    if (in_.check_jerk && in_.path.acceleration < unlimited)
+      list.push_back(make_check("path acceleration", "mm/s²", in_.path.acceleration, path_acceleration_));
+    if (in_.check_jerk && in_.path.jerk < unlimited)
+      list.push_back(make_check("path jerk", "mm/s³", in_.path.jerk, path_jerk_));
+    if (!joints_.empty()) {
+      list.push_back(make_limit_check("velocity step at joints", "mm/s", step_));
+      if (jump_.limit > 0) list.push_back(make_limit_check("acceleration step at joints", "mm/s²", jump_));
+      list.push_back(make_check("corner rest", "mm/s", corner_));
+    }
+    if (has_cusp_) list.push_back(make_check("cusp rest", "mm/s", cusp_));
+    list.push_back(make_check("start at rest", "mm/s", start_));
+    list.push_back(make_check("end at rest", "mm/s", end_));
+    list.push_back(make_check("continuity of velocity", "mm/s", velocity_gap_));
+    if (in_.check_jerk) list.push_back(make_check("continuity of acceleration", "mm/s²", acceleration_gap_));
+    Strained position = position_gap_;
+    position.raise(joint_gap_.value, joint_gap_.limit, joint_gap_.at);
+    list.push_back(make_check("continuity of position", "mm", position));
+    list.push_back(make_check("continuity of time", "s", time_gap_));
+    list.push_back(make_check("pieces within segments", "mm", outside_));
+    list.push_back(make_check("forward motion", "mm/s", backward_));
+    list.push_back(make_check("path covered", "mm", uncovered_));
+    list.push_back(make_check("distance from contour", "mm", distance_));
+    return list;
+  }
+
+  const VerifierInput& in_;
+  const Path& path_;
+  std::vector<Joint> joints_;
+  std::vector<bool> rest_;
+  std::vector<double> distinct_;
+  std::vector<Worst> feed_peaks_;
+  bool has_cusp_ = false;
+  Worst peak_, path_acceleration_, path_jerk_;
+  Strained backward_, outside_, position_gap_, joint_gap_, velocity_gap_, acceleration_gap_, time_gap_, step_, jump_,
+      corner_, cusp_, start_, end_, uncovered_, distance_;
+};
+
+}  // namespace
+
+std::vector<Check> law_checks(const VerifierInput& input, ProgressScope& pulse) {
+  return LawChecker(input, pulse).run(pulse);
+}
+
+}  // namespace bahnwerk::verify

@@ -1,0 +1,36 @@
+#pragma once
+/// The independent verifier of wires in a slot: it shares the slot's outline with the planners and nothing else.
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include "core/base/progress.hpp"
+#include "core/base/verification.hpp"
+#include "core/geometry/region/region.hpp"
+
+namespace bahnwerk {
+
+struct LayoutToVerify {
+  std::string algorithm;
+  double copper = 0;   ///< mm, names the wire
+  double radius = 0;   ///< of a wire with its enamel, mm
+  double overlap = 0;  ///< by which two wires may be nearer than 2 · radius, mm
+  std::span<const Point> wires;
+  std::size_t bound = 0;  ///< wires that no layout exceeds
+  /// Of a layout that goes on in other regions: which, its room, and how many wires the first region has.
+  std::string region = {};
+  const Region* room = nullptr;
+  std::size_t count = 0;
+};
+
+/// Every pair of wires and every wire against every edge of the room, by formulas and an inside test of its own.
+/// Checks, per algorithm and region the worst over its layouts, with the wire's copper diameter (mm) as `at`: `overlap
+/// beyond what is allowed <algorithm>[, <region>]` and `overlap with the boundary <algorithm>[, <region>]` (mm, a wire
+/// outside counts with its whole distance), both against core/winding/margin.hpp; `wires missing <algorithm>, <region>`
+/// (the difference of its count to that of the first region); `bound`: the most by which a count exceeds its bound.
+/// Cost: O(n · edges) per layout of n wires, about 30 ns each, and the pairs that overlap along x.
+/// Reports stage "verification" at least every 65536 comparisons.
+Verification verify_layouts(const Region& room, std::span<const LayoutToVerify> layouts, Progress& progress,
+                            double progress_from, double progress_to);
+
+}  // namespace bahnwerk

@@ -1,0 +1,198 @@
+#include "core/verify/setpoints/setpoint_checks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "core/base/progress_scope.hpp"
+#include "core/verify/rounding.hpp"
+#include "core/verify/worst.hpp"
+
+namespace bahnwerk {
+namespace {
+
+using verify::epsilon;
+using verify::PieceRounding;
+using verify::rounding;
+using verify::Strained;
+
+constexpr std::size_t chunk_rows = 1024;
+constexpr std::size_t units_per_row = 4;  // of work, for progress
+
+/// Larger of two, not-a-number if either is.
+double larger(double a, double b) { return std::isnan(a) || a > b ? a : b; }
+
+class RowChecker {
+ public:
+  explicit RowChecker(const SetpointInput& in)
+      : in_(in),
+        path_(in.contour.path),
+        pieces_(in.law.pieces()),
+        axes_(std::min<std::size_t>(in.machine.dimension(), 3)),
+        cycle_time_(in.machine.cycle_time) {}
+
+  std::vector<Check> run(ProgressScope& pulse) {
+    const std::size_t rows = in_.setpoints.count();
+    const double last = static_cast<double>(rows) - 1, duration = in_.law.duration();
+    const double missing = static_cast<double>(find_columns());
+    count_.raise(larger(missing, std::abs(last - std::round(duration / cycle_time_))), 0, 0);
+    time_.raise(larger(std::abs(last * cycle_time_ - duration),
+                       larger(std::abs(in_.setpoints.duration() - duration),
+                              std::abs(in_.setpoints.cycle_time() - cycle_time_) * last)),
+                rounding * duration, duration);
+    if (missing == 0 && !pieces_.empty() && !path_.empty() && rows > 0) read(rows, pulse);
+    return report();
+  }
+
+ private:
+  /// How many of the columns needed are not there.
+  std::size_t find_columns() {
+    std::size_t missing = 0;
+    const auto& columns = in_.setpoints.columns();
+    const auto find = [&](const std::string& name) {
+      const auto at = std::find_if(columns.begin(), columns.end(), [&](const Column& c) { return c.name == name; });
+      missing += at == columns.end();
+      return static_cast<std::size_t>(at - columns.begin());
+    };
+    for (std::size_t k = 0; k < axes_; ++k) {
+      const std::string& name = in_.machine.axes[k].name;
+      position_column_[k] = find(name), velocity_column_[k] = find("v" + name),
+      acceleration_column_[k] = find("a" + name);
+    }
+    s_column_ = find("s"), v_column_ = find("v"), mode_column_ = find("mode"), block_column_ = find("block");
+    return missing;
+  }
+
+  void read(std::size_t rows, ProgressScope& pulse) {
+    const std::size_t width = in_.setpoints.columns().size();
+    std::vector<double> chunk(std::min(rows, chunk_rows) * width);
+    enter(0);
+    for (std::size_t first = 0; first < rows; first += chunk_rows) {
+      const std::size_t count = std::min(chunk_rows, rows - first);
+      in_.setpoints.read(first, count, chunk.data());
+      for (std::size_t i = 0; i < count; ++i) {
+        const double* row = chunk.data() + i * width;
+        if (first + i + 1 < rows)
+          check(first + i, row);
+        else
+          check_last(row);
+      }
+      pulse.done(static_cast<double>(first + count) / static_cast<double>(rows));
+      pulse.work(count * units_per_row);
+    }
+  }
+
+  /// Piece i of the law is the one that rows now lie on.
+  void enter(std::size_t i) {
+    piece_ = i;
+    rounding_ = verify::rounding_of(pieces_[i]);
+    const LawPiece& piece = pieces_[i];
+    const auto& rests = in_.contour.rests;
+    while (rest_at_ < rests.size() && !(rests[rest_at_].seconds > 0)) ++rest_at_;
+    const bool stands = piece.v == 0 && piece.a == 0 && piece.j == 0 && piece.q == 0;
+    if (stands && rest_at_ < rests.size()) {
+      block_ = rests[rest_at_++].block;
+      return;
+    }
+    const auto& blocks = in_.contour.blocks;
+    while (way_block_ + 1 < blocks.size() && blocks[way_block_].last <= piece.segment) ++way_block_;
+    block_ = way_block_;
+  }
+  /// Of a point of the path; axes beyond a planar contour stand at its height.
+  double coordinate(const Vec& point, std::size_t axis) const {
+    return axis < in_.contour.dimension ? point[axis] : in_.contour.height;
+  }
+
+  void check(std::size_t k, const double* row) {
+    const double t = static_cast<double>(k) * cycle_time_, blur = epsilon * t;
+    while (piece_ + 1 < pieces_.size() && pieces_[piece_ + 1].t0 <= t) enter(piece_ + 1);
+    const LawPiece& piece = pieces_[piece_];
+    const LawState law = piece.at(std::clamp(t - piece.t0, 0.0, std::max(piece.duration, 0.0)));
+    const double s = row[s_column_], v = row[v_column_];
+    path_column_.raise(std::abs(s - law.s), rounding_.position + std::abs(law.v) * blur, t);
+    speed_.raise(std::abs(v - law.v), rounding_.speed + std::abs(law.a) * blur, t);
+    if (k > 0) forward_.raise(std::isnan(s) ? s : std::max(0.0, before_ - s), rounding * path_.length(), t);
+    before_ = s;
+    label(row, t);
+    if (piece.segment >= path_.size()) return position_.raise(std::numeric_limits<double>::infinity(), 0, t);
+    const Segment& segment = path_[piece.segment];
+    const PathPoint h = segment.at(s);
+    const double a = std::abs(law.a), bend = v * v * norm(h.d2);
+    const double place = rounding * (norm(h.value) + segment.length()), quick = rounding * std::abs(v),
+                 quicker = rounding * (bend + a) + rounding_.acceleration + std::abs(law.j) * blur;
+    for (std::size_t axis = 0; axis < axes_; ++axis) {
+      position_.raise(std::abs(row[position_column_[axis]] - coordinate(h.value, axis)), place, t);
+      velocity_.raise(std::abs(row[velocity_column_[axis]] - h.d1[axis] * v), quick, t);
+      acceleration_.raise(std::abs(row[acceleration_column_[axis]] - (h.d2[axis] * (v * v) + h.d1[axis] * law.a)),
+                          quicker, t);
+    }
+  }
+
+  void check_last(const double* row) {
+    const double t = in_.law.duration();
+    while (piece_ + 1 < pieces_.size()) enter(piece_ + 1);
+    label(row, t);
+    const Segment& last = path_[path_.size() - 1];
+    const Vec there = last.at_parameter(last.curve().end()).value;
+    double off = std::abs(row[s_column_] - path_.length()), moving = std::abs(row[v_column_]);
+    for (std::size_t axis = 0; axis < axes_; ++axis) {
+      off = larger(off, std::abs(row[position_column_[axis]] - coordinate(there, axis)));
+      moving = larger(moving, std::abs(row[velocity_column_[axis]]));
+      moving = larger(moving, std::abs(row[acceleration_column_[axis]]) * cycle_time_);
+    }
+    end_.raise(off, 0, t);
+    rest_.raise(moving, 0, t);
+  }
+
+  void label(const double* row, double t) {
+    const auto& blocks = in_.contour.blocks;
+    const bool cut = blocks.empty() || blocks[block_].mode == Mode::cut;
+    if (row[mode_column_] == (cut ? 1.0 : 0.0) && row[block_column_] == static_cast<double>(block_)) return;
+    if (++mislabelled_ == 1) mislabelled_at_ = t;
+  }
+
+  std::vector<Check> report() const {
+    using verify::make_check;
+    Strained labels;
+    labels.raise(static_cast<double>(mislabelled_), 0, mislabelled_at_);
+    return {make_check("setpoints count", "1", count_),
+            make_check("setpoints time", "s", time_),
+            make_check("setpoints path", "mm", path_column_),
+            make_check("setpoints speed", "mm/s", speed_),
+            make_check("setpoints forward", "mm", forward_),
+            make_check("setpoints position", "mm", position_),
+            make_check("setpoints velocity", "mm/s", velocity_),
+            make_check("setpoints acceleration", "mm/s²", acceleration_),
+            make_check("setpoints mode and block", "1", labels),
+            make_check("setpoints end", "mm", end_),
+            make_check("setpoints end at rest", "mm/s", rest_)};
+  }
+
+  const SetpointInput& in_;
+  const Path& path_;
+  const LargeVector<LawPiece>& pieces_;
+  std::size_t axes_;
+  double cycle_time_;
+  std::array<std::size_t, 3> position_column_{}, velocity_column_{}, acceleration_column_{};
+  std::size_t s_column_ = 0, v_column_ = 0, mode_column_ = 0, block_column_ = 0;
+  std::size_t piece_ = 0, block_ = 0, mislabelled_ = 0;
+  std::size_t way_block_ = 0, rest_at_ = 0;  // block of the segment at hand; the next rest of the contour
+  PieceRounding rounding_;
+  double before_ = 0, mislabelled_at_ = 0;
+  Strained count_, time_, path_column_, speed_, forward_, position_, velocity_, acceleration_, end_, rest_;
+};
+
+}  // namespace
+
+std::vector<Check> setpoint_checks(const SetpointInput& input, Progress& progress) {
+  ProgressScope pulse(progress, "verify setpoints", input.progress_from, input.progress_to);
+  pulse.report();
+  std::vector<Check> checks = RowChecker(input).run(pulse);
+  pulse.done(1);
+  pulse.report();
+  return checks;
+}
+
+}  // namespace bahnwerk

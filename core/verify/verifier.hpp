@@ -1,0 +1,42 @@
+#pragma once
+/// The independent verifier of a finished motion law: it shares the geometry with the planner and nothing else.
+#include "core/base/progress.hpp"
+#include "core/base/verification.hpp"
+#include "core/contour/contour.hpp"
+#include "core/machine/machine.hpp"
+#include "core/motion/law/time_law.hpp"
+
+namespace bahnwerk {
+
+struct VerifierInput {
+  const Contour& contour;  ///< the path driven
+  const Machine& machine;
+  const TimeLaw& law;                         ///< what will be sampled
+  double corner_angle = 0;                    ///< rad, a larger tangent jump needs a stop
+  bool check_jerk = false;                    ///< also verify jerk where its limit is finite, and what goes with it
+  AlongPath path = {};                        ///< limits along the path
+  const Contour* given = nullptr;             ///< whose blocks' feeds hold for the same blocks of `contour`, if another
+  double position_tolerance = 1e-6;           ///< mm, by which curves may miss each other at a joint
+  double progress_from = 0, progress_to = 1;  ///< the share of the whole job's progress that verifying takes
+};
+
+/// Verifies a law along its contour. Every `value` is the true continuous peak: closed form on straight segments and
+/// for path velocity, interpolation with outer bounds and roots on curved ones (core/numeric/peak.hpp), resolved to
+/// 2e-11 of the limit. A limit of the document holds when value ≤ limit · (1 + 1e-9); all other tolerances are what
+/// rounding may do to the pieces at hand (core/verify/rounding.hpp), each reported with the value that strains it most.
+/// Not a number anywhere fails the check in which it shows; nothing in the law makes the verifier crash.
+///
+/// Checks, in this order: `velocity <axis>`, `acceleration <axis>`, `jerk <axis>` (limited axes only); `path velocity
+/// (feed F)` per distinct finite feed (of `given`, if that is set); `path velocity`, `path acceleration`, `path jerk`
+/// where limited; `velocity step at joints` (tangent jump times speed against acceleration · cycle time, the worst axis
+/// and joint); with check_jerk `acceleration step at joints` (|Δ(h″v² + h′a)| against jerk · cycle time, likewise);
+/// `corner rest` (at the contour's rests, too), `cusp rest`, `start at rest`, `end at rest`; `continuity of velocity`;
+/// with check_jerk `continuity of acceleration` (also zero at rests); `continuity of position` (law and path, the worse
+/// in relation to its limit); `continuity of time`; `pieces within segments`; `forward motion`; `path covered` (32 ε of
+/// its length); `distance from contour` (law evaluated on the path, at the segments' ends, against position_tolerance +
+/// 32 ε of the coordinates); `arc length` (∫|dh/du|du of every piece on a free-form segment, integrated here, against
+/// the length the law believes in). A piece of rest (v = a = j = 0, s = s_end) is a motion like any other: a dwell.
+/// Cost: ≈ 50 ns per law piece on straight segments, ≈ 0.4 µs on arcs and cubics. Calls progress every few ms.
+Verification verify_motion(const VerifierInput& input, Progress& progress);
+
+}  // namespace bahnwerk

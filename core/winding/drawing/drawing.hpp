@@ -1,0 +1,41 @@
+#pragma once
+/// Drawings as SVG: a slot with its wires, fill factors over wires. Self-contained files on a white background.
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/winding/layout/layout.hpp"
+#include "core/winding/slot/slot.hpp"
+
+namespace bahnwerk::winding {
+
+struct DrawnWires {
+  std::string title;
+  double radius = 0;                          ///< of a wire with its enamel, mm
+  double copper = 0;                          ///< diameter of its conductor, mm
+  std::vector<Point> wires;                   ///< in laying order
+  std::vector<std::size_t> slipping;          ///< indices of wires that do not stay where they are laid
+  std::optional<std::size_t> unreached = {};  ///< index of the first wire that the needle cannot lay
+  bool numbered = true;                       ///< wires large enough for it
+};
+
+/// The slot's outline, the room that liner and wedge leave, and the wires, coloured by layers counted from the base,
+/// numbered in laying order; a wire that slips is crossed out in red, one out of the needle's reach ringed. Beside it
+/// a legend and a scale.
+std::string slot_drawing(const Slot& slot, const DrawnWires& drawn);
+
+/// Layers from the base: wires that touch what supports the base layer are 0, those that touch them 1, and so on.
+std::vector<int> layers(const Region& room, double radius, std::span<const Point> wires);
+
+struct FillCurve {
+  Algorithm algorithm;
+  struct Value {
+    double copper = 0, electrical = 0, mechanical = 0;
+  };
+  std::vector<Value> values;
+};
+/// Electrical (solid) and mechanical (dashed) fill factor over the copper diameter.
+std::string fill_chart(std::span<const FillCurve> curves, const std::string& title);
+
+}  // namespace bahnwerk::winding

@@ -1,0 +1,140 @@
+#include "core/winding/laying/access.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/winding/margin.hpp"
+
+namespace bahnwerk::winding {
+namespace {
+
+constexpr double endless = std::numeric_limits<double>::infinity();
+
+/// Coordinates with the origin in the opening's middle, y out of the slot.
+struct Upright {
+  Point middle, x, y;
+  explicit Upright(const Opening& opening) : middle(opening.middle), x(left_of(opening.into)), y(-opening.into) {}
+  Point operator()(Point p) const { return {dot(p - middle, x), dot(p - middle, y)}; }
+};
+
+struct Interval {
+  double low = endless, high = -endless;
+  void widen(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+};
+
+/// At which heights of the mouth on the upright at `x` a disc of radius `reach` about `disc` lies across the straight
+/// wire; all relative to the wire's place, which lies outside the disc. What the disc hides from there is convex and is
+/// bounded by two tangents, from where they touch it, and by its near side.
+Interval hidden(Point disc, double reach, double x) {
+  Interval at;
+  const double away = norm(disc), touching = std::sqrt(away * away - reach * reach);
+  const double c = touching / away, s = reach / away;
+  const Point d = (1 / away) * disc;
+  for (const double side : {-1.0, 1.0}) {
+    const Point tangent{c * d.x - side * s * d.y, side * s * d.x + c * d.y};
+    if (tangent.x * x > 0 && x / tangent.x >= touching) at.widen(x / tangent.x * tangent.y);
+  }
+  const double inside = reach * reach - (x - disc.x) * (x - disc.x);
+  if (inside > 0) {
+    at.widen(disc.y - std::sqrt(inside));
+    at.widen(disc.y + std::sqrt(inside));
+  }
+  // Far up or down the upright is seen along y.
+  if (d.y > c) at.widen(endless);
+  if (-d.y > c) at.widen(-endless);
+  return at;
+}
+
+/// Whether any finite height from `low` to `high` is in none of the open intervals.
+bool left_open(std::vector<Interval>& taken, double low, double high) {
+  std::sort(taken.begin(), taken.end(), [](const Interval& a, const Interval& b) { return a.low < b.low; });
+  for (const Interval& each : taken) {
+    if (each.low >= low) break;
+    low = std::max(low, each.high);
+  }
+  return low <= high && low < endless;
+}
+
+/// The highest that walls facing the opening rise to between two uprights, below the opening.
+double floor_of(const Region& room, const Upright& upright, const Opening& opening, double left, double right) {
+  double highest = -endless;
+  const double size = 1 + norm(room.box().high - room.box().low);
+  const auto side = [&](double x) {
+    const Point from = opening.middle + x * upright.x;
+    return line(from - 2 * size * upright.y, from + size * upright.y);
+  };
+  const Edge sides[] = {side(left), side(right)};
+  for (const Edge& edge : room.edges()) {
+    const auto consider = [&](double f) {
+      const Point at = upright(edge.at(f));
+      if (at.x >= left && at.x <= right && at.y < -fit_margin && dot(edge.direction(f), upright.x) > 1e-9)
+        highest = std::max(highest, at.y);
+    };
+    consider(0);
+    consider(1);
+    if (!edge.straight()) consider(edge.nearest(edge.centre + edge.radius * upright.y));
+    for (std::size_t k = 0; k < 2; ++k)
+      for (const Meeting& m : meetings(sides[k], edge)) {
+        const Point at = upright(edge.at(m.second));
+        if (at.y < -fit_margin && dot(edge.direction(m.second), upright.x) > 1e-9) highest = std::max(highest, at.y);
+      }
+  }
+  return highest;
+}
+
+}  // namespace
+
+std::vector<Obstruction> opening_obstructions(const Opening& opening, double radius,
+                                              const std::optional<Needle>& needle) {
+  std::vector<Obstruction> found;
+  if (2 * radius > opening.clear + verify_margin)
+    found.push_back({Obstruction::Part::wire, 2 * radius, opening.clear, 0});
+  if (!needle) return found;
+  const double clear = needle->stand == Needle::Stand::middle ? opening.clear : opening.clear / 2;
+  if (needle->width > clear + verify_margin) found.push_back({Obstruction::Part::needle, needle->width, clear, 0});
+  return found;
+}
+
+std::optional<std::size_t> first_out_of_reach(const Region& room, const Opening& opening, const Needle& needle,
+                                              double radius, double touch, const std::vector<Point>& wires,
+                                              Progress& progress) {
+  const Upright upright(opening);
+  const double half = needle.width / 2;
+  const double x = needle.stand == Needle::Stand::middle ? 0 : needle.stand == Needle::Stand::left ? -half : half;
+  const double through = opening.clear / 2 - radius;  // how far from the middle a wire passes the opening
+  const double face = -opening.cover - radius;        // below this height the tooth tips are out of the way
+  double tip = floor_of(room, upright, opening, x - half + verify_margin, x + half - verify_margin);
+  std::vector<Point> laid;
+  std::vector<Interval> taken;
+  for (const Point& wire : wires) {
+    if (laid.size() % 64 == 0)
+      progress.report("needle access", static_cast<double>(laid.size()) / static_cast<double>(wires.size()));
+    const Point place = upright(wire);
+    double highest = endless;
+    if (std::abs(place.x) > through) {
+      // Where the wire passes from under the tooth tips it must be within the clear opening.
+      const double border = place.x > 0 ? through : -through;
+      highest = face;
+      if (through > 0 && (place.x > 0 ? x < border : x > border) && place.y < face)
+        highest = place.y + (face - place.y) * (place.x - x) / (place.x - border);
+    }
+    taken.clear();
+    for (const Point& other : laid) {
+      const double reach = std::min(2 * radius * (1 - touch), (1 - 1e-9) * distance(other, place));
+      const Interval at = hidden(other - place, reach, x - place.x);
+      if (at.low < at.high) taken.push_back({at.low + place.y, at.high + place.y});
+    }
+    if (!left_open(taken, tip, highest)) return laid.size();
+    const double beside = std::abs(place.x - x) - half;
+    if (beside < radius - verify_margin)
+      tip = std::max(tip, place.y + (beside <= 0 ? radius : std::sqrt(radius * radius - beside * beside)));
+    laid.push_back(place);
+  }
+  return std::nullopt;
+}
+
+}  // namespace bahnwerk::winding

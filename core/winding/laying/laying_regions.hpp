@@ -1,0 +1,73 @@
+#pragma once
+/// The four regions that a turn of a needle winding passes [Herrmann 4.2.4, 4.2.6]: slot, winding head at the bottom,
+/// slot of the coil's other side, winding head at the top. Each has a plane section in which wires are laid and a frame
+/// of that plane in the part's coordinates at either end of the region. Lengths mm, angles rad.
+/// Part: z along its axis from the stack's lower to its upper end, x through the first slot's middle (stator) or along
+/// the tooth (rotor); the wire enters the first slot from above.
+#include <array>
+#include <numbers>
+
+#include "core/winding/slot/slot.hpp"
+
+namespace bahnwerk::winding {
+
+/// A point or vector in the part's coordinates.
+struct Space {
+  double x = 0, y = 0, z = 0;
+  friend bool operator==(const Space&, const Space&) = default;
+};
+
+/// A section's plane in the part: orthonormal x and y axis.
+struct Frame {
+  Space origin, x, y;
+  Space place(Point p) const;
+  /// The foot of `p` on the plane. Its distance to a place is the length of the part of (p − place) that is normal to
+  /// the wire (4.15).
+  Point foot(Space p) const;
+};
+
+struct LayingRegion {
+  Region room;
+  Frame begin, end;  ///< where the wire enters and leaves the region, ^B T_{j,a} and ^B T_{j,e}
+};
+
+struct LayingRegions {
+  std::array<LayingRegion, 4> at;
+  /// The wire is drawn from a point this far before the end of the region that it leaves: it bends round the edge
+  /// between two regions instead of being held at its tip.
+  double hold = 0;
+};
+
+/// Winding heads of a stator. Wires lie behind a winding tool per slot: outside a cylinder about the stator's axis and
+/// beyond the tool's contact height, in the section radial (x) by axial (y) with the corner of both contacts as origin.
+/// The tools stand shifted towards the coil's middle, and the wires between them are straight across the section. The
+/// second slot lies clockwise from the first, so that the first slot's wires are drawn to negative x.
+/// Defaults: [Herrmann Table 4.3].
+struct StatorHeads {
+  double base_radius = 95.7;                         ///< r_NG, of the base as punched, the origin of slot coordinates
+  double slot_pitch = 7.5 * std::numbers::pi / 180;  ///< φ_Z
+  double tool_radius = 99.971;                       ///< r_WK
+  double tool_shift = 2.5;                           ///< b_WK, tangential
+  double tool_height = 15.5;                         ///< h_WK, from the stack's end
+  double stack = 210;                                ///< h_BP
+  int span = 5;                                      ///< slot pitches between the coil's sides
+};
+
+/// Winding heads of a rotor: end caps with the grooves of the slot's base, flanges that continue the slot's flanks up
+/// to the cap's height, sections along the tooth (x) by axial (y). Defaults: [Herrmann Table 4.4].
+struct RotorHeads {
+  double cap_height = 28;           ///< h_E, from the stack's end
+  double cap_base = 10.6;           ///< h_EN, of the grooves from the stack's end
+  double stack = 202;               ///< h_BP
+  double tooth_half_width = 10.35;  ///< b_Z, from the tooth's middle to the slot's base
+  double tooth_radius = 40.10;      ///< r_Z, of the slot's origin
+  double hold = 5;  ///< of the wire before the edges of the tooth; [Herrmann Fig. 4.10] draws from 5 mm below the base
+};
+
+/// Sections and frames after [Herrmann (4.22)] with y from the base to the bore, i.e. R_z(+π/2).
+LayingRegions laying_regions(const Slot& slot, const StatorHeads& heads);
+/// After (4.23). The slot's outline must have one straight closing line between two straight flanks, as make_slot gives
+/// it; throws std::invalid_argument if not, InvalidInput if the flanks cannot continue up to the cap's height.
+LayingRegions laying_regions(const Slot& slot, const RotorHeads& heads);
+
+}  // namespace bahnwerk::winding

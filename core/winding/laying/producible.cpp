@@ -1,0 +1,66 @@
+#include "core/winding/laying/producible.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/winding/laying/force_balance.hpp"
+
+namespace bahnwerk::winding {
+namespace {
+
+/// Calls `found(normal)` for every place where a wire touches the boundary.
+template <class Found>
+void walls(const Region& room, Point centre, double radius, double gap, Found found) {
+  for (const Edge& edge : room.edges()) {
+    // A wire that fills an arc touches all of it.
+    if (!edge.straight() && distance(centre, edge.centre) <= gap && std::abs(edge.radius - radius) <= gap) {
+      for (const double f : {0.0, 0.5, 1.0}) found(unit(centre - edge.at(f)));
+      continue;
+    }
+    const Point at = edge.at(edge.nearest(centre));
+    if (distance(at, centre) <= radius + gap) found(unit(centre - at));
+  }
+}
+
+}  // namespace
+
+std::vector<std::size_t> Producible::slipping() const {
+  std::vector<std::size_t> wires = unsupported;
+  if (first && !std::binary_search(wires.begin(), wires.end(), first->wire))
+    wires.insert(std::upper_bound(wires.begin(), wires.end(), first->wire), first->wire);
+  return wires;
+}
+
+Producible producible(const Region& room, double radius, const Layout& layout, Point pull,
+                      const ProducibleOptions& options, Progress& progress) {
+  Producible result;
+  ForceBalance pile(options.friction);
+  const double gap = 2 * radius * options.touch + 1e-9, reach = 2 * radius + gap;
+  for (std::size_t i = 0; i < layout.wires.size(); ++i) {
+    const double fraction = static_cast<double>(i) / static_cast<double>(layout.wires.size());
+    progress.report("balancing forces", fraction);
+    const Point centre = layout.wires[i], to = layout.pulls.empty() ? pull : layout.pulls[i];
+    const Point force = distance(centre, to) > gap ? unit(to - centre) : Point{};
+    ForceBalance alone(options.friction);
+    alone.add_wire(force);
+    pile.add_wire(force);
+    const auto touch = [&](std::size_t other, Point normal) {
+      alone.add_contact(0, ForceBalance::wall, normal);
+      pile.add_contact(i, other, normal);
+    };
+    walls(room, centre, radius, gap, [&](Point normal) { touch(ForceBalance::wall, normal); });
+    for (std::size_t k = 0; k < i; ++k)
+      if (square_distance(layout.wires[k], centre) <= reach * reach) touch(k, unit(centre - layout.wires[k]));
+    const ForceBalance::Result held = alone.solve(progress, fraction);
+    if (!held.balanced) result.unsupported.push_back(i);
+    if (result.first) continue;
+    if (!held.balanced) {
+      result.first = {i, i, Producible::Reason::no_support, held.proves_slip()};
+    } else if (const ForceBalance::Result all = pile.solve(progress, fraction); !all.balanced) {
+      result.first = {all.fastest, i, Producible::Reason::pushed_out, all.proves_slip()};
+    }
+  }
+  return result;
+}
+
+}  // namespace bahnwerk::winding

@@ -1,0 +1,89 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/geometry/region/crossings.hpp"
+#include "core/geometry/region/fillet.hpp"
+#include "core/winding/slot/slot.hpp"
+#include "core/winding/slot/slot_faults.hpp"
+
+namespace bahnwerk::winding {
+namespace {
+
+/// Edges that meet elsewhere than at their common corners, or turn back there: the polygon crosses itself.
+void check_simple(const std::vector<Edge>& loop) {
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const std::size_t next = i + 1 == loop.size() ? 0 : i + 1;
+    const Point u = loop[i].direction(0), v = loop[next].direction(0);
+    if (std::abs(cross(u, v)) < 1e-12 && dot(u, v) < 0)
+      SlotFaults().stop("points", "the polygon turns back at point " + std::to_string(next));
+  }
+  if (const auto contact = self_contact(loop))
+    SlotFaults().stop("points", "the edge that begins at point " + std::to_string(contact->second) +
+                                    " meets the one that begins at point " + std::to_string(contact->first));
+}
+
+/// The longest edge steeper than 45°, else the longest.
+double flank_of(const std::vector<Edge>& loop) {
+  double best = -1, angle = 0;
+  for (const Edge& edge : loop) {
+    const Point d = edge.to - edge.from;
+    const double rank = edge.length() + (std::abs(d.y) >= std::abs(d.x) ? 1e6 : 0);
+    if (rank <= best) continue;
+    best = rank;
+    angle = std::atan2(d.y, d.x);
+  }
+  return angle;
+}
+
+/// Both ends on the outline, the slot on one side of the line between them.
+Opening opening_of(const Region& iron, const std::array<Point, 2>& ends, double liner) {
+  const double clear = distance(ends[0], ends[1]);
+  if (clear < 1e-6) SlotFaults().stop("opening", "its ends are the same");
+  for (const Point end : ends)
+    if (std::abs(iron.distance(end)) > 1e-3)
+      SlotFaults().stop("opening", "ends " + SlotFaults::mm(std::abs(iron.distance(end))) + " away from the outline");
+  Opening opening{0.5 * (ends[0] + ends[1]), left_of(unit(ends[1] - ends[0])), clear, liner};
+  const auto depth = [&](double k) { return iron.distance(opening.middle + k * clear * opening.into); };
+  if (depth(0.01) < depth(-0.01)) opening.into = -opening.into;
+  if (!(depth(0.01) > 0)) SlotFaults().stop("opening", "does not lead into the slot");
+  return opening;
+}
+
+}  // namespace
+
+Slot make_slot(const PolygonSlot& s, Progress* progress) {
+  SlotFaults faults;
+  std::vector<Point> points = s.points;
+  if (points.size() > 1 && points.front() == points.back()) points.pop_back();
+  if (points.size() < 3) faults.stop("points", "fewer than three corners");
+  std::vector<Edge> loop;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point next = points[i + 1 == points.size() ? 0 : i + 1];
+    if (distance(points[i], next) < 1e-6)
+      faults.stop("points", "point " + std::to_string(i) + " and the next one are the same");
+    loop.push_back(line(points[i], next));
+  }
+  check_simple(loop);
+  Region outline(loop);
+  if (std::abs(outline.area()) < 1e-6) faults.stop("points", "the polygon has no area");
+  if (outline.area() < 0) {
+    std::reverse(loop.begin(), loop.end());
+    for (Edge& edge : loop) edge = edge.reversed();
+  }
+  Slot slot;
+  slot.flank = flank_of(loop);
+  if (s.corner_radius > 0)
+    for (std::size_t i = loop.size(); i-- > 0;)
+      if (!round_corner(loop, i, s.corner_radius)) faults.stop("corner_radius", "does not fit between its edges");
+  slot.iron = Region(std::move(loop));
+  slot.room = slot.iron.inward(s.liner, progress);
+  if (slot.room.empty()) faults.stop("liner", "leaves no room");
+  if (s.opening) slot.opening = opening_of(slot.iron, *s.opening, s.liner);
+  const Point low = slot.iron.box().low;
+  slot.pull = low - Point{4, 4};
+  slot.flank_pull = low - Point{4, 0};
+  return slot;
+}
+
+}  // namespace bahnwerk::winding

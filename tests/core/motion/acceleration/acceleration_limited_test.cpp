@@ -1,0 +1,121 @@
+#include "core/motion/acceleration/acceleration_limited.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/base/errors.hpp"
+#include "core/contour/builder.hpp"
+#include "tests/core/motion/two_axes.hpp"
+
+namespace bahnwerk {
+namespace {
+
+double duration(const Contour& contour, const AccelerationLimitedOptions& options = {}) {
+  SilentProgress progress;
+  return plan_acceleration_limited(contour, bahnwerk::testing::two_axes(), options, progress).law.duration();
+}
+
+Contour curve() {
+  ContourBuilder b(2, {});
+  b.line({30, 0, 0});
+  b.arc({30, 10, 0}, {30, 5, 0}, true);
+  b.polynomial({{30, -40, 30, -20}, {10, 0, 25, -10}});
+  return b.finish();
+}
+
+TEST(AccelerationLimited, DurationIsConverged) {
+  AccelerationLimitedOptions fine;
+  fine.grid.angle = 5e-4;
+  fine.tolerance = 1e-9;
+  for (const bool reserve : {false, true}) {
+    AccelerationLimitedOptions usual;
+    usual.keep_reserve = fine.keep_reserve = reserve;
+    const double converged = duration(curve(), fine);
+    EXPECT_NEAR(duration(curve(), usual), converged, 1e-5 * converged) << reserve;
+  }
+}
+
+TEST(AccelerationLimited, AReserveCostsTime) {
+  AccelerationLimitedOptions reserve;
+  reserve.keep_reserve = true;
+  double before = duration(curve());
+  // Errata of [Bock]: the time falls with K_b up to about 0.9 and grows again as the path acceleration vanishes.
+  reserve.braking_reserve = 0.7;
+  const double usual = duration(curve(), reserve);
+  EXPECT_GT(usual, before * 1.001);
+  reserve.braking_reserve = 0.5;
+  EXPECT_GT(duration(curve(), reserve), usual);
+  reserve.braking_reserve = 0.999;
+  EXPECT_GT(duration(curve(), reserve), usual);
+}
+
+TEST(AccelerationLimited, InfiniteCurvatureAtAnEndIsPassable) {
+  ContourBuilder b(2, {});
+  b.polynomial({{0, 0, 10}, {0, 0, 0, 10}});  // (u², u³): starts in a cusp
+  const double T = duration(b.finish());
+  EXPECT_TRUE(std::isfinite(T));
+  EXPECT_GT(T, 2 * std::sqrt(14.0 / 23000));
+  EXPECT_LT(T, 0.2);
+}
+
+TEST(AccelerationLimited, TinyPiecesInALongRun) {
+  ContourBuilder b(2, {});
+  b.line({50, 0, 0});
+  for (int i = 1; i <= 50; ++i) b.line({50 + i * 1e-5, 0, 0});
+  b.line({100.0005, 0, 0});
+  const double expected = 2 * std::sqrt(100.0005 / 16000);
+  EXPECT_NEAR(duration(b.finish()), expected, 1e-9 * expected);
+}
+
+TEST(AccelerationLimited, WindowsGiveTheLawOfTheWholeRun) {
+  const Machine m = bahnwerk::testing::two_axes();
+  SilentProgress progress;
+  ContourBuilder b(2, {});
+  Vec at{};
+  double heading = 0;
+  for (int i = 0; i < 400; ++i) {  // arcs and lines without a stop
+    const double side = i % 3 ? 1 : -1, sweep = side * (0.4 + 1.2 * std::abs(std::sin(i))),
+                 r = 4 + 3 * std::cos(2.0 * i);
+    const Vec centre = at + r * Vec{std::cos(heading + side * M_PI / 2), std::sin(heading + side * M_PI / 2), 0};
+    const Vec d = at - centre;
+    at = centre + Vec{std::cos(sweep) * d.x - std::sin(sweep) * d.y, std::sin(sweep) * d.x + std::cos(sweep) * d.y, 0};
+    heading += sweep;
+    b.arc(at, centre, side > 0);
+    if (i % 7 == 0) b.line(at = at + 5 * Vec{std::cos(heading), std::sin(heading), 0});
+  }
+  const Contour contour = b.finish();
+  for (const bool reserve : {false, true}) {
+    AccelerationLimitedOptions whole, pieces;
+    whole.keep_reserve = pieces.keep_reserve = reserve;
+    const auto expected = plan_acceleration_limited(contour, m, whole, progress);
+    for (const std::size_t window : {500u, 3000u, 20000u}) {
+      pieces.window = window;
+      const auto got = plan_acceleration_limited(contour, m, pieces, progress);
+      EXPECT_NEAR(got.law.duration(), expected.law.duration(), 2e-6 * expected.law.duration()) << window;
+      const auto& list = got.law.pieces();
+      for (std::size_t i = 1; i < list.size(); ++i) {
+        ASSERT_NEAR(list[i].v, list[i - 1].at(list[i - 1].duration).v, 1e-9 * (1 + list[i].v)) << i;
+        ASSERT_EQ(list[i].s, list[i - 1].s_end);
+      }
+      EXPECT_NEAR(list.back().s_end, contour.path.length(), 1e-9);
+    }
+  }
+}
+
+TEST(AccelerationLimited, StopsWhenAsked) {
+  struct Impatient final : Progress {
+    void report(std::string_view, double, std::string_view) override { throw Stopped(StopReason::cancelled); }
+  } impatient;
+  EXPECT_THROW(plan_acceleration_limited(curve(), bahnwerk::testing::two_axes(), {}, impatient), Stopped);
+}
+
+TEST(AccelerationLimited, RefusesLimitsThatAreNone) {
+  Machine m = bahnwerk::testing::two_axes();
+  m.axes[1].acceleration = 0;
+  SilentProgress progress;
+  EXPECT_THROW(plan_acceleration_limited(curve(), m, {}, progress), InvalidInput);
+}
+
+TEST(AccelerationLimited, SameInputSameBits) { EXPECT_EQ(duration(curve()), duration(curve())); }
+
+}  // namespace
+}  // namespace bahnwerk

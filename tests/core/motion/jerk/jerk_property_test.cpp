@@ -1,0 +1,64 @@
+/// Random short contours under random limits: whatever comes, the verifier finds every limit held.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "core/base/errors.hpp"
+#include "core/motion/jerk/jerk_limited.hpp"
+#include "core/verify/verifier.hpp"
+#include "tests/core/plan/random_contour.hpp"
+
+namespace bahnwerk {
+namespace {
+
+constexpr std::size_t shards = 20;
+
+/// Problems per shard; JERK_PROBLEMS sets all of them together for long sections.
+std::size_t problems() {
+  const char* all = std::getenv("JERK_PROBLEMS");
+  return (all ? std::strtoull(all, nullptr, 10) : 20000) / shards;
+}
+
+struct Problem {
+  testing::Outline outline;
+  Machine machine;
+  JerkLimitedOptions options;
+};
+
+Problem random_problem(std::uint64_t seed) {
+  Random random(seed);
+  Problem p;
+  const std::size_t dimension = random.chance(0.5) ? 2 : 3;
+  p.outline = testing::random_outline(random, 1 + random.below(4), dimension);
+  p.machine = testing::random_machine(random, dimension);
+  const double time = std::pow(10, random.uniform(-4, 0));  // of the ramps, A/J
+  for (AxisLimits& a : p.machine.axes)
+    a.jerk = random.chance(0.1) ? unlimited : a.acceleration / (time * std::pow(10, random.uniform(-0.5, 0.5)));
+  if (random.chance(0.2)) {
+    p.options.path.acceleration = std::pow(10, random.uniform(2, 4.5));
+    p.options.path.jerk = p.options.path.acceleration / time;
+  }
+  if (random.chance(0.1)) p.options.path.velocity = std::pow(10, random.uniform(1, 3));
+  return p;
+}
+
+class JerkProperty : public ::testing::TestWithParam<std::size_t> {};
+
+TEST_P(JerkProperty, NoLimitIsViolated) {
+  SilentProgress progress;
+  for (std::size_t i = 0; i < problems(); ++i) {
+    const std::uint64_t seed = 1 + i * shards + GetParam();
+    const Problem p = random_problem(seed);
+    const Contour contour = testing::build(p.outline);
+    const TimeLaw law = plan_jerk_limited(contour, p.machine, p.options, progress).law;
+    VerifierInput input{contour, p.machine, law, p.options.corner_angle, true};
+    input.path = p.options.path;
+    for (const Check& check : verify_motion(input, progress).checks)
+      ASSERT_TRUE(check.passed) << "seed " << seed << ": " << check.name << ' ' << check.value << " > " << check.limit;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shards, JerkProperty, ::testing::Range(std::size_t{0}, shards));
+
+}  // namespace
+}  // namespace bahnwerk

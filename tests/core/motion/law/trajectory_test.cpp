@@ -1,0 +1,137 @@
+#include "core/motion/law/trajectory.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/contour/builder.hpp"
+#include "core/motion/acceleration/acceleration_limited.hpp"
+#include "core/motion/law/block_times.hpp"
+
+namespace bahnwerk {
+namespace {
+
+Machine machine(std::size_t axes = 2) {
+  Machine m;
+  for (const char* name : {"x", "y", "z"})
+    if (m.axes.size() < axes) m.axes.push_back({name, 1800, 16000, unlimited});
+  return m;
+}
+
+std::shared_ptr<const Trajectory> trajectory(const Machine& m, Cycles& cycles) {
+  ContourBuilder b(m.dimension(), {});
+  b.block(Mode::cut, 400);
+  b.line({20, 0, 0});
+  b.arc({20, 20, 0}, {20, 10, 0}, true);
+  b.nurbs(3, {{20, 20, 0}, {10, 20, 0}, {0, 30, 0}, {-10, 20, 0}, {-20, 20, 0}}, {1, 2, 1, 1, 1},
+          {0, 0, 0, 0, 0.4, 1, 1, 1, 1});
+  auto contour = std::make_shared<const Contour>(b.finish());
+  SilentProgress progress;
+  const TimeLaw law = plan_acceleration_limited(*contour, m, {}, progress).law;
+  cycles = whole_cycles(law.duration(), m.cycle_time);
+  return std::make_shared<const Trajectory>(contour, law.slowed(cycles.factor));
+}
+
+TEST(Cycles, SlowByLessThanOneCycle) {
+  for (const double t : {1e-9, 0.0009999, 0.001, 0.0010001, 7.3936, 0.3, 12345.678}) {
+    const Cycles c = whole_cycles(t, 0.001);
+    EXPECT_GE(c.factor, 1);
+    EXPECT_LT(static_cast<double>(c.count) * 0.001 - t, 0.001 * (1 + 1e-9));
+    EXPECT_NEAR(c.factor * t, static_cast<double>(c.count) * 0.001, 1e-12 * t);
+  }
+  EXPECT_EQ(whole_cycles(7.3936, 0.001).count, 7394u);
+}
+
+TEST(Trajectory, VelocityAndAccelerationAreDerivatives) {
+  Cycles cycles;
+  const auto t = trajectory(machine(), cycles);
+  std::size_t piece = 0;
+  const double d = 1e-6;
+  int compared = 0;
+  for (double at = 0.0107; at < t->duration() - 0.01; at += 0.0053) {
+    const State before = t->sample(at - d, piece), here = t->sample(at, piece), after = t->sample(at + d, piece);
+    if (t->law().find(at - d) != t->law().find(at + d)) continue;  // a joint of the law in between
+    for (std::size_t k = 0; k < 2; ++k) {
+      EXPECT_NEAR((after.position[k] - before.position[k]) / (2 * d), here.velocity[k], 1e-4);
+      EXPECT_NEAR((after.velocity[k] - before.velocity[k]) / (2 * d), here.acceleration[k], 1);
+    }
+    ++compared;
+  }
+  EXPECT_GT(compared, 20);
+}
+
+TEST(CartesianSetpoints, EndAtRestOnTheLastRowAndSlicesAgree) {
+  Cycles cycles;
+  const Machine m = machine();
+  const auto t = trajectory(m, cycles);
+  const CartesianSetpoints points(t, m, cycles.count);
+  ASSERT_EQ(points.columns().size(), 10u);
+  EXPECT_EQ(points.columns()[0].name, "x");
+  EXPECT_EQ(points.columns()[3].name, "vy");
+  EXPECT_EQ(points.columns()[4].unit, "mm/s²");
+  EXPECT_EQ(points.columns()[6].name, "s");
+  EXPECT_EQ(points.columns()[8].name, "mode");
+  EXPECT_EQ(points.columns()[9].name, "block");
+  std::vector<double> all(points.count() * 10), slice(3 * 10);
+  points.read(0, points.count(), all.data());
+  points.read(points.count() / 2, 3, slice.data());
+  for (std::size_t i = 0; i < slice.size(); ++i) EXPECT_EQ(slice[i], all[points.count() / 2 * 10 + i]);
+  const double* last = all.data() + (points.count() - 1) * 10;
+  EXPECT_EQ(last[0], -20);
+  EXPECT_EQ(last[1], 20);
+  for (const int i : {2, 3, 4, 5, 7}) EXPECT_EQ(last[i], 0);
+  EXPECT_EQ(last[6], t->contour().path.length());
+  EXPECT_EQ(all[0], 0);
+  EXPECT_EQ(all[7], 0);
+}
+
+TEST(CartesianSetpoints, ThreeAxesHaveThirteenColumns) {
+  Cycles cycles;
+  const Machine m = machine(3);
+  const auto t = trajectory(m, cycles);
+  EXPECT_EQ(CartesianSetpoints(t, m, cycles.count).columns().size(), 13u);
+}
+
+/// Rows of the columns mode and block, of 10 mm in each block.
+TEST(CartesianSetpoints, ModeAndBlockChangeWhereTheBlocksMeet) {
+  ContourBuilder b(2, {});
+  b.block(Mode::position, unlimited);  // left empty
+  b.block(Mode::cut, 200);
+  b.line({10, 0, 0});
+  b.block(Mode::position, unlimited);
+  b.line({20, 0, 0});
+  b.block(Mode::cut, unlimited);  // left empty, too
+  b.block(Mode::cut, 100);
+  b.line({30, 0, 0});
+  b.block(Mode::position, unlimited);
+  const auto contour = std::make_shared<const Contour>(b.finish());
+  ASSERT_EQ(contour->blocks.size(), 6u);
+  const Machine m = machine();
+  SilentProgress progress;
+  const TimeLaw law = plan_acceleration_limited(*contour, m, {}, progress).law;
+  const Cycles cycles = whole_cycles(law.duration(), m.cycle_time);
+  const auto t = std::make_shared<const Trajectory>(contour, law.slowed(cycles.factor));
+  const CartesianSetpoints points(t, m, cycles.count);
+  const std::vector<BlockTime> times = block_times(*contour, t->law());
+  ASSERT_EQ(times.size(), 6u);
+  EXPECT_EQ(times[0].end, 0);
+  EXPECT_EQ(times[3].begin, times[3].end);
+  EXPECT_EQ(times[5].end, t->duration());
+  std::vector<double> rows(points.count() * 10);
+  points.read(0, points.count(), rows.data());
+  for (std::size_t k = 0; k < points.count(); ++k) {
+    const double s = rows[10 * k + 6], at = static_cast<double>(k) * m.cycle_time;
+    const std::size_t block = s < 10 ? 1 : s < 20 ? 2 : 4;
+    ASSERT_EQ(rows[10 * k + 9], static_cast<double>(block)) << k;
+    ASSERT_EQ(rows[10 * k + 8], block == 2 ? 0 : 1) << k;
+    ASSERT_GE(at, times[block].begin) << k;
+    ASSERT_LE(at, times[block].end * (1 + 1e-15)) << k;
+  }
+  // Any row by itself says the same.
+  for (std::size_t k = 0; k < points.count(); ++k) {
+    double row[10];
+    points.read(k, 1, row);
+    ASSERT_EQ(row[9], rows[10 * k + 9]) << k;
+  }
+}
+
+}  // namespace
+}  // namespace bahnwerk

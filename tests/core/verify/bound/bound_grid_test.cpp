@@ -1,0 +1,119 @@
+// What the proof of the lower bound asks of its grid: every axis moves one way only in a cell, energies are never too
+// small and ways never too long, and every cap lets pass what is feasible.
+#include "core/verify/bound/bound_grid.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/core/verify/reference.hpp"
+
+namespace bahnwerk::verify {
+namespace {
+
+using reference::machine;
+using reference::Maker;
+
+struct Grid {
+  explicit Grid(const Contour& contour, const Machine& m = machine(2, 500, 16000), double corner_angle = 2e-3)
+      : pulse(silent, "bound", 0, 1), grid(contour, m, corner_angle, pulse) {
+    grid.build(0, contour.path.size());
+  }
+  SilentProgress silent;
+  ProgressScope pulse;
+  BoundGrid grid;
+};
+
+void expect_sound(const Contour& contour, const BoundGrid& grid) {
+  double length = 0;
+  for (std::size_t i = 0; i < grid.cells().size(); ++i) {
+    const BoundNode &a = grid.nodes()[i], &b = grid.nodes()[i + 1];
+    const BoundCell& cell = grid.cells()[i];
+    if (cell.kind == BoundCell::Kind::joint) {
+      EXPECT_EQ(a.segment + 1, b.segment);
+      continue;
+    }
+    length += cell.length;
+    EXPECT_GT(b.u, a.u);
+    EXPECT_LE(angle_between(a.tangent, b.tangent), 0.02 + 1e-12);
+    for (std::size_t k = 0; k < grid.axes(); ++k) {
+      EXPECT_GE(a.tangent[k] * b.tangent[k], 0) << i << " axis " << k;
+      double way = 0;  // ∫|h'_k| ds as the length of a fine polyline's shadow
+      Vec last = a.position;
+      for (int j = 1; j <= 20; ++j) {
+        const Vec here = contour.path[a.segment].at_parameter(a.u + (b.u - a.u) * j / 20).value;
+        way += std::abs(here[k] - last[k]);
+        last = here;
+      }
+      const double rounding = 1e-13 * (1 + norm(a.position) + cell.length);
+      EXPECT_GE(cell.energy[k], 2 * grid.acceleration(k) * (way - rounding)) << i << " axis " << k;
+      EXPECT_LE(cell.energy[k], 2 * grid.acceleration(k) * (way + 20 * rounding)) << i << " axis " << k;
+      EXPECT_LE(cell.way[k], way + rounding);
+      EXPECT_GE(cell.way[k], way - 20 * rounding);
+    }
+  }
+  EXPECT_NEAR(length, contour.path.length(), 1e-10 * contour.path.length());
+  EXPECT_EQ(grid.nodes().front().cap, 0);
+  EXPECT_EQ(grid.nodes().back().cap, 0);
+}
+
+TEST(BoundGrid, EveryAxisMovesOneWayInEveryCell) {
+  for (unsigned i = 0; i < 30; ++i) {
+    std::mt19937_64 random(40 + i);
+    const Contour contour = reference::random_contour(random, 6, i % 2);
+    Grid g(contour);
+    expect_sound(contour, g.grid);
+    std::vector<unsigned char> all(g.grid.cells().size(), 1);
+    g.grid.refine(all);
+    expect_sound(contour, g.grid);
+  }
+}
+
+TEST(BoundGrid, HelixAndSpaceCurves) {
+  const Contour contour = Maker(3, {10, 0, 0})
+                              .arc({0, 10, 3}, {0, 0, 0}, true)
+                              .arc({10, 0, 12}, {0, 0, 3}, true)
+                              .bezier({{20, 0, 30}, {30, 20, 10}, {0, 0, 0}})
+                              .done();
+  Grid g(contour, machine(3, 500, 9000));
+  expect_sound(contour, g.grid);
+}
+
+TEST(BoundGrid, ANodeStandsWhereAnAxisTurnsBack) {
+  const Contour circle = reference::circle_between_lines();
+  Grid g(circle);
+  int turns = 0;
+  for (const BoundNode& n : g.grid.nodes())
+    if (n.segment == 1 && (n.tangent.x == 0 || n.tangent.y == 0)) {
+      ++turns;
+      // There the other axis cannot speed up along the path: b ≤ A r.
+      EXPECT_LE(n.cap, 16000 * 10 * (1 + 1e-9));
+    }
+  EXPECT_GE(turns, 3);
+}
+
+TEST(BoundGrid, TwoTurnsBetweenCoarseNodesAreSeen) {
+  // y rises, dips by a hair and rises again within 0.003 rad of turning.
+  const Contour wave = Maker().bezier({{30, 0.011, 0}, {70, -0.001, 0}, {100, 0.01, 0}}).done();
+  Grid g(wave);
+  int turns = 0;
+  for (const BoundNode& n : g.grid.nodes()) turns += n.tangent.y == 0;
+  EXPECT_EQ(turns, 2);
+  expect_sound(wave, g.grid);
+}
+
+TEST(BoundGrid, CornersRestAndSmallJumpsAreCapped) {
+  const double angle = 1e-3;
+  const Contour bend = Maker()
+                           .line({40, 0})
+                           .line({40 + 40 * std::cos(angle), 40 * std::sin(angle)})
+                           .line({40 + 40 * std::cos(angle), 80})
+                           .done();
+  Grid g(bend, machine(2, 1e5, 16000, 1e-5));
+  EXPECT_NEAR(std::sqrt(g.grid.nodes()[1].cap), 0.16 / std::sin(angle), 1e-6);
+  EXPECT_EQ(g.grid.nodes()[3].cap, 0);
+  EXPECT_EQ(g.grid.nodes()[4].cap, 0);
+}
+
+}  // namespace
+}  // namespace bahnwerk::verify
