@@ -1,0 +1,111 @@
+#!/usr/bin/env python3
+"""Plans the project's examples, its part files and random documents with two binaries and compares what they yield.
+
+    tests/compare/compare.py OLD NEW [--random 500] [--seed 1] [--jobs 2] [--only TEXT]
+
+Prints what differs, the largest difference of each kind of value in units of its tolerance's scale, and the processor
+time of both. Exit 0: nothing differs by more than the tolerance, 1: something does, 2: usage.
+"""
+import argparse
+import concurrent.futures
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+
+import difference
+import documents
+
+
+def plan(binary, job, out):
+    """Exit code, output and processor time, s."""
+    with open(out / "stdout", "wb") as output:
+        process = subprocess.Popen([binary, "plan", str(job), "--out", str(out)], stdout=output, stderr=subprocess.DEVNULL)
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+    return process.returncode, usage.ru_utime + usage.ru_stime
+
+
+def both(binaries, name, document):
+    """Plans one document with both; the result is a dictionary, because it crosses a process border."""
+    with tempfile.TemporaryDirectory(prefix="compare.") as folder:
+        work = pathlib.Path(folder)
+        job = work / "job.json"
+        job.write_text(json.dumps(document))
+        outs, codes, seconds = [], [], []
+        for side, binary in zip(("old", "new"), binaries):
+            out = work / side
+            out.mkdir()
+            code, spent = plan(binary, job, out)
+            outs.append(out)
+            codes.append(code)
+            seconds.append(spent)
+        found = difference.of_runs(codes, outs)
+        return {"name": name, "codes": codes, "seconds": seconds, "found": found}
+
+
+def show(results, tolerance, elapsed):
+    worst, differing = {}, []
+    for run in results:
+        for group, (size, where) in run["found"].items():
+            if size > worst.get(group, (-1, "", ""))[0]:
+                worst[group] = (size, run["name"], where)
+        counted = {g: d for g, d in run["found"].items() if d[0] > tolerance}
+        if counted:
+            differing.append((run["name"], counted))
+    failed = False
+    if differing:
+        print(f"{'document':32} {'value':14} {'difference':>11}  where")
+    for name, counted in differing:
+        for group, (size, where) in sorted(counted.items()):
+            informative = group in difference.INFORMATIVE
+            failed |= not informative
+            print(f"{name:32} {group:14} {size:11.3g}  {where}{' (does not count)' if informative else ''}")
+    print("\nlargest differences, relative to the scale of each value:")
+    for group, (size, name, where) in sorted(worst.items()):
+        print(f"  {group:14} {size:11.3g}" + (f"  {name}: {where}" if size > 0 else ""))
+    planned = sum(run["codes"] == [0, 0] for run in results)
+    refused = [sum(run["codes"][side] != 0 for run in results) for side in (0, 1)]
+    print(f"\n{len(results)} documents, {planned} planned by both; not planned: {refused[0]} by old, {refused[1]} by new")
+    old, new = (sum(run["seconds"][side] for run in results) for side in (0, 1))
+    slowest = max(results, key=lambda run: max(run["seconds"]))
+    print(f"slowest document: {slowest['name']}, {slowest['seconds'][0]:.1f} s and {slowest['seconds'][1]:.1f} s")
+    print(f"processor time: old {old:.1f} s, new {new:.1f} s, ratio {new / old:.3f}; {elapsed:.0f} s elapsed")
+    return failed
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("old")
+    parser.add_argument("new")
+    parser.add_argument("--random", type=int, default=500, help="random documents (500)")
+    parser.add_argument("--seed", type=int, default=1, help="of the random documents (1)")
+    parser.add_argument("--jobs", type=int, default=2, help="documents planned at once (2)")
+    parser.add_argument("--tolerance", type=float, default=1e-12, help="relative (1e-12)")
+    parser.add_argument("--only", default="", help="documents whose name contains this")
+    parser.add_argument("--write", metavar="DIR", help="only write the documents there")
+    asked = parser.parse_args()
+    every = [*documents.examples(), *documents.part_files(), *documents.random_documents(asked.random, asked.seed)]
+    every = [(name, document) for name, document in every if asked.only in name]
+    if asked.write:
+        for name, document in every:
+            path = pathlib.Path(asked.write) / (name.replace("/", "_").replace(" ", "_") + ".json")
+            path.write_text(json.dumps(document, indent=1))
+        return 0
+    for binary in (asked.old, asked.new):
+        if not os.access(binary, os.X_OK):
+            parser.error(f"{binary} is not a program")
+    if not every:
+        parser.error("no document has such a name")
+    begin = time.monotonic()
+    with concurrent.futures.ProcessPoolExecutor(asked.jobs) as pool:
+        runs = [pool.submit(both, (asked.old, asked.new), name, document) for name, document in every]
+        results = [run.result() for run in runs]
+    return 1 if show(results, asked.tolerance, time.monotonic() - begin) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

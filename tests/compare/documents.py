@@ -1,0 +1,62 @@
+"""Job documents to plan with two binaries: those of the project, and random ones, the same in every run."""
+import json
+import pathlib
+import random
+
+import random_contour
+import random_slot
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+JERK = {"method": "jerk_limited", "corner": {"mode": "blend", "tolerance": 0.02}}
+
+
+def read(path):
+    return json.loads(path.read_text())
+
+
+def examples():
+    """Name and document of every example of the project that a binary accepts."""
+    for path in sorted(ROOT.glob("examples/*.json")):
+        yield path.stem, read(path)
+    for path in sorted(ROOT.glob("schemas/examples/*/*.json")):
+        document = read(path)
+        kind = path.parent.name
+        if kind == "job":
+            document.pop("deadline", None)  # may have passed
+        else:
+            document = {"kind": kind, "spec": document}
+        if "robustness" in document["spec"]:  # every wire, each sampled 20 times, takes minutes
+            document["spec"].update(robustness={"samples": 2, "slot_tolerance": 0.03}, wire_range={"least": 1.25, "most": 1.4})
+        yield f"{kind}/{path.stem}", document
+
+
+def part_files():
+    """The part files, each on the machine that cuts it; those of moderate length once more, rounded and with limited jerk."""
+    parts = ROOT / "examples" / "parts"
+    laser, mill = read(parts / "laser.json"), read(parts / "mill.json")
+    for path in sorted(parts.iterdir()):
+        if path.suffix == ".json":
+            yield f"parts/{path.name}", read(path)
+            continue
+        job = json.loads(json.dumps(mill if path.stem == "thread" else laser))
+        form = "dxf" if path.suffix == ".dxf" else "gcode"
+        job["spec"]["contour"] = {form: path.read_text(), "feed": 100}
+        if path.stem == "sheet":
+            job["spec"]["machine"]["cycle_time"] = 0.004
+        yield f"parts/{path.name}", job
+        if path.stem in ("bracket", "gear", "lettering"):
+            job = json.loads(json.dumps(job))
+            for axis in job["spec"]["machine"]["axes"].values():
+                axis["jerk"] = 1e6
+            job["spec"]["planning"] = JERK
+            yield f"parts/{path.name}, jerk", job
+
+
+def random_documents(count, seed):
+    """`count` documents, one in five a slot. Each has a generator of its own: one more does not change the others."""
+    for i in range(count):
+        generator = random.Random(f"{seed}/{i}")
+        if i % 5 == 4:
+            yield f"slot {i}", {"kind": "fill_factor", "spec": random_slot.spec(generator)}
+        else:
+            yield f"contour {i}", {"kind": "contour", "spec": random_contour.spec(generator)}
