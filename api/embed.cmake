@@ -1,7 +1,7 @@
 # Writes OUT, a C++ file with the table embedded_files(), from FILES. One literal per line keeps every literal short.
 set(table "")
 foreach(file IN LISTS FILES)
-  get_filename_component(name ${file} NAME_WE)
+  get_filename_component(name ${file} NAME_WLE)
   file(READ ${file} text)
   string(REPLACE "\n" "\n)~~\"\n    R\"~~(" text "${text}")
   string(APPEND table "    {\"${name}\",\n    R\"~~(${text})~~\"},\n")

@@ -22,7 +22,8 @@ struct PlannedJob {
 struct Kind {
   std::string_view name;
   std::string_view title;
-  std::string_view schema;  ///< the schema's JSON text, embedded at build time; served as /v1/schemas/<name>
+  std::string_view schema;         ///< the schema's JSON text, embedded at build time; served as /v1/schemas/<name>
+  std::string_view result_schema;  ///< every result keeps it; served as /v1/schemas/<name>.result
   /// Semantic checks of a spec that passed the schema; throws Problem "semantic-violation" naming every fault.
   void (*check)(const nlohmann::json& spec);
   /// Plans. Deterministic: same spec and version, same bits. Throws core's errors; never returns an unverified plan as

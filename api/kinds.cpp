@@ -10,10 +10,10 @@ namespace bahnwerk::api {
 
 std::span<const Kind> kinds() {
   static const std::array list{
-      Kind{"contour", "A tool head along a planar or spatial contour", embedded("contour"), contour::check,
-           contour::plan},
+      Kind{"contour", "A tool head along a planar or spatial contour", embedded("contour"), embedded("contour.result"),
+           contour::check, contour::plan},
       Kind{"fill_factor", "How many round wires a slot takes, by winding styles", embedded("fill_factor"),
-           fill_factor::check, fill_factor::plan},
+           embedded("fill_factor.result"), fill_factor::check, fill_factor::plan},
   };
   return list;
 }

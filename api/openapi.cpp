@@ -36,6 +36,8 @@ void add_schema(ordered_json& components, std::string_view file, const std::stri
   components[name] = std::move(schema);
 }
 
+std::string result_schema_name(const Kind& kind) { return std::string(kind.name) + ".result"; }
+
 /// What every operation can answer before its handler is asked: faults of the message and of the query.
 void add_common_responses(ordered_json& paths) {
   static constexpr std::array<std::pair<const char*, const char*>, 10> common{{{"400", "BadRequest"},
@@ -64,16 +66,22 @@ ordered_json openapi_document() {
   auto& schemas = components["schemas"];
 
   add_schema(schemas, "job", "JobDocument");
-  ordered_json specs = ordered_json::array(), kind = ordered_json::array(), name = ordered_json::array({"job"});
+  ordered_json specs = ordered_json::array(), results = ordered_json::array();
+  ordered_json kind = ordered_json::array(), name = ordered_json::array({"job"});
   for (const auto& each : kinds()) {
-    add_schema(schemas, each.name, std::string(each.name));
-    specs.push_back({{"$ref", "#/components/schemas/" + std::string(each.name)}});
+    const std::string spec(each.name), result = result_schema_name(each);
+    for (const auto& file : {spec, result}) {
+      add_schema(schemas, file, file);
+      name.push_back(file);
+    }
+    specs.push_back({{"$ref", "#/components/schemas/" + spec}});
+    results.push_back({{"$ref", "#/components/schemas/" + result}});
     kind.push_back(each.name);
-    name.push_back(each.name);
   }
   // Only now: adding a member to an ordered object moves all others.
   schemas["JobDocument"]["properties"]["kind"]["enum"] = std::move(kind);
   components["parameters"]["name"]["schema"]["enum"] = std::move(name);
+  schemas["Result"]["oneOf"] = std::move(results);
   auto& spec = schemas["JobDocument"]["properties"]["spec"];
   spec = specs.size() == 1 ? specs.front() : ordered_json{{"description", spec["description"]}, {"oneOf", specs}};
 
@@ -91,7 +99,10 @@ ordered_json openapi_document() {
 ordered_json kinds_document() {
   ordered_json list = ordered_json::array();
   for (const auto& kind : kinds())
-    list.push_back({{"name", kind.name}, {"title", kind.title}, {"schema", "/v1/schemas/" + std::string(kind.name)}});
+    list.push_back({{"name", kind.name},
+                    {"title", kind.title},
+                    {"schema", "/v1/schemas/" + std::string(kind.name)},
+                    {"result_schema", "/v1/schemas/" + result_schema_name(kind)}});
   return {{"kinds", std::move(list)}};
 }
 

@@ -64,7 +64,10 @@ TEST(OpenApi, ListsExactlyTheSlugsKindsAndSchemas) {
   for (const auto& kind : kinds()) {
     kind_names.emplace_back(kind.name);
     schema_names.emplace_back(kind.name);
-    EXPECT_TRUE(document["components"]["schemas"].contains(std::string(kind.name)));
+    schema_names.push_back(kind_names.back() + ".result");
+    for (const auto& name : {kind_names.back(), schema_names.back()})
+      EXPECT_TRUE(document["components"]["schemas"].contains(name)) << name;
+    EXPECT_FALSE(kind.result_schema.empty());
   }
   EXPECT_EQ(document["components"]["parameters"]["slug"]["schema"]["enum"], slugs);
   EXPECT_EQ(document["components"]["schemas"]["Problem"]["properties"]["type"]["enum"], types);
@@ -130,6 +133,7 @@ TEST(Kinds, AreListedWithTheirSchemas) {
   ASSERT_EQ(document["kinds"].size(), kinds().size());
   EXPECT_EQ(document["kinds"][0]["name"], "contour");
   EXPECT_EQ(document["kinds"][0]["schema"], "/v1/schemas/contour");
+  EXPECT_EQ(document["kinds"][0]["result_schema"], "/v1/schemas/contour.result");
   EXPECT_EQ(find_kind("contour"), &kinds()[0]);
   EXPECT_EQ(find_kind("Contour"), nullptr);
 }

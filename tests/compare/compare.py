@@ -79,8 +79,8 @@ def show(results, tolerance, elapsed):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("old")
-    parser.add_argument("new")
+    parser.add_argument("old", nargs="?", default="")
+    parser.add_argument("new", nargs="?", default="")
     parser.add_argument("--random", type=int, default=500, help="random documents (500)")
     parser.add_argument("--seed", type=int, default=1, help="of the random documents (1)")
     parser.add_argument("--jobs", type=int, default=2, help="documents planned at once (2)")

@@ -5,7 +5,7 @@ start_server
 request GET /v1/kinds
 expect_status 200
 expect_json '.kinds | map(.name) | index("contour") != null'
-for schema in $(field '.kinds[].schema') /v1/schemas/job; do
+for schema in $(field '.kinds[] | .schema, .result_schema') /v1/schemas/job; do
   request GET "$schema"
   expect_status 200
   expect_json '.["$schema"] != null and .type == "object"'

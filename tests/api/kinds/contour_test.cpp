@@ -10,12 +10,15 @@
 
 #include "api/setpoints.hpp"
 #include "core/base/errors.hpp"
+#include "tests/api/checked.hpp"
 #include "tests/api/documents.hpp"
 
 namespace bahnwerk::api::contour {
 namespace {
 
 using nlohmann::json;
+
+PlannedJob planned(const json& spec, Progress& progress) { return test::checked(plan(spec, progress)); }
 
 json example(const std::string& name) {
   return test::read_json(test::source("schemas/examples/contour/" + name + ".json"));
@@ -130,7 +133,7 @@ TEST(ContourInput, NamesEveryPointOfTheWrongDimension) {
 
 TEST(ContourPlan, OfAStraightLineHasTheClosedFormDuration) {
   SilentProgress progress;
-  const auto job = plan(example_spec("line"), progress);
+  const auto job = planned(example_spec("line"), progress);
   const double v = 1800, a = 16000, length = 100;
   const double expected = v * v / a < length ? length / v + v / a : 2 * std::sqrt(length / a);
   EXPECT_NEAR(job.result["summary"]["duration"].get<double>(), expected, 1e-9);
@@ -139,7 +142,7 @@ TEST(ContourPlan, OfAStraightLineHasTheClosedFormDuration) {
 
 TEST(ContourPlan, TheResultHasTheContractsForm) {
   SilentProgress progress;
-  const auto job = plan(example_spec("bracket"), progress);
+  const auto job = planned(example_spec("bracket"), progress);
   const auto& result = job.result;
   std::vector<std::string> members;
   for (const auto& [name, value] : result.items()) members.push_back(name);
@@ -180,7 +183,7 @@ TEST(ContourPlan, BlocksAreInTheTimeOfTheSetpoints) {
   SilentProgress progress;
   json spec = example_spec("bracket");
   spec["machine"]["cycle_time"] = 0.02;  // slows the motion by up to 0.6 %
-  const auto job = plan(spec, progress);
+  const auto job = planned(spec, progress);
   const auto& blocks = job.result["details"]["blocks"];
   const double duration = job.result["setpoints"]["duration"];
   EXPECT_GT(duration, job.result["summary"]["duration"].get<double>() + 1e-5);
@@ -199,7 +202,7 @@ TEST(ContourPlan, BlocksAreInTheTimeOfTheSetpoints) {
 
 TEST(ContourPlan, ModeAndBlockOnTheWire) {
   SilentProgress progress;
-  const auto job = plan(example_spec("bracket"), progress);
+  const auto job = planned(example_spec("bracket"), progress);
   const auto answer = [&](SetpointQuery query, SetpointFormat format) {
     SetpointSeries series;
     series.columns = job.setpoints->columns();
@@ -234,7 +237,7 @@ TEST(ContourPlan, ModeAndBlockOnTheWire) {
 TEST(ContourPlan, BlendsWithinTheToleranceAndHoldsJerk) {
   SilentProgress progress;
   json spec = example("blend");
-  const auto job = plan(spec, progress);
+  const auto job = planned(spec, progress);
   EXPECT_TRUE(job.verified) << job.result["verification"].dump(1);
   std::map<std::string, nlohmann::ordered_json> checks;
   for (const auto& check : job.result["verification"]["checks"]) checks[check["name"].get<std::string>()] = check;
@@ -244,7 +247,7 @@ TEST(ContourPlan, BlendsWithinTheToleranceAndHoldsJerk) {
   EXPECT_LE(checks["deviation from contour"]["value"].get<double>(), 0.05);
   EXPECT_GE(job.result["bound"]["gap"].get<double>(), 0);
   spec["planning"].erase("corner");
-  const auto stopping = plan(spec, progress);
+  const auto stopping = planned(spec, progress);
   EXPECT_TRUE(stopping.verified);
   EXPECT_GT(stopping.result["summary"]["duration"].get<double>(), job.result["summary"]["duration"].get<double>());
 }
@@ -263,7 +266,7 @@ TEST(ContourInput, ReadsDwellsAndModeChanges) {
 TEST(ContourPlan, DwellsCountInTheirBlocksAndAPlaneLeavesZAlone) {
   SilentProgress progress;
   json spec = example("dwell");
-  const auto job = plan(spec, progress);
+  const auto job = planned(spec, progress);
   ASSERT_TRUE(job.verified) << job.result["verification"].dump(1);
   std::vector<std::string> columns;
   for (const auto& column : job.setpoints->columns()) columns.push_back(column.name);
@@ -273,11 +276,11 @@ TEST(ContourPlan, DwellsCountInTheirBlocksAndAPlaneLeavesZAlone) {
   EXPECT_NEAR(blocks[2]["end_time"].get<double>() - blocks[2]["start_time"].get<double>(), 0.4, 1e-3);
   spec["contour"]["blocks"][0]["segments"][0]["dwell"] = 0;
   spec["contour"]["blocks"][2]["segments"][0]["dwell"] = 0;
-  const auto stops = plan(spec, progress);
+  const auto stops = planned(spec, progress);
   for (const char* time : {"duration", "cut_time"})
     EXPECT_NEAR(job.result["summary"][time].get<double>() - stops.result["summary"][time].get<double>(), 0.8, 1e-9);
   spec["planning"].erase("mode_change");
-  const auto passes = plan(spec, progress);
+  const auto passes = planned(spec, progress);
   EXPECT_LE(passes.result["summary"]["duration"].get<double>(), stops.result["summary"]["duration"].get<double>());
 }
 
@@ -285,7 +288,7 @@ TEST(ContourPlan, SaysWhichLimitsAreNotHeld) {
   SilentProgress progress;
   json spec = example("blend");
   spec["planning"] = {{"method", "time_optimal"}};
-  const auto job = plan(spec, progress);
+  const auto job = planned(spec, progress);
   ASSERT_EQ(job.result["details"]["notes"].size(), 1u);
   EXPECT_THAT(job.result["details"]["notes"][0].get<std::string>(), ::testing::HasSubstr("jerk"));
 }
@@ -293,7 +296,7 @@ TEST(ContourPlan, SaysWhichLimitsAreNotHeld) {
 TEST(ContourPlan, TheSameDocumentGivesTheSameBits) {
   SilentProgress progress;
   for (const char* name : {"bracket", "polyline"}) {
-    const auto first = plan(example_spec(name), progress), second = plan(example_spec(name), progress);
+    const auto first = planned(example_spec(name), progress), second = planned(example_spec(name), progress);
     EXPECT_EQ(first.result.dump(), second.result.dump());
     const std::size_t n = first.setpoints->count() * first.setpoints->columns().size();
     std::vector<double> a(n), b(n);
@@ -312,7 +315,7 @@ TEST(ContourPlan, EveryExampleIsVerifiedByBothMethods) {
       document["spec"]["planning"]["method"] = method;
       const auto request = parse_job(document.dump());
       EXPECT_NO_THROW({
-        const auto job = plan_job(request.kind, request.document, progress);
+        const auto job = test::checked(plan_job(request.kind, request.document, progress));
         EXPECT_TRUE(job.verified);
         EXPECT_GE(job.result["bound"]["gap"].get<double>(), 0);
       }) << file

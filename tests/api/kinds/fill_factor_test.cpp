@@ -7,12 +7,15 @@
 #include <set>
 
 #include "core/base/errors.hpp"
+#include "tests/api/checked.hpp"
 #include "tests/api/documents.hpp"
 
 namespace bahnwerk::api::fill_factor {
 namespace {
 
 using nlohmann::json;
+
+PlannedJob planned(const json& spec, Progress& progress) { return test::checked(plan(spec, progress)); }
 
 json example(const std::string& name) {
   return test::read_json(test::source("schemas/examples/fill_factor/" + name + ".json"));
@@ -70,7 +73,7 @@ TEST(FillFactorPlan, ResultHasTheContractsForm) {
   json spec = example("wires");
   spec["algorithms"] = {"potential", "needle"};
   spec["overlap_tolerance"] = nullptr;
-  const PlannedJob job = plan(spec, silent);
+  const PlannedJob job = planned(spec, silent);
   EXPECT_TRUE(job.verified);
   EXPECT_EQ(job.setpoints, nullptr);
   const auto& r = job.result;
@@ -89,14 +92,14 @@ TEST(FillFactorPlan, ResultHasTheContractsForm) {
   EXPECT_TRUE(r["details"]["drawings"].contains("potential.svg"));
   EXPECT_TRUE(r["details"]["drawings"].contains("fill_factors.svg"));
   spec["drawings"] = false;
-  EXPECT_FALSE(plan(spec, silent).result["details"].contains("drawings"));
+  EXPECT_FALSE(planned(spec, silent).result["details"].contains("drawings"));
 }
 
 TEST(FillFactorPlan, NeedleTellsOfAllFourRegions) {
   SilentProgress silent;
   json spec = example("rotor");
   spec["algorithms"] = {"needle"};
-  const auto layout = plan(spec, silent).result["details"]["layouts"][0];
+  const auto layout = planned(spec, silent).result["details"]["layouts"][0];
   const std::size_t count = layout["count"];
   EXPECT_EQ(layout["pulls"].size(), count);
   for (const char* region : {"head_bottom", "slot_back", "head_top"})
@@ -121,7 +124,7 @@ TEST(FillFactorInput, WiresThatFillASlotExactlyAreTaken) {
                        {"overlap_tolerance", 0},
                        {"drawings", false}};
     SilentProgress silent;
-    const PlannedJob job = plan(spec, silent);
+    const PlannedJob job = planned(spec, silent);
     EXPECT_TRUE(job.verified);
     EXPECT_EQ(job.result["summary"]["count"], width * height);
     EXPECT_EQ(job.result["bound"]["count"], width * height);
@@ -157,7 +160,7 @@ TEST(FillFactorPlan, SaysWhatBlocksTheNeedle) {
   spec["wires"] = {0.9};
   spec["algorithms"] = {"needle"};
   spec["needle_width"] = 3.5;
-  const auto result = plan(spec, silent).result;
+  const auto result = planned(spec, silent).result;
   const auto& layout = result["details"]["layouts"][0];
   EXPECT_FALSE(layout["producible"].get<bool>());
   EXPECT_TRUE(layout["slips"].is_null());
@@ -176,7 +179,7 @@ TEST(FillFactorPlan, RobustnessIsADistribution) {
   json spec = example("rotor");
   spec["algorithms"] = {"needle"};
   spec["robustness"] = {{"samples", 12}, {"slot_tolerance", 0.05}};
-  const auto spread = plan(spec, silent).result["details"]["layouts"][0]["robustness"];
+  const auto spread = planned(spec, silent).result["details"]["layouts"][0]["robustness"];
   std::size_t sum = 0;
   for (const auto& bar : spread["histogram"]) sum += bar["samples"].get<std::size_t>();
   EXPECT_EQ(sum, 12u);

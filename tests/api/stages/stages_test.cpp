@@ -9,6 +9,7 @@
 
 #include "core/base/errors.hpp"
 #include "large_documents.hpp"
+#include "tests/api/checked.hpp"
 #include "tests/api/documents.hpp"
 
 namespace bahnwerk::api {
@@ -75,13 +76,15 @@ TEST_P(Stages, ReportOften) {
   GapMeter meter;
   for (int run = 0; run < most_runs; ++run) {
     meter.begin();
+    PlannedJob job;
     try {
-      plan_job(large.kind, document, meter);
+      job = plan_job(large.kind, document, meter);
     } catch (...) {
       const auto problem = problem_from_current_exception();
       ADD_FAILURE() << problem.type().slug << ": " << problem.what();
     }
     meter.end("(end)");
+    if (run == 0) EXPECT_EQ(test::result_faults(job.result), std::vector<std::string>{});
     if (meter.longest().seconds <= longest_gap) break;
   }
   struct Total {
@@ -130,7 +133,7 @@ TEST(StagesOfExamples, StopAtWhicheverReportTheyAreTold) {
   for (const test::Large& each : small) {
     const std::string document = test::job(each);
     StopAt all(0);
-    plan_job(each.kind, document, all);
+    test::checked(plan_job(each.kind, document, all));
     ASSERT_GT(all.reports, 3) << each.name;
     // All of the first and the last ones, some between: a search reports thousands of times alike.
     const int step = std::max(1, all.reports / 12);

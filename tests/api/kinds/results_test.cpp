@@ -1,0 +1,106 @@
+// Results of every kind keep the schema that is served for them: of all examples, of the part files, of random
+// documents.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "api/job.hpp"
+#include "tests/api/checked.hpp"
+#include "tests/api/documents.hpp"
+
+namespace bahnwerk::api {
+namespace {
+
+using nlohmann::json;
+
+PlannedJob planned(const json& document) {
+  SilentProgress progress;
+  const auto request = parse_job(document.dump());
+  return test::checked(plan_job(request.kind, request.document, progress));
+}
+
+TEST(Results, OfAllExamplesKeepTheirSchema) {
+  for (const auto& kind : kinds())
+    for (const auto& file : test::json_files("schemas/examples/" + std::string(kind.name))) {
+      SCOPED_TRACE(file);
+      json spec = test::read_json(file);
+      if (spec.contains("robustness")) {  // every wire, each sampled 20 times, takes minutes
+        spec["robustness"]["samples"] = 2;
+        spec["wire_range"] = {{"least", 1.25}, {"most", 1.4}};
+      }
+      planned(test::job_with_spec(kind.name, spec));
+    }
+  for (const auto& file : test::json_files("examples")) {
+    SCOPED_TRACE(file);
+    planned(test::read_json(file));
+  }
+}
+
+TEST(Results, OfPartFilesKeepTheirSchema) {
+  for (const auto& entry : std::filesystem::directory_iterator(test::source("examples/parts"))) {
+    const auto path = entry.path();
+    SCOPED_TRACE(path.string());
+    if (path.extension() == ".json") {
+      planned(test::read_json(path.string()));
+      continue;
+    }
+    json job = test::read_json(
+        test::source(path.stem() == "thread" ? "examples/parts/mill.json" : "examples/parts/laser.json"));
+    job["spec"]["contour"] = {{path.extension() == ".dxf" ? "dxf" : "gcode", test::read_file(path.string())},
+                              {"feed", 100}};
+    planned(job);
+  }
+}
+
+/// The documents that tests/compare plans with two binaries.
+TEST(Results, OfRandomDocumentsKeepTheirSchema) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / ("bahnwerk_results_" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder);
+  const std::string script = test::source("tests/compare/compare.py");
+  const std::string command =
+      "python3 '" + script + "' --random 100 --seed 7 --only ' ' --write '" + folder.string() + "'";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  std::size_t count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    SCOPED_TRACE(entry.path().filename().string());
+    planned(test::read_json(entry.path().string()));
+    ++count;
+  }
+  EXPECT_GE(count, 100u);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Results, TheSchemaNoticesWhatIsWrong) {
+  SilentProgress progress;
+  const auto request = parse_job(test::read_file(test::source("examples/line.json")));
+  const auto good = plan_job(request.kind, request.document, progress).result;
+  EXPECT_EQ(test::result_faults(good), std::vector<std::string>{});
+  const auto faults = [&](const char* place, const nlohmann::ordered_json& value) {
+    auto bad = good;
+    bad[nlohmann::ordered_json::json_pointer(place)] = value;
+    return test::result_faults(bad);
+  };
+  EXPECT_EQ(faults("/kind", "knitting").size(), 1u);
+  EXPECT_EQ(faults("/summary/speed", 1).size(), 1u) << "a member that the schema does not know";
+  EXPECT_EQ(faults("/summary/duration", "7").size(), 1u);
+  EXPECT_EQ(faults("/verification/checks/0/value", std::nan("")).size(), 1u) << "null on the wire";
+  EXPECT_EQ(faults("/verification/checks/0/name", "elegance").size(), 1u);
+  EXPECT_EQ(faults("/setpoints/columns/0/name", "q1").size(), 1u);
+  EXPECT_EQ(faults("/details/method", "guess").size(), 1u);
+  auto bad = good;
+  bad.erase("bound");
+  EXPECT_EQ(test::result_faults(bad).size(), 1u);
+}
+
+TEST(Results, ChecksAreKnownByTheirStem) {
+  EXPECT_EQ(test::check_stem("velocity x"), "velocity");
+  EXPECT_EQ(test::check_stem("path velocity (feed 12.5)"), "path velocity");
+  EXPECT_EQ(test::check_stem("overlap with the boundary needle, head_top"), "overlap with the boundary");
+  EXPECT_EQ(test::check_stem("distance from contour"), "distance from contour");
+}
+
+}  // namespace
+}  // namespace bahnwerk::api
