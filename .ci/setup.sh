@@ -27,14 +27,20 @@ install_packages() {
   rm -f "$log"
 }
 
+configure() {
+  local log
+  [ ! -f "build/$1/build.ninja" ] || return 0
+  log=$(mktemp)
+  cmake --preset "$1" >"$log" 2>&1 || { tail -20 "$log" >&2; fail "The build could not be configured. The whole log: $log"; }
+  rm -f "$log"
+}
+
 # build PRESET [TARGET…]
 build() {
   local preset=$1 log
   shift
+  configure "$preset"
   log=$(mktemp)
-  if [ ! -f "build/$preset/build.ninja" ]; then
-    cmake --preset "$preset" >"$log" 2>&1 || { tail -20 "$log" >&2; fail "The build could not be configured. The whole log: $log"; }
-  fi
   if [ -t 2 ]; then
     cmake --build "build/$preset" ${1:+--target "$@"} >&2 || fail "The build failed."
   else

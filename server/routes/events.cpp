@@ -84,7 +84,8 @@ class JobFeed final : public Feed, public std::enable_shared_from_this<JobFeed> 
     const bool entered = job.state_revision == 0 || sent_ < job.state_revision;
     if (!entered && Clock::now() < last_event_ + progress_interval) return "";
     std::string text;
-    if (entered && final(job) && job.started_at && sent_ > 0 && sent_ <= queued_) {  // planned too fast to be seen running
+    if (entered && final(job) && job.started_at && sent_ > 0 &&
+        sent_ <= queued_) {  // planned too fast to be seen running
       api::Job before = job;
       before.state = api::JobState::running;
       before.fraction = 0;
