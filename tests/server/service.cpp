@@ -154,7 +154,7 @@ TEST_F(ServiceTest, WaitsForTheEndWithoutIfNoneMatch) {
   const Response ended = get("/v1/jobs/" + id, {{"Prefer", "wait=60"}});
   other.join();
   EXPECT_EQ(json::parse(ended.body)["state"], "cancelled");
-  get("/v1/jobs/" + id, {{"Prefer", "wait=60"}});
+  EXPECT_EQ(json::parse(get("/v1/jobs/" + id, {{"Prefer", "wait=60"}}).body)["state"], "cancelled");
   EXPECT_LT(std::chrono::steady_clock::now() - began, 30s) << "answers at once when the job has ended";
 }
 
@@ -409,9 +409,14 @@ TEST_F(ServiceTest, EndsInTimeWhateverItIsDoing) {
 
 TEST_F(ServiceTest, LooksAtJobsWhileDocumentsAreChecked) {
   std::atomic<bool> over{false};
+  std::atomic<int> checking{0}, checked{0}, answered{0};
   Engine engine = stub_engine();
-  engine.parse = [&over, parse = engine.parse](std::string_view body) {
-    while (body == R"({"slow":true})" && !over) std::this_thread::sleep_for(1ms);
+  engine.parse = [&, parse = engine.parse](std::string_view body) {
+    if (body == R"({"slow":true})") {
+      ++checking;
+      while (!over) std::this_thread::sleep_for(1ms);
+      ++checked;
+    }
     return parse(body);
   };
   service = std::make_unique<Service>(options, std::move(engine));
@@ -422,12 +427,17 @@ TEST_F(ServiceTest, LooksAtJobsWhileDocumentsAreChecked) {
     posters.emplace_back([&] {
       HttpClient("http://" + service->address())
           .request("POST", "/v1/jobs", {{"Content-Type", "application/json"}}, R"({"slow":true})");
+      ++answered;
     });
-  std::this_thread::sleep_for(200ms);
+  for (int i = 0; i < 5000 && checking == 0; ++i) std::this_thread::sleep_for(1ms);
+  EXPECT_GE(checking, 1) << "documents are being checked";
   await(id, "succeeded");
   EXPECT_EQ(get("/readyz").status, 200);
+  EXPECT_EQ(checked, 0);
+  EXPECT_EQ(answered, 0);
   over = true;
   for (auto& thread : posters) thread.join();
+  EXPECT_EQ(checked, 16);
 }
 
 TEST_F(ServiceTest, EndsWithoutADrain) {
@@ -440,8 +450,14 @@ TEST_F(ServiceTest, EndsWithoutADrain) {
     } catch (const cli::Unreachable&) {
     }
   });
+  std::this_thread::sleep_for(100ms);  // the waiter is being held
+  const auto began = std::chrono::steady_clock::now();
   service.reset();
   waiter.join();
+  EXPECT_LT(std::chrono::steady_clock::now() - began, 20s) << "neither the job nor the waiter holds it up";
+  options.workers = 0;
+  start();
+  EXPECT_EQ(json::parse(get("/v1/jobs/" + id).body)["state"], "queued") << "the job is taken up again";
 }
 
 TEST_F(ServiceTest, SaysWhyItCannotStart) {

@@ -91,7 +91,6 @@ TEST(Pack, FindsBestKnownPackings) {
   }
   EXPECT_GE(all.size(), 150u);
   EXPECT_GE(static_cast<double>(found), 0.95 * static_cast<double>(all.size())) << "missed:" << missed;
-  std::printf("%zu of %zu best-known packings found; missed:%s\n", found, all.size(), missed.c_str());
 }
 
 TEST(Pack, FindsNothingLargerThanBestKnown) {
