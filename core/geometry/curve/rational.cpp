@@ -104,7 +104,7 @@ std::array<PointPair, rows> taylor(const double* c, std::size_t stride, std::siz
   const double top = c[degree * stride];
   t[0] = PointPair{top, top};
   for (std::size_t known = 1; known < rows && k > 0; ++known) step(known);
-  while (k > 0) step(rows - 1);
+  while (k > 0) step(rows - 1);  // NOLINT(bugprone-infinite-loop): step() counts k down
   return t;
 }
 

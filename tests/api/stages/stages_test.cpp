@@ -84,7 +84,9 @@ TEST_P(Stages, ReportOften) {
       ADD_FAILURE() << problem.type().slug << ": " << problem.what();
     }
     meter.end("(end)");
-    if (run == 0) EXPECT_EQ(test::result_faults(job.result), std::vector<std::string>{});
+    if (run == 0) {
+      EXPECT_EQ(test::result_faults(job.result), std::vector<std::string>{});
+    }
     if (meter.longest().seconds <= longest_gap) break;
   }
   struct Total {
