@@ -93,7 +93,7 @@ void check_planning(const Machine& machine, const ContourPlanning& planning) {
   const bool jerk = std::any_of(axes.begin(), axes.end(), [](const AxisLimits& axis) { return axis.jerk < unlimited; });
   if (smooth && !jerk && !(planning.path.jerk < unlimited))
     faults.push_back({{"machine", "axes", "x", "jerk"}, "is required by method jerk_limited, of one axis at least"});
-  const AlongPath& path = planning.path;
+  const Limits& path = planning.path;
   if (!smooth && std::min({path.velocity, path.acceleration, path.jerk}) < unlimited)
     faults.push_back(
         {{"planning", "path"}, "is held by method jerk_limited only; blocks limit the speed by their feed"});

@@ -1,28 +1,24 @@
 #pragma once
-/// The axes of a machine and what each may do. Cartesian: axis k is coordinate k of the tool head.
+/// The axes of a machine and what each may do.
 #include <cstddef>
-#include <limits>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "core/machine/limits.hpp"
 
 namespace bahnwerk {
 
-inline constexpr double unlimited = std::numeric_limits<double>::infinity();
-
-struct AxisLimits {
+struct AxisLimits : Limits {
   std::string name;
-  double velocity = unlimited;      ///< mm/s
-  double acceleration = unlimited;  ///< mm/s²
-  double jerk = unlimited;          ///< mm/s³
-};
-
-/// Limits of speed, acceleration and jerk along the path: mm/s, mm/s², mm/s³.
-struct AlongPath {
-  double velocity = unlimited, acceleration = unlimited, jerk = unlimited;
+  std::string unit = "mm";
+  AxisLimits() = default;
+  AxisLimits(std::string axis, double fastest, double strongest = unlimited, double jerkiest = unlimited)
+      : Limits{fastest, strongest, jerkiest}, name(std::move(axis)) {}
 };
 
 struct Machine {
-  std::vector<AxisLimits> axes;  ///< 2 or 3, in the order of the coordinates
+  std::vector<AxisLimits> axes;  ///< as the axes of an AxisPath are numbered; Cartesian: axis k is coordinate k
   double cycle_time = 0.001;     ///< s
   std::size_t dimension() const { return axes.size(); }
 };

@@ -26,7 +26,7 @@ struct ContourPlanning {
   double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad
   CornerMode corner_mode = CornerMode::stop;
   double blend_tolerance = 0;  ///< mm, of CornerMode::blend
-  AlongPath path;              ///< held by jerk_limited
+  Limits path;                 ///< held by jerk_limited
   double max_setpoints = 20'000'000;
   bool stop_at_mode_change = false;  ///< whether the head rests where cutting and positioning meet
 };

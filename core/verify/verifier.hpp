@@ -14,7 +14,7 @@ struct VerifierInput {
   const TimeLaw& law;                         ///< what will be sampled
   double corner_angle = 0;                    ///< rad, a larger tangent jump needs a stop
   bool check_jerk = false;                    ///< also verify jerk where its limit is finite, and what goes with it
-  AlongPath path = {};                        ///< limits along the path
+  Limits path = {};                           ///< limits along the path
   const Contour* given = nullptr;             ///< whose blocks' feeds hold for the same blocks of `contour`, if another
   double position_tolerance = 1e-6;           ///< mm, by which curves may miss each other at a joint
   double progress_from = 0, progress_to = 1;  ///< the share of the whole job's progress that verifying takes

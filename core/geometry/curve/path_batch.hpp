@@ -22,7 +22,7 @@ struct PathBatch {
   std::size_t count = 0;          ///< points asked for, 1 … 16
   Row u;                          ///< in: parameters, ascending
   Row s;                          ///< out: path length from the begin of the segment, mm
-  std::array<Row, 3> d1, d2, d3;  ///< out: derivatives of x, y, z
+  std::array<Row, 8> d1, d2, d3;  ///< out: derivatives of x, y, z, or of as many axes
   bool planar = true;             ///< out: z is constant, its rows are not written
   std::size_t used_pairs() const { return (count + 1) / 2; }
   /// Makes whole pairs of what was asked for.

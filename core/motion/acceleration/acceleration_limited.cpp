@@ -23,16 +23,16 @@ constexpr std::size_t block = 512;                                           // 
 template <int N>
 class SectionPlanner {
  public:
-  SectionPlanner(const Contour& contour, const Machine& machine, const AccelerationLimitedOptions& options,
-             const std::vector<double>& feed, const Sections& sections, double cells, Progress& progress)
-      : path_(contour.path),
-        machine_(machine),
+  SectionPlanner(const LanePath<N>& path, const Machine& lanes, const AccelerationLimitedOptions& options,
+                 const std::vector<double>& feed, const Sections& sections, double cells, Progress& progress)
+      : path_(path),
+        machine_(lanes),
         options_(options),
         feed_(feed),
         progress_(progress),
         one_window_(cells <= static_cast<double>(options.window)),
-        limit_(machine),
-        chain_(grid_, feed, sections, machine,
+        limit_(lanes),
+        chain_(grid_, feed, sections, lanes,
                options.keep_reserve ? std::optional(options.braking_reserve) : std::nullopt),
         marks_(grid_, chain_) {
     // Curves whose curvature changes fast take up to twice as many. Memory that is not written to costs nothing.
@@ -201,7 +201,7 @@ class SectionPlanner {
   void emit(std::size_t cells, AccelerationLimitedResult& result, ProgressScope& pulse) {
     result.law.reserve(cells + 2);
     result.cells += cells;
-    LawWriter law(result.law, path_, slow_);
+    LawWriter law(result.law, path_.tool(), slow_);
     bool cruises = false;  // constant speed through the whole cell: such cells of one segment become one piece
     for (std::size_t c = 0; c < cells; ++c) {
       pulse(c, cells);
@@ -218,8 +218,8 @@ class SectionPlanner {
     }
   }
 
-  const Path& path_;
-  const Machine& machine_;
+  const LanePath<N>& path_;
+  const Machine& machine_;  // of the lanes
   const AccelerationLimitedOptions& options_;
   const std::vector<double>& feed_;
   Progress& progress_;
@@ -236,41 +236,44 @@ class SectionPlanner {
 };
 
 template <int N>
-AccelerationLimitedResult plan(const Contour& contour, const Machine& machine,
-                               const AccelerationLimitedOptions& options, double turn, Progress& progress, double from,
-                               double to) {
-  const std::vector<double> feed = contour.feeds();
-  const Sections sections =
-      find_sections(contour, machine, options.corner_angle, [&] { progress.report("planning", from); });
-  AccelerationLimitedResult result;
-  const double cells = turn / options.grid.angle + 2 * static_cast<double>(contour.path.size());
-  SectionPlanner<N> planner(contour, machine, options, feed, sections, cells, progress);
-  for_each_section(contour.path, sections, from, to,
-                   [&](std::size_t first, std::size_t last, double begin, double end) {
-                     planner.plan(first, last, begin, end, result);
-                   });
-  return result;
-}
-
-}  // namespace
-
-AccelerationLimitedResult plan_acceleration_limited(const Contour& contour, const Machine& machine,
-                                                    const AccelerationLimitedOptions& options, Progress& progress,
-                                                    double from, double to) {
-  for (const AxisLimits& axis : machine.axes)
-    if (!(axis.velocity > 0) || !(axis.acceleration > 0) || !std::isfinite(axis.acceleration))
-      throw InvalidInput(
-          {{{"machine", "axes", axis.name}, "velocity and acceleration must be positive, acceleration finite"}});
+AccelerationLimitedResult plan(const PlanningTask& task, const AccelerationLimitedOptions& options, Progress& progress,
+                               double from, double to) {
+  const LanePath<N> path(task.path);
+  const Machine lanes = path.limits(task.machine);
   AccelerationLimitedOptions fitted = options;
-  const double turn = total_turn(contour.path, 0, contour.path.size());
+  const double turn = total_turn(path, 0, path.size());
   fitted.grid.angle = std::max(options.grid.angle, std::min(coarsest_angle, turn / usual_cells));
   if (turn / fitted.grid.angle > max_cells)
     throw InvalidInput(
         {{{"contour"},
           "the contour turns by " + std::to_string(static_cast<long>(turn)) + " rad in all, more than the " +
               std::to_string(static_cast<long>(max_cells * coarsest_angle)) + " that fit into memory"}});
-  return machine.dimension() == 2 ? plan<2>(contour, machine, fitted, turn, progress, from, to)
-                                  : plan<3>(contour, machine, fitted, turn, progress, from, to);
+  const Sections sections = find_sections(task, options.corner_angle, [&] { progress.report("planning", from); });
+  AccelerationLimitedResult result;
+  const double cells = turn / fitted.grid.angle + 2 * static_cast<double>(path.size());
+  SectionPlanner<N> planner(path, lanes, fitted, task.feeds, sections, cells, progress);
+  for_each_section(path.tool(), sections, from, to, [&](std::size_t first, std::size_t last, double begin, double end) {
+    planner.plan(first, last, begin, end, result);
+  });
+  return result;
+}
+
+}  // namespace
+
+AccelerationLimitedResult plan_acceleration_limited(const PlanningTask& task, const AccelerationLimitedOptions& options,
+                                                    Progress& progress, double from, double to) {
+  for (const AxisLimits& axis : task.machine.axes)
+    if (!(axis.velocity > 0) || !(axis.acceleration > 0) || !std::isfinite(axis.acceleration))
+      throw InvalidInput(
+          {{{"machine", "axes", axis.name}, "velocity and acceleration must be positive, acceleration finite"}});
+  return with_lanes(task.path.axes(), [&](auto n) { return plan<n()>(task, options, progress, from, to); });
+}
+
+AccelerationLimitedResult plan_acceleration_limited(const Contour& contour, const Machine& machine,
+                                                    const AccelerationLimitedOptions& options, Progress& progress,
+                                                    double from, double to) {
+  const CartesianAxisPath path(contour.path, machine.dimension());
+  return plan_acceleration_limited(contour_task(path, contour, machine), options, progress, from, to);
 }
 
 }  // namespace bahnwerk

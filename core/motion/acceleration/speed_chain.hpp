@@ -156,5 +156,6 @@ template <class Done>
 
 extern template class SpeedChain<2>;
 extern template class SpeedChain<3>;
+extern template class SpeedChain<8>;
 
 }  // namespace bahnwerk

@@ -5,39 +5,11 @@
 
 namespace bahnwerk {
 
-template <int N>
-Station<N> station_at(const Segment& segment, double u) {
-  const PathPoint p = segment.at_parameter(u);
-  Station<N> at;
-  at.u = u;
-  at.s = segment.travelled(u);
-  for (std::size_t k = 0; k < N; ++k) {
-    at.d1[k] = p.d1[k];
-    at.d2[k] = p.d2[k];
-    at.d3[k] = p.d3[k];
-  }
-  return at;
-}
-
 namespace {
 
 constexpr int max_parts = 16;  // cells laid at once; more and the interval is halved first
 constexpr int end_halvings = 4;
 constexpr double min_interval = 1e-6;  // of a segment's parameter range: grading towards a cusp ends here
-
-template <int N>
-Lanes<N> lanes(const std::array<PathBatch::Row, 3>& rows, std::size_t i, bool planar) {
-  if constexpr (N == 2)
-    return Lanes<2>{rows[0][i], rows[1][i]};
-  else
-    return Lanes<N>{rows[0][i], rows[1][i], planar ? 0 : rows[2][i]};
-}
-
-template <int N>
-Station<N> station(const PathBatch& batch, std::size_t i) {
-  return {batch.s[i], batch.u[i], lanes<N>(batch.d1, i, batch.planar), lanes<N>(batch.d2, i, batch.planar),
-          lanes<N>(batch.d3, i, batch.planar)};
-}
 
 template <int N>
 double distance(const Lanes<N>& a, const Lanes<N>& b) {
@@ -48,9 +20,9 @@ double distance(const Lanes<N>& a, const Lanes<N>& b) {
 template <int N>
 class Layer {
  public:
-  Layer(Grid<N>& grid, const Segment& segment, std::uint32_t index, const Machine& machine, double feed,
+  Layer(Grid<N>& grid, const LanePath<N>& path, std::uint32_t index, const Machine& machine, double feed,
         const GridOptions& options)
-      : grid_(grid), segment_(segment), index_(index), feed2_(feed * feed), options_(options) {
+      : grid_(grid), path_(path), segment_(path[index]), index_(index), feed2_(feed * feed), options_(options) {
     for (std::size_t k = 0; k < N; ++k) acceleration_[k] = machine.axes[k].acceleration;
     inverse_acceleration_ = 1 / acceleration_;
   }
@@ -58,10 +30,10 @@ class Layer {
   void lay() {
     const std::vector<double> panel = segment_.panel_parameters();
     smallest_ = min_interval * (panel.back() - panel.front());
-    push(station_at<N>(segment_, panel.front()));
+    push(path_.at(index_, panel.front()));
     for (std::size_t i = 1; i < panel.size(); ++i) {
       const Station<N> left = grid_.stations.back();
-      interval(left, station_at<N>(segment_, panel[i]));
+      interval(left, path_.at(index_, panel[i]));
     }
   }
 
@@ -80,8 +52,11 @@ class Layer {
 
   /// Most that v² can be where the path bends: |n · q̈| ≤ Σ |n_k| A_k with the unit normal n, so v² κ ≤ Σ |n_k| A_k.
   double curvature_cap(const Station<N>& at) const {
-    const double square = sum(at.d2 * at.d2);
-    return square > 0 ? sum(magnitude(at.d2) * acceleration_) / square : std::numeric_limits<double>::infinity();
+    Lanes<N> normal = at.d2;
+    if (const double along = sum(at.d1 * at.d1); !path_.cartesian() && along > 0)
+      normal = at.d2 - (sum(at.d2 * at.d1) / along) * at.d1;
+    const double square = sum(normal * normal);
+    return square > 0 ? sum(magnitude(normal) * acceleration_) / square : std::numeric_limits<double>::infinity();
   }
 
   /// How many cells [left, right] needs, estimated at its middle.
@@ -109,8 +84,8 @@ class Layer {
       batch.u.set(0, 0.5 * (left.u + middle));
       batch.u.set(1, middle);
       batch.u.set(2, 0.5 * (middle + right.u));
-      segment_.at_parameters(batch);
-      for (std::size_t i = 0; i < 3; ++i) inner[i] = station<N>(batch, i);
+      path_.at_parameters(index_, batch);
+      for (std::size_t i = 0; i < 3; ++i) inner[i] = path_.station(batch, i);
     }
     const Station<N>& mid = known ? *known : inner[1];
     const double need = parts(left, mid, right);
@@ -127,8 +102,8 @@ class Layer {
       PathBatch batch;
       batch.count = static_cast<std::size_t>(n - 1);
       for (int i = 1; i < n; ++i) batch.u.set(static_cast<std::size_t>(i - 1), left.u + i * du);
-      segment_.at_parameters(batch);
-      for (std::size_t i = 0; i < batch.count; ++i) cell(station<N>(batch, i));
+      path_.at_parameters(index_, batch);
+      for (std::size_t i = 0; i < batch.count; ++i) cell(path_.station(batch, i));
     }
     cell(right);
   }
@@ -152,7 +127,7 @@ class Layer {
       double a = left.u, b = right.u, fa = left.d1[k], fb = right.d1[k], u = a;
       for (int i = 0; i < 8; ++i) {  // regula falsi (Illinois); the tangent is nearly linear here
         u = b - fb * (b - a) / (fb - fa);
-        const double f = segment_.at_parameter(u).d1[k];
+        const double f = path_.at(index_, u).d1[k];
         if (std::abs(f) < 1e-14) break;
         if (f * fb < 0) {
           a = b;
@@ -170,10 +145,11 @@ class Layer {
       turning[i] = u;
     }
     for (std::size_t i = 0; i < count; ++i)
-      if (turning[i] > grid_.stations.back().u) cell_to(station_at<N>(segment_, turning[i]));
+      if (turning[i] > grid_.stations.back().u) cell_to(path_.at(index_, turning[i]));
   }
 
   Grid<N>& grid_;
+  const LanePath<N>& path_;
   const Segment& segment_;
   std::uint32_t index_;
   double feed2_;
@@ -185,7 +161,7 @@ class Layer {
 }  // namespace
 
 template <int N>
-void Grid<N>::build(const Path& path, std::size_t first, std::size_t last, const std::vector<double>& feed,
+void Grid<N>::build(const LanePath<N>& path, std::size_t first, std::size_t last, const std::vector<double>& feed,
                     const Machine& machine, const GridOptions& options, ProgressScope& pulse) {
   stations.clear();
   cells.clear();
@@ -193,13 +169,12 @@ void Grid<N>::build(const Path& path, std::size_t first, std::size_t last, const
   for (std::size_t i = first; i < last; ++i) {
     run_length += path[i].length();
     pulse.now(i - first, last - first);
-    const Segment& segment = path[i];
-    if (segment.straight()) {
+    if (path.linear(i)) {
       cells.push_back({static_cast<std::uint32_t>(stations.size()), static_cast<std::uint32_t>(i), true, false, false});
-      stations.push_back(station_at<N>(segment, segment.curve().begin()));
-      stations.push_back(station_at<N>(segment, segment.curve().end()));
+      stations.push_back(path.at(i, path[i].curve().begin()));
+      stations.push_back(path.at(i, path[i].curve().end()));
     } else {
-      Layer<N>(*this, segment, static_cast<std::uint32_t>(i), machine, feed[i], options).lay();
+      Layer<N>(*this, path, static_cast<std::uint32_t>(i), machine, feed[i], options).lay();
     }
     if (i == first) grade_end(path, true);  // while few cells stand behind it
   }
@@ -207,17 +182,16 @@ void Grid<N>::build(const Path& path, std::size_t first, std::size_t last, const
 }
 
 template <int N>
-void Grid<N>::grade_end(const Path& path, bool front) {
+void Grid<N>::grade_end(const LanePath<N>& path, bool front) {
   // Parts of the end cell, from the rest: 1/16 1/16 1/8 1/4 1/2.
   const auto part = [](int i) { return i == 0 ? 0.0 : std::ldexp(1.0, i - 1 - end_halvings); };
   const GridCell old = front ? cells.front() : cells.back();
   if (old.straight) return;
-  const Segment& segment = path[old.segment];
   const double u0 = stations[old.station].u, u1 = stations[old.station + 1].u;
   std::vector<Station<N>> inner;
   for (int i = 1; i <= end_halvings; ++i)
     inner.push_back(
-        station_at<N>(segment, front ? u0 + part(i) * (u1 - u0) : u1 - part(end_halvings + 1 - i) * (u1 - u0)));
+        path.at(old.segment, front ? u0 + part(i) * (u1 - u0) : u1 - part(end_halvings + 1 - i) * (u1 - u0)));
   std::vector<GridCell> parts(inner.size() + 1, old);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     parts[i].station = old.station + static_cast<std::uint32_t>(i);
@@ -253,22 +227,32 @@ void Grid<N>::cut(std::size_t last) {
 }
 
 template <int N>
-void Grid<N>::divide(const Path& path, const LargeVector<std::uint8_t>& parts, ProgressScope& pulse) {
+void Grid<N>::divide(const LanePath<N>& path, const LargeVector<std::uint8_t>& parts, ProgressScope& pulse) {
   divide(
       path, [&](std::size_t c) { return parts[c]; },
       [&](std::size_t c, int i, double u0, double u1) { return u0 + i * ((u1 - u0) / parts[c]); }, pulse);
 }
 
-double total_turn(const Path& path, std::size_t first, std::size_t last) {
+template <int N>
+double total_turn(const LanePath<N>& path, std::size_t first, std::size_t last) {
   double turn = 0;
   for (std::size_t i = first; i < last; ++i) {
     const Segment& segment = path[i];
-    if (segment.straight()) continue;
-    if (segment.curve().kind() == CurveKind::arc) {
+    if (path.linear(i)) continue;
+    if (path.cartesian() && segment.curve().kind() == CurveKind::arc) {
       turn += norm(segment.at_parameter(segment.curve().begin()).d2) * segment.length();
       continue;
     }
     const std::vector<double> panel = segment.panel_parameters();
+    if (!path.cartesian()) {
+      Lanes<N> before = path.at(i, panel[0]).d1;
+      for (std::size_t k = 1; k < panel.size(); ++k) {
+        const Lanes<N> after = path.at(i, panel[k]).d1;
+        turn += distance<N>(before, after);
+        before = after;
+      }
+      continue;
+    }
     Vec before = segment.at_parameter(panel[0]).d1;
     for (std::size_t k = 1; k < panel.size(); ++k) {
       const Vec after = segment.at_parameter(panel[k]).d1;
@@ -279,9 +263,11 @@ double total_turn(const Path& path, std::size_t first, std::size_t last) {
   return turn;
 }
 
-template Station<2> station_at<2>(const Segment&, double);
-template Station<3> station_at<3>(const Segment&, double);
 template class Grid<2>;
 template class Grid<3>;
+template class Grid<8>;
+template double total_turn<2>(const LanePath<2>&, std::size_t, std::size_t);
+template double total_turn<3>(const LanePath<3>&, std::size_t, std::size_t);
+template double total_turn<8>(const LanePath<8>&, std::size_t, std::size_t);
 
 }  // namespace bahnwerk

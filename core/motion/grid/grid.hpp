@@ -12,20 +12,11 @@
 #include <vector>
 
 #include "core/base/progress_scope.hpp"
-#include "core/contour/contour.hpp"
 #include "core/machine/machine.hpp"
-#include "core/numeric/lanes.hpp"
+#include "core/motion/grid/lane_path.hpp"
 #include "core/numeric/large_pages.hpp"
 
 namespace bahnwerk {
-
-/// One side of a node: path length from the begin of its segment (short differences stay exact on long paths), curve
-/// parameter, and the axes' derivatives by path length (N axes).
-template <int N>
-struct Station {
-  double s = 0, u = 0;
-  Lanes<N> d1{}, d2{}, d3{};
-};
 
 struct GridCell {
   std::uint32_t station = 0;  ///< its left station; the right one is station + 1
@@ -59,30 +50,26 @@ class Grid {
   }
   /// Stations for the path segments [first, last); the first and the last cell are halved towards the rest at the run's
   /// ends, where the speed changes by more than it is. O(cells).
-  void build(const Path& path, std::size_t first, std::size_t last, const std::vector<double>& feed,
+  void build(const LanePath<N>& path, std::size_t first, std::size_t last, const std::vector<double>& feed,
              const Machine& machine, const GridOptions& options, ProgressScope& pulse);
   /// Becomes the cells [first, last) of another grid. O(last − first).
   void slice(const Grid& of, std::size_t first, std::size_t last);
   /// Keeps the cells [0, last) only.
   void cut(std::size_t last);
   /// Divides cell c into parts[c] equal cells. O(cells).
-  void divide(const Path& path, const LargeVector<std::uint8_t>& parts, ProgressScope& pulse);
+  void divide(const LanePath<N>& path, const LargeVector<std::uint8_t>& parts, ProgressScope& pulse);
   /// Divides cell c into count(c) cells; inner part i ends at the parameter place(c, i, u0, u1) between the cell's own
   /// ends. Parts finer than path length resolves are left out. O(cells).
   template <class Count, class Place>
-  void divide(const Path& path, Count&& count, Place&& place, ProgressScope& pulse);
+  void divide(const LanePath<N>& path, Count&& count, Place&& place, ProgressScope& pulse);
 
  private:
-  void grade_end(const Path& path, bool front);
+  void grade_end(const LanePath<N>& path, bool front);
 };
-
-/// The station at a parameter of a segment.
-template <int N>
-Station<N> station_at(const Segment& segment, double u);
 
 template <int N>
 template <class Count, class Place>
-void Grid<N>::divide(const Path& path, Count&& count, Place&& place, ProgressScope& pulse) {
+void Grid<N>::divide(const LanePath<N>& path, Count&& count, Place&& place, ProgressScope& pulse) {
   LargeVector<Station<N>> new_stations;
   LargeVector<GridCell> new_cells;
   std::size_t total = 0;
@@ -99,8 +86,7 @@ void Grid<N>::divide(const Path& path, Count&& count, Place&& place, ProgressSco
       cell.station = static_cast<std::uint32_t>(new_stations.size() - 1);
       cell.cusp_left = old.cusp_left && i == 1;
       cell.cusp_right = old.cusp_right && i == parts;
-      const Station<N> next =
-          i == parts ? right(c) : station_at<N>(path[old.segment], place(c, i, left(c).u, right(c).u));
+      const Station<N> next = i == parts ? right(c) : path.at(old.segment, place(c, i, left(c).u, right(c).u));
       if (i < parts && !(next.s > new_stations.back().s)) continue;
       new_cells.push_back(cell);
       new_stations.push_back(next);
@@ -110,12 +96,16 @@ void Grid<N>::divide(const Path& path, Count&& count, Place&& place, ProgressSco
   cells = std::move(new_cells);
 }
 
-/// By how much the path turns over the segments [first, last), rad, about: what the number of cells follows.
-double total_turn(const Path& path, std::size_t first, std::size_t last);
+/// By how much the path turns over the segments [first, last), rad, about: what the number of cells follows. Through
+/// kinematics: by how much the scaled q′ of the axes changes.
+template <int N>
+double total_turn(const LanePath<N>& path, std::size_t first, std::size_t last);
 
-extern template Station<2> station_at<2>(const Segment&, double);
-extern template Station<3> station_at<3>(const Segment&, double);
 extern template class Grid<2>;
 extern template class Grid<3>;
+extern template class Grid<8>;
+extern template double total_turn<2>(const LanePath<2>&, std::size_t, std::size_t);
+extern template double total_turn<3>(const LanePath<3>&, std::size_t, std::size_t);
+extern template double total_turn<8>(const LanePath<8>&, std::size_t, std::size_t);
 
 }  // namespace bahnwerk

@@ -4,23 +4,39 @@
 
 namespace bahnwerk {
 
-Sections find_sections(const Contour& contour, const Machine& machine, double corner_angle,
-                       const std::function<void()>& pause) {
+namespace {
+
+/// By how much q′ jumps.
+AxisArray step(const AxisPath& path, const Joint& joint) {
+  AxisArray jump{};
+  if (path.cartesian()) {
+    for (std::size_t k = 0; k < path.axes(); ++k) jump[k] = joint.step[k];
+    return jump;
+  }
+  const AxisJet before = path.at_parameter(joint.next - 1, path[joint.next - 1].curve().end()),
+                after = path.at_parameter(joint.next, path[joint.next].curve().begin());
+  for (std::size_t k = 0; k < path.axes(); ++k) jump[k] = after.d1[k] - before.d1[k];
+  return jump;
+}
+
+}  // namespace
+
+Sections find_sections(const PlanningTask& task, double corner_angle, const std::function<void()>& pause) {
   Sections sections;
-  const Path& path = contour.path;
+  const AxisPath& path = task.path;
   sections.begin.push_back(0);
-  const std::vector<bool> rest = contour.rest_places();
   sections.joint_cap.assign(path.size(), unlimited);
-  for (const Joint& joint : joints(path, pause)) {
-    if (rest[joint.next] || joint.angle > corner_angle || path[joint.next].cusp_begin() ||
+  for (const Joint& joint : joints(path.tool(), pause)) {
+    if (task.rests[joint.next] || joint.angle > corner_angle || path[joint.next].cusp_begin() ||
         path[joint.next - 1].cusp_end()) {
       sections.begin.push_back(joint.next);
       continue;
     }
     double speed = unlimited;
-    for (std::size_t k = 0; k < machine.dimension(); ++k)
-      if (const double step = std::abs(joint.step[k]); step > 0)
-        speed = std::min(speed, machine.axes[k].acceleration * machine.cycle_time / step);
+    const AxisArray jump = step(path, joint);
+    for (std::size_t k = 0; k < path.axes(); ++k)
+      if (const double size = std::abs(jump[k]); size > 0)
+        speed = std::min(speed, task.machine.axes[k].acceleration * task.machine.cycle_time / size);
     sections.joint_cap[joint.next] = speed * speed;
   }
   sections.begin.push_back(path.size());

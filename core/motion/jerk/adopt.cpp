@@ -144,14 +144,24 @@ template void JerkSolver<2>::adopt_cells();
 template bool JerkSolver<2>::adopt_middles();
 template void JerkSolver<2>::take_middle(const MiddleRows<2>&, std::size_t, Middles&);
 template void JerkSolver<3>::adopt(const LargeVector<JerkNode>&);
+template void JerkSolver<8>::adopt(const LargeVector<JerkNode>&);
 template void JerkSolver<3>::adopt_nodes();
+template void JerkSolver<8>::adopt_nodes();
 template void JerkSolver<3>::adopt_cells();
+template void JerkSolver<8>::adopt_cells();
 template bool JerkSolver<3>::adopt_middles();
+template bool JerkSolver<8>::adopt_middles();
 template void JerkSolver<3>::take_middle(const MiddleRows<3>&, std::size_t, Middles&);
+template void JerkSolver<8>::take_middle(const MiddleRows<8>&, std::size_t, Middles&);
 template void JerkSolver<4>::adopt(const LargeVector<JerkNode>&);
+template void JerkSolver<9>::adopt(const LargeVector<JerkNode>&);
 template void JerkSolver<4>::adopt_nodes();
+template void JerkSolver<9>::adopt_nodes();
 template void JerkSolver<4>::adopt_cells();
+template void JerkSolver<9>::adopt_cells();
 template bool JerkSolver<4>::adopt_middles();
+template bool JerkSolver<9>::adopt_middles();
 template void JerkSolver<4>::take_middle(const MiddleRows<4>&, std::size_t, Middles&);
+template void JerkSolver<9>::take_middle(const MiddleRows<9>&, std::size_t, Middles&);
 
 }  // namespace bahnwerk

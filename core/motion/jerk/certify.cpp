@@ -26,9 +26,8 @@ void JerkRunPlanner<N, M>::look_half_way(ProgressScope& pulse) {
   for (std::size_t c = 0; c < n; ++c) {
     pulse(c, n);
     if (grid_.cells[c].straight) continue;
-    const Segment& segment = path_[grid_.cells[c].segment];
-    const double u = 0.5 * (grid_.left(c).u + grid_.right(c).u);
-    middle_[c] = {rows_of(segment.at_parameter(u)), segment.travelled(u) - grid_.left(c).s};
+    const Station<N> at = path_.at(grid_.cells[c].segment, 0.5 * (grid_.left(c).u + grid_.right(c).u));
+    middle_[c] = {rows_of(at), at.s - grid_.left(c).s};
   }
 }
 
@@ -43,12 +42,12 @@ void JerkRunPlanner<N, M>::measure(const RowLimits<M>& limit, bool exact, Progre
     const LawPiece law = jerk_piece(state_[c], state_[c + 1], h);
     const JerkStation<M>&l = problem_.stations[problem_.cells[c].station],
           &r = problem_.stations[problem_.cells[c].station + 1];
-    const Segment& segment = path_[grid_.cells[c].segment];
+    const std::size_t segment = grid_.cells[c].segment;
     if (grid_.cells[c].straight) {
       peaks_[c] = cell_peaks<M>(law, h, limit, 1 / (f * f), l, r, [&](double) { return l; });
     } else if (exact) {
       peaks_[c] = cell_peaks<M>(law, h, limit, 1 / (f * f), l, r, [&](double s) {
-        return rows_of(segment.at_parameter(segment.parameter_at(grid_.left(c).s + s)));
+        return rows_of(path_.derivatives(segment, path_[segment].parameter_at(grid_.left(c).s + s)));
       });
     } else {
       const CellPath<M> path(l, middle_[c].at, r, middle_[c].s, h);
@@ -69,14 +68,14 @@ void JerkRunPlanner<N, M>::certify(ProgressScope& pulse) {
     if (peaks_[c].doubt > sure) {
       LawPiece law = jerk_piece(state_[c], state_[c + 1], grid_.length(c));
       if (!(law.duration > 0) || !std::isfinite(law.duration)) continue;  // emit() refuses the run
-      const Segment& segment = path_[grid_.cells[c].segment];
-      law.s = segment.s0() + grid_.left(c).s;
+      const std::size_t segment = grid_.cells[c].segment;
+      law.s = path_[segment].s0() + grid_.left(c).s;
       const bool open = grid_.cells[c].cusp_left || grid_.cells[c].cusp_right;
       sweep.sweep(0, law.duration, open, c, [&](const ChebyshevRule& rule, double begin, double end, double* values) {
         const auto points = static_cast<std::size_t>(rule.points);
         for (std::size_t i = 0; i < points; ++i) {
           const LawState x = law.at(begin + rule.node[i] * (end - begin));
-          const JerkStation<M> d = rows_of(segment.at(x.s));
+          const JerkStation<M> d = rows_of(path_.derivatives(segment, path_[segment].parameter(x.s)));
           const double b = x.v * x.v;
           for (std::size_t k = 0; k < M; ++k) {
             values[k * points + i] = d.d1[k] * d.d1[k] * b * limit_.inverse_velocity2[k];
@@ -153,14 +152,24 @@ template void JerkRunPlanner<2, 3>::certify(ProgressScope& pulse);
 template bool JerkRunPlanner<2, 3>::stubborn();
 template void JerkRunPlanner<2, 3>::tighten();
 template void JerkRunPlanner<3, 3>::look_half_way(ProgressScope& pulse);
+template void JerkRunPlanner<8, 8>::look_half_way(ProgressScope& pulse);
 template void JerkRunPlanner<3, 3>::measure(const RowLimits<3>& limit, bool exact, ProgressScope& pulse);
+template void JerkRunPlanner<8, 8>::measure(const RowLimits<8>& limit, bool exact, ProgressScope& pulse);
 template void JerkRunPlanner<3, 3>::certify(ProgressScope& pulse);
+template void JerkRunPlanner<8, 8>::certify(ProgressScope& pulse);
 template bool JerkRunPlanner<3, 3>::stubborn();
+template bool JerkRunPlanner<8, 8>::stubborn();
 template void JerkRunPlanner<3, 3>::tighten();
+template void JerkRunPlanner<8, 8>::tighten();
 template void JerkRunPlanner<3, 4>::look_half_way(ProgressScope& pulse);
+template void JerkRunPlanner<8, 9>::look_half_way(ProgressScope& pulse);
 template void JerkRunPlanner<3, 4>::measure(const RowLimits<4>& limit, bool exact, ProgressScope& pulse);
+template void JerkRunPlanner<8, 9>::measure(const RowLimits<9>& limit, bool exact, ProgressScope& pulse);
 template void JerkRunPlanner<3, 4>::certify(ProgressScope& pulse);
+template void JerkRunPlanner<8, 9>::certify(ProgressScope& pulse);
 template bool JerkRunPlanner<3, 4>::stubborn();
+template bool JerkRunPlanner<8, 9>::stubborn();
 template void JerkRunPlanner<3, 4>::tighten();
+template void JerkRunPlanner<8, 9>::tighten();
 
 }  // namespace bahnwerk

@@ -18,14 +18,15 @@ double division_point(Division division, int i) {
 }
 
 template <int N>
-void divide(Grid<N>& grid, const Path& path, const LargeVector<Division>& division, ProgressScope& pulse) {
+void divide(Grid<N>& grid, const LanePath<N>& path, const LargeVector<Division>& division, ProgressScope& pulse) {
   grid.divide(
       path, [&](std::size_t c) { return division[c].parts; },
       [&](std::size_t c, int i, double u0, double u1) { return u0 + division_point(division[c], i) * (u1 - u0); },
       pulse);
 }
 
-template void divide<2>(Grid<2>&, const Path&, const LargeVector<Division>&, ProgressScope&);
-template void divide<3>(Grid<3>&, const Path&, const LargeVector<Division>&, ProgressScope&);
+template void divide<2>(Grid<2>&, const LanePath<2>&, const LargeVector<Division>&, ProgressScope&);
+template void divide<3>(Grid<3>&, const LanePath<3>&, const LargeVector<Division>&, ProgressScope&);
+template void divide<8>(Grid<8>&, const LanePath<8>&, const LargeVector<Division>&, ProgressScope&);
 
 }  // namespace bahnwerk

@@ -20,9 +20,10 @@ double division_point(Division division, int i);
 
 /// Divides cell c of the grid into division[c]. O(cells).
 template <int N>
-void divide(Grid<N>& grid, const Path& path, const LargeVector<Division>& division, ProgressScope& pulse);
+void divide(Grid<N>& grid, const LanePath<N>& path, const LargeVector<Division>& division, ProgressScope& pulse);
 
-extern template void divide<2>(Grid<2>&, const Path&, const LargeVector<Division>&, ProgressScope&);
-extern template void divide<3>(Grid<3>&, const Path&, const LargeVector<Division>&, ProgressScope&);
+extern template void divide<2>(Grid<2>&, const LanePath<2>&, const LargeVector<Division>&, ProgressScope&);
+extern template void divide<3>(Grid<3>&, const LanePath<3>&, const LargeVector<Division>&, ProgressScope&);
+extern template void divide<8>(Grid<8>&, const LanePath<8>&, const LargeVector<Division>&, ProgressScope&);
 
 }  // namespace bahnwerk

@@ -10,17 +10,16 @@ namespace bahnwerk {
 namespace {
 
 template <int N, int M>
-JerkLimitedResult plan(const Contour& contour, const Machine& machine, const JerkLimitedOptions& options,
-                       Progress& progress, double from, double to) {
-  const std::vector<double> feed = contour.feeds();
-  const Sections sections =
-      find_sections(contour, machine, options.corner_angle, [&] { progress.report("planning", from); });
+JerkLimitedResult plan(const PlanningTask& task, const JerkLimitedOptions& options, Progress& progress, double from,
+                       double to) {
+  const LanePath<N> path(task.path);
+  const Machine lanes = path.limits(task.machine);
+  const Sections sections = find_sections(task, options.corner_angle, [&] { progress.report("planning", from); });
   JerkLimitedResult result;
-  JerkRunPlanner<N, M> planner(contour, machine, options, feed, sections, progress);
-  for_each_section(contour.path, sections, from, to,
-                   [&](std::size_t first, std::size_t last, double begin, double end) {
-                     planner.plan(first, last, begin, end, result);
-                   });
+  JerkRunPlanner<N, M> planner(path, lanes, options, task.feeds, sections, progress);
+  for_each_section(path.tool(), sections, from, to, [&](std::size_t first, std::size_t last, double begin, double end) {
+    planner.plan(first, last, begin, end, result);
+  });
   if (result.cells > 0)
     result.iterations = static_cast<std::size_t>(planner.work() / static_cast<double>(result.cells) + 0.5);
   return result;
@@ -28,23 +27,28 @@ JerkLimitedResult plan(const Contour& contour, const Machine& machine, const Jer
 
 }  // namespace
 
-JerkLimitedResult plan_jerk_limited(const Contour& contour, const Machine& machine, const JerkLimitedOptions& options,
-                                    Progress& progress, double from, double to) {
+JerkLimitedResult plan_jerk_limited(const PlanningTask& task, const JerkLimitedOptions& options, Progress& progress,
+                                    double from, double to) {
   std::vector<InputFault> faults;
-  for (const AxisLimits& axis : machine.axes)
+  for (const AxisLimits& axis : task.machine.axes)
     if (!(axis.velocity > 0) || !(axis.acceleration > 0) || !std::isfinite(axis.acceleration) || !(axis.jerk > 0))
       faults.push_back(
           {{"machine", "axes", axis.name}, "velocity, acceleration and jerk must be positive, acceleration finite"});
-  const AlongPath& along = options.path;
+  const Limits& along = options.path;
   if (!(along.velocity > 0) || !(along.acceleration > 0) || !(along.jerk > 0))
     faults.push_back({{"planning"}, "limits along the path must be positive"});
   if (!faults.empty()) throw InvalidInput(faults);
   const bool path = std::isfinite(options.path.acceleration) || std::isfinite(options.path.jerk);
-  if (machine.dimension() == 2)
-    return path ? plan<2, 3>(contour, machine, options, progress, from, to)
-                : plan<2, 2>(contour, machine, options, progress, from, to);
-  return path ? plan<3, 4>(contour, machine, options, progress, from, to)
-              : plan<3, 3>(contour, machine, options, progress, from, to);
+  return with_lanes(task.path.axes(), [&](auto n) {
+    constexpr int N = n();
+    return path ? plan<N, N + 1>(task, options, progress, from, to) : plan<N, N>(task, options, progress, from, to);
+  });
+}
+
+JerkLimitedResult plan_jerk_limited(const Contour& contour, const Machine& machine, const JerkLimitedOptions& options,
+                                    Progress& progress, double from, double to) {
+  const CartesianAxisPath path(contour.path, machine.dimension());
+  return plan_jerk_limited(contour_task(path, contour, machine), options, progress, from, to);
 }
 
 }  // namespace bahnwerk

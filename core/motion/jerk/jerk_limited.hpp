@@ -16,6 +16,7 @@
 #include "core/base/progress.hpp"
 #include "core/contour/contour.hpp"
 #include "core/machine/machine.hpp"
+#include "core/motion/grid/planning_task.hpp"
 #include "core/motion/jerk/start.hpp"
 #include "core/motion/law/time_law.hpp"
 
@@ -23,7 +24,7 @@ namespace bahnwerk {
 
 struct JerkLimitedOptions {
   double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad; larger tangent jumps are corners with a stop
-  AlongPath path;             ///< limits of v mm/s, |a| mm/s², |j| mm/s³ along the path; infinite unless given
+  Limits path;                ///< limits of v mm/s, |a| mm/s², |j| mm/s³ along the path; infinite unless given
   double gap = 1e-4;          ///< loss of duration to the solver, relative
   double tolerance = 3e-4;    ///< loss of duration to the grid, relative, estimated
   double angle = 0.02;        ///< most a cell turns, rad
@@ -38,8 +39,11 @@ struct JerkLimitedResult {
   std::size_t cells = 0;       ///< cells of the final grids
 };
 
-/// Throws InvalidInput for limits that are not positive, Stopped when progress says so. Progress runs from `from` to
-/// `to`.
+/// Throws InvalidInput for limits that are not positive, Stopped when progress says so, UnreachablePose. Progress runs
+/// from `from` to `to`.
+JerkLimitedResult plan_jerk_limited(const PlanningTask& task, const JerkLimitedOptions& options, Progress& progress,
+                                    double from = 0, double to = 1);
+/// The same for a contour on a Cartesian machine.
 JerkLimitedResult plan_jerk_limited(const Contour& contour, const Machine& machine, const JerkLimitedOptions& options,
                                     Progress& progress, double from = 0, double to = 1);
 

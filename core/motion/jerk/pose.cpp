@@ -227,24 +227,44 @@ template void JerkRunPlanner<2, 3>::pose_middles(bool looked, ProgressScope& pul
 template void JerkRunPlanner<2, 3>::add_node(std::size_t node, const JerkStation<3>& s,
                                              const std::array<double, 3>& inverse);
 template void JerkRunPlanner<3, 3>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
+template void JerkRunPlanner<8, 8>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
 template double JerkRunPlanner<3, 3>::cell_cap(std::size_t c, bool at_end) const;
+template double JerkRunPlanner<8, 8>::cell_cap(std::size_t c, bool at_end) const;
 template void JerkRunPlanner<3, 3>::rough(ProgressScope& pulse);
+template void JerkRunPlanner<8, 8>::rough(ProgressScope& pulse);
 template void JerkRunPlanner<3, 3>::lay(ProgressScope& pulse);
+template void JerkRunPlanner<8, 8>::lay(ProgressScope& pulse);
 template void JerkRunPlanner<3, 3>::soften();
+template void JerkRunPlanner<8, 8>::soften();
 template void JerkRunPlanner<3, 3>::guess(Start start, ProgressScope& pulse);
+template void JerkRunPlanner<8, 8>::guess(Start start, ProgressScope& pulse);
 template void JerkRunPlanner<3, 3>::pose(ProgressScope& pulse);
+template void JerkRunPlanner<8, 8>::pose(ProgressScope& pulse);
 template void JerkRunPlanner<3, 3>::pose_middles(bool looked, ProgressScope& pulse);
+template void JerkRunPlanner<8, 8>::pose_middles(bool looked, ProgressScope& pulse);
 template void JerkRunPlanner<3, 3>::add_node(std::size_t node, const JerkStation<3>& s,
                                              const std::array<double, 3>& inverse);
+template void JerkRunPlanner<8, 8>::add_node(std::size_t node, const JerkStation<8>& s,
+                                             const std::array<double, 8>& inverse);
 template void JerkRunPlanner<3, 4>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
+template void JerkRunPlanner<8, 9>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
 template double JerkRunPlanner<3, 4>::cell_cap(std::size_t c, bool at_end) const;
+template double JerkRunPlanner<8, 9>::cell_cap(std::size_t c, bool at_end) const;
 template void JerkRunPlanner<3, 4>::rough(ProgressScope& pulse);
+template void JerkRunPlanner<8, 9>::rough(ProgressScope& pulse);
 template void JerkRunPlanner<3, 4>::lay(ProgressScope& pulse);
+template void JerkRunPlanner<8, 9>::lay(ProgressScope& pulse);
 template void JerkRunPlanner<3, 4>::soften();
+template void JerkRunPlanner<8, 9>::soften();
 template void JerkRunPlanner<3, 4>::guess(Start start, ProgressScope& pulse);
+template void JerkRunPlanner<8, 9>::guess(Start start, ProgressScope& pulse);
 template void JerkRunPlanner<3, 4>::pose(ProgressScope& pulse);
+template void JerkRunPlanner<8, 9>::pose(ProgressScope& pulse);
 template void JerkRunPlanner<3, 4>::pose_middles(bool looked, ProgressScope& pulse);
+template void JerkRunPlanner<8, 9>::pose_middles(bool looked, ProgressScope& pulse);
 template void JerkRunPlanner<3, 4>::add_node(std::size_t node, const JerkStation<4>& s,
                                              const std::array<double, 4>& inverse);
+template void JerkRunPlanner<8, 9>::add_node(std::size_t node, const JerkStation<9>& s,
+                                             const std::array<double, 9>& inverse);
 
 }  // namespace bahnwerk

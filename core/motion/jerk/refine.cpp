@@ -94,10 +94,16 @@ template double JerkRunPlanner<2, 3>::slack_ramp(std::size_t c, double change, d
 template bool JerkRunPlanner<2, 3>::mark(ProgressScope& pulse);
 template void JerkRunPlanner<2, 3>::refine(ProgressScope& pulse);
 template double JerkRunPlanner<3, 3>::slack_ramp(std::size_t c, double change, double jerk) const;
+template double JerkRunPlanner<8, 8>::slack_ramp(std::size_t c, double change, double jerk) const;
 template bool JerkRunPlanner<3, 3>::mark(ProgressScope& pulse);
+template bool JerkRunPlanner<8, 8>::mark(ProgressScope& pulse);
 template void JerkRunPlanner<3, 3>::refine(ProgressScope& pulse);
+template void JerkRunPlanner<8, 8>::refine(ProgressScope& pulse);
 template double JerkRunPlanner<3, 4>::slack_ramp(std::size_t c, double change, double jerk) const;
+template double JerkRunPlanner<8, 9>::slack_ramp(std::size_t c, double change, double jerk) const;
 template bool JerkRunPlanner<3, 4>::mark(ProgressScope& pulse);
+template bool JerkRunPlanner<8, 9>::mark(ProgressScope& pulse);
 template void JerkRunPlanner<3, 4>::refine(ProgressScope& pulse);
+template void JerkRunPlanner<8, 9>::refine(ProgressScope& pulse);
 
 }  // namespace bahnwerk

@@ -93,8 +93,8 @@ bool JerkRunPlanner<N, M>::plan_whole(Start start, ProgressScope& pulse) {
 template <int N, int M>
 bool JerkRunPlanner<N, M>::alone(std::size_t segment, JerkLimitedResult& result) {
   const Segment& line = path_[segment];
-  if (!line.straight()) return false;
-  const PathPoint p = line.at_parameter(line.curve().begin());
+  if (!path_.linear(segment)) return false;
+  const Station<N> p = path_.derivatives(segment, line.curve().begin());
   ProfileLimits limits{std::min(feed_[segment], options_.path.velocity), options_.path.acceleration, options_.path.jerk,
                        unlimited};
   for (std::size_t k = 0; k < N; ++k) {
@@ -233,19 +233,35 @@ template void JerkRunPlanner<2, 3>::improve(double mu, ProgressScope& pulse);
 template double JerkRunPlanner<2, 3>::emit(ProgressScope& pulse);
 template void JerkRunPlanner<3, 3>::plan(std::size_t first, std::size_t last, double from, double to,
                                          JerkLimitedResult& result);
+template void JerkRunPlanner<8, 8>::plan(std::size_t first, std::size_t last, double from, double to,
+                                         JerkLimitedResult& result);
 template bool JerkRunPlanner<3, 3>::alone(std::size_t segment, JerkLimitedResult& result);
+template bool JerkRunPlanner<8, 8>::alone(std::size_t segment, JerkLimitedResult& result);
 template void JerkRunPlanner<3, 3>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
+template void JerkRunPlanner<8, 8>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
 template bool JerkRunPlanner<3, 3>::plan_whole(Start start, ProgressScope& pulse);
+template bool JerkRunPlanner<8, 8>::plan_whole(Start start, ProgressScope& pulse);
 template double JerkRunPlanner<3, 3>::attempt(Start start, ProgressScope& pulse);
+template double JerkRunPlanner<8, 8>::attempt(Start start, ProgressScope& pulse);
 template void JerkRunPlanner<3, 3>::improve(double mu, ProgressScope& pulse);
+template void JerkRunPlanner<8, 8>::improve(double mu, ProgressScope& pulse);
 template double JerkRunPlanner<3, 3>::emit(ProgressScope& pulse);
+template double JerkRunPlanner<8, 8>::emit(ProgressScope& pulse);
 template void JerkRunPlanner<3, 4>::plan(std::size_t first, std::size_t last, double from, double to,
                                          JerkLimitedResult& result);
+template void JerkRunPlanner<8, 9>::plan(std::size_t first, std::size_t last, double from, double to,
+                                         JerkLimitedResult& result);
 template bool JerkRunPlanner<3, 4>::alone(std::size_t segment, JerkLimitedResult& result);
+template bool JerkRunPlanner<8, 9>::alone(std::size_t segment, JerkLimitedResult& result);
 template void JerkRunPlanner<3, 4>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
+template void JerkRunPlanner<8, 9>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
 template bool JerkRunPlanner<3, 4>::plan_whole(Start start, ProgressScope& pulse);
+template bool JerkRunPlanner<8, 9>::plan_whole(Start start, ProgressScope& pulse);
 template double JerkRunPlanner<3, 4>::attempt(Start start, ProgressScope& pulse);
+template double JerkRunPlanner<8, 9>::attempt(Start start, ProgressScope& pulse);
 template void JerkRunPlanner<3, 4>::improve(double mu, ProgressScope& pulse);
+template void JerkRunPlanner<8, 9>::improve(double mu, ProgressScope& pulse);
 template double JerkRunPlanner<3, 4>::emit(ProgressScope& pulse);
+template double JerkRunPlanner<8, 9>::emit(ProgressScope& pulse);
 
 }  // namespace bahnwerk

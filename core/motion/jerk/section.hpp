@@ -27,14 +27,9 @@ constexpr double last_window = 1.5;
 template <int N, int M>
 class JerkRunPlanner {
  public:
-  JerkRunPlanner(const Contour& contour, const Machine& machine, const JerkLimitedOptions& options,
+  JerkRunPlanner(const LanePath<N>& path, const Machine& machine, const JerkLimitedOptions& options,
                  const std::vector<double>& feed, const Sections& sections, Progress& progress)
-      : path_(contour.path),
-        machine_(machine),
-        options_(options),
-        feed_(feed),
-        sections_(sections),
-        progress_(progress) {
+      : path_(path), machine_(machine), options_(options), feed_(feed), sections_(sections), progress_(progress) {
     for (std::size_t k = 0; k < M; ++k) {
       const bool axis = k < N;
       const double V = axis ? machine.axes[k].velocity : options.path.velocity;
@@ -193,7 +188,7 @@ class JerkRunPlanner {
   /// limit. Returns their duration then, infinite if they are no law.
   double emit(ProgressScope& pulse);
 
-  const Path& path_;
+  const LanePath<N>& path_;
   const Machine& machine_;
   const JerkLimitedOptions& options_;
   const std::vector<double>& feed_;

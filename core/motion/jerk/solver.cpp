@@ -117,6 +117,8 @@ JerkSolverResult JerkSolver<M>::solve(const JerkProblem<M>& problem, LargeVector
 
 template class JerkSolver<2>;
 template class JerkSolver<3>;
+template class JerkSolver<8>;
 template class JerkSolver<4>;
+template class JerkSolver<9>;
 
 }  // namespace bahnwerk

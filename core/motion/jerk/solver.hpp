@@ -137,6 +137,8 @@ class JerkSolver {
 
 extern template class JerkSolver<2>;
 extern template class JerkSolver<3>;
+extern template class JerkSolver<8>;
 extern template class JerkSolver<4>;
+extern template class JerkSolver<9>;
 
 }  // namespace bahnwerk

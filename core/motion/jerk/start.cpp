@@ -34,7 +34,7 @@ void backward(const Grid<N>& grid, std::size_t c, const PathLimits& right, Rough
 }  // namespace
 
 template <int N>
-PathLimits path_limits(const Station<N>& at, const Machine& machine, const AlongPath& path, double feed) {
+PathLimits path_limits(const Station<N>& at, const Machine& machine, const Limits& path, double feed) {
   PathLimits limits{std::min(feed, path.velocity), path.acceleration, path.jerk};
   limits.cap *= limits.cap;
   for (std::size_t k = 0; k < N; ++k) {
@@ -58,7 +58,7 @@ PathLimits path_limits(const Station<N>& at, const Machine& machine, const Along
 }
 
 template <int N>
-void rough_profile(const Grid<N>& grid, const std::vector<double>& feed, const Machine& machine, const AlongPath& path,
+void rough_profile(const Grid<N>& grid, const std::vector<double>& feed, const Machine& machine, const Limits& path,
                    const LargeVector<double>& node_cap, RoughProfile& profile, ProgressScope& pulse) {
   const std::size_t n = grid.cells.size();
   auto& b = profile.b;
@@ -81,7 +81,7 @@ void rough_profile(const Grid<N>& grid, const std::vector<double>& feed, const M
 }
 
 template <int N>
-std::size_t brake(const Grid<N>& grid, const std::vector<double>& feed, const Machine& machine, const AlongPath& path,
+std::size_t brake(const Grid<N>& grid, const std::vector<double>& feed, const Machine& machine, const Limits& path,
                   RoughProfile& profile) {
   std::size_t c = grid.cells.size();
   profile.b[c] = 0;
@@ -126,18 +126,21 @@ void smooth(const Grid<N>& grid, double window, RoughProfile& profile, ProgressS
   }
 }
 
-template PathLimits path_limits<2>(const Station<2>&, const Machine&, const AlongPath&, double);
-template PathLimits path_limits<3>(const Station<3>&, const Machine&, const AlongPath&, double);
-template void rough_profile<2>(const Grid<2>&, const std::vector<double>&, const Machine&, const AlongPath&,
+template PathLimits path_limits<2>(const Station<2>&, const Machine&, const Limits&, double);
+template PathLimits path_limits<3>(const Station<3>&, const Machine&, const Limits&, double);
+template PathLimits path_limits<8>(const Station<8>&, const Machine&, const Limits&, double);
+template void rough_profile<2>(const Grid<2>&, const std::vector<double>&, const Machine&, const Limits&,
                                const LargeVector<double>&, RoughProfile&, ProgressScope&);
-template void rough_profile<3>(const Grid<3>&, const std::vector<double>&, const Machine&, const AlongPath&,
+template void rough_profile<3>(const Grid<3>&, const std::vector<double>&, const Machine&, const Limits&,
+                               const LargeVector<double>&, RoughProfile&, ProgressScope&);
+template void rough_profile<8>(const Grid<8>&, const std::vector<double>&, const Machine&, const Limits&,
                                const LargeVector<double>&, RoughProfile&, ProgressScope&);
 
-template std::size_t brake<2>(const Grid<2>&, const std::vector<double>&, const Machine&, const AlongPath&,
-                              RoughProfile&);
-template std::size_t brake<3>(const Grid<3>&, const std::vector<double>&, const Machine&, const AlongPath&,
-                              RoughProfile&);
+template std::size_t brake<2>(const Grid<2>&, const std::vector<double>&, const Machine&, const Limits&, RoughProfile&);
+template std::size_t brake<3>(const Grid<3>&, const std::vector<double>&, const Machine&, const Limits&, RoughProfile&);
+template std::size_t brake<8>(const Grid<8>&, const std::vector<double>&, const Machine&, const Limits&, RoughProfile&);
 template void smooth<2>(const Grid<2>&, double, RoughProfile&, ProgressScope&);
 template void smooth<3>(const Grid<3>&, double, RoughProfile&, ProgressScope&);
+template void smooth<8>(const Grid<8>&, double, RoughProfile&, ProgressScope&);
 
 }  // namespace bahnwerk

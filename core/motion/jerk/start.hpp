@@ -20,7 +20,7 @@ struct PathLimits {
 };
 
 template <int N>
-PathLimits path_limits(const Station<N>& at, const Machine& machine, const AlongPath& path, double feed);
+PathLimits path_limits(const Station<N>& at, const Machine& machine, const Limits& path, double feed);
 
 /// v² at every node, and how long each cell then takes, s, about (rest at the ends of cells allowed).
 struct RoughProfile {
@@ -30,13 +30,13 @@ struct RoughProfile {
 };
 /// `node_cap`: largest v² per node, from joints and feeds; zero at both ends.
 template <int N>
-void rough_profile(const Grid<N>& grid, const std::vector<double>& feed, const Machine& machine, const AlongPath& path,
+void rough_profile(const Grid<N>& grid, const std::vector<double>& feed, const Machine& machine, const Limits& path,
                    const LargeVector<double>& node_cap, RoughProfile& profile, ProgressScope& pulse);
 
 /// Brings a profile to rest at its end. Returns the node up to which it stays what it was, 0 if it does nowhere.
 /// O(nodes changed).
 template <int N>
-std::size_t brake(const Grid<N>& grid, const std::vector<double>& feed, const Machine& machine, const AlongPath& path,
+std::size_t brake(const Grid<N>& grid, const std::vector<double>& feed, const Machine& machine, const Limits& path,
                   RoughProfile& profile);
 
 /// Rounds off the kinks of a profile, at which jerk would be out of all proportion: `smooth_b` becomes the square of
@@ -44,18 +44,24 @@ std::size_t brake(const Grid<N>& grid, const std::vector<double>& feed, const Ma
 template <int N>
 void smooth(const Grid<N>& grid, double window, RoughProfile& profile, ProgressScope& pulse);
 
-extern template PathLimits path_limits<2>(const Station<2>&, const Machine&, const AlongPath&, double);
-extern template PathLimits path_limits<3>(const Station<3>&, const Machine&, const AlongPath&, double);
-extern template void rough_profile<2>(const Grid<2>&, const std::vector<double>&, const Machine&, const AlongPath&,
+extern template PathLimits path_limits<2>(const Station<2>&, const Machine&, const Limits&, double);
+extern template PathLimits path_limits<3>(const Station<3>&, const Machine&, const Limits&, double);
+extern template PathLimits path_limits<8>(const Station<8>&, const Machine&, const Limits&, double);
+extern template void rough_profile<2>(const Grid<2>&, const std::vector<double>&, const Machine&, const Limits&,
                                       const LargeVector<double>&, RoughProfile&, ProgressScope&);
-extern template void rough_profile<3>(const Grid<3>&, const std::vector<double>&, const Machine&, const AlongPath&,
+extern template void rough_profile<3>(const Grid<3>&, const std::vector<double>&, const Machine&, const Limits&,
+                                      const LargeVector<double>&, RoughProfile&, ProgressScope&);
+extern template void rough_profile<8>(const Grid<8>&, const std::vector<double>&, const Machine&, const Limits&,
                                       const LargeVector<double>&, RoughProfile&, ProgressScope&);
 
-extern template std::size_t brake<2>(const Grid<2>&, const std::vector<double>&, const Machine&, const AlongPath&,
+extern template std::size_t brake<2>(const Grid<2>&, const std::vector<double>&, const Machine&, const Limits&,
                                      RoughProfile&);
-extern template std::size_t brake<3>(const Grid<3>&, const std::vector<double>&, const Machine&, const AlongPath&,
+extern template std::size_t brake<3>(const Grid<3>&, const std::vector<double>&, const Machine&, const Limits&,
+                                     RoughProfile&);
+extern template std::size_t brake<8>(const Grid<8>&, const std::vector<double>&, const Machine&, const Limits&,
                                      RoughProfile&);
 extern template void smooth<2>(const Grid<2>&, double, RoughProfile&, ProgressScope&);
 extern template void smooth<3>(const Grid<3>&, double, RoughProfile&, ProgressScope&);
+extern template void smooth<8>(const Grid<8>&, double, RoughProfile&, ProgressScope&);
 
 }  // namespace bahnwerk

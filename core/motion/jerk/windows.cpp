@@ -164,14 +164,24 @@ template double JerkRunPlanner<2, 3>::speed_up() const;
 template void JerkRunPlanner<2, 3>::leave();
 template void JerkRunPlanner<2, 3>::follow();
 template bool JerkRunPlanner<3, 3>::plan_windows(std::size_t window, double from, double to);
+template bool JerkRunPlanner<8, 8>::plan_windows(std::size_t window, double from, double to);
 template std::size_t JerkRunPlanner<3, 3>::take_window(std::size_t begin, std::size_t cells);
+template std::size_t JerkRunPlanner<8, 8>::take_window(std::size_t begin, std::size_t cells);
 template double JerkRunPlanner<3, 3>::speed_up() const;
+template double JerkRunPlanner<8, 8>::speed_up() const;
 template void JerkRunPlanner<3, 3>::leave();
+template void JerkRunPlanner<8, 8>::leave();
 template void JerkRunPlanner<3, 3>::follow();
+template void JerkRunPlanner<8, 8>::follow();
 template bool JerkRunPlanner<3, 4>::plan_windows(std::size_t window, double from, double to);
+template bool JerkRunPlanner<8, 9>::plan_windows(std::size_t window, double from, double to);
 template std::size_t JerkRunPlanner<3, 4>::take_window(std::size_t begin, std::size_t cells);
+template std::size_t JerkRunPlanner<8, 9>::take_window(std::size_t begin, std::size_t cells);
 template double JerkRunPlanner<3, 4>::speed_up() const;
+template double JerkRunPlanner<8, 9>::speed_up() const;
 template void JerkRunPlanner<3, 4>::leave();
+template void JerkRunPlanner<8, 9>::leave();
 template void JerkRunPlanner<3, 4>::follow();
+template void JerkRunPlanner<8, 9>::follow();
 
 }  // namespace bahnwerk

@@ -20,7 +20,8 @@ Grid<2> grid_of(const Contour& contour, const GridOptions& options = {}) {
   Grid<2> grid;
   SilentProgress progress;
   ProgressScope pulse(progress, "planning", 0, 1);
-  grid.build(contour.path, 0, contour.path.size(), contour.feeds(), bahnwerk::testing::two_axes(), options, pulse);
+  const CartesianAxisPath axes(contour.path, 2);
+  grid.build(LanePath<2>(axes), 0, contour.path.size(), contour.feeds(), bahnwerk::testing::two_axes(), options, pulse);
   return grid;
 }
 
@@ -83,7 +84,8 @@ TEST(Grid, DivideKeepsTheEnds) {
   const double left = grid.left(1).s, right = grid.right(1).s;
   SilentProgress progress;
   ProgressScope pulse(progress, "planning", 0, 1);
-  grid.divide(contour.path, parts, pulse);
+  const CartesianAxisPath axes(contour.path, 2);
+  grid.divide(LanePath<2>(axes), parts, pulse);
   EXPECT_EQ(grid.cells.size(), n + 5);
   EXPECT_EQ(grid.left(1).s, left);
   EXPECT_EQ(grid.right(5).s, right);

@@ -23,21 +23,27 @@ Contour bent(double angle) {
   return b.finish();
 }
 
+Sections sections_of(const Contour& contour) {
+  const Machine two = machine();
+  const CartesianAxisPath path(contour.path, 2);
+  return find_sections(contour_task(path, contour, two), 0.1 * degree);
+}
+
 TEST(Sections, ALargeJumpEndsARun) {
-  const Sections sections = find_sections(bent(0.2 * degree), machine(), 0.1 * degree);
+  const Sections sections = sections_of(bent(0.2 * degree));
   EXPECT_EQ(sections.begin, (std::vector<std::size_t>{0, 1, 2}));
 }
 
 TEST(Sections, ASmallJumpCapsTheSpeed) {
   const double angle = 0.05 * degree;
-  const Sections sections = find_sections(bent(angle), machine(), 0.1 * degree);
+  const Sections sections = sections_of(bent(angle));
   EXPECT_EQ(sections.begin, (std::vector<std::size_t>{0, 2}));
   // |Δy'| v ≤ A_y T: sin(angle) v = 8 mm/s
   EXPECT_NEAR(std::sqrt(sections.joint_cap[1]), 8 / std::sin(angle), 1e-6);
 }
 
 TEST(Sections, ASmoothJointDoesNot) {
-  const Sections sections = find_sections(bent(0), machine(), 0.1 * degree);
+  const Sections sections = sections_of(bent(0));
   EXPECT_EQ(sections.begin.size(), 2u);
   EXPECT_EQ(sections.joint_cap[1], unlimited);
 }
@@ -48,7 +54,7 @@ TEST(Sections, ACuspEndsARun) {
   b.polynomial({{0.125, -0.5, 0.5}, {-0.125, 0.75, -1.5, 1}});
   const Contour contour = b.finish();
   ASSERT_EQ(contour.path.size(), 2u);
-  EXPECT_EQ(find_sections(contour, machine(), 0.1 * degree).begin.size(), 3u);
+  EXPECT_EQ(sections_of(contour).begin.size(), 3u);
 }
 
 }  // namespace

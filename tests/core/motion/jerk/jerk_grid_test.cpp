@@ -29,11 +29,12 @@ TEST(JerkGrid, CellsStayEndToEndWithinTheirSegments) {
   SilentProgress progress;
   ProgressScope pulse(progress, "planning", 0, 1);
   Grid<2> grid;
-  grid.build(contour.path, 0, contour.path.size(), contour.feeds(), machine, {}, pulse);
+  const CartesianAxisPath axes(contour.path, 2);
+  grid.build(LanePath<2>(axes), 0, contour.path.size(), contour.feeds(), machine, {}, pulse);
   const std::size_t before = grid.cells.size();
   LargeVector<Division> division(before, Division{3, Spread::even});
   division[0].spread = Spread::from_rest;
-  divide<2>(grid, contour.path, division, pulse);
+  divide<2>(grid, LanePath<2>(axes), division, pulse);
   ASSERT_EQ(grid.cells.size(), 3 * before);
   double length = 0;
   for (std::size_t c = 0; c < grid.cells.size(); ++c) {

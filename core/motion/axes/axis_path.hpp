@@ -1,0 +1,75 @@
+#pragma once
+/// The positions q(s) of N axes over the arc length s of the tool's path, with q′, q″, q‴: what planners, verifier and
+/// bound look at. Limits apply to axes, never to "x".
+///
+/// An axis path has the segments of the tool's path; inside each q is smooth, at the joints between them one-sided
+/// derivatives may differ. Segments tell places (arc length s, parameter u, panels of a difficult curve, cusps); what
+/// the axes do there is asked of the axis path, by segment and parameter.
+#include <cstddef>
+#include <memory>
+
+#include "core/geometry/path/path.hpp"
+#include "core/machine/axis_jet.hpp"
+#include "core/machine/kinematics.hpp"
+
+namespace bahnwerk {
+
+/// Immutable and thread-safe.
+class AxisPath {
+ public:
+  virtual ~AxisPath() = default;
+  AxisPath(const AxisPath&) = delete;
+  AxisPath& operator=(const AxisPath&) = delete;
+
+  std::size_t axes() const { return axes_; }  ///< 1 … max_axes
+  /// The axes are the coordinates of the tool: |q′| = 1, q″ ⟂ q′.
+  bool cartesian() const { return cartesian_; }
+
+  std::size_t size() const { return tool_.size(); }
+  const Segment& operator[](std::size_t i) const { return tool_[i]; }
+  double length() const { return tool_.length(); }
+  const Path& tool() const { return tool_; }
+
+  /// Whether q is linear in s over the whole segment: a single value of q′ describes it.
+  virtual bool linear(std::size_t segment) const = 0;
+  /// Axes at a parameter of a segment; derivatives by s, one-sided at its ends. Throws UnreachablePose.
+  virtual AxisJet at_parameter(std::size_t segment, double u) const = 0;
+  /// The same at up to 16 ascending parameters: rows of d1, d2, d3 per axis, and s from the begin of the segment.
+  /// `planar` tells that the third row was not written and is 0.
+  virtual void at_parameters(std::size_t segment, PathBatch& batch) const = 0;
+  /// Axes at a place of a segment, s ∈ [s0, s1].
+  AxisJet at(std::size_t segment, double s) const { return at_parameter(segment, tool_[segment].parameter(s)); }
+
+ protected:
+  AxisPath(const Path& tool, std::size_t axes, bool cartesian) : tool_(tool), axes_(axes), cartesian_(cartesian) {}
+
+ private:
+  const Path& tool_;
+  std::size_t axes_;
+  bool cartesian_;
+};
+
+/// q = the tool's path itself, of which the first `axes` ≤ 3 coordinates count. `tool` outlives it. Costs no more than
+/// the path.
+class CartesianAxisPath final : public AxisPath {
+ public:
+  CartesianAxisPath(const Path& tool, std::size_t axes);
+  bool linear(std::size_t segment) const override { return tool()[segment].straight(); }
+  AxisJet at_parameter(std::size_t segment, double u) const override;
+  void at_parameters(std::size_t segment, PathBatch& batch) const override { tool()[segment].at_parameters(batch); }
+};
+
+/// q = inverse(tool(s)) by the chain rule. Both outlive it.
+class KinematicAxisPath final : public AxisPath {
+ public:
+  KinematicAxisPath(const Path& tool, const Kinematics& kinematics);
+  bool linear(std::size_t) const override { return false; }
+  AxisJet at_parameter(std::size_t segment, double u) const override;
+  void at_parameters(std::size_t segment, PathBatch& batch) const override;
+  const Kinematics& kinematics() const { return kinematics_; }
+
+ private:
+  const Kinematics& kinematics_;
+};
+
+}  // namespace bahnwerk

@@ -1,0 +1,62 @@
+#pragma once
+/// N axes over time, in pieces: what setpoints, verifier and drawings take, wherever it comes from. An axis path driven
+/// by a time law is one, a spline in time is one, the sum of two is one.
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "core/machine/axis_jet.hpp"
+
+namespace bahnwerk {
+
+/// Position, velocity, acceleration, jerk and snap of every axis: unit, unit/s … unit/s⁴.
+struct MotionState {
+  AxisArray position{}, velocity{}, acceleration{}, jerk{}, snap{};
+};
+
+/// Immutable and thread-safe. Inside a piece every axis is smooth; where pieces meet, derivatives may jump.
+class Motion {
+ public:
+  virtual ~Motion() = default;
+  virtual std::size_t axes() const = 0;               ///< 1 … max_axes
+  virtual std::size_t pieces() const = 0;             ///< 1 at least
+  virtual double begin(std::size_t piece) const = 0;  ///< s; the first one's is 0, ascending
+  virtual double duration() const = 0;                ///< s; where the last piece ends
+  /// State at t inside piece `piece`, its ends included: there one-sided limits.
+  virtual MotionState in_piece(std::size_t piece, double t) const = 0;
+  /// Whether `MotionState::snap` is known; else it is 0.
+  virtual bool has_snap() const { return false; }
+
+  double end(std::size_t piece) const { return piece + 1 < pieces() ? begin(piece + 1) : duration(); }
+  /// State just after t ∈ [0, duration()]: right limits. `piece` is the hint and is updated. O(log pieces), O(1) with
+  /// a good hint.
+  MotionState evaluate(double t, std::size_t& piece) const;
+  MotionState evaluate(double t) const {
+    std::size_t piece = 0;
+    return evaluate(t, piece);
+  }
+};
+
+/// Coarse + fine = tool: the sum of two motions of equally many axes that last equally long. Its pieces end where a
+/// piece of either does.
+class SumOfMotions final : public Motion {
+ public:
+  /// Throws std::invalid_argument where axes differ, or durations by more than rounding.
+  SumOfMotions(std::shared_ptr<const Motion> first, std::shared_ptr<const Motion> second);
+  std::size_t axes() const override { return first_->axes(); }
+  std::size_t pieces() const override { return begin_.size(); }
+  double begin(std::size_t piece) const override { return begin_[piece].t; }
+  double duration() const override { return first_->duration(); }
+  MotionState in_piece(std::size_t piece, double t) const override;
+  bool has_snap() const override { return first_->has_snap() && second_->has_snap(); }
+
+ private:
+  struct Begin {
+    double t;
+    std::size_t first, second;  // the piece of either
+  };
+  std::shared_ptr<const Motion> first_, second_;
+  std::vector<Begin> begin_;
+};
+
+}  // namespace bahnwerk

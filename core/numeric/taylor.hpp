@@ -1,0 +1,118 @@
+#pragma once
+/// Numbers that carry their first derivatives by one variable, so that a formula written once gives both.
+///
+/// A Taylor<N> holds the coefficients c_0 … c_N of a truncated series Σ c_n x^n; the n-th derivative is n! c_n. Rules:
+/// Griewank, Walther, "Evaluating Derivatives", 2nd ed., SIAM 2008, table 13.1 and 13.2. Cost: O(N²) per operation.
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace bahnwerk {
+
+template <std::size_t N>
+struct Taylor {
+  std::array<double, N + 1> c{};
+
+  Taylor() = default;
+  Taylor(double constant) { c[0] = constant; }  // NOLINT: constants take part in formulas like any number
+  /// From a value and its derivatives.
+  template <class... Derivatives>
+  static Taylor from(double value, Derivatives... derivatives) {
+    static_assert(sizeof...(Derivatives) <= N);
+    Taylor t;
+    t.c[0] = value;
+    double factorial = 1;
+    std::size_t n = 0;
+    ((++n, factorial *= static_cast<double>(n), t.c[n] = derivatives / factorial), ...);
+    return t;
+  }
+  double value() const { return c[0]; }
+  double derivative(std::size_t n) const {
+    double factorial = 1;
+    for (std::size_t i = 2; i <= n; ++i) factorial *= static_cast<double>(i);
+    return factorial * c[n];
+  }
+
+  friend Taylor operator-(const Taylor& a) {
+    Taylor r;
+    for (std::size_t n = 0; n <= N; ++n) r.c[n] = -a.c[n];
+    return r;
+  }
+  friend Taylor operator+(const Taylor& a, const Taylor& b) {
+    Taylor r;
+    for (std::size_t n = 0; n <= N; ++n) r.c[n] = a.c[n] + b.c[n];
+    return r;
+  }
+  friend Taylor operator-(const Taylor& a, const Taylor& b) { return a + -b; }
+  friend Taylor operator*(const Taylor& a, const Taylor& b) {
+    Taylor r;
+    for (std::size_t n = 0; n <= N; ++n)
+      for (std::size_t i = 0; i <= n; ++i) r.c[n] += a.c[i] * b.c[n - i];
+    return r;
+  }
+  friend Taylor operator/(const Taylor& a, const Taylor& b) {
+    Taylor r;
+    for (std::size_t n = 0; n <= N; ++n) {
+      double rest = a.c[n];
+      for (std::size_t i = 1; i <= n; ++i) rest -= b.c[i] * r.c[n - i];
+      r.c[n] = rest / b.c[0];
+    }
+    return r;
+  }
+  /// Not defined where the value is 0.
+  friend Taylor sqrt(const Taylor& a) {
+    Taylor r;
+    r.c[0] = std::sqrt(a.c[0]);
+    for (std::size_t n = 1; n <= N; ++n) {
+      double rest = a.c[n];
+      for (std::size_t i = 1; i < n; ++i) rest -= r.c[i] * r.c[n - i];
+      r.c[n] = rest / (2 * r.c[0]);
+    }
+    return r;
+  }
+  friend Taylor sin(const Taylor& a) { return sine_cosine(a).sine; }
+  friend Taylor cos(const Taylor& a) { return sine_cosine(a).cosine; }
+  /// The angle of the direction (x, y); not defined where both are 0.
+  friend Taylor atan2(const Taylor& y, const Taylor& x) {
+    const Taylor slope = (derived(y) * x - derived(x) * y) / (x * x + y * y);
+    Taylor r = integral(slope);
+    r.c[0] = std::atan2(y.c[0], x.c[0]);
+    return r;
+  }
+  /// Not defined where |value| ≥ 1.
+  friend Taylor acos(const Taylor& a) {
+    Taylor r = integral(-(derived(a) / sqrt(Taylor(1) - a * a)));
+    r.c[0] = std::acos(a.c[0]);
+    return r;
+  }
+
+ private:
+  struct SineCosine {
+    Taylor sine, cosine;
+  };
+  static SineCosine sine_cosine(const Taylor& a) {
+    SineCosine r;
+    r.sine.c[0] = std::sin(a.c[0]), r.cosine.c[0] = std::cos(a.c[0]);
+    for (std::size_t n = 1; n <= N; ++n) {
+      for (std::size_t i = 1; i <= n; ++i) {
+        r.sine.c[n] += static_cast<double>(i) * a.c[i] * r.cosine.c[n - i];
+        r.cosine.c[n] -= static_cast<double>(i) * a.c[i] * r.sine.c[n - i];
+      }
+      r.sine.c[n] /= static_cast<double>(n), r.cosine.c[n] /= static_cast<double>(n);
+    }
+    return r;
+  }
+  /// The last coefficient is not known, and not needed: integral() drops it.
+  static Taylor derived(const Taylor& a) {
+    Taylor r;
+    for (std::size_t n = 0; n < N; ++n) r.c[n] = static_cast<double>(n + 1) * a.c[n + 1];
+    return r;
+  }
+  static Taylor integral(const Taylor& a) {
+    Taylor r;
+    for (std::size_t n = 1; n <= N; ++n) r.c[n] = a.c[n - 1] / static_cast<double>(n);
+    return r;
+  }
+};
+
+}  // namespace bahnwerk
