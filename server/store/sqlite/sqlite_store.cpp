@@ -40,11 +40,7 @@ SqliteStore::SqliteStore(SqliteOptions options)
       connection_(options_.path, true, options_.max_pages),
       reserve_(options_.path + ".reserve", options_.reserve),
       writer_(connection_, reserve_, options_.observer) {
-  writer_.run([&](Connection& connection) {
-    connection.execute("COMMIT");  // each migration is a transaction of its own
-    migrate(connection);
-    connection.execute("BEGIN IMMEDIATE");
-  });
+  writer_.outside(migrate);  // each migration is a transaction of its own
   recover(now_ms());
 }
 
@@ -200,11 +196,7 @@ Removed SqliteStore::remove(const std::string& id) {
 }
 
 void SqliteStore::checkpoint() {
-  writer_.run([](Connection& connection) {
-    connection.execute("COMMIT");  // a checkpoint cannot run inside a transaction
-    connection.execute("PRAGMA wal_checkpoint(TRUNCATE)");
-    connection.execute("BEGIN IMMEDIATE");
-  });
+  writer_.outside([](Connection& connection) { connection.execute("PRAGMA wal_checkpoint(TRUNCATE)"); });
 }
 
 }  // namespace bahnwerk::server

@@ -51,17 +51,23 @@ void Writer::post(Work work, Done done, Bytes adds) {
   wake_.notify_one();
 }
 
-void Writer::run(const Work& work, Bytes adds) {
+void Writer::run(const Work& work, Bytes adds) { wait_for({work, nullptr, adds}); }
+
+void Writer::outside(const Work& work) { wait_for({work, nullptr, frees, true}); }
+
+void Writer::wait_for(Item item) {
   const auto promise = std::make_shared<std::promise<void>>();  // outlives whichever side is later
-  post(
-      work,
-      [promise](const std::exception_ptr& error) {
-        if (error)
-          promise->set_exception(error);
-        else
-          promise->set_value();
-      },
-      adds);
+  item.done = [promise](const std::exception_ptr& error) {
+    if (error)
+      promise->set_exception(error);
+    else
+      promise->set_value();
+  };
+  {
+    const std::lock_guard lock(mutex_);
+    waiting_.push_back(std::move(item));
+  }
+  wake_.notify_one();
   promise->get_future().get();
 }
 
@@ -85,28 +91,30 @@ void Writer::loop() {
 std::deque<Writer::Item> Writer::take() {
   const std::lock_guard lock(mutex_);
   std::deque<Item> group;
-  if (waiting_.size() <= max_group) {
-    group.swap(waiting_);
-    return group;
-  }
-  for (std::size_t i = 0; i < max_group; ++i) {
+  while (!waiting_.empty() && group.size() < max_group) {
+    const bool apart = waiting_.front().outside;
+    if (apart && !group.empty()) break;
     group.push_back(std::move(waiting_.front()));
     waiting_.pop_front();
+    if (apart) break;
   }
   return group;
 }
 
 std::exception_ptr Writer::try_group(std::deque<Item>& group) {
   const auto start = std::chrono::steady_clock::now();
+  const bool transaction = !group.front().outside;
   try {
-    connection_.execute("BEGIN IMMEDIATE");
+    if (transaction) connection_.execute("BEGIN IMMEDIATE");
     Bytes adds = 0;
     for (Item& item : group) {
       item.work(connection_);
       adds += item.adds;
     }
-    secure(adds);
-    connection_.execute("COMMIT");
+    if (transaction) {
+      secure(adds);
+      connection_.execute("COMMIT");
+    }
   } catch (...) {
     const auto error = std::current_exception();
     connection_.rollback();

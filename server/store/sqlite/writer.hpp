@@ -1,5 +1,6 @@
 #pragma once
 /// Group commit: one thread owns the writing connection; whatever waits when it comes round shares one transaction.
+/// Works never commit: what cannot run inside a transaction goes through `outside`.
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
@@ -35,6 +36,9 @@ class Writer {
 
   void post(Work work, Done done, Bytes adds);
   void run(const Work& work, Bytes adds = frees);  ///< posts and waits; rethrows
+  /// The same for a work that makes its own transactions, or must not be in one (migrations, checkpoints): it runs at
+  /// its turn, by itself and not in a group, without a transaction around it. It may run twice when the disk is full.
+  void outside(const Work& work);
 
   /// The disk was full when last something was written, or the reserve is used up. Ends by itself within about a second
   /// of there being room.
@@ -47,9 +51,11 @@ class Writer {
     Work work;
     Done done;
     Bytes adds = 0;
+    bool outside = false;  ///< of any transaction: a group of its own
   };
   enum class Room { enough, with_reserve, none };
   void loop();
+  void wait_for(Item item);
   std::deque<Item> take();
   void commit(std::deque<Item>& group);
   std::exception_ptr try_group(std::deque<Item>& group);

@@ -12,6 +12,14 @@ namespace {
 
 using api::JobState;
 
+/// Text that does not compress.
+std::string noise(unsigned size) {
+  std::string text;
+  for (unsigned i = 0, x = 1; i < size; ++i)
+    text += static_cast<char>('a' + ((x = x * 1664525U + 1013904223U) >> 24) % 26);
+  return text;
+}
+
 TEST_F(StoreTest, KeepsEverythingOfAJob) {
   NewJob job = new_job(7);
   job.request.name = "name \"quoted\"";
@@ -263,10 +271,7 @@ TEST_F(StoreTest, SurvivesAFullDisk) {
   options.max_pages = 120;
   open(options);
   NewJob big = new_job();
-  std::string noise;
-  for (unsigned i = 0, x = 1; i < 20'000; ++i)
-    noise += static_cast<char>('a' + ((x = x * 1664525U + 1013904223U) >> 24) % 26);
-  big.request.document = "\"" + noise + "\"";
+  big.request.document = "\"" + noise(20'000) + "\"";
   std::vector<std::string> accepted;
   bool full = false;
   for (int i = 0; i < 200 && !full; ++i) {
@@ -285,6 +290,38 @@ TEST_F(StoreTest, SurvivesAFullDisk) {
   EXPECT_EQ(store->remove(accepted.front()), Removed::yes);
   EXPECT_NO_THROW(insert_id(*store, big)) << "space was freed";
   EXPECT_NO_THROW(store->ping());
+}
+
+/// A group of works that fails is tried again one by one: what a work before a checkpoint wrote must not be kept twice.
+TEST_F(StoreTest, CheckpointsBetweenTransactionsNotInsideOne) {
+  SqliteOptions options;
+  options.max_pages = 120;
+  open(options);
+  std::promise<void> entered, go;
+  store->insert(new_job(), [&](const Inserted&, const std::exception_ptr&) {
+    entered.set_value();  // on the writer's thread: what follows waits, and then shares a group
+    go.get_future().wait();
+  });
+  entered.get_future().wait();
+  std::promise<void> small, large;
+  store->insert(new_job(), [&](const Inserted&, const std::exception_ptr& error) {
+    EXPECT_FALSE(error);
+    small.set_value();
+  });
+  std::thread checkpoint([&] { store->checkpoint(); });
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));  // it waits for the writer now
+  NewJob job = new_job();
+  job.request.document = noise(2'000'000);
+  store->insert(job, [&](const Inserted&, const std::exception_ptr& error) {
+    EXPECT_TRUE(error) << "larger than the file may be";
+    large.set_value();
+  });
+  go.set_value();
+  large.get_future().wait();
+  small.get_future().wait();
+  checkpoint.join();
+  EXPECT_EQ(store->counts()[JobState::queued], 2U);
+  EXPECT_EQ(store->list({}).size(), 2U);
 }
 
 TEST_F(StoreTest, IsOwnedByOneProcess) {
