@@ -20,6 +20,9 @@ constexpr std::chrono::milliseconds answer_patience{200};
 /// Checks of posted documents have threads of their own: they may take long, and looks at jobs must not wait for them.
 constexpr unsigned check_threads = 2;
 
+/// How long a worker of a shared store may be silent before its jobs are given to others.
+constexpr std::chrono::milliseconds worker_lease{30'000};
+
 /// Descriptors beside connections: the store's files and readers, log, event loops.
 constexpr std::size_t other_descriptors = 128;
 
@@ -54,11 +57,14 @@ Service::Service(const ServiceOptions& options, Engine engine) : options_(option
   pool_ = std::make_unique<Pool>(std::max(4U, std::thread::hardware_concurrency()));
   checks_ = std::make_unique<Pool>(check_threads);
   heavy_ = std::make_unique<Pool>(1, options.worker_nice);
-  workers_ = std::make_unique<Workers>(*store_, live_, notifier_, metrics_, std::move(engine.plan));
-  deadlines_ = std::make_unique<Deadlines>(*store_, notifier_);
-  context_ = std::make_unique<Context>(Context{*store_, *workers_, live_, notifier_, *deadlines_, *pool_, *checks_,
-                                               *heavy_, metrics_, std::move(engine.parse), options.max_queued,
-                                               options.limits.max_body, draining_});
+  // A file's owner needs no clock to know that a worker has gone: it would be gone itself.
+  workers_ = std::make_unique<Workers>(*store_, live_, notifier_, metrics_, std::move(engine.plan),
+                                       store_->shared() ? std::optional(worker_lease) : std::nullopt);
+  deadlines_ = std::make_unique<Deadlines>(*store_);
+  follow_changes();
+  context_ = std::make_unique<Context>(Context{*store_, live_, notifier_, *pool_, *checks_, *heavy_, metrics_,
+                                               std::move(engine.parse), options.max_queued, options.limits.max_body,
+                                               draining_});
   add_job_routes(router_, *context_);
   add_result_routes(router_, *context_);
   add_meta_routes(router_, *context_);
@@ -73,6 +79,7 @@ Service::~Service() {
   workers_->stop_claiming();
   workers_->interrupt();
   stop_listening(answer_patience);
+  feed_.reset();
   // From here on nobody asks any more: let what is under way end from the top to the bottom.
   workers_.reset();
   checks_->join();
@@ -80,6 +87,23 @@ Service::~Service() {
   pool_->join();
   deadlines_.reset();
   store_.reset();
+}
+
+void Service::follow_changes() {
+  ChangeFeed::Hooks hooks;
+  hooks.changed = [this](const std::vector<Changed>& changes) {
+    std::size_t queued = 0;
+    for (const Changed& change : changes) {
+      if (change.cancel_requested) live_.cancel(change.id);
+      queued += change.state == api::JobState::queued ? 1 : 0;
+      notifier_.changed(change.id);
+    }
+    if (queued == 0) return;
+    workers_->poke(queued);
+    deadlines_->poke();
+  };
+  hooks.all = [this] { notifier_.all_changed(); };
+  feed_ = std::make_unique<ChangeFeed>(*store_, std::move(hooks));
 }
 
 std::string Service::address() const { return listener_->address(); }

@@ -6,6 +6,9 @@
 #include <string>
 
 #include "server/http/listener.hpp"
+#include "server/jobs/change_feed.hpp"
+#include "server/jobs/deadlines.hpp"
+#include "server/jobs/workers.hpp"
 #include "server/routes/context.hpp"
 
 namespace bahnwerk::server {
@@ -47,6 +50,7 @@ class Service {
   Drained drain();
 
  private:
+  void follow_changes();
   bool stop_listening(std::chrono::milliseconds patience);
   ServiceOptions options_;
   std::atomic<bool> draining_{false};
@@ -59,6 +63,7 @@ class Service {
   std::unique_ptr<Pool> pool_, checks_, heavy_;
   std::unique_ptr<Workers> workers_;
   std::unique_ptr<Deadlines> deadlines_;
+  std::unique_ptr<ChangeFeed> feed_;
   std::unique_ptr<Context> context_;
 };
 

@@ -9,12 +9,12 @@
 namespace bahnwerk::server {
 namespace {
 
-constexpr std::int64_t longest_sleep = 10'000;  ///< ms; the system's clock may be set meanwhile
+constexpr std::int64_t longest_sleep = 10'000;  ///< ms; the system's clock may be set meanwhile, too
 constexpr std::int64_t retry = 1'000;           ///< ms after the store failed
 
 }  // namespace
 
-Deadlines::Deadlines(Store& store, Notifier& notifier) : store_(store), notifier_(notifier) {
+Deadlines::Deadlines(Store& store) : store_(store) {
   look();
   thread_ = std::thread([this] { loop(); });
 }
@@ -36,17 +36,16 @@ void Deadlines::poke() {
   wake_.notify_one();
 }
 
-std::optional<std::int64_t> Deadlines::look() {
+std::int64_t Deadlines::look() {
   try {
     const Expired expired = store_.expire(now_ms());
-    for (const std::string& id : expired.ids) {
-      notifier_.changed(id);
+    for (const std::string& id : expired.ids)
       log::info("job_ended", {{"job", id}, {"state", "failed"}, {"problem", "deadline-exceeded"}});
-    }
-    return expired.next;
+    for (const std::string& id : expired.lost) log::warn("attempt_lost", {{"job", id}});
+    return expired.next ? std::clamp<std::int64_t>(*expired.next - now_ms(), 0, longest_sleep) : longest_sleep;
   } catch (const StoreError& error) {
     log::error("expire_failed", {{"detail", error.what()}});
-    return now_ms() + retry;
+    return retry;
   }
 }
 
@@ -55,14 +54,9 @@ void Deadlines::loop() {
   while (!stop_) {
     const std::uint64_t seen = pokes_;
     lock.unlock();
-    const auto next = look();
+    const std::chrono::milliseconds sleep(look());
     lock.lock();
-    const auto poked = [&] { return stop_ || pokes_ != seen; };
-    if (next)
-      wake_.wait_for(lock, std::chrono::milliseconds(std::clamp<std::int64_t>(*next - now_ms(), 0, longest_sleep)),
-                     poked);
-    else
-      wake_.wait(lock, poked);
+    wake_.wait_for(lock, sleep, [&] { return stop_ || pokes_ != seen; });
   }
 }
 

@@ -1,13 +1,12 @@
 #pragma once
-/// Ends queued jobs when their deadline passes, whether or not a worker is free. One thread, asleep until the next
-/// deadline of the queue; without one it sleeps until a job is posted.
+/// Ends queued jobs when their deadline passes, whether or not a worker is free, and takes back running ones whose
+/// lease runs out. One thread, asleep until the next of both, at most ten seconds: other processes may have brought
+/// one.
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
-#include <optional>
 #include <thread>
 
-#include "server/jobs/notifier.hpp"
 #include "server/store/store.hpp"
 
 namespace bahnwerk::server {
@@ -15,20 +14,18 @@ namespace bahnwerk::server {
 class Deadlines {
  public:
   /// Ends what passed while nobody served, then starts the thread.
-  Deadlines(Store& store, Notifier& notifier);
+  explicit Deadlines(Store& store);
   ~Deadlines();
   Deadlines(const Deadlines&) = delete;
   Deadlines& operator=(const Deadlines&) = delete;
 
-  void poke();  ///< a job with a deadline was queued
+  void poke();  ///< a job was queued
 
  private:
-  /// Ends what is due; the time (ms since 1970 UTC) to look again, nullopt: when poked.
-  std::optional<std::int64_t> look();
+  std::int64_t look();  ///< ends what is due; how long (ms) to sleep if not poked
   void loop();
 
   Store& store_;
-  Notifier& notifier_;
   std::mutex mutex_;
   std::condition_variable wake_;
   std::uint64_t pokes_ = 0;

@@ -34,9 +34,10 @@ std::shared_ptr<LiveJob> LiveJobs::add(const api::Job& job) {
   return live;
 }
 
-void LiveJobs::remove(const std::string& id) {
+void LiveJobs::remove(const LiveJob& live) {
   const std::lock_guard lock(mutex_);
-  jobs_.erase(id);
+  if (const auto found = jobs_.find(live.id()); found != jobs_.end() && found->second.get() == &live)
+    jobs_.erase(found);
 }
 
 void LiveJobs::cancel(const std::string& id) {

@@ -25,6 +25,7 @@ class LiveJob {
 
   std::atomic<bool> cancel{false};     ///< a client wants it to end
   std::atomic<bool> interrupt{false};  ///< the service ends; the job goes back to the queue
+  std::atomic<bool> lost{false};       ///< the store says that the attempt is over: nothing more can be stored of it
 
  private:
   const std::string id_;
@@ -39,7 +40,7 @@ class LiveJob {
 class LiveJobs {
  public:
   std::shared_ptr<LiveJob> add(const api::Job& job);
-  void remove(const std::string& id);
+  void remove(const LiveJob& live);  ///< unless a later attempt has taken its place
   void cancel(const std::string& id);
   void interrupt_all();
   void overlay(api::Job& job) const;

@@ -1,7 +1,5 @@
 #include "server/jobs/notifier.hpp"
 
-#include <vector>
-
 namespace bahnwerk::server {
 
 Notifier::Notifier() : thread_([this] { loop(); }) {}
@@ -75,6 +73,7 @@ void Notifier::wake(Token token) {
 
 void Notifier::changed(const std::string& job, Change change) {
   std::vector<std::function<void()>> calls;
+  bool sooner = false;
   {
     const std::lock_guard lock(mutex_);
     const auto now = Clock::now();
@@ -84,11 +83,28 @@ void Notifier::changed(const std::string& job, Change change) {
       const auto& from = waiter->second.progress_from;
       if (change == Change::state || (from && now >= *from))
         calls.push_back(take(waiter));
-      else if (from)
+      else if (from) {
         advance(waiter, *from);
+        sooner = true;
+      }
     }
   }
-  tick_.notify_one();
+  if (sooner) tick_.notify_one();
+  for (const auto& call : calls) call();
+}
+
+std::vector<std::function<void()>> Notifier::take_all() {
+  std::vector<std::function<void()>> calls;
+  while (!waiters_.empty()) calls.push_back(take(waiters_.begin()));
+  return calls;
+}
+
+void Notifier::all_changed() {
+  std::vector<std::function<void()>> calls;
+  {
+    const std::lock_guard lock(mutex_);
+    calls = take_all();
+  }
   for (const auto& call : calls) call();
 }
 
@@ -97,7 +113,7 @@ void Notifier::release() {
   {
     const std::lock_guard lock(mutex_);
     released_ = true;
-    while (!waiters_.empty()) calls.push_back(take(waiters_.begin()));
+    calls = take_all();
   }
   for (const auto& call : calls) call();
 }

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace bahnwerk::server {
 
@@ -32,6 +33,7 @@ class Notifier {
              std::optional<Clock::time_point> progress_from = std::nullopt);
   void wake(Token token);  ///< calls this one now, unless it was called already
   void changed(const std::string& job, Change change = Change::state);
+  void all_changed();
   void release();  ///< calls all, and from now on each new one at once
 
  private:
@@ -50,6 +52,7 @@ class Notifier {
   Waiters waiters_;
   std::multimap<std::string, Token> by_job_;
   std::multimap<Clock::time_point, Token> by_time_;
+  std::vector<std::function<void()>> take_all();                    ///< under the lock
   std::function<void()> take(Waiters::iterator waiter);             ///< removes it from all indexes; under the lock
   void advance(Waiters::iterator waiter, Clock::time_point until);  ///< an earlier time for it; under the lock
   bool released_ = false, stop_ = false;

@@ -22,6 +22,7 @@ JobProgress::JobProgress(const api::Job& job, std::shared_ptr<LiveJob> live, Hoo
       kept_(start_) {}
 
 JobProgress::Stop JobProgress::reason(std::string_view stage) const {
+  if (live_->lost) return Stop::lost;
   if (live_->cancel) return Stop::cancelled;
   if (live_->interrupt) return Stop::interrupted;
   if (deadline_ && hooks_.now_ms() >= *deadline_) return Stop::deadline;
@@ -41,6 +42,7 @@ void JobProgress::report(std::string_view stage, double fraction, std::string_vi
       throw Stopped(StopReason::budget);
     case Stop::cancelled:
     case Stop::interrupted:
+    case Stop::lost:
       throw Stopped(StopReason::cancelled);
   }
   // Progress never runs backwards, whatever a planner's stages claim; NaN counts as no news.

@@ -16,7 +16,7 @@ namespace bahnwerk::server {
 class JobProgress final : public Progress {
  public:
   using Clock = std::chrono::steady_clock;
-  enum class Stop { none, cancelled, deadline, budget, interrupted };
+  enum class Stop { none, cancelled, deadline, budget, interrupted, lost };
 
   /// `publish` is called when clients can see a change (at most every 100 ms), `keep` when the store shall know (at
   /// most every 500 ms, and never while a former one is under way).

@@ -9,11 +9,21 @@
 #include "server/runtime/log.hpp"
 #include "server/runtime/memory.hpp"
 #include "server/runtime/priority.hpp"
+#include "server/runtime/uuid7.hpp"
 
 namespace bahnwerk::server {
 
-Workers::Workers(Store& store, LiveJobs& live, Notifier& notifier, Metrics& metrics, Planner planner)
-    : store_(store), live_(live), notifier_(notifier), metrics_(metrics), planner_(std::move(planner)) {}
+Workers::Workers(Store& store, LiveJobs& live, Notifier& notifier, Metrics& metrics, Planner planner,
+                 std::optional<std::chrono::milliseconds> lease)
+    : store_(store),
+      live_(live),
+      notifier_(notifier),
+      metrics_(metrics),
+      planner_(std::move(planner)),
+      name_(Uuid7().next(now_ms())),
+      lease_(lease) {
+  if (lease_) heartbeat_.emplace(store_, live_, name_, *lease_);
+}
 
 Workers::~Workers() {
   stop_claiming();
@@ -34,12 +44,17 @@ void Workers::start(unsigned threads, int nice) {
   }
 }
 
-void Workers::poke() {
+void Workers::poke(std::size_t jobs) {
   {
     const std::lock_guard lock(mutex_);
     ++pokes_;
   }
-  wake_.notify_one();
+  jobs > 1 ? wake_.notify_all() : wake_.notify_one();
+}
+
+Lease Workers::lease() const {
+  const std::int64_t now = now_ms();
+  return {name_, now, lease_ ? now + lease_->count() : Lease::forever};
 }
 
 void Workers::stop_claiming() {
@@ -79,7 +94,7 @@ void Workers::loop() {
     }
     std::optional<api::Job> job;
     try {
-      job = store_.claim(now_ms());
+      job = store_.claim(lease());
     } catch (const std::exception& error) {
       log::error("claim_failed", {{"detail", error.what()}});
       sleep(std::chrono::seconds(1));
@@ -128,7 +143,6 @@ void Workers::run(const api::Job& job) {
     const std::lock_guard lock(mutex_);
     if (interrupted_) live->interrupt = true;
   }
-  notifier_.changed(id);
   log::info("job_started", {{"job", id}, {"kind", job.request.kind}, {"attempt", job.attempt}});
   JobProgress progress(
       job, live,
@@ -164,7 +178,9 @@ void Workers::run(const api::Job& job) {
       problem = api::problem_from_current_exception("/spec");
     }
   }
-  if (problem && progress.stopped() == JobProgress::Stop::interrupted) {
+  if (problem && progress.stopped() == JobProgress::Stop::lost) {
+    outcome = "lost";  // the store has given the job to another attempt, or ended it
+  } else if (problem && progress.stopped() == JobProgress::Stop::interrupted) {
     outcome = "queued";
     persist(
         id, [&] { return store_.requeue(id, job.attempt, now_ms(), live->revision()); }, never);
@@ -183,8 +199,7 @@ void Workers::run(const api::Job& job) {
         },
         never);
   }
-  live_.remove(id);
-  notifier_.changed(id);
+  live_.remove(*live);
   const double seconds = seconds_since(start);
   metrics_.planned(job.request.kind, outcome, seconds);
   nlohmann::ordered_json line{{"job", id}, {"kind", job.request.kind}, {"state", outcome}, {"seconds", seconds}};

@@ -4,11 +4,13 @@
 #include <condition_variable>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "api/job.hpp"
+#include "server/jobs/heartbeat.hpp"
 #include "server/jobs/live.hpp"
 #include "server/jobs/notifier.hpp"
 #include "server/runtime/metrics.hpp"
@@ -22,19 +24,23 @@ using Planner =
 
 class Workers {
  public:
-  Workers(Store& store, LiveJobs& live, Notifier& notifier, Metrics& metrics, Planner planner);
+  /// `lease`: how long an attempt holds without a heartbeat of this process; nullopt: until the process ends, for a
+  /// store that no other process uses. Of progress `notifier` is told here, of states by the store's changes.
+  Workers(Store& store, LiveJobs& live, Notifier& notifier, Metrics& metrics, Planner planner,
+          std::optional<std::chrono::milliseconds> lease = std::nullopt);
   ~Workers();  ///< interrupts and joins
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
   /// `nice`: how far their priority lies below that of the threads that answer (Linux).
   void start(unsigned threads, int nice = 0);
-  void poke();                                         ///< a job was queued
+  void poke(std::size_t jobs = 1);                     ///< so many jobs were queued
   void stop_claiming();                                ///< what runs goes on, nothing new begins
   bool wait_idle(std::chrono::milliseconds patience);  ///< after stop_claiming: true when all threads have ended
   void interrupt();  ///< running planners stop at their next report; their jobs go back to the queue
 
  private:
+  Lease lease() const;
   void loop();
   void run(const api::Job& job);
   enum class Kept { yes, no, given_up };
@@ -48,11 +54,14 @@ class Workers {
   Notifier& notifier_;
   Metrics& metrics_;
   Planner planner_;
+  const std::string name_;  ///< of this process, anew at every start
+  const std::optional<std::chrono::milliseconds> lease_;
   std::mutex mutex_;
   std::condition_variable wake_, idle_;
   std::uint64_t pokes_ = 0;
   unsigned active_ = 0;
   bool stopping_ = false, interrupted_ = false;
+  std::optional<Heartbeat> heartbeat_;
   std::vector<std::thread> threads_;
 };
 

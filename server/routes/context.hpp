@@ -4,10 +4,8 @@
 #include <functional>
 
 #include "server/http/router.hpp"
-#include "server/jobs/deadlines.hpp"
 #include "server/jobs/live.hpp"
 #include "server/jobs/notifier.hpp"
-#include "server/jobs/workers.hpp"
 #include "server/runtime/metrics.hpp"
 #include "server/runtime/pool.hpp"
 #include "server/store/store.hpp"
@@ -19,10 +17,8 @@ using Parser = std::function<api::JobRequest(std::string_view body)>;
 
 struct Context {
   Store& store;
-  Workers& workers;
   LiveJobs& live;
   Notifier& notifier;
-  Deadlines& deadlines;
   Pool& pool;
   Pool& checks;  ///< of posted documents
   Pool& heavy;   ///< one thread, for large documents: read one after the other, they cannot exhaust memory together

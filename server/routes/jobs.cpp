@@ -66,8 +66,6 @@ Response cancel(Context& context, const Request& request) {
   require_json(request);
   const std::string& id = request.parameter("id");
   if (!context.store.cancel(id, now_ms())) throw api::Problem("not-found", "There is no job " + id + ".");
-  context.live.cancel(id);
-  context.notifier.changed(id);
   Response response = job_answer(202, find_job(context, id));
   response.set("Location", "/v1/jobs/" + id);
   return response;
@@ -92,7 +90,6 @@ Response remove(Context& context, const Request& request) {
     case Removed::yes:
       break;
   }
-  context.notifier.changed(id);
   Response response;
   response.status = 204;
   return response;

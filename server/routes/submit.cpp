@@ -55,9 +55,6 @@ Response accepted(Context& context, const Inserted& inserted) {
       throw api::Problem("too-many-jobs",
                          std::to_string(context.max_queued) + " jobs are waiting; no more are taken now.");
     case Inserted::What::created:
-      context.workers.poke();
-      context.deadlines.poke();
-      break;
     case Inserted::What::replayed:
       break;
   }

@@ -1,86 +1,28 @@
 #pragma once
-/// Where jobs live. Every call that changes something returns (or calls back) only when the change is durable.
-#include <cstdint>
+/// Where jobs live. Every call that changes something returns (or calls back) only when the change is durable. The
+/// calls may come from any thread, and, where the store is shared, from several processes: each is one transaction.
+/// What every implementation must hold is in tests/server/store/conformance.
 #include <exception>
 #include <functional>
 #include <map>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
-#include "api/job.hpp"
-#include "api/setpoints.hpp"
+#include "server/store/changes.hpp"
+#include "server/store/values.hpp"
 
 namespace bahnwerk::server {
 
-/// The store could not do it; nothing of the call was kept. `full`: no space left.
-struct StoreError : std::runtime_error {
-  StoreError(const std::string& what, bool no_space) : std::runtime_error(what), full(no_space) {}
-  bool full;
-};
-
-struct NewJob {
-  api::JobRequest request;
-  std::string idempotency_key;  ///< empty = none
-  std::string body_hash;        ///< of the posted body; compared when the key was used before
-  std::int64_t now = 0;         ///< ms since 1970 UTC
-  std::size_t max_queued = 0;   ///< refuse when so many wait already
-};
-struct Inserted {
-  enum class What { created, replayed, conflict, full };
-  What what = What::created;
-  std::string id;  ///< created, replayed
-};
-
-struct JobFilter {
-  std::optional<api::JobState> state;
-  std::optional<std::string> kind, reference;
-  std::string before;  ///< only ids smaller than this; empty = from the newest
-  std::size_t limit = 50;
-};
-
-/// How an attempt ended. `revision` is the last one shown to clients while it ran.
-struct Ending {
-  api::JobState state = api::JobState::failed;  ///< failed or cancelled
-  std::string error;                            ///< problem document
-  std::int64_t now = 0;
-  std::uint64_t revision = 0;
-};
-
-/// What a stored series looks like; its rows come through Store::read_chunk.
-struct SeriesInfo {
-  std::int64_t key = 0;
-  std::vector<Column> columns;
-  std::size_t count = 0, chunk_rows = 0;
-  double cycle_time = 0;
-};
-
-struct Progressed {
-  std::string id;
-  int attempt = 0;
-  double fraction = 0;
-  std::string stage, message;
-  std::uint64_t revision = 0;
-};
-
-enum class Removed { yes, running, unknown };
-
-/// The queued jobs that were ended because their deadline had passed, and the next deadline in the queue.
-struct Expired {
-  std::vector<std::string> ids;
-  std::optional<std::int64_t> next;  ///< ms since 1970 UTC
-};
-
-class Store {
+class Store : public ChangeSource {
  public:
-  virtual ~Store() = default;
+  // Jobs come in.
 
   /// Accepts a job; `done` is called once, from any thread, after the commit or with the StoreError. Waiting calls
   /// share a commit.
   virtual void insert(NewJob job, std::function<void(Inserted, std::exception_ptr)> done) = 0;
 
-  /// The job without its document, if it is known without a look at the disk: for threads that must not wait.
+  // Looks.
+
+  /// The job without its document, if it is known without a look at the disk and is up to date: for threads that must
+  /// not wait.
   virtual std::optional<api::Job> at_hand(const std::string&) { return std::nullopt; }
   /// `with_document` false leaves JobRequest::document empty.
   virtual std::optional<api::Job> get(const std::string& id, bool with_document = true) = 0;
@@ -88,24 +30,34 @@ class Store {
   virtual std::map<api::JobState, std::size_t> counts() = 0;
   virtual void ping() = 0;  ///< a real query; throws StoreError, also when there is no space for another job
 
-  /// The next job: highest priority, then first come; it becomes `running` and its attempt grows by one.
-  virtual std::optional<api::Job> claim(std::int64_t now) = 0;
+  // Attempts: from claim to one of end, succeed, requeue. Each of these changes nothing and returns false when the job
+  // is not running any more, or runs another attempt.
+
+  /// The next job: highest priority, then first come; it becomes `running` and its attempt grows by one. No job is
+  /// given to two. Attempts whose lease ran out before `lease.now` are lost first, as in `expire`.
+  virtual std::optional<api::Job> claim(const Lease& lease) = 0;
+  /// Extends the attempts that this worker still has to `lease.until`, also those whose lease ran out unnoticed.
+  /// Returns the others: they ended or were lost, and their planners may stop.
+  virtual std::vector<Attempt> heartbeat(const Lease& lease, const std::vector<Attempt>& attempts) = 0;
   /// Stores progress some time soon; `done` is called from any thread. Without effect when the attempt is over.
   virtual void progress(Progressed progress, std::function<void()> done) = 0;
-  /// Ends attempt `attempt` of a running job. False: it is not running any more, or is another attempt; nothing
-  /// changed.
   virtual bool end(const std::string& id, int attempt, const Ending& ending) = 0;
-  /// The same for success: from then on the result and all setpoints are there. Long series go in piece by piece
-  /// before that, so that neither memory nor other writers suffer from their length; `progress` is asked between the
-  /// pieces and may throw Stopped. After a StoreError a further call goes on where this one ended.
+  /// From then on the result and all setpoints are there. Long series go in piece by piece before that, so that neither
+  /// memory nor other writers suffer from their length; `progress` is asked between the pieces and may throw Stopped.
+  /// After a StoreError a further call goes on where this one ended.
   virtual bool succeed(const std::string& id, int attempt, const api::PlannedJob& planned, std::int64_t now,
                        std::uint64_t revision, Progress& progress) = 0;
   /// Puts a running job back as if the attempt had not been made; a job whose cancellation was asked for is cancelled
   /// instead.
   virtual bool requeue(const std::string& id, int attempt, std::int64_t now, std::uint64_t revision) = 0;
 
-  /// Ends queued jobs whose deadline has passed as deadline-exceeded. Writes only when there are any.
+  /// Ends queued jobs whose deadline has passed as deadline-exceeded. Running jobs whose lease has run out lost their
+  /// attempt: they go back to the queue and keep its number, so that the next one is another; they end as cancelled
+  /// when that was asked for, or as worker-lost after most_lost_attempts. A few hundred at a time; writes only when
+  /// there are any.
   virtual Expired expire(std::int64_t now) = 0;
+
+  // What clients ask for.
 
   /// A queued job is cancelled at once, of a running one the wish is kept; finished ones stay. Returns the job after
   /// that, without its document.

@@ -1,38 +1,30 @@
 /// SqliteStore: a worker's side, from claim to end. Every change is conditional on the attempt that makes it.
-#include <nlohmann/json.hpp>
-
-#include "api/problem.hpp"
-#include "server/store/codec.hpp"
+#include "server/store/problems.hpp"
 #include "server/store/sqlite/rows.hpp"
 #include "server/store/sqlite/sqlite_store.hpp"
 
 namespace bahnwerk::server {
-namespace {
 
-/// What an attempt stored of a series before it ended without a result.
-void drop_chunks(Connection& connection, const std::string& id) {
-  (connection.query("DELETE FROM chunks WHERE seq = (SELECT seq FROM jobs WHERE id = ?)") << id).run();
-}
-
-}  // namespace
-
-std::optional<api::Job> SqliteStore::claim(std::int64_t now) {
+std::optional<api::Job> SqliteStore::claim(const Lease& lease) {
   std::optional<api::Job> job;
   std::string packed;
   bool whole = true;
   writer_.run(
       [&](Connection& connection) {
         job.reset();
+        lose(connection, lease.now, lease.now, most_expired_at_once);
         Query next =
             connection.query("SELECT seq FROM jobs WHERE state = 'queued' ORDER BY priority DESC, seq LIMIT 1");
         if (!next.step()) return;
         const std::int64_t seq = next.integer(0);
         static const std::string sql = std::string(
                                            "UPDATE jobs SET state = 'running', attempt = attempt + 1, started_at = ?, "
-                                           "revision = revision + 1 WHERE seq = ? RETURNING ") +
+                                           "worker = ?, lease_until = ?, revision = revision + 1, changed = ? "
+                                           "WHERE seq = ? RETURNING ") +
                                        job_columns;
         Query claimed = connection.query(sql);
-        claimed << now << seq;
+        const std::int64_t change = changes_.next();
+        claimed << lease.now << lease.worker << lease.until << change << seq;
         claimed.step();
         job = job_from_row(claimed);
         claimed.step();
@@ -42,19 +34,38 @@ std::optional<api::Job> SqliteStore::claim(std::int64_t now) {
         packed = spec.bytes(0);
         whole = spec.integer(1) != 0;
         (connection.query("DELETE FROM chunks WHERE seq = ?") << seq).run();  // of an attempt that was lost
+        changes_.note(change, job->id, api::JobState::running);
       },
       Writer::row);
   if (job) job->request.document = unpack_document(job->request.kind, packed, whole);
   return job;
 }
 
+std::vector<Attempt> SqliteStore::heartbeat(const Lease& lease, const std::vector<Attempt>& attempts) {
+  std::vector<Attempt> over;
+  if (attempts.empty()) return over;
+  writer_.run(
+      [&](Connection& connection) {
+        over.clear();
+        for (const Attempt& attempt : attempts) {
+          const int held = (connection.query("UPDATE jobs SET lease_until = ? WHERE id = ? AND state = 'running' AND "
+                                             "attempt = ? AND worker = ?")
+                            << lease.until << attempt.id << std::int64_t{attempt.number} << lease.worker)
+                               .run();
+          if (held == 0) over.push_back(attempt);
+        }
+      },
+      Writer::row);
+  return over;
+}
+
 void SqliteStore::progress(Progressed progress, std::function<void()> done) {
   const auto p = std::make_shared<Progressed>(std::move(progress));
   writer_.post(
-      [p](Connection& connection) {
-        (connection.query("UPDATE jobs SET fraction = ?, stage = ?, message = ?, revision = max(revision, ?) "
-                          "WHERE id = ? AND state = 'running' AND attempt = ?")
-         << p->fraction << p->stage << p->message << static_cast<std::int64_t>(p->revision) << p->id
+      [this, p](Connection& connection) {
+        (connection.query("UPDATE jobs SET fraction = ?, stage = ?, message = ?, revision = max(revision, ?), "
+                          "changed = ? WHERE id = ? AND state = 'running' AND attempt = ?")
+         << p->fraction << p->stage << p->message << static_cast<std::int64_t>(p->revision) << changes_.next() << p->id
          << std::int64_t{p->attempt})
             .run();
       },
@@ -65,36 +76,44 @@ void SqliteStore::progress(Progressed progress, std::function<void()> done) {
 bool SqliteStore::end(const std::string& id, int attempt, const Ending& ending) {
   return write_flag(
       [&](Connection& connection) {
+        const std::int64_t change = changes_.next();
         const int ended =
-            (connection.query("UPDATE jobs SET state = ?, error = ?, finished_at = ?, "
-                              "revision = max(revision, ?) + 1 WHERE id = ? AND state = 'running' AND attempt = ?")
+            (connection.query("UPDATE jobs SET state = ?, error = ?, finished_at = ?, revision = max(revision, ?) + 1, "
+                              "changed = ? WHERE id = ? AND state = 'running' AND attempt = ?")
              << api::to_string(ending.state) << ending.error << ending.now << static_cast<std::int64_t>(ending.revision)
-             << id << std::int64_t{attempt})
+             << change << id << std::int64_t{attempt})
                 .run();
-        if (ended == 1) drop_chunks(connection, id);
-        return ended == 1;
+        if (ended == 0) return false;
+        drop_chunks(connection, id);
+        changes_.note(change, id, ending.state);
+        return true;
       },
       Writer::frees);
 }
 
 bool SqliteStore::requeue(const std::string& id, int attempt, std::int64_t now, std::uint64_t revision) {
-  const std::string error = api::Problem("cancelled", "The job was cancelled.").document("/v1/jobs/" + id).dump();
+  const std::string error = cancelled_error(id);
   return write_flag(
       [&](Connection& connection) {
-        int changed =
-            (connection.query(
-                 "UPDATE jobs SET state = 'cancelled', error = ?, finished_at = ?, revision = max(revision, ?) + 1 "
-                 "WHERE id = ? AND state = 'running' AND attempt = ? AND cancel_requested = 1")
-             << error << now << static_cast<std::int64_t>(revision) << id << std::int64_t{attempt})
+        const std::int64_t change = changes_.next();
+        const int cancelled =
+            (connection.query("UPDATE jobs SET state = 'cancelled', error = ?, finished_at = ?, revision = "
+                              "max(revision, ?) + 1, changed = ? "
+                              "WHERE id = ? AND state = 'running' AND attempt = ? AND cancel_requested = 1")
+             << error << now << static_cast<std::int64_t>(revision) << change << id << std::int64_t{attempt})
                 .run();
-        if (changed == 0)
-          changed = (connection.query("UPDATE jobs SET state = 'queued', attempt = attempt - 1, started_at = NULL, "
-                                      "fraction = 0, stage = '', message = '', revision = max(revision, ?) + 1 "
-                                      "WHERE id = ? AND state = 'running' AND attempt = ?")
-                     << static_cast<std::int64_t>(revision) << id << std::int64_t{attempt})
-                        .run();
-        if (changed == 1) drop_chunks(connection, id);
-        return changed == 1;
+        const int queued =
+            cancelled == 1
+                ? 0
+                : (connection.query("UPDATE jobs SET state = 'queued', attempt = attempt - 1, started_at = NULL, "
+                                    "fraction = 0, stage = '', message = '', revision = max(revision, ?) + 1, "
+                                    "changed = ? WHERE id = ? AND state = 'running' AND attempt = ?")
+                   << static_cast<std::int64_t>(revision) << change << id << std::int64_t{attempt})
+                      .run();
+        if (cancelled + queued == 0) return false;
+        drop_chunks(connection, id);
+        changes_.note(change, id, cancelled == 1 ? api::JobState::cancelled : api::JobState::queued);
+        return true;
       },
       Writer::frees);
 }

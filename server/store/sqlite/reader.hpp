@@ -23,6 +23,7 @@ class SqliteStore::Reader {
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
 
+  Connection& connection() { return *connection_; }
   Query query(std::string_view sql) { return connection_->query(sql); }
 
  private:

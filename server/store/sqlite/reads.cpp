@@ -44,6 +44,16 @@ std::optional<api::Job> SqliteStore::get(const std::string& id, bool with_docume
 
 std::optional<api::Job> SqliteStore::at_hand(const std::string& id) { return cache_.find(writer_.commits(), id); }
 
+Changes SqliteStore::changes_since(std::uint64_t sequence, std::size_t limit) {
+  Reader reader(*this);
+  return server::changes_since(reader.connection(), sequence, limit);
+}
+
+std::uint64_t SqliteStore::last_change() {
+  Reader reader(*this);
+  return server::last_change(reader.connection());
+}
+
 std::vector<api::Job> SqliteStore::list(const JobFilter& filter) {
   std::string sql = std::string("SELECT ") + job_columns + " FROM jobs WHERE true";
   if (filter.state) sql += " AND state = ?";

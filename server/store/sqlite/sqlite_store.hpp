@@ -1,6 +1,7 @@
 #pragma once
 /// The store in one SQLite file, owned by one process. Writes go through one thread with group commit, reads through
-/// their own connections and never wait for a write (WAL).
+/// their own connections and never wait for a write (WAL). Who opens the file holds its lock, so that all leases of
+/// before are void.
 #include <atomic>
 #include <functional>
 #include <memory>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "server/runtime/uuid7.hpp"
+#include "server/store/sqlite/change_log.hpp"
 #include "server/store/sqlite/connection.hpp"
 #include "server/store/sqlite/file_lock.hpp"
 #include "server/store/sqlite/job_cache.hpp"
@@ -22,16 +24,20 @@ struct SqliteOptions {
   std::string path;
   int max_pages = 0;        ///< > 0 caps the file's size in pages of 4 KiB: a full disk on demand
   std::size_t reserve = 0;  ///< bytes of disk set aside, so that a full disk can be emptied
-  int max_attempts = 2;     ///< a job that was running when the process died so often ends as worker-lost
   Writer::Observer observer = [](double, std::size_t) {};
 };
 
 class SqliteStore final : public Store {
  public:
-  /// Opens or creates; brings the schema up to date; puts orphaned `running` jobs back to `queued`. Throws StoreError
-  /// with a sentence.
+  /// Opens or creates; brings the schema up to date; all running jobs have lost their attempts. Throws StoreError with
+  /// a sentence.
   explicit SqliteStore(SqliteOptions options);
   ~SqliteStore() override;
+
+  bool shared() const override { return false; }
+  void listen(std::function<void(const std::vector<Changed>&)> call) override { changes_.listen(std::move(call)); }
+  Changes changes_since(std::uint64_t sequence, std::size_t limit) override;
+  std::uint64_t last_change() override;
 
   void insert(NewJob job, std::function<void(Inserted, std::exception_ptr)> done) override;
   std::optional<api::Job> at_hand(const std::string& id) override;
@@ -39,7 +45,8 @@ class SqliteStore final : public Store {
   std::vector<api::Job> list(const JobFilter& filter) override;
   std::map<api::JobState, std::size_t> counts() override;
   void ping() override;
-  std::optional<api::Job> claim(std::int64_t now) override;
+  std::optional<api::Job> claim(const Lease& lease) override;
+  std::vector<Attempt> heartbeat(const Lease& lease, const std::vector<Attempt>& attempts) override;
   void progress(Progressed progress, std::function<void()> done) override;
   bool end(const std::string& id, int attempt, const Ending& ending) override;
   bool succeed(const std::string& id, int attempt, const api::PlannedJob& planned, std::int64_t now,
@@ -55,9 +62,12 @@ class SqliteStore final : public Store {
   void checkpoint() override;
 
  private:
-  class Reader;  ///< a reading connection on loan
+  class Reader;                                             ///< a reading connection on loan
+  static constexpr std::size_t most_expired_at_once = 256;  ///< in one transaction: others wait for it
   Inserted insert_one(Connection& connection, const NewJob& job, const std::string& packed_document);
   void recover(std::int64_t now);
+  /// Ends the attempts of running jobs whose lease ended before or at `until`, at most `most`; which ones.
+  std::vector<std::string> lose(Connection& connection, std::int64_t until, std::int64_t now, std::size_t most);
   /// Runs it on the writer, returns what it returned.
   bool write_flag(const std::function<bool(Connection&)>& work, Writer::Bytes adds);
 
@@ -66,6 +76,7 @@ class SqliteStore final : public Store {
   Connection connection_;  ///< the writer's
   Reserve reserve_;        ///< the writer's
   Uuid7 ids_;              ///< the writer's
+  ChangeLog changes_;      ///< the writer's
   JobCache cache_;
   std::mutex readers_mutex_;
   std::vector<std::unique_ptr<Connection>> readers_;

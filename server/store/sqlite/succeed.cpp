@@ -97,9 +97,10 @@ bool SqliteStore::succeed(const std::string& id, int attempt, const api::Planned
       [&](Connection& connection) {
         const auto seq = still_running(connection);
         if (!seq) return false;
+        const std::int64_t change = changes_.next();
         (connection.query("UPDATE jobs SET state = 'succeeded', fraction = 1, stage = 'done', message = '', "
-                          "finished_at = ?, revision = max(revision, ?) + 1 WHERE seq = ?")
-         << now << static_cast<std::int64_t>(revision) << *seq)
+                          "finished_at = ?, revision = max(revision, ?) + 1, changed = ? WHERE seq = ?")
+         << now << static_cast<std::int64_t>(revision) << change << *seq)
             .run();
         Query result = connection.query(
             "INSERT INTO results (seq, document, columns, row_count, chunk_rows, cycle_time) VALUES (?, ?, ?, ?, ?, "
@@ -109,6 +110,7 @@ bool SqliteStore::succeed(const std::string& id, int attempt, const api::Planned
                << static_cast<std::int64_t>(chunk_rows) << (source ? source->cycle_time() : 0.0);
         result.run();
         insert_chunks(connection, *seq, piece);
+        changes_.note(change, id, api::JobState::succeeded);
         return true;
       },
       document.size() + size_of(piece));

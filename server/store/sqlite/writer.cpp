@@ -28,8 +28,8 @@ bool says_full(const std::exception_ptr& error) {
 
 }  // namespace
 
-Writer::Writer(Connection& connection, Reserve& reserve, Observer observer)
-    : connection_(connection), reserve_(reserve), observer_(std::move(observer)) {
+Writer::Writer(Connection& connection, Reserve& reserve, Hooks hooks)
+    : connection_(connection), reserve_(reserve), hooks_(std::move(hooks)) {
   full_ = reserve_.bytes() > 0;  // until it was looked
   thread_ = std::thread([this] { loop(); });
 }
@@ -104,6 +104,7 @@ std::deque<Writer::Item> Writer::take() {
 std::exception_ptr Writer::try_group(std::deque<Item>& group) {
   const auto start = std::chrono::steady_clock::now();
   const bool transaction = !group.front().outside;
+  hooks_.begin();
   try {
     if (transaction) connection_.execute("BEGIN IMMEDIATE");
     Bytes adds = 0;
@@ -121,7 +122,7 @@ std::exception_ptr Writer::try_group(std::deque<Item>& group) {
     return error;
   }
   ++commits_;
-  observer_(seconds_since(start), group.size());
+  hooks_.committed(seconds_since(start), group.size());
   return nullptr;
 }
 

@@ -23,13 +23,18 @@ class Writer {
   using Done = std::function<void(std::exception_ptr)>;
   /// Told of every commit: seconds, works in it.
   using Observer = std::function<void(double, std::size_t)>;
+  /// On the writer's thread: before a transaction begins, and after it was committed, before its works' Done.
+  struct Hooks {
+    std::function<void()> begin;
+    Observer committed;
+  };
   /// About how many bytes a work adds to the database. One that adds none (deletes, cancels, ends a job) may use the
   /// reserve when the disk is full; one that adds some is refused while there is not twice that much room, once for the
   /// log and once for the file: what is committed can then always be moved into the file.
   using Bytes = std::size_t;
   static constexpr Bytes frees = 0, row = 4096;
 
-  Writer(Connection& connection, Reserve& reserve, Observer observer);
+  Writer(Connection& connection, Reserve& reserve, Hooks hooks);
   ~Writer();  ///< does what was posted, then ends
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
@@ -68,7 +73,7 @@ class Writer {
 
   Connection& connection_;
   Reserve& reserve_;
-  Observer observer_;
+  Hooks hooks_;
   std::int64_t allocated_ = 0;  ///< bytes that the file is known to have on the disk
   std::atomic<bool> full_{false};
   std::atomic<std::uint64_t> commits_{0};

@@ -5,6 +5,8 @@
 #include <future>
 
 #include "../store/fixture.hpp"
+#include "server/jobs/change_feed.hpp"
+#include "server/jobs/notifier.hpp"
 #include "server/runtime/clock.hpp"
 
 namespace bahnwerk::server {
@@ -24,17 +26,21 @@ struct DeadlinesTest : StoreTest {
       std::this_thread::sleep_for(2ms);
     return now_ms() - start;
   }
-  Notifier notifier;
 };
 
 TEST_F(DeadlinesTest, EndsAtOnceWhatPassedBeforeTheStart) {
   const std::string id = post(now_ms() - 1);
-  const Deadlines deadlines(*store, notifier);
+  const Deadlines deadlines(*store);
   EXPECT_EQ(store->get(id)->state, api::JobState::failed) << "before anything else is done";
 }
 
 TEST_F(DeadlinesTest, EndsWhatPassesAndTellsWhoWaits) {
-  Deadlines deadlines(*store, notifier);
+  Notifier notifier;
+  const ChangeFeed feed(*store, {[&](const std::vector<Changed>& changes) {
+                                   for (const Changed& change : changes) notifier.changed(change.id);
+                                 },
+                                 [] {}});
+  Deadlines deadlines(*store);
   const std::int64_t start = now_ms();
   const std::string late = post(start + 300'000);
   deadlines.poke();
@@ -47,6 +53,14 @@ TEST_F(DeadlinesTest, EndsWhatPassesAndTellsWhoWaits) {
   EXPECT_LT(took, 3000);
   EXPECT_EQ(woken.get_future().wait_for(5s), std::future_status::ready);
   EXPECT_EQ(store->get(late)->state, api::JobState::queued);
+}
+
+TEST_F(DeadlinesTest, TakesBackJobsWhoseLeaseRunsOut) {
+  const std::string id = insert_id(*store);
+  claim(*store, now_ms(), "gone", 200);
+  const Deadlines deadlines(*store);
+  for (int i = 0; i < 2000 && store->get(id)->state == api::JobState::running; ++i) std::this_thread::sleep_for(5ms);
+  EXPECT_EQ(store->get(id)->state, api::JobState::queued);
 }
 
 }  // namespace

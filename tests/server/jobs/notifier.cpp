@@ -73,6 +73,17 @@ TEST(Notifier, WakesByToken) {
   EXPECT_EQ(calls, 1);
 }
 
+TEST(Notifier, CallsAllWhenChangesMayHaveBeenMissed) {
+  Notifier notifier;
+  int calls = 0;
+  notifier.wait("a", Clock::now() + 1h, [&] { ++calls; });
+  notifier.wait("b", Clock::now() + 1h, [&] { ++calls; });
+  notifier.all_changed();
+  EXPECT_EQ(calls, 2);
+  notifier.wait("a", Clock::now() + 1h, [&] { ++calls; });
+  EXPECT_EQ(calls, 2) << "the next one waits again";
+}
+
 TEST(Notifier, ReleasesAllAtTheEnd) {
   int calls = 0;
   {

@@ -55,8 +55,8 @@ struct WorkersTest : StoreTest {
   Notifier notifier;
   std::unique_ptr<Workers> workers;
 
-  void start(unsigned threads = 2) {
-    workers = std::make_unique<Workers>(*store, live, notifier, metrics, stub);
+  void start(unsigned threads = 2, std::optional<std::chrono::milliseconds> lease = std::nullopt) {
+    workers = std::make_unique<Workers>(*store, live, notifier, metrics, stub, lease);
     workers->start(threads);
   }
   std::string post(const std::string& what, int priority = 0) {
@@ -174,12 +174,38 @@ TEST_F(WorkersTest, GivesUpAnUnstorableResultWhenCancelled) {
   EXPECT_FALSE(store->result(id));
 }
 
-TEST_F(WorkersTest, TellsWhoWaits) {
+TEST_F(WorkersTest, TellsWhoWaitsOfProgress) {
   const auto id = post("loop");
   std::promise<void> woken;
-  notifier.wait(id, Notifier::Clock::now() + 1h, [&] { woken.set_value(); });
+  notifier.wait(
+      id, Notifier::Clock::now() + 1h, [&] { woken.set_value(); }, Notifier::Clock::now());
   start(1);
   EXPECT_EQ(woken.get_future().wait_for(10s), std::future_status::ready);
+}
+
+TEST_F(WorkersTest, KeepsItsLeaseByHeartbeats) {
+  start(1, 300ms);
+  const auto id = post("loop");
+  await(id, JobState::running);
+  for (int i = 0; i < 8; ++i) {
+    std::this_thread::sleep_for(100ms);
+    const Expired expired = store->expire(now_ms());
+    EXPECT_TRUE(expired.lost.empty());
+    ASSERT_TRUE(expired.next) << "the lease runs";
+  }
+  EXPECT_EQ(store->get(id)->attempt, 1);
+}
+
+TEST_F(WorkersTest, StopsWhatWasLost) {
+  start(1, 300ms);
+  const auto id = post("loop");
+  await(id, JobState::running);
+  for (int i = 0; i < 1000 && live.size() == 0; ++i) std::this_thread::sleep_for(1ms);
+  EXPECT_EQ(claim(*store, now_ms() + 60'000, "another")->attempt, 2) << "which took this one for dead";
+  for (int i = 0; i < 3000 && live.size() > 0; ++i) std::this_thread::sleep_for(5ms);
+  EXPECT_EQ(live.size(), 0U);
+  EXPECT_EQ(store->get(id)->state, JobState::running);
+  EXPECT_TRUE(store->end(id, 2, {JobState::failed, "{}", now_ms(), 0})) << "left alone";
 }
 
 }  // namespace

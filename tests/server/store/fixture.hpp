@@ -74,6 +74,27 @@ inline Inserted insert(Store& store, NewJob job) {
 }
 inline std::string insert_id(Store& store, NewJob job = new_job()) { return insert(store, std::move(job)).id; }
 
+/// Many at once, which share commits; their ids in order.
+inline std::vector<std::string> insert_many(Store& store, std::size_t count) {
+  std::vector<std::promise<std::string>> promises(count);
+  for (auto& promise : promises) {
+    NewJob job = new_job();
+    job.max_queued = count;
+    store.insert(job, [&](const Inserted& inserted, const std::exception_ptr& error) {
+      error ? promise.set_exception(error) : promise.set_value(inserted.id);
+    });
+  }
+  std::vector<std::string> ids;
+  for (auto& promise : promises) ids.push_back(promise.get_future().get());
+  return ids;
+}
+
+/// A claim whose lease never runs out, or one that holds for `lease` ms.
+inline std::optional<api::Job> claim(Store& store, std::int64_t now, const std::string& worker = "worker",
+                                     std::int64_t lease = -1) {
+  return store.claim({worker, now, lease < 0 ? Lease::forever : now + lease});
+}
+
 struct StoreTest : testing::Test {
   void open(SqliteOptions options = {}) {
     store.reset();

@@ -90,7 +90,7 @@ TEST_F(StoreTest, BehavesAsTheModel) {
         }
         case 3:
         case 4: {
-          const auto job = store->claim(1);
+          const auto job = claim(*store, 1);
           const std::string expected = next_of(model);
           ASSERT_EQ(job ? job->id : "", expected);
           if (job) {

@@ -49,7 +49,7 @@ TEST(Reserve, NoneIsAlwaysHeld) {
 /// A store whose reserve cannot be had stands for a full disk: nothing is taken in, everything can go.
 TEST_F(StoreTest, WithoutItsReserveTakesNothingInButLetsGo) {
   const std::string queued = insert_id(*store), running = insert_id(*store, new_job(1)), ended = insert_id(*store);
-  ASSERT_EQ(store->claim(1)->id, running);
+  ASSERT_EQ(claim(*store, 1)->id, running);
   ASSERT_EQ(store->cancel(ended, 1)->state, api::JobState::cancelled);
   SqliteOptions options;
   options.reserve = std::size_t{1} << 60;
@@ -65,7 +65,7 @@ TEST_F(StoreTest, WithoutItsReserveTakesNothingInButLetsGo) {
   };
   EXPECT_TRUE(is_full([&] { store->ping(); }));
   EXPECT_TRUE(is_full([&] { insert_id(*store); }));
-  EXPECT_TRUE(is_full([&] { store->claim(1); }));
+  EXPECT_TRUE(is_full([&] { claim(*store, 1); }));
   EXPECT_EQ(store->cancel(queued, 2)->state, api::JobState::cancelled);
   EXPECT_EQ(store->remove(ended), Removed::yes);
   EXPECT_FALSE(store->get(ended));
@@ -73,7 +73,7 @@ TEST_F(StoreTest, WithoutItsReserveTakesNothingInButLetsGo) {
   store.reset();
   open();
   EXPECT_NO_THROW(store->ping());
-  EXPECT_EQ(store->claim(3)->id, running);
+  EXPECT_EQ(claim(*store, 3)->id, running);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "fixture.hpp"
 #include "server/store/codec.hpp"
 #include "server/store/open.hpp"
+#include "server/store/sqlite/migrate.hpp"
 
 namespace bahnwerk::server {
 namespace {
@@ -20,32 +21,6 @@ std::string noise(unsigned size) {
   return text;
 }
 
-TEST_F(StoreTest, KeepsEverythingOfAJob) {
-  NewJob job = new_job(7);
-  job.request.name = "name \"quoted\"";
-  job.request.reference = "WO-1";
-  job.request.callback = "http://x/y";
-  job.request.deadline = 1'800'000'000'000;
-  job.request.time_budget = 2.5;
-  job.request.document = "{\"text\":\"" + std::string(100'000, 'a') + "\"}";
-  const std::string id = insert_id(*store, job);
-  for (int round = 0; round < 2; ++round, open()) {
-    const auto kept = store->get(id);
-    ASSERT_TRUE(kept);
-    EXPECT_EQ(kept->request.name, job.request.name);
-    EXPECT_EQ(kept->request.reference, job.request.reference);
-    EXPECT_EQ(kept->request.callback, job.request.callback);
-    EXPECT_EQ(kept->request.priority, 7);
-    EXPECT_EQ(kept->request.deadline, job.request.deadline);
-    EXPECT_EQ(kept->request.time_budget, job.request.time_budget);
-    EXPECT_EQ(kept->request.document, job.request.document);
-    EXPECT_EQ(kept->state, JobState::queued);
-    EXPECT_EQ(kept->created_at, job.now);
-    EXPECT_FALSE(kept->started_at || kept->finished_at || kept->error);
-  }
-  EXPECT_FALSE(store->get("no such job"));
-}
-
 TEST_F(StoreTest, ReadsDocumentsOfTheFirstVersion) {
   const std::string id = insert_id(*store);
   store.reset();
@@ -56,106 +31,12 @@ TEST_F(StoreTest, ReadsDocumentsOfTheFirstVersion) {
   }
   open();
   EXPECT_EQ(store->get(id)->request.document, R"({"kind":"ramp","spec":{"n":2}})");
-  EXPECT_EQ(store->claim(1)->request.document, R"({"kind":"ramp","spec":{"n":2}})");
-}
-
-TEST_F(StoreTest, EndsQueuedJobsWhoseDeadlinePassed) {
-  EXPECT_FALSE(store->expire(1000).next);
-  const auto with_deadline = [&](std::optional<std::int64_t> deadline) {
-    NewJob job = new_job();
-    job.request.deadline = deadline;
-    return insert_id(*store, job);
-  };
-  const std::string running = with_deadline(500);
-  store->claim(1);
-  const std::string never = with_deadline(std::nullopt), late = with_deadline(3000), due = with_deadline(1000);
-  EXPECT_EQ(store->expire(999).next, 1000);
-  const auto revision = store->get(due)->revision;
-  const Expired expired = store->expire(1000);
-  EXPECT_EQ(expired.ids, std::vector<std::string>{due});
-  EXPECT_EQ(expired.next, 3000);
-  const auto job = store->get(due);
-  EXPECT_EQ(job->state, JobState::failed);
-  EXPECT_EQ(job->finished_at, 1000);
-  EXPECT_EQ(job->attempt, 0);
-  EXPECT_GT(job->revision, revision);
-  EXPECT_NE(job->error->find("/problems/deadline-exceeded"), std::string::npos);
-  EXPECT_NE(job->error->find("/v1/jobs/" + due), std::string::npos);
-  for (const auto& id : {never, late}) EXPECT_EQ(store->get(id)->state, JobState::queued);
-  EXPECT_EQ(store->get(running)->state, JobState::running) << "its planner holds the deadline";
-  EXPECT_EQ(store->counts()[JobState::failed], 1U);
-  for (int i = 0; i < 600; ++i) with_deadline(2000 + i % 2);
-  std::size_t ended = 0;
-  for (Expired part = store->expire(2001); !part.ids.empty(); part = store->expire(2001)) ended += part.ids.size();
-  EXPECT_EQ(ended, 600U);
-}
-
-TEST_F(StoreTest, ClaimsByPriorityThenInOrder) {
-  const std::string first = insert_id(*store, new_job(0)), second = insert_id(*store, new_job(0)),
-                    urgent = insert_id(*store, new_job(5)), late = insert_id(*store, new_job(-1));
-  for (const auto& expected : {urgent, first, second, late}) {
-    const auto job = store->claim(1);
-    ASSERT_TRUE(job);
-    EXPECT_EQ(job->id, expected);
-    EXPECT_EQ(job->state, JobState::running);
-    EXPECT_EQ(job->attempt, 1);
-    EXPECT_EQ(job->request.document, R"({"n":1})");
-  }
-  EXPECT_FALSE(store->claim(1));
-}
-
-TEST_F(StoreTest, TakesAResultOnceAndFromTheRightAttempt) {
-  const std::string id = insert_id(*store);
-  EXPECT_FALSE(store->succeed(id, 1, ramp_plan(10), 2, 0, silent)) << "not running yet";
-  store->claim(1);
-  EXPECT_FALSE(store->succeed(id, 2, ramp_plan(10), 2, 0, silent)) << "another attempt";
-  EXPECT_FALSE(store->result(id));
-  EXPECT_TRUE(store->succeed(id, 1, ramp_plan(10), 2, 40, silent));
-  EXPECT_FALSE(store->succeed(id, 1, ramp_plan(99), 3, 0, silent)) << "twice";
-  EXPECT_FALSE(store->end(id, 1, {JobState::failed, "{}", 3, 0}));
-  EXPECT_FALSE(store->requeue(id, 1, 3, 0));
-  const auto job = store->get(id);
-  EXPECT_EQ(job->state, JobState::succeeded);
-  EXPECT_EQ(job->finished_at, 2);
-  EXPECT_EQ(job->revision, 41U);
-  EXPECT_EQ(store->result(id), R"({"kind":"ramp","rows":10})");
-  EXPECT_EQ(store->series(id)->count, 10U);
-}
-
-TEST_F(StoreTest, GivesBackEveryRowAcrossChunks) {
-  constexpr std::size_t count = 3 * 4096 + 17;
-  const std::string id = insert_id(*store);
-  store->claim(1);
-  ASSERT_TRUE(store->succeed(id, 1, ramp_plan(count), 2, 0, silent));
-  const auto series = store->series(id);
-  ASSERT_TRUE(series);
-  EXPECT_EQ(series->count, count);
-  ASSERT_EQ(series->columns.size(), 2U);
-  EXPECT_EQ(series->columns[1].name, "y");
-  std::vector<double> all, chunk;
-  for (std::size_t first = 0; first < count; first += series->chunk_rows) {
-    store->read_chunk(*series, first, chunk);
-    all.insert(all.end(), chunk.begin(), chunk.end());
-  }
-  std::vector<double> expected(count * 2);
-  Ramp(count).read(0, count, expected.data());
-  EXPECT_EQ(all, expected);
-  EXPECT_EQ(store->remove(id), Removed::yes);
-  EXPECT_THROW(store->read_chunk(*series, 0, chunk), StoreError);
-  EXPECT_FALSE(store->result(id));
-}
-
-TEST_F(StoreTest, KnowsPlansWithoutSetpoints) {
-  const std::string id = insert_id(*store);
-  store->claim(1);
-  ASSERT_TRUE(store->succeed(id, 1, ramp_plan(0), 2, 0, silent));
-  EXPECT_TRUE(store->result(id));
-  EXPECT_FALSE(store->series(id));
+  EXPECT_EQ(claim(*store, 1)->request.document, R"({"kind":"ramp","spec":{"n":2}})");
 }
 
 TEST_F(StoreTest, PutsOrphansBackUntilTheirAttemptsAreUsedUp) {
   const std::string id = insert_id(*store);
-  store->claim(1);
+  claim(*store, 1);
   const auto before = store->get(id)->revision;
   open();
   auto job = store->get(id);
@@ -163,85 +44,20 @@ TEST_F(StoreTest, PutsOrphansBackUntilTheirAttemptsAreUsedUp) {
   EXPECT_EQ(job->attempt, 1);
   EXPECT_FALSE(job->started_at);
   EXPECT_GT(job->revision, before + 1000);
-  EXPECT_EQ(store->claim(2)->attempt, 2);
+  EXPECT_EQ(claim(*store, 2)->attempt, 2);
   open();
   job = store->get(id);
   EXPECT_EQ(job->state, JobState::failed);
   EXPECT_EQ(nlohmann::json::parse(*job->error)["type"], "/problems/worker-lost");
-  EXPECT_FALSE(store->claim(3));
+  EXPECT_FALSE(claim(*store, 3));
 }
 
-TEST_F(StoreTest, RequeuesWithoutCountingTheAttempt) {
+TEST_F(StoreTest, KeepsAPromisedCancellationOverARestart) {
   const std::string id = insert_id(*store);
-  for (int i = 0; i < 5; ++i) {
-    EXPECT_EQ(store->claim(1)->attempt, 1);
-    EXPECT_TRUE(store->requeue(id, 1, 2, 0));
-  }
-  store->claim(1);
-  store->cancel(id, 2);
-  EXPECT_TRUE(store->requeue(id, 1, 2, 0));
-  EXPECT_EQ(store->get(id)->state, JobState::cancelled) << "the wish to cancel is not forgotten";
-}
-
-TEST_F(StoreTest, Cancels) {
-  const std::string queued = insert_id(*store), running = insert_id(*store, new_job(1));
-  store->claim(1);
-  EXPECT_EQ(store->cancel(queued, 5)->state, JobState::cancelled);
-  EXPECT_EQ(store->get(queued)->finished_at, 5);
-  const auto revision = store->get(queued)->revision;
-  EXPECT_EQ(store->cancel(queued, 6)->revision, revision) << "again changes nothing";
-  EXPECT_EQ(store->cancel(running, 5)->state, JobState::running);
-  EXPECT_TRUE(store->cancel_requested(running));
-  EXPECT_FALSE(store->cancel_requested(queued));
-  EXPECT_FALSE(store->cancel("none", 5));
+  claim(*store, 1);
+  EXPECT_EQ(store->cancel(id, 5)->state, JobState::running);
   open();
-  EXPECT_EQ(store->get(running)->state, JobState::cancelled);
-}
-
-TEST_F(StoreTest, HonoursKeys) {
-  const Inserted first = insert(*store, new_job(0, "k", "hash"));
-  EXPECT_EQ(first.what, Inserted::What::created);
-  const Inserted again = insert(*store, new_job(0, "k", "hash"));
-  EXPECT_EQ(again.what, Inserted::What::replayed);
-  EXPECT_EQ(again.id, first.id);
-  EXPECT_EQ(insert(*store, new_job(0, "k", "other")).what, Inserted::What::conflict);
-  EXPECT_EQ(store->remove(first.id), Removed::yes);
-  EXPECT_EQ(insert(*store, new_job(0, "k", "other")).what, Inserted::What::created);
-}
-
-TEST_F(StoreTest, RefusesWhenTooManyWait) {
-  NewJob job = new_job();
-  job.max_queued = 3;
-  for (int i = 0; i < 3; ++i) EXPECT_EQ(insert(*store, job).what, Inserted::What::created);
-  EXPECT_EQ(insert(*store, job).what, Inserted::What::full);
-  store->claim(1);
-  EXPECT_EQ(insert(*store, job).what, Inserted::What::created);
-}
-
-TEST_F(StoreTest, PagesFromTheNewest) {
-  std::vector<std::string> ids;
-  for (int i = 0; i < 23; ++i) {
-    NewJob job = new_job();
-    job.request.reference = i % 2 ? "odd" : "even";
-    ids.insert(ids.begin(), insert_id(*store, job));
-  }
-  JobFilter filter;
-  filter.limit = 5;
-  std::vector<std::string> paged;
-  for (;;) {
-    const auto page = store->list(filter);
-    if (page.empty()) break;
-    for (const auto& job : page) paged.push_back(job.id);
-    filter.before = paged.back();
-  }
-  EXPECT_EQ(paged, ids);
-  JobFilter odd;
-  odd.reference = "odd";
-  odd.state = JobState::queued;
-  odd.kind = "ramp";
-  EXPECT_EQ(store->list(odd).size(), 11U);
-  odd.kind = "other";
-  EXPECT_TRUE(store->list(odd).empty());
+  EXPECT_EQ(store->get(id)->state, JobState::cancelled);
 }
 
 TEST_F(StoreTest, SharesCommitsAmongManyPosts) {
@@ -331,6 +147,65 @@ TEST_F(StoreTest, IsOwnedByOneProcess) {
   } catch (const StoreError& error) {
     EXPECT_NE(std::string(error.what()).find("another bahnwerk"), std::string::npos);
   }
+}
+
+/// A file as the version before leases and changes left it, with a job of every kind, one of them running.
+void write_version_3(const std::filesystem::path& path) {
+  Connection connection(path.string(), true);
+  for (const Migration& migration : migrations().first(3)) connection.execute(migration.sql);
+  connection.execute(R"sql(
+    PRAGMA user_version = 3;
+    INSERT INTO jobs (id, kind, priority, state, attempt, created_at, started_at, finished_at, error, cancel_requested,
+                      revision)
+      VALUES ('01-done', 'ramp', 0, 'succeeded', 1, 1, 2, 3, NULL, 0, 7),
+             ('02-orphan', 'ramp', 1, 'running', 1, 1, 2, NULL, NULL, 0, 5),
+             ('03-lost', 'ramp', 0, 'running', 2, 1, 2, NULL, NULL, 0, 5),
+             ('04-unwanted', 'ramp', 0, 'running', 1, 1, 2, NULL, NULL, 1, 5),
+             ('05-queued', 'ramp', 0, 'queued', 0, 1, NULL, NULL, NULL, 0, 1);
+    INSERT INTO idempotency_keys VALUES ('k', 'hash', 5);)sql");
+  const std::string document = pack_text(R"({"n":3})"), result = pack_text(R"({"kind":"ramp"})");
+  std::vector<double> rows(20);
+  Ramp(10).read(0, 10, rows.data());
+  const std::string packed = pack_rows(rows.data(), 10, 2);
+  for (std::int64_t seq = 1; seq <= 5; ++seq)
+    (connection.query("INSERT INTO specs (seq, spec, whole) VALUES (?, ?, 1)") << seq).blob(document).run();
+  connection
+      .query(R"(INSERT INTO results VALUES (1, ?, '[{"name":"x","unit":"mm"},{"name":"y","unit":"mm"}]', 10, 4096,)"
+             " 0.001)")
+      .blob(result)
+      .run();
+  connection.query("INSERT INTO chunks VALUES (1, 0, 10, ?)").blob(packed).run();
+}
+
+TEST_F(StoreTest, TakesOverAFileOfTheVersionBefore) {
+  store.reset();
+  std::filesystem::remove_all(folder.path);
+  std::filesystem::create_directory(folder.path);
+  write_version_3(folder.path / "store.db");
+  for (int start = 0; start < 2; ++start) {
+    open();
+    EXPECT_EQ(store->get("01-done")->state, JobState::succeeded);
+    EXPECT_EQ(store->get("01-done")->revision, 7U);
+    EXPECT_EQ(store->result("01-done"), R"({"kind":"ramp"})");
+    std::vector<double> stored, expected(20);
+    store->read_chunk(store->series("01-done").value(), 0, stored);
+    Ramp(10).read(0, 10, expected.data());
+    EXPECT_EQ(stored, expected);
+    EXPECT_EQ(store->get("02-orphan")->state, JobState::queued);
+    EXPECT_EQ(store->get("02-orphan")->attempt, 1);
+    EXPECT_EQ(store->get("03-lost")->state, JobState::failed);
+    EXPECT_EQ(nlohmann::json::parse(store->get("03-lost")->error.value())["type"], "/problems/worker-lost");
+    EXPECT_EQ(store->get("04-unwanted")->state, JobState::cancelled);
+    EXPECT_EQ(store->counts()[JobState::queued], 2U);
+    std::vector<std::string> changed;
+    for (const Changed& change : store->changes_since(0, 100).list) changed.push_back(change.id);
+    EXPECT_EQ(changed, (std::vector<std::string>{"02-orphan", "03-lost", "04-unwanted"}));
+  }
+  EXPECT_EQ(insert(*store, new_job(0, "k", "hash")).id, "05-queued");
+  EXPECT_EQ(claim(*store, 9)->id, "02-orphan");
+  EXPECT_EQ(claim(*store, 9)->request.document, R"({"n":3})");
+  EXPECT_EQ(store->remove("01-done"), Removed::yes);
+  EXPECT_EQ(store->changes_since(0, 100).list.back().id, "01-done");
 }
 
 TEST_F(StoreTest, RefusesANewerSchema) {

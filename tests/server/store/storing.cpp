@@ -47,7 +47,7 @@ std::size_t chunks(const std::filesystem::path& store) {
 
 TEST_F(StoreTest, StoresLongSeriesPieceByPiece) {
   const std::string id = insert_id(*store);
-  store->claim(1);
+  claim(*store, 1);
   const auto planned = long_plan();
   StoppingAt never(0);
   EXPECT_TRUE(store->succeed(id, 1, planned, 2, 0, never));
@@ -66,7 +66,7 @@ TEST_F(StoreTest, ForgetsWhatAnAttemptStoredThatDidNotSucceed) {
   const auto planned = long_plan();
   for (const int end : {0, 1, 2}) {
     const std::string id = insert_id(*store);
-    store->claim(1);
+    claim(*store, 1);
     StoppingAt half(150);
     EXPECT_THROW(store->succeed(id, 1, planned, 2, 0, half), Stopped);
     EXPECT_GT(chunks(folder.path / "store.db"), 0U) << "else this tests nothing";
@@ -79,10 +79,10 @@ TEST_F(StoreTest, ForgetsWhatAnAttemptStoredThatDidNotSucceed) {
     }
     if (end == 2) {
       open();  // the process died, and begins again
-      EXPECT_EQ(store->claim(4)->attempt, 2);
+      EXPECT_EQ(claim(*store, 4)->attempt, 2);
     }
     EXPECT_EQ(chunks(folder.path / "store.db"), 0U);
-    if (end == 1) store->claim(4);
+    if (end == 1) claim(*store, 4);
     if (end > 0) {
       EXPECT_TRUE(store->end(id, end, {api::JobState::failed, "{}", 5, 0}));
     }
@@ -95,9 +95,9 @@ TEST_F(StoreTest, GoesOnWhereAFullDiskStoppedIt) {
   open(options);
   const auto planned = long_plan();
   const std::string first = insert_id(*store), second = insert_id(*store);
-  store->claim(1);
+  claim(*store, 1);
   ASSERT_TRUE(store->succeed(first, 1, planned, 2, 0, silent));
-  store->claim(1);
+  claim(*store, 1);
   StoppingAt count(0);
   try {
     store->succeed(second, 1, planned, 2, 0, count);
@@ -125,7 +125,7 @@ TEST_F(StoreTest, KnowsAJobUntilTheNextCommit) {
   store->get(id, false);
   ASSERT_TRUE(store->at_hand(id));
   EXPECT_EQ(store->at_hand(id)->state, api::JobState::queued);
-  store->claim(1);
+  claim(*store, 1);
   EXPECT_FALSE(store->at_hand(id)) << "it has changed";
   EXPECT_EQ(store->get(id, false)->state, api::JobState::running);
   EXPECT_EQ(store->at_hand(id)->state, api::JobState::running);

@@ -1,0 +1,54 @@
+#include "server/jobs/change_feed.hpp"
+
+#include "server/runtime/log.hpp"
+
+namespace bahnwerk::server {
+namespace {
+
+constexpr std::size_t at_once = 1000;
+
+}  // namespace
+
+ChangeFeed::ChangeFeed(ChangeSource& source, Hooks hooks, std::chrono::milliseconds interval)
+    : source_(source), hooks_(std::move(hooks)), interval_(interval) {
+  source_.listen(hooks_.changed);
+  if (!source_.shared()) return;
+  seen_ = source_.last_change();
+  thread_ = std::thread([this] { loop(); });
+}
+
+ChangeFeed::~ChangeFeed() {
+  source_.listen(nullptr);
+  {
+    const std::lock_guard lock(mutex_);
+    stop_ = true;
+  }
+  wake_.notify_one();
+  if (thread_.joinable()) thread_.join();
+}
+
+void ChangeFeed::loop() {
+  std::unique_lock lock(mutex_);
+  while (!wake_.wait_for(lock, interval_, [&] { return stop_; })) {
+    lock.unlock();
+    try {
+      ask();
+    } catch (const std::exception& error) {  // the store may be back the next time; nothing is missed
+      log::error("changes_failed", {{"detail", error.what()}});
+    }
+    lock.lock();
+  }
+}
+
+void ChangeFeed::ask() {
+  for (;;) {
+    const Changes changes = source_.changes_since(seen_, at_once);
+    if (changes.list.empty()) return;
+    seen_ = changes.list.back().sequence;
+    if (changes.gap) hooks_.all();
+    hooks_.changed(changes.list);
+    if (changes.list.size() < at_once) return;
+  }
+}
+
+}  // namespace bahnwerk::server

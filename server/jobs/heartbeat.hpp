@@ -1,0 +1,36 @@
+#pragma once
+/// Keeps the leases of the attempts that run in this process, and tells those that were lost to stop.
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "server/jobs/live.hpp"
+#include "server/store/store.hpp"
+
+namespace bahnwerk::server {
+
+class Heartbeat {
+ public:
+  /// Extends the leases to `lease` from now, three times within that time.
+  Heartbeat(Store& store, LiveJobs& live, std::string worker, std::chrono::milliseconds lease);
+  ~Heartbeat();
+  Heartbeat(const Heartbeat&) = delete;
+  Heartbeat& operator=(const Heartbeat&) = delete;
+
+ private:
+  void loop();
+  void beat();
+
+  Store& store_;
+  LiveJobs& live_;
+  const std::string worker_;
+  const std::chrono::milliseconds lease_;
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  bool stop_ = false;
+  std::thread thread_;
+};
+
+}  // namespace bahnwerk::server

@@ -1,0 +1,12 @@
+#pragma once
+/// The problem documents of jobs that a store ends by itself.
+#include <cstdint>
+#include <string>
+
+namespace bahnwerk::server {
+
+std::string cancelled_error(const std::string& id);
+std::string deadline_error(const std::string& id);                     ///< it passed in the queue
+std::string lost_error(const std::string& id, std::int64_t attempts);  ///< worker-lost
+
+}  // namespace bahnwerk::server

@@ -1,0 +1,94 @@
+#pragma once
+/// What goes into a store and comes out of it, whatever keeps it. Times are ms since 1970 UTC.
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "api/job.hpp"
+#include "api/setpoints.hpp"
+
+namespace bahnwerk::server {
+
+/// The store could not do it; nothing of the call was kept. `full`: no space left.
+struct StoreError : std::runtime_error {
+  StoreError(const std::string& what, bool no_space) : std::runtime_error(what), full(no_space) {}
+  bool full;
+};
+
+struct NewJob {
+  api::JobRequest request;
+  std::string idempotency_key;  ///< empty = none
+  std::string body_hash;        ///< of the posted body; compared when the key was used before
+  std::int64_t now = 0;
+  std::size_t max_queued = 0;  ///< refuse when so many wait already
+};
+struct Inserted {
+  enum class What { created, replayed, conflict, full };
+  What what = What::created;
+  std::string id;  ///< created, replayed
+};
+
+struct JobFilter {
+  std::optional<api::JobState> state;
+  std::optional<std::string> kind, reference;
+  std::string before;  ///< only ids smaller than this; empty = from the newest
+  std::size_t limit = 50;
+};
+
+/// Who plans, and until when its attempts are its own without a further heartbeat. A process names itself anew at every
+/// start. Clocks of several processes may differ by much less than a lease takes.
+struct Lease {
+  static constexpr std::int64_t forever = std::numeric_limits<std::int64_t>::max();
+  std::string worker;
+  std::int64_t now = 0;
+  std::int64_t until = forever;
+};
+
+/// One run of a planner on a job: the number grows with every claim.
+struct Attempt {
+  std::string id;
+  int number = 0;
+  bool operator==(const Attempt&) const = default;
+};
+
+/// A job whose attempts were lost so often (the process died, or let its lease run out) is not tried again: it ends as
+/// worker-lost.
+inline constexpr int most_lost_attempts = 2;
+
+/// How an attempt ended. `revision` is the last one shown to clients while it ran.
+struct Ending {
+  api::JobState state = api::JobState::failed;  ///< failed or cancelled
+  std::string error;                            ///< problem document
+  std::int64_t now = 0;
+  std::uint64_t revision = 0;
+};
+
+/// What a stored series looks like; its rows come through Store::read_chunk.
+struct SeriesInfo {
+  std::int64_t key = 0;
+  std::vector<Column> columns;
+  std::size_t count = 0, chunk_rows = 0;
+  double cycle_time = 0;
+};
+
+struct Progressed {
+  std::string id;
+  int attempt = 0;
+  double fraction = 0;
+  std::string stage, message;
+  std::uint64_t revision = 0;
+};
+
+enum class Removed { yes, running, unknown };
+
+/// What Store::expire did, and when there will be something to do again.
+struct Expired {
+  std::vector<std::string> ids;   ///< queued jobs that ended because their deadline had passed
+  std::vector<std::string> lost;  ///< running jobs whose lease had run out
+  std::optional<std::int64_t> next;
+};
+
+}  // namespace bahnwerk::server

@@ -1,0 +1,108 @@
+#include "stores.hpp"
+
+namespace bahnwerk::server {
+namespace {
+
+using api::JobState;
+
+template <class S>
+struct Attempts : Conformance<S> {};
+TYPED_TEST_SUITE(Attempts, Stores);
+
+TYPED_TEST(Attempts, ClaimsByPriorityThenInOrder) {
+  auto& store = this->here;
+  const std::string first = insert_id(*store, new_job(0)), second = insert_id(*store, new_job(0)),
+                    urgent = insert_id(*store, new_job(5)), late = insert_id(*store, new_job(-1));
+  for (const auto& expected : {urgent, first, second, late}) {
+    const auto job = claim(*store, 1);
+    ASSERT_TRUE(job);
+    EXPECT_EQ(job->id, expected);
+    EXPECT_EQ(job->state, JobState::running);
+    EXPECT_EQ(job->attempt, 1);
+    EXPECT_EQ(job->request.document, R"({"n":1})");
+  }
+  EXPECT_FALSE(claim(*store, 1));
+}
+
+TYPED_TEST(Attempts, TakesAResultOnceAndFromTheRightAttempt) {
+  auto& store = this->here;
+  const std::string id = insert_id(*store);
+  EXPECT_FALSE(store->succeed(id, 1, ramp_plan(10), 2, 0, this->silent)) << "not running yet";
+  claim(*store, 1);
+  EXPECT_FALSE(store->succeed(id, 2, ramp_plan(10), 2, 0, this->silent)) << "another attempt";
+  EXPECT_FALSE(store->result(id));
+  EXPECT_TRUE(store->succeed(id, 1, ramp_plan(10), 2, 40, this->silent));
+  EXPECT_FALSE(store->succeed(id, 1, ramp_plan(99), 3, 0, this->silent)) << "twice";
+  EXPECT_FALSE(store->end(id, 1, {JobState::failed, "{}", 3, 0}));
+  EXPECT_FALSE(store->requeue(id, 1, 3, 0));
+  const auto job = store->get(id);
+  EXPECT_EQ(job->state, JobState::succeeded);
+  EXPECT_EQ(job->finished_at, 2);
+  EXPECT_EQ(job->revision, 41U);
+  EXPECT_EQ(store->result(id), R"({"kind":"ramp","rows":10})");
+  EXPECT_EQ(store->series(id)->count, 10U);
+}
+
+TYPED_TEST(Attempts, RequeuesWithoutCountingTheAttempt) {
+  auto& store = this->here;
+  const std::string id = insert_id(*store);
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_EQ(claim(*store, 1)->attempt, 1);
+    EXPECT_TRUE(store->requeue(id, 1, 2, 0));
+  }
+  claim(*store, 1);
+  store->cancel(id, 2);
+  EXPECT_TRUE(store->requeue(id, 1, 2, 0));
+  EXPECT_EQ(store->get(id)->state, JobState::cancelled) << "the wish to cancel is not forgotten";
+}
+
+TYPED_TEST(Attempts, Cancels) {
+  auto& store = this->here;
+  const std::string queued = insert_id(*store), running = insert_id(*store, new_job(1));
+  claim(*store, 1);
+  EXPECT_EQ(store->cancel(queued, 5)->state, JobState::cancelled);
+  EXPECT_EQ(store->get(queued)->finished_at, 5);
+  const auto revision = store->get(queued)->revision;
+  EXPECT_EQ(store->cancel(queued, 6)->revision, revision) << "again changes nothing";
+  EXPECT_EQ(store->cancel(running, 5)->state, JobState::running);
+  EXPECT_TRUE(store->cancel_requested(running));
+  EXPECT_FALSE(store->cancel_requested(queued));
+  EXPECT_FALSE(store->cancel("none", 5));
+  EXPECT_TRUE(store->end(running, 1, {JobState::cancelled, "{}", 6, 0}));
+  EXPECT_EQ(store->cancel(running, 7)->finished_at, 6) << "ended already";
+}
+
+TYPED_TEST(Attempts, EndsQueuedJobsWhoseDeadlinePassed) {
+  auto& store = this->here;
+  EXPECT_FALSE(store->expire(1000).next);
+  const auto with_deadline = [&](std::optional<std::int64_t> deadline) {
+    NewJob job = new_job();
+    job.request.deadline = deadline;
+    return insert_id(*store, job);
+  };
+  const std::string running = with_deadline(500);
+  claim(*store, 1);
+  const std::string never = with_deadline(std::nullopt), late = with_deadline(3000), due = with_deadline(1000);
+  EXPECT_EQ(store->expire(999).next, 1000);
+  const auto revision = store->get(due)->revision;
+  const Expired expired = store->expire(1000);
+  EXPECT_EQ(expired.ids, std::vector<std::string>{due});
+  EXPECT_EQ(expired.next, 3000);
+  const auto job = store->get(due);
+  EXPECT_EQ(job->state, JobState::failed);
+  EXPECT_EQ(job->finished_at, 1000);
+  EXPECT_EQ(job->attempt, 0);
+  EXPECT_GT(job->revision, revision);
+  EXPECT_NE(job->error->find("/problems/deadline-exceeded"), std::string::npos);
+  EXPECT_NE(job->error->find("/v1/jobs/" + due), std::string::npos);
+  for (const auto& id : {never, late}) EXPECT_EQ(store->get(id)->state, JobState::queued);
+  EXPECT_EQ(store->get(running)->state, JobState::running) << "its planner holds the deadline";
+  EXPECT_EQ(store->counts()[JobState::failed], 1U);
+  for (int i = 0; i < 600; ++i) with_deadline(2000 + i % 2);
+  std::size_t ended = 0;
+  for (Expired part = store->expire(2001); !part.ids.empty(); part = store->expire(2001)) ended += part.ids.size();
+  EXPECT_EQ(ended, 600U);
+}
+
+}  // namespace
+}  // namespace bahnwerk::server
