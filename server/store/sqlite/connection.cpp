@@ -104,8 +104,6 @@ Connection::Connection(const std::string& path, bool writer, int max_pages) {
       wal.executeStep();
       if (wal.getColumn(0).getString() != "wal")
         throw StoreError("the store's file system does not support SQLite's WAL", false);
-      int step = 256 << 10;
-      sqlite3_file_control(database.getHandle(), "main", SQLITE_FCNTL_CHUNK_SIZE, &step);
     }
     database.exec("PRAGMA synchronous = FULL");
     database.exec("PRAGMA foreign_keys = ON");
@@ -132,8 +130,14 @@ void Connection::execute(const char* sql) {
 }
 
 bool Connection::allocate(std::int64_t bytes) noexcept {
+  // Steps only here: a checkpoint would round the file's size up to one with a hole, where no page has its place.
+  sqlite3* const database = state_->database.getHandle();
   sqlite3_int64 size = bytes;
-  return sqlite3_file_control(state_->database.getHandle(), "main", SQLITE_FCNTL_SIZE_HINT, &size) == SQLITE_OK;
+  int step = 256 << 10, none = 0;
+  sqlite3_file_control(database, "main", SQLITE_FCNTL_CHUNK_SIZE, &step);
+  const bool done = sqlite3_file_control(database, "main", SQLITE_FCNTL_SIZE_HINT, &size) == SQLITE_OK;
+  sqlite3_file_control(database, "main", SQLITE_FCNTL_CHUNK_SIZE, &none);
+  return done;
 }
 
 void Connection::rollback() noexcept {

@@ -119,6 +119,7 @@ std::exception_ptr Writer::try_group(std::deque<Item>& group) {
   } catch (...) {
     const auto error = std::current_exception();
     connection_.rollback();
+    allocated_ = 0;  // a checkpoint cuts off what was allocated for it
     return error;
   }
   ++commits_;
