@@ -3,7 +3,7 @@
 # --drain-timeout and a second. What counts is the processor time that the server takes until then (a stage that does not listen
 # burns it); the clock on the wall counts too where it can: a run that a busy machine delayed is repeated.
 source "$(dirname "$0")/../contract/lib.sh"
-slower=${SLOWER:-1}          # a sanitizer's factor
+slower=${SLOWER:-1}          # a sanitizer's factor: documents are as much shorter
 limit_ms=$((1000 * slower))  # from the order to the end
 ticks=$(getconf CLK_TCK)
 
@@ -29,9 +29,9 @@ slot() {
     printf "]},\"wires\":[0.71]}}"
   }'
 }
-waves 100000 '{"method":"time_optimal"}' null >"$work/optimal.json"
-waves 30000 '{"method":"jerk_limited"}' 800000 >"$work/smooth.json"
-waves 30000 '{"method":"braking_reserve","corner":{"mode":"blend","tolerance":0.02}}' null >"$work/blended.json"
+waves $((100000 / slower)) '{"method":"time_optimal"}' null >"$work/optimal.json"
+waves $((30000 / slower)) '{"method":"jerk_limited"}' 800000 >"$work/smooth.json"
+waves $((30000 / slower)) '{"method":"braking_reserve","corner":{"mode":"blend","tolerance":0.02}}' null >"$work/blended.json"
 slot "${CORNERS:-400}" >"$work/slot.json"
 
 # reach: posts $document and holds until a stage is shown that is not in $seen; false when the job has ended without one.
