@@ -49,4 +49,13 @@ MotionState SumOfMotions::in_piece(std::size_t piece, double t) const {
   return sum;
 }
 
+bool SumOfMotions::polynomial(std::size_t piece, std::size_t axis, Polynomial& out) const {
+  const Begin& at = begin_[piece];
+  Polynomial a, b;
+  if (!first_->polynomial(at.first, axis, a) || !second_->polynomial(at.second, axis, b)) return false;
+  out = shifted(std::move(a), at.t - first_->begin(at.first), 1) +
+        shifted(std::move(b), at.t - second_->begin(at.second), 1);
+  return true;
+}
+
 }  // namespace bahnwerk

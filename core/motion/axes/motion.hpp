@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/machine/axis_jet.hpp"
+#include "core/numeric/polynomial.hpp"
 
 namespace bahnwerk {
 
@@ -26,6 +27,9 @@ class Motion {
   virtual MotionState in_piece(std::size_t piece, double t) const = 0;
   /// Whether `MotionState::snap` is known; else it is 0.
   virtual bool has_snap() const { return false; }
+  /// Position of an axis in a piece as a polynomial of t − begin(piece), lowest coefficient first, if it is one: then
+  /// everything about it can be enclosed. False: it is none, `out` is left alone.
+  virtual bool polynomial(std::size_t /*piece*/, std::size_t /*axis*/, Polynomial& /*out*/) const { return false; }
 
   double end(std::size_t piece) const { return piece + 1 < pieces() ? begin(piece + 1) : duration(); }
   /// State just after t ∈ [0, duration()]: right limits. `piece` is the hint and is updated. O(log pieces), O(1) with
@@ -49,6 +53,7 @@ class SumOfMotions final : public Motion {
   double duration() const override { return first_->duration(); }
   MotionState in_piece(std::size_t piece, double t) const override;
   bool has_snap() const override { return first_->has_snap() && second_->has_snap(); }
+  bool polynomial(std::size_t piece, std::size_t axis, Polynomial& out) const override;
 
  private:
   struct Begin {

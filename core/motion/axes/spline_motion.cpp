@@ -1,0 +1,45 @@
+#include "core/motion/axes/spline_motion.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace bahnwerk {
+
+SplineMotion::SplineMotion(std::vector<Piece> pieces) : pieces_(std::move(pieces)) {
+  constexpr std::size_t max_coefficients = 9;
+  double t = 0;
+  for (const Piece& piece : pieces_) {
+    if (!(piece.end > t)) throw std::invalid_argument("a piece of a spline ends after it begins");
+    t = piece.end;
+    if (piece.axes.empty() || piece.axes.size() > max_axes || piece.axes.size() != pieces_.front().axes.size())
+      throw std::invalid_argument("all pieces of a spline have the same axes, one to eight");
+    for (const Polynomial& axis : piece.axes)
+      if (axis.size() > max_coefficients) throw std::invalid_argument("a spline has a degree of 8 at most");
+  }
+  if (pieces_.empty()) throw std::invalid_argument("a spline has one piece at least");
+}
+
+MotionState SplineMotion::in_piece(std::size_t piece, double t) const {
+  const double x = t - begin(piece);
+  MotionState state;
+  for (std::size_t k = 0; k < axes(); ++k) {
+    // Horner for the value and its first derivatives at once; d_n is what the n-th derivative is n! times of.
+    double d[5] = {};
+    const Polynomial& p = pieces_[piece].axes[k];
+    for (std::size_t i = p.size(); i-- > 0;) {
+      for (std::size_t n = 4; n > 0; --n) d[n] = d[n] * x + d[n - 1];
+      d[0] = d[0] * x + p[i];
+    }
+    state.position[k] = d[0], state.velocity[k] = d[1], state.acceleration[k] = 2 * d[2];
+    state.jerk[k] = 6 * d[3], state.snap[k] = 24 * d[4];
+  }
+  return state;
+}
+
+bool SplineMotion::polynomial(std::size_t piece, std::size_t axis, Polynomial& out) const {
+  out = pieces_[piece].axes[axis];
+  return true;
+}
+
+}  // namespace bahnwerk

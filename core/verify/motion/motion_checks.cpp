@@ -1,0 +1,228 @@
+#include "core/verify/motion/motion_checks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "core/base/progress_scope.hpp"
+#include "core/numeric/peak.hpp"
+#include "core/verify/rounding.hpp"
+#include "core/verify/worst.hpp"
+
+namespace bahnwerk {
+namespace verify {
+namespace {
+
+constexpr std::size_t derivatives = 4;  // velocity, acceleration, jerk, snap
+constexpr std::array names{"velocity ", "acceleration ", "jerk ", "snap "};
+constexpr std::array units{"/s", "/s²", "/s³", "/s⁴"};
+constexpr std::array continuities{"continuity of position", "continuity of velocity", "continuity of acceleration",
+                                  "continuity of jerk"};
+
+const AxisArray& part(const MotionState& x, std::size_t derivative) {
+  const std::array<const AxisArray*, 5> parts{&x.position, &x.velocity, &x.acceleration, &x.jerk, &x.snap};
+  return *parts[derivative];
+}
+
+double limit(const AxisLimits& axis, std::size_t derivative) {
+  return std::array{axis.velocity, axis.acceleration, axis.jerk, axis.snap}[derivative - 1];
+}
+
+/// Σ |x⁽ᵈ⁺ⁱ⁾| Tⁱ/i!: what the d-th derivative is summed up from within a piece, and hence what its rounding follows.
+double terms(const MotionState& x, std::size_t derivative, std::size_t axis, double duration) {
+  double sum = 0, factor = 1;
+  for (std::size_t i = 0; derivative + i <= derivatives; ++i) {
+    sum += factor * std::abs(part(x, derivative + i)[axis]);
+    factor *= duration / static_cast<double>(i + 1);
+  }
+  return sum;
+}
+
+/// Bernstein coefficients over [0, 1] of p(T x), the constant lifted by `offset`.
+std::size_t bernstein(const Polynomial& p, double duration, double offset,
+                      std::array<double, ChebyshevRule::max_points>& b) {
+  const std::size_t n = std::max<std::size_t>(p.size(), 1);
+  std::array<double, ChebyshevRule::max_points> scaled{};
+  double power = 1, choose_n = 1;  // C(n − 1, i)
+  for (std::size_t i = 0; i < n; ++i) {
+    scaled[i] = (i < p.size() ? p[i] : 0) * power / choose_n;
+    power *= duration;
+    choose_n *= static_cast<double>(n - 1 - i) / static_cast<double>(i + 1);
+  }
+  scaled[0] += offset;
+  for (std::size_t j = 0; j < n; ++j) {
+    double sum = 0, choose = 1;  // C(j, i)
+    for (std::size_t i = 0; i <= j; ++i) {
+      sum += choose * scaled[i];
+      choose *= static_cast<double>(j - i) / static_cast<double>(i + 1);
+    }
+    b[j] = sum;
+  }
+  return n;
+}
+
+class Checker {
+ public:
+  explicit Checker(const MotionToVerify& in) : in_(in), sweep_(scales(in)), range_(in.axes.size()) {
+    for (auto& peaks : peaks_) peaks.resize(in.axes.size());
+  }
+
+  std::vector<Check> run(ProgressScope& scope) {
+    const Motion& motion = in_.motion;
+    for (std::size_t i = 0; i < motion.pieces(); ++i) {
+      scope.now(i, motion.pieces());
+      piece(i);
+      if (i > 0) joint(i);
+    }
+    if (in_.rests_at_begin) rest(start_, motion.in_piece(0, 0), motion.end(0), 0);
+    const std::size_t last = motion.pieces() - 1;
+    if (in_.rests_at_end)
+      rest(end_, motion.in_piece(last, motion.duration()), motion.duration() - motion.begin(last), motion.duration());
+    return report();
+  }
+
+ private:
+  static std::vector<double> scales(const MotionToVerify& in) {
+    std::vector<double> list;
+    for (std::size_t d = 1; d <= derivatives; ++d)
+      for (const AxisLimits& axis : in.axes) list.push_back(std::isfinite(limit(axis, d)) ? limit(axis, d) : 1);
+    return list;
+  }
+
+  void piece(std::size_t i) {
+    const double t0 = in_.motion.begin(i), T = in_.motion.end(i) - t0;
+    bool sampled = false;
+    for (std::size_t k = 0; k < in_.axes.size(); ++k) {
+      Polynomial p;
+      if (!in_.motion.polynomial(i, k, p)) {
+        sampled = true;
+        continue;
+      }
+      reach(k, p, t0, T);
+      for (std::size_t d = 1; d <= derivatives; ++d) {
+        p = derivative(p);
+        std::array<double, ChebyshevRule::max_points> b{};
+        const std::size_t n = bernstein(p, T, 0, b);
+        Worst& peak = peaks_[d - 1][k];
+        if (!std::all_of(b.begin(), b.begin() + static_cast<std::ptrdiff_t>(n),
+                         [](double x) { return std::isfinite(x); })) {
+          peak.raise(std::nan(""), t0);
+          continue;
+        }
+        const PolynomialPeak found = polynomial_peak(b.data(), static_cast<int>(n), peak.value);
+        if (found.at >= 0) peak.raise(found.value, t0 + found.at * T);
+      }
+    }
+    if (sampled) sample(i, t0, T);
+  }
+
+  /// How far positions lie outside of the range: of |x − middle| the part beyond half of it.
+  void reach(std::size_t k, const Polynomial& p, double t0, double T) {
+    const AxisLimits& axis = in_.axes[k];
+    for (const double sign : {1.0, -1.0}) {
+      const double border = sign > 0 ? axis.highest : axis.lowest;
+      if (!std::isfinite(border)) continue;
+      // Beyond a border a polynomial is what its largest magnitude about a far place tells; the place is far enough for
+      // nothing on the other side to count.
+      std::array<double, ChebyshevRule::max_points> b{};
+      const std::size_t n = bernstein(p, T, -border, b);
+      double most = 0;
+      for (std::size_t j = 0; j < n; ++j) most = std::isnan(b[j]) ? b[j] : std::max(most, std::abs(b[j]));
+      for (std::size_t j = 0; j < n; ++j) b[j] = sign * b[j] + most;
+      const PolynomialPeak found = polynomial_peak(b.data(), static_cast<int>(n), most);
+      const double beyond = std::isnan(most) ? most : found.at >= 0 ? found.value - most : 0;
+      range_[k].raise(beyond, rounding * (std::abs(border) + most), t0 + std::max(found.at, 0.0) * T);
+    }
+  }
+
+  void sample(std::size_t i, double t0, double T) {
+    sweep_.sweep(t0, t0 + T, false, i, [&](const ChebyshevRule& rule, double begin, double end, double* values) {
+      const auto points = static_cast<std::size_t>(rule.points), axes = in_.axes.size();
+      for (std::size_t n = 0; n < points; ++n) {
+        const double t = begin + rule.node[n] * (end - begin);
+        const MotionState x = in_.motion.in_piece(i, t);
+        for (std::size_t k = 0; k < axes; ++k) {
+          for (std::size_t d = 1; d <= derivatives; ++d) values[((d - 1) * axes + k) * points + n] = part(x, d)[k];
+          const AxisLimits& axis = in_.axes[k];
+          const double beyond = std::max({0.0, x.position[k] - axis.highest, axis.lowest - x.position[k]});
+          range_[k].raise(std::isnan(x.position[k]) ? x.position[k] : beyond, rounding * std::abs(x.position[k]), t);
+        }
+      }
+      return true;
+    });
+  }
+
+  double tolerance(const MotionState& x, std::size_t derivative, std::size_t axis, double T, double t) const {
+    const double next = derivative < derivatives ? std::abs(part(x, derivative + 1)[axis]) : 0;
+    return rounding * terms(x, derivative, axis, T) + next * (epsilon * t + in_.resolution);
+  }
+
+  void joint(std::size_t i) {
+    const Motion& motion = in_.motion;
+    const double t = motion.begin(i), before = t - motion.begin(i - 1), after = motion.end(i) - t;
+    const MotionState left = motion.in_piece(i - 1, t), right = motion.in_piece(i, t);
+    for (std::size_t d = 0; d <= static_cast<std::size_t>(in_.continuous); ++d)
+      for (std::size_t k = 0; k < in_.axes.size(); ++k)
+        gaps_[d].raise(std::abs(part(right, d)[k] - part(left, d)[k]),
+                       tolerance(left, d, k, before, t) + tolerance(right, d, k, after, t), t);
+  }
+
+  void rest(Strained& check, const MotionState& x, double T, double t) const {
+    for (std::size_t d = 1; d <= static_cast<std::size_t>(std::max(in_.continuous, 1)); ++d)
+      for (std::size_t k = 0; k < in_.axes.size(); ++k)
+        check.raise(std::abs(part(x, d)[k]), tolerance_at_rest(x, d, k, T, t), t);
+  }
+  /// A state at rest has nothing of its own to round but what the piece came from.
+  double tolerance_at_rest(const MotionState& x, std::size_t d, std::size_t k, double T, double t) const {
+    const std::size_t piece = t > 0 ? in_.motion.pieces() - 1 : 0;
+    const MotionState other = in_.motion.in_piece(piece, t > 0 ? in_.motion.begin(piece) : in_.motion.end(piece));
+    return tolerance(x, d, k, T, t) + tolerance(other, d, k, T, t);
+  }
+
+  std::vector<Check> report() const {
+    std::vector<Check> list;
+    const std::size_t axes = in_.axes.size();
+    for (std::size_t k = 0; k < axes; ++k) {
+      const AxisLimits& axis = in_.axes[k];
+      if (std::isfinite(axis.lowest) || std::isfinite(axis.highest))
+        list.push_back(make_check("range " + axis.name, axis.unit, range_[k]));
+      for (std::size_t d = 1; d <= derivatives; ++d) {
+        if (!std::isfinite(limit(axis, d))) continue;
+        Worst worst = peaks_[d - 1][k];
+        const Peak& sampled = sweep_[(d - 1) * axes + k];
+        worst.raise(sampled.finite ? sampled.value : std::nan(""), sampled.at);
+        if (d == 4 && !in_.motion.has_snap()) worst.value = std::nan("");
+        list.push_back(make_check(names[d - 1] + axis.name, axis.unit + units[d - 1], limit(axis, d), worst));
+      }
+    }
+    for (std::size_t d = 0; d <= static_cast<std::size_t>(in_.continuous); ++d)
+      list.push_back(make_check(continuities[d], d == 0 ? "unit" : std::string("unit") + units[d - 1], gaps_[d]));
+    if (in_.rests_at_begin) list.push_back(make_check("start at rest", "unit/s", start_));
+    if (in_.rests_at_end) list.push_back(make_check("end at rest", "unit/s", end_));
+    return list;
+  }
+
+  const MotionToVerify& in_;
+  std::array<std::vector<Worst>, derivatives> peaks_;  // of polynomials, per derivative and axis
+  PeakSweep sweep_;                                    // of all others
+  std::vector<Strained> range_;
+  std::array<Strained, 4> gaps_;
+  Strained start_, end_;
+};
+
+}  // namespace
+}  // namespace verify
+
+std::vector<Check> motion_checks(const MotionToVerify& input, Progress& progress) {
+  if (input.motion.axes() != input.axes.size())
+    throw std::invalid_argument("a motion is verified against the limits of as many axes as it has");
+  if (input.continuous < 0 || input.continuous > 3)
+    throw std::invalid_argument("pieces are compared up to their third derivative");
+  ProgressScope scope(progress, "verify", input.progress_from, input.progress_to);
+  scope.report();
+  return verify::Checker(input).run(scope);
+}
+
+}  // namespace bahnwerk
