@@ -106,12 +106,12 @@ ordered_json layout(const FilledLayout& filled, double slot_area) {
                         {"electrical_fill", electrical_fill(turns.wires, filled.wire, slot_area)}}},
                       {"resistance_per_metre", filled.resistance},
                       {"positions", points(filled.layout.wires)}};
-  if (!filled.layout.pulls.empty()) out["pulls"] = points(filled.layout.pulls);
+  if (!filled.layout.tension_points.empty()) out["pulls"] = points(filled.layout.tension_points);
   if (!filled.regions.empty()) {
     ordered_json regions = ordered_json::object();
     for (std::size_t k = 0; k < filled.regions.size(); ++k)
       regions[region_name(k)] = {{"positions", points(filled.regions[k].wires)},
-                                 {"pulls", points(filled.regions[k].pulls)}};
+                                 {"pulls", points(filled.regions[k].tension_points)}};
     out["regions"] = std::move(regions);
   }
   if (!filled.sampled.empty()) out["robustness"] = spread(filled);
@@ -171,9 +171,9 @@ PlannedJob plan(const json& spec, Progress& progress) {
   }
   for (const std::size_t i : plan.best) best.push_back(summary(plan.layouts[i]));
   ordered_json slot = {{"area", area},
-                       {"room_area", asked.slot.room.area()},
+                       {"room_area", asked.slot.usable_area.area()},
                        {"outline", outline(asked.slot.iron)},
-                       {"room", outline(asked.slot.room)}};
+                       {"room", outline(asked.slot.usable_area)}};
   if (asked.slot.opening) slot["clear_opening"] = asked.slot.opening->clear;
   if (!asked.slot.taken.empty()) slot["taken"] = outline(asked.slot.taken);
   ordered_json details = {{"slot", std::move(slot)}, {"best", std::move(best)}, {"layouts", std::move(layouts)}};

@@ -145,7 +145,7 @@ void read_heads(const json& spec, FillRequest& request, std::vector<InputFault>&
     faults.push_back({{"heads"}, "a polygon has no winding heads: tie_in draws all its wires"});
 }
 
-/// Room for one of two coil sides, and the needle that lays it.
+/// Usable area for one of two coil sides, and the needle that lays it.
 void read_sides(const json& spec, FillRequest& request, std::vector<InputFault>& faults) {
   const bool two = spec.value("coil_sides", 1) == 2;
   const auto* stator = std::get_if<winding::StatorHeads>(&request.heads);
@@ -171,7 +171,7 @@ void check_sizes(const FillRequest& request, bool listed, std::vector<InputFault
                        [](const winding::Wire& a, const winding::Wire& b) { return a.outer < b.outer; });
   if (thinnest == request.wires.end()) return;
   const double r = thinnest->radius();
-  const std::size_t bound = winding::max_wires(request.slot.room, r, 2 * r);
+  const std::size_t bound = winding::max_wires(request.slot.usable_area, r, 2 * r);
   if (bound == 0) faults.push_back({{"wires"}, "none of the wires fits into the slot"});
   if (bound > max_wires) {
     const std::string index = std::to_string(thinnest - request.wires.begin());
@@ -188,7 +188,7 @@ void check_sizes(const FillRequest& request, bool listed, std::vector<InputFault
     for (const winding::Wire& wire : request.wires) {
       const double overlap = allowed_overlap(request, winding::Algorithm::potential, wire);
       if (wire.outer - overlap > 2 * r) continue;  // takes no more than the thinnest without overlap
-      most = std::max(most, winding::max_wires(request.slot.room, wire.radius(), wire.outer - overlap));
+      most = std::max(most, winding::max_wires(request.slot.usable_area, wire.radius(), wire.outer - overlap));
     }
   const std::size_t needed = request.serial.value_or(1) * request.parallel.value_or(1);
   if (needed > most)
@@ -209,7 +209,7 @@ FillRequest request(const json& spec, Progress* progress) {
   request.seed = spec.value("seed", std::uint64_t{1});
   request.effort = spec.value("effort", 1.0);
   request.shifts = spec.value("shifts", 4);
-  request.tie_in = spec.contains("tie_in") ? point(spec["tie_in"]) : request.slot.pull;
+  request.tie_in = spec.contains("tie_in") ? point(spec["tie_in"]) : request.slot.tension_point;
   read_heads(spec, request, faults);
   read_sides(spec, request, faults);
   const json turns = spec.value("turns", json::object());

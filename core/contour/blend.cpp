@@ -41,17 +41,17 @@ class Blender {
     block_.resize(given.path.size());
     for (std::size_t b = 0; b < given.blocks.size(); ++b)
       for (std::size_t i = given.blocks[b].first; i < given.blocks[b].last; ++i) block_[i] = b;
-    breathe_ = [this] { breathe(); };
+    pause_ = [this] { pause(); };
   }
 
   Contour run() {
-    breathe();
+    pause();
     const std::size_t n = given_.path.size();
     for (std::size_t i = 0; i < n;) {
       take_rests(i);
       std::size_t j = i + 1;
       while (j < n && mode(j) == mode(i) && !rest_[j]) ++j;
-      auto list = stretches(given_.path, i, j, block_, tiny_share * options_.tolerance, reversal, breathe_);
+      auto list = stretches(given_.path, i, j, block_, tiny_share * options_.tolerance, reversal, pause_);
       list.front().rest_begin = i == 0 || rests(i);
       list.back().rest_end = j == n || rests(j);
       for (const Stretch& s : list) process(s, 0);
@@ -59,7 +59,7 @@ class Blender {
     }
     take_rests(n);
     finish_blocks();
-    note(result_, count_, options_, breathe_);
+    note(result_, count_, options_, pause_);
     progress_.report("blend", to_);
     return std::move(result_);
   }
@@ -80,7 +80,7 @@ class Blender {
     for (std::size_t i = result_.rests.size(); i < given_.rests.size() && given_.rests[i].segment <= segment; ++i)
       result_.rests.push_back({result_.path.size(), given_.rests[i].seconds, given_.rests[i].block});
   }
-  void breathe() {
+  void pause() {
     const double share = static_cast<double>(done_) / static_cast<double>(std::max<std::size_t>(1, given_.path.size()));
     progress_.report("blend", from_ + (to_ - from_) * std::min(1.0, share));
   }
@@ -102,7 +102,7 @@ class Blender {
     std::vector<Ability> abilities;
     abilities.reserve(stretch.elements.size());
     for (const Element& e : stretch.elements) abilities.push_back(ability(e.block));
-    const auto changes = lay_out(stretch, used_share * options_.tolerance, abilities, breathe_);
+    const auto changes = lay_out(stretch, used_share * options_.tolerance, abilities, pause_);
     double at = 0;
     std::size_t hint = 0;
     for (const Change& change : changes) {
@@ -142,7 +142,7 @@ class Blender {
   }
 
   void tick() {
-    if (++done_ % progress_step == 0) breathe();
+    if (++done_ % progress_step == 0) pause();
   }
 
   /// Keeps what lies between `at` and the blend, and moves `at` behind it. Leaves everything as it is if the joint
@@ -190,7 +190,7 @@ class Blender {
       if (stretch.elements[i].block != stretch.elements[i - 1].block) borders.push_back(stretch.elements[i].begin);
     const SmoothedRun run =
         smooth_run(stretch, range, borders, {used_share * options_.tolerance, fitted_share * options_.tolerance},
-                   given_.dimension, breathe_);
+                   given_.dimension, pause_);
     if (!run.done) return split(stretch, range, run.troubles, depth, hint);
     for (std::size_t k = 0; k < run.pieces.size(); ++k) {
       hint = stretch.find(0.5 * (run.breaks[k] + run.breaks[k + 1]), hint);
@@ -263,7 +263,7 @@ class Blender {
   const Machine& machine_;
   Progress& progress_;
   double from_, to_;
-  std::function<void()> breathe_;
+  std::function<void()> pause_;
   std::vector<std::size_t> block_, owner_;
   std::vector<bool> rest_;
   std::vector<std::unique_ptr<Segment>> parts_;

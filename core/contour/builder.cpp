@@ -124,7 +124,7 @@ void ContourBuilder::line(Vec to) {
 void ContourBuilder::arc(Vec to, Vec centre, bool counter_clockwise, Vec normal, double tolerance) {
   next_segment();
   if (!finite(to) || !finite(centre) || !finite(normal)) return fault({"arc"}, "a coordinate is not finite");
-  // An arc too short to be one means a full circle whose start came out a hair beside its end.
+  // An arc too short to be one means a full circle whose start came out beside its end by rounding.
   if (norm(to - position_) < min_segment_length) to = position_;
   const bool made = guarded([&] {
     auto arc = std::make_shared<Arc>(Arc::through(position_, to, centre, normal, counter_clockwise, tolerance));

@@ -23,7 +23,7 @@ winding::LayingRegions regions_of(const FillRequest& request) {
   winding::LayingRegions regions = std::holds_alternative<winding::StatorHeads>(request.heads)
                                        ? laying_regions(request.slot, std::get<winding::StatorHeads>(request.heads))
                                        : laying_regions(request.slot, std::get<winding::RotorHeads>(request.heads));
-  if (!request.back.empty()) regions.at[2].room = request.back;
+  if (!request.back.empty()) regions.at[2].usable_area = request.back;
   return regions;
 }
 
@@ -31,25 +31,25 @@ winding::LayingRegions regions_of(const FillRequest& request) {
 class Filler {
  public:
   explicit Filler(const FillRequest& request, double wall = 0) : request_(request), slot_(request.slot), wall_(wall) {
-    slot_.room = slot_.room.inward(-wall);
+    slot_.usable_area = slot_.usable_area.inward(-wall);
   }
 
   Layout lay(Algorithm algorithm, double radius, double overlap, std::span<const std::vector<Point>> hints,
              std::vector<Layout>& regions, Progress& progress) const {
     switch (algorithm) {
       case Algorithm::orthocyclic_base:
-        return winding::orthocyclic(slot_.room, radius, slot_.pull, 0, progress);
+        return winding::orthocyclic(slot_.usable_area, radius, slot_.tension_point, 0, progress);
       case Algorithm::orthocyclic_flank:
-        return winding::orthocyclic(slot_.room, radius, slot_.flank_pull, slot_.flank, progress);
+        return winding::orthocyclic(slot_.usable_area, radius, slot_.flank_tension_point, slot_.flank, progress);
       case Algorithm::raabe:
-        return winding::raabe(slot_.room, radius, progress, request_.shifts);
+        return winding::raabe(slot_.usable_area, radius, progress, request_.shifts);
       case Algorithm::potential: {
         winding::PotentialOptions options;
         options.overlap = overlap;
         options.seed = request_.seed;
         options.effort = request_.effort;
-        options.most = winding::max_wires(slot_.room, radius, 2 * radius - overlap, &progress);
-        Layout layout{winding::potential(slot_.room, radius, hints, options, progress), {}};
+        options.most = winding::max_wires(slot_.usable_area, radius, 2 * radius - overlap, &progress);
+        Layout layout{winding::potential(slot_.usable_area, radius, hints, options, progress), {}};
         nearest_first(layout.wires);
         return layout;
       }
@@ -73,9 +73,9 @@ class Filler {
 
   Layout needle(double radius, std::vector<Layout>& regions, Progress& progress) const {
     if (std::holds_alternative<std::monostate>(request_.heads))
-      return winding::needle(slot_.room, radius, request_.tie_in, progress);
+      return winding::needle(slot_.usable_area, radius, request_.tie_in, progress);
     winding::LayingRegions at = regions_of(request_);
-    for (winding::LayingRegion& region : at.at) region.room = region.room.inward(-wall_);
+    for (winding::LayingRegion& region : at.at) region.usable_area = region.usable_area.inward(-wall_);
     winding::NeedleLayout laid = winding::needle(at, radius, request_.tie_in, progress);
     regions.assign(std::make_move_iterator(laid.begin() + 1), std::make_move_iterator(laid.end()));
     return std::move(laid[0]);
@@ -122,38 +122,39 @@ std::vector<FilledLayout::Blocked> blocked(const FillRequest& request, const Fil
   const double radius = filled.wire.radius();
   for (const winding::Obstruction& each : opening_obstructions(opening, radius, request.needle))
     found.push_back({each, false});
-  // Beside a rotor's coil the needle has all the room between the poles.
+  // Beside a rotor's coil the needle has all the usable area between the poles.
   if (!request.needle || !found.empty() || request.slot.type == winding::Slot::Type::rotor) return found;
-  const auto channel = [&](const Region& room, winding::Needle needle, const Layout& layout, bool back) {
+  const auto channel = [&](const Region& usable_area, winding::Needle needle, const Layout& layout, bool back) {
     ProgressPart last(progress, "needle access", 1, 1);
-    const auto wire = first_out_of_reach(room, opening, needle, radius, request.producible.touch, layout.wires, last);
+    const auto wire =
+        first_out_of_reach(usable_area, opening, needle, radius, request.producible.touch, layout.wires, last);
     if (wire) found.push_back({{winding::Obstruction::Part::channel, 0, 0, *wire}, back});
   };
-  channel(request.slot.room, *request.needle, filled.layout, false);
+  channel(request.slot.usable_area, *request.needle, filled.layout, false);
   if (filled.regions.empty()) return found;
   winding::Needle other = *request.needle;
   if (other.stand == winding::Needle::Stand::left) other.stand = winding::Needle::Stand::right;
-  channel(request.back.empty() ? request.slot.room : request.back, other, filled.regions[1], true);
+  channel(request.back.empty() ? request.slot.usable_area : request.back, other, filled.regions[1], true);
   return found;
 }
 
 void report(const FillRequest& request, FilledLayout& filled, Progress& progress) {
   const double radius = filled.wire.radius();
   progress.report("bound", 0);
-  filled.bound = winding::max_wires(request.slot.room, radius, 2 * radius - filled.overlap, &progress);
+  filled.bound = winding::max_wires(request.slot.usable_area, radius, 2 * radius - filled.overlap, &progress);
   progress.report("bound", 0);
   filled.electrical = electrical_fill(request.sides * filled.count(), filled.wire, request.slot.iron.area());
-  filled.mechanical = mechanical_fill(filled.count(), filled.wire, request.slot.room.area());
+  filled.mechanical = mechanical_fill(filled.count(), filled.wire, request.slot.usable_area.area());
   filled.overlaps = winding::overlaps(filled.layout.wires, radius);
   filled.turns = winding::turns(filled.count(), request.serial, request.parallel);
   filled.resistance =
       resistance_per_metre(filled.wire, std::max<std::size_t>(filled.turns.parallel, 1), request.temperature);
   // In a rotor a wire comes from its own place in the head before; elsewhere that is unknown but to the simulation.
   if (filled.algorithm != Algorithm::needle && std::holds_alternative<winding::RotorHeads>(request.heads))
-    filled.layout.pulls =
+    filled.layout.tension_points =
         turn_pulls(laying_regions(request.slot, std::get<winding::RotorHeads>(request.heads)), filled.layout);
-  filled.producible =
-      winding::producible(request.slot.room, radius, filled.layout, request.tie_in, request.producible, progress);
+  filled.producible = winding::producible(request.slot.usable_area, radius, filled.layout, request.tie_in,
+                                          request.producible, progress);
   filled.blocked = blocked(request, filled, progress);
 }
 
@@ -174,13 +175,13 @@ Verification verified(const FillRequest& request, const FillPlan& plan, Progress
     verified.push_back(each);
     for (std::size_t k = 0; k < filled.regions.size(); ++k) {
       each.region = region_name(k);
-      each.room = &at.at[k + 1].room;
+      each.usable_area = &at.at[k + 1].usable_area;
       each.wires = filled.regions[k].wires;
       each.count = filled.count();
       verified.push_back(each);
     }
   }
-  return verify_layouts(request.slot.room, verified, progress, from, 1);
+  return verify_layouts(request.slot.usable_area, verified, progress, from, 1);
 }
 
 /// Relative time of an algorithm.

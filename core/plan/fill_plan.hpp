@@ -40,7 +40,7 @@ struct FillRequest {
   double temperature = 20;  ///< °C
   winding::ProducibleOptions producible;
   std::optional<winding::Needle> needle;  ///< needs a channel; none: only the wire must pass the opening
-  /// Where the coil's wires go in its other slot; empty: in the same room. See core/winding/slot/coil_sides.hpp.
+  /// Where the coil's wires go in its other slot; empty: in the same usable area. See core/winding/slot/coil_sides.hpp.
   Region back;
   std::size_t sides = 1;  ///< coil sides that share the slot's area, all with as many wires
   FillSampling sampling;

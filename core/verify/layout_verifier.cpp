@@ -45,9 +45,9 @@ double distance_to(const Edge& edge, Point p) {
 }
 
 /// By how much the wire reaches over the boundary, mm; negative: clearance.
-double beyond(const Region& room, Point p, double radius) {
+double beyond(const Region& usable_area, Point p, double radius) {
   double nearest = 1e300, turns = 0;
-  for (const Edge& edge : room.edges()) {
+  for (const Edge& edge : usable_area.edges()) {
     nearest = std::min(nearest, distance_to(edge, p));
     turns += swept(edge, p);
   }
@@ -56,9 +56,9 @@ double beyond(const Region& room, Point p, double radius) {
 }
 
 /// Asks `progress` once in a while.
-class Breath {
+class WorkCounter {
  public:
-  Breath(Progress& progress, double from, double to) : progress_(progress), from_(from), to_(to) {}
+  WorkCounter(Progress& progress, double from, double to) : progress_(progress), from_(from), to_(to) {}
   /// `share` of the whole is done, `work` comparisons since the last call.
   void take(double share, std::size_t work) {
     work_ += work;
@@ -75,7 +75,7 @@ class Breath {
 
 /// 2 · radius less the least distance of two wires, or as little as that there are none within 2 · radius along x.
 /// A NaN is passed on.
-double deepest_overlap(std::span<const Point> wires, double radius, double share, Breath& breath) {
+double deepest_overlap(std::span<const Point> wires, double radius, double share, WorkCounter& counter) {
   std::vector<Point> sorted(wires.begin(), wires.end());
   for (const Point& p : sorted)
     if (std::isnan(p.x) || std::isnan(p.y)) return std::numeric_limits<double>::quiet_NaN();
@@ -85,7 +85,7 @@ double deepest_overlap(std::span<const Point> wires, double radius, double share
     std::size_t k = i + 1;
     for (; k < sorted.size() && sorted[k].x - sorted[i].x < least; ++k)
       least = std::min(least, std::hypot(sorted[k].x - sorted[i].x, sorted[k].y - sorted[i].y));
-    breath.take(share, k - i);
+    counter.take(share, k - i);
   }
   return 2 * radius - least;
 }
@@ -101,7 +101,7 @@ void raise(Check& check, double value, double at) {
 
 }  // namespace
 
-Verification verify_layouts(const Region& room, std::span<const LayoutToVerify> layouts, Progress& progress,
+Verification verify_layouts(const Region& usable_area, std::span<const LayoutToVerify> layouts, Progress& progress,
                             double progress_from, double progress_to) {
   Verification verdict;
   const auto check = [&](const std::string& name, const char* unit, double limit) -> Check& {
@@ -110,26 +110,26 @@ Verification verify_layouts(const Region& room, std::span<const LayoutToVerify> 
     verdict.checks.push_back({name, unit, limit, -1e300, 0, true});
     return verdict.checks.back();
   };
-  Breath breath(progress, progress_from, progress_to);
+  WorkCounter counter(progress, progress_from, progress_to);
   double beyond_bound = -1e300, at_bound = 0;
   for (std::size_t i = 0; i < layouts.size(); ++i) {
     const LayoutToVerify& layout = layouts[i];
     const double share = static_cast<double>(i) / static_cast<double>(layouts.size());
     const std::string name = layout.algorithm + (layout.region.empty() ? "" : ", " + layout.region);
-    const Region& where = layout.room ? *layout.room : room;
+    const Region& where = layout.usable_area ? *layout.usable_area : usable_area;
     double outside = -1e300;
     for (const Point& p : layout.wires) {
-      breath.take(share, 16 * where.edges().size());
+      counter.take(share, 16 * where.edges().size());
       const double over = beyond(where, p, layout.radius);
       if (over > outside || std::isnan(over)) outside = over;
     }
     const double overlap =
-        layout.wires.size() < 2 ? -layout.overlap : deepest_overlap(layout.wires, layout.radius, share, breath);
+        layout.wires.size() < 2 ? -layout.overlap : deepest_overlap(layout.wires, layout.radius, share, counter);
     raise(check("overlap beyond what is allowed " + name, "mm", rounding), overlap - layout.overlap, layout.copper);
     raise(check("overlap with the boundary " + name, "mm", rounding), layout.wires.empty() ? 0 : outside,
           layout.copper);
     const auto count = static_cast<double>(layout.wires.size());
-    if (layout.room) {
+    if (layout.usable_area) {
       raise(check("wires missing " + name, "1", 0), std::abs(static_cast<double>(layout.count) - count), layout.copper);
     } else if (count - static_cast<double>(layout.bound) > beyond_bound) {
       beyond_bound = count - static_cast<double>(layout.bound);

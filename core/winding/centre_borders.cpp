@@ -8,20 +8,20 @@
 
 namespace bahnwerk::winding {
 
-CentreBorders centre_borders(const Region& room, double radius, Progress* progress) {
+CentreBorders centre_borders(const Region& usable_area, double radius, Progress* progress) {
   CentreBorders found;
-  if (room.empty()) return found;
-  const std::vector<Edge> edges = room.parallels(radius);
+  if (usable_area.empty()) return found;
+  const std::vector<Edge> edges = usable_area.parallels(radius);
   std::size_t asked = 0;
   const auto inside = [&](Point p) {
     if (progress && ++asked % 512 == 0) progress->report("borders", 0);
-    return room.distance(p) >= radius - fit_margin;
+    return usable_area.distance(p) >= radius - fit_margin;
   };
   const auto corner = [&](Point p) {
     if (inside(p)) found.corners.push_back(p);
   };
   // An arc with the wire's own radius shrinks to its centre.
-  for (const Edge& edge : room.edges())
+  for (const Edge& edge : usable_area.edges())
     if (!edge.straight() && edge.turn > 0 && std::abs(edge.radius - radius) <= fit_margin) corner(edge.centre);
   std::vector<std::vector<double>> cuts(edges.size(), {0, 1});
   for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -33,7 +33,8 @@ CentreBorders centre_borders(const Region& room, double radius, Progress* progre
     cuts[i].push_back(m.first);
     cuts[k].push_back(m.second);
   };
-  each_meeting(edges, cut, edges.size() < many_edges ? std::vector<Box>{} : room.reached(edges, radius, progress));
+  each_meeting(edges, cut,
+               edges.size() < many_edges ? std::vector<Box>{} : usable_area.reached(edges, radius, progress));
   for (std::size_t i = 0; i < edges.size(); ++i) {
     std::sort(cuts[i].begin(), cuts[i].end());
     for (std::size_t k = 1; k < cuts[i].size(); ++k) {

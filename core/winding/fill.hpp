@@ -9,7 +9,7 @@
 
 namespace bahnwerk::winding {
 
-/// Copper in the slot as punched [Herrmann (2.2)], wires in the room that is left for them (2.3); areas mm².
+/// Copper in the slot as punched [Herrmann (2.2)], wires in the usable area that is left for them (2.3); areas mm².
 double electrical_fill(std::size_t count, const Wire& wire, double slot_area);
 double mechanical_fill(std::size_t count, const Wire& wire, double room_area);
 

@@ -25,7 +25,7 @@ FillRequest request(const Slot& slot, std::vector<Wire> wires, std::vector<Algor
   r.slot = slot;
   r.wires = std::move(wires);
   r.algorithms = std::move(algorithms);
-  r.tie_in = slot.pull;
+  r.tie_in = slot.tension_point;
   return r;
 }
 
@@ -46,7 +46,7 @@ class Labelled {
         out_(svg::open(2 * side + right + scale_ * (box_.high.x - box_.low.x),
                        2 * side + scale_ * (box_.high.y - box_.low.y))) {
     outline(slot.iron, "fill=\"#e6e9ed\" stroke=\"#4a525c\" stroke-width=\"1.6\"");
-    outline(slot.room, "fill=\"#ffffff\" stroke=\"#8a919b\" stroke-width=\"1\"");
+    outline(slot.usable_area, "fill=\"#ffffff\" stroke=\"#8a919b\" stroke-width=\"1\"");
   }
   /// A line with ticks from `a` to `b`, its name beside the middle.
   void length(Point a, Point b, const std::string& name, Point offset = {0, 8}) {

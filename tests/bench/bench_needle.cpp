@@ -15,7 +15,9 @@ namespace {
 SilentProgress silent;
 
 /// Wires of about this number fill the slot: 0.82 of the area is what the layouts reach.
-double radius_for(const Slot& slot, double wires) { return std::sqrt(0.82 * slot.room.area() / (3.14159 * wires)); }
+double radius_for(const Slot& slot, double wires) {
+  return std::sqrt(0.82 * slot.usable_area.area() / (3.14159 * wires));
+}
 
 void count(benchmark::State& state, std::size_t wires) {
   state.counters["wires"] = static_cast<double>(wires);
@@ -35,14 +37,14 @@ void stator_raabe(benchmark::State& state) {
   const Slot slot = make_slot(StatorSlot{});
   const double r = radius_for(slot, static_cast<double>(state.range(0)));
   std::size_t wires = 0;
-  for (auto _ : state) wires = raabe(slot.room, r, silent).wires.size();
+  for (auto _ : state) wires = raabe(slot.usable_area, r, silent).wires.size();
   count(state, wires);
 }
 void stator_orthocyclic(benchmark::State& state) {
   const Slot slot = make_slot(StatorSlot{});
   const double r = radius_for(slot, static_cast<double>(state.range(0)));
   std::size_t wires = 0;
-  for (auto _ : state) wires = orthocyclic(slot.room, r, slot.pull, 0, silent).wires.size();
+  for (auto _ : state) wires = orthocyclic(slot.usable_area, r, slot.tension_point, 0, silent).wires.size();
   count(state, wires);
 }
 void stator_producible(benchmark::State& state) {
@@ -51,7 +53,7 @@ void stator_producible(benchmark::State& state) {
   const Layout layout = needle(slot, r, StatorHeads{}, silent)[0];
   std::size_t held = 0;
   for (auto _ : state) {
-    const Producible p = producible(slot.room, r, layout, slot.pull, {}, silent);
+    const Producible p = producible(slot.usable_area, r, layout, slot.tension_point, {}, silent);
     held = p.first ? p.first->laid : layout.wires.size();
   }
   state.counters["held"] = static_cast<double>(held);

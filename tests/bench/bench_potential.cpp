@@ -23,16 +23,16 @@ Region stator_room() {
 
 /// Thousandths of a millimetre: overall diameter, least overall diameter, copper (IEC 60317-0-1, grade 2, R 20).
 void max_wires(benchmark::State& state) {
-  const Region room = stator_room();
+  const Region usable_area = stator_room();
   const double outer = 1e-3 * static_cast<double>(state.range(0)), least = 1e-3 * static_cast<double>(state.range(1));
   PotentialOptions options;
   options.overlap = 0.25 * (outer - least);
   SilentProgress progress;
   std::size_t wires = 0;
-  for (auto _ : state) wires = potential(room, outer / 2, {}, options, progress).size();
+  for (auto _ : state) wires = potential(usable_area, outer / 2, {}, options, progress).size();
   const double area = static_cast<double>(wires) * std::numbers::pi * outer * outer / 4;
   state.counters["wires"] = static_cast<double>(wires);
-  state.counters["mechanical"] = area / room.area();
+  state.counters["mechanical"] = area / usable_area.area();
 }
 BENCHMARK(max_wires)
     ->Args({566, 545})
@@ -51,11 +51,11 @@ BENCHMARK(max_wires)
 
 /// A descent from a random layout a little denser than possible.
 void minimisation(benchmark::State& state) {
-  const Region room = stator_room();
+  const Region usable_area = stator_room();
   const auto count = static_cast<std::size_t>(state.range(0));
-  const double radius = std::sqrt(0.86 * room.area() / (static_cast<double>(count) * std::numbers::pi));
+  const double radius = std::sqrt(0.86 * usable_area.area() / (static_cast<double>(count) * std::numbers::pi));
   SilentProgress progress;
-  const CentreRoom centres(room, radius, progress);
+  const CentreArea centres(usable_area, radius, progress);
   const std::vector<Point> places = centres.spread(radius / 3);
   Random random(1);
   Minimiser minimiser;

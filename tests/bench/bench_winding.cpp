@@ -10,15 +10,15 @@ namespace {
 
 using winding::Algorithm;
 
-/// One distance to the room's boundary; both slots have some 14 edges.
+/// One distance to the usable area's boundary; both slots have some 14 edges.
 void distance(benchmark::State& state, const winding::Slot& slot) {
   Random random(1);
   std::vector<Point> points;
-  const auto& box = slot.room.box();
+  const auto& box = slot.usable_area.box();
   for (int k = 0; k < 4096; ++k)
     points.push_back({random.uniform(box.low.x, box.high.x), random.uniform(box.low.y, box.high.y)});
   std::size_t i = 0;
-  for (auto _ : state) benchmark::DoNotOptimize(slot.room.distance(points[i++ % points.size()]));
+  for (auto _ : state) benchmark::DoNotOptimize(slot.usable_area.distance(points[i++ % points.size()]));
 }
 
 /// Wires on a lattice, verified; time per wire grows with their number: every pair is looked at.
@@ -31,7 +31,7 @@ void verifying(benchmark::State& state) {
     for (double x = 0.5; x < side; ++x) wires.push_back({x, y});
   SilentProgress silent;
   const LayoutToVerify layout{"lattice", 0.9, 0.5, 0, wires, n};
-  for (auto _ : state) benchmark::DoNotOptimize(verify_layouts(slot.room, std::span(&layout, 1), silent, 0, 1));
+  for (auto _ : state) benchmark::DoNotOptimize(verify_layouts(slot.usable_area, std::span(&layout, 1), silent, 0, 1));
   state.SetComplexityN(state.range(0));
 }
 
@@ -42,7 +42,7 @@ void sweep(benchmark::State& state, winding::Series series) {
   request.wires = winding::standard_wires(2, 0.5, 1.6, series);
   request.algorithms = {Algorithm::orthocyclic_base, Algorithm::orthocyclic_flank, Algorithm::raabe,
                         Algorithm::potential, Algorithm::needle};
-  request.tie_in = request.slot.pull;
+  request.tie_in = request.slot.tension_point;
   request.heads = winding::StatorHeads{};
   SilentProgress silent;
   for (auto _ : state) benchmark::DoNotOptimize(plan_fill(request, silent));

@@ -42,9 +42,9 @@ struct Stretch {
 /// Cuts the segments [first, last) of a path (all of one mode) at joints that turn by more than `reversal` rad and at
 /// cusps. Lines shorter than `tiny` mm are merged into neighbours of the same block: vertices move by no more than
 /// twice that, borders of blocks not at all, and each block keeps an element. `blocks[i]` is the block of segment i.
-/// O(segments); `breathe` is called every few ms and may throw.
+/// O(segments); `pause` is called every few ms and may throw.
 std::vector<Stretch> stretches(const Path& path, std::size_t first, std::size_t last,
                                const std::vector<std::size_t>& blocks, double tiny, double reversal,
-                               const std::function<void()>& breathe = {});
+                               const std::function<void()>& pause = {});
 
 }  // namespace bahnwerk::blending

@@ -14,6 +14,6 @@ struct BlendCount {
 };
 
 /// Adds to the notes of the blended contour: what was blended, which jumps and corners are left, what failed.
-void note(Contour& blended, const BlendCount& count, const BlendOptions& options, const std::function<void()>& breathe);
+void note(Contour& blended, const BlendCount& count, const BlendOptions& options, const std::function<void()>& pause);
 
 }  // namespace bahnwerk::blending

@@ -24,9 +24,9 @@ struct Row {
 
 class Solver {
  public:
-  Solver(const TubeProblem& problem, const std::function<void()>& breathe)
+  Solver(const TubeProblem& problem, const std::function<void()>& pause)
       : p_(problem),
-        breathe_(breathe),
+        pause_(pause),
         dim_(problem.dimension),
         points_(problem.breaks.size() + spline_degree - 1),
         knots_(clamped_knots(problem.breaks)),
@@ -72,7 +72,7 @@ class Solver {
     double radius = HUGE_VAL;
     for (const TubeSite& s : p_.sites) radius = std::min(radius, s.radius);
     for (std::size_t k = 0; k + 1 < p_.breaks.size(); ++k) {
-      if ((k & 4095) == 4095 && breathe_) breathe_();
+      if ((k & 4095) == 4095 && pause_) pause_();
       const double h = p_.breaks[k + 1] - p_.breaks[k];
       const double w = std::pow(p_.scale[k], 5) / (radius * radius);
       for (int g = 0; g < 3; ++g) {
@@ -158,7 +158,7 @@ class Solver {
 
   /// Adds the site's term with gradient `pull`·r and Hessian `pull` I + `twist` r rᵀ.
   void add_site(std::size_t s, double pull, double twist) {
-    if ((s & 8191) == 8191 && breathe_) breathe_();
+    if ((s & 8191) == 8191 && pause_) pause_();
     const Vec r = residual_[s];
     const Row& row = rows_[s];
     for (std::size_t i = 0; i < spline_order; ++i) {
@@ -179,7 +179,7 @@ class Solver {
   }
 
   void solve_system() {
-    system_.factor(breathe_);
+    system_.factor(pause_);
     system_.solve(right_);
   }
 
@@ -266,7 +266,7 @@ class Solver {
   }
 
   const TubeProblem& p_;
-  const std::function<void()>& breathe_;
+  const std::function<void()>& pause_;
   std::size_t dim_, points_;
   std::vector<double> knots_;
   BandMatrix energy_, system_;
@@ -292,8 +292,8 @@ Jet TubeSpline::at(std::size_t span, double t) const {
   return f;
 }
 
-TubeSpline smooth_in_tube(const TubeProblem& problem, const std::function<void()>& breathe) {
-  return Solver(problem, breathe).run();
+TubeSpline smooth_in_tube(const TubeProblem& problem, const std::function<void()>& pause) {
+  return Solver(problem, pause).run();
 }
 
 }  // namespace bahnwerk::blending

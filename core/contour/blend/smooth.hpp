@@ -44,7 +44,7 @@ struct TubeSpline {
   Jet at(std::size_t span, double t) const;
 };
 
-/// `breathe` is called at least every 20 ms or so and may throw.
-TubeSpline smooth_in_tube(const TubeProblem& problem, const std::function<void()>& breathe);
+/// `pause` is called at least every 20 ms or so and may throw.
+TubeSpline smooth_in_tube(const TubeProblem& problem, const std::function<void()>& pause);
 
 }  // namespace bahnwerk::blending

@@ -17,11 +17,11 @@ class BandMatrix {
   double& at(std::size_t i, std::size_t j) { return a_[i * (width_ + 1) + width_ + j - i]; }
   double at(std::size_t i, std::size_t j) const { return a_[i * (width_ + 1) + width_ + j - i]; }
 
-  /// In place. A pivot lost to rounding is replaced, which keeps that unknown where it is. `breathe` is called every
+  /// In place. A pivot lost to rounding is replaced, which keeps that unknown where it is. `pause` is called every
   /// few thousand rows.
-  void factor(const std::function<void()>& breathe) {
+  void factor(const std::function<void()>& pause) {
     for (std::size_t i = 0; i < n_; ++i) {
-      if ((i & 4095) == 4095 && breathe) breathe();
+      if ((i & 4095) == 4095 && pause) pause();
       const std::size_t first = i > width_ ? i - width_ : 0;
       const double given = at(i, i);
       double pivot = given;

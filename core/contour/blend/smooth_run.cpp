@@ -123,12 +123,12 @@ class Inspection {
              const RunTolerance& tolerance)
       : stretch_(stretch), problem_(problem), spline_(spline), tolerance_(tolerance), bends_(bends_of(spline)) {}
 
-  Finding run(const std::function<void()>& breathe) {
+  Finding run(const std::function<void()>& pause) {
     Finding found;
     std::vector<double> slow;
     Place last = place(problem_.breaks.front());
     for (std::size_t i = 0; i <= problem_.sites.size(); ++i) {
-      if ((i & 4095) == 4095 && breathe) breathe();
+      if ((i & 4095) == 4095 && pause) pause();
       const double begin = last.t, end = i < problem_.sites.size() ? problem_.sites[i].t : problem_.breaks.back();
       worst_ = tolerance_.aimed, outside_ = -1;
       double least = slowest, halt = -1;
@@ -193,9 +193,9 @@ class Inspection {
 }  // namespace
 
 SmoothedRun smooth_run(const Stretch& stretch, const RunRange& range, const std::vector<double>& borders,
-                       const RunTolerance& tolerance, std::size_t dimension, const std::function<void()>& breathe) {
+                       const RunTolerance& tolerance, std::size_t dimension, const std::function<void()>& pause) {
   SmoothedRun run;
-  BendScale scale(stretch, range.a, range.b, tolerance.aimed, breathe);
+  BendScale scale(stretch, range.a, range.b, tolerance.aimed, pause);
   std::vector<double> extra;
   TubeProblem problem;
   problem.dimension = dimension;
@@ -207,7 +207,7 @@ SmoothedRun smooth_run(const Stretch& stretch, const RunRange& range, const std:
     for (std::size_t k = 0; k + 1 < problem.breaks.size(); ++k)
       problem.scale.push_back(2 * (problem.breaks[k + 1] - problem.breaks[k]));
     problem.sites = sites_of(stretch, range, scale, site_share * tolerance.aimed, extra);
-    const TubeSpline spline = smooth_in_tube(problem, breathe);
+    const TubeSpline spline = smooth_in_tube(problem, pause);
     if (!spline.inside) {
       run.troubles.clear();
       for (const TubeSite& site : problem.sites) {
@@ -218,7 +218,7 @@ SmoothedRun smooth_run(const Stretch& stretch, const RunRange& range, const std:
       scale.refine(run.troubles);
       continue;
     }
-    const Finding finding = Inspection(stretch, problem, spline, tolerance).run(breathe);
+    const Finding finding = Inspection(stretch, problem, spline, tolerance).run(pause);
     if (finding.places.empty()) {
       for (Rational& piece : Nurbs(spline_degree, spline.points, {}, spline.knots).pieces())
         run.pieces.push_back(std::move(piece));

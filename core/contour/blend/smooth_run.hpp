@@ -31,6 +31,6 @@ struct SmoothedRun {
 /// contour has its own on the curve. `borders`: places, strictly ascending (changes of the block), at which a piece
 /// ends, however close together they are. Not done when the curve would turn round in a point or cannot be kept inside.
 SmoothedRun smooth_run(const Stretch& stretch, const RunRange& range, const std::vector<double>& borders,
-                       const RunTolerance& tolerance, std::size_t dimension, const std::function<void()>& breathe);
+                       const RunTolerance& tolerance, std::size_t dimension, const std::function<void()>& pause);
 
 }  // namespace bahnwerk::blending

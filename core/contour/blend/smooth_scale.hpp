@@ -13,7 +13,7 @@ namespace bahnwerk::blending {
 class BendScale {
  public:
   /// Between a and b of a stretch, mm; `tolerance` mm. O(nodes · log elements), some 4 nodes per H.
-  BendScale(const Stretch& stretch, double a, double b, double tolerance, const std::function<void()>& breathe);
+  BendScale(const Stretch& stretch, double a, double b, double tolerance, const std::function<void()>& pause);
 
   double at(double t) const;
   /// Halves H around these places (ascending), but not below a sixteenth of the tolerance.

@@ -83,7 +83,7 @@ Region::Nearest Region::nearest(Point p) const {
   const Point d = p - found.at;
   const std::size_t vertex = where == 0 ? which : after_[which];
   const int corner = where == 0 || where == 1 ? corner_[vertex] : 0;
-  // Nearest to a corner: inside where it juts into the room, outside where it does not.
+  // Nearest to a corner: inside where it juts into the region, outside where it does not.
   const bool inside = corner != 0 ? corner < 0 : dot(d, found.normal) >= 0;
   if (found.distance > 1e-12) found.normal = (inside ? 1 / found.distance : -1 / found.distance) * d;
   if (!inside) found.distance = -found.distance;

@@ -1,5 +1,5 @@
 #pragma once
-/// The room inside a boundary of lines and arcs: a slot, or what liner and wedge leave of it. Distances, areas and
+/// The region inside a boundary of lines and arcs: a slot, or what liner and wedge leave of it. Distances, areas and
 /// offsets are exact up to rounding; nothing is chopped into chords.
 #include <cstddef>
 #include <span>
@@ -16,11 +16,11 @@ inline constexpr std::size_t many_edges = 200;
 class Region {
  public:
   Region() = default;
-  /// One or more closed loops of edges end to end, the room on their left. Ends may miss by 1e-6 mm. Throws
+  /// One or more closed loops of edges end to end, the region on their left. Ends may miss by 1e-6 mm. Throws
   /// std::invalid_argument if a loop does not close.
   explicit Region(std::vector<Edge> edges);
 
-  /// The nearest point of the boundary: `distance` is positive inside, `normal` the unit vector into the room.
+  /// The nearest point of the boundary: `distance` is positive inside, `normal` the unit vector into the region.
   struct Nearest {
     double distance = 0;
     Point at, normal;
@@ -34,14 +34,15 @@ class Region {
   double length() const;  ///< of the boundary, mm
   const Box& box() const { return box_; }
   std::span<const Edge> edges() const { return edges_; }
-  /// Whether the boundary turns to the right (more than 1e-9) where edge `i` begins: a corner that juts into the room.
+  /// Whether the boundary turns to the right (more than 1e-9) where edge `i` begins: a corner that juts into the
+  /// region.
   bool juts_at(std::size_t i) const { return corner_[i] < 0; }
   bool recedes_at(std::size_t i) const { return corner_[i] > 0; }
   std::size_t before(std::size_t i) const { return before_[i]; }
   /// Whether edge `i` is the first of its loop.
   bool begins_loop(std::size_t i) const { return before_[i] >= i; }
 
-  /// Every edge moved by `depth` into the room, with arcs about the corners at which that opens gaps: what bounds
+  /// Every edge moved by `depth` into the region, with arcs about the corners at which that opens gaps: what bounds
   /// inward(depth), not yet cut where it leaves it.
   std::vector<Edge> parallels(double depth) const;
   /// For each of these a box that holds all of its points at `depth` inside the boundary: of many short edges most
@@ -50,9 +51,9 @@ class Region {
   std::vector<Box> reached(const std::vector<Edge>& parallels, double depth, Progress* progress = nullptr) const;
   /// The areas of all points at least `depth` inside the boundary; several loops where a neck closes, empty where
   /// nothing is left. Lines and points are left out: centre_borders knows them.
-  /// A negative depth widens the room, around its corners by arcs. O(n²) for n edges.
+  /// A negative depth widens the region, around its corners by arcs. O(n²) for n edges.
   Region inward(double depth, Progress* progress = nullptr) const;
-  /// This room without that of `other`. Boundaries must not run along each other. O(n·m).
+  /// This region without that of `other`. Boundaries must not run along each other. O(n·m).
   Region without(const Region& other) const;
 
  private:

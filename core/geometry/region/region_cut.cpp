@@ -42,8 +42,8 @@ bool runs_back(const Edge& edge, Point end, Point along, double& at) {
   return distance(edge.at(at), end) <= together && dot(edge.direction(at), along) < -1 + 1e-9;
 }
 
-/// Without the parts that run forth and back over each other, as where the room is twice the depth wide: they bound no
-/// area, and no side of them is inside.
+/// Without the parts that run forth and back over each other, as where the region is twice the depth wide: they bound
+/// no area, and no side of them is inside.
 std::vector<Edge> without_lines(std::vector<Edge> parts, Progress* progress) {
   std::vector<std::vector<double>> cuts(parts.size());
   const auto each_pair = [&](auto visit) {

@@ -38,7 +38,7 @@ class SpeedChain {
   /// The motion comes to rest at the end of the grid. The first cell from the right that would be driven the same if it
   /// did not: nothing behind the grid changes the law up to there. 0 if there is none.
   std::size_t unaffected(const UnsetVector<double>& share) const;
-  /// Whether the law is below what can still stop at cell c, by a hair: then its speed there comes from before.
+  /// Whether the law is slightly below what can still stop at cell c: then its speed there comes from before.
   bool slack(std::size_t c) const { return speed_[c].node < speed_[c].node_stop * (1 - 1e-4); }
   /// Whether the entry is not too fast.
   bool enters() const { return entry_ <= speed_[0].node_stop * (1 + 1e-12); }

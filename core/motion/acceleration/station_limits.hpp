@@ -75,11 +75,11 @@ class PlainLink {
     return plain;
   }
 
-  /// Largest second variable for a given first one; the hair absorbs the rounding of x. Divisions come first: the
-  /// speeds hang on each other from cell to cell, what is between them decides the time of a pass.
-  double forward_left(double b, double cap) const { return reached((hair - tilt_) * b + width_, cap); }
+  /// Largest second variable for a given first one; the round_off_margin absorbs the rounding of x. Divisions come
+  /// first: the speeds hang on each other from cell to cell, what is between them decides the time of a pass.
+  double forward_left(double b, double cap) const { return reached((round_off_margin - tilt_) * b + width_, cap); }
   double forward_right(double g, double cap) const {
-    const Lanes<N> factor = hair / (1 + tilt_);
+    const Lanes<N> factor = round_off_margin / (1 + tilt_);
     return reached(factor * g + factor * width_, cap);
   }
   /// Largest first variable for which the second one, up to a cap, exists. Row k reads |x − f_k y| ≤ w_k with f_k > 0,
@@ -91,7 +91,7 @@ class PlainLink {
   double backward_right(double cap_g, double cap_b) const { return largest(1 + tilt_, width_, cap_g, cap_b); }
 
  private:
-  static constexpr double hair = 1 + 1e-13;
+  static constexpr double round_off_margin = 1 + 1e-13;
   static double reached(const Lanes<N>& line, double cap) {
     for (std::size_t k = 0; k < N; ++k) cap = std::min(cap, line[k]);
     return cap;

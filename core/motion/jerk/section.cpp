@@ -21,9 +21,9 @@ constexpr std::size_t few_cells = 200;  // too few for windows
 /// that the state in which the window is left has room to move.
 constexpr double open_share = 1 - 1e-2, open_violation = 2e-3;
 
-/// A solver that has not converged and violates rows by more has gone astray: once in a run it begins anew where it
+/// A solver that has not converged and violates rows by more has diverged: once in a section it begins anew where it
 /// came from, then that has to do.
-constexpr double astray = 1e-2;
+constexpr double diverged = 1e-2;
 
 /// So near to a cell's end, in parts of it, speed at rest is rounding.
 constexpr double rest = 1e-6;
@@ -150,7 +150,7 @@ void JerkRunPlanner<N, M>::improve(double mu, ProgressScope& pulse) {
     if (round > 0) before_ = state_;
     const JerkSolverResult r = solver_.solve(problem_, state_, mu, solver, pulse);
     work_ += r.iterations * static_cast<double>(grid_.cells.size());
-    if (round > 0 && !r.converged && !(r.violation < astray)) {
+    if (round > 0 && !r.converged && !(r.violation < diverged)) {
       state_ = before_;
       if (anew) return;
       anew = true;

@@ -7,7 +7,7 @@ namespace bahnwerk::verify {
 
 namespace {
 
-constexpr std::size_t breath = 1000;
+constexpr std::size_t cells_per_report = 1000;
 
 /// Part [low, high] of an edge, 0 … 1; empty by default.
 struct Part {
@@ -73,7 +73,7 @@ Traversal traverse_within(const std::vector<Vec>& a, const std::vector<Vec>& b, 
       Part above = near_part(b[j + 1], a[i], a[i + 1], radius);
       if (left.empty()) above.low = std::max(above.low, below.low);
       below = above;
-      if (++cells - told >= breath) {
+      if (++cells - told >= cells_per_report) {
         work(cells - told);
         told = cells;
         if (cells > max_cells) return Traversal::too_long;

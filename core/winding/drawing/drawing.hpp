@@ -20,13 +20,13 @@ struct DrawnWires {
   bool numbered = true;                       ///< wires large enough for it
 };
 
-/// The slot's outline, the room that liner and wedge leave, and the wires, coloured by layers counted from the base,
-/// numbered in laying order; a wire that slips is crossed out in red, one out of the needle's reach ringed. Beside it
-/// a legend and a scale.
+/// The slot's outline, the usable area that liner and wedge leave, and the wires, coloured by layers counted from the
+/// base, numbered in laying order; a wire that slips is crossed out in red, one out of the needle's reach ringed.
+/// Beside it a legend and a scale.
 std::string slot_drawing(const Slot& slot, const DrawnWires& drawn);
 
 /// Layers from the base: wires that touch what supports the base layer are 0, those that touch them 1, and so on.
-std::vector<int> layers(const Region& room, double radius, std::span<const Point> wires);
+std::vector<int> layers(const Region& usable_area, double radius, std::span<const Point> wires);
 
 struct FillCurve {
   Algorithm algorithm;

@@ -88,8 +88,8 @@ Legend legend(const Slot& slot, const DrawnWires& drawn, bool layerless, Point a
   }
   if (!drawn.slipping.empty()) entries.sign("✕", look::slips, "wire that does not stay");
   if (drawn.unreached) entries.sign("○", look::unreached, "wire out of the needle's reach");
-  if (slot.iron.area() > slot.room.area() + slot.taken.area() + 1e-6)
-    entries.swatch(look::liner, look::outline, "slot liner, room not used");
+  if (slot.iron.area() > slot.usable_area.area() + slot.taken.area() + 1e-6)
+    entries.swatch(look::liner, look::outline, "slot liner, usable area not used");
   if (!slot.wedge.empty()) entries.swatch(look::wedge, look::outline, "wedge");
   if (!slot.taken.empty()) entries.swatch(look::taken, look::outline, "other coil side");
   if (slot.opening) {

@@ -43,13 +43,13 @@ std::string outline(const Region& region, const Frame& frame) {
 
 }  // namespace
 
-std::vector<int> layers(const Region& room, double radius, std::span<const Point> wires) {
+std::vector<int> layers(const Region& usable_area, double radius, std::span<const Point> wires) {
   // The base layer: what stands on a wall that looks up.
   std::vector<int> layer(wires.size(), -1);
   std::vector<std::size_t> queue;
   const double touch = 0.05 * radius;
   for (std::size_t i = 0; i < wires.size(); ++i) {
-    for (const Edge& edge : room.edges()) {
+    for (const Edge& edge : usable_area.edges()) {
       const Point up = wires[i] - edge.at(edge.nearest(wires[i]));
       if (norm(up) > radius + touch || up.y < 0.8 * norm(up)) continue;
       layer[i] = 0;
@@ -105,7 +105,7 @@ std::string slot_drawing(const Slot& slot, const DrawnWires& wires) {
   const Box& box = slot.iron.box();
   const double wide = box.high.x - box.low.x, high = box.high.y - box.low.y;
   const Frame frame{box, std::min(640 / wide, 760 / high)};
-  const std::vector<int> layer = layers(slot.room, drawn.radius, drawn.wires);
+  const std::vector<int> layer = layers(slot.usable_area, drawn.radius, drawn.wires);
   const double size = std::min(0.75 * frame.scale * drawn.radius, 13.0);
   drawn.numbered = size > 5;
   const bool layerless = std::find(layer.begin(), layer.end(), -1) != layer.end();
@@ -116,7 +116,7 @@ std::string slot_drawing(const Slot& slot, const DrawnWires& wires) {
   out += svg::text({margin, margin + 4}, drawn.title, "fill=\"#20242a\"");
   out += filled(slot.iron, frame, look::liner, look::outline, "1.6");
   out += filled(slot.taken, frame, look::taken, "#8a919b", "1");
-  out += filled(slot.room, frame, "#ffffff", "#8a919b", "1");
+  out += filled(slot.usable_area, frame, "#ffffff", "#8a919b", "1");
   out += filled(slot.wedge, frame, look::wedge, "#8a919b", "1");
   out += opening(slot, frame);
   for (std::size_t i = 0; i < drawn.wires.size(); ++i) {

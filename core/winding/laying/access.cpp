@@ -60,15 +60,15 @@ bool left_open(std::vector<Interval>& taken, double low, double high) {
 }
 
 /// The highest that walls facing the opening rise to between two uprights, below the opening.
-double floor_of(const Region& room, const Upright& upright, const Opening& opening, double left, double right) {
+double floor_of(const Region& usable_area, const Upright& upright, const Opening& opening, double left, double right) {
   double highest = -endless;
-  const double size = 1 + norm(room.box().high - room.box().low);
+  const double size = 1 + norm(usable_area.box().high - usable_area.box().low);
   const auto side = [&](double x) {
     const Point from = opening.middle + x * upright.x;
     return line(from - 2 * size * upright.y, from + size * upright.y);
   };
   const Edge sides[] = {side(left), side(right)};
-  for (const Edge& edge : room.edges()) {
+  for (const Edge& edge : usable_area.edges()) {
     const auto consider = [&](double f) {
       const Point at = upright(edge.at(f));
       if (at.x >= left && at.x <= right && at.y < -fit_margin && dot(edge.direction(f), upright.x) > 1e-9)
@@ -99,7 +99,7 @@ std::vector<Obstruction> opening_obstructions(const Opening& opening, double rad
   return found;
 }
 
-std::optional<std::size_t> first_out_of_reach(const Region& room, const Opening& opening, const Needle& needle,
+std::optional<std::size_t> first_out_of_reach(const Region& usable_area, const Opening& opening, const Needle& needle,
                                               double radius, double touch, const std::vector<Point>& wires,
                                               Progress& progress) {
   const Upright upright(opening);
@@ -107,7 +107,7 @@ std::optional<std::size_t> first_out_of_reach(const Region& room, const Opening&
   const double x = needle.stand == Needle::Stand::middle ? 0 : needle.stand == Needle::Stand::left ? -half : half;
   const double through = opening.clear / 2 - radius;  // how far from the middle a wire passes the opening
   const double face = -opening.cover - radius;        // below this height the tooth tips are out of the way
-  double tip = floor_of(room, upright, opening, x - half + verify_margin, x + half - verify_margin);
+  double tip = floor_of(usable_area, upright, opening, x - half + verify_margin, x + half - verify_margin);
   std::vector<Point> laid;
   std::vector<Interval> taken;
   for (const Point& wire : wires) {

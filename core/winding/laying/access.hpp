@@ -39,7 +39,7 @@ std::vector<Obstruction> opening_obstructions(const Opening& opening, double rad
 /// laid before and, above the tooth tips, through the clear opening. Wires yield by `touch`, a fraction of their
 /// diameter. Walls that jut into the slot are not looked at: they guide a wire rather than hold it back.
 /// Every position of the mouth is decided, by intervals. O(n²) for n wires.
-std::optional<std::size_t> first_out_of_reach(const Region& room, const Opening& opening, const Needle& needle,
+std::optional<std::size_t> first_out_of_reach(const Region& usable_area, const Opening& opening, const Needle& needle,
                                               double radius, double touch, const std::vector<Point>& wires,
                                               Progress& progress);
 

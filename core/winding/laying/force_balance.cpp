@@ -112,22 +112,22 @@ ForceBalance::Result ForceBalance::solve(Progress& progress, double fraction) {
     if (!choose_step(fixed, result.residual, step)) break;
     std::fill(change_.begin(), change_.end(), Point{});
     spread(step_, change_);
-    double slope = 0, curvature = 0, room = std::numeric_limits<double>::infinity();
+    double slope = 0, curvature = 0, usable_area = std::numeric_limits<double>::infinity();
     for (const Point d : change_) curvature += dot(d, d);
     for (std::size_t i = 0; i < n; ++i) {
       slope -= gradient_[i] * step_[i];
-      if (step_[i] < 0) room = std::min(room, -amount_[i] / step_[i]);
+      if (step_[i] < 0) usable_area = std::min(usable_area, -amount_[i] / step_[i]);
     }
-    const double length = curvature > 0 ? slope / curvature : room;
-    if (!std::isfinite(std::min(length, room))) break;
-    if (length <= room) {
+    const double length = curvature > 0 ? slope / curvature : usable_area;
+    if (!std::isfinite(std::min(length, usable_area))) break;
+    if (length <= usable_area) {
       for (std::size_t i = 0; i < n; ++i) amount_[i] += length * step_[i];
       for (std::size_t i = 0; i < left_.size(); ++i) left_[i] += length * change_[i];
       if (round % 64 == 0) balance();  // sums of steps drift away from what they stand for
       gather(left_, gradient_);
       if (step == Step::loaded) conjugate(curvature);
     } else {
-      for (std::size_t i = 0; i < n; ++i) amount_[i] = std::max(0.0, amount_[i] + room * step_[i]);
+      for (std::size_t i = 0; i < n; ++i) amount_[i] = std::max(0.0, amount_[i] + usable_area * step_[i]);
       balance();
       for (std::size_t i = 0; i < n; ++i)
         if (amount_[i] > 0) amount_[i] = std::max(0.0, amount_[i] - fixed * gradient_[i]);

@@ -73,12 +73,12 @@ LayingRegions laying_regions(const Slot& slot, const StatorHeads& h) {
     return Frame{h.tool_radius * s.radial + shift * s.tangential + axial, s.radial, {0, 0, top ? 1.0 : -1.0}};
   };
   // Larger than any pile of the wires that the slot holds.
-  const Point size = slot.room.box().high - slot.room.box().low;
+  const Point size = slot.usable_area.box().high - slot.usable_area.box().low;
   const Region head = rectangle(2 * std::max(size.x, size.y), 2 * std::max(size.x, size.y));
   LayingRegions regions;
-  regions.at[0] = {slot.room, in_slot(first, h.stack), in_slot(first, 0)};
+  regions.at[0] = {slot.usable_area, in_slot(first, h.stack), in_slot(first, 0)};
   regions.at[1] = {head, at_tool(first, -h.tool_shift, false), at_tool(second, h.tool_shift, false)};
-  regions.at[2] = {slot.room, in_slot(second, 0), in_slot(second, h.stack)};
+  regions.at[2] = {slot.usable_area, in_slot(second, 0), in_slot(second, h.stack)};
   regions.at[3] = {head, at_tool(second, h.tool_shift, true), at_tool(first, -h.tool_shift, true)};
   return regions;
 }
@@ -92,11 +92,11 @@ LayingRegions laying_regions(const Slot& slot, const RotorHeads& h) {
   const auto on_cap = [&](double y, bool top) {
     return Frame{{h.tooth_radius, y, top ? high : low}, {1, 0, 0}, {0, 0, top ? 1.0 : -1.0}};
   };
-  const Region head = cap(slot.room, h.cap_height - h.cap_base);
+  const Region head = cap(slot.usable_area, h.cap_height - h.cap_base);
   LayingRegions regions;
-  regions.at[0] = {slot.room, in_slot(-1, high), in_slot(-1, low)};
+  regions.at[0] = {slot.usable_area, in_slot(-1, high), in_slot(-1, low)};
   regions.at[1] = {head, on_cap(-half, false), on_cap(half, false)};
-  regions.at[2] = {slot.room, in_slot(1, low), in_slot(1, high)};
+  regions.at[2] = {slot.usable_area, in_slot(1, low), in_slot(1, high)};
   regions.at[3] = {head, on_cap(half, true), on_cap(-half, true)};
   regions.hold = h.hold;
   return regions;

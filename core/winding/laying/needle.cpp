@@ -18,61 +18,61 @@ Space held(const LayingRegion& region, Point place, double hold) {
 }
 
 /// Share of the wires laid, from the area that they take at least.
-double share(std::size_t wires, const Region& room, double radius) {
-  return std::min(1.0, static_cast<double>(wires) * 3.5 * radius * radius / room.area());
+double share(std::size_t wires, const Region& usable_area, double radius) {
+  return std::min(1.0, static_cast<double>(wires) * 3.5 * radius * radius / usable_area.area());
 }
 
 }  // namespace
 
 NeedleLayout needle(const LayingRegions& regions, double radius, Point tie_in, Progress& progress) {
   NeedleLayout layouts;
-  std::array<Sites, 4> sites{Sites(regions.at[0].room, radius, &progress), Sites(regions.at[1].room, radius, &progress),
-                             Sites(regions.at[2].room, radius, &progress),
-                             Sites(regions.at[3].room, radius, &progress)};
-  Point pull = tie_in;
+  std::array<Sites, 4> sites{
+      Sites(regions.at[0].usable_area, radius, &progress), Sites(regions.at[1].usable_area, radius, &progress),
+      Sites(regions.at[2].usable_area, radius, &progress), Sites(regions.at[3].usable_area, radius, &progress)};
+  Point tension_point = tie_in;
   for (;;) {
-    progress.report("laying", share(layouts[0].wires.size(), regions.at[0].room, radius));
+    progress.report("laying", share(layouts[0].wires.size(), regions.at[0].usable_area, radius));
     for (std::size_t j = 0; j < 4; ++j) {
-      const std::optional<Point> place = sites[j].nearest(pull);
+      const std::optional<Point> place = sites[j].nearest(tension_point);
       if (!place) {
         for (std::size_t k = 0; k < j; ++k) {
           layouts[k].wires.pop_back();
-          layouts[k].pulls.pop_back();
+          layouts[k].tension_points.pop_back();
         }
         return layouts;
       }
       sites[j].lay(*place);
       layouts[j].wires.push_back(*place);
-      layouts[j].pulls.push_back(pull);
-      pull = regions.at[(j + 1) % 4].begin.foot(held(regions.at[j], *place, regions.hold));
+      layouts[j].tension_points.push_back(tension_point);
+      tension_point = regions.at[(j + 1) % 4].begin.foot(held(regions.at[j], *place, regions.hold));
     }
   }
 }
 
 std::vector<Point> turn_pulls(const LayingRegions& regions, const Layout& layout) {
-  std::vector<Point> pulls;
+  std::vector<Point> tension_points;
   for (const Point wire : layout.wires)
-    pulls.push_back(regions.at[2].begin.foot(held(regions.at[1], wire, regions.hold)));
-  return pulls;
+    tension_points.push_back(regions.at[2].begin.foot(held(regions.at[1], wire, regions.hold)));
+  return tension_points;
 }
 
-Layout needle(const Region& room, double radius, Point pull, Progress& progress) {
+Layout needle(const Region& usable_area, double radius, Point tension_point, Progress& progress) {
   Layout layout;
-  Sites sites(room, radius, &progress);
-  while (const std::optional<Point> place = sites.nearest(pull)) {
-    progress.report("laying", share(layout.wires.size(), room, radius));
+  Sites sites(usable_area, radius, &progress);
+  while (const std::optional<Point> place = sites.nearest(tension_point)) {
+    progress.report("laying", share(layout.wires.size(), usable_area, radius));
     sites.lay(*place);
     layout.wires.push_back(*place);
-    layout.pulls.push_back(pull);
+    layout.tension_points.push_back(tension_point);
   }
   return layout;
 }
 
 NeedleLayout needle(const Slot& slot, double radius, const StatorHeads& heads, Progress& progress) {
-  return needle(laying_regions(slot, heads), radius, slot.pull, progress);
+  return needle(laying_regions(slot, heads), radius, slot.tension_point, progress);
 }
 NeedleLayout needle(const Slot& slot, double radius, const RotorHeads& heads, Progress& progress) {
-  return needle(laying_regions(slot, heads), radius, slot.pull, progress);
+  return needle(laying_regions(slot, heads), radius, slot.tension_point, progress);
 }
 
 }  // namespace bahnwerk::winding

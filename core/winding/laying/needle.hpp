@@ -9,8 +9,8 @@
 
 namespace bahnwerk::winding {
 
-/// Layouts of the four regions; all have the same number of wires. `pulls` holds the points that drew each wire, in
-/// coordinates of its region.
+/// Layouts of the four regions; all have the same number of wires. `tension_points` holds the points that drew each
+/// wire, in coordinates of its region.
 using NeedleLayout = std::array<Layout, 4>;
 
 /// The first wire of the first slot is drawn to `tie_in` (4.12), every other one to the foot of the point at which the
@@ -25,7 +25,7 @@ NeedleLayout needle(const LayingRegions& regions, double radius, Point tie_in, P
 std::vector<Point> turn_pulls(const LayingRegions& regions, const Layout& layout);
 
 /// One slot without winding heads: every wire is drawn to the same point.
-Layout needle(const Region& room, double radius, Point pull, Progress& progress);
+Layout needle(const Region& usable_area, double radius, Point tension_point, Progress& progress);
 
 /// The slot's own heads and tie-in point.
 NeedleLayout needle(const Slot& slot, double radius, const StatorHeads& heads, Progress& progress);

@@ -10,8 +10,8 @@ namespace {
 
 /// Calls `found(normal)` for every place where a wire touches the boundary.
 template <class Found>
-void walls(const Region& room, Point centre, double radius, double gap, Found found) {
-  for (const Edge& edge : room.edges()) {
+void walls(const Region& usable_area, Point centre, double radius, double gap, Found found) {
+  for (const Edge& edge : usable_area.edges()) {
     // A wire that fills an arc touches all of it.
     if (!edge.straight() && distance(centre, edge.centre) <= gap && std::abs(edge.radius - radius) <= gap) {
       for (const double f : {0.0, 0.5, 1.0}) found(unit(centre - edge.at(f)));
@@ -31,7 +31,7 @@ std::vector<std::size_t> Producible::slipping() const {
   return wires;
 }
 
-Producible producible(const Region& room, double radius, const Layout& layout, Point pull,
+Producible producible(const Region& usable_area, double radius, const Layout& layout, Point tension_point,
                       const ProducibleOptions& options, Progress& progress) {
   Producible result;
   ForceBalance pile(options.friction);
@@ -39,7 +39,7 @@ Producible producible(const Region& room, double radius, const Layout& layout, P
   for (std::size_t i = 0; i < layout.wires.size(); ++i) {
     const double fraction = static_cast<double>(i) / static_cast<double>(layout.wires.size());
     progress.report("balancing forces", fraction);
-    const Point centre = layout.wires[i], to = layout.pulls.empty() ? pull : layout.pulls[i];
+    const Point centre = layout.wires[i], to = layout.tension_points.empty() ? tension_point : layout.tension_points[i];
     const Point force = distance(centre, to) > gap ? unit(to - centre) : Point{};
     ForceBalance alone(options.friction);
     alone.add_wire(force);
@@ -48,7 +48,7 @@ Producible producible(const Region& room, double radius, const Layout& layout, P
       alone.add_contact(0, ForceBalance::wall, normal);
       pile.add_contact(i, other, normal);
     };
-    walls(room, centre, radius, gap, [&](Point normal) { touch(ForceBalance::wall, normal); });
+    walls(usable_area, centre, radius, gap, [&](Point normal) { touch(ForceBalance::wall, normal); });
     for (std::size_t k = 0; k < i; ++k)
       if (square_distance(layout.wires[k], centre) <= reach * reach) touch(k, unit(centre - layout.wires[k]));
     const ForceBalance::Result held = alone.solve(progress, fraction);

@@ -47,10 +47,10 @@ struct Producible {
   std::vector<std::size_t> slipping() const;  ///< all wires named above, ascending
 };
 
-/// `pull` draws the wires of a layout without pulls of its own. (b) is decided up to the first slip only: what follows
-/// would lie differently. The whole boundary bears, also the side that a wedge closes later.
-/// O(n) solutions of a balance of O(n) forces.
-Producible producible(const Region& room, double radius, const Layout& layout, Point pull,
+/// `tension_point` draws the wires of a layout without pulls of its own. (b) is decided up to the first slip only: what
+/// follows would lie differently. The whole boundary bears, also the side that a wedge closes later. O(n) solutions of
+/// a balance of O(n) forces.
+Producible producible(const Region& usable_area, double radius, const Layout& layout, Point tension_point,
                       const ProducibleOptions& options, Progress& progress);
 
 }  // namespace bahnwerk::winding

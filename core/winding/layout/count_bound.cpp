@@ -45,11 +45,11 @@ std::vector<Point> convex_hull(std::vector<Point> points) {
   return hull;
 }
 
-std::size_t max_wires(const Region& room, double radius, double min_distance, Progress* progress) {
+std::size_t max_wires(const Region& usable_area, double radius, double min_distance, Progress* progress) {
   constexpr double endless = 1e15;
   const double d = min_distance - verify_margin, inset = radius - verify_margin;
   if (d <= 100 * verify_margin || inset <= 0) return std::numeric_limits<std::size_t>::max();
-  const std::vector<Point> hull = convex_hull(around(centre_borders(room, inset, progress)));
+  const std::vector<Point> hull = convex_hull(around(centre_borders(usable_area, inset, progress)));
   if (hull.empty()) return 0;
   double doubled = 0, length = 0;
   for (std::size_t i = 0; i < hull.size(); ++i) {

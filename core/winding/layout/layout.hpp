@@ -17,7 +17,7 @@ inline constexpr Named<Algorithm> algorithms[] = {{Algorithm::orthocyclic_base, 
 struct Layout {
   std::vector<Point> wires;
   /// Where each wire was pulled to when it was laid; empty: the slot's own point for all.
-  std::vector<Point> pulls;
+  std::vector<Point> tension_points;
 };
 
 }  // namespace bahnwerk::winding

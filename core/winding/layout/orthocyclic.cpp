@@ -9,7 +9,7 @@
 namespace bahnwerk::winding {
 namespace {
 
-/// Least and greatest extent of the room's box along a unit vector, from `origin`.
+/// Least and greatest extent of the usable area's box along a unit vector, from `origin`.
 struct Extent {
   double low = std::numeric_limits<double>::max(), high = std::numeric_limits<double>::lowest();
 };
@@ -26,14 +26,14 @@ Extent extent(const Box& box, Point origin, Point along) {
 
 }  // namespace
 
-Layout orthocyclic(const Region& room, double radius, Point pull, double angle, Progress& progress) {
+Layout orthocyclic(const Region& usable_area, double radius, Point tension_point, double angle, Progress& progress) {
   Layout layout;
-  Sites sites(room, radius, &progress);
-  const std::optional<Point> first = sites.nearest(pull);
+  Sites sites(usable_area, radius, &progress);
+  const std::optional<Point> first = sites.nearest(tension_point);
   if (!first) return layout;
   const double pitch = 2 * radius;
   const Point along{std::cos(angle), std::sin(angle)}, across = left_of(along);
-  const Extent row = extent(room.box(), *first, along), rows = extent(room.box(), *first, across);
+  const Extent row = extent(usable_area.box(), *first, along), rows = extent(usable_area.box(), *first, across);
   const double rise = pitch * std::sqrt(0.75);
   const int most = static_cast<int>(std::max(rows.high, -rows.low) / rise) + 1;
   const double longest = std::max(row.high, -row.low);

@@ -29,41 +29,41 @@ std::size_t tries_of(const PotentialOptions& options, double share, std::size_t 
 
 }  // namespace
 
-bool packed(const Region& room, double radius, double overlap, std::span<const Point> wires) {
+bool packed(const Region& usable_area, double radius, double overlap, std::span<const Point> wires) {
   const double least = 2 * radius - overlap - slack;
   for (std::size_t i = 0; i < wires.size(); ++i) {
-    if (!(room.distance(wires[i]) >= radius - slack)) return false;
+    if (!(usable_area.distance(wires[i]) >= radius - slack)) return false;
     for (std::size_t k = i + 1; k < wires.size(); ++k)
       if (!(distance(wires[i], wires[k]) >= least)) return false;
   }
   return true;
 }
 
-std::optional<std::vector<Point>> pack(const Region& room, double radius, std::size_t count,
+std::optional<std::vector<Point>> pack(const Region& usable_area, double radius, std::size_t count,
                                        std::span<const std::vector<Point>> hints, const PotentialOptions& options,
                                        Progress& progress) {
   demand(radius, options);
-  const CentreRoom centres(room, radius, progress);
+  const CentreArea centres(usable_area, radius, progress);
   PackingSearch search(centres, 2 * radius - options.overlap, options.seed, progress);
   auto found = search.find(count, hints, work_of(options, 4), tries_of(options, 4, count));
-  if (found && !packed(room, radius, options.overlap, *found)) found.reset();
+  if (found && !packed(usable_area, radius, options.overlap, *found)) found.reset();
   return found;
 }
 
-std::vector<Point> potential(const Region& room, double radius, std::span<const std::vector<Point>> hints,
+std::vector<Point> potential(const Region& usable_area, double radius, std::span<const std::vector<Point>> hints,
                              const PotentialOptions& options, Progress& progress) {
   demand(radius, options);
   std::vector<Point> best;
   for (const std::vector<Point>& hint : hints)
-    if (hint.size() > best.size() && packed(room, radius, options.overlap, hint)) best = hint;
+    if (hint.size() > best.size() && packed(usable_area, radius, options.overlap, hint)) best = hint;
   progress.report("potential", 0);
-  const CentreRoom centres(room, radius, progress);
+  const CentreArea centres(usable_area, radius, progress);
   if (centres.empty()) return best;
   const double least = 2 * radius - options.overlap;
   PackingSearch search(centres, least, options.seed, progress);
   const auto take = [&](std::vector<Point> wires) {
     search.fill(wires);
-    if (wires.size() > best.size() && packed(room, radius, options.overlap, wires)) best = std::move(wires);
+    if (wires.size() > best.size() && packed(usable_area, radius, options.overlap, wires)) best = std::move(wires);
   };
   take(best);
   take(best_rows(centres, search.sides(), least, static_cast<std::size_t>(400 * std::max(1.0, options.effort)),

@@ -1,9 +1,9 @@
 #pragma once
-/// The most wires of one radius that a room holds, whether or not anyone could wind them: the upper bound that real
-/// layouts are measured by. Potential-based search [Herrmann 4.2.3, Algorithm 4.3, (4.5)–(4.8)] with an elastic force
-/// in place of the Coulomb force, exact minimisation, and basin hopping in place of plain restarts.
-/// A heuristic: it proves that a number fits, never that one more does not. Deterministic: room, radius, hints and
-/// options decide every bit of the result, no clock is read. Lengths mm.
+/// The most wires of one radius that a usable area holds, whether or not anyone could wind them: the upper bound that
+/// real layouts are measured by. Potential-based search [Herrmann 4.2.3, Algorithm 4.3, (4.5)–(4.8)] with an elastic
+/// force in place of the Coulomb force, exact minimisation, and basin hopping in place of plain restarts. A heuristic:
+/// it proves that a number fits, never that one more does not. Deterministic: usable area, radius, hints and options
+/// decide every bit of the result, no clock is read. Lengths mm.
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -29,15 +29,15 @@ struct PotentialOptions {
 /// The most wires found. Centres are at least 2·radius − overlap − 1e-9 apart and at least radius − 1e-9 from the
 /// boundary; an O(n²) check looks at every result. Never fewer than the best of `hints` that keeps these rules.
 /// Reports stage "potential". Throws std::invalid_argument unless radius > 0 and 0 ≤ overlap < 2·radius.
-std::vector<Point> potential(const Region& room, double radius, std::span<const std::vector<Point>> hints,
+std::vector<Point> potential(const Region& usable_area, double radius, std::span<const std::vector<Point>> hints,
                              const PotentialOptions& options, Progress& progress);
 
 /// `count` wires, or nothing if none were found; `options.most` means nothing here.
-std::optional<std::vector<Point>> pack(const Region& room, double radius, std::size_t count,
+std::optional<std::vector<Point>> pack(const Region& usable_area, double radius, std::size_t count,
                                        std::span<const std::vector<Point>> hints, const PotentialOptions& options,
                                        Progress& progress);
 
 /// Whether `wires` keep the rules above.
-bool packed(const Region& room, double radius, double overlap, std::span<const Point> wires);
+bool packed(const Region& usable_area, double radius, double overlap, std::span<const Point> wires);
 
 }  // namespace bahnwerk::winding

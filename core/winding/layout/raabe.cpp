@@ -21,16 +21,16 @@ std::optional<Point> lowest_at(double x, const Sites& sites, const Box& box) {
 
 }  // namespace
 
-Layout raabe(const Region& room, double radius, Progress& progress, int shifts) {
+Layout raabe(const Region& usable_area, double radius, Progress& progress, int shifts) {
   Layout best;
-  const Sites empty(room, radius, &progress);
+  const Sites empty(usable_area, radius, &progress);
   Sites search = empty;
   const std::optional<Point> initial = search.least(up);
   if (!initial) return best;
-  const double most = room.area() / (radius * radius * 3);
+  const double most = usable_area.area() / (radius * radius * 3);
   for (int shift = 0; shift < shifts; ++shift) {
     const double x = initial->x + shift * radius / shifts;
-    std::optional<Point> place = shift == 0 ? initial : lowest_at(x, empty, room.box());
+    std::optional<Point> place = shift == 0 ? initial : lowest_at(x, empty, usable_area.box());
     Sites sites = empty;
     for (; place; place = sites.least(up)) {
       sites.lay(*place);

@@ -8,10 +8,9 @@ namespace bahnwerk::winding {
 
 /// Wires take the lowest free place one after another, of equally low ones the leftmost, until none is left; distances
 /// to all wires laid before count (4.4), the safety distance is 0. This is done `shifts` times, the first wire starting
-/// at 0, 1/shifts, 2/shifts, … of the radius right of the lowest place of the empty room (the leftmost of several) and
-/// dropping to the lowest place there; starts right of all places are left out. The layout with the most wires is
-/// returned, of several the one with the smallest shift.
-/// O(shifts · n · open corners) for n wires.
-Layout raabe(const Region& room, double radius, Progress& progress, int shifts = 4);
+/// at 0, 1/shifts, 2/shifts, … of the radius right of the lowest place of the empty usable area (the leftmost of
+/// several) and dropping to the lowest place there; starts right of all places are left out. The layout with the most
+/// wires is returned, of several the one with the smallest shift. O(shifts · n · open corners) for n wires.
+Layout raabe(const Region& usable_area, double radius, Progress& progress, int shifts = 4);
 
 }  // namespace bahnwerk::winding

@@ -40,11 +40,12 @@ void at_reach(const Edge& edge, Point centre, double reach, Found found) {
 
 }  // namespace
 
-Sites::Sites(const Region& room, double radius, Progress* progress) : room_(room), radius_(radius), apart_(2 * radius) {
-  CentreBorders found = centre_borders(room, radius, progress);
+Sites::Sites(const Region& usable_area, double radius, Progress* progress)
+    : usable_area_(usable_area), radius_(radius), apart_(2 * radius) {
+  CentreBorders found = centre_borders(usable_area, radius, progress);
   borders_ = std::move(found.pieces);
   corners_ = std::move(found.corners);
-  const Point size = room.box().high - room.box().low;
+  const Point size = usable_area.box().high - usable_area.box().low;
   cell_ = std::max(apart_ + 2 * slack, std::max(size.x, size.y) / 2000);
   columns_ = 1 + static_cast<int>(size.x / cell_);
   rows_ = 1 + static_cast<int>(size.y / cell_);
@@ -53,7 +54,7 @@ Sites::Sites(const Region& room, double radius, Progress* progress) : room_(room
 
 namespace {
 
-/// Clamped, so that what lies outside the room's box belongs to a cell at its rim.
+/// Clamped, so that what lies outside the usable area's box belongs to a cell at its rim.
 int cell_at(double offset, double size, int cells) {
   return static_cast<int>(std::clamp(std::floor(offset / size), 0.0, static_cast<double>(cells - 1)));
 }
@@ -62,7 +63,8 @@ int cell_at(double offset, double size, int cells) {
 
 template <class Visit>
 bool Sites::around(Point p, int reach, Visit visit) const {
-  const int x = cell_at(p.x - room_.box().low.x, cell_, columns_), y = cell_at(p.y - room_.box().low.y, cell_, rows_);
+  const int x = cell_at(p.x - usable_area_.box().low.x, cell_, columns_),
+            y = cell_at(p.y - usable_area_.box().low.y, cell_, rows_);
   for (int row = std::max(0, y - reach); row <= std::min(rows_ - 1, y + reach); ++row)
     for (int column = std::max(0, x - reach); column <= std::min(columns_ - 1, x + reach); ++column)
       for (int i = first_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
@@ -77,7 +79,9 @@ bool Sites::clear_of_wires(Point p) const {
   return around(p, 1, [&](Point wire) { return square_distance(wire, p) >= least; });
 }
 
-bool Sites::in_room(Point centre) const { return !room_.empty() && room_.distance(centre) >= radius_ - slack; }
+bool Sites::in_room(Point centre) const {
+  return !usable_area_.empty() && usable_area_.distance(centre) >= radius_ - slack;
+}
 bool Sites::free(Point centre) const { return clear_of_wires(centre) && in_room(centre); }
 
 void Sites::open(Point corner) {
@@ -99,8 +103,8 @@ void Sites::lay(Point centre) {
       if (clear_of_wires(p) && in_room(p)) corners_.push_back(p);
     return true;
   });
-  const int x = cell_at(centre.x - room_.box().low.x, cell_, columns_);
-  const int y = cell_at(centre.y - room_.box().low.y, cell_, rows_);
+  const int x = cell_at(centre.x - usable_area_.box().low.x, cell_, columns_);
+  const int y = cell_at(centre.y - usable_area_.box().low.y, cell_, rows_);
   int& head = first_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x)];
   next_.push_back(head);
   head = static_cast<int>(wires_.size());

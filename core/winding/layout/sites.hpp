@@ -1,15 +1,15 @@
 #pragma once
-/// Where the next wire of one size may lie: the centres that keep `radius` from the boundary of a room and twice that
-/// from every wire laid so far. That set is bounded by arcs and lines, so whatever draws a wire (to a point, downwards)
-/// takes it to one of finitely many places: a corner of the set, the foot of the attraction point on a border or on the
-/// circle around a laid wire, or the point itself. They are all enumerated: the place found is the global optimum.
-/// [Herrmann (4.16)–(4.20)] searches along the wires laid before by local solvers from several starts, and misses
-/// places that only walls hold.
+/// Where the next wire of one size may lie: the centres that keep `radius` from the boundary of a usable area and twice
+/// that from every wire laid so far. That set is bounded by arcs and lines, so whatever draws a wire (to a point,
+/// downwards) takes it to one of finitely many places: a corner of the set, the foot of the attraction point on a
+/// border or on the circle around a laid wire, or the point itself. They are all enumerated: the place found is the
+/// global optimum. [Herrmann (4.16)–(4.20)] searches along the wires laid before by local solvers from several starts,
+/// and misses places that only walls hold.
 ///
 /// Accuracy: places keep both distances to 1e-9 mm; a gap that a wire fills exactly is a place.
 ///
-/// Cost: O(b + c) per wire laid or asked for, b borders of the room, c open corners, at most O(laid wires). Memory is
-/// linear in the wires and in the room's area in terms of a wire's.
+/// Cost: O(b + c) per wire laid or asked for, b borders of the usable area, c open corners, at most O(laid wires).
+/// Memory is linear in the wires and in the usable area's area in terms of a wire's.
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -22,7 +22,7 @@ namespace bahnwerk::winding {
 class Sites {
  public:
   /// `radius` of the wires, mm, > 0. Reports fraction 0 to `progress`, if there is one.
-  Sites(const Region& room, double radius, Progress* progress = nullptr);
+  Sites(const Region& usable_area, double radius, Progress* progress = nullptr);
 
   /// A wire lies at `centre` from now on; it need not be free.
   void lay(Point centre);
@@ -49,7 +49,7 @@ class Sites {
   template <class Cost>
   std::optional<Point> best(Cost cost) const;
 
-  Region room_;
+  Region usable_area_;
   double radius_, apart_;
   std::vector<Edge> borders_;
   std::vector<Point> corners_;  ///< free corners of the set of places

@@ -13,13 +13,13 @@ constexpr std::size_t elite = 4;  // starts from which hops go on
 
 }  // namespace
 
-PackingSearch::PackingSearch(const CentreRoom& room, double distance, std::uint64_t seed, Progress& progress)
-    : room_(room), squeeze_(room, distance), random_(seed), progress_(progress) {
-  if (room.empty()) return;
-  sides_ = winding::sides(room.edges(), 1.5 * distance);
+PackingSearch::PackingSearch(const CentreArea& usable_area, double distance, std::uint64_t seed, Progress& progress)
+    : usable_area_(usable_area), squeeze_(usable_area, distance), random_(seed), progress_(progress) {
+  if (usable_area.empty()) return;
+  sides_ = winding::sides(usable_area.edges(), 1.5 * distance);
   // Points in cells a distance wide, for the holes between wires.
-  std::vector<Point> points = room.spread(distance / 4);
-  const Box& box = room.box();
+  std::vector<Point> points = usable_area.spread(distance / 4);
+  const Box& box = usable_area.box();
   low_ = box.low;
   side_ = distance;
   columns_ = static_cast<std::size_t>((box.high.x - low_.x) / side_) + 1;
@@ -96,11 +96,11 @@ std::vector<Point> PackingSearch::start(std::size_t count) {
   const double full = squeeze_.distance();
   const bool few = count < 12;
   if (random_.chance(few ? 0.8 : 0.25)) {
-    // Uniform in the room, then grown [Herrmann Algorithm 4.3, lines 4 to 17].
+    // Uniform in the usable area, then grown [Herrmann Algorithm 4.3, lines 4 to 17].
     for (std::size_t i = 0; i < count; ++i) {
       const Point jitter{random_.uniform(-0.125, 0.125) * full, random_.uniform(-0.125, 0.125) * full};
       const Point p = pool_[random_.below(pool_.size())] + jitter;
-      wires.push_back(p + room_.way_in(p));
+      wires.push_back(p + usable_area_.way_in(p));
     }
     for (const double grown : {0.5, 0.7, 0.85, 0.95}) {
       squeeze_.set_distance(grown * full);
@@ -109,7 +109,7 @@ std::vector<Point> PackingSearch::start(std::size_t count) {
     squeeze_.set_distance(full);
     return wires;
   }
-  wires = random_rows(room_, sides_, full, count, random_);
+  wires = random_rows(usable_area_, sides_, full, count, random_);
   adjust(wires, count);
   // Lattices are saddles of the energy.
   for (Point& p : wires) p += Point{random_.uniform(-0.02, 0.02) * full, random_.uniform(-0.02, 0.02) * full};
@@ -196,7 +196,7 @@ std::optional<std::vector<Point>> PackingSearch::find(std::size_t count, std::sp
           ++state.idle;
         }
       }
-    // What has not got better for long makes room for new starts.
+    // What has not got better for long makes way for new starts.
     std::erase_if(states, [&](const State& s) { return s.idle > 30 + 2 * count; });
   }
   return std::nullopt;
@@ -209,7 +209,7 @@ void PackingSearch::fill(std::vector<Point>& wires) {
     for (const Point& p : holes(wires, 4)) {
       bool free = true;
       for (const Point& other : wires) free = free && distance(p, other) >= squeeze_.distance();
-      if (free && room_.holds(p)) {
+      if (free && usable_area_.holds(p)) {
         wires.push_back(p);
         added = true;
       }

@@ -17,7 +17,7 @@ namespace bahnwerk::winding {
 class PackingSearch {
  public:
   /// `distance` between centres, mm.
-  PackingSearch(const CentreRoom& room, double distance, std::uint64_t seed, Progress& progress);
+  PackingSearch(const CentreArea& usable_area, double distance, std::uint64_t seed, Progress& progress);
 
   /// `count` wires, or nothing after `work` (Squeeze::work) has been spent or `tries` minimisations. `likely` are
   /// layouts of any number of wires to begin with.
@@ -59,10 +59,11 @@ class PackingSearch {
   State settled(std::vector<Point> wires, double goal);
   std::vector<Point> start(std::size_t count);
   std::vector<Point> hop(const State& from);
-  /// Points of the room by their distance from the nearest wire, widest first, at most `most`, not near each other.
+  /// Points of the usable area by their distance from the nearest wire, widest first, at most `most`, not near each
+  /// other.
   std::vector<Point> holes(std::span<const Point> wires, std::size_t most);
 
-  const CentreRoom& room_;
+  const CentreArea& usable_area_;
   Squeeze squeeze_;
   Minimiser minimiser_;
   Random random_;

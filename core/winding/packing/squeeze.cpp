@@ -88,7 +88,7 @@ double Squeeze::energy(std::span<const Point> wires, std::span<Point> gradient, 
   work_ += 2 * pairs_.size() + 27 * n + 150;
   double sum = 0, deep = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    const Point in = room_.way_in(wires[i]);
+    const Point in = usable_area_.way_in(wires[i]);
     gradient[i] = -in;
     const double square = dot(in, in);
     sum += square;
@@ -116,7 +116,7 @@ void Squeeze::share(std::span<const Point> wires, std::vector<double>& of_each) 
   list(wires);
   of_each.assign(wires.size(), 0);
   for (std::size_t i = 0; i < wires.size(); ++i) {
-    const Point in = room_.way_in(wires[i]);
+    const Point in = usable_area_.way_in(wires[i]);
     of_each[i] += dot(in, in);
   }
   for (const Pair& pair : pairs_) {
@@ -139,9 +139,9 @@ Rest Minimiser::minimise(Squeeze& squeeze, std::vector<Point>& wires, double goa
   double energy = squeeze.energy(wires, gradient_, deepest);
   std::size_t kept = 0, next = 0;
   double earlier = energy;
-  const int breath = static_cast<int>(2000000 / (10 * n + 1)) + 1;  // steps between two reports
+  const int steps_per_report = static_cast<int>(2000000 / (10 * n + 1)) + 1;  // steps between two reports
   for (int step = 0; step < most && deepest > resolution; ++step) {
-    if (step % breath == breath - 1) progress.report("potential", 0);
+    if (step % steps_per_report == steps_per_report - 1) progress.report("potential", 0);
     const double square = product(gradient_, gradient_);
     // Forces balance although wires overlap: a local minimum.
     if (square <= 1e-5 * energy) break;

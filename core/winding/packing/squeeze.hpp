@@ -1,22 +1,22 @@
 #pragma once
 /// Elastic repulsion of wires that overlap: E = Σ ½ (d − |pᵢ − pⱼ|)² over pairs nearer than d, and Σ ½ |way in|² over
-/// centres outside their room, with the same stiffness. The force vanishes at contact, so touching wires are at rest;
-/// the Coulomb force of [Herrmann (4.5)] jumps there and has no rest. E = 0 if and only if the layout is allowed.
+/// centres outside their usable area, with the same stiffness. The force vanishes at contact, so touching wires are at
+/// rest; the Coulomb force of [Herrmann (4.5)] jumps there and has no rest. E = 0 if and only if the layout is allowed.
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "core/base/progress.hpp"
-#include "core/winding/packing/centre_room.hpp"
+#include "core/winding/packing/centre_area.hpp"
 
 namespace bahnwerk::winding {
 
 class Squeeze {
  public:
   /// `distance` is the least one between centres, mm.
-  Squeeze(const CentreRoom& room, double distance) : room_(room), distance_(distance) {}
+  Squeeze(const CentreArea& usable_area, double distance) : usable_area_(usable_area), distance_(distance) {}
 
-  const CentreRoom& room() const { return room_; }
+  const CentreArea& usable_area() const { return usable_area_; }
   double distance() const { return distance_; }
   /// For the growth of wires at the begin of a search.
   void set_distance(double distance) {
@@ -35,7 +35,7 @@ class Squeeze {
  private:
   void list(std::span<const Point> wires);
 
-  const CentreRoom& room_;
+  const CentreArea& usable_area_;
   double distance_;
   std::vector<Point> listed_;  ///< where the wires were when the pairs were listed
   struct Pair {

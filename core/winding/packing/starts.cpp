@@ -30,9 +30,9 @@ void each_point(const Rows& rows, const Box& box, Take take) {
   }
 }
 
-/// Where a lattice point that misses the room by rounding belongs.
-bool settle(const CentreRoom& room, Point& p) {
-  const Point in = room.way_in(p);
+/// Where a lattice point that misses the usable area by rounding belongs.
+bool settle(const CentreArea& usable_area, Point& p) {
+  const Point in = usable_area.way_in(p);
   if (dot(in, in) > 1e-20) return false;
   p += in;
   return true;
@@ -68,10 +68,10 @@ Rows anywhere(const Box& box, double distance, double stretch, Random& random) {
 
 }  // namespace
 
-std::vector<Point> points_of(const Rows& rows, const CentreRoom& room) {
+std::vector<Point> points_of(const Rows& rows, const CentreArea& usable_area) {
   std::vector<Point> points;
-  each_point(rows, room.box(), [&](Point p) {
-    if (settle(room, p)) points.push_back(p);
+  each_point(rows, usable_area.box(), [&](Point p) {
+    if (settle(usable_area, p)) points.push_back(p);
   });
   return points;
 }
@@ -87,14 +87,14 @@ std::vector<Side> sides(std::span<const Edge> edges, double least) {
   return found;
 }
 
-std::vector<Point> random_rows(const CentreRoom& room, const std::vector<Side>& sides, double distance,
+std::vector<Point> random_rows(const CentreArea& usable_area, const std::vector<Side>& sides, double distance,
                                std::size_t count, Random& random) {
   const double stretch = random.chance(0.6) ? 1.0 : random.uniform(0.97, 1.06);
   const double kind = random.uniform();
   std::vector<Rows> grains;
   std::vector<Side> anchors;
   if (sides.empty() || kind < 0.2) {
-    grains.push_back(anywhere(room.box(), distance, stretch, random));
+    grains.push_back(anywhere(usable_area.box(), distance, stretch, random));
   } else {
     const std::size_t number = sides.size() > 1 && kind > 0.55 ? 2 : 1;
     for (std::size_t i = 0; i < number; ++i) {
@@ -114,13 +114,13 @@ std::vector<Point> random_rows(const CentreRoom& room, const std::vector<Side>& 
       Rows rows = grains[g];
       rows.pitch *= scale;
       rows.height *= scale;
-      each_point(rows, room.box(), [&](Point p) {
+      each_point(rows, usable_area.box(), [&](Point p) {
         if (grains.size() == 2) {
           const double a = dot(p - anchors[0].at, anchors[0].inwards), b = dot(p - anchors[1].at, anchors[1].inwards);
           if ((a < b + border) != (g == 0)) return;
         }
         // Wires just outside are pushed in rather than lost.
-        const Point in = room.way_in(p);
+        const Point in = usable_area.way_in(p);
         if (dot(in, in) < 0.01 * distance * distance) points.push_back(p + in);
       });
     }
@@ -134,21 +134,21 @@ std::vector<Point> random_rows(const CentreRoom& room, const std::vector<Side>& 
   return points;
 }
 
-std::vector<Point> best_rows(const CentreRoom& room, const std::vector<Side>& sides, double distance,
+std::vector<Point> best_rows(const CentreArea& usable_area, const std::vector<Side>& sides, double distance,
                              std::size_t trials, Random& random) {
   std::vector<Point> best;
   for (std::size_t i = 0; i < trials; ++i) {
     const double stretch = i % 2 == 0 ? 1.0 : random.uniform(1, 1.4142135623730951);
     Rows rows;
     if (sides.empty() || i % 4 == 3) {
-      rows = anywhere(room.box(), distance, stretch, random);
+      rows = anywhere(usable_area.box(), distance, stretch, random);
     } else {
       rows = along_side(sides[(i / 4) % sides.size()], distance, stretch, false, random);
     }
-    // A hair wider, or rounding lets neighbours overlap.
+    // Slightly wider, or rounding lets neighbours overlap.
     rows.pitch *= 1 + 1e-13;
     rows.height *= 1 + 1e-13;
-    std::vector<Point> points = points_of(rows, room);
+    std::vector<Point> points = points_of(rows, usable_area);
     if (points.size() > best.size()) best = std::move(points);
   }
   return best;

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/numeric/random.hpp"
-#include "core/winding/packing/centre_room.hpp"
+#include "core/winding/packing/centre_area.hpp"
 
 namespace bahnwerk::winding {
 
@@ -14,7 +14,7 @@ struct Rows {
   double pitch = 1, height = 0.8660254037844386;
 };
 /// All points of `rows` where a centre may lie.
-std::vector<Point> points_of(const Rows& rows, const CentreRoom& room);
+std::vector<Point> points_of(const Rows& rows, const CentreArea& usable_area);
 
 /// Directions of the edges at least `least` long, by their chords, with a point of each.
 struct Side {
@@ -26,11 +26,11 @@ std::vector<Side> sides(std::span<const Edge> edges, double least);
 /// Random layouts of about as many wires as fit at `distance`: rows along a random side, rows along two sides that
 /// meet halfway between them, or rows in any direction, squeezed to a smaller pitch until there are `count` of them.
 /// May return more or fewer.
-std::vector<Point> random_rows(const CentreRoom& room, const std::vector<Side>& sides, double distance,
+std::vector<Point> random_rows(const CentreArea& usable_area, const std::vector<Side>& sides, double distance,
                                std::size_t count, Random& random);
 
 /// The most wires that lie in unsqueezed rows, over many directions, shifts and stretches of the rows.
-std::vector<Point> best_rows(const CentreRoom& room, const std::vector<Side>& sides, double distance,
+std::vector<Point> best_rows(const CentreArea& usable_area, const std::vector<Side>& sides, double distance,
                              std::size_t trials, Random& random);
 
 }  // namespace bahnwerk::winding

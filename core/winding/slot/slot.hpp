@@ -1,8 +1,8 @@
 #pragma once
-/// Slots: the iron's cross-section and the room that liner and wedge leave for wires. [Herrmann Fig. 4.1, Tables 4.1
-/// and 4.2]; docs/methods/fill_factor.md draws both and says how unclear parameters are read. Coordinates: origin in
-/// the middle of the base (stator) or in the corner at the inner radius (rotor), y from the base into the room. Lengths
-/// mm, angles rad.
+/// Slots: the iron's cross-section and the usable area that liner and wedge leave for wires. [Herrmann Fig. 4.1,
+/// Tables 4.1 and 4.2]; docs/methods/fill_factor.md draws both and says how unclear parameters are read. Coordinates:
+/// origin in the middle of the base (stator) or in the corner at the inner radius (rotor), y from the base into the
+/// usable area. Lengths mm, angles rad.
 #include <array>
 #include <optional>
 #include <vector>
@@ -27,8 +27,8 @@ struct StatorSlot {
   double tip_angle = 1.6144295580947547;  ///< φ_et, 92.5°, interior angle between flank and tooth tip
 };
 
-/// The room beside a rotor's pole: base along the tooth with grooves, flanks at end winding side and pole shoe, the
-/// open side closed by a straight line. Defaults: [Herrmann Table 4.2].
+/// The usable area beside a rotor's pole: base along the tooth with grooves, flanks at end winding side and pole shoe,
+/// the open side closed by a straight line. Defaults: [Herrmann Table 4.2].
 struct RotorSlot {
   int grooves = 12;                        ///< n_Gr
   double groove_radius = 0.65;             ///< r_Gr
@@ -62,14 +62,14 @@ struct Slot {
   enum class Type { stator, rotor, polygon };
   Type type = Type::polygon;
   Region iron;                     ///< the slot as punched
-  Region room;                     ///< what wires may fill
+  Region usable_area;              ///< what wires may fill
   std::optional<Opening> opening;  ///< of a polygon only if it is given
-  Region wedge;                    ///< as it is drawn; room leaves it out
+  Region wedge;                    ///< as it is drawn; usable area leaves it out
   Region taken;                    ///< where another coil side lies already; empty: nowhere
   /// Where the winding head pulls a wire from: [Herrmann 4.2.1] uses (−4, −4) mm for the stator.
-  Point pull;
-  Point flank_pull;  ///< the same for layers that begin at a flank: (−4, 0) mm there
-  double flank = 0;  ///< direction of the flank at which layers may begin, rad against the base
+  Point tension_point;
+  Point flank_tension_point;  ///< the same for layers that begin at a flank: (−4, 0) mm there
+  double flank = 0;           ///< direction of the flank at which layers may begin, rad against the base
 };
 
 /// Throw InvalidInput naming each impossible parameter by its member in the schema.

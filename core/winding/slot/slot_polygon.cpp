@@ -77,12 +77,12 @@ Slot make_slot(const PolygonSlot& s, Progress* progress) {
     for (std::size_t i = loop.size(); i-- > 0;)
       if (!round_corner(loop, i, s.corner_radius)) faults.stop("corner_radius", "does not fit between its edges");
   slot.iron = Region(std::move(loop));
-  slot.room = slot.iron.inward(s.liner, progress);
-  if (slot.room.empty()) faults.stop("liner", "leaves no room");
+  slot.usable_area = slot.iron.inward(s.liner, progress);
+  if (slot.usable_area.empty()) faults.stop("liner", "leaves no usable area");
   if (s.opening) slot.opening = opening_of(slot.iron, *s.opening, s.liner);
   const Point low = slot.iron.box().low;
-  slot.pull = low - Point{4, 4};
-  slot.flank_pull = low - Point{4, 0};
+  slot.tension_point = low - Point{4, 4};
+  slot.flank_tension_point = low - Point{4, 0};
   return slot;
 }
 

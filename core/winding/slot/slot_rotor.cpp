@@ -78,15 +78,15 @@ Slot make_slot(const RotorSlot& s) {
   const Point loop_end = loop.front().from;
   loop.push_back(line(end, loop_end));
   if (self_contact(loop))
-    SlotFaults().stop("root_flank", "leaves no room: the line from flank end to flank end meets the grooves");
+    SlotFaults().stop("root_flank", "leaves no usable area: the line from flank end to flank end meets the grooves");
   Slot slot;
   slot.type = Slot::Type::rotor;
   slot.iron = Region(std::move(loop));
-  if (!(slot.iron.area() > 0)) SlotFaults().stop("root_flank", "leaves no room");
-  slot.room = slot.iron;
+  if (!(slot.iron.area() > 0)) SlotFaults().stop("root_flank", "leaves no usable area");
+  slot.usable_area = slot.iron;
   // Open from flank end to flank end: the needle moves beside the coil, between the poles.
   slot.opening = Opening{0.5 * (end + loop_end), -left_of(unit(end - loop_end)), distance(end, loop_end), 0};
-  slot.pull = slot.flank_pull = {-4, -4};
+  slot.tension_point = slot.flank_tension_point = {-4, -4};
   slot.flank = s.root_angle;
   return slot;
 }

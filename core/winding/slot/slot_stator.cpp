@@ -48,17 +48,17 @@ Slot make_slot(const StatorSlot& s) {
   Slot slot;
   slot.type = Slot::Type::stator;
   slot.iron = iron(s, faults);
-  slot.room = slot.iron.inward(s.liner);
-  if (slot.room.empty()) faults.stop("liner", "leaves no room");
+  slot.usable_area = slot.iron.inward(s.liner);
+  if (slot.usable_area.empty()) faults.stop("liner", "leaves no usable area");
   if (s.wedge_thickness > 0 && s.wedge_width > 0) {
-    slot.room = slot.room.without(wedge(s, s.height + 1));
+    slot.usable_area = slot.usable_area.without(wedge(s, s.height + 1));
     slot.wedge = wedge(s, s.height);
   }
-  if (slot.room.empty()) faults.stop("wedge_thickness", "leaves no room");
+  if (slot.usable_area.empty()) faults.stop("wedge_thickness", "leaves no usable area");
   // Without its liner, as in [Herrmann Fig. 4.16]: 3.1 mm in the example.
   slot.opening = Opening{{0, s.height}, {0, -1}, s.opening_width - 2 * s.tip_corner_radius, s.liner};
-  slot.pull = {-4, -4};
-  slot.flank_pull = {-4, 0};
+  slot.tension_point = {-4, -4};
+  slot.flank_tension_point = {-4, 0};
   slot.flank = -s.tip_angle;
   return slot;
 }

@@ -24,7 +24,7 @@ json example(const std::string& name) {
 TEST(FillFactorInput, ReadsAStatorSlot) {
   const FillRequest r = request(example("complete"));
   EXPECT_EQ(r.slot.type, winding::Slot::Type::stator);
-  EXPECT_NEAR(r.slot.room.area(), 73.18, 0.01);
+  EXPECT_NEAR(r.slot.usable_area.area(), 73.18, 0.01);
   EXPECT_EQ(r.wires.size(), 21u);
   EXPECT_EQ(r.algorithms.size(), 5u);
   const auto& heads = std::get<winding::StatorHeads>(r.heads);
@@ -147,7 +147,7 @@ TEST(FillFactorInput, CoilSidesShareTheSlot) {
   spec["coil_sides"] = 2;
   spec["needle_width"] = 1.5;
   const FillRequest layers = request(spec);
-  EXPECT_NEAR(layers.slot.room.area(), 73.18 / 2, 0.01);
+  EXPECT_NEAR(layers.slot.usable_area.area(), 73.18 / 2, 0.01);
   EXPECT_EQ(layers.needle->stand, winding::Needle::Stand::middle) << "the other side lies below";
   spec["heads"]["span"] = 1;
   EXPECT_EQ(request(spec).needle->stand, winding::Needle::Stand::left) << "the other side lies beside";

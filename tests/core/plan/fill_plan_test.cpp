@@ -19,7 +19,7 @@ FillRequest stator(std::vector<double> copper) {
   for (const double d : copper) request.wires.push_back(*winding::standard_wire(d, 2));
   request.algorithms = {Algorithm::orthocyclic_base, Algorithm::orthocyclic_flank, Algorithm::raabe,
                         Algorithm::potential, Algorithm::needle};
-  request.tie_in = request.slot.pull;
+  request.tie_in = request.slot.tension_point;
   request.heads = winding::StatorHeads{};
   return request;
 }

@@ -13,11 +13,11 @@
 namespace bahnwerk {
 namespace {
 
-Verification verify_motion(const Region& room, double radius, const std::vector<Point>& wires, double overlap = 0,
-                           std::size_t bound = 100) {
+Verification verify_motion(const Region& usable_area, double radius, const std::vector<Point>& wires,
+                           double overlap = 0, std::size_t bound = 100) {
   const LayoutToVerify layout{"any", 0.9, radius, overlap, wires, bound};
   SilentProgress silent;
-  return verify_layouts(room, std::span(&layout, 1), silent, 0, 1);
+  return verify_layouts(usable_area, std::span(&layout, 1), silent, 0, 1);
 }
 
 Region square() {
@@ -57,8 +57,8 @@ TEST(LayoutJudge, AgreesWithTheRegionAboutClearances) {
   const winding::Slot slot = make_slot(winding::RotorSlot{});
   for (double x = -4; x < 17; x += 0.37)
     for (double y = -1; y < 6; y += 0.31) {
-      const double beyond = verify_motion(slot.room, 0.6, {{x, y}}).checks[1].value;
-      EXPECT_NEAR(beyond, 0.6 - slot.room.distance({x, y}), 1e-9) << x << ' ' << y;
+      const double beyond = verify_motion(slot.usable_area, 0.6, {{x, y}}).checks[1].value;
+      EXPECT_NEAR(beyond, 0.6 - slot.usable_area.distance({x, y}), 1e-9) << x << ' ' << y;
     }
 }
 
@@ -68,7 +68,7 @@ TEST(LayoutJudge, LooksAtEveryRegionInItsOwnRoom) {
   const auto verdict = [&](const std::vector<Point>& first, const std::vector<Point>& second) {
     LayoutToVerify layouts[] = {{"any", 0.9, 1, 0, first, 9}, {"any", 0.9, 1, 0, second, 9}};
     layouts[1].region = "head";
-    layouts[1].room = &head;
+    layouts[1].usable_area = &head;
     layouts[1].count = first.size();
     SilentProgress silent;
     return verify_layouts(square(), layouts, silent, 0, 1);

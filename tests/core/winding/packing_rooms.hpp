@@ -37,16 +37,16 @@ inline Region stator_room() {
 
 /// Distance from the boundary by walking along every edge: knows nothing of nearest(). Too large by at most
 /// (edge length / 20000)² / 8 / distance.
-inline double walked_distance(const Region& room, Point p) {
+inline double walked_distance(const Region& usable_area, Point p) {
   double least = 1e300;
-  for (const Edge& edge : room.edges())
+  for (const Edge& edge : usable_area.edges())
     for (int i = 0; i <= 20000; ++i) least = std::min(least, distance(p, edge.at(i / 20000.0)));
   return least;
 }
 /// Winding number by the angles that a fine walk along the boundary turns through.
-inline bool walked_inside(const Region& room, Point p) {
+inline bool walked_inside(const Region& usable_area, Point p) {
   double turned = 0;
-  for (const Edge& edge : room.edges()) {
+  for (const Edge& edge : usable_area.edges()) {
     Point last = edge.from - p;
     for (int i = 1; i <= 256; ++i) {
       const Point next = edge.at(i / 256.0) - p;
@@ -56,10 +56,10 @@ inline bool walked_inside(const Region& room, Point p) {
   }
   return turned > std::numbers::pi;
 }
-inline void expect_allowed(const Region& room, double radius, double overlap, const std::vector<Point>& wires) {
+inline void expect_allowed(const Region& usable_area, double radius, double overlap, const std::vector<Point>& wires) {
   for (std::size_t i = 0; i < wires.size(); ++i) {
-    EXPECT_TRUE(walked_inside(room, wires[i])) << i;
-    EXPECT_GE(walked_distance(room, wires[i]), radius - 1e-9) << i;
+    EXPECT_TRUE(walked_inside(usable_area, wires[i])) << i;
+    EXPECT_GE(walked_distance(usable_area, wires[i]), radius - 1e-9) << i;
     for (std::size_t k = 0; k < i; ++k) EXPECT_GE(distance(wires[i], wires[k]), 2 * radius - overlap - 1e-9) << i << k;
   }
 }

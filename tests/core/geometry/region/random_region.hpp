@@ -1,5 +1,5 @@
 #pragma once
-/// Random rooms of lines and arcs, and slow independent answers about them.
+/// Random regions of lines and arcs, and slow independent answers about them.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

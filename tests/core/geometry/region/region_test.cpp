@@ -32,14 +32,14 @@ TEST(Region, KnowsAreasAndLengths) {
 }
 
 TEST(Region, DistanceIsSignedAndTakesTheCornersSide) {
-  const Region room = rectangle(3, 2);
-  EXPECT_NEAR(room.distance({1.5, 0.4}), 0.4, 1e-15);
-  EXPECT_NEAR(room.distance({-3, -4}), -5, 1e-15);
-  EXPECT_NEAR(room.distance({1, 2.5}), -0.5, 1e-15);
+  const Region region = rectangle(3, 2);
+  EXPECT_NEAR(region.distance({1.5, 0.4}), 0.4, 1e-15);
+  EXPECT_NEAR(region.distance({-3, -4}), -5, 1e-15);
+  EXPECT_NEAR(region.distance({1, 2.5}), -0.5, 1e-15);
   EXPECT_NEAR(disc(2).distance({0.5, 0}), 1.5, 1e-15);
   EXPECT_NEAR(disc(2).distance({0, -3}), -1, 1e-15);
   const Region bell = dumbbell();
-  const Region::Nearest corner = bell.nearest({3.9, 1.4});  // the neck's corner juts into the room at (4, 1.5)
+  const Region::Nearest corner = bell.nearest({3.9, 1.4});  // the neck's corner juts into the region at (4, 1.5)
   EXPECT_NEAR(corner.distance, 0.1, 1e-14);                 // the wall at x = 4 is as near as the corner is not
   EXPECT_NEAR(bell.nearest({3.7, 1.9}).distance, std::hypot(0.3, 0.4), 1e-14);
   EXPECT_NEAR(bell.nearest({3.7, 1.9}).normal.x, -0.6, 1e-14);
@@ -49,12 +49,12 @@ TEST(Region, DistanceIsSignedAndTakesTheCornersSide) {
 TEST(Region, DistanceEqualsABruteForceOne) {
   Random random(11);
   for (int k = 0; k < 60; ++k) {
-    const Region room = test::random_region(random);
-    const auto polygon = test::sampled(room, 2e-3);
+    const Region region = test::random_region(random);
+    const auto polygon = test::sampled(region, 2e-3);
     for (int i = 0; i < 60; ++i) {
       const Point p{random.uniform(-7, 7), random.uniform(-7, 7)};
-      EXPECT_NEAR(room.distance(p), test::slow_distance(polygon, p), 2e-3) << p.x << ' ' << p.y;
-      const Region::Nearest n = room.nearest(p);
+      EXPECT_NEAR(region.distance(p), test::slow_distance(polygon, p), 2e-3) << p.x << ' ' << p.y;
+      const Region::Nearest n = region.nearest(p);
       EXPECT_NEAR(norm(n.normal), 1, 1e-12);
       EXPECT_NEAR(distance(n.at + n.distance * n.normal, p), 0, 1e-9);
     }
@@ -92,14 +92,14 @@ TEST(Region, InwardFallsApartAtANeck) {
 TEST(Region, InwardHoldsWhatIsDeepEnough) {
   Random random(12);
   for (int k = 0; k < 60; ++k) {
-    const Region room = test::random_region(random);
+    const Region region = test::random_region(random);
     const double depth = random.uniform(-0.5, 1.5);
-    const Region inner = room.inward(depth);
+    const Region inner = region.inward(depth);
     for (const Edge& edge : inner.edges())
-      for (const double f : {0.0, 0.3, 0.7}) EXPECT_NEAR(room.distance(edge.at(f)), depth, 1e-7);
+      for (const double f : {0.0, 0.3, 0.7}) EXPECT_NEAR(region.distance(edge.at(f)), depth, 1e-7);
     for (int i = 0; i < 100; ++i) {
       const Point p{random.uniform(-7, 7), random.uniform(-7, 7)};
-      const double deep = room.distance(p) - depth;
+      const double deep = region.distance(p) - depth;
       if (std::abs(deep) < 1e-6) continue;
       EXPECT_EQ(!inner.empty() && inner.distance(p) > 0, deep > 0) << depth << ' ' << p.x << ' ' << p.y;
     }

@@ -22,28 +22,28 @@ inline Region rectangle(double width, double height) {
 }
 
 /// Whether a wire at `p` keeps its distances but for `missing`, by comparing with everything.
-inline bool fits(const Region& room, double radius, const std::vector<Point>& wires, Point p, double missing) {
+inline bool fits(const Region& region, double radius, const std::vector<Point>& wires, Point p, double missing) {
   for (const Point& w : wires)
     if (distance(w, p) < 2 * radius - missing) return false;
-  return room.distance(p) >= radius - missing;
+  return region.distance(p) >= radius - missing;
 }
 
-/// Least cost over a dense sample of the free places: all around every wire, all along the walls and across the room.
-inline double sampled_least(const Region& room, double radius, const std::vector<Point>& wires,
+/// Least cost over a dense sample of the free places: all around every wire, all along the walls and across the region.
+inline double sampled_least(const Region& region, double radius, const std::vector<Point>& wires,
                             const std::function<double(Point)>& cost) {
   double least = std::numeric_limits<double>::infinity();
   const auto consider = [&](Point p) {
-    if (cost(p) < least && fits(room, radius, wires, p, 0)) least = cost(p);
+    if (cost(p) < least && fits(region, radius, wires, p, 0)) least = cost(p);
   };
   for (const Point& w : wires)
     for (int i = 0; i < 720; ++i) {
       const double a = i * std::numbers::pi / 360;
       consider(w + (2 * radius + 1e-12) * Point{std::cos(a), std::sin(a)});
     }
-  const Region centres = room.inward(radius + 1e-9);
+  const Region centres = region.inward(radius + 1e-9);
   for (const Edge& edge : centres.edges())
     for (int i = 0; i <= 500; ++i) consider(edge.at(i / 500.0));
-  const Box& box = room.box();
+  const Box& box = region.box();
   for (int i = 0; i <= 60; ++i)
     for (int k = 0; k <= 60; ++k)
       consider({box.low.x + i / 60.0 * (box.high.x - box.low.x), box.low.y + k / 60.0 * (box.high.y - box.low.y)});
@@ -51,9 +51,9 @@ inline double sampled_least(const Region& room, double radius, const std::vector
 }
 
 /// No two wires nearer than 2 r and none nearer to the wall than r, to 1e-9 mm.
-inline bool valid(const Region& room, double radius, const std::vector<Point>& wires) {
+inline bool valid(const Region& region, double radius, const std::vector<Point>& wires) {
   for (std::size_t i = 0; i < wires.size(); ++i) {
-    if (room.distance(wires[i]) < radius - 1e-9) return false;
+    if (region.distance(wires[i]) < radius - 1e-9) return false;
     for (std::size_t k = 0; k < i; ++k)
       if (distance(wires[i], wires[k]) < 2 * radius - 1e-9) return false;
   }

@@ -21,7 +21,7 @@ TEST(Drawing, HasEveryWireAndCrossesOutWhatSlips) {
   EXPECT_EQ(times(svg, "<circle"), 2u * 4 + 1);
   EXPECT_EQ(times(svg, "#c1121f"), 4u) << "a ring, two strokes, and the legend";
   EXPECT_NE(svg.find("a &lt; b &amp; c"), svg.npos);
-  EXPECT_EQ(times(svg, "<path"), 2u + 2) << "iron, room, and the cross";
+  EXPECT_EQ(times(svg, "<path"), 2u + 2) << "iron, usable area, and the cross";
   EXPECT_EQ(svg.find("nan"), svg.npos);
 }
 
@@ -49,7 +49,7 @@ TEST(Drawing, LayersCountFromTheBase) {
   const std::vector<Point> wires{
       {1, 1},      {3, 1}, {5, 1}, {2, 1 + std::sqrt(3.0)}, {4, 1 + std::sqrt(3.0)}, {3, 1 + 2 * std::sqrt(3.0)},
       {0.95, 4.95}};
-  EXPECT_EQ(layers(box().room, 1, wires), (std::vector{0, 0, 0, 1, 1, 2, -1}));
+  EXPECT_EQ(layers(box().usable_area, 1, wires), (std::vector{0, 0, 0, 1, 1, 2, -1}));
 }
 
 TEST(Drawing, ChartHasACurveForEachFactor) {

@@ -110,17 +110,17 @@ TEST(LayingRegions, FootKeepsThePartOfAForceThatIsNormalToTheWire) {
 TEST(LayingRegions, CapContinuesGroovesAndFlanks) {
   const Slot slot = make_slot(RotorSlot{});
   const RotorHeads h;
-  const Region cap = rotor().at[1].room;
+  const Region cap = rotor().at[1].usable_area;
   EXPECT_NEAR(cap.box().high.y, h.cap_height - h.cap_base, 1e-9);
   // Near base and flanks it is the slot.
   for (const Point p : {Point{0.3513, 0.3}, Point{7, 0.2}, Point{13.7, 0.4}, Point{-1, 2.5}, Point{14.9, 2}})
-    EXPECT_NEAR(cap.distance(p), slot.room.distance(p), 1e-9);
-  EXPECT_GT(cap.area(), 2 * slot.room.area());
+    EXPECT_NEAR(cap.distance(p), slot.usable_area.distance(p), 1e-9);
+  EXPECT_GT(cap.area(), 2 * slot.usable_area.area());
 }
 
 TEST(LayingRegions, RefusesASlotWithoutFlanks) {
   Slot round;
-  round.room = Region({arc({0, 2}, 2, -std::acos(0.0), 4 * std::acos(0.0))});
+  round.usable_area = Region({arc({0, 2}, 2, -std::acos(0.0), 4 * std::acos(0.0))});
   EXPECT_THROW(laying_regions(round, RotorHeads{}), std::invalid_argument);
 }
 

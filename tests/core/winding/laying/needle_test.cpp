@@ -42,17 +42,17 @@ TEST(Needle, AllRegionsHoldEveryTurnAndTheSlotIsFull) {
   const Slot slot = make_slot(StatorSlot{});
   const LayingRegions regions = laying_regions(slot, StatorHeads{});
   for (const Wire& wire : standard_wires(2, 0.5, 1.6, Series::r20)) {
-    const NeedleLayout n = needle(regions, wire.radius(), slot.pull, silent);
+    const NeedleLayout n = needle(regions, wire.radius(), slot.tension_point, silent);
     bool full = false;
     for (std::size_t j = 0; j < 4; ++j) {
       EXPECT_EQ(n[j].wires.size(), n[0].wires.size());
-      EXPECT_EQ(n[j].pulls.size(), n[0].wires.size());
-      EXPECT_TRUE(test::valid(regions.at[j].room, wire.radius(), n[j].wires));
-      Sites sites(regions.at[j].room, wire.radius());
+      EXPECT_EQ(n[j].tension_points.size(), n[0].wires.size());
+      EXPECT_TRUE(test::valid(regions.at[j].usable_area, wire.radius(), n[j].wires));
+      Sites sites(regions.at[j].usable_area, wire.radius());
       for (const Point p : n[j].wires) sites.lay(p);
-      if (!sites.nearest(slot.pull)) full = true;
+      if (!sites.nearest(slot.tension_point)) full = true;
       if (j % 2 == 1) {
-        EXPECT_TRUE(sites.nearest(slot.pull));  // heads never run out of room
+        EXPECT_TRUE(sites.nearest(slot.tension_point));  // heads never run out of space
       }
     }
     EXPECT_TRUE(full);
@@ -63,15 +63,15 @@ TEST(Needle, EveryWireIsDrawnFromTheRegionBefore) {
   const Slot slot = make_slot(StatorSlot{});
   const StatorHeads h;
   const NeedleLayout n = needle(slot, 0.4945, h, silent);
-  EXPECT_EQ(n[0].pulls[0], slot.pull);
+  EXPECT_EQ(n[0].tension_points[0], slot.tension_point);
   for (std::size_t i = 0; i < n[0].wires.size(); ++i) {
     // Closed forms of the stator's frames: the tools stand b_WK beside the slots and r_WK − r_NG behind their bases.
     const double behind = h.tool_radius - h.base_radius;
-    EXPECT_NEAR(distance(n[1].pulls[i], {-behind - n[0].wires[i].y, -h.tool_height}), 0, 1e-9);
-    EXPECT_NEAR(distance(n[2].pulls[i], {h.tool_shift, -behind - n[1].wires[i].x}), 0, 1e-9);
-    EXPECT_NEAR(distance(n[3].pulls[i], {-behind - n[2].wires[i].y, -h.tool_height}), 0, 1e-9);
+    EXPECT_NEAR(distance(n[1].tension_points[i], {-behind - n[0].wires[i].y, -h.tool_height}), 0, 1e-9);
+    EXPECT_NEAR(distance(n[2].tension_points[i], {h.tool_shift, -behind - n[1].wires[i].x}), 0, 1e-9);
+    EXPECT_NEAR(distance(n[3].tension_points[i], {-behind - n[2].wires[i].y, -h.tool_height}), 0, 1e-9);
     if (i > 0) {
-      EXPECT_NEAR(distance(n[0].pulls[i], {-h.tool_shift, -behind - n[3].wires[i - 1].x}), 0, 1e-9);
+      EXPECT_NEAR(distance(n[0].tension_points[i], {-h.tool_shift, -behind - n[3].wires[i - 1].x}), 0, 1e-9);
     }
   }
 }
@@ -79,13 +79,15 @@ TEST(Needle, EveryWireIsDrawnFromTheRegionBefore) {
 TEST(Needle, EveryWireTakesTheNearestPlace) {
   const Slot slot = make_slot(StatorSlot{});
   const LayingRegions regions = laying_regions(slot, StatorHeads{});
-  const NeedleLayout n = needle(regions, 0.7, slot.pull, silent);
+  const NeedleLayout n = needle(regions, 0.7, slot.tension_point, silent);
   for (const std::size_t j : {0u, 1u, 2u}) {
     std::vector<Point> laid;
     for (std::size_t i = 0; i < n[j].wires.size(); ++i) {
-      const Point pull = n[j].pulls[i];
-      EXPECT_LE(distance(n[j].wires[i], pull),
-                test::sampled_least(regions.at[j].room, 0.7, laid, [&](Point q) { return distance(q, pull); }) + 1e-9);
+      const Point tension_point = n[j].tension_points[i];
+      EXPECT_LE(distance(n[j].wires[i], tension_point),
+                test::sampled_least(regions.at[j].usable_area, 0.7, laid, [&](Point q) {
+                  return distance(q, tension_point);
+                }) + 1e-9);
       laid.push_back(n[j].wires[i]);
     }
   }
@@ -133,7 +135,7 @@ TEST(Needle, RotorSlotOfTheTableLeavesTheLatticeOnlyByItsPlay) {
   const double r = 0.6085;
   const Slot slot = make_slot(RotorSlot{});
   const NeedleLayout n = needle(slot, r, RotorHeads{}, silent);
-  const auto& edges = slot.room.edges();
+  const auto& edges = slot.usable_area.edges();
   const auto free_of_play = [&](Point p) {
     for (std::size_t i = edges.size() - 2; i < edges.size(); ++i)
       if (distance(p, edges[i].at(edges[i].nearest(p))) < r + 1e-6) return false;
@@ -163,7 +165,7 @@ TEST(Needle, OneSlotWithoutHeads) {
   ASSERT_EQ(layout.wires.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_NEAR(distance(layout.wires[i], {1 + 2.0 * static_cast<double>(i), 1}), 0, 1e-9);
-    EXPECT_EQ(layout.pulls[i], (Point{-9, 1}));
+    EXPECT_EQ(layout.tension_points[i], (Point{-9, 1}));
   }
 }
 
@@ -172,7 +174,7 @@ TEST(Needle, SameInputGivesTheSameBits) {
   const NeedleLayout a = needle(slot, 0.442, StatorHeads{}, silent), b = needle(slot, 0.442, StatorHeads{}, silent);
   for (std::size_t j = 0; j < 4; ++j) {
     EXPECT_EQ(a[j].wires, b[j].wires);
-    EXPECT_EQ(a[j].pulls, b[j].pulls);
+    EXPECT_EQ(a[j].tension_points, b[j].tension_points);
   }
 }
 

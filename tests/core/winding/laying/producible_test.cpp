@@ -23,16 +23,16 @@ using Reason = Producible::Reason;
 SilentProgress silent;
 constexpr Point below{5, -1e9};
 
-Producible check(const Region& room, double radius, std::vector<Point> wires, Point pull,
+Producible check(const Region& usable_area, double radius, std::vector<Point> wires, Point tension_point,
                  ProducibleOptions options = {}) {
-  return producible(room, radius, {std::move(wires), {}}, pull, options, silent);
+  return producible(usable_area, radius, {std::move(wires), {}}, tension_point, options, silent);
 }
 
 TEST(Producible, WireOnTheBaseStaysUpToItsFriction) {
   for (const double mu : {0.1, 0.3, 0.5})
     for (const double slant : {-0.01, 0.01}) {
-      const Point pull = Point{5, 1} + 100.0 * Point{mu + slant, -1};
-      EXPECT_EQ(check(rectangle(10, 10), 1, {{5, 1}}, pull, {mu, 0.01}).producible(), slant < 0);
+      const Point tension_point = Point{5, 1} + 100.0 * Point{mu + slant, -1};
+      EXPECT_EQ(check(rectangle(10, 10), 1, {{5, 1}}, tension_point, {mu, 0.01}).producible(), slant < 0);
     }
 }
 
@@ -78,8 +78,8 @@ TEST(Producible, SmallGapsCountAsContacts) {
 TEST(Producible, WireThatFillsAnArcRestsEverywhereOnIt) {
   const Region groove({arc_between({0, 1}, {-1, 1}, {1, 1}, true), line({1, 1}, {1, 5}), line({1, 5}, {-1, 5}),
                        line({-1, 5}, {-1, 1})});
-  for (const Point pull : {Point{-9, 0}, Point{0, -9}, Point{9, 0}, Point{5, -5}})
-    EXPECT_TRUE(check(groove, 1, {{0, 1}}, pull, {0, 1e-6}).producible());
+  for (const Point tension_point : {Point{-9, 0}, Point{0, -9}, Point{9, 0}, Point{5, -5}})
+    EXPECT_TRUE(check(groove, 1, {{0, 1}}, tension_point, {0, 1e-6}).producible());
   EXPECT_FALSE(check(groove, 1, {{0, 1}}, {0, 9}, {0, 1e-6}).producible());
 }
 
@@ -95,17 +95,17 @@ TEST(Producible, PullsOfTheLayoutComeFirst) {
 }
 
 /// Wires that each fell to a random place, in the order that helps them most.
-Layout random_packing(const Region& room, double radius, Point pull, std::uint64_t seed) {
+Layout random_packing(const Region& usable_area, double radius, Point tension_point, std::uint64_t seed) {
   Random random(seed);
-  Sites sites(room, radius);
-  const Box box = room.box();
+  Sites sites(usable_area, radius);
+  const Box box = usable_area.box();
   const auto anywhere = [&] {
     return Point{random.uniform(box.low.x, box.high.x), random.uniform(box.low.y, box.high.y)};
   };
   while (const auto place = sites.nearest(anywhere())) sites.lay(*place);
   Layout layout{{sites.wires().begin(), sites.wires().end()}, {}};
   std::sort(layout.wires.begin(), layout.wires.end(),
-            [&](Point a, Point b) { return distance(a, pull) < distance(b, pull); });
+            [&](Point a, Point b) { return distance(a, tension_point) < distance(b, tension_point); });
   return layout;
 }
 
@@ -114,8 +114,8 @@ class StatorLayouts : public ::testing::TestWithParam<Wire> {
  protected:
   const Slot slot_ = make_slot(StatorSlot{});
   const double r_ = GetParam().radius();
-  Producible verdict(const Layout& layout, Point pull) const {
-    const Producible result = producible(slot_.room, r_, layout, pull, {}, silent);
+  Producible verdict(const Layout& layout, Point tension_point) const {
+    const Producible result = producible(slot_.usable_area, r_, layout, tension_point, {}, silent);
     if (result.first) {
       EXPECT_TRUE(result.first->proved);
     }
@@ -125,39 +125,40 @@ class StatorLayouts : public ::testing::TestWithParam<Wire> {
 
 TEST_P(StatorLayouts, NeedleWindingCanBeProduced) {
   const NeedleLayout n = needle(slot_, r_, StatorHeads{}, silent);
-  EXPECT_TRUE(verdict(n[0], slot_.pull).producible());
-  EXPECT_TRUE(verdict(n[2], slot_.pull).producible());
+  EXPECT_TRUE(verdict(n[0], slot_.tension_point).producible());
+  EXPECT_TRUE(verdict(n[2], slot_.tension_point).producible());
 }
 TEST_P(StatorLayouts, NeedleWiresAreHeldWithoutFrictionAsTheyAreLaid) {
   const NeedleLayout n = needle(slot_, r_, StatorHeads{}, silent);
   for (const std::size_t j : {0u, 2u})
-    EXPECT_TRUE(producible(slot_.room, r_, n[j], slot_.pull, {0, 1e-6}, silent).unsupported.empty());
+    EXPECT_TRUE(producible(slot_.usable_area, r_, n[j], slot_.tension_point, {0, 1e-6}, silent).unsupported.empty());
 }
 TEST_P(StatorLayouts, LatticesCannot) {
-  const Producible base = verdict(orthocyclic(slot_.room, r_, slot_.pull, 0, silent), slot_.pull);
+  const Producible base =
+      verdict(orthocyclic(slot_.usable_area, r_, slot_.tension_point, 0, silent), slot_.tension_point);
   ASSERT_TRUE(base.first);
   EXPECT_EQ(base.first->reason, Reason::no_support);
-  const Layout flank = orthocyclic(slot_.room, r_, slot_.flank_pull, slot_.flank, silent);
-  EXPECT_FALSE(verdict(flank, slot_.flank_pull).producible());
+  const Layout flank = orthocyclic(slot_.usable_area, r_, slot_.flank_tension_point, slot_.flank, silent);
+  EXPECT_FALSE(verdict(flank, slot_.flank_tension_point).producible());
 }
 TEST_P(StatorLayouts, VerdictsDoNotHangOnTheExactFriction) {
   const NeedleLayout n = needle(slot_, r_, StatorHeads{}, silent);
-  EXPECT_TRUE(producible(slot_.room, r_, n[0], slot_.pull, {0.28, 0.02}, silent).producible());
-  EXPECT_TRUE(producible(slot_.room, r_, n[2], slot_.pull, {0.28, 0.02}, silent).producible());
-  const Layout base = orthocyclic(slot_.room, r_, slot_.pull, 0, silent);
-  const Layout flank = orthocyclic(slot_.room, r_, slot_.flank_pull, slot_.flank, silent);
-  EXPECT_FALSE(producible(slot_.room, r_, base, slot_.pull, {1, 0.02}, silent).producible());
-  EXPECT_FALSE(producible(slot_.room, r_, flank, slot_.flank_pull, {0.55, 0.02}, silent).producible());
+  EXPECT_TRUE(producible(slot_.usable_area, r_, n[0], slot_.tension_point, {0.28, 0.02}, silent).producible());
+  EXPECT_TRUE(producible(slot_.usable_area, r_, n[2], slot_.tension_point, {0.28, 0.02}, silent).producible());
+  const Layout base = orthocyclic(slot_.usable_area, r_, slot_.tension_point, 0, silent);
+  const Layout flank = orthocyclic(slot_.usable_area, r_, slot_.flank_tension_point, slot_.flank, silent);
+  EXPECT_FALSE(producible(slot_.usable_area, r_, base, slot_.tension_point, {1, 0.02}, silent).producible());
+  EXPECT_FALSE(producible(slot_.usable_area, r_, flank, slot_.flank_tension_point, {0.55, 0.02}, silent).producible());
 }
 TEST_P(StatorLayouts, RandomPackingsCannot) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    const Producible p = verdict(random_packing(slot_.room, r_, slot_.pull, seed), slot_.pull);
+    const Producible p = verdict(random_packing(slot_.usable_area, r_, slot_.tension_point, seed), slot_.tension_point);
     EXPECT_FALSE(p.producible());
     EXPECT_GT(p.unsupported.size(), 3u);
   }
 }
 TEST_P(StatorLayouts, DroppedWiresCannot) {
-  EXPECT_FALSE(verdict(raabe(slot_.room, r_, silent), slot_.pull).producible());
+  EXPECT_FALSE(verdict(raabe(slot_.usable_area, r_, silent), slot_.tension_point).producible());
 }
 
 INSTANTIATE_TEST_SUITE_P(AllSizes, StatorLayouts, ::testing::ValuesIn(standard_wires(2, 0.5, 1.6, Series::r40)),
@@ -169,14 +170,14 @@ TEST(Producible, NeedleWindingOfTheRotorHolds) {
   const Slot slot = make_slot(RotorSlot{});
   const NeedleLayout n = needle(slot, 0.6085, RotorHeads{}, silent);
   for (const std::size_t j : {0u, 2u})
-    EXPECT_TRUE(producible(slot.room, 0.6085, n[j], slot.pull, {}, silent).producible());
+    EXPECT_TRUE(producible(slot.usable_area, 0.6085, n[j], slot.tension_point, {}, silent).producible());
 }
 
 TEST(Producible, RotorsLatticeHoldsUnderTheHeadsPulls) {
   const Slot slot = make_slot(RotorSlot{});
-  Layout lattice = orthocyclic(slot.room, 0.6085, slot.pull, 0, silent);
-  lattice.pulls = turn_pulls(laying_regions(slot, RotorHeads{}), lattice);
-  EXPECT_TRUE(producible(slot.room, 0.6085, lattice, slot.pull, {}, silent).producible());
+  Layout lattice = orthocyclic(slot.usable_area, 0.6085, slot.tension_point, 0, silent);
+  lattice.tension_points = turn_pulls(laying_regions(slot, RotorHeads{}), lattice);
+  EXPECT_TRUE(producible(slot.usable_area, 0.6085, lattice, slot.tension_point, {}, silent).producible());
 }
 
 TEST(Producible, StopsWhenToldTo) {
@@ -187,7 +188,7 @@ TEST(Producible, StopsWhenToldTo) {
   } stop;
   const Slot slot = make_slot(StatorSlot{});
   const NeedleLayout n = needle(slot, 0.5, StatorHeads{}, silent);
-  EXPECT_THROW(producible(slot.room, 0.5, n[0], slot.pull, {}, stop), Stopped);
+  EXPECT_THROW(producible(slot.usable_area, 0.5, n[0], slot.tension_point, {}, stop), Stopped);
 }
 
 }  // namespace

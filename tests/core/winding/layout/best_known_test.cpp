@@ -18,7 +18,7 @@ using std::numbers::pi;
 
 struct Instance {
   std::string name;
-  Region room;
+  Region usable_area;
   std::size_t count;
   double radius;
 };
@@ -80,14 +80,14 @@ TEST(Pack, FindsBestKnownPackings) {
     const double radius = it.radius * (1 - 0.002);
     PotentialOptions options;
     options.effort = 2;
-    const auto wires = pack(it.room, radius, it.count, {}, options, silent);
+    const auto wires = pack(it.usable_area, radius, it.count, {}, options, silent);
     if (!wires) {
       missed += " " + it.name + " " + std::to_string(it.count);
       continue;
     }
     ++found;
     ASSERT_EQ(wires->size(), it.count);
-    ASSERT_TRUE(packed(it.room, radius, 0, *wires)) << it.name << it.count;
+    ASSERT_TRUE(packed(it.usable_area, radius, 0, *wires)) << it.name << it.count;
   }
   EXPECT_GE(all.size(), 150u);
   EXPECT_GE(static_cast<double>(found), 0.95 * static_cast<double>(all.size())) << "missed:" << missed;
@@ -101,7 +101,7 @@ TEST(Pack, FindsNothingLargerThanBestKnown) {
   for (std::size_t i = 0; i < all.size(); i += step) {
     PotentialOptions options;
     options.effort = step == 1 ? 1 : 0.02;
-    EXPECT_FALSE(pack(all[i].room, all[i].radius * (1 + 1e-6), all[i].count, {}, options, silent))
+    EXPECT_FALSE(pack(all[i].usable_area, all[i].radius * (1 + 1e-6), all[i].count, {}, options, silent))
         << all[i].name << all[i].count;
   }
 }
@@ -116,7 +116,7 @@ TEST(Pack, CircleOfArcsAndOfChordsAgree) {
   }
 }
 
-// Small and odd rooms.
+// Small and odd usable areas.
 
 }  // namespace
 }  // namespace bahnwerk::winding

@@ -17,8 +17,8 @@ using test::polygon;
 TEST(CountBound, IsExactInTrianglesOfWires) {
   for (int rows = 1; rows < 12; ++rows) {
     const double side = 2 * (rows - 1) + 2 * std::sqrt(3.0);  // of radius 1
-    const Region room = polygon({{0, 0}, {side, 0}, {side / 2, side * std::sqrt(3.0) / 2}});
-    EXPECT_EQ(max_wires(room, 1, 2), static_cast<std::size_t>(rows * (rows + 1) / 2)) << rows;
+    const Region usable_area = polygon({{0, 0}, {side, 0}, {side / 2, side * std::sqrt(3.0) / 2}});
+    EXPECT_EQ(max_wires(usable_area, 1, 2), static_cast<std::size_t>(rows * (rows + 1) / 2)) << rows;
   }
 }
 

@@ -38,16 +38,16 @@ std::vector<Point> around(int sides) {
 constexpr double angles[] = {0, 0.302, 0.5777, std::numbers::pi / 4, 1.2514};
 constexpr Point places[] = {{0, 0}, {9000, -9000}};
 
-/// Rows of wires along the first side of a room: all that are laid, by every algorithm.
-void expect_count(const Region& room, double angle, std::size_t count, const std::string& what) {
-  EXPECT_EQ(max_wires(room, 0.5, 1), count) << what;
-  const Point pull = room.edges()[0].from - 5.0 * room.edges()[0].direction(0);
-  EXPECT_EQ(orthocyclic(room, 0.5, pull, angle, silent).wires.size(), count) << what;
-  EXPECT_EQ(raabe(room, 0.5, silent).wires.size(), count) << what;
-  EXPECT_EQ(needle(room, 0.5, pull, silent).wires.size(), count) << what;
-  const auto most = potential(room, 0.5, {}, {}, silent);
+/// Rows of wires along the first side of a usable area: all that are laid, by every algorithm.
+void expect_count(const Region& usable_area, double angle, std::size_t count, const std::string& what) {
+  EXPECT_EQ(max_wires(usable_area, 0.5, 1), count) << what;
+  const Point tension_point = usable_area.edges()[0].from - 5.0 * usable_area.edges()[0].direction(0);
+  EXPECT_EQ(orthocyclic(usable_area, 0.5, tension_point, angle, silent).wires.size(), count) << what;
+  EXPECT_EQ(raabe(usable_area, 0.5, silent).wires.size(), count) << what;
+  EXPECT_EQ(needle(usable_area, 0.5, tension_point, silent).wires.size(), count) << what;
+  const auto most = potential(usable_area, 0.5, {}, {}, silent);
   EXPECT_EQ(most.size(), count) << what;
-  expect_allowed(room, 0.5, 0, most);
+  expect_allowed(usable_area, 0.5, 0, most);
 }
 
 TEST(ExactFit, OfARowByAllAlgorithms) {
@@ -61,10 +61,10 @@ TEST(ExactFit, OfARowByAllAlgorithms) {
 TEST(ExactFit, OfFourInASquare) {
   for (const double angle : angles)
     for (const Point place : places) {
-      const Region room = polygon(turned(box(2, 2), angle, place));
-      EXPECT_EQ(max_wires(room, 0.5, 1), 4u);
-      EXPECT_EQ(potential(room, 0.5, {}, {}, silent).size(), 4u);
-      EXPECT_LE(orthocyclic(room, 0.5, place, angle, silent).wires.size(), 3u)
+      const Region usable_area = polygon(turned(box(2, 2), angle, place));
+      EXPECT_EQ(max_wires(usable_area, 0.5, 1), 4u);
+      EXPECT_EQ(potential(usable_area, 0.5, {}, {}, silent).size(), 4u);
+      EXPECT_LE(orthocyclic(usable_area, 0.5, place, angle, silent).wires.size(), 3u)
           << "no lattice of triangles has a square";
     }
 }
@@ -84,15 +84,16 @@ const std::vector<Point> between_rooms{{0, 0}, {2, 0}, {2, 0.5}, {6, 0.5}, {6, 0
                                        {8, 2}, {6, 2}, {6, 1.5}, {2, 1.5}, {2, 2}, {0, 2}};
 
 TEST(ExactFit, OfACorridorBesideARoom) {
-  const std::pair<std::vector<Point>, std::size_t> rooms[] = {{corridor, 8}, {staggered, 8}, {between_rooms, 12}};
-  for (const auto& [corners, count] : rooms)
+  const std::pair<std::vector<Point>, std::size_t> usable_areas[] = {
+      {corridor, 8}, {staggered, 8}, {between_rooms, 12}};
+  for (const auto& [corners, count] : usable_areas)
     for (const double angle : angles)
       for (const Point place : {Point{100, 200}, places[1]}) {
-        const Region room = polygon(turned(corners, angle, place));
-        EXPECT_GE(max_wires(room, 0.5, 1), count);
-        const auto wires = potential(room, 0.5, {}, {}, silent);
+        const Region usable_area = polygon(turned(corners, angle, place));
+        EXPECT_GE(max_wires(usable_area, 0.5, 1), count);
+        const auto wires = potential(usable_area, 0.5, {}, {}, silent);
         EXPECT_GE(wires.size(), count) << angle;
-        expect_allowed(room, 0.5, 0, wires);
+        expect_allowed(usable_area, 0.5, 0, wires);
       }
   EXPECT_EQ(potential(polygon(corridor), 0.5, {}, {}, silent).size(), 8u);
 }
@@ -101,11 +102,11 @@ TEST(ExactFit, LinesAreNoAreas) {
   for (const auto& corners : {corridor, staggered, between_rooms, box(7, 1), box(1, 1)})
     for (const double angle : angles)
       for (const Point place : places) {
-        const Region room = polygon(turned(corners, angle, place)), centres = room.inward(0.5);
+        const Region usable_area = polygon(turned(corners, angle, place)), centres = usable_area.inward(0.5);
         double length = 0;
         for (const Edge& edge : centres.edges()) {
           const Point inside = edge.at(0.5) + 1e-6 * left_of(edge.direction(0.5));
-          EXPECT_GT(room.distance(inside), 0.5 + 1e-7) << angle;
+          EXPECT_GT(usable_area.distance(inside), 0.5 + 1e-7) << angle;
           length += edge.length();
         }
         if (corners.size() == 4) {
@@ -113,7 +114,7 @@ TEST(ExactFit, LinesAreNoAreas) {
         }
         // The tip of a cusp between arcs of 0.5 mm is known to √(2 · 0.5 mm · fit_margin) = 2.2e-5 mm.
         double lines = 0;
-        for (const Edge& piece : exact_fits(centre_borders(room, 0.5), centres).pieces) lines += piece.length();
+        for (const Edge& piece : exact_fits(centre_borders(usable_area, 0.5), centres).pieces) lines += piece.length();
         if (corners == corridor) {
           EXPECT_NEAR(lines, 2 * 3.5, 1e-4) << angle;
         } else if (corners == between_rooms) {
@@ -127,12 +128,12 @@ TEST(ExactFit, AMillionthTooLargeDoesNotFit) {
   for (const double angle : angles)
     for (const Point place : places) {
       for (const int sides : {3, 4, 6, 7}) {
-        const Region room = polygon(turned(around(sides), angle, place));
-        EXPECT_EQ(max_wires(room, radius, 2 * radius), 0u) << sides;
-        EXPECT_TRUE(raabe(room, radius, silent).wires.empty());
-        EXPECT_TRUE(needle(room, radius, {0, 0}, silent).wires.empty());
-        EXPECT_TRUE(orthocyclic(room, radius, {0, 0}, angle, silent).wires.empty());
-        EXPECT_TRUE(potential(room, radius, {}, {}, silent).empty());
+        const Region usable_area = polygon(turned(around(sides), angle, place));
+        EXPECT_EQ(max_wires(usable_area, radius, 2 * radius), 0u) << sides;
+        EXPECT_TRUE(raabe(usable_area, radius, silent).wires.empty());
+        EXPECT_TRUE(needle(usable_area, radius, {0, 0}, silent).wires.empty());
+        EXPECT_TRUE(orthocyclic(usable_area, radius, {0, 0}, angle, silent).wires.empty());
+        EXPECT_TRUE(potential(usable_area, radius, {}, {}, silent).empty());
       }
       const Region row = polygon(turned(box(7, 1 + 1e-5), angle, place));
       EXPECT_EQ(needle(row, radius, row.edges()[0].from, silent).wires.size(), 6u);
@@ -168,8 +169,8 @@ TEST(ExactFit, RoundingStaysBelowTheMargin) {
 }
 
 TEST(ExactFit, LeavesLinesAndPoints) {
-  const Region room = rectangle(7, 1);
-  const CentreBorders left = exact_fits(centre_borders(room, 0.5), room.inward(0.5));
+  const Region usable_area = rectangle(7, 1);
+  const CentreBorders left = exact_fits(centre_borders(usable_area, 0.5), usable_area.inward(0.5));
   ASSERT_EQ(left.pieces.size(), 2u) << "from either wall";
   EXPECT_NEAR(left.pieces[0].length(), 6, 1e-12);
   const Region square = rectangle(1, 1);

@@ -17,13 +17,13 @@ using test::rectangle;
 SilentProgress silent;
 
 /// All points of the lattice through `first` that keep their distance, by trying far more than can.
-std::size_t lattice_points(const Region& room, double radius, Point first, double angle) {
+std::size_t lattice_points(const Region& usable_area, double radius, Point first, double angle) {
   const Point a = 2 * radius * Point{std::cos(angle), std::sin(angle)};
   const Point b = 2 * radius * Point{std::cos(angle + std::numbers::pi / 3), std::sin(angle + std::numbers::pi / 3)};
   std::size_t count = 0;
   for (int i = -120; i <= 120; ++i)
     for (int j = -120; j <= 120; ++j)
-      count += room.distance(first + static_cast<double>(i) * a + static_cast<double>(j) * b) >= radius - 1e-9;
+      count += usable_area.distance(first + static_cast<double>(i) * a + static_cast<double>(j) * b) >= radius - 1e-9;
   return count;
 }
 
@@ -43,8 +43,8 @@ TEST(Orthocyclic, NothingFitsAndOneWireFits) {
 
 TEST(Orthocyclic, RowsContinueBeyondAGap) {
   // A tooth from below parts the first row and cuts the second.
-  const Region room = test::polygon({{0, 0}, {8, 0}, {9, 3}, {10, 0}, {20, 0}, {20, 7}, {0, 7}});
-  const Layout layout = orthocyclic(room, 1, {-4, -4}, 0, silent);
+  const Region usable_area = test::polygon({{0, 0}, {8, 0}, {9, 3}, {10, 0}, {20, 0}, {20, 7}, {0, 7}});
+  const Layout layout = orthocyclic(usable_area, 1, {-4, -4}, 0, silent);
   bool left = false, right = false;
   for (const Point p : layout.wires) {
     if (p.y < 1.5 && p.x < 8) left = true;
@@ -54,7 +54,7 @@ TEST(Orthocyclic, RowsContinueBeyondAGap) {
 }
 
 TEST(Orthocyclic, RowsOnBothSidesOfTheFirst) {
-  // Drawn to the middle of the room, the first wire lies there.
+  // Drawn to the middle of the usable area, the first wire lies there.
   const Layout layout = orthocyclic(rectangle(12, 12), 1, {6, 6}, 0, silent);
   EXPECT_EQ(layout.wires.size(), lattice_points(rectangle(12, 12), 1, {6, 6}, 0));
   EXPECT_GT(layout.wires.size(), 20u);
@@ -68,12 +68,13 @@ TEST(Orthocyclic, RowsOnBothSidesOfTheFirst) {
 TEST(Orthocyclic, EveryLatticePointOfRandomRooms) {
   Random random(5);
   for (int round = 0; round < 40; ++round) {
-    const Region room = test::random_region(random);
+    const Region usable_area = test::random_region(random);
     const double radius = random.uniform(0.15, 0.9), angle = random.uniform(-3, 3);
-    const Layout layout = orthocyclic(room, radius, {random.uniform(-9, 9), random.uniform(-9, 9)}, angle, silent);
-    EXPECT_TRUE(test::valid(room, radius, layout.wires));
+    const Layout layout =
+        orthocyclic(usable_area, radius, {random.uniform(-9, 9), random.uniform(-9, 9)}, angle, silent);
+    EXPECT_TRUE(test::valid(usable_area, radius, layout.wires));
     if (!layout.wires.empty()) {
-      EXPECT_EQ(layout.wires.size(), lattice_points(room, radius, layout.wires[0], angle));
+      EXPECT_EQ(layout.wires.size(), lattice_points(usable_area, radius, layout.wires[0], angle));
     }
   }
 }
@@ -91,11 +92,11 @@ TEST(Orthocyclic, WiresOfARowGrowAwayFromTheFirst) {
 
 TEST(Orthocyclic, RotorsGroovesHoldTheFirstRow) {
   const Slot slot = make_slot(RotorSlot{});
-  const Layout layout = orthocyclic(slot.room, 0.6085, slot.pull, 0, silent);
+  const Layout layout = orthocyclic(slot.usable_area, 0.6085, slot.tension_point, 0, silent);
   std::size_t row = 0;
   while (row < layout.wires.size() && std::abs(layout.wires[row].y - layout.wires[0].y) < 1e-9) ++row;
   EXPECT_EQ(row, 12u);
-  EXPECT_TRUE(test::valid(slot.room, 0.6085, layout.wires));
+  EXPECT_TRUE(test::valid(slot.usable_area, 0.6085, layout.wires));
 }
 
 }  // namespace

@@ -32,12 +32,12 @@ const std::vector<Copper>& wires_r20() {
   return list;
 }
 
-/// The most points of one row lattice with pitch `distance` in `room`, by trying many lattices; independent of
+/// The most points of one row lattice with pitch `distance` in `usable_area`, by trying many lattices; independent of
 /// starts.cpp.
-std::size_t lattice_count(const Region& room, double radius, double distance, double angle, int shifts) {
+std::size_t lattice_count(const Region& usable_area, double radius, double distance, double angle, int shifts) {
   const Point along{std::cos(angle), std::sin(angle)}, skew{std::cos(angle + pi / 3), std::sin(angle + pi / 3)};
-  const Point middle = 0.5 * (room.box().low + room.box().high);
-  const int reach = static_cast<int>(bahnwerk::distance(room.box().low, room.box().high) / distance) + 2;
+  const Point middle = 0.5 * (usable_area.box().low + usable_area.box().high);
+  const int reach = static_cast<int>(bahnwerk::distance(usable_area.box().low, usable_area.box().high) / distance) + 2;
   std::size_t best = 0;
   for (int u = 0; u < shifts; ++u)
     for (int v = 0; v < shifts; ++v) {
@@ -46,8 +46,9 @@ std::size_t lattice_count(const Region& room, double radius, double distance, do
         for (int k = -reach; k <= reach; ++k) {
           const Point p =
               middle + (distance * (i + 1.0 * u / shifts)) * along + (distance * (k + 1.0 * v / shifts)) * skew;
-          if (p.x > room.box().low.x && p.x < room.box().high.x && p.y > room.box().low.y && p.y < room.box().high.y)
-            count += room.distance(p) >= radius;
+          if (p.x > usable_area.box().low.x && p.x < usable_area.box().high.x && p.y > usable_area.box().low.y &&
+              p.y < usable_area.box().high.y)
+            count += usable_area.distance(p) >= radius;
         }
       best = std::max(best, count);
     }
@@ -106,30 +107,30 @@ TEST(Potential, CountsUpToBestKnownPackings) {
 
 TEST(Potential, FillsBothSidesOfANeck) {
   // Two squares joined by a slit that no wire passes: 9 wires in each.
-  const Region room = polygon({{0, 0},
-                               {1, 0},
-                               {1, 0.45},
-                               {1.2, 0.45},
-                               {1.2, 0},
-                               {2.2, 0},
-                               {2.2, 1},
-                               {1.2, 1},
-                               {1.2, 0.55},
-                               {1, 0.55},
-                               {1, 1},
-                               {0, 1}});
+  const Region usable_area = polygon({{0, 0},
+                                      {1, 0},
+                                      {1, 0.45},
+                                      {1.2, 0.45},
+                                      {1.2, 0},
+                                      {2.2, 0},
+                                      {2.2, 1},
+                                      {1.2, 1},
+                                      {1.2, 0.55},
+                                      {1, 0.55},
+                                      {1, 1},
+                                      {0, 1}});
   const double radius = 0.998 / 6;
-  const auto wires = potential(room, radius, {}, {}, silent);
+  const auto wires = potential(usable_area, radius, {}, {}, silent);
   EXPECT_EQ(wires.size(), 18u);
-  expect_allowed(room, radius, 0, wires);
+  expect_allowed(usable_area, radius, 0, wires);
 }
 
 TEST(Potential, KeepsAwayFromCornersThatJutIn) {
-  const Region room = polygon({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}});
+  const Region usable_area = polygon({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}});
   const double radius = 0.21;
-  const auto wires = potential(room, radius, {}, {}, silent);
+  const auto wires = potential(usable_area, radius, {}, {}, silent);
   EXPECT_GE(wires.size(), 20u);
-  expect_allowed(room, radius, 0, wires);
+  expect_allowed(usable_area, radius, 0, wires);
 }
 
 TEST(Potential, FillsGrooves) {
@@ -139,10 +140,10 @@ TEST(Potential, FillsGrooves) {
   edges.push_back(line({4, 0}, {4, 0.66}));
   edges.push_back(line({4, 0.66}, {0, 0.66}));
   edges.push_back(line({0, 0.66}, {0, 0}));
-  const Region room(edges);
-  const auto wires = potential(room, 0.49, {}, {}, silent);
+  const Region usable_area(edges);
+  const auto wires = potential(usable_area, 0.49, {}, {}, silent);
   EXPECT_EQ(wires.size(), 4u);
-  expect_allowed(room, 0.49, 0, wires);
+  expect_allowed(usable_area, 0.49, 0, wires);
 }
 
 TEST(Potential, OverlapGainsRoomBetweenWiresOnly) {
@@ -226,11 +227,11 @@ TEST(Potential, IsTheSameForTheSameSeed) {
   options.effort = 0.1;
   const Copper wire = wires_r20()[8];
   options.overlap = wire.overlap();
-  const Region room = stator_room();
-  const auto first = potential(room, wire.outer / 2, {}, options, silent);
-  EXPECT_EQ(first, potential(room, wire.outer / 2, {}, options, silent));
+  const Region usable_area = stator_room();
+  const auto first = potential(usable_area, wire.outer / 2, {}, options, silent);
+  EXPECT_EQ(first, potential(usable_area, wire.outer / 2, {}, options, silent));
   options.seed = 2;
-  EXPECT_NE(first, potential(room, wire.outer / 2, {}, options, silent));
+  EXPECT_NE(first, potential(usable_area, wire.outer / 2, {}, options, silent));
 }
 
 TEST(Potential, StopsWhenAsked) {
@@ -261,8 +262,8 @@ TEST(Packed, RejectsEveryBreachOfTheRules) {
 // The example slot.
 
 TEST(Potential, FillsTheExampleSlotBetterThanAnyLattice) {
-  const Region room = stator_room();
-  EXPECT_NEAR(room.area(), 73.19, 0.01);
+  const Region usable_area = stator_room();
+  EXPECT_NEAR(usable_area.area(), 73.19, 0.01);
   const double flank = std::atan2(16.129, 2.22625 - 2.9285);
   for (const std::size_t which : {1u, 4u, 7u, 10u}) {
     const Copper& wire = wires_r20()[which];
@@ -270,10 +271,10 @@ TEST(Potential, FillsTheExampleSlotBetterThanAnyLattice) {
     options.overlap = wire.overlap();
     options.effort = 0.1;
     const double radius = wire.outer / 2, least = 2 * radius - options.overlap;
-    const auto wires = potential(room, radius, {}, options, silent);
-    expect_allowed(room, radius, options.overlap, wires);
+    const auto wires = potential(usable_area, radius, {}, options, silent);
+    expect_allowed(usable_area, radius, options.overlap, wires);
     for (const double angle : {0.0, pi / 6, flank, pi - flank})
-      EXPECT_GE(wires.size(), lattice_count(room, radius, least, angle, 12)) << wire.copper;
+      EXPECT_GE(wires.size(), lattice_count(usable_area, radius, least, angle, 12)) << wire.copper;
   }
 }
 

@@ -30,11 +30,11 @@ TEST(Raabe, RoomsThatLayersFillExactly) {
   for (int round = 0; round < 40; ++round) {
     const double r = random.uniform(0.2, 1.5);
     const std::size_t k = 2 + random.below(9), layers = 1 + random.below(6);
-    const Region room =
+    const Region usable_area =
         rectangle(2 * r * static_cast<double>(k), 2 * r + static_cast<double>(layers - 1) * std::sqrt(3) * r);
-    const Layout layout = raabe(room, r, silent, 1);
+    const Layout layout = raabe(usable_area, r, silent, 1);
     EXPECT_EQ(layout.wires.size(), layers * k - layers / 2);
-    EXPECT_TRUE(test::valid(room, r, layout.wires));
+    EXPECT_TRUE(test::valid(usable_area, r, layout.wires));
   }
 }
 
@@ -46,32 +46,32 @@ TEST(Raabe, NothingFitsAndOneWireFits) {
 TEST(Raabe, EveryWireTakesTheLowestPlace) {
   Random random(11);
   for (int round = 0; round < 6; ++round) {
-    const Region room = test::random_region(random);
-    const Layout layout = raabe(room, 0.55, silent, 1);
-    EXPECT_TRUE(test::valid(room, 0.55, layout.wires));
+    const Region usable_area = test::random_region(random);
+    const Layout layout = raabe(usable_area, 0.55, silent, 1);
+    EXPECT_TRUE(test::valid(usable_area, 0.55, layout.wires));
     std::vector<Point> laid;
     for (const Point p : layout.wires) {
-      EXPECT_LE(p.y, test::sampled_least(room, 0.55, laid, [](Point q) { return q.y; }) + 1e-9);
+      EXPECT_LE(p.y, test::sampled_least(usable_area, 0.55, laid, [](Point q) { return q.y; }) + 1e-9);
       laid.push_back(p);
     }
-    EXPECT_EQ(test::sampled_least(room, 0.55, laid, [](Point q) { return q.y; }),
+    EXPECT_EQ(test::sampled_least(usable_area, 0.55, laid, [](Point q) { return q.y; }),
               std::numeric_limits<double>::infinity());
   }
 }
 
 TEST(Raabe, StartsMoveByFractionsOfTheRadiusAndTheBestIsKept) {
-  const Region room = make_slot(StatorSlot{}).room;
+  const Region usable_area = make_slot(StatorSlot{}).usable_area;
   int better = 0;
   for (const Wire& wire : standard_wires(2, 0.5, 1.6, Series::r40)) {
     const double r = wire.radius();
-    const Layout one = raabe(room, r, silent, 1), four = raabe(room, r, silent, 4);
-    EXPECT_TRUE(test::valid(room, r, four.wires));
+    const Layout one = raabe(usable_area, r, silent, 1), four = raabe(usable_area, r, silent, 4);
+    EXPECT_TRUE(test::valid(usable_area, r, four.wires));
     const double steps = (four.wires[0].x - one.wires[0].x) / (r / 4);
     EXPECT_NEAR(steps, std::round(steps), 1e-6);
     EXPECT_GE(steps, -1e-6);
     EXPECT_LE(steps, 3 + 1e-6);
     // On the base: touching it from above.
-    EXPECT_NEAR(room.distance(four.wires[0]), r, 1e-9);
+    EXPECT_NEAR(usable_area.distance(four.wires[0]), r, 1e-9);
     EXPECT_LT(four.wires[0].y, one.wires[0].y + 0.01);
     EXPECT_GE(four.wires.size(), one.wires.size());
     if (four.wires.size() > one.wires.size()) {
@@ -83,7 +83,7 @@ TEST(Raabe, StartsMoveByFractionsOfTheRadiusAndTheBestIsKept) {
 }
 
 TEST(Raabe, ShiftedStartDropsToTheBase) {
-  // 3.9 wide: one wire at the lowest place leaves no room beside it, whatever the shift.
+  // 3.9 wide: one wire at the lowest place leaves no usable area beside it, whatever the shift.
   const Layout layout = raabe(rectangle(3.9, 2.2), 1, silent);
   ASSERT_EQ(layout.wires.size(), 1u);
   EXPECT_NEAR(distance(layout.wires[0], {1, 1}), 0, 1e-9);

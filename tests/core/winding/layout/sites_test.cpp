@@ -16,9 +16,9 @@ using test::polygon;
 using test::random_region;
 using test::rectangle;
 
-std::vector<Point> fill(const Region& room, double radius, Point pull) {
-  Sites sites(room, radius);
-  while (const auto place = sites.nearest(pull)) sites.lay(*place);
+std::vector<Point> fill(const Region& usable_area, double radius, Point tension_point) {
+  Sites sites(usable_area, radius);
+  while (const auto place = sites.nearest(tension_point)) sites.lay(*place);
   return {sites.wires().begin(), sites.wires().end()};
 }
 
@@ -68,8 +68,9 @@ TEST(Sites, EquallyNearPlacesGoByTheirX) {
 }
 
 TEST(Sites, NothingFits) {
-  for (const Region& room : {rectangle(10, 1.9), rectangle(1.9, 10), polygon({{0, 0}, {4, 0}, {2, 1}}), Region()}) {
-    Sites sites(room, 1);
+  for (const Region& usable_area :
+       {rectangle(10, 1.9), rectangle(1.9, 10), polygon({{0, 0}, {4, 0}, {2, 1}}), Region()}) {
+    Sites sites(usable_area, 1);
     EXPECT_FALSE(sites.nearest({0, 0}));
     EXPECT_FALSE(sites.least({0, 1}));
     EXPECT_FALSE(sites.free({2, 0.5}));
@@ -78,9 +79,9 @@ TEST(Sites, NothingFits) {
 
 TEST(Sites, RoomThatOneWireFillsExactly) {
   const double inradius = 1;  // of the triangle 3-4-5
-  for (const Region& room :
+  for (const Region& usable_area :
        {rectangle(2, 2), Region({arc({3, 3}, 1, 0, 2 * std::numbers::pi)}), polygon({{0, 0}, {4, 0}, {0, 3}})})
-    EXPECT_EQ(fill(room, inradius, {-9, -9}).size(), 1u);
+    EXPECT_EQ(fill(usable_area, inradius, {-9, -9}).size(), 1u);
 }
 
 TEST(Sites, ChannelExactlyAsWideAsAWire) {
@@ -104,9 +105,9 @@ TEST(Sites, RowThatFitsExactlyTakesItsLastWire) {
 
 TEST(Sites, LowestPlaceInAGrooveIsItsBottom) {
   // A half disc of radius 2 below the base holds a wire's centre on an arc of radius 1.
-  const Region room({line({-5, 0}, {-2, 0}), arc_between({0, 0}, {-2, 0}, {2, 0}, true), line({2, 0}, {5, 0}),
-                     line({5, 0}, {5, 8}), line({5, 8}, {-5, 8}), line({-5, 8}, {-5, 0})});
-  Sites sites(room, 1);
+  const Region usable_area({line({-5, 0}, {-2, 0}), arc_between({0, 0}, {-2, 0}, {2, 0}, true), line({2, 0}, {5, 0}),
+                            line({5, 0}, {5, 8}), line({5, 8}, {-5, 8}), line({-5, 8}, {-5, 0})});
+  Sites sites(usable_area, 1);
   const auto place = sites.least({0, 1});
   ASSERT_TRUE(place);
   EXPECT_NEAR(distance(*place, {0, -1}), 0, 1e-12);
@@ -116,9 +117,9 @@ TEST(Sites, NoPlaceIsBetterAccordingToASample) {
   Random random(7);
   int queries = 0;
   for (int round = 0; round < 12; ++round) {
-    const Region room = random_region(random);
+    const Region usable_area = random_region(random);
     const double radius = random.uniform(0.25, 0.8);
-    Sites sites(room, radius);
+    Sites sites(usable_area, radius);
     std::vector<Point> wires;
     for (int i = 0; i < 12; ++i) {
       const Point p{random.uniform(-6, 6), random.uniform(-6, 6)};
@@ -126,16 +127,17 @@ TEST(Sites, NoPlaceIsBetterAccordingToASample) {
       const Point d{std::cos(a), std::sin(a)};
       const auto near = sites.nearest(p), low = sites.least(d);
       ASSERT_EQ(near.has_value(), low.has_value());
-      const double least = test::sampled_least(room, radius, wires, [&](Point q) { return distance(p, q); });
+      const double least = test::sampled_least(usable_area, radius, wires, [&](Point q) { return distance(p, q); });
       if (!near) {
         EXPECT_EQ(least, std::numeric_limits<double>::infinity());
         break;
       }
       ++queries;
-      EXPECT_TRUE(test::fits(room, radius, wires, *near, 1e-9));
+      EXPECT_TRUE(test::fits(usable_area, radius, wires, *near, 1e-9));
       EXPECT_LE(distance(*near, p), least + 1e-9);
-      EXPECT_TRUE(test::fits(room, radius, wires, *low, 1e-9));
-      EXPECT_LE(dot(*low, d), test::sampled_least(room, radius, wires, [&](Point q) { return dot(q, d); }) + 1e-9);
+      EXPECT_TRUE(test::fits(usable_area, radius, wires, *low, 1e-9));
+      EXPECT_LE(dot(*low, d),
+                test::sampled_least(usable_area, radius, wires, [&](Point q) { return dot(q, d); }) + 1e-9);
       const Point next = i % 3 ? *near : *low;
       sites.lay(next);
       wires.push_back(next);
@@ -147,29 +149,30 @@ TEST(Sites, NoPlaceIsBetterAccordingToASample) {
 TEST(Sites, FullRoomHasNoPlaceLeftInASample) {
   Random random(3);
   for (int round = 0; round < 20; ++round) {
-    const Region room = random_region(random);
-    const auto wires = fill(room, 0.5, {random.uniform(-9, 9), random.uniform(-9, 9)});
-    EXPECT_TRUE(test::valid(room, 0.5, wires));
-    EXPECT_EQ(test::sampled_least(room, 0.5, wires, [](Point) { return 0.0; }),
+    const Region usable_area = random_region(random);
+    const auto wires = fill(usable_area, 0.5, {random.uniform(-9, 9), random.uniform(-9, 9)});
+    EXPECT_TRUE(test::valid(usable_area, 0.5, wires));
+    EXPECT_EQ(test::sampled_least(usable_area, 0.5, wires, [](Point) { return 0.0; }),
               std::numeric_limits<double>::infinity());
   }
 }
 
 TEST(Sites, DependsNotOnWherePartAndWireLie) {
   // Turned and moved together with its attraction point, a filling turns and moves.
-  const Region room = make_slot(StatorSlot{}).room;
+  const Region usable_area = make_slot(StatorSlot{}).usable_area;
   const double a = 0.7;
   const auto moved = [&](Point p) {
     return Point{3 + std::cos(a) * p.x - std::sin(a) * p.y, -8 + std::sin(a) * p.x + std::cos(a) * p.y};
   };
-  std::vector<Edge> edges(room.edges().begin(), room.edges().end());
+  std::vector<Edge> edges(usable_area.edges().begin(), usable_area.edges().end());
   for (Edge& edge : edges) {
     edge.from = moved(edge.from);
     edge.to = moved(edge.to);
     edge.centre = moved(edge.centre);
   }
-  const Point pull{-2.5, -4.7};
-  const auto still = fill(room, 0.4945, pull), turned = fill(Region(edges), 0.4945, moved(pull));
+  const Point tension_point{-2.5, -4.7};
+  const auto still = fill(usable_area, 0.4945, tension_point),
+             turned = fill(Region(edges), 0.4945, moved(tension_point));
   ASSERT_EQ(still.size(), turned.size());
   for (std::size_t i = 0; i < still.size(); ++i) EXPECT_NEAR(distance(moved(still[i]), turned[i]), 0, 1e-6);
 }

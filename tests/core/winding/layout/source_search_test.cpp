@@ -24,9 +24,9 @@ class FourStarts {
       : slot_(slot),
         wire_(wire),
         random_(random),
-        room_(slot, wire.radius(), silent_),
-        squeeze_(room_, 2 * wire.radius()) {
-    places_ = room_.spread(wire.radius() / 4);
+        usable_area_(slot, wire.radius(), silent_),
+        squeeze_(usable_area_, 2 * wire.radius()) {
+    places_ = usable_area_.spread(wire.radius() / 4);
   }
   std::size_t most() {
     const double area = std::numbers::pi * wire_.radius() * wire_.radius();
@@ -66,7 +66,7 @@ class FourStarts {
   Wire wire_;
   Random& random_;
   SilentProgress silent_;
-  CentreRoom room_;
+  CentreArea usable_area_;
   Squeeze squeeze_;
   Minimiser minimiser_;
   std::vector<Point> places_;
@@ -81,11 +81,11 @@ TEST(SourceSearch, NeverFindsMoreWires) {
     PotentialOptions options;
     options.overlap = rule(wire);
     options.effort = 0.3;
-    most.push_back(potential(slot.room, wire.radius(), {}, options, silent).size());
+    most.push_back(potential(slot.usable_area, wire.radius(), {}, options, silent).size());
   }
   Random random(1);
   for (std::size_t i = 0; i < wires.size(); ++i) {
-    const std::size_t count = FourStarts(slot.room, wires[i], random).most();
+    const std::size_t count = FourStarts(slot.usable_area, wires[i], random).most();
     EXPECT_LE(count, most[i]) << wires[i].copper;
     EXPECT_GE(static_cast<double>(count), 0.93 * static_cast<double>(most[i])) << wires[i].copper;
   }
@@ -105,9 +105,9 @@ TEST(SourceSearch, SeventyEightWiresPressedTogether) {
     PotentialOptions options;
     options.overlap = overlap * r;
     options.effort = effort;
-    const auto wires = pack(slot.room, r, 78, best, options, silent);
+    const auto wires = pack(slot.usable_area, r, 78, best, options, silent);
     if (!wires) return false;
-    EXPECT_TRUE(packed(slot.room, r, options.overlap, *wires));
+    EXPECT_TRUE(packed(slot.usable_area, r, options.overlap, *wires));
     best = {*wires};
     least = overlap;
     return true;

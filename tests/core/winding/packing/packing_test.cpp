@@ -1,4 +1,4 @@
-// The parts of the search for packings: room of the centres, energy, minimiser, rows.
+// The parts of the search for packings: usable area of the centres, energy, minimiser, rows.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 
 #include "core/numeric/random.hpp"
 #include "core/winding/layout/potential.hpp"
-#include "core/winding/packing/centre_room.hpp"
+#include "core/winding/packing/centre_area.hpp"
 #include "core/winding/packing/squeeze.hpp"
 #include "core/winding/packing/starts.hpp"
 #include "tests/core/winding/packing_rooms.hpp"
@@ -16,38 +16,39 @@ namespace {
 
 using namespace test;
 
-TEST(CentreRoom, AgreesWithTheExactRegion) {
+TEST(CentreArea, AgreesWithTheExactRegion) {
   Random random(7);
-  const Region rooms[] = {stator_room(), circle(), polygon({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}}), gon(60)};
-  for (const Region& room : rooms) {
+  const Region usable_areas[] = {stator_room(), circle(), polygon({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}}),
+                                 gon(60)};
+  for (const Region& usable_area : usable_areas) {
     const double radius = 0.2;
-    const CentreRoom centres(room, radius, silent);
-    const Box& b = room.box();
+    const CentreArea centres(usable_area, radius, silent);
+    const Box& b = usable_area.box();
     int inside = 0;
     for (int i = 0; i < 4000; ++i) {
       const Point p{random.uniform(b.low.x, b.high.x), random.uniform(b.low.y, b.high.y)};
-      const double depth = room.distance(p) - radius;
+      const double depth = usable_area.distance(p) - radius;
       const Point in = centres.way_in(p);
       if (depth > 1e-9) {
         EXPECT_EQ(in, Point{}) << p.x << ' ' << p.y;
       }
       if (depth < -1e-9) {
         EXPECT_GE(norm(in), -depth - 1e-9);
-        EXPECT_NEAR(room.distance(p + in), radius, 1e-9);
+        EXPECT_NEAR(usable_area.distance(p + in), radius, 1e-9);
         EXPECT_NEAR(norm(in), std::abs(centres.region().distance(p)), 1e-9);
       }
       inside += depth > 0;
     }
     EXPECT_GT(inside, 500);
-    for (const Point& p : centres.spread(0.1)) EXPECT_GE(room.distance(p), radius - 1e-9);
+    for (const Point& p : centres.spread(0.1)) EXPECT_GE(usable_area.distance(p), radius - 1e-9);
   }
 }
 
 TEST(Squeeze, EnergyAndForcesAgreeWithAllPairs) {
   Random random(3);
-  const Region room = stator_room();
+  const Region usable_area = stator_room();
   const double radius = 0.35, least = 0.69;
-  const CentreRoom centres(room, radius, silent);
+  const CentreArea centres(usable_area, radius, silent);
   for (const std::size_t n : {2u, 30u, 200u}) {
     Squeeze squeeze(centres, least);
     std::vector<Point> wires(n), gradient(n), unused(n);
@@ -55,7 +56,7 @@ TEST(Squeeze, EnergyAndForcesAgreeWithAllPairs) {
     const auto brute = [&](const std::vector<Point>& at) {
       double sum = 0;
       for (std::size_t i = 0; i < n; ++i) {
-        if (room.distance(at[i]) < radius) sum += 0.5 * std::pow(centres.region().distance(at[i]), 2);
+        if (usable_area.distance(at[i]) < radius) sum += 0.5 * std::pow(centres.region().distance(at[i]), 2);
         for (std::size_t k = 0; k < i; ++k) sum += 0.5 * std::pow(std::max(0.0, least - distance(at[i], at[k])), 2);
       }
       return sum;
@@ -79,7 +80,7 @@ TEST(Squeeze, EnergyAndForcesAgreeWithAllPairs) {
 
 TEST(Minimiser, EndsWhereForcesBalance) {
   Random random(5);
-  const CentreRoom centres(square(), 0.1, silent);
+  const CentreArea centres(square(), 0.1, silent);
   for (int round = 0; round < 20; ++round) {
     Squeeze squeeze(centres, 0.2);
     std::vector<Point> wires(33), gradient(33);
@@ -96,11 +97,11 @@ TEST(Minimiser, EndsWhereForcesBalance) {
 
 TEST(Rows, KeepTheirDistanceInTheRoom) {
   Random random(11);
-  const Region room = stator_room();
-  const CentreRoom centres(room, 0.4, silent);
+  const Region usable_area = stator_room();
+  const CentreArea centres(usable_area, 0.4, silent);
   const auto found = best_rows(centres, sides(centres.edges(), 1), 0.8, 300, random);
   EXPECT_GE(found.size(), 90u);
-  EXPECT_TRUE(packed(room, 0.4, 0, found));
+  EXPECT_TRUE(packed(usable_area, 0.4, 0, found));
 }
 
 }  // namespace

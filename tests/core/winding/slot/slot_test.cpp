@@ -24,21 +24,21 @@ std::string refused(const Slot& slot) {
 TEST(StatorSlotTest, ExampleHasTheSourcesAreas) {
   const Slot slot = make_slot(StatorSlot{});
   EXPECT_NEAR(slot.iron.area(), 83.0, 0.05);
-  EXPECT_NEAR(slot.room.area(), 73.2, 0.05);
+  EXPECT_NEAR(slot.usable_area.area(), 73.2, 0.05);
   EXPECT_NEAR(slot.iron.box().high.y, 16.129, 1e-12);
   EXPECT_NEAR(slot.iron.distance({0, 8}), 2.577, 0.01);
 }
 
 TEST(StatorSlotTest, LinerAndWedgeAreKept) {
   const Slot slot = make_slot(StatorSlot{});
-  for (const Edge& edge : slot.room.edges())
+  for (const Edge& edge : slot.usable_area.edges())
     for (const double f : {0.0, 0.5}) {
       const Point p = edge.at(f);
       const bool beside_wedge = p.y > 16.129 - 0.42 - 1e-9 && std::abs(p.x) < 1.8415 + 1e-9;
       EXPECT_GE(slot.iron.distance(p), beside_wedge ? 0 : 0.22 - 1e-9);
     }
-  EXPECT_LT(slot.room.distance({0, 16.129 - 0.41}), 0);
-  EXPECT_GT(slot.room.distance({0, 16.129 - 0.43}), 0);
+  EXPECT_LT(slot.usable_area.distance({0, 16.129 - 0.41}), 0);
+  EXPECT_GT(slot.usable_area.distance({0, 16.129 - 0.43}), 0);
 }
 
 TEST(StatorSlotTest, SharpCornersAreATrapezoidWithASegment) {
@@ -77,9 +77,9 @@ TEST(StatorSlotTest, ImpossibleParametersAreNamed) {
 TEST(RotorSlotTest, WiresOfItsPitchLieSideBySideInTheGrooves) {
   const Slot slot = make_slot(RotorSlot{});
   const double first = 13.738 - 11 * 1.217;
-  for (int k = 1; k < 12; ++k) EXPECT_NEAR(slot.room.distance({first + k * 1.217, 0.6085}), 0.6085, 1e-9) << k;
+  for (int k = 1; k < 12; ++k) EXPECT_NEAR(slot.usable_area.distance({first + k * 1.217, 0.6085}), 0.6085, 1e-9) << k;
   // b_N is rounded to 1 µm: the first wire would touch the root's flank at 0.3513, not at 0.351.
-  EXPECT_NEAR(slot.room.distance({first, 0.6085}), 0.6085, 3e-4);
+  EXPECT_NEAR(slot.usable_area.distance({first, 0.6085}), 0.6085, 3e-4);
   EXPECT_NEAR(slot.iron.area(), 59.14, 0.01);
 }
 
@@ -106,8 +106,8 @@ TEST(RotorSlotTest, HalfCirclesMeetInCusps) {
   const Slot slot = make_slot(s);
   for (int k = 0; k < 11; ++k) {
     const double tip = 0.4 + 0.65 + k * 1.3;
-    EXPECT_NEAR(slot.room.distance({tip, 0.9}), 0.25, 1e-9) << "above the cusp";
-    EXPECT_LT(slot.room.distance({tip, 0.6}), 0) << "in the ridge";
+    EXPECT_NEAR(slot.usable_area.distance({tip, 0.9}), 0.25, 1e-9) << "above the cusp";
+    EXPECT_LT(slot.usable_area.distance({tip, 0.6}), 0) << "in the ridge";
   }
 }
 
@@ -130,8 +130,8 @@ TEST(PolygonSlotTest, EitherOrientationGivesTheSameRoom) {
   PolygonSlot s{{{0, 0}, {4, 0}, {4, 3}, {2, 1}, {0, 3}}, 0.1, 0.2};
   const Slot slot = make_slot(s);
   std::reverse(s.points.begin(), s.points.end());
-  EXPECT_NEAR(make_slot(s).room.area(), slot.room.area(), 1e-9);
-  EXPECT_GT(slot.room.area(), 0);
+  EXPECT_NEAR(make_slot(s).usable_area.area(), slot.usable_area.area(), 1e-9);
+  EXPECT_GT(slot.usable_area.area(), 0);
 }
 
 TEST(PolygonSlotTest, ImpossiblePolygonsAreNamed) {

@@ -12,11 +12,11 @@
 
 namespace bahnwerk::winding {
 
-class CentreRoom {
+class CentreArea {
  public:
-  /// All points of `room` at least `radius` away from its boundary: areas, and the lines and points that exact fits
-  /// leave. O((edges of room)²) and 4096 distances. Reports stage "potential".
-  CentreRoom(const Region& room, double radius, Progress& progress);
+  /// All points of `usable_area` at least `radius` away from its boundary: areas, and the lines and points that exact
+  /// fits leave. O((edges of usable area)²) and 4096 distances. Reports stage "potential".
+  CentreArea(const Region& usable_area, double radius, Progress& progress);
 
   bool empty() const { return edges_.empty(); }
   const Region& region() const { return region_; }  ///< the areas
@@ -24,7 +24,7 @@ class CentreRoom {
   /// What bounds the areas, and the lines of exact fits; a point is a line without length.
   std::span<const Edge> edges() const { return edges_; }
   /// The way from `p` to the nearest point where a centre may lie; nothing if `p` is one itself. Its squared length is
-  /// differentiable in the corners of the room, which the distance from the nearest wall is not.
+  /// differentiable in the corners of the usable area, which the distance from the nearest wall is not.
   Point way_in(Point p) const {
     const auto column = static_cast<int>(std::clamp((p.x - low_.x) * per_cell_, 0.0, last_column_));
     const auto row = static_cast<int>(std::clamp((p.y - low_.y) * per_cell_, 0.0, last_row_));
@@ -32,17 +32,17 @@ class CentreRoom {
     return inside_[cell] ? Point{} : way_in(p, cell);
   }
   bool holds(Point p) const { return way_in(p) == Point{}; }
-  /// Points spread over the room and its boundary at most about `pitch` apart, in a fixed order.
+  /// Points spread over the usable area and its boundary at most about `pitch` apart, in a fixed order.
   std::vector<Point> spread(double pitch) const;
 
  private:
   struct Piece {
     Point from, to, centre, along;
     double radius = 0, length = 0;
-    double side = 0;  ///< of an arc: +1 the room is inside its circle, −1 outside
+    double side = 0;  ///< of an arc: +1 the usable area is inside its circle, −1 outside
     bool over_half = false;
     bool thin = false;                   ///< bounds no area: an exact fit
-    int corner_from = 0, corner_to = 0;  ///< −1: juts into the room, +1: does not, 0: smooth
+    int corner_from = 0, corner_to = 0;  ///< −1: juts into the usable area, +1: does not, 0: smooth
   };
   struct Hit {
     double square = 0;

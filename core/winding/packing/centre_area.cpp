@@ -1,4 +1,4 @@
-#include "core/winding/packing/centre_room.hpp"
+#include "core/winding/packing/centre_area.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,10 +14,10 @@ constexpr double on_line = 1e-10;  // mm, a point this near to a line lies on it
 
 }  // namespace
 
-CentreRoom::CentreRoom(const Region& room, double radius, Progress& progress)
-    : region_(room.inward(radius, &progress)) {
+CentreArea::CentreArea(const Region& usable_area, double radius, Progress& progress)
+    : region_(usable_area.inward(radius, &progress)) {
   progress.report("potential", 0);
-  const CentreBorders fits = exact_fits(centre_borders(room, radius, &progress), region_, &progress);
+  const CentreBorders fits = exact_fits(centre_borders(usable_area, radius, &progress), region_, &progress);
   edges_.assign(region_.edges().begin(), region_.edges().end());
   edges_.insert(edges_.end(), fits.pieces.begin(), fits.pieces.end());
   for (const Point corner : fits.corners) edges_.push_back(line(corner, corner));
@@ -82,7 +82,7 @@ CentreRoom::CentreRoom(const Region& room, double radius, Progress& progress)
   }
 }
 
-CentreRoom::Hit CentreRoom::nearest(Point p, std::span<const std::uint32_t> among) const {
+CentreArea::Hit CentreArea::nearest(Point p, std::span<const std::uint32_t> among) const {
   Hit best{std::numeric_limits<double>::max(), {}, false};
   for (const std::uint32_t i : among) {
     const Piece& piece = pieces_[i];
@@ -124,12 +124,12 @@ CentreRoom::Hit CentreRoom::nearest(Point p, std::span<const std::uint32_t> amon
   return best;
 }
 
-Point CentreRoom::way_in(Point p, std::size_t cell) const {
+Point CentreArea::way_in(Point p, std::size_t cell) const {
   const Hit hit = nearest(p, {among_.data() + first_[cell], first_[cell + 1] - first_[cell]});
   return hit.inside ? Point{} : hit.at - p;
 }
 
-std::vector<Point> CentreRoom::spread(double pitch) const {
+std::vector<Point> CentreArea::spread(double pitch) const {
   std::vector<Point> points;
   if (empty()) return points;
   const Box& box = box_;
