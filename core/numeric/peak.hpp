@@ -1,13 +1,18 @@
 #pragma once
 /// The true continuous maximum of |f| over an interval, for several functions that share their evaluations.
 ///
-/// Each interval is sampled at Chebyshev points; the interpolant's Chebyshev tail tells whether it is resolved, its
-/// Bernstein coefficients bound it from outside (Farouki, "The Bernstein polynomial basis: a centennial retrospective",
-/// CAGD 29, 2012), and only where that bound passes the highest value so far is the maximum located through the roots
-/// of the derivative. An interval that is not resolved is halved.
+/// Each interval is sampled at Chebyshev points; the interpolant's Bernstein coefficients bound it from outside
+/// (Farouki, "The Bernstein polynomial basis: a centennial retrospective", CAGD 29, 2012), and only where that bound
+/// passes the highest value so far is the maximum located through the roots of the derivative. How far the function may
+/// be from the interpolant is the caller's to prove (`PeakSamples::missing`, interpolation_error()): it is added, so
+/// the peak is an enclosure, never below the truth but for rounding of the samples. An interval where that is more than
+/// the resolution and could matter is halved. Where the caller knows no bound the decay of the Chebyshev coefficients
+/// is taken for it: an estimate, which content that aliases on the points can deceive.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace bahnwerk {
@@ -45,23 +50,43 @@ struct Peak {
   bool finite = true;   ///< false once any sample was NaN or infinite
 };
 
+/// How far the interpolant in Chebyshev points (with or without the ends) may be from a function that is analytic and
+/// |f| ≤ 1 within `reach` half widths of the middle of its interval: 4 ρ⁻ⁿ/(ρ − 1), n = points − 1, where the ellipse
+/// with foci ±1 and semi-axis sum ρ just fits that disc [Trefethen, Approximation Theory and Approximation Practice,
+/// 2013, theorem 8.2]. Infinite for reach ≤ 1.
+double interpolation_error(int points, double reach);
+
+/// What a sampled interval is made of.
+struct PeakSamples {
+  const ChebyshevRule& rule;
+  double begin, end;
+  bool last;        ///< it will not be halved any more
+  double* values;   ///< out: channel c at rule.node[i] of [begin, end] at values[c · rule.points + i]
+  double* missing;  ///< out: per channel, a proven bound of |f − interpolant|; NaN, as it is handed in: not known
+  bool empty = false;  ///< out: nothing was written, the bound being useless; not when `last`
+  double at(int i) const { return begin + rule.node[static_cast<std::size_t>(i)] * (end - begin); }
+};
+
 /// Running peaks of several functions over many intervals. `scale` of a function is the magnitude that counts (its
 /// limit): values are resolved to 2e-11 of it (or of the function itself if that is larger); where halving does not get
-/// there, the outer bound counts.
+/// there, the outer bound and what may be missing count.
 class PeakSweep {
  public:
   explicit PeakSweep(std::vector<double> scales);
 
   std::size_t channels() const { return peaks_.size(); }
   const Peak& operator[](std::size_t channel) const { return peaks_[channel]; }
+  double scale(std::size_t channel) const { return scales_[channel]; }
   std::size_t evaluations() const { return evaluations_; }
 
   /// A value known exactly. O(1).
   void raise(std::size_t channel, double value, double at, std::size_t tag);
 
-  /// Sweeps [a, b]. `sample(rule, begin, end, values)` writes channel c at rule.node[i] of [begin, end] to values[c ·
-  /// points + i] and returns false when it knows itself unresolved there. `open`: never evaluate at the ends of a
-  /// sampled interval.
+  /// Sampled intervals on which an estimate alone decided: no bound was known, or halving ended before one was finite.
+  std::size_t estimated() const { return estimated_; }
+
+  /// Sweeps [a, b]. `sample(PeakSamples&)` fills values and missing, and returns false when it knows itself unresolved
+  /// there. `open`: never evaluate at the ends of a sampled interval.
   template <class Sample>
   void sweep(double a, double b, bool open, std::size_t tag, Sample&& sample) {
     struct Interval {
@@ -80,16 +105,14 @@ class PeakSweep {
                                 : now.depth >= noisy_depth               ? Patience::some
                                                                          : Patience::full;
       bool done = false;
-      if (!open && now.depth == 0) {
-        const ChebyshevRule& rule = lobatto_rule(false);
-        const bool resolved = sample(rule, now.begin, now.end, values_.data());
-        done = absorb(rule, now.begin, now.end, tag, resolved, Patience::full);
-      }
-      if (!done) {
-        const ChebyshevRule& rule = open ? open_rule() : lobatto_rule(true);
-        const bool resolved = sample(rule, now.begin, now.end, values_.data());
-        done = absorb(rule, now.begin, now.end, tag, resolved, patience);
-      }
+      const auto attempt = [&](const ChebyshevRule& rule, Patience limit) {
+        std::fill(missing_.begin(), missing_.end(), std::numeric_limits<double>::quiet_NaN());
+        PeakSamples samples{rule, now.begin, now.end, limit == Patience::none, values_.data(), missing_.data()};
+        const bool resolved = sample(samples);
+        return !samples.empty && absorb(rule, now.begin, now.end, tag, resolved, limit);
+      };
+      if (!open && now.depth == 0 && coarse_may_do()) coarse_done(done = attempt(lobatto_rule(false), Patience::full));
+      if (!done) done = attempt(open ? open_rule() : lobatto_rule(true), patience);
       const double middle = now.begin + (now.end - now.begin) / 2;
       if (done || !(middle > now.begin && middle < now.end)) continue;
       stack[top++] = {middle, now.end, now.depth + 1};
@@ -106,9 +129,15 @@ class PeakSweep {
   /// Takes the samples in; true when the interval needs no halving.
   bool absorb(const ChebyshevRule& rule, double begin, double end, std::size_t tag, bool resolved, Patience patience);
 
+  // Neighbours are alike: where five points did not do they are tried again every fourth time.
+  bool coarse_may_do() { return missing_.empty() || coarse_failed_ == 0 || --coarse_failed_ == 0; }
+  void coarse_done(bool done) { coarse_failed_ = done || missing_.empty() || std::isnan(missing_.front()) ? 0 : 4; }
+
   std::vector<Peak> peaks_;
   std::vector<double> scales_;
-  std::vector<double> values_;
+  std::vector<double> values_, missing_;
+  int coarse_failed_ = 0;
+  std::size_t estimated_ = 0;
   std::size_t evaluations_ = 0;
   std::size_t budget_ =
       budget_cap;  // halvings still allowed over all sweeps: noise must not cost more than linear time

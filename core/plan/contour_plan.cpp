@@ -179,7 +179,7 @@ ContourPlan plan_contour(Contour input, const Machine& given_machine, const Cont
     for (int correction = 0;; ++correction) {
       cycles = whole_cycles(law.duration(), machine.cycle_time);
       trajectory = std::make_shared<const Trajectory>(contour, law.slowed(cycles.factor));
-      VerifierInput verdict{*contour, machine, trajectory->law(), planning.corner_angle};
+      ContourVerifierInput verdict{*contour, machine, trajectory->law(), planning.corner_angle};
       if (blended) verdict.given = given.get();
       verdict.progress_from = planned;
       verdict.progress_to = verified;

@@ -1,14 +1,41 @@
 #include "core/verify/verifier.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "core/verify/law/axis_peaks.hpp"
 #include "core/verify/law/law_checks.hpp"
 
 namespace bahnwerk {
+namespace {
+
+/// Per path segment. A path driven in place of another contour has to obey that one's feeds; a segment of none of its
+/// blocks may not be driven at all.
+std::vector<double> feeds_to_hold(const Contour& driven, const Contour* given) {
+  if (given == nullptr) return driven.feeds();
+  std::vector<double> feed(driven.path.size(), 0.0);
+  for (std::size_t b = 0; b < std::min(given->blocks.size(), driven.blocks.size()); ++b)
+    for (std::size_t i = driven.blocks[b].first; i < std::min(driven.blocks[b].last, feed.size()); ++i)
+      feed[i] = given->blocks[b].feed;
+  return feed;
+}
+
+}  // namespace
+
+Verification verify_motion(const ContourVerifierInput& input, Progress& progress) {
+  const CartesianAxisPath path(input.contour.path, input.machine.axes.size());
+  return verify_motion({path, input.machine, input.law, feeds_to_hold(input.contour, input.given),
+                        input.contour.rest_places(), input.corner_angle, input.check_jerk, input.path,
+                        input.position_tolerance, input.progress_from, input.progress_to},
+                       progress);
+}
 
 Verification verify_motion(const VerifierInput& input, Progress& progress) {
+  if (input.machine.axes.size() != input.path.axes())
+    throw std::invalid_argument("the verifier needs limits of as many axes as the path has");
+  if (input.feeds.size() != input.path.size() || input.rests.size() != input.path.size() + 1)
+    throw std::invalid_argument("the verifier needs a feed per segment and a rest per place between them");
   ProgressScope pulse(progress, "verify", input.progress_from, input.progress_to);
   pulse.report();
   verify::AxisPeaks axes = verify::axis_peaks(input, pulse);

@@ -1,23 +1,41 @@
 #pragma once
 /// The independent verifier of a finished motion law: it shares the geometry with the planner and nothing else.
+#include <vector>
+
 #include "core/base/progress.hpp"
 #include "core/base/verification.hpp"
 #include "core/contour/contour.hpp"
 #include "core/machine/machine.hpp"
+#include "core/motion/axes/axis_path.hpp"
 #include "core/motion/law/time_law.hpp"
 
 namespace bahnwerk {
 
+/// Axes that follow a path by a time law: 1 to max_axes of them.
 struct VerifierInput {
-  const Contour& contour;  ///< the path driven
-  const Machine& machine;
+  const AxisPath& path;
+  const Machine& machine;                     ///< as many axes as the path has, in its order
   const TimeLaw& law;                         ///< what will be sampled
-  double corner_angle = 0;                    ///< rad, a larger tangent jump needs a stop
+  std::vector<double> feeds;                  ///< per segment: the tool's speed, mm/s, infinite where not limited
+  std::vector<bool> rests;                    ///< per segment, whether the motion rests at its begin; one for the end
+  double corner_angle = 0;                    ///< rad, a larger jump of the tool's tangent needs a stop
   bool check_jerk = false;                    ///< also verify jerk where its limit is finite, and what goes with it
-  Limits path = {};                           ///< limits along the path
-  const Contour* given = nullptr;             ///< whose blocks' feeds hold for the same blocks of `contour`, if another
+  Limits along = {};                          ///< limits along the tool's path
   double position_tolerance = 1e-6;           ///< mm, by which curves may miss each other at a joint
   double progress_from = 0, progress_to = 1;  ///< the share of the whole job's progress that verifying takes
+};
+
+/// A contour on a Cartesian machine: axis k is coordinate k of the tool.
+struct ContourVerifierInput {
+  const Contour& contour;  ///< the path driven
+  const Machine& machine;  ///< 1 to 3 axes
+  const TimeLaw& law;
+  double corner_angle = 0;
+  bool check_jerk = false;
+  Limits path = {};                  ///< limits along the path
+  const Contour* given = nullptr;    ///< whose blocks' feeds hold for the same blocks of `contour`, if another
+  double position_tolerance = 1e-6;  ///< mm
+  double progress_from = 0, progress_to = 1;
 };
 
 /// Verifies a law along its contour. Every `value` is the true continuous peak: closed form on straight segments and
@@ -28,8 +46,8 @@ struct VerifierInput {
 ///
 /// Checks, in this order: `velocity <axis>`, `acceleration <axis>`, `jerk <axis>` (limited axes only); `path velocity
 /// (feed F)` per distinct finite feed (of `given`, if that is set); `path velocity`, `path acceleration`, `path jerk`
-/// where limited; `velocity step at joints` (tangent jump times speed against acceleration · cycle time, the worst axis
-/// and joint); with check_jerk `acceleration step at joints` (|Δ(h″v² + h′a)| against jerk · cycle time, likewise);
+/// where limited; `velocity step at joints` (|Δq′|·v against acceleration · cycle time, the worst axis
+/// and joint); with check_jerk `acceleration step at joints` (|Δ(q″v² + q′a)| against jerk · cycle time, likewise);
 /// `corner rest` (at the contour's rests, too), `cusp rest`, `start at rest`, `end at rest`; `continuity of velocity`;
 /// with check_jerk `continuity of acceleration` (also zero at rests); `continuity of position` (law and path, the worse
 /// in relation to its limit); `continuity of time`; `pieces within segments`; `forward motion`; `path covered` (32 ε of
@@ -37,6 +55,9 @@ struct VerifierInput {
 /// 32 ε of the coordinates); `arc length` (∫|dh/du|du of every piece on a free-form segment, integrated here, against
 /// the length the law believes in). A piece of rest (v = a = j = 0, s = s_end) is a motion like any other: a dwell.
 /// Cost: ≈ 50 ns per law piece on straight segments, ≈ 0.4 µs on arcs and cubics. Calls progress every few ms.
+/// Throws std::invalid_argument where axes, feeds or rests are not as many as the path asks for.
 Verification verify_motion(const VerifierInput& input, Progress& progress);
+/// The same of a contour. Throws std::invalid_argument for more than three axes.
+Verification verify_motion(const ContourVerifierInput& input, Progress& progress);
 
 }  // namespace bahnwerk

@@ -71,10 +71,11 @@ void JerkRunPlanner<N, M>::certify(ProgressScope& pulse) {
       const std::size_t segment = grid_.cells[c].segment;
       law.s = path_[segment].s0() + grid_.left(c).s;
       const bool open = grid_.cells[c].cusp_left || grid_.cells[c].cusp_right;
-      sweep.sweep(0, law.duration, open, c, [&](const ChebyshevRule& rule, double begin, double end, double* values) {
-        const auto points = static_cast<std::size_t>(rule.points);
+      sweep.sweep(0, law.duration, open, c, [&](PeakSamples& samples) {
+        const auto points = static_cast<std::size_t>(samples.rule.points);
+        double* values = samples.values;
         for (std::size_t i = 0; i < points; ++i) {
-          const LawState x = law.at(begin + rule.node[i] * (end - begin));
+          const LawState x = law.at(samples.begin + samples.rule.node[i] * (samples.end - samples.begin));
           const JerkStation<M> d = rows_of(path_.derivatives(segment, path_[segment].parameter(x.s)));
           const double b = x.v * x.v;
           for (std::size_t k = 0; k < M; ++k) {

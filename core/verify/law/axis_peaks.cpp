@@ -4,14 +4,15 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "core/numeric/peak.hpp"
+#include "core/verify/law/channel_bounds.hpp"
+#include "core/verify/law/curve_disc.hpp"
 #include "core/verify/rounding.hpp"
 
 namespace bahnwerk::verify {
 namespace {
-
-enum class Quantity { velocity, acceleration, jerk };
 
 struct Channel {
   Quantity quantity;
@@ -23,7 +24,7 @@ struct Channel {
 std::vector<Channel> make_channels(const VerifierInput& in) {
   std::vector<Channel> list;
   auto add = [&](Quantity quantity, double AxisLimits::*limit) {
-    for (std::size_t k = 0; k < in.machine.axes.size() && k < 3; ++k)
+    for (std::size_t k = 0; k < in.path.axes(); ++k)
       if (const double value = in.machine.axes[k].*limit; value < unlimited) list.push_back({quantity, k, value});
   };
   add(Quantity::velocity, &AxisLimits::velocity);
@@ -38,6 +39,9 @@ std::vector<double> scales(const std::vector<Channel>& channels) {
   return list;
 }
 
+/// An interpolation error beyond this part of a limit helps nobody: halve without looking.
+constexpr double useful = 0.1;
+
 class Sweeper {
  public:
   Sweeper(const VerifierInput& in, ProgressScope& pulse)
@@ -49,7 +53,7 @@ class Sweeper {
       pulse_.work(1);
       if (index_ % 256 == 0) pulse_.done(static_cast<double>(index_) / static_cast<double>(pieces.size()));
       const LawPiece& piece = pieces[index_];
-      if (piece.segment < in_.contour.path.size()) check_piece(piece, in_.contour.path[piece.segment]);
+      if (piece.segment < in_.path.size()) check_piece(piece, in_.path[piece.segment]);
     }
     AxisPeaks result;
     for (std::size_t c = 0; c < channels_.size(); ++c) result.checks.push_back(check(c));
@@ -58,23 +62,49 @@ class Sweeper {
   }
 
  private:
-  // Channel c at a point, in what is searched (squares for velocity and jerk).
-  double value(const Channel& c, const PathPoint& h, double b, double a) const {
-    switch (c.quantity) {
-      case Quantity::velocity:
-        return h.d1[c.axis] * h.d1[c.axis] * b;
-      case Quantity::acceleration:
-        return h.d2[c.axis] * b + h.d1[c.axis] * a;
-      case Quantity::jerk:
-        break;
-    }
-    const double r = h.d3[c.axis] * b + 3 * h.d2[c.axis] * a;
+  // Channel c where the axes have the derivatives d1, d2, d3, in what is searched (squares for velocity and jerk).
+  static double value(const Channel& c, double d1, double d2, double d3, double b, double a) {
+    if (c.quantity == Quantity::velocity) return d1 * d1 * b;
+    if (c.quantity == Quantity::acceleration) return d2 * b + d1 * a;
+    const double r = d3 * b + 3 * d2 * a;
     return b * r * r;
   }
-  double value(const Channel& c, const PathPoint& h, const LawState& x) const {
-    if (c.quantity != Quantity::jerk) return value(c, h, x.v * x.v, x.a);
-    const double r = h.d3[c.axis] * x.v * x.v * x.v + 3 * h.d2[c.axis] * x.v * x.a + h.d1[c.axis] * x.j;
+  static double value(const Channel& c, double d1, double d2, double d3, const LawState& x) {
+    if (c.quantity != Quantity::jerk) return value(c, d1, d2, d3, x.v * x.v, x.a);
+    const double r = d3 * x.v * x.v * x.v + 3 * d2 * x.v * x.a + d1 * x.j;
     return r * r;
+  }
+
+  // All channels at the parameters in batch_, where the law's state is state(i).
+  template <class State>
+  void fill(std::size_t segment, int points, double* values, State&& state) {
+    batch_.count = static_cast<std::size_t>(points);
+    in_.path.at_parameters(segment, batch_);
+    for (std::size_t c = 0; c < channels_.size(); ++c) {
+      const Channel& channel = channels_[c];
+      const std::size_t k = channel.axis;
+      double* out = values + c * static_cast<std::size_t>(points);
+      const bool still = batch_.planar && k >= 2;
+      for (int i = 0; i < points; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        out[i] = still ? 0 : state(channel, batch_.d1[k][at], batch_.d2[k][at], batch_.d3[k][at], at);
+      }
+    }
+  }
+
+  // What interpolation may miss, per channel; without a bound it stays not known.
+  void tell_missing(PeakSamples& samples, const ChannelBounds& bounds) {
+    samples.empty = !samples.last;
+    for (std::size_t c = 0; c < channels_.size(); ++c) {
+      const double m = bounds[static_cast<std::size_t>(channels_[c].quantity)];
+      samples.missing[c] = m;
+      if (m <= useful * peaks_.scale(c)) samples.empty = false;
+    }
+  }
+
+  CurveDiscs& discs(std::size_t segment) {
+    if (!discs_ || discs_of_ != segment) discs_.emplace(in_.path[segment].curve()), discs_of_ = segment;
+    return *discs_;
   }
 
   void check_piece(const LawPiece& piece, const Segment& segment) {
@@ -83,20 +113,20 @@ class Sweeper {
       for (std::size_t c = 0; c < channels_.size(); ++c) peaks_.raise(c, finite, 0, index_);
       return;
     }
-    if (segment.straight()) return straight(piece, segment);
+    if (in_.path.linear(piece.segment)) return straight(piece);
     if (!piece.constant_acceleration()) return over_time(piece, segment);
     over_parameter(piece, segment);
   }
 
-  void straight(const LawPiece& piece, const Segment& segment) {
-    if (&segment != tangent_of_) {
-      tangent_of_ = &segment;
-      tangent_ = {};
-      tangent_.d1 = segment.at_parameter(segment.curve().begin()).d1;
+  void straight(const LawPiece& piece) {
+    if (piece.segment != tangent_of_) {
+      tangent_of_ = piece.segment;
+      tangent_ = in_.path.at_parameter(piece.segment, in_.path[piece.segment].curve().begin());
     }
     auto offer = [&](double tau) {
       const LawState x = piece.at(tau);
-      for (std::size_t c = 0; c < channels_.size(); ++c) peaks_.raise(c, value(channels_[c], tangent_, x), tau, index_);
+      for (std::size_t c = 0; c < channels_.size(); ++c)
+        peaks_.raise(c, value(channels_[c], tangent_.d1[channels_[c].axis], 0, 0, x), tau, index_);
     };
     offer(0);
     offer(piece.duration);
@@ -113,17 +143,24 @@ class Sweeper {
     LawPiece local = piece;
     local.s = piece.s - segment.s0();
     const bool open = segment.cusp_begin() || segment.cusp_end();
-    peaks_.sweep(0, piece.duration, open, index_,
-                 [&](const ChebyshevRule& rule, double begin, double end, double* values) {
-                   pulse_.work(static_cast<std::size_t>(rule.points));
-                   for (int i = 0; i < rule.points; ++i) {
-                     const LawState x = local.at(begin + rule.node[i] * (end - begin));
-                     const PathPoint h = segment.at_parameter(segment.parameter_at(x.s));
-                     for (std::size_t c = 0; c < channels_.size(); ++c)
-                       values[c * rule.points + i] = value(channels_[c], h, x);
-                   }
-                   return true;
-                 });
+    peaks_.sweep(0, piece.duration, open, index_, [&](PeakSamples& samples) {
+      const int n = samples.rule.points;
+      pulse_.work(static_cast<std::size_t>(n));
+      if (in_.path.cartesian()) {
+        const double half = 0.5 * (samples.end - samples.begin), middle = samples.begin + half;
+        const LawPiece here = moved(local, middle);
+        const CurveDisc disc = discs(piece.segment).about(segment.parameter_at(here.s));
+        tell_missing(samples, bounds_over_time(here, half, disc, n));
+        if (samples.empty) return false;
+      }
+      for (int i = 0; i < n; ++i) {
+        state_[static_cast<std::size_t>(i)] = local.at(samples.at(i));
+        batch_.u.set(static_cast<std::size_t>(i), segment.parameter_at(state_[static_cast<std::size_t>(i)].s));
+      }
+      fill(piece.segment, n, samples.values,
+           [&](const Channel& c, double d1, double d2, double d3, std::size_t i) { return value(c, d1, d2, d3, state_[i]); });
+      return true;
+    });
   }
 
   // To what the quadrature of a stretch resolves its length, mm.
@@ -158,29 +195,46 @@ class Sweeper {
     const double v1 = piece.v + piece.a * piece.duration, b0 = piece.v * piece.v, b1 = v1 * v1;
     const double ds = piece.s_end - piece.s;
     if (!(u1 > u0) || !(ds > 0)) {  // standing still, or shorter than the parameter resolves
-      PathPoint h = segment.at_parameter(u0);
-      if (b0 == 0 && b1 == 0) h.d2 = h.d3 = {};  // infinite at a cusp, where nothing moves
-      for (std::size_t c = 0; c < channels_.size(); ++c)
-        for (const double b : {b0, b1}) peaks_.raise(c, value(channels_[c], h, b, piece.a), u0, index_);
+      AxisJet q = in_.path.at_parameter(piece.segment, u0);
+      if (b0 == 0 && b1 == 0) q.d2 = q.d3 = {};  // infinite at a cusp, where nothing moves
+      for (std::size_t c = 0; c < channels_.size(); ++c) {
+        const std::size_t k = channels_[c].axis;
+        for (const double b : {b0, b1})
+          peaks_.raise(c, value(channels_[c], q.d1[k], q.d2[k], q.d3[k], b, piece.a), u0, index_);
+      }
       return;
     }
     const Curve& curve = segment.curve();
     const bool open = (segment.cusp_begin() && u0 <= curve.begin()) || (segment.cusp_end() && u1 >= curve.end());
     const bool even = curve.kind() != CurveKind::rational;  // s is linear in u
     std::array<double, ChebyshevRule::max_points> speed, s;
-    peaks_.sweep(u0, u1, open, index_, [&](const ChebyshevRule& rule, double begin, double end, double* values) {
-      pulse_.work(static_cast<std::size_t>(rule.points));
+    peaks_.sweep(u0, u1, open, index_, [&](PeakSamples& samples) {
+      const ChebyshevRule& rule = samples.rule;
+      const double begin = samples.begin, end = samples.end;
       const int n = rule.points;
+      pulse_.work(static_cast<std::size_t>(n));
       bool resolved = true;
+      double from = 0, to = ds;
       if (even) {
-        const double from = (begin - u0) / (u1 - u0), width = (end - begin) / (u1 - u0);
-        for (int i = 0; i < n; ++i) s[i] = (from + rule.node[i] * width) * ds;
+        from = (begin - u0) / (u1 - u0) * ds, to = from + (end - begin) / (u1 - u0) * ds;
       } else {
-        const double from = begin == u0 ? 0 : segment.arc_length(begin) - piece.s;
-        const double to = end == u1 ? ds : segment.arc_length(end) - piece.s;
+        if (begin != u0) from = segment.arc_length(begin) - piece.s;
+        if (end != u1) to = segment.arc_length(end) - piece.s;
+      }
+      if (in_.path.cartesian()) {
+        const double half = 0.5 * (end - begin);
+        const double fastest = std::max(b0 + (b1 - b0) * (from / ds), b0 + (b1 - b0) * (to / ds));
+        const CurveDisc disc = discs(piece.segment).about(begin + half);
+        tell_missing(samples, bounds_over_parameter(fastest, piece.a, half, disc, n, even));
+        if (samples.empty) return false;
+      }
+      for (int i = 0; i < n; ++i) batch_.u.set(static_cast<std::size_t>(i), samples.at(i));
+      if (even) {
+        for (int i = 0; i < n; ++i) s[i] = from + rule.node[i] * (to - from);
+      } else {
         double whole = 0;
         for (int i = 0; i < n; ++i) {
-          speed[i] = curve.speed(begin + rule.node[i] * (end - begin));
+          speed[i] = curve.speed(samples.at(i));
           whole += rule.whole[i] * speed[i];
         }
         const double miss = std::abs(whole * (end - begin) - (to - from));
@@ -193,32 +247,32 @@ class Sweeper {
         }
         if (!open) s[0] = from, s[n - 1] = to;
       }
-      for (int i = 0; i < n; ++i) {
-        const PathPoint h = segment.at_parameter(begin + rule.node[i] * (end - begin));
-        const double b = b0 + (b1 - b0) * (s[i] / ds);
-        for (std::size_t c = 0; c < channels_.size(); ++c) values[c * n + i] = value(channels_[c], h, b, piece.a);
-      }
+      for (int i = 0; i < n; ++i) s[i] = b0 + (b1 - b0) * (s[i] / ds);
+      fill(piece.segment, n, samples.values, [&](const Channel& c, double d1, double d2, double d3, std::size_t i) {
+        return value(c, d1, d2, d3, s[i], piece.a);
+      });
       return resolved;
     });
   }
 
   Check check(std::size_t c) const {
     static constexpr std::array names{"velocity ", "acceleration ", "jerk "};
-    static constexpr std::array units{"mm/s", "mm/s²", "mm/s³"};
+    static constexpr std::array units{"/s", "/s²", "/s³"};
     const Channel& channel = channels_[c];
     const Peak& peak = peaks_[c];
     Worst worst{channel.squared() ? std::sqrt(peak.value) : peak.value, 0};
     if (!peak.finite) worst.value = std::numeric_limits<double>::quiet_NaN();
     if (peak.tag < in_.law.pieces().size()) worst.at = moment(in_.law.pieces()[peak.tag], peak.at);
     const auto kind = static_cast<std::size_t>(channel.quantity);
-    return make_check(names[kind] + in_.machine.axes[channel.axis].name, units[kind], channel.limit, worst);
+    const AxisLimits& axis = in_.machine.axes[channel.axis];
+    return make_check(names[kind] + axis.name, axis.unit + units[kind], channel.limit, worst);
   }
 
   // When a piece passes the place where its peak was found.
   double moment(const LawPiece& piece, double at) const {
-    if (piece.segment >= in_.contour.path.size()) return piece.t0;
-    const Segment& segment = in_.contour.path[piece.segment];
-    if (segment.straight() || !piece.constant_acceleration()) return piece.t0 + at;
+    if (piece.segment >= in_.path.size()) return piece.t0;
+    const Segment& segment = in_.path[piece.segment];
+    if (in_.path.linear(piece.segment) || !piece.constant_acceleration()) return piece.t0 + at;
     const double ds = piece.s_end - piece.s, s = std::clamp(segment.arc_length(at) - piece.s, 0.0, std::max(ds, 0.0));
     const double v1 = piece.v + piece.a * piece.duration;
     const double b = ds > 0 ? piece.v * piece.v + (v1 * v1 - piece.v * piece.v) * (s / ds) : 0;
@@ -234,8 +288,12 @@ class Sweeper {
   std::size_t index_ = 0;
   std::size_t end_segment_ = static_cast<std::size_t>(-1);  // where the last piece ended, to invert u(s) once per piece
   double end_s_ = 0, end_u_ = 0;
-  const Segment* tangent_of_ = nullptr;
-  PathPoint tangent_;
+  std::size_t tangent_of_ = static_cast<std::size_t>(-1);
+  AxisJet tangent_;
+  std::optional<CurveDiscs> discs_;
+  std::size_t discs_of_ = 0;
+  PathBatch batch_;
+  std::array<LawState, ChebyshevRule::max_points> state_;
 };
 
 }  // namespace

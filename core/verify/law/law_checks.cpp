@@ -31,17 +31,6 @@ SpeedRange speed_range(const LawPiece& p) {
   return r;
 }
 
-/// Per path segment. A path driven in place of another contour has to obey that one's feeds; a segment of none of its
-/// blocks may not be driven at all.
-std::vector<double> feeds_to_hold(const VerifierInput& in) {
-  if (!in.given) return in.contour.feeds();
-  std::vector<double> feed(in.contour.path.size(), 0.0);
-  for (std::size_t b = 0; b < std::min(in.given->blocks.size(), in.contour.blocks.size()); ++b)
-    for (std::size_t i = in.contour.blocks[b].first; i < std::min(in.contour.blocks[b].last, feed.size()); ++i)
-      feed[i] = in.given->blocks[b].feed;
-  return feed;
-}
-
 std::string feed_name(double feed) {
   char text[64];
   std::snprintf(text, sizeof text, "path velocity (feed %.10g)", feed);
@@ -52,13 +41,12 @@ class LawChecker {
  public:
   LawChecker(const VerifierInput& in, ProgressScope& pulse)
       : in_(in),
-        path_(in.contour.path),
-        joints_(joints(path_, [&] { pulse.report(); })),
-        rest_(path_.size() > 0 ? in.contour.rest_places() : std::vector<bool>()) {}
+        path_(in.path.tool()),
+        joints_(joints(path_, [&] { pulse.report(); })) {}
 
   std::vector<Check> run(ProgressScope& pulse) {
     const auto& pieces = in_.law.pieces();
-    const std::vector<double> feeds = feeds_to_hold(in_);
+    const std::vector<double>& feeds = in_.feeds;
     distinct_ = feeds;
     std::sort(distinct_.begin(), distinct_.end());
     distinct_.erase(std::unique(distinct_.begin(), distinct_.end()), distinct_.end());
@@ -138,26 +126,43 @@ class LawChecker {
     distance_.raise(norm(left.at(before.s_end).value - there), apart, t);
     distance_.raise(norm(right.at(after.s).value - there), apart, t);
     const Joint& joint = joints_[before.segment];
-    if (joint.angle > in_.corner_angle || rest_[after.segment]) {
+    if (joint.angle > in_.corner_angle || in_.rests[after.segment]) {
       corner_.raise(v, r0.speed + r1.speed, t);
       acceleration_gap_.raise(std::max(std::abs(a0), std::abs(a1)), r0.acceleration + r1.acceleration, t);
       return;  // at rest no velocity step remains
     }
-    if (in_.check_jerk) pass_joint(left, right, v, a0, a1, t);
-    for (std::size_t k = 0; k < in_.machine.axes.size() && k < 3; ++k) {
-      const double limit = in_.machine.axes[k].acceleration * in_.machine.cycle_time;
-      if (limit < unlimited) step_.raise(std::abs(joint.step[k]) * v, limit, t);
+    pass_joint(before.segment, after.segment, joint, v, a0, a1, t);
+  }
+
+  // What the axes' velocities and accelerations jump by where their derivatives along the path do.
+  void pass_joint(std::size_t before, std::size_t after, const Joint& joint, double v, double a0, double a1, double t) {
+    const bool look = in_.check_jerk || !in_.path.cartesian();
+    AxisJet l, r;
+    if (look) {
+      l = in_.path.at_parameter(before, path_[before].curve().end());
+      r = in_.path.at_parameter(after, path_[after].curve().begin());
+    }
+    for (std::size_t k = 0; k < in_.path.axes(); ++k) {
+      const AxisLimits& axis = in_.machine.axes[k];
+      const double turn = in_.path.cartesian() ? joint.step[k] : r.d1[k] - l.d1[k];
+      if (const double limit = axis.acceleration * in_.machine.cycle_time; limit < unlimited)
+        raise(step_, std::abs(turn) * v, limit, t, k);
+      if (const double limit = axis.jerk * in_.machine.cycle_time; in_.check_jerk && limit < unlimited)
+        raise(jump_, std::abs((r.d2[k] - l.d2[k]) * v * v + r.d1[k] * a1 - l.d1[k] * a0), limit, t, k);
     }
   }
 
-  // What the axes' accelerations jump by where curvature does.
-  void pass_joint(const Segment& left, const Segment& right, double v, double a0, double a1, double t) {
-    const PathPoint l = left.at_parameter(left.curve().end()), r = right.at_parameter(right.curve().begin());
-    for (std::size_t k = 0; k < in_.machine.axes.size() && k < 3; ++k) {
-      const double limit = in_.machine.axes[k].jerk * in_.machine.cycle_time;
-      if (!(limit < unlimited)) continue;
-      jump_.raise(std::abs((r.d2[k] - l.d2[k]) * v * v + r.d1[k] * a1 - l.d1[k] * a0), limit, t);
-    }
+  struct StrainedAxis {
+    Strained worst;
+    std::size_t axis = 0;
+  };
+  static void raise(StrainedAxis& most, double candidate, double limit, double t, std::size_t axis) {
+    const Strained before = most.worst;
+    most.worst.raise(candidate, limit, t);
+    if (most.worst.value != before.value || most.worst.limit != before.limit) most.axis = axis;
+  }
+  std::string unit(const StrainedAxis& most, const char* per) const {
+    return in_.machine.axes.empty() ? std::string("mm") + per : in_.machine.axes[most.axis].unit + per;
   }
 
   std::vector<Check> report() const {
@@ -173,14 +178,15 @@ class LawChecker {
       feeds.resize(max_feeds);
     }
     for (Check& c : feeds) list.push_back(std::move(c));
-    if (in_.path.velocity < unlimited) list.push_back(make_check("path velocity", "mm/s", in_.path.velocity, peak_));
-    if (in_.check_jerk && in_.path.acceleration < unlimited)
-      list.push_back(make_check("path acceleration", "mm/s²", in_.path.acceleration, path_acceleration_));
-    if (in_.check_jerk && in_.path.jerk < unlimited)
-      list.push_back(make_check("path jerk", "mm/s³", in_.path.jerk, path_jerk_));
+    if (in_.along.velocity < unlimited) list.push_back(make_check("path velocity", "mm/s", in_.along.velocity, peak_));
+    if (in_.check_jerk && in_.along.acceleration < unlimited)
+      list.push_back(make_check("path acceleration", "mm/s²", in_.along.acceleration, path_acceleration_));
+    if (in_.check_jerk && in_.along.jerk < unlimited)
+      list.push_back(make_check("path jerk", "mm/s³", in_.along.jerk, path_jerk_));
     if (!joints_.empty()) {
-      list.push_back(make_limit_check("velocity step at joints", "mm/s", step_));
-      if (jump_.limit > 0) list.push_back(make_limit_check("acceleration step at joints", "mm/s²", jump_));
+      list.push_back(make_limit_check("velocity step at joints", unit(step_, "/s"), step_.worst));
+      if (jump_.worst.limit > 0)
+        list.push_back(make_limit_check("acceleration step at joints", unit(jump_, "/s²"), jump_.worst));
       list.push_back(make_check("corner rest", "mm/s", corner_));
     }
     if (has_cusp_) list.push_back(make_check("cusp rest", "mm/s", cusp_));
@@ -202,13 +208,12 @@ class LawChecker {
   const VerifierInput& in_;
   const Path& path_;
   std::vector<Joint> joints_;
-  std::vector<bool> rest_;
   std::vector<double> distinct_;
   std::vector<Worst> feed_peaks_;
   bool has_cusp_ = false;
   Worst peak_, path_acceleration_, path_jerk_;
-  Strained backward_, outside_, position_gap_, joint_gap_, velocity_gap_, acceleration_gap_, time_gap_, step_, jump_,
-      corner_, cusp_, start_, end_, uncovered_, distance_;
+  StrainedAxis step_, jump_;
+  Strained backward_, outside_, position_gap_, joint_gap_, velocity_gap_, acceleration_gap_, time_gap_, corner_, cusp_, start_, end_, uncovered_, distance_;
 };
 
 }  // namespace

@@ -138,13 +138,14 @@ class Checker {
   }
 
   void sample(std::size_t i, double t0, double T) {
-    sweep_.sweep(t0, t0 + T, false, i, [&](const ChebyshevRule& rule, double begin, double end, double* values) {
-      const auto points = static_cast<std::size_t>(rule.points), axes = in_.axes.size();
+    sweep_.sweep(t0, t0 + T, false, i, [&](PeakSamples& samples) {
+      const auto points = static_cast<std::size_t>(samples.rule.points), axes = in_.axes.size();
       for (std::size_t n = 0; n < points; ++n) {
-        const double t = begin + rule.node[n] * (end - begin);
+        const double t = samples.at(static_cast<int>(n));
         const MotionState x = in_.motion.in_piece(i, t);
         for (std::size_t k = 0; k < axes; ++k) {
-          for (std::size_t d = 1; d <= derivatives; ++d) values[((d - 1) * axes + k) * points + n] = part(x, d)[k];
+          for (std::size_t d = 1; d <= derivatives; ++d)
+            samples.values[((d - 1) * axes + k) * points + n] = part(x, d)[k];
           const AxisLimits& axis = in_.axes[k];
           const double beyond = std::max({0.0, x.position[k] - axis.highest, axis.lowest - x.position[k]});
           range_[k].raise(std::isnan(x.position[k]) ? x.position[k] : beyond, rounding * std::abs(x.position[k]), t);

@@ -14,8 +14,8 @@ namespace {
 double sweep_one(const std::function<double(double)>& f, double a, double b, double scale, bool open = false,
                  PeakSweep* out = nullptr) {
   PeakSweep sweep({scale});
-  sweep.sweep(a, b, open, 7, [&](const ChebyshevRule& rule, double begin, double end, double* values) {
-    for (int i = 0; i < rule.points; ++i) values[i] = f(begin + rule.node[i] * (end - begin));
+  sweep.sweep(a, b, open, 7, [&](PeakSamples& samples) {
+    for (int i = 0; i < samples.rule.points; ++i) samples.values[i] = f(samples.at(i));
     return true;
   });
   if (out) *out = sweep;
@@ -142,9 +142,9 @@ TEST(PeakSweep, AWildFunctionLeavesEnoughForTheOthers) {
   std::uniform_real_distribution<double> uniform(-1e-3, 1e-3);
   PeakSweep sweep({1.0});
   bool wild = true;
-  const auto sample = [&](const ChebyshevRule& rule, double begin, double end, double* values) {
-    for (int i = 0; i < rule.points; ++i)
-      values[i] = wild ? uniform(random) : std::sin(begin + rule.node[i] * (end - begin));
+  const auto sample = [&](PeakSamples& samples) {
+    for (int i = 0; i < samples.rule.points; ++i)
+      samples.values[i] = wild ? uniform(random) : std::sin(samples.at(i));
     return true;
   };
   for (int i = 0; i < 5; ++i) sweep.sweep(0, 1, false, 0, sample);
@@ -158,12 +158,12 @@ TEST(PeakSweep, SeveralChannelsAndTheTagOfThePeak) {
   PeakSweep sweep({1, 1, 1});
   for (std::size_t k = 0; k < 10; ++k)
     sweep.sweep(double(k), double(k) + 1, false, k,
-                [](const ChebyshevRule& rule, double begin, double end, double* values) {
-                  for (int i = 0; i < rule.points; ++i) {
-                    const double x = begin + rule.node[i] * (end - begin);
-                    values[i] = std::sin(x);
-                    values[rule.points + i] = std::exp(-x / 3) * x;
-                    values[2 * rule.points + i] = 4.25;
+                [](PeakSamples& samples) {
+                  for (int i = 0; i < samples.rule.points; ++i) {
+                    const double x = samples.at(i);
+                    samples.values[i] = std::sin(x);
+                    samples.values[samples.rule.points + i] = std::exp(-x / 3) * x;
+                    samples.values[2 * samples.rule.points + i] = 4.25;
                   }
                   return true;
                 });

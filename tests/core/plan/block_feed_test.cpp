@@ -253,7 +253,7 @@ Verification verify(const Contour& given, const Contour& driven) {
   SilentProgress progress;
   const Machine machine = quick_machine();
   const TimeLaw law = plan_acceleration_limited(driven, machine, {}, progress).law;
-  VerifierInput input{driven, machine, law, 0.1 * pi / 180};
+  ContourVerifierInput input{driven, machine, law, 0.1 * pi / 180};
   input.given = &given;
   return verify_motion(input, progress);
 }

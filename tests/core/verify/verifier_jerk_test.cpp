@@ -55,7 +55,7 @@ Verification verdict(const Contour& contour, const TimeLaw& law, double path_acc
                      double path_jerk = unlimited) {
   SilentProgress silent;
   const Machine m = machine();
-  VerifierInput input{contour, m, law, 1e-3, true};
+  ContourVerifierInput input{contour, m, law, 1e-3, true};
   input.path.acceleration = path_acceleration;
   input.path.jerk = path_jerk;
   return verify_motion(input, silent);

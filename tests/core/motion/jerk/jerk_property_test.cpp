@@ -51,7 +51,7 @@ TEST_P(JerkProperty, NoLimitIsViolated) {
     const Problem p = random_problem(seed);
     const Contour contour = testing::build(p.outline);
     const TimeLaw law = plan_jerk_limited(contour, p.machine, p.options, progress).law;
-    VerifierInput input{contour, p.machine, law, p.options.corner_angle, true};
+    ContourVerifierInput input{contour, p.machine, law, p.options.corner_angle, true};
     input.path = p.options.path;
     for (const Check& check : verify_motion(input, progress).checks)
       ASSERT_TRUE(check.passed) << "seed " << seed << ": " << check.name << ' ' << check.value << " > " << check.limit;

@@ -57,7 +57,7 @@ double verified(const Contour& contour, const Machine& m, JerkLimitedOptions opt
   SilentProgress progress;
   options.window = window;
   const TimeLaw law = plan_jerk_limited(contour, m, options, progress).law;
-  VerifierInput input{contour, m, law, options.corner_angle, true};
+  ContourVerifierInput input{contour, m, law, options.corner_angle, true};
   input.path = options.path;
   for (const Check& check : verify_motion(input, progress).checks)
     EXPECT_TRUE(check.passed) << window << ": " << check.name << ' ' << check.value << " > " << check.limit;

@@ -1,0 +1,62 @@
+#include "core/verify/law/channel_bounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/numeric/peak.hpp"
+
+namespace bahnwerk::verify {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::infinity();
+constexpr double lebesgue = 2.5;  // of interpolation in up to 9 Chebyshev points, at most
+
+double square(double x) { return x * x; }
+
+}  // namespace
+
+ChannelBounds bounds_over_parameter(double fastest, double a, double half, const CurveDisc& disc, int points,
+                                    bool even) {
+  const double error = half > 0 ? interpolation_error(points, disc.radius / half) : unknown;
+  if (!(error < unknown)) return {unknown, unknown, unknown};
+  const double h1 = disc.first, h2 = disc.second, h3 = disc.third, A = std::abs(a);
+  const double b = fastest + 2 * A * disc.speed * disc.radius, jerk = h3 * b + 3 * h2 * A;
+  ChannelBounds bounds{error * h1 * h1 * b, error * (h2 * b + h1 * A), error * b * jerk * jerk};
+  if (!even) {
+    // Both the part of the integral and the whole that it is scaled with may lack as much.
+    const double off = lebesgue * 2 * A * 2 * (2 * half * error * disc.speed);
+    bounds[0] += off * h1 * h1;
+    bounds[1] += off * h2;
+    bounds[2] += off * jerk * (jerk + 2 * b * h3);
+  }
+  return bounds;
+}
+
+LawPiece moved(const LawPiece& piece, double tau) {
+  const LawState x = piece.at(tau);
+  LawPiece p = piece;
+  p.s = x.s, p.v = x.v, p.a = x.a, p.j = x.j;
+  return p;
+}
+
+ChannelBounds bounds_over_time(const LawPiece& piece, double half, const CurveDisc& disc, int points) {
+  ChannelBounds bounds{unknown, unknown, unknown};
+  if (!(half > 0) || !(disc.radius > 0)) return bounds;
+  const double way = disc.radius / disc.pace;
+  const double v = std::abs(piece.v), a = std::abs(piece.a), j = std::abs(piece.j), q = std::abs(piece.q);
+  // The further out, the quicker the error falls and the larger law and curve may be: the best of a few places counts.
+  for (double reach = 1024; reach > 1.2; reach *= 0.5) {
+    const double r = reach * half;
+    if (!(r * (v + r * (a / 2 + r * (j / 6 + r * q / 24))) <= way)) continue;
+    const double error = interpolation_error(points, reach);
+    const double V = v + r * (a + r * (j / 2 + r * q / 6)), A = a + r * (j + r * q / 2), J = j + r * q;
+    const double h1 = disc.first, h2 = disc.second, h3 = disc.third;
+    bounds[0] = std::min(bounds[0], error * square(h1 * V));
+    bounds[1] = std::min(bounds[1], error * (h2 * V * V + h1 * A));
+    bounds[2] = std::min(bounds[2], error * square(h3 * V * V * V + 3 * h2 * V * A + h1 * J));
+  }
+  return bounds;
+}
+
+}  // namespace bahnwerk::verify

@@ -1,0 +1,141 @@
+#include "core/verify/law/curve_disc.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/geometry/curve/arc.hpp"
+#include "core/geometry/curve/rational.hpp"
+
+namespace bahnwerk::verify {
+namespace {
+
+constexpr double height = 2.5;  // of the strip of φ + iy in which arcs are bounded
+constexpr double speed_part = 0.6, weight_part = 0.3;
+constexpr double largest = 4;  // radius in t; the curve itself has |t| ≤ 1
+
+Polynomial magnitudes(Polynomial p) {
+  for (double& c : p) c = std::abs(c);
+  return p;
+}
+
+/// Σ |c_k| x^k and its first two derivatives, k ≥ 1 alone in the first: `constant` is left to the caller.
+struct Sizes {
+  double tail = 0, first = 0, second = 0;
+};
+template <class Size>
+Sizes sizes(std::size_t count, double x, Size&& size) {
+  Sizes s;
+  for (std::size_t k = count; k-- > 1;) {
+    const double c = size(k), n = static_cast<double>(k);
+    s.tail = s.tail * x + c;
+    s.first = s.first * x + n * c;
+    if (k > 1) s.second = s.second * x + n * (n - 1) * c;
+  }
+  s.tail *= x;
+  return s;
+}
+
+}  // namespace
+
+CurveDiscs::CurveDiscs(const Curve& curve) : begin_(curve.begin()), end_(curve.end()) {
+  if (curve.kind() == CurveKind::arc) {
+    const auto& arc = static_cast<const Arc&>(curve);
+    const double grown = std::cosh(height), turn = std::abs(arc.sweep()), per_length = turn / arc.length();
+    last_.radius = height / turn;
+    last_.first = grown;
+    last_.second = grown * arc.radius() * per_length * per_length;
+    last_.third = last_.second * per_length;
+    last_.speed = arc.length();
+    last_.pace = 1 / arc.length();
+  }
+  if (curve.kind() != CurveKind::rational) return;
+  rational_ = true;
+  const auto& piece = static_cast<const Rational&>(curve);
+  pivot_ = piece.pivot(), reach_ = piece.reach();
+  w_ = piece.weight();
+  const Polynomial w1 = derivative(w_);
+  w_terms_ = magnitudes(w_);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Polynomial n = piece.coordinate(k), n1 = derivative(n);
+    v_[k] = n1 * w_ - n * w1;
+    v_terms_ = v_terms_ + (magnitudes(n1) * magnitudes(w_) + magnitudes(n) * magnitudes(w1));
+  }
+}
+
+CurveDisc CurveDiscs::about(double u) {
+  const auto from_last = [&] {
+    CurveDisc disc = last_;
+    disc.centre = u;
+    disc.radius = last_.radius - std::abs(u - last_.centre);
+    return disc;
+  };
+  if (!rational_) {
+    CurveDisc disc = last_;
+    disc.centre = u;
+    return disc;
+  }
+  if (last_.radius > 0 && std::abs(u - last_.centre) <= last_.radius / 2) return from_last();
+  const double ahead = std::min(u + 0.45 * last_.radius, std::max(u, end_));
+  last_ = make(ahead);
+  if (std::abs(u - last_.centre) > last_.radius / 2) last_ = make(u);
+  return from_last();
+}
+
+CurveDisc CurveDiscs::make(double centre) {
+  const double c = (centre - pivot_) / reach_;
+  std::size_t count = 0;
+  for (const Polynomial& p : v_) count = std::max(count, p.size());
+  CurveDisc none;
+  none.centre = centre;
+  if (count == 0) return none;
+  v_at_.assign(count, Vec{});
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Polynomial p = shifted(v_[k], c, 1);
+    for (std::size_t i = 0; i < p.size(); ++i) v_at_[i][k] = p[i];
+  }
+  w_at_ = shifted(w_, c, 1);
+  q_at_.assign(2 * count - 1, 0);
+  x_at_.assign(2 * count - 1, Vec{});
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = 0; j < count; ++j) {
+      q_at_[i + j] += dot(v_at_[i], v_at_[j]);
+      if (i > 0) x_at_[i - 1 + j] = x_at_[i - 1 + j] + static_cast<double>(i) * cross(v_at_[i], v_at_[j]);
+    }
+
+  const double unit = 32 * static_cast<double>(count + w_.size()) * std::numeric_limits<double>::epsilon();
+  const double q0 = q_at_[0], w0 = w_at_[0], v0 = norm(v_at_[0]);
+  double radius = last_.radius > 0 ? std::min(largest, 2 * last_.radius / reach_) : 0.5;
+  for (;; radius *= 0.75) {
+    if (!(radius > 1e-15)) return none;
+    const double out = std::abs(c) + radius;
+    const Sizes v = sizes(count, radius, [&](std::size_t k) { return norm(v_at_[k]); }),
+                w = sizes(w_at_.size(), radius, [&](std::size_t k) { return std::abs(w_at_[k]); }),
+                q = sizes(q_at_.size(), radius, [&](std::size_t k) { return std::abs(q_at_[k]); });
+    const auto terms = [&](const Polynomial& p) {
+      Sizes s = sizes(p.size(), out, [&](std::size_t k) { return p[k]; });
+      s.tail = unit * (s.tail + (p.empty() ? 0 : p[0])), s.first *= unit, s.second *= unit;
+      return s;
+    };
+    const Sizes dv = terms(v_terms_), dw = terms(w_terms_);
+    const double V = v0 + v.tail + dv.tail, dq = 2 * V * dv.tail, Q = q.tail + dq, W = w.tail + dw.tail;
+    if (!(Q <= speed_part * q0 && W <= weight_part * w0)) continue;
+    const double V1 = v.first + dv.first, V2 = v.second + dv.second;
+    const Sizes x = sizes(x_at_.size(), radius, [&](std::size_t k) { return norm(x_at_[k]); });
+    const double X = norm(x_at_[0]) + x.tail + 2 * (dv.first * V + V1 * dv.tail),
+                 X1 = x.first + 2 * (dv.second * V + V2 * dv.tail);
+    const double least = q0 - Q, nu = std::sqrt(least), most = w0 + W, square = most * most, w1 = w.first + dw.first;
+    CurveDisc disc;
+    disc.centre = centre;
+    disc.radius = radius * reach_;
+    disc.first = V / nu;
+    disc.second = square * V * X / (least * least);
+    disc.third = square / (nu * least * least) *
+                 (2 * most * w1 * V * X + square * (V1 * X + V * X1) + 4 * square * V * V * X * V1 / least);
+    disc.speed = std::sqrt(q0 + Q) / ((w0 - W) * (w0 - W)) / reach_;
+    disc.pace = square / nu * reach_;
+    return std::isfinite(disc.third + disc.speed + disc.pace) ? disc : none;
+  }
+}
+
+}  // namespace bahnwerk::verify

@@ -1,0 +1,49 @@
+#pragma once
+/// A curve in the complex plane: how large its derivatives by arc length can be near a place, and how far that holds.
+///
+/// Interpolation errors of whatever is made of them follow from such bounds, whatever the samples look like
+/// [Trefethen, Approximation Theory and Approximation Practice, 2013, theorem 8.2].
+#include <cstddef>
+#include <vector>
+
+#include "core/geometry/curve/curve.hpp"
+#include "core/numeric/polynomial.hpp"
+
+namespace bahnwerk::verify {
+
+/// For all complex u with |u − centre| < radius: h′, h″, h‴ (by arc length) and s are analytic, and of their sizes
+/// (norms of complex vectors, mm) the following are upper bounds. radius = 0: nothing is known.
+struct CurveDisc {
+  double centre = 0, radius = 0;
+  double first = 0, second = 0, third = 0;  ///< |h′|, |h″|, |h‴|
+  double speed = 0, pace = 0;               ///< |ds/du|, |du/ds|
+};
+
+/// Discs of one curve, made where they are asked for. With V = w² h_u, X = V′ × V, ν² = V·V, from u = pivot + reach·t:
+///
+///   h′ = V/ν,   h″ = w² (V × X)/ν⁴,   h‴ = (w²/ν) d/dt h″,   ds/dt = ν/w².
+///
+/// All are analytic where ν² ≠ 0 ≠ w. V, w, ν² and X are polynomials; about a centre their Taylor coefficients' sizes
+/// bound them on a disc, and the disc is as large as |ν² − ν²(c)| ≤ 0.6 ν²(c) and |w − w(c)| ≤ 0.3 w(c) allow. What
+/// rounding of the coefficients can do is added (32 degree·ε of the terms' magnitudes). Arcs: sin and cos of φ + iy are
+/// at most cosh y, which is held at e^2.5.
+class CurveDiscs {
+ public:
+  /// The curve is read, not kept.
+  explicit CurveDiscs(const Curve& curve);
+  /// A disc about `u`, at least half as large as the largest that can be had there. O(degree²) for a new one, a few ns
+  /// where the last one serves; asked for in ascending order, one serves many.
+  CurveDisc about(double u);
+
+ private:
+  CurveDisc make(double centre);
+
+  CurveDisc last_;
+  bool rational_ = false;
+  double pivot_ = 0, reach_ = 1, begin_ = 0, end_ = 1;
+  Polynomial v_[3], w_, v_terms_, w_terms_;  ///< *_terms_: sums of the magnitudes that enter a coefficient
+  std::vector<Vec> v_at_, x_at_;             ///< Taylor coefficients about a centre
+  Polynomial w_at_, q_at_;
+};
+
+}  // namespace bahnwerk::verify
