@@ -60,9 +60,9 @@ double interpolation_error(int points, double reach);
 struct PeakSamples {
   const ChebyshevRule& rule;
   double begin, end;
-  bool last;        ///< it will not be halved any more
-  double* values;   ///< out: channel c at rule.node[i] of [begin, end] at values[c · rule.points + i]
-  double* missing;  ///< out: per channel, a proven bound of |f − interpolant|; NaN, as it is handed in: not known
+  bool last;           ///< it will not be halved any more
+  double* values;      ///< out: channel c at rule.node[i] of [begin, end] at values[c · rule.points + i]
+  double* missing;     ///< out: per channel, a proven bound of |f − interpolant|; NaN, as it is handed in: not known
   bool empty = false;  ///< out: nothing was written, the bound being useless; not when `last`
   double at(int i) const { return begin + rule.node[static_cast<std::size_t>(i)] * (end - begin); }
 };

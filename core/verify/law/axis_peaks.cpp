@@ -157,8 +157,9 @@ class Sweeper {
         state_[static_cast<std::size_t>(i)] = local.at(samples.at(i));
         batch_.u.set(static_cast<std::size_t>(i), segment.parameter_at(state_[static_cast<std::size_t>(i)].s));
       }
-      fill(piece.segment, n, samples.values,
-           [&](const Channel& c, double d1, double d2, double d3, std::size_t i) { return value(c, d1, d2, d3, state_[i]); });
+      fill(piece.segment, n, samples.values, [&](const Channel& c, double d1, double d2, double d3, std::size_t i) {
+        return value(c, d1, d2, d3, state_[i]);
+      });
       return true;
     });
   }

@@ -14,8 +14,8 @@ enum class Quantity { velocity, acceleration, jerk };
 using ChannelBounds = std::array<double, 3>;
 
 /// On a piece of constant acceleration `a`, over the curve's parameter: an interval of half width `half` about the
-/// disc's centre, on which v² ≤ `fastest`. v_k² = h′²b, a_k = h″b + h′a, j_k² = b (h‴b + 3h″a)² with b = v² linear in s:
-/// |b| ≤ fastest + 2|a| max|ds/du| radius on the disc. `even`: s is linear in u; else s at the points is itself
+/// disc's centre, on which v² ≤ `fastest`. v_k² = h′²b, a_k = h″b + h′a, j_k² = b (h‴b + 3h″a)² with b = v² linear in
+/// s: |b| ≤ fastest + 2|a| max|ds/du| radius on the disc. `even`: s is linear in u; else s at the points is itself
 /// integrated from as many samples of the speed, and what that may miss in b counts with the interpolant's Lebesgue
 /// constant.
 ChannelBounds bounds_over_parameter(double fastest, double a, double half, const CurveDisc& disc, int points,

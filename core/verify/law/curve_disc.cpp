@@ -41,7 +41,8 @@ Sizes sizes(std::size_t count, double x, Size&& size) {
 CurveDiscs::CurveDiscs(const Curve& curve) : begin_(curve.begin()), end_(curve.end()) {
   if (curve.kind() == CurveKind::arc) {
     const auto& arc = static_cast<const Arc&>(curve);
-    const double grown = std::cosh(height), turn = std::abs(arc.sweep()), per_length = turn / arc.length();
+    const double grown = std::sqrt(std::cosh(2 * height)), turn = std::abs(arc.sweep()),
+                 per_length = turn / arc.length();
     last_.radius = height / turn;
     last_.first = grown;
     last_.second = grown * arc.radius() * per_length * per_length;

@@ -25,8 +25,8 @@ struct CurveDisc {
 ///
 /// All are analytic where ν² ≠ 0 ≠ w. V, w, ν² and X are polynomials; about a centre their Taylor coefficients' sizes
 /// bound them on a disc, and the disc is as large as |ν² − ν²(c)| ≤ 0.6 ν²(c) and |w − w(c)| ≤ 0.3 w(c) allow. What
-/// rounding of the coefficients can do is added (32 degree·ε of the terms' magnitudes). Arcs: sin and cos of φ + iy are
-/// at most cosh y, which is held at e^2.5.
+/// rounding of the coefficients can do is added (32 degree·ε of the terms' magnitudes). Arcs:
+/// |cos(φ + iy)|² + |sin(φ + iy)|² = cosh 2y, for |y| ≤ 2.5.
 class CurveDiscs {
  public:
   /// The curve is read, not kept.

@@ -40,9 +40,7 @@ std::string feed_name(double feed) {
 class LawChecker {
  public:
   LawChecker(const VerifierInput& in, ProgressScope& pulse)
-      : in_(in),
-        path_(in.path.tool()),
-        joints_(joints(path_, [&] { pulse.report(); })) {}
+      : in_(in), path_(in.path.tool()), joints_(joints(path_, [&] { pulse.report(); })) {}
 
   std::vector<Check> run(ProgressScope& pulse) {
     const auto& pieces = in_.law.pieces();
@@ -213,7 +211,8 @@ class LawChecker {
   bool has_cusp_ = false;
   Worst peak_, path_acceleration_, path_jerk_;
   StrainedAxis step_, jump_;
-  Strained backward_, outside_, position_gap_, joint_gap_, velocity_gap_, acceleration_gap_, time_gap_, corner_, cusp_, start_, end_, uncovered_, distance_;
+  Strained backward_, outside_, position_gap_, joint_gap_, velocity_gap_, acceleration_gap_, time_gap_, corner_, cusp_,
+      start_, end_, uncovered_, distance_;
 };
 
 }  // namespace

@@ -143,8 +143,7 @@ TEST(PeakSweep, AWildFunctionLeavesEnoughForTheOthers) {
   PeakSweep sweep({1.0});
   bool wild = true;
   const auto sample = [&](PeakSamples& samples) {
-    for (int i = 0; i < samples.rule.points; ++i)
-      samples.values[i] = wild ? uniform(random) : std::sin(samples.at(i));
+    for (int i = 0; i < samples.rule.points; ++i) samples.values[i] = wild ? uniform(random) : std::sin(samples.at(i));
     return true;
   };
   for (int i = 0; i < 5; ++i) sweep.sweep(0, 1, false, 0, sample);
@@ -157,16 +156,15 @@ TEST(PeakSweep, AWildFunctionLeavesEnoughForTheOthers) {
 TEST(PeakSweep, SeveralChannelsAndTheTagOfThePeak) {
   PeakSweep sweep({1, 1, 1});
   for (std::size_t k = 0; k < 10; ++k)
-    sweep.sweep(double(k), double(k) + 1, false, k,
-                [](PeakSamples& samples) {
-                  for (int i = 0; i < samples.rule.points; ++i) {
-                    const double x = samples.at(i);
-                    samples.values[i] = std::sin(x);
-                    samples.values[samples.rule.points + i] = std::exp(-x / 3) * x;
-                    samples.values[2 * samples.rule.points + i] = 4.25;
-                  }
-                  return true;
-                });
+    sweep.sweep(double(k), double(k) + 1, false, k, [](PeakSamples& samples) {
+      for (int i = 0; i < samples.rule.points; ++i) {
+        const double x = samples.at(i);
+        samples.values[i] = std::sin(x);
+        samples.values[samples.rule.points + i] = std::exp(-x / 3) * x;
+        samples.values[2 * samples.rule.points + i] = 4.25;
+      }
+      return true;
+    });
   EXPECT_NEAR(sweep[0].value, 1, 1e-11);
   EXPECT_NEAR(sweep[1].value, 3 * std::exp(-1.0), 1e-11);
   EXPECT_NEAR(sweep[1].at, 3, 1e-4);

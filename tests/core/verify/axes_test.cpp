@@ -1,0 +1,266 @@
+// The verifier on axes that are not the tool's coordinates, and on peaks that samples do not show.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "core/base/progress.hpp"
+#include "core/contour/builder.hpp"
+#include "core/motion/acceleration/acceleration_limited.hpp"
+#include "core/motion/jerk/jerk_limited.hpp"
+#include "core/verify/verifier.hpp"
+#include "tests/core/motion/axes/five_axes.hpp"
+#include "tests/core/verify/law/random_rational.hpp"
+#include "tests/core/verify/reference.hpp"
+
+namespace bahnwerk {
+namespace {
+
+using reference::law_through;
+using reference::Maker;
+
+Contour bow() {
+  ContourBuilder b(2, {});
+  b.line({40, 0, 0});
+  b.arc({60, 20, 0}, {40, 20, 0}, true);
+  b.line({60, 45, 0});
+  return b.finish();
+}
+
+enum class Method { time_optimal, braking_reserve, jerk_limited };
+
+TimeLaw planned(const PlanningTask& task, Method method) {
+  SilentProgress progress;
+  if (method == Method::jerk_limited) return plan_jerk_limited(task, {}, progress).law;
+  AccelerationLimitedOptions options;
+  options.keep_reserve = method == Method::braking_reserve;
+  return plan_acceleration_limited(task, options, progress).law;
+}
+
+Verification verdict(const AxisPath& path, const Contour& contour, const Machine& machine, const TimeLaw& law,
+                     bool jerk) {
+  SilentProgress progress;
+  return verify_motion({path, machine, law, contour.feeds(), contour.rest_places(), 1e-3, jerk}, progress);
+}
+
+std::string failed(const Verification& v) {
+  std::string text;
+  for (const Check& c : v.checks)
+    if (!c.passed) text += c.name + ' ' + std::to_string(c.value) + " > " + std::to_string(c.limit) + "; ";
+  return text;
+}
+
+/// The limit that a check named "<quantity> <axis>" is about.
+double& limit_of(Machine& machine, const Check& check) {
+  const auto space = check.name.find(' ');
+  const std::string quantity = check.name.substr(0, space), name = check.name.substr(space + 1);
+  for (AxisLimits& axis : machine.axes)
+    if (axis.name == name)
+      return quantity == "velocity" ? axis.velocity : quantity == "acceleration" ? axis.acceleration : axis.jerk;
+  throw std::logic_error("no axis of that name");
+}
+
+/// A planned law, slowed by what its planner's own tolerance leaves, passes; with the limit that it uses most a
+/// millionth below its peak it fails in that check alone.
+void passes_and_fails(const AxisPath& path, const Contour& contour, Machine machine, Method method) {
+  const bool jerk = method == Method::jerk_limited;
+  TimeLaw law = planned(contour_task(path, contour, machine), method);
+  const std::size_t kinds = jerk ? 3 : 2;
+  const auto most_used = [&](const Verification& v) {
+    const auto axes = static_cast<std::ptrdiff_t>(kinds * machine.axes.size());
+    return *std::max_element(v.checks.begin(), v.checks.begin() + axes,
+                             [](const Check& a, const Check& b) { return a.value / a.limit < b.value / b.limit; });
+  };
+  const Check before = most_used(verdict(path, contour, machine, law, jerk));
+  EXPECT_LE(before.value / before.limit, 1 + 1e-8) << before.name;
+  law = law.slowed(std::max(1.0, before.value / before.limit));
+  const Verification v = verdict(path, contour, machine, law, jerk);
+  EXPECT_TRUE(v.passed) << failed(v);
+  const Check most = most_used(v);
+  EXPECT_GE(most.value / most.limit, 1 - 1e-3) << most.name;
+  limit_of(machine, most) = most.value * (1 - 1e-6);
+  const Verification w = verdict(path, contour, machine, law, jerk);
+  EXPECT_FALSE(w.passed);
+  for (const Check& c : w.checks) EXPECT_EQ(c.passed, c.name != most.name) << c.name;
+}
+
+TEST(VerifierAxes, FiveAxesByEveryPlanner) {
+  const Contour contour = bow();
+  const test::FiveAxes kinematics;
+  const KinematicAxisPath path(contour.path, kinematics);
+  for (const Method method : {Method::time_optimal, Method::braking_reserve, Method::jerk_limited}) {
+    SCOPED_TRACE(static_cast<int>(method));
+    passes_and_fails(path, contour, {kinematics.axes(), 0.001}, method);
+  }
+}
+
+/// x alone, along a curve on which it never stands still.
+TEST(VerifierAxes, OneAxisByEveryPlanner) {
+  ContourBuilder b(2, {});
+  b.polynomial({{0, 60, 10, -5}, {0, 5, 40, -25}});
+  const Contour contour = b.finish();
+  const CartesianAxisPath path(contour.path, 1);
+  Machine machine;
+  machine.axes = {{"x", 900, 9000, 600000}};
+  for (const Method method : {Method::time_optimal, Method::braking_reserve, Method::jerk_limited}) {
+    SCOPED_TRACE(static_cast<int>(method));
+    passes_and_fails(path, contour, machine, method);
+  }
+}
+
+/// The fifth axis counts as the first does, with its own unit and name.
+TEST(VerifierAxes, NoAxisIsLeftOut) {
+  const Contour contour = bow();
+  const test::FiveAxes kinematics;
+  const KinematicAxisPath path(contour.path, kinematics);
+  const Machine machine{kinematics.axes(), 0.001};
+  const TimeLaw law = planned(contour_task(path, contour, machine), Method::jerk_limited).slowed(1.001);
+  for (std::size_t k = 0; k < 5; ++k)
+    for (const char* quantity : {"velocity ", "acceleration ", "jerk "}) {
+      Machine less = machine;
+      double& limit = limit_of(less, {quantity + machine.axes[k].name, "", 0, 0, 0, false});
+      limit *= 1e-3;
+      const Verification v = verdict(path, contour, less, law, true);
+      const auto at = std::find_if(v.checks.begin(), v.checks.end(),
+                                   [&](const Check& c) { return c.name == quantity + machine.axes[k].name; });
+      ASSERT_NE(at, v.checks.end()) << quantity << k;
+      EXPECT_FALSE(at->passed) << at->name;
+      EXPECT_EQ(at->unit.substr(0, 3), k == 0 || k == 1 || k == 3 ? "rad" : "mm/") << at->name;
+    }
+}
+
+TEST(VerifierAxes, WhatDoesNotFitIsRefused) {
+  const Contour contour = bow();
+  const CartesianAxisPath path(contour.path, 2);
+  const Machine three = reference::machine(3, 1, 1);
+  const Machine two = reference::machine(2, 1, 1);
+  SilentProgress progress;
+  const TimeLaw law;
+  EXPECT_THROW(verify_motion({path, three, law, contour.feeds(), contour.rest_places()}, progress),
+               std::invalid_argument);
+  EXPECT_THROW(verify_motion({path, two, law, {}, contour.rest_places()}, progress), std::invalid_argument);
+  EXPECT_THROW(verify_motion({path, two, law, contour.feeds(), {}}, progress), std::invalid_argument);
+  Machine four = three;
+  four.axes.push_back({"a", 1, 1});
+  EXPECT_THROW(verify_motion({contour, four, law}, progress), std::invalid_argument);
+}
+
+/// y′ ∝ 1 − T₁₆ vanishes at all of 5 and of 9 Chebyshev points, and is so faint that the arc length does not show it.
+TEST(VerifierAxes, APeakThatAliasesOnTheSamplesIsSeen) {
+  const double length = 100, faint = 3e-6;
+  const int n = 16;
+  const auto binomial = [](int a, int b) {
+    double r = 1;
+    for (int i = 1; i <= b; ++i) r = r * (a - b + i) / i;
+    return r;
+  };
+  std::vector<Vec> points;
+  double y = 0;
+  for (int i = 0; i <= n; ++i) {  // T₁₆ in Bernstein form, then integrated
+    y += faint * length * (1 - (i % 2 ? -1 : 1) * binomial(2 * n, 2 * i) / binomial(n, i)) / (n + 1);
+    points.push_back({10 + length * (i + 1) / (n + 1), y, 0});
+  }
+  const double end = points.back().y;
+  const Contour contour = Maker().line({10, 0}).bezier(points).line({20 + length, end}).done();
+  const double s1 = contour.path[1].s0(), s2 = contour.path[1].s1(), v = 1000;
+  const TimeLaw law = law_through(contour.path, {{0, 0}, {s1, v}, {s2, v}, {contour.path.length(), 0}});
+  Machine machine;
+  machine.axes = {{"x", 2000}, {"y", 1.9 * faint * v}};
+  SilentProgress progress;
+  const Verification verification = verify_motion({contour, machine, law, 1e-3}, progress);
+  EXPECT_NEAR(verification.checks[1].value, 2 * faint * v, 1e-6 * faint * v);
+  EXPECT_FALSE(verification.passed);
+}
+
+/// Peaks are never below a dense search, and above it by rounding and resolution alone.
+TEST(VerifierAxes, PeaksOnRandomRationalsEncloseTheDenseOnes) {
+  std::mt19937_64 random(12);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (int round = 0; round < 60; ++round) {
+    Contour contour;
+    contour.path.append(std::make_shared<Rational>(test::random_rational(random, round)), 0);
+    contour.blocks.push_back({Mode::cut, unlimited, 0, contour.path.size()});
+    if (contour.path.size() != 1 || contour.path[0].cusp_begin() || contour.path[0].cusp_end()) continue;
+    const double length = contour.path.length();
+    std::vector<reference::Stop> stops{{0, 0}};
+    for (int k = 1; k < 6; ++k) stops.push_back({length * k / 6, 20 + 80 * uniform(random)});
+    stops.push_back({length, 0});
+    TimeLaw law = law_through(contour.path, stops);
+    const bool jerk = round % 2;
+    if (jerk) {  // the same with jerk and snap; joints need not be smooth
+      TimeLaw other;
+      for (LawPiece p : law.pieces()) {
+        const double v1 = p.v + p.a * p.duration, h = p.duration, dv = v1 - p.v;
+        p.a = 0, p.j = 6 * dv / (h * h), p.q = -2 * p.j / h;
+        other.append(p);
+      }
+      law = other;
+    }
+    const Segment& segment = contour.path[0];
+    const auto channels = [&](double u) {
+      const double s = segment.travelled(u);
+      std::size_t i = 0;
+      while (i + 1 < law.pieces().size() && law.pieces()[i].s_end < s) ++i;
+      const LawPiece& p = law.pieces()[i];
+      double low = 0, high = p.duration;
+      for (int k = 0; k < 60; ++k) (p.at(0.5 * (low + high)).s < s ? low : high) = 0.5 * (low + high);
+      const LawState x = p.at(s >= p.s_end ? p.duration : low);  // at rest s hardly tells the time
+      const PathPoint h = segment.at_parameter(u);
+      std::array<double, 6> f;
+      for (std::size_t k = 0; k < 2; ++k) {
+        f[k] = std::abs(h.d1[k] * x.v);
+        f[2 + k] = std::abs(h.d2[k] * x.v * x.v + h.d1[k] * x.a);
+        f[4 + k] = std::abs(h.d3[k] * x.v * x.v * x.v + 3 * h.d2[k] * x.v * x.a + h.d1[k] * x.j);
+      }
+      return f;
+    };
+    // Even in the parameter, and ever denser about the place where the curve is slowest.
+    const auto narrowed = [](double low, double high, const auto& f) {  // f is largest there
+      for (int i = 0; i < 80; ++i) {
+        const double p = low + (high - low) * 0.382, q = low + (high - low) * 0.618;
+        (f(p) > f(q) ? high : low) = f(p) > f(q) ? q : p;
+      }
+      return 0.5 * (low + high);
+    };
+    std::vector<double> places;
+    double slowest = 0;
+    for (int i = 0; i <= 3000; ++i) {
+      places.push_back(i / 3000.0);
+      if (segment.curve().speed(places.back()) < segment.curve().speed(slowest)) slowest = places.back();
+    }
+    slowest = narrowed(std::max(0.0, slowest - 1 / 3000.0), std::min(1.0, slowest + 1 / 3000.0),
+                       [&](double u) { return -segment.curve().speed(u); });
+    for (int i = -1200; i <= 1200; ++i)
+      places.push_back(std::clamp(slowest + (i < 0 ? -1 : 1) * 0.1 * std::pow(10, -std::abs(i) / 150.0), 0.0, 1.0));
+    for (const LawPiece& p : law.pieces())  // where acceleration jumps
+      for (const double part : {-1e-12, 1e-12}) places.push_back(segment.parameter_at(p.s_end * (1 + part)));
+    std::sort(places.begin(), places.end());
+    std::vector<std::array<double, 6>> at;
+    for (const double u : places) at.push_back(channels(u));
+    std::array<double, 6> dense{};
+    for (std::size_t c = 0; c < 6; ++c) {
+      const auto best =
+          std::max_element(at.begin(), at.end(), [c](const auto& f, const auto& g) { return f[c] < g[c]; });
+      const auto i = static_cast<std::size_t>(best - at.begin());
+      const double u = narrowed(places[i > 0 ? i - 1 : 0], places[std::min(i + 1, places.size() - 1)],
+                                [&](double x) { return channels(x)[c]; });
+      dense[c] = std::max((*best)[c], channels(u)[c]);
+    }
+    // Limits as large as what there is: the resolution is a part of them.
+    Machine machine;
+    machine.axes = {{"x", dense[0], dense[2], dense[4]}, {"y", dense[1], dense[3], dense[5]}};
+    SilentProgress progress;
+    const Verification v = verify_motion({contour, machine, law, 1e-3, true}, progress);
+    for (std::size_t c = 0; c < 6; ++c) {
+      EXPECT_GE(v.checks[c].value, dense[c] * (1 - 1e-12))
+          << round << ' ' << v.checks[c].name << ' ' << v.checks[c].value / dense[c] - 1;
+      EXPECT_LE(v.checks[c].value, dense[c] * (1 + 1e-9))
+          << round << ' ' << v.checks[c].name << ' ' << v.checks[c].value / dense[c] - 1;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace bahnwerk
