@@ -21,10 +21,11 @@ declare -A allowed=(
   [core/motion/jerk]="core/motion/profile/ core/motion/axes/ core/motion/grid/ core/motion/law/ core/contour/contour.hpp core/machine/ core/numeric/ core/base/"
   [core/winding]="core/drawing/svg.hpp core/geometry/region/ core/numeric/random.hpp core/base/"
   # The verifier sees what the user gave and the finished motion, no planner.
-  [core/verify]="core/motion/axes/axis_path.hpp core/motion/axes/motion.hpp core/motion/law/time_law.hpp core/contour/contour.hpp core/machine/machine.hpp
+  [core/verify]="core/motion/axes/axis_path.hpp core/motion/axes/motion.hpp core/motion/law/time_law.hpp core/contour/contour.hpp
+    core/machine/machine.hpp core/machine/kinematics.hpp
     core/winding/margin.hpp core/geometry/region/region.hpp
-    core/geometry/curve/arc.hpp core/geometry/curve/vec.hpp core/geometry/path/matched.hpp core/geometry/path/path.hpp
-    core/numeric/large_pages.hpp core/numeric/peak.hpp
+    core/geometry/curve/arc.hpp core/geometry/curve/curve.hpp core/geometry/curve/rational.hpp core/geometry/curve/vec.hpp core/geometry/path/matched.hpp core/geometry/path/path.hpp
+    core/numeric/large_pages.hpp core/numeric/peak.hpp core/numeric/polynomial.hpp
     core/base/errors.hpp core/base/progress.hpp core/base/progress_scope.hpp core/base/setpoint_source.hpp core/base/verification.hpp"
   [core/plan]="core/verify/ core/winding/ core/motion/law/ core/motion/acceleration/acceleration_limited.hpp core/motion/jerk/jerk_limited.hpp
     core/contour/ core/machine/ core/drawing/ core/geometry/ core/numeric/random.hpp core/base/"

@@ -28,6 +28,15 @@ class Kinematics {
   /// For all tool positions within `radius` mm of `centre`: what makes enclosures of q(s) from those of the tool's
   /// path.
   virtual MapBounds bounds(const Vec& centre, double radius) const = 0;
+  /// The same for complex tool positions and directions: wherever |position − centre| ≤ radius (norm of a complex
+  /// vector) inverse() is analytic and its derivatives of order 1 to 3 are no larger. Infinite where that is not known,
+  /// or not so: for smaller discs it may be. With it the verifier's peaks are proven, without it they are estimates.
+  virtual MapBounds complex_bounds(const Vec& centre, double radius) const {
+    (void)centre, (void)radius;
+    MapBounds unknown;
+    for (AxisArray& order : unknown.order) order.fill(unlimited);
+    return unknown;
+  }
 };
 
 /// Axis k is coordinate k of the tool.
@@ -47,6 +56,7 @@ class Cartesian final : public Kinematics {
     for (std::size_t k = 0; k < axes_.size() && k < 3; ++k) b.order[0][k] = 1;
     return b;
   }
+  MapBounds complex_bounds(const Vec& centre, double radius) const override { return bounds(centre, radius); }
 
  private:
   std::vector<AxisLimits> axes_;

@@ -45,7 +45,9 @@ constexpr double useful = 0.1;
 class Sweeper {
  public:
   Sweeper(const VerifierInput& in, ProgressScope& pulse)
-      : in_(in), pulse_(pulse), channels_(make_channels(in)), peaks_(scales(channels_)) {}
+      : in_(in), pulse_(pulse), channels_(make_channels(in)), peaks_(scales(channels_)) {
+    if (const auto* path = dynamic_cast<const KinematicAxisPath*>(&in.path)) kinematics_ = &path->kinematics();
+  }
 
   AxisPeaks run() {
     const auto& pieces = in_.law.pieces();
@@ -58,6 +60,7 @@ class Sweeper {
     AxisPeaks result;
     for (std::size_t c = 0; c < channels_.size(); ++c) result.checks.push_back(check(c));
     result.arc_length = arc_length_;
+    result.estimated = peaks_.estimated();
     return result;
   }
 
@@ -92,11 +95,22 @@ class Sweeper {
     }
   }
 
-  // What interpolation may miss, per channel; without a bound it stays not known.
-  void tell_missing(PeakSamples& samples, const ChannelBounds& bounds) {
+  // What interpolation may miss, per channel, by bounds(disc) about u; without bounds of the axes it stays not known.
+  template <class Bounds>
+  void tell_missing(PeakSamples& samples, std::size_t segment, double u, Bounds&& bounds) {
+    const CurveDisc disc = discs(segment).about(u);
+    std::array<ChannelBounds, max_axes> all;
+    if (in_.path.cartesian()) {
+      all.fill(bounds(disc));
+    } else {
+      if (kinematics_ == nullptr) return;
+      std::array<CurveDisc, max_axes> axes;
+      if (!through(*kinematics_, in_.path[segment].curve().at(u).value, disc, axes)) return;
+      for (std::size_t k = 0; k < in_.path.axes(); ++k) all[k] = bounds(axes[k]);
+    }
     samples.empty = !samples.last;
     for (std::size_t c = 0; c < channels_.size(); ++c) {
-      const double m = bounds[static_cast<std::size_t>(channels_[c].quantity)];
+      const double m = all[channels_[c].axis][static_cast<std::size_t>(channels_[c].quantity)];
       samples.missing[c] = m;
       if (m <= useful * peaks_.scale(c)) samples.empty = false;
     }
@@ -146,13 +160,11 @@ class Sweeper {
     peaks_.sweep(0, piece.duration, open, index_, [&](PeakSamples& samples) {
       const int n = samples.rule.points;
       pulse_.work(static_cast<std::size_t>(n));
-      if (in_.path.cartesian()) {
-        const double half = 0.5 * (samples.end - samples.begin), middle = samples.begin + half;
-        const LawPiece here = moved(local, middle);
-        const CurveDisc disc = discs(piece.segment).about(segment.parameter_at(here.s));
-        tell_missing(samples, bounds_over_time(here, half, disc, n));
-        if (samples.empty) return false;
-      }
+      const double half = 0.5 * (samples.end - samples.begin);
+      const LawPiece here = moved(local, samples.begin + half);
+      tell_missing(samples, piece.segment, segment.parameter_at(here.s),
+                   [&](const CurveDisc& disc) { return bounds_over_time(here, half, disc, n); });
+      if (samples.empty) return false;
       for (int i = 0; i < n; ++i) {
         state_[static_cast<std::size_t>(i)] = local.at(samples.at(i));
         batch_.u.set(static_cast<std::size_t>(i), segment.parameter_at(state_[static_cast<std::size_t>(i)].s));
@@ -222,13 +234,11 @@ class Sweeper {
         if (begin != u0) from = segment.arc_length(begin) - piece.s;
         if (end != u1) to = segment.arc_length(end) - piece.s;
       }
-      if (in_.path.cartesian()) {
-        const double half = 0.5 * (end - begin);
-        const double fastest = std::max(b0 + (b1 - b0) * (from / ds), b0 + (b1 - b0) * (to / ds));
-        const CurveDisc disc = discs(piece.segment).about(begin + half);
-        tell_missing(samples, bounds_over_parameter(fastest, piece.a, half, disc, n, even));
-        if (samples.empty) return false;
-      }
+      const double half = 0.5 * (end - begin);
+      const double fastest = std::max(b0 + (b1 - b0) * (from / ds), b0 + (b1 - b0) * (to / ds));
+      tell_missing(samples, piece.segment, begin + half,
+                   [&](const CurveDisc& disc) { return bounds_over_parameter(fastest, piece.a, half, disc, n, even); });
+      if (samples.empty) return false;
       for (int i = 0; i < n; ++i) batch_.u.set(static_cast<std::size_t>(i), samples.at(i));
       if (even) {
         for (int i = 0; i < n; ++i) s[i] = from + rule.node[i] * (to - from);
@@ -291,6 +301,7 @@ class Sweeper {
   double end_s_ = 0, end_u_ = 0;
   std::size_t tangent_of_ = static_cast<std::size_t>(-1);
   AxisJet tangent_;
+  const Kinematics* kinematics_ = nullptr;  ///< of a path through them
   std::optional<CurveDiscs> discs_;
   std::size_t discs_of_ = 0;
   PathBatch batch_;

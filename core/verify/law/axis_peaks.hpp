@@ -13,12 +13,19 @@ struct AxisPeaks {
   /// |∫|dh/du|du − (s_end − s)| of a piece on a free-form segment, mm, against five times what the quadrature resolves:
   /// 1e-11 of the piece and 2e-12 of the segment, and the rounding of s.
   Strained arc_length;
+  /// Sampled intervals on which an estimate decided instead of a proven bound; 0: every peak is an enclosure.
+  std::size_t estimated = 0;
 };
 
-/// With h by arc length and the law's v, a, j: v_k = h'v, a_k = h''v² + h'a, j_k = h'''v³ + 3h''va + h'j.
+/// With q by arc length and the law's v, a, j: v_k = q′v, a_k = q″v² + q′a, j_k = q‴v³ + 3q″va + q′j.
 /// Pieces of constant a are followed over the curve's parameter, where b = v² is linear in s and everything is smooth
 /// up to rest and cusps (v_k² and j_k² are searched); pieces with jerk or snap over time. Pieces with an invalid
 /// segment are left out (another check's fault).
+///
+/// Each peak is an enclosure: the interpolant's maximum plus a proven bound of what it misses
+/// (core/verify/law/channel_bounds.hpp), from the curve in the complex plane (curve_disc.hpp), but for the rounding of
+/// the samples. Two exceptions, in which the decay of Chebyshev coefficients decides: the innermost 2⁻⁴⁰ of a piece
+/// next to a place where the curve's tangent vanishes, and axes whose kinematics states no complex_bounds().
 AxisPeaks axis_peaks(const VerifierInput& input, ProgressScope& pulse);
 
 }  // namespace bahnwerk::verify

@@ -39,6 +39,12 @@ Sizes sizes(std::size_t count, double x, Size&& size) {
 }  // namespace
 
 CurveDiscs::CurveDiscs(const Curve& curve) : begin_(curve.begin()), end_(curve.end()) {
+  if (curve.kind() == CurveKind::line) {
+    last_.radius = largest;  // anything would do
+    last_.first = 1;
+    last_.speed = curve.speed(begin_);
+    last_.pace = 1 / last_.speed;
+  }
   if (curve.kind() == CurveKind::arc) {
     const auto& arc = static_cast<const Arc&>(curve);
     const double grown = std::sqrt(std::cosh(2 * height)), turn = std::abs(arc.sweep()),
@@ -137,6 +143,25 @@ CurveDisc CurveDiscs::make(double centre) {
     disc.pace = square / nu * reach_;
     return std::isfinite(disc.third + disc.speed + disc.pace) ? disc : none;
   }
+}
+
+bool through(const Kinematics& kinematics, const Vec& position, const CurveDisc& tool,
+             std::array<CurveDisc, max_axes>& axes) {
+  CurveDisc disc = tool;
+  for (int attempt = 0; attempt < 60; ++attempt, disc.radius *= 0.5) {
+    const MapBounds map = kinematics.complex_bounds(position, disc.first * disc.speed * disc.radius);
+    bool known = true;
+    for (std::size_t k = 0; k < kinematics.axes().size(); ++k) {
+      CurveDisc& q = axes[k] = disc;
+      q.first = map.order[0][k] * disc.first;
+      q.second = map.order[1][k] * disc.first * disc.first + map.order[0][k] * disc.second;
+      q.third = map.order[2][k] * disc.first * disc.first * disc.first +
+                3 * map.order[1][k] * disc.first * disc.second + map.order[0][k] * disc.third;
+      known = known && std::isfinite(q.first + q.second + q.third);
+    }
+    if (known && disc.radius > 0) return true;
+  }
+  return false;
 }
 
 }  // namespace bahnwerk::verify

@@ -3,10 +3,12 @@
 ///
 /// Interpolation errors of whatever is made of them follow from such bounds, whatever the samples look like
 /// [Trefethen, Approximation Theory and Approximation Practice, 2013, theorem 8.2].
+#include <array>
 #include <cstddef>
 #include <vector>
 
 #include "core/geometry/curve/curve.hpp"
+#include "core/machine/kinematics.hpp"
 #include "core/numeric/polynomial.hpp"
 
 namespace bahnwerk::verify {
@@ -45,5 +47,11 @@ class CurveDiscs {
   std::vector<Vec> v_at_, x_at_;             ///< Taylor coefficients about a centre
   Polynomial w_at_, q_at_;
 };
+
+/// The same of every axis of a machine while its tool follows the curve through `position` at the disc's centre, by the
+/// chain rule: |q′| ≤ m₁|h′|, |q″| ≤ m₂|h′|² + m₁|h″|, |q‴| ≤ m₃|h′|³ + 3m₂|h′||h″| + m₁|h‴| with the map's bounds m
+/// for as far as the disc takes the tool. The disc is halved until they are known; false where they never are.
+bool through(const Kinematics& kinematics, const Vec& position, const CurveDisc& tool,
+             std::array<CurveDisc, max_axes>& axes);
 
 }  // namespace bahnwerk::verify

@@ -3,13 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <memory>
+#include <random>
+#include <stdexcept>
 #include <string>
 
 #include "core/base/progress.hpp"
+#include "core/base/progress_scope.hpp"
 #include "core/contour/builder.hpp"
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/motion/jerk/jerk_limited.hpp"
+#include "core/verify/law/axis_peaks.hpp"
 #include "core/verify/verifier.hpp"
 #include "tests/core/motion/axes/five_axes.hpp"
 #include "tests/core/verify/law/random_rational.hpp"
@@ -107,6 +112,86 @@ TEST(VerifierAxes, OneAxisByEveryPlanner) {
   for (const Method method : {Method::time_optimal, Method::braking_reserve, Method::jerk_limited}) {
     SCOPED_TRACE(static_cast<int>(method));
     passes_and_fails(path, contour, machine, method);
+  }
+}
+
+std::size_t estimated(const AxisPath& path, const Contour& contour, const Machine& machine, const TimeLaw& law) {
+  SilentProgress progress;
+  ProgressScope pulse(progress, "verify", 0, 1);
+  return verify::axis_peaks({path, machine, law, contour.feeds(), contour.rest_places(), 1e-3, true}, pulse).estimated;
+}
+
+/// Where curve and machine state how they grow, nothing is left to estimates; a machine that does not is served, too.
+TEST(VerifierAxes, PeaksOfFiveAxesAreProvenOrToldFrom) {
+  struct Silent final : test::FiveAxes {
+    MapBounds complex_bounds(const Vec& c, double r) const override { return Kinematics::complex_bounds(c, r); }
+  };
+  const Contour contour = bow();
+  const test::FiveAxes five;
+  const Silent silent;
+  const KinematicAxisPath path(contour.path, five), same(contour.path, silent);
+  const Machine machine{five.axes(), 0.001};
+  for (const Method method : {Method::time_optimal, Method::jerk_limited}) {
+    const TimeLaw law = planned(contour_task(path, contour, machine), method);
+    EXPECT_EQ(estimated(path, contour, machine, law), 0u);
+    EXPECT_GT(estimated(same, contour, machine, law), 0u);
+    const Verification proven = verdict(path, contour, machine, law, true),
+                       guessed = verdict(same, contour, machine, law, true);
+    for (std::size_t i = 0; i < proven.checks.size(); ++i)
+      EXPECT_NEAR(proven.checks[i].value, guessed.checks[i].value, 1e-9 * proven.checks[i].limit + 1e-12);
+  }
+}
+
+/// What the made-up machine states of complex tool positions holds: derivatives along random complex directions, by
+/// Cauchy's formula on a small circle.
+TEST(VerifierAxes, TheMadeUpMachinesComplexBoundsHold) {
+  using Complex = std::complex<double>;
+  using F = test::FiveAxes;
+  const auto inverse = [](const std::array<Complex, 3>& tool) {
+    const Complex x = tool[0] - F::base_x, y = tool[1] - F::base_y, z = tool[2];
+    const Complex bend = std::acos((x * x + y * y) / (2 * F::arm * F::arm) - 1.0);
+    return std::array<Complex, 5>{M_PI / 2 - std::atan(x / y) - 0.5 * bend, bend, 0.6 * x + 0.8 * y + z,
+                                  std::atan((z + 60.0) / (80.0 + 0.2 * x)),
+                                  x + F::error * std::sin(x * (2 * M_PI / F::period))};
+  };
+  const F machine;
+  const Contour contour = bow();
+  const AxisJet real = KinematicAxisPath(contour.path, machine).at(1, contour.path[1].s0() + 3);
+  const Vec there = contour.path[1].at(contour.path[1].s0() + 3).value;
+  const auto again = inverse({there.x, there.y, there.z});
+  for (std::size_t k = 0; k < 5; ++k) EXPECT_NEAR(again[k].real(), real.value[k], 1e-12) << k;
+
+  std::mt19937_64 random(6);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (int round = 0; round < 2000; ++round) {
+    const Vec centre = contour.path.at(contour.path.length() * uniform(random)).value;
+    const double radius = 15 * uniform(random);
+    std::array<Complex, 3> off, e;
+    double n0 = 0, n1 = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      off[i] = {normal(random), normal(random)}, e[i] = {normal(random), normal(random)};
+      n0 += std::norm(off[i]), n1 += std::norm(e[i]);
+    }
+    const double h = 0.5;
+    std::array<std::array<Complex, 5>, 4> d{};  // ∂ⁿq/∂eⁿ = n!/(m hⁿ) Σ q(x + h ωʲ e) ω⁻ʲⁿ
+    for (int j = 0; j < 32; ++j) {
+      const Complex turn = std::polar(1.0, 2 * M_PI * j / 32);
+      std::array<Complex, 3> tool;
+      for (std::size_t i = 0; i < 3; ++i)
+        tool[i] = centre[i] + off[i] * (radius / std::sqrt(n0)) + h * turn * e[i] / std::sqrt(n1);
+      const auto q = inverse(tool);
+      double factorial = 1;
+      for (int n = 1; n <= 3; ++n) {
+        factorial *= n;
+        for (std::size_t k = 0; k < 5; ++k) d[n][k] += q[k] * factorial / (32 * std::pow(h, n)) * std::pow(turn, -n);
+      }
+    }
+    const MapBounds stated = machine.complex_bounds(centre, radius);
+    for (int n = 1; n <= 3; ++n)
+      for (std::size_t k = 0; k < 5; ++k)
+        EXPECT_LE(std::abs(d[n][k]), stated.order[n - 1][k] + 1e-10) << n << " of " << k;
+    if (HasFailure()) FAIL() << round;
   }
 }
 
@@ -253,6 +338,8 @@ TEST(VerifierAxes, PeaksOnRandomRationalsEncloseTheDenseOnes) {
     machine.axes = {{"x", dense[0], dense[2], dense[4]}, {"y", dense[1], dense[3], dense[5]}};
     SilentProgress progress;
     const Verification v = verify_motion({contour, machine, law, 1e-3, true}, progress);
+    const CartesianAxisPath path(contour.path, 2);
+    EXPECT_EQ(estimated(path, contour, machine, law), 0u) << round;
     for (std::size_t c = 0; c < 6; ++c) {
       EXPECT_GE(v.checks[c].value, dense[c] * (1 - 1e-12))
           << round << ' ' << v.checks[c].name << ' ' << v.checks[c].value / dense[c] - 1;

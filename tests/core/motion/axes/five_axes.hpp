@@ -10,7 +10,7 @@ namespace bahnwerk::test {
 
 /// Two arms' angles of a planar two-link arm whose base lies below the work, a carriage, a swivel that points along it,
 /// and a leadscrew with a periodic error.
-class FiveAxes final : public Kinematics {
+class FiveAxes : public Kinematics {
  public:
   static constexpr double arm = 150, base_x = 20, base_y = -180, error = 0.4, period = 40;  // mm
   FiveAxes() {
@@ -49,6 +49,18 @@ class FiveAxes final : public Kinematics {
     b.order[1] = {2e-3, 2e-3, 0, 2e-3, error * w * w};
     b.order[2] = {2e-4, 2e-4, 0, 2e-4, error * w * w * w};
     b.order[3] = {4e-5, 4e-5, 0, 4e-5, error * w * w * w * w};
+    return b;
+  }
+  /// Likewise generous; the screw's error grows with the distance from the real axis.
+  MapBounds complex_bounds(const Vec& centre, double radius) const override {
+    if (!(radius <= 15)) return Kinematics::complex_bounds(centre, radius);
+    MapBounds b = bounds(centre, radius);
+    for (AxisArray& order : b.order)
+      for (double& most : order) most *= 2;
+    const double w = 2 * 3.14159265358979323846 / period, grown = std::cosh(w * radius);
+    b.order[0][4] = 1 + error * w * grown;
+    b.order[1][4] = error * w * w * grown;
+    b.order[2][4] = error * w * w * w * grown;
     return b;
   }
 
