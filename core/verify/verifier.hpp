@@ -38,11 +38,14 @@ struct ContourVerifierInput {
   double progress_from = 0, progress_to = 1;
 };
 
-/// Verifies a law along its contour. Every `value` is the true continuous peak: closed form on straight segments and
-/// for path velocity, interpolation with outer bounds and roots on curved ones (core/numeric/peak.hpp), resolved to
-/// 2e-11 of the limit. A limit of the document holds when value ≤ limit · (1 + 1e-9); all other tolerances are what
-/// rounding may do to the pieces at hand (core/verify/rounding.hpp), each reported with the value that strains it most.
-/// Not a number anywhere fails the check in which it shows; nothing in the law makes the verifier crash.
+/// Verifies a law along its path. Peaks over time are enclosures, never below the true continuous peak but for the
+/// rounding of what is evaluated: in closed form where the axes are linear in s and for path velocity; on curves by
+/// interpolation with a proven bound of what it misses (core/verify/law/axis_peaks.hpp, which names the two
+/// exceptions), resolved to 2e-11 of the limit, where halving ends by outer bounds. The arc length is no enclosure: two
+/// quadratures of different kinds that have to agree. A limit of the document holds when value ≤ limit · (1 + 1e-9);
+/// all other tolerances are what rounding may do to the pieces at hand (core/verify/rounding.hpp), each reported with
+/// the value that strains it most. Not a number anywhere fails the check in which it shows; nothing in the law makes
+/// the verifier crash.
 ///
 /// Checks, in this order: `velocity <axis>`, `acceleration <axis>`, `jerk <axis>` (limited axes only); `path velocity
 /// (feed F)` per distinct finite feed (of `given`, if that is set); `path velocity`, `path acceleration`, `path jerk`
