@@ -116,6 +116,27 @@ class Sweeper {
     }
   }
 
+  bool at_vanishing_tangent(std::size_t segment, double begin, double end) {
+    const CurveDiscs& all = discs(segment);
+    return all.vanishing() > 0 && (begin <= all.vanishing_at() && end >= all.vanishing_at());
+  }
+
+  // The same next to a vanishing tangent, where the law has to be at rest; what it moves there is rounding, or another
+  // check's fault, and leaves an estimate.
+  void tell_from_rest(PeakSamples& samples, const LawPiece& piece, double begin, double half, double b0, double b1) {
+    CurveDiscs& all = discs(piece.segment);
+    const double resting = begin <= all.vanishing_at() && all.vanishing_at() < begin + half ? b0 : b1;
+    const CurveDisc& disc = all.at_vanishing_tangent();
+    if (!in_.path.cartesian() || !(disc.radius > 0) || !(resting <= 1e-24 * std::max(b0, b1)) ||
+        samples.rule.node[0] == 0)
+      return;
+    const ChannelBounds bounds = bounds_from_rest(piece.a, half, disc, all.vanishing());
+    for (std::size_t c = 0; c < channels_.size(); ++c) {
+      const double m = bounds[static_cast<std::size_t>(channels_[c].quantity)];
+      if (m < std::numeric_limits<double>::infinity() || half > disc.radius / 8) samples.missing[c] = m;
+    }
+  }
+
   CurveDiscs& discs(std::size_t segment) {
     if (!discs_ || discs_of_ != segment) discs_.emplace(in_.path[segment].curve()), discs_of_ = segment;
     return *discs_;
@@ -162,8 +183,10 @@ class Sweeper {
       pulse_.work(static_cast<std::size_t>(n));
       const double half = 0.5 * (samples.end - samples.begin);
       const LawPiece here = moved(local, samples.begin + half);
-      tell_missing(samples, piece.segment, segment.parameter_at(here.s),
-                   [&](const CurveDisc& disc) { return bounds_over_time(here, half, disc, n); });
+      if (!at_vanishing_tangent(piece.segment, segment.parameter_at(local.at(samples.begin).s),
+                                segment.parameter_at(local.at(samples.end).s)))
+        tell_missing(samples, piece.segment, segment.parameter_at(here.s),
+                     [&](const CurveDisc& disc) { return bounds_over_time(here, half, disc, n); });
       if (samples.empty) return false;
       for (int i = 0; i < n; ++i) {
         state_[static_cast<std::size_t>(i)] = local.at(samples.at(i));
@@ -235,9 +258,14 @@ class Sweeper {
         if (end != u1) to = segment.arc_length(end) - piece.s;
       }
       const double half = 0.5 * (end - begin);
-      const double fastest = std::max(b0 + (b1 - b0) * (from / ds), b0 + (b1 - b0) * (to / ds));
-      tell_missing(samples, piece.segment, begin + half,
-                   [&](const CurveDisc& disc) { return bounds_over_parameter(fastest, piece.a, half, disc, n, even); });
+      if (at_vanishing_tangent(piece.segment, begin, end)) {
+        tell_from_rest(samples, piece, begin, half, b0, b1);
+      } else {
+        const double fastest = std::max(b0 + (b1 - b0) * (from / ds), b0 + (b1 - b0) * (to / ds));
+        tell_missing(samples, piece.segment, begin + half, [&](const CurveDisc& disc) {
+          return bounds_over_parameter(fastest, piece.a, half, disc, n, even);
+        });
+      }
       if (samples.empty) return false;
       for (int i = 0; i < n; ++i) batch_.u.set(static_cast<std::size_t>(i), samples.at(i));
       if (even) {

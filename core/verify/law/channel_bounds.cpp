@@ -33,6 +33,26 @@ ChannelBounds bounds_over_parameter(double fastest, double a, double half, const
   return bounds;
 }
 
+ChannelBounds bounds_from_rest(double a, double half, const CurveDisc& disc, std::size_t vanishing) {
+  const ChebyshevRule& rule = open_rule();
+  const double reach = half > 0 ? disc.radius / half - 1 : 0;  // about the interval's middle
+  const double error = interpolation_error(rule.points, reach);
+  if (!(error < unknown)) return {unknown, unknown, unknown};
+  const double h1 = disc.first, h2 = disc.second, h3 = disc.third, A = std::abs(a);
+  const double b = 2 * A * disc.speed * disc.radius, jerk = h3 * b + 3 * h2 * A;
+  ChannelBounds bounds{error * h1 * h1 * b, error * (h2 * b + h1 * A), error * b * jerk * jerk};
+  // s at the points is integrated (see above). At the first of them the derivatives are as much larger as their poles
+  // allow.
+  const double off = lebesgue * 2 * A * 2 * (2 * half * error * disc.speed);
+  const double nearer = disc.radius / (2 * half * rule.node[0]), m = static_cast<double>(vanishing);
+  const double g2 = h2 * std::pow(nearer, m), g3 = h3 * std::pow(nearer, 2 * m + 1), g = g3 * b + 3 * g2 * A;
+  bounds[0] += off * h1 * h1;
+  bounds[1] += off * g2;
+  bounds[2] += off * g * (g + 2 * b * g3);
+  if (vanishing > 1) bounds[2] = unknown;
+  return bounds;
+}
+
 LawPiece moved(const LawPiece& piece, double tau) {
   const LawState x = piece.at(tau);
   LawPiece p = piece;

@@ -21,6 +21,11 @@ using ChannelBounds = std::array<double, 3>;
 ChannelBounds bounds_over_parameter(double fastest, double a, double half, const CurveDisc& disc, int points,
                                     bool even);
 
+/// The same on an interval from a vanishing tangent of order m = `vanishing` on, where the motion rests: with z the
+/// distance from there, s ~ z^(m+1), so b = 2as, h″b + h′a and for m = 1 b (h‴b + 3h″a)² are analytic though h″ ~ z^−m
+/// and h‴ ~ z^(−2m−1) need not be. `disc`: CurveDiscs::at_vanishing_tangent(). For the open rule of 9 points alone.
+ChannelBounds bounds_from_rest(double a, double half, const CurveDisc& disc, std::size_t vanishing);
+
 /// The law moved to begin at τ: the same polynomial about another place. `duration` and `s_end` are left as they are.
 LawPiece moved(const LawPiece& piece, double tau);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/geometry/curve/arc.hpp"
 #include "core/geometry/curve/rational.hpp"
@@ -61,6 +62,7 @@ CurveDiscs::CurveDiscs(const Curve& curve) : begin_(curve.begin()), end_(curve.e
   const auto& piece = static_cast<const Rational&>(curve);
   pivot_ = piece.pivot(), reach_ = piece.reach();
   w_ = piece.weight();
+  vanishing_ = std::max(piece.vanishing_begin(), piece.vanishing_end());
   const Polynomial w1 = derivative(w_);
   w_terms_ = magnitudes(w_);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -89,17 +91,18 @@ CurveDisc CurveDiscs::about(double u) {
   return from_last();
 }
 
-CurveDisc CurveDiscs::make(double centre) {
+CurveDisc CurveDiscs::make(double centre, std::size_t vanishing) {
   const double c = (centre - pivot_) / reach_;
   std::size_t count = 0;
   for (const Polynomial& p : v_) count = std::max(count, p.size());
   CurveDisc none;
   none.centre = centre;
-  if (count == 0) return none;
+  if (count <= vanishing) return none;
+  count -= vanishing;  // of W = V/z^m
   v_at_.assign(count, Vec{});
   for (std::size_t k = 0; k < 3; ++k) {
     const Polynomial p = shifted(v_[k], c, 1);
-    for (std::size_t i = 0; i < p.size(); ++i) v_at_[i][k] = p[i];
+    for (std::size_t i = vanishing; i < p.size(); ++i) v_at_[i - vanishing][k] = p[i];
   }
   w_at_ = shifted(w_, c, 1);
   q_at_.assign(2 * count - 1, 0);
@@ -124,25 +127,42 @@ CurveDisc CurveDiscs::make(double centre) {
       s.tail = unit * (s.tail + (p.empty() ? 0 : p[0])), s.first *= unit, s.second *= unit;
       return s;
     };
-    const Sizes dv = terms(v_terms_), dw = terms(w_terms_);
+    Sizes dv = terms(v_terms_);
+    const Sizes dw = terms(w_terms_);
+    const double m = static_cast<double>(vanishing), power = std::pow(radius, m), square_power = power * power;
+    dv.tail /= power, dv.first /= power, dv.second /= power;
     const double V = v0 + v.tail + dv.tail, dq = 2 * V * dv.tail, Q = q.tail + dq, W = w.tail + dw.tail;
     if (!(Q <= speed_part * q0 && W <= weight_part * w0)) continue;
     const double V1 = v.first + dv.first, V2 = v.second + dv.second;
     const Sizes x = sizes(x_at_.size(), radius, [&](std::size_t k) { return norm(x_at_[k]); });
     const double X = norm(x_at_[0]) + x.tail + 2 * (dv.first * V + V1 * dv.tail),
                  X1 = x.first + 2 * (dv.second * V + V2 * dv.tail);
-    const double least = q0 - Q, nu = std::sqrt(least), most = w0 + W, square = most * most, w1 = w.first + dw.first;
+    // Of V on the circle, from W: |z| = radius there.
+    const double v_most = power * V, v1 = power * (V1 + m * V / radius), x_most = square_power * X,
+                 x1 = square_power * (X1 + 2 * m * X / radius), least = square_power * (q0 - Q), nu = std::sqrt(least),
+                 most = w0 + W, square = most * most, w1 = w.first + dw.first;
     CurveDisc disc;
     disc.centre = centre;
     disc.radius = radius * reach_;
-    disc.first = V / nu;
-    disc.second = square * V * X / (least * least);
+    disc.first = v_most / nu;
+    disc.second = square * v_most * x_most / (least * least);
     disc.third = square / (nu * least * least) *
-                 (2 * most * w1 * V * X + square * (V1 * X + V * X1) + 4 * square * V * V * X * V1 / least);
-    disc.speed = std::sqrt(q0 + Q) / ((w0 - W) * (w0 - W)) / reach_;
+                 (2 * most * w1 * v_most * x_most + square * (v1 * x_most + v_most * x1) +
+                  4 * square * v_most * v_most * x_most * v1 / least);
+    disc.speed = std::sqrt(square_power * (q0 + Q)) / ((w0 - W) * (w0 - W)) / reach_;
     disc.pace = square / nu * reach_;
     return std::isfinite(disc.third + disc.speed + disc.pace) ? disc : none;
   }
+}
+
+const CurveDisc& CurveDiscs::at_vanishing_tangent() {
+  if (vanishing_ > 0 && !end_known_) {
+    end_known_ = true;
+    const double kept = std::exchange(last_.radius, 0);
+    end_disc_ = make(pivot_, vanishing_);
+    last_.radius = kept;
+  }
+  return end_disc_;
 }
 
 bool through(const Kinematics& kinematics, const Vec& position, const CurveDisc& tool,

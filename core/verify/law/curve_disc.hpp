@@ -37,10 +37,19 @@ class CurveDiscs {
   /// where the last one serves; asked for in ascending order, one serves many.
   CurveDisc about(double u);
 
- private:
-  CurveDisc make(double centre);
+  /// Order m of the zero of h_u at an end of the curve; 0: none.
+  std::size_t vanishing() const { return vanishing_; }
+  double vanishing_at() const { return pivot_; }
+  /// About that end, where h″ and h‴ may have poles: V = z^m W, and the bounds hold on the circle |u − centre| = radius
+  /// (of `speed`, in all of the disc). What is analytic inside is no larger anywhere in the disc.
+  const CurveDisc& at_vanishing_tangent();
 
-  CurveDisc last_;
+ private:
+  CurveDisc make(double centre, std::size_t vanishing = 0);
+
+  CurveDisc last_, end_disc_;
+  bool end_known_ = false;
+  std::size_t vanishing_ = 0;
   bool rational_ = false;
   double pivot_ = 0, reach_ = 1, begin_ = 0, end_ = 1;
   Polynomial v_[3], w_, v_terms_, w_terms_;  ///< *_terms_: sums of the magnitudes that enter a coefficient
