@@ -24,8 +24,10 @@ struct AxisPeaks {
 ///
 /// Each peak is an enclosure: the interpolant's maximum plus a proven bound of what it misses
 /// (core/verify/law/channel_bounds.hpp), from the curve in the complex plane (curve_disc.hpp), but for the rounding of
-/// the samples. Two exceptions, in which the decay of Chebyshev coefficients decides: the innermost 2⁻⁴⁰ of a piece
-/// next to a place where the curve's tangent vanishes, and axes whose kinematics states no complex_bounds().
+/// the samples. Exceptions, in which the decay of Chebyshev coefficients decides (`estimated` counts them): next to a
+/// place where the curve's tangent vanishes, laws of changing acceleration, laws that do not rest there, and jerk where
+/// it vanishes to an order above 1; axes whose kinematics states no complex_bounds(); and where halving ends (2⁻⁴⁰ of a
+/// piece) before any bound is finite.
 AxisPeaks axis_peaks(const VerifierInput& input, ProgressScope& pulse);
 
 }  // namespace bahnwerk::verify

@@ -195,6 +195,46 @@ TEST(VerifierAxes, TheMadeUpMachinesComplexBoundsHold) {
   }
 }
 
+/// Where the parametric tangent vanishes the curvature has a pole and the motion rests: proven all the same.
+TEST(VerifierAxes, PeaksNextToAVanishingTangentAreProven) {
+  for (const bool at_end : {false, true}) {
+    Maker make;
+    at_end ? make.bezier({{20, 9}, {40, 0}, {40, 0}}) : make.bezier({{0, 0}, {20, 9}, {40, 0}});
+    const Contour contour = make.done();
+    const Segment& segment = contour.path[0];
+    ASSERT_EQ(contour.path.size(), 1u);
+    ASSERT_TRUE(at_end ? segment.cusp_end() : segment.cusp_begin());
+    const double length = contour.path.length();
+    const TimeLaw law = law_through(contour.path, {{0, 0}, {0.5 * length, 70}, {length, 0}});
+    std::array<double, 6> dense{};
+    std::vector<double> places{segment.parameter_at(0.5 * length * (1 - 1e-12)),
+                               segment.parameter_at(0.5 * length * (1 + 1e-12))};
+    for (int i = 0; i <= 40000; ++i)
+      places.push_back(at_end ? 1 - std::pow(10, -i / 4000.0) : std::pow(10, -i / 4000.0));
+    for (const double u : places) {
+      const double s = segment.travelled(u);
+      const LawPiece& p = law.pieces()[s > 0.5 * length];
+      const double b = p.v * p.v + 2 * p.a * (s - p.s), v = std::sqrt(std::max(b, 0.0));
+      const PathPoint h = segment.at_parameter(u);
+      for (std::size_t k = 0; k < 2; ++k) {
+        dense[k] = std::max(dense[k], std::abs(h.d1[k]) * v);
+        dense[2 + k] = std::max(dense[2 + k], std::abs(h.d2[k] * b + h.d1[k] * p.a));
+        if (b > 1e-6)  // beside, b is a difference of larger numbers
+          dense[4 + k] = std::max(dense[4 + k], v * std::abs(h.d3[k] * b + 3 * h.d2[k] * p.a));
+      }
+    }
+    Machine machine;
+    machine.axes = {{"x", dense[0], dense[2], dense[4]}, {"y", dense[1], dense[3], dense[5]}};
+    const CartesianAxisPath path(contour.path, 2);
+    EXPECT_EQ(estimated(path, contour, machine, law), 0u);
+    const Verification v = verdict(path, contour, machine, law, true);
+    for (std::size_t c = 0; c < 6; ++c) {
+      EXPECT_GE(v.checks[c].value, dense[c] * (1 - 1e-9)) << v.checks[c].name;
+      EXPECT_LE(v.checks[c].value, dense[c] * (1 + 1e-6)) << v.checks[c].name;
+    }
+  }
+}
+
 /// The fifth axis counts as the first does, with its own unit and name.
 TEST(VerifierAxes, NoAxisIsLeftOut) {
   const Contour contour = bow();
