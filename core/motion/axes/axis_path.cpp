@@ -17,6 +17,12 @@ AxisJet CartesianAxisPath::at_parameter(std::size_t segment, double u) const {
   return q;
 }
 
+MapBounds CartesianAxisPath::map_bounds(const Vec&, double) const {
+  MapBounds bounds;
+  for (std::size_t k = 0; k < axes(); ++k) bounds.order[0][k] = 1;
+  return bounds;
+}
+
 KinematicAxisPath::KinematicAxisPath(const Path& tool, const Kinematics& kinematics)
     : AxisPath(tool, kinematics.axes().size(), false), kinematics_(kinematics) {}
 

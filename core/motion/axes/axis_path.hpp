@@ -37,6 +37,8 @@ class AxisPath {
   /// The same at up to 16 ascending parameters: rows of d1, d2, d3 per axis, and s from the begin of the segment.
   /// `planar` tells that the third row was not written and is 0.
   virtual void at_parameters(std::size_t segment, PathBatch& batch) const = 0;
+  /// Of the map from the tool's position to the axes, for tool positions within `radius` mm of `centre`.
+  virtual MapBounds map_bounds(const Vec& centre, double radius) const = 0;
   /// Axes at a place of a segment, s ∈ [s0, s1].
   AxisJet at(std::size_t segment, double s) const { return at_parameter(segment, tool_[segment].parameter(s)); }
 
@@ -57,6 +59,7 @@ class CartesianAxisPath final : public AxisPath {
   bool linear(std::size_t segment) const override { return tool()[segment].straight(); }
   AxisJet at_parameter(std::size_t segment, double u) const override;
   void at_parameters(std::size_t segment, PathBatch& batch) const override { tool()[segment].at_parameters(batch); }
+  MapBounds map_bounds(const Vec& centre, double radius) const override;
 };
 
 /// q = inverse(tool(s)) by the chain rule. Both outlive it.
@@ -66,6 +69,7 @@ class KinematicAxisPath final : public AxisPath {
   bool linear(std::size_t) const override { return false; }
   AxisJet at_parameter(std::size_t segment, double u) const override;
   void at_parameters(std::size_t segment, PathBatch& batch) const override;
+  MapBounds map_bounds(const Vec& centre, double radius) const override { return kinematics_.bounds(centre, radius); }
   const Kinematics& kinematics() const { return kinematics_; }
 
  private:

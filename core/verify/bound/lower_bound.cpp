@@ -13,12 +13,10 @@
 namespace bahnwerk {
 namespace {
 
-using verify::BoundCell;
 using verify::BoundGrid;
-using verify::BoundNode;
 using verify::rest_to_rest;
 
-constexpr double negligible_direction = 1e-24;  // h'_k² below this says nothing about b
+constexpr double negligible_direction = 1e-24;  // q'_k² below this says nothing about b
 // Enough when a refinement changes the bound by less than this (the next one brings about a sixteenth of it) and when
 // little time is left in cells that no single condition explains: a long cell may have to be cut several times before
 // anything shows.
@@ -41,9 +39,13 @@ double travel_time(double e0, double e1, double way, double acceleration, double
   return (velocity - start + velocity - end) / acceleration + std::max(0.0, way - ramps) / velocity;
 }
 
+template <int N>
 class Solver {
+  using BoundNode = verify::BoundNode<N>;
+  using BoundCell = verify::BoundCell<N>;
+
  public:
-  Solver(const BoundGrid& grid, ProgressScope& pulse) : grid_(grid), pulse_(pulse) {}
+  Solver(const BoundGrid<N>& grid, ProgressScope& pulse) : grid_(grid), pulse_(pulse) {}
 
   // Largest b at every node under all conditions, then the time it leaves. O(n).
   double solve() {
@@ -157,14 +159,15 @@ class Solver {
     return longest;
   }
 
-  const BoundGrid& grid_;
+  const BoundGrid<N>& grid_;
   ProgressScope& pulse_;
   std::vector<double> b_, time_;
   std::vector<unsigned char> active_;
 };
 
 // Between two rests everything is independent of the rest of the path.
-double run_duration(BoundGrid& grid, Solver& solver, std::vector<unsigned char>& marked) {
+template <int N>
+double run_duration(BoundGrid<N>& grid, Solver<N>& solver, std::vector<unsigned char>& marked) {
   const std::size_t max_nodes = 4 * grid.nodes().size() + 1000;
   double duration = 0;
   for (int round = 0;; ++round) {
@@ -179,24 +182,21 @@ double run_duration(BoundGrid& grid, Solver& solver, std::vector<unsigned char>&
   return duration * (1 - 1e-12 - 4e-16 * static_cast<double>(grid.nodes().size()));
 }
 
-}  // namespace
-
-Bound lower_bound(const Contour& contour, const Machine& machine, double corner_angle, Progress& progress,
-                  double progress_from, double progress_to) {
-  const Path& path = contour.path;
-  if (path.empty()) return {0, 0, "empty contour"};
+template <int N>
+Bound bound_of(const BoundTask& task, double corner_angle, Progress& progress, double progress_from,
+               double progress_to) {
+  const AxisPath& path = task.path;
   ProgressScope pulse(progress, "bound", progress_from, progress_to);
   pulse.report();
-  const std::vector<Joint> list = joints(path, [&] { pulse.report(); });
-  const std::vector<bool> rest = contour.rest_places();
-  BoundGrid grid(contour, machine, corner_angle, pulse);
-  Solver solver(grid, pulse);
+  const std::vector<Joint> list = joints(path.tool(), [&] { pulse.report(); });
+  BoundGrid<N> grid(path, task.machine, task.feeds, corner_angle, pulse);
+  Solver<N> solver(grid, pulse);
   std::vector<unsigned char> marked;
   double duration = 0;
   std::size_t nodes = 0;
   for (std::size_t first = 0, last = 1; first < path.size(); first = last++) {
-    while (last < path.size() && !rest[last] && list[last - 1].angle <= corner_angle && !path[last - 1].cusp_end() &&
-           !path[last].cusp_begin())
+    while (last < path.size() && !task.rests[last] && list[last - 1].angle <= corner_angle &&
+           !path[last - 1].cusp_end() && !path[last].cusp_begin())
       ++last;
     double run = 0;
     for (std::size_t begin = first, end = 0; begin < last; begin = end) {
@@ -206,14 +206,33 @@ Bound lower_bound(const Contour& contour, const Machine& machine, double corner_
       run += run_duration(grid, solver, marked);
       nodes += grid.nodes().size();
     }
-    if (last == first + 1 && path[first].straight())
-      run = std::max(run, rest_to_rest(path[first], grid.feed(first), machine) * (1 - 1e-12));
+    if (last == first + 1 && path.linear(first))
+      run = std::max(run, rest_to_rest(path, first, grid.feed(first), task.machine) * (1 - 1e-12));
     duration += run;
     pulse.done(static_cast<double>(last) / static_cast<double>(path.size()));
   }
-  // The planned motion sums up its dwells one by one, with rounding.
-  duration += contour.dwell() * (1 - 1e-12 - 4e-16 * static_cast<double>(contour.rests.size()));
   return {duration, 0, "axis energies between " + std::to_string(nodes) + " nodes of the path"};
+}
+
+}  // namespace
+
+Bound lower_bound(const BoundTask& task, double corner_angle, Progress& progress, double progress_from,
+                  double progress_to) {
+  const std::size_t axes = task.path.axes();
+  if (task.path.size() == 0) return {0, 0, "empty contour"};
+  if (axes <= 2) return bound_of<2>(task, corner_angle, progress, progress_from, progress_to);
+  if (axes == 3) return bound_of<3>(task, corner_angle, progress, progress_from, progress_to);
+  return bound_of<8>(task, corner_angle, progress, progress_from, progress_to);
+}
+
+Bound lower_bound(const Contour& contour, const Machine& machine, double corner_angle, Progress& progress,
+                  double progress_from, double progress_to) {
+  const CartesianAxisPath path(contour.path, machine.dimension());
+  Bound bound = lower_bound(BoundTask{path, machine, contour.feeds(), contour.rest_places()}, corner_angle, progress,
+                            progress_from, progress_to);
+  // The planned motion sums up its dwells one by one, with rounding.
+  bound.duration += contour.dwell() * (1 - 1e-12 - 4e-16 * static_cast<double>(contour.rests.size()));
+  return bound;
 }
 
 Bound with_gap(Bound bound, double planned) {

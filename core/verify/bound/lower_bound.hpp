@@ -1,11 +1,21 @@
 #pragma once
 /// A proven lower bound on the duration of any motion along a contour.
+#include <vector>
+
 #include "core/base/progress.hpp"
 #include "core/base/verification.hpp"
 #include "core/contour/contour.hpp"
 #include "core/machine/machine.hpp"
+#include "core/motion/axes/axis_path.hpp"
 
 namespace bahnwerk {
+
+struct BoundTask {
+  const AxisPath& path;
+  const Machine& machine;     ///< as many axes as the path has, in its order
+  std::vector<double> feeds;  ///< per segment: speed of the tool, mm/s, infinite where not limited
+  std::vector<bool> rests;    ///< per segment, whether the motion rests at its begin; and one for the end of the path
+};
 
 /// No motion is shorter that keeps the axes' velocity and acceleration limits and the feeds, rests at both ends, at
 /// corners (tangent jump > corner_angle, rad), at cusps and, as long as asked, at the contour's rests, and passes every
@@ -32,6 +42,10 @@ namespace bahnwerk {
 /// to 2e-5 by tests against a dense solution). Cost: ≈ 85 ns per node on lines, 300–600 ns on arcs and free-form
 /// curves, O(n) time and ≈ 0.4 kB per node between two rests, of at most 200,000
 /// segments (at such a cut the speed is left open). Calls progress every few ms; throws what it throws.
+Bound lower_bound(const BoundTask& task, double corner_angle, Progress& progress, double progress_from = 0,
+                  double progress_to = 1);
+
+/// The same for a contour on a Cartesian machine, with the contour's dwells.
 Bound lower_bound(const Contour& contour, const Machine& machine, double corner_angle, Progress& progress,
                   double progress_from = 0, double progress_to = 1);
 

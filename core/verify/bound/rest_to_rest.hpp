@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/geometry/path/path.hpp"
 #include "core/machine/machine.hpp"
+#include "core/motion/axes/axis_path.hpp"
 
 namespace bahnwerk::verify {
 
@@ -22,18 +22,18 @@ inline double rest_to_rest(double way, double speed, double acceleration, double
   return std::cbrt(32 * way / jerk);
 }
 
-/// The same along a straight path segment: all axes share one law.
-inline double rest_to_rest(const Segment& straight, double feed, const Machine& machine) {
-  const Vec way = straight.at_parameter(straight.curve().begin()).d1;
+/// The same along a segment over which q is linear: all axes share one law.
+inline double rest_to_rest(const AxisPath& path, std::size_t linear, double feed, const Machine& machine) {
+  const AxisJet q = path.at_parameter(linear, path[linear].curve().begin());
   double speed = feed, acceleration = unlimited, jerk = unlimited;
-  for (std::size_t k = 0; k < machine.dimension(); ++k) {
-    const double t = std::abs(way[k]);
+  for (std::size_t k = 0; k < path.axes(); ++k) {
+    const double t = std::abs(q.d1[k]);
     if (!(t > 1e-12)) continue;
     speed = std::min(speed, machine.axes[k].velocity / t);
     acceleration = std::min(acceleration, machine.axes[k].acceleration / t);
     jerk = std::min(jerk, machine.axes[k].jerk / t);
   }
-  return rest_to_rest(straight.length(), speed, acceleration, jerk);
+  return rest_to_rest(path[linear].length(), speed, acceleration, jerk);
 }
 
 }  // namespace bahnwerk::verify

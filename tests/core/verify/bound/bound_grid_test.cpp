@@ -14,38 +14,46 @@ namespace {
 using reference::machine;
 using reference::Maker;
 
+template <int N = 2>
 struct Grid {
-  explicit Grid(const Contour& contour, const Machine& m = machine(2, 500, 16000), double corner_angle = 2e-3)
-      : pulse(silent, "bound", 0, 1), grid(contour, m, corner_angle, pulse) {
+  explicit Grid(const Contour& contour, const Machine& m = machine(N, 500, 16000), double corner_angle = 2e-3)
+      : path(contour.path, N), pulse(silent, "bound", 0, 1), grid(path, m, contour.feeds(), corner_angle, pulse) {
     grid.build(0, contour.path.size());
   }
+  CartesianAxisPath path;
   SilentProgress silent;
   ProgressScope pulse;
-  BoundGrid grid;
+  BoundGrid<N> grid;
 };
 
-void expect_sound(const Contour& contour, const BoundGrid& grid) {
+template <int N>
+Vec point(const std::array<double, N>& v) {
+  return {v[0], v[1], N == 3 ? v[2] : 0};
+}
+
+template <int N>
+void expect_sound(const Contour& contour, const BoundGrid<N>& grid) {
   double length = 0;
   for (std::size_t i = 0; i < grid.cells().size(); ++i) {
-    const BoundNode &a = grid.nodes()[i], &b = grid.nodes()[i + 1];
-    const BoundCell& cell = grid.cells()[i];
-    if (cell.kind == BoundCell::Kind::joint) {
+    const BoundNode<N>&a = grid.nodes()[i], &b = grid.nodes()[i + 1];
+    const BoundCell<N>& cell = grid.cells()[i];
+    if (cell.kind == BoundCell<N>::Kind::joint) {
       EXPECT_EQ(a.segment + 1, b.segment);
       continue;
     }
     length += cell.length;
     EXPECT_GT(b.u, a.u);
-    EXPECT_LE(angle_between(a.tangent, b.tangent), 0.02 + 1e-12);
+    EXPECT_LE(angle_between(point<N>(a.tangent), point<N>(b.tangent)), 0.02 + 1e-12);
     for (std::size_t k = 0; k < grid.axes(); ++k) {
       EXPECT_GE(a.tangent[k] * b.tangent[k], 0) << i << " axis " << k;
       double way = 0;  // ∫|h'_k| ds as the length of a fine polyline's shadow
-      Vec last = a.position;
+      Vec last = point<N>(a.position);
       for (int j = 1; j <= 20; ++j) {
         const Vec here = contour.path[a.segment].at_parameter(a.u + (b.u - a.u) * j / 20).value;
         way += std::abs(here[k] - last[k]);
         last = here;
       }
-      const double rounding = 1e-13 * (1 + norm(a.position) + cell.length);
+      const double rounding = 1e-13 * (1 + norm(point<N>(a.position)) + cell.length);
       EXPECT_GE(cell.energy[k], 2 * grid.acceleration(k) * (way - rounding)) << i << " axis " << k;
       EXPECT_LE(cell.energy[k], 2 * grid.acceleration(k) * (way + 20 * rounding)) << i << " axis " << k;
       EXPECT_LE(cell.way[k], way + rounding);
@@ -61,7 +69,7 @@ TEST(BoundGrid, EveryAxisMovesOneWayInEveryCell) {
   for (unsigned i = 0; i < 30; ++i) {
     std::mt19937_64 random(40 + i);
     const Contour contour = reference::random_contour(random, 6, i % 2);
-    Grid g(contour);
+    Grid<2> g(contour);
     expect_sound(contour, g.grid);
     std::vector<unsigned char> all(g.grid.cells().size(), 1);
     g.grid.refine(all);
@@ -75,16 +83,16 @@ TEST(BoundGrid, HelixAndSpaceCurves) {
                               .arc({10, 0, 12}, {0, 0, 3}, true)
                               .bezier({{20, 0, 30}, {30, 20, 10}, {0, 0, 0}})
                               .done();
-  Grid g(contour, machine(3, 500, 9000));
+  Grid<3> g(contour, machine(3, 500, 9000));
   expect_sound(contour, g.grid);
 }
 
 TEST(BoundGrid, ANodeStandsWhereAnAxisTurnsBack) {
   const Contour circle = reference::circle_between_lines();
-  Grid g(circle);
+  Grid<2> g(circle);
   int turns = 0;
-  for (const BoundNode& n : g.grid.nodes())
-    if (n.segment == 1 && (n.tangent.x == 0 || n.tangent.y == 0)) {
+  for (const BoundNode<2>& n : g.grid.nodes())
+    if (n.segment == 1 && (n.tangent[0] == 0 || n.tangent[1] == 0)) {
       ++turns;
       // There the other axis cannot speed up along the path: b ≤ A r.
       EXPECT_LE(n.cap, 16000 * 10 * (1 + 1e-9));
@@ -95,9 +103,9 @@ TEST(BoundGrid, ANodeStandsWhereAnAxisTurnsBack) {
 TEST(BoundGrid, TwoTurnsBetweenCoarseNodesAreSeen) {
   // y rises, dips by a hair and rises again within 0.003 rad of turning.
   const Contour wave = Maker().bezier({{30, 0.011, 0}, {70, -0.001, 0}, {100, 0.01, 0}}).done();
-  Grid g(wave);
+  Grid<2> g(wave);
   int turns = 0;
-  for (const BoundNode& n : g.grid.nodes()) turns += n.tangent.y == 0;
+  for (const BoundNode<2>& n : g.grid.nodes()) turns += n.tangent[1] == 0;
   EXPECT_EQ(turns, 2);
   expect_sound(wave, g.grid);
 }
@@ -109,7 +117,7 @@ TEST(BoundGrid, CornersRestAndSmallJumpsAreCapped) {
                            .line({40 + 40 * std::cos(angle), 40 * std::sin(angle)})
                            .line({40 + 40 * std::cos(angle), 80})
                            .done();
-  Grid g(bend, machine(2, 1e5, 16000, 1e-5));
+  Grid<2> g(bend, machine(2, 1e5, 16000, 1e-5));
   EXPECT_NEAR(std::sqrt(g.grid.nodes()[1].cap), 0.16 / std::sin(angle), 1e-6);
   EXPECT_EQ(g.grid.nodes()[3].cap, 0);
   EXPECT_EQ(g.grid.nodes()[4].cap, 0);

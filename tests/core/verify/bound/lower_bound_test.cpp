@@ -148,6 +148,38 @@ TEST(LowerBound, LooserLimitsNeverRaiseIt) {
   }
 }
 
+/// A line, a piece over which the slope of y is δ (1 − c (4u(1 − u))⁶), and a line: where the piece begins, ends and in
+/// its middle the curvature is 0, so that samples there show a straight line. In between y falls back by as much as it
+/// rises: c = 13!!/12!!.
+Contour hidden_fall(double slope, double before, double piece, double after) {
+  std::vector<double> x{0, piece}, y(14, 0.0);
+  y[1] = piece * slope;
+  const double c = 13.0 * 11 * 9 * 7 * 5 * 3 / (12.0 * 10 * 8 * 6 * 4 * 2), binomial[] = {1, 6, 15, 20, 15, 6, 1};
+  for (std::size_t j = 0; j < 7; ++j)
+    y[7 + j] = -piece * slope * c * 4096 * binomial[j] * (j % 2 ? -1 : 1) / static_cast<double>(7 + j);
+  Contour contour;
+  contour.path.append(std::make_shared<Line>(Vec{-before, -slope * before, 0}, Vec{}), 0);
+  contour.path.append(std::make_shared<Rational>(Rational::from_power_basis({x, y})), 1);
+  contour.path.append(std::make_shared<Line>(Vec{piece, 0, 0}, Vec{piece + after, slope * after, 0}), 2);
+  contour.blocks.push_back({Mode::cut, unlimited, 0, 3});
+  return contour;
+}
+
+TEST(LowerBound, AnAxisThatTurnsBackBetweenSamples) {
+  // Along y, whose limit is the tighter one, the energy at the end of the piece may be that of all its ways there and
+  // back; its ends are equally high.
+  for (const double slope : {1e-5, 1e-4, 1e-3})
+    for (const double stiff : {3.0, 10.0, 100.0}) {
+      const Contour contour = hidden_fall(slope, 1, 10, 200);
+      Machine m = machine(2, unlimited, 9000);
+      m.axes[1].acceleration = 9000 * slope * stiff;
+      const double low = bound(contour, m), coarse = dense_optimum(contour, m, corner_angle, 10000),
+                   fine = dense_optimum(contour, m, corner_angle, 20000), error = 3 * std::abs(fine - coarse);
+      EXPECT_LE(low, fine + error + 1e-9 * fine) << slope << " " << stiff << " " << low / fine - 1;
+      EXPECT_GE(low, fine * (1 - 1e-4) - error) << slope << " " << stiff << " " << low / fine - 1;
+    }
+}
+
 Contour scaled(double k) {
   return Maker()
       .line({30 * k, 0})

@@ -1,0 +1,43 @@
+#pragma once
+/// Where a rational curve may point, and how it may bend, between two parameters: enclosures, not samples.
+#include <array>
+#include <cstddef>
+
+#include "core/geometry/curve/rational.hpp"
+
+namespace bahnwerk::verify {
+
+/// With h = N/w the tangent has the direction of V = N' w − N w' (N' of a polynomial), whose components are polynomials
+/// and have the signs of those of h'. About the middle of the parameters asked for, V = Σ v_j x^j with |x| ≤ 1: sizes
+/// of the v_j bound everything. Rounding of the v_j is included, from the sizes of what they are sums of.
+class Hodograph {
+ public:
+  /// O(degree²).
+  explicit Hodograph(const Rational& curve);
+
+  /// Of every component of h' by arc length, all over [u0, u1].
+  struct Range {
+    std::array<double, 3> low{-1, -1, -1}, high{1, 1, 1};
+  };
+  /// V lies in a cone about its value in the middle; besides, a component whose linear term outweighs the others is
+  /// monotone, and so has no more than the sign change that its ends show. O(degree²): 50 ns for planar cubics.
+  Range range(double u0, double u1) const;
+
+  /// Upper bounds of |h''|, 1/mm, and |h'''|, 1/mm², by arc length; infinite where V cannot be shown not to vanish.
+  struct Bends {
+    double second = 0, third = 0;
+  };
+  Bends bends(double u0, double u1) const;
+
+ private:
+  static constexpr std::size_t terms = 2 * Rational::max_degree;
+  using Row = std::array<double, terms>;
+  static void expand(const Row& from, std::size_t count, double middle, double half, Row& to);
+
+  double pivot_, inverse_reach_;
+  std::size_t axes_ = 2, count_ = 0, weights_ = 1;
+  std::array<Row, 3> v_{}, size_{};  ///< V, and what its coefficients would be without cancellation
+  Row w_{};
+};
+
+}  // namespace bahnwerk::verify

@@ -1,0 +1,167 @@
+// The bound on axes through kinematics: below what a planner reaches on them, equal to the Cartesian one where they are
+// coordinates.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "core/motion/acceleration/acceleration_limited.hpp"
+#include "core/verify/bound/lower_bound.hpp"
+#include "tests/core/motion/axes/five_axes.hpp"
+#include "tests/core/verify/reference.hpp"
+
+namespace bahnwerk {
+namespace {
+
+using reference::Maker;
+
+constexpr double corner_angle = 2e-3;
+
+double bound(const AxisPath& path, const Contour& contour, const Machine& machine) {
+  SilentProgress silent;
+  return lower_bound(BoundTask{path, machine, contour.feeds(), contour.rest_places()}, corner_angle, silent).duration;
+}
+
+double planned(const AxisPath& path, const Contour& contour, const Machine& machine) {
+  SilentProgress silent;
+  AccelerationLimitedOptions options;
+  options.corner_angle = corner_angle;
+  return plan_acceleration_limited(contour_task(path, contour, machine), options, silent).law.duration();
+}
+
+std::vector<Contour> contours() {
+  std::vector<Contour> list;
+  list.push_back(Maker().line({40, 0}).arc({60, 20}, {40, 20}, true).line({60, 45}).done());
+  list.push_back(Maker().line({-30, 35}).line({50, 10}).done());  // with a corner
+  list.push_back(Maker().block(300).bezier({{30, 40}, {60, -40}, {80, 20}}).done());
+  list.push_back(Maker().bezier({{10, 30}, {40, 30}, {60, 0}}, {1, 2, 0.5, 1}).line({75, -22.5}).done());
+  list.push_back(Maker(3).bezier({{20, 0, 10}, {40, 30, 30}, {60, 40, 10}}).done());
+  return list;
+}
+
+TEST(AxesBound, FiveAxesStayBelowTheTimeOptimalPlan) {
+  const test::FiveAxes kinematics;
+  const Machine machine{kinematics.axes(), 0.001};
+  for (const Contour& contour : contours()) {
+    const KinematicAxisPath path(contour.path, kinematics);
+    const double low = bound(path, contour, machine), plan = planned(path, contour, machine);
+    RecordProperty("gap", std::to_string(plan / low - 1));
+    std::printf("gap %.3g of %.9g s\n", plan / low - 1, plan);
+    EXPECT_LE(low, plan * (1 + 1e-9));
+    EXPECT_GE(low, plan * (1 - 1e-4));
+  }
+}
+
+TEST(AxesBound, LooserLimitsNeverRaiseIt) {
+  const test::FiveAxes kinematics;
+  const Machine machine{kinematics.axes(), 0.001};
+  for (const Contour& contour : contours()) {
+    const KinematicAxisPath path(contour.path, kinematics);
+    const double base = bound(path, contour, machine);
+    for (std::size_t k = 0; k < 5; ++k)
+      for (const double factor : {1.1, 3.0, 100.0}) {
+        Machine looser = machine;
+        looser.axes[k].velocity *= factor;
+        EXPECT_LE(bound(path, contour, looser), base * (1 + 1e-7)) << k << " " << factor;
+        looser = machine;
+        looser.axes[k].acceleration *= factor;
+        EXPECT_LE(bound(path, contour, looser), base * (1 + 1e-7)) << k << " " << factor;
+      }
+  }
+}
+
+/// Coordinates of the tool, each in its own unit; those from the third on repeat the first two.
+class Units final : public Kinematics {
+ public:
+  explicit Units(std::size_t count) {
+    for (std::size_t k = 0; k < count; ++k)
+      axes_.emplace_back("a" + std::to_string(k), limit(k % 2, 900, 400) * unit(k), limit(k % 2, 9000, 5000) * unit(k));
+  }
+  static double limit(std::size_t coordinate, double x, double y) { return coordinate == 0 ? x : y; }
+  static double unit(std::size_t k) { return std::pow(10.0, 2 * static_cast<double>(k % 4) - 4); }
+  const std::vector<AxisLimits>& axes() const override { return axes_; }
+  AxisJet inverse(const Jet& tool) const override {
+    AxisJet q;
+    for (std::size_t k = 0; k < axes_.size(); ++k) {
+      q.value[k] = unit(k) * tool.value[k % 2], q.d1[k] = unit(k) * tool.d1[k % 2];
+      q.d2[k] = unit(k) * tool.d2[k % 2], q.d3[k] = unit(k) * tool.d3[k % 2];
+    }
+    return q;
+  }
+  Vec forward(const AxisArray& q) const override { return {q[0] / unit(0), q[1] / unit(1), 0}; }
+  MapBounds bounds(const Vec&, double) const override {
+    MapBounds b;
+    for (std::size_t k = 0; k < axes_.size(); ++k) b.order[0][k] = unit(k);
+    return b;
+  }
+
+ private:
+  std::vector<AxisLimits> axes_;
+};
+
+TEST(AxesBound, UnitsAndRepeatedAxesChangeNothing) {
+  Machine two;
+  two.axes = {{"x", 900, 9000}, {"y", 400, 5000}};
+  for (const Contour& contour : contours()) {
+    if (contour.dimension == 3) continue;
+    const double cartesian = bound(CartesianAxisPath(contour.path, 2), contour, two);
+    for (std::size_t axes = 2; axes <= max_axes; ++axes) {
+      const Units kinematics(axes);
+      const Machine machine{kinematics.axes(), 0.001};
+      EXPECT_NEAR(bound(KinematicAxisPath(contour.path, kinematics), contour, machine), cartesian, 1e-6 * cartesian)
+          << axes;
+    }
+  }
+}
+
+/// Where one axis turns back the other is not there to limit the speed: the bound may be weak, but holds.
+TEST(AxesBound, OneAxisAlone) {
+  const Contour line = Maker().line({40, 30}).done();
+  const Units one(1);
+  const Machine machine{one.axes(), 0.001};
+  const double x = 2 * std::sqrt(40.0 / 9000);  // 40 mm at 9000 mm/s²
+  EXPECT_NEAR(bound(KinematicAxisPath(line.path, one), line, machine), x, 1e-9);
+  EXPECT_LE(bound(KinematicAxisPath(line.path, one), line, machine), x);
+  Machine cartesian;
+  cartesian.axes = {{"x", 900, 9000}};
+  EXPECT_NEAR(bound(CartesianAxisPath(line.path, 1), line, cartesian), x, 1e-9);
+  const Contour there_and_back = Maker().line({40, 0}).arc({40, 20}, {40, 10}, true).line({0, 20}).done();
+  const double both = bound(KinematicAxisPath(there_and_back.path, one), there_and_back, machine);
+  EXPECT_LE(both, 2 * 2 * std::sqrt(50.0 / 9000) + 1e-9);  // it may turn back at once, with all its acceleration
+  EXPECT_GE(both, 0.9 * 2 * std::sqrt(2) * std::sqrt(50.0 / 9000));
+}
+
+/// Central differences of the map along random directions at random places.
+TEST(FiveAxesMap, KeepsTheBoundsThatItStates) {
+  const test::FiveAxes kinematics;
+  const MapBounds bounds = kinematics.bounds({20, 10, 0}, 50);
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  AxisArray most[4] = {};
+  for (int i = 0; i < 20000; ++i) {
+    Vec e{uniform(random), uniform(random), uniform(random)};
+    const double length = norm(e);
+    if (!(length > 0.01)) continue;
+    e = e / length;
+    const Vec p{20 + 60 * uniform(random), 10 + 60 * uniform(random), 20 * uniform(random)};
+    const AxisJet here = kinematics.inverse({p, e, {}, {}});
+    constexpr double step = 1e-3;
+    const AxisJet after = kinematics.inverse({p + step * e, e, {}, {}}),
+                  before = kinematics.inverse({p - step * e, e, {}, {}});
+    for (std::size_t k = 0; k < 5; ++k) {
+      const double fourth = (after.d3[k] - before.d3[k]) / (2 * step);
+      const double size[] = {here.d1[k], here.d2[k], here.d3[k], fourth};
+      for (std::size_t n = 0; n < 4; ++n) most[n][k] = std::max(most[n][k], std::abs(size[n]));
+    }
+  }
+  for (std::size_t n = 0; n < 4; ++n)
+    for (std::size_t k = 0; k < 5; ++k) {
+      EXPECT_LE(most[n][k], bounds.order[n][k] * (1 + 1e-6) + 1e-10) << "order " << n + 1 << " axis " << k;
+      std::printf("order %zu axis %zu: %.3g of %.3g\n", n + 1, k, most[n][k], bounds.order[n][k]);
+    }
+}
+
+}  // namespace
+}  // namespace bahnwerk
