@@ -48,7 +48,6 @@ TEST(AxesBound, FiveAxesStayBelowTheTimeOptimalPlan) {
     const KinematicAxisPath path(contour.path, kinematics);
     const double low = bound(path, contour, machine), plan = planned(path, contour, machine);
     RecordProperty("gap", std::to_string(plan / low - 1));
-    std::printf("gap %.3g of %.9g s\n", plan / low - 1, plan);
     EXPECT_LE(low, plan * (1 + 1e-9));
     EXPECT_GE(low, plan * (1 - 1e-4));
   }
@@ -159,7 +158,6 @@ TEST(FiveAxesMap, KeepsTheBoundsThatItStates) {
   for (std::size_t n = 0; n < 4; ++n)
     for (std::size_t k = 0; k < 5; ++k) {
       EXPECT_LE(most[n][k], bounds.order[n][k] * (1 + 1e-6) + 1e-10) << "order " << n + 1 << " axis " << k;
-      std::printf("order %zu axis %zu: %.3g of %.3g\n", n + 1, k, most[n][k], bounds.order[n][k]);
     }
 }
 
