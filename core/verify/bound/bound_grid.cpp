@@ -90,8 +90,9 @@ BoundNode<N> BoundGrid<N>::node(std::size_t segment, double u) const {
   n.u = u, n.segment = segment;
   if (path_.cartesian()) {
     const PathPoint h = s.at_parameter(u);
-    for (std::size_t k = 0; k < std::min<std::size_t>(axes_, 3); ++k)
-      n.position[k] = h.value[k], n.tangent[k] = h.d1[k], n.curvature[k] = h.d2[k];
+    n.position[0] = h.value.x, n.tangent[0] = h.d1.x, n.curvature[0] = h.d2.x;
+    n.position[1] = h.value.y, n.tangent[1] = h.d1.y, n.curvature[1] = h.d2.y;
+    if constexpr (N > 2) n.position[2] = h.value.z, n.tangent[2] = h.d1.z, n.curvature[2] = h.d2.z;
   } else {
     const AxisJet q = path_.at_parameter(segment, u);
     for (std::size_t k = 0; k < axes_; ++k)
@@ -105,7 +106,7 @@ BoundNode<N> BoundGrid<N>::node(std::size_t segment, double u) const {
   }
   n.s = u <= curve.begin() ? s.s0() : u >= curve.end() ? s.s1() : s.arc_length(u);
   const bool cusp = (u <= curve.begin() && s.cusp_begin()) || (u >= curve.end() && s.cusp_end());
-  if (cusp || path_.linear(segment)) n.curvature = {};
+  if (cusp || linear(segment)) n.curvature = {};
   n.cap = cusp ? 0 : place_cap(n);
   return n;
 }
@@ -164,7 +165,7 @@ void BoundGrid<N>::append_segment(std::size_t index) {
   const double u0 = curve.begin(), u1 = curve.end();
   Node last = node(index, u0);
   append(last);
-  if (path_.linear(index)) return append(node(index, u1));
+  if (linear(index)) return append(node(index, u1));
   if (curve.kind() != CurveKind::rational) {
     const double sweep = curve.kind() == CurveKind::arc ? std::abs(static_cast<const Arc&>(curve).sweep()) : 0;
     const int n = std::max(path_.cartesian() ? 1 : 8, static_cast<int>(std::ceil(sweep / widest_turn)));
@@ -246,7 +247,7 @@ void BoundGrid<N>::append_monotone(const Node& a, const Node& b, int depth) {
 template <int N>
 void BoundGrid<N>::append(const Node& b, const DirectionRange<N>* range) {
   nodes_.push_back(b);
-  pulse_.work(path_.linear(b.segment) ? 1 : 8);
+  pulse_.work(linear(b.segment) ? 1 : 8);
   if (nodes_.size() < 2) return;
   cells_.push_back(cell(nodes_[nodes_.size() - 2], nodes_.back(), range));
 }
@@ -262,7 +263,9 @@ double BoundGrid<N>::corner(const Node& a, const Node& b) const {
 // No axis that the tool moves along is left out.
 template <int N>
 bool BoundGrid<N>::unit_direction(const Node& n) const {
-  return path_.cartesian() && std::abs(length_of(n.tangent) - 1) < 1e-9;
+  double square = 0;
+  for (const double t : n.tangent) square += sq(t);
+  return path_.cartesian() && axes_ == N && std::abs(square - 1) < 1e-9;
 }
 
 template <int N>
@@ -285,7 +288,7 @@ BoundCell<N> BoundGrid<N>::cell(Node& a, Node& b, const DirectionRange<N>* range
     c.slip = 2 * std::sqrt(square) * (c.length + blur);
     return c;
   }
-  c.kind = path_.linear(a.segment) ? Cell::Kind::straight : Cell::Kind::curved;
+  c.kind = linear(a.segment) ? Cell::Kind::straight : Cell::Kind::curved;
   const bool arc = path_.cartesian() && segment.curve().kind() == CurveKind::arc;
   double bend = 0, rounding = 0;
   if (arc) {
@@ -296,8 +299,10 @@ BoundCell<N> BoundGrid<N>::cell(Node& a, Node& b, const DirectionRange<N>* range
     rounding = 4 * epsilon * size;
     if (!path_.cartesian()) rounding = 4 * rounding + 16 * epsilon * norm(segment.curve().at(a.u).value);
   }
-  DirectionRange<N> own;
-  if (c.kind == Cell::Kind::curved && range == nullptr) own = this->range(a, b), range = &own;
+  if (c.kind == Cell::Kind::curved && range == nullptr) {
+    const DirectionRange<N> own = this->range(a, b);
+    return cell(a, b, &own);
+  }
   for (std::size_t k = 0; k < axes_; ++k) {
     double way = 0;
     if (c.kind == Cell::Kind::straight)

@@ -83,6 +83,9 @@ class BoundGrid {
 
  private:
   using Row = std::array<double, N>;
+  bool linear(std::size_t segment) const {
+    return path_.cartesian() ? path_[segment].straight() : path_.linear(segment);
+  }
   void scale_axes();
   Node node(std::size_t segment, double u) const;
   double place_cap(const Node& n) const;

@@ -12,8 +12,9 @@ namespace {
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 Hodograph::Bends bends_of(const Arc& arc) {
-  const double turn = std::abs(arc.sweep()) / arc.length(), bend = arc.radius() * turn * turn;  // rad/mm, 1/mm
-  return {bend * (1 + 8 * epsilon), bend * turn * (1 + 8 * epsilon)};
+  const double turn = std::abs(arc.sweep()) / arc.length() * (1 + 8 * epsilon);  // rad/mm
+  const double bend = arc.radius() * turn * turn;                                // 1/mm
+  return {bend, bend * turn};
 }
 
 }  // namespace

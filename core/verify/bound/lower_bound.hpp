@@ -18,30 +18,46 @@ struct BoundTask {
 };
 
 /// No motion is shorter that keeps the axes' velocity and acceleration limits and the feeds, rests at both ends, at
-/// corners (tangent jump > corner_angle, rad), at cusps and, as long as asked, at the contour's rests, and passes every
-/// other joint with |Δt_k| v ≤ A_k · cycle time in every axis. Jerk limits count on runs that are one straight segment
+/// corners (jump of the tool's tangent > corner_angle, rad), at cusps and where the task says so, and passes every
+/// other joint with |Δq'_k| v ≤ A_k · cycle time in every axis. Jerk limits count on runs that are one linear segment
 /// (closed form); elsewhere they are left out, which can only lower the bound. Acceleration limits must be finite.
 /// `gap` is left 0: see with_gap.
 ///
-/// The argument. With b = v² and h the path by arc length, axis k moves with ẋ_k = h'_k v and d(h'_k² b)/ds = 2 h'_k
-/// ẍ_k. Hence between two places between which x_k is monotone, h'_k² b changes by at most 2 A_k |Δx_k|: exact, however
-/// far apart they are. Nodes stand where some h'_k = 0, at both sides of joints, and at most 0.02 rad apart. At each
-/// node b is capped by velocity, feed, rest, and by the largest b for which a path acceleration exists at all: |h'_m
-/// h''_k − h'_k h''_m| b ≤ A_k |h'_m| + A_m |h'_k|. The largest b at the nodes under these conditions, found in one
-/// forward and one backward pass, is not exceeded by any motion at any node. Each cell then takes at least the time
-/// that its slowest single axis needs to travel |Δx_k| between these end speeds (accelerate, cruise, brake: closed
-/// form), and at least length / feed. There is no quadrature and no discretisation error in this chain; a finer grid
-/// only tightens it. Cells in which the binding condition changes are quartered until the bound changes by less than
-/// 3e-7.
+/// The argument. With b = v² and q the axes over the arc length s of the tool's path, axis k moves with q̇_k = q'_k v
+/// and d(q'_k² b)/ds = 2 q'_k q̈_k. Hence between any two places q'_k² b changes by at most 2 A_k ∫|q'_k| ds: exact,
+/// however far apart they are, and 2 A_k |Δq_k| if q_k is monotone. Nodes stand where some q'_k = 0, at both sides of
+/// joints, and where q' has turned by 0.02. At each node b is capped by velocity, feed, rest, and by the largest b for
+/// which a path acceleration exists at all: |q'_m q''_k − q'_k q''_m| b ≤ A_k |q'_m| + A_m |q'_k|. The largest b at the
+/// nodes under these conditions, found in one forward and one backward pass, is not exceeded by any motion at any node.
+/// Each cell then takes at least the time that its slowest single axis needs to travel |Δq_k| between these end speeds
+/// (accelerate, cruise, brake: closed form; an axis that goes there and back travels further), and at least length /
+/// feed. There is no quadrature and no discretisation error in this chain; a finer grid only tightens it. Cells in
+/// which the binding condition changes are quartered until the bound changes by less than 3e-7.
 ///
-/// What is not proven but computed: that x_k is monotone in a cell rests on the signs of h'_k at its ends (cells are
-/// halved where turn, chord or curvature say that the ends do not tell all); that h'_k leaves the range of its ends by
-/// no more than the cell turns; and rounding of positions, tangents and curvatures, for which every condition is used
-/// in its weaker reading and the sum is reduced by 1e-12 + 4e-16 per node. Distance to the true optimum: exact on
-/// polylines; ≤ 5e-6 beyond the reference's own error on 3,000 random contours of arcs, lines and rational pieces (held
-/// to 2e-5 by tests against a dense solution). Cost: ≈ 85 ns per node on lines, 300–600 ns on arcs and free-form
-/// curves, O(n) time and ≈ 0.4 kB per node between two rests, of at most 200,000
-/// segments (at such a cut the speed is left open). Calls progress every few ms; throws what it throws.
+/// What is enclosed. Two figures of a cell depend on what q' does between its nodes: the energy 2 A_k ∫|q'_k| ds, and
+/// how fast an axis may run there, from the least |q'| of the others and its own largest. Both follow from an interval
+/// that holds q'_k throughout the cell (core/verify/bound/direction_range.hpp), and ∫|q'_k| ds ≤ |Δq_k| + 2 length ·
+/// (what of the interval has the wrong sign). The interval is
+///   - of linear segments: exact;
+///   - of arcs and helices: from values and slopes at both ends and the exact |q'''|;
+///   - of rational curves: from the Taylor coefficients of the polynomial N' w − N w' about the cell's middle, which
+///   bound
+///     its components and the cone that it stays in (core/verify/bound/hodograph.hpp);
+///   - of axes through kinematics: from values and slopes at both ends and |q'''_k| ≤ B₃ + 3 B₂ |h''| + B₁ |h'''|, with
+///     the MapBounds B that the kinematics states (taken as true) and enclosures of the tool's path.
+/// Cells for which a wrong sign of more than 1e-6 cannot be excluded are halved, 12 times at most; what is left counts.
+/// How wide cells are otherwise rests on samples, which decides how tight the bound is, not whether it holds.
+///
+/// What is estimated, not enclosed: rounding of positions, q', q'' and s at the nodes, and of the kinematics' map, with
+/// margins from the sizes of what is added up (every condition is used in its weaker reading; the sum is reduced by
+/// 1e-12 + 4e-16 per node); the table of the arc length (some 1e-15 of it); that pieces which count as straight are
+/// (they lie within 1e-12 of their size on a line); the expansion next to a vanishing parametric tangent.
+///
+/// Distance to the true optimum: exact on polylines; ≤ 5e-6 beyond the reference's own error on 3,000 random contours
+/// of arcs, lines and rational pieces (held to 2e-5 by tests against a dense solution); within 8e-6 of the planner's
+/// duration on a made-up machine with five axes (held to 1e-4). Cost: ≈ 90 ns per node on lines, 300–600 ns on arcs and
+/// free-form curves, O(n) time and ≈ 0.4 kB per node of two axes between two rests, of at most 200,000 segments (at
+/// such a cut the speed is left open). Calls progress every few ms; throws what it throws, and UnreachablePose.
 Bound lower_bound(const BoundTask& task, double corner_angle, Progress& progress, double progress_from = 0,
                   double progress_to = 1);
 

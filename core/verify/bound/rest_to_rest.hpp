@@ -24,10 +24,13 @@ inline double rest_to_rest(double way, double speed, double acceleration, double
 
 /// The same along a segment over which q is linear: all axes share one law.
 inline double rest_to_rest(const AxisPath& path, std::size_t linear, double feed, const Machine& machine) {
-  const AxisJet q = path.at_parameter(linear, path[linear].curve().begin());
+  const double u = path[linear].curve().begin();
+  const bool cartesian = path.cartesian();  // without the detour over eight axes
+  const Vec way = cartesian ? path[linear].at_parameter(u).d1 : Vec{};
+  const AxisArray other = cartesian ? AxisArray{} : path.at_parameter(linear, u).d1;
   double speed = feed, acceleration = unlimited, jerk = unlimited;
   for (std::size_t k = 0; k < path.axes(); ++k) {
-    const double t = std::abs(q.d1[k]);
+    const double t = std::abs(cartesian ? way[k] : other[k]);
     if (!(t > 1e-12)) continue;
     speed = std::min(speed, machine.axes[k].velocity / t);
     acceleration = std::min(acceleration, machine.axes[k].acceleration / t);
