@@ -100,7 +100,7 @@ class BoundGrid {
   void append(const Node& b, const DirectionRange<N>* range = nullptr);
   Cell cell(Node& a, Node& b, const DirectionRange<N>* range) const;
   DirectionRange<N> range_by_map(const Node& a, const Node& b) const;
-  const Hodograph& hodograph(std::size_t segment) const;
+  Hodograph& hodograph(std::size_t segment) const;
 
   const AxisPath& path_;
   std::size_t axes_;

@@ -20,7 +20,7 @@ Hodograph::Bends bends_of(const Arc& arc) {
 }  // namespace
 
 template <int N>
-const Hodograph& BoundGrid<N>::hodograph(std::size_t segment) const {
+Hodograph& BoundGrid<N>::hodograph(std::size_t segment) const {
   if (!hodograph_ || hodograph_of_ != segment) {
     hodograph_.emplace(static_cast<const Rational&>(path_[segment].curve()));
     hodograph_of_ = segment;
@@ -75,9 +75,9 @@ DirectionRange<N> BoundGrid<N>::range_by_map(const Node& a, const Node& b) const
   return range;
 }
 
-template const Hodograph& BoundGrid<2>::hodograph(std::size_t) const;
-template const Hodograph& BoundGrid<3>::hodograph(std::size_t) const;
-template const Hodograph& BoundGrid<8>::hodograph(std::size_t) const;
+template Hodograph& BoundGrid<2>::hodograph(std::size_t) const;
+template Hodograph& BoundGrid<3>::hodograph(std::size_t) const;
+template Hodograph& BoundGrid<8>::hodograph(std::size_t) const;
 template DirectionRange<2> BoundGrid<2>::range(const Node&, const Node&) const;
 template DirectionRange<3> BoundGrid<3>::range(const Node&, const Node&) const;
 template DirectionRange<8> BoundGrid<8>::range(const Node&, const Node&) const;

@@ -16,7 +16,11 @@ Polynomial sizes(Polynomial p) {
 
 }  // namespace
 
-Hodograph::Hodograph(const Rational& curve) : pivot_(curve.pivot()), inverse_reach_(1 / curve.reach()) {
+Hodograph::Hodograph(const Rational& curve)
+    : pivot_(curve.pivot()),
+      inverse_reach_(1 / curve.reach()),
+      begin_((curve.begin() - curve.pivot()) / curve.reach()),
+      width_((curve.end() - curve.begin()) / curve.reach()) {
   const Polynomial w = curve.weight(), w1 = derivative(w), zero;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Polynomial n = curve.coordinate(axis);
@@ -29,7 +33,7 @@ Hodograph::Hodograph(const Rational& curve) : pivot_(curve.pivot()), inverse_rea
     }
     const std::size_t count = std::min(v.size(), terms);
     std::copy_n(v.begin(), count, v_[axis].begin());
-    std::copy_n(size.begin(), count, size_[axis].begin());
+    for (std::size_t j = 0; j < count; ++j) size_[j] += size[j];
     count_ = std::max(count_, count);
     if (axis == 2 && std::any_of(v.begin(), v.end(), [](double c) { return c != 0; })) axes_ = 3;
   }
@@ -45,61 +49,100 @@ void Hodograph::expand(const Row& from, std::size_t count, double middle, double
   for (std::size_t k = 0; k < count; ++k, power *= half) to[k] *= power;
 }
 
-Hodograph::Range Hodograph::range(double u0, double u1) const {
+// Horner with the derivatives carried along; what is left out are the powers beyond.
+std::array<double, Hodograph::few> Hodograph::expand(const Row& from, std::size_t count, double middle, double half) {
+  double t0 = from[count - 1], t1 = 0, t2 = 0, t3 = 0, t4 = 0;
+  for (std::size_t k = count - 1; k-- > 0;) {
+    t4 = t4 * middle + t3;
+    t3 = t3 * middle + t2;
+    t2 = t2 * middle + t1;
+    t1 = t1 * middle + t0;
+    t0 = t0 * middle + from[k];
+  }
+  const double square = half * half;
+  return {t0, t1 * half, t2 * square, t3 * (square * half), t4 * (square * square)};
+}
+
+// Lagrange's remainder behind those powers: |V⁽⁵⁾|/5! half⁵ at most.
+std::array<double, 3> Hodograph::rest(double t0, double t1) {
+  const auto part_of = [&](double t) {
+    return static_cast<std::size_t>(std::clamp((t - begin_) / width_ * parts, 0.0, parts - 1.0));
+  };
+  const double half = 0.5 * std::abs(t1 - t0), power = half * half * half * half * half;
+  std::array<double, 3> most{};
+  // Neighbours, too: where rounding decides which part a border belongs to.
+  const std::size_t from = part_of(std::min(t0, t1) - 1e-9 * width_), to = part_of(std::max(t0, t1) + 1e-9 * width_);
+  for (std::size_t p = from; p <= to; ++p) {
+    if (!known_[p]) {
+      const double reach = 0.5 * width_ / parts;
+      for (std::size_t k = 0; k < axes_; ++k) {
+        Row local;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled as far as it is read
+        expand(v_[k], count_, begin_ + (2 * static_cast<double>(p) + 1) * reach, 1, local);
+        double sum = 0, binomial = 1, distance = 1;
+        for (std::size_t j = few; j < count_; ++j) {
+          sum += binomial * std::abs(local[j]) * distance;
+          binomial *= static_cast<double>(j + 1) / static_cast<double>(j + 1 - few);
+          distance *= reach * (1 + 1e-6);
+        }
+        fifth_[p][k] = sum;
+      }
+      known_[p] = true;
+    }
+    for (std::size_t k = 0; k < axes_; ++k) most[k] = std::max(most[k], fifth_[p][k] * power);
+  }
+  return most;
+}
+
+Hodograph::Range Hodograph::range(double u0, double u1) {
   Range range;
   if (count_ == 0) return range;
   const double t0 = (u0 - pivot_) * inverse_reach_, t1 = (u1 - pivot_) * inverse_reach_;
   const double middle = 0.5 * (t0 + t1), half = 0.5 * std::abs(t1 - t0), far = std::max(std::abs(t0), std::abs(t1));
-  std::array<Row, 3> v;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled as far as it is read
-  std::array<double, 3> blur{}, direction{};
-  double square = 0, blurred = 0;
+  std::array<std::array<double, few>, 3> v;  // NOLINT(cppcoreguidelines-pro-type-member-init): as above
+  std::array<double, 3> left{}, direction{};
+  if (count_ > few) left = rest(t0, t1);
+  double size = 0, square = 0;
+  for (std::size_t j = count_; j-- > 0;) size = size * far + size_[j];
+  const double blur = 8 * static_cast<double>(count_ + 1) * epsilon * size;
   for (std::size_t k = 0; k < axes_; ++k) {
-    expand(v_[k], count_, middle, half, v[k]);
-    double size = 0;
-    for (std::size_t j = count_; j-- > 0;) size = size * far + size_[k][j];
-    blur[k] = 8 * static_cast<double>(count_ + 1) * epsilon * size;
+    v[k] = expand(v_[k], count_, middle, half);
     square += v[k][0] * v[k][0];
-    blurred += blur[k];
   }
   const double centre = std::sqrt(square);
   if (!(centre > 0)) return range;
-  for (std::size_t k = 0; k < axes_; ++k) direction[k] = v[k][0] / centre;
-  double along = centre - blurred, across = blurred;
-  for (std::size_t j = 1; j < count_; ++j) {
+  const double inverse = 1 / centre;
+  for (std::size_t k = 0; k < axes_; ++k) direction[k] = v[k][0] * inverse;
+  const double unseen = left[0] + left[1] + left[2] + 2 * blur;
+  double along = centre - unseen, across = unseen;
+  for (std::size_t j = 1; j < std::min(count_, few); ++j) {
     double part = 0, rest = 0;
     for (std::size_t k = 0; k < axes_; ++k) part += v[k][j] * direction[k];
     for (std::size_t k = 0; k < axes_; ++k) {
       const double side = v[k][j] - part * direction[k];
       rest += side * side;
     }
-    along -= std::abs(part) + 8 * epsilon * centre;
-    across += std::sqrt(rest) + 8 * epsilon * centre;
+    along -= std::abs(part);
+    across += std::sqrt(rest);
   }
   if (!(along > 0)) return range;
   const double spread = across / along;  // ≥ |T − direction|, for the angle between them is at most its arc tangent
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (k >= axes_) {
-      range.low[k] = range.high[k] = 0;
-      continue;
-    }
-    double slope = 0, rest = 0, minus = 0, plus = 0, sign = 1;
-    for (std::size_t j = 0; j < count_; ++j, sign = -sign) {
-      const double c = v[k][j];
-      plus += c, minus += sign * c;
-      if (j >= 2) slope += static_cast<double>(j) * std::abs(c);
-      if (j >= 3) rest += std::abs(c);
-    }
-    double low = std::min(minus, plus), high = std::max(minus, plus);
-    if (count_ > 2 && std::abs(v[k][1]) < slope) {  // not monotone for certain
-      const double c0 = v[k][0], c1 = v[k][1], c2 = v[k][2];
-      low = std::min(c0 - c1 + c2, c0 + c1 + c2), high = std::max(c0 - c1 + c2, c0 + c1 + c2);
-      if (std::abs(c1) < 2 * std::abs(c2)) {
-        const double vertex = c0 - c1 * c1 / (4 * c2);
+  for (std::size_t k = axes_; k < 3; ++k) range.low[k] = range.high[k] = 0;
+  for (std::size_t k = 0; k < axes_; ++k) {
+    const auto& c = v[k];
+    const double even = c[0] + c[2] + c[4], odd = c[1] + c[3], ends = std::abs(odd);
+    double low = even - ends, high = even + ends;
+    const double slope = 2 * std::abs(c[2]) + 3 * std::abs(c[3]) + 4 * std::abs(c[4]) + 5 * left[k];
+    if (std::abs(c[1]) < slope) {  // not monotone for certain: the quadratic part, and what is left of the others
+      const double border = c[0] + c[2];
+      low = border - std::abs(c[1]), high = border + std::abs(c[1]);
+      if (std::abs(c[1]) < 2 * std::abs(c[2])) {
+        const double vertex = c[0] - c[1] * c[1] / (4 * c[2]);
         low = std::min(low, vertex), high = std::max(high, vertex);
       }
-      low -= rest, high += rest;
+      const double others = std::abs(c[3]) + std::abs(c[4]);
+      low -= others, high += others;
     }
-    low -= blur[k], high += blur[k];
+    low -= left[k] + blur, high += left[k] + blur;
     range.low[k] = std::max({-1.0, direction[k] - spread, low >= 0 ? 0.0 : low / along});
     range.high[k] = std::min({1.0, direction[k] + spread, high <= 0 ? 0.0 : high / along});
   }
@@ -114,13 +157,10 @@ Hodograph::Bends Hodograph::bends(double u0, double u1) const {
   const double middle = 0.5 * (t0 + t1), half = 0.5 * std::abs(t1 - t0), far = std::max(std::abs(t0), std::abs(t1));
   std::array<Row, 3> rows{};
   Row w{};
-  double blur = 0;
-  for (std::size_t k = 0; k < axes_; ++k) {
-    expand(v_[k], count_, middle, half, rows[k]);
-    double size = 0;
-    for (std::size_t j = count_; j-- > 0;) size = size * far + size_[k][j];
-    blur += 8 * static_cast<double>(count_ + 1) * epsilon * size;
-  }
+  for (std::size_t k = 0; k < axes_; ++k) expand(v_[k], count_, middle, half, rows[k]);
+  double size = 0;
+  for (std::size_t j = count_; j-- > 0;) size = size * far + size_[j];
+  const double blur = 8 * static_cast<double>(count_ + 1) * epsilon * size;
   expand(w_, weights_, middle, half, w);
   const auto v = [&](std::size_t j) { return Vec{rows[0][j], rows[1][j], rows[2][j]}; };
   double most_w = 0, slope_w = 0;

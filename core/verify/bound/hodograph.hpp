@@ -20,8 +20,9 @@ class Hodograph {
     std::array<double, 3> low{-1, -1, -1}, high{1, 1, 1};
   };
   /// V lies in a cone about its value in the middle; besides, a component whose linear term outweighs the others is
-  /// monotone, and so has no more than the sign change that its ends show. O(degree²): 50 ns for planar cubics.
-  Range range(double u0, double u1) const;
+  /// monotone, and so has no more than the sign change that its ends show. Terms from the fifth power on are bounded
+  /// together, over a sixteenth of the curve. O(degree): 50 ns for planar cubics.
+  Range range(double u0, double u1);
 
   /// Upper bounds of |h''|, 1/mm, and |h'''|, 1/mm², by arc length; infinite where V cannot be shown not to vanish.
   struct Bends {
@@ -31,13 +32,20 @@ class Hodograph {
 
  private:
   static constexpr std::size_t terms = 2 * Rational::max_degree;
+  static constexpr std::size_t few = 5, parts = 16;
   using Row = std::array<double, terms>;
   static void expand(const Row& from, std::size_t count, double middle, double half, Row& to);
+  static std::array<double, few> expand(const Row& from, std::size_t count, double middle, double half);
+  std::array<double, 3> rest(double t0, double t1);
 
   double pivot_, inverse_reach_;
   std::size_t axes_ = 2, count_ = 0, weights_ = 1;
-  std::array<Row, 3> v_{}, size_{};  ///< V, and what its coefficients would be without cancellation
+  std::array<Row, 3> v_{};  ///< V
+  Row size_{};              ///< what the coefficients of all components together would be without cancellation
   Row w_{};
+  double begin_, width_;                              ///< of t
+  std::array<std::array<double, 3>, parts> fifth_{};  ///< bounds of V⁽⁵⁾/5! over parts of the curve, once asked for
+  std::array<bool, parts> known_{};
 };
 
 }  // namespace bahnwerk::verify

@@ -29,7 +29,7 @@ TEST(Hodograph, HoldsWhatSamplesFind) {
   for (const std::size_t degree : {2u, 3u, 5u, 12u, 24u})
     for (int i = 0; i < 40; ++i) {
       const Rational curve = random_curve(random, degree, i % 2, i % 4 > 1);
-      const Hodograph hodograph(curve);
+      Hodograph hodograph(curve);
       for (const double width : {1.0, 0.1, 0.01, 1e-4}) {
         const double u0 = unit(random) * (1 - width), u1 = u0 + width;
         const Hodograph::Range range = hodograph.range(u0, u1);
@@ -52,7 +52,7 @@ TEST(Hodograph, ClosesIn) {
   std::mt19937_64 random(12);
   for (int i = 0; i < 40; ++i) {
     const Rational curve = random_curve(random, 3, i % 2, false);
-    const Hodograph hodograph(curve);
+    Hodograph hodograph(curve);
     const double u = 0.3, width = 1e-5;
     const Jet h = by_arc_length(curve.at(u));
     const Hodograph::Range range = hodograph.range(u - width, u + width);
@@ -66,7 +66,7 @@ TEST(Hodograph, ClosesIn) {
 TEST(Hodograph, AMonotoneComponentHasNoWrongSignNextToItsRoot) {
   // y' vanishes at u = 1/2 and nowhere else.
   const Rational curve = Rational::from_power_basis({{0, 10, 3}, {0, -4, 4, 0}});
-  const Hodograph hodograph(curve);
+  Hodograph hodograph(curve);
   for (const double width : {0.5, 0.1, 1e-3, 1e-6}) {
     EXPECT_GE(hodograph.range(0.5, 0.5 + width).low[1], -1e-13);
     EXPECT_LE(hodograph.range(0.5 - width, 0.5).high[1], 1e-13);
@@ -75,7 +75,7 @@ TEST(Hodograph, AMonotoneComponentHasNoWrongSignNextToItsRoot) {
 
 TEST(Hodograph, NothingIsKnownWhereTheTangentVanishes) {
   const Rational cusp = Rational::bezier({{1, -1, 0}, {-1.0 / 3, 1, 0}, {-1.0 / 3, -1, 0}, {1, 1, 0}});
-  const Hodograph hodograph(cusp);
+  Hodograph hodograph(cusp);
   const Hodograph::Range range = hodograph.range(0.4, 0.7);
   for (std::size_t k = 0; k < 2; ++k) {
     EXPECT_EQ(range.low[k], -1);
