@@ -132,6 +132,49 @@ TEST(AxesBound, OneAxisAlone) {
   EXPECT_GE(both, 0.9 * 2 * std::sqrt(2) * std::sqrt(50.0 / 9000));
 }
 
+/// x, and a screw with an error that repeats exactly from sample to sample of an even grid: each of them sees a
+/// straight line.
+class RippledScrew final : public Kinematics {
+ public:
+  explicit RippledScrew(double steepness) : steepness_(steepness) {
+    axes_ = {{"x", 2000, 20000}, {"screw", 1500, 4000 * (1 + 20 * steepness)}};
+  }
+  static constexpr double wave = 2 * 3.14159265358979323846 / 0.625;  // rad/mm: eight periods in an eighth of 40 mm
+  const std::vector<AxisLimits>& axes() const override { return axes_; }
+  AxisJet inverse(const Jet& tool) const override {
+    using T = Taylor<3>;
+    const T x = T::from(tool.value.x, tool.d1.x, tool.d2.x, tool.d3.x), q = x + T(steepness_ / wave) * sin(x * T(wave));
+    AxisJet jet;
+    jet.value[0] = tool.value.x, jet.d1[0] = tool.d1.x, jet.d2[0] = tool.d2.x, jet.d3[0] = tool.d3.x;
+    jet.value[1] = q.value(), jet.d1[1] = q.derivative(1), jet.d2[1] = q.derivative(2), jet.d3[1] = q.derivative(3);
+    return jet;
+  }
+  Vec forward(const AxisArray& q) const override { return {q[0], 0, 0}; }
+  MapBounds bounds(const Vec&, double) const override {
+    const double e = std::abs(steepness_);
+    MapBounds b;
+    b.order[0] = {1, 1 + e}, b.order[1] = {0, e * wave}, b.order[2] = {0, e * wave * wave};
+    b.order[3] = {0, e * wave * wave * wave};
+    return b;
+  }
+
+ private:
+  double steepness_;
+  std::vector<AxisLimits> axes_;
+};
+
+TEST(AxesBound, ARippleThatSamplesDoNotSee) {
+  const Contour contour = Maker().line({40, 0}).done();
+  for (const double steepness : {0.01, 0.3, 0.9, 3.0}) {
+    const RippledScrew kinematics(steepness);
+    const Machine machine{kinematics.axes(), 0.001};
+    const KinematicAxisPath path(contour.path, kinematics);
+    const double low = bound(path, contour, machine), plan = planned(path, contour, machine);
+    EXPECT_LE(low, plan * (1 + 1e-9)) << steepness;
+    EXPECT_GE(low, plan * (1 - 5e-3)) << steepness << " " << plan / low - 1;
+  }
+}
+
 /// Central differences of the map along random directions at random places.
 TEST(FiveAxesMap, KeepsTheBoundsThatItStates) {
   const test::FiveAxes kinematics;
