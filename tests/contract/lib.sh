@@ -87,9 +87,9 @@ post() {
   request POST /v1/jobs -H 'Content-Type: application/json' --data-binary "@$file" "$@"
   id=$(field '.id // empty' 2>/dev/null || true)
 }
-# await STATE [seconds]: holds until job $id has this state; any other final state fails the test.
+# await STATE [seconds, by default 120; times $SLOWER, a sanitizer's factor]: holds until job $id has this state; any other final state fails the test.
 await() {
-  local until=$((SECONDS + ${2:-120}))
+  local until=$((SECONDS + ${2:-120} * ${SLOWER:-1}))
   while ((SECONDS < until)); do
     request GET "/v1/jobs/$id"
     expect_status 200
