@@ -5,6 +5,7 @@
 #include <boost/container/deque.hpp>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -49,10 +50,11 @@ struct BoundCell {
   bool divisible = false;  ///< curved, and long enough for its coordinates to tell more when halved
 };
 
-/// Grows without moving what it holds: copying a large grid would take longer than progress may wait.
+/// Grows without moving what it holds: copying a large grid would take longer than progress may wait. Ordinary memory:
+/// the large pages kept from plan to plan are left to the planners, whose arrays fit them.
 template <class T>
 using Blocks =
-    boost::container::deque<T, LargePages<T>, boost::container::deque_options_t<boost::container::block_size<4096>>>;
+    boost::container::deque<T, std::allocator<T>, boost::container::deque_options_t<boost::container::block_size<512>>>;
 
 /// Over any axis path of at most N axes; N is 2, 3 or 8.
 template <int N>
