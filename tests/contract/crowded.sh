@@ -116,7 +116,14 @@ expect_equal "$(answered /healthz)" 200 "health beside half bodies"
 expect_equal "$(answered /v1/kinds)" 503 "none of the bodies has stood still for long"
 sleep 6
 expect_equal "$(answered /v1/kinds)" 200 "room made by half a body"
-expect_equal "$(timeout 5 head -n 1 <&"${silent[0]}" | tr -d '\r')" "HTTP/1.1 408 Request Timeout" "the one that made room is told"
+# Which of them it is depends on the order in which the server read them.
+told=0
+for fd in "${silent[@]}"; do
+  answer=''
+  read -r -t 0.2 answer <&"$fd" || true
+  [[ $answer != "HTTP/1.1 408 Request Timeout"* ]] || told=$((told + 1))
+done
+((told >= 1)) || fail "the one that made room is not told"
 close_silent
 
 # All bodies together have a budget.
