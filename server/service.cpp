@@ -99,8 +99,8 @@ void Service::follow_changes() {
       notifier_.changed(change.id);
     }
     if (queued == 0) return;
-    workers_->poke(queued);
-    deadlines_->poke();
+    workers_->notify(queued);
+    deadlines_->notify();
   };
   hooks.all = [this] { notifier_.all_changed(); };
   feed_ = std::make_unique<ChangeFeed>(*store_, std::move(hooks));

@@ -13,7 +13,7 @@ declare -A allowed=(
   [core/drawing]="core/geometry/"
   [core/machine]="core/geometry/curve/"
   [core/contour]="core/machine/ core/geometry/curve/ core/geometry/path/ core/base/"
-  [core/motion/axes]="core/machine/ core/geometry/path/ core/numeric/polynomial.hpp core/base/errors.hpp"
+  [core/motion/axes]="core/contour/contour.hpp core/machine/ core/geometry/path/ core/numeric/polynomial.hpp core/base/errors.hpp"
   [core/motion/law]="core/motion/axes/ core/contour/contour.hpp core/machine/ core/geometry/path/ core/numeric/ core/base/"
   [core/motion/grid]="core/motion/axes/ core/contour/contour.hpp core/machine/ core/geometry/path/ core/numeric/ core/base/"
   [core/motion/profile]="core/motion/law/ core/machine/ core/base/"
@@ -21,7 +21,7 @@ declare -A allowed=(
   [core/motion/jerk]="core/motion/profile/ core/motion/axes/ core/motion/grid/ core/motion/law/ core/contour/contour.hpp core/machine/ core/numeric/ core/base/"
   [core/winding]="core/drawing/svg.hpp core/geometry/region/ core/numeric/random.hpp core/base/"
   # The verifier sees what the user gave and the finished motion, no planner.
-  [core/verify]="core/motion/axes/axis_path.hpp core/motion/axes/motion.hpp core/motion/law/time_law.hpp core/contour/contour.hpp
+  [core/verify]="core/motion/axes/axis_path.hpp core/motion/axes/motion.hpp core/motion/axes/path_task.hpp core/motion/law/time_law.hpp core/contour/contour.hpp
     core/machine/machine.hpp core/machine/kinematics.hpp
     core/winding/margin.hpp core/geometry/region/region.hpp
     core/geometry/curve/arc.hpp core/geometry/curve/curve.hpp core/geometry/curve/rational.hpp core/geometry/curve/vec.hpp core/geometry/path/matched.hpp core/geometry/path/path.hpp

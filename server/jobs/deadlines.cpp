@@ -28,10 +28,10 @@ Deadlines::~Deadlines() {
   thread_.join();
 }
 
-void Deadlines::poke() {
+void Deadlines::notify() {
   {
     const std::lock_guard lock(mutex_);
-    ++pokes_;
+    ++notifications_;
   }
   wake_.notify_one();
 }
@@ -52,11 +52,11 @@ std::int64_t Deadlines::look() {
 void Deadlines::loop() {
   std::unique_lock lock(mutex_);
   while (!stop_) {
-    const std::uint64_t seen = pokes_;
+    const std::uint64_t seen = notifications_;
     lock.unlock();
     const std::chrono::milliseconds sleep(look());
     lock.lock();
-    wake_.wait_for(lock, sleep, [&] { return stop_ || pokes_ != seen; });
+    wake_.wait_for(lock, sleep, [&] { return stop_ || notifications_ != seen; });
   }
 }
 

@@ -19,16 +19,16 @@ class Deadlines {
   Deadlines(const Deadlines&) = delete;
   Deadlines& operator=(const Deadlines&) = delete;
 
-  void poke();  ///< a job was queued
+  void notify();  ///< a job was queued
 
  private:
-  std::int64_t look();  ///< ends what is due; how long (ms) to sleep if not poked
+  std::int64_t look();  ///< ends what is due; how long (ms) to sleep if not notified
   void loop();
 
   Store& store_;
   std::mutex mutex_;
   std::condition_variable wake_;
-  std::uint64_t pokes_ = 0;
+  std::uint64_t notifications_ = 0;
   bool stop_ = false;
   std::thread thread_;
 };

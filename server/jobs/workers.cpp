@@ -44,10 +44,10 @@ void Workers::start(unsigned threads, int nice) {
   }
 }
 
-void Workers::poke(std::size_t jobs) {
+void Workers::notify(std::size_t jobs) {
   {
     const std::lock_guard lock(mutex_);
-    ++pokes_;
+    ++notifications_;
   }
   jobs > 1 ? wake_.notify_all() : wake_.notify_one();
 }
@@ -90,7 +90,7 @@ void Workers::loop() {
     {
       const std::lock_guard lock(mutex_);
       if (stopping_) break;
-      seen = pokes_;
+      seen = notifications_;
     }
     std::optional<api::Job> job;
     try {
@@ -108,7 +108,7 @@ void Workers::loop() {
       continue;
     }
     std::unique_lock lock(mutex_);
-    wake_.wait(lock, [&] { return stopping_ || pokes_ != seen; });
+    wake_.wait(lock, [&] { return stopping_ || notifications_ != seen; });
   }
   const std::lock_guard lock(mutex_);
   --active_;

@@ -34,7 +34,7 @@ class Workers {
 
   /// `nice`: how far their priority lies below that of the threads that answer (Linux).
   void start(unsigned threads, int nice = 0);
-  void poke(std::size_t jobs = 1);                     ///< so many jobs were queued
+  void notify(std::size_t jobs = 1);                   ///< so many jobs were queued
   void stop_claiming();                                ///< what runs goes on, nothing new begins
   bool wait_idle(std::chrono::milliseconds patience);  ///< after stop_claiming: true when all threads have ended
   void interrupt();  ///< running planners stop at their next report; their jobs go back to the queue
@@ -58,7 +58,7 @@ class Workers {
   const std::optional<std::chrono::milliseconds> lease_;
   std::mutex mutex_;
   std::condition_variable wake_, idle_;
-  std::uint64_t pokes_ = 0;
+  std::uint64_t notifications_ = 0;
   unsigned active_ = 0;
   bool stopping_ = false, interrupted_ = false;
   std::optional<Heartbeat> heartbeat_;

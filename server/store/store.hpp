@@ -39,7 +39,8 @@ class Store : public ChangeSource {
   /// Extends the attempts that this worker still has to `lease.until`, also those whose lease ran out unnoticed.
   /// Returns the others: they ended or were lost, and their planners may stop.
   virtual std::vector<Attempt> heartbeat(const Lease& lease, const std::vector<Attempt>& attempts) = 0;
-  /// Stores progress some time soon; `done` is called from any thread. Without effect when the attempt is over.
+  /// Stores progress asynchronously, within a group commit; `done` is called from any thread. Without effect when the
+  /// attempt is over.
   virtual void progress(Progressed progress, std::function<void()> done) = 0;
   virtual bool end(const std::string& id, int attempt, const Ending& ending) = 0;
   /// From then on the result and all setpoints are there. Long series go in piece by piece before that, so that neither

@@ -236,7 +236,7 @@ class SectionPlanner {
 };
 
 template <int N>
-AccelerationLimitedResult plan(const PlanningTask& task, const AccelerationLimitedOptions& options, Progress& progress,
+AccelerationLimitedResult plan(const PathTask& task, const AccelerationLimitedOptions& options, Progress& progress,
                                double from, double to) {
   const LanePath<N> path(task.path);
   const Machine lanes = path.limits(task.machine);
@@ -260,7 +260,7 @@ AccelerationLimitedResult plan(const PlanningTask& task, const AccelerationLimit
 
 }  // namespace
 
-AccelerationLimitedResult plan_acceleration_limited(const PlanningTask& task, const AccelerationLimitedOptions& options,
+AccelerationLimitedResult plan_acceleration_limited(const PathTask& task, const AccelerationLimitedOptions& options,
                                                     Progress& progress, double from, double to) {
   for (const AxisLimits& axis : task.machine.axes)
     if (!(axis.velocity > 0) || !(axis.acceleration > 0) || !std::isfinite(axis.acceleration))

@@ -16,8 +16,8 @@
 #include "core/base/progress.hpp"
 #include "core/contour/contour.hpp"
 #include "core/machine/machine.hpp"
+#include "core/motion/axes/path_task.hpp"
 #include "core/motion/grid/grid.hpp"
-#include "core/motion/grid/planning_task.hpp"
 #include "core/motion/law/time_law.hpp"
 
 namespace bahnwerk {
@@ -42,7 +42,7 @@ struct AccelerationLimitedResult {
 
 /// Throws InvalidInput for limits that are not positive and for paths that turn by more than 160 000 rad, Stopped when
 /// progress says so, UnreachablePose. Progress runs from `from` to `to`.
-AccelerationLimitedResult plan_acceleration_limited(const PlanningTask& task, const AccelerationLimitedOptions& options,
+AccelerationLimitedResult plan_acceleration_limited(const PathTask& task, const AccelerationLimitedOptions& options,
                                                     Progress& progress, double from = 0, double to = 1);
 /// The same for a contour on a Cartesian machine.
 AccelerationLimitedResult plan_acceleration_limited(const Contour& contour, const Machine& machine,

@@ -32,7 +32,8 @@ class SpeedChain {
   template <class Share>
   void backward(std::size_t first, std::size_t last, Share&& share);
   /// The law of cells [first, last), to be called for all of them from the first on. done(c) is called for each as soon
-  /// as its speeds are known: speeds hang on each other, so what the caller does with them costs little in between.
+  /// as its speeds are known: each speed depends on the one before, so what the caller does with them costs little in
+  /// between.
   template <class Done>
   void forward(std::size_t first, std::size_t last, const UnsetVector<double>& share, Done&& done);
   /// The motion comes to rest at the end of the grid. The first cell from the right that would be driven the same if it

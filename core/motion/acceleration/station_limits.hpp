@@ -75,8 +75,8 @@ class PlainLink {
     return plain;
   }
 
-  /// Largest second variable for a given first one; the round_off_margin absorbs the rounding of x. Divisions come
-  /// first: the speeds hang on each other from cell to cell, what is between them decides the time of a pass.
+  /// Largest second variable for a given first one; the round-off margin absorbs the rounding of x. Divisions come
+  /// first: each speed depends on the one before, so the operations between them decide the time of a pass.
   double forward_left(double b, double cap) const { return reached((round_off_margin - tilt_) * b + width_, cap); }
   double forward_right(double g, double cap) const {
     const Lanes<N> factor = round_off_margin / (1 + tilt_);

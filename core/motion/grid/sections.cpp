@@ -21,7 +21,7 @@ AxisArray step(const AxisPath& path, const Joint& joint) {
 
 }  // namespace
 
-Sections find_sections(const PlanningTask& task, double corner_angle, const std::function<void()>& pause) {
+Sections find_sections(const PathTask& task, double corner_angle, const std::function<void()>& pause) {
   Sections sections;
   const AxisPath& path = task.path;
   sections.begin.push_back(0);

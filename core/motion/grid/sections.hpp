@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "core/motion/grid/planning_task.hpp"
+#include "core/motion/axes/path_task.hpp"
 
 namespace bahnwerk {
 
@@ -17,7 +17,7 @@ struct Sections {
 /// A tangent jump of the tool above `corner_angle` (rad), a cusp or a rest ends a section. A smaller jump Δ of q′ is
 /// passed so slowly that the velocity step |Δ_k| v of every axis stays within its acceleration · cycle_time.
 /// O(segments); `pause` as in joints().
-Sections find_sections(const PlanningTask& task, double corner_angle, const std::function<void()>& pause = {});
+Sections find_sections(const PathTask& task, double corner_angle, const std::function<void()>& pause = {});
 
 /// Plans run by run: plan(first segment, one past the last, begin and end of its share of the progress from `from` to
 /// `to`, by path length).

@@ -10,7 +10,7 @@ namespace bahnwerk {
 namespace {
 
 template <int N, int M>
-JerkLimitedResult plan(const PlanningTask& task, const JerkLimitedOptions& options, Progress& progress, double from,
+JerkLimitedResult plan(const PathTask& task, const JerkLimitedOptions& options, Progress& progress, double from,
                        double to) {
   const LanePath<N> path(task.path);
   const Machine lanes = path.limits(task.machine);
@@ -27,7 +27,7 @@ JerkLimitedResult plan(const PlanningTask& task, const JerkLimitedOptions& optio
 
 }  // namespace
 
-JerkLimitedResult plan_jerk_limited(const PlanningTask& task, const JerkLimitedOptions& options, Progress& progress,
+JerkLimitedResult plan_jerk_limited(const PathTask& task, const JerkLimitedOptions& options, Progress& progress,
                                     double from, double to) {
   std::vector<InputFault> faults;
   for (const AxisLimits& axis : task.machine.axes)

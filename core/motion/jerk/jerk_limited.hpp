@@ -16,7 +16,7 @@
 #include "core/base/progress.hpp"
 #include "core/contour/contour.hpp"
 #include "core/machine/machine.hpp"
-#include "core/motion/grid/planning_task.hpp"
+#include "core/motion/axes/path_task.hpp"
 #include "core/motion/jerk/start.hpp"
 #include "core/motion/law/time_law.hpp"
 
@@ -41,7 +41,7 @@ struct JerkLimitedResult {
 
 /// Throws InvalidInput for limits that are not positive, Stopped when progress says so, UnreachablePose. Progress runs
 /// from `from` to `to`.
-JerkLimitedResult plan_jerk_limited(const PlanningTask& task, const JerkLimitedOptions& options, Progress& progress,
+JerkLimitedResult plan_jerk_limited(const PathTask& task, const JerkLimitedOptions& options, Progress& progress,
                                     double from = 0, double to = 1);
 /// The same for a contour on a Cartesian machine.
 JerkLimitedResult plan_jerk_limited(const Contour& contour, const Machine& machine, const JerkLimitedOptions& options,

@@ -22,7 +22,7 @@ constexpr std::size_t few_cells = 200;  // too few for windows
 constexpr double open_share = 1 - 1e-2, open_violation = 2e-3;
 
 /// A solver that has not converged and violates rows by more has diverged: once in a section it begins anew where it
-/// came from, then that has to do.
+/// came from; what it finds then is taken.
 constexpr double diverged = 1e-2;
 
 /// So near to a cell's end, in parts of it, speed at rest is rounding.

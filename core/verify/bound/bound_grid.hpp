@@ -12,7 +12,6 @@
 #include "core/base/progress_scope.hpp"
 #include "core/machine/machine.hpp"
 #include "core/motion/axes/axis_path.hpp"
-#include "core/numeric/large_pages.hpp"
 #include "core/verify/bound/direction_range.hpp"
 #include "core/verify/bound/hodograph.hpp"
 

@@ -183,7 +183,7 @@ double run_duration(BoundGrid<N>& grid, Solver<N>& solver, std::vector<unsigned 
 }
 
 template <int N>
-Bound bound_of(const BoundTask& task, double corner_angle, Progress& progress, double progress_from,
+Bound bound_of(const PathTask& task, double corner_angle, Progress& progress, double progress_from,
                double progress_to) {
   const AxisPath& path = task.path;
   ProgressScope pulse(progress, "bound", progress_from, progress_to);
@@ -216,7 +216,7 @@ Bound bound_of(const BoundTask& task, double corner_angle, Progress& progress, d
 
 }  // namespace
 
-Bound lower_bound(const BoundTask& task, double corner_angle, Progress& progress, double progress_from,
+Bound lower_bound(const PathTask& task, double corner_angle, Progress& progress, double progress_from,
                   double progress_to) {
   const std::size_t axes = task.path.axes();
   if (task.path.size() == 0) return {0, 0, "empty contour"};
@@ -228,8 +228,7 @@ Bound lower_bound(const BoundTask& task, double corner_angle, Progress& progress
 Bound lower_bound(const Contour& contour, const Machine& machine, double corner_angle, Progress& progress,
                   double progress_from, double progress_to) {
   const CartesianAxisPath path(contour.path, machine.dimension());
-  Bound bound = lower_bound(BoundTask{path, machine, contour.feeds(), contour.rest_places()}, corner_angle, progress,
-                            progress_from, progress_to);
+  Bound bound = lower_bound(contour_task(path, contour, machine), corner_angle, progress, progress_from, progress_to);
   // The planned motion sums up its dwells one by one, with rounding.
   bound.duration += contour.dwell() * (1 - 1e-12 - 4e-16 * static_cast<double>(contour.rests.size()));
   return bound;

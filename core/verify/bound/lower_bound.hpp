@@ -1,21 +1,10 @@
 #pragma once
 /// A proven lower bound on the duration of any motion along a contour.
-#include <vector>
-
 #include "core/base/progress.hpp"
 #include "core/base/verification.hpp"
-#include "core/contour/contour.hpp"
-#include "core/machine/machine.hpp"
-#include "core/motion/axes/axis_path.hpp"
+#include "core/motion/axes/path_task.hpp"
 
 namespace bahnwerk {
-
-struct BoundTask {
-  const AxisPath& path;
-  const Machine& machine;     ///< as many axes as the path has, in its order
-  std::vector<double> feeds;  ///< per segment: speed of the tool, mm/s, infinite where not limited
-  std::vector<bool> rests;    ///< per segment, whether the motion rests at its begin; and one for the end of the path
-};
 
 /// No motion is shorter that keeps the axes' velocity and acceleration limits and the feeds, rests at both ends, at
 /// corners (jump of the tool's tangent > corner_angle, rad), at cusps and where the task says so, and passes every
@@ -58,7 +47,7 @@ struct BoundTask {
 /// duration on a made-up machine with five axes (held to 1e-4). Cost: ≈ 90 ns per node on lines, 300–600 ns on arcs and
 /// free-form curves, O(n) time and ≈ 0.4 kB per node of two axes between two rests, of at most 200,000 segments (at
 /// such a cut the speed is left open). Calls progress every few ms; throws what it throws, and UnreachablePose.
-Bound lower_bound(const BoundTask& task, double corner_angle, Progress& progress, double progress_from = 0,
+Bound lower_bound(const PathTask& task, double corner_angle, Progress& progress, double progress_from = 0,
                   double progress_to = 1);
 
 /// The same for a contour on a Cartesian machine, with the contour's dwells.

@@ -36,7 +36,7 @@ Contour bow() {
 
 enum class Method { time_optimal, braking_reserve, jerk_limited };
 
-TimeLaw planned(const PlanningTask& task, Method method) {
+TimeLaw planned(const PathTask& task, Method method) {
   SilentProgress progress;
   if (method == Method::jerk_limited) return plan_jerk_limited(task, {}, progress).law;
   AccelerationLimitedOptions options;

@@ -43,11 +43,11 @@ TEST_F(DeadlinesTest, EndsWhatPassesAndTellsWhoWaits) {
   Deadlines deadlines(*store);
   const std::int64_t start = now_ms();
   const std::string late = post(start + 300'000);
-  deadlines.poke();
+  deadlines.notify();
   const std::string id = post(start + 300);  // becomes the next one
   std::promise<void> woken;
   notifier.wait(id, Notifier::Clock::now() + 60s, [&] { woken.set_value(); });
-  deadlines.poke();
+  deadlines.notify();
   const auto took = await(id, start);
   EXPECT_GE(took, 300);
   EXPECT_LT(took, 3000);

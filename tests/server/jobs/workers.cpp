@@ -64,7 +64,7 @@ struct WorkersTest : StoreTest {
     job.now = now_ms();
     job.request.document = nlohmann::json{{"do", what}}.dump();
     const std::string id = insert_id(*store, job);
-    if (workers) workers->poke();
+    if (workers) workers->notify();
     return id;
   }
   api::Job await(const std::string& id, JobState state) {
@@ -126,7 +126,7 @@ TEST_F(WorkersTest, HoldsDeadlineAndBudget) {
   costly.request.document = R"({"do":"loop"})";
   costly.request.time_budget = 0.05;
   const auto a = insert_id(*store, late), b = insert_id(*store, costly);
-  workers->poke();
+  workers->notify();
   await(a, JobState::failed);
   await(b, JobState::failed);
   EXPECT_EQ(problem(a), "/problems/deadline-exceeded");

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <string>
 
+#include "coordinate_axes.hpp"
 #include "core/base/progress.hpp"
 #include "core/contour/builder.hpp"
 #include "core/motion/acceleration/acceleration_limited.hpp"
@@ -66,25 +67,23 @@ void holds(const Peaks& p, std::size_t axes, bool jerk) {
   }
 }
 
-TEST(FiveAxes, TimeOptimalUsesSomeLimitAllTheTime) {
+struct FiveAxes : testing::Test {
   const Contour contour = bow();
   const test::FiveAxes kinematics;
   const Machine machine{kinematics.axes(), 0.001};
-  const KinematicAxisPath path(contour.path, kinematics);
+  const KinematicAxisPath path{contour.path, kinematics};
+  const PathTask task = contour_task(path, contour, machine);
   SilentProgress progress;
-  const TimeLaw law = plan_acceleration_limited(contour_task(path, contour, machine), {}, progress).law;
+};
+
+TEST_F(FiveAxes, TimeOptimalUsesSomeLimitAllTheTime) {
+  const TimeLaw law = plan_acceleration_limited(task, {}, progress).law;
   const Peaks p = peaks(path, machine, law, false);
   holds(p, 5, false);
   EXPECT_GT(p.busiest, 0.98);  // bang-bang, up to the cells in which it switches
 }
 
-TEST(FiveAxes, TheReserveIsKeptAndCostsTime) {
-  const Contour contour = bow();
-  const test::FiveAxes kinematics;
-  const Machine machine{kinematics.axes(), 0.001};
-  const KinematicAxisPath path(contour.path, kinematics);
-  const PlanningTask task = contour_task(path, contour, machine);
-  SilentProgress progress;
+TEST_F(FiveAxes, TheReserveIsKeptAndCostsTime) {
   AccelerationLimitedOptions reserve;
   reserve.keep_reserve = true;
   const TimeLaw law = plan_acceleration_limited(task, reserve, progress).law;
@@ -92,13 +91,7 @@ TEST(FiveAxes, TheReserveIsKeptAndCostsTime) {
   EXPECT_GE(law.duration(), plan_acceleration_limited(task, {}, progress).law.duration());
 }
 
-TEST(FiveAxes, JerkLimitedHoldsEveryJerk) {
-  const Contour contour = bow();
-  const test::FiveAxes kinematics;
-  const Machine machine{kinematics.axes(), 0.001};
-  const KinematicAxisPath path(contour.path, kinematics);
-  const PlanningTask task = contour_task(path, contour, machine);
-  SilentProgress progress;
+TEST_F(FiveAxes, JerkLimitedHoldsEveryJerk) {
   const TimeLaw law = plan_jerk_limited(task, {}, progress).law;
   holds(peaks(path, machine, law, true), 5, true);
   const double quick = plan_acceleration_limited(task, {}, progress).law.duration();
@@ -109,50 +102,21 @@ TEST(FiveAxes, JerkLimitedHoldsEveryJerk) {
   EXPECT_LT(loose.duration(), quick * 1.02);  // what jerk costs vanishes with it
 }
 
-/// A machine whose axes are coordinates of the tool, each in its own unit: 1 … 8 axes, of which some repeat others.
-class ManyAxes final : public Kinematics {
- public:
-  explicit ManyAxes(std::size_t count) {
-    for (std::size_t k = 0; k < count; ++k)
-      axes_.emplace_back("a" + std::to_string(k), 900 * unit(k), 9000 * unit(k), 600000 * unit(k));
-  }
-  static double unit(std::size_t k) { return std::pow(10.0, static_cast<double>(k % 4) - 1); }
-  const std::vector<AxisLimits>& axes() const override { return axes_; }
-  AxisJet inverse(const Jet& tool) const override {
-    AxisJet q;
-    for (std::size_t k = 0; k < axes_.size(); ++k) {
-      q.value[k] = unit(k) * tool.value[k % 2], q.d1[k] = unit(k) * tool.d1[k % 2];
-      q.d2[k] = unit(k) * tool.d2[k % 2], q.d3[k] = unit(k) * tool.d3[k % 2];
-    }
-    return q;
-  }
-  Vec forward(const AxisArray& q) const override { return {q[0] / unit(0), q[1] / unit(1), 0}; }
-  MapBounds bounds(const Vec&, double) const override {
-    MapBounds b;
-    for (std::size_t k = 0; k < axes_.size(); ++k) b.order[0][k] = unit(k);
-    return b;
-  }
-
- private:
-  std::vector<AxisLimits> axes_;
-};
+constexpr Limits coordinate{900, 9000, 600000};  // of x and of y
 
 /// Units and repeated axes change nothing: x and y through kinematics are x and y.
-TEST(ManyAxes, OneToEightPlanLikeTheCoordinatesTheyAre) {
+TEST(ManyAxes, TwoToEightPlanLikeTheCoordinatesTheyAre) {
   const Contour contour = bow();
   SilentProgress progress;
   Machine two;
   two.axes = {{"x", 900, 9000, 600000}, {"y", 900, 9000, 600000}};
   const double quick = plan_acceleration_limited(contour, two, {}, progress).law.duration(),
                smooth = plan_jerk_limited(contour, two, {}, progress).law.duration();
-  Machine x_alone = two;
-  x_alone.axes[1] = {"y", 1e9, 1e9, 1e15};
-  for (std::size_t axes = 1; axes <= max_axes; ++axes) {
-    const ManyAxes kinematics(axes);
+  for (std::size_t axes = 2; axes <= max_axes; ++axes) {  // where x alone would stand still nothing limits the motion
+    const test::CoordinateAxes kinematics(axes, coordinate, coordinate, 1);
     const Machine machine{kinematics.axes(), 0.001};
     const KinematicAxisPath path(contour.path, kinematics);
-    if (axes == 1) continue;  // below: where x stands still nothing limits the motion
-    const PlanningTask task = contour_task(path, contour, machine);
+    const PathTask task = contour_task(path, contour, machine);
     const TimeLaw law = plan_acceleration_limited(task, {}, progress).law;
     holds(peaks(path, machine, law, false), axes, false);
     EXPECT_NEAR(law.duration(), quick, 1e-5 * quick) << axes;
@@ -167,12 +131,12 @@ TEST(ManyAxes, OneAxisAlongALineTakesTheClosedForm) {
   ContourBuilder b(2, {});
   b.line({40, 30, 0});
   const Contour contour = b.finish();
-  const ManyAxes kinematics(1);
+  const test::CoordinateAxes kinematics(1, coordinate, coordinate, 1);
   const Machine machine{kinematics.axes(), 0.001};
   const KinematicAxisPath path(contour.path, kinematics);
   SilentProgress progress;
   const TimeLaw law = plan_acceleration_limited(contour_task(path, contour, machine), {}, progress).law;
-  // 4 units at 900 (0.1) units/s² …: in mm of x, 40 mm at 9000 mm/s², 900 mm/s: √(40·9000) = 600 < 900.
+  // 40 mm of x at 9000 mm/s²; √(40·9000) = 600 mm/s stays below its limit of 900.
   EXPECT_NEAR(law.duration(), 2 * std::sqrt(40.0 / 9000), 1e-6);
 }
 

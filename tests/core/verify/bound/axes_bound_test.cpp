@@ -9,6 +9,7 @@
 
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/verify/bound/lower_bound.hpp"
+#include "tests/core/motion/axes/coordinate_axes.hpp"
 #include "tests/core/motion/axes/five_axes.hpp"
 #include "tests/core/verify/reference.hpp"
 
@@ -21,7 +22,7 @@ constexpr double corner_angle = 2e-3;
 
 double bound(const AxisPath& path, const Contour& contour, const Machine& machine) {
   SilentProgress silent;
-  return lower_bound(BoundTask{path, machine, contour.feeds(), contour.rest_places()}, corner_angle, silent).duration;
+  return lower_bound(contour_task(path, contour, machine), corner_angle, silent).duration;
 }
 
 double planned(const AxisPath& path, const Contour& contour, const Machine& machine) {
@@ -71,34 +72,7 @@ TEST(AxesBound, LooserLimitsNeverRaiseIt) {
   }
 }
 
-/// Coordinates of the tool, each in its own unit; those from the third on repeat the first two.
-class Units final : public Kinematics {
- public:
-  explicit Units(std::size_t count) {
-    for (std::size_t k = 0; k < count; ++k)
-      axes_.emplace_back("a" + std::to_string(k), limit(k % 2, 900, 400) * unit(k), limit(k % 2, 9000, 5000) * unit(k));
-  }
-  static double limit(std::size_t coordinate, double x, double y) { return coordinate == 0 ? x : y; }
-  static double unit(std::size_t k) { return std::pow(10.0, 2 * static_cast<double>(k % 4) - 4); }
-  const std::vector<AxisLimits>& axes() const override { return axes_; }
-  AxisJet inverse(const Jet& tool) const override {
-    AxisJet q;
-    for (std::size_t k = 0; k < axes_.size(); ++k) {
-      q.value[k] = unit(k) * tool.value[k % 2], q.d1[k] = unit(k) * tool.d1[k % 2];
-      q.d2[k] = unit(k) * tool.d2[k % 2], q.d3[k] = unit(k) * tool.d3[k % 2];
-    }
-    return q;
-  }
-  Vec forward(const AxisArray& q) const override { return {q[0] / unit(0), q[1] / unit(1), 0}; }
-  MapBounds bounds(const Vec&, double) const override {
-    MapBounds b;
-    for (std::size_t k = 0; k < axes_.size(); ++k) b.order[0][k] = unit(k);
-    return b;
-  }
-
- private:
-  std::vector<AxisLimits> axes_;
-};
+constexpr Limits along_x{900, 9000}, along_y{400, 5000};
 
 TEST(AxesBound, UnitsAndRepeatedAxesChangeNothing) {
   Machine two;
@@ -107,7 +81,7 @@ TEST(AxesBound, UnitsAndRepeatedAxesChangeNothing) {
     if (contour.dimension == 3) continue;
     const double cartesian = bound(CartesianAxisPath(contour.path, 2), contour, two);
     for (std::size_t axes = 2; axes <= max_axes; ++axes) {
-      const Units kinematics(axes);
+      const test::CoordinateAxes kinematics(axes, along_x, along_y, 2);
       const Machine machine{kinematics.axes(), 0.001};
       EXPECT_NEAR(bound(KinematicAxisPath(contour.path, kinematics), contour, machine), cartesian, 1e-6 * cartesian)
           << axes;
@@ -118,7 +92,7 @@ TEST(AxesBound, UnitsAndRepeatedAxesChangeNothing) {
 /// Where one axis turns back the other is not there to limit the speed: the bound may be weak, but holds.
 TEST(AxesBound, OneAxisAlone) {
   const Contour line = Maker().line({40, 30}).done();
-  const Units one(1);
+  const test::CoordinateAxes one(1, along_x, along_y, 2);
   const Machine machine{one.axes(), 0.001};
   const double x = 2 * std::sqrt(40.0 / 9000);  // 40 mm at 9000 mm/s²
   EXPECT_NEAR(bound(KinematicAxisPath(line.path, one), line, machine), x, 1e-9);
