@@ -6,7 +6,8 @@
 /// (or do not matter to the whole), and integrated exactly. Next to an end where the tangent vanishes the panels shrink
 /// geometrically and the innermost one is the monomial s ~ ρ^(m+1), so that both directions keep relative accuracy
 /// there. Accuracy of s(u), u(s): some 1e-15 of the length (tests hold 1e-12). Building: below 1 µs per panel; 4–25
-/// panels for ordinary pieces.
+/// panels for ordinary pieces. The inverse has its own Newton's method: Boost's newton_raphson_iterate takes 1.2 times
+/// as long per point and measures its tolerance by the root, which lies anywhere around 0 here.
 #include <array>
 #include <cstddef>
 #include <vector>

@@ -30,7 +30,8 @@ struct Value {
 
 /// The root of a continuous f in [low, high] with f(low), f(high) of opposite signs; f is increasing (direction 1) or
 /// falls through zero (−1). Newton's method from `high`, halving the bracket whenever it would be left: on convex f it
-/// converges from that side without any.
+/// converges from that side without any. Not Boost's newton_raphson_iterate: no slower, but it throws where rounding
+/// gives both ends the same sign, and takes its direction from the slope, which leads away from a root beyond a kink.
 template <class F>
 double root(F&& f, double low, double high, double direction) {
   double x = high, last = high - low;

@@ -1,5 +1,8 @@
 #include "core/winding/slot/coil_sides.hpp"
 
+#include <boost/math/tools/roots.hpp>
+#include <cmath>
+
 #include "core/base/errors.hpp"
 
 namespace bahnwerk::winding {
@@ -12,11 +15,17 @@ Region half_plane(Point p, Point direction, double size) {
   return Region({line(a, b), line(b, c), line(c, d), line(d, a)});
 }
 
+void require_area(const Region& side) {
+  if (!(side.area() > 0))
+    throw InvalidInput(std::vector<InputFault>{{{"coil_sides"}, "leaves no usable area for one of two sides"}});
+}
+
 }  // namespace
 
 SharedSlot shared(const Slot& slot, Sharing how) {
   SharedSlot half{slot, slot.usable_area};
   if (slot.type == Slot::Type::rotor) return half;
+  require_area(slot.usable_area);
   const Box& box = slot.usable_area.box();
   const double size = 2 + 2 * distance(box.low, box.high);
   const Point middle = 0.5 * (box.low + box.high);
@@ -28,18 +37,17 @@ SharedSlot shared(const Slot& slot, Sharing how) {
   } else {
     // To the left of a line that runs to the right lies what is above it.
     const Point right = -left_of(up);
-    double low = -size / 2, high = size / 2;
-    for (int k = 0; k < 60; ++k) {
-      const double at = (low + high) / 2;
-      half.back = slot.usable_area.without(half_plane(middle + at * up, right, size));
-      (half.back.area() < slot.usable_area.area() / 2 ? low : high) = at;
-    }
-    half.back = slot.usable_area.without(half_plane(middle + high * up, right, size));
-    half.slot.usable_area = slot.usable_area.without(half_plane(middle + high * up, -right, size));
+    const auto below = [&](double at) { return slot.usable_area.without(half_plane(middle + at * up, right, size)); };
+    // The sign alone: rounding makes the difference 0 at several heights, and the lowest of them is the border.
+    const auto side = [&](double at) { return below(at).area() < slot.usable_area.area() / 2 ? -1.0 : 1.0; };
+    const auto adjacent = [](double low, double high) { return std::nextafter(low, high) >= high; };
+    const double border = boost::math::tools::bisect(side, -size / 2, size / 2, adjacent).second;
+    half.back = below(border);
+    half.slot.usable_area = slot.usable_area.without(half_plane(middle + border * up, -right, size));
   }
   half.slot.taken = half.back;
-  if (!(half.slot.usable_area.area() > 0) || !(half.back.area() > 0))
-    throw InvalidInput(std::vector<InputFault>{{{"coil_sides"}, "leaves no usable area for one of two sides"}});
+  require_area(half.slot.usable_area);
+  require_area(half.back);
   return half;
 }
 

@@ -10,7 +10,6 @@
 #include "core/base/errors.hpp"
 #include "core/geometry/curve/curve.hpp"
 #include "core/geometry/curve/nurbs.hpp"
-#include "core/numeric/quadrature.hpp"
 #include "core/numeric/random.hpp"
 
 namespace bahnwerk::testing {
@@ -79,11 +78,6 @@ inline Nurbs random_nurbs(Random& random) {
     knots.push_back(u);
   }
   return {p, points, weights, knots};
-}
-
-/// Arc length by adaptive Gauss quadrature of the speed from the jet: shares nothing with the table.
-inline double quadrature_length(const Curve& curve, double a, double b) {
-  return integrate_adaptive([&](double u) { return norm(curve.at(u).d1); }, a, b, 1e-13).value;
 }
 
 /// The places of the faults that `f` throws, "/a/b" each; empty when it throws nothing.
