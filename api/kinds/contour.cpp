@@ -63,7 +63,7 @@ void check_together(const Contour& contour, const Machine& machine, const Contou
     faults.push_back({{"machine", "axes", "z"}, "is required: the contour is in space"});
   // Of a planar contour's machine the axes beyond the plane stand still.
   const auto moving = [&](std::size_t k) { return k < contour.dimension; };
-  if (planning.method == PlanningMethod::jerk_limited && !(planning.path.jerk < unlimited)) {
+  if (method_row(planning.method).limits_jerk && !(planning.along.jerk < unlimited)) {
     bool jerk = false;
     for (std::size_t k = 0; k < machine.dimension(); ++k) jerk |= moving(k) && machine.axes[k].jerk < unlimited;
     if (!jerk)
@@ -88,12 +88,12 @@ void check_together(const Contour& contour, const Machine& machine, const Contou
 
 void check_planning(const Machine& machine, const ContourPlanning& planning) {
   std::vector<InputFault> faults;
-  const bool smooth = planning.method == PlanningMethod::jerk_limited;
+  const bool smooth = method_row(planning.method).limits_jerk;
   const auto& axes = machine.axes;
   const bool jerk = std::any_of(axes.begin(), axes.end(), [](const AxisLimits& axis) { return axis.jerk < unlimited; });
-  if (smooth && !jerk && !(planning.path.jerk < unlimited))
+  if (smooth && !jerk && !(planning.along.jerk < unlimited))
     faults.push_back({{"machine", "axes", "x", "jerk"}, "is required by method jerk_limited, of one axis at least"});
-  const Limits& path = planning.path;
+  const Limits& path = planning.along;
   if (!smooth && std::min({path.velocity, path.acceleration, path.jerk}) < unlimited)
     faults.push_back(
         {{"planning", "path"}, "is held by method jerk_limited only; blocks limit the speed by their feed"});
@@ -125,7 +125,7 @@ PlannedJob plan(const json& spec, Progress& progress) {
   check_together(path, limits, options);
   ContourPlan plan = plan_contour(std::move(path), limits, options, progress);
   const auto& setpoints = *plan.setpoints;
-  if (options.method != PlanningMethod::jerk_limited)
+  if (!method_row(options.method).limits_jerk)
     for (const auto& axis : limits.axes)
       if (axis.jerk < unlimited) {
         plan.notes.push_back("jerk limits are given but not held: only method jerk_limited holds them");

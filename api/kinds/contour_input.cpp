@@ -230,8 +230,8 @@ ContourPlanning planning(const json& spec) {
   }
   if (document.contains("path")) {
     const auto& path = document["path"];
-    planning.path = {path.value("velocity", unlimited), path.value("acceleration", unlimited),
-                     path.value("jerk", unlimited)};
+    planning.along = {path.value("velocity", unlimited), path.value("acceleration", unlimited),
+                      path.value("jerk", unlimited)};
   }
   return planning;
 }

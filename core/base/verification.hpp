@@ -1,6 +1,7 @@
 #pragma once
 /// What every plan says about itself: the checks of the independent verifier and the proven lower bound.
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace bahnwerk {
@@ -18,6 +19,11 @@ struct Check {
 struct Verification {
   bool passed = false;
   std::vector<Check> checks;
+  /// One more check, behind those that there are.
+  void add(Check check) {
+    passed = passed && check.passed;
+    checks.push_back(std::move(check));
+  }
 };
 
 /// No motion under the same limits is shorter than `duration` (s). gap = planned / duration − 1.

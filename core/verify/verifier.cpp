@@ -8,24 +8,19 @@
 #include "core/verify/law/law_checks.hpp"
 
 namespace bahnwerk {
-namespace {
 
-/// Per path segment. A path driven in place of another contour has to obey that one's feeds; a segment of none of its
-/// blocks may not be driven at all.
-std::vector<double> feeds_to_hold(const Contour& driven, const Contour* given) {
-  if (given == nullptr) return driven.feeds();
+std::vector<double> feeds_to_hold(const Contour& driven, const Contour& given) {
   std::vector<double> feed(driven.path.size(), 0.0);
-  for (std::size_t b = 0; b < std::min(given->blocks.size(), driven.blocks.size()); ++b)
+  for (std::size_t b = 0; b < std::min(given.blocks.size(), driven.blocks.size()); ++b)
     for (std::size_t i = driven.blocks[b].first; i < std::min(driven.blocks[b].last, feed.size()); ++i)
-      feed[i] = given->blocks[b].feed;
+      feed[i] = given.blocks[b].feed;
   return feed;
 }
 
-}  // namespace
-
 Verification verify_motion(const ContourVerifierInput& input, Progress& progress) {
   const CartesianAxisPath path(input.contour.path, input.machine.axes.size());
-  return verify_motion({path, input.machine, input.law, feeds_to_hold(input.contour, input.given),
+  return verify_motion({path, input.machine, input.law,
+                        feeds_to_hold(input.contour, input.given == nullptr ? input.contour : *input.given),
                         input.contour.rest_places(), input.corner_angle, input.check_jerk, input.path,
                         input.position_tolerance, input.progress_from, input.progress_to},
                        progress);

@@ -38,6 +38,10 @@ struct ContourVerifierInput {
   double progress_from = 0, progress_to = 1;
 };
 
+/// Feeds per path segment, mm/s. A path driven in place of the given contour has to obey that one's; a segment of none
+/// of its blocks may not be driven at all: 0.
+std::vector<double> feeds_to_hold(const Contour& driven, const Contour& given);
+
 /// Verifies a law along its path. Peaks over time are enclosures, never below the true continuous peak but for the
 /// rounding of what is evaluated: in closed form where the axes are linear in s and for path velocity; on curves by
 /// interpolation with a proven bound of what it misses (core/verify/law/axis_peaks.hpp, which names the two

@@ -22,8 +22,8 @@ void speeds(const std::string& file, const std::string& title, const Contour& co
   Chart chart({title, "path length s, mm", "speed v, mm/s", {0, contour.path.length()}, {0, highest}});
   limits(chart, highest_speed(contour, m), limit_blue, "limit for time_optimal");
   limits(chart, reserve_speed(contour, m), limit_orange, "v\u2193, K_b = 0.7");
-  chart.line(speed_over_length(contour, kept), orange, milliseconds("braking_reserve", kept.duration()));
-  chart.line(speed_over_length(contour, fast), blue, milliseconds("time_optimal", fast.duration()));
+  chart.line(speed_over_length(kept), orange, milliseconds("braking_reserve", kept.duration()));
+  chart.line(speed_over_length(fast), blue, milliseconds("time_optimal", fast.duration()));
   chart.save(file);
 }
 
@@ -66,11 +66,11 @@ void use_on_window(const std::string& file) {
                "|a_k| / A_k",
                {0, law.duration()},
                {0, 1.1}});
-  chart.line(use_over_time(contour, law, m, 0), blue, "axis x");
-  chart.line(use_over_time(contour, law, m, 1), orange, "axis y");
+  chart.line(use_over_time(motion(contour, law), m, 0), blue, "axis x");
+  chart.line(use_over_time(motion(contour, law), m, 1), orange, "axis y");
   chart.save(file);
   std::printf("%s: an axis is at its limit during %.3f %% of the time\n", file.c_str(),
-              100 * share_at_limit(contour, law, m));
+              100 * share_at_limit(motion(contour, law), m));
 }
 
 }  // namespace bahnwerk::draw

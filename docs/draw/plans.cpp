@@ -64,37 +64,49 @@ Contour rounded(const Contour& contour, double tolerance, const Machine& machine
   return blend(contour, options, machine, silent);
 }
 
-void along(const Contour& contour, const TimeLaw& law, const std::function<void(double t, const State&)>& look) {
-  for (const LawPiece& p : law.pieces()) {
-    const int steps = std::max(2, static_cast<int>(std::ceil(p.duration / 2e-4)));
+PathMotion motion(const Contour& contour, const TimeLaw& law) {
+  return {contour_axes(std::make_shared<const Contour>(contour), contour.dimension), law};
+}
+
+namespace {
+constexpr double step = 2e-4;  // s, at most, from one state drawn to the next
+int steps_of(double duration) { return std::max(2, static_cast<int>(std::ceil(duration / step))); }
+}  // namespace
+
+void along(const Motion& motion, const std::function<void(double t, const MotionState&)>& look) {
+  for (std::size_t piece = 0; piece < motion.pieces(); ++piece) {
+    const double begin = motion.begin(piece), duration = motion.end(piece) - begin;
+    const int steps = steps_of(duration);
     for (int i = 0; i <= steps; ++i) {
-      const double tau = p.duration * i / steps;
-      const LawState at = p.at(tau);
-      const PathPoint h = contour.path[p.segment].at(std::clamp(at.s, p.s, p.s_end));
-      const double b = at.v * at.v;
-      look(p.t0 + tau,
-           {h.value, at.v * h.d1, b * h.d2 + at.a * h.d1, b * at.v * h.d3 + 3 * at.v * at.a * h.d2 + at.j * h.d1, at});
+      const double t = begin + duration * i / steps;
+      look(t, motion.in_piece(piece, t));
     }
   }
 }
 
-Line speed_over_length(const Contour& contour, const TimeLaw& law) {
+Line speed_over_length(const TimeLaw& law) {
   Line line;
-  along(contour, law, [&](double, const State& at) { line.push_back({at.path.s, at.path.v}); });
+  for (const LawPiece& p : law.pieces()) {
+    const int steps = steps_of(p.duration);
+    for (int i = 0; i <= steps; ++i) {
+      const LawState at = p.at(p.duration * i / steps);
+      line.push_back({at.s, at.v});
+    }
+  }
   return line;
 }
 
-Line use_over_time(const Contour& contour, const TimeLaw& law, const Machine& machine, std::size_t axis) {
+Line use_over_time(const Motion& motion, const Machine& machine, std::size_t axis) {
   Line line;
-  along(contour, law, [&](double t, const State& at) {
+  along(motion, [&](double t, const MotionState& at) {
     line.push_back({t, std::abs(at.acceleration[axis]) / machine.axes[axis].acceleration});
   });
   return line;
 }
 
-Line most_used(const Contour& contour, const TimeLaw& law, const Machine& machine, Quantity quantity) {
+Line most_used(const Motion& motion, const Machine& machine, Quantity quantity) {
   Line line;
-  along(contour, law, [&](double t, const State& at) {
+  along(motion, [&](double t, const MotionState& at) {
     double most = 0;
     for (std::size_t k = 0; k < machine.dimension(); ++k) {
       const AxisLimits& axis = machine.axes[k];
@@ -108,10 +120,10 @@ Line most_used(const Contour& contour, const TimeLaw& law, const Machine& machin
   return line;
 }
 
-double share_at_limit(const Contour& contour, const TimeLaw& law, const Machine& machine) {
+double share_at_limit(const Motion& motion, const Machine& machine) {
   double used = 0, last_time = 0;
   bool last = false;
-  along(contour, law, [&](double t, const State& at) {
+  along(motion, [&](double t, const MotionState& at) {
     bool full = false;
     for (std::size_t k = 0; k < machine.dimension(); ++k)
       full = full || std::abs(at.acceleration[k]) > 0.999 * machine.axes[k].acceleration ||
@@ -120,7 +132,7 @@ double share_at_limit(const Contour& contour, const TimeLaw& law, const Machine&
     last = full;
     last_time = t;
   });
-  return used / law.duration();
+  return used / motion.duration();
 }
 
 std::vector<Line> highest_speed(const Contour& contour, const Machine& machine) {

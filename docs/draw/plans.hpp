@@ -5,7 +5,8 @@
 #include "core/contour/contour.hpp"
 #include "core/machine/machine.hpp"
 #include "core/motion/acceleration/acceleration_limited.hpp"
-#include "core/motion/law/trajectory.hpp"
+#include "core/motion/axes/path_task.hpp"
+#include "core/motion/law/path_motion.hpp"
 #include "docs/draw/chart.hpp"
 
 namespace bahnwerk::draw {
@@ -17,20 +18,23 @@ AccelerationLimitedResult plan(const Contour& contour, const Machine& machine, b
 
 /// The fastest law with limited jerk.
 TimeLaw plan_smooth(const Contour& contour, const Machine& machine);
+/// The coordinates of a contour, which it keeps, driven by a law.
+PathMotion motion(const Contour& contour, const TimeLaw& law);
 /// The contour with its corners and runs of chords rounded.
 Contour rounded(const Contour& contour, double tolerance, const Machine& machine);
 
-/// Calls `look` for states all along the law, both sides of every border between its pieces included.
-void along(const Contour& contour, const TimeLaw& law, const std::function<void(double t, const State&)>& look);
+/// Calls `look` for states all along a motion, both sides of every border between its pieces included.
+void along(const Motion& motion, const std::function<void(double t, const MotionState&)>& look);
 
-Line speed_over_length(const Contour& contour, const TimeLaw& law);
+/// v over s.
+Line speed_over_length(const TimeLaw& law);
 /// |a_k|/A_k over time.
-Line use_over_time(const Contour& contour, const TimeLaw& law, const Machine& machine, std::size_t axis);
+Line use_over_time(const Motion& motion, const Machine& machine, std::size_t axis);
 enum class Quantity { velocity, acceleration, jerk };
 /// The largest share of its limit that any axis uses, over time.
-Line most_used(const Contour& contour, const TimeLaw& law, const Machine& machine, Quantity quantity);
+Line most_used(const Motion& motion, const Machine& machine, Quantity quantity);
 /// Share of the duration in which some axis uses more than 0.999 of its acceleration or velocity.
-double share_at_limit(const Contour& contour, const TimeLaw& law, const Machine& machine);
+double share_at_limit(const Motion& motion, const Machine& machine);
 
 /// Limit curves, one line per path segment, since they jump with the curvature.
 /// Largest speed at which any path acceleration is allowed at all, two axes: v² κ ≤ A_x |y'| + A_y |x'|.

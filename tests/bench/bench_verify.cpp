@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "core/motion/law/trajectory.hpp"
+#include "core/motion/axes/path_task.hpp"
+#include "core/motion/setpoints/contour_setpoints.hpp"
+#include "core/motion/setpoints/cycles.hpp"
 #include "core/verify/bound/lower_bound.hpp"
 #include "core/verify/setpoints/setpoint_checks.hpp"
 #include "core/verify/verifier.hpp"
@@ -67,14 +69,14 @@ void rows(benchmark::State& state, Shape shape, bool check) {
   const Machine m = machine(2, 1800, 16000, 1e-4);
   const TimeLaw law = wavy_law(contour, 200 * contour.path.size());
   const Cycles cycles = whole_cycles(law.duration(), m.cycle_time);
-  const auto trajectory =
-      std::make_shared<const Trajectory>(std::make_shared<const Contour>(contour), law.slowed(cycles.factor));
-  const CartesianSetpoints source(trajectory, m, cycles.count);
+  const auto motion = std::make_shared<const PathMotion>(
+      contour_axes(std::make_shared<const Contour>(contour), m.dimension()), law.slowed(cycles.factor));
+  const ContourSetpoints source(motion, contour, m, cycles.count);
   std::vector<double> chunk(1024 * source.columns().size());
   SilentProgress silent;
   for (auto _ : state) {
     if (check) {
-      benchmark::DoNotOptimize(setpoint_checks({contour, m, trajectory->law(), source}, silent));
+      benchmark::DoNotOptimize(setpoint_checks({motion->path(), m, motion->law(), source, &contour}, silent));
       continue;
     }
     for (std::size_t first = 0; first < source.count(); first += 1024) {

@@ -51,15 +51,18 @@ class AxisPath {
   bool cartesian_;
 };
 
-/// q = the tool's path itself, of which the first `axes` ≤ 3 coordinates count. `tool` outlives it. Costs no more than
-/// the path.
+/// q = the tool's path itself, of which the first `axes` ≤ 3 coordinates count; the third is `height` above the path's.
+/// `tool` outlives it. Costs no more than the path.
 class CartesianAxisPath final : public AxisPath {
  public:
-  CartesianAxisPath(const Path& tool, std::size_t axes);
+  CartesianAxisPath(const Path& tool, std::size_t axes, double height = 0);
   bool linear(std::size_t segment) const override { return tool()[segment].straight(); }
   AxisJet at_parameter(std::size_t segment, double u) const override;
   void at_parameters(std::size_t segment, PathBatch& batch) const override { tool()[segment].at_parameters(batch); }
   MapBounds map_bounds(const Vec& centre, double radius) const override;
+
+ private:
+  double height_;
 };
 
 /// q = inverse(tool(s)) by the chain rule. Both outlive it.

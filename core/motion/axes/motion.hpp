@@ -25,6 +25,8 @@ class Motion {
   virtual double duration() const = 0;                ///< s; where the last piece ends
   /// State at t inside piece `piece`, its ends included: there one-sided limits.
   virtual MotionState in_piece(std::size_t piece, double t) const = 0;
+  /// Where it has arrived: the last piece's state at its end, unless the motion knows it without rounding.
+  virtual MotionState final_state() const { return in_piece(pieces() - 1, duration()); }
   /// Whether `MotionState::snap` is known; else it is 0.
   virtual bool has_snap() const { return false; }
   /// Position of an axis in a piece as a polynomial of t − begin(piece), lowest coefficient first, if it is one: then

@@ -8,19 +8,18 @@ namespace {
 constexpr std::size_t pieces_per_report = 1 << 18;  // some 10 ms
 }
 
-TimeLaw with_dwells(TimeLaw law, const Contour& contour, Progress& progress, double at) {
-  if (!(contour.dwell() > 0) || law.pieces().empty()) return law;
-  const Path& path = contour.path;
+TimeLaw with_dwells(TimeLaw law, const PathTask& task, Progress& progress, double at) {
+  if (!(task.dwell() > 0) || law.pieces().empty()) return law;
   TimeLaw result;
-  result.reserve(law.pieces().size() + contour.rests.size());
+  result.reserve(law.pieces().size() + task.dwells.size());
   std::size_t next = 0;
   const auto rest = [&](std::size_t before, double s) {
-    for (; next < contour.rests.size() && contour.rests[next].segment <= before; ++next) {
-      if (!(contour.rests[next].seconds > 0)) continue;
+    for (; next < task.dwells.size() && task.dwells[next].segment <= before; ++next) {
+      if (!(task.dwells[next].seconds > 0)) continue;
       LawPiece piece;
-      piece.duration = contour.rests[next].seconds;
+      piece.duration = task.dwells[next].seconds;
       piece.s = piece.s_end = s;
-      piece.segment = std::min(before, path.size() - 1);
+      piece.segment = std::min(before, task.path.size() - 1);
       result.append(piece);
       if (result.pieces().size() % pieces_per_report == 0) progress.report("planning", at);
     }
@@ -30,7 +29,7 @@ TimeLaw with_dwells(TimeLaw law, const Contour& contour, Progress& progress, dou
     result.append(piece);
     if (result.pieces().size() % pieces_per_report == 0) progress.report("planning", at);
   }
-  rest(path.size(), law.pieces().back().s_end);
+  rest(task.path.size(), law.pieces().back().s_end);
   return result;
 }
 

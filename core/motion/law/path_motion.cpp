@@ -4,17 +4,31 @@
 
 namespace bahnwerk {
 
-MotionState PathMotion::in_piece(std::size_t piece, double t) const {
+LawState PathMotion::along(std::size_t piece, double t) const {
   const LawPiece& p = law_.pieces()[piece];
-  const LawState x = p.at(std::clamp(t - p.t0, 0.0, p.duration));
-  const AxisJet q = path_.at(p.segment, std::clamp(x.s, p.s, p.s_end));
+  LawState x = p.at(std::clamp(t - p.t0, 0.0, p.duration));
+  x.s = std::clamp(x.s, p.s, p.s_end);
+  return x;
+}
+
+MotionState PathMotion::in_piece(std::size_t piece, double t) const {
+  const LawState x = along(piece, t);
+  const AxisJet q = path_->at(law_.pieces()[piece].segment, x.s);
+  const double v2 = x.v * x.v, v3 = v2 * x.v;
   MotionState state;
   state.position = q.value;
   for (std::size_t k = 0; k < axes(); ++k) {
     state.velocity[k] = q.d1[k] * x.v;
-    state.acceleration[k] = q.d2[k] * x.v * x.v + q.d1[k] * x.a;
-    state.jerk[k] = q.d3[k] * x.v * x.v * x.v + 3 * q.d2[k] * x.v * x.a + q.d1[k] * x.j;
+    state.acceleration[k] = q.d2[k] * v2 + q.d1[k] * x.a;
+    state.jerk[k] = q.d3[k] * v3 + 3 * x.v * x.a * q.d2[k] + q.d1[k] * x.j;
   }
+  return state;
+}
+
+MotionState PathMotion::final_state() const {
+  MotionState state;
+  if (const std::size_t segments = path_->size(); segments > 0)
+    state.position = path_->at_parameter(segments - 1, (*path_)[segments - 1].curve().end()).value;
   return state;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// An axis path driven by a time law.
 #include <memory>
+#include <utility>
 
 #include "core/motion/axes/axis_path.hpp"
 #include "core/motion/axes/motion.hpp"
@@ -8,22 +9,27 @@
 
 namespace bahnwerk {
 
-/// Its pieces are those of the law. Snap is not known: it takes a fourth derivative of the path.
+/// Its pieces are those of the law, which ends at rest at the end of the path. Snap is not known: it takes a fourth
+/// derivative of the path.
 class PathMotion final : public Motion {
  public:
-  /// `path` outlives it. The law has one piece at least.
-  PathMotion(const AxisPath& path, TimeLaw law) : path_(path), law_(std::move(law)) {}
-  const AxisPath& path() const { return path_; }
+  /// The law has one piece at least.
+  PathMotion(std::shared_ptr<const AxisPath> path, TimeLaw law) : path_(std::move(path)), law_(std::move(law)) {}
+  const AxisPath& path() const { return *path_; }
   const TimeLaw& law() const { return law_; }
-  std::size_t axes() const override { return path_.axes(); }
+  std::size_t axes() const override { return path_->axes(); }
   std::size_t pieces() const override { return law_.pieces().size(); }
   double begin(std::size_t piece) const override { return law_.pieces()[piece].t0; }
   double duration() const override { return law_.duration(); }
   /// One inversion of the arc length and one evaluation of the path.
   MotionState in_piece(std::size_t piece, double t) const override;
+  /// At rest, exactly at the end of the path.
+  MotionState final_state() const override;
+  /// Place and speed along the tool's path, s between the ends of the piece.
+  LawState along(std::size_t piece, double t) const;
 
  private:
-  const AxisPath& path_;
+  std::shared_ptr<const AxisPath> path_;
   TimeLaw law_;
 };
 

@@ -220,18 +220,18 @@ Bound lower_bound(const PathTask& task, double corner_angle, Progress& progress,
                   double progress_to) {
   const std::size_t axes = task.path.axes();
   if (task.path.size() == 0) return {0, 0, "empty contour"};
-  if (axes <= 2) return bound_of<2>(task, corner_angle, progress, progress_from, progress_to);
-  if (axes == 3) return bound_of<3>(task, corner_angle, progress, progress_from, progress_to);
-  return bound_of<8>(task, corner_angle, progress, progress_from, progress_to);
+  Bound bound = axes <= 2   ? bound_of<2>(task, corner_angle, progress, progress_from, progress_to)
+                : axes == 3 ? bound_of<3>(task, corner_angle, progress, progress_from, progress_to)
+                            : bound_of<max_axes>(task, corner_angle, progress, progress_from, progress_to);
+  // The planned motion sums up its dwells one by one, with rounding.
+  bound.duration += task.dwell() * (1 - 1e-12 - 4e-16 * static_cast<double>(task.dwells.size()));
+  return bound;
 }
 
 Bound lower_bound(const Contour& contour, const Machine& machine, double corner_angle, Progress& progress,
                   double progress_from, double progress_to) {
   const CartesianAxisPath path(contour.path, machine.dimension());
-  Bound bound = lower_bound(contour_task(path, contour, machine), corner_angle, progress, progress_from, progress_to);
-  // The planned motion sums up its dwells one by one, with rounding.
-  bound.duration += contour.dwell() * (1 - 1e-12 - 4e-16 * static_cast<double>(contour.rests.size()));
-  return bound;
+  return lower_bound(contour_task(path, contour, machine), corner_angle, progress, progress_from, progress_to);
 }
 
 Bound with_gap(Bound bound, double planned) {

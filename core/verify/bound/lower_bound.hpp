@@ -50,7 +50,7 @@ namespace bahnwerk {
 Bound lower_bound(const PathTask& task, double corner_angle, Progress& progress, double progress_from = 0,
                   double progress_to = 1);
 
-/// The same for a contour on a Cartesian machine, with the contour's dwells.
+/// The same for a contour on a Cartesian machine.
 Bound lower_bound(const Contour& contour, const Machine& machine, double corner_angle, Progress& progress,
                   double progress_from = 0, double progress_to = 1);
 

@@ -27,11 +27,7 @@ double larger(double a, double b) { return std::isnan(a) || a > b ? a : b; }
 class RowChecker {
  public:
   explicit RowChecker(const SetpointInput& in)
-      : in_(in),
-        path_(in.contour.path),
-        pieces_(in.law.pieces()),
-        axes_(std::min<std::size_t>(in.machine.dimension(), 3)),
-        cycle_time_(in.machine.cycle_time) {}
+      : in_(in), path_(in.path), pieces_(in.law.pieces()), axes_(in.path.axes()), cycle_time_(in.machine.cycle_time) {}
 
   std::vector<Check> run(ProgressScope& pulse) {
     const std::size_t rows = in_.setpoints.count();
@@ -42,7 +38,7 @@ class RowChecker {
                        larger(std::abs(in_.setpoints.duration() - duration),
                               std::abs(in_.setpoints.cycle_time() - cycle_time_) * last)),
                 rounding * duration, duration);
-    if (missing == 0 && !pieces_.empty() && !path_.empty() && rows > 0) read(rows, pulse);
+    if (missing == 0 && !pieces_.empty() && path_.size() > 0 && rows > 0) read(rows, pulse);
     return report();
   }
 
@@ -61,7 +57,8 @@ class RowChecker {
       position_column_[k] = find(name), velocity_column_[k] = find("v" + name),
       acceleration_column_[k] = find("a" + name);
     }
-    s_column_ = find("s"), v_column_ = find("v"), mode_column_ = find("mode"), block_column_ = find("block");
+    s_column_ = find("s"), v_column_ = find("v");
+    if (in_.contour != nullptr) mode_column_ = find("mode"), block_column_ = find("block");
     return missing;
   }
 
@@ -88,21 +85,23 @@ class RowChecker {
   void enter(std::size_t i) {
     piece_ = i;
     rounding_ = verify::rounding_of(pieces_[i]);
+    if (in_.contour == nullptr) return;
     const LawPiece& piece = pieces_[i];
-    const auto& rests = in_.contour.rests;
+    const auto& rests = in_.contour->rests;
     while (rest_at_ < rests.size() && !(rests[rest_at_].seconds > 0)) ++rest_at_;
     const bool stands = piece.v == 0 && piece.a == 0 && piece.j == 0 && piece.q == 0;
     if (stands && rest_at_ < rests.size()) {
       block_ = rests[rest_at_++].block;
       return;
     }
-    const auto& blocks = in_.contour.blocks;
+    const auto& blocks = in_.contour->blocks;
     while (way_block_ + 1 < blocks.size() && blocks[way_block_].last <= piece.segment) ++way_block_;
     block_ = way_block_;
   }
-  /// Of a point of the path; axes beyond a planar contour stand at its height.
-  double coordinate(const Vec& point, std::size_t axis) const {
-    return axis < in_.contour.dimension ? point[axis] : in_.contour.height;
+  double size(const AxisArray& x) const {
+    double sum = 0;
+    for (std::size_t axis = 0; axis < axes_; ++axis) sum += x[axis] * x[axis];
+    return std::sqrt(sum);
   }
 
   void check(std::size_t k, const double* row) {
@@ -117,15 +116,16 @@ class RowChecker {
     before_ = s;
     label(row, t);
     if (piece.segment >= path_.size()) return position_.raise(std::numeric_limits<double>::infinity(), 0, t);
-    const Segment& segment = path_[piece.segment];
-    const PathPoint h = segment.at(s);
-    const double a = std::abs(law.a), bend = v * v * norm(h.d2);
-    const double place = rounding * (norm(h.value) + segment.length()), quick = rounding * std::abs(v),
-                 quicker = rounding * (bend + a) + rounding_.acceleration + std::abs(law.j) * blur;
+    const AxisJet q = path_.at(piece.segment, s);
+    const double along = size(q.d1), a = std::abs(law.a);
+    const double place = rounding * (size(q.value) + along * path_[piece.segment].length()),
+                 quick = rounding * along * std::abs(v),
+                 quicker = rounding * (v * v * size(q.d2) + along * a) +
+                           along * (rounding_.acceleration + std::abs(law.j) * blur);
     for (std::size_t axis = 0; axis < axes_; ++axis) {
-      position_.raise(std::abs(row[position_column_[axis]] - coordinate(h.value, axis)), place, t);
-      velocity_.raise(std::abs(row[velocity_column_[axis]] - h.d1[axis] * v), quick, t);
-      acceleration_.raise(std::abs(row[acceleration_column_[axis]] - (h.d2[axis] * (v * v) + h.d1[axis] * law.a)),
+      position_.raise(std::abs(row[position_column_[axis]] - q.value[axis]), place, t);
+      velocity_.raise(std::abs(row[velocity_column_[axis]] - q.d1[axis] * v), quick, t);
+      acceleration_.raise(std::abs(row[acceleration_column_[axis]] - (q.d2[axis] * (v * v) + q.d1[axis] * law.a)),
                           quicker, t);
     }
   }
@@ -134,11 +134,11 @@ class RowChecker {
     const double t = in_.law.duration();
     while (piece_ + 1 < pieces_.size()) enter(piece_ + 1);
     label(row, t);
-    const Segment& last = path_[path_.size() - 1];
-    const Vec there = last.at_parameter(last.curve().end()).value;
+    const std::size_t last = path_.size() - 1;
+    const AxisArray there = path_.at_parameter(last, path_[last].curve().end()).value;
     double off = std::abs(row[s_column_] - path_.length()), moving = std::abs(row[v_column_]);
     for (std::size_t axis = 0; axis < axes_; ++axis) {
-      off = larger(off, std::abs(row[position_column_[axis]] - coordinate(there, axis)));
+      off = larger(off, std::abs(row[position_column_[axis]] - there[axis]));
       moving = larger(moving, std::abs(row[velocity_column_[axis]]));
       moving = larger(moving, std::abs(row[acceleration_column_[axis]]) * cycle_time_);
     }
@@ -147,7 +147,8 @@ class RowChecker {
   }
 
   void label(const double* row, double t) {
-    const auto& blocks = in_.contour.blocks;
+    if (in_.contour == nullptr) return;
+    const auto& blocks = in_.contour->blocks;
     const bool cut = blocks.empty() || blocks[block_].mode == Mode::cut;
     if (row[mode_column_] == (cut ? 1.0 : 0.0) && row[block_column_] == static_cast<double>(block_)) return;
     if (++mislabelled_ == 1) mislabelled_at_ = t;
@@ -155,27 +156,30 @@ class RowChecker {
 
   std::vector<Check> report() const {
     using verify::make_check;
-    Strained labels;
-    labels.raise(static_cast<double>(mislabelled_), 0, mislabelled_at_);
-    return {make_check("setpoints count", "1", count_),
-            make_check("setpoints time", "s", time_),
-            make_check("setpoints path", "mm", path_column_),
-            make_check("setpoints speed", "mm/s", speed_),
-            make_check("setpoints forward", "mm", forward_),
-            make_check("setpoints position", "mm", position_),
-            make_check("setpoints velocity", "mm/s", velocity_),
-            make_check("setpoints acceleration", "mm/s²", acceleration_),
-            make_check("setpoints mode and block", "1", labels),
-            make_check("setpoints end", "mm", end_),
-            make_check("setpoints end at rest", "mm/s", rest_)};
+    std::vector<Check> checks = {make_check("setpoints count", "1", count_),
+                                 make_check("setpoints time", "s", time_),
+                                 make_check("setpoints path", "mm", path_column_),
+                                 make_check("setpoints speed", "mm/s", speed_),
+                                 make_check("setpoints forward", "mm", forward_),
+                                 make_check("setpoints position", "mm", position_),
+                                 make_check("setpoints velocity", "mm/s", velocity_),
+                                 make_check("setpoints acceleration", "mm/s²", acceleration_)};
+    if (in_.contour != nullptr) {
+      Strained labels;
+      labels.raise(static_cast<double>(mislabelled_), 0, mislabelled_at_);
+      checks.push_back(make_check("setpoints mode and block", "1", labels));
+    }
+    checks.push_back(make_check("setpoints end", "mm", end_));
+    checks.push_back(make_check("setpoints end at rest", "mm/s", rest_));
+    return checks;
   }
 
   const SetpointInput& in_;
-  const Path& path_;
+  const AxisPath& path_;
   const LargeVector<LawPiece>& pieces_;
   std::size_t axes_;
   double cycle_time_;
-  std::array<std::size_t, 3> position_column_{}, velocity_column_{}, acceleration_column_{};
+  std::array<std::size_t, max_axes> position_column_{}, velocity_column_{}, acceleration_column_{};
   std::size_t s_column_ = 0, v_column_ = 0, mode_column_ = 0, block_column_ = 0;
   std::size_t piece_ = 0, block_ = 0, mislabelled_ = 0;
   std::size_t way_block_ = 0, rest_at_ = 0;  // block of the segment at hand; the next rest of the contour

@@ -7,21 +7,23 @@
 #include "core/base/verification.hpp"
 #include "core/contour/contour.hpp"
 #include "core/machine/machine.hpp"
+#include "core/motion/axes/axis_path.hpp"
 #include "core/motion/law/time_law.hpp"
 
 namespace bahnwerk {
 
 struct SetpointInput {
-  const Contour& contour;
+  const AxisPath& path;
   const Machine& machine;
   const TimeLaw& law;  ///< as verified: slowed to whole cycles
   const SetpointSource& setpoints;
+  const Contour* contour = nullptr;           ///< whose blocks the columns mode and block tell, if there are such
   double progress_from = 0, progress_to = 1;  ///< the share of the whole job's progress that this takes
 };
 
 /// Reads all rows, 1024 at a time, and evaluates path and law at their times by itself. So the rows keep the limits
 /// that the motion keeps. Row k is the state just after t = k · cycle time; the last row is at rest, exactly at the
-/// path's end. An axis beyond a planar contour stands at the contour's height. ε, and what rounding does to a piece of
+/// path's end. ε, and what rounding does to a piece of
 /// the law: core/verify/rounding.hpp. Besides that t is off by ε t, so with the law's v, a, j at that moment:
 ///
 /// `setpoints count`         1      |rows − (duration / cycle time + 1)|; columns that are missing count, too: 0
@@ -29,16 +31,18 @@ struct SetpointInput {
 /// `setpoints path`          mm     column s against the law: 32 ε (|s| + |v| T …) + v ε t
 /// `setpoints speed`         mm/s   column v against the law: 32 ε (|v| + |a| T …) + |a| ε t
 /// `setpoints forward`       mm     by what s falls from row to row: 32 ε of the path's length
-/// `setpoints position`      mm     axes against the path at the row's s: 32 ε (|h| + length of the segment)
-/// `setpoints velocity`      mm/s   axes against h′ v with the row's s and v: 32 ε v
-/// `setpoints acceleration`  mm/s²  axes against h″ v² + h′ a: 32 ε (|h″| v² + |a|) + 32 ε (|a| + |j| T …) + |j| ε t
+/// `setpoints position`      mm     axes against the path at the row's s: 32 ε (|q| + |q′| · length of the segment)
+/// `setpoints velocity`      mm/s   axes against q′ v with the row's s and v: 32 ε |q′| v
+/// `setpoints acceleration`  mm/s²  axes against q″ v² + q′ a: 32 ε (|q″| v² + |q′| |a|) + |q′| (32 ε (|a| + |j| T …) +
+///                                  |j| ε t)
 /// `setpoints mode and block`  1    rows with another mode or block than the segment or dwell at which the law is: 0
 /// `setpoints end`           mm     last row: distance from the path's end and of s from its length: 0
 /// `setpoints end at rest`   mm/s   last row: largest |v|, and |a| · cycle time, of any axis and of the path: 0
 ///
-/// Of each the row is reported that strains its tolerance most; `at` is its time. Not a number fails. Memory: one
-/// chunk of rows. Cost per row, reading included: 80 ns on lines, 170 ns on arcs, 260 ns on cubics, of which reading
-/// takes 35, 90, 110 ns (bench_verify). Calls progress every 2048 rows; throws what it throws.
+/// |q| is the norm over all axes, whose units count alike: mm stands for the axis' unit. Of each the row is reported
+/// that strains its tolerance most; `at` is its time. Not a number fails. Memory: one chunk of rows. Cost per row,
+/// reading included: 80 ns on lines, 170 ns on arcs, 260 ns on cubics, of which reading takes 35, 90, 110 ns
+/// (bench_verify). Calls progress every 2048 rows; throws what it throws.
 std::vector<Check> setpoint_checks(const SetpointInput& input, Progress& progress);
 
 }  // namespace bahnwerk

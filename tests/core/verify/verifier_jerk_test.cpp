@@ -6,7 +6,8 @@
 #include <functional>
 
 #include "core/contour/builder.hpp"
-#include "core/motion/law/trajectory.hpp"
+#include "core/motion/axes/path_task.hpp"
+#include "core/motion/law/path_motion.hpp"
 #include "core/verify/verifier.hpp"
 
 namespace bahnwerk {
@@ -62,14 +63,13 @@ Verification verdict(const Contour& contour, const TimeLaw& law, double path_acc
 }
 
 /// Largest |value| over a dense sampling.
-double dense(const Contour& contour, const TimeLaw& law, const std::function<double(const State&)>& value) {
-  const Trajectory trajectory(std::make_shared<const Contour>(contour), law);
+double dense(const Contour& contour, const TimeLaw& law, const std::function<double(const MotionState&)>& value) {
+  const PathMotion motion(contour_axes(std::make_shared<const Contour>(contour), 2), law);
   double most = 0;
   std::size_t hint = 0;
   for (const LawPiece& p : law.pieces())
     for (int i = 0; i <= 400; ++i)
-      most =
-          std::max(most, std::abs(value(trajectory.sample(p.t0 + p.duration * std::min(i / 400.0, 1 - 1e-12), hint))));
+      most = std::max(most, std::abs(value(motion.evaluate(p.t0 + p.duration * std::min(i / 400.0, 1 - 1e-12), hint))));
   return most;
 }
 
@@ -82,9 +82,9 @@ void agrees(const Contour& contour, const TimeLaw& law) {
       EXPECT_GE(verified, sampled * (1 - 1e-9)) << name << axis;
       EXPECT_LE(verified, sampled * (1 + 1e-4) + 1e-6) << name << axis;
     };
-    expect("velocity", dense(contour, law, [&](const State& s) { return s.velocity[k]; }));
-    expect("acceleration", dense(contour, law, [&](const State& s) { return s.acceleration[k]; }));
-    expect("jerk", dense(contour, law, [&](const State& s) { return s.jerk[k]; }));
+    expect("velocity", dense(contour, law, [&](const MotionState& s) { return s.velocity[k]; }));
+    expect("acceleration", dense(contour, law, [&](const MotionState& s) { return s.acceleration[k]; }));
+    expect("jerk", dense(contour, law, [&](const MotionState& s) { return s.jerk[k]; }));
   }
 }
 

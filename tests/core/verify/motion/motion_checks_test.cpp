@@ -169,12 +169,13 @@ TEST(MotionChecks, FiveAxesDrivenAlongAPath) {
   const Contour contour = b.finish();
   const test::FiveAxes kinematics;
   const Machine machine{kinematics.axes(), 0.001};
-  const KinematicAxisPath path(contour.path, kinematics);
+  const auto axes = std::make_shared<const KinematicAxisPath>(contour.path, kinematics);
+  const AxisPath& path = *axes;
   SilentProgress progress;
   constexpr double resolution = 2e-11;  // s: 1e-10 of 40 mm at some 200 mm/s
-  const PathMotion smooth(path, plan_jerk_limited(contour_task(path, contour, machine), {}, progress).law);
+  const PathMotion smooth(axes, plan_jerk_limited(contour_task(path, contour, machine), {}, progress).law);
   EXPECT_TRUE(passed(motion_checks({smooth, machine.axes, 1, true, true, resolution}, progress)));
-  const PathMotion quick(path, plan_acceleration_limited(contour_task(path, contour, machine), {}, progress).law);
+  const PathMotion quick(axes, plan_acceleration_limited(contour_task(path, contour, machine), {}, progress).law);
   std::vector<AxisLimits> without_jerk = machine.axes;
   for (AxisLimits& axis : without_jerk) axis.jerk = unlimited;
   const auto checks = motion_checks({quick, without_jerk, 1, true, true, resolution}, progress);

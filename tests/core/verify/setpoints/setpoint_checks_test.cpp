@@ -12,7 +12,8 @@
 
 #include "core/base/errors.hpp"
 #include "core/motion/acceleration/acceleration_limited.hpp"
-#include "core/motion/law/trajectory.hpp"
+#include "core/motion/setpoints/contour_setpoints.hpp"
+#include "core/motion/setpoints/cycles.hpp"
 #include "core/verify/bound/lower_bound.hpp"
 #include "core/verify/verifier.hpp"
 #include "tests/core/verify/reference.hpp"
@@ -64,8 +65,8 @@ struct SetpointChecks : testing::Test {
                         .line({91, 42})
                         .done();
   Machine m = machine(2, 1800, 16000);
-  std::shared_ptr<const Trajectory> trajectory;
-  std::unique_ptr<CartesianSetpoints> rows;
+  std::shared_ptr<const PathMotion> motion;
+  std::unique_ptr<ContourSetpoints> rows;
   std::size_t last = 0;
 
   void SetUp() override {
@@ -73,14 +74,18 @@ struct SetpointChecks : testing::Test {
     SilentProgress progress;
     const TimeLaw law = plan_acceleration_limited(contour, m, {}, progress).law;
     const Cycles cycles = whole_cycles(law.duration(), m.cycle_time);
-    trajectory =
-        std::make_shared<const Trajectory>(std::make_shared<const Contour>(contour), law.slowed(cycles.factor));
-    rows = std::make_unique<CartesianSetpoints>(trajectory, m, cycles.count);
+    motion = slowed(contour, m, law, cycles);
+    rows = std::make_unique<ContourSetpoints>(motion, contour, m, cycles.count);
     last = cycles.count;
+  }
+  static std::shared_ptr<const PathMotion> slowed(const Contour& contour, const Machine& m, const TimeLaw& law,
+                                                  Cycles cycles) {
+    return std::make_shared<const PathMotion>(contour_axes(std::make_shared<const Contour>(contour), m.dimension()),
+                                              law.slowed(cycles.factor));
   }
   std::vector<Check> checked(const SetpointSource& source) const {
     SilentProgress progress;
-    return setpoint_checks({contour, m, trajectory->law(), source}, progress);
+    return setpoint_checks({motion->path(), m, motion->law(), source, &contour}, progress);
   }
   /// Exactly these checks fail.
   void expect_failed(const SetpointSource& source, const std::vector<std::string>& names) const {
@@ -235,11 +240,11 @@ TEST_F(SetpointChecks, StopsWhenAskedAndReportsOften) {
     int calls = 0, stop = 1000;
   };
   Watching watching;
-  setpoint_checks({contour, m, trajectory->law(), *rows, 0.5, 0.75}, watching);
+  setpoint_checks({motion->path(), m, motion->law(), *rows, &contour, 0.5, 0.75}, watching);
   EXPECT_GE(watching.calls, static_cast<int>(last / 8192) + 2);
   Watching stopping;
   stopping.stop = 2;
-  EXPECT_THROW(setpoint_checks({contour, m, trajectory->law(), *rows, 0.5, 0.75}, stopping), Stopped);
+  EXPECT_THROW(setpoint_checks({motion->path(), m, motion->law(), *rows, &contour, 0.5, 0.75}, stopping), Stopped);
 }
 
 TEST_F(SetpointChecks, RestIsAMotion) {
@@ -251,11 +256,10 @@ TEST_F(SetpointChecks, RestIsAMotion) {
   for (const LawPiece& p : second.pieces()) law.append(p);
   law.append({0, 0.125, 70, 70, 0, 0, 0, 1});
   const Cycles cycles = whole_cycles(law.duration(), m.cycle_time);
-  const auto dwelling =
-      std::make_shared<const Trajectory>(std::make_shared<const Contour>(corner), law.slowed(cycles.factor));
-  const CartesianSetpoints source(dwelling, m, cycles.count);
+  const auto dwelling = slowed(corner, m, law, cycles);
+  const ContourSetpoints source(dwelling, corner, m, cycles.count);
   SilentProgress progress;
-  for (const Check& c : setpoint_checks({corner, m, dwelling->law(), source}, progress))
+  for (const Check& c : setpoint_checks({dwelling->path(), m, dwelling->law(), source, &corner}, progress))
     EXPECT_TRUE(c.passed) << c.name << ' ' << c.value << " against " << c.limit << " at " << c.at;
   const Verification v = verify_motion({corner, m, dwelling->law(), 1e-3}, progress);
   for (const Check& c : v.checks)

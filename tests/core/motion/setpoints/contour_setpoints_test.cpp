@@ -1,10 +1,11 @@
-#include "core/motion/law/trajectory.hpp"
+#include "core/motion/setpoints/contour_setpoints.hpp"
 
 #include <gtest/gtest.h>
 
 #include "core/contour/builder.hpp"
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/motion/law/block_times.hpp"
+#include "core/motion/setpoints/cycles.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -16,38 +17,41 @@ Machine machine(std::size_t axes = 2) {
   return m;
 }
 
-std::shared_ptr<const Trajectory> trajectory(const Machine& m, Cycles& cycles) {
+struct Planned {
+  Contour contour;
+  Cycles cycles;
+  std::shared_ptr<const PathMotion> motion;
+};
+
+std::shared_ptr<const PathMotion> slowed(const Contour& contour, const Machine& m, const TimeLaw& law, Cycles cycles) {
+  return std::make_shared<const PathMotion>(contour_axes(std::make_shared<const Contour>(contour), m.dimension()),
+                                            law.slowed(cycles.factor));
+}
+
+Planned planned(const Machine& m) {
   ContourBuilder b(m.dimension(), {});
   b.block(Mode::cut, 400);
   b.line({20, 0, 0});
   b.arc({20, 20, 0}, {20, 10, 0}, true);
   b.nurbs(3, {{20, 20, 0}, {10, 20, 0}, {0, 30, 0}, {-10, 20, 0}, {-20, 20, 0}}, {1, 2, 1, 1, 1},
           {0, 0, 0, 0, 0.4, 1, 1, 1, 1});
-  auto contour = std::make_shared<const Contour>(b.finish());
+  Planned p;
+  p.contour = b.finish();
   SilentProgress progress;
-  const TimeLaw law = plan_acceleration_limited(*contour, m, {}, progress).law;
-  cycles = whole_cycles(law.duration(), m.cycle_time);
-  return std::make_shared<const Trajectory>(contour, law.slowed(cycles.factor));
+  const TimeLaw law = plan_acceleration_limited(p.contour, m, {}, progress).law;
+  p.cycles = whole_cycles(law.duration(), m.cycle_time);
+  p.motion = slowed(p.contour, m, law, p.cycles);
+  return p;
 }
 
-TEST(Cycles, SlowByLessThanOneCycle) {
-  for (const double t : {1e-9, 0.0009999, 0.001, 0.0010001, 7.3936, 0.3, 12345.678}) {
-    const Cycles c = whole_cycles(t, 0.001);
-    EXPECT_GE(c.factor, 1);
-    EXPECT_LT(static_cast<double>(c.count) * 0.001 - t, 0.001 * (1 + 1e-9));
-    EXPECT_NEAR(c.factor * t, static_cast<double>(c.count) * 0.001, 1e-12 * t);
-  }
-  EXPECT_EQ(whole_cycles(7.3936, 0.001).count, 7394u);
-}
-
-TEST(Trajectory, VelocityAndAccelerationAreDerivatives) {
-  Cycles cycles;
-  const auto t = trajectory(machine(), cycles);
+TEST(PathMotion, VelocityAndAccelerationAreDerivatives) {
+  const auto t = planned(machine()).motion;
   std::size_t piece = 0;
   const double d = 1e-6;
   int compared = 0;
   for (double at = 0.0107; at < t->duration() - 0.01; at += 0.0053) {
-    const State before = t->sample(at - d, piece), here = t->sample(at, piece), after = t->sample(at + d, piece);
+    const MotionState before = t->evaluate(at - d, piece), here = t->evaluate(at, piece),
+                      after = t->evaluate(at + d, piece);
     if (t->law().find(at - d) != t->law().find(at + d)) continue;  // a joint of the law in between
     for (std::size_t k = 0; k < 2; ++k) {
       EXPECT_NEAR((after.position[k] - before.position[k]) / (2 * d), here.velocity[k], 1e-4);
@@ -58,11 +62,10 @@ TEST(Trajectory, VelocityAndAccelerationAreDerivatives) {
   EXPECT_GT(compared, 20);
 }
 
-TEST(CartesianSetpoints, EndAtRestOnTheLastRowAndSlicesAgree) {
-  Cycles cycles;
+TEST(ContourSetpoints, EndAtRestOnTheLastRowAndSlicesAgree) {
   const Machine m = machine();
-  const auto t = trajectory(m, cycles);
-  const CartesianSetpoints points(t, m, cycles.count);
+  const Planned t = planned(m);
+  const ContourSetpoints points(t.motion, t.contour, m, t.cycles.count);
   ASSERT_EQ(points.columns().size(), 10u);
   EXPECT_EQ(points.columns()[0].name, "x");
   EXPECT_EQ(points.columns()[3].name, "vy");
@@ -78,20 +81,35 @@ TEST(CartesianSetpoints, EndAtRestOnTheLastRowAndSlicesAgree) {
   EXPECT_EQ(last[0], -20);
   EXPECT_EQ(last[1], 20);
   for (const int i : {2, 3, 4, 5, 7}) EXPECT_EQ(last[i], 0);
-  EXPECT_EQ(last[6], t->contour().path.length());
+  EXPECT_EQ(last[6], t.contour.path.length());
   EXPECT_EQ(all[0], 0);
   EXPECT_EQ(all[7], 0);
 }
 
-TEST(CartesianSetpoints, ThreeAxesHaveThirteenColumns) {
-  Cycles cycles;
+TEST(ContourSetpoints, ThreeAxesHaveThirteenColumns) {
   const Machine m = machine(3);
-  const auto t = trajectory(m, cycles);
-  EXPECT_EQ(CartesianSetpoints(t, m, cycles.count).columns().size(), 13u);
+  const Planned t = planned(m);
+  EXPECT_EQ(ContourSetpoints(t.motion, t.contour, m, t.cycles.count).columns().size(), 13u);
+}
+
+/// The third axis of a planar contour stands at the contour's height, in every row.
+TEST(ContourSetpoints, ThirdAxisStandsAtTheContoursHeight) {
+  const Machine m = machine(3);
+  Planned t = planned(machine());
+  t.contour.height = 7.25;
+  t.motion = slowed(t.contour, m, t.motion->law(), {t.cycles.count, 1});
+  const ContourSetpoints points(t.motion, t.contour, m, t.cycles.count);
+  std::vector<double> all(points.count() * 13);
+  points.read(0, points.count(), all.data());
+  for (std::size_t k = 0; k < points.count(); ++k) {
+    ASSERT_EQ(all[13 * k + 2], 7.25);
+    ASSERT_EQ(all[13 * k + 5], 0);
+    ASSERT_EQ(all[13 * k + 8], 0);
+  }
 }
 
 /// Rows of the columns mode and block, of 10 mm in each block.
-TEST(CartesianSetpoints, ModeAndBlockChangeWhereTheBlocksMeet) {
+TEST(ContourSetpoints, ModeAndBlockChangeWhereTheBlocksMeet) {
   ContourBuilder b(2, {});
   b.block(Mode::position, unlimited);  // left empty
   b.block(Mode::cut, 200);
@@ -102,15 +120,15 @@ TEST(CartesianSetpoints, ModeAndBlockChangeWhereTheBlocksMeet) {
   b.block(Mode::cut, 100);
   b.line({30, 0, 0});
   b.block(Mode::position, unlimited);
-  const auto contour = std::make_shared<const Contour>(b.finish());
-  ASSERT_EQ(contour->blocks.size(), 6u);
+  const Contour contour = b.finish();
+  ASSERT_EQ(contour.blocks.size(), 6u);
   const Machine m = machine();
   SilentProgress progress;
-  const TimeLaw law = plan_acceleration_limited(*contour, m, {}, progress).law;
+  const TimeLaw law = plan_acceleration_limited(contour, m, {}, progress).law;
   const Cycles cycles = whole_cycles(law.duration(), m.cycle_time);
-  const auto t = std::make_shared<const Trajectory>(contour, law.slowed(cycles.factor));
-  const CartesianSetpoints points(t, m, cycles.count);
-  const std::vector<BlockTime> times = block_times(*contour, t->law());
+  const auto t = slowed(contour, m, law, cycles);
+  const ContourSetpoints points(t, contour, m, cycles.count);
+  const std::vector<BlockTime> times = block_times(contour, t->law());
   ASSERT_EQ(times.size(), 6u);
   EXPECT_EQ(times[0].end, 0);
   EXPECT_EQ(times[3].begin, times[3].end);

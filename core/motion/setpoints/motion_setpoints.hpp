@@ -1,0 +1,45 @@
+#pragma once
+/// The setpoints of any motion: position, velocity and acceleration of every axis of a machine, cycle by cycle.
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "core/base/setpoint_source.hpp"
+#include "core/machine/machine.hpp"
+#include "core/motion/axes/motion.hpp"
+
+namespace bahnwerk {
+
+/// Columns `<axis>` for every axis of the machine, then `v<axis>`, then `a<axis>`, in the axis' unit, unit/s and
+/// unit/s²; row k at k · cycle_time, states just after it. The last row is Motion::final_state(). Kinds derive from it
+/// to add columns of their own. A row costs one Motion::evaluate() and its numbers.
+class MotionSetpoints : public SetpointSource {
+ public:
+  /// The motion lasts `cycles` whole cycles. Throws std::invalid_argument where it has not the machine's axes.
+  MotionSetpoints(std::shared_ptr<const Motion> motion, const Machine& machine, std::size_t cycles);
+  const std::vector<Column>& columns() const override { return columns_; }
+  std::size_t count() const override { return cycles_ + 1; }
+  double cycle_time() const override { return cycle_time_; }
+  double duration() const override { return static_cast<double>(cycles_) * cycle_time_; }
+  void read(std::size_t first, std::size_t rows, double* out) const final;
+
+ protected:
+  struct Row {
+    double t = 0;           ///< s
+    std::size_t piece = 0;  ///< of the motion
+    bool last = false;
+    std::size_t place = unknown;  ///< where further_columns() got to with the row before, if it is kept there
+    static constexpr std::size_t unknown = static_cast<std::size_t>(-1);
+  };
+  void add_column(Column column) { columns_.push_back(std::move(column)); }
+  /// Writes the columns that were added; called for rows in ascending order.
+  virtual void further_columns(Row& row, double* out) const { (void)row, (void)out; }
+
+ private:
+  std::shared_ptr<const Motion> motion_;
+  std::vector<Column> columns_;
+  std::size_t cycles_;
+  double cycle_time_;
+};
+
+}  // namespace bahnwerk

@@ -1,0 +1,27 @@
+#pragma once
+/// The setpoints of axes that follow a path: the axes, and the tool's place and speed along its path.
+#include <cstddef>
+#include <memory>
+
+#include "core/machine/machine.hpp"
+#include "core/motion/law/path_motion.hpp"
+#include "core/motion/setpoints/motion_setpoints.hpp"
+
+namespace bahnwerk {
+
+/// Columns of MotionSetpoints, then s (mm) and v (mm/s).
+class PathSetpoints : public MotionSetpoints {
+ public:
+  /// `motion` must already last a whole number of cycles.
+  PathSetpoints(std::shared_ptr<const PathMotion> motion, const Machine& machine, std::size_t cycles);
+
+ protected:
+  static constexpr std::size_t path_columns = 2;
+  /// Writes s and v.
+  void further_columns(Row& row, double* out) const override;
+
+ private:
+  std::shared_ptr<const PathMotion> motion_;
+};
+
+}  // namespace bahnwerk

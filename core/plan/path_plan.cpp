@@ -1,0 +1,147 @@
+#include "core/plan/path_plan.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "core/base/errors.hpp"
+#include "core/motion/law/dwell.hpp"
+#include "core/motion/setpoints/path_setpoints.hpp"
+#include "core/verify/bound/lower_bound.hpp"
+#include "core/verify/setpoints/setpoint_checks.hpp"
+#include "core/verify/verifier.hpp"
+
+namespace bahnwerk {
+namespace {
+
+constexpr int attempts = 4;
+constexpr std::size_t max_cells = 500'000;  // that may be planned once more for the sake of the gap
+constexpr double close_enough = 5e-6;       // gap to the bound at which a plan counts as converged
+constexpr double largest_excess = 1e-4;     // of a limit, that counts as rounding
+constexpr int max_corrections = 6;
+
+/// On pieces so short that rounding shows the verifier may find a limit exceeded by a little: slows those sections by
+/// as much. False if that is not what is wrong. `factor` is what the verified law was slowed by.
+bool slow_by_the_excess(const Verification& verification, double factor, TimeLaw& law) {
+  for (const Check& check : verification.checks) {
+    const bool scales = check.name.starts_with("velocity ") || check.name.starts_with("acceleration ") ||
+                        check.name.starts_with("jerk ") || check.name.starts_with("path ");
+    if (!check.passed && !(scales && check.value < check.limit * (1 + largest_excess))) return false;
+  }
+  for (const Check& check : verification.checks)
+    if (!check.passed) law.slow_run(check.at / factor, check.value / check.limit);
+  return true;
+}
+
+/// The limits that the method holds.
+Machine held_limits(Machine machine, bool jerk) {
+  if (!jerk)
+    for (AxisLimits& axis : machine.axes) axis.jerk = unlimited;
+  return machine;
+}
+Machine first_axes(Machine machine, std::size_t count) {
+  machine.axes.resize(count);
+  return machine;
+}
+
+class Pipeline {
+ public:
+  Pipeline(const PathPlanning& planning, Progress& progress)
+      : planning_(planning),
+        progress_(progress),
+        method_(method_row(planning.method)),
+        machine_(held_limits(planning.machine, method_.limits_jerk)),
+        moving_(first_axes(machine_, planning.moving->axes())),
+        task_{*planning.moving, moving_, planning.feeds, planning.rests, planning.dwells} {}
+
+  PathPlan run() {
+    plan_.bound = lower_bound(task_, planning_.options.corner_angle, progress_, at(0), at(bounded));
+    plan_.law = with_dwells(law_near_the_bound(), task_, progress_, at(planned));
+    check_count();
+    for (int attempt = 1;; ++attempt) {
+      slow_and_verify();
+      if (plan_.verification.passed || attempt == attempts) break;
+      ++refinement_;
+      plan_.law = with_dwells(solve(), task_, progress_, at(planned));
+      check_count();
+    }
+    plan_.setpoints = setpoints();
+    for (Check& check : setpoint_checks(
+             {*planning_.path, machine_, plan_.motion->law(), *plan_.setpoints, planning_.blocks, at(verified), at(1)},
+             progress_))
+      plan_.verification.add(std::move(check));
+    plan_.verification.add(bound_check(plan_.bound, plan_.law.duration()));
+    plan_.bound = with_gap(plan_.bound, plan_.law.duration());
+    return std::move(plan_);
+  }
+
+ private:
+  static constexpr double bounded = 0.1, planned = 0.55, verified = 0.85;  // where the stages end
+  double at(double fraction) const { return planning_.from + fraction * (planning_.to - planning_.from); }
+
+  TimeLaw solve() {
+    MethodResult result = method_.plan(task_, planning_.options, refinement_, progress_, at(bounded), at(planned));
+    plan_.iterations += result.iterations;
+    cells_ = result.cells;
+    return std::move(result.law);
+  }
+
+  /// The proven bound tells whether the grid was fine enough, by the motion alone.
+  TimeLaw law_near_the_bound() {
+    TimeLaw law = solve();
+    for (int attempt = 1; method_.reaches_bound && attempt < attempts; ++attempt) {
+      if (with_gap({plan_.bound.duration - task_.dwell(), 0, {}}, law.duration()).gap <= close_enough ||
+          cells_ > max_cells)
+        break;
+      ++refinement_;
+      if (TimeLaw finer = solve(); finer.duration() < law.duration()) law = std::move(finer);
+    }
+    return law;
+  }
+
+  std::unique_ptr<SetpointSource> setpoints() const {
+    if (planning_.setpoints) return planning_.setpoints(plan_.motion, plan_.cycles.count);
+    return std::make_unique<PathSetpoints>(plan_.motion, planning_.machine, plan_.cycles.count);
+  }
+
+  void check_count() const {
+    const double count = std::ceil(plan_.law.duration() / planning_.machine.cycle_time) + 1;
+    if (!(count > planning_.max_setpoints)) return;
+    char text[120];
+    std::snprintf(text, sizeof text, "the motion has %.0f setpoints, at most %.0f are allowed", count,
+                  planning_.max_setpoints);
+    throw InvalidInput({{{"machine", "cycle_time"}, text}});
+  }
+
+  void slow_and_verify() {
+    for (int correction = 0;; ++correction) {
+      plan_.cycles = whole_cycles(plan_.law.duration(), planning_.machine.cycle_time);
+      plan_.motion = std::make_shared<const PathMotion>(planning_.path, plan_.law.slowed(plan_.cycles.factor));
+      VerifierInput input{*planning_.path, machine_, plan_.motion->law(), planning_.feeds_to_verify, planning_.rests};
+      input.corner_angle = planning_.options.corner_angle;
+      input.check_jerk = method_.limits_jerk;
+      if (method_.limits_jerk) input.along = planning_.options.along;
+      input.progress_from = at(planned);
+      input.progress_to = at(verified);
+      plan_.verification = verify_motion(input, progress_);
+      if (plan_.verification.passed || correction == max_corrections ||
+          !slow_by_the_excess(plan_.verification, plan_.cycles.factor, plan_.law))
+        return;
+    }
+  }
+
+  const PathPlanning& planning_;
+  Progress& progress_;
+  const MethodRow& method_;
+  Machine machine_, moving_;
+  PathTask task_;
+  int refinement_ = 0;
+  std::size_t cells_ = 0;
+  PathPlan plan_;
+};
+
+}  // namespace
+
+PathPlan plan_along(const PathPlanning& planning, Progress& progress) { return Pipeline(planning, progress).run(); }
+
+}  // namespace bahnwerk

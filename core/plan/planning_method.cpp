@@ -1,0 +1,64 @@
+#include "core/plan/planning_method.hpp"
+
+#include <stdexcept>
+
+#include "core/motion/acceleration/acceleration_limited.hpp"
+#include "core/motion/jerk/jerk_limited.hpp"
+
+namespace bahnwerk {
+namespace {
+
+MethodResult acceleration_limited(const PathTask& task, const MethodOptions& given, bool keep_reserve, int refinement,
+                                  Progress& progress, double from, double to) {
+  AccelerationLimitedOptions options;
+  options.corner_angle = given.corner_angle;
+  options.keep_reserve = keep_reserve;
+  options.braking_reserve = given.braking_reserve;
+  for (int i = 0; i < refinement; ++i) {
+    options.grid.angle *= 0.5;
+    options.grid.hermite *= 1.0 / 16;  // the error of a cell's model falls with the fourth power of its width
+    options.tolerance *= 0.1;
+  }
+  AccelerationLimitedResult result = plan_acceleration_limited(task, options, progress, from, to);
+  return {std::move(result.law), result.rounds, result.cells};
+}
+
+MethodResult braking_reserve(const PathTask& task, const MethodOptions& options, int refinement, Progress& progress,
+                             double from, double to) {
+  return acceleration_limited(task, options, true, refinement, progress, from, to);
+}
+
+MethodResult time_optimal(const PathTask& task, const MethodOptions& options, int refinement, Progress& progress,
+                          double from, double to) {
+  return acceleration_limited(task, options, false, refinement, progress, from, to);
+}
+
+MethodResult jerk_limited(const PathTask& task, const MethodOptions& given, int refinement, Progress& progress,
+                          double from, double to) {
+  JerkLimitedOptions options;
+  options.corner_angle = given.corner_angle;
+  options.path = given.along;
+  for (int i = 0; i < refinement; ++i) {
+    options.angle *= 0.5;
+    options.tolerance *= 0.1;
+  }
+  JerkLimitedResult result = plan_jerk_limited(task, options, progress, from, to);
+  return {std::move(result.law), result.iterations, result.cells};
+}
+
+constexpr MethodRow rows[] = {
+    //  method                             planner         limits_jerk  reaches_bound
+    {PlanningMethod::braking_reserve, braking_reserve, false, false},
+    {PlanningMethod::time_optimal, time_optimal, false, true},
+    {PlanningMethod::jerk_limited, jerk_limited, true, false},
+};
+
+}  // namespace
+
+const MethodRow& method_row(PlanningMethod method) {
+  for (const MethodRow& row : rows)
+    if (row.method == method) return row;
+  throw std::logic_error("a planning method without a row");
+}
+
+}  // namespace bahnwerk

@@ -1,0 +1,47 @@
+#pragma once
+/// The planning methods: one row each, with its name, its planner and what it limits. To add one, add a row.
+#include <cstddef>
+#include <span>
+
+#include "core/base/named.hpp"
+#include "core/base/progress.hpp"
+#include "core/machine/limits.hpp"
+#include "core/motion/axes/path_task.hpp"
+#include "core/motion/law/time_law.hpp"
+
+namespace bahnwerk {
+
+enum class PlanningMethod { braking_reserve, time_optimal, jerk_limited };
+inline constexpr Named<PlanningMethod> planning_methods[] = {{PlanningMethod::braking_reserve, "braking_reserve"},
+                                                             {PlanningMethod::time_optimal, "time_optimal"},
+                                                             {PlanningMethod::jerk_limited, "jerk_limited"}};
+
+/// What a document may set; each method takes what it knows.
+struct MethodOptions {
+  double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad
+  double braking_reserve = 0.7;                              ///< K_b [Bock (2.11)]
+  Limits along;                                              ///< the tool's path
+};
+
+struct MethodResult {
+  TimeLaw law;
+  std::size_t iterations = 0;  ///< passes of the planner over its grid
+  std::size_t cells = 0;
+};
+
+struct MethodRow {
+  PlanningMethod method;
+  /// The law of the whole path, without its dwells. `refinement` 0, 1 …: each on a grid half as wide as the one before,
+  /// with a tenth of its loss. Throws as the planner does.
+  MethodResult (*plan)(const PathTask& task, const MethodOptions& options, int refinement, Progress& progress,
+                       double from, double to);
+  /// Jerk limits of the axes hold, and limits along the path; the motion's acceleration is continuous.
+  bool limits_jerk;
+  /// Its law tends to the proven bound as the grid is refined: worth while until it is there.
+  bool reaches_bound;
+};
+
+/// Throws std::logic_error for a method without a row.
+const MethodRow& method_row(PlanningMethod method);
+
+}  // namespace bahnwerk
