@@ -46,7 +46,7 @@ class Builder : public nlohmann::json_sax<json> {
   bool end_object() override { return close(); }
   bool end_array() override { return close(); }
   bool key(string_t& value) override {
-    if (stack_.back()->size() >= most_members) return fail_for_size("an object", "members", most_members);
+    if (stack_.back()->size() >= max_members) return fail_for_size("an object", "members", max_members);
     auto [member, fresh] = stack_.back()->get_ref<json::object_t&>().emplace(std::move(value), nullptr);
     slot_ = &member->second;
     if (fresh) return true;
@@ -75,14 +75,14 @@ class Builder : public nlohmann::json_sax<json> {
   }
   template <class T>
   bool place(T&& value) {
-    return put(std::forward<T>(value)) || fail_for_size("an array", "items", most_items);
+    return put(std::forward<T>(value)) || fail_for_size("an array", "items", max_items);
   }
   json* put(json value) {
     if (progress_ && ++values_ % values_per_report == 0) progress_->report("read", 0);
     if (stack_.empty()) return &(root = std::move(value));
     if (stack_.back()->is_object()) return &(*slot_ = std::move(value));
     auto& array = stack_.back()->get_ref<json::array_t&>();
-    if (array.size() >= most_items) return nullptr;
+    if (array.size() >= max_items) return nullptr;
     array.push_back(std::move(value));
     return &array.back();
   }
@@ -90,7 +90,7 @@ class Builder : public nlohmann::json_sax<json> {
     if (stack_.size() == deepest_nesting)
       return fail("nested deeper than " + std::to_string(deepest_nesting) + " levels");
     json* placed = put(std::move(value));
-    if (!placed) return fail_for_size("an array", "items", most_items);
+    if (!placed) return fail_for_size("an array", "items", max_items);
     stack_.push_back(placed);
     return true;
   }
@@ -179,10 +179,10 @@ std::size_t document_memory(std::string_view text) {
 json parse_json(std::string_view text, Progress* progress) {
   constexpr std::size_t always_small = 1 << 20;
   if (text.size() > always_small)
-    if (const std::size_t bytes = document_memory(text); bytes > most_document_memory)
+    if (const std::size_t bytes = document_memory(text); bytes > max_document_memory)
       throw Problem("payload-too-large", "The document has too many parts: read, it would take " +
                                              std::to_string(bytes >> 20) + " MiB of memory, at most " +
-                                             std::to_string(most_document_memory >> 20) + " MiB are allowed.");
+                                             std::to_string(max_document_memory >> 20) + " MiB are allowed.");
   Builder builder(progress);
   if (json::sax_parse(text.begin(), text.end(), &builder)) return std::move(builder.root);
   if (builder.too_large) throw Problem("payload-too-large", "In the document " + builder.fault + ".");

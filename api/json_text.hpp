@@ -11,9 +11,9 @@ namespace bahnwerk::api {
 inline constexpr std::size_t deepest_nesting = 64;
 
 /// Items of an array, as many as the largest of any schema, and members of an object.
-inline constexpr std::size_t most_items = 2'000'000, most_members = 10'000;
+inline constexpr std::size_t max_items = 2'000'000, max_members = 10'000;
 /// Bytes that a document may take in memory. Two million points in space take 320 MB, two million segments 540 MB.
-inline constexpr std::size_t most_document_memory = std::size_t{768} << 20;
+inline constexpr std::size_t max_document_memory = std::size_t{768} << 20;
 /// About how many bytes a document takes in memory once it is read, from its text alone; nothing is allocated. Text
 /// like
 /// "[],[],[]" takes 37 times its length, coordinates about 6 times. Cost: 1 ns per byte.
@@ -23,7 +23,7 @@ std::size_t document_memory(std::string_view text);
 /// value: syntax errors, NaN and Infinity, numbers beyond double, invalid UTF-8, text behind the value, nesting deeper
 /// than 64, duplicate keys (with their pointer). Integral numbers up to 2^53 become integers however they are written
 /// (2.0, 2e0, -0.0), so that a document has one form. Throws Problem "payload-too-large" before reading anything for
-/// more than most_document_memory, and at the first array or object with too many parts. `progress` is asked every few
+/// more than max_document_memory, and at the first array or object with too many parts. `progress` is asked every few
 /// thousand values, as stage "read".
 nlohmann::json parse_json(std::string_view text, Progress* progress = nullptr);
 

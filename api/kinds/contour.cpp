@@ -17,7 +17,7 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-constexpr std::size_t most_joints_listed = 1000;  // a fine polyline passes as many as it has points
+constexpr std::size_t max_joints_listed = 1000;  // a fine polyline passes as many as it has points
 
 ordered_json columns(const SetpointSource& source) {
   ordered_json list = ordered_json::array();
@@ -33,7 +33,7 @@ ordered_json details(const ContourPlan& plan, const Machine& machine, const Cont
                       {"end_time", block.end_time},
                       {"length", block.length}});
   for (const auto& joint : plan.joints) {
-    if (joints.size() == most_joints_listed) break;
+    if (joints.size() == max_joints_listed) break;
     ordered_json step = ordered_json::object();
     for (std::size_t k = 0; k < joint.step.size(); ++k) step[machine.axes[k].name] = joint.step[k];
     joints.push_back({{"s", joint.s},

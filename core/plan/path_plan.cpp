@@ -29,7 +29,7 @@ bool slow_by_the_excess(const Verification& verification, double factor, TimeLaw
     if (!check.passed && !(scales && check.value < check.limit * (1 + largest_excess))) return false;
   }
   for (const Check& check : verification.checks)
-    if (!check.passed) law.slow_run(check.at / factor, check.value / check.limit);
+    if (!check.passed) law.slow_section(check.at / factor, check.value / check.limit);
   return true;
 }
 

@@ -96,9 +96,9 @@ void use_on_plate(const std::string& file) {
     Chart& chart = charts.emplace_back(Chart::Frame{
         title, last ? "time t, s" : "", label, time, {0, most}, 800, last ? 230.0 : 200.0, false, 24, id, first});
     chart.line({{time.from, 1}, {time.to, 1}}, {"#444444", 1, "4 3", 1, false});
-    chart.line(most_used(motion(round, sharp), m, quantity), {orange.colour, 1.4, "", 0.9, false},
+    chart.line(largest_use(motion(round, sharp), m, quantity), {orange.colour, 1.4, "", 0.9, false},
                first ? milliseconds("time_optimal", sharp.duration()) : "");
-    chart.line(most_used(motion(round, smooth), m, quantity), {blue.colour, 1.8, "", 1, false},
+    chart.line(largest_use(motion(round, smooth), m, quantity), {blue.colour, 1.8, "", 1, false},
                first ? milliseconds("jerk_limited", smooth.duration()) : "");
   };
   panel("How much of its limits the busiest axis uses: velocity", "|v_k| / V_k", Quantity::velocity, 1.2, "velocity");
@@ -106,7 +106,7 @@ void use_on_plate(const std::string& file) {
   panel("Jerk", "|j_k| / J_k", Quantity::jerk, 2, "jerk");
   Chart::save(file, charts);
   double most = 0;
-  for (const Point& p : most_used(motion(round, sharp), m, Quantity::jerk)) most = std::max(most, p.y);
+  for (const Point& p : largest_use(motion(round, sharp), m, Quantity::jerk)) most = std::max(most, p.y);
   std::printf("%s: time_optimal uses up to %.0f times the jerk limit\n", file.c_str(), most);
 }
 

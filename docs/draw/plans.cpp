@@ -104,7 +104,7 @@ Line use_over_time(const Motion& motion, const Machine& machine, std::size_t axi
   return line;
 }
 
-Line most_used(const Motion& motion, const Machine& machine, Quantity quantity) {
+Line largest_use(const Motion& motion, const Machine& machine, Quantity quantity) {
   Line line;
   along(motion, [&](double t, const MotionState& at) {
     double most = 0;

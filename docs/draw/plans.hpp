@@ -32,7 +32,7 @@ Line speed_over_length(const TimeLaw& law);
 Line use_over_time(const Motion& motion, const Machine& machine, std::size_t axis);
 enum class Quantity { velocity, acceleration, jerk };
 /// The largest share of its limit that any axis uses, over time.
-Line most_used(const Motion& motion, const Machine& machine, Quantity quantity);
+Line largest_use(const Motion& motion, const Machine& machine, Quantity quantity);
 /// Share of the duration in which some axis uses more than 0.999 of its acceleration or velocity.
 double share_at_limit(const Motion& motion, const Machine& machine);
 

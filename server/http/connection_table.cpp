@@ -49,7 +49,7 @@ ConnectionTable::Admission ConnectionTable::admit(const std::string& address, Ti
   if (entries_.size() >= 2 * rules_.most + rules_.spare) return result;
   bool spare = false;
   const auto group = addresses_.find(address);
-  if (rules_.most_per_address > 0 && group != addresses_.end() && group->second.count >= rules_.most_per_address) {
+  if (rules_.max_per_address > 0 && group != addresses_.end() && group->second.count >= rules_.max_per_address) {
     result.leave = oldest(group->second.waiting, now);
     spare = !result.leave;
   } else if (all_.count >= rules_.most) {

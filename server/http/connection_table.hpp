@@ -25,7 +25,7 @@ class ConnectionTable {
   enum class Phase { waiting, body, busy };
   struct Rules {
     std::size_t most = 1024;
-    std::size_t most_per_address = 512;  ///< 0 = as many as there are
+    std::size_t max_per_address = 512;  ///< 0 = as many as there are
     std::size_t spare = 32;
     std::chrono::milliseconds stalled{5'000};  ///< a body that stood still for so long makes room, too
   };

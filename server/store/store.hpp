@@ -54,7 +54,7 @@ class Store : public ChangeSource {
 
   /// Ends queued jobs whose deadline has passed as deadline-exceeded. Running jobs whose lease has run out lost their
   /// attempt: they go back to the queue and keep its number, so that the next one is another; they end as cancelled
-  /// when that was asked for, or as worker-lost after most_lost_attempts. A few hundred at a time; writes only when
+  /// when that was asked for, or as worker-lost after max_lost_attempts. A few hundred at a time; writes only when
   /// there are any.
   virtual Expired expire(std::int64_t now) = 0;
 

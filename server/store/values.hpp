@@ -56,7 +56,7 @@ struct Attempt {
 
 /// A job whose attempts were lost so often (the process died, or let its lease run out) is not tried again: it ends as
 /// worker-lost.
-inline constexpr int most_lost_attempts = 2;
+inline constexpr int max_lost_attempts = 2;
 
 /// How an attempt ended. `revision` is the last one shown to clients while it ran.
 struct Ending {

@@ -117,15 +117,15 @@ TEST(ParseJson, RefusesWhatWouldTakeTooMuchMemoryBeforeReadingIt) {
 }
 
 TEST(ParseJson, StopsWhereAnArrayOrObjectHasTooManyParts) {
-  EXPECT_EQ(parse_json(repeated("0", 2 * most_items)).size(), most_items);
+  EXPECT_EQ(parse_json(repeated("0", 2 * max_items)).size(), max_items);
   for (const char* piece : {"0", "[]", "{}"}) {
-    const auto problem = fault(repeated(piece, (std::string_view(piece).size() + 1) * (most_items + 1)));
+    const auto problem = fault(repeated(piece, (std::string_view(piece).size() + 1) * (max_items + 1)));
     EXPECT_EQ(problem.type().slug, "payload-too-large") << piece;
     EXPECT_THAT(problem.what(), HasSubstr("an array has more than 2000000 items"));
   }
   std::string object = "{";
-  for (std::size_t i = 0; i < most_members; ++i) object += "\"" + std::to_string(i) + "\":0,";
-  EXPECT_EQ(parse_json(object.substr(0, object.size() - 1) + "}").size(), most_members);
+  for (std::size_t i = 0; i < max_members; ++i) object += "\"" + std::to_string(i) + "\":0,";
+  EXPECT_EQ(parse_json(object.substr(0, object.size() - 1) + "}").size(), max_members);
   const auto problem = fault(object + "\"x\":0}");
   EXPECT_EQ(problem.type().slug, "payload-too-large");
   EXPECT_THAT(problem.what(), HasSubstr("an object has more than 10000 members"));

@@ -39,7 +39,7 @@ class SectionPlanner {
     grid_.reserve(static_cast<std::size_t>(2.1 * std::min(cells, 2 * static_cast<double>(options.window))) + 16);
   }
 
-  /// The run over the segments [first, last); `from` … `to` is its share of progress.
+  /// The section over the segments [first, last); `from` … `to` is its share of progress.
   void plan(std::size_t first, std::size_t last, double from, double to, AccelerationLimitedResult& result) {
     if (!one_window_ && reach(first, last, static_cast<double>(options_.window)) < last)
       return plan_long(first, last, from, to, result);
@@ -223,7 +223,7 @@ class SectionPlanner {
   const AccelerationLimitedOptions& options_;
   const std::vector<double>& feed_;
   Progress& progress_;
-  bool one_window_;  // enough for any run
+  bool one_window_;  // enough for any section
   AxisBounds<N> limit_;
   double slow_ = 1;  // by what the law is slowed
   Grid<N> grid_;

@@ -2,13 +2,13 @@
 /// Motion laws within velocity and acceleration limits of every axis: the fastest one, and the one with a braking
 /// reserve [Bock 2.2.3].
 ///
-/// Per run (rest to rest) a grid is laid, one backward pass finds the largest v² from which each node can still come to
-/// rest, one forward pass takes the largest v² that stays below it; cells where the law switches are divided until the
-/// estimated loss falls below `tolerance`, and cells in which a limit is exceeded between the stations get a smaller
-/// share of it. Sections beyond `window` cells are planned in overlapping windows, each to a stop at its end; what is
-/// kept of it is what that stop cannot reach, so the law is that of the whole run. Straight segments are one cell each
-/// and exact. The result is piecewise cubic in time. Cost: O(cells) time and memory per run; for two axes, path
-/// evaluation included, about 85 ns per cell for one solution and 0.6 µs with all rounds
+/// Per section from rest to rest a grid is laid, one backward pass finds the largest v² from which each node can still
+/// come to rest, one forward pass takes the largest v² that stays below it; cells where the law switches are divided
+/// until the estimated loss falls below `tolerance`, and cells in which a limit is exceeded between the stations get a
+/// smaller share of it. Sections beyond `window` cells are planned in overlapping windows, each to a stop at its end;
+/// what is kept of it is what that stop cannot reach, so the law is that of the whole section. Straight segments are
+/// one cell each and exact. The result is piecewise cubic in time. Cost: O(cells) time and memory per section; for two
+/// axes, path evaluation included, about 85 ns per cell for one solution and 0.6 µs with all rounds
 /// (tests/bench/bench_motion.cpp).
 #include <cstddef>
 #include <vector>
@@ -26,17 +26,17 @@ struct AccelerationLimitedOptions {
   bool keep_reserve = false;     ///< braking_reserve instead of time_optimal
   double braking_reserve = 0.7;  ///< K_b ∈ (0,1): the share of an axis' acceleration that bending may use
   double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad; larger tangent jumps are corners with a stop
-  double excess = 2e-9;     ///< by which a limit may be exceeded inside a cell; what remains slows the run, relative
+  double excess = 2e-9;  ///< by which a limit may be exceeded inside a cell; what remains slows the section, relative
   double tolerance = 1e-6;  ///< estimated loss of duration to the grid, relative
   int max_divisions = 5,
       max_rounds = 5;  ///< times that the grid is divided, then that limits inside cells are tightened
   GridOptions grid;
-  std::size_t window = 1 << 18;  ///< cells planned at once; longer runs are planned piece by piece
+  std::size_t window = 1 << 18;  ///< cells planned at once; longer sections are planned piece by piece
 };
 
 struct AccelerationLimitedResult {
   TimeLaw law;
-  std::size_t rounds = 0;  ///< most passes any run took
+  std::size_t rounds = 0;  ///< most passes any section took
   std::size_t cells = 0;   ///< cells of the final grids
 };
 

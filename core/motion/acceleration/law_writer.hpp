@@ -1,5 +1,5 @@
 #pragma once
-/// Writes the law of one run, cell by cell, all of it slowed by one factor.
+/// Writes the law of one section, cell by cell, all of it slowed by one factor.
 #include <algorithm>
 #include <cmath>
 #include <limits>

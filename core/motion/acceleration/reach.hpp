@@ -4,7 +4,7 @@
 ///
 /// Inside a grid cell of length Δ, b = v² is a quadratic in s with Bernstein coefficients b1, g, b2: path acceleration
 /// (g − b1)/Δ at the left, (b2 − g)/Δ at the right. An axis acceleration h'' b + h' a [Bock (2.7)] at the left station
-/// is therefore linear in (b1, g), at the right one in (g, b2), and the whole run is one chain b1 g b2 g b3 … of
+/// is therefore linear in (b1, g), at the right one in (g, b2), and the whole section is one chain b1 g b2 g b3 … of
 /// variables whose links are polygons around the origin.
 #include <algorithm>
 #include <array>
@@ -35,7 +35,7 @@ double reach_forward(const LinkRows<M>& rows, double x, double cap) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(rows.n); ++i) {
     const double q = std::abs(rows.q[i]);
     const double p = std::copysign(rows.p[i], rows.p[i] * rows.q[i]);  // sign(q) · p
-    // The hair of slack absorbs the rounding of x where q is tiny; q = 0 gives infinity.
+    // The slack absorbs the rounding of x where q is tiny; q = 0 gives infinity.
     const double bound = (rows.c[i] * (1 + 1e-13) - p * x) / q;
     best = bound < best ? bound : best;
   }
@@ -50,7 +50,7 @@ double reach_backward(const LinkRows<M>& rows, double cap_x, double cap_y) {
   double y = cap_y;
   for (int step = 0; step < 3 * M; ++step) {
     // The tightest upper and lower bound on x at this y, with their slopes dx/dy.
-    double upper = cap_x, upper_slope = 0, upper_hair = 0, lower = 0, lower_slope = 0, lower_hair = 0, most = y;
+    double upper = cap_x, upper_slope = 0, upper_margin = 0, lower = 0, lower_slope = 0, lower_margin = 0, most = y;
     for (std::size_t i = 0; i < n; ++i) {
       const double p = std::abs(rows.p[i]);
       if (!(p * cap_x > 1e-9 * rows.c[i])) {  // as good as a limit on y alone
@@ -59,25 +59,25 @@ double reach_backward(const LinkRows<M>& rows, double cap_x, double cap_y) {
       }
       const double slope = -std::copysign(rows.q[i], rows.p[i] * rows.q[i]) / p;
       const double width = rows.c[i] / p, middle = slope * y;
-      // At a vertex take the line that leads on to smaller y: the one of larger slope. The hair is rounding, 1e-13 of
+      // At a vertex take the line that leads on to smaller y: the one of larger slope. The margin is rounding, 1e-13 of
       // the row.
-      const double line = middle + width, hair = 1e-13 * (width + std::abs(middle));
-      if (line < upper - hair || (line < upper + hair && slope > upper_slope)) {
+      const double line = middle + width, margin = 1e-13 * (width + std::abs(middle));
+      if (line < upper - margin || (line < upper + margin && slope > upper_slope)) {
         upper = std::min(line, upper);
         upper_slope = slope;
-        upper_hair = hair;
+        upper_margin = margin;
       }
       if (middle - width > lower) {
         lower = middle - width;
         lower_slope = slope;
-        lower_hair = hair;
+        lower_margin = margin;
       }
     }
     if (most < y) {  // a limit on y alone
       y = most;
       continue;
     }
-    if (lower - upper > lower_hair + upper_hair) {  // y is too large: go back to where the two lines meet
+    if (lower - upper > lower_margin + upper_margin) {  // y is too large: go back to where the two lines meet
       const double gain = lower_slope - upper_slope;
       if (!(gain > 0)) return std::max(0.0, upper);  // rounding only: the origin is feasible
       y = std::max(0.0, y - (lower - upper) / gain);

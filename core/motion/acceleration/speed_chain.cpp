@@ -145,7 +145,7 @@ void SpeedChain<N>::start(double entry) {
   speed_.resize(n + 1);
   double square = 0;  // |a| ≤ |A|, so v² can never exceed 2 |A| s: keeps everything finite
   for (std::size_t k = 0; k < N; ++k) square += limit_.acceleration[k] * limit_.acceleration[k];
-  max_ = entry + 2 * std::sqrt(square) * grid_.run_length;
+  max_ = entry + 2 * std::sqrt(square) * grid_.section_length;
   speed_[n].node_stop = 0;
   speed_[0].node = entry;
 }

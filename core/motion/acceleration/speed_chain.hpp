@@ -1,8 +1,8 @@
 #pragma once
-/// The largest v² along one run: the chain b0 g0 b1 g1 … (core/motion/acceleration/reach.hpp) solved by one backward
-/// and one forward pass.
+/// The largest v² along one section: the chain b0 g0 b1 g1 … (core/motion/acceleration/reach.hpp) solved by one
+/// backward and one forward pass.
 ///
-/// Backward: the largest v² from which the rest of the run can still be driven. Forward: from rest, the largest v²
+/// Backward: the largest v² from which the rest of the section can still be driven. Forward: from rest, the largest v²
 /// below that. Links are polygons around the origin, so what the backward pass allows the forward pass finds. After
 /// some cells change, only what they influence is solved again. Cost: O(cells); four divisions per axis and cell, and
 /// two small linear programs where an axis turns round (core/motion/acceleration/station_limits.hpp).
@@ -80,7 +80,7 @@ class SpeedChain {
   std::optional<double> reserve_;
   AxisBounds<N> limit_;
   double entry_ = 0;  // v² at the begin
-  double max_ = 0;    // v² that the run's length allows
+  double max_ = 0;    // v² that the section's length allows
   /// v² at the left end of a cell and its middle coefficient: what can still stop, and the law.
   struct Speeds {
     double node_stop, middle_stop, node, middle;

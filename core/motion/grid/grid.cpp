@@ -165,9 +165,9 @@ void Grid<N>::build(const LanePath<N>& path, std::size_t first, std::size_t last
                     const Machine& machine, const GridOptions& options, ProgressScope& pulse) {
   stations.clear();
   cells.clear();
-  run_length = 0;
+  section_length = 0;
   for (std::size_t i = first; i < last; ++i) {
-    run_length += path[i].length();
+    section_length += path[i].length();
     pulse.now(i - first, last - first);
     if (path.linear(i)) {
       cells.push_back({static_cast<std::uint32_t>(stations.size()), static_cast<std::uint32_t>(i), true, false, false});
@@ -212,16 +212,16 @@ void Grid<N>::slice(const Grid& of, std::size_t first, std::size_t last) {
   const std::uint32_t begin = of.cells[first].station, end = of.cells[last - 1].station + 2;
   stations.assign(at(of.stations, begin), at(of.stations, end));
   cells.assign(at(of.cells, first), at(of.cells, last));
-  run_length = 0;
+  section_length = 0;
   for (std::size_t c = 0; c < cells.size(); ++c) {
     cells[c].station -= begin;
-    run_length += length(c);
+    section_length += length(c);
   }
 }
 
 template <int N>
 void Grid<N>::cut(std::size_t last) {
-  for (std::size_t c = last; c < cells.size(); ++c) run_length -= length(c);
+  for (std::size_t c = last; c < cells.size(); ++c) section_length -= length(c);
   cells.resize(last);
   stations.resize(cells.back().station + 2);
 }

@@ -1,10 +1,10 @@
 #pragma once
-/// The stations of one run of a path at which a planner looks: dense where the path turns, one cell per straight
+/// The stations of one section of a path at which a planner looks: dense where the path turns, one cell per straight
 /// segment.
 ///
-/// A run goes from rest to rest. Cells lie inside one segment each, so curvature may jump from cell to cell. Inside a
-/// cell the curvature vector is reproduced by the cubic through its values and derivatives at both ends to `hermite` of
-/// an axis limit; that is what lets the planner hold limits between stations, not only on them.
+/// A section goes from rest to rest. Cells lie inside one segment each, so curvature may jump from cell to cell. Inside
+/// a cell the curvature vector is reproduced by the cubic through its values and derivatives at both ends to `hermite`
+/// of an axis limit; that is what lets the planner hold limits between stations, not only on them.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -37,7 +37,7 @@ class Grid {
  public:
   LargeVector<Station<N>> stations;
   LargeVector<GridCell> cells;
-  double run_length = 0;  ///< mm
+  double section_length = 0;  ///< mm
 
   double length(std::size_t c) const { return right(c).s - left(c).s; }
   const Station<N>& left(std::size_t c) const { return stations[cells[c].station]; }
@@ -48,8 +48,8 @@ class Grid {
     stations.reserve(cells_expected);
     cells.reserve(cells_expected);
   }
-  /// Stations for the path segments [first, last); the first and the last cell are halved towards the rest at the run's
-  /// ends, where the speed changes by more than it is. O(cells).
+  /// Stations for the path segments [first, last); the first and the last cell are halved towards the rest at the
+  /// section's ends, where the speed changes by more than it is. O(cells).
   void build(const LanePath<N>& path, std::size_t first, std::size_t last, const std::vector<double>& feed,
              const Machine& machine, const GridOptions& options, ProgressScope& pulse);
   /// Becomes the cells [first, last) of another grid. O(last − first).

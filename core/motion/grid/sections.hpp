@@ -8,7 +8,8 @@
 namespace bahnwerk {
 
 struct Sections {
-  /// Segment indices at which a run begins, 0 first, path.size() last: between two of them the motion does not stop.
+  /// Segment indices at which a section begins, 0 first, path.size() last: between two of them the motion does not
+  /// stop.
   std::vector<std::size_t> begin;
   /// Per segment: largest v² at the joint where it begins; infinity at smooth joints, unused at the begin of sections.
   std::vector<double> joint_cap;
@@ -19,8 +20,8 @@ struct Sections {
 /// O(segments); `pause` as in joints().
 Sections find_sections(const PathTask& task, double corner_angle, const std::function<void()>& pause = {});
 
-/// Plans run by run: plan(first segment, one past the last, begin and end of its share of the progress from `from` to
-/// `to`, by path length).
+/// Plans section by section: plan(first segment, one past the last, begin and end of its share of the progress from
+/// `from` to `to`, by path length).
 template <class Plan>
 void for_each_section(const Path& path, const Sections& sections, double from, double to, Plan&& plan) {
   const auto fraction = [&](std::size_t segment) {

@@ -1,5 +1,5 @@
-/// Brings a JerkProblem into the form that the interior-point method calculates with: both halves of the run side by
-/// side, from its ends inwards, the second one backwards in time.
+/// Brings a JerkProblem into the form that the interior-point method calculates with: both halves of the section side
+/// by side, from its ends inwards, the second one backwards in time.
 #include <cmath>
 
 #include "core/motion/jerk/solver.hpp"

@@ -64,7 +64,7 @@ inline JerkCell rest_cell(double b, double h, std::size_t moving) {
   c.dj1[2 * moving] = c.dj2[2 * moving] = 1.5 * c.j1 / b;
   return c;
 }
-/// a = tie · b at the moving node of the first (sign +) or last cell (sign −) of a run.
+/// a = tie · b at the moving node of the first (sign +) or last cell (sign −) of a section.
 inline double rest_tie(double h) { return 2.0 / (3 * h); }
 
 /// The law from its ends; s counts from the cell's left end.

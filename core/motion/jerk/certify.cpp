@@ -1,4 +1,4 @@
-/// Looks between the nodes: peaks of every cell, shares of limits, and what a run has to be slowed by.
+/// Looks between the nodes: peaks of every cell, shares of limits, and what a section has to be slowed by.
 #include <algorithm>
 #include <cmath>
 
@@ -7,7 +7,7 @@
 
 namespace bahnwerk {
 
-using jerk_run_detail::sure;
+using jerk_section_detail::sure;
 
 namespace {
 
@@ -20,7 +20,7 @@ constexpr double hopeless = 1.15, bearable = 1.05;
 }  // namespace
 
 template <int N, int M>
-void JerkRunPlanner<N, M>::look_half_way(ProgressScope& pulse) {
+void JerkSectionPlanner<N, M>::look_half_way(ProgressScope& pulse) {
   const std::size_t n = grid_.cells.size();
   middle_.resize(n);
   for (std::size_t c = 0; c < n; ++c) {
@@ -32,7 +32,7 @@ void JerkRunPlanner<N, M>::look_half_way(ProgressScope& pulse) {
 }
 
 template <int N, int M>
-void JerkRunPlanner<N, M>::measure(const RowLimits<M>& limit, bool exact, ProgressScope& pulse) {
+void JerkSectionPlanner<N, M>::measure(const RowLimits<M>& limit, bool exact, ProgressScope& pulse) {
   const std::size_t n = grid_.cells.size();
   peaks_.resize(n);
   worst_ = {};
@@ -58,7 +58,7 @@ void JerkRunPlanner<N, M>::measure(const RowLimits<M>& limit, bool exact, Progre
 }
 
 template <int N, int M>
-void JerkRunPlanner<N, M>::certify(ProgressScope& pulse) {
+void JerkSectionPlanner<N, M>::certify(ProgressScope& pulse) {
   measure(limit_, true, pulse);  // a model of the path is good enough to plan by, not to vouch for
   worst_ = {};
   PeakSweep sweep(std::vector<double>(3 * M, 1.0));
@@ -67,7 +67,7 @@ void JerkRunPlanner<N, M>::certify(ProgressScope& pulse) {
     pulse(c, n);
     if (peaks_[c].doubt > sure) {
       LawPiece law = jerk_piece(state_[c], state_[c + 1], grid_.length(c));
-      if (!(law.duration > 0) || !std::isfinite(law.duration)) continue;  // emit() refuses the run
+      if (!(law.duration > 0) || !std::isfinite(law.duration)) continue;  // emit() refuses the section
       const std::size_t segment = grid_.cells[c].segment;
       law.s = path_[segment].s0() + grid_.left(c).s;
       const bool open = grid_.cells[c].cusp_left || grid_.cells[c].cusp_right;
@@ -107,7 +107,7 @@ void JerkRunPlanner<N, M>::certify(ProgressScope& pulse) {
 }
 
 template <int N, int M>
-bool JerkRunPlanner<N, M>::stubborn() {
+bool JerkSectionPlanner<N, M>::stubborn() {
   const std::size_t n = grid_.cells.size();
   bool any = false;
   division_.assign(n, {});
@@ -123,7 +123,7 @@ bool JerkRunPlanner<N, M>::stubborn() {
 }
 
 template <int N, int M>
-void JerkRunPlanner<N, M>::tighten() {
+void JerkSectionPlanner<N, M>::tighten() {
   const std::size_t n = grid_.cells.size();
   const auto less = [](double peak) { return peak > sure ? sure / (sure + 1.05 * (peak - sure)) : 1.0; };
   for (auto& rows : problem_.nodes) {
@@ -142,35 +142,35 @@ void JerkRunPlanner<N, M>::tighten() {
   }
 }
 
-template void JerkRunPlanner<2, 2>::look_half_way(ProgressScope& pulse);
-template void JerkRunPlanner<2, 2>::measure(const RowLimits<2>& limit, bool exact, ProgressScope& pulse);
-template void JerkRunPlanner<2, 2>::certify(ProgressScope& pulse);
-template bool JerkRunPlanner<2, 2>::stubborn();
-template void JerkRunPlanner<2, 2>::tighten();
-template void JerkRunPlanner<2, 3>::look_half_way(ProgressScope& pulse);
-template void JerkRunPlanner<2, 3>::measure(const RowLimits<3>& limit, bool exact, ProgressScope& pulse);
-template void JerkRunPlanner<2, 3>::certify(ProgressScope& pulse);
-template bool JerkRunPlanner<2, 3>::stubborn();
-template void JerkRunPlanner<2, 3>::tighten();
-template void JerkRunPlanner<3, 3>::look_half_way(ProgressScope& pulse);
-template void JerkRunPlanner<8, 8>::look_half_way(ProgressScope& pulse);
-template void JerkRunPlanner<3, 3>::measure(const RowLimits<3>& limit, bool exact, ProgressScope& pulse);
-template void JerkRunPlanner<8, 8>::measure(const RowLimits<8>& limit, bool exact, ProgressScope& pulse);
-template void JerkRunPlanner<3, 3>::certify(ProgressScope& pulse);
-template void JerkRunPlanner<8, 8>::certify(ProgressScope& pulse);
-template bool JerkRunPlanner<3, 3>::stubborn();
-template bool JerkRunPlanner<8, 8>::stubborn();
-template void JerkRunPlanner<3, 3>::tighten();
-template void JerkRunPlanner<8, 8>::tighten();
-template void JerkRunPlanner<3, 4>::look_half_way(ProgressScope& pulse);
-template void JerkRunPlanner<8, 9>::look_half_way(ProgressScope& pulse);
-template void JerkRunPlanner<3, 4>::measure(const RowLimits<4>& limit, bool exact, ProgressScope& pulse);
-template void JerkRunPlanner<8, 9>::measure(const RowLimits<9>& limit, bool exact, ProgressScope& pulse);
-template void JerkRunPlanner<3, 4>::certify(ProgressScope& pulse);
-template void JerkRunPlanner<8, 9>::certify(ProgressScope& pulse);
-template bool JerkRunPlanner<3, 4>::stubborn();
-template bool JerkRunPlanner<8, 9>::stubborn();
-template void JerkRunPlanner<3, 4>::tighten();
-template void JerkRunPlanner<8, 9>::tighten();
+template void JerkSectionPlanner<2, 2>::look_half_way(ProgressScope& pulse);
+template void JerkSectionPlanner<2, 2>::measure(const RowLimits<2>& limit, bool exact, ProgressScope& pulse);
+template void JerkSectionPlanner<2, 2>::certify(ProgressScope& pulse);
+template bool JerkSectionPlanner<2, 2>::stubborn();
+template void JerkSectionPlanner<2, 2>::tighten();
+template void JerkSectionPlanner<2, 3>::look_half_way(ProgressScope& pulse);
+template void JerkSectionPlanner<2, 3>::measure(const RowLimits<3>& limit, bool exact, ProgressScope& pulse);
+template void JerkSectionPlanner<2, 3>::certify(ProgressScope& pulse);
+template bool JerkSectionPlanner<2, 3>::stubborn();
+template void JerkSectionPlanner<2, 3>::tighten();
+template void JerkSectionPlanner<3, 3>::look_half_way(ProgressScope& pulse);
+template void JerkSectionPlanner<8, 8>::look_half_way(ProgressScope& pulse);
+template void JerkSectionPlanner<3, 3>::measure(const RowLimits<3>& limit, bool exact, ProgressScope& pulse);
+template void JerkSectionPlanner<8, 8>::measure(const RowLimits<8>& limit, bool exact, ProgressScope& pulse);
+template void JerkSectionPlanner<3, 3>::certify(ProgressScope& pulse);
+template void JerkSectionPlanner<8, 8>::certify(ProgressScope& pulse);
+template bool JerkSectionPlanner<3, 3>::stubborn();
+template bool JerkSectionPlanner<8, 8>::stubborn();
+template void JerkSectionPlanner<3, 3>::tighten();
+template void JerkSectionPlanner<8, 8>::tighten();
+template void JerkSectionPlanner<3, 4>::look_half_way(ProgressScope& pulse);
+template void JerkSectionPlanner<8, 9>::look_half_way(ProgressScope& pulse);
+template void JerkSectionPlanner<3, 4>::measure(const RowLimits<4>& limit, bool exact, ProgressScope& pulse);
+template void JerkSectionPlanner<8, 9>::measure(const RowLimits<9>& limit, bool exact, ProgressScope& pulse);
+template void JerkSectionPlanner<3, 4>::certify(ProgressScope& pulse);
+template void JerkSectionPlanner<8, 9>::certify(ProgressScope& pulse);
+template bool JerkSectionPlanner<3, 4>::stubborn();
+template bool JerkSectionPlanner<8, 9>::stubborn();
+template void JerkSectionPlanner<3, 4>::tighten();
+template void JerkSectionPlanner<8, 9>::tighten();
 
 }  // namespace bahnwerk

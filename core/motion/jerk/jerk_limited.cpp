@@ -16,7 +16,7 @@ JerkLimitedResult plan(const PathTask& task, const JerkLimitedOptions& options, 
   const Machine lanes = path.limits(task.machine);
   const Sections sections = find_sections(task, options.corner_angle, [&] { progress.report("planning", from); });
   JerkLimitedResult result;
-  JerkRunPlanner<N, M> planner(path, lanes, options, task.feeds, sections, progress);
+  JerkSectionPlanner<N, M> planner(path, lanes, options, task.feeds, sections, progress);
   for_each_section(path.tool(), sections, from, to, [&](std::size_t first, std::size_t last, double begin, double end) {
     planner.plan(first, last, begin, end, result);
   });

@@ -1,16 +1,16 @@
 #pragma once
 /// The fastest motion law within velocity, acceleration and jerk limits of every axis and of the path: smooth
-/// acceleration, at rest with zero acceleration at both ends of every run [Bock Def. 2.6], [Herrmann (4.80)].
+/// acceleration, at rest with zero acceleration at both ends of every section [Bock Def. 2.6], [Herrmann (4.80)].
 ///
-/// Per run (rest to rest) a grid is laid by turn and by time, an interior-point method (jerk_solver.hpp) finds v² and a
-/// at its nodes, cells in which the law switches are divided and the problem solved again; cells in which a limit is
-/// exceeded between nodes get a smaller share of it; what remains slows the run uniformly, so that limits hold
-/// everywhere. The result is piecewise quartic in time with continuous acceleration. A straight segment alone between
-/// two rests takes the closed form (profile.hpp). The problem is not convex: what is found is a local optimum. Should
-/// the method find nothing, other starts are tried, and at last a slow law that holds the limits.
+/// Per section from rest to rest a grid is laid by turn and by time, an interior-point method (jerk_solver.hpp) finds
+/// v² and a at its nodes, cells in which the law switches are divided and the problem solved again; cells in which a
+/// limit is exceeded between nodes get a smaller share of it; what remains slows the section uniformly, so that limits
+/// hold everywhere. The result is piecewise quartic in time with continuous acceleration. A straight segment alone
+/// between two rests takes the closed form (profile.hpp). The problem is not convex: what is found is a local optimum.
+/// Should the method find nothing, other starts are tried, and at last a slow law that holds the limits.
 ///
-/// Long runs are planned window by window (jerk_windows.cpp). Cost: O(cells), linear; a smooth spline takes 20 to 28
-/// iterations in all, 3.5 to 5 µs per cell from 1e3 to 1e6 cells (tests/bench/bench_jerk.cpp).
+/// Long sections are planned window by window (jerk_windows.cpp). Cost: O(cells), linear; a smooth spline takes 20 to
+/// 28 iterations in all, 3.5 to 5 µs per cell from 1e3 to 1e6 cells (tests/bench/bench_jerk.cpp).
 #include <cstddef>
 
 #include "core/base/progress.hpp"
@@ -28,7 +28,7 @@ struct JerkLimitedOptions {
   double gap = 1e-4;          ///< loss of duration to the solver, relative
   double tolerance = 3e-4;    ///< loss of duration to the grid, relative, estimated
   double angle = 0.02;        ///< most a cell turns, rad
-  std::size_t window = 2400;  ///< cells of longer runs that are planned at once, before they are divided; 0 = all
+  std::size_t window = 2400;  ///< cells of longer sections that are planned at once, before they are divided; 0 = all
   /// Times that the grid is divided for accuracy, and that it is divided or shares are tightened for what cells exceed.
   int max_divisions = 3, max_rounds = 40;
 };

@@ -1,5 +1,5 @@
-/// One step of the interior-point method: from the run's ends to its middle the last step is taken, the linear system
-/// assembled and eliminated, and back to the ends its solution found and how much of it can be taken.
+/// One step of the interior-point method: from the section's ends to its middle the last step is taken, the linear
+/// system assembled and eliminated, and back to the ends its solution found and how much of it can be taken.
 #include <algorithm>
 #include <cmath>
 

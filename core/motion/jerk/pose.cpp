@@ -1,4 +1,4 @@
-/// Lays the grid of a run, a first law on it, and the rows of its problem.
+/// Lays the grid of a section, a first law on it, and the rows of its problem.
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +14,7 @@ constexpr double middle_from = 0.15, near_limit = 0.8;
 }  // namespace
 
 template <int N, int M>
-void JerkRunPlanner<N, M>::caps(LargeVector<double>& cap, ProgressScope& pulse) const {
+void JerkSectionPlanner<N, M>::caps(LargeVector<double>& cap, ProgressScope& pulse) const {
   const std::size_t n = grid_.cells.size();
   cap.assign(n + 1, unlimited);
   for (std::size_t c = 0; c < n; ++c) {
@@ -43,7 +43,7 @@ void JerkRunPlanner<N, M>::caps(LargeVector<double>& cap, ProgressScope& pulse) 
 }
 
 template <int N, int M>
-double JerkRunPlanner<N, M>::cell_cap(std::size_t c, bool at_end) const {
+double JerkSectionPlanner<N, M>::cell_cap(std::size_t c, bool at_end) const {
   const Station<N>&l = grid_.left(c), &r = grid_.right(c), &s = at_end ? r : l;
   const double f = feed(c), h = at_end ? l.s - r.s : r.s - l.s;
   double cap = f * f;
@@ -59,13 +59,13 @@ double JerkRunPlanner<N, M>::cell_cap(std::size_t c, bool at_end) const {
 }
 
 template <int N, int M>
-void JerkRunPlanner<N, M>::rough(ProgressScope& pulse) {
+void JerkSectionPlanner<N, M>::rough(ProgressScope& pulse) {
   caps(cap_, pulse);
   rough_profile<N>(grid_, feed_, machine_, options_.path, cap_, rough_, pulse);
 }
 
 template <int N, int M>
-void JerkRunPlanner<N, M>::lay(ProgressScope& pulse) {
+void JerkSectionPlanner<N, M>::lay(ProgressScope& pulse) {
   rough(pulse);
   const std::size_t n = grid_.cells.size();
   double total = 0;
@@ -88,7 +88,7 @@ void JerkRunPlanner<N, M>::lay(ProgressScope& pulse) {
 }
 
 template <int N, int M>
-void JerkRunPlanner<N, M>::soften() {
+void JerkSectionPlanner<N, M>::soften() {
   double total = 0;
   for (const double t : rough_.duration) total += t;
   const double mean = total / static_cast<double>(grid_.cells.size());
@@ -98,7 +98,7 @@ void JerkRunPlanner<N, M>::soften() {
 }
 
 template <int N, int M>
-void JerkRunPlanner<N, M>::guess(Start start, ProgressScope& pulse) {
+void JerkSectionPlanner<N, M>::guess(Start start, ProgressScope& pulse) {
   const std::size_t n = grid_.cells.size();
   if (start.smooth) smooth<N>(grid_, 2 * jerk_time_, rough_, pulse);
   const auto& b = start.smooth ? rough_.smooth_b : rough_.b;
@@ -124,7 +124,7 @@ void JerkRunPlanner<N, M>::guess(Start start, ProgressScope& pulse) {
 }
 
 template <int N, int M>
-void JerkRunPlanner<N, M>::pose(ProgressScope& pulse) {
+void JerkSectionPlanner<N, M>::pose(ProgressScope& pulse) {
   const std::size_t n = grid_.cells.size();
   caps(cap_, pulse);
   problem_.inverse_jerk = soft_.inverse_jerk;
@@ -167,7 +167,7 @@ void JerkRunPlanner<N, M>::pose(ProgressScope& pulse) {
 }
 
 template <int N, int M>
-void JerkRunPlanner<N, M>::pose_middles(bool looked, ProgressScope& pulse) {
+void JerkSectionPlanner<N, M>::pose_middles(bool looked, ProgressScope& pulse) {
   const std::size_t n = grid_.cells.size();
   problem_.middles.clear();
   const auto near = [&](std::size_t c) {
@@ -195,7 +195,8 @@ void JerkRunPlanner<N, M>::pose_middles(bool looked, ProgressScope& pulse) {
 }
 
 template <int N, int M>
-void JerkRunPlanner<N, M>::add_node(std::size_t node, const JerkStation<M>& s, const std::array<double, M>& inverse) {
+void JerkSectionPlanner<N, M>::add_node(std::size_t node, const JerkStation<M>& s,
+                                        const std::array<double, M>& inverse) {
   NodeRows<M> rows;
   rows.node = node;
   rows.share.fill(share_);
@@ -206,65 +207,65 @@ void JerkRunPlanner<N, M>::add_node(std::size_t node, const JerkStation<M>& s, c
   problem_.nodes.push_back(rows);
 }
 
-template void JerkRunPlanner<2, 2>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
-template double JerkRunPlanner<2, 2>::cell_cap(std::size_t c, bool at_end) const;
-template void JerkRunPlanner<2, 2>::rough(ProgressScope& pulse);
-template void JerkRunPlanner<2, 2>::lay(ProgressScope& pulse);
-template void JerkRunPlanner<2, 2>::soften();
-template void JerkRunPlanner<2, 2>::guess(Start start, ProgressScope& pulse);
-template void JerkRunPlanner<2, 2>::pose(ProgressScope& pulse);
-template void JerkRunPlanner<2, 2>::pose_middles(bool looked, ProgressScope& pulse);
-template void JerkRunPlanner<2, 2>::add_node(std::size_t node, const JerkStation<2>& s,
-                                             const std::array<double, 2>& inverse);
-template void JerkRunPlanner<2, 3>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
-template double JerkRunPlanner<2, 3>::cell_cap(std::size_t c, bool at_end) const;
-template void JerkRunPlanner<2, 3>::rough(ProgressScope& pulse);
-template void JerkRunPlanner<2, 3>::lay(ProgressScope& pulse);
-template void JerkRunPlanner<2, 3>::soften();
-template void JerkRunPlanner<2, 3>::guess(Start start, ProgressScope& pulse);
-template void JerkRunPlanner<2, 3>::pose(ProgressScope& pulse);
-template void JerkRunPlanner<2, 3>::pose_middles(bool looked, ProgressScope& pulse);
-template void JerkRunPlanner<2, 3>::add_node(std::size_t node, const JerkStation<3>& s,
-                                             const std::array<double, 3>& inverse);
-template void JerkRunPlanner<3, 3>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
-template void JerkRunPlanner<8, 8>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
-template double JerkRunPlanner<3, 3>::cell_cap(std::size_t c, bool at_end) const;
-template double JerkRunPlanner<8, 8>::cell_cap(std::size_t c, bool at_end) const;
-template void JerkRunPlanner<3, 3>::rough(ProgressScope& pulse);
-template void JerkRunPlanner<8, 8>::rough(ProgressScope& pulse);
-template void JerkRunPlanner<3, 3>::lay(ProgressScope& pulse);
-template void JerkRunPlanner<8, 8>::lay(ProgressScope& pulse);
-template void JerkRunPlanner<3, 3>::soften();
-template void JerkRunPlanner<8, 8>::soften();
-template void JerkRunPlanner<3, 3>::guess(Start start, ProgressScope& pulse);
-template void JerkRunPlanner<8, 8>::guess(Start start, ProgressScope& pulse);
-template void JerkRunPlanner<3, 3>::pose(ProgressScope& pulse);
-template void JerkRunPlanner<8, 8>::pose(ProgressScope& pulse);
-template void JerkRunPlanner<3, 3>::pose_middles(bool looked, ProgressScope& pulse);
-template void JerkRunPlanner<8, 8>::pose_middles(bool looked, ProgressScope& pulse);
-template void JerkRunPlanner<3, 3>::add_node(std::size_t node, const JerkStation<3>& s,
-                                             const std::array<double, 3>& inverse);
-template void JerkRunPlanner<8, 8>::add_node(std::size_t node, const JerkStation<8>& s,
-                                             const std::array<double, 8>& inverse);
-template void JerkRunPlanner<3, 4>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
-template void JerkRunPlanner<8, 9>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
-template double JerkRunPlanner<3, 4>::cell_cap(std::size_t c, bool at_end) const;
-template double JerkRunPlanner<8, 9>::cell_cap(std::size_t c, bool at_end) const;
-template void JerkRunPlanner<3, 4>::rough(ProgressScope& pulse);
-template void JerkRunPlanner<8, 9>::rough(ProgressScope& pulse);
-template void JerkRunPlanner<3, 4>::lay(ProgressScope& pulse);
-template void JerkRunPlanner<8, 9>::lay(ProgressScope& pulse);
-template void JerkRunPlanner<3, 4>::soften();
-template void JerkRunPlanner<8, 9>::soften();
-template void JerkRunPlanner<3, 4>::guess(Start start, ProgressScope& pulse);
-template void JerkRunPlanner<8, 9>::guess(Start start, ProgressScope& pulse);
-template void JerkRunPlanner<3, 4>::pose(ProgressScope& pulse);
-template void JerkRunPlanner<8, 9>::pose(ProgressScope& pulse);
-template void JerkRunPlanner<3, 4>::pose_middles(bool looked, ProgressScope& pulse);
-template void JerkRunPlanner<8, 9>::pose_middles(bool looked, ProgressScope& pulse);
-template void JerkRunPlanner<3, 4>::add_node(std::size_t node, const JerkStation<4>& s,
-                                             const std::array<double, 4>& inverse);
-template void JerkRunPlanner<8, 9>::add_node(std::size_t node, const JerkStation<9>& s,
-                                             const std::array<double, 9>& inverse);
+template void JerkSectionPlanner<2, 2>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
+template double JerkSectionPlanner<2, 2>::cell_cap(std::size_t c, bool at_end) const;
+template void JerkSectionPlanner<2, 2>::rough(ProgressScope& pulse);
+template void JerkSectionPlanner<2, 2>::lay(ProgressScope& pulse);
+template void JerkSectionPlanner<2, 2>::soften();
+template void JerkSectionPlanner<2, 2>::guess(Start start, ProgressScope& pulse);
+template void JerkSectionPlanner<2, 2>::pose(ProgressScope& pulse);
+template void JerkSectionPlanner<2, 2>::pose_middles(bool looked, ProgressScope& pulse);
+template void JerkSectionPlanner<2, 2>::add_node(std::size_t node, const JerkStation<2>& s,
+                                                 const std::array<double, 2>& inverse);
+template void JerkSectionPlanner<2, 3>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
+template double JerkSectionPlanner<2, 3>::cell_cap(std::size_t c, bool at_end) const;
+template void JerkSectionPlanner<2, 3>::rough(ProgressScope& pulse);
+template void JerkSectionPlanner<2, 3>::lay(ProgressScope& pulse);
+template void JerkSectionPlanner<2, 3>::soften();
+template void JerkSectionPlanner<2, 3>::guess(Start start, ProgressScope& pulse);
+template void JerkSectionPlanner<2, 3>::pose(ProgressScope& pulse);
+template void JerkSectionPlanner<2, 3>::pose_middles(bool looked, ProgressScope& pulse);
+template void JerkSectionPlanner<2, 3>::add_node(std::size_t node, const JerkStation<3>& s,
+                                                 const std::array<double, 3>& inverse);
+template void JerkSectionPlanner<3, 3>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
+template void JerkSectionPlanner<8, 8>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
+template double JerkSectionPlanner<3, 3>::cell_cap(std::size_t c, bool at_end) const;
+template double JerkSectionPlanner<8, 8>::cell_cap(std::size_t c, bool at_end) const;
+template void JerkSectionPlanner<3, 3>::rough(ProgressScope& pulse);
+template void JerkSectionPlanner<8, 8>::rough(ProgressScope& pulse);
+template void JerkSectionPlanner<3, 3>::lay(ProgressScope& pulse);
+template void JerkSectionPlanner<8, 8>::lay(ProgressScope& pulse);
+template void JerkSectionPlanner<3, 3>::soften();
+template void JerkSectionPlanner<8, 8>::soften();
+template void JerkSectionPlanner<3, 3>::guess(Start start, ProgressScope& pulse);
+template void JerkSectionPlanner<8, 8>::guess(Start start, ProgressScope& pulse);
+template void JerkSectionPlanner<3, 3>::pose(ProgressScope& pulse);
+template void JerkSectionPlanner<8, 8>::pose(ProgressScope& pulse);
+template void JerkSectionPlanner<3, 3>::pose_middles(bool looked, ProgressScope& pulse);
+template void JerkSectionPlanner<8, 8>::pose_middles(bool looked, ProgressScope& pulse);
+template void JerkSectionPlanner<3, 3>::add_node(std::size_t node, const JerkStation<3>& s,
+                                                 const std::array<double, 3>& inverse);
+template void JerkSectionPlanner<8, 8>::add_node(std::size_t node, const JerkStation<8>& s,
+                                                 const std::array<double, 8>& inverse);
+template void JerkSectionPlanner<3, 4>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
+template void JerkSectionPlanner<8, 9>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
+template double JerkSectionPlanner<3, 4>::cell_cap(std::size_t c, bool at_end) const;
+template double JerkSectionPlanner<8, 9>::cell_cap(std::size_t c, bool at_end) const;
+template void JerkSectionPlanner<3, 4>::rough(ProgressScope& pulse);
+template void JerkSectionPlanner<8, 9>::rough(ProgressScope& pulse);
+template void JerkSectionPlanner<3, 4>::lay(ProgressScope& pulse);
+template void JerkSectionPlanner<8, 9>::lay(ProgressScope& pulse);
+template void JerkSectionPlanner<3, 4>::soften();
+template void JerkSectionPlanner<8, 9>::soften();
+template void JerkSectionPlanner<3, 4>::guess(Start start, ProgressScope& pulse);
+template void JerkSectionPlanner<8, 9>::guess(Start start, ProgressScope& pulse);
+template void JerkSectionPlanner<3, 4>::pose(ProgressScope& pulse);
+template void JerkSectionPlanner<8, 9>::pose(ProgressScope& pulse);
+template void JerkSectionPlanner<3, 4>::pose_middles(bool looked, ProgressScope& pulse);
+template void JerkSectionPlanner<8, 9>::pose_middles(bool looked, ProgressScope& pulse);
+template void JerkSectionPlanner<3, 4>::add_node(std::size_t node, const JerkStation<4>& s,
+                                                 const std::array<double, 4>& inverse);
+template void JerkSectionPlanner<8, 9>::add_node(std::size_t node, const JerkStation<9>& s,
+                                                 const std::array<double, 9>& inverse);
 
 }  // namespace bahnwerk

@@ -1,5 +1,6 @@
 #pragma once
-/// Time optimality of one run under jerk limits, on a grid: what the interior-point method (jerk_solver.hpp) solves.
+/// Time optimality of one section under jerk limits, on a grid: what the interior-point method (jerk_solver.hpp)
+/// solves.
 ///
 /// Unknown at every inner node: b = v² and the path acceleration a (b′ = 2a). Both end nodes are at rest, or their
 /// states are given. Minimised is the sum of the cells' durations (jerk_cell.hpp). For axis k, with the path's

@@ -7,7 +7,7 @@
 namespace bahnwerk {
 
 template <int N, int M>
-double JerkRunPlanner<N, M>::slack_ramp(std::size_t c, double change, double jerk) const {
+double JerkSectionPlanner<N, M>::slack_ramp(std::size_t c, double change, double jerk) const {
   const PathLimits here = path_limits<N>(grid_.left(c), machine_, options_.path, unlimited);
   if (change < 0.2 * here.acceleration) return 0;
   double used = 0;  // of the jerk that the solver may use
@@ -18,7 +18,7 @@ double JerkRunPlanner<N, M>::slack_ramp(std::size_t c, double change, double jer
 }
 
 template <int N, int M>
-bool JerkRunPlanner<N, M>::mark(ProgressScope& pulse) {
+bool JerkSectionPlanner<N, M>::mark(ProgressScope& pulse) {
   const std::size_t n = grid_.cells.size();
   const auto from_rest = [&](std::size_t c) { return c == 0 && !(entry_.b > 0); };
   const auto to_rest = [&](std::size_t c) { return c + 1 == n && !(exit_.b > 0); };
@@ -54,7 +54,7 @@ bool JerkRunPlanner<N, M>::mark(ProgressScope& pulse) {
 }
 
 template <int N, int M>
-void JerkRunPlanner<N, M>::refine(ProgressScope& pulse) {
+void JerkSectionPlanner<N, M>::refine(ProgressScope& pulse) {
   const LargeVector<GridCell> cells = grid_.cells;
   LargeVector<double> length(cells.size()), begin(cells.size()), ends(cells.size());
   for (std::size_t c = 0; c < cells.size(); ++c) {
@@ -87,23 +87,23 @@ void JerkRunPlanner<N, M>::refine(ProgressScope& pulse) {
   state_[c] = old.back();
 }
 
-template double JerkRunPlanner<2, 2>::slack_ramp(std::size_t c, double change, double jerk) const;
-template bool JerkRunPlanner<2, 2>::mark(ProgressScope& pulse);
-template void JerkRunPlanner<2, 2>::refine(ProgressScope& pulse);
-template double JerkRunPlanner<2, 3>::slack_ramp(std::size_t c, double change, double jerk) const;
-template bool JerkRunPlanner<2, 3>::mark(ProgressScope& pulse);
-template void JerkRunPlanner<2, 3>::refine(ProgressScope& pulse);
-template double JerkRunPlanner<3, 3>::slack_ramp(std::size_t c, double change, double jerk) const;
-template double JerkRunPlanner<8, 8>::slack_ramp(std::size_t c, double change, double jerk) const;
-template bool JerkRunPlanner<3, 3>::mark(ProgressScope& pulse);
-template bool JerkRunPlanner<8, 8>::mark(ProgressScope& pulse);
-template void JerkRunPlanner<3, 3>::refine(ProgressScope& pulse);
-template void JerkRunPlanner<8, 8>::refine(ProgressScope& pulse);
-template double JerkRunPlanner<3, 4>::slack_ramp(std::size_t c, double change, double jerk) const;
-template double JerkRunPlanner<8, 9>::slack_ramp(std::size_t c, double change, double jerk) const;
-template bool JerkRunPlanner<3, 4>::mark(ProgressScope& pulse);
-template bool JerkRunPlanner<8, 9>::mark(ProgressScope& pulse);
-template void JerkRunPlanner<3, 4>::refine(ProgressScope& pulse);
-template void JerkRunPlanner<8, 9>::refine(ProgressScope& pulse);
+template double JerkSectionPlanner<2, 2>::slack_ramp(std::size_t c, double change, double jerk) const;
+template bool JerkSectionPlanner<2, 2>::mark(ProgressScope& pulse);
+template void JerkSectionPlanner<2, 2>::refine(ProgressScope& pulse);
+template double JerkSectionPlanner<2, 3>::slack_ramp(std::size_t c, double change, double jerk) const;
+template bool JerkSectionPlanner<2, 3>::mark(ProgressScope& pulse);
+template void JerkSectionPlanner<2, 3>::refine(ProgressScope& pulse);
+template double JerkSectionPlanner<3, 3>::slack_ramp(std::size_t c, double change, double jerk) const;
+template double JerkSectionPlanner<8, 8>::slack_ramp(std::size_t c, double change, double jerk) const;
+template bool JerkSectionPlanner<3, 3>::mark(ProgressScope& pulse);
+template bool JerkSectionPlanner<8, 8>::mark(ProgressScope& pulse);
+template void JerkSectionPlanner<3, 3>::refine(ProgressScope& pulse);
+template void JerkSectionPlanner<8, 8>::refine(ProgressScope& pulse);
+template double JerkSectionPlanner<3, 4>::slack_ramp(std::size_t c, double change, double jerk) const;
+template double JerkSectionPlanner<8, 9>::slack_ramp(std::size_t c, double change, double jerk) const;
+template bool JerkSectionPlanner<3, 4>::mark(ProgressScope& pulse);
+template bool JerkSectionPlanner<8, 9>::mark(ProgressScope& pulse);
+template void JerkSectionPlanner<3, 4>::refine(ProgressScope& pulse);
+template void JerkSectionPlanner<8, 9>::refine(ProgressScope& pulse);
 
 }  // namespace bahnwerk

@@ -9,7 +9,7 @@
 
 namespace bahnwerk {
 
-/// One cell, or node, of either half of the run.
+/// One cell, or node, of either half of the section.
 using Twin = Lanes<2>;
 constexpr std::size_t twin = 2;
 inline Twin all(double a) { return Twin{a, a}; }

@@ -1,4 +1,4 @@
-/// The order in which a run is planned.
+/// The order in which a section is planned.
 #include "core/motion/jerk/section.hpp"
 
 #include <algorithm>
@@ -9,9 +9,9 @@
 
 namespace bahnwerk {
 
-using jerk_run_detail::full_share;
-using jerk_run_detail::good_enough;
-using jerk_run_detail::last_window;
+using jerk_section_detail::full_share;
+using jerk_section_detail::good_enough;
+using jerk_section_detail::last_window;
 
 namespace {
 
@@ -31,8 +31,8 @@ constexpr double rest = 1e-6;
 }  // namespace
 
 template <int N, int M>
-void JerkRunPlanner<N, M>::plan(std::size_t first, std::size_t last, double from, double to,
-                                JerkLimitedResult& result) {
+void JerkSectionPlanner<N, M>::plan(std::size_t first, std::size_t last, double from, double to,
+                                    JerkLimitedResult& result) {
   ProgressScope pulse(progress_, "planning", from, to);
   pulse.part(0, 0.1);
   if (last == first + 1 && alone(first, result)) return;
@@ -66,7 +66,7 @@ void JerkRunPlanner<N, M>::plan(std::size_t first, std::size_t last, double from
 }
 
 template <int N, int M>
-void JerkRunPlanner<N, M>::build(std::size_t first, std::size_t last, ProgressScope& pulse) {
+void JerkSectionPlanner<N, M>::build(std::size_t first, std::size_t last, ProgressScope& pulse) {
   GridOptions grid;
   grid.angle = options_.angle;
   grid.hermite = 1e-5;
@@ -78,7 +78,7 @@ void JerkRunPlanner<N, M>::build(std::size_t first, std::size_t last, ProgressSc
 }
 
 template <int N, int M>
-bool JerkRunPlanner<N, M>::plan_whole(Start start, ProgressScope& pulse) {
+bool JerkSectionPlanner<N, M>::plan_whole(Start start, ProgressScope& pulse) {
   pieces_.clear();
   const double duration = attempt(start, pulse);
   if (slow_ < good_enough) return true;
@@ -91,7 +91,7 @@ bool JerkRunPlanner<N, M>::plan_whole(Start start, ProgressScope& pulse) {
 }
 
 template <int N, int M>
-bool JerkRunPlanner<N, M>::alone(std::size_t segment, JerkLimitedResult& result) {
+bool JerkSectionPlanner<N, M>::alone(std::size_t segment, JerkLimitedResult& result) {
   const Segment& line = path_[segment];
   if (!path_.linear(segment)) return false;
   const Station<N> p = path_.derivatives(segment, line.curve().begin());
@@ -111,7 +111,7 @@ bool JerkRunPlanner<N, M>::alone(std::size_t segment, JerkLimitedResult& result)
 }
 
 template <int N, int M>
-double JerkRunPlanner<N, M>::attempt(Start start, ProgressScope& pulse) {
+double JerkSectionPlanner<N, M>::attempt(Start start, ProgressScope& pulse) {
   exit_ = {};
   sped_up_ = 1;
   state_.resize(grid_.cells.size() + 1);
@@ -130,7 +130,7 @@ double JerkRunPlanner<N, M>::attempt(Start start, ProgressScope& pulse) {
 }
 
 template <int N, int M>
-void JerkRunPlanner<N, M>::improve(double mu, ProgressScope& pulse) {
+void JerkSectionPlanner<N, M>::improve(double mu, ProgressScope& pulse) {
   JerkSolverOptions solver;
   double reach = 3e-2;
   int division = 0;
@@ -173,7 +173,7 @@ void JerkRunPlanner<N, M>::improve(double mu, ProgressScope& pulse) {
     measure(soft_, false, pulse);
     if (fresh) pose_middles(true, pulse);
     fresh = false;
-    // What is left slows the run by its half (v², a) or third (j) power.
+    // What is left slows the section by its half (v², a) or third (j) power.
     if (reach <= options_.gap &&
         (round >= options_.max_rounds ||
          (std::max(worst_.v, worst_.a) < 1 + 4 * options_.gap && worst_.j < 1 + 4 * options_.gap)))
@@ -189,7 +189,7 @@ void JerkRunPlanner<N, M>::improve(double mu, ProgressScope& pulse) {
 }
 
 template <int N, int M>
-double JerkRunPlanner<N, M>::emit(ProgressScope& pulse) {
+double JerkSectionPlanner<N, M>::emit(ProgressScope& pulse) {
   const std::size_t n = grid_.cells.size();
   slow_ = 1;
   if (worst_.v > 1) slow_ = std::max(slow_, std::sqrt(worst_.v));
@@ -215,53 +215,53 @@ double JerkRunPlanner<N, M>::emit(ProgressScope& pulse) {
   return std::isfinite(slow_) ? total * slow_ : unlimited;
 }
 
-template void JerkRunPlanner<2, 2>::plan(std::size_t first, std::size_t last, double from, double to,
-                                         JerkLimitedResult& result);
-template bool JerkRunPlanner<2, 2>::alone(std::size_t segment, JerkLimitedResult& result);
-template void JerkRunPlanner<2, 2>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
-template bool JerkRunPlanner<2, 2>::plan_whole(Start start, ProgressScope& pulse);
-template double JerkRunPlanner<2, 2>::attempt(Start start, ProgressScope& pulse);
-template void JerkRunPlanner<2, 2>::improve(double mu, ProgressScope& pulse);
-template double JerkRunPlanner<2, 2>::emit(ProgressScope& pulse);
-template void JerkRunPlanner<2, 3>::plan(std::size_t first, std::size_t last, double from, double to,
-                                         JerkLimitedResult& result);
-template bool JerkRunPlanner<2, 3>::alone(std::size_t segment, JerkLimitedResult& result);
-template void JerkRunPlanner<2, 3>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
-template bool JerkRunPlanner<2, 3>::plan_whole(Start start, ProgressScope& pulse);
-template double JerkRunPlanner<2, 3>::attempt(Start start, ProgressScope& pulse);
-template void JerkRunPlanner<2, 3>::improve(double mu, ProgressScope& pulse);
-template double JerkRunPlanner<2, 3>::emit(ProgressScope& pulse);
-template void JerkRunPlanner<3, 3>::plan(std::size_t first, std::size_t last, double from, double to,
-                                         JerkLimitedResult& result);
-template void JerkRunPlanner<8, 8>::plan(std::size_t first, std::size_t last, double from, double to,
-                                         JerkLimitedResult& result);
-template bool JerkRunPlanner<3, 3>::alone(std::size_t segment, JerkLimitedResult& result);
-template bool JerkRunPlanner<8, 8>::alone(std::size_t segment, JerkLimitedResult& result);
-template void JerkRunPlanner<3, 3>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
-template void JerkRunPlanner<8, 8>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
-template bool JerkRunPlanner<3, 3>::plan_whole(Start start, ProgressScope& pulse);
-template bool JerkRunPlanner<8, 8>::plan_whole(Start start, ProgressScope& pulse);
-template double JerkRunPlanner<3, 3>::attempt(Start start, ProgressScope& pulse);
-template double JerkRunPlanner<8, 8>::attempt(Start start, ProgressScope& pulse);
-template void JerkRunPlanner<3, 3>::improve(double mu, ProgressScope& pulse);
-template void JerkRunPlanner<8, 8>::improve(double mu, ProgressScope& pulse);
-template double JerkRunPlanner<3, 3>::emit(ProgressScope& pulse);
-template double JerkRunPlanner<8, 8>::emit(ProgressScope& pulse);
-template void JerkRunPlanner<3, 4>::plan(std::size_t first, std::size_t last, double from, double to,
-                                         JerkLimitedResult& result);
-template void JerkRunPlanner<8, 9>::plan(std::size_t first, std::size_t last, double from, double to,
-                                         JerkLimitedResult& result);
-template bool JerkRunPlanner<3, 4>::alone(std::size_t segment, JerkLimitedResult& result);
-template bool JerkRunPlanner<8, 9>::alone(std::size_t segment, JerkLimitedResult& result);
-template void JerkRunPlanner<3, 4>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
-template void JerkRunPlanner<8, 9>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
-template bool JerkRunPlanner<3, 4>::plan_whole(Start start, ProgressScope& pulse);
-template bool JerkRunPlanner<8, 9>::plan_whole(Start start, ProgressScope& pulse);
-template double JerkRunPlanner<3, 4>::attempt(Start start, ProgressScope& pulse);
-template double JerkRunPlanner<8, 9>::attempt(Start start, ProgressScope& pulse);
-template void JerkRunPlanner<3, 4>::improve(double mu, ProgressScope& pulse);
-template void JerkRunPlanner<8, 9>::improve(double mu, ProgressScope& pulse);
-template double JerkRunPlanner<3, 4>::emit(ProgressScope& pulse);
-template double JerkRunPlanner<8, 9>::emit(ProgressScope& pulse);
+template void JerkSectionPlanner<2, 2>::plan(std::size_t first, std::size_t last, double from, double to,
+                                             JerkLimitedResult& result);
+template bool JerkSectionPlanner<2, 2>::alone(std::size_t segment, JerkLimitedResult& result);
+template void JerkSectionPlanner<2, 2>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
+template bool JerkSectionPlanner<2, 2>::plan_whole(Start start, ProgressScope& pulse);
+template double JerkSectionPlanner<2, 2>::attempt(Start start, ProgressScope& pulse);
+template void JerkSectionPlanner<2, 2>::improve(double mu, ProgressScope& pulse);
+template double JerkSectionPlanner<2, 2>::emit(ProgressScope& pulse);
+template void JerkSectionPlanner<2, 3>::plan(std::size_t first, std::size_t last, double from, double to,
+                                             JerkLimitedResult& result);
+template bool JerkSectionPlanner<2, 3>::alone(std::size_t segment, JerkLimitedResult& result);
+template void JerkSectionPlanner<2, 3>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
+template bool JerkSectionPlanner<2, 3>::plan_whole(Start start, ProgressScope& pulse);
+template double JerkSectionPlanner<2, 3>::attempt(Start start, ProgressScope& pulse);
+template void JerkSectionPlanner<2, 3>::improve(double mu, ProgressScope& pulse);
+template double JerkSectionPlanner<2, 3>::emit(ProgressScope& pulse);
+template void JerkSectionPlanner<3, 3>::plan(std::size_t first, std::size_t last, double from, double to,
+                                             JerkLimitedResult& result);
+template void JerkSectionPlanner<8, 8>::plan(std::size_t first, std::size_t last, double from, double to,
+                                             JerkLimitedResult& result);
+template bool JerkSectionPlanner<3, 3>::alone(std::size_t segment, JerkLimitedResult& result);
+template bool JerkSectionPlanner<8, 8>::alone(std::size_t segment, JerkLimitedResult& result);
+template void JerkSectionPlanner<3, 3>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
+template void JerkSectionPlanner<8, 8>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
+template bool JerkSectionPlanner<3, 3>::plan_whole(Start start, ProgressScope& pulse);
+template bool JerkSectionPlanner<8, 8>::plan_whole(Start start, ProgressScope& pulse);
+template double JerkSectionPlanner<3, 3>::attempt(Start start, ProgressScope& pulse);
+template double JerkSectionPlanner<8, 8>::attempt(Start start, ProgressScope& pulse);
+template void JerkSectionPlanner<3, 3>::improve(double mu, ProgressScope& pulse);
+template void JerkSectionPlanner<8, 8>::improve(double mu, ProgressScope& pulse);
+template double JerkSectionPlanner<3, 3>::emit(ProgressScope& pulse);
+template double JerkSectionPlanner<8, 8>::emit(ProgressScope& pulse);
+template void JerkSectionPlanner<3, 4>::plan(std::size_t first, std::size_t last, double from, double to,
+                                             JerkLimitedResult& result);
+template void JerkSectionPlanner<8, 9>::plan(std::size_t first, std::size_t last, double from, double to,
+                                             JerkLimitedResult& result);
+template bool JerkSectionPlanner<3, 4>::alone(std::size_t segment, JerkLimitedResult& result);
+template bool JerkSectionPlanner<8, 9>::alone(std::size_t segment, JerkLimitedResult& result);
+template void JerkSectionPlanner<3, 4>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
+template void JerkSectionPlanner<8, 9>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
+template bool JerkSectionPlanner<3, 4>::plan_whole(Start start, ProgressScope& pulse);
+template bool JerkSectionPlanner<8, 9>::plan_whole(Start start, ProgressScope& pulse);
+template double JerkSectionPlanner<3, 4>::attempt(Start start, ProgressScope& pulse);
+template double JerkSectionPlanner<8, 9>::attempt(Start start, ProgressScope& pulse);
+template void JerkSectionPlanner<3, 4>::improve(double mu, ProgressScope& pulse);
+template void JerkSectionPlanner<8, 9>::improve(double mu, ProgressScope& pulse);
+template double JerkSectionPlanner<3, 4>::emit(ProgressScope& pulse);
+template double JerkSectionPlanner<8, 9>::emit(ProgressScope& pulse);
 
 }  // namespace bahnwerk

@@ -1,8 +1,8 @@
 #pragma once
-/// Plans the runs of a contour one after the other under limits of jerk (jerk_limited.hpp): the state of one run and
-/// the steps on it. jerk_pose.cpp lays the grid and states the problem, jerk_refine.cpp divides cells in which the law
-/// switches, jerk_certify.cpp looks between the nodes, jerk_run.cpp puts them in order, jerk_windows.cpp for long runs
-/// window by window.
+/// Plans the sections of a contour one after the other under limits of jerk (jerk_limited.hpp): the state of one
+/// section and the steps on it. jerk_pose.cpp lays the grid and states the problem, jerk_refine.cpp divides cells in
+/// which the law switches, jerk_certify.cpp looks between the nodes, jerk_section.cpp puts them in order,
+/// jerk_windows.cpp for long sections window by window.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,21 +14,21 @@
 
 namespace bahnwerk {
 
-namespace jerk_run_detail {
+namespace jerk_section_detail {
 /// The solver may use this part of every limit; what lies below `sure` between the nodes needs no closer look.
 constexpr double full_share = 1 - 2e-5, sure = 1 - 1e-5;
 /// A law that had to be slowed by more than this may have a better start.
 constexpr double good_enough = 1.01;
-/// The last window of a run is up to so many windows long; what is no longer than that is planned whole.
+/// The last window of a section is up to so many windows long; what is no longer than that is planned whole.
 constexpr double last_window = 1.5;
-}  // namespace jerk_run_detail
+}  // namespace jerk_section_detail
 
 /// N axes, M rows: one more when the path itself is limited.
 template <int N, int M>
-class JerkRunPlanner {
+class JerkSectionPlanner {
  public:
-  JerkRunPlanner(const LanePath<N>& path, const Machine& machine, const JerkLimitedOptions& options,
-                 const std::vector<double>& feed, const Sections& sections, Progress& progress)
+  JerkSectionPlanner(const LanePath<N>& path, const Machine& machine, const JerkLimitedOptions& options,
+                     const std::vector<double>& feed, const Sections& sections, Progress& progress)
       : path_(path), machine_(machine), options_(options), feed_(feed), sections_(sections), progress_(progress) {
     for (std::size_t k = 0; k < M; ++k) {
       const bool axis = k < N;
@@ -58,19 +58,19 @@ class JerkRunPlanner {
   /// A straight segment alone between two rests has a closed form.
   bool alone(std::size_t segment, JerkLimitedResult& result);
 
-  /// Lays the grid of a run, with its rough profile.
+  /// Lays the grid of a section, with its rough profile.
   void build(std::size_t first, std::size_t last, ProgressScope& pulse);
 
-  /// Plans the run whose grid is at hand from the given start. Its pieces, slowed by `slow_`, then hold all limits;
+  /// Plans the section whose grid is at hand from the given start. Its pieces, slowed by `slow_`, then hold all limits;
   /// kept in `best_` if they are the quickest so far. False: there may be something much better.
   bool plan_whole(Start start, ProgressScope& pulse);
 
   /// The same window by window; `from` … `to` is the share of progress. False: some window came to nothing, and the
-  /// grid at hand is the run's again.
+  /// grid at hand is the section's again.
   bool plan_windows(std::size_t window, double from, double to);
 
-  /// Makes about so many cells of the run's from `begin` on the grid at hand, to be passed from `entry_` to rest; more,
-  /// if the rest would slow most of them. Returns how many.
+  /// Makes about so many cells of the section's from `begin` on the grid at hand, to be passed from `entry_` to rest;
+  /// more, if the rest would slow most of them. Returns how many.
   std::size_t take_window(std::size_t begin, std::size_t cells);
 
   /// How much faster than the law that the window before threw away this one passes the same place.
@@ -166,7 +166,7 @@ class JerkRunPlanner {
   void measure(const RowLimits<M>& limit, bool exact, ProgressScope& pulse);
 
   /// Continuous peaks on the path itself wherever samples leave a doubt, and what holds at nodes alone: afterwards
-  /// `worst_` is what the run has to be slowed by. Positions are rounded as those of the finished law are: on
+  /// `worst_` is what the section has to be slowed by. Positions are rounded as those of the finished law are: on
   /// micrometres far from the path's begin that noise shows, and the peaks' outer bounds contain it.
   void certify(ProgressScope& pulse);
 
@@ -196,11 +196,11 @@ class JerkRunPlanner {
   Progress& progress_;
   RowLimits<M> limit_, soft_;
   double jerk_time_ = unlimited;
-  Grid<N> grid_, run_grid_;  // at hand, and the run's when that is a window of it
-  RoughProfile rough_, run_rough_;
+  Grid<N> grid_, section_grid_;  // at hand, and the section's when that is a window of it
+  RoughProfile rough_, section_rough_;
   JerkNode entry_, exit_;  // states at both ends: rest but in windows
   static constexpr std::size_t all_cells = std::numeric_limits<std::size_t>::max();
-  double share_ = jerk_run_detail::full_share;
+  double share_ = jerk_section_detail::full_share;
   std::size_t keep_ = all_cells;            // cells of a window that the rest at its end does not slow
   double overlap_ = 1, sped_up_ = 1;        // of windows, in what is hoped for; what it was too short for
   LargeVector<JerkNode> tail_, next_tail_;  // what the window before, and this one, found behind these

@@ -11,8 +11,8 @@ constexpr double stuck_step = 0.05;
 constexpr int stuck_steps = 3;
 /// The gap is driven to no less than this part of what is asked for.
 constexpr double min_gap = 0.3;
-/// On from a solution, steps differ along the run; after so many they are the same everywhere: slower, but nothing in
-/// the way of convergence. From a rough start they always are: large steps of different length would tear the law.
+/// On from a solution, steps differ along the section; after so many they are the same everywhere: slower, but nothing
+/// in the way of convergence. From a rough start they always are: large steps of different length would tear the law.
 constexpr int uneven_steps = 10;
 
 }  // namespace

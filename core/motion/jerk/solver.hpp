@@ -7,15 +7,15 @@
 /// factorisation with 2 × 2 blocks. Rows are linearised where the iterate is; of the second derivatives only the
 /// objective's convex part is kept. The complementarity of a row is driven to μ times the duration of its cell, so that
 /// the gap Σ s z is shared out like time, and no further than the gap asked for: multipliers that are nearly zero would
-/// stand in the way of the next change of shares. Going on from a solution, each stretch of the run takes as much of a
-/// step as it can (jerk_steps.hpp), so that the number of steps grows little with the run.
+/// stand in the way of the next change of shares. Going on from a solution, each stretch of the section takes as much
+/// of a step as it can (jerk_steps.hpp), so that the number of steps grows little with the section.
 ///
-/// The run is worked on from both its ends at once, towards its middle, with a cell of either half in a vector register
-/// (jerk_rows.hpp). The second half is passed backwards in time, which turns the sign of a and leaves b and jerk as
-/// they are: so both halves are the same problem, and their elimination the same calculation. What is left of both at
-/// the node in the middle gives its step. jerk_adopt.cpp brings the problem into that form. Cost: O(cells) per step,
-/// 0.11 µs per cell with two axes, 1 kB of memory each; 9 to 14 steps from a rough start to a gap of 3e-2, about as
-/// many again to 1e-4.
+/// The section is worked on from both its ends at once, towards its middle, with a cell of either half in a vector
+/// register (jerk_rows.hpp). The second half is passed backwards in time, which turns the sign of a and leaves b and
+/// jerk as they are: so both halves are the same problem, and their elimination the same calculation. What is left of
+/// both at the node in the middle gives its step. jerk_adopt.cpp brings the problem into that form. Cost: O(cells) per
+/// step, 0.11 µs per cell with two axes, 1 kB of memory each; 9 to 14 steps from a rough start to a gap of 3e-2, about
+/// as many again to 1e-4.
 #include <algorithm>
 #include <cstddef>
 
@@ -93,7 +93,7 @@ class JerkSolver {
   CellMatrix<Twin> assemble_cells(std::size_t g, std::size_t& next_middle, JerkTotals<Twin>& totals);
   bool joint_at(std::size_t i, std::size_t next) const { return next < joints_.size() && joints_[next].node == i; }
   NodeBlock<Twin> assemble_joint(Joint& joint, JerkTotals<double>& totals);
-  /// Eliminates the nodes next to the run's ends.
+  /// Eliminates the nodes next to the section's ends.
   void eliminate_first(const NodeBlock<Twin>& now, const CellMatrix<Twin>& K, NodeBlock<Twin>& after);
   /// The step of the node in the middle from what both halves leave of it.
   JerkNode meet(const NodeBlock<Twin>& blocks) const;
@@ -103,7 +103,7 @@ class JerkSolver {
   void direction(ProgressScope& pulse);
 
   Ends ends(std::size_t g) const { return {b_[g], a_[g], v_[g], w_[g], b_[g + 1], a_[g + 1], v_[g + 1], w_[g + 1]}; }
-  /// The run's end at which a half begins.
+  /// The section's end at which a half begins.
   bool rests(std::size_t half) const { return !(b_[0][half] > 0); }
   /// An odd number of cells leaves the second half with one less than groups_: in its place is one that weighs nothing,
   /// and its last node is the one in the middle.
@@ -127,7 +127,7 @@ class JerkSolver {
   LargeVector<Joint> joints_;
   LargeVector<Middles> middles_;
   LargeVector<std::size_t> posed_middles_;  ///< their cells
-  std::size_t posed_cells_ = 0;             ///< of the run then
+  std::size_t posed_cells_ = 0;             ///< of the section then
   LargeVector<Elimination<Twin>> elimination_;
   JerkNode middle_;  ///< step of the node in the middle
   JerkSteps steps_;

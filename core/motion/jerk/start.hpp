@@ -1,5 +1,5 @@
 #pragma once
-/// A rough speed profile of one run: where the interior-point method starts and by which the grid is laid.
+/// A rough speed profile of one section: where the interior-point method starts and by which the grid is laid.
 ///
 /// Caps from velocity, curvature and h‴, then one pass each way that lets v² grow no faster than from rest with a
 /// constant jerk, v² = (9/2 J s²)^(2/3), and no faster than 2 A. Neither optimal nor feasible. O(nodes).
@@ -26,7 +26,7 @@ PathLimits path_limits(const Station<N>& at, const Machine& machine, const Limit
 struct RoughProfile {
   LargeVector<double> b, duration;
   LargeVector<double> smooth_b;  ///< by smooth()
-  LargeVector<double> s, t;      ///< of the nodes, from the run's begin: by smooth()
+  LargeVector<double> s, t;      ///< of the nodes, from the section's begin: by smooth()
 };
 /// `node_cap`: largest v² per node, from joints and feeds; zero at both ends.
 template <int N>
@@ -40,7 +40,7 @@ std::size_t brake(const Grid<N>& grid, const std::vector<double>& feed, const Ma
                   RoughProfile& profile);
 
 /// Rounds off the kinks of a profile, at which jerk would be out of all proportion: `smooth_b` becomes the square of
-/// its mean speed over this time, s, less next to the run's ends. O(nodes).
+/// its mean speed over this time, s, less next to the section's ends. O(nodes).
 template <int N>
 void smooth(const Grid<N>& grid, double window, RoughProfile& profile, ProgressScope& pulse);
 

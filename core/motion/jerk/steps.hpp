@@ -1,7 +1,7 @@
 #pragma once
-/// Which part of a Newton step each cell takes. One tight row would hold up a long run everywhere; so parts differ
-/// along the run, but only gradually: where they differ, the step's linear equations hold no longer, by as much as they
-/// differ from cell to cell.
+/// Which part of a Newton step each cell takes. One tight row would hold up a long section everywhere; so parts differ
+/// along the section, but only gradually: where they differ, the step's linear equations hold no longer, by as much as
+/// they differ from cell to cell.
 #include <algorithm>
 
 #include "core/motion/jerk/rows.hpp"
@@ -9,7 +9,7 @@
 
 namespace bahnwerk {
 
-/// In the order of jerk_solver.hpp: both halves of the run from its ends inwards.
+/// In the order of jerk_solver.hpp: both halves of the section from its ends inwards.
 struct JerkSteps {
   LargeVector<Twin> primal, dual;  ///< per cell: first 1/(the part that reaches a wall), after fit() the part taken
   LargeVector<Twin> node_primal, node_dual;  ///< per node: the smaller part of both its cells

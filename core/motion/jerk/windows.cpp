@@ -1,7 +1,7 @@
-/// Long runs window by window. A window is a stretch of the run's cells, passed from the state in which the window
-/// before it was left to rest at its own end. Once the solver is roughly there, what that rest slows is thrown away,
-/// and the state at the end of what is kept stays as it is from then on: still a little inside of all limits, so that
-/// the next window has room to move. Its loss is a small part of the time that it takes to make up for a small
+/// Long sections window by window. A window is a stretch of the section's cells, passed from the state in which the
+/// window before it was left to rest at its own end. Once the solver is roughly there, what that rest slows is thrown
+/// away, and the state at the end of what is kept stays as it is from then on: still a little inside of all limits, so
+/// that the next window has room to move. Its loss is a small part of the time that it takes to make up for a small
 /// difference of speed.
 #include <algorithm>
 #include <cmath>
@@ -10,37 +10,37 @@
 
 namespace bahnwerk {
 
-using jerk_run_detail::good_enough;
-using jerk_run_detail::last_window;
+using jerk_section_detail::good_enough;
+using jerk_section_detail::last_window;
 
 namespace {
 
-/// Before braking begins, by the rough profile, a law may still differ from that of the whole run: for so long, in A/J
-/// and in braking times, is hoped at first.
+/// Before braking begins, by the rough profile, a law may still differ from that of the whole section: for so long, in
+/// A/J and in braking times, is hoped at first.
 constexpr double jerk_times = 5, braking_times = 5;
 /// Half-way through what was thrown away, the next window's law must not be faster than the one thrown away was by more
 /// than this: else the window's end slowed even what was kept.
 constexpr double untouched = 1.01;
 constexpr double longest_overlap = 64;
-/// The largest excess of any window slows the whole run. One that is to blame for more was most likely left in a bad
-/// place by the one before, which is then planned again, twice as long. Should that happen often it is the run's own
-/// fault.
+/// The largest excess of any window slows the whole section. One that is to blame for more was most likely left in a
+/// bad place by the one before, which is then planned again, twice as long. Should that happen often it is the
+/// section's own fault.
 constexpr double well = 1 + 3e-4;
 constexpr std::size_t max_failures(std::size_t windows) { return 3 + windows / 8; }
 
 }  // namespace
 
 template <int N, int M>
-bool JerkRunPlanner<N, M>::plan_windows(std::size_t window, double from, double to) {
+bool JerkSectionPlanner<N, M>::plan_windows(std::size_t window, double from, double to) {
   struct Place {  // where a window begins, and what is known there
     std::size_t begin, cells, pieces;
     double slow;
     JerkNode entry;
     LargeVector<JerkNode> tail;
   };
-  std::swap(grid_, run_grid_);
-  std::swap(rough_, run_rough_);
-  const std::size_t n = run_grid_.cells.size();
+  std::swap(grid_, section_grid_);
+  std::swap(rough_, section_rough_);
+  const std::size_t n = section_grid_.cells.size();
   double reported = from;
   pieces_.clear();
   overlap_ = 1;
@@ -62,7 +62,7 @@ bool JerkRunPlanner<N, M>::plan_windows(std::size_t window, double from, double 
       if (end < n && !(exit_.b > 0)) slow_ = unlimited;  // it never came to that
       if (slow_ < good_enough) break;
     }
-    // Where the run was lost as a whole, longer windows would be lost, too.
+    // Where the section was lost as a whole, longer windows would be lost, too.
     if (sped_up_ > untouched && overlap_ < longest_overlap && window == options_.window) {
       overlap_ *= 2;
       places.pop_back();
@@ -77,8 +77,8 @@ bool JerkRunPlanner<N, M>::plan_windows(std::size_t window, double from, double 
     reported = progress;
     places.push_back({end, window, pieces_.size(), std::max(here.slow, slow_), exit_, next_tail_});
   }
-  std::swap(grid_, run_grid_);
-  std::swap(rough_, run_rough_);
+  std::swap(grid_, section_grid_);
+  std::swap(rough_, section_rough_);
   entry_ = exit_ = {};
   tail_.clear();
   keep_ = all_cells;
@@ -87,12 +87,12 @@ bool JerkRunPlanner<N, M>::plan_windows(std::size_t window, double from, double 
 }
 
 template <int N, int M>
-std::size_t JerkRunPlanner<N, M>::take_window(std::size_t begin, std::size_t cells) {
+std::size_t JerkSectionPlanner<N, M>::take_window(std::size_t begin, std::size_t cells) {
   const auto at = [](const LargeVector<double>& of, std::size_t i) {
     return of.begin() + static_cast<std::ptrdiff_t>(i);
   };
-  const auto &speeds = run_rough_.b, &durations = run_rough_.duration;
-  const std::size_t all = run_grid_.cells.size();
+  const auto &speeds = section_rough_.b, &durations = section_rough_.duration;
+  const std::size_t all = section_grid_.cells.size();
   for (;; cells *= 2) {
     const bool last = static_cast<double>(all - begin) <= last_window * static_cast<double>(cells);
     // Where it is slow there is least to brake.
@@ -100,7 +100,7 @@ std::size_t JerkRunPlanner<N, M>::take_window(std::size_t begin, std::size_t cel
                                  : static_cast<std::size_t>(std::min_element(at(speeds, begin + cells - cells / 8),
                                                                              at(speeds, begin + cells + 1)) -
                                                             speeds.begin());
-    grid_.slice(run_grid_, begin, end);
+    grid_.slice(section_grid_, begin, end);
     rough_.b.assign(at(speeds, begin), at(speeds, end + 1));
     rough_.duration.assign(at(durations, begin), at(durations, end));
     keep_ = end - begin;
@@ -117,7 +117,7 @@ std::size_t JerkRunPlanner<N, M>::take_window(std::size_t begin, std::size_t cel
 }
 
 template <int N, int M>
-double JerkRunPlanner<N, M>::speed_up() const {
+double JerkSectionPlanner<N, M>::speed_up() const {
   const std::size_t n = std::min(tail_.size(), state_.size());
   if (n == 0) return 1;
   // How long the law thrown away takes for cell c.
@@ -132,7 +132,7 @@ double JerkRunPlanner<N, M>::speed_up() const {
 }
 
 template <int N, int M>
-void JerkRunPlanner<N, M>::leave() {
+void JerkSectionPlanner<N, M>::leave() {
   next_tail_.assign(state_.begin() + static_cast<std::ptrdiff_t>(keep_), state_.end());
   exit_ = state_[keep_];
   state_.resize(keep_ + 1);
@@ -140,7 +140,7 @@ void JerkRunPlanner<N, M>::leave() {
 }
 
 template <int N, int M>
-void JerkRunPlanner<N, M>::follow() {
+void JerkSectionPlanner<N, M>::follow() {
   const std::size_t n = std::min(tail_.size(), grid_.cells.size());
   double length = 0, s = 0;
   for (std::size_t i = 0; i < n; ++i) length += grid_.length(i);
@@ -153,35 +153,35 @@ void JerkRunPlanner<N, M>::follow() {
   }
 }
 
-template bool JerkRunPlanner<2, 2>::plan_windows(std::size_t window, double from, double to);
-template std::size_t JerkRunPlanner<2, 2>::take_window(std::size_t begin, std::size_t cells);
-template double JerkRunPlanner<2, 2>::speed_up() const;
-template void JerkRunPlanner<2, 2>::leave();
-template void JerkRunPlanner<2, 2>::follow();
-template bool JerkRunPlanner<2, 3>::plan_windows(std::size_t window, double from, double to);
-template std::size_t JerkRunPlanner<2, 3>::take_window(std::size_t begin, std::size_t cells);
-template double JerkRunPlanner<2, 3>::speed_up() const;
-template void JerkRunPlanner<2, 3>::leave();
-template void JerkRunPlanner<2, 3>::follow();
-template bool JerkRunPlanner<3, 3>::plan_windows(std::size_t window, double from, double to);
-template bool JerkRunPlanner<8, 8>::plan_windows(std::size_t window, double from, double to);
-template std::size_t JerkRunPlanner<3, 3>::take_window(std::size_t begin, std::size_t cells);
-template std::size_t JerkRunPlanner<8, 8>::take_window(std::size_t begin, std::size_t cells);
-template double JerkRunPlanner<3, 3>::speed_up() const;
-template double JerkRunPlanner<8, 8>::speed_up() const;
-template void JerkRunPlanner<3, 3>::leave();
-template void JerkRunPlanner<8, 8>::leave();
-template void JerkRunPlanner<3, 3>::follow();
-template void JerkRunPlanner<8, 8>::follow();
-template bool JerkRunPlanner<3, 4>::plan_windows(std::size_t window, double from, double to);
-template bool JerkRunPlanner<8, 9>::plan_windows(std::size_t window, double from, double to);
-template std::size_t JerkRunPlanner<3, 4>::take_window(std::size_t begin, std::size_t cells);
-template std::size_t JerkRunPlanner<8, 9>::take_window(std::size_t begin, std::size_t cells);
-template double JerkRunPlanner<3, 4>::speed_up() const;
-template double JerkRunPlanner<8, 9>::speed_up() const;
-template void JerkRunPlanner<3, 4>::leave();
-template void JerkRunPlanner<8, 9>::leave();
-template void JerkRunPlanner<3, 4>::follow();
-template void JerkRunPlanner<8, 9>::follow();
+template bool JerkSectionPlanner<2, 2>::plan_windows(std::size_t window, double from, double to);
+template std::size_t JerkSectionPlanner<2, 2>::take_window(std::size_t begin, std::size_t cells);
+template double JerkSectionPlanner<2, 2>::speed_up() const;
+template void JerkSectionPlanner<2, 2>::leave();
+template void JerkSectionPlanner<2, 2>::follow();
+template bool JerkSectionPlanner<2, 3>::plan_windows(std::size_t window, double from, double to);
+template std::size_t JerkSectionPlanner<2, 3>::take_window(std::size_t begin, std::size_t cells);
+template double JerkSectionPlanner<2, 3>::speed_up() const;
+template void JerkSectionPlanner<2, 3>::leave();
+template void JerkSectionPlanner<2, 3>::follow();
+template bool JerkSectionPlanner<3, 3>::plan_windows(std::size_t window, double from, double to);
+template bool JerkSectionPlanner<8, 8>::plan_windows(std::size_t window, double from, double to);
+template std::size_t JerkSectionPlanner<3, 3>::take_window(std::size_t begin, std::size_t cells);
+template std::size_t JerkSectionPlanner<8, 8>::take_window(std::size_t begin, std::size_t cells);
+template double JerkSectionPlanner<3, 3>::speed_up() const;
+template double JerkSectionPlanner<8, 8>::speed_up() const;
+template void JerkSectionPlanner<3, 3>::leave();
+template void JerkSectionPlanner<8, 8>::leave();
+template void JerkSectionPlanner<3, 3>::follow();
+template void JerkSectionPlanner<8, 8>::follow();
+template bool JerkSectionPlanner<3, 4>::plan_windows(std::size_t window, double from, double to);
+template bool JerkSectionPlanner<8, 9>::plan_windows(std::size_t window, double from, double to);
+template std::size_t JerkSectionPlanner<3, 4>::take_window(std::size_t begin, std::size_t cells);
+template std::size_t JerkSectionPlanner<8, 9>::take_window(std::size_t begin, std::size_t cells);
+template double JerkSectionPlanner<3, 4>::speed_up() const;
+template double JerkSectionPlanner<8, 9>::speed_up() const;
+template void JerkSectionPlanner<3, 4>::leave();
+template void JerkSectionPlanner<8, 9>::leave();
+template void JerkSectionPlanner<3, 4>::follow();
+template void JerkSectionPlanner<8, 9>::follow();
 
 }  // namespace bahnwerk

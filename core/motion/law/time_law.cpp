@@ -48,7 +48,7 @@ void TimeLaw::slow_from(std::size_t first, double factor) {
   }
 }
 
-void TimeLaw::slow_run(double t, double factor) {
+void TimeLaw::slow_section(double t, double factor) {
   std::size_t first = find(t), last = first + 1;
   while (first > 0 && pieces_[first].v > 0) --first;
   while (last < pieces_.size() && pieces_[last].v > 0) ++last;

@@ -70,7 +70,7 @@ class TimeLaw {
   std::size_t find(double t, std::size_t hint = 0) const;
   /// Slows what lies between the two rests around t to last `factor` ≥ 1 times as long; what follows comes later.
   /// O(pieces).
-  void slow_run(double t, double factor);
+  void slow_section(double t, double factor);
   /// Keeps only the first pieces.
   void truncate(std::size_t pieces) { pieces_.resize(pieces); }
   /// Slows everything from piece `first` on to last `factor` ≥ 1 times as long. O(pieces).

@@ -22,7 +22,7 @@ constexpr double negligible_direction = 1e-24;  // q'_k² below this says nothin
 // anything shows.
 constexpr double converged = 3e-7, clear = 1e-3;
 constexpr int min_rounds = 2, max_rounds = 8;
-// Longer runs are cut here for the sake of memory; what speed a motion has at a cut is left open.
+// Longer sections are cut here for the sake of memory; what speed a motion has at a cut is left open.
 constexpr std::size_t longest_stretch = 200'000;  // segments
 
 double sq(double x) { return x * x; }
@@ -167,7 +167,7 @@ class Solver {
 
 // Between two rests everything is independent of the rest of the path.
 template <int N>
-double run_duration(BoundGrid<N>& grid, Solver<N>& solver, std::vector<unsigned char>& marked) {
+double section_duration(BoundGrid<N>& grid, Solver<N>& solver, std::vector<unsigned char>& marked) {
   const std::size_t max_nodes = 4 * grid.nodes().size() + 1000;
   double duration = 0;
   for (int round = 0;; ++round) {
@@ -198,17 +198,17 @@ Bound bound_of(const PathTask& task, double corner_angle, Progress& progress, do
     while (last < path.size() && !task.rests[last] && list[last - 1].angle <= corner_angle &&
            !path[last - 1].cusp_end() && !path[last].cusp_begin())
       ++last;
-    double run = 0;
+    double section = 0;
     for (std::size_t begin = first, end = 0; begin < last; begin = end) {
       end = std::min(begin + longest_stretch, last);
       grid.build(begin, end, begin == first, end == last);
       pulse.done(static_cast<double>(begin + end) / 2 / static_cast<double>(path.size()));
-      run += run_duration(grid, solver, marked);
+      section += section_duration(grid, solver, marked);
       nodes += grid.nodes().size();
     }
     if (last == first + 1 && path.linear(first))
-      run = std::max(run, rest_to_rest(path, first, grid.feed(first), task.machine) * (1 - 1e-12));
-    duration += run;
+      section = std::max(section, rest_to_rest(path, first, grid.feed(first), task.machine) * (1 - 1e-12));
+    duration += section;
     pulse.done(static_cast<double>(last) / static_cast<double>(path.size()));
   }
   return {duration, 0, "axis energies between " + std::to_string(nodes) + " nodes of the path"};

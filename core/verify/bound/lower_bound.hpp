@@ -8,9 +8,9 @@ namespace bahnwerk {
 
 /// No motion is shorter that keeps the axes' velocity and acceleration limits and the feeds, rests at both ends, at
 /// corners (jump of the tool's tangent > corner_angle, rad), at cusps and where the task says so, and passes every
-/// other joint with |Δq'_k| v ≤ A_k · cycle time in every axis. Jerk limits count on runs that are one linear segment
-/// (closed form); elsewhere they are left out, which can only lower the bound. Acceleration limits must be finite.
-/// `gap` is left 0: see with_gap.
+/// other joint with |Δq'_k| v ≤ A_k · cycle time in every axis. Jerk limits count on sections that are one linear
+/// segment (closed form); elsewhere they are left out, which can only lower the bound. Acceleration limits must be
+/// finite. `gap` is left 0: see with_gap.
 ///
 /// The argument. With b = v² and q the axes over the arc length s of the tool's path, axis k moves with q̇_k = q'_k v
 /// and d(q'_k² b)/ds = 2 q'_k q̈_k. Hence between any two places q'_k² b changes by at most 2 A_k ∫|q'_k| ds: exact,

@@ -1,6 +1,6 @@
 #pragma once
 /// The shortest straight move from rest to rest under limits on speed, acceleration and jerk: what no motion along a
-/// straight run can beat.
+/// straight section can beat.
 #include <algorithm>
 #include <cmath>
 #include <limits>

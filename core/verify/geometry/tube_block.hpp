@@ -16,8 +16,8 @@ struct Stretch {
 };
 
 /// Matches two stretches of positive length, begin to begin and end to end, forward on both in between. First by
-/// following both piece by piece; where that shows more than the tolerance (coils and spikes smaller than it lead
-/// astray), by the decision of the Fréchet distance of polygons that are within 0.2 % of the tolerance of them.
+/// following both piece by piece; where that shows more than the tolerance (coils and spikes smaller than it mislead
+/// it), by the decision of the Fréchet distance of polygons that are within 0.2 % of the tolerance of them.
 class TubeBlock {
  public:
   TubeBlock(double tolerance, ProgressScope& pulse) : tolerance_(tolerance), pulse_(pulse) {}

@@ -12,7 +12,7 @@ std::optional<api::Job> SqliteStore::claim(const Lease& lease) {
   writer_.run(
       [&](Connection& connection) {
         job.reset();
-        lose(connection, lease.now, lease.now, most_expired_at_once);
+        lose(connection, lease.now, lease.now, max_expired_at_once);
         Query next =
             connection.query("SELECT seq FROM jobs WHERE state = 'queued' ORDER BY priority DESC, seq LIMIT 1");
         if (!next.step()) return;

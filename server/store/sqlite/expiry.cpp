@@ -47,7 +47,7 @@ std::vector<std::string> SqliteStore::lose(Connection& connection, std::int64_t 
   for (const Orphan& orphan : orphans) {
     const std::int64_t change = changes_.next();
     ids.push_back(orphan.id);
-    if (!orphan.cancelled && orphan.attempt < most_lost_attempts) {
+    if (!orphan.cancelled && orphan.attempt < max_lost_attempts) {
       (connection.query("UPDATE jobs SET state = 'queued', started_at = NULL, fraction = 0, stage = '', message = '', "
                         "revision = revision + ?, changed = ? WHERE id = ?")
        << lost_leap << change << orphan.id)
@@ -81,9 +81,9 @@ Expired SqliteStore::expire(std::int64_t now) {
     expired = {};
     {
       Query due = connection.query(deadlines);
-      due << static_cast<std::int64_t>(most_expired_at_once + 1);
+      due << static_cast<std::int64_t>(max_expired_at_once + 1);
       while (due.step()) {
-        if (due.integer(1) > now || expired.ids.size() == most_expired_at_once) {
+        if (due.integer(1) > now || expired.ids.size() == max_expired_at_once) {
           expired.next = due.integer(1);
           break;
         }
@@ -98,7 +98,7 @@ Expired SqliteStore::expire(std::int64_t now) {
           .run();
       changes_.note(change, id, api::JobState::failed);
     }
-    expired.lost = lose(connection, now, now, most_expired_at_once);
+    expired.lost = lose(connection, now, now, max_expired_at_once);
     expired.next = earlier(expired.next, next_lease(connection));
   });
   return expired;

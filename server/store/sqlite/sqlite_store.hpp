@@ -62,8 +62,8 @@ class SqliteStore final : public Store {
   void checkpoint() override;
 
  private:
-  class Reader;                                             ///< a reading connection on loan
-  static constexpr std::size_t most_expired_at_once = 256;  ///< in one transaction: others wait for it
+  class Reader;                                            ///< a reading connection on loan
+  static constexpr std::size_t max_expired_at_once = 256;  ///< in one transaction: others wait for it
   Inserted insert_one(Connection& connection, const NewJob& job, const std::string& packed_document);
   void recover(std::int64_t now);
   /// Ends the attempts of running jobs whose lease ended before or at `until`, at most `most`; which ones.

@@ -99,9 +99,9 @@ TEST(ContourInput, ReadsJerkBlendingAndLimitsAlongThePath) {
   EXPECT_EQ(given.method, PlanningMethod::jerk_limited);
   EXPECT_EQ(given.corner_mode, CornerMode::blend);
   EXPECT_EQ(given.blend_tolerance, 0.05);
-  EXPECT_EQ(given.path.velocity, 120);
-  EXPECT_EQ(given.path.acceleration, 10000);
-  EXPECT_EQ(given.path.jerk, 500000);
+  EXPECT_EQ(given.along.velocity, 120);
+  EXPECT_EQ(given.along.acceleration, 10000);
+  EXPECT_EQ(given.along.jerk, 500000);
 }
 
 TEST(ContourInput, ReadsPartPrograms) {

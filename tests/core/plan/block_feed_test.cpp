@@ -234,7 +234,7 @@ Machine quick_machine() {
   return m;
 }
 
-TEST(BlockFeed, AShortSlowBlockInARunStaysSlow) {
+TEST(BlockFeed, AShortSlowBlockInASectionStaysSlow) {
   const Contour given = slow_between_fast();
   ContourPlanning planning;
   planning.method = PlanningMethod::time_optimal;

@@ -73,17 +73,17 @@ void passes_and_fails(const AxisPath& path, const Contour& contour, Machine mach
   const bool jerk = method == Method::jerk_limited;
   TimeLaw law = planned(contour_task(path, contour, machine), method);
   const std::size_t kinds = jerk ? 3 : 2;
-  const auto most_used = [&](const Verification& v) {
+  const auto largest_use = [&](const Verification& v) {
     const auto axes = static_cast<std::ptrdiff_t>(kinds * machine.axes.size());
     return *std::max_element(v.checks.begin(), v.checks.begin() + axes,
                              [](const Check& a, const Check& b) { return a.value / a.limit < b.value / b.limit; });
   };
-  const Check before = most_used(verdict(path, contour, machine, law, jerk));
+  const Check before = largest_use(verdict(path, contour, machine, law, jerk));
   EXPECT_LE(before.value / before.limit, 1 + 1e-8) << before.name;
   law = law.slowed(std::max(1.0, before.value / before.limit));
   const Verification v = verdict(path, contour, machine, law, jerk);
   EXPECT_TRUE(v.passed) << failed(v);
-  const Check most = most_used(v);
+  const Check most = largest_use(v);
   EXPECT_GE(most.value / most.limit, 1 - 1e-3) << most.name;
   limit_of(machine, most) = most.value * (1 - 1e-6);
   const Verification w = verdict(path, contour, machine, law, jerk);

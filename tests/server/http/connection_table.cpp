@@ -23,7 +23,7 @@ struct ConnectionTableTest : testing::Test {
 };
 
 TEST_F(ConnectionTableTest, LongestWaitingMakesRoom) {
-  ConnectionTable table({.most = 3, .most_per_address = 0, .spare = 1});
+  ConnectionTable table({.most = 3, .max_per_address = 0, .spare = 1});
   const auto first = regular(table), second = regular(table), third = regular(table);
   table.enter(first, Phase::busy, now += 1ms);
   table.enter(second, Phase::waiting, now += 1ms);  // between two requests: its wait begins anew
@@ -38,7 +38,7 @@ TEST_F(ConnectionTableTest, LongestWaitingMakesRoom) {
 }
 
 TEST_F(ConnectionTableTest, SparesWhereAllAreBusy) {
-  ConnectionTable table({.most = 2, .most_per_address = 0, .spare = 2});
+  ConnectionTable table({.most = 2, .max_per_address = 0, .spare = 2});
   for (int i = 0; i < 2; ++i) table.enter(regular(table), Phase::busy, now);
   const auto first = admit(table), second = admit(table);
   EXPECT_EQ(first.place, Place::spare);
@@ -52,7 +52,7 @@ TEST_F(ConnectionTableTest, SparesWhereAllAreBusy) {
 }
 
 TEST_F(ConnectionTableTest, AnAddressGivesUpItsOwn) {
-  ConnectionTable table({.most = 10, .most_per_address = 2, .spare = 4});
+  ConnectionTable table({.most = 10, .max_per_address = 2, .spare = 4});
   const auto other = regular(table, "b");
   const auto first = regular(table), second = regular(table);
   EXPECT_EQ(admit(table).leave, first) << "although b waits longer";
@@ -68,7 +68,7 @@ TEST_F(ConnectionTableTest, AnAddressGivesUpItsOwn) {
 }
 
 TEST_F(ConnectionTableTest, ABodyThatStandsStillMakesRoom) {
-  ConnectionTable table({.most = 2, .most_per_address = 0, .spare = 1, .stalled = 100ms});
+  ConnectionTable table({.most = 2, .max_per_address = 0, .spare = 1, .stalled = 100ms});
   const auto slow = regular(table), quick = regular(table);
   table.enter(slow, Phase::body, now);
   table.enter(quick, Phase::body, now += 1ms);
@@ -80,14 +80,14 @@ TEST_F(ConnectionTableTest, ABodyThatStandsStillMakesRoom) {
 }
 
 TEST_F(ConnectionTableTest, TakesNoEndOfThem) {
-  ConnectionTable table({.most = 5, .most_per_address = 0, .spare = 1});
+  ConnectionTable table({.most = 5, .max_per_address = 0, .spare = 1});
   std::size_t taken = 0;
   for (int i = 0; i < 100; ++i) taken += admit(table).place != Place::none;
   EXPECT_EQ(taken, 11U) << "those that were asked to leave still hold their sockets";
 }
 
 TEST_F(ConnectionTableTest, NamesOneForWantOfDescriptors) {
-  ConnectionTable table({.most = 5, .most_per_address = 0, .spare = 1});
+  ConnectionTable table({.most = 5, .max_per_address = 0, .spare = 1});
   EXPECT_FALSE(table.longest_waiting(now));
   const auto first = regular(table), second = regular(table);
   EXPECT_EQ(table.longest_waiting(now), first);

@@ -57,7 +57,7 @@ TEST(AccelerationLimited, InfiniteCurvatureAtAnEndIsPassable) {
   EXPECT_LT(T, 0.2);
 }
 
-TEST(AccelerationLimited, TinyPiecesInALongRun) {
+TEST(AccelerationLimited, TinyPiecesInALongSection) {
   ContourBuilder b(2, {});
   b.line({50, 0, 0});
   for (int i = 1; i <= 50; ++i) b.line({50 + i * 1e-5, 0, 0});
@@ -66,7 +66,7 @@ TEST(AccelerationLimited, TinyPiecesInALongRun) {
   EXPECT_NEAR(duration(b.finish()), expected, 1e-9 * expected);
 }
 
-TEST(AccelerationLimited, WindowsGiveTheLawOfTheWholeRun) {
+TEST(AccelerationLimited, WindowsGiveTheLawOfTheWholeSection) {
   const Machine m = bahnwerk::testing::two_axes();
   SilentProgress progress;
   ContourBuilder b(2, {});

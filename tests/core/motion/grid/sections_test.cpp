@@ -29,7 +29,7 @@ Sections sections_of(const Contour& contour) {
   return find_sections(contour_task(path, contour, two), 0.1 * degree);
 }
 
-TEST(Sections, ALargeJumpEndsARun) {
+TEST(Sections, ALargeJumpEndsASection) {
   const Sections sections = sections_of(bent(0.2 * degree));
   EXPECT_EQ(sections.begin, (std::vector<std::size_t>{0, 1, 2}));
 }
@@ -48,7 +48,7 @@ TEST(Sections, ASmoothJointDoesNot) {
   EXPECT_EQ(sections.joint_cap[1], unlimited);
 }
 
-TEST(Sections, ACuspEndsARun) {
+TEST(Sections, ACuspEndsASection) {
   ContourBuilder b(2, {0.125, -0.125, 0});
   // (w², w³) with w = u − 1/2 …: the curve turns back at u = 1/2
   b.polynomial({{0.125, -0.5, 0.5}, {-0.125, 0.75, -1.5, 1}});

@@ -1,4 +1,4 @@
-/// Long runs planned window by window: as quick as when they are planned whole, within all limits, without a step.
+/// Long sections planned window by window: as quick as when they are planned whole, within all limits, without a step.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -49,7 +49,7 @@ TEST(TimeLaw, SlowedRunsTheSameWay) {
   }
 }
 
-TEST(TimeLaw, SlowsOneRunAndShiftsTheRest) {
+TEST(TimeLaw, SlowsOneSectionAndShiftsTheRest) {
   TimeLaw law = trapezoid();
   const TimeLaw second = trapezoid();
   for (LawPiece q : second.pieces()) {
@@ -57,12 +57,12 @@ TEST(TimeLaw, SlowsOneRunAndShiftsTheRest) {
     q.s_end += 30;
     law.append(q);
   }
-  law.slow_run(2.5, 1.5);
+  law.slow_section(2.5, 1.5);
   EXPECT_DOUBLE_EQ(law.duration(), 4 * 1.5 + 4);
   EXPECT_DOUBLE_EQ(law.pieces()[1].v, 10 / 1.5);
   EXPECT_DOUBLE_EQ(law.pieces()[3].t0, 6);
   EXPECT_DOUBLE_EQ(law.pieces()[4].v, 10);
-  law.slow_run(6.5, 2);
+  law.slow_section(6.5, 2);
   EXPECT_DOUBLE_EQ(law.duration(), 6 + 8);
   EXPECT_DOUBLE_EQ(law.pieces()[0].t0, 0);
 }

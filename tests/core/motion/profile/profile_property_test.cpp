@@ -175,15 +175,16 @@ TEST(ProfileProperty, Monotone) {
   for (int run = 0; run < 20000; ++run) {
     const Case c = random_case(random);
     if (c.length < direct_distance(c.v0, c.v1, c.limits)) continue;
-    const double T = straight_profile(c.length, c.v0, c.v1, c.limits).duration, hair = 1 + 1e-13;
-    ASSERT_GE(straight_profile(c.length * (1 + magnitude(random, 1e-12, 10)), c.v0, c.v1, c.limits).duration * hair, T)
+    const double T = straight_profile(c.length, c.v0, c.v1, c.limits).duration, margin = 1 + 1e-13;
+    ASSERT_GE(straight_profile(c.length * (1 + magnitude(random, 1e-12, 10)), c.v0, c.v1, c.limits).duration * margin,
+              T)
         << text(c);
     const double more = 1 + magnitude(random, 1e-12, 10);
     for (double ProfileLimits::*limit :
          {&ProfileLimits::velocity, &ProfileLimits::acceleration, &ProfileLimits::jerk, &ProfileLimits::snap}) {
       ProfileLimits stronger = c.limits;
       stronger.*limit *= more;
-      ASSERT_LE(straight_profile(c.length, c.v0, c.v1, stronger).duration, T * hair) << text(c);
+      ASSERT_LE(straight_profile(c.length, c.v0, c.v1, stronger).duration, T * margin) << text(c);
     }
   }
 }

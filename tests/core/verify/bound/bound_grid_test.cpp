@@ -101,7 +101,7 @@ TEST(BoundGrid, ANodeStandsWhereAnAxisTurnsBack) {
 }
 
 TEST(BoundGrid, TwoTurnsBetweenCoarseNodesAreSeen) {
-  // y rises, dips by a hair and rises again within 0.003 rad of turning.
+  // y rises, dips a little and rises again within 0.003 rad of turning.
   const Contour wave = Maker().bezier({{30, 0.011, 0}, {70, -0.001, 0}, {100, 0.01, 0}}).done();
   Grid<2> g(wave);
   int turns = 0;

@@ -286,7 +286,7 @@ TEST(WithGap, IsPlannedOverBoundMinusOne) {
   EXPECT_EQ(with_gap({0, 0, ""}, 0).gap, 0);
 }
 
-TEST(LowerBound, LongRunsAreCutAndStayBelow) {
+TEST(LowerBound, LongSectionsAreCutAndStayBelow) {
   std::vector<Vec> points;
   constexpr int n = 450'000;
   for (int i = 0; i <= n; ++i) points.push_back({i * 1e-3, 0, 0});
