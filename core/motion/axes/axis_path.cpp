@@ -9,8 +9,7 @@ namespace bahnwerk {
 CartesianAxisPath::CartesianAxisPath(const Path& tool, std::size_t axes, double height)
     : AxisPath(tool, std::min<std::size_t>(axes, 3), true), height_(height) {}
 
-AxisJet CartesianAxisPath::at_parameter(std::size_t segment, double u) const {
-  const PathPoint p = tool()[segment].at_parameter(u);
+AxisJet CartesianAxisPath::axes_at(const PathPoint& p) const {
   AxisJet q;
   for (std::size_t k = 0; k < axes(); ++k)
     q.value[k] = p.value[k], q.d1[k] = p.d1[k], q.d2[k] = p.d2[k], q.d3[k] = p.d3[k];

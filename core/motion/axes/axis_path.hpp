@@ -40,7 +40,7 @@ class AxisPath {
   /// Of the map from the tool's position to the axes, for tool positions within `radius` mm of `centre`.
   virtual MapBounds map_bounds(const Vec& centre, double radius) const = 0;
   /// Axes at a place of a segment, s ∈ [s0, s1].
-  AxisJet at(std::size_t segment, double s) const { return at_parameter(segment, tool_[segment].parameter(s)); }
+  virtual AxisJet at(std::size_t segment, double s) const { return at_parameter(segment, tool_[segment].parameter(s)); }
 
  protected:
   AxisPath(const Path& tool, std::size_t axes, bool cartesian) : tool_(tool), axes_(axes), cartesian_(cartesian) {}
@@ -57,11 +57,16 @@ class CartesianAxisPath final : public AxisPath {
  public:
   CartesianAxisPath(const Path& tool, std::size_t axes, double height = 0);
   bool linear(std::size_t segment) const override { return tool()[segment].straight(); }
-  AxisJet at_parameter(std::size_t segment, double u) const override;
+  AxisJet at_parameter(std::size_t segment, double u) const override {
+    return axes_at(tool()[segment].at_parameter(u));
+  }
   void at_parameters(std::size_t segment, PathBatch& batch) const override { tool()[segment].at_parameters(batch); }
+  AxisJet at(std::size_t segment, double s) const override { return axes_at(tool()[segment].at(s)); }
   MapBounds map_bounds(const Vec& centre, double radius) const override;
 
  private:
+  AxisJet axes_at(const PathPoint& p) const;
+
   double height_;
 };
 

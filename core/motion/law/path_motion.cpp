@@ -11,13 +11,14 @@ LawState PathMotion::along(std::size_t piece, double t) const {
   return x;
 }
 
-MotionState PathMotion::in_piece(std::size_t piece, double t) const {
-  const LawState x = along(piece, t);
+MotionState PathMotion::in_piece(std::size_t piece, double t) const { return driven(piece, along(piece, t)); }
+
+MotionState PathMotion::driven(std::size_t piece, const LawState& x) const {
   const AxisJet q = path_->at(law_.pieces()[piece].segment, x.s);
   const double v2 = x.v * x.v, v3 = v2 * x.v;
   MotionState state;
-  state.position = q.value;
-  for (std::size_t k = 0; k < axes(); ++k) {
+  for (std::size_t k = 0, n = axes(); k < n; ++k) {  // number by number: copying the array would wait for its stores
+    state.position[k] = q.value[k];
     state.velocity[k] = q.d1[k] * x.v;
     state.acceleration[k] = q.d2[k] * v2 + q.d1[k] * x.a;
     state.jerk[k] = q.d3[k] * v3 + 3 * x.v * x.a * q.d2[k] + q.d1[k] * x.j;

@@ -27,6 +27,8 @@ class PathMotion final : public Motion {
   MotionState final_state() const override;
   /// Place and speed along the tool's path, s between the ends of the piece.
   LawState along(std::size_t piece, double t) const;
+  /// The axes where the tool is at `x` in that piece: in_piece(piece, t) = driven(piece, along(piece, t)).
+  MotionState driven(std::size_t piece, const LawState& x) const;
 
  private:
   std::shared_ptr<const AxisPath> path_;

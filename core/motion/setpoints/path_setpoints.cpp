@@ -10,10 +10,16 @@ PathSetpoints::PathSetpoints(std::shared_ptr<const PathMotion> motion, const Mac
   add_column({"v", "mm/s"});
 }
 
+MotionState PathSetpoints::state(Row& row) const {
+  row.piece = motion_->law().find(row.t, row.piece);
+  const LawState x = motion_->along(row.piece, row.t);
+  row.s = x.s, row.v = x.v;
+  return motion_->driven(row.piece, x);
+}
+
 void PathSetpoints::further_columns(Row& row, double* out) const {
-  const LawState along = row.last ? LawState{motion_->path().length(), 0, 0, 0} : motion_->along(row.piece, row.t);
-  out[0] = along.s;
-  out[1] = along.v;
+  out[0] = row.last ? motion_->path().length() : row.s;
+  out[1] = row.last ? 0 : row.v;
 }
 
 }  // namespace bahnwerk

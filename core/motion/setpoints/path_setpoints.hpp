@@ -17,6 +17,8 @@ class PathSetpoints : public MotionSetpoints {
 
  protected:
   static constexpr std::size_t path_columns = 2;
+  /// Evaluates the law once for the axes, s and v.
+  MotionState state(Row& row) const final;
   /// Writes s and v.
   void further_columns(Row& row, double* out) const override;
 
