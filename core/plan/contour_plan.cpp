@@ -80,8 +80,8 @@ ContourPlan plan_contour(Contour input, const Machine& machine, const ContourPla
   path.options = planning;
   path.max_setpoints = planning.max_setpoints;
   path.blocks = contour.get();
-  path.setpoints = [&](std::shared_ptr<const PathMotion> motion, std::size_t cycles) {
-    return std::make_unique<ContourSetpoints>(std::move(motion), *contour, machine, cycles);
+  path.setpoints = [&](const std::shared_ptr<const PathMotion>& motion, std::size_t cycles) {
+    return std::make_unique<ContourSetpoints>(motion, *contour, machine, cycles);
   };
   path.from = read;
   path.to = served;

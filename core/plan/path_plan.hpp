@@ -32,7 +32,8 @@ struct PathPlanning {
   double max_setpoints = 20'000'000;
   const Contour* blocks = nullptr;  ///< whose blocks the setpoints' columns mode and block tell, if they have such
   /// What a kind derives from PathSetpoints; those themselves if it is empty.
-  std::function<std::unique_ptr<SetpointSource>(std::shared_ptr<const PathMotion>, std::size_t cycles)> setpoints;
+  std::function<std::unique_ptr<SetpointSource>(const std::shared_ptr<const PathMotion>&, std::size_t cycles)>
+      setpoints;
   double from = 0, to = 1;  ///< the share of the whole job's progress that this takes
 };
 

@@ -24,9 +24,9 @@ CentreBorders centre_borders(const Region& usable_area, double radius, Progress*
   for (const Edge& edge : usable_area.edges())
     if (!edge.straight() && edge.turn > 0 && std::abs(edge.radius - radius) <= fit_margin) corner(edge.centre);
   std::vector<std::vector<double>> cuts(edges.size(), {0, 1});
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    corner(edges[i].from);  // where edges join all but smoothly, their crossing may get lost in rounding
-    corner(edges[i].to);
+  for (const Edge& edge : edges) {
+    corner(edge.from);  // where edges join all but smoothly, their crossing may get lost in rounding
+    corner(edge.to);
   }
   const auto cut = [&](std::size_t i, std::size_t k, const Meeting& m) {
     corner(edges[i].at(m.first));

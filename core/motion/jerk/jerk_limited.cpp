@@ -21,7 +21,7 @@ JerkLimitedResult plan(const PathTask& task, const JerkLimitedOptions& options, 
     planner.plan(first, last, begin, end, result);
   });
   if (result.cells > 0)
-    result.iterations = static_cast<std::size_t>(planner.work() / static_cast<double>(result.cells) + 0.5);
+    result.iterations = static_cast<std::size_t>(std::lround(planner.work() / static_cast<double>(result.cells)));
   return result;
 }
 

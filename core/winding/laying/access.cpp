@@ -77,8 +77,8 @@ double floor_of(const Region& usable_area, const Upright& upright, const Opening
     consider(0);
     consider(1);
     if (!edge.straight()) consider(edge.nearest(edge.centre + edge.radius * upright.y));
-    for (std::size_t k = 0; k < 2; ++k)
-      for (const Meeting& m : meetings(sides[k], edge)) {
+    for (const Edge& wall : sides)
+      for (const Meeting& m : meetings(wall, edge)) {
         const Point at = upright(edge.at(m.second));
         if (at.y < -fit_margin && dot(edge.direction(m.second), upright.x) > 1e-9) highest = std::max(highest, at.y);
       }

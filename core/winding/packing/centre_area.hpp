@@ -28,7 +28,8 @@ class CentreArea {
   Point way_in(Point p) const {
     const auto column = static_cast<int>(std::clamp((p.x - low_.x) * per_cell_, 0.0, last_column_));
     const auto row = static_cast<int>(std::clamp((p.y - low_.y) * per_cell_, 0.0, last_row_));
-    const std::size_t cell = static_cast<std::size_t>(row * columns_ + column);
+    const std::size_t cell =
+        static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
     return inside_[cell] ? Point{} : way_in(p, cell);
   }
   bool holds(Point p) const { return way_in(p) == Point{}; }
