@@ -134,8 +134,8 @@ const ProblemType& problem_type(std::string_view slug) {
   throw std::out_of_range("no problem type " + std::string(slug));
 }
 
-Problem::Problem(std::string_view slug, std::string detail, std::vector<FieldError> errors)
-    : std::runtime_error(std::move(detail)), type_(&problem_type(slug)), errors_(std::move(errors)) {}
+Problem::Problem(std::string_view slug, const std::string& detail, std::vector<FieldError> errors)
+    : std::runtime_error(detail), type_(&problem_type(slug)), errors_(std::move(errors)) {}
 
 Problem& Problem::because_of(std::string error) {
   error_ = std::move(error);

@@ -30,7 +30,7 @@ std::string summary(std::span<const FieldError> errors, std::size_t most = stati
 
 class Problem : public std::runtime_error {
  public:
-  Problem(std::string_view slug, std::string detail, std::vector<FieldError> errors = {});
+  Problem(std::string_view slug, const std::string& detail, std::vector<FieldError> errors = {});
   const ProblemType& type() const { return *type_; }
   const std::vector<FieldError>& errors() const { return errors_; }
   /// Adds the member `error`: the problem document (JSON text) of the job that the request is about.
