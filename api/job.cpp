@@ -87,7 +87,7 @@ void check_meaning(const json& document, const Kind& kind) {
   }
   if (errors.empty()) return;
   std::string detail = summary(errors);
-  throw Problem("semantic-violation", std::move(detail), std::move(errors));
+  throw Problem("semantic-violation", detail, std::move(errors));
 }
 
 }  // namespace
@@ -120,7 +120,7 @@ JobRequest parse_job(std::string_view body) {
     for (auto& error : kind_schema(*kind).validate(document["spec"], "/spec")) errors.push_back(std::move(error));
   if (!errors.empty()) {
     std::string detail = summary(errors, Schema::max_faults);
-    throw Problem("schema-violation", std::move(detail), std::move(errors));
+    throw Problem("schema-violation", detail, std::move(errors));
   }
   check_meaning(document, *kind);
 

@@ -110,7 +110,7 @@ Problem semantic(const InvalidInput& fault, std::string_view prefix) {
   errors.reserve(fault.faults.size());
   for (const auto& f : fault.faults) errors.push_back({pointer(prefix, f.place), f.message});
   std::string detail = errors.empty() ? std::string(fault.what()) : summary(errors);
-  return {"semantic-violation", std::move(detail), std::move(errors)};
+  return {"semantic-violation", detail, std::move(errors)};
 }
 
 std::string number(double value) {

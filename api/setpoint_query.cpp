@@ -88,7 +88,7 @@ SetpointQuery parse_setpoint_query(const std::vector<std::pair<std::string, std:
     errors.push_back({"/query/points", "cannot be combined with every: an envelope looks at every row"});
   if (!errors.empty()) {
     std::string detail = errors.front().pointer + ": " + errors.front().message;
-    throw Problem("schema-violation", std::move(detail), std::move(errors));
+    throw Problem("schema-violation", detail, std::move(errors));
   }
   return result;
 }
