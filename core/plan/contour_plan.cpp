@@ -60,17 +60,14 @@ ContourPlan plan_contour(Contour input, const Machine& machine, const ContourPla
   const bool blended = planning.corner_mode == CornerMode::blend;
   const double read = blended ? 0.1 : 0.0, served = blended ? 0.95 : 1.0;
   std::shared_ptr<const Contour> contour = given;
-  if (blended) {
-    Machine moving = machine;  // jerk counts where the method holds it
-    moving.axes.resize(std::min(machine.dimension(), given->dimension));
-    if (!method_row(planning.method).limits_jerk)
-      for (AxisLimits& axis : moving.axes) axis.jerk = unlimited;
-    contour = std::make_shared<const Contour>(
-        blend(*given, {planning.blend_tolerance, planning.corner_angle}, moving, progress, 0.0, read));
-  }
+  const std::size_t moving = std::min(machine.dimension(), given->dimension);
+  if (blended)
+    contour = std::make_shared<const Contour>(blend(*given, {planning.blend_tolerance, planning.corner_angle},
+                                                    held_limits(machine, method_row(planning.method), moving), progress,
+                                                    0.0, read));
   PathPlanning path;
   path.path = contour_axes(contour, machine.dimension());
-  path.moving = contour_axes(contour, std::min(machine.dimension(), contour->dimension));
+  path.moving = contour_axes(contour, moving);
   path.machine = machine;
   path.feeds = contour->feeds();
   path.feeds_to_verify = feeds_to_hold(*contour, *given);
@@ -103,7 +100,7 @@ ContourPlan plan_contour(Contour input, const Machine& machine, const ContourPla
   plan.duration = planned.law.duration();
   plan.bound = planned.bound;
   report_blocks(*contour, sampled, planned.cycles.factor, plan);
-  report_joints(*contour, path.moving->axes(), planned.law, planning.corner_angle, plan, progress);
+  report_joints(*contour, moving, planned.law, planning.corner_angle, plan, progress);
   plan.verification = std::move(planned.verification);
   plan.setpoints = std::move(planned.setpoints);
   plan.path = contour;

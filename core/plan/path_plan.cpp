@@ -33,25 +33,14 @@ bool slow_by_the_excess(const Verification& verification, double factor, TimeLaw
   return true;
 }
 
-/// The limits that the method holds.
-Machine held_limits(Machine machine, bool jerk) {
-  if (!jerk)
-    for (AxisLimits& axis : machine.axes) axis.jerk = unlimited;
-  return machine;
-}
-Machine first_axes(Machine machine, std::size_t count) {
-  machine.axes.resize(count);
-  return machine;
-}
-
 class Pipeline {
  public:
   Pipeline(const PathPlanning& planning, Progress& progress)
       : planning_(planning),
         progress_(progress),
         method_(method_row(planning.method)),
-        machine_(held_limits(planning.machine, method_.limits_jerk)),
-        moving_(first_axes(machine_, planning.moving->axes())),
+        machine_(held_limits(planning.machine, method_, planning.machine.dimension())),
+        moving_(held_limits(planning.machine, method_, planning.moving->axes())),
         task_{*planning.moving, moving_, planning.feeds, planning.rests, planning.dwells} {}
 
   PathPlan run() {

@@ -61,4 +61,11 @@ const MethodRow& method_row(PlanningMethod method) {
   throw std::logic_error("a planning method without a row");
 }
 
+Machine held_limits(Machine machine, const MethodRow& method, std::size_t axes) {
+  machine.axes.resize(axes);
+  if (!method.limits_jerk)
+    for (AxisLimits& axis : machine.axes) axis.jerk = unlimited;
+  return machine;
+}
+
 }  // namespace bahnwerk

@@ -5,7 +5,7 @@
 
 #include "core/base/named.hpp"
 #include "core/base/progress.hpp"
-#include "core/machine/limits.hpp"
+#include "core/machine/machine.hpp"
 #include "core/motion/axes/path_task.hpp"
 #include "core/motion/law/time_law.hpp"
 
@@ -43,5 +43,8 @@ struct MethodRow {
 
 /// Throws std::logic_error for a method without a row.
 const MethodRow& method_row(PlanningMethod method);
+
+/// The limits that a method holds, of the machine's first `axes`: jerk is unlimited where it is not among them.
+Machine held_limits(Machine machine, const MethodRow& method, std::size_t axes);
 
 }  // namespace bahnwerk

@@ -7,12 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "core/motion/axes/path_task.hpp"
 #include "core/motion/setpoints/contour_setpoints.hpp"
-#include "core/motion/setpoints/cycles.hpp"
 #include "core/verify/bound/lower_bound.hpp"
 #include "core/verify/setpoints/setpoint_checks.hpp"
 #include "core/verify/verifier.hpp"
+#include "tests/core/motion/setpoints/slowed.hpp"
 #include "tests/core/verify/reference.hpp"
 
 namespace bahnwerk {
@@ -69,8 +68,7 @@ void rows(benchmark::State& state, Shape shape, bool check) {
   const Machine m = machine(2, 1800, 16000, 1e-4);
   const TimeLaw law = wavy_law(contour, 200 * contour.path.size());
   const Cycles cycles = whole_cycles(law.duration(), m.cycle_time);
-  const auto motion = std::make_shared<const PathMotion>(
-      contour_axes(std::make_shared<const Contour>(contour), m.dimension()), law.slowed(cycles.factor));
+  const auto motion = test::slowed(contour, m, law, cycles);
   const ContourSetpoints source(motion, contour, m, cycles.count);
   std::vector<double> chunk(1024 * source.columns().size());
   SilentProgress silent;

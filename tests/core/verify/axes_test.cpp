@@ -16,6 +16,7 @@
 #include "core/motion/jerk/jerk_limited.hpp"
 #include "core/verify/law/axis_peaks.hpp"
 #include "core/verify/verifier.hpp"
+#include "tests/core/motion/axes/bow.hpp"
 #include "tests/core/motion/axes/five_axes.hpp"
 #include "tests/core/verify/law/random_rational.hpp"
 #include "tests/core/verify/reference.hpp"
@@ -25,14 +26,7 @@ namespace {
 
 using reference::law_through;
 using reference::Maker;
-
-Contour bow() {
-  ContourBuilder b(2, {});
-  b.line({40, 0, 0});
-  b.arc({60, 20, 0}, {40, 20, 0}, true);
-  b.line({60, 45, 0});
-  return b.finish();
-}
+using test::bow;
 
 enum class Method { time_optimal, braking_reserve, jerk_limited };
 

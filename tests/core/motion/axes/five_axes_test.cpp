@@ -8,6 +8,7 @@
 #include <cmath>
 #include <string>
 
+#include "bow.hpp"
 #include "coordinate_axes.hpp"
 #include "core/base/progress.hpp"
 #include "core/contour/builder.hpp"
@@ -17,14 +18,7 @@
 namespace bahnwerk {
 namespace {
 
-/// A line, a bow and a line: smooth, with curvature that jumps twice.
-Contour bow() {
-  ContourBuilder b(2, {});
-  b.line({40, 0, 0});
-  b.arc({60, 20, 0}, {40, 20, 0}, true);
-  b.line({60, 45, 0});
-  return b.finish();
-}
+using test::bow;
 
 struct Peaks {
   AxisArray velocity{}, acceleration{}, jerk{};  // as parts of the limits

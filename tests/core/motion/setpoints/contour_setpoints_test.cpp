@@ -5,7 +5,7 @@
 #include "core/contour/builder.hpp"
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/motion/law/block_times.hpp"
-#include "core/motion/setpoints/cycles.hpp"
+#include "slowed.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -17,16 +17,13 @@ Machine machine(std::size_t axes = 2) {
   return m;
 }
 
+using test::slowed;
+
 struct Planned {
   Contour contour;
   Cycles cycles;
   std::shared_ptr<const PathMotion> motion;
 };
-
-std::shared_ptr<const PathMotion> slowed(const Contour& contour, const Machine& m, const TimeLaw& law, Cycles cycles) {
-  return std::make_shared<const PathMotion>(contour_axes(std::make_shared<const Contour>(contour), m.dimension()),
-                                            law.slowed(cycles.factor));
-}
 
 Planned planned(const Machine& m) {
   ContourBuilder b(m.dimension(), {});

@@ -13,9 +13,9 @@
 #include "core/base/errors.hpp"
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/motion/setpoints/contour_setpoints.hpp"
-#include "core/motion/setpoints/cycles.hpp"
 #include "core/verify/bound/lower_bound.hpp"
 #include "core/verify/verifier.hpp"
+#include "tests/core/motion/setpoints/slowed.hpp"
 #include "tests/core/verify/reference.hpp"
 
 namespace bahnwerk {
@@ -23,6 +23,7 @@ namespace {
 
 using reference::machine;
 using reference::Maker;
+using test::slowed;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
@@ -77,11 +78,6 @@ struct SetpointChecks : testing::Test {
     motion = slowed(contour, m, law, cycles);
     rows = std::make_unique<ContourSetpoints>(motion, contour, m, cycles.count);
     last = cycles.count;
-  }
-  static std::shared_ptr<const PathMotion> slowed(const Contour& contour, const Machine& m, const TimeLaw& law,
-                                                  Cycles cycles) {
-    return std::make_shared<const PathMotion>(contour_axes(std::make_shared<const Contour>(contour), m.dimension()),
-                                              law.slowed(cycles.factor));
   }
   std::vector<Check> checked(const SetpointSource& source) const {
     SilentProgress progress;
