@@ -1,4 +1,5 @@
 // Any text either is a part program or has faults, each with its line; reading never does anything else.
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -22,7 +23,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const bahnwerk::Contour contour = bahnwerk::read_gcode({reinterpret_cast<const char*>(data), size}, options);
     demand(contour.path.length() > 0 && !contour.blocks.empty());
     demand(contour.blocks.front().first == 0 && contour.blocks.back().last == contour.path.size());
-    for (const auto& block : contour.blocks) demand(block.feed > 0 && block.first < block.last);
+    for (std::size_t i = 0; i < contour.blocks.size(); ++i) {
+      const auto& block = contour.blocks[i];
+      // A block may hold nothing but dwells, where a switch comes between two of them.
+      const bool dwells = std::any_of(contour.rests.begin(), contour.rests.end(),
+                                      [&](const bahnwerk::Rest& rest) { return rest.block == i; });
+      demand(block.feed > 0 && block.first <= block.last && (block.first < block.last || dwells));
+    }
   } catch (const bahnwerk::InvalidInput& e) {
     demand(!e.faults.empty() && e.faults.size() <= 100);
     for (const auto& fault : e.faults) {
