@@ -17,13 +17,16 @@ declare -A allowed=(
   [core/motion/law]="core/motion/axes/ core/contour/contour.hpp core/machine/ core/geometry/path/ core/numeric/ core/base/"
   [core/motion/grid]="core/motion/axes/ core/contour/contour.hpp core/machine/ core/geometry/path/ core/numeric/ core/base/"
   [core/motion/setpoints]="core/motion/axes/ core/motion/law/ core/contour/contour.hpp core/machine/ core/base/"
+  [core/motion/relaxation]="core/numeric/ core/base/"
   [core/motion/profile]="core/motion/law/ core/machine/ core/base/"
   [core/motion/acceleration]="core/motion/axes/ core/motion/grid/ core/motion/law/ core/contour/contour.hpp core/machine/ core/geometry/path/ core/numeric/ core/base/"
   [core/motion/jerk]="core/motion/profile/ core/motion/axes/ core/motion/grid/ core/motion/law/ core/contour/contour.hpp core/machine/ core/numeric/ core/base/"
   [core/winding]="core/drawing/svg.hpp core/geometry/region/ core/numeric/random.hpp core/base/"
-  # The verifier sees what the user gave and the finished motion, no planner.
+  # The verifier sees what the user gave and the finished motion, no planner. The relaxation gives the bound multipliers,
+  # of which any are valid.
   [core/verify]="core/motion/axes/axis_path.hpp core/motion/axes/motion.hpp core/motion/axes/path_task.hpp core/motion/law/time_law.hpp core/contour/contour.hpp
     core/machine/machine.hpp core/machine/kinematics.hpp
+    core/motion/relaxation/relaxation.hpp core/motion/relaxation/splines.hpp
     core/winding/margin.hpp core/geometry/region/region.hpp
     core/geometry/curve/arc.hpp core/geometry/curve/curve.hpp core/geometry/curve/rational.hpp core/geometry/curve/vec.hpp core/geometry/path/matched.hpp core/geometry/path/path.hpp
     core/numeric/large_pages.hpp core/numeric/peak.hpp core/numeric/polynomial.hpp

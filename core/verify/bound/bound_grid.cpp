@@ -63,6 +63,7 @@ BoundGrid<N>::BoundGrid(const AxisPath& path, const Machine& machine, std::vecto
   for (std::size_t k = 0; k < axes_; ++k) {
     acceleration_[k] = machine.axes[k].acceleration * scale_[k];
     velocity_[k] = machine.axes[k].velocity * scale_[k];
+    jerk_[k] = machine.axes[k].jerk * scale_[k];
   }
   for (double& f : feeds_)
     if (!(f > 0)) f = unlimited;
@@ -252,6 +253,24 @@ void BoundGrid<N>::append(const Node& b, const DirectionRange<N>* range) {
   cells_.push_back(cell(nodes_[nodes_.size() - 2], nodes_.back(), range));
 }
 
+// Under a limit of jerk the acceleration of an axis may step by jerk · cycle time, |Δq''_k b + Δq'_k v̇| at most, and
+// the acceleration v̇ along the path does not step.
+template <int N>
+double BoundGrid<N>::step_cap(const Node& a, const Node& b, double cap) const {
+  double along = std::numeric_limits<double>::infinity();
+  for (const Node* n : {&a, &b})
+    for (std::size_t k = 0; k < axes_; ++k)
+      if (n->least(k) > 0)
+        along = std::min(along, (acceleration_[k] + std::abs(n->curvature[k]) * cap) / std::sqrt(n->least(k)));
+  double most = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < axes_; ++k) {
+    const double step = std::abs(b.curvature[k] - a.curvature[k]), kink = std::abs(b.tangent[k] - a.tangent[k]);
+    const double allowed = jerk_[k] * cycle_time_ + (kink > 0 ? kink * along : 0);
+    if (step > 0 && allowed < most * step) most = allowed / step * give;
+  }
+  return most;
+}
+
 // By how much the tool's direction jumps.
 template <int N>
 double BoundGrid<N>::corner(const Node& a, const Node& b) const {
@@ -276,6 +295,7 @@ BoundCell<N> BoundGrid<N>::cell(Node& a, Node& b, const DirectionRange<N>* range
     for (std::size_t k = 0; k < axes_; ++k)
       if (const double step = b.tangent[k] - a.tangent[k]; step != 0)
         cap = std::min(cap, sq(acceleration_[k] * cycle_time_ / step) * give);
+    cap = std::min(cap, step_cap(a, b, cap));
     a.cap = b.cap = corner(a, b) > corner_angle_ ? 0 : cap;
     return c;
   }

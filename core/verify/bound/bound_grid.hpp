@@ -76,11 +76,16 @@ class BoundGrid {
   std::size_t axes() const { return axes_; }
   double acceleration(std::size_t k) const { return acceleration_[k]; }
   double velocity(std::size_t k) const { return velocity_[k]; }
+  double jerk(std::size_t k) const { return jerk_[k]; }  ///< may be infinite
   double feed(std::size_t segment) const { return feeds_[segment]; }
   const Blocks<Node>& nodes() const { return nodes_; }
   const Blocks<Cell>& cells() const { return cells_; }
   /// All that q' can be between two nodes of one segment.
   DirectionRange<N> range(const Node& a, const Node& b) const;
+  /// Bounds of |q'''_k|, 1/mm², between two nodes of one segment; infinite where there are none.
+  std::array<double, N> third(const Node& a, const Node& b) const;
+  /// A place of a segment.
+  Node at(std::size_t segment, double u) const { return node(segment, u); }
 
  private:
   using Row = std::array<double, N>;
@@ -93,6 +98,7 @@ class BoundGrid {
   static bool hides_valley(const Node& a, const Node& middle, const Node& b);
   bool too_wide(const Node& a, const Node& b, double turn_limit) const;
   double corner(const Node& a, const Node& b) const;
+  double step_cap(const Node& a, const Node& b, double cap) const;
   bool unit_direction(const Node& n) const;
   void append_segment(std::size_t segment);
   void append_between(const Node& a, const Node& b, int depth);
@@ -101,11 +107,13 @@ class BoundGrid {
   void append(const Node& b, const DirectionRange<N>* range = nullptr);
   Cell cell(Node& a, Node& b, const DirectionRange<N>* range) const;
   DirectionRange<N> range_by_map(const Node& a, const Node& b) const;
+  Row third_by_map(const Node& a, const Node& b, const MapBounds& map) const;
+  Hodograph::Bends bends(const Node& a, const Node& b) const;
   Hodograph& hodograph(std::size_t segment) const;
 
   const AxisPath& path_;
   std::size_t axes_;
-  Row scale_{}, acceleration_{}, velocity_{};
+  Row scale_{}, acceleration_{}, velocity_{}, jerk_{};
   double cycle_time_, corner_angle_;
   std::vector<double> feeds_;
   ProgressScope& pulse_;

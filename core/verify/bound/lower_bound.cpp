@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/verify/bound/bound_grid.hpp"
+#include "core/verify/bound/jerk_bound.hpp"
 #include "core/verify/bound/rest_to_rest.hpp"
 #include "core/verify/worst.hpp"
 
@@ -77,6 +78,9 @@ class Solver {
     std::size_t cells = 0;  // in which the binding condition may change
     double time = 0;        // spent in those that no single condition explains
   };
+  /// Of the last solution, per node.
+  const std::vector<double>& b() const { return b_; }
+
   // Marks the cells without a condition that binds all through and the neighbours of a change.
   Doubt mark_switching(double total, std::vector<unsigned char>& marked) const {
     const auto& cells = grid_.cells();
@@ -191,6 +195,7 @@ Bound bound_of(const PathTask& task, double corner_angle, Progress& progress, do
   const std::vector<Joint> list = joints(path.tool(), [&] { pulse.report(); });
   BoundGrid<N> grid(path, task.machine, task.feeds, corner_angle, pulse);
   Solver<N> solver(grid, pulse);
+  verify::JerkBound<N> jerk(grid, task.machine, pulse);
   std::vector<unsigned char> marked;
   double duration = 0;
   std::size_t nodes = 0;
@@ -203,7 +208,10 @@ Bound bound_of(const PathTask& task, double corner_angle, Progress& progress, do
       end = std::min(begin + longest_stretch, last);
       grid.build(begin, end, begin == first, end == last);
       pulse.done(static_cast<double>(begin + end) / 2 / static_cast<double>(path.size()));
-      section += section_duration(grid, solver, marked);
+      double stretch = section_duration(grid, solver, marked);
+      if (jerk.limited() && !(last == first + 1 && path.linear(first)))
+        stretch = std::max(stretch, jerk.duration(solver.b(), stretch, begin == first, end == last));
+      section += stretch;
       nodes += grid.nodes().size();
     }
     if (last == first + 1 && path.linear(first))
@@ -211,7 +219,9 @@ Bound bound_of(const PathTask& task, double corner_angle, Progress& progress, do
     duration += section;
     pulse.done(static_cast<double>(last) / static_cast<double>(path.size()));
   }
-  return {duration, 0, "axis energies between " + std::to_string(nodes) + " nodes of the path"};
+  std::string basis = "axis energies between " + std::to_string(nodes) + " nodes of the path";
+  if (jerk.limited()) basis += ", jerk by duality over " + std::to_string(jerk.cells()) + " cells";
+  return {duration, 0, basis};
 }
 
 }  // namespace

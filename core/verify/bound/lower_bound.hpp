@@ -8,9 +8,10 @@ namespace bahnwerk {
 
 /// No motion is shorter that keeps the axes' velocity and acceleration limits and the feeds, rests at both ends, at
 /// corners (jump of the tool's tangent > corner_angle, rad), at cusps and where the task says so, and passes every
-/// other joint with |Δq'_k| v ≤ A_k · cycle time in every axis. Jerk limits count on sections that are one linear
-/// segment (closed form); elsewhere they are left out, which can only lower the bound. Acceleration limits must be
-/// finite. `gap` is left 0: see with_gap.
+/// other joint with |Δq'_k| v ≤ A_k · cycle time in every axis, and, where jerk is limited, with a step of its
+/// acceleration of J_k · cycle time at most. Limits of jerk count in closed form on sections that are one linear
+/// segment, elsewhere by duality (core/verify/bound/jerk_bound.hpp). Acceleration limits must be finite. `gap` is left
+/// 0: see with_gap.
 ///
 /// The argument. With b = v² and q the axes over the arc length s of the tool's path, axis k moves with q̇_k = q'_k v
 /// and d(q'_k² b)/ds = 2 q'_k q̈_k. Hence between any two places q'_k² b changes by at most 2 A_k ∫|q'_k| ds: exact,
@@ -44,9 +45,10 @@ namespace bahnwerk {
 ///
 /// Distance to the true optimum: exact on polylines; ≤ 5e-6 beyond the reference's own error on 3,000 random contours
 /// of arcs, lines and rational pieces (held to 2e-5 by tests against a dense solution); within 8e-6 of the planner's
-/// duration on a made-up machine with five axes (held to 1e-4). Cost: ≈ 90 ns per node on lines, 300–600 ns on arcs and
-/// free-form curves, O(n) time and ≈ 0.4 kB per node of two axes between two rests, of at most 200,000 segments (at
-/// such a cut the speed is left open). Calls progress every few ms; throws what it throws, and UnreachablePose.
+/// duration on a made-up machine with five axes (held to 1e-4). With limits of jerk mostly 0.05 to 2 %. Cost: ≈ 90 ns
+/// per node on lines, 300–600 ns on arcs and free-form curves, O(n) time and ≈ 0.4 kB per node of two axes between two
+/// rests, of at most 200,000 segments (at such a cut the speed is left open); with limits of jerk 2 to 4 µs per cell of
+/// theirs more. Calls progress every few ms; throws what it throws, and UnreachablePose.
 Bound lower_bound(const PathTask& task, double corner_angle, Progress& progress, double progress_from = 0,
                   double progress_to = 1);
 

@@ -1,10 +1,15 @@
-/// Random short contours under random limits: whatever comes, the verifier finds every limit held.
+/// Random short contours under random limits: whatever comes, the verifier finds every limit held, and the law is no
+/// faster than the bound says any can be.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <string>
+#include <vector>
 
 #include "core/base/errors.hpp"
 #include "core/motion/jerk/jerk_limited.hpp"
+#include "core/verify/bound/lower_bound.hpp"
 #include "core/verify/verifier.hpp"
 #include "tests/core/plan/random_contour.hpp"
 
@@ -46,6 +51,7 @@ class JerkProperty : public ::testing::TestWithParam<std::size_t> {};
 
 TEST_P(JerkProperty, NoLimitIsViolated) {
   SilentProgress progress;
+  std::vector<double> gaps;
   for (std::size_t i = 0; i < problems(); ++i) {
     const std::uint64_t seed = 1 + i * shards + GetParam();
     const Problem p = random_problem(seed);
@@ -55,7 +61,17 @@ TEST_P(JerkProperty, NoLimitIsViolated) {
     input.path = p.options.path;
     for (const Check& check : verify_motion(input, progress).checks)
       ASSERT_TRUE(check.passed) << "seed " << seed << ": " << check.name << ' ' << check.value << " > " << check.limit;
+    const Bound bound = lower_bound(contour, p.machine, p.options.corner_angle, progress);
+    ASSERT_TRUE(bound_check(bound, law.duration()).passed)
+        << "seed " << seed << ": " << law.duration() << " < " << bound.duration;
+    // The bound knows nothing of limits along the path.
+    if (p.options.path.velocity == unlimited && p.options.path.acceleration == unlimited)
+      gaps.push_back(law.duration() / bound.duration - 1);
   }
+  std::sort(gaps.begin(), gaps.end());
+  for (const double part : {0.5, 0.9, 0.99, 1.0})
+    RecordProperty("gap_" + std::to_string(part),
+                   std::to_string(gaps[static_cast<std::size_t>(part * static_cast<double>(gaps.size() - 1))]));
 }
 
 INSTANTIATE_TEST_SUITE_P(Shards, JerkProperty, ::testing::Range(std::size_t{0}, shards));

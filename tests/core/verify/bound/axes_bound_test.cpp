@@ -42,9 +42,15 @@ std::vector<Contour> contours() {
   return list;
 }
 
+Machine without_jerk(const test::FiveAxes& kinematics) {
+  Machine machine{kinematics.axes(), 0.001};
+  for (AxisLimits& axis : machine.axes) axis.jerk = unlimited;
+  return machine;
+}
+
 TEST(AxesBound, FiveAxesStayBelowTheTimeOptimalPlan) {
   const test::FiveAxes kinematics;
-  const Machine machine{kinematics.axes(), 0.001};
+  const Machine machine = without_jerk(kinematics);
   for (const Contour& contour : contours()) {
     const KinematicAxisPath path(contour.path, kinematics);
     const double low = bound(path, contour, machine), plan = planned(path, contour, machine);
@@ -56,7 +62,7 @@ TEST(AxesBound, FiveAxesStayBelowTheTimeOptimalPlan) {
 
 TEST(AxesBound, LooserLimitsNeverRaiseIt) {
   const test::FiveAxes kinematics;
-  const Machine machine{kinematics.axes(), 0.001};
+  const Machine machine = without_jerk(kinematics);
   for (const Contour& contour : contours()) {
     const KinematicAxisPath path(contour.path, kinematics);
     const double base = bound(path, contour, machine);

@@ -1,0 +1,159 @@
+// The convex problem against closed forms, and by what holds of every convex problem: weak duality, relaxations only
+// lower.
+#include "core/motion/relaxation/relaxation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/motion/relaxation/splines.hpp"
+
+namespace bahnwerk {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+// A line in direction (0.8, 0.6), finer and finer towards both ends.
+RelaxationProblem<2> line(double length, std::size_t cells, double velocity, double acceleration, double jerk) {
+  RelaxationProblem<2> p;
+  const auto node = [&](std::size_t i) {
+    const double x = static_cast<double>(i) / static_cast<double>(cells);
+    return length * x * x * x * (10 - 15 * x + 6 * x * x);
+  };
+  for (std::size_t i = 0; i < cells; ++i) {
+    const double h = node(i + 1) - node(i);
+    p.cells.push_back({h, {0.8 * h, 0.6 * h}, {0.8, 0.6}, {0.8, 0.6}, velocity * velocity});
+  }
+  p.acceleration = {0.8 * acceleration, acceleration}, p.jerk = {0.8 * jerk, jerk};
+  return p;
+}
+
+// A circle of radius r at even nodes.
+RelaxationProblem<2> circle(double r, std::size_t cells, double velocity, double acceleration, double jerk) {
+  RelaxationProblem<2> p;
+  const double turn = 2 * std::numbers::pi / static_cast<double>(cells);
+  for (std::size_t i = 0; i < cells; ++i) {
+    const double a = turn * static_cast<double>(i), b = a + turn;
+    p.cells.push_back({r * turn,
+                       {r * (std::sin(b) - std::sin(a)), r * (std::cos(a) - std::cos(b))},
+                       {std::cos(a), std::sin(a)},
+                       {std::cos(b), std::sin(b)},
+                       velocity * velocity});
+  }
+  p.acceleration = {acceleration, acceleration}, p.jerk = {jerk, jerk};
+  return p;
+}
+
+double solved(const RelaxationProblem<2>& problem) {
+  SilentProgress silent;
+  ProgressScope pulse(silent, "test", 0, 1);
+  RelaxationSolver<2> solver;
+  const RelaxationOutcome outcome = solver.solve(problem, {}, pulse);
+  EXPECT_TRUE(outcome.converged);
+  return outcome.duration;
+}
+
+double double_s(double way, double velocity, double acceleration, double jerk) {
+  const double ramp = acceleration / jerk;
+  const double change =
+      velocity >= acceleration * ramp ? velocity / acceleration + ramp : 2 * std::sqrt(velocity / jerk);
+  if (way >= velocity * change) return way / velocity + change;
+  if (way >= 2 * acceleration * ramp * ramp) return ramp + std::sqrt(ramp * ramp + 4 * way / acceleration);
+  return std::cbrt(32 * way / jerk);
+}
+
+TEST(Relaxation, LinesReachTheClosedFormFromBelow) {
+  struct Case {
+    double way, velocity, acceleration, jerk;
+  };
+  for (const Case& c : {Case{100, 1800, 16000, 1e6}, Case{100, 300, 16000, 1e6}, Case{5, 1800, 16000, 1e5},
+                        Case{1000, 500, 2000, 3e4}, Case{0.01, 1800, 16000, 1e6}}) {
+    const double exact = double_s(c.way, c.velocity, c.acceleration, c.jerk);
+    const double coarse = solved(line(c.way, 60, c.velocity, c.acceleration, c.jerk)),
+                 fine = solved(line(c.way, 400, c.velocity, c.acceleration, c.jerk));
+    EXPECT_LE(coarse, exact * (1 + 1e-5));
+    EXPECT_LE(fine, exact * (1 + 1e-5));
+    EXPECT_GE(fine, exact * (1 - 1e-3));
+    EXPECT_GE(coarse, exact * (1 - 1e-2));
+  }
+}
+
+TEST(Relaxation, CirclesWithFreeEndsGoAtTheSpeedThatJerkAllows) {
+  // All around at constant speed: v³/r² = J would be exceeded nowhere; a little faster is possible between the axes'
+  // worst places, so the circle at that speed is feasible and no faster than the optimum.
+  const double r = 10, jerk = 1e5, speed = std::cbrt(jerk * r * r);
+  RelaxationProblem<2> p = circle(r, 400, 1e4, 1e9, jerk);
+  p.rest_first = p.rest_last = false;
+  const double steady = 2 * std::numbers::pi * r / speed, found = solved(p);
+  EXPECT_LE(found, steady);
+  EXPECT_GE(found, 0.7 * steady);
+}
+
+TEST(Relaxation, WhatIsLooserIsNotSlower) {
+  const auto base = circle(10, 200, 1800, 16000, 1e6);
+  const double before = solved(base);
+  for (int change = 0; change < 6; ++change) {
+    auto looser = base;
+    if (change == 0) looser.jerk[0] *= 3;
+    if (change == 1) looser.jerk = {infinite, infinite};
+    if (change == 2) looser.acceleration[1] *= 2;
+    if (change == 3) looser.rest_last = false;
+    if (change == 4) looser.rest_first = looser.rest_last = false;
+    if (change == 5) looser.steps.push_back({100, 0, {1e-3, 1e-3}, {}});
+    EXPECT_LE(solved(looser), before * (1 + 2e-5)) << change;
+  }
+}
+
+// Lagrange: for the multipliers found, the least of Σ T_j + multipliers · violated limits over all b and T is the
+// duration again; for any others it is less.
+TEST(Relaxation, MultipliersAreFeasibleAndTheirDualIsTheOptimum) {
+  const auto p = circle(10, 150, 400, 16000, 1e6);
+  SilentProgress silent;
+  ProgressScope pulse(silent, "test", 0, 1);
+  RelaxationSolver<2> solver;
+  RelaxationOptions options;
+  options.gap = 1e-8;
+  const double optimum = solver.solve(p, options, pulse).duration;
+  const RelaxationMultipliers<2> m = solver.multipliers();
+  ASSERT_EQ(m.jerk.size(), p.cells.size() + 2);
+  ASSERT_EQ(m.acceleration.size(), p.cells.size() + 1);
+  double dual = 0;
+  for (const auto& l : m.jerk) EXPECT_LE(p.jerk[0] * std::abs(l[0]) + p.jerk[1] * std::abs(l[1]), 1 + 1e-12);
+  for (std::size_t i = 0; i < p.cells.size(); ++i) {
+    const auto& c = p.cells[i];
+    const double h = c.length, cap = c.cap;
+    const auto parts = spline_parts(h, h, h);
+    double w = 0, G = 0;
+    for (std::size_t r = 0; r < 3; ++r) {
+      const auto& l = m.jerk[i + r];
+      w += (1 - p.jerk[0] * std::abs(l[0]) - p.jerk[1] * std::abs(l[1])) * parts[r].integral(h);
+      for (std::size_t k = 0; k < 2; ++k)
+        G += l[k] *
+             (parts[r].second * c.way[k] - 0.5 * (parts[r].slope_end * c.end[k] - parts[r].slope_begin * c.begin[k]));
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double m0 = m.acceleration[i][k], m1 = m.acceleration[i + 1][k];
+      G += m0 * (c.way[k] / h - 0.5 * c.begin[k]) + m1 * (0.5 * c.end[k] - c.way[k] / h);
+      dual -= p.acceleration[k] * h * (std::abs(m0) + std::abs(m1)) / 2;
+    }
+    const double b = G > 0 ? std::min(cap, std::pow(w / (2 * G), 2.0 / 3)) : cap;
+    dual += w / std::sqrt(b) + G * b;
+  }
+  EXPECT_LE(dual, optimum * (1 + 1e-6));
+  EXPECT_GE(dual, optimum * (1 - 1e-5));
+}
+
+TEST(Relaxation, OneCellAndMemoryOfAnotherProblem) {
+  SilentProgress silent;
+  ProgressScope pulse(silent, "test", 0, 1);
+  RelaxationSolver<2> solver;
+  const auto large = circle(10, 300, 1800, 16000, 1e6), small = line(1, 1, 1800, 16000, 1e6);
+  const double first = solver.solve(large, {}, pulse).duration;
+  EXPECT_GT(solver.solve(small, {}, pulse).duration, 0);
+  EXPECT_EQ(solver.solve(large, {}, pulse).duration, first);
+  EXPECT_EQ(solver.b().size(), 300u);
+}
+
+}  // namespace
+}  // namespace bahnwerk

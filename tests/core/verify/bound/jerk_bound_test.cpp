@@ -1,0 +1,155 @@
+// The bound under limits of jerk: below everything that can be driven, and close to it.
+#include "core/verify/bound/jerk_bound.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <sstream>
+
+#include "core/contour/builder.hpp"
+#include "core/motion/jerk/jerk_limited.hpp"
+#include "core/verify/bound/lower_bound.hpp"
+#include "tests/core/motion/axes/five_axes.hpp"
+#include "tests/core/verify/reference.hpp"
+
+namespace bahnwerk {
+namespace {
+
+using reference::Maker;
+
+constexpr double corner_angle = 0.1 * std::numbers::pi / 180;
+
+Machine machine(double jerk, std::size_t axes = 2) {
+  Machine m = reference::machine(axes, 1800, 16000);
+  for (AxisLimits& axis : m.axes) axis.jerk = jerk;
+  return m;
+}
+
+double bound(const Contour& contour, const Machine& m, double corner = corner_angle) {
+  SilentProgress silent;
+  return lower_bound(contour, m, corner, silent).duration;
+}
+
+double planned(const Contour& contour, const Machine& m) {
+  SilentProgress silent;
+  JerkLimitedOptions options;
+  options.corner_angle = corner_angle;
+  return plan_jerk_limited(contour, m, options, silent).law.duration();
+}
+
+TEST(JerkBound, LinesInPartsStayBelowTheClosedForm) {
+  for (const double way : {0.01, 1.0, 100.0, 3000.0})
+    for (const double jerk : {1e4, 1e6, 1e8}) {
+      const double exact = bound(Maker().line({way, 0}).done(), machine(jerk));  // one part: closed form
+      const double parts = bound(Maker().line({0.3 * way, 0}).line({way, 0}).done(), machine(jerk));
+      EXPECT_LE(parts, exact) << way << ' ' << jerk;
+      EXPECT_GE(parts, exact * (1 - 3e-3)) << way << ' ' << jerk;
+    }
+}
+
+TEST(JerkBound, IsCloseToTheDirectSolutions) {
+  std::ifstream file(BAHNWERK_SOURCE "/tests/core/motion/reference/jerk.csv");
+  std::string text;
+  int problems = 0;
+  while (std::getline(file, text)) {
+    if (text.empty() || text[0] == '#') continue;
+    std::vector<double> f;
+    std::stringstream fields(text);
+    for (std::string x; std::getline(fields, x, ',');) f.push_back(std::stod(x));
+    ASSERT_EQ(f.size(), 20u);
+    ContourBuilder b(2, {f[0], f[6], 0});
+    b.block(Mode::cut, unlimited);
+    b.polynomial({{f.begin(), f.begin() + 6}, {f.begin() + 6, f.begin() + 12}});
+    const Contour contour = b.finish();
+    Machine m;
+    m.axes = {{"x", f[12], f[14], f[16]}, {"y", f[13], f[15], f[17]}};
+    const double expected = 2 * f[19] - f[18], found = bound(contour, m);
+    EXPECT_LE(found, expected * (1 + 1e-3)) << text;  // the reference's own error
+    EXPECT_GE(found, expected * (1 - 0.03)) << text;
+    ++problems;
+  }
+  EXPECT_EQ(problems, 10);
+}
+
+std::vector<Contour> contours() {
+  std::vector<Contour> list;
+  list.push_back(Maker().line({40, 0}).arc({60, 20}, {40, 20}, true).line({60, 45}).done());
+  list.push_back(Maker().bezier({{30, 40}, {60, -40}, {80, 20}}).done());
+  list.push_back(Maker().block(300).bezier({{30, 40}, {60, -40}, {80, 20}}).done());
+  list.push_back(Maker().line({10, 0}).line({20, 0.01}).line({30, 0}).done());  // small kinks
+  return list;
+}
+
+TEST(JerkBound, StaysBelowThePlanAndCloseToIt) {
+  for (const Contour& contour : contours())
+    for (const double jerk : {1e5, 1e6, 1e7}) {
+      const double low = bound(contour, machine(jerk)), plan = planned(contour, machine(jerk));
+      EXPECT_LE(low, plan * (1 + 1e-9)) << jerk;
+      EXPECT_GE(low, plan * (1 - 0.04)) << jerk;
+    }
+}
+
+TEST(JerkBound, KnowsMoreThanTheBoundWithoutJerk) {
+  for (const Contour& contour : contours()) {
+    const double without = bound(contour, machine(unlimited));
+    double before = unlimited;
+    for (const double jerk : {1e5, 1e6, 1e7, 1e8}) {
+      const double now = bound(contour, machine(jerk));
+      EXPECT_GE(now, without);
+      EXPECT_LE(now, before * (1 + 2e-3)) << jerk;  // on another grid for each jerk
+      before = now;
+    }
+    EXPECT_GT(bound(contour, machine(1e5)), 1.02 * without);
+  }
+}
+
+// An arc after a line: at the joint the acceleration may step by jerk · cycle time only, so that the speed there is
+// limited whatever the rest does.
+TEST(JerkBound, SlowsWhereCurvatureJumps) {
+  const Contour contour = Maker().line({200, 0}).arc({200, 20}, {200, 10}, true).line({0, 20}).done();
+  const double speed = std::sqrt(1e6 * 0.001 * 10);  // κ v² = J · cycle
+  // Twice from the joint to the line's other end with a full brake, and half the circle in between at best.
+  const double brake = (std::sqrt(2 * 16000 * 100 + speed * speed / 2) * 2 - speed) / 16000;
+  EXPECT_GE(bound(contour, machine(1e6)), 2 * brake);
+  EXPECT_LE(bound(contour, machine(1e6)), planned(contour, machine(1e6)));
+}
+
+TEST(JerkBound, ScalesWithTime) {
+  const Contour contour = contours()[1];
+  Machine fast = machine(1e6);
+  for (AxisLimits& axis : fast.axes) axis.velocity *= 2, axis.acceleration *= 4, axis.jerk *= 8;
+  fast.cycle_time /= 2;
+  EXPECT_NEAR(2 * bound(contour, fast), bound(contour, machine(1e6)), 1e-6);
+}
+
+TEST(JerkBound, LongSectionsAreCutIntoWindowsAndStayBelow) {
+  Maker maker;
+  for (int i = 0; i < 300; ++i) {
+    const double x = 20.0 * i;
+    maker.bezier({{x + 5, 4}, {x + 5, 4}, {x + 10, 0}}).bezier({{x + 15, -4}, {x + 15, -4}, {x + 20, 0}});
+  }
+  const Contour contour = maker.done();
+  const Machine m = machine(1e7);
+  const double low = bound(contour, m), plan = planned(contour, m);
+  EXPECT_LE(low, plan * (1 + 1e-9));
+  EXPECT_GE(low, plan * (1 - 0.02));
+}
+
+TEST(JerkBound, HoldsForFiveAxes) {
+  const test::FiveAxes kinematics;
+  const Machine m{kinematics.axes(), 0.001};
+  SilentProgress silent;
+  for (const Contour& contour : contours()) {
+    const KinematicAxisPath path(contour.path, kinematics);
+    const PathTask task = contour_task(path, contour, m);
+    const double low = lower_bound(task, corner_angle, silent).duration;
+    const double plan = plan_jerk_limited(task, {}, silent).law.duration();
+    EXPECT_LE(low, plan * (1 + 1e-9));
+    EXPECT_GE(low, plan * (1 - 0.06));
+  }
+}
+
+}  // namespace
+}  // namespace bahnwerk
