@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
 
 namespace bahnwerk::verify {
@@ -13,11 +11,11 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 // A cell of the relaxation takes this part of the time in which jerk brings an axis to its full acceleration, and
 // turns by no more than this, rad; a piece half of it. Next to rest a piece is this part of its distance from there.
-constexpr double part_of_ramp = 0.3, widest_turn = 0.1, part_of_distance = 0.1, part_of_onset = 0.002,
+constexpr double part_of_ramp = 0.3, widest_turn = 0.02, part_of_distance = 0.1, part_of_onset = 0.002,
                  part_of_section = 1e-4, part_of_cycle = 0.25;
-constexpr double widest_swing = 0.2;    // of q″ b within a cell, of the axis' acceleration
+constexpr double widest_swing = 0.05;   // of q″ b within a cell, of the axis' acceleration
 constexpr std::size_t window = 16'000;  // cells of the relaxation at once
-constexpr std::size_t pieces_per_node = 4, more_pieces = 200;
+constexpr double pieces_per_node = 0.5, more_pieces = 400;
 constexpr double min_cells = 60;  // of a section
 constexpr double no_ramp = 4;     // cells that take longer than so many ramps show nothing of jerk
 
@@ -325,7 +323,7 @@ template <int N>
 double JerkBound<N>::duration(const std::vector<double>& b, double time, bool rest_first, bool rest_last) {
   const double length = grid_.nodes().back().s - grid_.nodes().front().s;
   spacing_ = std::max(std::min(part_of_ramp * ramp_, time / min_cells),
-                      time / static_cast<double>(pieces_per_node * grid_.nodes().size() + more_pieces));
+                      time / (pieces_per_node * static_cast<double>(grid_.nodes().size()) + more_pieces));
   first_piece_ = std::min(part_of_onset * acceleration_of_ramp_ * sq(ramp_) / 6, part_of_section * length);
   double total = 0;
   if (spacing_ < no_ramp * ramp_) {
@@ -338,13 +336,7 @@ double JerkBound<N>::duration(const std::vector<double>& b, double time, bool re
         ++first;
         continue;
       }
-      const auto outcome_dbg = solver_.solve(problem_, {}, pulse_);
-      if (std::getenv("DBG"))
-        std::fprintf(stderr,
-                     "pieces %zu cells %zu it %d T %.6f gap %.1e viol %.1e conv %d eval %.6f spacing %.2e ramp %.2e\n",
-                     last - first, problem_.cells.size(), outcome_dbg.iterations, outcome_dbg.duration, outcome_dbg.gap,
-                     outcome_dbg.violation, outcome_dbg.converged, evaluate(first, last, solver_.multipliers()),
-                     spacing_, ramp_);
+      solver_.solve(problem_, {}, pulse_);
       cells_ += problem_.cells.size();
       total += evaluate(first, last, solver_.multipliers());
       first = last;
