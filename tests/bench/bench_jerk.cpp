@@ -6,6 +6,7 @@
 
 #include "core/contour/builder.hpp"
 #include "core/motion/jerk/jerk_limited.hpp"
+#include "core/verify/bound/lower_bound.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -45,6 +46,23 @@ void plan(benchmark::State& state, int degree) {
   state.SetComplexityN(static_cast<std::int64_t>(result.cells));
 }
 
+/// The bound of the same, per grid point of the plan.
+void bound(benchmark::State& state, int degree) {
+  Machine m;
+  m.axes = {{"x", 1800, 16000, 1e6}, {"y", 1800, 16000, 1e6}};
+  SilentProgress progress;
+  const auto wanted = static_cast<double>(state.range(0));
+  const std::size_t per_50 = plan_jerk_limited(spline(50, degree), m, {}, progress).cells;
+  const Contour contour = spline(std::max(1, static_cast<int>(50 * wanted / static_cast<double>(per_50))), degree);
+  const JerkLimitedResult planned = plan_jerk_limited(contour, m, {}, progress);
+  Bound low;
+  for (auto _ : state) low = lower_bound(contour, m, 1e-3, progress);
+  state.counters["gap"] = planned.law.duration() / low.duration - 1;
+  state.counters["time_per_point"] = benchmark::Counter(
+      static_cast<double>(planned.cells), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.SetComplexityN(static_cast<std::int64_t>(planned.cells));
+}
+
 BENCHMARK_CAPTURE(plan, cubic_spline, 3)
     ->RangeMultiplier(10)
     ->Range(1000, 1000000)
@@ -53,6 +71,12 @@ BENCHMARK_CAPTURE(plan, cubic_spline, 3)
 BENCHMARK_CAPTURE(plan, quintic_spline, 5)
     ->RangeMultiplier(10)
     ->Range(1000, 1000000)
+    ->Complexity(benchmark::oN)
+    ->Unit(benchmark::kMillisecond);
+
+BENCHMARK_CAPTURE(bound, cubic_spline, 3)
+    ->RangeMultiplier(10)
+    ->Range(1000, 100000)
     ->Complexity(benchmark::oN)
     ->Unit(benchmark::kMillisecond);
 

@@ -29,12 +29,6 @@ void RelaxationSolver<N>::each(F&& f) {
   for (Inequality& c : caps_) f(c);
 }
 template <int N>
-template <class F>
-void RelaxationSolver<N>::each(F&& f) const {
-  const_cast<RelaxationSolver*>(this)->each([&](Inequality& i) { f(static_cast<const Inequality&>(i)); });
-}
-
-template <int N>
 void RelaxationSolver<N>::take(const RelaxationProblem<N>& problem) {
   const auto& cells = problem.cells;
   cells_ = cells.size();
@@ -181,17 +175,18 @@ void RelaxationSolver<N>::evaluate() {
 template <int N>
 void RelaxationSolver<N>::assemble() {
   complementarity_ = violation_ = dual_ = 0;
-  each([&](const Inequality& i) { complementarity_ += i.slack * i.multiplier; });
   for (std::size_t i = 0; i < cells_; ++i) {
     const double e = b_[i] * inverse_cap_[i];
     gradient_[i] = caps_[i].multiplier * e;
     matrix_[i] = {caps_[i].weight() * e * e, 0, 0};
     violation_ = std::max(violation_, std::abs(caps_[i].residual()));
+    complementarity_ += caps_[i].slack * caps_[i].multiplier;
   }
   for (std::size_t i = 0; i <= cells_; ++i)
     for (std::size_t k = 0; k < N; ++k) {
       const Inequality &plus = hats_[i].plus[k], &minus = hats_[i].minus[k];
       violation_ = std::max({violation_, std::abs(plus.residual()), std::abs(minus.residual())});
+      complementarity_ += plus.slack * plus.multiplier + minus.slack * minus.multiplier;
       const double z = plus.multiplier - minus.multiplier, w = plus.weight() + minus.weight();
       const double left = i > 0 ? coefficients_[i - 1].acceleration[1][k] * b_[i - 1] : 0;
       const double right = i < cells_ ? coefficients_[i].acceleration[0][k] * b_[i] : 0;
@@ -201,6 +196,7 @@ void RelaxationSolver<N>::assemble() {
     }
   for (std::size_t j = 0; j < splines_.size(); ++j) {
     Spline& s = splines_[j];
+    complementarity_ += s.time.slack * s.time.multiplier;
     double gradient = 1 - s.time.multiplier, worst = std::abs(s.time.residual());
     std::array<std::array<double, 3>, 3> block{};
     std::array<double, 3> e{}, coupling{};
@@ -225,6 +221,7 @@ void RelaxationSolver<N>::assemble() {
     for (std::size_t k = 0; k < N; ++k) {
       gradient -= s.plus[k].multiplier + s.minus[k].multiplier;
       worst = std::max({worst, std::abs(s.plus[k].residual()), std::abs(s.minus[k].residual())});
+      complementarity_ += s.plus[k].slack * s.plus[k].multiplier + s.minus[k].slack * s.minus[k].multiplier;
       const double plus = s.plus[k].weight(), minus = s.minus[k].weight();
       s.curvature += plus + minus;
       for (std::size_t r = 0; r < 3; ++r) {
@@ -302,10 +299,16 @@ void RelaxationSolver<N>::direction(double target, bool correct) {
     if (i + 1 < cells_) step_[i] -= matrix_[i][1] * step_[i + 1];
     if (i + 2 < cells_) step_[i] -= matrix_[i][2] * step_[i + 2];
   }
+  Reach reach;
   const auto follow = [&](Inequality& i, double change) {
     const double product = correct ? i.slack_step * i.multiplier_step : 0;
     i.slack_step = -i.residual() - change;
     i.multiplier_step = (target - product - i.multiplier * i.slack_step) / i.slack - i.multiplier;
+    if (i.slack + reach.primal * i.slack_step < 0) reach.primal = -i.slack / i.slack_step;
+    if (i.multiplier + reach.dual * i.multiplier_step < 0) reach.dual = -i.multiplier / i.multiplier_step;
+    reach.dual_change += i.slack * i.multiplier_step;
+    reach.primal_change += i.multiplier * i.slack_step;
+    reach.both += i.slack_step * i.multiplier_step;
   };
   for (std::size_t i = 0; i < cells_; ++i) follow(caps_[i], step_[i] * b_[i] * inverse_cap_[i]);
   for (std::size_t i = 0; i <= cells_; ++i)
@@ -330,26 +333,7 @@ void RelaxationSolver<N>::direction(double target, bool correct) {
     for (std::size_t k = 0; k < N; ++k) follow(s.plus[k], sum[k] - s.step), follow(s.minus[k], -sum[k] - s.step);
     pulse_->work(1);
   }
-}
-
-// How far slacks, or multipliers, stay positive; at most 1.
-template <int N>
-double RelaxationSolver<N>::longest(bool multipliers) const {
-  double most = 1;
-  each([&](const Inequality& i) {
-    const double now = multipliers ? i.multiplier : i.slack, step = multipliers ? i.multiplier_step : i.slack_step;
-    if (now + most * step < 0) most = -now / step;
-  });
-  return most;
-}
-
-template <int N>
-double RelaxationSolver<N>::complementarity(double primal, double dual) const {
-  double sum = 0;
-  each([&](const Inequality& i) {
-    sum += (i.slack + primal * i.slack_step) * (i.multiplier + dual * i.multiplier_step);
-  });
-  return sum;
+  reach_ = reach;
 }
 
 template <int N>
@@ -374,10 +358,12 @@ RelaxationOutcome RelaxationSolver<N>::solve(const RelaxationProblem<N>& problem
     factor();
     direction(0, false);
     const double now = complementarity_ / static_cast<double>(rows_);
-    const double left = complementarity(longest(false), longest(true)) / complementarity_;
+    const double left = 1 + (reach_.primal * reach_.primal_change + reach_.dual * reach_.dual_change +
+                             reach_.primal * reach_.dual * reach_.both) /
+                                complementarity_;
     direction(std::max(left * left * left, min_centring) * now, true);
-    double primal = std::min(1.0, to_boundary * longest(false));
-    const double dual = std::min(1.0, to_boundary * longest(true));
+    double primal = std::min(1.0, to_boundary * reach_.primal);
+    const double dual = std::min(1.0, to_boundary * reach_.dual);
     for (const double s : step_) {
       if (s < -most_down) primal = std::min(primal, most_down / -s);
       if (s > most_up) primal = std::min(primal, most_up / s);

@@ -74,8 +74,8 @@ struct RelaxationOptions {
   int iterations = 40;
 };
 
-/// Keeps its memory from one problem to the next: about 0.4 (N = 2), 0.5 (3), 1.2 kB (8) per cell. 10 to 15 iterations,
-/// 0.2 µs each per cell of two axes (tests/bench/bench_jerk.cpp).
+/// Keeps its memory from one problem to the next: about 0.4 (N = 2), 0.5 (3), 1.2 kB (8) per cell. 8 to 16 iterations,
+/// 0.2 µs each per cell of two axes as long as it fits the cache (tests/bench/bench_jerk.cpp).
 template <int N>
 class RelaxationSolver {
  public:
@@ -119,13 +119,9 @@ class RelaxationSolver {
   void assemble();
   void factor();
   void direction(double target, bool correct);
-  double longest(bool multipliers) const;
-  double complementarity(double primal, double dual) const;
   void advance(double primal, double dual);
   template <class F>
   void each(F&& f);
-  template <class F>
-  void each(F&& f) const;
   /// The cells of spline j (as stored) by their place in its support: f(place, cell).
   template <class F>
   void support(std::size_t j, F&& f) const {
@@ -144,6 +140,11 @@ class RelaxationSolver {
   Row inverse_jerk_{}, inverse_acceleration_{};
   std::vector<double> mass_;  ///< ∫ hat ds
   double duration_ = 0, complementarity_ = 0, violation_ = 0, dual_ = 0;
+  /// What the last direction allows: how far slacks and multipliers stay positive, and Σ slack · multiplier step, Σ
+  /// multiplier · slack step, Σ of both steps.
+  struct Reach {
+    double primal = 1, dual = 1, dual_change = 0, primal_change = 0, both = 0;
+  } reach_;
 };
 
 extern template class RelaxationSolver<2>;

@@ -13,48 +13,20 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 // turns by no more than this, rad; a piece half of it. Next to rest a piece is this part of its distance from there.
 constexpr double part_of_ramp = 0.3, widest_turn = 0.02, part_of_distance = 0.1, part_of_onset = 0.002,
                  part_of_section = 1e-4, part_of_cycle = 0.25;
-constexpr double widest_swing = 0.05;   // of q″ b within a cell, of the axis' acceleration
-constexpr std::size_t window = 16'000;  // cells of the relaxation at once
+constexpr double widest_swing = 0.05;     // of q″ b within a cell, of the axis' acceleration
+constexpr std::size_t stretch = 100'000;  // cells, beyond which the path is cut
 constexpr double pieces_per_node = 0.5, more_pieces = 400;
 constexpr double min_cells = 60;  // of a section
-constexpr double no_ramp = 4;     // cells that take longer than so many ramps show nothing of jerk
+constexpr double at_feed = 0.999, cruising = 4;
+constexpr double no_ramp = 4;  // cells that take longer than so many ramps show nothing of jerk
 
 double sq(double x) { return x * x; }
-
-/// min over 0 < b ≤ cap of w/√b + G b; w ≥ 0.
-double least(double w, double G, double cap) {
-  if (G > 0 && w <= 2 * G * cap * std::sqrt(cap)) return 1.5 * std::cbrt(2 * G * w * w);
-  return w / std::sqrt(cap) + G * cap;
-}
-
-struct Range {
-  double low, high, mean;
-  double share() const { return high > low ? std::clamp((mean - low) / (high - low), 0.0, 1.0) : 0; }
-};
-
-/// A lower bound of the mean of least(w(s), G(s), cap).
-double least_mean(const Range& w, const Range& G, double cap) {
-  const double p = w.share(), q = G.share();
-  const double f00 = least(w.low, G.low, cap), f01 = least(w.low, G.high, cap), f10 = least(w.high, G.low, cap),
-               f11 = least(w.high, G.high, cap);
-  const auto with = [&](double both) {
-    return both * f11 + (p - both) * f10 + (q - both) * f01 + (1 - p - q + both) * f00;
-  };
-  return std::min(with(std::max(0.0, p + q - 1)), with(std::min(p, q)));
-}
 
 }  // namespace
 
 template <int N>
-void JerkBound<N>::Sums::add(double x) {  // Kahan, Commun. ACM 8 (1965)
-  const double term = x - lost, next = now + term;
-  lost = (next - now) - term;
-  now = next;
-}
-
-template <int N>
 JerkBound<N>::JerkBound(const BoundGrid<N>& grid, const Machine& machine, ProgressScope& pulse)
-    : grid_(grid), pulse_(pulse), cycle_time_(machine.cycle_time) {
+    : grid_(grid), pulse_(pulse), cycle_time_(machine.cycle_time), dual_(grid, pulse) {
   acceleration_.fill(1), jerk_.fill(infinite);
   for (std::size_t k = 0; k < grid.axes(); ++k) {
     acceleration_[k] = grid.acceleration(k);
@@ -87,7 +59,7 @@ double JerkBound<N>::cap(std::size_t cell, const Node& a, const Node& b, const s
 
 template <int N>
 void JerkBound<N>::join(const Node& a, const Node& b, double cap) {
-  Piece joint;
+  DualPiece<N> joint;
   joint.joint = true;
   joint.joint_cap = cap;
   double along = infinite;
@@ -105,30 +77,16 @@ void JerkBound<N>::join(const Node& a, const Node& b, double cap) {
 }
 
 template <int N>
-void JerkBound<N>::append(const Node& a, const Node& b, double cap, double finest) {
-  Piece p = joint_;
+void JerkBound<N>::append(const Node& a, const Node& b, double cap, Extent extent) {
+  const DualPiece<N> joint = joint_;
   joint_ = {};
-  p.length = b.s - a.s;
-  if (!(p.length > 0)) return;
-  p.cap = cap;
-  p.time = p.length / std::sqrt(cap);
-  p.rounding = 128 * epsilon * (1 + b.s) / p.length + 64 * epsilon + a.blur + b.blur;
-  const Row third = grid_.third(a, b);
-  for (std::size_t k = 0; k < grid_.axes(); ++k) {
-    p.way[k] = b.position[k] - a.position[k];
-    p.begin[k] = a.tangent[k], p.end[k] = b.tangent[k];
-    p.bend[k] = std::max(std::abs(a.curvature[k]), std::abs(b.curvature[k]));
-    p.third[k] = third[k];
-    p.swing = std::max(p.swing, std::abs(b.curvature[k] - a.curvature[k]) * cap / acceleration_[k]);
-  }
-  p.finest = finest;
-  p.along = infinite;
-  for (std::size_t k = 0; k < grid_.axes(); ++k) {
-    const double bend = p.bend[k] + third[k] * p.length;  // |q″_k| anywhere in it
-    const double least = std::min(std::abs(p.begin[k]), std::abs(p.end[k])) - bend * p.length;
-    if (least > 1e-3) p.along = std::min(p.along, (acceleration_[k] + bend * cap) / least);
-  }
+  if (!(b.s > a.s)) return;
+  DualPiece<N> p = dual_piece(grid_, a, b, cap);
+  p.joint = joint.joint, p.step = joint.step, p.kink = joint.kink, p.joint_cap = joint.joint_cap;
+  for (std::size_t k = 0; k < grid_.axes(); ++k)
+    extent.swing = std::max(extent.swing, std::abs(b.curvature[k] - a.curvature[k]) * cap / acceleration_[k]);
   pieces_.push_back(p);
+  extents_.push_back(extent);
 }
 
 // The longest piece next to a node: at rest acceleration builds up on a short way, and where an axis has to step by
@@ -172,13 +130,16 @@ void JerkBound<N>::divide(std::size_t cell, const std::vector<double>& b) {
     if (const double least = std::min(from.least(k), to.least(k)); least > 1e-12)
       energy = std::min(energy, c.energy[k] / least);
   const double whole = cap(cell, from, to, b, 0, 1);
+  // At the feed all along nothing happens but what the path does.
+  const double feed2 = sq(grid_.feed(from.segment));
+  const double spacing = std::min(b[cell], b[cell + 1]) > at_feed * feed2 ? cruising * spacing_ : spacing_;
   double x = 0;
   Node last = from;
   while (x < c.length) {
     const double left = c.length - x;
     const double speed2 =
         std::min({whole, b[cell] + energy * (x / c.length), b[cell + 1] + energy * (left / c.length)});
-    double d = 0.5 * spacing_ * std::sqrt(std::max(speed2, 0.0));
+    double d = 0.5 * spacing * std::sqrt(std::max(speed2, 0.0));
     d = std::min({d, before_[cell] + part_of_distance * x,
                   (behind_[cell + 1] + part_of_distance * left) / (1 + part_of_distance)});
     d = std::max(d, c.length * 1e-4);
@@ -187,19 +148,20 @@ void JerkBound<N>::divide(std::size_t cell, const std::vector<double>& b) {
     if (x + 1.5 * d >= c.length || !(u > last.u && u < to.u)) break;
     const Node next = grid_.at(from.segment, u);
     append(last, next,
-           cap(cell, last, next, b, straight ? x / c.length : 0, straight ? (next.s - from.s) / c.length : 1), 2 * d);
+           cap(cell, last, next, b, straight ? x / c.length : 0, straight ? (next.s - from.s) / c.length : 1),
+           {0, 2 * d, spacing});
     last = next;
     x = next.s - from.s;
   }
   append(last, to, cap(cell, last, to, b, straight ? x / c.length : 0, 1),
-         2 * std::min(before_[cell + 1], behind_[cell + 1]));
+         {0, 2 * std::min(before_[cell + 1], behind_[cell + 1]), spacing});
 }
 
 template <int N>
 void JerkBound<N>::lay(const std::vector<double>& b, bool rest_first, bool rest_last) {
   const auto& nodes = grid_.nodes();
   const auto& cells = grid_.cells();
-  pieces_.clear();
+  pieces_.clear(), extents_.clear();
   joint_ = {};
   grade(b, rest_first, rest_last);
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -218,17 +180,18 @@ std::size_t JerkBound<N>::pose(std::size_t first, bool rest_first, bool rest_las
   problem_.rest_first = rest_first && first == 0;
   double time = 0, turn = 0, capped = 0, swing = 0;
   std::size_t i = first;
-  const auto known = [](const Piece& p) {
+  const auto known = [](const DualPiece<N>& p) {
     return std::isfinite(p.cap) &&
            std::all_of(p.third.begin(), p.third.end(), [](double t) { return std::isfinite(t); });
   };
-  for (; i < pieces_.size() && problem_.cells.size() < window && known(pieces_[i]); ++i) {
-    const Piece& p = pieces_[i];
+  for (; i < pieces_.size() && problem_.cells.size() < stretch && known(pieces_[i]); ++i) {
+    const DualPiece<N>& p = pieces_[i];
     double bend = 0;
     for (std::size_t k = 0; k < N; ++k) bend += sq(p.end[k] - p.begin[k]);
     bend = std::sqrt(bend);
-    const bool open = !problem_.cells.empty() && time + p.time < spacing_ && turn + bend < widest_turn &&
-                      swing + p.swing < widest_swing && problem_.cells.back().length + p.length < p.finest;
+    const bool open = !problem_.cells.empty() && time + p.time < extents_[i].spacing && turn + bend < widest_turn &&
+                      swing + extents_[i].swing < widest_swing &&
+                      problem_.cells.back().length + p.length < extents_[i].finest;
     if (!open) problem_.cells.emplace_back(), time = turn = capped = swing = 0, problem_.cells.back().begin = p.begin;
     RelaxationCell<N>& cell = problem_.cells.back();
     if (p.joint) {
@@ -240,83 +203,12 @@ std::size_t JerkBound<N>::pose(std::size_t first, bool rest_first, bool rest_las
     cell.end = p.end;
     cell.length += p.length;
     capped += p.cap * p.length, cell.cap = capped / cell.length;
-    time += p.time, turn += bend, swing += p.swing;
+    time += p.time, turn += bend, swing += extents_[i].swing;
     cell_of_.push_back(problem_.cells.size() - 1);
   }
   ends_at_rest = i == pieces_.size() && rest_last;
   problem_.rest_last = ends_at_rest;
   return i;
-}
-
-template <int N>
-double JerkBound<N>::evaluate(std::size_t first, std::size_t last, const RelaxationMultipliers<N>& multipliers) const {
-  const auto& cells = problem_.cells;
-  Sums sum;
-  std::array<SplinePart, 3> parts{};
-  std::size_t at = cells.size();
-  double x = 0, margin = 0;
-  std::array<double, 3> weight{};
-  for (std::size_t i = first; i < last; ++i) {
-    const Piece& p = pieces_[i];
-    const std::size_t c = cell_of_[i - first];
-    if (c != at) {
-      const double h = cells[c].length;
-      parts = spline_parts(c > 0 ? cells[c - 1].length : h, h, c + 1 < cells.size() ? cells[c + 1].length : h);
-      for (std::size_t r = 0; r < 3; ++r) {
-        double load = 0;
-        for (std::size_t k = 0; k < N; ++k)
-          if (multipliers.jerk[c + r][k] != 0) load += jerk_[k] * std::abs(multipliers.jerk[c + r][k]);
-        weight[r] = 1 - load;
-      }
-      at = c, x = 0;
-    }
-    const double h = cells[c].length, y = x + p.length;
-    // w is at least a quadratic: its Bernstein coefficients.
-    double w0 = 0, w1 = 0, slope = 0;
-    for (std::size_t r = 0; r < 3; ++r)
-      w0 += weight[r] * parts[r].at(x), w1 += weight[r] * parts[r].at(y), slope += weight[r] * parts[r].slope(x);
-    const double middle = w0 + slope * p.length / 2;
-    const auto positive = [](double w) { return std::max(0.0, w - 1e-14); };
-    const Range w{positive(std::min({w0, w1, middle})), positive(std::max({w0, w1, middle})),
-                  positive((w0 + w1 + middle) / 3)};
-    double integral = 0, size = 0, radius = 0, cost = 0, kink = 0, next_kink = 0;
-    const bool before_joint = i + 1 < last && pieces_[i + 1].joint;
-    for (std::size_t k = 0; k < grid_.axes(); ++k) {
-      const double m0 = multipliers.acceleration[c][k], m1 = multipliers.acceleration[c + 1][k], rise = (m1 - m0) / h;
-      double slope0 = 0, slope1 = 0, second = 0, jerk = 0;
-      for (std::size_t r = 0; r < 3; ++r) {
-        const double l = multipliers.jerk[c + r][k];
-        slope0 += l * parts[r].slope(x), slope1 += l * parts[r].slope(y), second += l * parts[r].second;
-        jerk += std::abs(l) * parts[r].at(x);
-      }
-      const double u0 = m0 + rise * x, u1 = m0 + rise * y;
-      const double e0 = u0 - slope0, e1 = u1 - slope1, change = rise - second;
-      integral += 0.5 * (e1 * p.end[k] - e0 * p.begin[k]) - change * p.way[k];
-      size += (std::abs(e0) + std::abs(e1)) * (1 + p.bend[k] * p.length) + std::abs(change) * p.length;
-      radius += 0.5 * std::max(std::abs(e0), std::abs(e1)) * p.third[k];
-      cost += acceleration_[k] * p.length * (std::abs(u0) + std::abs(u1)) / 2;
-      if (p.joint) cost += jerk * p.step[k], kink -= 0.5 * e0 * p.kink[k];
-      if (before_joint) next_kink -= 0.5 * e1 * pieces_[i + 1].kink[k];
-    }
-    // What a jump of q′ adds to G stands at the joint. Half of it may be spread over the pieces on either side, for b
-    // cannot change much there: on average by |v̇| times the length.
-    const auto spread = [&](double jump, double joint_cap) {
-      const double change = p.along * p.length;
-      if (change < joint_cap)
-        integral += jump / 2, size += std::abs(jump), cost += std::abs(jump) / 2 * change;
-      else
-        cost += std::max(0.0, -jump) / 2 * joint_cap;
-    };
-    if (p.joint) spread(kink, p.joint_cap);
-    if (before_joint) spread(next_kink, pieces_[i + 1].joint_cap);
-    // G stays within half of what it may change by about its mean.
-    const double mean = (integral - p.rounding * size) / p.length, half = radius * p.length / 2;
-    sum.add(least_mean(w, {mean - half, mean + half, mean}, p.cap) * p.length - cost);
-    margin += 4 * epsilon * (cost + p.time);
-    x = y;
-    pulse_.work(1);
-  }
-  return sum.now - margin;
 }
 
 template <int N>
@@ -336,9 +228,8 @@ double JerkBound<N>::duration(const std::vector<double>& b, double time, bool re
         ++first;
         continue;
       }
-      solver_.solve(problem_, {}, pulse_);
       cells_ += problem_.cells.size();
-      total += evaluate(first, last, solver_.multipliers());
+      total += dual_.value(pieces_, first, last, cell_of_, problem_, solver_.solve(problem_, {}, pulse_));
       first = last;
     }
   }

@@ -1,0 +1,177 @@
+#include "core/verify/bound/jerk_dual.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bahnwerk::verify {
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon(), infinite = std::numeric_limits<double>::infinity();
+// Pieces are halved that lose more than this part of their time, so often at most.
+constexpr double much = 2e-4;
+constexpr int halvings = 8;
+
+/// min over 0 < b ≤ cap of w/√b + G b; w ≥ 0.
+double least(double w, double G, double cap) {
+  if (G > 0 && w <= 2 * G * cap * std::sqrt(cap)) return 1.5 * std::cbrt(2 * G * w * w);
+  return w / std::sqrt(cap) + G * cap;
+}
+
+struct Range {
+  double low, high, mean;
+  double share() const { return high > low ? std::clamp((mean - low) / (high - low), 0.0, 1.0) : 0; }
+};
+
+/// A lower bound of the mean of least(w(s), G(s), cap).
+double least_mean(const Range& w, const Range& G, double cap) {
+  const double p = w.share(), q = G.share();
+  const double f00 = least(w.low, G.low, cap), f01 = least(w.low, G.high, cap), f10 = least(w.high, G.low, cap),
+               f11 = least(w.high, G.high, cap);
+  const auto with = [&](double both) {
+    return both * f11 + (p - both) * f10 + (q - both) * f01 + (1 - p - q + both) * f00;
+  };
+  return std::min(with(std::max(0.0, p + q - 1)), with(std::min(p, q)));
+}
+
+/// Kahan, Commun. ACM 8 (1965): a sum that does not lose what a piece gives.
+struct Sum {
+  double now = 0, lost = 0;
+  void add(double x) {
+    const double term = x - lost, next = now + term;
+    lost = (next - now) - term;
+    now = next;
+  }
+};
+
+}  // namespace
+
+template <int N>
+DualPiece<N> dual_piece(const BoundGrid<N>& grid, const BoundNode<N>& a, const BoundNode<N>& b, double cap) {
+  DualPiece<N> p;
+  p.segment = a.segment, p.u0 = a.u, p.u1 = b.u;
+  p.length = b.s - a.s;
+  p.cap = cap;
+  p.time = p.length / std::sqrt(cap);
+  p.rounding = 128 * epsilon * (1 + b.s) / p.length + 64 * epsilon + a.blur + b.blur;
+  p.third = grid.third(a, b);
+  p.along = infinite;
+  for (std::size_t k = 0; k < grid.axes(); ++k) {
+    p.way[k] = b.position[k] - a.position[k];
+    p.begin[k] = a.tangent[k], p.end[k] = b.tangent[k];
+    p.bend[k] = std::max(std::abs(a.curvature[k]), std::abs(b.curvature[k]));
+    const double bend = p.bend[k] + p.third[k] * p.length;  // |q″_k| anywhere in it
+    const double least = std::min(std::abs(p.begin[k]), std::abs(p.end[k])) - bend * p.length;
+    if (least > 1e-3) p.along = std::min(p.along, (grid.acceleration(k) + bend * cap) / least);
+  }
+  return p;
+}
+
+template <int N>
+void JerkDual<N>::enter(std::size_t cell, const RelaxationProblem<N>& problem,
+                        const RelaxationMultipliers<N>& multipliers) {
+  const auto& cells = problem.cells;
+  length_ = cells[cell].length;
+  parts_ = spline_parts(cell > 0 ? cells[cell - 1].length : length_, length_,
+                        cell + 1 < cells.size() ? cells[cell + 1].length : length_);
+  for (std::size_t r = 0; r < 3; ++r) {
+    lambda_[r] = multipliers.jerk[cell + r];
+    double load = 0;
+    for (std::size_t k = 0; k < N; ++k)
+      if (lambda_[r][k] != 0) load += problem.jerk[k] * std::abs(lambda_[r][k]);
+    weight_[r] = 1 - load;
+  }
+  mu_ = {multipliers.acceleration[cell], multipliers.acceleration[cell + 1]};
+}
+
+template <int N>
+typename JerkDual<N>::Value JerkDual<N>::of(const DualPiece<N>& p, double x, const DualPiece<N>* next) const {
+  const double y = x + p.length;
+  // w is at least a quadratic: its Bernstein coefficients.
+  double w0 = 0, w1 = 0, slope = 0;
+  for (std::size_t r = 0; r < 3; ++r)
+    w0 += weight_[r] * parts_[r].at(x), w1 += weight_[r] * parts_[r].at(y), slope += weight_[r] * parts_[r].slope(x);
+  const double middle = w0 + slope * p.length / 2;
+  const auto positive = [](double w) { return std::max(0.0, w - 1e-14); };
+  const Range w{positive(std::min({w0, w1, middle})), positive(std::max({w0, w1, middle})),
+                positive((w0 + w1 + middle) / 3)};
+  double integral = 0, size = 0, radius = 0, cost = 0, kink = 0, next_kink = 0, loss = 0;
+  for (std::size_t k = 0; k < grid_.axes(); ++k) {
+    const double rise = (mu_[1][k] - mu_[0][k]) / length_;
+    double slope0 = 0, slope1 = 0, second = 0, jerk = 0;
+    for (std::size_t r = 0; r < 3; ++r) {
+      const double l = lambda_[r][k];
+      slope0 += l * parts_[r].slope(x), slope1 += l * parts_[r].slope(y), second += l * parts_[r].second;
+      jerk += std::abs(l) * parts_[r].at(x);
+    }
+    const double u0 = mu_[0][k] + rise * x, u1 = mu_[0][k] + rise * y;
+    const double e0 = u0 - slope0, e1 = u1 - slope1, change = rise - second;
+    integral += 0.5 * (e1 * p.end[k] - e0 * p.begin[k]) - change * p.way[k];
+    size += (std::abs(e0) + std::abs(e1)) * (1 + p.bend[k] * p.length) + std::abs(change) * p.length;
+    radius += 0.5 * std::max(std::abs(e0), std::abs(e1)) * p.third[k];
+    cost += grid_.acceleration(k) * p.length * (std::abs(u0) + std::abs(u1)) / 2;
+    if (p.joint) cost += jerk * p.step[k], kink -= 0.5 * e0 * p.kink[k];
+    if (next != nullptr) next_kink -= 0.5 * e1 * next->kink[k];
+  }
+  // What a jump of q′ adds to G stands at the joint. Half of it may be spread over the pieces on either side, for b
+  // cannot change much there: on average by |v̇| times the length.
+  const auto spread = [&](double jump, double joint_cap) {
+    const double change = p.along * p.length;
+    if (change < joint_cap)
+      integral += jump / 2, size += std::abs(jump), loss += std::abs(jump) / 2 * change;
+    else
+      loss += std::max(0.0, -jump) / 2 * joint_cap;
+  };
+  if (p.joint) spread(kink, p.joint_cap);
+  if (next != nullptr) spread(next_kink, next->joint_cap);
+  // G stays within half of what it may change by about its mean.
+  const double mean = (integral - p.rounding * size) / p.length, half = radius * p.length / 2;
+  const double low = least_mean(w, {mean - half, mean + half, mean}, p.cap), high = least(w.mean, mean, p.cap);
+  return {low * p.length - cost - loss - 4 * epsilon * (cost + loss + p.time), (high - low) * p.length + loss};
+}
+
+// Halves where that gains.
+template <int N>
+double JerkDual<N>::refined(const DualPiece<N>& p, double x, const DualPiece<N>* next, Value coarse, int depth) {
+  if (!(coarse.loss > much * p.time) || depth == halvings) return coarse.now;
+  const double u = p.u0 + (p.u1 - p.u0) / 2;
+  const BoundNode<N> a = grid_.at(p.segment, p.u0), m = grid_.at(p.segment, u), b = grid_.at(p.segment, p.u1);
+  if (!(m.s > a.s && b.s > m.s)) return coarse.now;
+  pulse_.work(8);
+  DualPiece<N> left = dual_piece(grid_, a, m, p.cap);
+  const DualPiece<N> right = dual_piece(grid_, m, b, p.cap);
+  left.joint = p.joint, left.step = p.step, left.kink = p.kink, left.joint_cap = p.joint_cap;
+  const Value first = of(left, x, nullptr), second = of(right, x + left.length, next);
+  if (!(first.now + second.now > coarse.now)) return coarse.now;
+  return refined(left, x, nullptr, first, depth + 1) + refined(right, x + left.length, next, second, depth + 1);
+}
+
+template <int N>
+double JerkDual<N>::value(const std::vector<DualPiece<N>>& pieces, std::size_t first, std::size_t last,
+                          const std::vector<std::size_t>& cell_of, const RelaxationProblem<N>& problem,
+                          const RelaxationMultipliers<N>& multipliers) {
+  Sum sum;
+  std::size_t cell = problem.cells.size();
+  double x = 0;
+  for (std::size_t i = first; i < last; ++i) {
+    const DualPiece<N>& p = pieces[i];
+    if (cell_of[i - first] != cell) {
+      cell = cell_of[i - first], x = 0;
+      enter(cell, problem, multipliers);
+    }
+    const DualPiece<N>* next = i + 1 < last && pieces[i + 1].joint ? &pieces[i + 1] : nullptr;
+    sum.add(refined(p, x, next, of(p, x, next), 0));
+    x += p.length;
+    pulse_.work(1);
+  }
+  return sum.now;
+}
+
+template class JerkDual<2>;
+template class JerkDual<3>;
+template class JerkDual<8>;
+template DualPiece<2> dual_piece(const BoundGrid<2>&, const BoundNode<2>&, const BoundNode<2>&, double);
+template DualPiece<3> dual_piece(const BoundGrid<3>&, const BoundNode<3>&, const BoundNode<3>&, double);
+template DualPiece<8> dual_piece(const BoundGrid<8>&, const BoundNode<8>&, const BoundNode<8>&, double);
+
+}  // namespace bahnwerk::verify

@@ -1,0 +1,95 @@
+#pragma once
+/// The dual function of jerk-limited motion along a path: for any multipliers, less than the time of every motion.
+///
+/// Let b = v², c = 1/v, a_k = q″_k b + q′_k b′/2 the acceleration of axis k, so that time is ∫ c ds and |a_k′| ≤ J_k c.
+/// Take any λ_k(s) that is continuously differentiable and any continuous μ_k(s). With η_k = μ_k − λ_k′,
+///   w = 1 − Σ J_k |λ_k| ≥ 0   and   G = ½ Σ (η_k q″_k − η_k′ q′_k),
+/// integrating λ_k a_k′ by parts twice gives, for every motion within the limits,
+///   ∫ c ds ≥ ∫ (w c + G b) ds − Σ_k [ A_k ∫ |μ_k| ds + Σ_joints (|λ_k| |Δa_k| + ½ |η_k Δq′_k| b) ],
+/// since acceleration and b vanish at rests; at a free end λ, λ′ and μ have to vanish instead. Because c = b^(−1/2) and
+/// b ≤ cap (what the bound without jerk leaves), w c + G b is no less than
+///   f(w, G) = min over 0 < b ≤ cap of w b^(−1/2) + G b:   3/2 w^(2/3) (2G)^(1/3), or w cap^(−1/2) + G cap.
+/// So every choice of multipliers yields a lower bound; those of the convex problem in core/motion/relaxation come
+/// close to the best. That solver is a source of numbers only: nothing it does can make the bound wrong.
+///
+/// What is enclosed. f is concave and grows in w and in G. Over a piece both have known means (∫ G ds follows from q
+/// and q′ at its ends, w is no less than a quadratic) and known ranges (|G′| ≤ ½ Σ |η_k| |q‴_k|, for η_k is linear),
+/// and the mean of a concave function is no less than the least mean over the corners of these ranges. Rounding is
+/// covered by margins from the sizes of what is added up, as in lower_bound.hpp.
+///
+/// At a joint an axis may step by |Δa_k| ≤ min(J_k · cycle time, |Δq″_k| b + |Δq′_k| |v̇|): what the verifier allows,
+/// for the acceleration along the path is continuous.
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "core/base/progress_scope.hpp"
+#include "core/motion/relaxation/relaxation.hpp"
+#include "core/motion/relaxation/splines.hpp"
+#include "core/verify/bound/bound_grid.hpp"
+
+namespace bahnwerk::verify {
+
+/// A part of a segment on which the dual function is evaluated.
+template <int N>
+struct DualPiece {
+  using Row = std::array<double, N>;
+  std::size_t segment = 0;
+  double u0 = 0, u1 = 0;      ///< its ends on the segment's curve
+  Row way{}, begin{}, end{};  ///< q at the end − at the begin, q′ at both ends
+  Row bend{};                 ///< largest |q″_k| at its ends
+  Row third{};                ///< bounds of |q‴_k|, 1/mm²
+  double length = 0;
+  double cap = 0;        ///< largest b anywhere in it
+  double along = 0;      ///< largest |v̇| in it
+  double time = 0;       ///< about, s
+  double rounding = 0;   ///< of the length, relative
+  bool joint = false;    ///< what follows stands before its begin
+  Row step{}, kink{};    ///< |Δa_k| at most, and Δq′_k
+  double joint_cap = 0;  ///< of b at the joint
+};
+
+/// What lies between two places of one segment; no joint.
+template <int N>
+DualPiece<N> dual_piece(const BoundGrid<N>& grid, const BoundNode<N>& a, const BoundNode<N>& b, double cap);
+
+template <int N>
+class JerkDual {
+ public:
+  using Row = std::array<double, N>;
+  /// `grid` and `pulse` outlive it.
+  JerkDual(const BoundGrid<N>& grid, ProgressScope& pulse) : grid_(grid), pulse_(pulse) {}
+
+  /// Of the pieces [first, last), which make up the cells of a relaxation: cell_of[i] is that of piece first + i.
+  /// Pieces on which the enclosure loses much are halved, 8 times at most. O(pieces), 0.2 µs each of two axes.
+  double value(const std::vector<DualPiece<N>>& pieces, std::size_t first, std::size_t last,
+               const std::vector<std::size_t>& cell_of, const RelaxationProblem<N>& problem,
+               const RelaxationMultipliers<N>& multipliers);
+
+ private:
+  struct Value {
+    double now = 0, loss = 0;  ///< and by how much better it may be
+  };
+  void enter(std::size_t cell, const RelaxationProblem<N>& problem, const RelaxationMultipliers<N>& multipliers);
+  /// Of a piece x mm from the cell's begin; `next`: the piece behind it, if a joint lies between.
+  Value of(const DualPiece<N>& piece, double x, const DualPiece<N>* next) const;
+  double refined(const DualPiece<N>& piece, double x, const DualPiece<N>* next, Value coarse, int depth);
+
+  const BoundGrid<N>& grid_;
+  ProgressScope& pulse_;
+  /// Of the cell at hand: its length, its splines with their w and λ, μ at its ends.
+  double length_ = 0;
+  std::array<SplinePart, 3> parts_{};
+  std::array<double, 3> weight_{};
+  std::array<Row, 3> lambda_{};
+  std::array<Row, 2> mu_{};
+};
+
+extern template class JerkDual<2>;
+extern template class JerkDual<3>;
+extern template class JerkDual<8>;
+extern template DualPiece<2> dual_piece(const BoundGrid<2>&, const BoundNode<2>&, const BoundNode<2>&, double);
+extern template DualPiece<3> dual_piece(const BoundGrid<3>&, const BoundNode<3>&, const BoundNode<3>&, double);
+extern template DualPiece<8> dual_piece(const BoundGrid<8>&, const BoundNode<8>&, const BoundNode<8>&, double);
+
+}  // namespace bahnwerk::verify

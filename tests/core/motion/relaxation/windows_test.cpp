@@ -1,0 +1,50 @@
+// Long relaxations in windows: feasible multipliers, nearly as good as those of the whole.
+#include "core/motion/relaxation/windows.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/motion/relaxation/problems.hpp"
+
+namespace bahnwerk {
+namespace {
+
+TEST(RelaxationWindows, LoseNextToNothingAgainstTheWhole) {
+  // Five times around, 1 000 cells each.
+  auto p = test::circle(10, 1000, 400, 16000, 1e6);
+  const auto once = p.cells;
+  for (int i = 0; i < 4; ++i) p.cells.insert(p.cells.end(), once.begin(), once.end());
+  for (const std::size_t cell : {std::size_t{700}, std::size_t{2600}}) {
+    p.steps.push_back({cell, 0, {1e-4, 1e-4}, {}});
+    for (std::size_t i = cell; i < cell + 40; ++i) p.cells[i].cap /= 4;  // something to slow down for
+  }
+  SilentProgress silent;
+  ProgressScope pulse(silent, "test", 0, 1);
+  RelaxationSolver<2> whole;
+  const double optimum = whole.solve(p, {}, pulse).duration;
+  RelaxationWindows<2> windows;
+  const auto m = windows.solve(p, {}, pulse);
+  ASSERT_EQ(m.jerk.size(), p.cells.size() + 2);
+  ASSERT_EQ(m.acceleration.size(), p.cells.size() + 1);
+  for (const auto& l : m.jerk) EXPECT_LE(p.jerk[0] * std::abs(l[0]) + p.jerk[1] * std::abs(l[1]), 1 + 1e-12);
+  // The dual counts no steps: what they allow at most.
+  double steps = 0;
+  for (const auto& step : p.steps)
+    for (std::size_t j = step.cell; j < step.cell + 3; ++j)
+      for (std::size_t k = 0; k < 2; ++k) steps += p.jerk[k] * std::abs(m.jerk[j][k]) * step.time[k];
+  const double dual = test::dual_of(p, m);
+  EXPECT_LE(dual - steps, optimum * (1 + 1e-6));
+  EXPECT_GE(dual, optimum * (1 - 1e-3));
+}
+
+TEST(RelaxationWindows, AreTheWholeForShortProblems) {
+  const auto p = test::circle(10, 300, 400, 16000, 1e6);
+  SilentProgress silent;
+  ProgressScope pulse(silent, "test", 0, 1);
+  RelaxationSolver<2> whole;
+  whole.solve(p, {}, pulse);
+  RelaxationWindows<2> windows;
+  EXPECT_EQ(windows.solve(p, {}, pulse).jerk, whole.multipliers().jerk);
+}
+
+}  // namespace
+}  // namespace bahnwerk
