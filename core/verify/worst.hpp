@@ -27,15 +27,17 @@ struct Strained {
   double limit = 0;
   double at = 0;
   void raise(double candidate, double bound, double when) {
+    if (candidate <= enough_ * bound && bound <= std::numeric_limits<double>::max()) return;  // no division
     if (!std::isfinite(bound)) bound = 0;  // a law out of bounds does not widen its own tolerance
     double strain = candidate == 0 ? 0 : candidate / bound;
     if (std::isnan(strain)) strain = std::numeric_limits<double>::infinity();
     if (std::isnan(value) || (strain <= strain_ && !std::isnan(candidate))) return;
-    value = candidate, limit = bound, at = when, strain_ = strain;
+    value = candidate, limit = bound, at = when, strain_ = strain, enough_ = strain * below;
   }
 
  private:
-  double strain_ = -1;
+  static constexpr double below = 1 - 8 * std::numeric_limits<double>::epsilon();
+  double strain_ = -1, enough_ = -1;
 };
 
 /// passed = value ≤ limit · (1 + 1e-9); false for NaN.

@@ -6,6 +6,12 @@
 
 namespace bahnwerk {
 
+void AxisPath::write_at(std::size_t segment, double s, double* out) const {
+  const AxisJet q = at(segment, s);
+  for (const AxisArray* row : {&q.value, &q.d1, &q.d2, &q.d3})
+    for (std::size_t k = 0; k < axes_; ++k) *out++ = (*row)[k];
+}
+
 CartesianAxisPath::CartesianAxisPath(const Path& tool, std::size_t axes, double height)
     : AxisPath(tool, std::min<std::size_t>(axes, 3), true), height_(height) {}
 
@@ -15,6 +21,22 @@ AxisJet CartesianAxisPath::axes_at(const PathPoint& p) const {
     q.value[k] = p.value[k], q.d1[k] = p.d1[k], q.d2[k] = p.d2[k], q.d3[k] = p.d3[k];
   if (axes() == 3) q.value[2] += height_;
   return q;
+}
+
+namespace {
+template <std::size_t n>
+void write(const PathPoint& p, double* out) {
+  for (std::size_t k = 0; k < n; ++k)
+    out[k] = p.value[k], out[n + k] = p.d1[k], out[2 * n + k] = p.d2[k], out[3 * n + k] = p.d3[k];
+}
+}  // namespace
+
+void CartesianAxisPath::write_at(std::size_t segment, double s, double* out) const {
+  const PathPoint p = tool()[segment].at(s);
+  if (axes() == 1) return write<1>(p, out);
+  if (axes() == 2) return write<2>(p, out);
+  write<3>(p, out);
+  out[2] += height_;
 }
 
 MapBounds CartesianAxisPath::map_bounds(const Vec&, double) const {

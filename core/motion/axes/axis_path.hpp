@@ -41,6 +41,9 @@ class AxisPath {
   virtual MapBounds map_bounds(const Vec& centre, double radius) const = 0;
   /// Axes at a place of a segment, s ∈ [s0, s1].
   virtual AxisJet at(std::size_t segment, double s) const { return at_parameter(segment, tool_[segment].parameter(s)); }
+  /// The same of every axis alone, without what would stand for axes that the machine has not: setting those takes
+  /// longer than a straight line does. Writes q, q′, q″, q‴, axes() numbers of each, one after the other.
+  virtual void write_at(std::size_t segment, double s, double* out) const;
 
  protected:
   AxisPath(const Path& tool, std::size_t axes, bool cartesian) : tool_(tool), axes_(axes), cartesian_(cartesian) {}
@@ -62,6 +65,7 @@ class CartesianAxisPath final : public AxisPath {
   }
   void at_parameters(std::size_t segment, PathBatch& batch) const override { tool()[segment].at_parameters(batch); }
   AxisJet at(std::size_t segment, double s) const override { return axes_at(tool()[segment].at(s)); }
+  void write_at(std::size_t segment, double s, double* out) const override;
   MapBounds map_bounds(const Vec& centre, double radius) const override;
 
  private:

@@ -1,15 +1,8 @@
 #include "core/motion/law/path_motion.hpp"
 
-#include <algorithm>
+#include <array>
 
 namespace bahnwerk {
-
-LawState PathMotion::along(std::size_t piece, double t) const {
-  const LawPiece& p = law_.pieces()[piece];
-  LawState x = p.at(std::clamp(t - p.t0, 0.0, p.duration));
-  x.s = std::clamp(x.s, p.s, p.s_end);
-  return x;
-}
 
 MotionState PathMotion::in_piece(std::size_t piece, double t) const { return driven(piece, along(piece, t)); }
 
@@ -24,6 +17,27 @@ MotionState PathMotion::driven(std::size_t piece, const LawState& x) const {
     state.jerk[k] = q.d3[k] * v3 + 3 * x.v * x.a * q.d2[k] + q.d1[k] * x.j;
   }
   return state;
+}
+
+void PathMotion::write_driven(std::size_t piece, const LawState& x, double* out) const {
+  std::array<double, 4 * max_axes> q;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled as far as it is read
+  path_->write_at(law_.pieces()[piece].segment, x.s, q.data());
+  const double v2 = x.v * x.v;
+  const auto drive = [&](std::size_t n) {
+    for (std::size_t k = 0; k < n; ++k) {
+      out[k] = q[k];
+      out[n + k] = q[n + k] * x.v;
+      out[2 * n + k] = q[2 * n + k] * v2 + q[n + k] * x.a;
+    }
+  };
+  switch (axes()) {  // unrolled for the usual machines
+    case 2:
+      return drive(2);
+    case 3:
+      return drive(3);
+    default:
+      return drive(axes());
+  }
 }
 
 MotionState PathMotion::final_state() const {

@@ -1,5 +1,7 @@
 #pragma once
 /// An axis path driven by a time law.
+#include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <utility>
 
@@ -26,9 +28,16 @@ class PathMotion final : public Motion {
   /// At rest, exactly at the end of the path.
   MotionState final_state() const override;
   /// Place and speed along the tool's path, s between the ends of the piece.
-  LawState along(std::size_t piece, double t) const;
+  LawState along(std::size_t piece, double t) const {
+    const LawPiece& p = law_.pieces()[piece];
+    LawState x = p.at(std::clamp(t - p.t0, 0.0, p.duration));
+    x.s = std::clamp(x.s, p.s, p.s_end);
+    return x;
+  }
   /// The axes where the tool is at `x` in that piece: in_piece(piece, t) = driven(piece, along(piece, t)).
   MotionState driven(std::size_t piece, const LawState& x) const;
+  /// The same of position, velocity and acceleration: axes() numbers of each, one after the other.
+  void write_driven(std::size_t piece, const LawState& x, double* out) const;
 
  private:
   std::shared_ptr<const AxisPath> path_;

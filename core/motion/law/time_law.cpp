@@ -29,11 +29,7 @@ void TimeLaw::append(LawPiece piece) {
   pieces_.push_back(piece);
 }
 
-std::size_t TimeLaw::find(double t, std::size_t hint) const {
-  const std::size_t n = pieces_.size();
-  auto holds = [&](std::size_t i) { return pieces_[i].t0 <= t && (i + 1 == n || t < pieces_[i + 1].t0); };
-  if (hint < n && holds(hint)) return hint;
-  if (hint + 1 < n && holds(hint + 1)) return hint + 1;
+std::size_t TimeLaw::search(double t) const {
   const auto after =
       std::upper_bound(pieces_.begin(), pieces_.end(), t, [](double x, const LawPiece& p) { return x < p.t0; });
   return after == pieces_.begin() ? 0 : static_cast<std::size_t>(after - pieces_.begin()) - 1;

@@ -67,7 +67,13 @@ class TimeLaw {
   const LargeVector<LawPiece>& pieces() const { return pieces_; }
   double duration() const { return pieces_.empty() ? 0.0 : pieces_.back().t0 + pieces_.back().duration; }
   /// Index of the piece that holds t. O(log n), O(1) with a good hint.
-  std::size_t find(double t, std::size_t hint = 0) const;
+  std::size_t find(double t, std::size_t hint = 0) const {
+    const std::size_t n = pieces_.size();
+    const auto holds = [&](std::size_t i) { return pieces_[i].t0 <= t && (i + 1 == n || t < pieces_[i + 1].t0); };
+    if (hint < n && holds(hint)) return hint;
+    if (hint + 1 < n && holds(hint + 1)) return hint + 1;
+    return search(t);
+  }
   /// Slows what lies between the two rests around t to last `factor` ≥ 1 times as long; what follows comes later.
   /// O(pieces).
   void slow_section(double t, double factor);
@@ -79,6 +85,8 @@ class TimeLaw {
   TimeLaw slowed(double factor) const;
 
  private:
+  std::size_t search(double t) const;
+
   LargeVector<LawPiece> pieces_;
 };
 

@@ -18,8 +18,9 @@ ContourSetpoints::ContourSetpoints(const std::shared_ptr<const PathMotion>& moti
   if (labels_.empty()) labels_.push_back({0, 0, true});
 }
 
-void ContourSetpoints::further_columns(Row& row, double* out) const {
-  PathSetpoints::further_columns(row, out);
+void ContourSetpoints::write(Row& row, double* out) const {
+  PathSetpoints::write(row, out);
+  out += path_columns();
   if (row.place == Row::unknown) {
     const auto later = std::upper_bound(labels_.begin(), labels_.end(), row.t,
                                         [](double t, const Label& label) { return t < label.begin; });
@@ -27,8 +28,8 @@ void ContourSetpoints::further_columns(Row& row, double* out) const {
   }
   while (row.place + 1 < labels_.size() && labels_[row.place + 1].begin <= row.t) ++row.place;
   const Label& label = labels_[row.place];
-  out[path_columns] = label.cut ? 1 : 0;
-  out[path_columns + 1] = static_cast<double>(label.block);
+  out[0] = label.cut ? 1 : 0;
+  out[1] = static_cast<double>(label.block);
 }
 
 }  // namespace bahnwerk

@@ -23,7 +23,7 @@ class ContourSetpoints final : public PathSetpoints {
                    std::size_t cycles);
 
  private:
-  void further_columns(Row& row, double* out) const override;
+  void write(Row& row, double* out) const override;
 
   struct Label {
     double begin;  // s: from here to the next label's begin

@@ -15,27 +15,25 @@ MotionSetpoints::MotionSetpoints(std::shared_ptr<const Motion> motion, const Mac
 }
 
 namespace {
-double* written(const MotionState& state, std::size_t axes, double* out) {
-  for (std::size_t i = 0; i < axes; ++i) *out++ = state.position[i];
-  for (std::size_t i = 0; i < axes; ++i) *out++ = state.velocity[i];
-  for (std::size_t i = 0; i < axes; ++i) *out++ = state.acceleration[i];
-  return out;
+void write_state(const MotionState& state, std::size_t axes, double* out) {
+  for (const AxisArray* row : {&state.position, &state.velocity, &state.acceleration})
+    for (std::size_t i = 0; i < axes; ++i) *out++ = (*row)[i];
 }
 }  // namespace
 
+void MotionSetpoints::write(Row& row, double* out) const {
+  row.last ? write_end(out) : write_state(motion_->evaluate(row.t, row.piece), motion_->axes(), out);
+}
+
+void MotionSetpoints::write_end(double* out) const { write_state(motion_->final_state(), motion_->axes(), out); }
+
 void MotionSetpoints::read(std::size_t first, std::size_t rows, double* out) const {
-  const std::size_t axes = motion_->axes(), further = columns_.size() - 3 * axes;
+  const std::size_t width = columns_.size();
   Row row;
-  for (std::size_t k = first; k < first + rows; ++k) {
+  for (std::size_t k = first; k < first + rows; ++k, out += width) {
     row.t = static_cast<double>(k) * cycle_time_;
     row.last = k == cycles_;
-    if (row.last)
-      out = written(motion_->final_state(), axes, out);
-    else
-      out = written(state(row), axes, out);
-    if (further == 0) continue;
-    further_columns(row, out);
-    out += further;
+    write(row, out);
   }
 }
 

@@ -28,15 +28,15 @@ class MotionSetpoints : public SetpointSource {
     double t = 0;           ///< s
     std::size_t piece = 0;  ///< of the motion
     bool last = false;
-    double s = 0, v = 0;          ///< for further_columns(), if state() knows them
-    std::size_t place = unknown;  ///< where further_columns() got to with the row before, if it is kept there
+    std::size_t place = unknown;  ///< where write() got to with the row before, if it is kept there
     static constexpr std::size_t unknown = static_cast<std::size_t>(-1);
   };
   void add_column(Column column) { columns_.push_back(std::move(column)); }
-  /// The motion at t; sets the row's piece.
-  virtual MotionState state(Row& row) const { return motion_->evaluate(row.t, row.piece); }
-  /// Writes the columns that were added; called for rows in ascending order.
-  virtual void further_columns(Row& row, double* out) const { (void)row, (void)out; }
+  /// Writes a row: the motion at t, position, velocity and acceleration of all axes, and the columns that were added.
+  /// Sets the row's piece. Called for rows in ascending order.
+  virtual void write(Row& row, double* out) const;
+  /// The axes in the last row.
+  void write_end(double* out) const;
 
  private:
   std::shared_ptr<const Motion> motion_;

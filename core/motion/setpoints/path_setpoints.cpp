@@ -10,16 +10,17 @@ PathSetpoints::PathSetpoints(std::shared_ptr<const PathMotion> motion, const Mac
   add_column({"v", "mm/s"});
 }
 
-MotionState PathSetpoints::state(Row& row) const {
+void PathSetpoints::write(Row& row, double* out) const {
+  double* const along = out + 3 * motion_->axes();
+  if (row.last) {
+    write_end(out);
+    along[0] = motion_->path().length(), along[1] = 0;
+    return;
+  }
   row.piece = motion_->law().find(row.t, row.piece);
   const LawState x = motion_->along(row.piece, row.t);
-  row.s = x.s, row.v = x.v;
-  return motion_->driven(row.piece, x);
-}
-
-void PathSetpoints::further_columns(Row& row, double* out) const {
-  out[0] = row.last ? motion_->path().length() : row.s;
-  out[1] = row.last ? 0 : row.v;
+  motion_->write_driven(row.piece, x, out);
+  along[0] = x.s, along[1] = x.v;
 }
 
 }  // namespace bahnwerk

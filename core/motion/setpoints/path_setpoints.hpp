@@ -16,11 +16,10 @@ class PathSetpoints : public MotionSetpoints {
   PathSetpoints(std::shared_ptr<const PathMotion> motion, const Machine& machine, std::size_t cycles);
 
  protected:
-  static constexpr std::size_t path_columns = 2;
+  /// How many columns stand before those that are added to these.
+  std::size_t path_columns() const { return 3 * motion_->axes() + 2; }
   /// Evaluates the law once for the axes, s and v.
-  MotionState state(Row& row) const final;
-  /// Writes s and v.
-  void further_columns(Row& row, double* out) const override;
+  void write(Row& row, double* out) const override;
 
  private:
   std::shared_ptr<const PathMotion> motion_;

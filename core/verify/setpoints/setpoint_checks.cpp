@@ -98,7 +98,7 @@ class RowChecker {
     while (way_block_ + 1 < blocks.size() && blocks[way_block_].last <= piece.segment) ++way_block_;
     block_ = way_block_;
   }
-  double size(const AxisArray& x) const {
+  double size(const double* x) const {
     double sum = 0;
     for (std::size_t axis = 0; axis < axes_; ++axis) sum += x[axis] * x[axis];
     return std::sqrt(sum);
@@ -116,17 +116,19 @@ class RowChecker {
     before_ = s;
     label(row, t);
     if (piece.segment >= path_.size()) return position_.raise(std::numeric_limits<double>::infinity(), 0, t);
-    const AxisJet q = path_.at(piece.segment, s);
-    const double along = size(q.d1), a = std::abs(law.a);
-    const double place = rounding * (size(q.value) + along * path_[piece.segment].length()),
+    std::array<double, 4 * max_axes> all;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled as far as read
+    path_.write_at(piece.segment, s, all.data());
+    const double *q = all.data(), *q1 = q + axes_, *q2 = q1 + axes_;
+    const double along = size(q1), a = std::abs(law.a);
+    const double place = rounding * (size(q) + along * path_[piece.segment].length()),
                  quick = rounding * along * std::abs(v),
-                 quicker = rounding * (v * v * size(q.d2) + along * a) +
+                 quicker = rounding * (v * v * size(q2) + along * a) +
                            along * (rounding_.acceleration + std::abs(law.j) * blur);
     for (std::size_t axis = 0; axis < axes_; ++axis) {
-      position_.raise(std::abs(row[position_column_[axis]] - q.value[axis]), place, t);
-      velocity_.raise(std::abs(row[velocity_column_[axis]] - q.d1[axis] * v), quick, t);
-      acceleration_.raise(std::abs(row[acceleration_column_[axis]] - (q.d2[axis] * (v * v) + q.d1[axis] * law.a)),
-                          quicker, t);
+      position_.raise(std::abs(row[position_column_[axis]] - q[axis]), place, t);
+      velocity_.raise(std::abs(row[velocity_column_[axis]] - q1[axis] * v), quick, t);
+      acceleration_.raise(std::abs(row[acceleration_column_[axis]] - (q2[axis] * (v * v) + q1[axis] * law.a)), quicker,
+                          t);
     }
   }
 

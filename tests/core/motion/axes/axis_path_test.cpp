@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <initializer_list>
+#include <vector>
+
 #include "core/base/errors.hpp"
 #include "core/geometry/curve/arc.hpp"
 #include "core/geometry/curve/line.hpp"
@@ -46,6 +49,28 @@ TEST(AxisPath, ForwardFindsTheToolAgain) {
     const std::size_t i = tool.find(s);
     EXPECT_LT(norm(machine.forward(path.at(i, s).value) - tool.at(s).value), 1e-10) << s;
   }
+}
+
+TEST(AxisPath, WritesTheAxesThatThereAreAndNothingBehind) {
+  const Path tool = bow();
+  const test::FiveAxes machine;
+  const KinematicAxisPath five(tool, machine);
+  const CartesianAxisPath one(tool, 1), two(tool, 2), three(tool, 3, -4.5);
+  const std::initializer_list<const AxisPath*> paths{&five, &one, &two, &three};
+  for (const AxisPath* path : paths)
+    for (const double s : {0.0, 12.0, 29.9, 30.0, 44.0, 70.0}) {
+      const std::size_t i = tool.find(s), n = path->axes();
+      std::vector<double> out(4 * n + 1, 12345.0);
+      path->write_at(i, s, out.data());
+      const AxisJet q = path->at(i, s);
+      for (std::size_t k = 0; k < n; ++k) {
+        EXPECT_EQ(out[k], q.value[k]);
+        EXPECT_EQ(out[n + k], q.d1[k]);
+        EXPECT_EQ(out[2 * n + k], q.d2[k]);
+        EXPECT_EQ(out[3 * n + k], q.d3[k]);
+      }
+      EXPECT_EQ(out[4 * n], 12345.0);
+    }
 }
 
 TEST(AxisPath, BatchesAreWhatSinglePlacesAre) {

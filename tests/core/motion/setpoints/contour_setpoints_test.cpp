@@ -59,6 +59,24 @@ TEST(PathMotion, VelocityAndAccelerationAreDerivatives) {
   EXPECT_GT(compared, 20);
 }
 
+TEST(PathMotion, WritesWhatItsStatesAre) {
+  for (const std::size_t axes : {2, 3}) {
+    const auto t = planned(machine(axes)).motion;
+    std::vector<double> out(3 * axes + 1, 12345.0);
+    for (std::size_t piece = 0; piece < t->pieces(); ++piece) {
+      const double at = t->begin(piece) + 0.3 * (t->end(piece) - t->begin(piece));
+      t->write_driven(piece, t->along(piece, at), out.data());
+      const MotionState state = t->in_piece(piece, at);
+      for (std::size_t k = 0; k < axes; ++k) {
+        EXPECT_EQ(out[k], state.position[k]);
+        EXPECT_EQ(out[axes + k], state.velocity[k]);
+        EXPECT_EQ(out[2 * axes + k], state.acceleration[k]);
+      }
+    }
+    EXPECT_EQ(out[3 * axes], 12345.0);
+  }
+}
+
 TEST(ContourSetpoints, EndAtRestOnTheLastRowAndSlicesAgree) {
   const Machine m = machine();
   const Planned t = planned(m);
