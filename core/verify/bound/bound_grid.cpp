@@ -5,47 +5,15 @@
 #include <limits>
 #include <utility>
 
-#include "core/geometry/curve/arc.hpp"
-
 namespace bahnwerk::verify {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr double widest_turn = 0.02;  // rad per cell
-constexpr double curvature_change = 0.01, slight_turn = 1e-4;
 constexpr double no_direction = 1e-12;  // |q'_k| below this: the axis stands still, its conditions are dropped
-constexpr double give = 1 + 1e-11;      // caps give way for the rounding of curvatures
 constexpr int deepest = 40;
 // Cells in which q'_k may have the wrong sign by more than this are halved, so often at most.
 constexpr double undecided = 1e-6;
 constexpr int halvings = 12;
-
-double sq(double x) { return x * x; }
-double rounding_of(double s) { return 64 * epsilon * (1 + s); }  // of a difference of path lengths
-
-template <std::size_t N>
-double length_of(const std::array<double, N>& v) {
-  double sum = 0;
-  for (const double x : v) sum += sq(x);
-  return std::sqrt(sum);
-}
-template <std::size_t N>
-std::array<double, N> difference(const std::array<double, N>& a, const std::array<double, N>& b) {
-  std::array<double, N> d;
-  for (std::size_t k = 0; k < N; ++k) d[k] = a[k] - b[k];
-  return d;
-}
-template <std::size_t N>
-Vec direction(const std::array<double, N>& v) {
-  return {v[0], v[1], N == 3 ? v[2] : 0};
-}
-
-// 12 (1 − x/tan x)/(4x²) with x = turn/2: what the curvature term of the trapezoid rule lacks on a circle. At most a
-// few 1e-2 rad.
-double circle_factor(double turn) {
-  const double q = turn * turn;
-  return 1 + q / 60 + q * q / 2520;
-}
 
 }  // namespace
 
@@ -84,91 +52,16 @@ void BoundGrid<N>::scale_axes() {
 }
 
 template <int N>
-BoundNode<N> BoundGrid<N>::node(std::size_t segment, double u) const {
-  const Segment& s = path_[segment];
-  const Curve& curve = s.curve();
-  Node n;
-  n.u = u, n.segment = segment;
-  if (path_.cartesian()) {
-    const PathPoint h = s.at_parameter(u);
-    n.position[0] = h.value.x, n.tangent[0] = h.d1.x, n.curvature[0] = h.d2.x;
-    n.position[1] = h.value.y, n.tangent[1] = h.d1.y, n.curvature[1] = h.d2.y;
-    if constexpr (N > 2) n.position[2] = h.value.z, n.tangent[2] = h.d1.z, n.curvature[2] = h.d2.z;
-  } else {
-    const AxisJet q = path_.at_parameter(segment, u);
-    for (std::size_t k = 0; k < axes_; ++k)
-      n.position[k] = scale_[k] * q.value[k], n.tangent[k] = scale_[k] * q.d1[k], n.curvature[k] = scale_[k] * q.d2[k];
-    n.blur = 64 * epsilon;
-  }
-  if (curve.kind() == CurveKind::arc) n.blur = std::max(n.blur, 4 * epsilon);
-  if (curve.kind() == CurveKind::rational && !s.straight()) {
-    const auto& rational = static_cast<const Rational&>(curve);
-    n.blur += std::min(1e-3, 16 * epsilon * (1 + rational.extent() / (rational.speed(u) * rational.reach())));
-  }
-  n.s = u <= curve.begin() ? s.s0() : u >= curve.end() ? s.s1() : s.arc_length(u);
-  const bool cusp = (u <= curve.begin() && s.cusp_begin()) || (u >= curve.end() && s.cusp_end());
-  if (cusp || linear(segment)) n.curvature = {};
-  n.cap = cusp ? 0 : place_cap(n);
-  return n;
-}
-
-// Velocity, feed, and the existence of an acceleration at this place.
-template <int N>
-double BoundGrid<N>::place_cap(const Node& n) const {
-  double cap = sq(feeds_[n.segment]);
-  for (std::size_t k = 0; k < axes_; ++k) {
-    const double t = std::abs(n.tangent[k]);
-    if (n.least(k) > 0) cap = std::min(cap, sq(velocity_[k]) / n.least(k));
-    for (std::size_t m = 0; m < k; ++m) {
-      const double turn = std::abs(n.tangent[m] * n.curvature[k] - n.tangent[k] * n.curvature[m]);
-      const double reach = acceleration_[k] * std::abs(n.tangent[m]) + acceleration_[m] * t;
-      if (turn > 0 && reach > 0) cap = std::min(cap, reach / turn * (give + 16 * n.blur));
-    }
-  }
-  return cap;
-}
-
-// The curve may do something between a and b that the two nodes do not tell.
-template <int N>
-bool BoundGrid<N>::too_wide(const Node& a, const Node& b, double turn_limit) const {
-  const double length = b.s - a.s, chord = length_of(difference(b.position, a.position));
-  const double turn = path_.cartesian() ? angle_between(direction(a.tangent), direction(b.tangent))
-                                        : length_of(difference(b.tangent, a.tangent));
-  if (turn > turn_limit) return true;
-  if (path_.cartesian()) {
-    const double slack =
-        1e-12 * path_[a.segment].length() + 8 * epsilon * (length_of(a.position) + length_of(b.position));
-    if (length - chord > sq(turn_limit) / 16 * length + slack) return true;
-  } else {
-    for (std::size_t k = 0; k < axes_; ++k) {
-      const double trapezoid = (a.tangent[k] + b.tangent[k]) / 2 * length;
-      if (std::abs(b.position[k] - a.position[k] - trapezoid) > turn_limit / 4 * length) return true;
-    }
-  }
-  const double trapezoid = (length_of(a.curvature) + length_of(b.curvature)) / 2 * length;
-  return std::abs(trapezoid - turn) > turn / 4 + turn_limit / 20;
-}
-
-// Where the curvature changes quickly its cap on b has a valley that only nodes inside can show.
-template <int N>
-bool BoundGrid<N>::hides_valley(const Node& a, const Node& middle, const Node& b) {
-  const double bend = std::max({length_of(a.curvature), length_of(middle.curvature), length_of(b.curvature)});
-  if (bend * (b.s - a.s) < slight_turn) return false;
-  const double change = std::max(length_of(difference(middle.curvature, a.curvature)),
-                                 length_of(difference(b.curvature, middle.curvature)));
-  return change > curvature_change * bend;
-}
-
-template <int N>
 void BoundGrid<N>::append_segment(std::size_t index) {
   const Segment& segment = path_[index];
-  const Curve& curve = segment.curve();
-  const double u0 = curve.begin(), u1 = curve.end();
+  const Shape known = shape(index);
+  const double u0 = known.first, u1 = known.last;
   Node last = node(index, u0);
+  valley_ = unlimited;
   append(last);
-  if (linear(index)) return append(node(index, u1));
-  if (curve.kind() != CurveKind::rational) {
-    const double sweep = curve.kind() == CurveKind::arc ? std::abs(static_cast<const Arc&>(curve).sweep()) : 0;
+  if (known.linear) return append(node(index, u1));
+  if (known.rational == nullptr) {
+    const double sweep = known.arc != nullptr ? std::abs(known.arc->sweep()) : 0;
     const int n = std::max(path_.cartesian() ? 1 : 8, static_cast<int>(std::ceil(sweep / widest_turn)));
     for (int i = 1; i <= n; ++i) {
       const Node next = node(index, i == n ? u1 : u0 + (u1 - u0) * i / n);
@@ -188,9 +81,14 @@ void BoundGrid<N>::append_segment(std::size_t index) {
 template <int N>
 void BoundGrid<N>::append_between(const Node& a, const Node& b, int depth) {
   const double u = a.u + (b.u - a.u) / 2;
+  valley_ = unlimited;
   if (depth >= deepest || !(u > a.u && u < b.u)) return append_with_roots(a, b, 0);
-  const Node middle = node(a.segment, u);
-  if (!too_wide(a, b, widest_turn) && !hides_valley(a, middle, b)) return append_with_roots(a, b, 0);
+  Node middle = place(a.segment, u);
+  if (!too_wide(a, b) && !changes(a, middle, b)) {
+    valley_ = valley(a, middle, b);
+    return append_with_roots(a, b, 0);
+  }
+  complete(middle);
   append_between(a, middle, depth + 1);
   append_between(middle, b, depth + 1);
 }
@@ -247,148 +145,70 @@ void BoundGrid<N>::append_monotone(const Node& a, const Node& b, int depth) {
 
 template <int N>
 void BoundGrid<N>::append(const Node& b, const DirectionRange<N>* range) {
-  nodes_.push_back(b);
-  pulse_.work(linear(b.segment) ? 1 : 8);
-  if (nodes_.size() < 2) return;
-  cells_.push_back(cell(nodes_[nodes_.size() - 2], nodes_.back(), range));
-}
-
-// Under a limit of jerk the acceleration of an axis may step by jerk · cycle time, |Δq''_k b + Δq'_k v̇| at most, and
-// the acceleration v̇ along the path does not step.
-template <int N>
-double BoundGrid<N>::step_cap(const Node& a, const Node& b, double cap) const {
-  double along = std::numeric_limits<double>::infinity();
-  for (const Node* n : {&a, &b})
-    for (std::size_t k = 0; k < axes_; ++k)
-      if (n->least(k) > 0)
-        along = std::min(along, (acceleration_[k] + std::abs(n->curvature[k]) * cap) / std::sqrt(n->least(k)));
-  double most = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < axes_; ++k) {
-    const double step = std::abs(b.curvature[k] - a.curvature[k]), kink = std::abs(b.tangent[k] - a.tangent[k]);
-    const double allowed = jerk_[k] * cycle_time_ + (kink > 0 ? kink * along : 0);
-    if (step > 0 && allowed < most * step) most = allowed / step * give;
+  std::uint32_t id = b.id;
+  if (id == Node::unknown) {
+    id = static_cast<std::uint32_t>(nodes_.size());
+    nodes_.push_back(b);
+    nodes_[id].id = id;
+    pulse_.work(shape(b.segment).linear ? 1 : 8);
   }
-  return most;
-}
-
-// By how much the tool's direction jumps.
-template <int N>
-double BoundGrid<N>::corner(const Node& a, const Node& b) const {
-  if (unit_direction(a) && unit_direction(b)) return angle_between(direction(a.tangent), direction(b.tangent));
-  const Segment &before = path_[a.segment], &after = path_[b.segment];
-  return angle_between(before.at_parameter(a.u).d1, after.at_parameter(b.u).d1);
-}
-
-// No axis that the tool moves along is left out.
-template <int N>
-bool BoundGrid<N>::unit_direction(const Node& n) const {
-  double square = 0;
-  for (const double t : n.tangent) square += sq(t);
-  return path_.cartesian() && axes_ == N && std::abs(square - 1) < 1e-9;
-}
-
-template <int N>
-BoundCell<N> BoundGrid<N>::cell(Node& a, Node& b, const DirectionRange<N>* range) const {
-  Cell c;
-  if (a.segment != b.segment) {
-    double cap = std::min(a.cap, b.cap);
-    for (std::size_t k = 0; k < axes_; ++k)
-      if (const double step = b.tangent[k] - a.tangent[k]; step != 0)
-        cap = std::min(cap, sq(acceleration_[k] * cycle_time_ / step) * give);
-    cap = std::min(cap, step_cap(a, b, cap));
-    a.cap = b.cap = corner(a, b) > corner_angle_ ? 0 : cap;
-    return c;
-  }
-  const Segment& segment = path_[a.segment];
-  c.length = b.s - a.s;
-  if (const double blur = rounding_of(b.s); c.length <= blur && unit_direction(a)) {
-    // Differences over such a cell are rounding: only |d(v²)/ds| ≤ 2 |A| is asked of it.
-    double square = 0;
-    for (std::size_t k = 0; k < axes_; ++k) square += sq(acceleration_[k]);
-    c.slip = 2 * std::sqrt(square) * (c.length + blur);
-    return c;
-  }
-  c.kind = linear(a.segment) ? Cell::Kind::straight : Cell::Kind::curved;
-  const bool arc = path_.cartesian() && segment.curve().kind() == CurveKind::arc;
-  double bend = 0, rounding = 0;
-  if (arc) {
-    bend = sq(c.length) / 12 * circle_factor(static_cast<const Arc&>(segment.curve()).sweep() * (b.u - a.u));
-  } else if (c.kind == Cell::Kind::curved) {
-    double size = length_of(a.position) + length_of(b.position);
-    if (segment.curve().kind() == CurveKind::rational) size += static_cast<const Rational&>(segment.curve()).extent();
-    rounding = 4 * epsilon * size;
-    if (!path_.cartesian()) rounding = 4 * rounding + 16 * epsilon * norm(segment.curve().at(a.u).value);
-  }
-  if (c.kind == Cell::Kind::curved && range == nullptr) {
-    const DirectionRange<N> own = this->range(a, b);
-    return cell(a, b, &own);
-  }
-  for (std::size_t k = 0; k < axes_; ++k) {
-    double way = 0;
-    if (c.kind == Cell::Kind::straight)
-      way = std::abs(a.tangent[k]) * c.length;
-    else if (arc)  // ∫h' ds from both ends without cancellation, exact on circles and helices
-      way = std::abs((a.tangent[k] + b.tangent[k]) / 2 * c.length + bend * (a.curvature[k] - b.curvature[k]));
-    else
-      way = std::abs(b.position[k] - a.position[k]);
-    c.way[k] = std::max(0.0, way * (1 - 1e-13) - rounding);
-    if (c.kind == Cell::Kind::curved)  // there and back
-      way = std::min(way + 2 * c.length * range->wrong(k), c.length * range->most(k));
-    c.energy[k] = 2 * acceleration_[k] * (way + 1e-13 * c.length + rounding);
-  }
-  if (c.kind == Cell::Kind::straight) return c;
-  c.divisible = c.length > 1e4 * rounding;
-  double fastest = feeds_[a.segment];
-  for (std::size_t k = 0; k < axes_; ++k)
-    if (const double least = range->least(k) - a.blur - b.blur; least > no_direction)
-      fastest = std::min(fastest, velocity_[k] / least);
-  for (std::size_t k = 0; k < axes_; ++k)
-    c.velocity[k] = std::min(velocity_[k], fastest * (range->most(k) + a.blur + b.blur));
-  // p_m b_a ≤ q_m b_b + c_m and q_k b_b ≤ p_k b_a + c_k leave b_a and b_b finite where the lines cross.
-  for (std::size_t k = 0; k < axes_; ++k)
-    for (std::size_t m = 0; m < axes_; ++m) {
-      if (m == k) continue;
-      const double pk = a.most(k), qk = b.least(k), pm = a.least(m), qm = b.most(m);
-      const double cross = pm * qk * (1 - 4 * epsilon) - pk * qm;
-      if (!(cross > 0)) continue;
-      b.cap = std::min(b.cap, (pk * c.energy[m] + pm * c.energy[k]) / cross * give);
-      a.cap = std::min(a.cap, (qm * c.energy[k] + qk * c.energy[m]) / cross * give);
-    }
-  return c;
+  order_.push_back(id);
+  if (order_.size() < 2) return;
+  const std::uint32_t before = order_[order_.size() - 2];
+  const Cell between = cell(nodes_[before], nodes_[id], range);
+  if (before < cells_.size())
+    cells_[before] = between;
+  else
+    cells_.push_back(between);
 }
 
 template <int N>
 void BoundGrid<N>::build(std::size_t first, std::size_t last, bool rest_first, bool rest_last) {
-  nodes_.clear(), cells_.clear();
+  nodes_.clear(), cells_.clear(), order_.clear();
   for (std::size_t i = first; i < last; ++i) append_segment(i);
-  if (rest_first) nodes_.front().cap = 0;
-  if (rest_last) nodes_.back().cap = 0;
+  cells_.push_back({});  // none begins at the last node
+  if (rest_first) nodes_[order_.front()].cap = 0;
+  if (rest_last) nodes_[order_.back()].cap = 0;
+  fresh_.assign(1, {0, static_cast<std::uint32_t>(order_.size() - 1)});
+}
+
+// Into quarters.
+template <int N>
+void BoundGrid<N>::divide(std::uint32_t first, std::uint32_t last) {
+  std::array<Node, 5> nodes;
+  nodes[0] = nodes_[first];
+  const bool deep = std::isfinite(cells_[first].valley);
+  const Node& end = nodes_[last];
+  std::size_t parts = 0;
+  for (int part = 1; part <= 3; ++part)
+    if (const double u = nodes[0].u + (end.u - nodes[0].u) * part / 4; u > nodes[parts].u && u < end.u)
+      nodes[++parts] = node(end.segment, u);
+  nodes[++parts] = end;
+  for (std::size_t i = 0; i < parts; ++i) {
+    const Node &a = nodes[i], &b = nodes[i + 1];
+    valley_ = deep ? valley(a, place(a.segment, a.u + (b.u - a.u) / 2), b) : unlimited;
+    append_with_roots(a, b, 0);
+  }
 }
 
 template <int N>
 void BoundGrid<N>::refine(const std::vector<unsigned char>& marked) {
-  Blocks<Node> old;
-  Blocks<Cell> old_cells;
-  old.swap(nodes_), old_cells.swap(cells_);
-  nodes_.push_back(old.front());
-  for (std::size_t i = 0; i < old_cells.size(); ++i) {
-    if (i % 64 == 0) pulse_.work(16);
-    Node& b = old[i + 1];
-    if (!marked[i] || !old_cells[i].divisible) {
-      nodes_.push_back(b);
-      cells_.push_back(old_cells[i]);
+  former_.swap(order_);
+  order_.clear(), fresh_.clear();
+  order_.push_back(former_.front());
+  for (std::size_t i = 0; i + 1 < former_.size(); ++i) {
+    if (i % 64 == 0) pulse_.work(1);
+    if (!marked[i] || !cells_[former_[i]].divisible) {
+      order_.push_back(former_[i + 1]);
       continue;
     }
-    const double from = old[i].u, width = b.u - from;
-    Node last = nodes_.back();
-    for (int part = 1; part <= 3; ++part) {
-      const double u = from + width * part / 4;
-      if (!(u > last.u && u < b.u)) continue;
-      const Node next = node(b.segment, u);
-      append_with_roots(last, next, 0);
-      last = next;
-    }
-    append_with_roots(last, Node(b), 0);
+    const auto begin = static_cast<std::uint32_t>(order_.size() - 1);
+    divide(former_[i], former_[i + 1]);
+    const auto end = static_cast<std::uint32_t>(order_.size() - 1);
+    if (!fresh_.empty() && fresh_.back().last == begin)
+      fresh_.back().last = end;
+    else
+      fresh_.push_back({begin, end});
   }
 }
 

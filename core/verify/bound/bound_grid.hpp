@@ -1,59 +1,22 @@
 #pragma once
 /// The nodes of the lower bound: places on the path with what every motion has to respect there.
-#include <algorithm>
 #include <array>
-#include <boost/container/deque.hpp>
-#include <cmath>
 #include <cstddef>
-#include <memory>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "core/base/progress_scope.hpp"
+#include "core/geometry/curve/arc.hpp"
+#include "core/geometry/curve/rational.hpp"
 #include "core/machine/machine.hpp"
 #include "core/motion/axes/axis_path.hpp"
+#include "core/verify/bound/blocks.hpp"
+#include "core/verify/bound/bound_node.hpp"
 #include "core/verify/bound/direction_range.hpp"
 #include "core/verify/bound/hodograph.hpp"
 
 namespace bahnwerk::verify {
-
-/// Axes through kinematics have any units: they are scaled by powers of two so that |q'_k| is about 1 at most, and
-/// their limits likewise. Cartesian axes stay as they are.
-template <int N>
-struct BoundNode {
-  std::array<double, N> position{}, tangent{}, curvature{};  ///< q, q', q'' by path length; q'' is 0 at cusps
-  double s = 0, u = 0;                                       ///< arc length, mm, and the segment's parameter
-  double cap = 0;   ///< largest b = v² allowed at this place itself, mm²/s², may be infinite
-  double blur = 0;  ///< how far rounding may have moved a component of q'
-  std::size_t segment = 0;
-
-  /// Bounds of q'_k² under that rounding: conditions are always used in their weaker reading.
-  double least(std::size_t k) const { return square(std::max(0.0, std::abs(tangent[k]) - blur)); }
-  double most(std::size_t k) const { return square(std::abs(tangent[k]) + blur); }
-
- private:
-  static double square(double x) { return x * x; }
-};
-
-/// Between node i and node i + 1. Across a joint both nodes are the same place with the tangents of either side; so
-/// they are where a root of h'_k falls onto the end of a segment, up to the rounding of s.
-template <int N>
-struct BoundCell {
-  enum class Kind : unsigned char { straight, curved, joint };
-  std::array<double, N> energy{};    ///< 2 A_k ∫|q'_k| ds from above: what |q'_k² b| may change by
-  std::array<double, N> way{};       ///< |Δq_k| from below
-  std::array<double, N> velocity{};  ///< what axis k may run at, by its own limit, the feed and the other axes'
-  double length = 0;                 ///< mm
-  double slip = 0;                   ///< across a joint: what b may change by, mm²/s²
-  Kind kind = Kind::joint;
-  bool divisible = false;  ///< curved, and long enough for its coordinates to tell more when halved
-};
-
-/// Grows without moving what it holds: copying a large grid would take longer than progress may wait. Ordinary memory:
-/// the large pages kept from plan to plan are left to the planners, whose arrays fit them.
-template <class T>
-using Blocks =
-    boost::container::deque<T, std::allocator<T>, boost::container::deque_options_t<boost::container::block_size<512>>>;
 
 /// Over any axis path of at most N axes; N is 2, 3 or 8.
 template <int N>
@@ -61,6 +24,7 @@ class BoundGrid {
  public:
   using Node = BoundNode<N>;
   using Cell = BoundCell<N>;
+  static constexpr double widest_turn = 0.02;  ///< rad per cell
 
   /// `path` and `pulse` outlive it. `feeds`: speed of the tool per segment, infinite where not limited. O(panels) for
   /// axes through kinematics.
@@ -70,16 +34,30 @@ class BoundGrid {
   /// The first grid over the segments [first, last), at rest where it begins and ends or as fast there as the place
   /// itself allows.
   void build(std::size_t first, std::size_t last, bool rest_first = true, bool rest_last = true);
-  /// Quarters the cells marked. O(n).
+  /// Quarters the cells marked, in the order of cells(). What is known of the others stays where it is: O(marked), and
+  /// 1 ns per node for their order.
   void refine(const std::vector<unsigned char>& marked);
 
   std::size_t axes() const { return axes_; }
   double acceleration(std::size_t k) const { return acceleration_[k]; }
+  const std::array<double, N>& accelerations() const { return acceleration_; }
   double velocity(std::size_t k) const { return velocity_[k]; }
   double jerk(std::size_t k) const { return jerk_[k]; }  ///< may be infinite
   double feed(std::size_t segment) const { return feeds_[segment]; }
-  const Blocks<Node>& nodes() const { return nodes_; }
-  const Blocks<Cell>& cells() const { return cells_; }
+  /// Along the path; cell i lies between node i and node i + 1.
+  Ordered<Node, std::uint32_t> nodes() const { return {nodes_, order_.data(), order_.size()}; }
+  Ordered<Cell, std::uint32_t> cells() const { return {cells_, order_.data(), order_.size() - 1}; }
+  /// Nodes by BoundNode::id, which they keep when the grid is refined, and the cells that begin at them.
+  const std::vector<std::uint32_t>& order() const { return order_; }
+  std::size_t ids() const { return nodes_.size(); }
+  const Node& node_of(std::uint32_t id) const { return nodes_[id]; }
+  const Cell& cell_of(std::uint32_t id) const { return cells_[id]; }
+  /// Between nodes `first` and `last` of order() all cells are new since the last build() or refine(), and nodes,
+  /// these two included, are new or may have another cap. Ascending.
+  struct Span {
+    std::uint32_t first, last;
+  };
+  const std::vector<Span>& fresh() const { return fresh_; }
   /// All that q' can be between two nodes of one segment.
   DirectionRange<N> range(const Node& a, const Node& b) const;
   /// Bounds of |q'''_k|, 1/mm², between two nodes of one segment; infinite where there are none.
@@ -89,17 +67,36 @@ class BoundGrid {
 
  private:
   using Row = std::array<double, N>;
-  bool linear(std::size_t segment) const {
-    return path_.cartesian() ? path_[segment].straight() : path_.linear(segment);
+  /// What is asked of a segment at every node.
+  struct Shape {
+    const Arc* arc = nullptr;            ///< if it is one
+    const Rational* rational = nullptr;  ///< likewise
+    double first = 0, last = 0;          ///< parameters
+    double third = 0;                    ///< |h'''| of arcs, 1/mm²
+    bool linear = false;                 ///< in all axes
+  };
+  const Shape& shape(std::size_t segment) const {
+    if (segment != shape_of_) learn(segment);
+    return shape_;
   }
+  void learn(std::size_t segment) const;
   void scale_axes();
-  Node node(std::size_t segment, double u) const;
+  Node place(std::size_t segment, double u) const;  ///< position and derivatives alone
+  void complete(Node& n) const;
+  Node node(std::size_t segment, double u) const {
+    Node n = place(segment, u);
+    complete(n);
+    return n;
+  }
   double place_cap(const Node& n) const;
-  static bool hides_valley(const Node& a, const Node& middle, const Node& b);
-  bool too_wide(const Node& a, const Node& b, double turn_limit) const;
+  double turn_cap(const Node& n) const;
+  static bool changes(const Node& a, const Node& middle, const Node& b);
+  double valley(const Node& a, const Node& middle, const Node& b) const;
+  bool too_wide(const Node& a, const Node& b) const;
   double corner(const Node& a, const Node& b) const;
   double step_cap(const Node& a, const Node& b, double cap) const;
   bool unit_direction(const Node& n) const;
+  void divide(std::uint32_t first, std::uint32_t last);
   void append_segment(std::size_t segment);
   void append_between(const Node& a, const Node& b, int depth);
   void append_with_roots(const Node& a, const Node& b, int axis, int depth = 0);
@@ -118,7 +115,12 @@ class BoundGrid {
   std::vector<double> feeds_;
   ProgressScope& pulse_;
   Blocks<Node> nodes_;
-  Blocks<Cell> cells_;
+  Blocks<Cell> cells_;  ///< of the same id as the node that they begin at
+  std::vector<std::uint32_t> order_, former_;
+  std::vector<Span> fresh_;
+  double valley_ = unlimited;  ///< of the cells that are appended
+  mutable Shape shape_;        ///< of the segment asked for last
+  mutable std::size_t shape_of_ = static_cast<std::size_t>(-1);
   mutable std::optional<Hodograph> hodograph_;  ///< of the segment asked for last
   mutable std::size_t hodograph_of_ = 0;
 };

@@ -37,14 +37,14 @@ DirectionRange<N> BoundGrid<N>::range(const Node& a, const Node& b) const {
     for (std::size_t k = 0; k < axes_; ++k) range.low[k] = range.high[k] = a.tangent[k];
     return range;
   }
-  if (segment.curve().kind() == CurveKind::rational) {
+  const Shape& known = shape(a.segment);
+  if (known.rational != nullptr) {
     const Hodograph::Range r = hodograph(a.segment).range(a.u, b.u);
     for (std::size_t k = 0; k < axes_; ++k) range.low[k] = r.low[k], range.high[k] = r.high[k];
     return range;
   }
-  const double third = bends_of(static_cast<const Arc&>(segment.curve())).third;
   for (std::size_t k = 0; k < axes_; ++k) {
-    const Interval g = between(a.tangent[k], b.tangent[k], a.curvature[k], b.curvature[k], b.s - a.s, third);
+    const Interval g = between(a.tangent[k], b.tangent[k], a.curvature[k], b.curvature[k], b.s - a.s, known.third);
     range.low[k] = g.low - a.blur, range.high[k] = g.high + a.blur;
   }
   return range;
@@ -92,7 +92,7 @@ Hodograph::Bends BoundGrid<N>::bends(const Node& a, const Node& b) const {
 template <int N>
 std::array<double, N> BoundGrid<N>::third(const Node& a, const Node& b) const {
   Row third{};
-  if (linear(a.segment)) return third;
+  if (shape(a.segment).linear) return third;
   if (path_.cartesian()) {
     third.fill(bends(a, b).third);
     return third;

@@ -115,9 +115,15 @@ Hodograph::Range Hodograph::range(double u0, double u1) {
   const double unseen = left[0] + left[1] + left[2] + 2 * blur;
   double along = centre - unseen, across = unseen;
   for (std::size_t j = 1; j < std::min(count_, few); ++j) {
-    double part = 0, rest = 0;
-    for (std::size_t k = 0; k < axes_; ++k) part += v[k][j] * direction[k];
-    for (std::size_t k = 0; k < axes_; ++k) {
+    double part = v[0][j] * direction[0] + v[1][j] * direction[1];
+    if (axes_ == 2) {
+      along -= std::abs(part);
+      across += std::abs(v[0][j] * direction[1] - v[1][j] * direction[0]);
+      continue;
+    }
+    part += v[2][j] * direction[2];
+    double rest = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
       const double side = v[k][j] - part * direction[k];
       rest += side * side;
     }

@@ -22,7 +22,10 @@ namespace bahnwerk {
 /// Each cell then takes at least the time that its slowest single axis needs to travel |Δq_k| between these end speeds
 /// (accelerate, cruise, brake: closed form; an axis that goes there and back travels further), and at least length /
 /// feed. There is no quadrature and no discretisation error in this chain; a finer grid only tightens it. Cells in
-/// which the binding condition changes are quartered until the bound changes by less than 3e-7.
+/// which the binding condition changes are quartered until the bound changes by less than 3e-7; before that those
+/// between whose nodes the caps have a valley (a parabola through three samples says so) where b comes to half of them
+/// or more. Each time only what lies around the new nodes is solved again, as far as it comes out different
+/// (core/verify/bound/bound_solver.hpp). The task is all that is needed: bound and plan may be made at the same time.
 ///
 /// What is enclosed. Two figures of a cell depend on what q' does between its nodes: the energy 2 A_k ∫|q'_k| ds, and
 /// how fast an axis may run there, from the least |q'| of the others and its own largest. Both follow from an interval
@@ -45,10 +48,10 @@ namespace bahnwerk {
 ///
 /// Distance to the true optimum: exact on polylines; ≤ 5e-6 beyond the reference's own error on 3,000 random contours
 /// of arcs, lines and rational pieces (held to 2e-5 by tests against a dense solution); within 8e-6 of the planner's
-/// duration on a made-up machine with five axes (held to 1e-4). With limits of jerk mostly 0.05 to 2 %. Cost: ≈ 90 ns
-/// per node on lines, 300–600 ns on arcs and free-form curves, O(n) time and ≈ 0.4 kB per node of two axes between two
-/// rests, of at most 200,000 segments (at such a cut the speed is left open); with limits of jerk 2 to 4 µs per cell of
-/// theirs more. Calls progress every few ms; throws what it throws, and UnreachablePose.
+/// duration on a made-up machine with five axes (held to 1e-4). With limits of jerk mostly 0.05 to 2 %. Cost: 90 ns per
+/// line between corners, 170–340 ns per node on arcs, 350–600 ns on free-form curves, O(n) time and ≈ 0.25 kB per node
+/// of two axes between two rests, of at most 200,000 segments (at such a cut the speed is left open); with limits of
+/// jerk 2 to 4 µs per cell of theirs more. Calls progress every few ms; throws what it throws, and UnreachablePose.
 Bound lower_bound(const PathTask& task, double corner_angle, Progress& progress, double progress_from = 0,
                   double progress_to = 1);
 

@@ -103,6 +103,17 @@ TEST(LowerBound, RandomContoursAgainstTheDenseSolution) {
   }
 }
 
+TEST(LowerBound, MaximumVelocityCurveThatFallsBehindALine) {
+  // From the line on the curvature grows: the motion touches the maximum velocity curve between two nodes of the first
+  // grid, to either side of which it is slower than the curve.
+  std::mt19937_64 random(2493);
+  const Contour contour = reference::random_contour(random, 6, true);
+  const Machine m = machine(2, unlimited, 16000);
+  const double low = bound(contour, m), fine = dense_optimum(contour, m, corner_angle, 32000);
+  EXPECT_LE(low, fine * (1 + 1e-6));
+  EXPECT_GE(low, fine * (1 - 1e-6));
+}
+
 TEST(LowerBound, BelowMotionsThatTheJudgeAccepts) {
   for (unsigned i = 0; i < 40; ++i) {
     std::mt19937_64 random(77 + i);

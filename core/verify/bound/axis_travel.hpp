@@ -1,0 +1,65 @@
+#pragma once
+/// What single axes can do between two nodes of the bound.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "core/numeric/lanes.hpp"
+#include "core/verify/bound/bound_node.hpp"
+
+namespace bahnwerk::verify {
+
+inline constexpr double negligible_direction = 1e-24;  ///< q'_k² below this says nothing about b
+
+/// Shortest time over a way, mm, from speed² ≤ e0 to speed² ≤ e1: accelerate, cruise, brake.
+inline double travel_time(double e0, double e1, double way, double acceleration, double velocity) {
+  if (!(way > 0)) return 0;
+  const double energy = acceleration * way, up = std::max(0.0, (e1 - e0) / 2 + energy),
+               down = std::max(0.0, (e0 - e1) / 2 + energy);
+  const double v0 = std::sqrt(e0), v1 = std::sqrt(e1), top = std::sqrt(std::max(e0 + up, e1 + down));
+  if (top <= velocity) return (up / (top + v0) + down / (top + v1)) / acceleration;
+  const double start = std::min(v0, velocity), end = std::min(v1, velocity);
+  const double ramps = (velocity * velocity - start * start + velocity * velocity - end * end) / (2 * acceleration);
+  return (velocity - start + velocity - end) / acceleration + std::max(0.0, way - ramps) / velocity;
+}
+
+/// The longest that one of the axes takes for its way; the others wait for it.
+template <int N>
+double slowest(Lanes<N> e0, Lanes<N> e1, Lanes<N> way, Lanes<N> acceleration, Lanes<N> velocity) {
+  const Lanes<N> none{}, energy = acceleration * way, half = 0.5 * (e1 - e0);
+  const Lanes<N> up = larger(none, half + energy), down = larger(none, energy - half);
+  const Lanes<N> v0 = root(e0), v1 = root(e1), top = root(larger(e0 + up, e1 + down));
+  const Lanes<N> times = (up / (top + v0) + down / (top + v1)) / acceleration;
+  double longest = 0;
+  for (std::size_t k = 0; k < N; ++k)
+    if (way[k] > 0)
+      longest = std::max(
+          longest, top[k] <= velocity[k] ? times[k] : travel_time(e0[k], e1[k], way[k], acceleration[k], velocity[k]));
+  return longest;
+}
+
+/// Bounds of q'_k² at a node, of all axes.
+template <int N>
+Lanes<N> most(const BoundNode<N>& n) {
+  const Lanes<N> t = n.blur + magnitude(lanes(n.tangent));
+  return t * t;
+}
+template <int N>
+Lanes<N> least(const BoundNode<N>& n) {
+  const Lanes<N> t = larger(Lanes<N>{}, -(n.blur - magnitude(lanes(n.tangent))));
+  return t * t;
+}
+
+/// What a cell lets through from a node with speed² b to the other one: q b' ≤ p b + energy for every axis.
+template <int N>
+double across(const BoundCell<N>& cell, const BoundNode<N>& from, const BoundNode<N>& to, double b) {
+  if (cell.kind == BoundCell<N>::Kind::joint) return b + cell.slip;
+  const Lanes<N> q = least(to), allowed = (most(from) * b + lanes(cell.energy)) / q;
+  double least_allowed = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < N; ++k)
+    if (q[k] > negligible_direction) least_allowed = std::min(least_allowed, allowed[k]);
+  return least_allowed;
+}
+
+}  // namespace bahnwerk::verify

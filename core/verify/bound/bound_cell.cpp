@@ -1,0 +1,243 @@
+// What every motion has to respect at a node and between two of them.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/geometry/curve/arc.hpp"
+#include "core/verify/bound/bound_grid.hpp"
+
+namespace bahnwerk::verify {
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr double no_direction = 1e-12;  // |q'_k| below this: the axis stands still, its conditions are dropped
+constexpr double give = 1 + 1e-11;      // caps give way for the rounding of curvatures
+
+double sq(double x) { return x * x; }
+
+// 12 (1 − x/tan x)/(4x²) with x = turn/2: what the curvature term of the trapezoid rule lacks on a circle. At most a
+// few 1e-2 rad.
+double circle_factor(double turn) {
+  const double q = turn * turn;
+  return 1 + q / 60 + q * q / 2520;
+}
+
+}  // namespace
+
+template <int N>
+void BoundGrid<N>::learn(std::size_t segment) const {
+  const Segment& s = path_[segment];
+  const Curve& curve = s.curve();
+  shape_of_ = segment;
+  shape_ = {};
+  shape_.first = curve.begin(), shape_.last = curve.end();
+  shape_.linear = path_.cartesian() ? s.straight() : path_.linear(segment);
+  if (curve.kind() == CurveKind::rational) shape_.rational = static_cast<const Rational*>(&curve);
+  if (curve.kind() != CurveKind::arc) return;
+  const Arc& arc = static_cast<const Arc&>(curve);
+  const double turn = std::abs(arc.sweep()) / arc.length() * (1 + 8 * epsilon);  // rad/mm
+  shape_.arc = &arc;
+  shape_.third = arc.radius() * turn * turn * turn;
+}
+
+template <int N>
+BoundNode<N> BoundGrid<N>::place(std::size_t segment, double u) const {
+  const Segment& s = path_[segment];
+  Node n;
+  n.u = u, n.segment = static_cast<std::uint32_t>(segment);
+  if (path_.cartesian()) {
+    Jet h;
+    if (const Arc* arc = shape(segment).arc) {  // of constant speed
+      h = arc->at(u);
+      const double inverse = 1 / arc->length(), square = inverse * inverse;
+      h.d1 = inverse * h.d1, h.d2 = square * h.d2;
+    } else {
+      h = s.at_parameter(u);
+    }
+    n.position[0] = h.value.x, n.tangent[0] = h.d1.x, n.curvature[0] = h.d2.x;
+    n.position[1] = h.value.y, n.tangent[1] = h.d1.y, n.curvature[1] = h.d2.y;
+    if constexpr (N > 2) n.position[2] = h.value.z, n.tangent[2] = h.d1.z, n.curvature[2] = h.d2.z;
+  } else {
+    const AxisJet q = path_.at_parameter(segment, u);
+    for (std::size_t k = 0; k < axes_; ++k)
+      n.position[k] = scale_[k] * q.value[k], n.tangent[k] = scale_[k] * q.d1[k], n.curvature[k] = scale_[k] * q.d2[k];
+    n.blur = 64 * epsilon;
+  }
+  return n;
+}
+
+template <int N>
+void BoundGrid<N>::complete(Node& n) const {
+  const Segment& s = path_[n.segment];
+  const Shape& known = shape(n.segment);
+  const double u = n.u;
+  if (known.arc != nullptr) n.blur = std::max(n.blur, 6 * epsilon);
+  if (known.rational != nullptr && !s.straight()) {
+    const Rational& rational = *known.rational;
+    n.blur += std::min(1e-3, 16 * epsilon * (1 + rational.extent() / (rational.speed(u) * rational.reach())));
+  }
+  n.s = u <= known.first ? s.s0() : u >= known.last ? s.s1() : s.arc_length(u);
+  const bool cusp = (u <= known.first && s.cusp_begin()) || (u >= known.last && s.cusp_end());
+  if (cusp || known.linear) n.curvature = {};
+  n.cap = cusp ? 0 : place_cap(n);
+}
+
+// Velocity, feed, and that.
+template <int N>
+double BoundGrid<N>::place_cap(const Node& n) const {
+  double cap = std::min(sq(feeds_[n.segment]), turn_cap(n));
+  for (std::size_t k = 0; k < axes_; ++k)
+    if (n.least(k) > 0) cap = std::min(cap, sq(velocity_[k]) / n.least(k));
+  return cap;
+}
+
+// The maximum velocity curve: b for which accelerations of all axes still fit together.
+template <int N>
+double BoundGrid<N>::turn_cap(const Node& n) const {
+  double cap = unlimited;
+  for (std::size_t k = 0; k < axes_; ++k) {
+    const double t = std::abs(n.tangent[k]);
+    for (std::size_t m = 0; m < k; ++m) {
+      const double turn = std::abs(n.tangent[m] * n.curvature[k] - n.tangent[k] * n.curvature[m]);
+      const double reach = acceleration_[k] * std::abs(n.tangent[m]) + acceleration_[m] * t;
+      if (turn > 0 && reach > 0) cap = std::min(cap, reach / turn * (give + 16 * n.blur));
+    }
+  }
+  return cap;
+}
+
+// Under a limit of jerk the acceleration of an axis may step by jerk · cycle time, |Δq''_k b + Δq'_k v̇| at most, and
+// the acceleration v̇ along the path does not step.
+template <int N>
+double BoundGrid<N>::step_cap(const Node& a, const Node& b, double cap) const {
+  double along = std::numeric_limits<double>::infinity();
+  for (const Node* n : {&a, &b})
+    for (std::size_t k = 0; k < axes_; ++k)
+      if (n->least(k) > 0)
+        along = std::min(along, (acceleration_[k] + std::abs(n->curvature[k]) * cap) / std::sqrt(n->least(k)));
+  double most = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < axes_; ++k) {
+    const double step = std::abs(b.curvature[k] - a.curvature[k]), kink = std::abs(b.tangent[k] - a.tangent[k]);
+    const double allowed = jerk_[k] * cycle_time_ + (kink > 0 ? kink * along : 0);
+    if (step > 0 && allowed < most * step) most = allowed / step * give;
+  }
+  return most;
+}
+
+// By how much the tool's direction jumps.
+template <int N>
+double BoundGrid<N>::corner(const Node& a, const Node& b) const {
+  if (unit_direction(a) && unit_direction(b)) return angle_between(direction(a.tangent), direction(b.tangent));
+  const Segment &before = path_[a.segment], &after = path_[b.segment];
+  return angle_between(before.at_parameter(a.u).d1, after.at_parameter(b.u).d1);
+}
+
+// No axis that the tool moves along is left out.
+template <int N>
+bool BoundGrid<N>::unit_direction(const Node& n) const {
+  double square = 0;
+  for (const double t : n.tangent) square += sq(t);
+  return path_.cartesian() && axes_ == N && std::abs(square - 1) < 1e-9;
+}
+
+template <int N>
+BoundCell<N> BoundGrid<N>::cell(Node& a, Node& b, const DirectionRange<N>* range) const {
+  Cell c;
+  for (std::size_t k = axes_; k < N; ++k) c.energy[k] = unlimited;
+  if (a.segment != b.segment) {
+    double cap = std::min(a.cap, b.cap);
+    for (std::size_t k = 0; k < axes_; ++k)
+      if (const double step = b.tangent[k] - a.tangent[k]; step != 0)
+        cap = std::min(cap, sq(acceleration_[k] * cycle_time_ / step) * give);
+    cap = std::min(cap, step_cap(a, b, cap));
+    a.cap = b.cap = corner(a, b) > corner_angle_ ? 0 : cap;
+    return c;
+  }
+  const Shape known = shape(a.segment);
+  c.length = b.s - a.s;
+  if (const double blur = rounding_of(b.s); c.length <= blur && unit_direction(a)) {
+    // Differences over such a cell are rounding: only |d(v²)/ds| ≤ 2 |A| is asked of it.
+    double square = 0;
+    for (std::size_t k = 0; k < axes_; ++k) square += sq(acceleration_[k]);
+    c.slip = 2 * std::sqrt(square) * (c.length + blur);
+    return c;
+  }
+  c.kind = known.linear ? Cell::Kind::straight : Cell::Kind::curved;
+  const bool arc = path_.cartesian() && known.arc != nullptr;
+  double bend = 0, rounding = 0;
+  if (arc) {
+    bend = sq(c.length) / 12 * circle_factor(known.arc->sweep() * (b.u - a.u));
+  } else if (c.kind == Cell::Kind::curved) {
+    double size = length_of(a.position) + length_of(b.position);
+    if (known.rational != nullptr) size += known.rational->extent();
+    rounding = 4 * epsilon * size;
+    if (!path_.cartesian()) rounding = 4 * rounding + 16 * epsilon * norm(path_[a.segment].curve().at(a.u).value);
+  }
+  if (c.kind == Cell::Kind::curved && range == nullptr) {
+    const DirectionRange<N> own = this->range(a, b);
+    return cell(a, b, &own);
+  }
+  for (std::size_t k = 0; k < axes_; ++k) {
+    double way = 0;
+    if (c.kind == Cell::Kind::straight)
+      way = std::abs(a.tangent[k]) * c.length;
+    else if (arc)  // ∫h' ds from both ends without cancellation, exact on circles and helices
+      way = std::abs((a.tangent[k] + b.tangent[k]) / 2 * c.length + bend * (a.curvature[k] - b.curvature[k]));
+    else
+      way = std::abs(b.position[k] - a.position[k]);
+    c.way[k] = std::max(0.0, way * (1 - 1e-13) - rounding);
+    if (c.kind == Cell::Kind::curved)  // there and back
+      way = std::min(way + 2 * c.length * range->wrong(k), c.length * range->most(k));
+    c.energy[k] = 2 * acceleration_[k] * (way + 1e-13 * c.length + rounding);
+  }
+  if (c.kind == Cell::Kind::straight) return c;
+  c.divisible = c.length > 1e4 * rounding;
+  c.valley = valley_;
+  double fastest = feeds_[a.segment];
+  for (std::size_t k = 0; k < axes_; ++k)
+    if (const double least = range->least(k) - a.blur - b.blur; least > no_direction)
+      fastest = std::min(fastest, velocity_[k] / least);
+  for (std::size_t k = 0; k < axes_; ++k)
+    c.velocity[k] = std::min(velocity_[k], fastest * (range->most(k) + a.blur + b.blur));
+  // p_m b_a ≤ q_m b_b + c_m and q_k b_b ≤ p_k b_a + c_k leave b_a and b_b finite where the lines cross.
+  for (std::size_t k = 0; k < axes_; ++k)
+    for (std::size_t m = 0; m < axes_; ++m) {
+      if (m == k) continue;
+      const double pk = a.most(k), qk = b.least(k), pm = a.least(m), qm = b.most(m);
+      const double cross = pm * qk * (1 - 4 * epsilon) - pk * qm;
+      if (!(cross > 0)) continue;
+      b.cap = std::min(b.cap, (pk * c.energy[m] + pm * c.energy[k]) / cross * give);
+      a.cap = std::min(a.cap, (qm * c.energy[k] + qk * c.energy[m]) / cross * give);
+    }
+  return c;
+}
+
+template void BoundGrid<2>::learn(std::size_t) const;
+template BoundNode<2> BoundGrid<2>::place(std::size_t, double) const;
+template void BoundGrid<2>::complete(Node&) const;
+template void BoundGrid<3>::learn(std::size_t) const;
+template BoundNode<3> BoundGrid<3>::place(std::size_t, double) const;
+template void BoundGrid<3>::complete(Node&) const;
+template void BoundGrid<8>::learn(std::size_t) const;
+template BoundNode<8> BoundGrid<8>::place(std::size_t, double) const;
+template void BoundGrid<8>::complete(Node&) const;
+template double BoundGrid<2>::place_cap(const Node&) const;
+template double BoundGrid<2>::turn_cap(const Node&) const;
+template double BoundGrid<3>::place_cap(const Node&) const;
+template double BoundGrid<3>::turn_cap(const Node&) const;
+template double BoundGrid<8>::place_cap(const Node&) const;
+template double BoundGrid<8>::turn_cap(const Node&) const;
+template double BoundGrid<2>::step_cap(const Node&, const Node&, double) const;
+template double BoundGrid<2>::corner(const Node&, const Node&) const;
+template double BoundGrid<3>::step_cap(const Node&, const Node&, double) const;
+template double BoundGrid<3>::corner(const Node&, const Node&) const;
+template double BoundGrid<8>::step_cap(const Node&, const Node&, double) const;
+template double BoundGrid<8>::corner(const Node&, const Node&) const;
+template bool BoundGrid<2>::unit_direction(const Node&) const;
+template bool BoundGrid<3>::unit_direction(const Node&) const;
+template bool BoundGrid<8>::unit_direction(const Node&) const;
+template BoundCell<2> BoundGrid<2>::cell(Node&, Node&, const DirectionRange<2>*) const;
+template BoundCell<3> BoundGrid<3>::cell(Node&, Node&, const DirectionRange<3>*) const;
+template BoundCell<8> BoundGrid<8>::cell(Node&, Node&, const DirectionRange<8>*) const;
+
+}  // namespace bahnwerk::verify

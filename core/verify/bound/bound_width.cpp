@@ -1,0 +1,79 @@
+// How wide cells may be, by samples: this decides how tight the bound is, not whether it holds.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/verify/bound/bound_grid.hpp"
+
+namespace bahnwerk::verify {
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+// Cells over half of which q'' changes by more than the first are halved at once. A valley of the caps inside counts
+// from the second on, a share of them.
+constexpr double widest_change = 0.1, shallow = 2e-5, slight_turn = 1e-4;
+
+double sq(double x) { return x * x; }
+
+template <std::size_t N>
+std::array<double, N> difference(const std::array<double, N>& a, const std::array<double, N>& b) {
+  std::array<double, N> d;
+  for (std::size_t k = 0; k < N; ++k) d[k] = a[k] - b[k];
+  return d;
+}
+}  // namespace
+
+// The curve may do something between a and b that the two nodes do not tell.
+template <int N>
+bool BoundGrid<N>::too_wide(const Node& a, const Node& b) const {
+  const double length = b.s - a.s;
+  double turn = length_of(difference(b.tangent, a.tangent));
+  if (turn > widest_turn) return true;
+  if (path_.cartesian()) {
+    turn *= 1 + turn * turn / 24;  // the angle whose chord that was
+    if (turn > widest_turn) return true;
+    const double chord = length_of(difference(b.position, a.position));
+    const double slack =
+        1e-12 * path_[a.segment].length() + 8 * epsilon * (length_of(a.position) + length_of(b.position));
+    if (length - chord > sq(widest_turn) / 16 * length + slack) return true;
+  } else {
+    for (std::size_t k = 0; k < axes_; ++k) {
+      const double trapezoid = (a.tangent[k] + b.tangent[k]) / 2 * length;
+      if (std::abs(b.position[k] - a.position[k] - trapezoid) > widest_turn / 4 * length) return true;
+    }
+  }
+  const double trapezoid = (length_of(a.curvature) + length_of(b.curvature)) / 2 * length;
+  return std::abs(trapezoid - turn) > turn / 4 + widest_turn / 20;
+}
+
+template <int N>
+bool BoundGrid<N>::changes(const Node& a, const Node& middle, const Node& b) {
+  const double bend = std::max({length_of(a.curvature), length_of(middle.curvature), length_of(b.curvature)});
+  if (bend * (b.s - a.s) < slight_turn) return false;
+  const double change = std::max(length_of(difference(middle.curvature, a.curvature)),
+                                 length_of(difference(b.curvature, middle.curvature)));
+  return change > widest_change * bend;
+}
+
+// The maximum velocity curve may be lower inside than between the ends. Told by a third place, and by how much it is
+// off the line through the others.
+template <int N>
+double BoundGrid<N>::valley(const Node& a, const Node& middle, const Node& b) const {
+  const double bend = std::max({length_of(a.curvature), length_of(middle.curvature), length_of(b.curvature)});
+  if (bend * (b.s - a.s) < slight_turn) return unlimited;
+  const double cap = turn_cap(middle), off = std::abs(turn_cap(a) - 2 * cap + turn_cap(b));
+  if (!std::isfinite(off)) return cap;
+  return off > shallow * cap ? cap - off / 4 : unlimited;
+}
+
+template bool BoundGrid<2>::too_wide(const Node&, const Node&) const;
+template bool BoundGrid<3>::too_wide(const Node&, const Node&) const;
+template bool BoundGrid<8>::too_wide(const Node&, const Node&) const;
+template bool BoundGrid<2>::changes(const Node&, const Node&, const Node&);
+template bool BoundGrid<3>::changes(const Node&, const Node&, const Node&);
+template bool BoundGrid<8>::changes(const Node&, const Node&, const Node&);
+template double BoundGrid<2>::valley(const Node&, const Node&, const Node&) const;
+template double BoundGrid<3>::valley(const Node&, const Node&, const Node&) const;
+template double BoundGrid<8>::valley(const Node&, const Node&, const Node&) const;
+
+}  // namespace bahnwerk::verify
