@@ -25,7 +25,35 @@ ordered_json columns(const SetpointSource& source) {
   return list;
 }
 
-ordered_json details(const ContourPlan& plan, const Machine& machine, const ContourPlanning& planning) {
+/// "line 1204: 14 % of the time, acceleration y, stops".
+std::string sentence(const SlowLine& line, const char* what) {
+  char text[160];
+  std::snprintf(text, sizeof text, "%s %zu: %.*f %% of the time", what, line.source, line.share < 0.1 ? 1 : 0,
+                100 * line.share);
+  std::string all = text;
+  if (!line.limit.empty()) all += ", " + line.limit;
+  if (line.stops && line.limit != "dwell") all += ", stops";
+  return all;
+}
+
+/// The lines that cost most time. Only a program has lines: elsewhere it is the segment's number, from 0.
+ordered_json slowest(const ContourPlan& plan, bool program) {
+  ordered_json list = ordered_json::array();
+  const char* const what = program ? "line" : "segment";
+  for (const SlowLine& line : plan.slow_lines)
+    list.push_back({{what, line.source},
+                    {"time", line.time},
+                    {"share", line.share},
+                    {"length", line.length},
+                    {"feed", std::isfinite(line.feed) ? ordered_json(line.feed) : ordered_json()},
+                    {"limit", line.limit.empty() ? ordered_json() : ordered_json(line.limit)},
+                    {"limit_share", line.limit_share},
+                    {"stops", line.stops},
+                    {"text", sentence(line, what)}});
+  return list;
+}
+
+ordered_json details(const ContourPlan& plan, const Machine& machine, const ContourPlanning& planning, bool program) {
   ordered_json blocks = ordered_json::array(), joints = ordered_json::array();
   for (const auto& block : plan.blocks)
     blocks.push_back({{"mode", block.mode == Mode::cut ? "cut" : "position"},
@@ -46,7 +74,8 @@ ordered_json details(const ContourPlan& plan, const Machine& machine, const Cont
           {"notes", plan.notes},
           {"blocks", std::move(blocks)},
           {"joints_passed", plan.joints.size()},
-          {"joints", std::move(joints)}};
+          {"joints", std::move(joints)},
+          {"slowest", slowest(plan, program)}};
 }
 
 ordered_json drawings(const ContourPlan& plan, Progress& progress) {
@@ -147,7 +176,7 @@ PlannedJob plan(const json& spec, Progress& progress) {
                   {"duration", setpoints.duration()},
                   {"cycle_time", setpoints.cycle_time()},
                   {"columns", columns(setpoints)}}},
-                {"details", details(plan, limits, options)}};
+                {"details", details(plan, limits, options, spec["contour"].contains("gcode"))}};
   job.result["details"]["drawings"] = drawings(plan, progress);
   job.setpoints = std::move(plan.setpoints);
   return job;

@@ -16,6 +16,7 @@ namespace bahnwerk {
 
 namespace {
 
+constexpr std::size_t slow_lines_listed = 20;
 constexpr double report_jump = 1e-9;  // rad; below it a tangent jump is rounding
 
 /// Times of the blocks in the motion that is sampled; the sums per mode in the planned one, which is `factor` quicker.
@@ -101,6 +102,8 @@ ContourPlan plan_contour(Contour input, const Machine& machine, const ContourPla
   plan.bound = planned.bound;
   report_blocks(*contour, sampled, planned.cycles.factor, plan);
   report_joints(*contour, moving, planned.law, planning.corner_angle, plan, progress);
+  plan.slow_lines = slow_lines(*planned.motion, held_limits(machine, method_row(planning.method), machine.dimension()),
+                               path.feeds, planning.along, slow_lines_listed, progress, 1.0);
   plan.verification = std::move(planned.verification);
   plan.setpoints = std::move(planned.setpoints);
   plan.path = contour;

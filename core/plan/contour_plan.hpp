@@ -11,6 +11,7 @@
 #include "core/contour/contour.hpp"
 #include "core/machine/machine.hpp"
 #include "core/plan/planning_method.hpp"
+#include "core/plan/slow_lines.hpp"
 
 namespace bahnwerk {
 
@@ -49,6 +50,7 @@ struct ContourPlan {
   std::size_t pieces = 0;                                ///< pieces of the law
   std::vector<BlockReport> blocks;
   std::vector<SmallJoint> joints;
+  std::vector<SlowLine> slow_lines;  ///< the 20 that take most time, in the time of the setpoints
   std::vector<std::string> notes;
 };
 
