@@ -1,0 +1,119 @@
+// Weak duality: whatever the multipliers, what they prove is less than the time of a motion that holds all limits.
+#include "core/verify/bound/jerk_dual.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "core/motion/jerk/jerk_limited.hpp"
+#include "tests/core/verify/reference.hpp"
+
+namespace bahnwerk::verify {
+namespace {
+
+using reference::Maker;
+
+constexpr double V = 600, A = 16000, J = 1e6;
+
+Machine machine() {
+  Machine m = reference::machine(2, V, A);
+  for (AxisLimits& axis : m.axes) axis.jerk = J;
+  return m;
+}
+
+/// One piece per cell of the bound's grid, and the relaxation over them. Nothing is known of speed but that both axes
+/// together reach no more than √2 V.
+struct Laid {
+  std::vector<DualPiece<2>> pieces;
+  std::vector<std::size_t> cell_of;
+  RelaxationProblem<2> problem;
+};
+
+Laid lay(const BoundGrid<2>& grid) {
+  Laid laid;
+  laid.problem.acceleration = {A, A}, laid.problem.jerk = {J, J};
+  DualPiece<2> joint;
+  const auto nodes = grid.nodes();
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+    const auto &a = nodes[i], &b = nodes[i + 1];
+    if (a.segment != b.segment) {
+      joint.joint = true, joint.joint_cap = 2 * V * V;
+      for (std::size_t k = 0; k < 2; ++k) joint.step[k] = J * 0.001, joint.kink[k] = b.tangent[k] - a.tangent[k];
+      continue;
+    }
+    DualPiece<2> p = dual_piece(grid, a, b, 2 * V * V);
+    p.joint = joint.joint, p.step = joint.step, p.kink = joint.kink, p.joint_cap = joint.joint_cap;
+    joint = {};
+    RelaxationCell<2> cell{p.length, p.way, p.begin, p.end, p.cap};
+    if (p.joint) laid.problem.steps.push_back({laid.problem.cells.size(), 0, {0.001, 0.001}, p.kink});
+    laid.cell_of.push_back(laid.problem.cells.size());
+    laid.problem.cells.push_back(cell);
+    laid.pieces.push_back(p);
+  }
+  return laid;
+}
+
+TEST(JerkDual, NoMultipliersProveMoreThanAMotionTakes) {
+  const std::vector<Contour> contours{
+      Maker().line({20, 0}).arc({30, 10}, {20, 10}, true).line({30, 30}).done(),
+      Maker().bezier({{30, 40}, {60, -40}, {80, 20}}).done(),
+      Maker().bezier({{3, 1}, {4, 4}}).bezier({{8, 16}, {5, 9}, {9, 9}}).done(),
+      Maker().line({10, 0}).line({20, 0.1}).line({30, 0}).done(),
+  };
+  SilentProgress silent;
+  ProgressScope pulse(silent, "test", 0, 1);
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> part(0, 1.5), sign(-1, 1);
+  for (const Contour& contour : contours) {
+    const CartesianAxisPath path(contour.path, 2);
+    const double corner_angle = 0.03;
+    JerkLimitedOptions options;
+    options.corner_angle = corner_angle;
+    const double time = plan_jerk_limited(contour, machine(), options, silent).law.duration();
+    BoundGrid<2> grid(path, machine(), contour.feeds(), corner_angle, pulse);
+    grid.build(0, path.size());
+    const Laid laid = lay(grid);
+    RelaxationSolver<2> solver;
+    solver.solve(laid.problem, {}, pulse);
+    const RelaxationMultipliers<2> best = solver.multipliers();
+    JerkDual<2> dual(grid, pulse);
+    const auto value = [&](const RelaxationMultipliers<2>& m) {
+      return dual.value(laid.pieces, 0, laid.pieces.size(), laid.cell_of, laid.problem, m);
+    };
+    EXPECT_LE(value(best), time);
+    EXPECT_GE(value(best), 0.4 * time);
+    for (int i = 0; i < 200; ++i) {
+      // All scaled, single ones scaled, noise added; then no more jerk than is allowed.
+      RelaxationMultipliers<2> m = best;
+      const double all = i % 3 == 0 ? part(random) : 1, noise = i % 2 == 0 ? 0.1 * part(random) : 0;
+      for (auto& row : m.jerk) {
+        for (double& l : row) l = l * all * (i % 5 == 0 ? part(random) : 1) + noise * sign(random) / J;
+        const double load = J * (std::abs(row[0]) + std::abs(row[1]));
+        if (load > 1) row[0] /= load, row[1] /= load;
+      }
+      for (auto& row : m.acceleration)
+        for (double& l : row) l = l * all * (i % 7 == 0 ? part(random) : 1) + noise * sign(random) * 1e-9;
+      EXPECT_LE(value(m), time) << i;
+    }
+  }
+}
+
+TEST(JerkDual, WithoutMultipliersIsTheTimeAtTheLargestSpeed) {
+  const Contour contour = Maker().line({30, 40}).done();
+  const CartesianAxisPath path(contour.path, 2);
+  SilentProgress silent;
+  ProgressScope pulse(silent, "test", 0, 1);
+  BoundGrid<2> grid(path, machine(), contour.feeds(), 1e-3, pulse);
+  grid.build(0, path.size());
+  const Laid laid = lay(grid);
+  RelaxationMultipliers<2> none;
+  none.jerk.resize(laid.problem.cells.size() + 2), none.acceleration.resize(laid.problem.cells.size() + 1);
+  JerkDual<2> dual(grid, pulse);
+  EXPECT_NEAR(dual.value(laid.pieces, 0, laid.pieces.size(), laid.cell_of, laid.problem, none),
+              50 / std::sqrt(2 * V * V), 1e-12);
+}
+
+}  // namespace
+}  // namespace bahnwerk::verify
