@@ -7,13 +7,12 @@
 namespace bahnwerk::verify {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 // A cell of the relaxation takes this part of the time in which jerk brings an axis to its full acceleration, and
 // turns by no more than this, rad; a piece half of it. Next to rest a piece is this part of its distance from there.
-constexpr double part_of_ramp = 0.3, widest_turn = 0.02, part_of_distance = 0.1, part_of_onset = 0.002,
+constexpr double part_of_ramp = 0.3, widest_turn = 0.05, part_of_distance = 0.1, part_of_onset = 0.002,
                  part_of_section = 1e-4, part_of_cycle = 0.25;
-constexpr double widest_swing = 0.05;     // of q″ b within a cell, of the axis' acceleration
+constexpr double widest_swing = 0.1;      // of q″ b within a cell, of the axis' acceleration
 constexpr std::size_t stretch = 100'000;  // cells, beyond which the path is cut
 constexpr double pieces_per_node = 0.5, more_pieces = 400;
 constexpr double min_cells = 60;  // of a section
