@@ -1,5 +1,6 @@
 // The spec of kind "contour" → contour, machine, planning.
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -166,9 +167,36 @@ Contour from_blocks(const json& contour, Progress& progress) {
   return builder.finish();
 }
 
+/// The index of "G54" … "G59.3".
+std::size_t work_offset(const std::string& name) {
+  const auto digit = [](char c) { return static_cast<std::size_t>(c - '0'); };
+  return name.size() > 3 ? 5 + digit(name[4]) : digit(name[2]) - 4;
+}
+
+/// By D number.
+std::map<int, double> cutter_radius(const json& document) {
+  std::map<int, double> list;
+  std::vector<InputFault> faults;
+  for (const auto& [number, radius] : document.items()) {
+    if (number.empty() || number.size() > 6 || number.find_first_not_of("0123456789") != std::string::npos)
+      faults.push_back({{"contour", "cutter_radius", number}, "is not the number of a D word, 0 to 999999"});
+    else
+      list[std::stoi(number)] = radius.get<double>();
+  }
+  if (!faults.empty()) throw InvalidInput(std::move(faults));
+  return list;
+}
+
 Contour from_gcode(const json& contour, Progress& progress) {
   GcodeOptions options;
   options.feed = feed(contour);
+  if (contour.contains("offsets"))
+    for (const auto& [name, at] : contour["offsets"].items()) options.work_offsets[work_offset(name)] = vec(at);
+  if (contour.contains("reference_points"))
+    for (const auto& [name, at] : contour["reference_points"].items())
+      (name == "G28" ? options.g28 : options.g30) = vec(at);
+  if (contour.contains("cutter_radius")) options.cutter_radius = cutter_radius(contour["cutter_radius"]);
+  options.steps = contour.value("steps", options.steps);
   options.max_segments = max_segments;
   return read_gcode(contour["gcode"].get_ref<const std::string&>(), options, progress);
 }

@@ -19,6 +19,11 @@ std::string number(double x) {
   return text;
 }
 
+/// "line 12 and 3 more: "
+std::string counted(std::size_t line, std::size_t count) {
+  return "line " + std::to_string(line) + (count > 1 ? " and " + std::to_string(count - 1) + " more: " : ": ");
+}
+
 bool finite(Vec v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 }  // namespace
@@ -30,11 +35,15 @@ ContourBuilder::ContourBuilder(std::size_t dimension, Vec start, std::string rea
 }
 
 void ContourBuilder::keep(std::vector<std::string> place, std::string message) {
-  if (full()) return;
-  if (reader_.empty())
-    faults_.push_back({std::move(place), std::move(message)});
-  else
-    faults_.push_back({{"contour", reader_}, "line " + std::to_string(line_) + ": " + message});
+  if (reader_.empty()) {
+    if (!full()) faults_.push_back({std::move(place), std::move(message)});
+    return;
+  }
+  const auto same = std::find_if(causes_.begin(), causes_.end(), [&](const Cause& c) { return c.message == message; });
+  if (same != causes_.end())
+    ++same->count;
+  else if (!full())
+    causes_.push_back({std::move(message), line_, 1});
 }
 
 void ContourBuilder::block(Mode mode, double feed) {
@@ -177,7 +186,10 @@ void ContourBuilder::dwell(double seconds) {
 
 Contour ContourBuilder::finish() {
   if (!contour_.blocks.empty()) contour_.blocks.back().last = contour_.path.size();
-  if (faults_.empty() && contour_.path.empty()) keep({"contour"}, "the contour has no length: nothing to move along");
+  if (faults_.empty() && causes_.empty() && contour_.path.empty())
+    keep({"contour"}, "the contour has no length: nothing to move along");
+  for (const Cause& cause : causes_)
+    faults_.push_back({{"contour", reader_}, counted(cause.line, cause.count) + cause.message});
   if (!faults_.empty()) throw InvalidInput(std::move(faults_));
   if (dropped_ > max_notes)
     contour_.notes.push_back("… and " + std::to_string(dropped_ - max_notes) + " more segments without length dropped");

@@ -1,6 +1,7 @@
 #pragma once
 /// Builds a contour segment by segment. It collects every fault instead of stopping at the first, and cleans what real
 /// part files bring: segments without length are dropped with a note, ends that miss by rounding are joined.
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,7 +20,8 @@ inline constexpr double joint_tolerance = 1e-3;
 class ContourBuilder {
  public:
   /// `reader`: empty for a document of blocks and segments. For a text, its name in the job ("gcode"): faults then have
-  /// the place {"contour", reader} and, like notes, begin with "line 12: ", the line last given to at_line().
+  /// the place {"contour", reader} and, like notes, begin with "line 12: ", the line last given to at_line(). Equal
+  /// faults of a text are one, "line 12 and 3 more: ".
   ContourBuilder(std::size_t dimension, Vec start, std::string reader = {});
 
   void at_line(std::size_t number) { line_ = number; }  ///< counted from 1; also the `source` of path segments
@@ -39,7 +41,7 @@ class ContourBuilder {
 
   /// A finding of the reader's own about the current segment's document.
   void fault(std::vector<std::string> place, std::string message);
-  bool full() const { return faults_.size() >= max_faults; }  ///< further faults are not kept
+  bool full() const { return std::max(faults_.size(), causes_.size()) >= max_faults; }  ///< no others are kept
 
   Vec position() const { return position_; }
   std::size_t segments() const { return total_; }  ///< given so far, dropped ones included
@@ -69,6 +71,11 @@ class ContourBuilder {
   std::size_t dropped_ = 0, moved_ = 0;
   double worst_move_ = 0;
   std::vector<InputFault> faults_;
+  struct Cause {
+    std::string message;
+    std::size_t line, count;
+  };
+  std::vector<Cause> causes_;  // faults of a text
 };
 
 }  // namespace bahnwerk

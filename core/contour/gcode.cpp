@@ -33,11 +33,11 @@ void read(std::string_view text, bool block_delete, gcode::Interpreter& interpre
 }  // namespace
 
 Contour read_gcode(std::string_view text, const GcodeOptions& options, Progress& progress) {
-  gcode::Interpreter interpreter(options, false);
+  gcode::Interpreter interpreter(options, false, progress);
   read(text, options.block_delete, interpreter, progress);
   if (!interpreter.lifted()) return interpreter.finish();
   // One height throughout, known only now: the same again at height 0.
-  gcode::Interpreter flat(options, true);
+  gcode::Interpreter flat(options, true, progress);
   read(text, options.block_delete, flat, progress);
   Contour contour = flat.finish();
   contour.height = interpreter.height();

@@ -36,8 +36,11 @@
 ///
 /// Refused, with the line: parameters, expressions, subprograms, cutter radius compensation (G41, G42), canned cycles,
 /// work offsets but G54, G92, feeds other than per minute (G93, G95), axes but X, Y and Z, whatever is unknown.
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string_view>
 
@@ -52,6 +55,14 @@ struct GcodeOptions {
   bool block_delete = true;                               ///< leave out lines that begin with /
   std::optional<int> output = std::nullopt;  ///< the tool's switch in M62 … M65; unset: the first one named
   std::size_t max_segments = 2'000'000;
+  std::array<std::optional<Vec>, 9> work_offsets{};  ///< G54 … G59, G59.1 … G59.3, mm; unset: zero
+  std::optional<Vec> g28{}, g30{};                   ///< points of the machine, mm; unset: not known
+  std::map<int, double> cutter_radius{};             ///< by D number, mm; a negative one is on the other side
+  std::size_t steps = 1'000'000;                     ///< budget of loops and subprograms
+
+  bool gives_offsets() const {
+    return std::any_of(work_offsets.begin(), work_offsets.end(), [](const auto& one) { return one.has_value(); });
+  }
 };
 
 /// Throws InvalidInput with every fault found, at most 100, each at {"contour","gcode"} with a message "line 12: …".

@@ -55,9 +55,34 @@ Code meaning(int tenfold) {
       return {Group::none, Action::dwell, ""};
     case 280:
     case 300:
+      return {Group::none, Action::reference_point, ""};
     case 530:
-      return {Group::none, Action::machine_point,
-              "move to a point of the machine (G28, G30, G53) left out: the contour does not reach there"};
+      return {Group::none, Action::machine_coordinates, ""};
+    case 540:
+    case 550:
+    case 560:
+    case 570:
+    case 580:
+    case 590:
+    case 591:
+    case 592:
+    case 593:
+      return {Group::work, Action::work_offset, ""};
+    case 100:
+      return {Group::none, Action::set_data, ""};
+    case 520:
+      return {Group::none, Action::local_offset, ""};
+    case 920:
+      return {Group::none, Action::set_position, ""};
+    case 921:
+    case 922:
+      return {Group::none, Action::reset_position, ""};
+    case 923:
+      return {Group::none, Action::restore_position, ""};
+    case 930:
+      return {Group::feed_mode, Action::inverse_time, ""};
+    case 940:
+      return {Group::feed_mode, Action::per_minute, ""};
     case 90:
     case 610:
     case 611:
@@ -68,53 +93,41 @@ Code meaning(int tenfold) {
     case 431:
       return {Group::none, Action::tool_length, "tool length (G43) ignored: the contour is that of the tool's tip"};
     case 150:  // no polar coordinates
-    case 400:  // no cutter radius compensation
     case 490:  // no tool length
-    case 540:  // the one work offset
     case 690:  // no rotation
-    case 921:  // no offset
-    case 940:  // feed per minute
     case 970:  // spindle speed per minute
-    case 980:
-    case 990:  // return of canned cycles
       return ignored();
+    case 980:
+      return {Group::retract, Action::retract_to_start, ""};
+    case 990:
+      return {Group::retract, Action::retract_to_r, ""};
+    case 400:
+      return {Group::compensation, Action::compensation_off, ""};
     case 410:
     case 411:
+      return {Group::compensation, Action::compensation_left,
+              "cutter radius compensation is not supported: program the path of the tool's centre, with G40"};
     case 420:
     case 421:
-      return refused("cutter radius compensation is not supported: program the path of the tool's centre, with G40");
+      return {Group::compensation, Action::compensation_right,
+              "cutter radius compensation is not supported: program the path of the tool's centre, with G40"};
     case 730:
-    case 740:
-    case 760:
     case 810:
     case 820:
     case 830:
-    case 840:
     case 850:
     case 860:
+    case 890:
+      return motion(Action::cycle);
+    case 740:
+    case 840:
+      return refused("tapping turns the spindle with the feed, which is not planned: program its moves");
+    case 760:
     case 870:
     case 880:
-    case 890:
-      return refused("canned cycles are not supported: program their moves");
-    case 550:
-    case 560:
-    case 570:
-    case 580:
-    case 590:
-    case 591:
-    case 592:
-    case 593:
-      return refused("only the work offset G54 is supported: the program does not tell where the others are");
-    case 100:
-    case 520:
-    case 920:
-    case 922:
-    case 923:
-      return refused("offsets of the coordinates are not supported");
-    case 930:
-      return refused("inverse time feed is not supported: use G94 with F per minute");
+      return refused("this canned cycle is not supported (G73, G81, G82, G83, G85, G86 and G89 are): program its moves");
     case 950:
-      return refused("feed per revolution is not supported: use G94 with F per minute");
+      return refused("feed per revolution is not supported: use G94 with F per minute, which needs no spindle speed");
     case 960:
       return refused("constant surface speed is not supported");
     case 52:
@@ -128,6 +141,9 @@ Code meaning(int tenfold) {
       return refused("scaling and rotation of the coordinates are not supported");
     case 70:
       return refused("diameters (G7) are not supported");
+    case 110:
+    case 290:
+      return {Group::none, Action::printer, ""};
     case 310:
     case 382:
     case 383:

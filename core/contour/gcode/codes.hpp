@@ -5,7 +5,7 @@
 namespace bahnwerk::gcode {
 
 /// Words of one group exclude each other in a line.
-enum class Group { motion, plane, units, distance, centres, none };
+enum class Group { motion, plane, units, distance, centres, work, feed_mode, retract, compensation, none };
 
 enum class Action {
   rapid,
@@ -24,10 +24,26 @@ enum class Action {
   incremental,
   absolute_centres,
   incremental_centres,
+  cycle,
+  retract_to_start,
+  retract_to_r,
+  compensation_off,
+  compensation_left,
+  compensation_right,
+  work_offset,
+  local_offset,
+  set_position,
+  reset_position,
+  restore_position,
+  set_data,
+  per_minute,
+  inverse_time,
   dwell,
-  machine_point,
+  reference_point,
+  machine_coordinates,
   path_control,
   tool_length,
+  printer,
   nothing,  ///< has no effect on a contour, or states what holds anyway
   refuse,
 };

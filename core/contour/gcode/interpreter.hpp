@@ -6,19 +6,21 @@
 
 #include "core/contour/gcode.hpp"
 #include "core/contour/gcode/codes.hpp"
+#include "core/contour/gcode/cycle.hpp"
 #include "core/contour/gcode/mover.hpp"
 #include "core/contour/gcode/notes.hpp"
+#include "core/contour/gcode/offsets.hpp"
 #include "core/contour/gcode/words.hpp"
 
 namespace bahnwerk::gcode {
 
 /// Keys of notes: G words tenfold, M words from key_m on.
-inline constexpr int key_dwell = 40, key_m = 100'000, key_slash = 200'000, key_output = 200'001,
-                     key_zero_power = 200'002, key_rest = 200'003, key_no_feed = 200'004;
+inline constexpr int key_dwell = 40, key_reference = 280, key_m = 100'000, key_slash = 200'000, key_output = 200'001,
+                     key_zero_power = 200'002, key_rest = 200'003, key_no_feed = 200'004, key_printer = 200'005;
 
 class Interpreter {
  public:
-  Interpreter(const GcodeOptions& options, bool flat);
+  Interpreter(const GcodeOptions& options, bool flat, Progress& progress);
 
   /// False where the program ends, or where reading on would tell nothing new.
   bool execute(const Line& line);
@@ -35,49 +37,90 @@ class Interpreter {
   Contour finish();
 
  private:
+  // interpreter.cpp: words, modes, switches
   void g_words(const Line& line);
   void g_word(const Line& line, int tenfold);
+  void use_plane(Plane plane);
   void m_words(const Line& line);
   void m_word(const Line& line, int m);
+  void printer_word(const Line& line);
   void dwell_time(const Line& line);
   void dwell(const Line& line);
+  void rest_here(double seconds);
   void feed(const Line& line);
+  void leftovers(const Line& line);
+  void switched(bool& pair, bool on, bool& used);
+  bool takes(const Line& line, std::uint32_t letters);
+  void fault(const std::string& message);
+  void note(int key, const Line& line, const char* text) { notes_.add(key, line.number, text); }
+
+  // moves.cpp: the motion of a line
   void move(const Line& line);
   void straight(const Line& line);
   void arc(const Line& line);
-  void arc_about_centre(const Line& line, Vec to, ArcMove how);
+  std::optional<Vec> centre(const Line& line);
   void spline(const Line& line);
-  void leftovers(const Line& line);
-
-  bool takes(const Line& line, std::uint32_t letters);
+  bool in_range(Vec at);
+  bool feeds(const Line& line, double length);
+  void rapid_to(Vec to);
   std::optional<Vec> target(const Line& line);
   Vec offset(const Line& line, char x, char y) const;
-  void fault(const std::string& message);
-  void note(int key, const Line& line, const char* text) { notes_.add(key, line.number, text); }
-  void switched(bool& pair, bool on, std::optional<std::size_t>& first);
+
+  // positions.cpp: where the program's zero lies, and points of the machine
+  void settings(const Line& line);
+  void select_work_offset(const Line& line, int tenfold);
+  void set_data(const Line& line);
+  void set_position(const Line& line);
+  void reference_point(const Line& line, const std::optional<Vec>& point);
+  void machine_coordinates(const Line& line);
+  void leave(const Line& line, std::uint32_t axes);
+  void come_back(const Line& line);
+  /// Before the first move the head stands where the program's zero is, whatever that becomes.
+  template <class Change>
+  void change_origin(Change change) {
+    const Vec before = offsets_.origin();
+    change();
+    if (!mover_.started()) mover_.place(mover_.position() + offsets_.origin() - before);
+  }
+  Vec named(const Line& line, Vec otherwise, Vec origin) const;
+
+  // cycles.cpp
+  void cycle(const Line& line);
+  std::optional<CycleHole> cycle_words(const Line& line);
+  void drill(const CycleHole& hole);
 
   const GcodeOptions options_;
+  Progress& progress_;
   Mover mover_;
   Notes notes_;
+  Offsets offsets_;
 
   // modal
   Action motion_ = Action::no_motion;
   Plane plane_ = Plane::xy;
   double unit_;  // mm
   bool absolute_ = true, absolute_centres_ = false;
-  double feed_;                          // mm/s
+  double feed_;                          // mm/s; with G93 1/s
   bool fed_ = false;                     // a feed is known
+  bool inverse_time_ = false;            // G93
   bool spindle_ = true, output_ = true;  // on as long as the program does not use them
+  bool uses_spindle_ = false, uses_output_ = false;
   std::optional<int> switch_output_;
   std::optional<Vec> last_handle_;  // of the G5 before: P Q
-  double dwelt_ = 0;                // s, of all dwells
-  std::size_t away_ = 0;            // line of a move to a point of the machine, after the first move
+  Cycle cycle_;
+  double dwelt_ = 0;         // s, of all dwells
+  std::uint32_t moved_ = 0;  // letters of the axes that moves have named
 
-  std::optional<std::size_t> first_spindle_, first_output_;  // block where the switch is first used
+  // The head went to a point of the machine that is not known: which axes are still away, and where it will stand.
+  std::uint32_t away_ = 0;
+  std::size_t away_line_ = 0;
+  Vec back_;
+
   // of the line at hand
   std::uint32_t used_ = 0;
   std::optional<double> dwell_;  // s
-  bool sound_ = true, ends_ = false, moves_machine_ = false, unknown_m_ = false;
+  std::optional<int> setting_;   // G word, tenfold, that takes the line's coordinates
+  bool sound_ = true, ends_ = false, unknown_m_ = false, starts_cycle_ = false;
 };
 
 }  // namespace bahnwerk::gcode

@@ -19,6 +19,31 @@ double swept(Vec from, Vec to, Vec centre, Vec n, bool counter_clockwise) {
 
 }  // namespace
 
+std::optional<Vec> centre_by_radius(Vec from, Vec to, double radius, const ArcMove& how, const char*& why) {
+  const Vec n = normal(how.plane);
+  const Vec way = to - from, chord = way - dot(way, n) * n;
+  const double half = 0.5 * norm(chord), size = std::abs(radius);
+  why = !(half > 0)   ? "R cannot tell a full circle: its centre has to be given with I, J, K"
+        : !(size > 0) ? "the radius R is zero"
+        : half - size > how.tolerance
+            ? "the radius R is too small: the end is further away than 2 R"
+            : nullptr;
+  if (why != nullptr) return std::nullopt;
+  // To the left of the chord lies the centre of a counter-clockwise arc of less than half a turn.
+  const double height = size > half ? std::sqrt((size - half) * (size + half)) : 0;
+  const bool left = how.counter_clockwise == (radius > 0);
+  const Vec aside = cross(n, chord) / (2 * half);
+  return from + 0.5 * chord + (left ? height : -height) * aside;
+}
+
+double arc_length(Vec from, Vec to, Vec centre, const ArcMove& how) {
+  const Vec n = normal(how.plane), spoke = from - centre;
+  const double rise = dot(to - from, n), radius = norm(spoke - dot(spoke, n) * n);
+  const bool full = to - from - rise * n == Vec{};
+  const double last = full ? 2 * std::numbers::pi : swept(from, to, centre, n, how.counter_clockwise);
+  return std::hypot(radius * (last + static_cast<double>(how.turns - 1) * 2 * std::numbers::pi), rise);
+}
+
 void Mover::use(Mode mode, double feed) {
   if (mode == mode_ && feed == feed_) return;
   mode_ = mode;
@@ -26,9 +51,9 @@ void Mover::use(Mode mode, double feed) {
   new_block_ = true;
 }
 
-std::size_t Mover::split() {
+void Mover::first_switch() {
   new_block_ = true;
-  return builder_.blocks();
+  positioning_ = builder_.blocks();
 }
 
 void Mover::begin_block() {
@@ -42,10 +67,14 @@ void Mover::go(Vec to) {
   started_ = true;
 }
 
-void Mover::start(Vec at) {
+void Mover::place(Vec at) {
   at_ = at;
-  started_ = true;
   builder_.start(placed(at));
+}
+
+void Mover::start(Vec at) {
+  place(at);
+  started_ = true;
 }
 
 void Mover::line(Vec to) {
@@ -75,24 +104,6 @@ void Mover::arc(Vec to, Vec centre, ArcMove how) {
     builder_.arc(builder_.position() + climb * n, placed(centre), how.counter_clockwise, n, how.tolerance);
   }
   if (!full) builder_.arc(placed(to), placed(centre), how.counter_clockwise, n, how.tolerance);
-}
-
-void Mover::arc(Vec to, double radius, ArcMove how) {
-  const Vec n = normal(how.plane);
-  const Vec way = to - at_, chord = way - dot(way, n) * n;
-  const double half = 0.5 * norm(chord), size = std::abs(radius);
-  const auto refuse = [&](const char* why) {
-    builder_.fault({}, why);
-    line(to);
-  };
-  if (!(half > 0)) return refuse("R cannot tell a full circle: its centre has to be given with I, J, K");
-  if (!(size > 0)) return refuse("the radius R is zero");
-  if (half - size > how.tolerance) return refuse("the radius R is too small: the end is further away than 2 R");
-  // To the left of the chord lies the centre of a counter-clockwise arc of less than half a turn.
-  const double height = size > half ? std::sqrt((size - half) * (size + half)) : 0;
-  const bool left = how.counter_clockwise == (radius > 0);
-  const Vec aside = cross(n, chord) / (2 * half);
-  arc(to, at_ + 0.5 * chord + (left ? height : -height) * aside, how);
 }
 
 void Mover::spline(Vec to, Vec first, std::optional<Vec> second) {
@@ -145,10 +156,10 @@ void Mover::join_blocks(Contour& contour) {
   contour.blocks = std::move(kept);
 }
 
-Contour Mover::finish(std::size_t positioning) {
+Contour Mover::finish() {
   Contour contour = builder_.finish();
   contour.dimension = climbs_ ? 3 : 2;
-  for (std::size_t i = 0; i < std::min(positioning, contour.blocks.size()); ++i)
+  for (std::size_t i = 0; i < std::min(positioning_, contour.blocks.size()); ++i)
     contour.blocks[i].mode = Mode::position;
   join_blocks(contour);
   return contour;

@@ -17,6 +17,11 @@ struct ArcMove {
   double tolerance = 0.01;  ///< by which the radii may differ, mm
 };
 
+/// Centre of an arc of |radius|, negative for more than half a turn; none, with the reason in `why`, if there is none.
+std::optional<Vec> centre_by_radius(Vec from, Vec to, double radius, const ArcMove& how, const char*& why);
+/// mm, all turns of a helix together.
+double arc_length(Vec from, Vec to, Vec centre, const ArcMove& how);
+
 class Mover {
  public:
   /// `flat`: every height is 0, for a contour that keeps one height.
@@ -24,16 +29,16 @@ class Mover {
 
   /// The next moves are of this mode and feed (mm/s): a new block where that changes.
   void use(Mode mode, double feed);
-  /// Whatever comes next begins a block, and its index.
-  std::size_t split();
+  /// The program uses a switch for the first time: what came before did not cut.
+  void first_switch();
 
+  /// Where the head stands before the first move, if that is known or assumed.
+  void place(Vec at);
   /// The first move of all may only tell where the contour starts.
   void start(Vec at);
   bool started() const { return started_; }
   void line(Vec to);
   void arc(Vec to, Vec centre, ArcMove how);
-  /// |radius| of the arc, negative for more than half a turn.
-  void arc(Vec to, double radius, ArcMove how);
   /// Bézier curve; no second control point: of degree 2.
   void spline(Vec to, Vec first, std::optional<Vec> second);
 
@@ -43,8 +48,8 @@ class Mover {
   Vec position() const { return at_; }  ///< as programmed
   bool climbs() const { return climbs_; }
   ContourBuilder& builder() { return builder_; }
-  /// The first `positioning` blocks are no cuts: the switch came after them. Throws InvalidInput.
-  Contour finish(std::size_t positioning);
+  /// Throws InvalidInput.
+  Contour finish();
 
  private:
   void begin_block();
@@ -56,6 +61,7 @@ class Mover {
   Vec at_;
   Mode mode_ = Mode::cut;
   double feed_ = std::numeric_limits<double>::infinity();
+  std::size_t positioning_ = 0;  // so many blocks came before the first switch
   bool new_block_ = true, flat_, started_ = false, climbs_ = false;
 };
 

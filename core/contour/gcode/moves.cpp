@@ -18,59 +18,87 @@ Vec Interpreter::offset(const Line& line, char x, char y) const {
   return {line.has(x) ? line[x] * unit_ : 0, line.has(y) ? line[y] * unit_ : 0, 0};
 }
 
+bool Interpreter::in_range(Vec at) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (std::abs(at[k]) <= largest) continue;
+    fault(std::string("the coordinate ") + "XYZ"[k] + " is beyond 1e9 mm");
+    return false;
+  }
+  return true;
+}
+
 std::optional<Vec> Interpreter::target(const Line& line) {
   Vec to = mover_.position();
+  const Vec origin = offsets_.origin();
   takes(line, letters("XYZ"));
   for (std::size_t k = 0; k < 3; ++k) {
     const char letter = "XYZ"[k];
     if (!line.has(letter)) continue;
-    to[k] = line[letter] * unit_ + (absolute_ ? 0 : to[k]);
-    if (!(std::abs(to[k]) <= largest)) {
-      fault(std::string("the coordinate ") + letter + " is beyond 1e9 mm");
-      return std::nullopt;
-    }
+    to[k] = line[letter] * unit_ + (absolute_ ? origin[k] : to[k]);
+    moved_ |= letters({&letter, 1});
   }
-  return to;
+  return in_range(to) ? std::optional(to) : std::nullopt;
 }
 
 void Interpreter::move(const Line& line) {
-  if (moves_machine_) {
-    takes(line, letters("XYZ"));
+  if (setting_) {
+    const Action action = meaning(*setting_).action;
+    if (action == Action::machine_coordinates) machine_coordinates(line);
+    if (action == Action::reference_point) reference_point(line, *setting_ == 280 ? options_.g28 : options_.g30);
     return;
   }
-  const std::uint32_t own = motion_ == Action::rapid || motion_ == Action::line ? letters("XYZ")
-                            : motion_ == Action::no_motion                      ? letters("XYZ")
-                            : motion_ == Action::cubic                          ? letters("XYZIJPQ")
-                            : motion_ == Action::quadratic                      ? letters("XYZIJ")
-                                                                                : letters("XYZIJKR");
-  if (!line.any(own & ~used_)) return;
+  const std::uint32_t own = motion_ == Action::cubic       ? letters("XYZIJPQ")
+                            : motion_ == Action::quadratic ? letters("XYZIJ")
+                            : motion_ == Action::arc_cw || motion_ == Action::arc_ccw ? letters("XYZIJKR")
+                                                                                      : letters("XYZ");
+  if (!line.any(own & ~used_)) {
+    if (motion_ == Action::cycle && starts_cycle_) fault("a canned cycle needs X, Y or Z");
+    return;
+  }
   if (motion_ == Action::no_motion) {
     takes(line, own);
     return fault("coordinates without a motion: none of G0 … G3, G5, G5.1 is in force");
   }
-  if (away_ != 0) {
-    fault("the program went to a point of the machine in line " + std::to_string(away_) +
-          " (G28, G30, G53): where this move starts is unknown");
-    away_ = 0;
-  }
-  mover_.use(motion_ != Action::rapid && spindle_ && output_ ? Mode::cut : Mode::position,
-             motion_ == Action::rapid ? unlimited : feed_);
-  if (motion_ != Action::rapid && !fed_)
-    note(key_no_feed, line, "a move other than G0 without F: only the axes limit its speed");
+  if (away_ != 0) return come_back(line);
   if (motion_ != Action::cubic) last_handle_.reset();
   // What follows a fault in the line shall only keep track of the place.
   if (motion_ == Action::rapid || motion_ == Action::line || !sound_) return straight(line);
+  if (motion_ == Action::cycle) return cycle(line);
   if (motion_ == Action::arc_cw || motion_ == Action::arc_ccw) return arc(line);
   spline(line);
+}
+
+/// Mode and feed of a move that is no G0, of so many mm; false where it has none.
+bool Interpreter::feeds(const Line& line, double length) {
+  if (!fed_ && inverse_time_) {
+    fault("a move in inverse time (G93) needs its own F");
+    return false;
+  }
+  if (!fed_) note(key_no_feed, line, "a move other than G0 without F: only the axes limit its speed");
+  double feed = feed_;
+  if (inverse_time_) {
+    feed = length > 0 ? length * feed_ : unlimited;
+    fed_ = false;  // for this one move
+  }
+  mover_.use(spindle_ && output_ ? Mode::cut : Mode::position, feed);
+  return true;
+}
+
+void Interpreter::rapid_to(Vec to) {
+  mover_.use(Mode::position, unlimited);
+  mover_.line(to);
 }
 
 void Interpreter::straight(const Line& line) {
   const auto to = target(line);
   if (!to) return;
-  if (!mover_.started() && motion_ == Action::rapid && absolute_ && line.has('X') && line.has('Y'))
-    mover_.start(*to);
-  else
-    mover_.line(*to);
+  if (motion_ == Action::rapid) {
+    mover_.use(Mode::position, unlimited);
+    if (!mover_.started() && absolute_ && line.has('X') && line.has('Y')) return mover_.start(*to);
+  } else if (sound_ && !feeds(line, norm(*to - mover_.position()))) {
+    return;
+  }
+  mover_.line(*to);
 }
 
 void Interpreter::arc(const Line& line) {
@@ -84,16 +112,21 @@ void Interpreter::arc(const Line& line) {
     else
       how.turns = static_cast<std::size_t>(turns);
   }
-  const bool centre = takes(line, letters("IJK")), radius = takes(line, letters("R"));
-  if (centre && radius) fault("an arc has either a radius R or a centre I, J, K");
-  if (!centre && !radius) fault("an arc needs a radius R or a centre I, J, K");
+  const bool by_centre = takes(line, letters("IJK")), by_radius = takes(line, letters("R"));
+  if (by_centre && by_radius) fault("an arc has either a radius R or a centre I, J, K");
+  if (!by_centre && !by_radius) fault("an arc needs a radius R or a centre I, J, K");
   if (!sound_) return mover_.line(*to);
-  if (radius) return mover_.arc(*to, line['R'] * unit_, how);
-  arc_about_centre(line, *to, how);
+  const char* why = nullptr;
+  const auto about = by_radius ? centre_by_radius(mover_.position(), *to, line['R'] * unit_, how, why) : centre(line);
+  if (why != nullptr) fault(why);
+  const double length = inverse_time_ && about ? arc_length(mover_.position(), *to, *about, how) : 0;
+  if (about && feeds(line, length)) return mover_.arc(*to, *about, how);
+  mover_.line(*to);
 }
 
-void Interpreter::arc_about_centre(const Line& line, Vec to, ArcMove how) {
+std::optional<Vec> Interpreter::centre(const Line& line) {
   const std::size_t normal = plane_ == Plane::xy ? 2 : plane_ == Plane::zx ? 1 : 0;
+  const Vec origin = offsets_.origin();
   Vec centre = mover_.position();
   for (std::size_t k = 0; k < 3; ++k) {
     const char letter = "IJK"[k];
@@ -101,13 +134,12 @@ void Interpreter::arc_about_centre(const Line& line, Vec to, ArcMove how) {
       if (line.has(letter) && line[letter] != 0 && !absolute_centres_)
         fault(std::string("the centre's ") + letter + " points out of the arc's plane");
     } else if (line.has(letter)) {
-      centre[k] = line[letter] * unit_ + (absolute_centres_ ? 0 : centre[k]);
+      centre[k] = line[letter] * unit_ + (absolute_centres_ ? origin[k] : centre[k]);
     } else if (absolute_centres_) {
       fault(std::string("an absolute centre (G90.1) needs ") + letter + " too");
     }
   }
-  if (!sound_) return mover_.line(to);
-  mover_.arc(to, centre, how);
+  return sound_ ? std::optional(centre) : std::nullopt;
 }
 
 void Interpreter::spline(const Line& line) {
@@ -122,7 +154,8 @@ void Interpreter::spline(const Line& line) {
   if (cubic && !i && !last_handle_) fault("the first G5 needs I and J");
   if (cubic && !(line.has('P') && line.has('Q'))) fault("G5 needs P and Q");
   if (!cubic && offset(line, 'I', 'J') == Vec{}) fault("G5.1 needs I or J, other than zero");
-  if (!sound_) return mover_.line(*to);
+  if (inverse_time_) fault("splines (G5, G5.1) have no inverse time feed (G93): program F per minute, with G94");
+  if (!sound_ || !feeds(line, 0)) return mover_.line(*to);
 
   const Vec from = mover_.position();
   if (!cubic) return mover_.spline(*to, from + offset(line, 'I', 'J'), std::nullopt);

@@ -1,0 +1,31 @@
+#pragma once
+/// What canned cycles (G73, G81 … G89) keep from line to line, and one of their holes.
+#include <cstddef>
+#include <optional>
+
+#include "core/geometry/curve/vec.hpp"
+
+namespace bahnwerk::gcode {
+
+/// Axes of a cycle in G17, G18, G19: the hole is drilled along the last one.
+struct CycleAxes {
+  std::size_t a, b, depth;
+};
+
+/// Words as they stand in the program; they hold for the lines that follow, as long as these are of the same cycle.
+struct Cycle {
+  int code = 0;  ///< 81 for G81; 0: none in force
+  std::optional<double> r, depth, peck, dwell;
+  bool back_to_start = true;         ///< G98: retract to where the series began, if that is above R
+  std::optional<double> start_level;  ///< along the depth axis, mm, of the series in force
+};
+
+/// mm in the coordinates of the contour.
+struct CycleHole {
+  CycleAxes axes;
+  Vec at, step;  ///< the first hole and the way to the next one
+  std::size_t repeats = 1;
+  double r = 0, bottom = 0, peck = 0, clear = 0;
+};
+
+}  // namespace bahnwerk::gcode

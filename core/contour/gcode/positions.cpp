@@ -1,0 +1,170 @@
+// Where the program's zero lies (G54 … G59.3, G10, G52, G92), and points of the machine (G28, G30, G53).
+#include <cmath>
+
+#include "core/contour/gcode/interpreter.hpp"
+
+namespace bahnwerk::gcode {
+namespace {
+
+constexpr std::uint32_t axes = letters("XYZ");
+constexpr char axis_letters[] = "XYZ";
+
+std::uint32_t bit(std::size_t axis) { return letters({axis_letters + axis, 1}); }
+
+std::uint32_t axes_of(const Line& line) {
+  std::uint32_t list = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (line.has(axis_letters[k])) list |= bit(k);
+  return list;
+}
+
+constexpr const char* left_out =
+    "move to a point of the machine (G28, G30, G53) left out, the document does not say where that is; between other "
+    "moves the head stops and goes on from where it stood";
+
+}  // namespace
+
+/// The coordinates of the line where they are given, `otherwise` elsewhere.
+Vec Interpreter::named(const Line& line, Vec otherwise, Vec origin) const {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (line.has(axis_letters[k])) otherwise[k] = line[axis_letters[k]] * unit_ + origin[k];
+  return otherwise;
+}
+
+void Interpreter::select_work_offset(const Line& line, int tenfold) {
+  const std::size_t index = work_offset_index(tenfold);
+  change_origin([&] { offsets_.select(index); });
+  if (!offsets_.known(index) && (index != 0 || options_.gives_offsets()))
+    note(tenfold, line, ("the work offset " + name(tenfold) + " is not in the document: taken as zero").c_str());
+}
+
+/// What takes the coordinates of the line for something else than its motion.
+void Interpreter::settings(const Line& line) {
+  if (!setting_) return;
+  switch (meaning(*setting_).action) {
+    case Action::local_offset:
+      takes(line, axes);
+      return change_origin([&] { offsets_.set_local(named(line, offsets_.local(), {})); });
+    case Action::set_position:
+      return set_position(line);
+    case Action::set_data:
+      return set_data(line);
+    default:
+      return;  // a motion: carried out in its turn
+  }
+}
+
+/// G92: the head stands at these coordinates.
+void Interpreter::set_position(const Line& line) {
+  if (!takes(line, axes)) {
+    if (!line.any(letters("EABCUVW"))) fault("G92 needs the coordinates of where the head stands");
+    return;  // an extruder's
+  }
+  const Vec at = mover_.position();
+  if (mover_.started()) {
+    const Vec free = at - offsets_.work(offsets_.active());
+    Vec local = offsets_.local();
+    for (std::size_t k = 0; k < 3; ++k)
+      if (line.has(axis_letters[k])) local[k] = free[k] - line[axis_letters[k]] * unit_;
+    return offsets_.set_local(local);
+  }
+  // Nothing has moved yet: that is where the contour begins.
+  const Vec place = named(line, at, offsets_.origin());
+  if (!in_range(place)) return;
+  if (line.has('X') && line.has('Y'))
+    mover_.start(place);
+  else
+    mover_.place(place);
+}
+
+/// G10 L2: a work offset; L20: the one with which the head stands at these coordinates.
+void Interpreter::set_data(const Line& line) {
+  if (!takes(line, letters("L"))) return printer_word(line);  // their G10 retracts the filament
+  takes(line, axes | letters("P"));
+  const double form = line['L'], number = line.has('P') ? line['P'] : 0;
+  if (form != 2 && form != 20) return fault("G10: only L2 and L20, work offsets, are supported");
+  if (takes(line, letters("R")) && line['R'] != 0) return fault("G10: the coordinates cannot be rotated (R)");
+  if (!(number >= 0 && number <= work_offsets && number == std::floor(number)))
+    return fault("G10: P names a work offset, 1 (G54) to 9 (G59.3), or 0 for the one in force");
+  const std::size_t index = number == 0 ? offsets_.active() : static_cast<std::size_t>(number) - 1;
+  Vec work = offsets_.work(index);
+  const Vec free = mover_.position() - offsets_.local();
+  if (form == 20 && !mover_.started()) return fault("G10 L20: where the head stands is unknown before the first move");
+  for (std::size_t k = 0; k < 3; ++k)
+    if (line.has(axis_letters[k]))
+      work[k] = form == 2 ? line[axis_letters[k]] * unit_ : free[k] - line[axis_letters[k]] * unit_;
+  change_origin([&] { offsets_.set_work(index, work); });
+}
+
+/// G28, G30: by way of the given coordinates, for the axes that have one or for all.
+void Interpreter::reference_point(const Line& line, const std::optional<Vec>& point) {
+  const bool some = takes(line, axes);
+  const std::uint32_t list = some ? axes_of(line) : axes;
+  if (!point || !mover_.started()) return leave(line, list);
+  if (some)
+    if (const auto way = target(line)) rapid_to(*way);
+  Vec to = mover_.position();
+  for (std::size_t k = 0; k < 3; ++k)
+    if ((list & bit(k)) != 0) to[k] = (*point)[k];
+  rapid_to(to);
+}
+
+/// G53: a straight move in the coordinates of the machine.
+void Interpreter::machine_coordinates(const Line& line) {
+  if (!takes(line, axes)) return;
+  const std::uint32_t list = axes_of(line);
+  if (!offsets_.known(offsets_.active()) || !mover_.started()) return leave(line, list);
+  if (motion_ != Action::rapid && motion_ != Action::line) return fault("G53 needs G0 or G1");
+  if (!absolute_) return fault("G53 needs absolute coordinates (G90)");
+  const Vec to = named(line, mover_.position(), {});
+  if (!in_range(to)) return;
+  moved_ |= list;
+  if (motion_ == Action::rapid) return rapid_to(to);
+  if (feeds(line, norm(to - mover_.position()))) mover_.line(to);
+}
+
+/// The axes of a head that goes where nobody knows. Axes that never moved stand where the contour supposes them.
+void Interpreter::leave(const Line& line, std::uint32_t list) {
+  note(key_reference, line, left_out);
+  if (!mover_.started()) return;
+  if (away_ == 0) back_ = mover_.position();
+  if ((list & moved_) != 0) away_line_ = line.number;
+  away_ |= list & moved_;
+}
+
+/// While axes are away their places are collected; when all are known again the head goes there: up, across, down, the
+/// last of it as the line says.
+void Interpreter::come_back(const Line& line) {
+  takes(line, axes);
+  const std::string since =
+      ": it went to a point of the machine in line " + std::to_string(away_line_) + " (G28, G30, G53)";
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!line.has(axis_letters[k])) continue;
+    const double by = line[axis_letters[k]] * unit_;
+    if (!absolute_ && (away_ & bit(k)) != 0) {
+      fault(std::string("where the axis ") + axis_letters[k] + " starts is unknown" + since);
+      away_ = 0;
+      return;
+    }
+    back_[k] = by + (absolute_ ? offsets_.origin()[k] : back_[k]);
+    away_ &= ~bit(k);
+  }
+  if (!in_range(back_)) return;
+  if (motion_ != Action::rapid && (away_ != 0 || motion_ != Action::line)) {
+    const char letter = (away_ & letters("X")) != 0 ? 'X' : (away_ & letters("Y")) != 0 ? 'Y' : 'Z';
+    fault(away_ != 0 ? std::string("where the axis ") + letter + " stands is unknown" + since
+                     : "a straight move has to bring the head back" + since);
+    away_ = 0;
+    return mover_.line(back_);
+  }
+  if (away_ != 0) return;
+  const Vec from = mover_.position(), to = back_;
+  mover_.dwell(Mode::position, 0);
+  rapid_to(to.z > from.z ? Vec{from.x, from.y, to.z} : Vec{to.x, to.y, from.z});
+  if (motion_ == Action::rapid)
+    rapid_to(to);
+  else if (feeds(line, norm(to - mover_.position())))
+    mover_.line(to);
+}
+
+}  // namespace bahnwerk::gcode
