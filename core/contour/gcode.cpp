@@ -1,6 +1,8 @@
 #include "core/contour/gcode.hpp"
 
+#include "core/contour/gcode/control.hpp"
 #include "core/contour/gcode/interpreter.hpp"
+#include "core/contour/gcode/parameters.hpp"
 #include "core/contour/gcode/words.hpp"
 
 namespace bahnwerk {
@@ -8,37 +10,90 @@ namespace {
 
 constexpr std::size_t lines_per_report = 256;  // a spline takes up to 0.1 ms
 
-void read(std::string_view text, bool block_delete, gcode::Interpreter& interpreter, Progress& progress) {
-  gcode::Lines lines(text);
-  gcode::Line line;
-  bool began = false, ended = false;
-  while (lines.next(line, block_delete)) {
-    if (line.number % lines_per_report == 0) progress.report("reading", 0);
-    if (ended) {
-      if (line.empty() && line.fault.empty()) continue;
-      return interpreter.rest(line);
+/// The program's lines in their order, up to its end or to where reading on would tell nothing new.
+class Reading {
+ public:
+  Reading(std::string_view text, const GcodeOptions& options, gcode::Interpreter& interpreter, Progress& progress)
+      : options_(options),
+        interpreter_(interpreter),
+        progress_(progress),
+        parameters_(interpreter),
+        lines_(text, &parameters_),
+        control_(text, options, parameters_, lines_, progress) {}
+
+  void read() {
+    if (program()) rest();
+    interpreter_.unset_parameters(parameters_.unset());
+  }
+
+ private:
+  /// False where nothing behind it matters.
+  bool program() {
+    gcode::Line line;
+    bool began = false;
+    for (gcode::Place before = lines_.place(); lines_.next(line, options_.block_delete); before = lines_.place()) {
+      if (++carried_out_ % lines_per_report == 0) progress_.report("reading", 0);
+      if (!control_.spend(line, before)) {
+        interpreter_.refuse(line, "the budget of " + std::to_string(options_.steps) +
+                                      " steps for loops and subprograms is used up: a loop without end, or steps have "
+                                      "to be raised");
+        return false;
+      }
+      if (line.percent) {
+        if (began) return true;
+        continue;
+      }
+      began = began || !line.empty();
+      if (line.flow != gcode::Flow::none && line.fault.empty()) {
+        if (control_.execute(line)) continue;
+        interpreter_.refuse(line, control_.fault());
+        return false;
+      }
+      if (!interpreter_.execute(line)) return interpreter_.ended();
+      if (interpreter_.request().any() && !carry_out(line)) return interpreter_.ended();
     }
-    if (line.percent) {
-      ended = began;
-      continue;
-    }
-    began = began || !line.empty();
-    if (!interpreter.execute(line)) {
-      if (!interpreter.ended()) return;
-      ended = true;
+    if (control_.inside()) interpreter_.refuse(line, "the subprogram has no end (M99)");
+    return false;
+  }
+
+  /// M98, M99.
+  bool carry_out(const gcode::Line& line) {
+    const gcode::Request request = interpreter_.request();
+    if (request.back ? control_.back() : control_.call(request.program, request.repeats)) return true;
+    if (request.back && !control_.inside())
+      interpreter_.end(line);
+    else
+      interpreter_.refuse(line, control_.fault());
+    return false;
+  }
+
+  /// Behind the end only subprograms may follow.
+  void rest() {
+    gcode::Line line;
+    while (!control_.used() && lines_.next(line, options_.block_delete)) {
+      if (++carried_out_ % lines_per_report == 0) progress_.report("reading", 0);
+      if (!line.empty() || !line.fault.empty()) return interpreter_.rest(line);
     }
   }
-}
+
+  const GcodeOptions& options_;
+  gcode::Interpreter& interpreter_;
+  Progress& progress_;
+  gcode::Parameters parameters_;
+  gcode::Lines lines_;
+  gcode::Control control_;
+  std::size_t carried_out_ = 0;
+};
 
 }  // namespace
 
 Contour read_gcode(std::string_view text, const GcodeOptions& options, Progress& progress) {
   gcode::Interpreter interpreter(options, false, progress);
-  read(text, options.block_delete, interpreter, progress);
+  Reading(text, options, interpreter, progress).read();
   if (!interpreter.lifted()) return interpreter.finish();
   // One height throughout, known only now: the same again at height 0.
   gcode::Interpreter flat(options, true, progress);
-  read(text, options.block_delete, flat, progress);
+  Reading(text, options, flat, progress).read();
   Contour contour = flat.finish();
   contour.height = interpreter.height();
   return contour;

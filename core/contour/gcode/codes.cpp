@@ -125,7 +125,8 @@ Code meaning(int tenfold) {
     case 760:
     case 870:
     case 880:
-      return refused("this canned cycle is not supported (G73, G81, G82, G83, G85, G86 and G89 are): program its moves");
+      return refused(
+          "this canned cycle is not supported (G73, G81, G82, G83, G85, G86 and G89 are): program its moves");
     case 950:
       return refused("feed per revolution is not supported: use G94 with F per minute, which needs no spindle speed");
     case 960:

@@ -16,7 +16,7 @@ struct CycleAxes {
 struct Cycle {
   int code = 0;  ///< 81 for G81; 0: none in force
   std::optional<double> r, depth, peck, dwell;
-  bool back_to_start = true;         ///< G98: retract to where the series began, if that is above R
+  bool back_to_start = true;          ///< G98: retract to where the series began, if that is above R
   std::optional<double> start_level;  ///< along the depth axis, mm, of the series in force
 };
 

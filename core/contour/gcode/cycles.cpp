@@ -109,7 +109,8 @@ void Interpreter::drill(const CycleHole& hole) {
   };
   if (cycle_.code == 73 || cycle_.code == 83) {
     std::size_t pecks = 0;
-    for (double level = hole.r - hole.peck; level > hole.bottom; level = hole.r - static_cast<double>(++pecks) * hole.peck - hole.peck) {
+    for (double level = hole.r - hole.peck; level > hole.bottom;
+         level = hole.r - static_cast<double>(++pecks) * hole.peck - hole.peck) {
       if (mover_.builder().segments() > options_.max_segments) return;
       if (pecks % 1024 == 1023) progress_.report("reading", 0);
       feed(level);

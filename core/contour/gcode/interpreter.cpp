@@ -14,7 +14,8 @@ std::string m_name(int m) {
   return text += std::to_string(m);
 }
 
-constexpr const char* printer_text = "words of printers (E, M82, M104, G29 …) skipped: only the head's motion is planned";
+constexpr const char* printer_text =
+    "words of printers (E, M82, M104, G29 …) skipped: only the head's motion is planned";
 
 /// Words of printers' firmware that a machine tool does not know.
 bool printer_m(int m) {
@@ -54,6 +55,7 @@ bool Interpreter::execute(const Line& line) {
   dwell_.reset();
   sound_ = true;
   setting_.reset();
+  request_ = {};
   ends_ = unknown_m_ = starts_cycle_ = false;
   if (line.slash)
     note(key_slash, line, options_.block_delete ? "left out by block delete (/)" : "carried out in spite of its /");
@@ -280,14 +282,29 @@ void Interpreter::m_word(const Line& line, int m) {
       return switched(output_, on, uses_output_);
     }
     case 97:
+      return fault("M97 is not supported: M98 and O words call subprograms");
     case 98:
+      return call(line);
     case 99:
-      return fault(m_name(m) + ": subprograms are not supported");
+      request_.back = true;
+      return;
     default:
       if (printer_m(m)) return printer_word(line);
       unknown_m_ = true;
       return note(key_m + m, line, (m_name(m) + " is not known and ignored").c_str());
   }
+}
+
+void Interpreter::call(const Line& line) {
+  takes(line, letters("PL"));
+  constexpr double most = 1e8;
+  const double program = line.has('P') ? line['P'] : -1, repeats = line.has('L') ? line['L'] : 1;
+  if (!(program >= 0 && program <= most && program == std::floor(program)))
+    return fault("M98 needs the number of a subprogram, P");
+  if (!(repeats >= 0 && repeats <= most && repeats == std::floor(repeats)))
+    return fault("M98: how often, L, must be a whole number");
+  request_.program = static_cast<int>(program);
+  request_.repeats = static_cast<std::size_t>(repeats);
 }
 
 /// Its other letters are its own: M201 X500 moves nothing.
@@ -309,6 +326,22 @@ void Interpreter::leftovers(const Line& line) {
   for (const char letter : std::string_view("XYZIJKRPQL"))
     if (line.has(letter) && (used_ & letters({&letter, 1})) == 0)
       return fault(std::string("the letter ") + letter + " has no meaning here");
+}
+
+void Interpreter::refuse(const Line& line, const std::string& why) {
+  mover_.builder().at_line(line.number);
+  fault(why);
+}
+
+void Interpreter::end(const Line& line) {
+  note(key_endless, line, "M99 would begin the program anew, without end: read once");
+  ends_ = true;
+}
+
+void Interpreter::unset_parameters(const Parameters::Unset& unset) {
+  if (unset.count == 0) return;
+  const std::string text = "the parameter #" + std::to_string(unset.number) + " was read before it was set: taken as 0";
+  notes_.add(key_unset, unset.line, text.c_str(), unset.count);
 }
 
 void Interpreter::rest(const Line& line) { note(key_rest, line, "what follows the end of the program is not read"); }

@@ -10,15 +10,25 @@
 #include "core/contour/gcode/mover.hpp"
 #include "core/contour/gcode/notes.hpp"
 #include "core/contour/gcode/offsets.hpp"
+#include "core/contour/gcode/parameters.hpp"
 #include "core/contour/gcode/words.hpp"
 
 namespace bahnwerk::gcode {
 
 /// Keys of notes: G words tenfold, M words from key_m on.
 inline constexpr int key_dwell = 40, key_reference = 280, key_m = 100'000, key_slash = 200'000, key_output = 200'001,
-                     key_zero_power = 200'002, key_rest = 200'003, key_no_feed = 200'004, key_printer = 200'005;
+                     key_zero_power = 200'002, key_rest = 200'003, key_no_feed = 200'004, key_printer = 200'005,
+                     key_unset = 200'006, key_endless = 200'007;
 
-class Interpreter {
+/// What a line asks of the order of the lines: M98, M99.
+struct Request {
+  int program = -1;
+  std::size_t repeats = 1;
+  bool back = false;
+  bool any() const { return back || program >= 0; }
+};
+
+class Interpreter final : public SystemParameters {
  public:
   Interpreter(const GcodeOptions& options, bool flat, Progress& progress);
 
@@ -26,6 +36,13 @@ class Interpreter {
   bool execute(const Line& line);
 
   bool ended() const { return ends_; }
+  Request request() const { return request_; }
+  /// The program cannot go on at this line.
+  void refuse(const Line& line, const std::string& why);
+  /// M99 in the main program.
+  void end(const Line& line);
+  void unset_parameters(const Parameters::Unset& unset);
+  double system_parameter(int number) const override;
   /// The first line behind the end that is not empty.
   void rest(const Line& line);
 
@@ -47,6 +64,7 @@ class Interpreter {
   void dwell_time(const Line& line);
   void dwell(const Line& line);
   void rest_here(double seconds);
+  void call(const Line& line);
   void feed(const Line& line);
   void leftovers(const Line& line);
   void switched(bool& pair, bool on, bool& used);
@@ -119,7 +137,8 @@ class Interpreter {
   // of the line at hand
   std::uint32_t used_ = 0;
   std::optional<double> dwell_;  // s
-  std::optional<int> setting_;   // G word, tenfold, that takes the line's coordinates
+  Request request_;
+  std::optional<int> setting_;  // G word, tenfold, that takes the line's coordinates
   bool sound_ = true, ends_ = false, unknown_m_ = false, starts_cycle_ = false;
 };
 

@@ -23,11 +23,10 @@ std::optional<Vec> centre_by_radius(Vec from, Vec to, double radius, const ArcMo
   const Vec n = normal(how.plane);
   const Vec way = to - from, chord = way - dot(way, n) * n;
   const double half = 0.5 * norm(chord), size = std::abs(radius);
-  why = !(half > 0)   ? "R cannot tell a full circle: its centre has to be given with I, J, K"
-        : !(size > 0) ? "the radius R is zero"
-        : half - size > how.tolerance
-            ? "the radius R is too small: the end is further away than 2 R"
-            : nullptr;
+  why = !(half > 0)                   ? "R cannot tell a full circle: its centre has to be given with I, J, K"
+        : !(size > 0)                 ? "the radius R is zero"
+        : half - size > how.tolerance ? "the radius R is too small: the end is further away than 2 R"
+                                      : nullptr;
   if (why != nullptr) return std::nullopt;
   // To the left of the chord lies the centre of a counter-clockwise arc of less than half a turn.
   const double height = size > half ? std::sqrt((size - half) * (size + half)) : 0;

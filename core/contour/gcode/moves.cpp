@@ -47,8 +47,8 @@ void Interpreter::move(const Line& line) {
     if (action == Action::reference_point) reference_point(line, *setting_ == 280 ? options_.g28 : options_.g30);
     return;
   }
-  const std::uint32_t own = motion_ == Action::cubic       ? letters("XYZIJPQ")
-                            : motion_ == Action::quadratic ? letters("XYZIJ")
+  const std::uint32_t own = motion_ == Action::cubic                                  ? letters("XYZIJPQ")
+                            : motion_ == Action::quadratic                            ? letters("XYZIJ")
                             : motion_ == Action::arc_cw || motion_ == Action::arc_ccw ? letters("XYZIJKR")
                                                                                       : letters("XYZ");
   if (!line.any(own & ~used_)) {

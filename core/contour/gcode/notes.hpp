@@ -12,12 +12,12 @@ namespace bahnwerk::gcode {
 class Notes {
  public:
   /// `key` names the matter; the text of its first note stays. O(log matters), of which 64 are kept.
-  void add(int key, std::size_t line, const char* text) {
+  void add(int key, std::size_t line, const char* text, std::size_t count = 1) {
     const auto at = entries_.find(key);
     if (at != entries_.end())
-      ++at->second.count;
+      at->second.count += count;
     else if (entries_.size() < most)
-      entries_.emplace(key, Entry{text, line, 1});
+      entries_.emplace(key, Entry{text, line, count});
   }
   /// Replaces the text of a matter that was noted.
   void complete(int key, std::string text) {

@@ -167,4 +167,20 @@ void Interpreter::come_back(const Line& line) {
     mover_.line(to);
 }
 
+/// Positions and offsets as RS274NGC (3.2.1) and LinuxCNC number them; mm, the position in the program's units.
+double Interpreter::system_parameter(int number) const {
+  const auto of = [&](int first, Vec at) { return at[static_cast<std::size_t>(number - first)]; };
+  const auto within = [&](int first) { return number >= first && number < first + 3; };
+  if (within(5161)) return of(5161, options_.g28.value_or(Vec{}));
+  if (within(5181)) return of(5181, options_.g30.value_or(Vec{}));
+  if (within(5211)) return of(5211, offsets_.local());
+  if (number == 5220) return static_cast<double>(offsets_.active() + 1);
+  if (within(5420)) return of(5420, mover_.position() - offsets_.origin()) / unit_;
+  constexpr int first_work = 5221, apart = 20;
+  const int index = (number - first_work) / apart, first = first_work + apart * index;
+  return number >= first_work && index < static_cast<int>(work_offsets) && within(first)
+             ? of(first, offsets_.work(static_cast<std::size_t>(index)))
+             : 0;
+}
+
 }  // namespace bahnwerk::gcode

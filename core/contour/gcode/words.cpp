@@ -1,5 +1,6 @@
 #include "core/contour/gcode/words.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -19,15 +20,16 @@ std::string shown(char c) {
   return text;
 }
 
+constexpr const char* no_parameters = "parameters and expressions are not read here";
+
 /// What a character that begins no word stands for, if that is known.
 std::string strange(char c) {
   switch (c) {
-    case '#':
     case '=':
-      return "parameters (#) are not supported: the numbers themselves have to stand in the program";
+      return "= stands only behind a parameter";
     case '[':
     case ']':
-      return "expressions ([ ]) are not supported: the numbers themselves have to stand in the program";
+      return "an expression stands behind a letter, as its value";
     case ')':
       return "a comment ends that did not begin";
     case '/':
@@ -37,9 +39,44 @@ std::string strange(char c) {
   }
 }
 
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+char capital(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+
+/// Statements of Fanuc's macros, by their first letter and what follows it.
+bool macro_word(char first, const char* at, const char* end) {
+  for (const std::string_view word : {"IF", "GOTO", "WHILE", "END", "THEN", "DO"}) {
+    if (word[0] != first) continue;
+    std::size_t i = 1;
+    while (i < word.size() && at != end && capital(*at) == word[i]) ++i, ++at;
+    if (i == word.size()) return true;
+  }
+  return false;
+}
+
+struct Keyword {
+  std::string_view word;
+  Flow flow;
+};
+constexpr Keyword keywords[] = {{"SUB", Flow::sub},
+                                {"ENDSUB", Flow::endsub},
+                                {"CALL", Flow::call},
+                                {"RETURN", Flow::leave},
+                                {"IF", Flow::branch},
+                                {"ELSEIF", Flow::elseif},
+                                {"ELSE", Flow::otherwise},
+                                {"ENDIF", Flow::endif},
+                                {"WHILE", Flow::loop},
+                                {"ENDWHILE", Flow::endloop},
+                                {"DO", Flow::begin},
+                                {"REPEAT", Flow::repeat},
+                                {"ENDREPEAT", Flow::endrepeat},
+                                {"BREAK", Flow::stop},
+                                {"CONTINUE", Flow::next}};
+
 }  // namespace
 
-Lines::Lines(std::string_view text) : at_(text.data()), end_(text.data() + text.size()) {
+Lines::Lines(std::string_view text, Parameters* parameters)
+    : at_(text.data()), end_(text.data() + text.size()), parameters_(parameters) {
   if (text.substr(0, 3) == "\xEF\xBB\xBF") at_ += 3;  // byte order mark
 }
 
@@ -57,6 +94,7 @@ bool Lines::next(Line& line, bool skip_slash) {
   line.letters_ = 0;
   line.g_count = line.m_count = 0;
   line.slash = line.percent = false;
+  line.flow = Flow::none;
   line.fault.clear();
   skip_blanks();
   if (at_ != end_ && *at_ == '%') {
@@ -70,11 +108,141 @@ bool Lines::next(Line& line, bool skip_slash) {
     if (skip_slash) skip_line();
   }
   words(line);
-  if (!line.fault.empty() && line.has('O'))
-    line.fault = "subprograms and O words that steer the program are not supported";
+  if (!assigned_.empty()) {
+    for (const auto& [to, value] : assigned_)
+      if (to.name.empty())
+        parameters_->set(to.number, value);
+      else if (!parameters_->set(to.name, value))
+        line.fault = "more than 10000 names of parameters at a time";
+    assigned_.clear();
+  }
+  skip_line();
+  line.end = at_;
+  end_line();
+  return true;
+}
+
+void Lines::end_line() {
   skip_line();
   if (at_ != end_ && *at_++ == '\r' && at_ != end_ && *at_ == '\n') ++at_;
+}
+
+bool Lines::next_label(Line& line) {
+  if (at_ == end_) return false;
+  line.number = ++number_;
+  line.letters_ = 0;
+  line.flow = Flow::none;
+  line.slash = false;
+  line.label.clear();
+  skip_blanks();
+  if (at_ != end_ && *at_ == '/') {
+    line.slash = true;
+    ++at_;
+    skip_blanks();
+    if (at_ != end_ && *at_ >= '1' && *at_ <= '9') ++at_;
+    skip_blanks();
+  }
+  for (; at_ != end_ && *at_ == '('; skip_blanks()) comment(line);
+  if (at_ != end_ && capital(*at_) == 'N') {
+    ++at_;
+    while (at_ != end_ && (blank(*at_) || part_of_number(*at_))) ++at_;
+  }
+  if (at_ != end_ && (capital(*at_) == 'O' || *at_ == ':')) {
+    ++at_;
+    skip_blanks();
+    // A computed label is none to go to.
+    if (at_ != end_ && *at_ != '[' && *at_ != '#') label(line);
+    line.fault.clear();
+  }
+  end_line();
   return true;
+}
+
+/// Behind the letter O: a number or a name, and what it does. False: nothing more of the line is to be read.
+bool Lines::label(Line& line) {
+  line.letters_ |= letters("O");
+  line.values_['O' - 'A'] = 0;
+  line.label.clear();
+  skip_blanks();
+  const char* first = at_;
+  if (at_ != end_ && (*at_ == '<' || *at_ == '[' || *at_ == '#')) {
+    if (*at_ == '<') {
+      for (++at_; at_ != end_ && !end_of_line(*at_) && *at_ != '>'; ++at_)
+        if (!blank(*at_)) line.label += capital(*at_);
+      if (at_ != end_ && *at_ == '>')
+        ++at_;
+      else
+        line.fault = "a name does not end: > is missing";
+    } else {
+      double value = 0;
+      if (!computed(line, value)) return false;
+      if (value >= 0 && value < 1e9) line.label = std::to_string(std::lround(value));
+    }
+    if (line.label.empty() && line.fault.empty()) line.fault = "an O word needs a number or a name";
+    if (!line.fault.empty()) return false;
+  } else {
+    while (at_ != end_ && (part_of_number(*at_) || blank(*at_))) {
+      if (!blank(*at_) && !(line.label.empty() && *at_ == '0')) line.label += *at_;
+      ++at_;
+    }
+    if (line.label.empty()) {
+      if (std::find(first, at_, '0') == at_) {
+        line.fault = "the letter O has no number";
+        return false;
+      }
+      line.label = "0";
+    }
+  }
+  skip_blanks();
+  const char* word = at_;
+  while (word != end_ && is_letter(*word)) ++word;
+  for (const Keyword& keyword : keywords) {
+    const auto size = static_cast<std::size_t>(word - at_);
+    if (size != keyword.word.size() ||
+        !std::equal(at_, word, keyword.word.begin(), [](char a, char b) { return capital(a) == b; }))
+      continue;
+    line.flow = keyword.flow;
+    line.arguments = at_ = word;
+    return false;
+  }
+  return true;
+}
+
+/// Behind a #.
+bool Lines::assignment(Line& line) {
+  const char* end = at_;
+  while (end != end_ && !end_of_line(*end)) ++end;
+  if (parameters_ == nullptr) {
+    line.fault = no_parameters;
+    return false;
+  }
+  Expression expression(at_, end, number_, *parameters_);
+  Expression::Reference to;
+  double value = 0;
+  const bool read = expression.reference(to) && expression.next_is('=') && expression.value(value);
+  at_ = expression.at();
+  if (!read)
+    line.fault = expression.fault().empty() ? "a parameter (#) stands behind a letter, or gets its value with ="
+                                            : expression.fault();
+  else if (Parameters::system(to.number) && to.name.empty())
+    line.fault = "the parameters #5161 to #5602 are kept by the control: they cannot be set";
+  else
+    assigned_.emplace_back(std::move(to), value);
+  return line.fault.empty();
+}
+
+/// A value that is no plain number.
+bool Lines::computed(Line& line, double& value) {
+  const char* end = at_;
+  while (end != end_ && !end_of_line(*end)) ++end;
+  if (parameters_ == nullptr) {
+    line.fault = no_parameters;
+    return false;
+  }
+  Expression expression(at_, end, number_, *parameters_);
+  if (!expression.value(value)) line.fault = expression.fault();
+  at_ = expression.at();
+  return line.fault.empty();
 }
 
 void Lines::words(Line& line) {
@@ -87,13 +255,22 @@ void Lines::words(Line& line) {
       if (!comment(line)) return;
       continue;
     }
-    const char letter = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c == ':' ? 'O' : c;
+    if (c == '#') {
+      ++at_;
+      if (!assignment(line)) return;
+      continue;
+    }
+    const char letter = c == ':' ? 'O' : capital(c);
     if (letter < 'A' || letter > 'Z') {
       line.fault = strange(c);
       return;
     }
     ++at_;
-    if (!word(line, letter)) return;
+    if (letter == 'O' && !line.has('O') && line.g_count + line.m_count == 0) {
+      if (!label(line)) return;
+    } else if (!word(line, letter)) {
+      return;
+    }
   }
 }
 
@@ -124,7 +301,7 @@ bool Lines::word(Line& line, char letter) {
       return false;
     }
     list[count++] = static_cast<int>(code);
-    return true;
+    return letter == 'G' || (code != 117 && code != 118);  // a printer's message: text follows
   }
   if (line.has(letter)) {
     line.fault = std::string("the letter ") + letter + " stands twice";
@@ -164,9 +341,19 @@ bool Lines::number(Line& line, char letter, double& value) {
     last = first + size;
   }
   if (first == last) {
-    const bool odd = at_ != end_ && (*at_ == '#' || *at_ == '[');
-    line.fault = odd ? strange(*at_) : std::string("the letter ") + letter + " has no number";
-    if (letter == 'O') line.letters_ |= letters("O");
+    const char c = at_ == end_ ? '\n' : *at_;
+    if (c != '#' && c != '[' && !is_letter(c)) {
+      line.fault = std::string("the letter ") + letter + " has no number";
+      return false;
+    }
+    if (macro_word(letter, at_, end_)) {
+      line.fault = "statements of macros (IF, WHILE, GOTO …) are not supported: O words are (O100 IF, O100 WHILE …)";
+      return false;
+    }
+    if (!computed(line, value)) return false;
+    if (negative) value = -value;
+    if (std::abs(value) <= largest) return true;
+    line.fault = std::string("the number of ") + letter + " is out of range (largest: 1e9)";
     return false;
   }
   const auto [stop, error] = std::from_chars(first, last, value, std::chars_format::fixed);

@@ -5,8 +5,32 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/contour/gcode/expression.hpp"
 
 namespace bahnwerk::gcode {
+
+/// What an O word does to the order of the lines.
+enum class Flow : std::uint8_t {
+  none,
+  sub,
+  endsub,
+  call,
+  leave,
+  branch,
+  elseif,
+  otherwise,
+  endif,
+  loop,
+  endloop,
+  begin,
+  repeat,
+  endrepeat,
+  stop,
+  next
+};
 
 /// One line of a program. G and M words are lists, every other letter has at most one number.
 struct Line {
@@ -17,9 +41,13 @@ struct Line {
   std::size_t g_count = 0;  ///< g holds tenfold numbers: G5.1 is 51
   std::array<int, max_codes> m{};
   std::size_t m_count = 0;
-  bool slash = false;    ///< begins with /
-  bool percent = false;  ///< begins with %
-  std::string fault;     ///< the first thing that is not a word; empty = none
+  bool slash = false;               ///< begins with /
+  bool percent = false;             ///< begins with %
+  Flow flow = Flow::none;           ///< with its label; nothing else of the line is read
+  const char* arguments = nullptr;  ///< what follows it
+  const char* end = nullptr;        ///< of the line
+  std::string label;                ///< of an O word: its name, or its number without leading zeros
+  std::string fault;                ///< the first thing that is not a word; empty = none
 
   bool has(char letter) const { return (letters_ >> (letter - 'A')) & 1U; }
   double operator[](char letter) const { return values_[static_cast<std::size_t>(letter - 'A')]; }
@@ -39,15 +67,32 @@ constexpr std::uint32_t letters(std::string_view list) {
   return mask;
 }
 
-/// Walks through a text, O(bytes). Numbers are decimal, without exponent, within ±1e9, whatever the locale.
+/// A place between two lines of a text.
+struct Place {
+  const char* at = nullptr;
+  std::size_t number = 0;  ///< of the line before it
+};
+
+/// Walks through a text, O(bytes). Numbers are decimal, without exponent, within ±1e9, whatever the locale. What a line
+/// gives to parameters holds from the next one on.
 class Lines {
  public:
-  explicit Lines(std::string_view text);
+  /// Without parameters, whatever asks for them is a fault.
+  explicit Lines(std::string_view text, Parameters* parameters = nullptr);
   /// False at the end of the text. With `skip_slash` the words of a line that begins with / are not read.
   bool next(Line& line, bool skip_slash);
 
+  Place place() const { return {at_, number_}; }
+  void go(Place place) { at_ = place.at, number_ = place.number; }
+  /// The O word of the next line, if it has one: label and flow alone, the rest of the line is not looked at.
+  bool next_label(Line& line);
+
  private:
   void words(Line& line);
+  bool label(Line& line);
+  bool assignment(Line& line);
+  bool computed(Line& line, double& value);
+  void end_line();
   bool word(Line& line, char letter);
   bool number(Line& line, char letter, double& value);
   bool comment(Line& line);
@@ -56,6 +101,8 @@ class Lines {
 
   const char *at_, *end_;
   std::size_t number_ = 0;
+  Parameters* parameters_;
+  std::vector<std::pair<Expression::Reference, double>> assigned_;  // by the line at hand
 };
 
 }  // namespace bahnwerk::gcode

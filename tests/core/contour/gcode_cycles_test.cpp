@@ -42,8 +42,7 @@ TEST(GcodeCycles, EachIsItsMoves) {
   const std::string at = head + "G0 X4 Y5\nZ2\n", end = "G0 Z3\n";
   expect_same(head + "G81 X4 Y5 R2 Z-1", at + "G1 Z-1\n" + end);
   expect_same(head + "G82 X4 Y5 R2 Z-1 P0.5", at + "G1 Z-1\nG4 P.5\n" + end);
-  expect_same(head + "G83 X4 Y5 R2 Z-1 Q1.25",
-              at + "G1 Z.75\nG0 Z2\nZ1.004\nG1 Z-.5\nG0 Z2\nZ-.246\nG1 Z-1\n" + end);
+  expect_same(head + "G83 X4 Y5 R2 Z-1 Q1.25", at + "G1 Z.75\nG0 Z2\nZ1.004\nG1 Z-.5\nG0 Z2\nZ-.246\nG1 Z-1\n" + end);
   expect_same(head + "G73 X4 Y5 R2 Z-1 Q1.25", at + "G1 Z.75\nG0 Z1.004\nG1 Z-.5\nG0 Z-.246\nG1 Z-1\n" + end);
   expect_same(head + "G73 X4 Y5 R2 Z-1 Q1.5", at + "G1 Z.5\nG0 Z.754\nG1 Z-1\n" + end);
   expect_same(head + "G85 X4 Y5 R2 Z-1", at + "G1 Z-1\nZ3");

@@ -41,7 +41,8 @@ TEST(GcodeOffsets, AreZeroAndNotedWhereTheDocumentIsSilent) {
 
 TEST(GcodeOffsets, TheProgramSetsThem) {
   // L2 in machine coordinates, L20 so that the head stands there.
-  const Contour c = read_gcode("F60 G10 L2 P2 X10 Y20 Z30\nG0 X0 Y0 Z0\nG55 G1 X1 Y0 Z0\nG10 L20 P0 X0 Y0\nX1\nG54 X0 Y0 Z0");
+  const Contour c =
+      read_gcode("F60 G10 L2 P2 X10 Y20 Z30\nG0 X0 Y0 Z0\nG55 G1 X1 Y0 Z0\nG10 L20 P0 X0 Y0\nX1\nG54 X0 Y0 Z0");
   expect_near(end_of(c.path[0]), {11, 20, 30}, 0);
   EXPECT_EQ(begin_of(c), (Vec{0, 0, 0}));
   expect_near(end_of(c.path[1]), {12, 20, 30}, 0);
@@ -100,8 +101,8 @@ TEST(GcodeOffsets, AKnownPointOfTheMachineIsReached) {
 
 TEST(GcodeOffsets, AnUnknownOneStopsTheHead) {
   // A change of tools, as it is written: the head goes on from where it stood, up before it goes across.
-  const Contour c = read_gcode(
-      "F60 G0 X0 Y0 Z5\nG1 Z-2\nX20\nG91 G28 Z0\nT2 M6\nG90 G0 X40 Y10\nG43 H2 Z5\nG1 Z-2\nG91 G30 Z0\nM30");
+  const Contour c =
+      read_gcode("F60 G0 X0 Y0 Z5\nG1 Z-2\nX20\nG91 G28 Z0\nT2 M6\nG90 G0 X40 Y10\nG43 H2 Z5\nG1 Z-2\nG91 G30 Z0\nM30");
   ASSERT_EQ(c.path.size(), 5u);
   expect_joined(c);
   expect_near(end_of(c.path[1]), {20, 0, -2}, 0);

@@ -102,15 +102,13 @@ TEST(GcodeWords, WhatIsNoNumberIsAFault) {
         "X99999999999",
         "X1 2 3 4 5 6 7 8 9 0 1 2 3 4 5 6 7 8 9 0 1 2 3 4 5 6 7 8 9 0 1 2 3 4 5 6 7 8 9 0 1 2 3 4 5 6 7 "
         "8 9 0 1 2 3 4 5 6 7 8 9 0 1 2 3 4 5 6 7 8 9",
-        "o100 sub",
-        "o<name> call",
-        "O100 IF [1]"}) {
+        "o<name call",
+        "o<> call",
+        "O",
+        "O[1] call"}) {
     const Line line = only(text);
     EXPECT_TRUE(!line.fault.empty() || line.has('E')) << text;  // E is a letter like any other, of no meaning
   }
-  EXPECT_NE(only("o<name> call").fault.find("subprogram"), std::string::npos);
-  EXPECT_NE(only("X#1").fault.find("parameter"), std::string::npos);
-  EXPECT_NE(only("X[1]").fault.find("expression"), std::string::npos);
   EXPECT_EQ(only("N123456789012345 X1").fault, "");
   EXPECT_EQ(only("X" + std::string(300, '0') + "1").fault, "");
 }
