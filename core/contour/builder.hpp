@@ -25,8 +25,9 @@ class ContourBuilder {
   ContourBuilder(std::size_t dimension, Vec start, std::string reader = {});
 
   void at_line(std::size_t number) { line_ = number; }  ///< counted from 1; also the `source` of path segments
-  void start(Vec at) { position_ = at; }                ///< where the contour starts, if only known now: no segment yet
-  void block(Mode mode, double feed);                   ///< mm/s; infinity = limited by the axes alone
+  std::size_t line() const { return line_; }
+  void start(Vec at) { position_ = at; }  ///< where the contour starts, if only known now: no segment yet
+  void block(Mode mode, double feed);     ///< mm/s; infinity = limited by the axes alone
   void line(Vec to);
   /// `normal` points to the viewer who sees the sense of rotation. Different heights along it make a helix.
   /// The radii at both ends may differ by `tolerance`, mm (Arc::through). After a fault the contour stands at `to`, so

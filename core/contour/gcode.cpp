@@ -23,7 +23,7 @@ class Reading {
 
   void read() {
     if (program()) rest();
-    interpreter_.unset_parameters(parameters_.unset());
+    interpreter_.close(parameters_.unset());
   }
 
  private:

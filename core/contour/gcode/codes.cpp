@@ -105,12 +105,10 @@ Code meaning(int tenfold) {
       return {Group::compensation, Action::compensation_off, ""};
     case 410:
     case 411:
-      return {Group::compensation, Action::compensation_left,
-              "cutter radius compensation is not supported: program the path of the tool's centre, with G40"};
+      return {Group::compensation, Action::compensation_left, ""};
     case 420:
     case 421:
-      return {Group::compensation, Action::compensation_right,
-              "cutter radius compensation is not supported: program the path of the tool's centre, with G40"};
+      return {Group::compensation, Action::compensation_right, ""};
     case 730:
     case 810:
     case 820:

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <string_view>
 
+#include "core/contour/gcode/characters.hpp"
+
 namespace bahnwerk::gcode {
 namespace {
 
@@ -15,9 +17,6 @@ constexpr double equal = 1e-6;  // EQ, NE
 constexpr std::size_t max_name = 256;
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-bool blank(char c) { return c == ' ' || c == '\t'; }
-bool digit(char c) { return (c >= '0' && c <= '9') || c == '.'; }
-bool letter(char c) { return lower(c) >= 'a' && lower(c) <= 'z'; }
 
 enum Operator { power, times, divided, modulo, plus, minus, eq, ne, gt, ge, lt, le, land, lor, lxor };
 constexpr std::string_view names[] = {"**", "*",  "/",  "mod", "+",   "-",  "eq", "ne",
@@ -93,7 +92,7 @@ bool Expression::next_is(char c) {
 bool Expression::value(double& result) {
   skip_blanks();
   if (at_ == end_) return fail("a value is missing");
-  if (digit(*at_)) return number(result);
+  if (part_of_number(*at_)) return number(result);
   if (++depth_ > max_depth) return fail("more than 32 brackets or parameters in one another");
   bool read = false;
   if (*at_ == '+' || *at_ == '-') {
@@ -106,7 +105,7 @@ bool Expression::value(double& result) {
   } else if (*at_ == '#') {
     ++at_;
     read = parameter(result);
-  } else if (letter(*at_)) {
+  } else if (is_letter(*at_)) {
     read = function(result);
   } else {
     read = fail("a value is missing");
@@ -118,7 +117,7 @@ bool Expression::value(double& result) {
 bool Expression::number(double& result) {
   std::array<char, 64> text;
   std::size_t size = 0;
-  for (; at_ != end_ && (digit(*at_) || blank(*at_)); ++at_) {
+  for (; at_ != end_ && (part_of_number(*at_) || blank(*at_)); ++at_) {
     if (blank(*at_)) continue;
     if (size == text.size()) return fail("a number is too long");
     text[size++] = *at_;
@@ -168,7 +167,7 @@ bool Expression::parameter(double& result) {
 bool Expression::function(double& result) {
   std::array<char, 8> word;
   std::size_t size = 0;
-  while (at_ != end_ && letter(*at_) && size < word.size()) word[size++] = lower(*at_++);
+  while (at_ != end_ && is_letter(*at_) && size < word.size()) word[size++] = lower(*at_++);
   const std::string_view name(word.data(), size);
   for (std::size_t f = 0; f < std::size(functions); ++f) {
     if (functions[f] != name) continue;

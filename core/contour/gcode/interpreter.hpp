@@ -1,13 +1,14 @@
 #pragma once
-/// Gives the words of a part program their meaning, line by line, and drives a Mover with them.
+/// Gives the words of a part program their meaning, line by line, and drives a Mover with them, by way of the
+/// compensation of the cutter's radius.
 #include <cstdint>
 #include <optional>
 #include <string>
 
 #include "core/contour/gcode.hpp"
 #include "core/contour/gcode/codes.hpp"
+#include "core/contour/gcode/compensation.hpp"
 #include "core/contour/gcode/cycle.hpp"
-#include "core/contour/gcode/mover.hpp"
 #include "core/contour/gcode/notes.hpp"
 #include "core/contour/gcode/offsets.hpp"
 #include "core/contour/gcode/parameters.hpp"
@@ -41,7 +42,8 @@ class Interpreter final : public SystemParameters {
   void refuse(const Line& line, const std::string& why);
   /// M99 in the main program.
   void end(const Line& line);
-  void unset_parameters(const Parameters::Unset& unset);
+  /// No more lines come.
+  void close(const Parameters::Unset& unset);
   double system_parameter(int number) const override;
   /// The first line behind the end that is not empty.
   void rest(const Line& line);
@@ -54,13 +56,13 @@ class Interpreter final : public SystemParameters {
   Contour finish();
 
  private:
-  // interpreter.cpp: words, modes, switches
+  // interpreter.cpp: words and modes; switches.cpp: M words, dwells, printers
   void g_words(const Line& line);
   void g_word(const Line& line, int tenfold);
   void use_plane(Plane plane);
   void m_words(const Line& line);
   void m_word(const Line& line, int m);
-  void printer_word(const Line& line);
+  void printer_word(const Line& line, std::uint32_t words = ~0U);
   void dwell_time(const Line& line);
   void dwell(const Line& line);
   void rest_here(double seconds);
@@ -89,6 +91,8 @@ class Interpreter final : public SystemParameters {
   void select_work_offset(const Line& line, int tenfold);
   void set_data(const Line& line);
   void set_position(const Line& line);
+  void compensate(const Line& line);
+  std::optional<double> cutter_radius(const Line& line, bool by_diameter);
   void reference_point(const Line& line, const std::optional<Vec>& point);
   void machine_coordinates(const Line& line);
   void leave(const Line& line, std::uint32_t axes);
@@ -109,7 +113,7 @@ class Interpreter final : public SystemParameters {
 
   const GcodeOptions options_;
   Progress& progress_;
-  Mover mover_;
+  Compensation mover_;
   Notes notes_;
   Offsets offsets_;
 
@@ -126,6 +130,7 @@ class Interpreter final : public SystemParameters {
   std::optional<int> switch_output_;
   std::optional<Vec> last_handle_;  // of the G5 before: P Q
   Cycle cycle_;
+  int tool_ = 0;             // T
   double dwelt_ = 0;         // s, of all dwells
   std::uint32_t moved_ = 0;  // letters of the axes that moves have named
 
@@ -138,7 +143,8 @@ class Interpreter final : public SystemParameters {
   std::uint32_t used_ = 0;
   std::optional<double> dwell_;  // s
   Request request_;
-  std::optional<int> setting_;  // G word, tenfold, that takes the line's coordinates
+  std::optional<int> compensation_;  // G word, tenfold
+  std::optional<int> setting_;       // G word, tenfold, that takes the line's coordinates
   bool sound_ = true, ends_ = false, unknown_m_ = false, starts_cycle_ = false;
 };
 

@@ -1,4 +1,5 @@
-// Where the program's zero lies (G54 … G59.3, G10, G52, G92), and points of the machine (G28, G30, G53).
+// Where the program's zero lies (G54 … G59.3, G10, G52, G92), points of the machine (G28, G30, G53), and on which side
+// of the contour the cutter goes (G40, G41, G42).
 #include <cmath>
 
 #include "core/contour/gcode/interpreter.hpp"
@@ -165,6 +166,45 @@ void Interpreter::come_back(const Line& line) {
     rapid_to(to);
   else if (feeds(line, norm(to - mover_.position())))
     mover_.line(to);
+}
+
+/// By D number, or by that of the tool; G41.1 and G42.1 have the diameter itself.
+std::optional<double> Interpreter::cutter_radius(const Line& line, bool by_diameter) {
+  const bool given = takes(line, letters("D"));
+  if (by_diameter) {
+    if (!given) fault("G41.1 and G42.1 need the cutter's diameter D");
+    return given ? std::optional(line['D'] * unit_ / 2) : std::nullopt;
+  }
+  const double number = given ? line['D'] : tool_;
+  if (!(number >= 0 && number <= 999'999 && number == std::floor(number))) {
+    fault("D is the number of a cutter, a whole one from 0 to 999999");
+    return std::nullopt;
+  }
+  const auto at = options_.cutter_radius.find(static_cast<int>(number));
+  if (at != options_.cutter_radius.end()) return at->second;
+  if (given && number == 0) return 0;
+  fault(given ? "the document gives no cutter_radius for D" + std::to_string(static_cast<int>(number))
+              : "G41 and G42 need the number D of a cutter, or a tool T whose cutter_radius the document gives (T" +
+                    std::to_string(tool_) + ")");
+  return std::nullopt;
+}
+
+void Interpreter::compensate(const Line& line) {
+  if (line.has('T') && line['T'] >= 0 && line['T'] <= 999'999) tool_ = static_cast<int>(line['T']);
+  if (!compensation_) return;
+  const Action action = meaning(*compensation_).action;
+  if (action == Action::compensation_off) return mover_.end();
+  const auto radius = cutter_radius(line, *compensation_ % 10 != 0);
+  if (!radius) return;
+  const double aside = action == Action::compensation_left ? *radius : -*radius;
+  if (mover_.on()) {
+    if (aside != mover_.aside()) fault("cutter radius compensation is on: to change it, switch it off (G40) before");
+    return;
+  }
+  if (plane_ != Plane::xy) return fault("cutter radius compensation lies in the plane of G17");
+  if (away_ != 0)
+    return fault("where cutter radius compensation begins is unknown after a move to a point of the machine");
+  if (std::abs(aside) > 0) mover_.begin(aside);
 }
 
 /// Positions and offsets as RS274NGC (3.2.1) and LinuxCNC number them; mm, the position in the program's units.

@@ -9,7 +9,7 @@ namespace {
 TEST(GcodeFaults, RefusedWords) {
   for (const char* word : {"G41 D1",
                            "G42",
-                           "G41.1 D1",
+                           "G41.1",
                            "G95",
                            "G96",
                            "G92",
@@ -148,9 +148,10 @@ TEST(GcodeFaults, SayWhatIsWrong) {
     const auto faults = gcode_faults(text);
     return faults.empty() ? std::string() : faults.front().message;
   };
+  EXPECT_EQ(message("G1 X1\nG41 D3 X2"), "line 2: the document gives no cutter_radius for D3");
   EXPECT_EQ(
-      message("G1 X1\nG41 X2"),
-      "line 2: G41: cutter radius compensation is not supported: program the path of the tool's centre, with G40");
+      message("G1 X1\nX2 G95"),
+      "line 2: G95: feed per revolution is not supported: use G94 with F per minute, which needs no spindle speed");
   EXPECT_EQ(message("\n\nX5"), "line 3: coordinates without a motion: none of G0 … G3, G5, G5.1 is in force");
   EXPECT_EQ(message("G0 X10 Y0\nG3 X0 Y12 I-10"),
             "line 2: the arc's radii at start and end differ by more than the tolerance");

@@ -1,0 +1,138 @@
+// What a line says beside its motion: M words, dwells, words of printers.
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "core/contour/gcode/interpreter.hpp"
+
+namespace bahnwerk::gcode {
+namespace {
+
+std::string m_name(int m) {
+  std::string text(1, 'M');
+  return text += std::to_string(m);
+}
+
+constexpr const char* printer_text =
+    "words of printers (E, M82, M104, G29 …) skipped: only the head's motion is planned";
+
+/// Words of printers' firmware that a machine tool does not know.
+bool printer_m(int m) {
+  return m == 17 || m == 18 || m == 73 || (m >= 82 && m <= 85) || m == 92 || (m >= 104 && m <= 119) ||
+         (m >= 140 && m <= 150) || (m >= 190 && m <= 192) || (m >= 200 && m <= 229) || (m >= 240 && m <= 360) ||
+         (m >= 400 && m <= 429) || (m >= 500 && m <= 605) || (m >= 851 && m <= 928);
+}
+
+}  // namespace
+
+/// Its time is P, in other dialects X, U, F or S; then it is no coordinate, feed or speed. Always seconds: the dialects
+/// that mean milliseconds write the same words.
+void Interpreter::dwell_time(const Line& line) {
+  if (dwell_) return fault("two dwells (G4) in one line");
+  dwell_ = 0;  // none given: it only stops
+  for (const char letter : std::string_view("PXUFS"))
+    if (takes(line, letters({&letter, 1}))) {
+      dwell_ = line[letter];
+      break;
+    }
+  if (!line.has('P') && line.any(letters("YZ"))) fault("a dwell takes no coordinates: give its time with P");
+}
+
+/// Behind the line's switches and before its motion.
+void Interpreter::dwell(const Line& line) {
+  if (!dwell_) return;
+  if (!(*dwell_ >= 0 && *dwell_ <= longest_rest)) return fault("a dwell (G4) lasts between 0 and 86400 s");
+  rest_here(*dwell_);
+  note(key_dwell, line, "");
+}
+
+/// It is part of the cut if the tool is on; where nothing switches the tool, if what moves is no G0.
+void Interpreter::rest_here(double seconds) {
+  const bool on = spindle_ && output_, moves = motion_ != Action::rapid && motion_ != Action::no_motion;
+  dwelt_ += seconds;
+  mover_.dwell(on && (moves || uses_spindle_ || uses_output_) ? Mode::cut : Mode::position, seconds);
+}
+
+void Interpreter::m_words(const Line& line) {
+  for (std::size_t i = 0; i < line.m_count; ++i) m_word(line, line.m[i]);
+  if (line.has('S') && line['S'] == 0 && (used_ & letters("S")) == 0 && uses_spindle_ && spindle_)
+    note(key_zero_power, line, "S0 does not switch the tool off, M5 does");
+}
+
+void Interpreter::switched(bool& pair, bool on, bool& used) {
+  if (on && !used) mover_.first_switch(), used = true;
+  if (used) pair = on;  // a program that only ever switches off has no switch
+}
+
+void Interpreter::m_word(const Line& line, int m) {
+  const auto with = [&](int other) {
+    return std::find(line.m.begin(), line.m.begin() + static_cast<std::ptrdiff_t>(line.m_count), other) !=
+           line.m.begin() + static_cast<std::ptrdiff_t>(line.m_count);
+  };
+  switch (m) {
+    case 0:
+    case 1:
+    case 60:
+      return note(key_m, line, "stop (M0, M1) ignored");
+    case 2:
+    case 30:
+      ends_ = true;
+      return;
+    case 3:
+    case 4:
+    case 5:
+      if (m == 5 && (with(3) || with(4))) return fault("M5 contradicts another M word of the line");
+      return switched(spindle_, m != 5, uses_spindle_);
+    case 6:
+      return note(key_m + 6, line, "tool change (M6) ignored");
+    case 7:
+    case 8:
+    case 9:  // coolant
+    case 48:
+    case 49:  // overrides
+      return;
+    case 62:
+    case 63:
+    case 64:
+    case 65: {
+      const int output = takes(line, letters("P")) ? static_cast<int>(line['P']) : 0;
+      if (!switch_output_) switch_output_ = output;
+      if (output != *switch_output_)
+        return note(key_output, line, "another output than the tool's switch ignored (M62 … M65)");
+      const bool on = m == 62 || m == 64;
+      if (!on && (with(62) || with(64))) return fault("an output cannot be switched on and off in one line");
+      return switched(output_, on, uses_output_);
+    }
+    case 97:
+      return fault("M97 is not supported: M98 and O words call subprograms");
+    case 98:
+      return call(line);
+    case 99:
+      request_.back = true;
+      return;
+    default:
+      if (printer_m(m)) return printer_word(line);
+      unknown_m_ = true;
+      return note(key_m + m, line, (m_name(m) + " is not known and ignored").c_str());
+  }
+}
+
+void Interpreter::call(const Line& line) {
+  takes(line, letters("PL"));
+  constexpr double most = 1e8;
+  const double program = line.has('P') ? line['P'] : -1, repeats = line.has('L') ? line['L'] : 1;
+  if (!(program >= 0 && program <= most && program == std::floor(program)))
+    return fault("M98 needs the number of a subprogram, P");
+  if (!(repeats >= 0 && repeats <= most && repeats == std::floor(repeats)))
+    return fault("M98: how often, L, must be a whole number");
+  request_.program = static_cast<int>(program);
+  request_.repeats = static_cast<std::size_t>(repeats);
+}
+
+/// Its other letters are its own: M201 X500 moves nothing.
+void Interpreter::printer_word(const Line& line, std::uint32_t words) {
+  takes(line, words);
+  note(key_printer, line, printer_text);
+}
+
+}  // namespace bahnwerk::gcode
