@@ -1,6 +1,6 @@
 #pragma once
 /// Reads a part program in G-code, the dialect of RS-274 [Kramer, Proctor, Messina: The NIST RS274NGC Interpreter,
-/// version 3, NISTIR 6556, 2000], with the splines of LinuxCNC (G5, G5.1).
+/// version 3, NISTIR 6556, 2000], with what LinuxCNC has added to it: splines, expressions, O words.
 ///
 /// Motion
 /// - G0 and G1 are straight. G2 and G3 are arcs in G17, G18 or G19, with I J K (from the arc's start, or absolute after
@@ -11,31 +11,58 @@
 /// - Rounding: the radii at both ends of an arc may differ by 0.01 mm, in inches by 0.0005 in (coordinates cut off
 ///   behind their fourth decimal). The centre then moves to the chord's bisector. An R that is too small for its chord
 ///   by no more than that makes a half circle.
+/// - Canned cycles G73, G81, G82, G83, G85, G86, G89 as RS274NGC 3.5.16 has them, with R, Z, Q, P that hold, L, G98 and
+///   G99, in any plane. G73 draws back by 0.254 mm, G83 comes back to 0.254 mm above the bottom. R and Z that hold stay
+///   the levels, or with G91 the increments, that they were in their own line.
+/// - G41 and G42 move lines and arcs of G17 aside by the radius that the options give for the number D, or for the tool
+///   T; G41.1 and G42.1 by half of the diameter D (gcode/compensation.hpp).
+///
+/// Place
+/// - G54 … G59.3 with offsets from the options or from G10 L2, L20; zero where there are none, which is noted (G54:
+/// only
+///   if others are given). G52 and G92 (.1, .2, .3) share one offset on top of them, as with LinuxCNC. The contour is
+///   in the coordinates of the machine; without offsets these are the program's.
+/// - Where the machine stands before is unknown. The contour starts where G92 X Y says, or at the end of the first
+///   motion if that is G0 in G90 with X and Y, else at the program's zero. It has 3 coordinates if any motion changes
+///   Z, else 2 and one height.
+/// - G28 and G30 go to points that the options give, G53 moves in machine coordinates if the work offset in force is
+///   known. Otherwise nobody knows where the head goes: the move is left out with a note, and the head stops. Axes that
+///   went away have to be named by straight moves in G90 before anything is cut; the contour then goes on from where it
+///   stood: up, across, down. Before the first motion, behind the last one, and for axes that no move names, the note
+///   is all.
 ///
 /// Cut or position
 /// - G0 always positions, without a feed limit. Other moves cut while the tool is on: M3 or M4 on, M5 off; M62 or M64
 ///   on, M63 or M65 off. A program that uses both pairs cuts while both are on; both are off until they are first
 ///   switched on. A program that switches nothing on cuts whatever is not G0. Switches act before their line's motion.
-/// - F is in program units per minute. Before the first F only the axes limit the feed, which is noted. Other moves
-///   than G0 keep F with the tool off.
+/// - F is in program units per minute; after G93 in 1/min, for its own line alone: the feed is the length that the
+///   program names, times F. Before the first F only the axes limit the feed, which is noted. Other moves than G0 keep
+///   F with the tool off.
 /// - G4 dwells, at most 86 400 s, after its line's switches and before its motion. Its time is P, else X, U, F or S,
 ///   always in seconds as LinuxCNC and GRBL have it; the note with the total shows where a program meant milliseconds.
 ///   Without a time it only stops. It is part of the cut while the tool is on; where nothing switches the tool, unless
 ///   G0 is in force.
 ///
-/// Start: where the machine stands before is unknown. The contour starts at the end of the first motion if that is G0
-/// in G90 with X and Y, else at the origin. It has 3 coordinates if any motion changes Z, else 2 and one height.
+/// Order
+/// - Parameters #1 … #9999 and #<name>, expressions in brackets (gcode/expression.hpp). What was never set is 0 for a
+///   number, with a note, and refused for a name. #5161 … #5602 are the control's: offsets and position.
+/// - O words: sub, endsub, call, return; if, elseif, else, endif; while, endwhile, do, repeat, endrepeat, break,
+///   continue. M98 P L and M99 with numbered subprograms of the same text. M99 in the main program ends it.
+/// - Reading the text once is free. Every line that is carried out again takes a step from a budget, and one more for
+///   each 256 bytes of it; where it is used up, the program is refused at that line. At most 64 calls, 32 brackets
+///   in one another, 10 000 names and 100 000 O words.
 ///
 /// Form: one block per line, capitals or not, blanks anywhere, also in numbers; N and O words; comments in ( ) and
 /// behind a semicolon; LF, CRLF or CR. M2, M30 or the second % end the program. A block of the contour begins where
 /// mode or feed changes.
 ///
 /// Noted and left out: path control (G9, G61, G64), stops, tool changes, tool length (G43: the contour is that of the
-/// tool's tip), unknown M words, lines that begin with /, moves to a point of the machine (G28, G30, G53) before
-/// the first or after the last other motion.
+/// tool's tip), unknown M words, lines that begin with /, words of printers (E; M82, M104, M117, M201 and the like with
+/// all of their line; G29, G10 and G11 without L).
 ///
-/// Refused, with the line: parameters, expressions, subprograms, cutter radius compensation (G41, G42), canned cycles,
-/// work offsets but G54, G92, feeds other than per minute (G93, G95), axes but X, Y and Z, whatever is unknown.
+/// Refused, with the line: axes but X, Y and Z, arcs that are none, gouges, cutters without a radius, feed per
+/// revolution (G95), tapping and threading, probing, scaling and rotation (G50, G51, G68), polar coordinates, macros
+/// (G65, IF … GOTO), whatever is unknown. Equal faults are one, with their first line and how many more there are.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -65,10 +92,10 @@ struct GcodeOptions {
   }
 };
 
-/// Throws InvalidInput with every fault found, at most 100, each at {"contour","gcode"} with a message "line 12: …".
-/// `source` of a path segment is its line. O(bytes): 45–100 MB/s or 1.5–4 million lines per second for straight moves,
-/// 18 MB/s for arcs and splines in turn (tests/bench/bench_contour.cpp); twice that time for a contour at one height
-/// other than 0.
+/// Throws InvalidInput with every cause of a fault, at most 100, each at {"contour","gcode"} with a message "line 12
+/// and 3 more: …". `source` of a path segment is its line. O(bytes + steps): 45–100 MB/s or 1.5–4 million lines per
+/// second for straight moves, 18 MB/s for arcs and splines in turn (tests/bench/bench_contour.cpp); twice that time for
+/// a contour at one height other than 0. A step of a loop takes 0.1 to 5 µs.
 Contour read_gcode(std::string_view text, const GcodeOptions& options = {});
 Contour read_gcode(std::string_view text, const GcodeOptions& options, Progress& progress);
 

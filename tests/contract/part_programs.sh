@@ -47,7 +47,7 @@ expect_json '.summary.duration > ($blend | tonumber)' --arg blend "$(cat "$work/
 expect_json '[.verification.checks[].name] | contains(["jerk x", "jerk y", "continuity of acceleration", "deviation from contour"])'
 
 # Every fault of a program is found, and names its line.
-jq '.spec.contour = {gcode: "G1 X10\nG41 D1\nG1 X[3+4]\nG2 X20 I0 J0\n"}' "$parts/laser.json" >"$work/job.json"
+jq '.spec.contour = {gcode: "G1 X10\nG41 D1\nG1 X[3+4\nG2 X20 I0 J0\n"}' "$parts/laser.json" >"$work/job.json"
 post "$work/job.json"
 expect_problem semantic-violation 422
 expect_json '[.errors[].pointer] | unique == ["/spec/contour/gcode"]'

@@ -12,10 +12,17 @@ struct CycleAxes {
   std::size_t a, b, depth;
 };
 
-/// Words as they stand in the program; they hold for the lines that follow, as long as these are of the same cycle.
+/// A level along the depth axis, mm: of the program, or with G91 an increment. It stays what it was in its own line.
+struct CycleLevel {
+  double value;
+  bool absolute;
+};
+
+/// Words hold for the lines that follow, as long as these are of the same cycle.
 struct Cycle {
   int code = 0;  ///< 81 for G81; 0: none in force
-  std::optional<double> r, depth, peck, dwell;
+  std::optional<CycleLevel> r, depth;
+  std::optional<double> peck, dwell;  ///< mm, s
   bool back_to_start = true;          ///< G98: retract to where the series began, if that is above R
   std::optional<double> start_level;  ///< along the depth axis, mm, of the series in force
 };

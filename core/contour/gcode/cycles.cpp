@@ -29,14 +29,14 @@ std::optional<CycleHole> Interpreter::cycle_words(const Line& line) {
   const CycleAxes axes = axes_of(plane_);
   const char depth_letter = "XYZ"[axes.depth];
   takes(line, letters("XYZRL"));
-  const auto keeps = [&](std::optional<double>& word, char letter) {
-    if (line.has(letter)) word = line[letter];
+  const auto keeps = [&](std::optional<CycleLevel>& level, char letter) {
+    if (line.has(letter)) level = {line[letter] * unit_, absolute_};
   };
   keeps(cycle_.r, 'R');
   keeps(cycle_.depth, depth_letter);
   const bool pecks = cycle_.code == 73 || cycle_.code == 83;
   const bool dwells = cycle_.code == 82 || cycle_.code == 86 || cycle_.code == 89;
-  if (pecks && takes(line, letters("Q"))) cycle_.peck = line['Q'];
+  if (pecks && takes(line, letters("Q"))) cycle_.peck = line['Q'] * unit_;
   if (dwells && (used_ & letters("P")) == 0 && takes(line, letters("P"))) cycle_.dwell = line['P'];
   if (!cycle_.r) fault("a canned cycle needs the retract plane R");
   if (!cycle_.depth) fault(std::string("a canned cycle needs the depth ") + depth_letter);
@@ -62,9 +62,9 @@ std::optional<CycleHole> Interpreter::cycle_words(const Line& line) {
       hole.step[k] = line[letter] * unit_, hole.at[k] += hole.step[k];
   }
   moved_ |= letters({&depth_letter, 1});
-  hole.r = *cycle_.r * unit_ + (absolute_ ? origin : at)[axes.depth];
-  hole.bottom = *cycle_.depth * unit_ + (absolute_ ? origin[axes.depth] : hole.r);
-  hole.peck = cycle_.peck.value_or(0) * unit_;
+  hole.r = cycle_.r->value + (cycle_.r->absolute ? origin : at)[axes.depth];
+  hole.bottom = cycle_.depth->value + (cycle_.depth->absolute ? origin[axes.depth] : hole.r);
+  hole.peck = cycle_.peck.value_or(0);
   if (!cycle_.start_level) cycle_.start_level = at[axes.depth];
   hole.clear = cycle_.back_to_start ? std::max(hole.r, *cycle_.start_level) : hole.r;
   if (hole.r < hole.bottom) {

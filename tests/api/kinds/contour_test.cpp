@@ -119,6 +119,31 @@ TEST(ContourInput, ReadsPartPrograms) {
   EXPECT_NEAR(cut, 40 + 10 * std::numbers::pi + 8 * std::numbers::pi, 1e-9);
 }
 
+TEST(ContourInput, ReadsWhatAPartProgramNeeds) {
+  json spec = example("shop_program");
+  const Contour program = geometry(spec);
+  EXPECT_TRUE(program.notes.empty());
+  const auto first = [&] { return geometry(spec).path.at(0).value; };
+  const Vec plain = first();
+  spec["contour"]["offsets"]["G54"] = {57, 40, 3};
+  EXPECT_EQ(first().x, plain.x + 7);
+  EXPECT_EQ(first().y, plain.y - 10);
+  EXPECT_EQ(first().z, plain.z + 3);
+  for (const char* name : {"G56", "G59", "G59.1", "G59.3"}) {
+    spec["contour"] = {{"gcode", std::string(name) + " G0 X0 Y0\nG1 X1"}, {"offsets", {{name, {5, 6}}}}};
+    EXPECT_EQ(first().x, 5) << name;
+    EXPECT_TRUE(geometry(spec).notes.size() == 1) << name;  // no feed
+  }
+  spec["contour"] = {{"gcode", "G0 X0 Y0\nG42 D08 G1 X9\nY9"}, {"cutter_radius", {{"8", 2}}}};
+  EXPECT_EQ(geometry(spec).path[0].length(), 11);
+  spec["contour"] = {{"gcode", "G0 X0 Y0\nG1 X9\nG30 X1"}, {"reference_points", {{"G30", {20, 0}}}}};
+  EXPECT_EQ(geometry(spec).path.size(), 3u);
+  spec["contour"] = {{"gcode", "G1 X1\no1 repeat [11]\nX#1\no1 endrepeat"}, {"steps", 20}};
+  EXPECT_NO_THROW(geometry(spec));
+  spec["contour"]["steps"] = 19;
+  EXPECT_THROW(geometry(spec), InvalidInput);
+}
+
 TEST(ContourInput, NamesEveryPointOfTheWrongDimension) {
   json spec = example("points");
   for (int i = 1; i < 4; ++i) spec["contour"]["points"][i].push_back(0);

@@ -56,6 +56,10 @@ TEST(GcodeCycles, WordsHold) {
   // The level to go back to is that before the first of a series.
   expect_same(head + "G99 G81 X4 Y5 R2 Z-1\nG98 G85 X5 R1 Z0\nG0 X9\nG81 X8 R5 Z4",
               head + "G0 X4 Y5\nZ2\nG1 Z-1\nG0 Z2\nX5\nZ1\nG1 Z0\nZ3\nG0 X9\nZ5\nX8\nG1 Z4\nG0 Z5");
+  // Levels stay levels where the holes go on by increments, and keep their units.
+  expect_same(
+      head + "G81 X4 Y5 R2 Z-1\nG91 X2 L2\nG20 G90 X1",
+      head + "G0 X4 Y5\nZ2\nG1 Z-1\nG0 Z3\nX6\nZ2\nG1 Z-1\nG0 Z3\nX8\nZ2\nG1 Z-1\nG0 Z3\nX25.4\nZ2\nG1 Z-1\nG0 Z3");
   // A cycle that begins anew needs its words.
   EXPECT_EQ(fault_lines(head + "G81 X4 R2 Z-1\nG0 X1\nG81 X5"), (std::vector{4, 4}));
 }
