@@ -74,10 +74,13 @@ void ContourBuilder::next_segment() {
 }
 
 void ContourBuilder::drop(const std::string& why) {
-  if (++dropped_ > max_notes) return;
-  contour_.notes.push_back(reader_.empty() ? "block " + std::to_string(contour_.blocks.size() - 1) + " segment " +
-                                                 std::to_string(segment_ - 1) + " dropped: " + why
-                                           : "line " + std::to_string(line_) + ": dropped: " + why);
+  ++dropped_;
+  if (!reader_.empty()) {
+    if (dropped_ == 1) first_dropped_ = line_;
+  } else if (dropped_ <= max_notes) {
+    contour_.notes.push_back("block " + std::to_string(contour_.blocks.size() - 1) + " segment " +
+                             std::to_string(segment_ - 1) + " dropped: " + why);
+  }
 }
 
 /// False, with its faults kept, for what cannot be made.
@@ -191,7 +194,10 @@ Contour ContourBuilder::finish() {
   for (const Cause& cause : causes_)
     faults_.push_back({{"contour", reader_}, counted(cause.line, cause.count) + cause.message});
   if (!faults_.empty()) throw InvalidInput(std::move(faults_));
-  if (dropped_ > max_notes)
+  if (dropped_ > 0 && !reader_.empty())
+    contour_.notes.push_back(counted(first_dropped_, dropped_) + "dropped: shorter than " + number(min_segment_length) +
+                             " mm");
+  else if (dropped_ > max_notes)
     contour_.notes.push_back("… and " + std::to_string(dropped_ - max_notes) + " more segments without length dropped");
   if (moved_ > 0)
     contour_.notes.push_back(std::to_string(moved_) + " curve starts moved onto the end before them, at most " +

@@ -69,7 +69,7 @@ class ContourBuilder {
   std::size_t line_ = 0;
   std::size_t segment_ = 0;  // of the current block, counted from 1
   std::size_t total_ = 0;
-  std::size_t dropped_ = 0, moved_ = 0;
+  std::size_t dropped_ = 0, first_dropped_ = 0, moved_ = 0;
   double worst_move_ = 0;
   std::vector<InputFault> faults_;
   struct Cause {

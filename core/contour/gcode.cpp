@@ -8,7 +8,8 @@
 namespace bahnwerk {
 namespace {
 
-constexpr std::size_t lines_per_report = 256;  // a spline takes up to 0.1 ms
+constexpr std::size_t lines_per_report = 256;      // a spline takes up to 0.1 ms
+constexpr std::size_t segments_per_report = 4096;  // one line may have a thousand turns
 
 /// The program's lines in their order, up to its end or to where reading on would tell nothing new.
 class Reading {
@@ -32,7 +33,10 @@ class Reading {
     gcode::Line line;
     bool began = false;
     for (gcode::Place before = lines_.place(); lines_.next(line, options_.block_delete); before = lines_.place()) {
-      if (++carried_out_ % lines_per_report == 0) progress_.report("reading", 0);
+      if (++carried_out_ % lines_per_report == 0 || interpreter_.segments() > reported_ + segments_per_report) {
+        progress_.report("reading", 0);
+        reported_ = interpreter_.segments();
+      }
       if (!control_.spend(line, before)) {
         interpreter_.refuse(line, "the budget of " + std::to_string(options_.steps) +
                                       " steps for loops and subprograms is used up: a loop without end, or steps have "
@@ -82,7 +86,7 @@ class Reading {
   gcode::Parameters parameters_;
   gcode::Lines lines_;
   gcode::Control control_;
-  std::size_t carried_out_ = 0;
+  std::size_t carried_out_ = 0, reported_ = 0;
 };
 
 }  // namespace

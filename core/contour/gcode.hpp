@@ -49,7 +49,7 @@
 /// - O words: sub, endsub, call, return; if, elseif, else, endif; while, endwhile, do, repeat, endrepeat, break,
 ///   continue. M98 P L and M99 with numbered subprograms of the same text. M99 in the main program ends it.
 /// - Reading the text once is free. Every line that is carried out again takes a step from a budget, and one more for
-///   each 256 bytes of it; where it is used up, the program is refused at that line. At most 64 calls, 32 brackets
+///   each 64 bytes of it; where it is used up, the program is refused at that line. At most 64 calls, 32 brackets
 ///   in one another, 10 000 names and 100 000 O words.
 ///
 /// Form: one block per line, capitals or not, blanks anywhere, also in numbers; N and O words; comments in ( ) and

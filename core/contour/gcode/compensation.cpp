@@ -81,8 +81,7 @@ void Compensation::offset(Vec to, Vec centre, ArcMove how) {
   const Vec from = std::exchange(programmed_, to);
   const Manner here = manner();
   if (state_ == State::leads_out || (!last_ && !lead_)) {
-    fault(here.line, state_ == State::leads_out ? "the first move behind G40 must be straight: it leads out"
-                                                : "the first move behind G41 or G42 must be straight: it leads in");
+    fault(here.line, "the first move behind G40, G41 or G42 must be straight: it leads out or in");
     return state_ == State::leads_out ? lead_out(to) : void(lead_ = to);
   }
   try {
@@ -97,6 +96,12 @@ void Compensation::offset(Vec to, Vec centre, ArcMove how) {
     fault(here.line, e.what());
   }
   if (!same_place(from, to)) add({offset_line(from, to, aside_), here, to.z, 0});
+}
+
+void Compensation::spline(Vec to, Vec first, std::optional<Vec> second) {
+  if (off()) return mover_.spline(to, first, second);
+  fault(mover_.builder().line(), "the first move behind G40 must be straight: it leads out");
+  offset(to);
 }
 
 /// The next move is known: what was kept back is driven.

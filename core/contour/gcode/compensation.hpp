@@ -34,12 +34,12 @@ class Compensation {
   // As Mover has them; places are those that the program names.
   void use(Mode mode, double feed) { off() ? mover_.use(mode, feed) : keep(mode, feed); }
   void first_switch();
-  void place(Vec at) { mover_.place(at); }
-  void start(Vec at) { mover_.start(at); }
+  void place(Vec at) { mover_.place(programmed_ = at); }
+  void start(Vec at) { mover_.start(programmed_ = at); }
   bool started() const { return mover_.started(); }
   void line(Vec to) { off() ? mover_.line(to) : offset(to); }
   void arc(Vec to, Vec centre, ArcMove how) { off() ? mover_.arc(to, centre, how) : offset(to, centre, how); }
-  void spline(Vec to, Vec first, std::optional<Vec> second) { mover_.spline(to, first, second); }
+  void spline(Vec to, Vec first, std::optional<Vec> second);
   void dwell(Mode mode, double seconds);
   Vec position() const { return off() ? mover_.position() : programmed_; }
   bool climbs() const { return mover_.climbs(); }

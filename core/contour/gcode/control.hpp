@@ -16,8 +16,8 @@ namespace bahnwerk::gcode {
 
 class Control {
  public:
-  static constexpr std::size_t max_calls = 64;        ///< subprograms in one another
-  static constexpr std::size_t bytes_per_step = 256;  ///< a longer line takes a step for each
+  static constexpr std::size_t max_calls = 64;       ///< subprograms in one another
+  static constexpr std::size_t bytes_per_step = 64;  ///< a longer line takes one step more for each
 
   Control(std::string_view text, const GcodeOptions& options, Parameters& parameters, Lines& lines, Progress& progress)
       : text_(text), options_(options), parameters_(parameters), lines_(lines), progress_(progress) {}

@@ -204,32 +204,30 @@ bool Expression::brackets(double& result) {
   return next_is(']') || fail("an expression does not end: ] is missing");
 }
 
-int Expression::operator_of(int rank, std::size_t& length) const {
+int Expression::operator_here(std::size_t& length) const {
+  if (at_ == end_ || *at_ == ']') return -1;
   for (std::size_t op = 0; op < std::size(names); ++op) {
-    if (rank_of[op] != rank) continue;
     const std::string_view name = names[op];
     std::size_t i = 0;
     while (i < name.size() && at_ + i != end_ && lower(at_[i]) == name[i]) ++i;
-    // * is no beginning of **
-    if (i < name.size() || (op == times && at_ + 1 != end_ && at_[1] == '*')) continue;
+    if (i < name.size()) continue;
     length = name.size();
     return static_cast<int>(op);
   }
   return -1;
 }
 
-/// Operators of this rank and above.
+/// Operators of this rank and above; equal ones from the left.
 bool Expression::operation(double& result, int rank) {
-  if (rank > 5) return value(result);
-  if (!operation(result, rank + 1)) return false;
+  if (!value(result)) return false;
   for (;;) {
     skip_blanks();
     std::size_t length = 0;
-    const int op = operator_of(rank, length);
-    if (op < 0) return true;
+    const int op = operator_here(length);
+    if (op < 0 || rank_of[op] < rank) return true;
     at_ += length;
     double right = 0;
-    if (!operation(right, rank + 1) || !apply(op, result, right)) return false;
+    if (!operation(right, rank_of[op] + 1) || !apply(op, result, right)) return false;
   }
 }
 

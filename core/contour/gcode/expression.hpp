@@ -45,7 +45,7 @@ class Expression {
   bool exists(double& result);
   bool brackets(double& result);
   bool operation(double& result, int rank);
-  int operator_of(int rank, std::size_t& length) const;
+  int operator_here(std::size_t& length) const;
   bool apply(int op, double& left, double right);
   bool finite(double value) { return value - value == 0 || fail("the expression has no finite value"); }
 

@@ -37,6 +37,7 @@ class Interpreter final : public SystemParameters {
   bool execute(const Line& line);
 
   bool ended() const { return ends_; }
+  std::size_t segments() { return mover_.builder().segments(); }
   Request request() const { return request_; }
   /// The program cannot go on at this line.
   void refuse(const Line& line, const std::string& why);

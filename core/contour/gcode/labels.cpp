@@ -113,15 +113,18 @@ bool Lines::label(Line& line) {
   return true;
 }
 
+const char* Lines::line_end() {
+  if (line_end_ == nullptr) line_end_ = std::find_if(at_, end_, end_of_line);
+  return line_end_;
+}
+
 /// Behind a #.
 bool Lines::assignment(Line& line) {
-  const char* end = at_;
-  while (end != end_ && !end_of_line(*end)) ++end;
   if (parameters_ == nullptr) {
     line.fault = no_parameters;
     return false;
   }
-  Expression expression(at_, end, number_, *parameters_);
+  Expression expression(at_, line_end(), number_, *parameters_);
   Expression::Reference to;
   double value = 0;
   const bool read = expression.reference(to) && expression.next_is('=') && expression.value(value);
@@ -133,18 +136,17 @@ bool Lines::assignment(Line& line) {
     line.fault = "the parameters #5161 to #5602 are kept by the control: they cannot be set";
   else
     assigned_.emplace_back(std::move(to), value);
+  if (assigned_.size() > Line::max_assignments) line.fault = "a line sets 64 parameters at most";
   return line.fault.empty();
 }
 
 /// A value that is no plain number.
 bool Lines::computed(Line& line, double& value) {
-  const char* end = at_;
-  while (end != end_ && !end_of_line(*end)) ++end;
   if (parameters_ == nullptr) {
     line.fault = no_parameters;
     return false;
   }
-  Expression expression(at_, end, number_, *parameters_);
+  Expression expression(at_, line_end(), number_, *parameters_);
   if (!expression.value(value)) line.fault = expression.fault();
   at_ = expression.at();
   return line.fault.empty();

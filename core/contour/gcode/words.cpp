@@ -63,6 +63,7 @@ void Lines::skip_line() {
 bool Lines::next(Line& line, bool skip_slash) {
   if (at_ == end_) return false;
   line.number = ++number_;
+  line_end_ = nullptr;
   line.letters_ = 0;
   line.g_count = line.m_count = 0;
   line.slash = line.percent = false;
@@ -196,7 +197,8 @@ bool Lines::number(Line& line, char letter, double& value) {
   }
   if (first == last) {
     const char c = at_ == end_ ? '\n' : *at_;
-    if (c != '#' && c != '[' && !is_letter(c)) {
+    const bool function = is_letter(c) && at_ + 1 != end_ && is_letter(at_[1]);
+    if (c != '#' && c != '[' && !function) {
       line.fault = std::string("the letter ") + letter + " has no number";
       return false;
     }

@@ -34,7 +34,7 @@ enum class Flow : std::uint8_t {
 
 /// One line of a program. G and M words are lists, every other letter has at most one number.
 struct Line {
-  static constexpr std::size_t max_codes = 16;
+  static constexpr std::size_t max_codes = 16, max_assignments = 64;
 
   std::size_t number = 0;  ///< in the text, from 1
   std::array<int, max_codes> g{};
@@ -92,6 +92,7 @@ class Lines {
   bool label(Line& line);
   bool assignment(Line& line);
   bool computed(Line& line, double& value);
+  const char* line_end();
   void end_line();
   bool word(Line& line, char letter);
   bool number(Line& line, char letter, double& value);
@@ -100,6 +101,7 @@ class Lines {
   void skip_line();
 
   const char *at_, *end_;
+  const char* line_end_ = nullptr;  // of the line at hand, once it was looked for
   std::size_t number_ = 0;
   Parameters* parameters_;
   std::vector<std::pair<Expression::Reference, double>> assigned_;  // by the line at hand

@@ -148,6 +148,8 @@ TEST(GcodeCompensation, WhatHappensBetweenMoves) {
   EXPECT_EQ(c.blocks[1].first, 2u);
   // Behind G40 it stays where it is until it leads out.
   EXPECT_EQ(shape(compensated("G0 X-10 Y0 Z0\nG41 D1 G1 X0\nY20\nG40\nG0 Z5\nX-10", 2)), "-2 0; -2 20; -2 20; -10 20");
+  // It may be on before anything moves.
+  EXPECT_EQ(shape(compensated("G41 D1\nG0 X-10 Y0\nG1 X0\nG91 Y20\nG40 X-10", 2)), "-2 0; -2 20; -10 20");
   // The program may end with it.
   EXPECT_EQ(shape(compensated("G0 X-10 Y0\nG41 D1 G1 X0\nY20\nM2", 2)), "-2 0; -2 20");
   EXPECT_EQ(shape(compensated("G0 X-10 Y0\nG41 D1 G1 X0\nM2", 2)), "0 0");
@@ -187,6 +189,7 @@ TEST(GcodeCompensation, WhatIsRefused) {
   EXPECT_EQ(refused("G0 X0 Y0\nG41.1 G1 X5", 2), (std::vector{2}));
   EXPECT_EQ(refused("G0 X0 Y0\nG18 G41 D1 G1 X5", 2), (std::vector{2}));
   EXPECT_EQ(refused("G0 X0 Y0\nG41 D1 G2 X20 R10\nG1 Y9", 2), (std::vector{2}));
+  EXPECT_EQ(refused("G0 X-9 Y0\nG41 D1 G1 X0\nY9\nG40\nG5 X-9 I1 J1 P1 Q1", 2), (std::vector{5}));
   EXPECT_EQ(refused("G0 X-9 Y0\nG41 D1 G1 X0\nY9\nG40 G2 X-9 R9", 2), (std::vector{4}));
 }
 

@@ -168,8 +168,8 @@ TEST(GcodeControl, LongLinesTakeMoreSteps) {
   std::string text = "G1 X1\no1 repeat [100]\n#1=[0";
   for (int i = 0; i < 5000; ++i) text += "+1";
   text += "]\no1 endrepeat\n";
-  EXPECT_EQ(fault_lines(text, {.steps = 99 * 40}), (std::vector{3}));
-  EXPECT_TRUE(fault_lines(text, {.steps = 99 * 41}).empty());
+  EXPECT_EQ(fault_lines(text, {.steps = 99 * 156}), (std::vector{3}));
+  EXPECT_TRUE(fault_lines(text, {.steps = 99 * 158}).empty());
 }
 
 TEST(GcodeControl, ReadingTheTextIsFree) {
@@ -187,6 +187,9 @@ TEST(GcodeControl, NestingIsBounded) {
   std::string words = "G1 X1\n";
   for (int i = 0; i < 100'001; ++i) words += "o1 if [1]\no1 endif\n";
   EXPECT_EQ(fault_lines(words), (std::vector{2}));
+  std::string many = "G1 X1\n";
+  for (int i = 0; i < 1'000'000; ++i) many += "#1=1";
+  EXPECT_EQ(fault_lines(many), (std::vector{2}));
   std::string names = "G1 X1\n";
   for (int i = 0; i < 10'001; ++i) names += "#<n" + std::to_string(i) + ">=1\n";
   EXPECT_EQ(fault_lines(names), (std::vector{10'002}));
