@@ -23,6 +23,7 @@ bool same_place(Vec a, Vec b) { return a.x == b.x && a.y == b.y; }
 void Compensation::begin(double aside) {
   programmed_ = position();
   last_.reset();
+  first_.reset();
   aside_ = aside;
   state_ = State::leads_in;
   lead_.reset();
@@ -62,9 +63,10 @@ void Compensation::happens(const Event& event) {
   if (state_ == State::leads_out || (!last_ && !lead_)) happen();
 }
 
-void Compensation::offset(Vec to) {
+void Compensation::offset(Vec to, bool across) {
   const Vec from = std::exchange(programmed_, to);
-  if (same_place(from, to)) {
+  const bool returns = state_ == State::leads_out && across;  // the cutter is beside the place where it should be
+  if (same_place(from, to) && !returns) {
     if (from.z != to.z) happens({Event::Kind::height, manner(), to.z});
     return;
   }
@@ -80,15 +82,16 @@ void Compensation::offset(Vec to) {
 void Compensation::offset(Vec to, Vec centre, ArcMove how) {
   const Vec from = std::exchange(programmed_, to);
   const Manner here = manner();
-  if (state_ == State::leads_out || (!last_ && !lead_)) {
-    fault(here.line, "the first move behind G40, G41 or G42 must be straight: it leads out or in");
-    return state_ == State::leads_out ? lead_out(to) : void(lead_ = to);
+  if (state_ == State::leads_out) {
+    fault(here.line, "the first move behind G40 must be straight: it leads out");
+    return lead_out(to);
   }
   try {
     // As the program without compensation has it, rounding of the centre included.
     const Arc arc = Arc::through(flat(from), flat(to), flat(centre), {0, 0, 1}, how.counter_clockwise, how.tolerance);
     const double sense = how.counter_clockwise ? 1 : -1;
     const double sweep = std::abs(arc.sweep()) + turn * static_cast<double>(how.turns - 1);
+    if (!last_ && !lead_) return lead_in(to, sense * left_of(flat(to) - arc.centre()), sense);
     const auto piece = offset_arc(from, to, arc.centre(), sense, sweep, aside_, slack);
     if (piece) return add({*piece, here, to.z, how.tolerance});
     fault(here.line, "the arc is narrower than the cutter (G41, G42): it would be gouged");
@@ -101,20 +104,49 @@ void Compensation::offset(Vec to, Vec centre, ArcMove how) {
 void Compensation::spline(Vec to, Vec first, std::optional<Vec> second) {
   if (off()) return mover_.spline(to, first, second);
   fault(mover_.builder().line(), "the first move behind G40 must be straight: it leads out");
-  offset(to);
+  offset(to, true);
 }
 
 /// The next move is known: what was kept back is driven.
 void Compensation::add(Move move) {
   const std::size_t now = mover_.builder().line();
-  if (!last_) {
-    first_ = move.piece;
+  if (!last_)
     lead_in(move);
-  } else {
+  else
     corner(move);
-  }
+  if (!first_) first_ = move.piece;
   last_ = move;
   mover_.builder().at_line(now);
+}
+
+/// An arc that leads in ends beside the end that the program names, in the same direction (LinuxCNC).
+void Compensation::lead_in(Vec to, Vec along, double sense) {
+  const Manner here = manner();
+  OffsetPiece piece;
+  piece.direction_to = along / norm(along);
+  piece.corner_to = flat(to);
+  piece.to = piece.corner_to + aside_ * left_of(piece.direction_to);
+  piece.from = piece.corner_from = flat(mover_.position());
+  const Vec chord = piece.from - piece.to, aside = sense * left_of(piece.direction_to);
+  const double reach = 2 * dot(chord, aside);
+  if (!(reach > 0) || !(norm(chord) > slack)) {
+    fault(here.line,
+          "the arc that leads in (G41, G42) cannot end beside its end: its radius is too small for the cutter");
+    lead_ = to, lead_manner_ = here;
+    return;
+  }
+  piece.arc = true;
+  piece.sense = sense;
+  piece.radius = dot(chord, chord) / reach;
+  piece.centre = piece.to + piece.radius * aside;
+  const Vec spoke = piece.from - piece.centre, end = piece.to - piece.centre;
+  const double angle = sense * turn_of(spoke, end);
+  piece.sweep = angle > 0 ? angle : angle + turn;
+  piece.length = piece.radius * piece.sweep;
+  piece.direction_from = sense * left_of(spoke) / piece.radius;
+  state_ = State::on;
+  happen();
+  last_ = Move{piece, here, to.z, 0};
 }
 
 /// To beside the begin of the first move.
@@ -123,7 +155,11 @@ void Compensation::lead_in(const Move& next) {
   const double side = aside_ > 0 ? 1 : -1, radius = std::abs(aside_), way = norm(from - at);
   const Vec out = side * left_of(next.piece.direction_from);
   state_ = State::on;
-  if (dot(from - at, out) < radius - slack) {
+  // Above the work the cutter goes straight.
+  const bool above = std::any_of(events_.begin(), events_.end(), [&](const Event& event) {
+    return event.kind == Event::Kind::height && event.value < lead_->z;
+  });
+  if (!above && dot(from - at, out) < radius - slack) {
     // The straight way would touch the begin: along the tangent, then round it.
     const Vec heading = way >= radius ? turned((at - from) / way, side * std::asin(radius / way)) : Vec{};
     if (way < radius) {
@@ -149,7 +185,8 @@ void Compensation::lead_out(Vec to) {
   const Vec out = side * left_of(last_->piece.direction_to);
   const std::size_t line = mover_.builder().line();
   const Manner how{here.mode, here.feed, line};
-  if (dot(flat(to) - at, out) < radius - slack) {
+  const bool above = mover_.position().z > last_->z;
+  if (!above && dot(flat(to) - at, out) < radius - slack) {
     const Vec heading = way >= radius ? turned((flat(to) - at) / way, -side * std::asin(radius / way)) : Vec{};
     if (way < radius)
       fault(line, "the move behind G40 leads out: it must be longer than the cutter's radius");
@@ -243,9 +280,10 @@ void Compensation::flush() {
   const std::size_t now = mover_.builder().line();
   if (last_) {
     const OffsetPiece& end = last_->piece;
-    const double angle = turn_of(end.direction_to, first_.direction_from);
-    if (norm(end.corner_to - first_.corner_from) < slack && angle * aside_ > 0 && std::abs(angle) > tangent &&
-        std::abs(angle) < std::numbers::pi - tangent && norm(first_.from - end.to) > slack)
+    const OffsetPiece& begin = first_ ? *first_ : end;
+    const double angle = turn_of(end.direction_to, begin.direction_from);
+    if (norm(end.corner_to - begin.corner_from) < slack && angle * aside_ > 0 && std::abs(angle) > tangent &&
+        std::abs(angle) < std::numbers::pi - tangent && norm(begin.from - end.to) > slack)
       fault(last_->manner.line,
             "the compensated contour (G41, G42) begins and ends in an inside corner, which would be "
             "gouged: begin it on a side");

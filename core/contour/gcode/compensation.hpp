@@ -3,8 +3,10 @@
 /// of x and y aside, one move late.
 ///
 /// - Outside corners are rounded by an arc about the corner, inside corners trimmed to where the moved curves cross.
-/// - The first move leads in: straight to beside the begin of the next one, or, where the cutter would touch that
-///   begin on its way, along the tangent and round it. The first move behind G40 leads out in the same way.
+/// - The first move leads in. A straight one goes to beside the begin of the next one, or, where the cutter would touch
+///   that begin on its way, along the tangent and round it; an arc ends beside its end in its direction, with another
+///   radius. The first move behind G40, a straight one, leads out in the same way. At another height than the contour
+///   both go straight.
 /// - Moves along z alone, dwells and switches happen where the cutter then stands.
 ///
 /// Refused as gouges: an arc narrower than the cutter, an inside corner in which one of its two moves is trimmed away,
@@ -37,7 +39,8 @@ class Compensation {
   void place(Vec at) { mover_.place(programmed_ = at); }
   void start(Vec at) { mover_.start(programmed_ = at); }
   bool started() const { return mover_.started(); }
-  void line(Vec to) { off() ? mover_.line(to) : offset(to); }
+  /// `across`: the program names x or y, even if they stay.
+  void line(Vec to, bool across = true) { off() ? mover_.line(to) : offset(to, across); }
   void arc(Vec to, Vec centre, ArcMove how) { off() ? mover_.arc(to, centre, how) : offset(to, centre, how); }
   void spline(Vec to, Vec first, std::optional<Vec> second);
   void dwell(Mode mode, double seconds);
@@ -71,10 +74,11 @@ class Compensation {
   void keep(Mode mode, double feed) { manner_.mode = mode, manner_.feed = feed; }
   Manner manner() { return {manner_.mode, manner_.feed, mover_.builder().line()}; }
 
-  void offset(Vec to);
+  void offset(Vec to, bool across);
   void offset(Vec to, Vec centre, ArcMove how);
   void add(Move move);
   void lead_in(const Move& next);
+  void lead_in(Vec to, Vec along, double sense);
   void lead_out(Vec to);
   void corner(Move& next);
   void round(Vec corner, Vec to, const Manner& manner);
@@ -92,9 +96,9 @@ class Compensation {
   Manner manner_;
   std::optional<Vec> lead_;  // where the move that leads in goes
   Manner lead_manner_;
-  std::optional<Move> last_;   // not driven yet: its end waits for the next one
-  OffsetPiece first_;          // of the section
-  std::vector<Event> events_;  // behind it
+  std::optional<Move> last_;          // not driven yet: its end waits for the next one
+  std::optional<OffsetPiece> first_;  // of the section
+  std::vector<Event> events_;         // behind it
 };
 
 }  // namespace bahnwerk::gcode

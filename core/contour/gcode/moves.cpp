@@ -98,7 +98,7 @@ void Interpreter::straight(const Line& line) {
   } else if (sound_ && !feeds(line, norm(*to - mover_.position()))) {
     return;
   }
-  mover_.line(*to);
+  mover_.line(*to, line.any(letters("XY")));
 }
 
 void Interpreter::arc(const Line& line) {

@@ -135,6 +135,22 @@ TEST(GcodeCompensation, LeadsInAndOutRoundTheContour) {
   samples(c, 1, 9, [](Vec p, std::size_t) { EXPECT_GT(p.y >= 0 && p.x > 0 && p.x < 20 ? p.y : 3.0, 3 - 1e-9); });
 }
 
+TEST(GcodeCompensation, LeadsInAlongAnArc) {
+  // It ends beside its end, in its direction; the next joint is like any other.
+  EXPECT_EQ(shape(compensated("G0 X0 Y0\nG41 D1 G3 X20 R10\nG1 Y9", 2)), "18 0 r9; 18 9");
+  EXPECT_EQ(shape(compensated("G0 X0 Y0\nG42 D1 G3 X20 R10\nG1 X0 Y0", 2)), "22 0 r11; 20 2 r2; 0 2");
+  // In and out of a hole; behind G40 the head goes to where it should be, even if that has no other coordinates.
+  const Contour c = compensated("G0 X0 Y0 Z0\nG41 D1 G3 X10 Y0 R5\nI-10\nX0 Y0 R5\nG0 Z5\nG40\nG0 X0 Y0", 2);
+  EXPECT_EQ(shape(c), "8 0 r4; 8 0 r8; 2 0 r3; 2 0; 0 0");
+  expect_joined(c);
+}
+
+TEST(GcodeCompensation, AtAnotherHeightItGoesStraight) {
+  // Too short and from the wrong side, but above the work.
+  EXPECT_EQ(shape(compensated("G0 X0 Y1 Z5\nG41 D1 G1 X0 Y0\nZ0\nX20\nZ5\nG40 X20 Y-1", 3)),
+            "0 3; 0 3; 20 3; 20 3; 20 -1");
+}
+
 TEST(GcodeCompensation, WhatHappensBetweenMoves) {
   // Depth by depth, a dwell, and the switch.
   const Contour c =
@@ -188,7 +204,7 @@ TEST(GcodeCompensation, WhatIsRefused) {
   EXPECT_EQ(refused("G0 X0 Y0\nG41 G1 X5", 2), (std::vector{2}));
   EXPECT_EQ(refused("G0 X0 Y0\nG41.1 G1 X5", 2), (std::vector{2}));
   EXPECT_EQ(refused("G0 X0 Y0\nG18 G41 D1 G1 X5", 2), (std::vector{2}));
-  EXPECT_EQ(refused("G0 X0 Y0\nG41 D1 G2 X20 R10\nG1 Y9", 2), (std::vector{2}));
+  EXPECT_EQ(refused("G0 X0 Y0\nG41 D1 G3 X10 Y10 R10\nG1 Y19", 12), (std::vector{2}));  // no arc ends there
   EXPECT_EQ(refused("G0 X-9 Y0\nG41 D1 G1 X0\nY9\nG40\nG5 X-9 I1 J1 P1 Q1", 2), (std::vector{5}));
   EXPECT_EQ(refused("G0 X-9 Y0\nG41 D1 G1 X0\nY9\nG40 G2 X-9 R9", 2), (std::vector{4}));
 }
