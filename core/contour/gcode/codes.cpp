@@ -17,6 +17,12 @@ std::string name(int tenfold) {
   return text;
 }
 
+bool printer_m(int m) {
+  return m == 17 || m == 18 || m == 73 || (m >= 82 && m <= 85) || m == 92 || (m >= 104 && m <= 119) ||
+         (m >= 140 && m <= 150) || (m >= 190 && m <= 192) || (m >= 200 && m <= 229) || (m >= 240 && m <= 360) ||
+         (m >= 400 && m <= 429) || (m >= 500 && m <= 605) || (m >= 851 && m <= 928);
+}
+
 Code meaning(int tenfold) {
   switch (tenfold) {
     case 0:

@@ -56,6 +56,8 @@ struct Code {
 
 /// `tenfold`: G5.1 is 51. Unknown words are refused.
 Code meaning(int tenfold);
+/// M words of printers' firmware that a machine tool does not know.
+bool printer_m(int m);
 /// "G5.1"
 std::string name(int tenfold);
 

@@ -190,6 +190,7 @@ void Interpreter::g_word(const Line& line, int tenfold) {
       note(640, line, code.text);
       break;
     case Action::tool_length:
+      if (tenfold == 431) takes(line, letters("XYZIJK"));  // G43.1 has the lengths themselves
       note(430, line, code.text);
       break;
     case Action::nothing:

@@ -102,7 +102,7 @@ void Interpreter::reference_point(const Line& line, const std::optional<Vec>& po
   const bool some = takes(line, axes);
   const std::uint32_t list = some ? axes_of(line) : axes;
   if (!point || !mover_.started()) return leave(line, list);
-  if (some)
+  if (some && !line.bare)
     if (const auto way = target(line)) rapid_to(*way);
   Vec to = mover_.position();
   for (std::size_t k = 0; k < 3; ++k)

@@ -16,13 +16,6 @@ std::string m_name(int m) {
 constexpr const char* printer_text =
     "words of printers (E, M82, M104, G29 …) skipped: only the head's motion is planned";
 
-/// Words of printers' firmware that a machine tool does not know.
-bool printer_m(int m) {
-  return m == 17 || m == 18 || m == 73 || (m >= 82 && m <= 85) || m == 92 || (m >= 104 && m <= 119) ||
-         (m >= 140 && m <= 150) || (m >= 190 && m <= 192) || (m >= 200 && m <= 229) || (m >= 240 && m <= 360) ||
-         (m >= 400 && m <= 429) || (m >= 500 && m <= 605) || (m >= 851 && m <= 928);
-}
-
 }  // namespace
 
 /// Its time is P, in other dialects X, U, F or S; then it is no coordinate, feed or speed. Always seconds: the dialects

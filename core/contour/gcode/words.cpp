@@ -1,11 +1,13 @@
 #include "core/contour/gcode/words.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
 
 #include "core/contour/gcode/characters.hpp"
+#include "core/contour/gcode/codes.hpp"
 
 namespace bahnwerk::gcode {
 namespace {
@@ -66,7 +68,7 @@ bool Lines::next(Line& line, bool skip_slash) {
   line_end_ = nullptr;
   line.letters_ = 0;
   line.g_count = line.m_count = 0;
-  line.slash = line.percent = false;
+  line.slash = line.percent = line.bare = false;
   line.flow = Flow::none;
   line.fault.clear();
   skip_blanks();
@@ -167,6 +169,14 @@ bool Lines::word(Line& line, char letter) {
   return true;
 }
 
+/// G28 X Y and M84 X Y of printers name axes.
+bool Lines::bare_letters(const Line& line) {
+  const auto any = [](const auto& list, std::size_t count, auto holds) {
+    return std::any_of(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(count), holds);
+  };
+  return any(line.g, line.g_count, [](int g) { return g == 280 || g == 290; }) || any(line.m, line.m_count, printer_m);
+}
+
 bool Lines::number(Line& line, char letter, double& value) {
   constexpr double largest = 1e9;
   skip_blanks();
@@ -199,6 +209,10 @@ bool Lines::number(Line& line, char letter, double& value) {
     const char c = at_ == end_ ? '\n' : *at_;
     const bool function = is_letter(c) && at_ + 1 != end_ && is_letter(at_[1]);
     if (c != '#' && c != '[' && !function) {
+      if (letter != 'G' && letter != 'M' && letter != 'O' && bare_letters(line)) {
+        value = 0;
+        return line.bare = true;
+      }
       line.fault = std::string("the letter ") + letter + " has no number";
       return false;
     }

@@ -42,6 +42,7 @@ struct Line {
   std::array<int, max_codes> m{};
   std::size_t m_count = 0;
   bool slash = false;               ///< begins with /
+  bool bare = false;                ///< a letter has no number, as in G28 X Y of printers: 0
   bool percent = false;             ///< begins with %
   Flow flow = Flow::none;           ///< with its label; nothing else of the line is read
   const char* arguments = nullptr;  ///< what follows it
@@ -96,6 +97,7 @@ class Lines {
   void end_line();
   bool word(Line& line, char letter);
   bool number(Line& line, char letter, double& value);
+  static bool bare_letters(const Line& line);
   bool comment(Line& line);
   void skip_blanks();
   void skip_line();

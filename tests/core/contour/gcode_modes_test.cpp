@@ -167,6 +167,22 @@ TEST(GcodeModes, WhatIsNoted) {
   EXPECT_NEAR(c.path.length(), 20, 1e-12);
 }
 
+TEST(GcodeModes, WordsOfPrintersAreSkipped) {
+  const Contour c = read_gcode(
+      "M82 ; absolute\nM104 S200\nG28 X Y\nG1 Z5 F3000\nG92 E0\nM109 S200\nG1 F3600 E-4\nM201 X500 Y500 "
+      "Z50\nG29\nG10\nG1 "
+      "X10 Y2 E5.5\nM117 Hot [end #1 (\nG11\nX20 E6\nM84 X Y\nM106 S255");
+  EXPECT_EQ(c.path.size(), 3u);
+  expect_near(end_of(c), {20, 2, 5}, 0);
+  ASSERT_EQ(c.notes.size(), 2u);
+  EXPECT_TRUE(noted(c, "line 1 and ", "printers"));
+}
+
+TEST(GcodeModes, AToolsLengthIsNoMove) {
+  EXPECT_EQ(read_gcode("F60 G1 X5\nG43.1 Z-3 X1\nX9").path.size(), 2u);
+  EXPECT_EQ(read_gcode("F60 G1 X5\nG43 H1 Z-3\nX9").path.size(), 3u);
+}
+
 TEST(GcodeModes, BlockDeleteMayBeOff) {
   EXPECT_NEAR(read_gcode("G1 X10\n/X5\nX20").path.length(), 20, 1e-12);
   EXPECT_NEAR(read_gcode("G1 X10\n/X5\nX20", {.block_delete = false}).path.length(), 30, 1e-12);
