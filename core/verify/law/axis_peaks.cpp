@@ -172,7 +172,9 @@ class Sweeper {
   void over_time(const LawPiece& piece, const Segment& segment) {
     if (segment.curve().kind() == CurveKind::rational) {
       const double u0 = segment.parameter(piece.s), u1 = segment.parameter(piece.s_end);
-      measure(piece, segment, u0, u1, segment.arc_length(u0), segment.arc_length(u1), 0);
+      const double s0 = segment.travelled(u0), s1 = segment.travelled(u1);
+      believe(piece, segment, s1 - s0);
+      measure(piece, segment, u0, u1, s0, s1, 0);
     }
     // Counted from the begin of the segment: far along a path the rounding of s would show as noise.
     LawPiece local = piece;
@@ -206,7 +208,12 @@ class Sweeper {
     arc_length_.raise(miss, 5 * resolution(segment, way) + rounding * segment.s1(), when);
   }
 
-  // ∫|dh/du|du over [u0, u1] against the way from s0 to s1, halved until the rule resolves it.
+  // The way that the law goes against the length of what it goes along.
+  void believe(const LawPiece& piece, const Segment& segment, double way) {
+    raise_arc_length(std::abs(way - (piece.s_end - piece.s)), segment, way, piece.t0);
+  }
+
+  // ∫|dh/du|du over [u0, u1] against the way from s0 to s1 of the segment, halved until the rule resolves it.
   void measure(const LawPiece& piece, const Segment& segment, double u0, double u1, double s0, double s1, int depth) {
     if (!(u1 > u0)) return;
     const ChebyshevRule& rule = lobatto_rule(true);
@@ -218,7 +225,7 @@ class Sweeper {
     const double miss = std::abs(whole * (u1 - u0) - (s1 - s0)), middle = u0 + 0.5 * (u1 - u0);
     if (miss <= resolution(segment, s1 - s0) || depth == 12 || !(middle > u0 && middle < u1))
       return raise_arc_length(miss, segment, s1 - s0, piece.t0);
-    const double s = segment.arc_length(middle);
+    const double s = segment.travelled(middle);
     measure(piece, segment, u0, middle, s0, s, depth + 1);
     measure(piece, segment, middle, u1, s, s1, depth + 1);
   }
@@ -229,7 +236,8 @@ class Sweeper {
     const double u1 = segment.parameter(piece.s_end);
     end_segment_ = piece.segment, end_s_ = piece.s_end, end_u_ = u1;
     const double v1 = piece.v + piece.a * piece.duration, b0 = piece.v * piece.v, b1 = v1 * v1;
-    const double ds = piece.s_end - piece.s;
+    // Counted from where the piece begins: far along a path the rounding of s would pass for quadrature's error.
+    const double before = segment.travelled(u0), ds = segment.travelled(u1) - before;
     if (!(u1 > u0) || !(ds > 0)) {  // standing still, or shorter than the parameter resolves
       AxisJet q = in_.path.at_parameter(piece.segment, u0);
       if (b0 == 0 && b1 == 0) q.d2 = q.d3 = {};  // infinite at a cusp, where nothing moves
@@ -243,6 +251,7 @@ class Sweeper {
     const Curve& curve = segment.curve();
     const bool open = (segment.cusp_begin() && u0 <= curve.begin()) || (segment.cusp_end() && u1 >= curve.end());
     const bool even = curve.kind() != CurveKind::rational;  // s is linear in u
+    if (!even) believe(piece, segment, ds);
     std::array<double, ChebyshevRule::max_points> speed, s;
     peaks_.sweep(u0, u1, open, index_, [&](PeakSamples& samples) {
       const ChebyshevRule& rule = samples.rule;
@@ -254,8 +263,8 @@ class Sweeper {
       if (even) {
         from = (begin - u0) / (u1 - u0) * ds, to = from + (end - begin) / (u1 - u0) * ds;
       } else {
-        if (begin != u0) from = segment.arc_length(begin) - piece.s;
-        if (end != u1) to = segment.arc_length(end) - piece.s;
+        if (begin != u0) from = segment.travelled(begin) - before;
+        if (end != u1) to = segment.travelled(end) - before;
       }
       const double half = 0.5 * (end - begin);
       if (at_vanishing_tangent(piece.segment, begin, end)) {

@@ -199,5 +199,34 @@ TEST(Verifier, ThreeDimensionsAndTinyArcs) {
   EXPECT_GT(find(w, "acceleration x").value, 15990);
 }
 
+/// A line of `way` mm, a rounding of 0.04 mm that all but turns back, and a line of the same way: passed at 1.6 mm/s.
+Verification past_a_reversal(double way) {
+  constexpr double size = 0.02, turn = 165 * std::numbers::pi / 180, stretch = 0.9 + 0.03 * turn;
+  const Vec out{std::cos(turn), std::sin(turn), 0};
+  std::vector<Vec> points;
+  for (const double share : {6.0, 4.0, 2.0})
+    points.insert(points.begin(), {way + size - (1 - share * stretch / 7) * size, 0, 0});
+  for (const double share : {6.0, 4.0, 2.0, 0.0})
+    points.push_back(Vec{way + size, 0, 0} + (1 - share * stretch / 7) * size * out);
+  const Contour contour = Maker().line({way, 0}).bezier(points).line(Vec{way + size, 0, 0} + (size + way) * out).done();
+  const double end = contour.path.length(), ramp = 0.5;
+  return verdict(
+      contour, machine(2, 1e3, 16000),
+      law_through(contour.path,
+                  {{0, 0}, {ramp, 1.6}, {way, 1.6}, {contour.path[1].s1(), 1.6}, {end - ramp, 1.6}, {end, 0}}));
+}
+
+TEST(Verifier, PeaksAreAsSharpFarAlongThePath) {
+  const Verification near = past_a_reversal(1);
+  expect_failed(near, {});
+  for (const double way : {30.0, 1e3, 3e4}) {
+    const Verification far = past_a_reversal(way);
+    expect_failed(far, {});
+    for (const char* name : {"acceleration x", "acceleration y"})
+      EXPECT_NEAR(find(far, name).value, find(near, name).value, (1e-9 + 1e-12 * way) * find(near, name).value)
+          << way << name;
+  }
+}
+
 }  // namespace
 }  // namespace bahnwerk
