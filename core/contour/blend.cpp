@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <string>
+#include <utility>
 
 #include "core/base/errors.hpp"
 #include "core/contour/blend/layout.hpp"
@@ -188,13 +189,13 @@ class Blender {
     for (std::size_t i = stretch.find(range.a, hint) + 1;
          i < stretch.elements.size() && stretch.elements[i].begin < range.b; ++i, ++segments)
       if (stretch.elements[i].block != stretch.elements[i - 1].block) borders.push_back(stretch.elements[i].begin);
-    const SmoothedRun run =
+    SmoothedRun run =
         smooth_run(stretch, range, borders, {used_share * options_.tolerance, fitted_share * options_.tolerance},
                    given_.dimension, pause_);
     if (!run.done) return split(stretch, range, run.troubles, depth, hint);
     for (std::size_t k = 0; k < run.pieces.size(); ++k) {
       hint = stretch.find(0.5 * (run.breaks[k] + run.breaks[k + 1]), hint);
-      append(std::make_shared<Rational>(run.pieces[k]), stretch.elements[hint]);
+      append(std::make_shared<Rational>(std::move(run.pieces[k])), stretch.elements[hint]);
     }
     done_ += segments;
     ++count_.runs;

@@ -22,16 +22,17 @@ struct Row {
   double gain = 0;  // g
 };
 
+/// In the plane or in space: `Dim` coordinates.
+template <std::size_t Dim>
 class Solver {
  public:
   Solver(const TubeProblem& problem, const std::function<void()>& pause)
       : p_(problem),
         pause_(pause),
-        dim_(problem.dimension),
         points_(problem.breaks.size() + spline_degree - 1),
         knots_(clamped_knots(problem.breaks)),
-        energy_(points_, spline_degree),
-        system_(points_ * dim_, spline_order * dim_ - 1),
+        energy_(points_),
+        system_(points_ * Dim),
         c_(points_) {
     assemble_energy();
     prepare_sites();
@@ -142,15 +143,15 @@ class Solver {
   /// Gradient and matrix of the energy over the free coordinates; identity for the fixed ones.
   void start_system() {
     system_.clear();
-    right_.assign(points_ * dim_, 0.0);
+    right_.assign(points_ * Dim, 0.0);
     for (std::size_t i = 0; i < points_; ++i) {
-      for (std::size_t d = 0; d < dim_ && !free(i); ++d) system_.at(i * dim_ + d, i * dim_ + d) = 1;
+      for (std::size_t d = 0; d < Dim && !free(i); ++d) system_.at(i * Dim + d, i * Dim + d) = 1;
       for (std::size_t j = i > spline_degree ? i - spline_degree : 0; j <= i; ++j) {
         const double e = energy_.at(i, j);
-        for (std::size_t d = 0; d < dim_; ++d) {
-          if (free(i) && free(j)) system_.at(i * dim_ + d, j * dim_ + d) += e;
-          if (free(i)) right_[i * dim_ + d] -= e * c_[j][d];
-          if (free(j) && j < i) right_[j * dim_ + d] -= e * c_[i][d];
+        for (std::size_t d = 0; d < Dim; ++d) {
+          if (free(i) && free(j)) system_.at(i * Dim + d, j * Dim + d) += e;
+          if (free(i)) right_[i * Dim + d] -= e * c_[j][d];
+          if (free(j) && j < i) right_[j * Dim + d] -= e * c_[i][d];
         }
       }
     }
@@ -161,19 +162,22 @@ class Solver {
     if ((s & 8191) == 8191 && pause_) pause_();
     const Vec r = residual_[s];
     const Row& row = rows_[s];
-    for (std::size_t i = 0; i < spline_order; ++i) {
-      const std::size_t a = row.first + i;
-      if (!free(a)) continue;
-      for (std::size_t d = 0; d < dim_; ++d) right_[a * dim_ + d] -= pull * row.value[i] * r[d];
-      for (std::size_t j = 0; j <= i; ++j) {
-        const std::size_t b = row.first + j;
-        if (!free(b)) continue;
-        const double v = row.value[i] * row.value[j];
-        for (std::size_t d = 0; d < dim_; ++d)
-          for (std::size_t e = 0; e < dim_; ++e) {
-            if (i == j && e > d) continue;
-            system_.at(a * dim_ + d, b * dim_ + e) += v * ((d == e ? pull : 0.0) + twist * r[d] * r[e]);
-          }
+    double hessian[Dim][Dim];
+    for (std::size_t d = 0; d < Dim; ++d)
+      for (std::size_t e = 0; e < Dim; ++e) hessian[d][e] = (d == e ? pull : 0.0) + twist * r[d] * r[e];
+    for (std::size_t j = 0; j < spline_order; ++j) {
+      const std::size_t b = row.first + j;
+      if (!free(b)) continue;
+      for (std::size_t e = 0; e < Dim; ++e) {
+        const double value = row.value[j];
+        right_[b * Dim + e] -= pull * value * r[e];
+        for (std::size_t d = e; d < Dim; ++d) system_.at(b * Dim + d, b * Dim + e) += value * value * hessian[d][e];
+        for (std::size_t i = j + 1; i < spline_order; ++i) {
+          const std::size_t a = row.first + i;
+          if (!free(a)) break;
+          for (std::size_t d = 0; d < Dim; ++d)
+            system_.at(a * Dim + d, b * Dim + e) += value * row.value[i] * hessian[d][e];
+        }
       }
     }
   }
@@ -185,7 +189,7 @@ class Solver {
 
   void move(double share) {
     for (std::size_t i = 0; i < points_; ++i)
-      for (std::size_t d = 0; d < dim_ && free(i); ++d) c_[i][d] += share * right_[i * dim_ + d];
+      for (std::size_t d = 0; d < Dim && free(i); ++d) c_[i][d] += share * right_[i * Dim + d];
   }
 
   void step_penalty(double penalty) {
@@ -217,9 +221,9 @@ class Solver {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       Vec move;
       for (std::size_t j = 0; j < spline_order; ++j)
-        for (std::size_t d = 0; d < dim_; ++d) {
+        for (std::size_t d = 0; d < Dim; ++d) {
           const std::size_t at = rows_[i].first + j;
-          if (free(at)) move[d] += rows_[i].value[j] * right_[at * dim_ + d];
+          if (free(at)) move[d] += rows_[i].value[j] * right_[at * Dim + d];
         }
       step_[i] = move;
       total += rows_[i].gain;
@@ -240,9 +244,9 @@ class Solver {
       }
       return sum;
     };
-    double share = longest;
-    for (int i = 0; i < 12 && !(gain(share) <= -0.1 * share * decrement); ++i) share *= 0.5;
-    if (!(gain(share) <= 0)) return true;
+    double share = longest, gained = gain(share);
+    for (int i = 0; i < 12 && !(gained <= -0.1 * share * decrement); ++i) gained = gain(share *= 0.5);
+    if (!(gained <= 0)) return true;
     move(share);
     return decrement < 0.02 * mu * total;
   }
@@ -252,8 +256,8 @@ class Solver {
     for (std::size_t i = 0; i < points_; ++i)
       for (std::size_t j = i > spline_degree ? i - spline_degree : 0; j <= i; ++j) {
         const double e = energy_.at(i, j);
-        for (std::size_t d = 0; d < dim_; ++d) {
-          const double si = free(i) ? right_[i * dim_ + d] : 0, sj = free(j) ? right_[j * dim_ + d] : 0;
+        for (std::size_t d = 0; d < Dim; ++d) {
+          const double si = free(i) ? right_[i * Dim + d] : 0, sj = free(j) ? right_[j * Dim + d] : 0;
           if (i == j) {
             quadratic += e * si * si;
             linear += e * si * c_[i][d];
@@ -267,9 +271,10 @@ class Solver {
 
   const TubeProblem& p_;
   const std::function<void()>& pause_;
-  std::size_t dim_, points_;
+  std::size_t points_;
   std::vector<double> knots_;
-  BandMatrix energy_, system_;
+  BandMatrix<spline_degree> energy_;
+  BandMatrix<spline_order * Dim - 1> system_;
   std::vector<Vec> c_;
   std::size_t fixed_begin_ = 0, fixed_end_ = 0;
   std::vector<Row> rows_;
@@ -292,8 +297,50 @@ Jet TubeSpline::at(std::size_t span, double t) const {
   return f;
 }
 
+namespace {
+
+/// The coordinates that change; `along` = 3: all of them. In a plane across an axis the one along it is left out.
+std::size_t constant_axis(const TubeProblem& p) {
+  if (p.dimension < 3) return 3;
+  const auto still = [](const TubeEnd& end, std::size_t axis, double value) {
+    const Jet& j = end.jet;
+    return j.value[axis] == value && (!end.clamped || (j.d1[axis] == 0 && j.d2[axis] == 0 && j.d3[axis] == 0));
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double value = p.begin.jet.value[axis];
+    if (still(p.begin, axis, value) && still(p.end, axis, value) &&
+        std::all_of(p.sites.begin(), p.sites.end(), [&](const TubeSite& s) { return s.p[axis] == value; }))
+      return axis;
+  }
+  return 3;
+}
+
+/// A vector without one of its coordinates, and back again.
+Vec without(std::size_t axis, const Vec& v) { return {v[axis == 0 ? 1 : 0], v[axis == 2 ? 1 : 2], 0}; }
+Jet without(std::size_t axis, const Jet& j) {
+  return {without(axis, j.value), without(axis, j.d1), without(axis, j.d2), without(axis, j.d3)};
+}
+Vec with(std::size_t axis, double value, const Vec& v) {
+  Vec all;
+  all[axis] = value;
+  all[axis == 0 ? 1 : 0] = v.x;
+  all[axis == 2 ? 1 : 2] = v.y;
+  return all;
+}
+
+}  // namespace
+
 TubeSpline smooth_in_tube(const TubeProblem& problem, const std::function<void()>& pause) {
-  return Solver(problem, pause).run();
+  if (problem.dimension < 3) return Solver<2>(problem, pause).run();
+  const std::size_t axis = constant_axis(problem);
+  if (axis == 3) return Solver<3>(problem, pause).run();
+  TubeProblem flat = problem;
+  flat.dimension = 2;
+  for (TubeSite& site : flat.sites) site.p = without(axis, site.p);
+  for (TubeEnd* end : {&flat.begin, &flat.end}) end->jet = without(axis, end->jet);
+  TubeSpline spline = Solver<2>(flat, pause).run();
+  for (Vec& c : spline.points) c = with(axis, problem.begin.jet.value[axis], c);
+  return spline;
 }
 
 }  // namespace bahnwerk::blending

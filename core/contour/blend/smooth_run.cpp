@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/contour/blend/smooth.hpp"
 #include "core/contour/blend/smooth_basis.hpp"
@@ -190,47 +191,156 @@ class Inspection {
   double worst_ = 0, outside_ = -1;
 };
 
-}  // namespace
+/// A spline between two places of a stretch.
+struct Window {
+  bool done = false;
+  std::vector<double> breaks;
+  TubeSpline spline;
+  std::vector<double> troubles;  ///< if not done
+};
 
-SmoothedRun smooth_run(const Stretch& stretch, const RunRange& range, const std::vector<double>& borders,
-                       const RunTolerance& tolerance, std::size_t dimension, const std::function<void()>& pause) {
-  SmoothedRun run;
-  BendScale scale(stretch, range.a, range.b, tolerance.aimed, pause);
+Window smooth_window(const Stretch& stretch, const RunRange& range, BendScale scale, const TubeEnd& begin,
+                     const TubeEnd& end, const RunTolerance& tolerance, std::size_t dimension,
+                     const std::function<void()>& pause) {
+  Window window;
   std::vector<double> extra;
   TubeProblem problem;
   problem.dimension = dimension;
-  problem.begin = end_of(stretch, range.a, range.clamped_begin);
-  problem.end = end_of(stretch, range.b, range.clamped_end);
+  problem.begin = begin;
+  problem.end = end;
   for (int round = 0; round < max_rounds; ++round) {
     problem.breaks = scale.breaks();
     problem.scale.clear();
     for (std::size_t k = 0; k + 1 < problem.breaks.size(); ++k)
       problem.scale.push_back(2 * (problem.breaks[k + 1] - problem.breaks[k]));
     problem.sites = sites_of(stretch, range, scale, site_share * tolerance.aimed, extra);
-    const TubeSpline spline = smooth_in_tube(problem, pause);
-    if (!spline.inside) {
-      run.troubles.clear();
+    window.spline = smooth_in_tube(problem, pause);
+    if (!window.spline.inside) {
+      window.troubles.clear();
       for (const TubeSite& site : problem.sites) {
         const auto k = static_cast<std::size_t>(std::upper_bound(problem.breaks.begin(), problem.breaks.end(), site.t) -
                                                 problem.breaks.begin());
-        if (!(norm(spline.at(k - 1, site.t).value - site.p) < site.radius)) run.troubles.push_back(site.t);
+        if (!(norm(window.spline.at(k - 1, site.t).value - site.p) < site.radius)) window.troubles.push_back(site.t);
       }
-      scale.refine(run.troubles);
+      scale.refine(window.troubles);
       continue;
     }
-    const Finding finding = Inspection(stretch, problem, spline, tolerance).run(pause);
-    if (finding.places.empty()) {
-      for (Rational& piece : Nurbs(spline_degree, spline.points, {}, spline.knots).pieces())
-        run.pieces.push_back(std::move(piece));
-      run.breaks = problem.breaks;
-      run.done = run.pieces.size() + 1 == run.breaks.size();
-      if (run.done) cut_at(borders, run);
-      return run;
-    }
-    run.troubles = finding.places;
-    if (finding.turning) return run;
+    const Finding finding = Inspection(stretch, problem, window.spline, tolerance).run(pause);
+    window.done = finding.places.empty();
+    if (window.done) window.breaks = std::move(problem.breaks);
+    if (!window.done) window.troubles = finding.places;
+    if (window.done || finding.turning) return window;
     extra.insert(extra.end(), finding.places.begin(), finding.places.end());
   }
+  return window;
+}
+
+/// Window by window along a run, each on from where the one before it was cut.
+class WindowedRun {
+ public:
+  WindowedRun(const Stretch& stretch, const RunRange& range, const RunTolerance& tolerance, std::size_t dimension,
+              const std::function<void()>& pause)
+      : stretch_(stretch),
+        range_(range),
+        tolerance_(tolerance),
+        dimension_(dimension),
+        pause_(pause),
+        scale_(stretch, range.a, range.b, tolerance.aimed, pause) {}
+
+  SmoothedRun run() {
+    restart(range_.a, range_.clamped_begin);
+    run_.done = true;
+    run_.breaks = {range_.a};
+    while (at_ < range_.b) {
+      double end = scale_.ahead(at_, size_ + overlap);
+      if (!(end < range_.b) || !(scale_.ahead(end, overlap) < range_.b)) end = range_.b;
+      const bool last = end == range_.b;
+      Window window =
+          smooth_window(stretch_, {at_, end}, last && at_ == range_.a ? scale_ : scale_.part(at_, end), begin_,
+                        end_of(stretch_, end, last && range_.clamped_end), tolerance_, dimension_, pause_);
+      if (window.done) {
+        take(window, last);
+      } else if (before_.size > 0 && before_.size < largest) {
+        // The cut may be to blame: what was cut there and this in one window.
+        at_ = before_.at, begin_ = before_.begin;
+        size_ = 2 * before_.size;
+        keep(before_.pieces);
+        before_.size = 0;
+      } else {
+        pass(window, end);
+      }
+    }
+    run_.done = run_.done && run_.pieces.size() + 1 == run_.breaks.size();
+    return std::move(run_);
+  }
+
+ private:
+  static constexpr double usual = 1024, largest = 4096, overlap = 96;  // spline intervals; an end shows over some 60
+
+  void restart(double at, bool clamped) {
+    at_ = at;
+    begin_ = end_of(stretch_, at, clamped);
+    size_ = usual;
+    before_.size = 0;
+  }
+  void keep(std::size_t pieces) {
+    if (!run_.done) return;
+    run_.pieces.erase(run_.pieces.begin() + static_cast<std::ptrdiff_t>(pieces), run_.pieces.end());
+    run_.breaks.resize(pieces + 1);
+  }
+
+  /// Keeps of a window what its far end does not bear on.
+  void take(Window& window, bool last) {
+    const std::size_t all = window.breaks.size() - 1, kept = last ? all : all - static_cast<std::size_t>(overlap);
+    before_ = {at_, size_, begin_, run_.pieces.size()};
+    if (run_.done) {
+      std::vector<Rational> pieces = Nurbs(spline_degree, window.spline.points, {}, window.spline.knots).pieces();
+      run_.done = pieces.size() == all;
+      for (std::size_t k = 0; run_.done && k < kept; ++k) {
+        run_.pieces.push_back(std::move(pieces[k]));
+        run_.breaks.push_back(window.breaks[k + 1]);
+      }
+    }
+    at_ = window.breaks[kept];
+    if (!last) begin_ = {true, window.spline.at(kept, at_)};
+    size_ = usual;
+  }
+
+  /// Goes on behind what cannot be smoothed, to find out where else that is so.
+  void pass(const Window& window, double end) {
+    run_.done = false;
+    run_.pieces.clear();
+    run_.troubles.insert(run_.troubles.end(), window.troubles.begin(), window.troubles.end());
+    double next = end;
+    if (end < range_.b && !window.troubles.empty()) {
+      const Element& e = stretch_.elements[stretch_.find(window.troubles.back(), 0)];
+      if (e.end() > at_) next = std::min(end, e.end());
+    }
+    restart(next, false);
+  }
+
+  const Stretch& stretch_;
+  const RunRange& range_;
+  const RunTolerance& tolerance_;
+  std::size_t dimension_;
+  const std::function<void()>& pause_;
+  BendScale scale_;
+  SmoothedRun run_;
+  double at_ = 0, size_ = usual;
+  TubeEnd begin_;
+  struct {
+    double at = 0, size = 0;
+    TubeEnd begin;
+    std::size_t pieces = 0;
+  } before_;  // the window that was cut at at_; size 0: none
+};
+
+}  // namespace
+
+SmoothedRun smooth_run(const Stretch& stretch, const RunRange& range, const std::vector<double>& borders,
+                       const RunTolerance& tolerance, std::size_t dimension, const std::function<void()>& pause) {
+  SmoothedRun run = WindowedRun(stretch, range, tolerance, dimension, pause).run();
+  if (run.done) cut_at(borders, run);
   return run;
 }
 

@@ -70,6 +70,33 @@ void BendScale::refine(const std::vector<double>& places) {
   grade();
 }
 
+BendScale BendScale::part(double a, double b) const {
+  BendScale part;
+  part.min_ = min_;
+  part.t_.push_back(a);
+  part.h_.push_back(at(a));
+  for (auto i = static_cast<std::size_t>(std::upper_bound(t_.begin(), t_.end(), a) - t_.begin());
+       i < t_.size() && t_[i] < b; ++i) {
+    part.t_.push_back(t_[i]);
+    part.h_.push_back(h_[i]);
+  }
+  part.t_.push_back(b);
+  part.h_.push_back(at(b));
+  return part;
+}
+
+double BendScale::ahead(double t, double breaks) const {
+  double left = t, h = at(t);
+  for (auto i = static_cast<std::size_t>(std::upper_bound(t_.begin(), t_.end(), t) - t_.begin()); i < t_.size(); ++i) {
+    const double step = (t_[i] - left) * (1 / h + 1 / h_[i]);
+    if (step >= breaks) return left + (t_[i] - left) * (breaks / step);
+    breaks -= step;
+    left = t_[i];
+    h = h_[i];
+  }
+  return t_.back();
+}
+
 void BendScale::grade() {
   for (std::size_t i = 1; i < t_.size(); ++i) h_[i] = std::min(h_[i], h_[i - 1] + slope * (t_[i] - t_[i - 1]));
   for (std::size_t i = t_.size() - 1; i-- > 0;) h_[i] = std::min(h_[i], h_[i + 1] + slope * (t_[i + 1] - t_[i]));

@@ -18,10 +18,15 @@ class BendScale {
   double at(double t) const;
   /// Halves H around these places (ascending), but not below a sixteenth of the tolerance.
   void refine(const std::vector<double>& places);
+  /// The same between two of its places, to be refined on its own. O(log nodes + nodes between them).
+  BendScale part(double a, double b) const;
+  /// From `t` on: where so many breaks have passed, at most the end. O(log nodes + nodes passed).
+  double ahead(double t, double breaks) const;
   /// Spline breaks: intervals of H/2, at least 8, their ends a and b.
   std::vector<double> breaks() const;
 
  private:
+  BendScale() = default;
   /// Applies the bound on the slope.
   void grade();
 

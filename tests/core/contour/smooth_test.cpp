@@ -34,11 +34,11 @@ TEST(SmoothBasis, AgreesWithNurbs) {
 
 TEST(SmoothBand, SolvesWhatItFactors) {
   Random random(3);
-  const std::size_t n = 40, w = 5;
-  BandMatrix a(n, w);
+  constexpr std::size_t n = 40, w = 5;
+  BandMatrix<w> a(n);
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = i > w ? i - w : 0; j <= i; ++j) a.at(i, j) = i == j ? 12 : random.uniform(-1, 1);
-  const BandMatrix given = a;
+  const BandMatrix<w> given = a;
   std::vector<double> x(n), b(n, 0.0);
   for (double& v : x) v = random.uniform(-1, 1);
   for (std::size_t i = 0; i < n; ++i)
