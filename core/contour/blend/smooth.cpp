@@ -248,7 +248,7 @@ class Solver {
     for (int i = 0; i < 12 && !(gained <= -0.1 * share * decrement); ++i) gained = gain(share *= 0.5);
     if (!(gained <= 0)) return true;
     move(share);
-    return decrement < 0.02 * mu * total;
+    return decrement < 0.3 * mu * total;
   }
 
   /// ½∫w|f'''|² along c + x·right_: its first and second derivative at 0.
