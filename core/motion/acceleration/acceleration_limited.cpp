@@ -16,26 +16,45 @@ namespace bahnwerk {
 namespace {
 
 // Memory: about 270 bytes per cell of a window, 72 for the law of each. Beyond the usual number cells get wider, up to
-// the coarsest; the gap then tells what that costs.
-constexpr double usual_cells = 1e6, max_cells = 8e6, coarsest_angle = 0.02;  // rad
-constexpr std::size_t block = 512;                                           // cells that stay in a cache
+// the widest; the gap then tells what that costs.
+constexpr double widest = 10, max_turn = 160000;  // rad
+constexpr std::size_t sampled_segments = 256;     // whose cells tell how many there will be
+constexpr double first_growth = 3;                // cells after dividing per cell before
+// What the law may exceed a limit by unseen in wide cells: times the error of their model; and so much in any case.
+// Verified once more such laws cost more than the margin.
+constexpr double model_share = 50, least_margin = 1e-5;
+constexpr std::size_t block = 512;  // cells that stay in a cache
+
+/// What the number of cells follows: the curved segments, and the angles of the grid by which they turn.
+template <int N>
+double bends(const LanePath<N>& path, std::size_t first, std::size_t last, double angle) {
+  double count = 0;
+  for (std::size_t i = first; i < last; ++i)
+    if (!path.linear(i)) count += 1;
+  return count + total_turn(path, first, last) / angle;
+}
 
 template <int N>
 class SectionPlanner {
  public:
+  /// `density`: cells per bend.
   SectionPlanner(const LanePath<N>& path, const Machine& lanes, const AccelerationLimitedOptions& options,
-                 const std::vector<double>& feed, const Sections& sections, double cells, Progress& progress)
+                 const std::vector<double>& feed, const Sections& sections, double density, double model_error,
+                 Progress& progress)
       : path_(path),
         machine_(lanes),
         options_(options),
         feed_(feed),
         progress_(progress),
-        one_window_(cells <= static_cast<double>(options.window)),
+        density_(density),
+        model_error_(model_error),
         limit_(lanes),
         chain_(grid_, feed, sections, lanes,
                options.keep_reserve ? std::optional(options.braking_reserve) : std::nullopt),
         marks_(grid_, chain_) {
-    // Curves whose curvature changes fast take up to twice as many. Memory that is not written to costs nothing.
+    const double cells = static_cast<double>(path.size()) + density * bends(path, 0, path.size(), options.grid.angle);
+    one_window_ = cells <= static_cast<double>(options.window);
+    // Where the law switches there are more. Memory that is not written to costs nothing.
     grid_.reserve(static_cast<std::size_t>(2.1 * std::min(cells, 2 * static_cast<double>(options.window))) + 16);
   }
 
@@ -53,13 +72,14 @@ class SectionPlanner {
   /// The end of the segments from `first` on that have about so many cells; one at least.
   std::size_t reach(std::size_t first, std::size_t last, double cells) const {
     std::size_t end = first;
-    for (; end < last && cells > 0; ++end) cells -= 1 + total_turn(path_, end, end + 1) / options_.grid.angle;
+    for (; end < last && cells > 0; ++end)
+      cells -= path_.linear(end) ? 1 : density_ * bends(path_, end, end + 1, options_.grid.angle);
     return end;
   }
 
   /// Window by window, each to a stop at its end. Kept is what lies before the last segment border which that stop does
-  /// not reach and where the speed is given by what came before; the next window begins there. Where there is none, or
-  /// the next window cannot go on from it, windows grow.
+  /// not reach and where the speed is given by what came before, or does not change; the next window begins there.
+  /// Where there is none, or the next window cannot go on from it, windows grow.
   void plan_long(std::size_t first, std::size_t last, double from, double to, AccelerationLimitedResult& result) {
     struct Place {
       std::size_t segment, pieces, cells;
@@ -67,14 +87,15 @@ class SectionPlanner {
     };
     const std::size_t first_piece = result.law.pieces().size();
     Place at{first, first_piece, result.cells, 0, 0}, before = at;
-    double window = static_cast<double>(options_.window);
+    // Dividing makes more of them, as the windows before tell.
+    double window = static_cast<double>(options_.window), grown = first_growth;
     const auto fraction = [&](std::size_t segment) {
       const double begin = path_[first].s0(), end = path_[last - 1].s1();
       return from + (to - from) * ((segment < last ? path_[segment].s0() : end) - begin) / (end - begin);
     };
     slow_ = 1;
     while (at.segment < last) {
-      const std::size_t end = reach(at.segment, last, window);
+      const std::size_t end = reach(at.segment, last, window / grown);
       ProgressScope pulse(progress_, "planning", fraction(at.segment), fraction(end));
       solve_window(at.segment, end, at.entry, pulse, result);
       const std::size_t keep = end == last ? grid_.cells.size() : border();
@@ -86,6 +107,7 @@ class SectionPlanner {
       }
       before = at;
       emit(keep, result, pulse);
+      grown = std::max(1.0, static_cast<double>(grid_.cells.size()) * grown / window);
       at = {end == last ? last : grid_.cells[keep].segment, result.law.pieces().size(), result.cells, chain_.node(keep),
             std::max(at.most, excess(keep))};
     }
@@ -94,7 +116,9 @@ class SectionPlanner {
 
   std::size_t border() const {
     for (std::size_t c = chain_.unaffected(share_); c > 0; --c)
-      if (grid_.cells[c].segment != grid_.cells[c - 1].segment && chain_.slack(c)) return c;
+      if (grid_.cells[c].segment != grid_.cells[c - 1].segment &&
+          (chain_.slack(c) || (chain_.steady(c - 1) && chain_.steady(c))))
+        return c;
     return 0;
   }
 
@@ -123,6 +147,7 @@ class SectionPlanner {
     }
     pulse.half_of_rest();
     result.rounds = std::max(result.rounds, rounds);
+    result.window = std::max(result.window, grid_.cells.size());
   }
 
   double excess(std::size_t cells) const {
@@ -133,7 +158,10 @@ class SectionPlanner {
     }
     return std::max(acceleration, velocity);
   }
-  static double slowing(double excess) { return excess > 0 ? std::sqrt(1 + excess) * (1 + 1e-12) : 1; }
+  double slowing(double excess) const {
+    const double most = std::max(excess, 0.0) + model_error_;
+    return most > 0 ? std::sqrt(1 + most) * (1 + 1e-12) : 1;
+  }
 
   /// Smooth cells leave what the law may bulge between their ends: the acceleration of an axis along a saturated law is
   /// a parabola of height ≈ turn²/8 there.
@@ -223,7 +251,8 @@ class SectionPlanner {
   const AccelerationLimitedOptions& options_;
   const std::vector<double>& feed_;
   Progress& progress_;
-  bool one_window_;  // enough for any section
+  double density_, model_error_;
+  bool one_window_ = true;  // enough for any section
   AxisBounds<N> limit_;
   double slow_ = 1;  // by what the law is slowed
   Grid<N> grid_;
@@ -235,23 +264,46 @@ class SectionPlanner {
   DivisionMarks<N> marks_;
 };
 
+/// Cells per bend, from some of the segments: 1, more where curvature changes fast.
+template <int N>
+double cell_density(const LanePath<N>& path, const Machine& lanes, const std::vector<double>& feed,
+                    const AccelerationLimitedOptions& options, Progress& progress, double at) {
+  ProgressScope pulse(progress, "planning", at, at);
+  Grid<N> grid;
+  double cells = 0, all = 0;
+  const std::size_t n = path.size(), looks = std::min(n, sampled_segments);
+  for (std::size_t k = 0; k < looks; ++k) {
+    const std::size_t i = k * n / looks;
+    if (path.linear(i)) continue;
+    grid.build(path, i, i + 1, feed, lanes, options.grid, pulse);
+    cells += static_cast<double>(grid.cells.size());
+    all += bends(path, i, i + 1, options.grid.angle);
+  }
+  return all > 0 ? std::max(1.0, cells / all) : 1.0;
+}
+
 template <int N>
 AccelerationLimitedResult plan(const PathTask& task, const AccelerationLimitedOptions& options, Progress& progress,
                                double from, double to) {
   const LanePath<N> path(task.path);
   const Machine lanes = path.limits(task.machine);
-  AccelerationLimitedOptions fitted = options;
   const double turn = total_turn(path, 0, path.size());
-  fitted.grid.angle = std::max(options.grid.angle, std::min(coarsest_angle, turn / usual_cells));
-  if (turn / fitted.grid.angle > max_cells)
+  if (turn > max_turn)
     throw InvalidInput(
         {{{"contour"},
           "the contour turns by " + std::to_string(static_cast<long>(turn)) + " rad in all, more than the " +
-              std::to_string(static_cast<long>(max_cells * coarsest_angle)) + " that fit into memory"}});
+              std::to_string(static_cast<long>(max_turn)) + " that fit into memory"}});
+  const double density = cell_density(path, lanes, task.feeds, options, progress, from);
+  const double wider =
+      std::clamp(density * bends(path, 0, path.size(), options.grid.angle) / options.usual_cells, 1.0, widest);
+  AccelerationLimitedOptions fitted = options;
+  fitted.grid.angle *= wider;
+  fitted.grid.hermite *= wider * wider * wider * wider;  // it falls with the fourth power of a cell's width
+  fitted.tolerance *= wider * wider;
+  const double model_error = wider > 1 ? std::max(least_margin, model_share * fitted.grid.hermite) : 0;
   const Sections sections = find_sections(task, options.corner_angle, [&] { progress.report("planning", from); });
   AccelerationLimitedResult result;
-  const double cells = turn / fitted.grid.angle + 2 * static_cast<double>(path.size());
-  SectionPlanner<N> planner(path, lanes, fitted, task.feeds, sections, cells, progress);
+  SectionPlanner<N> planner(path, lanes, fitted, task.feeds, sections, density, model_error, progress);
   for_each_section(path.tool(), sections, from, to, [&](std::size_t first, std::size_t last, double begin, double end) {
     planner.plan(first, last, begin, end, result);
   });

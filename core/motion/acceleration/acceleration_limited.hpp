@@ -6,9 +6,11 @@
 /// come to rest, one forward pass takes the largest v² that stays below it; cells where the law switches are divided
 /// until the estimated loss falls below `tolerance`, and cells in which a limit is exceeded between the stations get a
 /// smaller share of it. Sections beyond `window` cells are planned in overlapping windows, each to a stop at its end;
-/// what is kept of it is what that stop cannot reach, so the law is that of the whole section. Straight segments are
-/// one cell each and exact. The result is piecewise cubic in time. Cost: O(cells) time and memory per section; for two
-/// axes, path evaluation included, about 85 ns per cell for one solution and 0.6 µs with all rounds
+/// what is kept of it is what that stop cannot reach, so the law is that of the whole section. Paths that would need
+/// more than `usual_cells` get wider ones, at most 10 times as wide: there the duration is up to 5e-4 above what finer
+/// ones would give, and the law stays 1e-5 of the limits below them, which wide cells see less exactly. Straight
+/// segments are one cell each and exact. The result is piecewise cubic in time. Cost: O(cells) time and memory per
+/// section; for two axes, path evaluation included, about 85 ns per cell for one solution and 0.6 µs with all rounds
 /// (tests/bench/bench_motion.cpp).
 #include <cstddef>
 #include <vector>
@@ -31,13 +33,15 @@ struct AccelerationLimitedOptions {
   int max_divisions = 5,
       max_rounds = 5;  ///< times that the grid is divided, then that limits inside cells are tightened
   GridOptions grid;
-  std::size_t window = 1 << 18;  ///< cells planned at once; longer sections are planned piece by piece
+  std::size_t window = 1 << 16;  ///< cells planned at once, about; longer sections are planned piece by piece
+  double usual_cells = 1e6;      ///< on paths that would need more cells get up to 10 times as wide
 };
 
 struct AccelerationLimitedResult {
   TimeLaw law;
   std::size_t rounds = 0;  ///< most passes any section took
   std::size_t cells = 0;   ///< cells of the final grids
+  std::size_t window = 0;  ///< most of them planned at once
 };
 
 /// Throws InvalidInput for limits that are not positive and for paths that turn by more than 160 000 rad, Stopped when

@@ -41,6 +41,10 @@ class SpeedChain {
   std::size_t unaffected(const UnsetVector<double>& share) const;
   /// Whether the law is slightly below what can still stop at cell c: then its speed there comes from before.
   bool slack(std::size_t c) const { return speed_[c].node < speed_[c].node_stop * (1 - 1e-4); }
+  /// Whether cell c is driven at constant speed.
+  bool steady(std::size_t c) const {
+    return speed_[c].node == speed_[c].middle && speed_[c].node == speed_[c + 1].node;
+  }
   /// Whether the entry is not too fast.
   bool enters() const { return entry_ <= speed_[0].node_stop * (1 + 1e-12); }
   /// Solves again where `dirty` cells (1) have a new share, and marks in `dirty` every cell whose speeds changed.

@@ -66,13 +66,13 @@ TEST(AccelerationLimited, TinyPiecesInALongSection) {
   EXPECT_NEAR(duration(b.finish()), expected, 1e-9 * expected);
 }
 
-TEST(AccelerationLimited, WindowsGiveTheLawOfTheWholeSection) {
-  const Machine m = bahnwerk::testing::two_axes();
-  SilentProgress progress;
+/// Arcs and lines without a stop.
+Contour winding(int arcs, double feed = unlimited) {
   ContourBuilder b(2, {});
+  b.block(Mode::cut, feed);
   Vec at{};
   double heading = 0;
-  for (int i = 0; i < 400; ++i) {  // arcs and lines without a stop
+  for (int i = 0; i < arcs; ++i) {
     const double side = i % 3 ? 1 : -1, sweep = side * (0.4 + 1.2 * std::abs(std::sin(i))),
                  r = 4 + 3 * std::cos(2.0 * i);
     const Vec centre = at + r * Vec{std::cos(heading + side * M_PI / 2), std::sin(heading + side * M_PI / 2), 0};
@@ -82,7 +82,13 @@ TEST(AccelerationLimited, WindowsGiveTheLawOfTheWholeSection) {
     b.arc(at, centre, side > 0);
     if (i % 7 == 0) b.line(at = at + 5 * Vec{std::cos(heading), std::sin(heading), 0});
   }
-  const Contour contour = b.finish();
+  return b.finish();
+}
+
+TEST(AccelerationLimited, WindowsGiveTheLawOfTheWholeSection) {
+  const Machine m = bahnwerk::testing::two_axes();
+  SilentProgress progress;
+  const Contour contour = winding(400);
   for (const bool reserve : {false, true}) {
     AccelerationLimitedOptions whole, pieces;
     whole.keep_reserve = pieces.keep_reserve = reserve;
@@ -98,6 +104,36 @@ TEST(AccelerationLimited, WindowsGiveTheLawOfTheWholeSection) {
       }
       EXPECT_NEAR(list.back().s_end, contour.path.length(), 1e-9);
     }
+  }
+}
+
+TEST(AccelerationLimited, WindowsStaySmallAtASteadyFeed) {
+  SilentProgress progress;
+  const Contour contour = winding(1000, 20);
+  AccelerationLimitedOptions whole, windows;
+  whole.window = 1 << 20;
+  windows.window = 5000;
+  const auto expected = plan_acceleration_limited(contour, bahnwerk::testing::two_axes(), whole, progress);
+  const auto got = plan_acceleration_limited(contour, bahnwerk::testing::two_axes(), windows, progress);
+  ASSERT_GT(expected.window, 10 * windows.window);
+  EXPECT_LE(got.window, 2 * windows.window);
+  EXPECT_NEAR(got.law.duration(), expected.law.duration(), 1e-9 * expected.law.duration());
+}
+
+TEST(AccelerationLimited, CellsGetWiderWhereThereAreTooMany) {
+  SilentProgress progress;
+  const Machine m = bahnwerk::testing::two_axes();
+  const Contour contour = winding(400);
+  AccelerationLimitedOptions fine, wide;
+  const auto exact = plan_acceleration_limited(contour, m, fine, progress);
+  double before = exact.law.duration();
+  for (const double cells : {30000.0, 12000.0, 1000.0}) {
+    wide.usual_cells = cells;
+    const auto got = plan_acceleration_limited(contour, m, wide, progress);
+    EXPECT_LT(got.cells, exact.cells / 2) << cells;
+    EXPECT_GT(got.law.duration(), before * (1 - 1e-6)) << cells;
+    EXPECT_LT(got.law.duration(), exact.law.duration() * (1 + 5e-4)) << cells;
+    before = got.law.duration();
   }
 }
 
