@@ -31,18 +31,19 @@ void report_blocks(const Contour& contour, const TimeLaw& sampled, double factor
   }
 }
 
-void report_joints(const Contour& contour, std::size_t axes, const TimeLaw& law, double corner_angle, ContourPlan& plan,
-                   Progress& progress) {
+/// Speeds as planned: `factor` times those that are sampled.
+void report_joints(const Contour& contour, std::size_t axes, const TimeLaw& sampled, double factor, double corner_angle,
+                   ContourPlan& plan, Progress& progress) {
   std::size_t i = 0;
-  const auto& pieces = law.pieces();
+  const auto& pieces = sampled.pieces();
   const std::vector<bool> rest = contour.rest_places();
   for (const Joint& joint : joints(contour.path, [&] { progress.report("verify", 1); })) {
     if (joint.angle > corner_angle || joint.angle < report_jump) continue;
     while (i < pieces.size() && pieces[i].segment < joint.next) ++i;
     if (rest[joint.next]) continue;
     if (i == pieces.size()) break;
-    SmallJoint report{joint.s, joint.angle, pieces[i].v, {}};
-    for (std::size_t k = 0; k < axes; ++k) report.step.push_back(joint.step[k] * pieces[i].v);
+    SmallJoint report{joint.s, joint.angle, factor * pieces[i].v, {}};
+    for (std::size_t k = 0; k < axes; ++k) report.step.push_back(joint.step[k] * report.velocity);
     plan.joints.push_back(std::move(report));
   }
 }
@@ -97,11 +98,11 @@ ContourPlan plan_contour(Contour input, const Machine& machine, const ContourPla
     plan.notes.push_back(still_note(machine.axes[k], contour->height));
   plan.path_length = contour->path.length();
   plan.iterations = planned.iterations;
-  plan.pieces = planned.law.pieces().size();
-  plan.duration = planned.law.duration();
+  plan.pieces = planned.pieces;
+  plan.duration = planned.duration;
   plan.bound = planned.bound;
   report_blocks(*contour, sampled, planned.cycles.factor, plan);
-  report_joints(*contour, moving, planned.law, planning.corner_angle, plan, progress);
+  report_joints(*contour, moving, sampled, planned.cycles.factor, planning.corner_angle, plan, progress);
   plan.slow_lines = slow_lines(*planned.motion, held_limits(machine, method_row(planning.method), machine.dimension()),
                                path.feeds, planning.along, slow_lines_listed, progress, 1.0);
   plan.verification = std::move(planned.verification);

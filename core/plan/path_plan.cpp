@@ -20,16 +20,16 @@ constexpr double close_enough = 5e-6;       // gap to the bound at which a plan 
 constexpr double largest_excess = 1e-4;     // of a limit, that counts as rounding
 constexpr int max_corrections = 6;
 
-/// On pieces so short that rounding shows the verifier may find a limit exceeded by a little: slows those sections by
-/// as much. False if that is not what is wrong. `factor` is what the verified law was slowed by.
-bool slow_by_the_excess(const Verification& verification, double factor, TimeLaw& law) {
+/// On pieces so short that rounding shows the verifier may find a limit exceeded by a little: slows those sections of
+/// the law verified by as much. False if that is not what is wrong.
+bool slow_by_the_excess(const Verification& verification, TimeLaw& law) {
   for (const Check& check : verification.checks) {
     const bool scales = check.name.starts_with("velocity ") || check.name.starts_with("acceleration ") ||
                         check.name.starts_with("jerk ") || check.name.starts_with("path ");
     if (!check.passed && !(scales && check.value < check.limit * (1 + largest_excess))) return false;
   }
   for (const Check& check : verification.checks)
-    if (!check.passed) law.slow_section(check.at / factor, check.value / check.limit);
+    if (!check.passed) law.slow_section(check.at, check.value / check.limit);
   return true;
 }
 
@@ -45,22 +45,23 @@ class Pipeline {
 
   PathPlan run() {
     plan_.bound = lower_bound(task_, planning_.options.corner_angle, progress_, at(0), at(bounded));
-    plan_.law = with_dwells(law_near_the_bound(), task_, progress_, at(planned));
-    check_count();
+    take(law_near_the_bound());
     for (int attempt = 1;; ++attempt) {
       slow_and_verify();
       if (plan_.verification.passed || attempt == attempts) break;
       ++refinement_;
-      plan_.law = with_dwells(solve(), task_, progress_, at(planned));
-      check_count();
+      law_ = {};
+      take(solve());
     }
+    plan_.pieces = law_.pieces().size();
+    plan_.motion = std::make_shared<const PathMotion>(planning_.path, std::move(law_));
     plan_.setpoints = setpoints();
     for (Check& check : setpoint_checks(
              {*planning_.path, machine_, plan_.motion->law(), *plan_.setpoints, planning_.blocks, at(verified), at(1)},
              progress_))
       plan_.verification.add(std::move(check));
-    plan_.verification.add(bound_check(plan_.bound, plan_.law.duration()));
-    plan_.bound = with_gap(plan_.bound, plan_.law.duration());
+    plan_.verification.add(bound_check(plan_.bound, plan_.duration));
+    plan_.bound = with_gap(plan_.bound, plan_.duration);
     return std::move(plan_);
   }
 
@@ -93,8 +94,9 @@ class Pipeline {
     return std::make_unique<PathSetpoints>(plan_.motion, planning_.machine, plan_.cycles.count);
   }
 
-  void check_count() const {
-    const double count = std::ceil(plan_.law.duration() / planning_.machine.cycle_time) + 1;
+  void take(TimeLaw law) {
+    law_ = with_dwells(std::move(law), task_, progress_, at(planned));
+    const double count = std::ceil(law_.duration() / planning_.machine.cycle_time) + 1;
     if (!(count > planning_.max_setpoints)) return;
     char text[120];
     std::snprintf(text, sizeof text, "the motion has %.0f setpoints, at most %.0f are allowed", count,
@@ -102,19 +104,22 @@ class Pipeline {
     throw InvalidInput({{{"machine", "cycle_time"}, text}});
   }
 
+  /// In place: a law may be large.
   void slow_and_verify() {
+    double slowed = 1;  // by what law_ is, against the planned one
     for (int correction = 0;; ++correction) {
-      plan_.cycles = whole_cycles(plan_.law.duration(), planning_.machine.cycle_time);
-      plan_.motion = std::make_shared<const PathMotion>(planning_.path, plan_.law.slowed(plan_.cycles.factor));
-      VerifierInput input{*planning_.path, machine_, plan_.motion->law(), planning_.feeds_to_verify, planning_.rests};
+      plan_.duration = law_.duration() / slowed;
+      plan_.cycles = whole_cycles(plan_.duration, planning_.machine.cycle_time);
+      law_.slow(plan_.cycles.factor / slowed);
+      slowed = plan_.cycles.factor;
+      VerifierInput input{*planning_.path, machine_, law_, planning_.feeds_to_verify, planning_.rests};
       input.corner_angle = planning_.options.corner_angle;
       input.check_jerk = method_.limits_jerk;
       if (method_.limits_jerk) input.along = planning_.options.along;
       input.progress_from = at(planned);
       input.progress_to = at(verified);
       plan_.verification = verify_motion(input, progress_);
-      if (plan_.verification.passed || correction == max_corrections ||
-          !slow_by_the_excess(plan_.verification, plan_.cycles.factor, plan_.law))
+      if (plan_.verification.passed || correction == max_corrections || !slow_by_the_excess(plan_.verification, law_))
         return;
     }
   }
@@ -126,6 +131,7 @@ class Pipeline {
   PathTask task_;
   int refinement_ = 0;
   std::size_t cells_ = 0;
+  TimeLaw law_;
   PathPlan plan_;
 };
 

@@ -38,7 +38,8 @@ struct PathPlanning {
 };
 
 struct PathPlan {
-  TimeLaw law;  ///< as planned, dwells included
+  double duration = 0;     ///< s, as planned, dwells included
+  std::size_t pieces = 0;  ///< of the law
   Cycles cycles;
   std::shared_ptr<const PathMotion> motion;  ///< slowed to whole cycles: what is verified and sampled
   std::unique_ptr<SetpointSource> setpoints;

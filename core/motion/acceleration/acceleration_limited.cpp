@@ -19,6 +19,7 @@ namespace {
 // the widest; the gap then tells what that costs.
 constexpr double widest = 10, max_turn = 160000;  // rad
 constexpr std::size_t sampled_segments = 256;     // whose cells tell how many there will be
+constexpr double foreseen = 1.15;                 // pieces, per those that windows so far let expect
 constexpr double first_growth = 3;                // cells after dividing per cell before
 // What the law may exceed a limit by unseen in wide cells: times the error of their model; and so much in any case.
 // Verified once more such laws cost more than the margin.
@@ -106,6 +107,8 @@ class SectionPlanner {
         continue;
       }
       before = at;
+      if (const double done = fraction(end) - fraction(at.segment), left = to - fraction(at.segment); done > 0)
+        result.law.reserve(static_cast<std::size_t>(static_cast<double>(keep) * foreseen * left / done));
       emit(keep, result, pulse);
       grown = std::max(1.0, static_cast<double>(grid_.cells.size()) * grown / window);
       at = {end == last ? last : grid_.cells[keep].segment, result.law.pieces().size(), result.cells, chain_.node(keep),

@@ -56,14 +56,8 @@ void TimeLaw::slow_section(double t, double factor) {
   }
 }
 
-TimeLaw TimeLaw::slowed(double factor) const {
-  TimeLaw law;
-  law.pieces_.reserve(pieces_.size());
-  for (LawPiece p : pieces_) {
-    p.slow(factor);
-    law.pieces_.push_back(p);
-  }
-  return law;
+void TimeLaw::slow(double factor) {
+  for (LawPiece& p : pieces_) p.slow(factor);
 }
 
 }  // namespace bahnwerk

@@ -53,10 +53,10 @@ class TimeLaw {
     piece.t0 = t;
     return piece;
   }
-  /// Makes room for so many more pieces.
+  /// Makes room for so many more pieces. Room that is not used costs nothing, but growing leaves the old one behind.
   void reserve(std::size_t more) {
     if (pieces_.size() + more > pieces_.capacity())
-      pieces_.reserve(std::max(pieces_.size() + more, 2 * pieces_.capacity()));
+      pieces_.reserve(std::max(pieces_.size() + more, pieces_.capacity() + pieces_.capacity() / 2));
   }
   /// Lets the last piece, which has to run at constant speed, go on to path length `s_end`.
   void extend(double s_end) {
@@ -81,8 +81,13 @@ class TimeLaw {
   void truncate(std::size_t pieces) { pieces_.resize(pieces); }
   /// Slows everything from piece `first` on to last `factor` ≥ 1 times as long. O(pieces).
   void slow_from(std::size_t first, double factor);
-  /// The same motion, uniformly slowed: lasts `factor` ≥ 1 times as long.
-  TimeLaw slowed(double factor) const;
+  /// The same motion, uniformly slowed: lasts `factor` times as long. O(pieces).
+  void slow(double factor);
+  TimeLaw slowed(double factor) const {
+    TimeLaw law = *this;
+    law.slow(factor);
+    return law;
+  }
 
  private:
   std::size_t search(double t) const;

@@ -39,7 +39,7 @@ struct PathPlanFiveAxes : testing::Test {
       EXPECT_TRUE(check.passed) << name_of<PlanningMethod>(method, planning_methods) << ": " << check.name << ' '
                                 << check.value << " against " << check.limit << " at " << check.at;
     EXPECT_TRUE(plan.verification.passed);
-    EXPECT_LE(plan.bound.duration, plan.law.duration());
+    EXPECT_LE(plan.bound.duration, plan.duration);
     return plan;
   }
 };
@@ -49,9 +49,9 @@ TEST_F(PathPlanFiveAxes, EveryMethodIsVerifiedAndBounded) {
   EXPECT_GE(fast.bound.gap, 0);
   EXPECT_LE(fast.bound.gap, 1e-4);  // what the bound is held to on this machine
   const PathPlan reserved = plan(PlanningMethod::braking_reserve), smooth = plan(PlanningMethod::jerk_limited);
-  EXPECT_GE(reserved.law.duration(), fast.law.duration() * (1 - 1e-9));
-  EXPECT_GE(smooth.law.duration(), fast.law.duration() * (1 - 1e-9));
-  EXPECT_LE(smooth.law.duration(), 3 * fast.law.duration());
+  EXPECT_GE(reserved.duration, fast.duration * (1 - 1e-9));
+  EXPECT_GE(smooth.duration, fast.duration * (1 - 1e-9));
+  EXPECT_LE(smooth.duration, 3 * fast.duration);
 }
 
 TEST_F(PathPlanFiveAxes, SetpointsFollowThePathAndKeepTheLimits) {
@@ -80,7 +80,7 @@ TEST_F(PathPlanFiveAxes, DwellsLastAndCount) {
   planning.dwells = {{2, 0.5, 0}};
   planning.rests[2] = true;
   const PathPlan p = plan(PlanningMethod::time_optimal);
-  EXPECT_GT(p.law.duration(), before.law.duration() + 0.5);
+  EXPECT_GT(p.duration, before.duration + 0.5);
   EXPECT_LE(p.bound.gap, 1e-4);
 }
 
