@@ -87,8 +87,9 @@ class Blender {
   }
   Ability ability(std::size_t block) const {
     Ability a{0, HUGE_VAL, HUGE_VAL, 0};
-    double square = 0;
+    double square = 0, pull = 0;
     for (const AxisLimits& axis : machine_.axes) {
+      pull += axis.acceleration * axis.acceleration;
       square += axis.velocity * axis.velocity;
       a.acceleration = std::min(a.acceleration, axis.acceleration);
       a.jerk = std::min(a.jerk, axis.jerk);
@@ -96,6 +97,8 @@ class Blender {
     a.speed = std::min(std::sqrt(square), fastest);
     if (!given_.blocks.empty()) a.speed = std::min(a.speed, given_.blocks[block].feed);
     a.step = a.speed * machine_.cycle_time;
+    a.pull = std::sqrt(pull);
+    a.corner = options_.corner_angle;
     return a;
   }
 

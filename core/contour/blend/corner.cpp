@@ -60,6 +60,19 @@ JointShape joint_shape(const Element& before, const Element& after) {
   return shape;
 }
 
+namespace {
+
+/// The speed up to which a joint may be passed as it is, by the steps that are allowed in one cycle. 0: it is a corner.
+double step_speed(const JointShape& joint, const Ability& ability) {
+  if (!(joint.turn <= ability.corner) || !(ability.speed > 0)) return 0;
+  const double cycle = ability.step / ability.speed, room = ability.jerk * cycle - joint.turn * ability.pull;
+  if (!(room > 0)) return 0;
+  const double by_bend = joint.bend > 0 ? std::sqrt(room / joint.bend) : HUGE_VAL;
+  return joint.turn > 0 ? std::min(by_bend, ability.acceleration * cycle / joint.turn) : by_bend;
+}
+
+}  // namespace
+
 Reach reach(const JointShape& joint, double tolerance, const Ability& ability) {
   Reach r;
   const double a = middle_share(joint.turn), b = bend_share * joint.bend;
@@ -70,6 +83,15 @@ Reach reach(const JointShape& joint, double tolerance, const Ability& ability) {
   const double s = std::sin(0.5 * joint.turn), v = ability.speed;
   double need = 1.4 * s * v * v / ability.acceleration;
   const bool jerky = ability.jerk < HUGE_VAL;
+  if (jerky) {
+    // On an arc the acceleration is κv², its jerk κ²v³.
+    double most = v;
+    if (const double k = joint.tightest; k > 0)
+      most = std::min({v, std::sqrt(ability.pull / k), std::cbrt(std::sqrt(3.0) * ability.jerk / (k * k))});
+    const double as_it_is = step_speed(joint, ability);
+    if (as_it_is >= most) return r;
+    if (joint.turn == 0 && as_it_is > 0) r.least = as_it_is * as_it_is * as_it_is * joint.bend / ability.jerk;
+  }
   if (jerky) need = std::max(need, std::sqrt(4 * s * v * v * v / ability.jerk));
   if (joint.bend > 0) {
     const double slow = joint.tightest > 0 ? std::min(v, std::sqrt(ability.acceleration / joint.tightest)) : v;

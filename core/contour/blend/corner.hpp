@@ -8,6 +8,8 @@
 /// direction. λ = 0.9 + 0.03 θ is what passes a corner of given deviation soonest with a limit on |h''v² + h'a| (found
 /// by scanning λ and integrating the fastest motion; 0.5 to 5 % shorter than λ = 1, and its peak curvature is within 4
 /// % of the circle's with the same deviation for small θ).
+#include <cmath>
+
 #include "core/contour/blend/elements.hpp"
 #include "core/geometry/curve/rational.hpp"
 
@@ -24,14 +26,20 @@ JointShape joint_shape(const Element& before, const Element& after);
 /// What the machine can use: the speed that feed and axes allow, mm/s, the weakest axis, and the way in one cycle.
 struct Ability {
   double speed = 0, acceleration = 0, jerk = 0;
-  double step = 0;  ///< mm; shorter blends are of no use
+  double step = 0;         ///< mm; shorter blends are of no use
+  double pull = HUGE_VAL;  ///< largest acceleration of all axes together, mm/s²
+  double corner = 0;       ///< rad; smaller tangent jumps are passed as they are, if slowly
 };
 
 /// How far a blend should reach, mm.
 struct Reach {
   double allowed = 0;  ///< by the tolerance
   double wanted = 0;   ///< what the machine can use of it
+  double least = 0;    ///< a shorter one would be passed more slowly than the joint as it is
 };
+/// Where jerk is limited a blend has its price, the rate of its curvature: Δκ v³/d of the jerk. The joint as it is may
+/// step the acceleration by jerk · cycle (and the velocity by acceleration · cycle). Nothing is wanted where it can be
+/// passed that way at any speed that the curvature beside it allows.
 Reach reach(const JointShape& joint, double tolerance, const Ability& ability);
 
 /// The blend from `d1` before the end of `before` to `d2` behind the begin of `after`.

@@ -51,6 +51,7 @@ std::vector<Change> lay_out(const Stretch& stretch, double tolerance, const std:
     const double want = reaches[j].wanted, t = elements[j].begin;
     if (!(want > 0)) continue;
     const double d = std::min(share(j - 1, want, reaches[j - 1].wanted), share(j, want, reaches[j + 1].wanted));
+    if (d < reaches[j].least) continue;
     if (d < (turns[j] ? crowded_turn : crowded_bend) * want) {
       add_run(list, std::max(0.0, t - want), std::min(stretch.length(), t + want));
       continue;

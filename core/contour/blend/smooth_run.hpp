@@ -31,9 +31,9 @@ struct SmoothedRun {
 /// contour has its own on the curve. `borders`: places, strictly ascending (changes of the block), at which a piece
 /// ends, however close together they are. Not done when the curve would turn round in a point or cannot be kept inside.
 ///
-/// A long run is smoothed in windows of some 1 000 intervals of the spline: each goes on from the state in which the one
-/// before it was cut (three derivatives are common there) and reaches 96 intervals beyond its own cut, on which its end
-/// then no longer shows. Where a window cannot go on from a cut, it and the one before it become one. Memory: about
+/// A long run is smoothed in windows of some 1 000 intervals of the spline: each goes on from the state in which the
+/// one before it was cut (three derivatives are common there) and reaches 96 intervals beyond its own cut, on which its
+/// end then no longer shows. Where a window cannot go on from a cut, it and the one before it become one. Memory: about
 /// 1.5 kB per interval of a window, and the pieces.
 SmoothedRun smooth_run(const Stretch& stretch, const RunRange& range, const std::vector<double>& borders,
                        const RunTolerance& tolerance, std::size_t dimension, const std::function<void()>& pause);

@@ -95,5 +95,25 @@ TEST(BlendCorner, WantsNoMoreThanSpeedAndJerkAskFor) {
   EXPECT_EQ(reach({}, 1, {1000, 16000, 1e5, 0}).wanted, 0);
 }
 
+TEST(BlendCorner, WhatJerkPassesAsItIsStaysAsItIs) {
+  // Steps of 1000 mm/s² (jerk · cycle) pass a jump of curvature of 1e-3/mm at 1000 mm/s, one of 0.1/mm at 100 mm/s.
+  const Ability able{1000, 16000, 1e6, 1, 23000, 2e-3};
+  JointShape small, large;
+  small.bend = 0.9e-3, small.tightest = 0.1;
+  large.bend = 0.1, large.tightest = 0.1;
+  EXPECT_EQ(reach(small, 0.02, able).wanted, 0);
+  const Reach wanted = reach(large, 0.02, able);
+  EXPECT_GT(wanted.wanted, 0);
+  EXPECT_NEAR(wanted.least, 0.1, 1e-9);  // Δκ v³/d = jerk at those 100 mm/s
+  // A kink takes its share of the step, and beyond the corner's angle the motion would rest.
+  small.turn = 1e-3;
+  EXPECT_EQ(reach(small, 0.02, able).wanted, 0);
+  small.turn = 1e-2;
+  EXPECT_GT(reach(small, 0.02, able).wanted, 0);
+  // Without a limit of jerk blends cost nothing.
+  small.turn = 0;
+  EXPECT_GT(reach(small, 0.02, {1000, 16000, HUGE_VAL, 1, 23000, 2e-3}).wanted, 0);
+}
+
 }  // namespace
 }  // namespace bahnwerk::blending

@@ -10,6 +10,7 @@
 #include "core/contour/polyline.hpp"
 #include "core/geometry/curve/curvature.hpp"
 #include "core/motion/acceleration/acceleration_limited.hpp"
+#include "core/motion/jerk/jerk_limited.hpp"
 #include "core/numeric/random.hpp"
 #include "core/verify/geometry/tube.hpp"
 
@@ -175,6 +176,34 @@ TEST(BlendDuration, NeverLongerThanStopping) {
     expect_sound(given, path, 0.02);
     EXPECT_LE(duration(path), duration(given) * (1 + 1e-6)) << seed;
   }
+}
+
+/// A spiral of tangent arcs from 5 mm radius on.
+Contour spiral(int arcs, double grows) {
+  ContourBuilder b(2, {5, 0, 0});
+  Vec centre;
+  double angle = 0, radius = 5;
+  for (int i = 0; i < arcs; ++i) {
+    angle += 0.5 + std::abs(std::sin(i));
+    const Vec out{std::cos(angle), std::sin(angle), 0};
+    b.arc(centre + radius * out, centre, true);
+    radius += grows;
+    centre += -grows * out;
+  }
+  return b.finish();
+}
+
+TEST(BlendDuration, TangentArcsAreRoundedWhereJerkAllowsIt) {
+  SilentProgress progress;
+  for (const double grows : {0.02, 0.15})
+    for (const double jerk : {1e5, 1e6, 1e7, 1e9}) {
+      const Contour given = spiral(60, grows);
+      Machine jerky = machine();
+      for (AxisLimits& axis : jerky.axes) axis.jerk = jerk;
+      const Contour path = blend(given, {0.02}, jerky, progress);
+      const auto time = [&](const Contour& c) { return plan_jerk_limited(c, jerky, {}, progress).law.duration(); };
+      EXPECT_LE(time(path), time(given) * (1 + 5e-4)) << grows << " " << jerk;
+    }
 }
 
 /// Lines, arcs and splines of lengths over six decades, with everything that part files bring.
