@@ -192,13 +192,31 @@ class Blender {
     for (std::size_t i = stretch.find(range.a, hint) + 1;
          i < stretch.elements.size() && stretch.elements[i].begin < range.b; ++i, ++segments)
       if (stretch.elements[i].block != stretch.elements[i - 1].block) borders.push_back(stretch.elements[i].begin);
-    SmoothedRun run =
-        smooth_run(stretch, range, borders, {used_share * options_.tolerance, fitted_share * options_.tolerance},
-                   given_.dimension, pause_);
-    if (!run.done) return split(stretch, range, run.troubles, depth, hint);
+    const auto smoothed = [&](bool rests) {
+      return smooth_run(stretch, range, borders, {used_share * options_.tolerance, fitted_share * options_.tolerance},
+                        given_.dimension, rests, pause_);
+    };
+    SmoothedRun run = smoothed(depth >= max_splits);
+    if (!run.done && depth < max_splits) {
+      const auto cuts = sharpest_joints(stretch, range.a, range.b, run.troubles, hint);
+      if (!cuts.empty()) return split(stretch, range, cuts, depth, hint), true;
+      run = smoothed(true);
+    }
+    if (!run.done) {
+      if (count_.unsmoothed++ == 0) count_.first_unsmoothed = stretch.elements[stretch.find(range.a, hint)].at(0).value;
+      return false;
+    }
+    bool left = false;
     for (std::size_t k = 0; k < run.pieces.size(); ++k) {
       hint = stretch.find(0.5 * (run.breaks[k] + run.breaks[k + 1]), hint);
-      append(std::make_shared<Rational>(std::move(run.pieces[k])), stretch.elements[hint]);
+      if (run.pieces[k]) {
+        append(std::make_shared<Rational>(std::move(*run.pieces[k])), stretch.elements[hint]);
+        continue;
+      }
+      if (!left && count_.unsmoothed++ == 0) count_.first_unsmoothed = stretch.elements[hint].at(0).value;
+      left = true;
+      hint = stretch.find(run.breaks[k], 0);
+      keep(stretch, run.breaks[k], run.breaks[k + 1], hint);
     }
     done_ += segments;
     ++count_.runs;
@@ -208,13 +226,8 @@ class Blender {
 
   /// A run that cannot be smoothed as a whole: the sharpest joints next to the trouble become rests, and what lies
   /// between them is laid out anew.
-  bool split(const Stretch& stretch, const RunRange& range, const std::vector<double>& troubles, int depth,
+  void split(const Stretch& stretch, const RunRange& range, std::vector<std::size_t> cuts, int depth,
              std::size_t hint) {
-    std::vector<std::size_t> cuts = sharpest_joints(stretch, range.a, range.b, troubles, hint);
-    if (cuts.empty() || depth >= max_splits) {
-      if (count_.unsmoothed++ == 0) count_.first_unsmoothed = stretch.elements[stretch.find(range.a, hint)].at(0).value;
-      return false;
-    }
     std::size_t i = stretch.find(range.a, hint);
     cuts.push_back(stretch.elements.size());
     for (std::size_t k = 0; k < cuts.size(); ++k) {
@@ -229,7 +242,6 @@ class Blender {
       }
       if (!part.elements.empty()) process(part, depth + 1);
     }
-    return true;
   }
 
   /// Part of an element as an element of its own.

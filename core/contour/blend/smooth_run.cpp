@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/contour/blend/layout.hpp"
 #include "core/contour/blend/smooth.hpp"
 #include "core/contour/blend/smooth_basis.hpp"
 #include "core/contour/blend/smooth_scale.hpp"
@@ -57,8 +58,11 @@ std::vector<TubeSite> sites_of(const Stretch& stretch, const RunRange& range, co
 /// Ends a piece at each border, exactly there: blocks shorter than the spline's spans have pieces of their own.
 void cut_at(const std::vector<double>& borders, SmoothedRun& run) {
   if (borders.empty()) return;
-  std::vector<Rational> pieces;
+  std::vector<std::optional<Rational>> pieces;
   std::vector<double> breaks{run.breaks.front()};
+  const auto part = [](const std::optional<Rational>& piece, double u0, double u1) {
+    return piece ? std::optional(piece->restricted(u0, u1, 0.5 * (u0 + u1))) : std::nullopt;
+  };
   auto border = borders.begin();
   for (std::size_t k = 0; k < run.pieces.size(); ++k) {
     const double begin = run.breaks[k], end = run.breaks[k + 1];
@@ -67,11 +71,11 @@ void cut_at(const std::vector<double>& borders, SmoothedRun& run) {
     for (; border != borders.end() && *border < end; ++border) {
       const double next = (*border - begin) / (end - begin);
       if (!(next > u && next < 1)) continue;
-      pieces.push_back(run.pieces[k].restricted(u, next, 0.5 * (u + next)));
+      pieces.push_back(part(run.pieces[k], u, next));
       breaks.push_back(*border);
       u = next;
     }
-    pieces.push_back(u > 0 ? run.pieces[k].restricted(u, 1, 0.5 * (u + 1)) : std::move(run.pieces[k]));
+    pieces.push_back(u > 0 ? part(run.pieces[k], u, 1) : std::move(run.pieces[k]));
     breaks.push_back(end);
   }
   run.pieces = std::move(pieces);
@@ -239,84 +243,106 @@ Window smooth_window(const Stretch& stretch, const RunRange& range, BendScale sc
 class WindowedRun {
  public:
   WindowedRun(const Stretch& stretch, const RunRange& range, const RunTolerance& tolerance, std::size_t dimension,
-              const std::function<void()>& pause)
+              bool rests, const std::function<void()>& pause)
       : stretch_(stretch),
         range_(range),
         tolerance_(tolerance),
         dimension_(dimension),
         pause_(pause),
-        scale_(stretch, range.a, range.b, tolerance.aimed, pause) {}
+        scale_(stretch, range.a, range.b, tolerance.aimed, pause),
+        rests_(rests || end_of_window(range.a, usual, range.b) < range.b) {}
 
   SmoothedRun run() {
-    restart(range_.a, range_.clamped_begin);
     run_.done = true;
     run_.breaks = {range_.a};
-    while (at_ < range_.b) {
-      double end = scale_.ahead(at_, size_ + overlap);
-      if (!(end < range_.b) || !(scale_.ahead(end, overlap) < range_.b)) end = range_.b;
-      const bool last = end == range_.b;
+    restart(range_.a, range_.clamped_begin);
+    while (run_.done && at_ < range_.b) {
+      const double end = end_of_window(at_, size_, stop_);
+      const bool all = at_ == range_.a && end == range_.b, last = end == stop_;
       Window window =
-          smooth_window(stretch_, {at_, end}, last && at_ == range_.a ? scale_ : scale_.part(at_, end), begin_,
-                        end_of(stretch_, end, last && range_.clamped_end), tolerance_, dimension_, pause_);
-      if (window.done) {
+          smooth_window(stretch_, {at_, end}, all ? scale_ : scale_.part(at_, end), begin_,
+                        end_of(stretch_, end, end == range_.b && range_.clamped_end), tolerance_, dimension_, pause_);
+      if (window.done)
         take(window, last);
-      } else if (before_.size > 0 && before_.size < largest) {
-        // The cut may be to blame: what was cut there and this in one window.
-        at_ = before_.at, begin_ = before_.begin;
-        size_ = 2 * before_.size;
-        keep(before_.pieces);
-        before_.size = 0;
-      } else {
-        pass(window, end);
-      }
+      else if (before_.size > 0 && before_.size < largest)
+        join();
+      else if (!rests_ || !rest_near(window.troubles, end))
+        give_up(window);
     }
-    run_.done = run_.done && run_.pieces.size() + 1 == run_.breaks.size();
     return std::move(run_);
   }
 
  private:
   static constexpr double usual = 1024, largest = 4096, overlap = 96;  // spline intervals; an end shows over some 60
 
+  double end_of_window(double at, double size, double stop) const {
+    const double end = scale_.ahead(at, size + overlap);
+    return scale_.ahead(end, overlap) < stop ? end : stop;
+  }
+
+  /// Goes on from a place of the contour, to the end of the run.
   void restart(double at, bool clamped) {
     at_ = at;
+    stop_ = range_.b;
     begin_ = end_of(stretch_, at, clamped);
+    free_ = true;
     size_ = usual;
     before_.size = 0;
   }
-  void keep(std::size_t pieces) {
-    if (!run_.done) return;
-    run_.pieces.erase(run_.pieces.begin() + static_cast<std::ptrdiff_t>(pieces), run_.pieces.end());
-    run_.breaks.resize(pieces + 1);
-  }
 
-  /// Keeps of a window what its far end does not bear on.
+  /// Keeps of a window what its far end does not bear on, all of the last one before a rest.
   void take(Window& window, bool last) {
     const std::size_t all = window.breaks.size() - 1, kept = last ? all : all - static_cast<std::size_t>(overlap);
-    before_ = {at_, size_, begin_, run_.pieces.size()};
-    if (run_.done) {
-      std::vector<Rational> pieces = Nurbs(spline_degree, window.spline.points, {}, window.spline.knots).pieces();
-      run_.done = pieces.size() == all;
-      for (std::size_t k = 0; run_.done && k < kept; ++k) {
-        run_.pieces.push_back(std::move(pieces[k]));
-        run_.breaks.push_back(window.breaks[k + 1]);
-      }
+    std::vector<Rational> pieces = Nurbs(spline_degree, window.spline.points, {}, window.spline.knots).pieces();
+    run_.done = pieces.size() == all;
+    if (!run_.done) return;
+    before_ = {at_, size_, begin_, free_, run_.pieces.size()};
+    for (std::size_t k = 0; k < kept; ++k) {
+      run_.pieces.emplace_back(std::move(pieces[k]));
+      run_.breaks.push_back(window.breaks[k + 1]);
     }
+    if (last) return restart(stop_, false);
     at_ = window.breaks[kept];
-    if (!last) begin_ = {true, window.spline.at(kept, at_)};
+    begin_ = {true, window.spline.at(kept, at_)};
+    free_ = false;
     size_ = usual;
   }
 
-  /// Goes on behind what cannot be smoothed, to find out where else that is so.
-  void pass(const Window& window, double end) {
+  /// The cut from which a window cannot go on may be to blame: it and the window before become one.
+  void join() {
+    at_ = before_.at, begin_ = before_.begin, free_ = before_.free;
+    size_ = 2 * before_.size;
+    run_.pieces.erase(run_.pieces.begin() + static_cast<std::ptrdiff_t>(before_.pieces), run_.pieces.end());
+    run_.breaks.resize(before_.pieces + 1);
+    before_.size = 0;
+  }
+
+  /// Ends the window at a joint near the first trouble. What has none stays as it is. False: it cannot.
+  bool rest_near(const std::vector<double>& troubles, double end) {
+    const double trouble = troubles.empty() ? 0.5 * (at_ + end) : troubles.front();
+    const auto& elements = stretch_.elements;
+    const auto inside = [&](std::size_t j) {
+      return j < elements.size() && elements[j].begin > at_ && elements[j].begin < end;
+    };
+    const std::vector<std::size_t> sharp = sharpest_joints(stretch_, at_, end, {trouble}, 0);
+    const std::size_t here = stretch_.find(trouble, 0);
+    std::size_t joint = sharp.empty() ? here : sharp.front();
+    if (!inside(joint)) ++joint;
+    if (inside(joint)) {
+      stop_ = elements[joint].begin;
+      return true;
+    }
+    if (!free_) return false;
+    run_.pieces.emplace_back();
+    run_.breaks.push_back(end);
+    restart(end, false);
+    return true;
+  }
+
+  void give_up(const Window& window) {
     run_.done = false;
     run_.pieces.clear();
-    run_.troubles.insert(run_.troubles.end(), window.troubles.begin(), window.troubles.end());
-    double next = end;
-    if (end < range_.b && !window.troubles.empty()) {
-      const Element& e = stretch_.elements[stretch_.find(window.troubles.back(), 0)];
-      if (e.end() > at_) next = std::min(end, e.end());
-    }
-    restart(next, false);
+    run_.troubles = window.troubles;
   }
 
   const Stretch& stretch_;
@@ -325,12 +351,15 @@ class WindowedRun {
   std::size_t dimension_;
   const std::function<void()>& pause_;
   BendScale scale_;
+  bool rests_;
   SmoothedRun run_;
-  double at_ = 0, size_ = usual;
+  double at_ = 0, stop_ = 0, size_ = usual;
   TubeEnd begin_;
+  bool free_ = true;  // at_ is on the contour
   struct {
     double at = 0, size = 0;
     TubeEnd begin;
+    bool free = true;
     std::size_t pieces = 0;
   } before_;  // the window that was cut at at_; size 0: none
 };
@@ -338,8 +367,9 @@ class WindowedRun {
 }  // namespace
 
 SmoothedRun smooth_run(const Stretch& stretch, const RunRange& range, const std::vector<double>& borders,
-                       const RunTolerance& tolerance, std::size_t dimension, const std::function<void()>& pause) {
-  SmoothedRun run = WindowedRun(stretch, range, tolerance, dimension, pause).run();
+                       const RunTolerance& tolerance, std::size_t dimension, bool rests,
+                       const std::function<void()>& pause) {
+  SmoothedRun run = WindowedRun(stretch, range, tolerance, dimension, rests, pause).run();
   if (run.done) cut_at(borders, run);
   return run;
 }

@@ -2,6 +2,7 @@
 /// One smooth curve in place of a run of short segments.
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "core/contour/blend/elements.hpp"
@@ -21,7 +22,8 @@ struct RunTolerance {
 
 struct SmoothedRun {
   bool done = false;
-  std::vector<Rational> pieces;  ///< Bézier curves of degree 5, joined with three continuous derivatives or four
+  /// Bézier curves of degree 5, joined with three continuous derivatives or four; none: the contour stays as it is.
+  std::vector<std::optional<Rational>> pieces;
   std::vector<double> breaks;    ///< along the stretch, pieces + 1
   std::vector<double> troubles;  ///< if not done: where along the stretch it failed, ascending
 };
@@ -36,6 +38,7 @@ struct SmoothedRun {
 /// end then no longer shows. Where a window cannot go on from a cut, it and the one before it become one. Memory: about
 /// 1.5 kB per interval of a window, and the pieces.
 SmoothedRun smooth_run(const Stretch& stretch, const RunRange& range, const std::vector<double>& borders,
-                       const RunTolerance& tolerance, std::size_t dimension, const std::function<void()>& pause);
+                       const RunTolerance& tolerance, std::size_t dimension, bool rests,
+                       const std::function<void()>& pause);
 
 }  // namespace bahnwerk::blending

@@ -17,10 +17,10 @@ namespace {
 
 // Memory: about 270 bytes per cell of a window, 72 for the law of each. Beyond the usual number cells get wider, up to
 // the widest; the gap then tells what that costs.
-constexpr double widest = 10, max_turn = 160000;  // rad
-constexpr std::size_t sampled_segments = 256;     // whose cells tell how many there will be
-constexpr double foreseen = 1.15;                 // pieces, per those that windows so far let expect
-constexpr double first_growth = 3;                // cells after dividing per cell before
+constexpr double widest = 10, max_turn = 160000;        // rad
+constexpr std::size_t sampled_segments = 256;           // whose cells tell how many there will be
+constexpr double foreseen = 1.5, max_foreseen = 16e6;  // pieces, per those that the path so far lets expect; at most
+constexpr double first_growth = 3;                      // cells after dividing per cell before
 // What the law may exceed a limit by unseen in wide cells: times the error of their model; and so much in any case.
 // Verified once more such laws cost more than the margin.
 constexpr double model_share = 50, least_margin = 1e-5;
@@ -107,8 +107,6 @@ class SectionPlanner {
         continue;
       }
       before = at;
-      if (const double done = fraction(end) - fraction(at.segment), left = to - fraction(at.segment); done > 0)
-        result.law.reserve(static_cast<std::size_t>(static_cast<double>(keep) * foreseen * left / done));
       emit(keep, result, pulse);
       grown = std::max(1.0, static_cast<double>(grid_.cells.size()) * grown / window);
       at = {end == last ? last : grid_.cells[keep].segment, result.law.pieces().size(), result.cells, chain_.node(keep),
@@ -228,9 +226,16 @@ class SectionPlanner {
     return any;
   }
 
+  /// For the law of so many cells: all that the rest of the path lets expect, where the law has to grow.
+  void make_room(TimeLaw& law, std::size_t cells) const {
+    const double pieces = static_cast<double>(law.pieces().size() + cells),
+                 done = path_[grid_.cells[cells - 1].segment].s1() / path_.tool().length();
+    law.reserve(cells + 2, static_cast<std::size_t>(std::min(foreseen * pieces / std::max(done, 1e-3), max_foreseen)));
+  }
+
   /// The law of the first cells.
   void emit(std::size_t cells, AccelerationLimitedResult& result, ProgressScope& pulse) {
-    result.law.reserve(cells + 2);
+    make_room(result.law, cells);
     result.cells += cells;
     LawWriter law(result.law, path_.tool(), slow_);
     bool cruises = false;  // constant speed through the whole cell: such cells of one segment become one piece

@@ -65,13 +65,16 @@ class Grid {
 
  private:
   void grade_end(const LanePath<N>& path, bool front);
+
+  LargeVector<Station<N>> spare_stations_;  // empty, with the room of what was divided last
+  LargeVector<GridCell> spare_cells_;
 };
 
 template <int N>
 template <class Count, class Place>
 void Grid<N>::divide(const LanePath<N>& path, Count&& count, Place&& place, ProgressScope& pulse) {
-  LargeVector<Station<N>> new_stations;
-  LargeVector<GridCell> new_cells;
+  LargeVector<Station<N>>& new_stations = spare_stations_;
+  LargeVector<GridCell>& new_cells = spare_cells_;
   std::size_t total = 0;
   for (std::size_t c = 0; c < cells.size(); ++c) total += count(c);
   new_cells.reserve(total);
@@ -92,8 +95,10 @@ void Grid<N>::divide(const LanePath<N>& path, Count&& count, Place&& place, Prog
       new_stations.push_back(next);
     }
   }
-  stations = std::move(new_stations);
-  cells = std::move(new_cells);
+  stations.swap(new_stations);
+  cells.swap(new_cells);
+  new_stations.clear();
+  new_cells.clear();
 }
 
 /// By how much the path turns over the segments [first, last), rad, about: what the number of cells follows. Through

@@ -53,10 +53,11 @@ class TimeLaw {
     piece.t0 = t;
     return piece;
   }
-  /// Makes room for so many more pieces. Room that is not used costs nothing, but growing leaves the old one behind.
-  void reserve(std::size_t more) {
-    if (pieces_.size() + more > pieces_.capacity())
-      pieces_.reserve(std::max(pieces_.size() + more, pieces_.capacity() + pieces_.capacity() / 2));
+  /// Makes room for so many more pieces; where it has to grow, for `all` if that is known. Room that is not used costs
+  /// nothing, growing again does.
+  void reserve(std::size_t more, std::size_t all = 0) {
+    const std::size_t least = pieces_.size() + more;
+    if (least > pieces_.capacity()) pieces_.reserve(std::max({least, all, 3 * pieces_.capacity() / 2}));
   }
   /// Lets the last piece, which has to run at constant speed, go on to path length `s_end`.
   void extend(double s_end) {
