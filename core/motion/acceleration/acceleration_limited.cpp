@@ -17,13 +17,14 @@ namespace {
 
 // Memory: about 270 bytes per cell of a window, 72 for the law of each. Beyond the usual number cells get wider, up to
 // the widest; the gap then tells what that costs.
-constexpr double widest = 10, max_turn = 160000;        // rad
-constexpr std::size_t sampled_segments = 256;           // whose cells tell how many there will be
+constexpr double widest = 10, max_turn = 160000;       // rad
+constexpr double graded_cells = 8;                     // more at both ends of a grid
+constexpr std::size_t sampled_segments = 256;          // whose cells tell how many there will be
 constexpr double foreseen = 1.5, max_foreseen = 16e6;  // pieces, per those that the path so far lets expect; at most
-constexpr double first_growth = 3;                      // cells after dividing per cell before
-// What the law may exceed a limit by unseen in wide cells: times the error of their model; and so much in any case.
-// Verified once more such laws cost more than the margin.
-constexpr double model_share = 50, least_margin = 1e-5;
+constexpr double first_growth = 3;                     // cells after dividing per cell before
+// What the law may exceed a limit by unseen in wide cells, and how many times the error of their model that is. Laws
+// that are verified once more cost more than such a margin.
+constexpr double usual_margin = 1e-5, least_share = 50, most_share = 1000;
 constexpr std::size_t block = 512;  // cells that stay in a cache
 
 /// What the number of cells follows: the curved segments, and the angles of the grid by which they turn.
@@ -284,7 +285,7 @@ double cell_density(const LanePath<N>& path, const Machine& lanes, const std::ve
     const std::size_t i = k * n / looks;
     if (path.linear(i)) continue;
     grid.build(path, i, i + 1, feed, lanes, options.grid, pulse);
-    cells += static_cast<double>(grid.cells.size());
+    cells += std::max(1.0, static_cast<double>(grid.cells.size()) - graded_cells);
     all += bends(path, i, i + 1, options.grid.angle);
   }
   return all > 0 ? std::max(1.0, cells / all) : 1.0;
@@ -308,7 +309,8 @@ AccelerationLimitedResult plan(const PathTask& task, const AccelerationLimitedOp
   fitted.grid.angle *= wider;
   fitted.grid.hermite *= wider * wider * wider * wider;  // it falls with the fourth power of a cell's width
   fitted.tolerance *= wider * wider;
-  const double model_error = wider > 1 ? std::max(least_margin, model_share * fitted.grid.hermite) : 0;
+  const double model_error =
+      wider > 1 ? std::clamp(usual_margin, least_share * fitted.grid.hermite, most_share * fitted.grid.hermite) : 0;
   const Sections sections = find_sections(task, options.corner_angle, [&] { progress.report("planning", from); });
   AccelerationLimitedResult result;
   SectionPlanner<N> planner(path, lanes, fitted, task.feeds, sections, density, model_error, progress);
