@@ -17,32 +17,35 @@ namespace {
 
 // Memory: about 270 bytes per cell of a window, 72 for the law of each. Beyond the usual number cells get wider, up to
 // the widest; the gap then tells what that costs.
-constexpr double widest = 10, max_turn = 160000;       // rad
-constexpr double graded_cells = 8;                     // more at both ends of a grid
-constexpr std::size_t sampled_segments = 256;          // whose cells tell how many there will be
-constexpr double foreseen = 1.5, max_foreseen = 16e6;  // pieces, per those that the path so far lets expect; at most
-constexpr double first_growth = 3;                     // cells after dividing per cell before
+constexpr double widest = 10, max_turn = 160000;         // rad
+constexpr double graded_cells = 8;                       // more at both ends of a grid
+constexpr std::size_t sampled_segments = 256;            // whose cells tell how many there will be
+constexpr double long_segment = 1000, few_bends = 4096;  // bends: too many to sample, too few to care
+constexpr double foreseen = 1.5, max_foreseen = 16e6;    // pieces, per those that the path so far lets expect; at most
+constexpr double first_growth = 3;                       // cells after dividing per cell before
 // What the law may exceed a limit by unseen in wide cells, and how many times the error of their model that is. Laws
 // that are verified once more cost more than such a margin.
 constexpr double usual_margin = 1e-5, least_share = 50, most_share = 1000;
 constexpr std::size_t block = 512;  // cells that stay in a cache
 
-/// What the number of cells follows: the curved segments, and the angles of the grid by which they turn.
+/// What the number of cells follows: the curved segments, and by how much they turn, rad.
+struct Bends {
+  double curved = 0, turn = 0;
+  double count(double angle) const { return curved + turn / angle; }
+};
+
 template <int N>
-double bends(const LanePath<N>& path, std::size_t first, std::size_t last, double angle) {
-  double count = 0;
-  for (std::size_t i = first; i < last; ++i)
-    if (!path.linear(i)) count += 1;
-  return count + total_turn(path, first, last) / angle;
+Bends bends(const LanePath<N>& path, std::size_t segment) {
+  return path.linear(segment) ? Bends{} : Bends{1, total_turn(path, segment, segment + 1)};
 }
 
 template <int N>
 class SectionPlanner {
  public:
-  /// `density`: cells per bend.
+  /// `all`: of the path; `density`: cells per bend.
   SectionPlanner(const LanePath<N>& path, const Machine& lanes, const AccelerationLimitedOptions& options,
-                 const std::vector<double>& feed, const Sections& sections, double density, double model_error,
-                 Progress& progress)
+                 const std::vector<double>& feed, const Sections& sections, const Bends& all, double density,
+                 double model_error, Progress& progress)
       : path_(path),
         machine_(lanes),
         options_(options),
@@ -54,7 +57,7 @@ class SectionPlanner {
         chain_(grid_, feed, sections, lanes,
                options.keep_reserve ? std::optional(options.braking_reserve) : std::nullopt),
         marks_(grid_, chain_) {
-    const double cells = static_cast<double>(path.size()) + density * bends(path, 0, path.size(), options.grid.angle);
+    const double cells = static_cast<double>(path.size()) + density * all.count(options.grid.angle);
     one_window_ = cells <= static_cast<double>(options.window);
     // Where the law switches there are more. Memory that is not written to costs nothing.
     grid_.reserve(static_cast<std::size_t>(2.1 * std::min(cells, 2 * static_cast<double>(options.window))) + 16);
@@ -75,7 +78,7 @@ class SectionPlanner {
   std::size_t reach(std::size_t first, std::size_t last, double cells) const {
     std::size_t end = first;
     for (; end < last && cells > 0; ++end)
-      cells -= path_.linear(end) ? 1 : density_ * bends(path_, end, end + 1, options_.grid.angle);
+      cells -= std::max(1.0, density_ * bends(path_, end).count(options_.grid.angle));
     return end;
   }
 
@@ -276,17 +279,17 @@ class SectionPlanner {
 /// Cells per bend, from some of the segments: 1, more where curvature changes fast.
 template <int N>
 double cell_density(const LanePath<N>& path, const Machine& lanes, const std::vector<double>& feed,
-                    const AccelerationLimitedOptions& options, Progress& progress, double at) {
-  ProgressScope pulse(progress, "planning", at, at);
+                    const AccelerationLimitedOptions& options, ProgressScope& pulse) {
   Grid<N> grid;
   double cells = 0, all = 0;
-  const std::size_t n = path.size(), looks = std::min(n, sampled_segments);
+  const std::size_t n = path.size(), looks = std::min(n / 8, sampled_segments);
   for (std::size_t k = 0; k < looks; ++k) {
     const std::size_t i = k * n / looks;
-    if (path.linear(i)) continue;
+    const double count = bends(path, i).count(options.grid.angle);
+    if (!(count > 0 && count < long_segment)) continue;
     grid.build(path, i, i + 1, feed, lanes, options.grid, pulse);
     cells += std::max(1.0, static_cast<double>(grid.cells.size()) - graded_cells);
-    all += bends(path, i, i + 1, options.grid.angle);
+    all += count;
   }
   return all > 0 ? std::max(1.0, cells / all) : 1.0;
 }
@@ -296,15 +299,21 @@ AccelerationLimitedResult plan(const PathTask& task, const AccelerationLimitedOp
                                double from, double to) {
   const LanePath<N> path(task.path);
   const Machine lanes = path.limits(task.machine);
-  const double turn = total_turn(path, 0, path.size());
-  if (turn > max_turn)
+  ProgressScope pulse(progress, "planning", from, from);
+  Bends all;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (i % 4096 == 4095) pulse.report();
+    const Bends here = bends(path, i);
+    all.curved += here.curved, all.turn += here.turn;
+  }
+  if (all.turn > max_turn)
     throw InvalidInput(
         {{{"contour"},
-          "the contour turns by " + std::to_string(static_cast<long>(turn)) + " rad in all, more than the " +
+          "the contour turns by " + std::to_string(static_cast<long>(all.turn)) + " rad in all, more than the " +
               std::to_string(static_cast<long>(max_turn)) + " that fit into memory"}});
-  const double density = cell_density(path, lanes, task.feeds, options, progress, from);
-  const double wider =
-      std::clamp(density * bends(path, 0, path.size(), options.grid.angle) / options.usual_cells, 1.0, widest);
+  const double count = all.count(options.grid.angle),
+               density = count > few_bends ? cell_density(path, lanes, task.feeds, options, pulse) : 1;
+  const double wider = std::clamp(density * count / options.usual_cells, 1.0, widest);
   AccelerationLimitedOptions fitted = options;
   fitted.grid.angle *= wider;
   fitted.grid.hermite *= wider * wider * wider * wider;  // it falls with the fourth power of a cell's width
@@ -313,7 +322,7 @@ AccelerationLimitedResult plan(const PathTask& task, const AccelerationLimitedOp
       wider > 1 ? std::clamp(usual_margin, least_share * fitted.grid.hermite, most_share * fitted.grid.hermite) : 0;
   const Sections sections = find_sections(task, options.corner_angle, [&] { progress.report("planning", from); });
   AccelerationLimitedResult result;
-  SectionPlanner<N> planner(path, lanes, fitted, task.feeds, sections, density, model_error, progress);
+  SectionPlanner<N> planner(path, lanes, fitted, task.feeds, sections, all, density, model_error, progress);
   for_each_section(path.tool(), sections, from, to, [&](std::size_t first, std::size_t last, double begin, double end) {
     planner.plan(first, last, begin, end, result);
   });
