@@ -11,8 +11,8 @@
 ///
 /// How long a blend is: as long as the tolerance allows, but no longer than the machine can use (a joint of 1e-5 rad
 /// needs no metre). Where jerk is limited, joints that can be passed as they are stay so: a blend's curvature has a
-/// rate, and that costs jerk. Not blended: rests of the contour, and each with a note turns of more than 170° and cusps (the
-/// motion rests there), and borders between cutting and positioning, where the path stays as it was.
+/// rate, and that costs jerk. Not blended: rests of the contour, and each with a note turns of more than 170° and cusps
+/// (the motion rests there), and borders between cutting and positioning, where the path stays as it was.
 ///
 /// A border between two blocks of one mode keeps its place: every block with a length owns a piece of the rounded path,
 /// however short it is, in order, and begins within the tolerance of where it began. A corner blend is cut at the place

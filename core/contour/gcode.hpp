@@ -18,10 +18,9 @@
 ///   T; G41.1 and G42.1 by half of the diameter D (gcode/compensation.hpp).
 ///
 /// Place
-/// - G54 … G59.3 with offsets from the options or from G10 L2, L20; zero where there are none, which is noted (G54:
-/// only
-///   if others are given). G52 and G92 (.1, .2, .3) share one offset on top of them, as with LinuxCNC. The contour is
-///   in the coordinates of the machine; without offsets these are the program's.
+/// - G54 … G59.3 with offsets from the options or from G10 L2, L20; zero where there are none, which is noted (G54
+///   only if others are given). G52 and G92 (.1, .2, .3) share one offset on top of them, as with LinuxCNC. The contour
+///   is in the coordinates of the machine; without offsets these are the program's.
 /// - Where the machine stands before is unknown. The contour starts where G92 X Y says, or at the end of the first
 ///   motion if that is G0 in G90 with X and Y, else at the program's zero. It has 3 coordinates if any motion changes
 ///   Z, else 2 and one height.
