@@ -2,7 +2,7 @@
 # Following a job: events as they happen, waiting for the end with few and small answers.
 source "$(dirname "$0")/lib.sh"
 start_server --workers 1
-snake 20000 >"$work/long.json"
+snake 50000 >"$work/long.json"
 post "$work/long.json"
 long=$id
 await running

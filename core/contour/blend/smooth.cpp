@@ -183,6 +183,7 @@ class Solver {
   }
 
   void solve_system() {
+    if (pause_) pause_();  // windows are too short for the steps that others count
     system_.factor(pause_);
     system_.solve(right_);
   }

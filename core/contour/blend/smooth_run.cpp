@@ -213,6 +213,7 @@ Window smooth_window(const Stretch& stretch, const RunRange& range, BendScale sc
   problem.begin = begin;
   problem.end = end;
   for (int round = 0; round < max_rounds; ++round) {
+    if (pause) pause();
     problem.breaks = scale.breaks();
     problem.scale.clear();
     for (std::size_t k = 0; k + 1 < problem.breaks.size(); ++k)

@@ -135,7 +135,8 @@ TEST(ContourInput, ReadsWhatAPartProgramNeeds) {
     EXPECT_TRUE(geometry(spec).notes.size() == 1) << name;  // no feed
   }
   spec["contour"] = {{"gcode", "G0 X0 Y0\nG42 D08 G1 X9\nY9"}, {"cutter_radius", {{"8", 2}}}};
-  EXPECT_EQ(geometry(spec).path[0].length(), 11);
+  // Along the tangent of the circle of the cutter about (9, 0), then round it.
+  EXPECT_NEAR(geometry(spec).path[0].length(), std::sqrt(9 * 9 - 2 * 2), 1e-12);
   spec["contour"] = {{"gcode", "G0 X0 Y0\nG1 X9\nG30 X1"}, {"reference_points", {{"G30", {20, 0}}}}};
   EXPECT_EQ(geometry(spec).path.size(), 3u);
   spec["contour"] = {{"gcode", "G1 X1\no1 repeat [11]\nX#1\no1 endrepeat"}, {"steps", 20}};
