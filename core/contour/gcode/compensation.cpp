@@ -98,7 +98,10 @@ void Compensation::offset(Vec to, Vec centre, ArcMove how) {
   } catch (const InvalidInput& e) {
     fault(here.line, e.what());
   }
-  if (!same_place(from, to)) add({offset_line(from, to, aside_), here, to.z, 0});
+  if (same_place(from, to)) return;
+  if (last_ || lead_) return add({offset_line(from, to, aside_), here, to.z, 0});
+  lead_ = to;  // no arc at all
+  lead_manner_ = here;
 }
 
 void Compensation::spline(Vec to, Vec first, std::optional<Vec> second) {

@@ -220,6 +220,13 @@ std::vector<Vec> convex(Random& random) {
   return points;
 }
 
+// What would lead in is no arc: a fault, and what comes behind it is read on.
+TEST(GcodeCompensation, AnImpossibleArcThatLeadsIn) {
+  EXPECT_EQ(refused("G0 X0 Y0\nG41 D1\nG2 X10 Y0 I3 J0 F100\nG1 X20\nY20\nG40 X40\n", 2), std::vector<int>{3});
+  EXPECT_EQ(refused("G0 X0 Y0\nG41 D1\nG2 X10 Y0 I3 J0 F100\nG3 X20 Y0 I1 J7\nG1 Y20\nG40 X40\n", 2),
+            (std::vector<int>{3}));
+}
+
 TEST(GcodeCompensation, RoundAConvexPolygonEverywhereTheRadius) {
   Random random(21);
   for (int run = 0; run < 300; ++run) {
