@@ -26,7 +26,7 @@ declare -A allowed=(
   # of which any are valid.
   [core/verify]="core/motion/axes/axis_path.hpp core/motion/axes/motion.hpp core/motion/axes/path_task.hpp core/motion/law/time_law.hpp core/contour/contour.hpp
     core/machine/machine.hpp core/machine/kinematics.hpp
-    core/motion/relaxation/relaxation.hpp core/motion/relaxation/splines.hpp core/motion/relaxation/windows.hpp
+    core/motion/relaxation/relaxation.hpp core/motion/relaxation/weak_form.hpp core/motion/relaxation/splines.hpp core/motion/relaxation/windows.hpp
     core/winding/margin.hpp core/geometry/region/region.hpp
     core/geometry/curve/arc.hpp core/geometry/curve/curve.hpp core/geometry/curve/rational.hpp core/geometry/curve/vec.hpp core/geometry/path/matched.hpp core/geometry/path/path.hpp
     core/numeric/lanes.hpp core/numeric/large_pages.hpp core/numeric/peak.hpp core/numeric/polynomial.hpp

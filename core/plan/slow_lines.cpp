@@ -96,9 +96,11 @@ std::vector<SlowLine> slow_lines(const PathMotion& motion, const Machine& machin
     const bool dwell = p.v == 0 && p.a == 0 && p.j == 0 && !(p.s_end > p.s);
     const LawState end = p.at(p.duration);
     report[r].stops = report[r].stops || dwell || !(p.v > 0) || !(end.v > 1e-9 * std::max(1.0, p.v));
-    const double t = p.t0 + 0.5 * p.duration;
-    const std::size_t reason =
-        dwell ? reasons.dwell() : reasons.at(motion.in_piece(i, t), motion.along(i, t), feeds[p.segment]);
+    std::size_t reason = reasons.dwell();
+    if (!dwell) {
+      const LawState middle = motion.along(i, p.t0 + 0.5 * p.duration);
+      reason = reasons.at(motion.driven(i, middle), middle, feeds[p.segment]);
+    }
     times[r][reason] += p.duration;
   }
   for (std::size_t r = 0; r < lines.size(); ++r) {

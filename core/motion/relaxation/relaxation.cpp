@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/motion/relaxation/splines.hpp"
-
 namespace bahnwerk {
 namespace {
 
@@ -16,89 +14,28 @@ constexpr double never = 1e300;
 
 }  // namespace
 
-// Every inequality once.
-template <int N>
-template <class F>
-void RelaxationSolver<N>::each(F&& f) {
-  for (Spline& s : splines_) {
-    f(s.time);
-    for (std::size_t k = 0; k < N; ++k) f(s.plus[k]), f(s.minus[k]);
-  }
-  for (Hat& h : hats_)
-    for (std::size_t k = 0; k < N; ++k) f(h.plus[k]), f(h.minus[k]);
-  for (Inequality& c : caps_) f(c);
-}
 template <int N>
 void RelaxationSolver<N>::take(const RelaxationProblem<N>& problem) {
   const auto& cells = problem.cells;
   cells_ = cells.size();
   rows_ = (cells_ + 2) * (1 + 2 * N) + (cells_ + 1) * 2 * N + cells_;
-  coefficients_.assign(cells_, {});
+  form_.take(problem);
   splines_.assign(cells_ + 2, {});
   hats_.assign(cells_ + 1, {});
   caps_.assign(cells_, {});
-  mass_.assign(cells_ + 1, 0);
   for (std::vector<double>* v : {&b_, &inverse_cap_, &root_, &step_, &gradient_}) v->assign(cells_, 0);
   matrix_.assign(cells_, {});
   for (std::size_t k = 0; k < N; ++k)
     inverse_jerk_[k] = 1 / problem.jerk[k], inverse_acceleration_[k] = 1 / problem.acceleration[k];
-  // Mirrored beyond the ends. A single cell has itself for neighbours.
-  const auto length = [&](std::size_t i) { return cells[i].length; };
-  const auto parts_of = [&](std::size_t i) {
-    const double h = length(i);
-    return spline_parts(i > 0 ? length(i - 1) : h, h, i + 1 < cells_ ? length(i + 1) : h);
-  };
-  for (std::size_t i = 0; i < cells_; ++i) {
-    const RelaxationCell<N>& cell = cells[i];
-    const double h = cell.length;
-    const auto parts = parts_of(i);
-    Coefficients& c = coefficients_[i];
-    for (std::size_t r = 0; r < 3; ++r) {
-      const SplinePart& p = parts[r];
-      c.time[r] = p.integral(h);
-      // Nothing may be asked of a free end: no weight but 0 there.
-      if ((!problem.rest_first && i + r < 2) || (!problem.rest_last && i + r >= cells_)) continue;
-      for (std::size_t k = 0; k < N; ++k)
-        c.jerk[r][k] = (p.second * cell.way[k] - 0.5 * (p.slope_end * cell.end[k] - p.slope_begin * cell.begin[k])) *
-                       inverse_jerk_[k];
-    }
-    mass_[i] += h / 2, mass_[i + 1] += h / 2;
-    for (std::size_t k = 0; k < N; ++k) {
-      const double slope = cell.way[k] / h;
-      if (i > 0 || problem.rest_first) c.acceleration[0][k] = (slope - 0.5 * cell.begin[k]) * inverse_acceleration_[k];
-      if (i + 1 < cells_ || problem.rest_last)
-        c.acceleration[1][k] = (0.5 * cell.end[k] - slope) * inverse_acceleration_[k];
-    }
-    inverse_cap_[i] = 1 / cell.cap;
-  }
-  // Integrating by parts, a jump of q′ leaves −½ Δq′ b for a weight of 1, and ½ B′ Δq′ b for jerk.
-  for (const RelaxationStep<N>& step : problem.steps) {
-    const auto parts = parts_of(step.cell);
-    const double part = step.at / length(step.cell);
-    Coefficients& c = coefficients_[step.cell];
-    for (std::size_t k = 0; k < N; ++k) {
-      for (std::size_t r = 0; r < 3; ++r) {
-        splines_[step.cell + r].allowed[k] += parts[r].at(step.at) * step.time[k];
-        if (c.jerk[r] != Row{}) c.jerk[r][k] += 0.5 * parts[r].slope(step.at) * step.kink[k] * inverse_jerk_[k];
-      }
-      if (c.acceleration[0] != Row{})
-        c.acceleration[0][k] -= 0.5 * (1 - part) * step.kink[k] * inverse_acceleration_[k];
-      if (c.acceleration[1] != Row{}) c.acceleration[1][k] -= 0.5 * part * step.kink[k] * inverse_acceleration_[k];
-    }
-  }
-  for (std::size_t i = 0; i < cells_; ++i)
-    for (std::size_t k = 0; k < N; ++k) {
-      coefficients_[i].acceleration[0][k] /= mass_[i];
-      coefficients_[i].acceleration[1][k] /= mass_[i + 1];
-    }
   // Well below the caps, and from rest no faster than a constant jerk.
   double jerk = never, reach = 0, total = 0;
   for (std::size_t k = 0; k < N; ++k) jerk = std::min(jerk, problem.jerk[k]);
   for (const auto& cell : cells) total += cell.length;
   for (std::size_t i = 0; i < cells_; ++i) {
-    const double middle = reach + length(i) / 2;
-    reach += length(i);
+    const double middle = reach + cells[i].length / 2;
+    reach += cells[i].length;
     b_[i] = 0.3 * cells[i].cap;
+    inverse_cap_[i] = 1 / cells[i].cap;
     const double way = std::min(problem.rest_first ? middle : never, problem.rest_last ? total - middle : never);
     if (way < never && jerk < never) b_[i] = std::min(b_[i], 0.5 * std::pow(4.5 * jerk * way * way, 2.0 / 3));
   }
@@ -111,7 +48,7 @@ void RelaxationSolver<N>::start() {
     double time = 0, needed = 0;
     Row sum{};
     support(j, [&](std::size_t r, std::size_t i) {
-      const Coefficients& c = coefficients_[i];
+      const WeakCell<N>& c = form_.cells[i];
       time += c.time[r] / std::sqrt(b_[i]);
       for (std::size_t k = 0; k < N; ++k) sum[k] += c.jerk[r][k] * b_[i];
     });
@@ -151,13 +88,13 @@ void RelaxationSolver<N>::evaluate() {
     double time = 0;
     Row sum{};
     support(j, [&](std::size_t r, std::size_t i) {
-      const Coefficients& c = coefficients_[i];
+      const WeakCell<N>& c = form_.cells[i];
       time += c.time[r] * root_[i];
       for (std::size_t k = 0; k < N; ++k) sum[k] += c.jerk[r][k] * b_[i];
     });
     s.time.value = time - s.T;
     for (std::size_t k = 0; k < N; ++k) {
-      const double most = s.T + s.allowed[k];
+      const double most = s.T + form_.allowed[j][k];
       s.plus[k].value = sum[k] - most, s.minus[k].value = -sum[k] - most;
     }
     duration_ += s.T;
@@ -165,8 +102,8 @@ void RelaxationSolver<N>::evaluate() {
   for (std::size_t i = 0; i <= cells_; ++i)
     for (std::size_t k = 0; k < N; ++k) {
       double sum = 0;
-      if (i > 0) sum += coefficients_[i - 1].acceleration[1][k] * b_[i - 1];
-      if (i < cells_) sum += coefficients_[i].acceleration[0][k] * b_[i];
+      if (i > 0) sum += form_.cells[i - 1].acceleration[1][k] * b_[i - 1];
+      if (i < cells_) sum += form_.cells[i].acceleration[0][k] * b_[i];
       hats_[i].plus[k].value = sum - 1, hats_[i].minus[k].value = -sum - 1;
     }
 }
@@ -188,8 +125,8 @@ void RelaxationSolver<N>::assemble() {
       violation_ = std::max({violation_, std::abs(plus.residual()), std::abs(minus.residual())});
       complementarity_ += plus.slack * plus.multiplier + minus.slack * minus.multiplier;
       const double z = plus.multiplier - minus.multiplier, w = plus.weight() + minus.weight();
-      const double left = i > 0 ? coefficients_[i - 1].acceleration[1][k] * b_[i - 1] : 0;
-      const double right = i < cells_ ? coefficients_[i].acceleration[0][k] * b_[i] : 0;
+      const double left = i > 0 ? form_.cells[i - 1].acceleration[1][k] * b_[i - 1] : 0;
+      const double right = i < cells_ ? form_.cells[i].acceleration[0][k] * b_[i] : 0;
       if (i > 0) gradient_[i - 1] += z * left, matrix_[i - 1][0] += w * left * left;
       if (i < cells_) gradient_[i] += z * right, matrix_[i][0] += w * right * right;
       if (i > 0 && i < cells_) matrix_[i - 1][1] += w * left * right;
@@ -204,7 +141,7 @@ void RelaxationSolver<N>::assemble() {
     const double w0 = s.time.weight();
     s.curvature = w0;
     support(j, [&](std::size_t r, std::size_t i) {
-      const Coefficients& c = coefficients_[i];
+      const WeakCell<N>& c = form_.cells[i];
       const double time = c.time[r] * root_[i];
       e[r] = -0.5 * time;
       gradient_[i] += s.time.multiplier * e[r];
@@ -268,8 +205,8 @@ void RelaxationSolver<N>::direction(double target, bool correct) {
   for (std::size_t i = 0; i <= cells_; ++i)
     for (std::size_t k = 0; k < N; ++k) {
       const double p = pull(hats_[i].plus[k]) - pull(hats_[i].minus[k]);
-      if (i > 0) step_[i - 1] -= p * coefficients_[i - 1].acceleration[1][k] * b_[i - 1];
-      if (i < cells_) step_[i] -= p * coefficients_[i].acceleration[0][k] * b_[i];
+      if (i > 0) step_[i - 1] -= p * form_.cells[i - 1].acceleration[1][k] * b_[i - 1];
+      if (i < cells_) step_[i] -= p * form_.cells[i].acceleration[0][k] * b_[i];
     }
   for (std::size_t j = 0; j < splines_.size(); ++j) {
     Spline& s = splines_[j];
@@ -283,7 +220,7 @@ void RelaxationSolver<N>::direction(double target, bool correct) {
     }
     const double share = s.rest / s.curvature;
     support(j, [&](std::size_t r, std::size_t i) {
-      const Coefficients& c = coefficients_[i];
+      const WeakCell<N>& c = form_.cells[i];
       double sum = -0.5 * c.time[r] * root_[i] * time + s.coupling[r] * share;
       for (std::size_t k = 0; k < N; ++k) sum += p[k] * c.jerk[r][k] * b_[i];
       step_[i] -= sum;
@@ -314,8 +251,8 @@ void RelaxationSolver<N>::direction(double target, bool correct) {
   for (std::size_t i = 0; i <= cells_; ++i)
     for (std::size_t k = 0; k < N; ++k) {
       double sum = 0;
-      if (i > 0) sum += coefficients_[i - 1].acceleration[1][k] * b_[i - 1] * step_[i - 1];
-      if (i < cells_) sum += coefficients_[i].acceleration[0][k] * b_[i] * step_[i];
+      if (i > 0) sum += form_.cells[i - 1].acceleration[1][k] * b_[i - 1] * step_[i - 1];
+      if (i < cells_) sum += form_.cells[i].acceleration[0][k] * b_[i] * step_[i];
       follow(hats_[i].plus[k], sum), follow(hats_[i].minus[k], -sum);
     }
   for (std::size_t j = 0; j < splines_.size(); ++j) {
@@ -323,7 +260,7 @@ void RelaxationSolver<N>::direction(double target, bool correct) {
     double time = 0, T = s.rest;
     Row sum{};
     support(j, [&](std::size_t r, std::size_t i) {
-      const Coefficients& c = coefficients_[i];
+      const WeakCell<N>& c = form_.cells[i];
       T -= s.coupling[r] * step_[i];
       time -= 0.5 * c.time[r] * root_[i] * step_[i];
       for (std::size_t k = 0; k < N; ++k) sum[k] += c.jerk[r][k] * b_[i] * step_[i];
@@ -339,8 +276,15 @@ void RelaxationSolver<N>::direction(double target, bool correct) {
 template <int N>
 void RelaxationSolver<N>::advance(double primal, double dual) {
   for (std::size_t i = 0; i < cells_; ++i) b_[i] *= 1 + primal * step_[i];
-  for (Spline& s : splines_) s.T += primal * s.step;
-  each([&](Inequality& i) { i.slack += primal * i.slack_step, i.multiplier += dual * i.multiplier_step; });
+  const auto move = [&](Inequality& i) { i.slack += primal * i.slack_step, i.multiplier += dual * i.multiplier_step; };
+  for (Spline& s : splines_) {
+    s.T += primal * s.step;
+    move(s.time);
+    for (std::size_t k = 0; k < N; ++k) move(s.plus[k]), move(s.minus[k]);
+  }
+  for (Hat& h : hats_)
+    for (std::size_t k = 0; k < N; ++k) move(h.plus[k]), move(h.minus[k]);
+  for (Inequality& c : caps_) move(c);
 }
 
 template <int N>
@@ -391,7 +335,7 @@ RelaxationMultipliers<N> RelaxationSolver<N>::multipliers() const {
   for (std::size_t i = 0; i < hats_.size(); ++i)
     for (std::size_t k = 0; k < N; ++k)
       m.acceleration[i][k] =
-          (hats_[i].plus[k].multiplier - hats_[i].minus[k].multiplier) * inverse_acceleration_[k] / mass_[i];
+          (hats_[i].plus[k].multiplier - hats_[i].minus[k].multiplier) * inverse_acceleration_[k] / form_.mass[i];
   return m;
 }
 

@@ -7,13 +7,7 @@
 /// own duration, so that no motion is faster than its optimum; where c = 1/√b everywhere, the optimum is the fastest
 /// motion.
 ///
-/// Discretisation. b is constant in each cell. The limits are asked in the mean only: of acceleration weighted by hats,
-/// of jerk weighted by the quadratic B-splines B_j, with T_j ≥ ∫ B_j c ds the time that such a weight sees:
-///   minimise Σ T_j,   |∫ B_j da_k| ≤ J_k (T_j + step_jk),   |∫ hat_i a_k ds| ≤ A_k ∫ hat_i ds,   b ≤ cap.
-/// The integrals by parts need q at the nodes and q′ on both sides of them, no q″. This weak form is chosen so that the
-/// multipliers are multipliers of the problem that is not discretised, too: λ_k = Σ λ_jk B_j is continuously
-/// differentiable, μ_k = Σ μ_ik hat_i is continuous, and Σ_k J_k |λ_jk| ≤ 1 for each j makes 1 − Σ J_k |λ_k| ≥ 0
-/// everywhere. core/verify/bound/jerk_bound.hpp turns them into a proven bound, whatever their quality.
+/// core/motion/relaxation/weak_form.hpp has the discretisation.
 ///
 /// Solved by a primal-dual interior-point method with predictor and corrector [Mehrotra, SIAM J. Optim. 2 (1992)]. Each
 /// T_j is eliminated on its own; what is left is one system of five diagonals for b.
@@ -22,35 +16,9 @@
 #include <vector>
 
 #include "core/base/progress_scope.hpp"
+#include "core/motion/relaxation/weak_form.hpp"
 
 namespace bahnwerk {
-
-template <int N>
-struct RelaxationCell {
-  using Row = std::array<double, N>;
-  double length = 0;   ///< mm, > 0
-  Row way{};           ///< q_k at the end − q_k at the begin
-  Row begin{}, end{};  ///< q′_k at both ends, on this cell's side
-  double cap = 0;      ///< largest b in the cell, mm²/s², finite and > 0
-};
-
-/// A place where q′_k jumps by kink[k], and the acceleration of axis k may by J_k · time[k].
-template <int N>
-struct RelaxationStep {
-  std::size_t cell = 0;
-  double at = 0;                 ///< mm from the cell's begin
-  std::array<double, N> time{};  ///< s
-  std::array<double, N> kink{};
-};
-
-template <int N>
-struct RelaxationProblem {
-  using Row = std::array<double, N>;
-  std::vector<RelaxationCell<N>> cells;
-  std::vector<RelaxationStep<N>> steps;
-  Row acceleration{}, jerk{};                ///< limits; jerk may be infinite
-  bool rest_first = true, rest_last = true;  ///< else speed and acceleration are free at that end
-};
 
 /// Of axis k: of jerk per B-spline, index j + 1 for the one whose support is the cells j − 1 … j + 1, j = −1 … n, and
 /// Σ_k J_k |jerk[j][k]| ≤ 1; of acceleration per node. Signed.
@@ -85,8 +53,6 @@ class RelaxationSolver {
 
   /// Of the last solution: b per cell, mm²/s².
   const std::vector<double>& b() const { return b_; }
-  /// Likewise: the part of T_j that no law can use, T_j − ∫ B_j b^(-1/2) ds, per B-spline, s.
-  double slack(std::size_t spline) const { return -splines_[spline].time.value; }
   RelaxationMultipliers<N> multipliers() const;
 
  private:
@@ -96,18 +62,12 @@ class RelaxationSolver {
     double residual() const { return value + slack; }
     double weight() const { return multiplier / slack; }
   };
-  struct Coefficients {
-    std::array<double, 3> time{};       ///< ∫ B_j ds
-    std::array<Row, 3> jerk{};          ///< ∫ B_j da_k / J_k per b
-    std::array<Row, 2> acceleration{};  ///< ∫ hat a_k ds / (A_k ∫ hat ds) per b
-  };
   struct Spline {
     Inequality time;
     std::array<Inequality, N> plus, minus;
     double T = 0, step = 0;                        ///< and its step
     double gradient = 0, curvature = 0, rest = 0;  ///< of T; right-hand side
     std::array<double, 3> coupling{};              ///< with b of its cells
-    Row allowed{};                                 ///< step_jk
   };
   struct Hat {
     std::array<Inequality, N> plus, minus;
@@ -120,8 +80,6 @@ class RelaxationSolver {
   void factor();
   void direction(double target, bool correct);
   void advance(double primal, double dual);
-  template <class F>
-  void each(F&& f);
   /// The cells of spline j (as stored) by their place in its support: f(place, cell).
   template <class F>
   void support(std::size_t j, F&& f) const {
@@ -131,14 +89,13 @@ class RelaxationSolver {
 
   std::size_t cells_ = 0, rows_ = 0;
   ProgressScope* pulse_ = nullptr;
-  std::vector<Coefficients> coefficients_;
+  WeakForm<N> form_;
   std::vector<Spline> splines_;
   std::vector<Hat> hats_;
   std::vector<Inequality> caps_;
   std::vector<double> b_, inverse_cap_, root_, step_, gradient_;
   std::vector<std::array<double, 3>> matrix_;  ///< the diagonal and two above it; factored: D, L₁, L₂
   Row inverse_jerk_{}, inverse_acceleration_{};
-  std::vector<double> mass_;  ///< ∫ hat ds
   double duration_ = 0, complementarity_ = 0, violation_ = 0, dual_ = 0;
   /// What the last direction allows: how far slacks and multipliers stay positive, and Σ slack · multiplier step, Σ
   /// multiplier · slack step, Σ of both steps.

@@ -106,19 +106,25 @@ double BoundGrid<N>::turn_cap(const Node& n) const {
   return cap;
 }
 
+template <int N>
+double BoundGrid<N>::along(const Node& a, const Node& b, double cap) const {
+  double most = std::numeric_limits<double>::infinity();
+  for (const Node* n : {&a, &b})
+    for (std::size_t k = 0; k < axes_; ++k)
+      if (n->least(k) > 0)
+        most = std::min(most, (acceleration_[k] + std::abs(n->curvature[k]) * cap) / std::sqrt(n->least(k)));
+  return most;
+}
+
 // Under a limit of jerk the acceleration of an axis may step by jerk · cycle time, |Δq''_k b + Δq'_k v̇| at most, and
 // the acceleration v̇ along the path does not step.
 template <int N>
 double BoundGrid<N>::step_cap(const Node& a, const Node& b, double cap) const {
-  double along = std::numeric_limits<double>::infinity();
-  for (const Node* n : {&a, &b})
-    for (std::size_t k = 0; k < axes_; ++k)
-      if (n->least(k) > 0)
-        along = std::min(along, (acceleration_[k] + std::abs(n->curvature[k]) * cap) / std::sqrt(n->least(k)));
+  const double most_along = along(a, b, cap);
   double most = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < axes_; ++k) {
     const double step = std::abs(b.curvature[k] - a.curvature[k]), kink = std::abs(b.tangent[k] - a.tangent[k]);
-    const double allowed = jerk_[k] * cycle_time_ + (kink > 0 ? kink * along : 0);
+    const double allowed = jerk_[k] * cycle_time_ + (kink > 0 ? kink * most_along : 0);
     if (step > 0 && allowed < most * step) most = allowed / step * give;
   }
   return most;
@@ -227,10 +233,13 @@ template double BoundGrid<3>::place_cap(const Node&) const;
 template double BoundGrid<3>::turn_cap(const Node&) const;
 template double BoundGrid<8>::place_cap(const Node&) const;
 template double BoundGrid<8>::turn_cap(const Node&) const;
+template double BoundGrid<2>::along(const Node&, const Node&, double) const;
 template double BoundGrid<2>::step_cap(const Node&, const Node&, double) const;
 template double BoundGrid<2>::corner(const Node&, const Node&) const;
+template double BoundGrid<3>::along(const Node&, const Node&, double) const;
 template double BoundGrid<3>::step_cap(const Node&, const Node&, double) const;
 template double BoundGrid<3>::corner(const Node&, const Node&) const;
+template double BoundGrid<8>::along(const Node&, const Node&, double) const;
 template double BoundGrid<8>::step_cap(const Node&, const Node&, double) const;
 template double BoundGrid<8>::corner(const Node&, const Node&) const;
 template bool BoundGrid<2>::unit_direction(const Node&) const;

@@ -63,7 +63,13 @@ class BoundGrid {
   /// Bounds of |q'''_k|, 1/mm², between two nodes of one segment; infinite where there are none.
   std::array<double, N> third(const Node& a, const Node& b) const;
   /// A place of a segment.
-  Node at(std::size_t segment, double u) const { return node(segment, u); }
+  Node node(std::size_t segment, double u) const {
+    Node n = place(segment, u);
+    complete(n);
+    return n;
+  }
+  /// Largest |v̇| along the path at both sides of a joint, mm/s², where b is no more than `cap`.
+  double along(const Node& a, const Node& b, double cap) const;
 
  private:
   using Row = std::array<double, N>;
@@ -83,11 +89,6 @@ class BoundGrid {
   void scale_axes();
   Node place(std::size_t segment, double u) const;  ///< position and derivatives alone
   void complete(Node& n) const;
-  Node node(std::size_t segment, double u) const {
-    Node n = place(segment, u);
-    complete(n);
-    return n;
-  }
   double place_cap(const Node& n) const;
   double turn_cap(const Node& n) const;
   static bool changes(const Node& a, const Node& middle, const Node& b);

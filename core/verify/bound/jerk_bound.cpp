@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace bahnwerk::verify {
 namespace {
@@ -26,14 +27,14 @@ double sq(double x) { return x * x; }
 template <int N>
 JerkBound<N>::JerkBound(const BoundGrid<N>& grid, const Machine& machine, ProgressScope& pulse)
     : grid_(grid), pulse_(pulse), cycle_time_(machine.cycle_time), dual_(grid, pulse) {
-  acceleration_.fill(1), jerk_.fill(infinite);
+  problem_.acceleration.fill(1), problem_.jerk.fill(infinite);
   for (std::size_t k = 0; k < grid.axes(); ++k) {
-    acceleration_[k] = grid.acceleration(k);
-    jerk_[k] = grid.jerk(k);
-    if (!std::isfinite(jerk_[k])) continue;
+    problem_.acceleration[k] = grid.acceleration(k);
+    problem_.jerk[k] = grid.jerk(k);
+    if (!std::isfinite(grid.jerk(k))) continue;
     limited_ = true;
-    if (const double ramp = acceleration_[k] / jerk_[k]; ramp < ramp_)
-      ramp_ = ramp, acceleration_of_ramp_ = acceleration_[k];
+    if (const double ramp = grid.acceleration(k) / grid.jerk(k); ramp < ramp_)
+      ramp_ = ramp, acceleration_of_ramp_ = grid.acceleration(k);
   }
 }
 
@@ -58,32 +59,24 @@ double JerkBound<N>::cap(std::size_t cell, const Node& a, const Node& b, const s
 
 template <int N>
 void JerkBound<N>::join(const Node& a, const Node& b, double cap) {
-  DualPiece<N> joint;
-  joint.joint = true;
-  joint.joint_cap = cap;
-  double along = infinite;
-  for (const Node* n : {&a, &b})
-    for (std::size_t k = 0; k < grid_.axes(); ++k)
-      if (n->least(k) > 0)
-        along = std::min(along, (acceleration_[k] + std::abs(n->curvature[k]) * cap) / std::sqrt(n->least(k)));
+  const double along = grid_.along(a, b, cap);
+  joint_.cap = joint_.here ? std::max(joint_.cap, cap) : cap;
+  joint_.here = true;
   for (std::size_t k = 0; k < grid_.axes(); ++k) {
-    joint.kink[k] = b.tangent[k] - a.tangent[k];
-    const double bend = std::abs(b.curvature[k] - a.curvature[k]);
-    const double step = bend * cap + (joint.kink[k] != 0 ? std::abs(joint.kink[k]) * along : 0);
-    joint.step[k] = std::min(jerk_[k] * cycle_time_, step) * (1 + 1e-9);
+    const double kink = b.tangent[k] - a.tangent[k], bend = std::abs(b.curvature[k] - a.curvature[k]);
+    const double step = bend * cap + (kink != 0 ? std::abs(kink) * along : 0);
+    joint_.kink[k] += kink;
+    joint_.step[k] += std::min(problem_.jerk[k] * cycle_time_, step) * (1 + 1e-9);
   }
-  joint_ = joint;
 }
 
 template <int N>
 void JerkBound<N>::append(const Node& a, const Node& b, double cap, Extent extent) {
-  const DualPiece<N> joint = joint_;
-  joint_ = {};
-  if (!(b.s > a.s)) return;
+  if (!(b.s > a.s)) return;  // the joint before it stands before the next one
   DualPiece<N> p = dual_piece(grid_, a, b, cap);
-  p.joint = joint.joint, p.step = joint.step, p.kink = joint.kink, p.joint_cap = joint.joint_cap;
+  p.joint = std::exchange(joint_, {});
   for (std::size_t k = 0; k < grid_.axes(); ++k)
-    extent.swing = std::max(extent.swing, std::abs(b.curvature[k] - a.curvature[k]) * cap / acceleration_[k]);
+    extent.swing = std::max(extent.swing, std::abs(b.curvature[k] - a.curvature[k]) * cap / grid_.acceleration(k));
   pieces_.push_back(p);
   extents_.push_back(extent);
 }
@@ -96,7 +89,7 @@ double JerkBound<N>::finest_at(std::size_t node, const std::vector<double>& b) c
   double finest = infinite;
   const double most = std::min(b[node], b[node + 1]);
   for (std::size_t k = 0; k < grid_.axes(); ++k) {
-    const double bend = std::abs(to.curvature[k] - from.curvature[k]), step = jerk_[k] * cycle_time_;
+    const double bend = std::abs(to.curvature[k] - from.curvature[k]), step = grid_.jerk(k) * cycle_time_;
     if (bend * most > step) finest = std::min(finest, part_of_cycle * cycle_time_ * std::sqrt(step / bend));
   }
   return finest;
@@ -145,7 +138,7 @@ void JerkBound<N>::divide(std::size_t cell, const std::vector<double>& b) {
     pulse_.work(2);
     const double u = from.u + (to.u - from.u) * ((x + d) / c.length);
     if (x + 1.5 * d >= c.length || !(u > last.u && u < to.u)) break;
-    const Node next = grid_.at(from.segment, u);
+    const Node next = grid_.node(from.segment, u);
     append(last, next,
            cap(cell, last, next, b, straight ? x / c.length : 0, straight ? (next.s - from.s) / c.length : 1),
            {0, 2 * d, spacing});
@@ -175,7 +168,6 @@ void JerkBound<N>::lay(const std::vector<double>& b, bool rest_first, bool rest_
 template <int N>
 std::size_t JerkBound<N>::pose(std::size_t first, bool rest_first, bool rest_last, bool& ends_at_rest) {
   problem_.cells.clear(), problem_.steps.clear(), cell_of_.clear();
-  problem_.acceleration = acceleration_, problem_.jerk = jerk_;
   problem_.rest_first = rest_first && first == 0;
   double time = 0, turn = 0, capped = 0, swing = 0;
   std::size_t i = first;
@@ -193,9 +185,10 @@ std::size_t JerkBound<N>::pose(std::size_t first, bool rest_first, bool rest_las
                       problem_.cells.back().length + p.length < extents_[i].finest;
     if (!open) problem_.cells.emplace_back(), time = turn = capped = swing = 0, problem_.cells.back().begin = p.begin;
     RelaxationCell<N>& cell = problem_.cells.back();
-    if (p.joint) {
+    if (p.joint.here) {
       RelaxationStep<N> step{problem_.cells.size() - 1, cell.length, {}};
-      for (std::size_t k = 0; k < N; ++k) step.time[k] = p.step[k] / jerk_[k], step.kink[k] = p.kink[k];
+      for (std::size_t k = 0; k < N; ++k)
+        step.time[k] = p.joint.step[k] / problem_.jerk[k], step.kink[k] = p.joint.kink[k];
       problem_.steps.push_back(step);
     }
     for (std::size_t k = 0; k < N; ++k) cell.way[k] += p.way[k];

@@ -60,7 +60,6 @@ class JerkBound {
 
   const BoundGrid<N>& grid_;
   ProgressScope& pulse_;
-  Row acceleration_{}, jerk_{};
   double cycle_time_;
   bool limited_ = false;
   std::size_t cells_ = 0;
@@ -73,7 +72,7 @@ class JerkBound {
   std::vector<DualPiece<N>> pieces_;
   std::vector<Extent> extents_;       ///< of each
   std::vector<std::size_t> cell_of_;  ///< per piece of the window
-  DualPiece<N> joint_;                ///< of the piece to come
+  DualJoint<N> joint_;                ///< before the piece to come
   RelaxationProblem<N> problem_;
   RelaxationWindows<N> solver_;
   JerkDual<N> dual_;

@@ -70,10 +70,8 @@ DualPiece<N> dual_piece(const BoundGrid<N>& grid, const BoundNode<N>& a, const B
 template <int N>
 void JerkDual<N>::enter(std::size_t cell, const RelaxationProblem<N>& problem,
                         const RelaxationMultipliers<N>& multipliers) {
-  const auto& cells = problem.cells;
-  length_ = cells[cell].length;
-  parts_ = spline_parts(cell > 0 ? cells[cell - 1].length : length_, length_,
-                        cell + 1 < cells.size() ? cells[cell + 1].length : length_);
+  length_ = problem.cells[cell].length;
+  parts_ = splines_on(problem.cells, cell);
   for (std::size_t r = 0; r < 3; ++r) {
     lambda_[r] = multipliers.jerk[cell + r];
     double load = 0;
@@ -110,8 +108,8 @@ typename JerkDual<N>::Value JerkDual<N>::of(const DualPiece<N>& p, double x, con
     size += (std::abs(e0) + std::abs(e1)) * (1 + p.bend[k] * p.length) + std::abs(change) * p.length;
     radius += 0.5 * std::max(std::abs(e0), std::abs(e1)) * p.third[k];
     cost += grid_.acceleration(k) * p.length * (std::abs(u0) + std::abs(u1)) / 2;
-    if (p.joint) cost += jerk * p.step[k], kink -= 0.5 * e0 * p.kink[k];
-    if (next != nullptr) next_kink -= 0.5 * e1 * next->kink[k];
+    if (p.joint.here) cost += jerk * p.joint.step[k], kink -= 0.5 * e0 * p.joint.kink[k];
+    if (next != nullptr) next_kink -= 0.5 * e1 * next->joint.kink[k];
   }
   // What a jump of q′ adds to G stands at the joint. Half of it may be spread over the pieces on either side, for b
   // cannot change much there: on average by |v̇| times the length.
@@ -122,8 +120,8 @@ typename JerkDual<N>::Value JerkDual<N>::of(const DualPiece<N>& p, double x, con
     else
       loss += std::max(0.0, -jump) / 2 * joint_cap;
   };
-  if (p.joint) spread(kink, p.joint_cap);
-  if (next != nullptr) spread(next_kink, next->joint_cap);
+  if (p.joint.here) spread(kink, p.joint.cap);
+  if (next != nullptr) spread(next_kink, next->joint.cap);
   // G stays within half of what it may change by about its mean.
   const double mean = (integral - p.rounding * size) / p.length, half = radius * p.length / 2;
   const double low = least_mean(w, {mean - half, mean + half, mean}, p.cap), high = least(w.mean, mean, p.cap);
@@ -135,12 +133,12 @@ template <int N>
 double JerkDual<N>::refined(const DualPiece<N>& p, double x, const DualPiece<N>* next, Value coarse, int depth) {
   if (!(coarse.loss > much * p.time) || depth == halvings) return coarse.now;
   const double u = p.u0 + (p.u1 - p.u0) / 2;
-  const BoundNode<N> a = grid_.at(p.segment, p.u0), m = grid_.at(p.segment, u), b = grid_.at(p.segment, p.u1);
+  const BoundNode<N> a = grid_.node(p.segment, p.u0), m = grid_.node(p.segment, u), b = grid_.node(p.segment, p.u1);
   if (!(m.s > a.s && b.s > m.s)) return coarse.now;
   pulse_.work(8);
   DualPiece<N> left = dual_piece(grid_, a, m, p.cap);
   const DualPiece<N> right = dual_piece(grid_, m, b, p.cap);
-  left.joint = p.joint, left.step = p.step, left.kink = p.kink, left.joint_cap = p.joint_cap;
+  left.joint = p.joint;
   const Value first = of(left, x, nullptr), second = of(right, x + left.length, next);
   if (!(first.now + second.now > coarse.now)) return coarse.now;
   return refined(left, x, nullptr, first, depth + 1) + refined(right, x + left.length, next, second, depth + 1);
@@ -159,7 +157,7 @@ double JerkDual<N>::value(const std::vector<DualPiece<N>>& pieces, std::size_t f
       cell = cell_of[i - first], x = 0;
       enter(cell, problem, multipliers);
     }
-    const DualPiece<N>* next = i + 1 < last && pieces[i + 1].joint ? &pieces[i + 1] : nullptr;
+    const DualPiece<N>* next = i + 1 < last && pieces[i + 1].joint.here ? &pieces[i + 1] : nullptr;
     sum.add(refined(p, x, next, of(p, x, next), 0));
     x += p.length;
     pulse_.work(1);

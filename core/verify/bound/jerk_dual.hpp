@@ -25,10 +25,18 @@
 
 #include "core/base/progress_scope.hpp"
 #include "core/motion/relaxation/relaxation.hpp"
-#include "core/motion/relaxation/splines.hpp"
 #include "core/verify/bound/bound_grid.hpp"
 
 namespace bahnwerk::verify {
+
+/// Steps at one place of the path; of several that nothing lies between, all together.
+template <int N>
+struct DualJoint {
+  using Row = std::array<double, N>;
+  bool here = false;
+  Row step{}, kink{};  ///< |Δa_k| at most, and Δq′_k
+  double cap = 0;      ///< largest b
+};
 
 /// A part of a segment on which the dual function is evaluated.
 template <int N>
@@ -40,13 +48,11 @@ struct DualPiece {
   Row bend{};                 ///< largest |q″_k| at its ends
   Row third{};                ///< bounds of |q‴_k|, 1/mm²
   double length = 0;
-  double cap = 0;        ///< largest b anywhere in it
-  double along = 0;      ///< largest |v̇| in it
-  double time = 0;       ///< about, s
-  double rounding = 0;   ///< of the length, relative
-  bool joint = false;    ///< what follows stands before its begin
-  Row step{}, kink{};    ///< |Δa_k| at most, and Δq′_k
-  double joint_cap = 0;  ///< of b at the joint
+  double cap = 0;       ///< largest b anywhere in it
+  double along = 0;     ///< largest |v̇| in it
+  double time = 0;      ///< about, s
+  double rounding = 0;  ///< of the length, relative
+  DualJoint<N> joint;   ///< before its begin
 };
 
 /// What lies between two places of one segment; no joint.

@@ -34,20 +34,20 @@ struct Laid {
 Laid lay(const BoundGrid<2>& grid) {
   Laid laid;
   laid.problem.acceleration = {A, A}, laid.problem.jerk = {J, J};
-  DualPiece<2> joint;
+  DualJoint<2> joint;
   const auto nodes = grid.nodes();
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
     const auto &a = nodes[i], &b = nodes[i + 1];
     if (a.segment != b.segment) {
-      joint.joint = true, joint.joint_cap = 2 * V * V;
+      joint.here = true, joint.cap = 2 * V * V;
       for (std::size_t k = 0; k < 2; ++k) joint.step[k] = J * 0.001, joint.kink[k] = b.tangent[k] - a.tangent[k];
       continue;
     }
     DualPiece<2> p = dual_piece(grid, a, b, 2 * V * V);
-    p.joint = joint.joint, p.step = joint.step, p.kink = joint.kink, p.joint_cap = joint.joint_cap;
+    p.joint = joint;
     joint = {};
     RelaxationCell<2> cell{p.length, p.way, p.begin, p.end, p.cap};
-    if (p.joint) laid.problem.steps.push_back({laid.problem.cells.size(), 0, {0.001, 0.001}, p.kink});
+    if (p.joint.here) laid.problem.steps.push_back({laid.problem.cells.size(), 0, {0.001, 0.001}, p.joint.kink});
     laid.cell_of.push_back(laid.problem.cells.size());
     laid.problem.cells.push_back(cell);
     laid.pieces.push_back(p);

@@ -1,0 +1,76 @@
+#pragma once
+/// The relaxation (core/motion/relaxation/relaxation.hpp) as a finite problem: what it is given, and its weak form.
+///
+/// Discretisation. b is constant in each cell. The limits are asked in the mean only: of acceleration weighted by hats,
+/// of jerk weighted by the quadratic B-splines B_j, with T_j ≥ ∫ B_j c ds the time that such a weight sees:
+///   minimise Σ T_j,   |∫ B_j da_k| ≤ J_k (T_j + step_jk),   |∫ hat_i a_k ds| ≤ A_k ∫ hat_i ds,   b ≤ cap.
+/// The integrals by parts need q at the nodes and q′ on both sides of them, no q″. This weak form is chosen so that the
+/// multipliers are multipliers of the problem that is not discretised, too: λ_k = Σ λ_jk B_j is continuously
+/// differentiable, μ_k = Σ μ_ik hat_i is continuous, and Σ_k J_k |λ_jk| ≤ 1 for each j makes 1 − Σ J_k |λ_k| ≥ 0
+/// everywhere. core/verify/bound/jerk_bound.hpp turns them into a proven bound, whatever their quality.
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "core/motion/relaxation/splines.hpp"
+
+namespace bahnwerk {
+
+template <int N>
+struct RelaxationCell {
+  using Row = std::array<double, N>;
+  double length = 0;   ///< mm, > 0
+  Row way{};           ///< q_k at the end − q_k at the begin
+  Row begin{}, end{};  ///< q′_k at both ends, on this cell's side
+  double cap = 0;      ///< largest b in the cell, mm²/s², finite and > 0
+};
+
+/// A place where q′_k jumps by kink[k], and the acceleration of axis k may by J_k · time[k].
+template <int N>
+struct RelaxationStep {
+  std::size_t cell = 0;
+  double at = 0;                 ///< mm from the cell's begin
+  std::array<double, N> time{};  ///< s
+  std::array<double, N> kink{};
+};
+
+template <int N>
+struct RelaxationProblem {
+  using Row = std::array<double, N>;
+  std::vector<RelaxationCell<N>> cells;
+  std::vector<RelaxationStep<N>> steps;
+  Row acceleration{}, jerk{};                ///< limits; jerk may be infinite
+  bool rest_first = true, rest_last = true;  ///< else speed and acceleration are free at that end
+};
+
+/// The B-splines that live on a cell. Beyond the ends lengths are mirrored; a single cell has itself for neighbours.
+template <int N>
+std::array<SplinePart, 3> splines_on(const std::vector<RelaxationCell<N>>& cells, std::size_t cell) {
+  const double h = cells[cell].length;
+  return spline_parts(cell > 0 ? cells[cell - 1].length : h, h, cell + 1 < cells.size() ? cells[cell + 1].length : h);
+}
+
+/// What b of one cell contributes, by the place of the cell in the support of a spline or a hat.
+template <int N>
+struct WeakCell {
+  using Row = std::array<double, N>;
+  std::array<double, 3> time{};       ///< ∫ B_j ds
+  std::array<Row, 3> jerk{};          ///< ∫ B_j da_k / J_k per b; 0 of splines that a free end excludes
+  std::array<Row, 2> acceleration{};  ///< ∫ hat a_k ds / (A_k ∫ hat ds) per b; likewise
+};
+
+template <int N>
+struct WeakForm {
+  std::vector<WeakCell<N>> cells;
+  std::vector<std::array<double, N>> allowed;  ///< per spline: step_jk, s
+  std::vector<double> mass;                    ///< per node: ∫ hat ds, mm
+
+  /// O(cells). Keeps its memory.
+  void take(const RelaxationProblem<N>& problem);
+};
+
+extern template struct WeakForm<2>;
+extern template struct WeakForm<3>;
+extern template struct WeakForm<8>;
+
+}  // namespace bahnwerk
