@@ -24,13 +24,18 @@ Contour spline(int n, int degree) {
   return b.finish();
 }
 
-void plan(benchmark::State& state, int degree) {
-  Machine m;
-  m.axes = {{"x", 1800, 16000, 1e6}, {"y", 1800, 16000, 1e6}};
+const Machine m{{{"x", 1800, 16000, 1e6}, {"y", 1800, 16000, 1e6}}};
+
+/// With so many points of the planner's grid.
+Contour spline_of(std::int64_t points, int degree) {
   SilentProgress progress;
-  const auto wanted = static_cast<double>(state.range(0));
   const std::size_t per_50 = plan_jerk_limited(spline(50, degree), m, {}, progress).cells;
-  const Contour contour = spline(std::max(1, static_cast<int>(50 * wanted / static_cast<double>(per_50))), degree);
+  return spline(std::max(1, static_cast<int>(50 * static_cast<double>(points) / static_cast<double>(per_50))), degree);
+}
+
+void plan(benchmark::State& state, int degree) {
+  SilentProgress progress;
+  const Contour contour = spline_of(state.range(0), degree);
   JerkLimitedResult result;
   for (auto _ : state) {
     result = plan_jerk_limited(contour, m, {}, progress);
@@ -48,12 +53,8 @@ void plan(benchmark::State& state, int degree) {
 
 /// The bound of the same, per grid point of the plan.
 void bound(benchmark::State& state, int degree) {
-  Machine m;
-  m.axes = {{"x", 1800, 16000, 1e6}, {"y", 1800, 16000, 1e6}};
   SilentProgress progress;
-  const auto wanted = static_cast<double>(state.range(0));
-  const std::size_t per_50 = plan_jerk_limited(spline(50, degree), m, {}, progress).cells;
-  const Contour contour = spline(std::max(1, static_cast<int>(50 * wanted / static_cast<double>(per_50))), degree);
+  const Contour contour = spline_of(state.range(0), degree);
   const JerkLimitedResult planned = plan_jerk_limited(contour, m, {}, progress);
   Bound low;
   for (auto _ : state) low = lower_bound(contour, m, 1e-3, progress);

@@ -74,6 +74,13 @@ struct ServiceTest : testing::Test {
     ADD_FAILURE() << id << " did not become " << state;
     return {};
   }
+  /// In 100 ms, while the test waits. To be joined.
+  std::thread cancel_soon(const std::string& id) const {
+    return std::thread([this, id] {
+      std::this_thread::sleep_for(100ms);
+      client->request("POST", "/v1/jobs/" + id + "/cancel", {});
+    });
+  }
   TempFolder folder;
   ServiceOptions options;
   std::unique_ptr<Service> service;

@@ -22,10 +22,7 @@ TEST_F(ServiceTest, HoldsAnAnswerUntilTheJobChanges) {
   const auto start_time = std::chrono::steady_clock::now();
   EXPECT_EQ(get("/v1/jobs/" + id, {{"If-None-Match", etag}, {"Prefer", "wait=1"}}).status, 304);
   EXPECT_GE(std::chrono::steady_clock::now() - start_time, 900ms);
-  std::thread other([&] {
-    std::this_thread::sleep_for(100ms);
-    client->request("POST", "/v1/jobs/" + id + "/cancel", {});
-  });
+  std::thread other = cancel_soon(id);
   const Response changed = get("/v1/jobs/" + id, {{"Prefer", "wait=60"}});
   other.join();
   EXPECT_EQ(json::parse(changed.body)["state"], "cancelled");
@@ -41,10 +38,7 @@ TEST_F(ServiceTest, WaitsForTheEndWithoutIfNoneMatch) {
   EXPECT_GE(std::chrono::steady_clock::now() - began, 900ms) << "progress is not the end";
   EXPECT_EQ(json::parse(held.body)["state"], "running");
   EXPECT_EQ(held.header("Preference-Applied"), "wait=1");
-  std::thread other([&] {
-    std::this_thread::sleep_for(100ms);
-    client->request("POST", "/v1/jobs/" + id + "/cancel", {});
-  });
+  std::thread other = cancel_soon(id);
   const Response ended = get("/v1/jobs/" + id, {{"Prefer", "wait=60"}});
   other.join();
   EXPECT_EQ(json::parse(ended.body)["state"], "cancelled");

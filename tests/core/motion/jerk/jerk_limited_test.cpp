@@ -2,14 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
-
 #include "core/base/errors.hpp"
 #include "core/contour/builder.hpp"
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/numeric/random.hpp"
 #include "core/verify/verifier.hpp"
+#include "tests/core/motion/reference/jerk_curves.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -88,27 +86,11 @@ TEST(JerkLimited, SolverAgreesWithDoubleS) {
 }
 
 TEST(JerkLimited, WithinHalfAPercentOfADirectSolution) {
-  std::ifstream file(BAHNWERK_SOURCE "/tests/core/motion/reference/jerk.csv");
-  std::string text;
-  int problems = 0;
-  while (std::getline(file, text)) {
-    if (text.empty() || text[0] == '#') continue;
-    std::vector<double> f;
-    std::stringstream fields(text);
-    for (std::string x; std::getline(fields, x, ',');) f.push_back(std::stod(x));
-    ASSERT_EQ(f.size(), 20u);
-    ContourBuilder b(2, {f[0], f[6], 0});
-    b.block(Mode::cut, unlimited);
-    b.polynomial({{f.begin(), f.begin() + 6}, {f.begin() + 6, f.begin() + 12}});
-    Machine m;
-    m.axes = {{"x", f[12], f[14], f[16]}, {"y", f[13], f[15], f[17]}};
-    const double coarse = f[18], fine = f[19], expected = fine - (coarse - fine);  // its error falls like the interval
-    const double found = duration(b.finish(), m);
-    EXPECT_NEAR(found, expected, 5e-3 * expected) << text;
-    EXPECT_LE(found, fine * (1 + converged)) << text;
-    ++problems;
+  for (const reference::JerkCurve& curve : reference::jerk_curves()) {
+    const double expected = curve.expected(), found = duration(curve.contour, curve.machine);
+    EXPECT_NEAR(found, expected, 5e-3 * expected) << curve.text;
+    EXPECT_LE(found, curve.fine * (1 + converged)) << curve.text;
   }
-  EXPECT_EQ(problems, 10);
 }
 
 TEST(JerkLimited, TendsToTheAccelerationLimitedOptimum) {

@@ -4,14 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <numbers>
-#include <sstream>
 
-#include "core/contour/builder.hpp"
 #include "core/motion/jerk/jerk_limited.hpp"
 #include "core/verify/bound/lower_bound.hpp"
 #include "tests/core/motion/axes/five_axes.hpp"
+#include "tests/core/motion/reference/jerk_curves.hpp"
 #include "tests/core/verify/reference.hpp"
 
 namespace bahnwerk {
@@ -50,27 +48,11 @@ TEST(JerkBound, LinesInPartsStayBelowTheClosedForm) {
 }
 
 TEST(JerkBound, IsCloseToTheDirectSolutions) {
-  std::ifstream file(BAHNWERK_SOURCE "/tests/core/motion/reference/jerk.csv");
-  std::string text;
-  int problems = 0;
-  while (std::getline(file, text)) {
-    if (text.empty() || text[0] == '#') continue;
-    std::vector<double> f;
-    std::stringstream fields(text);
-    for (std::string x; std::getline(fields, x, ',');) f.push_back(std::stod(x));
-    ASSERT_EQ(f.size(), 20u);
-    ContourBuilder b(2, {f[0], f[6], 0});
-    b.block(Mode::cut, unlimited);
-    b.polynomial({{f.begin(), f.begin() + 6}, {f.begin() + 6, f.begin() + 12}});
-    const Contour contour = b.finish();
-    Machine m;
-    m.axes = {{"x", f[12], f[14], f[16]}, {"y", f[13], f[15], f[17]}};
-    const double expected = 2 * f[19] - f[18], found = bound(contour, m);
-    EXPECT_LE(found, expected * (1 + 1e-3)) << text;  // the reference's own error
-    EXPECT_GE(found, expected * (1 - 0.03)) << text;
-    ++problems;
+  for (const reference::JerkCurve& curve : reference::jerk_curves()) {
+    const double expected = curve.expected(), found = bound(curve.contour, curve.machine);
+    EXPECT_LE(found, expected * (1 + 1e-3)) << curve.text;  // the reference's own error
+    EXPECT_GE(found, expected * (1 - 0.03)) << curve.text;
   }
-  EXPECT_EQ(problems, 10);
 }
 
 std::vector<Contour> contours() {
