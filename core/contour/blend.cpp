@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <string>
 #include <utility>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress_scope.hpp"
 #include "core/contour/blend/layout.hpp"
 #include "core/contour/blend/note.hpp"
 #include "core/contour/blend/smooth_run.hpp"
@@ -33,7 +33,7 @@ class Blender {
  public:
   Blender(const Contour& given, const BlendOptions& options, const Machine& machine, Progress& progress, double from,
           double to)
-      : given_(given), options_(options), machine_(machine), progress_(progress), from_(from), to_(to) {
+      : given_(given), options_(options), machine_(machine), scope_(progress, "blend", from, to) {
     result_.dimension = given.dimension;
     result_.height = given.height;
     rest_ = given.rest_places();
@@ -42,17 +42,16 @@ class Blender {
     block_.resize(given.path.size());
     for (std::size_t b = 0; b < given.blocks.size(); ++b)
       for (std::size_t i = given.blocks[b].first; i < given.blocks[b].last; ++i) block_[i] = b;
-    pause_ = [this] { pause(); };
   }
 
   Contour run() {
-    pause();
+    report();
     const std::size_t n = given_.path.size();
     for (std::size_t i = 0; i < n;) {
       take_rests(i);
       std::size_t j = i + 1;
       while (j < n && mode(j) == mode(i) && !rest_[j]) ++j;
-      auto list = stretches(given_.path, i, j, block_, tiny_share * options_.tolerance, reversal, pause_);
+      auto list = stretches(given_.path, i, j, block_, tiny_share * options_.tolerance, reversal, scope_);
       list.front().rest_begin = i == 0 || rests(i);
       list.back().rest_end = j == n || rests(j);
       for (const Stretch& s : list) process(s, 0);
@@ -60,8 +59,9 @@ class Blender {
     }
     take_rests(n);
     finish_blocks();
-    note(result_, count_, options_, pause_);
-    progress_.report("blend", to_);
+    note(result_, count_, options_, scope_);
+    scope_.done(1);
+    scope_.report();
     return std::move(result_);
   }
 
@@ -81,9 +81,10 @@ class Blender {
     for (std::size_t i = result_.rests.size(); i < given_.rests.size() && given_.rests[i].segment <= segment; ++i)
       result_.rests.push_back({result_.path.size(), given_.rests[i].seconds, given_.rests[i].block});
   }
-  void pause() {
-    const double share = static_cast<double>(done_) / static_cast<double>(std::max<std::size_t>(1, given_.path.size()));
-    progress_.report("blend", from_ + (to_ - from_) * std::min(1.0, share));
+  void report() {
+    scope_.done(
+        std::min(1.0, static_cast<double>(done_) / static_cast<double>(std::max<std::size_t>(1, given_.path.size()))));
+    scope_.report();
   }
   Ability ability(std::size_t block) const {
     Ability a{0, HUGE_VAL, HUGE_VAL, 0};
@@ -106,7 +107,7 @@ class Blender {
     std::vector<Ability> abilities;
     abilities.reserve(stretch.elements.size());
     for (const Element& e : stretch.elements) abilities.push_back(ability(e.block));
-    const auto changes = lay_out(stretch, used_share * options_.tolerance, abilities, pause_);
+    const auto changes = lay_out(stretch, used_share * options_.tolerance, abilities, scope_);
     double at = 0;
     std::size_t hint = 0;
     for (const Change& change : changes) {
@@ -146,7 +147,7 @@ class Blender {
   }
 
   void tick() {
-    if (++done_ % progress_step == 0) pause();
+    if (++done_ % progress_step == 0) report();
   }
 
   /// Keeps what lies between `at` and the blend, and moves `at` behind it. Leaves everything as it is if the joint
@@ -194,7 +195,7 @@ class Blender {
       if (stretch.elements[i].block != stretch.elements[i - 1].block) borders.push_back(stretch.elements[i].begin);
     const auto smoothed = [&](bool rests) {
       return smooth_run(stretch, range, borders, {used_share * options_.tolerance, fitted_share * options_.tolerance},
-                        given_.dimension, rests, pause_);
+                        given_.dimension, rests, scope_);
     };
     SmoothedRun run = smoothed(depth >= max_splits);
     if (!run.done && depth < max_splits) {
@@ -277,9 +278,7 @@ class Blender {
   const Contour& given_;
   const BlendOptions& options_;
   const Machine& machine_;
-  Progress& progress_;
-  double from_, to_;
-  std::function<void()> pause_;
+  ProgressScope scope_;
   std::vector<std::size_t> block_, owner_;
   std::vector<bool> rest_;
   std::vector<std::unique_ptr<Segment>> parts_;

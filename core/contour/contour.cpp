@@ -41,13 +41,12 @@ void stop_at_mode_changes(Contour& contour) {
   contour.rests = std::move(all);
 }
 
-std::vector<Joint> joints(const Path& path, const std::function<void()>& pause) {
-  constexpr std::size_t between_pauses = 1024;
+std::vector<Joint> joints(const Path& path, ProgressScope* scope) {
   std::vector<Joint> list;
   if (path.empty()) return list;
   list.reserve(path.size() - 1);
   for (std::size_t i = 1; i < path.size(); ++i) {
-    if (pause && i % between_pauses == 0) pause();
+    if (scope) scope->work(4);
     const Segment &before = path[i - 1], &after = path[i];
     const Vec left = before.at_parameter(before.curve().end()).d1;
     const Vec right = after.at_parameter(after.curve().begin()).d1;

@@ -1,10 +1,10 @@
 #pragma once
 /// A contour as it is planned: blocks of curves joined into one path, with what the reader of it had to note.
 #include <cstddef>
-#include <functional>
 #include <string>
 #include <vector>
 
+#include "core/base/progress_scope.hpp"
 #include "core/geometry/path/path.hpp"
 
 namespace bahnwerk {
@@ -49,7 +49,7 @@ struct Joint {
   double angle = 0;      ///< tangent jump, rad
   Vec step;              ///< right tangent − left tangent
 };
-/// Every inner joint of the path, in order. O(n), up to 2 µs each; `pause` is called every 1024 of them and may throw.
-std::vector<Joint> joints(const Path& path, const std::function<void()>& pause = {});
+/// Every inner joint of the path, in order. O(n), up to 2 µs each; tells `scope`, if any.
+std::vector<Joint> joints(const Path& path, ProgressScope* scope = nullptr);
 
 }  // namespace bahnwerk

@@ -37,7 +37,8 @@ void report_joints(const Contour& contour, std::size_t axes, const TimeLaw& samp
   std::size_t i = 0;
   const auto& pieces = sampled.pieces();
   const std::vector<bool> rest = contour.rest_places();
-  for (const Joint& joint : joints(contour.path, [&] { progress.report("verify", 1); })) {
+  ProgressScope scope(progress, "verify", 1, 1);
+  for (const Joint& joint : joints(contour.path, &scope)) {
     if (joint.angle > corner_angle || joint.angle < report_jump) continue;
     while (i < pieces.size() && pieces[i].segment < joint.next) ++i;
     if (rest[joint.next]) continue;

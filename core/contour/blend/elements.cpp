@@ -50,8 +50,6 @@ std::size_t Stretch::find(double t, std::size_t hint) const {
 
 namespace {
 
-constexpr std::size_t steps_per_pause = 32768;  // elements
-
 Vec start_of(const Segment& s) { return s.curve().at(s.curve().begin()).value; }
 Vec end_of(const Segment& s) { return s.curve().at(s.curve().end()).value; }
 
@@ -112,11 +110,10 @@ void append_lines(const Path& path, std::size_t first, std::size_t last, const s
 
 std::vector<Stretch> stretches(const Path& path, std::size_t first, std::size_t last,
                                const std::vector<std::size_t>& blocks, double tiny, double reversal,
-                               const std::function<void()>& pause) {
+                               ProgressScope& scope) {
   std::vector<Element> elements;
-  std::size_t next = first + steps_per_pause;
   for (std::size_t i = first; i < last;) {
-    if (i >= next && pause) pause(), next = i + steps_per_pause;
+    scope.work();
     if (!path[i].straight()) {
       elements.push_back(whole(path[i], blocks[i]));
       ++i;
@@ -133,7 +130,7 @@ std::vector<Stretch> stretches(const Path& path, std::size_t first, std::size_t 
   }
   std::vector<Stretch> list;
   for (std::size_t i = 0; i < elements.size(); ++i) {
-    if (i % steps_per_pause == steps_per_pause - 1 && pause) pause();
+    scope.work();
     Element& e = elements[i];
     bool cut = i == 0;
     if (i > 0) {

@@ -2,7 +2,6 @@
 /// The stretches of a contour that blending works on: curves between two places at which the path has to stay.
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -42,9 +41,9 @@ struct Stretch {
 /// Cuts the segments [first, last) of a path (all of one mode) at joints that turn by more than `reversal` rad and at
 /// cusps. Lines shorter than `tiny` mm are merged into neighbours of the same block: vertices move by no more than
 /// twice that, borders of blocks not at all, and each block keeps an element. `blocks[i]` is the block of segment i.
-/// O(segments); `pause` is called every few ms and may throw.
+/// O(segments); `scope` is told.
 std::vector<Stretch> stretches(const Path& path, std::size_t first, std::size_t last,
                                const std::vector<std::size_t>& blocks, double tiny, double reversal,
-                               const std::function<void()>& pause = {});
+                               ProgressScope& scope);
 
 }  // namespace bahnwerk::blending

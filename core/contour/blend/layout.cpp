@@ -8,8 +8,7 @@ namespace bahnwerk::blending {
 namespace {
 
 constexpr double crowded_turn = 0.8, crowded_bend = 0.35;
-constexpr std::size_t steps_per_pause = 32768;  // elements
-constexpr double movable_below = 0.99;          // of what the tolerance allows
+constexpr double movable_below = 0.99;  // of what the tolerance allows
 
 /// A run around a crowded joint swallows the movable blends and runs before it that it overlaps.
 void add_run(std::vector<Change>& list, double a, double b) {
@@ -29,7 +28,7 @@ void add_run(std::vector<Change>& list, double a, double b) {
 }  // namespace
 
 std::vector<Change> lay_out(const Stretch& stretch, double tolerance, const std::vector<Ability>& ability,
-                            const std::function<void()>& pause) {
+                            ProgressScope& scope) {
   const auto& elements = stretch.elements;
   const std::size_t n = elements.size();
   std::vector<Change> list;
@@ -37,7 +36,7 @@ std::vector<Change> lay_out(const Stretch& stretch, double tolerance, const std:
   std::vector<Reach> reaches(n + 1);
   std::vector<bool> turns(n + 1, false);
   for (std::size_t j = 1; j < n; ++j) {
-    if (j % steps_per_pause == 0 && pause) pause();
+    scope.work();
     const JointShape shape = joint_shape(elements[j - 1], elements[j]);
     reaches[j] = reach(shape, tolerance, ability[j - 1].speed > ability[j].speed ? ability[j - 1] : ability[j]);
     turns[j] = shape.turn > 0;

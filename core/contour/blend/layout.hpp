@@ -1,7 +1,6 @@
 #pragma once
 /// Which joints of a stretch get a blend of their own, and which segments are smoothed as one run.
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 #include "core/contour/blend/corner.hpp"
@@ -20,10 +19,10 @@ struct Change {
 /// Every joint wants a length on both sides (core/contour/blend/corner.hpp). A segment whose joints want more than it
 /// has is shared out. A joint that gets less than 0.8 of what it wants (0.35 if only the curvature jumps) is crowded:
 /// it and all that lies within its wish belong to a run; wishes that overlap make one run. Runs end before corners that
-/// the tolerance alone limits. `ability[i]` is what the machine can do on element i. O(elements); `pause` is called
+/// the tolerance alone limits. `ability[i]` is what the machine can do on element i. O(elements); `scope` is told
 /// every few ms and may throw.
 std::vector<Change> lay_out(const Stretch& stretch, double tolerance, const std::vector<Ability>& ability,
-                            const std::function<void()>& pause = {});
+                            ProgressScope& scope);
 
 /// For each place of `troubles`, ascending, on a run from a to b: the sharpest joint inside it near that place, by the
 /// element that begins there. Ascending, none twice, none where no joint turns. `hint` is an element not behind a.

@@ -7,12 +7,11 @@ namespace bahnwerk::blending {
 
 namespace {
 
-constexpr std::size_t steps_per_pause = 32768;  // joints
-constexpr double small_jump = 1e-6;             // rad, worth a note
+constexpr double small_jump = 1e-6;  // rad, worth a note
 
 }  // namespace
 
-void note(Contour& blended, const BlendCount& count, const BlendOptions& options, const std::function<void()>& pause) {
+void note(Contour& blended, const BlendCount& count, const BlendOptions& options, ProgressScope& scope) {
   char text[200];
   std::snprintf(text, sizeof text, "blended within %.6g mm: %zu joints, %zu runs of %zu short segments",
                 options.tolerance, count.corners, count.runs, count.run_segments);
@@ -21,7 +20,7 @@ void note(Contour& blended, const BlendCount& count, const BlendOptions& options
   double where = 0;
   std::size_t small = 0;
   for (std::size_t i = 1; i < blended.path.size(); ++i) {
-    if (i % steps_per_pause == 0) pause();
+    scope.work();
     const Segment &before = blended.path[i - 1], &after = blended.path[i];
     const double angle =
         angle_between(before.at_parameter(before.curve().end()).d1, after.at_parameter(after.curve().begin()).d1);

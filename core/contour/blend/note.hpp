@@ -1,7 +1,6 @@
 #pragma once
 /// What blending did, in words for the contour's notes.
 #include <cstddef>
-#include <functional>
 
 #include "core/contour/blend.hpp"
 
@@ -14,6 +13,6 @@ struct BlendCount {
 };
 
 /// Adds to the notes of the blended contour: what was blended, which jumps and corners are left, what failed.
-void note(Contour& blended, const BlendCount& count, const BlendOptions& options, const std::function<void()>& pause);
+void note(Contour& blended, const BlendCount& count, const BlendOptions& options, ProgressScope& scope);
 
 }  // namespace bahnwerk::blending

@@ -26,9 +26,9 @@ struct Row {
 template <std::size_t Dim>
 class Solver {
  public:
-  Solver(const TubeProblem& problem, const std::function<void()>& pause)
+  Solver(const TubeProblem& problem, ProgressScope& scope)
       : p_(problem),
-        pause_(pause),
+        scope_(scope),
         points_(problem.breaks.size() + spline_degree - 1),
         knots_(clamped_knots(problem.breaks)),
         energy_(points_),
@@ -73,7 +73,7 @@ class Solver {
     double radius = HUGE_VAL;
     for (const TubeSite& s : p_.sites) radius = std::min(radius, s.radius);
     for (std::size_t k = 0; k + 1 < p_.breaks.size(); ++k) {
-      if ((k & 4095) == 4095 && pause_) pause_();
+      scope_.work();
       const double h = p_.breaks[k + 1] - p_.breaks[k];
       const double w = std::pow(p_.scale[k], 5) / (radius * radius);
       for (int g = 0; g < 3; ++g) {
@@ -159,7 +159,7 @@ class Solver {
 
   /// Adds the site's term with gradient `pull`·r and Hessian `pull` I + `twist` r rᵀ.
   void add_site(std::size_t s, double pull, double twist) {
-    if ((s & 8191) == 8191 && pause_) pause_();
+    scope_.work();
     const Vec r = residual_[s];
     const Row& row = rows_[s];
     double hessian[Dim][Dim];
@@ -183,8 +183,8 @@ class Solver {
   }
 
   void solve_system() {
-    if (pause_) pause_();  // windows are too short for the steps that others count
-    system_.factor(pause_);
+    scope_.report();  // windows are too short for the steps that others count
+    system_.factor(scope_);
     system_.solve(right_);
   }
 
@@ -271,7 +271,7 @@ class Solver {
   }
 
   const TubeProblem& p_;
-  const std::function<void()>& pause_;
+  ProgressScope& scope_;
   std::size_t points_;
   std::vector<double> knots_;
   BandMatrix<spline_degree> energy_;
@@ -331,15 +331,15 @@ Vec with(std::size_t axis, double value, const Vec& v) {
 
 }  // namespace
 
-TubeSpline smooth_in_tube(const TubeProblem& problem, const std::function<void()>& pause) {
-  if (problem.dimension < 3) return Solver<2>(problem, pause).run();
+TubeSpline smooth_in_tube(const TubeProblem& problem, ProgressScope& scope) {
+  if (problem.dimension < 3) return Solver<2>(problem, scope).run();
   const std::size_t axis = constant_axis(problem);
-  if (axis == 3) return Solver<3>(problem, pause).run();
+  if (axis == 3) return Solver<3>(problem, scope).run();
   TubeProblem flat = problem;
   flat.dimension = 2;
   for (TubeSite& site : flat.sites) site.p = without(axis, site.p);
   for (TubeEnd* end : {&flat.begin, &flat.end}) end->jet = without(axis, end->jet);
-  TubeSpline spline = Solver<2>(flat, pause).run();
+  TubeSpline spline = Solver<2>(flat, scope).run();
   for (Vec& c : spline.points) c = with(axis, problem.begin.jet.value[axis], c);
   return spline;
 }

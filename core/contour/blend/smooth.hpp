@@ -7,9 +7,9 @@
 /// bend (its "scale") and ρ the tube's radius; so rough and calm regions of one contour count alike. All systems are
 /// banded: O(breaks + sites) per step, some 25 steps.
 #include <cstddef>
-#include <functional>
 #include <vector>
 
+#include "core/base/progress_scope.hpp"
 #include "core/geometry/curve/curve.hpp"
 
 namespace bahnwerk::blending {
@@ -44,7 +44,7 @@ struct TubeSpline {
   Jet at(std::size_t span, double t) const;
 };
 
-/// `pause` is called at least every 20 ms or so and may throw.
-TubeSpline smooth_in_tube(const TubeProblem& problem, const std::function<void()>& pause);
+/// `scope` is told at least every 20 ms or so and may throw.
+TubeSpline smooth_in_tube(const TubeProblem& problem, ProgressScope& scope);
 
 }  // namespace bahnwerk::blending

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 namespace bahnwerk::blending {
@@ -22,13 +21,13 @@ class BandMatrix {
   double& at(std::size_t i, std::size_t j) { return a_[j * Width + i]; }
   double at(std::size_t i, std::size_t j) const { return a_[j * Width + i]; }
 
-  /// In place. A pivot lost to rounding is replaced, which keeps that unknown where it is. `pause` is called every
+  /// In place. A pivot lost to rounding is replaced, which keeps that unknown where it is. `scope` is told every
   /// few thousand columns.
-  void factor(const std::function<void()>& pause) {
+  void factor(ProgressScope& scope) {
     given_.resize(n_);
     for (std::size_t k = 0; k < n_; ++k) given_[k] = at(k, k);
     for (std::size_t k = 0; k < n_; ++k) {
-      if ((k & 4095) == 4095 && pause) pause();
+      scope.work();
       double* const here = &at(k, k);
       std::array<double, Width + 1> column;
       std::copy_n(here, Width + 1, column.begin());

@@ -128,12 +128,12 @@ class Inspection {
              const RunTolerance& tolerance)
       : stretch_(stretch), problem_(problem), spline_(spline), tolerance_(tolerance), bends_(bends_of(spline)) {}
 
-  Finding run(const std::function<void()>& pause) {
+  Finding run(ProgressScope& scope) {
     Finding found;
     std::vector<double> slow;
     Place last = place(problem_.breaks.front());
     for (std::size_t i = 0; i <= problem_.sites.size(); ++i) {
-      if ((i & 4095) == 4095 && pause) pause();
+      scope.work();
       const double begin = last.t, end = i < problem_.sites.size() ? problem_.sites[i].t : problem_.breaks.back();
       worst_ = tolerance_.aimed, outside_ = -1;
       double least = slowest, halt = -1;
@@ -204,8 +204,7 @@ struct Window {
 };
 
 Window smooth_window(const Stretch& stretch, const RunRange& range, BendScale scale, const TubeEnd& begin,
-                     const TubeEnd& end, const RunTolerance& tolerance, std::size_t dimension,
-                     const std::function<void()>& pause) {
+                     const TubeEnd& end, const RunTolerance& tolerance, std::size_t dimension, ProgressScope& scope) {
   Window window;
   std::vector<double> extra;
   TubeProblem problem;
@@ -213,13 +212,13 @@ Window smooth_window(const Stretch& stretch, const RunRange& range, BendScale sc
   problem.begin = begin;
   problem.end = end;
   for (int round = 0; round < max_rounds; ++round) {
-    if (pause) pause();
+    scope.report();
     problem.breaks = scale.breaks();
     problem.scale.clear();
     for (std::size_t k = 0; k + 1 < problem.breaks.size(); ++k)
       problem.scale.push_back(2 * (problem.breaks[k + 1] - problem.breaks[k]));
     problem.sites = sites_of(stretch, range, scale, site_share * tolerance.aimed, extra);
-    window.spline = smooth_in_tube(problem, pause);
+    window.spline = smooth_in_tube(problem, scope);
     if (!window.spline.inside) {
       window.troubles.clear();
       for (const TubeSite& site : problem.sites) {
@@ -230,7 +229,7 @@ Window smooth_window(const Stretch& stretch, const RunRange& range, BendScale sc
       scale.refine(window.troubles);
       continue;
     }
-    const Finding finding = Inspection(stretch, problem, window.spline, tolerance).run(pause);
+    const Finding finding = Inspection(stretch, problem, window.spline, tolerance).run(scope);
     window.done = finding.places.empty();
     if (window.done) window.breaks = std::move(problem.breaks);
     if (!window.done) window.troubles = finding.places;
@@ -244,13 +243,13 @@ Window smooth_window(const Stretch& stretch, const RunRange& range, BendScale sc
 class WindowedRun {
  public:
   WindowedRun(const Stretch& stretch, const RunRange& range, const RunTolerance& tolerance, std::size_t dimension,
-              bool rests, const std::function<void()>& pause)
+              bool rests, ProgressScope& scope)
       : stretch_(stretch),
         range_(range),
         tolerance_(tolerance),
         dimension_(dimension),
-        pause_(pause),
-        scale_(stretch, range.a, range.b, tolerance.aimed, pause),
+        scope_(scope),
+        scale_(stretch, range.a, range.b, tolerance.aimed, scope),
         rests_(rests || end_of_window(range.a, usual, range.b) < range.b) {}
 
   SmoothedRun run() {
@@ -262,7 +261,7 @@ class WindowedRun {
       const bool all = at_ == range_.a && end == range_.b, last = end == stop_;
       Window window =
           smooth_window(stretch_, {at_, end}, all ? scale_ : scale_.part(at_, end), begin_,
-                        end_of(stretch_, end, end == range_.b && range_.clamped_end), tolerance_, dimension_, pause_);
+                        end_of(stretch_, end, end == range_.b && range_.clamped_end), tolerance_, dimension_, scope_);
       if (window.done)
         take(window, last);
       else if (before_.size > 0 && before_.size < largest)
@@ -350,7 +349,7 @@ class WindowedRun {
   const RunRange& range_;
   const RunTolerance& tolerance_;
   std::size_t dimension_;
-  const std::function<void()>& pause_;
+  ProgressScope& scope_;
   BendScale scale_;
   bool rests_;
   SmoothedRun run_;
@@ -368,9 +367,8 @@ class WindowedRun {
 }  // namespace
 
 SmoothedRun smooth_run(const Stretch& stretch, const RunRange& range, const std::vector<double>& borders,
-                       const RunTolerance& tolerance, std::size_t dimension, bool rests,
-                       const std::function<void()>& pause) {
-  SmoothedRun run = WindowedRun(stretch, range, tolerance, dimension, rests, pause).run();
+                       const RunTolerance& tolerance, std::size_t dimension, bool rests, ProgressScope& scope) {
+  SmoothedRun run = WindowedRun(stretch, range, tolerance, dimension, rests, scope).run();
   if (run.done) cut_at(borders, run);
   return run;
 }

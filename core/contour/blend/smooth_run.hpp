@@ -1,7 +1,6 @@
 #pragma once
 /// One smooth curve in place of a run of short segments.
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -38,7 +37,6 @@ struct SmoothedRun {
 /// end then no longer shows. Where a window cannot go on from a cut, it and the one before it become one. Memory: about
 /// 1.5 kB per interval of a window, and the pieces.
 SmoothedRun smooth_run(const Stretch& stretch, const RunRange& range, const std::vector<double>& borders,
-                       const RunTolerance& tolerance, std::size_t dimension, bool rests,
-                       const std::function<void()>& pause);
+                       const RunTolerance& tolerance, std::size_t dimension, bool rests, ProgressScope& scope);
 
 }  // namespace bahnwerk::blending

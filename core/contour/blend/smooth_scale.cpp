@@ -33,7 +33,7 @@ Vec point_of(const Stretch& stretch, double t) {
   return e.straight ? e.from + along * e.tangent : e.at(along).value;
 }
 
-BendScale::BendScale(const Stretch& stretch, double a, double b, double tolerance, const std::function<void()>& pause) {
+BendScale::BendScale(const Stretch& stretch, double a, double b, double tolerance, ProgressScope& scope) {
   const double most = 0.5 * (b - a), least = std::min(tolerance, most);
   min_ = least / 16;
   double h = most;
@@ -44,7 +44,7 @@ BendScale::BendScale(const Stretch& stretch, double a, double b, double toleranc
     t_.push_back(t);
     h_.push_back(h);
     if (t >= b) break;
-    if ((t_.size() & 1023) == 1023 && pause) pause();
+    scope.work();
   }
   grade();
 }

@@ -1,7 +1,6 @@
 #pragma once
 /// How finely a spline has to be able to bend along a run of segments.
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 #include "core/contour/blend/elements.hpp"
@@ -13,7 +12,7 @@ namespace bahnwerk::blending {
 class BendScale {
  public:
   /// Between a and b of a stretch, mm; `tolerance` mm. O(nodes · log elements), some 4 nodes per H.
-  BendScale(const Stretch& stretch, double a, double b, double tolerance, const std::function<void()>& pause);
+  BendScale(const Stretch& stretch, double a, double b, double tolerance, ProgressScope& scope);
 
   double at(double t) const;
   /// Halves H around these places (ascending), but not below a sixteenth of the tolerance.

@@ -8,7 +8,7 @@ namespace bahnwerk {
 namespace {
 
 constexpr int max_halvings = 48;
-constexpr std::size_t halvings_per_pause = 250;
+constexpr std::size_t units_per_halving = 16;  // of a progress scope, at most
 
 }  // namespace
 
@@ -57,7 +57,7 @@ double MatchedDistance::halve(const MatchedPieces& c, double tolerance, double s
   const double bulge_b = wb > 0 ? bend_b_.at(c.b0, c.b1) * wb * wb / 8 : 0.0;
   const double bound = c.ends() + bulge_a + bulge_b;
   if (!(bound > found + slack) || !(c.ends() <= tolerance) || depth == 0) return bound;
-  if (++halvings_ >= halvings_per_pause && work_) work_(std::exchange(halvings_, 0));
+  if (scope_) scope_->work(units_per_halving);
   MatchedPieces first = c, second = c;
   if (bulge_a >= bulge_b) {
     first.a1 = second.a0 = 0.5 * (c.a0 + c.a1);

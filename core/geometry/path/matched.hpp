@@ -1,9 +1,9 @@
 #pragma once
 /// How far two curves are apart when both are traversed forward at once: nearest points, and proven bounds.
 #include <cstddef>
-#include <functional>
 #include <utility>
 
+#include "core/base/progress_scope.hpp"
 #include "core/geometry/path/bend_bound.hpp"
 
 namespace bahnwerk {
@@ -30,10 +30,9 @@ struct MatchedPieces {
 /// on the other curve that is nearest to the middle is matched to it, until that suffices.
 class MatchedDistance {
  public:
-  /// Long curves take many halvings, 1 to 3 µs each: `work`, if any, is told now and then how many there were since it
-  /// was called last, at least every 250. It may throw.
-  MatchedDistance(const Curve& a, const Curve& b, std::function<void(std::size_t)> work = {})
-      : a_(a), b_(b), bend_a_(a), bend_b_(b), work_(std::move(work)) {}
+  /// Long curves take many halvings, 1 to 3 µs each: `scope`, if any, is told.
+  MatchedDistance(const Curve& a, const Curve& b, ProgressScope* scope = nullptr)
+      : a_(a), b_(b), bend_a_(a), bend_b_(b), scope_(scope) {}
 
   /// A bound of the distance along some matching of the pieces that goes forward on both: at most max(found, largest
   /// distance evaluated) + slack; `found` is raised to the latter. Ends early with a bound above `tolerance` where a
@@ -45,8 +44,7 @@ class MatchedDistance {
 
   const Curve &a_, &b_;
   BendBound bend_a_, bend_b_;
-  std::function<void(std::size_t)> work_;
-  mutable std::size_t halvings_ = 0;
+  ProgressScope* scope_;
 };
 
 }  // namespace bahnwerk

@@ -320,7 +320,7 @@ AccelerationLimitedResult plan(const PathTask& task, const AccelerationLimitedOp
   fitted.tolerance *= wider * wider;
   const double model_error =
       wider > 1 ? std::clamp(usual_margin, least_share * fitted.grid.hermite, most_share * fitted.grid.hermite) : 0;
-  const Sections sections = find_sections(task, options.corner_angle, [&] { progress.report("planning", from); });
+  const Sections sections = find_sections(task, options.corner_angle, pulse);
   AccelerationLimitedResult result;
   SectionPlanner<N> planner(path, lanes, fitted, task.feeds, sections, all, density, model_error, progress);
   for_each_section(path.tool(), sections, from, to, [&](std::size_t first, std::size_t last, double begin, double end) {

@@ -1,6 +1,5 @@
 #pragma once
 /// Where a contour has to be passed at rest, and how fast its small tangent jumps may be passed.
-#include <functional>
 #include <vector>
 
 #include "core/motion/axes/path_task.hpp"
@@ -17,8 +16,8 @@ struct Sections {
 
 /// A tangent jump of the tool above `corner_angle` (rad), a cusp or a rest ends a section. A smaller jump Δ of q′ is
 /// passed so slowly that the velocity step |Δ_k| v of every axis stays within its acceleration · cycle_time.
-/// O(segments); `pause` as in joints().
-Sections find_sections(const PathTask& task, double corner_angle, const std::function<void()>& pause = {});
+/// O(segments); tells `scope`.
+Sections find_sections(const PathTask& task, double corner_angle, ProgressScope& scope);
 
 /// Plans section by section: plan(first segment, one past the last, begin and end of its share of the progress from
 /// `from` to `to`, by path length).

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress_scope.hpp"
 #include "core/motion/jerk/section.hpp"
 
 namespace bahnwerk {
@@ -14,7 +15,8 @@ JerkLimitedResult plan(const PathTask& task, const JerkLimitedOptions& options, 
                        double to) {
   const LanePath<N> path(task.path);
   const Machine lanes = path.limits(task.machine);
-  const Sections sections = find_sections(task, options.corner_angle, [&] { progress.report("planning", from); });
+  ProgressScope scope(progress, "planning", from, from);
+  const Sections sections = find_sections(task, options.corner_angle, scope);
   JerkLimitedResult result;
   JerkSectionPlanner<N, M> planner(path, lanes, options, task.feeds, sections, progress);
   for_each_section(path.tool(), sections, from, to, [&](std::size_t first, std::size_t last, double begin, double end) {

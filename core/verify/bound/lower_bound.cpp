@@ -56,7 +56,7 @@ Bound bound_of(const PathTask& task, double corner_angle, Progress& progress, do
   const AxisPath& path = task.path;
   ProgressScope pulse(progress, "bound", progress_from, progress_to);
   pulse.report();
-  const std::vector<Joint> list = joints(path.tool(), [&] { pulse.report(); });
+  const std::vector<Joint> list = joints(path.tool(), &pulse);
   BoundGrid<N> grid(path, task.machine, task.feeds, corner_angle, pulse);
   BoundSolver<N> solver(grid, pulse);
   verify::JerkBound<N> jerk(grid, task.machine, pulse);

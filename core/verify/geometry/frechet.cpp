@@ -37,7 +37,7 @@ struct Reached {
 }  // namespace
 
 Traversal traverse_within(const std::vector<Vec>& a, const std::vector<Vec>& b, double radius, std::size_t max_cells,
-                          const std::function<void(std::size_t)>& work) {
+                          ProgressScope& scope) {
   if (a.size() < 2 || b.size() < 2 || !(norm(a.front() - b.front()) <= radius) ||
       !(norm(a.back() - b.back()) <= radius))
     return Traversal::impossible;
@@ -74,7 +74,7 @@ Traversal traverse_within(const std::vector<Vec>& a, const std::vector<Vec>& b, 
       if (left.empty()) above.low = std::max(above.low, below.low);
       below = above;
       if (++cells - told >= cells_per_report) {
-        work(cells - told);
+        scope.work(cells - told);
         told = cells;
         if (cells > max_cells) return Traversal::too_long;
       }

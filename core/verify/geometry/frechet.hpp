@@ -2,9 +2,9 @@
 /// Whether two polygons can be traversed together, neither ever going back, without getting further apart than a
 /// radius: the decision of the Fréchet distance.
 #include <cstddef>
-#include <functional>
 #include <vector>
 
+#include "core/base/progress_scope.hpp"
 #include "core/geometry/curve/vec.hpp"
 
 namespace bahnwerk::verify {
@@ -15,9 +15,9 @@ enum class Traversal { possible, impossible, too_long };
 /// curves. Int. J. of Computational Geometry and Applications 5 (1995), section 3]: for two edges the pairs of points
 /// that are near enough form a convex set, so what can be reached of the next edges' ends follows from what can be
 /// reached of these edges' begins. Only cells that can be reached are looked at, at most `max_cells` of them; each
-/// costs about 30 ns. Two polygons that follow each other have few per edge, coils inside the radius all pairs. `work`
-/// is told how many cells have been done since it was called last, at least every 1 000, and may throw.
+/// costs about 30 ns. Two polygons that follow each other have few per edge, coils inside the radius all pairs. A
+/// unit of work of `scope` per cell.
 Traversal traverse_within(const std::vector<Vec>& a, const std::vector<Vec>& b, double radius, std::size_t max_cells,
-                          const std::function<void(std::size_t)>& work);
+                          ProgressScope& scope);
 
 }  // namespace bahnwerk::verify

@@ -15,7 +15,7 @@ constexpr double slack_share = 0.004;  // of the tolerance: what polygons may di
 constexpr double enough = 0.99;        // of the tolerance: no need to know better
 constexpr std::size_t max_cells_per_edge = 64, min_cells = 50'000'000;
 constexpr std::size_t max_points = 20'000'000;
-constexpr std::size_t limb_units = 16, cell_units = 8, halving_units = 16;  // of a pulse's work
+constexpr std::size_t limb_units = 16, cell_units = 8;  // of a pulse's work
 
 }  // namespace
 
@@ -112,14 +112,13 @@ void TubeBlock::lay(const CurvePiece& link, std::size_t curve_piece, double at, 
 Worst TubeBlock::bound() {
   Worst worst;
   const double slack = std::min(finest, 1e-3 * tolerance_);
-  const auto work = [this](std::size_t halvings) { pulse_.work(halving_units * halvings); };
   double found = 0;
   for (const Cell& c : cells_)
     if (c.pieces.ends() <= tolerance_) found = std::max(found, c.pieces.ends());
   for (const Cell& c : cells_) {
     pulse_.work(cell_units);
     const Segment& segment = (*path_.path)[c.path];
-    const MatchedDistance distance(segment.curve(), (*given_.path)[c.given].curve(), work);
+    const MatchedDistance distance(segment.curve(), (*given_.path)[c.given].curve(), &pulse_);
     const double b = distance.bound(c.pieces, tolerance_, slack, found);
     if (std::isnan(b) || b > worst.value) worst.raise(b, segment.arc_length(c.pieces.a1));
   }
@@ -128,8 +127,7 @@ Worst TubeBlock::bound() {
 
 bool TubeBlock::traversable(double radius) {
   const std::size_t most = std::max(min_cells, max_cells_per_edge * (given_points_.size() + path_points_.size()));
-  return traverse_within(path_points_, given_points_, radius, most,
-                         [this](std::size_t cells) { pulse_.work(cells); }) == Traversal::possible;
+  return traverse_within(path_points_, given_points_, radius, most, pulse_) == Traversal::possible;
 }
 
 /// Points of a stretch between which it bulges by no more than `bulge` from the chord. False: too many.

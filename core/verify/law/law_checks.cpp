@@ -40,7 +40,7 @@ std::string feed_name(double feed) {
 class LawChecker {
  public:
   LawChecker(const VerifierInput& in, ProgressScope& pulse)
-      : in_(in), path_(in.path.tool()), joints_(joints(path_, [&] { pulse.report(); })) {}
+      : in_(in), path_(in.path.tool()), joints_(joints(path_, &pulse)) {}
 
   std::vector<Check> run(ProgressScope& pulse) {
     const auto& pieces = in_.law.pieces();

@@ -5,6 +5,7 @@
 #include "core/contour/blend/layout.hpp"
 #include "core/contour/polyline.hpp"
 #include "core/numeric/random.hpp"
+#include "tests/core/silent_scope.hpp"
 
 namespace bahnwerk::blending {
 namespace {
@@ -12,9 +13,10 @@ namespace {
 const Ability fast{1800, 16000, HUGE_VAL, 1.8};
 
 std::vector<Change> changes(const Contour& c, double tolerance, double tiny = 1e-6) {
-  const auto list = stretches(c.path, 0, c.path.size(), std::vector<std::size_t>(c.path.size(), 0), tiny, 3.0);
+  const auto list =
+      stretches(c.path, 0, c.path.size(), std::vector<std::size_t>(c.path.size(), 0), tiny, 3.0, silent_scope());
   EXPECT_EQ(list.size(), 1u);
-  return lay_out(list[0], tolerance, std::vector<Ability>(list[0].elements.size(), fast));
+  return lay_out(list[0], tolerance, std::vector<Ability>(list[0].elements.size(), fast), silent_scope());
 }
 
 TEST(BlendLayout, LongLinesGetCornersShortOnesARun) {

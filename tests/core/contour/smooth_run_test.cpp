@@ -10,6 +10,7 @@
 #include "core/contour/blend/smooth_scale.hpp"
 #include "core/contour/polyline.hpp"
 #include "core/machine/machine.hpp"
+#include "tests/core/silent_scope.hpp"
 
 namespace bahnwerk::blending {
 namespace {
@@ -32,13 +33,13 @@ std::vector<Vec> chords(int n, const std::vector<int>& reversals = {}) {
 
 struct Smoothable {
   explicit Smoothable(const std::vector<Vec>& points) : contour(polyline(2, points, false, unlimited)) {
-    auto list =
-        stretches(contour.path, 0, contour.path.size(), std::vector<std::size_t>(contour.path.size(), 0), 1e-6, 4.0);
+    auto list = stretches(contour.path, 0, contour.path.size(), std::vector<std::size_t>(contour.path.size(), 0), 1e-6,
+                          4.0, silent_scope());
     EXPECT_EQ(list.size(), 1u);
     stretch = list[0];
   }
   SmoothedRun smoothed(double a, double b, bool rests = false) const {
-    return smooth_run(stretch, {a, b, false, false}, {}, {0.97 * tolerance, tolerance}, 2, rests, {});
+    return smooth_run(stretch, {a, b, false, false}, {}, {0.97 * tolerance, tolerance}, 2, rests, silent_scope());
   }
   Contour contour;
   Stretch stretch;

@@ -8,6 +8,7 @@
 #include "core/contour/blend/smooth_basis.hpp"
 #include "core/geometry/curve/nurbs.hpp"
 #include "core/numeric/random.hpp"
+#include "tests/core/silent_scope.hpp"
 
 namespace bahnwerk::blending {
 namespace {
@@ -46,7 +47,7 @@ TEST(SmoothBand, SolvesWhatItFactors) {
       b[i] += given.at(i, j) * x[j];
       if (j < i) b[j] += given.at(i, j) * x[i];
     }
-  a.factor({});
+  a.factor(silent_scope());
   a.solve(b);
   for (std::size_t i = 0; i < n; ++i) EXPECT_NEAR(b[i], x[i], 1e-13);
 }
@@ -70,7 +71,7 @@ TubeProblem noisy_arc(double radius, double noise, std::size_t breaks) {
 
 TEST(Smooth, StaysInTheTubeAndForgetsTheNoise) {
   const TubeProblem p = noisy_arc(0.01, 0.004, 16);
-  const TubeSpline s = smooth_in_tube(p, {});
+  const TubeSpline s = smooth_in_tube(p, silent_scope());
   ASSERT_TRUE(s.inside);
   std::size_t span = 0;
   for (const TubeSite& site : p.sites) {
@@ -84,7 +85,7 @@ TEST(Smooth, StaysInTheTubeAndForgetsTheNoise) {
 TEST(Smooth, ClampedEndsKeepThreeDerivatives) {
   TubeProblem p = noisy_arc(0.01, 0.001, 16);
   p.begin = {true, {{}, {1, 0, 0}, {0, 0.1, 0}, {-0.01, 0, 0}}};
-  const TubeSpline s = smooth_in_tube(p, {});
+  const TubeSpline s = smooth_in_tube(p, silent_scope());
   ASSERT_TRUE(s.inside);
   const Jet f = s.at(0, 0);
   EXPECT_LE(norm(f.d1 - p.begin.jet.d1), 1e-13);
@@ -96,7 +97,7 @@ TEST(Smooth, SaysWhenTheTubeIsTooNarrow) {
   // Eight intervals cannot follow 40 waves.
   TubeProblem p = noisy_arc(1e-4, 0, 8);
   for (std::size_t i = 0; i < p.sites.size(); ++i) p.sites[i].p.y += i % 4 < 2 ? 0.05 : -0.05;
-  EXPECT_FALSE(smooth_in_tube(p, {}).inside);
+  EXPECT_FALSE(smooth_in_tube(p, silent_scope()).inside);
 }
 
 }  // namespace

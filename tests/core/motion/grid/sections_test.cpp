@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/contour/builder.hpp"
+#include "tests/core/silent_scope.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -26,7 +27,7 @@ Contour bent(double angle) {
 Sections sections_of(const Contour& contour) {
   const Machine two = machine();
   const CartesianAxisPath path(contour.path, 2);
-  return find_sections(contour_task(path, contour, two), 0.1 * degree);
+  return find_sections(contour_task(path, contour, two), 0.1 * degree, silent_scope());
 }
 
 TEST(Sections, ALargeJumpEndsASection) {

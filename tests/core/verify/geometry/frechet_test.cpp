@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/numeric/random.hpp"
+#include "tests/core/silent_scope.hpp"
 
 namespace bahnwerk::verify {
 namespace {
@@ -12,7 +13,7 @@ namespace {
 constexpr std::size_t plenty = 1'000'000;
 
 Traversal within(const std::vector<Vec>& a, const std::vector<Vec>& b, double radius, std::size_t most = plenty) {
-  return traverse_within(a, b, radius, most, [](std::size_t) {});
+  return traverse_within(a, b, radius, most, silent_scope());
 }
 
 TEST(Frechet, ParallelLines) {

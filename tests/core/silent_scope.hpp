@@ -1,0 +1,14 @@
+#pragma once
+/// For tests that are not about progress.
+#include "core/base/progress_scope.hpp"
+
+namespace bahnwerk {
+
+/// Reports to nobody and never stops.
+inline ProgressScope& silent_scope() {
+  static SilentProgress progress;
+  static ProgressScope scope(progress, "test", 0, 1);
+  return scope;
+}
+
+}  // namespace bahnwerk
