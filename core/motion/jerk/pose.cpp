@@ -38,6 +38,7 @@ void JerkSectionPlanner<N, M>::caps(LargeVector<double>& cap, ProgressScope& pul
       }
     }
   }
+  for (std::size_t i = 0; i < ceiling_.size(); ++i) cap[i] = std::min(cap[i], ceiling_[i]);
   if (!(entry_.b > 0)) cap[0] = 0;
   if (!(exit_.b > 0)) cap[n] = 0;
 }
@@ -108,6 +109,15 @@ void JerkSectionPlanner<N, M>::guess(Start start, ProgressScope& pulse) {
     state_[i].b = part * b[i];
     state_[i].a = 0.5 * part * ((b[i] - b[i - 1]) * r / l + (b[i + 1] - b[i]) * l / r) / (l + r);
   }
+  // Next to a short cell a long one may find accelerations that no law of its length can have: with (a₁ − a₂) h/3 ≤ −m²
+  // it has no duration.
+  for (std::size_t i = 1; i < n; ++i)
+    for (const std::size_t c : {i - 1, i}) {
+      const std::size_t other = c < i ? i - 1 : i + 1;
+      const double end = other > 0 && other < n ? part * b[other] : 0;
+      const double mean = 0.5 * (std::sqrt(state_[i].b) + std::sqrt(end)), most = 0.75 * mean * mean / grid_.length(c);
+      state_[i].a = std::clamp(state_[i].a, -most, most);
+    }
   state_[0] = entry_;
   state_[n] = {};
   follow();

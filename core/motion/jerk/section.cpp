@@ -25,6 +25,10 @@ constexpr double open_share = 1 - 1e-2, open_violation = 2e-3;
 /// came from; what it finds then is taken.
 constexpr double diverged = 1e-2;
 
+/// So often ceilings of v² are lowered, where the law has to be slowed by more than this.
+constexpr int max_lowerings = 8;
+constexpr double bearable_slow = 1.002;
+
 /// So near to a cell's end, in parts of it, speed at rest is rounding.
 constexpr double rest = 1e-6;
 
@@ -47,6 +51,10 @@ void JerkSectionPlanner<N, M>::plan(std::size_t first, std::size_t last, double 
       build(first, last, pulse);  // its cells may have been divided
       // Where a long law is lost short ones may still be found.
       done = (i == 1 && window > 0 && n > few_cells && plan_windows(n / 4, from, to)) || plan_whole(starts[i], pulse);
+    }
+    if (!done) {
+      build(first, last, pulse);
+      plan_under_ceilings(pulse);
     }
     if (!done && best_duration_ == unlimited) {  // no optimum at all, but a law
       build(first, last, pulse);
@@ -88,6 +96,38 @@ bool JerkSectionPlanner<N, M>::plan_whole(Start start, ProgressScope& pulse) {
     std::swap(best_, pieces_);
   }
   return false;
+}
+
+template <int N, int M>
+void JerkSectionPlanner<N, M>::plan_under_ceilings(ProgressScope& pulse) {
+  divides_ = false;
+  ceiling_.assign(grid_.cells.size() + 1, unlimited);
+  for (int i = 0; i < max_lowerings; ++i) {
+    pieces_.clear();
+    const double duration = attempt(starts[0], pulse);
+    if (duration < best_duration_) {
+      best_duration_ = duration;
+      best_slow_ = slow_;
+      std::swap(best_, pieces_);
+    }
+    if (slow_ < good_enough || !std::isfinite(duration)) break;
+    lower_ceilings();
+    rough(pulse);
+  }
+  divides_ = true;
+  ceiling_.clear();
+}
+
+template <int N, int M>
+void JerkSectionPlanner<N, M>::lower_ceilings() {
+  for (std::size_t c = 0; c < grid_.cells.size(); ++c) {
+    double slow = std::sqrt(std::max(1.0, peaks_[c].velocity));
+    for (std::size_t k = 0; k < M; ++k)
+      slow = std::max({slow, std::sqrt(peaks_[c].acceleration[k]), std::cbrt(peaks_[c].jerk[k])});
+    if (!(slow > bearable_slow)) continue;
+    const double most = std::max(state_[c].b, state_[c + 1].b) / (slow * slow);
+    for (const std::size_t i : {c, c + 1}) ceiling_[i] = std::min(ceiling_[i], most);
+  }
 }
 
 template <int N, int M>
@@ -160,7 +200,7 @@ void JerkSectionPlanner<N, M>::improve(double mu, ProgressScope& pulse) {
     if (!std::isfinite(r.duration)) return;
     if (round == 0) sped_up_ = speed_up();
     mu = 0;
-    if (reach > 1e-3 && reach < 1e-2 && division < options_.max_divisions && mark(pulse)) {
+    if (reach > 1e-3 && reach < 1e-2 && divides_ && division < options_.max_divisions && mark(pulse)) {
       divide(r.mu);
       continue;
     }
@@ -179,7 +219,7 @@ void JerkSectionPlanner<N, M>::improve(double mu, ProgressScope& pulse) {
          (std::max(worst_.v, worst_.a) < 1 + 4 * options_.gap && worst_.j < 1 + 4 * options_.gap)))
       break;
     tighten();
-    if (division < 4 * options_.max_divisions && stubborn()) {
+    if (divides_ && division < 4 * options_.max_divisions && stubborn()) {
       divide(r.mu);
       reach = 3e-3;
       continue;
@@ -220,6 +260,8 @@ template void JerkSectionPlanner<2, 2>::plan(std::size_t first, std::size_t last
 template bool JerkSectionPlanner<2, 2>::alone(std::size_t segment, JerkLimitedResult& result);
 template void JerkSectionPlanner<2, 2>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
 template bool JerkSectionPlanner<2, 2>::plan_whole(Start start, ProgressScope& pulse);
+template void JerkSectionPlanner<2, 2>::plan_under_ceilings(ProgressScope& pulse);
+template void JerkSectionPlanner<2, 2>::lower_ceilings();
 template double JerkSectionPlanner<2, 2>::attempt(Start start, ProgressScope& pulse);
 template void JerkSectionPlanner<2, 2>::improve(double mu, ProgressScope& pulse);
 template double JerkSectionPlanner<2, 2>::emit(ProgressScope& pulse);
@@ -228,6 +270,8 @@ template void JerkSectionPlanner<2, 3>::plan(std::size_t first, std::size_t last
 template bool JerkSectionPlanner<2, 3>::alone(std::size_t segment, JerkLimitedResult& result);
 template void JerkSectionPlanner<2, 3>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
 template bool JerkSectionPlanner<2, 3>::plan_whole(Start start, ProgressScope& pulse);
+template void JerkSectionPlanner<2, 3>::plan_under_ceilings(ProgressScope& pulse);
+template void JerkSectionPlanner<2, 3>::lower_ceilings();
 template double JerkSectionPlanner<2, 3>::attempt(Start start, ProgressScope& pulse);
 template void JerkSectionPlanner<2, 3>::improve(double mu, ProgressScope& pulse);
 template double JerkSectionPlanner<2, 3>::emit(ProgressScope& pulse);
@@ -240,7 +284,11 @@ template bool JerkSectionPlanner<8, 8>::alone(std::size_t segment, JerkLimitedRe
 template void JerkSectionPlanner<3, 3>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
 template void JerkSectionPlanner<8, 8>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
 template bool JerkSectionPlanner<3, 3>::plan_whole(Start start, ProgressScope& pulse);
+template void JerkSectionPlanner<3, 3>::plan_under_ceilings(ProgressScope& pulse);
+template void JerkSectionPlanner<3, 3>::lower_ceilings();
 template bool JerkSectionPlanner<8, 8>::plan_whole(Start start, ProgressScope& pulse);
+template void JerkSectionPlanner<8, 8>::plan_under_ceilings(ProgressScope& pulse);
+template void JerkSectionPlanner<8, 8>::lower_ceilings();
 template double JerkSectionPlanner<3, 3>::attempt(Start start, ProgressScope& pulse);
 template double JerkSectionPlanner<8, 8>::attempt(Start start, ProgressScope& pulse);
 template void JerkSectionPlanner<3, 3>::improve(double mu, ProgressScope& pulse);
@@ -256,7 +304,11 @@ template bool JerkSectionPlanner<8, 9>::alone(std::size_t segment, JerkLimitedRe
 template void JerkSectionPlanner<3, 4>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
 template void JerkSectionPlanner<8, 9>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
 template bool JerkSectionPlanner<3, 4>::plan_whole(Start start, ProgressScope& pulse);
+template void JerkSectionPlanner<3, 4>::plan_under_ceilings(ProgressScope& pulse);
+template void JerkSectionPlanner<3, 4>::lower_ceilings();
 template bool JerkSectionPlanner<8, 9>::plan_whole(Start start, ProgressScope& pulse);
+template void JerkSectionPlanner<8, 9>::plan_under_ceilings(ProgressScope& pulse);
+template void JerkSectionPlanner<8, 9>::lower_ceilings();
 template double JerkSectionPlanner<3, 4>::attempt(Start start, ProgressScope& pulse);
 template double JerkSectionPlanner<8, 9>::attempt(Start start, ProgressScope& pulse);
 template void JerkSectionPlanner<3, 4>::improve(double mu, ProgressScope& pulse);

@@ -65,6 +65,13 @@ class JerkSectionPlanner {
   /// kept in `best_` if they are the quickest so far. False: there may be something much better.
   bool plan_whole(Start start, ProgressScope& pulse);
 
+  /// After all else came to nothing: on an undivided grid v² gets a ceiling wherever the law before exceeded a limit,
+  /// by as much as the law had to be slowed there, until slowing the whole section costs little. Keeps what is quicker
+  /// than `best_`.
+  void plan_under_ceilings(ProgressScope& pulse);
+  /// Lowers the ceilings of the cells that exceed a limit.
+  void lower_ceilings();
+
   /// The same window by window; `from` … `to` is the share of progress. False: some window came to nothing, and the
   /// grid at hand is the section's again.
   bool plan_windows(std::size_t window, double from, double to);
@@ -201,6 +208,8 @@ class JerkSectionPlanner {
   JerkNode entry_, exit_;  // states at both ends: rest but in windows
   static constexpr std::size_t all_cells = std::numeric_limits<std::size_t>::max();
   double share_ = jerk_section_detail::full_share;
+  LargeVector<double> ceiling_;             // of v² per node of the grid at hand; empty: none
+  bool divides_ = true;                     // cells in which the law switches
   std::size_t keep_ = all_cells;            // cells of a window that the rest at its end does not slow
   double overlap_ = 1, sped_up_ = 1;        // of windows, in what is hoped for; what it was too short for
   LargeVector<JerkNode> tail_, next_tail_;  // what the window before, and this one, found behind these

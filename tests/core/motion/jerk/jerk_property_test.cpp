@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/errors.hpp"
@@ -72,6 +73,19 @@ TEST_P(JerkProperty, NoLimitIsViolated) {
   for (const double part : {0.5, 0.9, 0.99, 1.0})
     RecordProperty("gap_" + std::to_string(part),
                    std::to_string(gaps[static_cast<std::size_t>(part * static_cast<double>(gaps.size() - 1))]));
+}
+
+/// An axis without a limit of jerk beside one with a small limit, of which the solver once made laws five times as
+/// long: first a long cell at a small feed behind short ones, then a turn of the limited axis next to which the other
+/// one may brake at once.
+TEST(JerkHard, AxesWithoutALimitOfJerk) {
+  SilentProgress progress;
+  for (const auto& [seed, most] : {std::pair{82, 1.001}, std::pair{288, 1.6}}) {
+    const Problem p = random_problem(static_cast<std::uint64_t>(seed));
+    const Contour contour = testing::build(p.outline);
+    const double duration = plan_jerk_limited(contour, p.machine, p.options, progress).law.duration();
+    EXPECT_LE(duration, most * lower_bound(contour, p.machine, p.options.corner_angle, progress).duration) << seed;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Shards, JerkProperty, ::testing::Range(std::size_t{0}, shards));
