@@ -6,9 +6,9 @@
 
 #include "core/base/progress_scope.hpp"
 #include "core/contour/builder.hpp"
-#include "core/contour/dxf/cut.hpp"
-#include "core/contour/dxf/drawing.hpp"
-#include "core/contour/dxf/tags.hpp"
+#include "core/contour/dxf/cut/cut.hpp"
+#include "core/contour/dxf/read/drawing.hpp"
+#include "core/contour/dxf/read/tags.hpp"
 
 namespace bahnwerk {
 namespace {

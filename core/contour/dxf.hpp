@@ -9,11 +9,11 @@
 /// only where model space holds no curve at all: the sheet among the entities, else the first sheet that holds
 /// something.
 ///
-/// Entities with ends that meet become one block (core/contour/dxf/chain.hpp). Gaps are closed by moving an end where
-/// the curve beside the gap is 100 times as long (a line turns, an arc is moved and scaled with its sweep kept, control
-/// points of a spline are shifted in proportion); else by a short line. Entities drawn twice, in either direction, are
-/// dropped with a note (whole entities only; overlapping parts are not looked for). Between blocks straight moves with
-/// Mode::position. The contour starts where its first block does.
+/// Entities with ends that meet become one block (core/contour/dxf/cut/chain.hpp). Gaps are closed by moving an end
+/// where the curve beside the gap is 100 times as long (a line turns, an arc is moved and scaled with its sweep kept,
+/// control points of a spline are shifted in proportion); else by a short line. Entities drawn twice, in either
+/// direction, are dropped with a note (whole entities only; overlapping parts are not looked for). Between blocks
+/// straight moves with Mode::position. The contour starts where its first block does.
 ///
 /// Planar if every entity is flat; different heights are then put into one plane with a note. As soon as one entity has
 /// points more than 1e-6 mm apart in height everything is spatial.

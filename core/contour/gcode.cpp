@@ -1,9 +1,9 @@
 #include "core/contour/gcode.hpp"
 
-#include "core/contour/gcode/control.hpp"
+#include "core/contour/gcode/flow/control.hpp"
 #include "core/contour/gcode/interpreter.hpp"
-#include "core/contour/gcode/parameters.hpp"
-#include "core/contour/gcode/words.hpp"
+#include "core/contour/gcode/words/parameters.hpp"
+#include "core/contour/gcode/words/words.hpp"
 
 namespace bahnwerk {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/contour/gcode.hpp"
-#include "core/contour/gcode/words.hpp"
+#include "core/contour/gcode/words/words.hpp"
 
 namespace bahnwerk {
 namespace {

@@ -6,13 +6,13 @@
 #include <string>
 
 #include "core/contour/gcode.hpp"
-#include "core/contour/gcode/codes.hpp"
-#include "core/contour/gcode/compensation.hpp"
+#include "core/contour/gcode/compensation/compensation.hpp"
 #include "core/contour/gcode/cycle.hpp"
 #include "core/contour/gcode/notes.hpp"
 #include "core/contour/gcode/offsets.hpp"
-#include "core/contour/gcode/parameters.hpp"
-#include "core/contour/gcode/words.hpp"
+#include "core/contour/gcode/words/codes.hpp"
+#include "core/contour/gcode/words/parameters.hpp"
+#include "core/contour/gcode/words/words.hpp"
 
 namespace bahnwerk::gcode {
 

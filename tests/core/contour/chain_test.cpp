@@ -1,12 +1,12 @@
-#include "core/contour/dxf/chain.hpp"
+#include "core/contour/dxf/cut/chain.hpp"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <cmath>
 
-#include "core/contour/dxf/chain_order.hpp"
-#include "core/contour/dxf/point_grid.hpp"
+#include "core/contour/dxf/cut/chain_order.hpp"
+#include "core/contour/dxf/cut/point_grid.hpp"
 #include "core/numeric/random.hpp"
 
 namespace bahnwerk {

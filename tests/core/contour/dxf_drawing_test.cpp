@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/contour/dxf/drawing.hpp"
-#include "core/contour/dxf/tags.hpp"
+#include "core/contour/dxf/read/drawing.hpp"
+#include "core/contour/dxf/read/tags.hpp"
 #include "dxf_text.hpp"
 #include "tests/core/contour/expect_near.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/contour/dxf/entity.hpp"
+#include "core/contour/dxf/read/entity.hpp"
 #include "dxf_text.hpp"
 #include "tests/core/contour/expect_near.hpp"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/contour/gcode/compensation.hpp"
+#include "core/contour/gcode/compensation/compensation.hpp"
 #include "core/numeric/random.hpp"
 #include "tests/core/contour/gcode_support.hpp"
 

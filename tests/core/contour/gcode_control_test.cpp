@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/base/errors.hpp"
-#include "core/contour/gcode/outline.hpp"
+#include "core/contour/gcode/flow/outline.hpp"
 #include "core/numeric/random.hpp"
 #include "tests/core/contour/gcode_support.hpp"
 

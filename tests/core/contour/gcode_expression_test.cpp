@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "core/contour/gcode/expression.hpp"
+#include "core/contour/gcode/words/expression.hpp"
 #include "core/numeric/random.hpp"
 #include "tests/core/contour/gcode_support.hpp"
 

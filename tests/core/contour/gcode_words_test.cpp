@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "core/contour/gcode/words.hpp"
+#include "core/contour/gcode/words/words.hpp"
 
 namespace bahnwerk::gcode {
 namespace {

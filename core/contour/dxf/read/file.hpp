@@ -1,0 +1,43 @@
+#pragma once
+/// Where in a DXF file things are: one pass over the text, without looking into entities.
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "core/contour/dxf/read/tags.hpp"
+#include "core/geometry/curve/vec.hpp"
+
+namespace bahnwerk {
+
+struct DxfLayer {
+  bool frozen = false, off = false;
+  std::string_view name = {};  ///< as written
+};
+struct DxfBlockPlace {
+  DxfTags::Mark first;  ///< its first entity
+  Vec base;
+  bool external = false;  ///< a reference to another file
+  std::size_t line = 0;
+};
+
+struct DxfFile {
+  long unit = 0;  ///< $INSUNITS, 0 = none
+  std::size_t unit_line = 0;
+  std::unordered_map<std::string, DxfLayer> layers;       ///< by name in lower case
+  std::unordered_map<std::string, DxfBlockPlace> blocks;  ///< by name in lower case
+  std::optional<DxfTags::Mark> entities;                  ///< the first entity of the drawing
+  std::vector<std::string> notes;
+};
+
+/// ASCII letters only: names in DXF are the same in upper and lower case.
+std::string dxf_lower(std::string_view name);
+
+/// Throws InvalidInput for what is no DXF file or is cut off. O(bytes).
+DxfFile dxf_file(DxfTags& tags);
+
+/// mm per drawing unit for a value of $INSUNITS; nothing for unknown ones and those beyond any machine.
+std::optional<double> dxf_unit(long code);
+
+}  // namespace bahnwerk

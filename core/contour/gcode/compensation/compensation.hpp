@@ -1,0 +1,104 @@
+#pragma once
+/// Cutter radius compensation (G41, G42): stands between the program and a Mover and moves lines and arcs in the plane
+/// of x and y aside, one move late.
+///
+/// - Outside corners are rounded by an arc about the corner, inside corners trimmed to where the moved curves cross.
+/// - The first move leads in. A straight one goes to beside the begin of the next one, or, where the cutter would touch
+///   that begin on its way, along the tangent and round it; an arc ends beside its end in its direction, with another
+///   radius. The first move behind G40, a straight one, leads out in the same way. At another height than the contour
+///   both go straight.
+/// - Moves along z alone, dwells and switches happen where the cutter then stands.
+///
+/// Refused as gouges: an arc narrower than the cutter, an inside corner in which one of its two moves is trimmed away,
+/// a closed contour that begins in an inside corner, a lead-in or lead-out that is shorter than the radius or comes
+/// from the wrong side. Only neighbours are compared: a wall elsewhere that the cutter would touch is not seen.
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/contour/gcode/compensation/offset_piece.hpp"
+#include "core/contour/gcode/mover.hpp"
+
+namespace bahnwerk::gcode {
+
+class Compensation {
+ public:
+  static constexpr double slack = 1e-3;  ///< mm: by how much moves may be too short, as coordinates are rounded
+
+  explicit Compensation(bool flat) : mover_(flat) {}
+
+  /// From the next move on, `aside` mm (positive: to the left), not zero.
+  void begin(double aside);
+  void end();
+  bool on() const { return state_ == State::leads_in || state_ == State::on; }
+  double aside() const { return aside_; }
+
+  // As Mover has them; places are those that the program names.
+  void use(Mode mode, double feed) { off() ? mover_.use(mode, feed) : keep(mode, feed); }
+  void first_switch();
+  void place(Vec at) { mover_.place(programmed_ = at); }
+  void start(Vec at) { mover_.start(programmed_ = at); }
+  bool started() const { return mover_.started(); }
+  /// `across`: the program names x or y, even if they stay.
+  void line(Vec to, bool across = true) { off() ? mover_.line(to) : offset(to, across); }
+  void arc(Vec to, Vec centre, ArcMove how) { off() ? mover_.arc(to, centre, how) : offset(to, centre, how); }
+  void spline(Vec to, Vec first, std::optional<Vec> second);
+  void dwell(Mode mode, double seconds);
+  Vec position() const { return off() ? mover_.position() : programmed_; }
+  bool climbs() const { return mover_.climbs(); }
+  ContourBuilder& builder() { return mover_.builder(); }
+  Contour finish();
+
+ private:
+  enum class State { off, leads_in, on, leads_out };
+  /// How a move is carried out, and what it is blamed for.
+  struct Manner {
+    Mode mode = Mode::cut;
+    double feed = std::numeric_limits<double>::infinity();
+    std::size_t line = 0;
+  };
+  /// What happens between two moves in the plane.
+  struct Event {
+    enum class Kind { height, dwell, first_switch } kind;
+    Manner manner;
+    double value;  // mm, s
+  };
+  struct Move {
+    OffsetPiece piece;
+    Manner manner;
+    double z;  // where it ends
+    double tolerance;
+  };
+
+  bool off() const { return state_ == State::off; }
+  void keep(Mode mode, double feed) { manner_.mode = mode, manner_.feed = feed; }
+  Manner manner() { return {manner_.mode, manner_.feed, mover_.builder().line()}; }
+
+  void offset(Vec to, bool across);
+  void offset(Vec to, Vec centre, ArcMove how);
+  void add(Move move);
+  void lead_in(const Move& next);
+  void lead_in(Vec to, Vec along, double sense);
+  void lead_out(Vec to);
+  void corner(Move& next);
+  void round(Vec corner, Vec to, const Manner& manner);
+  void drive(const Move& move);
+  void drive(Vec to, double z, const Manner& manner);
+  void happens(const Event& event);
+  void happen();
+  void flush();
+  void fault(std::size_t line, const char* message);
+
+  Mover mover_;
+  State state_ = State::off;
+  double aside_ = 0;
+  Vec programmed_;
+  Manner manner_;
+  std::optional<Vec> lead_;  // where the move that leads in goes
+  Manner lead_manner_;
+  std::optional<Move> last_;          // not driven yet: its end waits for the next one
+  std::optional<OffsetPiece> first_;  // of the section
+  std::vector<Event> events_;         // behind it
+};
+
+}  // namespace bahnwerk::gcode

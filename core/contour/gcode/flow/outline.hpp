@@ -1,0 +1,46 @@
+#pragma once
+/// Where the O words of a part program stand, and which of them belong together.
+#include <cstddef>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/progress.hpp"
+#include "core/contour/gcode/words/words.hpp"
+
+namespace bahnwerk::gcode {
+
+class Outline {
+ public:
+  static constexpr std::size_t none = ~std::size_t{0}, most = 100'000;
+
+  /// A line with an O word. Those of one label from sub to endsub, from if to endif, from while, do or repeat to the
+  /// end of the loop are a chain; the label may be used again behind it.
+  struct Entry {
+    Place before, after;      ///< the line
+    Flow flow = Flow::none;   ///< none: a number alone, as programs and subprograms of M98 have it
+    std::size_t head = none;  ///< first of the chain; for break and continue that of their loop
+    std::size_t next = none;  ///< in the chain
+    std::size_t last = none;  ///< of the chain, at its head; none: it has no end
+  };
+
+  /// O(bytes + O words · log labels).
+  Outline(std::string_view text, bool skip_slash, Progress& progress);
+
+  bool full() const { return full_; }  ///< there are more than `most`, which are not known
+  const Entry& operator[](std::size_t index) const { return entries_[index]; }
+  /// The entry of a line; none if it has no O word.
+  std::size_t of_line(std::size_t number) const;
+  /// The head of a subprogram: O… sub, or with `numbered` a number alone. The first of this label.
+  std::size_t subprogram(const std::string& label, bool numbered) const;
+
+ private:
+  void link(const std::string& label, std::size_t index, std::map<std::string, std::size_t>& open);
+
+  std::vector<Entry> entries_;  // by line
+  bool full_ = false;
+  std::map<std::string, std::size_t> subs_, numbers_;
+};
+
+}  // namespace bahnwerk::gcode

@@ -1,0 +1,59 @@
+#pragma once
+/// Values in a part program that are no plain numbers: parameters (#5, #<depth>) and expressions ([#1 + 2 * SIN[30]]).
+#include <cstddef>
+#include <string>
+
+#include "core/contour/gcode/words/parameters.hpp"
+
+namespace bahnwerk::gcode {
+
+/// Reads from `at` on, at most to `end`, which no line end lies before. Blanks stand anywhere, capitals or not.
+///
+/// Operators by rank, equal ones from the left: **, then * / MOD, then + -, then EQ NE GT GE LT LE, then AND OR XOR.
+/// What is not zero is true; EQ and NE take numbers within 1e-6 for equal. MOD is never negative. Functions: ABS ACOS
+/// ASIN ATAN[y]/[x] COS EXISTS[#<name>] EXP FIX FUP LN ROUND SIN SQRT TAN; angles in degrees.
+class Expression {
+ public:
+  static constexpr int max_depth = 32;  ///< of brackets and parameters in one another
+
+  Expression(const char* at, const char* end, std::size_t line, Parameters& parameters)
+      : at_(at), end_(end), line_(line), parameters_(parameters) {}
+
+  /// A number, a parameter, an expression in brackets or a function, with signs. False: see fault().
+  bool value(double& result);
+
+  /// A parameter by number or by name, behind its #.
+  struct Reference {
+    int number = 0;
+    std::string name;  ///< empty: by number
+  };
+  bool reference(Reference& result);
+  /// The name between < and >.
+  bool name(std::string& result);
+
+  void skip_blanks();
+  bool next_is(char c);  ///< and takes it
+  const char* at() const { return at_; }
+  const std::string& fault() const { return fault_; }
+
+ private:
+  bool fail(std::string why);
+  bool number(double& result);
+  bool parameter(double& result);
+  bool function(double& result);
+  bool atan(double& result);
+  bool exists(double& result);
+  bool brackets(double& result);
+  bool operation(double& result, int rank);
+  int operator_here(std::size_t& length) const;
+  bool apply(int op, double& left, double right);
+  bool finite(double value) { return value - value == 0 || fail("the expression has no finite value"); }
+
+  const char *at_, *end_;
+  std::size_t line_;
+  Parameters& parameters_;
+  std::string fault_;
+  int depth_ = 0;
+};
+
+}  // namespace bahnwerk::gcode

@@ -1,0 +1,112 @@
+#pragma once
+/// The words of a part program, line by line: letters and numbers, not their meaning.
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/contour/gcode/words/expression.hpp"
+
+namespace bahnwerk::gcode {
+
+/// What an O word does to the order of the lines.
+enum class Flow : std::uint8_t {
+  none,
+  sub,
+  endsub,
+  call,
+  leave,
+  branch,
+  elseif,
+  otherwise,
+  endif,
+  loop,
+  endloop,
+  begin,
+  repeat,
+  endrepeat,
+  stop,
+  next
+};
+
+/// One line of a program. G and M words are lists, every other letter has at most one number.
+struct Line {
+  static constexpr std::size_t max_codes = 16, max_assignments = 64;
+
+  std::size_t number = 0;  ///< in the text, from 1
+  std::array<int, max_codes> g{};
+  std::size_t g_count = 0;  ///< g holds tenfold numbers: G5.1 is 51
+  std::array<int, max_codes> m{};
+  std::size_t m_count = 0;
+  bool slash = false;               ///< begins with /
+  bool bare = false;                ///< a letter has no number, as in G28 X Y of printers: 0
+  bool percent = false;             ///< begins with %
+  Flow flow = Flow::none;           ///< with its label; nothing else of the line is read
+  const char* arguments = nullptr;  ///< what follows it
+  const char* end = nullptr;        ///< of the line
+  std::string label;                ///< of an O word: its name, or its number without leading zeros
+  std::string fault;                ///< the first thing that is not a word; empty = none
+
+  bool has(char letter) const { return (letters_ >> (letter - 'A')) & 1U; }
+  double operator[](char letter) const { return values_[static_cast<std::size_t>(letter - 'A')]; }
+  bool any(std::uint32_t mask) const { return (letters_ & mask) != 0; }
+  bool empty() const { return letters_ == 0 && g_count == 0 && m_count == 0; }
+
+ private:
+  friend class Lines;
+  std::uint32_t letters_ = 0;
+  std::array<double, 26> values_{};
+};
+
+/// Bit set of letters, for Line::any.
+constexpr std::uint32_t letters(std::string_view list) {
+  std::uint32_t mask = 0;
+  for (char c : list) mask |= 1U << (c - 'A');
+  return mask;
+}
+
+/// A place between two lines of a text.
+struct Place {
+  const char* at = nullptr;
+  std::size_t number = 0;  ///< of the line before it
+};
+
+/// Walks through a text, O(bytes). Numbers are decimal, without exponent, within ±1e9, whatever the locale. What a line
+/// gives to parameters holds from the next one on.
+class Lines {
+ public:
+  /// Without parameters, whatever asks for them is a fault.
+  explicit Lines(std::string_view text, Parameters* parameters = nullptr);
+  /// False at the end of the text. With `skip_slash` the words of a line that begins with / are not read.
+  bool next(Line& line, bool skip_slash);
+
+  Place place() const { return {at_, number_}; }
+  void go(Place place) { at_ = place.at, number_ = place.number; }
+  /// The O word of the next line, if it has one: label and flow alone, the rest of the line is not looked at.
+  bool next_label(Line& line);
+
+ private:
+  void words(Line& line);
+  bool label(Line& line);
+  bool assignment(Line& line);
+  bool computed(Line& line, double& value);
+  const char* line_end();
+  void end_line();
+  bool word(Line& line, char letter);
+  bool number(Line& line, char letter, double& value);
+  static bool bare_letters(const Line& line);
+  bool comment(Line& line);
+  void skip_blanks();
+  void skip_line();
+
+  const char *at_, *end_;
+  const char* line_end_ = nullptr;  // of the line at hand, once it was looked for
+  std::size_t number_ = 0;
+  Parameters* parameters_;
+  std::vector<std::pair<Expression::Reference, double>> assigned_;  // by the line at hand
+};
+
+}  // namespace bahnwerk::gcode
