@@ -9,6 +9,7 @@
 #include "core/motion/acceleration/division_marks.hpp"
 #include "core/motion/acceleration/law_writer.hpp"
 #include "core/motion/acceleration/speed_chain.hpp"
+#include "core/motion/acceleration/spread.hpp"
 #include "core/motion/grid/sections.hpp"
 
 namespace bahnwerk {
@@ -131,24 +132,19 @@ class SectionPlanner {
                     AccelerationLimitedResult& result) {
     pulse.part(0, 0.2);
     grid_.build(path_, first, last, feed_, machine_, options_.grid, pulse);
-    std::size_t rounds = 0;
-    for (int division = 0;; ++division) {  // first the grid …
+    pulse.half_of_rest();
+    solve(entry, pulse);
+    std::size_t rounds = 1;
+    for (int division = 0;  // first the grid …
+         division < options_.max_divisions && marks_.mark(excess_, options_.tolerance, pulse); ++division, ++rounds) {
       pulse.half_of_rest();
-      solve(entry, pulse);
-      ++rounds;
-      if (division == options_.max_divisions || !marks_.mark(excess_, options_.tolerance, pulse)) break;
-      grid_.divide(path_, marks_.parts, pulse);
+      divide(pulse);
+      solve_dirty(pulse);
     }
     for (int round = 0; round < options_.max_rounds && shrink_shares();
          ++round, ++rounds) {  // … then the limits in its cells
       pulse.half_of_rest();
-      chain_.update(share_, dirty_, pulse);
-      for (std::size_t c = 0; c < grid_.cells.size(); ++c) {
-        pulse(c, grid_.cells.size());
-        if (!dirty_[c]) continue;
-        shape(c, std::sqrt(chain_.node(c)));
-        check_cell(c);
-      }
+      solve_dirty(pulse);
     }
     pulse.half_of_rest();
     result.rounds = std::max(result.rounds, rounds);
@@ -195,6 +191,38 @@ class SectionPlanner {
       double v = std::sqrt(chain_.node(begin));
       chain_.forward(begin, end, share_, [&](std::size_t c) { v = shape(c, v); });
       for (std::size_t c = begin; c < end; ++c) check_cell(c);
+    }
+  }
+
+  /// Divides the marked cells; their parts are dirty.
+  void divide(ProgressScope& pulse) {
+    const LargeVector<std::uint8_t>& parts = marks_.parts;
+    grid_.divide(path_, marks_.parts, pulse);
+    const std::size_t n = grid_.cells.size();
+    chain_.divided(parts);
+    spread(laws_, parts, n);
+    spread(ends_, parts, n);
+    spread(excess_, parts, n);
+    spread(share_, parts, n);
+    dirty_.assign(n, 0);
+    std::size_t first = 0;
+    for (const std::uint8_t count : parts) {
+      for (std::size_t c = first; count > 1 && c < first + count; ++c) {
+        dirty_[c] = 1;
+        share_[c] = share(c);
+      }
+      first += count;
+    }
+  }
+
+  /// Speeds and laws of dirty cells, and of all that these influence.
+  void solve_dirty(ProgressScope& pulse) {
+    chain_.update(share_, dirty_, pulse);
+    for (std::size_t c = 0; c < grid_.cells.size(); ++c) {
+      pulse(c, grid_.cells.size());
+      if (!dirty_[c]) continue;
+      shape(c, std::sqrt(chain_.node(c)));
+      check_cell(c);
     }
   }
 

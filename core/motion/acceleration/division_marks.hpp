@@ -16,7 +16,7 @@ class DivisionMarks {
  public:
   DivisionMarks(const Grid<N>& grid, const SpeedChain<N>& chain) : grid_(grid), chain_(chain) {}
 
-  LargeVector<std::uint8_t> parts;  ///< into how many each cell is to be divided
+  LargeVector<std::uint8_t> parts;  ///< into how many each cell is to be divided, and then was
 
   /// Where a law switches inside a cell the ramp is far from its neighbours': estimates what that costs and divides
   /// such cells until the whole stays below the tolerance; also cells that exceed a limit by far. False = nothing to
@@ -28,28 +28,28 @@ class DivisionMarks {
     double time = 0, total = 0;
     std::size_t curved = 0;
     bool divide = false;
+    double v_left = n > 0 ? std::sqrt(chain_.node(0)) : 0, before = 0, here = n > 0 ? ramp(0) : 0;
     for (std::size_t c = 0; c < n; ++c) {
       pulse(c, n);
       const GridCell& cell = grid_.cells[c];
-      const double v = 0.5 * (std::sqrt(chain_.node(c)) + std::sqrt(chain_.node(c + 1))), h = grid_.length(c);
+      const double v_right = std::sqrt(chain_.node(c + 1)), v = 0.5 * (v_left + v_right), h = grid_.length(c);
+      const double next = c + 1 < n ? ramp(c + 1) : 0;
       if (v > 0) time += h / v;
-      if (cell.straight) continue;
-      ++curved;
-      if (std::max(excess[c].acceleration, excess[c].velocity) > divide_above) {
-        parts[c] = 4;
-        divide = true;
+      if (!cell.straight) {
+        ++curved;
+        if (std::max(excess[c].acceleration, excess[c].velocity) > divide_above) {
+          parts[c] = 4;
+          divide = true;
+        }
+        const bool follows = c > 0 && grid_.cells[c - 1].segment == cell.segment,
+                   followed = c + 1 < n && grid_.cells[c + 1].segment == cell.segment;
+        const double smooth = follows && followed ? 0.5 * (before + next) : follows ? before : followed ? next : 0;
+        loss_[c] = v > 0 ? switching_loss(c, here - smooth, v, h) : 0;
+        total += loss_[c];
       }
-      const bool before = c > 0 && grid_.cells[c - 1].segment == cell.segment,
-                 after = c + 1 < n && grid_.cells[c + 1].segment == cell.segment;
-      double smooth = 0;
-      if (before && after)
-        smooth = 0.5 * (ramp(c - 1) + ramp(c + 1));
-      else if (before)
-        smooth = ramp(c - 1);
-      else if (after)
-        smooth = ramp(c + 1);
-      loss_[c] = v > 0 ? switching_loss(c, ramp(c) - smooth, v, h) : 0;
-      total += loss_[c];
+      v_left = v_right;
+      before = here;
+      here = next;
     }
     if (curved > 0 && total > tolerance * time) {
       divide = true;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/motion/acceleration/spread.hpp"
+
 namespace bahnwerk {
 
 template <int N>
@@ -159,6 +161,11 @@ std::size_t SpeedChain<N>::unaffected(const UnsetVector<double>& share) const {
     if (next == speed_[c].node_stop) return c;
   }
   return 0;
+}
+
+template <int N>
+void SpeedChain<N>::divided(const LargeVector<std::uint8_t>& parts) {
+  spread(speed_, parts, grid_.cells.size());
 }
 
 template <int N>

@@ -227,10 +227,11 @@ void Grid<N>::cut(std::size_t last) {
 }
 
 template <int N>
-void Grid<N>::divide(const LanePath<N>& path, const LargeVector<std::uint8_t>& parts, ProgressScope& pulse) {
+void Grid<N>::divide(const LanePath<N>& path, LargeVector<std::uint8_t>& parts, ProgressScope& pulse) {
   divide(
       path, [&](std::size_t c) { return parts[c]; },
-      [&](std::size_t c, int i, double u0, double u1) { return u0 + i * ((u1 - u0) / parts[c]); }, pulse);
+      [&](std::size_t c, int i, double u0, double u1) { return u0 + i * ((u1 - u0) / parts[c]); },
+      [&](std::size_t c, std::size_t made) { parts[c] = static_cast<std::uint8_t>(made); }, pulse);
 }
 
 template <int N>

@@ -56,12 +56,12 @@ class Grid {
   void slice(const Grid& of, std::size_t first, std::size_t last);
   /// Keeps the cells [0, last) only.
   void cut(std::size_t last);
-  /// Divides cell c into parts[c] equal cells. O(cells).
-  void divide(const LanePath<N>& path, const LargeVector<std::uint8_t>& parts, ProgressScope& pulse);
+  /// Divides cell c into parts[c] equal cells; then parts[c] is what became of it, see below. O(cells).
+  void divide(const LanePath<N>& path, LargeVector<std::uint8_t>& parts, ProgressScope& pulse);
   /// Divides cell c into count(c) cells; inner part i ends at the parameter place(c, i, u0, u1) between the cell's own
-  /// ends. Parts finer than path length resolves are left out. O(cells).
-  template <class Count, class Place>
-  void divide(const LanePath<N>& path, Count&& count, Place&& place, ProgressScope& pulse);
+  /// ends. Parts finer than path length resolves are left out: made(c, m) tells how many there are. O(cells).
+  template <class Count, class Place, class Made>
+  void divide(const LanePath<N>& path, Count&& count, Place&& place, Made&& made, ProgressScope& pulse);
 
  private:
   void grade_end(const LanePath<N>& path, bool front);
@@ -71,8 +71,8 @@ class Grid {
 };
 
 template <int N>
-template <class Count, class Place>
-void Grid<N>::divide(const LanePath<N>& path, Count&& count, Place&& place, ProgressScope& pulse) {
+template <class Count, class Place, class Made>
+void Grid<N>::divide(const LanePath<N>& path, Count&& count, Place&& place, Made&& made, ProgressScope& pulse) {
   LargeVector<Station<N>>& new_stations = spare_stations_;
   LargeVector<GridCell>& new_cells = spare_cells_;
   std::size_t total = 0;
@@ -84,6 +84,7 @@ void Grid<N>::divide(const LanePath<N>& path, Count&& count, Place&& place, Prog
     const GridCell& old = cells[c];
     if (c == 0 || old.station != cells[c - 1].station + 1) new_stations.push_back(left(c));
     const int parts = count(c);
+    const std::size_t before = new_cells.size();
     for (int i = 1; i <= parts; ++i) {
       GridCell cell = old;
       cell.station = static_cast<std::uint32_t>(new_stations.size() - 1);
@@ -94,6 +95,7 @@ void Grid<N>::divide(const LanePath<N>& path, Count&& count, Place&& place, Prog
       new_cells.push_back(cell);
       new_stations.push_back(next);
     }
+    made(c, new_cells.size() - before);
   }
   stations.swap(new_stations);
   cells.swap(new_cells);

@@ -1,0 +1,32 @@
+#include "core/motion/acceleration/spread.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace bahnwerk {
+namespace {
+
+TEST(Spread, EachPartGetsWhatItsCellHad) {
+  LargeVector<std::uint8_t> parts{1, 3, 1, 2};
+  std::vector<int> values{10, 11, 12, 13};
+  spread(values, parts, 7);
+  EXPECT_EQ(values, (std::vector<int>{10, 11, 11, 11, 12, 13, 13}));
+}
+
+TEST(Spread, WhatBelongsToTheEndStaysTheLast) {
+  LargeVector<std::uint8_t> parts{2, 1};
+  std::vector<int> values{10, 11, 99};
+  spread(values, parts, 3);
+  EXPECT_EQ(values, (std::vector<int>{10, 10, 11, 99}));
+}
+
+TEST(Spread, NothingDividedChangesNothing) {
+  LargeVector<std::uint8_t> parts{1, 1, 1};
+  std::vector<int> values{10, 11, 12};
+  spread(values, parts, 3);
+  EXPECT_EQ(values, (std::vector<int>{10, 11, 12}));
+}
+
+}  // namespace
+}  // namespace bahnwerk
