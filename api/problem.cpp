@@ -117,6 +117,12 @@ std::string number(double value) {
   return nlohmann::json(value).dump();  // shortest text; "null" for anything not finite
 }
 
+std::string pose(const UnreachablePose::Pose& p) {
+  constexpr double degrees = 180 / 3.14159265358979323846;
+  return "x " + number(p[0]) + ", y " + number(p[1]) + ", z " + number(p[2]) + " mm, phi " + number(p[3] * degrees) +
+         ", psi " + number(p[4] * degrees) + " deg";
+}
+
 }  // namespace
 
 std::span<const ProblemType> problem_types() { return catalogue; }
@@ -165,7 +171,8 @@ Problem problem_from_current_exception(std::string_view prefix) {
   } catch (const Infeasible& fault) {
     return {"infeasible", fault.what()};
   } catch (const UnreachablePose& fault) {
-    return {"unreachable-pose", std::string(fault.what()) + " (at path length " + number(fault.path_length) + " mm)"};
+    return {"unreachable-pose", std::string(fault.what()) + " (at path length " + number(fault.path_length) +
+                                    " mm, the tool at " + pose(fault.pose) + ")"};
   } catch (const ToleranceUnreachable& fault) {
     return {"tolerance-unreachable",
             std::string(fault.what()) + " (best value reached: " + number(fault.reached) + ")"};

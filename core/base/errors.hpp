@@ -1,6 +1,7 @@
 #pragma once
 /// The few ways in which planning fails. They carry numbers and places, not prose; api/ turns them into problem
 /// documents.
+#include <array>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -32,10 +33,14 @@ struct InvalidInput : PlanningError {
 struct Infeasible : PlanningError {
   using PlanningError::PlanningError;
 };
-/// A pose lies outside what the machine reaches; `path_length` is where, mm.
+/// A pose lies outside what the machine reaches, or where its axes could not follow the tool (a singularity, the end of
+/// a range).
 struct UnreachablePose : PlanningError {
-  UnreachablePose(const std::string& what, double at) : PlanningError(what), path_length(at) {}
-  double path_length;
+  using Pose = std::array<double, 5>;
+  UnreachablePose(const std::string& what, double at, const Pose& tool = {})
+      : PlanningError(what), path_length(at), pose(tool) {}
+  double path_length;  ///< where on the path, mm; NaN as long as only the pose is known
+  Pose pose;           ///< of the tool: x, y, z, mm; φ, ψ, rad
 };
 /// A tolerance cannot be met; `reached` is the best found, in the tolerance's unit.
 struct ToleranceUnreachable : PlanningError {

@@ -1,6 +1,7 @@
 #include "core/motion/axes/axis_path.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/base/errors.hpp"
 
@@ -39,28 +40,50 @@ void CartesianAxisPath::write_at(std::size_t segment, double s, double* out) con
   out[2] += height_;
 }
 
-MapBounds CartesianAxisPath::map_bounds(const Vec&, double) const {
+MapBounds CartesianAxisPath::map_bounds(std::size_t, double, double) const {
   MapBounds bounds;
   for (std::size_t k = 0; k < axes(); ++k) bounds.order[0][k] = 1;
   return bounds;
 }
 
-KinematicAxisPath::KinematicAxisPath(const Path& tool, const Kinematics& kinematics)
-    : AxisPath(tool, kinematics.axes().size(), false), kinematics_(kinematics) {}
+KinematicAxisPath::KinematicAxisPath(const Path& tool, const Kinematics& kinematics,
+                                     std::shared_ptr<const Orientation> orientation)
+    : AxisPath(tool, kinematics.axes().size(), false),
+      kinematics_(kinematics),
+      orientation_(std::move(orientation)),
+      turns_(*this) {}
+
+AxisJet KinematicAxisPath::raw_at_parameter(std::size_t segment, double u) const {
+  const Segment& here = tool()[segment];
+  try {
+    if (orientation_) return kinematics_.inverse(orientation_->tool(here, segment, u));
+    return kinematics_.inverse({here.at_parameter(u), {}, {}});
+  } catch (const UnreachablePose& e) {
+    throw UnreachablePose(e.what(), here.arc_length(u), e.pose);  // only the path knows where on it that is
+  }
+}
 
 AxisJet KinematicAxisPath::at_parameter(std::size_t segment, double u) const {
-  try {
-    return kinematics_.inverse(tool()[segment].at_parameter(u));
-  } catch (const UnreachablePose& e) {
-    throw UnreachablePose(e.what(), tool()[segment].arc_length(u));  // only the path knows where on it that is
-  }
+  AxisJet q = raw_at_parameter(segment, u);
+  turns_.add(segment, u, q.value);
+  return q;
+}
+
+ToolPose KinematicAxisPath::pose(std::size_t segment, double u) const {
+  if (orientation_) return orientation_->pose(tool()[segment], segment, u);
+  return {tool()[segment].curve().at(u).value};
+}
+
+double KinematicAxisPath::pose_turn(std::size_t segment, double u, double radius) const {
+  const double lever = kinematics_.lever();
+  return orientation_ && lever > 0 ? lever * orientation_->turn_within(segment, u, radius) : 0;
 }
 
 void KinematicAxisPath::at_parameters(std::size_t segment, PathBatch& batch) const {
   batch.close();
   batch.planar = false;
   for (std::size_t i = 0; i < 2 * batch.used_pairs(); ++i) {
-    const AxisJet q = at_parameter(segment, batch.u[i]);
+    const AxisJet q = raw_at_parameter(segment, batch.u[i]);  // positions are not asked for
     batch.s.set(i, tool()[segment].travelled(batch.u[i]));
     for (std::size_t k = 0; k < axes(); ++k)
       batch.d1[k].set(i, q.d1[k]), batch.d2[k].set(i, q.d2[k]), batch.d3[k].set(i, q.d3[k]);

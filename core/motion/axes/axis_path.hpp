@@ -11,6 +11,8 @@
 #include "core/geometry/path/path.hpp"
 #include "core/machine/axis_jet.hpp"
 #include "core/machine/kinematics.hpp"
+#include "core/motion/axes/axis_turns.hpp"
+#include "core/motion/axes/orientation.hpp"
 
 namespace bahnwerk {
 
@@ -37,8 +39,15 @@ class AxisPath {
   /// The same at up to 16 ascending parameters: rows of d1, d2, d3 per axis, and s from the begin of the segment.
   /// `planar` tells that the third row was not written and is 0.
   virtual void at_parameters(std::size_t segment, PathBatch& batch) const = 0;
-  /// Of the map from the tool's position to the axes, for tool positions within `radius` mm of `centre`.
-  virtual MapBounds map_bounds(const Vec& centre, double radius) const = 0;
+  /// Of the map from the tool's pose to the axes, for poses within `radius` mm of that at `u` (MapBounds tells how
+  /// poses are measured).
+  virtual MapBounds map_bounds(std::size_t segment, double u, double radius) const = 0;
+  /// How far the pose can move from that at `u` by the tool's angles alone, mm, for complex parameters within `radius`
+  /// of u; infinite where that is not known, 0 where the angles stand still or do not count.
+  virtual double pose_turn(std::size_t segment, double u, double radius) const {
+    (void)segment, (void)u, (void)radius;
+    return 0;
+  }
   /// Axes at a place of a segment, s ∈ [s0, s1].
   virtual AxisJet at(std::size_t segment, double s) const { return at_parameter(segment, tool_[segment].parameter(s)); }
   /// The same of every axis alone, without what would stand for axes that the machine has not: setting those takes
@@ -66,7 +75,7 @@ class CartesianAxisPath final : public AxisPath {
   void at_parameters(std::size_t segment, PathBatch& batch) const override { tool()[segment].at_parameters(batch); }
   AxisJet at(std::size_t segment, double s) const override { return axes_at(tool()[segment].at(s)); }
   void write_at(std::size_t segment, double s, double* out) const override;
-  MapBounds map_bounds(const Vec& centre, double radius) const override;
+  MapBounds map_bounds(std::size_t segment, double u, double radius) const override;
 
  private:
   AxisJet axes_at(const PathPoint& p) const;
@@ -74,18 +83,33 @@ class CartesianAxisPath final : public AxisPath {
   double height_;
 };
 
-/// q = inverse(tool(s)) by the chain rule. Both outlive it.
+/// q = inverse(tool(s)) by the chain rule. Axes that come round (Kinematics::period) are continuous all along the path
+/// and, if they can be, in their ranges (AxisTurns).
 class KinematicAxisPath final : public AxisPath {
  public:
-  KinematicAxisPath(const Path& tool, const Kinematics& kinematics);
+  /// `tool` and `kinematics` outlive it. Without `orientation` the tool's angles are 0. Throws UnreachablePose.
+  KinematicAxisPath(const Path& tool, const Kinematics& kinematics,
+                    std::shared_ptr<const Orientation> orientation = nullptr);
   bool linear(std::size_t) const override { return false; }
   AxisJet at_parameter(std::size_t segment, double u) const override;
   void at_parameters(std::size_t segment, PathBatch& batch) const override;
-  MapBounds map_bounds(const Vec& centre, double radius) const override { return kinematics_.bounds(centre, radius); }
+  MapBounds map_bounds(std::size_t segment, double u, double radius) const override {
+    return kinematics_.bounds(pose(segment, u), radius);
+  }
+  /// The same for complex poses (Kinematics::complex_bounds).
+  MapBounds complex_map_bounds(std::size_t segment, double u, double radius) const {
+    return kinematics_.complex_bounds(pose(segment, u), radius);
+  }
+  double pose_turn(std::size_t segment, double u, double radius) const override;
+  ToolPose pose(std::size_t segment, double u) const;
+  /// at_parameter() without whole turns.
+  AxisJet raw_at_parameter(std::size_t segment, double u) const;
   const Kinematics& kinematics() const { return kinematics_; }
 
  private:
   const Kinematics& kinematics_;
+  std::shared_ptr<const Orientation> orientation_;
+  AxisTurns turns_;
 };
 
 }  // namespace bahnwerk

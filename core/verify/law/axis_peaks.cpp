@@ -45,9 +45,11 @@ constexpr double useful = 0.1;
 class Sweeper {
  public:
   Sweeper(const VerifierInput& in, ProgressScope& pulse)
-      : in_(in), pulse_(pulse), channels_(make_channels(in)), peaks_(scales(channels_)) {
-    if (const auto* path = dynamic_cast<const KinematicAxisPath*>(&in.path)) kinematics_ = &path->kinematics();
-  }
+      : in_(in),
+        pulse_(pulse),
+        channels_(make_channels(in)),
+        peaks_(scales(channels_)),
+        kinematic_(dynamic_cast<const KinematicAxisPath*>(&in.path)) {}
 
   AxisPeaks run() {
     const auto& pieces = in_.law.pieces();
@@ -103,9 +105,9 @@ class Sweeper {
     if (in_.path.cartesian()) {
       all.fill(bounds(disc));
     } else {
-      if (kinematics_ == nullptr) return;
+      if (kinematic_ == nullptr) return;
       std::array<CurveDisc, max_axes> axes;
-      if (!through(*kinematics_, in_.path[segment].curve().at(u).value, disc, axes)) return;
+      if (!through(*kinematic_, segment, disc, axes)) return;
       for (std::size_t k = 0; k < in_.path.axes(); ++k) all[k] = bounds(axes[k]);
     }
     samples.empty = !samples.last;
@@ -332,13 +334,13 @@ class Sweeper {
   ProgressScope& pulse_;
   std::vector<Channel> channels_;
   PeakSweep peaks_;
+  const KinematicAxisPath* kinematic_;  ///< the path, if axes follow it through kinematics
   Strained arc_length_;
   std::size_t index_ = 0;
   std::size_t end_segment_ = static_cast<std::size_t>(-1);  // where the last piece ended, to invert u(s) once per piece
   double end_s_ = 0, end_u_ = 0;
   std::size_t tangent_of_ = static_cast<std::size_t>(-1);
   AxisJet tangent_;
-  const Kinematics* kinematics_ = nullptr;  ///< of a path through them
   std::optional<CurveDiscs> discs_;
   std::size_t discs_of_ = 0;
   PathBatch batch_;

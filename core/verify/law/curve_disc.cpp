@@ -165,13 +165,29 @@ const CurveDisc& CurveDiscs::at_vanishing_tangent() {
   return end_disc_;
 }
 
-bool through(const Kinematics& kinematics, const Vec& position, const CurveDisc& tool,
+// α′ = α_u u′, α″ = α_uu u′² + α_u u″, α‴ = α_uuu u′³ + 3 α_uu u′u″ + α_u u‴ with d/ds = u′ d/du. With ρ = r/2:
+// |α_u| ≤ A/ρ, |α_uu| ≤ 2A/ρ², |α_uuu| ≤ 6A/ρ³; |u″| ≤ p²/ρ, |u‴| ≤ 3p³/ρ².
+CurveDisc with_turn(const CurveDisc& position, double turn) {
+  if (turn == 0) return position;
+  CurveDisc pose = position;
+  pose.radius = position.radius / 2;
+  const double per = position.pace / pose.radius;
+  pose.first = std::hypot(position.first, turn * per);
+  pose.second = std::hypot(position.second, 3 * turn * per * per);
+  pose.third = std::hypot(position.third, 15 * turn * per * per * per);
+  return pose;
+}
+
+bool through(const KinematicAxisPath& path, std::size_t segment, const CurveDisc& tool,
              std::array<CurveDisc, max_axes>& axes) {
-  CurveDisc disc = tool;
-  for (int attempt = 0; attempt < 60; ++attempt, disc.radius *= 0.5) {
-    const MapBounds map = kinematics.complex_bounds(position, disc.first * disc.speed * disc.radius);
+  CurveDisc whole = tool;
+  for (int attempt = 0; attempt < 60; ++attempt, whole.radius *= 0.5) {
+    const double turn = path.pose_turn(segment, whole.centre, whole.radius);
+    const CurveDisc disc = with_turn(whole, turn);
+    const double way = whole.first * whole.speed * disc.radius;
+    const MapBounds map = path.complex_map_bounds(segment, disc.centre, turn > 0 ? std::hypot(way, turn) : way);
     bool known = true;
-    for (std::size_t k = 0; k < kinematics.axes().size(); ++k) {
+    for (std::size_t k = 0; k < path.axes(); ++k) {
       CurveDisc& q = axes[k] = disc;
       q.first = map.order[0][k] * disc.first;
       q.second = map.order[1][k] * disc.first * disc.first + map.order[0][k] * disc.second;

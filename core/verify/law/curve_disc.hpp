@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/geometry/curve/curve.hpp"
-#include "core/machine/kinematics.hpp"
+#include "core/motion/axes/axis_path.hpp"
 #include "core/numeric/polynomial.hpp"
 
 namespace bahnwerk::verify {
@@ -57,10 +57,14 @@ class CurveDiscs {
   Polynomial w_at_, q_at_;
 };
 
-/// The same of every axis of a machine while its tool follows the curve through `position` at the disc's centre, by the
-/// chain rule: |q′| ≤ m₁|h′|, |q″| ≤ m₂|h′|² + m₁|h″|, |q‴| ≤ m₃|h′|³ + 3m₂|h′||h″| + m₁|h‴| with the map's bounds m
-/// for as far as the disc takes the tool. The disc is halved until they are known; false where they never are.
-bool through(const Kinematics& kinematics, const Vec& position, const CurveDisc& tool,
+/// The same of the tool's pose, whose angles move it by no more than `turn` mm within the whole disc: on half of it, by
+/// Cauchy's estimates |f⁽ⁿ⁾| ≤ n! max|f| (2/r)ⁿ of the angles and of du/ds. Without a turn the disc as it is.
+CurveDisc with_turn(const CurveDisc& position, double turn);
+
+/// The same of every axis of a machine while its tool follows the path through the disc's centre, by the chain rule:
+/// |q′| ≤ m₁|h′|, |q″| ≤ m₂|h′|² + m₁|h″|, |q‴| ≤ m₃|h′|³ + 3m₂|h′||h″| + m₁|h‴| with the map's bounds m for as far as
+/// the disc takes the tool's pose h. The disc is halved until they are known; false where they never are.
+bool through(const KinematicAxisPath& path, std::size_t segment, const CurveDisc& tool,
              std::array<CurveDisc, max_axes>& axes);
 
 }  // namespace bahnwerk::verify

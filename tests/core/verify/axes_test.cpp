@@ -118,7 +118,7 @@ std::size_t estimated(const AxisPath& path, const Contour& contour, const Machin
 /// Where curve and machine state how they grow, nothing is left to estimates; a machine that does not is served, too.
 TEST(VerifierAxes, PeaksOfFiveAxesAreProvenOrToldFrom) {
   struct Silent final : test::FiveAxes {
-    MapBounds complex_bounds(const Vec& c, double r) const override { return Kinematics::complex_bounds(c, r); }
+    MapBounds complex_bounds(const ToolPose& c, double r) const override { return Kinematics::complex_bounds(c, r); }
   };
   const Contour contour = bow();
   const test::FiveAxes five;
@@ -181,7 +181,7 @@ TEST(VerifierAxes, TheMadeUpMachinesComplexBoundsHold) {
         for (std::size_t k = 0; k < 5; ++k) d[n][k] += q[k] * factorial / (32 * std::pow(h, n)) * std::pow(turn, -n);
       }
     }
-    const MapBounds stated = machine.complex_bounds(centre, radius);
+    const MapBounds stated = machine.complex_bounds({centre}, radius);
     for (int n = 1; n <= 3; ++n)
       for (std::size_t k = 0; k < 5; ++k)
         EXPECT_LE(std::abs(d[n][k]), stated.order[n - 1][k] + 1e-10) << n << " of " << k;

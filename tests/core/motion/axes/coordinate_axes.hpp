@@ -20,16 +20,17 @@ class CoordinateAxes final : public Kinematics {
   }
   double unit(std::size_t k) const { return std::pow(10.0, decades_ * (static_cast<double>(k % 4) - 2)); }
   const std::vector<AxisLimits>& axes() const override { return axes_; }
-  AxisJet inverse(const Jet& tool) const override {
+  AxisJet inverse(const ToolJet& tool) const override {
+    const Jet& p = tool.position;
     AxisJet q;
     for (std::size_t k = 0; k < axes_.size(); ++k) {
-      q.value[k] = unit(k) * tool.value[k % 2], q.d1[k] = unit(k) * tool.d1[k % 2];
-      q.d2[k] = unit(k) * tool.d2[k % 2], q.d3[k] = unit(k) * tool.d3[k % 2];
+      q.value[k] = unit(k) * p.value[k % 2], q.d1[k] = unit(k) * p.d1[k % 2];
+      q.d2[k] = unit(k) * p.d2[k % 2], q.d3[k] = unit(k) * p.d3[k % 2];
     }
     return q;
   }
-  Vec forward(const AxisArray& q) const override { return {q[0] / unit(0), q[1] / unit(1), 0}; }
-  MapBounds bounds(const Vec&, double) const override {
+  ToolPose forward(const AxisArray& q) const override { return {{q[0] / unit(0), q[1] / unit(1), 0}}; }
+  MapBounds bounds(const ToolPose&, double) const override {
     MapBounds b;
     for (std::size_t k = 0; k < axes_.size(); ++k) b.order[0][k] = unit(k);
     return b;

@@ -22,9 +22,10 @@ class FiveAxes : public Kinematics {
     for (const std::size_t k : {0u, 1u, 3u}) axes_[k].unit = "rad";
   }
   const std::vector<AxisLimits>& axes() const override { return axes_; }
-  AxisJet inverse(const Jet& tool) const override {
+  AxisJet inverse(const ToolJet& tool) const override {
     using T = Taylor<3>;
-    const auto follow = [&](std::size_t k) { return T::from(tool.value[k], tool.d1[k], tool.d2[k], tool.d3[k]); };
+    const Jet& p = tool.position;
+    const auto follow = [&](std::size_t k) { return T::from(p.value[k], p.d1[k], p.d2[k], p.d3[k]); };
     const T x = follow(0) - T(base_x), y = follow(1) - T(base_y), z = follow(2);
     const T square = x * x + y * y, bend = acos((square - T(2 * arm * arm)) * T(1 / (2 * arm * arm)));
     const T q[] = {atan2(y, x) - T(0.5) * bend, bend, T(0.6) * x + T(0.8) * y + z, atan2(z + T(60), T(80) + T(0.2) * x),
@@ -36,13 +37,13 @@ class FiveAxes : public Kinematics {
     }
     return jet;
   }
-  Vec forward(const AxisArray& q) const override {
+  ToolPose forward(const AxisArray& q) const override {
     const double reach = 2 * arm * std::cos(q[1] / 2), angle = q[0] + q[1] / 2;
     const double x = reach * std::cos(angle), y = reach * std::sin(angle);
-    return {base_x + x, base_y + y, q[2] - 0.6 * x - 0.8 * y};
+    return {{base_x + x, base_y + y, q[2] - 0.6 * x - 0.8 * y}};
   }
   /// Generous, for tool positions within 100 mm of the middle of the work.
-  MapBounds bounds(const Vec&, double) const override {
+  MapBounds bounds(const ToolPose&, double) const override {
     MapBounds b;
     const double w = 2 * 3.14159265358979323846 / period;
     b.order[0] = {0.05, 0.05, 1.5, 0.05, 1 + error * w};
@@ -52,7 +53,7 @@ class FiveAxes : public Kinematics {
     return b;
   }
   /// Likewise generous; the screw's error grows with the distance from the real axis.
-  MapBounds complex_bounds(const Vec& centre, double radius) const override {
+  MapBounds complex_bounds(const ToolPose& centre, double radius) const override {
     if (!(radius <= 15)) return Kinematics::complex_bounds(centre, radius);
     MapBounds b = bounds(centre, radius);
     for (AxisArray& order : b.order)

@@ -121,16 +121,17 @@ class RippledScrew final : public Kinematics {
   }
   static constexpr double wave = 2 * 3.14159265358979323846 / 0.625;  // rad/mm: eight periods in an eighth of 40 mm
   const std::vector<AxisLimits>& axes() const override { return axes_; }
-  AxisJet inverse(const Jet& tool) const override {
+  AxisJet inverse(const ToolJet& tool) const override {
     using T = Taylor<3>;
-    const T x = T::from(tool.value.x, tool.d1.x, tool.d2.x, tool.d3.x), q = x + T(steepness_ / wave) * sin(x * T(wave));
+    const Jet& p = tool.position;
+    const T x = T::from(p.value.x, p.d1.x, p.d2.x, p.d3.x), q = x + T(steepness_ / wave) * sin(x * T(wave));
     AxisJet jet;
-    jet.value[0] = tool.value.x, jet.d1[0] = tool.d1.x, jet.d2[0] = tool.d2.x, jet.d3[0] = tool.d3.x;
+    jet.value[0] = p.value.x, jet.d1[0] = p.d1.x, jet.d2[0] = p.d2.x, jet.d3[0] = p.d3.x;
     jet.value[1] = q.value(), jet.d1[1] = q.derivative(1), jet.d2[1] = q.derivative(2), jet.d3[1] = q.derivative(3);
     return jet;
   }
-  Vec forward(const AxisArray& q) const override { return {q[0], 0, 0}; }
-  MapBounds bounds(const Vec&, double) const override {
+  ToolPose forward(const AxisArray& q) const override { return {{q[0], 0, 0}}; }
+  MapBounds bounds(const ToolPose&, double) const override {
     const double e = std::abs(steepness_);
     MapBounds b;
     b.order[0] = {1, 1 + e}, b.order[1] = {0, e * wave}, b.order[2] = {0, e * wave * wave};
@@ -158,7 +159,7 @@ TEST(AxesBound, ARippleThatSamplesDoNotSee) {
 /// Central differences of the map along random directions at random places.
 TEST(FiveAxesMap, KeepsTheBoundsThatItStates) {
   const test::FiveAxes kinematics;
-  const MapBounds bounds = kinematics.bounds({20, 10, 0}, 50);
+  const MapBounds bounds = kinematics.bounds({{20, 10, 0}}, 50);
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> uniform(-1, 1);
   AxisArray most[4] = {};
@@ -168,10 +169,10 @@ TEST(FiveAxesMap, KeepsTheBoundsThatItStates) {
     if (!(length > 0.01)) continue;
     e = e / length;
     const Vec p{20 + 60 * uniform(random), 10 + 60 * uniform(random), 20 * uniform(random)};
-    const AxisJet here = kinematics.inverse({p, e, {}, {}});
+    const AxisJet here = kinematics.inverse({{p, e, {}, {}}, {}, {}});
     constexpr double step = 1e-3;
-    const AxisJet after = kinematics.inverse({p + step * e, e, {}, {}}),
-                  before = kinematics.inverse({p - step * e, e, {}, {}});
+    const AxisJet after = kinematics.inverse({{p + step * e, e, {}, {}}, {}, {}}),
+                  before = kinematics.inverse({{p - step * e, e, {}, {}}, {}, {}});
     for (std::size_t k = 0; k < 5; ++k) {
       const double fourth = (after.d3[k] - before.d3[k]) / (2 * step);
       const double size[] = {here.d1[k], here.d2[k], here.d3[k], fourth};

@@ -1,0 +1,110 @@
+#pragma once
+/// Machines whose axes are closed formulas of a needle's pose: the formula is written once, over numbers of any kind;
+/// values, derivatives to order 3 and their bounds follow from it.
+///
+/// A machine derives from FormulaKinematics<itself> and brings
+///
+///   template <class T> std::array<T, n> solve(const NeedleOf<T>& needle) const;   the axes, n of them
+///   void check(const ToolPose& pose) const;              throws UnreachablePose where solve() is not defined
+///   ToolPose forward(const AxisArray& axes) const override;
+///
+/// T is Taylor<3> (core/numeric/taylor.hpp) or Majorant<4> (core/numeric/majorant.hpp). Nothing else: a machine is one
+/// file.
+#include <array>
+#include <cstddef>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/errors.hpp"
+#include "core/machine/kinematics.hpp"
+#include "core/numeric/majorant.hpp"
+#include "core/numeric/taylor.hpp"
+
+namespace bahnwerk {
+
+template <class T>
+struct NeedleOf {
+  T x, y, z, phi, psi;  ///< mm, rad
+};
+
+/// Where the part stands in the frame in which a machine is calculated: p_machine = R_z(angle) p_part + origin.
+struct PartPlace {
+  Vec origin;        ///< mm
+  double angle = 0;  ///< rad
+
+  template <class T>
+  NeedleOf<T> placed(const NeedleOf<T>& n) const {
+    const T c(std::cos(angle)), s(std::sin(angle));
+    return {T(origin.x) + c * n.x - s * n.y, T(origin.y) + s * n.x + c * n.y, T(origin.z) + n.z, n.phi + T(angle),
+            n.psi};
+  }
+  ToolPose taken_back(const ToolPose& machine) const {
+    const double c = std::cos(angle), s = std::sin(angle);
+    const Vec p = machine.position - origin;
+    return {{c * p.x + s * p.y, c * p.y - s * p.x, p.z}, machine.phi - angle, machine.psi};
+  }
+};
+
+/// Axes q1, q2, … of a machine: mm, or rad where `rotary`. Throws std::invalid_argument for a wrong count.
+template <std::size_t n>
+std::vector<AxisLimits> numbered_axes(const std::vector<Limits>& limits, const std::array<bool, n>& rotary) {
+  if (limits.size() != n) throw std::invalid_argument("a machine of " + std::to_string(n) + " axes");
+  std::vector<AxisLimits> axes(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    static_cast<Limits&>(axes[k]) = limits[k];
+    axes[k].name = "q" + std::to_string(k + 1);
+    axes[k].unit = rotary[k] ? "rad" : "mm";
+  }
+  return axes;
+}
+
+template <class Machine>
+class FormulaKinematics : public Kinematics {
+ public:
+  const std::vector<AxisLimits>& axes() const override { return axes_; }
+  /// A choice of scale: of the size of the parts that are wound, so that no coordinate outweighs the others.
+  double lever() const override { return 100; }
+  /// Rotary axes come round; where they may not go on for ever their ranges say so.
+  double period(std::size_t axis) const override { return axes_[axis].unit == "rad" ? 2 * std::numbers::pi : 0; }
+
+  AxisJet inverse(const ToolJet& tool) const override {
+    using T = Taylor<3>;
+    self().check(tool.pose());
+    const Jet& p = tool.position;
+    const auto along = [&](std::size_t i) { return T::from(p.value[i], p.d1[i], p.d2[i], p.d3[i]); };
+    const auto angle = [](const AngleJet& a) { return T::from(a.value, a.d1, a.d2, a.d3); };
+    const auto q = self().solve(NeedleOf<T>{along(0), along(1), along(2), angle(tool.phi), angle(tool.psi)});
+    AxisJet jet;
+    for (std::size_t k = 0; k < q.size(); ++k) {
+      jet.value[k] = q[k].value();
+      jet.d1[k] = q[k].derivative(1), jet.d2[k] = q[k].derivative(2), jet.d3[k] = q[k].derivative(3);
+    }
+    return jet;
+  }
+  /// Every formula is analytic: what holds in the complex ball holds in the real one.
+  MapBounds bounds(const ToolPose& centre, double radius) const override { return complex_bounds(centre, radius); }
+  MapBounds complex_bounds(const ToolPose& centre, double radius) const override {
+    using M = Majorant<4>;
+    const auto along = [&](double value) { return M::coordinate(value, radius); };
+    const auto angle = [&](double value) { return M::coordinate(value, radius, 1 / lever()); };
+    const Vec& p = centre.position;
+    const auto q = self().solve(NeedleOf<M>{along(p.x), along(p.y), along(p.z), angle(centre.phi), angle(centre.psi)});
+    MapBounds bounds;
+    for (std::size_t n = 1; n <= 4; ++n)
+      for (std::size_t k = 0; k < q.size(); ++k) bounds.order[n - 1][k] = q[k].derivative(n);
+    return bounds;
+  }
+
+ protected:
+  explicit FormulaKinematics(std::vector<AxisLimits> axes) : axes_(std::move(axes)) {}
+
+ private:
+  const Machine& self() const { return static_cast<const Machine&>(*this); }
+
+  std::vector<AxisLimits> axes_;
+};
+
+}  // namespace bahnwerk

@@ -1,0 +1,51 @@
+#pragma once
+/// A winder whose stroke is horizontal: the part turns in a spindle, everything else moves the needle [Herrmann 2.3.2,
+/// appendix A].
+///
+/// Axes: q1 shifts across, q2 feed, q3 stroke, mm; q4 turns the spindle, q5 swivels the needle, rad. About the
+/// spindle's axis, z along it, turned with it:
+///
+///   (x, y) = R(−q4) (q2 + l − l cos q5, q1),   z = q3 + z_B − l sin q5,   φ = π − q4,   ψ = q5.
+///
+/// With q5 = 0 that is [Herrmann appendix A], whose machine has no swivel; it may be fitted with one [2.3.2], which
+/// leaves the tip where it is when the needle does not swivel. A range of q5 from 0 to 0 is the machine without it.
+#include <cmath>
+
+#include "core/machine/formula_kinematics.hpp"
+
+namespace bahnwerk {
+
+/// mm; of which the source tells no value.
+struct HorizontalWinderSizes {
+  double z_part = 0;   ///< z_B, along the spindle, from where q3 = 0 to the part
+  double l_tool = 40;  ///< l_Tool, from the swivel's axis to the needle's tip
+  PartPlace part;      ///< in the spindle
+};
+
+class HorizontalWinder final : public FormulaKinematics<HorizontalWinder> {
+ public:
+  /// Limits of q1 … q5, angles in rad. Throws std::invalid_argument for another count.
+  HorizontalWinder(const HorizontalWinderSizes& sizes, const std::vector<Limits>& limits)
+      : FormulaKinematics(numbered_axes<5>(limits, {false, false, false, true, true})), sizes_(sizes) {}
+
+  template <class T>
+  std::array<T, 5> solve(const NeedleOf<T>& part) const {
+    const NeedleOf<T> n = sizes_.part.placed(part);
+    const T c = cos(n.phi), s = sin(n.phi), l(sizes_.l_tool);
+    const T forth = c * n.x + s * n.y, aside = c * n.y - s * n.x;  // along the needle's azimuth, and across
+    return {-aside, l * cos(n.psi) - l - forth, n.z - T(sizes_.z_part) + l * sin(n.psi), T(std::numbers::pi) - n.phi,
+            n.psi};
+  }
+  void check(const ToolPose&) const {}  // every pose has its axes; what they can reach, their ranges say
+  ToolPose forward(const AxisArray& q) const override {
+    const double phi = std::numbers::pi - q[3], c = std::cos(phi), s = std::sin(phi), l = sizes_.l_tool,
+                 forth = l * std::cos(q[4]) - l - q[1], aside = -q[0];
+    return sizes_.part.taken_back(
+        {{c * forth - s * aside, s * forth + c * aside, q[2] + sizes_.z_part - l * std::sin(q[4])}, phi, q[4]});
+  }
+
+ private:
+  HorizontalWinderSizes sizes_;
+};
+
+}  // namespace bahnwerk

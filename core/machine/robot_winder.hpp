@@ -1,0 +1,80 @@
+#pragma once
+/// A SCARA robot with a swivel at the lower end of its quill [Herrmann 2.3.3, 3.1.2, 3.1.3].
+///
+/// Axes: q1 shoulder, q2 elbow, rad; q3 height of the swivel, mm; q4 turns the quill, q5 swivels the needle, rad. The
+/// machine's frame has its z axis in that of the shoulder, upwards. With θ = q1 + q2 + q4 and the swivel's axis o
+/// beside the quill's, the needle's tip l before it [Herrmann (3.7), corrected]:
+///
+///   x = l1 cos q1 + l2 cos(q1 + q2) + (o + l cos q5) cos θ
+///   y = l1 sin q1 + l2 sin(q1 + q2) + (o + l cos q5) sin θ
+///   z = q3 − l sin q5,   φ = θ,   ψ = q5.
+#include <cmath>
+#include <cstdio>
+
+#include "core/machine/formula_kinematics.hpp"
+
+namespace bahnwerk {
+
+/// The elbow's sign: righty has q2 > 0 [Herrmann (3.18)].
+enum class RobotArm { lefty, righty };
+
+/// mm; where the source tells no value (it shows them in a figure) the default is of our making, for a robot that
+/// reaches 800 mm as the one it names.
+struct RobotWinderSizes {
+  double l1 = 400, l2 = 400;  ///< upper arm l_1, lower arm l_2
+  double o_tool = 20;         ///< o_Tool, from the quill's axis to the swivel's
+  double l_tool = 50;         ///< l_Tool, from the swivel's axis to the needle's tip
+  double least_bend = 0.01;   ///< rad: an elbow straighter than that, or as far folded, is singular
+  PartPlace part{{450, 0, 0}, 0};
+};
+
+class RobotWinder final : public FormulaKinematics<RobotWinder> {
+ public:
+  /// Limits of q1 … q5, angles in rad. Throws std::invalid_argument for another count.
+  RobotWinder(const RobotWinderSizes& sizes, RobotArm arm, const std::vector<Limits>& limits)
+      : FormulaKinematics(numbered_axes<5>(limits, {true, true, false, true, true})), sizes_(sizes), arm_(arm) {}
+
+  /// [Herrmann (3.13)–(3.19)], the sign of (3.19) corrected. The elbow by half its angle, which keeps its digits where
+  /// the arm is folded: tan²(q2/2) = ((l1 + l2)² − r²)/(r² − (l1 − l2)²).
+  template <class T>
+  std::array<T, 5> solve(const NeedleOf<T>& part) const {
+    const NeedleOf<T> n = sizes_.part.placed(part);
+    const double l1 = sizes_.l1, l2 = sizes_.l2;
+    const T reach = T(sizes_.o_tool) + T(sizes_.l_tool) * cos(n.psi);
+    const T x = n.x - cos(n.phi) * reach, y = n.y - sin(n.phi) * reach;  // of the quill, (3.16)
+    const T square = x * x + y * y, straight = sqrt(T((l1 + l2) * (l1 + l2)) - square),
+            folded = sqrt(square - T((l1 - l2) * (l1 - l2)));
+    const T half = atan2(straight, folded), q2 = arm_ == RobotArm::righty ? half + half : -(half + half);
+    const T q1 = atan2(y, x) - atan2(T(l2) * sin(q2), T(l1) + T(l2) * cos(q2));
+    return {q1, q2, n.z + T(sizes_.l_tool) * sin(n.psi), n.phi - q1 - q2, n.psi};
+  }
+  void check(const ToolPose& pose) const {
+    const NeedleOf<double> n =
+        sizes_.part.placed(NeedleOf<double>{pose.position.x, pose.position.y, pose.position.z, pose.phi, pose.psi});
+    const double reach = sizes_.o_tool + sizes_.l_tool * std::cos(n.psi), l1 = sizes_.l1, l2 = sizes_.l2,
+                 r = std::hypot(n.x - std::cos(n.phi) * reach, n.y - std::sin(n.phi) * reach),
+                 cosine = (r * r - l1 * l1 - l2 * l2) / (2 * l1 * l2);
+    if (std::abs(cosine) <= std::cos(sizes_.least_bend)) return;
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "the quill would be %.6g mm from the shoulder, the arm reaches from %.6g to %.6g mm%s", r,
+                  std::abs(l1 - l2), l1 + l2,
+                  std::abs(cosine) <= 1 ? " and cannot move freely next to the ends of that (a singular pose)" : "");
+    throw UnreachablePose(text, std::numeric_limits<double>::quiet_NaN(), pose.coordinates());
+  }
+  ToolPose forward(const AxisArray& q) const override {
+    const double turned = q[0] + q[1], phi = turned + q[3], reach = sizes_.o_tool + sizes_.l_tool * std::cos(q[4]);
+    return sizes_.part.taken_back({{sizes_.l1 * std::cos(q[0]) + sizes_.l2 * std::cos(turned) + reach * std::cos(phi),
+                                    sizes_.l1 * std::sin(q[0]) + sizes_.l2 * std::sin(turned) + reach * std::sin(phi),
+                                    q[2] - sizes_.l_tool * std::sin(q[4])},
+                                   phi,
+                                   q[4]});
+  }
+  RobotArm arm() const { return arm_; }
+
+ private:
+  RobotWinderSizes sizes_;
+  RobotArm arm_;
+};
+
+}  // namespace bahnwerk

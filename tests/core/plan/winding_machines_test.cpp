@@ -1,0 +1,82 @@
+// The pipeline along a needle's path in five coordinates, on the three winding machines.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "core/motion/axes/machine_path.hpp"
+#include "core/plan/path_plan.hpp"
+#include "tests/core/machine/winders.hpp"
+#include "tests/core/motion/axes/needle_loop.hpp"
+
+namespace bahnwerk {
+namespace {
+
+PathPlan plan(const MachinePath& machine, const Path& tool, PlanningMethod method) {
+  PathPlanning planning;
+  planning.path = planning.moving = machine.axes;
+  planning.machine = {machine.kinematics->axes(), 0.002};
+  planning.feeds = planning.feeds_to_verify = std::vector<double>(tool.size(), unlimited);
+  planning.rests = std::vector<bool>(tool.size() + 1, false);
+  planning.rests.front() = planning.rests.back() = true;
+  planning.method = method;
+  SilentProgress progress;
+  return plan_along(planning, progress);
+}
+
+void expect_verified(const PathPlan& p, const std::string& what) {
+  for (const Check& check : p.verification.checks)
+    EXPECT_TRUE(check.passed) << what << ": " << check.name << ' ' << check.value << " against " << check.limit
+                              << " at " << check.at;
+  EXPECT_TRUE(p.verification.passed) << what;
+}
+
+/// Forward kinematics of every setpoint lies on the needle's path.
+void expect_on_path(const PathPlan& p, const MachinePath& machine, const std::string& what) {
+  const SetpointSource& rows = *p.setpoints;
+  const std::size_t columns = rows.columns().size();
+  ASSERT_EQ(columns, 17u);
+  std::vector<double> all(rows.count() * columns);
+  rows.read(0, rows.count(), all.data());
+  for (std::size_t i = 0; i < rows.count(); ++i) {
+    const double* row = all.data() + columns * i;
+    const ToolPose pose = machine.kinematics->forward({row[0], row[1], row[2], row[3], row[4]});
+    const std::size_t segment = machine.axes->tool().find(row[15]);
+    const ToolPose wanted = machine.axes->pose(segment, machine.axes->tool()[segment].parameter(row[15]));
+    ASSERT_LE(norm(pose.position - wanted.position), 1e-6) << what << ' ' << i;
+    ASSERT_LE(std::abs(std::remainder(pose.phi - wanted.phi, 2 * std::numbers::pi)), 1e-8) << what << ' ' << i;
+    ASSERT_LE(std::abs(pose.psi - wanted.psi), 1e-8) << what << ' ' << i;
+  }
+}
+
+TEST(WindingMachines, OneTurnIsPlannedAndVerifiedOnEachOfThem) {
+  const test::NeedlePath path = test::stator_turn();
+  for (const test::Winder& winder : test::winders()) {
+    const MachinePath machine = machine_path(path.tool, path.orientation, winder.configurations);
+    const PathPlan fast = plan(machine, path.tool, PlanningMethod::time_optimal),
+                   smooth = plan(machine, path.tool, PlanningMethod::jerk_limited);
+    expect_verified(fast, winder.name + " time_optimal");
+    expect_verified(smooth, winder.name + " jerk_limited");
+    expect_on_path(smooth, machine, winder.name);
+    EXPECT_GE(smooth.duration, fast.duration * (1 - 1e-9)) << winder.name;
+    EXPECT_LE(fast.bound.gap, 1e-4) << winder.name;
+    EXPECT_LE(smooth.bound.duration, smooth.duration) << winder.name;
+    std::printf("%s: %.4f s (gap %.2g), jerk %.4f s (gap %.2g)\n", winder.name.c_str(), fast.duration, fast.bound.gap,
+                smooth.duration, smooth.bound.gap);
+  }
+}
+
+TEST(WindingMachines, FullTurnsArePlannedAndVerified) {
+  const test::NeedlePath path = test::helix(60, 2.5, 40);
+  for (const test::Winder& winder : test::winders()) {
+    if (winder.name == "robot") continue;  // its quill turns by 800° at most
+    const MachinePath machine = machine_path(path.tool, path.orientation, winder.configurations);
+    const PathPlan smooth = plan(machine, path.tool, PlanningMethod::jerk_limited);
+    expect_verified(smooth, winder.name);
+    expect_on_path(smooth, machine, winder.name);
+    EXPECT_NEAR(machine.spans[3].highest - machine.spans[3].lowest, 5 * std::numbers::pi, 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace bahnwerk
