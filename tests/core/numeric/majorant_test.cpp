@@ -62,7 +62,7 @@ TEST(Majorant, BoundsWhatFormulasDo) {
     compare([](auto x, auto y) { return (x + y) / (x * x + y * y); }, 1.4, -0.7, radius, 12);
     compare([](auto x, auto y) { return sqrt(x * x + y); }, 0.4, 1.5, radius, 3);
     compare([](auto x, auto y) { return sin(x) * cos(y + y); }, 0.4, 2.1, radius, 4);
-    compare([](auto x, auto y) { return atan2(y, x); }, 1.1, 0.8, radius, 4);
+    compare([](auto x, auto y) { return atan2(y, x); }, 1.1, 0.8, radius, 6);
     compare([](auto x, auto y) { return acos(x * y); }, 0.4, 0.8, radius, 4);
   }
 }
