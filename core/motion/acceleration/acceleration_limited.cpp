@@ -10,7 +10,9 @@
 #include "core/motion/acceleration/law_writer.hpp"
 #include "core/motion/acceleration/speed_chain.hpp"
 #include "core/motion/acceleration/spread.hpp"
+#include "core/motion/grid/section_repeats.hpp"
 #include "core/motion/grid/sections.hpp"
+#include "core/motion/law/repeated_law.hpp"
 
 namespace bahnwerk {
 
@@ -351,8 +353,23 @@ AccelerationLimitedResult plan(const PathTask& task, const AccelerationLimitedOp
   const Sections sections = find_sections(task, options.corner_angle, pulse);
   AccelerationLimitedResult result;
   SectionPlanner<N> planner(path, lanes, fitted, task.feeds, sections, all, density, model_error, progress);
+  SectionRepeats repeats(task, sections);
+  ProgressScope repeating(progress, "planning", from, to);
+  std::vector<std::size_t> pieces, cells;  // before each section, and at the end
+  std::size_t i = 0;
   for_each_section(path.tool(), sections, from, to, [&](std::size_t first, std::size_t last, double begin, double end) {
-    planner.plan(first, last, begin, end, result);
+    pieces.push_back(result.law.pieces().size()), cells.push_back(result.cells);
+    const std::size_t source = last == first + 1 && path.linear(first) ? i : repeats.source(i);
+    if (source == i) {
+      planner.plan(first, last, begin, end, result);
+    } else {
+      repeat_law(result.law, pieces[source], pieces[source + 1], path.tool(), sections.begin[source], first,
+                 last - first);
+      result.cells += cells[source + 1] - cells[source];
+      repeating.done((end - from) / (to - from));
+      repeating.work(pieces[source + 1] - pieces[source]);
+    }
+    ++i;
   });
   return result;
 }
