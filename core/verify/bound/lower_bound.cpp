@@ -9,6 +9,7 @@
 #include "core/verify/bound/bound_grid.hpp"
 #include "core/verify/bound/bound_solver.hpp"
 #include "core/verify/bound/jerk_bound.hpp"
+#include "core/verify/bound/repeated_section.hpp"
 #include "core/verify/bound/rest_to_rest.hpp"
 #include "core/verify/worst.hpp"
 
@@ -60,9 +61,10 @@ Bound bound_of(const PathTask& task, double corner_angle, Progress& progress, do
   BoundGrid<N> grid(path, task.machine, task.feeds, corner_angle, pulse);
   BoundSolver<N> solver(grid, pulse);
   verify::JerkBound<N> jerk(grid, task.machine, pulse);
+  verify::RepeatedSections repeated(path, task.machine, task.feeds);
   std::vector<unsigned char> marked;
   double duration = 0;
-  std::size_t nodes = 0;
+  std::size_t nodes = 0, cells = 0;
   for (std::size_t first = 0, last = 1; first < path.size(); first = last++) {
     while (last < path.size() && !task.rests[last] && list[last - 1].angle <= corner_angle &&
            !path[last - 1].cusp_end() && !path[last].cusp_begin())
@@ -71,7 +73,13 @@ Bound bound_of(const PathTask& task, double corner_angle, Progress& progress, do
       duration += rest_to_rest(path, first, grid.feed(first), task.machine) * (1 - 1e-12);
       nodes += 2;
       pulse.work(2);
+    } else if (const auto known = repeated.find(first, last)) {
+      duration += known->duration;
+      nodes += known->nodes, cells += known->cells;
+      pulse.work(last - first);
     } else {
+      double section = 0;
+      const std::size_t nodes_before = nodes, cells_before = jerk.cells();
       for (std::size_t begin = first, end = 0; begin < last; begin = end) {
         end = std::min(begin + longest_stretch, last);
         grid.build(begin, end, begin == first, end == last);
@@ -79,14 +87,17 @@ Bound bound_of(const PathTask& task, double corner_angle, Progress& progress, do
         double stretch = section_duration(grid, solver, marked);
         if (jerk.limited())
           stretch = std::max(stretch, jerk.duration(solver.speed_squares(), stretch, begin == first, end == last));
-        duration += stretch;
+        section += stretch;
         nodes += grid.nodes().size();
       }
+      duration += section;
+      cells += jerk.cells() - cells_before;
+      repeated.add({first, last, section, nodes - nodes_before, jerk.cells() - cells_before});
     }
     pulse.done(static_cast<double>(last) / static_cast<double>(path.size()));
   }
   std::string basis = "axis energies between " + std::to_string(nodes) + " nodes of the path";
-  if (jerk.limited()) basis += ", jerk by duality over " + std::to_string(jerk.cells()) + " cells";
+  if (jerk.limited()) basis += ", jerk by duality over " + std::to_string(cells) + " cells";
   return {duration, 0, basis};
 }
 
