@@ -9,6 +9,7 @@
 #include "core/numeric/peak.hpp"
 #include "core/verify/law/channel_bounds.hpp"
 #include "core/verify/law/curve_disc.hpp"
+#include "core/verify/law/repeated_run.hpp"
 #include "core/verify/rounding.hpp"
 
 namespace bahnwerk::verify {
@@ -45,7 +46,7 @@ constexpr double useful = 0.1;
 class Sweeper {
  public:
   Sweeper(const VerifierInput& in, ProgressScope& pulse)
-      : in_(in), pulse_(pulse), channels_(make_channels(in)), peaks_(scales(channels_)) {
+      : in_(in), pulse_(pulse), channels_(make_channels(in)), peaks_(scales(channels_)), repeated_(in) {
     if (const auto* path = dynamic_cast<const KinematicAxisPath*>(&in.path)) kinematics_ = &path->kinematics();
   }
 
@@ -53,6 +54,14 @@ class Sweeper {
     const auto& pieces = in_.law.pieces();
     for (index_ = 0; index_ < pieces.size(); ++index_) {
       pulse_.work(1);
+      if (index_ == 0 || pieces[index_].segment != pieces[index_ - 1].segment) {
+        const std::size_t next = repeated_.skip(index_);
+        pulse_.work((next - index_) / 16);
+        if (next > index_) {
+          index_ = next - 1;
+          continue;
+        }
+      }
       if (index_ % 256 == 0) pulse_.done(static_cast<double>(index_) / static_cast<double>(pieces.size()));
       const LawPiece& piece = pieces[index_];
       if (piece.segment < in_.path.size()) check_piece(piece, in_.path[piece.segment]);
@@ -332,6 +341,7 @@ class Sweeper {
   ProgressScope& pulse_;
   std::vector<Channel> channels_;
   PeakSweep peaks_;
+  RepeatedRuns repeated_;
   Strained arc_length_;
   std::size_t index_ = 0;
   std::size_t end_segment_ = static_cast<std::size_t>(-1);  // where the last piece ended, to invert u(s) once per piece
