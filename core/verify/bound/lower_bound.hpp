@@ -25,7 +25,9 @@ namespace bahnwerk {
 /// which the binding condition changes are quartered until the bound changes by less than 3e-7; before that those
 /// between whose nodes the caps have a valley (a parabola through three samples says so) where b comes to half of them
 /// or more. Each time only what lies around the new nodes is solved again, as far as it comes out different
-/// (core/verify/bound/bound_solver.hpp). The task is all that is needed: bound and plan may be made at the same time.
+/// (core/verify/bound/bound_solver.hpp). A section that is an earlier one at another place has that one's bound, less
+/// what rounding may be worth (core/verify/bound/repeated_section.hpp). The task is all that is needed: bound and plan
+/// may be made at the same time.
 ///
 /// What is enclosed. Two figures of a cell depend on what q' does between its nodes: the energy 2 A_k ∫|q'_k| ds, and
 /// how fast an axis may run there, from the least |q'| of the others and its own largest. Both follow from an interval
