@@ -17,7 +17,8 @@ using Rows = std::array<PathBatch::Row, max_axes>;
 
 }  // namespace
 
-SectionRepeats::SectionRepeats(const PathTask& task, const Sections& sections) : task_(task), sections_(sections) {
+SectionRepeats::SectionRepeats(const PathTask& task, const Sections& sections, ProgressScope& scope)
+    : task_(task), sections_(sections), scope_(scope) {
   for (std::size_t k = 0; k < task.path.axes(); ++k)
     acceleration_ = std::hypot(acceleration_, task.machine.axes[k].acceleration);
 }
@@ -38,6 +39,7 @@ bool SectionRepeats::same(std::size_t a, std::size_t b) const {
   double length_a = 0, length_b = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const Segment &s = path[first_a + i], &t = path[first_b + i];
+    scope_.work();
     if (task_.feeds[first_a + i] != task_.feeds[first_b + i] || s.cusp_begin() != t.cusp_begin() ||
         s.cusp_end() != t.cusp_end() || path.linear(first_a + i) != path.linear(first_b + i))
       return false;
@@ -59,6 +61,7 @@ bool SectionRepeats::same(std::size_t a, std::size_t b) const {
 bool SectionRepeats::same_segment(std::size_t a, std::size_t b, double ratio, double length) const {
   const AxisPath& path = task_.path;
   const Segment &s = path[a], &t = path[b];
+  scope_.work(4);
   if (std::abs(t.travelled(t.curve().end()) - ratio * s.travelled(s.curve().end())) > rounding * t.s1()) return false;
   PathBatch p, q;
   p.count = q.count = path.linear(a) ? 2 : PathBatch::most;

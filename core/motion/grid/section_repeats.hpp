@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/base/progress_scope.hpp"
 #include "core/geometry/path/rough_shape.hpp"
 #include "core/motion/grid/sections.hpp"
 
@@ -16,8 +17,8 @@ namespace bahnwerk {
 /// tool does.
 class SectionRepeats {
  public:
-  /// Both outlive it.
-  SectionRepeats(const PathTask& task, const Sections& sections);
+  /// All outlive it.
+  SectionRepeats(const PathTask& task, const Sections& sections, ProgressScope& scope);
   /// Of the sections in order: the earlier one that section i repeats, which repeats none itself, or i. O(segments) of
   /// the section, below 2 µs per arc.
   std::size_t source(std::size_t i);
@@ -28,6 +29,7 @@ class SectionRepeats {
 
   const PathTask& task_;
   const Sections& sections_;
+  ProgressScope& scope_;
   double acceleration_ = 0;  ///< of all axes together, mm/s²
   RoughIndex index_;
 };

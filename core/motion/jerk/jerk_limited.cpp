@@ -21,7 +21,7 @@ JerkLimitedResult plan(const PathTask& task, const JerkLimitedOptions& options, 
   const Sections sections = find_sections(task, options.corner_angle, scope);
   JerkLimitedResult result;
   JerkSectionPlanner<N, M> planner(path, lanes, options, task.feeds, sections, progress);
-  SectionRepeats repeats(task, sections);
+  SectionRepeats repeats(task, sections, repeating);
   struct Before {  // each section, and at the end
     std::size_t pieces, cells;
     double work;
@@ -30,6 +30,7 @@ JerkLimitedResult plan(const PathTask& task, const JerkLimitedOptions& options, 
   double work = 0;
   std::size_t i = 0;
   for_each_section(path.tool(), sections, from, to, [&](std::size_t first, std::size_t last, double begin, double end) {
+    repeating.done(to > from ? (begin - from) / (to - from) : 1);
     before.push_back({result.law.pieces().size(), result.cells, work});
     const std::size_t source = last == first + 1 && path.linear(first) ? i : repeats.source(i);
     if (source == i) {
@@ -38,11 +39,9 @@ JerkLimitedResult plan(const PathTask& task, const JerkLimitedOptions& options, 
       work += planner.work() - done;
     } else {
       const Before &a = before[source], &b = before[source + 1];
-      repeat_law(result.law, a.pieces, b.pieces, path.tool(), sections.begin[source], first, last - first);
+      repeat_law(result.law, a.pieces, b.pieces, path.tool(), sections.begin[source], first, last - first, repeating);
       result.cells += b.cells - a.cells;
       work += b.work - a.work;
-      repeating.done((end - from) / (to - from));
-      repeating.work(b.pieces - a.pieces);
     }
     ++i;
   });

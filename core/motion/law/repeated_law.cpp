@@ -10,7 +10,7 @@ double length(const Segment& segment) { return segment.travelled(segment.curve()
 }  // namespace
 
 void repeat_law(TimeLaw& law, std::size_t from, std::size_t to, const Path& path, std::size_t source, std::size_t copy,
-                std::size_t segments) {
+                std::size_t segments, ProgressScope& scope) {
   double before = 0, now = 0;
   for (std::size_t i = 0; i < segments; ++i) before += length(path[source + i]), now += length(path[copy + i]);
   const double stretch = now / before;
@@ -18,6 +18,7 @@ void repeat_law(TimeLaw& law, std::size_t from, std::size_t to, const Path& path
   std::size_t at = path.size();
   double part = 1;  // of the segment at hand
   for (std::size_t i = from; i < to; ++i) {
+    scope.work();
     LawPiece p = law.pieces()[i];
     const Segment &old = path[p.segment], &segment = path[p.segment - source + copy];
     if (p.segment != at) at = p.segment, part = length(segment) / length(old);

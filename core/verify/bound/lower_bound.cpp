@@ -61,7 +61,7 @@ Bound bound_of(const PathTask& task, double corner_angle, Progress& progress, do
   BoundGrid<N> grid(path, task.machine, task.feeds, corner_angle, pulse);
   BoundSolver<N> solver(grid, pulse);
   verify::JerkBound<N> jerk(grid, task.machine, pulse);
-  verify::RepeatedSections repeated(path, task.machine, task.feeds);
+  verify::RepeatedSections repeated(path, task.machine, task.feeds, pulse);
   std::vector<unsigned char> marked;
   double duration = 0;
   std::size_t nodes = 0, cells = 0;

@@ -97,12 +97,13 @@ double excess(const Difference& d, const Machine& machine, std::size_t axes, con
 }  // namespace
 
 double repeat_margin(const AxisPath& path, const Machine& machine, const std::vector<double>& feeds, std::size_t a,
-                     std::size_t b, std::size_t n) {
+                     std::size_t b, std::size_t n, ProgressScope& pulse) {
   if (!path.cartesian() || a + n > path.size() || b + n > path.size()) return infinite;
   Difference all;
   double length = 0;
   for (std::size_t i = 0; i < n; ++i) {
     Difference d;
+    pulse.work(2);
     if (feeds[a + i] != feeds[b + i] || !difference(path[a + i], path[b + i], d)) return infinite;
     for (double Difference::*each :
          {&Difference::tangent, &Difference::bend, &Difference::third, &Difference::pace, &Difference::change,
@@ -130,7 +131,7 @@ std::optional<RepeatedSections::Known> RepeatedSections::find(std::size_t first,
   for (const std::size_t i : index_.of(shape_)) {
     const Known& known = known_[i];
     if (known.last - known.first != last - first) continue;
-    const double margin = repeat_margin(path_, machine_, feeds_, known.first, first, last - first);
+    const double margin = repeat_margin(path_, machine_, feeds_, known.first, first, last - first, pulse_);
     if (margin <= largest_margin) return Known{first, last, known.duration * (1 - margin), known.nodes, known.cells};
   }
   return {};

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/progress_scope.hpp"
 #include "core/geometry/path/rough_shape.hpp"
 #include "core/machine/machine.hpp"
 #include "core/motion/axes/axis_path.hpp"
@@ -13,7 +14,7 @@ namespace bahnwerk::verify {
 
 /// Such an η that no motion along segments [b, b + n), from rest to rest within the limits, is shorter than 1 − η times
 /// the shortest one along [a, a + n); infinite where the two do not match, or where that cannot be told. Cartesian axes
-/// only. O(n).
+/// only. O(n); tells `pulse`.
 ///
 /// The argument. Free-form curves have to agree but for their place, to the last bit. Of lines and arcs the difference
 /// in what they are made of bounds how far q′, q″, q‴ are apart at corresponding places, by ε₁, ε₂, ε₃. Segments whose
@@ -24,7 +25,7 @@ namespace bahnwerk::verify {
 /// along a if no limit is exceeded by more than η of itself. The same goes for the steps of velocity and acceleration
 /// that joints inside the section allow.
 double repeat_margin(const AxisPath& path, const Machine& machine, const std::vector<double>& feeds, std::size_t a,
-                     std::size_t b, std::size_t n);
+                     std::size_t b, std::size_t n, ProgressScope& pulse);
 
 /// The bounds of sections so far, for those that come back.
 class RepeatedSections {
@@ -35,8 +36,8 @@ class RepeatedSections {
     std::size_t nodes, cells;  ///< of the bound's grid, of the relaxation
   };
   /// All outlive it.
-  RepeatedSections(const AxisPath& path, const Machine& machine, const std::vector<double>& feeds)
-      : path_(path), machine_(machine), feeds_(feeds) {}
+  RepeatedSections(const AxisPath& path, const Machine& machine, const std::vector<double>& feeds, ProgressScope& pulse)
+      : path_(path), machine_(machine), feeds_(feeds), pulse_(pulse) {}
   /// What is known of the segments [first, last): an earlier section's, less the margin. Of a path through kinematics
   /// nothing ever is.
   std::optional<Known> find(std::size_t first, std::size_t last);
@@ -49,6 +50,7 @@ class RepeatedSections {
   const AxisPath& path_;
   const Machine& machine_;
   const std::vector<double>& feeds_;
+  ProgressScope& pulse_;
   std::uint64_t shape_ = 0;
   RoughIndex index_;
   std::vector<Known> known_;

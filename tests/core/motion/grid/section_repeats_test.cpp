@@ -14,8 +14,10 @@ constexpr double corner_angle = 2e-3;
 
 /// Per section, which one it repeats.
 std::vector<std::size_t> sources(const PathTask& task) {
-  const Sections sections = find_sections(task, corner_angle);
-  SectionRepeats repeats(task, sections);
+  SilentProgress silent;
+  ProgressScope scope(silent, "test", 0, 1);
+  const Sections sections = find_sections(task, corner_angle, scope);
+  SectionRepeats repeats(task, sections, scope);
   std::vector<std::size_t> list;
   for (std::size_t i = 0; i + 1 < sections.begin.size(); ++i) list.push_back(repeats.source(i));
   return list;

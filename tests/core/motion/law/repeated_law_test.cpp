@@ -29,9 +29,16 @@ TimeLaw law() {
   return law;
 }
 
-TEST(RepeatedLaw, RunsTheSameWay) {
+TimeLaw law_twice() {
   TimeLaw twice = law();
-  repeat_law(twice, 0, 3, path, 0, 3, 2);
+  SilentProgress silent;
+  ProgressScope scope(silent, "test", 0, 1);
+  repeat_law(twice, 0, 3, path, 0, 3, 2, scope);
+  return twice;
+}
+
+TEST(RepeatedLaw, RunsTheSameWay) {
+  const TimeLaw twice = law_twice();
   ASSERT_EQ(twice.pieces().size(), 7u);
   EXPECT_DOUBLE_EQ(twice.duration(), 2.25 + 2 + 2.25);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -46,8 +53,7 @@ TEST(RepeatedLaw, RunsTheSameWay) {
 }
 
 TEST(RepeatedLaw, MeetsTheEndsOfSegmentsExactly) {
-  TimeLaw twice = law();
-  repeat_law(twice, 0, 3, path, 0, 3, 2);
+  const TimeLaw twice = law_twice();
   EXPECT_EQ(twice.pieces()[4].s, path[3].s0());
   EXPECT_EQ(twice.pieces()[4].s_end, path[3].s1());
   EXPECT_EQ(twice.pieces()[5].s, path[4].s0());

@@ -22,10 +22,15 @@ double bound(const Contour& contour, const Machine& machine) {
   return lower_bound(contour, machine, corner_angle, silent).duration;
 }
 /// Of the curve [0, n) against [n, 2 n).
+double margin(const AxisPath& path, const Machine& machine, const std::vector<double>& feeds, std::size_t n) {
+  SilentProgress silent;
+  ProgressScope pulse(silent, "test", 0, 1);
+  return repeat_margin(path, machine, feeds, 0, n, n, pulse);
+}
 double margin(const Contour& contour, const Machine& machine) {
   const CartesianAxisPath path(contour.path, 2);
   const std::size_t n = contour.path.size() / 2;
-  return repeat_margin(path, machine, contour.feeds(), 0, n, n);
+  return margin(path, machine, contour.feeds(), n);
 }
 /// Two full circles; nothing leads from one to the other.
 Contour circles(Vec a, double r, Vec b, double R) {
@@ -53,8 +58,8 @@ TEST(RepeatedSection, OtherCurvesDoNotMatch) {
   EXPECT_EQ(margin(circles({0, 0}, 2.5, {10, 30}, 2.6), plain), unlimited);
   const Contour two = circles({}, 2.5, {10, 30}, 2.5);
   const CartesianAxisPath axes(two.path, 2);
-  EXPECT_EQ(repeat_margin(axes, plain, {100, 101}, 0, 1, 1), unlimited);
-  EXPECT_EQ(repeat_margin(axes, plain, {100, 100}, 0, 1, 1), 0);
+  EXPECT_EQ(margin(axes, plain, {100, 101}, 1), unlimited);
+  EXPECT_EQ(margin(axes, plain, {100, 100}, 1), 0);
 }
 
 // Known without a limit of jerk along one axis: nothing is known of the jerk along the path.
