@@ -99,19 +99,16 @@ double excess(const Difference& d, const Machine& machine, std::size_t axes, con
 double repeat_margin(const AxisPath& path, const Machine& machine, const std::vector<double>& feeds, std::size_t a,
                      std::size_t b, std::size_t n, ProgressScope& pulse) {
   if (!path.cartesian() || a + n > path.size() || b + n > path.size()) return infinite;
-  Difference all;
+  std::vector<Difference> differences;
   double length = 0;
   for (std::size_t i = 0; i < n; ++i) {
     Difference d;
     pulse.work(2);
     if (feeds[a + i] != feeds[b + i] || !difference(path[a + i], path[b + i], d)) return infinite;
-    for (double Difference::*each :
-         {&Difference::tangent, &Difference::bend, &Difference::third, &Difference::pace, &Difference::change,
-          &Difference::second_change, &Difference::curvature, &Difference::torsion})
-      all.*each = std::max(all.*each, d.*each);
+    if (!d.none()) differences.push_back(d);
     length += length_of(path[b + i]);
   }
-  if (all.none()) return 0;
+  if (differences.empty()) return 0;
   Most most;
   double jerk = 0;
   bool limited = false;
@@ -121,8 +118,14 @@ double repeat_margin(const AxisPath& path, const Machine& machine, const std::ve
     limited = limited || std::isfinite(machine.axes[k].jerk);
   }
   most.jerk = limited ? jerk : 0;
-  most.speed = std::sqrt(most.acceleration * length);
-  return 1.01 * excess(all, machine, path.axes(), most, n > 1);
+  const double reach = std::sqrt(most.acceleration * length);
+  double worst = 0;
+  for (const Difference& d : differences) {
+    pulse.work();
+    most.speed = d.curvature > 0 ? std::min(reach, std::sqrt(1.01 * most.acceleration / d.curvature)) : reach;
+    worst = std::max(worst, excess(d, machine, path.axes(), most, n > 1));
+  }
+  return 1.01 * worst;
 }
 
 std::optional<RepeatedSections::Known> RepeatedSections::find(std::size_t first, std::size_t last) {

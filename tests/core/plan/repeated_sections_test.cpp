@@ -26,16 +26,16 @@ void expect_alike(test::Hole hole, PlanningMethod method) {
   constexpr int n = 50;
   const ContourPlan sheet = plan(test::sheet(hole, 0, n), method);
   ASSERT_EQ(sheet.blocks.size(), 2u * n - 1);
-  double alone = 0;
   for (const int i : {0, 1, 17, n - 1}) {
     const ContourPlan one = plan(test::sheet(hole, i, i + 1), method);
     // Blocks' times are those of the motion that is sampled, slowed to whole cycles.
     const BlockReport &of_sheet = sheet.blocks[2 * static_cast<std::size_t>(i)], &first = sheet.blocks[0];
     EXPECT_NEAR(of_sheet.end_time - of_sheet.start_time, first.end_time - first.start_time, 1e-9);
-    EXPECT_NEAR(one.bound.gap, sheet.bound.gap, method == PlanningMethod::jerk_limited ? 0.02 : 1);
-    alone = one.duration;
+    // The sheet takes the first one's law. Others, planned alone, come out other by what rounding of their coordinates
+    // does to a method that stops at a gap of 1e-4.
+    const double same = i == 0 || method != PlanningMethod::jerk_limited ? 1e-9 : 1e-5;
+    EXPECT_NEAR(sheet.cut_time, n * one.duration, same * sheet.cut_time) << i;
   }
-  EXPECT_NEAR(sheet.cut_time, n * alone, 1e-9 * sheet.cut_time);
 }
 
 TEST(RepeatedSections, EachHoleTakesAsLongAsAlone) {
