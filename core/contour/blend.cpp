@@ -33,11 +33,7 @@ class Blender {
  public:
   Blender(const Contour& given, const BlendOptions& options, const Machine& machine, Progress& progress, double from,
           double to, std::vector<BlendSection>* sections)
-      : given_(given),
-        options_(options),
-        machine_(machine),
-        scope_(progress, "blend", from, to),
-        sections_(sections) {
+      : given_(given), options_(options), machine_(machine), scope_(progress, "blend", from, to), sections_(sections) {
     result_.dimension = given.dimension;
     result_.height = given.height;
     rest_ = given.rest_places();

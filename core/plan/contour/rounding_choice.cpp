@@ -117,8 +117,8 @@ class Chooser {
     const std::vector<double> feeds = given_->feeds();
     stopping_.dimension = given_->dimension, stopping_.height = given_->height;
     for (Section& s : sections_) {
-      pulse_.work(1 + (s.changed ? s.given_end - s.given : 0));
-      if (!s.changed || !(stopping.least(s.given, s.given_end) < quicker * s.law.duration)) continue;
+      pulse_.work(1);
+      if (!s.changed || !(stopping.least(s.given, s.given_end, pulse_) < quicker * s.law.duration)) continue;
       s.stopping = stopping_.path.size();
       s.stopping_law.end = 1;  // in doubt
       stopping_.rests.push_back({s.stopping, 0, 0});
@@ -126,6 +126,7 @@ class Chooser {
         if (stopping_.blocks.empty() || stopping_.blocks.back().feed != feeds[i])
           stopping_.blocks.push_back({Mode::cut, feeds[i], stopping_.path.size(), stopping_.path.size()});
         append(stopping_.path, given_, i);
+        pulse_.work(2);
         ++stopping_.blocks.back().last;
       }
     }

@@ -51,11 +51,11 @@ bool StoppingTime::rests(std::size_t i) const {
              corner_angle_;
 }
 
-double StoppingTime::least(std::size_t first, std::size_t last) const {
+double StoppingTime::least(std::size_t first, std::size_t last, ProgressScope& pulse) const {
   double sum = 0;
   for (std::size_t begin = first, end = first + 1; begin < last; begin = end++) {
-    while (end < last && !rests(end)) ++end;
-    sum += between_stops(begin, end);
+    while (end < last && !rests(end)) ++end, pulse.work(1);
+    sum += between_stops(begin, end, pulse);
   }
   return sum * (1 - rounding);
 }
@@ -99,7 +99,8 @@ double StoppingTime::joint_speed(std::size_t next) const {
   return speed * (1 + rounding);
 }
 
-double StoppingTime::between_stops(std::size_t first, std::size_t last) const {
+double StoppingTime::between_stops(std::size_t first, std::size_t last, ProgressScope& pulse) const {
+  pulse.work(1);
   if (last == first + 1 && axes_.linear(first)) return verify::rest_to_rest(axes_, first, feeds_[first], machine_);
   Limit l = limit(first);
   const auto stop = [](const Limit& at) {
@@ -109,6 +110,7 @@ double StoppingTime::between_stops(std::size_t first, std::size_t last) const {
   };
   double sum = l.time + stop(l);
   for (std::size_t i = first + 1; i < last; ++i) {
+    pulse.work(1);
     const Limit before = l;
     l = limit(i);
     sum += l.time;

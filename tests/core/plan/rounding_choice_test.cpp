@@ -43,6 +43,13 @@ bool kept(const ContourPlan& p) {
                      [](const std::string& note) { return note.find("driven as given") != std::string::npos; });
 }
 
+double least(const Contour& contour, const Machine& machine) {
+  SilentProgress progress;
+  ProgressScope pulse(progress, "planning", 0, 1);
+  const CartesianAxisPath axes(contour.path, machine.dimension());
+  return StoppingTime(contour, axes, machine, ContourPlanning{}.corner_angle).least(0, contour.path.size(), pulse);
+}
+
 /// Arcs of a quarter of a turn at most, each tangent to the next and a little wider.
 void spiral(ContourBuilder& b, Vec at, Random& random, int arcs) {
   double radius = 5, angle = 0;
@@ -152,21 +159,16 @@ TEST(StoppingTime, IsALowerBoundAndExactOnLines) {
     for (AxisLimits& axis : m.axes) axis.jerk = axis.acceleration * std::pow(10, random.uniform(0.5, 3));
     for (const PlanningMethod method : {PlanningMethod::time_optimal, PlanningMethod::jerk_limited}) {
       const Machine held = held_limits(m, method_row(method), dimension);
-      const CartesianAxisPath axes(contour.path, dimension);
-      const StoppingTime stopping(contour, axes, held, ContourPlanning{}.corner_angle);
-      const double least = stopping.least(0, contour.path.size());
-      EXPECT_GT(least, 0);
-      EXPECT_LE(least, plan(contour, m, method, 0).duration);
+      EXPECT_GT(least(contour, held), 0);
+      EXPECT_LE(least(contour, held), plan(contour, m, method, 0).duration);
     }
   }
   ContourBuilder b(2, {});
   b.block(Mode::cut, 300);
   for (int i = 1; i < 9; ++i) b.line({0.3 * i * i, i % 2 * 7.0, 0});
   const Contour polygon = b.finish();
-  const CartesianAxisPath axes(polygon.path, 2);
   const Machine m = machine(1e6);
-  const StoppingTime stopping(polygon, axes, m, ContourPlanning{}.corner_angle);
-  EXPECT_NEAR(stopping.least(0, polygon.path.size()), plan(polygon, m, PlanningMethod::jerk_limited, 0).duration, 1e-8);
+  EXPECT_NEAR(least(polygon, m), plan(polygon, m, PlanningMethod::jerk_limited, 0).duration, 1e-8);
 }
 
 /// Tangent arcs whose curvature jumps, at a feed: the dips of speed at the joints count.
@@ -179,13 +181,11 @@ TEST(StoppingTime, KnowsWhatJointsCost) {
     at = at + Vec{10, 0, 0};
   }
   const Contour contour = b.finish();
-  const CartesianAxisPath axes(contour.path, 2);
   const Machine m = machine(1e4);
-  const double at_feed = contour.path.length() / 25,
-               least = StoppingTime(contour, axes, m, ContourPlanning{}.corner_angle).least(0, contour.path.size()),
+  const double at_feed = contour.path.length() / 25, certain = least(contour, m),
                planned = plan(contour, m, PlanningMethod::jerk_limited, 0).duration;
-  EXPECT_LE(least, planned);
-  EXPECT_GT(least - at_feed, 0.3 * (planned - at_feed));
+  EXPECT_LE(certain, planned);
+  EXPECT_GT(certain - at_feed, 0.3 * (planned - at_feed));
 }
 
 // Bounds of sections add up to the bound, and their gaps to its gap.
