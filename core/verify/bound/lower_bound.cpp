@@ -52,8 +52,8 @@ double section_duration(BoundGrid<N>& grid, BoundSolver<N>& solver, std::vector<
 }
 
 template <int N>
-Bound bound_of(const PathTask& task, double corner_angle, Progress& progress, double progress_from,
-               double progress_to) {
+Bound bound_of(const PathTask& task, double corner_angle, Progress& progress, double progress_from, double progress_to,
+               std::vector<SectionBound>* sections) {
   const AxisPath& path = task.path;
   ProgressScope pulse(progress, "bound", progress_from, progress_to);
   pulse.report();
@@ -69,6 +69,7 @@ Bound bound_of(const PathTask& task, double corner_angle, Progress& progress, do
     while (last < path.size() && !task.rests[last] && list[last - 1].angle <= corner_angle &&
            !path[last - 1].cusp_end() && !path[last].cusp_begin())
       ++last;
+    const double before = duration;
     if (last == first + 1 && path.linear(first)) {
       duration += rest_to_rest(path, first, grid.feed(first), task.machine) * (1 - 1e-12);
       nodes += 2;
@@ -94,6 +95,7 @@ Bound bound_of(const PathTask& task, double corner_angle, Progress& progress, do
       cells += jerk.cells() - cells_before;
       repeated.add({first, last, section, nodes - nodes_before, jerk.cells() - cells_before});
     }
+    if (sections) sections->push_back({first, last, duration - before});
     pulse.done(static_cast<double>(last) / static_cast<double>(path.size()));
   }
   std::string basis = "axis energies between " + std::to_string(nodes) + " nodes of the path";
@@ -104,12 +106,12 @@ Bound bound_of(const PathTask& task, double corner_angle, Progress& progress, do
 }  // namespace
 
 Bound lower_bound(const PathTask& task, double corner_angle, Progress& progress, double progress_from,
-                  double progress_to) {
+                  double progress_to, std::vector<SectionBound>* sections) {
   const std::size_t axes = task.path.axes();
   if (task.path.size() == 0) return {0, 0, "empty contour"};
-  Bound bound = axes <= 2   ? bound_of<2>(task, corner_angle, progress, progress_from, progress_to)
-                : axes == 3 ? bound_of<3>(task, corner_angle, progress, progress_from, progress_to)
-                            : bound_of<max_axes>(task, corner_angle, progress, progress_from, progress_to);
+  Bound bound = axes <= 2   ? bound_of<2>(task, corner_angle, progress, progress_from, progress_to, sections)
+                : axes == 3 ? bound_of<3>(task, corner_angle, progress, progress_from, progress_to, sections)
+                            : bound_of<max_axes>(task, corner_angle, progress, progress_from, progress_to, sections);
   // The planned motion sums up its dwells one by one, with rounding.
   bound.duration += task.dwell() * (1 - 1e-12 - 4e-16 * static_cast<double>(task.dwells.size()));
   return bound;

@@ -1,10 +1,19 @@
 #pragma once
 /// A proven lower bound on the duration of any motion along a contour.
+#include <cstddef>
+#include <vector>
+
 #include "core/base/progress.hpp"
 #include "core/base/verification.hpp"
 #include "core/motion/axes/path_task.hpp"
 
 namespace bahnwerk {
+
+/// What the path's segments [first, last) between two rests take at least, s; without dwells.
+struct SectionBound {
+  std::size_t first = 0, last = 0;
+  double duration = 0;
+};
 
 /// No motion is shorter that keeps the axes' velocity and acceleration limits and the feeds, rests at both ends, at
 /// corners (jump of the tool's tangent > corner_angle, rad), at cusps and where the task says so, and passes every
@@ -54,8 +63,9 @@ namespace bahnwerk {
 /// line between corners, 170–340 ns per node on arcs, 350–600 ns on free-form curves, O(n) time and ≈ 0.25 kB per node
 /// of two axes between two rests, of at most 200,000 segments (at such a cut the speed is left open); with limits of
 /// jerk 2 to 4 µs per cell of theirs more. Calls progress every few ms; throws what it throws, and UnreachablePose.
+/// `sections`, if given, is filled with the bounds of the sections, in order, whose sum (and the dwells) is the bound.
 Bound lower_bound(const PathTask& task, double corner_angle, Progress& progress, double progress_from = 0,
-                  double progress_to = 1);
+                  double progress_to = 1, std::vector<SectionBound>* sections = nullptr);
 
 /// The same for a contour on a Cartesian machine.
 Bound lower_bound(const Contour& contour, const Machine& machine, double corner_angle, Progress& progress,
