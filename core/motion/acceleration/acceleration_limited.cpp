@@ -20,7 +20,12 @@ namespace {
 
 // Memory: about 270 bytes per cell of a window, 72 for the law of each. Beyond the usual number cells get wider, up to
 // the widest; the gap then tells what that costs.
-constexpr double widest = 10, max_turn = 160000;         // rad
+constexpr double widest = 10, max_turn = 160000;  // rad
+// Cells wider than these are divided so many times at most, which brings less than their width costs; but limits inside
+// them are tightened until what is exceeded is little, for the largest excess slows all.
+constexpr double wide = 2, very_wide = 4;
+constexpr int divisions_of_wide = 3, divisions_of_very_wide = 1, rounds_of_wide = 12;
+constexpr double excess_of_wide = 1e-6;
 constexpr double graded_cells = 8;                       // more at both ends of a grid
 constexpr std::size_t sampled_segments = 256;            // whose cells tell how many there will be
 constexpr double long_segment = 1000, few_bends = 4096;  // bends: too many to sample, too few to care
@@ -348,6 +353,11 @@ AccelerationLimitedResult plan(const PathTask& task, const AccelerationLimitedOp
   fitted.grid.angle *= wider;
   fitted.grid.hermite *= wider * wider * wider * wider;  // it falls with the fourth power of a cell's width
   fitted.tolerance *= wider * wider;
+  if (wider > wide) {
+    fitted.max_divisions = wider > very_wide ? divisions_of_very_wide : divisions_of_wide;
+    fitted.max_rounds = std::max(fitted.max_rounds, rounds_of_wide);
+    fitted.excess = std::max(fitted.excess, excess_of_wide);
+  }
   const double model_error =
       wider > 1 ? std::clamp(usual_margin, least_share * fitted.grid.hermite, most_share * fitted.grid.hermite) : 0;
   const Sections sections = find_sections(task, options.corner_angle, pulse);

@@ -60,10 +60,17 @@ struct SectionBound {
 /// Distance to the true optimum: exact on polylines; ≤ 5e-6 beyond the reference's own error on 3,000 random contours
 /// of arcs, lines and rational pieces (held to 2e-5 by tests against a dense solution); within 8e-6 of the planner's
 /// duration on a made-up machine with five axes (held to 1e-4). With limits of jerk mostly 0.05 to 2 %. Cost: 90 ns per
-/// line between corners, 170–340 ns per node on arcs, 350–600 ns on free-form curves, O(n) time and ≈ 0.25 kB per node
-/// of two axes between two rests, of at most 200,000 segments (at such a cut the speed is left open); with limits of
-/// jerk 2 to 4 µs per cell of theirs more. Calls progress every few ms; throws what it throws, and UnreachablePose.
-/// `sections`, if given, is filled with the bounds of the sections, in order, whose sum (and the dwells) is the bound.
+/// line between corners, 170–340 ns per node on arcs, 350–600 ns on free-form curves, O(n) time; with limits of
+/// jerk 2 to 4 µs per cell of theirs more.
+///
+/// Long paths. A section of more than 4096 segments whose first grid has more than some 100,000 nodes is solved in
+/// windows of so many and a 16th more (a quarter where they are straight), which are left open behind; the next window
+/// begins as fast as that one may be there. So memory is that of a window, ≈ 0.25 kB per node of two axes. Limits of
+/// jerk see each window alone, free at its ends. Paths that would need more than 250,000 nodes to begin with get wider
+/// cells, up to 8 times, and are refined less: the bound then lies up to 1e-4 below what it would be.
+///
+/// Calls progress every few ms; throws what it throws, and UnreachablePose. `sections`, if given, is filled with the
+/// bounds of the sections, in order, whose sum (and the dwells) is the bound.
 Bound lower_bound(const PathTask& task, double corner_angle, Progress& progress, double progress_from = 0,
                   double progress_to = 1, std::vector<SectionBound>* sections = nullptr);
 
