@@ -28,7 +28,7 @@ declare -A allowed=(
     core/machine/machine.hpp core/machine/kinematics.hpp
     core/motion/relaxation/relaxation.hpp core/motion/relaxation/weak_form.hpp core/motion/relaxation/splines.hpp core/motion/relaxation/windows.hpp
     core/winding/margin.hpp core/geometry/region/region.hpp
-    core/geometry/curve/arc.hpp core/geometry/curve/curve.hpp core/geometry/curve/rational.hpp core/geometry/curve/vec.hpp core/geometry/path/matched.hpp core/geometry/path/path.hpp
+    core/geometry/curve/arc.hpp core/geometry/curve/curve.hpp core/geometry/curve/rational.hpp core/geometry/curve/vec.hpp core/geometry/path/matched.hpp core/geometry/path/path.hpp core/geometry/path/rough_shape.hpp
     core/numeric/lanes.hpp core/numeric/large_pages.hpp core/numeric/peak.hpp core/numeric/polynomial.hpp
     core/base/errors.hpp core/base/progress.hpp core/base/progress_scope.hpp core/base/setpoint_source.hpp core/base/verification.hpp"
   [core/plan]="core/verify/ core/winding/ core/motion/axes/path_task.hpp core/motion/law/ core/motion/setpoints/ core/motion/acceleration/acceleration_limited.hpp core/motion/jerk/jerk_limited.hpp

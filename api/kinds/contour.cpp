@@ -53,6 +53,50 @@ ordered_json slowest(const ContourPlan& plan, bool program) {
   return list;
 }
 
+/// Sections between two rests, against their own bounds: how good the plan is where it is worst.
+ordered_json sections(const ContourPlan& plan, bool program) {
+  const SectionGaps& s = plan.sections;
+  if (s.count == 0) return {{"count", 0}, {"median_gap", nullptr}, {"worst", nullptr}};
+  return {{"count", s.count},
+          {"median_gap", s.median},
+          {"worst",
+           {{program ? "line" : "segment", s.worst.source},
+            {"length", s.worst.length},
+            {"time", s.worst.time},
+            {"bound", s.worst.bound},
+            {"gap", s.worst.gap}}}};
+}
+
+/// "half the jerk: 12.31 s, 4.2 % more".
+std::string sentence(const WhatIf& answer, const char* change, double planned) {
+  if (!answer.duration) return std::string(change) + ": cannot be planned";
+  const double more = 100 * (*answer.duration / planned - 1);
+  char text[120];
+  if (std::abs(more) < 1e-6) {
+    std::snprintf(text, sizeof text, "%s: %.6g s, no change", change, *answer.duration);
+    return text;
+  }
+  std::snprintf(text, sizeof text, "%s: %.6g s, %.2g %% %s", change, *answer.duration, std::abs(more),
+                more < 0 ? "less" : "more");
+  return text;
+}
+
+ordered_json what_if(const ContourPlan& plan) {
+  ordered_json list = ordered_json::array();
+  for (const WhatIf& answer : plan.what_if) {
+    const bool twice = answer.factor > 1;
+    const char *limit = "tolerance", *change = "twice the tolerance";
+    if (answer.what == WhatIf::What::jerk) limit = "jerk", change = twice ? "twice the jerk" : "half the jerk";
+    if (answer.what == WhatIf::What::acceleration) limit = "acceleration", change = "half the accelerations";
+    list.push_back({{"limit", limit},
+                    {"factor", answer.factor},
+                    {"duration", answer.duration ? ordered_json(*answer.duration) : ordered_json()},
+                    {"ratio", answer.duration ? ordered_json(*answer.duration / plan.duration) : ordered_json()},
+                    {"text", sentence(answer, change, plan.duration)}});
+  }
+  return list;
+}
+
 ordered_json details(const ContourPlan& plan, const Machine& machine, const ContourPlanning& planning, bool program) {
   ordered_json blocks = ordered_json::array(), joints = ordered_json::array();
   for (const auto& block : plan.blocks)
@@ -69,13 +113,16 @@ ordered_json details(const ContourPlan& plan, const Machine& machine, const Cont
                       {"velocity", joint.velocity},
                       {"velocity_step", std::move(step)}});
   }
-  return {{"method", name_of<PlanningMethod>(planning.method, planning_methods)},
-          {"law_pieces", plan.pieces},
-          {"notes", plan.notes},
-          {"blocks", std::move(blocks)},
-          {"joints_passed", plan.joints.size()},
-          {"joints", std::move(joints)},
-          {"slowest", slowest(plan, program)}};
+  ordered_json all = {{"method", name_of<PlanningMethod>(planning.method, planning_methods)},
+                      {"law_pieces", plan.pieces},
+                      {"notes", plan.notes},
+                      {"blocks", std::move(blocks)},
+                      {"joints_passed", plan.joints.size()},
+                      {"joints", std::move(joints)},
+                      {"sections", sections(plan, program)},
+                      {"slowest", slowest(plan, program)}};
+  if (planning.what_if) all["what_if"] = what_if(plan);
+  return all;
 }
 
 ordered_json drawings(const ContourPlan& plan, Progress& progress) {

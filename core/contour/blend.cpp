@@ -32,8 +32,8 @@ constexpr std::size_t progress_step = 256;
 class Blender {
  public:
   Blender(const Contour& given, const BlendOptions& options, const Machine& machine, Progress& progress, double from,
-          double to)
-      : given_(given), options_(options), machine_(machine), scope_(progress, "blend", from, to) {
+          double to, std::vector<BlendSection>* sections)
+      : given_(given), options_(options), machine_(machine), scope_(progress, "blend", from, to), sections_(sections) {
     result_.dimension = given.dimension;
     result_.height = given.height;
     rest_ = given.rest_places();
@@ -54,10 +54,14 @@ class Blender {
       auto list = stretches(given_.path, i, j, block_, tiny_share * options_.tolerance, reversal, scope_);
       list.front().rest_begin = i == 0 || rests(i);
       list.back().rest_end = j == n || rests(j);
-      for (const Stretch& s : list) process(s, 0);
+      for (const Stretch& s : list) {
+        begin_section(s.elements.front().first);
+        process(s, 0);
+      }
       i = j;
     }
     take_rests(n);
+    end_section(n);
     finish_blocks();
     note(result_, count_, options_, scope_);
     scope_.done(1);
@@ -66,6 +70,18 @@ class Blender {
   }
 
  private:
+  /// A stretch begins with given segment i, after whatever was put on the path before.
+  void begin_section(std::size_t i) {
+    if (!sections_ || (i > 0 && !rests(i))) return;
+    end_section(i);
+    sections_->push_back({i, result_.path.size(), false});
+    changes_ = count_.corners + count_.runs;
+  }
+  void end_section(std::size_t i) {
+    if (!sections_ || sections_->empty()) return;
+    BlendSection& last = sections_->back();
+    last.changed = count_.corners + count_.runs != changes_ || result_.path.size() - last.blended != i - last.given;
+  }
   Mode mode(std::size_t segment) const {
     return given_.blocks.empty() ? Mode::cut : given_.blocks[block_[segment]].mode;
   }
@@ -285,15 +301,17 @@ class Blender {
   Contour result_;
   BlendCount count_;
   std::size_t done_ = 0;
+  std::vector<BlendSection>* sections_;
+  std::size_t changes_ = 0;  // before the section at hand
 };
 
 }  // namespace
 
 Contour blend(const Contour& given, const BlendOptions& options, const Machine& machine, Progress& progress,
-              double from, double to) {
+              double from, double to, std::vector<BlendSection>* sections) {
   if (!(options.tolerance >= min_tolerance && options.tolerance <= max_tolerance))
     throw InvalidInput({{{"planning", "corner", "tolerance"}, "the tolerance has to be 1e-5 to 1e3 mm"}});
-  return Blender(given, options, machine, progress, from, to).run();
+  return Blender(given, options, machine, progress, from, to, sections).run();
 }
 
 }  // namespace bahnwerk

@@ -21,6 +21,9 @@
 /// A change is made only if its deviation is proven to fit, from bounds of what curves bulge between places where they
 /// have been compared. A corner that does not fit is rounded less; a run is cut at its sharpest joints; what still does
 /// not fit stays as it is, with a note of how many there are and where the first one is.
+#include <cstddef>
+#include <vector>
+
 #include "core/base/progress.hpp"
 #include "core/contour/contour.hpp"
 #include "core/machine/machine.hpp"
@@ -32,13 +35,21 @@ struct BlendOptions {
   double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad; larger jumps that stay are noted as stops
 };
 
+/// Between two places at which the motion rests both on the given contour and on the blended one, which are the same
+/// point: segments from here to the next one's.
+struct BlendSection {
+  std::size_t given = 0, blended = 0;  ///< first segments
+  bool changed = false;                ///< false: all segments are as they were given
+};
+
 /// The blended contour: same dimension, same blocks, notes extended. Every point of a block has a point of the same
 /// block of `given` within the tolerance and vice versa, in order along both (core/verify/geometry/tube.hpp checks
 /// that). Throws InvalidInput at {"planning","corner","tolerance"} for a tolerance that is not in 1e-5 … 1e3 mm,
 /// ToleranceUnreachable for a block of less than some 1e-11 mm that got lost, Stopped when progress says so. Progress
 /// runs from `from` to `to`. Cost: O(segments): 10 µs per chord of a long run, 25 µs per corner, 65 µs per segment
-/// where many short runs alternate with corners (tests/bench/bench_blend.cpp, one core of 2.3 GHz).
+/// where many short runs alternate with corners (tests/bench/bench_blend.cpp, one core of 2.3 GHz). `sections`, if
+/// given, is filled with those of the path, in order.
 Contour blend(const Contour& given, const BlendOptions& options, const Machine& machine, Progress& progress,
-              double from = 0, double to = 1);
+              double from = 0, double to = 1, std::vector<BlendSection>* sections = nullptr);
 
 }  // namespace bahnwerk

@@ -4,13 +4,14 @@
 #include <cstdio>
 #include <utility>
 
-#include "core/contour/blend.hpp"
 #include "core/motion/law/block_times.hpp"
 #include "core/motion/setpoints/contour_setpoints.hpp"
+#include "core/plan/contour/posed_contour.hpp"
+#include "core/plan/contour/section_gaps.hpp"
+#include "core/plan/contour/what_if.hpp"
 #include "core/plan/path_plan.hpp"
 #include "core/verify/geometry/tube.hpp"
 #include "core/verify/law/rest_check.hpp"
-#include "core/verify/verifier.hpp"
 
 namespace bahnwerk {
 
@@ -33,11 +34,11 @@ void report_blocks(const Contour& contour, const TimeLaw& sampled, double factor
 
 /// Speeds as planned: `factor` times those that are sampled.
 void report_joints(const Contour& contour, std::size_t axes, const TimeLaw& sampled, double factor, double corner_angle,
-                   ContourPlan& plan, Progress& progress) {
+                   ContourPlan& plan, Progress& progress, double progress_at) {
   std::size_t i = 0;
   const auto& pieces = sampled.pieces();
   const std::vector<bool> rest = contour.rest_places();
-  ProgressScope scope(progress, "verify", 1, 1);
+  ProgressScope scope(progress, "verify", progress_at, progress_at);
   for (const Joint& joint : joints(contour.path, &scope)) {
     if (joint.angle > corner_angle || joint.angle < report_jump) continue;
     while (i < pieces.size() && pieces[i].segment < joint.next) ++i;
@@ -60,37 +61,25 @@ std::string still_note(const AxisLimits& axis, double height) {
 ContourPlan plan_contour(Contour input, const Machine& machine, const ContourPlanning& planning, Progress& progress) {
   if (planning.stop_at_mode_change) stop_at_mode_changes(input);
   const auto given = std::make_shared<const Contour>(std::move(input));
+  const double all = planning.what_if ? 0.25 : 1;  // of the progress, before it is asked what if
   const bool blended = planning.corner_mode == CornerMode::blend;
-  const double read = blended ? 0.1 : 0.0, served = blended ? 0.95 : 1.0;
-  std::shared_ptr<const Contour> contour = given;
+  const double posed_at = blended ? 0.5 * all : 0.0, served = (blended ? 0.95 : 1.0) * all;
+  PosedContour posed = pose_contour(given, machine, planning, progress, 0.0, posed_at);
+  const std::shared_ptr<const Contour> contour = std::move(posed.driven);
   const std::size_t moving = std::min(machine.dimension(), given->dimension);
-  if (blended)
-    contour = std::make_shared<const Contour>(blend(*given, {planning.blend_tolerance, planning.corner_angle},
-                                                    held_limits(machine, method_row(planning.method), moving), progress,
-                                                    0.0, read));
-  PathPlanning path;
-  path.path = contour_axes(contour, machine.dimension());
-  path.moving = contour_axes(contour, moving);
-  path.machine = machine;
-  path.feeds = contour->feeds();
-  path.feeds_to_verify = feeds_to_hold(*contour, *given);
-  path.rests = contour->rest_places();
-  path.dwells = contour->rests;
-  path.method = planning.method;
-  path.options = planning;
-  path.max_setpoints = planning.max_setpoints;
+  PathPlanning& path = posed.path;
   path.blocks = contour.get();
   path.setpoints = [&](const std::shared_ptr<const PathMotion>& motion, std::size_t cycles) {
     return std::make_unique<ContourSetpoints>(motion, *contour, machine, cycles);
   };
-  path.from = read;
+  path.from = posed_at;
   path.to = served;
   PathPlan planned = plan_along(path, progress);
 
   const TimeLaw& sampled = planned.motion->law();
   if (!given->rests.empty()) planned.verification.add(rest_check(*given, *contour, sampled, progress, served));
   if (blended)
-    for (Check& check : tube_checks(*given, *contour, planning.blend_tolerance, progress, served, 1.0))
+    for (Check& check : tube_checks(*given, *contour, planning.blend_tolerance, progress, served, all))
       planned.verification.add(std::move(check));
 
   ContourPlan plan;
@@ -103,12 +92,14 @@ ContourPlan plan_contour(Contour input, const Machine& machine, const ContourPla
   plan.duration = planned.duration;
   plan.bound = planned.bound;
   report_blocks(*contour, sampled, planned.cycles.factor, plan);
-  report_joints(*contour, moving, sampled, planned.cycles.factor, planning.corner_angle, plan, progress);
+  report_joints(*contour, moving, sampled, planned.cycles.factor, planning.corner_angle, plan, progress, all);
   plan.slow_lines = slow_lines(*planned.motion, held_limits(machine, method_row(planning.method), machine.dimension()),
-                               path.feeds, planning.along, slow_lines_listed, progress, 1.0);
+                               path.feeds, planning.along, slow_lines_listed, progress, all);
+  plan.sections = section_gaps(*path.path, sampled, planned.cycles.factor, planned.section_bounds, progress, all);
   plan.verification = std::move(planned.verification);
   plan.setpoints = std::move(planned.setpoints);
   plan.path = contour;
+  if (planning.what_if) plan.what_if = what_if(given, machine, planning, progress, all, 1.0);
   return plan;
 }
 

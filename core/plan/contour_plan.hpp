@@ -2,6 +2,7 @@
 /// From a contour to a verified plan: law, setpoints, the verifier's verdict and the proven bound.
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "core/base/verification.hpp"
 #include "core/contour/contour.hpp"
 #include "core/machine/machine.hpp"
+#include "core/plan/contour/section_gaps.hpp"
 #include "core/plan/planning_method.hpp"
 #include "core/plan/slow_lines.hpp"
 
@@ -23,6 +25,7 @@ struct ContourPlanning : MethodOptions {
   double blend_tolerance = 0;  ///< mm, of CornerMode::blend
   double max_setpoints = 20'000'000;
   bool stop_at_mode_change = false;  ///< whether the head rests where cutting and positioning meet
+  bool what_if = false;              ///< whether to tell what other limits would bring
 };
 
 struct BlockReport {
@@ -39,6 +42,13 @@ struct SmallJoint {
   std::vector<double> step;  ///< velocity step per axis, mm/s
 };
 
+/// The duration with one kind of limit changed, all else being equal (core/plan/contour/what_if.hpp).
+struct WhatIf {
+  enum class What { tolerance, jerk, acceleration } what = What::tolerance;
+  double factor = 1;               ///< by which it is multiplied
+  std::optional<double> duration;  ///< s; none where nothing can be planned so
+};
+
 struct ContourPlan {
   std::unique_ptr<SetpointSource> setpoints;
   std::shared_ptr<const Contour> path;  ///< as driven: after blending
@@ -51,15 +61,17 @@ struct ContourPlan {
   std::vector<BlockReport> blocks;
   std::vector<SmallJoint> joints;
   std::vector<SlowLine> slow_lines;  ///< the 20 that take most time, in the time of the setpoints
+  SectionGaps sections;              ///< between rests, against their own bounds
+  std::vector<WhatIf> what_if;       ///< if asked for
   std::vector<std::string> notes;
 };
 
 /// A contour in the plane runs on a machine with more axes: those stand still, at rest in every setpoint, and neither
 /// plan nor bound depend on them.
 ///
-/// With CornerMode::blend the contour is rounded first, and the verification also holds how far that strays. The rest
-/// is the pipeline (core/plan/path_plan.hpp): its cost, what it throws and what it verifies; and that the motion rests
-/// where, and as long as, the contour asks for it.
+/// With CornerMode::blend the contour is rounded first, where that pays (core/plan/contour/rounding_choice.hpp), and
+/// the verification also holds how far that strays. The rest is the pipeline (core/plan/path_plan.hpp): its cost, what
+/// it throws and what it verifies; and that the motion rests where, and as long as, the contour asks for it.
 ContourPlan plan_contour(Contour contour, const Machine& machine, const ContourPlanning& planning, Progress& progress);
 
 }  // namespace bahnwerk

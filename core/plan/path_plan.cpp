@@ -7,7 +7,6 @@
 #include "core/base/errors.hpp"
 #include "core/motion/law/dwell.hpp"
 #include "core/motion/setpoints/path_setpoints.hpp"
-#include "core/verify/bound/lower_bound.hpp"
 #include "core/verify/setpoints/setpoint_checks.hpp"
 #include "core/verify/verifier.hpp"
 
@@ -44,7 +43,9 @@ class Pipeline {
         task_{*planning.moving, moving_, planning.feeds, planning.rests, planning.dwells} {}
 
   PathPlan run() {
-    plan_.bound = lower_bound(task_, planning_.options.corner_angle, progress_, at(0), at(bounded));
+    if (method_.reaches_bound || !planning_.only_duration)
+      plan_.bound =
+          lower_bound(task_, planning_.options.corner_angle, progress_, at(0), at(bounded), &plan_.section_bounds);
     take(law_near_the_bound());
     for (int attempt = 1;; ++attempt) {
       slow_and_verify();
@@ -54,6 +55,7 @@ class Pipeline {
       take(solve());
     }
     plan_.pieces = law_.pieces().size();
+    if (planning_.only_duration) return std::move(plan_);
     plan_.motion = std::make_shared<const PathMotion>(planning_.path, std::move(law_));
     plan_.setpoints = setpoints();
     for (Check& check : setpoint_checks(
@@ -70,7 +72,9 @@ class Pipeline {
   double at(double fraction) const { return planning_.from + fraction * (planning_.to - planning_.from); }
 
   TimeLaw solve() {
-    MethodResult result = method_.plan(task_, planning_.options, refinement_, progress_, at(bounded), at(planned));
+    MethodResult result = refinement_ == 0 && planning_.planned ? std::move(*planning_.planned)
+                                                                : method_.plan(task_, planning_.options, refinement_,
+                                                                               progress_, at(bounded), at(planned));
     plan_.iterations += result.iterations;
     cells_ = result.cells;
     return std::move(result.law);

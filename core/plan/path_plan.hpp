@@ -14,6 +14,7 @@
 #include "core/motion/law/path_motion.hpp"
 #include "core/motion/setpoints/cycles.hpp"
 #include "core/plan/planning_method.hpp"
+#include "core/verify/bound/lower_bound.hpp"
 
 namespace bahnwerk {
 
@@ -30,6 +31,9 @@ struct PathPlanning {
   PlanningMethod method = PlanningMethod::braking_reserve;
   MethodOptions options;
   double max_setpoints = 20'000'000;
+  std::shared_ptr<MethodResult> planned;  ///< the method's first law, if it is known already: it is taken from here
+  /// No setpoints are made, and the bound only where the method needs it: for the duration alone.
+  bool only_duration = false;
   const Contour* blocks = nullptr;  ///< whose blocks the setpoints' columns mode and block tell, if they have such
   /// What a kind derives from PathSetpoints; those themselves if it is empty.
   std::function<std::unique_ptr<SetpointSource>(const std::shared_ptr<const PathMotion>&, std::size_t cycles)>
@@ -44,7 +48,8 @@ struct PathPlan {
   std::shared_ptr<const PathMotion> motion;  ///< slowed to whole cycles: what is verified and sampled
   std::unique_ptr<SetpointSource> setpoints;
   Verification verification;
-  Bound bound;                 ///< with its gap to the law as planned
+  Bound bound;  ///< with its gap to the law as planned
+  std::vector<SectionBound> section_bounds;
   std::size_t iterations = 0;  ///< passes of the planner over its grid
 };
 

@@ -42,8 +42,9 @@ TimeLaw wavy_law(const Contour& contour, std::size_t pieces) {
   std::vector<reference::Stop> stops;
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t k = 0; k < each; ++k)
-      stops.push_back({contour.path[i].s0() + contour.path[i].length() * double(k) / double(each),
-                       k == 0 && (i == 0 || contour.path[i].straight()) ? 0 : 100 + 0.1 * double((k * 7919) % 100)});
+      stops.push_back(
+          {contour.path[i].s0() + contour.path[i].length() * double(k) / double(each),
+           k == 0 && (i == 0 || contour.path[i].straight()) ? 0 : 100 + 0.1 * double((k * 7919 + i * 131) % 100)});
   stops.push_back({contour.path.length(), 0});
   return reference::law_through(contour.path, stops);
 }

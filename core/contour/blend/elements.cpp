@@ -53,8 +53,10 @@ namespace {
 Vec start_of(const Segment& s) { return s.curve().at(s.curve().begin()).value; }
 Vec end_of(const Segment& s) { return s.curve().at(s.curve().end()).value; }
 
-Element whole(const Segment& s, std::size_t block) {
+Element whole(const Path& path, std::size_t i, std::size_t block) {
+  const Segment& s = path[i];
   Element e;
+  e.first = i;
   e.segment = &s;
   e.straight = s.straight();
   if (e.straight) {
@@ -91,7 +93,7 @@ void append_lines(const Path& path, std::size_t first, std::size_t last, const s
     }
     if (length < 1e-12) continue;
     if (begin == i) {
-      out.push_back(whole(path[i], blocks[i]));
+      out.push_back(whole(path, i, blocks[i]));
     } else {
       Element e;
       e.from = from;
@@ -99,6 +101,7 @@ void append_lines(const Path& path, std::size_t first, std::size_t last, const s
       e.tangent = (to - from) / length;
       e.source = path[begin].source();
       e.block = blocks[i];
+      e.first = begin;
       out.push_back(e);
     }
     from = to;
@@ -115,7 +118,7 @@ std::vector<Stretch> stretches(const Path& path, std::size_t first, std::size_t 
   for (std::size_t i = first; i < last;) {
     scope.work();
     if (!path[i].straight()) {
-      elements.push_back(whole(path[i], blocks[i]));
+      elements.push_back(whole(path, i, blocks[i]));
       ++i;
       continue;
     }
@@ -125,7 +128,7 @@ std::vector<Stretch> stretches(const Path& path, std::size_t first, std::size_t 
     append_lines(path, i, j, blocks, tiny, elements);
     // Nothing but a loop that small: no block may be lost.
     if (elements.size() == before)
-      for (std::size_t k = i; k < j; ++k) elements.push_back(whole(path[k], blocks[k]));
+      for (std::size_t k = i; k < j; ++k) elements.push_back(whole(path, k, blocks[k]));
     i = j;
   }
   std::vector<Stretch> list;

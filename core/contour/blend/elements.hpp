@@ -17,6 +17,7 @@ struct Element {
   double begin = 0;   ///< where it starts along the stretch, mm
   double length = 0;
   std::size_t source = 0, block = 0;
+  std::size_t first = 0;  ///< path segment with which it begins
 
   double end() const { return begin + length; }
   /// h and its derivatives by arc length at `along` ∈ [0, length] from its start.

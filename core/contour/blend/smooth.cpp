@@ -10,10 +10,13 @@ namespace bahnwerk::blending {
 
 namespace {
 
-constexpr double first_penalty = 1, last_penalty = 1e9, penalty_factor = 10;
-constexpr double start_fill = 0.95;  // of the radius, where the logarithm takes over
-constexpr double first_mu = 0.3, last_mu = 1e-4, mu_factor = 0.15;
-constexpr int max_newton = 12;  // steps per μ
+constexpr double first_penalty = 1, last_penalty = 1e9, penalty_factor = 100;
+constexpr double start_fill = 0.95;                // of the radius, where the barrier takes over
+constexpr double final_mu = 1.5e-4, enough = 0.3;  // and what a step there may still bring, of μ
+constexpr int max_newton = 60;
+// μ falls to these parts of the mean complementarity, by how far the last step went.
+constexpr double far = 0.8, near = 0.3, after_far = 0.1, between = 0.2, after_near = 0.5;
+constexpr double to_the_wall = 0.98;  // of the way to where a site or a multiplier lets no step go further
 
 /// A site with its basis values.
 struct Row {
@@ -21,6 +24,18 @@ struct Row {
   std::array<double, spline_order> value{};
   double gain = 0;  // g
 };
+
+/// Column C of what a site adds to the matrix, and all after it: `share[e]` is the column that a control point of
+/// weight 1 gets for coordinate e.
+template <std::size_t Dim, std::size_t C = 0>
+inline void add_columns(double* column, const std::array<double, spline_order>& weight,
+                        const std::array<std::array<double, spline_order * Dim>, Dim>& share) {
+  constexpr std::size_t rows = spline_order * Dim;
+  if constexpr (C < rows) {
+    for (std::size_t r = C; r < rows; ++r) column[r - C] += weight[C / Dim] * share[C % Dim][r];
+    add_columns<Dim, C + 1>(column + rows, weight, share);
+  }
+}
 
 /// In the plane or in space: `Dim` coordinates.
 template <std::size_t Dim>
@@ -32,8 +47,9 @@ class Solver {
         points_(problem.breaks.size() + spline_degree - 1),
         knots_(clamped_knots(problem.breaks)),
         energy_(points_),
+        energies_(points_ * Dim),
         system_(points_ * Dim),
-        c_(points_) {
+        c_((points_ + spline_degree) * Dim, 0.0) {
     assemble_energy();
     prepare_sites();
     fix_ends();
@@ -53,18 +69,27 @@ class Solver {
         break;
       }
     }
-    for (double mu = first_mu; out.inside && mu >= last_mu; mu *= mu_factor)
-      for (int i = 0; i < max_newton; ++i) {
-        ++out.steps;
-        if (step_barrier(mu)) break;
-      }
+    if (out.inside) start_multipliers(penalty);
+    for (int i = 0; out.inside && i < max_newton; ++i) {
+      ++out.steps;
+      if (step_barrier()) break;
+    }
     out.knots = knots_;
-    out.points = c_;
+    for (std::size_t i = 0; i < points_; ++i) out.points.push_back(point(i));
     return out;
   }
 
  private:
-  bool free(std::size_t i) const { return i >= fixed_begin_ && i + fixed_end_ < points_; }
+  using Coordinates = std::array<double, Dim>;
+
+  Vec point(std::size_t i) const {
+    Vec c;
+    for (std::size_t d = 0; d < Dim; ++d) c[d] = c_[i * Dim + d];
+    return c;
+  }
+  void place(std::size_t i, const Vec& c) {
+    for (std::size_t d = 0; d < Dim; ++d) c_[i * Dim + d] = c[d];
+  }
 
   void assemble_energy() {
     // |f'''|² is a polynomial of degree 4 in an interval: three Gauss points integrate it exactly.
@@ -82,6 +107,9 @@ class Solver {
           for (std::size_t j = 0; j <= i; ++j) energy_.at(k + i, k + j) += w * weight[g] * h * row[3][i] * row[3][j];
       }
     }
+    for (std::size_t j = 0; j < points_; ++j)
+      for (std::size_t i = 0; i < spline_order; ++i)
+        for (std::size_t d = 0; d < Dim; ++d) energies_.column(j * Dim + d)[i * Dim] = energy_.column(j)[i];
   }
 
   void prepare_sites() {
@@ -112,125 +140,175 @@ class Solver {
     const BasisRow first = basis_at(knots_, 0, p_.breaks.front());
     for (std::size_t k = 0; k < fixed_begin_; ++k) {
       Vec rest = part(p_.begin.jet, k);
-      for (std::size_t i = 0; i < k; ++i) rest += -first[k][i] * c_[i];
-      c_[k] = rest / first[k][k];
+      for (std::size_t i = 0; i < k; ++i) rest += -first[k][i] * point(i);
+      place(k, rest / first[k][k]);
     }
     const BasisRow final = basis_at(knots_, spans - 1, p_.breaks.back());
     for (std::size_t k = 0; k < fixed_end_; ++k) {
       Vec rest = part(p_.end.jet, k);
-      for (std::size_t i = 0; i < k; ++i) rest += -final[k][spline_degree - i] * c_[last - i];
-      c_[last - k] = rest / final[k][spline_degree - k];
+      for (std::size_t i = 0; i < k; ++i) rest += -final[k][spline_degree - i] * point(last - i);
+      place(last - k, rest / final[k][spline_degree - k]);
     }
   }
 
-  Vec value(std::size_t i) const {
-    Vec f;
-    for (std::size_t j = 0; j < spline_order; ++j) f += rows_[i].value[j] * c_[rows_[i].first + j];
+  /// Σ of the site's basis values with rows of `x`.
+  Coordinates value(const Row& row, const std::vector<double>& x) const {
+    Coordinates f{};
+    for (std::size_t j = 0; j < spline_order; ++j)
+      for (std::size_t d = 0; d < Dim; ++d) f[d] += row.value[j] * x[(row.first + j) * Dim + d];
     return f;
+  }
+  static double product(const Coordinates& a, const Coordinates& b) {
+    double sum = 0;
+    for (std::size_t d = 0; d < Dim; ++d) sum += a[d] * b[d];
+    return sum;
+  }
+
+  void look_at_sites() {
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      residual_[i] = value(rows_[i], c_);
+      for (std::size_t d = 0; d < Dim; ++d) residual_[i][d] -= p_.sites[i].p[d];
+    }
   }
 
   std::pair<double, std::size_t> fullest() {
+    look_at_sites();
     double worst = 0;
     std::size_t at = 0;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-      residual_[i] = value(i) - p_.sites[i].p;
-      const double fill = norm(residual_[i]) / p_.sites[i].radius;
+      const double fill = std::sqrt(product(residual_[i], residual_[i])) / p_.sites[i].radius;
       if (!(fill <= worst)) worst = std::isnan(fill) ? HUGE_VAL : fill, at = i;
     }
     return {worst, at};
   }
 
-  /// Gradient and matrix of the energy over the free coordinates; identity for the fixed ones.
-  void start_system() {
-    system_.clear();
-    right_.assign(points_ * Dim, 0.0);
-    for (std::size_t i = 0; i < points_; ++i) {
-      for (std::size_t d = 0; d < Dim && !free(i); ++d) system_.at(i * Dim + d, i * Dim + d) = 1;
-      for (std::size_t j = i > spline_degree ? i - spline_degree : 0; j <= i; ++j) {
-        const double e = energy_.at(i, j);
-        for (std::size_t d = 0; d < Dim; ++d) {
-          if (free(i) && free(j)) system_.at(i * Dim + d, j * Dim + d) += e;
-          if (free(i)) right_[i * Dim + d] -= e * c_[j][d];
-          if (free(j) && j < i) right_[j * Dim + d] -= e * c_[i][d];
-        }
-      }
+  /// energy_ times x, whose rows behind the last point are 0.
+  void times_energy(const std::vector<double>& x, std::vector<double>& product) const {
+    product.assign((points_ + spline_degree) * Dim, 0.0);
+    for (std::size_t j = 0; j < points_; ++j) {
+      const double* const e = energy_.column(j);
+      const double* const from = &x[j * Dim];
+      double* const to = &product[j * Dim];
+      Coordinates sum{};
+      for (std::size_t i = 0; i < spline_order; ++i)
+        for (std::size_t d = 0; d < Dim; ++d) sum[d] += e[i] * from[i * Dim + d];
+      for (std::size_t i = 1; i < spline_order; ++i)
+        for (std::size_t d = 0; d < Dim; ++d) to[i * Dim + d] += e[i] * from[d];
+      for (std::size_t d = 0; d < Dim; ++d) to[d] += sum[d];
     }
   }
 
-  /// Adds the site's term with gradient `pull`·r and Hessian `pull` I + `twist` r rᵀ.
-  void add_site(std::size_t s, double pull, double twist) {
+  /// Gradient and matrix of the energy.
+  void start_system() {
+    system_ = energies_;
+    times_energy(c_, pull_);
+    right_.resize(points_ * Dim);
+    for (std::size_t i = 0; i < right_.size(); ++i) right_[i] = -pull_[i];
+  }
+
+  /// Adds the site's term with gradient `force`·r and Hessian `pull` I + `twist` r rᵀ.
+  void add_site(std::size_t s, double force, double pull, double twist) {
     scope_.work();
-    const Vec r = residual_[s];
+    const Coordinates& r = residual_[s];
     const Row& row = rows_[s];
-    double hessian[Dim][Dim];
-    for (std::size_t d = 0; d < Dim; ++d)
-      for (std::size_t e = 0; e < Dim; ++e) hessian[d][e] = (d == e ? pull : 0.0) + twist * r[d] * r[e];
-    for (std::size_t j = 0; j < spline_order; ++j) {
-      const std::size_t b = row.first + j;
-      if (!free(b)) continue;
-      for (std::size_t e = 0; e < Dim; ++e) {
-        const double value = row.value[j];
-        right_[b * Dim + e] -= pull * value * r[e];
-        for (std::size_t d = e; d < Dim; ++d) system_.at(b * Dim + d, b * Dim + e) += value * value * hessian[d][e];
-        for (std::size_t i = j + 1; i < spline_order; ++i) {
-          const std::size_t a = row.first + i;
-          if (!free(a)) break;
-          for (std::size_t d = 0; d < Dim; ++d)
-            system_.at(a * Dim + d, b * Dim + e) += value * row.value[i] * hessian[d][e];
-        }
+    std::array<std::array<double, spline_order * Dim>, Dim> share;
+    double* const right = &right_[row.first * Dim];
+    for (std::size_t e = 0; e < Dim; ++e) {
+      const double along = force * r[e];
+      Coordinates hessian;
+      for (std::size_t d = 0; d < Dim; ++d) hessian[d] = (d == e ? pull : 0.0) + twist * r[d] * r[e];
+      for (std::size_t i = 0; i < spline_order; ++i) {
+        right[i * Dim + e] -= along * row.value[i];
+        for (std::size_t d = 0; d < Dim; ++d) share[e][i * Dim + d] = row.value[i] * hessian[d];
       }
     }
+    add_columns<Dim>(system_.column(row.first * Dim), row.value, share);
+  }
+
+  /// Identity for what the ends determine.
+  void keep_ends() {
+    constexpr std::size_t width = spline_order * Dim - 1;
+    const std::size_t n = points_ * Dim, first = fixed_begin_ * Dim, last = n - fixed_end_ * Dim;
+    const auto keep = [&](std::size_t j) {
+      std::fill_n(system_.column(j), width + 1, 0.0);
+      *system_.column(j) = 1;
+      right_[j] = 0;
+    };
+    for (std::size_t j = 0; j < first; ++j) keep(j);
+    for (std::size_t j = last > width ? last - width : 0; j < last; ++j)
+      std::fill(system_.column(j) + (last - j), system_.column(j) + width + 1, 0.0);
+    for (std::size_t j = last; j < n; ++j) keep(j);
   }
 
   void solve_system() {
     scope_.report();  // windows are too short for the steps that others count
+    keep_ends();
     system_.factor(scope_);
     system_.solve(right_);
   }
 
   void move(double share) {
-    for (std::size_t i = 0; i < points_; ++i)
-      for (std::size_t d = 0; d < Dim && free(i); ++d) c_[i][d] += share * right_[i * Dim + d];
+    for (std::size_t i = 0; i < right_.size(); ++i) c_[i] += share * right_[i];
   }
 
   void step_penalty(double penalty) {
-    fullest();
+    look_at_sites();
     start_system();
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       const double r = p_.sites[i].radius;
-      add_site(i, penalty * rows_[i].gain / (r * r), 0);
+      const double pull = penalty * rows_[i].gain / (r * r);
+      add_site(i, pull, pull, 0);
     }
     solve_system();
     move(1);
   }
 
-  /// One Newton step; true when it brought no more than matters at this μ.
-  bool step_barrier(double mu) {
-    fullest();
+  /// r² − |residual|², which stays positive.
+  double room(std::size_t i) const {
+    return p_.sites[i].radius * p_.sites[i].radius - product(residual_[i], residual_[i]);
+  }
+
+  /// Those with which the spline of that penalty is stationary: pull by pull the same.
+  void start_multipliers(double penalty) {
+    multiplier_.resize(rows_.size());
+    change_.resize(rows_.size());
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      multiplier_[i] = 0.5 * penalty * rows_[i].gain / (p_.sites[i].radius * p_.sites[i].radius);
+      total_ += rows_[i].gain;
+    }
+    settle();
+  }
+  void settle() {
+    look_at_sites();
+    double sum = 0;
+    for (std::size_t i = 0; i < rows_.size(); ++i) sum += multiplier_[i] * room(i);
+    complementarity_ = sum / total_;
+  }
+
+  /// One primal-dual step; true when it was the last one that matters. With the room s of a site and its multiplier λ
+  /// the spline is stationary for Σ 2 λ r, and λ s = μ g is what is aimed at: linearised, Δλ = (μ g + 2 λ r·Δf)/s − λ.
+  /// What is left for the control points descends along the logarithmic barrier, with λ in place of μ g/s in its
+  /// Hessian: that of the logarithm itself is far too stiff next to the tube's wall, where one site would hold up all.
+  bool step_barrier() {
+    const double part = taken_ > far ? after_far : taken_ > near ? between : after_near;
+    const double mu = std::max(final_mu, part * complementarity_);
     start_system();
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-      const double r = p_.sites[i].radius, room = r * r - dot(residual_[i], residual_[i]);
-      const double g = 2 * mu * rows_[i].gain / room;
-      add_site(i, g, 2 * g / room);
+      const double s = room(i);
+      add_site(i, 2 * mu * rows_[i].gain / s, 2 * multiplier_[i], 4 * multiplier_[i] / s);
     }
-    const std::vector<double> slope = right_;
+    slope_ = right_;
     solve_system();
-    double decrement = 0, total = 0;
-    for (std::size_t i = 0; i < slope.size(); ++i) decrement += slope[i] * right_[i];
-    // How far the step may go before a site leaves its ball.
-    double longest = 1;
+    double decrement = 0;
+    for (std::size_t i = 0; i < slope_.size(); ++i) decrement += slope_[i] * right_[i];
+    // How far the step may go before a site leaves its ball, or a multiplier becomes negative.
+    double longest = 1, dual = 1;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-      Vec move;
-      for (std::size_t j = 0; j < spline_order; ++j)
-        for (std::size_t d = 0; d < Dim; ++d) {
-          const std::size_t at = rows_[i].first + j;
-          if (free(at)) move[d] += rows_[i].value[j] * right_[at * Dim + d];
-        }
-      step_[i] = move;
-      total += rows_[i].gain;
-      const double a = dot(move, move), b = dot(move, residual_[i]);
-      const double c = p_.sites[i].radius * p_.sites[i].radius - dot(residual_[i], residual_[i]);
-      if (a > 0) longest = std::min(longest, 0.95 * c / (b + std::sqrt(b * b + a * c)));
+      const Coordinates move = step_[i] = value(rows_[i], right_);
+      const double a = product(move, move), b = product(move, residual_[i]), c = room(i);
+      if (a > 0) longest = std::min(longest, to_the_wall * c / (b + std::sqrt(b * b + a * c)));
+      change_[i] = (mu * rows_[i].gain + 2 * multiplier_[i] * b) / c - multiplier_[i];
+      if (change_[i] < 0) dual = std::min(dual, -to_the_wall * multiplier_[i] / change_[i]);
     }
     if (!std::isfinite(decrement) || !(longest > 0)) return true;
     // The energy along the step is a parabola; the logarithms are summed anew.
@@ -239,9 +317,10 @@ class Solver {
     const auto gain = [&](double x) {
       double sum = x * (linear + 0.5 * x * quadratic);
       for (std::size_t i = 0; i < rows_.size(); ++i) {
-        const double r2 = p_.sites[i].radius * p_.sites[i].radius, before = r2 - dot(residual_[i], residual_[i]);
-        const Vec moved = residual_[i] + x * step_[i];
-        sum -= mu * rows_[i].gain * std::log((r2 - dot(moved, moved)) / before);
+        const double r2 = p_.sites[i].radius * p_.sites[i].radius, before = r2 - product(residual_[i], residual_[i]);
+        Coordinates moved = residual_[i];
+        for (std::size_t d = 0; d < Dim; ++d) moved[d] += x * step_[i][d];
+        sum -= mu * rows_[i].gain * std::log((r2 - product(moved, moved)) / before);
       }
       return sum;
     };
@@ -249,25 +328,19 @@ class Solver {
     for (int i = 0; i < 12 && !(gained <= -0.1 * share * decrement); ++i) gained = gain(share *= 0.5);
     if (!(gained <= 0)) return true;
     move(share);
-    return decrement < 0.3 * mu * total;
+    for (std::size_t i = 0; i < rows_.size(); ++i) multiplier_[i] += dual * change_[i];
+    settle();
+    taken_ = std::min(share, dual);
+    return mu <= final_mu && decrement < enough * mu * total_;
   }
 
   /// ½∫w|f'''|² along c + x·right_: its first and second derivative at 0.
-  void energy_along(double& quadratic, double& linear) const {
-    for (std::size_t i = 0; i < points_; ++i)
-      for (std::size_t j = i > spline_degree ? i - spline_degree : 0; j <= i; ++j) {
-        const double e = energy_.at(i, j);
-        for (std::size_t d = 0; d < Dim; ++d) {
-          const double si = free(i) ? right_[i * Dim + d] : 0, sj = free(j) ? right_[j * Dim + d] : 0;
-          if (i == j) {
-            quadratic += e * si * si;
-            linear += e * si * c_[i][d];
-          } else {
-            quadratic += 2 * e * si * sj;
-            linear += e * (si * c_[j][d] + sj * c_[i][d]);
-          }
-        }
-      }
+  void energy_along(double& quadratic, double& linear) {
+    for (std::size_t i = 0; i < right_.size(); ++i) linear += right_[i] * pull_[i];
+    right_.resize((points_ + spline_degree) * Dim, 0.0);
+    times_energy(right_, pull_);
+    right_.resize(points_ * Dim);
+    for (std::size_t i = 0; i < right_.size(); ++i) quadratic += right_[i] * pull_[i];
   }
 
   const TubeProblem& p_;
@@ -275,12 +348,15 @@ class Solver {
   std::size_t points_;
   std::vector<double> knots_;
   BandMatrix<spline_degree> energy_;
-  BandMatrix<spline_order * Dim - 1> system_;
-  std::vector<Vec> c_;
+  BandMatrix<spline_order * Dim - 1> energies_, system_;  // the energy of all coordinates; and the sites'
+  std::vector<double> c_;                                 // Dim coordinates per point, and a few zeros
   std::size_t fixed_begin_ = 0, fixed_end_ = 0;
   std::vector<Row> rows_;
-  std::vector<Vec> residual_, step_;
-  std::vector<double> right_;
+  std::vector<Coordinates> residual_, step_;
+  std::vector<double> right_, slope_, pull_;  // pull_: the energy's gradient
+  std::vector<double> multiplier_, change_;   // per site: λ and its step
+  double total_ = 0, complementarity_ = 0;    // Σ g, and Σ λ s / Σ g
+  double taken_ = 1;                          // part of the last step
 };
 
 }  // namespace

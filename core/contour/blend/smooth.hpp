@@ -1,11 +1,13 @@
 #pragma once
 /// The smoothest quintic spline through a tube of balls: it minimises ∫ w |f'''|² dt subject to |f(tᵢ) − pᵢ| < rᵢ.
 ///
-/// Interior-point method: Newton's method on ½∫w|f'''|² − μ Σ gᵢ log(1 − |f(tᵢ) − pᵢ|²/rᵢ²) for falling μ, started from
-/// a smoothing spline (a quadratic penalty instead of the logarithm) that lies inside the tube. The weights make the
+/// Primal-dual interior-point method for ½∫w|f'''|² − μ Σ gᵢ log(1 − |f(tᵢ) − pᵢ|²/rᵢ²) with falling μ, started from a
+/// smoothing spline (a quadratic penalty instead of the logarithm) that lies inside the tube, and from the multipliers
+/// that this penalty stands for. A step of Newton's method for the logarithm itself goes no further than the one site
+/// lets it that is next to its wall: 33 steps for 1 000 intervals of a rough surface, 18 of these. The weights make the
 /// energy dimensionless and even: w = H⁵/ρ² per break interval, where H is the length on which the tube lets a curve
 /// bend (its "scale") and ρ the tube's radius; so rough and calm regions of one contour count alike. All systems are
-/// banded: O(breaks + sites) per step, some 25 steps.
+/// banded: O(breaks + sites) per step, some 20 steps, 0.3 µs each per interval in the plane.
 #include <cstddef>
 #include <vector>
 

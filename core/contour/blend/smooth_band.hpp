@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace bahnwerk::blending {
@@ -21,6 +22,10 @@ class BandMatrix {
   double& at(std::size_t i, std::size_t j) { return a_[j * Width + i]; }
   double at(std::size_t i, std::size_t j) const { return a_[j * Width + i]; }
 
+  /// The entries (j, j) … (j + Width, j).
+  double* column(std::size_t j) { return &a_[j * (Width + 1)]; }
+  const double* column(std::size_t j) const { return &a_[j * (Width + 1)]; }
+
   /// In place. A pivot lost to rounding is replaced, which keeps that unknown where it is. `scope` is told every
   /// few thousand columns.
   void factor(ProgressScope& scope) {
@@ -28,32 +33,50 @@ class BandMatrix {
     for (std::size_t k = 0; k < n_; ++k) given_[k] = at(k, k);
     for (std::size_t k = 0; k < n_; ++k) {
       scope.work();
-      double* const here = &at(k, k);
-      std::array<double, Width + 1> column;
-      std::copy_n(here, Width + 1, column.begin());
-      if (!(column[0] > 1e-15 * given_[k])) here[0] = column[0] = 1e15 * std::max(given_[k], 1e-300);
+      double* const here = column(k);
+      if (!(here[0] > 1e-15 * given_[k])) here[0] = 1e15 * std::max(given_[k], 1e-300);
+      std::array<double, Width + 1> below, share;
+      std::copy_n(here, Width + 1, below.begin());
+      const double inverse = 1 / here[0];
+      for (std::size_t i = 1; i <= Width; ++i) here[i] = share[i] = below[i] * inverse;
       // Behind the last column there is room for what is not there.
-      double* next = here;
-      for (std::size_t i = 1; i <= Width; ++i) {
-        next += Width + 1;
-        const double share = here[i] = column[i] / column[0];
-        for (std::size_t j = i; j <= Width; ++j) next[j - i] -= share * column[j];
-      }
+      eliminate(here, below, share, std::make_index_sequence<Width>());
     }
   }
 
   /// x ← A⁻¹ x after factor().
   void solve(std::vector<double>& x) const {
-    for (std::size_t k = 0; k < n_; ++k)
-      for (std::size_t i = k + 1; i < std::min(n_, k + Width + 1); ++i) x[i] -= at(i, k) * x[k];
-    for (std::size_t k = n_; k-- > 0;) {
-      double sum = x[k] / at(k, k);
-      for (std::size_t i = k + 1; i < std::min(n_, k + Width + 1); ++i) sum -= at(i, k) * x[i];
-      x[k] = sum;
+    x.resize(n_ + Width, 0.0);
+    for (std::size_t k = 0; k < n_; ++k) {
+      const double* const below = column(k);
+      double* const here = &x[k];
+      const double known = here[0];
+      for (std::size_t i = 1; i <= Width; ++i) here[i] -= below[i] * known;
     }
+    std::fill(x.begin() + static_cast<std::ptrdiff_t>(n_), x.end(), 0.0);
+    for (std::size_t k = n_; k-- > 0;) {
+      const double* const below = column(k);
+      double* const here = &x[k];
+      // The unknown found last comes last: all others need not wait for it.
+      std::array<double, 4> sum{};
+      for (std::size_t i = Width; i > 1; --i) sum[i % 4] += below[i] * here[i];
+      here[0] = here[0] / below[0] - ((sum[0] + sum[1]) + (sum[2] + sum[3])) - below[1] * here[1];
+    }
+    x.resize(n_);
   }
 
  private:
+  using Column = std::array<double, Width + 1>;
+  /// Every loop's length is known to the compiler, which takes several steps of it at once.
+  template <std::size_t... I>
+  static void eliminate(double* here, const Column& below, const Column& share, std::index_sequence<I...>) {
+    (eliminate<I + 1>(here + (I + 1) * (Width + 1), below, share[I + 1]), ...);
+  }
+  template <std::size_t I>
+  static void eliminate(double* column, const Column& below, double share) {
+    for (std::size_t j = I; j <= Width; ++j) column[j - I] -= share * below[j];
+  }
+
   std::size_t n_;
   std::vector<double> a_, given_;
 };

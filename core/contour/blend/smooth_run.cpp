@@ -226,7 +226,7 @@ Window smooth_window(const Stretch& stretch, const RunRange& range, BendScale sc
                                                 problem.breaks.begin());
         if (!(norm(window.spline.at(k - 1, site.t).value - site.p) < site.radius)) window.troubles.push_back(site.t);
       }
-      scale.refine(window.troubles);
+      if (!scale.refine(window.troubles)) return window;
       continue;
     }
     const Finding finding = Inspection(stretch, problem, window.spline, tolerance).run(scope);

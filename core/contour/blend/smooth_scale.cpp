@@ -58,16 +58,20 @@ double BendScale::at(double t) const {
   return h_[i - 1] + x * (h_[i] - h_[i - 1]);
 }
 
-void BendScale::refine(const std::vector<double>& places) {
+bool BendScale::refine(const std::vector<double>& places) {
   std::size_t next = 0;  // nodes before it are done
+  bool changed = false;
   for (const double t : places) {
     const auto after = static_cast<std::size_t>(std::upper_bound(t_.begin(), t_.end(), t) - t_.begin());
     for (std::size_t i = std::max(next, after > 0 ? after - 1 : 0); i < std::min(after + 1, t_.size()); ++i) {
-      h_[i] = std::max(min_, 0.5 * h_[i]);
+      const double halved = std::max(min_, 0.5 * h_[i]);
+      changed = changed || halved < h_[i];
+      h_[i] = halved;
       next = i + 1;
     }
   }
   grade();
+  return changed;
 }
 
 BendScale BendScale::part(double a, double b) const {

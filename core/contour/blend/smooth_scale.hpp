@@ -15,8 +15,9 @@ class BendScale {
   BendScale(const Stretch& stretch, double a, double b, double tolerance, ProgressScope& scope);
 
   double at(double t) const;
-  /// Halves H around these places (ascending), but not below a sixteenth of the tolerance.
-  void refine(const std::vector<double>& places);
+  /// Halves H around these places (ascending), but not below a sixteenth of the tolerance. False: nothing is left to
+  /// be halved.
+  bool refine(const std::vector<double>& places);
   /// The same between two of its places, to be refined on its own. O(log nodes + nodes between them).
   BendScale part(double a, double b) const;
   /// From `t` on: where so many breaks have passed, at most the end. O(log nodes + nodes passed).

@@ -10,7 +10,9 @@
 #include "core/motion/acceleration/law_writer.hpp"
 #include "core/motion/acceleration/speed_chain.hpp"
 #include "core/motion/acceleration/spread.hpp"
+#include "core/motion/grid/section_repeats.hpp"
 #include "core/motion/grid/sections.hpp"
+#include "core/motion/law/repeated_law.hpp"
 
 namespace bahnwerk {
 
@@ -18,7 +20,12 @@ namespace {
 
 // Memory: about 270 bytes per cell of a window, 72 for the law of each. Beyond the usual number cells get wider, up to
 // the widest; the gap then tells what that costs.
-constexpr double widest = 10, max_turn = 160000;         // rad
+constexpr double widest = 10, max_turn = 160000;  // rad
+// Cells wider than these are divided so many times at most, which brings less than their width costs; but limits inside
+// them are tightened until what is exceeded is little, for the largest excess slows all.
+constexpr double wide = 2, very_wide = 4;
+constexpr int divisions_of_wide = 3, divisions_of_very_wide = 1, rounds_of_wide = 12;
+constexpr double excess_of_wide = 1e-6;
 constexpr double graded_cells = 8;                       // more at both ends of a grid
 constexpr std::size_t sampled_segments = 256;            // whose cells tell how many there will be
 constexpr double long_segment = 1000, few_bends = 4096;  // bends: too many to sample, too few to care
@@ -346,13 +353,32 @@ AccelerationLimitedResult plan(const PathTask& task, const AccelerationLimitedOp
   fitted.grid.angle *= wider;
   fitted.grid.hermite *= wider * wider * wider * wider;  // it falls with the fourth power of a cell's width
   fitted.tolerance *= wider * wider;
+  if (wider > wide) {
+    fitted.max_divisions = wider > very_wide ? divisions_of_very_wide : divisions_of_wide;
+    fitted.max_rounds = std::max(fitted.max_rounds, rounds_of_wide);
+    fitted.excess = std::max(fitted.excess, excess_of_wide);
+  }
   const double model_error =
       wider > 1 ? std::clamp(usual_margin, least_share * fitted.grid.hermite, most_share * fitted.grid.hermite) : 0;
   const Sections sections = find_sections(task, options.corner_angle, pulse);
   AccelerationLimitedResult result;
   SectionPlanner<N> planner(path, lanes, fitted, task.feeds, sections, all, density, model_error, progress);
+  ProgressScope repeating(progress, "planning", from, to);
+  SectionRepeats repeats(task, sections, repeating);
+  std::vector<std::size_t> pieces, cells;  // before each section, and at the end
+  std::size_t i = 0;
   for_each_section(path.tool(), sections, from, to, [&](std::size_t first, std::size_t last, double begin, double end) {
-    planner.plan(first, last, begin, end, result);
+    repeating.done(to > from ? (begin - from) / (to - from) : 1);
+    pieces.push_back(result.law.pieces().size()), cells.push_back(result.cells);
+    const std::size_t source = last == first + 1 && path.linear(first) ? i : repeats.source(i);
+    if (source == i) {
+      planner.plan(first, last, begin, end, result);
+    } else {
+      repeat_law(result.law, pieces[source], pieces[source + 1], path.tool(), sections.begin[source], first,
+                 last - first, repeating);
+      result.cells += cells[source + 1] - cells[source];
+    }
+    ++i;
   });
   return result;
 }

@@ -9,9 +9,10 @@
 /// what is kept of it is what that stop cannot reach, so the law is that of the whole section. Paths that would need
 /// more than `usual_cells` get wider ones, at most 10 times as wide: there the duration is up to 5e-4 above what finer
 /// ones would give, and the law stays 1e-5 of the limits below them, which wide cells see less exactly. Straight
-/// segments are one cell each and exact. The result is piecewise cubic in time. Cost: O(cells) time and memory per
-/// section; for two axes, path evaluation included, about 85 ns per cell for one solution and 0.6 µs with all rounds
-/// (tests/bench/bench_motion.cpp).
+/// segments are one cell each and exact. Sections along which the axes do what they did along an earlier one take over
+/// its law (core/motion/grid/section_repeats.hpp). The result is piecewise cubic in time. Cost: O(cells) time and
+/// memory per section; for two axes, path evaluation included, about 85 ns per cell for one solution and 0.6 µs with
+/// all rounds (tests/bench/bench_motion.cpp).
 #include <cstddef>
 #include <vector>
 

@@ -7,7 +7,9 @@
 /// limit is exceeded between nodes get a smaller share of it; what remains slows the section uniformly, so that limits
 /// hold everywhere. The result is piecewise quartic in time with continuous acceleration. A straight segment alone
 /// between two rests takes the closed form (profile.hpp). The problem is not convex: what is found is a local optimum.
-/// Should the method find nothing, other starts are tried, and at last a slow law that holds the limits.
+/// Sections along which the axes do what they did along an earlier one take over its law
+/// (core/motion/grid/section_repeats.hpp). Should the method find nothing, other starts are tried, and at last a slow
+/// law that holds the limits.
 ///
 /// Long sections are planned window by window (jerk_windows.cpp). Cost: O(cells), linear; a smooth spline takes 20 to
 /// 28 iterations in all, 3.5 to 5 µs per cell from 1e3 to 1e6 cells (tests/bench/bench_jerk.cpp).

@@ -25,16 +25,34 @@ class BoundGrid {
  public:
   using Node = BoundNode<N>;
   using Cell = BoundCell<N>;
-  static constexpr double widest_turn = 0.02;  ///< rad per cell
+  static constexpr double widest_turn = 0.02;   ///< rad per cell
+  static constexpr double widest_change = 0.1;  ///< of q'' over half a cell, of q''; cells are halved beyond that
 
   /// `path` and `pulse` outlive it. `feeds`: speed of the tool per segment, infinite where not limited. O(panels) for
   /// axes through kinematics.
   BoundGrid(const AxisPath& path, const Machine& machine, std::vector<double> feeds, double corner_angle,
             ProgressScope& pulse);
 
+  /// Cells up to so many times as wide as usual where grids are laid from now on, 8 at most: the bound loses with the
+  /// square of that, and holds all the same.
+  void widen(double factor) {
+    turn_ = factor * widest_turn;
+    change_ = factor * widest_change;
+  }
   /// The first grid over the segments [first, last), at rest where it begins and ends or as fast there as the place
   /// itself allows.
   void build(std::size_t first, std::size_t last, bool rest_first = true, bool rest_last = true);
+  /// How many cells begin in segments before this one. O(log n).
+  std::size_t cells_before(std::size_t segment) const {
+    const auto behind = std::partition_point(order_.begin(), order_.end() - 1,
+                                             [&](std::uint32_t id) { return nodes_[id].segment < segment; });
+    return static_cast<std::size_t>(behind - order_.begin());
+  }
+  /// At the begin of that grid b is known to be no more than this.
+  void enter(double most) {
+    Node& first = nodes_[order_.front()];
+    first.cap = std::min(first.cap, most);
+  }
   /// Quarters the cells marked, in the order of cells(). What is known of the others stays where it is: O(marked), and
   /// 1 ns per node for their order.
   void refine(const std::vector<unsigned char>& marked);
@@ -92,7 +110,7 @@ class BoundGrid {
   void complete(Node& n) const;
   double place_cap(const Node& n) const;
   double turn_cap(const Node& n) const;
-  static bool changes(const Node& a, const Node& middle, const Node& b);
+  bool changes(const Node& a, const Node& middle, const Node& b) const;
   double valley(const Node& a, const Node& middle, const Node& b) const;
   bool too_wide(const Node& a, const Node& b) const;
   double corner(const Node& a, const Node& b) const;
@@ -124,6 +142,7 @@ class BoundGrid {
   std::size_t axes_;
   Row scale_{}, acceleration_{}, velocity_{}, jerk_{};
   double cycle_time_, corner_angle_;
+  double turn_ = widest_turn, change_ = widest_change;  ///< the same, of the grids to come
   std::vector<double> feeds_;
   ProgressScope& pulse_;
   Blocks<Node> nodes_;

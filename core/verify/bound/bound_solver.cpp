@@ -109,12 +109,12 @@ void BoundSolver<N>::look_at(const Node& from, const Node& to) {
 }
 
 template <int N>
-double BoundSolver<N>::duration() const {
+double BoundSolver<N>::duration(std::size_t cells) const {
   const std::vector<std::uint32_t>& order = grid_.order();
   double sum = 0, lost = 0;  // Kahan, Commun. ACM 8 (1965), over sums of few: what a cell gives must not get lost
-  for (std::size_t i = 0; i + 1 < order.size();) {
+  for (std::size_t i = 0; i < cells;) {
     double part = 0;
-    for (const std::size_t end = std::min(i + 32, order.size() - 1); i < end; ++i) part += time_[order[i]];
+    for (const std::size_t end = std::min(i + 32, cells); i < end; ++i) part += time_[order[i]];
     const double term = part - lost, next = sum + term;
     lost = (next - sum) - term;
     sum = next;

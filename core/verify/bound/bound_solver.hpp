@@ -23,17 +23,18 @@ class BoundSolver {
   void solve();
   /// After BoundGrid::refine(), of the grid that was solved before.
   void solve_changes();
-  /// s. O(n).
-  double duration() const;
+  /// Of the first cells, s. O(cells).
+  double duration(std::size_t cells) const;
+  double duration() const { return duration(grid_.order().size() - 1); }
   /// By id of the node, of its cell.
   double speed_square(std::uint32_t id) const { return b_[id]; }
   double cell_time(std::uint32_t id) const { return time_[id]; }
-  /// Of all nodes, along the path. O(n).
-  std::vector<double> speed_squares() const {
-    std::vector<double> all;
-    all.reserve(grid_.order().size());
-    for (const std::uint32_t id : grid_.order()) all.push_back(b_[id]);
-    return all;
+  /// Of the first `count` nodes along the path. O(count).
+  std::vector<double> speed_squares(std::size_t count) const {
+    std::vector<double> list;
+    list.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) list.push_back(b_[grid_.order()[i]]);
+    return list;
   }
 
   struct Doubt {

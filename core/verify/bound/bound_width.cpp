@@ -9,9 +9,8 @@ namespace bahnwerk::verify {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-// Cells over half of which q'' changes by more than the first are halved at once. A valley of the caps inside counts
-// from the second on, a share of them.
-constexpr double widest_change = 0.1, shallow = 2e-5, slight_turn = 1e-4;
+// A valley of the caps inside counts from this on, a share of them.
+constexpr double shallow = 2e-5, slight_turn = 1e-4;
 
 double sq(double x) { return x * x; }
 
@@ -28,31 +27,31 @@ template <int N>
 bool BoundGrid<N>::too_wide(const Node& a, const Node& b) const {
   const double length = b.s - a.s;
   double turn = length_of(difference(b.tangent, a.tangent));
-  if (turn > widest_turn) return true;
+  if (turn > turn_) return true;
   if (path_.cartesian()) {
     turn *= 1 + turn * turn / 24;  // the angle whose chord that was
-    if (turn > widest_turn) return true;
+    if (turn > turn_) return true;
     const double chord = length_of(difference(b.position, a.position));
     const double slack =
         1e-12 * path_[a.segment].length() + 8 * epsilon * (length_of(a.position) + length_of(b.position));
-    if (length - chord > sq(widest_turn) / 16 * length + slack) return true;
+    if (length - chord > sq(turn_) / 16 * length + slack) return true;
   } else {
     for (std::size_t k = 0; k < axes_; ++k) {
       const double trapezoid = (a.tangent[k] + b.tangent[k]) / 2 * length;
-      if (std::abs(b.position[k] - a.position[k] - trapezoid) > widest_turn / 4 * length) return true;
+      if (std::abs(b.position[k] - a.position[k] - trapezoid) > turn_ / 4 * length) return true;
     }
   }
   const double trapezoid = (length_of(a.curvature) + length_of(b.curvature)) / 2 * length;
-  return std::abs(trapezoid - turn) > turn / 4 + widest_turn / 20;
+  return std::abs(trapezoid - turn) > turn / 4 + turn_ / 20;
 }
 
 template <int N>
-bool BoundGrid<N>::changes(const Node& a, const Node& middle, const Node& b) {
+bool BoundGrid<N>::changes(const Node& a, const Node& middle, const Node& b) const {
   const double bend = std::max({length_of(a.curvature), length_of(middle.curvature), length_of(b.curvature)});
   if (bend * (b.s - a.s) < slight_turn) return false;
   const double change = std::max(length_of(difference(middle.curvature, a.curvature)),
                                  length_of(difference(b.curvature, middle.curvature)));
-  return change > widest_change * bend;
+  return change > change_ * bend;
 }
 
 // The maximum velocity curve may be lower inside than between the ends. Told by a third place, and by how much it is
@@ -69,9 +68,9 @@ double BoundGrid<N>::valley(const Node& a, const Node& middle, const Node& b) co
 template bool BoundGrid<2>::too_wide(const Node&, const Node&) const;
 template bool BoundGrid<3>::too_wide(const Node&, const Node&) const;
 template bool BoundGrid<8>::too_wide(const Node&, const Node&) const;
-template bool BoundGrid<2>::changes(const Node&, const Node&, const Node&);
-template bool BoundGrid<3>::changes(const Node&, const Node&, const Node&);
-template bool BoundGrid<8>::changes(const Node&, const Node&, const Node&);
+template bool BoundGrid<2>::changes(const Node&, const Node&, const Node&) const;
+template bool BoundGrid<3>::changes(const Node&, const Node&, const Node&) const;
+template bool BoundGrid<8>::changes(const Node&, const Node&, const Node&) const;
 template double BoundGrid<2>::valley(const Node&, const Node&, const Node&) const;
 template double BoundGrid<3>::valley(const Node&, const Node&, const Node&) const;
 template double BoundGrid<8>::valley(const Node&, const Node&, const Node&) const;

@@ -98,7 +98,7 @@ double JerkBound<N>::finest_at(std::size_t node, const std::vector<double>& b) c
 template <int N>
 void JerkBound<N>::grade(const std::vector<double>& b, bool rest_first, bool rest_last) {
   const auto& cells = grid_.cells();
-  const std::size_t n = cells.size();
+  const std::size_t n = b.size() - 1;
   before_.assign(n + 1, infinite), behind_.assign(n + 1, infinite);
   if (rest_first) before_[0] = first_piece_;
   if (rest_last) behind_[n] = first_piece_;
@@ -156,7 +156,7 @@ void JerkBound<N>::lay(const std::vector<double>& b, bool rest_first, bool rest_
   pieces_.clear(), extents_.clear();
   joint_ = {};
   grade(b, rest_first, rest_last);
-  for (std::size_t i = 0; i < cells.size(); ++i) {
+  for (std::size_t i = 0; i + 1 < b.size(); ++i) {
     pulse_.work(8);
     if (cells[i].kind == Cell::Kind::joint)
       join(nodes[i], nodes[i + 1], std::min(b[i], b[i + 1]));
@@ -205,9 +205,9 @@ std::size_t JerkBound<N>::pose(std::size_t first, bool rest_first, bool rest_las
 
 template <int N>
 double JerkBound<N>::duration(const std::vector<double>& b, double time, bool rest_first, bool rest_last) {
-  const double length = grid_.nodes().back().s - grid_.nodes().front().s;
+  const double length = grid_.nodes()[b.size() - 1].s - grid_.nodes().front().s;
   spacing_ = std::max(std::min(part_of_ramp * ramp_, time / min_cells),
-                      time / (pieces_per_node * static_cast<double>(grid_.nodes().size()) + more_pieces));
+                      time / (pieces_per_node * static_cast<double>(b.size()) + more_pieces));
   first_piece_ = std::min(part_of_onset * acceleration_of_ramp_ * sq(ramp_) / 6, part_of_section * length);
   double total = 0;
   if (spacing_ < no_ramp * ramp_) {

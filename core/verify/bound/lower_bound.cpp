@@ -9,6 +9,7 @@
 #include "core/verify/bound/bound_grid.hpp"
 #include "core/verify/bound/bound_solver.hpp"
 #include "core/verify/bound/jerk_bound.hpp"
+#include "core/verify/bound/repeated_section.hpp"
 #include "core/verify/bound/rest_to_rest.hpp"
 #include "core/verify/worst.hpp"
 
@@ -23,15 +24,37 @@ using verify::rest_to_rest;
 // little time is left in cells that no single condition explains: a long cell may have to be cut several times before
 // anything shows.
 constexpr double converged = 3e-7, clear = 1e-3;
-constexpr int min_rounds = 2, max_rounds = 8, valley_rounds = 4;
-// Longer sections are cut here for the sake of memory; what speed a motion has at a cut is left open.
-constexpr std::size_t longest_stretch = 200'000;  // segments
+constexpr int max_rounds = 8;
+// Longer sections are solved in windows for the sake of memory, of so many nodes of a first grid and a part more
+// behind them: b at the begin of a window is that at the end of the one before it, and what follows it is left open.
+// Straight segments have few nodes and may be driven fast: braking shows further there.
+constexpr double window_nodes = 100'000, few_nodes = 4;  // the latter of a segment
+constexpr std::size_t part_behind = 16, part_behind_few = 4;
+// A first grid of more nodes is laid with wider cells, and refined less, as far as some of the segments tell: so many
+// of so many at least.
+constexpr double usual_nodes = 250'000, widest = 8, coarse = 2, most_left = 1e-3;
+constexpr std::size_t sampled_segments = 128, many_segments = 4096;
+
+/// How far a grid is refined: see the constants above.
+struct Effort {
+  double converged = 3e-7, clear = 1e-3;
+  int min_rounds = 2, valley_rounds = 4;
+};
+
+Effort effort(double wider) {
+  Effort effort;
+  const double square = wider * wider;
+  effort.converged = std::min(effort.converged * square * square * square, most_left);
+  effort.clear = std::min(effort.clear * square * square, 1.0);
+  if (wider > coarse) effort.min_rounds = effort.valley_rounds = 1;
+  return effort;
+}
 
 // Between two rests everything is independent of the rest of the path.
 template <int N>
-double section_duration(BoundGrid<N>& grid, BoundSolver<N>& solver, std::vector<unsigned char>& marked) {
+void solve(BoundGrid<N>& grid, BoundSolver<N>& solver, std::vector<unsigned char>& marked, const Effort& effort) {
   solver.solve();
-  for (int round = 0; round < valley_rounds && solver.mark_valleys(marked) > 0; ++round) {
+  for (int round = 0; round < effort.valley_rounds && solver.mark_valleys(marked) > 0; ++round) {
     grid.refine(marked);
     solver.solve_changes();
   }
@@ -44,15 +67,29 @@ double section_duration(BoundGrid<N>& grid, BoundSolver<N>& solver, std::vector<
     if (round >= max_rounds || grid.nodes().size() > max_nodes) break;
     const auto doubt = solver.mark_switching(duration, marked);
     if (doubt.cells == 0) break;
-    if (round >= min_rounds && duration - before <= converged * duration && doubt.time <= clear * duration) break;
+    if (round >= effort.min_rounds && duration - before <= effort.converged * duration &&
+        doubt.time <= effort.clear * duration)
+      break;
     grid.refine(marked);
   }
-  return duration * (1 - 1e-12 - 4e-16 * static_cast<double>(grid.nodes().size()));
+}
+
+// Of a first grid, per segment.
+template <int N>
+double expected_nodes(BoundGrid<N>& grid, std::size_t segments) {
+  if (segments < many_segments) return 1;
+  double nodes = 0;
+  for (std::size_t k = 0; k < sampled_segments; ++k) {
+    const std::size_t i = k * segments / sampled_segments;
+    grid.build(i, i + 1);
+    nodes += static_cast<double>(grid.nodes().size());
+  }
+  return nodes / sampled_segments;
 }
 
 template <int N>
-Bound bound_of(const PathTask& task, double corner_angle, Progress& progress, double progress_from,
-               double progress_to) {
+Bound bound_of(const PathTask& task, double corner_angle, Progress& progress, double progress_from, double progress_to,
+               std::vector<SectionBound>* sections) {
   const AxisPath& path = task.path;
   ProgressScope pulse(progress, "bound", progress_from, progress_to);
   pulse.report();
@@ -60,45 +97,67 @@ Bound bound_of(const PathTask& task, double corner_angle, Progress& progress, do
   BoundGrid<N> grid(path, task.machine, task.feeds, corner_angle, pulse);
   BoundSolver<N> solver(grid, pulse);
   verify::JerkBound<N> jerk(grid, task.machine, pulse);
+  verify::RepeatedSections repeated(path, task.machine, task.feeds, pulse);
   std::vector<unsigned char> marked;
+  const double expected = expected_nodes(grid, path.size());
+  const double wider = std::clamp(expected * static_cast<double>(path.size()) / usual_nodes, 1.0, widest);
+  const Effort least = effort(wider);
+  const std::size_t window = std::max(many_segments, static_cast<std::size_t>(window_nodes / expected)),
+                    behind = window / (expected < few_nodes ? part_behind_few : part_behind);
+  grid.widen(wider);
   double duration = 0;
-  std::size_t nodes = 0;
+  std::size_t nodes = 0, cells = 0;
   for (std::size_t first = 0, last = 1; first < path.size(); first = last++) {
     while (last < path.size() && !task.rests[last] && list[last - 1].angle <= corner_angle &&
            !path[last - 1].cusp_end() && !path[last].cusp_begin())
       ++last;
+    const double before = duration;
     if (last == first + 1 && path.linear(first)) {
       duration += rest_to_rest(path, first, grid.feed(first), task.machine) * (1 - 1e-12);
       nodes += 2;
       pulse.work(2);
+    } else if (const auto known = repeated.find(first, last)) {
+      duration += known->duration;
+      nodes += known->nodes, cells += known->cells;
+      pulse.work(last - first);
     } else {
+      double section = 0, entry = 0;
+      const std::size_t nodes_before = nodes, cells_before = jerk.cells();
       for (std::size_t begin = first, end = 0; begin < last; begin = end) {
-        end = std::min(begin + longest_stretch, last);
-        grid.build(begin, end, begin == first, end == last);
+        end = last - begin > window + behind ? begin + window : last;
+        grid.build(begin, end < last ? end + behind : last, begin == first, end == last);
+        if (begin > first) grid.enter(entry);
         pulse.done(static_cast<double>(begin + end) / 2 / static_cast<double>(path.size()));
-        double stretch = section_duration(grid, solver, marked);
+        solve(grid, solver, marked, least);
+        const std::size_t kept = end < last ? grid.cells_before(end) : grid.order().size() - 1;
+        double part = solver.duration(kept) * (1 - 1e-12 - 4e-16 * static_cast<double>(kept));
         if (jerk.limited())
-          stretch = std::max(stretch, jerk.duration(solver.speed_squares(), stretch, begin == first, end == last));
-        duration += stretch;
-        nodes += grid.nodes().size();
+          part = std::max(part, jerk.duration(solver.speed_squares(kept + 1), part, begin == first, end == last));
+        section += part;
+        nodes += kept + 1;
+        entry = solver.speed_square(grid.order()[kept]) * (1 + 1e-12);
       }
+      duration += section;
+      cells += jerk.cells() - cells_before;
+      repeated.add({first, last, section, nodes - nodes_before, jerk.cells() - cells_before});
     }
+    if (sections) sections->push_back({first, last, duration - before});
     pulse.done(static_cast<double>(last) / static_cast<double>(path.size()));
   }
   std::string basis = "axis energies between " + std::to_string(nodes) + " nodes of the path";
-  if (jerk.limited()) basis += ", jerk by duality over " + std::to_string(jerk.cells()) + " cells";
+  if (jerk.limited()) basis += ", jerk by duality over " + std::to_string(cells) + " cells";
   return {duration, 0, basis};
 }
 
 }  // namespace
 
 Bound lower_bound(const PathTask& task, double corner_angle, Progress& progress, double progress_from,
-                  double progress_to) {
+                  double progress_to, std::vector<SectionBound>* sections) {
   const std::size_t axes = task.path.axes();
   if (task.path.size() == 0) return {0, 0, "empty contour"};
-  Bound bound = axes <= 2   ? bound_of<2>(task, corner_angle, progress, progress_from, progress_to)
-                : axes == 3 ? bound_of<3>(task, corner_angle, progress, progress_from, progress_to)
-                            : bound_of<max_axes>(task, corner_angle, progress, progress_from, progress_to);
+  Bound bound = axes <= 2   ? bound_of<2>(task, corner_angle, progress, progress_from, progress_to, sections)
+                : axes == 3 ? bound_of<3>(task, corner_angle, progress, progress_from, progress_to, sections)
+                            : bound_of<max_axes>(task, corner_angle, progress, progress_from, progress_to, sections);
   // The planned motion sums up its dwells one by one, with rounding.
   bound.duration += task.dwell() * (1 - 1e-12 - 4e-16 * static_cast<double>(task.dwells.size()));
   return bound;

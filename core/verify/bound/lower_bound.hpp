@@ -1,10 +1,19 @@
 #pragma once
 /// A proven lower bound on the duration of any motion along a contour.
+#include <cstddef>
+#include <vector>
+
 #include "core/base/progress.hpp"
 #include "core/base/verification.hpp"
 #include "core/motion/axes/path_task.hpp"
 
 namespace bahnwerk {
+
+/// What the path's segments [first, last) between two rests take at least, s; without dwells.
+struct SectionBound {
+  std::size_t first = 0, last = 0;
+  double duration = 0;
+};
 
 /// No motion is shorter that keeps the axes' velocity and acceleration limits and the feeds, rests at both ends, at
 /// corners (jump of the tool's tangent > corner_angle, rad), at cusps and where the task says so, and passes every
@@ -25,7 +34,9 @@ namespace bahnwerk {
 /// which the binding condition changes are quartered until the bound changes by less than 3e-7; before that those
 /// between whose nodes the caps have a valley (a parabola through three samples says so) where b comes to half of them
 /// or more. Each time only what lies around the new nodes is solved again, as far as it comes out different
-/// (core/verify/bound/bound_solver.hpp). The task is all that is needed: bound and plan may be made at the same time.
+/// (core/verify/bound/bound_solver.hpp). A section that is an earlier one at another place has that one's bound, less
+/// what rounding may be worth (core/verify/bound/repeated_section.hpp). The task is all that is needed: bound and plan
+/// may be made at the same time.
 ///
 /// What is enclosed. Two figures of a cell depend on what q' does between its nodes: the energy 2 A_k ∫|q'_k| ds, and
 /// how fast an axis may run there, from the least |q'| of the others and its own largest. Both follow from an interval
@@ -49,11 +60,19 @@ namespace bahnwerk {
 /// Distance to the true optimum: exact on polylines; ≤ 5e-6 beyond the reference's own error on 3,000 random contours
 /// of arcs, lines and rational pieces (held to 2e-5 by tests against a dense solution); within 8e-6 of the planner's
 /// duration on a made-up machine with five axes (held to 1e-4). With limits of jerk mostly 0.05 to 2 %. Cost: 90 ns per
-/// line between corners, 170–340 ns per node on arcs, 350–600 ns on free-form curves, O(n) time and ≈ 0.25 kB per node
-/// of two axes between two rests, of at most 200,000 segments (at such a cut the speed is left open); with limits of
-/// jerk 2 to 4 µs per cell of theirs more. Calls progress every few ms; throws what it throws, and UnreachablePose.
+/// line between corners, 170–340 ns per node on arcs, 350–600 ns on free-form curves, O(n) time; with limits of
+/// jerk 2 to 4 µs per cell of theirs more.
+///
+/// Long paths. A section of more than 4096 segments whose first grid has more than some 100,000 nodes is solved in
+/// windows of so many and a 16th more (a quarter where they are straight), which are left open behind; the next window
+/// begins as fast as that one may be there. So memory is that of a window, ≈ 0.25 kB per node of two axes. Limits of
+/// jerk see each window alone, free at its ends. Paths that would need more than 250,000 nodes to begin with get wider
+/// cells, up to 8 times, and are refined less: the bound then lies up to 1e-4 below what it would be.
+///
+/// Calls progress every few ms; throws what it throws, and UnreachablePose. `sections`, if given, is filled with the
+/// bounds of the sections, in order, whose sum (and the dwells) is the bound.
 Bound lower_bound(const PathTask& task, double corner_angle, Progress& progress, double progress_from = 0,
-                  double progress_to = 1);
+                  double progress_to = 1, std::vector<SectionBound>* sections = nullptr);
 
 /// The same for a contour on a Cartesian machine.
 Bound lower_bound(const Contour& contour, const Machine& machine, double corner_angle, Progress& progress,

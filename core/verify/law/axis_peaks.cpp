@@ -9,6 +9,7 @@
 #include "core/numeric/peak.hpp"
 #include "core/verify/law/channel_bounds.hpp"
 #include "core/verify/law/curve_disc.hpp"
+#include "core/verify/law/repeated_run.hpp"
 #include "core/verify/rounding.hpp"
 
 namespace bahnwerk::verify {
@@ -49,12 +50,21 @@ class Sweeper {
         pulse_(pulse),
         channels_(make_channels(in)),
         peaks_(scales(channels_)),
+        repeated_(in),
         kinematic_(dynamic_cast<const KinematicAxisPath*>(&in.path)) {}
 
   AxisPeaks run() {
     const auto& pieces = in_.law.pieces();
     for (index_ = 0; index_ < pieces.size(); ++index_) {
       pulse_.work(1);
+      if (index_ == 0 || pieces[index_].segment != pieces[index_ - 1].segment) {
+        const std::size_t next = repeated_.skip(index_);
+        pulse_.work((next - index_) / 16);
+        if (next > index_) {
+          index_ = next - 1;
+          continue;
+        }
+      }
       if (index_ % 256 == 0) pulse_.done(static_cast<double>(index_) / static_cast<double>(pieces.size()));
       const LawPiece& piece = pieces[index_];
       if (piece.segment < in_.path.size()) check_piece(piece, in_.path[piece.segment]);
@@ -172,8 +182,8 @@ class Sweeper {
   }
 
   void over_time(const LawPiece& piece, const Segment& segment) {
+    const double u0 = begin_of(piece, segment), u1 = end_of(piece, segment);
     if (segment.curve().kind() == CurveKind::rational) {
-      const double u0 = segment.parameter(piece.s), u1 = segment.parameter(piece.s_end);
       const double s0 = segment.travelled(u0), s1 = segment.travelled(u1);
       believe(piece, segment, s1 - s0);
       measure(piece, segment, u0, u1, s0, s1, 0);
@@ -181,26 +191,40 @@ class Sweeper {
     // Counted from the begin of the segment: far along a path the rounding of s would show as noise.
     LawPiece local = piece;
     local.s = piece.s - segment.s0();
-    const bool open = segment.cusp_begin() || segment.cusp_end();
+    const bool open = segment.cusp_begin() || segment.cusp_end(), vanishing = discs(piece.segment).vanishing() > 0;
+    const auto parameter = [&](double tau, double s) {
+      return tau <= 0 ? u0 : tau >= piece.duration ? u1 : segment.parameter_at(s);
+    };
     peaks_.sweep(0, piece.duration, open, index_, [&](PeakSamples& samples) {
       const int n = samples.rule.points;
       pulse_.work(static_cast<std::size_t>(n));
       const double half = 0.5 * (samples.end - samples.begin);
       const LawPiece here = moved(local, samples.begin + half);
-      if (!at_vanishing_tangent(piece.segment, segment.parameter_at(local.at(samples.begin).s),
-                                segment.parameter_at(local.at(samples.end).s)))
-        tell_missing(samples, piece.segment, segment.parameter_at(here.s),
+      const double middle = segment.parameter_at(here.s);
+      if (!vanishing || !at_vanishing_tangent(piece.segment, segment.parameter_at(local.at(samples.begin).s),
+                                              segment.parameter_at(local.at(samples.end).s)))
+        tell_missing(samples, piece.segment, middle,
                      [&](const CurveDisc& disc) { return bounds_over_time(here, half, disc, n); });
       if (samples.empty) return false;
       for (int i = 0; i < n; ++i) {
-        state_[static_cast<std::size_t>(i)] = local.at(samples.at(i));
-        batch_.u.set(static_cast<std::size_t>(i), segment.parameter_at(state_[static_cast<std::size_t>(i)].s));
+        const double tau = samples.at(i);
+        const LawState& at = state_[static_cast<std::size_t>(i)] = local.at(tau);
+        batch_.u.set(static_cast<std::size_t>(i), at.s == here.s ? middle : parameter(tau, at.s));
       }
       fill(piece.segment, n, samples.values, [&](const Channel& c, double d1, double d2, double d3, std::size_t i) {
         return value(c, d1, d2, d3, state_[i]);
       });
       return true;
     });
+  }
+
+  // Parameters of the ends, that of the begin from the piece before where it ended there.
+  double begin_of(const LawPiece& piece, const Segment& segment) const {
+    return index_ > 0 && end_segment_ == piece.segment && end_s_ == piece.s ? end_u_ : segment.parameter(piece.s);
+  }
+  double end_of(const LawPiece& piece, const Segment& segment) {
+    end_segment_ = piece.segment, end_s_ = piece.s_end, end_u_ = segment.parameter(piece.s_end);
+    return end_u_;
   }
 
   // To what the quadrature of a stretch resolves its length, mm.
@@ -233,10 +257,7 @@ class Sweeper {
   }
 
   void over_parameter(const LawPiece& piece, const Segment& segment) {
-    const double u0 =
-        (index_ > 0 && end_segment_ == piece.segment && end_s_ == piece.s) ? end_u_ : segment.parameter(piece.s);
-    const double u1 = segment.parameter(piece.s_end);
-    end_segment_ = piece.segment, end_s_ = piece.s_end, end_u_ = u1;
+    const double u0 = begin_of(piece, segment), u1 = end_of(piece, segment);
     const double v1 = piece.v + piece.a * piece.duration, b0 = piece.v * piece.v, b1 = v1 * v1;
     // Counted from where the piece begins: far along a path the rounding of s would pass for quadrature's error.
     const double before = segment.travelled(u0), ds = segment.travelled(u1) - before;
@@ -334,6 +355,7 @@ class Sweeper {
   ProgressScope& pulse_;
   std::vector<Channel> channels_;
   PeakSweep peaks_;
+  RepeatedRuns repeated_;
   const KinematicAxisPath* kinematic_;  ///< the path, if axes follow it through kinematics
   Strained arc_length_;
   std::size_t index_ = 0;

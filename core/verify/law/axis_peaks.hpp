@@ -20,7 +20,8 @@ struct AxisPeaks {
 /// With q by arc length and the law's v, a, j: v_k = q′v, a_k = q″v² + q′a, j_k = q‴v³ + 3q″va + q′j.
 /// Pieces of constant a are followed over the curve's parameter, where b = v² is linear in s and everything is smooth
 /// up to rest and cusps (v_k² and j_k² are searched); pieces with jerk or snap over time. Pieces with an invalid
-/// segment are left out (another check's fault).
+/// segment are left out (another check's fault). Arcs on which a law does what it did on an earlier one, every piece
+/// compared, are not searched again (core/verify/law/repeated_run.hpp).
 ///
 /// Each peak is an enclosure: the interpolant's maximum plus a proven bound of what it misses
 /// (core/verify/law/channel_bounds.hpp), from the curve in the complex plane (curve_disc.hpp), but for the rounding of

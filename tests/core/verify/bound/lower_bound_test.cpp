@@ -8,6 +8,7 @@
 
 #include "core/base/errors.hpp"
 #include "core/contour/polyline.hpp"
+#include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/verify/verifier.hpp"
 #include "tests/core/verify/reference.hpp"
 
@@ -305,6 +306,33 @@ TEST(LowerBound, LongSectionsAreCutAndStayBelow) {
   const double proven = bound(polyline(2, points, false, unlimited), machine(2, v, a));
   EXPECT_LE(proven, whole);
   EXPECT_GE(proven, whole - 0.5 * v / a);  // what an open speed at the last cut can save
+}
+
+/// A winding curve in pieces of a quarter of a turn or less, each a cubic.
+Contour winding(int pieces) {
+  Maker maker(2, {0, 0, 0});
+  const auto at = [](double t) { return Vec{2 * t, 3 * std::sin(t) + std::sin(2.7 * t), 0}; };
+  const auto slope = [](double t) { return Vec{2, 3 * std::cos(t) + 2.7 * std::cos(2.7 * t), 0}; };
+  constexpr double step = 0.05;
+  for (int i = 0; i < pieces; ++i) {
+    const double t = i * step;
+    const Vec end = at(t + step);
+    maker.bezier({at(t) + step / 3 * slope(t), end - step / 3 * slope(t + step), end});
+  }
+  return maker.done();
+}
+
+TEST(LowerBound, LongPathsAreSolvedInWindowsWithWiderCells) {
+  const Machine m = machine(2, 500, 8000);
+  const Contour few = winding(4000), many = winding(40'000);
+  SilentProgress silent;
+  const double fine = bound(few, m), optimum = plan_acceleration_limited(few, m, {}, silent).law.duration();
+  EXPECT_LE(fine, optimum);
+  EXPECT_GT(fine, optimum * (1 - 1e-5));
+  // The same again and again, but for how it begins and ends.
+  const double coarse = bound(many, m), planned = plan_acceleration_limited(many, m, {}, silent).law.duration();
+  EXPECT_LE(coarse, planned);
+  EXPECT_GT(coarse, planned * (1 - 5e-4));
 }
 
 }  // namespace

@@ -1,0 +1,36 @@
+#include "core/plan/contour/section_gaps.hpp"
+
+#include <algorithm>
+
+#include "core/base/progress_scope.hpp"
+
+namespace bahnwerk {
+
+SectionGaps section_gaps(const AxisPath& path, const TimeLaw& law, double factor,
+                         const std::vector<SectionBound>& bounds, Progress& progress, double progress_at) {
+  ProgressScope pulse(progress, "report", progress_at, progress_at);
+  SectionGaps result;
+  std::vector<double> gaps;
+  const auto& pieces = law.pieces();
+  std::size_t i = 0;
+  for (const SectionBound& section : bounds) {
+    SectionGap gap{path[section.first].source(), path[section.last - 1].s1() - path[section.first].s0(), 0,
+                   section.duration, 0};
+    for (; i < pieces.size() && pieces[i].segment < section.last; ++i) {
+      if (pieces[i].s_end > pieces[i].s) gap.time += pieces[i].duration / factor;
+      pulse.work(1);
+    }
+    if (!(gap.length > SectionGaps::shortest && gap.bound > 0)) continue;
+    gap.gap = gap.time / gap.bound - 1;
+    gaps.push_back(gap.gap);
+    if (gaps.size() == 1 || gap.gap > result.worst.gap) result.worst = gap;
+  }
+  result.count = gaps.size();
+  if (gaps.empty()) return result;
+  const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>((gaps.size() - 1) / 2);
+  std::nth_element(gaps.begin(), middle, gaps.end());
+  result.median = *middle;
+  return result;
+}
+
+}  // namespace bahnwerk

@@ -1,0 +1,32 @@
+#pragma once
+/// How far each section between two rests is from its own bound: a gap of the whole may hide one that is far.
+#include <cstddef>
+#include <vector>
+
+#include "core/base/progress.hpp"
+#include "core/motion/axes/path_task.hpp"
+#include "core/motion/law/time_law.hpp"
+#include "core/verify/bound/lower_bound.hpp"
+
+namespace bahnwerk {
+
+struct SectionGap {
+  std::size_t source = 0;  ///< of the first of its segments
+  double length = 0;       ///< mm
+  double time = 0;         ///< s, as planned, without dwells
+  double bound = 0;        ///< s
+  double gap = 0;          ///< time / bound − 1
+};
+
+struct SectionGaps {
+  static constexpr double shortest = 1;  ///< mm: sections that count are longer
+  std::size_t count = 0;
+  double median = 0;  ///< of the gaps; of two in the middle the smaller one
+  SectionGap worst;   ///< the first one, if there are several; meaningless if count is 0
+};
+
+/// `law` with dwells or without; `factor`: by what it is slower than planned. O(pieces + sections).
+SectionGaps section_gaps(const AxisPath& path, const TimeLaw& law, double factor,
+                         const std::vector<SectionBound>& bounds, Progress& progress, double progress_at);
+
+}  // namespace bahnwerk

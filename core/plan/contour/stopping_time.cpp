@@ -1,0 +1,126 @@
+#include "core/plan/contour/stopping_time.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/verify/bound/rest_to_rest.hpp"
+
+namespace bahnwerk {
+namespace {
+
+constexpr double rounding = 1e-9;  // of the sum, and of what a joint allows
+
+/// ∫ (1 − v/F) dt over a window of `tau` s at most, for v ≤ w + A t.
+double lost_to_acceleration(double speed, double w, double acceleration, double tau) {
+  if (!(speed > w)) return 0;
+  tau = std::min(tau, (speed - w) / acceleration);
+  return ((speed - w) * tau - 0.5 * acceleration * tau * tau) / speed;
+}
+
+/// The same for v ≤ w + J t²/2.
+double lost_to_jerk(double speed, double w, double jerk, double tau) {
+  if (!(speed > w) || !std::isfinite(jerk)) return 0;
+  tau = std::min(tau, std::sqrt(2 * (speed - w) / jerk));
+  return ((speed - w) * tau - jerk * tau * tau * tau / 6) / speed;
+}
+
+}  // namespace
+
+StoppingTime::StoppingTime(const Contour& contour, const AxisPath& axes, const Machine& machine, double corner_angle)
+    : contour_(contour),
+      axes_(axes),
+      machine_(machine),
+      corner_angle_(corner_angle),
+      feeds_(contour.feeds()),
+      rests_(contour.rest_places()) {
+  double speed = 0, acceleration = 0, jerk = 0;
+  for (const AxisLimits& axis : machine.axes) {
+    speed += axis.velocity * axis.velocity;
+    acceleration += axis.acceleration * axis.acceleration;
+    jerk += axis.jerk * axis.jerk;
+  }
+  speed_ = std::sqrt(speed), acceleration_ = std::sqrt(acceleration), jerk_ = std::sqrt(jerk);
+}
+
+bool StoppingTime::rests(std::size_t i) const {
+  const Path& path = contour_.path;
+  if (i == 0 || i >= path.size() || rests_[i]) return true;
+  const Segment &before = path[i - 1], &after = path[i];
+  return before.cusp_end() || after.cusp_begin() ||
+         angle_between(before.at_parameter(before.curve().end()).d1, after.at_parameter(after.curve().begin()).d1) >
+             corner_angle_;
+}
+
+double StoppingTime::least(std::size_t first, std::size_t last, ProgressScope& pulse) const {
+  double sum = 0;
+  for (std::size_t begin = first, end = first + 1; begin < last; begin = end++) {
+    while (end < last && !rests(end)) ++end, pulse.work(1);
+    sum += between_stops(begin, end, pulse);
+  }
+  return sum * (1 - rounding);
+}
+
+StoppingTime::Limit StoppingTime::limit(std::size_t i) const {
+  const Segment& segment = contour_.path[i];
+  Limit l{std::min(feeds_[i], speed_), acceleration_, jerk_, 0};
+  const PathPoint at = segment.at_parameter(segment.curve().begin());
+  if (segment.straight()) {
+    for (std::size_t k = 0; k < machine_.axes.size(); ++k) {
+      const double t = std::abs(at.d1[k]);
+      if (!(t > 1e-12)) continue;
+      l.speed = std::min(l.speed, machine_.axes[k].velocity / t);
+      l.acceleration = std::min(l.acceleration, machine_.axes[k].acceleration / t);
+      l.jerk = std::min(l.jerk, machine_.axes[k].jerk / t);
+    }
+  } else if (segment.curve().kind() == CurveKind::arc) {
+    const double bend = norm(at.d2);
+    if (bend > 0) l.speed = std::min(l.speed, std::sqrt(acceleration_ / bend));
+    l.jerk += bend * bend * l.speed * l.speed * l.speed;
+  } else {
+    l.jerk = unlimited;  // its curvature is not known
+  }
+  l.time = segment.length() / l.speed;
+  return l;
+}
+
+/// The speed at which the joint before segment `next` may be passed: no axis steps by more than acceleration · cycle in
+/// velocity, and jerk · cycle in acceleration, |Δq″ v² + Δq′ v̇|.
+double StoppingTime::joint_speed(std::size_t next) const {
+  const Segment &before = contour_.path[next - 1], &after = contour_.path[next];
+  const PathPoint a = before.at_parameter(before.curve().end()), b = after.at_parameter(after.curve().begin());
+  const double cycle = machine_.cycle_time;
+  double speed = unlimited;
+  for (std::size_t k = 0; k < machine_.axes.size(); ++k) {
+    const double kink = std::abs(b.d1[k] - a.d1[k]), bend = std::abs(b.d2[k] - a.d2[k]);
+    const AxisLimits& axis = machine_.axes[k];
+    if (kink > 0) speed = std::min(speed, axis.acceleration * cycle / kink);
+    if (bend > 0) speed = std::min(speed, std::sqrt((axis.jerk * cycle + kink * acceleration_) / bend));
+  }
+  return speed * (1 + rounding);
+}
+
+double StoppingTime::between_stops(std::size_t first, std::size_t last, ProgressScope& pulse) const {
+  pulse.work(1);
+  if (last == first + 1 && axes_.linear(first)) return verify::rest_to_rest(axes_, first, feeds_[first], machine_);
+  Limit l = limit(first);
+  const auto stop = [](const Limit& at) {
+    if (!std::isfinite(at.speed)) return 0.0;
+    return std::max(lost_to_acceleration(at.speed, 0, at.acceleration, 0.5 * at.time),
+                    lost_to_jerk(at.speed, 0, at.jerk, 0.5 * at.time));
+  };
+  double sum = l.time + stop(l);
+  for (std::size_t i = first + 1; i < last; ++i) {
+    pulse.work(1);
+    const Limit before = l;
+    l = limit(i);
+    sum += l.time;
+    const double speed = std::min(before.speed, l.speed), w = joint_speed(i);
+    if (!(w < speed) || !std::isfinite(speed)) continue;
+    const double tau = 0.5 * std::min(before.time, l.time);
+    sum += 2 * std::max(lost_to_acceleration(speed, w, std::max(before.acceleration, l.acceleration), tau),
+                        lost_to_jerk(speed, w, std::max(before.jerk, l.jerk), tau));
+  }
+  return sum + stop(l);
+}
+
+}  // namespace bahnwerk

@@ -1,0 +1,66 @@
+#include "core/plan/contour/what_if.hpp"
+
+#include <optional>
+#include <utility>
+
+#include "core/base/errors.hpp"
+#include "core/base/progress_part.hpp"
+#include "core/plan/contour/posed_contour.hpp"
+
+namespace bahnwerk {
+namespace {
+
+constexpr const char* stage = "what if";
+
+struct Change {
+  WhatIf::What what;
+  double factor;
+};
+
+void scale(Limits& limits, const Change& change) {
+  if (change.what == WhatIf::What::jerk) limits.jerk *= change.factor;
+  if (change.what == WhatIf::What::acceleration) limits.acceleration *= change.factor;
+}
+
+std::optional<double> duration(const std::shared_ptr<const Contour>& given, const Machine& machine,
+                               const ContourPlanning& planning, Progress& progress) {
+  constexpr double posed_at = 0.5;
+  try {
+    PosedContour posed = pose_contour(given, machine, planning, progress, 0, posed_at);
+    posed.path.only_duration = true;
+    posed.path.from = posed_at, posed.path.to = 1;
+    const PathPlan plan = plan_along(posed.path, progress);
+    if (plan.verification.passed) return plan.duration;
+  } catch (const Stopped&) {
+    throw;
+  } catch (const PlanningError&) {
+    // A tolerance or a limit with which nothing can be planned: that is the answer.
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<WhatIf> what_if(const std::shared_ptr<const Contour>& given, const Machine& machine,
+                            const ContourPlanning& planning, Progress& progress, double from, double to) {
+  std::vector<Change> changes;
+  if (planning.corner_mode == CornerMode::blend) changes.push_back({WhatIf::What::tolerance, 2});
+  if (method_row(planning.method).limits_jerk)
+    changes.insert(changes.end(), {{WhatIf::What::jerk, 0.5}, {WhatIf::What::jerk, 2}});
+  changes.push_back({WhatIf::What::acceleration, 0.5});
+  std::vector<WhatIf> answers;
+  const double share = (to - from) / static_cast<double>(changes.size());
+  for (const Change& change : changes) {
+    Machine other = machine;
+    for (AxisLimits& axis : other.axes) scale(axis, change);
+    ContourPlanning asked = planning;
+    scale(asked.along, change);
+    if (change.what == WhatIf::What::tolerance) asked.blend_tolerance *= change.factor;
+    const double begin = from + share * static_cast<double>(answers.size());
+    ProgressPart part(progress, stage, begin, begin + share);
+    answers.push_back({change.what, change.factor, duration(given, other, asked, part)});
+  }
+  return answers;
+}
+
+}  // namespace bahnwerk

@@ -1,0 +1,59 @@
+#pragma once
+/// Whether a section is an earlier one at another place, and what the rounding of coordinates may then be worth in
+/// time: one bound serves both.
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/base/progress_scope.hpp"
+#include "core/geometry/path/rough_shape.hpp"
+#include "core/machine/machine.hpp"
+#include "core/motion/axes/axis_path.hpp"
+
+namespace bahnwerk::verify {
+
+/// Such an η that no motion along segments [b, b + n), from rest to rest within the limits, is shorter than 1 − η times
+/// the shortest one along [a, a + n); infinite where the two do not match, or where that cannot be told. Cartesian axes
+/// only. O(n); tells `pulse`.
+///
+/// The argument. Free-form curves have to agree but for their place, to the last bit. Of lines and arcs the difference
+/// in what they are made of bounds how far q′, q″, q‴ are apart at corresponding places, by ε₁, ε₂, ε₃. Segments whose
+/// lengths differ by D are mapped onto each other by w(s) with w′ = 1 + D · 30 x²(1 − x)²/L, x = s/L, so that w is C²
+/// at joints: |w′ − 1| ≤ 2|D|/L, |w″| ≤ 6|D|/L², |w‴| ≤ 60|D|/L³. A motion s(t) along b becomes w(s(t)) along a, with
+/// accelerations and jerks that differ by less than what is added up here: |s̈| ≤ A with A² = Σ A_k², hence v² ≤ A L
+/// over the section, |q″| v² ≤ A, and |s⃛| ≤ J + A |q″| v likewise. Slowed uniformly by 1 + η it is within the limits
+/// along a if no limit is exceeded by more than η of itself. The same goes for the steps of velocity and acceleration
+/// that joints inside the section allow.
+double repeat_margin(const AxisPath& path, const Machine& machine, const std::vector<double>& feeds, std::size_t a,
+                     std::size_t b, std::size_t n, ProgressScope& pulse);
+
+/// The bounds of sections so far, for those that come back.
+class RepeatedSections {
+ public:
+  struct Known {
+    std::size_t first, last;
+    double duration;
+    std::size_t nodes, cells;  ///< of the bound's grid, of the relaxation
+  };
+  /// All outlive it.
+  RepeatedSections(const AxisPath& path, const Machine& machine, const std::vector<double>& feeds, ProgressScope& pulse)
+      : path_(path), machine_(machine), feeds_(feeds), pulse_(pulse) {}
+  /// What is known of the segments [first, last): an earlier section's, less the margin. Of a path through kinematics
+  /// nothing ever is.
+  std::optional<Known> find(std::size_t first, std::size_t last);
+  /// Of the section asked for last.
+  void add(const Known& section);
+
+ private:
+  static constexpr double largest_margin = 1e-9;
+
+  const AxisPath& path_;
+  const Machine& machine_;
+  const std::vector<double>& feeds_;
+  ProgressScope& pulse_;
+  std::uint64_t shape_ = 0;
+  RoughIndex index_;
+  std::vector<Known> known_;
+};
+
+}  // namespace bahnwerk::verify
