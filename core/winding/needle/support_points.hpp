@@ -53,8 +53,8 @@ std::vector<FixedPiece> support_points(const StatorPart& part, const std::vector
 std::vector<FixedPiece> support_points(const RotorPart& part, const std::vector<Turn>& turns, const NeedleModel& model);
 
 /// The needle in a stator's slot: the tip from which a wire along `along` comes to lie at `place`, seen by a needle
-/// that points away from the axis or, with a limit, through `pivot` as far as the limit allows. The pivot counts where
-/// it is nearer to the axis than the place is.
+/// that points away from the axis or, with a limit, through `pivot` as far as the limit allows. A pivot that lies less
+/// than 1 mm before the bend, or behind it, counts as 1 mm before it. Throws Infeasible.
 SupportPoint slot_support(Space place, Space along, double bend_radius, double free_length, Space pivot,
                           std::optional<double> pivot_limit);
 

@@ -164,6 +164,26 @@ TEST(SupportPoints, OfARotorPointAtItsAxis) {
   }
 }
 
+// Up to the opening, where the bend begins before the pivot.
+TEST(SupportPoints, PivotShiftHasADirectionForEveryWire) {
+  const StatorPart part;
+  const Wound w = wound(part, {{0, 5}}, 0.4945, 200);
+  ASSERT_GT(w.turns.size(), 60u);
+  for (const double rho : {0.0, 2.0, 5.0, 9.0})
+    for (const double limit : {0.0, 0.05, 0.1, 0.3, 0.8}) {
+      NeedleModel model;
+      model.pull.bend_radius = rho;
+      model.pivot_limit = limit;
+      const std::vector<FixedPiece> pieces = support_points(part, w.coils, w.turns, model);
+      ASSERT_EQ(pieces.size(), 4 * w.turns.size());
+      for (std::size_t n = 0; n < pieces.size(); n += 2) {
+        const Passage& p = w.turns[n / 4].at[n % 4];
+        EXPECT_LE(std::abs(pieces[n].begin.pivot_shift), limit + 1e-12);
+        expect_leads_to(pieces[n].begin, p.begin, unit(p.begin - p.held), rho, 2, static_cast<int>(n));
+      }
+    }
+}
+
 // A coil and its mirror image have mirrored support points.
 TEST(SupportPoints, MirrorWithTheCoil) {
   const StatorPart part;
