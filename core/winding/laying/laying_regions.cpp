@@ -56,6 +56,12 @@ Point Frame::foot(Space p) const {
   return {dot(d, x), dot(d, y)};
 }
 
+Space LayingRegions::held(std::size_t j, Point place) const {
+  const Space begin = at[j].begin.place(place), end = at[j].end.place(place), back = begin - end;
+  const double length = std::sqrt(dot(back, back));
+  return end + (length > 0 ? hold / length : 0) * back;
+}
+
 LayingRegions laying_regions(const Slot& slot, const StatorHeads& h) {
   struct Side {
     Space radial, tangential;

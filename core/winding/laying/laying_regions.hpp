@@ -5,6 +5,7 @@
 /// Part: z along its axis from the stack's lower to its upper end, x through the first slot's middle (stator) or along
 /// the tooth (rotor); the wire enters the first slot from above.
 #include <array>
+#include <cstddef>
 #include <numbers>
 
 #include "core/winding/slot/slot.hpp"
@@ -36,6 +37,8 @@ struct LayingRegions {
   /// The wire is drawn from a point this far before the end of the region that it leaves: it bends round the edge
   /// between two regions instead of being held at its tip.
   double hold = 0;
+  /// Where the wire at `place` of region `j` is still held before it leaves the region.
+  Space held(std::size_t j, Point place) const;
 };
 
 /// Winding heads of a stator. Wires lie behind a winding tool per slot: outside a cylinder about the stator's axis and

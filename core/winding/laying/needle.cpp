@@ -8,15 +8,6 @@
 namespace bahnwerk::winding {
 namespace {
 
-/// Where the wire at `place` is still held before it leaves a region: `hold` before the region's end along the wire.
-Space held(const LayingRegion& region, Point place, double hold) {
-  const Space begin = region.begin.place(place), end = region.end.place(place);
-  const Space d{begin.x - end.x, begin.y - end.y, begin.z - end.z};
-  const double length = std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
-  const double k = length > 0 ? hold / length : 0;
-  return {end.x + k * d.x, end.y + k * d.y, end.z + k * d.z};
-}
-
 /// Share of the wires laid, from the area that they take at least.
 double share(std::size_t wires, const Region& usable_area, double radius) {
   return std::min(1.0, static_cast<double>(wires) * 3.5 * radius * radius / usable_area.area());
@@ -44,15 +35,14 @@ NeedleLayout needle(const LayingRegions& regions, double radius, Point tie_in, P
       sites[j].lay(*place);
       layouts[j].wires.push_back(*place);
       layouts[j].tension_points.push_back(tension_point);
-      tension_point = regions.at[(j + 1) % 4].begin.foot(held(regions.at[j], *place, regions.hold));
+      tension_point = regions.at[(j + 1) % 4].begin.foot(regions.held(j, *place));
     }
   }
 }
 
 std::vector<Point> turn_pulls(const LayingRegions& regions, const Layout& layout) {
   std::vector<Point> tension_points;
-  for (const Point wire : layout.wires)
-    tension_points.push_back(regions.at[2].begin.foot(held(regions.at[1], wire, regions.hold)));
+  for (const Point wire : layout.wires) tension_points.push_back(regions.at[2].begin.foot(regions.held(1, wire)));
   return tension_points;
 }
 

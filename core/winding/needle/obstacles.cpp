@@ -1,0 +1,89 @@
+#include "core/winding/needle/obstacles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/base/errors.hpp"
+#include "core/winding/part/space.hpp"
+
+namespace bahnwerk::winding {
+namespace {
+
+/// The slot's outline with the line between the tooth tips replaced by tips, opening and bore.
+Region air_of(const StatorPart& part, const Slot& slot) {
+  const double h = part.slot.height, r = part.slot.tip_corner_radius, axis = part.heads.base_radius;
+  std::vector<Edge> loop;
+  bool opened = false;
+  for (const Edge& e : slot.iron.edges()) {
+    const bool closing = !opened && e.straight() && std::abs(e.from.y - h) < 1e-9 && std::abs(e.to.y - h) < 1e-9;
+    if (!closing) {
+      loop.push_back(e);
+      continue;
+    }
+    opened = true;
+    const double x = std::min(part.slot.opening_width / 2, e.from.x);
+    const Point right{x, h}, left{-x, h}, out_right{x, h + 2 * r}, out_left{-x, h + 2 * r}, middle{0, axis};
+    const double quarter = std::numbers::pi / 2;
+    if (distance(e.from, right) > 1e-12) loop.push_back(line(e.from, right));
+    if (r > 0) loop.push_back(arc({x, h + r}, r, -quarter, -2 * quarter));
+    loop.push_back(arc_between(middle, out_right, out_left, true));
+    if (r > 0) loop.push_back(arc({-x, h + r}, r, quarter, -2 * quarter));
+    if (distance(left, e.to) > 1e-12) loop.push_back(line(left, e.to));
+  }
+  if (!opened) throw std::invalid_argument("the slot has no straight line between its tooth tips");
+  if (h + 2 * r >= axis) throw InvalidInput({{{"part", "base_radius"}, "leaves no bore inside the tooth tips"}});
+  return Region(std::move(loop));
+}
+
+}  // namespace
+
+StatorIron::StatorIron(const StatorPart& part, const Slot& slot)
+    : air_(air_of(part, slot)), axis_(part.heads.base_radius), pitch_(part.pitch()), stack_(part.heads.stack) {}
+
+double StatorIron::section_distance(Space p) const {
+  const double at = azimuth(p), from_axis = std::hypot(p.x, p.y), local = std::remainder(at, pitch_);
+  return air_.distance({from_axis * std::sin(local), axis_ - from_axis * std::cos(local)});
+}
+
+double StatorIron::distance(Space p) const {
+  const double section = section_distance(p), beyond = std::max(-p.z, p.z - stack_);
+  if (section >= 0) return beyond > 0 ? std::hypot(section, beyond) : section;
+  return beyond > 0 ? beyond : std::max(section, beyond);
+}
+
+Block::Block(double azimuth, double inner, double outer, double left, double right, double low, double high)
+    : azimuth_(azimuth),
+      middle_{(inner + outer) / 2, (left + right) / 2, (low + high) / 2},
+      half_{(outer - inner) / 2, (right - left) / 2, (high - low) / 2} {}
+
+double Block::distance(Space p) const {
+  const Space d = turned(p, -azimuth_) - middle_;
+  const Space out{std::abs(d.x) - half_.x, std::abs(d.y) - half_.y, std::abs(d.z) - half_.z};
+  const double inside = std::max({out.x, out.y, out.z});
+  if (inside <= 0) return inside;
+  return norm({std::max(out.x, 0.0), std::max(out.y, 0.0), std::max(out.z, 0.0)});
+}
+
+std::vector<Block> tool_posts(const StatorPart& part, const ToolPost& post, Coil coil) {
+  std::vector<InputFault> faults;
+  const auto check = [&](const char* member, double value) {
+    if (!(value > 0) || !std::isfinite(value)) faults.push_back({{"tool", member}, "is not a number above 0"});
+  };
+  check("width", post.width);
+  check("thickness", post.thickness);
+  check("height", post.height);
+  if (!faults.empty()) throw InvalidInput(faults);
+  const double r = part.heads.tool_radius, shift = part.heads.tool_shift * (coil.span > 0 ? 1 : -1);
+  std::vector<Block> posts;
+  for (const bool second : {false, true}) {
+    // Tools stand shifted towards the coil's middle.
+    const double azimuth = (coil.first + (second ? coil.span : 0)) * part.pitch(), at = second ? -shift : shift;
+    for (const bool top : {false, true})
+      posts.emplace_back(azimuth, r - post.thickness, r, at - post.width / 2, at + post.width / 2,
+                         top ? part.heads.stack : -post.height, top ? part.heads.stack + post.height : 0.0);
+  }
+  return posts;
+}
+
+}  // namespace bahnwerk::winding

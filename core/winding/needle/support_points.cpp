@@ -1,0 +1,168 @@
+#include "core/winding/needle/support_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/base/errors.hpp"
+
+namespace bahnwerk::winding {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+double nearest_turn(double angle, double to) { return to + std::remainder(angle - to, 2 * pi); }
+
+Space direction(Space from, Space to) {
+  const Space way = to - from;
+  const double length = norm(way);
+  if (!(length > 1e-9)) throw Infeasible("two laying regions have no distance: the wire between them has no direction");
+  return (1 / length) * way;
+}
+
+void check(const NeedleModel& model) {
+  std::vector<InputFault> faults;
+  if (model.pivot_limit && !(*model.pivot_limit >= 0 && *model.pivot_limit < pi / 2))
+    faults.push_back({{"needle", "pivot_limit"}, "is not from 0° to less than 90°"});
+  if (!(model.change_radius >= 0)) faults.push_back({{"needle", "change_radius"}, "is not a number of 0 or more"});
+  if (!(model.change_height >= 0)) faults.push_back({{"needle", "change_height"}, "is not a number of 0 or more"});
+  if (!faults.empty()) throw InvalidInput(faults);
+}
+
+/// Collects pieces; angles run on.
+class Pieces {
+ public:
+  explicit Pieces(const NeedleModel& model) : model_(model) {}
+  void add(FixedPiece piece) {
+    piece.begin.pose.phi = list_.empty() ? piece.begin.pose.phi : run_on(piece.begin.pose.phi);
+    piece.end.pose.phi = piece.shape == FixedPiece::Shape::arc ? piece.begin.pose.phi + piece.sweep
+                                                               : nearest_turn(piece.end.pose.phi, piece.begin.pose.phi);
+    list_.push_back(piece);
+    if (piece.kind == FixedPiece::Kind::coil_change) return;
+    for (const SupportPoint* s : {&piece.begin, &piece.end}) {
+      farthest_ = std::max(farthest_, std::hypot(s->pose.tip.x, s->pose.tip.y));
+      highest_ = std::max(highest_, s->pose.tip.z);
+    }
+  }
+  /// Puts an arc between each two coils, above and outside all else.
+  std::vector<FixedPiece> with_changes() && {
+    std::vector<FixedPiece> pieces = std::move(list_);
+    list_.clear();
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      if (i > 0 && pieces[i].coil != pieces[i - 1].coil) add(change(pieces[i - 1], pieces[i]));
+      add(pieces[i]);
+    }
+    return std::move(list_);
+  }
+
+ private:
+  double run_on(double phi) const { return nearest_turn(phi, list_.back().end.pose.phi); }
+  FixedPiece change(const FixedPiece& from, const FixedPiece& to) const {
+    FixedPiece arc = from;
+    arc.kind = FixedPiece::Kind::coil_change;
+    arc.shape = FixedPiece::Shape::arc;
+    arc.begin = from.end;
+    const double begin = azimuth(from.end.pose.tip), radius = farthest_ + model_.change_radius,
+                 height = highest_ + model_.change_height;
+    arc.sweep = std::remainder(azimuth(to.begin.pose.tip) - begin, 2 * pi);
+    arc.end = arc.begin;
+    const auto at = [&](double angle) { return radius * radial(angle) + Space{0, 0, height}; };
+    arc.begin.pose.tip = at(begin);
+    arc.end.pose.tip = at(begin + arc.sweep);
+    return arc;
+  }
+  const NeedleModel& model_;
+  std::vector<FixedPiece> list_;
+  double farthest_ = 0, highest_ = 0;
+};
+
+/// A stator's winding head: the needle points along the axis towards the stack. The arc keeps the larger radius and the
+/// larger distance from the stack of both of its ends, so that nowhere the wire bends more than at these.
+FixedPiece head(const Passage& p, double sense, bool top, double rho, double length) {
+  FixedPiece piece;
+  piece.shape = FixedPiece::Shape::arc;
+  const double out = top ? 1 : -1;
+  const Space needle{0, 0, -out};
+  const TipOffset in = tip_offset(direction(p.held, p.begin), needle, rho, length);
+  const Space tip = p.begin + in.offset;
+  // Along the arc the wire trails horizontally: a right angle with the needle.
+  const double lead = length + rho, radius = std::max(std::hypot(tip.x, tip.y), std::hypot(p.end.x, p.end.y)),
+               height = out * std::max(out * tip.z, out * p.end.z + rho);
+  const double between = sense * (azimuth(p.end) - azimuth(p.begin)),
+               wires = between - 2 * pi * std::floor(between / (2 * pi)),
+               sweep = wires + lead / radius - sense * std::remainder(azimuth(tip) - azimuth(p.begin), 2 * pi);
+  if (!(sweep > 0)) throw Infeasible("a winding head is shorter than the needle's way into it");
+  piece.sweep = sense * sweep;
+  const double begin = azimuth(tip), psi = out * pi / 2;  // (4.26)
+  const auto at = [&](double angle) { return radius * radial(angle) + Space{0, 0, height}; };
+  piece.begin = {{at(begin), begin, psi}, 0, in.exit_angle};
+  piece.end = {{at(begin + piece.sweep), begin + piece.sweep, psi}, 0, pi / 2};
+  return piece;
+}
+
+}  // namespace
+
+Space NeedlePose::direction() const {
+  return {std::cos(phi) * std::cos(psi), std::sin(phi) * std::cos(psi), -std::sin(psi)};
+}
+
+std::vector<FixedPiece> support_points(const StatorPart& part, const std::vector<Coil>& coils,
+                                       const std::vector<Turn>& turns, const NeedleModel& model) {
+  check(model);
+  const double rho = bend_radius(model.pull), length = model.pull.free_length;
+  // Where the tooth tips are nearest to each other.
+  const double opening = part.heads.base_radius - part.slot.height - part.slot.tip_corner_radius;
+  Pieces pieces(model);
+  for (const Turn& turn : turns) {
+    const Coil& coil = coils.at(turn.coil);
+    for (std::size_t j = 0; j < 4; ++j) {
+      const Passage& p = turn.at[j];
+      FixedPiece piece;
+      if (j % 2 == 1) {
+        const double sense = (coil.span > 0) == (j == 1) ? 1 : -1;
+        piece = head(p, sense, j == 3, rho, length);
+      } else {
+        const double slot = (coil.first + (j == 2 ? coil.span : 0)) * part.pitch();
+        const Space pivot = opening * radial(slot);
+        piece.begin = slot_support(p.begin, direction(p.held, p.begin), rho, length, pivot, model.pivot_limit);
+        piece.end = slot_support(p.end, direction(p.begin, p.end), rho, length, pivot, model.pivot_limit);
+      }
+      piece.coil = turn.coil, piece.turn = turn.number, piece.region = j;
+      pieces.add(piece);
+    }
+  }
+  return std::move(pieces).with_changes();
+}
+
+std::vector<FixedPiece> support_points(const RotorPart&, const std::vector<Turn>& turns, const NeedleModel& model) {
+  check(model);
+  const double rho = bend_radius(model.pull), length = model.pull.free_length;
+  // The needle points at the axis (4.28): its tip is on the outer side of the bend, whose tangents meet at C.
+  const auto support = [&](Space place, Space along) {
+    SupportPoint found;
+    double tangent = rho;
+    for (int i = 0; i < 200; ++i) {
+      found.pose.phi = azimuth(place + (length + tangent) * along) + pi;
+      const TipOffset tip = tip_offset(along, radial(found.pose.phi), rho, length);
+      found.pose.tip = place + tip.offset;
+      found.exit_angle = tip.exit_angle;
+      const double next = rho * std::tan(tip.exit_angle / 2);
+      if (std::abs(next - tangent) <= 1e-14 * (1 + tangent)) return found;
+      tangent = i < 20 ? next : (tangent + next) / 2;
+    }
+    throw Infeasible("no direction of the needle brings the wire to its place");
+  };
+  Pieces pieces(model);
+  for (const Turn& turn : turns)
+    for (std::size_t j = 0; j < 4; ++j) {
+      const Passage& p = turn.at[j];
+      FixedPiece piece;
+      piece.begin = support(p.begin, direction(p.held, p.begin));
+      piece.end = support(p.end, direction(p.begin, p.end));
+      piece.coil = turn.coil, piece.turn = turn.number, piece.region = j;
+      pieces.add(piece);
+    }
+  return std::move(pieces).with_changes();
+}
+
+}  // namespace bahnwerk::winding

@@ -1,0 +1,61 @@
+#pragma once
+/// What of the needle's path is fixed: a straight line through every slot, an arc about the part's axis behind the
+/// winding tools of a stator or a straight line along the end cap of a rotor's pole, with the needle's pose at both
+/// ends [Herrmann 4.2.6, (4.24)–(4.29), 4.3]. Between them the path is free. Lengths mm, angles rad.
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/winding/needle/wire_pull.hpp"
+#include "core/winding/part/turns.hpp"
+
+namespace bahnwerk::winding {
+
+/// φ is the azimuth in which the needle points, ψ how far it points down: it points along
+/// (cos φ cos ψ, sin φ cos ψ, −sin ψ).
+struct NeedlePose {
+  Space tip;
+  double phi = 0, psi = 0;
+  Space direction() const;
+};
+
+struct SupportPoint {
+  NeedlePose pose;
+  double pivot_shift = 0;  ///< φ_DPVS: of φ against the azimuth of the tip (4.25); 0 in a rotor and in winding heads
+  double exit_angle = 0;   ///< α, of the wire against the needle's axis; above 90° its tension rises [4.2.6]
+};
+
+struct FixedPiece {
+  enum class Shape { line, arc };  ///< arc: about the part's axis, at one height
+  enum class Kind { region, coil_change };
+  Kind kind = Kind::region;
+  std::size_t coil = 0, turn = 0;  ///< of a change: those that it comes from
+  std::size_t region = 0;          ///< 0 … 3; of a change 3
+  Shape shape = Shape::line;
+  SupportPoint begin, end;  ///< φ runs on from piece to piece, without jumps by whole turns
+  double sweep = 0;         ///< of an arc about the axis, counterclockwise positive
+};
+
+struct NeedleModel {
+  Pull pull;
+  /// Pivot shift: in a stator's slot the needle swivels about the middle of the tooth opening, φ_DPVS at most by so
+  /// much to either side. Without it the needle points away from the stator's axis.
+  std::optional<double> pivot_limit;
+  /// How much farther from the axis, and higher, than any other piece the needle passes from coil to coil.
+  double change_radius = 0, change_height = 0;
+};
+
+/// Support points of turns that turns_of made of coil_regions of these coils. The first turn's wire comes from where
+/// turns_of holds it. Throws InvalidInput naming members of "pull" and "needle"; Infeasible where a head is too short
+/// for its arc, or the wire would leave the needle backwards. O(turns).
+std::vector<FixedPiece> support_points(const StatorPart& part, const std::vector<Coil>& coils,
+                                       const std::vector<Turn>& turns, const NeedleModel& model);
+std::vector<FixedPiece> support_points(const RotorPart& part, const std::vector<Turn>& turns, const NeedleModel& model);
+
+/// The needle in a stator's slot: the tip from which a wire along `along` comes to lie at `place`, seen by a needle
+/// that points away from the axis or, with a limit, through `pivot` as far as the limit allows. A pivot that lies less
+/// than 1 mm before the bend, or behind it, counts as 1 mm before it. Throws Infeasible.
+SupportPoint slot_support(Space place, Space along, double bend_radius, double free_length, Space pivot,
+                          std::optional<double> pivot_limit);
+
+}  // namespace bahnwerk::winding

@@ -1,0 +1,131 @@
+#include "core/winding/part/part.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include "core/base/errors.hpp"
+#include "core/winding/part/space.hpp"
+
+namespace bahnwerk::winding {
+namespace {
+
+[[noreturn]] void refuse(std::vector<std::string> place, const std::string& why) {
+  throw InvalidInput({{std::move(place), why}});
+}
+
+void check_numbers(int from, int to, int slots) {
+  std::vector<InputFault> faults;
+  const int given[] = {from, to};
+  for (int i = 0; i < 2; ++i)
+    if (given[i] < 0 || given[i] > slots)
+      faults.push_back({{"coil", "slots", std::to_string(i)}, "is none of the slots 0 to " + std::to_string(slots)});
+  if (!faults.empty()) throw InvalidInput(faults);
+}
+
+int reduced(int n, int slots) { return ((n % slots) + slots) % slots; }
+
+/// Whether the outline stays on the right of the line through `on` along `direction`.
+bool right_of(const Region& outline, Point on, Point direction) {
+  const Point left = left_of(direction);
+  for (const Edge& e : outline.edges()) {
+    std::vector<Point> farthest{e.from, e.to};
+    // Of an arc the point that lies farthest to the left.
+    if (!e.straight()) farthest.push_back(e.at(e.nearest(e.centre + 2 * e.radius * left)));
+    for (const Point p : farthest)
+      if (dot(p - on, left) >= 0) return false;
+  }
+  return true;
+}
+
+Frame placed(const Frame& f, bool mirrored, double angle) {
+  const auto move = [&](Space a) { return turned(mirrored ? Space{a.x, -a.y, a.z} : a, angle); };
+  return {move(f.origin), move(f.x), move(f.y)};
+}
+
+LayingRegions placed(LayingRegions regions, bool mirrored, double angle) {
+  for (LayingRegion& r : regions.at) {
+    r.begin = placed(r.begin, mirrored, angle);
+    r.end = placed(r.end, mirrored, angle);
+  }
+  return regions;
+}
+
+}  // namespace
+
+Coil coil_between(const StatorPart& part, int from, int to) {
+  check_numbers(from, to, part.slots);
+  int span = to - from;
+  if (2 * std::abs(span) > part.slots) span -= span > 0 ? part.slots : -part.slots;
+  if (span == 0) refuse({"coil", "slots"}, "names the same slot twice");
+  return {from, span};
+}
+
+Coil coil_between(const RotorPart& part, int from, int to) {
+  check_numbers(from, to, part.poles);
+  const int span = to - from;
+  if (std::abs(span) == 1) return {from, span};
+  if (reduced(span, part.poles) == 1) return {from, 1};
+  if (reduced(span, part.poles) == part.poles - 1) return {from, -1};
+  refuse({"coil", "slots"}, "a rotor's coil lies about one pole: its slots are neighbours");
+}
+
+Coil reversed(Coil coil) { return {coil.first + coil.span, -coil.span}; }
+
+std::vector<Coil> repeated(Coil coil, int slots, int step, std::size_t count, bool alternate) {
+  std::vector<Coil> coils;
+  long long first = coil.first;
+  for (std::size_t i = 0; i < count; ++i, first = (first + step) % slots) {
+    Coil next{reduced(static_cast<int>(first % slots), slots), coil.span};
+    if (alternate && i % 2 == 1) next = reversed(next);
+    next.first = reduced(next.first, slots);
+    coils.push_back(next);
+  }
+  return coils;
+}
+
+Slot checked_slot(const StatorPart& part) {
+  const Slot slot = make_slot(part.slot);
+  if (part.slots < 2) refuse({"part", "slots"}, "is less than 2: a coil needs two slots");
+  if (part.heads.base_radius <= part.slot.height)
+    refuse({"part", "base_radius"}, "is no more than the slot's height: the slot would reach the stator's axis");
+  // The middle of the tooth beside, seen in slot coordinates, from the axis outwards.
+  const double half = part.pitch() / 2;
+  const Point axis{0, part.heads.base_radius}, tooth{std::sin(half), -std::cos(half)};
+  if (!right_of(slot.iron, axis, tooth))
+    refuse({"part", "slots"}, "leaves no tooth between the slots: fewer slots or a larger radius are needed");
+  return slot;
+}
+
+Slot checked_slot(const RotorPart& part) {
+  const Slot slot = make_slot(part.slot);
+  if (part.poles < 2) refuse({"part", "poles"}, "is less than 2");
+  // The middle between two poles, in slot coordinates, from the axis outwards. The slot lies on its right.
+  const double half = part.pitch() / 2;
+  const Point axis{-part.heads.tooth_radius, -part.heads.tooth_half_width}, middle{std::cos(half), std::sin(half)};
+  if (!right_of(slot.iron, axis, middle))
+    refuse({"part", "poles"},
+           "lets neighbouring coils reach into each other: fewer poles or a larger radius are needed");
+  return slot;
+}
+
+LayingRegions coil_regions(const StatorPart& part, const Slot& slot, Coil coil) {
+  StatorHeads heads = part.heads;
+  heads.slot_pitch = part.pitch();
+  heads.span = std::abs(coil.span);
+  if (heads.span == 0) refuse({"coil", "slots"}, "names the same slot twice");
+  if (2 * std::atan2(heads.tool_shift, heads.tool_radius) >= heads.span * heads.slot_pitch)
+    refuse({"part", "tool_shift"}, "lets the winding tools of the coil's two sides pass each other");
+  // laying_regions has the second slot clockwise from the first.
+  return placed(laying_regions(slot, heads), coil.span > 0, coil.first * part.pitch());
+}
+
+LayingRegions coil_regions(const RotorPart& part, const Slot& slot, Coil coil) {
+  if (std::abs(coil.span) != 1)
+    refuse({"coil", "slots"}, "a rotor's coil lies about one pole: its slots are neighbours");
+  // laying_regions begins in the slot on the clockwise side of the pole (4.23).
+  const int pole = coil.span > 0 ? coil.first : coil.first - 1;
+  return placed(laying_regions(slot, part.heads), coil.span < 0, pole * part.pitch());
+}
+
+}  // namespace bahnwerk::winding

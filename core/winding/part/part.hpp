@@ -1,0 +1,62 @@
+#pragma once
+/// The part that is wound, and where its coils lie: frames of the laying regions for any slot, span and winding
+/// direction [Herrmann (4.22), (4.23), Tables 4.3 and 4.4]. Lengths mm, angles rad.
+///
+/// Slots are numbered counterclockwise seen from above. Slot n of a stator has its middle at n · 2π/slots. Slot n of a
+/// rotor lies between pole n − 1 and pole n, and pole n has its middle at n · 2π/poles: a coil over the slots [n, n +
+/// 1] lies about pole n.
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+#include "core/winding/laying/laying_regions.hpp"
+
+namespace bahnwerk::winding {
+
+struct StatorPart {
+  StatorSlot slot;
+  /// `slot_pitch` and `span` are not looked at: they follow from the number of slots and from the coil.
+  StatorHeads heads;
+  int slots = 48;
+  double pitch() const { return 2 * std::numbers::pi / slots; }
+};
+
+struct RotorPart {
+  RotorSlot slot;
+  RotorHeads heads;
+  int poles = 6;
+  double pitch() const { return 2 * std::numbers::pi / poles; }
+};
+
+/// The wire goes down through slot `first` and up through slot `first + span`, counted round the part; the span's sign
+/// is the sense in which it passes the lower winding head.
+struct Coil {
+  int first = 0;
+  int span = 5;
+  friend bool operator==(const Coil&, const Coil&) = default;
+};
+
+/// The coil from slot `from` to slot `to`, both 0 … number of slots (which is slot 0 again), the shorter way round.
+/// Over half a stator that is the way that the numbers count. About a rotor's pole: [n, n + 1] or, the other way round,
+/// [n + 1, n]. Throws InvalidInput naming coil.slots.
+Coil coil_between(const StatorPart& part, int from, int to);
+Coil coil_between(const RotorPart& part, int from, int to);
+
+/// The same coil wound the other way round: down where it went up.
+Coil reversed(Coil coil);
+/// `count` coils, each `step` slots after the one before, every other one reversed if `alternate`. Slot numbers are
+/// reduced to 0 … slots − 1.
+std::vector<Coil> repeated(Coil coil, int slots, int step, std::size_t count, bool alternate);
+
+/// The slot as sections and layouts see it. Throws InvalidInput naming members of "slot", and of "part": a number of
+/// slots or poles below 2 or so large that the slots reach into each other.
+Slot checked_slot(const StatorPart& part);
+Slot checked_slot(const RotorPart& part);
+
+/// The four laying regions of one coil, at its place in the part. Sections, and with them layouts, are the same for all
+/// coils of a span's size: a coil that goes counterclockwise mirrors one that goes clockwise. `slot` is
+/// checked_slot(part). Throws InvalidInput where the winding tools of both sides stand in each other's way.
+LayingRegions coil_regions(const StatorPart& part, const Slot& slot, Coil coil);
+LayingRegions coil_regions(const RotorPart& part, const Slot& slot, Coil coil);
+
+}  // namespace bahnwerk::winding
