@@ -11,6 +11,7 @@ declare -A allowed=(
   [core/geometry/path]="core/geometry/curve/ core/base/ core/numeric/"
   [core/geometry/region]="core/base/"
   [core/geometry/spline]="core/geometry/curve/ core/numeric/ core/base/"
+  [core/geometry/spline/search]="core/geometry/spline/ core/numeric/ core/base/"
   [core/drawing]="core/geometry/"
   [core/machine]="core/geometry/curve/"
   [core/contour]="core/machine/ core/geometry/curve/ core/geometry/path/ core/base/"
