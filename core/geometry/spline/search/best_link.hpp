@@ -1,0 +1,36 @@
+#pragma once
+/// The β of a link that make it smoothest, in the sense of (4.60) or of its substitute (4.61) [Herrmann 4.3.4].
+#include <optional>
+
+#include "core/base/progress.hpp"
+#include "core/geometry/spline/smoothness.hpp"
+#include "core/numeric/optimise/optimise.hpp"
+
+namespace bahnwerk {
+
+enum class LinkObjective { curvature, control_distance };
+
+struct BestLink {
+  LinkShape shape;          ///< β by the parameters of the ends as given
+  double objective = 0;     ///< what was minimised, without the term that makes (4.61) unique
+  double smoothness = 0;    ///< J of (4.60), whatever was minimised
+  double kkt_residual = 0;  ///< of the search; see OptimisationResult
+  OptimisationStatus status = OptimisationStatus::undefined;
+  std::size_t evaluations = 0;
+};
+
+/// A local minimum, by sequential quadratic programming with analytic gradients; never worse than its start. `start`:
+/// a shape that was good for similar ends (the turn before); none: links of the chord's length as speed. Weights are
+/// taken from there and held.
+///
+/// The search has the derivatives γ of f⁻¹ as variables, by arc length in units of the chord: control points are linear
+/// in them, and they do not depend on how long the neighbours are. (By β, sizes differ by 1e3, see the source's
+/// optimum.) |γ_j| ≤ 5, 20, 100, 500, and γ₁ ≥ 0.2: without that (4.60) has no minimum. It weighs the height of κ, not
+/// how fast κ rises, and tends to the largest circle between the neighbours, with κ rising in a vanishing part of the
+/// link (γ₁ → 0) though it is G^k in name.
+/// (4.61) has a minimum on a set of β: 1e-2·chord·J/J(start) is added, which takes the smoothest of them.
+/// Throws what link() throws.
+BestLink best_link(const LinkBasis& basis, const SmoothnessRule& rule, const LinkEnds& ends, LinkObjective objective,
+                   const SmoothnessWeights& weights, const std::optional<LinkShape>& start, Progress& progress);
+
+}  // namespace bahnwerk
