@@ -33,7 +33,7 @@ expect_status 304
 (($(seconds "$began") < 3000)) || fail "waited for a finished job"
 
 # A queued job behind a long one: held for the whole time, then 304.
-snake 20000 >"$work/long.json"
+snake 50000 >"$work/long.json"
 post "$work/long.json"
 long=$id
 await running
