@@ -90,4 +90,22 @@ void KinematicAxisPath::at_parameters(std::size_t segment, PathBatch& batch) con
   }
 }
 
+AxisArray largest_rates(const AxisPath& path, ProgressScope* scope) {
+  constexpr double rounding = 1e-12;
+  AxisArray most{}, possible{};
+  for (std::size_t i = 0; i < path.size(); ++i)
+    for (const double u : path[i].panel_parameters()) {
+      if (scope) scope->work(16);
+      const AxisJet q = path.at_parameter(i, u);
+      const MapBounds map = path.map_bounds(i, u, 0);
+      for (std::size_t k = 0; k < path.axes(); ++k) {
+        most[k] = std::max(most[k], std::abs(q.d1[k]));
+        possible[k] = std::max(possible[k], map.order[0][k]);
+      }
+    }
+  for (std::size_t k = 0; k < path.axes(); ++k)
+    if (most[k] <= rounding * possible[k]) most[k] = 0;
+  return most;
+}
+
 }  // namespace bahnwerk

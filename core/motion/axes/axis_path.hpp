@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <memory>
 
+#include "core/base/progress_scope.hpp"
 #include "core/geometry/path/path.hpp"
 #include "core/machine/axis_jet.hpp"
 #include "core/machine/kinematics.hpp"
@@ -62,6 +63,10 @@ class AxisPath {
   std::size_t axes_;
   bool cartesian_;
 };
+
+/// The largest |q′| of each axis at the ends of all panels; 0 of an axis that stands still but for rounding: below
+/// 1e-12 of what the map lets it move. O(panels); tells `scope`, if any.
+AxisArray largest_rates(const AxisPath& path, ProgressScope* scope = nullptr);
 
 /// q = the tool's path itself, of which the first `axes` ≤ 3 coordinates count; the third is `height` above the path's.
 /// `tool` outlives it. Costs no more than the path.

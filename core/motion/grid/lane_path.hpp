@@ -61,12 +61,7 @@ LanePath<N>::LanePath(const AxisPath& path) : path_(path) {
   for (std::size_t k = 0; k < N; ++k) scale_[k] = 1;
   if (path.cartesian()) return;
   constexpr double margin = 1.1;  // panels are samples
-  AxisArray most{};
-  for (std::size_t i = 0; i < path.size(); ++i)
-    for (const double u : path[i].panel_parameters()) {
-      const AxisJet q = path.at_parameter(i, u);
-      for (std::size_t k = 0; k < path.axes(); ++k) most[k] = std::max(most[k], std::abs(q.d1[k]));
-    }
+  const AxisArray most = largest_rates(path);
   for (std::size_t k = 0; k < N; ++k)
     if (most[axis(k)] > 0) scale_[k] = 1 / (margin * most[axis(k)]);
 }

@@ -40,13 +40,7 @@ BoundGrid<N>::BoundGrid(const AxisPath& path, const Machine& machine, std::vecto
 // What counts as small is measured by 1; nothing else depends on it, so samples will do.
 template <int N>
 void BoundGrid<N>::scale_axes() {
-  Row most{};
-  for (std::size_t i = 0; i < path_.size(); ++i)
-    for (const double u : path_[i].panel_parameters()) {
-      pulse_.work(16);
-      const AxisJet q = path_.at_parameter(i, u);
-      for (std::size_t k = 0; k < axes_; ++k) most[k] = std::max(most[k], std::abs(q.d1[k]));
-    }
+  const AxisArray most = largest_rates(path_, &pulse_);
   for (std::size_t k = 0; k < axes_; ++k)
     if (most[k] > 0 && std::isfinite(most[k])) scale_[k] = std::exp2(-std::ceil(std::log2(most[k])));
 }

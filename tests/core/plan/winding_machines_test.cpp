@@ -66,20 +66,24 @@ TEST(WindingMachines, OneTurnIsPlannedAndVerifiedOnEachOfThem) {
   }
 }
 
-/// About a part that is clamped beside the axis, so that every linear axis moves.
+/// About a part that is clamped beside the axis, so that every linear axis moves, and about one on the axis, along
+/// which two of them stand still but for rounding.
 TEST(WindingMachines, FullTurnsArePlannedAndVerified) {
   const test::NeedlePath path = test::helix(60, 2.5, 40);
-  VerticalWinderSizes vertical;
-  HorizontalWinderSizes horizontal;
-  vertical.part.origin = horizontal.part.origin = {4, 3, 0};
-  for (const std::shared_ptr<const Kinematics>& winder :
-       {std::shared_ptr<const Kinematics>(std::make_shared<VerticalWinder>(vertical, test::vertical_limits())),
-        std::shared_ptr<const Kinematics>(std::make_shared<HorizontalWinder>(horizontal, test::horizontal_limits()))}) {
-    const MachinePath machine = machine_path(path.tool, path.orientation, {winder});
-    const PathPlan smooth = plan(machine, path.tool, PlanningMethod::jerk_limited);
-    expect_verified(smooth, "full turns");
-    expect_on_path(smooth, machine, "full turns");
-    EXPECT_NEAR(machine.spans[3].highest - machine.spans[3].lowest, 5 * std::numbers::pi, 1e-9);
+  for (const Vec origin : {Vec{4, 3, 0}, Vec{}}) {
+    VerticalWinderSizes vertical;
+    HorizontalWinderSizes horizontal;
+    vertical.part.origin = horizontal.part.origin = origin;
+    for (const std::shared_ptr<const Kinematics>& winder :
+         {std::shared_ptr<const Kinematics>(std::make_shared<VerticalWinder>(vertical, test::vertical_limits())),
+          std::shared_ptr<const Kinematics>(
+              std::make_shared<HorizontalWinder>(horizontal, test::horizontal_limits()))}) {
+      const MachinePath machine = machine_path(path.tool, path.orientation, {winder});
+      const PathPlan smooth = plan(machine, path.tool, PlanningMethod::jerk_limited);
+      expect_verified(smooth, "full turns");
+      expect_on_path(smooth, machine, "full turns");
+      EXPECT_NEAR(machine.spans[3].highest - machine.spans[3].lowest, 5 * std::numbers::pi, 1e-9);
+    }
   }
 }
 
