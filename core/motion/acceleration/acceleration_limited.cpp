@@ -363,23 +363,13 @@ AccelerationLimitedResult plan(const PathTask& task, const AccelerationLimitedOp
   const Sections sections = find_sections(task, options.corner_angle, pulse);
   AccelerationLimitedResult result;
   SectionPlanner<N> planner(path, lanes, fitted, task.feeds, sections, all, density, model_error, progress);
-  ProgressScope repeating(progress, "planning", from, to);
-  SectionRepeats repeats(task, sections, repeating);
-  std::vector<std::size_t> pieces, cells;  // before each section, and at the end
-  std::size_t i = 0;
-  for_each_section(path.tool(), sections, from, to, [&](std::size_t first, std::size_t last, double begin, double end) {
-    repeating.done(to > from ? (begin - from) / (to - from) : 1);
-    pieces.push_back(result.law.pieces().size()), cells.push_back(result.cells);
-    const std::size_t source = last == first + 1 && path.linear(first) ? i : repeats.source(i);
-    if (source == i) {
-      planner.plan(first, last, begin, end, result);
-    } else {
-      repeat_law(result.law, pieces[source], pieces[source + 1], path.tool(), sections.begin[source], first,
-                 last - first, repeating);
-      result.cells += cells[source + 1] - cells[source];
-    }
-    ++i;
-  });
+  for_each_section_once(
+      task, sections, progress, from, to, result,
+      [&](std::size_t first, std::size_t last, double begin, double end) {
+        planner.plan(first, last, begin, end, result);
+        return 0.0;
+      },
+      [&](auto&&... what) { repeat_law(result.law, what...); });
   return result;
 }
 

@@ -17,34 +17,18 @@ JerkLimitedResult plan(const PathTask& task, const JerkLimitedOptions& options, 
                        double to) {
   const LanePath<N> path(task.path);
   const Machine lanes = path.limits(task.machine);
-  ProgressScope scope(progress, "planning", from, from), repeating(progress, "planning", from, to);
+  ProgressScope scope(progress, "planning", from, from);
   const Sections sections = find_sections(task, options.corner_angle, scope);
   JerkLimitedResult result;
   JerkSectionPlanner<N, M> planner(path, lanes, options, task.feeds, sections, progress);
-  SectionRepeats repeats(task, sections, repeating);
-  struct Before {  // each section, and at the end
-    std::size_t pieces, cells;
-    double work;
-  };
-  std::vector<Before> before;
-  double work = 0;
-  std::size_t i = 0;
-  for_each_section(path.tool(), sections, from, to, [&](std::size_t first, std::size_t last, double begin, double end) {
-    repeating.done(to > from ? (begin - from) / (to - from) : 1);
-    before.push_back({result.law.pieces().size(), result.cells, work});
-    const std::size_t source = last == first + 1 && path.linear(first) ? i : repeats.source(i);
-    if (source == i) {
-      const double done = planner.work();
-      planner.plan(first, last, begin, end, result);
-      work += planner.work() - done;
-    } else {
-      const Before &a = before[source], &b = before[source + 1];
-      repeat_law(result.law, a.pieces, b.pieces, path.tool(), sections.begin[source], first, last - first, repeating);
-      result.cells += b.cells - a.cells;
-      work += b.work - a.work;
-    }
-    ++i;
-  });
+  const double work = for_each_section_once(
+      task, sections, progress, from, to, result,
+      [&](std::size_t first, std::size_t last, double begin, double end) {
+        const double before = planner.work();
+        planner.plan(first, last, begin, end, result);
+        return planner.work() - before;
+      },
+      [&](auto&&... what) { repeat_law(result.law, what...); });
   if (result.cells > 0)
     result.iterations = static_cast<std::size_t>(std::lround(work / static_cast<double>(result.cells)));
   return result;

@@ -20,10 +20,6 @@ using verify::BoundGrid;
 using verify::BoundSolver;
 using verify::rest_to_rest;
 
-// Enough when a refinement changes the bound by less than this (the next one brings about a sixteenth of it) and when
-// little time is left in cells that no single condition explains: a long cell may have to be cut several times before
-// anything shows.
-constexpr double converged = 3e-7, clear = 1e-3;
 constexpr int max_rounds = 8;
 // Longer sections are solved in windows for the sake of memory, of so many nodes of a first grid and a part more
 // behind them: b at the begin of a window is that at the end of the one before it, and what follows it is left open.
@@ -35,7 +31,9 @@ constexpr std::size_t part_behind = 16, part_behind_few = 4;
 constexpr double usual_nodes = 250'000, widest = 8, coarse = 2, most_left = 1e-3;
 constexpr std::size_t sampled_segments = 128, many_segments = 4096;
 
-/// How far a grid is refined: see the constants above.
+/// How far a grid is refined. Enough when a refinement changes the bound by less than `converged` (the next one brings
+/// about a sixteenth of it) and when little time, `clear`, is left in cells that no single condition explains: a long
+/// cell may have to be cut several times before anything shows.
 struct Effort {
   double converged = 3e-7, clear = 1e-3;
   int min_rounds = 2, valley_rounds = 4;
