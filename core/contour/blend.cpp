@@ -86,12 +86,7 @@ class Blender {
     return given_.blocks.empty() ? Mode::cut : given_.blocks[block_[segment]].mode;
   }
   /// The motion rests at the joint where segment i begins.
-  bool rests(std::size_t i) const {
-    const Segment &before = given_.path[i - 1], &after = given_.path[i];
-    return rest_[i] || before.cusp_end() || after.cusp_begin() ||
-           angle_between(before.at_parameter(before.curve().end()).d1, after.at_parameter(after.curve().begin()).d1) >
-               options_.corner_angle;
-  }
+  bool rests(std::size_t i) const { return rest_[i] || stops_at(given_.path, i, options_.corner_angle); }
   /// The path goes exactly through the places of rests, which are ends of stretches.
   void take_rests(std::size_t segment) {
     for (std::size_t i = result_.rests.size(); i < given_.rests.size() && given_.rests[i].segment <= segment; ++i)

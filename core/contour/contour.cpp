@@ -41,6 +41,13 @@ void stop_at_mode_changes(Contour& contour) {
   contour.rests = std::move(all);
 }
 
+bool stops_at(const Path& path, std::size_t i, double corner_angle) {
+  const Segment &before = path[i - 1], &after = path[i];
+  return before.cusp_end() || after.cusp_begin() ||
+         angle_between(before.at_parameter(before.curve().end()).d1, after.at_parameter(after.curve().begin()).d1) >
+             corner_angle;
+}
+
 std::vector<Joint> joints(const Path& path, ProgressScope* scope) {
   std::vector<Joint> list;
   if (path.empty()) return list;

@@ -49,6 +49,9 @@ struct Joint {
   double angle = 0;      ///< tangent jump, rad
   Vec step;              ///< right tangent − left tangent
 };
+/// Whether a motion has to stop where segment i > 0 begins: at a cusp, or a tangent jump above `corner_angle`, rad.
+bool stops_at(const Path& path, std::size_t i, double corner_angle);
+
 /// Every inner joint of the path, in order. O(n), up to 2 µs each; tells `scope`, if any.
 std::vector<Joint> joints(const Path& path, ProgressScope* scope = nullptr);
 

@@ -43,12 +43,7 @@ StoppingTime::StoppingTime(const Contour& contour, const AxisPath& axes, const M
 }
 
 bool StoppingTime::rests(std::size_t i) const {
-  const Path& path = contour_.path;
-  if (i == 0 || i >= path.size() || rests_[i]) return true;
-  const Segment &before = path[i - 1], &after = path[i];
-  return before.cusp_end() || after.cusp_begin() ||
-         angle_between(before.at_parameter(before.curve().end()).d1, after.at_parameter(after.curve().begin()).d1) >
-             corner_angle_;
+  return i == 0 || i >= contour_.path.size() || rests_[i] || stops_at(contour_.path, i, corner_angle_);
 }
 
 double StoppingTime::least(std::size_t first, std::size_t last, ProgressScope& pulse) const {
