@@ -88,9 +88,8 @@ class Maker {
     if (!(stator_ && options_.extra_point > 0 && out != is_slot(to))) return join(i, 0, begin, end, 1, progress);
     const SplineJet middle = extra_pose(out ? from.end.pose : to.begin.pose, out ? to.begin.pose : from.end.pose,
                                         options_.extra_point, !out);
-    const double to_middle = distance(begin, middle), share = to_middle / (to_middle + distance(middle, end));
-    join(i, 0, begin, middle, share, progress);
-    join(i, 1, middle, end, 1 - share, progress);
+    join(i, 0, begin, middle, out ? 1 : 0, progress);
+    join(i, 1, middle, end, out ? 0 : 1, progress);
   }
   static double distance(const SplineJet& a, const SplineJet& b) { return norm(place(b[0]) - place(a[0])); }
 

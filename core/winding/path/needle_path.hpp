@@ -27,7 +27,8 @@ struct NeedlePiece {
   BezierPiece curve;
   std::size_t fixed = 0;  ///< index of the fixed piece that this is part of, or that its link starts from
   bool link = false;
-  /// Share of the link's parameter that the piece takes; of a fixed piece 0.
+  /// 1 of a link that the natural feed passes evenly, else 0: of two links that meet at an extra point it is the one at
+  /// the slot, since their parameters' speeds do not agree there.
   double share = 0;
 };
 

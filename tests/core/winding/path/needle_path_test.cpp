@@ -154,17 +154,17 @@ TEST(NeedlePath, TheSmoothestLinkIsSmootherThanTheSubstitute) {
   }
 }
 
-TEST(NeedlePath, SharesOfALinkAddUpToOne) {
+TEST(NeedlePath, OneLinkAtEveryJointIsPassedEvenly) {
   const NeedlePath path = planned(stator_pieces(2), true);
   double sum = 0;
   for (const NeedlePiece& piece : path.pieces) {
     if (piece.link) {
       sum += piece.share;
-    } else {
-      EXPECT_EQ(piece.share, 0);
-      EXPECT_TRUE(sum == 0 || std::abs(sum - 1) < 1e-12) << sum;
-      sum = 0;
+      continue;
     }
+    EXPECT_EQ(piece.share, 0);
+    EXPECT_TRUE(sum == 0 || sum == 1) << sum;
+    sum = 0;
   }
 }
 
