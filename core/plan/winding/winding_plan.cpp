@@ -36,13 +36,13 @@ class Planner {
                                       progress_);
     std::vector<BezierPiece> curves;
     for (const winding::NeedlePiece& piece : plan_.path.pieces) curves.push_back(piece.curve);
-    plan_.tool = pose_path(curves);
-    plan_.path_length = plan_.tool.tool.length();
+    plan_.tool = std::make_shared<const PosePath>(pose_path(curves));
+    plan_.path_length = plan_.tool->tool.length();
     progress_.report("clearance", linked);
     std::visit([&](const auto& part) { clear(part); }, request_.part);
     progress_.report("machine", cleared);
     try {
-      plan_.machine = machine_path(plan_.tool.tool, plan_.tool.orientation, request_.configurations);
+      plan_.machine = machine_path(plan_.tool->tool, plan_.tool->orientation, request_.configurations);
       move();
     } catch (const UnreachablePose& pose) {
       throw placed(pose);
@@ -99,14 +99,14 @@ class Planner {
     PathPlanning planning;
     planning.path = planning.moving = plan_.machine.axes;
     planning.machine = {plan_.machine.kinematics->axes(), request_.cycle_time};
-    const std::size_t n = plan_.tool.tool.size();
+    const std::size_t n = plan_.tool->tool.size();
     planning.feeds = planning.feeds_to_verify = std::vector<double>(n, unlimited);
     planning.rests = std::vector<bool>(n + 1, false);
     planning.rests.front() = planning.rests.back() = true;
     planning.method = request_.feed == FeedMethod::natural ? PlanningMethod::natural : PlanningMethod::jerk_limited;
     planning.options.along = request_.along;
     for (std::size_t i = 0; i < n; ++i)
-      planning.options.shares.push_back(plan_.path.pieces[plan_.tool.tool[i].source()].share);
+      planning.options.shares.push_back(plan_.path.pieces[plan_.tool->tool[i].source()].share);
     planning.max_setpoints = request_.max_setpoints;
     planning.shown = NeedleSetpoints::shown(planning.machine);
     planning.setpoints = [&](const std::shared_ptr<const PathMotion>& motion, std::size_t cycles) {
@@ -122,7 +122,7 @@ class Planner {
 
   /// Where on the path: which fixed piece, or the one that a link starts from.
   const FixedPiece& piece_at(double s) const {
-    const Path& tool = plan_.tool.tool;
+    const Path& tool = plan_.tool->tool;
     return plan_.support[plan_.path.pieces[tool[tool.find(s)].source()].fixed];
   }
   UnreachableTurn placed(const UnreachablePose& pose) const {
@@ -139,7 +139,7 @@ class Planner {
     plan_.wire_length = winding::wire_length(request_.part, request_.coils, plan_.turns);
     plan_.resistance = winding::resistance_per_metre(request_.wire, 1, request_.temperature) * plan_.wire_length / 1000;
     plan_.strokes_per_minute = 120 * static_cast<double>(plan_.turns.size()) / plan_.motion.duration;
-    const Path& tool = plan_.tool.tool;
+    const Path& tool = plan_.tool->tool;
     std::optional<std::size_t> last;
     for (const LawPiece& law : plan_.motion.motion->law().pieces()) {
       const winding::NeedlePiece& piece = plan_.path.pieces[tool[law.segment].source()];

@@ -55,7 +55,7 @@ struct WindingPlan {
   std::vector<winding::FixedPiece> support;  ///< the support points are their ends
   winding::NeedlePath path;
   winding::Clearance clearance;
-  PosePath tool;  ///< the same as a path; source() of a segment: index in path.pieces
+  std::shared_ptr<const PosePath> tool;  ///< the same as a path; source() of a segment: index in path.pieces
   MachinePath machine;
   PathPlan motion;                  ///< its verification is the whole plan's: clearance and forward kinematics, too
   double path_length = 0;           ///< mm
