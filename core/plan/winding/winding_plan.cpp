@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "core/motion/setpoints/needle_setpoints.hpp"
 #include "core/plan/winding/wire_length.hpp"
 #include "core/verify/setpoints/needle_checks.hpp"
 #include "core/winding/fill.hpp"
+#include "core/winding/needle/part_obstacles.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -39,7 +41,7 @@ class Planner {
     plan_.tool = std::make_shared<const PosePath>(pose_path(curves));
     plan_.path_length = plan_.tool->tool.length();
     progress_.report("clearance", linked);
-    std::visit([&](const auto& part) { clear(part); }, request_.part);
+    std::visit([&](const auto& part) { clear(part, curves); }, request_.part);
     progress_.report("machine", cleared);
     try {
       plan_.machine = machine_path(plan_.tool->tool, plan_.tool->orientation, request_.configurations);
@@ -74,26 +76,31 @@ class Planner {
     return winding::support_points(part, plan_.turns, request_.model);
   }
 
-  void clear(const StatorPart& part) {
-    const winding::StatorIron iron(part, winding::checked_slot(part));
+  /// Coil by coil, with what stands in the way while that is wound.
+  template <class Part>
+  void clear(const Part& part, const std::vector<BezierPiece>& curves) {
+    const winding::Slot slot = winding::checked_slot(part);
     plan_.clearance.minimum = unlimited;
-    const std::vector<winding::NeedleMove> moves = winding::straight_links(plan_.support);
-    for (std::size_t begin = 0; begin < moves.size();) {
-      const std::size_t coil = plan_.support[begin / 2].coil;
+    const auto& pieces = plan_.path.pieces;
+    for (std::size_t begin = 0; begin < pieces.size();) {
+      const std::size_t coil = plan_.support[pieces[begin].fixed].coil;
       std::size_t end = begin;
-      while (end < moves.size() && plan_.support[end / 2].coil == coil) ++end;
-      const std::vector<winding::Block> posts = winding::tool_posts(part, request_.tool, request_.coils[coil]);
-      std::vector<const winding::Obstacle*> obstacles{&iron};
-      for (const winding::Block& post : posts) obstacles.push_back(&post);
-      winding::Clearance least = winding::clearance(
-          {moves.begin() + static_cast<std::ptrdiff_t>(begin), moves.begin() + static_cast<std::ptrdiff_t>(end)},
-          request_.needle, obstacles, clearance_tolerance, progress_);
+      while (end < pieces.size() && plan_.support[pieces[end].fixed].coil == coil) ++end;
+      const winding::PartObstacles all = obstacles(part, slot, request_.coils[coil]);
+      winding::Clearance least = winding::clearance(std::span(curves).subspan(begin, end - begin), request_.needle,
+                                                    all.list(), clearance_tolerance, progress_);
       least.move += begin;
-      if (least.minimum < plan_.clearance.minimum) plan_.clearance = least;
+      if (least.minimum < plan_.clearance.minimum)
+        plan_.clearance = least, plan_.nearest = all.list().empty() ? "" : all.name(least.obstacle);
       begin = end;
     }
   }
-  void clear(const RotorPart&) { plan_.clearance.minimum = unlimited; }
+  winding::PartObstacles obstacles(const StatorPart& part, const winding::Slot& slot, winding::Coil coil) const {
+    return winding::part_obstacles(part, slot, request_.tool, {coil});
+  }
+  static winding::PartObstacles obstacles(const RotorPart& part, const winding::Slot& slot, winding::Coil) {
+    return winding::part_obstacles(part, slot);
+  }
 
   void move() {
     PathPlanning planning;
@@ -151,10 +158,8 @@ class Planner {
     if (!(plan_.clearance.minimum < unlimited)) return;
     Check check{"needle clearance", "mm", request_.least_clearance, plan_.clearance.minimum, 0, false};
     check.passed = check.value >= check.limit;
-    const std::size_t fixed = plan_.clearance.move / 2;
     for (const LawPiece& law : plan_.motion.motion->law().pieces()) {
-      const winding::NeedlePiece& piece = plan_.path.pieces[tool[law.segment].source()];
-      if (piece.fixed != fixed || piece.link != (plan_.clearance.move % 2 == 1)) continue;
+      if (tool[law.segment].source() < plan_.clearance.move) continue;
       check.at = law.t0;
       break;
     }
