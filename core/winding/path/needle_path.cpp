@@ -113,8 +113,7 @@ class Maker {
     const LinkEnds ends{begin, end, std::nullopt};
     // The link at the same place of the turn before is nearly the same.
     std::optional<LinkShape>& known = known_[{from.kind, from.region, to.kind, part}];
-    const BestLink best =
-        known ? solve(ends, known, rule_, evaluations_from_a_neighbour, progress) : search(ends, progress);
+    const BestLink best = known ? solve(ends, *known, evaluations_from_a_neighbour, progress) : search(ends, progress);
     known = best.shape;
     for (const BezierPiece& piece : link(basis_, ends, best.shape).pieces()) {
       path_.pieces.push_back({piece, i, true, share});
@@ -127,19 +126,21 @@ class Maker {
     return j < unusable ? j : unusable;
   }
   /// A bend so sharp that it falls between the nodes of the quadrature looks smooth: where a finer rule sees more, the
-  /// search goes on with that.
-  BestLink solve(const LinkEnds& ends, const std::optional<LinkShape>& start, const SmoothnessRule& rule,
-                 std::size_t evaluations, Progress& progress) const {
-    BestLink best = best_link(basis_, rule, ends, options_.objective, options_.weights, start, progress, evaluations);
-    const double judgement = judged(ends, best);
-    if (judgement > 1.05 * best.smoothness && &rule != &fine_rule_) return search(ends, progress, &fine_rule_);
-    best.smoothness = judgement;
-    return best;
+  /// search is made with that.
+  BestLink solve(const LinkEnds& ends, const LinkShape& start, std::size_t evaluations, Progress& progress) const {
+    const auto by = [&](const SmoothnessRule& rule) {
+      BestLink best = best_link(basis_, rule, ends, options_.objective, options_.weights, start, progress, evaluations);
+      const double seen = best.smoothness;
+      best.smoothness = judged(ends, best);
+      return std::pair(best, seen);
+    };
+    const auto [best, seen] = by(rule_);
+    return best.smoothness <= 1.05 * seen ? best : by(fine_rule_).first;
   }
   /// From several starts: links that leave their neighbours' tangents soon or late. (4.60) prefers a wide loop to a
   /// bend, on a way that is far longer: of links that turn by about as little as any, it is the smoothest that is
   /// taken.
-  BestLink search(const LinkEnds& ends, Progress& progress, const SmoothnessRule* rule = nullptr) const {
+  BestLink search(const LinkEnds& ends, Progress& progress) const {
     std::vector<std::pair<double, BestLink>> found;
     double least = unusable;
     const double chord = norm(place(ends.after[0]) - place(ends.before[0]));
@@ -147,7 +148,7 @@ class Maker {
       LinkShape start;
       start.before[0] = norm(place(ends.before[1])) / (speed * chord);
       start.after[0] = norm(place(ends.after[1])) / (speed * chord);
-      const BestLink best = solve(ends, start, rule != nullptr ? *rule : rule_, evaluations_of_a_search, progress);
+      const BestLink best = solve(ends, start, evaluations_of_a_search, progress);
       const double angle = turned_angle(link(basis_, ends, best.shape).pieces().front());
       found.emplace_back(angle, best);
       least = std::min(least, angle);
@@ -155,8 +156,7 @@ class Maker {
     const BestLink* best = nullptr;
     for (const auto& [angle, each] : found)
       if (angle <= least + loop && (best == nullptr || each.smoothness < best->smoothness)) best = &each;
-    return best_link(basis_, rule != nullptr ? *rule : rule_, ends, options_.objective, options_.weights, best->shape,
-                     progress, evaluations_of_the_best);
+    return solve(ends, best->shape, evaluations_of_the_best, progress);
   }
 
   const std::vector<FixedPiece>& fixed_;
