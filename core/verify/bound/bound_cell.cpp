@@ -59,8 +59,10 @@ BoundNode<N> BoundGrid<N>::place(std::size_t segment, double u) const {
     if constexpr (N > 2) n.position[2] = h.value.z, n.tangent[2] = h.d1.z, n.curvature[2] = h.d2.z;
   } else {
     const AxisJet q = path_.at_parameter(segment, u);
-    for (std::size_t k = 0; k < axes_; ++k)
+    for (std::size_t k = 0; k < axes_; ++k) {
+      if (still_[k]) continue;
       n.position[k] = scale_[k] * q.value[k], n.tangent[k] = scale_[k] * q.d1[k], n.curvature[k] = scale_[k] * q.d2[k];
+    }
     n.blur = 64 * epsilon;
   }
   return n;

@@ -41,6 +41,7 @@ BoundGrid<N>::BoundGrid(const AxisPath& path, const Machine& machine, std::vecto
 template <int N>
 void BoundGrid<N>::scale_axes() {
   const AxisArray most = largest_rates(path_, &pulse_);
+  for (std::size_t k = 0; k < axes_; ++k) still_[k] = most[k] == 0;
   for (std::size_t k = 0; k < axes_; ++k)
     if (most[k] > 0 && std::isfinite(most[k])) scale_[k] = std::exp2(-std::ceil(std::log2(most[k])));
 }
