@@ -94,6 +94,8 @@ void BoundGrid<N>::append_with_roots(const Node& a, const Node& b, int axis, int
   for (std::size_t k = static_cast<std::size_t>(axis); k < axes_; ++k) {
     double flo = a.tangent[k], fhi = b.tangent[k], lo = a.u, hi = b.u;
     if (!(flo * fhi < 0) || std::max(std::abs(flo), std::abs(fhi)) < no_direction) continue;
+    // Through kinematics what is 0 at a node is so but for rounding: a root right beside it would say nothing.
+    if (!path_.cartesian() && std::min(std::abs(flo), std::abs(fhi)) <= a.blur) continue;
     Node root;
     for (int i = 0, side = 0; i < 80; ++i) {
       double u = (lo * fhi - hi * flo) / (fhi - flo);
@@ -113,6 +115,7 @@ void BoundGrid<N>::append_with_roots(const Node& a, const Node& b, int axis, int
       }
     }
     if (!(root.u > a.u && root.u < b.u)) continue;
+    if (!path_.cartesian() && std::min(root.s - a.s, b.s - root.s) <= rounding_of(b.s)) continue;
     root.tangent[k] = 0;
     append_with_roots(a, root, static_cast<int>(k) + 1, depth);
     append_with_roots(root, b, static_cast<int>(k) + 1, depth);
