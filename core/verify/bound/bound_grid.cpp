@@ -32,6 +32,7 @@ BoundGrid<N>::BoundGrid(const AxisPath& path, const Machine& machine, std::vecto
     acceleration_[k] = machine.axes[k].acceleration * scale_[k];
     velocity_[k] = machine.axes[k].velocity * scale_[k];
     jerk_[k] = machine.axes[k].jerk * scale_[k];
+    jerk_limited_ = jerk_limited_ || (std::isfinite(jerk_[k]) && !path.cartesian());
   }
   for (double& f : feeds_)
     if (!(f > 0)) f = unlimited;

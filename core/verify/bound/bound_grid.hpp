@@ -80,6 +80,9 @@ class BoundGrid {
   DirectionRange<N> range(const Node& a, const Node& b) const;
   /// Bounds of |q'''_k|, 1/mm², between two nodes of one segment; infinite where there are none.
   std::array<double, N> third(const Node& a, const Node& b) const;
+  /// Largest b = v² that limits of jerk allow at any place between two nodes of one segment; infinite where unknown, and
+  /// where the axes are the tool's coordinates.
+  double jerk_cap(const Node& a, const Node& b) const;
   /// A place of a segment.
   Node node(std::size_t segment, double u) const {
     Node n = place(segment, u);
@@ -126,7 +129,9 @@ class BoundGrid {
   /// Between two places of a segment: enclosures of q' and q'', and bounds of |q'''|, for axes through kinematics.
   struct AxisSizes {
     Row low{}, high{}, bend_low{}, bend_high{}, third{};
+    Row least_third{};  ///< of |q'''|, from below
   };
+  double jerk_cap(const AxisSizes& sizes) const;
   /// `depth`: how often the way, `length` mm, may be halved to find what is known of short ones alone.
   AxisSizes axis_sizes(std::size_t segment, double u0, double u1, double length, int depth = 12) const;
   Hodograph::Bends bends(std::size_t segment, double u0, double u1) const;
@@ -145,7 +150,8 @@ class BoundGrid {
   std::vector<std::uint32_t> order_, former_;
   std::vector<Span> fresh_;
   double valley_ = unlimited;  ///< of the cells that are appended
-  mutable Shape shape_;        ///< of the segment asked for last
+  bool jerk_limited_ = false;
+  mutable Shape shape_;  ///< of the segment asked for last
   mutable std::size_t shape_of_ = static_cast<std::size_t>(-1);
   mutable std::optional<Hodograph> hodograph_;  ///< of the segment asked for last
   mutable std::size_t hodograph_of_ = 0;

@@ -82,7 +82,9 @@ typename BoundGrid<N>::AxisSizes BoundGrid<N>::axis_sizes(std::size_t segment, d
     const double scale = scale_[k];
     sizes.low[k] = scale * discs.d1[k].low(), sizes.high[k] = scale * discs.d1[k].high();
     sizes.bend_low[k] = scale * discs.d2[k].low(), sizes.bend_high[k] = scale * discs.d2[k].high();
-    sizes.third[k] = still_[k] ? 0 : scale * discs.d3[k].most();
+    if (still_[k]) continue;
+    sizes.third[k] = scale * discs.d3[k].most();
+    sizes.least_third[k] = scale * std::max(0.0, std::abs(discs.d3[k].centre) - discs.d3[k].radius);
   }
   if (known) return sizes;
   const Hodograph::Bends bends = this->bends(segment, u0, u1);
@@ -106,8 +108,14 @@ typename BoundGrid<N>::AxisSizes BoundGrid<N>::axis_sizes(std::size_t segment, d
     sizes.bend_low[k] = std::min(left.bend_low[k], right.bend_low[k]);
     sizes.bend_high[k] = std::max(left.bend_high[k], right.bend_high[k]);
     sizes.third[k] = std::max(left.third[k], right.third[k]);
+    sizes.least_third[k] = std::min(left.least_third[k], right.least_third[k]);
   }
   return sizes;
+}
+
+template <int N>
+double BoundGrid<N>::jerk_cap(const Node& a, const Node& b) const {
+  return jerk_limited_ && a.segment == b.segment ? jerk_cap(axis_sizes(a.segment, a.u, b.u, b.s - a.s)) : unlimited;
 }
 
 // Of the tool's path: |h''| and |h'''|.
@@ -147,6 +155,9 @@ template DirectionRange<8> BoundGrid<8>::range(const Node&, const Node&) const;
 template DirectionRange<2> BoundGrid<2>::range_by_map(const Node&, const Node&) const;
 template DirectionRange<3> BoundGrid<3>::range_by_map(const Node&, const Node&) const;
 template DirectionRange<8> BoundGrid<8>::range_by_map(const Node&, const Node&) const;
+template double BoundGrid<2>::jerk_cap(const Node&, const Node&) const;
+template double BoundGrid<3>::jerk_cap(const Node&, const Node&) const;
+template double BoundGrid<8>::jerk_cap(const Node&, const Node&) const;
 template std::array<double, 2> BoundGrid<2>::third(const Node&, const Node&) const;
 template std::array<double, 3> BoundGrid<3>::third(const Node&, const Node&) const;
 template std::array<double, 8> BoundGrid<8>::third(const Node&, const Node&) const;
