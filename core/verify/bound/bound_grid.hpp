@@ -80,8 +80,8 @@ class BoundGrid {
   DirectionRange<N> range(const Node& a, const Node& b) const;
   /// Bounds of |q'''_k|, 1/mm², between two nodes of one segment; infinite where there are none.
   std::array<double, N> third(const Node& a, const Node& b) const;
-  /// Largest b = v² that limits of jerk allow at any place between two nodes of one segment; infinite where unknown, and
-  /// where the axes are the tool's coordinates.
+  /// Largest b = v² that limits of jerk allow at any place between two nodes of one segment; infinite where unknown,
+  /// and where the axes are the tool's coordinates.
   double jerk_cap(const Node& a, const Node& b) const;
   /// A place of a segment.
   Node node(std::size_t segment, double u) const {
