@@ -34,8 +34,8 @@ class RobotWinder final : public FormulaKinematics<RobotWinder> {
   RobotWinder(const RobotWinderSizes& sizes, RobotArm arm, const std::vector<Limits>& limits)
       : FormulaKinematics(numbered_axes<5>(limits, {true, true, false, true, true})), sizes_(sizes), arm_(arm) {}
 
-  /// [Herrmann (3.13)–(3.19)], the sign of (3.19) corrected. The elbow by half its angle, which keeps its digits where
-  /// the arm is folded: tan²(q2/2) = ((l1 + l2)² − r²)/(r² − (l1 − l2)²).
+  /// [Herrmann (3.13)–(3.19)], the sign of (3.19) corrected. The elbow by half its angle, whose roots show where the
+  /// arm ends: tan²(q2/2) = ((l1 + l2)² − r²)/(r² − (l1 − l2)²).
   template <class T>
   std::array<T, 5> solve(const NeedleOf<T>& part) const {
     const NeedleOf<T> n = sizes_.part.placed(part);
