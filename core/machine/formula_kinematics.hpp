@@ -8,8 +8,8 @@
 ///   void check(const ToolPose& pose) const;              throws UnreachablePose where solve() is not defined
 ///   ToolPose forward(const AxisArray& axes) const override;
 ///
-/// T is Taylor<3> (core/numeric/taylor.hpp), of numbers or of discs, or Majorant<4> (core/numeric/majorant.hpp). Nothing
-/// else: a machine is one file.
+/// T is Taylor<3> (core/numeric/taylor.hpp), of numbers or of discs, or Majorant<4> (core/numeric/majorant.hpp).
+/// Nothing else: a machine is one file.
 #include <array>
 #include <cstddef>
 #include <numbers>
@@ -37,7 +37,7 @@ struct PartPlace {
 
   template <class T>
   NeedleOf<T> placed(const NeedleOf<T>& n) const {
-    const T c(std::cos(angle)), s(std::sin(angle));
+    const double c = std::cos(angle), s = std::sin(angle);
     return {T(origin.x) + c * n.x - s * n.y, T(origin.y) + s * n.x + c * n.y, T(origin.z) + n.z, n.phi + T(angle),
             n.psi};
   }

@@ -31,9 +31,10 @@ class HorizontalWinder final : public FormulaKinematics<HorizontalWinder> {
   template <class T>
   std::array<T, 5> solve(const NeedleOf<T>& part) const {
     const NeedleOf<T> n = sizes_.part.placed(part);
-    const T c = cos(n.phi), s = sin(n.phi), l(sizes_.l_tool);
+    const T c = cos(n.phi), s = sin(n.phi);
+    const double l = sizes_.l_tool;
     const T forth = c * n.x + s * n.y, aside = c * n.y - s * n.x;  // along the needle's azimuth, and across
-    return {-aside, l * cos(n.psi) - l - forth, n.z - T(sizes_.z_part) + l * sin(n.psi), T(std::numbers::pi) - n.phi,
+    return {-aside, l * cos(n.psi) - T(l) - forth, n.z - T(sizes_.z_part) + l * sin(n.psi), T(std::numbers::pi) - n.phi,
             n.psi};
   }
   void check(const ToolPose&) const {}  // every pose has its axes; what they can reach, their ranges say

@@ -34,19 +34,19 @@ class RobotWinder final : public FormulaKinematics<RobotWinder> {
   RobotWinder(const RobotWinderSizes& sizes, RobotArm arm, const std::vector<Limits>& limits)
       : FormulaKinematics(numbered_axes<5>(limits, {true, true, false, true, true})), sizes_(sizes), arm_(arm) {}
 
-  /// [Herrmann (3.13)–(3.19)], the sign of (3.19) corrected. The elbow by half its angle, which keeps its digits where
-  /// the arm is folded: tan²(q2/2) = ((l1 + l2)² − r²)/(r² − (l1 − l2)²).
+  /// [Herrmann (3.13)–(3.19)], the sign of (3.19) corrected. The elbow by half its angle, whose roots show where the
+  /// arm ends: tan²(q2/2) = ((l1 + l2)² − r²)/(r² − (l1 − l2)²).
   template <class T>
   std::array<T, 5> solve(const NeedleOf<T>& part) const {
     const NeedleOf<T> n = sizes_.part.placed(part);
     const double l1 = sizes_.l1, l2 = sizes_.l2;
-    const T reach = T(sizes_.o_tool) + T(sizes_.l_tool) * cos(n.psi);
+    const T reach = T(sizes_.o_tool) + sizes_.l_tool * cos(n.psi);
     const T x = n.x - cos(n.phi) * reach, y = n.y - sin(n.phi) * reach;  // of the quill, (3.16)
     const T square = x * x + y * y, straight = sqrt(T((l1 + l2) * (l1 + l2)) - square),
             folded = sqrt(square - T((l1 - l2) * (l1 - l2)));
     const T half = atan2(straight, folded), q2 = arm_ == RobotArm::righty ? half + half : -(half + half);
-    const T q1 = atan2(y, x) - atan2(T(l2) * sin(q2), T(l1) + T(l2) * cos(q2));
-    return {q1, q2, n.z + T(sizes_.l_tool) * sin(n.psi), n.phi - q1 - q2, n.psi};
+    const T q1 = atan2(y, x) - atan2(l2 * sin(q2), T(l1) + l2 * cos(q2));
+    return {q1, q2, n.z + sizes_.l_tool * sin(n.psi), n.phi - q1 - q2, n.psi};
   }
   void check(const ToolPose& pose) const {
     const NeedleOf<double> n =

@@ -31,7 +31,8 @@ class VerticalWinder final : public FormulaKinematics<VerticalWinder> {
   template <class T>
   std::array<T, 5> solve(const NeedleOf<T>& part) const {
     const NeedleOf<T> n = sizes_.part.placed(part);
-    const T c = cos(n.phi), s = sin(n.phi), l(sizes_.l_tool);
+    const T c = cos(n.phi), s = sin(n.phi);
+    const double l = sizes_.l_tool;
     const T forth = c * n.x + s * n.y, aside = c * n.y - s * n.x;  // along the needle's azimuth, and across
     return {T(sizes_.d_upper - sizes_.d_lower) - n.z - l * sin(n.psi),
             T(sizes_.a_lower + sizes_.o_tool) + l * cos(n.psi) - forth, n.psi, T(std::numbers::pi) - n.phi,

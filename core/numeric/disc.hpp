@@ -28,8 +28,7 @@ struct Disc {
   friend Disc operator+(const Disc& a, const Disc& b) { return rounded(a.centre + b.centre, a.radius + b.radius); }
   friend Disc operator-(const Disc& a, const Disc& b) { return rounded(a.centre - b.centre, a.radius + b.radius); }
   friend Disc operator*(const Disc& a, const Disc& b) {
-    return rounded(a.centre * b.centre,
-                   std::abs(a.centre) * b.radius + a.radius * (std::abs(b.centre) + b.radius));
+    return rounded(a.centre * b.centre, std::abs(a.centre) * b.radius + a.radius * (std::abs(b.centre) + b.radius));
   }
   friend Disc operator*(double a, const Disc& b) { return rounded(a * b.centre, std::abs(a) * b.radius); }
   friend Disc operator/(const Disc& a, const Disc& b) {
@@ -56,8 +55,7 @@ struct Disc {
   }
   /// The angle is (log(x + iy) − log(x − iy))/2i, and |log(1 + z)| ≤ −log(1 − |z|).
   friend Disc atan2(const Disc& y, const Disc& x) {
-    const double angle = std::atan2(y.centre, x.centre),
-                 part = (x.radius + y.radius) / std::hypot(x.centre, y.centre);
+    const double angle = std::atan2(y.centre, x.centre), part = (x.radius + y.radius) / std::hypot(x.centre, y.centre);
     return part < 1 ? rounded(angle, -std::log1p(-part)) : unknown(angle);
   }
   /// |acos′ z| = 1/|√(1 − z²)|.

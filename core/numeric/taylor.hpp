@@ -52,6 +52,11 @@ struct Taylor {
       for (std::size_t i = 0; i <= n; ++i) r.c[n] += a.c[i] * b.c[n - i];
     return r;
   }
+  friend Taylor operator*(double a, const Taylor& b) {
+    Taylor r;
+    for (std::size_t n = 0; n <= N; ++n) r.c[n] = a * b.c[n];
+    return r;
+  }
   friend Taylor operator/(const Taylor& a, const Taylor& b) {
     Taylor r;
     for (std::size_t n = 0; n <= N; ++n) {

@@ -80,8 +80,8 @@ class BoundGrid {
   DirectionRange<N> range(const Node& a, const Node& b) const;
   /// Bounds of |q'''_k|, 1/mm², between two nodes of one segment; infinite where there are none.
   std::array<double, N> third(const Node& a, const Node& b) const;
-  /// Largest b = v² that limits of jerk allow at any place between two nodes of one segment; infinite where unknown, and
-  /// where the axes are the tool's coordinates.
+  /// Largest b = v² that limits of jerk allow at any place between two nodes of one segment; infinite where unknown,
+  /// and where the axes are the tool's coordinates.
   double jerk_cap(const Node& a, const Node& b) const;
   /// A place of a segment.
   Node node(std::size_t segment, double u) const {
@@ -133,7 +133,9 @@ class BoundGrid {
   };
   double jerk_cap(const AxisSizes& sizes) const;
   /// `depth`: how often the way, `length` mm, may be halved to find what is known of short ones alone.
-  AxisSizes axis_sizes(std::size_t segment, double u0, double u1, double length, int depth = 12) const;
+  AxisSizes axis_sizes(std::size_t segment, double u0, double u1, double length, int depth) const;
+  /// The same between two nodes, the last ones of which are remembered: several figures of a cell follow from it.
+  const AxisSizes& axis_sizes(const Node& a, const Node& b) const;
   Hodograph::Bends bends(std::size_t segment, double u0, double u1) const;
   Hodograph& hodograph(std::size_t segment) const;
 
@@ -151,7 +153,13 @@ class BoundGrid {
   std::vector<Span> fresh_;
   double valley_ = unlimited;  ///< of the cells that are appended
   bool jerk_limited_ = false;
-  mutable Shape shape_;  ///< of the segment asked for last
+  struct Stretch {
+    std::size_t segment = static_cast<std::size_t>(-1);
+    double u0 = 0, u1 = 0;
+    AxisSizes sizes;
+  };
+  mutable Stretch stretch_;  ///< asked for last
+  mutable Shape shape_;      ///< of the segment asked for last
   mutable std::size_t shape_of_ = static_cast<std::size_t>(-1);
   mutable std::optional<Hodograph> hodograph_;  ///< of the segment asked for last
   mutable std::size_t hodograph_of_ = 0;

@@ -54,7 +54,7 @@ DirectionRange<N> BoundGrid<N>::range(const Node& a, const Node& b) const {
 template <int N>
 DirectionRange<N> BoundGrid<N>::range_by_map(const Node& a, const Node& b) const {
   const double length = b.s - a.s, blur = std::max(a.blur, b.blur);
-  const AxisSizes sizes = axis_sizes(a.segment, a.u, b.u, length);
+  const AxisSizes& sizes = axis_sizes(a, b);
   DirectionRange<N> range;
   for (std::size_t k = 0; k < axes_; ++k) {
     if (still_[k]) continue;
@@ -114,8 +114,16 @@ typename BoundGrid<N>::AxisSizes BoundGrid<N>::axis_sizes(std::size_t segment, d
 }
 
 template <int N>
+const typename BoundGrid<N>::AxisSizes& BoundGrid<N>::axis_sizes(const Node& a, const Node& b) const {
+  constexpr int halvings = 12;
+  if (stretch_.segment != a.segment || stretch_.u0 != a.u || stretch_.u1 != b.u)
+    stretch_ = {a.segment, a.u, b.u, axis_sizes(a.segment, a.u, b.u, b.s - a.s, halvings)};
+  return stretch_.sizes;
+}
+
+template <int N>
 double BoundGrid<N>::jerk_cap(const Node& a, const Node& b) const {
-  return jerk_limited_ && a.segment == b.segment ? jerk_cap(axis_sizes(a.segment, a.u, b.u, b.s - a.s)) : unlimited;
+  return jerk_limited_ && a.segment == b.segment ? jerk_cap(axis_sizes(a, b)) : unlimited;
 }
 
 // Of the tool's path: |h''| and |h'''|.
@@ -137,17 +145,20 @@ std::array<double, N> BoundGrid<N>::third(const Node& a, const Node& b) const {
     third.fill(bends(a.segment, a.u, b.u).third);
     return third;
   }
-  return axis_sizes(a.segment, a.u, b.u, b.s - a.s).third;
+  return axis_sizes(a, b).third;
 }
 
 template Hodograph::Bends BoundGrid<2>::bends(std::size_t, double, double) const;
 template BoundGrid<2>::AxisSizes BoundGrid<2>::axis_sizes(std::size_t, double, double, double, int) const;
+template const BoundGrid<2>::AxisSizes& BoundGrid<2>::axis_sizes(const Node&, const Node&) const;
 template Hodograph& BoundGrid<2>::hodograph(std::size_t) const;
 template Hodograph::Bends BoundGrid<3>::bends(std::size_t, double, double) const;
 template BoundGrid<3>::AxisSizes BoundGrid<3>::axis_sizes(std::size_t, double, double, double, int) const;
+template const BoundGrid<3>::AxisSizes& BoundGrid<3>::axis_sizes(const Node&, const Node&) const;
 template Hodograph& BoundGrid<3>::hodograph(std::size_t) const;
 template Hodograph::Bends BoundGrid<8>::bends(std::size_t, double, double) const;
 template BoundGrid<8>::AxisSizes BoundGrid<8>::axis_sizes(std::size_t, double, double, double, int) const;
+template const BoundGrid<8>::AxisSizes& BoundGrid<8>::axis_sizes(const Node&, const Node&) const;
 template Hodograph& BoundGrid<8>::hodograph(std::size_t) const;
 template DirectionRange<2> BoundGrid<2>::range(const Node&, const Node&) const;
 template DirectionRange<3> BoundGrid<3>::range(const Node&, const Node&) const;

@@ -47,8 +47,12 @@ struct SectionBound {
 ///   - of rational curves: from the Taylor coefficients of the polynomial N' w − N w' about the cell's middle, which
 ///   bound
 ///     its components and the cone that it stays in (core/verify/bound/hodograph.hpp);
-///   - of axes through kinematics: from values and slopes at both ends and |q'''_k| ≤ B₃ + 3 B₂ |h''| + B₁ |h'''|, with
-///     the MapBounds B that the kinematics states (taken as true) and enclosures of the tool's path.
+///   - of axes through kinematics: from values at both ends where q''_k keeps its sign, else from values and slopes
+///   there
+///     and a bound of |q'''_k|; q'_k, q''_k and q'''_k are enclosed by the machine's formula over discs (AxisPath::enclose;
+///     core/numeric/disc.hpp), or, of machines without one, |q'''_k| ≤ B₃ + 3 B₂ |h''| + B₁ |h'''| with the MapBounds B
+///     that they state (taken as true).
+/// Conditions of axes through kinematics that stand still but for rounding (largest_rates) are dropped.
 /// Cells for which a wrong sign of more than 1e-6 cannot be excluded are halved, 12 times at most; what is left counts.
 /// How wide cells are otherwise rests on samples, which decides how tight the bound is, not whether it holds.
 ///
@@ -59,7 +63,8 @@ struct SectionBound {
 ///
 /// Distance to the true optimum: exact on polylines; ≤ 5e-6 beyond the reference's own error on 3,000 random contours
 /// of arcs, lines and rational pieces (held to 2e-5 by tests against a dense solution); within 8e-6 of the planner's
-/// duration on a made-up machine with five axes (held to 1e-4). With limits of jerk mostly 0.05 to 2 %. Cost: 90 ns per
+/// duration on a made-up machine with five axes (held to 1e-4). With limits of jerk mostly 0.05 to 2 %; 2 to 5 % on
+/// needle paths, fast in slots and slow over winding heads (docs/methods/winding_path.md). Cost: 90 ns per
 /// line between corners, 170–340 ns per node on arcs, 350–600 ns on free-form curves, O(n) time; with limits of
 /// jerk 2 to 4 µs per cell of theirs more.
 ///

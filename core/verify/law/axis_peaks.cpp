@@ -46,11 +46,7 @@ constexpr double useful = 0.1;
 class Sweeper {
  public:
   Sweeper(const VerifierInput& in, ProgressScope& pulse)
-      : in_(in),
-        pulse_(pulse),
-        channels_(make_channels(in)),
-        peaks_(scales(channels_)),
-        repeated_(in) {
+      : in_(in), pulse_(pulse), channels_(make_channels(in)), peaks_(scales(channels_)), repeated_(in) {
     if (const auto* path = dynamic_cast<const KinematicAxisPath*>(&in.path)) through_.emplace(*path);
   }
 

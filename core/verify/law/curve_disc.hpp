@@ -57,10 +57,10 @@ class CurveDiscs {
   Polynomial w_at_, q_at_;
 };
 
-/// The same of every axis of a machine while its tool follows the path through the disc's centre: what the path encloses
-/// (AxisPath::enclose), or, where the tool does not turn, by the chain rule: |q′| ≤ m₁|h′|, |q″| ≤ m₂|h′|² + m₁|h″|,
-/// |q‴| ≤ m₃|h′|³ + 3m₂|h′||h″| + m₁|h‴| with the map's bounds m for as far as the disc takes the tool's position h. The
-/// disc is halved until they are known; false where they never are.
+/// The same of every axis of a machine while its tool follows the path through the disc's centre: what the path
+/// encloses (AxisPath::enclose), or, where the tool does not turn, by the chain rule: |q′| ≤ m₁|h′|, |q″| ≤ m₂|h′|² +
+/// m₁|h″|, |q‴| ≤ m₃|h′|³ + 3m₂|h′||h″| + m₁|h‴| with the map's bounds m for as far as the disc takes the tool's
+/// position h. The disc is halved until they are known; false where they never are.
 bool through(const KinematicAxisPath& path, std::size_t segment, const CurveDisc& tool,
              std::array<CurveDisc, max_axes>& axes);
 

@@ -61,6 +61,7 @@ TEST(WindingMachines, OneTurnIsPlannedAndVerifiedOnEachOfThem) {
     EXPECT_GE(smooth.duration, fast.duration * (1 - 1e-9)) << winder.name;
     EXPECT_LE(fast.bound.gap, 1e-4) << winder.name;
     EXPECT_LE(smooth.bound.duration, smooth.duration) << winder.name;
+    EXPECT_LE(smooth.bound.gap, 0.045) << winder.name;  // third derivatives jump at the joints
     std::printf("%s: %.4f s (gap %.2g), jerk %.4f s (gap %.2g)\n", winder.name.c_str(), fast.duration, fast.bound.gap,
                 smooth.duration, smooth.bound.gap);
   }
@@ -79,11 +80,31 @@ TEST(WindingMachines, FullTurnsArePlannedAndVerified) {
           std::shared_ptr<const Kinematics>(
               std::make_shared<HorizontalWinder>(horizontal, test::horizontal_limits()))}) {
       const MachinePath machine = machine_path(path.tool, path.orientation, {winder});
-      const PathPlan smooth = plan(machine, path.tool, PlanningMethod::jerk_limited);
+      const PathPlan fast = plan(machine, path.tool, PlanningMethod::time_optimal),
+                     smooth = plan(machine, path.tool, PlanningMethod::jerk_limited);
+      expect_verified(fast, "full turns, time_optimal");
       expect_verified(smooth, "full turns");
+      EXPECT_LE(fast.bound.gap, 1e-5);
+      EXPECT_LE(smooth.bound.gap, 4e-3);
+      EXPECT_LE(fast.pieces, 2000u);
       expect_on_path(smooth, machine, "full turns");
       EXPECT_NEAR(machine.spans[3].highest - machine.spans[3].lowest, 5 * std::numbers::pi, 1e-9);
     }
+  }
+}
+
+/// Where the strokes in the slots take one cell of a coarse grid each a long path is no slower than its turns.
+TEST(WindingMachines, ManyTurnsTakeWhatOneTakes) {
+  const test::NeedlePath one = test::stator_turn(), many = test::stator_turns(16);
+  for (const test::Winder& winder : test::winders()) {
+    const MachinePath first = machine_path(one.tool, one.orientation, winder.configurations),
+                      machine = machine_path(many.tool, many.orientation, winder.configurations);
+    const PathPlan single = plan(first, one.tool, PlanningMethod::jerk_limited),
+                   all = plan(machine, many.tool, PlanningMethod::jerk_limited);
+    expect_verified(all, winder.name);
+    EXPECT_LE(all.duration, 16 * single.duration) << winder.name;
+    EXPECT_LE(all.bound.gap, 0.06) << winder.name;
+    EXPECT_LE(all.iterations, 150u) << winder.name;
   }
 }
 

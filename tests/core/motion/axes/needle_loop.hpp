@@ -37,8 +37,7 @@ class NeedleMaker {
 /// One turn about two slots of a stator, 45° apart: up the first at radius `radius`, over its winding head with the
 /// needle swivelled down, down the second, and back below with the needle swivelled up. Three times continuous in all
 /// five coordinates but for the third derivatives at the joints.
-inline NeedlePath stator_turn(double radius = 80, double height = 180, double part_phi = 0) {
-  NeedleMaker make;
+inline void append_stator_turn(NeedleMaker& make, double radius, double height, double part_phi) {
   const double span = std::numbers::pi / 4, head = 30, swivel = 1.2;
   const auto at = [&](double azimuth, double r, double z) {
     return Vec{r * std::cos(azimuth + part_phi), r * std::sin(azimuth + part_phi), z};
@@ -66,6 +65,16 @@ inline NeedlePath stator_turn(double radius = 80, double height = 180, double pa
   over(0, span, height, 1);
   slot(span, height, 0);
   over(span, 0, 0, -1);
+}
+inline NeedlePath stator_turn(double radius = 80, double height = 180, double part_phi = 0) {
+  NeedleMaker make;
+  append_stator_turn(make, radius, height, part_phi);
+  return make.done();
+}
+/// So many one after the other: a layer of a coil.
+inline NeedlePath stator_turns(int turns) {
+  NeedleMaker make;
+  for (int i = 0; i < turns; ++i) append_stator_turn(make, 80, 180, 0);
   return make.done();
 }
 
