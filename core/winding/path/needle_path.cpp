@@ -18,8 +18,10 @@ constexpr double pi = std::numbers::pi;
 constexpr double shortest = 1e-6;  // mm, of a piece or of a link's chord
 // Of J. From the shape of the turn before nothing is gained by more.
 constexpr std::size_t evaluations_from_a_neighbour = 250, evaluations_of_a_search = 250, evaluations_of_the_best = 1000;
-constexpr double loop = 1.5;       // rad: by what a loop turns more than a bend, at least
-constexpr double unusable = 1e12;  // J of a link that stands still somewhere
+constexpr double sharpest = 100;    // κ, 1/mm, of a bend that is no cusp
+constexpr double far_rougher = 10;  // in J
+constexpr double loop = 1.5;        // rad: by what a loop turns more than a bend, at least
+constexpr double unusable = 1e12;   // J of a link that stands still somewhere
 
 SplinePoint point(const NeedlePose& pose) { return {pose.tip.x, pose.tip.y, pose.tip.z, pose.phi, pose.psi}; }
 
@@ -70,6 +72,29 @@ double turned_angle(const BezierPiece& piece) {
   return sum;
 }
 
+/// The largest κ where the parametric speed has a minimum: what is too narrow for a quadrature is a needle that nearly
+/// stands still.
+double sharpest_bend(const BezierPiece& piece) {
+  constexpr int samples = 256;
+  const auto speed = [&](double v) { return norm(place(piece.at(v)[1])); };
+  double sharpest = 0, before = unusable, here = speed(0);
+  for (int i = 0; i < samples; ++i) {
+    const double next = speed((i + 1.0) / samples);
+    if (here <= before && here <= next) {
+      double low = std::max(0.0, (i - 1.0) / samples), high = (i + 1.0) / samples;
+      for (int n = 0; n < 60; ++n) {  // ternary search
+        const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+        (speed(a) < speed(b) ? high : low) = speed(a) < speed(b) ? b : a;
+      }
+      const SplineJet jet = piece.at((low + high) / 2);
+      const Vec d1 = place(jet[1]), d2 = place(jet[2]);
+      sharpest = std::max(sharpest, norm(cross(d1, d2)) / std::pow(norm(d1), 3));
+    }
+    before = here, here = next;
+  }
+  return sharpest < unusable ? sharpest : unusable;
+}
+
 class Maker {
  public:
   Maker(const std::vector<FixedPiece>& fixed, bool stator, const LinkOptions& options)
@@ -112,24 +137,46 @@ class Maker {
                        (from.kind == to.kind ? "" : ": raise needle.change_radius or needle.change_height"));
     const LinkEnds ends{begin, end, std::nullopt};
     // The link at the same place of the turn before is nearly the same.
-    std::optional<LinkShape>& known = known_[{from.kind, from.region, to.kind, part}];
-    const BestLink best = known ? solve(ends, *known, evaluations_from_a_neighbour, progress) : search(ends, progress);
-    known = best.shape;
+    std::optional<Known>& known = known_[{from.kind, from.region, to.kind, part}];
+    BestLink best = again(ends, known, options_.objective, progress);
+    // (4.61) takes no notice of how sharp a link bends.
+    if (cusped(ends, best) && options_.objective != LinkObjective::curvature)
+      best = again(ends, known, LinkObjective::curvature, progress);
+    if (cusped(ends, best))
+      throw Infeasible("no link without a cusp found between " + where(from) + " and " + where(to));
+    known = {best.shape, best.smoothness};
     for (const BezierPiece& piece : link(basis_, ends, best.shape).pieces()) {
       path_.pieces.push_back({piece, i, true, share});
       path_.links.push_back({i, best, turned_angle(piece)});
     }
   }
 
+  struct Known {
+    LinkShape shape;
+    double smoothness = 0;
+  };
+  /// From what is known of the turn before, as long as that leads to about as smooth a link.
+  BestLink again(const LinkEnds& ends, const std::optional<Known>& known, LinkObjective objective,
+                 Progress& progress) const {
+    if (!known) return search(ends, objective, progress);
+    const BestLink best = solve(ends, known->shape, objective, evaluations_from_a_neighbour, progress);
+    return best.smoothness <= 1.5 * known->smoothness ? best : search(ends, objective, progress);
+  }
+  bool cusped(const LinkEnds& ends, const BestLink& best) const {
+    return sharpest_bend(link(basis_, ends, best.shape).pieces().front()) > sharpest;
+  }
+  /// J, by a fine rule; and no less than the sharpest bend makes of it, however narrow.
   double judged(const LinkEnds& ends, const BestLink& best) const {
     const double j = smoothness(basis_, fine_rule_, ends, best.shape, options_.weights);
-    return j < unusable ? j : unusable;
+    const double bend = sharpest_bend(link(basis_, ends, best.shape).pieces().front());
+    return j < unusable ? std::max(j, options_.weights.rate * bend) : unusable;
   }
   /// A bend so sharp that it falls between the nodes of the quadrature looks smooth: where a finer rule sees more, the
   /// search is made with that.
-  BestLink solve(const LinkEnds& ends, const LinkShape& start, std::size_t evaluations, Progress& progress) const {
+  BestLink solve(const LinkEnds& ends, const LinkShape& start, LinkObjective objective, std::size_t evaluations,
+                 Progress& progress) const {
     const auto by = [&](const SmoothnessRule& rule) {
-      BestLink best = best_link(basis_, rule, ends, options_.objective, options_.weights, start, progress, evaluations);
+      BestLink best = best_link(basis_, rule, ends, objective, options_.weights, start, progress, evaluations);
       const double seen = best.smoothness;
       best.smoothness = judged(ends, best);
       return std::pair(best, seen);
@@ -140,23 +187,27 @@ class Maker {
   /// From several starts: links that leave their neighbours' tangents soon or late. (4.60) prefers a wide loop to a
   /// bend, on a way that is far longer: of links that turn by about as little as any, it is the smoothest that is
   /// taken.
-  BestLink search(const LinkEnds& ends, Progress& progress) const {
+  BestLink search(const LinkEnds& ends, LinkObjective objective, Progress& progress) const {
     std::vector<std::pair<double, BestLink>> found;
-    double least = unusable;
+    double smoothest = unusable;
     const double chord = norm(place(ends.after[0]) - place(ends.before[0]));
     for (const double speed : {1.0, 0.5, 2.0, 4.0}) {
       LinkShape start;
       start.before[0] = norm(place(ends.before[1])) / (speed * chord);
       start.after[0] = norm(place(ends.after[1])) / (speed * chord);
-      const BestLink best = solve(ends, start, evaluations_of_a_search, progress);
-      const double angle = turned_angle(link(basis_, ends, best.shape).pieces().front());
-      found.emplace_back(angle, best);
-      least = std::min(least, angle);
+      const BestLink best = solve(ends, start, objective, evaluations_of_a_search, progress);
+      found.emplace_back(turned_angle(link(basis_, ends, best.shape).pieces().front()), best);
+      smoothest = std::min(smoothest, best.smoothness);
     }
+    double least = unusable;  // of those that are no cusps
+    const auto usable = [&](const BestLink& each) { return each.smoothness <= far_rougher * smoothest; };
+    for (const auto& [angle, each] : found)
+      if (usable(each)) least = std::min(least, angle);
     const BestLink* best = nullptr;
     for (const auto& [angle, each] : found)
-      if (angle <= least + loop && (best == nullptr || each.smoothness < best->smoothness)) best = &each;
-    return solve(ends, best->shape, evaluations_of_the_best, progress);
+      if (angle <= least + loop && usable(each) && (best == nullptr || each.smoothness < best->smoothness))
+        best = &each;
+    return solve(ends, best->shape, objective, evaluations_of_the_best, progress);
   }
 
   const std::vector<FixedPiece>& fixed_;
@@ -171,7 +222,7 @@ class Maker {
     std::size_t part;
     auto operator<=>(const Place&) const = default;
   };
-  std::map<Place, std::optional<LinkShape>> known_;
+  std::map<Place, std::optional<Known>> known_;
   NeedlePath path_;
 };
 
