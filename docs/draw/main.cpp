@@ -22,6 +22,7 @@ void run(const std::string& what) {
   use_on_plate(what + "/plate_use.svg");
   corner_enlarged(what + "/corner_blend.svg");
   fill_pictures(what);
+  needle_access(what + "/needle_access.svg");
 }
 
 }  // namespace

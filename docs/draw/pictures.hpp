@@ -21,4 +21,7 @@ void corner_enlarged(const std::string& file);
 void fill_pictures(const std::string& folder);  ///< nine files
 void fill_table();
 
+// docs/methods/winding_path.md
+void needle_access(const std::string& file);
+
 }  // namespace bahnwerk::draw

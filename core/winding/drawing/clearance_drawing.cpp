@@ -40,7 +40,7 @@ const char* colour(double clearance, double most) {
   return steps[std::min(step, steps.size() - 1)];
 }
 
-/// Cells of one row that have one colour as one rectangle, a little too high: no gaps between rows.
+/// Cells of one row that have one colour as one rectangle.
 std::string cells(const ClearanceMap& map, const Window& window, double most) {
   std::string out;
   for (std::size_t row = 0; row < map.rows; ++row)
@@ -53,8 +53,7 @@ std::string cells(const ClearanceMap& map, const Window& window, double most) {
       std::size_t end = column + 1;
       while (end < map.columns && !std::isnan(map.at(end, row)) && colour(map.at(end, row), most) == shade) ++end;
       const Point corner = window(map.middle(column, row) + Point{-map.step / 2, map.step / 2});
-      out +=
-          rectangle(corner, scale * map.step * static_cast<double>(end - column), scale * map.step + 0.3, fill(shade));
+      out += rectangle(corner, scale * map.step * static_cast<double>(end - column), scale * map.step, fill(shade));
       column = end;
     }
   return out;
@@ -111,7 +110,8 @@ std::string clearance_drawing(const StatorIron& iron, std::span<const DrawnClear
     out += rectangle(window.corner, wide, tall, fill(look::liner));
     out += "<g clip-path=\"url(#" + id + ")\">\n";
     const std::string slot = "<path" + svg::attribute("d", region_path(iron.air(), window, scale));
-    out += slot + " fill=\"#ffffff\"/>\n" + cells(drawn.map, window, most);
+    out += slot + " fill=\"#ffffff\"/>\n" + "<g shape-rendering=\"crispEdges\">\n" + cells(drawn.map, window, most) +
+           "</g>\n";
     out += slot + " fill=\"none\" stroke=\"" + look::outline + "\" stroke-width=\"1.6\"/>\n</g>\n";
     x += wide + margin;
   }

@@ -12,7 +12,7 @@ namespace bahnwerk::winding {
 /// The pose of a needle inside the stack whose tip is at `tip`, in slot coordinates, of slot 0: away from the axis or,
 /// with a limit, from the middle of the tooth opening as far as the limit allows (slot_support).
 NeedlePose tip_pose(const StatorPart& part, Point tip, std::optional<double> pivot_limit);
-/// Least clearance of that needle, to within `tolerance`; some 20 µs. Throws like clearance(). For the wires of a
+/// Least clearance of that needle, to within `tolerance`; some 0.1 ms. Throws like clearance(). For the wires of a
 /// layout take their places as tips, or their support points' poses and clearance().
 double tip_clearance(const StatorPart& part, const StatorIron& iron, const NeedleShape& needle, Point tip,
                      std::optional<double> pivot_limit, double tolerance = 1e-3);

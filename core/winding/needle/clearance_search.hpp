@@ -77,9 +77,12 @@ class ClearanceSearch {
   void ask() {
     if (count_++ % 1024 == 0) progress_.report("clearance", done_);
   }
+  void seen(std::size_t k, double found, double u, double s) {
+    if (found < best_.minimum) best_ = {found, piece_, u, s, k};
+  }
   double look(std::size_t k, Space at, double u, double s) {
     const double found = obstacles_[k]->distance(at) - radius_;
-    if (found < best_.minimum) best_ = {found, piece_, u, s, k};
+    seen(k, found, u, s);
     return found;
   }
   double coarse(const Stretch& whole) {
@@ -160,7 +163,9 @@ class ClearanceSearch {
     ask();
     const Obstacle& obstacle = *obstacles_[k];
     const Space p = pose_.tip - s * direction_;
-    const double found = s >= radius_ && s <= length_ ? look(k, p, at_, s) : obstacle.distance(p) - radius_;
+    const Distances at = obstacle.distances(p);
+    const double found = at.whole - radius_;
+    if (s >= radius_ && s <= length_) seen(k, found, at_, s);
     const double enough = best_.minimum - tolerance_ + round_off, turn = std::min(s + half, length_) * reach_.turn;
     double moved = reach_.beside + turn, most = found - moved;
     if (most - half >= enough) return;
@@ -173,10 +178,9 @@ class ClearanceSearch {
       if (distance >= enough + tolerance_ / 2) moved = std::min(moved, by + turn);
       return false;
     };
-    if (decides(obstacle.height_distance(p) - radius_, reach_.height, std::abs(direction_.z))) return;
+    if (decides(at.height - radius_, reach_.height, std::abs(direction_.z))) return;
     if (reach_.across < reach_.beside || direction_.z != 0)
-      if (decides(obstacle.section_distance(p) - radius_, reach_.across, std::hypot(direction_.x, direction_.y)))
-        return;
+      if (decides(at.section - radius_, reach_.across, std::hypot(direction_.x, direction_.y))) return;
     if (moved >= half || most < enough || half <= tolerance_ / 8) {
       low_ = std::min(low_, s - half), high_ = std::max(high_, s + half);
       return;

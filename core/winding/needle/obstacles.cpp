@@ -46,12 +46,6 @@ double StatorIron::section_distance(Space p) const {
   return air_.distance({from_axis * std::sin(local), axis_ - from_axis * std::cos(local)});
 }
 
-double StatorIron::distance(Space p) const {
-  const double section = section_distance(p), beyond = height_distance(p);
-  if (section >= 0) return beyond > 0 ? std::hypot(section, beyond) : section;
-  return beyond > 0 ? beyond : std::max(section, beyond);
-}
-
 Block::Block(double azimuth, double inner, double outer, double left, double right, double low, double high)
     : azimuth_(azimuth),
       middle_{(inner + outer) / 2, (left + right) / 2, (low + high) / 2},

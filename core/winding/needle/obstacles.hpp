@@ -2,11 +2,17 @@
 /// What the needle must not touch, as signed distances: positive outside, negative inside, changing by at most 1 mm per
 /// mm. Lengths mm, angles rad.
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/winding/part/part.hpp"
 
 namespace bahnwerk::winding {
+
+/// What bounds the distance of all points, of those above and below, and of those at the same height.
+struct Distances {
+  double whole, section, height;
+};
 
 class Obstacle {
  public:
@@ -22,6 +28,15 @@ class Obstacle {
   virtual double section_distance(Space) const { return -std::numeric_limits<double>::infinity(); }
   /// The same for all points at the height of `p`: arcs above the part's end are decided by it.
   virtual double height_distance(Space) const { return -std::numeric_limits<double>::infinity(); }
+  /// All three at once.
+  virtual Distances distances(Space p) const { return {distance(p), section_distance(p), height_distance(p)}; }
+
+ protected:
+  /// Of a section that reaches from one height to another.
+  static Distances extruded(double section, double beyond) {
+    if (section >= 0) return {beyond > 0 ? std::hypot(section, beyond) : section, section, beyond};
+    return {beyond > 0 ? beyond : std::max(section, beyond), section, beyond};
+  }
 };
 
 /// A stator's stack: slots, tooth tips, bore. The tips end in half circles of the radius r_et about points b_t apart,
@@ -31,7 +46,8 @@ class StatorIron final : public Obstacle {
  public:
   /// `slot` is checked_slot(part).
   StatorIron(const StatorPart& part, const Slot& slot);
-  double distance(Space p) const override;
+  double distance(Space p) const override { return distances(p).whole; }
+  Distances distances(Space p) const override { return extruded(section_distance(p), height_distance(p)); }
   double section_distance(Space p) const override;
   double height_distance(Space p) const override { return std::max(-p.z, p.z - stack_); }
   /// Slot, opening and bore together, in slot coordinates.

@@ -99,12 +99,6 @@ double RotorIron::section_distance(Space p) const {
   return -iron_.distance({from_axis * std::cos(local), from_axis * std::sin(local)});
 }
 
-double RotorIron::distance(Space p) const {
-  const double section = section_distance(p), beyond = height_distance(p);
-  if (section >= 0) return beyond > 0 ? std::hypot(section, beyond) : section;
-  return beyond > 0 ? beyond : std::max(section, beyond);
-}
-
 Wall::Wall(double azimuth, Region section, double half_width)
     : azimuth_(azimuth), half_width_(half_width), section_(std::move(section)) {}
 

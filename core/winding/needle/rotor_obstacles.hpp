@@ -24,7 +24,8 @@ class RotorIron final : public Obstacle {
   /// `slot` is checked_slot(part). Throws InvalidInput naming members of "rotor", and slot.root_flank where the
   /// flanks reach into the hub or beyond the shoe.
   RotorIron(const RotorPart& part, const Slot& slot, const RotorShape& shape = {});
-  double distance(Space p) const override;
+  double distance(Space p) const override { return distances(p).whole; }
+  Distances distances(Space p) const override { return extruded(section_distance(p), height_distance(p)); }
   double section_distance(Space p) const override;
   double height_distance(Space p) const override { return std::max(low_ - p.z, p.z - high_); }
   /// One pole and the whole hub; x along the pole's middle from the rotor's axis, y across it.

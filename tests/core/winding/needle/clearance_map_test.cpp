@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -57,6 +58,23 @@ TEST(ClearanceMap, PivotShiftOpensTheLowerTwoThirds) {
       EXPECT_NEAR(b, shifted.at(straight.columns - 1 - column, row), 2e-3);
     }
   EXPECT_GT(inside, 300u);
+  // [Herrmann 4.2.6]: full access in the lower two thirds; here, of places that half a needle fits beside.
+  std::size_t full = 0, reached = 0;
+  for (std::size_t row = 0; row < shifted.rows; ++row)
+    for (std::size_t column = 0; column < shifted.columns; ++column) {
+      const Point tip = shifted.middle(column, row);
+      if (tip.y > 2 / 3.0 * part.slot.height || std::isnan(shifted.at(column, row))) continue;
+      double flank = 1e9;
+      for (const Edge& e : slot.iron.edges())
+        if (e.straight() && std::abs(e.direction(0).y) > 0.9)
+          flank = std::min(flank, distance(tip, e.at(e.nearest(tip))));
+      if (flank < needle.width / 2) continue;
+      ++full;
+      EXPECT_GE(shifted.at(column, row), 0);
+      reached += straight.at(column, row) >= 0;
+    }
+  EXPECT_GT(full, 100u);
+  EXPECT_LT(reached, full / 2) << "without shift";
   EXPECT_GT(shifted.share(0), 1.8 * straight.share(0));
   EXPECT_GT(shifted.share(0), 0.5);
   EXPECT_LE(shifted.share(0.1), shifted.share(0));
