@@ -1,0 +1,146 @@
+#include "api/kinds/winding/winding_result.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <string>
+
+#include "core/machine/robot_winder.hpp"
+#include "core/plan/fill_plan.hpp"
+
+namespace bahnwerk::api::winding_kind {
+namespace {
+
+using nlohmann::ordered_json;
+using winding::FixedPiece;
+
+constexpr double degrees = 180 / std::numbers::pi;
+
+ordered_json points(const std::vector<Point>& list) {
+  ordered_json out = ordered_json::array();
+  for (const Point& p : list) out.push_back({p.x, p.y});
+  return out;
+}
+
+ordered_json layout(const WindingRequest& request, const WindingPlan& plan) {
+  const winding::Wire& wire = request.wire;
+  ordered_json regions = ordered_json::object();
+  for (std::size_t j = 0; j < plan.layout.size(); ++j)
+    regions[region_name(j)] = {{"positions", points(plan.layout[j].wires)},
+                               {"pulls", points(plan.layout[j].tension_points)}};
+  return {{"wire", {{"copper", wire.copper}, {"outer", wire.outer}, {"tolerance", wire.tolerance}}},
+          {"count", plan.layout[0].wires.size()},
+          {"regions", std::move(regions)}};
+}
+
+ordered_json turns(const WindingPlan& plan) {
+  ordered_json list = ordered_json::array();
+  for (std::size_t i = 0; i < plan.turns.size(); ++i) {
+    const winding::Turn& turn = plan.turns[i];
+    list.push_back({{"coil", turn.coil + 1},
+                    {"turn", turn.number + 1},
+                    {"layer", turn.layer},
+                    {"layer_jump", turn.layer_jump},
+                    {"begins", plan.turn_begins.at(i)}});
+  }
+  return list;
+}
+
+ordered_json axes(const WindingPlan& plan) {
+  ordered_json list = ordered_json::array();
+  const auto& axes = plan.machine.kinematics->axes();
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    const bool rotary = axes[k].unit == "rad";
+    const double shown = rotary ? degrees : 1;
+    const AxisSpan& span = plan.machine.spans.at(k);
+    list.push_back({{"name", axes[k].name},
+                    {"unit", rotary ? "deg" : axes[k].unit},
+                    {"lowest", shown * span.lowest},
+                    {"highest", shown * span.highest},
+                    {"travel", shown * span.travel}});
+  }
+  return list;
+}
+
+ordered_json arm(const WindingPlan& plan) {
+  const auto* robot = dynamic_cast<const RobotWinder*>(plan.machine.kinematics.get());
+  if (!robot) return nullptr;
+  return robot->arm() == RobotArm::lefty ? "lefty" : "righty";
+}
+
+ordered_json notes(const WindingRequest& request, const WindingPlan& plan) {
+  ordered_json list = ordered_json::array();
+  // Where the wire leaves the needle at more than a right angle its tension rises [Herrmann 4.2.6].
+  constexpr double right_angle = std::numbers::pi / 2 + 1e-9;
+  std::size_t bent = 0, all = 0;
+  double most = 0;
+  for (const FixedPiece& piece : plan.support)
+    for (const double angle : {piece.begin.exit_angle, piece.end.exit_angle}) {
+      ++all;
+      if (angle > right_angle) ++bent;
+      most = std::max(most, angle);
+    }
+  if (bent > 0)
+    list.push_back("at " + std::to_string(bent) + " of " + std::to_string(all) +
+                   " support points the wire leaves the needle at more than 90 deg, at most at " +
+                   std::to_string(std::lround(degrees * most)) + " deg: its tension rises there");
+  if (request.turns > 0 && request.turns < plan.layout[0].wires.size())
+    list.push_back("the slot takes " + std::to_string(plan.layout[0].wires.size()) + " turns of this wire, " +
+                   std::to_string(request.turns) + " are wound");
+  if (!(plan.clearance.minimum < unlimited))
+    list.push_back("clearance is known of stators only: about a rotor's pole it is not checked");
+  return list;
+}
+
+/// Where the tool's path is on the move at `u`, mm: by its share of the move.
+double path_length(const WindingPlan& plan, std::size_t move, double u) {
+  const bool link = move % 2 == 1;
+  double begin = plan.path_length, end = 0;
+  const Path& tool = plan.tool.tool;
+  for (std::size_t i = 0; i < tool.size(); ++i) {
+    const winding::NeedlePiece& piece = plan.path.pieces[tool[i].source()];
+    if (piece.fixed != move / 2 || piece.link != link) continue;
+    begin = std::min(begin, tool[i].s0()), end = std::max(end, tool[i].s1());
+  }
+  return end > begin ? begin + u * (end - begin) : begin;
+}
+
+}  // namespace
+
+ordered_json clearance(const WindingPlan& plan) {
+  if (!(plan.clearance.minimum < unlimited)) return nullptr;
+  const FixedPiece& piece = plan.support.at(plan.clearance.move / 2);
+  const bool change = piece.kind == FixedPiece::Kind::coil_change;
+  return {{"minimum", plan.clearance.minimum},
+          {"coil", piece.coil + 1},
+          {"turn", piece.turn + 1},
+          {"region", change ? "coil_change" : region_name(piece.region)},
+          {"link", plan.clearance.move % 2 == 1},
+          {"at", path_length(plan, plan.clearance.move, plan.clearance.at)},
+          {"along", plan.clearance.along}};
+}
+
+ordered_json details(const WindingRequest& request, const WindingPlan& plan, Progress& progress) {
+  return {{"feed", name_of<FeedMethod>(request.feed, feed_methods)},
+          {"law_pieces", plan.motion.pieces},
+          {"notes", notes(request, plan)},
+          {"arm", arm(plan)},
+          {"axes", axes(plan)},
+          {"clearance", clearance(plan)},
+          {"layout", layout(request, plan)},
+          {"turns", turns(plan)},
+          {"support_points", support_points(plan, progress)},
+          {"path", path(request, plan, progress)},
+          {"links", links(request, plan, progress)}};
+}
+
+Verification in_degrees(Verification verdict) {
+  for (Check& check : verdict.checks) {
+    if (!check.unit.starts_with("rad")) continue;
+    check.unit.replace(0, 3, "deg");
+    check.limit *= degrees, check.value *= degrees;
+  }
+  return verdict;
+}
+
+}  // namespace bahnwerk::api::winding_kind
