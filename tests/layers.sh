@@ -23,17 +23,18 @@ declare -A allowed=(
   [core/motion/profile]="core/motion/law/ core/machine/ core/base/"
   [core/motion/acceleration]="core/motion/axes/ core/motion/grid/ core/motion/law/ core/contour/contour.hpp core/machine/ core/geometry/path/ core/numeric/ core/base/"
   [core/motion/jerk]="core/motion/profile/ core/motion/axes/ core/motion/grid/ core/motion/law/ core/contour/contour.hpp core/machine/ core/numeric/ core/base/"
-  [core/winding]="core/drawing/svg.hpp core/geometry/region/ core/numeric/random.hpp core/base/"
+  [core/motion/natural]="core/motion/axes/ core/motion/law/ core/geometry/path/ core/geometry/curve/ core/machine/ core/contour/contour.hpp core/base/"
+  [core/winding]="core/drawing/svg.hpp core/geometry/region/ core/geometry/spline/ core/geometry/curve/vec.hpp core/numeric/random.hpp core/base/"
   # The verifier sees what the user gave and the finished motion, no planner. The relaxation gives the bound multipliers,
   # of which any are valid.
   [core/verify]="core/motion/axes/axis_path.hpp core/motion/axes/motion.hpp core/motion/axes/path_task.hpp core/motion/law/time_law.hpp core/contour/contour.hpp
-    core/machine/machine.hpp core/machine/kinematics.hpp
+    core/machine/machine.hpp core/machine/kinematics.hpp core/machine/tool.hpp
     core/motion/relaxation/relaxation.hpp core/motion/relaxation/weak_form.hpp core/motion/relaxation/splines.hpp core/motion/relaxation/windows.hpp
     core/winding/margin.hpp core/geometry/region/region.hpp
     core/geometry/curve/arc.hpp core/geometry/curve/curve.hpp core/geometry/curve/rational.hpp core/geometry/curve/vec.hpp core/geometry/path/matched.hpp core/geometry/path/path.hpp core/geometry/path/rough_shape.hpp
     core/numeric/lanes.hpp core/numeric/large_pages.hpp core/numeric/peak.hpp core/numeric/polynomial.hpp
     core/base/errors.hpp core/base/progress.hpp core/base/progress_scope.hpp core/base/setpoint_source.hpp core/base/verification.hpp"
-  [core/plan]="core/verify/ core/winding/ core/motion/axes/path_task.hpp core/motion/law/ core/motion/setpoints/ core/motion/acceleration/acceleration_limited.hpp core/motion/jerk/jerk_limited.hpp
+  [core/plan]="core/verify/ core/winding/ core/motion/axes/path_task.hpp core/motion/law/ core/motion/setpoints/ core/motion/acceleration/acceleration_limited.hpp core/motion/jerk/jerk_limited.hpp core/motion/natural/natural_law.hpp
     core/contour/ core/machine/ core/drawing/ core/geometry/ core/numeric/random.hpp core/base/"
   [api]="core/plan/ core/base/
     core/contour/contour.hpp core/contour/builder.hpp core/contour/polyline.hpp core/contour/dxf.hpp core/contour/gcode.hpp core/machine/machine.hpp

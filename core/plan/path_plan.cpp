@@ -58,9 +58,9 @@ class Pipeline {
     if (planning_.only_duration) return std::move(plan_);
     plan_.motion = std::make_shared<const PathMotion>(planning_.path, std::move(law_));
     plan_.setpoints = setpoints();
-    for (Check& check : setpoint_checks(
-             {*planning_.path, machine_, plan_.motion->law(), *plan_.setpoints, planning_.blocks, at(verified), at(1)},
-             progress_))
+    for (Check& check : setpoint_checks({*planning_.path, machine_, plan_.motion->law(), *plan_.setpoints,
+                                         planning_.blocks, planning_.shown, at(verified), at(1)},
+                                        progress_))
       plan_.verification.add(std::move(check));
     plan_.verification.add(bound_check(plan_.bound, plan_.duration));
     plan_.bound = with_gap(plan_.bound, plan_.duration);

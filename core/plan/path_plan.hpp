@@ -38,6 +38,8 @@ struct PathPlanning {
   /// What a kind derives from PathSetpoints; those themselves if it is empty.
   std::function<std::unique_ptr<SetpointSource>(const std::shared_ptr<const PathMotion>&, std::size_t cycles)>
       setpoints;
+  /// Per axis: what one of its units is in the setpoints' columns, such as 180/π for rad shown in deg; empty: 1.
+  std::vector<double> shown;
   double from = 0, to = 1;  ///< the share of the whole job's progress that this takes
 };
 

@@ -4,6 +4,7 @@
 
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/motion/jerk/jerk_limited.hpp"
+#include "core/motion/natural/natural_law.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -46,11 +47,23 @@ MethodResult jerk_limited(const PathTask& task, const MethodOptions& given, int 
   return {std::move(result.law), result.iterations, result.cells};
 }
 
+MethodResult natural(const PathTask& task, const MethodOptions& given, int refinement, Progress& progress, double from,
+                     double to) {
+  NaturalOptions options;
+  options.shares = given.shares;
+  options.path = given.along;
+  options.steps <<= refinement;
+  MethodResult result{plan_natural(task, options, progress, from, to), 1, 0};
+  result.cells = result.law.pieces().size();
+  return result;
+}
+
 constexpr MethodRow rows[] = {
     //  method                             planner         limits_jerk  reaches_bound
     {PlanningMethod::braking_reserve, braking_reserve, false, false},
     {PlanningMethod::time_optimal, time_optimal, false, true},
     {PlanningMethod::jerk_limited, jerk_limited, true, false},
+    {PlanningMethod::natural, natural, true, false},
 };
 
 }  // namespace

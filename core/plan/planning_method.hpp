@@ -2,6 +2,7 @@
 /// The planning methods: one row each, with its name, its planner and what it limits. To add one, add a row.
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "core/base/named.hpp"
 #include "core/base/progress.hpp"
@@ -11,16 +12,18 @@
 
 namespace bahnwerk {
 
-enum class PlanningMethod { braking_reserve, time_optimal, jerk_limited };
+enum class PlanningMethod { braking_reserve, time_optimal, jerk_limited, natural };
 inline constexpr Named<PlanningMethod> planning_methods[] = {{PlanningMethod::braking_reserve, "braking_reserve"},
                                                              {PlanningMethod::time_optimal, "time_optimal"},
-                                                             {PlanningMethod::jerk_limited, "jerk_limited"}};
+                                                             {PlanningMethod::jerk_limited, "jerk_limited"},
+                                                             {PlanningMethod::natural, "natural"}};
 
 /// What a document may set; each method takes what it knows.
 struct MethodOptions {
   double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad
   double braking_reserve = 0.7;                              ///< K_b [Bock (2.11)]
   Limits along;                                              ///< the tool's path
+  std::vector<double> shares;                                ///< of natural: see NaturalOptions
 };
 
 struct MethodResult {

@@ -3,13 +3,16 @@
 /// time law, setpoints [Herrmann chapter 4].
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <variant>
 #include <vector>
 
+#include "core/base/errors.hpp"
 #include "core/base/named.hpp"
 #include "core/base/progress.hpp"
 #include "core/motion/axes/machine_path.hpp"
 #include "core/plan/path_plan.hpp"
+#include "core/plan/winding/pose_path.hpp"
 #include "core/winding/laying/needle.hpp"
 #include "core/winding/needle/clearance.hpp"
 #include "core/winding/needle/support_points.hpp"
@@ -52,7 +55,7 @@ struct WindingPlan {
   std::vector<winding::FixedPiece> support;  ///< the support points are their ends
   winding::NeedlePath path;
   winding::Clearance clearance;
-  std::vector<std::size_t> piece_of_segment;  ///< segment of the tool's path → index in path.pieces
+  PosePath tool;  ///< the same as a path; source() of a segment: index in path.pieces
   MachinePath machine;
   PathPlan motion;                  ///< its verification is the whole plan's: clearance and forward kinematics, too
   double path_length = 0;           ///< mm
@@ -62,8 +65,18 @@ struct WindingPlan {
   std::vector<double> turn_begins;  ///< s, when each turn begins
 };
 
+/// A pose of the needle's path out of the machine's reach: in which turn and where.
+struct UnreachableTurn : UnreachablePose {
+  UnreachableTurn(const UnreachablePose& place, const std::string& what, const winding::FixedPiece& piece)
+      : UnreachablePose(what, place.path_length, place.pose),
+        coil(piece.coil),
+        turn(piece.turn),
+        region(piece.region) {}
+  std::size_t coil, turn, region;
+};
+
 /// Throws InvalidInput naming members of the kind's document (part, coil, machine, path, feed, pull, needle);
-/// Infeasible; UnreachablePose with turn, region and pose; Stopped. Cost: some ms per turn and machine.
+/// Infeasible; UnreachableTurn; Stopped. Cost: some ms per turn and machine.
 WindingPlan plan_winding(const WindingRequest& request, Progress& progress);
 
 }  // namespace bahnwerk

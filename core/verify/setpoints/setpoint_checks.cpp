@@ -27,7 +27,10 @@ double larger(double a, double b) { return std::isnan(a) || a > b ? a : b; }
 class RowChecker {
  public:
   explicit RowChecker(const SetpointInput& in)
-      : in_(in), path_(in.path), pieces_(in.law.pieces()), axes_(in.path.axes()), cycle_time_(in.machine.cycle_time) {}
+      : in_(in), path_(in.path), pieces_(in.law.pieces()), axes_(in.path.axes()), cycle_time_(in.machine.cycle_time) {
+    shown_.fill(1);
+    std::copy_n(in.shown.begin(), std::min(in.shown.size(), axes_), shown_.begin());
+  }
 
   std::vector<Check> run(ProgressScope& pulse) {
     const std::size_t rows = in_.setpoints.count();
@@ -125,10 +128,11 @@ class RowChecker {
                  quicker = rounding * (v * v * size(q2) + along * a) +
                            along * (rounding_.acceleration + std::abs(law.j) * blur);
     for (std::size_t axis = 0; axis < axes_; ++axis) {
-      position_.raise(std::abs(row[position_column_[axis]] - q[axis]), place, t);
-      velocity_.raise(std::abs(row[velocity_column_[axis]] - q1[axis] * v), quick, t);
-      acceleration_.raise(std::abs(row[acceleration_column_[axis]] - (q2[axis] * (v * v) + q1[axis] * law.a)), quicker,
-                          t);
+      const double unit = shown_[axis];
+      position_.raise(std::abs(row[position_column_[axis]] - unit * q[axis]), unit * place, t);
+      velocity_.raise(std::abs(row[velocity_column_[axis]] - unit * (q1[axis] * v)), unit * quick, t);
+      acceleration_.raise(std::abs(row[acceleration_column_[axis]] - unit * (q2[axis] * (v * v) + q1[axis] * law.a)),
+                          unit * quicker, t);
     }
   }
 
@@ -140,7 +144,7 @@ class RowChecker {
     const AxisArray there = path_.at_parameter(last, path_[last].curve().end()).value;
     double off = std::abs(row[s_column_] - path_.length()), moving = std::abs(row[v_column_]);
     for (std::size_t axis = 0; axis < axes_; ++axis) {
-      off = larger(off, std::abs(row[position_column_[axis]] - there[axis]));
+      off = larger(off, std::abs(row[position_column_[axis]] - shown_[axis] * there[axis]));
       moving = larger(moving, std::abs(row[velocity_column_[axis]]));
       moving = larger(moving, std::abs(row[acceleration_column_[axis]]) * cycle_time_);
     }
@@ -181,6 +185,7 @@ class RowChecker {
   const LargeVector<LawPiece>& pieces_;
   std::size_t axes_;
   double cycle_time_;
+  AxisArray shown_{};
   std::array<std::size_t, max_axes> position_column_{}, velocity_column_{}, acceleration_column_{};
   std::size_t s_column_ = 0, v_column_ = 0, mode_column_ = 0, block_column_ = 0;
   std::size_t piece_ = 0, block_ = 0, mislabelled_ = 0;

@@ -1,0 +1,31 @@
+#pragma once
+/// The independent check of where a winding machine's setpoints put the needle: forward kinematics of every row.
+#include <vector>
+
+#include "core/base/progress.hpp"
+#include "core/base/setpoint_source.hpp"
+#include "core/base/verification.hpp"
+#include "core/machine/kinematics.hpp"
+#include "core/motion/axes/axis_path.hpp"
+
+namespace bahnwerk {
+
+struct NeedleInput {
+  const KinematicAxisPath& path;    ///< where the needle has to be at each s
+  const Kinematics& machine;        ///< its forward() shares nothing with inverse(), with which the axes were made
+  const SetpointSource& setpoints;  ///< columns of every axis' name, x, y, z, phi, psi, s
+  std::vector<double> shown;        ///< per axis: what one of its units is in its column
+};
+
+/// Reads all rows, 1024 at a time.
+///
+/// `forward kinematics position`  mm   forward(axes) against the path at the row's s: 1e-6
+/// `forward kinematics angle`     deg  the same of φ (to whole turns) and ψ: 1e-6
+/// `setpoints pose`               mm   columns x, y, z, phi, psi against forward(axes), an angle as the arc that it
+/// moves
+///                                     a point 100 mm away: 1e-6
+///
+/// Missing columns and what is not a number fail. About 0.5 µs per row.
+std::vector<Check> needle_checks(const NeedleInput& input, Progress& progress);
+
+}  // namespace bahnwerk
