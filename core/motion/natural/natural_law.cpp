@@ -20,57 +20,50 @@ struct State {
   double s = 0, v = 0, a = 0;
 };
 
-/// s(t) = Σ c t^i from one state to another.
-class Quintic {
- public:
-  Quintic(const State& from, const State& to, double duration) : duration_(duration) {
-    const double t = duration, t2 = t * t, way = to.s - from.s - from.v * t - from.a * t2 / 2,
-                 speed = (to.v - from.v - from.a * t) * t, bend = (to.a - from.a) * t2;
-    c_ = {from.s,
-          from.v,
-          from.a / 2,
-          (10 * way - 4 * speed + bend / 2) / (t * t2),
-          (-15 * way + 7 * speed - bend) / (t2 * t2),
-          (6 * way - 3 * speed + bend / 2) / (t2 * t2 * t)};
+/// How speed and acceleration get from one pair to another: v(t) is the cubic that meets both at both ends.
+struct Change {
+  double v0 = 0, a0 = 0, v1 = 0, a1 = 0, duration = 0;
+
+  State at(double t) const {  // s from 0
+    const double u = t / duration, dv = v1 - v0, b = a0 * duration, e = a1 * duration;
+    // v = v0 + b u + (3 dv - 2 b - e) u^2 + (b + e - 2 dv) u^3
+    const double c2 = 3 * dv - 2 * b - e, c3 = b + e - 2 * dv;
+    return {duration * u * (v0 + u * (b / 2 + u * (c2 / 3 + u * c3 / 4))), v0 + u * (b + u * (c2 + u * c3)),
+            (b + u * (2 * c2 + u * 3 * c3)) / duration};
   }
-  State at(double t) const {
-    State x;
-    for (std::size_t i = 6; i-- > 0;) x.a = x.a * t + 2 * x.v, x.v = x.v * t + x.s, x.s = x.s * t + c_[i];
-    return x;
-  }
-  double duration() const { return duration_; }
-  /// The largest |a| of 64 places; infinite where the motion stands still or goes back at one of them.
-  double acceleration() const {
+  double way() const { return at(duration).s; }
+  /// By what factor it exceeds limits along the path; infinite where it does not go forwards all the way.
+  double excess(const Limits& limits) const {
     double most = 0;
-    for (int i = 0; i <= 64; ++i) {
-      const State x = at(duration_ * i / 64);
-      if (i > 0 && i < 64 && !(x.v > 0)) return unlimited;
-      most = std::max(most, std::abs(x.a));
+    constexpr int samples = 32;
+    const double dv = v1 - v0, b = a0 * duration, e = a1 * duration, c2 = 3 * dv - 2 * b - e, c3 = b + e - 2 * dv;
+    for (int i = 0; i <= samples; ++i) {
+      const double u = static_cast<double>(i) / samples;
+      const State x = at(u * duration);
+      if (i > 0 && i < samples && !(x.v > 0)) return unlimited;
+      const double jerk = (2 * c2 + 6 * c3 * u) / (duration * duration);
+      most = std::max({most, x.v / limits.velocity, std::sqrt(std::abs(x.a) / limits.acceleration),
+                       std::cbrt(std::abs(jerk) / limits.jerk)});
     }
     return most;
   }
-
- private:
-  double duration_;
-  std::array<double, 6> c_;
 };
 
-/// The quintic of the least acceleration; throws Infeasible.
-Quintic quintic(const State& from, const State& to) {
-  const double way = to.s - from.s, mean = std::max({(from.v + to.v) / 2, reference_speed / 100});
-  Quintic best(from, to, way / mean);
+/// The change that asks least of the machine and takes no more than `room` mm; throws Infeasible.
+Change change(double v0, double a0, double v1, double a1, double room, double s, const Limits& limits) {
+  Change best;
   double least = unlimited;
   for (int i = 0; i <= durations_tried; ++i) {
-    const Quintic tried(from, to, way / mean * std::pow(10.0, 2.0 * i / durations_tried - 1));
-    const double most = tried.acceleration();
-    if (most < least) least = most, best = tried;
+    const Change tried{v0, a0, v1, a1, room / reference_speed * std::pow(10.0, 4.0 * i / durations_tried - 3)};
+    if (const double way = tried.way(); !(way > 0 && way <= room)) continue;
+    if (const double excess = tried.excess(limits); excess < least) least = excess, best = tried;
   }
   if (least < unlimited) return best;
   char text[240];
   std::snprintf(text, sizeof text,
-                "natural feed: the %.6g mm from %.6g mm along the path on are too short to pass from one link to the "
-                "next; another feed method does not need that",
-                way, from.s);
+                "natural feed: %.6g mm from %.6g mm along the path on are too short to pass from one link to the next; "
+                "another feed method does not need that",
+                room, s);
   throw Infeasible(text);
 }
 
@@ -88,10 +81,9 @@ class NaturalPlanner {
       if (options_.shares[i] > 0) {
         state = pass_link(i, end);
       } else {
-        const bool rests = end == tool_.size() || task_.rests[end];
         State to{tool_[end - 1].s1(), 0, 0};
-        if (!rests) to = at_link_begin(end), to.s = tool_[end - 1].s1();
-        pass_between(i, end, quintic(state, to));
+        if (!stops(end)) to = at_link_begin(end), to.s = tool_[end - 1].s1();
+        pass_between(i, end, state, to);
         state = to;
       }
       i = end;
@@ -143,29 +135,70 @@ class NaturalPlanner {
     return here;
   }
 
-  void pass_between(std::size_t begin, std::size_t end, const Quintic& motion) {
-    double t = 0;
-    State here = motion.at(0);
-    for (std::size_t i = begin; i < end; ++i) {
-      double until = motion.duration();
-      if (i + 1 < end) {
-        double low = t;
-        while (until - low > 1e-15 * motion.duration()) {
-          const double middle = low + (until - low) / 2;
-          if (!(middle > low && middle < until)) break;
-          (motion.at(middle).s < tool_[i].s1() ? low : until) = middle;
+  /// To the mean speed of all, on, and to the speed of what follows.
+  void pass_between(std::size_t begin, std::size_t end, const State& from, const State& to) {
+    const Limits limits = along(begin, end);
+    const double room = (to.s - from.s) / 2;
+    const Change rise = change(from.v, from.a, reference_speed, 0, room, from.s, limits),
+                 fall = change(reference_speed, 0, to.v, to.a, room, to.s - room, limits);
+    const double falls = to.s - fall.way();
+    State here = from;
+    std::size_t i = begin;
+    const auto go = [&](const Change& part, double s0, const State& last) {
+      double t = 0;
+      const double step = part.duration / static_cast<double>(options_.steps);
+      for (std::size_t n = 1; n <= options_.steps;) {
+        State next = part.at(static_cast<double>(n) * step);
+        double until = static_cast<double>(n) * step;
+        next.s += s0;
+        if (n == options_.steps) next = last;
+        // A piece of the law ends where its segment does.
+        const bool cut = i + 1 < end && next.s > tool_[i].s1();
+        if (cut) {
+          until = time_at(part, tool_[i].s1() - s0, t, until);
+          next = part.at(until);
+          next.s = tool_[i].s1();
+        }
+        if (until > t && next.s > here.s) append(i, here, next, until - t), here = next, t = until;
+        if (cut) {
+          ++i;
+        } else {
+          ++n;
         }
       }
-      const double start = t;
-      for (std::size_t n = 1; n <= options_.steps; ++n) {
-        const double at = start + (until - start) * static_cast<double>(n) / static_cast<double>(options_.steps);
-        State next = motion.at(at);
-        if (n == options_.steps) next.s = tool_[i].s1();
-        if (n == options_.steps && i + 1 == end && stops(end)) next.v = next.a = 0;
-        append(i, here, next, at - t);
-        here = next, t = at;
-      }
+    };
+    const auto cruise = [&](double s) {
+      State next{s, reference_speed, 0};
+      if (s > here.s) append(i, here, next, (s - here.s) / reference_speed), here = next;
+    };
+    go(rise, from.s, {from.s + rise.way(), reference_speed, 0});
+    while (i + 1 < end && tool_[i].s1() < falls) cruise(tool_[i].s1()), ++i;
+    cruise(falls);
+    go(fall, falls, to);
+  }
+  /// When the change has gone so far, between two times.
+  static double time_at(const Change& part, double way, double low, double high) {
+    for (int n = 0; n < 100 && high - low > 1e-15 * part.duration; ++n) {
+      const double middle = low + (high - low) / 2;
+      (part.at(middle).s < way ? low : high) = middle;
     }
+    return high;
+  }
+  /// What the machine can do along the path between two links.
+  Limits along(std::size_t begin, std::size_t end) const {
+    Limits least = options_.path;
+    for (std::size_t i = begin; i < end; ++i)
+      for (const double u : {tool_[i].curve().begin(), tool_[i].curve().end()}) {
+        const AxisJet q = task_.path.at_parameter(i, u);
+        for (std::size_t k = 0; k < task_.path.axes(); ++k) {
+          const double rate = std::max(std::abs(q.d1[k]), 1e-9);
+          const AxisLimits& axis = task_.machine.axes[k];
+          least.velocity = std::min(least.velocity, axis.velocity / rate);
+          least.acceleration = std::min(least.acceleration, axis.acceleration / rate);
+          least.jerk = std::min(least.jerk, axis.jerk / rate);
+        }
+      }
+    return least;
   }
   bool stops(std::size_t end) const { return end == tool_.size() || task_.rests[end]; }
 

@@ -4,9 +4,9 @@
 ///
 /// Between pieces that join only geometrically the parameter's speed jumps, and at its ends the motion would start and
 /// stop at full speed. So only curves with a share (free links) are passed evenly, each at its own λ, with which its
-/// mean speed is that of all others; on what lies between (lines, arcs), and from and to rests, the path length is the
-/// quintic in time that continues speed and acceleration on both sides, of the duration with the least acceleration.
-/// Then everything is slowed until the limits hold: that leaves nothing to choose, and is why other feeds are planned.
+/// mean speed is that of all others; what lies between (lines, arcs) is passed at that mean speed, from and to which
+/// cubics in time lead, continuous in acceleration, of the durations that ask least of the machine. Then everything is
+/// slowed until the limits hold: that leaves nothing to choose, and is why other feeds are planned.
 #include <cstddef>
 #include <vector>
 
@@ -26,7 +26,7 @@ struct NaturalOptions {
 
 /// At rest at both ends and at the task's rests, which are not within links. Limits hold at ends and middles of all
 /// pieces; feeds are not looked at. O(segments · steps). Throws Infeasible where what lies between two links is so
-/// short that no quintic goes forwards all the way; std::invalid_argument for shares that do not fit.
+/// short that no cubic leads from its speed to the next; std::invalid_argument for shares that do not fit.
 TimeLaw plan_natural(const PathTask& task, const NaturalOptions& options, Progress& progress, double from, double to);
 
 }  // namespace bahnwerk

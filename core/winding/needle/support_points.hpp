@@ -42,7 +42,7 @@ struct NeedleModel {
   /// much to either side. Without it the needle points away from the stator's axis.
   std::optional<double> pivot_limit;
   /// How much farther from the axis, and higher, than any other piece the needle passes from coil to coil.
-  double change_radius = 0, change_height = 0;
+  double change_radius = 5, change_height = 10;
 };
 
 /// Support points of turns that turns_of made of coil_regions of these coils. The first turn's wire comes from where

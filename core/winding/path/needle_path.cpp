@@ -40,57 +40,34 @@ std::vector<BezierPiece> curve(const FixedPiece& piece, std::size_t continuity) 
 }
 
 /// The pose in which a stator's needle has finished its swivel on its way out of a slot, or begins it on its way in
-/// [Herrmann 4.3.4]: radially outwards of the slot's, at the height of the other piece. The tangent has the length of
-/// the whole way by that pose, so that the needle passes it at the speed of a link that goes evenly.
-LinkVia extra_pose(const NeedlePose& slot, const NeedlePose& outside, double share, double& at) {
+/// [Herrmann 4.3.4]: radially outwards of the slot's, at the height of the other piece. The needle passes it on a
+/// radius, without curvature and without turning.
+SplineJet extra_pose(const NeedlePose& slot, const NeedlePose& outside, double share, bool inwards) {
   const Space a = slot.tip, b = outside.tip;
   const double azimuth = std::atan2(a.y, a.x), phi = slot.phi + std::remainder(azimuth - slot.phi, 2 * pi);
-  const double radius = std::hypot(a.x, a.y) + share * std::hypot(b.x - a.x, b.y - a.y);
-  LinkVia via;
-  via.point = {radius * std::cos(azimuth), radius * std::sin(azimuth), b.z, phi, outside.psi};
-  const double to_slot = norm(place(via.point) - Vec{a.x, a.y, a.z}),
-               to_outside = norm(Vec{b.x, b.y, b.z} - place(via.point)), way = to_slot + to_outside;
-  via.tangent = {way * std::cos(azimuth), way * std::sin(azimuth), 0, 0, 0};
-  at = to_slot / way;
-  return via;
+  const double radius = std::hypot(a.x, a.y) + share * std::hypot(b.x - a.x, b.y - a.y), sense = inwards ? -1 : 1;
+  SplineJet jet{};
+  jet[0] = {radius * std::cos(azimuth), radius * std::sin(azimuth), b.z, phi, outside.psi};
+  jet[1] = {sense * std::cos(azimuth), sense * std::sin(azimuth), 0, 0, 0};
+  return jet;
 }
 
-/// Bases and their quadrature rules, one for each parameter of the extra point: they depend on nothing else.
-class Bases {
- public:
-  explicit Bases(std::size_t continuity) : continuity_(continuity) {}
-  struct Entry {
-    LinkBasis basis;
-    SmoothnessRule rule;
-  };
-  const Entry& at(double via) {
-    const auto found = entries_.find(via);
-    if (found != entries_.end()) return found->second;
-    const LinkBasis basis(continuity_, via);
-    return entries_.emplace(via, Entry{basis, SmoothnessRule(basis)}).first->second;
-  }
-
- private:
-  std::size_t continuity_;
-  std::map<double, Entry> entries_;
-};
-
-double turned_angle(const std::vector<BezierPiece>& pieces) {
-  double sum = 0;  // ∫ κ ds = ∫ |s′ × s″| / |s′|² dv, by the midpoint rule
+/// ∫ κ ds = ∫ |s′ × s″| / |s′|² dv, by the midpoint rule.
+double turned_angle(const BezierPiece& piece) {
+  double sum = 0;
   constexpr int steps = 128;
-  for (const BezierPiece& piece : pieces)
-    for (int i = 0; i < steps; ++i) {
-      const SplineJet jet = piece.at((i + 0.5) / steps);
-      const Vec d1 = place(jet[1]), d2 = place(jet[2]);
-      sum += norm(cross(d1, d2)) / dot(d1, d1) / steps;
-    }
+  for (int i = 0; i < steps; ++i) {
+    const SplineJet jet = piece.at((i + 0.5) / steps);
+    const Vec d1 = place(jet[1]), d2 = place(jet[2]);
+    sum += norm(cross(d1, d2)) / dot(d1, d1) / steps;
+  }
   return sum;
 }
 
 class Maker {
  public:
   Maker(const std::vector<FixedPiece>& fixed, bool stator, const LinkOptions& options)
-      : fixed_(fixed), stator_(stator), options_(options), bases_(options.continuity) {}
+      : fixed_(fixed), stator_(stator), options_(options), basis_(options.continuity), rule_(basis_) {}
 
   NeedlePath run(Progress& progress) {
     std::vector<BezierPiece> here = curve(fixed_.front(), options_.continuity);
@@ -106,41 +83,43 @@ class Maker {
  private:
   void join(std::size_t i, const BezierPiece& before, const BezierPiece& after, Progress& progress) {
     const FixedPiece &from = fixed_[i], &to = fixed_[i + 1];
-    LinkEnds ends{before.at(1), after.at(0), std::nullopt};
-    if (!(norm(place(ends.after[0]) - place(ends.before[0])) > shortest))
-      throw Infeasible("no room for a link between " + where(from) + " and " + where(to));
-    double via = 0;
-    if (stator_ && options_.extra_point > 0 && is_slot(from) != is_slot(to)) {
-      if (is_slot(from)) {
-        ends.via = extra_pose(from.end.pose, to.begin.pose, options_.extra_point, via);
-      } else {
-        ends.via = extra_pose(to.begin.pose, from.end.pose, options_.extra_point, via);
-        for (double& component : ends.via->tangent) component = -component;
-        via = 1 - via;
-      }
-      via = std::round(std::clamp(via, 0.1, 0.9) * 32) / 32;  // few bases serve all links
-    }
-    const Bases::Entry& entry = bases_.at(via);
+    const SplineJet begin = before.at(1), end = after.at(0);
+    const bool out = is_slot(from);
+    if (!(stator_ && options_.extra_point > 0 && out != is_slot(to))) return join(i, 0, begin, end, 1, progress);
+    const SplineJet middle = extra_pose(out ? from.end.pose : to.begin.pose, out ? to.begin.pose : from.end.pose,
+                                        options_.extra_point, !out);
+    join(i, 0, begin, middle, out ? 1 : 0, progress);
+    join(i, 1, middle, end, out ? 0 : 1, progress);
+  }
+  static double distance(const SplineJet& a, const SplineJet& b) { return norm(place(b[0]) - place(a[0])); }
+
+  void join(std::size_t i, std::size_t part, const SplineJet& begin, const SplineJet& end, double share,
+            Progress& progress) {
+    const FixedPiece &from = fixed_[i], &to = fixed_[i + 1];
+    if (!(distance(begin, end) > shortest))
+      throw Infeasible("no room for a link between " + where(from) + " and " + where(to) +
+                       (from.kind == to.kind ? "" : ": raise needle.change_radius or needle.change_height"));
+    const LinkEnds ends{begin, end, std::nullopt};
     // The link at the same place of the turn before is nearly the same.
-    std::optional<LinkShape>& known = known_[{from.kind, from.region, to.kind, via}];
-    const BestLink best =
-        best_link(entry.basis, entry.rule, ends, options_.objective, options_.weights, known, progress);
+    std::optional<LinkShape>& known = known_[{from.kind, from.region, to.kind, part}];
+    const BestLink best = best_link(basis_, rule_, ends, options_.objective, options_.weights, known, progress);
     known = best.shape;
-    const std::vector<BezierPiece> pieces = link(entry.basis, ends, best.shape).pieces();
-    for (std::size_t k = 0; k < pieces.size(); ++k)
-      path_.pieces.push_back({pieces[k], i, true, via > 0 ? (k == 0 ? via : 1 - via) : 1});
-    path_.links.push_back({i, best, turned_angle(pieces)});
+    for (const BezierPiece& piece : link(basis_, ends, best.shape).pieces()) {
+      path_.pieces.push_back({piece, i, true, share});
+      path_.links.push_back({i, best, turned_angle(piece)});
+    }
   }
 
   const std::vector<FixedPiece>& fixed_;
   bool stator_;
   const LinkOptions& options_;
-  Bases bases_;
+  LinkBasis basis_;
+  SmoothnessRule rule_;
   struct Place {
     FixedPiece::Kind from_kind;
     std::size_t region;
     FixedPiece::Kind to_kind;
-    double via;
+    std::size_t part;
     auto operator<=>(const Place&) const = default;
   };
   std::map<Place, std::optional<LinkShape>> known_;

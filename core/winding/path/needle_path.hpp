@@ -17,6 +17,8 @@ struct LinkOptions {
   SmoothnessWeights weights;
   /// A stator's needle leaves the slot radially: between slot and winding head it passes an extra point above the slot,
   /// so far out towards the head's radius (λ of [Herrmann 4.3.4]), where it has finished its swivel. 0: no such point.
+  /// There are two links then, which meet there on a radius, without curvature and without turning. (The source has one
+  /// link with a double knot, which goes on turning behind the point: ψ overshoots by up to 90°.)
   double extra_point = 0.5;
 };
 
@@ -25,11 +27,12 @@ struct NeedlePiece {
   BezierPiece curve;
   std::size_t fixed = 0;  ///< index of the fixed piece that this is part of, or that its link starts from
   bool link = false;
-  /// Share of the link's parameter that the piece takes; of a fixed piece 0.
+  /// 1 of a link that the natural feed passes evenly, else 0: of two links that meet at an extra point it is the one at
+  /// the slot, since their parameters' speeds do not agree there.
   double share = 0;
 };
 
-/// From fixed piece `from` to the one after it.
+/// From fixed piece `from` to the one after it; two that follow each other where an extra point lies between.
 struct NeedleLink {
   std::size_t from = 0;
   BestLink best;         ///< the β found, and the smoothness J of (4.60)
@@ -38,7 +41,7 @@ struct NeedleLink {
 
 struct NeedlePath {
   std::vector<NeedlePiece> pieces;
-  std::vector<NeedleLink> links;  ///< one fewer than fixed pieces
+  std::vector<NeedleLink> links;  ///< in order
   /// All pieces as one NURBS, piece n over [n, n + 1].
   NurbsPath united() const;
 };

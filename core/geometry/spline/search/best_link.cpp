@@ -122,7 +122,8 @@ BestLink best_link(const LinkBasis& basis, const SmoothnessRule& rule, const Lin
     return f;
   };
   OptimisationOptions options;
-  options.max_evaluations = 2000;
+  // From a good start nothing is gained by more: without it the search may have far to go.
+  options.max_evaluations = start ? 250 : 2000;
   const auto result = minimise(problem, first, options, progress);
 
   BestLink best;

@@ -1,0 +1,189 @@
+// The needle's path: joints, arcs, links of both parts.
+#include "core/winding/path/needle_path.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "core/base/errors.hpp"
+#include "core/winding/laying/needle.hpp"
+#include "core/winding/part/space.hpp"
+#include "tests/core/geometry/spline/spline_support.hpp"
+
+namespace bahnwerk::winding {
+namespace {
+
+constexpr double radius = 0.9895 / 2;
+
+std::vector<FixedPiece> stator_pieces(std::size_t turns, std::size_t coils = 1) {
+  const StatorPart part;
+  const Slot slot = checked_slot(part);
+  const std::vector<Coil> all = repeated(coil_between(part, 0, 5), part.slots, 12, coils, true);
+  std::vector<LayingRegions> regions;
+  for (const Coil& coil : all) regions.push_back(coil_regions(part, slot, coil));
+  SilentProgress progress;
+  const NeedleLayout layout = needle(regions.front(), radius, slot.tension_point, progress);
+  NeedleModel model;
+  model.pivot_limit = 0.2;
+  return support_points(part, all, turns_of(regions, layout, turns, radius), model);
+}
+std::vector<FixedPiece> rotor_pieces(std::size_t turns, std::size_t coils = 1) {
+  const RotorPart part;
+  const Slot slot = checked_slot(part);
+  std::vector<LayingRegions> regions;
+  for (const Coil& coil : repeated(coil_between(part, 0, 1), part.poles, 1, coils, true))
+    regions.push_back(coil_regions(part, slot, coil));
+  SilentProgress progress;
+  const NeedleLayout layout = needle(regions.front(), radius, slot.tension_point, progress);
+  return support_points(part, turns_of(regions, layout, turns, radius), {});
+}
+
+std::vector<BezierPiece> curves(const NeedlePath& path) {
+  std::vector<BezierPiece> all;
+  for (const NeedlePiece& piece : path.pieces) all.push_back(piece.curve);
+  return all;
+}
+
+/// The largest jump at any joint, of the derivative of this order, relative to the larger of its sizes there (or to
+/// what a thousandth of the curve's own scale makes of it, where it vanishes).
+double worst_jump(std::span<const BezierPiece> pieces, std::size_t order) {
+  double worst = 0;
+  for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
+    const auto peak = testing::peaks(pieces.subspan(i, 2));
+    worst = std::max(worst, testing::jump(pieces[i], pieces[i + 1], order, peak[order]));
+  }
+  return worst;
+}
+
+NeedlePath planned(const std::vector<FixedPiece>& pieces, bool stator, std::size_t k = 3,
+                   LinkObjective objective = LinkObjective::curvature) {
+  LinkOptions options;
+  options.continuity = k;
+  options.objective = objective;
+  SilentProgress progress;
+  return needle_path(pieces, stator, options, progress);
+}
+
+TEST(NeedlePath, JoinsWithTheContinuityAskedFor) {
+  for (const bool stator : {true, false})
+    for (std::size_t k = 1; k <= 4; ++k) {
+      const NeedlePath path = planned(stator ? stator_pieces(3) : rotor_pieces(3), stator, k);
+      const std::vector<BezierPiece> all = curves(path);
+      for (std::size_t order = 0; order <= k; ++order)
+        EXPECT_LE(worst_jump(all, order), 1e-8) << stator << " k " << k << " order " << order;
+    }
+}
+
+TEST(NeedlePath, TwoHundredTurnsAreSmoothToTheThirdDerivative) {
+  for (const bool stator : {true, false}) {
+    const std::vector<FixedPiece> pieces = stator ? stator_pieces(50, 4) : rotor_pieces(50, 4);
+    const NeedlePath path = planned(pieces, stator);
+    const std::vector<BezierPiece> all = curves(path);
+    for (std::size_t order = 0; order <= 3; ++order) EXPECT_LE(worst_jump(all, order), 1e-8) << stator << order;
+    // One NURBS of all says the same as the pieces.
+    const NurbsPath united = path.united();
+    EXPECT_EQ(united.end(), static_cast<double>(all.size()));
+    for (std::size_t i = 0; i < all.size(); i += 7)
+      for (const double v : {0.0, 0.3, 0.8})
+        EXPECT_LE(testing::distance(united.at(static_cast<double>(i) + v)[0], all[i].at(v)[0]), 1e-9);
+  }
+}
+
+TEST(NeedlePath, GoesThroughEverySupportPoint) {
+  for (const bool stator : {true, false}) {
+    const std::vector<FixedPiece> pieces = stator ? stator_pieces(4, 2) : rotor_pieces(4, 2);
+    const NeedlePath path = planned(pieces, stator);
+    std::size_t checked = 0;
+    for (std::size_t i = 0; i < path.pieces.size(); ++i) {
+      const NeedlePiece& piece = path.pieces[i];
+      if (piece.link) continue;
+      const auto at = [&](const NeedlePose& pose, double v) {
+        const SplinePoint p = piece.curve.at(v)[0];
+        return std::hypot(norm(Space{p[0], p[1], p[2]} - pose.tip), p[3] - pose.phi, p[4] - pose.psi);
+      };
+      const bool first = i == 0 || path.pieces[i - 1].link,
+                 last = i + 1 == path.pieces.size() || path.pieces[i + 1].link;
+      if (first) {
+        EXPECT_LE(at(pieces[piece.fixed].begin.pose, 0), 1e-12);
+      }
+      if (last) {
+        EXPECT_LE(at(pieces[piece.fixed].end.pose, 1), 1e-9);
+      }
+      checked += first + last;
+    }
+    EXPECT_EQ(checked, 2 * pieces.size());
+  }
+}
+
+TEST(NeedlePath, ArcsAreCircles) {
+  const std::vector<FixedPiece> pieces = stator_pieces(3, 2);
+  const NeedlePath path = planned(pieces, true);
+  std::size_t arcs = 0;
+  for (const NeedlePiece& piece : path.pieces) {
+    if (piece.link || pieces[piece.fixed].shape != FixedPiece::Shape::arc) continue;
+    const Space tip = pieces[piece.fixed].begin.pose.tip;
+    ++arcs;
+    for (int i = 0; i <= 20; ++i) {
+      const SplinePoint p = piece.curve.at(i / 20.0)[0];
+      EXPECT_NEAR(std::hypot(p[0], p[1]), std::hypot(tip.x, tip.y), 1e-12 * 100);
+      EXPECT_NEAR(p[2], tip.z, 1e-12 * 100);
+    }
+  }
+  EXPECT_GE(arcs, 6 * 2u);
+}
+
+/// A needle that has swivelled stays so up to the slot: it does not swing beyond the angles of both ends.
+TEST(NeedlePath, SwivelsOnceBetweenSlotAndHead) {
+  const std::vector<FixedPiece> pieces = stator_pieces(2);
+  for (const NeedlePiece& piece : planned(pieces, true).pieces)
+    for (int i = 0; i <= 50; ++i) EXPECT_LE(std::abs(piece.curve.at(i / 50.0)[0][4]), std::numbers::pi / 2 + 1e-9);
+}
+
+TEST(NeedlePath, TheSmoothestLinkIsSmootherThanTheSubstitute) {
+  for (const bool stator : {true, false}) {
+    const std::vector<FixedPiece> pieces = stator ? stator_pieces(2) : rotor_pieces(2);
+    const NeedlePath smooth = planned(pieces, stator),
+                     substitute = planned(pieces, stator, 3, LinkObjective::control_distance);
+    double sum = 0, other = 0;
+    for (const NeedleLink& link : smooth.links) sum += link.best.smoothness;
+    for (const NeedleLink& link : substitute.links) other += link.best.smoothness;
+    EXPECT_LT(sum, other) << stator;
+    EXPECT_EQ(smooth.links.size(), substitute.links.size());
+  }
+}
+
+TEST(NeedlePath, OneLinkAtEveryJointIsPassedEvenly) {
+  const NeedlePath path = planned(stator_pieces(2), true);
+  double sum = 0;
+  for (const NeedlePiece& piece : path.pieces) {
+    if (piece.link) {
+      sum += piece.share;
+      continue;
+    }
+    EXPECT_EQ(piece.share, 0);
+    EXPECT_TRUE(sum == 0 || sum == 1) << sum;
+    sum = 0;
+  }
+}
+
+TEST(NeedlePath, RefusesWhatIsNoPath) {
+  std::vector<FixedPiece> pieces = rotor_pieces(1);
+  SilentProgress progress;
+  LinkOptions options;
+  options.continuity = 5;
+  EXPECT_THROW(needle_path(pieces, false, options, progress), InvalidInput);
+  options = {};
+  options.extra_point = 1.5;
+  EXPECT_THROW(needle_path(pieces, true, options, progress), InvalidInput);
+  pieces[1].begin = pieces[0].end;
+  EXPECT_THROW(needle_path(pieces, false, {}, progress), Infeasible);
+  pieces = rotor_pieces(1);
+  pieces[1].end = pieces[1].begin;
+  EXPECT_THROW(needle_path(pieces, false, {}, progress), Infeasible);
+  EXPECT_TRUE(needle_path({}, false, {}, progress).pieces.empty());
+}
+
+}  // namespace
+}  // namespace bahnwerk::winding
