@@ -1,7 +1,9 @@
 #include "api/kinds/winding/winding.hpp"
 
 #include <cmath>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "api/kinds/winding/winding_input.hpp"
 #include "api/kinds/winding/winding_result.hpp"
@@ -13,6 +15,23 @@ namespace {
 
 using nlohmann::json;
 using nlohmann::ordered_json;
+
+/// The setpoints with what they are computed from: path and machine are the plan's.
+class PlannedSetpoints final : public SetpointSource {
+ public:
+  explicit PlannedSetpoints(WindingPlan& plan)
+      : tool_(plan.tool), machine_(plan.machine.kinematics), source_(std::move(plan.motion.setpoints)) {}
+  const std::vector<Column>& columns() const override { return source_->columns(); }
+  std::size_t count() const override { return source_->count(); }
+  double cycle_time() const override { return source_->cycle_time(); }
+  double duration() const override { return source_->duration(); }
+  void read(std::size_t first, std::size_t rows, double* out) const override { source_->read(first, rows, out); }
+
+ private:
+  std::shared_ptr<const PosePath> tool_;
+  std::shared_ptr<const Kinematics> machine_;
+  std::unique_ptr<SetpointSource> source_;
+};
 
 ordered_json columns(const SetpointSource& source) {
   ordered_json list = ordered_json::array();
@@ -66,7 +85,7 @@ PlannedJob plan(const json& spec, Progress& progress) {
                   {"cycle_time", setpoints.cycle_time()},
                   {"columns", columns(setpoints)}}},
                 {"details", details(asked, plan, progress)}};
-  job.setpoints = std::move(plan.motion.setpoints);
+  job.setpoints = std::make_unique<PlannedSetpoints>(plan);
   return job;
 }
 

@@ -1,10 +1,8 @@
 // The needle's path as it is reported: support points, one NURBS, links.
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <string>
 
 #include "api/kinds/winding/winding_result.hpp"
-#include "core/plan/fill_plan.hpp"
 
 namespace bahnwerk::api::winding_kind {
 namespace {
@@ -16,15 +14,11 @@ using winding::NeedlePiece;
 constexpr double degrees = 180 / std::numbers::pi;
 constexpr std::size_t per_report = 1024;
 
-std::string place(const FixedPiece& piece) {
-  return piece.kind == FixedPiece::Kind::coil_change ? "coil_change" : region_name(piece.region);
-}
-
 ordered_json support_point(const FixedPiece& piece, const winding::SupportPoint& point, const char* end) {
   const auto& [tip, phi, psi] = point.pose;
   return {{"coil", piece.coil + 1},
           {"turn", piece.turn + 1},
-          {"region", place(piece)},
+          {"region", laying_region(piece)},
           {"end", end},
           {"position", {tip.x, tip.y, tip.z}},
           {"orientation", {degrees * phi, degrees * psi}},
@@ -79,8 +73,8 @@ ordered_json links(const WindingRequest& request, const WindingPlan& plan, Progr
       for (std::size_t j = 0; j < k; ++j) beta.push_back((*end)[j]);
     list.push_back({{"coil", from.coil + 1},
                     {"turn", from.turn + 1},
-                    {"from", place(from)},
-                    {"to", place(plan.support[link.from + 1])},
+                    {"from", laying_region(from)},
+                    {"to", laying_region(plan.support[link.from + 1])},
                     {"beta", std::move(beta)},
                     {"curvature_integral", link.curvature},
                     {"smoothness", link.best.smoothness}});

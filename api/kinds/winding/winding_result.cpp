@@ -6,7 +6,6 @@
 #include <string>
 
 #include "core/machine/robot_winder.hpp"
-#include "core/plan/fill_plan.hpp"
 
 namespace bahnwerk::api::winding_kind {
 namespace {
@@ -26,8 +25,8 @@ ordered_json layout(const WindingRequest& request, const WindingPlan& plan) {
   const winding::Wire& wire = request.wire;
   ordered_json regions = ordered_json::object();
   for (std::size_t j = 0; j < plan.layout.size(); ++j)
-    regions[region_name(j)] = {{"positions", points(plan.layout[j].wires)},
-                               {"pulls", points(plan.layout[j].tension_points)}};
+    regions[laying_region(j)] = {{"positions", points(plan.layout[j].wires)},
+                                 {"pulls", points(plan.layout[j].tension_points)}};
   return {{"wire", {{"copper", wire.copper}, {"outer", wire.outer}, {"tolerance", wire.tolerance}}},
           {"count", plan.layout[0].wires.size()},
           {"regions", std::move(regions)}};
@@ -96,7 +95,7 @@ ordered_json notes(const WindingRequest& request, const WindingPlan& plan) {
 double path_length(const WindingPlan& plan, std::size_t move, double u) {
   const bool link = move % 2 == 1;
   double begin = plan.path_length, end = 0;
-  const Path& tool = plan.tool.tool;
+  const Path& tool = plan.tool->tool;
   for (std::size_t i = 0; i < tool.size(); ++i) {
     const winding::NeedlePiece& piece = plan.path.pieces[tool[i].source()];
     if (piece.fixed != move / 2 || piece.link != link) continue;
@@ -107,14 +106,22 @@ double path_length(const WindingPlan& plan, std::size_t move, double u) {
 
 }  // namespace
 
+const char* laying_region(std::size_t region) {
+  static constexpr const char* names[] = {"slot", "head_bottom", "slot_back", "head_top"};
+  return names[region];
+}
+
+const char* laying_region(const FixedPiece& piece) {
+  return piece.kind == FixedPiece::Kind::coil_change ? "coil_change" : laying_region(piece.region);
+}
+
 ordered_json clearance(const WindingPlan& plan) {
   if (!(plan.clearance.minimum < unlimited)) return nullptr;
   const FixedPiece& piece = plan.support.at(plan.clearance.move / 2);
-  const bool change = piece.kind == FixedPiece::Kind::coil_change;
   return {{"minimum", plan.clearance.minimum},
           {"coil", piece.coil + 1},
           {"turn", piece.turn + 1},
-          {"region", change ? "coil_change" : region_name(piece.region)},
+          {"region", laying_region(piece)},
           {"link", plan.clearance.move % 2 == 1},
           {"at", path_length(plan, plan.clearance.move, plan.clearance.at)},
           {"along", plan.clearance.along}};

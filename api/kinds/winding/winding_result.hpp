@@ -6,6 +6,9 @@
 
 namespace bahnwerk::api::winding_kind {
 
+/// Of regions 0 … 3; of a fixed piece also "coil_change".
+const char* laying_region(std::size_t region);
+const char* laying_region(const winding::FixedPiece& piece);
 /// Of the needle's least clearance; null where there is nothing that it could touch.
 nlohmann::ordered_json clearance(const WindingPlan& plan);
 /// Everything beside summary, verification, bound and setpoints.
