@@ -24,7 +24,7 @@ declare -A allowed=(
   [core/motion/acceleration]="core/motion/axes/ core/motion/grid/ core/motion/law/ core/contour/contour.hpp core/machine/ core/geometry/path/ core/numeric/ core/base/"
   [core/motion/jerk]="core/motion/profile/ core/motion/axes/ core/motion/grid/ core/motion/law/ core/contour/contour.hpp core/machine/ core/numeric/ core/base/"
   [core/motion/natural]="core/motion/axes/ core/motion/law/ core/geometry/path/ core/geometry/curve/ core/machine/ core/contour/contour.hpp core/base/"
-  [core/winding]="core/drawing/svg.hpp core/geometry/region/ core/geometry/spline/ core/geometry/curve/vec.hpp core/numeric/random.hpp core/base/"
+  [core/winding]="core/drawing/ core/geometry/region/ core/geometry/spline/ core/geometry/curve/vec.hpp core/numeric/random.hpp core/base/"
   # The verifier sees what the user gave and the finished motion, no planner. The relaxation gives the bound multipliers,
   # of which any are valid.
   [core/verify]="core/motion/axes/axis_path.hpp core/motion/axes/motion.hpp core/motion/axes/path_task.hpp core/motion/law/time_law.hpp core/contour/contour.hpp

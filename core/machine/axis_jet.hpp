@@ -3,6 +3,8 @@
 #include <array>
 #include <cstddef>
 
+#include "core/numeric/disc.hpp"
+
 namespace bahnwerk {
 
 inline constexpr std::size_t max_axes = 8;
@@ -12,6 +14,11 @@ using AxisArray = std::array<double, max_axes>;
 
 struct AxisJet {
   AxisArray value{}, d1{}, d2{}, d3{};
+};
+
+/// Enclosures of the derivatives over a disc of whatever the axes are followed along.
+struct AxisDiscs {
+  std::array<Disc, max_axes> d1{}, d2{}, d3{};
 };
 
 }  // namespace bahnwerk

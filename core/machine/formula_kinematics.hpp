@@ -8,8 +8,8 @@
 ///   void check(const ToolPose& pose) const;              throws UnreachablePose where solve() is not defined
 ///   ToolPose forward(const AxisArray& axes) const override;
 ///
-/// T is Taylor<3> (core/numeric/taylor.hpp) or Majorant<4> (core/numeric/majorant.hpp). Nothing else: a machine is one
-/// file.
+/// T is Taylor<3> (core/numeric/taylor.hpp), of numbers or of discs, or Majorant<4> (core/numeric/majorant.hpp). Nothing
+/// else: a machine is one file.
 #include <array>
 #include <cstddef>
 #include <numbers>
@@ -83,6 +83,15 @@ class FormulaKinematics : public Kinematics {
       jet.d1[k] = q[k].derivative(1), jet.d2[k] = q[k].derivative(2), jet.d3[k] = q[k].derivative(3);
     }
     return jet;
+  }
+  bool enclose(const ToolDiscs& tool, AxisDiscs& axes) const override {
+    const auto q = self().solve(NeedleOf<DiscJet>{tool[0], tool[1], tool[2], tool[3], tool[4]});
+    bool known = true;
+    for (std::size_t k = 0; k < q.size(); ++k) {
+      axes.d1[k] = q[k].derivative(1), axes.d2[k] = q[k].derivative(2), axes.d3[k] = q[k].derivative(3);
+      known = known && axes.d1[k].known() && axes.d2[k].known() && axes.d3[k].known();
+    }
+    return known;
   }
   /// Every formula is analytic: what holds in the complex ball holds in the real one.
   MapBounds bounds(const ToolPose& centre, double radius) const override { return complex_bounds(centre, radius); }

@@ -33,6 +33,12 @@ class Kinematics {
   /// The axes while the tool moves: derivatives by the variable of `tool`. Throws UnreachablePose, with the pose and
   /// without a place, that of one out of reach and of one where axes are not smooth functions of the pose.
   virtual AxisJet inverse(const ToolJet& tool) const = 0;
+  /// What inverse() gives for any tool within `tool`, and its analytic continuation for complex ones. False: not known,
+  /// as where a singular pose cannot be excluded; bounds() may tell then.
+  virtual bool enclose(const ToolDiscs& tool, AxisDiscs& axes) const {
+    (void)tool, (void)axes;
+    return false;
+  }
   /// Where the tool is. Angles that do not count are 0, others hold to whole turns.
   virtual ToolPose forward(const AxisArray& axes) const = 0;
   /// For all poses within `radius` mm of `centre`: what makes enclosures of q(s) from those of the tool's path.

@@ -9,6 +9,8 @@
 #include <cmath>
 
 #include "core/geometry/curve/curve.hpp"
+#include "core/numeric/disc.hpp"
+#include "core/numeric/taylor.hpp"
 
 namespace bahnwerk {
 
@@ -31,5 +33,10 @@ struct ToolJet {
   AngleJet phi, psi;
   ToolPose pose() const { return {position.value, phi.value, psi.value}; }
 };
+
+/// A coordinate with its first three derivatives, everywhere in a disc of the variable: enclosures.
+using DiscJet = Taylor<3, Disc>;
+/// Of the tool: x, y, z, φ, ψ.
+using ToolDiscs = std::array<DiscJet, 5>;
 
 }  // namespace bahnwerk

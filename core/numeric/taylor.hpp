@@ -3,15 +3,17 @@
 ///
 /// A Taylor<N> holds the coefficients c_0 … c_N of a truncated series Σ c_n x^n; the n-th derivative is n! c_n. Rules:
 /// Griewank, Walther, "Evaluating Derivatives", 2nd ed., SIAM 2008, table 13.1 and 13.2. Cost: O(N²) per operation.
+///
+/// Coefficients that are discs (core/numeric/disc.hpp) enclose the derivatives everywhere in a disc of x.
 #include <array>
 #include <cmath>
 #include <cstddef>
 
 namespace bahnwerk {
 
-template <std::size_t N>
+template <std::size_t N, class S = double>
 struct Taylor {
-  std::array<double, N + 1> c{};
+  std::array<S, N + 1> c{};
 
   Taylor() = default;
   Taylor(double constant) { c[0] = constant; }  // NOLINT: constants take part in formulas like any number
@@ -26,8 +28,8 @@ struct Taylor {
     ((++n, factorial *= static_cast<double>(n), t.c[n] = derivatives / factorial), ...);
     return t;
   }
-  double value() const { return c[0]; }
-  double derivative(std::size_t n) const {
+  S value() const { return c[0]; }
+  S derivative(std::size_t n) const {
     double factorial = 1;
     for (std::size_t i = 2; i <= n; ++i) factorial *= static_cast<double>(i);
     return factorial * c[n];
@@ -53,7 +55,7 @@ struct Taylor {
   friend Taylor operator/(const Taylor& a, const Taylor& b) {
     Taylor r;
     for (std::size_t n = 0; n <= N; ++n) {
-      double rest = a.c[n];
+      S rest = a.c[n];
       for (std::size_t i = 1; i <= n; ++i) rest -= b.c[i] * r.c[n - i];
       r.c[n] = rest / b.c[0];
     }
@@ -61,10 +63,11 @@ struct Taylor {
   }
   /// Not defined where the value is 0.
   friend Taylor sqrt(const Taylor& a) {
+    using std::sqrt;
     Taylor r;
-    r.c[0] = std::sqrt(a.c[0]);
+    r.c[0] = sqrt(a.c[0]);
     for (std::size_t n = 1; n <= N; ++n) {
-      double rest = a.c[n];
+      S rest = a.c[n];
       for (std::size_t i = 1; i < n; ++i) rest -= r.c[i] * r.c[n - i];
       r.c[n] = rest / (2 * r.c[0]);
     }
@@ -75,14 +78,23 @@ struct Taylor {
   /// The angle of the direction (x, y); not defined where both are 0.
   friend Taylor atan2(const Taylor& y, const Taylor& x) {
     const Taylor slope = (derived(y) * x - derived(x) * y) / (x * x + y * y);
+    using std::atan2;
     Taylor r = integral(slope);
-    r.c[0] = std::atan2(y.c[0], x.c[0]);
+    r.c[0] = atan2(y.c[0], x.c[0]);
     return r;
   }
   /// Not defined where |value| ≥ 1.
   friend Taylor acos(const Taylor& a) {
+    using std::acos;
     Taylor r = integral(-(derived(a) / sqrt(Taylor(1) - a * a)));
-    r.c[0] = std::acos(a.c[0]);
+    r.c[0] = acos(a.c[0]);
+    return r;
+  }
+
+  /// d/dx: the last coefficient is not known, and not needed where integral() drops it.
+  friend Taylor derived(const Taylor& a) {
+    Taylor r;
+    for (std::size_t n = 0; n < N; ++n) r.c[n] = static_cast<double>(n + 1) * a.c[n + 1];
     return r;
   }
 
@@ -91,8 +103,9 @@ struct Taylor {
     Taylor sine, cosine;
   };
   static SineCosine sine_cosine(const Taylor& a) {
+    using std::cos, std::sin;
     SineCosine r;
-    r.sine.c[0] = std::sin(a.c[0]), r.cosine.c[0] = std::cos(a.c[0]);
+    r.sine.c[0] = sin(a.c[0]), r.cosine.c[0] = cos(a.c[0]);
     for (std::size_t n = 1; n <= N; ++n) {
       for (std::size_t i = 1; i <= n; ++i) {
         r.sine.c[n] += static_cast<double>(i) * a.c[i] * r.cosine.c[n - i];
@@ -100,12 +113,6 @@ struct Taylor {
       }
       r.sine.c[n] /= static_cast<double>(n), r.cosine.c[n] /= static_cast<double>(n);
     }
-    return r;
-  }
-  /// The last coefficient is not known, and not needed: integral() drops it.
-  static Taylor derived(const Taylor& a) {
-    Taylor r;
-    for (std::size_t n = 0; n < N; ++n) r.c[n] = static_cast<double>(n + 1) * a.c[n + 1];
     return r;
   }
   static Taylor integral(const Taylor& a) {

@@ -39,7 +39,7 @@ void expect_part(const json& document, const PartPlace& part) {
 
 TEST(MachineExamples, Robot) {
   const json document = machine("robot");
-  const RobotWinderSizes sizes = test::robot_sizes();
+  const RobotWinderSizes sizes = bahnwerk::test::robot_sizes();
   EXPECT_EQ(document.at("type"), "robot");
   EXPECT_EQ(document.at("l1").get<double>(), sizes.l1);
   EXPECT_EQ(document.at("l2").get<double>(), sizes.l2);
@@ -47,7 +47,7 @@ TEST(MachineExamples, Robot) {
   EXPECT_EQ(document.at("l_tool").get<double>(), sizes.l_tool);
   EXPECT_NEAR(document.at("least_bend").get<double>() * std::numbers::pi / 180, sizes.least_bend, 1e-15);
   expect_part(document, sizes.part);
-  expect_axes(document, test::robot(RobotArm::lefty)->axes());
+  expect_axes(document, bahnwerk::test::robot(RobotArm::lefty)->axes());
 }
 
 TEST(MachineExamples, Vertical) {
@@ -61,7 +61,7 @@ TEST(MachineExamples, Vertical) {
   EXPECT_EQ(document.at("o_tool").get<double>(), sizes.o_tool);
   EXPECT_EQ(document.at("l_tool").get<double>(), sizes.l_tool);
   expect_part(document, sizes.part);
-  expect_axes(document, test::vertical()->axes());
+  expect_axes(document, bahnwerk::test::vertical()->axes());
 }
 
 TEST(MachineExamples, Horizontal) {
@@ -71,7 +71,7 @@ TEST(MachineExamples, Horizontal) {
   EXPECT_EQ(document.at("z_part").get<double>(), sizes.z_part);
   EXPECT_EQ(document.at("l_tool").get<double>(), sizes.l_tool);
   expect_part(document, sizes.part);
-  expect_axes(document, test::horizontal()->axes());
+  expect_axes(document, bahnwerk::test::horizontal()->axes());
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "core/motion/axes/axis_path.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "core/base/errors.hpp"
@@ -51,6 +52,7 @@ KinematicAxisPath::KinematicAxisPath(const Path& tool, const Kinematics& kinemat
     : AxisPath(tool, kinematics.axes().size(), false),
       kinematics_(kinematics),
       orientation_(std::move(orientation)),
+      discs_(tool, orientation_),
       turns_(*this) {}
 
 AxisJet KinematicAxisPath::raw_at_parameter(std::size_t segment, double u) const {
@@ -79,6 +81,11 @@ double KinematicAxisPath::pose_turn(std::size_t segment, double u, double radius
   return orientation_ && lever > 0 ? lever * orientation_->turn_within(segment, u, radius) : 0;
 }
 
+bool KinematicAxisPath::enclose(std::size_t segment, double u, double radius, AxisDiscs& axes) const {
+  ToolDiscs tool;
+  return discs_.enclose(this->tool()[segment], segment, u, radius, tool) && kinematics_.enclose(tool, axes);
+}
+
 void KinematicAxisPath::at_parameters(std::size_t segment, PathBatch& batch) const {
   batch.close();
   batch.planar = false;
@@ -92,17 +99,23 @@ void KinematicAxisPath::at_parameters(std::size_t segment, PathBatch& batch) con
 
 AxisArray largest_rates(const AxisPath& path, ProgressScope* scope) {
   constexpr double rounding = 1e-12;
+  constexpr std::array places{0.1178, 0.3451, 0.6373, 0.8682, 1.0};  // of a panel: an axis may turn round half-way
   AxisArray most{}, possible{};
-  for (std::size_t i = 0; i < path.size(); ++i)
-    for (const double u : path[i].panel_parameters()) {
-      if (scope) scope->work(16);
-      const AxisJet q = path.at_parameter(i, u);
-      const MapBounds map = path.map_bounds(i, u, 0);
-      for (std::size_t k = 0; k < path.axes(); ++k) {
-        most[k] = std::max(most[k], std::abs(q.d1[k]));
-        possible[k] = std::max(possible[k], map.order[0][k]);
-      }
+  const auto look = [&](std::size_t i, double u) {
+    if (scope) scope->work(16);
+    const AxisJet q = path.at_parameter(i, u);
+    const MapBounds map = path.map_bounds(i, u, 0);
+    for (std::size_t k = 0; k < path.axes(); ++k) {
+      most[k] = std::max(most[k], std::abs(q.d1[k]));
+      possible[k] = std::max(possible[k], map.order[0][k]);
     }
+  };
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const std::vector<double> panels = path[i].panel_parameters();
+    look(i, panels.front());
+    for (std::size_t p = 1; p < panels.size(); ++p)
+      for (const double x : places) look(i, x == 1 ? panels[p] : panels[p - 1] + x * (panels[p] - panels[p - 1]));
+  }
   for (std::size_t k = 0; k < path.axes(); ++k)
     if (most[k] <= rounding * possible[k]) most[k] = 0;
   return most;

@@ -14,6 +14,7 @@
 #include "core/machine/kinematics.hpp"
 #include "core/motion/axes/axis_turns.hpp"
 #include "core/motion/axes/orientation.hpp"
+#include "core/motion/axes/pose_discs.hpp"
 
 namespace bahnwerk {
 
@@ -43,6 +44,12 @@ class AxisPath {
   /// Of the map from the tool's pose to the axes, for poses within `radius` mm of that at `u` (MapBounds tells how
   /// poses are measured).
   virtual MapBounds map_bounds(std::size_t segment, double u, double radius) const = 0;
+  /// Encloses q′, q″, q‴ by s, for all complex parameters within `radius` of u. False: not known; of smaller stretches
+  /// it may be, or map_bounds() may tell.
+  virtual bool enclose(std::size_t segment, double u, double radius, AxisDiscs& axes) const {
+    (void)segment, (void)u, (void)radius, (void)axes;
+    return false;
+  }
   /// How far the pose can move from that at `u` by the tool's angles alone, mm, for complex parameters within `radius`
   /// of u; infinite where that is not known, 0 where the angles stand still or do not count.
   virtual double pose_turn(std::size_t segment, double u, double radius) const {
@@ -64,7 +71,7 @@ class AxisPath {
   bool cartesian_;
 };
 
-/// The largest |q′| of each axis at the ends of all panels; 0 of an axis that stands still but for rounding: below
+/// The largest |q′| of each axis at six places of every panel; 0 of an axis that stands still but for rounding: below
 /// 1e-12 of what the map lets it move. O(panels); tells `scope`, if any.
 AxisArray largest_rates(const AxisPath& path, ProgressScope* scope = nullptr);
 
@@ -105,6 +112,7 @@ class KinematicAxisPath final : public AxisPath {
   MapBounds complex_map_bounds(std::size_t segment, double u, double radius) const {
     return kinematics_.complex_bounds(pose(segment, u), radius);
   }
+  bool enclose(std::size_t segment, double u, double radius, AxisDiscs& axes) const override;
   double pose_turn(std::size_t segment, double u, double radius) const override;
   ToolPose pose(std::size_t segment, double u) const;
   /// at_parameter() without whole turns.
@@ -114,6 +122,7 @@ class KinematicAxisPath final : public AxisPath {
  private:
   const Kinematics& kinematics_;
   std::shared_ptr<const Orientation> orientation_;
+  PoseDiscs discs_;
   AxisTurns turns_;
 };
 

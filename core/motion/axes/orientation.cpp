@@ -11,6 +11,7 @@
 #include "core/base/errors.hpp"
 #include "core/geometry/curve/line.hpp"
 #include "core/geometry/curve/rational.hpp"
+#include "core/numeric/polynomial_discs.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -55,11 +56,11 @@ Orientation::Orientation(const Path& tool, std::vector<std::shared_ptr<const Cur
       throw InvalidInput({{{"orientation", std::to_string(i)}, "the tool turns where it does not move"}});
     Quotient q;
     if (turn.kind() == CurveKind::line) {
-      const Vec way = turn.at(own.begin()).d1;
-      q = {{0, way.x}, {0, way.y}, {1}, 0, 1};
+      const Jet line = turn.at(own.begin());
+      q = {{0, line.d1.x}, {0, line.d1.y}, {1}, own.begin(), 1, line.value};
     } else {
       const auto& r = static_cast<const Rational&>(turn);
-      q = {r.coordinate(0), r.coordinate(1), r.weight(), r.pivot(), r.reach()};
+      q = {r.coordinate(0), r.coordinate(1), r.weight(), r.pivot(), r.reach(), r.origin()};
     }
     quotients_.push_back(std::move(q));
   }
@@ -116,6 +117,22 @@ double Orientation::turn_within(std::size_t index, double u, double radius) cons
     square += sum * sum;
   }
   return std::sqrt(square) / least;
+}
+
+void Orientation::enclose(std::size_t index, double u, double radius, DiscJet& phi, DiscJet& psi) const {
+  const Quotient& q = quotients_[index];
+  const double t = (u - q.pivot) / q.reach, r = std::abs(radius / q.reach);
+  const bool rational = q.weight.size() > 1;
+  DiscJet weight;
+  if (rational) weight = bahnwerk::enclose(q.weight, t, r);
+  const auto angle = [&](const Polynomial& p, double origin, DiscJet& f) {
+    f = bahnwerk::enclose(p, t, r);
+    if (rational && !p.empty()) f = f / weight;
+    double power = 1;
+    for (std::size_t n = 1; n <= 3; ++n) f.c[n] = (power /= q.reach) * f.c[n];
+    f.c[0] += origin;
+  };
+  angle(q.phi, q.origin.x, phi), angle(q.psi, q.origin.y, psi);
 }
 
 }  // namespace bahnwerk

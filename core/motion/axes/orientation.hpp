@@ -27,12 +27,15 @@ class Orientation {
   /// Upper bound of |(φ, ψ) − (φ, ψ)(u)|, rad (norm of a complex vector), over all complex parameters within `radius`
   /// of u; infinite where there is none. O(degree²).
   double turn_within(std::size_t index, double u, double radius) const;
+  /// Both angles with their derivatives by the parameter, for all complex ones within `radius` of u. O(degree).
+  void enclose(std::size_t index, double u, double radius, DiscJet& phi, DiscJet& psi) const;
 
  private:
-  /// N(t)/w(t) beside an origin that does not matter, t = (u − pivot)/reach.
+  /// origin + N(t)/w(t), t = (u − pivot)/reach; the weight of polynomials is {1}.
   struct Quotient {
     Polynomial phi, psi, weight;
     double pivot = 0, reach = 1;
+    Vec origin;
   };
   std::vector<std::shared_ptr<const Curve>> angles_;
   std::vector<Quotient> quotients_;

@@ -23,7 +23,8 @@ class Layer {
   Layer(Grid<N>& grid, const LanePath<N>& path, std::uint32_t index, const Machine& machine, double feed,
         const GridOptions& options)
       : grid_(grid), path_(path), segment_(path[index]), index_(index), feed2_(feed * feed), options_(options) {
-    for (std::size_t k = 0; k < N; ++k) acceleration_[k] = machine.axes[k].acceleration;
+    for (std::size_t k = 0; k < N; ++k)
+      acceleration_[k] = machine.axes[k].acceleration, velocity_[k] = machine.axes[k].velocity;
     inverse_acceleration_ = 1 / acceleration_;
   }
 
@@ -51,12 +52,17 @@ class Layer {
   }
 
   /// Most that v² can be where the path bends: |n · q̈| ≤ Σ |n_k| A_k with the unit normal n, so v² κ ≤ Σ |n_k| A_k.
+  /// Through kinematics axes may run evenly along a path that bends, but for rounding: their own limits count, too.
   double curvature_cap(const Station<N>& at) const {
     Lanes<N> normal = at.d2;
     if (const double along = sum(at.d1 * at.d1); !path_.cartesian() && along > 0)
       normal = at.d2 - (sum(at.d2 * at.d1) / along) * at.d1;
     const double square = sum(normal * normal);
-    return square > 0 ? sum(magnitude(normal) * acceleration_) / square : std::numeric_limits<double>::infinity();
+    const double cap =
+        square > 0 ? sum(magnitude(normal) * acceleration_) / square : std::numeric_limits<double>::infinity();
+    if (path_.cartesian()) return cap;
+    const double inverse = largest(magnitude(at.d1) / velocity_);
+    return inverse * inverse * cap > 1 ? 1 / (inverse * inverse) : cap;
   }
 
   /// How many cells [left, right] needs, estimated at its middle.
@@ -154,7 +160,7 @@ class Layer {
   std::uint32_t index_;
   double feed2_;
   const GridOptions& options_;
-  Lanes<N> acceleration_, inverse_acceleration_;
+  Lanes<N> acceleration_, inverse_acceleration_, velocity_;
   double smallest_ = 0;
 };
 

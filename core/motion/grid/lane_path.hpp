@@ -1,10 +1,12 @@
 #pragma once
 /// An axis path as planners calculate with it: N lanes, where N is 2, 3 or 8.
 ///
-/// Lanes beyond the path's axes repeat the first one with its limits, which changes nothing. Axes through kinematics
-/// have any units: they are scaled so that no |q′| exceeds 1, and their limits likewise, which does not change what
-/// motions are allowed. Cartesian axes are such already, and stay as they are to the last bit.
+/// Lanes beyond the path's axes, and those of axes that stand still but for rounding, repeat the first one that moves
+/// with its limits, which changes nothing. Axes through kinematics have any units: they are scaled so that no |q′|
+/// exceeds 1, and their limits likewise, which does not change what motions are allowed. Cartesian axes are such
+/// already, and stay as they are to the last bit.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -48,22 +50,27 @@ class LanePath {
   Machine limits(const Machine& machine) const;
 
  private:
-  std::size_t axis(std::size_t lane) const { return lane < path_.axes() ? lane : 0; }
+  std::size_t axis(std::size_t lane) const { return axis_[lane]; }
   Lanes<N> lanes(const std::array<PathBatch::Row, max_axes>& rows, std::size_t i, bool planar) const;
   Lanes<N> lanes(const AxisArray& values) const;
 
   const AxisPath& path_;
   Lanes<N> scale_;
+  std::array<std::size_t, N> axis_{};
 };
 
 template <int N>
 LanePath<N>::LanePath(const AxisPath& path) : path_(path) {
-  for (std::size_t k = 0; k < N; ++k) scale_[k] = 1;
+  for (std::size_t k = 0; k < N; ++k) scale_[k] = 1, axis_[k] = k < path.axes() ? k : 0;
   if (path.cartesian()) return;
   constexpr double margin = 1.1;  // panels are samples
   const AxisArray most = largest_rates(path);
-  for (std::size_t k = 0; k < N; ++k)
+  std::size_t moving = 0;
+  while (moving + 1 < path.axes() && most[moving] == 0) ++moving;
+  for (std::size_t k = 0; k < N; ++k) {
+    if (k >= path.axes() || most[k] == 0) axis_[k] = moving;
     if (most[axis(k)] > 0) scale_[k] = 1 / (margin * most[axis(k)]);
+  }
 }
 
 template <int N>

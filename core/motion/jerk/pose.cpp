@@ -73,7 +73,8 @@ void JerkSectionPlanner<N, M>::lay(ProgressScope& pulse) {
   for (const double t : rough_.duration) total += t;
   division_.assign(n, {});
   for (std::size_t c = 0; c < n; ++c) {
-    const bool straight = grid_.cells[c].straight;
+    // Through kinematics axes may run as evenly as along a straight segment: what turns little takes long.
+    const bool straight = grid_.cells[c].straight || !path_.cartesian();
     const bool rest_left = c == 0, rest_right = c + 1 == n;
     const double t = rough_.duration[c];
     const double tau = std::min(std::max(jerk_time_ / 6, straight ? t / 40 : t), total / 40);

@@ -168,8 +168,16 @@ class NaturalPlanner {
       }
     };
     const auto cruise = [&](double s) {
-      State next{s, reference_speed, 0};
-      if (s > here.s) append(i, here, next, (s - here.s) / reference_speed), here = next;
+      if (!(s > here.s)) return;
+      const std::size_t parts = tool_[i].straight() ? 1 : options_.steps;  // where limits are looked at
+      const double s0 = here.s;
+      for (std::size_t n = 1; n <= parts; ++n) {
+        const double share = static_cast<double>(n) / static_cast<double>(parts);
+        const State next{n == parts ? s : s0 + share * (s - s0), reference_speed, 0};
+        if (!(next.s > here.s)) continue;
+        append(i, here, next, (next.s - here.s) / reference_speed);
+        here = next;
+      }
     };
     go(rise, from.s, {from.s + rise.way(), reference_speed, 0});
     while (i + 1 < end && tool_[i].s1() < falls) cruise(tool_[i].s1()), ++i;

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "core/motion/setpoints/needle_setpoints.hpp"
 #include "core/plan/winding/wire_length.hpp"
 #include "core/verify/setpoints/needle_checks.hpp"
 #include "core/winding/fill.hpp"
+#include "core/winding/needle/part_obstacles.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -36,13 +38,13 @@ class Planner {
                                       progress_);
     std::vector<BezierPiece> curves;
     for (const winding::NeedlePiece& piece : plan_.path.pieces) curves.push_back(piece.curve);
-    plan_.tool = pose_path(curves);
-    plan_.path_length = plan_.tool.tool.length();
+    plan_.tool = std::make_shared<const PosePath>(pose_path(curves));
+    plan_.path_length = plan_.tool->tool.length();
     progress_.report("clearance", linked);
-    std::visit([&](const auto& part) { clear(part); }, request_.part);
+    std::visit([&](const auto& part) { clear(part, curves); }, request_.part);
     progress_.report("machine", cleared);
     try {
-      plan_.machine = machine_path(plan_.tool.tool, plan_.tool.orientation, request_.configurations);
+      plan_.machine = machine_path(plan_.tool->tool, plan_.tool->orientation, request_.configurations);
       move();
     } catch (const UnreachablePose& pose) {
       throw placed(pose);
@@ -74,39 +76,44 @@ class Planner {
     return winding::support_points(part, plan_.turns, request_.model);
   }
 
-  void clear(const StatorPart& part) {
-    const winding::StatorIron iron(part, winding::checked_slot(part));
+  /// Coil by coil, with what stands in the way while that is wound.
+  template <class Part>
+  void clear(const Part& part, const std::vector<BezierPiece>& curves) {
+    const winding::Slot slot = winding::checked_slot(part);
     plan_.clearance.minimum = unlimited;
-    const std::vector<winding::NeedleMove> moves = winding::straight_links(plan_.support);
-    for (std::size_t begin = 0; begin < moves.size();) {
-      const std::size_t coil = plan_.support[begin / 2].coil;
+    const auto& pieces = plan_.path.pieces;
+    for (std::size_t begin = 0; begin < pieces.size();) {
+      const std::size_t coil = plan_.support[pieces[begin].fixed].coil;
       std::size_t end = begin;
-      while (end < moves.size() && plan_.support[end / 2].coil == coil) ++end;
-      const std::vector<winding::Block> posts = winding::tool_posts(part, request_.tool, request_.coils[coil]);
-      std::vector<const winding::Obstacle*> obstacles{&iron};
-      for (const winding::Block& post : posts) obstacles.push_back(&post);
-      winding::Clearance least = winding::clearance(
-          {moves.begin() + static_cast<std::ptrdiff_t>(begin), moves.begin() + static_cast<std::ptrdiff_t>(end)},
-          request_.needle, obstacles, clearance_tolerance, progress_);
+      while (end < pieces.size() && plan_.support[pieces[end].fixed].coil == coil) ++end;
+      const winding::PartObstacles all = obstacles(part, slot, request_.coils[coil]);
+      winding::Clearance least = winding::clearance(std::span(curves).subspan(begin, end - begin), request_.needle,
+                                                    all.list(), clearance_tolerance, progress_);
       least.move += begin;
-      if (least.minimum < plan_.clearance.minimum) plan_.clearance = least;
+      if (least.minimum < plan_.clearance.minimum)
+        plan_.clearance = least, plan_.nearest = all.list().empty() ? "" : all.name(least.obstacle);
       begin = end;
     }
   }
-  void clear(const RotorPart&) { plan_.clearance.minimum = unlimited; }
+  winding::PartObstacles obstacles(const StatorPart& part, const winding::Slot& slot, winding::Coil coil) const {
+    return winding::part_obstacles(part, slot, request_.tool, {coil});
+  }
+  static winding::PartObstacles obstacles(const RotorPart& part, const winding::Slot& slot, winding::Coil) {
+    return winding::part_obstacles(part, slot);
+  }
 
   void move() {
     PathPlanning planning;
     planning.path = planning.moving = plan_.machine.axes;
     planning.machine = {plan_.machine.kinematics->axes(), request_.cycle_time};
-    const std::size_t n = plan_.tool.tool.size();
+    const std::size_t n = plan_.tool->tool.size();
     planning.feeds = planning.feeds_to_verify = std::vector<double>(n, unlimited);
     planning.rests = std::vector<bool>(n + 1, false);
     planning.rests.front() = planning.rests.back() = true;
     planning.method = request_.feed == FeedMethod::natural ? PlanningMethod::natural : PlanningMethod::jerk_limited;
     planning.options.along = request_.along;
     for (std::size_t i = 0; i < n; ++i)
-      planning.options.shares.push_back(plan_.path.pieces[plan_.tool.tool[i].source()].share);
+      planning.options.shares.push_back(plan_.path.pieces[plan_.tool->tool[i].source()].share);
     planning.max_setpoints = request_.max_setpoints;
     planning.shown = NeedleSetpoints::shown(planning.machine);
     planning.setpoints = [&](const std::shared_ptr<const PathMotion>& motion, std::size_t cycles) {
@@ -122,7 +129,7 @@ class Planner {
 
   /// Where on the path: which fixed piece, or the one that a link starts from.
   const FixedPiece& piece_at(double s) const {
-    const Path& tool = plan_.tool.tool;
+    const Path& tool = plan_.tool->tool;
     return plan_.support[plan_.path.pieces[tool[tool.find(s)].source()].fixed];
   }
   UnreachableTurn placed(const UnreachablePose& pose) const {
@@ -139,7 +146,7 @@ class Planner {
     plan_.wire_length = winding::wire_length(request_.part, request_.coils, plan_.turns);
     plan_.resistance = winding::resistance_per_metre(request_.wire, 1, request_.temperature) * plan_.wire_length / 1000;
     plan_.strokes_per_minute = 120 * static_cast<double>(plan_.turns.size()) / plan_.motion.duration;
-    const Path& tool = plan_.tool.tool;
+    const Path& tool = plan_.tool->tool;
     std::optional<std::size_t> last;
     for (const LawPiece& law : plan_.motion.motion->law().pieces()) {
       const winding::NeedlePiece& piece = plan_.path.pieces[tool[law.segment].source()];
@@ -151,10 +158,8 @@ class Planner {
     if (!(plan_.clearance.minimum < unlimited)) return;
     Check check{"needle clearance", "mm", request_.least_clearance, plan_.clearance.minimum, 0, false};
     check.passed = check.value >= check.limit;
-    const std::size_t fixed = plan_.clearance.move / 2;
     for (const LawPiece& law : plan_.motion.motion->law().pieces()) {
-      const winding::NeedlePiece& piece = plan_.path.pieces[tool[law.segment].source()];
-      if (piece.fixed != fixed || piece.link != (plan_.clearance.move % 2 == 1)) continue;
+      if (tool[law.segment].source() < plan_.clearance.move) continue;
       check.at = law.t0;
       break;
     }

@@ -54,8 +54,9 @@ struct WindingPlan {
   std::vector<winding::Turn> turns;          ///< of all coils
   std::vector<winding::FixedPiece> support;  ///< the support points are their ends
   winding::NeedlePath path;
-  winding::Clearance clearance;
-  PosePath tool;  ///< the same as a path; source() of a segment: index in path.pieces
+  winding::Clearance clearance;          ///< its `move`: index in path.pieces
+  std::string nearest;                   ///< the obstacle there, such as "stack"
+  std::shared_ptr<const PosePath> tool;  ///< the same as a path; source() of a segment: index in path.pieces
   MachinePath machine;
   PathPlan motion;                  ///< its verification is the whole plan's: clearance and forward kinematics, too
   double path_length = 0;           ///< mm

@@ -12,6 +12,7 @@ namespace {
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double no_direction = 1e-12;  // |q'_k| below this: the axis stands still, its conditions are dropped
 constexpr double give = 1 + 1e-11;      // caps give way for the rounding of curvatures
+constexpr double slow = 1e-3;           // |q'_m| below this: what the axis allows along the path is not used
 
 double sq(double x) { return x * x; }
 
@@ -59,8 +60,10 @@ BoundNode<N> BoundGrid<N>::place(std::size_t segment, double u) const {
     if constexpr (N > 2) n.position[2] = h.value.z, n.tangent[2] = h.d1.z, n.curvature[2] = h.d2.z;
   } else {
     const AxisJet q = path_.at_parameter(segment, u);
-    for (std::size_t k = 0; k < axes_; ++k)
+    for (std::size_t k = 0; k < axes_; ++k) {
+      if (still_[k]) continue;
       n.position[k] = scale_[k] * q.value[k], n.tangent[k] = scale_[k] * q.d1[k], n.curvature[k] = scale_[k] * q.d2[k];
+    }
     n.blur = 64 * epsilon;
   }
   return n;
@@ -88,6 +91,32 @@ double BoundGrid<N>::place_cap(const Node& n) const {
   double cap = std::min(sq(feeds_[n.segment]), turn_cap(n));
   for (std::size_t k = 0; k < axes_; ++k)
     if (n.least(k) > 0) cap = std::min(cap, sq(velocity_[k]) / n.least(k));
+  return cap;
+}
+
+// Jerk of axis k: |q'''_k v³ + 3 q''_k v v̇ + q'_k v̈| ≤ J_k. What another axis m leaves of v̇ and v̈,
+// |v̇| ≤ (A_m + |q''_m| v²)/|q'_m| and |v̈| ≤ (J_m + |q'''_m| v³ + 3 |q''_m| v |v̇|)/|q'_m|, makes it c₃ v³ ≤ c₀ + c₁ v,
+// which bounds v where c₃ > 0: where axis k hardly moves, but is about to.
+template <int N>
+double BoundGrid<N>::jerk_cap(const AxisSizes& sizes) const {
+  double cap = unlimited;
+  const auto most = [](double low, double high) { return std::max(std::abs(low), std::abs(high)); };
+  for (std::size_t m = 0; m < axes_; ++m) {
+    const double rate = std::max(sizes.low[m], -sizes.high[m]);  // |q'_m| from below
+    if (!(rate > slow) || !std::isfinite(jerk_[m])) continue;
+    const double bend = most(sizes.bend_low[m], sizes.bend_high[m]) / rate, along = acceleration_[m] / rate;
+    for (std::size_t k = 0; k < axes_; ++k) {
+      if (k == m || !std::isfinite(jerk_[k]) || !(sizes.least_third[k] > 0)) continue;
+      const double d1 = most(sizes.low[k], sizes.high[k]), d2 = most(sizes.bend_low[k], sizes.bend_high[k]),
+                   weight = 3 * (d2 + d1 * bend);  // of v |v̇|
+      const double c3 = sizes.least_third[k] - d1 * sizes.third[m] / rate - weight * bend, c1 = weight * along,
+                   c0 = jerk_[k] + d1 * jerk_[m] / rate;
+      if (!(c3 > 0) || !std::isfinite(c0 + c1)) continue;
+      double v = std::cbrt(c0 / c3) + std::sqrt(c1 / c3);  // no less than the root; Newton's steps stay above it
+      for (int i = 0; i < 4; ++i) v -= (c3 * v * v * v - c1 * v - c0) / (3 * c3 * v * v - c1);
+      cap = std::min(cap, sq(v * give));
+    }
+  }
   return cap;
 }
 
@@ -228,10 +257,13 @@ template void BoundGrid<8>::learn(std::size_t) const;
 template BoundNode<8> BoundGrid<8>::place(std::size_t, double) const;
 template void BoundGrid<8>::complete(Node&) const;
 template double BoundGrid<2>::place_cap(const Node&) const;
+template double BoundGrid<2>::jerk_cap(const AxisSizes&) const;
 template double BoundGrid<2>::turn_cap(const Node&) const;
 template double BoundGrid<3>::place_cap(const Node&) const;
+template double BoundGrid<3>::jerk_cap(const AxisSizes&) const;
 template double BoundGrid<3>::turn_cap(const Node&) const;
 template double BoundGrid<8>::place_cap(const Node&) const;
+template double BoundGrid<8>::jerk_cap(const AxisSizes&) const;
 template double BoundGrid<8>::turn_cap(const Node&) const;
 template double BoundGrid<2>::along(const Node&, const Node&, double) const;
 template double BoundGrid<2>::step_cap(const Node&, const Node&, double) const;

@@ -32,6 +32,7 @@ BoundGrid<N>::BoundGrid(const AxisPath& path, const Machine& machine, std::vecto
     acceleration_[k] = machine.axes[k].acceleration * scale_[k];
     velocity_[k] = machine.axes[k].velocity * scale_[k];
     jerk_[k] = machine.axes[k].jerk * scale_[k];
+    jerk_limited_ = jerk_limited_ || (std::isfinite(jerk_[k]) && !path.cartesian());
   }
   for (double& f : feeds_)
     if (!(f > 0)) f = unlimited;
@@ -41,6 +42,7 @@ BoundGrid<N>::BoundGrid(const AxisPath& path, const Machine& machine, std::vecto
 template <int N>
 void BoundGrid<N>::scale_axes() {
   const AxisArray most = largest_rates(path_, &pulse_);
+  for (std::size_t k = 0; k < axes_; ++k) still_[k] = most[k] == 0;
   for (std::size_t k = 0; k < axes_; ++k)
     if (most[k] > 0 && std::isfinite(most[k])) scale_[k] = std::exp2(-std::ceil(std::log2(most[k])));
 }
@@ -93,6 +95,8 @@ void BoundGrid<N>::append_with_roots(const Node& a, const Node& b, int axis, int
   for (std::size_t k = static_cast<std::size_t>(axis); k < axes_; ++k) {
     double flo = a.tangent[k], fhi = b.tangent[k], lo = a.u, hi = b.u;
     if (!(flo * fhi < 0) || std::max(std::abs(flo), std::abs(fhi)) < no_direction) continue;
+    // Through kinematics what is 0 at a node is so but for rounding: a root right beside it would say nothing.
+    if (!path_.cartesian() && std::min(std::abs(flo), std::abs(fhi)) <= a.blur) continue;
     Node root;
     for (int i = 0, side = 0; i < 80; ++i) {
       double u = (lo * fhi - hi * flo) / (fhi - flo);
@@ -112,6 +116,7 @@ void BoundGrid<N>::append_with_roots(const Node& a, const Node& b, int axis, int
       }
     }
     if (!(root.u > a.u && root.u < b.u)) continue;
+    if (!path_.cartesian() && std::min(root.s - a.s, b.s - root.s) <= rounding_of(b.s)) continue;
     root.tangent[k] = 0;
     append_with_roots(a, root, static_cast<int>(k) + 1, depth);
     append_with_roots(root, b, static_cast<int>(k) + 1, depth);

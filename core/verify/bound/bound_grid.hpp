@@ -15,7 +15,6 @@
 #include "core/verify/bound/bound_node.hpp"
 #include "core/verify/bound/direction_range.hpp"
 #include "core/verify/bound/hodograph.hpp"
-#include "core/verify/law/curve_disc.hpp"
 
 namespace bahnwerk::verify {
 
@@ -81,6 +80,9 @@ class BoundGrid {
   DirectionRange<N> range(const Node& a, const Node& b) const;
   /// Bounds of |q'''_k|, 1/mm², between two nodes of one segment; infinite where there are none.
   std::array<double, N> third(const Node& a, const Node& b) const;
+  /// Largest b = v² that limits of jerk allow at any place between two nodes of one segment; infinite where unknown, and
+  /// where the axes are the tool's coordinates.
+  double jerk_cap(const Node& a, const Node& b) const;
   /// A place of a segment.
   Node node(std::size_t segment, double u) const {
     Node n = place(segment, u);
@@ -124,23 +126,21 @@ class BoundGrid {
   void append(const Node& b, const DirectionRange<N>* range = nullptr);
   Cell cell(Node& a, Node& b, const DirectionRange<N>* range) const;
   DirectionRange<N> range_by_map(const Node& a, const Node& b) const;
-  /// Sizes of derivatives by path length between two places of a segment: of the axes through a map, of the tool's
-  /// pose.
-  struct MapSizes {
-    Row first{}, third{};
+  /// Between two places of a segment: enclosures of q' and q'', and bounds of |q'''|, for axes through kinematics.
+  struct AxisSizes {
+    Row low{}, high{}, bend_low{}, bend_high{}, third{};
+    Row least_third{};  ///< of |q'''|, from below
   };
-  struct PoseSizes {
-    double first, second, third;
-  };
-  /// `depth`: how often the way, `length` mm, may be halved to find bounds of the map on balls as small as it takes.
-  MapSizes map_sizes(std::size_t segment, double u0, double u1, double length, int depth = 12) const;
-  PoseSizes pose_sizes(std::size_t segment, double u0, double u1, double turn, const Hodograph::Bends& bends) const;
+  double jerk_cap(const AxisSizes& sizes) const;
+  /// `depth`: how often the way, `length` mm, may be halved to find what is known of short ones alone.
+  AxisSizes axis_sizes(std::size_t segment, double u0, double u1, double length, int depth = 12) const;
   Hodograph::Bends bends(std::size_t segment, double u0, double u1) const;
   Hodograph& hodograph(std::size_t segment) const;
 
   const AxisPath& path_;
   std::size_t axes_;
   Row scale_{}, acceleration_{}, velocity_{}, jerk_{};
+  std::array<bool, N> still_{};  ///< axes that stand still but for rounding: their conditions are dropped
   double cycle_time_, corner_angle_;
   double turn_ = widest_turn, change_ = widest_change;  ///< the same, of the grids to come
   std::vector<double> feeds_;
@@ -150,12 +150,11 @@ class BoundGrid {
   std::vector<std::uint32_t> order_, former_;
   std::vector<Span> fresh_;
   double valley_ = unlimited;  ///< of the cells that are appended
-  mutable Shape shape_;        ///< of the segment asked for last
+  bool jerk_limited_ = false;
+  mutable Shape shape_;  ///< of the segment asked for last
   mutable std::size_t shape_of_ = static_cast<std::size_t>(-1);
   mutable std::optional<Hodograph> hodograph_;  ///< of the segment asked for last
   mutable std::size_t hodograph_of_ = 0;
-  mutable std::optional<CurveDiscs> discs_;  ///< likewise, of tools that turn
-  mutable std::size_t discs_of_ = 0;
 };
 
 extern template class BoundGrid<2>;

@@ -50,64 +50,72 @@ DirectionRange<N> BoundGrid<N>::range(const Node& a, const Node& b) const {
   return range;
 }
 
+// Where q'' keeps its sign q' lies between its ends.
 template <int N>
 DirectionRange<N> BoundGrid<N>::range_by_map(const Node& a, const Node& b) const {
-  const double length = b.s - a.s;
-  const MapSizes sizes = map_sizes(a.segment, a.u, b.u, length);
+  const double length = b.s - a.s, blur = std::max(a.blur, b.blur);
+  const AxisSizes sizes = axis_sizes(a.segment, a.u, b.u, length);
   DirectionRange<N> range;
   for (std::size_t k = 0; k < axes_; ++k) {
-    range.low[k] = -sizes.first[k], range.high[k] = sizes.first[k];
-    if (!std::isfinite(sizes.third[k])) continue;
-    const Interval g = between(a.tangent[k], b.tangent[k], a.curvature[k], b.curvature[k], length, sizes.third[k]);
-    range.low[k] = std::max(range.low[k], g.low - std::max(a.blur, b.blur));
-    range.high[k] = std::min(range.high[k], g.high + std::max(a.blur, b.blur));
+    if (still_[k]) continue;
+    Interval g{sizes.low[k], sizes.high[k]};
+    if (sizes.bend_low[k] >= 0 || sizes.bend_high[k] <= 0)
+      g = {std::min(a.tangent[k], b.tangent[k]), std::max(a.tangent[k], b.tangent[k])};
+    else if (std::isfinite(sizes.third[k]))
+      g = between(a.tangent[k], b.tangent[k], a.curvature[k], b.curvature[k], length, sizes.third[k]);
+    range.low[k] = std::max(sizes.low[k], g.low - blur);
+    range.high[k] = std::min(sizes.high[k], g.high + blur);
   }
   return range;
 }
 
-// q' = Dq h', q'' = D²q[h', h'] + Dq h'', q''' = D³q[h', h', h'] + 3 D²q[h', h''] + Dq h''', h being the tool's pose.
+// By the path's own enclosures, else by bounds of the map from the tool's position to the axes:
+// q' = Dq h', q'' = D²q[h', h'] + Dq h'', q''' = D³q[h', h', h'] + 3 D²q[h', h''] + Dq h'''.
 template <int N>
-typename BoundGrid<N>::MapSizes BoundGrid<N>::map_sizes(std::size_t segment, double u0, double u1, double length,
-                                                        int depth) const {
-  const double half = (u1 - u0) / 2, middle = u0 + half, turn = path_.pose_turn(segment, middle, half);
-  const MapBounds map = path_.map_bounds(segment, middle, turn > 0 ? std::hypot(length, turn) : length);
+typename BoundGrid<N>::AxisSizes BoundGrid<N>::axis_sizes(std::size_t segment, double u0, double u1, double length,
+                                                          int depth) const {
+  const double half = (u1 - u0) / 2, middle = u0 + half;
+  AxisSizes sizes;
+  AxisDiscs discs;
+  bool known = path_.enclose(segment, middle, half, discs);
+  for (std::size_t k = 0; k < axes_ && known; ++k) {
+    const double scale = scale_[k];
+    sizes.low[k] = scale * discs.d1[k].low(), sizes.high[k] = scale * discs.d1[k].high();
+    sizes.bend_low[k] = scale * discs.d2[k].low(), sizes.bend_high[k] = scale * discs.d2[k].high();
+    if (still_[k]) continue;
+    sizes.third[k] = scale * discs.d3[k].most();
+    sizes.least_third[k] = scale * std::max(0.0, std::abs(discs.d3[k].centre) - discs.d3[k].radius);
+  }
+  if (known) return sizes;
   const Hodograph::Bends bends = this->bends(segment, u0, u1);
-  const PoseSizes pose = pose_sizes(segment, u0, u1, turn, bends);
-  MapSizes sizes;
-  bool known = true;
+  const MapBounds map = path_.map_bounds(segment, middle, length);
+  known = path_.pose_turn(segment, middle, half) == 0;  // else the tool's angles move the axes, too
   for (std::size_t k = 0; k < axes_; ++k) {
     const double m1 = scale_[k] * map.order[0][k], m2 = scale_[k] * map.order[1][k], m3 = scale_[k] * map.order[2][k];
-    sizes.first[k] = m1 * pose.first;
-    sizes.third[k] = m3 * pose.first * pose.first * pose.first + 3 * m2 * pose.first * pose.second + m1 * pose.third;
-    known = known && std::isfinite(sizes.first[k]) && (std::isfinite(sizes.third[k]) || !std::isfinite(bends.third));
+    const double first = known ? m1 : unlimited, second = known ? m2 + m1 * bends.second : unlimited;
+    sizes.low[k] = -first, sizes.high[k] = first;
+    sizes.bend_low[k] = -second, sizes.bend_high[k] = second;
+    sizes.third[k] = known ? m3 + 3 * m2 * bends.second + m1 * bends.third : unlimited;
   }
+  for (std::size_t k = 0; k < axes_; ++k)
+    known = known && std::isfinite(sizes.high[k]) && (std::isfinite(sizes.third[k]) || !std::isfinite(bends.third));
   if (known || depth == 0 || !(middle > u0 && middle < u1)) return sizes;
-  const double before = path_[segment].travelled(middle) - path_[segment].travelled(u0);  // smaller balls may do
-  const MapSizes left = map_sizes(segment, u0, middle, before, depth - 1),
-                 right = map_sizes(segment, middle, u1, std::max(length - before, 0.0), depth - 1);
+  const double before = path_[segment].travelled(middle) - path_[segment].travelled(u0);  // smaller stretches may do
+  const AxisSizes left = axis_sizes(segment, u0, middle, before, depth - 1),
+                  right = axis_sizes(segment, middle, u1, std::max(length - before, 0.0), depth - 1);
   for (std::size_t k = 0; k < axes_; ++k) {
-    sizes.first[k] = std::max(left.first[k], right.first[k]);
+    sizes.low[k] = std::min(left.low[k], right.low[k]), sizes.high[k] = std::max(left.high[k], right.high[k]);
+    sizes.bend_low[k] = std::min(left.bend_low[k], right.bend_low[k]);
+    sizes.bend_high[k] = std::max(left.bend_high[k], right.bend_high[k]);
     sizes.third[k] = std::max(left.third[k], right.third[k]);
+    sizes.least_third[k] = std::min(left.least_third[k], right.least_third[k]);
   }
   return sizes;
 }
 
-// Angles by Cauchy's estimates on discs of twice the size or more: the smallest bounds that one of them gives.
 template <int N>
-typename BoundGrid<N>::PoseSizes BoundGrid<N>::pose_sizes(std::size_t segment, double u0, double u1, double turn,
-                                                          const Hodograph::Bends& bends) const {
-  if (turn == 0) return {1, bends.second, bends.third};
-  if (!discs_ || discs_of_ != segment) discs_.emplace(path_[segment].curve()), discs_of_ = segment;
-  const double half = (u1 - u0) / 2;
-  CurveDisc disc = discs_->about(u0 + half);
-  disc.first = 1, disc.second = bends.second, disc.third = bends.third;  // better known on the real axis
-  constexpr double none = std::numeric_limits<double>::infinity();
-  PoseSizes least{none, none, none};
-  for (int i = 0; i < 6 && disc.radius >= 2 * half; ++i, disc.radius /= 2) {
-    const CurveDisc pose = with_turn(disc, path_.pose_turn(segment, disc.centre, disc.radius));
-    if (pose.third < least.third || i == 0) least = {pose.first, pose.second, pose.third};
-  }
-  return least;
+double BoundGrid<N>::jerk_cap(const Node& a, const Node& b) const {
+  return jerk_limited_ && a.segment == b.segment ? jerk_cap(axis_sizes(a.segment, a.u, b.u, b.s - a.s)) : unlimited;
 }
 
 // Of the tool's path: |h''| and |h'''|.
@@ -129,23 +137,17 @@ std::array<double, N> BoundGrid<N>::third(const Node& a, const Node& b) const {
     third.fill(bends(a.segment, a.u, b.u).third);
     return third;
   }
-  return map_sizes(a.segment, a.u, b.u, b.s - a.s).third;
+  return axis_sizes(a.segment, a.u, b.u, b.s - a.s).third;
 }
 
 template Hodograph::Bends BoundGrid<2>::bends(std::size_t, double, double) const;
-template BoundGrid<2>::MapSizes BoundGrid<2>::map_sizes(std::size_t, double, double, double, int) const;
-template BoundGrid<2>::PoseSizes BoundGrid<2>::pose_sizes(std::size_t, double, double, double,
-                                                          const Hodograph::Bends&) const;
+template BoundGrid<2>::AxisSizes BoundGrid<2>::axis_sizes(std::size_t, double, double, double, int) const;
 template Hodograph& BoundGrid<2>::hodograph(std::size_t) const;
 template Hodograph::Bends BoundGrid<3>::bends(std::size_t, double, double) const;
-template BoundGrid<3>::MapSizes BoundGrid<3>::map_sizes(std::size_t, double, double, double, int) const;
-template BoundGrid<3>::PoseSizes BoundGrid<3>::pose_sizes(std::size_t, double, double, double,
-                                                          const Hodograph::Bends&) const;
+template BoundGrid<3>::AxisSizes BoundGrid<3>::axis_sizes(std::size_t, double, double, double, int) const;
 template Hodograph& BoundGrid<3>::hodograph(std::size_t) const;
 template Hodograph::Bends BoundGrid<8>::bends(std::size_t, double, double) const;
-template BoundGrid<8>::MapSizes BoundGrid<8>::map_sizes(std::size_t, double, double, double, int) const;
-template BoundGrid<8>::PoseSizes BoundGrid<8>::pose_sizes(std::size_t, double, double, double,
-                                                          const Hodograph::Bends&) const;
+template BoundGrid<8>::AxisSizes BoundGrid<8>::axis_sizes(std::size_t, double, double, double, int) const;
 template Hodograph& BoundGrid<8>::hodograph(std::size_t) const;
 template DirectionRange<2> BoundGrid<2>::range(const Node&, const Node&) const;
 template DirectionRange<3> BoundGrid<3>::range(const Node&, const Node&) const;
@@ -153,6 +155,9 @@ template DirectionRange<8> BoundGrid<8>::range(const Node&, const Node&) const;
 template DirectionRange<2> BoundGrid<2>::range_by_map(const Node&, const Node&) const;
 template DirectionRange<3> BoundGrid<3>::range_by_map(const Node&, const Node&) const;
 template DirectionRange<8> BoundGrid<8>::range_by_map(const Node&, const Node&) const;
+template double BoundGrid<2>::jerk_cap(const Node&, const Node&) const;
+template double BoundGrid<3>::jerk_cap(const Node&, const Node&) const;
+template double BoundGrid<8>::jerk_cap(const Node&, const Node&) const;
 template std::array<double, 2> BoundGrid<2>::third(const Node&, const Node&) const;
 template std::array<double, 3> BoundGrid<3>::third(const Node&, const Node&) const;
 template std::array<double, 8> BoundGrid<8>::third(const Node&, const Node&) const;

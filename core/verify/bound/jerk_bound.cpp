@@ -44,7 +44,7 @@ double JerkBound<N>::cap(std::size_t cell, const Node& a, const Node& b, const s
                          double part0, double part1) const {
   const Cell& c = grid_.cells()[cell];
   const Node &from = grid_.nodes()[cell], &to = grid_.nodes()[cell + 1];
-  double most = sq(grid_.feed(a.segment));
+  double most = std::min(sq(grid_.feed(a.segment)), grid_.jerk_cap(a, b));
   const bool straight = c.kind == Cell::Kind::straight;
   const DirectionRange<N> range = grid_.range(a, b);
   for (std::size_t k = 0; k < grid_.axes(); ++k) {

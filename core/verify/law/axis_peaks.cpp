@@ -50,8 +50,9 @@ class Sweeper {
         pulse_(pulse),
         channels_(make_channels(in)),
         peaks_(scales(channels_)),
-        repeated_(in),
-        kinematic_(dynamic_cast<const KinematicAxisPath*>(&in.path)) {}
+        repeated_(in) {
+    if (const auto* path = dynamic_cast<const KinematicAxisPath*>(&in.path)) through_.emplace(*path);
+  }
 
   AxisPeaks run() {
     const auto& pieces = in_.law.pieces();
@@ -107,18 +108,18 @@ class Sweeper {
     }
   }
 
-  // What interpolation may miss, per channel, by bounds(disc) about u; without bounds of the axes it stays not known.
+  // What interpolation may miss, per channel, by bounds(disc) about u, the interval being about `half` wide either way;
+  // without bounds of the axes it stays not known.
   template <class Bounds>
-  void tell_missing(PeakSamples& samples, std::size_t segment, double u, Bounds&& bounds) {
+  void tell_missing(PeakSamples& samples, std::size_t segment, double u, double half, Bounds&& bounds) {
     const CurveDisc disc = discs(segment).about(u);
     std::array<ChannelBounds, max_axes> all;
     if (in_.path.cartesian()) {
       all.fill(bounds(disc));
     } else {
-      if (kinematic_ == nullptr) return;
-      std::array<CurveDisc, max_axes> axes;
-      if (!through(*kinematic_, segment, disc, axes)) return;
-      for (std::size_t k = 0; k < in_.path.axes(); ++k) all[k] = bounds(axes[k]);
+      const std::array<CurveDisc, max_axes>* axes = through_ ? through_->about(segment, disc, half) : nullptr;
+      if (axes == nullptr) return;
+      for (std::size_t k = 0; k < in_.path.axes(); ++k) all[k] = bounds((*axes)[k]);
     }
     samples.empty = !samples.last;
     for (std::size_t c = 0; c < channels_.size(); ++c) {
@@ -203,7 +204,7 @@ class Sweeper {
       const double middle = segment.parameter_at(here.s);
       if (!vanishing || !at_vanishing_tangent(piece.segment, segment.parameter_at(local.at(samples.begin).s),
                                               segment.parameter_at(local.at(samples.end).s)))
-        tell_missing(samples, piece.segment, middle,
+        tell_missing(samples, piece.segment, middle, (u1 - u0) * half / piece.duration,
                      [&](const CurveDisc& disc) { return bounds_over_time(here, half, disc, n); });
       if (samples.empty) return false;
       for (int i = 0; i < n; ++i) {
@@ -294,7 +295,7 @@ class Sweeper {
         tell_from_rest(samples, piece, begin, half, b0, b1);
       } else {
         const double fastest = std::max(b0 + (b1 - b0) * (from / ds), b0 + (b1 - b0) * (to / ds));
-        tell_missing(samples, piece.segment, begin + half, [&](const CurveDisc& disc) {
+        tell_missing(samples, piece.segment, begin + half, half, [&](const CurveDisc& disc) {
           return bounds_over_parameter(fastest, piece.a, half, disc, n, even);
         });
       }
@@ -356,7 +357,7 @@ class Sweeper {
   std::vector<Channel> channels_;
   PeakSweep peaks_;
   RepeatedRuns repeated_;
-  const KinematicAxisPath* kinematic_;  ///< the path, if axes follow it through kinematics
+  std::optional<AxisDiscsAlong> through_;  ///< of axes that follow the path through kinematics
   Strained arc_length_;
   std::size_t index_ = 0;
   std::size_t end_segment_ = static_cast<std::size_t>(-1);  // where the last piece ended, to invert u(s) once per piece

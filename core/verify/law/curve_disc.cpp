@@ -165,27 +165,19 @@ const CurveDisc& CurveDiscs::at_vanishing_tangent() {
   return end_disc_;
 }
 
-// α′ = α_u u′, α″ = α_uu u′² + α_u u″, α‴ = α_uuu u′³ + 3 α_uu u′u″ + α_u u‴ with d/ds = u′ d/du. With ρ = r/2:
-// |α_u| ≤ A/ρ, |α_uu| ≤ 2A/ρ², |α_uuu| ≤ 6A/ρ³; |u″| ≤ p²/ρ, |u‴| ≤ 3p³/ρ².
-CurveDisc with_turn(const CurveDisc& position, double turn) {
-  if (turn == 0) return position;
-  CurveDisc pose = position;
-  pose.radius = position.radius / 2;
-  const double per = position.pace / pose.radius;
-  pose.first = std::hypot(position.first, turn * per);
-  pose.second = std::hypot(position.second, 3 * turn * per * per);
-  pose.third = std::hypot(position.third, 15 * turn * per * per * per);
-  return pose;
-}
-
 bool through(const KinematicAxisPath& path, std::size_t segment, const CurveDisc& tool,
              std::array<CurveDisc, max_axes>& axes) {
-  CurveDisc whole = tool;
-  for (int attempt = 0; attempt < 60; ++attempt, whole.radius *= 0.5) {
-    const double turn = path.pose_turn(segment, whole.centre, whole.radius);
-    const CurveDisc disc = with_turn(whole, turn);
-    const double way = whole.first * whole.speed * disc.radius;
-    const MapBounds map = path.complex_map_bounds(segment, disc.centre, turn > 0 ? std::hypot(way, turn) : way);
+  CurveDisc disc = tool;
+  for (int attempt = 0; attempt < 60; ++attempt, disc.radius *= 0.5) {
+    if (AxisDiscs discs; path.enclose(segment, disc.centre, disc.radius, discs)) {
+      for (std::size_t k = 0; k < path.axes(); ++k) {
+        axes[k] = disc;
+        axes[k].first = discs.d1[k].most(), axes[k].second = discs.d2[k].most(), axes[k].third = discs.d3[k].most();
+      }
+      return disc.radius > 0;
+    }
+    if (path.pose_turn(segment, disc.centre, disc.radius) > 0) continue;
+    const MapBounds map = path.complex_map_bounds(segment, disc.centre, disc.first * disc.speed * disc.radius);
     bool known = true;
     for (std::size_t k = 0; k < path.axes(); ++k) {
       CurveDisc& q = axes[k] = disc;
@@ -198,6 +190,24 @@ bool through(const KinematicAxisPath& path, std::size_t segment, const CurveDisc
     if (known && disc.radius > 0) return true;
   }
   return false;
+}
+
+const std::array<CurveDisc, max_axes>* AxisDiscsAlong::about(std::size_t segment, const CurveDisc& tool, double half) {
+  constexpr double wide = 64, narrow = 12;  // discs of so many half widths: interpolation misses no more than rounding
+  constexpr double smallest = 1e-6;
+  if (segment == segment_ && known_) {
+    const double left = made_[0].radius - std::abs(tool.centre - made_[0].centre);
+    if (left >= std::min(narrow * half, made_[0].radius / 2) && made_[0].radius <= 4 * wide * half) {
+      moved_ = made_;
+      for (CurveDisc& disc : moved_) disc.centre = tool.centre, disc.radius = left;
+      return &moved_;
+    }
+  }
+  CurveDisc disc = tool;
+  disc.radius = std::min(tool.radius, std::max(wide * half, smallest * tool.radius));
+  segment_ = segment;
+  known_ = through(path_, segment, disc, made_);
+  return known_ ? &made_ : nullptr;
 }
 
 }  // namespace bahnwerk::verify

@@ -57,14 +57,26 @@ class CurveDiscs {
   Polynomial w_at_, q_at_;
 };
 
-/// The same of the tool's pose, whose angles move it by no more than `turn` mm within the whole disc: on half of it, by
-/// Cauchy's estimates |f⁽ⁿ⁾| ≤ n! max|f| (2/r)ⁿ of the angles and of du/ds. Without a turn the disc as it is.
-CurveDisc with_turn(const CurveDisc& position, double turn);
-
-/// The same of every axis of a machine while its tool follows the path through the disc's centre, by the chain rule:
-/// |q′| ≤ m₁|h′|, |q″| ≤ m₂|h′|² + m₁|h″|, |q‴| ≤ m₃|h′|³ + 3m₂|h′||h″| + m₁|h‴| with the map's bounds m for as far as
-/// the disc takes the tool's pose h. The disc is halved until they are known; false where they never are.
+/// The same of every axis of a machine while its tool follows the path through the disc's centre: what the path encloses
+/// (AxisPath::enclose), or, where the tool does not turn, by the chain rule: |q′| ≤ m₁|h′|, |q″| ≤ m₂|h′|² + m₁|h″|,
+/// |q‴| ≤ m₃|h′|³ + 3m₂|h′||h″| + m₁|h‴| with the map's bounds m for as far as the disc takes the tool's position h. The
+/// disc is halved until they are known; false where they never are.
 bool through(const KinematicAxisPath& path, std::size_t segment, const CurveDisc& tool,
              std::array<CurveDisc, max_axes>& axes);
+
+/// The same along a path: where places are asked for in order one disc serves many.
+class AxisDiscsAlong {
+ public:
+  explicit AxisDiscsAlong(const KinematicAxisPath& path) : path_(path) {}
+  /// About the centre of the tool's disc, as large as intervals of half width `half` (of the parameter) need it; null:
+  /// not known. Valid until the next call.
+  const std::array<CurveDisc, max_axes>* about(std::size_t segment, const CurveDisc& tool, double half);
+
+ private:
+  const KinematicAxisPath& path_;
+  std::size_t segment_ = static_cast<std::size_t>(-1);
+  bool known_ = false;
+  std::array<CurveDisc, max_axes> made_, moved_;
+};
 
 }  // namespace bahnwerk::verify

@@ -4,6 +4,7 @@
 #include "core/drawing/svg.hpp"
 #include "core/winding/drawing/drawing.hpp"
 #include "core/winding/drawing/legend.hpp"
+#include "core/winding/drawing/region_path.hpp"
 
 namespace bahnwerk::winding {
 namespace {
@@ -18,28 +19,6 @@ struct Frame {
     return {margin + scale * (p.x - box.low.x), margin + title_height + scale * (box.high.y - p.y)};
   }
 };
-
-std::string outline(const Region& region, const Frame& frame) {
-  std::string d;
-  for (std::size_t i = 0; i < region.edges().size(); ++i) {
-    const Edge& edge = region.edges()[i];
-    const auto to = [&](const char* command, Point p) {
-      const Point q = frame(p);
-      return command + svg::number(q.x) + " " + svg::number(q.y);
-    };
-    if (region.begins_loop(i)) d += to("M", edge.from);
-    // A path's arc must not be a whole circle: in two halves.
-    for (const double f : edge.straight() ? std::vector{1.0} : std::vector{0.5, 1.0})
-      d += edge.straight() ? to("L", edge.to)
-                           : to(("A" + svg::number(frame.scale * edge.radius) + " " +
-                                 svg::number(frame.scale * edge.radius) + " 0 0 " + (edge.turn > 0 ? "0 " : "1 "))
-                                    .c_str(),
-                                edge.at(f));
-    const bool last = i + 1 == region.edges().size() || region.begins_loop(i + 1);
-    if (last) d += "Z";
-  }
-  return d;
-}
 
 }  // namespace
 
@@ -70,7 +49,7 @@ namespace {
 
 std::string filled(const Region& region, const Frame& frame, const char* fill, const char* stroke, const char* width) {
   if (region.empty()) return {};
-  return "<path" + svg::attribute("d", outline(region, frame)) + svg::attribute("fill", fill) +
+  return "<path" + svg::attribute("d", region_path(region, frame, frame.scale)) + svg::attribute("fill", fill) +
          svg::attribute("stroke", stroke) + svg::attribute("stroke-width", width) + "/>\n";
 }
 

@@ -1,49 +1,138 @@
 #include "core/winding/needle/clearance.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "core/base/errors.hpp"
+#include "core/winding/needle/clearance_search.hpp"
 
 namespace bahnwerk::winding {
 namespace {
 
-/// A piece of a move times a piece of the needle.
-struct Cell {
-  double u, half_u, s, half_s;
-};
+/// How far the needle's direction is at most from that at `psi` where the angles change by so much: |d'|² = φ'² cos² ψ
+/// + ψ'². A needle along the part's axis does not turn with φ.
+double turned_by(double phi, double psi_change, double psi) {
+  return std::hypot(phi * std::min(1.0, std::abs(std::cos(psi)) + std::abs(psi_change)), psi_change);
+}
 
-/// How fast things change at most, by u.
-struct Speeds {
-  double tip;     ///< mm
-  double across;  ///< of the tip, in sections normal to the part's axis, mm
-  double turn;    ///< of the needle, rad: |d'| ≤ |φ'| + |ψ'|
-  explicit Speeds(const NeedleMove& m) : turn(std::abs(m.to.phi - m.from.phi) + std::abs(m.to.psi - m.from.psi)) {
-    const Space way = m.to.tip - m.from.tip;
-    tip = m.arc ? std::abs(m.sweep) * std::hypot(m.from.tip.x, m.from.tip.y) : norm(way);
-    across = m.arc ? tip : std::hypot(way.x, way.y);
-  }
-};
-
-/// Where on the needle, from `first` to `last` behind the tip, a convex obstacle is nearest, to 1e-7 mm: a golden
-/// section search, which stands on a needle that lies flat against a face as well.
-double nearest_along(const Obstacle& obstacle, const NeedlePose& pose, double first, double last) {
-  const Space d = pose.direction();
-  const auto value = [&](double s) { return obstacle.distance(pose.tip - s * d); };
-  const double golden = (std::sqrt(5.0) - 1) / 2;
-  double a = last - golden * (last - first), b = first + golden * (last - first), at_a = value(a), at_b = value(b);
-  while (last - first > 1e-7) {
-    if (at_a <= at_b) {
-      last = b, b = a, at_b = at_a;
-      at_a = value(a = last - golden * (last - first));
-    } else {
-      first = a, a = b, at_a = at_b;
-      at_b = value(b = first + golden * (last - first));
+/// A piece of a move.
+class MoveStretch {
+ public:
+  explicit MoveStretch(const NeedleMove& move, double u = 0.5, double half = 0.5) : move_(&move), u_(u), half_(half) {}
+  double at() const { return u_; }
+  NeedlePose middle() const { return move_->at(u_); }
+  MoveStretch half(bool second) const { return MoveStretch(*move_, u_ + (second ? half_ : -half_) / 2, half_ / 2); }
+  Reach reach(Space d) const {
+    const NeedleMove& m = *move_;
+    const double turn = turned_by(half_ * (m.to.phi - m.from.phi), half_ * (m.to.psi - m.from.psi), middle().psi);
+    if (m.arc) {
+      const double along = round() * std::hypot(d.x, d.y);
+      return {round(), along, round(), round(), along * std::abs(d.z), turn};
     }
+    const Space way = half_ * (m.to.tip - m.from.tip);
+    const double along = dot(way, d);
+    const Space beside = way - along * d;
+    return {norm(way), std::abs(along), norm(beside), std::hypot(beside.x, beside.y), std::abs(beside.z), turn};
   }
-  return (first + last) / 2;
+  double lowest(Space n) const {
+    if (move_->arc) {
+      const Space p = move_->at(u_).tip;
+      const double angle = half_ * std::abs(move_->sweep);
+      return -angle * (std::abs(n.y * p.x - n.x * p.y) + angle / 2 * std::abs(n.x * p.x + n.y * p.y));
+    }
+    return -half_ * std::abs(dot(n, move_->to.tip - move_->from.tip));
+  }
+
+ private:
+  double round() const { return half_ * std::abs(move_->sweep) * std::hypot(move_->from.tip.x, move_->from.tip.y); }
+  const NeedleMove* move_;
+  double u_, half_;
+};
+
+/// A part of a rational piece: its own control points, and those of both halves.
+class PieceStretch {
+ public:
+  explicit PieceStretch(const BezierPiece& piece) : degree_(piece.degree()) {
+    std::copy(piece.points().begin(), piece.points().end(), points_.begin());
+    divide();
+  }
+  double at() const { return u_; }
+  NeedlePose middle() const { return {{middle_[0], middle_[1], middle_[2]}, middle_[3], middle_[4]}; }
+  PieceStretch half(bool second) const {
+    PieceStretch h(*this);
+    h.points_ = second ? right_ : left_;
+    h.half_ = half_ / 2;
+    h.u_ = u_ + (second ? h.half_ : -h.half_);
+    h.divide();
+    return h;
+  }
+  /// The curve lies in the convex hull of the control points, its halves in those of theirs: no point of it is farther
+  /// from the middle than the farthest of them.
+  Reach reach(Space d) const {
+    Reach r;
+    double whole = 0, beside = 0, across = 0, phi_change = 0, psi_change = 0;
+    each([&](Space off, double phi, double psi) {
+      const double along = dot(off, d);
+      const Space rest = off - along * d;
+      r.along = std::max(r.along, std::abs(along));
+      r.height = std::max(r.height, std::abs(rest.z));
+      whole = std::max(whole, dot(off, off));
+      across = std::max(across, rest.x * rest.x + rest.y * rest.y);
+      beside = std::max(beside, dot(rest, rest));
+      phi_change = std::max(phi_change, std::abs(phi));
+      psi_change = std::max(psi_change, std::abs(psi));
+    });
+    r.whole = std::sqrt(whole), r.beside = std::sqrt(beside), r.across = std::sqrt(across);
+    r.turn = turned_by(phi_change, psi_change, middle_[4]);
+    return r;
+  }
+  double lowest(Space n) const {
+    double least = 0;
+    each([&](Space off, double, double) { least = std::min(least, dot(n, off)); });
+    return least;
+  }
+
+ private:
+  using Points = std::array<HomogeneousPoint, BezierPiece::max_degree + 1>;
+  /// Calls with how far each control point of both halves is from the middle.
+  template <class Each>
+  void each(const Each& call) const {
+    for (const Points* half : {&left_, &right_})
+      for (std::size_t i = 0; i <= degree_; ++i) {
+        const HomogeneousPoint& p = (*half)[i];
+        const double k = 1 / p[spline_dimension];
+        const auto off = [&](std::size_t d) { return k * p[d] - middle_[d]; };
+        call(Space{off(0), off(1), off(2)}, off(3), off(4));
+      }
+  }
+  /// de Casteljau at the middle.
+  void divide() {
+    Points b = points_;
+    for (std::size_t l = 0; l <= degree_; ++l) {
+      left_[l] = b[0];
+      right_[degree_ - l] = b[degree_ - l];
+      for (std::size_t j = 0; j + l < degree_; ++j)
+        for (std::size_t d = 0; d < b[j].size(); ++d) b[j][d] = 0.5 * (b[j][d] + b[j + 1][d]);
+    }
+    middle_ = projected(right_[0]);
+  }
+
+  std::size_t degree_;
+  Points points_{}, left_{}, right_{};
+  SplinePoint middle_{};
+  double u_ = 0.5, half_ = 0.5;
+};
+
+void check(const NeedleShape& needle, double tolerance) {
+  std::vector<InputFault> faults;
+  if (!(needle.width > 0) || !std::isfinite(needle.width))
+    faults.push_back({{"needle", "width"}, "is not a number above 0"});
+  if (!(needle.length >= needle.width) || !std::isfinite(needle.length))
+    faults.push_back({{"needle", "length"}, "is less than the needle's width"});
+  if (!faults.empty()) throw InvalidInput(faults);
+  if (!(tolerance >= 1e-6)) throw std::invalid_argument("a tolerance of at least 1e-6 mm is needed");
 }
 
 }  // namespace
@@ -68,77 +157,18 @@ std::vector<NeedleMove> straight_links(const std::vector<FixedPiece>& pieces) {
 
 Clearance clearance(const std::vector<NeedleMove>& moves, const NeedleShape& needle,
                     const std::vector<const Obstacle*>& obstacles, double tolerance, Progress& progress) {
-  std::vector<InputFault> faults;
-  if (!(needle.width > 0) || !std::isfinite(needle.width))
-    faults.push_back({{"needle", "width"}, "is not a number above 0"});
-  if (!(needle.length >= needle.width) || !std::isfinite(needle.length))
-    faults.push_back({{"needle", "length"}, "is less than the needle's width"});
-  if (!faults.empty()) throw InvalidInput(faults);
-  if (!(tolerance >= 1e-6)) throw std::invalid_argument("a tolerance of at least 1e-6 mm is needed");
-  const double radius = needle.width / 2;
-  Clearance best;
-  best.minimum = std::numeric_limits<double>::infinity();
-  // A coarse look at everything first: what is farther away than the nearest of that needs few halvings.
-  for (std::size_t n = 0; n < moves.size(); ++n)
-    for (int i = 0; i <= 4; ++i) {
-      const double u = i / 4.0;
-      const NeedlePose pose = moves[n].at(u);
-      const Space d = pose.direction();
-      for (int j = 0; j <= 16; ++j) {
-        const double s = radius + j / 16.0 * (needle.length - radius);
-        for (std::size_t k = 0; k < obstacles.size(); ++k) {
-          const double found = obstacles[k]->distance(pose.tip - s * d) - radius;
-          if (found < best.minimum) best = {found, n, u, s, k};
-        }
-      }
-    }
-  std::vector<Cell> open;
-  std::size_t count = 0;
-  for (std::size_t n = 0; n < moves.size(); ++n) {
-    const Speeds speeds(moves[n]);
-    for (std::size_t k = 0; k < obstacles.size(); ++k) {
-      const Obstacle& obstacle = *obstacles[k];
-      // The axis of the bar, from the middle of its round end.
-      open.push_back({0.5, 0.5, (radius + needle.length) / 2, (needle.length - radius) / 2});
-      while (!open.empty()) {
-        if (count++ % 1024 == 0)
-          progress.report("clearance", static_cast<double>(n) / static_cast<double>(moves.size()));
-        const Cell c = open.back();
-        open.pop_back();
-        const NeedlePose pose = moves[n].at(c.u);
-        if (obstacle.convex()) {
-          const double s = nearest_along(obstacle, pose, radius, needle.length),
-                       found = obstacle.distance(pose.tip - s * pose.direction()) - radius;
-          if (found < best.minimum) best = {found, n, c.u, s, k};
-          if (found - c.half_u * (speeds.tip + needle.length * speeds.turn) - 1e-7 >= best.minimum - tolerance)
-            continue;
-          const double h = c.half_u / 2;
-          open.push_back({c.u - h, h, 0, 0});
-          open.push_back({c.u + h, h, 0, 0});
-          continue;
-        }
-        const Space p = pose.tip - c.s * pose.direction();
-        const double found = obstacle.distance(p) - radius;
-        if (found < best.minimum) best = {found, n, c.u, c.s, k};
-        const double enough = best.minimum - tolerance, far = c.s + c.half_s, turn = far * speeds.turn,
-                     moved = c.half_u * (speeds.tip + turn), across = c.half_u * (speeds.across + turn);
-        if (found - moved - c.half_s >= enough) continue;
-        const double section = obstacle.section_distance(p) - radius;
-        if (section - across - c.half_s >= enough) continue;
-        // Where the section's distance will decide, only what moves across counts.
-        if ((section >= enough + tolerance / 2 ? across : moved) > c.half_s) {
-          const double h = c.half_u / 2;
-          open.push_back({c.u - h, h, c.s, c.half_s});
-          open.push_back({c.u + h, h, c.s, c.half_s});
-        } else {
-          const double h = c.half_s / 2;
-          open.push_back({c.u, c.half_u, c.s + h, h});
-          open.push_back({c.u, c.half_u, c.s - h, h});
-        }
-      }
-    }
-  }
-  return best;
+  check(needle, tolerance);
+  return ClearanceSearch<MoveStretch>(needle, obstacles, tolerance, progress).over(moves.size(), [&](std::size_t n) {
+    return MoveStretch(moves[n]);
+  });
+}
+
+Clearance clearance(std::span<const BezierPiece> pieces, const NeedleShape& needle,
+                    const std::vector<const Obstacle*>& obstacles, double tolerance, Progress& progress) {
+  check(needle, tolerance);
+  return ClearanceSearch<PieceStretch>(needle, obstacles, tolerance, progress).over(pieces.size(), [&](std::size_t n) {
+    return PieceStretch(pieces[n]);
+  });
 }
 
 }  // namespace bahnwerk::winding

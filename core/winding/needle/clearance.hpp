@@ -2,9 +2,11 @@
 /// How far the needle stays from what it must not touch, along a whole path: the least distance over all poses, not
 /// only over samples [Herrmann 4.2.6, Fig. 4.16]. Lengths mm, angles rad.
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "core/base/progress.hpp"
+#include "core/geometry/spline/bezier_piece.hpp"
 #include "core/winding/needle/obstacles.hpp"
 #include "core/winding/needle/support_points.hpp"
 
@@ -28,8 +30,8 @@ std::vector<NeedleMove> straight_links(const std::vector<FixedPiece>& pieces);
 
 struct Clearance {
   double minimum = 0;        ///< mm; negative: so deep the needle reaches into an obstacle
-  std::size_t move = 0;      ///< on which move
-  double at = 0;             ///< where on it, u
+  std::size_t move = 0;      ///< on which move or piece
+  double at = 0;             ///< where on it, u or v in [0, 1]
   double along = 0;          ///< where on the needle, from the tip, mm
   std::size_t obstacle = 0;  ///< which obstacle
 };
@@ -40,6 +42,11 @@ struct Clearance {
 /// or obstacles infinite. Throws InvalidInput naming needle.width or needle.length,
 /// std::invalid_argument for a tolerance below 1e-6.
 Clearance clearance(const std::vector<NeedleMove>& moves, const NeedleShape& needle,
+                    const std::vector<const Obstacle*>& obstacles, double tolerance, Progress& progress);
+
+/// The same along the rational pieces of a path in x, y, z (mm), phi, psi (rad): how far the needle is from its pose in
+/// the middle of a stretch follows from the stretch's own control points, in whose convex hull it lies.
+Clearance clearance(std::span<const BezierPiece> pieces, const NeedleShape& needle,
                     const std::vector<const Obstacle*>& obstacles, double tolerance, Progress& progress);
 
 }  // namespace bahnwerk::winding

@@ -47,7 +47,7 @@ double StatorIron::section_distance(Space p) const {
 }
 
 double StatorIron::distance(Space p) const {
-  const double section = section_distance(p), beyond = std::max(-p.z, p.z - stack_);
+  const double section = section_distance(p), beyond = height_distance(p);
   if (section >= 0) return beyond > 0 ? std::hypot(section, beyond) : section;
   return beyond > 0 ? beyond : std::max(section, beyond);
 }
@@ -63,6 +63,21 @@ double Block::distance(Space p) const {
   const double inside = std::max({out.x, out.y, out.z});
   if (inside <= 0) return inside;
   return norm({std::max(out.x, 0.0), std::max(out.y, 0.0), std::max(out.z, 0.0)});
+}
+
+Space Block::away(Space p) const {
+  const Space d = turned(p, -azimuth_) - middle_;
+  Space out{std::abs(d.x) - half_.x, std::abs(d.y) - half_.y, std::abs(d.z) - half_.z};
+  const double most = std::max({out.x, out.y, out.z});
+  // Outside the way from the nearest point, inside the nearest face.
+  if (most > 0) {
+    out = {std::max(out.x, 0.0), std::max(out.y, 0.0), std::max(out.z, 0.0)};
+  } else {
+    out = {out.x == most ? 1.0 : 0.0, out.x < most && out.y == most ? 1.0 : 0.0,
+           out.x < most && out.y < most ? 1.0 : 0.0};
+  }
+  out = (1 / norm(out)) * Space{std::copysign(out.x, d.x), std::copysign(out.y, d.y), std::copysign(out.z, d.z)};
+  return turned(out, azimuth_);
 }
 
 std::vector<Block> tool_posts(const StatorPart& part, const ToolPost& post, Coil coil) {

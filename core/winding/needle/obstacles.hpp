@@ -1,6 +1,7 @@
 #pragma once
 /// What the needle must not touch, as signed distances: positive outside, negative inside, changing by at most 1 mm per
 /// mm. Lengths mm, angles rad.
+#include <algorithm>
 #include <limits>
 
 #include "core/winding/part/part.hpp"
@@ -13,9 +14,14 @@ class Obstacle {
   virtual double distance(Space p) const = 0;
   /// Whether the obstacle is convex: then distance() is convex along every line.
   virtual bool convex() const { return false; }
+  /// Of a convex one: a unit vector n so that all of it lies behind the plane normal to n that is distance(p) before
+  /// `p`, inside as outside.
+  virtual Space away(Space) const { return {}; }
   /// A lower bound of distance() for all points above and below `p`: long straight moves along the part's axis are
   /// decided by it at once.
   virtual double section_distance(Space) const { return -std::numeric_limits<double>::infinity(); }
+  /// The same for all points at the height of `p`: arcs above the part's end are decided by it.
+  virtual double height_distance(Space) const { return -std::numeric_limits<double>::infinity(); }
 };
 
 /// A stator's stack: slots, tooth tips, bore. The tips end in half circles of the radius r_et about points b_t apart,
@@ -27,6 +33,7 @@ class StatorIron final : public Obstacle {
   StatorIron(const StatorPart& part, const Slot& slot);
   double distance(Space p) const override;
   double section_distance(Space p) const override;
+  double height_distance(Space p) const override { return std::max(-p.z, p.z - stack_); }
   /// Slot, opening and bore together, in slot coordinates.
   const Region& air() const { return air_; }
 
@@ -43,6 +50,7 @@ class Block final : public Obstacle {
   Block(double azimuth, double inner, double outer, double left, double right, double low, double high);
   double distance(Space p) const override;
   bool convex() const override { return true; }
+  Space away(Space p) const override;
 
  private:
   double azimuth_;

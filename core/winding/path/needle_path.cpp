@@ -1,10 +1,12 @@
 #include "core/winding/path/needle_path.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "core/base/errors.hpp"
 #include "core/geometry/spline/spline_arc.hpp"
@@ -14,6 +16,10 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double shortest = 1e-6;  // mm, of a piece or of a link's chord
+// Of J. From the shape of the turn before nothing is gained by more.
+constexpr std::size_t evaluations_from_a_neighbour = 250, evaluations_of_a_search = 250, evaluations_of_the_best = 1000;
+constexpr double loop = 1.5;       // rad: by what a loop turns more than a bend, at least
+constexpr double unusable = 1e12;  // J of a link that stands still somewhere
 
 SplinePoint point(const NeedlePose& pose) { return {pose.tip.x, pose.tip.y, pose.tip.z, pose.phi, pose.psi}; }
 
@@ -67,7 +73,12 @@ double turned_angle(const BezierPiece& piece) {
 class Maker {
  public:
   Maker(const std::vector<FixedPiece>& fixed, bool stator, const LinkOptions& options)
-      : fixed_(fixed), stator_(stator), options_(options), basis_(options.continuity), rule_(basis_) {}
+      : fixed_(fixed),
+        stator_(stator),
+        options_(options),
+        basis_(options.continuity),
+        rule_(basis_),
+        fine_rule_(basis_, 256) {}
 
   NeedlePath run(Progress& progress) {
     std::vector<BezierPiece> here = curve(fixed_.front(), options_.continuity);
@@ -102,7 +113,7 @@ class Maker {
     const LinkEnds ends{begin, end, std::nullopt};
     // The link at the same place of the turn before is nearly the same.
     std::optional<LinkShape>& known = known_[{from.kind, from.region, to.kind, part}];
-    const BestLink best = best_link(basis_, rule_, ends, options_.objective, options_.weights, known, progress);
+    const BestLink best = known ? solve(ends, *known, evaluations_from_a_neighbour, progress) : search(ends, progress);
     known = best.shape;
     for (const BezierPiece& piece : link(basis_, ends, best.shape).pieces()) {
       path_.pieces.push_back({piece, i, true, share});
@@ -110,11 +121,49 @@ class Maker {
     }
   }
 
+  double judged(const LinkEnds& ends, const BestLink& best) const {
+    const double j = smoothness(basis_, fine_rule_, ends, best.shape, options_.weights);
+    return j < unusable ? j : unusable;
+  }
+  /// A bend so sharp that it falls between the nodes of the quadrature looks smooth: where a finer rule sees more, the
+  /// search is made with that.
+  BestLink solve(const LinkEnds& ends, const LinkShape& start, std::size_t evaluations, Progress& progress) const {
+    const auto by = [&](const SmoothnessRule& rule) {
+      BestLink best = best_link(basis_, rule, ends, options_.objective, options_.weights, start, progress, evaluations);
+      const double seen = best.smoothness;
+      best.smoothness = judged(ends, best);
+      return std::pair(best, seen);
+    };
+    const auto [best, seen] = by(rule_);
+    return best.smoothness <= 1.05 * seen ? best : by(fine_rule_).first;
+  }
+  /// From several starts: links that leave their neighbours' tangents soon or late. (4.60) prefers a wide loop to a
+  /// bend, on a way that is far longer: of links that turn by about as little as any, it is the smoothest that is
+  /// taken.
+  BestLink search(const LinkEnds& ends, Progress& progress) const {
+    std::vector<std::pair<double, BestLink>> found;
+    double least = unusable;
+    const double chord = norm(place(ends.after[0]) - place(ends.before[0]));
+    for (const double speed : {1.0, 0.5, 2.0, 4.0}) {
+      LinkShape start;
+      start.before[0] = norm(place(ends.before[1])) / (speed * chord);
+      start.after[0] = norm(place(ends.after[1])) / (speed * chord);
+      const BestLink best = solve(ends, start, evaluations_of_a_search, progress);
+      const double angle = turned_angle(link(basis_, ends, best.shape).pieces().front());
+      found.emplace_back(angle, best);
+      least = std::min(least, angle);
+    }
+    const BestLink* best = nullptr;
+    for (const auto& [angle, each] : found)
+      if (angle <= least + loop && (best == nullptr || each.smoothness < best->smoothness)) best = &each;
+    return solve(ends, best->shape, evaluations_of_the_best, progress);
+  }
+
   const std::vector<FixedPiece>& fixed_;
   bool stator_;
   const LinkOptions& options_;
   LinkBasis basis_;
-  SmoothnessRule rule_;
+  SmoothnessRule rule_, fine_rule_;
   struct Place {
     FixedPiece::Kind from_kind;
     std::size_t region;

@@ -65,7 +65,8 @@ struct Gamma {
 }  // namespace
 
 BestLink best_link(const LinkBasis& basis, const SmoothnessRule& rule, const LinkEnds& ends, LinkObjective objective,
-                   const SmoothnessWeights& weights, const std::optional<LinkShape>& start, Progress& progress) {
+                   const SmoothnessWeights& weights, const std::optional<LinkShape>& start, Progress& progress,
+                   std::size_t max_evaluations) {
   const std::size_t k = basis.continuity();
   const double chord = norm(place(ends.after[0]) - place(ends.before[0]));
   const End before(ends.before, chord), after(ends.after, chord);
@@ -122,8 +123,7 @@ BestLink best_link(const LinkBasis& basis, const SmoothnessRule& rule, const Lin
     return f;
   };
   OptimisationOptions options;
-  // From a good start nothing is gained by more: without it the search may have far to go.
-  options.max_evaluations = start ? 250 : 2000;
+  options.max_evaluations = max_evaluations;
   const auto result = minimise(problem, first, options, progress);
 
   BestLink best;

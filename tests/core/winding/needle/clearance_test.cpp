@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/base/errors.hpp"
+#include "core/geometry/spline/spline_arc.hpp"
 #include "core/numeric/random.hpp"
 #include "core/winding/part/space.hpp"
 
@@ -134,10 +135,115 @@ TEST(Clearance, OfAWholeCoilAsksAndEnds) {
   EXPECT_LT(c.minimum, (3.083 - 2.6) / 2 + 0.01);
 }
 
+SplinePoint pose_point(const NeedlePose& p) { return {p.tip.x, p.tip.y, p.tip.z, p.phi, p.psi}; }
+
+// Lines and arcs as rational pieces: the same as moves.
+TEST(Clearance, OfLinesAndArcsAsPiecesIsThatOfMoves) {
+  const StatorPart part;
+  const StatorIron iron(part, checked_slot(part));
+  const std::vector<Block> posts = tool_posts(part, {}, {0, 5});
+  std::vector<const Obstacle*> obstacles{&iron};
+  for (const Block& b : posts) obstacles.push_back(&b);
+  Random random(4);
+  for (int round = 0; round < 30; ++round) {
+    const double height = random.uniform(218, 240), begin = random.uniform(-0.2, 0.2), sweep = random.uniform(0.1, 0.7),
+                 radius = random.uniform(96, 108);
+    NeedleMove arc{{radius * radial(begin) + Space{0, 0, height}, begin, pi / 2}, {}, true, sweep};
+    arc.to = arc.from;
+    arc.to.phi += sweep;
+    NeedleMove line{{random.uniform(70, 90) * radial(random.uniform(-0.02, 0.02)), 0, 0}, {}, false, 0};
+    line.from.tip.z = random.uniform(-20, 50), line.from.phi = random.uniform(-0.1, 0.1);
+    line.to = {line.from.tip + Space{random.uniform(-3, 3), random.uniform(-1, 1), 60}, random.uniform(-0.1, 0.1), 0.3};
+    std::vector<BezierPiece> round_arc =
+        spline_arc(pose_point(arc.from), {0, 0, height}, {0, 0, 1}, sweep, {0, 0, 0, sweep, 0}, 4);
+    const std::vector<BezierPiece> straight{BezierPiece::line(pose_point(line.from), pose_point(line.to))};
+    const NeedleShape needle{2.6, 50};
+    EXPECT_NEAR(clearance(round_arc, needle, obstacles, 1e-4, silent).minimum,
+                clearance({arc}, needle, obstacles, 1e-4, silent).minimum, 1e-4);
+    EXPECT_NEAR(clearance(straight, needle, obstacles, 1e-2, silent).minimum,
+                clearance({line}, needle, obstacles, 1e-2, silent).minimum, 1e-2);
+  }
+}
+
+// Against dense samples of pieces of all degrees with weights far from each other.
+TEST(Clearance, OfRationalPiecesIsTheLeastOfADenseSample) {
+  Random random(12);
+  const StatorPart part;
+  const StatorIron iron(part, checked_slot(part));
+  const std::vector<Block> posts = tool_posts(part, {}, {0, 5});
+  std::vector<const Obstacle*> obstacles{&iron};
+  for (const Block& b : posts) obstacles.push_back(&b);
+  int touching = 0;
+  for (int round = 0; round < 40; ++round) {
+    std::vector<BezierPiece> pieces;
+    const std::size_t degree = 1 + static_cast<std::size_t>(round) % 9;
+    std::vector<HomogeneousPoint> points;
+    for (std::size_t i = 0; i <= degree; ++i) {
+      const Space tip = random.uniform(60, 104) * radial(random.uniform(-0.02, 0.02));
+      points.push_back(
+          homogeneous({tip.x, tip.y, random.uniform(-60, 10), random.uniform(-0.1, 0.1), random.uniform(-pi / 2, 0)},
+                      std::exp(random.uniform(-2, 2))));
+    }
+    pieces.emplace_back(points);
+    const NeedleShape needle{random.uniform(0.2, 3), random.uniform(10, 40)};
+    const double tolerance = 0.01;
+    const Clearance c = clearance(pieces, needle, obstacles, tolerance, silent);
+    const auto at = [&](double v) {
+      const SplinePoint p = pieces[0].at(v)[0];
+      return NeedlePose{{p[0], p[1], p[2]}, p[3], p[4]};
+    };
+    double least = std::numeric_limits<double>::infinity();
+    const int n = 150;
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; j <= n; ++j) {
+        const NeedlePose pose = at(i / double(n));
+        const double s = needle.width / 2 + j / double(n) * (needle.length - needle.width / 2);
+        for (const Obstacle* o : obstacles)
+          least = std::min(least, o->distance(pose.tip - s * pose.direction()) - needle.width / 2);
+      }
+    EXPECT_GE(least, c.minimum - tolerance) << round;
+    const NeedlePose where = at(c.at);
+    EXPECT_NEAR(obstacles.at(c.obstacle)->distance(where.tip - c.along * where.direction()) - needle.width / 2,
+                c.minimum, 1e-11)
+        << "reached where it is reported";
+    touching += c.minimum < 0;
+  }
+  EXPECT_GT(touching, 5);
+  EXPECT_LT(touching, 40);
+}
+
+// Between two samples: a dip that lasts a thousandth of the piece.
+TEST(Clearance, AShortDipOfAPieceIsFound) {
+  const Block post(0, 10, 12, -1, 1, 0, 20);
+  // The tip rises as a parabola over a distance of 1000 mm, needle along the axis, its foremost point downwards.
+  const double pointing_down = pi / 2;
+  const BezierPiece dip({homogeneous({11, -517, 21 + 2.0 * 517 / 483 * 100, 0, pointing_down}, 1),
+                         homogeneous({11, 0, 21, 0, pointing_down}, 40),
+                         homogeneous({11, 483, 21 + 200, 0, pointing_down}, 1)});
+  const std::vector<BezierPiece> pieces{BezierPiece::line({300, 0, 0, 0, 0}, {300, 0, 9, 0, 0}), dip};
+  const Clearance c = clearance(pieces, {2, 30}, {&post}, 1e-5, silent);
+  EXPECT_EQ(c.move, 1u);
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= 200000; ++i) {
+    const SplinePoint p = dip.at(i / 200000.0)[0];
+    least = std::min(least, post.distance({p[0], p[1], p[2] + 1}) - 1);
+  }
+  EXPECT_NEAR(c.minimum, least, 2e-5);
+}
+
+TEST(Clearance, OfNoPiecesIsInfinite) {
+  const Block post(0, 10, 12, -1, 1, 0, 20);
+  EXPECT_TRUE(std::isinf(clearance(std::vector<BezierPiece>{}, {2.6, 60}, {&post}, 0.01, silent).minimum));
+  const std::vector<BezierPiece> still{BezierPiece::line({20, 0, 5, pi, 0}, {20, 0, 5, pi, 0})};
+  EXPECT_NEAR(clearance(still, {2, 60}, {&post}, 1e-6, silent).minimum, 8, 1e-6) << "a piece without length";
+  EXPECT_TRUE(std::isinf(clearance(still, {2.6, 60}, {}, 0.01, silent).minimum));
+}
+
 TEST(Clearance, ImpossibleNeedlesAreRefused) {
-  const auto refused = [](NeedleShape shape) -> std::string {
+  const std::vector<NeedleMove> none;
+  const auto refused = [&](NeedleShape shape) -> std::string {
     try {
-      clearance({}, shape, {}, 0.01, silent);
+      clearance(none, shape, {}, 0.01, silent);
     } catch (const InvalidInput& e) {
       return e.faults.at(0).place.back();
     }
@@ -147,8 +253,8 @@ TEST(Clearance, ImpossibleNeedlesAreRefused) {
   EXPECT_EQ(refused({2.6, 2}), "length");
   EXPECT_EQ(refused({2.6, std::numeric_limits<double>::infinity()}), "length");
   EXPECT_EQ(refused({2.6, 60}), "");
-  EXPECT_TRUE(std::isinf(clearance({}, {2.6, 60}, {}, 0.01, silent).minimum));
-  EXPECT_THROW(clearance({}, {2.6, 60}, {}, 0, silent), std::invalid_argument);
+  EXPECT_TRUE(std::isinf(clearance(none, {2.6, 60}, {}, 0.01, silent).minimum));
+  EXPECT_THROW(clearance(none, {2.6, 60}, {}, 0, silent), std::invalid_argument);
 }
 
 }  // namespace

@@ -79,6 +79,20 @@ TEST(Block, DistanceInClosedForm) {
   EXPECT_NEAR(block.distance({-2.5, 12, 3}), -0.5, 1e-12);
 }
 
+TEST(Block, LiesBehindThePlaneAtItsNearestPoint) {
+  Random random(9);
+  const Block block(0.4, 10, 14, -1, 3, 0, 6);
+  const auto any = [&] { return Space{random.uniform(4, 18), random.uniform(-4, 14), random.uniform(-5, 12)}; };
+  int inside = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Space p = any(), q = any(), n = block.away(p);
+    EXPECT_NEAR(norm(n), 1, 1e-12);
+    EXPECT_GE(block.distance(q), block.distance(p) + dot(n, q - p) - 1e-9);
+    inside += block.distance(p) < 0;
+  }
+  EXPECT_GT(inside, 300);
+}
+
 TEST(ToolPosts, StandBehindBothSlotsTowardsTheCoilsMiddle) {
   const StatorPart part;
   for (const Coil coil : {Coil{3, 5}, Coil{3, -5}, Coil{40, 24}}) {

@@ -1,0 +1,202 @@
+#pragma once
+/// The search for the least clearance over a path, the needle and all obstacles, for any description of the path that
+/// can be halved.
+///
+/// Within a stretch of the path the needle is compared with where it is in the stretch's middle. What it moves along
+/// its own axis is seen there as a longer needle, so that a needle that dives into a slot costs no more than one that
+/// stands; only what its points move beside that lowers the bound. The longer needle is halved until every part of it
+/// is decided. Where what moves beside is too much the stretch is halved, for the part of the needle that needs it.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+#include "core/base/progress.hpp"
+#include "core/winding/needle/clearance.hpp"
+#include "core/winding/part/space.hpp"
+
+namespace bahnwerk::winding {
+
+/// How far the needle's tip is, anywhere on a stretch, from where it is in the stretch's middle, mm.
+struct Reach {
+  double whole = 0;   ///< in all
+  double along = 0;   ///< along the needle's axis in the middle
+  double beside = 0;  ///< of the rest, normal to that: in all,
+  double across = 0;  ///< in sections normal to the part's axis,
+  double height = 0;  ///< and along the part's axis
+  double turn = 0;    ///< of the needle's direction: length of the difference of unit vectors
+};
+
+/// `Stretch` has middle(), the pose there; at(), its place on the piece; reach(direction in the middle); lowest(n), the
+/// least of n · (tip − tip in the middle); half(bool second).
+template <class Stretch>
+class ClearanceSearch {
+ public:
+  ClearanceSearch(const NeedleShape& needle, const std::vector<const Obstacle*>& obstacles, double tolerance,
+                  Progress& progress)
+      : radius_(needle.width / 2),
+        length_(needle.length),
+        tolerance_(tolerance),
+        obstacles_(obstacles),
+        progress_(progress) {
+    best_.minimum = std::numeric_limits<double>::infinity();
+  }
+
+  /// `whole(n)` is the stretch that piece n is.
+  template <class Whole>
+  Clearance over(std::size_t count, const Whole& whole) {
+    // A coarse look at everything first: what is farther away than the nearest of that needs few halvings. Pieces that
+    // come nearest are searched first.
+    std::vector<double> nearest(count);
+    for (piece_ = 0; piece_ < count; ++piece_) nearest[piece_] = coarse(whole(piece_));
+    std::vector<std::size_t> order(count);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return nearest[a] < nearest[b]; });
+    for (std::size_t n = 0; n < count; ++n) {
+      done_ = static_cast<double>(n) / static_cast<double>(count);
+      piece_ = order[n];
+      // The axis of the bar, from the middle of its round end.
+      open_.clear();
+      for (std::size_t k = 0; k < obstacles_.size(); ++k) open_.push_back({k, radius_, length_});
+      descend(whole(piece_), 0, open_.size());
+    }
+    return best_;
+  }
+
+ private:
+  static constexpr double round_off = 1e-9;    // mm
+  static constexpr double along_exact = 1e-7;  // mm
+  /// Of the needle's axis, before an obstacle.
+  struct Part {
+    std::size_t obstacle;
+    double first, last;
+  };
+
+  void ask() {
+    if (count_++ % 1024 == 0) progress_.report("clearance", done_);
+  }
+  double look(std::size_t k, Space at, double u, double s) {
+    const double found = obstacles_[k]->distance(at) - radius_;
+    if (found < best_.minimum) best_ = {found, piece_, u, s, k};
+    return found;
+  }
+  double coarse(const Stretch& whole) {
+    double least = std::numeric_limits<double>::infinity();
+    const Stretch halves[] = {whole.half(false), whole.half(true)};
+    for (const Stretch* stretch : {&halves[0], &whole, &halves[1]}) {
+      ask();
+      const NeedlePose pose = stretch->middle();
+      const Space d = pose.direction();
+      for (int j = 0; j <= 8; ++j) {
+        const double s = radius_ + j / 8.0 * (length_ - radius_);
+        for (std::size_t k = 0; k < obstacles_.size(); ++k)
+          least = std::min(least, look(k, pose.tip - s * d, stretch->at(), s));
+      }
+    }
+    return least;
+  }
+
+  /// Parts of the needle open_[begin] to open_[end] over a stretch.
+  void descend(const Stretch& stretch, std::size_t begin, std::size_t end) {
+    pose_ = stretch.middle(), direction_ = pose_.direction(), at_ = stretch.at(), reach_ = stretch.reach(direction_);
+    for (std::size_t i = begin; i < end; ++i) {
+      const Part part = open_[i];
+      if (obstacles_[part.obstacle]->convex()) {
+        if (!decided(stretch, part.obstacle)) open_.push_back(part);
+        continue;
+      }
+      low_ = std::numeric_limits<double>::infinity(), high_ = -low_;
+      halved(part.obstacle, (part.first + part.last) / 2, (part.last - part.first) / 2 + reach_.along);
+      if (low_ > high_) continue;
+      const Part rest{part.obstacle, std::max(part.first, low_ - reach_.along),
+                      std::min(part.last, high_ + reach_.along)};
+      if (rest.first <= rest.last) open_.push_back(rest);
+    }
+    const std::size_t left = open_.size();
+    if (left == end) return;
+    descend(stretch.half(false), end, left);
+    descend(stretch.half(true), end, left);
+    open_.resize(end);
+  }
+
+  /// A convex obstacle: the nearest point of the needle is found exactly, and the obstacle lies behind the plane there.
+  bool decided(const Stretch& stretch, std::size_t k) {
+    ask();
+    const Obstacle& obstacle = *obstacles_[k];
+    const double enough = best_.minimum - tolerance_ + round_off + along_exact, turned = length_ * reach_.turn;
+    const double middle = (radius_ + length_) / 2, half = (length_ - radius_) / 2;
+    if (look(k, pose_.tip - middle * direction_, at_, middle) - half - reach_.whole - turned >= enough) return true;
+    const double s = nearest_along(obstacle);
+    const Space at = pose_.tip - s * direction_;
+    const double found = look(k, at, at_, s);
+    if (found - reach_.whole - turned >= enough) return true;
+    const Space n = obstacle.away(at);
+    const double slope = -dot(n, direction_), ahead = std::min(slope * (radius_ - s), slope * (length_ - s));
+    return found + ahead + stretch.lowest(n) - turned >= enough;
+  }
+  /// Where on the needle the obstacle is nearest: a golden section search, which stands on a needle that lies flat
+  /// against a face as well.
+  double nearest_along(const Obstacle& obstacle) const {
+    double first = radius_, last = length_;
+    const auto value = [&](double s) { return obstacle.distance(pose_.tip - s * direction_); };
+    const double golden = (std::sqrt(5.0) - 1) / 2;
+    double a = last - golden * (last - first), b = first + golden * (last - first), at_a = value(a), at_b = value(b);
+    while (last - first > along_exact) {
+      if (at_a <= at_b) {
+        last = b, b = a, at_b = at_a;
+        at_a = value(a = last - golden * (last - first));
+      } else {
+        first = a, a = b, at_a = at_b;
+        at_b = value(b = first + golden * (last - first));
+      }
+    }
+    return (first + last) / 2;
+  }
+
+  /// From s − half to s + half on the axis; what stays undecided widens low_ to high_.
+  void halved(std::size_t k, double s, double half) {
+    ask();
+    const Obstacle& obstacle = *obstacles_[k];
+    const Space p = pose_.tip - s * direction_;
+    const double found = s >= radius_ && s <= length_ ? look(k, p, at_, s) : obstacle.distance(p) - radius_;
+    const double enough = best_.minimum - tolerance_ + round_off, turn = std::min(s + half, length_) * reach_.turn;
+    double moved = reach_.beside + turn, most = found - moved;
+    if (most - half >= enough) return;
+    // Of what is decided in a section, or by the height alone, only what moves that way counts. Where it would decide
+    // if the stretch were short enough, so it does for how long that has to be.
+    const auto decides = [&](double distance, double by, double share) {
+      const double least = distance - by - turn;
+      if (least - share * half >= enough) return true;
+      most = std::max(most, least);
+      if (distance >= enough + tolerance_ / 2) moved = std::min(moved, by + turn);
+      return false;
+    };
+    if (decides(obstacle.height_distance(p) - radius_, reach_.height, std::abs(direction_.z))) return;
+    if (reach_.across < reach_.beside || direction_.z != 0)
+      if (decides(obstacle.section_distance(p) - radius_, reach_.across, std::hypot(direction_.x, direction_.y)))
+        return;
+    if (moved >= half || most < enough || half <= tolerance_ / 8) {
+      low_ = std::min(low_, s - half), high_ = std::max(high_, s + half);
+      return;
+    }
+    halved(k, s + half / 2, half / 2);
+    halved(k, s - half / 2, half / 2);
+  }
+
+  double radius_, length_, tolerance_;
+  const std::vector<const Obstacle*>& obstacles_;
+  Progress& progress_;
+  Clearance best_;
+  std::vector<Part> open_;
+  std::size_t piece_ = 0, count_ = 0;
+  double done_ = 0;
+  // Of the stretch at hand.
+  NeedlePose pose_;
+  Space direction_;
+  double at_ = 0, low_ = 0, high_ = 0;
+  Reach reach_;
+};
+
+}  // namespace bahnwerk::winding

@@ -1,0 +1,59 @@
+#pragma once
+/// What the needle must not touch when it winds a rotor: poles with their shoes, the hub between them, end caps with
+/// their walls. Lengths mm, angles rad.
+#include <algorithm>
+#include <vector>
+
+#include "core/winding/needle/obstacles.hpp"
+
+namespace bahnwerk::winding {
+
+/// What the slot's and the heads' parameters leave open; [Herrmann] gives no sizes for it.
+struct RotorShape {
+  double shoe_edge = 0;      ///< radial thickness of the pole shoe at its edges, mm
+  double outer_wall = 0;     ///< height of the end cap's wall at the pole shoe above the cap's grooves, mm; 0: none
+  double wall_overhang = 0;  ///< by how much the cap's walls are wider than the flanks below them, to either side, mm
+};
+
+/// Poles and hub over the stack and, below the grooves of both end caps, these. In the section of a pole: the slot's
+/// outline on both sides, a circle about the axis through the outer ends of the shoe's flanks (or their edges), and the
+/// hub's through the inner ends of the root's flanks. Poles are alike and symmetric, so that of several the one nearest
+/// in azimuth decides.
+class RotorIron final : public Obstacle {
+ public:
+  /// `slot` is checked_slot(part). Throws InvalidInput naming members of "rotor", and slot.root_flank where the
+  /// flanks reach into the hub or beyond the shoe.
+  RotorIron(const RotorPart& part, const Slot& slot, const RotorShape& shape = {});
+  double distance(Space p) const override;
+  double section_distance(Space p) const override;
+  double height_distance(Space p) const override { return std::max(low_ - p.z, p.z - high_); }
+  /// One pole and the whole hub; x along the pole's middle from the rotor's axis, y across it.
+  const Region& iron() const { return iron_; }
+
+ private:
+  Region iron_;
+  double pitch_, low_, high_;
+};
+
+/// A convex section, in the plane of radius and axis at one azimuth, that extends straight across that plane.
+class Wall final : public Obstacle {
+ public:
+  /// `section` counterclockwise and convex: x the radius, y the height along the part's axis.
+  Wall(double azimuth, Region section, double half_width);
+  double distance(Space p) const override;
+  bool convex() const override { return true; }
+  Space away(Space p) const override;
+
+ private:
+  double azimuth_, half_width_;
+  Region section_;
+};
+
+/// The walls of both end caps at every pole, below and above: inner ones, which continue the root's flank from the
+/// cap's grooves to its height and are taken as solid down to the axis, and outer ones on the shoe if the shape has
+/// any. They are as wide as the flanks below them. Where the source's needle lies across the cap while its tip passes
+/// the wires, (4.28) and (4.29), there is no room for an outer wall; it gives none. Throws InvalidInput naming members
+/// of "rotor".
+std::vector<Wall> cap_walls(const RotorPart& part, const Slot& slot, const RotorShape& shape = {});
+
+}  // namespace bahnwerk::winding
