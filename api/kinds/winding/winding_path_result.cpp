@@ -9,7 +9,6 @@ namespace {
 
 using nlohmann::ordered_json;
 using winding::FixedPiece;
-using winding::NeedlePiece;
 
 constexpr double degrees = 180 / std::numbers::pi;
 constexpr std::size_t per_report = 1024;
@@ -24,11 +23,6 @@ ordered_json support_point(const FixedPiece& piece, const winding::SupportPoint&
           {"orientation", {degrees * phi, degrees * psi}},
           {"pivot_shift", degrees * point.pivot_shift},
           {"exit_angle", degrees * point.exit_angle}};
-}
-
-/// k of G^k where two pieces meet: within a link, at its extra point, it is of class C^(2k − 1).
-std::size_t continuity(const NeedlePiece& before, const NeedlePiece& after, std::size_t k) {
-  return before.link && after.link ? 2 * k - 1 : k;
 }
 
 }  // namespace
@@ -53,10 +47,8 @@ ordered_json path(const WindingRequest& request, const WindingPlan& plan, Progre
     points.push_back({p[0], p[1], p[2], degrees * p[3], degrees * p[4]});
     weights.push_back(nurbs.points[i].back());
   }
-  const auto& pieces = plan.path.pieces;
-  for (std::size_t i = 1; i < pieces.size(); ++i)
-    joints.push_back(
-        {{"parameter", i}, {"continuity", continuity(pieces[i - 1], pieces[i], request.links.continuity)}});
+  for (std::size_t i = 1; i < plan.path.pieces.size(); ++i)
+    joints.push_back({{"parameter", i}, {"continuity", request.links.continuity}});
   return {{"length", plan.path_length},    {"degree", nurbs.degree}, {"points", std::move(points)},
           {"weights", std::move(weights)}, {"knots", nurbs.knots},   {"joints", std::move(joints)}};
 }
@@ -66,15 +58,19 @@ ordered_json links(const WindingRequest& request, const WindingPlan& plan, Progr
   ordered_json list = ordered_json::array();
   for (std::size_t i = 0; i < plan.path.links.size(); ++i) {
     if (i % per_report == 0) progress.report("writing", 1);
-    const winding::NeedleLink& link = plan.path.links[i];
+    const auto& all = plan.path.links;
+    const winding::NeedleLink& link = all[i];
+    // Two links with an extra point between them start from the same piece.
+    const bool after_point = i > 0 && all[i - 1].from == link.from,
+               before_point = i + 1 < all.size() && all[i + 1].from == link.from;
     const FixedPiece& from = plan.support[link.from];
     ordered_json beta = ordered_json::array();
     for (const Betas* end : {&link.best.shape.before, &link.best.shape.after})
       for (std::size_t j = 0; j < k; ++j) beta.push_back((*end)[j]);
     list.push_back({{"coil", from.coil + 1},
                     {"turn", from.turn + 1},
-                    {"from", laying_region(from)},
-                    {"to", laying_region(plan.support[link.from + 1])},
+                    {"from", after_point ? "extra_point" : laying_region(from)},
+                    {"to", before_point ? "extra_point" : laying_region(plan.support[link.from + 1])},
                     {"beta", std::move(beta)},
                     {"curvature_integral", link.curvature},
                     {"smoothness", link.best.smoothness}});

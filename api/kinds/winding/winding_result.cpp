@@ -86,22 +86,14 @@ ordered_json notes(const WindingRequest& request, const WindingPlan& plan) {
   if (request.turns > 0 && request.turns < plan.layout[0].wires.size())
     list.push_back("the slot takes " + std::to_string(plan.layout[0].wires.size()) + " turns of this wire, " +
                    std::to_string(request.turns) + " are wound");
-  if (!(plan.clearance.minimum < unlimited))
-    list.push_back("clearance is known of stators only: about a rotor's pole it is not checked");
   return list;
 }
 
-/// Where the tool's path is on the move at `u`, mm: by its share of the move.
-double path_length(const WindingPlan& plan, std::size_t move, double u) {
-  const bool link = move % 2 == 1;
-  double begin = plan.path_length, end = 0;
-  const Path& tool = plan.tool->tool;
-  for (std::size_t i = 0; i < tool.size(); ++i) {
-    const winding::NeedlePiece& piece = plan.path.pieces[tool[i].source()];
-    if (piece.fixed != move / 2 || piece.link != link) continue;
-    begin = std::min(begin, tool[i].s0()), end = std::max(end, tool[i].s1());
-  }
-  return end > begin ? begin + u * (end - begin) : begin;
+/// Where the tool's path is at parameter `v` of a piece, mm.
+double path_length(const Path& tool, std::size_t piece, double v) {
+  for (std::size_t i = 0; i < tool.size(); ++i)
+    if (tool[i].source() == piece && v <= tool[i].curve().end()) return tool[i].arc_length(v);
+  return tool.length();
 }
 
 }  // namespace
@@ -116,15 +108,14 @@ const char* laying_region(const FixedPiece& piece) {
 }
 
 ordered_json clearance(const WindingPlan& plan) {
-  if (!(plan.clearance.minimum < unlimited)) return nullptr;
-  const FixedPiece& piece = plan.support.at(plan.clearance.move / 2);
-  return {{"minimum", plan.clearance.minimum},
-          {"coil", piece.coil + 1},
-          {"turn", piece.turn + 1},
-          {"region", laying_region(piece)},
-          {"link", plan.clearance.move % 2 == 1},
-          {"at", path_length(plan, plan.clearance.move, plan.clearance.at)},
-          {"along", plan.clearance.along}};
+  const winding::Clearance& least = plan.clearance;
+  if (!(least.minimum < unlimited)) return nullptr;
+  const winding::NeedlePiece& piece = plan.path.pieces.at(least.move);
+  const FixedPiece& fixed = plan.support.at(piece.fixed);
+  return {{"minimum", least.minimum}, {"coil", fixed.coil + 1},
+          {"turn", fixed.turn + 1},   {"region", laying_region(fixed)},
+          {"link", piece.link},       {"at", path_length(plan.tool->tool, least.move, least.at)},
+          {"along", least.along},     {"nearest", plan.nearest}};
 }
 
 ordered_json details(const WindingRequest& request, const WindingPlan& plan, Progress& progress) {

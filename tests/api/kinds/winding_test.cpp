@@ -161,7 +161,8 @@ TEST(WindingPlan, ResultHasTheContractsForm) {
   const auto& r = job.result;
   EXPECT_EQ(r["summary"]["turns"], 4);
   EXPECT_EQ(r["summary"]["coils"], 2);
-  EXPECT_TRUE(r["summary"]["clearance"].is_null());
+  EXPECT_EQ(r["summary"]["clearance"], r["details"]["clearance"]["minimum"]);
+  EXPECT_LE(r["details"]["clearance"]["at"], r["summary"]["path_length"]);
   EXPECT_GT(r["summary"]["resistance"].get<double>(), 0);
   const auto& d = r["details"];
   EXPECT_EQ(d["turns"].size(), 4u);
