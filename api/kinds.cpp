@@ -5,6 +5,7 @@
 #include "api/kind.hpp"
 #include "api/kinds/contour.hpp"
 #include "api/kinds/fill_factor.hpp"
+#include "api/kinds/winding/winding.hpp"
 
 namespace bahnwerk::api {
 
@@ -14,6 +15,8 @@ std::span<const Kind> kinds() {
            contour::check, contour::plan},
       Kind{"fill_factor", "How many round wires a slot takes, by winding styles", embedded("fill_factor"),
            embedded("fill_factor.result"), fill_factor::check, fill_factor::plan},
+      Kind{"winding", "Coils of a stator or rotor wound by a needle, from slot to machine setpoints",
+           embedded("winding"), embedded("winding.result"), winding_kind::check, winding_kind::plan},
   };
   return list;
 }

@@ -86,7 +86,8 @@ constexpr std::array<ProblemType, 34> catalogue{{
     {"infeasible", 0, "No motion satisfies the limits",
      "The limits contradict each other or the contour. `detail` names where. Loosen the limits or change the contour."},
     {"unreachable-pose", 0, "A pose lies outside what the machine reaches",
-     "`detail` names the path length at which the machine cannot follow. Move the part or choose another machine."},
+     "`detail` names the path length at which the machine cannot follow, of a winding also turn and region. Move the "
+     "part or choose another machine."},
     {"tolerance-unreachable", 0, "A tolerance cannot be met",
      "`detail` names the best value reached. Widen the tolerance or allow the planner more freedom."},
     {"budget-exhausted", 0, "The time budget ran out before the plan was finished",
@@ -94,9 +95,10 @@ constexpr std::array<ProblemType, 34> catalogue{{
     {"deadline-exceeded", 0, "The deadline passed before the plan was finished",
      "Post the job again with a later `deadline`, a higher `priority`, or without a deadline."},
     {"verification-failed", 0, "The finished plan did not pass the independent verification",
-     "The plan was computed but breaks a limit, so it was not released; `detail` names the checks. This is a fault of "
-     "the planner, not "
-     "of the document: please report it together with the document."},
+     "The plan was computed but breaks a limit, so it was not released; `detail` names the checks. Where that is "
+     "`needle clearance` the needle of a winding does not keep the distance asked for: a narrower needle, a pivot "
+     "shift or other dimensions help. Anything else is a fault of the planner, not of the document: please report it "
+     "together with the document."},
     {"cancelled", 0, "The job was cancelled",
      "Someone asked for it with POST /v1/jobs/{id}/cancel. Post the document again if needed."},
     {"worker-lost", 0, "The process that planned the job died repeatedly",

@@ -37,8 +37,8 @@ declare -A allowed=(
   [core/plan]="core/verify/ core/winding/ core/motion/axes/path_task.hpp core/motion/law/ core/motion/setpoints/ core/motion/acceleration/acceleration_limited.hpp core/motion/jerk/jerk_limited.hpp core/motion/natural/natural_law.hpp
     core/contour/ core/machine/ core/drawing/ core/geometry/ core/numeric/random.hpp core/base/"
   [api]="core/plan/ core/base/
-    core/contour/contour.hpp core/contour/builder.hpp core/contour/polyline.hpp core/contour/dxf.hpp core/contour/gcode.hpp core/machine/machine.hpp
-    core/winding/wire.hpp core/winding/slot/coil_sides.hpp core/winding/layout/count_bound.hpp"
+    core/contour/contour.hpp core/contour/builder.hpp core/contour/polyline.hpp core/contour/dxf.hpp core/contour/gcode.hpp core/machine/
+    core/winding/wire.hpp core/winding/slot/slot.hpp core/winding/slot/coil_sides.hpp core/winding/laying/laying_regions.hpp core/winding/layout/count_bound.hpp"
   [server]="api/ core/base/errors.hpp core/base/progress.hpp"
   [server/runtime]="api/job.hpp"
   [server/store]="server/runtime/ api/job.hpp api/problem.hpp api/setpoints.hpp"

@@ -20,36 +20,6 @@ constexpr double degree = std::numbers::pi / 180;
 
 Point point(const json& value) { return {value[0].get<double>(), value[1].get<double>()}; }
 
-winding::StatorSlot stator(const json& s) {
-  winding::StatorSlot slot;
-  slot.base_width = s["base_width"];
-  slot.opening_width = s["opening_width"];
-  slot.height = s["height"];
-  slot.tip_angle = degree * s["tip_angle"].get<double>();
-  slot.base_radius = s["base_radius"];
-  slot.base_corner_radius = s.value("base_corner_radius", 0.0);
-  slot.tip_corner_radius = s.value("tip_corner_radius", 0.0);
-  slot.liner = s.value("liner", 0.0);
-  slot.wedge_thickness = s.value("wedge_thickness", 0.0);
-  slot.wedge_width = s.value("wedge_width", 0.0);
-  return slot;
-}
-
-winding::RotorSlot rotor(const json& s) {
-  winding::RotorSlot slot;
-  slot.grooves = s["grooves"];
-  slot.groove_radius = s["groove_radius"];
-  slot.groove_pitch = s["groove_pitch"];
-  slot.shoe_radius = s["shoe_radius"];
-  slot.shoe_angle = degree * s["shoe_angle"].get<double>();
-  slot.root_angle = degree * s["root_angle"].get<double>();
-  slot.base_width = s["base_width"];
-  slot.root_flank = s["root_flank"];
-  slot.shoe_flank = s["shoe_flank"];
-  slot.height = s["height"];
-  return slot;
-}
-
 winding::PolygonSlot polygon(const json& s) {
   winding::PolygonSlot slot;
   for (const auto& p : s["points"]) slot.points.push_back(point(p));
@@ -60,69 +30,35 @@ winding::PolygonSlot polygon(const json& s) {
 }
 
 winding::Slot slot(const json& s, Progress* progress) {
-  if (s["type"] == "stator") return make_slot(stator(s));
-  if (s["type"] == "rotor") return make_slot(rotor(s));
+  if (s["type"] == "stator") return make_slot(stator_slot(s));
+  if (s["type"] == "rotor") return make_slot(rotor_slot(s));
   return make_slot(polygon(s), progress);
 }
 
-/// Members of `heads` for one type of slot.
-class HeadReader {
- public:
-  HeadReader(const json& heads, std::vector<InputFault>& faults) : heads_(heads), faults_(faults) {}
+/// Which members of `heads` one type of slot has.
+void allow_only(std::initializer_list<const char*> known, const json& heads, const std::string& type,
+                std::vector<InputFault>& faults) {
+  for (const auto& [member, value] : heads.items())
+    if (std::find(known.begin(), known.end(), member) == known.end())
+      faults.push_back({{"heads", member}, "does not belong to " + type});
+}
 
-  void take(const char* member, double& value, double unit = 1) {
-    known_.emplace_back(member);
-    if (const auto v = given<double>(heads_, member)) value = unit * *v;
-  }
-  void take(const char* member, int& value) {
-    known_.emplace_back(member);
-    if (const auto v = given<int>(heads_, member)) value = *v;
-  }
-  void finish(const std::string& type) {
-    for (const auto& [member, value] : heads_.items())
-      if (std::find(known_.begin(), known_.end(), member) == known_.end())
-        faults_.push_back({{"heads", member}, "does not belong to " + type});
-  }
-
- private:
-  const json& heads_;
-  std::vector<InputFault>& faults_;
-  std::vector<std::string> known_;
-};
-
-winding::StatorHeads stator_heads(const json& heads, const winding::StatorSlot& slot, std::vector<InputFault>& faults) {
-  constexpr double behind_base = 99.971 - 95.7;  // [Herrmann Table 4.3]
-  winding::StatorHeads h;
-  h.base_radius = slot.base_radius + slot.liner;
-  h.tool_radius = h.base_radius + behind_base;
-  HeadReader reader(heads, faults);
-  reader.take("slot_pitch", h.slot_pitch, degree);
-  reader.take("span", h.span);
-  reader.take("tool_radius", h.tool_radius);
-  reader.take("tool_shift", h.tool_shift);
-  reader.take("tool_height", h.tool_height);
-  reader.take("stack", h.stack);
-  reader.finish("a stator slot");
-  if (h.tool_radius < h.base_radius)
-    faults.push_back(
-        {{"heads", "tool_radius"}, "lies inside the slot's base, at " + short_number(h.base_radius) + " mm"});
+winding::StatorHeads heads_of_stator(const json& heads, const winding::StatorSlot& slot,
+                                     std::vector<InputFault>& faults) {
+  allow_only({"slot_pitch", "span", "tool_radius", "tool_shift", "tool_height", "stack"}, heads, "a stator slot",
+             faults);
+  winding::StatorHeads h = stator_heads(heads, slot, {"heads"}, faults);
+  take(heads, "slot_pitch", h.slot_pitch, degree);
+  take(heads, "span", h.span);
   if (h.span * h.slot_pitch >= std::numbers::pi)
     faults.push_back(
         {{"heads", "span"}, "takes the coil to the other side of the stator: less than half a turn is possible"});
   return h;
 }
 
-winding::RotorHeads rotor_heads(const json& heads, std::vector<InputFault>& faults) {
-  winding::RotorHeads h;
-  HeadReader reader(heads, faults);
-  reader.take("cap_height", h.cap_height);
-  reader.take("cap_base", h.cap_base);
-  reader.take("stack", h.stack);
-  reader.take("tooth_half_width", h.tooth_half_width);
-  reader.take("tooth_radius", h.tooth_radius);
-  reader.finish("a rotor slot");
-  if (h.cap_height <= h.cap_base) faults.push_back({{"heads", "cap_height"}, "is no higher than the cap's grooves"});
-  return h;
+winding::RotorHeads heads_of_rotor(const json& heads, std::vector<InputFault>& faults) {
+  allow_only({"cap_height", "cap_base", "stack", "tooth_half_width", "tooth_radius"}, heads, "a rotor slot", faults);
+  return rotor_heads(heads, {"heads"}, faults);
 }
 
 void read_algorithms(const json& spec, FillRequest& request, std::vector<InputFault>& faults) {
@@ -139,8 +75,8 @@ void read_algorithms(const json& spec, FillRequest& request, std::vector<InputFa
 
 void read_heads(const json& spec, FillRequest& request, std::vector<InputFault>& faults) {
   const json heads = spec.value("heads", json::object());
-  if (spec["slot"]["type"] == "stator") request.heads = stator_heads(heads, stator(spec["slot"]), faults);
-  if (spec["slot"]["type"] == "rotor") request.heads = rotor_heads(heads, faults);
+  if (spec["slot"]["type"] == "stator") request.heads = heads_of_stator(heads, stator_slot(spec["slot"]), faults);
+  if (spec["slot"]["type"] == "rotor") request.heads = heads_of_rotor(heads, faults);
   if (spec["slot"]["type"] == "polygon" && !heads.empty())
     faults.push_back({{"heads"}, "a polygon has no winding heads: tie_in draws all its wires"});
 }

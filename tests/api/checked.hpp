@@ -13,12 +13,14 @@
 
 namespace bahnwerk::api::test {
 
-/// "velocity x" → "velocity", "overlap with the boundary needle, head_top" → "overlap with the boundary": what the
-/// schema's description of a check's name has to contain.
+/// "velocity x" → "velocity", "jerk q3" → "jerk", "overlap with the boundary needle, head_top" → "overlap with the
+/// boundary": what the schema's description of a check's name has to contain.
 inline std::string check_stem(std::string name) {
   for (const char* end : {" (feed ", " orthocyclic_", " raabe", " potential", " needle", " x", " y", " z"})
     if (const auto at = name.rfind(end); at != name.npos && (end[1] == '(' || end[2] != 0 || at + 2 == name.size()))
       name.resize(at);
+  // An axis of a winding machine.
+  if (const std::size_t n = name.size(); n > 3 && name.compare(n - 3, 2, " q") == 0) name.resize(n - 3);
   return name;
 }
 

@@ -97,6 +97,7 @@ TEST(Results, TheSchemaNoticesWhatIsWrong) {
 
 TEST(Results, ChecksAreKnownByTheirStem) {
   EXPECT_EQ(test::check_stem("velocity x"), "velocity");
+  EXPECT_EQ(test::check_stem("jerk q3"), "jerk");
   EXPECT_EQ(test::check_stem("path velocity (feed 12.5)"), "path velocity");
   EXPECT_EQ(test::check_stem("overlap with the boundary needle, head_top"), "overlap with the boundary");
   EXPECT_EQ(test::check_stem("distance from contour"), "distance from contour");

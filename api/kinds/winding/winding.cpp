@@ -1,0 +1,92 @@
+#include "api/kinds/winding/winding.hpp"
+
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "api/kinds/winding/winding_input.hpp"
+#include "api/kinds/winding/winding_result.hpp"
+#include "api/problem.hpp"
+#include "api/verification.hpp"
+
+namespace bahnwerk::api::winding_kind {
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+/// The setpoints with what they are computed from: path and machine are the plan's.
+class PlannedSetpoints final : public SetpointSource {
+ public:
+  explicit PlannedSetpoints(WindingPlan& plan)
+      : tool_(plan.tool), machine_(plan.machine.kinematics), source_(std::move(plan.motion.setpoints)) {}
+  const std::vector<Column>& columns() const override { return source_->columns(); }
+  std::size_t count() const override { return source_->count(); }
+  double cycle_time() const override { return source_->cycle_time(); }
+  double duration() const override { return source_->duration(); }
+  void read(std::size_t first, std::size_t rows, double* out) const override { source_->read(first, rows, out); }
+
+ private:
+  std::shared_ptr<const PosePath> tool_;
+  std::shared_ptr<const Kinematics> machine_;
+  std::unique_ptr<SetpointSource> source_;
+};
+
+ordered_json columns(const SetpointSource& source) {
+  ordered_json list = ordered_json::array();
+  for (const auto& column : source.columns()) list.push_back({{"name", column.name}, {"unit", column.unit}});
+  return list;
+}
+
+ordered_json summary(const WindingPlan& plan) {
+  const double least = plan.clearance.minimum;
+  return {{"duration", plan.motion.duration},
+          {"path_length", plan.path_length},
+          {"wire_length", plan.wire_length},
+          {"resistance", plan.resistance},
+          {"strokes_per_minute", plan.strokes_per_minute},
+          {"coils", plan.turns.empty() ? 0 : plan.turns.back().coil + 1},
+          {"turns", plan.turns.size()},
+          {"clearance", std::isfinite(least) ? ordered_json(least) : ordered_json()}};
+}
+
+}  // namespace
+
+void check(const json& spec) {
+  try {
+    request(spec);
+  } catch (const InvalidInput&) {
+    throw problem_from_current_exception("/spec");
+  }
+}
+
+PlannedJob plan(const json& spec, Progress& progress) {
+  progress.report("read", 0.0);
+  const WindingRequest asked = request(spec);
+  WindingPlan plan = [&] {
+    try {
+      return plan_winding(asked, progress);
+    } catch (const InvalidInput& error) {
+      throw relocated(error);
+    }
+  }();
+  const SetpointSource& setpoints = *plan.motion.setpoints;
+  const Bound& bound = plan.motion.bound;
+  PlannedJob job;
+  job.verified = plan.motion.verification.passed;
+  job.result = {{"kind", "winding"},
+                {"summary", summary(plan)},
+                {"verification", verification(in_degrees(plan.motion.verification))},
+                {"bound", {{"duration", bound.duration}, {"gap", bound.gap}, {"basis", bound.basis}}},
+                {"setpoints",
+                 {{"count", setpoints.count()},
+                  {"duration", setpoints.duration()},
+                  {"cycle_time", setpoints.cycle_time()},
+                  {"columns", columns(setpoints)}}},
+                {"details", details(asked, plan, progress)}};
+  job.setpoints = std::make_unique<PlannedSetpoints>(plan);
+  return job;
+}
+
+}  // namespace bahnwerk::api::winding_kind

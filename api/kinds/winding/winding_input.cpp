@@ -1,0 +1,90 @@
+// The spec of kind "winding" → WindingRequest.
+#include "api/kinds/winding/winding_input.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "api/kinds/winding/winding.hpp"
+#include "core/winding/layout/count_bound.hpp"
+
+namespace bahnwerk::api::winding_kind {
+namespace {
+
+using nlohmann::json;
+using winding::LayingRegions;
+using winding::Slot;
+
+/// Turns that no layout can have, by a proven bound, and more than anybody winds.
+void check_turns(const WindingRequest& request, const Slot& slot, Faults& faults) {
+  const double r = request.wire.radius();
+  const std::size_t bound = winding::max_wires(slot.usable_area, r, 2 * r), coils = request.coils.size();
+  if (bound == 0) {
+    faults.push_back({{"wire"}, "does not fit into the slot"});
+  } else if (request.turns > bound) {
+    faults.push_back({{"coil", "turns"},
+                      "are " + std::to_string(request.turns) + "; the slot has places for no more than " +
+                          std::to_string(bound) + ", by a proven bound"});
+  } else if (bound > max_turns) {
+    faults.push_back({{"wire"},
+                      "is too thin for this slot: the bound is " + short_number(static_cast<double>(bound)) +
+                          " turns, at most " + std::to_string(max_turns) + " are planned"});
+  } else if (coils * (request.turns ? request.turns : bound) > max_all_turns && coils > 1) {
+    faults.push_back(
+        {{"coil", "repeat", "count"},
+         "makes more than " + std::to_string(max_all_turns) + " turns in all: fewer coils or coil.turns are needed"});
+  }
+}
+
+/// Slot and regions are made to find what is impossible; planning makes them again.
+void check_part(WindingRequest& request, const json& spec, Faults& faults) {
+  const auto* stator = std::get_if<winding::StatorPart>(&request.part);
+  const auto* rotor = std::get_if<winding::RotorPart>(&request.part);
+  const Slot slot = stator ? checked_slot(*stator) : checked_slot(*rotor);
+  request.coils = coils(spec, request.part);
+  for (const winding::Coil& coil : request.coils)
+    stator ? coil_regions(*stator, slot, coil) : coil_regions(*rotor, slot, coil);
+  if (request.wire.outer > 0) check_turns(request, slot, faults);
+}
+
+}  // namespace
+
+InvalidInput relocated(const InvalidInput& error) {
+  Faults faults = error.faults;
+  for (InputFault& fault : faults) {
+    auto& place = fault.place;
+    if (place.empty()) continue;
+    if (place.front() == "slot") place.insert(place.begin(), "part");
+    if (place.front() == "heads") place.front() = "part";
+  }
+  return InvalidInput(std::move(faults));
+}
+
+WindingRequest request(const json& spec) {
+  WindingRequest request;
+  Faults faults;
+  if (const auto wire = read_wire(spec["wire"], {"wire"}, spec.value("grade", 2), faults)) request.wire = *wire;
+  request.part = part(spec, faults);
+  take(spec["coil"], "turns", request.turns);
+  request.configurations = machine(spec, faults);
+  take(spec["machine"], "cycle_time", request.cycle_time);
+  request.links = links(spec);
+  request.model = needle_model(spec, request.wire);
+  request.needle = needle_shape(spec);
+  const auto* stator = std::get_if<winding::StatorPart>(&request.part);
+  request.tool = tool(spec, stator ? &stator->heads : nullptr, faults);
+  take(spec.value("needle", json::object()), "clearance", request.least_clearance);
+  request.feed = value_of<FeedMethod>(spec.value("feed", json::object()).value("method", "optimised"), feed_methods);
+  request.along = feed_limits(spec);
+  take(spec, "temperature", request.temperature);
+  request.max_setpoints = max_setpoints;
+  if (request.needle.length < request.needle.width)
+    faults.push_back({{"needle", "length"}, "is less than the needle's width"});
+  try {
+    check_part(request, spec, faults);
+  } catch (const InvalidInput& error) {
+    for (const InputFault& fault : relocated(error).faults) faults.push_back(fault);
+  }
+  if (!faults.empty()) throw InvalidInput(std::move(faults));
+  return request;
+}
+
+}  // namespace bahnwerk::api::winding_kind

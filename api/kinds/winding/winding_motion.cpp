@@ -1,0 +1,75 @@
+// Path, feed, pull and needle of a spec of kind "winding".
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "api/kinds/winding/winding_input.hpp"
+
+namespace bahnwerk::api::winding_kind {
+namespace {
+
+using nlohmann::json;
+
+constexpr double degree = std::numbers::pi / 180;
+
+json member(const json& spec, const char* name) { return spec.value(name, json::object()); }
+
+}  // namespace
+
+winding::LinkOptions links(const json& spec) {
+  const json path = member(spec, "path");
+  winding::LinkOptions options;
+  take(path, "continuity", options.continuity);
+  take(path, "curvature_weight", options.weights.curvature);
+  take(path, "curvature_rate_weight", options.weights.rate);
+  take(path, "extra_point", options.extra_point);
+  if (path.value("objective", "curvature") == "control_distance") options.objective = LinkObjective::control_distance;
+  return options;
+}
+
+winding::NeedleModel needle_model(const json& spec, const winding::Wire& wire) {
+  const json pull = member(spec, "pull"), needle = member(spec, "needle");
+  winding::NeedleModel model;
+  model.pull.bending_moment = winding::bending_moment(wire);
+  take(pull, "force", model.pull.force);
+  take(pull, "bend_radius", model.pull.bend_radius);
+  take(pull, "bending_moment", model.pull.bending_moment);
+  take(pull, "free_length", model.pull.free_length);
+  if (const auto limit = given<double>(needle, "pivot_limit")) model.pivot_limit = degree * *limit;
+  take(needle, "change_radius", model.change_radius);
+  take(needle, "change_height", model.change_height);
+  return model;
+}
+
+winding::NeedleShape needle_shape(const json& spec) {
+  const json needle = member(spec, "needle");
+  winding::NeedleShape shape;
+  take(needle, "width", shape.width);
+  take(needle, "length", shape.length);
+  return shape;
+}
+
+winding::ToolPost tool(const json& spec, const winding::StatorHeads* heads, Faults& faults) {
+  winding::ToolPost post;
+  const json document = member(spec, "tool");
+  if (!heads) {
+    if (!document.empty()) faults.push_back({{"tool"}, "belongs to a stator: a rotor is wound without winding tools"});
+    return post;
+  }
+  take(document, "width", post.width);
+  take(document, "thickness", post.thickness);
+  take(document, "height", post.height);
+  if (post.thickness >= heads->tool_radius)
+    faults.push_back({{"tool", "thickness"}, "reaches the stator's axis: less than part.tool_radius is possible"});
+  return post;
+}
+
+Limits feed_limits(const json& spec) {
+  const json feed = member(spec, "feed");
+  Limits limits;
+  take(feed, "velocity", limits.velocity);
+  take(feed, "acceleration", limits.acceleration);
+  take(feed, "jerk", limits.jerk);
+  return limits;
+}
+
+}  // namespace bahnwerk::api::winding_kind

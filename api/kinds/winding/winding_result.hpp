@@ -1,0 +1,24 @@
+#pragma once
+/// What is reported of a winding plan. Angles are deg, turns and coils are counted from 1.
+#include <nlohmann/json_fwd.hpp>
+
+#include "core/plan/winding/winding_plan.hpp"
+
+namespace bahnwerk::api::winding_kind {
+
+/// Of regions 0 … 3; of a fixed piece also "coil_change".
+const char* laying_region(std::size_t region);
+const char* laying_region(const winding::FixedPiece& piece);
+/// Of the needle's least clearance; null where there is nothing that it could touch.
+nlohmann::ordered_json clearance(const WindingPlan& plan);
+/// Everything beside summary, verification, bound and setpoints.
+nlohmann::ordered_json details(const WindingRequest& request, const WindingPlan& plan, Progress& progress);
+/// Members of `details`.
+nlohmann::ordered_json support_points(const WindingPlan& plan, Progress& progress);
+nlohmann::ordered_json path(const WindingRequest& request, const WindingPlan& plan, Progress& progress);
+nlohmann::ordered_json links(const WindingRequest& request, const WindingPlan& plan, Progress& progress);
+
+/// The verdict with rotary axes in deg.
+Verification in_degrees(Verification verdict);
+
+}  // namespace bahnwerk::api::winding_kind

@@ -1,0 +1,254 @@
+#include "api/kinds/winding/winding.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "api/kinds/winding/winding_result.hpp"
+#include "core/base/errors.hpp"
+#include "core/machine/robot_winder.hpp"
+#include "tests/api/checked.hpp"
+#include "tests/api/documents.hpp"
+
+namespace bahnwerk::api::winding_kind {
+namespace {
+
+using nlohmann::json;
+
+constexpr double degree = std::numbers::pi / 180;
+
+json example(const std::string& name) {
+  return test::read_json(test::source("schemas/examples/winding/" + name + ".json"));
+}
+json machine(const std::string& name) { return test::read_json(test::source("examples/machines/" + name + ".json")); }
+
+std::vector<std::string> fault_places(const json& spec) {
+  std::vector<std::string> places;
+  try {
+    request(spec);
+  } catch (const InvalidInput& error) {
+    for (const InputFault& fault : error.faults) {
+      std::string place;
+      for (const std::string& token : fault.place) place += "/" + token;
+      places.push_back(place);
+    }
+  }
+  return places;
+}
+
+PlannedJob planned(const json& spec) {
+  SilentProgress silent;
+  return test::checked(plan(spec, silent));
+}
+
+/// The problem that a job with this spec ends with.
+std::string problem_of(const json& spec, std::string_view slug) {
+  try {
+    SilentProgress silent;
+    plan(spec, silent);
+  } catch (...) {
+    const Problem problem = problem_from_current_exception();
+    EXPECT_EQ(problem.type().slug, slug);
+    return problem.what();
+  }
+  ADD_FAILURE() << "planned";
+  return {};
+}
+
+TEST(WindingInput, ReadsAStator) {
+  const WindingRequest r = request(example("complete"));
+  const auto& part = std::get<winding::StatorPart>(r.part);
+  EXPECT_EQ(part.slots, 48);
+  EXPECT_NEAR(part.slot.tip_angle, 92.5 * degree, 1e-15);
+  EXPECT_EQ(part.heads.tool_radius, 99.971);
+  EXPECT_EQ(part.heads.tool_height, 15.5);
+  EXPECT_NEAR(r.wire.outer, 0.989, 1e-12);
+  EXPECT_EQ(r.coils, (std::vector<winding::Coil>{{0, 5}, {17, -5}}));
+  EXPECT_EQ(r.turns, 2u);
+  EXPECT_EQ(r.feed, FeedMethod::natural);
+  EXPECT_EQ(r.along.velocity, 700);
+  EXPECT_EQ(r.along.jerk, 60000);
+  EXPECT_NEAR(*r.model.pivot_limit, 10 * degree, 1e-15);
+  EXPECT_NEAR(r.model.pull.bending_moment, winding::bending_moment(r.wire), 1e-12);
+  EXPECT_EQ(r.model.change_height, 10);
+  EXPECT_EQ(r.least_clearance, -5);
+  EXPECT_EQ(r.links.weights.rate, 8);
+  EXPECT_EQ(r.cycle_time, 0.002);
+}
+
+TEST(WindingInput, DefaultsAreTheSources) {
+  json spec = example("complete");
+  for (const char* member : {"base_radius", "tool_radius", "tool_shift", "tool_height", "stack", "slots"})
+    spec["part"].erase(member);
+  const WindingRequest r = request(spec);
+  const auto& part = std::get<winding::StatorPart>(r.part);
+  const winding::StatorHeads source;
+  EXPECT_EQ(part.slots, 48);
+  EXPECT_NEAR(part.heads.base_radius, source.base_radius, 1e-9);
+  EXPECT_NEAR(part.heads.tool_radius, source.tool_radius, 1e-9);
+  EXPECT_EQ(part.heads.tool_shift, source.tool_shift);
+  EXPECT_EQ(part.heads.stack, source.stack);
+
+  const WindingRequest least = request(example("minimal"));
+  const auto& rotor = std::get<winding::RotorPart>(least.part);
+  EXPECT_EQ(rotor.poles, 6);
+  EXPECT_EQ(rotor.heads.cap_base, winding::RotorHeads{}.cap_base);
+  EXPECT_EQ(least.feed, FeedMethod::optimised);
+  EXPECT_EQ(least.along.velocity, unlimited);
+  EXPECT_FALSE(least.model.pivot_limit);
+  EXPECT_EQ(least.links.continuity, 3u);
+  EXPECT_EQ(least.coils.size(), 1u);
+}
+
+TEST(WindingInput, TakesTheMachinesOfTheExamplesAsTheyAre) {
+  for (const char* name : {"robot", "vertical", "horizontal"}) {
+    json spec = example("minimal");
+    spec["machine"] = machine(name);
+    EXPECT_FALSE(test::refusal(test::job_with_spec("winding", spec).dump())) << name;
+    const WindingRequest r = request(spec);
+    EXPECT_EQ(r.configurations.size(), name == std::string("robot") ? 2u : 1u);
+    for (const auto& machine : r.configurations)
+      for (const AxisLimits& axis : machine->axes()) {
+        const json& said = spec["machine"]["axes"][axis.name];
+        const double unit = axis.unit == "rad" ? degree : 1;
+        EXPECT_NEAR(axis.velocity, unit * said["velocity"].get<double>(), 1e-12 * axis.velocity) << axis.name;
+        EXPECT_NEAR(axis.jerk, unit * said["jerk"].get<double>(), 1e-12 * axis.jerk) << axis.name;
+        EXPECT_EQ(axis.highest == unlimited, said["range"].is_null()) << axis.name;
+      }
+  }
+}
+
+TEST(WindingInput, TheArmCanBeChosen) {
+  for (const auto& [name, arm] : {std::pair{"lefty", RobotArm::lefty}, {"righty", RobotArm::righty}}) {
+    json spec = example("complete");
+    spec["machine"]["arm"] = name;
+    const WindingRequest r = request(spec);
+    ASSERT_EQ(r.configurations.size(), 1u);
+    EXPECT_EQ(dynamic_cast<const RobotWinder&>(*r.configurations[0]).arm(), arm);
+  }
+}
+
+TEST(WindingInput, FaultsOfSlotAndHeadsAreNamedWithinThePart) {
+  json spec = example("minimal");
+  spec["part"]["slot"]["groove_radius"] = 0.3;
+  spec["part"]["slot"]["base_width"] = 12;
+  EXPECT_THAT(fault_places(spec), testing::ElementsAre("/part/slot/groove_radius", "/part/slot/base_width"));
+  spec = example("minimal");
+  spec["part"]["cap_height"] = 1000;
+  EXPECT_THAT(fault_places(spec), testing::ElementsAre("/part/cap_height"));
+}
+
+TEST(WindingInput, CoilsMayNotLieOnEachOther) {
+  json spec = example("complete");
+  spec["coil"]["repeat"] = {{"step", 1}, {"count", 5}};
+  EXPECT_THAT(fault_places(spec), testing::IsEmpty()) << "0 … 4 with 5 … 9";
+  spec["coil"]["repeat"]["count"] = 6;
+  EXPECT_THAT(fault_places(spec), testing::ElementsAre("/coil/repeat"));
+  spec = example("minimal");
+  spec["coil"]["repeat"] = {{"step", 1}, {"count", 6}, {"alternate", false}};
+  EXPECT_THAT(fault_places(spec), testing::IsEmpty()) << "all poles of a rotor";
+  spec["coil"]["repeat"]["count"] = 7;
+  EXPECT_THAT(fault_places(spec), testing::ElementsAre("/coil/repeat"));
+}
+
+TEST(WindingPlan, ResultHasTheContractsForm) {
+  json spec = example("minimal");
+  spec["coil"]["repeat"] = {{"step", 1}, {"count", 2}};
+  const PlannedJob job = planned(spec);
+  EXPECT_TRUE(job.verified);
+  const auto& r = job.result;
+  EXPECT_EQ(r["summary"]["turns"], 4);
+  EXPECT_EQ(r["summary"]["coils"], 2);
+  EXPECT_EQ(r["summary"]["clearance"], r["details"]["clearance"]["minimum"]);
+  EXPECT_LE(r["details"]["clearance"]["at"], r["summary"]["path_length"]);
+  EXPECT_GT(r["summary"]["resistance"].get<double>(), 0);
+  const auto& d = r["details"];
+  EXPECT_EQ(d["turns"].size(), 4u);
+  // Four regions per turn and the way between the coils, two poses each.
+  EXPECT_EQ(d["support_points"].size(), 2u * (4 * 4 + 1));
+  EXPECT_EQ(d["links"].size() % 16, 0u);
+  for (const auto& link : d["links"]) EXPECT_EQ(link["beta"].size(), 6u);
+  const auto& path = d["path"];
+  EXPECT_EQ(path["degree"], 7);
+  EXPECT_EQ(path["points"].size(), path["weights"].size());
+  EXPECT_EQ(path["knots"].size(), path["points"].size() + 8);
+  const double pieces = path["knots"].back();
+  EXPECT_EQ(path["joints"].size() + 1, static_cast<std::size_t>(pieces));
+  for (const auto& joint : path["joints"]) EXPECT_GE(joint["continuity"], 3);
+  EXPECT_NEAR(path["points"][0][3].get<double>(), d["support_points"][0]["orientation"][0].get<double>(), 1e-9);
+  for (const char* region : {"slot", "head_bottom", "slot_back", "head_top"})
+    EXPECT_EQ(d["layout"]["regions"][region]["positions"].size(), d["layout"]["count"]);
+}
+
+TEST(WindingPlan, RotaryAxesAreInDegrees) {
+  const PlannedJob job = planned(example("minimal"));
+  const auto& columns = job.result["setpoints"]["columns"];
+  const auto unit = [&](const std::string& name) {
+    for (const auto& column : columns)
+      if (column["name"] == name) return column["unit"].get<std::string>();
+    return std::string();
+  };
+  EXPECT_EQ(unit("q1"), "mm");
+  EXPECT_EQ(unit("q4"), "deg");
+  EXPECT_EQ(unit("vq4"), "deg/s");
+  EXPECT_EQ(unit("jq5"), "deg/s³");
+  EXPECT_EQ(unit("phi"), "deg");
+  const json limits = machine("horizontal")["axes"];
+  bool seen = false;
+  for (const auto& check : job.result["verification"]["checks"])
+    if (check["name"] == "velocity q4") {
+      seen = true;
+      EXPECT_EQ(check["unit"], "deg/s");
+      EXPECT_NEAR(check["limit"].get<double>(), limits["q4"]["velocity"].get<double>(), 1e-9);
+    }
+  EXPECT_TRUE(seen);
+  // What the axes are said to do is what the setpoints do, and these outlive the plan.
+  const auto& setpoints = *job.setpoints;
+  std::vector<double> rows(setpoints.count() * columns.size());
+  setpoints.read(0, setpoints.count(), rows.data());
+  for (std::size_t k = 0; k < 5; ++k) {
+    const auto& axis = job.result["details"]["axes"][k];
+    for (std::size_t i = k; i < rows.size(); i += columns.size()) {
+      EXPECT_GE(rows[i], axis["lowest"].get<double>() - 1e-6);
+      EXPECT_LE(rows[i], axis["highest"].get<double>() + 1e-6);
+    }
+  }
+}
+
+TEST(WindingPlan, AnArmThatIsTooShortIsNamedWithTurnRegionAndPose) {
+  json spec = example("minimal");
+  spec["machine"] = machine("robot");
+  spec["machine"]["l1"] = spec["machine"]["l2"] = 200;
+  const std::string detail = problem_of(spec, "unreachable-pose");
+  for (const char* word : {"turn 1 of coil 1", "slot", "path length", "phi", "deg"})
+    EXPECT_THAT(detail, testing::HasSubstr(word));
+}
+
+TEST(WindingPlan, ANeedleThatComesTooNearFails) {
+  json spec = example("complete");
+  spec["coil"].erase("repeat");
+  spec["coil"]["turns"] = 1;
+  spec["feed"] = {{"method", "optimised"}};
+  spec["needle"] = {{"width", 5}, {"clearance", 0}};
+  SilentProgress silent;
+  const PlannedJob job = test::checked(plan(spec, silent));
+  EXPECT_FALSE(job.verified);
+  EXPECT_LT(job.result["details"]["clearance"]["minimum"].get<double>(), 0);
+  bool failed = false;
+  for (const auto& check : job.result["verification"]["checks"])
+    failed = failed || (check["name"] == "needle clearance" && !check["passed"].get<bool>());
+  EXPECT_TRUE(failed);
+}
+
+TEST(WindingPlan, MoreTurnsThanTheLayoutHasAreRefused) {
+  json spec = example("minimal");
+  spec["coil"]["turns"] = request(spec).turns;
+  const std::size_t most = planned(spec).result["details"]["layout"]["count"];
+  spec["coil"]["turns"] = most + 1;
+  EXPECT_THAT(problem_of(spec, "semantic-violation"), testing::HasSubstr("/coil/turns"));
+}
+
+}  // namespace
+}  // namespace bahnwerk::api::winding_kind
