@@ -99,25 +99,29 @@ void KinematicAxisPath::at_parameters(std::size_t segment, PathBatch& batch) con
 
 AxisArray largest_rates(const AxisPath& path, ProgressScope* scope) {
   constexpr double rounding = 1e-12;
-  constexpr std::array places{0.1178, 0.3451, 0.6373, 0.8682, 1.0};  // of a panel: an axis may turn round half-way
-  AxisArray most{}, possible{};
-  const auto look = [&](std::size_t i, double u) {
+  constexpr std::array inner{0.1178, 0.3451, 0.6373, 0.8682};  // of a panel: an axis may rest at both its ends
+  AxisArray most{}, between{}, possible{};
+  const auto look = [&](std::size_t i, double u, AxisArray& rates) {
     if (scope) scope->work(16);
     const AxisJet q = path.at_parameter(i, u);
     const MapBounds map = path.map_bounds(i, u, 0);
     for (std::size_t k = 0; k < path.axes(); ++k) {
-      most[k] = std::max(most[k], std::abs(q.d1[k]));
+      rates[k] = std::max(rates[k], std::abs(q.d1[k]));
       possible[k] = std::max(possible[k], map.order[0][k]);
     }
   };
   for (std::size_t i = 0; i < path.size(); ++i) {
     const std::vector<double> panels = path[i].panel_parameters();
-    look(i, panels.front());
-    for (std::size_t p = 1; p < panels.size(); ++p)
-      for (const double x : places) look(i, x == 1 ? panels[p] : panels[p - 1] + x * (panels[p] - panels[p - 1]));
+    look(i, panels.front(), most);
+    for (std::size_t p = 1; p < panels.size(); ++p) {
+      for (const double x : inner) look(i, panels[p - 1] + x * (panels[p] - panels[p - 1]), between);
+      look(i, panels[p], most);
+    }
   }
-  for (std::size_t k = 0; k < path.axes(); ++k)
+  for (std::size_t k = 0; k < path.axes(); ++k) {
+    if (most[k] <= rounding * possible[k]) most[k] = between[k];
     if (most[k] <= rounding * possible[k]) most[k] = 0;
+  }
   return most;
 }
 

@@ -49,9 +49,9 @@ struct SectionBound {
 ///     its components and the cone that it stays in (core/verify/bound/hodograph.hpp);
 ///   - of axes through kinematics: from values at both ends where q''_k keeps its sign, else from values and slopes
 ///   there
-///     and a bound of |q'''_k|; q'_k, q''_k and q'''_k are enclosed by the machine's formula over discs (AxisPath::enclose;
-///     core/numeric/disc.hpp), or, of machines without one, |q'''_k| ≤ B₃ + 3 B₂ |h''| + B₁ |h'''| with the MapBounds B
-///     that they state (taken as true).
+///     and a bound of |q'''_k|; q'_k, q''_k and q'''_k are enclosed by the machine's formula over discs
+///     (AxisPath::enclose; core/numeric/disc.hpp), or, of machines without one, |q'''_k| ≤ B₃ + 3 B₂ |h''| + B₁ |h'''|
+///     with the MapBounds B that they state (taken as true).
 /// Conditions of axes through kinematics that stand still but for rounding (largest_rates) are dropped.
 /// Cells for which a wrong sign of more than 1e-6 cannot be excluded are halved, 12 times at most; what is left counts.
 /// How wide cells are otherwise rests on samples, which decides how tight the bound is, not whether it holds.

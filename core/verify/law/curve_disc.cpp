@@ -169,13 +169,6 @@ bool through(const KinematicAxisPath& path, std::size_t segment, const CurveDisc
              std::array<CurveDisc, max_axes>& axes) {
   CurveDisc disc = tool;
   for (int attempt = 0; attempt < 60; ++attempt, disc.radius *= 0.5) {
-    if (AxisDiscs discs; path.enclose(segment, disc.centre, disc.radius, discs)) {
-      for (std::size_t k = 0; k < path.axes(); ++k) {
-        axes[k] = disc;
-        axes[k].first = discs.d1[k].most(), axes[k].second = discs.d2[k].most(), axes[k].third = discs.d3[k].most();
-      }
-      return disc.radius > 0;
-    }
     if (path.pose_turn(segment, disc.centre, disc.radius) > 0) continue;
     const MapBounds map = path.complex_map_bounds(segment, disc.centre, disc.first * disc.speed * disc.radius);
     bool known = true;
@@ -192,10 +185,26 @@ bool through(const KinematicAxisPath& path, std::size_t segment, const CurveDisc
   return false;
 }
 
+bool AxisDiscsAlong::enclose(std::size_t segment, const CurveDisc& tool, double radius) {
+  AxisDiscs discs;
+  if (!path_.enclose(segment, tool.centre, 0, discs)) return false;  // no smaller disc would do
+  CurveDisc disc = tool;
+  disc.radius = radius;
+  for (int attempt = 0; attempt < 60; ++attempt, disc.radius *= 0.5) {
+    if (!path_.enclose(segment, disc.centre, disc.radius, discs)) continue;
+    for (std::size_t k = 0; k < path_.axes(); ++k) {
+      made_[k] = disc;
+      made_[k].first = discs.d1[k].most(), made_[k].second = discs.d2[k].most(), made_[k].third = discs.d3[k].most();
+    }
+    return disc.radius > 0;
+  }
+  return false;
+}
+
 const std::array<CurveDisc, max_axes>* AxisDiscsAlong::about(std::size_t segment, const CurveDisc& tool, double half) {
   constexpr double wide = 64, narrow = 12;  // discs of so many half widths: interpolation misses no more than rounding
   constexpr double smallest = 1e-6;
-  if (segment == segment_ && known_) {
+  if (segment == segment_) {
     const double left = made_[0].radius - std::abs(tool.centre - made_[0].centre);
     if (left >= std::min(narrow * half, made_[0].radius / 2) && made_[0].radius <= 4 * wide * half) {
       moved_ = made_;
@@ -203,11 +212,12 @@ const std::array<CurveDisc, max_axes>* AxisDiscsAlong::about(std::size_t segment
       return &moved_;
     }
   }
-  CurveDisc disc = tool;
-  disc.radius = std::min(tool.radius, std::max(wide * half, smallest * tool.radius));
-  segment_ = segment;
-  known_ = through(path_, segment, disc, made_);
-  return known_ ? &made_ : nullptr;
+  if (enclose(segment, tool, std::min(tool.radius, std::max(wide * half, smallest * tool.radius)))) {
+    segment_ = segment;
+    return &made_;
+  }
+  segment_ = none;
+  return through(path_, segment, tool, moved_) ? &moved_ : nullptr;
 }
 
 }  // namespace bahnwerk::verify

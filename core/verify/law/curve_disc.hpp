@@ -57,25 +57,27 @@ class CurveDiscs {
   Polynomial w_at_, q_at_;
 };
 
-/// The same of every axis of a machine while its tool follows the path through the disc's centre: what the path
-/// encloses (AxisPath::enclose), or, where the tool does not turn, by the chain rule: |q′| ≤ m₁|h′|, |q″| ≤ m₂|h′|² +
-/// m₁|h″|, |q‴| ≤ m₃|h′|³ + 3m₂|h′||h″| + m₁|h‴| with the map's bounds m for as far as the disc takes the tool's
-/// position h. The disc is halved until they are known; false where they never are.
+/// The same of every axis of a machine while its tool, which does not turn, follows the path through the disc's centre,
+/// by the chain rule: |q′| ≤ m₁|h′|, |q″| ≤ m₂|h′|² + m₁|h″|, |q‴| ≤ m₃|h′|³ + 3m₂|h′||h″| + m₁|h‴| with the map's
+/// bounds m for as far as the disc takes the tool's position h. The disc is halved until they are known; false where
+/// they never are.
 bool through(const KinematicAxisPath& path, std::size_t segment, const CurveDisc& tool,
              std::array<CurveDisc, max_axes>& axes);
 
-/// The same along a path: where places are asked for in order one disc serves many.
+/// Discs of every axis along a path: what the path encloses (AxisPath::enclose), else through().
 class AxisDiscsAlong {
  public:
   explicit AxisDiscsAlong(const KinematicAxisPath& path) : path_(path) {}
   /// About the centre of the tool's disc, as large as intervals of half width `half` (of the parameter) need it; null:
-  /// not known. Valid until the next call.
+  /// not known. Valid until the next call. Where places are asked for in order one enclosure serves many.
   const std::array<CurveDisc, max_axes>* about(std::size_t segment, const CurveDisc& tool, double half);
 
  private:
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  bool enclose(std::size_t segment, const CurveDisc& tool, double radius);
+
   const KinematicAxisPath& path_;
-  std::size_t segment_ = static_cast<std::size_t>(-1);
-  bool known_ = false;
+  std::size_t segment_ = none;  ///< of made_
   std::array<CurveDisc, max_axes> made_, moved_;
 };
 

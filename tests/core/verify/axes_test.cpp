@@ -132,7 +132,9 @@ TEST(VerifierAxes, PeaksOfFiveAxesAreProvenOrToldFrom) {
     const Verification proven = verdict(path, contour, machine, law, true),
                        guessed = verdict(same, contour, machine, law, true);
     for (std::size_t i = 0; i < proven.checks.size(); ++i)
-      EXPECT_NEAR(proven.checks[i].value, guessed.checks[i].value, 1e-9 * proven.checks[i].limit + 1e-12);
+      // Peaks are resolved to 2e-11 of themselves where they exceed the limit, as jerk does that is not limited.
+      EXPECT_NEAR(proven.checks[i].value, guessed.checks[i].value,
+                  1e-9 * proven.checks[i].limit + 2e-11 * proven.checks[i].value + 1e-12);
   }
 }
 
