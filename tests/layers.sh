@@ -34,7 +34,7 @@ declare -A allowed=(
     core/geometry/curve/arc.hpp core/geometry/curve/curve.hpp core/geometry/curve/rational.hpp core/geometry/curve/vec.hpp core/geometry/path/matched.hpp core/geometry/path/path.hpp core/geometry/path/rough_shape.hpp
     core/numeric/lanes.hpp core/numeric/large_pages.hpp core/numeric/peak.hpp core/numeric/polynomial.hpp
     core/base/errors.hpp core/base/progress.hpp core/base/progress_scope.hpp core/base/setpoint_source.hpp core/base/verification.hpp"
-  [core/plan]="core/verify/ core/winding/ core/motion/axes/path_task.hpp core/motion/law/ core/motion/setpoints/ core/motion/acceleration/acceleration_limited.hpp core/motion/jerk/jerk_limited.hpp core/motion/natural/natural_law.hpp
+  [core/plan]="core/verify/ core/winding/ core/motion/axes/ core/motion/law/ core/motion/setpoints/ core/motion/acceleration/acceleration_limited.hpp core/motion/jerk/jerk_limited.hpp core/motion/natural/natural_law.hpp
     core/contour/ core/machine/ core/drawing/ core/geometry/ core/numeric/random.hpp core/base/"
   [api]="core/plan/ core/base/
     core/contour/contour.hpp core/contour/builder.hpp core/contour/polyline.hpp core/contour/dxf.hpp core/contour/gcode.hpp core/machine/

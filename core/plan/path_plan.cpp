@@ -59,7 +59,7 @@ class Pipeline {
     plan_.motion = std::make_shared<const PathMotion>(planning_.path, std::move(law_));
     plan_.setpoints = setpoints();
     for (Check& check : setpoint_checks({*planning_.path, machine_, plan_.motion->law(), *plan_.setpoints,
-                                         planning_.blocks, planning_.shown, at(verified), at(1)},
+                                         planning_.blocks, at(verified), at(1), planning_.shown},
                                         progress_))
       plan_.verification.add(std::move(check));
     plan_.verification.add(bound_check(plan_.bound, plan_.duration));

@@ -78,7 +78,8 @@ template <int N>
 void BoundGrid<N>::append_between(const Node& a, const Node& b, int depth) {
   const double u = a.u + (b.u - a.u) / 2;
   valley_ = unlimited;
-  if (depth >= deepest || !(u > a.u && u < b.u)) return append_with_roots(a, b, 0);
+  // Next to a cusp nothing but rounding is left to be resolved.
+  if (depth >= deepest || !(u > a.u && u < b.u) || !(b.s - a.s > rounding_of(b.s))) return append_with_roots(a, b, 0);
   Node middle = place(a.segment, u);
   if (!too_wide(a, b) && !changes(a, middle, b)) {
     valley_ = valley(a, middle, b);

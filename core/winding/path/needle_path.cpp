@@ -77,7 +77,7 @@ double turned_angle(const BezierPiece& piece) {
 double sharpest_bend(const BezierPiece& piece) {
   constexpr int samples = 256;
   const auto speed = [&](double v) { return norm(place(piece.at(v)[1])); };
-  double sharpest = 0, before = unusable, here = speed(0);
+  double most = 0, before = unusable, here = speed(0);
   for (int i = 0; i < samples; ++i) {
     const double next = speed((i + 1.0) / samples);
     if (here <= before && here <= next) {
@@ -88,11 +88,11 @@ double sharpest_bend(const BezierPiece& piece) {
       }
       const SplineJet jet = piece.at((low + high) / 2);
       const Vec d1 = place(jet[1]), d2 = place(jet[2]);
-      sharpest = std::max(sharpest, norm(cross(d1, d2)) / std::pow(norm(d1), 3));
+      most = std::max(most, norm(cross(d1, d2)) / std::pow(norm(d1), 3));
     }
     before = here, here = next;
   }
-  return sharpest < unusable ? sharpest : unusable;
+  return most < unusable ? most : unusable;
 }
 
 class Maker {

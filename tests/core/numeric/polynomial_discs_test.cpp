@@ -27,7 +27,9 @@ TEST(PolynomialDiscs, EncloseDerivativesOverTheDisc) {
           factorial *= static_cast<double>(n + 1), d = derivative(d);
         }
       }
-      if (radius == 0) EXPECT_LE(all.c[3].radius, 1e-12);
+      if (radius == 0) {
+        EXPECT_LE(all.c[3].radius, 1e-12);
+      }
     }
   EXPECT_TRUE(enclose({}, 0.5, 1).c[0].zero());
 }
