@@ -85,7 +85,7 @@ std::vector<Coil> repeated(Coil coil, int slots, int step, std::size_t count, bo
 }
 
 Slot checked_slot(const StatorPart& part) {
-  const Slot slot = make_slot(part.slot);
+  Slot slot = make_slot(part.slot);
   if (part.slots < 2) refuse({"part", "slots"}, "is less than 2: a coil needs two slots");
   if (part.heads.base_radius <= part.slot.height)
     refuse({"part", "base_radius"}, "is no more than the slot's height: the slot would reach the stator's axis");
@@ -98,7 +98,7 @@ Slot checked_slot(const StatorPart& part) {
 }
 
 Slot checked_slot(const RotorPart& part) {
-  const Slot slot = make_slot(part.slot);
+  Slot slot = make_slot(part.slot);
   if (part.poles < 2) refuse({"part", "poles"}, "is less than 2");
   // The middle between two poles, in slot coordinates, from the axis outwards. The slot lies on its right.
   const double half = part.pitch() / 2;
