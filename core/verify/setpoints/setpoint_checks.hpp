@@ -17,7 +17,7 @@ struct SetpointInput {
   const Machine& machine;
   const TimeLaw& law;  ///< as verified: slowed to whole cycles
   const SetpointSource& setpoints;
-  const Contour* contour = nullptr;  ///< whose blocks the columns mode and block tell, if there are such
+  const Contour* contour = nullptr;           ///< whose blocks the columns mode and block tell, if there are such
   double progress_from = 0, progress_to = 1;  ///< the share of the whole job's progress that this takes
   /// Per axis: what one of its units is in its columns, such as 180/π for rad shown in deg; empty: 1.
   std::vector<double> shown = {};
