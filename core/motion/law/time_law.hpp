@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "core/numeric/large_pages.hpp"
 
@@ -75,9 +76,12 @@ class TimeLaw {
     if (hint + 1 < n && holds(hint + 1)) return hint + 1;
     return search(t);
   }
-  /// Slows what lies between the two rests around t to last `factor` ≥ 1 times as long; what follows comes later.
-  /// O(pieces).
-  void slow_section(double t, double factor);
+  /// Slows what lies between the two rests around each t to last `factor` ≥ 1 times as long, the largest one where
+  /// there are several; what follows comes later. O(pieces).
+  struct Slowing {
+    double t, factor;
+  };
+  void slow_sections(std::vector<Slowing> sections);
   /// Keeps only the first pieces.
   void truncate(std::size_t pieces) { pieces_.resize(pieces); }
   /// Slows everything from piece `first` on to last `factor` ≥ 1 times as long. O(pieces).

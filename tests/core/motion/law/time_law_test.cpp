@@ -57,14 +57,36 @@ TEST(TimeLaw, SlowsOneSectionAndShiftsTheRest) {
     q.s_end += 30;
     law.append(q);
   }
-  law.slow_section(2.5, 1.5);
+  law.slow_sections({{2.5, 1.5}});
   EXPECT_DOUBLE_EQ(law.duration(), 4 * 1.5 + 4);
   EXPECT_DOUBLE_EQ(law.pieces()[1].v, 10 / 1.5);
   EXPECT_DOUBLE_EQ(law.pieces()[3].t0, 6);
   EXPECT_DOUBLE_EQ(law.pieces()[4].v, 10);
-  law.slow_section(6.5, 2);
+  law.slow_sections({{6.5, 2}});
   EXPECT_DOUBLE_EQ(law.duration(), 6 + 8);
   EXPECT_DOUBLE_EQ(law.pieces()[0].t0, 0);
+}
+
+TEST(TimeLaw, SlowsManySectionsAtOnce) {
+  TimeLaw law;
+  const TimeLaw once = trapezoid();
+  for (int i = 0; i < 4; ++i)
+    for (LawPiece piece : once.pieces()) {
+      piece.s += 30 * i, piece.s_end += 30 * i;
+      law.append(piece);
+    }
+  TimeLaw one_by_one = law;
+  law.slow_sections({{14, 2}, {5, 1.5}, {6, 1.25}});  // times before any of them is slowed
+  one_by_one.slow_sections({{14, 2}});
+  one_by_one.slow_sections({{5, 1.5}});
+  EXPECT_DOUBLE_EQ(law.duration(), 4 + 6 + 4 + 8);
+  ASSERT_EQ(law.pieces().size(), one_by_one.pieces().size());
+  for (std::size_t i = 0; i < law.pieces().size(); ++i) {
+    EXPECT_DOUBLE_EQ(law.pieces()[i].t0, one_by_one.pieces()[i].t0) << i;
+    EXPECT_DOUBLE_EQ(law.pieces()[i].v, one_by_one.pieces()[i].v) << i;
+  }
+  law.slow_sections({});
+  EXPECT_DOUBLE_EQ(law.duration(), 22);
 }
 
 TEST(LawPiece, StateIsTheDerivative) {
