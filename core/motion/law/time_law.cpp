@@ -29,9 +29,15 @@ void TimeLaw::append(LawPiece piece) {
   pieces_.push_back(piece);
 }
 
-std::size_t TimeLaw::search(double t) const {
-  const auto after =
-      std::upper_bound(pieces_.begin(), pieces_.end(), t, [](double x, const LawPiece& p) { return x < p.t0; });
+std::size_t TimeLaw::search(double t, std::size_t hint) const {
+  auto begin = pieces_.begin(), end = pieces_.end();
+  if (hint < pieces_.size() && pieces_[hint].t0 <= t) {  // ahead, in steps that double
+    std::size_t step = 4;
+    for (; step < pieces_.size() - hint && pieces_[hint + step].t0 <= t; step *= 2) hint += step;
+    begin += static_cast<std::ptrdiff_t>(hint);
+    if (step < pieces_.size() - hint) end = begin + static_cast<std::ptrdiff_t>(step);
+  }
+  const auto after = std::upper_bound(begin, end, t, [](double x, const LawPiece& p) { return x < p.t0; });
   return after == pieces_.begin() ? 0 : static_cast<std::size_t>(after - pieces_.begin()) - 1;
 }
 

@@ -67,6 +67,18 @@ TEST(TimeLaw, SlowsOneSectionAndShiftsTheRest) {
   EXPECT_DOUBLE_EQ(law.pieces()[0].t0, 0);
 }
 
+TEST(TimeLaw, FindsThePieceFromEveryHint) {
+  TimeLaw law;
+  for (int i = 0; i < 100; ++i) law.append({0, i % 7 == 3 ? 0.0 : 1.0 + i % 5, 0, 0, 1, 0, 0, 0});
+  const auto& pieces = law.pieces();
+  for (double t = -1; t < law.duration() + 3; t += 0.5) {
+    std::size_t last = 0;
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      if (pieces[i].t0 <= t) last = i;
+    for (std::size_t hint = 0; hint <= pieces.size(); ++hint) ASSERT_EQ(law.find(t, hint), last) << t << ' ' << hint;
+  }
+}
+
 TEST(TimeLaw, SlowsManySectionsAtOnce) {
   TimeLaw law;
   const TimeLaw once = trapezoid();
