@@ -16,9 +16,17 @@ struct Check {
   bool passed = false;
 };
 
+/// A limit is exceeded at `at` seconds: motion that lasts `factor` times as long keeps it.
+struct TooFast {
+  double at = 0;
+  double factor = 1;
+};
+
 struct Verification {
   bool passed = false;
   std::vector<Check> checks;
+  /// Where axes exceed their limits: once, by the most strained axis, of every motion between two rests.
+  std::vector<TooFast> too_fast;
   /// One more check, behind those that there are.
   void add(Check check) {
     passed = passed && check.passed;

@@ -22,7 +22,7 @@ class Sampler {
   Sampler(double tolerance, const std::function<void(Vec)>& to) : tolerance_(tolerance), to_(to) {}
   void operator()(const Segment& segment) {
     const Curve& curve = segment.curve();
-    if (segment.straight()) return to_(curve.at(curve.end()).value);
+    if (segment.straight() || segment.length() <= 2 * tolerance_) return to_(curve.at(curve.end()).value);
     if (curve.kind() == CurveKind::arc) {
       const double sweep = std::abs(static_cast<const Arc&>(curve).sweep()), radius = segment.length() / sweep;
       const double step = 2 * std::acos(std::max(0.5, 1 - tolerance_ / radius));

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace bahnwerk {
@@ -79,6 +80,8 @@ class PeakSweep {
   double scale(std::size_t channel) const { return scales_[channel]; }
   std::size_t evaluations() const { return evaluations_; }
 
+  /// Goes on as if the peak had been `value`, and returns what it was: what stays below is not looked for. O(1).
+  Peak restart(std::size_t channel, double value) { return std::exchange(peaks_[channel], Peak{value, 0, 0, true}); }
   /// A value known exactly. O(1).
   void raise(std::size_t channel, double value, double at, std::size_t tag);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <utility>
+#include <vector>
 
 #include "core/base/errors.hpp"
 #include "core/motion/law/dwell.hpp"
@@ -19,16 +20,20 @@ constexpr double close_enough = 5e-6;       // gap to the bound at which a plan 
 constexpr double largest_excess = 1e-4;     // of a limit, that counts as rounding
 constexpr int max_corrections = 6;
 
-/// On pieces so short that rounding shows the verifier may find a limit exceeded by a little: slows those sections of
-/// the law verified by as much. False if that is not what is wrong.
+/// On pieces so short that rounding shows, or so wide that the planner's model of them does, the verifier may find a
+/// limit exceeded by a little: slows those sections of the law verified by as much, all of them at once. False if that
+/// is not what is wrong.
 bool slow_by_the_excess(const Verification& verification, TimeLaw& law) {
   for (const Check& check : verification.checks) {
     const bool scales = check.name.starts_with("velocity ") || check.name.starts_with("acceleration ") ||
                         check.name.starts_with("jerk ") || check.name.starts_with("path ");
     if (!check.passed && !(scales && check.value < check.limit * (1 + largest_excess))) return false;
   }
+  std::vector<TimeLaw::Slowing> sections;
   for (const Check& check : verification.checks)
-    if (!check.passed) law.slow_section(check.at, check.value / check.limit);
+    if (!check.passed) sections.push_back({check.at, check.value / check.limit});
+  for (const TooFast& place : verification.too_fast) sections.push_back({place.at, place.factor});
+  law.slow_sections(std::move(sections));
   return true;
 }
 

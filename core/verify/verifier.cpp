@@ -36,6 +36,7 @@ Verification verify_motion(const VerifierInput& input, Progress& progress) {
   verify::AxisPeaks axes = verify::axis_peaks(input, pulse);
   Verification result;
   result.checks = std::move(axes.checks);
+  result.too_fast = std::move(axes.too_fast);
   for (Check& check : verify::law_checks(input, pulse)) result.checks.push_back(std::move(check));
   result.checks.push_back(verify::make_check("arc length", "mm", axes.arc_length));
   result.passed = std::all_of(result.checks.begin(), result.checks.end(), [](const Check& c) { return c.passed; });

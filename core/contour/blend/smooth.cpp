@@ -122,7 +122,7 @@ class Solver {
       const double t = p_.sites[i].t;
       while (span + 2 < p_.breaks.size() && t >= p_.breaks[span + 1]) ++span;
       rows_[i].first = span;
-      rows_[i].value = basis_at(knots_, span, t)[0];
+      rows_[i].value = value_basis_at(knots_, span, t)[0];
       const double before = i > 0 ? p_.sites[i - 1].t : p_.breaks.front();
       const double after = i + 1 < m ? p_.sites[i + 1].t : p_.breaks.back();
       rows_[i].gain = 0.5 * (after - before) / p_.scale[span];
@@ -370,6 +370,17 @@ Jet TubeSpline::at(std::size_t span, double t) const {
     f.d1 += row[1][i] * c;
     f.d2 += row[2][i] * c;
     f.d3 += row[3][i] * c;
+  }
+  return f;
+}
+
+Jet TubeSpline::slope_at(std::size_t span, double t) const {
+  const BasisRow row = slope_basis_at(knots, span, t);
+  Jet f;
+  for (std::size_t i = 0; i < spline_order; ++i) {
+    const Vec& c = points[span + i];
+    f.value += row[0][i] * c;
+    f.d1 += row[1][i] * c;
   }
   return f;
 }

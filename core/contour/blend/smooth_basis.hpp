@@ -18,5 +18,8 @@ std::vector<double> clamped_knots(const std::vector<double>& breaks);
 
 /// Basis functions span … span + 5 at t in [breaks[span], breaks[span + 1]]. O(degree²).
 BasisRow basis_at(const std::vector<double>& knots, std::size_t span, double t);
+/// The same without the derivatives of order 2 and 3, or without any, which stay 0: in a third or a fifth of the time.
+BasisRow slope_basis_at(const std::vector<double>& knots, std::size_t span, double t);
+BasisRow value_basis_at(const std::vector<double>& knots, std::size_t span, double t);
 
 }  // namespace bahnwerk::blending

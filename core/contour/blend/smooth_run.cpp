@@ -163,7 +163,7 @@ class Inspection {
     span_ = std::min(span_, bends_.size() - 1);
     while (span_ > 0 && t < problem_.breaks[span_]) --span_;
     while (span_ + 2 < problem_.breaks.size() && t >= problem_.breaks[span_ + 1]) ++span_;
-    const Jet f = spline_.at(span_, t);
+    const Jet f = spline_.slope_at(span_, t);
     return {t, norm(f.value - point_of(stretch_, t)), norm(f.d1), span_};
   }
 

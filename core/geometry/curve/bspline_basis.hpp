@@ -10,11 +10,11 @@ namespace bahnwerk {
 template <std::size_t Limit>
 using BsplineBasis = std::array<std::array<double, Limit>, 4>;
 
-/// At u, up to order min(3, degree); degree < Limit. O(degree²).
-template <std::size_t Limit>
+/// At u, up to order min(Most, degree); degree < Limit. O(degree²); most of it are the derivatives.
+template <std::size_t Limit, std::size_t Most = 3>
 inline BsplineBasis<Limit> bspline_basis(const std::vector<double>& knots, std::size_t degree, std::size_t k,
                                          double u) {
-  const std::size_t p = degree, orders = p < 3 ? p : 3;
+  const std::size_t p = degree, orders = p < Most ? p : Most;
   // The triangle of basis functions (upper part) and knot differences (lower part).
   std::array<std::array<double, Limit>, Limit> ndu{};
   std::array<double, Limit> left{}, right{};

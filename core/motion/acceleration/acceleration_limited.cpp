@@ -33,7 +33,7 @@ constexpr double foreseen = 1.5, max_foreseen = 16e6;    // pieces, per those th
 constexpr double first_growth = 3;                       // cells after dividing per cell before
 // What the law may exceed a limit by unseen in wide cells, and how many times the error of their model that is. Laws
 // that are verified once more cost more than such a margin.
-constexpr double usual_margin = 1e-5, least_share = 50, most_share = 1000;
+constexpr double usual_margin = 1e-5, least_share = 100, most_share = 1000;
 constexpr std::size_t block = 512;  // cells that stay in a cache
 
 /// What the number of cells follows: the curved segments, and by how much they turn, rad.

@@ -29,9 +29,15 @@ void TimeLaw::append(LawPiece piece) {
   pieces_.push_back(piece);
 }
 
-std::size_t TimeLaw::search(double t) const {
-  const auto after =
-      std::upper_bound(pieces_.begin(), pieces_.end(), t, [](double x, const LawPiece& p) { return x < p.t0; });
+std::size_t TimeLaw::search(double t, std::size_t hint) const {
+  auto begin = pieces_.begin(), end = pieces_.end();
+  if (hint < pieces_.size() && pieces_[hint].t0 <= t) {  // ahead, in steps that double
+    std::size_t step = 4;
+    for (; step < pieces_.size() - hint && pieces_[hint + step].t0 <= t; step *= 2) hint += step;
+    begin += static_cast<std::ptrdiff_t>(hint);
+    if (step < pieces_.size() - hint) end = begin + static_cast<std::ptrdiff_t>(step);
+  }
+  const auto after = std::upper_bound(begin, end, t, [](double x, const LawPiece& p) { return x < p.t0; });
   return after == pieces_.begin() ? 0 : static_cast<std::size_t>(after - pieces_.begin()) - 1;
 }
 
@@ -44,15 +50,23 @@ void TimeLaw::slow_from(std::size_t first, double factor) {
   }
 }
 
-void TimeLaw::slow_section(double t, double factor) {
-  std::size_t first = find(t), last = first + 1;
-  while (first > 0 && pieces_[first].v > 0) --first;
-  while (last < pieces_.size() && pieces_[last].v > 0) ++last;
-  double at = pieces_[first].t0;
-  for (std::size_t i = first; i < pieces_.size(); ++i) {
-    if (i < last) pieces_[i].slow(factor);
-    pieces_[i].t0 = at;
-    at += pieces_[i].duration;
+void TimeLaw::slow_sections(std::vector<Slowing> sections) {
+  std::sort(sections.begin(), sections.end(), [](const Slowing& a, const Slowing& b) { return a.t < b.t; });
+  bool moved = false;
+  double at = 0;
+  std::size_t first = 0, last = 0;
+  for (auto next = sections.begin(); first < pieces_.size() && (moved || next != sections.end()); first = last) {
+    for (last = first + 1; last < pieces_.size() && pieces_[last].v > 0;) ++last;
+    double factor = 1;
+    for (; next != sections.end() && (last == pieces_.size() || next->t < pieces_[last].t0); ++next)
+      factor = std::max(factor, next->factor);
+    if (!moved) at = pieces_[first].t0;
+    moved = moved || factor > 1;
+    for (std::size_t i = first; moved && i < last; ++i) {
+      if (factor > 1) pieces_[i].slow(factor);
+      pieces_[i].t0 = at;
+      at += pieces_[i].duration;
+    }
   }
 }
 

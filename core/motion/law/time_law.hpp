@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "core/numeric/large_pages.hpp"
 
@@ -67,17 +68,20 @@ class TimeLaw {
   }
   const LargeVector<LawPiece>& pieces() const { return pieces_; }
   double duration() const { return pieces_.empty() ? 0.0 : pieces_.back().t0 + pieces_.back().duration; }
-  /// Index of the piece that holds t. O(log n), O(1) with a good hint.
+  /// Index of the piece that holds t. O(log n); O(log m) for the piece m behind the hint.
   std::size_t find(double t, std::size_t hint = 0) const {
     const std::size_t n = pieces_.size();
     const auto holds = [&](std::size_t i) { return pieces_[i].t0 <= t && (i + 1 == n || t < pieces_[i + 1].t0); };
     if (hint < n && holds(hint)) return hint;
     if (hint + 1 < n && holds(hint + 1)) return hint + 1;
-    return search(t);
+    return search(t, hint);
   }
-  /// Slows what lies between the two rests around t to last `factor` ≥ 1 times as long; what follows comes later.
-  /// O(pieces).
-  void slow_section(double t, double factor);
+  /// Slows what lies between the two rests around each t to last `factor` ≥ 1 times as long, the largest one where
+  /// there are several; what follows comes later. O(pieces).
+  struct Slowing {
+    double t, factor;
+  };
+  void slow_sections(std::vector<Slowing> sections);
   /// Keeps only the first pieces.
   void truncate(std::size_t pieces) { pieces_.resize(pieces); }
   /// Slows everything from piece `first` on to last `factor` ≥ 1 times as long. O(pieces).
@@ -91,7 +95,7 @@ class TimeLaw {
   }
 
  private:
-  std::size_t search(double t) const;
+  std::size_t search(double t, std::size_t hint) const;
 
   LargeVector<LawPiece> pieces_;
 };

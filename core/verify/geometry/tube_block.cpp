@@ -27,7 +27,10 @@ Worst TubeBlock::measure(const Stretch& given, const Stretch& path) {
   match();
   Worst worst = bound();
   if (worst.value <= tolerance_ || std::isnan(worst.value)) return worst;
-  // The matching may be to blame.
+  // The matching may be to blame. Polygons take as much memory as its pieces, which are done with.
+  limbs_ = std::vector<CurvePiece>();
+  links_ = std::vector<CurvePiece>();
+  cells_ = std::vector<Cell>();
   const double bulge = 0.5 * slack_share * tolerance_;
   if (!polygon(given_, bulge, given_points_) || !polygon(path_, bulge, path_points_)) return worst;
   for (const double share : {enough, 1.0})

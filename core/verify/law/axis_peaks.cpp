@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "core/numeric/peak.hpp"
 #include "core/verify/law/channel_bounds.hpp"
@@ -46,7 +48,12 @@ constexpr double useful = 0.1;
 class Sweeper {
  public:
   Sweeper(const VerifierInput& in, ProgressScope& pulse)
-      : in_(in), pulse_(pulse), channels_(make_channels(in)), peaks_(scales(channels_)), repeated_(in) {
+      : in_(in),
+        pulse_(pulse),
+        channels_(make_channels(in)),
+        peaks_(scales(channels_)),
+        worst_(channels_.size()),
+        repeated_(in) {
     if (const auto* path = dynamic_cast<const KinematicAxisPath*>(&in.path)) through_.emplace(*path);
   }
 
@@ -54,6 +61,7 @@ class Sweeper {
     const auto& pieces = in_.law.pieces();
     for (index_ = 0; index_ < pieces.size(); ++index_) {
       pulse_.work(1);
+      if (!(pieces[index_].v > 0)) end_motion();
       if (index_ == 0 || pieces[index_].segment != pieces[index_ - 1].segment) {
         const std::size_t next = repeated_.skip(index_);
         pulse_.work((next - index_) / 16);
@@ -66,8 +74,13 @@ class Sweeper {
       const LawPiece& piece = pieces[index_];
       if (piece.segment < in_.path.size()) check_piece(piece, in_.path[piece.segment]);
     }
+    end_motion();
     AxisPeaks result;
-    for (std::size_t c = 0; c < channels_.size(); ++c) result.checks.push_back(check(c));
+    for (std::size_t c = 0; c < channels_.size(); ++c) {
+      const bool before = !worst_[c].finite || (peaks_[c].finite && worst_[c].value > peaks_[c].value);
+      result.checks.push_back(check(c, before ? worst_[c] : peaks_[c]));
+    }
+    result.too_fast = std::move(too_fast_);
     result.arc_length = arc_length_;
     result.estimated = peaks_.estimated();
     return result;
@@ -323,11 +336,25 @@ class Sweeper {
     });
   }
 
-  Check check(std::size_t c) const {
+  // At a rest, and at the end. A peak that exceeds its limit counts for the motion before; it is put aside, so that one
+  // in the next motion is found even if it is lower. What keeps the limit goes on being looked for in all of the law.
+  void end_motion() {
+    TooFast most;
+    for (std::size_t c = 0; c < channels_.size(); ++c) {
+      if (peaks_[c].finite && peaks_[c].value <= peaks_.scale(c)) continue;
+      const Check found = check(c, peaks_[c]);
+      if (found.passed || !peaks_[c].finite) continue;
+      if (found.value > most.factor * found.limit) most = {found.at, found.value / found.limit};
+      const Peak peak = peaks_.restart(c, peaks_.scale(c));
+      if (peak.value > worst_[c].value) worst_[c] = peak;
+    }
+    if (most.factor > 1) too_fast_.push_back(most);
+  }
+
+  Check check(std::size_t c, const Peak& peak) const {
     static constexpr std::array names{"velocity ", "acceleration ", "jerk "};
     static constexpr std::array units{"/s", "/s²", "/s³"};
     const Channel& channel = channels_[c];
-    const Peak& peak = peaks_[c];
     Worst worst{channel.squared() ? std::sqrt(peak.value) : peak.value, 0};
     if (!peak.finite) worst.value = std::numeric_limits<double>::quiet_NaN();
     if (peak.tag < in_.law.pieces().size()) worst.at = moment(in_.law.pieces()[peak.tag], peak.at);
@@ -352,6 +379,8 @@ class Sweeper {
   ProgressScope& pulse_;
   std::vector<Channel> channels_;
   PeakSweep peaks_;
+  std::vector<Peak> worst_;  // of the motions before in which the limit was exceeded
+  std::vector<TooFast> too_fast_;
   RepeatedRuns repeated_;
   std::optional<AxisDiscsAlong> through_;  ///< of axes that follow the path through kinematics
   Strained arc_length_;

@@ -9,7 +9,8 @@
 namespace bahnwerk::verify {
 
 struct AxisPeaks {
-  std::vector<Check> checks;  ///< velocity, acceleration, jerk of each limited axis
+  std::vector<Check> checks;      ///< velocity, acceleration, jerk of each limited axis
+  std::vector<TooFast> too_fast;  ///< of every motion between two rests in which a limit is exceeded
   /// |∫|dh/du|du − (s_end − s)| of a piece on a free-form segment, mm, against five times what the quadrature resolves:
   /// 1e-11 of the piece and 2e-12 of the segment, and the rounding of s.
   Strained arc_length;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <utility>
 
 #include "core/verify/rounding.hpp"
@@ -13,21 +14,30 @@ namespace {
 
 constexpr std::size_t max_feeds = 32;  // checks written per document; beyond that the most strained ones
 
+// A piece with what is asked of it more than once.
+struct Passed {
+  const LawPiece* piece;
+  LawState end;
+  PieceRounding rounding;
+  explicit Passed(const LawPiece& p) : piece(&p), end(p.at(p.duration)), rounding(rounding_of(p)) {}
+};
+
 // Smallest and largest v of a piece with their moments: the ends and where a = 0.
 struct SpeedRange {
   double low, high, low_at, high_at;
 };
-SpeedRange speed_range(const LawPiece& p) {
+SpeedRange speed_range(const Passed& passed) {
+  const LawPiece& p = *passed.piece;
   SpeedRange r{p.v, p.v, p.t0, p.t0};
-  auto offer = [&](double tau) {
-    const double v = p.at(tau).v;
+  auto offer = [&](double v, double tau) {
     if (!(v >= r.low)) r.low = v, r.low_at = p.t0 + tau;
     if (!(v <= r.high)) r.high = v, r.high_at = p.t0 + tau;
   };
-  if (!p.constant_acceleration())
+  const double T = p.duration, change = T * (std::abs(p.j) + T * std::abs(p.q));
+  if (!p.constant_acceleration() && !(std::abs(p.a) > change))  // else a keeps its sign
     for (const double tau : turning_points(p))
-      if (tau > 0 && tau < p.duration) offer(tau);
-  offer(p.duration);
+      if (tau > 0 && tau < p.duration) offer(p.at(tau).v, tau);
+  offer(passed.end.v, p.duration);
   return r;
 }
 
@@ -51,27 +61,35 @@ class LawChecker {
     while (!distinct_.empty() && !(distinct_.back() < unlimited)) distinct_.pop_back();
     feed_peaks_.resize(distinct_.size());
 
+    std::size_t feed_of = path_.size(), feed_at = 0;
+    std::optional<Passed> before;
     for (const LawPiece& p : pieces) {
       pulse.work(1);
-      const SpeedRange v = speed_range(p);
+      const Passed here(p);
+      const SpeedRange v = speed_range(here);
       peak_.raise(v.high, v.high_at);
       if (in_.check_jerk) path_peaks(p);
-      const PieceRounding r = rounding_of(p);
+      const PieceRounding& r = here.rounding;
       backward_.raise(std::isnan(v.low) ? v.low : std::max(0.0, -v.low), r.speed, v.low_at);
+      if (before) pass(*before, here);
+      before = here;
       if (p.segment >= path_.size() || !(p.duration >= 0)) {
         outside_.raise(INFINITY, 0, p.t0);
         continue;
       }
-      if (feeds[p.segment] < unlimited) {
-        const auto at = std::lower_bound(distinct_.begin(), distinct_.end(), feeds[p.segment]) - distinct_.begin();
-        feed_peaks_[static_cast<std::size_t>(at)].raise(v.high, v.high_at);
+      if (p.segment != feed_of) {
+        feed_of = p.segment;
+        feed_at = static_cast<std::size_t>(std::lower_bound(distinct_.begin(), distinct_.end(), feeds[feed_of]) -
+                                           distinct_.begin());
       }
+      if (feeds[feed_of] < unlimited) feed_peaks_[feed_at].raise(v.high, v.high_at);
       const Segment& segment = path_[p.segment];
       const double most = std::max({0.0, segment.s0() - p.s, p.s_end - segment.s1(), p.s - p.s_end});
       outside_.raise(std::isfinite(p.s + p.s_end) ? most : INFINITY, rounding * segment.s1(), p.t0);
-      position_gap_.raise(std::abs(p.at(p.duration).s - p.s_end), r.position, p.t0 + p.duration);
+      position_gap_.raise(std::abs(here.end.s - p.s_end), r.position, p.t0 + p.duration);
     }
-    for (std::size_t i = 1; i < pieces.size(); ++i) pass(pieces[i - 1], pieces[i]);
+    outside_.raise(skipping_.value, skipping_.limit, skipping_.at);
+    position_gap_.raise(apart_.value, apart_.limit, apart_.at);
     if (!pieces.empty()) {
       const LawPiece &first = pieces.front(), &last = pieces.back();
       const PieceRounding r0 = rounding_of(first), r1 = rounding_of(last);
@@ -101,17 +119,18 @@ class LawChecker {
   }
 
   // From one piece to the next: continuity, and what holds at the joints of the path that lie between.
-  void pass(const LawPiece& before, const LawPiece& after) {
-    const double t = after.t0, v0 = before.at(before.duration).v, v1 = after.v;
-    const PieceRounding r0 = rounding_of(before), r1 = rounding_of(after);
+  void pass(const Passed& left_piece, const Passed& right_piece) {
+    const LawPiece &before = *left_piece.piece, &after = *right_piece.piece;
+    const double t = after.t0, v0 = left_piece.end.v, v1 = after.v;
+    const PieceRounding &r0 = left_piece.rounding, &r1 = right_piece.rounding;
     velocity_gap_.raise(std::abs(v1 - v0), r0.speed + r1.speed, t);
-    const double a0 = before.at(before.duration).a, a1 = after.a;
-    acceleration_gap_.raise(std::abs(a1 - a0), r0.acceleration + r1.acceleration, t);
-    position_gap_.raise(std::abs(after.s - before.s_end), r0.position + r1.position, t);
+    const double a0 = left_piece.end.a, a1 = after.a;
+    if (in_.check_jerk) acceleration_gap_.raise(std::abs(a1 - a0), r0.acceleration + r1.acceleration, t);
+    apart_.raise(std::abs(after.s - before.s_end), r0.position + r1.position, t);
     time_gap_.raise(std::abs(after.t0 - (before.t0 + before.duration)), rounding * std::abs(t), t);
     if (before.segment >= path_.size() || after.segment >= path_.size() || before.segment == after.segment) return;
     if (after.segment != before.segment + 1) {
-      outside_.raise(INFINITY, 0, t);
+      skipping_.raise(INFINITY, 0, t);
       return;
     }
     double v = std::max(std::abs(v0), std::abs(v1));
@@ -213,6 +232,7 @@ class LawChecker {
   StrainedAxis step_, jump_;
   Strained backward_, outside_, position_gap_, joint_gap_, velocity_gap_, acceleration_gap_, time_gap_, corner_, cusp_,
       start_, end_, uncovered_, distance_;
+  Strained skipping_, apart_;  // from piece to piece: counts with outside_ and position_gap_
 };
 
 }  // namespace

@@ -87,7 +87,6 @@ class RowChecker {
   /// Piece i of the law is the one that rows now lie on.
   void enter(std::size_t i) {
     piece_ = i;
-    rounding_ = verify::rounding_of(pieces_[i]);
     if (in_.contour == nullptr) return;
     const LawPiece& piece = pieces_[i];
     const auto& rests = in_.contour->rests;
@@ -111,6 +110,7 @@ class RowChecker {
     const double t = static_cast<double>(k) * cycle_time_, blur = epsilon * t;
     while (piece_ + 1 < pieces_.size() && pieces_[piece_ + 1].t0 <= t) enter(piece_ + 1);
     const LawPiece& piece = pieces_[piece_];
+    if (rounding_of_ != piece_) rounding_ = verify::rounding_of(piece), rounding_of_ = piece_;
     const LawState law = piece.at(std::clamp(t - piece.t0, 0.0, std::max(piece.duration, 0.0)));
     const double s = row[s_column_], v = row[v_column_];
     path_column_.raise(std::abs(s - law.s), rounding_.position + std::abs(law.v) * blur, t);
@@ -191,6 +191,7 @@ class RowChecker {
   std::size_t piece_ = 0, block_ = 0, mislabelled_ = 0;
   std::size_t way_block_ = 0, rest_at_ = 0;  // block of the segment at hand; the next rest of the contour
   PieceRounding rounding_;
+  std::size_t rounding_of_ = static_cast<std::size_t>(-1);
   double before_ = 0, mislabelled_at_ = 0;
   Strained count_, time_, path_column_, speed_, forward_, position_, velocity_, acceleration_, end_, rest_;
 };

@@ -30,6 +30,10 @@ TEST(SmoothBasis, AgreesWithNurbs) {
       EXPECT_LE(norm(a.d1 - b.d1), 1e-11);
       EXPECT_LE(norm(a.d2 - b.d2), 1e-9);
       EXPECT_LE(norm(a.d3 - b.d3), 1e-7);
+      const Jet slope = spline.slope_at(k, t);  // to the last digit: less is computed, nothing else
+      EXPECT_EQ(norm(slope.value - a.value), 0);
+      EXPECT_EQ(norm(slope.d1 - a.d1), 0);
+      EXPECT_EQ(value_basis_at(knots, k, t)[0], basis_at(knots, k, t)[0]);
     }
 }
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/verify/verifier.hpp"
@@ -49,6 +50,33 @@ TEST_F(Turn, PeakInsideAPieceIsFoundWithItsMoment) {
   EXPECT_NEAR(find(verdict2, "velocity x").value, std::max(peak_vx, v), 1e-7);
   const double t = 50 * 2 / v + 2 * s_y / (v + std::sqrt(v * v + 2 * gain * s_y));
   EXPECT_NEAR(find(verdict2, "acceleration y").at, t, 1e-5);
+}
+
+TEST_F(Turn, EveryMotionThatExceedsALimitIsNamed) {
+  // The same turn three times, from rest to rest: 1 % too quick, as quick as may be, and half a percent too quick.
+  Maker maker;
+  std::vector<Stop> stops{{0, 0}};
+  const std::array quick{1.01, 1.0, 1.005};
+  for (std::size_t k = 0; k < quick.size(); ++k) {
+    const double o = 60 * static_cast<double>(k), s = stops.back().s;
+    maker.line({o + 50, o}).arc({o + 60, o + 10}, {o + 50, o + 10}, true).line({o + 60, o + 60});
+    stops.insert(stops.end(), {{s + 50, quick[k] * v}, {s + 50 + quarter, quick[k] * v}, {s + length, 0}});
+  }
+  const Contour three = maker.done();
+  TimeLaw law3 = law_through(three.path, stops);
+  const Verification r = verdict(three, machine(2, 2 * v, a), law3);
+  EXPECT_FALSE(r.passed);
+  EXPECT_NEAR(find(r, "acceleration x").value, 1.01 * 1.01 * a, 1e-7 * a);  // the worst of all
+  EXPECT_LT(find(r, "acceleration x").at, 1);
+  ASSERT_EQ(r.too_fast.size(), 2u);
+  EXPECT_NEAR(r.too_fast[0].factor, 1.01 * 1.01, 1e-9);
+  EXPECT_NEAR(r.too_fast[1].factor, 1.005 * 1.005, 1e-9);
+  std::vector<TimeLaw::Slowing> slower;
+  for (const TooFast& place : r.too_fast) slower.push_back({place.at, place.factor});
+  law3.slow_sections(slower);
+  const Verification mended = verdict(three, machine(2, 2 * v, a), law3);
+  expect_failed(mended, {});
+  EXPECT_TRUE(mended.too_fast.empty());
 }
 
 TEST_F(Turn, WholeCircleInOnePiece) {

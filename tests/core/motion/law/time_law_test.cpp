@@ -57,14 +57,48 @@ TEST(TimeLaw, SlowsOneSectionAndShiftsTheRest) {
     q.s_end += 30;
     law.append(q);
   }
-  law.slow_section(2.5, 1.5);
+  law.slow_sections({{2.5, 1.5}});
   EXPECT_DOUBLE_EQ(law.duration(), 4 * 1.5 + 4);
   EXPECT_DOUBLE_EQ(law.pieces()[1].v, 10 / 1.5);
   EXPECT_DOUBLE_EQ(law.pieces()[3].t0, 6);
   EXPECT_DOUBLE_EQ(law.pieces()[4].v, 10);
-  law.slow_section(6.5, 2);
+  law.slow_sections({{6.5, 2}});
   EXPECT_DOUBLE_EQ(law.duration(), 6 + 8);
   EXPECT_DOUBLE_EQ(law.pieces()[0].t0, 0);
+}
+
+TEST(TimeLaw, FindsThePieceFromEveryHint) {
+  TimeLaw law;
+  for (int i = 0; i < 100; ++i) law.append({0, i % 7 == 3 ? 0.0 : 1.0 + i % 5, 0, 0, 1, 0, 0, 0});
+  const auto& pieces = law.pieces();
+  for (double t = -1; t < law.duration() + 3; t += 0.5) {
+    std::size_t last = 0;
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      if (pieces[i].t0 <= t) last = i;
+    for (std::size_t hint = 0; hint <= pieces.size(); ++hint) ASSERT_EQ(law.find(t, hint), last) << t << ' ' << hint;
+  }
+}
+
+TEST(TimeLaw, SlowsManySectionsAtOnce) {
+  TimeLaw law;
+  const TimeLaw once = trapezoid();
+  for (int i = 0; i < 4; ++i)
+    for (LawPiece piece : once.pieces()) {
+      piece.s += 30 * i, piece.s_end += 30 * i;
+      law.append(piece);
+    }
+  TimeLaw one_by_one = law;
+  law.slow_sections({{14, 2}, {5, 1.5}, {6, 1.25}});  // times before any of them is slowed
+  one_by_one.slow_sections({{14, 2}});
+  one_by_one.slow_sections({{5, 1.5}});
+  EXPECT_DOUBLE_EQ(law.duration(), 4 + 6 + 4 + 8);
+  ASSERT_EQ(law.pieces().size(), one_by_one.pieces().size());
+  for (std::size_t i = 0; i < law.pieces().size(); ++i) {
+    EXPECT_DOUBLE_EQ(law.pieces()[i].t0, one_by_one.pieces()[i].t0) << i;
+    EXPECT_DOUBLE_EQ(law.pieces()[i].v, one_by_one.pieces()[i].v) << i;
+  }
+  law.slow_sections({});
+  EXPECT_DOUBLE_EQ(law.duration(), 22);
 }
 
 TEST(LawPiece, StateIsTheDerivative) {
