@@ -8,17 +8,21 @@
 namespace bahnwerk::verify {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double infinite = std::numeric_limits<double>::infinity(), never = 1e300, root_4_5 = 2.1213203435596424;
 // A cell of the relaxation takes this part of the time in which jerk brings an axis to its full acceleration, and
 // turns by no more than this, rad; a piece half of it. Next to rest a piece is this part of its distance from there.
 constexpr double part_of_ramp = 0.3, widest_turn = 0.05, part_of_distance = 0.1, part_of_onset = 0.002,
-                 part_of_section = 1e-4, part_of_cycle = 0.25;
+                 part_of_section = 1e-4, part_of_first = 0.25, part_of_cycle = 0.25;
 constexpr double widest_swing = 0.1;      // of q″ b within a cell, of the axis' acceleration
 constexpr std::size_t stretch = 100'000;  // cells, beyond which the path is cut
 constexpr double pieces_per_node = 0.5, more_pieces = 400;
 constexpr double min_cells = 60;  // of a section
 constexpr double at_feed = 0.999, cruising = 4;
-constexpr double no_ramp = 4;  // cells that take longer than so many ramps show nothing of jerk
+// A motion with limited jerk takes some √(v/J) to change its speed by some of v: there a cell takes this part of that
+// time. Bends and changes of curvature that take this many times the jerk limit, at the speed at hand, slow it down.
+constexpr double part_of_change = 0.1, slowing = 3;
+constexpr double part_joined = 0.125;  // of the longest piece: shorter cells of the grid make up one
+constexpr double no_ramp = 4;          // cells that take longer than so many ramps show nothing of jerk
 
 double sq(double x) { return x * x; }
 
@@ -81,6 +85,48 @@ void JerkBound<N>::append(const Node& a, const Node& b, double cap, Extent exten
   extents_.push_back(extent);
 }
 
+// About how fast a motion with limited jerk is where something else than the feed slows it down. Round a bend of
+// curvature κ its jerk is κ² v³ and more, where curvature changes κ′ v³; where jerk builds up acceleration v^(3/2)
+// grows by 3/√2 √J per length.
+template <int N>
+void JerkBound<N>::expect(const std::vector<double>& b, bool rest_first, bool rest_last) {
+  const auto& nodes = grid_.nodes();
+  const auto& cells = grid_.cells();
+  const std::size_t n = b.size() - 1;
+  expected_.resize(n + 1), growth_.resize(n);
+  for (std::size_t i = 0; i <= n; ++i) {
+    const Node& node = nodes[i];
+    const double bend = length_of(node.curvature);
+    double cube = never;  // v³
+    for (std::size_t k = 0; k < grid_.axes(); ++k)
+      if (const double rate = std::abs(node.curvature[k]) * bend; rate > 0)
+        cube = std::min(cube, slowing * grid_.jerk(k) / rate);
+    const bool fed = b[i] > sq(at_feed * grid_.feed(node.segment));
+    expected_[i] = std::min(fed ? never : std::pow(b[i], 0.75), std::sqrt(cube));
+    pulse_.work(2);
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    double jerk = infinite, cube = never;
+    for (std::size_t k = 0; k < grid_.axes(); ++k) {
+      const Node &from = nodes[i], &to = nodes[i + 1];
+      const double along = std::min(std::abs(from.tangent[k]), std::abs(to.tangent[k]));
+      if (along > 0) jerk = std::min(jerk, grid_.jerk(k) / along);
+      const double change = std::abs(to.curvature[k] - from.curvature[k]);
+      if (change > 0) cube = std::min(cube, slowing * grid_.jerk(k) * cells[i].length / change);
+    }
+    growth_[i] = jerk < infinite ? std::sqrt(4.5 * jerk) : never;
+    if (cells[i].kind == Cell::Kind::joint || !(cells[i].length > 0)) continue;
+    for (const std::size_t end : {i, i + 1}) expected_[end] = std::min(expected_[end], std::sqrt(cube));
+  }
+  if (rest_first) expected_[0] = 0;
+  if (rest_last) expected_[n] = 0;
+  const auto reached = [&](std::size_t from, std::size_t cell) {
+    return cells[cell].length > 0 ? expected_[from] + growth_[cell] * cells[cell].length : expected_[from];
+  };
+  for (std::size_t i = 0; i < n; ++i) expected_[i + 1] = std::min(expected_[i + 1], reached(i, i));
+  for (std::size_t i = n; i-- > 0;) expected_[i] = std::min(expected_[i], reached(i + 1, i));
+}
+
 // The longest piece next to a node: at rest acceleration builds up on a short way, and where an axis has to step by
 // more acceleration than one cycle allows the motion slows down within a few cycles.
 template <int N>
@@ -111,42 +157,85 @@ void JerkBound<N>::grade(const std::vector<double>& b, bool rest_first, bool res
     behind_[i] = std::min(behind_[i], behind_[i + 1] + part_of_distance * cells[i].length);
 }
 
+// x mm into a cell. Where the feed is all that holds a motion nothing happens but what the path does, the less the
+// further away anything else is.
+template <int N>
+typename JerkBound<N>::Extent JerkBound<N>::extent(std::size_t cell, double x, double energy, double whole,
+                                                   const std::vector<double>& b) const {
+  const Cell& c = grid_.cells()[cell];
+  const double left = c.length - x, feed = grid_.feed(grid_.nodes()[cell].segment);
+  const double most = std::min({whole, b[cell] + energy * (x / c.length), b[cell + 1] + energy * (left / c.length)});
+  const double expected = std::min(expected_[cell] + growth_[cell] * x, expected_[cell + 1] + growth_[cell] * left);
+  const double speed = std::min(std::sqrt(std::max(most, 0.0)), std::cbrt(expected * expected));
+  const double ease = std::max(1.0, expected / (feed * std::sqrt(feed)));
+  Extent e;
+  e.spacing = std::min(ease, cruising) * spacing_;
+  if (growth_[cell] < never)
+    e.spacing = std::min(e.spacing, ease * part_of_change * root_4_5 * std::sqrt(speed) / growth_[cell]);
+  e.finest = std::max(e.spacing * speed, part_of_first * first_piece_);
+  e.piece = std::min({e.finest / 2, before_[cell] + part_of_distance * x,
+                      (behind_[cell + 1] + part_of_distance * left) / (1 + part_of_distance)});
+  return e;
+}
+
+// What b may gain over a cell, and what it is at most anywhere in it.
+template <int N>
+std::pair<double, double> JerkBound<N>::room(std::size_t cell, const std::vector<double>& b) const {
+  const Node &from = grid_.nodes()[cell], &to = grid_.nodes()[cell + 1];
+  double energy = infinite;
+  for (std::size_t k = 0; k < grid_.axes(); ++k)
+    if (const double least = std::min(from.least(k), to.least(k)); least > 1e-12)
+      energy = std::min(energy, grid_.cells()[cell].energy[k] / least);
+  return {energy, cap(cell, from, to, b, 0, 1)};
+}
+
 // Pieces of a cell: evenly in time, finer and finer towards rests and steps.
 template <int N>
 void JerkBound<N>::divide(std::size_t cell, const std::vector<double>& b) {
   const Cell& c = grid_.cells()[cell];
   const Node &from = grid_.nodes()[cell], &to = grid_.nodes()[cell + 1];
   const bool straight = c.kind == Cell::Kind::straight;
-  double energy = infinite;  // what b may gain over the cell
-  for (std::size_t k = 0; k < grid_.axes(); ++k)
-    if (const double least = std::min(from.least(k), to.least(k)); least > 1e-12)
-      energy = std::min(energy, c.energy[k] / least);
-  const double whole = cap(cell, from, to, b, 0, 1);
-  // At the feed all along nothing happens but what the path does.
-  const double feed2 = sq(grid_.feed(from.segment));
-  const double spacing = std::min(b[cell], b[cell + 1]) > at_feed * feed2 ? cruising * spacing_ : spacing_;
+  const auto [energy, whole] = room(cell, b);
   double x = 0;
+  Extent e{};
   Node last = from;
   while (x < c.length) {
-    const double left = c.length - x;
-    const double speed2 =
-        std::min({whole, b[cell] + energy * (x / c.length), b[cell + 1] + energy * (left / c.length)});
-    double d = 0.5 * spacing * std::sqrt(std::max(speed2, 0.0));
-    d = std::min({d, before_[cell] + part_of_distance * x,
-                  (behind_[cell + 1] + part_of_distance * left) / (1 + part_of_distance)});
-    d = std::max(d, c.length * 1e-4);
+    e = extent(cell, x, energy, whole, b);
+    const double d = std::max(e.piece, c.length * 1e-4);
     pulse_.work(2);
     const double u = from.u + (to.u - from.u) * ((x + d) / c.length);
     if (x + 1.5 * d >= c.length || !(u > last.u && u < to.u)) break;
     const Node next = grid_.node(from.segment, u);
+    e.finest = 2 * d;
     append(last, next,
-           cap(cell, last, next, b, straight ? x / c.length : 0, straight ? (next.s - from.s) / c.length : 1),
-           {0, 2 * d, spacing});
+           cap(cell, last, next, b, straight ? x / c.length : 0, straight ? (next.s - from.s) / c.length : 1), e);
     last = next;
     x = next.s - from.s;
   }
-  append(last, to, cap(cell, last, to, b, straight ? x / c.length : 0, 1),
-         {0, 2 * std::min(before_[cell + 1], behind_[cell + 1]), spacing});
+  e.finest = std::min(e.finest, 2 * std::min(before_[cell + 1], behind_[cell + 1]));
+  append(last, to, cap(cell, last, to, b, straight ? x / c.length : 0, 1), e);
+}
+
+// The cells from `first` on that are so short that they make up one piece: what a piece is worth less for rounding
+// grows as it shrinks. Returns one past the last, `first` where there is nothing to join.
+template <int N>
+std::size_t JerkBound<N>::joined(std::size_t first, const std::vector<double>& b) {
+  const auto& cells = grid_.cells();
+  const auto& nodes = grid_.nodes();
+  const auto [energy, whole] = room(first, b);
+  Extent e = extent(first, 0, energy, whole, b);
+  double length = cells[first].length, most = whole;
+  std::size_t i = first + 1;
+  for (; i + 1 < b.size() && cells[i].kind != Cell::Kind::joint && nodes[i + 1].segment == nodes[first].segment; ++i) {
+    const double limit = part_joined * std::min(e.piece, behind_[i + 1]);
+    if (!(length + cells[i].length < limit)) break;
+    length += cells[i].length;
+    most = std::max(most, cap(i, nodes[i], nodes[i + 1], b, 0, 1));
+    pulse_.work(2);
+  }
+  if (i == first + 1) return first;
+  append(nodes[first], nodes[i], most, e);
+  return i;
 }
 
 template <int N>
@@ -156,12 +245,17 @@ void JerkBound<N>::lay(const std::vector<double>& b, bool rest_first, bool rest_
   pieces_.clear(), extents_.clear();
   joint_ = {};
   grade(b, rest_first, rest_last);
-  for (std::size_t i = 0; i + 1 < b.size(); ++i) {
+  expect(b, rest_first, rest_last);
+  for (std::size_t i = 0; i + 1 < b.size();) {
     pulse_.work(8);
-    if (cells[i].kind == Cell::Kind::joint)
+    if (cells[i].kind == Cell::Kind::joint) {
       join(nodes[i], nodes[i + 1], std::min(b[i], b[i + 1]));
-    else
-      divide(i, b);
+      ++i;
+    } else if (const std::size_t next = joined(i, b); next > i) {
+      i = next;
+    } else {
+      divide(i++, b);
+    }
   }
 }
 

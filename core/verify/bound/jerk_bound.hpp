@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "core/base/progress_scope.hpp"
@@ -45,12 +46,17 @@ class JerkBound {
     double swing = 0;    ///< by how much q″_k b changes along it, over A_k
     double finest = 0;   ///< mm, longest cell here
     double spacing = 0;  ///< s, longest cell here
+    double piece = 0;    ///< mm, longest piece
   };
 
+  void expect(const std::vector<double>& b, bool rest_first, bool rest_last);
   void lay(const std::vector<double>& b, bool rest_first, bool rest_last);
   void grade(const std::vector<double>& b, bool rest_first, bool rest_last);
   double finest_at(std::size_t node, const std::vector<double>& b) const;
+  Extent extent(std::size_t cell, double x, double energy, double whole, const std::vector<double>& b) const;
+  std::pair<double, double> room(std::size_t cell, const std::vector<double>& b) const;
   void divide(std::size_t cell, const std::vector<double>& b);
+  std::size_t joined(std::size_t first, const std::vector<double>& b);
   void append(const Node& a, const Node& b, double cap, Extent extent);
   double cap(std::size_t cell, const Node& a, const Node& b, const std::vector<double>& at_nodes, double part0,
              double part1) const;
@@ -69,6 +75,9 @@ class JerkBound {
   double first_piece_ = 0;                                 ///< mm, next to rest
   /// Per node of the grid: the longest piece, mm, that rests and steps of acceleration before and behind it allow here.
   std::vector<double> before_, behind_;
+  /// About how fast a motion is, v^(3/2), at the nodes of the grid, feeds apart; and by how much that may grow per mm.
+  /// Decides where pieces are short, no more.
+  std::vector<double> expected_, growth_;
   std::vector<DualPiece<N>> pieces_;
   std::vector<Extent> extents_;       ///< of each
   std::vector<std::size_t> cell_of_;  ///< per piece of the window

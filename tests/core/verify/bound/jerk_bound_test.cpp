@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/motion/jerk/jerk_limited.hpp"
+#include "core/verify/bound/bound_solver.hpp"
 #include "core/verify/bound/lower_bound.hpp"
 #include "tests/core/motion/axes/five_axes.hpp"
 #include "tests/core/motion/reference/jerk_curves.hpp"
@@ -104,6 +105,44 @@ TEST(JerkBound, ScalesWithTime) {
   for (AxisLimits& axis : fast.axes) axis.velocity *= 2, axis.acceleration *= 4, axis.jerk *= 8;
   fast.cycle_time /= 2;
   EXPECT_NEAR(2 * bound(contour, fast), bound(contour, machine(1e6)), 1e-6);
+}
+
+// A motion changes its speed within √(v/J): at a small feed, or where jerk is small, that is far less than the time in
+// which jerk builds up the acceleration.
+TEST(JerkBound, ResolvesChangesOfSpeedThatJerkAloneLimits) {
+  for (const double feed : {5.0, 25.0, unlimited})
+    for (const double way : {0.1, 1.0, 10.0}) {
+      const double exact = bound(Maker().block(feed).line({way, 0}).done(), machine(1e4));  // one part: closed form
+      const double parts = bound(Maker().block(feed).line({0.3 * way, 0}).line({way, 0}).done(), machine(1e4));
+      EXPECT_LE(parts, exact) << feed << ' ' << way;
+      EXPECT_GE(parts, exact * (1 - 2e-3)) << feed << ' ' << way;
+    }
+}
+
+// What a piece is worth less for rounding grows as it shrinks: on cells that are too short for a piece of their own
+// nothing of that is lost.
+TEST(JerkBound, LosesNothingToRoundingOnVeryShortCells) {
+  const Contour contour = Maker().line({300, 0}).bezier({{300.1, 0}, {300.2, 0}, {300.3, 0.2}, {300.3, 0.3}}).done();
+  const Machine m = machine(1e6);
+  SilentProgress silent;
+  ProgressScope pulse(silent, "bound", 0, 1);
+  const CartesianAxisPath path(contour.path, 2);
+  verify::BoundGrid<2> grid(path, m, contour_task(path, contour, m).feeds, corner_angle, pulse);
+  verify::BoundSolver<2> solver(grid, pulse);
+  verify::JerkBound<2> jerk(grid, m, pulse);
+  grid.build(0, path.size());
+  const auto duration = [&] {
+    solver.solve();
+    return jerk.duration(solver.speed_squares(grid.order().size()), solver.duration(), true, true);
+  };
+  const double coarse = duration();
+  for (int round = 0; round < 6; ++round) {
+    std::vector<unsigned char> all(grid.order().size() - 1, 1);
+    all[0] = 0;  // the long line
+    grid.refine(all);
+  }
+  const double fine = duration();
+  EXPECT_NEAR(fine, coarse, 3e-4 * coarse);
 }
 
 TEST(JerkBound, LongSectionsAreCutIntoWindowsAndStayBelow) {
