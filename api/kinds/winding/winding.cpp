@@ -9,6 +9,7 @@
 #include "api/kinds/winding/winding_result.hpp"
 #include "api/problem.hpp"
 #include "api/verification.hpp"
+#include "core/plan/winding/winding_drawings.hpp"
 
 namespace bahnwerk::api::winding_kind {
 namespace {
@@ -85,6 +86,9 @@ PlannedJob plan(const json& spec, Progress& progress) {
                   {"cycle_time", setpoints.cycle_time()},
                   {"columns", columns(setpoints)}}},
                 {"details", details(asked, plan, progress)}};
+  progress.report("drawing", 1);
+  job.result["details"]["drawings"] = {{"needle_path.svg", needle_path_drawing(asked, plan)},
+                                       {"curvature.svg", turn_curvature_drawing(plan)}};
   job.setpoints = std::make_unique<PlannedSetpoints>(plan);
   return job;
 }

@@ -165,6 +165,11 @@ TEST(WindingPlan, ResultHasTheContractsForm) {
   EXPECT_LE(r["details"]["clearance"]["at"], r["summary"]["path_length"]);
   EXPECT_GT(r["summary"]["resistance"].get<double>(), 0);
   const auto& d = r["details"];
+  for (const char* drawing : {"needle_path.svg", "curvature.svg"}) {
+    const std::string svg = d["drawings"][drawing];
+    EXPECT_THAT(svg, ::testing::StartsWith("<svg")) << drawing;
+    EXPECT_THAT(svg, ::testing::HasSubstr("<path")) << drawing;
+  }
   EXPECT_EQ(d["turns"].size(), 4u);
   // Four regions per turn and the way between the coils, two poses each.
   EXPECT_EQ(d["support_points"].size(), 2u * (4 * 4 + 1));

@@ -1,0 +1,14 @@
+#pragma once
+/// Drawings of a winding plan as SVG, the same for the service and for the documentation.
+#include <string>
+
+#include "core/plan/winding/winding_plan.hpp"
+
+namespace bahnwerk {
+
+/// The needle's path about the part, isometric; its title names turns, length and duration.
+std::string needle_path_drawing(const WindingRequest& request, const WindingPlan& plan);
+/// The curvature of the path of the first coil's first turn over its length.
+std::string turn_curvature_drawing(const WindingPlan& plan);
+
+}  // namespace bahnwerk
