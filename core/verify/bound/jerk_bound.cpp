@@ -21,8 +21,9 @@ constexpr double at_feed = 0.999, cruising = 4;
 // A motion with limited jerk takes some √(v/J) to change its speed by some of v: there a cell takes this part of that
 // time. Bends and changes of curvature that take this many times the jerk limit, at the speed at hand, slow it down.
 constexpr double part_of_change = 0.1, slowing = 3;
-constexpr double part_joined = 0.125;  // of the longest piece: shorter cells of the grid make up one
-constexpr double no_ramp = 4;          // cells that take longer than so many ramps show nothing of jerk
+constexpr double pieces_per_cell = 2.1;  // two of the same length, whatever rounding does
+constexpr double part_joined = 0.125;    // of the longest piece: shorter cells of the grid make up one
+constexpr double no_ramp = 4;            // cells that take longer than so many ramps show nothing of jerk
 
 double sq(double x) { return x * x; }
 
@@ -172,8 +173,8 @@ typename JerkBound<N>::Extent JerkBound<N>::extent(std::size_t cell, double x, d
   e.spacing = std::min(ease, cruising) * spacing_;
   if (growth_[cell] < never)
     e.spacing = std::min(e.spacing, ease * part_of_change * root_4_5 * std::sqrt(speed) / growth_[cell]);
-  e.finest = std::max(e.spacing * speed, part_of_first * first_piece_);
-  e.piece = std::min({e.finest / 2, before_[cell] + part_of_distance * x,
+  e.finest = pieces_per_cell / 2 * std::max(e.spacing * speed, part_of_first * first_piece_);
+  e.piece = std::min({e.finest / pieces_per_cell, before_[cell] + part_of_distance * x,
                       (behind_[cell + 1] + part_of_distance * left) / (1 + part_of_distance)});
   return e;
 }
@@ -206,13 +207,13 @@ void JerkBound<N>::divide(std::size_t cell, const std::vector<double>& b) {
     const double u = from.u + (to.u - from.u) * ((x + d) / c.length);
     if (x + 1.5 * d >= c.length || !(u > last.u && u < to.u)) break;
     const Node next = grid_.node(from.segment, u);
-    e.finest = 2 * d;
+    e.finest = pieces_per_cell * d;
     append(last, next,
            cap(cell, last, next, b, straight ? x / c.length : 0, straight ? (next.s - from.s) / c.length : 1), e);
     last = next;
     x = next.s - from.s;
   }
-  e.finest = std::min(e.finest, 2 * std::min(before_[cell + 1], behind_[cell + 1]));
+  e.finest = std::min(e.finest, pieces_per_cell * std::min(before_[cell + 1], behind_[cell + 1]));
   append(last, to, cap(cell, last, to, b, straight ? x / c.length : 0, 1), e);
 }
 
@@ -274,8 +275,8 @@ std::size_t JerkBound<N>::pose(std::size_t first, bool rest_first, bool rest_las
     double bend = 0;
     for (std::size_t k = 0; k < N; ++k) bend += sq(p.end[k] - p.begin[k]);
     bend = std::sqrt(bend);
-    const bool open = !problem_.cells.empty() && time + p.time < extents_[i].spacing && turn + bend < widest_turn &&
-                      swing + extents_[i].swing < widest_swing &&
+    const bool open = !problem_.cells.empty() && time + p.time < pieces_per_cell / 2 * extents_[i].spacing &&
+                      turn + bend < widest_turn && swing + extents_[i].swing < widest_swing &&
                       problem_.cells.back().length + p.length < extents_[i].finest;
     if (!open) problem_.cells.emplace_back(), time = turn = capped = swing = 0, problem_.cells.back().begin = p.begin;
     RelaxationCell<N>& cell = problem_.cells.back();
