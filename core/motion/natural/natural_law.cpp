@@ -37,6 +37,11 @@ struct Change {
     double most = 0;
     constexpr int samples = 32;
     const double dv = v1 - v0, b = a0 * duration, e = a1 * duration, c2 = 3 * dv - 2 * b - e, c3 = b + e - 2 * dv;
+    // Where v has an extreme: 3 c3 u² + 2 c2 u + b = 0.
+    if (const double root = c2 * c2 - 3 * c3 * b; root > 0)
+      for (const double q : {-c2 - std::sqrt(root), -c2 + std::sqrt(root)})
+        for (const double u : {q / (3 * c3), b / q})
+          if (u > 0 && u < 1 && !(at(u * duration).v > 0)) return unlimited;
     for (int i = 0; i <= samples; ++i) {
       const double u = static_cast<double>(i) / samples;
       const State x = at(u * duration);
