@@ -1,6 +1,7 @@
 // The spec of kind "winding" → WindingRequest.
 #include "api/kinds/winding/winding_input.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "api/kinds/winding/winding.hpp"
@@ -81,7 +82,11 @@ WindingRequest request(const json& spec) {
   try {
     check_part(request, spec, faults);
   } catch (const InvalidInput& error) {
-    for (const InputFault& fault : relocated(error).faults) faults.push_back(fault);
+    // What was found wrong on reading is not said again in core's words.
+    for (const InputFault& fault : relocated(error).faults)
+      if (std::none_of(faults.begin(), faults.end(),
+                       [&](const InputFault& known) { return known.place == fault.place; }))
+        faults.push_back(fault);
   }
   if (!faults.empty()) throw InvalidInput(std::move(faults));
   return request;
