@@ -48,8 +48,8 @@ std::vector<Coil> coils(const json& spec, const std::variant<winding::StatorPart
   const int slots = stator ? stator->slots : rotor->poles;
   const json repeat = document.value("repeat", json::object());
   if (repeat.empty()) return winding::repeated(first, slots, 0, 1, false);
-  const auto list = winding::repeated(first, slots, repeat["step"], repeat["count"].get<std::size_t>(),
-                                      repeat.value("alternate", true));
+  auto list = winding::repeated(first, slots, repeat["step"], repeat["count"].get<std::size_t>(),
+                                repeat.value("alternate", true));
   std::set<int> wound;
   for (std::size_t i = 0; i < list.size(); ++i)
     for (const int place : stator ? sides(list[i], slots) : pole(list[i], slots))

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "core/base/errors.hpp"
@@ -215,13 +216,8 @@ class Maker {
   const LinkOptions& options_;
   LinkBasis basis_;
   SmoothnessRule rule_, fine_rule_;
-  struct Place {
-    FixedPiece::Kind from_kind;
-    std::size_t region;
-    FixedPiece::Kind to_kind;
-    std::size_t part;
-    auto operator<=>(const Place&) const = default;
-  };
+  /// Kind and region that a link comes from, kind that it leads to, and which part of it.
+  using Place = std::tuple<FixedPiece::Kind, std::size_t, FixedPiece::Kind, std::size_t>;
   std::map<Place, std::optional<Known>> known_;
   NeedlePath path_;
 };
