@@ -139,13 +139,16 @@ class Maker {
     const LinkEnds ends{begin, end, std::nullopt};
     // The link at the same place of the turn before is nearly the same.
     std::optional<Known>& known = known_[{from.kind, from.region, to.kind, part}];
-    BestLink best = again(ends, known, options_.objective, progress);
-    // (4.61) takes no notice of how sharp a link bends.
-    if (cusped(ends, best) && options_.objective != LinkObjective::curvature)
-      best = again(ends, known, LinkObjective::curvature, progress);
+    LinkObjective objective = known ? known->objective : options_.objective;
+    BestLink best = again(ends, known, objective, progress);
+    // (4.61) takes no notice of how sharp a link bends: where it leads to a cusp, that place has the smoothest link.
+    if (objective != LinkObjective::curvature && cusped(ends, best)) {
+      objective = LinkObjective::curvature;
+      best = search(ends, objective, progress);
+    }
     if (cusped(ends, best))
       throw Infeasible("no link without a cusp found between " + where(from) + " and " + where(to));
-    known = {best.shape, best.smoothness};
+    known = {best.shape, best.smoothness, objective};
     for (const BezierPiece& piece : link(basis_, ends, best.shape).pieces()) {
       path_.pieces.push_back({piece, i, true, share});
       path_.links.push_back({i, best, turned_angle(piece)});
@@ -155,6 +158,7 @@ class Maker {
   struct Known {
     LinkShape shape;
     double smoothness = 0;
+    LinkObjective objective = LinkObjective::curvature;
   };
   /// From what is known of the turn before, as long as that leads to about as smooth a link.
   BestLink again(const LinkEnds& ends, const std::optional<Known>& known, LinkObjective objective,
