@@ -1,7 +1,6 @@
 #include "core/motion/natural/natural_law.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
@@ -24,10 +23,17 @@ struct State {
 struct Change {
   double v0 = 0, a0 = 0, v1 = 0, a1 = 0, duration = 0;
 
+  /// v = v0 + b u + c2 u² + c3 u³ over u = t / duration.
+  struct Cubic {
+    double b, c2, c3;
+  };
+  Cubic cubic() const {
+    const double dv = v1 - v0, b = a0 * duration, e = a1 * duration;
+    return {b, 3 * dv - 2 * b - e, b + e - 2 * dv};
+  }
   State at(double t) const {  // s from 0
-    const double u = t / duration, dv = v1 - v0, b = a0 * duration, e = a1 * duration;
-    // v = v0 + b u + (3 dv - 2 b - e) u^2 + (b + e - 2 dv) u^3
-    const double c2 = 3 * dv - 2 * b - e, c3 = b + e - 2 * dv;
+    const auto [b, c2, c3] = cubic();
+    const double u = t / duration;
     return {duration * u * (v0 + u * (b / 2 + u * (c2 / 3 + u * c3 / 4))), v0 + u * (b + u * (c2 + u * c3)),
             (b + u * (2 * c2 + u * 3 * c3)) / duration};
   }
@@ -36,7 +42,7 @@ struct Change {
   double excess(const Limits& limits) const {
     double most = 0;
     constexpr int samples = 32;
-    const double dv = v1 - v0, b = a0 * duration, e = a1 * duration, c2 = 3 * dv - 2 * b - e, c3 = b + e - 2 * dv;
+    const auto [b, c2, c3] = cubic();
     // Where v has an extreme: 3 c3 u² + 2 c2 u + b = 0.
     if (const double root = c2 * c2 - 3 * c3 * b; root > 0)
       for (const double q : {-c2 - std::sqrt(root), -c2 + std::sqrt(root)})

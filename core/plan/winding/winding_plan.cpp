@@ -133,12 +133,10 @@ class Planner {
     return plan_.support[plan_.path.pieces[tool[tool.find(s)].source()].fixed];
   }
   UnreachableTurn placed(const UnreachablePose& pose) const {
-    static constexpr const char* names[] = {"the first slot", "the lower winding head", "the second slot",
-                                            "the upper winding head"};
     const FixedPiece& piece = piece_at(pose.path_length >= 0 ? pose.path_length : 0);
     return {pose,
             "turn " + std::to_string(piece.turn + 1) + " of coil " + std::to_string(piece.coil + 1) + ", at or after " +
-                names[piece.region] + ": " + pose.what(),
+                winding::region_in_words(piece.region) + ": " + pose.what(),
             piece};
   }
 

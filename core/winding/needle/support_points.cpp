@@ -102,6 +102,12 @@ FixedPiece head(const Passage& p, double sense, bool top, double rho, double len
 
 }  // namespace
 
+const char* region_in_words(std::size_t region) {
+  static constexpr const char* names[] = {"the first slot", "the lower winding head", "the second slot",
+                                          "the upper winding head"};
+  return names[region];
+}
+
 Space NeedlePose::direction() const {
   return {std::cos(phi) * std::cos(psi), std::sin(phi) * std::cos(psi), -std::sin(psi)};
 }

@@ -36,6 +36,9 @@ struct FixedPiece {
   double sweep = 0;         ///< of an arc about the axis, counterclockwise positive
 };
 
+/// What a message calls laying region 0 … 3: "the first slot" …
+const char* region_in_words(std::size_t region);
+
 struct NeedleModel {
   Pull pull;
   /// Pivot shift: in a stator's slot the needle swivels about the middle of the tooth opening, φ_DPVS at most by so

@@ -29,11 +29,9 @@ SplinePoint point(const NeedlePose& pose) { return {pose.tip.x, pose.tip.y, pose
 bool is_slot(const FixedPiece& piece) { return piece.kind == FixedPiece::Kind::region && piece.region % 2 == 0; }
 
 std::string where(const FixedPiece& piece) {
-  static constexpr const char* names[] = {"the first slot", "the lower winding head", "the second slot",
-                                          "the upper winding head"};
   const std::string turn = "turn " + std::to_string(piece.turn + 1) + " of coil " + std::to_string(piece.coil + 1);
   return piece.kind == FixedPiece::Kind::coil_change ? "the way to the next coil after " + turn
-                                                     : std::string(names[piece.region]) + " of " + turn;
+                                                     : std::string(region_in_words(piece.region)) + " of " + turn;
 }
 
 std::vector<BezierPiece> curve(const FixedPiece& piece, std::size_t continuity) {
