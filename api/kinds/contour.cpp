@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "api/problem.hpp"
+#include "api/setpoint_summary.hpp"
 #include "api/verification.hpp"
 #include "core/base/errors.hpp"
 #include "core/plan/contour_drawing.hpp"
@@ -18,12 +19,6 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 
 constexpr std::size_t max_joints_listed = 1000;  // a fine polyline passes as many as it has points
-
-ordered_json columns(const SetpointSource& source) {
-  ordered_json list = ordered_json::array();
-  for (const auto& column : source.columns()) list.push_back({{"name", column.name}, {"unit", column.unit}});
-  return list;
-}
 
 /// "line 1204: 14 % of the time, acceleration y, stops".
 std::string sentence(const SlowLine& line, const char* what) {
@@ -200,7 +195,6 @@ PlannedJob plan(const json& spec, Progress& progress) {
   check_planning(limits, options);
   check_together(path, limits, options);
   ContourPlan plan = plan_contour(std::move(path), limits, options, progress);
-  const auto& setpoints = *plan.setpoints;
   if (!method_row(options.method).limits_jerk)
     for (const auto& axis : limits.axes)
       if (axis.jerk < unlimited) {
@@ -218,11 +212,7 @@ PlannedJob plan(const json& spec, Progress& progress) {
                   {"iterations", plan.iterations}}},
                 {"verification", verification(plan.verification)},
                 {"bound", {{"duration", plan.bound.duration}, {"gap", plan.bound.gap}, {"basis", plan.bound.basis}}},
-                {"setpoints",
-                 {{"count", setpoints.count()},
-                  {"duration", setpoints.duration()},
-                  {"cycle_time", setpoints.cycle_time()},
-                  {"columns", columns(setpoints)}}},
+                {"setpoints", setpoint_summary(*plan.setpoints)},
                 {"details", details(plan, limits, options, spec["contour"].contains("gcode"))}};
   job.result["details"]["drawings"] = drawings(plan, progress);
   job.setpoints = std::move(plan.setpoints);

@@ -21,20 +21,7 @@ request GET "/v1/jobs/$id"
 expect_json '.progress.fraction == 1'
 stop_server
 
-store=$work/two.db
-start_server --workers 2
-post "$work/job.json"
-first=$id
-post "$work/other.json"
-await succeeded 120
-id=$first
-await succeeded 120
-request GET "/v1/jobs/$id/result"
-jq -S . "$work/body" >"$work/two.json"
-cmp "$work/one.json" "$work/two.json" || fail "one worker and two give different layouts"
-
-"$bahnwerk" plan "$work/job.json" --out "$work/offline" | jq -S . >"$work/offline.json"
-cmp "$work/one.json" "$work/offline.json" || fail "the service and the command line give different layouts"
+expect_same_bits_elsewhere "$work/job.json" "$work/other.json" "$work/one.json"
 jq -S . "$work/offline/result.json" | cmp - "$work/one.json" || fail "result.json"
 for name in orthocyclic_base orthocyclic_flank raabe potential needle fill_factors; do
   [[ $(head -c 4 "$work/offline/$name.svg") == '<svg' ]] || fail "$name.svg"

@@ -112,3 +112,22 @@ snake() {
     printf "\"y\":{\"velocity\":1800,\"acceleration\":16000}},\"cycle_time\":0.001},\"planning\":{\"method\":\"time_optimal\"}}}"
   }' | jq -c --argjson more "${2:-"{}"}" '. + $more'
 }
+
+# expect_same_bits_elsewhere JOB OTHER RESULT: a server with two workers that plans OTHER beside it, and `bahnwerk plan`
+# (into $work/offline), give the result of JOB that RESULT holds with sorted keys. The server stays.
+expect_same_bits_elsewhere() {
+  local first
+  store=$work/two.db
+  start_server --workers 2
+  post "$1"
+  first=$id
+  post "$2"
+  await succeeded 120
+  id=$first
+  await succeeded 120
+  request GET "/v1/jobs/$id/result"
+  jq -S . "$work/body" >"$work/two.json"
+  cmp "$3" "$work/two.json" || fail "one worker and two give different results"
+  "$bahnwerk" plan "$1" --out "$work/offline" | jq -S . >"$work/offline.json"
+  cmp "$3" "$work/offline.json" || fail "the service and the command line give different results"
+}

@@ -24,20 +24,7 @@ request GET "/v1/jobs/$id/setpoints?first=$((count - 1))&count=1" -H 'Accept: ap
 expect_status 200
 stop_server
 
-store=$work/two.db
-start_server --workers 2
-post "$work/job.json"
-first=$id
-post "$work/other.json"
-await succeeded 120
-id=$first
-await succeeded 120
-request GET "/v1/jobs/$id/result"
-jq -S . "$work/body" >"$work/two.json"
-cmp "$work/one.json" "$work/two.json" || fail "one worker and two give different plans"
-
-"$bahnwerk" plan "$work/job.json" --out "$work/offline" | jq -S . >"$work/offline.json"
-cmp "$work/one.json" "$work/offline.json" || fail "the service and the command line give different plans"
+expect_same_bits_elsewhere "$work/job.json" "$work/other.json" "$work/one.json"
 expect_equal "$(wc -l <"$work/offline/setpoints.csv")" $((count + 1))
 
 jq '.spec.part.slot.groove_radius = 0.1' "$work/job.json" >"$work/bad.json"

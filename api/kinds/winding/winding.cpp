@@ -8,6 +8,7 @@
 #include "api/kinds/winding/winding_input.hpp"
 #include "api/kinds/winding/winding_result.hpp"
 #include "api/problem.hpp"
+#include "api/setpoint_summary.hpp"
 #include "api/verification.hpp"
 #include "core/plan/winding/winding_drawings.hpp"
 
@@ -33,12 +34,6 @@ class PlannedSetpoints final : public SetpointSource {
   std::shared_ptr<const Kinematics> machine_;
   std::unique_ptr<SetpointSource> source_;
 };
-
-ordered_json columns(const SetpointSource& source) {
-  ordered_json list = ordered_json::array();
-  for (const auto& column : source.columns()) list.push_back({{"name", column.name}, {"unit", column.unit}});
-  return list;
-}
 
 ordered_json summary(const WindingPlan& plan) {
   const double least = plan.clearance.minimum;
@@ -72,7 +67,6 @@ PlannedJob plan(const json& spec, Progress& progress) {
       throw relocated(error);
     }
   }();
-  const SetpointSource& setpoints = *plan.motion.setpoints;
   const Bound& bound = plan.motion.bound;
   PlannedJob job;
   job.verified = plan.motion.verification.passed;
@@ -80,11 +74,7 @@ PlannedJob plan(const json& spec, Progress& progress) {
                 {"summary", summary(plan)},
                 {"verification", verification(in_degrees(plan.motion.verification))},
                 {"bound", {{"duration", bound.duration}, {"gap", bound.gap}, {"basis", bound.basis}}},
-                {"setpoints",
-                 {{"count", setpoints.count()},
-                  {"duration", setpoints.duration()},
-                  {"cycle_time", setpoints.cycle_time()},
-                  {"columns", columns(setpoints)}}},
+                {"setpoints", setpoint_summary(*plan.motion.setpoints)},
                 {"details", details(asked, plan, progress)}};
   progress.report("drawing", 1);
   job.result["details"]["drawings"] = {{"needle_path.svg", needle_path_drawing(asked, plan)},

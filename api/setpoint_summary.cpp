@@ -1,0 +1,17 @@
+#include "api/setpoint_summary.hpp"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace bahnwerk::api {
+
+nlohmann::ordered_json setpoint_summary(const SetpointSource& setpoints) {
+  nlohmann::ordered_json columns = nlohmann::ordered_json::array();
+  for (const Column& column : setpoints.columns()) columns.push_back({{"name", column.name}, {"unit", column.unit}});
+  return {{"count", setpoints.count()},
+          {"duration", setpoints.duration()},
+          {"cycle_time", setpoints.cycle_time()},
+          {"columns", std::move(columns)}};
+}
+
+}  // namespace bahnwerk::api
