@@ -1,6 +1,7 @@
 // The query string of GET /v1/jobs/{id}/setpoints.
 #include <algorithm>
 #include <charconv>
+#include <stdexcept>
 
 #include "api/pointer.hpp"
 #include "api/problem.hpp"
@@ -64,8 +65,16 @@ SetpointQuery parse_setpoint_query(const std::vector<std::pair<std::string, std:
       if (!result.format) fault("must be json, csv, ndjson or f64");
       continue;
     }
+    if (key == "layout") {
+      try {
+        result.layout = value_of<CsvLayout>(value, csv_layouts);
+      } catch (const std::invalid_argument&) {
+        fault("must be plain, twincat or twincat_poses");
+      }
+      continue;
+    }
     if (key != "first" && key != "count" && key != "every" && key != "points") {
-      fault("unknown parameter; known are first, count, every, columns, points, format");
+      fault("unknown parameter; known are first, count, every, columns, points, format, layout");
       continue;
     }
     const auto number = natural(value);
@@ -86,6 +95,8 @@ SetpointQuery parse_setpoint_query(const std::vector<std::pair<std::string, std:
   }
   if (result.points && every_given)
     errors.push_back({"/query/points", "cannot be combined with every: an envelope looks at every row"});
+  if (result.points && result.layout != CsvLayout::plain)
+    errors.push_back({"/query/layout", "cannot be combined with points: an envelope is for charts"});
   if (!errors.empty()) {
     std::string detail = errors.front().pointer + ": " + errors.front().message;
     throw Problem("schema-violation", detail, std::move(errors));

@@ -1,5 +1,6 @@
 #include "api/setpoints.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <charconv>
 #include <cmath>
@@ -9,6 +10,7 @@
 #include "api/pointer.hpp"
 #include "api/problem.hpp"
 #include "api/setpoint_rows.hpp"
+#include "core/base/read_rows.hpp"
 
 namespace bahnwerk::api {
 namespace {
@@ -25,7 +27,7 @@ std::string text(std::string_view value) {
 
 /// RFC 4180: quotes only where needed.
 std::string csv_field(const std::string& name) {
-  if (name.find_first_of(",\"\r\n") == name.npos) return name;
+  if (name.find_first_of(",;\"\r\n") == name.npos) return name;
   std::string field = "\"";
   for (char c : name) field.append(c == '"' ? 2 : 1, c);
   return field + '"';
@@ -36,13 +38,30 @@ void append_f64(std::string& out, double value) {
   for (int i = 0; i < 8; ++i, bits >>= 8) out += static_cast<char>(bits & 0xFF);
 }
 
+/// The names of the columns that a layout holds where none are asked for; none: all.
+std::vector<std::string> columns_of(const SetpointSeries& series, CsvLayout layout) {
+  std::vector<std::string> names;
+  const auto has = [&](const std::string& name) { return column_index(series.columns, name) < series.columns.size(); };
+  if (layout == CsvLayout::plain) return names;
+  if (layout == CsvLayout::twincat) {
+    for (const Column& c : series.columns)
+      if (has("v" + c.name) && has("a" + c.name)) names.push_back(c.name);
+  } else {
+    for (const char* name : {"x", "y", "z", "phi", "psi"})
+      if (has(name) && has(std::string("v") + name)) names.push_back(name);
+  }
+  if (names.empty()) refuse("layout", "this series has no columns of that layout; name some by columns");
+  for (std::size_t k = 0, positions = names.size(); k < positions; ++k) names.push_back("v" + names[k]);
+  if (has("brake")) names.push_back("brake");
+  return names;
+}
+
 std::vector<std::size_t> select(const SetpointSeries& series, const std::vector<std::string>& names) {
   std::vector<std::size_t> selected;
   if (names.empty())
     for (std::size_t c = 0; c < series.columns.size(); ++c) selected.push_back(c);
   for (const auto& name : names) {
-    std::size_t c = 0;
-    while (c < series.columns.size() && series.columns[c].name != name) ++c;
+    const std::size_t c = column_index(series.columns, name);
     if (c == series.columns.size()) {
       std::string known;
       for (const auto& column : series.columns) known += (known.empty() ? "" : ", ") + column.name;
@@ -68,6 +87,7 @@ void append_number(std::string& out, double value) {
 struct SetpointStream::State {
   SetpointSeries series;
   SetpointFormat format;
+  const char *separator = ",", *line_end = "\n";  // of CSV
   std::vector<std::size_t> selected;
   std::vector<Column> answered;
   std::size_t first = 0, every = 1, rows = 0;
@@ -121,13 +141,13 @@ void SetpointStream::State::prepare_json(std::size_t spanned, bool is_envelope) 
 void SetpointStream::State::prepare_rows() {
   for (std::size_t k = 0; k < answered.size(); ++k) {
     if (format == SetpointFormat::csv) {
-      head += (k ? "," : "") + csv_field(answered[k].name);
-      opening.push_back(k ? "," : "");
+      head += (k ? separator : "") + csv_field(answered[k].name);
+      opening.push_back(k ? separator : "");
     } else if (format == SetpointFormat::ndjson) {
       opening.push_back((k ? "," : "{") + text(answered[k].name) + ":");
     }
   }
-  if (format == SetpointFormat::csv) head += '\n';
+  if (format == SetpointFormat::csv) head += line_end;
 }
 
 /// Column after column, reading the series once per column, so that nothing holds the whole.
@@ -167,7 +187,7 @@ bool SetpointStream::State::row_step(std::string& out) {
       append_number(out, row[selected[k]]);
     }
   }
-  if (format == SetpointFormat::csv) out += '\n';
+  if (format == SetpointFormat::csv) out += line_end;
   if (format == SetpointFormat::ndjson) out += "}\n";
   return true;
 }
@@ -179,6 +199,11 @@ SetpointStream::SetpointStream(SetpointSeries series, SetpointQuery query, Setpo
     refuse("first",
            "row " + std::to_string(query.first) + " is beyond the series of " + std::to_string(series.count) + " rows");
   if (query.every == 0) refuse("every", "must be at least 1");
+  if (query.layout != CsvLayout::plain) {
+    if (format != SetpointFormat::csv) refuse("layout", "is one of CSV: ask for text/csv or format=csv");
+    if (query.columns.empty()) query.columns = columns_of(series, query.layout);
+    s.separator = ";", s.line_end = "\r\n";
+  }
   const std::size_t rest = series.count - query.first;
   const std::size_t spanned = query.count ? std::min(*query.count, rest) : rest;
   s.selected = select(series, query.columns);

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/named.hpp"
 #include "core/base/setpoint_source.hpp"
 
 namespace bahnwerk::api {
@@ -19,17 +20,27 @@ std::optional<SetpointFormat> negotiate_setpoints(std::string_view accept);
 std::string_view content_type(SetpointFormat format);
 std::string_view format_name(SetpointFormat format);  ///< json, csv, ndjson, f64
 
+/// How CSV is laid out. plain: RFC 4180, all columns. The others are what controllers under TwinCAT read [Herrmann
+/// 4.5.1]: fields separated by semicolons, lines ended by CR LF, as FB_CSVMemBufferReader of Tc2_Utilities takes them
+/// by default; decimal points; a header line. Without `columns` they hold what a controller follows: twincat the axes,
+/// their velocities and the brake; twincat_poses the tool's pose, its rates and the brake, for controllers that know
+/// the machine's kinematics. An axis is a column c with columns vc and ac beside it; the pose x, y, z, phi, psi.
+enum class CsvLayout { plain, twincat, twincat_poses };
+inline constexpr Named<CsvLayout> csv_layouts[] = {
+    {CsvLayout::plain, "plain"}, {CsvLayout::twincat, "twincat"}, {CsvLayout::twincat_poses, "twincat_poses"}};
+
 struct SetpointQuery {
   std::size_t first = 0;
   std::optional<std::size_t> count;  ///< rows of the series that the slice spans, before `every`
   std::size_t every = 1;
   std::optional<std::size_t> points;     ///< min/max envelope with about this many points, for charts
   std::vector<std::string> columns;      ///< empty = all
+  CsvLayout layout = CsvLayout::plain;   ///< of CSV alone, and of rows: not with `points`
   std::optional<SetpointFormat> format;  ///< wins over Accept: a link in a page cannot carry a header
 };
 /// From a decoded query string's pairs. Throws Problem schema-violation (422) with pointers like /query/first for
-/// values that are no non-negative integers, for every = 0, points = 0, points together with every, and for unknown
-/// parameters.
+/// values that are no non-negative integers, for every = 0, points = 0, points together with every or with a layout,
+/// and for unknown parameters.
 SetpointQuery parse_setpoint_query(const std::vector<std::pair<std::string, std::string>>& query);
 
 /// A stored series: like SetpointSource, but read chunk by chunk through a function, so that nothing holds the whole.
@@ -45,7 +56,8 @@ struct SetpointSeries {
 /// appended nothing.
 class SetpointStream {
  public:
-  /// Throws Problem schema-violation for an unknown column or a first beyond the series.
+  /// Throws Problem schema-violation for an unknown column, a first beyond the series, and a layout of anything but
+  /// CSV, or of a series that has not what it holds.
   SetpointStream(SetpointSeries series, SetpointQuery query, SetpointFormat format);
   ~SetpointStream();
   SetpointStream(SetpointStream&&) noexcept;

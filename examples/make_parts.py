@@ -5,7 +5,7 @@
     python3 examples/make_parts.py --check    writes nothing; exit code 1 if a file differs from what would be written
     python3 examples/make_parts.py --list     also prints the size of every file and the length of its cuts
 
-Plain Python 3, standard library only. The same files, bit for bit, on every run: no clock, no random numbers, and all
+Plain Python 3, standard library only. The same files, bit for bit, on every run: no clock, random numbers of fixed seeds, and all
 numbers are rounded to a fixed count of decimals. The parts are in examples/generator, one module each.
 """
 import argparse
@@ -14,7 +14,7 @@ import sys
 
 sys.dont_write_bytecode = True
 
-from generator import blades, bracket, gear, lettering, machines, pocket, sheet, thread
+from generator import blades, bracket, fine_sheet, gear, lettering, machines, pocket, sheet, thread
 
 FOLDER = pathlib.Path(__file__).resolve().parent / "parts"
 FILES = {
@@ -32,6 +32,7 @@ FILES = {
     "blades.ngc": blades.gcode,
     "thread.ngc": thread.gcode,
     "pocket.json": pocket.job,
+    "fine_sheet.json": fine_sheet.job,
 }
 
 

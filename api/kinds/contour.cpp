@@ -5,11 +5,15 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <optional>
 
+#include "api/kinds/coarse_fine.hpp"
 #include "api/problem.hpp"
 #include "api/setpoint_summary.hpp"
 #include "api/verification.hpp"
 #include "core/base/errors.hpp"
+#include "core/base/progress_part.hpp"
+#include "core/plan/coarse_fine/axis_drawing.hpp"
 #include "core/plan/contour_drawing.hpp"
 
 namespace bahnwerk::api::contour {
@@ -120,41 +124,69 @@ ordered_json details(const ContourPlan& plan, const Machine& machine, const Cont
   return all;
 }
 
-ordered_json drawings(const ContourPlan& plan, Progress& progress) {
+/// `way`: of the coarse axes, if there are such.
+ordered_json drawings(const ContourPlan& plan, std::vector<Vec> way, Progress& progress) {
   char title[80];
   std::snprintf(title, sizeof title, "path of %.6g mm, %.6g s", plan.path_length, plan.duration);
-  return {{"contour.svg", contour_drawing(*plan.path, {title}, progress)}};
+  return {{"contour.svg", contour_drawing(*plan.path, {.title = title, .way = std::move(way)}, progress)}};
+}
+
+}  // namespace
+
+namespace {
+
+void throw_if_any(std::vector<InputFault> faults) {
+  if (!faults.empty()) throw InvalidInput(std::move(faults));
+}
+
+/// `member` of the machine has the axes that its head needs.
+void check_axes(const Contour& contour, const Machine& head, const char* member, std::vector<InputFault>& faults) {
+  if (head.dimension() < contour.dimension)
+    faults.push_back({{"machine", member, "z"}, "is required: the contour is in space"});
+}
+
+/// s: no motion along a segment is faster than its feed or all axes at full speed together. Of a planar contour's
+/// machine the axes beyond the plane stand still.
+double shortest_time(const Contour& contour, const Machine& head) {
+  double fastest = 0, time = contour.dwell();
+  for (std::size_t k = 0; k < std::min(head.dimension(), contour.dimension); ++k)
+    fastest += head.axes[k].velocity * head.axes[k].velocity;
+  fastest = std::sqrt(fastest);
+  for (const auto& block : contour.blocks)
+    for (std::size_t i = block.first; i < block.last; ++i)
+      time += contour.path[i].length() / std::min(block.feed, fastest);
+  return time;
+}
+
+void check_setpoints(double shortest, const Machine& head, std::vector<InputFault>& faults) {
+  if (shortest / head.cycle_time > max_setpoints)
+    faults.push_back({{"machine", "cycle_time"},
+                      "the motion would have more than " + std::to_string(static_cast<long>(max_setpoints)) +
+                          " setpoints: lengthen the cycle, raise the speeds, shorten the dwells or split the contour"});
+}
+
+void check_corners(const ContourPlanning& planning, std::vector<InputFault>& faults) {
+  if (planning.corner_mode == CornerMode::blend && !(planning.blend_tolerance > 0))
+    faults.push_back({{"planning", "corner", "tolerance"}, "is required by mode blend"});
+  if (planning.corner_mode == CornerMode::stop && planning.blend_tolerance > 0)
+    faults.push_back({{"planning", "corner", "tolerance"}, "belongs to mode blend"});
 }
 
 }  // namespace
 
 void check_together(const Contour& contour, const Machine& machine, const ContourPlanning& planning) {
   std::vector<InputFault> faults;
-  if (machine.dimension() < contour.dimension)
-    faults.push_back({{"machine", "axes", "z"}, "is required: the contour is in space"});
-  // Of a planar contour's machine the axes beyond the plane stand still.
-  const auto moving = [&](std::size_t k) { return k < contour.dimension; };
+  check_axes(contour, machine, "axes", faults);
   if (method_row(planning.method).limits_jerk && !(planning.along.jerk < unlimited)) {
     bool jerk = false;
-    for (std::size_t k = 0; k < machine.dimension(); ++k) jerk |= moving(k) && machine.axes[k].jerk < unlimited;
+    for (std::size_t k = 0; k < std::min(machine.dimension(), contour.dimension); ++k)
+      jerk |= machine.axes[k].jerk < unlimited;
     if (!jerk)
       faults.push_back({{"machine", "axes", "x", "jerk"},
                         "is required by method jerk_limited, of one axis at least that the contour moves"});
   }
-  // No motion along a segment is faster than its feed or all axes at full speed together.
-  double fastest = 0, shortest_time = 0;
-  for (std::size_t k = 0; k < machine.dimension(); ++k)
-    if (moving(k)) fastest += machine.axes[k].velocity * machine.axes[k].velocity;
-  fastest = std::sqrt(fastest);
-  for (const auto& block : contour.blocks)
-    for (std::size_t i = block.first; i < block.last; ++i)
-      shortest_time += contour.path[i].length() / std::min(block.feed, fastest);
-  shortest_time += contour.dwell();
-  if (shortest_time / machine.cycle_time > max_setpoints)
-    faults.push_back({{"machine", "cycle_time"},
-                      "the motion would have more than " + std::to_string(static_cast<long>(max_setpoints)) +
-                          " setpoints: lengthen the cycle, raise the speeds, shorten the dwells or split the contour"});
-  if (!faults.empty()) throw InvalidInput(std::move(faults));
+  check_setpoints(shortest_time(contour, machine), machine, faults);
+  throw_if_any(std::move(faults));
 }
 
 void check_planning(const Machine& machine, const ContourPlanning& planning) {
@@ -168,19 +200,114 @@ void check_planning(const Machine& machine, const ContourPlanning& planning) {
   if (!smooth && std::min({path.velocity, path.acceleration, path.jerk}) < unlimited)
     faults.push_back(
         {{"planning", "path"}, "is held by method jerk_limited only; blocks limit the speed by their feed"});
-  if (planning.corner_mode == CornerMode::blend && !(planning.blend_tolerance > 0))
-    faults.push_back({{"planning", "corner", "tolerance"}, "is required by mode blend"});
-  if (planning.corner_mode == CornerMode::stop && planning.blend_tolerance > 0)
-    faults.push_back({{"planning", "corner", "tolerance"}, "belongs to mode blend"});
-  if (!faults.empty()) throw InvalidInput(std::move(faults));
+  check_corners(planning, faults);
+  throw_if_any(std::move(faults));
 }
+
+namespace {
+
+/// What a job asks for, checked as far as its geometry is not needed.
+struct Asked {
+  std::optional<CoarseFineMachine> coarse_fine;
+  Machine head;  ///< of coarse and fine axes the sums
+  ContourPlanning planning;
+  RedundancyOptions redundancy;
+};
+
+Asked asked(const json& spec) {
+  Asked job;
+  job.planning = planning(spec);
+  job.planning.max_setpoints = max_setpoints;
+  std::vector<InputFault> faults;
+  if (coarse_fine(spec)) {
+    job.coarse_fine = coarse_fine_machine(spec);
+    job.head = summed(*job.coarse_fine);
+    job.redundancy = redundancy(spec, job.planning);
+    check_redundancy(spec, *job.coarse_fine, job.planning, faults);
+    check_corners(job.planning, faults);
+    throw_if_any(std::move(faults));
+    job.planning.method = job.coarse_fine->limits_jerk() ? PlanningMethod::jerk_limited : PlanningMethod::time_optimal;
+    return job;
+  }
+  job.head = machine(spec);
+  if (job.planning.machine_study)
+    faults.push_back({{"planning", "machine_study"}, "is for machines with coarse and fine axes"});
+  throw_if_any(std::move(faults));
+  check_planning(job.head, job.planning);
+  return job;
+}
+
+void check_contour(const Contour& contour, const Asked& job) {
+  if (!job.coarse_fine) return check_together(contour, job.head, job.planning);
+  std::vector<InputFault> faults;
+  check_axes(contour, job.head, "coarse", faults);
+  const double shortest = shortest_time(contour, job.head);
+  check_setpoints(shortest, job.head, faults);
+  check_grid(*job.coarse_fine, shortest, faults);
+  throw_if_any(std::move(faults));
+}
+
+ordered_json result_of(const ContourPlan& plan, const Asked& job, bool program) {
+  return {{"kind", "contour"},
+          {"summary",
+           {{"duration", plan.duration},
+            {"cut_time", plan.cut_time},
+            {"position_time", plan.position_time},
+            {"path_length", plan.path_length},
+            {"iterations", plan.iterations}}},
+          {"verification", verification(plan.verification)},
+          {"bound", {{"duration", plan.bound.duration}, {"gap", plan.bound.gap}, {"basis", plan.bound.basis}}},
+          {"setpoints", setpoint_summary(*plan.setpoints)},
+          {"details", details(plan, job.head, job.planning, program)}};
+}
+
+PlannedJob finished(ContourPlan& plan, ordered_json result, ordered_json drawn) {
+  PlannedJob job;
+  job.verified = plan.verification.passed;
+  job.result = std::move(result);
+  job.result["details"]["drawings"] = std::move(drawn);
+  job.setpoints = std::move(plan.setpoints);
+  return job;
+}
+
+PlannedJob plan_cartesian(Contour contour, const Asked& job, bool program, Progress& progress) {
+  ContourPlan plan = plan_contour(std::move(contour), job.head, job.planning, progress);
+  if (!method_row(job.planning.method).limits_jerk)
+    for (const auto& axis : job.head.axes)
+      if (axis.jerk < unlimited) {
+        plan.notes.push_back("jerk limits are given but not held: only method jerk_limited holds them");
+        break;
+      }
+  return finished(plan, result_of(plan, job, program), drawings(plan, {}, progress));
+}
+
+PlannedJob plan_with_fine_axes(const Contour& contour, const Asked& job, const json& spec, bool program,
+                               Progress& progress) {
+  const CoarseFineMachine& machine = *job.coarse_fine;
+  const bool study = job.planning.machine_study;
+  const double planned = study ? 0.15 : 1;
+  ProgressPart part(progress, "planning", 0, planned);
+  Progress& first = study ? static_cast<Progress&>(part) : progress;  // without a study its stages have their names
+  CoarseFinePlan plan = plan_coarse_fine(contour, machine, job.planning, job.redundancy, first);
+  for (std::string& note : unused_options(spec)) plan.contour.notes.push_back(std::move(note));
+  ordered_json result = result_of(plan.contour, job, program);
+  report(plan, machine, job.redundancy.method, program, result);
+  ordered_json drawn = drawings(plan.contour, coarse_way(plan), first);
+  drawn["axes.svg"] = axis_drawing(plan, machine, first);
+  if (study) {
+    const MachineStudy others = machine_study(contour, machine, job.planning, job.redundancy, progress, planned, 1);
+    report(others, plan.contour.duration, result);
+    drawn["machine_study.svg"] = machine_study_drawing(others, plan.contour.duration);
+  }
+  return finished(plan.contour, std::move(result), std::move(drawn));
+}
+
+}  // namespace
 
 void check(const json& spec) {
   try {
-    const Machine limits = machine(spec);
-    const ContourPlanning options = planning(spec);
-    check_planning(limits, options);
-    check_together(geometry(spec), limits, options);
+    const Asked job = asked(spec);
+    check_contour(geometry(spec), job);
   } catch (const InvalidInput&) {
     throw problem_from_current_exception("/spec");
   }
@@ -188,35 +315,12 @@ void check(const json& spec) {
 
 PlannedJob plan(const json& spec, Progress& progress) {
   progress.report("read", 0.0);
-  const Machine limits = machine(spec);
-  ContourPlanning options = planning(spec);
-  options.max_setpoints = max_setpoints;
+  const Asked job = asked(spec);
   Contour path = geometry(spec, progress);
-  check_planning(limits, options);
-  check_together(path, limits, options);
-  ContourPlan plan = plan_contour(std::move(path), limits, options, progress);
-  if (!method_row(options.method).limits_jerk)
-    for (const auto& axis : limits.axes)
-      if (axis.jerk < unlimited) {
-        plan.notes.push_back("jerk limits are given but not held: only method jerk_limited holds them");
-        break;
-      }
-  PlannedJob job;
-  job.verified = plan.verification.passed;
-  job.result = {{"kind", "contour"},
-                {"summary",
-                 {{"duration", plan.duration},
-                  {"cut_time", plan.cut_time},
-                  {"position_time", plan.position_time},
-                  {"path_length", plan.path_length},
-                  {"iterations", plan.iterations}}},
-                {"verification", verification(plan.verification)},
-                {"bound", {{"duration", plan.bound.duration}, {"gap", plan.bound.gap}, {"basis", plan.bound.basis}}},
-                {"setpoints", setpoint_summary(*plan.setpoints)},
-                {"details", details(plan, limits, options, spec["contour"].contains("gcode"))}};
-  job.result["details"]["drawings"] = drawings(plan, progress);
-  job.setpoints = std::move(plan.setpoints);
-  return job;
+  check_contour(path, job);
+  const bool program = spec["contour"].contains("gcode");
+  return job.coarse_fine ? plan_with_fine_axes(path, job, spec, program, progress)
+                         : plan_cartesian(std::move(path), job, program, progress);
 }
 
 }  // namespace bahnwerk::api::contour

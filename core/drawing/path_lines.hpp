@@ -35,7 +35,7 @@ class Sampler {
     for (const double end : segment.panel_parameters()) {
       if (!(end > u)) continue;
       const Vec q = curve.at(end).value;
-      between(curve, u, p, end, q, 0);
+      between(curve, u, p, end, q, curve.at(u + (end - u) / 2).value, 0);
       u = end, p = q;
     }
   }
@@ -49,17 +49,16 @@ class Sampler {
     const double length = norm(way);
     return length > 0 ? norm(cross(way, p - a)) / length : norm(p - a);
   }
-  void between(const Curve& curve, double u0, Vec p0, double u1, Vec p1, int depth) {
+  void between(const Curve& curve, double u0, Vec p0, double u1, Vec p1, Vec middle, int depth) {
     const double u = u0 + (u1 - u0) / 2;
-    const Vec middle = curve.at(u).value;
-    const double bulge = std::max({off(middle, p0, p1), off(curve.at(u0 + (u1 - u0) / 4).value, p0, p1),
-                                   off(curve.at(u0 + (u1 - u0) * 3 / 4).value, p0, p1)});
+    const Vec first = curve.at(u0 + (u1 - u0) / 4).value, third = curve.at(u0 + (u1 - u0) * 3 / 4).value;
+    const double bulge = std::max({off(middle, p0, p1), off(first, p0, p1), off(third, p0, p1)});
     if (depth >= deepest || bulge <= tolerance_ / 2) {
       to_(middle);
       return to_(p1);
     }
-    between(curve, u0, p0, u, middle, depth + 1);
-    between(curve, u, middle, u1, p1, depth + 1);
+    between(curve, u0, p0, u, middle, first, depth + 1);
+    between(curve, u, middle, u1, p1, third, depth + 1);
   }
 
   double tolerance_;

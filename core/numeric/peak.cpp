@@ -9,8 +9,6 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double resolution = 1e-11;  // of the scale, left to the terms that the interpolant lacks
-
 double binomial(int n, int k) {
   double r = 1;
   for (int i = 1; i <= k; ++i) r = r * (n - k + i) / i;
@@ -166,9 +164,10 @@ double interpolation_error(int points, double reach) {
   return 4 / (power * (rho - 1));
 }
 
-PeakSweep::PeakSweep(std::vector<double> scales)
+PeakSweep::PeakSweep(std::vector<double> scales, double resolution)
     : peaks_(scales.size()),
       scales_(std::move(scales)),
+      resolution_(resolution),
       values_(peaks_.size() * static_cast<std::size_t>(ChebyshevRule::max_points)),
       missing_(peaks_.size()) {}
 
@@ -221,13 +220,13 @@ bool PeakSweep::absorb(const ChebyshevRule& rule, double begin, double end, std:
     const double magnitude = std::max(scales_[channel], largest);
     if (std::isfinite(proven) || (!std::isnan(proven) && patience != Patience::none)) {
       if (resolved && bound + proven <= peak.value * (1 + 1e-12)) continue;
-      if (resolved && proven <= resolution * magnitude) {
+      if (resolved && proven <= resolution_ * magnitude) {
         const PolynomialPeak p = polynomial_peak(b.data(), n, peak.value - proven);
         if (p.at >= 0 && p.value + proven > peak.value)
           peak = {p.value + proven, begin + p.at * (end - begin), tag, true};
         continue;
       }
-      if (patience == Patience::none || (patience == Patience::some && proven <= resolution * magnitude)) {
+      if (patience == Patience::none || (patience == Patience::some && proven <= resolution_ * magnitude)) {
         raise(channel, bound + proven, begin + (end - begin) / 2, tag);
         continue;
       }
@@ -240,18 +239,18 @@ bool PeakSweep::absorb(const ChebyshevRule& rule, double begin, double end, std:
     for (int k = 0; k < 4; ++k)
       for (int i = 0; i < n; ++i) c[k] += rule.chebyshev[n - 4 + k][i] * f[i];
     const double earlier = std::max(std::abs(c[0]), std::abs(c[1])), tail = std::max(std::abs(c[2]), std::abs(c[3]));
-    const double missing = tail <= resolution / 8 * magnitude ? tail * 8
-                           : tail <= earlier / 8              ? tail * tail / earlier * 8 / 7
-                           : tail <= noise_like * magnitude   ? tail * 64
-                                                              : std::numeric_limits<double>::infinity();
+    const double missing = tail <= resolution_ / 8 * magnitude ? tail * 8
+                           : tail <= earlier / 8               ? tail * tail / earlier * 8 / 7
+                           : tail <= noise_like * magnitude    ? tail * 64
+                                                               : std::numeric_limits<double>::infinity();
 
     if (resolved && bound + 4 * missing <= peak.value * (1 + 1e-12)) continue;
-    if (resolved && missing <= resolution * magnitude) {
+    if (resolved && missing <= resolution_ * magnitude) {
       const PolynomialPeak p = polynomial_peak(b.data(), n, peak.value);
       if (p.at >= 0) peak = {p.value, begin + p.at * (end - begin), tag, true};
       continue;
     }
-    const bool noise = patience == Patience::some && tail <= 5 * resolution * magnitude;
+    const bool noise = patience == Patience::some && tail <= 5 * resolution_ * magnitude;
     if (noise || patience == Patience::none) {
       raise(channel, bound + 8 * tail, begin + (end - begin) / 2, tag);
       continue;

@@ -69,11 +69,11 @@ struct PeakSamples {
 };
 
 /// Running peaks of several functions over many intervals. `scale` of a function is the magnitude that counts (its
-/// limit): values are resolved to 2e-11 of it (or of the function itself if that is larger); where halving does not get
-/// there, the outer bound and what may be missing count.
+/// limit): values are resolved to twice `resolution` of it (or of the function itself if that is larger); where halving
+/// does not get there, the outer bound and what may be missing count.
 class PeakSweep {
  public:
-  explicit PeakSweep(std::vector<double> scales);
+  explicit PeakSweep(std::vector<double> scales, double resolution = 1e-11);
 
   std::size_t channels() const { return peaks_.size(); }
   const Peak& operator[](std::size_t channel) const { return peaks_[channel]; }
@@ -138,6 +138,7 @@ class PeakSweep {
 
   std::vector<Peak> peaks_;
   std::vector<double> scales_;
+  double resolution_;
   std::vector<double> values_, missing_;
   int coarse_failed_ = 0;
   std::size_t estimated_ = 0;

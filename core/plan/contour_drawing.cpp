@@ -11,22 +11,31 @@
 
 #include "core/drawing/path_lines.hpp"
 #include "core/drawing/svg.hpp"
+#include "core/drawing/ticks.hpp"
 
 namespace bahnwerk {
 namespace {
 
+using drawing::for_each_tick;
+using drawing::nice;
 using drawing::Sampler;
 using drawing::Thinned;
+using drawing::tick_label;
 
 constexpr double plot_size = 720, left = 64, right = 16, top = 60, gap = 44;  // px
 constexpr double first_tolerance = 0.2, last_tolerance = 52;                  // px
 const std::string ink = "fill=\"#20242a\"";
 
-/// How cuts and positioning are drawn, on a canvas whose unit is `unit` px.
-std::string style(bool cut, double unit = 1) {
+constexpr std::array classes{"cut", "position", "coarse"};  // what lines there are
+constexpr std::size_t cut_lines = 0, way_lines = 2;
+
+/// How lines of a class are drawn, on a canvas whose unit is `unit` px.
+std::string style(std::size_t of, double unit = 1) {
   char text[120];
-  if (cut)
+  if (of == cut_lines)
     std::snprintf(text, sizeof text, "stroke=\"#1f5fbf\" stroke-width=\"%.4g\"", 1.6 / unit);
+  else if (of == way_lines)
+    std::snprintf(text, sizeof text, "stroke=\"#1d8a5f\" stroke-width=\"%.4g\"", 0.9 / unit);
   else
     std::snprintf(text, sizeof text, "stroke=\"#d9730d\" stroke-width=\"%.4g\" stroke-dasharray=\"%.4g %.4g\"",
                   1 / unit, 4 / unit, 3 / unit);
@@ -51,20 +60,6 @@ struct View {
   Point operator()(Vec p) const { return {left + scale * (p[across] - low[across]), y0 + scale * (high[up] - p[up])}; }
 };
 
-/// 1, 2 or 5 times a power of ten, at least `least`.
-double nice(double least) {
-  const double power = std::pow(10, std::floor(std::log10(least)));
-  for (const double factor : {1.0, 2.0, 5.0})
-    if (factor * power >= least * (1 - 1e-9)) return factor * power;
-  return 10 * power;
-}
-
-std::string millimetres(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.7g", std::abs(value) < 1e-12 ? 0 : value);
-  return text;
-}
-
 std::string axes(const View& view) {
   static constexpr std::array names{"x, mm", "y, mm", "z, mm"};
   const double bottom = view.y0 + view.height(), end = left + view.width();
@@ -75,18 +70,15 @@ std::string axes(const View& view) {
   out += " fill=\"none\" stroke=\"#8a919b\"/>\n";
   const std::string grid = "stroke=\"#e6e9ed\"", small = " font-size=\"11\"";
   const double step = nice(70 / view.scale), step_up = nice(36 / view.scale);
-  const auto ticks = [](double low, double high, double by, const std::function<void(double)>& at) {
-    for (double k = std::ceil(low / by - 1e-9); k <= high / by + 1e-9; ++k) at(k * by);
-  };
-  ticks(view.low[view.across], view.high[view.across], step, [&](double value) {
+  for_each_tick(view.low[view.across], view.high[view.across], step, [&](double value) {
     const double x = left + view.scale * (value - view.low[view.across]);
     out += svg::segment({x, view.y0}, {x, bottom}, grid);
-    out += svg::text({x, bottom + 15}, millimetres(value), ink + small + " text-anchor=\"middle\"");
+    out += svg::text({x, bottom + 15}, tick_label(value), ink + small + " text-anchor=\"middle\"");
   });
-  ticks(view.low[view.up], view.high[view.up], step_up, [&](double value) {
+  for_each_tick(view.low[view.up], view.high[view.up], step_up, [&](double value) {
     const double y = view.y0 + view.scale * (view.high[view.up] - value);
     out += svg::segment({left, y}, {end, y}, grid);
-    out += svg::text({left - 6, y + 4}, millimetres(value), ink + small + " text-anchor=\"end\"");
+    out += svg::text({left - 6, y + 4}, tick_label(value), ink + small + " text-anchor=\"end\"");
   });
   out += svg::text({end, bottom + 30}, names[view.across], ink + small + " text-anchor=\"end\"");
   out += svg::text({6, view.y0 - 6}, names[view.up], ink + small);
@@ -129,6 +121,7 @@ class Drawer {
         length_[cuts(block) ? 0 : 1] += segment.length();
       }
     }
+    for (const Vec p : options_.way) box_.hold(p);
   }
 
   /// Views below each other at one scale, each with a margin.
@@ -153,48 +146,66 @@ class Drawer {
     views_.push_back(view);
   }
 
-  /// False: larger than allowed.
+  /// False: larger than allowed. All views at once: points of a path take longer to find than to draw.
   bool draw(double tolerance, std::string& paths) {
-    paths.clear();
-    for (const View& view : views_) {
-      std::array<Thinned, 2> lines{Thinned(tolerance), Thinned(tolerance)};
-      const auto size = [&] { return paths.size() + lines[0].data().size() + lines[1].data().size() + 600; };
-      for (const Block& block : contour_.blocks) {
-        if (block.first == block.last) continue;
-        Thinned& line = lines[cuts(block) ? 0 : 1];
-        const Curve& curve = contour_.path[block.first].curve();
-        line.begin(view(curve.at(curve.begin()).value));
-        const std::function<void(Vec)> to = [&](Vec p) {
-          line.to(view(p));
-          pulse();
-        };
-        Sampler sampler(0.1 * tolerance / view.scale, to);
-        for (std::size_t i = block.first; i < block.last; ++i) {
-          sampler(contour_.path[i]);
-          if (size() > budget_) return false;
-        }
-        line.end();
+    using Lines = std::array<Thinned, classes.size()>;
+    std::vector<Lines> views(views_.size(), {Thinned(tolerance), Thinned(tolerance), Thinned(tolerance)});
+    const auto size = [&] {
+      std::size_t sum = 600 * views.size();
+      for (const Lines& lines : views)
+        for (const Thinned& each : lines) sum += each.data().size();
+      return sum;
+    };
+    for (const Block& block : contour_.blocks) {
+      if (block.first == block.last) continue;
+      const std::size_t mode = cuts(block) ? 0 : 1;
+      const auto in_each = [&](auto&& act) {
+        for (std::size_t v = 0; v < views.size(); ++v) act(views[v][mode], views_[v]);
+      };
+      const Curve& curve = contour_.path[block.first].curve();
+      const Vec begin = curve.at(curve.begin()).value;
+      in_each([&](Thinned& line, const View& view) { line.begin(view(begin)); });
+      const std::function<void(Vec)> to = [&](Vec p) {
+        in_each([&](Thinned& line, const View& view) { line.to(view(p)); });
+        pulse();
+      };
+      Sampler sampler(0.1 * tolerance / views_[0].scale, to);
+      for (std::size_t i = block.first; i < block.last; ++i) {
+        sampler(contour_.path[i]);
+        if (size() > budget_) return false;
       }
-      for (const std::size_t k : {1U, 0U})  // cuts on top
-        if (!lines[k].data().empty()) append(paths, k == 0, lines[k]);
-      if (!contour_.path.empty()) {
-        const Curve& first = contour_.path[0].curve();
-        paths += svg::circle(view(first.at(first.begin()).value), 4, "class=\"begin\" fill=\"#1d8a5f\"");
-      }
-      if (size() > budget_) return false;
+      in_each([](Thinned& line, const View&) { line.end(); });
     }
-    return true;
+    for (std::size_t v = 0; v < views.size(); ++v) {
+      Thinned& line = views[v][way_lines];
+      for (const Vec& p : options_.way) {
+        if (&p == options_.way.data()) line.begin(views_[v](p));
+        line.to(views_[v](p));
+        pulse();
+        if (size() > budget_) return false;
+      }
+      line.end();
+    }
+    paths.clear();
+    for (std::size_t v = 0; v < views.size(); ++v) {
+      for (const std::size_t k : {1U, 0U, 2U})  // cuts on top of positioning
+        if (!views[v][k].data().empty()) append(paths, k, views[v][k]);
+      if (contour_.path.empty()) continue;
+      const Curve& first = contour_.path[0].curve();
+      paths += svg::circle(views_[v](first.at(first.begin()).value), 4, "class=\"begin\" fill=\"#1d8a5f\"");
+    }
+    return paths.size() <= budget_;
   }
 
-  static void append(std::string& paths, bool cut, const Thinned& lines) {
+  static void append(std::string& paths, std::size_t of, const Thinned& lines) {
     char scale[40];
     std::snprintf(scale, sizeof scale, "scale(%.9g)", lines.lattice());
     paths.append("<path")
-        .append(svg::attribute("class", cut ? "cut" : "position"))
+        .append(svg::attribute("class", classes[of]))
         .append(svg::attribute("transform", scale))
         .append(svg::attribute("d", lines.data()))
         .append(" fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\" ")
-        .append(style(cut, lines.lattice()))
+        .append(style(of, lines.lattice()))
         .append("/>\n");
   }
 
@@ -209,8 +220,9 @@ class Drawer {
     char words[60];
     for (const std::size_t k : {0U, 1U}) {
       std::snprintf(words, sizeof words, "%s %.6g mm", k == 0 ? "cut" : "position", length_[k]);
-      if (length_[k] > 0) entry(line(style(k == 0)), words);
+      if (length_[k] > 0) entry(line(style(k)), words);
     }
+    if (!options_.way.empty()) entry(line(style(way_lines)), "coarse axes");
     entry(svg::circle({x + 20, 38}, 4, "fill=\"#1d8a5f\""), "begin");
     if (tolerance > 0) {
       std::snprintf(words, sizeof words, "drawn to %.2g mm", tolerance / views_[0].scale);

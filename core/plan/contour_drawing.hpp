@@ -2,15 +2,18 @@
 /// Drawing of a planned contour as SVG: what is cut, what is positioned, to scale.
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "core/base/progress.hpp"
 #include "core/contour/contour.hpp"
+#include "core/geometry/curve/vec.hpp"
 
 namespace bahnwerk {
 
 struct ContourDrawingOptions {
   std::string title;
   std::size_t max_bytes = 200'000;  ///< of the drawing; its frame takes up to 6 kB of them
+  std::vector<Vec> way = {};        ///< drawn thin over the path, "coarse axes" in the legend; empty: none
 };
 
 /// The path from above (x to the right, y up), and below it from the front (x, z) if it is in space; axes in mm, cuts

@@ -26,6 +26,7 @@ struct ContourPlanning : MethodOptions {
   double max_setpoints = 20'000'000;
   bool stop_at_mode_change = false;  ///< whether the head rests where cutting and positioning meet
   bool what_if = false;              ///< whether to tell what other limits would bring
+  bool machine_study = false;        ///< the same of other fine axes, of machines that have such
 };
 
 struct BlockReport {

@@ -1,13 +1,14 @@
 #include "core/plan/path_plan.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 #include <vector>
 
-#include "core/base/errors.hpp"
+#include "core/motion/axes/length_axis.hpp"
 #include "core/motion/law/dwell.hpp"
 #include "core/motion/setpoints/path_setpoints.hpp"
+#include "core/plan/setpoint_count.hpp"
 #include "core/verify/setpoints/setpoint_checks.hpp"
 #include "core/verify/verifier.hpp"
 
@@ -42,15 +43,15 @@ class Pipeline {
   Pipeline(const PathPlanning& planning, Progress& progress)
       : planning_(planning),
         progress_(progress),
-        method_(method_row(planning.method)),
+        method_(method_row(planning.method, planning.options)),
         machine_(held_limits(planning.machine, method_, planning.machine.dimension())),
         moving_(held_limits(planning.machine, method_, planning.moving->axes())),
-        task_{*planning.moving, moving_, planning.feeds, planning.rests, planning.dwells} {}
+        task_{*planning.moving, moving_, planning.feeds, planning.rests, planning.dwells} {
+    for (double& feed : task_.feeds) feed = std::min(feed, limits_along().velocity);
+  }
 
   PathPlan run() {
-    if (method_.reaches_bound || !planning_.only_duration)
-      plan_.bound =
-          lower_bound(task_, planning_.options.corner_angle, progress_, at(0), at(bounded), &plan_.section_bounds);
+    if (method_.reaches_bound || !planning_.only_duration) plan_.bound = bound();
     take(law_near_the_bound());
     for (int attempt = 1;; ++attempt) {
       slow_and_verify();
@@ -64,7 +65,7 @@ class Pipeline {
     plan_.motion = std::make_shared<const PathMotion>(planning_.path, std::move(law_));
     plan_.setpoints = setpoints();
     for (Check& check : setpoint_checks({*planning_.path, machine_, plan_.motion->law(), *plan_.setpoints,
-                                         planning_.blocks, at(verified), at(1), planning_.shown},
+                                         planning_.blocks, at(verified), at(1), planning_.shown, planning_.lag},
                                         progress_))
       plan_.verification.add(std::move(check));
     plan_.verification.add(bound_check(plan_.bound, plan_.duration));
@@ -75,6 +76,27 @@ class Pipeline {
  private:
   static constexpr double bounded = 0.1, planned = 0.55, verified = 0.85;  // where the stages end
   double at(double fraction) const { return planning_.from + fraction * (planning_.to - planning_.from); }
+
+  /// Those along the path that the method holds.
+  Limits limits_along() const {
+    Limits along = method_.limits_along ? planning_.options.along : Limits{};
+    if (!method_.limits_jerk) along.jerk = unlimited;
+    return along;
+  }
+
+  /// Under the same limits: the speed along the path is one of its feeds, the others are limits of one more axis.
+  Bound bound() {
+    const auto of = [&](const PathTask& task) {
+      return lower_bound(task, planning_.options.corner_angle, progress_, at(0), at(bounded), &plan_.section_bounds);
+    };
+    const Limits along = limits_along();
+    const double acceleration = largest_acceleration(along, task_.path.length());
+    if (!(acceleration < unlimited)) return of(task_);
+    const LengthAxisPath path(task_.path);
+    Machine machine = moving_;
+    machine.axes.emplace_back("path", unlimited, acceleration, along.jerk);
+    return of({path, machine, task_.feeds, task_.rests, task_.dwells});
+  }
 
   TimeLaw solve() {
     MethodResult result = refinement_ == 0 && planning_.planned ? std::move(*planning_.planned)
@@ -105,12 +127,7 @@ class Pipeline {
 
   void take(TimeLaw law) {
     law_ = with_dwells(std::move(law), task_, progress_, at(planned));
-    const double count = std::ceil(law_.duration() / planning_.machine.cycle_time) + 1;
-    if (!(count > planning_.max_setpoints)) return;
-    char text[120];
-    std::snprintf(text, sizeof text, "the motion has %.0f setpoints, at most %.0f are allowed", count,
-                  planning_.max_setpoints);
-    throw InvalidInput({{{"machine", "cycle_time"}, text}});
+    limit_setpoints(law_.duration(), planning_.machine.cycle_time, planning_.max_setpoints);
   }
 
   /// In place: a law may be large.
@@ -124,7 +141,7 @@ class Pipeline {
       VerifierInput input{*planning_.path, machine_, law_, planning_.feeds_to_verify, planning_.rests};
       input.corner_angle = planning_.options.corner_angle;
       input.check_jerk = method_.limits_jerk;
-      if (method_.limits_jerk) input.along = planning_.options.along;
+      input.along = limits_along();
       input.progress_from = at(planned);
       input.progress_to = at(verified);
       plan_.verification = verify_motion(input, progress_);
@@ -135,7 +152,7 @@ class Pipeline {
 
   const PathPlanning& planning_;
   Progress& progress_;
-  const MethodRow& method_;
+  MethodRow method_;
   Machine machine_, moving_;
   PathTask task_;
   int refinement_ = 0;

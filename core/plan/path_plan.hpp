@@ -40,6 +40,8 @@ struct PathPlanning {
       setpoints;
   /// Per axis: what one of its units is in the setpoints' columns, such as 180/π for rad shown in deg; empty: 1.
   std::vector<double> shown;
+  /// By how much these setpoints may be off the law's place (SetpointInput::lag).
+  double lag = 0;
   double from = 0, to = 1;  ///< the share of the whole job's progress that this takes
 };
 

@@ -1,8 +1,11 @@
 #include "core/plan/planning_method.hpp"
 
 #include <stdexcept>
+#include <utility>
 
 #include "core/motion/acceleration/acceleration_limited.hpp"
+#include "core/motion/feed/critical_points.hpp"
+#include "core/motion/feed/spline_feed.hpp"
 #include "core/motion/jerk/jerk_limited.hpp"
 #include "core/motion/natural/natural_law.hpp"
 
@@ -58,12 +61,50 @@ MethodResult natural(const PathTask& task, const MethodOptions& given, int refin
   return result;
 }
 
+FeedOptions feed_options(const MethodOptions& given, int refinement) {
+  FeedOptions options;
+  options.profile = given.profile;
+  options.corner_angle = given.corner_angle;
+  options.path = given.along;
+  options.feed = given.feed;
+  options.nodes <<= refinement;
+  return options;
+}
+
+MethodResult constant(const PathTask& task, const MethodOptions& given, int refinement, Progress& progress, double from,
+                      double to) {
+  MethodResult result{plan_constant_feed(task, feed_options(given, refinement), progress, from, to), 1, 0};
+  result.cells = result.law.pieces().size();
+  return result;
+}
+
+MethodResult critical_points(const PathTask& task, const MethodOptions& given, int refinement, Progress& progress,
+                             double from, double to) {
+  MethodResult result{plan_critical_points(task, feed_options(given, refinement), progress, from, to), 1, 0};
+  result.cells = result.law.pieces().size();
+  return result;
+}
+
+MethodResult spline(const PathTask& task, const MethodOptions& given, int refinement, Progress& progress, double from,
+                    double to) {
+  SplineFeedOptions options;
+  options.path = given.along;
+  options.steps <<= refinement;
+  SplineFeed found = plan_spline_feed(task, options, progress, from, to);
+  MethodResult result{std::move(found.law), found.evaluations, 0};
+  result.cells = result.law.pieces().size();
+  return result;
+}
+
 constexpr MethodRow rows[] = {
-    //  method                             planner         limits_jerk  reaches_bound
-    {PlanningMethod::braking_reserve, braking_reserve, false, false},
-    {PlanningMethod::time_optimal, time_optimal, false, true},
-    {PlanningMethod::jerk_limited, jerk_limited, true, false},
-    {PlanningMethod::natural, natural, true, false},
+    //  method                             planner    limits_jerk  limits_along  takes_profile  reaches_bound
+    {PlanningMethod::braking_reserve, braking_reserve, false, false, false, false},
+    {PlanningMethod::time_optimal, time_optimal, false, false, false, true},
+    {PlanningMethod::jerk_limited, jerk_limited, true, true, false, false},
+    {PlanningMethod::natural, natural, true, true, false, false},
+    {PlanningMethod::constant, constant, true, true, true, false},
+    {PlanningMethod::critical_points, critical_points, true, true, true, false},
+    {PlanningMethod::spline, spline, true, true, false, false},
 };
 
 }  // namespace
@@ -72,6 +113,12 @@ const MethodRow& method_row(PlanningMethod method) {
   for (const MethodRow& row : rows)
     if (row.method == method) return row;
   throw std::logic_error("a planning method without a row");
+}
+
+MethodRow method_row(PlanningMethod method, const MethodOptions& options) {
+  MethodRow row = method_row(method);
+  if (row.takes_profile) row.limits_jerk = speed_profile_row(options.profile).limits_jerk;
+  return row;
 }
 
 Machine held_limits(Machine machine, const MethodRow& method, std::size_t axes) {

@@ -9,14 +9,18 @@
 #include "core/machine/machine.hpp"
 #include "core/motion/axes/path_task.hpp"
 #include "core/motion/law/time_law.hpp"
+#include "core/motion/profile/speed_profile.hpp"
 
 namespace bahnwerk {
 
-enum class PlanningMethod { braking_reserve, time_optimal, jerk_limited, natural };
+enum class PlanningMethod { braking_reserve, time_optimal, jerk_limited, natural, constant, critical_points, spline };
 inline constexpr Named<PlanningMethod> planning_methods[] = {{PlanningMethod::braking_reserve, "braking_reserve"},
                                                              {PlanningMethod::time_optimal, "time_optimal"},
                                                              {PlanningMethod::jerk_limited, "jerk_limited"},
-                                                             {PlanningMethod::natural, "natural"}};
+                                                             {PlanningMethod::natural, "natural"},
+                                                             {PlanningMethod::constant, "constant"},
+                                                             {PlanningMethod::critical_points, "critical_points"},
+                                                             {PlanningMethod::spline, "bspline"}};
 
 /// What a document may set; each method takes what it knows.
 struct MethodOptions {
@@ -24,6 +28,8 @@ struct MethodOptions {
   double braking_reserve = 0.7;                              ///< K_b [Bock (2.11)]
   Limits along;                                              ///< the tool's path
   std::vector<double> shares;                                ///< of natural: see NaturalOptions
+  SpeedProfile profile = SpeedProfile::double_s;             ///< of constant and critical_points
+  double feed = 0;                                           ///< of constant: see FeedOptions
 };
 
 struct MethodResult {
@@ -38,14 +44,20 @@ struct MethodRow {
   /// with a tenth of its loss. Throws as the planner does.
   MethodResult (*plan)(const PathTask& task, const MethodOptions& options, int refinement, Progress& progress,
                        double from, double to);
-  /// Jerk limits of the axes hold, and limits along the path; the motion's acceleration is continuous.
+  /// Jerk limits of the axes hold, and that along the path; the motion's acceleration is continuous.
   bool limits_jerk;
+  /// Limits along the path hold.
+  bool limits_along;
+  /// Its options' profile decides whether jerk is limited.
+  bool takes_profile;
   /// Its law tends to the proven bound as the grid is refined: worth while until it is there.
   bool reaches_bound;
 };
 
 /// Throws std::logic_error for a method without a row.
 const MethodRow& method_row(PlanningMethod method);
+/// The row with what these options make of it: a profile whose acceleration jumps limits no jerk.
+MethodRow method_row(PlanningMethod method, const MethodOptions& options);
 
 /// The limits that a method holds, of the machine's first `axes`: jerk is unlimited where it is not among them.
 Machine held_limits(Machine machine, const MethodRow& method, std::size_t axes);

@@ -96,7 +96,7 @@ int run(int argc, char** argv) {
   ServiceOptions options;
   options.workers = std::max(2U, std::thread::hardware_concurrency()) - 1;
   std::string role = "all", level = "info", job, contour, out, id, server = "http://127.0.0.1:8080", format = "csv",
-              key;
+              layout, key;
   bool wait = false;
 
   CLI::App* serve_command =
@@ -110,7 +110,16 @@ int run(int argc, char** argv) {
   CLI::App* plan_command = app.add_subcommand("plan", "plans a job document offline, prints the result document");
   plan_command->add_option("job", job, "job document, - for stdin")->required()->capture_default_str();
   add_contour(plan_command);
-  plan_command->add_option("--out", out, "directory for result.json, setpoints.csv and drawings")->type_name("DIR");
+  CLI::Option* out_option =
+      plan_command->add_option("--out", out, "directory for result.json, setpoints.csv and drawings")->type_name("DIR");
+  const auto add_layout = [&](CLI::App* command) {
+    return command
+        ->add_option("--layout", layout,
+                     "of csv: plain, twincat (axes, their velocities, brake; semicolons), twincat_poses (the tool's "
+                     "pose and its rates instead)")
+        ->check(CLI::IsMember({"plain", "twincat", "twincat_poses"}));
+  };
+  add_layout(plan_command)->needs(out_option);
   const auto add_server = [&](CLI::App* command) {
     command->add_option("--server", server, "where the service is")->envname("BAHNWERK_SERVER")->type_name("URL");
   };
@@ -128,6 +137,7 @@ int run(int argc, char** argv) {
   fetch_command->add_option("id", id, "the job")->required();
   fetch_command->add_option("--format", format, "csv, ndjson or f64 (little-endian doubles, row-major)")
       ->check(CLI::IsMember({"csv", "ndjson", "f64", "json"}));
+  add_layout(fetch_command);
   add_server(fetch_command);
   const std::pair<CLI::App*, const char*> exit_codes[] = {
       {serve_command, "0 ended in order, 1 a planner did not stop in time, 2 could not start"},
@@ -158,10 +168,10 @@ int run(int argc, char** argv) {
   }
   try {
     if (*serve_command) return run_serve(options, role, level);
-    if (*plan_command) return plan(read_job(job, contour), out);
+    if (*plan_command) return plan(read_job(job, contour), out, layout);
     if (*submit_command) return submit(server, read_job(job, contour), key, wait);
     if (*watch_command) return watch(server, id);
-    return fetch(server, id, format);
+    return fetch(server, id, format, layout);
   } catch (const std::exception& error) {
     std::cerr << "bahnwerk: " << error.what() << '\n';
     return exit_usage;

@@ -15,11 +15,12 @@ inline constexpr int exit_unreachable = 3;  ///< no server answered, or one that
 int run(int argc, char** argv);  ///< the whole program; its exit code
 
 int serve(const ServiceOptions& options);
-/// `job` is the document; with `out`, writes result.json and setpoints.csv there.
-int plan(const std::string& job, const std::string& out);
+/// `job` is the document; with `out`, writes result.json and setpoints.csv there, these in a layout of api::csv_layouts
+/// (empty: plain).
+int plan(const std::string& job, const std::string& out, const std::string& layout);
 int submit(const std::string& server, const std::string& job, const std::string& key, bool wait);
 int watch(const std::string& server, const std::string& id);
-int fetch(const std::string& server, const std::string& id, const std::string& format);
+int fetch(const std::string& server, const std::string& id, const std::string& format, const std::string& layout);
 
 /// The file's bytes, or stdin's for "-". Throws std::runtime_error with a sentence.
 std::string read_input(const std::string& path);

@@ -3,6 +3,8 @@
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 
 #include "api/problem.hpp"
 #include "api/setpoints.hpp"
@@ -49,9 +51,24 @@ void write(const std::filesystem::path& path, const std::string& text) {
   finish(file, path);
 }
 
+/// Throws api::Problem for a layout that does not fit the columns. `source` outlives it.
+api::SetpointStream csv(const SetpointSource& source, const std::string& layout) {
+  api::SetpointSeries series;
+  series.columns = source.columns();
+  series.count = source.count();
+  series.cycle_time = source.cycle_time();
+  series.read = [&source](std::size_t first, std::size_t rows, std::vector<double>& values) {
+    values.resize(rows * source.columns().size());
+    source.read(first, rows, values.data());
+  };
+  api::SetpointQuery query;
+  if (!layout.empty()) query.layout = value_of<api::CsvLayout>(layout, api::csv_layouts);
+  return {std::move(series), std::move(query), api::SetpointFormat::csv};
+}
+
 /// result.json, the drawings that it holds, setpoints.csv.
 void write_files(const std::filesystem::path& folder, const nlohmann::ordered_json& result,
-                 const SetpointSource* source) {
+                 std::optional<api::SetpointStream> setpoints) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw std::runtime_error("cannot make " + folder.string() + ": " + error.message());
@@ -59,20 +76,11 @@ void write_files(const std::filesystem::path& folder, const nlohmann::ordered_js
   if (result["details"].contains("drawings"))
     for (const auto& [name, drawing] : result["details"]["drawings"].items())
       write(folder / name, drawing.get<std::string>());
-  if (!source) return;
-  api::SetpointSeries series;
-  series.columns = source->columns();
-  series.count = source->count();
-  series.cycle_time = source->cycle_time();
-  series.read = [&](std::size_t first, std::size_t rows, std::vector<double>& values) {
-    values.resize(rows * source->columns().size());
-    source->read(first, rows, values.data());
-  };
-  api::SetpointStream stream(std::move(series), {}, api::SetpointFormat::csv);
+  if (!setpoints) return;
   std::ofstream file(folder / "setpoints.csv", std::ios::binary);
   for (bool more = true; more;) {
     std::string piece;
-    more = stream.next(piece);
+    more = setpoints->next(piece);
     file << piece;
   }
   finish(file, folder / "setpoints.csv");
@@ -80,17 +88,19 @@ void write_files(const std::filesystem::path& folder, const nlohmann::ordered_js
 
 }  // namespace
 
-int plan(const std::string& job, const std::string& out) {
+int plan(const std::string& job, const std::string& out, const std::string& layout) {
   api::PlannedJob planned;
+  std::optional<api::SetpointStream> setpoints;
   try {
     const api::JobRequest request = api::parse_job(job);
     TerminalProgress progress(request);
     planned = api::plan_job(request.kind, request.document, progress);
     if (!planned.verified) throw api::Problem("verification-failed", "The plan was not verified against its limits.");
+    if (!out.empty() && planned.setpoints) setpoints.emplace(csv(*planned.setpoints, layout));
   } catch (...) {
     return report_problem(api::problem_from_current_exception("/spec"));
   }
-  if (!out.empty()) write_files(out, planned.result, planned.setpoints.get());
+  if (!out.empty()) write_files(out, planned.result, std::move(setpoints));
   std::cout << planned.result.dump(2) << std::endl;
   if (!std::cout) throw std::runtime_error("cannot write the result document");
   return exit_ok;

@@ -116,7 +116,7 @@ int watch(const std::string& server, const std::string& id) {
   });
 }
 
-int fetch(const std::string& server, const std::string& id, const std::string& format) {
+int fetch(const std::string& server, const std::string& id, const std::string& format, const std::string& layout) {
   static const std::map<std::string, std::string> types{{"csv", "text/csv"},
                                                         {"ndjson", "application/x-ndjson"},
                                                         {"f64", "application/octet-stream"},
@@ -127,8 +127,9 @@ int fetch(const std::string& server, const std::string& id, const std::string& f
       if (std::fwrite(piece.data(), 1, piece.size(), stdout) != piece.size())
         throw std::runtime_error("cannot write the setpoints");
     };
+    const std::string query = layout.empty() ? "" : "?layout=" + layout;
     const Response response =
-        client.request("GET", job_path(id) + "/setpoints", {{"Accept", types.at(format)}}, {}, print);
+        client.request("GET", job_path(id) + "/setpoints" + query, {{"Accept", types.at(format)}}, {}, print);
     if (response.status != 200) return refused(response);
     if (std::fflush(stdout) != 0) throw std::runtime_error("cannot write the setpoints");
     return exit_ok;

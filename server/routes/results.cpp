@@ -81,7 +81,7 @@ void add_result_routes(Router& router, Context& context) {
              on_pool(context.pool, [&](const Request& request) { return result(context, request); }));
   router.add("GET", "/v1/jobs/{id}/setpoints",
              on_pool(context.pool, [&](const Request& request) { return setpoints(context, request); }),
-             {"first", "count", "every", "columns", "points", "format"});
+             {"first", "count", "every", "columns", "points", "format", "layout"});
 }
 
 }  // namespace bahnwerk::server

@@ -19,6 +19,9 @@ inline std::string check_stem(std::string name) {
   for (const char* end : {" (feed ", " orthocyclic_", " raabe", " potential", " needle", " x", " y", " z"})
     if (const auto at = name.rfind(end); at != name.npos && (end[1] == '(' || end[2] != 0 || at + 2 == name.size()))
       name.resize(at);
+  // A coarse or fine axis.
+  if (const std::size_t n = name.size(); n > 3 && name[n - 3] == ' ' && (name[n - 1] == 'c' || name[n - 1] == 'f'))
+    name.resize(n - 3);
   // An axis of a winding machine.
   if (const std::size_t n = name.size(); n > 3 && name.compare(n - 3, 2, " q") == 0) name.resize(n - 3);
   return name;

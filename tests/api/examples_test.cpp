@@ -66,17 +66,5 @@ TEST(Examples, FaultyDocumentsAreRefusedAtTheRightPlace) {
   EXPECT_GE(count, 40u);
 }
 
-TEST(Examples, WhatALaterVersionTakesIsSaidToBeUnavailable) {
-  const json cases = test::read_json(test::source("schemas/examples/contour/invalid/not_available.json"));
-  for (const auto& each : cases) {
-    json spec = test::read_json(test::source("schemas/examples/contour/complete.json"));
-    spec.patch_inplace(each["patch"]);
-    const auto problem = test::refusal(test::job_with_spec("contour", spec).dump());
-    ASSERT_TRUE(problem);
-    for (const auto& error : problem->errors())
-      EXPECT_THAT(error.message, testing::HasSubstr("not available in this version")) << error.pointer;
-  }
-}
-
 }  // namespace
 }  // namespace bahnwerk::api

@@ -28,6 +28,9 @@ TEST(SetpointQuery, ReadsEveryParameter) {
   EXPECT_EQ(query.columns, (Pointers{"x", "vy"}));
   EXPECT_EQ(parse_setpoint_query({{"points", "500"}}).points, 500u);
   EXPECT_EQ(parse_setpoint_query({{"format", "ndjson"}}).format, SetpointFormat::ndjson);
+  EXPECT_EQ(parse_setpoint_query({{"layout", "twincat"}}).layout, CsvLayout::twincat);
+  EXPECT_EQ(parse_setpoint_query({{"layout", "twincat_poses"}}).layout, CsvLayout::twincat_poses);
+  EXPECT_EQ(parse_setpoint_query({{"layout", "plain"}, {"points", "9"}}).layout, CsvLayout::plain);
 }
 
 TEST(SetpointQuery, DefaultsToEverything) {
@@ -51,6 +54,9 @@ TEST(SetpointQuery, RefusesContradictionsAndStrangers) {
   EXPECT_EQ(faults({{"points", "10"}, {"every", "2"}}), Pointers{"/query/points"});
   for (const char* format : {"", "CSV", "xml"})
     EXPECT_EQ(faults({{"format", format}}), Pointers{"/query/format"}) << format;
+  EXPECT_EQ(faults({{"layout", "twincat"}, {"points", "10"}}), Pointers{"/query/layout"});
+  for (const char* layout : {"", "TwinCAT", "siemens"})
+    EXPECT_EQ(faults({{"layout", layout}}), Pointers{"/query/layout"}) << layout;
   EXPECT_EQ(faults({{"offset", "10"}}), Pointers{"/query/offset"});
   EXPECT_EQ(faults({{"a/b", ""}}), Pointers{"/query/a~1b"});
   EXPECT_EQ(faults({{"first", "1"}, {"first", "1"}}), Pointers{"/query/first"});

@@ -61,6 +61,57 @@ TEST(SetpointStream, EveryFormatHoldsTheSeries) {
     }
 }
 
+/// Two rows of a machine with two axes and a tool that turns.
+SetpointSeries needle_series() {
+  SetpointSeries s;
+  for (const char* name :
+       {"q1", "q2", "vq1", "vq2", "aq1", "aq2", "x", "y", "phi", "s", "v", "brake", "vx", "vy", "vphi"})
+    s.columns.push_back({name, "1"});
+  s.count = 2;
+  s.cycle_time = 0.002;
+  s.read = [](std::size_t first, std::size_t n, std::vector<double>& out) {
+    for (std::size_t i = 0; i < 15 * n; ++i) out.push_back(static_cast<double>(15 * first + i) / 4);
+  };
+  return s;
+}
+std::string laid_out(const SetpointQuery& query) {
+  SetpointStream stream(needle_series(), query, SetpointFormat::csv);
+  std::string text;
+  while (stream.next(text)) {
+  }
+  return text;
+}
+
+TEST(SetpointStream, ControllersGetTheirColumnsAndSeparators) {
+  SetpointQuery query;
+  query.layout = CsvLayout::twincat;
+  EXPECT_EQ(laid_out(query), "q1;q2;vq1;vq2;brake\r\n0;0.25;0.5;0.75;2.75\r\n3.75;4;4.25;4.5;6.5\r\n");
+  query.layout = CsvLayout::twincat_poses;
+  query.first = 1;
+  EXPECT_EQ(laid_out(query), "x;y;phi;vx;vy;vphi;brake\r\n5.25;5.5;5.75;6.75;7;7.25;6.5\r\n");
+  query.columns = {"s", "q2"};
+  EXPECT_EQ(laid_out(query), "s;q2\r\n6;4\r\n");
+  query.layout = CsvLayout::plain;
+  EXPECT_EQ(laid_out(query), "s,q2\n6,4\n");
+}
+
+TEST(SetpointStream, LayoutsBelongToCsvAndToWhatTheyHold) {
+  SetpointQuery query;
+  query.layout = CsvLayout::twincat;
+  const auto refused = [&](SetpointSeries series, SetpointFormat format) {
+    try {
+      SetpointStream(std::move(series), query, format);
+    } catch (const Problem& problem) {
+      return test::pointers(problem).front();
+    }
+    return std::string();
+  };
+  for (const auto format : {SetpointFormat::json, SetpointFormat::ndjson, SetpointFormat::f64})
+    EXPECT_EQ(refused(needle_series(), format), "/query/layout");
+  Source source{3};  // its column has a velocity, but no acceleration
+  EXPECT_EQ(refused(source.series(), SetpointFormat::csv), "/query/layout");
+}
+
 TEST(SetpointStream, SlicesEqualTheWhole) {
   std::mt19937_64 random(2);
   for (int trial = 0; trial < 300; ++trial) {

@@ -5,6 +5,7 @@ import random
 
 import random_contour
 import random_slot
+import random_winding
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 JERK = {"method": "jerk_limited", "corner": {"mode": "blend", "tolerance": 0.02}}
@@ -53,8 +54,15 @@ def part_files():
 
 
 def random_documents(count, seed):
-    """`count` documents, one in five a slot. Each has a generator of its own: one more does not change the others."""
+    """`count` documents, one in five a slot; and for one in ten a winding more, with any feed. Each has a generator of its
+    own: one more does not change the others."""
     for i in range(count):
+        if i % 10 == 3:
+            generator = random.Random(f"{seed}/winding/{i}")
+            spec = random_winding.spec(generator)
+            spec["feed"].update(method=generator.choice(["optimised", "critical_points", "constant", "natural"]),
+                                profile=generator.choice(["double_s", "trapezoid", "trigonometric"]))
+            yield f"winding {i}", {"kind": "winding", "spec": spec}
         generator = random.Random(f"{seed}/{i}")
         if i % 5 == 4:
             yield f"slot {i}", {"kind": "fill_factor", "spec": random_slot.spec(generator)}

@@ -19,6 +19,11 @@ expect_equal "$(head -n 1 "$work/slow/setpoints.csv" | tr -d '\r')" "x,y,vx,vy,a
 expect_equal "$(tail -n 1 "$work/slow/setpoints.csv" | tr -d '\r')" "100,0,0,0,0,0,100,0,1,0"
 grep -q '<path class="cut"' "$work/slow/contour.svg" || fail "a drawing of the contour"
 expect_equal "$(jq '[.verification.checks[] | select(.name | startswith("setpoints ")).passed] | length > 8 and all' "$work/out")" true
+# The same rows as a controller reads them; a layout needs rows to be written, and one that there is.
+expect_equal "$(code_of "$bahnwerk" plan "$work/slow.json" --out "$work/slow" --layout twincat)" 0
+expect_equal "$(sed -n '1p;$p' "$work/slow/setpoints.csv" | od -c -A n | tr -d ' \n')" 'x;y;vx;vy\r\n100;0;0;0\r\n'
+expect_equal "$(code_of "$bahnwerk" plan "$work/slow.json" --layout twincat)" 2
+expect_equal "$(code_of "$bahnwerk" plan "$work/slow.json" --out "$work/slow" --layout nonsense)" 2
 # A part program and a drawing take the contour's place.
 printf 'G21 G90\nM3\nG1 X100 F6000\nM5\nG0 Y50\nM2\n' >"$work/part.ngc"
 expect_equal "$(code_of "$bahnwerk" plan "$examples/line.json" --contour "$work/part.ngc")" 0

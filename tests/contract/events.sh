@@ -6,7 +6,9 @@ snake 50000 >"$work/long.json"
 post "$work/long.json"
 long=$id
 await running
-post "$work/long.json" # one more, for machines that are done with the first too soon
+post "$work/long.json" # two more, for machines that are done with the first too soon
+middle=$id
+post "$work/long.json"
 next=$id
 
 # stream FILE [curl's arguments…]: the events of job $id until their end.
@@ -33,6 +35,7 @@ follower=$!
 sleep 16.5
 grep -q '^: ' "$work/short" || fail "no heartbeat after 15 s"
 expect_equal "$(states "$work/short")" "queued "
+request POST "/v1/jobs/$middle/cancel"
 request POST "/v1/jobs/$next/cancel"
 request POST "/v1/jobs/$long/cancel"
 wait "$follower" || fail "the stream ends by itself"

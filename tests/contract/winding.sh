@@ -12,6 +12,8 @@ await succeeded 120
 request GET "/v1/jobs/$id/result"
 expect_status 200
 expect_json '.verification.passed and .kind == "winding" and .summary.turns == 2 and .bound.duration <= .summary.duration'
+expect_json '.details.feed_fluctuation | .exact.largest <= 1e-6 and .quartic.mean < .taylor1.mean'
+expect_json '.details.wire | .peak == 30 and .least == 30'
 expect_json '.details.support_points | length == 16'
 expect_json '.details.path | (.knots | length) == (.points | length) + .degree + 1'
 jq -S . "$work/body" >"$work/one.json"
@@ -20,6 +22,16 @@ request GET "/v1/jobs/$id/setpoints?columns=q1,q4,vq4,phi,brake" -H 'Accept: tex
 expect_status 200
 expect_equal "$(head -n 1 "$work/body")" q1,q4,vq4,phi,brake
 expect_equal "$(wc -l <"$work/body")" $((count + 1))
+# What a controller follows: axes, velocities and brake; the needle's pose, its rates and brake; nothing of it as JSON.
+request GET "/v1/jobs/$id/setpoints?layout=twincat&count=3" -H 'Accept: text/csv'
+expect_status 200
+expect_equal "$(head -n 1 "$work/body")" $'q1;q2;q3;q4;q5;vq1;vq2;vq3;vq4;vq5;brake\r'
+expect_equal "$(wc -l <"$work/body")" 4
+"$bahnwerk" fetch "$id" --server "$url" --layout twincat_poses >"$work/poses.csv"
+expect_equal "$(head -n 1 "$work/poses.csv")" $'x;y;z;phi;psi;vx;vy;vz;vphi;vpsi;brake\r'
+request GET "/v1/jobs/$id/setpoints?layout=twincat" -H 'Accept: application/json'
+expect_problem schema-violation 422
+expect_json '.errors[0].pointer == "/query/layout"'
 request GET "/v1/jobs/$id/setpoints?first=$((count - 1))&count=1" -H 'Accept: application/json'
 expect_status 200
 stop_server
@@ -31,10 +43,31 @@ jq '.spec.part.slot.groove_radius = 0.1' "$work/job.json" >"$work/bad.json"
 post "$work/bad.json"
 expect_problem semantic-violation 422
 expect_json '.errors[0].pointer == "/spec/part/slot/groove_radius"'
-jq '.spec.path.objective = "minimum_time"' "$work/job.json" >"$work/bad.json"
+jq '.spec.path.objective = "least_length"' "$work/job.json" >"$work/bad.json"
 post "$work/bad.json"
 expect_problem schema-violation 422
-expect_json '.errors[0].pointer == "/spec/path/objective" and (.errors[0].message | contains("not available"))'
+expect_json '.errors[0].pointer == "/spec/path/objective"'
+
+# Every way of choosing the feed; what cannot be held is named.
+for method in natural constant critical_points; do
+  jq --arg method "$method" '.spec.coil.turns = 1 | .spec.feed.method = $method' "$examples/rotor_coil.json" >"$work/feed.json"
+  post "$work/feed.json"
+  await succeeded 60
+  request GET "/v1/jobs/$id/result"
+  expect_json ".verification.passed and .details.feed == \"$method\" and .details.fastest > 0"
+done
+jq '.spec.coil.turns = 1 | .spec.feed = {"method": "constant", "velocity": 700}' "$examples/rotor_coil.json" >"$work/fast.json"
+post "$work/fast.json"
+await failed 60
+expect_error infeasible
+expect_json '.error.detail | contains("feed.velocity") and contains("largest constant feed")'
+
+# Setpoints that scatter about the time law exceed the axes' limits, which is said by name.
+jq '.spec.feed.interpolator = "taylor1"' "$work/job.json" >"$work/scatter.json"
+post "$work/scatter.json"
+await failed 120
+expect_error verification-failed
+expect_json '.error.detail | contains("setpoint jerk")'
 
 # Where the machine does not reach: turn, region and pose.
 jq '.spec.machine.axes.q3.range = [0, 50]' "$work/job.json" >"$work/short.json"

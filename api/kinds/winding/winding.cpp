@@ -10,6 +10,8 @@
 #include "api/problem.hpp"
 #include "api/setpoint_summary.hpp"
 #include "api/verification.hpp"
+#include "core/plan/winding/feed_drawing.hpp"
+#include "core/plan/winding/slot_access.hpp"
 #include "core/plan/winding/winding_drawings.hpp"
 
 namespace bahnwerk::api::winding_kind {
@@ -34,6 +36,12 @@ class PlannedSetpoints final : public SetpointSource {
   std::shared_ptr<const Kinematics> machine_;
   std::unique_ptr<SetpointSource> source_;
 };
+
+ordered_json slot_access_result(const SlotAccess& access) {
+  return {{"step", access.step},
+          {"without_pivot_shift", access.shares.front()},
+          {"with_pivot_shift", access.shares.size() > 1 ? ordered_json(access.shares[1]) : ordered_json()}};
+}
 
 ordered_json summary(const WindingPlan& plan) {
   const double least = plan.clearance.minimum;
@@ -78,7 +86,13 @@ PlannedJob plan(const json& spec, Progress& progress) {
                 {"details", details(asked, plan, progress)}};
   progress.report("drawing", 1);
   job.result["details"]["drawings"] = {{"needle_path.svg", needle_path_drawing(asked, plan)},
-                                       {"curvature.svg", turn_curvature_drawing(plan)}};
+                                       {"curvature.svg", turn_curvature_drawing(plan)},
+                                       {"feed.svg", feed_drawing(asked, plan)}};
+  job.result["details"]["access"] = nullptr;
+  if (const auto access = slot_access(asked, progress)) {
+    job.result["details"]["access"] = slot_access_result(*access);
+    job.result["details"]["drawings"]["clearance_map.svg"] = access->drawing;
+  }
   job.setpoints = std::make_unique<PlannedSetpoints>(plan);
   return job;
 }

@@ -68,13 +68,16 @@ WindingRequest request(const json& spec) {
   request.configurations = machine(spec, faults);
   take(spec["machine"], "cycle_time", request.cycle_time);
   request.links = links(spec);
+  request.minimum_time = minimum_time(spec);
   request.model = needle_model(spec, request.wire);
+  request.tension = tension_model(spec, request.wire, faults);
   request.needle = needle_shape(spec);
   const auto* stator = std::get_if<winding::StatorPart>(&request.part);
   request.tool = tool(spec, stator ? &stator->heads : nullptr, faults);
   take(spec.value("needle", json::object()), "clearance", request.least_clearance);
-  request.feed = value_of<FeedMethod>(spec.value("feed", json::object()).value("method", "optimised"), feed_methods);
-  request.along = feed_limits(spec);
+  read_feed(spec, request, faults);
+  request.interpolator =
+      value_of<Interpolator>(spec.value("feed", json::object()).value("interpolator", "exact"), interpolators);
   take(spec, "temperature", request.temperature);
   request.max_setpoints = max_setpoints;
   if (request.needle.length < request.needle.width)
@@ -88,6 +91,10 @@ WindingRequest request(const json& spec) {
                        [&](const InputFault& known) { return known.place == fault.place; }))
         faults.push_back(fault);
   }
+  // As many turns as the slot takes are counted when they are planned.
+  if (const std::size_t turns = request.coils.size() * request.turns;
+      request.law == FeedLaw::bspline && turns > max_spline_turns)
+    faults.push_back({{"feed", "law"}, too_many_spline_turns(turns)});
   if (!faults.empty()) throw InvalidInput(std::move(faults));
   return request;
 }

@@ -21,10 +21,13 @@ std::vector<winding::Coil> coils(const nlohmann::json& spec,
 std::vector<std::shared_ptr<const Kinematics>> machine(const nlohmann::json& spec, Faults& faults);
 
 winding::LinkOptions links(const nlohmann::json& spec);
+bool minimum_time(const nlohmann::json& spec);
 winding::NeedleModel needle_model(const nlohmann::json& spec, const winding::Wire& wire);
+winding::TensionModel tension_model(const nlohmann::json& spec, const winding::Wire& wire, Faults& faults);
 winding::NeedleShape needle_shape(const nlohmann::json& spec);
 winding::ToolPost tool(const nlohmann::json& spec, const winding::StatorHeads* heads, Faults& faults);
-Limits feed_limits(const nlohmann::json& spec);
+/// Method, profile and limits along the path.
+void read_feed(const nlohmann::json& spec, WindingRequest& request, Faults& faults);
 
 /// Faults of core name "slot" and "heads", which in this kind's document stand within "part".
 InvalidInput relocated(const InvalidInput& error);

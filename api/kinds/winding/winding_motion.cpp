@@ -1,4 +1,5 @@
 // Path, feed, pull and needle of a spec of kind "winding".
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -14,6 +15,8 @@ constexpr double degree = std::numbers::pi / 180;
 json member(const json& spec, const char* name) { return spec.value(name, json::object()); }
 
 }  // namespace
+
+bool minimum_time(const json& spec) { return member(spec, "path").value("objective", "") == "minimum_time"; }
 
 winding::LinkOptions links(const json& spec) {
   const json path = member(spec, "path");
@@ -40,6 +43,22 @@ winding::NeedleModel needle_model(const json& spec, const winding::Wire& wire) {
   return model;
 }
 
+winding::TensionModel tension_model(const json& spec, const winding::Wire& wire, Faults& faults) {
+  const json pull = member(spec, "pull");
+  winding::TensionModel model;
+  take(pull, "force", model.force);
+  take(pull, "effective_mass", model.mass);
+  take(pull, "friction", model.friction);
+  take(pull, "brake_range", model.range);
+  model.permitted = std::max(model.force, winding::yield_pull(wire));
+  take(pull, "permitted", model.permitted);
+  if (model.permitted < model.force)
+    faults.push_back({{"pull", "force"}, "is more than pull.permitted: set it lower, or permit more"});
+  if (model.range > 0 && model.range < model.force)
+    faults.push_back({{"pull", "brake_range"}, "is less than pull.force: the brake cannot hold the wire at it"});
+  return model;
+}
+
 winding::NeedleShape needle_shape(const json& spec) {
   const json needle = member(spec, "needle");
   winding::NeedleShape shape;
@@ -63,13 +82,20 @@ winding::ToolPost tool(const json& spec, const winding::StatorHeads* heads, Faul
   return post;
 }
 
-Limits feed_limits(const json& spec) {
+void read_feed(const json& spec, WindingRequest& request, Faults& faults) {
   const json feed = member(spec, "feed");
-  Limits limits;
-  take(feed, "velocity", limits.velocity);
-  take(feed, "acceleration", limits.acceleration);
-  take(feed, "jerk", limits.jerk);
-  return limits;
+  request.feed = value_of<PlanningMethod>(feed.value("method", "optimised"), feed_methods);
+  request.law = value_of<FeedLaw>(feed.value("law", "convex"), feed_laws);
+  if (request.law == FeedLaw::bspline && request.feed != PlanningMethod::jerk_limited)
+    faults.push_back({{"feed", "law"}, "belongs to feed.method optimised: the other methods have their own"});
+  request.profile = value_of<SpeedProfile>(feed.value("profile", "double_s"), speed_profiles);
+  take(feed, "velocity", request.along.velocity);
+  take(feed, "acceleration", request.along.acceleration);
+  take(feed, "jerk", request.along.jerk);
+  take(feed, "chord_tolerance", request.chord_tolerance);
+  take(feed, "half_speed_curvature", request.half_speed_curvature);
+  if (request.half_speed_curvature < unlimited && !(request.along.velocity < unlimited))
+    faults.push_back({{"feed", "half_speed_curvature"}, "needs feed.velocity, of which half is allowed there"});
 }
 
 }  // namespace bahnwerk::api::winding_kind

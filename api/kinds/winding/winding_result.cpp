@@ -1,5 +1,6 @@
 #include "api/kinds/winding/winding_result.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -67,6 +68,8 @@ ordered_json arm(const WindingPlan& plan) {
   return robot->arm() == RobotArm::lefty ? "lefty" : "righty";
 }
 
+bool takes_profile(const WindingRequest& request) { return method_row(request.feed).takes_profile; }
+
 ordered_json notes(const WindingRequest& request, const WindingPlan& plan) {
   ordered_json list = ordered_json::array();
   // Where the wire leaves the needle at more than a right angle its tension rises [Herrmann 4.2.6].
@@ -83,10 +86,57 @@ ordered_json notes(const WindingRequest& request, const WindingPlan& plan) {
     list.push_back("at " + std::to_string(bent) + " of " + std::to_string(all) +
                    " support points the wire leaves the needle at more than 90 deg, at most at " +
                    std::to_string(std::lround(degrees * most)) + " deg: its tension rises there");
+  if (takes_profile(request) && !speed_profile_row(request.profile).limits_jerk)
+    list.push_back(std::string("profile ") + name_of<SpeedProfile>(request.profile, speed_profiles) +
+                   ": the acceleration jumps where a change of speed begins and ends; no jerk limit of axes or feed is "
+                   "held or verified");
+  if (const double yields = winding::yield_pull(request.wire); request.model.pull.force > yields)
+    list.push_back("the wire's copper yields at about " + std::to_string(std::lround(yields)) +
+                   " N, less than pull.force: it is drawn thinner, and its resistance rises");
   if (request.turns > 0 && request.turns < plan.layout[0].wires.size())
     list.push_back("the slot takes " + std::to_string(plan.layout[0].wires.size()) + " turns of this wire, " +
                    std::to_string(request.turns) + " are wound");
   return list;
+}
+
+ordered_json feed_fluctuation(const WindingPlan& plan) {
+  ordered_json list = ordered_json::object();
+  std::size_t i = 0;
+  for (const auto& row : interpolators) {
+    const FeedFluctuation& f = plan.fluctuation.at(i++);
+    list[row.name] = {
+        {"mean", f.mean}, {"largest", f.largest}, {"chord_mean", f.chord_mean}, {"chord_largest", f.chord_largest},
+        {"lag", f.lag},   {"drift", f.drift}};
+  }
+  return list;
+}
+
+ordered_json wire(const WindingRequest& request, const WindingPlan& plan) {
+  constexpr double density = 8.96e-3;  // g/mm³, of copper [IEC 60028: 8.89e-3 to 8.96e-3]
+  const WireFigures& w = plan.wire;
+  const double copper = request.wire.copper;
+  return {{"length", plan.wire_length},
+          {"copper_mass", density * std::numbers::pi / 4 * copper * copper * plan.wire_length},
+          {"permitted", request.tension.permitted},
+          {"peak", w.peak},
+          {"least", w.least},
+          {"peak_at_constant_brake", w.constant_peak},
+          {"least_at_constant_brake", w.constant_least},
+          {"speed", w.speed},
+          {"taken_back", w.taken_back},
+          {"acceleration", w.acceleration}};
+}
+
+/// From a turn's begin to the next one's, or to the end.
+ordered_json turn_time(const WindingPlan& plan) {
+  const auto& begins = plan.turn_begins;
+  double least = unlimited, most = 0;
+  for (std::size_t i = 0; i < begins.size(); ++i) {
+    const double time = (i + 1 < begins.size() ? begins[i + 1] : plan.motion.motion->duration()) - begins[i];
+    least = std::min(least, time), most = std::max(most, time);
+  }
+  return {
+      {"least", least}, {"mean", plan.motion.motion->duration() / static_cast<double>(begins.size())}, {"most", most}};
 }
 
 /// Where the tool's path is at parameter `v` of a piece, mm.
@@ -118,8 +168,29 @@ ordered_json clearance(const WindingPlan& plan) {
           {"along", least.along},     {"nearest", plan.nearest}};
 }
 
+ordered_json link_times(const WindingPlan& plan) {
+  if (!plan.link_times) return nullptr;
+  const LinkTimes& times = *plan.link_times;
+  const auto seconds = [](double time) { return std::isfinite(time) ? ordered_json(time) : ordered_json(); };
+  return {{"curvature", seconds(times.curvature)},
+          {"control_distance", seconds(times.control_distance)},
+          {"minimum_time", seconds(times.minimum_time)},
+          {"changed", times.changed},
+          {"taken", name_of<LinkChoice>(times.taken, link_choices)}};
+}
+
 ordered_json details(const WindingRequest& request, const WindingPlan& plan, Progress& progress) {
-  return {{"feed", name_of<FeedMethod>(request.feed, feed_methods)},
+  return {{"feed", name_of<PlanningMethod>(request.feed, feed_methods)},
+          {"law", request.feed == PlanningMethod::jerk_limited ? ordered_json(name_of<FeedLaw>(request.law, feed_laws))
+                                                               : ordered_json()},
+          {"profile", takes_profile(request) ? ordered_json(name_of<SpeedProfile>(request.profile, speed_profiles))
+                                             : ordered_json()},
+          {"fastest", plan.fastest},
+          {"jerk", {{"along", plan.jerk.along}, {"total", plan.jerk.total}, {"at", plan.jerk.at}}},
+          {"interpolator", name_of<Interpolator>(request.interpolator, interpolators)},
+          {"feed_fluctuation", feed_fluctuation(plan)},
+          {"wire", wire(request, plan)},
+          {"turn_time", turn_time(plan)},
           {"law_pieces", plan.motion.pieces},
           {"notes", notes(request, plan)},
           {"arm", arm(plan)},
@@ -129,7 +200,8 @@ ordered_json details(const WindingRequest& request, const WindingPlan& plan, Pro
           {"turns", turns(plan)},
           {"support_points", support_points(plan, progress)},
           {"path", path(request, plan, progress)},
-          {"links", links(request, plan, progress)}};
+          {"links", links(request, plan, progress)},
+          {"link_times", link_times(plan)}};
 }
 
 Verification in_degrees(Verification verdict) {

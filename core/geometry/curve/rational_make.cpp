@@ -121,6 +121,10 @@ Rational Rational::bezier(const std::vector<Vec>& points, const std::vector<doub
   Polynomial n[3];
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (std::size_t i = 0; i < row.size(); ++i) row[i] = weight_of(i) * (points[i][axis] - base[axis]);
+    if (std::all_of(row.begin(), row.end(), [](double x) { return x == 0; })) {
+      n[axis].assign(row.size(), 0.0);
+      continue;
+    }
     const double middle = from_bernstein(row)[0];
     for (std::size_t i = 0; i < row.size(); ++i) row[i] = weight_of(i) * ((points[i][axis] - base[axis]) - middle);
     n[axis] = from_bernstein(row);

@@ -44,6 +44,10 @@ const Tables& tables() {
   return made;
 }
 
+/// Of x: a step of Newton's method so short, with what the bend of s(x) adds to it, leaves an error of the order of its
+/// third power, below rounding.
+constexpr double short_step = 4e-6;
+
 /// Σ c[k] x^k, k < 13, by Estrin's scheme: short dependency chains, fixed order of operations.
 template <class Number>
 Number estrin(const std::array<double, 13>& c, Number x) {
@@ -53,15 +57,26 @@ Number estrin(const std::array<double, 13>& c, Number x) {
   return (a + b * x4) + (d + c[12] * x4) * x8;
 }
 /// Σ k c[k] x^(k−1).
-double estrin_slope(const std::array<double, 13>& c, double x) {
-  const double x2 = x * x, x4 = x2 * x2, x8 = x4 * x4;
-  const double a = (c[1] + 2 * c[2] * x) + (3 * c[3] + 4 * c[4] * x) * x2;
-  const double b = (5 * c[5] + 6 * c[6] * x) + (7 * c[7] + 8 * c[8] * x) * x2;
-  const double d = (9 * c[9] + 10 * c[10] * x) + (11 * c[11] + 12 * c[12] * x) * x2;
+template <class Number>
+Number estrin_slope(const std::array<double, 13>& c, Number x) {
+  const Number x2 = x * x, x4 = x2 * x2, x8 = x4 * x4;
+  const Number a = (c[1] + 2 * c[2] * x) + (3 * c[3] + 4 * c[4] * x) * x2;
+  const Number b = (5 * c[5] + 6 * c[6] * x) + (7 * c[7] + 8 * c[8] * x) * x2;
+  const Number d = (9 * c[9] + 10 * c[10] * x) + (11 * c[11] + 12 * c[12] * x) * x2;
   return a + b * x4 + d * x8;
 }
-double estrin(const std::array<double, 8>& c, double x) {
-  const double x2 = x * x, x4 = x2 * x2;
+/// Σ ½ k (k − 1) c[k] x^(k−2).
+template <class Number>
+Number estrin_bend(const std::array<double, 13>& c, Number x) {
+  const Number x2 = x * x, x4 = x2 * x2, x8 = x4 * x4;
+  const Number a = (c[2] + 3 * c[3] * x) + (6 * c[4] + 10 * c[5] * x) * x2;
+  const Number b = (15 * c[6] + 21 * c[7] * x) + (28 * c[8] + 36 * c[9] * x) * x2;
+  const Number d = (45 * c[10] + 55 * c[11] * x) + 66 * c[12] * x2;
+  return a + b * x4 + d * x8;
+}
+template <class Number>
+Number estrin(const std::array<double, 8>& c, Number x) {
+  const Number x2 = x * x, x4 = x2 * x2;
   return ((c[0] + c[1] * x) + (c[2] + c[3] * x) * x2) + ((c[4] + c[5] * x) + (c[6] + c[7] * x) * x2) * x4;
 }
 
@@ -231,6 +246,24 @@ double ArcLength::inverse(double s) const {
   return std::clamp(inverse_on(panels_[i], s), u_[i], u_[i + 1]);
 }
 
+PointPair ArcLength::inverse(PointPair s) const {
+  if (!panels_.empty() && s[0] > 0 && s[1] >= s[0] && s[1] < length_) {
+    const std::size_t i = panel_of(s_, s[0]);
+    const Panel& panel = panels_[i];
+    if (panel.monomial == 0 && s[1] <= s_[i + 1]) {
+      const PointPair y = (s - panel.s_middle) * panel.s_inverse_half;
+      const PointPair x = larger(smaller(estrin(panel.start, y), PointPair{1, 1}), PointPair{-1, -1});
+      const PointPair slope = estrin_slope(panel.s, x), step = (estrin(panel.s, x) - (s - panel.base)) / slope;
+      if (largest(magnitude(step)) < short_step) {
+        const PointPair end = x - step * (1.0 + step * estrin_bend(panel.s, x) / slope);
+        const PointPair u = panel.centre + end / panel.inverse_half;
+        return larger(smaller(u, PointPair{u_[i + 1], u_[i + 1]}), PointPair{u_[i], u_[i]});
+      }
+    }
+  }
+  return PointPair{inverse(s[0]), inverse(s[1])};
+}
+
 double ArcLength::inverse_on(const Panel& panel, double s) const {
   const double target = s - panel.base, half = 1 / panel.inverse_half;
   if (panel.monomial > 0) {
@@ -245,11 +278,11 @@ double ArcLength::inverse_on(const Panel& panel, double s) const {
     const double value = estrin(panel.s, x) - target, slope = estrin_slope(panel.s, x);
     (value > 0 ? high : low) = x;
     const double step = value / slope, next = x - step;
-    const bool inside = next >= low && next <= high;
-    if (std::abs(step) < 3e-8) {  // the error left is of the order of step²
-      x = std::clamp(next, -1.0, 1.0);
+    if (std::abs(step) < short_step) {
+      x = std::clamp(next - step * (step * estrin_bend(panel.s, x) / slope), -1.0, 1.0);
       break;
     }
+    const bool inside = next >= low && next <= high;
     x = inside ? next : 0.5 * (low + high);
     if (high - low < 1e-16) break;
   }

@@ -26,8 +26,10 @@ class ArcLength {
   /// s(u) from the beginning, mm; u is clamped to the curve. O(log panels).
   double at(double u) const;
   void at(PathBatch& batch) const;
-  /// u(s); s is clamped to [0, length()]. O(log panels), usually one Newton step from a polynomial start.
+  /// u(s); s is clamped to [0, length()]. O(log panels), usually one step, of third order, from a polynomial start.
   double inverse(double s) const;
+  /// Two at once, which takes little longer than one where they lie in the same panel, ascending.
+  PointPair inverse(PointPair s) const;
   /// Borders of the panels, ascending from begin to end of the parameter.
   std::vector<double> borders() const;
 

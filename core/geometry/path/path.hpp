@@ -34,6 +34,7 @@ class Segment {
 
   double parameter(double s) const;  ///< u(s), to 1e-10 of the segment's length
   double parameter_at(double travelled) const { return arc_length_.inverse(travelled); }  ///< inverse of travelled(u)
+  PointPair parameter_at(PointPair travelled) const { return arc_length_.inverse(travelled); }
   double arc_length(double u) const;  ///< s(u) on the path, exact to 1e-12 of the segment's length
   double travelled(double u) const { return arc_length_.at(u); }  ///< s(u) from the begin of the segment, mm
   PathPoint at_parameter(

@@ -141,7 +141,10 @@ std::vector<Rational> regular_pieces(const Rational& given) {
   const VectorPolynomial v = hodograph(curve);
   std::vector<Zero> cuts = inner_zeros(curve, v, tolerance);
   const double u0 = curve.begin(), u1 = curve.end();
-  const auto end_order = [&](double u) { return order_at(curve.restricted(u0, u1, u), tolerance); };
+  const auto end_order = [&](double u) {
+    if (curve.speed(u) * (u1 - u0) > 2 * tolerance) return std::size_t{0};  // the first coefficient, but for rounding
+    return order_at(curve.restricted(u0, u1, u), tolerance);
+  };
   cuts.insert(cuts.begin(), {u0, end_order(u0)});
   cuts.push_back({u1, end_order(u1)});
   if (cuts.size() == 2 && cuts[0].order == 0 && cuts[1].order == 0) return {given};

@@ -1,11 +1,10 @@
 #include "core/geometry/spline/link.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 
-#include "core/geometry/spline/basis_row.hpp"
+#include "core/geometry/spline/end_conditions.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -13,146 +12,101 @@ namespace {
 constexpr double binomial[spline_orders][spline_orders] = {
     {1, 0, 0, 0, 0}, {1, 1, 0, 0, 0}, {1, 2, 1, 0, 0}, {1, 3, 3, 1, 0}, {1, 4, 6, 4, 1}};
 
-/// Gauss–Jordan with pivoting by rows; a few numbers, once per basis.
-std::vector<double> inverted(std::vector<double> a, std::size_t n) {
-  std::vector<double> b(n * n, 0.0);
-  for (std::size_t i = 0; i < n; ++i) b[i * n + i] = 1;
-  for (std::size_t c = 0; c < n; ++c) {
-    std::size_t pivot = c;
-    for (std::size_t r = c + 1; r < n; ++r)
-      if (std::abs(a[r * n + c]) > std::abs(a[pivot * n + c])) pivot = r;
-    for (std::size_t j = 0; j < n; ++j) {
-      std::swap(a[c * n + j], a[pivot * n + j]);
-      std::swap(b[c * n + j], b[pivot * n + j]);
-    }
-    const double scale = 1 / a[c * n + c];
-    for (std::size_t j = 0; j < n; ++j) a[c * n + j] *= scale, b[c * n + j] *= scale;
-    for (std::size_t r = 0; r < n; ++r) {
-      const double factor = a[r * n + c];
-      if (r == c || factor == 0) continue;
-      for (std::size_t j = 0; j < n; ++j) a[r * n + j] -= factor * a[c * n + j], b[r * n + j] -= factor * b[c * n + j];
-    }
-  }
-  return b;
-}
-
-double condition_of(const LinkBasis& basis, std::size_t condition, const std::vector<double>& values) {
-  double sum = 0;
-  for (std::size_t i = 0; i < basis.size(); ++i) sum += basis.row(condition, i) * values[i];
-  return sum;
-}
-
-/// Which weights the shape has, checked.
-std::vector<double> weights_of(const LinkBasis& basis, const LinkEnds& ends, const LinkShape& shape) {
-  if (ends.via.has_value() != (basis.via() > 0)) throw std::invalid_argument("a place on the way and knots for it");
+void check(std::size_t continuity, const LinkShape& shape) {
+  if (continuity < 1 || continuity >= spline_orders) throw std::invalid_argument("a link needs a continuity of 1 to 4");
   if (!(shape.before[0] > 0) || !(shape.after[0] > 0)) throw std::invalid_argument("β₁ has to be positive");
-  if (shape.weights.empty()) return std::vector<double>(basis.size(), 1.0);
-  if (shape.weights.size() != basis.size() ||
+  if (shape.weights.empty()) return;
+  if (shape.weights.size() != link_points(continuity) ||
       !std::all_of(shape.weights.begin(), shape.weights.end(), [](double w) { return w > 0; }))
     throw std::invalid_argument("a positive weight per control point");
-  return shape.weights;
 }
 
-/// Row of a condition: derivatives 0 … k at 0, two at via, then k … 0 at 1.
-std::size_t before_row(std::size_t order) { return order; }
-std::size_t after_row(const LinkBasis& basis, std::size_t order) { return basis.size() - 1 - order; }
+/// One end of a link. At the last one everything counts from there: control points backwards, derivatives by 1 − v.
+struct End {
+  std::size_t continuity;
+  bool last;
+  std::size_t degree = 2 * continuity + 1;
 
-/// Homogeneous derivative of order n from those of weight and curve (Leibniz).
-template <class Row>
-HomogeneousPoint product(const SplineJet& curve, std::size_t n, Row&& weight) {
-  HomogeneousPoint h{};
-  for (std::size_t j = 0; j <= n; ++j) {
-    const double w = binomial[n][j] * weight(j);
-    for (std::size_t d = 0; d < spline_dimension; ++d) h[d] += w * curve[n - j][d];
+  std::size_t point(std::size_t i) const { return last ? degree - i : i; }
+  double sign(std::size_t order) const { return last && order % 2 == 1 ? -1 : 1; }
+
+  /// Derivatives 0 … k of the weight, from this end on.
+  std::array<double, spline_orders> weights(const std::vector<double>& points) const {
+    std::array<double, spline_orders> w{1};
+    if (points.empty()) return w;
+    double falling = 1;  // p!/(p − n)!
+    for (std::size_t n = 0; n <= continuity; ++n) {
+      w[n] = 0;
+      for (std::size_t i = 0; i <= n; ++i)
+        w[n] += ((n - i) % 2 == 0 ? 1 : -1) * binomial[n][i] * points[point(i)] * falling;
+      falling *= static_cast<double>(degree - n);
+    }
+    return w;
   }
-  return h;
-}
-
-std::vector<HomogeneousPoint> solved(const LinkBasis& basis, const std::vector<HomogeneousPoint>& conditions) {
-  std::vector<HomogeneousPoint> points(basis.size(), HomogeneousPoint{});
-  for (std::size_t i = 0; i < basis.size(); ++i)
-    for (std::size_t c = 0; c < basis.size(); ++c)
-      for (std::size_t d = 0; d < spline_dimension; ++d) points[i][d] += basis.inverse(i, c) * conditions[c][d];
-  return points;
-}
+};
 
 }  // namespace
 
-LinkBasis::LinkBasis(std::size_t continuity, double via)
-    : continuity_(continuity), size_(2 * continuity + 2 + (via > 0 ? 2 : 0)), via_(via) {
-  if (continuity < 1 || continuity >= spline_orders || !(via >= 0 && via < 1))
-    throw std::invalid_argument("a link needs a continuity of 1 to 4 and a place within it");
-  knots_.assign(degree() + 1, 0.0);
-  if (via > 0) knots_.insert(knots_.end(), 2, via);
-  knots_.insert(knots_.end(), degree() + 1, 1.0);
-  const auto add = [&](std::size_t order, double u) {
-    const auto row = basis_row(knots_, degree(), order, u);
-    rows_.insert(rows_.end(), row.begin(), row.end());
-  };
-  for (std::size_t n = 0; n <= continuity; ++n) add(n, 0);
-  if (via > 0) add(0, via), add(1, via);
-  for (std::size_t n = continuity + 1; n-- > 0;) add(n, 1);
-  inverse_ = inverted(rows_, size_);
+BezierPiece link(std::size_t continuity, const LinkEnds& ends, const LinkShape& shape) {
+  check(continuity, shape);
+  std::vector<HomogeneousPoint> points(link_points(continuity));
+  for (const bool last : {false, true}) {
+    const End end{continuity, last};
+    const SplineJet curve =
+        reparametrised(last ? ends.after : ends.before, inverse_change(last ? shape.after : shape.before));
+    const auto weight = end.weights(shape.weights);
+    for (std::size_t d = 0; d < spline_dimension; ++d) {
+      std::array<double, spline_orders> product{};  // derivatives of weight times curve, by Leibniz
+      for (std::size_t n = 0; n <= continuity; ++n)
+        for (std::size_t j = 0; j <= n; ++j)
+          product[n] += binomial[n][j] * weight[j] * end.sign(n - j) * curve[n - j][d];
+      for (std::size_t i = 0; i <= continuity; ++i) points[end.point(i)][d] = end_point(product, end.degree, i);
+    }
+  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+    points[i][spline_dimension] = shape.weights.empty() ? 1.0 : shape.weights[i];
+  return BezierPiece(std::move(points));
 }
 
-NurbsPath link(const LinkBasis& basis, const LinkEnds& ends, const LinkShape& shape) {
-  const std::vector<double> weights = weights_of(basis, ends, shape);
-  const std::size_t k = basis.continuity();
-  const SplineJet before = reparametrised(ends.before, inverse_change(shape.before)),
-                  after = reparametrised(ends.after, inverse_change(shape.after));
-  std::vector<HomogeneousPoint> conditions(basis.size());
-  for (std::size_t n = 0; n <= k; ++n) {
-    conditions[before_row(n)] =
-        product(before, n, [&](std::size_t j) { return condition_of(basis, before_row(j), weights); });
-    conditions[after_row(basis, n)] =
-        product(after, n, [&](std::size_t j) { return condition_of(basis, after_row(basis, j), weights); });
-  }
-  if (ends.via) {
-    const SplineJet middle{ends.via->point, ends.via->tangent};
-    for (std::size_t n = 0; n < 2; ++n)
-      conditions[k + 1 + n] =
-          product(middle, n, [&](std::size_t j) { return condition_of(basis, k + 1 + j, weights); });
-  }
-  NurbsPath path{basis.degree(), solved(basis, conditions), basis.knots()};
-  for (std::size_t i = 0; i < basis.size(); ++i) path.points[i][spline_dimension] = weights[i];
-  // The ends without the round-off of the solution: neighbours share their points.
-  path.points.front() = homogeneous(before[0], weights.front());
-  path.points.back() = homogeneous(after[0], weights.back());
-  return path;
-}
-
-std::vector<double> inherited_weights(const LinkBasis& basis, const std::array<double, spline_orders>& before,
+std::vector<double> inherited_weights(std::size_t continuity, const std::array<double, spline_orders>& before,
                                       const std::array<double, spline_orders>& after, const LinkShape& shape) {
-  const std::size_t k = basis.continuity();
-  const auto first = reparametrised(before, inverse_change(shape.before)),
-             last = reparametrised(after, inverse_change(shape.after));
-  std::vector<double> conditions(basis.size(), 0.0), weights(basis.size(), 0.0);
-  for (std::size_t n = 0; n <= k; ++n) conditions[before_row(n)] = first[n], conditions[after_row(basis, n)] = last[n];
-  if (basis.via() > 0) conditions[k + 1] = 1;
-  for (std::size_t i = 0; i < basis.size(); ++i)
-    for (std::size_t c = 0; c < basis.size(); ++c) weights[i] += basis.inverse(i, c) * conditions[c];
+  std::vector<double> weights(link_points(continuity));
+  for (const bool last : {false, true}) {
+    const End end{continuity, last};
+    auto own = reparametrised(last ? after : before, inverse_change(last ? shape.after : shape.before));
+    for (std::size_t n = 0; n < own.size(); ++n) own[n] *= end.sign(n);
+    for (std::size_t i = 0; i <= continuity; ++i) weights[end.point(i)] = end_point(own, end.degree, i);
+  }
   return weights;
 }
 
-std::vector<std::vector<HomogeneousPoint>> link_derivatives(const LinkBasis& basis, const LinkEnds& ends,
-                                                            const LinkShape& shape) {
-  const std::vector<double> weights = weights_of(basis, ends, shape);
-  const std::size_t k = basis.continuity();
-  std::vector<std::vector<HomogeneousPoint>> result;
-  result.reserve(2 * k);
-  for (const bool first : {true, false}) {
-    const Series change = inverse_change(first ? shape.before : shape.after);
-    const SplineJet curve = reparametrised(first ? ends.before : ends.after, change);
-    const auto row = [&](std::size_t n) { return first ? before_row(n) : after_row(basis, n); };
-    for (std::size_t j = 1; j <= k; ++j) {
+void link_gradient(std::size_t continuity, const LinkEnds& ends, const LinkShape& shape, std::span<const Vec> by_points,
+                   std::span<double> gradient) {
+  check(continuity, shape);
+  if (by_points.size() != link_points(continuity) || gradient.size() != 2 * continuity)
+    throw std::invalid_argument("a gradient by the control points and one by the betas");
+  for (const bool last : {false, true}) {
+    const End end{continuity, last};
+    const Series change = inverse_change(last ? shape.after : shape.before);
+    const SplineJet curve = reparametrised(last ? ends.after : ends.before, change);
+    const auto weight = end.weights(shape.weights);
+    // By the derivatives of weight times curve, then by those of the curve, both from this end on.
+    std::array<Vec, spline_orders> by_product{}, by_curve{};
+    for (std::size_t n = 0; n <= continuity; ++n) {
+      std::array<double, spline_orders> unit{};
+      unit[n] = 1;
+      for (std::size_t i = n; i <= continuity; ++i)
+        by_product[n] += end_point(unit, end.degree, i) * by_points[end.point(i)];
+      for (std::size_t j = 0; j <= n; ++j)
+        by_curve[n - j] += binomial[n][j] * weight[j] * end.sign(n - j) * by_product[n];
+    }
+    for (std::size_t j = 1; j <= continuity; ++j) {
       const SplineJet slope = beta_derivative(curve, change, j);
-      std::vector<HomogeneousPoint> conditions(basis.size(), HomogeneousPoint{});
-      for (std::size_t n = 0; n <= k; ++n)
-        conditions[row(n)] = product(slope, n, [&](std::size_t i) { return condition_of(basis, row(i), weights); });
-      result.push_back(solved(basis, conditions));
+      double sum = 0;
+      for (std::size_t n = 0; n <= continuity; ++n) sum += dot(by_curve[n], place(slope[n]));
+      gradient[(last ? continuity : 0) + j - 1] = sum;
     }
   }
-  return result;
 }
 
 }  // namespace bahnwerk

@@ -29,10 +29,18 @@ Series reverted(const Series& f) {
 Series inverse_change(const Betas& betas) { return reverted(Series::from(0, betas[0], betas[1], betas[2], betas[3])); }
 
 SplineJet reparametrised(const SplineJet& jet, const Series& change) {
+  // Powers of the change, which all coordinates share; the n-th begins with x^n.
+  std::array<Series, spline_orders> power;
+  power[0] = 1;
+  for (std::size_t n = 1; n < spline_orders; ++n) power[n] = power[n - 1] * change;
   SplineJet r{};
+  r[0] = jet[0];
   for (std::size_t d = 0; d < spline_dimension; ++d) {
-    const Series s = composed(coordinate(jet, d), change);
-    for (std::size_t n = 0; n < spline_orders; ++n) r[n][d] = s.derivative(n);
+    const Series outer = coordinate(jet, d);
+    Series s;
+    for (std::size_t n = 1; n < spline_orders; ++n)
+      for (std::size_t m = n; m < spline_orders; ++m) s.c[m] += outer.c[n] * power[n].c[m];
+    for (std::size_t n = 1; n < spline_orders; ++n) r[n][d] = s.derivative(n);
   }
   return r;
 }

@@ -200,6 +200,7 @@ void SpeedChain<N>::update(const UnsetVector<double>& share, UnsetVector<std::ui
 
 template class SpeedChain<2>;
 template class SpeedChain<3>;
+template class SpeedChain<5>;
 template class SpeedChain<8>;
 
 }  // namespace bahnwerk

@@ -163,6 +163,7 @@ template <class Done>
 
 extern template class SpeedChain<2>;
 extern template class SpeedChain<3>;
+extern template class SpeedChain<5>;
 extern template class SpeedChain<8>;
 
 }  // namespace bahnwerk

@@ -58,8 +58,7 @@ KinematicAxisPath::KinematicAxisPath(const Path& tool, const Kinematics& kinemat
 AxisJet KinematicAxisPath::raw_at_parameter(std::size_t segment, double u) const {
   const Segment& here = tool()[segment];
   try {
-    if (orientation_) return kinematics_.inverse(orientation_->tool(here, segment, u));
-    return kinematics_.inverse({here.at_parameter(u), {}, {}});
+    return kinematics_.inverse(tool_jet(segment, u));
   } catch (const UnreachablePose& e) {
     throw UnreachablePose(e.what(), here.arc_length(u), e.pose);  // only the path knows where on it that is
   }
@@ -74,6 +73,11 @@ AxisJet KinematicAxisPath::at_parameter(std::size_t segment, double u) const {
 ToolPose KinematicAxisPath::pose(std::size_t segment, double u) const {
   if (orientation_) return orientation_->pose(tool()[segment], segment, u);
   return {tool()[segment].curve().at(u).value};
+}
+
+ToolJet KinematicAxisPath::tool_jet(std::size_t segment, double u) const {
+  if (orientation_) return orientation_->tool(tool()[segment], segment, u);
+  return {tool()[segment].at_parameter(u), {}, {}};
 }
 
 double KinematicAxisPath::pose_turn(std::size_t segment, double u, double radius) const {

@@ -115,6 +115,8 @@ class KinematicAxisPath final : public AxisPath {
   bool enclose(std::size_t segment, double u, double radius, AxisDiscs& axes) const override;
   double pose_turn(std::size_t segment, double u, double radius) const override;
   ToolPose pose(std::size_t segment, double u) const;
+  /// The same with its derivatives by s.
+  ToolJet tool_jet(std::size_t segment, double u) const;
   /// at_parameter() without whole turns.
   AxisJet raw_at_parameter(std::size_t segment, double u) const;
   const Kinematics& kinematics() const { return kinematics_; }

@@ -76,7 +76,7 @@ class Layer {
     const Lanes<N> model =
         (r * r * (1 + 2 * t)) * left.d2 + (t * t * (1 + 2 * r)) * right.d2 + (h * t * r) * (r * left.d3 - t * right.d3);
     const double error = std::isfinite(cap) ? cap * largest(magnitude(model - mid.d2) * inverse_acceleration_) : 0;
-    return std::max(turn / options_.angle, std::sqrt(std::sqrt(error / options_.hermite)));
+    return std::max({turn / options_.angle, std::sqrt(std::sqrt(error / options_.hermite)), h / options_.longest});
   }
 
   /// Cells between two stations; `known` is the one in the middle, if it has been looked at before.
@@ -128,6 +128,7 @@ class Layer {
     const Station<N> left = grid_.stations.back();
     std::array<double, N> turning{};
     std::size_t count = 0;
+    constexpr double closest = 1e-3;  // of the cell: two axes may turn at one place but for rounding
     for (std::size_t k = 0; k < N; ++k) {
       if (!(left.d1[k] * right.d1[k] < 0)) continue;
       double a = left.u, b = right.u, fa = left.d1[k], fb = right.d1[k], u = a;
@@ -145,13 +146,13 @@ class Layer {
         fb = f;
       }
       const double share = (u - left.u) / (right.u - left.u);
-      if (!(share > 1e-3 && share < 1 - 1e-3)) continue;
+      if (!(share > closest && share < 1 - closest)) continue;
       std::size_t i = count++;
       for (; i > 0 && turning[i - 1] > u; --i) turning[i] = turning[i - 1];
       turning[i] = u;
     }
     for (std::size_t i = 0; i < count; ++i)
-      if (turning[i] > grid_.stations.back().u) cell_to(path_.at(index_, turning[i]));
+      if (turning[i] - grid_.stations.back().u > closest * (right.u - left.u)) cell_to(path_.at(index_, turning[i]));
   }
 
   Grid<N>& grid_;
@@ -272,9 +273,11 @@ double total_turn(const LanePath<N>& path, std::size_t first, std::size_t last) 
 
 template class Grid<2>;
 template class Grid<3>;
+template class Grid<5>;
 template class Grid<8>;
 template double total_turn<2>(const LanePath<2>&, std::size_t, std::size_t);
 template double total_turn<3>(const LanePath<3>&, std::size_t, std::size_t);
+template double total_turn<5>(const LanePath<5>&, std::size_t, std::size_t);
 template double total_turn<8>(const LanePath<8>&, std::size_t, std::size_t);
 
 }  // namespace bahnwerk

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct GridOptions {
   double angle = 0.004;  ///< most a cell turns, rad
   double hermite =
       1e-10;  ///< error allowed to the cubic model of a curvature vector, as a fraction of the axis acceleration limit
+  double longest = std::numeric_limits<double>::infinity();  ///< cell where q is not linear, mm
 };
 
 template <int N>
@@ -110,9 +112,11 @@ double total_turn(const LanePath<N>& path, std::size_t first, std::size_t last);
 
 extern template class Grid<2>;
 extern template class Grid<3>;
+extern template class Grid<5>;
 extern template class Grid<8>;
 extern template double total_turn<2>(const LanePath<2>&, std::size_t, std::size_t);
 extern template double total_turn<3>(const LanePath<3>&, std::size_t, std::size_t);
+extern template double total_turn<5>(const LanePath<5>&, std::size_t, std::size_t);
 extern template double total_turn<8>(const LanePath<8>&, std::size_t, std::size_t);
 
 }  // namespace bahnwerk

@@ -1,5 +1,5 @@
 #pragma once
-/// An axis path as planners calculate with it: N lanes, where N is 2, 3 or 8.
+/// An axis path as planners calculate with it: N lanes, where N is 2, 3, 5 or 8.
 ///
 /// Lanes beyond the path's axes, and those of axes that stand still but for rounding, repeat the first one that moves
 /// with its limits, which changes nothing. Axes through kinematics have any units: they are scaled so that no |q′|
@@ -136,6 +136,7 @@ template <class Plan>
 auto with_lanes(std::size_t axes, Plan&& plan) {
   if (axes <= 2) return plan(std::integral_constant<int, 2>{});
   if (axes == 3) return plan(std::integral_constant<int, 3>{});
+  if (axes <= 5) return plan(std::integral_constant<int, 5>{});
   return plan(std::integral_constant<int, 8>{});
 }
 

@@ -16,6 +16,9 @@ namespace {
 constexpr double min_share = 0.5;
 /// A peak from which on shares are not even tried, and one for which they are.
 constexpr double hopeless = 1.15, bearable = 1.05;
+/// Peaks, in relation to their limits, are found to the first of these: rounding shows in the jerk of a fine cell long
+/// before 1e-11, and would be halved on and on. What stays below the second keeps its limit.
+constexpr double resolved = 1e-8, kept = 1 - 1e-7;
 
 }  // namespace
 
@@ -61,7 +64,8 @@ template <int N, int M>
 void JerkSectionPlanner<N, M>::certify(ProgressScope& pulse) {
   measure(limit_, true, pulse);  // a model of the path is good enough to plan by, not to vouch for
   worst_ = {};
-  PeakSweep sweep(std::vector<double>(3 * M, 1.0));
+  PeakSweep sweep(std::vector<double>(3 * M, 1.0), resolved);
+  for (std::size_t k = 0; k < 3 * M; ++k) sweep.raise(k, kept, 0, 0);  // below that nothing is looked for
   const std::size_t n = grid_.cells.size();
   for (std::size_t c = 0; c < n; ++c) {
     pulse(c, n);
@@ -98,7 +102,7 @@ void JerkSectionPlanner<N, M>::certify(ProgressScope& pulse) {
   for (const auto& rows : problem_.nodes)
     for (std::size_t k = 0; k < M; ++k)
       worst_.a = std::max(worst_.a, std::abs(rows.p[k] * state_[rows.node].b + rows.q[k] * state_[rows.node].a));
-  const auto bound = [](double peak) { return peak > 1 ? 1 + 1.5 * (peak - 1) : peak; };
+  const auto bound = [](double peak) { return peak > kept ? 1 + 1.5 * (peak - kept) : peak; };
   for (std::size_t k = 0; k < M; ++k) {
     worst_.v = std::max(worst_.v, bound(sweep[k].value));
     worst_.a = std::max(worst_.a, bound(sweep[M + k].value));
@@ -110,22 +114,22 @@ template <int N, int M>
 bool JerkSectionPlanner<N, M>::stubborn() {
   const std::size_t n = grid_.cells.size();
   bool any = false;
-  division_.assign(n, {});
+  division_.resize(n);
   for (std::size_t c = 0; c < n; ++c)
     for (std::size_t k = 0; k < M; ++k)
       if (peaks_[c].jerk[k] > hopeless ||
           (peaks_[c].jerk[k] > bearable &&
            std::min(problem_.cells[c].share[0][k], problem_.cells[c].share[1][k]) <= min_share)) {
-        division_[c].parts = 4;
+        division_[c].parts = std::max<std::uint16_t>(division_[c].parts, 4);
         any = true;
       }
   return any;
 }
 
 template <int N, int M>
-void JerkSectionPlanner<N, M>::tighten() {
+void JerkSectionPlanner<N, M>::tighten(double times) {
   const std::size_t n = grid_.cells.size();
-  const auto less = [](double peak) { return peak > sure ? sure / (sure + 1.05 * (peak - sure)) : 1.0; };
+  const auto less = [&](double peak) { return peak > sure ? sure / (sure + times * (peak - sure)) : 1.0; };
   for (auto& rows : problem_.nodes) {
     for (std::size_t k = 0; k < M; ++k)
       rows.share[k] *= less(std::max(peaks_[rows.node - 1].acceleration[k], peaks_[rows.node].acceleration[k]));
@@ -146,31 +150,41 @@ template void JerkSectionPlanner<2, 2>::look_half_way(ProgressScope& pulse);
 template void JerkSectionPlanner<2, 2>::measure(const RowLimits<2>& limit, bool exact, ProgressScope& pulse);
 template void JerkSectionPlanner<2, 2>::certify(ProgressScope& pulse);
 template bool JerkSectionPlanner<2, 2>::stubborn();
-template void JerkSectionPlanner<2, 2>::tighten();
+template void JerkSectionPlanner<2, 2>::tighten(double times);
 template void JerkSectionPlanner<2, 3>::look_half_way(ProgressScope& pulse);
 template void JerkSectionPlanner<2, 3>::measure(const RowLimits<3>& limit, bool exact, ProgressScope& pulse);
 template void JerkSectionPlanner<2, 3>::certify(ProgressScope& pulse);
 template bool JerkSectionPlanner<2, 3>::stubborn();
-template void JerkSectionPlanner<2, 3>::tighten();
+template void JerkSectionPlanner<2, 3>::tighten(double times);
 template void JerkSectionPlanner<3, 3>::look_half_way(ProgressScope& pulse);
+template void JerkSectionPlanner<5, 5>::look_half_way(ProgressScope& pulse);
 template void JerkSectionPlanner<8, 8>::look_half_way(ProgressScope& pulse);
 template void JerkSectionPlanner<3, 3>::measure(const RowLimits<3>& limit, bool exact, ProgressScope& pulse);
+template void JerkSectionPlanner<5, 5>::measure(const RowLimits<5>& limit, bool exact, ProgressScope& pulse);
 template void JerkSectionPlanner<8, 8>::measure(const RowLimits<8>& limit, bool exact, ProgressScope& pulse);
 template void JerkSectionPlanner<3, 3>::certify(ProgressScope& pulse);
+template void JerkSectionPlanner<5, 5>::certify(ProgressScope& pulse);
 template void JerkSectionPlanner<8, 8>::certify(ProgressScope& pulse);
 template bool JerkSectionPlanner<3, 3>::stubborn();
+template bool JerkSectionPlanner<5, 5>::stubborn();
 template bool JerkSectionPlanner<8, 8>::stubborn();
-template void JerkSectionPlanner<3, 3>::tighten();
-template void JerkSectionPlanner<8, 8>::tighten();
+template void JerkSectionPlanner<3, 3>::tighten(double times);
+template void JerkSectionPlanner<5, 5>::tighten(double times);
+template void JerkSectionPlanner<8, 8>::tighten(double times);
 template void JerkSectionPlanner<3, 4>::look_half_way(ProgressScope& pulse);
+template void JerkSectionPlanner<5, 6>::look_half_way(ProgressScope& pulse);
 template void JerkSectionPlanner<8, 9>::look_half_way(ProgressScope& pulse);
 template void JerkSectionPlanner<3, 4>::measure(const RowLimits<4>& limit, bool exact, ProgressScope& pulse);
+template void JerkSectionPlanner<5, 6>::measure(const RowLimits<6>& limit, bool exact, ProgressScope& pulse);
 template void JerkSectionPlanner<8, 9>::measure(const RowLimits<9>& limit, bool exact, ProgressScope& pulse);
 template void JerkSectionPlanner<3, 4>::certify(ProgressScope& pulse);
+template void JerkSectionPlanner<5, 6>::certify(ProgressScope& pulse);
 template void JerkSectionPlanner<8, 9>::certify(ProgressScope& pulse);
 template bool JerkSectionPlanner<3, 4>::stubborn();
+template bool JerkSectionPlanner<5, 6>::stubborn();
 template bool JerkSectionPlanner<8, 9>::stubborn();
-template void JerkSectionPlanner<3, 4>::tighten();
-template void JerkSectionPlanner<8, 9>::tighten();
+template void JerkSectionPlanner<3, 4>::tighten(double times);
+template void JerkSectionPlanner<5, 6>::tighten(double times);
+template void JerkSectionPlanner<8, 9>::tighten(double times);
 
 }  // namespace bahnwerk

@@ -24,6 +24,7 @@ void divide(Grid<N>& grid, const LanePath<N>& path, const LargeVector<Division>&
 
 extern template void divide<2>(Grid<2>&, const LanePath<2>&, const LargeVector<Division>&, ProgressScope&);
 extern template void divide<3>(Grid<3>&, const LanePath<3>&, const LargeVector<Division>&, ProgressScope&);
+extern template void divide<5>(Grid<5>&, const LanePath<5>&, const LargeVector<Division>&, ProgressScope&);
 extern template void divide<8>(Grid<8>&, const LanePath<8>&, const LargeVector<Division>&, ProgressScope&);
 
 }  // namespace bahnwerk

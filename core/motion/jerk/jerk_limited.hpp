@@ -12,7 +12,9 @@
 /// law that holds the limits.
 ///
 /// Long sections are planned window by window (jerk_windows.cpp). Cost: O(cells), linear; a smooth spline takes 20 to
-/// 28 iterations in all, 3.5 to 5 µs per cell from 1e3 to 1e6 cells (tests/bench/bench_jerk.cpp).
+/// 28 iterations in all, 3.5 to 5 µs per cell from 1e3 to 1e6 cells (tests/bench/bench_jerk.cpp). Through kinematics
+/// cells are wider, windows shorter, and the start is slower (docs/methods/motion.md): 400 cells per turn of a coil,
+/// about 100 Newton steps on them.
 #include <cstddef>
 
 #include "core/base/progress.hpp"
@@ -26,11 +28,13 @@ namespace bahnwerk {
 
 struct JerkLimitedOptions {
   double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad; larger tangent jumps are corners with a stop
-  Limits path;                ///< limits of v mm/s, |a| mm/s², |j| mm/s³ along the path; infinite unless given
-  double gap = 1e-4;          ///< loss of duration to the solver, relative
-  double tolerance = 3e-4;    ///< loss of duration to the grid, relative, estimated
-  double angle = 0.02;        ///< most a cell turns, rad
-  std::size_t window = 2400;  ///< cells of longer sections that are planned at once, before they are divided; 0 = all
+  Limits path;              ///< limits of v mm/s, |a| mm/s², |j| mm/s³ along the path; infinite unless given
+  double gap = 1e-4;        ///< loss of duration to the solver, relative
+  double tolerance = 3e-4;  ///< loss of duration to the grid, relative, estimated
+  double angle = 0.02;      ///< most a cell turns, rad; five times as much through kinematics
+  /// Cells of longer sections that are planned at once, before they are divided, through kinematics half of it; 0 =
+  /// all.
+  std::size_t window = 2400;
   /// Times that the grid is divided for accuracy, and that it is divided or shares are tightened for what cells exceed.
   int max_divisions = 3, max_rounds = 40;
 };

@@ -189,7 +189,7 @@ void JerkSectionPlanner<N, M>::pose_middles(bool looked, ProgressScope& pulse) {
   const auto near_any = [&](std::size_t c) { return near(c) || (c > 0 && near(c - 1)) || (c + 1 < n && near(c + 1)); };
   for (std::size_t c = entry_.b > 0 ? 0 : 1; c < (exit_.b > 0 ? n : n - 1); ++c) {
     pulse(c, n);
-    if (duration(c) < middle_from * jerk_time_ && !(looked && near_any(c))) continue;
+    if (duration(c) < middle_from * shortest_jerk_time_ && !(looked && near_any(c))) continue;
     const JerkStation<M>&s = problem_.stations[problem_.cells[c].station],
           &r = problem_.stations[problem_.cells[c].station + 1];
     const double h = problem_.cells[c].h;
@@ -239,43 +239,63 @@ template void JerkSectionPlanner<2, 3>::pose_middles(bool looked, ProgressScope&
 template void JerkSectionPlanner<2, 3>::add_node(std::size_t node, const JerkStation<3>& s,
                                                  const std::array<double, 3>& inverse);
 template void JerkSectionPlanner<3, 3>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
+template void JerkSectionPlanner<5, 5>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
 template void JerkSectionPlanner<8, 8>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
 template double JerkSectionPlanner<3, 3>::cell_cap(std::size_t c, bool at_end) const;
+template double JerkSectionPlanner<5, 5>::cell_cap(std::size_t c, bool at_end) const;
 template double JerkSectionPlanner<8, 8>::cell_cap(std::size_t c, bool at_end) const;
 template void JerkSectionPlanner<3, 3>::rough(ProgressScope& pulse);
+template void JerkSectionPlanner<5, 5>::rough(ProgressScope& pulse);
 template void JerkSectionPlanner<8, 8>::rough(ProgressScope& pulse);
 template void JerkSectionPlanner<3, 3>::lay(ProgressScope& pulse);
+template void JerkSectionPlanner<5, 5>::lay(ProgressScope& pulse);
 template void JerkSectionPlanner<8, 8>::lay(ProgressScope& pulse);
 template void JerkSectionPlanner<3, 3>::soften();
+template void JerkSectionPlanner<5, 5>::soften();
 template void JerkSectionPlanner<8, 8>::soften();
 template void JerkSectionPlanner<3, 3>::guess(Start start, ProgressScope& pulse);
+template void JerkSectionPlanner<5, 5>::guess(Start start, ProgressScope& pulse);
 template void JerkSectionPlanner<8, 8>::guess(Start start, ProgressScope& pulse);
 template void JerkSectionPlanner<3, 3>::pose(ProgressScope& pulse);
+template void JerkSectionPlanner<5, 5>::pose(ProgressScope& pulse);
 template void JerkSectionPlanner<8, 8>::pose(ProgressScope& pulse);
 template void JerkSectionPlanner<3, 3>::pose_middles(bool looked, ProgressScope& pulse);
+template void JerkSectionPlanner<5, 5>::pose_middles(bool looked, ProgressScope& pulse);
 template void JerkSectionPlanner<8, 8>::pose_middles(bool looked, ProgressScope& pulse);
 template void JerkSectionPlanner<3, 3>::add_node(std::size_t node, const JerkStation<3>& s,
                                                  const std::array<double, 3>& inverse);
+template void JerkSectionPlanner<5, 5>::add_node(std::size_t node, const JerkStation<5>& s,
+                                                 const std::array<double, 5>& inverse);
 template void JerkSectionPlanner<8, 8>::add_node(std::size_t node, const JerkStation<8>& s,
                                                  const std::array<double, 8>& inverse);
 template void JerkSectionPlanner<3, 4>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
+template void JerkSectionPlanner<5, 6>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
 template void JerkSectionPlanner<8, 9>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
 template double JerkSectionPlanner<3, 4>::cell_cap(std::size_t c, bool at_end) const;
+template double JerkSectionPlanner<5, 6>::cell_cap(std::size_t c, bool at_end) const;
 template double JerkSectionPlanner<8, 9>::cell_cap(std::size_t c, bool at_end) const;
 template void JerkSectionPlanner<3, 4>::rough(ProgressScope& pulse);
+template void JerkSectionPlanner<5, 6>::rough(ProgressScope& pulse);
 template void JerkSectionPlanner<8, 9>::rough(ProgressScope& pulse);
 template void JerkSectionPlanner<3, 4>::lay(ProgressScope& pulse);
+template void JerkSectionPlanner<5, 6>::lay(ProgressScope& pulse);
 template void JerkSectionPlanner<8, 9>::lay(ProgressScope& pulse);
 template void JerkSectionPlanner<3, 4>::soften();
+template void JerkSectionPlanner<5, 6>::soften();
 template void JerkSectionPlanner<8, 9>::soften();
 template void JerkSectionPlanner<3, 4>::guess(Start start, ProgressScope& pulse);
+template void JerkSectionPlanner<5, 6>::guess(Start start, ProgressScope& pulse);
 template void JerkSectionPlanner<8, 9>::guess(Start start, ProgressScope& pulse);
 template void JerkSectionPlanner<3, 4>::pose(ProgressScope& pulse);
+template void JerkSectionPlanner<5, 6>::pose(ProgressScope& pulse);
 template void JerkSectionPlanner<8, 9>::pose(ProgressScope& pulse);
 template void JerkSectionPlanner<3, 4>::pose_middles(bool looked, ProgressScope& pulse);
+template void JerkSectionPlanner<5, 6>::pose_middles(bool looked, ProgressScope& pulse);
 template void JerkSectionPlanner<8, 9>::pose_middles(bool looked, ProgressScope& pulse);
 template void JerkSectionPlanner<3, 4>::add_node(std::size_t node, const JerkStation<4>& s,
                                                  const std::array<double, 4>& inverse);
+template void JerkSectionPlanner<5, 6>::add_node(std::size_t node, const JerkStation<6>& s,
+                                                 const std::array<double, 6>& inverse);
 template void JerkSectionPlanner<8, 9>::add_node(std::size_t node, const JerkStation<9>& s,
                                                  const std::array<double, 9>& inverse);
 

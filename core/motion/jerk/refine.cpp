@@ -36,15 +36,22 @@ bool JerkSectionPlanner<N, M>::mark(ProgressScope& pulse) {
     if (rest || end > p.a) loss_[c] += (rest ? 0.5 : 0.125) * T * slack_ramp(c, std::abs(end - p.a), jerk);
     total += loss_[c];
   }
-  const double bearable = options_.tolerance * time;
+  const double bearable = (path_.cartesian() ? 1 : 2) * options_.tolerance * time;
   if (total <= bearable) return false;
   std::size_t many = 0;
   for (const double l : loss_)
     if (l > bearable / static_cast<double>(n)) ++many;
+  const double dear = bearable / static_cast<double>(many);
+  // What a cell loses falls with the square of its parts. Wide cells get as many as it takes, so that the law has to be
+  // found on one more grid, not on two.
+  const auto parts = [&](double excess) -> std::uint16_t {
+    if (path_.cartesian()) return 4;
+    return static_cast<std::uint16_t>(std::clamp(std::ceil(std::sqrt(1.5 * excess)), 2.0, 8.0));
+  };
   division_.assign(n, {});
   for (std::size_t c = 0; c < n; ++c) {
-    if (loss_[c] <= 0.5 * bearable / static_cast<double>(many)) continue;
-    division_[c].parts = 4;
+    if (loss_[c] <= 0.5 * dear) continue;
+    division_[c].parts = parts(loss_[c] / dear);
     if (c > 0 && division_[c - 1].parts == 1) division_[c - 1].parts = 2;
     if (c + 1 < n && division_[c + 1].parts == 1) division_[c + 1].parts = 2;
   }
@@ -94,16 +101,22 @@ template double JerkSectionPlanner<2, 3>::slack_ramp(std::size_t c, double chang
 template bool JerkSectionPlanner<2, 3>::mark(ProgressScope& pulse);
 template void JerkSectionPlanner<2, 3>::refine(ProgressScope& pulse);
 template double JerkSectionPlanner<3, 3>::slack_ramp(std::size_t c, double change, double jerk) const;
+template double JerkSectionPlanner<5, 5>::slack_ramp(std::size_t c, double change, double jerk) const;
 template double JerkSectionPlanner<8, 8>::slack_ramp(std::size_t c, double change, double jerk) const;
 template bool JerkSectionPlanner<3, 3>::mark(ProgressScope& pulse);
+template bool JerkSectionPlanner<5, 5>::mark(ProgressScope& pulse);
 template bool JerkSectionPlanner<8, 8>::mark(ProgressScope& pulse);
 template void JerkSectionPlanner<3, 3>::refine(ProgressScope& pulse);
+template void JerkSectionPlanner<5, 5>::refine(ProgressScope& pulse);
 template void JerkSectionPlanner<8, 8>::refine(ProgressScope& pulse);
 template double JerkSectionPlanner<3, 4>::slack_ramp(std::size_t c, double change, double jerk) const;
+template double JerkSectionPlanner<5, 6>::slack_ramp(std::size_t c, double change, double jerk) const;
 template double JerkSectionPlanner<8, 9>::slack_ramp(std::size_t c, double change, double jerk) const;
 template bool JerkSectionPlanner<3, 4>::mark(ProgressScope& pulse);
+template bool JerkSectionPlanner<5, 6>::mark(ProgressScope& pulse);
 template bool JerkSectionPlanner<8, 9>::mark(ProgressScope& pulse);
 template void JerkSectionPlanner<3, 4>::refine(ProgressScope& pulse);
+template void JerkSectionPlanner<5, 6>::refine(ProgressScope& pulse);
 template void JerkSectionPlanner<8, 9>::refine(ProgressScope& pulse);
 
 }  // namespace bahnwerk

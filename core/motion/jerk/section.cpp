@@ -29,6 +29,15 @@ constexpr double diverged = 1e-2;
 constexpr int max_lowerings = 8;
 constexpr double bearable_slow = 1.002;
 
+/// Through kinematics axes turn, in their lanes, far quicker than a law can change: cells may be wider there. What they
+/// are too wide for is divided, or found by measuring the path itself, so often at most.
+constexpr double kinematic_angle = 5;
+constexpr int exact_rounds = 4;
+
+/// What a smaller share of the jerk limit leaves of an excess inside a cell may be most of it: in the last rounds, few
+/// cells of many, more is taken than what they exceed it by.
+constexpr double late_tightening = 3;
+
 /// So near to a cell's end, in parts of it, speed at rest is rounding.
 constexpr double rest = 1e-6;
 
@@ -41,11 +50,12 @@ void JerkSectionPlanner<N, M>::plan(std::size_t first, std::size_t last, double 
   pulse.part(0, 0.1);
   if (last == first + 1 && alone(first, result)) return;
   build(first, last, pulse);
-  const std::size_t n = grid_.cells.size(), window = options_.window;
+  const std::size_t n = grid_.cells.size(), window = usual_window();
   best_duration_ = unlimited;
   bool done = window > 0 && static_cast<double>(n) > last_window * static_cast<double>(window) &&
               plan_windows(window, from, to);
   if (!done) {
+    const auto starts = this->starts();
     done = plan_whole(starts[0], pulse);
     for (std::size_t i = 1; i < starts.size() && !done; ++i) {
       build(first, last, pulse);  // its cells may have been divided
@@ -76,7 +86,7 @@ void JerkSectionPlanner<N, M>::plan(std::size_t first, std::size_t last, double 
 template <int N, int M>
 void JerkSectionPlanner<N, M>::build(std::size_t first, std::size_t last, ProgressScope& pulse) {
   GridOptions grid;
-  grid.angle = options_.angle;
+  grid.angle = path_.cartesian() ? options_.angle : kinematic_angle * options_.angle;
   grid.hermite = 1e-5;
   pulse.half_of_rest();
   grid_.build(path_, first, last, feed_, machine_, grid, pulse);
@@ -104,7 +114,7 @@ void JerkSectionPlanner<N, M>::plan_under_ceilings(ProgressScope& pulse) {
   ceiling_.assign(grid_.cells.size() + 1, unlimited);
   for (int i = 0; i < max_lowerings; ++i) {
     pieces_.clear();
-    const double duration = attempt(starts[0], pulse);
+    const double duration = attempt(starts()[0], pulse);
     if (duration < best_duration_) {
       best_duration_ = duration;
       best_slow_ = slow_;
@@ -173,14 +183,15 @@ template <int N, int M>
 void JerkSectionPlanner<N, M>::improve(double mu, ProgressScope& pulse) {
   JerkSolverOptions solver;
   double reach = 3e-2;
-  int division = 0;
+  int division = 0, exact = 0;
   bool fresh = true, anew = false;
+  const bool cartesian = path_.cartesian();
   const auto divide = [&](double barrier) {
     ++division;
     refine(pulse);
     pose(pulse);
     fresh = true;
-    mu = std::max(10 * barrier, 1e-2);
+    mu = cartesian ? std::max(10 * barrier, 1e-2) : std::max(2 * barrier, 1e-3);
   };
   for (int round = 0;; ++round) {
     pulse.half_of_rest();
@@ -201,6 +212,10 @@ void JerkSectionPlanner<N, M>::improve(double mu, ProgressScope& pulse) {
     if (round == 0) sped_up_ = speed_up();
     mu = 0;
     if (reach > 1e-3 && reach < 1e-2 && divides_ && division < options_.max_divisions && mark(pulse)) {
+      if (!cartesian) {  // both at once
+        measure(soft_, false, pulse);
+        stubborn();
+      }
       divide(r.mu);
       continue;
     }
@@ -214,12 +229,19 @@ void JerkSectionPlanner<N, M>::improve(double mu, ProgressScope& pulse) {
     if (fresh) pose_middles(true, pulse);
     fresh = false;
     // What is left slows the section by its half (v², a) or third (j) power.
-    if (reach <= options_.gap &&
-        (round >= options_.max_rounds ||
-         (std::max(worst_.v, worst_.a) < 1 + 4 * options_.gap && worst_.j < 1 + 4 * options_.gap)))
-      break;
-    tighten();
-    if (divides_ && division < 4 * options_.max_divisions && stubborn()) {
+    const auto bearable = [&] { return std::max({worst_.v, worst_.a, worst_.j}) < 1 + 4 * options_.gap; };
+    if (reach <= options_.gap) {
+      if (round >= options_.max_rounds) break;
+      if (bearable()) {
+        if (cartesian || exact == exact_rounds) break;
+        ++exact;
+        measure(limit_, true, pulse);
+        if (bearable()) break;
+      }
+    }
+    tighten(cartesian || reach > options_.gap ? 1.05 : late_tightening);
+    division_.clear();
+    if (divides_ && division < (cartesian ? 4 : 1) * options_.max_divisions && stubborn()) {
       divide(r.mu);
       reach = 3e-3;
       continue;
@@ -277,43 +299,63 @@ template void JerkSectionPlanner<2, 3>::improve(double mu, ProgressScope& pulse)
 template double JerkSectionPlanner<2, 3>::emit(ProgressScope& pulse);
 template void JerkSectionPlanner<3, 3>::plan(std::size_t first, std::size_t last, double from, double to,
                                              JerkLimitedResult& result);
+template void JerkSectionPlanner<5, 5>::plan(std::size_t first, std::size_t last, double from, double to,
+                                             JerkLimitedResult& result);
 template void JerkSectionPlanner<8, 8>::plan(std::size_t first, std::size_t last, double from, double to,
                                              JerkLimitedResult& result);
 template bool JerkSectionPlanner<3, 3>::alone(std::size_t segment, JerkLimitedResult& result);
+template bool JerkSectionPlanner<5, 5>::alone(std::size_t segment, JerkLimitedResult& result);
 template bool JerkSectionPlanner<8, 8>::alone(std::size_t segment, JerkLimitedResult& result);
 template void JerkSectionPlanner<3, 3>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
+template void JerkSectionPlanner<5, 5>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
 template void JerkSectionPlanner<8, 8>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
 template bool JerkSectionPlanner<3, 3>::plan_whole(Start start, ProgressScope& pulse);
 template void JerkSectionPlanner<3, 3>::plan_under_ceilings(ProgressScope& pulse);
 template void JerkSectionPlanner<3, 3>::lower_ceilings();
+template bool JerkSectionPlanner<5, 5>::plan_whole(Start start, ProgressScope& pulse);
 template bool JerkSectionPlanner<8, 8>::plan_whole(Start start, ProgressScope& pulse);
+template void JerkSectionPlanner<5, 5>::plan_under_ceilings(ProgressScope& pulse);
 template void JerkSectionPlanner<8, 8>::plan_under_ceilings(ProgressScope& pulse);
+template void JerkSectionPlanner<5, 5>::lower_ceilings();
 template void JerkSectionPlanner<8, 8>::lower_ceilings();
 template double JerkSectionPlanner<3, 3>::attempt(Start start, ProgressScope& pulse);
+template double JerkSectionPlanner<5, 5>::attempt(Start start, ProgressScope& pulse);
 template double JerkSectionPlanner<8, 8>::attempt(Start start, ProgressScope& pulse);
 template void JerkSectionPlanner<3, 3>::improve(double mu, ProgressScope& pulse);
+template void JerkSectionPlanner<5, 5>::improve(double mu, ProgressScope& pulse);
 template void JerkSectionPlanner<8, 8>::improve(double mu, ProgressScope& pulse);
 template double JerkSectionPlanner<3, 3>::emit(ProgressScope& pulse);
+template double JerkSectionPlanner<5, 5>::emit(ProgressScope& pulse);
 template double JerkSectionPlanner<8, 8>::emit(ProgressScope& pulse);
 template void JerkSectionPlanner<3, 4>::plan(std::size_t first, std::size_t last, double from, double to,
+                                             JerkLimitedResult& result);
+template void JerkSectionPlanner<5, 6>::plan(std::size_t first, std::size_t last, double from, double to,
                                              JerkLimitedResult& result);
 template void JerkSectionPlanner<8, 9>::plan(std::size_t first, std::size_t last, double from, double to,
                                              JerkLimitedResult& result);
 template bool JerkSectionPlanner<3, 4>::alone(std::size_t segment, JerkLimitedResult& result);
+template bool JerkSectionPlanner<5, 6>::alone(std::size_t segment, JerkLimitedResult& result);
 template bool JerkSectionPlanner<8, 9>::alone(std::size_t segment, JerkLimitedResult& result);
 template void JerkSectionPlanner<3, 4>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
+template void JerkSectionPlanner<5, 6>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
 template void JerkSectionPlanner<8, 9>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
 template bool JerkSectionPlanner<3, 4>::plan_whole(Start start, ProgressScope& pulse);
 template void JerkSectionPlanner<3, 4>::plan_under_ceilings(ProgressScope& pulse);
 template void JerkSectionPlanner<3, 4>::lower_ceilings();
+template bool JerkSectionPlanner<5, 6>::plan_whole(Start start, ProgressScope& pulse);
 template bool JerkSectionPlanner<8, 9>::plan_whole(Start start, ProgressScope& pulse);
+template void JerkSectionPlanner<5, 6>::plan_under_ceilings(ProgressScope& pulse);
 template void JerkSectionPlanner<8, 9>::plan_under_ceilings(ProgressScope& pulse);
+template void JerkSectionPlanner<5, 6>::lower_ceilings();
 template void JerkSectionPlanner<8, 9>::lower_ceilings();
 template double JerkSectionPlanner<3, 4>::attempt(Start start, ProgressScope& pulse);
+template double JerkSectionPlanner<5, 6>::attempt(Start start, ProgressScope& pulse);
 template double JerkSectionPlanner<8, 9>::attempt(Start start, ProgressScope& pulse);
 template void JerkSectionPlanner<3, 4>::improve(double mu, ProgressScope& pulse);
+template void JerkSectionPlanner<5, 6>::improve(double mu, ProgressScope& pulse);
 template void JerkSectionPlanner<8, 9>::improve(double mu, ProgressScope& pulse);
 template double JerkSectionPlanner<3, 4>::emit(ProgressScope& pulse);
+template double JerkSectionPlanner<5, 6>::emit(ProgressScope& pulse);
 template double JerkSectionPlanner<8, 9>::emit(ProgressScope& pulse);
 
 }  // namespace bahnwerk

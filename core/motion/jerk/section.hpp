@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
+#include "core/motion/axes/length_axis.hpp"
 #include "core/motion/jerk/jerk_grid.hpp"
 #include "core/motion/jerk/jerk_limited.hpp"
 #include "core/motion/jerk/peaks.hpp"
@@ -36,10 +38,8 @@ class JerkSectionPlanner {
       limit_.inverse_velocity2[k] = 1 / (V * V);
       limit_.inverse_acceleration[k] = 1 / (axis ? machine.axes[k].acceleration : options.path.acceleration);
       limit_.inverse_jerk[k] = 1 / (axis ? machine.axes[k].jerk : options.path.jerk);
-      if (axis && std::isfinite(machine.axes[k].jerk))
-        jerk_time_ = std::min(jerk_time_, machine.axes[k].acceleration / machine.axes[k].jerk);
     }
-    if (!std::isfinite(jerk_time_)) jerk_time_ = 0;
+    set_jerk_times();
   }
 
   void plan(std::size_t first, std::size_t last, double from, double to, JerkLimitedResult& result);
@@ -53,7 +53,29 @@ class JerkSectionPlanner {
     double part, mu;
     bool smooth = false;
   };
-  static constexpr std::array starts{Start{0.8, 0.1, true}, Start{0.7, 0.3}, Start{0.2, 1}, Start{0.02, 1}};
+  static constexpr std::size_t start_count = 4;
+  /// In the order in which they are tried. Through kinematics a path is passed at speeds that differ by a factor of a
+  /// hundred within milliseconds: there the profile lies far beyond the limits of jerk, but for a slow one.
+  std::array<Start, start_count> starts() const {
+    if (path_.cartesian()) return {Start{0.8, 0.1, true}, Start{0.7, 0.3}, Start{0.2, 1}, Start{0.02, 1}};
+    return {Start{0.2, 1, true}, Start{0.7, 0.3}, Start{0.2, 1}, Start{0.02, 1}};
+  }
+
+  /// Cells of a window. Through kinematics they are wider, and more of them divided: half as many fit the cache.
+  std::size_t usual_window() const { return path_.cartesian() ? options_.window : options_.window / 2; }
+
+  void set_jerk_times() {
+    constexpr double at_once = 1.0 / 64;  // of the longest time
+    std::vector<double> times;
+    for (const Limits& axis : machine_.axes)
+      if (std::isfinite(axis.jerk)) times.push_back(axis.acceleration / axis.jerk);
+    if (std::isfinite(options_.path.jerk))
+      times.push_back(largest_acceleration(options_.path, path_.length()) / options_.path.jerk);
+    if (times.empty()) return;
+    std::sort(times.begin(), times.end());
+    shortest_jerk_time_ = times.front();
+    jerk_time_ = *std::lower_bound(times.begin(), times.end(), at_once * times.back());
+  }
 
   /// A straight segment alone between two rests has a closed form.
   bool alone(std::size_t segment, JerkLimitedResult& result);
@@ -185,11 +207,12 @@ class JerkSectionPlanner {
     }
   }
 
-  /// Marks cells for division in which shares of the limit of jerk do not help. False = there are none.
+  /// Marks cells for division, besides those that are marked, in which shares of the limit of jerk do not help. False =
+  /// there are none.
   bool stubborn();
 
-  /// Cells that exceed a limit between their nodes get a smaller share of it.
-  void tighten();
+  /// Cells that exceed a limit between their nodes get a smaller share of it, by so many times the excess.
+  void tighten(double times);
 
   /// Appends the law's pieces to `pieces_`, and finds by how much they have to be slowed for what still exceeds a
   /// limit. Returns their duration then, infinite if they are no law.
@@ -202,7 +225,10 @@ class JerkSectionPlanner {
   const Sections& sections_;
   Progress& progress_;
   RowLimits<M> limit_, soft_;
-  double jerk_time_ = unlimited;
+  /// In which jerk brings an axis to its full acceleration, s: the shortest, and that of those axes next to whose time
+  /// others are no time at all. An axis whose jerk is limited by a thousand times as much as another's would have the
+  /// whole grid follow it, for nothing.
+  double shortest_jerk_time_ = 0, jerk_time_ = 0;
   Grid<N> grid_, section_grid_;  // at hand, and the section's when that is a window of it
   RoughProfile rough_, section_rough_;
   JerkNode entry_, exit_;  // states at both ends: rest but in windows

@@ -117,8 +117,10 @@ JerkSolverResult JerkSolver<M>::solve(const JerkProblem<M>& problem, LargeVector
 
 template class JerkSolver<2>;
 template class JerkSolver<3>;
+template class JerkSolver<5>;
 template class JerkSolver<8>;
 template class JerkSolver<4>;
+template class JerkSolver<6>;
 template class JerkSolver<9>;
 
 }  // namespace bahnwerk

@@ -137,8 +137,10 @@ class JerkSolver {
 
 extern template class JerkSolver<2>;
 extern template class JerkSolver<3>;
+extern template class JerkSolver<5>;
 extern template class JerkSolver<8>;
 extern template class JerkSolver<4>;
+extern template class JerkSolver<6>;
 extern template class JerkSolver<9>;
 
 }  // namespace bahnwerk

@@ -46,10 +46,13 @@ void smooth(const Grid<N>& grid, double window, RoughProfile& profile, ProgressS
 
 extern template PathLimits path_limits<2>(const Station<2>&, const Machine&, const Limits&, double);
 extern template PathLimits path_limits<3>(const Station<3>&, const Machine&, const Limits&, double);
+extern template PathLimits path_limits<5>(const Station<5>&, const Machine&, const Limits&, double);
 extern template PathLimits path_limits<8>(const Station<8>&, const Machine&, const Limits&, double);
 extern template void rough_profile<2>(const Grid<2>&, const std::vector<double>&, const Machine&, const Limits&,
                                       const LargeVector<double>&, RoughProfile&, ProgressScope&);
 extern template void rough_profile<3>(const Grid<3>&, const std::vector<double>&, const Machine&, const Limits&,
+                                      const LargeVector<double>&, RoughProfile&, ProgressScope&);
+extern template void rough_profile<5>(const Grid<5>&, const std::vector<double>&, const Machine&, const Limits&,
                                       const LargeVector<double>&, RoughProfile&, ProgressScope&);
 extern template void rough_profile<8>(const Grid<8>&, const std::vector<double>&, const Machine&, const Limits&,
                                       const LargeVector<double>&, RoughProfile&, ProgressScope&);
@@ -58,10 +61,13 @@ extern template std::size_t brake<2>(const Grid<2>&, const std::vector<double>&,
                                      RoughProfile&);
 extern template std::size_t brake<3>(const Grid<3>&, const std::vector<double>&, const Machine&, const Limits&,
                                      RoughProfile&);
+extern template std::size_t brake<5>(const Grid<5>&, const std::vector<double>&, const Machine&, const Limits&,
+                                     RoughProfile&);
 extern template std::size_t brake<8>(const Grid<8>&, const std::vector<double>&, const Machine&, const Limits&,
                                      RoughProfile&);
 extern template void smooth<2>(const Grid<2>&, double, RoughProfile&, ProgressScope&);
 extern template void smooth<3>(const Grid<3>&, double, RoughProfile&, ProgressScope&);
+extern template void smooth<5>(const Grid<5>&, double, RoughProfile&, ProgressScope&);
 extern template void smooth<8>(const Grid<8>&, double, RoughProfile&, ProgressScope&);
 
 }  // namespace bahnwerk

@@ -51,7 +51,7 @@ bool JerkSectionPlanner<N, M>::plan_windows(std::size_t window, double from, dou
     double progress = reported;
     entry_ = here.entry;
     tail_ = here.tail;
-    for (const Start& start : starts) {
+    for (const Start& start : starts()) {
       here.cells = take_window(here.begin, here.cells);
       end = here.begin + keep_;
       progress = std::max(reported, from + (to - from) * static_cast<double>(end) / static_cast<double>(n));
@@ -63,7 +63,7 @@ bool JerkSectionPlanner<N, M>::plan_windows(std::size_t window, double from, dou
       if (slow_ < good_enough) break;
     }
     // Where the section was lost as a whole, longer windows would be lost, too.
-    if (sped_up_ > untouched && overlap_ < longest_overlap && window == options_.window) {
+    if (sped_up_ > untouched && overlap_ < longest_overlap && window == usual_window()) {
       overlap_ *= 2;
       places.pop_back();
       continue;
@@ -164,24 +164,34 @@ template double JerkSectionPlanner<2, 3>::speed_up() const;
 template void JerkSectionPlanner<2, 3>::leave();
 template void JerkSectionPlanner<2, 3>::follow();
 template bool JerkSectionPlanner<3, 3>::plan_windows(std::size_t window, double from, double to);
+template bool JerkSectionPlanner<5, 5>::plan_windows(std::size_t window, double from, double to);
 template bool JerkSectionPlanner<8, 8>::plan_windows(std::size_t window, double from, double to);
 template std::size_t JerkSectionPlanner<3, 3>::take_window(std::size_t begin, std::size_t cells);
+template std::size_t JerkSectionPlanner<5, 5>::take_window(std::size_t begin, std::size_t cells);
 template std::size_t JerkSectionPlanner<8, 8>::take_window(std::size_t begin, std::size_t cells);
 template double JerkSectionPlanner<3, 3>::speed_up() const;
+template double JerkSectionPlanner<5, 5>::speed_up() const;
 template double JerkSectionPlanner<8, 8>::speed_up() const;
 template void JerkSectionPlanner<3, 3>::leave();
+template void JerkSectionPlanner<5, 5>::leave();
 template void JerkSectionPlanner<8, 8>::leave();
 template void JerkSectionPlanner<3, 3>::follow();
+template void JerkSectionPlanner<5, 5>::follow();
 template void JerkSectionPlanner<8, 8>::follow();
 template bool JerkSectionPlanner<3, 4>::plan_windows(std::size_t window, double from, double to);
+template bool JerkSectionPlanner<5, 6>::plan_windows(std::size_t window, double from, double to);
 template bool JerkSectionPlanner<8, 9>::plan_windows(std::size_t window, double from, double to);
 template std::size_t JerkSectionPlanner<3, 4>::take_window(std::size_t begin, std::size_t cells);
+template std::size_t JerkSectionPlanner<5, 6>::take_window(std::size_t begin, std::size_t cells);
 template std::size_t JerkSectionPlanner<8, 9>::take_window(std::size_t begin, std::size_t cells);
 template double JerkSectionPlanner<3, 4>::speed_up() const;
+template double JerkSectionPlanner<5, 6>::speed_up() const;
 template double JerkSectionPlanner<8, 9>::speed_up() const;
 template void JerkSectionPlanner<3, 4>::leave();
+template void JerkSectionPlanner<5, 6>::leave();
 template void JerkSectionPlanner<8, 9>::leave();
 template void JerkSectionPlanner<3, 4>::follow();
+template void JerkSectionPlanner<5, 6>::follow();
 template void JerkSectionPlanner<8, 9>::follow();
 
 }  // namespace bahnwerk

@@ -74,4 +74,14 @@ void TimeLaw::slow(double factor) {
   for (LawPiece& p : pieces_) p.slow(factor);
 }
 
+double peak_speed(const TimeLaw& law) {
+  double most = 0;
+  for (const LawPiece& piece : law.pieces()) {
+    most = std::max({most, piece.v, piece.at(piece.duration).v});
+    for (const double tau : turning_points(piece))
+      if (tau > 0 && tau < piece.duration) most = std::max(most, piece.at(tau).v);
+  }
+  return most;
+}
+
 }  // namespace bahnwerk

@@ -100,4 +100,7 @@ class TimeLaw {
   LargeVector<LawPiece> pieces_;
 };
 
+/// The largest speed of a law, mm/s. O(pieces).
+double peak_speed(const TimeLaw& law);
+
 }  // namespace bahnwerk

@@ -7,6 +7,8 @@
 
 #include "core/base/errors.hpp"
 #include "core/base/progress_scope.hpp"
+#include "core/motion/law/law_between.hpp"
+#include "core/motion/law/law_excess.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -14,10 +16,7 @@ namespace {
 constexpr double reference_speed = 1e5;  // mm/s: faster than any machine, so that what follows only slows
 constexpr int durations_tried = 400;
 
-/// Where the motion is, and how fast: mm along the path.
-struct State {
-  double s = 0, v = 0, a = 0;
-};
+using State = LawState;  // its jerk is not used
 
 /// How speed and acceleration get from one pair to another: v(t) is the cubic that meets both at both ends.
 struct Change {
@@ -101,7 +100,8 @@ class NaturalPlanner {
       scope.work(options_.steps);
       scope.done(static_cast<double>(i) / static_cast<double>(tool_.size()));
     }
-    law_.slow(excess());
+    // From one speed of reference everything is slowed, or quickened, to where a limit is reached.
+    law_.slow(std::max(law_excess(task_, law_, options_.path, scope), 1e-6));
     return std::move(law_);
   }
 
@@ -221,51 +221,8 @@ class NaturalPlanner {
   }
   bool stops(std::size_t end) const { return end == tool_.size() || task_.rests[end]; }
 
-  /// A quartic from state to state: speed and acceleration fix its jerk and snap for any duration, the way its
-  /// duration, which is close to `duration`.
   void append(std::size_t segment, const State& from, const State& to, double duration) {
-    const auto piece_of = [&](double t) {
-      const double dv = (to.v - from.v - from.a * t) / (t * t), da = (to.a - from.a) / t;
-      LawPiece piece;
-      piece.s = from.s, piece.v = from.v, piece.a = from.a;
-      piece.j = 6 * dv - 2 * da, piece.q = (6 * da - 12 * dv) / t;
-      return piece;
-    };
-    double t = duration;
-    LawPiece piece = piece_of(t);
-    for (int i = 0; i < 50; ++i) {
-      // ds/dT of the quartic that always meets both speeds: about their mean.
-      const double off = piece.at(t).s - to.s, slope = (from.v + to.v) / 2 + t * (from.a - to.a) / 6;
-      const double next = t - off / slope;
-      if (!(next > 0.5 * duration && next < 2 * duration)) break;
-      const bool there = std::abs(next - t) <= 4e-16 * t;
-      t = next;
-      piece = piece_of(t);
-      if (there) break;
-    }
-    LawPiece& made = law_.next();
-    const double t0 = made.t0;
-    made = piece;
-    made.t0 = t0, made.duration = t, made.s_end = to.s, made.segment = segment;
-  }
-
-  /// By what factor everything has to last longer.
-  double excess() const {
-    double most = 0;
-    const auto exceed = [&](const Limits& limits, double v, double a, double j) {
-      most = std::max({most, std::abs(v) / limits.velocity, std::sqrt(std::abs(a) / limits.acceleration),
-                       std::cbrt(std::abs(j) / limits.jerk)});
-    };
-    for (const LawPiece& piece : law_.pieces())
-      for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-        const LawState x = piece.at(part * piece.duration);
-        exceed(options_.path, x.v, x.a, x.j);
-        const AxisJet q = task_.path.at(piece.segment, std::clamp(x.s, piece.s, piece.s_end));
-        for (std::size_t k = 0; k < task_.path.axes(); ++k)
-          exceed(task_.machine.axes[k], q.d1[k] * x.v, q.d2[k] * x.v * x.v + q.d1[k] * x.a,
-                 q.d3[k] * x.v * x.v * x.v + 3 * q.d2[k] * x.v * x.a + q.d1[k] * x.j);
-      }
-    return std::max(most, 1e-6);
+    append_between(law_, segment, from, to, duration);
   }
 
   const PathTask& task_;

@@ -24,9 +24,9 @@ struct NaturalOptions {
   Limits path;             ///< the tool's path
 };
 
-/// At rest at both ends and at the task's rests, which are not within links. Limits hold at ends and middles of all
-/// pieces; feeds are not looked at. O(segments · steps). Throws Infeasible where what lies between two links is so
-/// short that no cubic leads from its speed to the next; std::invalid_argument for shares that do not fit.
+/// At rest at both ends and at the task's rests, which are not within links. Limits hold all along the path, between
+/// samples, too (core/motion/law/law_excess.hpp). O(segments · steps). Throws Infeasible where what lies between two
+/// links is so short that no cubic leads from its speed to the next; std::invalid_argument for shares that do not fit.
 TimeLaw plan_natural(const PathTask& task, const NaturalOptions& options, Progress& progress, double from, double to);
 
 }  // namespace bahnwerk

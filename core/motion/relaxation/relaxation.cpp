@@ -341,6 +341,7 @@ RelaxationMultipliers<N> RelaxationSolver<N>::multipliers() const {
 
 template class RelaxationSolver<2>;
 template class RelaxationSolver<3>;
+template class RelaxationSolver<5>;
 template class RelaxationSolver<8>;
 
 }  // namespace bahnwerk

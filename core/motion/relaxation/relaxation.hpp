@@ -40,6 +40,7 @@ struct RelaxationOutcome {
 struct RelaxationOptions {
   double gap = 1e-5, violation = 1e-6;
   int iterations = 40;
+  std::size_t beyond = 150;  ///< cells that windows reach beyond where they count (windows.hpp)
 };
 
 /// Keeps its memory from one problem to the next: about 0.4 (N = 2), 0.5 (3), 1.2 kB (8) per cell. 8 to 16 iterations,
@@ -106,6 +107,7 @@ class RelaxationSolver {
 
 extern template class RelaxationSolver<2>;
 extern template class RelaxationSolver<3>;
+extern template class RelaxationSolver<5>;
 extern template class RelaxationSolver<8>;
 
 }  // namespace bahnwerk

@@ -61,6 +61,7 @@ void WeakForm<N>::take(const RelaxationProblem<N>& problem) {
 
 template struct WeakForm<2>;
 template struct WeakForm<3>;
+template struct WeakForm<5>;
 template struct WeakForm<8>;
 
 }  // namespace bahnwerk

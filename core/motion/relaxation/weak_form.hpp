@@ -71,6 +71,7 @@ struct WeakForm {
 
 extern template struct WeakForm<2>;
 extern template struct WeakForm<3>;
+extern template struct WeakForm<5>;
 extern template struct WeakForm<8>;
 
 }  // namespace bahnwerk

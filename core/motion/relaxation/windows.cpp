@@ -5,15 +5,16 @@
 namespace bahnwerk {
 namespace {
 
-// Cells: of a window, beyond it on either side, and in which two windows fade over.
-constexpr std::size_t window = 1200, beyond = 150, fading = 100;
+// Cells: of a window, and in which two windows fade over.
+constexpr std::size_t window = 1200, fading = 100;
 
 }  // namespace
 
 template <int N>
 RelaxationMultipliers<N> RelaxationWindows<N>::solve(const RelaxationProblem<N>& problem,
                                                      const RelaxationOptions& options, ProgressScope& pulse) {
-  const std::size_t n = problem.cells.size(), windows = std::max<std::size_t>(1, n / window);
+  const std::size_t n = problem.cells.size(), beyond = std::min(options.beyond, window),
+                    windows = std::max<std::size_t>(1, n / window);
   if (windows == 1) {
     solver_.solve(problem, options, pulse);
     return solver_.multipliers();
@@ -53,6 +54,7 @@ RelaxationMultipliers<N> RelaxationWindows<N>::solve(const RelaxationProblem<N>&
 
 template class RelaxationWindows<2>;
 template class RelaxationWindows<3>;
+template class RelaxationWindows<5>;
 template class RelaxationWindows<8>;
 
 }  // namespace bahnwerk

@@ -24,6 +24,7 @@ class RelaxationWindows {
 
 extern template class RelaxationWindows<2>;
 extern template class RelaxationWindows<3>;
+extern template class RelaxationWindows<5>;
 extern template class RelaxationWindows<8>;
 
 }  // namespace bahnwerk

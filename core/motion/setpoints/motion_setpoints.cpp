@@ -31,6 +31,7 @@ void MotionSetpoints::read(std::size_t first, std::size_t rows, double* out) con
   const std::size_t width = columns_.size();
   Row row;
   for (std::size_t k = first; k < first + rows; ++k, out += width) {
+    row.index = k;
     row.t = static_cast<double>(k) * cycle_time_;
     row.last = k == cycles_;
     write(row, out);

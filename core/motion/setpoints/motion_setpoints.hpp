@@ -7,6 +7,7 @@
 #include "core/base/setpoint_source.hpp"
 #include "core/machine/machine.hpp"
 #include "core/motion/axes/motion.hpp"
+#include "core/motion/interpolation/interpolation.hpp"
 
 namespace bahnwerk {
 
@@ -25,10 +26,12 @@ class MotionSetpoints : public SetpointSource {
 
  protected:
   struct Row {
+    std::size_t index = 0;
     double t = 0;           ///< s
     std::size_t piece = 0;  ///< of the motion
     bool last = false;
     std::size_t place = unknown;  ///< where write() got to with the row before, if it is kept there
+    Interpolation::Row stepped;   ///< the same where places are stepped from row to row
     static constexpr std::size_t unknown = static_cast<std::size_t>(-1);
   };
   void add_column(Column column) { columns_.push_back(std::move(column)); }

@@ -18,12 +18,14 @@ Machine in_degrees(Machine machine) {
 
 NeedleSetpoints::NeedleSetpoints(const std::shared_ptr<const PathMotion>& motion,
                                  std::shared_ptr<const KinematicAxisPath> axes, const Machine& machine,
-                                 std::size_t cycles, double brake)
+                                 std::size_t cycles, BrakeForce brake,
+                                 std::shared_ptr<const Interpolation> interpolation)
     : MotionSetpoints(motion, in_degrees(machine), cycles),
       motion_(motion),
       axes_(std::move(axes)),
+      interpolation_(std::move(interpolation)),
       shown_(shown(machine)),
-      brake_(brake) {
+      brake_(std::move(brake)) {
   for (const AxisLimits& axis : in_degrees(machine).axes) add_column({"j" + axis.name, axis.unit + "/s³"});
   for (const Column& column : {Column{"x", "mm"},
                                {"y", "mm"},
@@ -32,7 +34,12 @@ NeedleSetpoints::NeedleSetpoints(const std::shared_ptr<const PathMotion>& motion
                                {"psi", "deg"},
                                {"s", "mm"},
                                {"v", "mm/s"},
-                               {"brake", "N"}})
+                               {"brake", "N"},
+                               {"vx", "mm/s"},
+                               {"vy", "mm/s"},
+                               {"vz", "mm/s"},
+                               {"vphi", "deg/s"},
+                               {"vpsi", "deg/s"}})
     add_column(column);
 }
 
@@ -42,17 +49,30 @@ std::vector<double> NeedleSetpoints::shown(const Machine& machine) {
   return factors;
 }
 
+NeedleSetpoints::Place NeedleSetpoints::place(Row& row) const {
+  if (row.last) {
+    const std::size_t segment = axes_->size() - 1;
+    return {segment, (*axes_)[segment].curve().end(), {axes_->length(), 0, 0, 0}};
+  }
+  if (interpolation_) {
+    if (row.place == Row::unknown)
+      row.stepped = interpolation_->row(row.index), row.place = 0;
+    else
+      interpolation_->advance(row.stepped);
+    LawState law = row.stepped.law;
+    law.s = row.stepped.place.s;
+    const std::size_t segment = row.stepped.place.segment;
+    return {segment, (*axes_)[segment].parameter(law.s), law};  // as everyone finds it who reads s
+  }
+  row.piece = motion_->law().find(row.t, row.piece);
+  const LawState law = motion_->along(row.piece, row.t);
+  const std::size_t segment = motion_->law().pieces()[row.piece].segment;
+  return {segment, (*axes_)[segment].parameter(law.s), law};
+}
+
 void NeedleSetpoints::write(Row& row, double* out) const {
   const std::size_t n = shown_.size();
-  std::size_t segment = axes_->size() - 1;
-  LawState x{axes_->length(), 0, 0, 0};
-  double u = (*axes_)[segment].curve().end();
-  if (!row.last) {
-    row.piece = motion_->law().find(row.t, row.piece);
-    x = motion_->along(row.piece, row.t);
-    segment = motion_->law().pieces()[row.piece].segment;
-    u = (*axes_)[segment].parameter(x.s);
-  }
+  const auto [segment, u, x] = place(row);
   const AxisJet q = row.last ? axes_->at_parameter(segment, u) : axes_->at(segment, x.s);
   for (std::size_t k = 0; k < n; ++k) {
     out[k] = shown_[k] * q.value[k];
@@ -60,11 +80,13 @@ void NeedleSetpoints::write(Row& row, double* out) const {
     out[2 * n + k] = shown_[k] * (q.d2[k] * (x.v * x.v) + q.d1[k] * x.a);
     out[3 * n + k] = shown_[k] * (q.d3[k] * (x.v * x.v * x.v) + 3 * q.d2[k] * (x.v * x.a) + q.d1[k] * x.j);
   }
-  const ToolPose pose = axes_->pose(segment, u);
+  const ToolJet tool = axes_->tool_jet(segment, u);
   out += 4 * n;
+  const Vec &at = tool.position.value, &along = tool.position.d1;
   for (const double value :
-       {pose.position.x, pose.position.y, pose.position.z, degrees * pose.phi, degrees * pose.psi, x.s, x.v, brake_})
-    *out++ = value;
+       {at.x, at.y, at.z, degrees * tool.phi.value, degrees * tool.psi.value, x.s, x.v, brake_(segment, u, x),
+        x.v * along.x, x.v * along.y, x.v * along.z, degrees * x.v * tool.phi.d1, degrees * x.v * tool.psi.d1})
+    *out++ = value + 0.0;
 }
 
 }  // namespace bahnwerk

@@ -1,33 +1,51 @@
 #pragma once
 /// The setpoints of a winding machine: its axes, the needle's pose and speed, the brake of the wire.
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
 #include "core/motion/axes/axis_path.hpp"
+#include "core/motion/interpolation/interpolation.hpp"
 #include "core/motion/law/path_motion.hpp"
 #include "core/motion/setpoints/motion_setpoints.hpp"
 
 namespace bahnwerk {
 
+/// The force that the wire's brake is set to, N, where the needle is at parameter u of a segment of its path, at the
+/// speed and acceleration of `law`.
+using BrakeForce = std::function<double(std::size_t segment, double u, const LawState& law)>;
+
 /// Columns of MotionSetpoints, then j<axis> of every axis, x, y, z (mm), phi, psi (deg) of the needle in the part's
-/// frame, s (mm) and v (mm/s) along its path, brake (N). Rotary axes in deg and deg/s…: what an axis of unit rad counts
-/// is in shown().
+/// frame, s (mm) and v (mm/s) along its path, brake (N), and vx, vy, vz (mm/s), vphi, vpsi (deg/s), the rates of the
+/// pose. Rotary axes in deg and deg/s…: what an axis of unit rad counts is in shown().
+///
+/// With an interpolation the rows' places are its own, a little off those of the law; speed, acceleration and jerk
+/// along the path are the law's at the row's time.
 class NeedleSetpoints final : public MotionSetpoints {
  public:
-  /// `motion` drives `axes` and lasts `cycles` whole cycles; `brake`: the tension that the wire's brake is set to, N.
+  /// `motion` drives `axes` and lasts `cycles` whole cycles, as does the interpolation; without one places are the
+  /// law's, which is what an exact one gives.
   NeedleSetpoints(const std::shared_ptr<const PathMotion>& motion, std::shared_ptr<const KinematicAxisPath> axes,
-                  const Machine& machine, std::size_t cycles, double brake);
+                  const Machine& machine, std::size_t cycles, BrakeForce brake,
+                  std::shared_ptr<const Interpolation> interpolation = nullptr);
   /// Per axis of the machine: 180/π for one of unit rad, else 1.
   static std::vector<double> shown(const Machine& machine);
 
  private:
+  struct Place {
+    std::size_t segment = 0;
+    double u = 0;
+    LawState law;  ///< its s: where the needle is
+  };
   void write(Row& row, double* out) const override;
+  Place place(Row& row) const;
 
   std::shared_ptr<const PathMotion> motion_;
   std::shared_ptr<const KinematicAxisPath> axes_;
+  std::shared_ptr<const Interpolation> interpolation_;
   std::vector<double> shown_;
-  double brake_;
+  BrakeForce brake_;
 };
 
 }  // namespace bahnwerk

@@ -7,7 +7,8 @@
 namespace bahnwerk {
 
 SectionGaps section_gaps(const AxisPath& path, const TimeLaw& law, double factor,
-                         const std::vector<SectionBound>& bounds, Progress& progress, double progress_at) {
+                         const std::vector<SectionBound>& bounds, Progress& progress, double progress_at,
+                         std::vector<SectionGap>* each) {
   ProgressScope pulse(progress, "report", progress_at, progress_at);
   SectionGaps result;
   std::vector<double> gaps;
@@ -23,6 +24,7 @@ SectionGaps section_gaps(const AxisPath& path, const TimeLaw& law, double factor
     if (!(gap.length > SectionGaps::shortest && gap.bound > 0)) continue;
     gap.gap = gap.time / gap.bound - 1;
     gaps.push_back(gap.gap);
+    if (each != nullptr) each->push_back(gap);
     if (gaps.size() == 1 || gap.gap > result.worst.gap) result.worst = gap;
   }
   result.count = gaps.size();

@@ -25,8 +25,10 @@ struct SectionGaps {
   SectionGap worst;   ///< the first one, if there are several; meaningless if count is 0
 };
 
-/// `law` with dwells or without; `factor`: by what it is slower than planned. O(pieces + sections).
+/// `law` with dwells or without; `factor`: by what it is slower than planned. `each`, if given, is filled with the
+/// sections that count, in order. O(pieces + sections).
 SectionGaps section_gaps(const AxisPath& path, const TimeLaw& law, double factor,
-                         const std::vector<SectionBound>& bounds, Progress& progress, double progress_at);
+                         const std::vector<SectionBound>& bounds, Progress& progress, double progress_at,
+                         std::vector<SectionGap>* each = nullptr);
 
 }  // namespace bahnwerk

@@ -3,6 +3,7 @@
 /// time law, setpoints [Herrmann chapter 4].
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -11,8 +12,11 @@
 #include "core/base/named.hpp"
 #include "core/base/progress.hpp"
 #include "core/motion/axes/machine_path.hpp"
+#include "core/motion/feed/constant_feed.hpp"
+#include "core/motion/interpolation/interpolation.hpp"
 #include "core/plan/path_plan.hpp"
 #include "core/plan/winding/pose_path.hpp"
+#include "core/plan/winding/wire_run.hpp"
 #include "core/winding/laying/needle.hpp"
 #include "core/winding/needle/clearance.hpp"
 #include "core/winding/needle/support_points.hpp"
@@ -23,12 +27,24 @@
 namespace bahnwerk {
 
 /// How fast the needle goes along its path.
-enum class FeedMethod {
-  natural,   ///< every link evenly in its own parameter [Herrmann 3.3.1]
-  optimised  ///< least time under all limits [Herrmann 4.4]
-};
-inline constexpr Named<FeedMethod> feed_methods[] = {{FeedMethod::natural, "natural"},
-                                                     {FeedMethod::optimised, "optimised"}};
+inline constexpr Named<PlanningMethod> feed_methods[] = {
+    {PlanningMethod::natural, "natural"},                  // every link evenly in its own parameter [Herrmann 3.3.1]
+    {PlanningMethod::constant, "constant"},                // from rest to one speed and back to rest [3.3.1]
+    {PlanningMethod::critical_points, "critical_points"},  // one speed per piece of the path, changes between [4.4.2]
+    {PlanningMethod::jerk_limited, "optimised"}};          // least time under all limits [4.4.3]
+
+/// How `optimised` finds its law: by the convex problem, or for comparison as the source does it [4.4.3].
+enum class FeedLaw { convex, bspline };
+inline constexpr Named<FeedLaw> feed_laws[] = {{FeedLaw::convex, "convex"}, {FeedLaw::bspline, "bspline"}};
+/// Of all coils together, that bspline plans: it takes seconds for each.
+inline constexpr std::size_t max_spline_turns = 4;
+std::string too_many_spline_turns(std::size_t turns);  ///< what a document's author is told
+
+/// Whose links a path has.
+enum class LinkChoice { curvature, control_distance, minimum_time };
+inline constexpr Named<LinkChoice> link_choices[] = {{LinkChoice::curvature, "curvature"},
+                                                     {LinkChoice::control_distance, "control_distance"},
+                                                     {LinkChoice::minimum_time, "minimum_time"}};
 
 struct WindingRequest {
   std::variant<winding::StatorPart, winding::RotorPart> part;
@@ -36,17 +52,35 @@ struct WindingRequest {
   std::vector<winding::Coil> coils;  ///< in the order in which they are wound, one at least
   std::size_t turns = 0;             ///< of each coil; 0: as many as the slot takes
   winding::NeedleModel model;
+  winding::TensionModel tension;  ///< its force is model.pull's
   winding::NeedleShape needle;
   winding::ToolPost tool;      ///< of a stator's winding tools
   double least_clearance = 0;  ///< that the needle has to keep, mm
   winding::LinkOptions links;
+  /// β and weights of the links by the time that the machine takes, from those of `links` on
+  /// (core/winding/path/quick_links.hpp).
+  bool minimum_time = false;
   /// The machine: one, or one for each way in which its arm can reach a pose.
   std::vector<std::shared_ptr<const Kinematics>> configurations;
-  double cycle_time = 0.002;  ///< s
-  FeedMethod feed = FeedMethod::optimised;
-  Limits along;             ///< of the needle along its path: feed mm/s, tangential acceleration, jerk
-  double temperature = 20;  ///< °C, of the coil's resistance
+  double cycle_time = 0.002;                           ///< s
+  PlanningMethod feed = PlanningMethod::jerk_limited;  ///< one of feed_methods
+  FeedLaw law = FeedLaw::convex;                       ///< of jerk_limited
+  /// Of constant and critical_points.
+  SpeedProfile profile = SpeedProfile::double_s;
+  Limits along;                             ///< of the needle along its path: feed mm/s, tangential acceleration, jerk
+  double chord_tolerance = unlimited;       ///< mm, of the path from the chords between setpoints
+  double half_speed_curvature = unlimited;  ///< 1/mm, at which half of along.velocity is allowed
+  double temperature = 20;                  ///< °C, of the coil's resistance
+  Interpolator interpolator = Interpolator::exact;
   double max_setpoints = 20'000'000;
+};
+
+/// What links by time gain: shortest durations of the whole path under limited jerk, s. The least of them is taken, but
+/// for paths that come nearer to what the needle must not touch than the smoothest does and the request allows.
+struct LinkTimes {
+  double curvature = 0, control_distance = 0, minimum_time = 0;
+  std::size_t changed = 0;  ///< links that are not the smoothest, of the path with quick links
+  LinkChoice taken = LinkChoice::curvature;
 };
 
 struct WindingPlan {
@@ -54,16 +88,24 @@ struct WindingPlan {
   std::vector<winding::Turn> turns;          ///< of all coils
   std::vector<winding::FixedPiece> support;  ///< the support points are their ends
   winding::NeedlePath path;
+  std::optional<LinkTimes> link_times;   ///< of minimum_time
   winding::Clearance clearance;          ///< its `move`: index in path.pieces
   std::string nearest;                   ///< the obstacle there, such as "stack"
   std::shared_ptr<const PosePath> tool;  ///< the same as a path; source() of a segment: index in path.pieces
   MachinePath machine;
-  PathPlan motion;                  ///< its verification is the whole plan's: clearance and forward kinematics, too
-  double path_length = 0;           ///< mm
-  double wire_length = 0;           ///< mm, of all coils: through the middle of the wire's places
-  double resistance = 0;            ///< Ω, of all coils in series
-  double strokes_per_minute = 0;    ///< passages of the needle through slots: two per turn
-  std::vector<double> turn_begins;  ///< s, when each turn begins
+  PathPlan motion;         ///< its verification is the whole plan's: clearance and forward kinematics, too
+  double path_length = 0;  ///< mm
+  double wire_length = 0;  ///< mm, of all coils: through the middle of the wire's places
+  double resistance = 0;   ///< Ω, of all coils in series
+  double fastest = 0;      ///< mm/s, of the needle along its path
+  /// Its jerk: the largest along the path, and in space with when [(4.80)], mm/s³, s.
+  struct Jerk {
+    double along = 0, total = 0, at = 0;
+  } jerk;
+  double strokes_per_minute = 0;             ///< passages of the needle through slots: two per turn
+  std::vector<double> turn_begins;           ///< s, when each turn begins
+  WireFigures wire;                          ///< of the setpoints
+  std::vector<FeedFluctuation> fluctuation;  ///< of all `interpolators`, in their order
 };
 
 /// A pose of the needle's path out of the machine's reach: in which turn and where.
@@ -76,8 +118,15 @@ struct UnreachableTurn : UnreachablePose {
   std::size_t coil, turn, region;
 };
 
+/// A constant feed that was asked for and breaks a limit: in which turn and where.
+struct FeedTooFastAtTurn : FeedTooFast {
+  FeedTooFastAtTurn(const FeedTooFast& feed, const std::string& text, const winding::FixedPiece& piece)
+      : FeedTooFast(text, feed.limit, feed.asked), coil(piece.coil), turn(piece.turn), region(piece.region) {}
+  std::size_t coil, turn, region;
+};
+
 /// Throws InvalidInput naming members of the kind's document (part, coil, machine, path, feed, pull, needle);
-/// Infeasible; UnreachableTurn; Stopped. Cost: some ms per turn and machine.
+/// Infeasible; FeedTooFastAtTurn; UnreachableTurn; Stopped. Cost: some ms per turn and machine.
 WindingPlan plan_winding(const WindingRequest& request, Progress& progress);
 
 }  // namespace bahnwerk

@@ -167,7 +167,6 @@ double BoundGrid<N>::corner(const Node& a, const Node& b) const {
   return angle_between(before.at_parameter(a.u).d1, after.at_parameter(b.u).d1);
 }
 
-// No axis that the tool moves along is left out.
 template <int N>
 bool BoundGrid<N>::unit_direction(const Node& n) const {
   double square = 0;
@@ -224,6 +223,7 @@ BoundCell<N> BoundGrid<N>::cell(Node& a, Node& b, const DirectionRange<N>* range
     if (c.kind == Cell::Kind::curved)  // there and back
       way = std::min(way + 2 * c.length * range->wrong(k), c.length * range->most(k));
     c.energy[k] = 2 * acceleration_[k] * (way + 1e-13 * c.length + rounding);
+    if (c.kind == Cell::Kind::curved && range->wrong(k) > 0) c.turning = static_cast<std::uint8_t>(c.turning | 1u << k);
   }
   if (c.kind == Cell::Kind::straight) return c;
   c.divisible = c.length > 1e4 * rounding;
@@ -253,8 +253,11 @@ template void BoundGrid<2>::complete(Node&) const;
 template void BoundGrid<3>::learn(std::size_t) const;
 template BoundNode<3> BoundGrid<3>::place(std::size_t, double) const;
 template void BoundGrid<3>::complete(Node&) const;
+template void BoundGrid<5>::learn(std::size_t) const;
 template void BoundGrid<8>::learn(std::size_t) const;
+template BoundNode<5> BoundGrid<5>::place(std::size_t, double) const;
 template BoundNode<8> BoundGrid<8>::place(std::size_t, double) const;
+template void BoundGrid<5>::complete(Node&) const;
 template void BoundGrid<8>::complete(Node&) const;
 template double BoundGrid<2>::place_cap(const Node&) const;
 template double BoundGrid<2>::jerk_cap(const AxisSizes&) const;
@@ -262,8 +265,11 @@ template double BoundGrid<2>::turn_cap(const Node&) const;
 template double BoundGrid<3>::place_cap(const Node&) const;
 template double BoundGrid<3>::jerk_cap(const AxisSizes&) const;
 template double BoundGrid<3>::turn_cap(const Node&) const;
+template double BoundGrid<5>::place_cap(const Node&) const;
 template double BoundGrid<8>::place_cap(const Node&) const;
+template double BoundGrid<5>::jerk_cap(const AxisSizes&) const;
 template double BoundGrid<8>::jerk_cap(const AxisSizes&) const;
+template double BoundGrid<5>::turn_cap(const Node&) const;
 template double BoundGrid<8>::turn_cap(const Node&) const;
 template double BoundGrid<2>::along(const Node&, const Node&, double) const;
 template double BoundGrid<2>::step_cap(const Node&, const Node&, double) const;
@@ -271,14 +277,19 @@ template double BoundGrid<2>::corner(const Node&, const Node&) const;
 template double BoundGrid<3>::along(const Node&, const Node&, double) const;
 template double BoundGrid<3>::step_cap(const Node&, const Node&, double) const;
 template double BoundGrid<3>::corner(const Node&, const Node&) const;
+template double BoundGrid<5>::along(const Node&, const Node&, double) const;
 template double BoundGrid<8>::along(const Node&, const Node&, double) const;
+template double BoundGrid<5>::step_cap(const Node&, const Node&, double) const;
 template double BoundGrid<8>::step_cap(const Node&, const Node&, double) const;
+template double BoundGrid<5>::corner(const Node&, const Node&) const;
 template double BoundGrid<8>::corner(const Node&, const Node&) const;
 template bool BoundGrid<2>::unit_direction(const Node&) const;
 template bool BoundGrid<3>::unit_direction(const Node&) const;
+template bool BoundGrid<5>::unit_direction(const Node&) const;
 template bool BoundGrid<8>::unit_direction(const Node&) const;
 template BoundCell<2> BoundGrid<2>::cell(Node&, Node&, const DirectionRange<2>*) const;
 template BoundCell<3> BoundGrid<3>::cell(Node&, Node&, const DirectionRange<3>*) const;
+template BoundCell<5> BoundGrid<5>::cell(Node&, Node&, const DirectionRange<5>*) const;
 template BoundCell<8> BoundGrid<8>::cell(Node&, Node&, const DirectionRange<8>*) const;
 
 }  // namespace bahnwerk::verify

@@ -214,6 +214,7 @@ void BoundGrid<N>::refine(const std::vector<unsigned char>& marked) {
 
 template class BoundGrid<2>;
 template class BoundGrid<3>;
+template class BoundGrid<5>;
 template class BoundGrid<8>;
 
 }  // namespace bahnwerk::verify

@@ -57,6 +57,7 @@ class BoundGrid {
   void refine(const std::vector<unsigned char>& marked);
 
   std::size_t axes() const { return axes_; }
+  bool cartesian() const { return path_.cartesian(); }
   double acceleration(std::size_t k) const { return acceleration_[k]; }
   const std::array<double, N>& accelerations() const { return acceleration_; }
   double velocity(std::size_t k) const { return velocity_[k]; }
@@ -89,6 +90,8 @@ class BoundGrid {
     complete(n);
     return n;
   }
+  /// Whether |q'| = 1 and q'' ⟂ q' there: no axis that the tool moves along is left out.
+  bool unit_direction(const Node& n) const;
   /// Largest |v̇| along the path at both sides of a joint, mm/s², where b is no more than `cap`.
   double along(const Node& a, const Node& b, double cap) const;
 
@@ -117,7 +120,6 @@ class BoundGrid {
   bool too_wide(const Node& a, const Node& b) const;
   double corner(const Node& a, const Node& b) const;
   double step_cap(const Node& a, const Node& b, double cap) const;
-  bool unit_direction(const Node& n) const;
   void divide(std::uint32_t first, std::uint32_t last);
   void append_segment(std::size_t segment);
   void append_between(const Node& a, const Node& b, int depth);
@@ -167,6 +169,7 @@ class BoundGrid {
 
 extern template class BoundGrid<2>;
 extern template class BoundGrid<3>;
+extern template class BoundGrid<5>;
 extern template class BoundGrid<8>;
 
 }  // namespace bahnwerk::verify

@@ -43,7 +43,8 @@ struct BoundCell {
   double slip = 0;                   ///< across a joint: what b may change by, mm²/s²
   double valley = std::numeric_limits<double>::infinity();  ///< b that may be too much inside, if not at the ends
   Kind kind = Kind::joint;
-  bool divisible = false;  ///< curved, and long enough for its coordinates to tell more when halved
+  std::uint8_t turning = 0;  ///< bit k: axis k may turn round, or nothing is known of that
+  bool divisible = false;    ///< curved, and long enough for its coordinates to tell more when halved
 };
 
 template <std::size_t N>

@@ -156,21 +156,29 @@ template Hodograph::Bends BoundGrid<3>::bends(std::size_t, double, double) const
 template BoundGrid<3>::AxisSizes BoundGrid<3>::axis_sizes(std::size_t, double, double, double, int) const;
 template const BoundGrid<3>::AxisSizes& BoundGrid<3>::axis_sizes(const Node&, const Node&) const;
 template Hodograph& BoundGrid<3>::hodograph(std::size_t) const;
+template Hodograph::Bends BoundGrid<5>::bends(std::size_t, double, double) const;
 template Hodograph::Bends BoundGrid<8>::bends(std::size_t, double, double) const;
+template BoundGrid<5>::AxisSizes BoundGrid<5>::axis_sizes(std::size_t, double, double, double, int) const;
 template BoundGrid<8>::AxisSizes BoundGrid<8>::axis_sizes(std::size_t, double, double, double, int) const;
+template const BoundGrid<5>::AxisSizes& BoundGrid<5>::axis_sizes(const Node&, const Node&) const;
 template const BoundGrid<8>::AxisSizes& BoundGrid<8>::axis_sizes(const Node&, const Node&) const;
+template Hodograph& BoundGrid<5>::hodograph(std::size_t) const;
 template Hodograph& BoundGrid<8>::hodograph(std::size_t) const;
 template DirectionRange<2> BoundGrid<2>::range(const Node&, const Node&) const;
 template DirectionRange<3> BoundGrid<3>::range(const Node&, const Node&) const;
+template DirectionRange<5> BoundGrid<5>::range(const Node&, const Node&) const;
 template DirectionRange<8> BoundGrid<8>::range(const Node&, const Node&) const;
 template DirectionRange<2> BoundGrid<2>::range_by_map(const Node&, const Node&) const;
 template DirectionRange<3> BoundGrid<3>::range_by_map(const Node&, const Node&) const;
+template DirectionRange<5> BoundGrid<5>::range_by_map(const Node&, const Node&) const;
 template DirectionRange<8> BoundGrid<8>::range_by_map(const Node&, const Node&) const;
 template double BoundGrid<2>::jerk_cap(const Node&, const Node&) const;
 template double BoundGrid<3>::jerk_cap(const Node&, const Node&) const;
+template double BoundGrid<5>::jerk_cap(const Node&, const Node&) const;
 template double BoundGrid<8>::jerk_cap(const Node&, const Node&) const;
 template std::array<double, 2> BoundGrid<2>::third(const Node&, const Node&) const;
 template std::array<double, 3> BoundGrid<3>::third(const Node&, const Node&) const;
+template std::array<double, 5> BoundGrid<5>::third(const Node&, const Node&) const;
 template std::array<double, 8> BoundGrid<8>::third(const Node&, const Node&) const;
 
 }  // namespace bahnwerk::verify

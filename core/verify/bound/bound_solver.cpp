@@ -223,6 +223,7 @@ double BoundSolver<N>::time_of(const Cell& cell, const Node& from, const Node& t
 
 template class BoundSolver<2>;
 template class BoundSolver<3>;
+template class BoundSolver<5>;
 template class BoundSolver<8>;
 
 }  // namespace bahnwerk::verify

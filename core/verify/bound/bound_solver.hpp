@@ -76,6 +76,7 @@ class BoundSolver {
 
 extern template class BoundSolver<2>;
 extern template class BoundSolver<3>;
+extern template class BoundSolver<5>;
 extern template class BoundSolver<8>;
 
 }  // namespace bahnwerk::verify

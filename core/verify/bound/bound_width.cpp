@@ -67,12 +67,15 @@ double BoundGrid<N>::valley(const Node& a, const Node& middle, const Node& b) co
 
 template bool BoundGrid<2>::too_wide(const Node&, const Node&) const;
 template bool BoundGrid<3>::too_wide(const Node&, const Node&) const;
+template bool BoundGrid<5>::too_wide(const Node&, const Node&) const;
 template bool BoundGrid<8>::too_wide(const Node&, const Node&) const;
 template bool BoundGrid<2>::changes(const Node&, const Node&, const Node&) const;
 template bool BoundGrid<3>::changes(const Node&, const Node&, const Node&) const;
+template bool BoundGrid<5>::changes(const Node&, const Node&, const Node&) const;
 template bool BoundGrid<8>::changes(const Node&, const Node&, const Node&) const;
 template double BoundGrid<2>::valley(const Node&, const Node&, const Node&) const;
 template double BoundGrid<3>::valley(const Node&, const Node&, const Node&) const;
+template double BoundGrid<5>::valley(const Node&, const Node&, const Node&) const;
 template double BoundGrid<8>::valley(const Node&, const Node&, const Node&) const;
 
 }  // namespace bahnwerk::verify

@@ -3,260 +3,56 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace bahnwerk::verify {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity(), never = 1e300, root_4_5 = 2.1213203435596424;
+constexpr double infinite = std::numeric_limits<double>::infinity();
 // A cell of the relaxation takes this part of the time in which jerk brings an axis to its full acceleration, and
-// turns by no more than this, rad; a piece half of it. Next to rest a piece is this part of its distance from there.
-constexpr double part_of_ramp = 0.3, widest_turn = 0.05, part_of_distance = 0.1, part_of_onset = 0.002,
-                 part_of_section = 1e-4, part_of_first = 0.25, part_of_cycle = 0.25;
+// turns by no more than this, rad; a piece half of it.
+constexpr double part_of_ramp = 0.3, widest_turn = 0.05, part_of_onset = 0.002, part_of_section = 1e-4;
 constexpr double widest_swing = 0.1;      // of q″ b within a cell, of the axis' acceleration
+constexpr double finer = 0.5;             // of both, through kinematics
+constexpr std::size_t beyond = 400;       // and cells that windows of the relaxation reach further
 constexpr std::size_t stretch = 100'000;  // cells, beyond which the path is cut
 constexpr double pieces_per_node = 0.5, more_pieces = 400;
 constexpr double min_cells = 60;  // of a section
-constexpr double at_feed = 0.999, cruising = 4;
-// A motion with limited jerk takes some √(v/J) to change its speed by some of v: there a cell takes this part of that
-// time. Bends and changes of curvature that take this many times the jerk limit, at the speed at hand, slow it down.
-constexpr double part_of_change = 0.1, slowing = 3;
-constexpr double pieces_per_cell = 2.1;  // two of the same length, whatever rounding does
-constexpr double part_joined = 0.125;    // of the longest piece: shorter cells of the grid make up one
-constexpr double no_ramp = 4;            // cells that take longer than so many ramps show nothing of jerk
+// An axis that jerk brings to its full acceleration in less than this part of the longest time that another one takes
+// does so at once: cells as narrow as its jerk asks for would show nothing else.
+constexpr double at_once = 1.0 / 64;
+constexpr double no_ramp = 4;  // cells that take longer than so many ramps show nothing of jerk
 
 double sq(double x) { return x * x; }
+
+/// The jerk for which cells are to be narrow enough, per axis.
+template <int N>
+std::array<double, N> shown_jerk(const BoundGrid<N>& grid) {
+  std::array<double, N> shown;
+  shown.fill(infinite);
+  double longest = 0;  // ramp
+  for (std::size_t k = 0; k < grid.axes(); ++k) longest = std::max(longest, grid.acceleration(k) / grid.jerk(k));
+  for (std::size_t k = 0; longest > 0 && k < grid.axes(); ++k)
+    shown[k] = std::min(grid.jerk(k), grid.acceleration(k) / (at_once * longest));
+  return shown;
+}
 
 }  // namespace
 
 template <int N>
 JerkBound<N>::JerkBound(const BoundGrid<N>& grid, const Machine& machine, ProgressScope& pulse)
-    : grid_(grid), pulse_(pulse), cycle_time_(machine.cycle_time), dual_(grid, pulse) {
+    : grid_(grid),
+      pulse_(pulse),
+      shown_jerk_(shown_jerk(grid)),
+      pieces_(grid, machine.cycle_time, shown_jerk_, pulse),
+      dual_(grid, pulse) {
   problem_.acceleration.fill(1), problem_.jerk.fill(infinite);
   for (std::size_t k = 0; k < grid.axes(); ++k) {
     problem_.acceleration[k] = grid.acceleration(k);
     problem_.jerk[k] = grid.jerk(k);
     if (!std::isfinite(grid.jerk(k))) continue;
     limited_ = true;
-    if (const double ramp = grid.acceleration(k) / grid.jerk(k); ramp < ramp_)
+    if (const double ramp = grid.acceleration(k) / shown_jerk_[k]; ramp < ramp_)
       ramp_ = ramp, acceleration_of_ramp_ = grid.acceleration(k);
-  }
-}
-
-// The largest b between two places within a cell, `part0` and `part1` of its length from its begin.
-template <int N>
-double JerkBound<N>::cap(std::size_t cell, const Node& a, const Node& b, const std::vector<double>& at_nodes,
-                         double part0, double part1) const {
-  const Cell& c = grid_.cells()[cell];
-  const Node &from = grid_.nodes()[cell], &to = grid_.nodes()[cell + 1];
-  double most = std::min(sq(grid_.feed(a.segment)), grid_.jerk_cap(a, b));
-  const bool straight = c.kind == Cell::Kind::straight;
-  const DirectionRange<N> range = grid_.range(a, b);
-  for (std::size_t k = 0; k < grid_.axes(); ++k) {
-    const double q2 = sq(std::max(0.0, range.least(k) - a.blur - b.blur));
-    if (!(q2 > 1e-24)) continue;
-    const double forward = straight ? part1 : 1, backward = straight ? 1 - part0 : 1;
-    most = std::min({most, sq(grid_.velocity(k)) / q2, (from.most(k) * at_nodes[cell] + forward * c.energy[k]) / q2,
-                     (to.most(k) * at_nodes[cell + 1] + backward * c.energy[k]) / q2});
-  }
-  return most * (1 + 1e-12);
-}
-
-template <int N>
-void JerkBound<N>::join(const Node& a, const Node& b, double cap) {
-  const double along = grid_.along(a, b, cap);
-  joint_.cap = joint_.here ? std::max(joint_.cap, cap) : cap;
-  joint_.here = true;
-  for (std::size_t k = 0; k < grid_.axes(); ++k) {
-    const double kink = b.tangent[k] - a.tangent[k], bend = std::abs(b.curvature[k] - a.curvature[k]);
-    const double step = bend * cap + (kink != 0 ? std::abs(kink) * along : 0);
-    joint_.kink[k] += kink;
-    joint_.step[k] += std::min(problem_.jerk[k] * cycle_time_, step) * (1 + 1e-9);
-  }
-}
-
-template <int N>
-void JerkBound<N>::append(const Node& a, const Node& b, double cap, Extent extent) {
-  if (!(b.s > a.s)) return;  // the joint before it stands before the next one
-  DualPiece<N> p = dual_piece(grid_, a, b, cap);
-  p.joint = std::exchange(joint_, {});
-  for (std::size_t k = 0; k < grid_.axes(); ++k)
-    extent.swing = std::max(extent.swing, std::abs(b.curvature[k] - a.curvature[k]) * cap / grid_.acceleration(k));
-  pieces_.push_back(p);
-  extents_.push_back(extent);
-}
-
-// About how fast a motion with limited jerk is where something else than the feed slows it down. Round a bend of
-// curvature κ its jerk is κ² v³ and more, where curvature changes κ′ v³; where jerk builds up acceleration v^(3/2)
-// grows by 3/√2 √J per length.
-template <int N>
-void JerkBound<N>::expect(const std::vector<double>& b, bool rest_first, bool rest_last) {
-  const auto& nodes = grid_.nodes();
-  const auto& cells = grid_.cells();
-  const std::size_t n = b.size() - 1;
-  expected_.resize(n + 1), growth_.resize(n);
-  for (std::size_t i = 0; i <= n; ++i) {
-    const Node& node = nodes[i];
-    const double bend = length_of(node.curvature);
-    double cube = never;  // v³
-    for (std::size_t k = 0; k < grid_.axes(); ++k)
-      if (const double rate = std::abs(node.curvature[k]) * bend; rate > 0)
-        cube = std::min(cube, slowing * grid_.jerk(k) / rate);
-    const bool fed = b[i] > sq(at_feed * grid_.feed(node.segment));
-    expected_[i] = std::min(fed ? never : std::pow(b[i], 0.75), std::sqrt(cube));
-    pulse_.work(2);
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    double jerk = infinite, cube = never;
-    for (std::size_t k = 0; k < grid_.axes(); ++k) {
-      const Node &from = nodes[i], &to = nodes[i + 1];
-      const double along = std::min(std::abs(from.tangent[k]), std::abs(to.tangent[k]));
-      if (along > 0) jerk = std::min(jerk, grid_.jerk(k) / along);
-      const double change = std::abs(to.curvature[k] - from.curvature[k]);
-      if (change > 0) cube = std::min(cube, slowing * grid_.jerk(k) * cells[i].length / change);
-    }
-    growth_[i] = jerk < infinite ? std::sqrt(4.5 * jerk) : never;
-    if (cells[i].kind == Cell::Kind::joint || !(cells[i].length > 0)) continue;
-    for (const std::size_t end : {i, i + 1}) expected_[end] = std::min(expected_[end], std::sqrt(cube));
-  }
-  if (rest_first) expected_[0] = 0;
-  if (rest_last) expected_[n] = 0;
-  const auto reached = [&](std::size_t from, std::size_t cell) {
-    return cells[cell].length > 0 ? expected_[from] + growth_[cell] * cells[cell].length : expected_[from];
-  };
-  for (std::size_t i = 0; i < n; ++i) expected_[i + 1] = std::min(expected_[i + 1], reached(i, i));
-  for (std::size_t i = n; i-- > 0;) expected_[i] = std::min(expected_[i], reached(i + 1, i));
-}
-
-// The longest piece next to a node: at rest acceleration builds up on a short way, and where an axis has to step by
-// more acceleration than one cycle allows the motion slows down within a few cycles.
-template <int N>
-double JerkBound<N>::finest_at(std::size_t node, const std::vector<double>& b) const {
-  const Node &from = grid_.nodes()[node], &to = grid_.nodes()[node + 1];
-  double finest = infinite;
-  const double most = std::min(b[node], b[node + 1]);
-  for (std::size_t k = 0; k < grid_.axes(); ++k) {
-    const double bend = std::abs(to.curvature[k] - from.curvature[k]), step = grid_.jerk(k) * cycle_time_;
-    if (bend * most > step) finest = std::min(finest, part_of_cycle * cycle_time_ * std::sqrt(step / bend));
-  }
-  return finest;
-}
-
-template <int N>
-void JerkBound<N>::grade(const std::vector<double>& b, bool rest_first, bool rest_last) {
-  const auto& cells = grid_.cells();
-  const std::size_t n = b.size() - 1;
-  before_.assign(n + 1, infinite), behind_.assign(n + 1, infinite);
-  if (rest_first) before_[0] = first_piece_;
-  if (rest_last) behind_[n] = first_piece_;
-  for (std::size_t i = 0; i < n; ++i) {
-    before_[i + 1] = before_[i] + part_of_distance * cells[i].length;
-    if (cells[i].kind == Cell::Kind::joint) before_[i + 1] = std::min(before_[i + 1], behind_[i] = finest_at(i, b));
-    pulse_.work(1);
-  }
-  for (std::size_t i = n; i-- > 0;)
-    behind_[i] = std::min(behind_[i], behind_[i + 1] + part_of_distance * cells[i].length);
-}
-
-// x mm into a cell. Where the feed is all that holds a motion nothing happens but what the path does, the less the
-// further away anything else is.
-template <int N>
-typename JerkBound<N>::Extent JerkBound<N>::extent(std::size_t cell, double x, double energy, double whole,
-                                                   const std::vector<double>& b) const {
-  const Cell& c = grid_.cells()[cell];
-  const double left = c.length - x, feed = grid_.feed(grid_.nodes()[cell].segment);
-  const double most = std::min({whole, b[cell] + energy * (x / c.length), b[cell + 1] + energy * (left / c.length)});
-  const double expected = std::min(expected_[cell] + growth_[cell] * x, expected_[cell + 1] + growth_[cell] * left);
-  const double speed = std::min(std::sqrt(std::max(most, 0.0)), std::cbrt(expected * expected));
-  const double ease = std::max(1.0, expected / (feed * std::sqrt(feed)));
-  Extent e;
-  e.spacing = std::min(ease, cruising) * spacing_;
-  if (growth_[cell] < never)
-    e.spacing = std::min(e.spacing, ease * part_of_change * root_4_5 * std::sqrt(speed) / growth_[cell]);
-  e.finest = pieces_per_cell / 2 * std::max(e.spacing * speed, part_of_first * first_piece_);
-  e.piece = std::min({e.finest / pieces_per_cell, before_[cell] + part_of_distance * x,
-                      (behind_[cell + 1] + part_of_distance * left) / (1 + part_of_distance)});
-  return e;
-}
-
-// What b may gain over a cell, and what it is at most anywhere in it.
-template <int N>
-std::pair<double, double> JerkBound<N>::room(std::size_t cell, const std::vector<double>& b) const {
-  const Node &from = grid_.nodes()[cell], &to = grid_.nodes()[cell + 1];
-  double energy = infinite;
-  for (std::size_t k = 0; k < grid_.axes(); ++k)
-    if (const double least = std::min(from.least(k), to.least(k)); least > 1e-12)
-      energy = std::min(energy, grid_.cells()[cell].energy[k] / least);
-  return {energy, cap(cell, from, to, b, 0, 1)};
-}
-
-// Pieces of a cell: evenly in time, finer and finer towards rests and steps.
-template <int N>
-void JerkBound<N>::divide(std::size_t cell, const std::vector<double>& b) {
-  const Cell& c = grid_.cells()[cell];
-  const Node &from = grid_.nodes()[cell], &to = grid_.nodes()[cell + 1];
-  const bool straight = c.kind == Cell::Kind::straight;
-  const auto [energy, whole] = room(cell, b);
-  double x = 0;
-  Extent e{};
-  Node last = from;
-  while (x < c.length) {
-    e = extent(cell, x, energy, whole, b);
-    const double d = std::max(e.piece, c.length * 1e-4);
-    pulse_.work(2);
-    const double u = from.u + (to.u - from.u) * ((x + d) / c.length);
-    if (x + 1.5 * d >= c.length || !(u > last.u && u < to.u)) break;
-    const Node next = grid_.node(from.segment, u);
-    e.finest = pieces_per_cell * d;
-    append(last, next,
-           cap(cell, last, next, b, straight ? x / c.length : 0, straight ? (next.s - from.s) / c.length : 1), e);
-    last = next;
-    x = next.s - from.s;
-  }
-  e.finest = std::min(e.finest, pieces_per_cell * std::min(before_[cell + 1], behind_[cell + 1]));
-  append(last, to, cap(cell, last, to, b, straight ? x / c.length : 0, 1), e);
-}
-
-// The cells from `first` on that are so short that they make up one piece: what a piece is worth less for rounding
-// grows as it shrinks. Returns one past the last, `first` where there is nothing to join.
-template <int N>
-std::size_t JerkBound<N>::joined(std::size_t first, const std::vector<double>& b) {
-  const auto& cells = grid_.cells();
-  const auto& nodes = grid_.nodes();
-  const auto [energy, whole] = room(first, b);
-  Extent e = extent(first, 0, energy, whole, b);
-  double length = cells[first].length, most = whole;
-  std::size_t i = first + 1;
-  for (; i + 1 < b.size() && cells[i].kind != Cell::Kind::joint && nodes[i + 1].segment == nodes[first].segment; ++i) {
-    const double limit = part_joined * std::min(e.piece, behind_[i + 1]);
-    if (!(length + cells[i].length < limit)) break;
-    length += cells[i].length;
-    most = std::max(most, cap(i, nodes[i], nodes[i + 1], b, 0, 1));
-    pulse_.work(2);
-  }
-  if (i == first + 1) return first;
-  append(nodes[first], nodes[i], most, e);
-  return i;
-}
-
-template <int N>
-void JerkBound<N>::lay(const std::vector<double>& b, bool rest_first, bool rest_last) {
-  const auto& nodes = grid_.nodes();
-  const auto& cells = grid_.cells();
-  pieces_.clear(), extents_.clear();
-  joint_ = {};
-  grade(b, rest_first, rest_last);
-  expect(b, rest_first, rest_last);
-  for (std::size_t i = 0; i + 1 < b.size();) {
-    pulse_.work(8);
-    if (cells[i].kind == Cell::Kind::joint) {
-      join(nodes[i], nodes[i + 1], std::min(b[i], b[i + 1]));
-      ++i;
-    } else if (const std::size_t next = joined(i, b); next > i) {
-      i = next;
-    } else {
-      divide(i++, b);
-    }
   }
 }
 
@@ -264,20 +60,23 @@ template <int N>
 std::size_t JerkBound<N>::pose(std::size_t first, bool rest_first, bool rest_last, bool& ends_at_rest) {
   problem_.cells.clear(), problem_.steps.clear(), cell_of_.clear();
   problem_.rest_first = rest_first && first == 0;
+  const double part = grid_.cartesian() ? 1 : finer;
   double time = 0, turn = 0, capped = 0, swing = 0;
+  const auto& pieces = pieces_.list();
+  const auto& extents = pieces_.extents();
   std::size_t i = first;
   const auto known = [](const DualPiece<N>& p) {
     return std::isfinite(p.cap) &&
            std::all_of(p.third.begin(), p.third.end(), [](double t) { return std::isfinite(t); });
   };
-  for (; i < pieces_.size() && problem_.cells.size() < stretch && known(pieces_[i]); ++i) {
-    const DualPiece<N>& p = pieces_[i];
+  for (; i < pieces.size() && problem_.cells.size() < stretch && known(pieces[i]); ++i) {
+    const DualPiece<N>& p = pieces[i];
     double bend = 0;
     for (std::size_t k = 0; k < N; ++k) bend += sq(p.end[k] - p.begin[k]);
     bend = std::sqrt(bend);
-    const bool open = !problem_.cells.empty() && time + p.time < pieces_per_cell / 2 * extents_[i].spacing &&
-                      turn + bend < widest_turn && swing + extents_[i].swing < widest_swing &&
-                      problem_.cells.back().length + p.length < extents_[i].finest;
+    const bool open = !problem_.cells.empty() && time + p.time < JerkPieces<N>::per_cell / 2 * extents[i].spacing &&
+                      turn + bend < part * widest_turn && swing + extents[i].swing < part * widest_swing &&
+                      problem_.cells.back().length + p.length < extents[i].finest;
     if (!open) problem_.cells.emplace_back(), time = turn = capped = swing = 0, problem_.cells.back().begin = p.begin;
     RelaxationCell<N>& cell = problem_.cells.back();
     if (p.joint.here) {
@@ -290,33 +89,52 @@ std::size_t JerkBound<N>::pose(std::size_t first, bool rest_first, bool rest_las
     cell.end = p.end;
     cell.length += p.length;
     capped += p.cap * p.length, cell.cap = capped / cell.length;
-    time += p.time, turn += bend, swing += extents_[i].swing;
+    time += p.time, turn += bend, swing += extents[i].swing;
     cell_of_.push_back(problem_.cells.size() - 1);
   }
-  ends_at_rest = i == pieces_.size() && rest_last;
+  ends_at_rest = i == pieces.size() && rest_last;
   problem_.rest_last = ends_at_rest;
   return i;
+}
+
+// Any multipliers give a bound. Limits of jerk that the cells are too wide to show may keep the solver from good ones:
+// the problem without them has others.
+template <int N>
+double JerkBound<N>::best_value(std::size_t first, std::size_t last) {
+  RelaxationOptions options;
+  if (!grid_.cartesian()) options.beyond = beyond;
+  const auto value = [&] {
+    return dual_.value(pieces_.list(), first, last, cell_of_, problem_, solver_.solve(problem_, options, pulse_));
+  };
+  double best = value();
+  const auto limits = problem_.jerk;
+  for (std::size_t k = 0; k < grid_.axes(); ++k)
+    if (shown_jerk_[k] < limits[k]) problem_.jerk[k] = infinite;
+  if (problem_.jerk != limits) best = std::max(best, value());
+  problem_.jerk = limits;
+  return best;
 }
 
 template <int N>
 double JerkBound<N>::duration(const std::vector<double>& b, double time, bool rest_first, bool rest_last) {
   const double length = grid_.nodes()[b.size() - 1].s - grid_.nodes().front().s;
-  spacing_ = std::max(std::min(part_of_ramp * ramp_, time / min_cells),
-                      time / (pieces_per_node * static_cast<double>(b.size()) + more_pieces));
-  first_piece_ = std::min(part_of_onset * acceleration_of_ramp_ * sq(ramp_) / 6, part_of_section * length);
+  const double spacing = std::max(std::min(part_of_ramp * ramp_, time / min_cells),
+                                  time / (pieces_per_node * static_cast<double>(b.size()) + more_pieces));
+  const double first_piece = std::min(part_of_onset * acceleration_of_ramp_ * sq(ramp_) / 6, part_of_section * length);
   double total = 0;
-  if (spacing_ < no_ramp * ramp_) {
-    lay(b, rest_first, rest_last);
-    for (std::size_t first = 0; first < pieces_.size();) {
+  if (spacing < no_ramp * ramp_) {
+    pieces_.lay(b, rest_first, rest_last, spacing, first_piece);
+    const auto& pieces = pieces_.list();
+    for (std::size_t first = 0; first < pieces.size();) {
       bool ends_at_rest = false;
       const std::size_t last = pose(first, rest_first, rest_last, ends_at_rest);
       if (last == first) {  // next to a cusp nothing is known of jerk
-        total += pieces_[first].length / std::sqrt(pieces_[first].cap);
+        total += pieces[first].length / std::sqrt(pieces[first].cap);
         ++first;
         continue;
       }
       cells_ += problem_.cells.size();
-      total += dual_.value(pieces_, first, last, cell_of_, problem_, solver_.solve(problem_, {}, pulse_));
+      total += best_value(first, last);
       first = last;
     }
   }
@@ -325,6 +143,7 @@ double JerkBound<N>::duration(const std::vector<double>& b, double time, bool re
 
 template class JerkBound<2>;
 template class JerkBound<3>;
+template class JerkBound<5>;
 template class JerkBound<8>;
 
 }  // namespace bahnwerk::verify

@@ -130,10 +130,12 @@ typename JerkDual<N>::Value JerkDual<N>::of(const DualPiece<N>& p, double x, con
 
 // Halves where that gains.
 template <int N>
-double JerkDual<N>::refined(const DualPiece<N>& p, double x, const DualPiece<N>* next, Value coarse, int depth) {
+double JerkDual<N>::refined(const DualPiece<N>& p, double x, const DualPiece<N>* next, Value coarse, int depth,
+                            Ends ends) {
   if (!(coarse.loss > much * p.time) || depth == halvings) return coarse.now;
   const double u = p.u0 + (p.u1 - p.u0) / 2;
-  const BoundNode<N> a = grid_.node(p.segment, p.u0), m = grid_.node(p.segment, u), b = grid_.node(p.segment, p.u1);
+  const BoundNode<N> m = grid_.node(p.segment, u), a = ends.first ? *ends.first : grid_.node(p.segment, p.u0),
+                     b = ends.second ? *ends.second : grid_.node(p.segment, p.u1);
   if (!(m.s > a.s && b.s > m.s)) return coarse.now;
   pulse_.work(8);
   DualPiece<N> left = dual_piece(grid_, a, m, p.cap);
@@ -141,7 +143,8 @@ double JerkDual<N>::refined(const DualPiece<N>& p, double x, const DualPiece<N>*
   left.joint = p.joint;
   const Value first = of(left, x, nullptr), second = of(right, x + left.length, next);
   if (!(first.now + second.now > coarse.now)) return coarse.now;
-  return refined(left, x, nullptr, first, depth + 1) + refined(right, x + left.length, next, second, depth + 1);
+  return refined(left, x, nullptr, first, depth + 1, {&a, &m}) +
+         refined(right, x + left.length, next, second, depth + 1, {&m, &b});
 }
 
 template <int N>
@@ -158,7 +161,7 @@ double JerkDual<N>::value(const std::vector<DualPiece<N>>& pieces, std::size_t f
       enter(cell, problem, multipliers);
     }
     const DualPiece<N>* next = i + 1 < last && pieces[i + 1].joint.here ? &pieces[i + 1] : nullptr;
-    sum.add(refined(p, x, next, of(p, x, next), 0));
+    sum.add(refined(p, x, next, of(p, x, next), 0, {}));
     x += p.length;
     pulse_.work(1);
   }
@@ -167,9 +170,11 @@ double JerkDual<N>::value(const std::vector<DualPiece<N>>& pieces, std::size_t f
 
 template class JerkDual<2>;
 template class JerkDual<3>;
+template class JerkDual<5>;
 template class JerkDual<8>;
 template DualPiece<2> dual_piece(const BoundGrid<2>&, const BoundNode<2>&, const BoundNode<2>&, double);
 template DualPiece<3> dual_piece(const BoundGrid<3>&, const BoundNode<3>&, const BoundNode<3>&, double);
+template DualPiece<5> dual_piece(const BoundGrid<5>&, const BoundNode<5>&, const BoundNode<5>&, double);
 template DualPiece<8> dual_piece(const BoundGrid<8>&, const BoundNode<8>&, const BoundNode<8>&, double);
 
 }  // namespace bahnwerk::verify

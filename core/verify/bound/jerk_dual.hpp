@@ -21,6 +21,7 @@
 /// for the acceleration along the path is continuous.
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "core/base/progress_scope.hpp"
@@ -79,7 +80,9 @@ class JerkDual {
   void enter(std::size_t cell, const RelaxationProblem<N>& problem, const RelaxationMultipliers<N>& multipliers);
   /// Of a piece x mm from the cell's begin; `next`: the piece behind it, if a joint lies between.
   Value of(const DualPiece<N>& piece, double x, const DualPiece<N>* next) const;
-  double refined(const DualPiece<N>& piece, double x, const DualPiece<N>* next, Value coarse, int depth);
+  /// `ends`: the nodes at its begin and end, if known.
+  using Ends = std::pair<const BoundNode<N>*, const BoundNode<N>*>;
+  double refined(const DualPiece<N>& piece, double x, const DualPiece<N>* next, Value coarse, int depth, Ends ends);
 
   const BoundGrid<N>& grid_;
   ProgressScope& pulse_;
@@ -93,9 +96,11 @@ class JerkDual {
 
 extern template class JerkDual<2>;
 extern template class JerkDual<3>;
+extern template class JerkDual<5>;
 extern template class JerkDual<8>;
 extern template DualPiece<2> dual_piece(const BoundGrid<2>&, const BoundNode<2>&, const BoundNode<2>&, double);
 extern template DualPiece<3> dual_piece(const BoundGrid<3>&, const BoundNode<3>&, const BoundNode<3>&, double);
+extern template DualPiece<5> dual_piece(const BoundGrid<5>&, const BoundNode<5>&, const BoundNode<5>&, double);
 extern template DualPiece<8> dual_piece(const BoundGrid<8>&, const BoundNode<8>&, const BoundNode<8>&, double);
 
 }  // namespace bahnwerk::verify

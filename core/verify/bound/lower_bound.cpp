@@ -155,6 +155,7 @@ Bound lower_bound(const PathTask& task, double corner_angle, Progress& progress,
   if (task.path.size() == 0) return {0, 0, "empty contour"};
   Bound bound = axes <= 2   ? bound_of<2>(task, corner_angle, progress, progress_from, progress_to, sections)
                 : axes == 3 ? bound_of<3>(task, corner_angle, progress, progress_from, progress_to, sections)
+                : axes <= 5 ? bound_of<5>(task, corner_angle, progress, progress_from, progress_to, sections)
                             : bound_of<max_axes>(task, corner_angle, progress, progress_from, progress_to, sections);
   // The planned motion sums up its dwells one by one, with rounding.
   bound.duration += task.dwell() * (1 - 1e-12 - 4e-16 * static_cast<double>(task.dwells.size()));

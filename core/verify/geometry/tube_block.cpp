@@ -15,6 +15,7 @@ constexpr double slack_share = 0.004;  // of the tolerance: what polygons may di
 constexpr double enough = 0.99;        // of the tolerance: no need to know better
 constexpr std::size_t max_cells_per_edge = 64, min_cells = 50'000'000;
 constexpr std::size_t max_points = 20'000'000;
+constexpr std::size_t narrow = 8, wider = 8;  // pieces beside a place that are looked at with it, and times as many
 constexpr std::size_t limb_units = 16, cell_units = 8;  // of a pulse's work
 
 }  // namespace
@@ -25,17 +26,20 @@ Worst TubeBlock::measure(const Stretch& given, const Stretch& path) {
   cut(given, limbs_);
   cut(path, links_);
   match();
-  Worst worst = bound();
-  if (worst.value <= tolerance_ || std::isnan(worst.value)) return worst;
-  // The matching may be to blame. Polygons take as much memory as its pieces, which are done with.
-  limbs_ = std::vector<CurvePiece>();
-  links_ = std::vector<CurvePiece>();
-  cells_ = std::vector<Cell>();
-  const double bulge = 0.5 * slack_share * tolerance_;
-  if (!polygon(given_, bulge, given_points_) || !polygon(path_, bulge, path_points_)) return worst;
-  for (const double share : {enough, 1.0})
-    if (traversable((share - slack_share) * tolerance_)) return {share * tolerance_, worst.at};
-  return worst;
+  if (strayed_.empty() || std::isnan(far_.value)) return strayed_.empty() ? near_ : far_;
+  // The matching may be to blame.
+  for (std::size_t margin = narrow;; margin *= wider) {
+    double most = near_.value;
+    bool all = true;
+    for (const Window& window : windows(margin)) {
+      const double radius = decided(window);
+      all = all && radius <= tolerance_;
+      if (!all) break;
+      most = std::max(most, radius);
+    }
+    if (all) return {most, most > near_.value ? far_.at : near_.at};
+    if (margin > links_.size()) return far_;
+  }
 }
 
 void TubeBlock::cut(const Stretch& stretch, std::vector<CurvePiece>& curve_pieces) {
@@ -46,65 +50,72 @@ void TubeBlock::cut(const Stretch& stretch, std::vector<CurvePiece>& curve_piece
   }
 }
 
-/// Lays the cells: every curve_piece of the path against the curve_pieces of the contour that belong to it.
+/// Every piece of the path against the pieces of the contour that belong to it.
 void TubeBlock::match() {
-  cells_.clear();
-  std::size_t curve_piece = 0;
-  double at = limbs_[0].u0;
-  Vec p = limbs_[0].p0;
+  ends_.clear();
+  strayed_.clear();
+  near_ = far_ = {};
+  Match at{0, limbs_[0].u0, norm(links_[0].p0 - limbs_[0].p0)};
+  double found = 0;
   for (std::size_t i = 0; i < links_.size(); ++i) {
     pulse_.work(limb_units);
-    std::size_t to = limbs_.size() - 1;
-    double place = limbs_.back().u1;
-    if (i + 1 < links_.size()) follow(links_[i], curve_piece, at, to, place);
-    lay(links_[i], curve_piece, at, p, to, place);
-    curve_piece = to;
-    at = place;
-    p = (*given_.path)[limbs_[curve_piece].segment].curve().at(at).value;
+    const CurvePiece& link = links_[i];
+    const Match to = i + 1 < links_.size()
+                         ? follow(link, at)
+                         : Match{limbs_.size() - 1, limbs_.back().u1, norm(link.p1 - limbs_.back().p1)};
+    lay(link, at, to);
+    const Worst worst = bound(found);
+    if (worst.value <= tolerance_) {
+      if (worst.value > near_.value) near_ = worst;
+    } else {
+      strayed_.push_back(i);
+      if (std::isnan(worst.value) || worst.value > far_.value) far_.raise(worst.value, worst.at);
+    }
+    ends_.push_back(to);
+    at = to;
   }
 }
 
-/// Where on the contour, from (curve_piece, at) on, the end of a path curve_piece belongs: the contour is followed
-/// until it comes within the tolerance of that end; the nearest point before it leaves again for good is taken.
-void TubeBlock::follow(const CurvePiece& link, std::size_t curve_piece, double at, std::size_t& to,
-                       double& place) const {
+/// Where on the contour, from `from` on, the end of a piece of the path belongs: the contour is followed until it comes
+/// within the tolerance of that end; the nearest point before it leaves again for good is taken.
+TubeBlock::Match TubeBlock::follow(const CurvePiece& link, const Match& from) const {
   const double near = tolerance_ * (1 + 1e-9) + 1e-9, most = 20 * link.length + 200 * near;
-  double best = HUGE_VAL, walked = 0;
+  double walked = 0;
   bool entered = false;
-  to = curve_piece;
-  place = at;
-  for (std::size_t k = curve_piece; k < limbs_.size() && walked <= most; ++k) {
+  Match best{from.limb, from.u, HUGE_VAL};
+  for (std::size_t k = from.limb; k < limbs_.size() && walked <= most; ++k) {
     const CurvePiece& l = limbs_[k];
-    const double from = k == curve_piece ? at : l.u0;
     pulse_.work(1);
-    const Nearest n = nearest((*given_.path)[l.segment].curve(), from, l.u1, link.p1);
-    if (n.distance < best) best = n.distance, to = k, place = n.u;
+    const Nearest n = nearest((*given_.path)[l.segment].curve(), k == from.limb ? from.u : l.u0, l.u1, link.p1);
+    if (n.distance < best.distance) best = {k, n.u, n.distance};
     entered = entered || n.distance <= near;
-    if (entered && norm(l.p1 - link.p1) > leaving * near) return;
-    if (k > curve_piece) walked += l.length;
+    if (entered && norm(l.p1 - link.p1) > leaving * near) break;
+    if (k > from.limb) walked += l.length;
   }
+  return best;
 }
 
-/// Cells of one path curve_piece against the contour from (curve_piece, at) = p to (to, place).
-void TubeBlock::lay(const CurvePiece& link, std::size_t curve_piece, double at, Vec p, std::size_t to, double place) {
+/// Cells of one piece of the path against the contour between two places.
+void TubeBlock::lay(const CurvePiece& link, const Match& from, const Match& to) {
   const Curve& curve = (*path_.path)[link.segment].curve();
+  cells_.clear();
   Cell c;
   c.path = link.segment;
   c.pieces.a0 = link.u0;
-  c.pieces.d0 = norm(link.p0 - p);
-  for (std::size_t k = curve_piece; k <= to; ++k) {
+  c.pieces.d0 = from.distance;
+  for (std::size_t k = from.limb; k <= to.limb; ++k) {
     const CurvePiece& l = limbs_[k];
     c.given = l.segment;
-    c.pieces.b0 = k == curve_piece ? at : l.u0;
-    if (k < to) {
+    c.pieces.b0 = k == from.limb ? from.u : l.u0;
+    if (k < to.limb) {
       const Nearest n = nearest(curve, c.pieces.a0, link.u1, l.p1);
       c.pieces.b1 = l.u1;
       c.pieces.a1 = n.u;
       c.pieces.d1 = n.distance;
     } else {
-      c.pieces.b1 = place;
+      c.pieces.b1 = to.u;
       c.pieces.a1 = link.u1;
-      c.pieces.d1 = norm(link.p1 - (*given_.path)[l.segment].curve().at(place).value);
+      c.pieces.d1 = to.distance;
     }
     cells_.push_back(c);
     c.pieces.a0 = c.pieces.a1;
@@ -112,10 +123,10 @@ void TubeBlock::lay(const CurvePiece& link, std::size_t curve_piece, double at, 
   }
 }
 
-Worst TubeBlock::bound() {
+/// Of the cells that are laid; `found`: the largest distance within the tolerance so far.
+Worst TubeBlock::bound(double& found) {
   Worst worst;
   const double slack = std::min(finest, 1e-3 * tolerance_);
-  double found = 0;
   for (const Cell& c : cells_)
     if (c.pieces.ends() <= tolerance_) found = std::max(found, c.pieces.ends());
   for (const Cell& c : cells_) {
@@ -128,17 +139,50 @@ Worst TubeBlock::bound() {
   return worst;
 }
 
-bool TubeBlock::traversable(double radius) {
-  const std::size_t most = std::max(min_cells, max_cells_per_edge * (given_points_.size() + path_points_.size()));
-  return traverse_within(path_points_, given_points_, radius, most, pulse_) == Traversal::possible;
+/// Whether both sides of a link's begin may be looked at apart from each other: it is matched well.
+bool TubeBlock::separates(std::size_t link) const {
+  return link == 0 || link >= links_.size() || ends_[link - 1].distance <= (enough - slack_share) * tolerance_;
 }
 
-/// Points of a stretch between which it bulges by no more than `bulge` from the chord. False: too many.
-bool TubeBlock::polygon(const Stretch& stretch, double bulge, std::vector<Vec>& points) {
-  points.clear();
-  for (std::size_t i = stretch.first; i < stretch.last; ++i) {
-    const Curve& curve = (*stretch.path)[i].curve();
-    if (points.empty()) points.push_back(curve.at(curve.begin()).value);
+/// The surroundings of all that strayed, `margin` links on either side, none of which overlaps another.
+std::vector<TubeBlock::Window> TubeBlock::windows(std::size_t margin) const {
+  std::vector<Window> list;
+  for (const std::size_t link : strayed_) {
+    Window window{link - std::min(link, margin), std::min(links_.size(), link + margin + 1)};
+    while (!separates(window.first)) --window.first;
+    while (!separates(window.last)) ++window.last;
+    if (list.empty() || window.first >= list.back().last)
+      list.push_back(window);
+    else
+      list.back().last = std::max(list.back().last, window.last);
+  }
+  return list;
+}
+
+/// A radius within which path and contour can be traversed along a window; infinite: none that is within the tolerance.
+double TubeBlock::decided(const Window& window) {
+  const CurvePiece &first = links_[window.first], &last = links_[window.last - 1];
+  const Match from = window.first > 0 ? ends_[window.first - 1] : Match{0, limbs_[0].u0, 0};
+  const Match& to = ends_[window.last - 1];
+  if (!polygon(*given_.path, limbs_[from.limb], from.u, limbs_[to.limb], to.u, given_points_) ||
+      !polygon(*path_.path, first, first.u0, last, last.u1, path_points_))
+    return HUGE_VAL;
+  const std::size_t most = std::max(min_cells, max_cells_per_edge * (given_points_.size() + path_points_.size()));
+  for (const double share : {enough, 1.0})
+    if (traverse_within(path_points_, given_points_, (share - slack_share) * tolerance_, most, pulse_) ==
+        Traversal::possible)
+      return share * tolerance_;
+  return HUGE_VAL;
+}
+
+/// Points between which a path bulges by no more than half of the slack from the chord, from a parameter on the piece
+/// `first` to one on the piece `last`. False: too many.
+bool TubeBlock::polygon(const Path& path, const CurvePiece& first, double begin, const CurvePiece& last, double end,
+                        std::vector<Vec>& points) {
+  const double bulge = 0.5 * slack_share * tolerance_;
+  points.assign(1, path[first.segment].curve().at(begin).value);
+  for (std::size_t i = first.segment; i <= last.segment; ++i) {
+    const Curve& curve = path[i].curve();
     const BendBound bend(curve);
     const auto add = [&](const auto& self, double u0, double u1, int depth) -> void {
       const double w = u1 - u0;
@@ -151,7 +195,7 @@ bool TubeBlock::polygon(const Stretch& stretch, double bulge, std::vector<Vec>& 
       points.push_back(curve.at(u1).value);
     };
     constexpr int max_halvings = 40;
-    add(add, curve.begin(), curve.end(), max_halvings);
+    add(add, i == first.segment ? begin : curve.begin(), i == last.segment ? end : curve.end(), max_halvings);
     if (points.size() >= max_points) return false;
   }
   return true;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/numeric/peak.hpp"
+#include "core/verify/law/arc_length_check.hpp"
 #include "core/verify/law/channel_bounds.hpp"
 #include "core/verify/law/curve_disc.hpp"
 #include "core/verify/law/repeated_run.hpp"
@@ -53,7 +54,8 @@ class Sweeper {
         channels_(make_channels(in)),
         peaks_(scales(channels_)),
         worst_(channels_.size()),
-        repeated_(in) {
+        repeated_(in),
+        arc_length_(pulse) {
     if (const auto* path = dynamic_cast<const KinematicAxisPath*>(&in.path)) through_.emplace(*path);
   }
 
@@ -81,7 +83,7 @@ class Sweeper {
       result.checks.push_back(check(c, before ? worst_[c] : peaks_[c]));
     }
     result.too_fast = std::move(too_fast_);
-    result.arc_length = arc_length_;
+    result.arc_length = arc_length_.worst();
     result.estimated = peaks_.estimated();
     return result;
   }
@@ -192,35 +194,46 @@ class Sweeper {
   }
 
   void over_time(const LawPiece& piece, const Segment& segment) {
-    const double u0 = begin_of(piece, segment), u1 = end_of(piece, segment);
-    if (segment.curve().kind() == CurveKind::rational) {
-      const double s0 = segment.travelled(u0), s1 = segment.travelled(u1);
-      believe(piece, segment, s1 - s0);
-      measure(piece, segment, u0, u1, s0, s1, 0);
-    }
     // Counted from the begin of the segment: far along a path the rounding of s would show as noise.
     LawPiece local = piece;
     local.s = piece.s - segment.s0();
+    const double u0 = begin_of(piece, segment), half_way = local.at(0.5 * piece.duration).s;
+    // Two parameters at once take little longer than one.
+    const PointPair inner = segment.parameter_at(PointPair{half_way, piece.s_end - segment.s0()});
+    const double u1 = end_at(piece, piece.s_end < segment.s1() ? inner[1] : segment.curve().end());
+    if (segment.curve().kind() == CurveKind::rational) {
+      const double s0 = segment.travelled(u0), s1 = segment.travelled(u1);
+      arc_length_.believe(piece, segment, s1 - s0);
+      arc_length_.measure(piece, segment, u0, u1, s0, s1);
+    }
     const bool open = segment.cusp_begin() || segment.cusp_end(), vanishing = discs(piece.segment).vanishing() > 0;
-    const auto parameter = [&](double tau, double s) {
-      return tau <= 0 ? u0 : tau >= piece.duration ? u1 : segment.parameter_at(s);
-    };
     peaks_.sweep(0, piece.duration, open, index_, [&](PeakSamples& samples) {
       const int n = samples.rule.points;
       pulse_.work(static_cast<std::size_t>(n));
       const double half = 0.5 * (samples.end - samples.begin);
       const LawPiece here = moved(local, samples.begin + half);
-      const double middle = segment.parameter_at(here.s);
+      const double middle = here.s == half_way ? inner[0] : segment.parameter_at(here.s);
       if (!vanishing || !at_vanishing_tangent(piece.segment, segment.parameter_at(local.at(samples.begin).s),
                                               segment.parameter_at(local.at(samples.end).s)))
         tell_missing(samples, piece.segment, middle, (u1 - u0) * half / piece.duration,
                      [&](const CurveDisc& disc) { return bounds_over_time(here, half, disc, n); });
       if (samples.empty) return false;
-      for (int i = 0; i < n; ++i) {
-        const double tau = samples.at(i);
-        const LawState& at = state_[static_cast<std::size_t>(i)] = local.at(tau);
-        batch_.u.set(static_cast<std::size_t>(i), at.s == here.s ? middle : parameter(tau, at.s));
+      std::size_t waiting = 0;  // the number of a point whose parameter is not known yet, from 1
+      for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
+        const double tau = samples.at(static_cast<int>(i));
+        const LawState& at = state_[i] = local.at(tau);
+        if (tau <= 0 || tau >= piece.duration || at.s == here.s) {
+          batch_.u.set(i, tau <= 0 ? u0 : tau >= piece.duration ? u1 : middle);
+        } else if (waiting == 0) {
+          waiting = i + 1;
+        } else {
+          const PointPair u = segment.parameter_at(PointPair{state_[waiting - 1].s, at.s});
+          batch_.u.set(waiting - 1, u[0]);
+          batch_.u.set(i, u[1]);
+          waiting = 0;
+        }
       }
+      if (waiting > 0) batch_.u.set(waiting - 1, segment.parameter_at(state_[waiting - 1].s));
       fill(piece.segment, n, samples.values, [&](const Channel& c, double d1, double d2, double d3, std::size_t i) {
         return value(c, d1, d2, d3, state_[i]);
       });
@@ -232,38 +245,10 @@ class Sweeper {
   double begin_of(const LawPiece& piece, const Segment& segment) const {
     return index_ > 0 && end_segment_ == piece.segment && end_s_ == piece.s ? end_u_ : segment.parameter(piece.s);
   }
-  double end_of(const LawPiece& piece, const Segment& segment) {
-    end_segment_ = piece.segment, end_s_ = piece.s_end, end_u_ = segment.parameter(piece.s_end);
-    return end_u_;
-  }
-
-  // To what the quadrature of a stretch resolves its length, mm.
-  static double resolution(const Segment& segment, double way) { return 1e-11 * way + 2e-12 * segment.length(); }
-
-  void raise_arc_length(double miss, const Segment& segment, double way, double when) {
-    arc_length_.raise(miss, 5 * resolution(segment, way) + rounding * segment.s1(), when);
-  }
-
-  // The way that the law goes against the length of what it goes along.
-  void believe(const LawPiece& piece, const Segment& segment, double way) {
-    raise_arc_length(std::abs(way - (piece.s_end - piece.s)), segment, way, piece.t0);
-  }
-
-  // ∫|dh/du|du over [u0, u1] against the way from s0 to s1 of the segment, halved until the rule resolves it.
-  void measure(const LawPiece& piece, const Segment& segment, double u0, double u1, double s0, double s1, int depth) {
-    if (!(u1 > u0)) return;
-    const ChebyshevRule& rule = lobatto_rule(true);
-    pulse_.work(static_cast<std::size_t>(rule.points));
-    double whole = 0;
-    for (int i = 0; i < rule.points; ++i)
-      whole += rule.whole[static_cast<std::size_t>(i)] *
-               segment.curve().speed(u0 + rule.node[static_cast<std::size_t>(i)] * (u1 - u0));
-    const double miss = std::abs(whole * (u1 - u0) - (s1 - s0)), middle = u0 + 0.5 * (u1 - u0);
-    if (miss <= resolution(segment, s1 - s0) || depth == 12 || !(middle > u0 && middle < u1))
-      return raise_arc_length(miss, segment, s1 - s0, piece.t0);
-    const double s = segment.travelled(middle);
-    measure(piece, segment, u0, middle, s0, s, depth + 1);
-    measure(piece, segment, middle, u1, s, s1, depth + 1);
+  double end_of(const LawPiece& piece, const Segment& segment) { return end_at(piece, segment.parameter(piece.s_end)); }
+  double end_at(const LawPiece& piece, double u) {
+    end_segment_ = piece.segment, end_s_ = piece.s_end, end_u_ = u;
+    return u;
   }
 
   void over_parameter(const LawPiece& piece, const Segment& segment) {
@@ -284,7 +269,7 @@ class Sweeper {
     const Curve& curve = segment.curve();
     const bool open = (segment.cusp_begin() && u0 <= curve.begin()) || (segment.cusp_end() && u1 >= curve.end());
     const bool even = curve.kind() != CurveKind::rational;  // s is linear in u
-    if (!even) believe(piece, segment, ds);
+    if (!even) arc_length_.believe(piece, segment, ds);
     std::array<double, ChebyshevRule::max_points> speed, s;
     peaks_.sweep(u0, u1, open, index_, [&](PeakSamples& samples) {
       const ChebyshevRule& rule = samples.rule;
@@ -319,8 +304,8 @@ class Sweeper {
           whole += rule.whole[i] * speed[i];
         }
         const double miss = std::abs(whole * (end - begin) - (to - from));
-        resolved = miss <= resolution(segment, to - from);
-        if (resolved) raise_arc_length(miss, segment, to - from, piece.t0);
+        resolved = miss <= ArcLengthCheck::resolution(segment, to - from);
+        if (resolved) arc_length_.raise(miss, segment, to - from, piece.t0);
         for (int i = 0; i < n; ++i) {
           double part = 0;
           for (int j = 0; j < n; ++j) part += rule.integral[i][j] * speed[j];
@@ -383,7 +368,7 @@ class Sweeper {
   std::vector<TooFast> too_fast_;
   RepeatedRuns repeated_;
   std::optional<AxisDiscsAlong> through_;  ///< of axes that follow the path through kinematics
-  Strained arc_length_;
+  ArcLengthCheck arc_length_;
   std::size_t index_ = 0;
   std::size_t end_segment_ = static_cast<std::size_t>(-1);  // where the last piece ended, to invert u(s) once per piece
   double end_s_ = 0, end_u_ = 0;

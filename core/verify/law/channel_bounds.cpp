@@ -1,6 +1,7 @@
 #include "core/verify/law/channel_bounds.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -13,6 +14,20 @@ constexpr double unknown = std::numeric_limits<double>::infinity();
 constexpr double lebesgue = 2.5;  // of interpolation in up to 9 Chebyshev points, at most
 
 double square(double x) { return x * x; }
+
+constexpr int farthest = 10;  // power of two of the largest reach that is looked at
+
+/// interpolation_error(points, 2^power), 1 ≤ power ≤ farthest, of 5 and 9 points.
+double error_at(int points, int power) {
+  static const auto errors = [] {
+    std::array<std::array<double, farthest + 1>, 2> all;
+    for (int k = 0; k <= farthest; ++k)
+      for (const int n : {5, 9}) all[n == 9][static_cast<std::size_t>(k)] = interpolation_error(n, std::ldexp(1.0, k));
+    return all;
+  }();
+  if (points != 5 && points != 9) return interpolation_error(points, std::ldexp(1.0, power));
+  return errors[points == 9][static_cast<std::size_t>(power)];
+}
 
 }  // namespace
 
@@ -60,23 +75,48 @@ LawPiece moved(const LawPiece& piece, double tau) {
   return p;
 }
 
-ChannelBounds bounds_over_time(const LawPiece& piece, double half, const CurveDisc& disc, int points) {
-  ChannelBounds bounds{unknown, unknown, unknown};
+namespace {
+
+/// Bounds of figures whose sizes are `sizes(S, V, A, J)` where the law's way, speed, acceleration and jerk are at most
+/// that large.
+template <std::size_t n, class Sizes>
+std::array<double, n> best_over_time(const LawPiece& piece, double half, const CurveDisc& disc, int points,
+                                     Sizes&& sizes) {
+  std::array<double, n> bounds;
+  bounds.fill(unknown);
   if (!(half > 0) || !(disc.radius > 0)) return bounds;
   const double way = disc.radius / disc.pace;
   const double v = std::abs(piece.v), a = std::abs(piece.a), j = std::abs(piece.j), q = std::abs(piece.q);
-  // The further out, the quicker the error falls and the larger law and curve may be: the best of a few places counts.
-  for (double reach = 1024; reach > 1.2; reach *= 0.5) {
-    const double r = reach * half;
-    if (!(r * (v + r * (a / 2 + r * (j / 6 + r * q / 24))) <= way)) continue;
-    const double error = interpolation_error(points, reach);
+  // The further out, the quicker the error falls and the larger law and curve may be: the best of a few places counts,
+  // from the farthest on for as long as any bound gets better.
+  for (int power = farthest; power > 0; --power) {
+    const double r = std::ldexp(half, power), S = r * (v + r * (a / 2 + r * (j / 6 + r * q / 24)));
+    if (!(S <= way)) continue;
+    const double error = error_at(points, power);
     const double V = v + r * (a + r * (j / 2 + r * q / 6)), A = a + r * (j + r * q / 2), J = j + r * q;
-    const double h1 = disc.first, h2 = disc.second, h3 = disc.third;
-    bounds[0] = std::min(bounds[0], error * square(h1 * V));
-    bounds[1] = std::min(bounds[1], error * (h2 * V * V + h1 * A));
-    bounds[2] = std::min(bounds[2], error * square(h3 * V * V * V + 3 * h2 * V * A + h1 * J));
+    const std::array<double, n> here = sizes(S, V, A, J);
+    bool better = false;
+    for (std::size_t c = 0; c < n; ++c)
+      if (error * here[c] < bounds[c]) bounds[c] = error * here[c], better = true;
+    if (!better) break;
   }
   return bounds;
+}
+
+}  // namespace
+
+ChannelBounds bounds_over_time(const LawPiece& piece, double half, const CurveDisc& disc, int points) {
+  const double h1 = disc.first, h2 = disc.second, h3 = disc.third;
+  return best_over_time<3>(piece, half, disc, points, [&](double, double V, double A, double J) {
+    return ChannelBounds{square(h1 * V), h2 * V * V + h1 * A, square(h3 * V * V * V + 3 * h2 * V * A + h1 * J)};
+  });
+}
+
+StateBounds state_bounds_over_time(const LawPiece& piece, double half, const CurveDisc& disc, int points) {
+  const double h1 = disc.first, h2 = disc.second, h3 = disc.third;
+  return best_over_time<4>(piece, half, disc, points, [&](double S, double V, double A, double J) {
+    return StateBounds{h1 * S, h1 * V, h2 * V * V + h1 * A, h3 * V * V * V + 3 * h2 * V * A + h1 * J};
+  });
 }
 
 }  // namespace bahnwerk::verify

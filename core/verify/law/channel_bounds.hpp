@@ -34,4 +34,9 @@ LawPiece moved(const LawPiece& piece, double tau);
 /// S(r) = |v|r + |a|r²/2 + |j|r³/6 + |q|r⁴/24, and u by no more than S(r) max|du/ds|, which has to stay in the disc.
 ChannelBounds bounds_over_time(const LawPiece& piece, double half, const CurveDisc& disc, int points);
 
+/// The same of position, velocity, acceleration and jerk themselves, mm, mm/s …: of what a polynomial is added to
+/// before its peak is looked for. |h(s) − h(s(0))| ≤ |h′| S(r).
+using StateBounds = std::array<double, 4>;
+StateBounds state_bounds_over_time(const LawPiece& piece, double half, const CurveDisc& disc, int points);
+
 }  // namespace bahnwerk::verify

@@ -68,7 +68,7 @@ class LawChecker {
       const Passed here(p);
       const SpeedRange v = speed_range(here);
       peak_.raise(v.high, v.high_at);
-      if (in_.check_jerk) path_peaks(p);
+      if (in_.check_jerk || in_.along.acceleration < unlimited) path_peaks(p);
       const PieceRounding& r = here.rounding;
       backward_.raise(std::isnan(v.low) ? v.low : std::max(0.0, -v.low), r.speed, v.low_at);
       if (before) pass(*before, here);
@@ -196,7 +196,7 @@ class LawChecker {
     }
     for (Check& c : feeds) list.push_back(std::move(c));
     if (in_.along.velocity < unlimited) list.push_back(make_check("path velocity", "mm/s", in_.along.velocity, peak_));
-    if (in_.check_jerk && in_.along.acceleration < unlimited)
+    if (in_.along.acceleration < unlimited)
       list.push_back(make_check("path acceleration", "mm/s²", in_.along.acceleration, path_acceleration_));
     if (in_.check_jerk && in_.along.jerk < unlimited)
       list.push_back(make_check("path jerk", "mm/s³", in_.along.jerk, path_jerk_));

@@ -8,6 +8,7 @@
 
 #include "core/base/progress_scope.hpp"
 #include "core/numeric/peak.hpp"
+#include "core/verify/motion/bernstein.hpp"
 #include "core/verify/rounding.hpp"
 #include "core/verify/worst.hpp"
 
@@ -38,29 +39,6 @@ double terms(const MotionState& x, std::size_t derivative, std::size_t axis, dou
     factor *= duration / static_cast<double>(i + 1);
   }
   return sum;
-}
-
-/// Bernstein coefficients over [0, 1] of p(T x), the constant lifted by `offset`.
-std::size_t bernstein(const Polynomial& p, double duration, double offset,
-                      std::array<double, ChebyshevRule::max_points>& b) {
-  const std::size_t n = std::max<std::size_t>(p.size(), 1);
-  std::array<double, ChebyshevRule::max_points> scaled{};
-  double power = 1, choose_n = 1;  // C(n − 1, i)
-  for (std::size_t i = 0; i < n; ++i) {
-    scaled[i] = (i < p.size() ? p[i] : 0) * power / choose_n;
-    power *= duration;
-    choose_n *= static_cast<double>(n - 1 - i) / static_cast<double>(i + 1);
-  }
-  scaled[0] += offset;
-  for (std::size_t j = 0; j < n; ++j) {
-    double sum = 0, choose = 1;  // C(j, i)
-    for (std::size_t i = 0; i <= j; ++i) {
-      sum += choose * scaled[i];
-      choose *= static_cast<double>(j - i) / static_cast<double>(i + 1);
-    }
-    b[j] = sum;
-  }
-  return n;
 }
 
 class Checker {

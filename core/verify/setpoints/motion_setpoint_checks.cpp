@@ -1,11 +1,11 @@
 #include "core/verify/setpoints/motion_setpoint_checks.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
 
 #include "core/base/progress_scope.hpp"
+#include "core/base/read_rows.hpp"
 #include "core/verify/rounding.hpp"
 #include "core/verify/worst.hpp"
 
@@ -16,7 +16,7 @@ using verify::epsilon;
 using verify::rounding;
 using verify::Strained;
 
-constexpr std::size_t chunk_rows = 1024, units_per_row = 4;  // of work, for progress
+constexpr std::size_t units_per_row = 4;  // of work, for progress
 
 /// Per axis its columns of position, velocity and acceleration.
 using Columns = std::array<std::array<std::size_t, 3>, max_axes>;
@@ -26,9 +26,8 @@ bool find(const std::vector<Column>& columns, const Machine& machine, std::size_
   for (std::size_t k = 0; k < axes; ++k)
     for (std::size_t order = 0; order < 3; ++order) {
       const std::string name = std::array{"", "v", "a"}[order] + machine.axes[k].name;
-      const auto at = std::find_if(columns.begin(), columns.end(), [&](const Column& c) { return c.name == name; });
-      if (at == columns.end()) return false;
-      found[k][order] = static_cast<std::size_t>(at - columns.begin());
+      found[k][order] = column_index(columns, name);
+      if (found[k][order] == columns.size()) return false;
     }
   return true;
 }
@@ -67,7 +66,7 @@ std::vector<Check> motion_setpoint_checks(const Motion& motion, const Machine& m
                                           Progress& progress, double progress_from, double progress_to) {
   ProgressScope pulse(progress, "verify setpoints", progress_from, progress_to);
   pulse.report();
-  const std::size_t rows = setpoints.count(), width = setpoints.columns().size(), axes = motion.axes();
+  const std::size_t rows = setpoints.count(), axes = motion.axes();
   const double last = static_cast<double>(rows) - 1, duration = motion.duration(), cycle = machine.cycle_time;
   Worst worst;
   Columns columns{};
@@ -76,24 +75,18 @@ std::vector<Check> motion_setpoint_checks(const Motion& motion, const Machine& m
   worst.time.raise(std::abs(last * cycle - duration), rounding * duration, duration);
   worst.time.raise(std::abs(setpoints.duration() - duration), rounding * duration, duration);
   worst.time.raise(std::abs(setpoints.cycle_time() - cycle) * last, rounding * duration, duration);
-  std::vector<double> chunk(complete ? std::min(rows, chunk_rows) * width : 0);
   std::size_t piece = 0;
-  for (std::size_t first = 0; complete && first < rows; first += chunk_rows) {
-    const std::size_t count = std::min(chunk_rows, rows - first);
-    setpoints.read(first, count, chunk.data());
-    for (std::size_t i = 0; i < count; ++i) {
-      const double* row = chunk.data() + i * width;
-      const double t = static_cast<double>(first + i) * cycle;
-      if (first + i + 1 == rows) {
-        check_end(row, columns, motion.final_state(), axes, t, worst);
-        continue;
-      }
-      while (piece + 1 < motion.pieces() && motion.begin(piece + 1) <= t) ++piece;
-      check_row(row, columns, motion.in_piece(piece, t), axes, motion.end(piece) - motion.begin(piece), t, worst);
-    }
-    pulse.done(static_cast<double>(first + count) / static_cast<double>(rows));
-    pulse.work(count * units_per_row);
-  }
+  const auto check = [&](std::size_t k, const double* row) {
+    const double t = static_cast<double>(k) * cycle;
+    if (k + 1 == rows) return check_end(row, columns, motion.final_state(), axes, t, worst);
+    while (piece + 1 < motion.pieces() && motion.begin(piece + 1) <= t) ++piece;
+    check_row(row, columns, motion.in_piece(piece, t), axes, motion.end(piece) - motion.begin(piece), t, worst);
+  };
+  if (complete)
+    for_each_row(setpoints, check, [&](std::size_t done, std::size_t count) {
+      pulse.done(static_cast<double>(done) / static_cast<double>(rows));
+      pulse.work(count * units_per_row);
+    });
   using verify::make_check;
   pulse.done(1);
   pulse.report();

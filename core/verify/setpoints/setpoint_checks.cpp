@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/base/progress_scope.hpp"
+#include "core/base/read_rows.hpp"
 #include "core/verify/rounding.hpp"
 #include "core/verify/worst.hpp"
 
@@ -18,7 +19,6 @@ using verify::PieceRounding;
 using verify::rounding;
 using verify::Strained;
 
-constexpr std::size_t chunk_rows = 1024;
 constexpr std::size_t units_per_row = 4;  // of work, for progress
 
 /// Larger of two, not-a-number if either is.
@@ -30,6 +30,7 @@ class RowChecker {
       : in_(in), path_(in.path), pieces_(in.law.pieces()), axes_(in.path.axes()), cycle_time_(in.machine.cycle_time) {
     shown_.fill(1);
     std::copy_n(in.shown.begin(), std::min(in.shown.size(), axes_), shown_.begin());
+    if (in.lag > 0) lag_ = in.lag * peak_speed(in.law) * cycle_time_;
   }
 
   std::vector<Check> run(ProgressScope& pulse) {
@@ -51,9 +52,9 @@ class RowChecker {
     std::size_t missing = 0;
     const auto& columns = in_.setpoints.columns();
     const auto find = [&](const std::string& name) {
-      const auto at = std::find_if(columns.begin(), columns.end(), [&](const Column& c) { return c.name == name; });
-      missing += at == columns.end();
-      return static_cast<std::size_t>(at - columns.begin());
+      const std::size_t at = column_index(columns, name);
+      missing += at == columns.size();
+      return at;
     };
     for (std::size_t k = 0; k < axes_; ++k) {
       const std::string& name = in_.machine.axes[k].name;
@@ -66,22 +67,19 @@ class RowChecker {
   }
 
   void read(std::size_t rows, ProgressScope& pulse) {
-    const std::size_t width = in_.setpoints.columns().size();
-    std::vector<double> chunk(std::min(rows, chunk_rows) * width);
     enter(0);
-    for (std::size_t first = 0; first < rows; first += chunk_rows) {
-      const std::size_t count = std::min(chunk_rows, rows - first);
-      in_.setpoints.read(first, count, chunk.data());
-      for (std::size_t i = 0; i < count; ++i) {
-        const double* row = chunk.data() + i * width;
-        if (first + i + 1 < rows)
-          check(first + i, row);
-        else
-          check_last(row);
-      }
-      pulse.done(static_cast<double>(first + count) / static_cast<double>(rows));
-      pulse.work(count * units_per_row);
-    }
+    for_each_row(
+        in_.setpoints,
+        [&](std::size_t k, const double* row) {
+          if (k + 1 < rows)
+            check(k, row);
+          else
+            check_last(row);
+        },
+        [&](std::size_t done, std::size_t count) {
+          pulse.done(static_cast<double>(done) / static_cast<double>(rows));
+          pulse.work(count * units_per_row);
+        });
   }
 
   /// Piece i of the law is the one that rows now lie on.
@@ -113,18 +111,18 @@ class RowChecker {
     if (rounding_of_ != piece_) rounding_ = verify::rounding_of(piece), rounding_of_ = piece_;
     const LawState law = piece.at(std::clamp(t - piece.t0, 0.0, std::max(piece.duration, 0.0)));
     const double s = row[s_column_], v = row[v_column_];
-    path_column_.raise(std::abs(s - law.s), rounding_.position + std::abs(law.v) * blur, t);
+    path_column_.raise(std::abs(s - law.s), rounding_.position + std::abs(law.v) * blur + lag_, t);
     speed_.raise(std::abs(v - law.v), rounding_.speed + std::abs(law.a) * blur, t);
     if (k > 0) forward_.raise(std::isnan(s) ? s : std::max(0.0, before_ - s), rounding * path_.length(), t);
     before_ = s;
     label(row, t);
     if (piece.segment >= path_.size()) return position_.raise(std::numeric_limits<double>::infinity(), 0, t);
     std::array<double, 4 * max_axes> all;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled as far as read
-    path_.write_at(piece.segment, s, all.data());
+    const std::size_t segment = lag_ > 0 ? path_.tool().find(s, piece.segment) : piece.segment;
+    path_.write_at(segment, s, all.data());
     const double *q = all.data(), *q1 = q + axes_, *q2 = q1 + axes_;
     const double along = size(q1), a = std::abs(law.a);
-    const double place = rounding * (size(q) + along * path_[piece.segment].length()),
-                 quick = rounding * along * std::abs(v),
+    const double place = rounding * (size(q) + along * path_[segment].length()), quick = rounding * along * std::abs(v),
                  quicker = rounding * (v * v * size(q2) + along * a) +
                            along * (rounding_.acceleration + std::abs(law.j) * blur);
     for (std::size_t axis = 0; axis < axes_; ++axis) {
@@ -184,7 +182,7 @@ class RowChecker {
   const AxisPath& path_;
   const LargeVector<LawPiece>& pieces_;
   std::size_t axes_;
-  double cycle_time_;
+  double cycle_time_, lag_ = 0;
   AxisArray shown_{};
   std::array<std::size_t, max_axes> position_column_{}, velocity_column_{}, acceleration_column_{};
   std::size_t s_column_ = 0, v_column_ = 0, mode_column_ = 0, block_column_ = 0;

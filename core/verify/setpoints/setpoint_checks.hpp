@@ -21,6 +21,9 @@ struct SetpointInput {
   double progress_from = 0, progress_to = 1;  ///< the share of the whole job's progress that this takes
   /// Per axis: what one of its units is in its columns, such as 180/π for rad shown in deg; empty: 1.
   std::vector<double> shown = {};
+  /// By how much an interpolator may put a row before or behind the law's place, along the path, as a share of the
+  /// longest way that the law goes in one cycle; 0: not at all.
+  double lag = 0;
 };
 
 /// Reads all rows, 1024 at a time, and evaluates path and law at their times by itself. So the rows keep the limits
@@ -30,7 +33,7 @@ struct SetpointInput {
 ///
 /// `setpoints count`         1      |rows − (duration / cycle time + 1)|; columns that are missing count, too: 0
 /// `setpoints time`          s      (rows − 1) · cycle time against the law's duration: 32 ε of it
-/// `setpoints path`          mm     column s against the law: 32 ε (|s| + |v| T …) + v ε t
+/// `setpoints path`          mm     column s against the law: 32 ε (|s| + |v| T …) + v ε t + lag · max v · cycle time
 /// `setpoints speed`         mm/s   column v against the law: 32 ε (|v| + |a| T …) + |a| ε t
 /// `setpoints forward`       mm     by what s falls from row to row: 32 ε of the path's length
 /// `setpoints position`      mm     axes against the path at the row's s: 32 ε (|q| + |q′| · length of the segment)

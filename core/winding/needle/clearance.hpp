@@ -12,12 +12,6 @@
 
 namespace bahnwerk::winding {
 
-/// A bar with a round end whose foremost point is the tip; in a section that it lies in, a box with a rounded tip.
-struct NeedleShape {
-  double width = 2.6;  ///< mm
-  double length = 60;  ///< from the tip to the holder, mm
-};
-
 /// A move from one pose to another: tip and angles change evenly, on a line or, with `arc`, about the part's axis.
 struct NeedleMove {
   NeedlePose from, to;

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/base/progress.hpp"
+#include "core/numeric/golden_section.hpp"
 #include "core/winding/needle/clearance.hpp"
 #include "core/winding/part/space.hpp"
 
@@ -142,20 +143,8 @@ class ClearanceSearch {
   /// Where on the needle the obstacle is nearest: a golden section search, which stands on a needle that lies flat
   /// against a face as well.
   double nearest_along(const Obstacle& obstacle) const {
-    double first = radius_, last = length_;
-    const auto value = [&](double s) { return obstacle.distance(pose_.tip - s * direction_); };
-    const double golden = (std::sqrt(5.0) - 1) / 2;
-    double a = last - golden * (last - first), b = first + golden * (last - first), at_a = value(a), at_b = value(b);
-    while (last - first > along_exact) {
-      if (at_a <= at_b) {
-        last = b, b = a, at_b = at_a;
-        at_a = value(a = last - golden * (last - first));
-      } else {
-        first = a, a = b, at_a = at_b;
-        at_b = value(b = first + golden * (last - first));
-      }
-    }
-    return (first + last) / 2;
+    const auto near = [&](double s) { return -obstacle.distance(pose_.tip - s * direction_); };
+    return golden_section(near, radius_, length_, along_exact).at;
   }
 
   /// From s − half to s + half on the axis; what stays undecided widens low_ to high_.

@@ -5,11 +5,18 @@
 #include <numbers>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress_scope.hpp"
+#include "core/winding/needle/channel.hpp"
+#include "core/winding/needle/rotor_obstacles.hpp"
 
 namespace bahnwerk::winding {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+// What a tip that is moved has beyond the clearance asked for, and how exactly, mm: links and lines come a little
+// nearer.
+constexpr double margin = 0.1, lack_exact = 1e-3;
+constexpr std::size_t units_per_tip = 400;  // of work, for progress: a tip with what is left beside it
 
 double nearest_turn(double angle, double to) { return to + std::remainder(angle - to, 2 * pi); }
 
@@ -100,6 +107,31 @@ FixedPiece head(const Passage& p, double sense, bool top, double rho, double len
   return piece;
 }
 
+/// The ends of a line in a laying region. `leading(place, along)` is the support point of a wire over `place`;
+/// `standing(pose)` what the part leaves the needle there, `between(begin, end)` along the line, mm. Tells `scope`.
+template <class Leading, class Standing, class Between>
+void set_ends(FixedPiece& piece, const Passage& p, Space across, const NeedleModel& model, const Leading& leading,
+              const Standing& standing, const Between& between, ProgressScope& scope) {
+  const Space in = direction(p.held, p.begin), out = direction(p.begin, p.end);
+  const auto over = [&](Space place, Space along) {
+    scope.work(units_per_tip);
+    return leading(place, along);
+  };
+  const auto begin = [&](Space along) { return over(p.begin, along); };
+  const auto end = [&](Space along) { return over(p.end, along); };
+  piece.begin = begin(in), piece.end = end(out);
+  if (!model.shape) return;
+  // So much as the line lacks each end has to leave more than it does.
+  double at_begin = standing(piece.begin.pose), at_end = standing(piece.end.pose);
+  for (int round = 0; round < 8; ++round) {
+    const double lacking = model.clearance + margin - between(piece.begin.pose, piece.end.pose);
+    if (!(lacking > lack_exact)) return;
+    at_begin += lacking, at_end += lacking;
+    piece.begin = kept_clear(in, across, begin, standing, at_begin);
+    piece.end = kept_clear(out, across, end, standing, at_end);
+  }
+}
+
 }  // namespace
 
 const char* region_in_words(std::size_t region) {
@@ -113,13 +145,23 @@ Space NeedlePose::direction() const {
 }
 
 std::vector<FixedPiece> support_points(const StatorPart& part, const std::vector<Coil>& coils,
-                                       const std::vector<Turn>& turns, const NeedleModel& model) {
+                                       const std::vector<Turn>& turns, const NeedleModel& model, Progress& progress) {
   check(model);
+  ProgressScope scope(progress, "support points", 0, 1);
   const double rho = bend_radius(model.pull), length = model.pull.free_length;
   // Where the tooth tips are nearest to each other.
   const double opening = part.heads.base_radius - part.slot.height - part.slot.tip_corner_radius;
+  const Slot slot_shape = checked_slot(part);
+  const StatorIron iron(part, slot_shape);
+  const auto between = [&](const NeedlePose& from, const NeedlePose& to) {
+    return slot_room(from, to, 0, part.heads.stack, *model.shape, iron);
+  };
+  const auto standing = [&](const NeedlePose& pose) {
+    return slot_room(pose, pose, pose.tip.z, pose.tip.z, *model.shape, iron);
+  };
   Pieces pieces(model);
   for (const Turn& turn : turns) {
+    scope.now(static_cast<std::size_t>(&turn - turns.data()), turns.size());
     const Coil& coil = coils.at(turn.coil);
     for (std::size_t j = 0; j < 4; ++j) {
       const Passage& p = turn.at[j];
@@ -129,9 +171,11 @@ std::vector<FixedPiece> support_points(const StatorPart& part, const std::vector
         piece = head(p, sense, j == 3, rho, length);
       } else {
         const double slot = (coil.first + (j == 2 ? coil.span : 0)) * part.pitch();
-        const Space pivot = opening * radial(slot);
-        piece.begin = slot_support(p.begin, direction(p.held, p.begin), rho, length, pivot, model.pivot_limit);
-        piece.end = slot_support(p.end, direction(p.begin, p.end), rho, length, pivot, model.pivot_limit);
+        const Space pivot = opening * radial(slot), across = radial(slot + pi / 2);
+        const auto leading = [&](Space place, Space along) {
+          return slot_support(place, along, rho, length, pivot, model.pivot_limit);
+        };
+        set_ends(piece, p, across, model, leading, standing, between, scope);
       }
       piece.coil = turn.coil, piece.turn = turn.number, piece.region = j;
       pieces.add(piece);
@@ -140,11 +184,13 @@ std::vector<FixedPiece> support_points(const StatorPart& part, const std::vector
   return std::move(pieces).with_changes();
 }
 
-std::vector<FixedPiece> support_points(const RotorPart&, const std::vector<Turn>& turns, const NeedleModel& model) {
+std::vector<FixedPiece> support_points(const RotorPart& part, const std::vector<Turn>& turns, const NeedleModel& model,
+                                       Progress& progress) {
   check(model);
+  ProgressScope scope(progress, "support points", 0, 1);
   const double rho = bend_radius(model.pull), length = model.pull.free_length;
   // The needle points at the axis (4.28): its tip is on the outer side of the bend, whose tangents meet at C.
-  const auto support = [&](Space place, Space along) {
+  const auto leading = [&](Space place, Space along) {
     SupportPoint found;
     double tangent = rho;
     for (int i = 0; i < 200; ++i) {
@@ -158,16 +204,39 @@ std::vector<FixedPiece> support_points(const RotorPart&, const std::vector<Turn>
     }
     throw Infeasible("no direction of the needle brings the wire to its place");
   };
+  const Slot slot_shape = checked_slot(part);
+  const RotorIron iron(part, slot_shape, {});
+  const std::vector<Wall> walls = cap_walls(part, slot_shape);
   Pieces pieces(model);
-  for (const Turn& turn : turns)
+  for (const Turn& turn : turns) {
+    scope.now(static_cast<std::size_t>(&turn - turns.data()), turns.size());
     for (std::size_t j = 0; j < 4; ++j) {
       const Passage& p = turn.at[j];
+      const bool slot = j % 2 == 0;
+      const Space middle = radial(azimuth(p.begin + p.end) + pi / 2);
+      const auto pole = std::lround(azimuth(p.begin + p.end) / part.pitch()) + part.poles;
+      const Wall& wall = walls[2 * (static_cast<std::size_t>(pole % part.poles)) + (j == 3)];
+      const auto between = [&](const NeedlePose& from, const NeedlePose& to) {
+        return slot ? slot_room(from, to, -part.heads.cap_base, part.heads.stack + part.heads.cap_base, *model.shape,
+                                iron)
+                    : room(from, to, *model.shape, {&iron, &wall});
+      };
+      const auto standing = [&](const NeedlePose& pose) {
+        if (slot) return slot_room(pose, pose, pose.tip.z, pose.tip.z, *model.shape, iron);
+        // Along an end cap the needle goes on to the middle of the pole.
+        NeedlePose to = pose;
+        to.tip = pose.tip - dot(pose.tip, middle) * middle;
+        to.phi = pose.phi + std::remainder(azimuth(to.tip) - azimuth(pose.tip), 2 * pi);
+        return room(pose, to, *model.shape, {&iron, &wall});
+      };
+      // Across a slot sideways, across an end cap along the part's axis.
+      const Space across = slot ? radial(azimuth(p.begin) + pi / 2) : Space{0, 0, 1};
       FixedPiece piece;
-      piece.begin = support(p.begin, direction(p.held, p.begin));
-      piece.end = support(p.end, direction(p.begin, p.end));
+      set_ends(piece, p, across, model, leading, standing, between, scope);
       piece.coil = turn.coil, piece.turn = turn.number, piece.region = j;
       pieces.add(piece);
     }
+  }
   return std::move(pieces).with_changes();
 }
 

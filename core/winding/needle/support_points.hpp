@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/winding/needle/wire_pull.hpp"
 #include "core/winding/part/turns.hpp"
 
@@ -17,6 +18,12 @@ struct NeedlePose {
   Space tip;
   double phi = 0, psi = 0;
   Space direction() const;
+};
+
+/// A bar with a round end whose foremost point is the tip; in a section that it lies in, a box with a rounded tip.
+struct NeedleShape {
+  double width = 2.6;  ///< mm
+  double length = 60;  ///< from the tip to the holder, mm
 };
 
 struct SupportPoint {
@@ -46,14 +53,20 @@ struct NeedleModel {
   std::optional<double> pivot_limit;
   /// How much farther from the axis, and higher, than any other piece the needle passes from coil to coil.
   double change_radius = 5, change_height = 10;
+  /// With a shape the tip is held where this needle keeps `clearance`, mm, from the part, as far as there is such a
+  /// place (core/winding/needle/channel.hpp); without, the tip is where the wire's straight run puts it.
+  std::optional<NeedleShape> shape;
+  double clearance = 0;
 };
 
 /// Support points of turns that turns_of made of coil_regions of these coils. The first turn's wire comes from where
 /// turns_of holds it. Throws InvalidInput naming members of "pull" and "needle"; Infeasible where a head is too short
-/// for its arc, or the wire would leave the needle backwards. O(turns).
+/// for its arc, or the wire would leave the needle backwards; Stopped. O(turns): some µs each, 2 ms where tips are
+/// moved.
 std::vector<FixedPiece> support_points(const StatorPart& part, const std::vector<Coil>& coils,
-                                       const std::vector<Turn>& turns, const NeedleModel& model);
-std::vector<FixedPiece> support_points(const RotorPart& part, const std::vector<Turn>& turns, const NeedleModel& model);
+                                       const std::vector<Turn>& turns, const NeedleModel& model, Progress& progress);
+std::vector<FixedPiece> support_points(const RotorPart& part, const std::vector<Turn>& turns, const NeedleModel& model,
+                                       Progress& progress);
 
 /// The needle in a stator's slot: the tip from which a wire along `along` comes to lie at `place`, seen by a needle
 /// that points away from the axis or, with a limit, through `pivot` as far as the limit allows. A pivot that lies less

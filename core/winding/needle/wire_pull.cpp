@@ -8,6 +8,9 @@
 #include "core/base/errors.hpp"
 
 namespace bahnwerk::winding {
+namespace {
+constexpr double largest_radius = 1e5;  // mm: no machine's size
+}  // namespace
 
 double bending_moment(const Wire& wire, double yield_stress) {
   return yield_stress * wire.copper * wire.copper * wire.copper / 6;
@@ -24,7 +27,12 @@ double bend_radius(const Pull& pull) {
   check("bending_moment", pull.bending_moment, true);
   check("free_length", pull.free_length, true);
   if (!faults.empty()) throw InvalidInput(faults);
-  return std::max(pull.bend_radius, pull.bending_moment / pull.force);
+  const double radius = std::max(pull.bend_radius, pull.bending_moment / pull.force);
+  if (!(radius <= largest_radius))
+    throw InvalidInput(
+        {{{"pull", "force"},
+          "is too little: the wire would bend in a circle of " + std::to_string(radius) + " mm at least"}});
+  return radius;
 }
 
 TipOffset tip_offset(Space along, Space needle, double bend_radius, double free_length) {

@@ -1,7 +1,9 @@
 #include "core/winding/path/needle_path.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -11,18 +13,15 @@
 
 #include "core/base/errors.hpp"
 #include "core/geometry/spline/spline_arc.hpp"
+#include "core/winding/part/space.hpp"
+#include "core/winding/path/link_search.hpp"
 
 namespace bahnwerk::winding {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double shortest = 1e-6;  // mm, of a piece or of a link's chord
-// Of J. From the shape of the turn before nothing is gained by more.
-constexpr std::size_t evaluations_from_a_neighbour = 250, evaluations_of_a_search = 250, evaluations_of_the_best = 1000;
-constexpr double sharpest = 100;    // κ, 1/mm, of a bend that is no cusp
-constexpr double far_rougher = 10;  // in J
-constexpr double loop = 1.5;        // rad: by what a loop turns more than a bend, at least
-constexpr double unusable = 1e12;   // J of a link that stands still somewhere
+constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 SplinePoint point(const NeedlePose& pose) { return {pose.tip.x, pose.tip.y, pose.tip.z, pose.phi, pose.psi}; }
 
@@ -46,63 +45,27 @@ std::vector<BezierPiece> curve(const FixedPiece& piece, std::size_t continuity) 
                     {0, 0, to[2] - from[2], piece.sweep, to[4] - from[4]}, continuity);
 }
 
-/// The pose in which a stator's needle has finished its swivel on its way out of a slot, or begins it on its way in
-/// [Herrmann 4.3.4]: radially outwards of the slot's, at the height of the other piece. The needle passes it on a
-/// radius, without curvature and without turning.
-SplineJet extra_pose(const NeedlePose& slot, const NeedlePose& outside, double share, bool inwards) {
-  const Space a = slot.tip, b = outside.tip;
-  const double azimuth = std::atan2(a.y, a.x), phi = slot.phi + std::remainder(azimuth - slot.phi, 2 * pi);
-  const double radius = std::hypot(a.x, a.y) + share * std::hypot(b.x - a.x, b.y - a.y), sense = inwards ? -1 : 1;
+/// On the slot's radius, towards that of the other piece [Herrmann 4.3.4].
+ExtraPoint on_the_radius(const Way& way, double share) {
+  const Space a = way.slot.tip, b = way.head.tip;
+  return {azimuth(a), std::hypot(a.x, a.y) + share * std::hypot(b.x - a.x, b.y - a.y)};
+}
+
+/// The pose in which a stator's needle has finished its swivel on its way out of a slot, or begins it on its way in: at
+/// the height of the winding head. The needle passes it on a radius, without curvature and without turning.
+SplineJet extra_pose(const Way& way, const ExtraPoint& at, bool inwards) {
+  const double phi = way.slot.phi + std::remainder(at.azimuth - way.slot.phi, 2 * pi), sense = inwards ? -1 : 1;
+  const Space out = radial(at.azimuth), tip = at.radius * out;
   SplineJet jet{};
-  jet[0] = {radius * std::cos(azimuth), radius * std::sin(azimuth), b.z, phi, outside.psi};
-  jet[1] = {sense * std::cos(azimuth), sense * std::sin(azimuth), 0, 0, 0};
+  jet[0] = {tip.x, tip.y, way.head.tip.z, phi, way.head.psi};
+  jet[1] = {sense * out.x, sense * out.y, 0, 0, 0};
   return jet;
-}
-
-/// ∫ κ ds = ∫ |s′ × s″| / |s′|² dv, by the midpoint rule.
-double turned_angle(const BezierPiece& piece) {
-  double sum = 0;
-  constexpr int steps = 128;
-  for (int i = 0; i < steps; ++i) {
-    const SplineJet jet = piece.at((i + 0.5) / steps);
-    const Vec d1 = place(jet[1]), d2 = place(jet[2]);
-    sum += norm(cross(d1, d2)) / dot(d1, d1) / steps;
-  }
-  return sum;
-}
-
-/// The largest κ where the parametric speed has a minimum: what is too narrow for a quadrature is a needle that nearly
-/// stands still.
-double sharpest_bend(const BezierPiece& piece) {
-  constexpr int samples = 256;
-  const auto speed = [&](double v) { return norm(place(piece.at(v)[1])); };
-  double most = 0, before = unusable, here = speed(0);
-  for (int i = 0; i < samples; ++i) {
-    const double next = speed((i + 1.0) / samples);
-    if (here <= before && here <= next) {
-      double low = std::max(0.0, (i - 1.0) / samples), high = (i + 1.0) / samples;
-      for (int n = 0; n < 60; ++n) {  // ternary search
-        const double a = low + (high - low) / 3, b = high - (high - low) / 3;
-        (speed(a) < speed(b) ? high : low) = speed(a) < speed(b) ? b : a;
-      }
-      const SplineJet jet = piece.at((low + high) / 2);
-      const Vec d1 = place(jet[1]), d2 = place(jet[2]);
-      most = std::max(most, norm(cross(d1, d2)) / std::pow(norm(d1), 3));
-    }
-    before = here, here = next;
-  }
-  return most < unusable ? most : unusable;
 }
 
 class Maker {
  public:
-  Maker(const std::vector<FixedPiece>& fixed, bool stator, const LinkOptions& options)
-      : fixed_(fixed),
-        stator_(stator),
-        options_(options),
-        basis_(options.continuity),
-        rule_(basis_),
-        fine_rule_(basis_, 256) {}
+  Maker(const std::vector<FixedPiece>& fixed, bool stator, const LinkOptions& options, const PostPassage* posts)
+      : fixed_(fixed), stator_(stator), options_(options), posts_(posts), search_(options) {}
 
   NeedlePath run(Progress& progress) {
     std::vector<BezierPiece> here = curve(fixed_.front(), options_.continuity);
@@ -116,125 +79,112 @@ class Maker {
   }
 
  private:
+  /// Kind and region that a link comes from, kind that it leads to, and which part of it.
+  using Place = std::tuple<FixedPiece::Kind, std::size_t, FixedPiece::Kind, std::size_t>;
+  /// A link that is not yet part of the path.
+  struct Found {
+    LinkEnds ends;
+    FoundLink link;
+    BezierPiece piece;
+  };
+  using Both = std::array<Found, 2>;
+  /// The way past a post at the same place of the turn before.
+  struct Passed {
+    std::optional<std::size_t> place;  ///< of PostPassage::beside(); none: the point was on the slot's radius
+    bool exhausted = false;            ///< no place was enough
+  };
+
   void join(std::size_t i, const BezierPiece& before, const BezierPiece& after, Progress& progress) {
     const FixedPiece &from = fixed_[i], &to = fixed_[i + 1];
     const SplineJet begin = before.at(1), end = after.at(0);
     const bool out = is_slot(from);
-    if (!(stator_ && options_.extra_point > 0 && out != is_slot(to))) return join(i, 0, begin, end, 1, progress);
-    const SplineJet middle = extra_pose(out ? from.end.pose : to.begin.pose, out ? to.begin.pose : from.end.pose,
-                                        options_.extra_point, !out);
-    join(i, 0, begin, middle, out ? 1 : 0, progress);
-    join(i, 1, middle, end, out ? 0 : 1, progress);
+    if (!(stator_ && options_.extra_point > 0 && out != is_slot(to)))
+      return take(i, find(i, 0, {begin, end}, progress), 1);
+    const FixedPiece& slot = out ? from : to;
+    const Way way{slot.coil, slot.region == 2, out ? from.end.pose : to.begin.pose,
+                  out ? to.begin.pose : from.end.pose};
+    const Both both = past_the_post(
+        i, way,
+        [&](const ExtraPoint& point) {
+          const SplineJet middle = extra_pose(way, point, !out);
+          return Both{find(i, 0, {begin, middle}, progress), find(i, 1, {middle, end}, progress)};
+        },
+        progress);
+    take(i, both[0], out ? 1 : 0);
+    take(i, both[1], out ? 0 : 1);
   }
-  static double distance(const SplineJet& a, const SplineJet& b) { return norm(place(b[0]) - place(a[0])); }
 
-  void join(std::size_t i, std::size_t part, const SplineJet& begin, const SplineJet& end, double share,
-            Progress& progress) {
+  /// `links(point)`: both links by way of a point. The source's point wherever the needle keeps its distance from the
+  /// posts with it; or the first place beside the post with which it does, or the one that leaves most.
+  template <class Links>
+  Both past_the_post(std::size_t i, const Way& way, const Links& links, Progress& progress) {
+    const ExtraPoint source = on_the_radius(way, options_.extra_point);
+    if (posts_ == nullptr) return links(source);
+    const auto room = [&](const Both& both, bool posts_only) {
+      if (both[0].link.cusped() || both[1].link.cusped()) return -unlimited;
+      const std::array curves{both[0].piece, both[1].piece};
+      return posts_only ? posts_->from_posts(way.coil, curves, progress) : posts_->from_all(way.coil, curves, progress);
+    };
+    Passed& passed = passed_[{fixed_[i].kind, fixed_[i].region, fixed_[i + 1].kind, 0}];
+    Both best = links(passed.place ? posts_->beside(way, *passed.place) : source);
+    if (passed.exhausted) return best;
+    double most = room(best, !passed.place);
+    for (std::size_t place = 0; most < posts_->enough() && place < PostPassage::places; ++place) {
+      Both next = links(posts_->beside(way, place));
+      const double left = room(next, false);
+      if (left > most) most = left, best = std::move(next), passed.place = place;
+    }
+    passed.exhausted = most < posts_->enough();
+    return best;
+  }
+
+  Found find(std::size_t i, std::size_t part, const LinkEnds& ends, Progress& progress) {
     const FixedPiece &from = fixed_[i], &to = fixed_[i + 1];
-    if (!(distance(begin, end) > shortest))
+    if (!(norm(place(ends.after[0]) - place(ends.before[0])) > shortest))
       throw Infeasible("no room for a link between " + where(from) + " and " + where(to) +
                        (from.kind == to.kind ? "" : ": raise needle.change_radius or needle.change_height"));
-    const LinkEnds ends{begin, end, std::nullopt};
     // The link at the same place of the turn before is nearly the same.
-    std::optional<Known>& known = known_[{from.kind, from.region, to.kind, part}];
-    LinkObjective objective = known ? known->objective : options_.objective;
-    BestLink best = again(ends, known, objective, progress);
-    // (4.61) takes no notice of how sharp a link bends: where it leads to a cusp, that place has the smoothest link.
-    if (objective != LinkObjective::curvature && cusped(ends, best)) {
-      objective = LinkObjective::curvature;
-      best = search(ends, objective, progress);
-    }
-    if (cusped(ends, best))
-      throw Infeasible("no link without a cusp found between " + where(from) + " and " + where(to));
-    known = {best.shape, best.smoothness, objective};
-    for (const BezierPiece& piece : link(basis_, ends, best.shape).pieces()) {
-      path_.pieces.push_back({piece, i, true, share});
-      path_.links.push_back({i, best, turned_angle(piece)});
-    }
+    std::optional<FoundLink>& known = known_[{from.kind, from.region, to.kind, part}];
+    const FoundLink found = search_.find(ends, known, progress);
+    known.reset();
+    if (!found.cusped()) known = found;
+    return {ends, found, link(options_.continuity, ends, found.best.shape)};
   }
-
-  struct Known {
-    LinkShape shape;
-    double smoothness = 0;
-    LinkObjective objective = LinkObjective::curvature;
-  };
-  /// From what is known of the turn before, as long as that leads to about as smooth a link.
-  BestLink again(const LinkEnds& ends, const std::optional<Known>& known, LinkObjective objective,
-                 Progress& progress) const {
-    if (!known) return search(ends, objective, progress);
-    const BestLink best = solve(ends, known->shape, objective, evaluations_from_a_neighbour, progress);
-    return best.smoothness <= 1.5 * known->smoothness ? best : search(ends, objective, progress);
-  }
-  bool cusped(const LinkEnds& ends, const BestLink& best) const {
-    return sharpest_bend(link(basis_, ends, best.shape).pieces().front()) > sharpest;
-  }
-  /// J, by a fine rule; and no less than the sharpest bend makes of it, however narrow.
-  double judged(const LinkEnds& ends, const BestLink& best) const {
-    const double j = smoothness(basis_, fine_rule_, ends, best.shape, options_.weights);
-    const double bend = sharpest_bend(link(basis_, ends, best.shape).pieces().front());
-    return j < unusable ? std::max(j, options_.weights.rate * bend) : unusable;
-  }
-  /// A bend so sharp that it falls between the nodes of the quadrature looks smooth: where a finer rule sees more, the
-  /// search is made with that.
-  BestLink solve(const LinkEnds& ends, const LinkShape& start, LinkObjective objective, std::size_t evaluations,
-                 Progress& progress) const {
-    const auto by = [&](const SmoothnessRule& rule) {
-      BestLink best = best_link(basis_, rule, ends, objective, options_.weights, start, progress, evaluations);
-      const double seen = best.smoothness;
-      best.smoothness = judged(ends, best);
-      return std::pair(best, seen);
-    };
-    const auto [best, seen] = by(rule_);
-    return best.smoothness <= 1.05 * seen ? best : by(fine_rule_).first;
-  }
-  /// From several starts: links that leave their neighbours' tangents soon or late. (4.60) prefers a wide loop to a
-  /// bend, on a way that is far longer: of links that turn by about as little as any, it is the smoothest that is
-  /// taken.
-  BestLink search(const LinkEnds& ends, LinkObjective objective, Progress& progress) const {
-    std::vector<std::pair<double, BestLink>> found;
-    double smoothest = unusable;
-    const double chord = norm(place(ends.after[0]) - place(ends.before[0]));
-    for (const double speed : {1.0, 0.5, 2.0, 4.0}) {
-      LinkShape start;
-      start.before[0] = norm(place(ends.before[1])) / (speed * chord);
-      start.after[0] = norm(place(ends.after[1])) / (speed * chord);
-      const BestLink best = solve(ends, start, objective, evaluations_of_a_search, progress);
-      found.emplace_back(turned_angle(link(basis_, ends, best.shape).pieces().front()), best);
-      smoothest = std::min(smoothest, best.smoothness);
-    }
-    double least = unusable;  // of those that are no cusps
-    const auto usable = [&](const BestLink& each) { return each.smoothness <= far_rougher * smoothest; };
-    for (const auto& [angle, each] : found)
-      if (usable(each)) least = std::min(least, angle);
-    const BestLink* best = nullptr;
-    for (const auto& [angle, each] : found)
-      if (angle <= least + loop && usable(each) && (best == nullptr || each.smoothness < best->smoothness))
-        best = &each;
-    return solve(ends, best->shape, objective, evaluations_of_the_best, progress);
+  void take(std::size_t i, const Found& found, double share) {
+    if (found.link.cusped())
+      throw Infeasible("no link without a cusp found between " + where(fixed_[i]) + " and " + where(fixed_[i + 1]));
+    path_.links.push_back({i, path_.pieces.size(), found.ends, found.link.best, turned_angle(found.piece)});
+    path_.pieces.push_back({found.piece, i, true, share});
   }
 
   const std::vector<FixedPiece>& fixed_;
   bool stator_;
   const LinkOptions& options_;
-  LinkBasis basis_;
-  SmoothnessRule rule_, fine_rule_;
-  /// Kind and region that a link comes from, kind that it leads to, and which part of it.
-  using Place = std::tuple<FixedPiece::Kind, std::size_t, FixedPiece::Kind, std::size_t>;
-  std::map<Place, std::optional<Known>> known_;
+  const PostPassage* posts_;
+  LinkSearch search_;
+  std::map<Place, std::optional<FoundLink>> known_;
+  std::map<Place, Passed> passed_;
   NeedlePath path_;
 };
 
 }  // namespace
 
-NurbsPath NeedlePath::united() const {
+std::size_t coil_of(const NeedlePiece& piece, const std::vector<FixedPiece>& fixed) {
+  const FixedPiece& from = fixed[piece.fixed];
+  return piece.link && from.kind == FixedPiece::Kind::coil_change ? fixed[piece.fixed + 1].coil : from.coil;
+}
+
+std::vector<BezierPiece> NeedlePath::curves() const {
   std::vector<BezierPiece> all;
   all.reserve(pieces.size());
   for (const NeedlePiece& piece : pieces) all.push_back(piece.curve);
-  return bahnwerk::united(all);
+  return all;
 }
 
+NurbsPath NeedlePath::united() const { return bahnwerk::united(curves()); }
+
 NeedlePath needle_path(const std::vector<FixedPiece>& pieces, bool stator, const LinkOptions& options,
-                       Progress& progress) {
+                       Progress& progress, const PostPassage* posts) {
   std::vector<InputFault> faults;
   if (options.continuity < 1 || options.continuity > 4)
     faults.push_back({{"path", "continuity"}, "is not a whole number from 1 to 4"});
@@ -242,7 +192,7 @@ NeedlePath needle_path(const std::vector<FixedPiece>& pieces, bool stator, const
     faults.push_back({{"path", "extra_point"}, "is not a number from 0 to 1"});
   if (!faults.empty()) throw InvalidInput(std::move(faults));
   if (pieces.empty()) return {};
-  return Maker(pieces, stator, options).run(progress);
+  return Maker(pieces, stator, options, posts).run(progress);
 }
 
 }  // namespace bahnwerk::winding

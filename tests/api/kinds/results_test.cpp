@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/job.hpp"
+#include "core/base/errors.hpp"
 #include "tests/api/checked.hpp"
 #include "tests/api/documents.hpp"
 
@@ -63,13 +64,28 @@ TEST(Results, OfRandomDocumentsKeepTheirSchema) {
   const std::string command =
       "python3 '" + script + "' --random 100 --seed 7 --only ' ' --write '" + folder.string() + "'";
   ASSERT_EQ(std::system(command.c_str()), 0);
-  std::size_t count = 0;
+  std::size_t count = 0, windings = 0, refused = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    SCOPED_TRACE(entry.path().filename().string());
-    planned(test::read_json(entry.path().string()));
-    ++count;
+    const std::string name = entry.path().filename().string();
+    SCOPED_TRACE(name);
+    const json document = test::read_json(entry.path().string());
+    if (!name.starts_with("winding")) {
+      planned(document);
+      ++count;
+      continue;
+    }
+    ++windings;
+    try {
+      planned(document);
+    } catch (const PlanningError&) {  // some lie out of reach or do not fit
+      ++refused;
+    } catch (const std::exception& error) {  // a plan that is not verified, say
+      ADD_FAILURE() << error.what();
+    }
   }
   EXPECT_GE(count, 100u);
+  EXPECT_GE(windings, 10u);
+  EXPECT_LE(2 * refused, windings);
   std::filesystem::remove_all(folder);
 }
 

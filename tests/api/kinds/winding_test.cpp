@@ -67,9 +67,12 @@ TEST(WindingInput, ReadsAStator) {
   EXPECT_NEAR(r.wire.outer, 0.989, 1e-12);
   EXPECT_EQ(r.coils, (std::vector<winding::Coil>{{0, 5}, {17, -5}}));
   EXPECT_EQ(r.turns, 2u);
-  EXPECT_EQ(r.feed, FeedMethod::natural);
+  EXPECT_EQ(r.feed, PlanningMethod::natural);
   EXPECT_EQ(r.along.velocity, 700);
   EXPECT_EQ(r.along.jerk, 60000);
+  EXPECT_EQ(r.profile, SpeedProfile::double_s);
+  EXPECT_EQ(r.chord_tolerance, 0.005);
+  EXPECT_EQ(r.half_speed_curvature, 0.2);
   EXPECT_NEAR(*r.model.pivot_limit, 10 * degree, 1e-15);
   EXPECT_NEAR(r.model.pull.bending_moment, winding::bending_moment(r.wire), 1e-12);
   EXPECT_EQ(r.model.change_height, 10);
@@ -95,7 +98,7 @@ TEST(WindingInput, DefaultsAreTheSources) {
   const auto& rotor = std::get<winding::RotorPart>(least.part);
   EXPECT_EQ(rotor.poles, 6);
   EXPECT_EQ(rotor.heads.cap_base, winding::RotorHeads{}.cap_base);
-  EXPECT_EQ(least.feed, FeedMethod::optimised);
+  EXPECT_EQ(least.feed, PlanningMethod::jerk_limited);
   EXPECT_EQ(least.along.velocity, unlimited);
   EXPECT_FALSE(least.model.pivot_limit);
   EXPECT_EQ(least.links.continuity, 3u);
@@ -153,6 +156,49 @@ TEST(WindingInput, CoilsMayNotLieOnEachOther) {
   EXPECT_THAT(fault_places(spec), testing::ElementsAre("/coil/repeat"));
 }
 
+TEST(WindingInput, ReadsTheInterpolatorAndTheWiresPull) {
+  json spec = example("minimal");
+  const WindingRequest plain = request(spec);
+  EXPECT_EQ(plain.interpolator, Interpolator::exact);
+  EXPECT_EQ(plain.tension.mass, 0);
+  EXPECT_EQ(plain.tension.friction, 0);
+  EXPECT_EQ(plain.tension.range, 0);
+  EXPECT_NEAR(plain.tension.permitted, 120 * std::numbers::pi / 4 * 1.12 * 1.12, 1e-9);
+  spec["feed"]["interpolator"] = "quartic";
+  spec["pull"] = {{"force", 25}, {"effective_mass", 0.1}, {"friction", 0.2}, {"brake_range", 50}, {"permitted", 40}};
+  const WindingRequest r = request(spec);
+  EXPECT_EQ(r.interpolator, Interpolator::quartic);
+  EXPECT_EQ(r.tension.force, 25);
+  EXPECT_EQ(r.tension.mass, 0.1);
+  EXPECT_EQ(r.tension.friction, 0.2);
+  EXPECT_EQ(r.tension.range, 50);
+  EXPECT_EQ(r.tension.permitted, 40);
+  spec["pull"] = {{"force", 25}, {"brake_range", 20}, {"permitted", 24}};
+  EXPECT_THAT(fault_places(spec), testing::UnorderedElementsAre("/pull/force", "/pull/brake_range"));
+  // A thin wire is drawn at its yield point: said in a note, as long as nobody says what it may bear.
+  spec["pull"] = {{"force", 200}};
+  EXPECT_EQ(request(spec).tension.permitted, 200);
+}
+
+TEST(WindingPlan, TellsFluctuationWireAndTurnTimes) {
+  json spec = example("minimal");
+  spec["pull"] = {{"effective_mass", 0.05}};
+  const PlannedJob job = planned(spec);
+  const auto& d = job.result["details"];
+  EXPECT_EQ(d["interpolator"], "exact");
+  EXPECT_LE(d["feed_fluctuation"]["exact"]["largest"], 1e-6);
+  EXPECT_LE(d["feed_fluctuation"]["quartic"]["mean"], 1e-3);
+  EXPECT_GT(d["wire"]["peak_at_constant_brake"], d["wire"]["peak"]);
+  EXPECT_LT(d["wire"]["least_at_constant_brake"], d["wire"]["least"]);
+  EXPECT_EQ(d["wire"]["length"], job.result["summary"]["wire_length"]);
+  // 8.96 g/cm³ of 1.12 mm.
+  EXPECT_NEAR(d["wire"]["copper_mass"].get<double>() / d["wire"]["length"].get<double>(), 8.827e-3, 1e-5);
+  EXPECT_LE(d["turn_time"]["least"], d["turn_time"]["mean"]);
+  EXPECT_LE(d["turn_time"]["mean"], d["turn_time"]["most"]);
+  EXPECT_NEAR(d["turn_time"]["mean"].get<double>() * static_cast<double>(d["turns"].size()),
+              job.result["setpoints"]["duration"].get<double>(), 1e-9);
+}
+
 TEST(WindingPlan, ResultHasTheContractsForm) {
   json spec = example("minimal");
   spec["coil"]["repeat"] = {{"step", 1}, {"count", 2}};
@@ -185,6 +231,36 @@ TEST(WindingPlan, ResultHasTheContractsForm) {
   EXPECT_NEAR(path["points"][0][3].get<double>(), d["support_points"][0]["orientation"][0].get<double>(), 1e-9);
   for (const char* region : {"slot", "head_bottom", "slot_back", "head_top"})
     EXPECT_EQ(d["layout"]["regions"][region]["positions"].size(), d["layout"]["count"]);
+}
+
+TEST(WindingPlan, TellsWhereInTheSlotTheNeedleCanGo) {
+  json spec = example("complete");
+  spec["coil"] = {{"slots", spec["coil"]["slots"]}, {"turns", 1}};
+  spec["needle"] = {{"width", 2.6}, {"pivot_limit", nullptr}};
+  const json details = planned(spec).result["details"], alone = details["access"];
+  EXPECT_THAT(details["drawings"]["clearance_map.svg"].get<std::string>(), ::testing::StartsWith("<svg"));
+  EXPECT_TRUE(alone["with_pivot_shift"].is_null());
+  spec["needle"]["pivot_limit"] = 15;
+  const json both = planned(spec).result["details"]["access"];
+  EXPECT_EQ(both["without_pivot_shift"], alone["without_pivot_shift"]);
+  EXPECT_GT(both["with_pivot_shift"], both["without_pivot_shift"]);
+  const json rotor = planned(example("rotor")).result["details"];
+  EXPECT_TRUE(rotor["access"].is_null());
+  EXPECT_FALSE(rotor["drawings"].contains("clearance_map.svg"));
+}
+
+TEST(WindingPlan, LinksByTimeTellWhatTheyGain) {
+  json spec = example("rotor");
+  EXPECT_TRUE(planned(spec).result["details"]["link_times"].is_null());
+  spec["coil"]["turns"] = 1;
+  spec["path"]["objective"] = "minimum_time";
+  spec["needle"]["clearance"] = -100;
+  const PlannedJob job = planned(spec);
+  const json times = job.result["details"]["link_times"];
+  EXPECT_EQ(times["taken"], "minimum_time");
+  EXPECT_GT(times["changed"], 0);
+  EXPECT_LT(times["minimum_time"], times["curvature"]);
+  EXPECT_NEAR(job.result["summary"]["duration"].get<double>(), times["minimum_time"].get<double>(), 0.01);
 }
 
 TEST(WindingPlan, RotaryAxesAreInDegrees) {
@@ -245,6 +321,56 @@ TEST(WindingPlan, ANeedleThatComesTooNearFails) {
   for (const auto& check : job.result["verification"]["checks"])
     failed = failed || (check["name"] == "needle clearance" && !check["passed"].get<bool>());
   EXPECT_TRUE(failed);
+}
+
+TEST(WindingPlan, TheSourcesExampleLimitsTakeLongestAtAConstantFeed) {
+  double before = 0;
+  for (const char* method : {"optimised", "critical_points", "constant"}) {
+    const json document = test::read_json(test::source(std::string("examples/feeds/rotor_") + method + ".json"));
+    EXPECT_FALSE(test::refusal(document.dump())) << method;
+    json spec = document["spec"];
+    EXPECT_EQ(spec["feed"]["method"], method);
+    spec["coil"]["turns"] = 1;
+    const PlannedJob job = planned(spec);
+    EXPECT_TRUE(job.verified) << method;
+    EXPECT_EQ(job.result["details"]["feed"], method);
+    EXPECT_EQ(job.result["details"]["profile"].is_null(), method == std::string("optimised"));
+    EXPECT_LE(job.result["details"]["fastest"].get<double>(), 150 * (1 + 1e-9));
+    EXPECT_GT(job.result["summary"]["duration"].get<double>(), before) << method;
+    before = job.result["summary"]["duration"];
+  }
+}
+
+TEST(WindingPlan, TheContractsFeedIsPlannedWithEveryMethod) {
+  for (const char* method : {"optimised", "critical_points", "constant", "natural"}) {
+    json spec = example("minimal");
+    spec["coil"]["turns"] = 1;
+    spec["feed"] = {{"method", method},           {"profile", "double_s"}, {"velocity", 700},
+                    {"acceleration", 4000},       {"jerk", 60000},         {"chord_tolerance", 0.005},
+                    {"half_speed_curvature", 0.2}};
+    EXPECT_FALSE(test::refusal(test::job_with_spec("winding", spec).dump())) << method;
+    EXPECT_TRUE(planned(spec).verified) << method;
+  }
+}
+
+TEST(WindingPlan, WithATrapezoidTheResultSaysThatNoJerkIsHeld) {
+  json spec = example("minimal");
+  spec["coil"]["turns"] = 1;
+  spec["feed"] = {{"method", "constant"}, {"profile", "trapezoid"}};
+  const PlannedJob job = planned(spec);
+  EXPECT_TRUE(job.verified);
+  EXPECT_THAT(job.result["details"]["notes"].dump(), testing::HasSubstr("no jerk limit"));
+  for (const auto& check : job.result["verification"]["checks"])
+    EXPECT_THAT(check["name"].get<std::string>(), testing::Not(testing::HasSubstr("jerk")));
+}
+
+TEST(WindingPlan, AConstantFeedThatIsTooFastIsInfeasible) {
+  json spec = example("minimal");
+  spec["coil"]["turns"] = 1;
+  spec["feed"] = {{"method", "constant"}, {"velocity", 700}};
+  const std::string detail = problem_of(spec, "infeasible");
+  for (const char* word : {"feed.velocity", "turn 1 of coil 1", "limit of q", "largest constant feed"})
+    EXPECT_THAT(detail, testing::HasSubstr(word));
 }
 
 TEST(WindingPlan, MoreTurnsThanTheLayoutHasAreRefused) {

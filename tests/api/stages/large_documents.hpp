@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/api/documents.hpp"
+
 namespace bahnwerk::api::test {
 
 struct Large {
@@ -98,6 +100,14 @@ inline nlohmann::json wavy_slot(int corners) {
   return {{"type", "polygon"}, {"points", points}, {"liner", 0.2}};
 }
 
+/// A stator coil, links by time.
+inline nlohmann::json winding_spec() {
+  nlohmann::json spec = read_json(source("schemas/examples/winding/complete.json"));
+  spec["coil"] = {{"slots", spec["coil"]["slots"]}, {"turns", 3}};
+  spec["path"]["objective"] = "minimum_time";
+  return spec;
+}
+
 inline std::vector<Large> large_documents() {
   const nlohmann::json blend{{"mode", "blend"}, {"tolerance", 0.02}};
   return {
@@ -127,6 +137,7 @@ inline std::vector<Large> large_documents() {
        {{"slot", wavy_slot(60)},
         {"wires", {0.355}},
         {"algorithms", {"orthocyclic_flank", "raabe", "potential", "needle"}}}},
+      {"winding, links by time", "winding", winding_spec()},
   };
 }
 

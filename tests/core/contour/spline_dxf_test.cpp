@@ -38,11 +38,10 @@ NurbsPath half_turn(double radius) {
   const auto down = BezierPiece::line(at(radius, 0, 30, 0), at(radius, 0, -30, 0));
   const auto head = spline_arc(at(52, 0.2, -41, 1.5), {}, {0, 0, 1}, span - 0.4, {0, 0, 0, span - 0.4, 0}, 3);
   const auto up = BezierPiece::line(at(radius, span, -30, 0), at(radius, span, 30, 0));
-  const LinkBasis basis(3);
   std::vector<BezierPiece> pieces{down};
   const auto add = [&](const std::vector<BezierPiece>& more) { pieces.insert(pieces.end(), more.begin(), more.end()); };
   const auto join = [&](const BezierPiece& to) {
-    add(link(basis, {pieces.back().at(1), to.at(0), {}}, {{1.5, 0.2, 0, 0}, {1.1, -0.3, 0.4, 0}, {}}).pieces());
+    add({link(3, {pieces.back().at(1), to.at(0)}, {{1.5, 0.2, 0, 0}, {1.1, -0.3, 0.4, 0}, {}})});
   };
   join(head.front());
   add(head);

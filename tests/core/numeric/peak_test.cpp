@@ -137,6 +137,23 @@ TEST(PeakSweep, FaintNoiseIsCheapAndCostsNoAccuracy) {
   EXPECT_TRUE(sweep[0].finite);
 }
 
+TEST(PeakSweep, ACoarserResolutionDoesNotLookIntoNoise) {
+  const auto evaluations = [](double resolution) {
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> uniform(-1e-9, 1e-9);
+    PeakSweep sweep({1.0}, resolution);
+    for (std::size_t tag = 0; tag < 100; ++tag)
+      sweep.sweep(0, 1, false, tag, [&](PeakSamples& samples) {
+        for (int i = 0; i < samples.rule.points; ++i) samples.values[i] = 1 + uniform(random);
+        return true;
+      });
+    EXPECT_NEAR(sweep[0].value, 1, 2e-7);
+    return sweep.evaluations();
+  };
+  EXPECT_EQ(evaluations(1e-7), 500u);
+  EXPECT_GT(evaluations(1e-11), 1000u);
+}
+
 TEST(PeakSweep, AWildFunctionLeavesEnoughForTheOthers) {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> uniform(-1e-3, 1e-3);

@@ -23,14 +23,10 @@ struct BestLink {
 /// a shape that was good for similar ends (the turn before); none: links of the chord's length as speed. Weights are
 /// taken from there and held.
 ///
-/// The search has the derivatives γ of f⁻¹ as variables, by arc length in units of the chord: control points are linear
-/// in them, and they do not depend on how long the neighbours are. (By β, sizes differ by 1e3, see the source's
-/// optimum.) |γ_j| ≤ 5, 20, 100, 500, and γ₁ ≥ 0.2: without that (4.60) has no minimum. It weighs the height of κ, not
-/// how fast κ rises, and tends to the largest circle between the neighbours, with κ rising in a vanishing part of the
-/// link (γ₁ → 0) though it is G^k in name.
+/// Its variables and their bounds: link_variables.hpp.
 /// (4.61) has a minimum on a set of β: 1e-2·chord·J/J(start) is added, which takes the smoothest of them.
-/// Throws what link() throws. Ends after max_evaluations, of about 8 µs each for k = 3.
-BestLink best_link(const LinkBasis& basis, const SmoothnessRule& rule, const LinkEnds& ends, LinkObjective objective,
+/// Throws what link() throws. Ends after max_evaluations, of about 6 µs each for k = 3.
+BestLink best_link(const SmoothnessRule& rule, const LinkEnds& ends, LinkObjective objective,
                    const SmoothnessWeights& weights, const std::optional<LinkShape>& start, Progress& progress,
                    std::size_t max_evaluations = 2000);
 

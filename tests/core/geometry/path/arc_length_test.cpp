@@ -34,6 +34,11 @@ void expect_round_trip(const ArcLength& table, const Curve& curve, int steps = 5
     before = u;
     const double v = curve.begin() + (curve.end() - curve.begin()) * i / steps, w = table.inverse(table.at(v));
     EXPECT_NEAR(table.at(w), table.at(v), 1e-13 * length + curve.speed(v) * 4e-16);
+    for (const double apart : {0.0, 1e-4, 0.3, 20.0}) {
+      const PointPair both{s, std::min(length, s + apart * length / steps)}, at = table.inverse(both);
+      for (const std::size_t k : {0U, 1U})
+        EXPECT_NEAR(table.at(at[k]), both[k], 1e-13 * length + curve.speed(at[k]) * 4e-16 * std::abs(at[k]));
+    }
   }
 }
 

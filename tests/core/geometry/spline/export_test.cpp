@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/geometry/spline/link.hpp"
+#include "core/geometry/spline/nurbs_path.hpp"
 #include "core/geometry/spline/spline_arc.hpp"
 #include "tests/core/geometry/spline/spline_support.hpp"
 
@@ -64,9 +65,14 @@ NurbsPath turn(std::size_t k, std::vector<Circle>& circles) {
   const auto up = BezierPiece::line(at(inner, span, -30, span, 0), at(inner, span, 30, span, 0));
   const auto high =
       spline_arc(at(outer, span - 0.2, 41, span - 0.2, -1.5), {}, {0, 0, -1}, span - 0.4, {0, 0, 0, 0.4 - span, 0}, k);
-  const LinkBasis basis(k, 0.5);
-  const auto joined = [&](const BezierPiece& a, const BezierPiece& b, const LinkVia& via) {
-    return link(basis, {a.at(1), b.at(0), via}, {{1.5, 0.2, 0, 0}, {1.1, -0.3, 0.4, 0}, {}}).pieces();
+  const auto one = [&](const SplineJet& from, const SplineJet& to) {
+    return link(k, {from, to}, {{1.5, 0.2, 0, 0}, {1.1, -0.3, 0.4, 0}, {}});
+  };
+  // Through a point that is passed straight on.
+  const auto joined = [&](const BezierPiece& a, const BezierPiece& b, const SplinePoint& point,
+                          const SplinePoint& way) {
+    const SplineJet middle{point, way};
+    return std::vector{one(a.at(1), middle), one(middle, b.at(0))};
   };
   std::vector<BezierPiece> pieces{down};
   const auto add = [&](const std::vector<BezierPiece>& more) { pieces.insert(pieces.end(), more.begin(), more.end()); };
@@ -75,11 +81,11 @@ NurbsPath turn(std::size_t k, std::vector<Circle>& circles) {
         {static_cast<double>(pieces.size()), static_cast<double>(pieces.size() + more.size()), {0, 0, z}, outer});
     add(more);
   };
-  add(joined(down, low.front(), {at(46, 0, -41, 0, 1.5), {20, 0, 0, 0, 0}}));
+  add(joined(down, low.front(), at(46, 0, -41, 0, 1.5), {20, 0, 0, 0, 0}));
   arc(low, -41);
-  add(joined(low.back(), up, {at(46, span, -41, span, 1.5), at(-20, span, 0, 0, 0)}));
+  add(joined(low.back(), up, at(46, span, -41, span, 1.5), at(-20, span, 0, 0, 0)));
   add({up});
-  add(joined(up, high.front(), {at(46, span, 41, span, -1.5), at(20, span, 0, 0, 0)}));
+  add(joined(up, high.front(), at(46, span, 41, span, -1.5), at(20, span, 0, 0, 0)));
   arc(high, 41);
   return united(pieces);
 }

@@ -17,7 +17,7 @@ namespace {
 BezierPiece winding_link(double beta) {
   const auto slot = BezierPiece::line({40, 0, -30, 0, 0}, {40, 0, 30, 0, 0});
   const auto head = spline_arc({52, 6, 40, 0, 1.5}, {}, {0, 0, 1}, 1.2, {0, 0, 0, 1.2, 0}).front();
-  return link(LinkBasis(3), {slot.at(1), head.at(0), {}}, {{beta, 0, 0, 0}, {beta, 0, 0, 0}, {}}).pieces().front();
+  return link(3, {slot.at(1), head.at(0)}, {{beta, 0, 0, 0}, {beta, 0, 0, 0}, {}});
 }
 
 TEST(LengthSpline, KeepsItsToleranceAgainstTheExactLength) {

@@ -56,35 +56,22 @@ TEST(Link, JoinsWithTheContinuityAskedForAndNoMore) {
   Random random(1);
   for (std::size_t k = 1; k <= 4; ++k)
     for (int i = 0; i < 100; ++i) {
-      const double via = i % 2 == 0 ? 0 : random.uniform(0.3, 0.7);
-      const LinkBasis basis(k, via);
       const auto [before, after] = random_neighbours(random, k);
-      LinkEnds ends{before.at(1), after.at(0), {}};
-      if (via > 0) ends.via = LinkVia{testing::random_pose(random), testing::random_pose(random)};
-      const auto path = link(basis, ends, random_shape(random, basis.size()));
-      const auto pieces = path.pieces();
+      const auto piece = link(k, {before.at(1), after.at(0)}, random_shape(random, link_points(k)));
       for (std::size_t n = 0; n <= k; ++n) {
-        EXPECT_LE(testing::jump(before, pieces.front(), n, joint_scale(before, pieces.front(), n)), 1e-8)
-            << k << ' ' << n;
-        EXPECT_LE(testing::jump(pieces.back(), after, n, joint_scale(pieces.back(), after, n)), 1e-8) << k << ' ' << n;
+        EXPECT_LE(testing::jump(before, piece, n, joint_scale(before, piece, n)), 1e-8) << k << ' ' << n;
+        EXPECT_LE(testing::jump(piece, after, n, joint_scale(piece, after, n)), 1e-8) << k << ' ' << n;
       }
       if (k < 4) {
-        EXPECT_GE(testing::jump(before, pieces.front(), k + 1, joint_scale(before, pieces.front(), k + 1)), 1e-4) << k;
-      }
-      if (via > 0) {
-        EXPECT_LE(testing::distance(path.at(via)[0], ends.via->point), 1e-10);
-        EXPECT_LE(testing::distance(path.at(via)[1], ends.via->tangent), 1e-9);
-        for (std::size_t n = 0; n <= std::min<std::size_t>(4, 2 * k - 1); ++n)
-          EXPECT_LE(testing::jump(pieces[0], pieces[1], n, joint_scale(pieces[0], pieces[1], n)), 1e-7) << n;
+        EXPECT_GE(testing::jump(before, piece, k + 1, joint_scale(before, piece, k + 1)), 1e-4) << k;
       }
     }
 }
 
 TEST(Link, BetaOfOneIsParametricContinuity) {  // [Herrmann (4.54)]
   Random random(2);
-  const LinkBasis basis(3);
   const auto [before, after] = random_neighbours(random, 3);
-  const auto path = link(basis, {before.at(1), after.at(0), {}}, {});
+  const auto path = link(3, {before.at(1), after.at(0)}, {});
   for (std::size_t n = 0; n <= 3; ++n) {
     EXPECT_LE(testing::distance(path.at(0)[n], before.at(1)[n]), 1e-10 * (1 + testing::size(before.at(1)[n])));
     EXPECT_LE(testing::distance(path.at(1)[n], after.at(0)[n]), 1e-10 * (1 + testing::size(after.at(0)[n])));
@@ -96,12 +83,11 @@ TEST(Link, WeightsKeepContinuityAtArcs) {
   const auto arc = spline_arc({100, 0, 0, 0, 0}, {}, {0, 0, 1}, 1.0).front();
   const auto end = arc.at(1)[0];
   const auto line = BezierPiece::line({end[0] - 60, end[1] + 5, 0}, {end[0] - 60, end[1] - 40, 0});
-  const LinkBasis basis(3);
-  const LinkEnds ends{arc.at(1), line.at(0), {}};
+  const LinkEnds ends{arc.at(1), line.at(0)};
   LinkShape shape{{1, 0, 0, 0}, {1, 0, 0, 0}, {1, 1, 1, 2, 2, 1, 1, 1}};
-  const auto kept = link(basis, ends, shape).pieces().front();
+  const auto kept = link(3, ends, shape);
   shape.weights.clear();
-  auto points = link(basis, ends, shape).points;
+  auto points = link(3, ends, shape).points();
   for (const std::size_t i : {3, 4})
     for (double& c : points[i]) c *= 2;
   const BezierPiece broken(points);
@@ -114,11 +100,10 @@ TEST(Link, WeightsKeepContinuityAtArcs) {
 TEST(Link, InheritedWeightsContinueTheHomogeneousCurve) {  // [Herrmann (4.57)]
   const auto arc = spline_arc({50, 0, 0, 0, 0}, {}, {0, 0, 1}, 1.2).front();
   const auto line = BezierPiece::line({0, 90, 20, 0, 0}, {-30, 90, 40, 0, 0});
-  const LinkBasis basis(3);
   LinkShape shape{{1.2, 0.3, -0.5, 0}, {0.9, 0.1, 0.2, 0}, {}};
   const auto jet = arc.homogeneous_at(1);
-  shape.weights = inherited_weights(basis, {jet[0][5], jet[1][5], jet[2][5], jet[3][5], jet[4][5]}, {1}, shape);
-  const auto piece = link(basis, {arc.at(1), line.at(0), {}}, shape).pieces().front();
+  shape.weights = inherited_weights(3, {jet[0][5], jet[1][5], jet[2][5], jet[3][5], jet[4][5]}, {1}, shape);
+  const auto piece = link(3, {arc.at(1), line.at(0)}, shape);
   // F(n, β, link) of all homogeneous coordinates is the neighbour's derivative (4.49).
   const auto link_jet = piece.homogeneous_at(0);
   const double b1 = 1.2, b2 = 0.3, b3 = -0.5;
@@ -129,50 +114,55 @@ TEST(Link, InheritedWeightsContinueTheHomogeneousCurve) {  // [Herrmann (4.57)]
   }
   // They follow β, as far as below zero.
   const LinkShape bent{{0.3, 0.3, 8, 0}, {1, 0, 0, 0}, {}};
-  const auto negative = inherited_weights(basis, {jet[0][5], jet[1][5], jet[2][5], jet[3][5], jet[4][5]}, {1}, bent);
+  const auto negative = inherited_weights(3, {jet[0][5], jet[1][5], jet[2][5], jet[3][5], jet[4][5]}, {1}, bent);
   EXPECT_LT(negative[3], 0);
-  EXPECT_THROW(link(basis, {arc.at(1), line.at(0), {}}, {bent.before, bent.after, negative}), std::invalid_argument);
+  EXPECT_THROW(link(3, {arc.at(1), line.at(0)}, {bent.before, bent.after, negative}), std::invalid_argument);
   // Of two lines they are 1.
-  for (const double w : inherited_weights(basis, {1}, {1}, shape)) EXPECT_NEAR(w, 1, 1e-12);
+  for (const double w : inherited_weights(3, {1}, {1}, shape)) EXPECT_NEAR(w, 1, 1e-12);
 }
 
-TEST(Link, DerivativesByBetaAreThoseOfDifferences) {
+TEST(Link, GradientsByBetaAreThoseOfDifferences) {
   Random random(5);
   for (std::size_t k = 1; k <= 4; ++k)
     for (int i = 0; i < 10; ++i) {
-      const LinkBasis basis(k, i % 2 == 0 ? 0 : 0.4);
       const auto [before, after] = random_neighbours(random, k);
-      LinkEnds ends{before.at(1), after.at(0), {}};
-      if (basis.via() > 0) ends.via = LinkVia{testing::random_pose(random), testing::random_pose(random)};
-      const auto shape = random_shape(random, basis.size());
-      const auto slopes = link_derivatives(basis, ends, shape);
-      ASSERT_EQ(slopes.size(), 2 * k);
+      const LinkEnds ends{before.at(1), after.at(0)};
+      const auto shape = random_shape(random, link_points(k));
+      // Any linear function of the control points.
+      std::vector<Vec> by_points;
+      for (std::size_t p = 0; p < link_points(k); ++p)
+        by_points.push_back({random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
+      const auto value = [&](const LinkShape& of) {
+        const auto points = link(k, ends, of).points();
+        double sum = 0;
+        for (std::size_t p = 0; p < points.size(); ++p)
+          sum += dot(by_points[p], {points[p][0], points[p][1], points[p][2]});
+        return sum;
+      };
+      std::vector<double> gradient(2 * k);
+      link_gradient(k, ends, shape, by_points, gradient);
+      double scale = 1;
+      for (const double g : gradient) scale = std::max(scale, std::abs(g));
       for (std::size_t j = 0; j < 2 * k; ++j) {
         auto low = shape, high = shape;
         const double h = 1e-5;
         (j < k ? low.before[j] : low.after[j - k]) -= h;
         (j < k ? high.before[j] : high.after[j - k]) += h;
-        const auto a = link(basis, ends, low).points, b = link(basis, ends, high).points;
-        double scale = 1;
-        for (const auto& p : slopes[j])
-          for (const double c : p) scale = std::max(scale, std::abs(c));
-        for (std::size_t p = 0; p < basis.size(); ++p)
-          for (std::size_t d = 0; d < 6; ++d)
-            EXPECT_NEAR(slopes[j][p][d], (b[p][d] - a[p][d]) / (2 * h), 1e-6 * scale) << k << ' ' << j << ' ' << p;
+        EXPECT_NEAR(gradient[j], (value(high) - value(low)) / (2 * h), 1e-6 * scale) << k << ' ' << j;
       }
     }
 }
 
 TEST(Link, RefusesWhatIsNoLink) {
-  EXPECT_THROW(LinkBasis(0), std::invalid_argument);
-  EXPECT_THROW(LinkBasis(5), std::invalid_argument);
-  EXPECT_THROW(LinkBasis(3, 1), std::invalid_argument);
   const auto line = BezierPiece::line({}, {1});
-  const LinkEnds ends{line.at(1), BezierPiece::line({2, 2}, {3, 3}).at(0), {}};
-  const LinkBasis basis(3);
-  EXPECT_THROW(link(basis, ends, {{0, 0, 0, 0}, {1, 0, 0, 0}, {}}), std::invalid_argument);
-  EXPECT_THROW(link(basis, ends, {{1, 0, 0, 0}, {1, 0, 0, 0}, {1, 1}}), std::invalid_argument);
-  EXPECT_THROW(link(LinkBasis(3, 0.5), ends, {}), std::invalid_argument);
+  const LinkEnds ends{line.at(1), BezierPiece::line({2, 2}, {3, 3}).at(0)};
+  std::vector<Vec> by_points(8);
+  std::vector<double> gradient(5);
+  EXPECT_THROW(link(0, ends, {}), std::invalid_argument);
+  EXPECT_THROW(link(5, ends, {}), std::invalid_argument);
+  EXPECT_THROW(link(3, ends, {{0, 0, 0, 0}, {1, 0, 0, 0}, {}}), std::invalid_argument);
+  EXPECT_THROW(link(3, ends, {{1, 0, 0, 0}, {1, 0, 0, 0}, {1, 1}}), std::invalid_argument);
+  EXPECT_THROW(link_gradient(3, ends, {}, by_points, gradient), std::invalid_argument);
 }
 
 }  // namespace

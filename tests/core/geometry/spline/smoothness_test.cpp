@@ -12,14 +12,13 @@ namespace {
 LinkEnds stator_ends() {
   const auto slot = BezierPiece::line({40, 0, -30, 0, 0}, {40, 0, 30, 0, 0});
   const auto head = spline_arc({52, 6, 40, 0, 1.5}, {}, {0, 0, 1}, 1.2, {0, 0, 0, 1.2, 0}).front();
-  return {slot.at(1), head.at(0), {}};
+  return {slot.at(1), head.at(0)};
 }
 
 TEST(Smoothness, IsWhatFineSumsSay) {
-  const LinkBasis basis(3);
-  const SmoothnessRule rule(basis, 200);
+  const SmoothnessRule rule(3, 200);
   const LinkShape shape{{1.5, 0.4, -1, 0}, {1.2, 0.2, 0.3, 0}, {1, 1.2, 0.8, 1.5, 0.7, 1, 1, 1.3}};
-  const auto path = link(basis, stator_ends(), shape);
+  const auto path = link(3, stator_ends(), shape);
   const auto curvature = [&](double v) {
     const auto jet = path.at(v);
     return norm(cross(place(jet[1]), place(jet[2]))) / std::pow(norm(place(jet[1])), 3);
@@ -32,24 +31,22 @@ TEST(Smoothness, IsWhatFineSumsSay) {
     turned += curvature(v) * norm(place(path.at(v)[1])) / n;
     variation += std::abs(curvature((i + 1.0) / n) - curvature(static_cast<double>(i) / n));
   }
-  EXPECT_NEAR(smoothness(basis, rule, stator_ends(), shape, {1, 0, false, 1e-9}), integral, 1e-6 * integral);
-  EXPECT_NEAR(smoothness(basis, rule, stator_ends(), shape, {1, 0, true, 1e-9}), turned, 1e-6 * turned);
-  EXPECT_NEAR(smoothness(basis, rule, stator_ends(), shape, {0, 1, false, 1e-9}), variation, 1e-3 * variation);
+  EXPECT_NEAR(smoothness(rule, stator_ends(), shape, {1, 0, false, 1e-9}), integral, 1e-6 * integral);
+  EXPECT_NEAR(smoothness(rule, stator_ends(), shape, {1, 0, true, 1e-9}), turned, 1e-6 * turned);
+  EXPECT_NEAR(smoothness(rule, stator_ends(), shape, {0, 1, false, 1e-9}), variation, 1e-3 * variation);
 }
 
 TEST(Smoothness, GradientsAreThoseOfDifferences) {
   Random random(1);
   for (std::size_t k = 1; k <= 4; ++k)
     for (int i = 0; i < 10; ++i) {
-      const LinkBasis basis(k, i % 2 == 0 ? 0 : 0.45);
-      const SmoothnessRule rule(basis);
-      auto ends = stator_ends();
-      if (basis.via() > 0) ends.via = LinkVia{{48, 1, 38, 0, 1.5}, {20, 1, 0, 0, 0}};
+      const SmoothnessRule rule(k, 31 + static_cast<std::size_t>(i));
+      const auto ends = stator_ends();
       LinkShape shape{{random.uniform(0.8, 2), random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)},
                       {random.uniform(0.8, 2), random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)},
                       {}};
       if (i % 3 == 0)
-        for (std::size_t p = 0; p < basis.size(); ++p) shape.weights.push_back(random.uniform(0.5, 2));
+        for (std::size_t p = 0; p < link_points(k); ++p) shape.weights.push_back(random.uniform(0.5, 2));
       const SmoothnessWeights weights{1, 8, random.chance(0.5), 1e-3};
       const auto check = [&](auto&& f) {
         std::vector<double> gradient(2 * k);
@@ -67,15 +64,14 @@ TEST(Smoothness, GradientsAreThoseOfDifferences) {
           EXPECT_NEAR(gradient[j], quotient, 1e-6 * scale) << k << ' ' << j;
         }
       };
-      check([&](const LinkShape& s, std::span<double> g) { return smoothness(basis, rule, ends, s, weights, g); });
-      check([&](const LinkShape& s, std::span<double> g) { return control_distance(basis, ends, s, g); });
+      check([&](const LinkShape& s, std::span<double> g) { return smoothness(rule, ends, s, weights, g); });
+      check([&](const LinkShape& s, std::span<double> g) { return control_distance(k, ends, s, g); });
     }
 }
 
 TEST(Smoothness, StraightLinkHasNone) {
-  const LinkBasis basis(3);
-  const LinkEnds ends{BezierPiece::line({}, {1}).at(1), BezierPiece::line({3}, {4}).at(0), {}};
-  EXPECT_NEAR(smoothness(basis, SmoothnessRule(basis), ends, {}, {}), 0, 1e-12);
+  const LinkEnds ends{BezierPiece::line({}, {1}).at(1), BezierPiece::line({3}, {4}).at(0)};
+  EXPECT_NEAR(smoothness(SmoothnessRule(3), ends, {}, {}), 0, 1e-12);
 }
 
 }  // namespace

@@ -44,6 +44,24 @@ TEST(Grid, CellsJoinUpAndCoverEverySegment) {
   EXPECT_EQ(grid.left(1).u, contour.path[1].curve().begin());
 }
 
+/// x and y turn round at one place, which is found of each by itself and differs by rounding.
+TEST(Grid, AxesThatTurnTogetherPartACellOnce) {
+  const Machine machine{{{"x", 500, 2000}, {"y", 500, 2000}, {"z", 500, 2000}}, 0.001};
+  for (int i = 0; i < 200; ++i) {
+    const double u = 0.2 + 0.6 * i / 200, x = 7 + 0.01 * i, y = 3 - 0.011 * i;  // x (u − u₀)², y (u − u₀)², linear z
+    ContourBuilder b(3, {});
+    b.line({-x * 2 * u, -y * 2 * u, -10});
+    b.polynomial({{-x * 2 * u, -x * 2 * u, x}, {-y * 2 * u, -y * 2 * u, y}, {-10, 30, 0}});
+    const Contour contour = b.finish();
+    Grid<3> grid;
+    SilentProgress progress;
+    ProgressScope pulse(progress, "planning", 0, 1);
+    const CartesianAxisPath axes(contour.path, 3);
+    grid.build(LanePath<3>(axes), 0, contour.path.size(), contour.feeds(), machine, {}, pulse);
+    for (std::size_t c = 0; c < grid.cells.size(); ++c) ASSERT_GT(grid.length(c), 1e-6) << i << ", cell " << c;
+  }
+}
+
 TEST(Grid, CellsTurnLittleAndModelTheCurvature) {
   const Contour contour = mixed();
   const GridOptions options;

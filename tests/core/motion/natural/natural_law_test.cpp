@@ -82,7 +82,7 @@ TEST(NaturalLaw, IsAtRestAtTheEndsAndContinuousInAcceleration) {
 TEST(NaturalLaw, KeepsTheLimitsAndReachesOne) {
   for (const double leg : {3.0, 30.0, 300.0}) {
     const Problem problem(leg);
-    TimeLaw law = problem.law(256);
+    const TimeLaw law = problem.law(16);
     const std::vector<double> feeds(3, unlimited);
     const auto worst = [&] {
       VerifierInput input{problem.axes, problem.machine, law, feeds, problem.task.rests};
@@ -90,14 +90,11 @@ TEST(NaturalLaw, KeepsTheLimitsAndReachesOne) {
       SilentProgress progress;
       double most = 0;
       for (const Check& check : verify_motion(input, progress).checks)
-        if (std::isfinite(check.limit) && check.limit > 0 && check.name.find(' ') != std::string::npos &&
-            (check.name.starts_with("velocity ") || check.name.starts_with("acceleration ") ||
-             check.name.starts_with("jerk ")))
+        if (check.name.ends_with(" x") || check.name.ends_with(" y"))  // of an axis
           most = std::max(most, check.value / check.limit);
       return most;
     };
-    EXPECT_LE(worst(), 1 + 1e-4) << leg;
-    EXPECT_GE(worst(), 0.9) << leg;  // jerk is constant or linear in pieces: reached up to its step
+    EXPECT_NEAR(worst(), 1, 1e-6) << leg;
   }
 }
 

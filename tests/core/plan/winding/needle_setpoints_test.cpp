@@ -57,16 +57,18 @@ struct Wound {
     const Cycles cycles = whole_cycles(law.duration(), limits.cycle_time);
     law.slow(cycles.factor);
     motion = std::make_shared<const PathMotion>(machine.axes, std::move(law));
-    rows = std::make_unique<NeedleSetpoints>(motion, machine.axes, limits, cycles.count, 25);
+    rows = std::make_unique<NeedleSetpoints>(motion, machine.axes, limits, cycles.count,
+                                             [](std::size_t, double, const LawState&) { return 25.0; });
   }
   std::vector<Check> needle_checks_of(const SetpointSource& source) const {
     SilentProgress progress;
     return needle_checks({*machine.axes, *machine.kinematics, source, NeedleSetpoints::shown(limits)}, progress);
   }
-  std::vector<Check> setpoint_checks_of(const SetpointSource& source) const {
+  std::vector<Check> setpoint_checks_of(const SetpointSource& source, double lag = 0) const {
     SilentProgress progress;
     SetpointInput input{*machine.axes, limits, motion->law(), source};
     input.shown = NeedleSetpoints::shown(limits);
+    input.lag = lag;
     return setpoint_checks(input, progress);
   }
 };
@@ -82,6 +84,58 @@ TEST(NeedleSetpoints, PassBothChecks) {
   const Wound wound;
   EXPECT_EQ(failed(wound.needle_checks_of(*wound.rows)), "");
   EXPECT_EQ(failed(wound.setpoint_checks_of(*wound.rows)), "");
+}
+
+std::vector<double> all_rows(const SetpointSource& source) {
+  std::vector<double> all(source.count() * source.columns().size());
+  source.read(0, source.count(), all.data());
+  return all;
+}
+
+TEST(NeedleSetpoints, SteppedRowsAreTheSameInEverySliceAndOffTheLawByTheirLag) {
+  const Wound wound;
+  SilentProgress progress;
+  ProgressScope scope(progress, "interpolate", 0, 1);
+  const std::size_t cycles = wound.rows->count() - 1;
+  for (const Interpolator interpolator : {Interpolator::taylor1, Interpolator::taylor2, Interpolator::quartic}) {
+    const auto stepped = std::make_shared<const Interpolation>(wound.motion, interpolator, 0.002, cycles, scope);
+    const NeedleSetpoints rows(
+        wound.motion, wound.machine.axes, wound.limits, cycles,
+        [](std::size_t, double, const LawState&) { return 25.0; }, stepped);
+    EXPECT_EQ(failed(wound.needle_checks_of(rows)), "");
+    EXPECT_EQ(failed(wound.setpoint_checks_of(rows)), "setpoints path");
+    EXPECT_EQ(failed(wound.setpoint_checks_of(rows, 0.5)), "");
+    const std::vector<double> all = all_rows(rows), exact = all_rows(*wound.rows);
+    const std::size_t width = rows.columns().size();
+    std::vector<double> slice(100 * width);
+    for (std::size_t first = 0; first + 100 < cycles; first += 97) {
+      rows.read(first, 100, slice.data());
+      for (std::size_t i = 0; i < slice.size(); ++i) ASSERT_EQ(slice[i], all[first * width + i]);
+    }
+    double lag = 0;
+    for (std::size_t k = 0; k <= cycles; ++k)
+      lag = std::max(lag, std::abs(all[k * width + 25] - exact[k * width + 25]));
+    EXPECT_NEAR(lag, stepped->fluctuation().lag, 1e-9);
+    EXPECT_GT(lag, 1e-6);
+  }
+}
+
+TEST(NeedleSetpoints, RatesOfThePoseAreItsDerivatives) {
+  const Wound wound;
+  const std::vector<double> all = all_rows(*wound.rows);
+  const std::size_t width = wound.rows->columns().size();
+  ASSERT_EQ(width, 33u);
+  for (std::size_t c = 0; c < 5; ++c) {
+    EXPECT_EQ(wound.rows->columns()[28 + c].name, "v" + wound.rows->columns()[20 + c].name);
+    double off = 0, largest = 0;
+    for (std::size_t k = 1; k + 1 < wound.rows->count(); ++k) {
+      const double difference = (all[(k + 1) * width + 20 + c] - all[(k - 1) * width + 20 + c]) / 0.004;
+      off = std::max(off, std::abs(difference - all[k * width + 28 + c]));
+      largest = std::max(largest, std::abs(difference));
+    }
+    EXPECT_GT(largest, 0);
+    EXPECT_LE(off, 1e-3 * largest) << c;
+  }
 }
 
 TEST(NeedleSetpoints, ChecksSeeWhatIsWrong) {

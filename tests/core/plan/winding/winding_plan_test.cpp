@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
+#include <vector>
 
 #include "core/base/errors.hpp"
 #include "core/motion/setpoints/needle_setpoints.hpp"
@@ -53,39 +57,195 @@ const Check* find(const WindingPlan& p, const std::string& name) {
   return nullptr;
 }
 
-TEST(WindingPlan, EveryMachineWindsBothPartsWithBothFeeds) {
+TEST(WindingPlan, EveryMachineWindsBothPartsWithEveryFeed) {
   for (const bool stator : {true, false})
     for (const test::Winder& winder : test::winders()) {
-      double natural = 0;
-      for (const FeedMethod feed : {FeedMethod::natural, FeedMethod::optimised}) {
+      std::vector<double> durations;
+      for (const auto& [feed, name] : feed_methods) {
         WindingRequest r = stator ? stator_request(1) : rotor_request(1);
         r.configurations = winder.configurations;
         r.feed = feed;
         const WindingPlan p = planned(r);
-        const std::string what =
-            winder.name + (stator ? " stator " : " rotor ") + name_of<FeedMethod>(feed, feed_methods);
+        const std::string what = winder.name + (stator ? " stator " : " rotor ") + name;
         expect_verified(p, what);
         const Check* forward = find(p, "forward kinematics position");
         ASSERT_NE(forward, nullptr);
         EXPECT_LE(forward->value, 1e-6) << what;
         EXPECT_LE(p.motion.bound.duration, p.motion.duration * (1 + 1e-9)) << what;
-        if (feed == FeedMethod::natural) natural = p.motion.duration;
-        if (feed == FeedMethod::optimised) {
-          EXPECT_LT(p.motion.duration, natural) << what;
-        }
+        durations.push_back(p.motion.duration);
       }
+      ASSERT_EQ(durations.size(), 4u);  // natural, constant, critical_points, optimised
+      EXPECT_LT(durations[3], durations[0]) << winder.name;
+      EXPECT_LT(durations[3], durations[2]) << winder.name;
+      EXPECT_LT(durations[2], durations[1]) << winder.name;
     }
+}
+
+TEST(WindingPlan, TheSplineFeedIsVerifiedAndSlowerThanTheOptimum) {
+  WindingRequest r = rotor_request(1);
+  const double optimum = planned(r).motion.duration;
+  r.law = FeedLaw::bspline;
+  const WindingPlan p = planned(r);
+  expect_verified(p, "bspline");
+  EXPECT_GT(p.motion.duration, optimum);
+  EXPECT_GT(p.jerk.along, 0);
+  EXPECT_GT(p.jerk.total, 0);
+  EXPECT_LT(p.motion.duration, 1.25 * optimum);
+  r.turns = max_spline_turns + 1;
+  try {
+    planned(r);
+    ADD_FAILURE() << "planned";
+  } catch (const InvalidInput& error) {
+    ASSERT_EQ(error.faults.size(), 1U);
+    EXPECT_EQ(error.faults[0].place, (std::vector<std::string>{"feed", "law"}));
+  }
+}
+
+/// Differences of rows that are far apart are means, and lower than what becomes of the wire between them.
+TEST(WindingPlan, TheWiresPeaksDoNotDependOnTheCycle) {
+  WindingRequest r = rotor_request(1);
+  r.tension.mass = 0.1;
+  r.cycle_time = 0.0005;
+  const WindingPlan fine = planned(r);
+  r.cycle_time = 0.01;
+  const WindingPlan coarse = planned(r);
+  EXPECT_GT(coarse.wire.constant_peak - 30, 0.93 * (fine.wire.constant_peak - 30));
+  EXPECT_GT(30 - coarse.wire.constant_least, 0.93 * (30 - fine.wire.constant_least));
+}
+
+/// The limits of the source's example [Herrmann 4.4.2].
+WindingRequest with_source_limits(WindingRequest r) {
+  r.along.velocity = 150, r.along.acceleration = 450, r.along.jerk = 2500;
+  r.chord_tolerance = 0.005, r.half_speed_curvature = 0.2;
+  return r;
+}
+
+TEST(WindingPlan, LimitsByCurvatureHoldWithEveryFeedAndProfile) {
+  for (const bool stator : {true, false}) {
+    double before = 0;
+    for (const PlanningMethod feed :
+         {PlanningMethod::jerk_limited, PlanningMethod::critical_points, PlanningMethod::constant}) {
+      WindingRequest r = with_source_limits(stator ? stator_request(1) : rotor_request(1));
+      r.feed = feed;
+      const WindingPlan p = planned(r);
+      expect_verified(p, name_of<PlanningMethod>(feed, feed_methods));
+      for (const char* check : {"chord error", "half-speed feed", "path velocity", "path acceleration", "path jerk"})
+        EXPECT_NE(find(p, check), nullptr) << check;
+      EXPECT_GT(p.motion.duration, before);
+      EXPECT_LE(p.fastest, 150 * (1 + 1e-9));
+      before = p.motion.duration;
+    }
+    for (const auto& [profile, name] : speed_profiles) {
+      WindingRequest r = with_source_limits(stator ? stator_request(1) : rotor_request(1));
+      r.feed = PlanningMethod::critical_points, r.profile = profile;
+      const WindingPlan p = planned(r);
+      expect_verified(p, name);
+      // What has no limit of jerk is not said to keep one.
+      const bool jerk = profile != SpeedProfile::trapezoid;
+      EXPECT_EQ(find(p, "path jerk") != nullptr, jerk);
+      EXPECT_EQ(find(p, "jerk q1") != nullptr, jerk);
+      EXPECT_EQ(find(p, "continuity of acceleration") != nullptr, jerk);
+      EXPECT_NE(find(p, "path acceleration"), nullptr);
+    }
+  }
+}
+
+TEST(WindingPlan, AConstantFeedThatIsTooFastIsNamedWithTurnRegionAndLimit) {
+  WindingRequest r = rotor_request(1);
+  r.feed = PlanningMethod::constant;
+  const double largest = planned(r).fastest;
+  r.along.velocity = 2 * largest;
+  try {
+    planned(r);
+    ADD_FAILURE() << "planned";
+  } catch (const FeedTooFastAtTurn& error) {
+    EXPECT_NEAR(error.limit.speed, largest, 1e-4 * largest);
+    EXPECT_EQ(error.turn, 0u);
+    for (const char* word : {"feed.velocity", "turn 1 of coil 1", "slot", "limit of q", "largest constant feed"})
+      EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+  }
+  r.along.velocity = 0.9 * largest;
+  const WindingPlan p = planned(r);
+  expect_verified(p, "asked for");
+  EXPECT_NEAR(p.fastest, 0.9 * largest, 1e-3 * largest);  // slowed to whole cycles
+  // A tolerance of the chord alone can be what is broken.
+  r.along.velocity = 0.99 * largest;
+  r.chord_tolerance = 1e-8;
+  try {
+    planned(r);
+    ADD_FAILURE() << "planned";
+  } catch (const FeedTooFastAtTurn& error) {
+    EXPECT_EQ(error.limit.kind, FeedLimit::Kind::segment_feed);
+    EXPECT_NE(std::string(error.what()).find("chord_tolerance"), std::string::npos) << error.what();
+  }
+}
+
+/// The slowest and the fastest that the schema admits.
+TEST(WindingPlan, ExtremeFeedsAreVerifiedOrNamed) {
+  for (const PlanningMethod feed : {PlanningMethod::constant, PlanningMethod::critical_points})
+    for (const auto& [profile, name] : speed_profiles) {
+      WindingRequest r = rotor_request(1);
+      r.feed = feed, r.profile = profile;
+      r.along = {1e6, 1e9, 1e12};
+      r.half_speed_curvature = 1e6;  // 1e6 mm/s is a limit, no feed
+      expect_verified(planned(r), name);
+      r = rotor_request(1);
+      r.feed = feed, r.profile = profile;
+      r.along = {unlimited, 1e-3, 1e-3};
+      r.max_setpoints = 1e6;
+      expect_verified(planned(r), name);
+      r.along.velocity = 1e-3;
+      EXPECT_THROW(planned(r), InvalidInput) << "too many setpoints";
+      r.cycle_time = 1, r.max_setpoints = 2e6;
+      expect_verified(planned(r), name);
+    }
+}
+
+TEST(WindingPlan, LinksByTimeAreTheFastest) {
+  for (const bool stator : {true, false}) {
+    const auto with = [&](bool by_time, LinkObjective objective) {
+      WindingRequest r = stator ? stator_request(2) : rotor_request(2);
+      r.links.objective = objective;
+      r.minimum_time = by_time;
+      return planned(r);
+    };
+    const WindingPlan quick = with(true, LinkObjective::curvature);
+    expect_verified(quick, "by time");
+    const double smooth = with(false, LinkObjective::curvature).motion.duration,
+                 substitute = with(false, LinkObjective::control_distance).motion.duration;
+    EXPECT_LT(quick.motion.duration, 0.98 * std::min(smooth, substitute)) << stator;
+    ASSERT_TRUE(quick.link_times);
+    EXPECT_EQ(quick.link_times->taken, LinkChoice::minimum_time);
+    EXPECT_NEAR(quick.link_times->curvature, smooth, 2e-3 * smooth);
+    EXPECT_NEAR(quick.link_times->control_distance, substitute, 2e-3 * substitute);
+    EXPECT_NEAR(quick.link_times->minimum_time, quick.motion.duration, 2e-3 * smooth);
+  }
+}
+
+// Beside a high post the quickest links cut the corner: quicker or not, they are not taken.
+TEST(WindingPlan, LinksByTimeComeNoNearerThanIsAllowed) {
+  WindingRequest r = stator_request(1);
+  r.model.pivot_limit = 10 * std::numbers::pi / 180;
+  r.needle.width = 1.6, r.least_clearance = 0;
+  r.tool.width = 2.5, r.tool.height = 40;
+  r.minimum_time = true;
+  const WindingPlan p = planned(r);
+  expect_verified(p, "by time, beside a post");
+  ASSERT_TRUE(p.link_times);
+  EXPECT_LT(p.link_times->minimum_time, p.link_times->curvature);
+  EXPECT_NE(p.link_times->taken, LinkChoice::minimum_time);
+  EXPECT_GE(p.clearance.minimum, 0);
 }
 
 TEST(WindingPlan, SetpointsAreInDegreesAndBelongTogether) {
   const WindingPlan p = planned(rotor_request(1));
   const SetpointSource& rows = *p.motion.setpoints;
-  ASSERT_EQ(rows.columns().size(), 28u);
+  ASSERT_EQ(rows.columns().size(), 33u);
   EXPECT_EQ(rows.columns()[3].unit, "deg");
   EXPECT_EQ(rows.columns()[18].name, "jq4");
   EXPECT_EQ(rows.columns()[18].unit, "deg/s³");
   EXPECT_EQ(rows.columns()[27].name, "brake");
-  const std::size_t width = 28;
+  const std::size_t width = 33;
   std::vector<double> all(rows.count() * width);
   rows.read(0, rows.count(), all.data());
   const double h = rows.cycle_time(), degrees = 180 / std::numbers::pi;
@@ -103,6 +263,63 @@ TEST(WindingPlan, SetpointsAreInDegreesAndBelongTogether) {
   EXPECT_NEAR(all[23], degrees * p.support[0].begin.pose.phi, 1e-9);
   const std::size_t last = (rows.count() - 1) * width;
   for (std::size_t c = 5; c < 20; ++c) EXPECT_EQ(all[last + c], 0);
+}
+
+TEST(WindingPlan, InterpolatorsThatScatterFailByName) {
+  WindingRequest r = rotor_request(1);
+  r.interpolator = Interpolator::taylor1;
+  const WindingPlan p = planned(r);
+  EXPECT_FALSE(p.motion.verification.passed);
+  // The motion is sound; it is the setpoints that exceed its limits.
+  for (const Check& check : p.motion.verification.checks)
+    EXPECT_TRUE(check.passed || check.name.starts_with("setpoint ")) << check.name;
+  EXPECT_FALSE(find(p, "setpoint jerk q3")->passed);
+}
+
+TEST(WindingPlan, WhereTheFeedIsFarBelowTheLimitsTheQuarticKeepsThem) {
+  WindingRequest r = rotor_request(1);
+  r.interpolator = Interpolator::quartic;
+  r.feed = PlanningMethod::natural;
+  const WindingPlan p = planned(r);
+  expect_verified(p, "quartic");
+  EXPECT_NE(find(p, "setpoint jerk q1"), nullptr);
+}
+
+TEST(WindingPlan, TellsTheFeedFluctuationOfAllInterpolators) {
+  for (const bool stator : {true, false}) {
+    const WindingPlan p = planned(stator ? stator_request(1) : rotor_request(1));
+    ASSERT_EQ(p.fluctuation.size(), std::size(interpolators));
+    const auto& [exact, taylor1, taylor2, quartic] =
+        std::array{p.fluctuation[0], p.fluctuation[1], p.fluctuation[2], p.fluctuation[3]};
+    EXPECT_LE(exact.largest, 1e-6);
+    EXPECT_LE(quartic.mean, 1e-3);
+    EXPECT_LE(quartic.chord_mean, 1e-3);
+    EXPECT_LE(10 * quartic.mean, taylor1.mean);
+    EXPECT_LT(quartic.mean, taylor2.mean);
+    // Nothing moves with the wire: the brake stays at its force.
+    EXPECT_EQ(p.wire.peak, 30);
+    EXPECT_EQ(p.wire.least, 30);
+    EXPECT_EQ(find(p, "setpoint jerk q3"), nullptr);
+  }
+}
+
+TEST(WindingPlan, TheBrakeKeepsTheWiresTension) {
+  for (const bool stator : {true, false}) {
+    WindingRequest r = stator ? stator_request(1) : rotor_request(2);
+    r.tension.mass = 0.1;
+    const WindingPlan p = planned(r);
+    expect_verified(p, "wire");
+    // What is left is what the acceleration changes within two cycles.
+    EXPECT_LE(std::max(p.wire.peak - 30, 30 - p.wire.least), 0.6);
+    EXPECT_GE(p.wire.constant_peak, 32);
+    EXPECT_LE(p.wire.constant_least, 29);
+    EXPECT_NEAR(p.wire.constant_peak - 30, 30 - p.wire.constant_least, p.wire.acceleration * 1e-4);
+    if (stator) continue;
+    r.tension.permitted = 30.01;
+    EXPECT_FALSE(find(planned(r), "wire pull")->passed);
+    r.tension = {.mass = 3, .range = 30};
+    EXPECT_FALSE(find(planned(r), "wire slack")->passed);
+  }
 }
 
 TEST(WindingPlan, TellsWireAndTimes) {
@@ -194,7 +411,7 @@ TEST(WindingPlan, SameRequestSameBits) {
   const WindingPlan a = planned(rotor_request(2)), b = planned(rotor_request(2));
   ASSERT_EQ(a.motion.duration, b.motion.duration);
   ASSERT_EQ(a.motion.setpoints->count(), b.motion.setpoints->count());
-  std::vector<double> one(28 * a.motion.setpoints->count()), other(one.size());
+  std::vector<double> one(a.motion.setpoints->columns().size() * a.motion.setpoints->count()), other(one.size());
   a.motion.setpoints->read(0, a.motion.setpoints->count(), one.data());
   b.motion.setpoints->read(0, b.motion.setpoints->count(), other.data());
   EXPECT_EQ(one, other);

@@ -11,6 +11,7 @@
 #include "core/geometry/spline/spline_arc.hpp"
 #include "core/numeric/random.hpp"
 #include "core/winding/part/space.hpp"
+#include "tests/core/winding/needle/quiet_support.hpp"
 
 namespace bahnwerk::winding {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "core/base/errors.hpp"
 #include "core/numeric/random.hpp"
+#include "tests/core/winding/needle/quiet_support.hpp"
 
 namespace bahnwerk::winding {
 namespace {

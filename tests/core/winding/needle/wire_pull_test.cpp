@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "core/base/errors.hpp"
 #include "core/numeric/random.hpp"
@@ -16,6 +17,18 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 Space unit(Space a) { return (1 / norm(a)) * a; }
+
+TEST(WirePull, AForceThatHardlyPullsIsNamed) {
+  Pull pull;
+  pull.force = 1e-9, pull.bending_moment = 10;
+  try {
+    bend_radius(pull);
+    FAIL() << "nothing was thrown";
+  } catch (const InvalidInput& e) {
+    ASSERT_EQ(e.faults.size(), 1u);
+    EXPECT_EQ(e.faults[0].place, (std::vector<std::string>{"pull", "force"}));
+  }
+}
 
 // The wire followed from the tip: out along the needle, round the circle, straight to its place.
 TEST(WirePull, TheBendJoinsNeedleAndFreeWire) {

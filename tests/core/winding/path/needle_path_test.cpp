@@ -11,50 +11,15 @@
 #include "core/winding/laying/needle.hpp"
 #include "core/winding/part/space.hpp"
 #include "tests/core/geometry/spline/spline_support.hpp"
+#include "tests/core/winding/path/needle_pieces.hpp"
 
 namespace bahnwerk::winding {
 namespace {
-
-constexpr double radius = 0.9895 / 2;
-
-std::vector<FixedPiece> stator_pieces(std::size_t turns, std::size_t coils = 1) {
-  const StatorPart part;
-  const Slot slot = checked_slot(part);
-  const std::vector<Coil> all = repeated(coil_between(part, 0, 5), part.slots, 12, coils, true);
-  std::vector<LayingRegions> regions;
-  for (const Coil& coil : all) regions.push_back(coil_regions(part, slot, coil));
-  SilentProgress progress;
-  const NeedleLayout layout = needle(regions.front(), radius, slot.tension_point, progress);
-  NeedleModel model;
-  model.pivot_limit = 0.2;
-  return support_points(part, all, turns_of(regions, layout, turns, radius), model);
-}
-std::vector<FixedPiece> rotor_pieces(std::size_t turns, std::size_t coils = 1) {
-  const RotorPart part;
-  const Slot slot = checked_slot(part);
-  std::vector<LayingRegions> regions;
-  for (const Coil& coil : repeated(coil_between(part, 0, 1), part.poles, 1, coils, true))
-    regions.push_back(coil_regions(part, slot, coil));
-  SilentProgress progress;
-  const NeedleLayout layout = needle(regions.front(), radius, slot.tension_point, progress);
-  return support_points(part, turns_of(regions, layout, turns, radius), {});
-}
 
 std::vector<BezierPiece> curves(const NeedlePath& path) {
   std::vector<BezierPiece> all;
   for (const NeedlePiece& piece : path.pieces) all.push_back(piece.curve);
   return all;
-}
-
-/// The largest jump at any joint, of the derivative of this order, relative to the larger of its sizes there (or to
-/// what a thousandth of the curve's own scale makes of it, where it vanishes).
-double worst_jump(std::span<const BezierPiece> pieces, std::size_t order) {
-  double worst = 0;
-  for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
-    const auto peak = testing::peaks(pieces.subspan(i, 2));
-    worst = std::max(worst, testing::jump(pieces[i], pieces[i + 1], order, peak[order]));
-  }
-  return worst;
 }
 
 NeedlePath planned(const std::vector<FixedPiece>& pieces, bool stator, std::size_t k = 3,

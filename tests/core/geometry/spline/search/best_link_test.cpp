@@ -11,12 +11,12 @@ namespace {
 LinkEnds rotor() {
   const auto slot = BezierPiece::line({50, 5, -30, 0, 0}, {50, 5, 30, 0, 0});
   const auto front = BezierPiece::line({50, 11, 36, 0, 0}, {50, 24, 36, 0, 0});
-  return {slot.at(1), front.at(0), {}};
+  return {slot.at(1), front.at(0)};
 }
 LinkEnds stator() {
   const auto slot = BezierPiece::line({40, 0, -30, 0, 0}, {40, 0, 30, 0, 0});
   const auto head = spline_arc({52, 6, 40, 0, 1.5}, {}, {0, 0, 1}, 1.2, {0, 0, 0, 1.2, 0}).front();
-  return {slot.at(1), head.at(0), {}};
+  return {slot.at(1), head.at(0)};
 }
 
 TEST(BestLink, CurvatureIsSmoothest) {
@@ -24,18 +24,17 @@ TEST(BestLink, CurvatureIsSmoothest) {
   const SmoothnessWeights weights;
   for (const bool straight : {true, false}) {
     const LinkEnds ends = straight ? rotor() : stator();
-    const LinkBasis basis(3);
-    const SmoothnessRule rule(basis, 64);
-    const double parametric = smoothness(basis, rule, ends, {}, weights);
-    const auto distance = best_link(basis, rule, ends, LinkObjective::control_distance, weights, {}, progress);
-    const auto curvature = best_link(basis, rule, ends, LinkObjective::curvature, weights, {}, progress);
-    const auto warm = best_link(basis, rule, ends, LinkObjective::curvature, weights, distance.shape, progress);
+    const SmoothnessRule rule(3, 64);
+    const double parametric = smoothness(rule, ends, {}, weights);
+    const auto distance = best_link(rule, ends, LinkObjective::control_distance, weights, {}, progress);
+    const auto curvature = best_link(rule, ends, LinkObjective::curvature, weights, {}, progress);
+    const auto warm = best_link(rule, ends, LinkObjective::curvature, weights, distance.shape, progress);
     EXPECT_LT(curvature.smoothness, distance.smoothness);
     EXPECT_LT(curvature.smoothness, parametric);
     EXPECT_LE(warm.smoothness, distance.smoothness);
     EXPECT_EQ(curvature.status, OptimisationStatus::converged);
     EXPECT_LE(curvature.kkt_residual, 1e-6);
-    EXPECT_LE(distance.objective, control_distance(basis, ends, {}));
+    EXPECT_LE(distance.objective, control_distance(3, ends, {}));
     // Beside an arc (4.61) is no measure of smoothness: its link may be worse than the C³ one.
     if (straight) {
       EXPECT_LT(distance.smoothness, parametric);
@@ -47,12 +46,11 @@ TEST(BestLink, CurvatureIsSmoothest) {
 TEST(BestLink, ShapeBelongsToTheEndsAsGiven) {
   SilentProgress progress;
   for (std::size_t k = 1; k <= 4; ++k) {
-    const LinkBasis basis(k);
-    const SmoothnessRule rule(basis);
+    const SmoothnessRule rule(k);
     const SmoothnessWeights weights{1, 8, true, 1e-5};
-    const auto best = best_link(basis, rule, stator(), LinkObjective::control_distance, weights, {}, progress);
-    EXPECT_NEAR(smoothness(basis, rule, stator(), best.shape, weights), best.smoothness, 1e-8 * best.smoothness);
-    EXPECT_NEAR(control_distance(basis, stator(), best.shape), best.objective, 1e-8 * (1 + best.objective));
+    const auto best = best_link(rule, stator(), LinkObjective::control_distance, weights, {}, progress);
+    EXPECT_NEAR(smoothness(rule, stator(), best.shape, weights), best.smoothness, 1e-8 * best.smoothness);
+    EXPECT_NEAR(control_distance(k, stator(), best.shape), best.objective, 1e-8 * (1 + best.objective));
   }
 }
 

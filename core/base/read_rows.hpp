@@ -1,0 +1,33 @@
+#pragma once
+/// Reading a series of setpoints row by row.
+#include <algorithm>
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "core/base/setpoint_source.hpp"
+
+namespace bahnwerk {
+
+/// Index of the column of that name; columns.size() if there is none.
+inline std::size_t column_index(const std::vector<Column>& columns, std::string_view name) {
+  const auto at = std::find_if(columns.begin(), columns.end(), [&](const Column& c) { return c.name == name; });
+  return static_cast<std::size_t>(at - columns.begin());
+}
+
+/// Calls visit(k, row) for every row, in order, and passed(rows so far, rows since the last call) after every 1024 of
+/// them and at the end. Memory: that of 1024 rows.
+template <class Visit, class Passed>
+void for_each_row(const SetpointSource& setpoints, Visit&& visit, Passed&& passed) {
+  constexpr std::size_t chunk_rows = 1024;
+  const std::size_t rows = setpoints.count(), width = setpoints.columns().size();
+  std::vector<double> chunk(std::min(rows, chunk_rows) * width);
+  for (std::size_t first = 0; first < rows; first += chunk_rows) {
+    const std::size_t count = std::min(chunk_rows, rows - first);
+    setpoints.read(first, count, chunk.data());
+    for (std::size_t i = 0; i < count; ++i) visit(first + i, chunk.data() + i * width);
+    passed(first + count, count);
+  }
+}
+
+}  // namespace bahnwerk

@@ -1,0 +1,43 @@
+#pragma once
+/// A panel of a chart: a frame with ticks, curves and limits.
+#include <string>
+#include <vector>
+
+#include "core/geometry/region/point.hpp"
+
+namespace bahnwerk::drawing {
+
+struct PanelCurve {
+  std::string name, colour;
+  std::vector<Point> points;  ///< in the units of the panel, x ascending
+  bool marked = false;        ///< a dot at every point
+};
+
+struct Panel {
+  std::string title, across;  ///< what goes up, with its unit; what goes across, none: no numbers there
+  std::vector<PanelCurve> curves;
+  std::vector<double> limits;  ///< drawn as dashed lines
+  bool from_zero = false;      ///< whether the range of values begins there
+};
+
+/// The panel with its frame at (left, top) px, `width` · `height` px, values above the frame's bottom. Curves are lines
+/// from point to point, in tenths of a px. O(points).
+std::string panel_drawing(const Panel& panel, double left, double top, double width, double height);
+
+/// Room that a panel needs around its frame, px.
+inline constexpr double panel_left = 72, panel_top = 24, panel_bottom = 34;
+
+/// Of a curve with many more points than the panel has columns: the lowest and highest value in each of `columns`
+/// columns over [0, end], two points at the column's middle. O(1) per value.
+class Envelope {
+ public:
+  Envelope(std::size_t columns, double end);
+  void add(double x, double value);
+  std::vector<Point> points() const;
+
+ private:
+  double end_;
+  std::vector<double> low_, high_;
+};
+
+}  // namespace bahnwerk::drawing

@@ -1,0 +1,103 @@
+#pragma once
+/// What the limits leave to the feed, place by place: how fast the tool may pass at constant speed, and how strongly
+/// the speed may change there.
+///
+/// At constant speed v axis k has velocity q′v, acceleration q″v² and jerk q‴v³, so a place may be passed at
+///     min over k of V/|q′|, √(A/|q″|), ∛(J/|q‴|), the feed of its segment, the limit along the path,
+/// and a joint at which q′ or q″ jumps by Δ only with |Δ| v ≤ A T, |Δ| v² ≤ J T over a cycle T.
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "core/base/progress_scope.hpp"
+#include "core/motion/axes/path_task.hpp"
+#include "core/motion/grid/sections.hpp"
+
+namespace bahnwerk {
+
+/// What keeps a feed from being larger, and where.
+struct FeedLimit {
+  enum class Kind { velocity, acceleration, jerk, velocity_step, acceleration_step, path_velocity, segment_feed };
+  double speed = unlimited;  ///< mm/s
+  Kind kind = Kind::path_velocity;
+  std::size_t axis = 0;     ///< of the first five kinds
+  double s = 0;             ///< mm along the path
+  std::size_t segment = 0;  ///< in which that is
+};
+/// Such as "the jerk limit of q5".
+std::string in_words(const FeedLimit& limit, const Machine& machine);
+
+/// One place of the grid. A joint is there twice, with the derivatives before and behind it.
+struct FeedNode {
+  double s = 0;
+  const double *d1 = nullptr, *d2 = nullptr, *d3 = nullptr;  ///< per axis: q′, q″, q‴
+};
+
+/// How the tool moves at a place.
+struct FeedState {
+  double v = 0, a = 0, j = 0;
+};
+
+struct FeedGridOptions {
+  std::size_t nodes = 16;  ///< per panel of the path
+  bool limits_jerk = true;
+  double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad
+  Limits along;                                              ///< the tool's path
+};
+
+/// `task` outlives it. O(nodes), about 1 µs each through a machine's kinematics; 8 (3 axes + 1) bytes each.
+class FeedGrid {
+ public:
+  FeedGrid(const PathTask& task, const FeedGridOptions& options, ProgressScope& scope);
+
+  const PathTask& task() const { return task_; }
+  const FeedGridOptions& options() const { return options_; }
+  const Sections& sections() const { return sections_; }
+  /// The largest constant speed over a whole segment, its joints included: at the nodes, and at the slowest place
+  /// around every node that is slower than its neighbours, to 1e-9.
+  const FeedLimit& hold(std::size_t segment) const { return hold_[segment]; }
+  /// The same over a part of it, mm/s, with `share` of the speed that the axes allow.
+  double hold_between(std::size_t segment, double s0, double s1, double share = 1) const;
+
+  std::size_t size() const { return s_.size(); }
+  double s(std::size_t node) const { return s_[node]; }
+  FeedNode node(std::size_t i) const {
+    const double* row = rows_.data() + 3 * axes_ * i;
+    return {s_[i], row, row + axes_, row + 2 * axes_};
+  }
+  /// Nodes of a segment: [first, last).
+  std::size_t first(std::size_t segment) const { return first_[segment]; }
+  std::size_t last(std::size_t segment) const { return first_[segment + 1]; }
+  std::size_t segment_of(double s, std::size_t hint) const { return task_.path.tool().find(s, hint); }
+
+  /// The largest acceleration along the path that the axes have at a node, standing; and jerk.
+  double acceleration(std::size_t node) const;
+  double jerk(std::size_t node) const;
+
+  /// 1 if a place is passed within `margin` of all limits at this speed, acceleration and jerk. Else the factor f < 1
+  /// up to which it is with acceleration f a and jerk f² j; 0 where v alone is too much.
+  double share(const FeedNode& node, const FeedState& state, double margin) const;
+  /// Whether a joint may be passed so: from the last node of a segment to the first of the next.
+  bool passes_joint(std::size_t next_segment, const FeedState& state) const;
+
+ private:
+  void sample(std::size_t segment);
+  void search(std::size_t segment);
+  FeedLimit slowest_around(std::size_t segment, double low, double high) const;
+  FeedLimit at(std::size_t segment, double u) const;
+  FeedLimit limit_of(const double* d1, const double* d2, const double* d3) const;
+  void limit_at_joint(std::size_t next);
+
+  const PathTask& task_;
+  FeedGridOptions options_;
+  std::size_t axes_;
+  Sections sections_;
+  std::vector<double> s_, u_, rows_, speed_;  // per node; of the last what it may be passed at
+  std::vector<FeedLimit> minima_;             // between nodes, ascending
+  std::vector<double> joint_;                 // per segment: what its begin may be passed at
+  std::vector<std::size_t> first_;
+  std::vector<FeedLimit> hold_;
+};
+
+}  // namespace bahnwerk

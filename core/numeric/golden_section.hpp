@@ -1,0 +1,32 @@
+#pragma once
+/// Golden section search [Kiefer, Proc. Amer. Math. Soc. 4 (1953)]: where a function of one variable has its largest
+/// value. It needs no derivative, and no smoothness.
+
+namespace bahnwerk {
+
+template <class Value>
+struct GoldenSection {
+  double at = 0;  ///< the middle of an interval that holds the largest value
+  Value value{};  ///< the largest one seen of its two inner points
+};
+
+/// `value` has one maximum over [first, last]; of several one is found. Until the interval is no longer than `exact`;
+/// every evaluation leaves 0.62 of it. What is evaluated needs `<` alone.
+template <class Function>
+auto golden_section(const Function& value, double first, double last, double exact) {
+  constexpr double golden = 0.61803398874989484820;
+  double a = last - golden * (last - first), b = first + golden * (last - first);
+  auto at_a = value(a), at_b = value(b);
+  while (last - first > exact) {
+    if (at_a < at_b) {
+      first = a, a = b, at_a = at_b;
+      at_b = value(b = first + golden * (last - first));
+    } else {
+      last = b, b = a, at_b = at_a;
+      at_a = value(a = last - golden * (last - first));
+    }
+  }
+  return GoldenSection<decltype(at_a)>{(first + last) / 2, at_a < at_b ? at_b : at_a};
+}
+
+}  // namespace bahnwerk

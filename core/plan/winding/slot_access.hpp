@@ -1,0 +1,22 @@
+#pragma once
+/// Where in a stator's slot the needle of a job can go, with and without its pivot shift [Herrmann Fig. 4.16].
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/plan/winding/winding_plan.hpp"
+#include "core/winding/drawing/clearance_drawing.hpp"
+
+namespace bahnwerk {
+
+struct SlotAccess {
+  double step = 0;                            ///< of the cells, mm
+  std::vector<winding::DrawnClearance> maps;  ///< without pivot shift; then with it, if the request has one
+  std::vector<double> shares;                 ///< per map: of the slot's cells that keep least_clearance (1)
+  std::string drawing;                        ///< SVG
+};
+
+/// Of a rotor nothing: its slots are open. Some 500 cells in all, 0.05 to 0.1 s. Throws Stopped.
+std::optional<SlotAccess> slot_access(const WindingRequest& request, Progress& progress);
+
+}  // namespace bahnwerk

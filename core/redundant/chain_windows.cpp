@@ -1,0 +1,83 @@
+#include "core/redundant/chain_windows.hpp"
+
+#include <algorithm>
+
+#include "core/redundant/clusters.hpp"
+
+namespace bahnwerk {
+namespace {
+
+constexpr double small_excess = 0.05;  // with which a second, stricter solution may have none
+constexpr double stricter = 100;
+
+template <std::size_t order>
+Chain<order> part(const Chain<order>& whole, std::size_t first, std::size_t last) {
+  const auto copy = [](const auto& from, std::size_t a, std::size_t b) {
+    return std::decay_t<decltype(from)>(from.begin() + static_cast<std::ptrdiff_t>(a),
+                                        from.begin() + static_cast<std::ptrdiff_t>(b));
+  };
+  Chain<order> chain;
+  chain.steps = copy(whole.steps, first, last);
+  chain.states = copy(whole.states, first, last + 1);
+  chain.controls = copy(whole.controls, first, last);
+  chain.energy_weight = whole.energy_weight;
+  chain.begins_at_rest = first == 0 && whole.begins_at_rest;
+  chain.ends_at_rest = last == whole.cells() && whole.ends_at_rest;
+  return chain;
+}
+
+template <std::size_t order>
+double energy_of(const Chain<order>& chain, const WindowedSolution<order>& s) {
+  double energy = 0;
+  for (std::size_t c = 0; c < chain.cells(); ++c)
+    if constexpr (order == 2)
+      energy += chain.steps[c] * s.controls[c] * s.controls[c];
+    else
+      energy += 0.5 * chain.steps[c] * (s.states[c][2] * s.states[c][2] + s.states[c + 1][2] * s.states[c + 1][2]);
+  return energy;
+}
+
+}  // namespace
+
+template <std::size_t order>
+ChainSolution<order> followed_if_possible(const Chain<order>& chain, ChainOptions options) {
+  // Where there is hardly any freedom multipliers may be above the penalty: then a little excess is no proof yet.
+  ChainSolution<order> solution = solve(chain, options);
+  if (solution.excess <= 0 || solution.excess > small_excess) return solution;
+  options.penalty *= stricter;
+  ChainSolution<order> strict = solve(chain, options);
+  return strict.excess < solution.excess ? std::move(strict) : std::move(solution);
+}
+
+template <std::size_t order>
+WindowedSolution<order> solve_in_windows(const Chain<order>& chain, const ChainOptions& options,
+                                         const ChainWindowOptions& windows) {
+  const std::size_t n = chain.cells();
+  WindowedSolution<order> all;
+  all.states.resize(n + 1);
+  all.controls.resize(n);
+  for (std::size_t first = 0; first < n;) {
+    std::size_t keep = std::min(first + windows.kept, n), last = keep;
+    for (double ahead = 0; last < n && ahead < windows.ahead; ++last) ahead += chain.steps[last];
+    if (n - last < windows.kept / 2) keep = last = n;  // rather than a short one at the end
+    Chain<order> window = part(chain, first, last);
+    if (first > 0) window.begin = all.states[first];
+    const ChainSolution<order> s = followed_if_possible(window, options);
+    all.iterations += static_cast<std::size_t>(s.iterations);
+    std::copy_n(s.states.begin(), keep - first + 1, all.states.begin() + static_cast<std::ptrdiff_t>(first));
+    std::copy_n(s.controls.begin(), keep - first, all.controls.begin() + static_cast<std::ptrdiff_t>(first));
+    for (const Cluster<order>& c :
+         s.excess > windows.followed ? clusters(window, s, windows.followed) : std::vector<Cluster<order>>{})
+      all.exceeds.emplace_back(first + c.first, first + c.last);
+    first = keep;
+  }
+  all.energy = energy_of(chain, all);
+  return all;
+}
+
+template ChainSolution<2> followed_if_possible(const Chain<2>&, ChainOptions);
+template ChainSolution<3> followed_if_possible(const Chain<3>&, ChainOptions);
+template WindowedSolution<2> solve_in_windows(const Chain<2>&, const ChainOptions&, const ChainWindowOptions&);
+template WindowedSolution<3> solve_in_windows(const Chain<3>&, const ChainOptions&, const ChainWindowOptions&);
+
+}  // namespace bahnwerk

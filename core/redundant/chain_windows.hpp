@@ -1,0 +1,44 @@
+#pragma once
+/// A long chain solved window by window: time and memory per window do not grow with the chain, and stay in a cache.
+///
+/// Each window begins with the state that the one before left, and reaches `ahead` beyond what is kept of it, anywhere
+/// inside the boxes there. With more time ahead than a stop takes it loses next to no energy against the solution of
+/// the whole, and finds a solution where there is one; that one window ended where the next cannot go on is possible,
+/// so what exceeds boxes here proves nothing. O(cells).
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "core/redundant/chain_solver.hpp"
+
+namespace bahnwerk {
+
+struct ChainWindowOptions {
+  std::size_t kept = 4000;  ///< cells of a window that are kept
+  double ahead = 10;        ///< units of time
+  double followed = 0;      ///< excess that counts as none
+};
+
+template <std::size_t order>
+struct WindowedSolution {
+  std::vector<ChainState<order>> states;                     ///< at the nodes
+  std::vector<double> controls;                              ///< in the cells
+  double energy = 0;                                         ///< as of a ChainSolution
+  std::size_t iterations = 0;                                ///< of all windows
+  std::vector<std::pair<std::size_t, std::size_t>> exceeds;  ///< stretches of nodes, ascending: first and last
+};
+
+/// The solution of a chain; where a little is exceeded, with a larger penalty.
+template <std::size_t order>
+ChainSolution<order> followed_if_possible(const Chain<order>& chain, ChainOptions options);
+
+template <std::size_t order>
+WindowedSolution<order> solve_in_windows(const Chain<order>& chain, const ChainOptions& options,
+                                         const ChainWindowOptions& windows);
+
+extern template ChainSolution<2> followed_if_possible(const Chain<2>&, ChainOptions);
+extern template ChainSolution<3> followed_if_possible(const Chain<3>&, ChainOptions);
+extern template WindowedSolution<2> solve_in_windows(const Chain<2>&, const ChainOptions&, const ChainWindowOptions&);
+extern template WindowedSolution<3> solve_in_windows(const Chain<3>&, const ChainOptions&, const ChainWindowOptions&);
+
+}  // namespace bahnwerk

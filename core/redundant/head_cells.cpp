@@ -1,0 +1,147 @@
+#include "core/redundant/head_cells.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/numeric/peak.hpp"
+
+namespace bahnwerk {
+namespace {
+
+constexpr double rounding = 1e-12;  // by which ranges are wider than the polynomial's, relative
+
+/// Hull of the Bernstein coefficients of the polynomial through the samples.
+Range hull(const std::array<double, ChebyshevRule::max_points>& samples, const ChebyshevRule& rule) {
+  const auto n = static_cast<std::size_t>(rule.points);
+  Range r{samples[0], samples[0]};
+  for (std::size_t i = 0; i < n; ++i) {
+    double b = 0;
+    for (std::size_t k = 0; k < n; ++k) b += rule.bernstein[i][k] * samples[k];
+    r.lowest = std::min(r.lowest, b);
+    r.highest = std::max(r.highest, b);
+  }
+  return r;
+}
+
+Range hull(const Range& a, const Range& b) { return {std::min(a.lowest, b.lowest), std::max(a.highest, b.highest)}; }
+
+Range within(const Range& r, double limit) {
+  return {std::clamp(r.lowest, -limit, limit), std::clamp(r.highest, -limit, limit)};
+}
+
+class Division {
+ public:
+  Division(const PathMotion& head, const HeadCellOptions& options, ProgressScope& scope)
+      : head_(head), options_(options), scope_(scope), axes_(head.axes()), now_(axes_), part_(axes_), both_(axes_) {
+    cells_.nodes.resize(axes_);
+    cells_.cells.resize(axes_);
+  }
+
+  HeadCells run(std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const double begin = head_.begin(i), end = head_.end(i);
+      if (!(end > begin)) continue;
+      const auto parts = static_cast<std::size_t>(std::ceil((end - begin) / options_.longest * (1 - 1e-9)));
+      for (std::size_t k = 0; k < std::max<std::size_t>(parts, 1); ++k) {
+        const double n = static_cast<double>(std::max<std::size_t>(parts, 1));
+        add(i, begin + (end - begin) * (static_cast<double>(k) / n),
+            k + 1 >= parts ? end : begin + (end - begin) * (static_cast<double>(k + 1) / n));
+      }
+    }
+    close();
+    const double end = head_.end(last - 1);
+    const MotionState state = last == head_.pieces() ? head_.final_state() : head_.in_piece(last - 1, end);
+    cells_.times.push_back(end);
+    for (std::size_t a = 0; a < axes_; ++a)
+      cells_.nodes[a].push_back({state.position[a], state.velocity[a], state.acceleration[a]});
+    return std::move(cells_);
+  }
+
+ private:
+  /// The part [begin, end] of a piece: in the open cell, or in a new one. Halved while accelerations differ too much.
+  void add(std::size_t piece, double begin, double end, int halvings = 10) {
+    scope_.work(10);
+    const ChebyshevRule& rule = lobatto_rule(false);
+    std::array<MotionState, 5> states;
+    for (std::size_t k = 0; k < 5; ++k) states[k] = head_.in_piece(piece, begin + rule.node[k] * (end - begin));
+    std::vector<HeadCell>& part = part_;
+    for (std::size_t a = 0; a < axes_; ++a) {
+      std::array<double, ChebyshevRule::max_points> samples{}, jerks{};
+      for (std::size_t k = 0; k < 5; ++k) {
+        samples[k] = states[k].acceleration[a];
+        jerks[k] = states[k].jerk[a];
+      }
+      part[a] = {within(hull(samples, rule), options_.held[a].acceleration),
+                 within(hull(jerks, rule), options_.held[a].jerk)};
+    }
+    const bool wide = !narrow(part, end - begin);
+    if (const double middle = begin + 0.5 * (end - begin); wide && halvings > 0 && middle > begin && middle < end) {
+      add(piece, begin, middle, halvings - 1);
+      add(piece, middle, end, halvings - 1);
+      return;
+    }
+    if (open_ && end - begin_ <= options_.longest) {
+      for (std::size_t a = 0; a < axes_; ++a)
+        both_[a] = {hull(now_[a].acceleration, part[a].acceleration), hull(now_[a].jerk, part[a].jerk)};
+      if (narrow(both_, end - begin_)) {
+        now_ = both_;
+        return;
+      }
+    }
+    close();
+    open_ = true;
+    begin_ = begin;
+    now_ = part;
+    cells_.times.push_back(begin);
+    cells_.pieces.push_back(piece);
+    for (std::size_t a = 0; a < axes_; ++a)
+      cells_.nodes[a].push_back({states[0].position[a], states[0].velocity[a], states[0].acceleration[a]});
+  }
+
+  bool narrow(const std::vector<HeadCell>& cell, double span) const {
+    for (std::size_t a = 0; a < axes_; ++a)
+      if (cell[a].acceleration.width() > options_.acceleration_change[a] ||
+          cell[a].jerk.width() * span > options_.jerk_change[a])
+        return false;
+    return true;
+  }
+
+  void close() {
+    if (!open_) return;
+    for (std::size_t a = 0; a < axes_; ++a) {
+      HeadCell cell = now_[a];
+      const auto widen = [](Range& r) {
+        const double by = rounding * std::max(std::abs(r.lowest), std::abs(r.highest));
+        r.lowest -= by;
+        r.highest += by;
+      };
+      widen(cell.acceleration);
+      widen(cell.jerk);
+      cells_.cells[a].push_back(cell);
+    }
+    open_ = false;
+  }
+
+  const PathMotion& head_;
+  const HeadCellOptions& options_;
+  ProgressScope& scope_;
+  std::size_t axes_;
+  HeadCells cells_;
+  bool open_ = false;
+  double begin_ = 0;
+  std::vector<HeadCell> now_, part_, both_;
+};
+
+}  // namespace
+
+HeadCells head_cells(const PathMotion& head, const HeadCellOptions& options, ProgressScope& scope) {
+  return Division(head, options, scope).run(0, head.pieces());
+}
+
+HeadCells head_cells(const PathMotion& head, std::size_t first, std::size_t last, const HeadCellOptions& options,
+                     ProgressScope& scope) {
+  return Division(head, options, scope).run(first, last);
+}
+
+}  // namespace bahnwerk

@@ -1,0 +1,136 @@
+#include "core/redundant/head_plan.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/motion/acceleration/acceleration_limited.hpp"
+#include "core/motion/jerk/jerk_limited.hpp"
+#include "core/motion/law/dwell.hpp"
+
+namespace bahnwerk {
+namespace {
+
+constexpr double coarse_share = 1 - 1e-5;  // of the coarse axes' limits: more than their boxes keep back
+
+Machine shared(Machine machine, double share) {
+  for (AxisLimits& axis : machine.axes) {
+    axis.velocity *= share;
+    axis.acceleration *= share;
+    axis.jerk *= share;
+  }
+  return machine;
+}
+
+/// End of the section of the law that begins with piece `begin`.
+std::size_t end_of_section(const TimeLaw& law, std::size_t begin) {
+  std::size_t end = begin + 1;
+  while (end < law.pieces().size() && law.pieces()[end].v > 0) ++end;
+  return end;
+}
+
+}  // namespace
+
+template <std::size_t order>
+HeadPlan<order>::HeadPlan(const JointTask& task, double corner_angle, double share, Progress& progress)
+    : task_(task),
+      corner_angle_(corner_angle),
+      progress_(progress),
+      limits_(shared(head_limits(task.machine), share)),
+      paces_{task.feeds, {}},
+      planned_feeds_(task.feeds),
+      base_(planned(limits_, task.feeds)) {
+  for (std::size_t i = 0; i < base_.pieces().size();) {
+    const std::size_t end = end_of_section(base_, i), segment = base_.pieces()[i].segment;
+    sections_.push_back(segment);
+    if (const auto move = straight_move(*task.path, task.machine, limits_, task.feeds[segment], segment,
+                                        base_.pieces()[end - 1].segment + 1))
+      paces_.straight.insert({segment, {*move, move->fastest}});
+    i = end;
+  }
+  sections_.push_back(task.path->size());
+}
+
+template <std::size_t order>
+std::size_t HeadPlan<order>::section_begin(std::size_t segment) const {
+  return *(std::upper_bound(sections_.begin(), sections_.end() - 1, segment) - 1);
+}
+
+template <std::size_t order>
+std::size_t HeadPlan<order>::section_end(std::size_t segment) const {
+  return *std::upper_bound(sections_.begin(), sections_.end() - 1, segment);
+}
+
+template <std::size_t order>
+TimeLaw HeadPlan<order>::planned(const Machine& limits, const std::vector<double>& feeds) const {
+  const PathTask path{*task_.path, limits, feeds, task_.rests, task_.dwells};
+  if constexpr (order == 2) {
+    AccelerationLimitedOptions o;
+    o.corner_angle = corner_angle_;
+    return plan_acceleration_limited(path, o, progress_).law;
+  } else {
+    JerkLimitedOptions o;
+    o.corner_angle = corner_angle_;
+    return plan_jerk_limited(path, o, progress_).law;
+  }
+}
+
+template <std::size_t order>
+std::size_t HeadPlan<order>::slowed() const {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < task_.feeds.size(); ++i) count += paces_.feeds[i] < task_.feeds[i];
+  for (const auto& [segment, s] : paces_.straight) count += s.slowed;
+  return count;
+}
+
+template <std::size_t order>
+std::shared_ptr<const PathMotion> HeadPlan<order>::motion(std::size_t first, std::size_t last) {
+  if (paces_.feeds != planned_feeds_) {
+    planned_feeds_ = paces_.feeds;
+    base_ = planned(limits_, planned_feeds_);
+  }
+  const auto& pieces = base_.pieces();
+  const auto piece_of = [&](std::size_t segment) {
+    const auto at = std::lower_bound(pieces.begin(), pieces.end(), segment,
+                                     [](const LawPiece& p, std::size_t s) { return p.segment < s; });
+    return static_cast<std::size_t>(at - pieces.begin());
+  };
+  const std::size_t behind = piece_of(last);
+  TimeLaw law;
+  law.reserve(behind - piece_of(first) + 8);
+  for (std::size_t i = piece_of(first); i < behind;) {
+    const std::size_t end = end_of_section(base_, i);
+    const auto at = paces_.straight.find(pieces[i].segment);
+    if (at != paces_.straight.end() && at->second.slowed)
+      append_move(law, at->second.move, at->second.pace);
+    else
+      for (std::size_t k = i; k < end; ++k) law.append(pieces[k]);
+    i = end;
+  }
+  const auto dwell = [&](std::size_t segment) {
+    return std::lower_bound(task_.dwells.begin(), task_.dwells.end(), segment,
+                            [](const Rest& r, std::size_t s) { return r.segment < s; });
+  };
+  const bool all = last >= task_.path->size();
+  const PathTask path{*task_.path, limits_, {}, {}, {dwell(first), all ? task_.dwells.end() : dwell(last)}};
+  law = with_dwells(std::move(law), path, progress_);
+  if (!all) law.append(pieces[behind]);
+  return std::make_shared<const PathMotion>(task_.path, std::move(law));
+}
+
+template <std::size_t order>
+std::shared_ptr<const PathMotion> HeadPlan<order>::coarse_alone() const {
+  Machine coarse = limits_;
+  for (std::size_t k = 0; k < coarse.axes.size(); ++k) {
+    const Limits& limits = task_.machine.axes[k].coarse;
+    coarse.axes[k].velocity = std::min(coarse.axes[k].velocity, coarse_share * limits.velocity);
+    coarse.axes[k].acceleration = std::min(coarse.axes[k].acceleration, coarse_share * limits.acceleration);
+    coarse.axes[k].jerk = std::min(coarse.axes[k].jerk, coarse_share * limits.jerk);
+  }
+  const PathTask path{*task_.path, coarse, {}, task_.rests, task_.dwells};
+  return std::make_shared<const PathMotion>(task_.path, with_dwells(planned(coarse, task_.feeds), path, progress_));
+}
+
+template class HeadPlan<2>;
+template class HeadPlan<3>;
+
+}  // namespace bahnwerk

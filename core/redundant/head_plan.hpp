@@ -1,0 +1,53 @@
+#pragma once
+/// The head's quickest motion with both axes' limits summed, and how fast it may go where that is too fast for the
+/// coarse axes.
+#include <memory>
+#include <vector>
+
+#include "core/base/progress.hpp"
+#include "core/motion/law/path_motion.hpp"
+#include "core/redundant/joint_task.hpp"
+#include "core/redundant/slower_sections.hpp"
+
+namespace bahnwerk {
+
+/// Plans the head again and again, with paces that fall. A straight section whose pace fell has a closed form; the path
+/// is planned once more only where feeds of other sections fell. Every plan costs O(pieces) besides.
+template <std::size_t order>
+class HeadPlan {
+ public:
+  /// `share` of the summed limits is used. Straight sections get their paces. Throws as the planners of laws do.
+  HeadPlan(const JointTask& task, double corner_angle, double share, Progress& progress);
+
+  const Machine& limits() const { return limits_; }
+  Paces& paces() { return paces_; }
+  const Paces& paces() const { return paces_; }
+  /// Segments that may not be passed as fast as the task lets them be.
+  std::size_t slowed() const;
+  std::shared_ptr<const PathMotion> motion() { return motion(0, task_.path->size()); }
+  /// Of the sections that begin in the segments [first, last), and one more piece behind them unless they are the last:
+  /// `last` is the begin of a section. Time begins with 0.
+  std::shared_ptr<const PathMotion> motion(std::size_t first, std::size_t last);
+  /// The begin of the section that a segment is in, or of the one behind that.
+  std::size_t section_begin(std::size_t segment) const;
+  std::size_t section_end(std::size_t segment) const;
+  /// Every section with the limits of the coarse axes alone, which can follow that by themselves.
+  std::shared_ptr<const PathMotion> coarse_alone() const;
+
+ private:
+  TimeLaw planned(const Machine& limits, const std::vector<double>& feeds) const;
+
+  const JointTask& task_;
+  double corner_angle_;
+  Progress& progress_;
+  Machine limits_;
+  Paces paces_;
+  std::vector<double> planned_feeds_;  // that base_ is planned with
+  TimeLaw base_;
+  std::vector<std::size_t> sections_;  // first segments, and the end of the path
+};
+
+extern template class HeadPlan<2>;
+extern template class HeadPlan<3>;
+
+}  // namespace bahnwerk

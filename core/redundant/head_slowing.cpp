@@ -1,0 +1,135 @@
+#include "core/redundant/head_slowing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/errors.hpp"
+#include "core/redundant/chain_windows.hpp"
+#include "core/redundant/clusters.hpp"
+#include "core/redundant/following.hpp"
+
+namespace bahnwerk {
+namespace {
+
+constexpr double first_raise = 1.06, least_raise = 1.006, finer = 1.0 / 3;  // of a speed
+// Enough to see what is needed; a gap lets the excess be a 1e-4 of it, by the chain's penalty.
+constexpr double rough_gap = 1e-2, unclear = 1e-5, fine_gap = 1e-5;
+constexpr int patience = 30;  // Newton steps until a raised pace counts as too fast
+
+/// By how much more is slowed than the first-order estimate asks for. It underestimates by a fifth, which would cost
+/// rounds at the end; at the beginning it would cost time.
+double haste_of(std::size_t round) {
+  return round <= 2 ? 1.0 : 1.25 * std::pow(1.25, std::max(0.0, static_cast<double>(round) - 8));
+}
+
+}  // namespace
+
+template <std::size_t order>
+typename HeadSlowing<order>::Problem HeadSlowing<order>::problem(const HeadStretch& stretch) {
+  Problem p;
+  p.head = plan_.motion(stretch.first, stretch.last);
+  const bool all = stretch.last == p.head->path().size();
+  p.cells = head_cells(*p.head, 0, p.head->pieces() - (all ? 0 : 1), cell_options_, scope_);
+  for (std::size_t k = 0; k < machine_.axes.size(); ++k) {
+    p.chains.push_back(following<order>(p.cells, k, machine_.axes[k]));
+    p.chains.back().begins_at_rest = stretch.first == 0;
+    p.chains.back().ends_at_rest = all;
+  }
+  return p;
+}
+
+template <std::size_t order>
+bool HeadSlowing<order>::slow_once(const HeadStretch& stretch, std::size_t round, HeadSlowingCounts& counts) {
+  const Problem p = problem(stretch);
+  ChainOptions rough;
+  rough.gap = rough_gap;
+  rough.any = true;
+  rough.tick = [this] { scope_.report(); };
+  bool slower = false;
+  for (std::size_t k = 0; k < p.chains.size(); ++k) {
+    ChainSolution<order> solution = followed_if_possible(p.chains[k], rough);
+    if (solution.excess > 0 && solution.excess < unclear) {
+      ChainOptions fine = rough;
+      fine.gap = fine_gap;
+      solution = followed_if_possible(p.chains[k], fine);
+    }
+    if (solution.excess <= 0) continue;
+    for (const Cluster<order>& c : clusters(p.chains[k], solution, 0.0)) {
+      counts.certified += round == 1 && c.certificate.value > 0;
+      lower_paces(p.head->law(), p.cells, k, machine_.axes[k], c, haste_of(round), plan_.paces());
+      slower = true;
+    }
+  }
+  return slower;
+}
+
+template <std::size_t order>
+bool HeadSlowing<order>::followed(const HeadStretch& stretch) {
+  const Problem p = problem(stretch);
+  ChainOptions rough;
+  rough.gap = rough_gap;
+  rough.any = true;
+  rough.max_iterations = patience;
+  rough.tick = [this] { scope_.report(); };
+  return std::all_of(p.chains.begin(), p.chains.end(),
+                     [&](const Chain<order>& chain) { return solve(chain, rough).excess <= 0; });
+}
+
+/// The sections of a stretch that matter to the one that begins with `segment`.
+template <std::size_t order>
+HeadStretch HeadSlowing<order>::neighbourhood(const HeadStretch& stretch, std::size_t segment) {
+  const auto head = plan_.motion(stretch.first, stretch.last);
+  const auto& pieces = head->law().pieces();
+  const auto at = [&](std::size_t s) {
+    return std::lower_bound(pieces.begin(), pieces.end(), s,
+                            [](const LawPiece& p, std::size_t k) { return p.segment < k; });
+  };
+  const auto segment_at = [&](double t) {
+    return std::min(pieces[head->law().find(std::clamp(t, 0.0, head->duration()))].segment, stretch.last - 1);
+  };
+  const auto end = at(segment + 1);
+  const double begins = at(segment)->t0, ends = end == pieces.end() ? head->duration() : end->t0;
+  return {std::max(stretch.first, plan_.section_begin(segment_at(begins - around_))),
+          std::min(stretch.last, plan_.section_end(segment_at(ends + around_)))};
+}
+
+template <std::size_t order>
+void HeadSlowing<order>::raise(const HeadStretch& stretch) {
+  auto& straight = plan_.paces().straight;
+  for (double by = first_raise; by > least_raise; by = std::pow(by, finer))
+    for (auto s = straight.lower_bound(stretch.first); s != straight.end() && s->first < stretch.last; ++s) {
+      if (!s->second.slowed) continue;
+      const HeadStretch around = neighbourhood(stretch, s->first);
+      const auto raised = [&](double Pace::*limit, double factor) {
+        for (;;) {
+          const double before = s->second.pace.*limit, most = s->second.move.fastest.*limit;
+          if (!(before < most)) return;
+          s->second.pace.*limit = std::min(before * factor, most);
+          if (followed(around)) continue;
+          s->second.pace.*limit = before;
+          return;
+        }
+      };
+      raised(&Pace::rise, by * by);
+      raised(&Pace::fall, by * by);
+      raised(&Pace::feed, by);
+    }
+}
+
+template <std::size_t order>
+bool HeadSlowing<order>::run(const HeadStretch& stretch, HeadSlowingCounts& counts) {
+  bool raised = false;
+  for (std::size_t round = 1; round <= static_cast<std::size_t>(max_rounds_); ++round) {
+    counts.rounds = std::max(counts.rounds, round);
+    if (slow_once(stretch, round, counts)) continue;
+    if (raised || round == 1) return round > 1;
+    raise(stretch);
+    raised = true;
+  }
+  throw Infeasible("the coarse axes cannot follow, however slowly the tool moves");
+}
+
+template class HeadSlowing<2>;
+template class HeadSlowing<3>;
+
+}  // namespace bahnwerk

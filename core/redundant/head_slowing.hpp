@@ -1,0 +1,61 @@
+#pragma once
+/// Paces of a head that its coarse axes can follow, on stretches where they cannot.
+///
+/// Every stretch is solved by itself: paces fall round by round (slower_sections.hpp) until both axes have a solution,
+/// then each pace of a straight move that fell rises again as far as it can while the others stay, to 0.7 % of a speed.
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "core/base/progress_scope.hpp"
+#include "core/redundant/chain_solver.hpp"
+#include "core/redundant/head_cells.hpp"
+#include "core/redundant/head_plan.hpp"
+
+namespace bahnwerk {
+
+/// Sections of the path's segments [first, last).
+struct HeadStretch {
+  std::size_t first = 0, last = 0;
+};
+
+struct HeadSlowingCounts {
+  std::size_t rounds = 0;     ///< most that a stretch took
+  std::size_t certified = 0;  ///< clusters of cells proven to be too fast for the coarse axes
+};
+
+template <std::size_t order>
+class HeadSlowing {
+ public:
+  /// A section matters for `around` seconds before and behind it.
+  HeadSlowing(HeadPlan<order>& plan, const CoarseFineMachine& machine, const HeadCellOptions& cells, double around,
+              int max_rounds, ProgressScope& scope)
+      : plan_(plan), machine_(machine), cell_options_(cells), around_(around), max_rounds_(max_rounds), scope_(scope) {}
+
+  /// Throws Infeasible where nothing helped. False: nothing had to be slowed.
+  bool run(const HeadStretch& stretch, HeadSlowingCounts& counts);
+
+ private:
+  struct Problem {
+    std::shared_ptr<const PathMotion> head;
+    HeadCells cells;
+    std::vector<Chain<order>> chains;
+  };
+  Problem problem(const HeadStretch& stretch);
+  bool slow_once(const HeadStretch& stretch, std::size_t round, HeadSlowingCounts& counts);
+  bool followed(const HeadStretch& stretch);
+  HeadStretch neighbourhood(const HeadStretch& stretch, std::size_t segment);
+  void raise(const HeadStretch& stretch);
+
+  HeadPlan<order>& plan_;
+  const CoarseFineMachine& machine_;
+  const HeadCellOptions& cell_options_;
+  double around_;
+  int max_rounds_;
+  ProgressScope& scope_;
+};
+
+extern template class HeadSlowing<2>;
+extern template class HeadSlowing<3>;
+
+}  // namespace bahnwerk

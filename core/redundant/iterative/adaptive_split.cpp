@@ -1,0 +1,289 @@
+#include "core/redundant/iterative/adaptive_split.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "core/base/errors.hpp"
+
+namespace bahnwerk {
+namespace {
+
+constexpr double acceleration_change = 5e-2;  // of the fine acceleration, in a cell of the exact check
+constexpr double stroke_share = 1 - 1e-9;     // that the fit may use: rounding
+constexpr double rounding = 1e-9;             // of limits, excess that counts as none
+
+/// [Bock 4.3.2]: the coarse axes are to hold still at best, so the fine ones' limits are the head's; velocities count
+/// with both, and feeds hold them.
+Machine first_limits(const CoarseFineMachine& machine) {
+  Machine head = summed(machine);
+  for (std::size_t k = 0; k < head.axes.size(); ++k) {
+    head.axes[k].acceleration = machine.axes[k].fine.acceleration;
+    head.axes[k].jerk = machine.axes[k].fine.jerk;
+  }
+  return head;
+}
+
+Machine coarse_limits(const CoarseFineMachine& machine) {
+  Machine head = summed(machine);
+  for (std::size_t k = 0; k < head.axes.size(); ++k) static_cast<Limits&>(head.axes[k]) = machine.axes[k].coarse;
+  return head;
+}
+
+std::vector<double> first_feeds(const RedundancyTask& task) {
+  std::vector<double> feeds = task.feeds;
+  for (std::size_t i = 0; i < feeds.size(); ++i) feeds[i] = first_feed(*task.path, i, feeds[i], task.machine);
+  return feeds;
+}
+
+}  // namespace
+
+AdaptiveSplit::AdaptiveSplit(const RedundancyTask& task, const RedundancyOptions& options,
+                             const IterativeOptions& constants, Progress& progress, double from, double to)
+    : task_(task),
+      options_(options),
+      constants_(constants),
+      scope_(progress, "planning", from + 0.2 * (to - from), to),
+      jerk_(task.machine.limits_jerk()),
+      machine_(first_limits(task.machine)),
+      first_feeds_(first_feeds(task)),
+      sections_(task, options, machine_, first_feeds_, progress, from, from + 0.1 * (to - from)),
+      alone_(task, options, coarse_limits(task.machine), task.feeds, progress, from + 0.1 * (to - from),
+             from + 0.2 * (to - from)) {
+  const double spacing = task.machine.cycle_time * options.thinning;
+  for (std::size_t k = 0; k < axes(); ++k) {
+    if (!(tolerance(k, spacing, machine_.axes[k].velocity) > 0.1 * task.machine.axes[k].stroke))
+      throw InvalidInput(
+          {{{"redundancy", "thinning"}, "between samples so far apart a fine axis may leave its stroke"}});
+    limits_.acceleration.emplace_back(task.path->size(), machine_.axes[k].acceleration);
+    limits_.jerk.emplace_back(task.path->size(), machine_.axes[k].jerk);
+  }
+  limits_.feeds = first_feeds_;
+  touched_.assign(sections_.size(), 0);
+  fastest_ = sections_.duration(0, sections_.size());
+}
+
+std::vector<SlowedSegment> AdaptiveSplit::slowed() const {
+  std::vector<SlowedSegment> slowed;
+  for (std::size_t i = 0; i < first_feeds_.size(); ++i) {
+    bool fell = limits_.feeds[i] < first_feeds_[i];
+    const double feed = fell ? limits_.feeds[i] : unlimited;
+    for (std::size_t k = 0; k < axes(); ++k)
+      fell = fell || limits_.acceleration[k][i] < machine_.axes[k].acceleration ||
+             limits_.jerk[k][i] < machine_.axes[k].jerk;
+    if (fell) slowed.push_back({i, feed});
+  }
+  return slowed;
+}
+
+Machine AdaptiveSplit::limits_of(std::size_t section) const {
+  Machine m = machine_;
+  for (std::size_t k = 0; k < axes(); ++k)
+    for (std::size_t i = sections_.begin(section); i < sections_.begin(section + 1); ++i) {
+      m.axes[k].acceleration = std::min(m.axes[k].acceleration, limits_.acceleration[k][i]);
+      m.axes[k].jerk = std::min(m.axes[k].jerk, limits_.jerk[k][i]);
+    }
+  return m;
+}
+
+void AdaptiveSplit::reset(std::size_t first, std::size_t last) {
+  for (std::size_t i = first; i < last; ++i) {
+    if (!touched_[i]) continue;
+    for (std::size_t b = sections_.begin(i); b < sections_.begin(i + 1); ++b) {
+      limits_.feeds[b] = first_feeds_[b];
+      for (std::size_t k = 0; k < axes(); ++k) {
+        limits_.acceleration[k][b] = machine_.axes[k].acceleration;
+        limits_.jerk[k][b] = machine_.axes[k].jerk;
+      }
+    }
+    sections_.replan(i, limits_of(i), limits_.feeds);
+    touched_[i] = 0;
+  }
+}
+
+HeadSamples AdaptiveSplit::sample(const PathMotion& head) const {
+  const double duration = head.duration();
+  const auto thinning = static_cast<std::size_t>(options_.thinning);
+  const double spacing = task_.machine.cycle_time * static_cast<double>(thinning);
+  const std::size_t least = 4 * max_spline_degree;  // so that short motions have knots at all
+  const std::size_t fitted = std::max(static_cast<std::size_t>(std::ceil(duration / spacing)), least);
+  HeadSamples s;
+  const std::size_t n = fitted * thinning;
+  s.times.reserve(n + 1);
+  s.segments.reserve(n + 1);
+  s.axes.assign(axes(), {});
+  for (auto& axis : s.axes) axis.reserve(n + 1);
+  std::size_t piece = 0;
+  for (std::size_t i = 0; i <= n; ++i) {
+    const double t = duration * (static_cast<double>(i) / static_cast<double>(n));
+    piece = head.law().find(t, piece);
+    const MotionState x = head.in_piece(piece, t);
+    s.times.push_back(t);
+    s.segments.push_back(head.law().pieces()[piece].segment);
+    for (std::size_t k = 0; k < axes(); ++k)
+      s.axes[k].push_back({x.position[k], x.velocity[k], x.acceleration[k], x.jerk[k]});
+  }
+  return s;
+}
+
+double AdaptiveSplit::tolerance(std::size_t axis, double spacing, double speed) const {
+  const CoarseFineAxis& a = task_.machine.axes[axis];
+  // [Bock 4.3.5]: half of what both may go between samples; or, sharper for close samples, by the fine acceleration.
+  const double by_velocity = 0.5 * (a.coarse.velocity + speed) * spacing;
+  const double by_acceleration = a.fine.acceleration * spacing * spacing / 8;
+  const double cell = task_.machine.cycle_time, of_check = a.fine.acceleration * cell * cell / 8;
+  return a.stroke * stroke_share - std::min(by_velocity, by_acceleration) - of_check;
+}
+
+bool AdaptiveSplit::fit(const HeadSamples& head, const std::vector<SplineBegin>& begin,
+                        std::vector<TimeSpline>& coarse) {
+  CoarseFitOptions o;
+  o.approximation = options_.approximation;
+  o.smoothing = options_.smoothing;
+  o.degree = static_cast<std::size_t>(options_.degree);
+  o.multiplicity = static_cast<std::size_t>(options_.knot_multiplicity);
+  o.afterburner = static_cast<std::size_t>(options_.afterburner);
+  o.afterburner_evenly = options_.window.has_value();
+  o.sampled_limits = constants_.sampled_limits;
+  o.wide = constants_.wide_gap;
+  o.tick = [this] { scope_.report(); };
+  const auto thinning = static_cast<std::size_t>(options_.thinning);
+  const double spacing = head.times[thinning] - head.times[0];
+  coarse.clear();
+  for (std::size_t k = 0; k < axes(); ++k) {
+    CoarseTask task;
+    task.duration = head.times.back();
+    task.positions.reserve(head.times.size() / thinning + 1);
+    for (std::size_t i = 0; i < head.times.size(); i += thinning) task.positions.push_back(head.axes[k][i].x);
+    for (const AxisState& x : head.axes[k]) task.speed = std::max(task.speed, std::abs(x.v));
+    task.tolerance = tolerance(k, spacing, task.speed);
+    task.begin = begin[k];
+    task.limits = task_.machine.axes[k].coarse;
+    std::optional<CoarseFit> found = fit_coarse(task, o);
+    if (!found) return false;
+    coarse.push_back(std::move(found->spline));
+  }
+  return true;
+}
+
+std::vector<std::vector<SplitPeaks>> AdaptiveSplit::exact_peaks(const PathMotion& head,
+                                                                const std::vector<TimeSpline>& coarse,
+                                                                std::size_t first, std::size_t last) {
+  HeadCellOptions o;
+  o.longest = task_.machine.cycle_time;
+  for (std::size_t k = 0; k < axes(); ++k) {
+    o.held.push_back(machine_.axes[k]);
+    o.acceleration_change.push_back(acceleration_change * task_.machine.axes[k].fine.acceleration);
+    o.jerk_change.push_back(unlimited);
+  }
+  HeadCells cells = head_cells(head, o, scope_);
+  const MotionState end = head.in_piece(head.pieces() - 1, head.duration());  // not that of the whole path
+  for (std::size_t k = 0; k < axes(); ++k)
+    cells.nodes[k].back() = {end.position[k], end.velocity[k], end.acceleration[k]};
+  std::vector<std::vector<SplitPeaks>> peaks;
+  for (std::size_t k = 0; k < axes(); ++k) peaks.push_back(split_peaks(cells, head.law(), k, coarse[k], first, last));
+  return peaks;
+}
+
+RedundancyIteration AdaptiveSplit::judged(double duration, const std::vector<std::vector<SplitPeaks>>& peaks) const {
+  RedundancyIteration pass;
+  pass.duration = duration;
+  pass.peaks.resize(axes());
+  for (std::size_t b = 0; b < peaks.front().size(); ++b) {
+    bool violated = false;
+    for (std::size_t k = 0; k < axes(); ++k) {
+      const SplitPeaks& p = peaks[k][b];
+      const CoarseFineAxis& a = task_.machine.axes[k];
+      RedundancyPeaks& worst = pass.peaks[k];
+      const auto look = [&](double value, double limit, double& most) {
+        most = std::max(most, value);
+        violated = violated || value > limit * (1 + rounding);
+      };
+      double coarse_jerk = 0, fine_jerk = 0;
+      look(p.offset, a.stroke, worst.offset);
+      look(p.coarse_velocity, a.coarse.velocity, worst.coarse_velocity);
+      look(p.coarse_acceleration, a.coarse.acceleration, worst.coarse_acceleration);
+      look(p.fine_velocity, a.fine.velocity, worst.fine_velocity);
+      look(p.fine_acceleration, a.fine.acceleration, worst.fine_acceleration);
+      look(p.coarse_jerk, a.coarse.jerk, coarse_jerk);
+      look(p.fine_jerk, a.fine.jerk, fine_jerk);
+    }
+    pass.violated_blocks += violated;
+  }
+  return pass;
+}
+
+bool AdaptiveSplit::adapt_all(const std::vector<std::vector<SplitPeaks>>& peaks, std::size_t first, std::size_t last,
+                              int iteration) {
+  const std::size_t begin = sections_.begin(first), blocks = sections_.begin(last) - begin;
+  const HeadLimits before = limits_;
+  bool fell = false;
+  std::vector<double> coarse(blocks), fine(blocks);
+  for (std::size_t k = 0; k < axes(); ++k) {
+    const CoarseFineAxis& a = task_.machine.axes[k];
+    const auto of = [&](double SplitPeaks::*coarse_peak, double SplitPeaks::*fine_peak) {
+      for (std::size_t b = 0; b < blocks; ++b) coarse[b] = peaks[k][b].*coarse_peak, fine[b] = peaks[k][b].*fine_peak;
+    };
+    of(&SplitPeaks::coarse_acceleration, &SplitPeaks::fine_acceleration);
+    // The stroke cannot be exceeded but between samples, by fine accelerations beyond their limit.
+    fell |= adapt(limits_.acceleration[k], begin, coarse, a.coarse.acceleration, fine, a.fine.acceleration, iteration,
+                  constants_.adaptation);
+    if (!jerk_) continue;
+    of(&SplitPeaks::coarse_jerk, &SplitPeaks::fine_jerk);
+    fell |= adapt(limits_.jerk[k], begin, coarse, a.coarse.jerk, fine, a.fine.jerk, iteration, constants_.adaptation);
+  }
+  for (std::size_t b = 0; b < blocks; ++b) {
+    std::vector<SplitPeaks> here;
+    for (std::size_t k = 0; k < axes(); ++k) here.push_back(peaks[k][b]);
+    fell |= adapt_feed(limits_.feeds[begin + b], first_feeds_[begin + b], here, task_.machine, constants_.adaptation);
+  }
+  for (std::size_t i = first; i < last; ++i) {
+    bool changed = false;
+    for (std::size_t b = sections_.begin(i); b < sections_.begin(i + 1); ++b) {
+      changed = changed || limits_.feeds[b] < before.feeds[b];
+      for (std::size_t k = 0; k < axes(); ++k)
+        changed =
+            changed || limits_.acceleration[k][b] < before.acceleration[k][b] || limits_.jerk[k][b] < before.jerk[k][b];
+    }
+    if (!changed) continue;
+    sections_.replan(i, limits_of(i), limits_.feeds);
+    touched_[i] = 1;
+  }
+  return fell;
+}
+
+std::optional<SplitPart> AdaptiveSplit::solve(std::size_t first, std::size_t last,
+                                              const std::vector<SplineBegin>& begin) {
+  reset(first, last);
+  const std::size_t block = sections_.begin(first), end = sections_.begin(last);
+  const double longest = alone_.duration(first, last);
+  SplitPart part;
+  part.first = first;
+  part.last = last;
+  for (int iteration = 1; iteration <= constants_.max_iterations; ++iteration) {
+    scope_.half_of_rest();
+    const PathMotion head(task_.path, sections_.law(first, last));
+    if (head.duration() > longest) return std::nullopt;
+    const HeadSamples samples = sample(head);
+    if (!fit(samples, begin, part.coarse)) return std::nullopt;
+    std::vector<std::vector<SplitPeaks>> peaks;
+    for (std::size_t k = 0; k < axes(); ++k) peaks.push_back(sampled_peaks(samples, k, part.coarse[k], block, end));
+    RedundancyIteration pass = judged(head.duration(), peaks);
+    if (pass.violated_blocks == 0) {  // at samples: look between them
+      peaks = exact_peaks(head, part.coarse, block, end);
+      pass = judged(head.duration(), peaks);
+    }
+    passes_.push_back(pass);
+    if (pass.violated_blocks == 0) {
+      part.law = head.law();
+      return part;
+    }
+    // Where nothing falls the anchor has to, first.
+    while (!adapt_all(peaks, first, last, iteration))
+      if (++iteration > constants_.adaptation.anchor_steps) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+}  // namespace bahnwerk

@@ -1,0 +1,81 @@
+#pragma once
+/// Head and split of a run of sections, planned in turn until the split is valid [Bock 4.1, 4.3]: the head with the
+/// limits of each block, the coarse axes fitted to it, the check, and lower limits where it failed.
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/base/progress_scope.hpp"
+#include "core/redundant/iterative/coarse_fit.hpp"
+#include "core/redundant/iterative/head_sections.hpp"
+#include "core/redundant/iterative/limit_adaptation.hpp"
+#include "core/redundant/redundancy.hpp"
+
+namespace bahnwerk {
+
+/// Constants of the method; `redundancy` of a document has the others.
+struct IterativeOptions {
+  AdaptationOptions adaptation;
+  std::size_t wide_gap = 6;     ///< K* of inserting knots
+  bool sampled_limits = false;  ///< programs of phase 2 hold limits at the samples (4.29), not of control points (4.30)
+  int max_iterations = 40;      ///< of one window
+  double long_move = 10;        ///< straight segments longer than so many strokes are windows of their own (4.3.4)
+};
+
+/// Sections [first, last) from time 0 on.
+struct SplitPart {
+  std::size_t first = 0, last = 0;
+  TimeLaw law;
+  std::vector<TimeSpline> coarse;  ///< per axis
+};
+
+class AdaptiveSplit {
+ public:
+  /// All are kept by reference. Throws InvalidInput where thinning leaves nothing of the stroke, and what planners of
+  /// the head throw.
+  AdaptiveSplit(const RedundancyTask& task, const RedundancyOptions& options, const IterativeOptions& constants,
+                Progress& progress, double from, double to);
+
+  const HeadSections& sections() const { return sections_; }
+  double fastest() const { return fastest_; }  ///< s, the head's first plan
+  /// The head as the coarse axes move it alone, within their own limits.
+  const HeadSections& alone() const { return alone_; }
+  /// Of all windows so far, those that were given up included; the last one of a solved window is valid.
+  const std::vector<RedundancyIteration>& passes() const { return passes_; }
+  /// Blocks whose limits are below those of the first iteration.
+  std::vector<SlowedSegment> slowed() const;
+
+  /// Valid motions of these sections, from what the coarse axes do at their begin to rest. The limits of their blocks
+  /// begin anew. None where `max_iterations` do not get there, or the head gets slower than the coarse axes are alone.
+  std::optional<SplitPart> solve(std::size_t first, std::size_t last, const std::vector<SplineBegin>& begin);
+
+ private:
+  std::size_t axes() const { return task_.machine.axes.size(); }
+  Machine limits_of(std::size_t section) const;
+  void reset(std::size_t first, std::size_t last);
+  HeadSamples sample(const PathMotion& head) const;
+  /// What fine axes may make up for at samples so far apart.
+  double tolerance(std::size_t axis, double spacing, double speed) const;
+  bool fit(const HeadSamples& head, const std::vector<SplineBegin>& begin, std::vector<TimeSpline>& coarse);
+  std::vector<std::vector<SplitPeaks>> exact_peaks(const PathMotion& head, const std::vector<TimeSpline>& coarse,
+                                                   std::size_t first, std::size_t last);
+  RedundancyIteration judged(double duration, const std::vector<std::vector<SplitPeaks>>& peaks) const;
+  /// Lowers limits, and plans sections again whose limits fell. False: nothing fell.
+  bool adapt_all(const std::vector<std::vector<SplitPeaks>>& peaks, std::size_t first, std::size_t last, int iteration);
+
+  const RedundancyTask& task_;
+  const RedundancyOptions& options_;
+  const IterativeOptions& constants_;
+  ProgressScope scope_;
+  bool jerk_;
+  Machine machine_;  ///< of the head's first plan
+  std::vector<double> first_feeds_;
+  HeadLimits limits_;
+  std::vector<char> touched_;  ///< per section: not planned with the first limits any more
+  HeadSections sections_, alone_;
+  double fastest_ = 0;
+  std::vector<RedundancyIteration> passes_;
+};
+
+}  // namespace bahnwerk

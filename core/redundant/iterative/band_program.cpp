@@ -1,0 +1,237 @@
+#include "core/redundant/iterative/band_program.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace bahnwerk {
+namespace {
+
+constexpr double keep = 0.995;            // of the way to the nearest bound that a step goes
+constexpr double least_objective = 1e-2;  // that the first multipliers are taken from
+constexpr double first_slack = 1e-2;      // that every row has at least at the begin
+
+double value(const VariableRow& row, const std::vector<double>& y) {
+  double sum = 0;
+  for (std::size_t r = 0; r < row.count; ++r) sum += row.weights[r] * y[row.first + r];
+  return sum;
+}
+void scatter(const VariableRow& row, double factor, std::vector<double>& out) {
+  for (std::size_t r = 0; r < row.count; ++r) out[row.first + r] += factor * row.weights[r];
+}
+double dot(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+/// Slack s of one side of a row, its multiplier z, and what a step changes.
+struct Side {
+  double s = 0, z = 0;
+  double ds = 0, dz = 0;
+  double residual = 0, complement = 0;
+};
+struct Pair {
+  Side upper, lower;
+};
+
+class Solver {
+ public:
+  Solver(const BandProgram& program, const std::vector<double>& start, const BandProgramOptions& options)
+      : p_(program),
+        options_(options),
+        elastic_(program.price > 0),
+        n_(program.quadratic.size()),
+        y_(start),
+        dy_(n_),
+        border_(n_),
+        normal_(program.quadratic),
+        pairs_(program.rows.size()) {
+    begin();
+  }
+
+  BandSolution run() {
+    BandSolution result;
+    for (; result.iterations < options_.max_iterations; ++result.iterations) {
+      if (options_.tick) options_.tick();
+      residuals();
+      const double objective = value_now();
+      if (mean() * count() <= options_.gap * (1 + std::abs(objective)) && worst_ <= options_.residual &&
+          dual_ <= options_.gap) {
+        result.converged = true;
+        break;
+      }
+      if (!factor()) break;
+      const double mu = mean();
+      for (Pair& pair : pairs_)
+        for (Side* side : {&pair.upper, &pair.lower}) side->complement = 0;
+      w_.complement = 0;
+      step();
+      const auto [primal, dual] = lengths();
+      double after = elastic_ ? (w_.s + primal * w_.ds) * (w_.z + dual * w_.dz) : 0;
+      for (const Pair& pair : pairs_)
+        for (const Side* side : {&pair.upper, &pair.lower})
+          after += (side->s + primal * side->ds) * (side->z + dual * side->dz);
+      const double share = after / count() / mu, centre = share * share * share * mu;
+      for (Pair& pair : pairs_)
+        for (Side* side : {&pair.upper, &pair.lower}) side->complement = centre - side->ds * side->dz;
+      w_.complement = centre - w_.ds * w_.dz;
+      step();
+      move();
+    }
+    result.y = std::move(y_);
+    result.w = elastic_ ? w_.s : 0;
+    return result;
+  }
+
+ private:
+  double value_now() const {
+    double sum = 0.5 * dot(y_, qy_) + p_.price * w_.s;
+    for (std::size_t i = 0; i < p_.linear.size(); ++i) sum += p_.linear[i] * y_[i];
+    return sum;
+  }
+  double count() const { return static_cast<double>(2 * pairs_.size() + (elastic_ ? 1 : 0)); }
+
+  void begin() {
+    qy_.assign(n_, 0);
+    p_.quadratic.multiply(y_, qy_);
+    double excess = 0;
+    for (const BandRow& row : p_.rows) {
+      const double a = value(row.row, y_);
+      if (row.elastic > 0) excess = std::max({excess, (a - row.upper) / row.elastic, (row.lower - a) / row.elastic});
+    }
+    w_.s = elastic_ ? 1.1 * excess + first_slack : 0;
+    const double objective = std::abs(value_now());
+    const double mu = std::max(objective, least_objective) / count();
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      const BandRow& row = p_.rows[i];
+      const double a = value(row.row, y_), give = row.elastic * w_.s;
+      pairs_[i].upper.s = std::max(row.upper + give - a, first_slack);
+      pairs_[i].lower.s = std::max(a - row.lower + give, first_slack);
+      for (Side* side : {&pairs_[i].upper, &pairs_[i].lower}) side->z = mu / side->s;
+    }
+    w_.z = elastic_ ? mu / w_.s : 0;
+  }
+
+  double mean() const {
+    double sum = elastic_ ? w_.s * w_.z : 0;
+    for (const Pair& p : pairs_) sum += p.upper.s * p.upper.z + p.lower.s * p.lower.z;
+    return sum / count();
+  }
+
+  void residuals() {
+    std::fill(qy_.begin(), qy_.end(), 0.0);
+    p_.quadratic.multiply(y_, qy_);
+    gradient_ = qy_;
+    for (std::size_t i = 0; i < p_.linear.size(); ++i) gradient_[i] += p_.linear[i];
+    by_w_ = p_.price - w_.z;
+    worst_ = 0;
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      const BandRow& row = p_.rows[i];
+      Side &u = pairs_[i].upper, &l = pairs_[i].lower;
+      const double a = value(row.row, y_), give = row.elastic * w_.s;
+      u.residual = row.upper + give - a - u.s;
+      l.residual = a - row.lower + give - l.s;
+      worst_ = std::max({worst_, std::abs(u.residual), std::abs(l.residual)});
+      scatter(row.row, u.z - l.z, gradient_);
+      by_w_ -= row.elastic * (u.z + l.z);
+    }
+    if (!elastic_) by_w_ = 0;
+    double most = std::abs(by_w_), size = 1 + p_.price;
+    for (std::size_t i = 0; i < n_; ++i) {
+      most = std::max(most, std::abs(gradient_[i]));
+      size = std::max(size, std::abs(qy_[i]));
+    }
+    dual_ = most / size;
+  }
+
+  bool factor() {
+    normal_ = p_.quadratic;
+    std::fill(border_.begin(), border_.end(), 0.0);
+    corner_ = elastic_ ? w_.z / w_.s : 1;
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      const BandRow& row = p_.rows[i];
+      const double u = pairs_[i].upper.z / pairs_[i].upper.s, l = pairs_[i].lower.z / pairs_[i].lower.s;
+      normal_.add(row.row, u + l);
+      if (row.elastic > 0) {
+        scatter(row.row, row.elastic * (l - u), border_);
+        corner_ += row.elastic * row.elastic * (u + l);
+      }
+    }
+    if (!normal_.factor()) return false;
+    solved_border_ = border_;
+    if (elastic_) normal_.solve(solved_border_);
+    return true;
+  }
+
+  /// Newton's step for s z = complement: of all sides.
+  void step() {
+    const auto push = [](const Side& side) { return (side.complement - side.z * side.residual) / side.s - side.z; };
+    double right_w = -by_w_;
+    for (std::size_t i = 0; i < n_; ++i) dy_[i] = -gradient_[i];
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      const BandRow& row = p_.rows[i];
+      const double u = push(pairs_[i].upper), l = push(pairs_[i].lower);
+      scatter(row.row, l - u, dy_);
+      right_w += row.elastic * (u + l);
+    }
+    double dw = 0;
+    if (elastic_) {
+      right_w += w_.complement / w_.s - w_.z;
+      dw = (right_w - dot(solved_border_, dy_)) / (corner_ - dot(solved_border_, border_));
+    }
+    normal_.solve(dy_);
+    if (elastic_)
+      for (std::size_t i = 0; i < n_; ++i) dy_[i] -= dw * solved_border_[i];
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      const BandRow& row = p_.rows[i];
+      Side &u = pairs_[i].upper, &l = pairs_[i].lower;
+      const double a = value(row.row, dy_), give = row.elastic * dw;
+      u.ds = u.residual - a + give;
+      l.ds = l.residual + a + give;
+      for (Side* side : {&u, &l}) side->dz = (side->complement - side->z * side->ds) / side->s - side->z;
+    }
+    w_.ds = dw;
+    w_.dz = elastic_ ? (w_.complement - w_.z * dw) / w_.s - w_.z : 0;
+  }
+
+  /// How far slacks and multipliers may go until the first is 0, at most 1.
+  std::pair<double, double> lengths() const {
+    double primal = 1, dual = 1;
+    const auto look = [&](const Side& side) {
+      if (side.ds < 0) primal = std::min(primal, -side.s / side.ds);
+      if (side.dz < 0) dual = std::min(dual, -side.z / side.dz);
+    };
+    for (const Pair& pair : pairs_) look(pair.upper), look(pair.lower);
+    if (elastic_) look(w_);
+    return {primal, dual};
+  }
+
+  void move() {
+    const std::pair<double, double> most = lengths();
+    const double least = std::min(most.first, most.second), step = least < 1 ? keep * least : 1;
+    // One length for both: with a quadratic objective rows and multipliers are coupled.
+    for (std::size_t i = 0; i < n_; ++i) y_[i] += step * dy_[i];
+    const auto go = [step](Side& side) { side.s += step * side.ds, side.z += step * side.dz; };
+    for (Pair& pair : pairs_) go(pair.upper), go(pair.lower);
+    if (elastic_) go(w_);
+  }
+
+  const BandProgram& p_;
+  const BandProgramOptions& options_;
+  bool elastic_;
+  std::size_t n_;
+  std::vector<double> y_, dy_, qy_, gradient_, border_, solved_border_;
+  BandMatrix normal_;
+  double corner_ = 1, by_w_ = 0, worst_ = 0, dual_ = 0;
+  std::vector<Pair> pairs_;
+  Side w_;
+};
+
+}  // namespace
+
+BandSolution solve(const BandProgram& program, const std::vector<double>& start, const BandProgramOptions& options) {
+  return Solver(program, start, options).run();
+}
+
+}  // namespace bahnwerk

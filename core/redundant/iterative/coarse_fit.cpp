@@ -1,0 +1,223 @@
+#include "core/redundant/iterative/coarse_fit.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "core/redundant/iterative/approximation.hpp"
+#include "core/redundant/iterative/band_program.hpp"
+
+namespace bahnwerk {
+namespace {
+
+constexpr double inside = 1 - 1e-6;      // of the limits that programs keep
+constexpr double violation_price = 1e3;  // of exceeding limits by all of them, in energies of the fit
+constexpr double noise = 1e-4;           // of the limits: excess that counts as none
+
+/// ∫ (f″)² of the variables, half its Hessian: Gauss' rule is exact in every span. The gradient's constant part, which
+/// fixed control points leave, goes to `linear`.
+BandMatrix energy(const FitRows& fit, std::vector<double>& linear) {
+  constexpr std::array<double, 4> node{-0.8611363115940526, -0.3399810435848563, 0.3399810435848563,
+                                       0.8611363115940526};
+  constexpr std::array<double, 4> weight{0.3478548451374538, 0.6521451548625461, 0.6521451548625461,
+                                         0.3478548451374538};
+  BandMatrix h(fit.ends.variables(), fit.space.degree());
+  linear.assign(fit.ends.variables(), 0);
+  const std::vector<double>& k = fit.space.knots();
+  std::size_t span = 0;
+  for (std::size_t i = fit.space.degree(); i < fit.space.size(); ++i) {
+    const double half = 0.5 * (k[i + 1] - k[i]), middle = 0.5 * (k[i + 1] + k[i]);
+    if (!(half > 0)) continue;
+    for (std::size_t q = 0; q < node.size(); ++q) {
+      const VariableRow row = fit.ends.reduced(fit.space.at(middle + half * node[q], 2, span));
+      h.add(row, weight[q] * half);
+      for (std::size_t r = 0; r < row.count; ++r)
+        linear[row.first + r] += weight[q] * half * row.weights[r] * row.offset;
+    }
+  }
+  return h;
+}
+
+/// The smoothest of (1 − λ) E + λ G within tolerance, searched from large λ on by its logarithm.
+std::optional<std::vector<double>> smoothing_spline(const CoarseTask& task, const FitRows& fit,
+                                                    const std::function<void()>& tick) {
+  std::vector<double> right, linear;
+  const BandMatrix normal = fit.normal(task, right), rough = energy(fit, linear);
+  const auto at = [&](double ratio) -> std::optional<std::vector<double>> {  // λ/(1 − λ)
+    if (tick) tick();
+    BandMatrix sum = normal;
+    sum.add(rough, ratio);
+    if (!sum.factor()) return std::nullopt;
+    std::vector<double> y = right;
+    for (std::size_t i = 0; i < y.size(); ++i) y[i] -= ratio * linear[i];
+    sum.solve(y);
+    if (fit.largest_error(task, y) > task.tolerance) return std::nullopt;
+    return y;
+  };
+  constexpr double decade = 10, highest = 8, lowest = -14;
+  double exponent = highest;
+  std::optional<std::vector<double>> best;
+  for (; exponent >= lowest && !best; --exponent) best = at(std::pow(decade, exponent));
+  if (!best) return at(0);
+  double low = exponent + 1, high = low + 1;
+  for (int i = 0; i < 8; ++i) {
+    const double middle = 0.5 * (low + high);
+    if (auto y = at(std::pow(decade, middle))) {
+      best = std::move(y);
+      low = middle;
+    } else {
+      high = middle;
+    }
+  }
+  return best;
+}
+
+/// Counts positions from the first one in tolerances, and limits in themselves.
+class Programs {
+ public:
+  Programs(const CoarseTask& task, const FitRows& fit, const CoarseFitOptions& options)
+      : task_(task), fit_(fit), options_(options), middle_(task.positions.front()), scale_(task.tolerance) {}
+
+  std::optional<std::vector<double>> quadratic(const std::vector<double>& start, bool& limits_met) const {
+    std::vector<double> linear;
+    BandMatrix h = energy(fit_, linear);
+    BandProgram program = positions();
+    for (std::size_t order = 1; order <= 3; ++order) limits(program, order, 1);
+    // Relative to the energy of the start; the linear part, which fixed control points leave, becomes one more row.
+    const std::vector<double> y = scaled(start);
+    std::vector<double> hy(y.size(), 0.0);
+    h.multiply(y, hy);
+    double size = 0;
+    for (std::size_t i = 0; i < y.size(); ++i) size += y[i] * hy[i];
+    if (!(size > 0)) size = 1;
+    program.quadratic.add(h, 1 / size);
+    program.linear = linear_part(h, linear, size);
+    program.price = violation_price;
+    const BandSolution s = solve(program, y, program_options());
+    limits_met = s.w <= noise;
+    return back(s);
+  }
+
+  std::optional<std::vector<double>> linear(const std::vector<double>& start, bool& limits_met) const {
+    for (const bool with_velocity : {true, false}) {
+      BandProgram program = positions();
+      limits(program, 2, 0);
+      if (with_velocity) limits(program, 1, -1);
+      if (with_velocity) limits(program, 3, -1);
+      program.price = 1;
+      const BandSolution s = solve(program, scaled(start), program_options());
+      if (auto y = back(s)) {
+        limits_met = with_velocity && s.w <= 1;
+        return y;
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  BandProgramOptions program_options() const {
+    BandProgramOptions o;
+    o.tick = options_.tick;
+    return o;
+  }
+
+  std::vector<double> scaled(const std::vector<double>& y) const {
+    std::vector<double> z = y;
+    for (double& v : z) v = (v - middle_) / scale_;
+    return z;
+  }
+
+  std::optional<std::vector<double>> back(const BandSolution& s) const {
+    std::vector<double> y = s.y;
+    for (double& v : y) v = middle_ + scale_ * v;
+    if (!(fit_.largest_error(task_, y) <= task_.tolerance * (1 + 1e-6))) return std::nullopt;
+    return y;
+  }
+
+  /// The row of the scaled variables of what `row` is of those in mm, with its constant in `offset`.
+  static double constant(const VariableRow& row, double middle) {
+    double sum = row.offset;
+    for (std::size_t r = 0; r < row.count; ++r) sum += row.weights[r] * middle;
+    return sum;
+  }
+
+  std::vector<double> linear_part(const BandMatrix& h, const std::vector<double>& linear, double size) const {
+    std::vector<double> shift(linear.size(), middle_), g(linear.size(), 0.0);
+    h.multiply(shift, g);  // rows at the ends only: f″ of a constant is 0
+    for (std::size_t i = 0; i < g.size(); ++i) g[i] = (g[i] + linear[i]) / (scale_ * size);
+    return g;
+  }
+
+  BandProgram positions() const {
+    BandProgram program{BandMatrix(fit_.ends.variables(), fit_.space.degree()), {}, {}, 0};
+    program.rows.reserve(2 * fit_.rows.size());
+    for (std::size_t i = 0; i < fit_.rows.size(); ++i) {
+      const VariableRow& row = fit_.rows[i];
+      const double x = (task_.positions[i + 1] - constant(row, middle_)) / scale_;
+      program.rows.push_back({row, x - inside, x + inside, 0});
+    }
+    return program;
+  }
+
+  /// Of |derivative| ≤ limit: elastic > 0: with that elasticity; 0: ≤ w limits; < 0: hard.
+  void limits(BandProgram& program, std::size_t order, double elastic) const {
+    const double limit = order == 1   ? task_.limits.velocity
+                         : order == 2 ? task_.limits.acceleration
+                                      : task_.limits.jerk;
+    if (!(limit < unlimited) || order > fit_.space.degree()) return;
+    const auto add = [&](const SplineRow& spline_row) {
+      VariableRow row = fit_.ends.reduced(spline_row);
+      if (row.count == 0) return;
+      const double fixed = constant(row, middle_) / limit;
+      for (std::size_t r = 0; r < row.count; ++r) row.weights[r] *= scale_ / limit;
+      const double most = elastic == 0 ? 0 : inside;
+      program.rows.push_back({row, -most - fixed, most - fixed, elastic < 0 ? 0 : elastic == 0 ? 1 : elastic});
+    };
+    if (options_.sampled_limits) {
+      std::size_t span = 0;
+      for (std::size_t i = 0; i < task_.positions.size(); ++i) add(fit_.space.at(task_.time(i), order, span));
+    } else {
+      SplineRow row;
+      for (std::size_t i = 0; i + order < fit_.space.size(); ++i)
+        if (fit_.space.control(order, i, row)) add(row);
+    }
+  }
+
+  const CoarseTask& task_;
+  const FitRows& fit_;
+  const CoarseFitOptions& options_;
+  double middle_, scale_;
+};
+
+}  // namespace
+
+std::optional<CoarseFit> fit_coarse(const CoarseTask& task, const CoarseFitOptions& options) {
+  std::optional<Approximation> a = approximate(task, options);
+  if (!a) return std::nullopt;
+  CoarseFit fit;
+  std::optional<std::vector<double>> y;
+  if (options.smoothing == CoarseSmoothing::smoothing_spline) {
+    y = smoothing_spline(task, a->rows, options.tick);
+    if (!y && options.approximation != CoarseApproximation::least_squares) {
+      // Knots of another approximation need not bring least squares, where λ = 0, within tolerance [Bock 4.3.1].
+      CoarseFitOptions own = options;
+      own.approximation = CoarseApproximation::least_squares;
+      if (std::optional<Approximation> b = approximate(task, own)) {
+        a = std::move(b);
+        y = smoothing_spline(task, a->rows, options.tick);
+      }
+    }
+  } else if (options.smoothing == CoarseSmoothing::quadratic_program) {
+    y = Programs(task, a->rows, options).quadratic(a->variables, fit.limits_met);
+  } else if (options.smoothing == CoarseSmoothing::linear_program) {
+    y = Programs(task, a->rows, options).linear(a->variables, fit.limits_met);
+  }
+  if (!y) y = std::move(a->variables);
+  fit.error = a->rows.largest_error(task, *y);
+  fit.knots = a->knots;
+  fit.spline = a->rows.space.spline(a->rows.ends.controls(*y));
+  return fit;
+}
+
+}  // namespace bahnwerk

@@ -1,0 +1,51 @@
+#pragma once
+/// The samples of a CoarseTask as rows of a spline's variables.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "core/redundant/iterative/band_matrix.hpp"
+#include "core/redundant/iterative/coarse_fit.hpp"
+
+namespace bahnwerk {
+
+/// A space with its end conditions and, per sample from the second on (the first is given), its row.
+struct FitRows {
+  SplineSpace space;
+  SplineEnds ends;
+  std::vector<VariableRow> rows;  ///< row i is of sample i + 1
+
+  FitRows(const CoarseTask& task, std::size_t degree, std::vector<double> knots)
+      : space(degree, std::move(knots)), ends(space, task.begin) {
+    rows.reserve(task.positions.size() - 1);
+    std::size_t span = 0;
+    for (std::size_t i = 1; i < task.positions.size(); ++i)
+      rows.push_back(ends.reduced(space.at(task.time(i), 0, span)));
+  }
+
+  double error(const CoarseTask& task, const std::vector<double>& y, std::size_t i) const {
+    const VariableRow& row = rows[i];
+    double sum = row.offset;
+    for (std::size_t r = 0; r < row.count; ++r) sum += row.weights[r] * y[row.first + r];
+    return sum - task.positions[i + 1];
+  }
+  double largest_error(const CoarseTask& task, const std::vector<double>& y) const {
+    double most = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i) most = std::max(most, std::abs(error(task, y, i)));
+    return most;
+  }
+  /// Σ a aᵀ, and Σ a x on the right.
+  BandMatrix normal(const CoarseTask& task, std::vector<double>& right) const {
+    BandMatrix matrix(ends.variables(), space.degree());
+    right.assign(ends.variables(), 0);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      matrix.add(rows[i], 1);
+      for (std::size_t r = 0; r < rows[i].count; ++r)
+        right[rows[i].first + r] += rows[i].weights[r] * (task.positions[i + 1] - rows[i].offset);
+    }
+    return matrix;
+  }
+};
+
+}  // namespace bahnwerk

@@ -1,0 +1,51 @@
+#pragma once
+/// A head's motion law section by section from rest to rest, each with limits of its own: lowering those of one section
+/// plans that section again and no other.
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/base/progress.hpp"
+#include "core/base/progress_scope.hpp"
+#include "core/machine/machine.hpp"
+#include "core/motion/axes/path_task.hpp"
+#include "core/motion/law/path_motion.hpp"
+#include "core/motion/law/time_law.hpp"
+#include "core/redundant/redundancy.hpp"
+
+namespace bahnwerk {
+
+class HeadSections {
+ public:
+  /// Plans all sections at once with the limits of `machine` and `feeds`. With jerks where `machine` limits them.
+  /// `task` and `options` outlive it. Throws what the planners throw.
+  HeadSections(const RedundancyTask& task, const RedundancyOptions& options, const Machine& machine,
+               const std::vector<double>& feeds, Progress& progress, double from, double to);
+
+  std::size_t size() const { return begin_.size() - 1; }
+  /// The first segment of a section; of size(): one past the last.
+  std::size_t begin(std::size_t section) const { return begin_[section]; }
+  std::size_t section_of(std::size_t segment) const;
+
+  /// Plans a section again, with these limits and feeds. O(cells of the section).
+  void replan(std::size_t section, const Machine& machine, const std::vector<double>& feeds);
+  /// The law of sections [first, last) from time 0 on, with the dwells that come before each, and those at the end of
+  /// the path. O(pieces).
+  TimeLaw law(std::size_t first, std::size_t last) const;
+  /// How long that lasts, s. O(sections + dwells).
+  double duration(std::size_t first, std::size_t last) const;
+
+ private:
+  TimeLaw plan(const PathTask& task, Progress& progress, double from, double to) const;
+  void append_dwells(TimeLaw& law, std::size_t segment) const;
+
+  const RedundancyTask& task_;
+  const RedundancyOptions& options_;
+  Progress& progress_;
+  double at_;  // of the progress, while sections are planned again
+  std::vector<std::size_t> begin_;
+  std::vector<TimeLaw> laws_;  ///< per section, places along the whole path
+};
+
+}  // namespace bahnwerk

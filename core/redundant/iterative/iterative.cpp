@@ -1,0 +1,219 @@
+#include "core/redundant/iterative/iterative.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "core/base/errors.hpp"
+#include "core/redundant/iterative/coarse_motion.hpp"
+
+namespace bahnwerk {
+namespace {
+
+void check(const RedundancyTask& task, const RedundancyOptions& options) {
+  const auto refuse = [](const char* field, const std::string& why) {
+    throw InvalidInput({{{"redundancy", field}, why}});
+  };
+  if (options.degree < 2 || options.degree > static_cast<int>(max_spline_degree))
+    refuse("degree", "the degree of the coarse axes' splines is 2 to 5");
+  const int smooth = task.machine.limits_jerk() ? 2 : 1;
+  if (options.knot_multiplicity < 1 || options.degree - options.knot_multiplicity < smooth)
+    refuse("knot_multiplicity", smooth == 2 ? "with limited jerk knots count at most degree − 2 times"
+                                            : "knots count at most degree − 1 times");
+  if (options.afterburner < 0) refuse("afterburner", "the number of passes is not negative");
+  if (options.thinning < 1) refuse("thinning", "every sample counts, or every second, third …");
+  if (options.window && (options.window->blocks < 1 || options.window->overlap >= options.window->blocks))
+    refuse("window", "windows overlap by less than their blocks");
+}
+
+class Planner {
+ public:
+  Planner(const RedundancyTask& task, const RedundancyOptions& options, const IterativeOptions& constants,
+          Progress& progress, double from, double to)
+      : task_(task),
+        options_(options),
+        constants_(constants),
+        progress_(progress),
+        to_(to),
+        split_(task, options, constants, progress, from, to) {}
+
+  RedundancyResult run() {
+    result_.fastest = split_.fastest();
+    coarse_.resize(task_.machine.axes.size());
+    const bool found = options_.window ? windowed() : whole();
+    result_.passes = split_.passes();
+    result_.iterations = result_.passes.size();
+    if (found && law_.duration() > split_.alone().duration(0, sections().size())) return fallback();
+    if (!found) return fallback();
+    result_.slowed = split_.slowed();
+    result_.coarse_jerk_limited = options_.degree - options_.knot_multiplicity >= 2;
+    result_.head = std::make_shared<const PathMotion>(task_.path, std::move(law_));
+    result_.coarse = coarse_motion(coarse_, result_.head->duration());
+    if (rescues_ > 0)
+      result_.notes.push_back("all axes stop at " + std::to_string(rescues_) +
+                              " more places, because windows could not be joined in motion");
+    if (options_.window) result_.notes.push_back("the contour was planned in " + std::to_string(windows_) + " windows");
+    return std::move(result_);
+  }
+
+ private:
+  const HeadSections& sections() const { return split_.sections(); }
+
+  /// Where the head is, at rest.
+  std::vector<SplineBegin> at_head() const {
+    std::vector<SplineBegin> begin(coarse_.size());
+    const AxisJet q = task_.path->at_parameter(0, (*task_.path)[0].curve().begin());
+    for (std::size_t k = 0; k < begin.size(); ++k) begin[k] = {q.value[k], 0, 0, task_.machine.limits_jerk()};
+    return begin;
+  }
+  /// What the coarse axes do at time t of a part.
+  std::vector<SplineBegin> state(const SplitPart& part, double t) const {
+    std::vector<SplineBegin> begin(coarse_.size());
+    for (std::size_t k = 0; k < begin.size(); ++k) {
+      const TimeSpline& axis = part.coarse[k];
+      const std::size_t piece = axis.find(t, 0);
+      const AxisState x = axis.in_piece(piece, t);
+      const bool ends = t >= axis.duration();  // at rest, but for rounding
+      begin[k] = {x.x, ends ? 0 : x.v, ends ? 0 : x.a, task_.machine.limits_jerk()};
+    }
+    return begin;
+  }
+
+  bool whole() {
+    std::optional<SplitPart> part = split_.solve(0, sections().size(), at_head());
+    if (!part) return false;
+    keep(*part, sections().size());
+    return true;
+  }
+
+  /// Algorithm 4.2, with windows that begin where the head rests.
+  bool windowed() {
+    const std::size_t n = sections().size();
+    std::vector<SplineBegin> begin = at_head();
+    std::optional<SplitPart> before;  // solved, and kept up to where this window begins
+    std::size_t first = 0, kept = 0;
+    while (first < n) {
+      const std::size_t last = window_end(first);
+      std::optional<SplitPart> part = split_.solve(first, last, begin);
+      if (!part) {
+        if (!before || before->last == first) return false;
+        keep(*before, before->last);  // to its end, at rest
+        ++rescues_;
+        first = before->last;
+        begin = state(*before, before->coarse.front().duration());
+        before.reset();
+        continue;
+      }
+      if (before) keep(*before, kept);
+      ++windows_;
+      kept = keeps(first, last);
+      begin = state(*part, time_of(*part, kept));
+      before = std::move(part);
+      first = kept;
+    }
+    if (before) keep(*before, n);
+    return true;
+  }
+
+  bool long_move(std::size_t section) const {
+    const std::size_t i = sections().begin(section);
+    if (sections().begin(section + 1) != i + 1 || !task_.path->linear(i)) return false;
+    double stroke = 0;
+    for (const CoarseFineAxis& axis : task_.machine.axes) stroke = std::max(stroke, axis.stroke);
+    return (*task_.path)[i].length() > constants_.long_move * stroke;
+  }
+
+  /// One past the last section of the window that begins at `first`: as many blocks as wished, whole sections. Long
+  /// moves are windows of their own.
+  std::size_t window_end(std::size_t first) const {
+    std::size_t last = first + 1;
+    if (long_move(first)) return last;
+    const std::size_t wished = sections().begin(first) + options_.window->blocks;
+    while (last < sections().size() && sections().begin(last) < wished && !long_move(last)) ++last;
+    return last;
+  }
+  /// Up to which section a window is kept.
+  std::size_t keeps(std::size_t first, std::size_t last) const {
+    if (last == sections().size() || long_move(last) || long_move(first)) return last;
+    std::size_t kept = last;
+    while (kept > first + 1 && sections().begin(last) - sections().begin(kept) < options_.window->overlap) --kept;
+    return kept;
+  }
+
+  /// When a part gets to the begin of a section; dwells there come afterwards.
+  double time_of(const SplitPart& part, std::size_t section) const {
+    if (section >= part.last) return part.law.duration();
+    return part.law.pieces()[pieces_before(part, section)].t0;
+  }
+  std::size_t pieces_before(const SplitPart& part, std::size_t section) const {
+    const auto& pieces = part.law.pieces();
+    if (section >= part.last) return pieces.size();
+    const std::size_t segment = sections().begin(section);
+    return static_cast<std::size_t>(std::lower_bound(pieces.begin(), pieces.end(), segment,
+                                                     [](const LawPiece& p, std::size_t s) { return p.segment < s; }) -
+                                    pieces.begin());
+  }
+
+  void keep(const SplitPart& part, std::size_t until) {
+    const std::size_t n = pieces_before(part, until);
+    const double t = time_of(part, until);
+    law_.reserve(n);
+    for (std::size_t i = 0; i < n; ++i) law_.append(part.law.pieces()[i]);
+    for (std::size_t k = 0; k < coarse_.size(); ++k) coarse_[k].append(part.coarse[k], t, law_.duration());
+  }
+  RedundancyResult fallback() {
+    RedundancyResult other = coarse_alone();
+    try {
+      RedundancyOptions options = options_;
+      options.method = RedundancyMethod::joint;
+      options.compare = false;
+      RedundancyResult joint = redundancy_row(RedundancyMethod::joint).plan(task_, options, progress_, to_, to_);
+      if (joint.head->duration() < other.head->duration()) {
+        other = std::move(joint);
+        other.notes.push_back("the iterative method found no valid split; the joint planner planned the contour");
+      }
+    } catch (const Infeasible&) {  // the coarse axes alone, then
+    }
+    other.fallbacks = 1;
+    other.fastest = result_.fastest;
+    other.passes = std::move(result_.passes);
+    other.iterations = other.passes.size();
+    return other;
+  }
+
+  /// The coarse axes do all, within their own limits; the fine ones stand in the middle.
+  RedundancyResult coarse_alone() const {
+    RedundancyResult alone;
+    alone.head = std::make_shared<const PathMotion>(task_.path, split_.alone().law(0, sections().size()));
+    alone.coarse = alone.head;
+    alone.coarse_jerk_limited = task_.machine.limits_jerk();
+    alone.notes.push_back("no quicker split was found: the coarse axes move alone, the fine ones stand still");
+    return alone;
+  }
+
+  const RedundancyTask& task_;
+  const RedundancyOptions& options_;
+  const IterativeOptions& constants_;
+  Progress& progress_;
+  double to_;
+  AdaptiveSplit split_;
+  RedundancyResult result_;
+  TimeLaw law_;
+  std::vector<TimeSpline> coarse_;
+  std::size_t windows_ = 0, rescues_ = 0;
+};
+
+}  // namespace
+
+RedundancyResult plan_iterative(const RedundancyTask& task, const RedundancyOptions& options,
+                                const IterativeOptions& constants, Progress& progress, double from, double to) {
+  check(task, options);
+  return Planner(task, options, constants, progress, from, to).run();
+}
+
+RedundancyResult plan_iterative(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
+                                double from, double to) {
+  return plan_iterative(task, options, IterativeOptions(), progress, from, to);
+}
+
+}  // namespace bahnwerk

@@ -1,0 +1,42 @@
+#pragma once
+/// Conditions at both ends of a spline by elimination of control points [Bock 4.2.3, (4.7)–(4.9)]: at the begin
+/// position and velocity are given, and the acceleration where it has to be continuous; at the end it rests wherever it
+/// is.
+#include <cstddef>
+#include <vector>
+
+#include "core/redundant/iterative/spline_space.hpp"
+
+namespace bahnwerk {
+
+struct SplineBegin {
+  double position = 0, velocity = 0, acceleration = 0;  ///< mm, mm/s, mm/s²
+  bool with_acceleration = false;                       ///< given, and 0 at the end
+};
+
+/// Σ weights[r] · y[first + r] + offset, of the variables y.
+struct VariableRow {
+  std::size_t first = 0, count = 0;
+  std::array<double, max_spline_degree + 1> weights{};
+  double offset = 0;
+};
+
+/// With K = 2 control points fixed at the begin and 2 equal ones at the end (3 each with accelerations).
+class SplineEnds {
+ public:
+  /// Control points that are needed at least.
+  static std::size_t least(bool with_acceleration) { return with_acceleration ? 6 : 4; }
+  SplineEnds(const SplineSpace& space, const SplineBegin& begin);
+
+  std::size_t variables() const { return variables_; }
+  VariableRow reduced(const SplineRow& row) const;
+  std::vector<double> controls(const std::vector<double>& variables) const;
+  /// The control point that variable i is, the first of those that it is.
+  std::size_t control(std::size_t i) const { return i + fixed_.size(); }
+
+ private:
+  std::size_t size_, variables_;
+  std::vector<double> fixed_;
+};
+
+}  // namespace bahnwerk

@@ -1,0 +1,53 @@
+#pragma once
+/// One axis over time as polynomials end to end: a coarse axis once its spline is known.
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace bahnwerk {
+
+inline constexpr std::size_t max_spline_degree = 5;
+
+/// Position mm, velocity mm/s, acceleration mm/s², jerk mm/s³.
+struct AxisState {
+  double x = 0, v = 0, a = 0, j = 0;
+};
+
+class TimeSpline {
+ public:
+  using Coefficients = std::array<double, max_spline_degree + 1>;  ///< of powers of t − begin, lowest first
+
+  std::size_t pieces() const { return pieces_.size(); }
+  double begin(std::size_t i) const { return pieces_[i].begin; }
+  double end(std::size_t i) const { return i + 1 < pieces_.size() ? pieces_[i + 1].begin : end_; }
+  double duration() const { return end_; }
+  const Coefficients& coefficients(std::size_t i) const { return pieces_[i].coefficients; }
+
+  /// From where the last piece ends to `end`.
+  void append(double end, const Coefficients& coefficients) {
+    pieces_.push_back({end_, coefficients});
+    end_ = end;
+  }
+  /// The piece that holds t, searched from `hint` on; the later one where two meet.
+  std::size_t find(double t, std::size_t hint) const {
+    std::size_t i = hint < pieces_.size() && pieces_[hint].begin <= t ? hint : 0;
+    while (i + 1 < pieces_.size() && pieces_[i + 1].begin <= t) ++i;
+    return i;
+  }
+  AxisState in_piece(std::size_t i, double t) const;
+  /// Of powers of time − t.
+  Coefficients from(std::size_t i, double t) const;
+  /// Continues with what another one does up to `until`, shifted by where this one ends; then it ends at `end`, which
+  /// differs from their sum by rounding only.
+  void append(const TimeSpline& other, double until, double end);
+
+ private:
+  struct Piece {
+    double begin;
+    Coefficients coefficients;
+  };
+  std::vector<Piece> pieces_;
+  double end_ = 0;
+};
+
+}  // namespace bahnwerk

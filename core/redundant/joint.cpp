@@ -1,0 +1,214 @@
+#include "core/redundant/joint.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "core/base/errors.hpp"
+#include "core/base/progress_scope.hpp"
+#include "core/motion/axes/spline_motion.hpp"
+#include "core/redundant/chain_windows.hpp"
+#include "core/redundant/following.hpp"
+#include "core/redundant/head_plan.hpp"
+#include "core/redundant/head_slowing.hpp"
+
+namespace bahnwerk {
+namespace {
+
+constexpr double head_share = 1 - 1e-7;  // of the summed limits: so that rounding leaves the coarse axis something
+// With jerk limited accelerations are linear in a cell, which leaves the fine axis a little less than its limit.
+constexpr double head_share_with_jerk = 1 - 2e-3;
+// Excess that counts as none, in the chain's units, of what boxes keep back (1e-6 of strokes and velocities). Stretches
+// that are slowed have to have none at all, so that the whole is not left just above.
+constexpr double followed = 2e-7;
+constexpr double change = 0.05;       // of the fine acceleration, within a cell where it is what is limited
+constexpr double jerk_change = 4e-3;  // of the fine acceleration: range of the jerk in a cell, times its duration
+constexpr double rest_of_window = 4;  // of a window of the chain, in its units of time, beyond a stop of the axis
+constexpr int most_attempts = 6;
+
+template <std::size_t order>
+class Planner {
+ public:
+  Planner(const JointTask& task, const JointOptions& options, Progress& progress, double from, double to)
+      : task_(task),
+        options_(options),
+        progress_(progress),
+        scope_(progress, "planning", from, to),
+        plan_(task, options.corner_angle, order == 2 ? head_share : head_share_with_jerk, progress) {
+    const Machine held = head_limits(task.machine);
+    cell_options_.longest = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < axes(); ++k) {
+      const CoarseFineAxis& axis = task.machine.axes[k];
+      cell_options_.longest = std::min(cell_options_.longest, options.cell * chain_units(axis).time);
+      cell_options_.acceleration_change.push_back(order == 2 ? change * axis.fine.acceleration : unlimited);
+      cell_options_.jerk_change.push_back(order == 3 ? jerk_change * axis.fine.acceleration : unlimited);
+      cell_options_.held.push_back(held.axes[k]);
+    }
+    chain_options_.tick = [this] { scope_.report(); };
+  }
+
+  JointResult run() {
+    head_ = plan_.motion();
+    result_.fastest = head_->duration();
+    std::vector<WindowedSolution<order>> solutions;
+    HeadSlowingCounts counts;
+    for (int attempt = 0;; ++attempt) {
+      cells_ = head_cells(*head_, cell_options_, scope_);
+      solutions = solve_all(1);
+      const std::vector<HeadStretch> stretches = exceeding(solutions);
+      if (stretches.empty()) break;
+      if (alone_) throw Infeasible("the coarse axes cannot follow, however slowly the tool moves");
+      slow(stretches, attempt, counts);
+    }
+    result_.rounds = counts.rounds;
+    result_.certified = counts.certified;
+    result_.slowed = plan_.slowed();
+    result_.cells = cells_.size();
+    const double chosen = stretch_of(options_.smoothness);
+    if (options_.compare)
+      for (const double stretch : stretches) {
+        if (stretch != 1) solutions = solve_all(stretch);
+        result_.trades.push_back(trade(stretch, solutions));
+        if (stretch == chosen) keep(stretch, solutions);
+      }
+    if (!result_.coarse) {
+      if (chosen != 1 || options_.compare) solutions = solve_all(chosen);
+      keep(chosen, solutions);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  std::size_t axes() const { return task_.machine.axes.size(); }
+  const CoarseFineAxis& axis(std::size_t k) const { return task_.machine.axes[k]; }
+
+  /// The head gets slower on those stretches; it is never slower than the coarse axes alone.
+  void slow(const std::vector<HeadStretch>& stretches, int attempt, HeadSlowingCounts& counts) {
+    double around = 0;
+    for (std::size_t k = 0; k < axes(); ++k) around = std::max(around, ahead(k) * chain_units(axis(k)).time);
+    HeadSlowing<order> slowing(plan_, task_.machine, cell_options_, around, options_.max_rounds, scope_);
+    bool found = attempt < most_attempts;
+    try {
+      for (const HeadStretch& stretch : stretches)
+        if (found) slowing.run(stretch, counts);
+    } catch (const Infeasible&) {
+      found = false;
+    }
+    if (found) head_ = plan_.motion();
+    const auto alone = plan_.coarse_alone();
+    alone_ = !found || alone->duration() < head_->duration();
+    if (alone_) head_ = alone;
+    ahead_ *= 2;  // should it have been too short
+  }
+
+  /// What a window of the chain of an axis needs beyond what is kept, in the chain's units of time.
+  double ahead(std::size_t k) const {
+    const Limits& coarse = axis(k).coarse;
+    return ahead_ * (coarse.velocity / coarse.acceleration / chain_units(axis(k)).time + rest_of_window);
+  }
+
+  std::vector<WindowedSolution<order>> solve_all(double stretch) {
+    std::vector<WindowedSolution<order>> solutions;
+    for (std::size_t k = 0; k < axes(); ++k) {
+      ChainWindowOptions windows;
+      windows.ahead = ahead(k);
+      windows.followed = followed;
+      solutions.push_back(solve_in_windows(following<order>(cells_, k, axis(k), stretch), chain_options_, windows));
+      result_.iterations += solutions.back().iterations;
+    }
+    return solutions;
+  }
+
+  /// The sections around what exceeds boxes.
+  std::vector<HeadStretch> exceeding(const std::vector<WindowedSolution<order>>& solutions) const {
+    std::vector<HeadStretch> found;
+    for (std::size_t k = 0; k < axes(); ++k) {
+      const double around = ahead(k) * chain_units(axis(k)).time;
+      for (const auto& [first, last] : solutions[k].exceeds)
+        found.push_back({plan_.section_begin(segment_at(cells_.times[first] - around)),
+                         plan_.section_end(segment_at(cells_.times[last] + around))});
+    }
+    std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<HeadStretch> merged;
+    for (const HeadStretch& s : found)
+      if (!merged.empty() && s.first < merged.back().last)
+        merged.back().last = std::max(merged.back().last, s.last);
+      else
+        merged.push_back(s);
+    return merged;
+  }
+
+  std::size_t segment_at(double t) const {
+    const TimeLaw& law = head_->law();
+    return law.pieces()[law.find(std::clamp(t, 0.0, law.duration()))].segment;
+  }
+
+  Trade trade(double stretch, const std::vector<WindowedSolution<order>>& solutions) const {
+    Trade t{stretch, head_->duration() * stretch, {}};
+    for (std::size_t k = 0; k < axes(); ++k) {
+      const ChainUnits u = chain_units(axis(k));
+      t.energy.push_back(solutions[k].energy * u.acceleration() * u.acceleration() * u.time);
+    }
+    return t;
+  }
+
+  void keep(double stretch, const std::vector<WindowedSolution<order>>& solutions) {
+    result_.chosen = trade(stretch, solutions);
+    result_.head = stretch == 1 ? head_ : std::make_shared<const PathMotion>(task_.path, head_->law().slowed(stretch));
+    std::vector<SplineMotion::Piece> coarse(cells_.size()), opposite(cells_.size());
+    for (std::size_t c = 0; c < cells_.size(); ++c) {
+      coarse[c].end = opposite[c].end =
+          c + 1 < cells_.size() ? cells_.times[c + 1] * stretch : result_.head->duration();
+      for (std::size_t k = 0; k < axes(); ++k) {
+        const ChainUnits u = chain_units(axis(k));
+        const ChainState<order>& x = solutions[k].states[c];
+        Polynomial p{x[0] * u.length, x[1] * u.velocity()};
+        if constexpr (order == 2) {
+          p.push_back(0.5 * solutions[k].controls[c] * u.acceleration());
+        } else {
+          p.push_back(0.5 * x[2] * u.acceleration());
+          p.push_back(solutions[k].controls[c] * u.jerk() / 6);
+        }
+        opposite[c].axes.push_back(-1.0 * p);
+        coarse[c].axes.push_back(std::move(p));
+      }
+    }
+    result_.coarse = std::make_shared<const SplineMotion>(std::move(coarse));
+    result_.fine =
+        std::make_shared<const SumOfMotions>(result_.head, std::make_shared<const SplineMotion>(std::move(opposite)));
+  }
+
+  const JointTask& task_;
+  const JointOptions& options_;
+  Progress& progress_;
+  ProgressScope scope_;
+  HeadPlan<order> plan_;
+  HeadCellOptions cell_options_;
+  ChainOptions chain_options_;
+  std::shared_ptr<const PathMotion> head_;
+  HeadCells cells_;
+  double ahead_ = 1;
+  bool alone_ = false;  // whether the head moves as the coarse axes alone can
+  JointResult result_;
+};
+
+}  // namespace
+
+double stretch_of(double smoothness) {
+  const double at = std::clamp(smoothness, 0.0, 1.0) * static_cast<double>(std::size(stretches) - 1);
+  const auto i = std::min(static_cast<std::size_t>(at), std::size(stretches) - 2);
+  return stretches[i] + (at - static_cast<double>(i)) * (stretches[i + 1] - stretches[i]);
+}
+
+JointResult plan_joint(const JointTask& task, const JointOptions& options, Progress& progress, double from, double to) {
+  const bool jerk = task.machine.limits_jerk();
+  for (const CoarseFineAxis& axis : task.machine.axes)
+    if ((axis.coarse.jerk < unlimited) != jerk || (axis.fine.jerk < unlimited) != jerk)
+      throw std::invalid_argument("the jerk is limited of all axes or of none");
+  if (jerk) return Planner<3>(task, options, progress, from, to).run();
+  return Planner<2>(task, options, progress, from, to).run();
+}
+
+}  // namespace bahnwerk

@@ -1,0 +1,20 @@
+#include "core/redundant/known/filter_plan.hpp"
+
+#include "core/redundant/known/filters.hpp"
+#include "core/redundant/known/reference_search.hpp"
+
+namespace bahnwerk {
+
+RedundancyResult plan_filter(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
+                             double from, double to) {
+  const std::size_t taps = options.taps;
+  FilterSearch search;
+  // Two samples more than the group delay: the spline's rest takes three control points that are equal.
+  search.lead = search.tail = (static_cast<double>(taps - 1) / 2 + 2) * task.machine.cycle_time;
+  search.filter = [&](const std::vector<double>& x, double step) {
+    return filtered(x, low_pass(taps, options.cutoff, step));
+  };
+  return search_reference(task, options, search, progress, from, to);
+}
+
+}  // namespace bahnwerk

@@ -1,0 +1,40 @@
+#pragma once
+/// Geometric decomposition [Bock 3.2]: the coarse axes follow a smooth curve along the contour, whatever the time law.
+///
+/// The curve is the contour's variation-diminishing spline of degree 5 over arc length (Schoenberg): its control points
+/// are the tool's places at knots Δ apart. Because |x′| ≤ 1, it stays within Δ/√2 of the tool; from there Δ doubles as
+/// long as the offset leaves 1 % of the stroke. The source takes degree 3 or a QP; with degree 5 what the planner looks
+/// at between knots is smooth where they are, too. At corners all axes stop, since x_c′ is finite there: that is why
+/// the coarse axes' acceleration decides how long cutting takes.
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "core/redundant/known/split_path.hpp"
+#include "core/redundant/redundancy.hpp"
+
+namespace bahnwerk {
+
+/// Uniform B-spline of degree 5 over path length, extended beyond both ends of the path by its end points.
+class CoarseCurve final : public CoarsePath {
+ public:
+  /// Control points every `pitch` mm.
+  CoarseCurve(const AxisPath& path, double pitch);
+  bool linear(std::size_t) const override { return false; }
+  AxisJet at(std::size_t segment, double s, const AxisJet& tool) const override;
+  double pitch() const { return pitch_; }
+
+ private:
+  std::size_t axes_;
+  double pitch_;
+  std::vector<AxisArray> control_;  ///< of s = −2Δ, −Δ, 0, Δ, …
+};
+
+/// The coarse curve with the longest pitch that keeps the fine axes inside their strokes, among Δ₀ 2ⁿ.
+std::shared_ptr<const CoarseCurve> coarse_curve(const AxisPath& path, const CoarseFineMachine& machine,
+                                                Progress& progress);
+
+RedundancyResult plan_geometric(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
+                                double from, double to);
+
+}  // namespace bahnwerk

@@ -1,0 +1,175 @@
+#include "core/redundant/known/reparametrise.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/base/progress_scope.hpp"
+#include "core/motion/acceleration/acceleration_limited.hpp"
+#include "core/motion/axes/hermite_motion.hpp"
+#include "core/motion/axes/spline_motion.hpp"
+#include "core/motion/law/law_between.hpp"
+#include "core/redundant/known/split_peaks.hpp"
+#include "core/redundant/known/timed_path.hpp"
+
+namespace bahnwerk {
+namespace {
+
+constexpr double first_margin = 1e-6, last_margin = 0.05;  // of all limits
+constexpr double exceeded = 1e-5;         // by which a peak may lie above its limit: the plan slows the whole by that
+constexpr double longest_piece = 0.5e-3;  // s, of the new motion
+
+/// How fast the old time may go on each stretch, mm/s of the timed path: the head keeps to its feed, dwells last.
+std::vector<double> rates(const TimedPath& path, const TimeLaw& law, const RedundancyTask& task) {
+  std::vector<double> feeds;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const TimedPath::Stretch& stretch = path.stretch(i);
+    const LawPiece& piece = law.pieces()[stretch.head];
+    double fastest = 0;
+    const auto look = [&](double tau) { fastest = std::fmax(fastest, std::abs(piece.at(tau).v)); };
+    look(stretch.begin - piece.t0), look(stretch.end - piece.t0);
+    for (const double tau : turning_points(piece))
+      if (tau > stretch.begin - piece.t0 && tau < stretch.end - piece.t0) look(tau);
+    const double rate = piece.s_end == piece.s ? 1 : std::fmin(fastest_rate, task.feeds[piece.segment] / fastest);
+    feeds.push_back(rate * TimedPath::per_second);
+  }
+  return feeds;
+}
+
+Machine both(const CoarseFineMachine& machine, double share) {
+  Machine axes;
+  axes.cycle_time = machine.cycle_time;
+  for (const bool fine : {false, true})
+    for (const CoarseFineAxis& axis : machine.axes) {
+      const Limits& limits = fine ? axis.fine : axis.coarse;
+      axes.axes.emplace_back(axis.name, share * limits.velocity, share * limits.acceleration);
+    }
+  return axes;
+}
+
+/// Head and coarse axes driven by the new law of the old time.
+struct Retimed {
+  TimeLaw law;
+  std::vector<SplineMotion::Piece> coarse;
+};
+
+class Driver {
+ public:
+  Driver(const RedundancyResult& old, const TimedPath& path) : old_(old), path_(path) {}
+
+  Retimed run(const TimeLaw& rate, ProgressScope& scope) {
+    for (const LawPiece& p : rate.pieces()) {
+      const auto parts = static_cast<std::size_t>(std::ceil(std::fmax(1.0, p.duration / longest_piece)));
+      const double h = p.duration / static_cast<double>(parts);
+      for (std::size_t i = 0; i < parts; ++i)
+        drive(p.segment, state(p, h * static_cast<double>(i)),
+              state(p, i + 1 == parts ? p.duration : h * static_cast<double>(i + 1)), h);
+      scope.work(16 * parts);
+    }
+    return std::move(out_);
+  }
+
+ private:
+  struct Both {
+    LawState head;
+    MotionState coarse;
+  };
+
+  /// Where everything is at the new time tau of a piece of the old time's law.
+  Both state(const LawPiece& p, double tau) const {
+    const TimedPath::Stretch& stretch = path_.stretch(p.segment);
+    const LawState x = p.at(tau);
+    const LawPiece& piece = old_.head->law().pieces()[stretch.head];
+    double at = std::clamp(x.s / TimedPath::per_second, stretch.begin, stretch.end);
+    if (tau == p.duration && p.s_end == path_[p.segment].s1()) at = stretch.end;
+    // Where pieces of the old law end they end exactly there, at rest above all.
+    const double from = at - piece.t0, there = at == old_.head->end(stretch.head) ? piece.duration : from;
+    const double w = x.v / TimedPath::per_second, dw = x.a / TimedPath::per_second;
+    Both both{piece.at(at == piece.t0 ? 0 : there), old_.coarse->in_piece(stretch.coarse, at)};
+    if (there == piece.duration) {
+      both.head.s = piece.s_end;
+      if (ends_at_rest(stretch.head)) both.head.v = 0;
+    }
+    both.head.a = both.head.a * w * w + both.head.v * dw;
+    both.head.v *= w;
+    for (std::size_t k = 0; k < old_.coarse->axes(); ++k) {
+      both.coarse.acceleration[k] = both.coarse.acceleration[k] * w * w + both.coarse.velocity[k] * dw;
+      both.coarse.velocity[k] *= w;
+    }
+    return both;
+  }
+
+  bool ends_at_rest(std::size_t piece) const {
+    const auto& pieces = old_.head->law().pieces();
+    return piece + 1 == pieces.size() || pieces[piece + 1].v == 0;
+  }
+
+  /// From state to state: each goes on where what came before it ended, to the last bit.
+  void drive(std::size_t stretch, Both left, const Both& right, double h) {
+    if (!(h > 0)) return;
+    const LawPiece& old = old_.head->law().pieces()[path_.stretch(stretch).head];
+    const double time = out_.law.duration();
+    if (!out_.law.pieces().empty()) {
+      const LawPiece& before = out_.law.pieces().back();
+      const LawState end = before.at(before.duration);
+      left.head.s = before.s_end;
+      if (left.head.v != 0) left.head.v = end.v;
+    }
+    if (old.s_end > old.s) {
+      if (!(right.head.s > left.head.s)) return;
+      append_between(out_.law, old.segment, left.head, right.head, h);
+    } else {
+      LawPiece stands;
+      stands.s = stands.s_end = left.head.s, stands.duration = h, stands.segment = old.segment;
+      out_.law.append(stands);
+    }
+    const double end = out_.law.duration();
+    SplineMotion::Piece piece{end, {}};
+    if (!out_.coarse.empty()) join(out_.coarse.back(), time - begin_, 0, left.coarse);
+    for (std::size_t k = 0; k < old_.coarse->axes(); ++k)
+      piece.axes.push_back(hermite_quintic(end - time, left.coarse, right.coarse, k));
+    out_.coarse.push_back(std::move(piece));
+    begin_ = time;
+  }
+
+  const RedundancyResult& old_;
+  const TimedPath& path_;
+  Retimed out_;
+  double begin_ = 0;  // of the last coarse piece
+};
+
+}  // namespace
+
+RedundancyResult reparametrised(RedundancyResult found, const RedundancyTask& task, Progress& progress, double from,
+                                double to) {
+  std::vector<TimedPath::Stretch> stretches = TimedPath::stretches(*found.head, *found.coarse);
+  const Path tool = TimedPath::tool_path(stretches);
+  const TimedPath path(tool, *found.head, *found.coarse, std::move(stretches));
+  const std::vector<double> feeds = rates(path, found.head->law(), task);
+  for (double margin = first_margin; margin <= last_margin;) {
+    const Machine machine = both(task.machine, 1 - margin);
+    const PathTask again{path, machine, feeds, std::vector<bool>(path.size() + 1, false)};
+    const double half = from + 0.5 * (to - from);
+    const TimeLaw rate = plan_acceleration_limited(again, {}, progress, from, half).law;
+    ProgressScope scope(progress, "planning", half, to);
+    Retimed retimed = Driver(found, path).run(rate, scope);
+    const auto head = std::make_shared<const PathMotion>(task.path, std::move(retimed.law));
+    const auto coarse = std::make_shared<const SplineMotion>(std::move(retimed.coarse));
+    RedundancyIteration pass;
+    pass.duration = head->duration();
+    pass.peaks = split_peaks(*head, *coarse, scope);
+    const double use = use_of(pass.peaks, task.machine).most();
+    if (pass.duration >= found.head->duration()) break;
+    found.passes.push_back(std::move(pass));
+    if (use <= 1 + exceeded) {
+      found.head = head, found.coarse = coarse;
+      found.trades.clear();
+      return found;
+    }
+    margin = std::fmax(10 * margin, 1.2 * (use - 1));
+  }
+  found.notes.emplace_back("Timing the finished motion anew made it no shorter.");
+  return found;
+}
+
+}  // namespace bahnwerk

@@ -1,0 +1,54 @@
+#include "core/redundant/known/split_peaks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bahnwerk {
+
+std::vector<RedundancyPeaks> split_peaks(const Motion& head, const Motion& coarse, ProgressScope& scope) {
+  const std::size_t axes = coarse.axes();
+  std::vector<RedundancyPeaks> peaks(axes);
+  std::size_t h = 0, c = 0;
+  for (double t = 0; h < head.pieces() && c < coarse.pieces();) {
+    const double end = std::min(head.end(h), coarse.end(c));
+    if (end > t)
+      for (int i = 0; i <= 4; ++i) {
+        const double at = t + 0.25 * i * (end - t);
+        const MotionState x = head.in_piece(h, at), g = coarse.in_piece(c, at);
+        for (std::size_t k = 0; k < axes; ++k) {
+          RedundancyPeaks& p = peaks[k];
+          p.offset = std::fmax(p.offset, std::abs(x.position[k] - g.position[k]));
+          p.coarse_velocity = std::fmax(p.coarse_velocity, std::abs(g.velocity[k]));
+          p.coarse_acceleration = std::fmax(p.coarse_acceleration, std::abs(g.acceleration[k]));
+          p.fine_velocity = std::fmax(p.fine_velocity, std::abs(x.velocity[k] - g.velocity[k]));
+          p.fine_acceleration = std::fmax(p.fine_acceleration, std::abs(x.acceleration[k] - g.acceleration[k]));
+        }
+      }
+    t = std::fmax(t, end);
+    const bool head_ends = head.end(h) <= end;
+    if (coarse.end(c) <= end) ++c;
+    if (head_ends) ++h;
+    scope.work(8);
+  }
+  return peaks;
+}
+
+double SplitUse::most() const {
+  return std::max({coarse_velocity, coarse_acceleration, offset, fine_velocity, fine_acceleration});
+}
+
+SplitUse use_of(const std::vector<RedundancyPeaks>& peaks, const CoarseFineMachine& machine) {
+  SplitUse use;
+  for (std::size_t k = 0; k < peaks.size(); ++k) {
+    const CoarseFineAxis& axis = machine.axes[k];
+    use.coarse_velocity = std::fmax(use.coarse_velocity, peaks[k].coarse_velocity / axis.coarse.velocity);
+    use.coarse_acceleration =
+        std::fmax(use.coarse_acceleration, peaks[k].coarse_acceleration / axis.coarse.acceleration);
+    use.offset = std::fmax(use.offset, peaks[k].offset / axis.stroke);
+    use.fine_velocity = std::fmax(use.fine_velocity, peaks[k].fine_velocity / axis.fine.velocity);
+    use.fine_acceleration = std::fmax(use.fine_acceleration, peaks[k].fine_acceleration / axis.fine.acceleration);
+  }
+  return use;
+}
+
+}  // namespace bahnwerk

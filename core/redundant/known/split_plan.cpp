@@ -1,0 +1,68 @@
+#include "core/redundant/known/split_plan.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "core/base/errors.hpp"
+#include "core/base/progress_scope.hpp"
+#include "core/motion/acceleration/acceleration_limited.hpp"
+#include "core/motion/axes/hermite_motion.hpp"
+#include "core/motion/law/dwell.hpp"
+#include "core/redundant/known/split_peaks.hpp"
+
+namespace bahnwerk {
+namespace {
+
+constexpr double first_margin = 1e-6, last_margin = 0.1;  // of all limits
+constexpr double exceeded = 1e-5;  // by which a peak may lie above its limit: the plan slows the whole by that little
+constexpr double longest_piece = 0.5e-3;  // s, of the coarse motion
+
+Machine both(const CoarseFineMachine& machine, double share) {
+  Machine axes;
+  axes.cycle_time = machine.cycle_time;
+  for (const bool fine : {false, true})
+    for (const CoarseFineAxis& axis : machine.axes) {
+      const Limits& limits = fine ? axis.fine : axis.coarse;
+      axes.axes.emplace_back(axis.name + (fine ? "f" : "c"), share * limits.velocity, share * limits.acceleration);
+    }
+  return axes;
+}
+
+}  // namespace
+
+RedundancyResult plan_split(const RedundancyTask& task, const std::shared_ptr<const CoarsePath>& coarse,
+                            double longest_cell, const RedundancyOptions& options, Progress& progress, double from,
+                            double to) {
+  const auto axes = std::make_shared<const SplitPath>(task.path, coarse);
+  AccelerationLimitedOptions law_options;
+  law_options.corner_angle = options.corner_angle;
+  law_options.keep_reserve = options.keep_reserve;
+  law_options.braking_reserve = options.braking_reserve;
+  law_options.grid.longest = longest_cell;
+  RedundancyResult result;
+  for (double margin = first_margin; margin <= last_margin;) {
+    const Machine machine = both(task.machine, 1 - margin);
+    const PathTask path{*axes, machine, task.feeds, task.rests, task.dwells};
+    ++result.iterations;
+    const double half = from + 0.5 * (to - from);
+    TimeLaw law =
+        with_dwells(plan_acceleration_limited(path, law_options, progress, from, half).law, path, progress, half);
+    ProgressScope scope(progress, "planning", half, to);
+    const PathMotion motion(axes, law);
+    result.coarse =
+        std::make_shared<const SplineMotion>(hermite_motion(motion, 0, task.machine.axes.size(), longest_piece));
+    result.head = std::make_shared<const PathMotion>(task.path, std::move(law));
+    RedundancyIteration pass;
+    pass.duration = result.head->duration();
+    pass.peaks = split_peaks(*result.head, *result.coarse, scope);
+    SplitUse use = use_of(pass.peaks, task.machine);
+    use.offset = 0;  // slower is no nearer
+    result.passes.push_back(std::move(pass));
+    if (result.passes.size() == 1) result.fastest = result.head->duration();
+    if (use.most() <= 1 + exceeded) return result;
+    margin = std::fmax(10 * margin, 1.2 * (use.most() - 1));
+  }
+  throw Infeasible("the axes exceed their limits between the places that the planner looks at");
+}
+
+}  // namespace bahnwerk

@@ -1,0 +1,66 @@
+#include "core/redundant/redundancy.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+#include "core/redundant/iterative/iterative.hpp"
+#include "core/redundant/joint.hpp"
+#include "core/redundant/known/filter_plan.hpp"
+#include "core/redundant/known/follow_up.hpp"
+#include "core/redundant/known/geometric.hpp"
+#include "core/redundant/known/lag_compensation.hpp"
+#include "core/redundant/known/reparametrise.hpp"
+
+namespace bahnwerk {
+namespace {
+
+RedundancyResult joint(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress, double from,
+                       double to) {
+  JointOptions given;
+  given.smoothness = options.smoothness;
+  given.compare = options.compare;
+  given.corner_angle = options.corner_angle;
+  JointResult found =
+      plan_joint({task.path, task.machine, task.feeds, task.rests, task.dwells}, given, progress, from, to);
+  RedundancyResult result;
+  result.head = std::move(found.head);
+  result.coarse = std::move(found.coarse);
+  result.fastest = found.fastest;
+  result.iterations = found.iterations;
+  result.certified = found.certified;
+  result.slowed_count = found.slowed;
+  result.coarse_jerk_limited = task.machine.limits_jerk();
+  const double planned = found.chosen.duration / found.chosen.stretch;
+  result.passes.push_back({found.fastest, found.slowed, {}});
+  if (found.slowed > 0) result.passes.push_back({planned, 0, {}});
+  for (Trade& trade : found.trades) result.trades.push_back({trade.stretch, trade.duration, std::move(trade.energy)});
+  return result;
+}
+
+constexpr RedundancyRow rows[] = {
+    //  method                              planner  limits_jerk
+    {RedundancyMethod::joint, joint, true},
+    {RedundancyMethod::iterative, plan_iterative, true},
+    {RedundancyMethod::geometric, plan_geometric, false},
+    {RedundancyMethod::filter, plan_filter, false},
+    {RedundancyMethod::follow_up, plan_follow_up, false},
+    {RedundancyMethod::lag_compensation, plan_lag_compensation, false},
+};
+
+}  // namespace
+
+const RedundancyRow& redundancy_row(RedundancyMethod method) {
+  for (const RedundancyRow& row : rows)
+    if (row.method == method) return row;
+  throw std::logic_error("a redundancy method without a row");
+}
+
+RedundancyResult plan_redundant(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
+                                double from, double to) {
+  const bool again = options.reparametrise && !task.machine.limits_jerk();
+  const double planned = again ? from + 0.7 * (to - from) : to;
+  RedundancyResult result = redundancy_row(options.method).plan(task, options, progress, from, planned);
+  return again ? reparametrised(std::move(result), task, progress, planned, to) : result;
+}
+
+}  // namespace bahnwerk

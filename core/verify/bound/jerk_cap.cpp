@@ -1,0 +1,147 @@
+#include "core/verify/bound/jerk_cap.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bahnwerk::verify {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double give = 1 + 1e-9, kinks = 1 + 1e-5, rounding = 1e-12;
+constexpr double blurs = 16;          // of q″, per length of the piece
+constexpr double most_change = 0.75;  // of b: more says nothing
+constexpr int halvings = 12;
+
+double sq(double x) { return x * x; }
+
+template <int N>
+class Piece {
+ public:
+  explicit Piece(const JerkCapPiece<N>& piece) : p_(piece) {
+    for (std::size_t k = 0; k < p_.axes; ++k)
+      for (std::size_t m = 0; m < k; ++m) {
+        const double x = (p_.tangent[0][m] + p_.tangent[1][m]) / 2, y = -(p_.tangent[0][k] + p_.tangent[1][k]) / 2;
+        Pair pair;
+        pair.limit = (weighted(x, p_.jerk[k]) + weighted(y, p_.jerk[m])) * p_.length * give;
+        if (!(pair.limit < infinite)) continue;
+        const double size = std::abs(x) + std::abs(y);
+        std::array<double, 2> bend{};
+        for (std::size_t e = 0; e < 2; ++e) {
+          bend[e] = x * p_.bend[e][k] + y * p_.bend[e][m];
+          pair.along[e] = std::abs(x * p_.tangent[e][k] + y * p_.tangent[e][m]) + size * (2 * p_.blur + rounding);
+          pair.unsure += rounding * (std::abs(x * p_.bend[e][k]) + std::abs(y * p_.bend[e][m]));
+        }
+        pair.unsure += blurs * size * p_.blur / p_.length;
+        pair.change = std::abs(bend[1] - bend[0]) - pair.unsure;
+        pair.least = std::min(std::abs(bend[0]), std::abs(bend[1])) + pair.unsure;
+        if (pair.change > 0) pairs_[count_++] = pair;
+      }
+  }
+
+  /// The cap if nothing worked against it: no less is impossible.
+  double least_cap() const {
+    double cube = infinite;
+    for (std::size_t i = 0; i < count_; ++i) cube = std::min(cube, pairs_[i].limit / pairs_[i].change);
+    return std::cbrt(cube * cube);
+  }
+
+  bool possible(double b) {
+    accelerations(b);
+    change_ = change(b);
+    if (!(change_ < most_change * b)) return true;
+    const double least = b - change_, root = std::sqrt(least);
+    const std::array<double, 2> along{this->along(0, b), this->along(1, b)};
+    for (std::size_t i = 0; i < count_; ++i) {
+      const Pair& q = pairs_[i];
+      const double sum = q.change * least - q.least * change_;
+      if (sum > q.limit / root + q.along[0] * along[0] + q.along[1] * along[1]) return false;
+    }
+    return true;
+  }
+  double change() const { return change_; }
+
+ private:
+  struct Pair {
+    double change = 0, least = 0;   ///< of P between the ends; the smaller |P|
+    double limit = 0;               ///< mm times the sum of jerks
+    std::array<double, 2> along{};  ///< what v̇ counts at both ends
+    double unsure = 0;
+  };
+
+  static double weighted(double p, double limit) { return p == 0 ? 0 : std::abs(p) * limit; }
+
+  void accelerations(double b) {
+    const double v = std::sqrt(b) * kinks;
+    for (std::size_t k = 0; k < p_.axes; ++k) {
+      most_[k] = p_.acceleration[k];
+      if (!(p_.least[k] > 0 && p_.jerk[k] < infinite)) continue;
+      const double u = p_.most[k] * v;
+      most_[k] = std::min(most_[k], give * std::max(most_braking(u, p_.jerk[k], p_.ahead[k]),
+                                                    most_braking(u, p_.jerk[k], p_.behind[k])));
+    }
+  }
+
+  double change(double b) const {
+    double most = b, sum = 0;
+    for (std::size_t k = 0; k < p_.axes; ++k) {
+      sum += p_.most[k] * most_[k];
+      if (!(p_.least[k] > 0)) continue;
+      const double least = sq(p_.least[k] / p_.most[k]) * b - 2 * most_[k] * p_.way[k] / sq(p_.most[k]);
+      most = std::min(most, b - least);
+    }
+    return (p_.unit ? std::min(most, 2 * p_.length * sum) : most) * give;
+  }
+
+  /// Largest |v̇| at an end.
+  double along(std::size_t e, double b) const {
+    double most = infinite, sum = 0;
+    for (std::size_t k = 0; k < p_.axes; ++k) {
+      const double t = std::abs(p_.tangent[e][k]);
+      sum += (t + p_.blur) * most_[k];
+      if (t > 2 * p_.blur) most = std::min(most, (most_[k] + std::abs(p_.bend[e][k]) * b) / (t - p_.blur));
+    }
+    return (p_.unit ? std::min(most, sum) : most) * give;
+  }
+
+  const JerkCapPiece<N>& p_;
+  std::array<Pair, static_cast<std::size_t>(N*(N - 1) / 2)> pairs_;
+  std::size_t count_ = 0;
+  std::array<double, N> most_{};  ///< accelerations
+  double change_ = 0;
+};
+
+}  // namespace
+
+template <int N>
+bool jerk_may_limit(const JerkCapPiece<N>& piece, double most) {
+  return Piece<N>(piece).least_cap() < most;
+}
+
+template <int N>
+JerkCap jerk_cap(const JerkCapPiece<N>& piece, double most) {
+  Piece<N> p(piece);
+  double low = p.least_cap();
+  if (!(low < most)) return {most, 0};
+  if (p.possible(most)) return {most, p.change()};
+  double high = most, change = p.change();
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = std::sqrt(low) * std::sqrt(high);
+    if (p.possible(middle))
+      low = middle;
+    else
+      high = middle, change = p.change();
+  }
+  return {high * give, change};
+}
+
+template bool jerk_may_limit<2>(const JerkCapPiece<2>&, double);
+template JerkCap jerk_cap<2>(const JerkCapPiece<2>&, double);
+template bool jerk_may_limit<3>(const JerkCapPiece<3>&, double);
+template JerkCap jerk_cap<3>(const JerkCapPiece<3>&, double);
+template bool jerk_may_limit<5>(const JerkCapPiece<5>&, double);
+template bool jerk_may_limit<8>(const JerkCapPiece<8>&, double);
+template JerkCap jerk_cap<5>(const JerkCapPiece<5>&, double);
+template JerkCap jerk_cap<8>(const JerkCapPiece<8>&, double);
+
+}  // namespace bahnwerk::verify

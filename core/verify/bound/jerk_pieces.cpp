@@ -1,0 +1,310 @@
+#include "core/verify/bound/jerk_pieces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace bahnwerk::verify {
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr double infinite = std::numeric_limits<double>::infinity(), never = 1e300, root_4_5 = 2.1213203435596424;
+// Next to rest a piece is this part of its distance from there.
+constexpr double part_of_distance = 0.1, part_of_first = 0.25, part_of_cycle = 0.25;
+constexpr double at_feed = 0.999, cruising = 4;
+// A motion with limited jerk takes some √(v/J) to change its speed by some of v: there a cell takes this part of that
+// time; less through kinematics, where speeds fall and rise again in a few milliseconds. Bends and changes of curvature
+// that take this many times the jerk limit, at the speed at hand, slow it down.
+constexpr double part_of_change = 0.1, kinematic_part = 0.03, slowing = 3;
+constexpr double part_joined = 0.125;  // of the longest piece: shorter cells of the grid make up one
+constexpr double much_change = 0.1;    // of b in a piece whose jerk limits b: it is halved, so often at most
+constexpr int halvings = 3;
+
+double sq(double x) { return x * x; }
+
+}  // namespace
+
+template <int N>
+JerkPieces<N>::JerkPieces(const BoundGrid<N>& grid, double cycle_time, const Row& shown, ProgressScope& pulse)
+    : grid_(grid),
+      pulse_(pulse),
+      cycle_time_(cycle_time),
+      part_of_change_(grid.cartesian() ? part_of_change : kinematic_part),
+      shown_jerk_(shown) {
+  piece_.axes = grid.axes();
+  for (std::size_t k = 0; k < grid.axes(); ++k)
+    piece_.acceleration[k] = grid.acceleration(k), piece_.jerk[k] = grid.jerk(k);
+}
+
+// The largest b between two places within a cell, `part0` and `part1` of its length from its begin.
+template <int N>
+double JerkPieces<N>::cap(std::size_t cell, const Node& a, const Node& b, const std::vector<double>& at_nodes,
+                          double part0, double part1) const {
+  const Cell& c = grid_.cells()[cell];
+  const Node &from = grid_.nodes()[cell], &to = grid_.nodes()[cell + 1];
+  double most = std::min(sq(grid_.feed(a.segment)), grid_.jerk_cap(a, b));
+  const bool straight = c.kind == Cell::Kind::straight;
+  const DirectionRange<N> range = grid_.range(a, b);
+  for (std::size_t k = 0; k < grid_.axes(); ++k) {
+    const double q2 = sq(std::max(0.0, range.least(k) - a.blur - b.blur));
+    if (!(q2 > 1e-24)) continue;
+    const double forward = straight ? part1 : 1, backward = straight ? 1 - part0 : 1;
+    most = std::min({most, sq(grid_.velocity(k)) / q2, (from.most(k) * at_nodes[cell] + forward * c.energy[k]) / q2,
+                     (to.most(k) * at_nodes[cell + 1] + backward * c.energy[k]) / q2});
+  }
+  return most * (1 + 1e-12);
+}
+
+template <int N>
+void JerkPieces<N>::join(const Node& a, const Node& b, double cap) {
+  const double along = grid_.along(a, b, cap);
+  joint_.cap = joint_.here ? std::max(joint_.cap, cap) : cap;
+  joint_.here = true;
+  for (std::size_t k = 0; k < grid_.axes(); ++k) {
+    const double kink = b.tangent[k] - a.tangent[k], bend = std::abs(b.curvature[k] - a.curvature[k]);
+    const double step = bend * cap + (kink != 0 ? std::abs(kink) * along : 0);
+    joint_.kink[k] += kink;
+    joint_.step[k] += std::min(grid_.jerk(k) * cycle_time_, step) * (1 + 1e-9);
+  }
+}
+
+// Enclosures of the cells are closer than one over all of them.
+template <int N>
+DirectionRange<N> JerkPieces<N>::range(const Node& a, const Node& b, std::size_t first, std::size_t last) const {
+  if (first == last) return grid_.range(a, b);
+  DirectionRange<N> all = grid_.range(a, grid_.nodes()[first + 1]);
+  for (std::size_t i = first + 1; i <= last; ++i) {
+    const DirectionRange<N> one = grid_.range(grid_.nodes()[i], grid_.nodes()[i + 1]);
+    for (std::size_t k = 0; k < N; ++k)
+      all.low[k] = std::min(all.low[k], one.low[k]), all.high[k] = std::max(all.high[k], one.high[k]);
+    pulse_.work(8);
+  }
+  return all;
+}
+
+// A piece of the cells `first` to `last`; where jerk may limit b, in halves as long as b may change so much that little
+// is known of it.
+template <int N>
+void JerkPieces<N>::append(const Node& a, const Node& b, double cap, Extent extent, std::size_t first, std::size_t last,
+                           int depth) {
+  if (!(b.s > a.s) || !std::isfinite(cap)) return push(a, b, cap, cap, extent);
+  piece_.length = b.s - a.s, piece_.blur = std::max(a.blur, b.blur);
+  piece_.tangent = {a.tangent, b.tangent}, piece_.bend = {a.curvature, b.curvature};
+  if (!jerk_may_limit(piece_, cap)) return push(a, b, cap, cap, extent);
+  one_way_.set(piece_, a, b, first, last);
+  const DirectionRange<N> range = this->range(a, b, first, last);
+  for (std::size_t k = 0; k < grid_.axes(); ++k) {
+    piece_.least[k] = range.least(k), piece_.most[k] = range.most(k);
+    piece_.way[k] = std::abs(b.position[k] - a.position[k]) + 64 * epsilon * std::abs(b.position[k]);
+  }
+  piece_.unit = grid_.unit_direction(a) && grid_.unit_direction(b);
+  const JerkCap found = jerk_cap(piece_, cap);
+  if (found.change > much_change * found.cap && depth < halvings) {
+    const double u = a.u + (b.u - a.u) / 2;
+    const std::size_t half = (first + last + 1) / 2;
+    const bool joined = first < last;
+    if (const Node middle = joined ? grid_.nodes()[half] : grid_.node(a.segment, u); middle.s > a.s && b.s > middle.s) {
+      append(a, middle, cap, extent, first, joined ? half - 1 : last, depth + 1);
+      return append(middle, b, cap, extent, joined ? half : first, last, depth + 1);
+    }
+  }
+  push(a, b, found.cap, cap, extent);
+}
+
+// `without`: the cap without jerk, by which cells are short where q″ changes.
+template <int N>
+void JerkPieces<N>::push(const Node& a, const Node& b, double cap, double without, Extent extent) {
+  if (!(b.s > a.s)) return;  // the joint before it stands before the next one
+  DualPiece<N> p = dual_piece(grid_, a, b, cap);
+  p.joint = std::exchange(joint_, {});
+  for (std::size_t k = 0; k < grid_.axes(); ++k)
+    extent.swing = std::max(extent.swing, std::abs(b.curvature[k] - a.curvature[k]) * without / grid_.acceleration(k));
+  pieces_.push_back(p);
+  extents_.push_back(extent);
+}
+
+// About how fast a motion with limited jerk is where something else than the feed slows it down. Round a bend of
+// curvature κ its jerk is κ² v³ and more, where curvature changes κ′ v³; where jerk builds up acceleration v^(3/2)
+// grows by 3/√2 √J per length.
+template <int N>
+void JerkPieces<N>::expect(const std::vector<double>& b, bool rest_first, bool rest_last) {
+  const auto& nodes = grid_.nodes();
+  const auto& cells = grid_.cells();
+  const std::size_t n = b.size() - 1;
+  expected_.resize(n + 1), growth_.resize(n);
+  for (std::size_t i = 0; i <= n; ++i) {
+    const Node& node = nodes[i];
+    const double bend = length_of(node.curvature);
+    double cube = never;  // v³
+    for (std::size_t k = 0; k < grid_.axes(); ++k)
+      if (const double rate = std::abs(node.curvature[k]) * bend; rate > 0)
+        cube = std::min(cube, slowing * shown_jerk_[k] / rate);
+    const bool fed = b[i] > sq(at_feed * grid_.feed(node.segment));
+    expected_[i] = std::min(fed ? never : std::pow(b[i], 0.75), std::sqrt(cube));
+    pulse_.work(2);
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    double jerk = infinite, cube = never;
+    for (std::size_t k = 0; k < grid_.axes(); ++k) {
+      const Node &from = nodes[i], &to = nodes[i + 1];
+      const double along = std::min(std::abs(from.tangent[k]), std::abs(to.tangent[k]));
+      if (along > 0) jerk = std::min(jerk, shown_jerk_[k] / along);
+      const double change = std::abs(to.curvature[k] - from.curvature[k]);
+      if (change > 0) cube = std::min(cube, slowing * shown_jerk_[k] * cells[i].length / change);
+    }
+    growth_[i] = jerk < infinite ? std::sqrt(4.5 * jerk) : never;
+    if (cells[i].kind == Cell::Kind::joint || !(cells[i].length > 0)) continue;
+    for (const std::size_t end : {i, i + 1}) expected_[end] = std::min(expected_[end], std::sqrt(cube));
+  }
+  if (rest_first) expected_[0] = 0;
+  if (rest_last) expected_[n] = 0;
+  const auto reached = [&](std::size_t from, std::size_t cell) {
+    return cells[cell].length > 0 ? expected_[from] + growth_[cell] * cells[cell].length : expected_[from];
+  };
+  for (std::size_t i = 0; i < n; ++i) expected_[i + 1] = std::min(expected_[i + 1], reached(i, i));
+  for (std::size_t i = n; i-- > 0;) expected_[i] = std::min(expected_[i], reached(i + 1, i));
+}
+
+// The longest piece next to a node: at rest acceleration builds up on a short way, and where an axis has to step by
+// more acceleration than one cycle allows the motion slows down within a few cycles.
+template <int N>
+double JerkPieces<N>::finest_at(std::size_t node, const std::vector<double>& b) const {
+  const Node &from = grid_.nodes()[node], &to = grid_.nodes()[node + 1];
+  double finest = infinite;
+  const double most = std::min(b[node], b[node + 1]);
+  for (std::size_t k = 0; k < grid_.axes(); ++k) {
+    const double bend = std::abs(to.curvature[k] - from.curvature[k]), step = shown_jerk_[k] * cycle_time_;
+    if (bend * most > step) finest = std::min(finest, part_of_cycle * cycle_time_ * std::sqrt(step / bend));
+  }
+  return finest;
+}
+
+template <int N>
+void JerkPieces<N>::grade(const std::vector<double>& b, bool rest_first, bool rest_last) {
+  const auto& cells = grid_.cells();
+  const std::size_t n = b.size() - 1;
+  before_.assign(n + 1, infinite), behind_.assign(n + 1, infinite);
+  if (rest_first) before_[0] = first_piece_;
+  if (rest_last) behind_[n] = first_piece_;
+  for (std::size_t i = 0; i < n; ++i) {
+    before_[i + 1] = before_[i] + part_of_distance * cells[i].length;
+    if (cells[i].kind == Cell::Kind::joint) before_[i + 1] = std::min(before_[i + 1], behind_[i] = finest_at(i, b));
+    pulse_.work(1);
+  }
+  for (std::size_t i = n; i-- > 0;)
+    behind_[i] = std::min(behind_[i], behind_[i + 1] + part_of_distance * cells[i].length);
+}
+
+// x mm into a cell. Where the feed is all that holds a motion nothing happens but what the path does, the less the
+// further away anything else is.
+template <int N>
+typename JerkPieces<N>::Extent JerkPieces<N>::extent(std::size_t cell, double x, double energy, double whole,
+                                                     const std::vector<double>& b) const {
+  const Cell& c = grid_.cells()[cell];
+  const double left = c.length - x, feed = grid_.feed(grid_.nodes()[cell].segment);
+  const double most = std::min({whole, b[cell] + energy * (x / c.length), b[cell + 1] + energy * (left / c.length)});
+  const double expected = std::min(expected_[cell] + growth_[cell] * x, expected_[cell + 1] + growth_[cell] * left);
+  const double speed = std::min(std::sqrt(std::max(most, 0.0)), std::cbrt(expected * expected));
+  const double ease = std::max(1.0, expected / (feed * std::sqrt(feed)));
+  Extent e;
+  e.spacing = std::min(ease, cruising) * spacing_;
+  if (growth_[cell] < never)
+    e.spacing = std::min(e.spacing, ease * part_of_change_ * root_4_5 * std::sqrt(speed) / growth_[cell]);
+  e.finest = per_cell / 2 * std::max(e.spacing * speed, part_of_first * first_piece_);
+  e.piece = std::min({e.finest / per_cell, before_[cell] + part_of_distance * x,
+                      (behind_[cell + 1] + part_of_distance * left) / (1 + part_of_distance)});
+  return e;
+}
+
+// What b may gain over a cell, and what it is at most anywhere in it.
+template <int N>
+std::pair<double, double> JerkPieces<N>::room(std::size_t cell, const std::vector<double>& b) const {
+  const Node &from = grid_.nodes()[cell], &to = grid_.nodes()[cell + 1];
+  double energy = infinite;
+  for (std::size_t k = 0; k < grid_.axes(); ++k)
+    if (const double least = std::min(from.least(k), to.least(k)); least > 1e-12)
+      energy = std::min(energy, grid_.cells()[cell].energy[k] / least);
+  return {energy, cap(cell, from, to, b, 0, 1)};
+}
+
+// Pieces of a cell: evenly in time, finer and finer towards rests and steps.
+template <int N>
+void JerkPieces<N>::divide(std::size_t cell, const std::vector<double>& b) {
+  const Cell& c = grid_.cells()[cell];
+  const Node &from = grid_.nodes()[cell], &to = grid_.nodes()[cell + 1];
+  const bool straight = c.kind == Cell::Kind::straight;
+  const auto [energy, whole] = room(cell, b);
+  double x = 0;
+  Extent e{};
+  Node last = from;
+  while (x < c.length) {
+    e = extent(cell, x, energy, whole, b);
+    const double d = std::max(e.piece, c.length * 1e-4);
+    pulse_.work(2);
+    const double u = from.u + (to.u - from.u) * ((x + d) / c.length);
+    if (x + 1.5 * d >= c.length || !(u > last.u && u < to.u)) break;
+    const Node next = grid_.node(from.segment, u);
+    e.finest = per_cell * d;
+    append(last, next,
+           cap(cell, last, next, b, straight ? x / c.length : 0, straight ? (next.s - from.s) / c.length : 1), e, cell,
+           cell);
+    last = next;
+    x = next.s - from.s;
+  }
+  e.finest = std::min(e.finest, per_cell * std::min(before_[cell + 1], behind_[cell + 1]));
+  append(last, to, cap(cell, last, to, b, straight ? x / c.length : 0, 1), e, cell, cell);
+}
+
+// The cells from `first` on that are so short that they make up one piece: what a piece is worth less for rounding
+// grows as it shrinks. Returns one past the last, `first` where there is nothing to join.
+template <int N>
+std::size_t JerkPieces<N>::joined(std::size_t first, const std::vector<double>& b) {
+  const auto& cells = grid_.cells();
+  const auto& nodes = grid_.nodes();
+  const auto [energy, whole] = room(first, b);
+  Extent e = extent(first, 0, energy, whole, b);
+  double length = cells[first].length, most = whole;
+  std::size_t i = first + 1;
+  for (; i + 1 < b.size() && cells[i].kind != Cell::Kind::joint && nodes[i + 1].segment == nodes[first].segment; ++i) {
+    const double limit = part_joined * std::min(e.piece, behind_[i + 1]);
+    if (!(length + cells[i].length < limit)) break;
+    length += cells[i].length;
+    most = std::max(most, cap(i, nodes[i], nodes[i + 1], b, 0, 1));
+    pulse_.work(2);
+  }
+  if (i == first + 1) return first;
+  append(nodes[first], nodes[i], most, e, first, i - 1);
+  return i;
+}
+
+template <int N>
+void JerkPieces<N>::lay(const std::vector<double>& b, bool rest_first, bool rest_last, double spacing,
+                        double first_piece) {
+  spacing_ = spacing, first_piece_ = first_piece;
+  const auto& nodes = grid_.nodes();
+  const auto& cells = grid_.cells();
+  pieces_.clear(), extents_.clear();
+  joint_ = {};
+  one_way_.take(grid_, b, rest_first, rest_last, cycle_time_);
+  grade(b, rest_first, rest_last);
+  expect(b, rest_first, rest_last);
+  for (std::size_t i = 0; i + 1 < b.size();) {
+    pulse_.work(8);
+    if (cells[i].kind == Cell::Kind::joint) {
+      join(nodes[i], nodes[i + 1], std::min(b[i], b[i + 1]));
+      ++i;
+    } else if (const std::size_t next = joined(i, b); next > i) {
+      i = next;
+    } else {
+      divide(i++, b);
+    }
+  }
+}
+
+template class JerkPieces<2>;
+template class JerkPieces<3>;
+template class JerkPieces<5>;
+template class JerkPieces<8>;
+
+}  // namespace bahnwerk::verify

@@ -1,0 +1,81 @@
+#include "core/verify/bound/one_way.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bahnwerk::verify {
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon(), infinite = std::numeric_limits<double>::infinity();
+// Jumps of q' up to this part of it are rounding; so many of them may add up that a step each, of this part of the
+// axis' acceleration, ends the way.
+constexpr double no_kink = 1e-9, step_of_kink = 1e-5, most_steps = 0.02;
+
+}  // namespace
+
+// From the end where the way ends to the other; `forwards`: ways ahead, so that the pass goes backwards.
+template <int N>
+void OneWay<N>::pass(const BoundGrid<N>& grid, const std::vector<double>& b, bool forwards, bool rest,
+                     double cycle_time, Ends& ends) const {
+  const auto& nodes = grid.nodes();
+  const auto& cells = grid.cells();
+  const std::size_t n = b.size() - 1;
+  ends.resize(n);
+  std::array<End, N> now;
+  for (std::size_t k = 0; k < N; ++k) now[k] = {rest ? infinite : nodes[forwards ? n : 0].position[k], 0};
+  for (std::size_t step = 0; step < n; ++step) {
+    const std::size_t i = forwards ? n - 1 - step : step;
+    const BoundNode<N>&from = nodes[i], &to = nodes[i + 1], &near = forwards ? from : to;
+    const BoundCell<N>& cell = cells[i];
+    ends[i] = now;
+    const double cap = std::min(b[i], b[i + 1]);
+    double along = -1;
+    for (std::size_t k = 0; k < grid.axes(); ++k) {
+      bool turns = (cell.turning >> k & 1u) != 0;
+      if (cell.kind == BoundCell<N>::Kind::joint) {
+        const double kink = std::abs(to.tangent[k] - from.tangent[k]);
+        double change = std::abs(to.curvature[k] - from.curvature[k]) * cap;
+        if (kink > 0 && along < 0) along = grid.along(from, to, cap);
+        if (kink > 0) change += kink * along;
+        now[k].steps += std::min(grid.jerk(k) * cycle_time, change) * (1 + 1e-9);
+        if (kink > 0) now[k].steps += step_of_kink * grid.acceleration(k);
+        turns = turns || kink > no_kink * std::min(std::abs(from.tangent[k]), std::abs(to.tangent[k])) ||
+                now[k].steps > most_steps * grid.acceleration(k);
+      }
+      if (turns) now[k] = {near.position[k], 0};
+    }
+  }
+}
+
+template <int N>
+void OneWay<N>::take(const BoundGrid<N>& grid, const std::vector<double>& b, bool rest_first, bool rest_last,
+                     double cycle_time) {
+  grid_ = &grid;
+  pass(grid, b, true, rest_last, cycle_time, ahead_);
+  pass(grid, b, false, rest_first, cycle_time, behind_);
+}
+
+template <int N>
+void OneWay<N>::set(JerkCapPiece<N>& piece, const BoundNode<N>& from, const BoundNode<N>& to, std::size_t first,
+                    std::size_t last) const {
+  unsigned turning = 0;
+  for (std::size_t i = first; i <= last; ++i) turning |= grid_->cells()[i].turning;
+  const auto way = [](const End& end, double place) {
+    const double sure = std::abs(end.at - place) - 64 * epsilon * (std::abs(end.at) + std::abs(place));
+    return AxisWay{end.at < infinite ? std::max(0.0, sure) : infinite, end.steps};
+  };
+  for (std::size_t k = 0; k < grid_->axes(); ++k) {
+    piece.ahead[k] = piece.behind[k] = {};
+    if ((turning >> k & 1u) != 0) continue;
+    piece.ahead[k] = way(ahead_[last][k], to.position[k]);
+    piece.behind[k] = way(behind_[first][k], from.position[k]);
+  }
+}
+
+template class OneWay<2>;
+template class OneWay<3>;
+template class OneWay<5>;
+template class OneWay<8>;
+
+}  // namespace bahnwerk::verify

@@ -1,0 +1,231 @@
+#include "core/verify/redundant/coarse_fine_checks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "core/base/progress_scope.hpp"
+#include "core/numeric/peak.hpp"
+#include "core/verify/law/channel_bounds.hpp"
+#include "core/verify/law/curve_disc.hpp"
+#include "core/verify/motion/bernstein.hpp"
+#include "core/verify/motion/motion_checks.hpp"
+#include "core/verify/rounding.hpp"
+#include "core/verify/worst.hpp"
+
+namespace bahnwerk {
+namespace verify {
+namespace {
+
+constexpr std::array names{"stroke ", "velocity ", "acceleration ", "jerk "};
+constexpr std::array units{"", "/s", "/s²", "/s³"};
+
+struct Channel {
+  std::size_t axis, derivative;  // of the fine axis
+  double limit;
+};
+
+std::vector<Channel> make_channels(const CoarseFineToVerify& in) {
+  std::vector<Channel> list;
+  for (std::size_t k = 0; k < in.fine_axes.size(); ++k) {
+    const AxisLimits& axis = in.fine_axes[k];
+    const std::array limits{axis.highest, axis.velocity, axis.acceleration, in.check_jerk ? axis.jerk : unlimited};
+    for (std::size_t d = 0; d < limits.size(); ++d)
+      if (limits[d] < unlimited) list.push_back({k, d, limits[d]});
+  }
+  return list;
+}
+
+std::vector<double> scales(const std::vector<Channel>& channels) {
+  std::vector<double> list;
+  for (const Channel& c : channels) list.push_back(c.limit);
+  return list;
+}
+
+/// The head's derivative number `d` of axis k.
+double head(const AxisJet& q, const LawState& x, std::size_t k, std::size_t d) {
+  const double v = x.v;
+  if (d == 0) return q.value[k];
+  if (d == 1) return q.d1[k] * v;
+  if (d == 2) return q.d2[k] * v * v + q.d1[k] * x.a;
+  return q.d3[k] * v * v * v + 3 * q.d2[k] * v * x.a + q.d1[k] * x.j;
+}
+
+double part(const MotionState& x, std::size_t k, std::size_t d) {
+  const std::array<const AxisArray*, 4> parts{&x.position, &x.velocity, &x.acceleration, &x.jerk};
+  return (*parts[d])[k];
+}
+
+class FineSweep {
+ public:
+  FineSweep(const CoarseFineToVerify& in, ProgressScope& scope)
+      : in_(in), scope_(scope), channels_(make_channels(in)), peaks_(scales(channels_)) {}
+
+  std::vector<Check> run() {
+    const auto& pieces = in_.law.pieces();
+    const std::size_t last = in_.coarse.pieces() - 1;
+    std::size_t c = 0;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      scope_.now(i, pieces.size());
+      const double end = i + 1 < pieces.size() ? pieces[i + 1].t0 : in_.law.duration();
+      // Neither motion tells its borders better than rounding does t: shorter pieces of time are none.
+      const double blur = rounding * end;
+      for (double from = pieces[i].t0; end - from > blur;) {
+        while (c < last && in_.coarse.begin(c + 1) <= from + blur) ++c;
+        double to = c < last ? std::min(in_.coarse.begin(c + 1), end) : end;
+        if (end - to <= blur) to = end;
+        stretch(pieces[i], c, from, to);
+        from = to;
+      }
+    }
+    std::vector<Check> list;
+    for (std::size_t c_ = 0; c_ < channels_.size(); ++c_) {
+      const Channel& channel = channels_[c_];
+      const AxisLimits& axis = in_.fine_axes[channel.axis];
+      const Peak& peak = peaks_[c_];
+      list.push_back(make_check(names[channel.derivative] + axis.name, axis.unit + units[channel.derivative],
+                                channel.limit,
+                                Worst{peak.finite ? peak.value : std::numeric_limits<double>::quiet_NaN(), peak.at}));
+    }
+    return list;
+  }
+
+ private:
+  void stretch(const LawPiece& piece, std::size_t c, double from, double to) {
+    if (piece.segment >= in_.path.size()) return;  // another check's fault
+    const Segment& segment = in_.path[piece.segment];
+    LawPiece local = piece;  // counted from the begin of the segment: far along a path the rounding of s would show
+    local.s = piece.s - segment.s0();
+    degree_ = 0;
+    for (std::size_t k = 0; k < in_.fine_axes.size(); ++k) {
+      if (!in_.coarse.polynomial(c, k, coarse_[k])) return sample(piece, local, segment, c, from, to, false);
+      degree_ = std::max(degree_, coarse_[k].size() - std::min<std::size_t>(coarse_[k].size(), 1));
+    }
+    if (in_.path.linear(piece.segment))
+      exact(piece, moved(local, from - piece.t0), segment, c, from, to);
+    else
+      sample(piece, local, segment, c, from, to, true);
+  }
+
+  void exact(const LawPiece& piece, const LawPiece& law, const Segment& segment, std::size_t c, double from,
+             double to) {
+    const AxisJet q = in_.path.at_parameter(piece.segment, segment.parameter_at(law.s));
+    Polynomial fine;
+    std::size_t axis = in_.fine_axes.size(), derived = 0;
+    for (std::size_t n = 0; n < channels_.size(); ++n) {
+      const Channel& channel = channels_[n];
+      const std::size_t k = channel.axis;
+      if (k != axis) {
+        const double d = q.d1[k];
+        fine = Polynomial{q.value[k], d * law.v, d * law.a / 2, d * law.j / 6, d * law.q / 24} -
+               shifted(coarse_[k], from - in_.coarse.begin(c), 1);
+        axis = k, derived = 0;
+      }
+      for (; derived < channel.derivative; ++derived) fine = derivative(fine);
+      Bernstein b{};
+      const std::size_t size = bernstein(fine, to - from, 0, b);
+      const bool finite = std::all_of(b.begin(), b.begin() + static_cast<std::ptrdiff_t>(size),
+                                      [](double x) { return std::isfinite(x); });
+      if (!finite) {
+        peaks_.raise(n, std::numeric_limits<double>::quiet_NaN(), from, 0);
+        continue;
+      }
+      const PolynomialPeak found = polynomial_peak(b.data(), static_cast<int>(size), peaks_[n].value);
+      if (found.at >= 0) peaks_.raise(n, found.value, from + found.at * (to - from), 0);
+    }
+  }
+
+  /// Next to a vanishing tangent nothing is known of the curve over time.
+  bool at_vanishing_tangent(const LawPiece& piece, const LawPiece& local, const Segment& segment, double begin,
+                            double end) {
+    CurveDiscs& all = discs(piece.segment);
+    if (all.vanishing() == 0) return false;
+    const double u0 = segment.parameter_at(local.at(begin - piece.t0).s);
+    const double u1 = segment.parameter_at(local.at(end - piece.t0).s);
+    return u0 <= all.vanishing_at() && all.vanishing_at() <= u1;
+  }
+
+  void sample(const LawPiece& piece, const LawPiece& local, const Segment& segment, std::size_t c, double from,
+              double to, bool polynomial) {
+    const bool open = segment.cusp_begin() || segment.cusp_end();
+    peaks_.sweep(from, to, open, 0, [&](PeakSamples& samples) {
+      const auto points = static_cast<std::size_t>(samples.rule.points);
+      scope_.work(points);
+      const double half = 0.5 * (samples.end - samples.begin);
+      if (polynomial && !at_vanishing_tangent(piece, local, segment, samples.begin, samples.end)) {
+        if (degree_ >= points && !samples.last) {
+          samples.empty = true;
+          return false;
+        }
+        const LawPiece here = moved(local, samples.begin + half - piece.t0);
+        const CurveDisc disc = discs(piece.segment).about(segment.parameter_at(here.s));
+        const StateBounds bounds = state_bounds_over_time(here, half, disc, samples.rule.points);
+        for (std::size_t n = 0; n < channels_.size(); ++n) samples.missing[n] = bounds[channels_[n].derivative];
+      }
+      for (std::size_t i = 0; i < points; ++i) {
+        const double t = samples.at(static_cast<int>(i));
+        const LawState x = local.at(std::clamp(t - piece.t0, 0.0, piece.duration));
+        const AxisJet q = in_.path.at_parameter(piece.segment, segment.parameter_at(x.s));
+        const MotionState coarse = in_.coarse.in_piece(c, t);
+        for (std::size_t n = 0; n < channels_.size(); ++n) {
+          const Channel& channel = channels_[n];
+          samples.values[n * points + i] =
+              head(q, x, channel.axis, channel.derivative) - part(coarse, channel.axis, channel.derivative);
+        }
+      }
+      return true;
+    });
+  }
+
+  CurveDiscs& discs(std::size_t segment) {
+    if (!discs_ || discs_of_ != segment) discs_.emplace(in_.path[segment].curve()), discs_of_ = segment;
+    return *discs_;
+  }
+
+  const CoarseFineToVerify& in_;
+  ProgressScope& scope_;
+  std::vector<Channel> channels_;
+  PeakSweep peaks_;
+  std::array<Polynomial, max_axes> coarse_;  // of the piece at hand
+  std::size_t degree_ = 0;                   // the largest of them
+  std::optional<CurveDiscs> discs_;
+  std::size_t discs_of_ = 0;
+};
+
+}  // namespace
+}  // namespace verify
+
+std::vector<Check> coarse_fine_checks(const CoarseFineToVerify& input, Progress& progress) {
+  const std::size_t axes = input.path.axes();
+  if (!input.path.cartesian() || input.coarse.axes() != axes || input.coarse_axes.size() != axes ||
+      input.fine_axes.size() != axes)
+    throw std::invalid_argument("coarse and fine axes are verified along a Cartesian path of as many axes");
+  const double between = input.progress_from + 0.3 * (input.progress_to - input.progress_from);
+  MotionToVerify coarse{input.coarse, input.coarse_axes};
+  coarse.continuous = input.check_jerk ? 2 : 1;
+  // Its pieces have been fitted to the head's times: both ends of each may be off by the rounding of t once more.
+  coarse.resolution = std::numeric_limits<double>::epsilon() * input.law.duration();
+  coarse.progress_from = input.progress_from;
+  coarse.progress_to = between;
+  std::vector<Check> list = motion_checks(coarse, progress);
+  for (Check& check : list) {
+    if (!check.unit.starts_with("unit")) continue;
+    check.name = "coarse " + check.name;
+    check.unit = "mm" + check.unit.substr(4);
+  }
+  ProgressScope scope(progress, "verify", between, input.progress_to);
+  for (Check& check : verify::FineSweep(input, scope).run()) list.push_back(std::move(check));
+  verify::Strained duration;
+  duration.raise(std::abs(input.coarse.duration() - input.law.duration()), verify::rounding * input.law.duration(),
+                 input.law.duration());
+  list.push_back(verify::make_check("coarse duration", "s", duration));
+  scope.done(1);
+  scope.report();
+  return list;
+}
+
+}  // namespace bahnwerk

@@ -1,0 +1,32 @@
+#pragma once
+/// The independent check of feeds that the path's curvature limits [Herrmann (4.71), (4.72)]: of the motion as sampled,
+/// with no word of how its feeds were found.
+#include <vector>
+
+#include "core/base/progress.hpp"
+#include "core/base/verification.hpp"
+#include "core/machine/machine.hpp"
+#include "core/motion/axes/axis_path.hpp"
+#include "core/motion/law/time_law.hpp"
+
+namespace bahnwerk {
+
+struct CurvatureInput {
+  const AxisPath& path;
+  const TimeLaw& law;  ///< what is sampled
+  double cycle_time = 0.001;
+  double chord_tolerance = unlimited;       ///< mm
+  double half_speed_curvature = unlimited;  ///< κ̂, 1/mm
+  double velocity = unlimited;              ///< v_max, mm/s
+  double at = 1;                            ///< of the job's progress
+};
+
+/// Of every cycle, four places:
+///
+/// `chord error`       mm    distance of the path from the chord between two setpoints, against the tolerance
+/// `half-speed feed`   mm/s  v (κ̂ + κ)/κ̂ against v_max
+///
+/// Each where it is limited. About 1 µs per setpoint.
+std::vector<Check> curvature_checks(const CurvatureInput& input, Progress& progress);
+
+}  // namespace bahnwerk

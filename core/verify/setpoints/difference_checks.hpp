@@ -1,0 +1,29 @@
+#pragma once
+/// What the setpoints themselves ask of the axes: differences from row to row, held to the motion's limits.
+#include <vector>
+
+#include "core/base/progress.hpp"
+#include "core/base/setpoint_source.hpp"
+#include "core/base/verification.hpp"
+#include "core/machine/machine.hpp"
+
+namespace bahnwerk {
+
+struct DifferenceInput {
+  const SetpointSource& setpoints;  ///< columns of every axis' name, and s
+  const Machine& machine;
+  std::vector<double> shown;  ///< per axis: what one of its units is in its column
+  /// The verdict on the motion that the rows were taken from: what it is held to, the rows are, too.
+  const Verification& motion;
+};
+
+/// Of every check `velocity <axis>`, `acceleration <axis>`, `jerk <axis>`, `path velocity`, `path acceleration`, `path
+/// jerk` in `motion` one named `setpoint <check>`, with its limit and unit: the largest first, second or third
+/// difference of consecutive rows' positions, divided by the cycle time to the first, second or third power. That is
+/// the mean of the derivative over one, two or three cycles: rows taken exactly from a motion keep what the motion
+/// keeps (mean value theorem), so this is for rows that an interpolator puts a little off it, where the motion's own
+/// peaks say nothing. value ≤ limit · (1 + 1e-9); missing columns and what is not a number fail. `at` is the middle of
+/// the rows. Reads all rows, 1024 at a time; 0.05 µs per row besides reading.
+std::vector<Check> difference_checks(const DifferenceInput& input, Progress& progress);
+
+}  // namespace bahnwerk

@@ -1,0 +1,109 @@
+#include "core/winding/needle/channel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/errors.hpp"
+#include "core/numeric/golden_section.hpp"
+#include "core/winding/part/space.hpp"
+
+namespace bahnwerk::winding {
+namespace {
+
+constexpr double most_lean = 1.5, lean_step = 0.05, lean_exact = 1e-6;
+constexpr double look_step = 0.5, look_exact = 1e-3;  // mm
+constexpr int looks = 24;                             // steps along a line
+
+/// Of one obstacle, whose distances change by at most 1 mm per mm; or `least` if that is less.
+template <class Distance>
+double nearest(const NeedlePose& pose, const NeedleShape& needle, const Distance& distance, double least) {
+  const double radius = needle.width / 2;
+  const Space d = pose.direction();
+  const auto at = [&](double s) { return distance(pose.tip - s * d) - radius; };
+  double here = std::numeric_limits<double>::infinity(), where = radius;
+  for (double s = radius; s <= needle.length;) {
+    const double found = at(s);
+    if (found < here) here = found, where = s;
+    s += std::max(look_step, found - std::min(here, least));
+  }
+  const double first = std::max(radius, where - look_step), last = std::min(needle.length, where + look_step);
+  return std::min({least, here, at(golden_section([&](double s) { return -at(s); }, first, last, look_exact).at)});
+}
+
+NeedlePose mixed(const NeedlePose& a, const NeedlePose& b, double u) {
+  return {(1 - u) * a.tip + u * b.tip, (1 - u) * a.phi + u * b.phi, (1 - u) * a.psi + u * b.psi};
+}
+
+}  // namespace
+
+double room(const NeedlePose& pose, const NeedleShape& needle, const std::vector<const Obstacle*>& obstacles) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Obstacle* obstacle : obstacles)
+    least = nearest(
+        pose, needle, [&](Space p) { return obstacle->distance(p); }, least);
+  return least;
+}
+
+double room(const NeedlePose& from, const NeedlePose& to, const NeedleShape& needle,
+            const std::vector<const Obstacle*>& obstacles) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= looks; ++i)
+    least = std::min(least, room(mixed(from, to, static_cast<double>(i) / looks), needle, obstacles));
+  return least;
+}
+
+double slot_room(const NeedlePose& from, const NeedlePose& to, double low, double high, const NeedleShape& needle,
+                 const Obstacle& iron) {
+  const double way = to.tip.z - from.tip.z;
+  const auto share = [&](double z) { return way != 0 ? std::clamp((z - from.tip.z) / way, 0.0, 1.0) : 0.0; };
+  const double first = share(low), last = share(high);
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= looks; ++i) {
+    const NeedlePose pose = mixed(from, to, first + (last - first) * i / looks);
+    least = nearest(
+        pose, needle, [&](Space p) { return iron.section_distance(p); }, least);
+    if (first == last) break;
+  }
+  return least;
+}
+
+SupportPoint kept_clear(Space along, Space across, const std::function<SupportPoint(Space)>& support,
+                        const std::function<double(const NeedlePose&)>& left, double enough) {
+  const SupportPoint straight = support(along);
+  double most = left(straight.pose), best = 0;
+  if (most >= enough) return straight;
+  const auto leaning = [&](double k) {
+    const Space way = along + k * across;
+    return support((1 / norm(way)) * way);
+  };
+  /// What this lean leaves; nothing where it is impossible.
+  const auto leaves = [&](double k) {
+    try {
+      return left(leaning(k).pose);
+    } catch (const Infeasible&) {
+      return -std::numeric_limits<double>::infinity();
+    }
+  };
+  const auto steps = static_cast<int>(std::lround(most_lean / lean_step));
+  for (int i = 1; i <= steps && most < enough; ++i)
+    for (const double k : {i * lean_step, -i * lean_step}) {
+      const double found = leaves(k);
+      if (found > most) most = found, best = k;
+    }
+  if (most < enough) {
+    const double k = golden_section(leaves, best - lean_step, best + lean_step, lean_exact).at, found = leaves(k);
+    if (found > most) most = found, best = k;
+  }
+  if (best == 0) return straight;
+  if (most < enough) return leaning(best);
+  // The lean that is a step less leaves too little.
+  double less = best - std::copysign(std::min(lean_step, std::abs(best)), best);
+  while (std::abs(best - less) > lean_exact) {
+    const double middle = (less + best) / 2;
+    (leaves(middle) >= enough ? best : less) = middle;
+  }
+  return leaning(best);
+}
+
+}  // namespace bahnwerk::winding

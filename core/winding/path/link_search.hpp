@@ -1,0 +1,61 @@
+#pragma once
+/// The link at one place of the needle's path: the smoothest, or that of (4.61), without cusps and loops
+/// [Herrmann 4.3].
+#include <cstddef>
+#include <optional>
+
+#include "core/base/progress.hpp"
+#include "core/geometry/spline/search/best_link.hpp"
+
+namespace bahnwerk::winding {
+
+struct LinkOptions {
+  std::size_t continuity = 3;  ///< k of G^k, 1 … 4
+  LinkObjective objective = LinkObjective::curvature;
+  SmoothnessWeights weights;
+  /// A stator's needle leaves the slot radially: between slot and winding head it passes an extra point above the slot,
+  /// so far out towards the head's radius (λ of [Herrmann 4.3.4]), where it has finished its swivel. 0: no such point.
+  /// There are two links then, which meet there on a radius, without curvature and without turning. (The source has one
+  /// link with a double knot, which goes on turning behind the point: ψ overshoots by up to 90°.)
+  double extra_point = 0.5;
+};
+
+/// ∫ κ ds along a piece, the angle that its tangent turns, rad, by the midpoint rule with 128 nodes.
+double turned_angle(const BezierPiece& piece);
+
+/// The largest κ where the parametric speed has a minimum, 1/mm: what is too narrow for a quadrature is a needle that
+/// nearly stands still. 50 µs.
+double sharpest_bend(const BezierPiece& piece);
+constexpr double sharpest_usable = 100;  ///< κ, 1/mm, of a bend that is no cusp
+
+struct FoundLink {
+  BestLink best;  ///< its smoothness J by a fine rule, and no less than the sharpest bend makes of it
+  LinkObjective objective = LinkObjective::curvature;  ///< what was minimised at last
+  double bend = 0;                                     ///< its sharpest, 1/mm
+  bool cusped() const { return !(bend <= sharpest_usable); }
+};
+
+class LinkSearch {
+ public:
+  /// `options` outlives it.
+  explicit LinkSearch(const LinkOptions& options);
+
+  /// `known`: the link at the same place of the turn before, which is nearly the same. (4.61) takes no notice of how
+  /// sharp a link bends: where it leads to a cusp, that place has the smoothest link, from turn to turn. The result may
+  /// still have a cusp. About 1.5 ms, of the first turn 10 ms.
+  FoundLink find(const LinkEnds& ends, const std::optional<FoundLink>& known, Progress& progress) const;
+
+ private:
+  FoundLink again(const LinkEnds& ends, const std::optional<FoundLink>& known, LinkObjective objective,
+                  Progress& progress) const;
+  FoundLink solve(const LinkEnds& ends, const LinkShape& start, LinkObjective objective, std::size_t evaluations,
+                  Progress& progress) const;
+  FoundLink by(const SmoothnessRule& rule, const LinkEnds& ends, const LinkShape& start, LinkObjective objective,
+               std::size_t evaluations, Progress& progress, double& seen) const;
+  FoundLink search(const LinkEnds& ends, LinkObjective objective, Progress& progress) const;
+
+  const LinkOptions& options_;
+  SmoothnessRule rule_, fine_rule_;
+};
+
+}  // namespace bahnwerk::winding

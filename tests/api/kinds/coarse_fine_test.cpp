@@ -1,0 +1,153 @@
+#include "api/kinds/coarse_fine.hpp"
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "api/kinds/contour.hpp"
+#include "api/problem.hpp"
+#include "tests/api/checked.hpp"
+#include "tests/api/documents.hpp"
+
+namespace bahnwerk::api::contour {
+namespace {
+
+using nlohmann::json;
+
+json example(const std::string& name) {
+  return test::read_json(test::source("schemas/examples/contour/" + name + ".json"));
+}
+
+PlannedJob planned(const json& spec) {
+  SilentProgress progress;
+  return test::checked(plan(spec, progress));
+}
+
+/// [Bock Table 2.1].
+TEST(CoarseFine, ExampleMachinesAreThoseOfTheSource) {
+  for (const auto& [name, v, a, fine_v, stroke] :
+       {std::tuple{"md1", 1600.0, 8000.0, 2500.0, 45.0}, std::tuple{"md2", 1800.0, 16000.0, 2000.0, 20.0}}) {
+    const json spec{{"machine", test::read_json(test::source(std::string("examples/machines/") + name + ".json"))}};
+    ASSERT_TRUE(coarse_fine(spec));
+    const CoarseFineMachine machine = coarse_fine_machine(spec);
+    ASSERT_EQ(machine.axes.size(), 2u);
+    EXPECT_EQ(machine.axes[1].name, "y");
+    for (const CoarseFineAxis& axis : machine.axes) {
+      EXPECT_EQ(axis.coarse.velocity, v);
+      EXPECT_EQ(axis.coarse.acceleration, a);
+      EXPECT_EQ(axis.fine.velocity, fine_v);
+      EXPECT_EQ(axis.fine.acceleration, 60000);
+      EXPECT_EQ(axis.stroke, stroke);
+    }
+    EXPECT_FALSE(machine.limits_jerk());
+  }
+}
+
+TEST(CoarseFine, ReadsWhatAMethodMaySet) {
+  json spec = example("coarse_fine");
+  spec["machine"]["redundancy"] = {{"method", "iterative"},         {"approximation", "chebyshev"},
+                                   {"smoothing", "linear_program"}, {"degree", 4},
+                                   {"knot_multiplicity", 2},        {"afterburner", 7},
+                                   {"window", {{"blocks", 8}}},     {"thinning", 3}};
+  ContourPlanning planning;
+  planning.braking_reserve = 0.6;
+  const RedundancyOptions options = redundancy(spec, planning);
+  EXPECT_EQ(options.method, RedundancyMethod::iterative);
+  EXPECT_EQ(options.approximation, CoarseApproximation::chebyshev);
+  EXPECT_EQ(options.smoothing, CoarseSmoothing::linear_program);
+  EXPECT_EQ(options.degree, 4);
+  EXPECT_EQ(options.knot_multiplicity, 2);
+  EXPECT_EQ(options.afterburner, 7);
+  ASSERT_TRUE(options.window);
+  EXPECT_EQ(options.window->blocks, 8u);
+  EXPECT_EQ(options.window->overlap, 3u);
+  EXPECT_EQ(options.thinning, 3);
+  EXPECT_TRUE(options.keep_reserve);
+  EXPECT_EQ(options.braking_reserve, 0.6);
+}
+
+TEST(CoarseFine, TheResultTellsOfBothAxes) {
+  json spec = example("coarse_fine");
+  spec["machine"]["redundancy"]["smoothness"] = 0.5;
+  const PlannedJob job = planned(spec);
+  EXPECT_TRUE(job.verified);
+  const auto& summary = job.result["summary"];
+  EXPECT_GT(summary["coarse_smoothness"]["x"], 0);
+  EXPECT_LE(summary["peak_coarse_acceleration"]["y"], 16000 * (1 + 1e-9));
+  const auto& redundancy = job.result["details"]["redundancy"];
+  ASSERT_EQ(redundancy["trades"].size(), 5u);
+  for (std::size_t i = 1; i < 5; ++i)  // more time never needs more
+    EXPECT_LE(redundancy["trades"][i]["coarse_smoothness"]["x"].get<double>(),
+              redundancy["trades"][i - 1]["coarse_smoothness"]["x"].get<double>() * (1 + 1e-3));
+  EXPECT_NEAR(summary["duration"].get<double>(), redundancy["trades"][2]["duration"].get<double>(), 1e-5);
+  EXPECT_NEAR(summary["coarse_smoothness"]["x"].get<double>(),
+              redundancy["trades"][2]["coarse_smoothness"]["x"].get<double>(),
+              1e-4 * summary["coarse_smoothness"]["x"].get<double>());
+  EXPECT_EQ(redundancy["passes"].back()["violated_blocks"], 0);
+  EXPECT_LE(redundancy["passes"].back()["peaks"][0]["offset"], 20);
+  EXPECT_EQ(job.result["setpoints"]["columns"].size(), 22u);
+}
+
+TEST(CoarseFine, TheTableOfTradesCanBeLeftOut) {
+  json spec = example("coarse_fine");
+  const PlannedJob with = planned(spec);
+  spec["machine"]["redundancy"]["trades"] = false;
+  const PlannedJob without = planned(spec);
+  EXPECT_TRUE(without.result["details"]["redundancy"]["trades"].empty());
+  EXPECT_EQ(without.result["summary"]["duration"], with.result["summary"]["duration"]);
+}
+
+TEST(CoarseFine, WithTheFineAxesItIsQuickerThanWithTheCoarseAlone) {
+  json spec = example("coarse_fine");
+  const double both = planned(spec).result["summary"]["duration"];
+  json axes = json::object();
+  for (const char* name : {"x", "y"}) axes[name] = spec["machine"]["coarse"][name];
+  spec["machine"] = {{"axes", axes}};
+  EXPECT_LT(both, planned(spec).result["summary"]["duration"]);
+}
+
+TEST(CoarseFine, JerkInSpaceIsPlannedAndHeld) {
+  const PlannedJob job = planned(example("coarse_fine_jerk"));
+  EXPECT_TRUE(job.verified);
+  std::vector<std::string> names;
+  for (const auto& check : job.result["verification"]["checks"]) names.push_back(check["name"]);
+  for (const char* name : {"jerk xc", "jerk zf", "coarse continuity of acceleration", "setpoints sum"})
+    EXPECT_THAT(names, testing::Contains(name));
+  EXPECT_EQ(job.result["details"]["method"], "jerk_limited");
+  EXPECT_TRUE(job.result["details"]["redundancy"]["coarse_jerk_limited"].get<bool>());
+}
+
+TEST(CoarseFine, WhatTheMethodDoesNotLookAtIsNoted) {
+  json spec = example("coarse_fine");
+  spec["machine"]["redundancy"]["degree"] = 4;
+  spec["planning"]["method"] = "braking_reserve";
+  const PlannedJob job = planned(spec);
+  EXPECT_THAT(job.result["details"]["notes"].dump(),
+              testing::AllOf(testing::HasSubstr("redundancy.degree"), testing::HasSubstr("braking reserve")));
+}
+
+TEST(CoarseFine, AStudyOfTheMachineIsATableAndAChart) {
+  json spec = example("coarse_fine");
+  spec["planning"] = {{"machine_study", true}};
+  const PlannedJob job = planned(spec);
+  const auto& study = job.result["details"]["redundancy"]["machine_study"];
+  EXPECT_EQ(study["stroke"].size(), 7u);
+  EXPECT_EQ(study["fine_acceleration"][3]["value"], 60000);
+  EXPECT_TRUE(job.result["details"]["drawings"].contains("machine_study.svg"));
+}
+
+TEST(CoarseFine, ALongMoveTellsWhereItLosesTime) {
+  json spec = example("coarse_fine");
+  spec["contour"] = {{"points", {{0, 0}, {400, 0}, {400, 5}}}};
+  spec["planning"] = json::object();
+  const PlannedJob job = planned(spec);
+  const auto& redundancy = job.result["details"]["redundancy"];
+  ASSERT_GE(redundancy["slow_sections"].size(), 1u);
+  EXPECT_EQ(redundancy["slow_sections"][0]["segment"], 0);
+  EXPECT_EQ(redundancy["slow_sections"][0]["length"], 400);
+  EXPECT_GE(redundancy["slowed_count"], 1);
+  EXPECT_GT(job.result["bound"]["gap"], 0);
+}
+
+}  // namespace
+}  // namespace bahnwerk::api::contour

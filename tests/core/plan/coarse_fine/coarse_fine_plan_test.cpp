@@ -1,0 +1,127 @@
+#include "core/plan/coarse_fine/coarse_fine_plan.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/base/errors.hpp"
+#include "core/base/read_rows.hpp"
+#include "tests/core/redundant/coarse_fine_machines.hpp"
+
+namespace bahnwerk {
+namespace {
+
+CoarseFinePlan plan(Contour contour, const CoarseFineMachine& machine, const ContourPlanning& planning = {},
+                    const RedundancyOptions& options = {}) {
+  SilentProgress progress;
+  return plan_coarse_fine(std::move(contour), machine, planning, options, progress);
+}
+
+void expect_verified(const CoarseFinePlan& p) {
+  for (const Check& c : p.contour.verification.checks)
+    EXPECT_TRUE(c.passed) << c.name << ": " << c.value << " against " << c.limit << " at " << c.at;
+  EXPECT_TRUE(p.contour.verification.passed);
+  EXPECT_GE(p.contour.bound.gap, -1e-9);
+}
+
+double check_value(const CoarseFinePlan& p, const std::string& name) {
+  for (const Check& c : p.contour.verification.checks)
+    if (c.name == name) return c.value;
+  ADD_FAILURE() << "no check " << name;
+  return NAN;
+}
+
+CoarseFineMachine with_jerk(CoarseFineMachine machine) {
+  for (CoarseFineAxis& axis : machine.axes) axis.coarse.jerk = 1.6e6, axis.fine.jerk = 6e6;
+  return machine;
+}
+
+TEST(CoarseFinePlan, HolesAreVerifiedAndAsQuickAsTheBoundAllows) {
+  const CoarseFinePlan p = plan(test::holes(4, 4, 12, 2), test::md2());
+  expect_verified(p);
+  EXPECT_LE(p.contour.bound.gap, 1e-5);
+  EXPECT_EQ(p.trades.size(), std::size(stretches));
+  EXPECT_EQ(p.energy.size(), 2u);
+  EXPECT_NEAR(p.energy[0], p.trades[0].energy[0], 1e-3 * p.trades[0].energy[0]);
+  EXPECT_LE(p.peak_coarse_acceleration[0], 16000 * (1 + 1e-9));
+}
+
+TEST(CoarseFinePlan, JerkLimitsHoldOfBothAxes) {
+  const CoarseFinePlan p = plan(test::holes(3, 3, 12, 2), with_jerk(test::md2()));
+  expect_verified(p);
+  EXPECT_LE(check_value(p, "jerk xc"), 1.6e6 * (1 + 1e-9));
+  EXPECT_LE(check_value(p, "jerk xf"), 6e6 * (1 + 1e-9));
+}
+
+TEST(CoarseFinePlan, RoundedCornersStayInTheTube) {
+  ContourBuilder b(2, {0, 0, 0});
+  b.block(Mode::cut, 400);
+  for (int i = 1; i < 20; ++i) b.line({6.0 * i, i % 2 == 0 ? 0.0 : 5.0, 0});
+  const Contour contour = b.finish();
+  ContourPlanning planning;
+  const CoarseFinePlan stops = plan(contour, test::md1(), planning);
+  planning.corner_mode = CornerMode::blend;
+  planning.blend_tolerance = 0.1;
+  const CoarseFinePlan rounded = plan(contour, test::md1(), planning);
+  expect_verified(stops);
+  expect_verified(rounded);
+  EXPECT_LT(rounded.contour.duration, stops.contour.duration);
+  EXPECT_LE(check_value(rounded, "deviation from contour"), 0.1);
+}
+
+TEST(CoarseFinePlan, APlanarContourLeavesTheThirdAxisWhereItIs) {
+  CoarseFineMachine machine = test::md2();
+  machine.axes.push_back(machine.axes[0]);
+  machine.axes[2].name = "z";
+  const CoarseFinePlan p = plan(test::holes(2, 2, 12, 2), machine);
+  expect_verified(p);
+  const SetpointSource& rows = *p.contour.setpoints;
+  const std::size_t zc = column_index(rows.columns(), "zc"), zf = column_index(rows.columns(), "zf");
+  for_each_row(
+      rows,
+      [&](std::size_t, const double* row) {
+        ASSERT_EQ(row[zc], 0);
+        ASSERT_EQ(row[zf], 0);
+      },
+      [](std::size_t, std::size_t) {});
+}
+
+TEST(CoarseFinePlan, AHelixInSpaceIsVerified) {
+  CoarseFineMachine machine = test::md2();
+  machine.axes.push_back(machine.axes[0]);
+  machine.axes[2].name = "z";
+  ContourBuilder b(3, {10, 0, 0});
+  b.block(Mode::cut, 400);
+  b.arc({10, 0, 6}, {0, 0, 0}, true);
+  b.block(Mode::position, unlimited);
+  b.line({40, 30, 20});
+  expect_verified(plan(b.finish(), machine));
+}
+
+TEST(CoarseFinePlan, SetpointsAreTheSumInEveryRow) {
+  const CoarseFinePlan p = plan(test::holes(3, 2, 12, 2), test::md2());
+  const auto& columns = p.contour.setpoints->columns();
+  const char* names[] = {"x",  "y",  "vx", "vy",  "ax",  "ay",  "s",   "v",   "mode", "block", "xc",
+                         "yc", "xf", "yf", "vxc", "vyc", "vxf", "vyf", "axc", "ayc",  "axf",   "ayf"};
+  ASSERT_EQ(columns.size(), std::size(names));
+  for (std::size_t i = 0; i < columns.size(); ++i) EXPECT_EQ(columns[i].name, names[i]);
+  for_each_row(
+      *p.contour.setpoints,
+      [](std::size_t, const double* row) {
+        for (const std::size_t k : {0, 1}) {
+          ASSERT_NEAR(row[10 + k] + row[12 + k], row[k], 1e-12);
+          ASSERT_LE(std::abs(row[12 + k]), 20);
+          ASSERT_LE(std::abs(row[20 + k]), 60000 * (1 + 1e-9));
+        }
+      },
+      [](std::size_t, std::size_t) {});
+}
+
+TEST(CoarseFinePlan, ALongMoveIsVerifiedAndNotBelowItsBound) {
+  const CoarseFinePlan p = plan(test::straight(600, 200), test::md1());
+  expect_verified(p);
+  EXPECT_GE(p.contour.duration, p.contour.bound.duration);
+}
+
+}  // namespace
+}  // namespace bahnwerk

@@ -1,0 +1,160 @@
+#include "core/redundant/iterative/coarse_fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/numeric/random.hpp"
+
+namespace bahnwerk {
+namespace {
+
+CoarseTask task_of(double duration, std::size_t samples, double tolerance, const std::function<double(double)>& x) {
+  CoarseTask task;
+  task.duration = duration;
+  task.positions.resize(samples);
+  for (std::size_t i = 0; i < samples; ++i) task.positions[i] = x(task.time(i));
+  for (std::size_t i = 1; i < samples; ++i)
+    task.speed = std::max(task.speed, std::abs(task.positions[i] - task.positions[i - 1]) / task.time(1));
+  task.tolerance = tolerance;
+  task.begin.position = task.positions.front();
+  task.limits = {1800, 16000};
+  return task;
+}
+/// From rest to rest over 300 mm, with a wave on it that the fine axis can follow.
+double wave(double t) { return 150 * (1 - std::cos(M_PI * t)) + 15 * std::sin(40 * t) * std::sin(M_PI * t); }
+
+double largest_error(const CoarseTask& task, const TimeSpline& s) {
+  double most = 0;
+  for (std::size_t i = 0; i < task.positions.size(); ++i)
+    most = std::max(most, std::abs(s.in_piece(s.find(task.time(i), 0), task.time(i)).x - task.positions[i]));
+  return most;
+}
+double energy(const TimeSpline& s) {
+  double sum = 0;
+  const int n = 20000;
+  for (int i = 0; i < n; ++i) {
+    const double t = s.duration() * (i + 0.5) / n, a = s.in_piece(s.find(t, 0), t).a;
+    sum += a * a * s.duration() / n;
+  }
+  return sum;
+}
+
+TEST(CoarseFit, EveryPairOfMethodsStaysWithinTheTolerance) {
+  const CoarseTask task = task_of(1, 1001, 20, wave);
+  for (const auto& approximation : coarse_approximations)
+    for (const auto& smoothing : coarse_smoothings)
+      for (const auto& [degree, multiplicity] : {std::pair{2u, 1u}, {3u, 1u}, {3u, 2u}, {4u, 2u}, {5u, 1u}}) {
+        SCOPED_TRACE(std::string(approximation.name) + " " + smoothing.name + " " + std::to_string(degree));
+        CoarseFitOptions o;
+        o.approximation = approximation.value;
+        o.smoothing = smoothing.value;
+        o.degree = degree;
+        o.multiplicity = multiplicity;
+        const std::optional<CoarseFit> fit = fit_coarse(task, o);
+        ASSERT_TRUE(fit);
+        EXPECT_LE(largest_error(task, fit->spline), 20 * (1 + 1e-6));
+        EXPECT_NEAR(fit->error, largest_error(task, fit->spline), 1e-6);
+        EXPECT_LT(fit->knots, 60u);
+        const AxisState a = fit->spline.in_piece(0, 0);
+        const AxisState b = fit->spline.in_piece(fit->spline.pieces() - 1, 1);
+        EXPECT_NEAR(a.x, task.begin.position, 1e-10);
+        EXPECT_NEAR(a.v, 0, 1e-8);
+        EXPECT_NEAR(b.v, 0, 1e-8);
+      }
+}
+
+TEST(CoarseFit, AHeadThatStaysWithinTheStrokeLeavesTheCoarseAxisAlmostStill) {
+  const CoarseTask task = task_of(1, 500, 20, [](double t) { return 10 * std::sin(30 * t) * std::sin(M_PI * t); });
+  CoarseFitOptions o;
+  o.smoothing = CoarseSmoothing::quadratic_program;
+  const auto fit = fit_coarse(task, o);
+  ASSERT_TRUE(fit);
+  EXPECT_LT(energy(fit->spline), 1e-2);
+}
+
+/// Of splines with the same knots the quadratic program's has the least energy, the linear one's the least peak.
+TEST(CoarseFit, SecondPhasesAreSmootherThanTheFirst) {
+  const CoarseTask task = task_of(1, 1001, 20, wave);
+  CoarseFitOptions o;
+  o.afterburner = 1;
+  std::vector<double> energies, peaks;
+  for (const auto& smoothing : coarse_smoothings) {
+    o.smoothing = smoothing.value;
+    const auto fit = fit_coarse(task, o);
+    ASSERT_TRUE(fit);
+    energies.push_back(energy(fit->spline));
+    double peak = 0;
+    for (std::size_t i = 0; i < fit->spline.pieces(); ++i)  // linear in between
+      for (const double t : {fit->spline.begin(i), fit->spline.end(i)})
+        peak = std::max(peak, std::abs(fit->spline.in_piece(i, t).a));
+    peaks.push_back(peak);
+  }
+  EXPECT_LT(energies[1], energies[0]);               // smoothing spline
+  EXPECT_LT(energies[2], energies[1] * (1 + 1e-3));  // quadratic program
+  for (const double peak : peaks) EXPECT_GE(peak, peaks[3] * (1 - 1e-3));
+}
+
+TEST(CoarseFit, ProgramsHoldLimitsInBothForms) {
+  // 300 mm in 0.35 s: the smoothest motion within ±20 mm would exceed 1100 mm/s.
+  const auto move = [](double t) { return t < 0.35 ? 150 * (1 - std::cos(M_PI * t / 0.35)) : 300; };
+  CoarseTask task = task_of(0.45, 450, 20, move);
+  CoarseFitOptions o;
+  o.afterburner = 12;
+  const auto peak_speed = [](const TimeSpline& s) {
+    double most = 0;
+    for (int i = 0; i <= 9000; ++i) most = std::max(most, std::abs(s.in_piece(s.find(5e-5 * i, 0), 5e-5 * i).v));
+    return most;
+  };
+  task.limits = {1e6, 1e6};
+  const double free_speed = peak_speed(fit_coarse(task, o)->spline);
+  task.limits = {0.93 * free_speed, 60000};
+  for (const bool sampled : {false, true}) {
+    o.sampled_limits = sampled;
+    const auto fit = fit_coarse(task, o);
+    ASSERT_TRUE(fit);
+    EXPECT_TRUE(fit->limits_met);
+    EXPECT_LE(peak_speed(fit->spline), task.limits.velocity * (1 + 1e-3));
+    EXPECT_LE(largest_error(task, fit->spline), 20 * (1 + 1e-6));
+  }
+  task.limits = {0.3 * free_speed, 60000};  // cannot be: the tolerance holds all the same
+  const auto fit = fit_coarse(task, o);
+  ASSERT_TRUE(fit);
+  EXPECT_FALSE(fit->limits_met);
+  EXPECT_LE(largest_error(task, fit->spline), 20 * (1 + 1e-6));
+}
+
+TEST(CoarseFit, BeginsWhereItIsTold) {
+  CoarseTask task = task_of(1, 1001, 20, wave);
+  task.begin = {12, -150, 900, true};
+  CoarseFitOptions o;
+  o.degree = 4;
+  for (const auto& smoothing : coarse_smoothings) {
+    o.smoothing = smoothing.value;
+    const auto fit = fit_coarse(task, o);
+    ASSERT_TRUE(fit);
+    const AxisState a = fit->spline.in_piece(0, 0);
+    EXPECT_NEAR(a.x, 12, 1e-10);
+    EXPECT_NEAR(a.v, -150, 1e-8);
+    EXPECT_NEAR(a.a, 900, 1e-5);
+    EXPECT_LE(largest_error(task, fit->spline), 20 * (1 + 1e-6));
+  }
+}
+
+TEST(CoarseFit, PassesGrowWithTheLogarithmOfTheDuration) {
+  CoarseFitOptions o;
+  o.smoothing = CoarseSmoothing::none;
+  int passes = 0;
+  o.tick = [&] { ++passes; };
+  std::vector<int> counts;
+  for (const double duration : {4.0, 40.0, 400.0}) {
+    passes = 0;
+    const auto n = static_cast<std::size_t>(500 * duration) + 1;
+    ASSERT_TRUE(fit_coarse(task_of(duration, n, 2, [](double t) { return 30 * std::sin(7 * t) * std::sin(t); }), o));
+    counts.push_back(passes);
+  }
+  EXPECT_LE(counts[2] - counts[1], counts[1] - counts[0] + 10) << counts[0] << ' ' << counts[1] << ' ' << counts[2];
+}
+
+}  // namespace
+}  // namespace bahnwerk

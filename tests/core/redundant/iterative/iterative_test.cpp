@@ -1,0 +1,169 @@
+#include "core/redundant/iterative/iterative.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "core/base/errors.hpp"
+#include "core/numeric/random.hpp"
+#include "tests/core/redundant/coarse_fine_machines.hpp"
+#include "tests/core/redundant/iterative/small_contours.hpp"
+#include "tests/core/redundant/split_excess.hpp"
+
+namespace bahnwerk {
+namespace {
+
+RedundancyResult plan(const RedundancyTask& task, const RedundancyOptions& options) {
+  SilentProgress progress;
+  return plan_iterative(task, options, progress, 0, 1);
+}
+void expect_valid(const RedundancyTask& task, const RedundancyResult& r) {
+  const test::SplitExcess e = test::split_excess(task, r);
+  EXPECT_LE(e.limits, 1e-8);
+  EXPECT_LE(e.jump, 1e-8);
+  EXPECT_LE(e.rest, 1e-7);
+  EXPECT_LE(e.time, 1e-12);
+}
+
+/// [Bock Table 4.1]: with the quadratic program 7.394 s against 7.373 s of the first iteration, at most.
+TEST(Iterative, TheQuadraticProgramHardlyLosesAnythingOnSmallContours) {
+  const RedundancyTask task = test::redundancy_task(test::small_contours(), test::md2());
+  const RedundancyResult r = plan(task, {});
+  expect_valid(task, r);
+  EXPECT_EQ(r.fallbacks, 0u);
+  EXPECT_LE(r.head->duration(), 1.003 * r.fastest);
+  EXPECT_GE(r.head->duration(), r.fastest - 1e-12);
+  ASSERT_EQ(r.passes.size(), r.iterations);
+  EXPECT_NEAR(r.passes.front().duration, r.fastest, 1e-12);
+  EXPECT_GT(r.passes.front().violated_blocks, 0u);
+  EXPECT_EQ(r.passes.back().violated_blocks, 0u);
+  for (std::size_t i = 1; i < r.passes.size(); ++i) EXPECT_GE(r.passes[i].duration, r.passes[i - 1].duration - 1e-9);
+  for (const RedundancyPeaks& p : r.passes.back().peaks) EXPECT_LE(p.coarse_acceleration, 16000);
+}
+
+TEST(Iterative, SimpleKnotsOfDegreeFourLimitTheCoarseJerk) {
+  const RedundancyTask task = test::redundancy_task(test::small_contours(2, 2), test::md2());
+  RedundancyOptions o;
+  for (const auto& [degree, multiplicity, limited] :
+       {std::tuple{2, 1, false}, {3, 1, true}, {3, 2, false}, {4, 1, true}}) {
+    o.degree = degree;
+    o.knot_multiplicity = multiplicity;
+    EXPECT_EQ(plan(task, o).coarse_jerk_limited, limited);
+  }
+}
+
+/// Every pair of methods, whole and in windows, ends in a split that holds all limits.
+TEST(Iterative, RandomContoursEndValidWithEveryMethod) {
+  Random random(21);
+  std::size_t own = 0, all = 0;
+  for (int i = 0; i < 3; ++i) {
+    const RedundancyTask task =
+        test::redundancy_task(test::random_contour(random, i == 0 ? 400 : 100), i % 2 == 0 ? test::md2() : test::md1());
+    RedundancyOptions o;
+    o.degree = 2 + i;
+    for (const auto& approximation : coarse_approximations)
+      for (const auto& smoothing : coarse_smoothings)
+        for (const bool windows : {false, true}) {
+          SCOPED_TRACE(std::to_string(i) + approximation.name + smoothing.name + std::to_string(windows));
+          o.approximation = approximation.value;
+          o.smoothing = smoothing.value;
+          o.window.reset();
+          if (windows) o.window = RedundancyOptions::Window{6, 2};
+          const RedundancyResult r = plan(task, o);
+          expect_valid(task, r);
+          own += r.fallbacks == 0;
+          ++all;
+        }
+  }
+  EXPECT_GE(own, all - all / 4);
+}
+
+TEST(Iterative, LimitedJerkIsHeldToo) {
+  Random random(22);
+  for (const double longest : {30.0, 60.0}) {
+    CoarseFineMachine machine = test::md2();
+    for (CoarseFineAxis& axis : machine.axes) axis.coarse.jerk = 4e6, axis.fine.jerk = 2e7;
+    const RedundancyTask task = test::redundancy_task(test::random_contour(random, longest), machine);
+    RedundancyOptions o;
+    o.degree = 4;
+    const RedundancyResult r = plan(task, o);
+    expect_valid(task, r);
+    EXPECT_TRUE(r.coarse_jerk_limited);
+    o.degree = 3;
+    o.knot_multiplicity = 2;
+    EXPECT_THROW(plan(task, o), InvalidInput);
+  }
+}
+
+TEST(Iterative, WindowsAreJoinedInMotion) {
+  const RedundancyTask task = test::redundancy_task(test::small_contours(7, 2), test::md2());
+  RedundancyOptions o;
+  const double whole = plan(task, o).head->duration();
+  o.window = RedundancyOptions::Window{20, 5};
+  const RedundancyResult r = plan(task, o);
+  expect_valid(task, r);
+  EXPECT_EQ(r.fallbacks, 0u);
+  EXPECT_LE(r.head->duration(), 1.01 * whole);
+  // Somewhere the head rests while the coarse axes go on.
+  bool moving = false;
+  std::size_t piece = 0;
+  for (const LawPiece& p : r.head->law().pieces())
+    if (p.v == 0 && p.t0 > 0) moving = moving || std::abs(r.coarse->evaluate(p.t0, piece).velocity[0]) > 1;
+  EXPECT_TRUE(moving);
+}
+
+TEST(Iterative, ThinnedSamplesKeepTheStroke) {
+  const RedundancyTask task = test::redundancy_task(test::small_contours(3, 3), test::md2());
+  RedundancyOptions o;
+  for (const int thinning : {2, 5, 10}) {
+    o.thinning = thinning;
+    const RedundancyResult r = plan(task, o);
+    expect_valid(task, r);
+    EXPECT_EQ(r.fallbacks, 0u);
+  }
+  o.thinning = 100;  // 0.1 s apart: the fine axis could be anywhere in between
+  EXPECT_THROW(plan(task, o), InvalidInput);
+}
+
+/// Where it finds nothing of its own it is never slower than the coarse axes alone.
+TEST(Iterative, NeverSlowerThanTheCoarseAxesAlone) {
+  const RedundancyTask task = test::redundancy_task(test::straight(600, 0), test::md2());
+  RedundancyOptions o;
+  for (const auto& smoothing : coarse_smoothings) {
+    o.smoothing = smoothing.value;
+    const RedundancyResult r = plan(task, o);
+    expect_valid(task, r);
+    EXPECT_LE(r.head->duration(), 600.0 / 1800 + 1800.0 / 16000 + 1e-9);
+  }
+}
+
+TEST(Iterative, RefusesWhatMakesNoSense) {
+  const RedundancyTask task = test::redundancy_task(test::straight(10, 0), test::md2());
+  const auto refused = [&](auto&& change) {
+    RedundancyOptions o;
+    change(o);
+    EXPECT_THROW(plan(task, o), InvalidInput);
+  };
+  refused([](RedundancyOptions& o) { o.degree = 1; });
+  refused([](RedundancyOptions& o) { o.degree = 6; });
+  refused([](RedundancyOptions& o) { o.knot_multiplicity = 3; });
+  refused([](RedundancyOptions& o) { o.knot_multiplicity = 0; });
+  refused([](RedundancyOptions& o) { o.thinning = 0; });
+  refused([](RedundancyOptions& o) { o.afterburner = -1; });
+  refused([](RedundancyOptions& o) { o.window = RedundancyOptions::Window{3, 3}; });
+}
+
+TEST(Iterative, StopsWhenToldTo) {
+  struct Stop final : Progress {
+    void report(std::string_view, double, std::string_view) override {
+      if (++calls == 40) throw Stopped(StopReason::cancelled);
+    }
+    int calls = 0;
+  } stop;
+  const RedundancyTask task = test::redundancy_task(test::small_contours(), test::md2());
+  EXPECT_THROW(plan_iterative(task, {}, stop, 0, 1), Stopped);
+}
+
+}  // namespace
+}  // namespace bahnwerk

@@ -1,0 +1,54 @@
+#include "core/redundant/iterative/spline_ends.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "tests/core/redundant/iterative/random_knots.hpp"
+
+namespace bahnwerk {
+namespace {
+
+TEST(SplineEnds, HoldWhateverTheVariablesAre) {
+  Random random(1);
+  for (std::size_t degree = 2; degree <= 5; ++degree)
+    for (const bool with_acceleration : {false, true}) {
+      if (with_acceleration && degree < 3) continue;
+      const SplineSpace space(degree, test::random_knots(random, degree, 6, 1, 2));
+      const SplineBegin begin{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1), with_acceleration};
+      const SplineEnds ends(space, begin);
+      std::vector<double> y(ends.variables());
+      for (double& v : y) v = random.uniform(-1, 1);
+      const std::vector<double> d = ends.controls(y);
+      EXPECT_EQ(d.size(), space.size());
+      for (std::size_t i = 0; i < y.size(); ++i) EXPECT_EQ(d[ends.control(i)], y[i]);
+      const TimeSpline s = space.spline(d);
+      const AxisState a = s.in_piece(0, 0), b = s.in_piece(s.pieces() - 1, s.duration());
+      EXPECT_NEAR(a.x, begin.position, 1e-13);
+      EXPECT_NEAR(a.v, begin.velocity, 1e-11);
+      EXPECT_NEAR(b.v, 0, 1e-11);
+      if (with_acceleration) {
+        EXPECT_NEAR(a.a, begin.acceleration, 1e-9);
+        EXPECT_NEAR(b.a, 0, 1e-9);
+      }
+      // Rows of variables are rows of control points.
+      std::size_t span = 0;
+      for (int i = 0; i <= 40; ++i)
+        for (std::size_t order = 0; order <= 2; ++order) {
+          const SplineRow row = space.at(0.05 * i, order, span);
+          const VariableRow reduced = ends.reduced(row);
+          double sum = 0, own = reduced.offset;
+          for (std::size_t r = 0; r < row.count; ++r) sum += row.weights[r] * d[row.first + r];
+          for (std::size_t r = 0; r < reduced.count; ++r) own += reduced.weights[r] * y[reduced.first + r];
+          EXPECT_NEAR(own, sum, 1e-9);
+        }
+    }
+}
+
+TEST(SplineEnds, TakeSomeControlPoints) {
+  EXPECT_THROW(SplineEnds(SplineSpace(2, {0, 0, 0, 1, 1, 1}), {}), std::invalid_argument);
+  EXPECT_EQ(SplineEnds(SplineSpace(3, {0, 0, 0, 0, 1, 1, 1, 1}), {}).variables(), 1u);
+}
+
+}  // namespace
+}  // namespace bahnwerk

@@ -1,0 +1,73 @@
+#pragma once
+/// By how much a split exceeds a limit at most, found by a sweep of what is between samples that knows nothing of the
+/// planner.
+#include <algorithm>
+#include <cmath>
+
+#include "core/numeric/peak.hpp"
+#include "core/redundant/redundancy.hpp"
+
+namespace bahnwerk::test {
+
+struct SplitExcess {
+  double limits = -1;  ///< largest value over its limit, − 1: velocities, accelerations, jerks, stroke
+  double jump = 0;     ///< of the coarse axes where pieces meet: mm, or s times mm/s, or s² times mm/s² with jerk
+  double rest = 0;     ///< mm/s, of coarse axes at both ends
+  double time = 0;     ///< s, by which head and coarse axes last differently
+};
+
+inline SplitExcess split_excess(const RedundancyTask& task, const RedundancyResult& r) {
+  SplitExcess e;
+  const std::size_t axes = task.machine.axes.size();
+  const bool jerk = task.machine.limits_jerk();
+  std::vector<double> limits;
+  for (const CoarseFineAxis& a : task.machine.axes)
+    for (const double limit : {a.coarse.velocity, a.coarse.acceleration, a.stroke, a.fine.velocity, a.fine.acceleration,
+                               jerk ? a.coarse.jerk : 1, jerk ? a.fine.jerk : 1})
+      limits.push_back(limit);
+  constexpr std::size_t kinds = 7;
+  const SumOfMotions both(r.head, r.coarse);  // for its pieces
+  e.time = std::abs(r.head->duration() - r.coarse->duration());
+  PeakSweep sweep(limits);
+  std::size_t h = 0, c = 0;
+  for (std::size_t piece = 0; piece < both.pieces(); ++piece) {
+    const double begin = both.begin(piece), end = both.end(piece);
+    if (!(end > begin)) continue;
+    while (h + 1 < r.head->pieces() && r.head->begin(h + 1) <= begin) ++h;
+    while (c + 1 < r.coarse->pieces() && r.coarse->begin(c + 1) <= begin) ++c;
+    sweep.sweep(begin, end, false, piece, [&](PeakSamples& s) {
+      const auto n = static_cast<std::size_t>(s.rule.points);
+      for (std::size_t i = 0; i < n; ++i) {
+        const double t = s.at(static_cast<int>(i));
+        const MotionState x = r.head->in_piece(h, t), xc = r.coarse->in_piece(c, t);
+        for (std::size_t k = 0; k < axes; ++k) {
+          const double values[kinds] = {xc.velocity[k],
+                                        xc.acceleration[k],
+                                        x.position[k] - xc.position[k],
+                                        x.velocity[k] - xc.velocity[k],
+                                        x.acceleration[k] - xc.acceleration[k],
+                                        jerk ? xc.jerk[k] : 0,
+                                        jerk ? x.jerk[k] - xc.jerk[k] : 0};
+          for (std::size_t q = 0; q < kinds; ++q) s.values[(kinds * k + q) * n + i] = values[q];
+        }
+      }
+      return true;
+    });
+  }
+  for (std::size_t i = 0; i < limits.size(); ++i) e.limits = std::max(e.limits, sweep[i].value / limits[i] - 1);
+  for (std::size_t k = 0; k < axes; ++k) {
+    const double unit = std::sqrt(task.machine.axes[k].stroke / task.machine.axes[k].coarse.acceleration);
+    e.rest = std::max(
+        {e.rest, std::abs(r.coarse->in_piece(0, 0).velocity[k]), std::abs(r.coarse->final_state().velocity[k])});
+    for (std::size_t i = 1; i < r.coarse->pieces(); ++i) {
+      const double t = r.coarse->begin(i);
+      const MotionState a = r.coarse->in_piece(i - 1, t), b = r.coarse->in_piece(i, t);
+      e.jump =
+          std::max({e.jump, std::abs(a.position[k] - b.position[k]), unit * std::abs(a.velocity[k] - b.velocity[k]),
+                    jerk ? unit * unit * std::abs(a.acceleration[k] - b.acceleration[k]) : 0.0});
+    }
+  }
+  return e;
+}
+
+}  // namespace bahnwerk::test

@@ -1,0 +1,177 @@
+#include "core/verify/redundant/coarse_fine_checks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "core/contour/builder.hpp"
+#include "core/motion/axes/path_task.hpp"
+#include "core/motion/axes/spline_motion.hpp"
+
+namespace bahnwerk {
+namespace {
+
+std::vector<AxisLimits> limits(const char* letter, double velocity, double acceleration, double jerk, double stroke) {
+  std::vector<AxisLimits> list;
+  for (const char* axis : {"x", "y"}) {
+    list.emplace_back(std::string(axis) + letter, velocity, acceleration, jerk);
+    if (stroke < unlimited) list.back().lowest = -stroke, list.back().highest = stroke;
+  }
+  return list;
+}
+
+struct Case {
+  std::shared_ptr<const AxisPath> path;
+  TimeLaw law;
+  std::vector<SplineMotion::Piece> coarse;
+  std::vector<AxisLimits> coarse_axes = limits("c", 1e4, 1e5, unlimited, unlimited);
+  std::vector<AxisLimits> fine_axes = limits("f", 1e4, 1e6, unlimited, 100);
+  bool jerk = false;
+
+  std::vector<Check> checks() const {
+    const SplineMotion motion(coarse);
+    CoarseFineToVerify input{*path, law, motion, coarse_axes, fine_axes};
+    input.check_jerk = jerk;
+    SilentProgress progress;
+    return coarse_fine_checks(input, progress);
+  }
+};
+
+Check find(const std::vector<Check>& checks, const std::string& name) {
+  for (const Check& c : checks)
+    if (c.name == name) return c;
+  ADD_FAILURE() << "no check " << name;
+  return {};
+}
+
+std::shared_ptr<const AxisPath> path_of(ContourBuilder& builder) {
+  return contour_axes(std::make_shared<const Contour>(builder.finish()), 2);
+}
+
+/// A line of 10 mm, 0.1 s up and 0.1 s down at 1000 mm/s².
+Case line() {
+  ContourBuilder b(2, {0, 0, 0});
+  b.block(Mode::cut, unlimited);
+  b.line({10, 0, 0});
+  Case c{path_of(b), {}, {}};
+  c.law.append({0, 0.1, 0, 5, 0, 1000, 0, 0});
+  c.law.append({0, 0.1, 5, 10, 100, -1000, 0, 0});
+  c.coarse = {{0.2, {{4}, {1}}}};
+  return c;
+}
+
+/// A circle of radius 8 about the origin at a constant 200 mm/s.
+Case circle() {
+  ContourBuilder b(2, {8, 0, 0});
+  b.block(Mode::cut, unlimited);
+  b.arc({8, 0, 0}, {0, 0, 0}, true);
+  Case c{path_of(b), {}, {}};
+  const double length = c.path->length();
+  c.law.append({0, length / 200, 0, length, 200, 0, 0, 0});
+  c.coarse = {{length / 200, {{0}, {0}}}};
+  return c;
+}
+
+TEST(CoarseFineChecks, OnALineTheFineAxisDoesWhatTheCoarseLeaves) {
+  const auto checks = line().checks();
+  EXPECT_DOUBLE_EQ(find(checks, "stroke xf").value, 6);
+  EXPECT_DOUBLE_EQ(find(checks, "stroke yf").value, 1);
+  EXPECT_DOUBLE_EQ(find(checks, "velocity xf").value, 100);
+  EXPECT_NEAR(find(checks, "velocity xf").at, 0.1, 1e-12);
+  EXPECT_DOUBLE_EQ(find(checks, "acceleration xf").value, 1000);
+  for (const Check& c : checks) EXPECT_TRUE(c.passed) << c.name;
+}
+
+/// x_c = 50 t² would follow exactly; of x_c = 40 t² a tenth of the way is left at 0.1 s.
+TEST(CoarseFineChecks, ACoarsePolynomialIsTakenAway) {
+  Case c = line();
+  c.coarse = {{0.1, {{0, 0, 400}, {0}}}, {0.2, {{4, 80, -400}, {0}}}};
+  const auto checks = c.checks();
+  EXPECT_NEAR(find(checks, "stroke xf").value, 2, 1e-12);
+  EXPECT_NEAR(find(checks, "velocity xf").value, 20, 1e-11);
+  EXPECT_NEAR(find(checks, "acceleration xf").value, 200, 1e-9);
+  EXPECT_NEAR(find(checks, "acceleration xc").value, 800, 1e-9);
+}
+
+TEST(CoarseFineChecks, OnACircleThePeaksAreThoseOfTheCircle) {
+  const auto checks = circle().checks();
+  for (const char* axis : {"xf", "yf"}) {
+    for (const auto& [name, value] :
+         {std::pair<const char*, double>{"stroke ", 8}, {"velocity ", 200}, {"acceleration ", 200.0 * 200 / 8}}) {
+      const Check c = find(checks, std::string(name) + axis);
+      EXPECT_GE(c.value, value * (1 - 1e-14)) << c.name;
+      EXPECT_LE(c.value, value * (1 + 1e-9)) << c.name;
+    }
+  }
+}
+
+/// Between two samples of 1 ms a peak shows only to enclosures.
+TEST(CoarseFineChecks, LimitsJustBelowThePeakAreExceededJustAboveAreNot) {
+  for (const double factor : {1 - 1e-6, 1 + 1e-6}) {
+    Case c = circle();
+    c.fine_axes = limits("f", 200 * factor, 5000 * factor, unlimited, 8 * factor);
+    const auto checks = c.checks();
+    for (const char* name : {"stroke xf", "velocity yf", "acceleration xf"})
+      EXPECT_EQ(find(checks, name).passed, factor > 1) << name << " " << factor;
+  }
+}
+
+/// The coarse axes go round with the tool on a polynomial of degree 4, whose difference has a closed form.
+TEST(CoarseFineChecks, OnACirclePolynomialsAreTakenAway) {
+  Case c = circle();
+  const double T = c.law.duration();
+  c.coarse = {{T, {{8, 0, -3, 20, 0.5}, {0, 5, 2, 1, -7}}}};
+  const auto checks = c.checks();
+  double stroke = 0, acceleration = 0;
+  for (int i = 0; i <= 200000; ++i) {
+    const double t = T * i / 200000, w = 200.0 / 8;
+    stroke = std::max(stroke, std::abs(8 * std::cos(w * t) - (8 + t * t * (-3 + t * (20 + 0.5 * t)))));
+    acceleration = std::max(acceleration, std::abs(-8 * w * w * std::cos(w * t) - (-6 + t * (120 + 6 * t))));
+  }
+  EXPECT_NEAR(find(checks, "stroke xf").value, stroke, 1e-7);
+  EXPECT_NEAR(find(checks, "acceleration xf").value, acceleration, 1e-4);
+  EXPECT_GE(find(checks, "stroke xf").value, stroke * (1 - 1e-13));
+}
+
+TEST(CoarseFineChecks, JerkIsHeldWhereItIsAskedFor) {
+  Case c = circle();
+  c.jerk = true;
+  c.fine_axes = limits("f", 1e4, 1e6, 200.0 * 200 * 200 / 64 * (1 - 1e-6), 100);
+  EXPECT_FALSE(find(c.checks(), "jerk xf").passed);
+  c.fine_axes = limits("f", 1e4, 1e6, 200.0 * 200 * 200 / 64 * (1 + 1e-6), 100);
+  EXPECT_TRUE(find(c.checks(), "jerk xf").passed);
+}
+
+TEST(CoarseFineChecks, FaultsOfTheCoarseMotionShow) {
+  Case jump = line();
+  jump.coarse = {{0.1, {{4}, {1}}}, {0.2, {{4 + 1e-9}, {1}}}};
+  EXPECT_FALSE(find(jump.checks(), "coarse continuity of position").passed);
+  Case kink = line();
+  kink.coarse = {{0.1, {{4}, {1}}}, {0.2, {{4, 1e-6}, {1}}}};
+  EXPECT_FALSE(find(kink.checks(), "coarse continuity of velocity").passed);
+  EXPECT_FALSE(find(kink.checks(), "coarse end at rest").passed);
+  Case shorter = line();
+  shorter.coarse = {{0.2 - 1e-9, {{4}, {1}}}};
+  EXPECT_FALSE(find(shorter.checks(), "coarse duration").passed);
+  Case range = line();
+  range.coarse_axes[0].lowest = 0, range.coarse_axes[0].highest = 3.999;
+  EXPECT_FALSE(find(range.checks(), "range xc").passed);
+  Case lost = line();
+  lost.coarse[0].axes[0] = {std::nan("")};
+  EXPECT_FALSE(find(lost.checks(), "stroke xf").passed);
+  Case switches = line();  // of a head that switches at 0.1 s, a microsecond late
+  switches.coarse = {{0.1 + 1e-6, {{0, 0, 500}, {0}}}, {0.2, {{500 * 0.100001 * 0.100001, 100.001, -499.99}, {0}}}};
+  switches.fine_axes = limits("f", 1e4, 1000, unlimited, 100);
+  EXPECT_NEAR(find(switches.checks(), "acceleration xf").value, 2000, 1e-6);
+  EXPECT_FALSE(find(switches.checks(), "acceleration xf").passed);
+}
+
+TEST(CoarseFineChecks, AxesHaveToFitTogether) {
+  Case c = line();
+  c.fine_axes.pop_back();
+  EXPECT_THROW(c.checks(), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace bahnwerk
