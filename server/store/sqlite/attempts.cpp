@@ -10,7 +10,7 @@ std::optional<api::Job> SqliteStore::claim(const Lease& lease) {
   std::string packed;
   bool whole = true;
   writer_.run(
-      [&](Connection& connection) {
+      [&](SqliteConnection& connection) {
         job.reset();
         lose(connection, lease.now, lease.now, max_expired_at_once);
         Query next =
@@ -45,7 +45,7 @@ std::vector<Attempt> SqliteStore::heartbeat(const Lease& lease, const std::vecto
   std::vector<Attempt> over;
   if (attempts.empty()) return over;
   writer_.run(
-      [&](Connection& connection) {
+      [&](SqliteConnection& connection) {
         over.clear();
         for (const Attempt& attempt : attempts) {
           const int held = (connection.query("UPDATE jobs SET lease_until = ? WHERE id = ? AND state = 'running' AND "
@@ -62,7 +62,7 @@ std::vector<Attempt> SqliteStore::heartbeat(const Lease& lease, const std::vecto
 void SqliteStore::progress(Progressed progress, std::function<void()> done) {
   const auto p = std::make_shared<Progressed>(std::move(progress));
   writer_.post(
-      [this, p](Connection& connection) {
+      [this, p](SqliteConnection& connection) {
         (connection.query("UPDATE jobs SET fraction = ?, stage = ?, message = ?, revision = max(revision, ?), "
                           "changed = ? WHERE id = ? AND state = 'running' AND attempt = ?")
          << p->fraction << p->stage << p->message << static_cast<std::int64_t>(p->revision) << changes_.next() << p->id
@@ -75,7 +75,7 @@ void SqliteStore::progress(Progressed progress, std::function<void()> done) {
 
 bool SqliteStore::end(const std::string& id, int attempt, const Ending& ending) {
   return write_flag(
-      [&](Connection& connection) {
+      [&](SqliteConnection& connection) {
         const std::int64_t change = changes_.next();
         const int ended =
             (connection.query("UPDATE jobs SET state = ?, error = ?, finished_at = ?, revision = max(revision, ?) + 1, "
@@ -94,7 +94,7 @@ bool SqliteStore::end(const std::string& id, int attempt, const Ending& ending) 
 bool SqliteStore::requeue(const std::string& id, int attempt, std::int64_t now, std::uint64_t revision) {
   const std::string error = cancelled_error(id);
   return write_flag(
-      [&](Connection& connection) {
+      [&](SqliteConnection& connection) {
         const std::int64_t change = changes_.next();
         const int cancelled =
             (connection.query("UPDATE jobs SET state = 'cancelled', error = ?, finished_at = ?, revision = "

@@ -10,7 +10,7 @@ constexpr std::int64_t kept_removals = 1024;
 
 }  // namespace
 
-void ChangeLog::open(Connection& connection) { last_ = static_cast<std::int64_t>(last_change(connection)); }
+void ChangeLog::open(SqliteConnection& connection) { last_ = static_cast<std::int64_t>(last_change(connection)); }
 
 void ChangeLog::note(std::int64_t number, const std::string& id, std::optional<api::JobState> state, bool cancelled) {
   pending_.push_back({static_cast<std::uint64_t>(number), id, state, cancelled, 0});
@@ -28,7 +28,7 @@ void ChangeLog::listen(std::function<void(const std::vector<Changed>&)> call) {
   listener_ = std::move(call);
 }
 
-std::uint64_t last_change(Connection& connection) {
+std::uint64_t last_change(SqliteConnection& connection) {
   // The last removal is always kept, so no number is ever given twice.
   Query row = connection.query(
       "SELECT max(coalesce((SELECT max(changed) FROM jobs WHERE changed > 0), 0), "
@@ -37,7 +37,7 @@ std::uint64_t last_change(Connection& connection) {
   return static_cast<std::uint64_t>(row.integer(0));
 }
 
-Changes changes_since(Connection& connection, std::uint64_t sequence, std::size_t limit) {
+Changes changes_since(SqliteConnection& connection, std::uint64_t sequence, std::size_t limit) {
   Changes changes;
   const auto from = static_cast<std::int64_t>(sequence);
   Query rows = connection.query(
@@ -62,7 +62,7 @@ Changes changes_since(Connection& connection, std::uint64_t sequence, std::size_
   return changes;
 }
 
-void keep_removal(Connection& connection, std::int64_t number, const std::string& id) {
+void keep_removal(SqliteConnection& connection, std::int64_t number, const std::string& id) {
   Query kept = connection.query("INSERT INTO removals (changed, id) VALUES (?, ?) RETURNING n");
   kept << number << id;
   kept.step();

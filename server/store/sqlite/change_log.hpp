@@ -9,14 +9,14 @@
 
 namespace bahnwerk::server {
 
-class Connection;
+class SqliteConnection;
 
 /// Used by the writer's thread; listen from any. One writer commits one transaction after the other, so numbers become
 /// visible in their order; those of a transaction that failed are not used again.
 class ChangeLog {
  public:
-  void open(Connection& connection);  ///< goes on after the last number in the database
-  void begin() { pending_.clear(); }  ///< a transaction begins, perhaps in place of one that failed
+  void open(SqliteConnection& connection);  ///< goes on after the last number in the database
+  void begin() { pending_.clear(); }        ///< a transaction begins, perhaps in place of one that failed
   std::int64_t next() { return ++last_; }
   /// The job has change `number` (from next) now.
   void note(std::int64_t number, const std::string& id, std::optional<api::JobState> state, bool cancelled = false);
@@ -31,9 +31,9 @@ class ChangeLog {
 };
 
 /// ChangeSource's questions, answered from any connection to the database.
-Changes changes_since(Connection& connection, std::uint64_t sequence, std::size_t limit);
-std::uint64_t last_change(Connection& connection);
+Changes changes_since(SqliteConnection& connection, std::uint64_t sequence, std::size_t limit);
+std::uint64_t last_change(SqliteConnection& connection);
 /// Within a transaction: the job's row has gone, with this number.
-void keep_removal(Connection& connection, std::int64_t number, const std::string& id);
+void keep_removal(SqliteConnection& connection, std::int64_t number, const std::string& id);
 
 }  // namespace bahnwerk::server

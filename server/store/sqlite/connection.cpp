@@ -88,13 +88,13 @@ std::optional<std::int64_t> Query::optional_integer(int column) const {
   return null(column) ? std::nullopt : std::optional(integer(column));
 }
 
-struct Connection::State {
+struct SqliteConnection::State {
   State(const std::string& path, int flags) : database(path, flags, 5000) {}
   SQLite::Database database;
   std::map<std::string, SQLite::Statement, std::less<>> statements;
 };
 
-Connection::Connection(const std::string& path, bool writer, int max_pages) {
+SqliteConnection::SqliteConnection(const std::string& path, bool writer, int max_pages) {
   guarded([&] {
     const int flags = SQLite::OPEN_READWRITE | SQLite::OPEN_NOMUTEX | (writer ? SQLite::OPEN_CREATE : 0);
     state_ = std::make_unique<State>(path, flags);
@@ -113,9 +113,9 @@ Connection::Connection(const std::string& path, bool writer, int max_pages) {
   });
 }
 
-Connection::~Connection() = default;
+SqliteConnection::~SqliteConnection() = default;
 
-Query Connection::query(std::string_view sql) {
+Query SqliteConnection::query(std::string_view sql) {
   auto found = state_->statements.find(sql);
   if (found == state_->statements.end()) {
     guarded([&] {
@@ -125,11 +125,11 @@ Query Connection::query(std::string_view sql) {
   return Query(found->second);
 }
 
-void Connection::execute(const char* sql) {
+void SqliteConnection::execute(const char* sql) {
   guarded([&] { state_->database.exec(sql); });
 }
 
-bool Connection::allocate(std::int64_t bytes) noexcept {
+bool SqliteConnection::allocate(std::int64_t bytes) noexcept {
   // Steps only here: a checkpoint would round the file's size up to one with a hole, where no page has its place.
   sqlite3* const database = state_->database.getHandle();
   sqlite3_int64 size = bytes;
@@ -140,7 +140,7 @@ bool Connection::allocate(std::int64_t bytes) noexcept {
   return done;
 }
 
-void Connection::rollback() noexcept {
+void SqliteConnection::rollback() noexcept {
   // A full disk may have rolled back already.
   if (sqlite3_get_autocommit(state_->database.getHandle()) == 0) state_->database.tryExec("ROLLBACK");
 }

@@ -46,14 +46,14 @@ class Query {
   int bound_ = 0;
 };
 
-class Connection {
+class SqliteConnection {
  public:
   /// Opens (and for a writer creates) the file: WAL, synchronous=FULL, foreign keys, busy timeout 5 s.
   /// `max_pages` > 0 caps the file's size, for tests of a full disk.
-  Connection(const std::string& path, bool writer, int max_pages = 0);
-  ~Connection();
-  Connection(const Connection&) = delete;
-  Connection& operator=(const Connection&) = delete;
+  SqliteConnection(const std::string& path, bool writer, int max_pages = 0);
+  ~SqliteConnection();
+  SqliteConnection(const SqliteConnection&) = delete;
+  SqliteConnection& operator=(const SqliteConnection&) = delete;
 
   Query query(std::string_view sql);  ///< prepared once, then reused
   void execute(const char* sql);

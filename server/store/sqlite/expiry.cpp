@@ -20,7 +20,7 @@ std::optional<std::int64_t> earlier(std::optional<std::int64_t> a, std::optional
   return a && b ? std::min(*a, *b) : a ? a : b;
 }
 
-std::optional<std::int64_t> next_lease(Connection& connection) {
+std::optional<std::int64_t> next_lease(SqliteConnection& connection) {
   Query lease = connection.query("SELECT min(lease_until) FROM jobs WHERE state = 'running'");
   lease.step();
   if (lease.null(0) || lease.integer(0) == Lease::forever) return std::nullopt;
@@ -29,7 +29,7 @@ std::optional<std::int64_t> next_lease(Connection& connection) {
 
 }  // namespace
 
-std::vector<std::string> SqliteStore::lose(Connection& connection, std::int64_t until, std::int64_t now,
+std::vector<std::string> SqliteStore::lose(SqliteConnection& connection, std::int64_t until, std::int64_t now,
                                            std::size_t most) {
   struct Orphan {
     std::string id;
@@ -77,7 +77,7 @@ Expired SqliteStore::expire(std::int64_t now) {
     expired.next = earlier(expired.next, next_lease(reader.connection()));
     if (!expired.next || *expired.next > now) return expired;
   }
-  writer_.run([&](Connection& connection) {
+  writer_.run([&](SqliteConnection& connection) {
     expired = {};
     {
       Query due = connection.query(deadlines);

@@ -7,7 +7,7 @@
 
 namespace bahnwerk::server {
 
-void migrate(Connection& connection) {
+void migrate(SqliteConnection& connection) {
   const int version = connection.query("PRAGMA user_version").one_int();
   const auto list = migrations();
   if (version > static_cast<int>(list.size()))

@@ -6,7 +6,7 @@
 
 namespace bahnwerk::server {
 
-class Connection;
+class SqliteConnection;
 
 struct Migration {
   int number;  ///< 1, 2, …; the database's `user_version` after it
@@ -16,6 +16,6 @@ struct Migration {
 std::span<const Migration> migrations();
 
 /// Brings the database up to date. Throws StoreError when it was written by a newer version.
-void migrate(Connection& connection);
+void migrate(SqliteConnection& connection);
 
 }  // namespace bahnwerk::server

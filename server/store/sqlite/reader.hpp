@@ -14,7 +14,7 @@ class SqliteStore::Reader {
         store_.readers_.pop_back();
       }
     }
-    if (!connection_) connection_ = std::make_unique<Connection>(store_.options_.path, false);
+    if (!connection_) connection_ = std::make_unique<SqliteConnection>(store_.options_.path, false);
   }
   ~Reader() {
     const std::lock_guard lock(store_.readers_mutex_);
@@ -23,12 +23,12 @@ class SqliteStore::Reader {
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
 
-  Connection& connection() { return *connection_; }
+  SqliteConnection& connection() { return *connection_; }
   Query query(std::string_view sql) { return connection_->query(sql); }
 
  private:
   SqliteStore& store_;
-  std::unique_ptr<Connection> connection_;
+  std::unique_ptr<SqliteConnection> connection_;
 };
 
 }  // namespace bahnwerk::server

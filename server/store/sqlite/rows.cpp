@@ -31,7 +31,7 @@ api::Job job_from_row(const Query& row) {
   return job;
 }
 
-void drop_chunks(Connection& connection, const std::string& id) {
+void drop_chunks(SqliteConnection& connection, const std::string& id) {
   (connection.query("DELETE FROM chunks WHERE seq = (SELECT seq FROM jobs WHERE id = ?)") << id).run();
 }
 

@@ -29,7 +29,7 @@ SqliteStore::SqliteStore(SqliteOptions options)
 SqliteStore::~SqliteStore() = default;
 
 void SqliteStore::recover(std::int64_t now) {
-  writer_.run([&](Connection& connection) {
+  writer_.run([&](SqliteConnection& connection) {
     changes_.open(connection);
     Query last = connection.query("SELECT max(id) FROM jobs");
     if (last.step() && !last.null(0)) ids_.advance_past(last.text(0));
@@ -37,9 +37,9 @@ void SqliteStore::recover(std::int64_t now) {
   });
 }
 
-bool SqliteStore::write_flag(const std::function<bool(Connection&)>& work, Writer::Bytes adds) {
+bool SqliteStore::write_flag(const std::function<bool(SqliteConnection&)>& work, Writer::Bytes adds) {
   bool result = false;
-  writer_.run([&](Connection& connection) { result = work(connection); }, adds);
+  writer_.run([&](SqliteConnection& connection) { result = work(connection); }, adds);
   return result;
 }
 
@@ -54,11 +54,11 @@ void SqliteStore::insert(NewJob job, std::function<void(Inserted, std::exception
   call->job = std::move(job);
   const Writer::Bytes adds = call->packed.size() + Writer::row;
   writer_.post(
-      [this, call](Connection& connection) { call->outcome = insert_one(connection, call->job, call->packed); },
+      [this, call](SqliteConnection& connection) { call->outcome = insert_one(connection, call->job, call->packed); },
       [call, done = std::move(done)](const std::exception_ptr& error) { done(call->outcome, error); }, adds);
 }
 
-Inserted SqliteStore::insert_one(Connection& connection, const NewJob& job, const std::string& packed_document) {
+Inserted SqliteStore::insert_one(SqliteConnection& connection, const NewJob& job, const std::string& packed_document) {
   const bool keyed = !job.idempotency_key.empty();
   if (keyed) {
     Query known =
@@ -94,7 +94,7 @@ Inserted SqliteStore::insert_one(Connection& connection, const NewJob& job, cons
 }
 
 std::optional<api::Job> SqliteStore::cancel(const std::string& id, std::int64_t now) {
-  writer_.run([&](Connection& connection) {
+  writer_.run([&](SqliteConnection& connection) {
     const std::int64_t change = changes_.next();
     const int queued = (connection.query("UPDATE jobs SET state = 'cancelled', error = ?, finished_at = ?, "
                                          "revision = revision + 1, changed = ? WHERE id = ? AND state = 'queued'")
@@ -112,7 +112,7 @@ std::optional<api::Job> SqliteStore::cancel(const std::string& id, std::int64_t 
 
 Removed SqliteStore::remove(const std::string& id) {
   Removed outcome = Removed::unknown;
-  writer_.run([&](Connection& connection) {
+  writer_.run([&](SqliteConnection& connection) {
     outcome = Removed::unknown;
     Query state = connection.query("SELECT state FROM jobs WHERE id = ?");
     state << id;
@@ -128,7 +128,7 @@ Removed SqliteStore::remove(const std::string& id) {
 }
 
 void SqliteStore::checkpoint() {
-  writer_.outside([](Connection& connection) { connection.execute("PRAGMA wal_checkpoint(TRUNCATE)"); });
+  writer_.outside([](SqliteConnection& connection) { connection.execute("PRAGMA wal_checkpoint(TRUNCATE)"); });
 }
 
 }  // namespace bahnwerk::server

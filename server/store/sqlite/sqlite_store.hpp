@@ -64,22 +64,22 @@ class SqliteStore final : public Store {
  private:
   class Reader;                                            ///< a reading connection on loan
   static constexpr std::size_t max_expired_at_once = 256;  ///< in one transaction: others wait for it
-  Inserted insert_one(Connection& connection, const NewJob& job, const std::string& packed_document);
+  Inserted insert_one(SqliteConnection& connection, const NewJob& job, const std::string& packed_document);
   void recover(std::int64_t now);
   /// Ends the attempts of running jobs whose lease ended before or at `until`, at most `most`; which ones.
-  std::vector<std::string> lose(Connection& connection, std::int64_t until, std::int64_t now, std::size_t most);
+  std::vector<std::string> lose(SqliteConnection& connection, std::int64_t until, std::int64_t now, std::size_t most);
   /// Runs it on the writer, returns what it returned.
-  bool write_flag(const std::function<bool(Connection&)>& work, Writer::Bytes adds);
+  bool write_flag(const std::function<bool(SqliteConnection&)>& work, Writer::Bytes adds);
 
   SqliteOptions options_;
   FileLock lock_;
-  Connection connection_;  ///< the writer's
-  Reserve reserve_;        ///< the writer's
-  Uuid7 ids_;              ///< the writer's
-  ChangeLog changes_;      ///< the writer's
+  SqliteConnection connection_;  ///< the writer's
+  Reserve reserve_;              ///< the writer's
+  Uuid7 ids_;                    ///< the writer's
+  ChangeLog changes_;            ///< the writer's
   JobCache cache_;
   std::mutex readers_mutex_;
-  std::vector<std::unique_ptr<Connection>> readers_;
+  std::vector<std::unique_ptr<SqliteConnection>> readers_;
   Writer writer_;  ///< last: its thread ends before anything it uses
 };
 

@@ -42,7 +42,7 @@ Writer::Bytes size_of(const std::vector<Chunk>& piece) {
   return bytes;
 }
 
-void insert_chunks(Connection& connection, std::int64_t seq, const std::vector<Chunk>& piece) {
+void insert_chunks(SqliteConnection& connection, std::int64_t seq, const std::vector<Chunk>& piece) {
   for (const Chunk& chunk : piece) {
     Query row = connection.query("INSERT INTO chunks (seq, first_row, row_count, data) VALUES (?, ?, ?, ?)");
     row << seq << static_cast<std::int64_t>(chunk.first) << static_cast<std::int64_t>(chunk.rows);
@@ -63,7 +63,7 @@ bool SqliteStore::succeed(const std::string& id, int attempt, const api::Planned
   const SetpointSource* source = planned.setpoints.get();
   const std::string document = pack_text(planned.result.dump());
   const auto columns = source ? std::optional(column_list(*source)) : std::nullopt;
-  const auto still_running = [&](Connection& connection) -> std::optional<std::int64_t> {
+  const auto still_running = [&](SqliteConnection& connection) -> std::optional<std::int64_t> {
     Query job = connection.query("SELECT seq FROM jobs WHERE id = ? AND state = 'running' AND attempt = ?");
     job << id << std::int64_t{attempt};
     return job.step() ? std::optional(job.integer(0)) : std::nullopt;
@@ -84,7 +84,7 @@ bool SqliteStore::succeed(const std::string& id, int attempt, const api::Planned
       piece = pack_piece(*source, first, progress);
       if (first == source->count()) break;  // the last piece goes with the result
       const bool stored = write_flag(
-          [&](Connection& connection) {
+          [&](SqliteConnection& connection) {
             const auto seq = still_running(connection);
             if (seq) insert_chunks(connection, *seq, piece);
             return seq.has_value();
@@ -94,7 +94,7 @@ bool SqliteStore::succeed(const std::string& id, int attempt, const api::Planned
     }
   }
   return write_flag(
-      [&](Connection& connection) {
+      [&](SqliteConnection& connection) {
         const auto seq = still_running(connection);
         if (!seq) return false;
         const std::int64_t change = changes_.next();

@@ -28,7 +28,7 @@ bool says_full(const std::exception_ptr& error) {
 
 }  // namespace
 
-Writer::Writer(Connection& connection, Reserve& reserve, Hooks hooks)
+Writer::Writer(SqliteConnection& connection, Reserve& reserve, Hooks hooks)
     : connection_(connection), reserve_(reserve), hooks_(std::move(hooks)) {
   full_ = reserve_.bytes() > 0;  // until it was looked
   thread_ = std::thread([this] { loop(); });

@@ -18,7 +18,7 @@ namespace bahnwerk::server {
 class Writer {
  public:
   /// May run more than once: when a group fails, each of its works is tried alone, in a transaction of its own.
-  using Work = std::function<void(Connection&)>;
+  using Work = std::function<void(SqliteConnection&)>;
   /// Called once after the commit (nullptr) or with what went wrong; on the writer's thread, so it must be quick.
   using Done = std::function<void(std::exception_ptr)>;
   /// Told of every commit: seconds, works in it.
@@ -34,7 +34,7 @@ class Writer {
   using Bytes = std::size_t;
   static constexpr Bytes frees = 0, row = 4096;
 
-  Writer(Connection& connection, Reserve& reserve, Hooks hooks);
+  Writer(SqliteConnection& connection, Reserve& reserve, Hooks hooks);
   ~Writer();  ///< does what was posted, then ends
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
@@ -71,7 +71,7 @@ class Writer {
   void checkpoint() noexcept;
   void look_for_space();
 
-  Connection& connection_;
+  SqliteConnection& connection_;
   Reserve& reserve_;
   Hooks hooks_;
   std::int64_t allocated_ = 0;  ///< bytes that the file is known to have on the disk

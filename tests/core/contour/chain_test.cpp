@@ -18,14 +18,14 @@ Strand line(Vec from, Vec to) {
   return {from, to, way, way, length};
 }
 
-std::vector<Chain> chained(const std::vector<Strand>& strands, double tolerance = 0.01) {
+std::vector<StrandChain> chained(const std::vector<Strand>& strands, double tolerance = 0.01) {
   SilentProgress silent;
   return chains(strands, tolerance, silent);
 }
 
-std::string shape(const std::vector<Chain>& list) {
+std::string shape(const std::vector<StrandChain>& list) {
   std::string text;
-  for (const Chain& c : list) {
+  for (const StrandChain& c : list) {
     if (!text.empty()) text += " ";
     for (const ChainLink& l : c.links) {
       text += l.reversed ? '-' : '+';
@@ -89,7 +89,7 @@ TEST(Chain, EveryStrandOnce) {
     strands.push_back(line(p, p + Vec{1 + std::floor(random.uniform(0, 2)), std::floor(random.uniform(0, 3)), 0}));
   }
   std::vector<int> seen(strands.size());
-  for (const Chain& c : chained(strands)) {
+  for (const StrandChain& c : chained(strands)) {
     const auto begin = [&](const ChainLink& l) { return l.reversed ? strands[l.strand].to : strands[l.strand].from; };
     const auto end = [&](const ChainLink& l) { return l.reversed ? strands[l.strand].from : strands[l.strand].to; };
     for (std::size_t i = 0; i < c.links.size(); ++i) {

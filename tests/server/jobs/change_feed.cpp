@@ -22,7 +22,7 @@ class SecondView final : public ChangeSource {
   std::atomic<bool> cut_off{false};
 
  private:
-  Connection connection_;
+  SqliteConnection connection_;
 };
 
 struct ChangeFeedTest : StoreTest {

@@ -25,7 +25,7 @@ TEST_F(StoreTest, ReadsDocumentsOfTheFirstVersion) {
   const std::string id = insert_id(*store);
   store.reset();
   {
-    Connection connection((folder.path / "store.db").string(), true);
+    SqliteConnection connection((folder.path / "store.db").string(), true);
     const std::string spec = pack_text(R"({"n":2})");
     connection.query("UPDATE specs SET whole = 0, spec = ?").blob(spec).run();
   }
@@ -151,7 +151,7 @@ TEST_F(StoreTest, IsOwnedByOneProcess) {
 
 /// A file as the version before leases and changes left it, with a job of every kind, one of them running.
 void write_version_3(const std::filesystem::path& path) {
-  Connection connection(path.string(), true);
+  SqliteConnection connection(path.string(), true);
   for (const Migration& migration : migrations().first(3)) connection.execute(migration.sql);
   connection.execute(R"sql(
     PRAGMA user_version = 3;
@@ -211,7 +211,7 @@ TEST_F(StoreTest, TakesOverAFileOfTheVersionBefore) {
 TEST_F(StoreTest, RefusesANewerSchema) {
   store.reset();
   {
-    Connection connection((folder.path / "store.db").string(), true);
+    SqliteConnection connection((folder.path / "store.db").string(), true);
     connection.execute("PRAGMA user_version = 1000");
   }
   EXPECT_THROW(open(), StoreError);

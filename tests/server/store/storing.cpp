@@ -41,7 +41,7 @@ struct StoppingAt final : Progress {
 };
 
 std::size_t chunks(const std::filesystem::path& store) {
-  Connection connection(store, false);
+  SqliteConnection connection(store, false);
   return static_cast<std::size_t>(connection.query("SELECT count(*) FROM chunks").one_int());
 }
 

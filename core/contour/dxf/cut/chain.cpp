@@ -68,7 +68,7 @@ std::vector<Pair> pairs(const std::vector<Strand>& strands, const std::vector<bo
 
 }  // namespace
 
-std::vector<Chain> chains(const std::vector<Strand>& strands, double tolerance, Progress& progress) {
+std::vector<StrandChain> chains(const std::vector<Strand>& strands, double tolerance, Progress& progress) {
   const std::size_t n = strands.size();
   std::vector<bool> closed(n);
   for (std::size_t i = 0; i < n; ++i)
@@ -87,12 +87,12 @@ std::vector<Chain> chains(const std::vector<Strand>& strands, double tolerance, 
     partner[p.b] = p.a;
   }
 
-  std::vector<Chain> result;
+  std::vector<StrandChain> result;
   std::vector<bool> used(n);
   for (std::size_t first = 0; first < n; ++first) {
     reading.work();
     if (used[first]) continue;
-    Chain chain;
+    StrandChain chain;
     // Back to where the chain begins, or round to `first` again.
     std::size_t begin = 2 * first;  // the end by which a strand is entered
     while (partner[begin] != none) {

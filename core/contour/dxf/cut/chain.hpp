@@ -20,7 +20,7 @@ struct ChainLink {
   std::size_t strand = 0;
   bool reversed = false;
 };
-struct Chain {
+struct StrandChain {
   std::vector<ChainLink> links;
   bool closed = false;
 };
@@ -33,6 +33,6 @@ struct Chain {
 ///
 /// Chains come in the order of their first strand; that strand keeps its direction, and a closed chain starts with it.
 /// O(n log n). Of more than 8 earlier ends around one end 8 are considered (which ones is deterministic).
-std::vector<Chain> chains(const std::vector<Strand>& strands, double tolerance, Progress& progress);
+std::vector<StrandChain> chains(const std::vector<Strand>& strands, double tolerance, Progress& progress);
 
 }  // namespace bahnwerk

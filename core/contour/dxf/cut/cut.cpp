@@ -62,7 +62,7 @@ std::vector<Cut> cuts(std::vector<DxfStrand> strands, double tolerance, Progress
     reading.work(1 + s.curves.size());
   }
   std::vector<Cut> result;
-  for (const Chain& chain : chains(ends, tolerance, progress)) {
+  for (const StrandChain& chain : chains(ends, tolerance, progress)) {
     Cut cut;
     cut.closed = chain.closed;
     std::size_t count = 0;
