@@ -222,6 +222,23 @@ TEST(WindingPlan, LinksByTimeAreTheFastest) {
   }
 }
 
+// Where pieces join with a step of the curvature an axis may step by its jerk times a cycle: the shorter the cycle, the
+// longer the motion.
+TEST(WindingPlan, LinksAreTimedByTheCyclesOfTheSetpoints) {
+  std::vector<double> times;
+  for (const double cycle : {0.0005, 0.008}) {
+    WindingRequest r = rotor_request(1);
+    r.links.continuity = 1, r.cycle_time = cycle;
+    const double smooth = planned(r).motion.duration;
+    r.minimum_time = true;
+    const WindingPlan quick = planned(r);
+    ASSERT_TRUE(quick.link_times);
+    EXPECT_NEAR(quick.link_times->curvature, smooth, 2e-3 * smooth);
+    times.push_back(quick.link_times->curvature);
+  }
+  EXPECT_GT(times[0], 1.02 * times[1]);
+}
+
 // Beside a high post the quickest links cut the corner: quicker or not, they are not taken.
 TEST(WindingPlan, LinksByTimeComeNoNearerThanIsAllowed) {
   WindingRequest r = stator_request(1);
