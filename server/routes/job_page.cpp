@@ -105,10 +105,17 @@ std::string verification(const ordered_json& verdict) {
   return text + "</table></div>\n";
 }
 
+/// The media type of a drawing, by its name.
+std::string_view drawing_type(std::string_view name) {
+  return name.ends_with(".dxf") ? "image/vnd.dxf" : "image/svg+xml";
+}
+bool shown_by_browsers(std::string_view name) { return drawing_type(name) == "image/svg+xml"; }
+
 std::string drawings(const std::string& page, const ordered_json& details) {
   if (!details.contains("drawings") || !details["drawings"].is_object() || details["drawings"].empty()) return "";
   std::string text = "<h2>Drawings</h2>\n";
   for (const auto& [name, drawing] : details["drawings"].items()) {
+    if (!shown_by_browsers(name)) continue;
     const std::string link = page + "/drawings/" + encode_component(name);
     text += "<figure><a href=\"" + link + "\"><img src=\"" + link + "\" alt=\"" + escape_html(name) +
             "\"></a><figcaption>" + escape_html(name) + "</figcaption></figure>\n";
@@ -116,7 +123,7 @@ std::string drawings(const std::string& page, const ordered_json& details) {
   return text;
 }
 
-std::string downloads(const std::string& link, const ordered_json& result) {
+std::string downloads(const std::string& link, const std::string& page, const ordered_json& result) {
   std::string text = "<h2>Downloads</h2>\n<p><a href=\"" + link + "/spec\">document as posted</a>";
   if (!result.is_null()) {
     text += " · <a href=\"" + link + "/result\">result</a>";
@@ -126,6 +133,10 @@ std::string downloads(const std::string& link, const ordered_json& result) {
         const std::string name(api::format_name(format));
         text += " · <a href=\"" + link + "/setpoints?format=" + name + "\">setpoints, " + name + "</a>";
       }
+    if (result.contains("details") && result["details"].contains("drawings"))
+      for (const auto& [name, drawing] : result["details"]["drawings"].items())
+        if (!shown_by_browsers(name))
+          text += " · <a href=\"" + page + "/drawings/" + encode_component(name) + "\">" + escape_html(name) + "</a>";
   }
   return text + " · <a href=\"" + link + "\">job</a></p>\n";
 }
@@ -168,7 +179,7 @@ std::string body(const api::Job& job, const ordered_json& result) {
     }
     text += verification(result.value("verification", ordered_json()));
   }
-  return text + downloads("/v1/jobs/" + job.id, result);
+  return text + downloads("/v1/jobs/" + job.id, page, result);
 }
 
 Response uncached(Response response) {
@@ -203,17 +214,17 @@ Response job_page(Context& context, const Request& request) {
 }
 
 Response drawing(Context& context, const Request& request) {
-  static constexpr std::array<std::string_view, 1> offers{"image/svg+xml"};
-  if (!negotiate(request.header("accept"), offers))
-    throw api::Problem("not-acceptable", "Drawings come as image/svg+xml.");
   const std::string &id = request.parameter("id"), &name = request.parameter("name");
+  const std::string_view type = drawing_type(name);
+  if (!negotiate(request.header("accept"), std::array{type}))
+    throw api::Problem("not-acceptable", "This drawing comes as " + std::string(type) + ".");
   require_success(context, id);
   const auto text = context.store.result(id);
   const ordered_json result = text ? read_result(*text) : ordered_json();
   const ordered_json::json_pointer all("/details/drawings");
   if (!result.contains(all) || !result[all].contains(name))
     throw api::Problem("not-found", "The job " + id + " has no drawing " + name + ".");
-  Response response = text_answer(200, "image/svg+xml", result[all][name].get<std::string>());
+  Response response = text_answer(200, std::string(type), result[all][name].get<std::string>());
   // Opened on its own, a picture is a document: it gets no more rights than the page.
   response.set("Content-Security-Policy", "default-src 'none'; style-src 'unsafe-inline'; frame-ancestors 'none'");
   return with_etag(request, "\"drawing\"", std::move(response));

@@ -34,6 +34,16 @@ expect_problem schema-violation 422
 expect_json '.errors[0].pointer == "/query/layout"'
 request GET "/v1/jobs/$id/setpoints?first=$((count - 1))&count=1" -H 'Accept: application/json'
 expect_status 200
+# The path as a spline for CAD, a download of the job's page.
+request GET "/jobs/$id/drawings/needle_path.dxf"
+expect_status 200
+expect_header Content-Type image/vnd.dxf
+grep -q AcDbSpline "$work/body" || fail "no spline in the drawing"
+request GET "/jobs/$id/drawings/needle_path.dxf" -H 'Accept: image/svg+xml'
+expect_problem not-acceptable 406
+request GET "/jobs/$id"
+grep -q 'href="[^"]*needle_path.dxf"' "$work/body" || fail "the page names the spline"
+! grep -q 'src="[^"]*dxf"' "$work/body" || fail "no browser shows it"
 stop_server
 
 expect_same_bits_elsewhere "$work/job.json" "$work/other.json" "$work/one.json"

@@ -86,6 +86,7 @@ PlannedJob plan(const json& spec, Progress& progress) {
                 {"details", details(asked, plan, progress)}};
   progress.report("drawing", 1);
   job.result["details"]["drawings"] = {{"needle_path.svg", needle_path_drawing(asked, plan)},
+                                       {"needle_path.dxf", needle_path_dxf(plan)},
                                        {"curvature.svg", turn_curvature_drawing(plan)},
                                        {"feed.svg", feed_drawing(asked, plan)}};
   job.result["details"]["access"] = nullptr;

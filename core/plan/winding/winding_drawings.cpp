@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/drawing/spline_dxf.hpp"
 #include "core/winding/drawing/path_drawing.hpp"
 
 namespace bahnwerk {
@@ -35,6 +36,11 @@ std::string turn_curvature_drawing(const WindingPlan& plan) {
   while (end < pieces.size() && plan.support[pieces[end].fixed].turn == 0 && plan.support[pieces[end].fixed].coil == 0)
     ++end;
   return winding::curvature_chart(curves(plan, end), "curvature of the needle's path, first turn");
+}
+
+std::string needle_path_dxf(const WindingPlan& plan) {
+  const NurbsPath path = plan.path.united();
+  return splines_as_dxf({&path, 1});
 }
 
 }  // namespace bahnwerk

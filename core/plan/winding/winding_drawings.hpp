@@ -1,5 +1,5 @@
 #pragma once
-/// Drawings of a winding plan as SVG, the same for the service and for the documentation.
+/// Drawings of a winding plan as SVG, the same for the service and for the documentation, and its path for CAD.
 #include <string>
 
 #include "core/plan/winding/winding_plan.hpp"
@@ -10,5 +10,7 @@ namespace bahnwerk {
 std::string needle_path_drawing(const WindingRequest& request, const WindingPlan& plan);
 /// The curvature of the path of the first coil's first turn over its length.
 std::string turn_curvature_drawing(const WindingPlan& plan);
+/// The needle's whole path as one rational B-spline, DXF (core/drawing/spline_dxf.hpp).
+std::string needle_path_dxf(const WindingPlan& plan);
 
 }  // namespace bahnwerk

@@ -8,6 +8,7 @@
 
 #include "api/kinds/winding/winding_result.hpp"
 #include "core/base/errors.hpp"
+#include "core/contour/dxf.hpp"
 #include "core/machine/robot_winder.hpp"
 #include "tests/api/checked.hpp"
 #include "tests/api/documents.hpp"
@@ -216,6 +217,9 @@ TEST(WindingPlan, ResultHasTheContractsForm) {
     EXPECT_THAT(svg, ::testing::StartsWith("<svg")) << drawing;
     EXPECT_THAT(svg, ::testing::HasSubstr("<path")) << drawing;
   }
+  const Contour read = read_dxf(d["drawings"]["needle_path.dxf"].get<std::string>());
+  const double length = r["summary"]["path_length"];
+  EXPECT_NEAR(read.path.length(), length, 1e-9 * length);
   EXPECT_EQ(d["turns"].size(), 4u);
   // Four regions per turn and the way between the coils, two poses each.
   EXPECT_EQ(d["support_points"].size(), 2u * (4 * 4 + 1));
