@@ -1,5 +1,8 @@
 # Sourced by ./run and ./test: installs missing packages, builds a preset.
 
+# Objects are found again by what their sources include, without running the preprocessor first: half as much for what is new.
+export CCACHE_DEPEND=1
+
 say() { printf '\033[1m%s\033[0m\n' "$*" >&2; }
 fail() { printf '%s\n' "$*" >&2; exit 1; }
 

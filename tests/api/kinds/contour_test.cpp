@@ -190,11 +190,11 @@ TEST(ContourPlan, TheResultHasTheContractsForm) {
   const auto& setpoints = result["setpoints"];
   EXPECT_EQ(setpoints["count"], job.setpoints->count());
   EXPECT_NEAR(setpoints["duration"].get<double>(), (setpoints["count"].get<double>() - 1) * 0.001, 1e-9);
-  EXPECT_EQ(setpoints["columns"][0], (json{{"name", "x"}, {"unit", "mm"}}));
+  EXPECT_EQ(setpoints["columns"][0], (nlohmann::ordered_json{{"name", "x"}, {"unit", "mm"}}));
   EXPECT_EQ(setpoints["columns"].size(), job.setpoints->columns().size());
   EXPECT_EQ(setpoints["columns"][4]["unit"], "mm/s²");
-  EXPECT_EQ(setpoints["columns"][8], (json{{"name", "mode"}, {"unit", "1"}}));
-  EXPECT_EQ(setpoints["columns"][9], (json{{"name", "block"}, {"unit", "1"}}));
+  EXPECT_EQ(setpoints["columns"][8], (nlohmann::ordered_json{{"name", "mode"}, {"unit", "1"}}));
+  EXPECT_EQ(setpoints["columns"][9], (nlohmann::ordered_json{{"name", "block"}, {"unit", "1"}}));
   std::set<std::string> checks;
   for (const auto& check : result["verification"]["checks"]) checks.insert(check["name"].get<std::string>());
   for (const char* name : {"setpoints position", "setpoints velocity", "setpoints acceleration", "setpoints end",

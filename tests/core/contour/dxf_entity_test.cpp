@@ -34,8 +34,8 @@ TEST(DxfEntity, ArcRunsCounterClockwiseAcrossZeroDegrees) {
 }
 
 TEST(DxfEntity, ArcWithEqualAnglesIsACircle) {
-  for (const auto& [start, stop] : {std::pair{30.0, 30.0}, {0.0, 360.0}, {-90.0, 270.0}}) {
-    const Contour c = read([&](DxfText& t) { t.arc(0, 0, 5, start, stop); });
+  for (const auto& angles : {std::pair{30.0, 30.0}, {0.0, 360.0}, {-90.0, 270.0}}) {
+    const Contour c = read([&](DxfText& t) { t.arc(0, 0, 5, angles.first, angles.second); });
     EXPECT_NEAR(c.path.length(), 10 * pi, 1e-12);
   }
 }

@@ -24,7 +24,9 @@ TEST(CriticalPoints, ASlowPieceOfALine) {
   options.path.acceleration = 400, options.path.jerk = 3000;
   for (const auto& [profile, name] : speed_profiles) {
     options.profile = profile;
-    const auto change = [&](double height) { return speed_profile_row(profile).rise(height, 400, 3000).duration; };
+    const auto change = [&row = speed_profile_row(profile)](double height) {
+      return row.rise(height, 400, 3000).duration;
+    };
     const double side = change(100) + change(80) + (100 - 50 * change(100) - 60 * change(80)) / 100;
     EXPECT_NEAR(planned(problem, options).duration(), 2 * side + 140 / 20.0, 1e-9) << name;
   }
