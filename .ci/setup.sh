@@ -6,10 +6,10 @@ export CCACHE_DEPEND=1
 say() { printf '\033[1m%s\033[0m\n' "$*" >&2; }
 fail() { printf '%s\n' "$*" >&2; exit 1; }
 
-# install_packages [PART]: what .ci/packages.txt lists for everyone, or for that part of .ci/run alone ("name  # part").
+# install_packages [PART]: what .ci/packages.txt lists for everyone, or for that part of .ci/run alone ("name  # parts").
 install_packages() {
   local wanted missing=() name part=${1:-}
-  mapfile -t wanted < <(awk -v part="$part" '!/^#/ && NF { if (part == "" ? NF == 1 : $3 == part) print $1 }' .ci/packages.txt)
+  mapfile -t wanted < <(awk -v part="$part" '!/^#/ && NF { if (part == "" ? NF == 1 : (" " $0 " ") ~ (" " part " ")) print $1 }' .ci/packages.txt)
   for name in "${wanted[@]}"; do
     [ "$(dpkg-query -W -f '${db:Status-Status}' "$name" 2>/dev/null)" = installed ] || missing+=("$name")
   done

@@ -147,7 +147,7 @@ class ClearanceSearch {
     return golden_section(near, radius_, length_, along_exact).at;
   }
 
-  /// From s − half to s + half on the axis; what stays undecided widens low_ to high_.
+  /// From s − half to s + half on the longer needle; what stays undecided widens low_ to high_.
   void halved(std::size_t k, double s, double half) {
     ask();
     const Obstacle& obstacle = *obstacles_[k];
@@ -155,7 +155,9 @@ class ClearanceSearch {
     const Distances at = obstacle.distances(p);
     const double found = at.whole - radius_;
     if (s >= radius_ && s <= length_) seen(k, found, at_, s);
-    const double enough = best_.minimum - tolerance_ + round_off, turn = std::min(s + half, length_) * reach_.turn;
+    // The needle's own points that come here are up to reach_.along farther from the tip, and turn about it.
+    const double enough = best_.minimum - tolerance_ + round_off,
+                 turn = std::clamp(s + half + reach_.along, 0.0, length_) * reach_.turn;
     double moved = reach_.beside + turn, most = found - moved;
     if (most - half >= enough) return;
     // Of what is decided in a section, or by the height alone, only what moves that way counts. Where it would decide

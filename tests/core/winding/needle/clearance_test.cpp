@@ -175,15 +175,17 @@ TEST(Clearance, OfRationalPiecesIsTheLeastOfADenseSample) {
   std::vector<const Obstacle*> obstacles{&iron};
   for (const Block& b : posts) obstacles.push_back(&b);
   int touching = 0;
-  for (int round = 0; round < 40; ++round) {
+  for (int round = 0; round < 60; ++round) {
     std::vector<BezierPiece> pieces;
     const std::size_t degree = 1 + static_cast<std::size_t>(round) % 9;
     std::vector<HomogeneousPoint> points;
     for (std::size_t i = 0; i <= degree; ++i) {
-      const Space tip = random.uniform(60, 104) * radial(random.uniform(-0.02, 0.02));
-      points.push_back(
-          homogeneous({tip.x, tip.y, random.uniform(-60, 10), random.uniform(-0.1, 0.1), random.uniform(-pi / 2, 0)},
-                      std::exp(random.uniform(-2, 2))));
+      // One draw after the other: in which order arguments are evaluated is the compiler's choice.
+      const double from_axis = random.uniform(60, 104), azimuth = random.uniform(-0.02, 0.02);
+      const Space tip = from_axis * radial(azimuth);
+      const SplinePoint pose{tip.x, tip.y, random.uniform(-60, 10), random.uniform(-0.1, 0.1),
+                             random.uniform(-pi / 2, 0)};
+      points.push_back(homogeneous(pose, std::exp(random.uniform(-2, 2))));
     }
     pieces.emplace_back(points);
     const NeedleShape needle{random.uniform(0.2, 3), random.uniform(10, 40)};
@@ -210,7 +212,7 @@ TEST(Clearance, OfRationalPiecesIsTheLeastOfADenseSample) {
     touching += c.minimum < 0;
   }
   EXPECT_GT(touching, 5);
-  EXPECT_LT(touching, 40);
+  EXPECT_LT(touching, 60);
 }
 
 // Between two samples: a dip that lasts a thousandth of the piece.
