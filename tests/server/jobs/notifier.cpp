@@ -12,8 +12,8 @@ using namespace std::chrono_literals;
 using Clock = Notifier::Clock;
 
 TEST(Notifier, CallsOnceWhenTheJobChanges) {
+  std::atomic<int> mine{0}, others{0};  // the notifier calls whoever still waits at its end
   Notifier notifier;
-  std::atomic<int> mine{0}, others{0};
   notifier.wait("a", Clock::now() + 1h, [&] { ++mine; });
   notifier.wait("a", Clock::now() + 1h, [&] { ++mine; });
   notifier.wait("b", Clock::now() + 1h, [&] { ++others; });
@@ -24,8 +24,8 @@ TEST(Notifier, CallsOnceWhenTheJobChanges) {
 }
 
 TEST(Notifier, CallsWhenTheTimeIsOver) {
-  Notifier notifier;
   std::promise<void> late, early;
+  Notifier notifier;
   notifier.wait("a", Clock::now() + 1h, [] {});
   notifier.wait("a", Clock::now() + 60ms, [&] { late.set_value(); });
   notifier.wait("a", Clock::now() + 20ms, [&] { early.set_value(); });  // becomes the next deadline
@@ -36,13 +36,13 @@ TEST(Notifier, CallsWhenTheTimeIsOver) {
 }
 
 TEST(Notifier, ProgressWakesWhomItConcernsAndNotTooEarly) {
-  Notifier notifier;
   std::atomic<int> end{0}, soon{0}, later{0};
+  std::promise<void> due;
+  Notifier notifier;
   const auto start = Clock::now();
   notifier.wait("a", start + 1h, [&] { ++end; });
   notifier.wait(
       "a", start + 1h, [&] { ++soon; }, start);
-  std::promise<void> due;
   notifier.wait(
       "a", start + 1h,
       [&] {
@@ -64,8 +64,8 @@ TEST(Notifier, ProgressWakesWhomItConcernsAndNotTooEarly) {
 }
 
 TEST(Notifier, WakesByToken) {
-  Notifier notifier;
   int calls = 0;
+  Notifier notifier;
   const auto token = notifier.wait("a", Clock::now() + 1h, [&] { ++calls; });
   notifier.wake(token);
   notifier.wake(token);
@@ -74,8 +74,8 @@ TEST(Notifier, WakesByToken) {
 }
 
 TEST(Notifier, CallsAllWhenChangesMayHaveBeenMissed) {
-  Notifier notifier;
   int calls = 0;
+  Notifier notifier;
   notifier.wait("a", Clock::now() + 1h, [&] { ++calls; });
   notifier.wait("b", Clock::now() + 1h, [&] { ++calls; });
   notifier.all_changed();
