@@ -54,4 +54,16 @@ inline Machine head_limits(const CoarseFineMachine& machine) {
   return head;
 }
 
+/// The axes of a split motion, all coarse ones before all fine ones, with this share of their speeds and accelerations.
+inline Machine both_stages(const CoarseFineMachine& machine, double share) {
+  Machine axes;
+  axes.cycle_time = machine.cycle_time;
+  for (const bool fine : {false, true})
+    for (const CoarseFineAxis& axis : machine.axes) {
+      const Limits& limits = fine ? axis.fine : axis.coarse;
+      axes.axes.emplace_back(axis.name + (fine ? "f" : "c"), share * limits.velocity, share * limits.acceleration);
+    }
+  return axes;
+}
+
 }  // namespace bahnwerk

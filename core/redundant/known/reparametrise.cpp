@@ -36,17 +36,6 @@ std::vector<double> rates(const TimedPath& path, const TimeLaw& law, const Redun
   return feeds;
 }
 
-Machine both(const CoarseFineMachine& machine, double share) {
-  Machine axes;
-  axes.cycle_time = machine.cycle_time;
-  for (const bool fine : {false, true})
-    for (const CoarseFineAxis& axis : machine.axes) {
-      const Limits& limits = fine ? axis.fine : axis.coarse;
-      axes.axes.emplace_back(axis.name, share * limits.velocity, share * limits.acceleration);
-    }
-  return axes;
-}
-
 /// Head and coarse axes driven by the new law of the old time.
 struct Retimed {
   TimeLaw law;
@@ -147,7 +136,7 @@ RedundancyResult reparametrised(RedundancyResult found, const RedundancyTask& ta
   const TimedPath path(tool, *found.head, *found.coarse, std::move(stretches));
   const std::vector<double> feeds = rates(path, found.head->law(), task);
   for (double margin = first_margin; margin <= last_margin;) {
-    const Machine machine = both(task.machine, 1 - margin);
+    const Machine machine = both_stages(task.machine, 1 - margin);
     const PathTask again{path, machine, feeds, std::vector<bool>(path.size() + 1, false)};
     const double half = from + 0.5 * (to - from);
     const TimeLaw rate = plan_acceleration_limited(again, {}, progress, from, half).law;

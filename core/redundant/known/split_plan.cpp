@@ -17,17 +17,6 @@ constexpr double first_margin = 1e-6, last_margin = 0.1;  // of all limits
 constexpr double exceeded = 1e-5;  // by which a peak may lie above its limit: the plan slows the whole by that little
 constexpr double longest_piece = 0.5e-3;  // s, of the coarse motion
 
-Machine both(const CoarseFineMachine& machine, double share) {
-  Machine axes;
-  axes.cycle_time = machine.cycle_time;
-  for (const bool fine : {false, true})
-    for (const CoarseFineAxis& axis : machine.axes) {
-      const Limits& limits = fine ? axis.fine : axis.coarse;
-      axes.axes.emplace_back(axis.name + (fine ? "f" : "c"), share * limits.velocity, share * limits.acceleration);
-    }
-  return axes;
-}
-
 }  // namespace
 
 RedundancyResult plan_split(const RedundancyTask& task, const std::shared_ptr<const CoarsePath>& coarse,
@@ -41,7 +30,7 @@ RedundancyResult plan_split(const RedundancyTask& task, const std::shared_ptr<co
   law_options.grid.longest = longest_cell;
   RedundancyResult result;
   for (double margin = first_margin; margin <= last_margin;) {
-    const Machine machine = both(task.machine, 1 - margin);
+    const Machine machine = both_stages(task.machine, 1 - margin);
     const PathTask path{*axes, machine, task.feeds, task.rests, task.dwells};
     ++result.iterations;
     const double half = from + 0.5 * (to - from);
