@@ -35,33 +35,35 @@ NeedleModel held_clear() {
   return model;
 }
 
-void stator_path(benchmark::State& state) {
-  const StatorPart part;
-  const Coil coil = coil_between(part, 0, 5);
-  const Slot slot = checked_slot(part);
+/// A coil of a stator.
+struct StatorCoil {
+  StatorPart part;
+  Coil coil = coil_between(part, 0, 5);
+  Slot slot = checked_slot(part);
   NeedleModel model = held_clear();
-  model.pivot_limit = 0.2;
-  std::size_t made = 0;
-  for (auto _ : state) {
-    const auto list = turns(coil_regions(part, slot, coil), slot, 0.25, static_cast<std::size_t>(state.range(0)));
+  StatorCoil() { model.pivot_limit = 0.2; }
+  NeedlePath path(std::size_t most, std::size_t& made) const {
+    const auto list = turns(coil_regions(part, slot, coil), slot, 0.25, most);
     made = list.size();
-    benchmark::DoNotOptimize(needle_path(support_points(part, {coil}, list, model, silent), true, {}, silent));
+    return needle_path(support_points(part, {coil}, list, model, silent), true, {}, silent);
   }
+};
+
+void stator_path(benchmark::State& state) {
+  const StatorCoil stator;
+  std::size_t made = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(stator.path(static_cast<std::size_t>(state.range(0)), made));
   count(state, made);
 }
 
 void stator_clearance(benchmark::State& state) {
-  const StatorPart part;
-  const Coil coil = coil_between(part, 0, 5);
-  const Slot slot = checked_slot(part);
-  NeedleModel model = held_clear();
-  model.pivot_limit = 0.2;
-  const auto list = turns(coil_regions(part, slot, coil), slot, 0.25, static_cast<std::size_t>(state.range(0)));
-  const std::vector<BezierPiece> pieces =
-      needle_path(support_points(part, {coil}, list, model, silent), true, {}, silent).curves();
-  const PartObstacles obstacles = part_obstacles(part, slot, {}, {coil});
-  for (auto _ : state) benchmark::DoNotOptimize(clearance(pieces, *model.shape, obstacles.list(), 0.001, silent));
-  count(state, list.size());
+  const StatorCoil stator;
+  std::size_t made = 0;
+  const std::vector<BezierPiece> pieces = stator.path(static_cast<std::size_t>(state.range(0)), made).curves();
+  const PartObstacles obstacles = part_obstacles(stator.part, stator.slot, {}, {stator.coil});
+  for (auto _ : state)
+    benchmark::DoNotOptimize(clearance(pieces, *stator.model.shape, obstacles.list(), 0.001, silent));
+  count(state, made);
 }
 
 void rotor(benchmark::State& state, double radius, std::size_t most) {

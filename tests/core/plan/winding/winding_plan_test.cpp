@@ -13,49 +13,10 @@
 #include "core/base/errors.hpp"
 #include "core/motion/setpoints/needle_setpoints.hpp"
 #include "core/winding/fill.hpp"
-#include "tests/core/machine/winders.hpp"
+#include "tests/core/plan/winding/winding_requests.hpp"
 
 namespace bahnwerk {
 namespace {
-
-WindingRequest stator_request(std::size_t turns) {
-  WindingRequest r;
-  winding::StatorPart part;
-  r.part = part;
-  r.wire = *winding::standard_wire(0.9, 2);
-  r.coils = {winding::coil_between(part, 0, 5)};
-  r.turns = turns;
-  r.model.pivot_limit = 0.2;
-  r.least_clearance = -100;  // whether the needle passes is another test's matter
-  r.configurations = test::winders()[0].configurations;
-  return r;
-}
-WindingRequest rotor_request(std::size_t turns) {
-  WindingRequest r = stator_request(turns);
-  winding::RotorPart part;
-  r.part = part;
-  r.coils = {winding::coil_between(part, 0, 1)};
-  r.model.pivot_limit.reset();
-  r.configurations = test::winders()[2].configurations;
-  return r;
-}
-
-WindingPlan planned(const WindingRequest& request) {
-  SilentProgress progress;
-  return plan_winding(request, progress);
-}
-
-void expect_verified(const WindingPlan& p, const std::string& what) {
-  for (const Check& check : p.motion.verification.checks)
-    EXPECT_TRUE(check.passed) << what << ": " << check.name << ' ' << check.value << " against " << check.limit
-                              << " at " << check.at;
-  EXPECT_TRUE(p.motion.verification.passed) << what;
-}
-const Check* find(const WindingPlan& p, const std::string& name) {
-  for (const Check& check : p.motion.verification.checks)
-    if (check.name == name) return &check;
-  return nullptr;
-}
 
 TEST(WindingPlan, EveryMachineWindsBothPartsWithEveryFeed) {
   for (const bool stator : {true, false})
@@ -99,18 +60,6 @@ TEST(WindingPlan, TheSplineFeedIsVerifiedAndSlowerThanTheOptimum) {
     ASSERT_EQ(error.faults.size(), 1U);
     EXPECT_EQ(error.faults[0].place, (std::vector<std::string>{"feed", "law"}));
   }
-}
-
-/// Differences of rows that are far apart are means, and lower than what becomes of the wire between them.
-TEST(WindingPlan, TheWiresPeaksDoNotDependOnTheCycle) {
-  WindingRequest r = rotor_request(1);
-  r.tension.mass = 0.1;
-  r.cycle_time = 0.0005;
-  const WindingPlan fine = planned(r);
-  r.cycle_time = 0.01;
-  const WindingPlan coarse = planned(r);
-  EXPECT_GT(coarse.wire.constant_peak - 30, 0.93 * (fine.wire.constant_peak - 30));
-  EXPECT_GT(30 - coarse.wire.constant_least, 0.93 * (30 - fine.wire.constant_least));
 }
 
 /// The limits of the source's example [Herrmann 4.4.2].
@@ -318,40 +267,6 @@ TEST(WindingPlan, TellsTheFeedFluctuationOfAllInterpolators) {
     EXPECT_EQ(p.wire.least, 30);
     EXPECT_EQ(find(p, "setpoint jerk q3"), nullptr);
   }
-}
-
-TEST(WindingPlan, TheBrakeKeepsTheWiresTension) {
-  for (const bool stator : {true, false}) {
-    WindingRequest r = stator ? stator_request(1) : rotor_request(2);
-    r.tension.mass = 0.1;
-    const WindingPlan p = planned(r);
-    expect_verified(p, "wire");
-    // What is left is what the acceleration changes within two cycles.
-    EXPECT_LE(std::max(p.wire.peak - 30, 30 - p.wire.least), 0.6);
-    EXPECT_GE(p.wire.constant_peak, 32);
-    EXPECT_LE(p.wire.constant_least, 29);
-    EXPECT_NEAR(p.wire.constant_peak - 30, 30 - p.wire.constant_least, p.wire.acceleration * 1e-4);
-    if (stator) continue;
-    r.tension.permitted = 30.01;
-    EXPECT_FALSE(find(planned(r), "wire pull")->passed);
-    r.tension = {.mass = 3, .range = 30};
-    EXPECT_FALSE(find(planned(r), "wire slack")->passed);
-  }
-}
-
-TEST(WindingPlan, TellsWireAndTimes) {
-  const WindingPlan one = planned(rotor_request(1)), three = planned(rotor_request(3));
-  // About two slots of 202 mm and the caps above and below.
-  EXPECT_GT(one.wire_length, 2 * 202);
-  EXPECT_LT(one.wire_length, 2 * 202 + 250);
-  EXPECT_NEAR(three.wire_length / one.wire_length, 3, 0.2);
-  EXPECT_NEAR(three.resistance / three.wire_length * 1000,
-              winding::resistance_per_metre(*winding::standard_wire(0.9, 2), 1, 20), 1e-9);
-  ASSERT_EQ(three.turn_begins.size(), 3u);
-  EXPECT_EQ(three.turn_begins[0], 0);
-  EXPECT_LT(three.turn_begins[1], three.turn_begins[2]);
-  EXPECT_LT(three.turn_begins[2], three.motion.duration);
-  EXPECT_NEAR(three.strokes_per_minute, 6 * 60 / three.motion.duration, 1e-9);
 }
 
 TEST(WindingPlan, SeveralCoils) {
