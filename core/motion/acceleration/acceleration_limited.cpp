@@ -148,7 +148,7 @@ class SectionPlanner {
       divide(pulse);
       solve_dirty(pulse);
     }
-    for (int round = 0; round < options_.max_rounds && shrink_shares();
+    for (int round = 0; round < options_.max_rounds && shrink_shares(pulse);
          ++round, ++rounds) {  // … then the limits in its cells
       pulse.half_of_rest();
       solve_dirty(pulse);
@@ -178,13 +178,18 @@ class SectionPlanner {
     return 1 - 0.15 * sum(turn * turn);
   }
 
+  template <class F>
+  void for_all_of_cells(F&& f) {
+    f(laws_), f(ends_), f(excess_), f(share_);
+  }
+
   /// Speeds of all cells and their laws, block by block: reading the cells once more costs as much as the work on them.
   void solve(double entry, ProgressScope& pulse) {
     const std::size_t n = grid_.cells.size();
-    laws_.resize(n);
-    ends_.resize(n);
-    excess_.resize(n);
-    share_.resize(n);
+    for_all_of_cells([n](auto& values) {
+      values.clear();  // a larger array takes nothing over
+      values.resize(n);
+    });
     chain_.start(entry);
     for (std::size_t end = n; end > 0;) {
       const std::size_t begin = (end - 1) / block * block;
@@ -206,11 +211,8 @@ class SectionPlanner {
     const LargeVector<std::uint8_t>& parts = marks_.parts;
     grid_.divide(path_, marks_.parts, pulse);
     const std::size_t n = grid_.cells.size();
-    chain_.divided(parts);
-    spread(laws_, parts, n);
-    spread(ends_, parts, n);
-    spread(excess_, parts, n);
-    spread(share_, parts, n);
+    chain_.divided(parts, pulse);
+    for_all_of_cells([&](auto& values) { spread(values, parts, n, pulse); });
     dirty_.assign(n, 0);
     std::size_t first = 0;
     for (const std::uint8_t count : parts) {
@@ -253,10 +255,11 @@ class SectionPlanner {
   }
 
   /// Cells that exceed a limit a little get a smaller share of it. False = none does.
-  bool shrink_shares() {
+  bool shrink_shares(ProgressScope& pulse) {
     bool any = false;
     dirty_.resize(grid_.cells.size());
     for (std::size_t c = 0; c < grid_.cells.size(); ++c) {
+      pulse(c, grid_.cells.size());
       dirty_[c] = excess_[c].acceleration > options_.excess;
       if (!dirty_[c]) continue;
       share_[c] /= 1 + 1.2 * excess_[c].acceleration;
@@ -266,15 +269,17 @@ class SectionPlanner {
   }
 
   /// For the law of so many cells: all that the rest of the path lets expect, where the law has to grow.
-  void make_room(TimeLaw& law, std::size_t cells) const {
+  void make_room(TimeLaw& law, std::size_t cells, ProgressScope& pulse) const {
     const double pieces = static_cast<double>(law.pieces().size() + cells),
                  done = path_[grid_.cells[cells - 1].segment].s1() / path_.tool().length();
-    law.reserve(cells + 2, static_cast<std::size_t>(std::min(foreseen * pieces / std::max(done, 1e-3), max_foreseen)));
+    law.reserve(cells + 2, static_cast<std::size_t>(std::min(foreseen * pieces / std::max(done, 1e-3), max_foreseen)),
+                pulse);
   }
 
   /// The law of the first cells.
   void emit(std::size_t cells, AccelerationLimitedResult& result, ProgressScope& pulse) {
-    make_room(result.law, cells);
+    pulse.report();
+    make_room(result.law, cells, pulse);
     result.cells += cells;
     LawWriter law(result.law, path_.tool(), slow_);
     bool cruises = false;  // constant speed through the whole cell: such cells of one segment become one piece

@@ -164,8 +164,8 @@ std::size_t SpeedChain<N>::unaffected(const UnsetVector<double>& share) const {
 }
 
 template <int N>
-void SpeedChain<N>::divided(const LargeVector<std::uint8_t>& parts) {
-  spread(speed_, parts, grid_.cells.size());
+void SpeedChain<N>::divided(const LargeVector<std::uint8_t>& parts, ProgressScope& pulse) {
+  spread(speed_, parts, grid_.cells.size(), pulse);
 }
 
 template <int N>

@@ -48,7 +48,7 @@ class SpeedChain {
   /// Whether the entry is not too fast.
   bool enters() const { return entry_ <= speed_[0].node_stop * (1 + 1e-12); }
   /// The grid's cells have been divided so: to be followed by an update in which every part of a divided cell is dirty.
-  void divided(const LargeVector<std::uint8_t>& parts);
+  void divided(const LargeVector<std::uint8_t>& parts, ProgressScope& pulse);
   /// Solves again where `dirty` cells (1) have a new share, and marks in `dirty` every cell whose speeds changed.
   void update(const UnsetVector<double>& share, UnsetVector<std::uint8_t>& dirty, ProgressScope& pulse);
 

@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/numeric/grow.hpp"
+
 namespace bahnwerk {
 
 namespace {
 
 constexpr int max_parts = 16;  // cells laid at once; more and the interval is halved first
 constexpr int end_halvings = 4;
-constexpr double min_interval = 1e-6;  // of a segment's parameter range: grading towards a cusp ends here
+constexpr std::size_t usual_segment = 1 << 10;  // cells; longer ones may outgrow the room that was made for them
+constexpr double min_interval = 1e-6;           // of a segment's parameter range: grading towards a cusp ends here
 
 template <int N>
 double distance(const Lanes<N>& a, const Lanes<N>& b) {
@@ -176,6 +179,8 @@ void Grid<N>::build(const LanePath<N>& path, std::size_t first, std::size_t last
   for (std::size_t i = first; i < last; ++i) {
     section_length += path[i].length();
     pulse.now(i - first, last - first);
+    grow(stations, stations.size() + usual_segment, pulse);
+    grow(cells, cells.size() + usual_segment, pulse);
     if (path.linear(i)) {
       cells.push_back({static_cast<std::uint32_t>(stations.size()), static_cast<std::uint32_t>(i), true, false, false});
       stations.push_back(path.at(i, path[i].curve().begin()));

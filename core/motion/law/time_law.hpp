@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/base/progress_scope.hpp"
+#include "core/numeric/grow.hpp"
 #include "core/numeric/large_pages.hpp"
 
 namespace bahnwerk {
@@ -59,6 +61,10 @@ class TimeLaw {
   void reserve(std::size_t more, std::size_t all = 0) {
     const std::size_t least = pieces_.size() + more;
     if (least > pieces_.capacity()) pieces_.reserve(std::max({least, all, 3 * pieces_.capacity() / 2}));
+  }
+  void reserve(std::size_t more, std::size_t all, ProgressScope& pulse) {
+    const std::size_t least = pieces_.size() + more;
+    if (least > pieces_.capacity()) grow(pieces_, std::max(least, all), pulse);
   }
   /// Lets the last piece, which has to run at constant speed, go on to path length `s_end`.
   void extend(double s_end) {
