@@ -87,13 +87,15 @@ std::vector<Edge> without_lines(std::vector<Edge> parts, Progress* progress) {
 
 /// Drops parts that come from nowhere or lead nowhere. At a shallow corner the parallels run past their crossing for
 /// some 1e-6 mm before they are too near to a wall to be told from what bounds the result.
-void drop_tails(std::vector<Edge>& parts) {
+void drop_tails(std::vector<Edge>& parts, Progress* progress) {
   for (bool dropped = true; dropped;) {
     std::vector<char> led_to(parts.size()), leads_on(parts.size());
-    for (std::size_t i = 0; i < parts.size(); ++i)
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (progress && i % 64 == 0) progress->report("parallels", 0);
       for (std::size_t k = 0; k < parts.size(); ++k)
         if ((i != k || !parts[i].straight()) && distance(parts[i].to, parts[k].from) < joint)
           leads_on[i] = led_to[k] = 1;
+    }
     std::size_t left = 0;
     for (std::size_t i = 0; i < parts.size(); ++i)
       if (led_to[i] && leads_on[i]) parts[left++] = parts[i];
@@ -103,8 +105,8 @@ void drop_tails(std::vector<Edge>& parts) {
 }
 
 /// Loops of positive area made of parts that lie end to end.
-std::vector<Edge> joined(std::vector<Edge> parts) {
-  drop_tails(parts);
+std::vector<Edge> joined(std::vector<Edge> parts, Progress* progress) {
+  drop_tails(parts, progress);
   std::vector<Edge> edges;
   std::vector<char> used(parts.size());
   for (std::size_t start = 0; start < parts.size(); ++start) {
@@ -113,6 +115,7 @@ std::vector<Edge> joined(std::vector<Edge> parts) {
     used[start] = 1;
     bool closed = false;
     while (!closed) {
+      if (progress && loop.size() % 64 == 0) progress->report("parallels", 0);
       const Point end = loop.back().to;
       closed = distance(end, loop.front().from) < joint && (loop.size() > 1 || !loop.back().straight());
       if (closed) break;
@@ -211,7 +214,7 @@ Region Region::inward(double depth, Progress* progress) const {
     if (progress && ++seen % 512 == 0) progress->report("parallels", 0);
     return std::abs(distance(part.at(0.5)) - depth) > 1e-9;
   });
-  return Region(joined(without_lines(std::move(parts), progress)));
+  return Region(joined(without_lines(std::move(parts), progress), progress));
 }
 
 Region Region::without(const Region& other) const {
@@ -226,7 +229,7 @@ Region Region::without(const Region& other) const {
   std::erase_if(parts, [&](const Edge& part) { return other.distance(part.at(0.5)) > 0; });
   for (const Edge& part : split(other.edges_, theirs))
     if (distance(part.at(0.5)) > 0) parts.push_back(part.reversed());
-  return Region(joined(std::move(parts)));
+  return Region(joined(std::move(parts), nullptr));
 }
 
 }  // namespace bahnwerk
