@@ -53,11 +53,23 @@ std::string text_of(const ordered_json& value) {
   return escape_html(value.dump());
 }
 
-/// Of a figure in a summary or a bound, by its name: all kinds name lengths and times alike. Others have none.
-std::string unit_of(const std::string& key, const ordered_json& value) {
-  if (!value.is_number()) return "";
-  if (key.ends_with("duration") || key.ends_with("time")) return " s";
-  return key.ends_with("length") ? " mm" : "";
+/// Of a figure in a summary or a bound, by its name: all kinds name their quantities alike. Others have none.
+std::string_view unit_of(std::string_view key, const ordered_json& value) {
+  struct Unit {
+    std::string_view ending, unit;
+  };
+  static constexpr std::array<Unit, 8> units{{{"duration", "s"},
+                                              {"time", "s"},
+                                              {"length", "mm"},
+                                              {"clearance", "mm"},
+                                              {"resistance", "Ω"},
+                                              {"per_minute", "1/min"},
+                                              {"coarse_smoothness", "mm²/s³"},
+                                              {"coarse_acceleration", "mm/s²"}}};
+  if (!value.is_number() && !value.is_object()) return "";
+  for (const Unit& each : units)
+    if (key.ends_with(each.ending)) return each.unit;
+  return "";
 }
 
 std::string rows_of(const ordered_json& object) {
@@ -67,7 +79,10 @@ std::string rows_of(const ordered_json& object) {
     std::string name = key;
     for (char& c : name)
       if (c == '_') c = ' ';
-    rows += "<tr><th>" + escape_html(name) + "</th><td>" + text_of(value) + unit_of(key, value) + "</td></tr>\n";
+    const std::string_view unit = unit_of(key, value);
+    rows += "<tr><th>" + escape_html(name) + "</th><td>" + text_of(value);
+    if (!unit.empty()) rows.append(" ").append(unit);
+    rows += "</td></tr>\n";
   }
   return rows;
 }

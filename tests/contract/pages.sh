@@ -38,6 +38,14 @@ has 'setpoints?format=csv'
 hasnt 'http-equiv="refresh"'
 links 8
 
+# Every figure of a kind has its unit.
+jq '.spec.machine = $machine' --argjson machine "$(jq -c . "$examples/machines/md1.json")" "$examples/bracket.json" >"$work/stages.json"
+post "$work/stages.json"
+await succeeded 120
+page "/jobs/$id"
+has '<th>coarse smoothness</th><td>x [0-9.e+]*, y [0-9.e+]* mm²/s³</td>'
+has '<th>peak coarse acceleration</th><td>x [0-9.e+]*, y [0-9.e+]* mm/s²</td>'
+
 jq -c '.spec.wires = [0.9] | .spec.algorithms = ["orthocyclic_base", "needle"]' "$examples/stator_slot.json" >"$work/slot.json"
 post "$work/slot.json"
 await succeeded

@@ -34,6 +34,11 @@ expect_problem schema-violation 422
 expect_json '.errors[0].pointer == "/query/layout"'
 request GET "/v1/jobs/$id/setpoints?first=$((count - 1))&count=1" -H 'Accept: application/json'
 expect_status 200
+request GET "/jobs/$id" -H 'Accept: text/html'
+expect_status 200
+for figure in 'wire length</th><td>[0-9.]* mm' 'resistance</th><td>[0-9.]* Ω' 'strokes per minute</th><td>[0-9.]* 1/min' 'clearance</th><td>[0-9.]* mm'; do
+  grep -q -- "<th>$figure</td>" "$work/body" || fail "the page lacks $figure"
+done
 # The path as a spline for CAD, a download of the job's page.
 request GET "/jobs/$id/drawings/needle_path.dxf"
 expect_status 200
