@@ -14,6 +14,17 @@ void AxisPath::write_at(std::size_t segment, double s, double* out) const {
     for (std::size_t k = 0; k < axes_; ++k) *out++ = (*row)[k];
 }
 
+void AxisPath::write_row(PathBatch& batch, std::size_t i, const AxisJet& q) const {
+  for (std::size_t k = 0; k < axes_; ++k)
+    batch.d1[k].set(i, q.d1[k]), batch.d2[k].set(i, q.d2[k]), batch.d3[k].set(i, q.d3[k]);
+}
+
+MapBounds AxisPath::every_axis_moves() const {
+  MapBounds bounds;
+  for (std::size_t k = 0; k < axes_; ++k) bounds.order[0][k] = 1;
+  return bounds;
+}
+
 CartesianAxisPath::CartesianAxisPath(const Path& tool, std::size_t axes, double height)
     : AxisPath(tool, std::min<std::size_t>(axes, 3), true), height_(height) {}
 
@@ -96,8 +107,7 @@ void KinematicAxisPath::at_parameters(std::size_t segment, PathBatch& batch) con
   for (std::size_t i = 0; i < 2 * batch.used_pairs(); ++i) {
     const AxisJet q = raw_at_parameter(segment, batch.u[i]);  // positions are not asked for
     batch.s.set(i, tool()[segment].travelled(batch.u[i]));
-    for (std::size_t k = 0; k < axes(); ++k)
-      batch.d1[k].set(i, q.d1[k]), batch.d2[k].set(i, q.d2[k]), batch.d3[k].set(i, q.d3[k]);
+    write_row(batch, i, q);
   }
 }
 

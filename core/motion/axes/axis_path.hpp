@@ -64,6 +64,10 @@ class AxisPath {
 
  protected:
   AxisPath(const Path& tool, std::size_t axes, bool cartesian) : tool_(tool), axes_(axes), cartesian_(cartesian) {}
+  /// Row i of d1, d2, d3 of every axis.
+  void write_row(PathBatch& batch, std::size_t i, const AxisJet& q) const;
+  /// map_bounds() of axes that do not follow from the pose alone: only tells that every axis can move.
+  MapBounds every_axis_moves() const;
 
  private:
   const Path& tool_;

@@ -28,16 +28,8 @@ void SplitPath::at_parameters(std::size_t segment, PathBatch& batch) const {
     AxisJet at;
     for (std::size_t k = 0; k < (flat ? 2 : n); ++k)
       at.d1[k] = batch.d1[k][i], at.d2[k] = batch.d2[k][i], at.d3[k] = batch.d3[k][i];
-    const AxisJet q = split(segment, begin + batch.s[i], at);
-    for (std::size_t k = 0; k < 2 * n; ++k)
-      batch.d1[k].set(i, q.d1[k]), batch.d2[k].set(i, q.d2[k]), batch.d3[k].set(i, q.d3[k]);
+    write_row(batch, i, split(segment, begin + batch.s[i], at));
   }
-}
-
-MapBounds SplitPath::map_bounds(std::size_t, double, double) const {
-  MapBounds bounds;
-  for (std::size_t k = 0; k < axes(); ++k) bounds.order[0][k] = 1;
-  return bounds;
 }
 
 }  // namespace bahnwerk

@@ -30,8 +30,7 @@ class SplitPath final : public AxisPath {
   bool linear(std::size_t segment) const override { return path_->linear(segment) && coarse_->linear(segment); }
   AxisJet at_parameter(std::size_t segment, double u) const override;
   void at_parameters(std::size_t segment, PathBatch& batch) const override;
-  /// Only tells which axes can move at all: all of them, and no faster than the tool.
-  MapBounds map_bounds(std::size_t segment, double u, double radius) const override;
+  MapBounds map_bounds(std::size_t, double, double) const override { return every_axis_moves(); }
 
  private:
   AxisJet split(std::size_t segment, double s, const AxisJet& tool) const;

@@ -62,17 +62,7 @@ AxisJet TimedPath::at_parameter(std::size_t segment, double u) const {
 void TimedPath::at_parameters(std::size_t segment, PathBatch& batch) const {
   tool()[segment].at_parameters(batch);
   batch.planar = false;
-  for (std::size_t i = 0; i < 2 * batch.used_pairs(); ++i) {
-    const AxisJet q = at_parameter(segment, batch.u[i]);
-    for (std::size_t k = 0; k < axes(); ++k)
-      batch.d1[k].set(i, q.d1[k]), batch.d2[k].set(i, q.d2[k]), batch.d3[k].set(i, q.d3[k]);
-  }
-}
-
-MapBounds TimedPath::map_bounds(std::size_t, double, double) const {
-  MapBounds bounds;
-  for (std::size_t k = 0; k < axes(); ++k) bounds.order[0][k] = 1;
-  return bounds;
+  for (std::size_t i = 0; i < 2 * batch.used_pairs(); ++i) write_row(batch, i, at_parameter(segment, batch.u[i]));
 }
 
 }  // namespace bahnwerk

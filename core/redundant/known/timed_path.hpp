@@ -29,8 +29,7 @@ class TimedPath final : public AxisPath {
   bool linear(std::size_t) const override { return false; }
   AxisJet at_parameter(std::size_t segment, double u) const override;
   void at_parameters(std::size_t segment, PathBatch& batch) const override;
-  /// Only tells which axes can move at all: all of them.
-  MapBounds map_bounds(std::size_t segment, double u, double radius) const override;
+  MapBounds map_bounds(std::size_t, double, double) const override { return every_axis_moves(); }
   const Stretch& stretch(std::size_t segment) const { return stretches_[segment]; }
 
  private:
