@@ -164,12 +164,14 @@ double interpolation_error(int points, double reach) {
   return 4 / (power * (rho - 1));
 }
 
-PeakSweep::PeakSweep(std::vector<double> scales, double resolution)
+PeakSweep::PeakSweep(std::vector<double> scales, double resolution, double rounding)
     : peaks_(scales.size()),
       scales_(std::move(scales)),
       resolution_(resolution),
+      rounding_(rounding),
       values_(peaks_.size() * static_cast<std::size_t>(ChebyshevRule::max_points)),
-      missing_(peaks_.size()) {}
+      missing_(peaks_.size()),
+      room_(peaks_.size()) {}
 
 void PeakSweep::raise(std::size_t channel, double value, double at, std::size_t tag) {
   Peak& peak = peaks_[channel];
@@ -204,9 +206,10 @@ bool PeakSweep::absorb(const ChebyshevRule& rule, double begin, double end, std:
     raise(channel, f[where], begin + rule.node[where] * (end - begin), tag);
     Peak& peak = peaks_[channel];
     if (!peak.finite) continue;
+    room_[channel] = peak.value - largest;
 
     // |p| ≤ Λ max|f(x_i)| with Lebesgue constants below 2.5 for up to 9 Chebyshev points.
-    const double proven = missing_[channel];
+    const double proven = missing_[channel] + rounding_ * largest;
     if (resolved && 2.5 * largest + proven <= peak.value) continue;
 
     std::array<double, ChebyshevRule::max_points> b{};

@@ -70,10 +70,11 @@ struct PeakSamples {
 
 /// Running peaks of several functions over many intervals. `scale` of a function is the magnitude that counts (its
 /// limit): values are resolved to twice `resolution` of it (or of the function itself if that is larger); where halving
-/// does not get there, the outer bound and what may be missing count.
+/// does not get there, the outer bound and what may be missing count. `rounding` of its size is what a sample may lack:
+/// it is added to what is missing where that is known.
 class PeakSweep {
  public:
-  explicit PeakSweep(std::vector<double> scales, double resolution = 1e-11);
+  explicit PeakSweep(std::vector<double> scales, double resolution = 1e-11, double rounding = 0);
 
   std::size_t channels() const { return peaks_.size(); }
   const Peak& operator[](std::size_t channel) const { return peaks_[channel]; }
@@ -84,6 +85,15 @@ class PeakSweep {
   Peak restart(std::size_t channel, double value) { return std::exchange(peaks_[channel], Peak{value, 0, 0, true}); }
   /// A value known exactly. O(1).
   void raise(std::size_t channel, double value, double at, std::size_t tag);
+
+  /// Whether coarse samples may settle an interval, by what would be missing and by how far the samples before stayed
+  /// below the peaks: neighbours are alike. Who asks this is offered them on every interval. O(channels).
+  bool promising(const double* missing) {
+    asked_ = true;
+    for (std::size_t c = 0; c < peaks_.size(); ++c)
+      if (!(missing[c] <= std::max(room_[c], resolution_ * scales_[c]))) return false;
+    return true;
+  }
 
   /// Sampled intervals on which an estimate alone decided: no bound was known, or halving ended before one was finite.
   std::size_t estimated() const { return estimated_; }
@@ -133,13 +143,15 @@ class PeakSweep {
   bool absorb(const ChebyshevRule& rule, double begin, double end, std::size_t tag, bool resolved, Patience patience);
 
   // Neighbours are alike: where five points did not do they are tried again every fourth time.
-  bool coarse_may_do() { return missing_.empty() || coarse_failed_ == 0 || --coarse_failed_ == 0; }
+  bool coarse_may_do() { return missing_.empty() || asked_ || coarse_failed_ == 0 || --coarse_failed_ == 0; }
   void coarse_done(bool done) { coarse_failed_ = done || missing_.empty() || std::isnan(missing_.front()) ? 0 : 4; }
 
   std::vector<Peak> peaks_;
   std::vector<double> scales_;
-  double resolution_;
+  double resolution_, rounding_;
   std::vector<double> values_, missing_;
+  std::vector<double> room_;  // by how much the samples before were below the peaks
+  bool asked_ = false;        // promising()
   int coarse_failed_ = 0;
   std::size_t estimated_ = 0;
   std::size_t evaluations_ = 0;

@@ -44,7 +44,9 @@ std::vector<double> scales(const std::vector<Channel>& channels) {
 }
 
 /// An interpolation error beyond this part of a limit helps nobody: halve without looking.
-constexpr double useful = 0.1;
+constexpr double useful = 0.1, resolution = 1e-11;
+/// Of its size: what rounding may take from a sample.
+constexpr double rounded_samples = 2e-12;
 
 class Sweeper {
  public:
@@ -52,7 +54,7 @@ class Sweeper {
       : in_(in),
         pulse_(pulse),
         channels_(make_channels(in)),
-        peaks_(scales(channels_)),
+        peaks_(scales(channels_), resolution, rounded_samples),
         worst_(channels_.size()),
         repeated_(in),
         arc_length_(pulse) {
@@ -138,6 +140,7 @@ class Sweeper {
       samples.missing[c] = m;
       if (m <= useful * peaks_.scale(c)) samples.empty = false;
     }
+    if (samples.rule.points < ChebyshevRule::max_points && !peaks_.promising(samples.missing)) samples.empty = true;
   }
 
   bool at_vanishing_tangent(std::size_t segment, double begin, double end) {
@@ -162,7 +165,8 @@ class Sweeper {
   }
 
   CurveDiscs& discs(std::size_t segment) {
-    if (!discs_ || discs_of_ != segment) discs_.emplace(in_.path[segment].curve()), discs_of_ = segment;
+    if (!discs_ || discs_of_ != segment)
+      discs_.emplace(in_.path[segment].curve(), discs_ ? discs_->start() : CurveDiscs::largest), discs_of_ = segment;
     return *discs_;
   }
 

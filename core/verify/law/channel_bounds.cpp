@@ -15,19 +15,7 @@ constexpr double lebesgue = 2.5;  // of interpolation in up to 9 Chebyshev point
 
 double square(double x) { return x * x; }
 
-constexpr int farthest = 10;  // power of two of the largest reach that is looked at
-
-/// interpolation_error(points, 2^power), 1 ≤ power ≤ farthest, of 5 and 9 points.
-double error_at(int points, int power) {
-  static const auto errors = [] {
-    std::array<std::array<double, farthest + 1>, 2> all;
-    for (int k = 0; k <= farthest; ++k)
-      for (const int n : {5, 9}) all[n == 9][static_cast<std::size_t>(k)] = interpolation_error(n, std::ldexp(1.0, k));
-    return all;
-  }();
-  if (points != 5 && points != 9) return interpolation_error(points, std::ldexp(1.0, power));
-  return errors[points == 9][static_cast<std::size_t>(power)];
-}
+constexpr double farthest = 1024;  // half widths, of the largest reach that is looked at
 
 }  // namespace
 
@@ -87,12 +75,16 @@ std::array<double, n> best_over_time(const LawPiece& piece, double half, const C
   if (!(half > 0) || !(disc.radius > 0)) return bounds;
   const double way = disc.radius / disc.pace;
   const double v = std::abs(piece.v), a = std::abs(piece.a), j = std::abs(piece.j), q = std::abs(piece.q);
-  // The further out, the quicker the error falls and the larger law and curve may be: the best of a few places counts,
-  // from the farthest on for as long as any bound gets better.
-  for (int power = farthest; power > 0; --power) {
-    const double r = std::ldexp(half, power), S = r * (v + r * (a / 2 + r * (j / 6 + r * q / 24)));
-    if (!(S <= way)) continue;
-    const double error = error_at(points, power);
+  const auto moves = [&](double r) { return r * (v + r * (a / 2 + r * (j / 6 + r * q / 24))); };
+  // The further out, the quicker the error falls and the larger law and curve may be: from the disc's border on, for as
+  // long as any bound gets better. Up to there S, which is convex, is at most four times as large where no part of it
+  // reaches the border alone.
+  double reach = std::min(2 * way / (v + std::sqrt(v * v + 2 * a * way)), farthest * half);
+  if (moves(reach) > 2 * way) reach = std::min({reach, std::cbrt(6 * way / j), std::sqrt(std::sqrt(24 * way / q))});
+  if (const double S = moves(reach); S > way) reach *= way / S;
+  reach *= (1 - 1e-12) / half;
+  for (; reach > 1; reach *= 0.5) {
+    const double error = interpolation_error(points, reach), r = reach * half, S = moves(r);
     const double V = v + r * (a + r * (j / 2 + r * q / 6)), A = a + r * (j + r * q / 2), J = j + r * q;
     const std::array<double, n> here = sizes(S, V, A, J);
     bool better = false;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double height = 2.5;  // of the strip of φ + iy in which arcs are bounded
 constexpr double speed_part = 0.6, weight_part = 0.3;
-constexpr double largest = 4;  // radius in t; the curve itself has |t| ≤ 1
+constexpr double least_start = 0.5;  // a curve behind a cusp is not like it
 
 Polynomial magnitudes(Polynomial p) {
   for (double& c : p) c = std::abs(c);
@@ -39,7 +39,7 @@ Sizes sizes(std::size_t count, double x, Size&& size) {
 
 }  // namespace
 
-CurveDiscs::CurveDiscs(const Curve& curve) : begin_(curve.begin()), end_(curve.end()) {
+CurveDiscs::CurveDiscs(const Curve& curve, double start) : start_(start), begin_(curve.begin()), end_(curve.end()) {
   if (curve.kind() == CurveKind::line) {
     last_.radius = largest;  // anything would do
     last_.first = 1;
@@ -115,13 +115,17 @@ CurveDisc CurveDiscs::make(double centre, std::size_t vanishing) {
 
   const double unit = 32 * static_cast<double>(count + w_.size()) * std::numeric_limits<double>::epsilon();
   const double q0 = q_at_[0], w0 = w_at_[0], v0 = norm(v_at_[0]);
-  double radius = last_.radius > 0 ? std::min(largest, 2 * last_.radius / reach_) : 0.5;
+  v_sizes_.resize(count), x_sizes_.resize(x_at_.size());
+  for (std::size_t k = 0; k < count; ++k) v_sizes_[k] = norm(v_at_[k]);
+  for (std::size_t k = 0; k < x_at_.size(); ++k) x_sizes_[k] = norm(x_at_[k]);
+  double radius = last_.radius > 0 ? std::min(largest, 2 * last_.radius / reach_) : start_;
   for (;; radius *= 0.75) {
     if (!(radius > 1e-15)) return none;
     const double out = std::abs(c) + radius;
-    const Sizes v = sizes(count, radius, [&](std::size_t k) { return norm(v_at_[k]); }),
+    const Sizes v = sizes(count, radius, [&](std::size_t k) { return v_sizes_[k]; }),
                 w = sizes(w_at_.size(), radius, [&](std::size_t k) { return std::abs(w_at_[k]); }),
                 q = sizes(q_at_.size(), radius, [&](std::size_t k) { return std::abs(q_at_[k]); });
+    if (!(q.tail <= speed_part * q0 && w.tail <= weight_part * w0)) continue;
     const auto terms = [&](const Polynomial& p) {
       Sizes s = sizes(p.size(), out, [&](std::size_t k) { return p[k]; });
       s.tail = unit * (s.tail + (p.empty() ? 0 : p[0])), s.first *= unit, s.second *= unit;
@@ -134,7 +138,7 @@ CurveDisc CurveDiscs::make(double centre, std::size_t vanishing) {
     const double V = v0 + v.tail + dv.tail, dq = 2 * V * dv.tail, Q = q.tail + dq, W = w.tail + dw.tail;
     if (!(Q <= speed_part * q0 && W <= weight_part * w0)) continue;
     const double V1 = v.first + dv.first, V2 = v.second + dv.second;
-    const Sizes x = sizes(x_at_.size(), radius, [&](std::size_t k) { return norm(x_at_[k]); });
+    const Sizes x = sizes(x_at_.size(), radius, [&](std::size_t k) { return x_sizes_[k]; });
     const double X = norm(x_at_[0]) + x.tail + 2 * (dv.first * V + V1 * dv.tail),
                  X1 = x.first + 2 * (dv.second * V + V2 * dv.tail);
     // Of V on the circle, from W: |z| = radius there.
@@ -151,6 +155,7 @@ CurveDisc CurveDiscs::make(double centre, std::size_t vanishing) {
                   4 * square * v_most * v_most * x_most * v1 / least);
     disc.speed = std::sqrt(square_power * (q0 + Q)) / ((w0 - W) * (w0 - W)) / reach_;
     disc.pace = square / nu * reach_;
+    if (vanishing == 0) start_ = std::clamp(1.5 * radius, least_start, largest);
     return std::isfinite(disc.third + disc.speed + disc.pace) ? disc : none;
   }
 }

@@ -31,8 +31,11 @@ struct CurveDisc {
 /// |cos(φ + iy)|² + |sin(φ + iy)|² = cosh 2y, for |y| ≤ 2.5.
 class CurveDiscs {
  public:
-  /// The curve is read, not kept.
-  explicit CurveDiscs(const Curve& curve);
+  static constexpr double largest = 4;  ///< radius where the curve has |t| ≤ 1
+  /// The curve is read, not kept. `start`: the first radius in t that is tried for a rational piece.
+  explicit CurveDiscs(const Curve& curve, double start = largest);
+  /// A start for a curve that is like this one.
+  double start() const { return start_; }
   /// A disc about `u`, at least half as large as the largest that can be had there. O(degree²) for a new one, a few ns
   /// where the last one serves; asked for in ascending order, one serves many.
   CurveDisc about(double u);
@@ -48,12 +51,14 @@ class CurveDiscs {
   CurveDisc make(double centre, std::size_t vanishing = 0);
 
   CurveDisc last_, end_disc_;
+  double start_;
   bool end_known_ = false;
   std::size_t vanishing_ = 0;
   bool rational_ = false;
   double pivot_ = 0, reach_ = 1, begin_ = 0, end_ = 1;
   Polynomial v_[3], w_, v_terms_, w_terms_;  ///< *_terms_: sums of the magnitudes that enter a coefficient
   std::vector<Vec> v_at_, x_at_;             ///< Taylor coefficients about a centre
+  std::vector<double> v_sizes_, x_sizes_;    ///< their norms
   Polynomial w_at_, q_at_;
 };
 

@@ -170,6 +170,39 @@ TEST(PeakSweep, AWildFunctionLeavesEnoughForTheOthers) {
   EXPECT_EQ(sweep[0].tag, 1u);
 }
 
+/// Where the caller asks, coarse samples are taken where they may settle an interval, and nowhere else.
+TEST(PeakSweep, CoarseSamplesOnlyWhereTheyMayDo) {
+  const auto evaluations = [](double below, bool ask) {
+    PeakSweep sweep({1.0});
+    sweep.raise(0, 1, 0, 0);
+    for (std::size_t k = 1; k <= 100; ++k)
+      sweep.sweep(0, 1, false, k, [&](PeakSamples& samples) {
+        const bool coarse = samples.rule.points < ChebyshevRule::max_points;
+        samples.missing[0] = coarse ? 0.1 : 1e-12;
+        if (ask && coarse && !sweep.promising(samples.missing)) return samples.empty = true, false;
+        std::fill_n(samples.values, samples.rule.points, 1 - below);
+        return true;
+      });
+    EXPECT_EQ(sweep[0].value, 1);
+    return sweep.evaluations();
+  };
+  EXPECT_EQ(evaluations(0.7, true), 9u + 99u * 5u);  // nothing is known of the first one's neighbours
+  EXPECT_EQ(evaluations(0.05, true), 100u * 9u);
+  EXPECT_GT(evaluations(0.05, false), 100u * 9u);
+}
+
+TEST(PeakSweep, WhatRoundingTakesIsAdded) {
+  for (const double rounding : {0.0, 1e-9}) {
+    PeakSweep sweep({1.0}, 1e-8, rounding);
+    sweep.sweep(0, 1, false, 0, [](PeakSamples& samples) {
+      for (int i = 0; i < samples.rule.points; ++i) samples.values[i] = 3 * samples.at(i);
+      samples.missing[0] = 0;
+      return true;
+    });
+    EXPECT_NEAR(sweep[0].value, 3 * (1 + rounding), 1e-14);
+  }
+}
+
 TEST(PeakSweep, SeveralChannelsAndTheTagOfThePeak) {
   PeakSweep sweep({1, 1, 1});
   for (std::size_t k = 0; k < 10; ++k)

@@ -127,6 +127,24 @@ TEST(ChannelBounds, NothingIsKnownWhereTheDiscDoesNotCoverTheInterval) {
     EXPECT_TRUE(std::isinf(bound));
 }
 
+/// A disc a little smaller leaves a little less known, wherever its border lies between powers of two.
+TEST(ChannelBounds, UseAllOfTheDisc) {
+  CurveDisc disc{0, 1, 1, 1e-2, 1e-4, 1, 1};
+  for (const LawPiece& piece : {LawPiece{0, 2e-3, 0, 0.2, 100, 10, 0}, LawPiece{0, 2e-3, 0, 0, 0, 0, 1e8},
+                                LawPiece{0, 2e-3, 0, 0, 0, 0, 0, 0, 1e11}}) {
+    double before = 0;
+    for (disc.radius = 1; disc.radius < 2.1; disc.radius += 0.05) {
+      const double bound = bounds_over_time(piece, 1e-3, disc, 9)[0];
+      ASSERT_TRUE(std::isfinite(bound)) << disc.radius;
+      if (before > 0) {
+        EXPECT_LT(bound, before) << disc.radius;
+        EXPECT_GT(bound, before / 3) << disc.radius;
+      }
+      before = bound;
+    }
+  }
+}
+
 TEST(ChannelBounds, ALawIsTheSameAboutAnotherPlace) {
   const LawPiece piece{0, 2, 1, 9, 2, 3, -4, 0, 5}, other = moved(piece, 0.7);
   EXPECT_NEAR(other.at(0.5).s, piece.at(1.2).s, 1e-14);
