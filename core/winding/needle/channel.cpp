@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "core/base/errors.hpp"
 #include "core/numeric/golden_section.hpp"
@@ -31,8 +32,10 @@ double nearest(const NeedlePose& pose, const NeedleShape& needle, const Distance
   return std::min({least, here, at(golden_section([&](double s) { return -at(s); }, first, last, look_exact).at)});
 }
 
+/// The needle turns the shorter way: its direction may be given by angles that differ by a whole turn.
 NeedlePose mixed(const NeedlePose& a, const NeedlePose& b, double u) {
-  return {(1 - u) * a.tip + u * b.tip, (1 - u) * a.phi + u * b.phi, (1 - u) * a.psi + u * b.psi};
+  const double phi = a.phi + std::remainder(b.phi - a.phi, 2 * std::numbers::pi);
+  return {(1 - u) * a.tip + u * b.tip, (1 - u) * a.phi + u * phi, (1 - u) * a.psi + u * b.psi};
 }
 
 }  // namespace

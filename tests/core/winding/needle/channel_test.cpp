@@ -58,6 +58,21 @@ TEST(Room, AlongALineIsTheLeastOfIt) {
   }
 }
 
+// A direction given by an angle that is a whole turn more is the same one: the needle does not turn all round on its
+// way.
+TEST(Room, IsThatOfTheShorterTurn) {
+  const RotorPart part;
+  const RotorIron iron(part, checked_slot(part), {});
+  const NeedleShape needle{1, 40};
+  const NeedlePose from{{-60, 3, 100}, 0.02, 0}, to{{-60, -3, 90}, -0.02, 0};
+  NeedlePose turned = to;
+  turned.phi += 2 * pi;
+  ASSERT_GT(room(from, to, needle, {&iron}), 1);
+  EXPECT_NEAR(room(from, turned, needle, {&iron}), room(from, to, needle, {&iron}), 1e-9);
+  EXPECT_NEAR(room(turned, from, needle, {&iron}), room(to, from, needle, {&iron}), 1e-9);
+  EXPECT_NEAR(slot_room(from, turned, 0, 202, needle, iron), slot_room(from, to, 0, 202, needle, iron), 1e-9);
+}
+
 /// A wall that fills y > `face`.
 class Wall final : public Obstacle {
  public:

@@ -165,6 +165,35 @@ TEST(SupportPoints, OfARotorPointAtItsAxis) {
   }
 }
 
+// Of the shipped rotor coil: tips are moved along the end caps, where the needle's direction may run over ±π.
+TEST(SupportPoints, ARotorsCoilsAreCongruent) {
+  RotorPart part;
+  part.poles = 6;
+  const Wound w = wound(part, repeated({0, 1}, part.poles, 1, 6, false), 0.6, 3);
+  ASSERT_EQ(w.turns.size(), 18u);
+  NeedleModel model;
+  model.shape = NeedleShape{2, 60};
+  model.pull.force = 30;
+  const std::vector<FixedPiece> pieces = support_points(part, w.turns, model);
+  const auto nth = [&](std::size_t coil, std::size_t n) {
+    for (const FixedPiece& piece : pieces)
+      if (piece.kind == FixedPiece::Kind::region && piece.coil == coil && n-- == 0) return piece;
+    return FixedPiece{};
+  };
+  for (std::size_t coil = 1; coil < 6; ++coil)
+    for (std::size_t n = 0; n < 12; ++n) {
+      const FixedPiece first = nth(0, n), other = nth(coil, n);
+      const auto expect_same = [&](const NeedlePose& a, const NeedlePose& b) {
+        const double angle = static_cast<double>(coil) * part.pitch();
+        EXPECT_NEAR(std::hypot(a.tip.x, a.tip.y), std::hypot(b.tip.x, b.tip.y), 1e-3) << coil << ' ' << n;
+        EXPECT_NEAR(a.tip.z, b.tip.z, 1e-3) << coil << ' ' << n;
+        EXPECT_NEAR(std::remainder(a.phi + angle - b.phi, 2 * pi), 0, 1e-4) << coil << ' ' << n;
+      };
+      expect_same(first.begin.pose, other.begin.pose);
+      expect_same(first.end.pose, other.end.pose);
+    }
+}
+
 // Up to the opening, where the bend begins before the pivot.
 TEST(SupportPoints, PivotShiftHasADirectionForEveryWire) {
   const StatorPart part;
