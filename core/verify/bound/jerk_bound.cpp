@@ -57,19 +57,19 @@ JerkBound<N>::JerkBound(const BoundGrid<N>& grid, const Machine& machine, Progre
 }
 
 template <int N>
-std::size_t JerkBound<N>::pose(std::size_t first, bool rest_first, bool rest_last, bool& ends_at_rest) {
+std::size_t JerkBound<N>::pose(bool rest_first, bool rest_last) {
   problem_.cells.clear(), problem_.steps.clear(), cell_of_.clear();
-  problem_.rest_first = rest_first && first == 0;
+  problem_.rest_first = rest_first && !pieces_.dropped();
   const double part = grid_.cartesian() ? 1 : finer;
   double time = 0, turn = 0, capped = 0, swing = 0;
   const auto& pieces = pieces_.list();
   const auto& extents = pieces_.extents();
-  std::size_t i = first;
+  std::size_t i = 0;
   const auto known = [](const DualPiece<N>& p) {
     return std::isfinite(p.cap) &&
            std::all_of(p.third.begin(), p.third.end(), [](double t) { return std::isfinite(t); });
   };
-  for (; i < pieces.size() && problem_.cells.size() < stretch && known(pieces[i]); ++i) {
+  for (; problem_.cells.size() < stretch && pieces_.has(i) && known(pieces[i]); ++i) {
     const DualPiece<N>& p = pieces[i];
     double bend = 0;
     for (std::size_t k = 0; k < N; ++k) bend += sq(p.end[k] - p.begin[k]);
@@ -92,19 +92,18 @@ std::size_t JerkBound<N>::pose(std::size_t first, bool rest_first, bool rest_las
     time += p.time, turn += bend, swing += extents[i].swing;
     cell_of_.push_back(problem_.cells.size() - 1);
   }
-  ends_at_rest = i == pieces.size() && rest_last;
-  problem_.rest_last = ends_at_rest;
+  problem_.rest_last = rest_last && !pieces_.has(i);
   return i;
 }
 
 // Any multipliers give a bound. Limits of jerk that the cells are too wide to show may keep the solver from good ones:
 // the problem without them has others.
 template <int N>
-double JerkBound<N>::best_value(std::size_t first, std::size_t last) {
+double JerkBound<N>::best_value(std::size_t last) {
   RelaxationOptions options;
   if (!grid_.cartesian()) options.beyond = beyond;
   const auto value = [&] {
-    return dual_.value(pieces_.list(), first, last, cell_of_, problem_, solver_.solve(problem_, options, pulse_));
+    return dual_.value(pieces_.list(), 0, last, cell_of_, problem_, solver_.solve(problem_, options, pulse_));
   };
   double best = value();
   const auto limits = problem_.jerk;
@@ -123,19 +122,18 @@ double JerkBound<N>::duration(const std::vector<double>& b, double time, bool re
   const double first_piece = std::min(part_of_onset * acceleration_of_ramp_ * sq(ramp_) / 6, part_of_section * length);
   double total = 0;
   if (spacing < no_ramp * ramp_) {
-    pieces_.lay(b, rest_first, rest_last, spacing, first_piece);
-    const auto& pieces = pieces_.list();
-    for (std::size_t first = 0; first < pieces.size();) {
-      bool ends_at_rest = false;
-      const std::size_t last = pose(first, rest_first, rest_last, ends_at_rest);
-      if (last == first) {  // next to a cusp nothing is known of jerk
-        total += pieces[first].length / std::sqrt(pieces[first].cap);
-        ++first;
-        continue;
+    pieces_.begin(b, rest_first, rest_last, spacing, first_piece);
+    while (pieces_.has(0)) {
+      std::size_t last = pose(rest_first, rest_last);
+      if (last > 0) {
+        cells_ += problem_.cells.size();
+        total += best_value(last);
+      } else {  // next to a cusp nothing is known of jerk
+        const DualPiece<N>& piece = pieces_.list().front();
+        total += piece.length / std::sqrt(piece.cap);
+        last = 1;
       }
-      cells_ += problem_.cells.size();
-      total += best_value(first, last);
-      first = last;
+      pieces_.drop(last);
     }
   }
   return total * (1 - 1e-12);

@@ -37,9 +37,9 @@ class JerkBound {
   std::size_t cells() const { return cells_; }
 
  private:
-  /// Pieces of one window, which become cells of the relaxation; returns one past its last.
-  std::size_t pose(std::size_t first, bool rest_first, bool rest_last, bool& ends_at_rest);
-  double best_value(std::size_t first, std::size_t last);
+  /// The first pieces at hand, which become cells of one relaxation; returns one past its last.
+  std::size_t pose(bool rest_first, bool rest_last);
+  double best_value(std::size_t last);
 
   const BoundGrid<N>& grid_;
   ProgressScope& pulse_;

@@ -279,26 +279,42 @@ std::size_t JerkPieces<N>::joined(std::size_t first, const std::vector<double>& 
 }
 
 template <int N>
-void JerkPieces<N>::lay(const std::vector<double>& b, bool rest_first, bool rest_last, double spacing,
-                        double first_piece) {
+void JerkPieces<N>::begin(const std::vector<double>& b, bool rest_first, bool rest_last, double spacing,
+                          double first_piece) {
   spacing_ = spacing, first_piece_ = first_piece;
-  const auto& nodes = grid_.nodes();
-  const auto& cells = grid_.cells();
   pieces_.clear(), extents_.clear();
   joint_ = {};
+  most_ = &b, next_ = 0, dropped_ = false;
   one_way_.take(grid_, b, rest_first, rest_last, cycle_time_);
   grade(b, rest_first, rest_last);
   expect(b, rest_first, rest_last);
-  for (std::size_t i = 0; i + 1 < b.size();) {
-    pulse_.work(8);
-    if (cells[i].kind == Cell::Kind::joint) {
-      join(nodes[i], nodes[i + 1], std::min(b[i], b[i + 1]));
-      ++i;
-    } else if (const std::size_t next = joined(i, b); next > i) {
-      i = next;
-    } else {
-      divide(i++, b);
-    }
+}
+
+template <int N>
+bool JerkPieces<N>::has(std::size_t i) {
+  while (pieces_.size() <= i && next_ + 1 < most_->size()) lay_next();
+  return i < pieces_.size();
+}
+
+template <int N>
+void JerkPieces<N>::drop(std::size_t count) {
+  pieces_.erase(pieces_.begin(), pieces_.begin() + static_cast<std::ptrdiff_t>(count));
+  extents_.erase(extents_.begin(), extents_.begin() + static_cast<std::ptrdiff_t>(count));
+  dropped_ = dropped_ || count > 0;
+}
+
+template <int N>
+void JerkPieces<N>::lay_next() {
+  const auto& nodes = grid_.nodes();
+  const std::vector<double>& b = *most_;
+  pulse_.work(8);
+  if (grid_.cells()[next_].kind == Cell::Kind::joint) {
+    join(nodes[next_], nodes[next_ + 1], std::min(b[next_], b[next_ + 1]));
+    ++next_;
+  } else if (const std::size_t behind = joined(next_, b); behind > next_) {
+    next_ = behind;
+  } else {
+    divide(next_++, b);
   }
 }
 

@@ -35,9 +35,14 @@ class JerkPieces {
   /// `grid` and `pulse` outlive it. `shown`: per axis the jerk for which pieces are to be short enough.
   JerkPieces(const BoundGrid<N>& grid, double cycle_time, const Row& shown, ProgressScope& pulse);
 
-  /// Of the first nodes of the grid at hand, at which v² is `b` at most. A cell takes `spacing` s at most; next to rest
-  /// pieces begin with `first_piece` mm. O(pieces).
-  void lay(const std::vector<double>& b, bool rest_first, bool rest_last, double spacing, double first_piece);
+  /// Of the first nodes of the grid at hand, at which v² is `b` at most, which outlives them. A cell takes `spacing` s
+  /// at most; next to rest pieces begin with `first_piece` mm. Pieces come when they are asked for, O(1) each.
+  void begin(const std::vector<double>& b, bool rest_first, bool rest_last, double spacing, double first_piece);
+  /// Whether there is a piece i; if so, the lists reach so far.
+  bool has(std::size_t i);
+  /// The first `count` are not needed any more: what follows them is piece 0 from now on.
+  void drop(std::size_t count);
+  bool dropped() const { return dropped_; }  ///< any, since begin()
 
   const std::vector<DualPiece<N>>& list() const { return pieces_; }
   const std::vector<Extent>& extents() const { return extents_; }  ///< of each
@@ -46,6 +51,7 @@ class JerkPieces {
   using Node = BoundNode<N>;
   using Cell = BoundCell<N>;
 
+  void lay_next();
   void expect(const std::vector<double>& b, bool rest_first, bool rest_last);
   void grade(const std::vector<double>& b, bool rest_first, bool rest_last);
   double finest_at(std::size_t node, const std::vector<double>& b) const;
@@ -77,7 +83,10 @@ class JerkPieces {
   OneWay<N> one_way_;
   std::vector<DualPiece<N>> pieces_;
   std::vector<Extent> extents_;
-  DualJoint<N> joint_;  ///< before the piece to come
+  DualJoint<N> joint_;                         ///< before the piece to come
+  const std::vector<double>* most_ = nullptr;  ///< v² at the nodes
+  std::size_t next_ = 0;                       ///< cell of the grid
+  bool dropped_ = false;
 };
 
 extern template class JerkPieces<2>;
