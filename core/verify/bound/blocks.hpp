@@ -1,6 +1,7 @@
 #pragma once
 /// An array that grows at its end without moving what it holds.
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace bahnwerk::verify {
@@ -22,8 +23,13 @@ class Blocks {
       block.push_back(value);
     ++size_;
   }
-  /// Keeps the memory for what follows.
+  /// Both keep the memory for what follows.
   void clear() { size_ = 0; }
+  /// The first `count`. O(elements behind them).
+  void drop(std::size_t count) {
+    for (std::size_t i = count; i < size_; ++i) (*this)[i - count] = std::move((*this)[i]);
+    size_ -= count;
+  }
 
  private:
   static constexpr std::size_t each = 512;

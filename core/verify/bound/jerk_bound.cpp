@@ -129,7 +129,7 @@ double JerkBound<N>::duration(const std::vector<double>& b, double time, bool re
         cells_ += problem_.cells.size();
         total += best_value(last);
       } else {  // next to a cusp nothing is known of jerk
-        const DualPiece<N>& piece = pieces_.list().front();
+        const DualPiece<N>& piece = pieces_.list()[0];
         total += piece.length / std::sqrt(piece.cap);
         last = 1;
       }

@@ -148,7 +148,7 @@ double JerkDual<N>::refined(const DualPiece<N>& p, double x, const DualPiece<N>*
 }
 
 template <int N>
-double JerkDual<N>::value(const std::vector<DualPiece<N>>& pieces, std::size_t first, std::size_t last,
+double JerkDual<N>::value(const Blocks<DualPiece<N>>& pieces, std::size_t first, std::size_t last,
                           const std::vector<std::size_t>& cell_of, const RelaxationProblem<N>& problem,
                           const RelaxationMultipliers<N>& multipliers) {
   Sum sum;

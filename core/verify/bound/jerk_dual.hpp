@@ -26,6 +26,7 @@
 
 #include "core/base/progress_scope.hpp"
 #include "core/motion/relaxation/relaxation.hpp"
+#include "core/verify/bound/blocks.hpp"
 #include "core/verify/bound/bound_grid.hpp"
 
 namespace bahnwerk::verify {
@@ -69,7 +70,7 @@ class JerkDual {
 
   /// Of the pieces [first, last), which make up the cells of a relaxation: cell_of[i] is that of piece first + i.
   /// Pieces on which the enclosure loses much are halved, 8 times at most. O(pieces), 0.2 µs each of two axes.
-  double value(const std::vector<DualPiece<N>>& pieces, std::size_t first, std::size_t last,
+  double value(const Blocks<DualPiece<N>>& pieces, std::size_t first, std::size_t last,
                const std::vector<std::size_t>& cell_of, const RelaxationProblem<N>& problem,
                const RelaxationMultipliers<N>& multipliers);
 

@@ -298,8 +298,7 @@ bool JerkPieces<N>::has(std::size_t i) {
 
 template <int N>
 void JerkPieces<N>::drop(std::size_t count) {
-  pieces_.erase(pieces_.begin(), pieces_.begin() + static_cast<std::ptrdiff_t>(count));
-  extents_.erase(extents_.begin(), extents_.begin() + static_cast<std::ptrdiff_t>(count));
+  pieces_.drop(count), extents_.drop(count);
   dropped_ = dropped_ || count > 0;
 }
 

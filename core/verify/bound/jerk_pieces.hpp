@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/progress_scope.hpp"
+#include "core/verify/bound/blocks.hpp"
 #include "core/verify/bound/bound_grid.hpp"
 #include "core/verify/bound/jerk_cap.hpp"
 #include "core/verify/bound/jerk_dual.hpp"
@@ -40,12 +41,12 @@ class JerkPieces {
   void begin(const std::vector<double>& b, bool rest_first, bool rest_last, double spacing, double first_piece);
   /// Whether there is a piece i; if so, the lists reach so far.
   bool has(std::size_t i);
-  /// The first `count` are not needed any more: what follows them is piece 0 from now on.
+  /// The first `count` are not needed any more: what follows them is piece 0 from now on. O(those that follow).
   void drop(std::size_t count);
   bool dropped() const { return dropped_; }  ///< any, since begin()
 
-  const std::vector<DualPiece<N>>& list() const { return pieces_; }
-  const std::vector<Extent>& extents() const { return extents_; }  ///< of each
+  const Blocks<DualPiece<N>>& list() const { return pieces_; }
+  const Blocks<Extent>& extents() const { return extents_; }  ///< of each
 
  private:
   using Node = BoundNode<N>;
@@ -81,8 +82,8 @@ class JerkPieces {
   std::vector<double> expected_, growth_;
   JerkCapPiece<N> piece_;  ///< the one at hand
   OneWay<N> one_way_;
-  std::vector<DualPiece<N>> pieces_;
-  std::vector<Extent> extents_;
+  Blocks<DualPiece<N>> pieces_;
+  Blocks<Extent> extents_;
   DualJoint<N> joint_;                         ///< before the piece to come
   const std::vector<double>* most_ = nullptr;  ///< v² at the nodes
   std::size_t next_ = 0;                       ///< cell of the grid

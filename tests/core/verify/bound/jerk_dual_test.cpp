@@ -26,7 +26,7 @@ Machine machine() {
 /// One piece per cell of the bound's grid, and the relaxation over them. Nothing is known of speed but that both axes
 /// together reach no more than √2 V.
 struct Laid {
-  std::vector<DualPiece<2>> pieces;
+  Blocks<DualPiece<2>> pieces;
   std::vector<std::size_t> cell_of;
   RelaxationProblem<2> problem;
 };
