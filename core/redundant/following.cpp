@@ -60,21 +60,27 @@ Chain<order> following(const HeadCells& head, std::size_t axis, const CoarseFine
       const double h = (head.times[c + 1] - head.times[c]) * stretch;
       position = std::max(position, limits.fine.acceleration * h * h / 8);
       velocity = std::max(velocity, 0.25 * h * cells[c].acceleration.width() * s2);
-      if (order == 3) own_velocity = std::max(own_velocity, limits.coarse.jerk * h * h / 8);
+      if (order == 3)
+        own_velocity = std::max(own_velocity, std::min(limits.coarse.jerk * h / 8, limits.coarse.acceleration / 4) * h);
       acceleration = std::max(acceleration, 0.25 * h * cells[c].jerk.width() * s3);
     }
-    const double x = nodes[i].x, v = nodes[i].v * s1, a = nodes[i].a * s2;
+    const auto both = [](double after, double jump) {
+      return Range{std::min(after, after - jump), std::max(after, after - jump)};
+    };
+    const double x = nodes[i].x;
+    const Range v = slowed(both(nodes[i].v, nodes[i].v_jump), s1), a = slowed(both(nodes[i].a, nodes[i].a_jump), s2);
     const double reach = std::max(kept * limits.stroke - position, 0.5 * limits.stroke);
     chain.states[i][0] = scaled({x - reach, x + reach}, units.length);
     chain.states[i][0].lowest = std::max(chain.states[i][0].lowest, limits.coarse.lowest / units.length);
     chain.states[i][0].highest = std::min(chain.states[i][0].highest, limits.coarse.highest / units.length);
     const double own = kept * limits.coarse.velocity - own_velocity,
                  fine = kept * limits.fine.velocity - own_velocity - velocity;
-    chain.states[i][1] = scaled({std::max(-own, v - fine), std::min(own, v + fine)}, units.velocity());
+    chain.states[i][1] = scaled({std::max(-own, v.highest - fine), std::min(own, v.lowest + fine)}, units.velocity());
     if constexpr (order == 3)
-      chain.states[i][2] = scaled({std::max(-limits.coarse.acceleration, a - limits.fine.acceleration + acceleration),
-                                   std::min(limits.coarse.acceleration, a + limits.fine.acceleration - acceleration)},
-                                  units.acceleration());
+      chain.states[i][2] =
+          scaled({std::max(-limits.coarse.acceleration, a.highest - limits.fine.acceleration + acceleration),
+                  std::min(limits.coarse.acceleration, a.lowest + limits.fine.acceleration - acceleration)},
+                 units.acceleration());
   }
   return chain;
 }

@@ -10,6 +10,7 @@ namespace bahnwerk {
 namespace {
 
 constexpr double rounding = 1e-12;  // by which ranges are wider than the polynomial's, relative
+constexpr double jump = 1e-9;       // of what the head holds, that an acceleration jumps by at least
 
 /// Hull of the Bernstein coefficients of the polynomial through the samples.
 Range hull(const std::array<double, ChebyshevRule::max_points>& samples, const ChebyshevRule& rule) {
@@ -81,7 +82,9 @@ class Division {
       add(piece, middle, end, halvings - 1);
       return;
     }
-    if (open_ && end - begin_ <= options_.longest) {
+    const MotionState before = before_;
+    before_ = states[4];
+    if (open_ && end - begin_ <= options_.longest && !jumps(before, states[0])) {
       for (std::size_t a = 0; a < axes_; ++a)
         both_[a] = {hull(now_[a].acceleration, part[a].acceleration), hull(now_[a].jerk, part[a].jerk)};
       if (narrow(both_, end - begin_)) {
@@ -89,6 +92,7 @@ class Division {
         return;
       }
     }
+    const bool first = cells_.times.empty();
     close();
     open_ = true;
     begin_ = begin;
@@ -96,13 +100,24 @@ class Division {
     cells_.times.push_back(begin);
     cells_.pieces.push_back(piece);
     for (std::size_t a = 0; a < axes_; ++a)
-      cells_.nodes[a].push_back({states[0].position[a], states[0].velocity[a], states[0].acceleration[a]});
+      cells_.nodes[a].push_back({states[0].position[a], states[0].velocity[a], states[0].acceleration[a],
+                                 first ? 0 : states[0].velocity[a] - before.velocity[a],
+                                 first ? 0 : states[0].acceleration[a] - before.acceleration[a]});
+  }
+
+  /// Whether with limited jerk an acceleration jumps.
+  bool jumps(const MotionState& before, const MotionState& after) const {
+    for (std::size_t a = 0; a < axes_; ++a)
+      if (options_.jerk_range[a] < unlimited &&
+          std::abs(after.acceleration[a] - before.acceleration[a]) > jump * options_.held[a].acceleration)
+        return true;
+    return false;
   }
 
   bool narrow(const std::vector<HeadCell>& cell, double span) const {
     for (std::size_t a = 0; a < axes_; ++a)
       if (cell[a].acceleration.width() > options_.acceleration_change[a] ||
-          cell[a].jerk.width() * span > options_.jerk_change[a])
+          cell[a].jerk.width() * span > options_.jerk_change[a] || cell[a].jerk.width() > options_.jerk_range[a])
         return false;
     return true;
   }
@@ -130,6 +145,7 @@ class Division {
   HeadCells cells_;
   bool open_ = false;
   double begin_ = 0;
+  MotionState before_;  // at the end of what was added last
   std::vector<HeadCell> now_, part_, both_;
 };
 

@@ -12,7 +12,8 @@
 namespace bahnwerk {
 
 struct HeadNode {
-  double x = 0, v = 0, a = 0;  ///< mm, mm/s, mm/s²; a just after the node
+  double x = 0, v = 0, a = 0;     ///< mm, mm/s, mm/s²; v and a just after the node
+  double v_jump = 0, a_jump = 0;  ///< what they changed by at the node itself, where tangent or curvature jump
 };
 struct HeadCell {
   Range acceleration, jerk;  ///< mm/s², mm/s³; what the head does inside
@@ -34,12 +35,14 @@ struct HeadCellOptions {
   /// A piece with more is divided, unless it is too short for that; others are not merged. Infinite where it does not
   /// matter.
   std::vector<double> acceleration_change, jerk_change;
+  /// Per axis, mm/s³: range of the jerk in a cell, however short.
+  std::vector<double> jerk_range;
 };
 
 /// Pieces of the law are divided evenly, or merged while they fit. A cell never reaches over a jump of the acceleration
-/// that is larger than that. The ranges enclose the polynomial of degree 4 through five values of each
-/// piece, as far as the head's limits let it.
-/// O(pieces + duration/longest), five evaluations of the path each.
+/// that is larger than that, with a limited range of the jerk over none at all. The ranges enclose the polynomial of
+/// degree 4 through five values of each piece, as far as the head's limits let it. O(pieces + duration/longest), five
+/// evaluations of the path each.
 HeadCells head_cells(const PathMotion& head, const HeadCellOptions& options, ProgressScope& scope);
 /// The same of the pieces [first, last) of the law alone; times are those of the law.
 HeadCells head_cells(const PathMotion& head, std::size_t first, std::size_t last, const HeadCellOptions& options,

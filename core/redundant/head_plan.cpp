@@ -1,6 +1,7 @@
 #include "core/redundant/head_plan.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/motion/acceleration/acceleration_limited.hpp"
@@ -10,6 +11,7 @@
 namespace bahnwerk {
 namespace {
 
+constexpr double same = 1e-9;              // rounding of derivatives
 constexpr double coarse_share = 1 - 1e-5;  // of the coarse axes' limits: more than their boxes keep back
 
 Machine shared(Machine machine, double share) {
@@ -19,6 +21,15 @@ Machine shared(Machine machine, double share) {
     axis.jerk *= share;
   }
   return machine;
+}
+
+/// Whether derivatives of the axes differ on both sides of the begin of a segment; 1/mm for the second ones.
+bool curvature_jumps(const AxisPath& path, std::size_t segment) {
+  const AxisJet before = path.at_parameter(segment - 1, path[segment - 1].curve().end()),
+                after = path.at_parameter(segment, path[segment].curve().begin());
+  for (std::size_t k = 0; k < path.axes(); ++k)
+    if (!(std::abs(after.d1[k] - before.d1[k]) <= same && std::abs(after.d2[k] - before.d2[k]) <= same)) return true;
+  return false;
 }
 
 /// End of the section of the law that begins with piece `begin`.
@@ -38,7 +49,7 @@ HeadPlan<order>::HeadPlan(const JointTask& task, double corner_angle, double sha
       limits_(shared(head_limits(task.machine), share)),
       paces_{task.feeds, {}},
       planned_feeds_(task.feeds),
-      base_(planned(limits_, task.feeds)) {
+      base_(planned(limits_, task.feeds, task.rests)) {
   for (std::size_t i = 0; i < base_.pieces().size();) {
     const std::size_t end = end_of_section(base_, i), segment = base_.pieces()[i].segment;
     sections_.push_back(segment);
@@ -61,8 +72,9 @@ std::size_t HeadPlan<order>::section_end(std::size_t segment) const {
 }
 
 template <std::size_t order>
-TimeLaw HeadPlan<order>::planned(const Machine& limits, const std::vector<double>& feeds) const {
-  const PathTask path{*task_.path, limits, feeds, task_.rests, task_.dwells};
+TimeLaw HeadPlan<order>::planned(const Machine& limits, const std::vector<double>& feeds,
+                                 const std::vector<bool>& rests) const {
+  const PathTask path{*task_.path, limits, feeds, rests, task_.dwells};
   if constexpr (order == 2) {
     AccelerationLimitedOptions o;
     o.corner_angle = corner_angle_;
@@ -86,7 +98,7 @@ template <std::size_t order>
 std::shared_ptr<const PathMotion> HeadPlan<order>::motion(std::size_t first, std::size_t last) {
   if (paces_.feeds != planned_feeds_) {
     planned_feeds_ = paces_.feeds;
-    base_ = planned(limits_, planned_feeds_);
+    base_ = planned(limits_, planned_feeds_, task_.rests);
   }
   const auto& pieces = base_.pieces();
   const auto piece_of = [&](std::size_t segment) {
@@ -118,7 +130,7 @@ std::shared_ptr<const PathMotion> HeadPlan<order>::motion(std::size_t first, std
 }
 
 template <std::size_t order>
-std::shared_ptr<const PathMotion> HeadPlan<order>::coarse_alone() const {
+std::shared_ptr<const PathMotion> HeadPlan<order>::coarse_alone(bool stops) const {
   Machine coarse = limits_;
   for (std::size_t k = 0; k < coarse.axes.size(); ++k) {
     const Limits& limits = task_.machine.axes[k].coarse;
@@ -126,8 +138,11 @@ std::shared_ptr<const PathMotion> HeadPlan<order>::coarse_alone() const {
     coarse.axes[k].acceleration = std::min(coarse.axes[k].acceleration, coarse_share * limits.acceleration);
     coarse.axes[k].jerk = std::min(coarse.axes[k].jerk, coarse_share * limits.jerk);
   }
-  const PathTask path{*task_.path, coarse, {}, task_.rests, task_.dwells};
-  return std::make_shared<const PathMotion>(task_.path, with_dwells(planned(coarse, task_.feeds), path, progress_));
+  std::vector<bool> rests = task_.rests;
+  for (std::size_t i = 1; stops && i < task_.path->size(); ++i) rests[i] = rests[i] || curvature_jumps(*task_.path, i);
+  const PathTask path{*task_.path, coarse, {}, rests, task_.dwells};
+  return std::make_shared<const PathMotion>(task_.path,
+                                            with_dwells(planned(coarse, task_.feeds, rests), path, progress_));
 }
 
 template class HeadPlan<2>;

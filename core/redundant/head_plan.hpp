@@ -31,11 +31,12 @@ class HeadPlan {
   /// The begin of the section that a segment is in, or of the one behind that.
   std::size_t section_begin(std::size_t segment) const;
   std::size_t section_end(std::size_t segment) const;
-  /// Every section with the limits of the coarse axes alone, which can follow that by themselves.
-  std::shared_ptr<const PathMotion> coarse_alone() const;
+  /// Every section with the limits of the coarse axes alone, which can follow that by themselves. With limited jerk
+  /// they cannot where curvature jumps; `stops`: the head rests there, too.
+  std::shared_ptr<const PathMotion> coarse_alone(bool stops = false) const;
 
  private:
-  TimeLaw planned(const Machine& limits, const std::vector<double>& feeds) const;
+  TimeLaw planned(const Machine& limits, const std::vector<double>& feeds, const std::vector<bool>& rests) const;
 
   const JointTask& task_;
   double corner_angle_;

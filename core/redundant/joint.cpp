@@ -25,6 +25,8 @@ constexpr double head_share_with_jerk = 1 - 2e-3;
 constexpr double followed = 2e-7;
 constexpr double change = 0.05;       // of the fine acceleration, within a cell where it is what is limited
 constexpr double jerk_change = 4e-3;  // of the fine acceleration: range of the jerk in a cell, times its duration
+// Of the fine jerk: range of the jerk in a cell. With twice the fine jerk no coarse jerk would do for the whole cell.
+constexpr double jerk_range = 1;
 constexpr double rest_of_window = 4;  // of a window of the chain, in its units of time, beyond a stop of the axis
 constexpr int most_attempts = 6;
 
@@ -44,6 +46,7 @@ class Planner {
       cell_options_.longest = std::min(cell_options_.longest, options.cell * chain_units(axis).time);
       cell_options_.acceleration_change.push_back(order == 2 ? change * axis.fine.acceleration : unlimited);
       cell_options_.jerk_change.push_back(order == 3 ? jerk_change * axis.fine.acceleration : unlimited);
+      cell_options_.jerk_range.push_back(order == 3 ? jerk_range * axis.fine.jerk : unlimited);
       cell_options_.held.push_back(held.axes[k]);
     }
     chain_options_.tick = [this] { scope_.report(); };
@@ -59,8 +62,14 @@ class Planner {
       solutions = solve_all(1);
       const std::vector<HeadStretch> stretches = exceeding(solutions);
       if (stretches.empty()) break;
-      if (alone_) throw Infeasible("the coarse axes cannot follow, however slowly the tool moves");
-      slow(stretches, attempt, counts);
+      if (!alone_) {
+        slow(stretches, attempt, counts);
+      } else if (order == 3 && !stops_) {
+        stops_ = true;
+        head_ = plan_.coarse_alone(true);
+      } else {
+        throw Infeasible("the coarse axes cannot follow, however slowly the tool moves");
+      }
     }
     result_.rounds = counts.rounds;
     result_.certified = counts.certified;
@@ -84,7 +93,8 @@ class Planner {
   std::size_t axes() const { return task_.machine.axes.size(); }
   const CoarseFineAxis& axis(std::size_t k) const { return task_.machine.axes[k]; }
 
-  /// The head gets slower on those stretches; it is never slower than the coarse axes alone.
+  /// The head gets slower on those stretches; it is never slower than the coarse axes alone, unless those have to rest
+  /// where curvature jumps.
   void slow(const std::vector<HeadStretch>& stretches, int attempt, HeadSlowingCounts& counts) {
     double around = 0;
     for (std::size_t k = 0; k < axes(); ++k) around = std::max(around, ahead(k) * chain_units(axis(k)).time);
@@ -191,6 +201,7 @@ class Planner {
   HeadCells cells_;
   double ahead_ = 1;
   bool alone_ = false;  // whether the head moves as the coarse axes alone can
+  bool stops_ = false;  // and rests where curvature jumps, too
   JointResult result_;
 };
 

@@ -176,6 +176,7 @@ std::vector<std::vector<SplitPeaks>> AdaptiveSplit::exact_peaks(const PathMotion
     o.held.push_back(machine_.axes[k]);
     o.acceleration_change.push_back(acceleration_change * task_.machine.axes[k].fine.acceleration);
     o.jerk_change.push_back(unlimited);
+    o.jerk_range.push_back(unlimited);
   }
   HeadCells cells = head_cells(head, o, scope_);
   const MotionState end = head.in_piece(head.pieces() - 1, head.duration());  // not that of the whole path

@@ -56,6 +56,42 @@ inline Contour holes(int columns, int rows, double pitch, double radius) {
   return b.finish();
 }
 
+/// Limits of jerk, of so many 1/s times the accelerations.
+inline CoarseFineMachine with_jerk(CoarseFineMachine machine, double per_second) {
+  for (CoarseFineAxis& axis : machine.axes)
+    for (Limits* stage : {&axis.coarse, &axis.fine}) stage->jerk = per_second * stage->acceleration;
+  return machine;
+}
+
+/// A slot whose sides are tangents of its round ends: curvature jumps at them.
+inline Contour slot(double length, double radius, double feed) {
+  ContourBuilder b(2, {0, 0, 0});
+  b.block(Mode::cut, feed);
+  b.line({length, 0, 0});
+  b.arc({length, 2 * radius, 0}, {length, radius, 0}, true);
+  b.line({0, 2 * radius, 0});
+  b.arc({0, 0, 0}, {0, radius, 0}, true);
+  return b.finish();
+}
+
+/// A closed cardinal spline through points at those distances of its centre, as cubic pieces.
+inline Contour free_shape(const std::vector<double>& radii, double feed) {
+  const auto n = static_cast<int>(radii.size());
+  const auto point = [&](int k) {
+    const auto i = static_cast<std::size_t>((k + n) % n);
+    const double angle = 2 * 3.14159265358979323846 * static_cast<double>(i) / n;
+    return Vec{radii[i] * std::cos(angle), radii[i] * std::sin(angle), 0};
+  };
+  ContourBuilder b(2, point(0));
+  b.block(Mode::cut, feed);
+  for (int k = 0; k < n; ++k) {
+    const Vec p = point(k), q = point(k + 1), v = 0.5 * (q - point(k - 1)), w = 0.5 * (point(k + 2) - p);
+    const Vec c = 3.0 * (q - p) - 2.0 * v - w, d = 2.0 * (p - q) + v + w;
+    b.polynomial({{p.x, v.x, c.x, d.x}, {p.y, v.y, c.y, d.y}});
+  }
+  return b.finish();
+}
+
 /// Positioning moves of up to `longest` mm and circles of any size, 3 to 10 of each, some with a dwell.
 inline Contour random_contour(Random& random, double longest, int least = 3, unsigned more = 8) {
   ContourBuilder b(2, {0, 0, 0});

@@ -50,6 +50,19 @@ TEST(Following, WithJerkTheControlIsJerk) {
   EXPECT_NEAR(chain.states[1][2].highest * 16000, 16000, 1e-6);
 }
 
+TEST(Following, WhereTheHeadJumpsBothSidesCount) {
+  CoarseFineAxis axis = test::md2().axes[0];
+  axis.coarse.jerk = 1e6;
+  axis.fine.jerk = 8e6;
+  const ChainUnits u = chain_units(axis);
+  HeadCells head = one_cell();
+  head.nodes[0][1].v_jump = 30;
+  head.nodes[0][1].a_jump = -2000;
+  const Chain<3> chain = following<3>(head, 0, axis);
+  EXPECT_NEAR(chain.states[1][1].lowest * u.velocity(), 571 - 2000 + 0.5 + 0.125, 1e-2);
+  EXPECT_NEAR(chain.states[1][2].lowest * 16000, 74000 - 60000, 1e-6);
+}
+
 TEST(Following, AStretchedHeadIsSlowerAndMilder) {
   const CoarseFineAxis axis = test::md2().axes[0];
   const ChainUnits u = chain_units(axis);

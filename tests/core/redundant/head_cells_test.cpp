@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/motion/acceleration/acceleration_limited.hpp"
+#include "core/motion/jerk/jerk_limited.hpp"
 #include "tests/core/redundant/coarse_fine_machines.hpp"
 #include "tests/core/silent_scope.hpp"
 
@@ -24,6 +25,7 @@ HeadCellOptions options_of(const Machine& machine) {
     o.held.push_back(axis);
     o.acceleration_change.push_back(3000);
     o.jerk_change.push_back(unlimited);
+    o.jerk_range.push_back(unlimited);
   }
   return o;
 }
@@ -67,6 +69,34 @@ TEST(HeadCells, BreakWhereTheHeadSwitchesFromDrivingToBraking) {
     EXPECT_NEAR(std::abs(cell.acceleration.middle()), 76000, 1e-3);
     EXPECT_LT(cell.acceleration.width(), 1e-3);
   }
+}
+
+TEST(HeadCells, WithLimitedJerkBreakWhereTheAccelerationJumps) {
+  const Machine machine = summed(test::with_jerk(test::md2(), 100));
+  const auto kept = std::make_shared<const Contour>(test::slot(3, 2, 300));
+  SilentProgress progress;
+  const PathMotion head(contour_axes(kept, 2), plan_jerk_limited(*kept, machine, {}, progress).law);
+  HeadCellOptions options = options_of(machine);
+  for (std::size_t k = 0; k < 2; ++k) {
+    options.acceleration_change[k] = unlimited;
+    options.jerk_change[k] = 240;
+    options.jerk_range[k] = 6e6;
+  }
+  const HeadCells cells = head_cells(head, options, silent_scope());
+  std::size_t jumps = 0;
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    for (std::size_t k = 0; k < 2; ++k) {
+      EXPECT_LE(cells.cells[k][c].jerk.width(), 6e6 * (1 + 1e-9));
+      const HeadNode& node = cells.nodes[k][c];
+      jumps += std::abs(node.a_jump) > 100;
+      if (c == 0) continue;
+      const std::size_t piece = cells.pieces[c];
+      const double before = head.in_piece(piece - 1, head.end(piece - 1)).acceleration[k];
+      if (head.begin(piece) == cells.times[c]) {
+        EXPECT_NEAR(node.a - node.a_jump, before, 1e-6 * 76000);
+      }
+    }
+  EXPECT_GE(jumps, 3u);
 }
 
 TEST(HeadCells, OfSomePiecesAreThoseOfTheWhole) {

@@ -199,6 +199,33 @@ TEST(Joint, LimitedJerkIsHeldToo) {
   }
 }
 
+/// Pieces of the head's law are short there, and between some its jerk goes from one end of its limits to the other.
+TEST(Joint, LimitedJerkAlongFreeShapes) {
+  Random random(15);
+  for (const double per_second : {100.0, 400.0})
+    for (const CoarseFineMachine& machine : {test::md1(), test::md2()})
+      for (int i = 0; i < 2; ++i) {
+        SCOPED_TRACE(std::to_string(per_second) + " " + std::to_string(i));
+        std::vector<double> radii;
+        for (int k = 0; k < 8; ++k) radii.push_back(random.uniform(2.5, 4));
+        const JointTask task = test::joint_task(test::free_shape(radii, 400), test::with_jerk(machine, per_second));
+        const JointResult r = plan(task);
+        expect_valid(task, r);
+        EXPECT_LE(r.chosen.duration, 1.002 * r.fastest);
+      }
+}
+
+/// Where curvature jumps the head's acceleration does, too: the fine axes have to take that.
+TEST(Joint, LimitedJerkAlongSlots) {
+  for (const double per_second : {100.0, 400.0})
+    for (const double radius : {0.5, 2.0, 10.0}) {
+      SCOPED_TRACE(std::to_string(per_second) + " " + std::to_string(radius));
+      const JointTask task =
+          test::joint_task(test::slot(2 * radius, radius, 500), test::with_jerk(test::md2(), per_second));
+      expect_valid(task, plan(task));
+    }
+}
+
 /// As long as positioning moves stay below 0.1 m what both axes can do together is reached but for 0.2 %.
 TEST(Joint, ShortMovesLoseHardlyAnything) {
   Random random(13);

@@ -36,6 +36,7 @@ TEST(SlowerSections, FeedsFallUntilTheCoarseAxisCanFollow) {
       o.held.push_back(limits);
       o.acceleration_change.push_back(3000);
       o.jerk_change.push_back(unlimited);
+      o.jerk_range.push_back(unlimited);
     }
     const HeadCells cells = head_cells(head, o, silent_scope());
     const Chain<2> chain = following<2>(cells, 0, axis);

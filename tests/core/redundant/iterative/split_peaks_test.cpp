@@ -27,6 +27,7 @@ TEST(SplitPeaks, BoundWhatDenseSamplesShow) {
     o.held.push_back(axis);
     o.acceleration_change.push_back(1200);
     o.jerk_change.push_back(unlimited);
+    o.jerk_range.push_back(unlimited);
   }
   ProgressScope scope(progress, "test", 0, 1);
   const HeadCells cells = head_cells(head, o, scope);
