@@ -11,10 +11,17 @@ std::vector<BlockTime> block_times(const Contour& contour, const TimeLaw& law) {
   const auto enter = [&](std::size_t block, double t) {
     while (begin.size() <= block && begin.size() < blocks.size()) begin.push_back(t);
   };
-  std::size_t block = 0, rest = 0;              // of the segment at hand; the next one of the contour
+  std::size_t block = 0, rest = 0;  // of the segment at hand; the next one of the contour
+  // The motion may stand elsewhere, too, such as where it waits for a filter: that belongs to the block at hand.
+  const auto there = [&](const Rest& at, const LawPiece& piece) {
+    if (contour.path.size() == 0) return true;
+    if (at.segment < contour.path.size()) return at.segment <= piece.segment;
+    const Segment& last = contour.path[contour.path.size() - 1];
+    return piece.segment + 1 == contour.path.size() && piece.s > 0.5 * (last.s0() + last.s1());
+  };
   for (const LawPiece& piece : law.pieces()) {  // none spans two segments
     while (rest < contour.rests.size() && !(contour.rests[rest].seconds > 0)) ++rest;
-    if (rest < contour.rests.size() && dwells(piece)) {
+    if (rest < contour.rests.size() && dwells(piece) && there(contour.rests[rest], piece)) {
       enter(contour.rests[rest++].block, piece.t0);
       continue;
     }

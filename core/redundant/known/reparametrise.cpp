@@ -8,6 +8,7 @@
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/motion/axes/hermite_motion.hpp"
 #include "core/motion/axes/spline_motion.hpp"
+#include "core/motion/law/dwell.hpp"
 #include "core/motion/law/law_between.hpp"
 #include "core/redundant/known/split_peaks.hpp"
 #include "core/redundant/known/timed_path.hpp"
@@ -18,6 +19,7 @@ namespace {
 constexpr double first_margin = 1e-6, last_margin = 0.05;  // of all limits
 constexpr double exceeded = 1e-5;         // by which a peak may lie above its limit: the plan slows the whole by that
 constexpr double longest_piece = 0.5e-3;  // s, of the new motion
+constexpr double shortest_way = 1e-9;     // of path length: of the last piece before a rest
 
 /// How fast the old time may go on each stretch, mm/s of the timed path: the head keeps to its feed, dwells last.
 std::vector<double> rates(const TimedPath& path, const TimeLaw& law, const RedundancyTask& task) {
@@ -105,13 +107,18 @@ class Driver {
       if (left.head.v != 0) left.head.v = end.v;
     }
     if (old.s_end > old.s) {
-      if (!(right.head.s > left.head.s)) return;
+      if (!(right.head.s > left.head.s)) {
+        if (right.head.v == 0) come_to_rest(old.segment, right, h);
+        return;
+      }
       append_between(out_.law, old.segment, left.head, right.head, h);
     } else {
-      LawPiece stands;
-      stands.s = stands.s_end = left.head.s, stands.duration = h, stands.segment = old.segment;
-      out_.law.append(stands);
+      stand(path_.stretch(stretch).head, left.head.s, h);
     }
+    append_coarse(time, std::move(left), right);
+  }
+
+  void append_coarse(double time, Both left, const Both& right) {
     const double end = out_.law.duration();
     SplineMotion::Piece piece{end, {}};
     if (!out_.coarse.empty()) join(out_.coarse.back(), time - begin_, 0, left.coarse);
@@ -121,10 +128,51 @@ class Driver {
     begin_ = time;
   }
 
+  /// A dwell is one piece, however many it is driven in.
+  void stand(std::size_t old, double s, double h) {
+    LawPiece piece;
+    piece.s = piece.s_end = s, piece.duration = h, piece.segment = old_.head->law().pieces()[old].segment;
+    const auto& pieces = out_.law.pieces();
+    if (!pieces.empty() && dwells(pieces.back()) && stands_ == old) {
+      piece.duration += pieces.back().duration;
+      out_.law.truncate(pieces.size() - 1);
+    }
+    stands_ = old;
+    out_.law.append(piece);
+  }
+
+  /// The last way to a rest is too short for path length to tell: it is driven together with what came before it.
+  void come_to_rest(std::size_t segment, const Both& right, double h) {
+    const auto& pieces = out_.law.pieces();
+    const double shortest = shortest_way * std::abs(right.head.s);
+    while (!pieces.empty() && !dwells(pieces.back()) && pieces.back().segment == segment) {
+      const LawPiece last = pieces.back();
+      h += last.duration;
+      Both left{last.at(0), coarse_begin(out_.coarse.back())};
+      out_.law.truncate(pieces.size() - 1);
+      out_.coarse.pop_back();
+      begin_ = out_.coarse.size() < 2 ? 0 : out_.coarse[out_.coarse.size() - 2].end;
+      if (right.head.s - left.head.s <= shortest && last.v > 0) continue;
+      const double time = out_.law.duration();
+      append_between(out_.law, segment, left.head, right.head, h);
+      append_coarse(time, std::move(left), right);
+      return;
+    }
+  }
+  MotionState coarse_begin(const SplineMotion::Piece& piece) const {
+    MotionState x;
+    for (std::size_t k = 0; k < piece.axes.size(); ++k) {
+      const Polynomial& p = piece.axes[k];
+      x.position[k] = p[0], x.velocity[k] = p.size() > 1 ? p[1] : 0, x.acceleration[k] = p.size() > 2 ? 2 * p[2] : 0;
+    }
+    return x;
+  }
+
   const RedundancyResult& old_;
   const TimedPath& path_;
   Retimed out_;
-  double begin_ = 0;  // of the last coarse piece
+  std::size_t stands_ = 0;  // the old piece that the last dwell is of
+  double begin_ = 0;        // of the last coarse piece
 };
 
 }  // namespace

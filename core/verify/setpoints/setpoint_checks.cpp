@@ -90,13 +90,19 @@ class RowChecker {
     const auto& rests = in_.contour->rests;
     while (rest_at_ < rests.size() && !(rests[rest_at_].seconds > 0)) ++rest_at_;
     const bool stands = piece.v == 0 && piece.a == 0 && piece.j == 0 && piece.q == 0;
-    if (stands && rest_at_ < rests.size()) {
+    if (stands && rest_at_ < rests.size() && at_rest(rests[rest_at_], piece)) {
       block_ = rests[rest_at_++].block;
       return;
     }
     const auto& blocks = in_.contour->blocks;
     while (way_block_ + 1 < blocks.size() && blocks[way_block_].last <= piece.segment) ++way_block_;
-    block_ = way_block_;
+    block_ = std::max(block_, way_block_);  // behind the rest at the path's end nothing goes back
+  }
+  /// Whether a piece that stands is at the place of that rest: a motion may also wait elsewhere.
+  bool at_rest(const Rest& rest, const LawPiece& piece) const {
+    if (rest.segment < path_.size()) return piece.segment >= rest.segment;
+    const Segment& last = path_[path_.size() - 1];
+    return piece.segment + 1 >= path_.size() && piece.s - last.s0() > last.s1() - piece.s;
   }
   double size(const double* x) const {
     double sum = 0;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/motion/law/dwell.hpp"
 #include "core/numeric/random.hpp"
 #include "core/redundant/known/follow_up.hpp"
 #include "core/redundant/known/geometric.hpp"
@@ -173,6 +174,34 @@ TEST(KnownMethods, RetimedTheyAreValidAndShorter) {
         EXPECT_LT(after.head->duration(), 0.9 * before.head->duration());
       }
     }
+  }
+}
+
+/// Dwells stay pieces of their own, and the head comes to rest exactly, however short the last way is.
+TEST(KnownMethods, RetimedMotionsRestWhereTheyDid) {
+  Random random(16);
+  for (int n = 0; n < 4; ++n) {
+    SCOPED_TRACE(n);
+    const Contour contour = test::random_contour(random, 60, 4, 4);
+    const RedundancyTask task = test::redundancy_task(contour, n % 2 ? test::md1() : test::md2());
+    RedundancyOptions options;
+    options.method = RedundancyMethod::filter;  // the head also waits at both ends
+    options.reparametrise = true;
+    SilentProgress progress;
+    const RedundancyResult r = plan_redundant(task, options, progress);
+    std::size_t dwelt = 0, lasting = 0;
+    for (const Rest& rest : contour.rests) lasting += rest.seconds > 0;
+    const auto& pieces = r.head->law().pieces();
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      dwelt += dwells(pieces[i]);
+      const bool stops = i + 1 == pieces.size() || pieces[i + 1].v == 0;
+      const LawPiece& p = pieces[i];
+      const LawState end = p.at(p.duration);
+      if (stops) {
+        EXPECT_LE(std::abs(end.v), 1e-14 * (p.v + (std::abs(p.a) + std::abs(end.a)) * p.duration)) << i;
+      }
+    }
+    EXPECT_EQ(dwelt, lasting + 2);
   }
 }
 
