@@ -43,12 +43,16 @@ class Planner {
     const bool found = options_.window ? windowed() : whole();
     result_.passes = split_.passes();
     result_.iterations = result_.passes.size();
-    if (found && law_.duration() > split_.alone().duration(0, sections().size())) return fallback();
-    if (!found) return fallback();
+    if (!found || law_.duration() > split_.alone().duration(0, sections().size())) {
+      RedundancyResult other = fallback();
+      if (!found || other.head->duration() < law_.duration()) return other;
+    }
     result_.slowed = split_.slowed();
     result_.coarse_jerk_limited = options_.degree - options_.knot_multiplicity >= 2;
     result_.head = std::make_shared<const PathMotion>(task_.path, std::move(law_));
-    result_.coarse = coarse_motion(coarse_, result_.head->duration());
+    std::vector<Limits> limits;
+    for (const CoarseFineAxis& axis : task_.machine.axes) limits.push_back(axis.coarse);
+    result_.coarse = coarse_motion(coarse_, result_.head->duration(), limits);
     if (rescues_ > 0)
       result_.notes.push_back("all axes stop at " + std::to_string(rescues_) +
                               " more places, because windows could not be joined in motion");
@@ -161,14 +165,15 @@ class Planner {
     for (std::size_t i = 0; i < n; ++i) law_.append(part.law.pieces()[i]);
     for (std::size_t k = 0; k < coarse_.size(); ++k) coarse_[k].append(part.coarse[k], t, law_.duration());
   }
-  RedundancyResult fallback() {
+  RedundancyResult fallback() const {
     RedundancyResult other = coarse_alone();
     try {
       RedundancyOptions options = options_;
       options.method = RedundancyMethod::joint;
       options.compare = false;
       RedundancyResult joint = redundancy_row(RedundancyMethod::joint).plan(task_, options, progress_, to_, to_);
-      if (joint.head->duration() < other.head->duration()) {
+      // With limited jerk the coarse axes alone cannot follow where curvature jumps.
+      if (task_.machine.limits_jerk() || joint.head->duration() < other.head->duration()) {
         other = std::move(joint);
         other.notes.push_back("the iterative method found no valid split; the joint planner planned the contour");
       }
@@ -176,7 +181,7 @@ class Planner {
     }
     other.fallbacks = 1;
     other.fastest = result_.fastest;
-    other.passes = std::move(result_.passes);
+    other.passes = result_.passes;
     other.iterations = other.passes.size();
     return other;
   }

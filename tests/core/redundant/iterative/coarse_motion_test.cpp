@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "core/numeric/random.hpp"
+
 namespace bahnwerk {
 namespace {
 
@@ -34,6 +38,36 @@ TEST(CoarseMotion, KnotsThatDifferByRoundingAreOne) {
   EXPECT_EQ(motion->pieces(), 2u);
   EXPECT_EQ(motion->in_piece(1, 1.5).acceleration[0], 8);
   EXPECT_EQ(motion->in_piece(1, 1.5).acceleration[1], -8);
+}
+
+/// Next to rests numbers are small: what rounding leaves at knots is large beside them.
+TEST(CoarseMotion, WithLimitsPiecesGoOnWhereTheOneBeforeEnded) {
+  const Limits quick{1800, 16000}, smooth{1800, 16000, 1.6e6};
+  for (const Limits& limits : {quick, smooth}) {
+    Random random(3);
+    const bool jerk = limits.jerk < unlimited;
+    TimeSpline x;
+    TimeSpline::Coefficients c{100, 0, 0, 2e5, 0, 0};
+    for (int i = 0; i < 400; ++i) {
+      const double h = random.chance(0.2) ? 1e-8 : random.uniform(1e-4, 2e-3);
+      x.append(x.duration() + h, c);
+      const AxisState end = x.in_piece(x.pieces() - 1, x.duration());
+      const auto off = [&](double value) { return value + random.uniform(-1, 1) * 1e-13 * (1 + std::abs(value)); };
+      c = {off(end.x), off(end.v), jerk ? off(end.a / 2) : random.uniform(-1, 1) * 4000, random.uniform(-1, 1) * 2e5,
+           0,          0};
+    }
+    const auto motion = coarse_motion({x}, x.duration(), {limits});
+    for (std::size_t i = 1; i < motion->pieces(); ++i) {
+      const double t = motion->begin(i);
+      const MotionState a = motion->in_piece(i - 1, t), b = motion->in_piece(i, t);
+      ASSERT_EQ(a.position[0], b.position[0]);
+      ASSERT_EQ(a.velocity[0], b.velocity[0]);
+      if (jerk) {
+        ASSERT_EQ(a.acceleration[0], b.acceleration[0]);
+      }
+      ASSERT_NEAR(b.position[0], x.in_piece(x.find(t, 0), t).x, 1e-9);
+    }
+  }
 }
 
 }  // namespace

@@ -96,6 +96,20 @@ TEST(Iterative, LimitedJerkIsHeldToo) {
   }
 }
 
+/// Where curvature jumps the head's acceleration does, and these fine axes can hardly take any of that: the coarse axes
+/// alone would have to jump, too, unless all rest there.
+TEST(Iterative, LimitedJerkIsHeldByItsFallbackToo) {
+  CoarseFineMachine machine = test::md2();
+  for (CoarseFineAxis& axis : machine.axes) axis.fine.acceleration = 16;
+  const RedundancyTask task = test::redundancy_task(test::slot(1, 0.5, 500), test::with_jerk(machine, 60));
+  IterativeOptions none;
+  none.max_iterations = 0;
+  SilentProgress progress;
+  const RedundancyResult r = plan_iterative(task, {}, none, progress, 0, 1);
+  EXPECT_EQ(r.fallbacks, 1u);
+  expect_valid(task, r);
+}
+
 TEST(Iterative, WindowsAreJoinedInMotion) {
   const RedundancyTask task = test::redundancy_task(test::small_contours(7, 2), test::md2());
   RedundancyOptions o;
