@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
+#include "core/base/errors.hpp"
 #include "core/motion/setpoints/cycles.hpp"
 #include "core/plan/coarse_fine/coarse_fine_setpoints.hpp"
 #include "core/plan/coarse_fine/energy.hpp"
@@ -76,8 +78,7 @@ class Pipeline {
   CoarseFinePlan run() {
     pose();
     bound();
-    method();
-    slow_and_verify();
+    if (!tried(options_, bounded()) && !otherwise()) throw Infeasible(why_not_);
     check_setpoints();
     report();
     return std::move(plan_);
@@ -108,13 +109,52 @@ class Pipeline {
     bound.basis += ", limits of coarse and fine axes summed";
   }
 
-  void method() {
+  void method(RedundancyOptions options, double from) {
     RedundancyTask task{path_.moving, contour_, machine_, path_.feeds, path_.rests, path_.dwells};
     task.machine.axes.resize(moving_);
-    RedundancyOptions options = options_;
     options.corner_angle = planning_.corner_angle;
-    result_ = plan_redundant(task, options, progress_, bounded(), planned);
+    result_ = plan_redundant(task, options, progress_, from, planned);
     limit_setpoints(result_.head->duration(), machine_.cycle_time, planning_.max_setpoints);
+  }
+
+  /// False: there is no plan.
+  bool tried(const RedundancyOptions& options, double from) {
+    try {
+      method(options, from);
+    } catch (const Infeasible& e) {
+      if (why_not_.empty()) why_not_ = e.what();
+      return false;
+    }
+    slow_and_verify();
+    return verification().passed || !another(options);
+  }
+
+  /// What is planned where a plan with those options did not hold its limits.
+  static std::optional<RedundancyOptions> another(RedundancyOptions options) {
+    options.compare = false;
+    if (options.reparametrise)
+      options.reparametrise = false;
+    else if (options.method != RedundancyMethod::joint)
+      options.method = RedundancyMethod::joint;
+    else
+      return std::nullopt;
+    return options;
+  }
+
+  /// The motion as it was before it was timed anew, or the joint planner's.
+  bool otherwise() {
+    std::size_t given_up = 0;
+    for (std::optional<RedundancyOptions> next = another(options_); next; next = another(*next)) {
+      ++given_up;
+      if (!tried(*next, planned)) continue;
+      result_.fallbacks += given_up;
+      result_.notes.push_back(
+          next->method == options_.method
+              ? "the motion timed anew did not hold every limit: it is as the method planned it"
+              : "the method found no motion that holds every limit; the joint planner planned the contour");
+      return true;
+    }
+    return false;
   }
 
   void slow_and_verify() {
@@ -233,6 +273,7 @@ class Pipeline {
   PathPlanning path_;
   std::vector<SectionBound> section_bounds_;
   RedundancyResult result_;
+  std::string why_not_;  // the method found nothing
   Cycles cycles_;
   CoarseFinePlan plan_;
 };

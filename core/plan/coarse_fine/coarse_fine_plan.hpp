@@ -47,7 +47,8 @@ std::vector<AxisLimits> fine_limits(const CoarseFineMachine& machine);
 /// of them, and that the duration is not below the bound, which holds for any split: that of the head by itself with
 /// the sums. A limit exceeded by so little that it is rounding (1e-4 of it) slows everything by as much. Of `planning`
 /// corners, mode changes and the number of setpoints count; the head's law is the shortest one, with limited jerk where
-/// the machine limits it.
+/// the machine limits it. A plan that does not pass gives way to the same one not timed anew, if it was, then to the
+/// joint planner's; so does a method that finds none. That is counted in `fallbacks`, with a note.
 ///
 /// Cost: that of the method and, for verification, 2 to 8 µs per cell of its coarse motion. Throws what rounding and
 /// method throw.

@@ -15,6 +15,7 @@ namespace bahnwerk {
 namespace {
 
 constexpr int most_passes = 200;
+constexpr double longest = 100;       // of the first duration: a filtered motion slower than that serves nobody
 constexpr double largest_step = 0.7;  // by which limits fall at most in one pass
 constexpr double beyond = 1e-3;       // by which they fall below what the quotients ask for
 constexpr double exceeded = 1e-5;     // of a limit: what the plan makes up for by slowing the whole that little
@@ -47,6 +48,9 @@ RedundancyResult search_reference(const RedundancyTask& task, const RedundancyOp
     TimeLaw law =
         with_dwells(plan_acceleration_limited(path, law_options, progress, from, from).law, path, progress, from);
     result.head = std::make_shared<const PathMotion>(task.path, std::move(law));
+    const double moving = result.head->duration() - search.lead - search.tail;
+    if (pass == 0) result.fastest = moving;
+    if (moving > longest * result.fastest) break;
     const auto cells = static_cast<std::size_t>(std::ceil(result.head->duration() / task.machine.cycle_time));
     const double step = result.head->duration() / static_cast<double>(cells);
     std::vector<std::vector<double>> control = sampled(*result.head, cells);
@@ -60,7 +64,6 @@ RedundancyResult search_reference(const RedundancyTask& task, const RedundancyOp
     const SplitUse use = use_of(tried.peaks, task.machine);
     result.passes.push_back(std::move(tried));
     ++result.iterations;
-    if (pass == 0) result.fastest = result.head->duration() - search.lead - search.tail;
     if (use.most() <= 1 + exceeded) return result;
     velocity = fallen(velocity, std::max({use.coarse_velocity, use.fine_velocity, use.offset}));
     acceleration = fallen(acceleration, std::max({use.coarse_acceleration, use.fine_acceleration, use.offset}));

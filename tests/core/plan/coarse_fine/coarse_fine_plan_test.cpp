@@ -123,5 +123,43 @@ TEST(CoarseFinePlan, ALongMoveIsVerifiedAndNotBelowItsBound) {
   EXPECT_GE(p.contour.duration, p.contour.bound.duration);
 }
 
+/// The filter lets the head wait at both ends, which is not a dwell of the contour.
+TEST(CoarseFinePlan, DwellsKeepTheirBlocksWhereTheHeadWaitsForAFilter) {
+  ContourBuilder b(2, {0, 0, 0});
+  b.block(Mode::position, unlimited);
+  b.line({5, 0, 0});
+  b.block(Mode::cut, 300);
+  b.dwell(0.05);
+  b.line({10, 5, 0});
+  b.dwell(0.02);
+  for (const RedundancyMethod method : {RedundancyMethod::filter, RedundancyMethod::lag_compensation})
+    for (const bool again : {false, true}) {
+      RedundancyOptions options;
+      options.method = method;
+      options.reparametrise = again;
+      ContourBuilder copy = b;
+      const CoarseFinePlan p = plan(copy.finish(), test::md2(), {}, options);
+      expect_verified(p);
+      EXPECT_EQ(p.fallbacks, 0u);
+      ASSERT_EQ(p.contour.blocks.size(), 2u);
+      EXPECT_GT(p.contour.blocks[0].end_time - p.contour.blocks[0].start_time, 0.02);
+      EXPECT_GT(p.contour.blocks[1].end_time - p.contour.blocks[1].start_time, 0.07);
+    }
+}
+
+/// What a slow filter leaves to the fine axes is nearly all of the motion, and they are slow.
+TEST(CoarseFinePlan, WhereAMethodFindsNothingTheJointPlannerPlans) {
+  RedundancyOptions options;
+  options.method = RedundancyMethod::filter;
+  options.taps = 301;
+  options.cutoff = 0.1;
+  CoarseFineMachine machine = test::md2();
+  for (CoarseFineAxis& axis : machine.axes) axis.fine.velocity = 5;
+  const CoarseFinePlan p = plan(test::straight(600, 200), machine, {}, options);
+  expect_verified(p);
+  EXPECT_EQ(p.fallbacks, 1u);
+  EXPECT_LT(p.contour.duration, 2);
+}
+
 }  // namespace
 }  // namespace bahnwerk
