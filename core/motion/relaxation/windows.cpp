@@ -6,7 +6,7 @@ namespace bahnwerk {
 namespace {
 
 // Cells: of a window, and in which two windows fade over.
-constexpr std::size_t window = 3600, fading = 100;
+constexpr std::size_t window = 1200, fading = 100;
 
 }  // namespace
 
