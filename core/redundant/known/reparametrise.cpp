@@ -115,7 +115,7 @@ class Driver {
     } else {
       stand(path_.stretch(stretch).head, left.head.s, h);
     }
-    append_coarse(time, std::move(left), right);
+    append_coarse(time, left, right);
   }
 
   void append_coarse(double time, Both left, const Both& right) {
@@ -155,7 +155,7 @@ class Driver {
       if (right.head.s - left.head.s <= shortest && last.v > 0) continue;
       const double time = out_.law.duration();
       append_between(out_.law, segment, left.head, right.head, h);
-      append_coarse(time, std::move(left), right);
+      append_coarse(time, left, right);
       return;
     }
   }
