@@ -2,6 +2,8 @@
 
 # Objects are found again by what their sources include, without running the preprocessor first: half as much for what is new.
 export CCACHE_DEPEND=1
+# A clone in another folder finds the same objects.
+export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
 
 say() { printf '\033[1m%s\033[0m\n' "$*" >&2; }
 fail() { printf '%s\n' "$*" >&2; exit 1; }
