@@ -38,7 +38,8 @@ void WeakForm<N>::take(const RelaxationProblem<N>& problem) {
       if (hat_counts(i + 1)) c.acceleration[1][k] = (0.5 * cell.end[k] - slope) * inverse_acceleration[k];
     }
   }
-  // Integrating by parts, a jump of q′ leaves −½ Δq′ b for a weight of 1, and ½ B′ Δq′ b for jerk.
+  // Integrating by parts, a jump of q′ leaves −½ Δq′ b for a weight of 1, and ½ B′ Δq′ b for jerk. The step Δq″ b of
+  // the acceleration takes no jerk.
   for (const RelaxationStep<N>& step : problem.steps) {
     const auto parts = splines_on(given, step.cell);
     const double part = step.at / given[step.cell].length;
@@ -46,7 +47,9 @@ void WeakForm<N>::take(const RelaxationProblem<N>& problem) {
     for (std::size_t k = 0; k < N; ++k) {
       for (std::size_t r = 0; r < 3; ++r) {
         allowed[step.cell + r][k] += parts[r].at(step.at) * step.time[k];
-        if (spline_counts(step.cell, r)) c.jerk[r][k] += 0.5 * parts[r].slope(step.at) * step.kink[k] * inverse_jerk[k];
+        if (spline_counts(step.cell, r))
+          c.jerk[r][k] +=
+              (0.5 * parts[r].slope(step.at) * step.kink[k] - parts[r].at(step.at) * step.bend[k]) * inverse_jerk[k];
       }
       if (hat_counts(step.cell)) c.acceleration[0][k] -= 0.5 * (1 - part) * step.kink[k] * inverse_acceleration[k];
       if (hat_counts(step.cell + 1)) c.acceleration[1][k] -= 0.5 * part * step.kink[k] * inverse_acceleration[k];

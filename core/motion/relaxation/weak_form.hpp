@@ -3,7 +3,9 @@
 ///
 /// Discretisation. b is constant in each cell. The limits are asked in the mean only: of acceleration weighted by hats,
 /// of jerk weighted by the quadratic B-splines B_j, with T_j ≥ ∫ B_j c ds the time that such a weight sees:
-///   minimise Σ T_j,   |∫ B_j da_k| ≤ J_k (T_j + step_jk),   |∫ hat_i a_k ds| ≤ A_k ∫ hat_i ds,   b ≤ cap.
+///   minimise Σ T_j,   |∫ B_j da_k − Σ B_j bend_k b| ≤ J_k (T_j + step_jk),   |∫ hat_i a_k ds| ≤ A_k ∫ hat_i ds,   b ≤
+///   cap,
+/// the sum over the joints in the support of B_j, step_jk their J_k · time with the weight B_j.
 /// The integrals by parts need q at the nodes and q′ on both sides of them, no q″. This weak form is chosen so that the
 /// multipliers are multipliers of the problem that is not discretised, too: λ_k = Σ λ_jk B_j is continuously
 /// differentiable, μ_k = Σ μ_ik hat_i is continuous, and Σ_k J_k |λ_jk| ≤ 1 for each j makes 1 − Σ J_k |λ_k| ≥ 0
@@ -25,13 +27,14 @@ struct RelaxationCell {
   double cap = 0;      ///< largest b in the cell, mm²/s², finite and > 0
 };
 
-/// A place where q′_k jumps by kink[k], and the acceleration of axis k may by J_k · time[k].
+/// A place where q′_k jumps by kink[k] and q″_k by bend[k]. So the acceleration of axis k jumps by bend[k] · b, and
+/// may by J_k · time[k] more.
 template <int N>
 struct RelaxationStep {
   std::size_t cell = 0;
   double at = 0;                 ///< mm from the cell's begin
   std::array<double, N> time{};  ///< s
-  std::array<double, N> kink{};
+  std::array<double, N> kink{}, bend{};
 };
 
 template <int N>

@@ -80,9 +80,8 @@ std::size_t JerkBound<N>::pose(bool rest_first, bool rest_last) {
     if (!open) problem_.cells.emplace_back(), time = turn = capped = swing = 0, problem_.cells.back().begin = p.begin;
     RelaxationCell<N>& cell = problem_.cells.back();
     if (p.joint.here) {
-      RelaxationStep<N> step{problem_.cells.size() - 1, cell.length, {}};
-      for (std::size_t k = 0; k < N; ++k)
-        step.time[k] = p.joint.step[k] / problem_.jerk[k], step.kink[k] = p.joint.kink[k];
+      RelaxationStep<N> step{problem_.cells.size() - 1, cell.length, {}, p.joint.kink, p.joint.bend};
+      for (std::size_t k = 0; k < N; ++k) step.time[k] = p.joint.step[k] / problem_.jerk[k];
       problem_.steps.push_back(step);
     }
     for (std::size_t k = 0; k < N; ++k) cell.way[k] += p.way[k];

@@ -96,23 +96,31 @@ typename JerkDual<N>::Value JerkDual<N>::of(const DualPiece<N>& p, double x, con
   double integral = 0, size = 0, radius = 0, cost = 0, kink = 0, next_kink = 0, loss = 0;
   for (std::size_t k = 0; k < grid_.axes(); ++k) {
     const double rise = (mu_[1][k] - mu_[0][k]) / length_;
-    double slope0 = 0, slope1 = 0, second = 0, jerk = 0;
+    double slope0 = 0, slope1 = 0, second = 0;
     for (std::size_t r = 0; r < 3; ++r) {
       const double l = lambda_[r][k];
       slope0 += l * parts_[r].slope(x), slope1 += l * parts_[r].slope(y), second += l * parts_[r].second;
-      jerk += std::abs(l) * parts_[r].at(x);
     }
+    const auto lambda = [&](double at) {
+      double sum = 0;
+      for (std::size_t r = 0; r < 3; ++r) sum += lambda_[r][k] * parts_[r].at(at);
+      return sum;
+    };
     const double u0 = mu_[0][k] + rise * x, u1 = mu_[0][k] + rise * y;
     const double e0 = u0 - slope0, e1 = u1 - slope1, change = rise - second;
     integral += 0.5 * (e1 * p.end[k] - e0 * p.begin[k]) - change * p.way[k];
     size += (std::abs(e0) + std::abs(e1)) * (1 + p.bend[k] * p.length) + std::abs(change) * p.length;
     radius += 0.5 * std::max(std::abs(e0), std::abs(e1)) * p.third[k];
     cost += grid_.acceleration(k) * p.length * (std::abs(u0) + std::abs(u1)) / 2;
-    if (p.joint.here) cost += jerk * p.joint.step[k], kink -= 0.5 * e0 * p.joint.kink[k];
-    if (next != nullptr) next_kink -= 0.5 * e1 * next->joint.kink[k];
+    if (p.joint.here) {
+      const double l = lambda(x);
+      cost += std::abs(l) * p.joint.step[k];
+      kink -= 0.5 * e0 * p.joint.kink[k] + l * p.joint.bend[k];
+    }
+    if (next != nullptr) next_kink -= 0.5 * e1 * next->joint.kink[k] + lambda(y) * next->joint.bend[k];
   }
-  // What a jump of q′ adds to G stands at the joint. Half of it may be spread over the pieces on either side, for b
-  // cannot change much there: on average by |v̇| times the length.
+  // What jumps of q′ and q″ add to G stands at the joint. Half of it may be spread over the pieces on either side, for
+  // b cannot change much there: on average by |v̇| times the length.
   const auto spread = [&](double jump, double joint_cap) {
     const double change = p.along * p.length;
     if (change < joint_cap)

@@ -5,7 +5,7 @@
 /// Take any λ_k(s) that is continuously differentiable and any continuous μ_k(s). With η_k = μ_k − λ_k′,
 ///   w = 1 − Σ J_k |λ_k| ≥ 0   and   G = ½ Σ (η_k q″_k − η_k′ q′_k),
 /// integrating λ_k a_k′ by parts twice gives, for every motion within the limits,
-///   ∫ c ds ≥ ∫ (w c + G b) ds − Σ_k [ A_k ∫ |μ_k| ds + Σ_joints (|λ_k| |Δa_k| + ½ |η_k Δq′_k| b) ],
+///   ∫ c ds ≥ ∫ (w c + G b) ds − Σ_k [ A_k ∫ |μ_k| ds + Σ_joints (λ_k Δa_k + ½ η_k Δq′_k b) ],
 /// since acceleration and b vanish at rests; at a free end λ, λ′ and μ have to vanish instead. Because c = b^(−1/2) and
 /// b ≤ cap (what the bound without jerk leaves), w c + G b is no less than
 ///   f(w, G) = min over 0 < b ≤ cap of w b^(−1/2) + G b:   3/2 w^(2/3) (2G)^(1/3), or w cap^(−1/2) + G cap.
@@ -17,8 +17,9 @@
 /// and the mean of a concave function is no less than the least mean over the corners of these ranges. Rounding is
 /// covered by margins from the sizes of what is added up, as in lower_bound.hpp.
 ///
-/// At a joint an axis may step by |Δa_k| ≤ min(J_k · cycle time, |Δq″_k| b + |Δq′_k| |v̇|): what the verifier allows,
-/// for the acceleration along the path is continuous.
+/// At a joint an axis steps by Δa_k = Δq″_k b + Δq′_k v̇, for the acceleration v̇ along the path is continuous, and by no
+/// more than J_k · cycle time: the verifier demands both. So either the first part is known, and costs λ_k Δq″_k b, of
+/// either sign, or nothing but the size of the whole, |λ_k| J_k · cycle time.
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -36,7 +37,8 @@ template <int N>
 struct DualJoint {
   using Row = std::array<double, N>;
   bool here = false;
-  Row step{}, kink{};  ///< |Δa_k| at most, and Δq′_k
+  Row kink{}, bend{};  ///< Δq′_k, and what is known of Δa_k, per b
+  Row step{};          ///< |Δa_k − bend_k b| at most
   double cap = 0;      ///< largest b
 };
 

@@ -62,10 +62,14 @@ void JerkPieces<N>::join(const Node& a, const Node& b, double cap) {
   joint_.cap = joint_.here ? std::max(joint_.cap, cap) : cap;
   joint_.here = true;
   for (std::size_t k = 0; k < grid_.axes(); ++k) {
-    const double kink = b.tangent[k] - a.tangent[k], bend = std::abs(b.curvature[k] - a.curvature[k]);
-    const double step = bend * cap + (kink != 0 ? std::abs(kink) * along : 0);
+    const double kink = b.tangent[k] - a.tangent[k], bend = b.curvature[k] - a.curvature[k];
+    const double allowed = grid_.jerk(k) * cycle_time_;
+    // What is not known of the step if its part that follows from q″ is.
+    const double rest =
+        (kink != 0 ? std::abs(kink) * along : 0) + 1e-9 * (std::abs(a.curvature[k]) + std::abs(b.curvature[k])) * cap;
     joint_.kink[k] += kink;
-    joint_.step[k] += std::min(grid_.jerk(k) * cycle_time_, step) * (1 + 1e-9);
+    if (rest <= allowed) joint_.bend[k] += bend;
+    joint_.step[k] += std::min(rest, allowed) * (1 + 1e-9);
   }
 }
 
