@@ -16,7 +16,9 @@
 #include <vector>
 
 #include "core/base/progress_scope.hpp"
+#include "core/motion/relaxation/inequality.hpp"
 #include "core/motion/relaxation/weak_form.hpp"
+#include "core/numeric/lanes.hpp"
 
 namespace bahnwerk {
 
@@ -43,8 +45,8 @@ struct RelaxationOptions {
   std::size_t beyond = 150;  ///< cells that windows reach beyond where they count (windows.hpp)
 };
 
-/// Keeps its memory from one problem to the next: about 0.4 (N = 2), 0.5 (3), 1.2 kB (8) per cell. 8 to 16 iterations,
-/// 0.2 µs each per cell of two axes as long as it fits the cache (tests/bench/bench_jerk.cpp).
+/// Keeps its memory from one problem to the next: about 0.7 (N = 2), 1.0 (3), 1.4 (5), 2.2 kB (8) per cell. 8 to 16
+/// iterations, 0.2 µs each per cell of two axes as long as it fits the cache (tests/bench/bench_jerk.cpp).
 template <int N>
 class RelaxationSolver {
  public:
@@ -53,56 +55,48 @@ class RelaxationSolver {
   RelaxationOutcome solve(const RelaxationProblem<N>& problem, const RelaxationOptions& options, ProgressScope& pulse);
 
   /// Of the last solution: b per cell, mm²/s².
-  const std::vector<double>& b() const { return b_; }
+  std::vector<double> b() const { return {b_.begin() + 2, b_.end() - 2}; }
   RelaxationMultipliers<N> multipliers() const;
 
  private:
-  /// An inequality `value` ≤ 0 with slack, multiplier, and their steps.
-  struct Inequality {
-    double value = 0, slack = 0, multiplier = 0, slack_step = 0, multiplier_step = 0;
-    double residual() const { return value + slack; }
-    double weight() const { return multiplier / slack; }
-  };
+  using Sides = Lanes<2>;  ///< of |x| ≤ limit
+  /// Spline j lives on the cells stored as j … j + 2; place r of its support is stored as j + 2 − r.
   struct Spline {
-    Inequality time;
-    std::array<Inequality, N> plus, minus;
-    double T = 0, step = 0;                        ///< and its step
-    double gradient = 0, curvature = 0, rest = 0;  ///< of T; right-hand side
-    std::array<double, 3> coupling{};              ///< with b of its cells
+    Inequality<double> time;
+    std::array<Inequality<Sides>, N> jerk;
+    double T = 0, step = 0;                  ///< and its step
+    double inverse_curvature = 0, rest = 0;  ///< of T; right-hand side
+    std::array<double, 3> coupling{};        ///< with b of its cells
   };
-  struct Hat {
-    std::array<Inequality, N> plus, minus;
+  using Hat = std::array<Inequality<Sides>, N>;
+  /// What a direction allows: the largest of −step/slack and of −step/multiplier.
+  struct Reach {
+    double primal = 0, dual = 0;
+    double change = 0, both = 0;  ///< Σ multiplier · slack step; Σ of both steps
   };
 
   void take(const RelaxationProblem<N>& problem);
   void start();
-  void evaluate();
-  void assemble();
+  void assemble(double primal, double dual);
   void factor();
-  void direction(double target, bool correct);
-  void advance(double primal, double dual);
-  /// The cells of spline j (as stored) by their place in its support: f(place, cell).
-  template <class F>
-  void support(std::size_t j, F&& f) const {
-    for (std::size_t r = 0; r < 3; ++r)
-      if (j >= r && j - r < cells_) f(r, j - r);
-  }
+  void solve_factored();
+  Reach predict();
+  void correct(double target);
+  Reach follow();
+  double dual_residual() const;
+  double largest_change(double primal) const;
 
   std::size_t cells_ = 0, rows_ = 0;
   ProgressScope* pulse_ = nullptr;
   WeakForm<N> form_;
   std::vector<Spline> splines_;
   std::vector<Hat> hats_;
-  std::vector<Inequality> caps_;
-  std::vector<double> b_, inverse_cap_, root_, step_, gradient_;
-  std::vector<std::array<double, 3>> matrix_;  ///< the diagonal and two above it; factored: D, L₁, L₂
+  std::vector<Inequality<double>> caps_;
+  /// Two cells more at either end, on which nothing depends. `step_`: right-hand side, then relative change of b.
+  std::vector<double> b_, inverse_cap_, root_, step_;
+  std::vector<std::array<double, 3>> matrix_;  ///< the diagonal and two above it; factored: 1/D, L₁, L₂
   Row inverse_jerk_{}, inverse_acceleration_{};
-  double duration_ = 0, complementarity_ = 0, violation_ = 0, dual_ = 0;
-  /// What the last direction allows: how far slacks and multipliers stay positive, and Σ slack · multiplier step, Σ
-  /// multiplier · slack step, Σ of both steps.
-  struct Reach {
-    double primal = 1, dual = 1, dual_change = 0, primal_change = 0, both = 0;
-  } reach_;
+  double duration_ = 0, complementarity_ = 0, violation_ = 0;
 };
 
 extern template class RelaxationSolver<2>;

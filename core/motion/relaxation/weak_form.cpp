@@ -7,7 +7,7 @@ void WeakForm<N>::take(const RelaxationProblem<N>& problem) {
   using Row = std::array<double, N>;
   const auto& given = problem.cells;
   const std::size_t n = given.size();
-  cells.assign(n, {}), allowed.assign(n + 2, {}), mass.assign(n + 1, 0);
+  cells.assign(n + 4, {}), allowed.assign(n + 2, {}), mass.assign(n + 1, 0);
   Row inverse_jerk, inverse_acceleration;
   for (std::size_t k = 0; k < N; ++k)
     inverse_jerk[k] = 1 / problem.jerk[k], inverse_acceleration[k] = 1 / problem.acceleration[k];
@@ -22,7 +22,7 @@ void WeakForm<N>::take(const RelaxationProblem<N>& problem) {
     const RelaxationCell<N>& cell = given[i];
     const double h = cell.length;
     const auto parts = splines_on(given, i);
-    WeakCell<N>& c = cells[i];
+    WeakCell<N>& c = cells[i + 2];
     for (std::size_t r = 0; r < 3; ++r) {
       const SplinePart& p = parts[r];
       c.time[r] = p.integral(h);
@@ -43,7 +43,7 @@ void WeakForm<N>::take(const RelaxationProblem<N>& problem) {
   for (const RelaxationStep<N>& step : problem.steps) {
     const auto parts = splines_on(given, step.cell);
     const double part = step.at / given[step.cell].length;
-    WeakCell<N>& c = cells[step.cell];
+    WeakCell<N>& c = cells[step.cell + 2];
     for (std::size_t k = 0; k < N; ++k) {
       for (std::size_t r = 0; r < 3; ++r) {
         allowed[step.cell + r][k] += parts[r].at(step.at) * step.time[k];
@@ -57,8 +57,8 @@ void WeakForm<N>::take(const RelaxationProblem<N>& problem) {
   }
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t k = 0; k < N; ++k) {
-      cells[i].acceleration[0][k] /= mass[i];
-      cells[i].acceleration[1][k] /= mass[i + 1];
+      cells[i + 2].acceleration[0][k] /= mass[i];
+      cells[i + 2].acceleration[1][k] /= mass[i + 1];
     }
 }
 

@@ -64,7 +64,7 @@ struct WeakCell {
 
 template <int N>
 struct WeakForm {
-  std::vector<WeakCell<N>> cells;
+  std::vector<WeakCell<N>> cells;              ///< two empty ones at either end: cell i is stored as i + 2
   std::vector<std::array<double, N>> allowed;  ///< per spline: step_jk, s
   std::vector<double> mass;                    ///< per node: ∫ hat ds, mm
 

@@ -1,53 +1,59 @@
 #include "core/motion/relaxation/windows.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace bahnwerk {
-namespace {
 
-// Cells: of a window, and in which two windows fade over.
-constexpr std::size_t window = 1200, fading = 100;
+template <int N>
+const RelaxationMultipliers<N>& RelaxationWindows<N>::next(const RelaxationProblem<N>& part, std::size_t begin,
+                                                           const RelaxationOptions& options, ProgressScope& pulse) {
+  solver_.solve(part, options, pulse);
+  RelaxationMultipliers<N> found = solver_.multipliers();
+  if (begin > 0) {
+    const auto fade = [&](const auto& before, auto& after) {
+      for (std::size_t j = 0; j < std::min(begin + fading / 2, before.size()); ++j) {
+        const double x = (static_cast<double>(j) - static_cast<double>(begin)) / fading + 0.5,
+                     share = std::clamp(x, 0.0, 1.0);
+        for (std::size_t k = 0; k < N; ++k) after[j][k] = share * after[j][k] + (1 - share) * before[j][k];
+      }
+    };
+    fade(now_.jerk, found.jerk), fade(now_.acceleration, found.acceleration);
+  }
+  return now_ = std::move(found);
+}
 
-}  // namespace
+template <int N>
+void RelaxationWindows<N>::drop(std::size_t cells) {
+  const auto count = static_cast<std::ptrdiff_t>(cells);
+  now_.jerk.erase(now_.jerk.begin(), now_.jerk.begin() + count);
+  now_.acceleration.erase(now_.acceleration.begin(), now_.acceleration.begin() + count);
+}
 
 template <int N>
 RelaxationMultipliers<N> RelaxationWindows<N>::solve(const RelaxationProblem<N>& problem,
                                                      const RelaxationOptions& options, ProgressScope& pulse) {
-  const std::size_t n = problem.cells.size(), beyond = std::min(options.beyond, window),
-                    windows = std::max<std::size_t>(1, n / window);
-  if (windows == 1) {
-    solver_.solve(problem, options, pulse);
-    return solver_.multipliers();
-  }
+  const std::size_t n = problem.cells.size(), beyond = std::clamp(options.beyond, fading, window);
   RelaxationMultipliers<N> all;
-  all.jerk.resize(n + 2), all.acceleration.resize(n + 1);
-  part_.acceleration = problem.acceleration, part_.jerk = problem.jerk;
-  for (std::size_t i = 0; i < windows; ++i) {
-    const bool first = i == 0, last = i + 1 == windows;
-    const std::size_t begin = first ? 0 : i * n / windows, end = last ? n : (i + 1) * n / windows;
-    const std::size_t from = first ? 0 : begin - beyond, to = last ? n : end + beyond;
-    part_.cells.assign(problem.cells.begin() + static_cast<std::ptrdiff_t>(from),
-                       problem.cells.begin() + static_cast<std::ptrdiff_t>(to));
-    part_.rest_first = first && problem.rest_first, part_.rest_last = last && problem.rest_last;
+  RelaxationProblem<N> part;
+  part.acceleration = problem.acceleration, part.jerk = problem.jerk;
+  for (std::size_t from = 0, begin = 0, end = 0; end < n; begin = end) {
+    end = n - begin > window + beyond ? begin + window : n;
+    const std::size_t first = begin > 0 ? begin - beyond : 0, last = end < n ? end + beyond : n;
+    part.cells.assign(problem.cells.begin() + static_cast<std::ptrdiff_t>(first),
+                      problem.cells.begin() + static_cast<std::ptrdiff_t>(last));
+    part.rest_first = first == 0 && problem.rest_first, part.rest_last = last == n && problem.rest_last;
     const auto before = [](const RelaxationStep<N>& step, std::size_t cell) { return step.cell < cell; };
-    part_.steps.assign(std::lower_bound(problem.steps.begin(), problem.steps.end(), from, before),
-                       std::lower_bound(problem.steps.begin(), problem.steps.end(), to, before));
-    for (RelaxationStep<N>& step : part_.steps) step.cell -= from;
-    solver_.solve(part_, options, pulse);
-    const RelaxationMultipliers<N> found = solver_.multipliers();
-    // The share of this window at a place, in cells.
-    const auto share = [&](std::size_t place) {
-      const auto rise = [&](std::size_t border) {
-        const double x = (static_cast<double>(place) - static_cast<double>(border)) / fading + 0.5;
-        return std::clamp(x, 0.0, 1.0);
-      };
-      return (first ? 1 : rise(begin)) - (last ? 0 : rise(end));
+    part.steps.assign(std::lower_bound(problem.steps.begin(), problem.steps.end(), first, before),
+                      std::lower_bound(problem.steps.begin(), problem.steps.end(), last, before));
+    for (RelaxationStep<N>& step : part.steps) step.cell -= first;
+    if (begin > 0) drop(first - from);
+    from = first;
+    const RelaxationMultipliers<N>& found = next(part, begin - first, options, pulse);
+    const auto put = [&](const auto& some, auto& to) {
+      to.resize(first), to.insert(to.end(), some.begin(), some.end());
     };
-    const auto add = [&](const std::vector<std::array<double, N>>& part, std::vector<std::array<double, N>>& to_all) {
-      for (std::size_t j = 0; j < part.size(); ++j)
-        for (std::size_t k = 0; k < N; ++k) to_all[from + j][k] += share(from + j) * part[j][k];
-    };
-    add(found.jerk, all.jerk), add(found.acceleration, all.acceleration);
+    put(found.jerk, all.jerk), put(found.acceleration, all.acceleration);
   }
   return all;
 }

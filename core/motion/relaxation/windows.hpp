@@ -12,14 +12,25 @@ namespace bahnwerk {
 template <int N>
 class RelaxationWindows {
  public:
-  /// Of any number of cells. A window fits the processor's cache: 2 to 4 µs per cell of two axes, however many there
-  /// are.
+  static constexpr std::size_t window = 1200;  ///< cells in which it counts
+  static constexpr std::size_t fading = 100;   ///< cells in which two windows fade over
+
+  /// Of any number of cells at once. A window fits the processor's cache: 2 to 4 µs per cell of two axes, however many
+  /// there are.
   RelaxationMultipliers<N> solve(const RelaxationProblem<N>& problem, const RelaxationOptions& options,
                                  ProgressScope& pulse);
 
+  /// Of the cells at hand, a part of a longer problem: the window counts from cell `begin` on, 0 or at least fading/2,
+  /// where it goes on with the one before. Those of the last fading/2 cells in which it counts are not final unless it
+  /// is the last one.
+  const RelaxationMultipliers<N>& next(const RelaxationProblem<N>& part, std::size_t begin,
+                                       const RelaxationOptions& options, ProgressScope& pulse);
+  /// The first cells of the last part are not at hand any more.
+  void drop(std::size_t cells);
+
  private:
-  RelaxationProblem<N> part_;
   RelaxationSolver<N> solver_;
+  RelaxationMultipliers<N> now_;
 };
 
 extern template class RelaxationWindows<2>;

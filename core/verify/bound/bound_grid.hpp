@@ -79,6 +79,9 @@ class BoundGrid {
   const std::vector<Span>& fresh() const { return fresh_; }
   /// All that q' can be between two nodes of one segment.
   DirectionRange<N> range(const Node& a, const Node& b) const;
+  /// Through kinematics: what is known between two nodes serves all within from now on, until forget().
+  void remember(const Node& a, const Node& b) const;
+  void forget() const { whole_.segment = static_cast<std::size_t>(-1); }
   /// Bounds of |q'''_k|, 1/mm², between two nodes of one segment; infinite where there are none.
   std::array<double, N> third(const Node& a, const Node& b) const;
   /// Largest b = v² that limits of jerk allow at any place between two nodes of one segment; infinite where unknown,
@@ -138,6 +141,7 @@ class BoundGrid {
   AxisSizes axis_sizes(std::size_t segment, double u0, double u1, double length, int depth) const;
   /// The same between two nodes, the last ones of which are remembered: several figures of a cell follow from it.
   const AxisSizes& axis_sizes(const Node& a, const Node& b) const;
+  AxisSizes within(const AxisSizes& whole, const Node& a, const Node& b) const;
   Hodograph::Bends bends(std::size_t segment, double u0, double u1) const;
   Hodograph& hodograph(std::size_t segment) const;
 
@@ -161,6 +165,7 @@ class BoundGrid {
     AxisSizes sizes;
   };
   mutable Stretch stretch_;  ///< asked for last
+  mutable Stretch whole_;    ///< remembered
   mutable Shape shape_;      ///< of the segment asked for last
   mutable std::size_t shape_of_ = static_cast<std::size_t>(-1);
   mutable std::optional<Hodograph> hodograph_;  ///< of the segment asked for last

@@ -10,6 +10,7 @@ namespace bahnwerk::verify {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr double bend_rounding = 1e-9;  // of q'' at a node, generously
 
 Hodograph::Bends bends_of(const Arc& arc) {
   const double turn = std::abs(arc.sweep()) / arc.length() * (1 + 8 * epsilon);  // rad/mm
@@ -116,9 +117,36 @@ typename BoundGrid<N>::AxisSizes BoundGrid<N>::axis_sizes(std::size_t segment, d
 template <int N>
 const typename BoundGrid<N>::AxisSizes& BoundGrid<N>::axis_sizes(const Node& a, const Node& b) const {
   constexpr int halvings = 12;
-  if (stretch_.segment != a.segment || stretch_.u0 != a.u || stretch_.u1 != b.u)
-    stretch_ = {a.segment, a.u, b.u, axis_sizes(a.segment, a.u, b.u, b.s - a.s, halvings)};
+  if (stretch_.segment != a.segment || stretch_.u0 != a.u || stretch_.u1 != b.u) {
+    const bool known = whole_.segment == a.segment && whole_.u0 <= a.u && b.u <= whole_.u1;
+    stretch_ = {a.segment, a.u, b.u,
+                known ? within(whole_.sizes, a, b) : axis_sizes(a.segment, a.u, b.u, b.s - a.s, halvings)};
+  }
   return stretch_.sizes;
+}
+
+template <int N>
+void BoundGrid<N>::remember(const Node& a, const Node& b) const {
+  if (!path_.cartesian()) whole_ = {a.segment, a.u, b.u, axis_sizes(a, b)};
+}
+
+// From what is known of the whole and what the ends of the part are: q'' changes by no more than |q'''| times the way.
+template <int N>
+typename BoundGrid<N>::AxisSizes BoundGrid<N>::within(const AxisSizes& whole, const Node& a, const Node& b) const {
+  AxisSizes part = whole;
+  const double length = b.s - a.s, blur = std::max(a.blur, b.blur);
+  for (std::size_t k = 0; k < axes_; ++k) {
+    if (still_[k] || !std::isfinite(whole.third[k])) continue;
+    const double middle = (a.curvature[k] + b.curvature[k]) / 2,
+                 size = std::abs(a.curvature[k]) + std::abs(b.curvature[k]),
+                 reach = whole.third[k] * length / 2 * (1 + 1e-12) + bend_rounding * size;
+    part.bend_low[k] = std::max(part.bend_low[k], middle - reach);
+    part.bend_high[k] = std::min(part.bend_high[k], middle + reach);
+    const Interval g = between(a.tangent[k], b.tangent[k], a.curvature[k], b.curvature[k], length, whole.third[k]);
+    part.low[k] = std::max(part.low[k], g.low - blur);
+    part.high[k] = std::min(part.high[k], g.high + blur);
+  }
+  return part;
 }
 
 template <int N>
@@ -152,6 +180,14 @@ template Hodograph::Bends BoundGrid<2>::bends(std::size_t, double, double) const
 template BoundGrid<2>::AxisSizes BoundGrid<2>::axis_sizes(std::size_t, double, double, double, int) const;
 template const BoundGrid<2>::AxisSizes& BoundGrid<2>::axis_sizes(const Node&, const Node&) const;
 template Hodograph& BoundGrid<2>::hodograph(std::size_t) const;
+template BoundGrid<2>::AxisSizes BoundGrid<2>::within(const AxisSizes&, const Node&, const Node&) const;
+template BoundGrid<3>::AxisSizes BoundGrid<3>::within(const AxisSizes&, const Node&, const Node&) const;
+template BoundGrid<5>::AxisSizes BoundGrid<5>::within(const AxisSizes&, const Node&, const Node&) const;
+template BoundGrid<8>::AxisSizes BoundGrid<8>::within(const AxisSizes&, const Node&, const Node&) const;
+template void BoundGrid<2>::remember(const Node&, const Node&) const;
+template void BoundGrid<3>::remember(const Node&, const Node&) const;
+template void BoundGrid<5>::remember(const Node&, const Node&) const;
+template void BoundGrid<8>::remember(const Node&, const Node&) const;
 template Hodograph::Bends BoundGrid<3>::bends(std::size_t, double, double) const;
 template BoundGrid<3>::AxisSizes BoundGrid<3>::axis_sizes(std::size_t, double, double, double, int) const;
 template const BoundGrid<3>::AxisSizes& BoundGrid<3>::axis_sizes(const Node&, const Node&) const;

@@ -10,11 +10,11 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 // A cell of the relaxation takes this part of the time in which jerk brings an axis to its full acceleration, and
 // turns by no more than this, rad; a piece half of it.
-constexpr double part_of_ramp = 0.3, widest_turn = 0.05, part_of_onset = 0.002, part_of_section = 1e-4;
-constexpr double widest_swing = 0.1;      // of q″ b within a cell, of the axis' acceleration
-constexpr double finer = 0.5;             // of both, through kinematics
-constexpr std::size_t beyond = 400;       // and cells that windows of the relaxation reach further
-constexpr std::size_t stretch = 100'000;  // cells, beyond which the path is cut
+constexpr double part_of_ramp = 0.3, widest_turn = 0.05, part_of_onset = 0.004, part_of_section = 2e-4;
+constexpr double widest_swing = 0.1;  // of q″ b within a cell, of the axis' acceleration
+constexpr double finer = 0.5;         // of both, through kinematics
+constexpr std::size_t beyond = 250;   // and cells that windows of the relaxation reach further
+constexpr double kinematic_gap = 1e-3, kinematic_violation = 1e-3;  // worth less than 1e-5 of the bound
 constexpr double pieces_per_node = 0.5, more_pieces = 400;
 constexpr double min_cells = 60;  // of a section
 // An axis that jerk brings to its full acceleration in less than this part of the longest time that another one takes
@@ -54,30 +54,36 @@ JerkBound<N>::JerkBound(const BoundGrid<N>& grid, const Machine& machine, Progre
     if (const double ramp = grid.acceleration(k) / shown_jerk_[k]; ramp < ramp_)
       ramp_ = ramp, acceleration_of_ramp_ = grid.acceleration(k);
   }
+  attempts_.resize(1), attempts_[0].jerk = problem_.jerk;
+  Row fewer = problem_.jerk;
+  for (std::size_t k = 0; k < grid.axes(); ++k)
+    if (shown_jerk_[k] < fewer[k]) fewer[k] = infinite;
+  if (fewer != problem_.jerk) attempts_.emplace_back().jerk = fewer;
 }
 
 template <int N>
-std::size_t JerkBound<N>::pose(bool rest_first, bool rest_last) {
-  problem_.cells.clear(), problem_.steps.clear(), cell_of_.clear();
-  problem_.rest_first = rest_first && !pieces_.dropped();
+bool JerkBound<N>::pose(std::size_t most) {
   const double part = grid_.cartesian() ? 1 : finer;
-  double time = 0, turn = 0, capped = 0, swing = 0;
   const auto& pieces = pieces_.list();
   const auto& extents = pieces_.extents();
-  std::size_t i = 0;
   const auto known = [](const DualPiece<N>& p) {
     return std::isfinite(p.cap) &&
            std::all_of(p.third.begin(), p.third.end(), [](double t) { return std::isfinite(t); });
   };
-  for (; problem_.cells.size() < stretch && pieces_.has(i) && known(pieces[i]); ++i) {
+  for (std::size_t i = cell_of_.size(); pieces_.has(i) && known(pieces[i]); ++i) {
     const DualPiece<N>& p = pieces[i];
     double bend = 0;
     for (std::size_t k = 0; k < N; ++k) bend += sq(p.end[k] - p.begin[k]);
     bend = std::sqrt(bend);
-    const bool open = !problem_.cells.empty() && time + p.time < JerkPieces<N>::per_cell / 2 * extents[i].spacing &&
-                      turn + bend < part * widest_turn && swing + extents[i].swing < part * widest_swing &&
+    const bool open = !problem_.cells.empty() && time_ + p.time < pieces_.per_cell() / 2 * extents[i].spacing &&
+                      turn_ + bend < part * widest_turn && swing_ + extents[i].swing < part * widest_swing &&
                       problem_.cells.back().length + p.length < extents[i].finest;
-    if (!open) problem_.cells.emplace_back(), time = turn = capped = swing = 0, problem_.cells.back().begin = p.begin;
+    if (!open) {
+      if (problem_.cells.size() == most) return true;
+      ++cells_;
+      problem_.cells.emplace_back().begin = p.begin;
+      time_ = turn_ = capped_ = swing_ = 0;
+    }
     RelaxationCell<N>& cell = problem_.cells.back();
     if (p.joint.here) {
       RelaxationStep<N> step{problem_.cells.size() - 1, cell.length, {}, p.joint.kink, p.joint.bend};
@@ -87,29 +93,60 @@ std::size_t JerkBound<N>::pose(bool rest_first, bool rest_last) {
     for (std::size_t k = 0; k < N; ++k) cell.way[k] += p.way[k];
     cell.end = p.end;
     cell.length += p.length;
-    capped += p.cap * p.length, cell.cap = capped / cell.length;
-    time += p.time, turn += bend, swing += extents[i].swing;
+    capped_ += p.cap * p.length, cell.cap = capped_ / cell.length;
+    time_ += p.time, turn_ += bend, swing_ += extents[i].swing;
     cell_of_.push_back(problem_.cells.size() - 1);
   }
-  problem_.rest_last = rest_last && !pieces_.has(i);
-  return i;
+  return false;
 }
 
-// Any multipliers give a bound. Limits of jerk that the cells are too wide to show may keep the solver from good ones:
-// the problem without them has others.
 template <int N>
-double JerkBound<N>::best_value(std::size_t last) {
+void JerkBound<N>::forget(std::size_t first) {
+  const auto cells = static_cast<std::ptrdiff_t>(first);
+  const auto piece = std::lower_bound(cell_of_.begin(), cell_of_.end(), first);
+  pieces_.drop(static_cast<std::size_t>(piece - cell_of_.begin()));
+  cell_of_.erase(cell_of_.begin(), piece);
+  for (std::size_t& cell : cell_of_) cell -= first;
+  problem_.cells.erase(problem_.cells.begin(), problem_.cells.begin() + cells);
+  auto& steps = problem_.steps;
+  steps.erase(steps.begin(), std::find_if(steps.begin(), steps.end(), [&](const auto& s) { return s.cell >= first; }));
+  for (RelaxationStep<N>& step : steps) step.cell -= first;
+  for (Attempt& attempt : attempts_) attempt.solver.drop(first);
+}
+
+// Any multipliers give a bound, as long as they are those of the whole stretch.
+template <int N>
+double JerkBound<N>::stretch(bool rest_first, bool rest_last) {
+  using Windows = RelaxationWindows<N>;
   RelaxationOptions options;
-  if (!grid_.cartesian()) options.beyond = beyond;
-  const auto value = [&] {
-    return dual_.value(pieces_.list(), 0, last, cell_of_, problem_, solver_.solve(problem_, options, pulse_));
-  };
-  double best = value();
-  const auto limits = problem_.jerk;
-  for (std::size_t k = 0; k < grid_.axes(); ++k)
-    if (shown_jerk_[k] < limits[k]) problem_.jerk[k] = infinite;
-  if (problem_.jerk != limits) best = std::max(best, value());
-  problem_.jerk = limits;
+  if (!grid_.cartesian()) options.beyond = beyond, options.gap = kinematic_gap, options.violation = kinematic_violation;
+  problem_.cells.clear(), problem_.steps.clear(), cell_of_.clear();
+  for (Attempt& attempt : attempts_) attempt.total = 0;
+  const Row limits = problem_.jerk;
+  std::size_t begin = 0, done = 0;  // cell from which the window counts, piece up to which values are added up
+  for (bool more = true; more;) {
+    more = pose(begin + Windows::window + options.beyond);
+    if (problem_.cells.empty()) return 0;
+    const std::size_t end = more ? begin + Windows::window : problem_.cells.size(),
+                      sure = more ? end - Windows::fading / 2 - 2 : end;  // cells whose multipliers are final
+    problem_.rest_first = rest_first && !pieces_.dropped(),
+    problem_.rest_last = !more && rest_last && !pieces_.has(cell_of_.size());
+    const auto until =
+        static_cast<std::size_t>(std::lower_bound(cell_of_.begin(), cell_of_.end(), sure) - cell_of_.begin());
+    for (Attempt& attempt : attempts_) {
+      problem_.jerk = attempt.jerk;
+      const RelaxationMultipliers<N>& found = attempt.solver.next(problem_, begin, options, pulse_);
+      attempt.total += dual_.value(pieces_.list(), done, until, cell_of_, problem_, found);
+    }
+    problem_.jerk = limits;
+    if (!more) break;
+    const std::size_t before = cell_of_.size();
+    forget(end - options.beyond);
+    begin = options.beyond, done = until - (before - cell_of_.size());
+  }
+  pieces_.drop(cell_of_.size());
+  double best = 0;
+  for (const Attempt& attempt : attempts_) best = std::max(best, attempt.total);
   return best;
 }
 
@@ -118,21 +155,17 @@ double JerkBound<N>::duration(const std::vector<double>& b, double time, bool re
   const double length = grid_.nodes()[b.size() - 1].s - grid_.nodes().front().s;
   const double spacing = std::max(std::min(part_of_ramp * ramp_, time / min_cells),
                                   time / (pieces_per_node * static_cast<double>(b.size()) + more_pieces));
-  const double first_piece = std::min(part_of_onset * acceleration_of_ramp_ * sq(ramp_) / 6, part_of_section * length);
+  const double first_cell = std::min(part_of_onset * acceleration_of_ramp_ * sq(ramp_) / 6, part_of_section * length);
   double total = 0;
   if (spacing < no_ramp * ramp_) {
-    pieces_.begin(b, rest_first, rest_last, spacing, first_piece);
+    pieces_.begin(b, rest_first, rest_last, spacing, first_cell / std::floor(pieces_.per_cell()));
     while (pieces_.has(0)) {
-      std::size_t last = pose(rest_first, rest_last);
-      if (last > 0) {
-        cells_ += problem_.cells.size();
-        total += best_value(last);
-      } else {  // next to a cusp nothing is known of jerk
-        const DualPiece<N>& piece = pieces_.list()[0];
-        total += piece.length / std::sqrt(piece.cap);
-        last = 1;
-      }
-      pieces_.drop(last);
+      total += stretch(rest_first, rest_last);
+      if (!pieces_.has(0)) break;
+      // Next to a cusp nothing is known of jerk.
+      const DualPiece<N>& piece = pieces_.list()[0];
+      total += piece.length / std::sqrt(piece.cap);
+      pieces_.drop(1);
     }
   }
   return total * (1 - 1e-12);

@@ -37,9 +37,20 @@ class JerkBound {
   std::size_t cells() const { return cells_; }
 
  private:
-  /// The first pieces at hand, which become cells of one relaxation; returns one past its last.
-  std::size_t pose(bool rest_first, bool rest_last);
-  double best_value(std::size_t last);
+  /// Of the pieces at hand as far as anything is known of jerk, window by window; drops them.
+  double stretch(bool rest_first, bool rest_last);
+  /// Pieces become cells, `most` of them at most. False: there are no more of which anything is known.
+  bool pose(std::size_t most);
+  /// Those before cell `first` are not needed any more.
+  void forget(std::size_t first);
+
+  /// A set of multipliers and what it proves: one for all limits, one without those that cells are too wide to show.
+  /// These may keep the solver from good multipliers.
+  struct Attempt {
+    Row jerk{};
+    RelaxationWindows<N> solver;
+    double total = 0;
+  };
 
   const BoundGrid<N>& grid_;
   ProgressScope& pulse_;
@@ -48,10 +59,12 @@ class JerkBound {
   Row shown_jerk_{};                                       ///< per axis: what cells are narrow enough for
   double ramp_ = std::numeric_limits<double>::infinity();  ///< s, shortest time from no acceleration to the limit
   double acceleration_of_ramp_ = 0;                        ///< of that axis
-  std::vector<std::size_t> cell_of_;                       ///< per piece of the window
+  std::vector<std::size_t> cell_of_;                       ///< per piece at hand
+  /// Of the cell that is being made up: s; rad; integral of the caps; of the axes' acceleration.
+  double time_ = 0, turn_ = 0, capped_ = 0, swing_ = 0;
   JerkPieces<N> pieces_;
   RelaxationProblem<N> problem_;
-  RelaxationWindows<N> solver_;
+  std::vector<Attempt> attempts_;
   JerkDual<N> dual_;
 };
 

@@ -164,11 +164,11 @@ double JerkDual<N>::value(const Blocks<DualPiece<N>>& pieces, std::size_t first,
   double x = 0;
   for (std::size_t i = first; i < last; ++i) {
     const DualPiece<N>& p = pieces[i];
-    if (cell_of[i - first] != cell) {
-      cell = cell_of[i - first], x = 0;
+    if (cell_of[i] != cell) {
+      cell = cell_of[i], x = 0;
       enter(cell, problem, multipliers);
     }
-    const DualPiece<N>* next = i + 1 < last && pieces[i + 1].joint.here ? &pieces[i + 1] : nullptr;
+    const DualPiece<N>* next = i + 1 < cell_of.size() && pieces[i + 1].joint.here ? &pieces[i + 1] : nullptr;
     sum.add(refined(p, x, next, of(p, x, next), 0, {}));
     x += p.length;
     pulse_.work(1);

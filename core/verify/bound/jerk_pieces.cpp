@@ -10,13 +10,15 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double infinite = std::numeric_limits<double>::infinity(), never = 1e300, root_4_5 = 2.1213203435596424;
-// Next to rest a piece is this part of its distance from there.
-constexpr double part_of_distance = 0.1, part_of_first = 0.25, part_of_cycle = 0.25;
+// Next to rest a cell is this part of its distance from there.
+constexpr double cell_of_distance = 0.2, part_of_first = 0.25, part_of_cycle = 0.25;
 constexpr double at_feed = 0.999, cruising = 4;
 // A motion with limited jerk takes some √(v/J) to change its speed by some of v: there a cell takes this part of that
 // time; less through kinematics, where speeds fall and rise again in a few milliseconds. Bends and changes of curvature
 // that take this many times the jerk limit, at the speed at hand, slow it down.
-constexpr double part_of_change = 0.1, kinematic_part = 0.03, slowing = 3;
+constexpr double part_of_change = 0.1, kinematic_part = 0.04, slowing = 3;
+// Through kinematics an enclosure costs as much as a cell of the relaxation.
+constexpr double pieces_per_cell = 2.1, kinematic_pieces = 1.05;
 constexpr double part_joined = 0.125;  // of the longest piece: shorter cells of the grid make up one
 constexpr double much_change = 0.1;    // of b in a piece whose jerk limits b: it is halved, so often at most
 constexpr int halvings = 3;
@@ -30,6 +32,8 @@ JerkPieces<N>::JerkPieces(const BoundGrid<N>& grid, double cycle_time, const Row
     : grid_(grid),
       pulse_(pulse),
       cycle_time_(cycle_time),
+      per_cell_(grid.cartesian() ? pieces_per_cell : kinematic_pieces),
+      part_of_distance_(grid.cartesian() ? cell_of_distance / 2 : cell_of_distance),
       part_of_change_(grid.cartesian() ? part_of_change : kinematic_part),
       shown_jerk_(shown) {
   piece_.axes = grid.axes();
@@ -192,12 +196,12 @@ void JerkPieces<N>::grade(const std::vector<double>& b, bool rest_first, bool re
   if (rest_first) before_[0] = first_piece_;
   if (rest_last) behind_[n] = first_piece_;
   for (std::size_t i = 0; i < n; ++i) {
-    before_[i + 1] = before_[i] + part_of_distance * cells[i].length;
+    before_[i + 1] = before_[i] + part_of_distance_ * cells[i].length;
     if (cells[i].kind == Cell::Kind::joint) before_[i + 1] = std::min(before_[i + 1], behind_[i] = finest_at(i, b));
     pulse_.work(1);
   }
   for (std::size_t i = n; i-- > 0;)
-    behind_[i] = std::min(behind_[i], behind_[i + 1] + part_of_distance * cells[i].length);
+    behind_[i] = std::min(behind_[i], behind_[i + 1] + part_of_distance_ * cells[i].length);
 }
 
 // x mm into a cell. Where the feed is all that holds a motion nothing happens but what the path does, the less the
@@ -215,9 +219,9 @@ typename JerkPieces<N>::Extent JerkPieces<N>::extent(std::size_t cell, double x,
   e.spacing = std::min(ease, cruising) * spacing_;
   if (growth_[cell] < never)
     e.spacing = std::min(e.spacing, ease * part_of_change_ * root_4_5 * std::sqrt(speed) / growth_[cell]);
-  e.finest = per_cell / 2 * std::max(e.spacing * speed, part_of_first * first_piece_);
-  e.piece = std::min({e.finest / per_cell, before_[cell] + part_of_distance * x,
-                      (behind_[cell + 1] + part_of_distance * left) / (1 + part_of_distance)});
+  e.finest = per_cell_ / 2 * std::max(e.spacing * speed, part_of_first * first_piece_);
+  e.piece = std::min({e.finest / per_cell_, before_[cell] + part_of_distance_ * x,
+                      (behind_[cell + 1] + part_of_distance_ * left) / (1 + part_of_distance_)});
   return e;
 }
 
@@ -239,6 +243,7 @@ void JerkPieces<N>::divide(std::size_t cell, const std::vector<double>& b) {
   const Node &from = grid_.nodes()[cell], &to = grid_.nodes()[cell + 1];
   const bool straight = c.kind == Cell::Kind::straight;
   const auto [energy, whole] = room(cell, b);
+  grid_.remember(from, to);
   double x = 0;
   Extent e{};
   Node last = from;
@@ -249,15 +254,16 @@ void JerkPieces<N>::divide(std::size_t cell, const std::vector<double>& b) {
     const double u = from.u + (to.u - from.u) * ((x + d) / c.length);
     if (x + 1.5 * d >= c.length || !(u > last.u && u < to.u)) break;
     const Node next = grid_.node(from.segment, u);
-    e.finest = per_cell * d;
+    e.finest = per_cell_ * d;
     append(last, next,
            cap(cell, last, next, b, straight ? x / c.length : 0, straight ? (next.s - from.s) / c.length : 1), e, cell,
            cell);
     last = next;
     x = next.s - from.s;
   }
-  e.finest = std::min(e.finest, per_cell * std::min(before_[cell + 1], behind_[cell + 1]));
+  e.finest = std::min(e.finest, per_cell_ * std::min(before_[cell + 1], behind_[cell + 1]));
   append(last, to, cap(cell, last, to, b, straight ? x / c.length : 0, 1), e, cell, cell);
+  grid_.forget();
 }
 
 // The cells from `first` on that are so short that they make up one piece: what a piece is worth less for rounding

@@ -31,7 +31,8 @@ class JerkPieces {
     double spacing = 0;  ///< s, longest cell here
     double piece = 0;    ///< mm, longest piece
   };
-  static constexpr double per_cell = 2.1;  ///< two of the same length, whatever rounding does
+  /// Pieces of the same length that make up a cell, whatever rounding does.
+  double per_cell() const { return per_cell_; }
 
   /// `grid` and `pulse` outlive it. `shown`: per axis the jerk for which pieces are to be short enough.
   JerkPieces(const BoundGrid<N>& grid, double cycle_time, const Row& shown, ProgressScope& pulse);
@@ -71,7 +72,9 @@ class JerkPieces {
   const BoundGrid<N>& grid_;
   ProgressScope& pulse_;
   double cycle_time_;
-  double part_of_change_;  ///< that a cell takes, of the time in which jerk changes the speed by some of it
+  double per_cell_;
+  double part_of_distance_;  ///< from rest, that a piece takes
+  double part_of_change_;    ///< that a cell takes, of the time in which jerk changes the speed by some of it
   Row shown_jerk_;
   double spacing_ = 0;      ///< s, time of a cell
   double first_piece_ = 0;  ///< mm, next to rest

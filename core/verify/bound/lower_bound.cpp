@@ -29,6 +29,9 @@ constexpr std::size_t part_behind = 16, part_behind_few = 4;
 // A first grid of more nodes is laid with wider cells, and refined less, as far as some of the segments tell: so many
 // of so many at least.
 constexpr double usual_nodes = 250'000, widest = 8, coarse = 2, most_left = 1e-3;
+// Where jerk rules what a grid through kinematics knows without it only limits the speed, and need not be known as
+// well; it does not rule if it makes the bound longer by no more than this.
+constexpr double with_jerk = 8, jerk_rules = 0.01;
 constexpr std::size_t sampled_segments = 128, many_segments = 4096;
 
 /// How far a grid is refined. Enough when a refinement changes the bound by less than `converged` (the next one brings
@@ -99,7 +102,8 @@ Bound bound_of(const PathTask& task, double corner_angle, Progress& progress, do
   std::vector<unsigned char> marked;
   const double expected = expected_nodes(grid, path.size());
   const double wider = std::clamp(expected * static_cast<double>(path.size()) / usual_nodes, 1.0, widest);
-  const Effort least = effort(wider);
+  const Effort least = effort(wider),
+               first_effort = jerk.limited() && !path.cartesian() ? effort(std::max(wider, with_jerk)) : least;
   const std::size_t window = std::max(many_segments, static_cast<std::size_t>(window_nodes / expected)),
                     behind = window / (expected < few_nodes ? part_behind_few : part_behind);
   grid.widen(wider);
@@ -126,11 +130,18 @@ Bound bound_of(const PathTask& task, double corner_angle, Progress& progress, do
         grid.build(begin, end < last ? end + behind : last, begin == first, end == last);
         if (begin > first) grid.enter(entry);
         pulse.done(static_cast<double>(begin + end) / 2 / static_cast<double>(path.size()));
-        solve(grid, solver, marked, least);
-        const std::size_t kept = end < last ? grid.cells_before(end) : grid.order().size() - 1;
-        double part = solver.duration(kept) * (1 - 1e-12 - 4e-16 * static_cast<double>(kept));
-        if (jerk.limited())
-          part = std::max(part, jerk.duration(solver.speed_squares(kept + 1), part, begin == first, end == last));
+        std::size_t kept = 0;
+        const auto part_without_jerk = [&](const Effort& effort) {
+          solve(grid, solver, marked, effort);
+          kept = end < last ? grid.cells_before(end) : grid.order().size() - 1;
+          return solver.duration(kept) * (1 - 1e-12 - 4e-16 * static_cast<double>(kept));
+        };
+        double part = part_without_jerk(first_effort);
+        if (jerk.limited()) {
+          const double with = jerk.duration(solver.speed_squares(kept + 1), part, begin == first, end == last);
+          if (!path.cartesian() && with < (1 + jerk_rules) * part) part = part_without_jerk(least);
+          part = std::max(part, with);
+        }
         section += part;
         nodes += kept + 1;
         entry = solver.speed_square(grid.order()[kept]) * (1 + 1e-12);

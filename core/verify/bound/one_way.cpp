@@ -21,14 +21,17 @@ void OneWay<N>::pass(const BoundGrid<N>& grid, const std::vector<double>& b, boo
   const auto& nodes = grid.nodes();
   const auto& cells = grid.cells();
   const std::size_t n = b.size() - 1;
-  ends.resize(n);
+  ends.of.resize(n), ends.list.clear();
+  bool changed = true;
   std::array<End, N> now;
   for (std::size_t k = 0; k < N; ++k) now[k] = {rest ? infinite : nodes[forwards ? n : 0].position[k], 0};
   for (std::size_t step = 0; step < n; ++step) {
     const std::size_t i = forwards ? n - 1 - step : step;
     const BoundNode<N>&from = nodes[i], &to = nodes[i + 1], &near = forwards ? from : to;
     const BoundCell<N>& cell = cells[i];
-    ends[i] = now;
+    if (changed) ends.list.push_back(now);
+    ends.of[i] = static_cast<std::uint32_t>(ends.list.size() - 1);
+    changed = cell.kind == BoundCell<N>::Kind::joint || cell.turning != 0;
     const double cap = std::min(b[i], b[i + 1]);
     double along = -1;
     for (std::size_t k = 0; k < grid.axes(); ++k) {
@@ -68,8 +71,8 @@ void OneWay<N>::set(JerkCapPiece<N>& piece, const BoundNode<N>& from, const Boun
   for (std::size_t k = 0; k < grid_->axes(); ++k) {
     piece.ahead[k] = piece.behind[k] = {};
     if ((turning >> k & 1u) != 0) continue;
-    piece.ahead[k] = way(ahead_[last][k], to.position[k]);
-    piece.behind[k] = way(behind_[first][k], from.position[k]);
+    piece.ahead[k] = way(ahead_.at(last)[k], to.position[k]);
+    piece.behind[k] = way(behind_.at(first)[k], from.position[k]);
   }
 }
 

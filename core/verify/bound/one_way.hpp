@@ -7,6 +7,7 @@
 /// at joints these steps are added up; when they come to a part of its acceleration the way ends, too.
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "core/verify/bound/bound_grid.hpp"
@@ -17,7 +18,7 @@ namespace bahnwerk::verify {
 template <int N>
 class OneWay {
  public:
-  /// Of the first nodes of the grid at hand, which outlives it; `b`: largest v² at each of them. O(nodes · N), 16 N
+  /// Of the first nodes of the grid at hand, which outlives it; `b`: largest v² at each of them. O(nodes · N), 4
   /// bytes per node and direction.
   void take(const BoundGrid<N>& grid, const std::vector<double>& b, bool rest_first, bool rest_last, double cycle_time);
 
@@ -30,7 +31,12 @@ class OneWay {
   struct End {
     double at = 0, steps = 0;  ///< position of the axis there; steps on the way
   };
-  using Ends = std::vector<std::array<End, N>>;  ///< per cell
+  /// Per cell, which of the ends: neighbours mostly have the same.
+  struct Ends {
+    std::vector<std::uint32_t> of;
+    std::vector<std::array<End, N>> list;
+    const std::array<End, N>& at(std::size_t cell) const { return list[of[cell]]; }
+  };
   void pass(const BoundGrid<N>& grid, const std::vector<double>& b, bool forwards, bool rest, double cycle_time,
             Ends& ends) const;
 

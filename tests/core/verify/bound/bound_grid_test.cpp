@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "tests/core/motion/axes/five_axes.hpp"
 #include "tests/core/verify/reference.hpp"
 
 namespace bahnwerk::verify {
@@ -121,6 +122,41 @@ TEST(BoundGrid, CornersRestAndSmallJumpsAreCapped) {
   EXPECT_NEAR(std::sqrt(g.grid.nodes()[1].cap), 0.16 / std::sin(angle), 1e-6);
   EXPECT_EQ(g.grid.nodes()[3].cap, 0);
   EXPECT_EQ(g.grid.nodes()[4].cap, 0);
+}
+
+// What is known of a cell holds in its parts.
+TEST(BoundGrid, WhatIsRememberedOfACellHoldsInItsParts) {
+  const test::FiveAxes kinematics;
+  const Contour contour = Maker().bezier({{30, 40}, {60, -40}, {80, 20}}).done();
+  const KinematicAxisPath path(contour.path, kinematics);
+  SilentProgress silent;
+  ProgressScope pulse(silent, "bound", 0, 1);
+  BoundGrid<5> grid(path, {kinematics.axes(), 0.001}, contour.feeds(), 2e-3, pulse);
+  grid.build(0, path.size());
+  std::size_t looked = 0;
+  for (std::size_t i = 0; i + 1 < grid.nodes().size(); ++i) {
+    const BoundNode<5>&a = grid.nodes()[i], &b = grid.nodes()[i + 1];
+    if (a.segment != b.segment || !(b.s - a.s > 1e-3)) continue;
+    const BoundNode<5> from = grid.node(a.segment, a.u + 0.3 * (b.u - a.u)),
+                       to = grid.node(a.segment, a.u + 0.6 * (b.u - a.u));
+    const DirectionRange<5> whole = grid.range(a, b);
+    grid.remember(a, b);
+    const DirectionRange<5> range = grid.range(from, to);
+    const std::array<double, 5> third = grid.third(from, to);
+    grid.forget();
+    for (int j = 0; j <= 10; ++j) {
+      const BoundNode<5> n = grid.node(a.segment, from.u + (to.u - from.u) * j / 10),
+                         next = grid.node(a.segment, n.u + 1e-4 * (b.u - a.u));
+      for (std::size_t k = 0; k < 5; ++k) {
+        EXPECT_GE(n.tangent[k], range.low[k] - 1e-12);
+        EXPECT_LE(n.tangent[k], range.high[k] + 1e-12);
+        EXPECT_LE(std::abs(next.curvature[k] - n.curvature[k]), third[k] * (next.s - n.s) * (1 + 1e-6) + 1e-11);
+        EXPECT_LE(range.high[k] - range.low[k], whole.high[k] - whole.low[k] + 1e-12);
+      }
+    }
+    ++looked;
+  }
+  EXPECT_GT(looked, 20u);
 }
 
 }  // namespace

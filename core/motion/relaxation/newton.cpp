@@ -1,0 +1,302 @@
+// The steps of the relaxation's interior-point method. Each goes over the splines once, with the hats beside them.
+#include <algorithm>
+#include <cmath>
+
+#include "core/motion/relaxation/relaxation.hpp"
+
+namespace bahnwerk {
+namespace {
+
+using Sides = Lanes<2>;
+
+constexpr double never = 1e300;
+
+Sides both(double x) { return Sides{x, -x}; }
+
+/// What the steps of inequalities add up to, and how far they may go.
+template <class V>
+struct Steps {
+  V primal{}, dual{}, change{}, product{};
+
+  void predicted(const Inequality<V>& i, V change_of_value) {
+    const V step = -(i.residual + change_of_value), part = i.inverse * step;
+    // The multiplier's step is −multiplier (1 + part).
+    primal = larger(primal, -part), dual = larger(dual, 1.0 + part);
+    change = change + i.multiplier * step, product = product + i.pending;
+  }
+  void followed(const Inequality<V>& i) {
+    primal = larger(primal, -(i.pending * i.inverse)), dual = larger(dual, -(i.multiplier_step / i.multiplier));
+  }
+};
+
+}  // namespace
+
+// Takes the last step, and poses the Newton system by relative changes of b, each T_j eliminated, with the right-hand
+// side of the predictor. Only the splines' times are not linear in b: what else is violated shrinks with the step.
+template <int N>
+void RelaxationSolver<N>::assemble(double primal, double dual) {
+  const double left = 1 - primal;
+  double complementarity = 0, violation = 0;
+  Sides products{}, worst_hat{};
+  duration_ = 0;
+  for (std::size_t i = 0; i < cells_; ++i) {
+    const std::size_t a = i + 2;
+    b_[a] *= 1 + primal * step_[a];
+    root_[a] = 1 / std::sqrt(b_[a]);
+    Inequality<double>& c = caps_[i];
+    c.advance(primal, dual), c.residual *= left;
+    const double e = b_[a] * inverse_cap_[a], w = c.weight();
+    matrix_[a] = {w * e * e, 0, 0}, step_[a] = -w * c.residual * e;
+    complementarity += c.slack * c.multiplier;
+    violation = std::max(violation, std::abs(c.residual));
+  }
+  for (std::size_t j = 0; j < splines_.size(); ++j) {
+    const std::array<const WeakCell<N>*, 3> c{&form_.cells[j + 2], &form_.cells[j + 1], &form_.cells[j]};
+    const std::array<double, 3> b{b_[j + 2], b_[j + 1], b_[j]};
+    if (j < hats_.size()) {
+      double d0 = 0, d1 = 0, d01 = 0, g0 = 0, g1 = 0;
+      for (std::size_t k = 0; k < N; ++k) {
+        Inequality<Sides>& q = hats_[j][k];
+        q.advance(primal, dual), q.residual = left * q.residual;
+        const Sides w = q.weight(), h = w * q.residual;
+        products = products + q.slack * q.multiplier, worst_hat = larger(worst_hat, magnitude(q.residual));
+        const double weight = w[0] + w[1], pull = h[0] - h[1], f1 = c[0]->acceleration[0][k],
+                     f0 = c[1]->acceleration[1][k];
+        d0 += weight * f0 * f0, d1 += weight * f1 * f1, d01 += weight * f0 * f1;
+        g0 += pull * f0, g1 += pull * f1;
+      }
+      matrix_[j + 1][0] += d0 * b[1] * b[1], matrix_[j + 1][1] += d01 * b[1] * b[0],
+          matrix_[j + 2][0] += d1 * b[0] * b[0];
+      step_[j + 1] -= g0 * b[1], step_[j + 2] -= g1 * b[0];
+    }
+    Spline& s = splines_[j];
+    s.T += primal * s.step;
+    duration_ += s.T;
+    s.time.advance(primal, dual);
+    std::array<double, 3> e, pull{}, coupling{};
+    std::array<double, 6> block{};  // by places 00, 10, 11, 20, 21, 22
+    double value = -s.T;
+    for (std::size_t r = 0; r < 3; ++r) {
+      const double time = c[r]->time[r] * root_[j + 2 - r];
+      value += time, e[r] = -0.5 * time;
+      matrix_[j + 2 - r][0] += s.time.multiplier * 0.75 * time;
+    }
+    s.time.residual = value + s.time.slack;
+    const double w0 = s.time.weight(), h0 = w0 * s.time.residual;
+    Sides worst{std::abs(s.time.residual), 0}, curvature{w0, 0}, rest{h0 - 1, 0};
+    complementarity += s.time.slack * s.time.multiplier;
+    for (std::size_t k = 0; k < N; ++k) {
+      Inequality<Sides>& q = s.jerk[k];
+      q.advance(primal, dual), q.residual = left * q.residual;
+      const Sides w = q.weight(), h = w * q.residual;
+      products = products + q.slack * q.multiplier, worst = larger(worst, magnitude(q.residual));
+      curvature = curvature + w, rest = rest + h;
+      const double weight = w[0] + w[1], slant = w[0] - w[1], h1 = h[0] - h[1], f0 = c[0]->jerk[0][k],
+                   f1 = c[1]->jerk[1][k], f2 = c[2]->jerk[2][k], g0 = weight * f0, g1 = weight * f1, g2 = weight * f2;
+      block[0] += g0 * f0, block[1] += g1 * f0, block[2] += g1 * f1;
+      block[3] += g2 * f0, block[4] += g2 * f1, block[5] += g2 * f2;
+      coupling[0] += slant * f0, coupling[1] += slant * f1, coupling[2] += slant * f2;
+      pull[0] += h1 * f0, pull[1] += h1 * f1, pull[2] += h1 * f2;
+    }
+    violation = std::max(violation, largest(worst) / s.T);
+    s.inverse_curvature = 1 / sum(curvature), s.rest = sum(rest);
+    for (std::size_t r = 0; r < 3; ++r) s.coupling[r] = -w0 * e[r] - coupling[r] * b[r];
+    const double share = s.rest * s.inverse_curvature;
+    for (std::size_t r = 0, p = 0; r < 3; ++r) {
+      const double half = s.coupling[r] * s.inverse_curvature;
+      for (std::size_t q = 0; q <= r; ++q, ++p)
+        matrix_[j + 2 - r][r - q] += w0 * e[r] * e[q] + block[p] * b[r] * b[q] - half * s.coupling[q];
+      step_[j + 2 - r] -= h0 * e[r] + pull[r] * b[r] + s.coupling[r] * share;
+    }
+    pulse_->work(1);
+  }
+  complementarity_ = complementarity + sum(products);
+  violation_ = std::max(violation, largest(worst_hat));
+}
+
+// L D Lᵀ of five diagonals.
+template <int N>
+void RelaxationSolver<N>::factor() {
+  double d1 = 0, l1 = 0, l2 = 0, d2 = 0, m2 = 0;  // of the row before; D and the second of the one before that
+  for (std::size_t a = 2; a < cells_ + 2; ++a) {
+    double d = matrix_[a][0] - l1 * l1 * d1 - m2 * m2 * d2;
+    const double next = matrix_[a][1] - l1 * l2 * d1, second = matrix_[a][2];
+    if (!(d > 0)) d = never;  // rounding only: this b stays as it is
+    const double inverse = 1 / d;
+    m2 = l2, d2 = d1, d1 = d, l1 = next * inverse, l2 = second * inverse;
+    matrix_[a] = {inverse, l1, l2};
+  }
+}
+
+template <int N>
+void RelaxationSolver<N>::solve_factored() {
+  step_[0] = step_[1] = step_[cells_ + 2] = step_[cells_ + 3] = 0;
+  for (std::size_t a = 2; a < cells_ + 2; ++a)
+    step_[a] -= matrix_[a - 1][1] * step_[a - 1] + matrix_[a - 2][2] * step_[a - 2];
+  for (std::size_t a = cells_ + 2; a-- > 2;)
+    step_[a] = step_[a] * matrix_[a][0] - matrix_[a][1] * step_[a + 1] - matrix_[a][2] * step_[a + 2];
+}
+
+// What the step towards no complementarity at all does to every inequality.
+template <int N>
+typename RelaxationSolver<N>::Reach RelaxationSolver<N>::predict() {
+  Steps<double> one;
+  Steps<Sides> two;
+  for (std::size_t i = 0; i < cells_; ++i) {
+    const double change = step_[i + 2] * b_[i + 2] * inverse_cap_[i + 2];
+    caps_[i].predict(change), one.predicted(caps_[i], change);
+  }
+  for (std::size_t j = 0; j < splines_.size(); ++j) {
+    const std::array<const WeakCell<N>*, 3> c{&form_.cells[j + 2], &form_.cells[j + 1], &form_.cells[j]};
+    const std::array<double, 3> step{step_[j + 2], step_[j + 1], step_[j]},
+        moved{b_[j + 2] * step[0], b_[j + 1] * step[1], b_[j] * step[2]};
+    if (j < hats_.size())
+      for (std::size_t k = 0; k < N; ++k) {
+        const Sides change = both(c[1]->acceleration[1][k] * moved[1] + c[0]->acceleration[0][k] * moved[0]);
+        hats_[j][k].predict(change), two.predicted(hats_[j][k], change);
+      }
+    Spline& s = splines_[j];
+    double T = s.rest, time = 0;
+    for (std::size_t r = 0; r < 3; ++r)
+      T -= s.coupling[r] * step[r], time -= 0.5 * c[r]->time[r] * root_[j + 2 - r] * step[r];
+    T *= s.inverse_curvature;
+    s.time.predict(time - T), one.predicted(s.time, time - T);
+    for (std::size_t k = 0; k < N; ++k) {
+      const Sides change =
+          both(c[0]->jerk[0][k] * moved[0] + c[1]->jerk[1][k] * moved[1] + c[2]->jerk[2][k] * moved[2]) - T;
+      s.jerk[k].predict(change), two.predicted(s.jerk[k], change);
+    }
+    pulse_->work(1);
+  }
+  return {std::max(one.primal, largest(two.primal)), std::max(one.dual, largest(two.dual)),
+          one.change + sum(two.change), one.product + sum(two.product)};
+}
+
+// The right-hand side of the step towards complementarity `target`, with the product of the predictor's steps.
+template <int N>
+void RelaxationSolver<N>::correct(double target) {
+  for (std::size_t i = 0; i < cells_; ++i) {
+    caps_[i].pending = caps_[i].aim(target);
+    step_[i + 2] = -b_[i + 2] * inverse_cap_[i + 2] * caps_[i].pending;
+  }
+  for (std::size_t j = 0; j < splines_.size(); ++j) {
+    const std::array<const WeakCell<N>*, 3> c{&form_.cells[j + 2], &form_.cells[j + 1], &form_.cells[j]};
+    if (j < hats_.size()) {
+      double g0 = 0, g1 = 0;
+      for (std::size_t k = 0; k < N; ++k) {
+        const Sides h = hats_[j][k].aim(target);
+        hats_[j][k].pending = h;
+        g0 += (h[0] - h[1]) * c[1]->acceleration[1][k], g1 += (h[0] - h[1]) * c[0]->acceleration[0][k];
+      }
+      step_[j + 1] -= g0 * b_[j + 1], step_[j + 2] -= g1 * b_[j + 2];
+    }
+    Spline& s = splines_[j];
+    const double h0 = s.time.pending = s.time.aim(target);
+    Sides rest{h0 - 1, 0};
+    std::array<double, 3> pull{};
+    for (std::size_t k = 0; k < N; ++k) {
+      const Sides h = s.jerk[k].aim(target);
+      s.jerk[k].pending = h, rest = rest + h;
+      const double h1 = h[0] - h[1];
+      for (std::size_t r = 0; r < 3; ++r) pull[r] += h1 * c[r]->jerk[r][k];
+    }
+    s.rest = sum(rest);
+    const double share = s.rest * s.inverse_curvature;
+    for (std::size_t r = 0; r < 3; ++r) {
+      const std::size_t a = j + 2 - r;
+      step_[a] -= pull[r] * b_[a] - 0.5 * h0 * c[r]->time[r] * root_[a] + s.coupling[r] * share;
+    }
+    pulse_->work(1);
+  }
+}
+
+template <int N>
+typename RelaxationSolver<N>::Reach RelaxationSolver<N>::follow() {
+  Steps<double> one;
+  Steps<Sides> two;
+  for (std::size_t i = 0; i < cells_; ++i)
+    caps_[i].follow(step_[i + 2] * b_[i + 2] * inverse_cap_[i + 2]), one.followed(caps_[i]);
+  for (std::size_t j = 0; j < splines_.size(); ++j) {
+    const std::array<const WeakCell<N>*, 3> c{&form_.cells[j + 2], &form_.cells[j + 1], &form_.cells[j]};
+    const std::array<double, 3> step{step_[j + 2], step_[j + 1], step_[j]},
+        moved{b_[j + 2] * step[0], b_[j + 1] * step[1], b_[j] * step[2]};
+    if (j < hats_.size())
+      for (std::size_t k = 0; k < N; ++k) {
+        hats_[j][k].follow(both(c[1]->acceleration[1][k] * moved[1] + c[0]->acceleration[0][k] * moved[0]));
+        two.followed(hats_[j][k]);
+      }
+    Spline& s = splines_[j];
+    double T = s.rest, time = 0;
+    for (std::size_t r = 0; r < 3; ++r)
+      T -= s.coupling[r] * step[r], time -= 0.5 * c[r]->time[r] * root_[j + 2 - r] * step[r];
+    T *= s.inverse_curvature;
+    s.step = T;
+    s.time.follow(time - T), one.followed(s.time);
+    for (std::size_t k = 0; k < N; ++k) {
+      s.jerk[k].follow(both(c[0]->jerk[0][k] * moved[0] + c[1]->jerk[1][k] * moved[1] + c[2]->jerk[2][k] * moved[2]) -
+                       T);
+      two.followed(s.jerk[k]);
+    }
+    pulse_->work(1);
+  }
+  return {std::max(one.primal, largest(two.primal)), std::max(one.dual, largest(two.dual)), 0, 0};
+}
+
+// Of the duration, what the Lagrangian's gradient may be worth: by relative changes of every T and every b.
+template <int N>
+double RelaxationSolver<N>::dual_residual() const {
+  std::vector<double> gradient(b_.size(), 0);
+  double sum = 0;
+  for (std::size_t i = 0; i < cells_; ++i) gradient[i + 2] = caps_[i].multiplier * b_[i + 2] * inverse_cap_[i + 2];
+  for (std::size_t j = 0; j < splines_.size(); ++j) {
+    if (j < hats_.size())
+      for (std::size_t k = 0; k < N; ++k) {
+        const double z = hats_[j][k].multiplier[0] - hats_[j][k].multiplier[1];
+        gradient[j + 1] += z * form_.cells[j + 1].acceleration[1][k] * b_[j + 1];
+        gradient[j + 2] += z * form_.cells[j + 2].acceleration[0][k] * b_[j + 2];
+      }
+    const Spline& s = splines_[j];
+    double by_time = 1 - s.time.multiplier;
+    for (std::size_t k = 0; k < N; ++k) by_time -= s.jerk[k].multiplier[0] + s.jerk[k].multiplier[1];
+    sum += std::abs(by_time) * s.T;
+    for (std::size_t r = 0; r < 3; ++r) {
+      const std::size_t a = j + 2 - r;
+      gradient[a] -= 0.5 * s.time.multiplier * form_.cells[a].time[r] * root_[a];
+      for (std::size_t k = 0; k < N; ++k)
+        gradient[a] += (s.jerk[k].multiplier[0] - s.jerk[k].multiplier[1]) * form_.cells[a].jerk[r][k] * b_[a];
+    }
+  }
+  for (const double g : gradient) sum += std::abs(g);
+  return sum / duration_;
+}
+
+template void RelaxationSolver<2>::assemble(double, double);
+template void RelaxationSolver<3>::assemble(double, double);
+template void RelaxationSolver<5>::assemble(double, double);
+template void RelaxationSolver<8>::assemble(double, double);
+template void RelaxationSolver<2>::factor();
+template void RelaxationSolver<3>::factor();
+template void RelaxationSolver<5>::factor();
+template void RelaxationSolver<8>::factor();
+template void RelaxationSolver<2>::solve_factored();
+template void RelaxationSolver<3>::solve_factored();
+template void RelaxationSolver<5>::solve_factored();
+template void RelaxationSolver<8>::solve_factored();
+template typename RelaxationSolver<2>::Reach RelaxationSolver<2>::predict();
+template typename RelaxationSolver<3>::Reach RelaxationSolver<3>::predict();
+template typename RelaxationSolver<5>::Reach RelaxationSolver<5>::predict();
+template typename RelaxationSolver<8>::Reach RelaxationSolver<8>::predict();
+template void RelaxationSolver<2>::correct(double);
+template void RelaxationSolver<3>::correct(double);
+template void RelaxationSolver<5>::correct(double);
+template void RelaxationSolver<8>::correct(double);
+template typename RelaxationSolver<2>::Reach RelaxationSolver<2>::follow();
+template typename RelaxationSolver<3>::Reach RelaxationSolver<3>::follow();
+template typename RelaxationSolver<5>::Reach RelaxationSolver<5>::follow();
+template typename RelaxationSolver<8>::Reach RelaxationSolver<8>::follow();
+template double RelaxationSolver<2>::dual_residual() const;
+template double RelaxationSolver<3>::dual_residual() const;
+template double RelaxationSolver<5>::dual_residual() const;
+template double RelaxationSolver<8>::dual_residual() const;
+
+}  // namespace bahnwerk
