@@ -162,17 +162,6 @@ Jet TubeSpline::at(std::size_t span, double t) const {
   return f;
 }
 
-Jet TubeSpline::slope_at(std::size_t span, double t) const {
-  const BasisRow row = slope_basis_at(knots, span, t);
-  Jet f;
-  for (std::size_t i = 0; i < spline_order; ++i) {
-    const Vec& c = points[span + i];
-    f.value += row[0][i] * c;
-    f.d1 += row[1][i] * c;
-  }
-  return f;
-}
-
 namespace {
 
 /// The coordinates that change; `along` = 3: all of them. In a plane across an axis the one along it is left out.

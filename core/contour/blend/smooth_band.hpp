@@ -9,6 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/progress_scope.hpp"
+#include "core/numeric/large_pages.hpp"
+
 namespace bahnwerk::blending {
 
 /// Entries up to `Width` beside the diagonal.
@@ -78,7 +81,8 @@ class BandMatrix {
   }
 
   std::size_t n_;
-  std::vector<double> a_, given_;
+  LargeVector<double> a_;
+  std::vector<double> given_;
 };
 
 }  // namespace bahnwerk::blending

@@ -36,11 +36,18 @@ void TubeSystem<Dim>::assemble_energy() {
   for (std::size_t k = 0; k + 1 < p_.breaks.size(); ++k) {
     scope_.work();
     const double h = p_.breaks[k + 1] - p_.breaks[k];
-    const double w = std::pow(p_.scale[k], 5) / (radius * radius);
-    for (int g = 0; g < 3; ++g) {
-      const BasisRow row = basis_at(knots_, k, p_.breaks[k] + node[g] * h);
-      for (std::size_t i = 0; i < spline_order; ++i)
-        for (std::size_t j = 0; j <= i; ++j) energy_.at(k + i, k + j) += w * weight[g] * h * row[3][i] * row[3][j];
+    const double H = p_.scale[k], w = H * H * H * H * H / (radius * radius);
+    std::array<double, 3> places;
+    for (std::size_t g = 0; g < 3; ++g) places[g] = p_.breaks[k] + node[g] * h;
+    const auto rows = third_basis_at(knots_, k, places);
+    for (std::size_t g = 0; g < 3; ++g) {
+      const auto& row = rows[g];
+      const double part = w * weight[g] * h;
+      for (std::size_t j = 0; j < spline_order; ++j) {
+        double* const column = energy_.column(k + j);
+        const double share = part * row[j];
+        for (std::size_t i = j; i < spline_order; ++i) column[i - j] += share * row[i];
+      }
     }
   }
   for (std::size_t j = 0; j < points_; ++j)

@@ -123,7 +123,7 @@ class TubeSystem {
   BandMatrix<spline_order * Dim - 1> energies_, system_;  // the energy of all coordinates; and the sites'
   std::vector<double> c_;                                 // Dim coordinates per point, and a few zeros
   std::size_t fixed_begin_ = 0, fixed_end_ = 0;
-  std::vector<TubeRow> rows_;
+  LargeVector<TubeRow> rows_;
   std::vector<Coordinates> residual_;
   std::vector<double> right_, pull_;  // pull_: the energy's gradient
 };
