@@ -48,6 +48,21 @@ std::size_t Stretch::find(double t, std::size_t hint) const {
   return after == elements.begin() ? 0 : static_cast<std::size_t>(after - elements.begin()) - 1;
 }
 
+std::size_t Stretch::near(double t, std::size_t from) const {
+  constexpr int few = 16;
+  const std::size_t n = elements.size();
+  std::size_t i = std::min(from, n - 1);
+  for (int step = 0; step < few; ++step) {
+    if (i + 1 < n && elements[i + 1].begin <= t)
+      ++i;
+    else if (i > 0 && t < elements[i].begin)
+      --i;
+    else
+      return i;
+  }
+  return find(t, n);
+}
+
 namespace {
 
 Vec start_of(const Segment& s) { return s.curve().at(s.curve().begin()).value; }

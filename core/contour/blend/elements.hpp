@@ -37,6 +37,8 @@ struct Stretch {
   double length() const { return elements.empty() ? 0.0 : elements.back().end(); }
   /// Index of the element that holds `t` (the later one at a joint). O(log n), O(1) with a good hint.
   std::size_t find(double t, std::size_t hint) const;
+  /// The same for places that are asked for nearly in order: O(1) within a few elements of `from`, else O(log n).
+  std::size_t near(double t, std::size_t from) const;
 };
 
 /// Cuts the segments [first, last) of a path (all of one mode) at joints that turn by more than `reversal` rad and at

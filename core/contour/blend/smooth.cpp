@@ -24,7 +24,7 @@ constexpr double to_the_wall = 0.98;  // of the way to where a site or a multipl
 template <std::size_t Dim>
 class Solver {
  public:
-  Solver(const TubeProblem& problem, ProgressScope& scope) : system_(problem, scope) {}
+  Solver(const TubeProblem& problem, ProgressScope& scope) : system_(problem, scope), terms_(system_.sites()) {}
 
   TubeSpline run() {
     TubeSpline out;
@@ -60,8 +60,9 @@ class Solver {
     for (std::size_t i = 0; i < system_.sites(); ++i) {
       const double r = system_.radius(i);
       const double pull = penalty * system_.gain(i) / (r * r);
-      system_.add_site(i, pull, pull, 0);
+      terms_[i] = {pull, pull, 0};
     }
+    system_.add_sites(terms_);
     system_.solve();
     system_.move(1);
   }
@@ -99,8 +100,9 @@ class Solver {
     system_.start();
     for (std::size_t i = 0; i < system_.sites(); ++i) {
       const double s = room(i);
-      system_.add_site(i, 2 * mu * system_.gain(i) / s, 2 * multiplier_[i], 4 * multiplier_[i] / s);
+      terms_[i] = {2 * mu * system_.gain(i) / s, 2 * multiplier_[i], 4 * multiplier_[i] / s};
     }
+    system_.add_sites(terms_);
     slope_ = system_.right();
     system_.solve();
     double decrement = 0;
@@ -140,6 +142,7 @@ class Solver {
   }
 
   System system_;
+  std::vector<SiteTerm> terms_;              // per site
   std::vector<Coordinates> step_;            // per site: how the spline moves there
   std::vector<double> slope_;                // −gradient, by control points
   std::vector<double> multiplier_, change_;  // per site: λ and its step
@@ -158,17 +161,6 @@ Jet TubeSpline::at(std::size_t span, double t) const {
     f.d1 += row[1][i] * c;
     f.d2 += row[2][i] * c;
     f.d3 += row[3][i] * c;
-  }
-  return f;
-}
-
-Jet TubeSpline::slope_at(std::size_t span, double t) const {
-  const BasisRow row = slope_basis_at(knots, span, t);
-  Jet f;
-  for (std::size_t i = 0; i < spline_order; ++i) {
-    const Vec& c = points[span + i];
-    f.value += row[0][i] * c;
-    f.d1 += row[1][i] * c;
   }
   return f;
 }

@@ -44,8 +44,6 @@ struct TubeSpline {
 
   /// f and its derivatives in break interval `span`.
   Jet at(std::size_t span, double t) const;
-  /// The same without d2 and d3, which stay 0.
-  Jet slope_at(std::size_t span, double t) const;
 };
 
 /// `scope` is told at least every 20 ms or so and may throw.

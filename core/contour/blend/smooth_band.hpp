@@ -2,12 +2,16 @@
 /// Symmetric positive definite matrices with few diagonals: A = L D Lᵀ without pivots, O(n w²). Not Eigen, which has no
 /// factorisation of bands and whose sparse one (SimplicialLDLT) takes several times as long at the widths of blends, 11
 /// in the plane and 17 in space: what keeps this one short is that the compiler knows the length of a column, and that
-/// no sum waits for another.
+/// no sum waits for another. What does the work is inlined where it is called: there the compiler may have wider
+/// registers (smooth_system.cpp).
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
+
+#include "core/base/progress_scope.hpp"
+#include "core/numeric/large_pages.hpp"
 
 namespace bahnwerk::blending {
 
@@ -28,7 +32,7 @@ class BandMatrix {
 
   /// In place. A pivot lost to rounding is replaced, which keeps that unknown where it is. `scope` is told every
   /// few thousand columns.
-  void factor(ProgressScope& scope) {
+  [[gnu::always_inline]] void factor(ProgressScope& scope) {
     given_.resize(n_);
     for (std::size_t k = 0; k < n_; ++k) given_[k] = at(k, k);
     for (std::size_t k = 0; k < n_; ++k) {
@@ -45,7 +49,7 @@ class BandMatrix {
   }
 
   /// x ← A⁻¹ x after factor().
-  void solve(std::vector<double>& x) const {
+  [[gnu::always_inline]] void solve(std::vector<double>& x) const {
     x.resize(n_ + Width, 0.0);
     for (std::size_t k = 0; k < n_; ++k) {
       const double* const below = column(k);
@@ -69,16 +73,18 @@ class BandMatrix {
   using Column = std::array<double, Width + 1>;
   /// Every loop's length is known to the compiler, which takes several steps of it at once.
   template <std::size_t... I>
-  static void eliminate(double* here, const Column& below, const Column& share, std::index_sequence<I...>) {
+  [[gnu::always_inline]] static void eliminate(double* here, const Column& below, const Column& share,
+                                               std::index_sequence<I...>) {
     (eliminate<I + 1>(here + (I + 1) * (Width + 1), below, share[I + 1]), ...);
   }
   template <std::size_t I>
-  static void eliminate(double* column, const Column& below, double share) {
+  [[gnu::always_inline]] static void eliminate(double* column, const Column& below, double share) {
     for (std::size_t j = I; j <= Width; ++j) column[j - I] -= share * below[j];
   }
 
   std::size_t n_;
-  std::vector<double> a_, given_;
+  LargeVector<double> a_;
+  std::vector<double> given_;
 };
 
 }  // namespace bahnwerk::blending

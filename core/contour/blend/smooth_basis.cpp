@@ -13,8 +13,8 @@ BasisRow basis_at(const std::vector<double>& knots, std::size_t span, double t) 
   return bspline_basis<spline_order>(knots, spline_degree, span + spline_degree, t);
 }
 
-BasisRow slope_basis_at(const std::vector<double>& knots, std::size_t span, double t) {
-  return bspline_basis<spline_order, 1>(knots, spline_degree, span + spline_degree, t);
+BasisRow bend_basis_at(const std::vector<double>& knots, std::size_t span, double t) {
+  return bspline_basis<spline_order, 2>(knots, spline_degree, span + spline_degree, t);
 }
 
 BasisRow value_basis_at(const std::vector<double>& knots, std::size_t span, double t) {

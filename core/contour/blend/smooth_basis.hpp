@@ -1,5 +1,6 @@
 #pragma once
 /// B-splines of degree 5: values and three derivatives of the six that do not vanish at a place.
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -18,8 +19,34 @@ std::vector<double> clamped_knots(const std::vector<double>& breaks);
 
 /// Basis functions span … span + 5 at t in [breaks[span], breaks[span + 1]]. O(degree²).
 BasisRow basis_at(const std::vector<double>& knots, std::size_t span, double t);
-/// The same without the derivatives of order 2 and 3, or without any, which stay 0: in a third or a fifth of the time.
-BasisRow slope_basis_at(const std::vector<double>& knots, std::size_t span, double t);
+/// The same without the derivatives of order 3, or without any, which stay 0: in two thirds or a fifth of the time.
+BasisRow bend_basis_at(const std::vector<double>& knots, std::size_t span, double t);
 BasisRow value_basis_at(const std::vector<double>& knots, std::size_t span, double t);
+
+/// Third derivatives of the six at `Count` places of one interval: they are those of three quadratic B-splines, so that
+/// the intervals' lengths are divided by once for all places.
+template <std::size_t Count>
+std::array<std::array<double, spline_order>, Count> third_basis_at(const std::vector<double>& knots, std::size_t span,
+                                                                   const std::array<double, Count>& places) {
+  const double* const u = &knots[span];  // the interval is [u[5], u[6]]
+  // Row i: control point i of f', f'' and then f''' by those of f.
+  std::array<std::array<double, spline_order>, spline_order> row{};
+  for (std::size_t i = 0; i < spline_order; ++i) row[i][i] = 1;
+  for (std::size_t order = 1; order <= 3; ++order)
+    for (std::size_t i = 0; i + order < spline_order; ++i) {
+      const double rate = static_cast<double>(spline_order - order) / (u[i + spline_order] - u[i + order]);
+      for (std::size_t j = i; j <= i + order; ++j) row[i][j] = rate * (row[i + 1][j] - row[i][j]);
+    }
+  const double inner = 1 / (u[6] - u[5]), left = 1 / (u[6] - u[4]), right = 1 / (u[7] - u[5]);
+  std::array<std::array<double, spline_order>, Count> basis;
+  for (std::size_t p = 0; p < Count; ++p) {
+    const double t = places[p], a = (u[6] - t) * inner, b = (t - u[5]) * inner;
+    const double first = (u[6] - t) * left * a, last = (t - u[5]) * right * b,
+                 middle = (t - u[4]) * left * a + (u[7] - t) * right * b;
+    for (std::size_t j = 0; j < spline_order; ++j)
+      basis[p][j] = first * row[0][j] + middle * row[1][j] + last * row[2][j];
+  }
+  return basis;
+}
 
 }  // namespace bahnwerk::blending

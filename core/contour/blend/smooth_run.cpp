@@ -8,6 +8,7 @@
 #include "core/contour/blend/smooth.hpp"
 #include "core/contour/blend/smooth_basis.hpp"
 #include "core/contour/blend/smooth_scale.hpp"
+#include "core/contour/blend/smooth_spans.hpp"
 #include "core/geometry/curve/nurbs.hpp"
 #include "core/geometry/path/bend_bound.hpp"
 
@@ -26,19 +27,21 @@ std::vector<TubeSite> sites_of(const Stretch& stretch, const RunRange& range, co
   std::vector<double> places;
   const double tiny = 1e-9 * (range.b - range.a);
   double last = range.a;
+  std::size_t node = 0;
   const auto fill_to = [&](double t) {
     // H changes slowly: the smaller one of both sides of a step is never far off.
     while (true) {
-      double step = site_step * scale.at(last);
-      step = std::min(step, site_step * scale.at(std::min(t, last + step)));
+      double step = site_step * scale.at(last, node);
+      step = std::min(step, site_step * scale.at(std::min(t, last + step), node));
       if (!(last + 1.5 * step < t)) break;
       last += step;
       places.push_back(last);
     }
-    if (t - last > 0.75 * site_step * scale.at(t)) places.push_back(0.5 * (last + t));
+    if (t - last > 0.75 * site_step * scale.at(t, node)) places.push_back(0.5 * (last + t));
     last = t;
   };
-  for (std::size_t i = stretch.find(range.a, 0) + 1; i < stretch.elements.size(); ++i) {
+  std::size_t at = stretch.find(range.a, 0);
+  for (std::size_t i = at + 1; i < stretch.elements.size(); ++i) {
     const double t = stretch.elements[i].begin;
     if (t >= range.b - tiny) break;
     if (t <= range.a + tiny) continue;
@@ -51,7 +54,7 @@ std::vector<TubeSite> sites_of(const Stretch& stretch, const RunRange& range, co
   places.erase(std::unique(places.begin(), places.end()), places.end());
   std::vector<TubeSite> sites;
   sites.reserve(places.size());
-  for (const double t : places) sites.push_back({t, point_of(stretch, t), radius});
+  for (const double t : places) sites.push_back({t, point_of(stretch, t, at), radius});
   return sites;
 }
 
@@ -163,8 +166,8 @@ class Inspection {
     span_ = std::min(span_, bends_.size() - 1);
     while (span_ > 0 && t < problem_.breaks[span_]) --span_;
     while (span_ + 2 < problem_.breaks.size() && t >= problem_.breaks[span_ + 1]) ++span_;
-    const Jet f = spline_.slope_at(span_, t);
-    return {t, norm(f.value - point_of(stretch_, t)), norm(f.d1), span_};
+    const SpanPolynomials::Place f = spline_.at(span_, t);
+    return {t, norm(f.value - point_of(stretch_, t, at_)), norm(f.slope), span_};
   }
 
   /// Between two places the distance is at most the larger one at them plus what both curves bulge.
@@ -188,10 +191,10 @@ class Inspection {
 
   const Stretch& stretch_;
   const TubeProblem& problem_;
-  const TubeSpline& spline_;
+  const SpanPolynomials spline_;
   const RunTolerance& tolerance_;
   std::vector<double> bends_;
-  std::size_t span_ = 0, element_ = 0;
+  std::size_t span_ = 0, element_ = 0, at_ = 0;  // of the places looked at last
   double worst_ = 0, outside_ = -1;
 };
 

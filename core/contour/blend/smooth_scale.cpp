@@ -11,14 +11,16 @@ constexpr double growth = 1.4, slope = 0.4;
 constexpr double node_step = 0.25;  // of H
 constexpr std::size_t fewest = 8;   // intervals
 
-/// The contour around t, `h` long, stays within the tolerance of its chord.
-bool flat(const Stretch& stretch, double a, double b, double t, double h, double tolerance) {
+/// The contour around t, `h` long, stays within the tolerance of its chord. `near`: an element near t.
+bool flat(const Stretch& stretch, double a, double b, double t, double h, double tolerance, std::size_t near) {
   const double low = std::max(a, t - 0.5 * h), high = std::min(b, t + 0.5 * h);
-  const Vec p = point_of(stretch, low), way = point_of(stretch, high) - p;
+  const Vec p = point_of(stretch, low, near);
+  std::size_t last = near;
+  const Vec way = point_of(stretch, high, last) - p;
   const double square = dot(way, way);
   constexpr int samples = 8;
   for (int i = 1; i < samples; ++i) {
-    const Vec d = point_of(stretch, low + (high - low) * i / samples) - p;
+    const Vec d = point_of(stretch, low + (high - low) * i / samples, near) - p;
     const Vec off = square > 0 ? d - std::clamp(dot(d, way) / square, 0.0, 1.0) * way : d;
     if (!(norm(off) <= tolerance)) return false;
   }
@@ -27,8 +29,8 @@ bool flat(const Stretch& stretch, double a, double b, double t, double h, double
 
 }  // namespace
 
-Vec point_of(const Stretch& stretch, double t) {
-  const Element& e = stretch.elements[stretch.find(t, stretch.elements.size())];
+Vec point_of(const Stretch& stretch, double t, std::size_t& at) {
+  const Element& e = stretch.elements[at = stretch.near(t, at)];
   const double along = std::clamp(t - e.begin, 0.0, e.length);
   return e.straight ? e.from + along * e.tangent : e.at(along).value;
 }
@@ -37,9 +39,11 @@ BendScale::BendScale(const Stretch& stretch, double a, double b, double toleranc
   const double most = 0.5 * (b - a), least = std::min(tolerance, most);
   min_ = least / 16;
   double h = most;
+  std::size_t near = 0;
   for (double t = a;; t = std::min(b, t + node_step * h)) {
-    while (h > least && !flat(stretch, a, b, t, h, tolerance)) h /= growth;
-    while (h < most && flat(stretch, a, b, t, h * growth, tolerance)) h *= growth;
+    near = stretch.near(t, near);
+    while (h > least && !flat(stretch, a, b, t, h, tolerance, near)) h /= growth;
+    while (h < most && flat(stretch, a, b, t, h * growth, tolerance, near)) h *= growth;
     h = std::clamp(h, least, most);
     t_.push_back(t);
     h_.push_back(h);
@@ -50,10 +54,16 @@ BendScale::BendScale(const Stretch& stretch, double a, double b, double toleranc
 }
 
 double BendScale::at(double t) const {
-  const auto after = std::upper_bound(t_.begin(), t_.end(), t);
-  if (after == t_.begin()) return h_.front();
-  if (after == t_.end()) return h_.back();
-  const auto i = static_cast<std::size_t>(after - t_.begin());
+  auto node = static_cast<std::size_t>(std::upper_bound(t_.begin(), t_.end(), t) - t_.begin());
+  return at(t, node);
+}
+
+double BendScale::at(double t, std::size_t& node) const {
+  std::size_t& i = node;  // the first node behind t
+  while (i < t_.size() && t_[i] <= t) ++i;
+  while (i > 0 && t < t_[i - 1]) --i;
+  if (i == 0) return h_.front();
+  if (i == t_.size()) return h_.back();
   const double x = (t - t_[i - 1]) / (t_[i] - t_[i - 1]);
   return h_[i - 1] + x * (h_[i] - h_[i - 1]);
 }

@@ -15,6 +15,8 @@ class BendScale {
   BendScale(const Stretch& stretch, double a, double b, double tolerance, ProgressScope& scope);
 
   double at(double t) const;
+  /// The same for places that are asked for nearly in order: `node` is where the last one was, 0 at first.
+  double at(double t, std::size_t& node) const;
   /// Halves H around these places (ascending), but not below a sixteenth of the tolerance. False: nothing is left to
   /// be halved.
   bool refine(const std::vector<double>& places);
@@ -34,7 +36,13 @@ class BendScale {
   double min_ = 0;
 };
 
-/// Point of a stretch at `t`. O(log elements).
-Vec point_of(const Stretch& stretch, double t);
+/// Point of a stretch at `t`, which lies on element `at` afterwards. O(1) near the element that `at` was before, else
+/// O(log elements).
+Vec point_of(const Stretch& stretch, double t, std::size_t& at);
+/// The same from nowhere.
+inline Vec point_of(const Stretch& stretch, double t) {
+  std::size_t at = stretch.find(t, stretch.elements.size());
+  return point_of(stretch, t, at);
+}
 
 }  // namespace bahnwerk::blending

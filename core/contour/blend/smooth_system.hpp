@@ -23,8 +23,8 @@ struct TubeRow {
 /// Column C of what a site adds to the matrix, and all after it: `share[e]` is the column that a control point of
 /// weight 1 gets for coordinate e.
 template <std::size_t Dim, std::size_t C = 0>
-inline void add_columns(double* column, const std::array<double, spline_order>& weight,
-                        const std::array<std::array<double, spline_order * Dim>, Dim>& share) {
+[[gnu::always_inline]] inline void add_columns(double* column, const std::array<double, spline_order>& weight,
+                                               const std::array<std::array<double, spline_order * Dim>, Dim>& share) {
   constexpr std::size_t rows = spline_order * Dim;
   if constexpr (C < rows) {
     for (std::size_t r = C; r < rows; ++r) column[r - C] += weight[C / Dim] * share[C % Dim][r];
@@ -32,8 +32,13 @@ inline void add_columns(double* column, const std::array<double, spline_order>& 
   }
 }
 
-/// In the plane or in space: `Dim` coordinates. A step is start(), add_site() for all sites, solve() and move(), each
-/// O(breaks + sites).
+/// What a site adds: gradient `force`·r, Hessian `pull` I + `twist` r rᵀ.
+struct SiteTerm {
+  double force, pull, twist;
+};
+
+/// In the plane or in space: `Dim` coordinates. A step is start(), add_sites(), solve() and move(), each O(breaks +
+/// sites).
 template <std::size_t Dim>
 class TubeSystem {
  public:
@@ -58,24 +63,8 @@ class TubeSystem {
 
   /// Gradient and matrix of the energy.
   void start();
-  /// Adds the site's term with gradient `force`·r and Hessian `pull` I + `twist` r rᵀ.
-  void add_site(std::size_t s, double force, double pull, double twist) {
-    scope_.work();
-    const Coordinates& r = residual_[s];
-    const TubeRow& row = rows_[s];
-    std::array<std::array<double, spline_order * Dim>, Dim> share;
-    double* const right = &right_[row.first * Dim];
-    for (std::size_t e = 0; e < Dim; ++e) {
-      const double along = force * r[e];
-      Coordinates hessian;
-      for (std::size_t d = 0; d < Dim; ++d) hessian[d] = (d == e ? pull : 0.0) + twist * r[d] * r[e];
-      for (std::size_t i = 0; i < spline_order; ++i) {
-        right[i * Dim + e] -= along * row.value[i];
-        for (std::size_t d = 0; d < Dim; ++d) share[e][i * Dim + d] = row.value[i] * hessian[d];
-      }
-    }
-    add_columns<Dim>(system_.column(row.first * Dim), row.value, share);
-  }
+  /// Adds the terms of all sites.
+  void add_sites(const std::vector<SiteTerm>& terms);
 
   /// −gradient until solve(), then the step.
   const std::vector<double>& right() const { return right_; }
@@ -92,6 +81,24 @@ class TubeSystem {
   std::vector<Vec> points() const;
 
  private:
+  [[gnu::always_inline]] void add_site(std::size_t s, const SiteTerm& term) {
+    scope_.work();
+    const auto& [force, pull, twist] = term;
+    const Coordinates& r = residual_[s];
+    const TubeRow& row = rows_[s];
+    std::array<std::array<double, spline_order * Dim>, Dim> share;
+    double* const right = &right_[row.first * Dim];
+    for (std::size_t e = 0; e < Dim; ++e) {
+      const double along = force * r[e];
+      Coordinates hessian;
+      for (std::size_t d = 0; d < Dim; ++d) hessian[d] = (d == e ? pull : 0.0) + twist * r[d] * r[e];
+      for (std::size_t i = 0; i < spline_order; ++i) {
+        right[i * Dim + e] -= along * row.value[i];
+        for (std::size_t d = 0; d < Dim; ++d) share[e][i * Dim + d] = row.value[i] * hessian[d];
+      }
+    }
+    add_columns<Dim>(system_.column(row.first * Dim), row.value, share);
+  }
   Vec point(std::size_t i) const {
     Vec c;
     for (std::size_t d = 0; d < Dim; ++d) c[d] = c_[i * Dim + d];
@@ -123,7 +130,7 @@ class TubeSystem {
   BandMatrix<spline_order * Dim - 1> energies_, system_;  // the energy of all coordinates; and the sites'
   std::vector<double> c_;                                 // Dim coordinates per point, and a few zeros
   std::size_t fixed_begin_ = 0, fixed_end_ = 0;
-  std::vector<TubeRow> rows_;
+  LargeVector<TubeRow> rows_;
   std::vector<Coordinates> residual_;
   std::vector<double> right_, pull_;  // pull_: the energy's gradient
 };

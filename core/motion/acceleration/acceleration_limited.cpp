@@ -50,11 +50,12 @@ Bends bends(const LanePath<N>& path, std::size_t segment) {
 template <int N>
 class SectionPlanner {
  public:
-  /// `all`: of the path; `density`: cells per bend.
+  /// `each`: of every segment; `all`: of the path; `density`: cells per bend.
   SectionPlanner(const LanePath<N>& path, const Machine& lanes, const AccelerationLimitedOptions& options,
-                 const std::vector<double>& feed, const Sections& sections, const Bends& all, double density,
-                 double model_error, Progress& progress)
+                 const std::vector<double>& feed, const Sections& sections, const std::vector<Bends>& each,
+                 const Bends& all, double density, double model_error, Progress& progress)
       : path_(path),
+        bends_(each),
         machine_(lanes),
         options_(options),
         feed_(feed),
@@ -85,8 +86,7 @@ class SectionPlanner {
   /// The end of the segments from `first` on that have about so many cells; one at least.
   std::size_t reach(std::size_t first, std::size_t last, double cells) const {
     std::size_t end = first;
-    for (; end < last && cells > 0; ++end)
-      cells -= std::max(1.0, density_ * bends(path_, end).count(options_.grid.angle));
+    for (; end < last && cells > 0; ++end) cells -= std::max(1.0, density_ * bends_[end].count(options_.grid.angle));
     return end;
   }
 
@@ -227,9 +227,8 @@ class SectionPlanner {
   /// Speeds and laws of dirty cells, and of all that these influence.
   void solve_dirty(ProgressScope& pulse) {
     chain_.update(share_, dirty_, pulse);
-    for (std::size_t c = 0; c < grid_.cells.size(); ++c) {
+    for (std::size_t c = 0; (c = first_set(dirty_, c)) != no_flag; ++c) {
       pulse(c, grid_.cells.size());
-      if (!dirty_[c]) continue;
       shape(c, std::sqrt(chain_.node(c)));
       check_cell(c);
     }
@@ -299,20 +298,20 @@ class SectionPlanner {
   }
 
   const LanePath<N>& path_;
+  const std::vector<Bends>& bends_;
   const Machine& machine_;  // of the lanes
   const AccelerationLimitedOptions& options_;
   const std::vector<double>& feed_;
   Progress& progress_;
-  double density_, model_error_;
-  bool one_window_ = true;  // enough for any section
+  double density_, model_error_, slow_ = 1;  // the last: by what the law is slowed
+  bool one_window_ = true;                   // enough for any section
   AxisBounds<N> limit_;
-  double slow_ = 1;  // by what the law is slowed
   Grid<N> grid_;
   SpeedChain<N> chain_;
   UnsetVector<double> share_, ends_;  // ends: path length of cells' right ends from the begin of their segment
   UnsetVector<Excess> excess_;
-  UnsetVector<CellLaw> laws_;        // of curved cells, before slowing
-  UnsetVector<std::uint8_t> dirty_;  // whose laws change with the shares
+  UnsetVector<CellLaw> laws_;  // of curved cells, before slowing
+  CellFlags dirty_;            // whose laws change with the shares
   DivisionMarks<N> marks_;
 };
 
@@ -341,10 +340,11 @@ AccelerationLimitedResult plan(const PathTask& task, const AccelerationLimitedOp
   const Machine lanes = path.limits(task.machine);
   ProgressScope pulse(progress, "planning", from, from);
   Bends all;
+  std::vector<Bends> each(path.size());
   for (std::size_t i = 0; i < path.size(); ++i) {
     if (i % 4096 == 4095) pulse.report();
-    const Bends here = bends(path, i);
-    all.curved += here.curved, all.turn += here.turn;
+    each[i] = bends(path, i);
+    all.curved += each[i].curved, all.turn += each[i].turn;
   }
   if (all.turn > max_turn)
     throw InvalidInput(
@@ -367,7 +367,7 @@ AccelerationLimitedResult plan(const PathTask& task, const AccelerationLimitedOp
       wider > 1 ? std::clamp(usual_margin, least_share * fitted.grid.hermite, most_share * fitted.grid.hermite) : 0;
   const Sections sections = find_sections(task, options.corner_angle, pulse);
   AccelerationLimitedResult result;
-  SectionPlanner<N> planner(path, lanes, fitted, task.feeds, sections, all, density, model_error, progress);
+  SectionPlanner<N> planner(path, lanes, fitted, task.feeds, sections, each, all, density, model_error, progress);
   for_each_section_once(
       task, sections, progress, from, to, result,
       [&](std::size_t first, std::size_t last, double begin, double end) {

@@ -75,10 +75,10 @@ class DivisionMarks {
   /// v² stays lower all along the arcs that leave it, until they have doubled it: about an eighth of the cell's own
   /// time.
   double switching_loss(std::size_t c, double bend, double v, double h) const {
-    const double left = std::abs(chain_.middle(c) - chain_.node(c)) / h,
-                 right = std::abs(chain_.node(c + 1) - chain_.middle(c)) / h;
-    const double jump = std::abs(bend) * h, scale = std::max(left, right), area = jump * h * h / (16 * v * v * v);
-    return bend > 0 && jump > 0.2 * scale ? std::max(area, 0.125 * jump / scale * h / v) : area;
+    const double change = std::max(std::abs(chain_.middle(c) - chain_.node(c)),
+                                   std::abs(chain_.node(c + 1) - chain_.middle(c)));  // of v², of either half
+    const double jump = std::abs(bend) * h * h, area = jump * h / (16 * v * v * v);
+    return bend > 0 && jump > 0.2 * change ? std::max(area, 0.125 * jump / change * h / v) : area;
   }
 
   const Grid<N>& grid_;

@@ -93,12 +93,15 @@ double SpeedChain<N>::search_right(std::size_t c, double share, double cap_middl
 
 /// What may be driven at the cell's middle and left end if the right end allows `next`.
 template <int N>
-inline typename SpeedChain<N>::Stop SpeedChain<N>::step_back(std::size_t c, double share, const Caps& cap,
-                                                             double next) const {
+inline typename SpeedChain<N>::Stop SpeedChain<N>::step_back(std::size_t c, double share, const Caps& cap, double next,
+                                                             Known& known) const {
   if (grid_.cells[c].straight) return {next, std::min(cap.left, next + 2 * acceleration(c) * grid_.length(c))};
   const double h = grid_.length(c);
-  const PlainLink<N> left(PlainStation<N>(grid_.left(c), limit_), h, share * left_part(c)),
-      right(PlainStation<N>(grid_.right(c), limit_), h, share * right_part(c));
+  const std::size_t at = grid_.cells[c].station;
+  if (known.at != at + 1) known.set(at + 1, PlainStation<N>(grid_.stations[at + 1], limit_));
+  const PlainStation<N> begin(grid_.stations[at], limit_);
+  const PlainLink<N> left(begin, h, share * left_part(c)), right(*known.station, h, share * right_part(c));
+  known.set(at, begin);
   const double middle =
       right.plain() && !reserve_ ? right.backward_right(cap.middle, next) : search_right(c, share, cap.middle, next);
   return {middle,
@@ -108,12 +111,12 @@ inline typename SpeedChain<N>::Stop SpeedChain<N>::step_back(std::size_t c, doub
 /// The same with the cell's caps; `next` is lowered to what the cell allows at its right end. Axis velocities are
 /// looked at only where the speed is above the least of them: |h'_k| ≤ 1.
 template <int N>
-typename SpeedChain<N>::Stop SpeedChain<N>::stop(std::size_t c, double share, double& next) const {
+typename SpeedChain<N>::Stop SpeedChain<N>::stop(std::size_t c, double share, double& next, Known& right) const {
   if (!reserve_ && !grid_.cells[c].straight) {
     const double feed = feed_[grid_.cells[c].segment], cap = std::min(max_, feed * feed);
     const double end = std::min(next, cap);
     if (end <= limit_.slowest2) {
-      const Stop quick = step_back(c, share, {first_cap(c, cap), cap, cap}, end);
+      const Stop quick = step_back(c, share, {first_cap(c, cap), cap, cap}, end, right);
       if (std::max(quick.middle, quick.node) <= limit_.slowest2) {
         next = end;
         return quick;
@@ -122,16 +125,27 @@ typename SpeedChain<N>::Stop SpeedChain<N>::stop(std::size_t c, double share, do
   }
   const Caps cap = caps(c);
   next = std::min(next, cap.right);
-  return step_back(c, share, cap, next);
+  return step_back(c, share, cap, next, right);
+}
+
+/// What cell c allows at its right end, at most `speed2`.
+template <int N>
+double SpeedChain<N>::right_cap(std::size_t c, double speed2) const {
+  if (reserve_ || speed2 > limit_.slowest2) return std::min(speed2, caps(c).right);
+  const double feed = feed_[grid_.cells[c].segment];
+  return std::min({speed2, max_, feed * feed});
 }
 
 template <int N>
-double SpeedChain<N>::step_forward(std::size_t c, double share) {
+double SpeedChain<N>::step_forward(std::size_t c, double share, Known& known) {
   const double h = grid_.length(c);
   if (grid_.cells[c].straight)
     return speed_[c + 1].node = std::min(speed_[c + 1].node_stop, speed_[c].node + 2 * acceleration(c) * h);
-  const PlainLink<N> left(PlainStation<N>(grid_.left(c), limit_), h, share * left_part(c)),
-      right(PlainStation<N>(grid_.right(c), limit_), h, share * right_part(c));
+  const std::size_t at = grid_.cells[c].station;
+  if (known.at != at) known.set(at, PlainStation<N>(grid_.stations[at], limit_));
+  const PlainStation<N> end(grid_.stations[at + 1], limit_);
+  const PlainLink<N> left(*known.station, h, share * left_part(c)), right(end, h, share * right_part(c));
+  known.set(at + 1, end);
   const double cap = speed_[c].middle_stop, next = speed_[c + 1].node_stop;
   const double middle = left.plain() && !reserve_ ? left.forward_left(speed_[c].node, cap)
                                                   : reach_forward(rows_left(c, share, false), speed_[c].node, cap);
@@ -155,8 +169,9 @@ void SpeedChain<N>::start(double entry) {
 template <int N>
 std::size_t SpeedChain<N>::unaffected(const UnsetVector<double>& share) const {
   double next = unlimited;
+  Known known;
   for (std::size_t c = grid_.cells.size(); c-- > 0;) {
-    const Stop stop = this->stop(c, share[c], next);
+    const Stop stop = this->stop(c, share[c], next, known);
     next = c > 0 ? std::min(stop.node, caps(c - 1).right) : stop.node;
     if (next == speed_[c].node_stop) return c;
   }
@@ -169,29 +184,32 @@ void SpeedChain<N>::divided(const LargeVector<std::uint8_t>& parts, ProgressScop
 }
 
 template <int N>
-void SpeedChain<N>::update(const UnsetVector<double>& share, UnsetVector<std::uint8_t>& dirty, ProgressScope& pulse) {
+void SpeedChain<N>::update(const UnsetVector<double>& share, CellFlags& dirty, ProgressScope& pulse) {
   const auto differs = [](double a, double b) { return std::abs(a - b) > 1e-14 * std::abs(b); };
   const std::size_t n = grid_.cells.size();
   bool moved = false;  // did the right neighbour change?
-  for (std::size_t c = n; c-- > 0;) {
+  Known known;
+  for (std::size_t c = n; (c = moved ? (c > 0 ? c - 1 : no_flag) : last_set(dirty, c)) != no_flag;) {
     pulse(n - 1 - c, n);
-    if (!dirty[c] && !moved) continue;
     const double node = speed_[c].node_stop, middle = speed_[c].middle_stop;
-    const Stop stop = this->stop(c, share[c], speed_[c + 1].node_stop);
+    const Stop stop = this->stop(c, share[c], speed_[c + 1].node_stop, known);
     speed_[c].middle_stop = stop.middle;
-    speed_[c].node_stop = stop.node;
-    if (c > 0) speed_[c].node_stop = std::min(speed_[c].node_stop, caps(c - 1).right);
+    speed_[c].node_stop = c > 0 ? right_cap(c - 1, stop.node) : stop.node;
     moved = differs(speed_[c].node_stop, node);
     if (moved || differs(speed_[c].middle_stop, middle)) dirty[c] = 1;
   }
   moved = false;
+  known = {};
   for (std::size_t c = 0; c < n; ++c) {
-    pulse(c, n);
     // A cell whose right neighbour may start slower than before has to be driven again, too.
-    const bool capped = speed_[c + 1].node > speed_[c + 1].node_stop || (c + 1 < n && dirty[c + 1] != 0);
-    if (!dirty[c] && !moved && !capped) continue;
+    if (!moved && !dirty[c] && !(c + 1 < n && dirty[c + 1] != 0)) {
+      const std::size_t next = first_set(dirty, c + 1);
+      if (next == no_flag) break;
+      c = next - 1;
+    }
+    pulse(c, n);
     const double node = speed_[c + 1].node, middle = speed_[c].middle;
-    step_forward(c, share[c]);
+    step_forward(c, share[c], known);
     const bool changed = differs(speed_[c + 1].node, node);
     if (moved || changed || differs(speed_[c].middle, middle)) dirty[c] = 1;
     moved = changed;

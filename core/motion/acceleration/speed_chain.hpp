@@ -12,6 +12,7 @@
 
 #include "core/base/progress_scope.hpp"
 #include "core/contour/contour.hpp"
+#include "core/motion/acceleration/flags.hpp"
 #include "core/motion/acceleration/station_limits.hpp"
 #include "core/motion/grid/grid.hpp"
 #include "core/motion/grid/sections.hpp"
@@ -50,7 +51,7 @@ class SpeedChain {
   /// The grid's cells have been divided so: to be followed by an update in which every part of a divided cell is dirty.
   void divided(const LargeVector<std::uint8_t>& parts, ProgressScope& pulse);
   /// Solves again where `dirty` cells (1) have a new share, and marks in `dirty` every cell whose speeds changed.
-  void update(const UnsetVector<double>& share, UnsetVector<std::uint8_t>& dirty, ProgressScope& pulse);
+  void update(const UnsetVector<double>& share, CellFlags& dirty, ProgressScope& pulse);
 
   double node(std::size_t c) const { return speed_[c].node; }      ///< v² at the left end of cell c, mm²/s²
   double middle(std::size_t c) const { return speed_[c].middle; }  ///< its middle Bernstein coefficient
@@ -76,9 +77,21 @@ class SpeedChain {
   struct Stop {
     double middle, node;
   };
-  Stop stop(std::size_t c, double share, double& next) const;
-  Stop step_back(std::size_t c, double share, const Caps& cap, double next) const;
-  double step_forward(std::size_t c, double share);
+  /// A station that the next cell may need, too.
+  struct Known {
+    std::size_t at = none;
+    std::optional<PlainStation<N>> station;
+    void set(std::size_t to, const PlainStation<N>& value) {
+      at = to;
+      station = value;
+    }
+  };
+  /// `right`: what is known of the cell's right station; of its left one afterwards.
+  Stop stop(std::size_t c, double share, double& next, Known& right) const;
+  Stop step_back(std::size_t c, double share, const Caps& cap, double next, Known& right) const;
+  /// `left`: what is known of the cell's left station; of its right one afterwards.
+  double step_forward(std::size_t c, double share, Known& left);
+  double right_cap(std::size_t c, double speed2) const;
 
   const Grid<N>& grid_;
   const std::vector<double>& feed_;
@@ -126,7 +139,8 @@ template <class Share>
       at = cell.station;
     }
     if (!plain) {
-      const Stop stop = this->stop(c, part, speed_[c + 1].node_stop);
+      Known nothing;
+      const Stop stop = this->stop(c, part, speed_[c + 1].node_stop, nothing);
       speed_[c].middle_stop = stop.middle;
       speed_[c].node_stop = b = stop.node;
     }
@@ -156,7 +170,10 @@ template <class Done>
       left = right;
       at = cell.station + 1;
     }
-    if (!plain) b = step_forward(c, share[c]);
+    if (!plain) {
+      Known nothing;
+      b = step_forward(c, share[c], nothing);
+    }
     done(c);
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 /// What is known per cell of a grid, carried over when cells are divided.
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -17,9 +18,19 @@ void spread(Values& values, const LargeVector<std::uint8_t>& parts, std::size_t 
   grow(values, to, pulse);
   values.resize(to);
   while (from > parts.size()) values[--to] = values[--from];
+  constexpr std::size_t block = 4096;
   while (from < to) {  // what lies before the first divided cell stays where it is
-    --from;
     pulse(parts.size() - from, parts.size());
+    std::size_t begin = from;  // of a run of cells that stay whole
+    for (const std::size_t least = from > block ? from - block : 0; begin > least && parts[begin - 1] == 1;) --begin;
+    if (begin < from) {
+      const auto at = [&](std::size_t i) { return values.begin() + static_cast<std::ptrdiff_t>(i); };
+      std::move_backward(at(begin), at(from), at(to));
+      to -= from - begin;
+      from = begin;
+      continue;
+    }
+    --from;
     for (std::size_t i = parts[from]; i > 0; --i) values[--to] = values[from];
   }
 }

@@ -50,7 +50,8 @@ inline void acceleration_rows(Rows<N>& rows, const Station<N>& at, double h, dou
   }
 }
 
-/// What a link in its usual form needs of a station, whatever cell lies beside it: h''_k/h'_k and A_k/|h'_k|.
+/// What a link in its usual form needs of a station, whatever cell lies beside it: h''_k/h'_k and A_k/|h'_k|. An axis
+/// that stands still (as y does along a path in the XZ plane) asks nothing: 0 and ∞.
 template <int N>
 struct PlainStation {
   Lanes<N> tilt, reach;
@@ -58,6 +59,9 @@ struct PlainStation {
     const Lanes<N> inverse = 1 / at.d1;
     tilt = at.d2 * inverse;
     reach = limit.acceleration * magnitude(inverse);
+    if constexpr (N > 2)  // along a curve two axes move
+      for (std::size_t k = 0; k < N; ++k)
+        if (at.d1[k] == 0 && at.d2[k] == 0) tilt[k] = 0;
   }
 };
 

@@ -238,12 +238,53 @@ void Grid<N>::cut(std::size_t last) {
   stations.resize(cells.back().station + 2);
 }
 
+/// Few cells are divided: those that stay whole are copied run by run.
 template <int N>
 void Grid<N>::divide(const LanePath<N>& path, LargeVector<std::uint8_t>& parts, ProgressScope& pulse) {
-  divide(
-      path, [&](std::size_t c) { return parts[c]; },
-      [&](std::size_t c, int i, double u0, double u1) { return u0 + i * ((u1 - u0) / parts[c]); },
-      [&](std::size_t c, std::size_t made) { parts[c] = static_cast<std::uint8_t>(made); }, pulse);
+  constexpr std::size_t block = 4096;
+  LargeVector<Station<N>>& new_stations = spare_stations_;
+  LargeVector<GridCell>& new_cells = spare_cells_;
+  const std::size_t n = cells.size();
+  std::size_t total = 0;
+  for (const std::uint8_t count : parts) total += count;
+  new_cells.reserve(total);
+  new_stations.reserve(stations.size() + total - n);
+  for (std::size_t c = 0; c < n;) {
+    pulse(c, n);
+    const bool shared = c > 0 && cells[c].station == cells[c - 1].station + 1;
+    std::size_t end = c;
+    for (const std::size_t most = std::min(n, c + block); end < most && parts[end] == 1;) ++end;
+    if (end > c) {
+      const auto from = static_cast<std::ptrdiff_t>(cells[c].station + (shared ? 1 : 0)),
+                 to = static_cast<std::ptrdiff_t>(cells[end - 1].station + 2);
+      const auto moved = static_cast<std::uint32_t>(new_stations.size() - static_cast<std::size_t>(from));
+      new_stations.insert(new_stations.end(), stations.begin() + from, stations.begin() + to);
+      for (; c < end; ++c) {
+        new_cells.push_back(cells[c]);
+        new_cells.back().station += moved;  // modulo 2³²: it may have become less
+      }
+      continue;
+    }
+    const GridCell old = cells[c];
+    const double u0 = left(c).u, du = (right(c).u - u0) / parts[c];
+    if (!shared) new_stations.push_back(left(c));
+    const std::size_t before = new_cells.size();
+    for (int i = 1; i <= parts[c]; ++i) {
+      GridCell cell = old;
+      cell.station = static_cast<std::uint32_t>(new_stations.size() - 1);
+      cell.cusp_left = old.cusp_left && i == 1;
+      cell.cusp_right = old.cusp_right && i == parts[c];
+      const Station<N> next = i == parts[c] ? right(c) : path.at(old.segment, u0 + i * du);
+      if (i < parts[c] && !(next.s > new_stations.back().s)) continue;
+      new_cells.push_back(cell);
+      new_stations.push_back(next);
+    }
+    parts[c++] = static_cast<std::uint8_t>(new_cells.size() - before);
+  }
+  stations.swap(new_stations);
+  cells.swap(new_cells);
+  new_stations.clear();
+  new_cells.clear();
 }
 
 template <int N>

@@ -1,0 +1,40 @@
+#pragma once
+/// The spans of a tube's spline as polynomials: where a spline is looked at in many places these take a few
+/// multiplications each, the B-splines of degree 5 that do not vanish there some fifty divisions.
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "core/contour/blend/smooth.hpp"
+
+namespace bahnwerk::blending {
+
+class SpanPolynomials {
+ public:
+  /// By position and two derivatives at both ends of every span, which determine a polynomial of degree 5. O(spans).
+  explicit SpanPolynomials(const TubeSpline& spline);
+
+  struct Place {
+    Vec value, slope;  ///< f and its derivative by t
+  };
+  /// In break interval `span`, to some 1e-15 of the coordinates; the slope to as much per length of the span.
+  Place at(std::size_t span, double t) const {
+    const Span& s = spans_[span];
+    const double x = (t - s.begin) * s.inverse;
+    Vec value = s.c[5], slope = value;
+    for (std::size_t k = 4; k > 0; --k) {
+      value = x * value + s.c[k];
+      slope = x * slope + value;
+    }
+    return {x * value + s.c[0], s.inverse * slope};
+  }
+
+ private:
+  struct Span {
+    double begin, inverse;  ///< x = (t − begin)·inverse ∈ [0, 1]
+    std::array<Vec, 6> c;   ///< f = Σ c[k] x^k
+  };
+  std::vector<Span> spans_;
+};
+
+}  // namespace bahnwerk::blending
