@@ -7,6 +7,7 @@
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/motion/jerk/jerk_limited.hpp"
 #include "core/motion/law/dwell.hpp"
+#include "core/redundant/section_law.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -48,7 +49,6 @@ HeadPlan<order>::HeadPlan(const JointTask& task, double corner_angle, double sha
       progress_(progress),
       limits_(shared(head_limits(task.machine), share)),
       paces_{task.feeds, {}},
-      planned_feeds_(task.feeds),
       base_(planned(limits_, task.feeds, task.rests)) {
   for (std::size_t i = 0; i < base_.pieces().size();) {
     const std::size_t end = end_of_section(base_, i), segment = base_.pieces()[i].segment;
@@ -72,9 +72,7 @@ std::size_t HeadPlan<order>::section_end(std::size_t segment) const {
 }
 
 template <std::size_t order>
-TimeLaw HeadPlan<order>::planned(const Machine& limits, const std::vector<double>& feeds,
-                                 const std::vector<bool>& rests) const {
-  const PathTask path{*task_.path, limits, feeds, rests, task_.dwells};
+TimeLaw HeadPlan<order>::planned(const PathTask& path) const {
   if constexpr (order == 2) {
     AccelerationLimitedOptions o;
     o.corner_angle = corner_angle_;
@@ -87,6 +85,37 @@ TimeLaw HeadPlan<order>::planned(const Machine& limits, const std::vector<double
 }
 
 template <std::size_t order>
+TimeLaw HeadPlan<order>::planned(const Machine& limits, const std::vector<double>& feeds,
+                                 const std::vector<bool>& rests) const {
+  return planned({*task_.path, limits, feeds, rests, task_.dwells});
+}
+
+template <std::size_t order>
+const TimeLaw* HeadPlan<order>::slower_law(std::size_t first, std::size_t last) {
+  const auto begin = paces_.feeds.begin() + static_cast<std::ptrdiff_t>(first),
+             end = paces_.feeds.begin() + static_cast<std::ptrdiff_t>(last);
+  if (std::equal(begin, end, task_.feeds.begin() + static_cast<std::ptrdiff_t>(first))) return nullptr;
+  SlowerLaw& slower = slower_[first];
+  if (!std::equal(begin, end, slower.feeds.begin(), slower.feeds.end())) {
+    slower.law = section_law(*task_.path, first, last, limits_, paces_.feeds,
+                             [&](const PathTask& task) { return planned(task); });
+    slower.feeds.assign(begin, end);
+  }
+  return &slower.law;
+}
+
+template <std::size_t order>
+double HeadPlan<order>::peak(std::size_t first, std::size_t last) const {
+  const auto& pieces = base_.pieces();
+  double speed = 0;
+  for (auto p = std::lower_bound(pieces.begin(), pieces.end(), first,
+                                 [](const LawPiece&piece, std::size_t s) { return piece.segment < s; });
+       p != pieces.end() && p->segment < last; ++p)
+    speed = std::max({speed, p->v, p->at(p->duration).v});
+  return speed;
+}
+
+template <std::size_t order>
 std::size_t HeadPlan<order>::slowed() const {
   std::size_t count = 0;
   for (std::size_t i = 0; i < task_.feeds.size(); ++i) count += paces_.feeds[i] < task_.feeds[i];
@@ -96,10 +125,6 @@ std::size_t HeadPlan<order>::slowed() const {
 
 template <std::size_t order>
 std::shared_ptr<const PathMotion> HeadPlan<order>::motion(std::size_t first, std::size_t last) {
-  if (paces_.feeds != planned_feeds_) {
-    planned_feeds_ = paces_.feeds;
-    base_ = planned(limits_, planned_feeds_, task_.rests);
-  }
   const auto& pieces = base_.pieces();
   const auto piece_of = [&](std::size_t segment) {
     const auto at = std::lower_bound(pieces.begin(), pieces.end(), segment,
@@ -114,6 +139,8 @@ std::shared_ptr<const PathMotion> HeadPlan<order>::motion(std::size_t first, std
     const auto at = paces_.straight.find(pieces[i].segment);
     if (at != paces_.straight.end() && at->second.slowed)
       append_move(law, at->second.move, at->second.pace);
+    else if (const TimeLaw* slower = slower_law(pieces[i].segment, pieces[end - 1].segment + 1))
+      for (const LawPiece& piece : slower->pieces()) law.append(piece);
     else
       for (std::size_t k = i; k < end; ++k) law.append(pieces[k]);
     i = end;
