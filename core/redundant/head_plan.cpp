@@ -24,6 +24,16 @@ Machine shared(Machine machine, double share) {
   return machine;
 }
 
+/// Without some of the coarse axes' accelerations and of the fine ones' velocities.
+Machine calmed(Machine head, const CoarseFineMachine& machine, double calm) {
+  for (std::size_t k = 0; k < head.axes.size(); ++k) {
+    const auto lower = [&](double& value, double without) { value += calm * (std::min(value, without) - value); };
+    lower(head.axes[k].acceleration, machine.axes[k].fine.acceleration);
+    lower(head.axes[k].velocity, machine.axes[k].coarse.velocity);
+  }
+  return head;
+}
+
 /// Whether derivatives of the axes differ on both sides of the begin of a segment; 1/mm for the second ones.
 bool curvature_jumps(const AxisPath& path, std::size_t segment) {
   const AxisJet before = path.at_parameter(segment - 1, path[segment - 1].curve().end()),
@@ -43,11 +53,11 @@ std::size_t end_of_section(const TimeLaw& law, std::size_t begin) {
 }  // namespace
 
 template <std::size_t order>
-HeadPlan<order>::HeadPlan(const JointTask& task, double corner_angle, double share, Progress& progress)
+HeadPlan<order>::HeadPlan(const JointTask& task, double corner_angle, double share, Progress& progress, double calm)
     : task_(task),
       corner_angle_(corner_angle),
       progress_(progress),
-      limits_(shared(head_limits(task.machine), share)),
+      limits_(calmed(shared(head_limits(task.machine), share), task.machine, calm)),
       paces_{task.feeds, {}},
       base_(planned(limits_, task.feeds, task.rests)) {
   for (std::size_t i = 0; i < base_.pieces().size();) {
@@ -113,6 +123,30 @@ double HeadPlan<order>::peak(std::size_t first, std::size_t last) const {
        p != pieces.end() && p->segment < last; ++p)
     speed = std::max({speed, p->v, p->at(p->duration).v});
   return speed;
+}
+
+template <std::size_t order>
+std::shared_ptr<const PathMotion> HeadPlan<order>::calmer(double share, double calm) const {
+  HeadPlan other(task_, corner_angle_, share, progress_, std::min(calm, 1.0));
+  other.paces_.feeds = paces_.feeds;
+  double stroke = 0;
+  for (const CoarseFineAxis& axis : task_.machine.axes) stroke = std::max(stroke, axis.stroke);
+  const double slower = 1 / std::max(calm, 1.0);
+  for (const auto& [segment, straight] : paces_.straight) {
+    const auto at = other.paces_.straight.find(segment);
+    if (at == other.paces_.straight.end()) continue;
+    const bool slows = slower < 1 && straight.move.length > 2 * stroke;
+    if (!straight.slowed && !slows) continue;
+    Pace& pace = at->second.pace;
+    pace = {std::min(pace.feed, straight.pace.feed), std::min(pace.rise, straight.pace.rise),
+            std::min(pace.fall, straight.pace.fall)};
+    if (slows) {  // from the speed that it really reaches
+      const double peak = std::sqrt(2 * straight.move.length / (1 / pace.rise + 1 / pace.fall));
+      pace = {std::min(pace.feed, peak) * slower, pace.rise * slower * slower, pace.fall * slower * slower};
+    }
+    at->second.slowed = true;
+  }
+  return other.motion();
 }
 
 template <std::size_t order>

@@ -21,6 +21,9 @@ constexpr double settled = 4;         // units beyond a stop from full speed tha
 constexpr double piece = 0.05;        // of the least stroke: boxes of the path
 constexpr double closed = 1e-5;       // relative
 constexpr std::size_t most_nodes = 4000;
+// Units of time. Longer sections are left as they are. Accelerations alone allow so much in a longer time that it tells
+// nothing, and rounding would count.
+constexpr double longest = 100, together = 20;
 constexpr int most_doublings = 20;
 constexpr double first_step = 0.02;  // of a unit of time
 constexpr double rounding = 1e-9;    // of a bound
@@ -65,11 +68,14 @@ class AxisSection {
     const std::vector<AxisReach> from = reach_at(forward, axis, spacing, n), to = reach_at(backward, axis, spacing, n);
     // The coarse axis; the fine one, which is where the coarse one is not; what accelerations of either can add up to.
     ReachableStates coarse = begin, fine = begin.subtracted_from(0), free = begin;
+    const bool both_count = duration < together * time_;
     ReachableStates by_coarse = ReachableStates::box(0, 0, 0), by_fine = by_coarse;
     for (std::size_t i = 0; i <= n; ++i) {
       if (i > 0) {
         coarse.advance(h, velocity_);
         fine.advance(h, fine_velocity_, fine_acceleration_);
+      }
+      if (i > 0 && both_count) {
         by_coarse.advance(h, unlimited);
         by_fine.advance(h, unlimited, fine_acceleration_);
         free.coast(h);
@@ -82,8 +88,10 @@ class AxisSection {
     }
     coarse.limit(end);
     coarse.limit(fine.subtracted_from(way));
-    by_coarse.limit(by_fine.subtracted_from(way));  // together they bring the head from rest to rest
-    coarse.limit(free.plus(by_coarse));
+    if (both_count) {
+      by_coarse.limit(by_fine.subtracted_from(way));  // together they bring the head from rest to rest
+      coarse.limit(free.plus(by_coarse));
+    }
     return !coarse.empty();
   }
 
@@ -126,6 +134,7 @@ class StrokeBound {
                   end = head.path.at(s.last - 1, head.path[s.last - 1].s1());
     for (std::size_t k = 0; k < axes(); ++k) {
       const AxisSection axis(task_.coarse[k], task_.fine[k], begin.value[k]);
+      if (s.duration > longest * axis.unit()) continue;
       const ReachableStates from = axis.before(before, k, section == 0 && !waits(s.first)),
                             to = axis.before(behind, k, section + 1 == n && !waits(s.last)).reversed();
       const auto possible = [&](double duration) {
@@ -134,7 +143,7 @@ class StrokeBound {
       };
       if (possible(bound)) continue;
       double step = first_step * axis.unit(), high = bound + step;
-      for (int i = 0; i < most_doublings && !possible(high); ++i) {
+      for (int i = 0; i < most_doublings && high < 2 * longest * axis.unit() && !possible(high); ++i) {
         bound = high;
         high += step *= 2;
       }
