@@ -20,8 +20,8 @@ class HeadPlan {
   /// `share` of the summed limits is used. Straight sections get their paces. Throws as the planners of laws do.
   HeadPlan(const JointTask& task, double corner_angle, double share, Progress& progress, double calm = 0);
   /// A head that leaves the coarse axes more freedom: `calm` of 1 takes away their acceleration, and the fine axes'
-  /// velocity; 0 is motion(), what is between linear between. Beyond 1 moves of more than two strokes last so many times
-  /// as long, too. Nowhere quicker than the paces of this plan.
+  /// velocity; 0 is motion(), what is between linear between. Beyond 1 moves of more than two strokes last so many
+  /// times as long, too. Nowhere quicker than the paces of this plan.
   std::shared_ptr<const PathMotion> calmer(double share, double calm) const;
 
   const Machine& limits() const { return limits_; }
