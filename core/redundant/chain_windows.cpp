@@ -1,6 +1,9 @@
 #include "core/redundant/chain_windows.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
 
 #include "core/redundant/clusters.hpp"
 
@@ -9,6 +12,7 @@ namespace {
 
 constexpr double small_excess = 0.05;  // with which a second, stricter solution may have none
 constexpr double stricter = 100;
+constexpr double rounding = 1e-9;  // of a range that ends at 0
 
 template <std::size_t order>
 Chain<order> part(const Chain<order>& whole, std::size_t first, std::size_t last) {
@@ -37,6 +41,26 @@ double energy_of(const Chain<order>& chain, const WindowedSolution<order>& s) {
   return energy;
 }
 
+/// The axis stands still, if there is a place inside all boxes.
+template <std::size_t order>
+std::optional<WindowedSolution<order>> standing(const Chain<order>& chain) {
+  if (chain.begin) return std::nullopt;
+  const auto holds = [](const Range& r) { return r.lowest <= rounding && r.highest >= -rounding; };
+  Range place = chain.states.front()[0];
+  for (std::size_t i = 0; i <= chain.cells(); ++i) {
+    place.lowest = std::max(place.lowest, chain.states[i][0].lowest);
+    place.highest = std::min(place.highest, chain.states[i][0].highest);
+    for (std::size_t k = 1; k < order; ++k)
+      if (chain.counts(i, k) && !holds(chain.states[i][k])) return std::nullopt;
+  }
+  if (!(place.lowest <= place.highest) || !std::all_of(chain.controls.begin(), chain.controls.end(), holds))
+    return std::nullopt;
+  WindowedSolution<order> still;
+  still.states.assign(chain.cells() + 1, ChainState<order>{std::isfinite(place.width()) ? place.middle() : 0});
+  still.controls.assign(chain.cells(), 0);
+  return still;
+}
+
 }  // namespace
 
 template <std::size_t order>
@@ -52,6 +76,7 @@ ChainSolution<order> followed_if_possible(const Chain<order>& chain, ChainOption
 template <std::size_t order>
 WindowedSolution<order> solve_in_windows(const Chain<order>& chain, const ChainOptions& options,
                                          const ChainWindowOptions& windows) {
+  if (auto still = standing(chain)) return *std::move(still);
   const std::size_t n = chain.cells();
   WindowedSolution<order> all;
   all.states.resize(n + 1);

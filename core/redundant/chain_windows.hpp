@@ -4,7 +4,7 @@
 /// Each window begins with the state that the one before left, and reaches `ahead` beyond what is kept of it, anywhere
 /// inside the boxes there. With more time ahead than a stop takes it loses next to no energy against the solution of
 /// the whole, and finds a solution where there is one; that one window ended where the next cannot go on is possible,
-/// so what exceeds boxes here proves nothing. O(cells).
+/// so what exceeds boxes here proves nothing. An axis that can stand still does. O(cells).
 #include <cstddef>
 #include <utility>
 #include <vector>

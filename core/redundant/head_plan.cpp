@@ -7,6 +7,7 @@
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/motion/jerk/jerk_limited.hpp"
 #include "core/motion/law/dwell.hpp"
+#include "core/redundant/section_law.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -21,6 +22,16 @@ Machine shared(Machine machine, double share) {
     axis.jerk *= share;
   }
   return machine;
+}
+
+/// Without some of the coarse axes' accelerations and of the fine ones' velocities.
+Machine calmed(Machine head, const CoarseFineMachine& machine, double calm) {
+  for (std::size_t k = 0; k < head.axes.size(); ++k) {
+    const auto lower = [&](double& value, double without) { value += calm * (std::min(value, without) - value); };
+    lower(head.axes[k].acceleration, machine.axes[k].fine.acceleration);
+    lower(head.axes[k].velocity, machine.axes[k].coarse.velocity);
+  }
+  return head;
 }
 
 /// Whether derivatives of the axes differ on both sides of the begin of a segment; 1/mm for the second ones.
@@ -42,13 +53,12 @@ std::size_t end_of_section(const TimeLaw& law, std::size_t begin) {
 }  // namespace
 
 template <std::size_t order>
-HeadPlan<order>::HeadPlan(const JointTask& task, double corner_angle, double share, Progress& progress)
+HeadPlan<order>::HeadPlan(const JointTask& task, double corner_angle, double share, Progress& progress, double calm)
     : task_(task),
       corner_angle_(corner_angle),
       progress_(progress),
-      limits_(shared(head_limits(task.machine), share)),
+      limits_(calmed(shared(head_limits(task.machine), share), task.machine, calm)),
       paces_{task.feeds, {}},
-      planned_feeds_(task.feeds),
       base_(planned(limits_, task.feeds, task.rests)) {
   for (std::size_t i = 0; i < base_.pieces().size();) {
     const std::size_t end = end_of_section(base_, i), segment = base_.pieces()[i].segment;
@@ -72,9 +82,7 @@ std::size_t HeadPlan<order>::section_end(std::size_t segment) const {
 }
 
 template <std::size_t order>
-TimeLaw HeadPlan<order>::planned(const Machine& limits, const std::vector<double>& feeds,
-                                 const std::vector<bool>& rests) const {
-  const PathTask path{*task_.path, limits, feeds, rests, task_.dwells};
+TimeLaw HeadPlan<order>::planned(const PathTask& path) const {
   if constexpr (order == 2) {
     AccelerationLimitedOptions o;
     o.corner_angle = corner_angle_;
@@ -87,6 +95,61 @@ TimeLaw HeadPlan<order>::planned(const Machine& limits, const std::vector<double
 }
 
 template <std::size_t order>
+TimeLaw HeadPlan<order>::planned(const Machine& limits, const std::vector<double>& feeds,
+                                 const std::vector<bool>& rests) const {
+  return planned({*task_.path, limits, feeds, rests, task_.dwells});
+}
+
+template <std::size_t order>
+const TimeLaw* HeadPlan<order>::slower_law(std::size_t first, std::size_t last) {
+  const auto begin = paces_.feeds.begin() + static_cast<std::ptrdiff_t>(first),
+             end = paces_.feeds.begin() + static_cast<std::ptrdiff_t>(last);
+  if (std::equal(begin, end, task_.feeds.begin() + static_cast<std::ptrdiff_t>(first))) return nullptr;
+  SlowerLaw& slower = slower_[first];
+  if (!std::equal(begin, end, slower.feeds.begin(), slower.feeds.end())) {
+    slower.law = section_law(*task_.path, first, last, limits_, paces_.feeds,
+                             [&](const PathTask& task) { return planned(task); });
+    slower.feeds.assign(begin, end);
+  }
+  return &slower.law;
+}
+
+template <std::size_t order>
+double HeadPlan<order>::peak(std::size_t first, std::size_t last) const {
+  const auto& pieces = base_.pieces();
+  double speed = 0;
+  for (auto p = std::lower_bound(pieces.begin(), pieces.end(), first,
+                                 [](const LawPiece&piece, std::size_t s) { return piece.segment < s; });
+       p != pieces.end() && p->segment < last; ++p)
+    speed = std::max({speed, p->v, p->at(p->duration).v});
+  return speed;
+}
+
+template <std::size_t order>
+std::shared_ptr<const PathMotion> HeadPlan<order>::calmer(double share, double calm) const {
+  HeadPlan other(task_, corner_angle_, share, progress_, std::min(calm, 1.0));
+  other.paces_.feeds = paces_.feeds;
+  double stroke = 0;
+  for (const CoarseFineAxis& axis : task_.machine.axes) stroke = std::max(stroke, axis.stroke);
+  const double slower = 1 / std::max(calm, 1.0);
+  for (const auto& [segment, straight] : paces_.straight) {
+    const auto at = other.paces_.straight.find(segment);
+    if (at == other.paces_.straight.end()) continue;
+    const bool slows = slower < 1 && straight.move.length > 2 * stroke;
+    if (!straight.slowed && !slows) continue;
+    Pace& pace = at->second.pace;
+    pace = {std::min(pace.feed, straight.pace.feed), std::min(pace.rise, straight.pace.rise),
+            std::min(pace.fall, straight.pace.fall)};
+    if (slows) {  // from the speed that it really reaches
+      const double peak = std::sqrt(2 * straight.move.length / (1 / pace.rise + 1 / pace.fall));
+      pace = {std::min(pace.feed, peak) * slower, pace.rise * slower * slower, pace.fall * slower * slower};
+    }
+    at->second.slowed = true;
+  }
+  return other.motion();
+}
+
+template <std::size_t order>
 std::size_t HeadPlan<order>::slowed() const {
   std::size_t count = 0;
   for (std::size_t i = 0; i < task_.feeds.size(); ++i) count += paces_.feeds[i] < task_.feeds[i];
@@ -96,10 +159,6 @@ std::size_t HeadPlan<order>::slowed() const {
 
 template <std::size_t order>
 std::shared_ptr<const PathMotion> HeadPlan<order>::motion(std::size_t first, std::size_t last) {
-  if (paces_.feeds != planned_feeds_) {
-    planned_feeds_ = paces_.feeds;
-    base_ = planned(limits_, planned_feeds_, task_.rests);
-  }
   const auto& pieces = base_.pieces();
   const auto piece_of = [&](std::size_t segment) {
     const auto at = std::lower_bound(pieces.begin(), pieces.end(), segment,
@@ -114,6 +173,8 @@ std::shared_ptr<const PathMotion> HeadPlan<order>::motion(std::size_t first, std
     const auto at = paces_.straight.find(pieces[i].segment);
     if (at != paces_.straight.end() && at->second.slowed)
       append_move(law, at->second.move, at->second.pace);
+    else if (const TimeLaw* slower = slower_law(pieces[i].segment, pieces[end - 1].segment + 1))
+      for (const LawPiece& piece : slower->pieces()) law.append(piece);
     else
       for (std::size_t k = i; k < end; ++k) law.append(pieces[k]);
     i = end;

@@ -1,6 +1,7 @@
 #pragma once
 /// The head's quickest motion with both axes' limits summed, and how fast it may go where that is too fast for the
 /// coarse axes.
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -11,17 +12,25 @@
 
 namespace bahnwerk {
 
-/// Plans the head again and again, with paces that fall. A straight section whose pace fell has a closed form; the path
-/// is planned once more only where feeds of other sections fell. Every plan costs O(pieces) besides.
+/// Plans the head again and again, with paces that fall. A straight section whose pace fell has a closed form; of other
+/// sections those are planned again whose feeds fell. Every plan costs O(pieces) of the sections asked for besides.
 template <std::size_t order>
 class HeadPlan {
  public:
   /// `share` of the summed limits is used. Straight sections get their paces. Throws as the planners of laws do.
-  HeadPlan(const JointTask& task, double corner_angle, double share, Progress& progress);
+  HeadPlan(const JointTask& task, double corner_angle, double share, Progress& progress, double calm = 0);
+  /// A head that leaves the coarse axes more freedom: `calm` of 1 takes away their acceleration, and the fine axes'
+  /// velocity; 0 is motion(), what is between linear between. Beyond 1 moves of more than two strokes last so many
+  /// times as long, too. Nowhere quicker than the paces of this plan.
+  std::shared_ptr<const PathMotion> calmer(double share, double calm) const;
 
   const Machine& limits() const { return limits_; }
   Paces& paces() { return paces_; }
   const Paces& paces() const { return paces_; }
+  /// Of the task.
+  double feed(std::size_t segment) const { return task_.feeds[segment]; }
+  /// Largest speed of the head on segments [first, last) with the task's feeds.
+  double peak(std::size_t first, std::size_t last) const;
   /// Segments that may not be passed as fast as the task lets them be.
   std::size_t slowed() const;
   std::shared_ptr<const PathMotion> motion() { return motion(0, task_.path->size()); }
@@ -36,6 +45,13 @@ class HeadPlan {
   std::shared_ptr<const PathMotion> coarse_alone(bool stops = false) const;
 
  private:
+  struct SlowerLaw {
+    std::vector<double> feeds;  // that it is planned with
+    TimeLaw law;
+  };
+  /// The law of a section whose feeds fell.
+  const TimeLaw* slower_law(std::size_t first, std::size_t last);
+  TimeLaw planned(const PathTask& path) const;
   TimeLaw planned(const Machine& limits, const std::vector<double>& feeds, const std::vector<bool>& rests) const;
 
   const JointTask& task_;
@@ -43,9 +59,9 @@ class HeadPlan {
   Progress& progress_;
   Machine limits_;
   Paces paces_;
-  std::vector<double> planned_feeds_;  // that base_ is planned with
-  TimeLaw base_;
-  std::vector<std::size_t> sections_;  // first segments, and the end of the path
+  TimeLaw base_;                             // with the task's feeds
+  std::map<std::size_t, SlowerLaw> slower_;  // by first segment
+  std::vector<std::size_t> sections_;        // first segments, and the end of the path
 };
 
 extern template class HeadPlan<2>;

@@ -7,6 +7,7 @@
 #include "core/redundant/chain_windows.hpp"
 #include "core/redundant/clusters.hpp"
 #include "core/redundant/following.hpp"
+#include "core/redundant/pace_search.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -123,7 +124,10 @@ bool HeadSlowing<order>::run(const HeadStretch& stretch, HeadSlowingCounts& coun
     counts.rounds = std::max(counts.rounds, round);
     if (slow_once(stretch, round, counts)) continue;
     if (raised || round == 1) return round > 1;
-    raise(stretch);
+    bool searched = false;
+    if constexpr (order == 2)
+      searched = PaceSearch(plan_, machine_, cell_options_, scope_, stretch.first, stretch.last).run();
+    if (!searched) raise(stretch);
     raised = true;
   }
   throw Infeasible("the coarse axes cannot follow, however slowly the tool moves");

@@ -29,6 +29,11 @@ constexpr double jerk_change = 4e-3;  // of the fine acceleration: range of the 
 constexpr double jerk_range = 1;
 constexpr double rest_of_window = 4;  // of a window of the chain, in its units of time, beyond a stop of the axis
 constexpr int most_attempts = 6;
+// Of heads that leave the coarse axes more freedom: up to all of it in so many steps, long moves then last up to twice
+// as long in twice as many.
+constexpr double same_duration = 1e-6;  // relative
+constexpr int calm_steps = 8, calm_heads = 24;
+double calm_at(int step) { return step <= calm_steps ? step / 8.0 : std::pow(2, (step - calm_steps) / 16.0); }
 
 template <std::size_t order>
 class Planner {
@@ -75,21 +80,27 @@ class Planner {
     result_.certified = counts.certified;
     result_.slowed = plan_.slowed();
     result_.cells = cells_.size();
-    const double chosen = stretch_of(options_.smoothness);
+    const double chosen = options_.stretch >= 1 ? options_.stretch : stretch_of(options_.smoothness);
+    fastest_ = {head_, std::move(cells_), 1, std::move(solutions)};
     if (options_.compare)
       for (const double stretch : stretches) {
-        if (stretch != 1) solutions = solve_all(stretch);
-        result_.trades.push_back(trade(stretch, solutions));
-        if (stretch == chosen) keep(stretch, solutions);
+        const Split split = smoothest(stretch);
+        result_.trades.push_back(trade(stretch, split));
+        if (stretch == chosen) keep(stretch, split);
       }
-    if (!result_.coarse) {
-      if (chosen != 1 || options_.compare) solutions = solve_all(chosen);
-      keep(chosen, solutions);
-    }
+    if (!result_.coarse) keep(chosen, smoothest(chosen));
     return std::move(result_);
   }
 
  private:
+  /// A head, stretched, and what the coarse axes do.
+  struct Split {
+    std::shared_ptr<const PathMotion> head;
+    HeadCells cells;
+    double stretch = 1;
+    std::vector<WindowedSolution<order>> solutions;
+  };
+
   std::size_t axes() const { return task_.machine.axes.size(); }
   const CoarseFineAxis& axis(std::size_t k) const { return task_.machine.axes[k]; }
 
@@ -119,13 +130,14 @@ class Planner {
     return ahead_ * (coarse.velocity / coarse.acceleration / chain_units(axis(k)).time + rest_of_window);
   }
 
-  std::vector<WindowedSolution<order>> solve_all(double stretch) {
+  std::vector<WindowedSolution<order>> solve_all(double stretch) { return solve_all(cells_, stretch); }
+  std::vector<WindowedSolution<order>> solve_all(const HeadCells& cells, double stretch) {
     std::vector<WindowedSolution<order>> solutions;
     for (std::size_t k = 0; k < axes(); ++k) {
       ChainWindowOptions windows;
       windows.ahead = ahead(k);
       windows.followed = followed;
-      solutions.push_back(solve_in_windows(following<order>(cells_, k, axis(k), stretch), chain_options_, windows));
+      solutions.push_back(solve_in_windows(following<order>(cells, k, axis(k), stretch), chain_options_, windows));
       result_.iterations += solutions.back().iterations;
     }
     return solutions;
@@ -155,31 +167,71 @@ class Planner {
     return law.pieces()[law.find(std::clamp(t, 0.0, law.duration()))].segment;
   }
 
-  Trade trade(double stretch, const std::vector<WindowedSolution<order>>& solutions) const {
-    Trade t{stretch, head_->duration() * stretch, {}};
+  /// The same motion slowed, or a head that leaves the coarse axes more freedom and takes as long: with what the summed
+  /// limits demand of it a coarse axis has to accelerate wherever the fine one could not alone.
+  Split smoothest(double stretch) {
+    if (stretch == 1) return fastest_;
+    Split slowed{fastest_.head, fastest_.cells, stretch, solve_all(fastest_.cells, stretch)};
+    if (order != 2 || alone_) return slowed;
+    const double longest = fastest_.head->duration() * std::max(stretch, stretches[std::size(stretches) - 1]);
+    if (calm_.empty())
+      for (int i = 1; i <= calm_heads; ++i) {
+        calm_.push_back(plan_.calmer(head_share, calm_at(i)));
+        if (calm_.back()->duration() > longest) break;
+      }
+    const double duration = fastest_.head->duration() * stretch;
+    for (auto head = calm_.rbegin(); head != calm_.rend(); ++head) {
+      if (!((*head)->duration() <= duration * (1 + same_duration))) continue;
+      HeadCellOptions cells = cell_options_;
+      const double share = std::min(calm_at(static_cast<int>(calm_.rend() - head)), 1.0);
+      for (std::size_t k = 0; k < axes(); ++k) {
+        double& held = cells.held[k].acceleration;
+        held += share * (std::min(held, axis(k).fine.acceleration) - held);
+      }
+      Split calm{*head, head_cells(**head, cells, scope_), std::max(duration / (*head)->duration(), 1.0), {}};
+      calm.solutions = solve_all(calm.cells, calm.stretch);
+      const bool valid =
+          std::all_of(calm.solutions.begin(), calm.solutions.end(), [](const auto& s) { return s.exceeds.empty(); });
+      return valid && energy(calm) < energy(slowed) ? calm : slowed;
+    }
+    return slowed;
+  }
+
+  double energy(const Split& split) const {
+    double sum = 0;
+    for (const double e : trade(split.stretch, split).energy) sum += e;
+    return sum;
+  }
+
+  Trade trade(double stretch, const Split& split) const {
+    Trade t{stretch, split.head->duration() * split.stretch, {}};
     for (std::size_t k = 0; k < axes(); ++k) {
       const ChainUnits u = chain_units(axis(k));
-      t.energy.push_back(solutions[k].energy * u.acceleration() * u.acceleration() * u.time);
+      t.energy.push_back(split.solutions[k].energy * u.acceleration() * u.acceleration() * u.time);
     }
     return t;
   }
 
-  void keep(double stretch, const std::vector<WindowedSolution<order>>& solutions) {
-    result_.chosen = trade(stretch, solutions);
-    result_.head = stretch == 1 ? head_ : std::make_shared<const PathMotion>(task_.path, head_->law().slowed(stretch));
-    std::vector<SplineMotion::Piece> coarse(cells_.size()), opposite(cells_.size());
-    for (std::size_t c = 0; c < cells_.size(); ++c) {
+  void keep(double stretch, const Split& split) {
+    const HeadCells& cells = split.cells;
+    result_.chosen = trade(stretch, split);
+    result_.head = split.stretch == 1
+                       ? split.head
+                       : std::make_shared<const PathMotion>(task_.path, split.head->law().slowed(split.stretch));
+    result_.chosen.duration = result_.head->duration();
+    std::vector<SplineMotion::Piece> coarse(cells.size()), opposite(cells.size());
+    for (std::size_t c = 0; c < cells.size(); ++c) {
       coarse[c].end = opposite[c].end =
-          c + 1 < cells_.size() ? cells_.times[c + 1] * stretch : result_.head->duration();
+          c + 1 < cells.size() ? cells.times[c + 1] * split.stretch : result_.head->duration();
       for (std::size_t k = 0; k < axes(); ++k) {
         const ChainUnits u = chain_units(axis(k));
-        const ChainState<order>& x = solutions[k].states[c];
+        const ChainState<order>& x = split.solutions[k].states[c];
         Polynomial p{x[0] * u.length, x[1] * u.velocity()};
         if constexpr (order == 2) {
-          p.push_back(0.5 * solutions[k].controls[c] * u.acceleration());
+          p.push_back(0.5 * split.solutions[k].controls[c] * u.acceleration());
         } else {
           p.push_back(0.5 * x[2] * u.acceleration());
-          p.push_back(solutions[k].controls[c] * u.jerk() / 6);
+          p.push_back(split.solutions[k].controls[c] * u.jerk() / 6);
         }
         opposite[c].axes.push_back(-1.0 * p);
         coarse[c].axes.push_back(std::move(p));
@@ -199,6 +251,8 @@ class Planner {
   ChainOptions chain_options_;
   std::shared_ptr<const PathMotion> head_;
   HeadCells cells_;
+  Split fastest_;
+  std::vector<std::shared_ptr<const PathMotion>> calm_;  // heads with ever more freedom for the coarse axes
   double ahead_ = 1;
   bool alone_ = false;  // whether the head moves as the coarse axes alone can
   bool stops_ = false;  // and rests where curvature jumps, too

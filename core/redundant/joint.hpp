@@ -7,7 +7,9 @@
 /// 3. Where it has no solution a certificate (certificate.hpp) shows on which stretch, and the costates show where time
 ///    would help most: feeds of sections there fall (slower_sections.hpp) until it has one. Only stretches around those
 ///    places are solved again; the whole is, at last.
-/// 4. Then the energy ∫a² of each coarse axis is least at the duration found, stretched by `smoothness`.
+/// 4. Then the energy ∫a² of each coarse axis is least at the duration found, stretched by `smoothness`: by slowing
+/// that
+///    motion, or by a head that asks less of the coarse axes and takes as long, whichever is the smoother.
 ///
 /// No motion is shorter than the one of step 1, up to what its planner gives away, and with limited jerk up to what
 /// head_limits() does; the result is not proven to be the shortest where sections were slowed. Cost: O(cells), some 5
@@ -29,6 +31,7 @@ namespace bahnwerk {
 
 struct JointOptions {
   double smoothness = 0;  ///< 0 … 1: how far the duration is stretched, see stretch_of()
+  double stretch = 0;     ///< ≥ 1: how far the duration is stretched, in place of what `smoothness` stands for
   bool compare = false;   ///< whether to plan every stretch of `stretches` for the table
   double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad; larger tangent jumps are corners with a stop
   double cell = 1.0 / 24;                                    ///< longest cell, of √(stroke/coarse acceleration)

@@ -17,6 +17,7 @@
 #include "core/verify/geometry/tube.hpp"
 #include "core/verify/law/rest_check.hpp"
 #include "core/verify/redundant/coarse_fine_checks.hpp"
+#include "core/verify/redundant/stroke_bound.hpp"
 #include "core/verify/redundant/sum_checks.hpp"
 #include "core/verify/setpoints/motion_setpoint_checks.hpp"
 #include "core/verify/setpoints/setpoint_checks.hpp"
@@ -104,9 +105,16 @@ class Pipeline {
     Machine machine = head_;
     machine.axes.resize(moving_);
     Bound& bound = plan_.contour.bound;
-    bound = lower_bound({*path_.moving, machine, path_.feeds, path_.rests, path_.dwells}, planning_.corner_angle,
-                        progress_, posed(), bounded(), &section_bounds_);
+    const PathTask head{*path_.moving, machine, path_.feeds, path_.rests, path_.dwells};
+    const double between = posed() + 0.8 * (bounded() - posed());
+    bound = lower_bound(head, planning_.corner_angle, progress_, posed(), between, &section_bounds_);
     bound.basis += ", limits of coarse and fine axes summed";
+    std::vector<AxisLimits> coarse = coarse_axes_, fine = fine_axes_;
+    coarse.resize(moving_), fine.resize(moving_);
+    const StrokeGain gain = raise_by_stroke({head, coarse, fine, between, bounded()}, section_bounds_, progress_);
+    bound.duration += gain.duration;
+    if (gain.sections > 0)
+      bound.basis += "; the way of the coarse axes in " + std::to_string(gain.sections) + " sections";
   }
 
   void method(RedundancyOptions options, double from) {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "core/base/errors.hpp"
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/motion/grid/sections.hpp"
 #include "core/motion/jerk/jerk_limited.hpp"
+#include "core/redundant/section_law.hpp"
 
 namespace bahnwerk {
 
@@ -46,30 +46,8 @@ TimeLaw HeadSections::plan(const PathTask& task, Progress& progress, double from
 }
 
 void HeadSections::replan(std::size_t section, const Machine& machine, const std::vector<double>& feeds) {
-  const std::size_t first = begin_[section], last = begin_[section + 1];
-  Path own;
-  for (std::size_t i = first; i < last; ++i)  // the curves belong to the whole path, which outlives this
-    own.append(std::shared_ptr<const Curve>(task_.path, &(*task_.path)[i].curve()), i);
-  if (own.size() != last - first) throw Infeasible("a section of the contour cannot be planned by itself");
-  const CartesianAxisPath axes(own, task_.path->axes());
-  std::vector<bool> rests(own.size() + 1, false);
-  rests.front() = rests.back() = true;
-  const std::vector<double> own_feeds(feeds.begin() + static_cast<std::ptrdiff_t>(first),
-                                      feeds.begin() + static_cast<std::ptrdiff_t>(last));
-  const TimeLaw planned = plan({axes, machine, own_feeds, rests}, progress_, at_, at_);
-  TimeLaw law;
-  law.reserve(planned.pieces().size());
-  for (LawPiece piece : planned.pieces()) {
-    const Segment &here = own[piece.segment], &there = (*task_.path)[first + piece.segment];
-    const auto moved = [&](double s) {
-      return s >= here.s1() ? there.s1() : std::clamp(there.s0() + (s - here.s0()), there.s0(), there.s1());
-    };
-    piece.s = moved(piece.s);
-    piece.s_end = moved(piece.s_end);
-    piece.segment += first;
-    law.append(piece);
-  }
-  laws_[section] = std::move(law);
+  laws_[section] = section_law(*task_.path, begin_[section], begin_[section + 1], machine, feeds,
+                               [&](const PathTask& task) { return plan(task, progress_, at_, at_); });
 }
 
 void HeadSections::append_dwells(TimeLaw& law, std::size_t segment) const {

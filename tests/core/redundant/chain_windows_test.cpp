@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "tests/core/redundant/random_chain.hpp"
+
 namespace bahnwerk {
 namespace {
 
@@ -71,6 +73,21 @@ TEST(ChainWindows, AGivenStateAtTheBeginIsKept) {
   const ChainSolution<2> s = solve(chain, {});
   EXPECT_EQ(s.states.front(), *chain.begin);
   EXPECT_LE(s.excess, 0);
+}
+
+TEST(ChainWindows, AnAxisThatCanStandStillDoes) {
+  Chain<2> chain = test::point_to_point<2>(0, 10, 100);
+  for (auto& boxes : chain.states) boxes[0] = {-1, 2};
+  chain.states[50][0] = {0.5, 3};
+  const WindowedSolution<2> still = solve_in_windows(chain, ChainOptions(), ChainWindowOptions());
+  EXPECT_EQ(still.energy, 0);
+  EXPECT_TRUE(still.exceeds.empty());
+  for (const auto& x : still.states) {
+    EXPECT_EQ(x[0], 1.25);
+    EXPECT_EQ(x[1], 0);
+  }
+  chain.controls[20] = {0.1, 0.2};  // it has to move
+  EXPECT_GT(solve_in_windows(chain, ChainOptions(), ChainWindowOptions()).energy, 0);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/numeric/peak.hpp"
 #include "core/numeric/random.hpp"
+#include "core/redundant/iterative/iterative.hpp"
 #include "tests/core/redundant/coarse_fine_machines.hpp"
 
 namespace bahnwerk {
@@ -87,6 +88,22 @@ void expect_valid(const JointTask& task, const JointResult& r, int samples = 500
   }
 }
 
+/// ∫a² of all axes; Gauss' rule is exact for polynomials of degree 5.
+double energy(const Motion& coarse) {
+  constexpr double node[] = {-0.8611363115940526, -0.3399810435848563, 0.3399810435848563, 0.8611363115940526};
+  constexpr double weight[] = {0.3478548451374538, 0.6521451548625461, 0.6521451548625461, 0.3478548451374538};
+  double sum = 0;
+  for (std::size_t i = 0; i < coarse.pieces(); ++i) {
+    const double half = 0.5 * (coarse.end(i) - coarse.begin(i)), middle = coarse.begin(i) + half;
+    if (!(half > 0)) continue;
+    for (std::size_t q = 0; q < 4; ++q) {
+      const MotionState x = coarse.in_piece(i, middle + half * node[q]);
+      for (std::size_t k = 0; k < coarse.axes(); ++k) sum += half * weight[q] * x.acceleration[k] * x.acceleration[k];
+    }
+  }
+  return sum;
+}
+
 CoarseFineMachine random_machine(Random& random) {
   CoarseFineMachine machine;
   for (const char* name : {"x", "y"}) {
@@ -100,6 +117,31 @@ CoarseFineMachine random_machine(Random& random) {
     machine.axes.push_back(axis);
   }
   return machine;
+}
+
+/// With the summed limits the coarse axes have to accelerate wherever the fine ones could not alone. Where time is left
+/// the head asks less of them.
+TEST(Joint, RandomContoursAreSmootherThanByTheIterativeMethodAtItsDuration) {
+  Random random(5);
+  for (int i = 0; i < 8; ++i) {
+    const CoarseFineMachine machine = i % 2 == 0 ? test::md1() : test::md2();
+    const Contour contour = i < 2 ? test::holes(3, 3, 12, 2) : test::random_contour(random, i < 6 ? 40 : 90);
+    SilentProgress progress;
+    const RedundancyResult iterative = plan_iterative(test::redundancy_task(contour, machine), {}, progress, 0, 1);
+    if (iterative.fallbacks > 0) continue;
+    const JointTask task = test::joint_task(contour, machine);
+    JointOptions options;
+    options.stretch = iterative.head->duration() / plan(task).chosen.duration;
+    ASSERT_GE(options.stretch, 1);
+    const JointResult joint = plan(task, options);
+    expect_valid(task, joint);
+    EXPECT_NEAR(joint.chosen.duration, iterative.head->duration(), 1e-6 * joint.chosen.duration);
+    // A mean square of a thousandth of the limits is what the solver's tolerance leaves of standing still.
+    double still = 0;
+    for (const CoarseFineAxis& axis : machine.axes)
+      still += 1e-6 * axis.coarse.acceleration * axis.coarse.acceleration * joint.chosen.duration;
+    EXPECT_LT(energy(*joint.coarse), std::max(energy(*iterative.coarse), still)) << i;
+  }
 }
 
 TEST(Joint, SmallHolesAreCutAsFastAsBothAxesTogetherCan) {

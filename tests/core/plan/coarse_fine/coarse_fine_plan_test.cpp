@@ -46,6 +46,25 @@ TEST(CoarseFinePlan, HolesAreVerifiedAndAsQuickAsTheBoundAllows) {
   EXPECT_LE(p.peak_coarse_acceleration[0], 16000 * (1 + 1e-9));
 }
 
+/// The bound is a check of the verification: no plan is shorter.
+TEST(CoarseFinePlan, LongMovesAreNotMuchLongerThanTheBoundThatKnowsTheStroke) {
+  Random random(16);
+  for (int i = 0; i < 12; ++i) {
+    CoarseFineMachine machine = i % 2 == 0 ? test::md1() : test::md2();
+    if (i % 3 == 0)
+      for (CoarseFineAxis& axis : machine.axes) {
+        axis.stroke = random.uniform(4, 60);
+        axis.coarse.acceleration = random.uniform(3000, 30000);
+        axis.fine.velocity = random.uniform(500, 3000);
+      }
+    RedundancyOptions options;
+    options.compare = false;
+    const CoarseFinePlan p = plan(test::random_contour(random, 600), machine, {}, options);
+    expect_verified(p);
+    EXPECT_LE(p.contour.bound.gap, 0.1) << i;
+  }
+}
+
 TEST(CoarseFinePlan, JerkLimitsHoldOfBothAxes) {
   const CoarseFinePlan p = plan(test::holes(3, 3, 12, 2), with_jerk(test::md2()));
   expect_verified(p);

@@ -1,0 +1,129 @@
+#include "core/redundant/followable_states.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bahnwerk {
+namespace {
+
+constexpr std::size_t most_vertices = 96;
+
+double cross(const ChainState<2>& a, const ChainState<2>& b) { return a[0] * b[1] - a[1] * b[0]; }
+ChainState<2> minus(const ChainState<2>& a, const ChainState<2>& b) { return {a[0] - b[0], a[1] - b[1]}; }
+
+}  // namespace
+
+FollowableStates FollowableStates::at_node(const std::array<Range, 2>& boxes, bool rest) {
+  FollowableStates s;
+  const Range &x = boxes[0], &v = boxes[1];
+  if (x.lowest > x.highest || (!rest && v.lowest > v.highest)) return s;
+  if (rest)
+    s.vertices_ = {{x.lowest, 0}, {x.highest, 0}};
+  else
+    s.vertices_ = {{x.lowest, v.lowest}, {x.highest, v.lowest}, {x.highest, v.highest}, {x.lowest, v.highest}};
+  return s;
+}
+
+void FollowableStates::advance(double h, const Range& controls) {
+  const double middle = controls.middle(), half = 0.5 * controls.width();
+  for (State& s : vertices_) s = advanced<2>(s, h, middle);
+  if (half > 0) add_segment({0.5 * h * h * half, h * half});
+  if (vertices_.size() > most_vertices) reduce();
+}
+
+void FollowableStates::add_segment(const State& g) {
+  const std::size_t n = vertices_.size();
+  if (n == 0) return;
+  spare_.clear();
+  const auto side = [&](std::size_t i) {
+    const double c = cross(g, minus(vertices_[i + 1 < n ? i + 1 : 0], vertices_[i]));
+    return c > 0 ? 1 : c < 0 ? -1 : 0;
+  };
+  int before = side(n - 1);
+  for (std::size_t i = 0; i < n; ++i) {
+    const int after = side(i);
+    const State& p = vertices_[i];
+    if (before != 0) spare_.push_back({p[0] + before * g[0], p[1] + before * g[1]});
+    if (after != 0 && after != before) spare_.push_back({p[0] + after * g[0], p[1] + after * g[1]});
+    before = after;
+  }
+  if (spare_.empty()) {  // one place, or a line along g
+    const auto [low, high] = std::minmax_element(
+        vertices_.begin(), vertices_.end(),
+        [&](const State& a, const State& b) { return a[0] * g[0] + a[1] * g[1] < b[0] * g[0] + b[1] * g[1]; });
+    spare_ = {minus(*low, g), {(*high)[0] + g[0], (*high)[1] + g[1]}};
+  }
+  std::swap(vertices_, spare_);
+}
+
+/// Removes vertices that are nearest to the line between their neighbours, by the area they stand for.
+void FollowableStates::reduce() {
+  while (vertices_.size() > most_vertices) {
+    const std::size_t n = vertices_.size();
+    std::size_t best = 0;
+    double least = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const State &p = vertices_[(i + n - 1) % n], &a = vertices_[i], &q = vertices_[(i + 1) % n];
+      const double area = std::abs(cross(minus(a, p), minus(q, p)));
+      if (i == 0 || area < least) {
+        least = area;
+        best = i;
+      }
+    }
+    vertices_.erase(vertices_.begin() + static_cast<std::ptrdiff_t>(best));
+  }
+}
+
+void FollowableStates::cut(double x, double v, double most) {
+  const std::size_t n = vertices_.size();
+  const auto beyond = [&](const State& s) { return x * s[0] + v * s[1] - most; };
+  if (std::none_of(vertices_.begin(), vertices_.end(), [&](const State& s) { return beyond(s) > 0; })) return;
+  spare_.clear();
+  for (std::size_t i = 0; i < n; ++i) {
+    const State &a = vertices_[i], &b = vertices_[i + 1 < n ? i + 1 : 0];
+    const double from = beyond(a), to = beyond(b);
+    if (from <= 0) spare_.push_back(a);
+    if ((from < 0 && to > 0) || (from > 0 && to < 0)) {
+      const double share = from / (from - to);
+      spare_.push_back({a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])});
+    }
+  }
+  std::swap(vertices_, spare_);
+}
+
+void FollowableStates::limit(const std::array<Range, 2>& boxes) {
+  cut(1, 0, boxes[0].highest);
+  cut(-1, 0, -boxes[0].lowest);
+  cut(0, 1, boxes[1].highest);
+  cut(0, -1, -boxes[1].lowest);
+}
+
+bool FollowableStates::meets(const FollowableStates& other) const {
+  FollowableStates both = *this;
+  const std::size_t n = other.vertices_.size();
+  if (n == 0) return false;
+  for (std::size_t i = 0; i < n && !both.empty(); ++i) {
+    const State &a = other.vertices_[i], edge = minus(other.vertices_[i + 1 < n ? i + 1 : 0], a);
+    both.cut(edge[1], -edge[0], edge[1] * a[0] - edge[0] * a[1]);
+  }
+  return !both.empty();
+}
+
+FollowableStates followed_forward(FollowableStates states, const Chain<2>& chain, std::size_t first, std::size_t last) {
+  for (std::size_t c = first; c < last && !states.empty(); ++c) {
+    states.advance(chain.steps[c], chain.controls[c]);
+    if (c + 1 < chain.cells() || !chain.ends_at_rest) states.limit(chain.states[c + 1]);
+  }
+  return states;
+}
+
+FollowableStates followed_backward(FollowableStates states, const Chain<2>& chain, std::size_t first,
+                                   std::size_t last) {
+  for (std::size_t c = last; c-- > first && !states.empty();) {
+    states.advance(-chain.steps[c], chain.controls[c]);
+    if (c > 0 || !chain.begins_at_rest) states.limit(chain.states[c]);
+  }
+  return states;
+}
+
+}  // namespace bahnwerk

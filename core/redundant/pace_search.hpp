@@ -1,0 +1,75 @@
+#pragma once
+/// Quicker paces for a stretch that the coarse axes can follow: one section after the other gets the quickest that it
+/// can have while the others stay.
+///
+/// What the coarse axes can do before and behind a section are convex sets of states (followable_states.hpp) that do
+/// not change with its pace, so that a pace is judged on the cells of that section alone. A straight move is searched
+/// over its acceleration, its braking and its feed, other sections over their feed. Then pairs: a section that is not a
+/// move becomes as quick as ever, or a move a little slower or quicker, and another move near it makes up for that;
+/// what takes less time in all stays.
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/base/progress_scope.hpp"
+#include "core/redundant/chain.hpp"
+#include "core/redundant/coarse_fine.hpp"
+#include "core/redundant/followable_states.hpp"
+#include "core/redundant/head_cells.hpp"
+#include "core/redundant/head_plan.hpp"
+
+namespace bahnwerk {
+
+class PaceSearch {
+ public:
+  /// Of the sections in the path's segments [first, last).
+  PaceSearch(HeadPlan<2>& plan, const CoarseFineMachine& machine, const HeadCellOptions& cells, ProgressScope& scope,
+             std::size_t first, std::size_t last);
+
+  /// Paces of the plan become quicker where that is found. False: the paces given cannot be followed with the little
+  /// room that the search leaves. Some 0.2 ms per pace that is looked at, 20 to 60 of them per slowed section.
+  bool run();
+
+ private:
+  struct Timed {
+    std::size_t first = 0, last = 0;  // segments
+    double duration = 0;
+    std::vector<Chain<2>> chains;  // per axis
+  };
+  struct Speeds {  // what a section may do at most
+    Pace pace;
+    bool slowed = false;
+    std::vector<double> feeds;
+  };
+
+  Timed timed(std::size_t first, std::size_t last);
+  bool set_room(double room);
+  void carry_forward(std::size_t from);
+  void carry_backward(std::size_t from);
+  bool possible(std::size_t section, const Timed& timed) const;
+
+  Paces::Straight* straight(std::size_t section);
+  Speeds speeds(std::size_t section);
+  void restore(std::size_t section, const Speeds& speeds);
+  bool slowed(std::size_t section);
+
+  /// The pace of a straight move with the least duration below `limit`; the plan keeps it if there is one.
+  bool quickest_move(std::size_t section, double limit);
+  bool quicker_cut(std::size_t section);
+  bool sweep();
+  /// A section that was changed to `changed`, and a move that makes up for it.
+  bool exchange(std::size_t section, const Speeds& before, std::size_t move);
+  bool exchanges();
+  double total() const;
+
+  HeadPlan<2>& plan_;
+  const CoarseFineMachine& machine_;
+  const HeadCellOptions& cell_options_;
+  ProgressScope& scope_;
+  std::size_t first_, last_;
+  double room_ = 0;  // that boxes are smaller by
+  std::vector<Timed> sections_;
+  std::vector<std::vector<FollowableStates>> forward_, backward_;  // [section, and behind the last][axis]
+};
+
+}  // namespace bahnwerk

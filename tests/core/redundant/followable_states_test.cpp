@@ -1,0 +1,53 @@
+#include "core/redundant/followable_states.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/redundant/chain_solver.hpp"
+#include "tests/core/redundant/random_chain.hpp"
+
+namespace bahnwerk {
+namespace {
+
+FollowableStates begin_of(const Chain<2>& chain) {
+  return FollowableStates::at_node(chain.states.front(), chain.begins_at_rest);
+}
+FollowableStates end_of(const Chain<2>& chain) {
+  return FollowableStates::at_node(chain.states.back(), chain.ends_at_rest);
+}
+
+bool can_be_followed(const Chain<2>& chain) {
+  const std::size_t n = chain.cells();
+  return followed_forward(begin_of(chain), chain, 0, n / 2).meets(followed_backward(end_of(chain), chain, n / 2, n));
+}
+
+TEST(FollowableStates, AMoveFromRestToRestNeedsItsLeastTime) {
+  for (const double way : {0.3, 1.0, 7.0}) {
+    EXPECT_TRUE(can_be_followed(test::point_to_point<2>(way, 2 * std::sqrt(way) * 1.001, 200)));
+    EXPECT_FALSE(can_be_followed(test::point_to_point<2>(way, 2 * std::sqrt(way) * 0.999, 200)));
+  }
+}
+
+TEST(FollowableStates, AgreeWithTheSolutionOfTheChain) {
+  Random random(3);
+  int followed = 0, not_followed = 0;
+  for (int round = 0; round < 200; ++round) {
+    Chain<2> chain = test::known_chain<2>(random, 20 + 2 * static_cast<std::size_t>(round)).chain;
+    EXPECT_TRUE(can_be_followed(chain)) << round;
+    ++followed;
+    const double by = random.uniform(0.05, 0.5);
+    for (auto& boxes : chain.states)
+      if (random.below(4) == 0)
+        boxes[0].lowest += by, boxes[0].highest = std::max(boxes[0].highest, boxes[0].lowest + 0.1);
+    if (solve(chain, ChainOptions()).excess < 1e-3) continue;
+    EXPECT_FALSE(can_be_followed(chain)) << round;
+    ++not_followed;
+  }
+  EXPECT_GT(followed, 100);
+  EXPECT_GT(not_followed, 20);
+}
+
+}  // namespace
+}  // namespace bahnwerk
