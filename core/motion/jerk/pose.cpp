@@ -60,6 +60,16 @@ double JerkSectionPlanner<N, M>::cell_cap(std::size_t c, bool at_end) const {
 }
 
 template <int N, int M>
+double JerkSectionPlanner<N, M>::steepest(const Station<N>& at, double b) const {
+  double most = options_.path.acceleration;
+  for (std::size_t k = 0; k < N; ++k) {
+    const double d1 = std::abs(at.d1[k]), A = machine_.axes[k].acceleration + std::abs(at.d2[k]) * b;
+    if (d1 * most > A) most = A / d1;
+  }
+  return most;
+}
+
+template <int N, int M>
 void JerkSectionPlanner<N, M>::rough(ProgressScope& pulse) {
   caps(cap_, pulse);
   rough_profile<N>(grid_, feed_, machine_, options_.path, cap_, rough_, pulse);
@@ -140,9 +150,19 @@ void JerkSectionPlanner<N, M>::pose(ProgressScope& pulse) {
   caps(cap_, pulse);
   problem_.inverse_jerk = soft_.inverse_jerk;
   problem_.inverse_cap.resize(n + 1);
+  problem_.cap_reach.resize(n + 1);
   for (std::size_t i = 1; i < n; ++i)
-    problem_.inverse_cap[i] = {1 / (share_ * std::min(cap_[i], cell_cap(i - 1, true))),
-                               1 / (share_ * std::min(cap_[i], cell_cap(i, false)))};
+    for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+      const std::size_t c = i - 1 + side;
+      const double cell = cell_cap(c, side == 0), reach = (2.0 / 3) * grid_.length(c);
+      problem_.inverse_cap[i][side] = 1 / (share_ * std::min(cap_[i], cell));
+      problem_.cap_reach[i][side] = reach;
+      if (!(cell > cap_[i]) || !ceiling_.empty()) continue;
+      // Where the node's own cap is the lower one the inner coefficient need not keep to it, but to the cell's. With
+      // this reach it does, since no law has a larger acceleration there: it may leave a slow segment accelerating.
+      const Station<N>& at = side == 0 ? grid_.right(c) : grid_.left(c);
+      problem_.cap_reach[i][side] = std::max(0.0, reach - (cell - cap_[i]) / steepest(at, cap_[i]));
+    }
   problem_.stations.clear();
   problem_.stations.reserve(grid_.stations.size());
   for (const auto& s : grid_.stations) problem_.stations.push_back(rows_of(s));
@@ -220,6 +240,7 @@ void JerkSectionPlanner<N, M>::add_node(std::size_t node, const JerkStation<M>& 
 
 template void JerkSectionPlanner<2, 2>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
 template double JerkSectionPlanner<2, 2>::cell_cap(std::size_t c, bool at_end) const;
+template double JerkSectionPlanner<2, 2>::steepest(const Station<2>& at, double b) const;
 template void JerkSectionPlanner<2, 2>::rough(ProgressScope& pulse);
 template void JerkSectionPlanner<2, 2>::lay(ProgressScope& pulse);
 template void JerkSectionPlanner<2, 2>::soften();
@@ -230,6 +251,7 @@ template void JerkSectionPlanner<2, 2>::add_node(std::size_t node, const JerkSta
                                                  const std::array<double, 2>& inverse);
 template void JerkSectionPlanner<2, 3>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
 template double JerkSectionPlanner<2, 3>::cell_cap(std::size_t c, bool at_end) const;
+template double JerkSectionPlanner<2, 3>::steepest(const Station<2>& at, double b) const;
 template void JerkSectionPlanner<2, 3>::rough(ProgressScope& pulse);
 template void JerkSectionPlanner<2, 3>::lay(ProgressScope& pulse);
 template void JerkSectionPlanner<2, 3>::soften();
@@ -242,8 +264,11 @@ template void JerkSectionPlanner<3, 3>::caps(LargeVector<double>& cap, ProgressS
 template void JerkSectionPlanner<5, 5>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
 template void JerkSectionPlanner<8, 8>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
 template double JerkSectionPlanner<3, 3>::cell_cap(std::size_t c, bool at_end) const;
+template double JerkSectionPlanner<3, 3>::steepest(const Station<3>& at, double b) const;
 template double JerkSectionPlanner<5, 5>::cell_cap(std::size_t c, bool at_end) const;
+template double JerkSectionPlanner<5, 5>::steepest(const Station<5>& at, double b) const;
 template double JerkSectionPlanner<8, 8>::cell_cap(std::size_t c, bool at_end) const;
+template double JerkSectionPlanner<8, 8>::steepest(const Station<8>& at, double b) const;
 template void JerkSectionPlanner<3, 3>::rough(ProgressScope& pulse);
 template void JerkSectionPlanner<5, 5>::rough(ProgressScope& pulse);
 template void JerkSectionPlanner<8, 8>::rough(ProgressScope& pulse);
@@ -272,8 +297,11 @@ template void JerkSectionPlanner<3, 4>::caps(LargeVector<double>& cap, ProgressS
 template void JerkSectionPlanner<5, 6>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
 template void JerkSectionPlanner<8, 9>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
 template double JerkSectionPlanner<3, 4>::cell_cap(std::size_t c, bool at_end) const;
+template double JerkSectionPlanner<3, 4>::steepest(const Station<3>& at, double b) const;
 template double JerkSectionPlanner<5, 6>::cell_cap(std::size_t c, bool at_end) const;
+template double JerkSectionPlanner<5, 6>::steepest(const Station<5>& at, double b) const;
 template double JerkSectionPlanner<8, 9>::cell_cap(std::size_t c, bool at_end) const;
+template double JerkSectionPlanner<8, 9>::steepest(const Station<8>& at, double b) const;
 template void JerkSectionPlanner<3, 4>::rough(ProgressScope& pulse);
 template void JerkSectionPlanner<5, 6>::rough(ProgressScope& pulse);
 template void JerkSectionPlanner<8, 9>::rough(ProgressScope& pulse);

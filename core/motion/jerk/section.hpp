@@ -142,6 +142,9 @@ class JerkSectionPlanner {
   /// never needs to be below both ends' values.
   double cell_cap(std::size_t c, bool at_end) const;
 
+  /// The largest path acceleration at a place passed with at most this v².
+  double steepest(const Station<N>& at, double b) const;
+
   void rough(ProgressScope& pulse);
 
   /// Nodes where the law needs them, by a rough profile.

@@ -60,6 +60,7 @@ class JerkSolver {
   /// Likewise nodes; the one in the middle is the first half's.
   struct Nodes {
     Twin weight;
+    Twin length;                           ///< of both cells next to it
     std::array<Twin, 2> cap, slope;        ///< rows cap (b + slope a) ≤ 1 towards the outer and the inner cell
     std::array<JerkSide<Twin>, 2> capped;  ///< their states
     JerkNodeRows<Twin, M> rows;
