@@ -214,8 +214,9 @@ class JerkSectionPlanner {
   /// there are none.
   bool stubborn();
 
-  /// Cells that exceed a limit between their nodes get a smaller share of it, by so many times the excess.
-  void tighten(double times);
+  /// Cells that exceed a limit between their nodes get a smaller share of it, by so many times the excess; of
+  /// accelerations, if these are looked at.
+  void tighten(double times, bool acceleration);
 
   /// Appends the law's pieces to `pieces_`, and finds by how much they have to be slowed for what still exceeds a
   /// limit. Returns their duration then, infinite if they are no law.
