@@ -11,6 +11,9 @@ namespace {
 /// A cell that lasts this part of A/J gets rows for the acceleration half-way.
 constexpr double middle_from = 0.15, near_limit = 0.8;
 
+/// Through kinematics a part that lasts so many times what parts should last is divided once more.
+constexpr double long_part = 2;
+
 }  // namespace
 
 template <int N, int M>
@@ -82,6 +85,7 @@ void JerkSectionPlanner<N, M>::lay(ProgressScope& pulse) {
   double total = 0;
   for (const double t : rough_.duration) total += t;
   division_.assign(n, {});
+  longest_.clear();
   for (std::size_t c = 0; c < n; ++c) {
     // Through kinematics axes may run as evenly as along a straight segment: what turns little takes long.
     const bool straight = grid_.cells[c].straight || !path_.cartesian();
@@ -94,9 +98,29 @@ void JerkSectionPlanner<N, M>::lay(ProgressScope& pulse) {
                                                        : rest_left             ? Spread::from_rest
                                                        : rest_right            ? Spread::to_rest
                                                                                : Spread::even};
+    longest_.insert(longest_.end(), static_cast<std::size_t>(parts), long_part * tau);
   }
   divide<N>(grid_, path_, division_, pulse);
   rough(pulse);
+  if (!path_.cartesian() && mark_long()) {
+    divide<N>(grid_, path_, division_, pulse);
+    rough(pulse);
+  }
+}
+
+template <int N, int M>
+bool JerkSectionPlanner<N, M>::mark_long() {
+  constexpr double most = 16;
+  const std::size_t n = grid_.cells.size();
+  division_.assign(n, {});
+  bool any = false;
+  for (std::size_t c = 1; c + 1 < n; ++c) {
+    const double t = rough_.duration[c];
+    if (!(t > longest_[c])) continue;
+    division_[c].parts = static_cast<std::uint16_t>(std::min(std::ceil(long_part * t / longest_[c]), most));
+    any = true;
+  }
+  return any;
 }
 
 template <int N, int M>
@@ -243,6 +267,7 @@ template double JerkSectionPlanner<2, 2>::cell_cap(std::size_t c, bool at_end) c
 template double JerkSectionPlanner<2, 2>::steepest(const Station<2>& at, double b) const;
 template void JerkSectionPlanner<2, 2>::rough(ProgressScope& pulse);
 template void JerkSectionPlanner<2, 2>::lay(ProgressScope& pulse);
+template bool JerkSectionPlanner<2, 2>::mark_long();
 template void JerkSectionPlanner<2, 2>::soften();
 template void JerkSectionPlanner<2, 2>::guess(Start start, ProgressScope& pulse);
 template void JerkSectionPlanner<2, 2>::pose(ProgressScope& pulse);
@@ -254,6 +279,7 @@ template double JerkSectionPlanner<2, 3>::cell_cap(std::size_t c, bool at_end) c
 template double JerkSectionPlanner<2, 3>::steepest(const Station<2>& at, double b) const;
 template void JerkSectionPlanner<2, 3>::rough(ProgressScope& pulse);
 template void JerkSectionPlanner<2, 3>::lay(ProgressScope& pulse);
+template bool JerkSectionPlanner<2, 3>::mark_long();
 template void JerkSectionPlanner<2, 3>::soften();
 template void JerkSectionPlanner<2, 3>::guess(Start start, ProgressScope& pulse);
 template void JerkSectionPlanner<2, 3>::pose(ProgressScope& pulse);
@@ -273,8 +299,11 @@ template void JerkSectionPlanner<3, 3>::rough(ProgressScope& pulse);
 template void JerkSectionPlanner<5, 5>::rough(ProgressScope& pulse);
 template void JerkSectionPlanner<8, 8>::rough(ProgressScope& pulse);
 template void JerkSectionPlanner<3, 3>::lay(ProgressScope& pulse);
+template bool JerkSectionPlanner<3, 3>::mark_long();
 template void JerkSectionPlanner<5, 5>::lay(ProgressScope& pulse);
+template bool JerkSectionPlanner<5, 5>::mark_long();
 template void JerkSectionPlanner<8, 8>::lay(ProgressScope& pulse);
+template bool JerkSectionPlanner<8, 8>::mark_long();
 template void JerkSectionPlanner<3, 3>::soften();
 template void JerkSectionPlanner<5, 5>::soften();
 template void JerkSectionPlanner<8, 8>::soften();
@@ -306,8 +335,11 @@ template void JerkSectionPlanner<3, 4>::rough(ProgressScope& pulse);
 template void JerkSectionPlanner<5, 6>::rough(ProgressScope& pulse);
 template void JerkSectionPlanner<8, 9>::rough(ProgressScope& pulse);
 template void JerkSectionPlanner<3, 4>::lay(ProgressScope& pulse);
+template bool JerkSectionPlanner<3, 4>::mark_long();
 template void JerkSectionPlanner<5, 6>::lay(ProgressScope& pulse);
+template bool JerkSectionPlanner<5, 6>::mark_long();
 template void JerkSectionPlanner<8, 9>::lay(ProgressScope& pulse);
+template bool JerkSectionPlanner<8, 9>::mark_long();
 template void JerkSectionPlanner<3, 4>::soften();
 template void JerkSectionPlanner<5, 6>::soften();
 template void JerkSectionPlanner<8, 9>::soften();

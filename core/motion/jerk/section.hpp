@@ -150,6 +150,10 @@ class JerkSectionPlanner {
   /// Nodes where the law needs them, by a rough profile.
   void lay(ProgressScope& pulse);
 
+  /// Parts of equal length take unequal times where the law gathers speed: marks those that take much longer than they
+  /// should. False = there are none.
+  bool mark_long();
+
   /// What the solver may do with jerk: no more than takes an axis from one limit of its acceleration to the other in a
   /// quarter of a mean cell. A larger jerk gains nothing that the grid could show, and without any limit along some
   /// axis the law would swing between the nodes.
@@ -243,7 +247,7 @@ class JerkSectionPlanner {
   std::size_t keep_ = all_cells;            // cells of a window that the rest at its end does not slow
   double overlap_ = 1, sped_up_ = 1;        // of windows, in what is hoped for; what it was too short for
   LargeVector<JerkNode> tail_, next_tail_;  // what the window before, and this one, found behind these
-  LargeVector<double> cap_, loss_;
+  LargeVector<double> cap_, loss_, longest_;
   LargeVector<Division> division_;
   LargeVector<JerkNode> state_, before_;  // as solved, and before
   JerkProblem<M> problem_;

@@ -49,6 +49,10 @@ class JerkSolver {
   JerkSolverResult solve(const JerkProblem<M>& problem, LargeVector<JerkNode>& x, double mu,
                          const JerkSolverOptions& options, ProgressScope& pulse);
 
+  /// Adds to every cell of the last problem the time that shares of its limits of jerk below 1 cost, s: to first order,
+  /// by the rows' multipliers.
+  void add_share_costs(LargeVector<double>& cost) const;
+
  private:
   /// Cell g of either half, their rows and all that these need. Lanes that stand for no inner node or no cell have rows
   /// without gradients and next to no weight.
