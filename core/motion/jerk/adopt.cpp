@@ -74,8 +74,9 @@ void JerkSolver<M>::adopt_nodes() {
       for (std::size_t k = 0; k < 2; ++k) {
         const std::size_t side = half == 0 ? k : 1 - k;
         nodes.cap[k][half] = held ? p.inverse_cap[node][side] : 0;
-        nodes.slope[k][half] = held ? (k == 0 ? -(2.0 / 3) : 2.0 / 3) * p.cells[node - 1 + side].h : 0;
+        nodes.slope[k][half] = held ? (k == 0 ? -1 : 1) * p.cap_reach[node][side] : 0;
       }
+      nodes.length[half] = held ? p.cells[node - 1].h + p.cells[node].h : 0;
       std::size_t first = next[half], last = first;
       if (held && half == 0)
         for (; last < p.nodes.size() && p.nodes[last].node == node;) next[half] = ++last;

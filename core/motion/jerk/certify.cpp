@@ -127,15 +127,14 @@ bool JerkSectionPlanner<N, M>::stubborn() {
 }
 
 template <int N, int M>
-void JerkSectionPlanner<N, M>::tighten(double times) {
+void JerkSectionPlanner<N, M>::tighten(double times, bool acceleration) {
   const std::size_t n = grid_.cells.size();
   const auto less = [&](double peak) { return peak > sure ? sure / (sure + times * (peak - sure)) : 1.0; };
-  for (auto& rows : problem_.nodes) {
-    for (std::size_t k = 0; k < M; ++k)
+  for (auto& rows : problem_.nodes)
+    for (std::size_t k = 0; k < M && acceleration; ++k)
       rows.share[k] *= less(std::max(peaks_[rows.node - 1].acceleration[k], peaks_[rows.node].acceleration[k]));
-  }
   for (auto& rows : problem_.middles)
-    for (std::size_t k = 0; k < M; ++k) rows.share[k] *= less(peaks_[rows.cell].acceleration[k]);
+    for (std::size_t k = 0; k < M && acceleration; ++k) rows.share[k] *= less(peaks_[rows.cell].acceleration[k]);
   for (std::size_t c = 0; c < n; ++c) {
     for (auto& share : problem_.cells[c].share)
       for (std::size_t k = 0; k < M; ++k) share[k] = std::max(min_share, share[k] * less(peaks_[c].jerk[k]));
@@ -150,12 +149,12 @@ template void JerkSectionPlanner<2, 2>::look_half_way(ProgressScope& pulse);
 template void JerkSectionPlanner<2, 2>::measure(const RowLimits<2>& limit, bool exact, ProgressScope& pulse);
 template void JerkSectionPlanner<2, 2>::certify(ProgressScope& pulse);
 template bool JerkSectionPlanner<2, 2>::stubborn();
-template void JerkSectionPlanner<2, 2>::tighten(double times);
+template void JerkSectionPlanner<2, 2>::tighten(double times, bool acceleration);
 template void JerkSectionPlanner<2, 3>::look_half_way(ProgressScope& pulse);
 template void JerkSectionPlanner<2, 3>::measure(const RowLimits<3>& limit, bool exact, ProgressScope& pulse);
 template void JerkSectionPlanner<2, 3>::certify(ProgressScope& pulse);
 template bool JerkSectionPlanner<2, 3>::stubborn();
-template void JerkSectionPlanner<2, 3>::tighten(double times);
+template void JerkSectionPlanner<2, 3>::tighten(double times, bool acceleration);
 template void JerkSectionPlanner<3, 3>::look_half_way(ProgressScope& pulse);
 template void JerkSectionPlanner<5, 5>::look_half_way(ProgressScope& pulse);
 template void JerkSectionPlanner<8, 8>::look_half_way(ProgressScope& pulse);
@@ -168,9 +167,9 @@ template void JerkSectionPlanner<8, 8>::certify(ProgressScope& pulse);
 template bool JerkSectionPlanner<3, 3>::stubborn();
 template bool JerkSectionPlanner<5, 5>::stubborn();
 template bool JerkSectionPlanner<8, 8>::stubborn();
-template void JerkSectionPlanner<3, 3>::tighten(double times);
-template void JerkSectionPlanner<5, 5>::tighten(double times);
-template void JerkSectionPlanner<8, 8>::tighten(double times);
+template void JerkSectionPlanner<3, 3>::tighten(double times, bool acceleration);
+template void JerkSectionPlanner<5, 5>::tighten(double times, bool acceleration);
+template void JerkSectionPlanner<8, 8>::tighten(double times, bool acceleration);
 template void JerkSectionPlanner<3, 4>::look_half_way(ProgressScope& pulse);
 template void JerkSectionPlanner<5, 6>::look_half_way(ProgressScope& pulse);
 template void JerkSectionPlanner<8, 9>::look_half_way(ProgressScope& pulse);
@@ -183,8 +182,8 @@ template void JerkSectionPlanner<8, 9>::certify(ProgressScope& pulse);
 template bool JerkSectionPlanner<3, 4>::stubborn();
 template bool JerkSectionPlanner<5, 6>::stubborn();
 template bool JerkSectionPlanner<8, 9>::stubborn();
-template void JerkSectionPlanner<3, 4>::tighten(double times);
-template void JerkSectionPlanner<5, 6>::tighten(double times);
-template void JerkSectionPlanner<8, 9>::tighten(double times);
+template void JerkSectionPlanner<3, 4>::tighten(double times, bool acceleration);
+template void JerkSectionPlanner<5, 6>::tighten(double times, bool acceleration);
+template void JerkSectionPlanner<8, 9>::tighten(double times, bool acceleration);
 
 }  // namespace bahnwerk

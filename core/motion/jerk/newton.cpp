@@ -48,7 +48,7 @@ NodeBlock<Twin> JerkSolver<M>::assemble_nodes(std::size_t i, JerkTotals<Twin>& t
   NodeBlock<Twin> block;
   // Of the duration's curvature the convex part, 3 (h₁ + h₂)/(8 v⁵).
   const Twin w2 = w * w;
-  block.bb = 18.0 * (nodes.slope[1] - nodes.slope[0]) * (w2 * w2 * w);
+  block.bb = 12.0 * nodes.length * (w2 * w2 * w);
   for (std::size_t k = 0; k < 2; ++k) {
     Twin weight, y;
     const Twin p = nodes.cap[k], q = p * nodes.slope[k];

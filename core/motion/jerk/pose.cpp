@@ -11,6 +11,9 @@ namespace {
 /// A cell that lasts this part of A/J gets rows for the acceleration half-way.
 constexpr double middle_from = 0.15, near_limit = 0.8;
 
+/// Through kinematics a part that lasts so many times what parts should last is divided once more.
+constexpr double long_part = 2;
+
 }  // namespace
 
 template <int N, int M>
@@ -60,6 +63,16 @@ double JerkSectionPlanner<N, M>::cell_cap(std::size_t c, bool at_end) const {
 }
 
 template <int N, int M>
+double JerkSectionPlanner<N, M>::steepest(const Station<N>& at, double b) const {
+  double most = options_.path.acceleration;
+  for (std::size_t k = 0; k < N; ++k) {
+    const double d1 = std::abs(at.d1[k]), A = machine_.axes[k].acceleration + std::abs(at.d2[k]) * b;
+    if (d1 * most > A) most = A / d1;
+  }
+  return most;
+}
+
+template <int N, int M>
 void JerkSectionPlanner<N, M>::rough(ProgressScope& pulse) {
   caps(cap_, pulse);
   rough_profile<N>(grid_, feed_, machine_, options_.path, cap_, rough_, pulse);
@@ -72,6 +85,7 @@ void JerkSectionPlanner<N, M>::lay(ProgressScope& pulse) {
   double total = 0;
   for (const double t : rough_.duration) total += t;
   division_.assign(n, {});
+  longest_.clear();
   for (std::size_t c = 0; c < n; ++c) {
     // Through kinematics axes may run as evenly as along a straight segment: what turns little takes long.
     const bool straight = grid_.cells[c].straight || !path_.cartesian();
@@ -84,9 +98,29 @@ void JerkSectionPlanner<N, M>::lay(ProgressScope& pulse) {
                                                        : rest_left             ? Spread::from_rest
                                                        : rest_right            ? Spread::to_rest
                                                                                : Spread::even};
+    longest_.insert(longest_.end(), static_cast<std::size_t>(parts), long_part * tau);
   }
   divide<N>(grid_, path_, division_, pulse);
   rough(pulse);
+  if (!path_.cartesian() && mark_long()) {
+    divide<N>(grid_, path_, division_, pulse);
+    rough(pulse);
+  }
+}
+
+template <int N, int M>
+bool JerkSectionPlanner<N, M>::mark_long() {
+  constexpr double most = 16;
+  const std::size_t n = grid_.cells.size();
+  division_.assign(n, {});
+  bool any = false;
+  for (std::size_t c = 1; c + 1 < n; ++c) {
+    const double t = rough_.duration[c];
+    if (!(t > longest_[c])) continue;
+    division_[c].parts = static_cast<std::uint16_t>(std::min(std::ceil(long_part * t / longest_[c]), most));
+    any = true;
+  }
+  return any;
 }
 
 template <int N, int M>
@@ -140,9 +174,19 @@ void JerkSectionPlanner<N, M>::pose(ProgressScope& pulse) {
   caps(cap_, pulse);
   problem_.inverse_jerk = soft_.inverse_jerk;
   problem_.inverse_cap.resize(n + 1);
+  problem_.cap_reach.resize(n + 1);
   for (std::size_t i = 1; i < n; ++i)
-    problem_.inverse_cap[i] = {1 / (share_ * std::min(cap_[i], cell_cap(i - 1, true))),
-                               1 / (share_ * std::min(cap_[i], cell_cap(i, false)))};
+    for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+      const std::size_t c = i - 1 + side;
+      const double cell = cell_cap(c, side == 0), reach = (2.0 / 3) * grid_.length(c);
+      problem_.inverse_cap[i][side] = 1 / (share_ * std::min(cap_[i], cell));
+      problem_.cap_reach[i][side] = reach;
+      if (!(cell > cap_[i]) || !ceiling_.empty()) continue;
+      // Where the node's own cap is the lower one the inner coefficient need not keep to it, but to the cell's. With
+      // this reach it does, since no law has a larger acceleration there: it may leave a slow segment accelerating.
+      const Station<N>& at = side == 0 ? grid_.right(c) : grid_.left(c);
+      problem_.cap_reach[i][side] = std::max(0.0, reach - (cell - cap_[i]) / steepest(at, cap_[i]));
+    }
   problem_.stations.clear();
   problem_.stations.reserve(grid_.stations.size());
   for (const auto& s : grid_.stations) problem_.stations.push_back(rows_of(s));
@@ -220,8 +264,10 @@ void JerkSectionPlanner<N, M>::add_node(std::size_t node, const JerkStation<M>& 
 
 template void JerkSectionPlanner<2, 2>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
 template double JerkSectionPlanner<2, 2>::cell_cap(std::size_t c, bool at_end) const;
+template double JerkSectionPlanner<2, 2>::steepest(const Station<2>& at, double b) const;
 template void JerkSectionPlanner<2, 2>::rough(ProgressScope& pulse);
 template void JerkSectionPlanner<2, 2>::lay(ProgressScope& pulse);
+template bool JerkSectionPlanner<2, 2>::mark_long();
 template void JerkSectionPlanner<2, 2>::soften();
 template void JerkSectionPlanner<2, 2>::guess(Start start, ProgressScope& pulse);
 template void JerkSectionPlanner<2, 2>::pose(ProgressScope& pulse);
@@ -230,8 +276,10 @@ template void JerkSectionPlanner<2, 2>::add_node(std::size_t node, const JerkSta
                                                  const std::array<double, 2>& inverse);
 template void JerkSectionPlanner<2, 3>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
 template double JerkSectionPlanner<2, 3>::cell_cap(std::size_t c, bool at_end) const;
+template double JerkSectionPlanner<2, 3>::steepest(const Station<2>& at, double b) const;
 template void JerkSectionPlanner<2, 3>::rough(ProgressScope& pulse);
 template void JerkSectionPlanner<2, 3>::lay(ProgressScope& pulse);
+template bool JerkSectionPlanner<2, 3>::mark_long();
 template void JerkSectionPlanner<2, 3>::soften();
 template void JerkSectionPlanner<2, 3>::guess(Start start, ProgressScope& pulse);
 template void JerkSectionPlanner<2, 3>::pose(ProgressScope& pulse);
@@ -242,14 +290,20 @@ template void JerkSectionPlanner<3, 3>::caps(LargeVector<double>& cap, ProgressS
 template void JerkSectionPlanner<5, 5>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
 template void JerkSectionPlanner<8, 8>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
 template double JerkSectionPlanner<3, 3>::cell_cap(std::size_t c, bool at_end) const;
+template double JerkSectionPlanner<3, 3>::steepest(const Station<3>& at, double b) const;
 template double JerkSectionPlanner<5, 5>::cell_cap(std::size_t c, bool at_end) const;
+template double JerkSectionPlanner<5, 5>::steepest(const Station<5>& at, double b) const;
 template double JerkSectionPlanner<8, 8>::cell_cap(std::size_t c, bool at_end) const;
+template double JerkSectionPlanner<8, 8>::steepest(const Station<8>& at, double b) const;
 template void JerkSectionPlanner<3, 3>::rough(ProgressScope& pulse);
 template void JerkSectionPlanner<5, 5>::rough(ProgressScope& pulse);
 template void JerkSectionPlanner<8, 8>::rough(ProgressScope& pulse);
 template void JerkSectionPlanner<3, 3>::lay(ProgressScope& pulse);
+template bool JerkSectionPlanner<3, 3>::mark_long();
 template void JerkSectionPlanner<5, 5>::lay(ProgressScope& pulse);
+template bool JerkSectionPlanner<5, 5>::mark_long();
 template void JerkSectionPlanner<8, 8>::lay(ProgressScope& pulse);
+template bool JerkSectionPlanner<8, 8>::mark_long();
 template void JerkSectionPlanner<3, 3>::soften();
 template void JerkSectionPlanner<5, 5>::soften();
 template void JerkSectionPlanner<8, 8>::soften();
@@ -272,14 +326,20 @@ template void JerkSectionPlanner<3, 4>::caps(LargeVector<double>& cap, ProgressS
 template void JerkSectionPlanner<5, 6>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
 template void JerkSectionPlanner<8, 9>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
 template double JerkSectionPlanner<3, 4>::cell_cap(std::size_t c, bool at_end) const;
+template double JerkSectionPlanner<3, 4>::steepest(const Station<3>& at, double b) const;
 template double JerkSectionPlanner<5, 6>::cell_cap(std::size_t c, bool at_end) const;
+template double JerkSectionPlanner<5, 6>::steepest(const Station<5>& at, double b) const;
 template double JerkSectionPlanner<8, 9>::cell_cap(std::size_t c, bool at_end) const;
+template double JerkSectionPlanner<8, 9>::steepest(const Station<8>& at, double b) const;
 template void JerkSectionPlanner<3, 4>::rough(ProgressScope& pulse);
 template void JerkSectionPlanner<5, 6>::rough(ProgressScope& pulse);
 template void JerkSectionPlanner<8, 9>::rough(ProgressScope& pulse);
 template void JerkSectionPlanner<3, 4>::lay(ProgressScope& pulse);
+template bool JerkSectionPlanner<3, 4>::mark_long();
 template void JerkSectionPlanner<5, 6>::lay(ProgressScope& pulse);
+template bool JerkSectionPlanner<5, 6>::mark_long();
 template void JerkSectionPlanner<8, 9>::lay(ProgressScope& pulse);
+template bool JerkSectionPlanner<8, 9>::mark_long();
 template void JerkSectionPlanner<3, 4>::soften();
 template void JerkSectionPlanner<5, 6>::soften();
 template void JerkSectionPlanner<8, 9>::soften();

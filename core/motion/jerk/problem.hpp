@@ -52,12 +52,13 @@ struct JerkProblem {
   LargeVector<JerkStation<M>> stations;
   LargeVector<Cell> cells;
   std::array<double, M> inverse_jerk{};  ///< 1/J, s³/mm; 0 = unlimited
-  /// Per node, towards the left and the right cell: 1/(largest b + slope · a), s²/mm²; 0 = unlimited. b ± 2/3 h a are
-  /// the inner Bernstein coefficients of b, a cubic of s, over the cell: with them b itself stays below between the
+  /// Per node, towards the left and the right cell: b ∓ reach · a ≤ cap, as 1/cap, s²/mm², 0 = unlimited. b ∓ 2/3 h a
+  /// are the inner Bernstein coefficients of b, a cubic of s, over the cell: with them b itself stays below between the
   /// nodes.
   LargeVector<std::array<double, 2>> inverse_cap;
-  LargeVector<NodeRows<M>> nodes;      ///< by node, ascending
-  LargeVector<MiddleRows<M>> middles;  ///< by cell, ascending
+  LargeVector<std::array<double, 2>> cap_reach;  ///< mm
+  LargeVector<NodeRows<M>> nodes;                ///< by node, ascending
+  LargeVector<MiddleRows<M>> middles;            ///< by cell, ascending
 };
 
 }  // namespace bahnwerk

@@ -6,6 +6,13 @@
 
 namespace bahnwerk {
 
+namespace {
+
+/// Through kinematics a grid is divided from so many times the loss on.
+constexpr double kinematic_loss = 1.4;
+
+}  // namespace
+
 template <int N, int M>
 double JerkSectionPlanner<N, M>::slack_ramp(std::size_t c, double change, double jerk) const {
   const PathLimits here = path_limits<N>(grid_.left(c), machine_, options_.path, unlimited);
@@ -34,9 +41,11 @@ bool JerkSectionPlanner<N, M>::mark(ProgressScope& pulse) {
     if (jerk > 0) loss_[c] = change * T * T / 24 * std::max(T, std::min(a / jerk, jerk_time_)) / v;
     const bool rest = from_rest(c) || to_rest(c);
     if (rest || end > p.a) loss_[c] += (rest ? 0.5 : 0.125) * T * slack_ramp(c, std::abs(end - p.a), jerk);
-    total += loss_[c];
   }
-  const double bearable = (path_.cartesian() ? 1 : 2) * options_.tolerance * time;
+  // In wide cells, where jerk inside exceeds that at the ends, smaller shares cost as much as switching does.
+  if (!path_.cartesian()) solver_.add_share_costs(loss_);
+  for (const double l : loss_) total += l;
+  const double bearable = (path_.cartesian() ? 1 : kinematic_loss) * options_.tolerance * time;
   if (total <= bearable) return false;
   std::size_t many = 0;
   for (const double l : loss_)

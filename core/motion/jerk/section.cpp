@@ -226,6 +226,8 @@ void JerkSectionPlanner<N, M>::improve(double mu, ProgressScope& pulse) {
       mu = r.mu;
     }
     measure(soft_, false, pulse);
+    // What a cell exceeds without rows half-way is no reason for smaller shares once it has them.
+    const bool accelerations = !fresh;
     if (fresh) pose_middles(true, pulse);
     fresh = false;
     // What is left slows the section by its half (v², a) or third (j) power.
@@ -239,7 +241,7 @@ void JerkSectionPlanner<N, M>::improve(double mu, ProgressScope& pulse) {
         if (bearable()) break;
       }
     }
-    tighten(cartesian || reach > options_.gap ? 1.05 : late_tightening);
+    tighten(cartesian || reach > options_.gap ? 1.05 : late_tightening, accelerations);
     division_.clear();
     if (divides_ && division < (cartesian ? 4 : 1) * options_.max_divisions && stubborn()) {
       divide(r.mu);

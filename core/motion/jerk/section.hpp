@@ -142,10 +142,17 @@ class JerkSectionPlanner {
   /// never needs to be below both ends' values.
   double cell_cap(std::size_t c, bool at_end) const;
 
+  /// The largest path acceleration at a place passed with at most this v².
+  double steepest(const Station<N>& at, double b) const;
+
   void rough(ProgressScope& pulse);
 
   /// Nodes where the law needs them, by a rough profile.
   void lay(ProgressScope& pulse);
+
+  /// Parts of equal length take unequal times where the law gathers speed: marks those that take much longer than they
+  /// should. False = there are none.
+  bool mark_long();
 
   /// What the solver may do with jerk: no more than takes an axis from one limit of its acceleration to the other in a
   /// quarter of a mean cell. A larger jerk gains nothing that the grid could show, and without any limit along some
@@ -211,8 +218,9 @@ class JerkSectionPlanner {
   /// there are none.
   bool stubborn();
 
-  /// Cells that exceed a limit between their nodes get a smaller share of it, by so many times the excess.
-  void tighten(double times);
+  /// Cells that exceed a limit between their nodes get a smaller share of it, by so many times the excess; of
+  /// accelerations, if these are looked at.
+  void tighten(double times, bool acceleration);
 
   /// Appends the law's pieces to `pieces_`, and finds by how much they have to be slowed for what still exceeds a
   /// limit. Returns their duration then, infinite if they are no law.
@@ -239,7 +247,7 @@ class JerkSectionPlanner {
   std::size_t keep_ = all_cells;            // cells of a window that the rest at its end does not slow
   double overlap_ = 1, sped_up_ = 1;        // of windows, in what is hoped for; what it was too short for
   LargeVector<JerkNode> tail_, next_tail_;  // what the window before, and this one, found behind these
-  LargeVector<double> cap_, loss_;
+  LargeVector<double> cap_, loss_, longest_;
   LargeVector<Division> division_;
   LargeVector<JerkNode> state_, before_;  // as solved, and before
   JerkProblem<M> problem_;

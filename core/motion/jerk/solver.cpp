@@ -115,6 +115,18 @@ JerkSolverResult JerkSolver<M>::solve(const JerkProblem<M>& problem, LargeVector
   return result;
 }
 
+template <int M>
+void JerkSolver<M>::add_share_costs(LargeVector<double>& cost) const {
+  for (std::size_t g = 0; g < groups_; ++g)
+    for (std::size_t half = 0; half < twin; ++half) {
+      if (missing(g, half)) continue;
+      double& c = cost[cell_of(g, half)];
+      for (const auto& end : cells_[g].end)
+        for (std::size_t k = 0; k < M; ++k)
+          c += (end.rows[k].up.z[half] + end.rows[k].down.z[half]) * (1 - end.share[k][half]);
+    }
+}
+
 template class JerkSolver<2>;
 template class JerkSolver<3>;
 template class JerkSolver<5>;

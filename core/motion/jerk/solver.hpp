@@ -49,6 +49,10 @@ class JerkSolver {
   JerkSolverResult solve(const JerkProblem<M>& problem, LargeVector<JerkNode>& x, double mu,
                          const JerkSolverOptions& options, ProgressScope& pulse);
 
+  /// Adds to every cell of the last problem the time that shares of its limits of jerk below 1 cost, s: to first order,
+  /// by the rows' multipliers.
+  void add_share_costs(LargeVector<double>& cost) const;
+
  private:
   /// Cell g of either half, their rows and all that these need. Lanes that stand for no inner node or no cell have rows
   /// without gradients and next to no weight.
@@ -60,6 +64,7 @@ class JerkSolver {
   /// Likewise nodes; the one in the middle is the first half's.
   struct Nodes {
     Twin weight;
+    Twin length;                           ///< of both cells next to it
     std::array<Twin, 2> cap, slope;        ///< rows cap (b + slope a) ≤ 1 towards the outer and the inner cell
     std::array<JerkSide<Twin>, 2> capped;  ///< their states
     JerkNodeRows<Twin, M> rows;

@@ -190,6 +190,20 @@ TEST(JerkLimited, FeedsOfBlocksHold) {
   EXPECT_GT(duration(b.finish(), machine(1e6)), 20 / 100.0 + 40 / 400.0 + 20 / 150.0);  // the verifier checks the feeds
 }
 
+// Where a slow block ends the motion gathers speed as early as it can, however long the cells behind it are.
+TEST(JerkLimited, LeavesASlowBlockAccelerating) {
+  const auto planned = [](int pieces) {
+    ContourBuilder b(2, {});
+    b.block(Mode::cut, 20);
+    b.line({10, 0, 0});
+    b.block(Mode::cut, 150);
+    for (int i = 1; i <= pieces; ++i) b.line({10 + 400.0 * i / pieces, 0, 0});
+    return duration(b.finish(), machine(2500, 450));
+  };
+  const double in_pieces = planned(200);
+  EXPECT_NEAR(planned(1), in_pieces, 5e-4 * in_pieces);
+}
+
 TEST(JerkLimited, CuspsAndCorners) {
   ContourBuilder b(2, {});
   b.polynomial({{0, 0, 10}, {0, 0, 0, 10}});  // (u², u³): starts in a cusp
