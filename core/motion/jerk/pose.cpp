@@ -175,15 +175,17 @@ void JerkSectionPlanner<N, M>::pose(ProgressScope& pulse) {
   problem_.inverse_jerk = soft_.inverse_jerk;
   problem_.inverse_cap.resize(n + 1);
   problem_.cap_reach.resize(n + 1);
+  wider_caps_ = false;
   for (std::size_t i = 1; i < n; ++i)
     for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
       const std::size_t c = i - 1 + side;
       const double cell = cell_cap(c, side == 0), reach = (2.0 / 3) * grid_.length(c);
       problem_.inverse_cap[i][side] = 1 / (share_ * std::min(cap_[i], cell));
       problem_.cap_reach[i][side] = reach;
-      if (!(cell > cap_[i]) || !ceiling_.empty()) continue;
+      if (!(cell > cap_[i]) || !ceiling_.empty() || strict_caps_) continue;
       // Where the node's own cap is the lower one the inner coefficient need not keep to it, but to the cell's. With
       // this reach it does, since no law has a larger acceleration there: it may leave a slow segment accelerating.
+      wider_caps_ = true;
       const Station<N>& at = side == 0 ? grid_.right(c) : grid_.left(c);
       problem_.cap_reach[i][side] = std::max(0.0, reach - (cell - cap_[i]) / steepest(at, cap_[i]));
     }

@@ -93,6 +93,7 @@ void JerkSectionPlanner<N, M>::build(std::size_t first, std::size_t last, Progre
   lay(pulse);
   soften();
   keep_ = all_cells;
+  strict_caps_ = false;
 }
 
 template <int N, int M>
@@ -206,6 +207,10 @@ void JerkSectionPlanner<N, M>::improve(double mu, ProgressScope& pulse) {
       if (anew) return;
       anew = true;
       mu = 1e-2;
+      if (!wider_caps_) continue;
+      strict_caps_ = true;  // it may well have been these
+      pose(pulse);
+      fresh = true;
       continue;
     }
     if (!std::isfinite(r.duration)) return;

@@ -242,9 +242,12 @@ class JerkSectionPlanner {
   JerkNode entry_, exit_;  // states at both ends: rest but in windows
   static constexpr std::size_t all_cells = std::numeric_limits<std::size_t>::max();
   double share_ = jerk_section_detail::full_share;
-  LargeVector<double> ceiling_;             // of v² per node of the grid at hand; empty: none
-  bool divides_ = true;                     // cells in which the law switches
-  std::size_t keep_ = all_cells;            // cells of a window that the rest at its end does not slow
+  LargeVector<double> ceiling_;   // of v² per node of the grid at hand; empty: none
+  bool divides_ = true;           // cells in which the law switches
+  std::size_t keep_ = all_cells;  // cells of a window that the rest at its end does not slow
+  /// Whether caps of nodes leave the cells beside them more room (pose()), and whether they may not: the solver
+  /// diverged.
+  bool wider_caps_ = false, strict_caps_ = false;
   double overlap_ = 1, sped_up_ = 1;        // of windows, in what is hoped for; what it was too short for
   LargeVector<JerkNode> tail_, next_tail_;  // what the window before, and this one, found behind these
   LargeVector<double> cap_, loss_, longest_;
