@@ -192,7 +192,7 @@ TEST(WindingPlan, LinksAreTimedByTheCyclesOfTheSetpoints) {
 TEST(WindingPlan, LinksByTimeComeNoNearerThanIsAllowed) {
   WindingRequest r = stator_request(1);
   r.model.pivot_limit = 10 * std::numbers::pi / 180;
-  r.needle.width = 1.6, r.least_clearance = 0;
+  r.needle.width = 1.6, r.least_clearance = 0.3;
   r.tool.width = 2.5, r.tool.height = 40;
   r.minimum_time = true;
   const WindingPlan p = planned(r);
@@ -200,7 +200,7 @@ TEST(WindingPlan, LinksByTimeComeNoNearerThanIsAllowed) {
   ASSERT_TRUE(p.link_times);
   EXPECT_LT(p.link_times->minimum_time, p.link_times->curvature);
   EXPECT_NE(p.link_times->taken, LinkChoice::minimum_time);
-  EXPECT_GE(p.clearance.minimum, 0);
+  EXPECT_GE(p.clearance.minimum, r.least_clearance);
 }
 
 TEST(WindingPlan, SetpointsAreInDegreesAndBelongTogether) {
