@@ -255,8 +255,8 @@ void Grid<N>::divide(const LanePath<N>& path, LargeVector<std::uint8_t>& parts, 
     std::size_t end = c;
     for (const std::size_t most = std::min(n, c + block); end < most && parts[end] == 1;) ++end;
     if (end > c) {
-      const auto from = static_cast<std::ptrdiff_t>(cells[c].station + (shared ? 1 : 0)),
-                 to = static_cast<std::ptrdiff_t>(cells[end - 1].station + 2);
+      const auto from = static_cast<std::ptrdiff_t>(cells[c].station) + (shared ? 1 : 0),
+                 to = static_cast<std::ptrdiff_t>(cells[end - 1].station) + 2;
       const auto moved = static_cast<std::uint32_t>(new_stations.size() - static_cast<std::size_t>(from));
       new_stations.insert(new_stations.end(), stations.begin() + from, stations.begin() + to);
       for (; c < end; ++c) {
