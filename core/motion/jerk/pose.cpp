@@ -14,6 +14,10 @@ constexpr double middle_from = 0.15, near_limit = 0.8;
 /// Through kinematics a part that lasts so many times what parts should last is divided once more.
 constexpr double long_part = 2;
 
+/// A cell needs no nodes inside if the speed v is the same for so many times A/J + v/A before and behind it, and takes
+/// at most this part of the limits of acceleration and jerk.
+constexpr double steady_times = 3, steady_part = 0.75;
+
 }  // namespace
 
 template <int N, int M>
@@ -79,8 +83,36 @@ void JerkSectionPlanner<N, M>::rough(ProgressScope& pulse) {
 }
 
 template <int N, int M>
+void JerkSectionPlanner<N, M>::find_steady() {
+  const std::size_t n = grid_.cells.size();
+  const auto& b = rough_.b;
+  double acceleration = options_.path.acceleration;
+  for (std::size_t k = 0; k < N; ++k) acceleration = std::min(acceleration, machine_.axes[k].acceleration);
+  const auto easy = [&](const Station<N>& at, double v2) {
+    const double v3 = v2 * std::sqrt(v2);
+    for (std::size_t k = 0; k < N; ++k)
+      if (std::abs(at.d2[k]) * v2 * limit_.inverse_acceleration[k] > steady_part ||
+          std::abs(at.d3[k]) * v3 * limit_.inverse_jerk[k] > steady_part)
+        return false;
+    return true;
+  };
+  steady_.assign(n, 0);
+  double time = 0;  // at one speed so far
+  const auto look = [&](std::size_t c) {
+    const bool same = b[c] > 0 && b[c] == b[c + 1] && easy(grid_.left(c), b[c]) && easy(grid_.right(c), b[c]);
+    const bool long_enough = time >= steady_times * (jerk_time_ + std::sqrt(b[c]) / acceleration);
+    time = same ? time + rough_.duration[c] : 0;
+    return same && long_enough;
+  };
+  for (std::size_t c = 0; c < n; ++c) steady_[c] = look(c);
+  time = 0;
+  for (std::size_t c = n; c-- > 0;) steady_[c] &= look(c);
+}
+
+template <int N, int M>
 void JerkSectionPlanner<N, M>::lay(ProgressScope& pulse) {
   rough(pulse);
+  find_steady();
   const std::size_t n = grid_.cells.size();
   double total = 0;
   for (const double t : rough_.duration) total += t;
@@ -92,13 +124,13 @@ void JerkSectionPlanner<N, M>::lay(ProgressScope& pulse) {
     const bool rest_left = c == 0, rest_right = c + 1 == n;
     const double t = rough_.duration[c];
     const double tau = std::min(std::max(jerk_time_ / 6, straight ? t / 40 : t), total / 40);
-    int parts = static_cast<int>(std::clamp(std::ceil(t / tau), 1.0, 64.0));
+    int parts = steady_[c] ? 1 : static_cast<int>(std::clamp(std::ceil(t / tau), 1.0, 64.0));
     if (rest_left || rest_right) parts = std::max(parts, 4);
     division_[c] = {static_cast<std::uint16_t>(parts), rest_left && rest_right ? Spread::both
                                                        : rest_left             ? Spread::from_rest
                                                        : rest_right            ? Spread::to_rest
                                                                                : Spread::even};
-    longest_.insert(longest_.end(), static_cast<std::size_t>(parts), long_part * tau);
+    longest_.insert(longest_.end(), static_cast<std::size_t>(parts), steady_[c] ? unlimited : long_part * tau);
   }
   divide<N>(grid_, path_, division_, pulse);
   rough(pulse);
@@ -125,9 +157,11 @@ bool JerkSectionPlanner<N, M>::mark_long() {
 
 template <int N, int M>
 void JerkSectionPlanner<N, M>::soften() {
-  double total = 0;
-  for (const double t : rough_.duration) total += t;
-  const double mean = total / static_cast<double>(grid_.cells.size());
+  find_steady();
+  double total = 0, cells = 0;
+  for (std::size_t c = 0; c < grid_.cells.size(); ++c)
+    if (steady_[c] == 0) total += rough_.duration[c], cells += 1;
+  const double mean = total / cells;  // those at both ends never are
   soft_ = limit_;
   for (std::size_t k = 0; k < M; ++k)
     soft_.inverse_jerk[k] = std::max(limit_.inverse_jerk[k], 0.125 * mean * limit_.inverse_acceleration[k]);

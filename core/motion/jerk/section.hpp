@@ -5,6 +5,7 @@
 /// jerk_windows.cpp for long sections window by window.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -147,6 +148,9 @@ class JerkSectionPlanner {
 
   void rough(ProgressScope& pulse);
 
+  /// Cells in the midst of a stretch that the rough profile passes at one speed, far from every limit: `steady_`.
+  void find_steady();
+
   /// Nodes where the law needs them, by a rough profile.
   void lay(ProgressScope& pulse);
 
@@ -155,7 +159,7 @@ class JerkSectionPlanner {
   bool mark_long();
 
   /// What the solver may do with jerk: no more than takes an axis from one limit of its acceleration to the other in a
-  /// quarter of a mean cell. A larger jerk gains nothing that the grid could show, and without any limit along some
+  /// quarter of a mean cell that is not steady. A larger jerk gains nothing that the grid could show, and without any limit along some
   /// axis the law would swing between the nodes.
   void soften();
 
@@ -251,6 +255,7 @@ class JerkSectionPlanner {
   double overlap_ = 1, sped_up_ = 1;        // of windows, in what is hoped for; what it was too short for
   LargeVector<JerkNode> tail_, next_tail_;  // what the window before, and this one, found behind these
   LargeVector<double> cap_, loss_, longest_;
+  LargeVector<std::uint8_t> steady_;
   LargeVector<Division> division_;
   LargeVector<JerkNode> state_, before_;  // as solved, and before
   JerkProblem<M> problem_;

@@ -190,6 +190,24 @@ TEST(JerkLimited, FeedsOfBlocksHold) {
   EXPECT_GT(duration(b.finish(), machine(1e6)), 20 / 100.0 + 40 / 400.0 + 20 / 150.0);  // the verifier checks the feeds
 }
 
+// Far from every limit but the feed nothing happens: a line there is one piece of the law, and no line loses by that.
+TEST(JerkLimited, LinesPassedAtTheFeedAreOnePieceEach) {
+  const auto planned = [](int lines) {
+    ContourBuilder b(2, {});
+    b.block(Mode::cut, 2);
+    for (int i = 1; i <= lines; ++i) b.line({static_cast<double>(i), 0.3 * static_cast<double>(i % 2), 0});
+    JerkLimitedOptions options;
+    options.corner_angle = 1;  // corners of 0.6 rad are passed, within what a cycle allows
+    Machine m = machine(1e6);
+    m.cycle_time = 0.01;
+    return law(b.finish(), m, options);
+  };
+  const TimeLaw few = planned(100), many = planned(300);
+  const double time = 200 * std::hypot(1.0, 0.3) / 2;
+  EXPECT_NEAR(many.duration() - few.duration(), time, 3e-5 * time);  // the solver keeps 2e-5 of each limit
+  EXPECT_LE(many.pieces().size() - few.pieces().size(), 220u);
+}
+
 // Where a slow block ends the motion gathers speed as early as it can, however long the cells behind it are.
 TEST(JerkLimited, LeavesASlowBlockAccelerating) {
   const auto planned = [](int pieces) {
