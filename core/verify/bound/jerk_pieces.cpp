@@ -11,7 +11,10 @@ namespace {
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double infinite = std::numeric_limits<double>::infinity(), never = 1e300, root_4_5 = 2.1213203435596424;
 // Next to rest a cell is this part of its distance from there.
-constexpr double cell_of_distance = 0.2, part_of_first = 0.25, part_of_cycle = 0.25;
+constexpr double cell_of_distance = 0.2, part_of_first = 0.25;
+// Next to a joint at which an axis steps a cell is passed in this part of a cycle; in less where the joint holds v²
+// down to less than this part of what feed and bends allow.
+constexpr double part_of_cycle = 0.25, held_part_of_cycle = 0.02, held = 0.7;
 constexpr double at_feed = 0.999, cruising = 4;
 // A motion with limited jerk takes some √(v/J) to change its speed by some of v: there a cell takes this part of that
 // time; less through kinematics, where speeds fall and rise again in a few milliseconds. Bends and changes of curvature
@@ -41,21 +44,30 @@ JerkPieces<N>::JerkPieces(const BoundGrid<N>& grid, double cycle_time, const Row
     piece_.acceleration[k] = grid.acceleration(k), piece_.jerk[k] = grid.jerk(k);
 }
 
-// The largest b between two places within a cell, `part0` and `part1` of its length from its begin.
+// The largest b between two places within a cell. From its begin to the far end of the piece q'_k² b changes by at most
+// 2 A_k ∫ |q'_k| ds: that is a part of what it may change by over the whole cell where q is linear, and no more than
+// the largest |q'_k| times the way elsewhere. `steepest`: these, null: the piece is the cell.
 template <int N>
 double JerkPieces<N>::cap(std::size_t cell, const Node& a, const Node& b, const std::vector<double>& at_nodes,
-                          double part0, double part1) const {
+                          const Row* steepest) const {
   const Cell& c = grid_.cells()[cell];
   const Node &from = grid_.nodes()[cell], &to = grid_.nodes()[cell + 1];
   double most = std::min(sq(grid_.feed(a.segment)), grid_.jerk_cap(a, b));
   const bool straight = c.kind == Cell::Kind::straight;
   const DirectionRange<N> range = grid_.range(a, b);
+  const double ahead = b.s - from.s, behind = to.s - a.s;
   for (std::size_t k = 0; k < grid_.axes(); ++k) {
     const double q2 = sq(std::max(0.0, range.least(k) - a.blur - b.blur));
     if (!(q2 > 1e-24)) continue;
-    const double forward = straight ? part1 : 1, backward = straight ? 1 - part0 : 1;
-    most = std::min({most, sq(grid_.velocity(k)) / q2, (from.most(k) * at_nodes[cell] + forward * c.energy[k]) / q2,
-                     (to.most(k) * at_nodes[cell + 1] + backward * c.energy[k]) / q2});
+    double forward = c.energy[k], backward = c.energy[k];
+    if (steepest != nullptr && straight) {
+      forward *= ahead / c.length, backward *= behind / c.length;
+    } else if (steepest != nullptr) {
+      const double per_way = 2 * grid_.acceleration(k) * (*steepest)[k], blur = 64 * epsilon * std::abs(to.s);
+      forward = std::min(forward, per_way * (ahead + blur)), backward = std::min(backward, per_way * (behind + blur));
+    }
+    most = std::min({most, sq(grid_.velocity(k)) / q2, (from.most(k) * at_nodes[cell] + forward) / q2,
+                     (to.most(k) * at_nodes[cell + 1] + backward) / q2});
   }
   return most * (1 + 1e-12);
 }
@@ -179,13 +191,18 @@ void JerkPieces<N>::expect(const std::vector<double>& b, bool rest_first, bool r
 template <int N>
 double JerkPieces<N>::finest_at(std::size_t node, const std::vector<double>& b) const {
   const Node &from = grid_.nodes()[node], &to = grid_.nodes()[node + 1];
-  double finest = infinite;
   const double most = std::min(b[node], b[node + 1]);
+  double finest = infinite, jerk = infinite;
   for (std::size_t k = 0; k < grid_.axes(); ++k) {
     const double bend = std::abs(to.curvature[k] - from.curvature[k]), step = shown_jerk_[k] * cycle_time_;
-    if (bend * most > step) finest = std::min(finest, part_of_cycle * cycle_time_ * std::sqrt(step / bend));
+    if (bend * most > step) finest = std::min(finest, cycle_time_ * std::sqrt(step / bend));
+    jerk = std::min(jerk, shown_jerk_[k]);
   }
-  return finest;
+  if (finest == infinite) return infinite;
+  const double bend = std::max(length_of(from.curvature), length_of(to.curvature));
+  const double free =
+      std::min({sq(grid_.feed(from.segment)), sq(grid_.feed(to.segment)), std::pow(jerk / sq(bend), 2.0 / 3)});
+  return finest * (most < held * free ? held_part_of_cycle : part_of_cycle);
 }
 
 template <int N>
@@ -233,7 +250,7 @@ std::pair<double, double> JerkPieces<N>::room(std::size_t cell, const std::vecto
   for (std::size_t k = 0; k < grid_.axes(); ++k)
     if (const double least = std::min(from.least(k), to.least(k)); least > 1e-12)
       energy = std::min(energy, grid_.cells()[cell].energy[k] / least);
-  return {energy, cap(cell, from, to, b, 0, 1)};
+  return {energy, cap(cell, from, to, b, nullptr)};
 }
 
 // Pieces of a cell: evenly in time, finer and finer towards rests and steps.
@@ -241,9 +258,11 @@ template <int N>
 void JerkPieces<N>::divide(std::size_t cell, const std::vector<double>& b) {
   const Cell& c = grid_.cells()[cell];
   const Node &from = grid_.nodes()[cell], &to = grid_.nodes()[cell + 1];
-  const bool straight = c.kind == Cell::Kind::straight;
   const auto [energy, whole] = room(cell, b);
   grid_.remember(from, to);
+  const DirectionRange<N> range = grid_.range(from, to);
+  Row steepest;
+  for (std::size_t k = 0; k < N; ++k) steepest[k] = range.most(k) + from.blur + to.blur;
   double x = 0;
   Extent e{};
   Node last = from;
@@ -255,14 +274,12 @@ void JerkPieces<N>::divide(std::size_t cell, const std::vector<double>& b) {
     if (x + 1.5 * d >= c.length || !(u > last.u && u < to.u)) break;
     const Node next = grid_.node(from.segment, u);
     e.finest = per_cell_ * d;
-    append(last, next,
-           cap(cell, last, next, b, straight ? x / c.length : 0, straight ? (next.s - from.s) / c.length : 1), e, cell,
-           cell);
+    append(last, next, cap(cell, last, next, b, &steepest), e, cell, cell);
     last = next;
     x = next.s - from.s;
   }
   e.finest = std::min(e.finest, per_cell_ * std::min(before_[cell + 1], behind_[cell + 1]));
-  append(last, to, cap(cell, last, to, b, straight ? x / c.length : 0, 1), e, cell, cell);
+  append(last, to, cap(cell, last, to, b, &steepest), e, cell, cell);
   grid_.forget();
 }
 
@@ -280,7 +297,7 @@ std::size_t JerkPieces<N>::joined(std::size_t first, const std::vector<double>& 
     const double limit = part_joined * std::min(e.piece, behind_[i + 1]);
     if (!(length + cells[i].length < limit)) break;
     length += cells[i].length;
-    most = std::max(most, cap(i, nodes[i], nodes[i + 1], b, 0, 1));
+    most = std::max(most, cap(i, nodes[i], nodes[i + 1], b, nullptr));
     pulse_.work(2);
   }
   if (i == first + 1) return first;

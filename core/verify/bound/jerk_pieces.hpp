@@ -65,8 +65,8 @@ class JerkPieces {
   void append(const Node& a, const Node& b, double cap, Extent extent, std::size_t first, std::size_t last,
               int depth = 0);
   void push(const Node& a, const Node& b, double cap, double without, Extent extent);
-  double cap(std::size_t cell, const Node& a, const Node& b, const std::vector<double>& at_nodes, double part0,
-             double part1) const;
+  double cap(std::size_t cell, const Node& a, const Node& b, const std::vector<double>& at_nodes,
+             const Row* steepest) const;
   void join(const Node& a, const Node& b, double cap);
 
   const BoundGrid<N>& grid_;
