@@ -18,8 +18,9 @@ constexpr double part_of_cycle = 0.25, held_part_of_cycle = 0.02, held = 0.7;
 constexpr double at_feed = 0.999, cruising = 4;
 // A motion with limited jerk takes some √(v/J) to change its speed by some of v: there a cell takes this part of that
 // time; less through kinematics, where speeds fall and rise again in a few milliseconds. Bends and changes of curvature
-// that take this many times the jerk limit, at the speed at hand, slow it down.
-constexpr double part_of_change = 0.1, kinematic_part = 0.04, slowing = 3;
+// that take `slowing` times the jerk limit, at the speed at hand, slow it down. Where they take `slowed` of it they
+// may, with what else there is: cells on Cartesian axes are as short as if they did.
+constexpr double part_of_change = 0.1, kinematic_part = 0.04, slowing = 3, slowed = 0.3;
 // Through kinematics an enclosure costs as much as a cell of the relaxation.
 constexpr double pieces_per_cell = 2.1, kinematic_pieces = 1.05;
 constexpr double part_joined = 0.125;  // of the longest piece: shorter cells of the grid make up one
@@ -38,6 +39,7 @@ JerkPieces<N>::JerkPieces(const BoundGrid<N>& grid, double cycle_time, const Row
       per_cell_(grid.cartesian() ? pieces_per_cell : kinematic_pieces),
       part_of_distance_(grid.cartesian() ? cell_of_distance / 2 : cell_of_distance),
       part_of_change_(grid.cartesian() ? part_of_change : kinematic_part),
+      slower_(grid.cartesian() ? slowed / slowing : 1),
       shown_jerk_(shown) {
   piece_.axes = grid.axes();
   for (std::size_t k = 0; k < grid.axes(); ++k)
@@ -152,7 +154,7 @@ void JerkPieces<N>::expect(const std::vector<double>& b, bool rest_first, bool r
   const auto& nodes = grid_.nodes();
   const auto& cells = grid_.cells();
   const std::size_t n = b.size() - 1;
-  expected_.resize(n + 1), growth_.resize(n);
+  expected_.resize(n + 1), slow_.resize(n + 1), growth_.resize(n);
   for (std::size_t i = 0; i <= n; ++i) {
     const Node& node = nodes[i];
     const double bend = length_of(node.curvature);
@@ -161,7 +163,8 @@ void JerkPieces<N>::expect(const std::vector<double>& b, bool rest_first, bool r
       if (const double rate = std::abs(node.curvature[k]) * bend; rate > 0)
         cube = std::min(cube, slowing * shown_jerk_[k] / rate);
     const bool fed = b[i] > sq(at_feed * grid_.feed(node.segment));
-    expected_[i] = std::min(fed ? never : std::pow(b[i], 0.75), std::sqrt(cube));
+    const double known = fed ? never : std::pow(b[i], 0.75);
+    expected_[i] = std::min(known, std::sqrt(cube)), slow_[i] = std::min(known, std::sqrt(slower_ * cube));
     pulse_.work(2);
   }
   for (std::size_t i = 0; i < n; ++i) {
@@ -175,15 +178,21 @@ void JerkPieces<N>::expect(const std::vector<double>& b, bool rest_first, bool r
     }
     growth_[i] = jerk < infinite ? std::sqrt(4.5 * jerk) : never;
     if (cells[i].kind == Cell::Kind::joint || !(cells[i].length > 0)) continue;
-    for (const std::size_t end : {i, i + 1}) expected_[end] = std::min(expected_[end], std::sqrt(cube));
+    for (const std::size_t end : {i, i + 1}) {
+      expected_[end] = std::min(expected_[end], std::sqrt(cube));
+      slow_[end] = std::min(slow_[end], std::sqrt(slower_ * cube));
+    }
   }
-  if (rest_first) expected_[0] = 0;
-  if (rest_last) expected_[n] = 0;
-  const auto reached = [&](std::size_t from, std::size_t cell) {
-    return cells[cell].length > 0 ? expected_[from] + growth_[cell] * cells[cell].length : expected_[from];
-  };
-  for (std::size_t i = 0; i < n; ++i) expected_[i + 1] = std::min(expected_[i + 1], reached(i, i));
-  for (std::size_t i = n; i-- > 0;) expected_[i] = std::min(expected_[i], reached(i + 1, i));
+  for (std::vector<double>* speed : {&expected_, &slow_}) {
+    std::vector<double>& v = *speed;
+    if (rest_first) v[0] = 0;
+    if (rest_last) v[n] = 0;
+    const auto reached = [&](std::size_t from, std::size_t cell) {
+      return cells[cell].length > 0 ? v[from] + growth_[cell] * cells[cell].length : v[from];
+    };
+    for (std::size_t i = 0; i < n; ++i) v[i + 1] = std::min(v[i + 1], reached(i, i));
+    for (std::size_t i = n; i-- > 0;) v[i] = std::min(v[i], reached(i + 1, i));
+  }
 }
 
 // The longest piece next to a node: at rest acceleration builds up on a short way, and where an axis has to step by
@@ -230,7 +239,8 @@ typename JerkPieces<N>::Extent JerkPieces<N>::extent(std::size_t cell, double x,
   const double left = c.length - x, feed = grid_.feed(grid_.nodes()[cell].segment);
   const double most = std::min({whole, b[cell] + energy * (x / c.length), b[cell + 1] + energy * (left / c.length)});
   const double expected = std::min(expected_[cell] + growth_[cell] * x, expected_[cell + 1] + growth_[cell] * left);
-  const double speed = std::min(std::sqrt(std::max(most, 0.0)), std::cbrt(expected * expected));
+  const double slow = std::min(slow_[cell] + growth_[cell] * x, slow_[cell + 1] + growth_[cell] * left);
+  const double speed = std::min(std::sqrt(std::max(most, 0.0)), std::cbrt(slow * slow));
   const double ease = std::max(1.0, expected / (feed * std::sqrt(feed)));
   Extent e;
   e.spacing = std::min(ease, cruising) * spacing_;

@@ -75,14 +75,15 @@ class JerkPieces {
   double per_cell_;
   double part_of_distance_;  ///< from rest, that a piece takes
   double part_of_change_;    ///< that a cell takes, of the time in which jerk changes the speed by some of it
+  double slower_;            ///< v³ in slow_, of that in expected_, at bends
   Row shown_jerk_;
   double spacing_ = 0;      ///< s, time of a cell
   double first_piece_ = 0;  ///< mm, next to rest
   /// Per node of the grid: the longest piece, mm, that rests and steps of acceleration before and behind it allow here.
   std::vector<double> before_, behind_;
-  /// About how fast a motion is, v^(3/2), at the nodes of the grid, feeds apart; and by how much that may grow per mm.
-  /// Decides where pieces are short, no more.
-  std::vector<double> expected_, growth_;
+  /// About how fast a motion is, v^(3/2), at the nodes of the grid, feeds apart; how slow it may be; and by how much
+  /// that may grow per mm. Decides where pieces are short, no more.
+  std::vector<double> expected_, slow_, growth_;
   JerkCapPiece<N> piece_;  ///< the one at hand
   OneWay<N> one_way_;
   Blocks<DualPiece<N>> pieces_;
