@@ -126,4 +126,40 @@ FollowableStates followed_backward(FollowableStates states, const Chain<2>& chai
   return states;
 }
 
+std::vector<std::pair<std::size_t, std::size_t>> conflicts(const Chain<2>& chain, const std::function<void()>& tick) {
+  constexpr std::size_t often = 1024;
+  const std::size_t n = chain.cells();
+  const auto at = [&](std::size_t node) {
+    const bool rests = (node == 0 && chain.begins_at_rest) || (node == n && chain.ends_at_rest);
+    return FollowableStates::at_node(chain.states[node], rests);
+  };
+  // One cell on, or back. What can be done at rest is a line, which is cut by the others, not they by it.
+  const auto carried = [&](FollowableStates& states, std::size_t cell, bool forward) {
+    const double h = forward ? chain.steps[cell] : -chain.steps[cell];
+    const std::size_t node = forward ? cell + 1 : cell;
+    states.advance(h, chain.controls[cell]);
+    if (forward && node == n && chain.ends_at_rest) return at(n).meets(states);
+    if (!forward && node == 0 && chain.begins_at_rest) return at(0).meets(states);
+    states.limit(chain.states[node]);
+    return !states.empty();
+  };
+  std::vector<std::pair<std::size_t, std::size_t>> found;
+  FollowableStates states = at(0);
+  std::size_t from = 0;  // where the states are what the boxes allow
+  for (std::size_t c = 0; c < n; ++c) {
+    if (tick && c % often == 0) tick();
+    if (carried(states, c, true)) continue;
+    const std::size_t last = c + 1;
+    std::size_t first = last;
+    for (FollowableStates back = at(last); first > 0;)
+      if (!carried(back, --first, false)) break;
+    found.emplace_back(first, last);
+    // What begins inside may end later; if it does not, by rounding, it is left behind.
+    from = found.size() > 1 && last <= found[found.size() - 2].second ? last : first + (last - first) / 2 + 1;
+    states = at(from);
+    c = from - 1;
+  }
+  return found;
+}
+
 }  // namespace bahnwerk
