@@ -288,7 +288,7 @@ std::optional<SplitPart> AdaptiveSplit::solve(std::size_t first, std::size_t las
   part.last = last;
   for (int iteration = 1; iteration <= constants_.max_iterations; ++iteration) {
     scope_.half_of_rest();
-    const PathMotion head(task_.path, sections_.law(first, last));
+    PathMotion head(task_.path, sections_.law(first, last));
     if (head.duration() > longest) return std::nullopt;
     const HeadSamples samples = sample(head);
     if (!fit(samples, begin, part.coarse)) return std::nullopt;
@@ -302,7 +302,7 @@ std::optional<SplitPart> AdaptiveSplit::solve(std::size_t first, std::size_t las
     passes_.push_back(pass);
     if (pass.violated_blocks == 0) {
       for (std::size_t i = first; i < last; ++i) cells_[i] = {};
-      part.law = head.law();
+      part.law = std::move(head).law();
       return part;
     }
     // Where nothing falls the anchor has to, first.
