@@ -79,23 +79,32 @@ void FollowableStates::cut(double x, double v, double most) {
   const auto beyond = [&](const State& s) { return x * s[0] + v * s[1] - most; };
   if (std::none_of(vertices_.begin(), vertices_.end(), [&](const State& s) { return beyond(s) > 0; })) return;
   spare_.clear();
+  double from = beyond(vertices_.front());
   for (std::size_t i = 0; i < n; ++i) {
     const State &a = vertices_[i], &b = vertices_[i + 1 < n ? i + 1 : 0];
-    const double from = beyond(a), to = beyond(b);
+    const double to = beyond(b);
     if (from <= 0) spare_.push_back(a);
     if ((from < 0 && to > 0) || (from > 0 && to < 0)) {
       const double share = from / (from - to);
       spare_.push_back({a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])});
     }
+    from = to;
   }
   std::swap(vertices_, spare_);
 }
 
 void FollowableStates::limit(const std::array<Range, 2>& boxes) {
-  cut(1, 0, boxes[0].highest);
-  cut(-1, 0, -boxes[0].lowest);
-  cut(0, 1, boxes[1].highest);
-  cut(0, -1, -boxes[1].lowest);
+  if (empty()) return;
+  Range x{vertices_.front()[0], vertices_.front()[0]}, v{vertices_.front()[1], vertices_.front()[1]};
+  for (const State& s : vertices_) {
+    x = {std::min(x.lowest, s[0]), std::max(x.highest, s[0])};
+    v = {std::min(v.lowest, s[1]), std::max(v.highest, s[1])};
+  }
+  // Most often nothing is beyond.
+  if (x.highest > boxes[0].highest) cut(1, 0, boxes[0].highest);
+  if (x.lowest < boxes[0].lowest) cut(-1, 0, -boxes[0].lowest);
+  if (v.highest > boxes[1].highest) cut(0, 1, boxes[1].highest);
+  if (v.lowest < boxes[1].lowest) cut(0, -1, -boxes[1].lowest);
 }
 
 bool FollowableStates::meets(const FollowableStates& other) const {
