@@ -79,23 +79,32 @@ void FollowableStates::cut(double x, double v, double most) {
   const auto beyond = [&](const State& s) { return x * s[0] + v * s[1] - most; };
   if (std::none_of(vertices_.begin(), vertices_.end(), [&](const State& s) { return beyond(s) > 0; })) return;
   spare_.clear();
+  double from = beyond(vertices_.front());
   for (std::size_t i = 0; i < n; ++i) {
     const State &a = vertices_[i], &b = vertices_[i + 1 < n ? i + 1 : 0];
-    const double from = beyond(a), to = beyond(b);
+    const double to = beyond(b);
     if (from <= 0) spare_.push_back(a);
     if ((from < 0 && to > 0) || (from > 0 && to < 0)) {
       const double share = from / (from - to);
       spare_.push_back({a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])});
     }
+    from = to;
   }
   std::swap(vertices_, spare_);
 }
 
 void FollowableStates::limit(const std::array<Range, 2>& boxes) {
-  cut(1, 0, boxes[0].highest);
-  cut(-1, 0, -boxes[0].lowest);
-  cut(0, 1, boxes[1].highest);
-  cut(0, -1, -boxes[1].lowest);
+  if (empty()) return;
+  Range x{vertices_.front()[0], vertices_.front()[0]}, v{vertices_.front()[1], vertices_.front()[1]};
+  for (const State& s : vertices_) {
+    x = {std::min(x.lowest, s[0]), std::max(x.highest, s[0])};
+    v = {std::min(v.lowest, s[1]), std::max(v.highest, s[1])};
+  }
+  // Most often nothing is beyond.
+  if (x.highest > boxes[0].highest) cut(1, 0, boxes[0].highest);
+  if (x.lowest < boxes[0].lowest) cut(-1, 0, -boxes[0].lowest);
+  if (v.highest > boxes[1].highest) cut(0, 1, boxes[1].highest);
+  if (v.lowest < boxes[1].lowest) cut(0, -1, -boxes[1].lowest);
 }
 
 bool FollowableStates::meets(const FollowableStates& other) const {
@@ -124,6 +133,42 @@ FollowableStates followed_backward(FollowableStates states, const Chain<2>& chai
     if (c > 0 || !chain.begins_at_rest) states.limit(chain.states[c]);
   }
   return states;
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> conflicts(const Chain<2>& chain, const std::function<void()>& tick) {
+  constexpr std::size_t often = 1024;
+  const std::size_t n = chain.cells();
+  const auto at = [&](std::size_t node) {
+    const bool rests = (node == 0 && chain.begins_at_rest) || (node == n && chain.ends_at_rest);
+    return FollowableStates::at_node(chain.states[node], rests);
+  };
+  // One cell on, or back. What can be done at rest is a line, which is cut by the others, not they by it.
+  const auto carried = [&](FollowableStates& states, std::size_t cell, bool forward) {
+    const double h = forward ? chain.steps[cell] : -chain.steps[cell];
+    const std::size_t node = forward ? cell + 1 : cell;
+    states.advance(h, chain.controls[cell]);
+    if (forward && node == n && chain.ends_at_rest) return at(n).meets(states);
+    if (!forward && node == 0 && chain.begins_at_rest) return at(0).meets(states);
+    states.limit(chain.states[node]);
+    return !states.empty();
+  };
+  std::vector<std::pair<std::size_t, std::size_t>> found;
+  FollowableStates states = at(0);
+  std::size_t from = 0;  // where the states are what the boxes allow
+  for (std::size_t c = 0; c < n; ++c) {
+    if (tick && c % often == 0) tick();
+    if (carried(states, c, true)) continue;
+    const std::size_t last = c + 1;
+    std::size_t first = last;
+    for (FollowableStates back = at(last); first > 0;)
+      if (!carried(back, --first, false)) break;
+    found.emplace_back(first, last);
+    // What begins inside may end later; if it does not, by rounding, it is left behind.
+    from = found.size() > 1 && last <= found[found.size() - 2].second ? last : first + (last - first) / 2 + 1;
+    states = at(from);
+    c = from - 1;
+  }
+  return found;
 }
 
 }  // namespace bahnwerk

@@ -6,6 +6,8 @@
 /// least, so the polygon lies inside the set: what it allows is possible. A solution of the chain costs some 20 times
 /// as much, and tells multipliers and the best motion; this only tells whether there is one.
 #include <cstddef>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "core/redundant/chain.hpp"
@@ -37,5 +39,11 @@ class FollowableStates {
 /// looked at. Ends early where nothing is left. O(cells).
 FollowableStates followed_forward(FollowableStates states, const Chain<2>& chain, std::size_t first, std::size_t last);
 FollowableStates followed_backward(FollowableStates states, const Chain<2>& chain, std::size_t first, std::size_t last);
+
+/// Stretches that no motion can follow, as first and last node: none between them, wherever it is at the last one, ends
+/// in a state that boxes allow. After each the search goes on from its middle, so that of those that overlap only some
+/// are found. Beyond 96 vertices sets are smaller than they should be: a stretch may be one that could just be
+/// followed. `tick` is called often. O(cells), three times for those of a stretch.
+std::vector<std::pair<std::size_t, std::size_t>> conflicts(const Chain<2>& chain, const std::function<void()>& tick);
 
 }  // namespace bahnwerk

@@ -104,12 +104,17 @@ template <std::size_t order>
 const TimeLaw* HeadPlan<order>::slower_law(std::size_t first, std::size_t last) {
   const auto begin = paces_.feeds.begin() + static_cast<std::ptrdiff_t>(first),
              end = paces_.feeds.begin() + static_cast<std::ptrdiff_t>(last);
-  if (std::equal(begin, end, task_.feeds.begin() + static_cast<std::ptrdiff_t>(first))) return nullptr;
+  const auto gentle = paces_.gentle.find(first);
+  const double share = gentle == paces_.gentle.end() ? 1 : gentle->second;
+  if (share == 1 && std::equal(begin, end, task_.feeds.begin() + static_cast<std::ptrdiff_t>(first))) return nullptr;
   SlowerLaw& slower = slower_[first];
-  if (!std::equal(begin, end, slower.feeds.begin(), slower.feeds.end())) {
-    slower.law = section_law(*task_.path, first, last, limits_, paces_.feeds,
+  if (slower.share != share || !std::equal(begin, end, slower.feeds.begin(), slower.feeds.end())) {
+    Machine limits = limits_;
+    for (AxisLimits& axis : limits.axes) axis.acceleration *= share;
+    slower.law = section_law(*task_.path, first, last, limits, paces_.feeds,
                              [&](const PathTask& task) { return planned(task); });
     slower.feeds.assign(begin, end);
+    slower.share = share;
   }
   return &slower.law;
 }
@@ -129,6 +134,7 @@ template <std::size_t order>
 std::shared_ptr<const PathMotion> HeadPlan<order>::calmer(double share, double calm) const {
   HeadPlan other(task_, corner_angle_, share, progress_, std::min(calm, 1.0));
   other.paces_.feeds = paces_.feeds;
+  other.paces_.gentle = paces_.gentle;
   double stroke = 0;
   for (const CoarseFineAxis& axis : task_.machine.axes) stroke = std::max(stroke, axis.stroke);
   const double slower = 1 / std::max(calm, 1.0);
@@ -152,7 +158,11 @@ std::shared_ptr<const PathMotion> HeadPlan<order>::calmer(double share, double c
 template <std::size_t order>
 std::size_t HeadPlan<order>::slowed() const {
   std::size_t count = 0;
-  for (std::size_t i = 0; i < task_.feeds.size(); ++i) count += paces_.feeds[i] < task_.feeds[i];
+  std::size_t gentle_end = 0;
+  for (std::size_t i = 0; i < task_.feeds.size(); ++i) {
+    if (const auto at = paces_.gentle.find(i); at != paces_.gentle.end() && at->second < 1) gentle_end = section_end(i);
+    count += i < gentle_end || paces_.feeds[i] < task_.feeds[i];
+  }
   for (const auto& [segment, s] : paces_.straight) count += s.slowed;
   return count;
 }

@@ -13,7 +13,8 @@
 namespace bahnwerk {
 
 /// Plans the head again and again, with paces that fall. A straight section whose pace fell has a closed form; of other
-/// sections those are planned again whose feeds fell. Every plan costs O(pieces) of the sections asked for besides.
+/// sections those are planned again whose feeds or accelerations fell. Every plan costs O(pieces) of the sections asked
+/// for besides.
 template <std::size_t order>
 class HeadPlan {
  public:
@@ -47,9 +48,10 @@ class HeadPlan {
  private:
   struct SlowerLaw {
     std::vector<double> feeds;  // that it is planned with
+    double share = 1;           // of the accelerations
     TimeLaw law;
   };
-  /// The law of a section whose feeds fell.
+  /// The law of a section whose feeds or accelerations fell.
   const TimeLaw* slower_law(std::size_t first, std::size_t last);
   TimeLaw planned(const PathTask& path) const;
   TimeLaw planned(const Machine& limits, const std::vector<double>& feeds, const std::vector<bool>& rests) const;

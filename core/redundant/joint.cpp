@@ -10,6 +10,7 @@
 #include "core/base/progress_scope.hpp"
 #include "core/motion/axes/spline_motion.hpp"
 #include "core/redundant/chain_windows.hpp"
+#include "core/redundant/followable_states.hpp"
 #include "core/redundant/following.hpp"
 #include "core/redundant/head_plan.hpp"
 #include "core/redundant/head_slowing.hpp"
@@ -64,8 +65,11 @@ class Planner {
     HeadSlowingCounts counts;
     for (int attempt = 0;; ++attempt) {
       cells_ = head_cells(*head_, cell_options_, scope_);
-      solutions = solve_all(1);
-      const std::vector<HeadStretch> stretches = exceeding(solutions);
+      std::vector<HeadStretch> stretches = attempt == 0 ? conflicting() : std::vector<HeadStretch>();
+      if (stretches.empty()) {
+        solutions = solve_all(1);
+        stretches = exceeding(solutions);
+      }
       if (stretches.empty()) break;
       if (!alone_) {
         slow(stretches, attempt, counts);
@@ -143,12 +147,29 @@ class Planner {
     return solutions;
   }
 
+  using Nodes = std::vector<std::pair<std::size_t, std::size_t>>;  ///< first and last ones of stretches
+
   /// The sections around what exceeds boxes.
   std::vector<HeadStretch> exceeding(const std::vector<WindowedSolution<order>>& solutions) const {
+    std::vector<Nodes> nodes;
+    for (const WindowedSolution<order>& solution : solutions) nodes.push_back(solution.exceeds);
+    return sections_around(nodes);
+  }
+
+  /// The sections around what no coarse motion can follow, as far as sets of states tell: much sooner than a solution.
+  std::vector<HeadStretch> conflicting() {
+    std::vector<Nodes> nodes;
+    if constexpr (order == 2)
+      for (std::size_t k = 0; k < axes(); ++k)
+        nodes.push_back(conflicts(following<2>(cells_, k, axis(k)), chain_options_.tick));
+    return sections_around(nodes);
+  }
+
+  std::vector<HeadStretch> sections_around(const std::vector<Nodes>& nodes) const {
     std::vector<HeadStretch> found;
-    for (std::size_t k = 0; k < axes(); ++k) {
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
       const double around = ahead(k) * chain_units(axis(k)).time;
-      for (const auto& [first, last] : solutions[k].exceeds)
+      for (const auto& [first, last] : nodes[k])
         found.push_back({plan_.section_begin(segment_at(cells_.times[first] - around)),
                          plan_.section_end(segment_at(cells_.times[last] + around))});
     }

@@ -12,14 +12,21 @@ namespace {
 
 // Room that is left in all boxes, in the chain's units: the solution of the chain needs some.
 constexpr std::array<double, 3> rooms{3e-4, 3e-5, 0};
-constexpr int levels = 4;        // of acceleration and of braking, from both axes' to the coarse one's
-constexpr double finest = 1.1;   // quotient of accelerations at which the search ends
-constexpr double worth = 1e-3;   // of a duration, below which a pace counts as no quicker
-constexpr double closed = 5e-4;  // bisection of a duration
-constexpr int max_sweeps = 3;
-constexpr double enough = 2e-4;   // of the stretch's duration, gained by a sweep
+constexpr int levels = 4;           // of acceleration and of braking, from both axes' to the coarse one's
+constexpr double finest = 1.1;      // quotient of accelerations at which the search ends
+constexpr double worth = 1e-3;      // of a duration, below which a pace counts as no quicker
+constexpr double closed = 5e-4;     // bisection of a duration
+constexpr int cut_steps = 6;        // of bisecting a feed
+constexpr double cut_least = 0.3;   // of a peak speed: the least feed that is looked at
+constexpr double share_step = 0.8;  // of accelerations of sections that are no straight moves
+constexpr double least_share = 0.1, finest_share = 0.98;
+constexpr std::size_t most_segments = 12;  // of a section whose segments get feeds of their own
+constexpr int max_sweeps = 20;
+constexpr double enough = 2e-5;   // of the stretch's duration, gained by a sweep
 constexpr std::size_t reach = 4;  // sections between the two of an exchange, at most
-constexpr double shift = 1.04;    // of the duration of a move, in an exchange
+// Of the duration of a move, and of its acceleration or braking, in an exchange.
+constexpr std::array<double, 9> shifts{1.01, 1.04, 1.12, 1.3, 1 / 1.01, 1 / 1.04, 1 / 1.1, 1 / 1.2, 1 / 1.5};
+constexpr std::array<double, 3> ends{0.9, 0.7, 0.4};
 
 /// Duration of a straight move of length L that accelerates and brakes with 1/a + 1/b = s and cruises at w.
 double duration_of(double length, double s, double w) { return 0.5 * w * s + length / w; }
@@ -60,8 +67,8 @@ PaceSearch::Timed PaceSearch::timed(std::size_t first, std::size_t last) {
   return t;
 }
 
-void PaceSearch::carry_forward(std::size_t from) {
-  for (std::size_t i = from; i < sections_.size(); ++i)
+void PaceSearch::carry_forward(std::size_t from, std::size_t to) {
+  for (std::size_t i = from; i < to; ++i)
     for (std::size_t k = 0; k < machine_.axes.size(); ++k) {
       const Chain<2>& chain = sections_[i].chains[k];
       FollowableStates states = forward_[i][k];
@@ -70,8 +77,8 @@ void PaceSearch::carry_forward(std::size_t from) {
     }
 }
 
-void PaceSearch::carry_backward(std::size_t from) {
-  for (std::size_t i = from; i-- > 0;)
+void PaceSearch::carry_backward(std::size_t from, std::size_t to) {
+  for (std::size_t i = to; i-- > from;)
     for (std::size_t k = 0; k < machine_.axes.size(); ++k) {
       const Chain<2>& chain = sections_[i].chains[k];
       FollowableStates states = backward_[i + 1][k];
@@ -111,8 +118,8 @@ bool PaceSearch::set_room(double room) {
     forward_[0][k] = FollowableStates::at_node(head.states.front(), head.begins_at_rest);
     backward_[n][k] = FollowableStates::at_node(tail.states.back(), tail.ends_at_rest);
   }
-  carry_forward(0);
-  carry_backward(n);
+  carry_forward(0, n);
+  carry_backward(0, n);
   return possible(n / 2, sections_[n / 2]);
 }
 
@@ -125,6 +132,8 @@ PaceSearch::Speeds PaceSearch::speeds(std::size_t section) {
   Speeds s;
   if (const Paces::Straight* move = straight(section)) s.pace = move->pace, s.slowed = move->slowed;
   const auto& feeds = plan_.paces().feeds;
+  if (const auto at = plan_.paces().gentle.find(sections_[section].first); at != plan_.paces().gentle.end())
+    s.share = at->second;
   s.feeds.assign(feeds.begin() + static_cast<std::ptrdiff_t>(sections_[section].first),
                  feeds.begin() + static_cast<std::ptrdiff_t>(sections_[section].last));
   return s;
@@ -134,13 +143,17 @@ void PaceSearch::restore(std::size_t section, const Speeds& speeds) {
   if (Paces::Straight* move = straight(section)) move->pace = speeds.pace, move->slowed = speeds.slowed;
   std::copy(speeds.feeds.begin(), speeds.feeds.end(),
             plan_.paces().feeds.begin() + static_cast<std::ptrdiff_t>(sections_[section].first));
+  if (speeds.share < 1)
+    plan_.paces().gentle[sections_[section].first] = speeds.share;
+  else
+    plan_.paces().gentle.erase(sections_[section].first);
 }
 
 bool PaceSearch::slowed(std::size_t section) {
   if (const Paces::Straight* move = straight(section)) return move->slowed;
   for (std::size_t i = sections_[section].first; i < sections_[section].last; ++i)
     if (plan_.paces().feeds[i] < plan_.feed(i)) return true;
-  return false;
+  return plan_.paces().gentle.count(sections_[section].first) > 0;
 }
 
 bool PaceSearch::quickest_move(std::size_t section, double limit) {
@@ -197,31 +210,66 @@ bool PaceSearch::quickest_move(std::size_t section, double limit) {
 bool PaceSearch::quicker_cut(std::size_t section) {
   const Timed& old = sections_[section];
   const std::size_t first = old.first, last = old.last;
-  std::vector<double>& feeds = plan_.paces().feeds;
   const Speeds before = speeds(section);
-  double low = 0, high = 0;
-  for (std::size_t i = first; i < last; ++i) {
-    if (!(feeds[i] < unlimited)) return false;
-    low = std::max(low, feeds[i]);
+  double lowest = 0;
+  for (const double feed : before.feeds) {
+    if (!(feed < unlimited) && before.share == 1) return false;
+    lowest = std::max(lowest, feed);
   }
-  high = std::max(low, plan_.peak(first, last));
+  const double highest = plan_.peak(first, last);
+  lowest = std::min(lowest, highest);
   Speeds best = before;
   Timed best_timed;
+  double duration = old.duration;
   bool found = false;
-  const auto tried = [&](double cap) {
-    for (std::size_t i = first; i < last; ++i)
-      feeds[i] = std::max(before.feeds[i - first], std::min(plan_.feed(i), cap));
-    Timed now = timed(first, last);
-    if (!possible(section, now)) return false;
-    if (!(now.duration < sections_[section].duration)) return false;
-    best = speeds(section);
-    best_timed = std::move(now);
-    return found = true;
+  enum class Outcome { slower, impossible, better };
+  const auto tried = [&](const Speeds& now) {
+    restore(section, now);
+    Timed t = timed(first, last);
+    if (!(t.duration < duration)) return Outcome::slower;
+    if (!possible(section, t)) return Outcome::impossible;
+    duration = t.duration;
+    best = now;
+    best_timed = std::move(t);
+    found = true;
+    return Outcome::better;
   };
-  if (!tried(unlimited))
-    for (int i = 0; i < 5; ++i) {
+  const auto capped = [&](double cap, double share) {
+    Speeds now{{}, false, before.feeds, share};
+    for (std::size_t i = first; i < last; ++i)
+      now.feeds[i - first] =
+          std::max(share == before.share ? before.feeds[i - first] : 0.0, std::min(plan_.feed(i), cap));
+    return tried(now);
+  };
+  // The highest feed for all of it with these accelerations.
+  const auto searched = [&](double share) {
+    if (capped(unlimited, share) != Outcome::impossible) return;
+    double low = share == before.share ? lowest : cut_least * highest, high = highest;
+    for (int i = 0; i < cut_steps; ++i) {
       const double middle = std::sqrt(low * high);
-      (tried(middle) ? low : high) = middle;
+      (capped(middle, share) == Outcome::impossible ? high : low) = middle;
+    }
+  };
+  searched(before.share);
+  double step = share_step;
+  for (double share = 1; share > least_share; share *= step)
+    if (share != before.share) searched(share);
+  for (step = std::sqrt(step); found && step < finest_share; step = std::sqrt(step))
+    for (const double share : {best.share * step, best.share / step})
+      if (share <= 1) searched(share);
+  // Segments by themselves.
+  if (last - first > 1 && last - first <= most_segments)
+    for (std::size_t i = 0; i < last - first; ++i) {
+      if (!(best.feeds[i] < plan_.feed(first + i))) continue;
+      Speeds now = best;
+      now.feeds[i] = plan_.feed(first + i);
+      if (tried(now) != Outcome::impossible) continue;
+      double low = best.feeds[i], high = std::min(highest, plan_.feed(first + i));
+      for (int k = 0; k < cut_steps && low < high; ++k) {
+        now = best;
+        now.feeds[i] = std::sqrt(low * high);
+        (tried(now) == Outcome::impossible ? high : low) = now.feeds[i];
+      }
     }
   restore(section, best);
   if (found) sections_[section] = std::move(best_timed);
@@ -242,56 +290,79 @@ bool PaceSearch::sweep() {
       forward_[i + 1][k] = followed_forward(std::move(states), chain, 0, chain.cells());
     }
   }
-  if (found) carry_backward(sections_.size());
+  if (found) carry_backward(0, sections_.size());
   return found;
 }
 
 bool PaceSearch::exchange(std::size_t section, const Speeds& before, std::size_t move) {
-  const Timed old = sections_[section];
-  sections_[section] = timed(old.first, old.last);
-  const std::size_t low = std::min(section, move), high = std::max(section, move);
-  const auto carry = [&] {
-    carry_forward(low);
-    carry_backward(high + 1);
-  };
-  carry();
-  const double gained = old.duration - sections_[section].duration, limit = sections_[move].duration + gained;
-  if (limit > 0 && quickest_move(move, limit * (1 - worth))) {
-    carry();
+  const StraightMove& m = straight(move)->move;
+  Timed changed = timed(sections_[section].first, sections_[section].last);
+  const double limit = sections_[move].duration + sections_[section].duration - changed.duration;
+  if (!(duration_of(m, m.fastest) < limit * (1 - worth))) {
+    restore(section, before);
+    return false;
+  }
+  std::swap(sections_[section], changed);
+  // The move sees the other section through what can be before it, or behind it.
+  auto& states = section < move ? forward_ : backward_;
+  const std::size_t low = section < move ? section + 1 : move + 1, high = section < move ? move + 1 : section + 1;
+  std::vector<std::vector<FollowableStates>> kept(states.begin() + static_cast<std::ptrdiff_t>(low),
+                                                  states.begin() + static_cast<std::ptrdiff_t>(high));
+  section < move ? carry_forward(section, move) : carry_backward(move + 1, section + 1);
+  if (quickest_move(move, limit * (1 - worth))) {
+    carry_forward(std::min(section, move), sections_.size());
+    carry_backward(0, std::max(section, move) + 1);
     return true;
   }
   restore(section, before);
-  sections_[section] = old;
-  carry();
+  std::swap(sections_[section], changed);
+  std::move(kept.begin(), kept.end(), states.begin() + static_cast<std::ptrdiff_t>(low));
   return false;
 }
 
 bool PaceSearch::exchanges() {
   bool found = false;
   const std::size_t n = sections_.size();
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = i > reach ? i - reach : 0; j < std::min(n, i + reach + 1); ++j) {
-      if (j == i || !straight(j) || !slowed(i)) continue;
-      const Speeds before = speeds(i);
-      if (Paces::Straight* move = straight(i)) {
-        if (!slowed(j)) continue;
-        const StraightMove& m = move->move;
-        for (const double by : {shift, 1 / shift}) {
-          const double s = 1 / move->pace.rise + 1 / move->pace.fall, duration = duration_of(m, move->pace) * by;
-          if (duration * duration < 2 * s * m.length) continue;
-          move->pace.feed = std::min(cruise_of(m.length, s, duration), m.fastest.feed);
-          if (exchange(i, before, j)) {
-            found = true;
-            break;
-          }
-        }
-      } else {
-        for (std::size_t k = sections_[i].first; k < sections_[i].last; ++k) plan_.paces().feeds[k] = plan_.feed(k);
-        found = exchange(i, before, j) || found;
-      }
+      if (j == i || !straight(j)) continue;
+      const bool from = slowed(i), to = slowed(j);
+      if (!from && !(to && straight(i))) continue;
+      found = (straight(i) ? exchange_moves(i, j, from, to) : exchange_cut(i, j)) || found;
     }
-  }
   return found;
+}
+
+bool PaceSearch::exchange_cut(std::size_t section, std::size_t move) {
+  const Speeds before = speeds(section);
+  for (std::size_t k = sections_[section].first; k < sections_[section].last; ++k)
+    plan_.paces().feeds[k] = plan_.feed(k);
+  plan_.paces().gentle.erase(sections_[section].first);
+  return exchange(section, before, move);
+}
+
+bool PaceSearch::exchange_moves(std::size_t section, std::size_t move, bool slowed, bool other_slowed) {
+  Paces::Straight& own = *straight(section);
+  const StraightMove& m = own.move;
+  const Speeds before = speeds(section);
+  const auto changed = [&](const Pace& pace) {
+    own.pace = {std::min(pace.feed, m.fastest.feed), std::min(pace.rise, m.fastest.rise),
+                std::min(pace.fall, m.fastest.fall)};
+    own.slowed = true;
+    return exchange(section, before, move);
+  };
+  const Pace now = before.pace;
+  for (const double by : shifts) {
+    if (by > 1 ? !other_slowed : !slowed) continue;
+    const double s = 1 / now.rise + 1 / now.fall, duration = duration_of(m, now) * by;
+    if (duration * duration < 2 * s * m.length) continue;
+    if (changed({cruise_of(m.length, s, duration), now.rise, now.fall})) return true;
+  }
+  if (!other_slowed) return false;
+  for (const double by : ends)
+    for (const bool rise : {true, false})
+      if (changed({now.feed, rise ? now.rise * by : now.rise, rise ? now.fall : now.fall * by})) return true;
+  return false;
 }
 
 double PaceSearch::total() const {

@@ -4,9 +4,10 @@
 ///
 /// What the coarse axes can do before and behind a section are convex sets of states (followable_states.hpp) that do
 /// not change with its pace, so that a pace is judged on the cells of that section alone. A straight move is searched
-/// over its acceleration, its braking and its feed, other sections over their feed. Then pairs: a section that is not a
-/// move becomes as quick as ever, or a move a little slower or quicker, and another move near it makes up for that;
-/// what takes less time in all stays.
+/// over its acceleration, its braking and its feed, other sections over a feed for all of it, the accelerations, and
+/// feeds of its segments. Then pairs: a section that is not a
+/// move becomes as quick as ever, or a move a little slower or quicker, in all or at one end, and another move near it
+/// makes up for that; what takes less time in all stays.
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -40,12 +41,14 @@ class PaceSearch {
     Pace pace;
     bool slowed = false;
     std::vector<double> feeds;
+    double share = 1;  // of the accelerations
   };
 
   Timed timed(std::size_t first, std::size_t last);
   bool set_room(double room);
-  void carry_forward(std::size_t from);
-  void carry_backward(std::size_t from);
+  /// States behind sections [from, to), and before them.
+  void carry_forward(std::size_t from, std::size_t to);
+  void carry_backward(std::size_t from, std::size_t to);
   bool possible(std::size_t section, const Timed& timed) const;
 
   Paces::Straight* straight(std::size_t section);
@@ -55,10 +58,13 @@ class PaceSearch {
 
   /// The pace of a straight move with the least duration below `limit`; the plan keeps it if there is one.
   bool quickest_move(std::size_t section, double limit);
+  /// The same of another section, over feeds of its segments and one share of its accelerations.
   bool quicker_cut(std::size_t section);
   bool sweep();
-  /// A section that was changed to `changed`, and a move that makes up for it.
+  /// A section whose paces were changed from `before`, and a move that makes up for it; else they are restored.
   bool exchange(std::size_t section, const Speeds& before, std::size_t move);
+  bool exchange_cut(std::size_t section, std::size_t move);
+  bool exchange_moves(std::size_t section, std::size_t move, bool slowed, bool other_slowed);
   bool exchanges();
   double total() const;
 

@@ -28,6 +28,8 @@ struct Paces {
     bool slowed = false;
   };
   std::map<std::size_t, Straight> straight;  ///< by segment; their feeds are not those above
+  /// Share of the accelerations that other sections are planned with, by their first segment; 1 where there is none.
+  std::map<std::size_t, double> gentle = {};
 };
 
 /// Lowers paces for one stretch of axis `axis`; never raises one. `cluster` is of the chain of the cells. `haste` ≥ 1

@@ -3,15 +3,17 @@
 
     python3 tests/bench/coarse_fine_methods.py build/release/bahnwerk
     python3 tests/bench/coarse_fine_methods.py build/release/bahnwerk --programs 20 --variant joint+jerk iterative+jerk
+    python3 tests/bench/coarse_fine_methods.py build/release/bahnwerk --variant joint --machine md1 md2 --gaps
     python3 tests/bench/coarse_fine_methods.py build/release/bahnwerk --first 17 --programs 1 --keep /tmp
 
 Programs are numbered; each is the same every time: sheets of small shapes, circles with positioning moves of up to
 0.4 m, and outlines of lines, arcs and polynomials with kinks, sizes over several decades, some of them in space. Odd
-numbers are planned on MD1, even ones on MD2; every third has its corners rounded. With `+jerk` all axes have limits of
+numbers are planned on MD1, even ones on MD2 (with --machine: all on each of those); every third has its corners rounded. With `+jerk` all axes have limits of
 jerk, 30 to 500 1/s times their accelerations.
 
 A plan is verified, or refused with the fields that cannot be met, or it failed: not verified, no split found, or no
-answer in time. Failures are told, one line each, and are the exit status. Plain Python 3, standard library only.
+answer in time. Failures are told, one line each, and are the exit status. With --gaps a plan whose gap to the bound is
+above 0.2 %, or 2 % where a positioning move is longer than 0.1 m, is told and counts as failed, too. Plain Python 3, standard library only.
 """
 import argparse
 import collections
@@ -19,6 +21,7 @@ import json
 import math
 import pathlib
 import random
+import statistics
 import sys
 
 import planning
@@ -47,6 +50,7 @@ VARIANTS = {
     "iterative+any+jerk": {"method": "iterative"},
 }
 RELATIVE_JERKS = 30, 500  # 1/s
+SHORT_GAP, LONG_GAP, LONG_MOVE = 2e-3, 2e-2, 100.0  # relative; mm
 
 
 class Outline:
@@ -146,10 +150,10 @@ def contour(number):
     return kind, outline(rng, 3 if kind == "space" else 2)
 
 
-def document(number, variant):
+def document(number, variant, which=None):
     rng = random.Random(f"{variant} {number}")
     kind, program = contour(number)
-    machine = json.loads((ROOT / "examples" / "machines" / f"md{1 if number % 2 else 2}.json").read_text())
+    machine = json.loads((ROOT / "examples" / "machines" / f"{which or ('md1' if number % 2 else 'md2')}.json").read_text())
     if kind == "space":
         for stage in ("coarse", "fine"):
             machine[stage]["z"] = machine[stage]["x"]
@@ -185,31 +189,48 @@ def outcome(result):
     return ("refused" if fields else "failed"), result.get("detail", "") + " " + "; ".join(fields), 0
 
 
+def gap_of(result):
+    """The gap and what it may be."""
+    moves = [b["length"] for b in result["details"]["blocks"] if b["mode"] == "position"]
+    return result["bound"]["gap"], LONG_GAP if max(moves, default=0) > LONG_MOVE else SHORT_GAP
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program", help="the built bahnwerk")
     parser.add_argument("--first", type=int, default=0, help="number of the first program")
     parser.add_argument("--programs", type=int, default=200, help="how many")
     parser.add_argument("--variant", nargs="+", choices=VARIANTS, default=list(VARIANTS))
+    parser.add_argument("--machine", nargs="+", choices=("md1", "md2"), default=[None])
+    parser.add_argument("--numbers", nargs="+", type=int, help="only these programs")
+    parser.add_argument("--gaps", action="store_true", help="hold the gaps to what they have to be")
     parser.add_argument("--seconds", type=float, default=300, help="within which a plan has to be there")
     parser.add_argument("--keep", help="folder for the documents of plans that failed or were refused")
     arguments = parser.parse_args()
     failed = 0
     print(f"{'variant':24} {'verified':>8} {'refused':>8} {'failed':>8} {'fell back':>9} {'CPU, s':>8}", flush=True)
+    numbers = arguments.numbers or range(arguments.first, arguments.first + arguments.programs)
     for variant in arguments.variant:
-        counts, spent, fell_back, lines = collections.Counter(), 0.0, 0, []
-        for number in range(arguments.first, arguments.first + arguments.programs):
-            job = document(number, variant)
+        counts, spent, fell_back, lines, gaps = collections.Counter(), 0.0, 0, [], []
+        for number, which in ((n, m) for m in arguments.machine for n in numbers):
+            job = document(number, variant, which)
             result, seconds, _ = planning.plan(arguments.program, job, arguments.seconds)
             end, why, fallbacks = outcome(result)
             spent += seconds
             fell_back += fallbacks > 0
+            if end == "verified":
+                gap, most = gap_of(result)
+                gaps.append(gap)
+                if arguments.gaps and gap > most:
+                    end, why = "failed", f"gap {gap:.3%} > {most:.1%}"
             counts[end] += 1
             if end != "verified":
-                lines.append(f"    {end:8} {job['name']}: {why}")
+                lines.append(f"    {end:8} {job['name']}{' ' + which if which else ''}: {why}")
                 if arguments.keep:
-                    (pathlib.Path(arguments.keep) / f"{variant}_{number}.json").write_text(json.dumps(job))
+                    (pathlib.Path(arguments.keep) / f"{variant}_{number}{'_' + which if which else ''}.json").write_text(json.dumps(job))
         print(f"{variant:24} {counts['verified']:8} {counts['refused']:8} {counts['failed']:8} {fell_back:9} {spent:8.1f}", flush=True)
+        if arguments.gaps and gaps:
+            print(f"    gaps: median {statistics.median(gaps):.2g}, largest {max(gaps):.2%}, sum {sum(gaps):.2%}")
         for line in lines:
             print(line[:400], flush=True)
         failed += counts["failed"]

@@ -1,7 +1,9 @@
 /// The table of docs/methods/coarse_fine_iterative.md: methods × degrees × multiplicities on a sheet of small contours,
-/// MD2: durations of cutting, of positioning and of all, iterations, planning time. Run by hand.
+/// MD2: durations of cutting, of positioning and of all, iterations, planning time. Over the whole contour, or with two
+/// arguments in windows of so many blocks that share so many. Run by hand.
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 
 #include "core/motion/law/block_times.hpp"
@@ -38,16 +40,18 @@ void row(const RedundancyTask& task, RedundancyOptions options, const char* name
 }  // namespace
 }  // namespace bahnwerk
 
-int main(int argc, char**) {
+int main(int argc, char** argv) {
   using namespace bahnwerk;
-  const bool windows = argc > 1;
+  const bool windows = argc > 2;  // BLOCKS OVERLAP
   const RedundancyTask task = test::redundancy_task(test::small_contours(), test::md2());
   for (const auto& approximation : coarse_approximations)
     for (const auto& smoothing : coarse_smoothings) {
       RedundancyOptions options;
       options.approximation = approximation.value;
       options.smoothing = smoothing.value;
-      if (windows) options.window = RedundancyOptions::Window{10, 3};
+      if (windows)
+        options.window =
+            RedundancyOptions::Window{std::strtoul(argv[1], nullptr, 10), std::strtoul(argv[2], nullptr, 10)};
       row(task, options, (std::string(approximation.name) + ", " + std::string(smoothing.name)).c_str());
     }
 }

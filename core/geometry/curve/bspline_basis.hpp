@@ -10,6 +10,25 @@ namespace bahnwerk {
 template <std::size_t Limit>
 using BsplineBasis = std::array<std::array<double, Limit>, 4>;
 
+/// The values alone, of a degree that is known: `knots` from knots[k] on. The same numbers as below, from one row of
+/// the triangle [A2.2].
+template <std::size_t degree>
+inline void bspline_values(const double* knots, double u, double* values) {
+  std::array<double, degree + 1> left{}, right{};
+  values[0] = 1;
+  for (std::size_t j = 1; j <= degree; ++j) {
+    left[j] = u - *(knots - (j - 1));
+    right[j] = knots[j] - u;
+    double saved = 0;
+    for (std::size_t r = 0; r < j; ++r) {
+      const double share = values[r] / (right[r + 1] + left[j - r]);
+      values[r] = saved + right[r + 1] * share;
+      saved = left[j - r] * share;
+    }
+    values[j] = saved;
+  }
+}
+
 /// At u, up to order min(Most, degree); degree < Limit. O(degree²); most of it are the derivatives.
 template <std::size_t Limit, std::size_t Most = 3>
 inline BsplineBasis<Limit> bspline_basis(const std::vector<double>& knots, std::size_t degree, std::size_t k,

@@ -18,7 +18,8 @@ class PathMotion final : public Motion {
   /// The law has one piece at least.
   PathMotion(std::shared_ptr<const AxisPath> path, TimeLaw law) : path_(std::move(path)), law_(std::move(law)) {}
   const AxisPath& path() const { return *path_; }
-  const TimeLaw& law() const { return law_; }
+  const TimeLaw& law() const& { return law_; }
+  TimeLaw law() && { return std::move(law_); }
   std::size_t axes() const override { return path_->axes(); }
   std::size_t pieces() const override { return law_.pieces().size(); }
   double begin(std::size_t piece) const override { return law_.pieces()[piece].t0; }

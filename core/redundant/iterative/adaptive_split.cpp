@@ -61,6 +61,7 @@ AdaptiveSplit::AdaptiveSplit(const RedundancyTask& task, const RedundancyOptions
   }
   limits_.feeds = first_feeds_;
   touched_.assign(sections_.size(), 0);
+  cells_.resize(sections_.size());
   fastest_ = sections_.duration(0, sections_.size());
 }
 
@@ -97,7 +98,7 @@ void AdaptiveSplit::reset(std::size_t first, std::size_t last) {
         limits_.jerk[k][b] = machine_.axes[k].jerk;
       }
     }
-    sections_.replan(i, limits_of(i), limits_.feeds);
+    replan(i);
     touched_[i] = 0;
   }
 }
@@ -167,9 +168,12 @@ bool AdaptiveSplit::fit(const HeadSamples& head, const std::vector<SplineBegin>&
   return true;
 }
 
-std::vector<std::vector<SplitPeaks>> AdaptiveSplit::exact_peaks(const PathMotion& head,
-                                                                const std::vector<TimeSpline>& coarse,
-                                                                std::size_t first, std::size_t last) {
+void AdaptiveSplit::replan(std::size_t section) {
+  sections_.replan(section, limits_of(section), limits_.feeds);
+  cells_[section] = {};
+}
+
+HeadCells AdaptiveSplit::cells_of(std::size_t section) {
   HeadCellOptions o;
   o.longest = task_.machine.cycle_time;
   for (std::size_t k = 0; k < axes(); ++k) {
@@ -178,12 +182,32 @@ std::vector<std::vector<SplitPeaks>> AdaptiveSplit::exact_peaks(const PathMotion
     o.jerk_change.push_back(unlimited);
     o.jerk_range.push_back(unlimited);
   }
+  const PathMotion head(task_.path, sections_.law(section, section + 1));
   HeadCells cells = head_cells(head, o, scope_);
   const MotionState end = head.in_piece(head.pieces() - 1, head.duration());  // not that of the whole path
   for (std::size_t k = 0; k < axes(); ++k)
     cells.nodes[k].back() = {end.position[k], end.velocity[k], end.acceleration[k]};
-  std::vector<std::vector<SplitPeaks>> peaks;
-  for (std::size_t k = 0; k < axes(); ++k) peaks.push_back(split_peaks(cells, head.law(), k, coarse[k], first, last));
+  return cells;
+}
+
+std::vector<std::vector<SplitPeaks>> AdaptiveSplit::exact_peaks(const PathMotion& head,
+                                                                const std::vector<TimeSpline>& coarse,
+                                                                std::size_t first, std::size_t last) {
+  const std::size_t block = sections_.begin(first), end = sections_.begin(last);
+  std::vector<std::vector<SplitPeaks>> peaks(axes(), std::vector<SplitPeaks>(end - block));
+  const auto& pieces = head.law().pieces();
+  std::vector<CellsBegin> at(axes());
+  std::size_t piece = 0;
+  for (std::size_t i = first; i < last; ++i) {
+    if (cells_[i].size() == 0) cells_[i] = cells_of(i);  // a section that was planned again has other cells
+    const std::size_t from = sections_.begin(i), to = sections_.begin(i + 1);
+    for (std::size_t k = 0; k < axes(); ++k) {
+      at[k].law = piece;
+      const std::vector<SplitPeaks> here = split_peaks(cells_[i], head.law(), k, coarse[k], from, to, at[k]);
+      std::copy(here.begin(), here.end(), peaks[k].begin() + static_cast<std::ptrdiff_t>(from - block));
+    }
+    while (piece < pieces.size() && pieces[piece].segment < to) ++piece;
+  }
   return peaks;
 }
 
@@ -248,7 +272,7 @@ bool AdaptiveSplit::adapt_all(const std::vector<std::vector<SplitPeaks>>& peaks,
             changed || limits_.acceleration[k][b] < before.acceleration[k][b] || limits_.jerk[k][b] < before.jerk[k][b];
     }
     if (!changed) continue;
-    sections_.replan(i, limits_of(i), limits_.feeds);
+    replan(i);
     touched_[i] = 1;
   }
   return fell;
@@ -264,7 +288,7 @@ std::optional<SplitPart> AdaptiveSplit::solve(std::size_t first, std::size_t las
   part.last = last;
   for (int iteration = 1; iteration <= constants_.max_iterations; ++iteration) {
     scope_.half_of_rest();
-    const PathMotion head(task_.path, sections_.law(first, last));
+    PathMotion head(task_.path, sections_.law(first, last));
     if (head.duration() > longest) return std::nullopt;
     const HeadSamples samples = sample(head);
     if (!fit(samples, begin, part.coarse)) return std::nullopt;
@@ -272,12 +296,13 @@ std::optional<SplitPart> AdaptiveSplit::solve(std::size_t first, std::size_t las
     for (std::size_t k = 0; k < axes(); ++k) peaks.push_back(sampled_peaks(samples, k, part.coarse[k], block, end));
     RedundancyIteration pass = judged(head.duration(), peaks);
     if (pass.violated_blocks == 0) {  // at samples: look between them
-      peaks = exact_peaks(head, part.coarse, block, end);
+      peaks = exact_peaks(head, part.coarse, first, last);
       pass = judged(head.duration(), peaks);
     }
     passes_.push_back(pass);
     if (pass.violated_blocks == 0) {
-      part.law = head.law();
+      for (std::size_t i = first; i < last; ++i) cells_[i] = {};
+      part.law = std::move(head).law();
       return part;
     }
     // Where nothing falls the anchor has to, first.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/progress_scope.hpp"
+#include "core/redundant/head_cells.hpp"
 #include "core/redundant/iterative/coarse_fit.hpp"
 #include "core/redundant/iterative/head_sections.hpp"
 #include "core/redundant/iterative/limit_adaptation.hpp"
@@ -58,8 +59,11 @@ class AdaptiveSplit {
   /// What fine axes may make up for at samples so far apart.
   double tolerance(std::size_t axis, double spacing, double speed) const;
   bool fit(const HeadSamples& head, const std::vector<SplineBegin>& begin, std::vector<TimeSpline>& coarse);
+  /// Between samples, per axis and block, of sections [first, last).
   std::vector<std::vector<SplitPeaks>> exact_peaks(const PathMotion& head, const std::vector<TimeSpline>& coarse,
                                                    std::size_t first, std::size_t last);
+  HeadCells cells_of(std::size_t section);
+  void replan(std::size_t section);
   RedundancyIteration judged(double duration, const std::vector<std::vector<SplitPeaks>>& peaks) const;
   /// Lowers limits, and plans sections again whose limits fell. False: nothing fell.
   bool adapt_all(const std::vector<std::vector<SplitPeaks>>& peaks, std::size_t first, std::size_t last, int iteration);
@@ -75,6 +79,7 @@ class AdaptiveSplit {
   std::vector<char> touched_;  ///< per section: not planned with the first limits any more
   HeadSections sections_, alone_;
   double fastest_ = 0;
+  std::vector<HeadCells> cells_;  ///< per section, from its begin on, dwells included; empty where not known
   std::vector<RedundancyIteration> passes_;
 };
 

@@ -151,13 +151,12 @@ class Fitter {
       std::optional<Approximation> a = fit(choice);
       if (!a) break;
       const std::vector<double> times = worst_times(task_, a->rows, a->variables);
-      const double worst = worst_time(task_, a->rows, a->variables);
       const bool done = times.empty();
       if (done) best = std::move(a);
       if (done && ++hits >= std::max<std::size_t>(burns(), 1)) break;
       const bool more = !done                         ? choice.insert_apart(times, options_.degree + 1) > 0
                         : options_.afterburner_evenly ? choice.insert_in_widest()
-                                                      : choice.insert(worst);
+                                                      : choice.insert(worst_time(task_, best->rows, best->variables));
       if (!more) break;
     }
     return best;

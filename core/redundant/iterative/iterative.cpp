@@ -86,7 +86,8 @@ class Planner {
   bool whole() {
     std::optional<SplitPart> part = split_.solve(0, sections().size(), at_head());
     if (!part) return false;
-    keep(*part, sections().size());
+    for (std::size_t k = 0; k < coarse_.size(); ++k) coarse_[k] = std::move(part->coarse[k]);
+    law_ = std::move(part->law);
     return true;
   }
 

@@ -21,6 +21,8 @@ SplineEnds::SplineEnds(const SplineSpace& space, const SplineBegin& begin) : siz
 }
 
 VariableRow SplineEnds::reduced(const SplineRow& row) const {
+  if (row.first >= fixed_.size() && row.first + row.count <= fixed_.size() + variables_)  // away from the ends
+    return {row.first - fixed_.size(), row.count, row.weights, 0};
   VariableRow r;
   bool any = false;
   for (std::size_t i = 0; i < row.count; ++i) {

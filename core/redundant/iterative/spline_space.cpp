@@ -29,11 +29,27 @@ std::size_t SplineSpace::find(double t, std::size_t hint) const {
   return k;
 }
 
+void SplineSpace::values(std::size_t span, double t, double* out) const {
+  const double* knots = knots_.data() + span;
+  switch (degree_) {  // unrolled
+    case 1:
+      return bspline_values<1>(knots, t, out);
+    case 2:
+      return bspline_values<2>(knots, t, out);
+    case 3:
+      return bspline_values<3>(knots, t, out);
+    case 4:
+      return bspline_values<4>(knots, t, out);
+    default:
+      return bspline_values<5>(knots, t, out);
+  }
+}
+
 SplineRow SplineSpace::at(double t, std::size_t order, std::size_t& span) const {
   span = find(t, span);
   SplineRow row{span - degree_, degree_ + 1, {}};
   if (order == 0)
-    row.weights = bspline_basis<limit, 0>(knots_, degree_, span, t)[0];
+    values(span, t, row.weights.data());
   else if (order <= degree_)
     row.weights = bspline_basis<limit>(knots_, degree_, span, t)[order];
   return row;

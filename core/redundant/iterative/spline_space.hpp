@@ -38,6 +38,7 @@ class SplineSpace {
 
  private:
   std::size_t find(double t, std::size_t hint) const;
+  void values(std::size_t span, double t, double* out) const;
 
   std::size_t degree_;
   std::vector<double> knots_;

@@ -27,13 +27,14 @@ CoarseRange range_of(const TimeSpline::Coefficients& c, double h) {
 }  // namespace
 
 std::vector<SplitPeaks> split_peaks(const HeadCells& cells, const TimeLaw& law, std::size_t axis,
-                                    const TimeSpline& coarse, std::size_t first, std::size_t last) {
+                                    const TimeSpline& coarse, std::size_t first, std::size_t last, CellsBegin& at) {
   std::vector<SplitPeaks> peaks(last - first);
   const auto raise = [](double& peak, double value) { peak = std::max(peak, value); };
-  std::size_t piece = 0;
+  std::size_t& piece = at.coarse;
+  const double begin = law.pieces()[at.law].t0;
   for (std::size_t c = 0; c < cells.size(); ++c) {
-    SplitPeaks& p = peaks[law.pieces()[cells.pieces[c]].segment - first];
-    const double t0 = cells.times[c], t1 = cells.times[c + 1], h = t1 - t0;
+    SplitPeaks& p = peaks[law.pieces()[at.law + cells.pieces[c]].segment - first];
+    const double t0 = begin + cells.times[c], t1 = begin + cells.times[c + 1], h = t1 - t0;
     const HeadCell& head = cells.cells[axis][c];
     piece = coarse.find(t0, piece);
     Range coarse_a, fine_a;

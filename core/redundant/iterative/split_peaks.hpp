@@ -15,11 +15,17 @@ struct SplitPeaks {
   double fine_velocity = 0, fine_acceleration = 0, fine_jerk = 0;
 };
 
-/// Per segment of [first, last) of the path, for one axis; `law` is the head's and `cells` are its cells, all from time
-/// 0 on. Bounds, not samples, as far as the cells' ranges are: between nodes the fine velocity is at most w h/4 beyond
-/// those at both ends (w: range of the fine acceleration in a cell of h seconds), the offset A h²/8. O(cells + pieces).
+/// Where cells begin: piece of a law, whose begin is their time 0, and of a spline (a hint).
+struct CellsBegin {
+  std::size_t law = 0, coarse = 0;
+};
+
+/// Per segment of [first, last) of the path, for one axis; `law` is the head's and `cells` are cells of it, from `at`
+/// on, which becomes where they end in the spline. Bounds, not samples, as far as the cells' ranges are: between nodes
+/// the fine velocity is at most w h/4 beyond those at both ends (w: range of the fine acceleration in a cell of h
+/// seconds), the offset A h²/8. O(cells + pieces).
 std::vector<SplitPeaks> split_peaks(const HeadCells& cells, const TimeLaw& law, std::size_t axis,
-                                    const TimeSpline& coarse, std::size_t first, std::size_t last);
+                                    const TimeSpline& coarse, std::size_t first, std::size_t last, CellsBegin& at);
 
 /// The same at `times`, ascending, of which the head's states are given: what the source looks at, quicker and below
 /// the truth.

@@ -49,5 +49,39 @@ TEST(FollowableStates, AgreeWithTheSolutionOfTheChain) {
   EXPECT_GT(not_followed, 20);
 }
 
+TEST(FollowableStates, ConflictsAreWhereTheSolutionHasExcess) {
+  Random random(4);
+  int without = 0, with = 0;
+  for (int round = 0; round < 200; ++round) {
+    Chain<2> chain = test::known_chain<2>(random, 40 + 2 * static_cast<std::size_t>(round)).chain;
+    EXPECT_TRUE(conflicts(chain, {}).empty()) << round;
+    ++without;
+    const std::size_t n = chain.cells(), here = n / 2;
+    for (std::size_t i = here; i < std::min(here + 5, n); ++i)
+      chain.states[i][0] = {chain.states[i][0].lowest + 3, chain.states[i][0].highest + 3};
+    if (solve(chain, ChainOptions()).excess < 1e-3) continue;
+    const auto found = conflicts(chain, {});
+    ASSERT_FALSE(found.empty()) << round;
+    ++with;
+    for (const auto& [first, last] : found) {
+      // Free at both ends it is no easier than a part of the whole.
+      Chain<2> part;
+      part.begins_at_rest = first == 0 && chain.begins_at_rest;
+      part.ends_at_rest = last == n && chain.ends_at_rest;
+      part.steps.assign(chain.steps.begin() + static_cast<std::ptrdiff_t>(first),
+                        chain.steps.begin() + static_cast<std::ptrdiff_t>(last));
+      part.controls.assign(chain.controls.begin() + static_cast<std::ptrdiff_t>(first),
+                           chain.controls.begin() + static_cast<std::ptrdiff_t>(last));
+      part.states.assign(chain.states.begin() + static_cast<std::ptrdiff_t>(first),
+                         chain.states.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+      EXPECT_GT(solve(part, ChainOptions()).excess, 0) << round;
+      EXPECT_LT(first, here + 5) << round;
+      EXPECT_GT(last + 1, here) << round;
+    }
+  }
+  EXPECT_EQ(without, 200);
+  EXPECT_GT(with, 20);
+}
+
 }  // namespace
 }  // namespace bahnwerk

@@ -44,7 +44,8 @@ TEST(SplitPeaks, BoundWhatDenseSamplesShow) {
       samples.axes[k].push_back({x.position[k], x.velocity[k], x.acceleration[k], x.jerk[k]});
   }
   for (std::size_t k = 0; k < 2; ++k) {
-    const std::vector<SplitPeaks> bound = split_peaks(cells, head.law(), k, coarse, 0, n),
+    CellsBegin at;
+    const std::vector<SplitPeaks> bound = split_peaks(cells, head.law(), k, coarse, 0, n, at),
                                   seen = sampled_peaks(samples, k, coarse, 0, n);
     ASSERT_EQ(bound.size(), n);
     for (std::size_t b = 0; b < n; ++b) {
