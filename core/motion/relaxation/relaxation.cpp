@@ -11,7 +11,7 @@ constexpr double most_down = 0.9, most_up = 4;  // of b by one step
 constexpr double min_centring = 1e-4;
 constexpr double dual_tolerance = 1e-3;
 constexpr double never = 1e300;
-constexpr double blend = 0.02;  // of two limits into one
+constexpr double blend = 0.02;  // of two limits into one; its square over 4 has to be less than any of them
 
 }  // namespace
 

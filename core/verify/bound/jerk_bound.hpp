@@ -5,6 +5,9 @@
 /// in core/motion/relaxation come close to the best. That solver is a source of numbers only: nothing that it does can
 /// make the bound wrong.
 ///
+/// Through kinematics the relaxation also takes what jerk leaves of the axes' accelerations
+/// (core/verify/bound/jerk_ways.hpp), and the dual function counts it.
+///
 /// Several pieces of the path (core/verify/bound/jerk_pieces.hpp) make a cell of the relaxation.
 #include <array>
 #include <cstddef>
