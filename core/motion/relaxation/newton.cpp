@@ -31,8 +31,18 @@ struct Steps {
 
 }  // namespace
 
+// What hat_value() changes by, where b changes by these parts of itself before and after the node.
+template <int N>
+typename RelaxationSolver<N>::Sides RelaxationSolver<N>::hat_change(std::size_t node, std::size_t k, double before,
+                                                                    double after) const {
+  if (form_.rooted[node] != 0) return before * slopes_[node][k].before + after * slopes_[node][k].after;
+  return both(form_.cells[node + 1].acceleration[1][k] * (b_[node + 1] * before) +
+              form_.cells[node + 2].acceleration[0][k] * (b_[node + 2] * after));
+}
+
 // Takes the last step, and poses the Newton system by relative changes of b, each T_j eliminated, with the right-hand
-// side of the predictor. Only the splines' times are not linear in b: what else is violated shrinks with the step.
+// side of the predictor. Only the splines' times and limits of acceleration with b^(1/4) are not linear in b: what else
+// is violated shrinks with the step.
 template <int N>
 void RelaxationSolver<N>::assemble(double primal, double dual) {
   const double left = 1 - primal;
@@ -43,6 +53,7 @@ void RelaxationSolver<N>::assemble(double primal, double dual) {
     const std::size_t a = i + 2;
     b_[a] *= 1 + primal * step_[a];
     root_[a] = 1 / std::sqrt(b_[a]);
+    if (form_.any_rooted) fourth_[a] = std::sqrt(b_[a] * root_[a]);
     Inequality<double>& c = caps_[i];
     c.advance(primal, dual), c.residual *= left;
     const double e = b_[a] * inverse_cap_[a], w = c.weight();
@@ -58,8 +69,19 @@ void RelaxationSolver<N>::assemble(double primal, double dual) {
       for (std::size_t k = 0; k < N; ++k) {
         Inequality<Sides>& q = hats_[j][k];
         q.advance(primal, dual), q.residual = left * q.residual;
+        if (form_.rooted[j] != 0) q.residual = hat_value(j, k) + q.slack;
         const Sides w = q.weight(), h = w * q.residual;
         products = products + q.slack * q.multiplier, worst_hat = larger(worst_hat, magnitude(q.residual));
+        if (form_.rooted[j] != 0) {
+          const Slope& e = slopes_[j][k];
+          const Sides r1 = (0.25 * fourth_[j + 1]) * c[1]->root[1][k], r0 = (0.25 * fourth_[j + 2]) * c[0]->root[0][k],
+                      z = q.multiplier * e.share, bend = q.multiplier * e.bend;
+          matrix_[j + 1][0] += sum(w * e.before * e.before + 0.75 * z * r1 + bend * r1 * r1);
+          matrix_[j + 1][1] += sum(w * e.before * e.after + bend * r1 * r0);
+          matrix_[j + 2][0] += sum(w * e.after * e.after + 0.75 * z * r0 + bend * r0 * r0);
+          step_[j + 1] -= sum(h * e.before), step_[j + 2] -= sum(h * e.after);
+          continue;
+        }
         const double weight = w[0] + w[1], pull = h[0] - h[1], f1 = c[0]->acceleration[0][k],
                      f0 = c[1]->acceleration[1][k];
         d0 += weight * f0 * f0, d1 += weight * f1 * f1, d01 += weight * f0 * f1;
@@ -152,7 +174,7 @@ typename RelaxationSolver<N>::Reach RelaxationSolver<N>::predict() {
         moved{b_[j + 2] * step[0], b_[j + 1] * step[1], b_[j] * step[2]};
     if (j < hats_.size())
       for (std::size_t k = 0; k < N; ++k) {
-        const Sides change = both(c[1]->acceleration[1][k] * moved[1] + c[0]->acceleration[0][k] * moved[0]);
+        const Sides change = hat_change(j, k, step[1], step[0]);
         hats_[j][k].predict(change), two.predicted(hats_[j][k], change);
       }
     Spline& s = splines_[j];
@@ -186,7 +208,10 @@ void RelaxationSolver<N>::correct(double target) {
       for (std::size_t k = 0; k < N; ++k) {
         const Sides h = hats_[j][k].aim(target);
         hats_[j][k].pending = h;
-        g0 += (h[0] - h[1]) * c[1]->acceleration[1][k], g1 += (h[0] - h[1]) * c[0]->acceleration[0][k];
+        if (form_.rooted[j] != 0)
+          step_[j + 1] -= sum(h * slopes_[j][k].before), step_[j + 2] -= sum(h * slopes_[j][k].after);
+        else
+          g0 += (h[0] - h[1]) * c[1]->acceleration[1][k], g1 += (h[0] - h[1]) * c[0]->acceleration[0][k];
       }
       step_[j + 1] -= g0 * b_[j + 1], step_[j + 2] -= g1 * b_[j + 2];
     }
@@ -222,7 +247,7 @@ typename RelaxationSolver<N>::Reach RelaxationSolver<N>::follow() {
         moved{b_[j + 2] * step[0], b_[j + 1] * step[1], b_[j] * step[2]};
     if (j < hats_.size())
       for (std::size_t k = 0; k < N; ++k) {
-        hats_[j][k].follow(both(c[1]->acceleration[1][k] * moved[1] + c[0]->acceleration[0][k] * moved[0]));
+        hats_[j][k].follow(hat_change(j, k, step[1], step[0]));
         two.followed(hats_[j][k]);
       }
     Spline& s = splines_[j];
@@ -246,19 +271,18 @@ typename RelaxationSolver<N>::Reach RelaxationSolver<N>::follow() {
 template <int N>
 double RelaxationSolver<N>::dual_residual() const {
   std::vector<double> gradient(b_.size(), 0);
-  double sum = 0;
+  double residual = 0;
   for (std::size_t i = 0; i < cells_; ++i) gradient[i + 2] = caps_[i].multiplier * b_[i + 2] * inverse_cap_[i + 2];
   for (std::size_t j = 0; j < splines_.size(); ++j) {
     if (j < hats_.size())
       for (std::size_t k = 0; k < N; ++k) {
-        const double z = hats_[j][k].multiplier[0] - hats_[j][k].multiplier[1];
-        gradient[j + 1] += z * form_.cells[j + 1].acceleration[1][k] * b_[j + 1];
-        gradient[j + 2] += z * form_.cells[j + 2].acceleration[0][k] * b_[j + 2];
+        const Sides z = hats_[j][k].multiplier;
+        gradient[j + 1] += sum(z * hat_change(j, k, 1, 0)), gradient[j + 2] += sum(z * hat_change(j, k, 0, 1));
       }
     const Spline& s = splines_[j];
     double by_time = 1 - s.time.multiplier;
     for (std::size_t k = 0; k < N; ++k) by_time -= s.jerk[k].multiplier[0] + s.jerk[k].multiplier[1];
-    sum += std::abs(by_time) * s.T;
+    residual += std::abs(by_time) * s.T;
     for (std::size_t r = 0; r < 3; ++r) {
       const std::size_t a = j + 2 - r;
       gradient[a] -= 0.5 * s.time.multiplier * form_.cells[a].time[r] * root_[a];
@@ -266,10 +290,14 @@ double RelaxationSolver<N>::dual_residual() const {
         gradient[a] += (s.jerk[k].multiplier[0] - s.jerk[k].multiplier[1]) * form_.cells[a].jerk[r][k] * b_[a];
     }
   }
-  for (const double g : gradient) sum += std::abs(g);
-  return sum / duration_;
+  for (const double g : gradient) residual += std::abs(g);
+  return residual / duration_;
 }
 
+template Lanes<2> RelaxationSolver<2>::hat_change(std::size_t, std::size_t, double, double) const;
+template Lanes<2> RelaxationSolver<3>::hat_change(std::size_t, std::size_t, double, double) const;
+template Lanes<2> RelaxationSolver<5>::hat_change(std::size_t, std::size_t, double, double) const;
+template Lanes<2> RelaxationSolver<8>::hat_change(std::size_t, std::size_t, double, double) const;
 template void RelaxationSolver<2>::assemble(double, double);
 template void RelaxationSolver<3>::assemble(double, double);
 template void RelaxationSolver<5>::assemble(double, double);

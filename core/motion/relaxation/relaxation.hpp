@@ -29,6 +29,9 @@ struct RelaxationMultipliers {
   using Row = std::array<double, N>;
   std::vector<Row> jerk;          ///< s³/mm
   std::vector<Row> acceleration;  ///< s³/mm²
+  /// What part of that counts against RelaxationLimit, in place of A_k; 0 to 1. None: 0.
+  std::vector<Row> limited;
+  std::vector<double> b;  ///< per node, about; mm²/s². None where `limited` has none
 };
 
 struct RelaxationOutcome {
@@ -69,6 +72,11 @@ class RelaxationSolver {
     std::array<double, 3> coupling{};        ///< with b of its cells
   };
   using Hat = std::array<Inequality<Sides>, N>;
+  /// How the value of a hat's inequality changes with relative changes of b before and after its node. Its limit is the
+  /// lesser of A_k and what jerk allows; `share`: how much it is the latter.
+  struct Slope {
+    Sides before{}, after{}, share{}, bend{};
+  };
   /// What a direction allows: the largest of −step/slack and of −step/multiplier.
   struct Reach {
     double primal = 0, dual = 0;
@@ -85,15 +93,19 @@ class RelaxationSolver {
   Reach follow();
   double dual_residual() const;
   double largest_change(double primal) const;
+  Sides hat_value(std::size_t node, std::size_t k);
+  Sides hat_change(std::size_t node, std::size_t k, double before, double after) const;
 
   std::size_t cells_ = 0, rows_ = 0;
   ProgressScope* pulse_ = nullptr;
   WeakForm<N> form_;
   std::vector<Spline> splines_;
   std::vector<Hat> hats_;
+  std::vector<std::array<Slope, N>> slopes_;  ///< of those whose limits depend on b
   std::vector<Inequality<double>> caps_;
   /// Two cells more at either end, on which nothing depends. `step_`: right-hand side, then relative change of b.
   std::vector<double> b_, inverse_cap_, root_, step_;
+  std::vector<double> fourth_;                 ///< b^(1/4), where limits of acceleration need it
   std::vector<std::array<double, 3>> matrix_;  ///< the diagonal and two above it; factored: 1/D, L₁, L₂
   Row inverse_jerk_{}, inverse_acceleration_{};
   double duration_ = 0, complementarity_ = 0, violation_ = 0;

@@ -5,6 +5,7 @@
 /// of jerk weighted by the quadratic B-splines B_j, with T_j ≥ ∫ B_j c ds the time that such a weight sees:
 ///   minimise Σ T_j,   |∫ B_j da_k − Σ B_j bend_k b| ≤ J_k (T_j + step_jk),   |∫ hat_i a_k ds| ≤ A_k ∫ hat_i ds,   b ≤
 ///   cap,
+/// (or |…| ≤ ∫ hat_i (fixed + root √|q′_k| b^(1/4)) ds where b^(1/4), which is concave, is part of a limit,)
 /// the sum over the joints in the support of B_j, step_jk their J_k · time with the weight B_j.
 /// The integrals by parts need q at the nodes and q′ on both sides of them, no q″. This weak form is chosen so that the
 /// multipliers are multipliers of the problem that is not discretised, too: λ_k = Σ λ_jk B_j is continuously
@@ -15,6 +16,7 @@
 #include <vector>
 
 #include "core/motion/relaxation/splines.hpp"
+#include "core/numeric/lanes.hpp"
 
 namespace bahnwerk {
 
@@ -37,11 +39,20 @@ struct RelaxationStep {
   std::array<double, N> kink{}, bend{};
 };
 
+/// Of the acceleration of an axis wherever the hat of a node is not 0, to either side: ± a_k ≤ fixed + root √u,
+/// with u = |q′_k| √b its speed.
+template <int N>
+struct RelaxationLimit {
+  std::array<std::array<double, 2>, N> fixed{}, root{};
+};
+
 template <int N>
 struct RelaxationProblem {
   using Row = std::array<double, N>;
   std::vector<RelaxationCell<N>> cells;
   std::vector<RelaxationStep<N>> steps;
+  /// Per node, in place of A_k; none: A_k everywhere.
+  std::vector<RelaxationLimit<N>> limits;
   Row acceleration{}, jerk{};                ///< limits; jerk may be infinite
   bool rest_first = true, rest_last = true;  ///< else speed and acceleration are free at that end
 };
@@ -60,6 +71,8 @@ struct WeakCell {
   std::array<double, 3> time{};       ///< ∫ B_j ds
   std::array<Row, 3> jerk{};          ///< ∫ B_j da_k / J_k per b; 0 of splines that a free end excludes
   std::array<Row, 2> acceleration{};  ///< ∫ hat a_k ds / (A_k ∫ hat ds) per b; likewise
+  /// What b^(1/4) adds to its limit, to either side, over A_k.
+  std::array<std::array<Lanes<2>, N>, 2> root{};
 };
 
 template <int N>
@@ -67,6 +80,9 @@ struct WeakForm {
   std::vector<WeakCell<N>> cells;              ///< two empty ones at either end: cell i is stored as i + 2
   std::vector<std::array<double, N>> allowed;  ///< per spline: step_jk, s
   std::vector<double> mass;                    ///< per node: ∫ hat ds, mm
+  std::vector<std::array<Lanes<2>, N>> fixed;  ///< per node: the rest of the limit of acceleration, over A_k
+  bool limited = false, any_rooted = false;
+  std::vector<unsigned char> rooted;  ///< per node: whether b^(1/4) adds anything to any
 
   /// O(cells). Keeps its memory.
   void take(const RelaxationProblem<N>& problem);

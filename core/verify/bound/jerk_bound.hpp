@@ -5,6 +5,9 @@
 /// in core/motion/relaxation come close to the best. That solver is a source of numbers only: nothing that it does can
 /// make the bound wrong.
 ///
+/// Through kinematics the relaxation also takes what jerk leaves of the axes' accelerations
+/// (core/verify/bound/jerk_ways.hpp), and the dual function counts it.
+///
 /// Several pieces of the path (core/verify/bound/jerk_pieces.hpp) make a cell of the relaxation.
 #include <array>
 #include <cstddef>
@@ -17,6 +20,7 @@
 #include "core/verify/bound/bound_grid.hpp"
 #include "core/verify/bound/jerk_dual.hpp"
 #include "core/verify/bound/jerk_pieces.hpp"
+#include "core/verify/bound/jerk_ways.hpp"
 
 namespace bahnwerk::verify {
 
@@ -62,6 +66,7 @@ class JerkBound {
   std::vector<std::size_t> cell_of_;                       ///< per piece at hand
   /// Of the cell that is being made up: s; rad; integral of the caps; of the axes' acceleration.
   double time_ = 0, turn_ = 0, capped_ = 0, swing_ = 0;
+  std::vector<JerkWays<N>> ways_;  ///< per cell at hand, through kinematics
   JerkPieces<N> pieces_;
   RelaxationProblem<N> problem_;
   std::vector<Attempt> attempts_;

@@ -11,27 +11,33 @@
 /// a unit vector b by no more than 2 Σ |q′_k| Y_k per length. Y_k ≤ A_k, and an axis that goes on in its direction for
 /// `way` mm more cannot brake as it likes. With u its speed, y its deceleration and jerk ≤ J, y² − 2 J u does not fall
 /// while it brakes; so it would come to rest, still braking, and turn round, within u²/(2 √(y² − 2 J u)). Hence
-///   y ≤ √(2 J u) + u²/(2 way);
-/// joints at which its acceleration may step add these steps. The same holds backwards in time for an axis that speeds
-/// up.
+///   y ≤ √(2 J u) + u²/(2 way).
+/// And where the way ends, at a place that it reaches with its direction still the same, its acceleration is no more
+/// than some y_end: if it brakes all the way y² − 2 J u is no more than y_end² there, and if it does not y² ≤ 2 J u, so
+///   y ≤ √(2 J u + y_end²).
+/// Joints at which its acceleration may step add these steps, s in all: y less the steps to come has the same growth.
+/// The same holds backwards in time for an axis that speeds up.
 ///
 /// A motion that reaches more than some b anywhere in the piece can be slowed down to reach just that, and keeps all
 /// limits. So if that is impossible, more is, too.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace bahnwerk::verify {
 
-/// How far an axis goes on in its direction, mm, and the sum of the steps of its acceleration on that way, mm/s². None:
-/// nothing is known.
+/// How far an axis goes on in its direction, mm, the sum of the steps of its acceleration on that way, and its largest
+/// acceleration at the end of it, mm/s². None: nothing is known.
 struct AxisWay {
-  double way = 0, steps = 0;
+  double way = 0, steps = 0, end = std::numeric_limits<double>::infinity();
 };
 
 /// The largest acceleration of an axis at speed u against (ahead) or in (behind) its direction, mm/s².
 inline double most_braking(double u, double jerk, const AxisWay& w) {
-  return std::sqrt(2 * jerk * u) + w.steps + u * u / (2 * w.way);
+  const double free = 2 * jerk * u;
+  return w.steps + std::min(std::sqrt(free) + u * u / (2 * w.way), std::sqrt(free + w.end * w.end));
 }
 
 template <int N>

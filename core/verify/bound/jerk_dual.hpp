@@ -12,10 +12,19 @@
 /// So every choice of multipliers yields a lower bound; those of the convex problem in core/motion/relaxation come
 /// close to the best. That solver is a source of numbers only: nothing it does can make the bound wrong.
 ///
+/// Where more is known of the acceleration than A_k, ± a_k ≤ fixed + root √u with u = |q′_k| v, μ_k costs that in place
+/// of A_k there. Such limits are given per node and hold wherever its hat is not 0, so with μ_k = Σ μ_ik hat_i node i
+/// costs |μ_ik| ∫ hat_i (fixed + root √|q′_k| b^(1/4)) ds, on the side of the sign of μ_ik; or any mean of that and of
+/// the cost with A_k. b^(1/4) is no more than its tangent at any b₀, (3 b₀^(1/4) + b₀^(−3/4) b)/4, so this is a
+/// constant cost and takes D(s) from G(s).
+///
 /// What is enclosed. f is concave and grows in w and in G. Over a piece both have known means (∫ G ds follows from q
 /// and q′ at its ends, w is no less than a quadratic) and known ranges (|G′| ≤ ½ Σ |η_k| |q‴_k|, for η_k is linear),
-/// and the mean of a concave function is no less than the least mean over the corners of these ranges. Rounding is
-/// covered by margins from the sizes of what is added up, as in lower_bound.hpp.
+/// and the mean of a concave function is no less than the least mean over the corners of these ranges. The mean of D is
+/// bounded from above (μ_k is linear, |q′_k| within |q‴_k| length²/8 of that, and the mean of a root is no more than
+/// the root of the mean), and as b changes by 2 |v̇| per length at most D may be replaced by its mean over the cell:
+/// with b₀ in the middle of it ∫ (D − mean) b ds = ∫ (D − mean) (b − b₀) ds. Rounding is covered by margins from the
+/// sizes of what is added up, as in lower_bound.hpp.
 ///
 /// At a joint an axis steps by Δa_k = Δq″_k b + Δq′_k v̇, for the acceleration v̇ along the path is continuous, and by no
 /// more than J_k · cycle time: the verifier demands both. So either the first part is known, and costs λ_k Δq″_k b, of
@@ -82,6 +91,11 @@ class JerkDual {
     double now = 0, loss = 0;  ///< and by how much better it may be
   };
   void enter(std::size_t cell, const RelaxationProblem<N>& problem, const RelaxationMultipliers<N>& multipliers);
+  /// Of μ_k on a piece where it counts against such limits: its cost, ∫ D ds at most, and the range of D.
+  struct Limits {
+    double cost = 0, taken = 0, low = 0, high = 0;
+  };
+  Limits limits(const DualPiece<N>& piece, std::size_t k, double x) const;
   /// Of a piece x mm from the cell's begin; `next`: the piece behind it, if a joint lies between.
   Value of(const DualPiece<N>& piece, double x, const DualPiece<N>* next) const;
   /// `ends`: the nodes at its begin and end, if known.
@@ -96,6 +110,10 @@ class JerkDual {
   std::array<double, 3> weight_{};
   std::array<Row, 3> lambda_{};
   std::array<Row, 2> mu_{};
+  /// What these count against: fixed + √|q′_k| (root + slope b).
+  std::array<Row, 2> fixed_{}, root_{}, slope_{};
+  std::array<bool, N> rooted_{};
+  double taken_ = 0, along_ = 0;  ///< of D the mean over the cell; the largest |v̇| in it
 };
 
 extern template class JerkDual<2>;

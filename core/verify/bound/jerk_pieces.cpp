@@ -24,7 +24,8 @@ constexpr double part_of_change = 0.1, kinematic_part = 0.04, slowing = 3, slowe
 // Through kinematics an enclosure costs as much as a cell of the relaxation.
 constexpr double pieces_per_cell = 2.1, kinematic_pieces = 1.05;
 constexpr double part_joined = 0.125;  // of the longest piece: shorter cells of the grid make up one
-constexpr double much_change = 0.1;    // of b in a piece whose jerk limits b: it is halved, so often at most
+// Of b in a piece whose jerk limits b, and through kinematics: it is halved, so often at most.
+constexpr double much_change = 0.1, kinematic_change = 0.015;
 constexpr int halvings = 3;
 
 double sq(double x) { return x * x; }
@@ -40,6 +41,7 @@ JerkPieces<N>::JerkPieces(const BoundGrid<N>& grid, double cycle_time, const Row
       part_of_distance_(grid.cartesian() ? cell_of_distance / 2 : cell_of_distance),
       part_of_change_(grid.cartesian() ? part_of_change : kinematic_part),
       slower_(grid.cartesian() ? slowed / slowing : 1),
+      much_change_(grid.cartesian() ? much_change : kinematic_change),
       shown_jerk_(shown) {
   piece_.axes = grid.axes();
   for (std::size_t k = 0; k < grid.axes(); ++k)
@@ -109,12 +111,19 @@ DirectionRange<N> JerkPieces<N>::range(const Node& a, const Node& b, std::size_t
 // is known of it.
 template <int N>
 void JerkPieces<N>::append(const Node& a, const Node& b, double cap, Extent extent, std::size_t first, std::size_t last,
-                           int depth) {
-  if (!(b.s > a.s) || !std::isfinite(cap)) return push(a, b, cap, cap, extent);
+                           int depth, double without) {
+  if (depth == 0) without = cap;
+  if (!(b.s > a.s) || !std::isfinite(cap)) return push(a, b, cap, without, extent);
+  if (!grid_.cartesian()) {
+    one_way_.set(piece_, a, b, first, last);
+    for (std::size_t k = 0; k < grid_.axes(); ++k)
+      extent.ahead[k] = piece_.ahead[k].steps + piece_.ahead[k].end,
+      extent.behind[k] = piece_.behind[k].steps + piece_.behind[k].end;
+  }
   piece_.length = b.s - a.s, piece_.blur = std::max(a.blur, b.blur);
   piece_.tangent = {a.tangent, b.tangent}, piece_.bend = {a.curvature, b.curvature};
-  if (!jerk_may_limit(piece_, cap)) return push(a, b, cap, cap, extent);
-  one_way_.set(piece_, a, b, first, last);
+  if (!jerk_may_limit(piece_, cap)) return push(a, b, cap, without, extent);
+  if (grid_.cartesian()) one_way_.set(piece_, a, b, first, last);
   const DirectionRange<N> range = this->range(a, b, first, last);
   for (std::size_t k = 0; k < grid_.axes(); ++k) {
     piece_.least[k] = range.least(k), piece_.most[k] = range.most(k);
@@ -122,16 +131,16 @@ void JerkPieces<N>::append(const Node& a, const Node& b, double cap, Extent exte
   }
   piece_.unit = grid_.unit_direction(a) && grid_.unit_direction(b);
   const JerkCap found = jerk_cap(piece_, cap);
-  if (found.change > much_change * found.cap && depth < halvings) {
+  if (found.change > much_change_ * found.cap && depth < halvings) {
     const double u = a.u + (b.u - a.u) / 2;
     const std::size_t half = (first + last + 1) / 2;
     const bool joined = first < last;
     if (const Node middle = joined ? grid_.nodes()[half] : grid_.node(a.segment, u); middle.s > a.s && b.s > middle.s) {
-      append(a, middle, cap, extent, first, joined ? half - 1 : last, depth + 1);
-      return append(middle, b, cap, extent, joined ? half : first, last, depth + 1);
+      append(a, middle, found.cap, extent, first, joined ? half - 1 : last, depth + 1, without);
+      return append(middle, b, found.cap, extent, joined ? half : first, last, depth + 1, without);
     }
   }
-  push(a, b, found.cap, cap, extent);
+  push(a, b, found.cap, without, extent);
 }
 
 // `without`: the cap without jerk, by which cells are short where q″ changes.
@@ -246,6 +255,7 @@ typename JerkPieces<N>::Extent JerkPieces<N>::extent(std::size_t cell, double x,
   e.spacing = std::min(ease, cruising) * spacing_;
   if (growth_[cell] < never)
     e.spacing = std::min(e.spacing, ease * part_of_change_ * root_4_5 * std::sqrt(speed) / growth_[cell]);
+  e.speed = speed;
   e.finest = per_cell_ / 2 * std::max(e.spacing * speed, part_of_first * first_piece_);
   e.piece = std::min({e.finest / per_cell_, before_[cell] + part_of_distance_ * x,
                       (behind_[cell + 1] + part_of_distance_ * left) / (1 + part_of_distance_)});

@@ -30,6 +30,10 @@ class JerkPieces {
     double finest = 0;   ///< mm, longest cell here
     double spacing = 0;  ///< s, longest cell here
     double piece = 0;    ///< mm, longest piece
+    double speed = 0;    ///< mm/s, about how fast a motion is
+    /// Through kinematics: by how much the acceleration of an axis against its direction (ahead) and in it (behind) may
+    /// exceed √(2 J u), u its speed; infinite where it may turn round.
+    Row ahead{}, behind{};
   };
   /// Pieces of the same length that make up a cell, whatever rounding does.
   double per_cell() const { return per_cell_; }
@@ -63,7 +67,7 @@ class JerkPieces {
   std::size_t joined(std::size_t first, const std::vector<double>& b);
   DirectionRange<N> range(const Node& a, const Node& b, std::size_t first, std::size_t last) const;
   void append(const Node& a, const Node& b, double cap, Extent extent, std::size_t first, std::size_t last,
-              int depth = 0);
+              int depth = 0, double without = 0);
   void push(const Node& a, const Node& b, double cap, double without, Extent extent);
   double cap(std::size_t cell, const Node& a, const Node& b, const std::vector<double>& at_nodes,
              const Row* steepest) const;
@@ -76,6 +80,7 @@ class JerkPieces {
   double part_of_distance_;  ///< from rest, that a piece takes
   double part_of_change_;    ///< that a cell takes, of the time in which jerk changes the speed by some of it
   double slower_;            ///< v³ in slow_, of that in expected_, at bends
+  double much_change_;       ///< of b along a piece: what jerk leaves is better known of halves
   Row shown_jerk_;
   double spacing_ = 0;      ///< s, time of a cell
   double first_piece_ = 0;  ///< mm, next to rest

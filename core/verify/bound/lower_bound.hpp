@@ -63,7 +63,7 @@ struct SectionBound {
 ///
 /// Distance to the true optimum: exact on polylines; ≤ 5e-6 beyond the reference's own error on 3,000 random contours
 /// of arcs, lines and rational pieces (held to 2e-5 by tests against a dense solution); within 8e-6 of the planner's
-/// duration on a made-up machine with five axes (held to 1e-4). With limits of jerk mostly 0.05 to 2 %; 1 to 2 % on
+/// duration on a made-up machine with five axes (held to 1e-4). With limits of jerk mostly 0.05 to 2 %; 0.7 to 1.2 % on
 /// needle paths, fast in slots and slow over winding heads (docs/methods/winding_path.md). Cost: 90 ns per
 /// line between corners, 170–340 ns per node on arcs, 350–600 ns on free-form curves, O(n) time; with limits of
 /// jerk 2 to 4 µs per cell of theirs more.

@@ -24,11 +24,29 @@ void OneWay<N>::pass(const BoundGrid<N>& grid, const std::vector<double>& b, boo
   ends.of.resize(n), ends.list.clear();
   bool changed = true;
   std::array<End, N> now;
-  for (std::size_t k = 0; k < N; ++k) now[k] = {rest ? infinite : nodes[forwards ? n : 0].position[k], 0};
+  std::array<int, N> sign{};  // of q' there, 0 as long as it stands still
+  // The way ends at a node. b is at most `cap` there.
+  const auto end = [&](const BoundNode<N>& node, std::size_t k, double cap) {
+    const double size = std::abs(node.tangent[k]) + node.blur, bend = std::abs(node.curvature[k]) * cap,
+                 most = size > 0 ? bend + size * grid.along(node, node, cap) : bend;
+    now[k] = {node.position[k], 0, std::min(most * (1 + 1e-9), grid.acceleration(k))}, sign[k] = 0;
+  };
+  for (std::size_t k = 0; k < grid.axes(); ++k) {
+    end(nodes[forwards ? n : 0], k, b[forwards ? n : 0]);
+    if (rest) now[k] = {infinite, 0, 0};
+  }
   for (std::size_t step = 0; step < n; ++step) {
     const std::size_t i = forwards ? n - 1 - step : step;
-    const BoundNode<N>&from = nodes[i], &to = nodes[i + 1], &near = forwards ? from : to;
+    const BoundNode<N>&from = nodes[i], &to = nodes[i + 1], &near = forwards ? from : to, &far = forwards ? to : from;
     const BoundCell<N>& cell = cells[i];
+    // An axis that turns round at a node does so in no cell.
+    if (cell.kind != BoundCell<N>::Kind::joint)
+      for (std::size_t k = 0; k < grid.axes(); ++k) {
+        const double sum = from.tangent[k] + to.tangent[k];
+        const int way = sum > 0 ? 1 : sum < 0 ? -1 : 0;
+        if (way * sign[k] < 0) end(far, k, b[forwards ? i + 1 : i]), changed = true;
+        if (way != 0) sign[k] = way;
+      }
     if (changed) ends.list.push_back(now);
     ends.of[i] = static_cast<std::uint32_t>(ends.list.size() - 1);
     changed = cell.kind == BoundCell<N>::Kind::joint || cell.turning != 0;
@@ -46,7 +64,7 @@ void OneWay<N>::pass(const BoundGrid<N>& grid, const std::vector<double>& b, boo
         turns = turns || kink > no_kink * std::min(std::abs(from.tangent[k]), std::abs(to.tangent[k])) ||
                 now[k].steps > most_steps * grid.acceleration(k);
       }
-      if (turns) now[k] = {near.position[k], 0};
+      if (turns) end(near, k, b[forwards ? i : i + 1]);
     }
   }
 }
@@ -66,7 +84,7 @@ void OneWay<N>::set(JerkCapPiece<N>& piece, const BoundNode<N>& from, const Boun
   for (std::size_t i = first; i <= last; ++i) turning |= grid_->cells()[i].turning;
   const auto way = [](const End& end, double place) {
     const double sure = std::abs(end.at - place) - 64 * epsilon * (std::abs(end.at) + std::abs(place));
-    return AxisWay{end.at < infinite ? std::max(0.0, sure) : infinite, end.steps};
+    return AxisWay{end.at < infinite ? std::max(0.0, sure) : infinite, end.steps, end.acceleration};
   };
   for (std::size_t k = 0; k < grid_->axes(); ++k) {
     piece.ahead[k] = piece.behind[k] = {};

@@ -4,7 +4,8 @@
 /// An axis may turn round in a cell whose enclosure does not exclude it, at joints where its q′ jumps by more than
 /// rounding, and beyond an open end of the grid, of which nothing is known. It does not at a rest, where it stands with
 /// no acceleration: from there on it may go on as far as it likes. Where limits of jerk allow its acceleration to step
-/// at joints these steps are added up; when they come to a part of its acceleration the way ends, too.
+/// at joints these steps are added up; when they come to a part of its acceleration the way ends, too. At the node
+/// where a way ends its acceleration is no more than |q″_k| b + |q′_k| |v̇|, which is little where it turns round.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -30,6 +31,7 @@ class OneWay {
  private:
   struct End {
     double at = 0, steps = 0;  ///< position of the axis there; steps on the way
+    double acceleration = 0;   ///< at most, there
   };
   /// Per cell, which of the ends: neighbours mostly have the same.
   struct Ends {

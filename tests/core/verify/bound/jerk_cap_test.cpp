@@ -134,6 +134,10 @@ TEST(JerkCap, AnAxisThatGoesOnBrakesNoHarder) {
     const double most = most_braking(u0, jerk, {way, 0});
     EXPECT_LE(y0, most * (1 + 1e-3)) << u0 << ' ' << way;
     EXPECT_LE(y0 + 7, most_braking(u0, jerk, {way, 7}) * (1 + 1e-3));
+    // What is left of y at the end of the way, or before at rest, tells as much.
+    const double end = std::max(y, 0.0);
+    EXPECT_LE(y0, most_braking(u0, jerk, {way, 0, end}) * (1 + 1e-3)) << u0 << ' ' << way << ' ' << end;
+    EXPECT_LE(most_braking(u0, jerk, {way, 0, end}), most * (1 + 1e-12));
     close += y0 > 0.7 * most;
   }
   EXPECT_GT(close, 20);

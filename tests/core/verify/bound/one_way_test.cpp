@@ -90,6 +90,34 @@ TEST(OneWay, AddsTheStepsAtJointsAndEndsAtOpenEnds) {
   EXPECT_LE(steep.pieces.front().ahead[0].way, r);
 }
 
+TEST(OneWay, EndsAtANodeWhereAnAxisTurnsAndKnowsItsAccelerationThere) {
+  // Two quarters of about a circle of radius 10: at their joint x turns round, with x' = 0 exactly and no kink.
+  const double k = 5.522847498307936;
+  const Contour contour = Maker()
+                              .line({10, 0})
+                              .bezier({{10 + k, 0}, {20, 10 - k}, {20, 10}})
+                              .bezier({{20, 10 + k}, {10 + k, 20}, {10, 20}})
+                              .done();
+  const Ways all = ways(contour, 1e6);
+  const double fastest = 16000 * 10 * std::sqrt(2.0);  // b, of both axes
+  int before = 0, behind = 0;
+  for (std::size_t i = 0; i + 1 < all.pieces.size(); ++i) {
+    const auto &a = all.nodes[i], &b = all.nodes[i + 1];
+    const bool first = a.segment == 1 && b.segment == 1 && b.position[1] < 9.5,
+               second = a.segment == 2 && a.position[1] > 10.5;
+    if (!first && !second) continue;
+    const AxisWay& way = first ? all.pieces[i].ahead[0] : all.pieces[i].behind[0];
+    EXPECT_LE(way.way, 20 - (first ? b : a).position[0] + 1e-9) << i;
+    EXPECT_GE(way.way, 20 - (first ? b : a).position[0] - 0.01) << i;
+    EXPECT_LE(way.end, 1.01 * fastest / 10) << i;
+    ++(first ? before : behind);
+  }
+  EXPECT_GT(before, 10);
+  EXPECT_GT(behind, 10);
+  // At rest nothing accelerates.
+  EXPECT_EQ(all.pieces.front().behind[0].end, 0);
+}
+
 TEST(OneWay, KinksEndIt) {
   const Ways all = ways(Maker().line({10, 0}).line({20, 0.1}).line({30, 0}).done(), 1e6);
   EXPECT_NEAR(all.pieces.front().ahead[0].way, 0, 1e-9);
