@@ -9,6 +9,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/numeric/sine_cosine.hpp"
+
 namespace bahnwerk {
 
 template <std::size_t N, class S = double>
@@ -78,11 +80,27 @@ struct Taylor {
     }
     return r;
   }
+  friend SineCosine<Taylor> sine_cosine(const Taylor& a) {
+    const SineCosine<S> first = sine_cosine(a.c[0]);
+    SineCosine<Taylor> r;
+    r.sine.c[0] = first.sine, r.cosine.c[0] = first.cosine;
+    for (std::size_t n = 1; n <= N; ++n) {
+      for (std::size_t i = 1; i <= n; ++i) {
+        r.sine.c[n] += static_cast<double>(i) * a.c[i] * r.cosine.c[n - i];
+        r.cosine.c[n] -= static_cast<double>(i) * a.c[i] * r.sine.c[n - i];
+      }
+      r.sine.c[n] /= static_cast<double>(n), r.cosine.c[n] /= static_cast<double>(n);
+    }
+    return r;
+  }
   friend Taylor sin(const Taylor& a) { return sine_cosine(a).sine; }
   friend Taylor cos(const Taylor& a) { return sine_cosine(a).cosine; }
   /// The angle of the direction (x, y); not defined where both are 0.
   friend Taylor atan2(const Taylor& y, const Taylor& x) {
-    const Taylor slope = (derived(y) * x - derived(x) * y) / (x * x + y * y);
+    return atan2(y, x, (derived(y) * x - derived(x) * y) / (x * x + y * y));
+  }
+  /// The same where its derivative is known by a shorter formula.
+  friend Taylor atan2(const Taylor& y, const Taylor& x, const Taylor& slope) {
     using std::atan2;
     Taylor r = integral(slope);
     r.c[0] = atan2(y.c[0], x.c[0]);
@@ -104,22 +122,6 @@ struct Taylor {
   }
 
  private:
-  struct SineCosine {
-    Taylor sine, cosine;
-  };
-  static SineCosine sine_cosine(const Taylor& a) {
-    using std::cos, std::sin;
-    SineCosine r;
-    r.sine.c[0] = sin(a.c[0]), r.cosine.c[0] = cos(a.c[0]);
-    for (std::size_t n = 1; n <= N; ++n) {
-      for (std::size_t i = 1; i <= n; ++i) {
-        r.sine.c[n] += static_cast<double>(i) * a.c[i] * r.cosine.c[n - i];
-        r.cosine.c[n] -= static_cast<double>(i) * a.c[i] * r.sine.c[n - i];
-      }
-      r.sine.c[n] /= static_cast<double>(n), r.cosine.c[n] /= static_cast<double>(n);
-    }
-    return r;
-  }
   static Taylor integral(const Taylor& a) {
     Taylor r;
     for (std::size_t n = 1; n <= N; ++n) r.c[n] = a.c[n - 1] / static_cast<double>(n);

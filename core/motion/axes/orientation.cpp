@@ -69,17 +69,18 @@ Orientation::Orientation(const Path& tool, std::vector<std::shared_ptr<const Cur
 // With σ = ds/du: u′ = 1/σ, u″ = −σ_u/σ³, u‴ = (3σ_u² − σσ_uu)/σ⁵.
 ToolJet Orientation::tool(const Segment& segment, std::size_t index, double u) const {
   ToolJet tool;
-  tool.position = segment.at_parameter(u);
+  const Curve& curve = segment.curve();
+  const Jet h = curve.at(u);
+  tool.position = segment.at_parameter(u, h);
   const Jet a = angles_[index]->at(u);
   tool.phi.value = a.value.x, tool.psi.value = a.value.y;
   const auto zero = [](const Vec& v) { return v.x == 0 && v.y == 0; };
   if (zero(a.d1) && zero(a.d2) && zero(a.d3)) return tool;
-  const Curve& curve = segment.curve();
-  double u1 = 1 / curve.speed(u), u2 = 0, u3 = 0;
+  const double speed = norm(h.d1);
+  double u1 = 1 / speed, u2 = 0, u3 = 0;
   if (curve.kind() == CurveKind::rational) {  // of lines and arcs s is linear in u
-    const Jet h = curve.at(u);
-    const double speed = norm(h.d1), grows = dot(h.d1, h.d2) / speed,
-                 bends = (dot(h.d2, h.d2) + dot(h.d1, h.d3) - grows * grows) / speed, cube = u1 * u1 * u1;
+    const double grows = dot(h.d1, h.d2) / speed, bends = (dot(h.d2, h.d2) + dot(h.d1, h.d3) - grows * grows) / speed,
+                 cube = u1 * u1 * u1;
     u2 = -grows * cube;
     u3 = (3 * grows * grows - speed * bends) * cube * u1 * u1;
   }
