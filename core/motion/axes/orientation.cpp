@@ -126,14 +126,15 @@ void Orientation::enclose(std::size_t index, double u, double radius, DiscJet& p
   const bool rational = q.weight.size() > 1;
   DiscJet weight;
   if (rational) weight = bahnwerk::enclose(q.weight, t, r);
-  const auto angle = [&](const Polynomial& p, double origin, DiscJet& f) {
-    f = bahnwerk::enclose(p, t, r);
+  const auto both = bahnwerk::enclose(q.phi, q.psi, t, r);
+  const auto angle = [&](const DiscJet& enclosed, const Polynomial& p, double origin, DiscJet& f) {
+    f = enclosed;
     if (rational && !p.empty()) f = f / weight;
     double power = 1;
     for (std::size_t n = 1; n <= 3; ++n) f.c[n] = (power /= q.reach) * f.c[n];
     f.c[0] += origin;
   };
-  angle(q.phi, q.origin.x, phi), angle(q.psi, q.origin.y, psi);
+  angle(both[0], q.phi, q.origin.x, phi), angle(both[1], q.psi, q.origin.y, psi);
 }
 
 }  // namespace bahnwerk
