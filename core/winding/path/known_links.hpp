@@ -1,6 +1,7 @@
 #pragma once
-/// Links that were found, to be found again where the same way comes back turned about the part's axis: coils that are
-/// repeated around the part have all their links so. How smooth a link is does not depend on where it stands.
+/// Links that were found, to be found again where the same way comes back turned about the part's axis, or mirrored by
+/// a plane through it: coils that are repeated around the part, in one direction or in turns, have all their links so.
+/// How smooth a link is depends neither on where it stands nor on which hand.
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -10,9 +11,9 @@
 
 namespace bahnwerk::winding {
 
-/// Whether `b` is `a` turned about the z axis, to 1e-11: places of the distance of both ends, each derivative up to
-/// `continuity` of the first one's size. Angles of the needle do not count.
-bool turned_alike(const LinkEnds& a, const LinkEnds& b, std::size_t continuity);
+/// Whether `b` is `a` turned about the z axis, or mirrored by a plane through it, to 1e-11: places of the distance of
+/// both ends, each derivative up to `continuity` of the first one's size. Angles of the needle do not count.
+bool congruent(const LinkEnds& a, const LinkEnds& b, std::size_t continuity);
 
 class KnownLinks {
  public:
