@@ -5,7 +5,8 @@
 /// A machine derives from FormulaKinematics<itself> and brings
 ///
 ///   template <class T> std::array<T, n> solve(const NeedleOf<T>& needle) const;   the axes, n of them
-///   void check(const ToolPose& pose) const;              throws UnreachablePose where solve() is not defined
+///   void check(const ToolPose& pose, const AxisArray& axes) const;   throws UnreachablePose where solve(), which gave
+///                                                                    these axes, NaN maybe, is not defined
 ///   ToolPose forward(const AxisArray& axes) const override;
 ///
 /// T is Taylor<3> (core/numeric/taylor.hpp), of numbers or of discs, or Majorant<4> (core/numeric/majorant.hpp).
@@ -37,6 +38,7 @@ struct PartPlace {
 
   template <class T>
   NeedleOf<T> placed(const NeedleOf<T>& n) const {
+    if (angle == 0) return {T(origin.x) + n.x, T(origin.y) + n.y, T(origin.z) + n.z, n.phi, n.psi};
     const double c = std::cos(angle), s = std::sin(angle);
     return {T(origin.x) + c * n.x - s * n.y, T(origin.y) + s * n.x + c * n.y, T(origin.z) + n.z, n.phi + T(angle),
             n.psi};
@@ -72,7 +74,6 @@ class FormulaKinematics : public Kinematics {
 
   AxisJet inverse(const ToolJet& tool) const override {
     using T = Taylor<3>;
-    self().check(tool.pose());
     const Jet& p = tool.position;
     const auto along = [&](std::size_t i) { return T::from(p.value[i], p.d1[i], p.d2[i], p.d3[i]); };
     const auto angle = [](const AngleJet& a) { return T::from(a.value, a.d1, a.d2, a.d3); };
@@ -82,6 +83,7 @@ class FormulaKinematics : public Kinematics {
       jet.value[k] = q[k].value();
       jet.d1[k] = q[k].derivative(1), jet.d2[k] = q[k].derivative(2), jet.d3[k] = q[k].derivative(3);
     }
+    self().check(tool.pose(), jet.value);
     return jet;
   }
   bool enclose(const ToolDiscs& tool, AxisDiscs& axes) const override {

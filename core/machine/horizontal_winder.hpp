@@ -31,13 +31,15 @@ class HorizontalWinder final : public FormulaKinematics<HorizontalWinder> {
   template <class T>
   std::array<T, 5> solve(const NeedleOf<T>& part) const {
     const NeedleOf<T> n = sizes_.part.placed(part);
-    const T c = cos(n.phi), s = sin(n.phi);
+    const auto [s, c] = sine_cosine(n.phi);
+    const auto [swivel_s, swivel_c] = sine_cosine(n.psi);
     const double l = sizes_.l_tool;
     const T forth = c * n.x + s * n.y, aside = c * n.y - s * n.x;  // along the needle's azimuth, and across
-    return {-aside, l * cos(n.psi) - T(l) - forth, n.z - T(sizes_.z_part) + l * sin(n.psi), T(std::numbers::pi) - n.phi,
+    return {-aside, l * swivel_c - T(l) - forth, n.z - T(sizes_.z_part) + l * swivel_s, T(std::numbers::pi) - n.phi,
             n.psi};
   }
-  void check(const ToolPose&) const {}  // every pose has its axes; what they can reach, their ranges say
+  void check(const ToolPose&, const AxisArray&) const {
+  }  // every pose has its axes; what they can reach, their ranges say
   ToolPose forward(const AxisArray& q) const override {
     const double phi = std::numbers::pi - q[3], c = std::cos(phi), s = std::sin(phi), l = sizes_.l_tool,
                  forth = l * std::cos(q[4]) - l - q[1], aside = -q[0];

@@ -34,32 +34,48 @@ class RobotWinder final : public FormulaKinematics<RobotWinder> {
   RobotWinder(const RobotWinderSizes& sizes, RobotArm arm, const std::vector<Limits>& limits)
       : FormulaKinematics(numbered_axes<5>(limits, {true, true, false, true, true})), sizes_(sizes), arm_(arm) {}
 
-  /// [Herrmann (3.13)–(3.19)], the sign of (3.19) corrected. The elbow by half its angle, whose roots show where the
-  /// arm ends: tan²(q2/2) = ((l1 + l2)² − r²)/(r² − (l1 − l2)²).
+  /// [Herrmann (3.13)–(3.19)], the sign of (3.19) corrected, for a quill at (x, y) from the shoulder. With w = x² + y²,
+  /// p = √(((l1 + l2)² − w)(w − (l1 − l2)²)) and σ = 1 for righty, −1 for lefty
+  ///
+  ///   q2 = σ atan2(p, w − l1² − l2²),   q1 = atan2(y, x) − β,   β = σ atan2(p, w + l1² − l2²),
+  ///
+  /// p being 2 l1 l2 |sin q2|, and twice l1 times the quill's distance from the upper arm's line. Derived, with p p′ =
+  /// (l1² + l2² − w) w′,
+  ///
+  ///   q2′ = −σ w′/p,   β′ = −σ (1 + (l2² − l1²)/w) w′/2p,
+  ///
+  /// and β = q2/2 for arms of equal lengths.
   template <class T>
   std::array<T, 5> solve(const NeedleOf<T>& part) const {
     const NeedleOf<T> n = sizes_.part.placed(part);
-    const double l1 = sizes_.l1, l2 = sizes_.l2;
-    const T reach = T(sizes_.o_tool) + sizes_.l_tool * cos(n.psi);
-    const T x = n.x - cos(n.phi) * reach, y = n.y - sin(n.phi) * reach;  // of the quill, (3.16)
-    const T square = x * x + y * y, straight = sqrt(T((l1 + l2) * (l1 + l2)) - square),
-            folded = sqrt(square - T((l1 - l2) * (l1 - l2)));
-    const T half = atan2(straight, folded), q2 = arm_ == RobotArm::righty ? half + half : -(half + half);
-    const T q1 = atan2(y, x) - atan2(l2 * sin(q2), T(l1) + l2 * cos(q2));
-    return {q1, q2, n.z + sizes_.l_tool * sin(n.psi), n.phi - q1 - q2, n.psi};
+    const double l1 = sizes_.l1, l2 = sizes_.l2, square1 = l1 * l1, square2 = l2 * l2,
+                 sign = arm_ == RobotArm::righty ? 1 : -1;
+    const auto [swivel_s, swivel_c] = sine_cosine(n.psi);
+    const auto [azimuth_s, azimuth_c] = sine_cosine(n.phi);
+    const T reach = T(sizes_.o_tool) + sizes_.l_tool * swivel_c;
+    const T x = n.x - azimuth_c * reach, y = n.y - azimuth_s * reach;  // (3.16)
+    const T w = x * x + y * y, p = sqrt((T((l1 + l2) * (l1 + l2)) - w) * (w - T((l1 - l2) * (l1 - l2))));
+    const T half = (0.5 * sign) * (derived(w) / p);
+    const T q2 = atan2(sign * p, w - T(square1 + square2), -2.0 * half);
+    const T beta =
+        l1 == l2 ? 0.5 * q2 : atan2(sign * p, w - T(square2 - square1), -(half + (square2 - square1) * half / w));
+    const T q1 = atan2(y, x, (derived(y) * x - derived(x) * y) / w) - beta;
+    return {q1, q2, n.z + sizes_.l_tool * swivel_s, n.phi - q1 - q2, n.psi};
   }
-  void check(const ToolPose& pose) const {
+  /// Where the elbow is too straight or too far folded.
+  void check(const ToolPose& pose, const AxisArray& q) const {
+    const double bend = std::abs(q[1]);
+    if (bend >= sizes_.least_bend && bend <= std::numbers::pi - sizes_.least_bend) return;
     const NeedleOf<double> n =
         sizes_.part.placed(NeedleOf<double>{pose.position.x, pose.position.y, pose.position.z, pose.phi, pose.psi});
     const double reach = sizes_.o_tool + sizes_.l_tool * std::cos(n.psi), l1 = sizes_.l1, l2 = sizes_.l2,
-                 r = std::hypot(n.x - std::cos(n.phi) * reach, n.y - std::sin(n.phi) * reach),
-                 cosine = (r * r - l1 * l1 - l2 * l2) / (2 * l1 * l2);
-    if (std::abs(cosine) <= std::cos(sizes_.least_bend)) return;
+                 r = std::hypot(n.x - std::cos(n.phi) * reach, n.y - std::sin(n.phi) * reach);
     char text[200];
-    std::snprintf(text, sizeof text,
-                  "the quill would be %.6g mm from the shoulder, the arm reaches from %.6g to %.6g mm%s", r,
-                  std::abs(l1 - l2), l1 + l2,
-                  std::abs(cosine) <= 1 ? " and cannot move freely next to the ends of that (a singular pose)" : "");
+    std::snprintf(
+        text, sizeof text, "the quill would be %.6g mm from the shoulder, the arm reaches from %.6g to %.6g mm%s", r,
+        std::abs(l1 - l2), l1 + l2,
+        r <= l1 + l2 && r >= std::abs(l1 - l2) ? " and cannot move freely next to the ends of that (a singular pose)"
+                                               : "");
     throw UnreachablePose(text, std::numeric_limits<double>::quiet_NaN(), pose.coordinates());
   }
   ToolPose forward(const AxisArray& q) const override {

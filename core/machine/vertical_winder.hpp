@@ -31,14 +31,16 @@ class VerticalWinder final : public FormulaKinematics<VerticalWinder> {
   template <class T>
   std::array<T, 5> solve(const NeedleOf<T>& part) const {
     const NeedleOf<T> n = sizes_.part.placed(part);
-    const T c = cos(n.phi), s = sin(n.phi);
+    const auto [s, c] = sine_cosine(n.phi);
+    const auto [swivel_s, swivel_c] = sine_cosine(n.psi);
     const double l = sizes_.l_tool;
     const T forth = c * n.x + s * n.y, aside = c * n.y - s * n.x;  // along the needle's azimuth, and across
-    return {T(sizes_.d_upper - sizes_.d_lower) - n.z - l * sin(n.psi),
-            T(sizes_.a_lower + sizes_.o_tool) + l * cos(n.psi) - forth, n.psi, T(std::numbers::pi) - n.phi,
+    return {T(sizes_.d_upper - sizes_.d_lower) - n.z - l * swivel_s,
+            T(sizes_.a_lower + sizes_.o_tool) + l * swivel_c - forth, n.psi, T(std::numbers::pi) - n.phi,
             T(sizes_.a_upper) + aside};
   }
-  void check(const ToolPose&) const {}  // every pose has its axes; what they can reach, their ranges say
+  void check(const ToolPose&, const AxisArray&) const {
+  }  // every pose has its axes; what they can reach, their ranges say
   ToolPose forward(const AxisArray& q) const override {
     const double phi = std::numbers::pi - q[3], c = std::cos(phi), s = std::sin(phi),
                  forth = sizes_.a_lower + sizes_.o_tool + sizes_.l_tool * std::cos(q[2]) - q[1],

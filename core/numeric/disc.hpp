@@ -9,6 +9,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/numeric/sine_cosine.hpp"
+
 namespace bahnwerk {
 
 struct Disc {
@@ -45,14 +47,14 @@ struct Disc {
     return least > 0 ? rounded(root, a.radius / (root + std::sqrt(least))) : unknown(root);
   }
   /// sin(c + δ) − sin c = cos c sin δ − sin c (1 − cos δ), |sin δ| ≤ sinh r, |1 − cos δ| ≤ cosh r − 1.
-  friend Disc sin(const Disc& a) {
+  friend SineCosine<Disc> sine_cosine(const Disc& a) {
     const double s = std::sin(a.centre), c = std::cos(a.centre);
-    return rounded(s, std::abs(c) * grown_sine(a.radius) + std::abs(s) * grown_cosine(a.radius));
+    const double first = grown_sine(a.radius), second = grown_cosine(a.radius);
+    return {rounded(s, std::abs(c) * first + std::abs(s) * second),
+            rounded(c, std::abs(s) * first + std::abs(c) * second)};
   }
-  friend Disc cos(const Disc& a) {
-    const double s = std::sin(a.centre), c = std::cos(a.centre);
-    return rounded(c, std::abs(s) * grown_sine(a.radius) + std::abs(c) * grown_cosine(a.radius));
-  }
+  friend Disc sin(const Disc& a) { return sine_cosine(a).sine; }
+  friend Disc cos(const Disc& a) { return sine_cosine(a).cosine; }
   /// The angle is (log(x + iy) − log(x − iy))/2i, and |log(1 + z)| ≤ −log(1 − |z|).
   friend Disc atan2(const Disc& y, const Disc& x) {
     const double angle = std::atan2(y.centre, x.centre), part = (x.radius + y.radius) / std::hypot(x.centre, y.centre);

@@ -15,6 +15,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "core/numeric/sine_cosine.hpp"
+
 namespace bahnwerk {
 
 template <std::size_t N>
@@ -71,12 +73,24 @@ class Majorant {
   }
   friend Majorant sin(const Majorant& a) { return a.wave(std::sin(a.centre_)); }
   friend Majorant cos(const Majorant& a) { return a.wave(std::cos(a.centre_)); }
+  friend SineCosine<Majorant> sine_cosine(const Majorant& a) { return {sin(a), cos(a)}; }
   friend Majorant atan2(const Majorant& y, const Majorant& x) {
-    return integral(std::atan2(y.centre_, x.centre_),
-                    (derived(y) * x + derived(x) * y) / (x * x + y * y));  // + bounds the difference
+    return atan2(y, x, (derived(y) * x + derived(x) * y) / (x * x + y * y));  // + bounds the difference
+  }
+  friend Majorant atan2(const Majorant& y, const Majorant& x, const Majorant& slope) {
+    return integral(std::atan2(y.centre_, x.centre_), slope);
   }
   friend Majorant acos(const Majorant& a) {
     return integral(std::acos(a.centre_), derived(a) / sqrt(Majorant(1) - a * a));
+  }
+
+  /// The derivative along e as a function of its own, whose value at the centre depends on e. Its N-th one is lost.
+  friend Majorant derived(const Majorant& a) {
+    Majorant r;
+    r.centre_ = std::numeric_limits<double>::quiet_NaN();
+    r.radius_ = a.radius_;
+    for (std::size_t n = 0; n < N; ++n) r.m_[n] = static_cast<double>(n + 1) * a.m_[n + 1];
+    return r;
   }
 
  private:
@@ -122,14 +136,6 @@ class Majorant {
     double power = 1 / least;
     for (std::size_t n = 1; n <= N; ++n) f[n] = least > 0 ? power /= least : infinite;
     return through(1 / centre_, f);
-  }
-  /// The derivative along e as a function of its own, whose value at the centre depends on e. Its N-th one is lost.
-  static Majorant derived(const Majorant& a) {
-    Majorant r;
-    r.centre_ = std::numeric_limits<double>::quiet_NaN();
-    r.radius_ = a.radius_;
-    for (std::size_t n = 0; n < N; ++n) r.m_[n] = static_cast<double>(n + 1) * a.m_[n + 1];
-    return r;
   }
   static Majorant integral(double value, const Majorant& slope) {
     Majorant r(value);

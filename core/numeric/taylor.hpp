@@ -8,8 +8,20 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
+#include <utility>
+
+#include "core/numeric/sine_cosine.hpp"
 
 namespace bahnwerk {
+
+/// f(0), …, f(count − 1), each number known when compiling: series are short, and loops over them that the compiler
+/// vectorises take twice as long as plain code.
+template <std::size_t count, class F>
+[[gnu::always_inline]] inline void unrolled(F&& f) {
+  [&]<std::size_t... i>(std::index_sequence<i...>) { (f(std::integral_constant<std::size_t, i>()), ...); }
+  (std::make_index_sequence<count>());
+}
 
 template <std::size_t N, class S = double>
 struct Taylor {
@@ -37,33 +49,36 @@ struct Taylor {
 
   friend Taylor operator-(const Taylor& a) {
     Taylor r;
-    for (std::size_t n = 0; n <= N; ++n) r.c[n] = -a.c[n];
+    unrolled<N + 1>([&](auto n) { r.c[n] = -a.c[n]; });
     return r;
   }
   friend Taylor operator+(const Taylor& a, const Taylor& b) {
     Taylor r;
-    for (std::size_t n = 0; n <= N; ++n) r.c[n] = a.c[n] + b.c[n];
+    unrolled<N + 1>([&](auto n) { r.c[n] = a.c[n] + b.c[n]; });
     return r;
   }
-  friend Taylor operator-(const Taylor& a, const Taylor& b) { return a + -b; }
+  friend Taylor operator-(const Taylor& a, const Taylor& b) {
+    Taylor r;
+    unrolled<N + 1>([&](auto n) { r.c[n] = a.c[n] - b.c[n]; });
+    return r;
+  }
   friend Taylor operator*(const Taylor& a, const Taylor& b) {
     Taylor r;
-    for (std::size_t n = 0; n <= N; ++n)
-      for (std::size_t i = 0; i <= n; ++i) r.c[n] += a.c[i] * b.c[n - i];
+    unrolled<N + 1>([&](auto n) { unrolled<n + 1>([&](auto i) { r.c[n] += a.c[i] * b.c[n - i]; }); });
     return r;
   }
   friend Taylor operator*(double a, const Taylor& b) {
     Taylor r;
-    for (std::size_t n = 0; n <= N; ++n) r.c[n] = a * b.c[n];
+    unrolled<N + 1>([&](auto n) { r.c[n] = a * b.c[n]; });
     return r;
   }
   friend Taylor operator/(const Taylor& a, const Taylor& b) {
     Taylor r;
-    for (std::size_t n = 0; n <= N; ++n) {
+    unrolled<N + 1>([&](auto n) {
       S rest = a.c[n];
-      for (std::size_t i = 1; i <= n; ++i) rest -= b.c[i] * r.c[n - i];
+      unrolled<n>([&](auto i) { rest -= b.c[i + 1] * r.c[n - 1 - i]; });
       r.c[n] = rest / b.c[0];
-    }
+    });
     return r;
   }
   /// Not defined where the value is 0.
@@ -71,18 +86,37 @@ struct Taylor {
     using std::sqrt;
     Taylor r;
     r.c[0] = sqrt(a.c[0]);
-    for (std::size_t n = 1; n <= N; ++n) {
+    unrolled<N>([&](auto before) {
+      constexpr std::size_t n = before + 1;
       S rest = a.c[n];
-      for (std::size_t i = 1; i < n; ++i) rest -= r.c[i] * r.c[n - i];
+      unrolled<n - 1>([&](auto i) { rest -= r.c[i + 1] * r.c[n - 1 - i]; });
       r.c[n] = rest / (2 * r.c[0]);
-    }
+    });
+    return r;
+  }
+  friend SineCosine<Taylor> sine_cosine(const Taylor& a) {
+    const SineCosine<S> first = sine_cosine(a.c[0]);
+    SineCosine<Taylor> r;
+    r.sine.c[0] = first.sine, r.cosine.c[0] = first.cosine;
+    unrolled<N>([&](auto before) {
+      constexpr std::size_t n = before + 1;
+      unrolled<n>([&](auto j) {
+        constexpr std::size_t i = j + 1;
+        r.sine.c[n] += static_cast<double>(i) * a.c[i] * r.cosine.c[n - i];
+        r.cosine.c[n] -= static_cast<double>(i) * a.c[i] * r.sine.c[n - i];
+      });
+      r.sine.c[n] /= static_cast<double>(n), r.cosine.c[n] /= static_cast<double>(n);
+    });
     return r;
   }
   friend Taylor sin(const Taylor& a) { return sine_cosine(a).sine; }
   friend Taylor cos(const Taylor& a) { return sine_cosine(a).cosine; }
   /// The angle of the direction (x, y); not defined where both are 0.
   friend Taylor atan2(const Taylor& y, const Taylor& x) {
-    const Taylor slope = (derived(y) * x - derived(x) * y) / (x * x + y * y);
+    return atan2(y, x, (derived(y) * x - derived(x) * y) / (x * x + y * y));
+  }
+  /// The same where its derivative is known by a shorter formula.
+  friend Taylor atan2(const Taylor& y, const Taylor& x, const Taylor& slope) {
     using std::atan2;
     Taylor r = integral(slope);
     r.c[0] = atan2(y.c[0], x.c[0]);
@@ -99,30 +133,14 @@ struct Taylor {
   /// d/dx: the last coefficient is not known, and not needed where integral() drops it.
   friend Taylor derived(const Taylor& a) {
     Taylor r;
-    for (std::size_t n = 0; n < N; ++n) r.c[n] = static_cast<double>(n + 1) * a.c[n + 1];
+    unrolled<N>([&](auto n) { r.c[n] = static_cast<double>(n + 1) * a.c[n + 1]; });
     return r;
   }
 
  private:
-  struct SineCosine {
-    Taylor sine, cosine;
-  };
-  static SineCosine sine_cosine(const Taylor& a) {
-    using std::cos, std::sin;
-    SineCosine r;
-    r.sine.c[0] = sin(a.c[0]), r.cosine.c[0] = cos(a.c[0]);
-    for (std::size_t n = 1; n <= N; ++n) {
-      for (std::size_t i = 1; i <= n; ++i) {
-        r.sine.c[n] += static_cast<double>(i) * a.c[i] * r.cosine.c[n - i];
-        r.cosine.c[n] -= static_cast<double>(i) * a.c[i] * r.sine.c[n - i];
-      }
-      r.sine.c[n] /= static_cast<double>(n), r.cosine.c[n] /= static_cast<double>(n);
-    }
-    return r;
-  }
   static Taylor integral(const Taylor& a) {
     Taylor r;
-    for (std::size_t n = 1; n <= N; ++n) r.c[n] = a.c[n - 1] / static_cast<double>(n);
+    unrolled<N>([&](auto n) { r.c[n + 1] = a.c[n] / static_cast<double>(n + 1); });
     return r;
   }
 };

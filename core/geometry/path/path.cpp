@@ -59,8 +59,10 @@ double Segment::parameter(double s) const { return s >= s1_ ? curve_->end() : ar
 
 double Segment::arc_length(double u) const { return u >= curve_->end() ? s1_ : s0_ + arc_length_.at(u); }
 
-PathPoint Segment::at_parameter(double u) const {
-  Jet point = curve_->at(u);
+PathPoint Segment::at_parameter(double u) const { return at_parameter(u, curve_->at(u)); }
+
+PathPoint Segment::at_parameter(double u, const Jet& by_parameter) const {
+  Jet point = by_parameter;
   if (straight_) return {point.value, tangent_, {}, {}};
   if (expansion_ && expansion_->covers(u)) {
     expansion_->derivatives(u, point);

@@ -39,6 +39,8 @@ class Segment {
   double travelled(double u) const { return arc_length_.at(u); }  ///< s(u) from the begin of the segment, mm
   PathPoint at_parameter(
       double u) const;  ///< derivatives by arc length at u; one-sided limits at vanishing parametric tangents
+  /// The same where the curve's own derivatives there are known.
+  PathPoint at_parameter(double u, const Jet& by_parameter) const;
   PathPoint at(double s) const;
   /// Path length and derivatives by it at all parameters of a batch.
   void at_parameters(PathBatch& batch) const;

@@ -112,26 +112,32 @@ void KinematicAxisPath::at_parameters(std::size_t segment, PathBatch& batch) con
 }
 
 AxisArray largest_rates(const AxisPath& path, ProgressScope* scope) {
-  constexpr double rounding = 1e-12;
+  constexpr double rounding = 1e-12, surely = 1e-3;            // of what is possible; unit/mm
   constexpr std::array inner{0.1178, 0.3451, 0.6373, 0.8682};  // of a panel: an axis may rest at both its ends
   AxisArray most{}, between{}, possible{};
-  const auto look = [&](std::size_t i, double u, AxisArray& rates) {
-    if (scope) scope->work(16);
-    const AxisJet q = path.at_parameter(i, u);
-    const MapBounds map = path.map_bounds(i, u, 0);
-    for (std::size_t k = 0; k < path.axes(); ++k) {
-      rates[k] = std::max(rates[k], std::abs(q.d1[k]));
-      possible[k] = std::max(possible[k], map.order[0][k]);
+  const auto all = [&](const auto& look) {
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      const std::vector<double> panels = path[i].panel_parameters();
+      look(i, panels.front(), most);
+      for (std::size_t p = 1; p < panels.size(); ++p) {
+        for (const double x : inner) look(i, panels[p - 1] + x * (panels[p] - panels[p - 1]), between);
+        look(i, panels[p], most);
+      }
     }
   };
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    const std::vector<double> panels = path[i].panel_parameters();
-    look(i, panels.front(), most);
-    for (std::size_t p = 1; p < panels.size(); ++p) {
-      for (const double x : inner) look(i, panels[p - 1] + x * (panels[p] - panels[p - 1]), between);
-      look(i, panels[p], most);
-    }
-  }
+  all([&](std::size_t i, double u, AxisArray& rates) {
+    if (scope) scope->work(16);
+    const AxisJet q = path.at_parameter(i, u);
+    for (std::size_t k = 0; k < path.axes(); ++k) rates[k] = std::max(rates[k], std::abs(q.d1[k]));
+  });
+  // No map lets an axis move so much that this would be rounding.
+  const auto moves = [&](double rate) { return rate > surely; };
+  if (std::all_of(most.begin(), most.begin() + static_cast<std::ptrdiff_t>(path.axes()), moves)) return most;
+  all([&](std::size_t i, double u, AxisArray&) {
+    if (scope) scope->work(16);
+    const MapBounds map = path.map_bounds(i, u, 0);
+    for (std::size_t k = 0; k < path.axes(); ++k) possible[k] = std::max(possible[k], map.order[0][k]);
+  });
   for (std::size_t k = 0; k < path.axes(); ++k) {
     if (most[k] <= rounding * possible[k]) most[k] = between[k];
     if (most[k] <= rounding * possible[k]) most[k] = 0;

@@ -69,17 +69,19 @@ Orientation::Orientation(const Path& tool, std::vector<std::shared_ptr<const Cur
 // With σ = ds/du: u′ = 1/σ, u″ = −σ_u/σ³, u‴ = (3σ_u² − σσ_uu)/σ⁵.
 ToolJet Orientation::tool(const Segment& segment, std::size_t index, double u) const {
   ToolJet tool;
-  tool.position = segment.at_parameter(u);
+  const Curve& curve = segment.curve();
+  const Jet h = curve.at(u);
+  tool.position = segment.at_parameter(u, h);
   const Jet a = angles_[index]->at(u);
   tool.phi.value = a.value.x, tool.psi.value = a.value.y;
   const auto zero = [](const Vec& v) { return v.x == 0 && v.y == 0; };
   if (zero(a.d1) && zero(a.d2) && zero(a.d3)) return tool;
-  const Curve& curve = segment.curve();
-  double u1 = 1 / curve.speed(u), u2 = 0, u3 = 0;
+  // Of lines and arcs the speed is constant, without the rounding of a norm.
+  const double speed = curve.kind() == CurveKind::rational ? norm(h.d1) : curve.speed(u);
+  double u1 = 1 / speed, u2 = 0, u3 = 0;
   if (curve.kind() == CurveKind::rational) {  // of lines and arcs s is linear in u
-    const Jet h = curve.at(u);
-    const double speed = norm(h.d1), grows = dot(h.d1, h.d2) / speed,
-                 bends = (dot(h.d2, h.d2) + dot(h.d1, h.d3) - grows * grows) / speed, cube = u1 * u1 * u1;
+    const double grows = dot(h.d1, h.d2) / speed, bends = (dot(h.d2, h.d2) + dot(h.d1, h.d3) - grows * grows) / speed,
+                 cube = u1 * u1 * u1;
     u2 = -grows * cube;
     u3 = (3 * grows * grows - speed * bends) * cube * u1 * u1;
   }
@@ -125,14 +127,15 @@ void Orientation::enclose(std::size_t index, double u, double radius, DiscJet& p
   const bool rational = q.weight.size() > 1;
   DiscJet weight;
   if (rational) weight = bahnwerk::enclose(q.weight, t, r);
-  const auto angle = [&](const Polynomial& p, double origin, DiscJet& f) {
-    f = bahnwerk::enclose(p, t, r);
+  const auto both = bahnwerk::enclose(q.phi, q.psi, t, r);
+  const auto angle = [&](const DiscJet& enclosed, const Polynomial& p, double origin, DiscJet& f) {
+    f = enclosed;
     if (rational && !p.empty()) f = f / weight;
     double power = 1;
     for (std::size_t n = 1; n <= 3; ++n) f.c[n] = (power /= q.reach) * f.c[n];
     f.c[0] += origin;
   };
-  angle(q.phi, q.origin.x, phi), angle(q.psi, q.origin.y, psi);
+  angle(both[0], q.phi, q.origin.x, phi), angle(both[1], q.psi, q.origin.y, psi);
 }
 
 }  // namespace bahnwerk

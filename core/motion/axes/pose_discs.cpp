@@ -49,10 +49,12 @@ bool PoseDiscs::enclose(const Segment& segment, std::size_t index, double u, dou
   if (curve.kind() == CurveKind::rational) {
     const Quotient& q = *quotients_[index];
     const double t = (u - q.pivot) / q.reach, r = std::abs(radius / q.reach);
-    const DiscJet one = bahnwerk::enclose(q.weight, t, r);
+    const auto across = bahnwerk::enclose(q.position[0], q.position[1], t, r),
+               up = bahnwerk::enclose(q.position[2], q.weight, t, r);
+    const DiscJet& one = up[1];
+    tool[0] = across[0], tool[1] = across[1], tool[2] = up[0];
     DiscJet square;  // |h_u|²
     for (std::size_t k = 0; k < 3; ++k) {
-      tool[k] = bahnwerk::enclose(q.position[k], t, r);
       if (!q.weight.empty() && !q.position[k].empty()) tool[k] = tool[k] / one;
       slowed(tool[k], 1 / q.reach);
       tool[k].c[0] += q.origin[k];

@@ -14,6 +14,7 @@
 #include "core/base/errors.hpp"
 #include "core/geometry/spline/spline_arc.hpp"
 #include "core/winding/part/space.hpp"
+#include "core/winding/path/known_links.hpp"
 #include "core/winding/path/link_search.hpp"
 
 namespace bahnwerk::winding {
@@ -143,9 +144,13 @@ class Maker {
     if (!(norm(place(ends.after[0]) - place(ends.before[0])) > shortest))
       throw Infeasible("no room for a link between " + where(from) + " and " + where(to) +
                        (from.kind == to.kind ? "" : ": raise needle.change_radius or needle.change_height"));
-    // The link at the same place of the turn before is nearly the same.
-    std::optional<FoundLink>& known = known_[{from.kind, from.region, to.kind, part}];
-    const FoundLink found = search_.find(ends, known, progress);
+    // The link at the same place of the turn before is nearly the same, that of a coil before may be just the same.
+    const Place at{from.kind, from.region, to.kind, part};
+    std::optional<FoundLink>& known = known_[at];
+    KnownLinks& all = all_.try_emplace(at, options_.continuity).first->second;
+    const FoundLink* same = all.find(ends);
+    const FoundLink found = same != nullptr ? *same : search_.find(ends, known, progress);
+    if (same == nullptr) all.remember(ends, found);
     known.reset();
     if (!found.cusped()) known = found;
     return {ends, found, link(options_.continuity, ends, found.best.shape)};
@@ -163,6 +168,7 @@ class Maker {
   const PostPassage* posts_;
   LinkSearch search_;
   std::map<Place, std::optional<FoundLink>> known_;
+  std::map<Place, KnownLinks> all_;
   std::map<Place, Passed> passed_;
   NeedlePath path_;
 };

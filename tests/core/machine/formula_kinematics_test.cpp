@@ -16,7 +16,7 @@ class Carousel final : public FormulaKinematics<Carousel> {
   std::array<T, 4> solve(const NeedleOf<T>& n) const {
     return {atan2(n.y, n.x), sqrt(n.x * n.x + n.y * n.y), n.z, n.psi};
   }
-  void check(const ToolPose& pose) const {
+  void check(const ToolPose& pose, const AxisArray&) const {
     if (!(std::hypot(pose.position.x, pose.position.y) > 1e-3))
       throw UnreachablePose("on the axis", std::numeric_limits<double>::quiet_NaN(), pose.coordinates());
   }

@@ -63,6 +63,21 @@ TEST(RobotWinder, PosesComeBack) {
     test::poses_come_back(*test::robot(arm), reached_by(arm));
 }
 
+TEST(RobotWinder, ArmsOfUnequalLengthsToo) {
+  for (const double l2 : {330.0, 470.0})
+    for (const RobotArm arm : {RobotArm::lefty, RobotArm::righty}) {
+      RobotWinderSizes sizes = test::robot_sizes();
+      sizes.l2 = l2;
+      const RobotWinder machine(sizes, arm, test::robot_limits());
+      const auto bent_by = [arm](double least) {
+        return [arm, least](const AxisArray& q) { return (arm == RobotArm::righty ? q[1] : -q[1]) > least; };
+      };
+      test::poses_come_back(machine, bent_by(0.02));
+      test::derivatives_are_differences(machine, bent_by(0.15));
+      test::bounds_hold(machine, bent_by(0.3));
+    }
+}
+
 TEST(RobotWinder, DerivativesAreDifferences) {
   for (const RobotArm arm : {RobotArm::lefty, RobotArm::righty})
     test::derivatives_are_differences(

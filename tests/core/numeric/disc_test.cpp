@@ -46,6 +46,9 @@ TEST(Disc, EnclosesWhatFormulasGive) {
     expect_enclosed([](auto x, auto y) { return acos(x * y); }, 0.4, 0.8, radius, 2.5);
   }
   expect_enclosed([](auto x, auto) { return sin(x); }, 0.4, 0, 1.7, 1.5);
+  const SineCosine<Disc> both = sine_cosine(Disc(0.4, 0.3));
+  EXPECT_EQ(both.sine.radius, sin(Disc(0.4, 0.3)).radius);
+  EXPECT_EQ(both.cosine.radius, cos(Disc(0.4, 0.3)).radius);
   expect_enclosed([](auto x, auto) { return cos(x); }, 0.4, 0, 1.7, 1.5);
 }
 

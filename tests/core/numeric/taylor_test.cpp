@@ -37,6 +37,17 @@ TEST(Taylor, FollowsFormulas) {
     compare([](const T& a) { return sin(a) * cos(T(2) * a); }, x, 0.9, -0.6, 0.2);
     compare([](const T& a) { return atan2(T(1) + a, a * a - T(0.3)); }, x, 0.8, 0.1, -0.5);
     compare([](const T& a) { return acos(T(0.8) * a); }, x, 0.5, 0.3, 0.6);
+    compare(  // on the unit circle, whose angle has the derivative y′/x
+        [](const T& a) {
+          return atan2(T(0.8) * a, sqrt(T(1) - T(0.64) * a * a), T(0.8) * derived(a) / sqrt(T(1) - T(0.64) * a * a));
+        },
+        x, 0.5, 0.3, 0.6);
+    compare(
+        [](const T& a) {
+          const auto both = sine_cosine(a);
+          return both.sine / both.cosine;
+        },
+        x, 0.4, 0.3, 0.2);
   }
 }
 

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "core/base/errors.hpp"
@@ -277,6 +279,53 @@ TEST(WindingPlan, SeveralCoils) {
   expect_verified(p, "three coils");
   EXPECT_EQ(p.turns.size(), 3u);
   EXPECT_EQ(p.turn_begins.size(), 3u);
+}
+
+/// What memory and time grow with, counted: nodes and cells of the bound, pieces of the law, setpoints, Newton steps
+/// per cell. Each of many coils takes what one takes.
+TEST(WindingPlan, WhatAPlanTakesGrowsLinearlyWithTheTurns) {
+  constexpr std::size_t turns = 4;
+  struct Taken {
+    double nodes = 0, cells = 0, pieces = 0, setpoints = 0, iterations = 0;
+  };
+  const auto taken = [](const WindingRequest& request, const std::string& what) {
+    const WindingPlan p = planned(request);
+    expect_verified(p, what);
+    std::size_t nodes = 0, cells = 0;
+    EXPECT_EQ(
+        std::sscanf(p.motion.bound.basis.c_str(),
+                    "axis energies between %zu nodes of the path, jerk by duality over %zu cells", &nodes, &cells),
+        2)
+        << p.motion.bound.basis;
+    std::printf("%s: %zu nodes, %zu cells, %zu pieces, %zu setpoints, %zu steps\n", what.c_str(), nodes, cells,
+                p.motion.pieces, p.motion.setpoints->count(), p.motion.iterations);
+    return Taken{static_cast<double>(nodes), static_cast<double>(cells), static_cast<double>(p.motion.pieces),
+                 static_cast<double>(p.motion.setpoints->count()), static_cast<double>(p.motion.iterations)};
+  };
+  for (const bool stator : {true, false}) {
+    WindingRequest r = stator ? stator_request(turns) : rotor_request(turns);
+    r.feed = PlanningMethod::jerk_limited;
+    const winding::Coil coil = r.coils.front();
+    const int places =
+        stator ? std::get<winding::StatorPart>(r.part).slots : std::get<winding::RotorPart>(r.part).poles;
+    const std::string what = stator ? "stator" : "rotor";
+    // One coil alone has no way to the next one, whose sharp turns take many nodes and steps.
+    std::array<Taken, 3> all;
+    for (const std::size_t i : {0, 1, 2}) {
+      const std::size_t coils = std::size_t{1} << i;
+      r.coils = winding::repeated(coil, places, stator ? 12 : 1, coils, true);
+      ASSERT_EQ(r.coils.size(), coils);
+      all[i] = taken(r, what + ", coils: " + std::to_string(coils));
+    }
+    const auto doubles = [&](double Taken::*count, const char* name) {
+      EXPECT_LE(all[1].*count, 3 * (all[0].*count)) << what << ' ' << name;
+      EXPECT_GE(all[2].*count, 1.7 * (all[1].*count)) << what << ' ' << name;
+      EXPECT_LE(all[2].*count, 2.3 * (all[1].*count)) << what << ' ' << name;
+    };
+    doubles(&Taken::nodes, "nodes"), doubles(&Taken::cells, "cells");
+    doubles(&Taken::pieces, "pieces"), doubles(&Taken::setpoints, "setpoints");
+    EXPECT_LE(all[2].iterations, 1.3 * all[1].iterations) << what;
+  }
 }
 
 TEST(WindingPlan, NamesWhatCannotBe) {
