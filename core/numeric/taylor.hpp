@@ -19,7 +19,9 @@ namespace bahnwerk {
 /// vectorises take twice as long as plain code.
 template <std::size_t count, class F>
 [[gnu::always_inline]] inline void unrolled(F&& f) {
-  [&]<std::size_t... i>(std::index_sequence<i...>) { (f(std::integral_constant<std::size_t, i>()), ...); }
+  [&]<std::size_t... i>(std::index_sequence<i...>) __attribute__((always_inline)) {
+    (f(std::integral_constant<std::size_t, i>()), ...);
+  }
   (std::make_index_sequence<count>());
 }
 
@@ -49,34 +51,36 @@ struct Taylor {
 
   friend Taylor operator-(const Taylor& a) {
     Taylor r;
-    unrolled<N + 1>([&](auto n) { r.c[n] = -a.c[n]; });
+    unrolled<N + 1>([&](auto n) __attribute__((always_inline)) { r.c[n] = -a.c[n]; });
     return r;
   }
   friend Taylor operator+(const Taylor& a, const Taylor& b) {
     Taylor r;
-    unrolled<N + 1>([&](auto n) { r.c[n] = a.c[n] + b.c[n]; });
+    unrolled<N + 1>([&](auto n) __attribute__((always_inline)) { r.c[n] = a.c[n] + b.c[n]; });
     return r;
   }
   friend Taylor operator-(const Taylor& a, const Taylor& b) {
     Taylor r;
-    unrolled<N + 1>([&](auto n) { r.c[n] = a.c[n] - b.c[n]; });
+    unrolled<N + 1>([&](auto n) __attribute__((always_inline)) { r.c[n] = a.c[n] - b.c[n]; });
     return r;
   }
   friend Taylor operator*(const Taylor& a, const Taylor& b) {
     Taylor r;
-    unrolled<N + 1>([&](auto n) { unrolled<n + 1>([&](auto i) { r.c[n] += a.c[i] * b.c[n - i]; }); });
+    unrolled<N + 1>([&](auto n) __attribute__((always_inline)) {
+      unrolled<n + 1>([&](auto i) __attribute__((always_inline)) { r.c[n] += a.c[i] * b.c[n - i]; });
+    });
     return r;
   }
   friend Taylor operator*(double a, const Taylor& b) {
     Taylor r;
-    unrolled<N + 1>([&](auto n) { r.c[n] = a * b.c[n]; });
+    unrolled<N + 1>([&](auto n) __attribute__((always_inline)) { r.c[n] = a * b.c[n]; });
     return r;
   }
   friend Taylor operator/(const Taylor& a, const Taylor& b) {
     Taylor r;
-    unrolled<N + 1>([&](auto n) {
+    unrolled<N + 1>([&](auto n) __attribute__((always_inline)) {
       S rest = a.c[n];
-      unrolled<n>([&](auto i) { rest -= b.c[i + 1] * r.c[n - 1 - i]; });
+      unrolled<n>([&](auto i) __attribute__((always_inline)) { rest -= b.c[i + 1] * r.c[n - 1 - i]; });
       r.c[n] = rest / b.c[0];
     });
     return r;
@@ -86,10 +90,10 @@ struct Taylor {
     using std::sqrt;
     Taylor r;
     r.c[0] = sqrt(a.c[0]);
-    unrolled<N>([&](auto before) {
+    unrolled<N>([&](auto before) __attribute__((always_inline)) {
       constexpr std::size_t n = before + 1;
       S rest = a.c[n];
-      unrolled<n - 1>([&](auto i) { rest -= r.c[i + 1] * r.c[n - 1 - i]; });
+      unrolled<n - 1>([&](auto i) __attribute__((always_inline)) { rest -= r.c[i + 1] * r.c[n - 1 - i]; });
       r.c[n] = rest / (2 * r.c[0]);
     });
     return r;
@@ -98,9 +102,9 @@ struct Taylor {
     const SineCosine<S> first = sine_cosine(a.c[0]);
     SineCosine<Taylor> r;
     r.sine.c[0] = first.sine, r.cosine.c[0] = first.cosine;
-    unrolled<N>([&](auto before) {
+    unrolled<N>([&](auto before) __attribute__((always_inline)) {
       constexpr std::size_t n = before + 1;
-      unrolled<n>([&](auto j) {
+      unrolled<n>([&](auto j) __attribute__((always_inline)) {
         constexpr std::size_t i = j + 1;
         r.sine.c[n] += static_cast<double>(i) * a.c[i] * r.cosine.c[n - i];
         r.cosine.c[n] -= static_cast<double>(i) * a.c[i] * r.sine.c[n - i];
@@ -133,14 +137,14 @@ struct Taylor {
   /// d/dx: the last coefficient is not known, and not needed where integral() drops it.
   friend Taylor derived(const Taylor& a) {
     Taylor r;
-    unrolled<N>([&](auto n) { r.c[n] = static_cast<double>(n + 1) * a.c[n + 1]; });
+    unrolled<N>([&](auto n) __attribute__((always_inline)) { r.c[n] = static_cast<double>(n + 1) * a.c[n + 1]; });
     return r;
   }
 
  private:
   static Taylor integral(const Taylor& a) {
     Taylor r;
-    unrolled<N>([&](auto n) { r.c[n + 1] = a.c[n] / static_cast<double>(n + 1); });
+    unrolled<N>([&](auto n) __attribute__((always_inline)) { r.c[n + 1] = a.c[n] / static_cast<double>(n + 1); });
     return r;
   }
 };

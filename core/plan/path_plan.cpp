@@ -22,13 +22,13 @@ constexpr double largest_excess = 1e-4;     // of a limit, that counts as roundi
 constexpr int max_corrections = 6;
 
 /// On pieces so short that rounding shows, or so wide that the planner's model of them does, the verifier may find a
-/// limit exceeded by a little: slows those sections of the law verified by as much, all of them at once. False if that
-/// is not what is wrong.
-bool slow_by_the_excess(const Verification& verification, TimeLaw& law) {
+/// limit exceeded by a little, no more than `largest` of it: slows those sections of the law verified by as much, all
+/// of them at once. False if that is not what is wrong.
+bool slow_by_the_excess(const Verification& verification, double largest, TimeLaw& law) {
   for (const Check& check : verification.checks) {
     const bool scales = check.name.starts_with("velocity ") || check.name.starts_with("acceleration ") ||
                         check.name.starts_with("jerk ") || check.name.starts_with("path ");
-    if (!check.passed && !(scales && check.value < check.limit * (1 + largest_excess))) return false;
+    if (!check.passed && !(scales && check.value < check.limit * (1 + largest))) return false;
   }
   std::vector<TimeLaw::Slowing> sections;
   for (const Check& check : verification.checks)
@@ -54,7 +54,7 @@ class Pipeline {
     if (method_.reaches_bound || !planning_.only_duration) plan_.bound = bound();
     take(law_near_the_bound());
     for (int attempt = 1;; ++attempt) {
-      slow_and_verify();
+      slow_and_verify(method_.holds_at_nodes && attempt == attempts ? unlimited : largest_excess);
       if (plan_.verification.passed || attempt == attempts) break;
       ++refinement_;
       law_ = {};
@@ -131,7 +131,7 @@ class Pipeline {
   }
 
   /// In place: a law may be large.
-  void slow_and_verify() {
+  void slow_and_verify(double largest) {
     double slowed = 1;  // by what law_ is, against the planned one
     for (int correction = 0;; ++correction) {
       plan_.duration = law_.duration() / slowed;
@@ -145,7 +145,8 @@ class Pipeline {
       input.progress_from = at(planned);
       input.progress_to = at(verified);
       plan_.verification = verify_motion(input, progress_);
-      if (plan_.verification.passed || correction == max_corrections || !slow_by_the_excess(plan_.verification, law_))
+      if (plan_.verification.passed || correction == max_corrections ||
+          !slow_by_the_excess(plan_.verification, largest, law_))
         return;
     }
   }

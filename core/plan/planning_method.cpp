@@ -98,13 +98,13 @@ MethodResult spline(const PathTask& task, const MethodOptions& given, int refine
 
 constexpr MethodRow rows[] = {
     //  method                             planner    limits_jerk  limits_along  takes_profile  reaches_bound
-    {PlanningMethod::braking_reserve, braking_reserve, false, false, false, false},
-    {PlanningMethod::time_optimal, time_optimal, false, false, false, true},
-    {PlanningMethod::jerk_limited, jerk_limited, true, true, false, false},
-    {PlanningMethod::natural, natural, true, true, false, false},
-    {PlanningMethod::constant, constant, true, true, true, false},
-    {PlanningMethod::critical_points, critical_points, true, true, true, false},
-    {PlanningMethod::spline, spline, true, true, false, false},
+    {PlanningMethod::braking_reserve, braking_reserve, false, false, false, false, false},
+    {PlanningMethod::time_optimal, time_optimal, false, false, false, true, false},
+    {PlanningMethod::jerk_limited, jerk_limited, true, true, false, false, false},
+    {PlanningMethod::natural, natural, true, true, false, false, false},
+    {PlanningMethod::constant, constant, true, true, true, false, false},
+    {PlanningMethod::critical_points, critical_points, true, true, true, false, true},
+    {PlanningMethod::spline, spline, true, true, false, false, false},
 };
 
 }  // namespace

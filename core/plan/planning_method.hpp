@@ -52,6 +52,8 @@ struct MethodRow {
   bool takes_profile;
   /// Its law tends to the proven bound as the grid is refined: worth while until it is there.
   bool reaches_bound;
+  /// Its changes of speed hold limits at the nodes of a grid. What they exceed between, on the finest grid, slows them.
+  bool holds_at_nodes;
 };
 
 /// Throws std::logic_error for a method without a row.

@@ -385,5 +385,29 @@ TEST(WindingPlan, MoreTurnsThanTheLayoutHasAreRefused) {
   EXPECT_THAT(problem_of(spec, "semantic-violation"), testing::HasSubstr("/coil/turns"));
 }
 
+// One of its changes of speed meets a bend between the nodes, on the finest grid, too.
+TEST(WindingPlan, CriticalPointsAreSlowedByWhatTheirNodesMiss) {
+  json spec = json::parse(
+      R"({"part":{"type":"stator","slot":{"base_width":2.42,"opening_width":1.7998,"height":8.1123,"tip_angle":90.886,"base_radius":55.326,"base_corner_radius":0.12392,"tip_corner_radius":0.2747,"liner":0,"wedge_thickness":0.4,"wedge_width":1.7998},"slots":48,"stack":48.585,"tool_shift":0.23127,"tool_height":9.0661},
+      "wire":0.63,
+      "grade":2,
+      "coil":{"slots":[14,0],"turns":3},
+      "machine":{"type":"vertical","d_upper":700,"a_upper":500,"d_lower":100,"a_lower":500,"o_tool":80,"l_tool":40,"part":{"origin":[0,0,0],"angle":0},"axes":{"q1":{"velocity":846.07,"acceleration":7905.8,"jerk":215890.0,"range":[250,700]},"q2":{"velocity":455.77,"acceleration":4697.3,"jerk":114780.0,"range":[430,770]},"q3":{"velocity":172.32,"acceleration":2041.4,"jerk":52883.0,"range":[-100,100]},"q4":{"velocity":218.88,"acceleration":2051.8,"jerk":28063.0,"range":null},"q5":{"velocity":344.98,"acceleration":3198.4,"jerk":68326.0,"range":[400,600]}},"cycle_time":0.001},
+      "path":{"continuity":3,"objective":"curvature"},
+      "pull":{"force":12.486,"bend_radius":3.1426,"free_length":1.3716},
+      "needle":{"length":47.214,"width":0.80545,"pivot_limit":null,"clearance":0},
+      "feed":{"method":"critical_points","velocity":91.933,"acceleration":3097.6,"jerk":56997.0}})");
+  const auto duration = [&](const char* method) {
+    spec["feed"]["method"] = method;
+    const PlannedJob job = planned(spec);
+    EXPECT_TRUE(job.verified) << method;
+    return job.result["summary"]["duration"].get<double>();
+  };
+  const double critical_points = duration("critical_points");
+  EXPECT_GT(critical_points, duration("optimised"));
+  spec["feed"]["velocity"] = nullptr;  // the largest that holds
+  EXPECT_LT(critical_points, duration("constant"));
+}
+
 }  // namespace
 }  // namespace bahnwerk::api::winding_kind
