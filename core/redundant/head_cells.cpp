@@ -12,6 +12,11 @@ namespace {
 constexpr double rounding = 1e-12;  // by which ranges are wider than the polynomial's, relative
 constexpr double jump = 1e-9;       // of what the head holds, that an acceleration jumps by at least
 
+/// Of one axis.
+struct State {
+  double x, v, a, j;
+};
+
 /// Hull of the Bernstein coefficients of the polynomial through the samples.
 Range hull(const std::array<double, ChebyshevRule::max_points>& samples, const ChebyshevRule& rule) {
   const auto n = static_cast<std::size_t>(rule.points);
@@ -64,14 +69,16 @@ class Division {
   void add(std::size_t piece, double begin, double end, int halvings = 10) {
     scope_.work(10);
     const ChebyshevRule& rule = lobatto_rule(false);
-    std::array<MotionState, 5> states;
-    for (std::size_t k = 0; k < 5; ++k) states[k] = head_.in_piece(piece, begin + rule.node[k] * (end - begin));
+    std::array<State, 5 * max_axes>
+        states;  // NOLINT(cppcoreguidelines-pro-type-member-init); of axis a at node k: [k · axes + a]
+    for (std::size_t k = 0; k < 5; ++k) evaluate(piece, begin + rule.node[k] * (end - begin), &states[k * axes_]);
+    const State *first_state = states.data(), *last_state = &states[4 * axes_];
     std::vector<HeadCell>& part = part_;
     for (std::size_t a = 0; a < axes_; ++a) {
       std::array<double, ChebyshevRule::max_points> samples{}, jerks{};
       for (std::size_t k = 0; k < 5; ++k) {
-        samples[k] = states[k].acceleration[a];
-        jerks[k] = states[k].jerk[a];
+        samples[k] = states[k * axes_ + a].a;
+        jerks[k] = states[k * axes_ + a].j;
       }
       part[a] = {within(hull(samples, rule), options_.held[a].acceleration),
                  within(hull(jerks, rule), options_.held[a].jerk)};
@@ -82,9 +89,9 @@ class Division {
       add(piece, middle, end, halvings - 1);
       return;
     }
-    const MotionState before = before_;
-    before_ = states[4];
-    if (open_ && end - begin_ <= options_.longest && !jumps(before, states[0])) {
+    const std::array<State, max_axes> before = before_;
+    std::copy(last_state, last_state + axes_, before_.begin());
+    if (open_ && end - begin_ <= options_.longest && !jumps(before.data(), first_state)) {
       for (std::size_t a = 0; a < axes_; ++a)
         both_[a] = {hull(now_[a].acceleration, part[a].acceleration), hull(now_[a].jerk, part[a].jerk)};
       if (narrow(both_, end - begin_)) {
@@ -100,16 +107,28 @@ class Division {
     cells_.times.push_back(begin);
     cells_.pieces.push_back(piece);
     for (std::size_t a = 0; a < axes_; ++a)
-      cells_.nodes[a].push_back({states[0].position[a], states[0].velocity[a], states[0].acceleration[a],
-                                 first ? 0 : states[0].velocity[a] - before.velocity[a],
-                                 first ? 0 : states[0].acceleration[a] - before.acceleration[a]});
+      cells_.nodes[a].push_back({first_state[a].x, first_state[a].v, first_state[a].a,
+                                 first ? 0 : first_state[a].v - before[a].v,
+                                 first ? 0 : first_state[a].a - before[a].a});
+  }
+
+  /// PathMotion::in_piece() without what it keeps for axes that the machine has not.
+  void evaluate(std::size_t piece, double t, State* out) const {
+    std::array<double, 4 * max_axes> q;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled as far as it is read
+    const LawState x = head_.along(piece, t);
+    head_.path().write_at(head_.law().pieces()[piece].segment, x.s, q.data());
+    const double v2 = x.v * x.v, v3 = v2 * x.v;
+    for (std::size_t a = 0; a < axes_; ++a) {
+      const double d1 = q[axes_ + a], d2 = q[2 * axes_ + a], d3 = q[3 * axes_ + a];
+      out[a] = {q[a], d1 * x.v, d2 * v2 + d1 * x.a, d3 * v3 + 3 * x.v * x.a * d2 + d1 * x.j};
+    }
   }
 
   /// Whether with limited jerk an acceleration jumps.
-  bool jumps(const MotionState& before, const MotionState& after) const {
+  bool jumps(const State* before, const State* after) const {
     for (std::size_t a = 0; a < axes_; ++a)
       if (options_.jerk_range[a] < unlimited &&
-          std::abs(after.acceleration[a] - before.acceleration[a]) > jump * options_.held[a].acceleration)
+          std::abs(after[a].a - before[a].a) > jump * options_.held[a].acceleration)
         return true;
     return false;
   }
@@ -145,7 +164,7 @@ class Division {
   HeadCells cells_;
   bool open_ = false;
   double begin_ = 0;
-  MotionState before_;  // at the end of what was added last
+  std::array<State, max_axes> before_{};  // at the end of what was added last
   std::vector<HeadCell> now_, part_, both_;
 };
 

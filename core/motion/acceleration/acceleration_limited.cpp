@@ -353,7 +353,7 @@ AccelerationLimitedResult plan(const PathTask& task, const AccelerationLimitedOp
               std::to_string(static_cast<long>(max_turn)) + " that fit into memory"}});
   const double count = all.count(options.grid.angle),
                density = count > few_bends ? cell_density(path, lanes, task.feeds, options, pulse) : 1;
-  const double wider = std::clamp(density * count / options.usual_cells, 1.0, widest);
+  const double wider = std::clamp(std::max(options.width, density * count / options.usual_cells), 1.0, widest);
   AccelerationLimitedOptions fitted = options;
   fitted.grid.angle *= wider;
   fitted.grid.hermite *= wider * wider * wider * wider;  // it falls with the fourth power of a cell's width

@@ -36,6 +36,7 @@ struct AccelerationLimitedOptions {
   GridOptions grid;
   std::size_t window = 1 << 16;  ///< cells planned at once, about; longer sections are planned piece by piece
   double usual_cells = 1e6;      ///< on paths that would need more cells get up to 10 times as wide
+  double width = 1;              ///< times that cells are as wide as usual, at least: 1 … 10
 };
 
 struct AccelerationLimitedResult {

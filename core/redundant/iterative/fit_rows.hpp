@@ -18,10 +18,19 @@ struct FitRows {
 
   FitRows(const CoarseTask& task, std::size_t degree, std::vector<double> knots)
       : space(degree, std::move(knots)), ends(space, task.begin) {
-    rows.reserve(task.positions.size() - 1);
+    rows.resize(task.positions.size() - 1);
     std::size_t span = 0;
-    for (std::size_t i = 1; i < task.positions.size(); ++i)
-      rows.push_back(ends.reduced(space.at(task.time(i), 0, span)));
+    for (std::size_t i = 1; i < task.positions.size(); ++i) {
+      VariableRow& row = rows[i - 1];
+      span = space.span(task.time(i), span);
+      row.first = span - degree, row.count = degree + 1;
+      if (ends.fixes_none_of(row.first, row.count)) {
+        space.values(span, task.time(i), row.weights.data());
+        row.first -= ends.control(0);
+      } else {
+        row = ends.reduced(space.at(task.time(i), 0, span));
+      }
+    }
   }
 
   double error(const CoarseTask& task, const std::vector<double>& y, std::size_t i) const {

@@ -10,6 +10,15 @@
 #include "core/redundant/section_law.hpp"
 
 namespace bahnwerk {
+namespace {
+
+constexpr double pieces_per_cycle = 4, widest = 8;
+
+bool limits_jerk(const Machine& machine) {
+  return std::any_of(machine.axes.begin(), machine.axes.end(), [](const AxisLimits& a) { return a.jerk < unlimited; });
+}
+
+}  // namespace
 
 HeadSections::HeadSections(const RedundancyTask& task, const RedundancyOptions& options, const Machine& machine,
                            const std::vector<double>& feeds, Progress& progress, double from, double to)
@@ -17,7 +26,11 @@ HeadSections::HeadSections(const RedundancyTask& task, const RedundancyOptions& 
   const PathTask whole{*task.path, machine, feeds, task.rests};
   ProgressScope scope(progress, "planning", from, from);
   begin_ = find_sections(whole, options.corner_angle, scope).begin;
-  const TimeLaw law = plan(whole, progress, from, to);
+  const double middle = from + 0.5 * (to - from);
+  TimeLaw law = plan(whole, progress, from, middle);
+  const double cycles = law.duration() / task.machine.cycle_time;
+  width_ = std::clamp(static_cast<double>(law.pieces().size()) / (pieces_per_cycle * cycles), 1.0, widest);
+  if (width_ > 1 && !limits_jerk(machine)) law = plan(whole, progress, middle, to);
   laws_.resize(size());
   std::size_t section = 0;
   for (LawPiece piece : law.pieces()) {
@@ -31,9 +44,7 @@ std::size_t HeadSections::section_of(std::size_t segment) const {
 }
 
 TimeLaw HeadSections::plan(const PathTask& task, Progress& progress, double from, double to) const {
-  bool jerk = false;
-  for (const AxisLimits& axis : task.machine.axes) jerk = jerk || axis.jerk < unlimited;
-  if (jerk) {
+  if (limits_jerk(task.machine)) {
     JerkLimitedOptions o;
     o.corner_angle = options_.corner_angle;
     return plan_jerk_limited(task, o, progress, from, to).law;
@@ -42,6 +53,7 @@ TimeLaw HeadSections::plan(const PathTask& task, Progress& progress, double from
   o.corner_angle = options_.corner_angle;
   o.keep_reserve = options_.keep_reserve;
   o.braking_reserve = options_.braking_reserve;
+  o.width = width_;
   return plan_acceleration_limited(task, o, progress, from, to).law;
 }
 

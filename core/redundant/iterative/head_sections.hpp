@@ -1,6 +1,10 @@
 #pragma once
 /// A head's motion law section by section from rest to rest, each with limits of its own: lowering those of one section
 /// plans that section again and no other.
+///
+/// With limited acceleration cells are so wide that the law has about four pieces per cycle, up to 8 times as wide as
+/// usual: the axes are fitted to samples of it, and more cells would only take time. Durations change by less than 1e-4
+/// (AccelerationLimitedOptions::width).
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -43,7 +47,8 @@ class HeadSections {
   const RedundancyTask& task_;
   const RedundancyOptions& options_;
   Progress& progress_;
-  double at_;  // of the progress, while sections are planned again
+  double at_;         // of the progress, while sections are planned again
+  double width_ = 1;  ///< of the cells in which laws are planned, in usual ones
   std::vector<std::size_t> begin_;
   std::vector<TimeLaw> laws_;  ///< per section, places along the whole path
 };

@@ -21,7 +21,7 @@ SplineEnds::SplineEnds(const SplineSpace& space, const SplineBegin& begin) : siz
 }
 
 VariableRow SplineEnds::reduced(const SplineRow& row) const {
-  if (row.first >= fixed_.size() && row.first + row.count <= fixed_.size() + variables_)  // away from the ends
+  if (fixes_none_of(row.first, row.count))  // away from the ends
     return {row.first - fixed_.size(), row.count, row.weights, 0};
   VariableRow r;
   bool any = false;

@@ -30,6 +30,10 @@ class SplineEnds {
 
   std::size_t variables() const { return variables_; }
   VariableRow reduced(const SplineRow& row) const;
+  /// Whether control points [first, first + count) are variables, each its own.
+  bool fixes_none_of(std::size_t first, std::size_t count) const {
+    return first >= fixed_.size() && first + count <= fixed_.size() + variables_;
+  }
   std::vector<double> controls(const std::vector<double>& variables) const;
   /// The control point that variable i is, the first of those that it is.
   std::size_t control(std::size_t i) const { return i + fixed_.size(); }

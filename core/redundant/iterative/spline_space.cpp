@@ -23,12 +23,6 @@ double SplineSpace::greville(std::size_t i) const {
   return sum / static_cast<double>(degree_);
 }
 
-std::size_t SplineSpace::find(double t, std::size_t hint) const {
-  std::size_t k = hint >= degree_ && hint < size() && knots_[hint] <= t ? hint : degree_;
-  while (k + 1 < size() && (knots_[k + 1] <= t || !(knots_[k + 1] > knots_[k]))) ++k;
-  return k;
-}
-
 void SplineSpace::values(std::size_t span, double t, double* out) const {
   const double* knots = knots_.data() + span;
   switch (degree_) {  // unrolled
@@ -46,7 +40,7 @@ void SplineSpace::values(std::size_t span, double t, double* out) const {
 }
 
 SplineRow SplineSpace::at(double t, std::size_t order, std::size_t& span) const {
-  span = find(t, span);
+  span = this->span(t, span);
   SplineRow row{span - degree_, degree_ + 1, {}};
   if (order == 0)
     values(span, t, row.weights.data());

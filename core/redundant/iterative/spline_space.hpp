@@ -28,6 +28,14 @@ class SplineSpace {
   /// [Bock Def. 4.14]: where control point i acts.
   double greville(std::size_t i) const;
 
+  /// The knot k with t in knots[k] … knots[k + 1], from `hint` on where that is not behind t.
+  std::size_t span(double t, std::size_t hint) const {
+    std::size_t k = hint >= degree_ && hint < size() && knots_[hint] <= t ? hint : degree_;
+    while (k + 1 < size() && (knots_[k + 1] <= t || !(knots_[k + 1] > knots_[k]))) ++k;
+    return k;
+  }
+  /// The degree + 1 B-splines that do not vanish in a span: the weights of at(t, 0). O(degree²).
+  void values(std::size_t span, double t, double* out) const;
   /// The derivative of order 0 … 3 at t. `span` is the hint, and is updated. O(degree²).
   SplineRow at(double t, std::size_t order, std::size_t& span) const;
   /// Control point i < size() − order of the derivative of that order [Bock (4.1), (4.23)]. False: the knots leave the
@@ -37,9 +45,6 @@ class SplineSpace {
   TimeSpline spline(const std::vector<double>& controls) const;
 
  private:
-  std::size_t find(double t, std::size_t hint) const;
-  void values(std::size_t span, double t, double* out) const;
-
   std::size_t degree_;
   std::vector<double> knots_;
 };

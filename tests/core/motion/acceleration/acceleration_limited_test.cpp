@@ -137,6 +137,20 @@ TEST(AccelerationLimited, CellsGetWiderWhereThereAreTooMany) {
   }
 }
 
+TEST(AccelerationLimited, CellsAreAsWideAsAsked) {
+  SilentProgress progress;
+  const Machine m = bahnwerk::testing::two_axes();
+  const Contour contour = winding(40);
+  const auto exact = plan_acceleration_limited(contour, m, {}, progress);
+  AccelerationLimitedOptions wide;
+  for (const double width : {2.0, 4.0, 8.0}) {
+    wide.width = width;
+    const auto got = plan_acceleration_limited(contour, m, wide, progress);
+    EXPECT_LT(static_cast<double>(got.cells), 1.5 / width * static_cast<double>(exact.cells)) << width;
+    EXPECT_NEAR(got.law.duration(), exact.law.duration(), 5e-4 * exact.law.duration()) << width;
+  }
+}
+
 TEST(AccelerationLimited, StopsWhenAsked) {
   struct Impatient final : Progress {
     void report(std::string_view, double, std::string_view) override { throw Stopped(StopReason::cancelled); }

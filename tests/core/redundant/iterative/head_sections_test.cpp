@@ -52,6 +52,18 @@ TEST_F(HeadSectionsTest, PlanningOneAgainLeavesTheOthersAlone) {
   EXPECT_EQ(law.pieces().back().s_end, task_.path->length());
 }
 
+TEST_F(HeadSectionsTest, HasSomePiecesPerCycleOnly) {
+  task_.machine.cycle_time = 1e-5;  // so short that cells are as usual
+  const TimeLaw fine = HeadSections(task_, options_, machine_, task_.feeds, progress_, 0, 1).law(1, 2);
+  task_.machine.cycle_time = 1e-2;
+  HeadSections s(task_, options_, machine_, task_.feeds, progress_, 0, 1);
+  const TimeLaw wide = s.law(1, 2);
+  EXPECT_LT(2 * wide.pieces().size(), fine.pieces().size());
+  EXPECT_NEAR(wide.duration(), fine.duration(), 1e-4 * fine.duration());
+  s.replan(1, machine_, task_.feeds);
+  EXPECT_EQ(s.law(1, 2).pieces().size(), wide.pieces().size());
+}
+
 TEST(HeadSections, DwellsAreWhereTheyWere) {
   ContourBuilder b(2, {0, 0, 0});
   b.block(Mode::cut, 100);
