@@ -159,8 +159,8 @@ class JerkSectionPlanner {
   bool mark_long();
 
   /// What the solver may do with jerk: no more than takes an axis from one limit of its acceleration to the other in a
-  /// quarter of a mean cell that is not steady. A larger jerk gains nothing that the grid could show, and without any limit along some
-  /// axis the law would swing between the nodes.
+  /// quarter of a mean cell that is not steady. A larger jerk gains nothing that the grid could show, and without any
+  /// limit along some axis the law would swing between the nodes.
   void soften();
 
   /// From the rough profile of the grid as it is; part 0: rest to rest by one bow, v² ~ (s (L − s)/L)^(4/3).
