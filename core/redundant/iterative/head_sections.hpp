@@ -3,7 +3,7 @@
 /// plans that section again and no other.
 ///
 /// With limited acceleration cells are so wide that the law has about four pieces per cycle, up to 8 times as wide as
-/// usual: the axes are fitted to samples of it, and more cells would only take time. Durations change by less than 1e-4
+/// usual: the axes are fitted to samples of it, and more cells would only take time. Durations change by 1e-5 or so
 /// (AccelerationLimitedOptions::width).
 #include <cstddef>
 #include <memory>
