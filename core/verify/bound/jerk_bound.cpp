@@ -21,6 +21,10 @@ constexpr double min_cells = 60;  // of a section
 // does so at once: cells as narrow as its jerk asks for would show nothing else.
 constexpr double at_once = 1.0 / 64;
 constexpr double no_ramp = 4;  // cells that take longer than so many ramps show nothing of jerk
+// Sections of so few cells, if jerk makes them longer by more than this part, are bounded on fine cells as well: some
+// milliseconds for each at most.
+constexpr std::size_t few_cells = 1000;
+constexpr double much_longer = 2e-3;
 
 double sq(double x) { return x * x; }
 
@@ -157,24 +161,33 @@ double JerkBound<N>::stretch(bool rest_first, bool rest_last) {
 }
 
 template <int N>
+double JerkBound<N>::whole(bool rest_first, bool rest_last) {
+  double total = 0;
+  while (pieces_.has(0)) {
+    total += stretch(rest_first, rest_last);
+    if (!pieces_.has(0)) break;
+    // Next to a cusp nothing is known of jerk.
+    const DualPiece<N>& piece = pieces_.list()[0];
+    total += piece.length / std::sqrt(piece.cap);
+    pieces_.drop(1);
+  }
+  return total * (1 - 1e-12);
+}
+
+template <int N>
 double JerkBound<N>::duration(const std::vector<double>& b, double time, bool rest_first, bool rest_last) {
   const double length = grid_.nodes()[b.size() - 1].s - grid_.nodes().front().s;
   const double spacing = std::max(std::min(part_of_ramp * ramp_, time / min_cells),
                                   time / (pieces_per_node * static_cast<double>(b.size()) + more_pieces));
-  const double first_cell = std::min(part_of_onset * acceleration_of_ramp_ * sq(ramp_) / 6, part_of_section * length);
-  double total = 0;
-  if (spacing < no_ramp * ramp_) {
-    pieces_.begin(b, rest_first, rest_last, spacing, first_cell / std::floor(pieces_.per_cell()));
-    while (pieces_.has(0)) {
-      total += stretch(rest_first, rest_last);
-      if (!pieces_.has(0)) break;
-      // Next to a cusp nothing is known of jerk.
-      const DualPiece<N>& piece = pieces_.list()[0];
-      total += piece.length / std::sqrt(piece.cap);
-      pieces_.drop(1);
-    }
-  }
-  return total * (1 - 1e-12);
+  if (!(spacing < no_ramp * ramp_)) return 0;
+  const double first_cell = std::min(part_of_onset * acceleration_of_ramp_ * sq(ramp_) / 6, part_of_section * length),
+               first_piece = first_cell / std::floor(pieces_.per_cell());
+  const std::size_t before = cells_;
+  pieces_.begin(b, rest_first, rest_last, spacing, first_piece, false);
+  const double found = whole(rest_first, rest_last);
+  if (!grid_.cartesian() || cells_ - before > few_cells || found < (1 + much_longer) * time) return found;
+  pieces_.begin(b, rest_first, rest_last, spacing, first_piece, true);
+  return std::max(found, whole(rest_first, rest_last));
 }
 
 template class JerkBound<2>;

@@ -19,8 +19,10 @@ constexpr double at_feed = 0.999, cruising = 4;
 // A motion with limited jerk takes some √(v/J) to change its speed by some of v: there a cell takes this part of that
 // time; less through kinematics, where speeds fall and rise again in a few milliseconds. Bends and changes of curvature
 // that take `slowing` times the jerk limit, at the speed at hand, slow it down. Where they take `slowed` of it they
-// may, with what else there is: cells on Cartesian axes are as short as if they did.
-constexpr double part_of_change = 0.1, kinematic_part = 0.04, slowing = 3, slowed = 0.3;
+// may, with what else there is: cells on Cartesian axes are as short as if they did. Fine cells are half as long and
+// allow for less still.
+constexpr double part_of_change = 0.1, fine_part = 0.05, kinematic_part = 0.04, slowing = 3, slowed = 0.3,
+                 fine_slowed = 0.05;
 // Through kinematics an enclosure costs as much as a cell of the relaxation.
 constexpr double pieces_per_cell = 2.1, kinematic_pieces = 1.05;
 constexpr double part_joined = 0.125;  // of the longest piece: shorter cells of the grid make up one
@@ -39,8 +41,6 @@ JerkPieces<N>::JerkPieces(const BoundGrid<N>& grid, double cycle_time, const Row
       cycle_time_(cycle_time),
       per_cell_(grid.cartesian() ? pieces_per_cell : kinematic_pieces),
       part_of_distance_(grid.cartesian() ? cell_of_distance / 2 : cell_of_distance),
-      part_of_change_(grid.cartesian() ? part_of_change : kinematic_part),
-      slower_(grid.cartesian() ? slowed / slowing : 1),
       much_change_(grid.cartesian() ? much_change : kinematic_change),
       shown_jerk_(shown) {
   piece_.axes = grid.axes();
@@ -327,7 +327,9 @@ std::size_t JerkPieces<N>::joined(std::size_t first, const std::vector<double>& 
 
 template <int N>
 void JerkPieces<N>::begin(const std::vector<double>& b, bool rest_first, bool rest_last, double spacing,
-                          double first_piece) {
+                          double first_piece, bool fine) {
+  part_of_change_ = !grid_.cartesian() ? kinematic_part : fine ? fine_part : part_of_change;
+  slower_ = !grid_.cartesian() ? 1 : (fine ? fine_slowed : slowed) / slowing;
   spacing_ = spacing, first_piece_ = first_piece;
   pieces_.clear(), extents_.clear();
   joint_ = {};

@@ -42,8 +42,10 @@ class JerkPieces {
   JerkPieces(const BoundGrid<N>& grid, double cycle_time, const Row& shown, ProgressScope& pulse);
 
   /// Of the first nodes of the grid at hand, at which v² is `b` at most, which outlives them. A cell takes `spacing` s
-  /// at most; next to rest pieces begin with `first_piece` mm. Pieces come when they are asked for, O(1) each.
-  void begin(const std::vector<double>& b, bool rest_first, bool rest_last, double spacing, double first_piece);
+  /// at most; next to rest pieces begin with `first_piece` mm. Pieces come when they are asked for, O(1) each. `fine`:
+  /// on Cartesian axes two to three times as many where jerk changes the speed.
+  void begin(const std::vector<double>& b, bool rest_first, bool rest_last, double spacing, double first_piece,
+             bool fine);
   /// Whether there is a piece i; if so, the lists reach so far.
   bool has(std::size_t i);
   /// The first `count` are not needed any more: what follows them is piece 0 from now on. O(those that follow).
@@ -78,12 +80,12 @@ class JerkPieces {
   double cycle_time_;
   double per_cell_;
   double part_of_distance_;  ///< from rest, that a piece takes
-  double part_of_change_;    ///< that a cell takes, of the time in which jerk changes the speed by some of it
-  double slower_;            ///< v³ in slow_, of that in expected_, at bends
   double much_change_;       ///< of b along a piece: what jerk leaves is better known of halves
   Row shown_jerk_;
-  double spacing_ = 0;      ///< s, time of a cell
-  double first_piece_ = 0;  ///< mm, next to rest
+  double part_of_change_ = 0;  ///< that a cell takes, of the time in which jerk changes the speed by some of it
+  double slower_ = 1;          ///< v³ in slow_, of that in expected_, at bends
+  double spacing_ = 0;         ///< s, time of a cell
+  double first_piece_ = 0;     ///< mm, next to rest
   /// Per node of the grid: the longest piece, mm, that rests and steps of acceleration before and behind it allow here.
   std::vector<double> before_, behind_;
   /// About how fast a motion is, v^(3/2), at the nodes of the grid, feeds apart; how slow it may be; and by how much
