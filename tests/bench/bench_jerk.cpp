@@ -29,8 +29,9 @@ const Machine m{{{"x", 1800, 16000, 1e6}, {"y", 1800, 16000, 1e6}}};
 /// With so many points of the planner's grid.
 Contour spline_of(std::int64_t points, int degree) {
   SilentProgress progress;
-  const std::size_t per_50 = plan_jerk_limited(spline(50, degree), m, {}, progress).cells;
-  return spline(std::max(1, static_cast<int>(50 * static_cast<double>(points) / static_cast<double>(per_50))), degree);
+  const std::size_t per_500 = plan_jerk_limited(spline(500, degree), m, {}, progress).cells;
+  return spline(std::max(1, static_cast<int>(500 * static_cast<double>(points) / static_cast<double>(per_500))),
+                degree);
 }
 
 void plan(benchmark::State& state, int degree) {
@@ -77,7 +78,7 @@ BENCHMARK_CAPTURE(plan, quintic_spline, 5)
 
 BENCHMARK_CAPTURE(bound, cubic_spline, 3)
     ->RangeMultiplier(10)
-    ->Range(1000, 100000)
+    ->Range(1000, 1000000)
     ->Complexity(benchmark::oN)
     ->Unit(benchmark::kMillisecond);
 
