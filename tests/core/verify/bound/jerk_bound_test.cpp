@@ -75,7 +75,7 @@ TEST(JerkBound, StaysBelowThePlanAndCloseToIt) {
 }
 
 // A right angle rounded within 0.02 mm between lines, as blends do it: by the relaxation alone the bound is 4 to 5 %
-// low, because time may pass there without moving.
+// low, because time may pass there without moving; with the caps and cells of long sections 0.9 to 1.0 %.
 TEST(JerkBound, IsCloseAtRoundedCorners) {
   const double d = 0.081, l = 0.947;
   const auto at = [&](double part) { return 1 - part * l * 2 / 7; };
@@ -92,7 +92,7 @@ TEST(JerkBound, IsCloseAtRoundedCorners) {
   for (const double jerk : {1e5, 1e6, 1e7}) {
     const double low = bound(contour, machine(jerk)), plan = planned(contour, machine(jerk));
     EXPECT_LE(low, plan * (1 + 1e-9)) << jerk;
-    EXPECT_GE(low, plan * (1 - 0.025)) << jerk;
+    EXPECT_GE(low, plan * (1 - 0.008)) << jerk;
   }
 }
 
