@@ -93,6 +93,16 @@ int limit(Laid& laid, BoundGrid<2>& grid, double quickest, ProgressScope& pulse)
   return limited;
 }
 
+constexpr double corner_angle = 0.03;
+
+/// What a motion takes, s.
+double planned(const Contour& contour) {
+  SilentProgress silent;
+  JerkLimitedOptions options;
+  options.corner_angle = corner_angle;
+  return plan_jerk_limited(contour, machine(), options, silent).law.duration();
+}
+
 TEST(JerkDual, NorWhereJerkLimitsAccelerations) {
   const std::vector<Contour> contours{
       Maker().line({20, 0}).arc({30, 10}, {20, 10}, true).line({30, 30}).done(),
@@ -106,10 +116,8 @@ TEST(JerkDual, NorWhereJerkLimitsAccelerations) {
   std::uniform_real_distribution<double> part(0, 1), sign(-1, 1);
   for (const Contour& contour : contours) {
     const CartesianAxisPath path(contour.path, 2);
-    JerkLimitedOptions options;
-    options.corner_angle = 0.03;
-    const double time = plan_jerk_limited(contour, machine(), options, silent).law.duration();
-    BoundGrid<2> grid(path, machine(), contour.feeds(), 0.03, pulse);
+    const double time = planned(contour);
+    BoundGrid<2> grid(path, machine(), contour.feeds(), corner_angle, pulse);
     grid.build(0, path.size());
     for (int i = 0; i < 2; ++i) grid.refine(std::vector<unsigned char>(grid.order().size() - 1, 1));
     Laid laid = lay(grid, true);
@@ -168,10 +176,7 @@ TEST(JerkDual, NoMultipliersProveMoreThanAMotionTakes) {
   std::uniform_real_distribution<double> part(0, 1.5), sign(-1, 1);
   for (const Contour& contour : contours) {
     const CartesianAxisPath path(contour.path, 2);
-    const double corner_angle = 0.03;
-    JerkLimitedOptions options;
-    options.corner_angle = corner_angle;
-    const double time = plan_jerk_limited(contour, machine(), options, silent).law.duration();
+    const double time = planned(contour);
     BoundGrid<2> grid(path, machine(), contour.feeds(), corner_angle, pulse);
     grid.build(0, path.size());
     for (const bool known : {false, true}) {
