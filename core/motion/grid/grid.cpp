@@ -179,8 +179,11 @@ void Grid<N>::build(const LanePath<N>& path, std::size_t first, std::size_t last
   for (std::size_t i = first; i < last; ++i) {
     section_length += path[i].length();
     pulse.now(i - first, last - first);
-    grow(stations, stations.size() + usual_segment, pulse);
-    grow(cells, cells.size() + usual_segment, pulse);
+    if (const std::size_t least = stations.size() + usual_segment; least > stations.capacity()) {
+      const std::size_t done = i - first;
+      grow(stations, done > 0 ? foreseen(least, done, last - first) : least, pulse);
+      grow(cells, done > 0 ? foreseen(least, done, last - first) : least, pulse);
+    }
     if (path.linear(i)) {
       cells.push_back({static_cast<std::uint32_t>(stations.size()), static_cast<std::uint32_t>(i), true, false, false});
       stations.push_back(path.at(i, path[i].curve().begin()));

@@ -75,12 +75,9 @@ void JerkSectionPlanner<N, M>::plan(std::size_t first, std::size_t last, double 
       slow_ = best_slow_;
     }
   }
-  result.law.reserve(pieces_.size());
-  for (LawPiece& p : pieces_) {
-    p.slow(slow_);
-    result.law.append(p);
-  }
+  for (LawPiece& p : pieces_) p.slow(slow_);
   result.cells += pieces_.size();
+  result.law.append_all(pieces_);
 }
 
 template <int N, int M>

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/motion/jerk/section.hpp"
+#include "core/numeric/grow.hpp"
 
 namespace bahnwerk {
 
@@ -58,6 +59,8 @@ bool JerkSectionPlanner<N, M>::plan_windows(std::size_t window, double from, dou
       ProgressScope pulse(progress_, "planning", reported, progress);
       pulse.part(0, 0.1);
       pieces_.resize(here.pieces);
+      if (here.begin > 0 && pieces_.capacity() < here.pieces + 2 * here.cells)
+        grow(pieces_, foreseen(here.pieces + 2 * here.cells, here.begin, n), pulse);
       attempt(start, pulse);
       if (end < n && !(exit_.b > 0)) slow_ = unlimited;  // it never came to that
       if (slow_ < good_enough) break;

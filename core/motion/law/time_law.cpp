@@ -29,6 +29,21 @@ void TimeLaw::append(LawPiece piece) {
   pieces_.push_back(piece);
 }
 
+void TimeLaw::append_all(LargeVector<LawPiece>& pieces) {
+  double at = duration();
+  for (LawPiece& piece : pieces) {
+    piece.t0 = at;
+    at += piece.duration;
+  }
+  if (pieces_.empty()) {
+    pieces_.swap(pieces);
+  } else {
+    reserve(pieces.size());
+    pieces_.insert(pieces_.end(), pieces.begin(), pieces.end());
+  }
+  pieces.clear();
+}
+
 std::size_t TimeLaw::search(double t, std::size_t hint) const {
   auto begin = pieces_.begin(), end = pieces_.end();
   if (hint < pieces_.size() && pieces_[hint].t0 <= t) {  // ahead, in steps that double

@@ -49,7 +49,9 @@ class TimeLaw {
  public:
   /// Appends a piece behind the last one; its t0 is set here.
   void append(LawPiece piece);
-  /// The same, to be filled in by the caller: no copy.
+  /// Appends all of these; their t0 are set here. Leaves `pieces` empty, an empty law takes their memory. O(pieces).
+  void append_all(LargeVector<LawPiece>& pieces);
+  /// Appends a piece to be filled in by the caller: no copy.
   LawPiece& next() {
     const double t = duration();
     LawPiece& piece = pieces_.emplace_back();
