@@ -23,7 +23,7 @@ constexpr double at_once = 1.0 / 64;
 constexpr double no_ramp = 4;  // cells that take longer than so many ramps show nothing of jerk
 // Sections of so few cells, if jerk makes them longer by more than this part, are bounded on fine cells as well: some
 // milliseconds for each at most.
-constexpr std::size_t few_cells = 870;
+constexpr std::size_t few_cells = 1000;
 constexpr double much_longer = 2e-3;
 // Not where coordinates are rounded by more than this part of a cell: finer ones would show the rounding.
 constexpr double much_rounded = 1e-7;

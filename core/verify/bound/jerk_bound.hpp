@@ -34,8 +34,8 @@ class JerkBound {
   /// Whether any axis limits jerk at all.
   bool limited() const { return limited_; }
   /// Of the first nodes of the grid at hand, s. `b`: the largest v² that a motion may have at each of them; `time`:
-  /// what the way between them takes without limits of jerk, about. 0 where jerk cannot show. O(nodes): 2 to 5 µs per
-  /// cell of two axes, three times that on sections of up to 870 cells, which are done once more on finer ones.
+  /// what the way between them takes without limits of jerk, about. 0 where jerk cannot show. O(nodes): 2 to 4 µs per
+  /// cell of two axes, three times that on sections of up to 1000 cells, which are done once more on finer ones.
   double duration(const std::vector<double>& b, double time, bool rest_first, bool rest_last);
   /// Of all relaxations so far.
   std::size_t cells() const { return cells_; }

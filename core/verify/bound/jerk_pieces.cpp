@@ -19,10 +19,8 @@ constexpr double at_feed = 0.999, cruising = 4;
 // A motion with limited jerk takes some √(v/J) to change its speed by some of v: there a cell takes this part of that
 // time; less through kinematics, where speeds fall and rise again in a few milliseconds. Bends and changes of curvature
 // that take `slowing` times the jerk limit, at the speed at hand, slow it down. Where they take `slowed` of it they
-// may, with what else there is: cells on Cartesian axes are as short as if they did. Fine cells are half as long and
-// allow for less still.
-constexpr double part_of_change = 0.1, fine_part = 0.05, kinematic_part = 0.04, slowing = 3, slowed = 0.3,
-                 fine_slowed = 0.05;
+// may, with what else there is: cells on Cartesian axes are as short as if they did. Fine cells are half as long.
+constexpr double part_of_change = 0.1, fine_part = 0.05, kinematic_part = 0.04, slowing = 3, slowed = 0.3;
 // Through kinematics an enclosure costs as much as a cell of the relaxation.
 constexpr double pieces_per_cell = 2.1, kinematic_pieces = 1.05;
 constexpr double part_joined = 0.125;  // of the longest piece: shorter cells of the grid make up one
@@ -41,6 +39,7 @@ JerkPieces<N>::JerkPieces(const BoundGrid<N>& grid, double cycle_time, const Row
       cycle_time_(cycle_time),
       per_cell_(grid.cartesian() ? pieces_per_cell : kinematic_pieces),
       part_of_distance_(grid.cartesian() ? cell_of_distance / 2 : cell_of_distance),
+      slower_(grid.cartesian() ? slowed / slowing : 1),
       much_change_(grid.cartesian() ? much_change : kinematic_change),
       shown_jerk_(shown) {
   piece_.axes = grid.axes();
@@ -290,7 +289,8 @@ void JerkPieces<N>::divide(std::size_t cell, const std::vector<double>& b) {
     e = extent(cell, x, energy, whole, b);
     const double d = std::max(e.piece, c.length * 1e-4);
     pulse_.work(2);
-    const double u = from.u + (to.u - from.u) * ((x + d) / c.length);
+    // A part of what is left: length is no linear function of the parameter.
+    const double u = last.u + (to.u - last.u) * (d / (c.length - x));
     if (x + 1.5 * d >= c.length || !(u > last.u && u < to.u)) break;
     const Node next = grid_.node(from.segment, u);
     e.finest = per_cell_ * d;
@@ -329,7 +329,6 @@ template <int N>
 void JerkPieces<N>::begin(const std::vector<double>& b, bool rest_first, bool rest_last, double spacing,
                           double first_piece, bool fine) {
   part_of_change_ = !grid_.cartesian() ? kinematic_part : fine ? fine_part : part_of_change;
-  slower_ = !grid_.cartesian() ? 1 : (fine ? fine_slowed : slowed) / slowing;
   spacing_ = spacing, first_piece_ = first_piece;
   pieces_.clear(), extents_.clear();
   joint_ = {};

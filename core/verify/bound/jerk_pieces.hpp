@@ -43,7 +43,7 @@ class JerkPieces {
 
   /// Of the first nodes of the grid at hand, at which v² is `b` at most, which outlives them. A cell takes `spacing` s
   /// at most; next to rest pieces begin with `first_piece` mm. Pieces come when they are asked for, O(1) each. `fine`:
-  /// on Cartesian axes two to three times as many where jerk changes the speed.
+  /// on Cartesian axes twice as many where jerk changes the speed.
   void begin(const std::vector<double>& b, bool rest_first, bool rest_last, double spacing, double first_piece,
              bool fine);
   /// Whether there is a piece i; if so, the lists reach so far.
@@ -80,10 +80,10 @@ class JerkPieces {
   double cycle_time_;
   double per_cell_;
   double part_of_distance_;  ///< from rest, that a piece takes
+  double slower_;            ///< v³ in slow_, of that in expected_, at bends
   double much_change_;       ///< of b along a piece: what jerk leaves is better known of halves
   Row shown_jerk_;
   double part_of_change_ = 0;  ///< that a cell takes, of the time in which jerk changes the speed by some of it
-  double slower_ = 1;          ///< v³ in slow_, of that in expected_, at bends
   double spacing_ = 0;         ///< s, time of a cell
   double first_piece_ = 0;     ///< mm, next to rest
   /// Per node of the grid: the longest piece, mm, that rests and steps of acceleration before and behind it allow here.

@@ -29,9 +29,10 @@ constexpr std::size_t part_behind = 16, part_behind_few = 4;
 // A first grid of more nodes is laid with wider cells, and refined less, as far as some of the segments tell: so many
 // of so many at least.
 constexpr double usual_nodes = 250'000, widest = 8, coarse = 2, most_left = 1e-3;
-// Where jerk rules what a grid through kinematics knows without it only limits the speed, and need not be known as
-// well; it does not rule if it makes the bound longer by no more than this.
-constexpr double with_jerk = 8, jerk_rules = 0.01;
+// Where jerk is limited, what the grid knows without it only limits the speed, and need not be known as well: cells are
+// wider from the start, through kinematics they are refined less. There jerk does not rule if it makes the bound longer
+// by no more than this.
+constexpr double wider_with_jerk = 2, kinematic_with_jerk = 8, jerk_rules = 0.01;
 constexpr std::size_t sampled_segments = 128, many_segments = 4096;
 
 /// How far a grid is refined. Enough when a refinement changes the bound by less than `converged` (the next one brings
@@ -101,9 +102,11 @@ Bound bound_of(const PathTask& task, double corner_angle, Progress& progress, do
   verify::RepeatedSections repeated(path, task.machine, task.feeds, pulse);
   std::vector<unsigned char> marked;
   const double expected = expected_nodes(grid, path.size());
-  const double wider = std::clamp(expected * static_cast<double>(path.size()) / usual_nodes, 1.0, widest);
-  const Effort least = effort(wider),
-               first_effort = jerk.limited() && !path.cartesian() ? effort(std::max(wider, with_jerk)) : least;
+  const double narrowest = jerk.limited() && path.cartesian() ? wider_with_jerk : 1,
+               wider = std::clamp(expected * static_cast<double>(path.size()) / usual_nodes, narrowest, widest);
+  const Effort least = effort(wider), first_effort = jerk.limited() && !path.cartesian()
+                                                         ? effort(std::max(wider, kinematic_with_jerk))
+                                                         : least;
   const std::size_t window = std::max(many_segments, static_cast<std::size_t>(window_nodes / expected)),
                     behind = window / (expected < few_nodes ? part_behind_few : part_behind);
   grid.widen(wider);
