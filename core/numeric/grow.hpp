@@ -26,7 +26,7 @@ void grow(Values& values, std::size_t least, Pulse& pulse) {
 /// Room for `all` steps of something when `values` are what the first `done` of them need, and a little more; not more
 /// than `most_ahead` times that. Room that is not used costs nothing, growing again does.
 inline std::size_t foreseen(std::size_t values, std::size_t done, std::size_t all) {
-  constexpr double reserve = 1.05, most_ahead = 64;
+  constexpr double reserve = 1.15, most_ahead = 64;
   return static_cast<std::size_t>(static_cast<double>(values) *
                                   std::min(reserve * static_cast<double>(all) / static_cast<double>(done), most_ahead));
 }

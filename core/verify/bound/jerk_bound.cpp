@@ -14,7 +14,8 @@ constexpr double part_of_ramp = 0.3, widest_turn = 0.05, part_of_onset = 0.004, 
 constexpr double widest_swing = 0.1;  // of q″ b within a cell, of the axis' acceleration
 constexpr double finer = 0.5;         // of both, through kinematics
 constexpr std::size_t beyond = 250;   // and cells that windows of the relaxation reach further
-constexpr double kinematic_gap = 1e-3, kinematic_violation = 1e-3;  // worth less than 1e-5 of the bound
+// Each worth less than 1e-5 of the bound.
+constexpr double gap = 1e-4, violation = 1e-5, kinematic_gap = 1e-3, kinematic_violation = 1e-3;
 constexpr double pieces_per_node = 0.5, more_pieces = 400;
 constexpr double min_cells = 60;  // of a section
 // An axis that jerk brings to its full acceleration in less than this part of the longest time that another one takes
@@ -128,6 +129,7 @@ template <int N>
 double JerkBound<N>::stretch(bool rest_first, bool rest_last) {
   using Windows = RelaxationWindows<N>;
   RelaxationOptions options;
+  options.gap = gap, options.violation = violation;
   if (!grid_.cartesian()) options.beyond = beyond, options.gap = kinematic_gap, options.violation = kinematic_violation;
   problem_.cells.clear(), problem_.steps.clear(), ways_.clear(), cell_of_.clear();
   for (Attempt& attempt : attempts_) attempt.total = 0;

@@ -29,10 +29,10 @@ constexpr std::size_t part_behind = 16, part_behind_few = 4;
 // A first grid of more nodes is laid with wider cells, and refined less, as far as some of the segments tell: so many
 // of so many at least.
 constexpr double usual_nodes = 250'000, widest = 8, coarse = 2, most_left = 1e-3;
-// Where jerk is limited, what the grid knows without it only limits the speed, and need not be known as well: cells are
-// wider from the start, through kinematics they are refined less. There jerk does not rule if it makes the bound longer
-// by no more than this.
-constexpr double wider_with_jerk = 2, kinematic_with_jerk = 8, jerk_rules = 0.01;
+// Where jerk rules, what the grid knows without it only limits the speed, and need not be known as well: on Cartesian
+// axes cells are wider, through kinematics they are refined less. Jerk does not rule if it makes the bound longer by no
+// more than this.
+constexpr double wider_with_jerk = 2, kinematic_with_jerk = 8, cartesian_rules = 1e-4, kinematic_rules = 0.01;
 constexpr std::size_t sampled_segments = 128, many_segments = 4096;
 
 /// How far a grid is refined. Enough when a refinement changes the bound by less than `converged` (the next one brings
@@ -102,14 +102,20 @@ Bound bound_of(const PathTask& task, double corner_angle, Progress& progress, do
   verify::RepeatedSections repeated(path, task.machine, task.feeds, pulse);
   std::vector<unsigned char> marked;
   const double expected = expected_nodes(grid, path.size());
-  const double narrowest = jerk.limited() && path.cartesian() ? wider_with_jerk : 1,
-               wider = std::clamp(expected * static_cast<double>(path.size()) / usual_nodes, narrowest, widest);
-  const Effort least = effort(wider), first_effort = jerk.limited() && !path.cartesian()
-                                                         ? effort(std::max(wider, kinematic_with_jerk))
-                                                         : least;
+  const double wider = std::clamp(expected * static_cast<double>(path.size()) / usual_nodes, 1.0, widest);
+  struct Grade {
+    double wider;
+    Effort effort;
+  };
+  const Grade least{wider, effort(wider)};
+  Grade rough = least;  // where jerk may rule
+  if (jerk.limited() && path.cartesian())
+    rough = {std::max(wider, wider_with_jerk), effort(std::max(wider, wider_with_jerk))};
+  else if (jerk.limited())
+    rough.effort = effort(std::max(wider, kinematic_with_jerk));
+  const double rules = path.cartesian() ? cartesian_rules : kinematic_rules;
   const std::size_t window = std::max(many_segments, static_cast<std::size_t>(window_nodes / expected)),
                     behind = window / (expected < few_nodes ? part_behind_few : part_behind);
-  grid.widen(wider);
   double duration = 0;
   std::size_t nodes = 0, cells = 0;
   for (std::size_t first = 0, last = 1; first < path.size(); first = last++) {
@@ -130,19 +136,23 @@ Bound bound_of(const PathTask& task, double corner_angle, Progress& progress, do
       const std::size_t nodes_before = nodes, cells_before = jerk.cells();
       for (std::size_t begin = first, end = 0; begin < last; begin = end) {
         end = last - begin > window + behind ? begin + window : last;
-        grid.build(begin, end < last ? end + behind : last, begin == first, end == last);
-        if (begin > first) grid.enter(entry);
         pulse.done(static_cast<double>(begin + end) / 2 / static_cast<double>(path.size()));
         std::size_t kept = 0;
-        const auto part_without_jerk = [&](const Effort& effort) {
-          solve(grid, solver, marked, effort);
+        const auto part_without_jerk = [&](const Grade& grade, bool anew) {
+          if (anew) {
+            grid.widen(grade.wider);
+            grid.build(begin, end < last ? end + behind : last, begin == first, end == last);
+            if (begin > first) grid.enter(entry);
+          }
+          solve(grid, solver, marked, grade.effort);
           kept = end < last ? grid.cells_before(end) : grid.order().size() - 1;
           return solver.duration(kept) * (1 - 1e-12 - 4e-16 * static_cast<double>(kept));
         };
-        double part = part_without_jerk(first_effort);
+        double part = part_without_jerk(rough, true);
         if (jerk.limited()) {
           const double with = jerk.duration(solver.speed_squares(kept + 1), part, begin == first, end == last);
-          if (!path.cartesian() && with < (1 + jerk_rules) * part) part = part_without_jerk(least);
+          const bool anew = rough.wider > least.wider;
+          if (with < (1 + rules) * part && (anew || !path.cartesian())) part = part_without_jerk(least, anew);
           part = std::max(part, with);
         }
         section += part;
