@@ -12,11 +12,12 @@ namespace bahnwerk {
 template <int N>
 class RelaxationWindows {
  public:
-  static constexpr std::size_t window = 1200;  ///< cells in which it counts
-  static constexpr std::size_t fading = 100;   ///< cells in which two windows fade over
+  /// Cells in which it counts. With two or three axes a window fits the processor's cache; with more it would have to
+  /// be so short that what it reaches beyond would cost more than that saves.
+  static constexpr std::size_t window = N > 3 ? 2400 : 1200;
+  static constexpr std::size_t fading = 100;  ///< cells in which two windows fade over
 
-  /// Of any number of cells at once. A window fits the processor's cache: 2 to 4 µs per cell of two axes, however many
-  /// there are.
+  /// Of any number of cells at once: 2 to 4 µs per cell of two axes, however many there are.
   RelaxationMultipliers<N> solve(const RelaxationProblem<N>& problem, const RelaxationOptions& options,
                                  ProgressScope& pulse);
 

@@ -13,9 +13,9 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double part_of_ramp = 0.3, widest_turn = 0.05, part_of_onset = 0.004, part_of_section = 2e-4;
 constexpr double widest_swing = 0.1;  // of q″ b within a cell, of the axis' acceleration
 constexpr double finer = 0.5;         // of both, through kinematics
-constexpr std::size_t beyond = 250;   // and cells that windows of the relaxation reach further
-// Each worth less than 1e-5 of the bound.
-constexpr double gap = 1e-4, violation = 1e-5, kinematic_gap = 1e-3, kinematic_violation = 1e-3;
+constexpr std::size_t beyond = 200;   // and cells that windows of the relaxation reach further
+// Worth less than 1e-5 of the bound, through kinematics 1e-4.
+constexpr double gap = 1e-4, violation = 1e-5, kinematic_gap = 3e-3, kinematic_violation = 1e-3;
 constexpr double pieces_per_node = 0.5, more_pieces = 400;
 constexpr double min_cells = 60;  // of a section
 // An axis that jerk brings to its full acceleration in less than this part of the longest time that another one takes

@@ -29,8 +29,8 @@ constexpr std::size_t part_behind = 16, part_behind_few = 4;
 // A first grid of more nodes is laid with wider cells, and refined less, as far as some of the segments tell: so many
 // of so many at least.
 constexpr double usual_nodes = 250'000, widest = 8, coarse = 2, most_left = 1e-3;
-// Where jerk rules, what the grid knows without it only limits the speed, and need not be known as well: on Cartesian
-// axes cells are wider, through kinematics they are refined less. Jerk does not rule if it makes the bound longer by no
+// Where jerk rules, what the grid knows without it only limits the speed, and need not be known as well: cells are
+// wider, and through kinematics they are refined less than that. Jerk does not rule if it makes the bound longer by no
 // more than this.
 constexpr double wider_with_jerk = 2, kinematic_with_jerk = 8, cartesian_rules = 1e-4, kinematic_rules = 0.01;
 constexpr std::size_t sampled_segments = 128, many_segments = 4096;
@@ -109,10 +109,10 @@ Bound bound_of(const PathTask& task, double corner_angle, Progress& progress, do
   };
   const Grade least{wider, effort(wider)};
   Grade rough = least;  // where jerk may rule
-  if (jerk.limited() && path.cartesian())
-    rough = {std::max(wider, wider_with_jerk), effort(std::max(wider, wider_with_jerk))};
-  else if (jerk.limited())
-    rough.effort = effort(std::max(wider, kinematic_with_jerk));
+  if (jerk.limited()) {
+    rough.wider = std::max(wider, wider_with_jerk);
+    rough.effort = effort(path.cartesian() ? rough.wider : std::max(wider, kinematic_with_jerk));
+  }
   const double rules = path.cartesian() ? cartesian_rules : kinematic_rules;
   const std::size_t window = std::max(many_segments, static_cast<std::size_t>(window_nodes / expected)),
                     behind = window / (expected < few_nodes ? part_behind_few : part_behind);
