@@ -26,8 +26,6 @@ constexpr double no_ramp = 4;  // cells that take longer than so many ramps show
 // milliseconds for each at most.
 constexpr std::size_t few_cells = 1000;
 constexpr double much_longer = 2e-3;
-// Not where coordinates are rounded by more than this part of a cell: finer ones would show the rounding.
-constexpr double much_rounded = 1e-7;
 
 double sq(double x) { return x * x; }
 
@@ -190,11 +188,6 @@ double JerkBound<N>::duration(const std::vector<double>& b, double time, bool re
   pieces_.begin(b, rest_first, rest_last, spacing, first_piece, false);
   const double found = whole(rest_first, rest_last);
   if (!grid_.cartesian() || cells_ - before > few_cells || found < (1 + much_longer) * time) return found;
-  double farthest = 0;
-  for (std::size_t i = 0; i < b.size(); ++i)
-    for (const double x : grid_.nodes()[i].position) farthest = std::max(farthest, std::abs(x));
-  const double cell = length / static_cast<double>(cells_ - before);
-  if (std::numeric_limits<double>::epsilon() * farthest > much_rounded * cell) return found;
   pieces_.begin(b, rest_first, rest_last, spacing, first_piece, true);
   return std::max(found, whole(rest_first, rest_last));
 }

@@ -57,8 +57,12 @@ DualPiece<N> dual_piece(const BoundGrid<N>& grid, const BoundNode<N>& a, const B
   p.rounding = 128 * epsilon * (1 + b.s) / p.length + 64 * epsilon + a.blur + b.blur;
   p.third = grid.third(a, b);
   p.along = infinite;
+  // Of a coordinate an origin's sum, or an arc's centre and radius, at either end; other axes come from longer
+  // formulas.
+  const double blurs = (grid.cartesian() ? 4 : 16) * epsilon;
   for (std::size_t k = 0; k < grid.axes(); ++k) {
     p.way[k] = b.position[k] - a.position[k];
+    p.way_blur = std::max({p.way_blur, blurs * std::abs(a.position[k]), blurs * std::abs(b.position[k])});
     p.begin[k] = a.tangent[k], p.end[k] = b.tangent[k];
     p.bend[k] = std::max(std::abs(a.curvature[k]), std::abs(b.curvature[k]));
     const double bend = p.bend[k] + p.third[k] * p.length;  // |q″_k| anywhere in it
@@ -131,7 +135,7 @@ typename JerkDual<N>::Value JerkDual<N>::of(const DualPiece<N>& p, double x, con
   const auto positive = [](double w) { return std::max(0.0, w - 1e-14); };
   const Range w{positive(std::min({w0, w1, middle})), positive(std::max({w0, w1, middle})),
                 positive((w0 + w1 + middle) / 3)};
-  double integral = 0, size = 0, radius = 0, cost = 0, kink = 0, next_kink = 0, loss = 0;
+  double integral = 0, size = 0, moved = 0, radius = 0, cost = 0, kink = 0, next_kink = 0, loss = 0;
   double low = 0, high = 0;  // D
   for (std::size_t k = 0; k < grid_.axes(); ++k) {
     const double rise = (mu_[1][k] - mu_[0][k]) / length_;
@@ -149,6 +153,7 @@ typename JerkDual<N>::Value JerkDual<N>::of(const DualPiece<N>& p, double x, con
     const double e0 = u0 - slope0, e1 = u1 - slope1, change = rise - second;
     integral += 0.5 * (e1 * p.end[k] - e0 * p.begin[k]) - change * p.way[k];
     size += (std::abs(e0) + std::abs(e1)) * (1 + p.bend[k] * p.length) + std::abs(change) * p.length;
+    moved += std::abs(change) * p.way_blur;
     radius += 0.5 * std::max(std::abs(e0), std::abs(e1)) * p.third[k];
     if (rooted_[k]) {
       const Limits l = limits(p, k, x);
@@ -183,7 +188,7 @@ typename JerkDual<N>::Value JerkDual<N>::of(const DualPiece<N>& p, double x, con
   if (p.joint.here) spread(kink, p.joint.cap);
   if (next != nullptr) spread(next_kink, next->joint.cap);
   // G stays within half of what it may change by about its mean.
-  const double mean = (integral - p.rounding * size) / p.length, half = radius * p.length / 2;
+  const double mean = (integral - p.rounding * size - moved) / p.length, half = radius * p.length / 2;
   const double sure = least_mean(w, {mean - half, mean + half, mean}, p.cap), best = least(w.mean, mean, p.cap);
   return {sure * p.length - cost - loss - 4 * epsilon * (cost + loss + p.time), (best - sure) * p.length + loss};
 }

@@ -64,7 +64,8 @@ struct DualPiece {
   double cap = 0;       ///< largest b anywhere in it
   double along = 0;     ///< largest |v̇| in it
   double time = 0;      ///< about, s
-  double rounding = 0;  ///< of the length, relative
+  double rounding = 0;  ///< of the length and of q′, relative
+  double way_blur = 0;  ///< how far rounding of q at either end may have moved a component of `way`
   DualJoint<N> joint;   ///< before its begin
 };
 

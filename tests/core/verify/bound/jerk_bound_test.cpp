@@ -96,6 +96,27 @@ TEST(JerkBound, IsCloseAtRoundedCorners) {
   }
 }
 
+// There a difference of coordinates has few digits: what they may be wrong by must not make the bound longer.
+TEST(JerkBound, IsNoLongerFarFromTheOrigin) {
+  for (const double away : {1e4, 1e6, 9.9e6})
+    for (const double size : {0.01, 0.1, 1.0})
+      for (const double jerk : {1e5, 8e5, 1e7}) {
+        const auto shape = [&](const Vec& from) {
+          const auto to = [&](double x, double y) { return from + Vec{size * x, size * y, 0}; };
+          return Maker(2, from)
+              .bezier({to(0.6, 0), to(0.9, 0.7), to(1, 1)})
+              .bezier({to(1.05, 1.15), to(1.3, 1.2), to(1.6, 0.8)})
+              .done();
+        };
+        Machine m = machine(jerk);
+        m.cycle_time = 1e-5;
+        const double here = bound(shape({}), m), there = bound(shape({-away, away, 0}), m);
+        EXPECT_LE(there, here * (1 + 1e-5)) << away << ' ' << size << ' ' << jerk;
+        const double known = away > 1e4 || size < 0.05 ? 0 : 0.98;
+        EXPECT_GE(there, here * known) << away << ' ' << size << ' ' << jerk;
+      }
+}
+
 TEST(JerkBound, KnowsMoreThanTheBoundWithoutJerk) {
   for (const Contour& contour : contours()) {
     const double without = bound(contour, machine(unlimited));
