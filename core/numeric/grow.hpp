@@ -23,12 +23,13 @@ void grow(Values& values, std::size_t least, Pulse& pulse) {
   values.swap(larger);
 }
 
-/// Room for `all` steps of something when `values` are what the first `done` of them need, and a little more; not more
-/// than `most_ahead` times that. Room that is not used costs nothing, growing again does.
-inline std::size_t foreseen(std::size_t values, std::size_t done, std::size_t all) {
-  constexpr double reserve = 1.15, most_ahead = 64;
-  return static_cast<std::size_t>(static_cast<double>(values) *
-                                  std::min(reserve * static_cast<double>(all) / static_cast<double>(done), most_ahead));
+/// How much room all will need, and a little more, when `values` are what the first `part` of it needs, 0 to 1: no more
+/// than 1 500 times that, and just that where nothing is known. Room that is not used costs nothing, growing again
+/// does.
+inline std::size_t foreseen(std::size_t values, double part) {
+  constexpr double reserve = 1.5, most_ahead = 1500;
+  if (!(part > 0)) return values;
+  return static_cast<std::size_t>(static_cast<double>(values) * std::min(reserve / part, most_ahead));
 }
 
 }  // namespace bahnwerk

@@ -29,7 +29,7 @@ constexpr double excess_of_wide = 1e-6;
 constexpr double graded_cells = 8;                       // more at both ends of a grid
 constexpr std::size_t sampled_segments = 256;            // whose cells tell how many there will be
 constexpr double long_segment = 1000, few_bends = 4096;  // bends: too many to sample, too few to care
-constexpr double foreseen = 1.5, max_foreseen = 16e6;    // pieces, per those that the path so far lets expect; at most
+constexpr std::size_t max_foreseen = 16'000'000;         // pieces
 constexpr double first_growth = 3;                       // cells after dividing per cell before
 // What the law may exceed a limit by unseen in wide cells, and how many times the error of their model that is. Laws
 // that are verified once more cost more than such a margin.
@@ -269,10 +269,8 @@ class SectionPlanner {
 
   /// For the law of so many cells: all that the rest of the path lets expect, where the law has to grow.
   void make_room(TimeLaw& law, std::size_t cells, ProgressScope& pulse) const {
-    const double pieces = static_cast<double>(law.pieces().size() + cells),
-                 done = path_[grid_.cells[cells - 1].segment].s1() / path_.tool().length();
-    law.reserve(cells + 2, static_cast<std::size_t>(std::min(foreseen * pieces / std::max(done, 1e-3), max_foreseen)),
-                pulse);
+    const double done = path_[grid_.cells[cells - 1].segment].s1() / path_.tool().length();
+    law.reserve(cells + 2, std::min(foreseen(law.pieces().size() + cells, done), max_foreseen), pulse);
   }
 
   /// The law of the first cells.

@@ -180,9 +180,9 @@ void Grid<N>::build(const LanePath<N>& path, std::size_t first, std::size_t last
     section_length += path[i].length();
     pulse.now(i - first, last - first);
     if (const std::size_t least = stations.size() + usual_segment; least > stations.capacity()) {
-      const std::size_t done = i - first;
-      grow(stations, done > 0 ? foreseen(least, done, last - first) : least, pulse);
-      grow(cells, done > 0 ? foreseen(least, done, last - first) : least, pulse);
+      const std::size_t room = foreseen(least, static_cast<double>(i - first) / static_cast<double>(last - first));
+      grow(stations, room, pulse);
+      grow(cells, room, pulse);
     }
     if (path.linear(i)) {
       cells.push_back({static_cast<std::uint32_t>(stations.size()), static_cast<std::uint32_t>(i), true, false, false});

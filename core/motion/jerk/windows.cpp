@@ -59,8 +59,8 @@ bool JerkSectionPlanner<N, M>::plan_windows(std::size_t window, double from, dou
       ProgressScope pulse(progress_, "planning", reported, progress);
       pulse.part(0, 0.1);
       pieces_.resize(here.pieces);
-      if (here.begin > 0 && pieces_.capacity() < here.pieces + 2 * here.cells)
-        grow(pieces_, foreseen(here.pieces + 2 * here.cells, here.begin, n), pulse);
+      if (const std::size_t least = here.pieces + 2 * here.cells; least > pieces_.capacity())
+        grow(pieces_, foreseen(least, static_cast<double>(here.begin) / static_cast<double>(n)), pulse);
       attempt(start, pulse);
       if (end < n && !(exit_.b > 0)) slow_ = unlimited;  // it never came to that
       if (slow_ < good_enough) break;
