@@ -1,10 +1,9 @@
 #pragma once
-/// Which part of a Newton step each cell takes. One tight row would hold up a long section everywhere; so parts differ
-/// along the section, but only gradually: where they differ, the step's linear equations hold no longer, by as much as
-/// they differ from cell to cell.
+/// Which part of a Newton step each cell takes (core/numeric/gradual.hpp).
 #include <algorithm>
 
 #include "core/motion/jerk/rows.hpp"
+#include "core/numeric/gradual.hpp"
 #include "core/numeric/large_pages.hpp"
 
 namespace bahnwerk {
@@ -29,8 +28,6 @@ struct JerkSteps {
   }
 
  private:
-  static constexpr double slope = 0.02, growth = 1.05;  // most that parts rise by from cell to cell
-  static Twin next(Twin last) { return smaller(last + slope, last * growth); }
   static double fit(LargeVector<Twin>& part, LargeVector<Twin>& node, double reach, bool even, bool odd) {
     const std::size_t n = part.size();
     if (even) {
@@ -42,13 +39,13 @@ struct JerkSteps {
       return taken;
     }
     Twin last = all(1), sum{};
-    for (Twin& p : part) last = p = smaller(smaller(all(1), reach / p), next(last));
+    for (Twin& p : part) last = p = smaller(smaller(all(1), reach / p), next_part(last));
     // On across the middle, where either half meets the other one.
     const Twin other = {last[1], last[0]};
-    part[n - 1] = smaller(last, odd ? other : next(other));
+    part[n - 1] = smaller(last, odd ? other : next_part(other));
     last = all(1);
     for (std::size_t c = n; c-- > 0;) {
-      last = part[c] = smaller(part[c], next(last));
+      last = part[c] = smaller(part[c], next_part(last));
       sum += last;
     }
     for (std::size_t i = 1; i < n; ++i) node[i] = smaller(part[i - 1], part[i]);

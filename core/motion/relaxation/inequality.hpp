@@ -12,8 +12,9 @@ struct Inequality {
   V multiplier_step{};
 
   V weight() const { return multiplier * inverse; }
-  /// What the multiplier becomes for complementarity `target` as long as the value does not change.
-  V aim(double target) const { return (target - pending + multiplier * residual) * inverse; }
+  /// What the multiplier becomes for complementarity `target` as long as the value does not change. `part`: how much of
+  /// the product of the predictor's steps counts.
+  V aim(double target, double part) const { return (target - part * pending + multiplier * residual) * inverse; }
   /// Towards no complementarity at all, where the value changes so.
   void predict(V change) {
     const V step = -(residual + change);

@@ -10,10 +10,14 @@ namespace {
 using Sides = Lanes<2>;
 
 constexpr double never = 1e300;
+constexpr double most_down = 0.9, most_up = 4;  // of b by one step
 
 Sides both(double x) { return Sides{x, -x}; }
 
-/// What the steps of inequalities add up to, and how far they may go.
+Sides farthest(double primal, double dual) { return Sides{primal, dual}; }
+Sides farthest(Sides primal, Sides dual) { return larger(Sides{primal[0], dual[0]}, Sides{primal[1], dual[1]}); }
+
+/// What the steps of inequalities add up to, and how far they may go at a place.
 template <class V>
 struct Steps {
   V primal{}, dual{}, change{}, product{};
@@ -26,6 +30,12 @@ struct Steps {
   }
   void followed(const Inequality<V>& i) {
     primal = larger(primal, -(i.pending * i.inverse)), dual = larger(dual, -(i.multiplier_step / i.multiplier));
+  }
+  /// What stands in their way at one place; on to the next.
+  Sides leave() {
+    const Sides reach = farthest(primal, dual);
+    primal = dual = V{};
+    return reach;
   }
 };
 
@@ -41,22 +51,22 @@ typename RelaxationSolver<N>::Sides RelaxationSolver<N>::hat_change(std::size_t 
 }
 
 // Takes the last step, and poses the Newton system by relative changes of b, each T_j eliminated, with the right-hand
-// side of the predictor. Only the splines' times and limits of acceleration with b^(1/4) are not linear in b: what else
-// is violated shrinks with the step.
+// side of the predictor.
 template <int N>
-void RelaxationSolver<N>::assemble(double primal, double dual) {
-  const double left = 1 - primal;
+void RelaxationSolver<N>::assemble() {
   double complementarity = 0, violation = 0;
   Sides products{}, worst_hat{};
   duration_ = 0;
   for (std::size_t i = 0; i < cells_; ++i) {
     const std::size_t a = i + 2;
+    const double primal = parts_.primal(i + 1), dual = parts_.dual(i + 1);
     b_[a] *= 1 + primal * step_[a];
     root_[a] = 1 / std::sqrt(b_[a]);
     if (form_.any_rooted) fourth_[a] = std::sqrt(b_[a] * root_[a]);
     Inequality<double>& c = caps_[i];
-    c.advance(primal, dual), c.residual *= left;
+    c.advance(primal, dual);
     const double e = b_[a] * inverse_cap_[a], w = c.weight();
+    c.residual = e - 1 + c.slack;
     matrix_[a] = {w * e * e, 0, 0}, step_[a] = -w * c.residual * e;
     complementarity += c.slack * c.multiplier;
     violation = std::max(violation, std::abs(c.residual));
@@ -64,32 +74,41 @@ void RelaxationSolver<N>::assemble(double primal, double dual) {
   for (std::size_t j = 0; j < splines_.size(); ++j) {
     const std::array<const WeakCell<N>*, 3> c{&form_.cells[j + 2], &form_.cells[j + 1], &form_.cells[j]};
     const std::array<double, 3> b{b_[j + 2], b_[j + 1], b_[j]};
+    const double primal = parts_.primal(j), dual = parts_.dual(j);
     if (j < hats_.size()) {
-      double d0 = 0, d1 = 0, d01 = 0, g0 = 0, g1 = 0;
-      for (std::size_t k = 0; k < N; ++k) {
-        Inequality<Sides>& q = hats_[j][k];
-        q.advance(primal, dual), q.residual = left * q.residual;
-        if (form_.rooted[j] != 0) q.residual = hat_value(j, k) + q.slack;
-        const Sides w = q.weight(), h = w * q.residual;
+      const auto take = [&](Inequality<Sides>& q, Sides value) {
+        q.advance(primal, dual), q.residual = value + q.slack;
         products = products + q.slack * q.multiplier, worst_hat = larger(worst_hat, magnitude(q.residual));
-        if (form_.rooted[j] != 0) {
-          const Slope& e = slopes_[j][k];
-          const Sides r1 = (0.25 * fourth_[j + 1]) * c[1]->root[1][k], r0 = (0.25 * fourth_[j + 2]) * c[0]->root[0][k],
-                      z = q.multiplier * e.share, bend = q.multiplier * e.bend;
-          matrix_[j + 1][0] += sum(w * e.before * e.before + 0.75 * z * r1 + bend * r1 * r1);
-          matrix_[j + 1][1] += sum(w * e.before * e.after + bend * r1 * r0);
-          matrix_[j + 2][0] += sum(w * e.after * e.after + 0.75 * z * r0 + bend * r0 * r0);
-          step_[j + 1] -= sum(h * e.before), step_[j + 2] -= sum(h * e.after);
-          continue;
+        return q.weight();
+      };
+      // By b before and after the node.
+      double d11 = 0, d10 = 0, d00 = 0, g1 = 0, g0 = 0;
+      if (form_.rooted[j] == 0) {
+        for (std::size_t k = 0; k < N; ++k) {
+          Inequality<Sides>& q = hats_[j][k];
+          const double f1 = c[1]->acceleration[1][k] * b[1], f0 = c[0]->acceleration[0][k] * b[0];
+          const Sides w = take(q, both(f1 + f0) - 1.0), h = w * q.residual;
+          const double weight = w[0] + w[1], pull = h[0] - h[1];
+          d11 += weight * f1 * f1, d10 += weight * f1 * f0, d00 += weight * f0 * f0;
+          g1 += pull * f1, g0 += pull * f0;
         }
-        const double weight = w[0] + w[1], pull = h[0] - h[1], f1 = c[0]->acceleration[0][k],
-                     f0 = c[1]->acceleration[1][k];
-        d0 += weight * f0 * f0, d1 += weight * f1 * f1, d01 += weight * f0 * f1;
-        g0 += pull * f0, g1 += pull * f1;
+      } else {
+        Sides s11{}, s10{}, s00{}, h1{}, h0{};
+        const double fourth1 = 0.25 * fourth_[j + 1], fourth0 = 0.25 * fourth_[j + 2];
+        for (std::size_t k = 0; k < N; ++k) {
+          Inequality<Sides>& q = hats_[j][k];
+          const Sides w = take(q, hat_value(j, k)), h = w * q.residual;
+          const Slope& e = slopes_[j][k];
+          const Sides r1 = fourth1 * c[1]->root[1][k], r0 = fourth0 * c[0]->root[0][k], z = q.multiplier * e.share,
+                      bend = q.multiplier * e.bend, pull = w * e.before, bent = bend * r1;
+          s11 = s11 + pull * e.before + 0.75 * z * r1 + bent * r1, s10 = s10 + pull * e.after + bent * r0;
+          s00 = s00 + w * e.after * e.after + 0.75 * z * r0 + bend * r0 * r0;
+          h1 = h1 + h * e.before, h0 = h0 + h * e.after;
+        }
+        d11 = sum(s11), d10 = sum(s10), d00 = sum(s00), g1 = sum(h1), g0 = sum(h0);
       }
-      matrix_[j + 1][0] += d0 * b[1] * b[1], matrix_[j + 1][1] += d01 * b[1] * b[0],
-          matrix_[j + 2][0] += d1 * b[0] * b[0];
-      step_[j + 1] -= g0 * b[1], step_[j + 2] -= g1 * b[0];
+      matrix_[j + 1][0] += d11, matrix_[j + 1][1] += d10, matrix_[j + 2][0] += d00;
+      step_[j + 1] -= g1, step_[j + 2] -= g0;
     }
     Spline& s = splines_[j];
     s.T += primal * s.step;
@@ -109,12 +128,14 @@ void RelaxationSolver<N>::assemble(double primal, double dual) {
     complementarity += s.time.slack * s.time.multiplier;
     for (std::size_t k = 0; k < N; ++k) {
       Inequality<Sides>& q = s.jerk[k];
-      q.advance(primal, dual), q.residual = left * q.residual;
+      const double f0 = c[0]->jerk[0][k], f1 = c[1]->jerk[1][k], f2 = c[2]->jerk[2][k];
+      q.advance(primal, dual);
+      q.residual = both(f0 * b[0] + f1 * b[1] + f2 * b[2]) - (s.T + form_.allowed[j][k]) + q.slack;
       const Sides w = q.weight(), h = w * q.residual;
       products = products + q.slack * q.multiplier, worst = larger(worst, magnitude(q.residual));
       curvature = curvature + w, rest = rest + h;
-      const double weight = w[0] + w[1], slant = w[0] - w[1], h1 = h[0] - h[1], f0 = c[0]->jerk[0][k],
-                   f1 = c[1]->jerk[1][k], f2 = c[2]->jerk[2][k], g0 = weight * f0, g1 = weight * f1, g2 = weight * f2;
+      const double weight = w[0] + w[1], slant = w[0] - w[1], h1 = h[0] - h[1], g0 = weight * f0, g1 = weight * f1,
+                   g2 = weight * f2;
       block[0] += g0 * f0, block[1] += g1 * f0, block[2] += g1 * f1;
       block[3] += g2 * f0, block[4] += g2 * f1, block[5] += g2 * f2;
       coupling[0] += slant * f0, coupling[1] += slant * f1, coupling[2] += slant * f2;
@@ -161,12 +182,14 @@ void RelaxationSolver<N>::solve_factored() {
 
 // What the step towards no complementarity at all does to every inequality.
 template <int N>
-typename RelaxationSolver<N>::Reach RelaxationSolver<N>::predict() {
+typename RelaxationSolver<N>::Promise RelaxationSolver<N>::predict(bool even) {
   Steps<double> one;
   Steps<Sides> two;
+  parts_.begin(splines_.size(), even);
   for (std::size_t i = 0; i < cells_; ++i) {
     const double change = step_[i + 2] * b_[i + 2] * inverse_cap_[i + 2];
     caps_[i].predict(change), one.predicted(caps_[i], change);
+    if (!even) parts_.stop(i + 1, one.leave());
   }
   for (std::size_t j = 0; j < splines_.size(); ++j) {
     const std::array<const WeakCell<N>*, 3> c{&form_.cells[j + 2], &form_.cells[j + 1], &form_.cells[j]};
@@ -188,39 +211,46 @@ typename RelaxationSolver<N>::Reach RelaxationSolver<N>::predict() {
           both(c[0]->jerk[0][k] * moved[0] + c[1]->jerk[1][k] * moved[1] + c[2]->jerk[2][k] * moved[2]) - T;
       s.jerk[k].predict(change), two.predicted(s.jerk[k], change);
     }
+    if (!even) parts_.stop(j, larger(one.leave(), two.leave()));
     pulse_->work(1);
   }
-  return {std::max(one.primal, largest(two.primal)), std::max(one.dual, largest(two.dual)),
-          one.change + sum(two.change), one.product + sum(two.product)};
+  if (even) parts_.stop(0, larger(one.leave(), two.leave()));
+  return {one.change + sum(two.change), one.product + sum(two.product)};
 }
 
-// The right-hand side of the step towards complementarity `target`, with the product of the predictor's steps.
+// The right-hand side of the step towards complementarity `target`, with the product of the predictor's steps, less of
+// it where less of them could be taken.
 template <int N>
 void RelaxationSolver<N>::correct(double target) {
   for (std::size_t i = 0; i < cells_; ++i) {
-    caps_[i].pending = caps_[i].aim(target);
+    caps_[i].pending = caps_[i].aim(target, parts_.of_product(i + 1));
     step_[i + 2] = -b_[i + 2] * inverse_cap_[i + 2] * caps_[i].pending;
   }
   for (std::size_t j = 0; j < splines_.size(); ++j) {
     const std::array<const WeakCell<N>*, 3> c{&form_.cells[j + 2], &form_.cells[j + 1], &form_.cells[j]};
+    const double part = parts_.of_product(j);
     if (j < hats_.size()) {
-      double g0 = 0, g1 = 0;
-      for (std::size_t k = 0; k < N; ++k) {
-        const Sides h = hats_[j][k].aim(target);
-        hats_[j][k].pending = h;
-        if (form_.rooted[j] != 0)
-          step_[j + 1] -= sum(h * slopes_[j][k].before), step_[j + 2] -= sum(h * slopes_[j][k].after);
-        else
-          g0 += (h[0] - h[1]) * c[1]->acceleration[1][k], g1 += (h[0] - h[1]) * c[0]->acceleration[0][k];
+      Sides g0{}, g1{};
+      if (form_.rooted[j] == 0) {
+        for (std::size_t k = 0; k < N; ++k) {
+          const Sides h = hats_[j][k].pending = hats_[j][k].aim(target, part);
+          g1 = g1 + c[1]->acceleration[1][k] * h, g0 = g0 + c[0]->acceleration[0][k] * h;
+        }
+        step_[j + 1] -= (g1[0] - g1[1]) * b_[j + 1], step_[j + 2] -= (g0[0] - g0[1]) * b_[j + 2];
+      } else {
+        for (std::size_t k = 0; k < N; ++k) {
+          const Sides h = hats_[j][k].pending = hats_[j][k].aim(target, part);
+          g1 = g1 + h * slopes_[j][k].before, g0 = g0 + h * slopes_[j][k].after;
+        }
+        step_[j + 1] -= sum(g1), step_[j + 2] -= sum(g0);
       }
-      step_[j + 1] -= g0 * b_[j + 1], step_[j + 2] -= g1 * b_[j + 2];
     }
     Spline& s = splines_[j];
-    const double h0 = s.time.pending = s.time.aim(target);
+    const double h0 = s.time.pending = s.time.aim(target, part);
     Sides rest{h0 - 1, 0};
     std::array<double, 3> pull{};
     for (std::size_t k = 0; k < N; ++k) {
-      const Sides h = s.jerk[k].aim(target);
+      const Sides h = s.jerk[k].aim(target, part);
       s.jerk[k].pending = h, rest = rest + h;
       const double h1 = h[0] - h[1];
       for (std::size_t r = 0; r < 3; ++r) pull[r] += h1 * c[r]->jerk[r][k];
@@ -236,11 +266,16 @@ void RelaxationSolver<N>::correct(double target) {
 }
 
 template <int N>
-typename RelaxationSolver<N>::Reach RelaxationSolver<N>::follow() {
+void RelaxationSolver<N>::follow(bool even) {
   Steps<double> one;
   Steps<Sides> two;
-  for (std::size_t i = 0; i < cells_; ++i)
-    caps_[i].follow(step_[i + 2] * b_[i + 2] * inverse_cap_[i + 2]), one.followed(caps_[i]);
+  parts_.begin(splines_.size(), even);
+  for (std::size_t i = 0; i < cells_; ++i) {
+    const double step = step_[i + 2];
+    caps_[i].follow(step * b_[i + 2] * inverse_cap_[i + 2]), one.followed(caps_[i]);
+    one.primal = std::max({one.primal, -step / most_down, step / most_up});
+    if (!even) parts_.stop(i + 1, one.leave());
+  }
   for (std::size_t j = 0; j < splines_.size(); ++j) {
     const std::array<const WeakCell<N>*, 3> c{&form_.cells[j + 2], &form_.cells[j + 1], &form_.cells[j]};
     const std::array<double, 3> step{step_[j + 2], step_[j + 1], step_[j]},
@@ -262,9 +297,10 @@ typename RelaxationSolver<N>::Reach RelaxationSolver<N>::follow() {
                        T);
       two.followed(s.jerk[k]);
     }
+    if (!even) parts_.stop(j, larger(one.leave(), two.leave()));
     pulse_->work(1);
   }
-  return {std::max(one.primal, largest(two.primal)), std::max(one.dual, largest(two.dual)), 0, 0};
+  if (even) parts_.stop(0, larger(one.leave(), two.leave()));
 }
 
 // Of the duration, what the Lagrangian's gradient may be worth: by relative changes of every T and every b.
@@ -298,10 +334,10 @@ template Lanes<2> RelaxationSolver<2>::hat_change(std::size_t, std::size_t, doub
 template Lanes<2> RelaxationSolver<3>::hat_change(std::size_t, std::size_t, double, double) const;
 template Lanes<2> RelaxationSolver<5>::hat_change(std::size_t, std::size_t, double, double) const;
 template Lanes<2> RelaxationSolver<8>::hat_change(std::size_t, std::size_t, double, double) const;
-template void RelaxationSolver<2>::assemble(double, double);
-template void RelaxationSolver<3>::assemble(double, double);
-template void RelaxationSolver<5>::assemble(double, double);
-template void RelaxationSolver<8>::assemble(double, double);
+template void RelaxationSolver<2>::assemble();
+template void RelaxationSolver<3>::assemble();
+template void RelaxationSolver<5>::assemble();
+template void RelaxationSolver<8>::assemble();
 template void RelaxationSolver<2>::factor();
 template void RelaxationSolver<3>::factor();
 template void RelaxationSolver<5>::factor();
@@ -310,18 +346,18 @@ template void RelaxationSolver<2>::solve_factored();
 template void RelaxationSolver<3>::solve_factored();
 template void RelaxationSolver<5>::solve_factored();
 template void RelaxationSolver<8>::solve_factored();
-template typename RelaxationSolver<2>::Reach RelaxationSolver<2>::predict();
-template typename RelaxationSolver<3>::Reach RelaxationSolver<3>::predict();
-template typename RelaxationSolver<5>::Reach RelaxationSolver<5>::predict();
-template typename RelaxationSolver<8>::Reach RelaxationSolver<8>::predict();
+template typename RelaxationSolver<2>::Promise RelaxationSolver<2>::predict(bool);
+template typename RelaxationSolver<3>::Promise RelaxationSolver<3>::predict(bool);
+template typename RelaxationSolver<5>::Promise RelaxationSolver<5>::predict(bool);
+template typename RelaxationSolver<8>::Promise RelaxationSolver<8>::predict(bool);
 template void RelaxationSolver<2>::correct(double);
 template void RelaxationSolver<3>::correct(double);
 template void RelaxationSolver<5>::correct(double);
 template void RelaxationSolver<8>::correct(double);
-template typename RelaxationSolver<2>::Reach RelaxationSolver<2>::follow();
-template typename RelaxationSolver<3>::Reach RelaxationSolver<3>::follow();
-template typename RelaxationSolver<5>::Reach RelaxationSolver<5>::follow();
-template typename RelaxationSolver<8>::Reach RelaxationSolver<8>::follow();
+template void RelaxationSolver<2>::follow(bool);
+template void RelaxationSolver<3>::follow(bool);
+template void RelaxationSolver<5>::follow(bool);
+template void RelaxationSolver<8>::follow(bool);
 template double RelaxationSolver<2>::dual_residual() const;
 template double RelaxationSolver<3>::dual_residual() const;
 template double RelaxationSolver<5>::dual_residual() const;

@@ -6,11 +6,14 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double to_boundary = 0.995;           // part of the longest step that is taken
-constexpr double most_down = 0.9, most_up = 4;  // of b by one step
-constexpr double min_centring = 1e-4;
+constexpr double to_boundary = 0.995;  // part of the longest step that is taken
+// Complementarity that a step aims at, in parts of what there is: what the predictor would leave, near the solution
+// its square. No less than this part of the gap that is asked for: what is not feasible has to keep up.
+constexpr double min_centring = 1e-4, gap_aimed_at = 0.3;
+constexpr double near = 0.1;  // from this gap on all places take the same part of a step
 constexpr double dual_tolerance = 1e-3;
 constexpr double never = 1e300;
+constexpr double first_cap = 0.3, first_slope = 0.2;  // of caps and of the steepest b at which the search begins
 constexpr double blend = 0.02;  // of two limits into one; its square over 4 has to be less than any of them
 
 }  // namespace
@@ -30,26 +33,31 @@ void RelaxationSolver<N>::take(const RelaxationProblem<N>& problem) {
   matrix_.assign(cells_ + 4, {});
   for (std::size_t k = 0; k < N; ++k)
     inverse_jerk_[k] = 1 / problem.jerk[k], inverse_acceleration_[k] = 1 / problem.acceleration[k];
-  // Well below the caps, and from rest no faster than by a constant jerk or acceleration.
+  // Well below the caps, rising and falling by a part of what accelerations allow, and from rest no faster than by a
+  // constant jerk.
   double reach = 0, total = 0;
   for (const auto& cell : cells) total += cell.length;
+  std::vector<double>& rise = step_;  // of b per cell
   for (std::size_t i = 0; i < cells_; ++i) {
     const RelaxationCell<N>& cell = cells[i];
     const double middle = reach + cell.length / 2;
     reach += cell.length;
     double& b = b_[i + 2];
-    b = 0.3 * cell.cap;
+    b = first_cap * cell.cap;
     inverse_cap_[i + 2] = 1 / cell.cap;
     const double way = std::min(problem.rest_first ? middle : never, problem.rest_last ? total - middle : never);
-    if (!(way < never)) continue;
     double jerk = never, acceleration = never;  // along the path
     for (std::size_t k = 0; k < N; ++k)
       if (const double rate = std::max(std::abs(cell.begin[k]), std::abs(cell.end[k])); rate > 0)
         jerk = std::min(jerk, problem.jerk[k] / rate),
         acceleration = std::min(acceleration, problem.acceleration[k] / rate);
+    rise[i + 2] = acceleration < never ? first_slope * acceleration * cell.length : never;
+    if (!(way < never)) continue;
     if (acceleration < never) b = std::min(b, acceleration * way);
     if (jerk < never) b = std::min(b, 0.5 * std::pow(4.5 * jerk * way * way, 2.0 / 3));
   }
+  for (std::size_t a = 3; a < cells_ + 2; ++a) b_[a] = std::min(b_[a], b_[a - 1] + rise[a - 1] + rise[a]);
+  for (std::size_t a = cells_ + 1; a-- > 2;) b_[a] = std::min(b_[a], b_[a + 1] + rise[a + 1] + rise[a]);
 }
 
 template <int N>
@@ -80,7 +88,7 @@ void RelaxationSolver<N>::start() {
   }
   for (std::size_t a = 2; a < cells_ + 2; ++a) fourth_[a] = std::sqrt(std::sqrt(b_[a]));
   constexpr double least = 0.1;
-  const double mu = 0.1 * total / static_cast<double>(rows_);
+  const double mu = total / static_cast<double>(rows_);
   for (std::size_t i = 0; i < hats_.size(); ++i)
     for (std::size_t k = 0; k < N; ++k) {
       const Sides value = hat_value(i, k);
@@ -111,14 +119,13 @@ typename RelaxationSolver<N>::Sides RelaxationSolver<N>::hat_value(std::size_t n
   return value - 1.0 + 0.5 * (left + width);
 }
 
-// Of a step, so that no b changes by too much.
+// What part of the present complementarity the next step aims at.
 template <int N>
-double RelaxationSolver<N>::largest_change(double primal) const {
-  double down = 0, up = 0;
-  for (const double s : step_) down = std::min(down, s), up = std::max(up, s);
-  if (primal * -down > most_down) primal = most_down / -down;
-  if (primal * up > most_up) primal = most_up / up;
-  return primal;
+double RelaxationSolver<N>::centring(const Promise& promise, bool even) const {
+  const double p = parts_.mean()[0], d = parts_.mean()[1],
+               left = 1 + (p * promise.change - d * (complementarity_ + promise.change) + p * d * promise.both) /
+                              complementarity_;
+  return std::max(even ? left * left : left, min_centring);
 }
 
 template <int N>
@@ -128,25 +135,23 @@ RelaxationOutcome RelaxationSolver<N>::solve(const RelaxationProblem<N>& problem
   take(problem);
   start();
   RelaxationOutcome outcome;
-  double primal = 0, dual = 0;
+  parts_.begin(splines_.size(), false);
   for (;; ++outcome.iterations) {
-    assemble(primal, dual);
+    assemble();
     outcome.duration = duration_, outcome.gap = complementarity_ / duration_, outcome.violation = violation_;
     outcome.converged = outcome.gap < options.gap && violation_ < options.violation && dual_residual() < dual_tolerance;
     if (outcome.converged || outcome.iterations == options.iterations) return outcome;
     factor();
     solve_factored();
-    const Reach far = predict();
-    const double now = complementarity_ / static_cast<double>(rows_), p = 1 / std::max(1.0, far.primal),
-                 d = 1 / std::max(1.0, far.dual),
-                 left =
-                     1 + (p * far.change - d * (complementarity_ + far.change) + p * d * far.both) / complementarity_;
-    correct(std::max(left * left * left, min_centring) * now);
+    const bool even = outcome.gap < near;
+    const Promise promise = predict(even);
+    parts_.predicted();
+    correct(std::max(centring(promise, even) * complementarity_, gap_aimed_at * options.gap * duration_) /
+            static_cast<double>(rows_));
     solve_factored();
-    const Reach reach = follow();
-    primal = largest_change(to_boundary / std::max(to_boundary, reach.primal));
-    dual = to_boundary / std::max(to_boundary, reach.dual);
-    if (!std::isfinite(primal) || !std::isfinite(dual)) return outcome;
+    follow(even);
+    parts_.taken(to_boundary);
+    if (!std::isfinite(sum(parts_.mean()))) return outcome;
   }
 }
 

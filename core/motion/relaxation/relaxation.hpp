@@ -10,13 +10,15 @@
 /// core/motion/relaxation/weak_form.hpp has the discretisation.
 ///
 /// Solved by a primal-dual interior-point method with predictor and corrector [Mehrotra, SIAM J. Optim. 2 (1992)]. Each
-/// T_j is eliminated on its own; what is left is one system of five diagonals for b.
+/// T_j is eliminated on its own; what is left is one system of five diagonals for b. Far from the solution each place
+/// takes the part of a step that it can (newton_parts.hpp); near it they all take the same, and the equations hold.
 #include <array>
 #include <cstddef>
 #include <vector>
 
 #include "core/base/progress_scope.hpp"
 #include "core/motion/relaxation/inequality.hpp"
+#include "core/motion/relaxation/newton_parts.hpp"
 #include "core/motion/relaxation/weak_form.hpp"
 #include "core/numeric/lanes.hpp"
 
@@ -77,22 +79,21 @@ class RelaxationSolver {
   struct Slope {
     Sides before{}, after{}, share{}, bend{};
   };
-  /// What a direction allows: the largest of −step/slack and of −step/multiplier.
-  struct Reach {
-    double primal = 0, dual = 0;
+  /// Of the predictor's steps.
+  struct Promise {
     double change = 0, both = 0;  ///< Σ multiplier · slack step; Σ of both steps
   };
 
   void take(const RelaxationProblem<N>& problem);
   void start();
-  void assemble(double primal, double dual);
+  void assemble();
   void factor();
   void solve_factored();
-  Reach predict();
+  Promise predict(bool even);
+  double centring(const Promise& promise, bool even) const;
   void correct(double target);
-  Reach follow();
+  void follow(bool even);
   double dual_residual() const;
-  double largest_change(double primal) const;
   Sides hat_value(std::size_t node, std::size_t k);
   Sides hat_change(std::size_t node, std::size_t k, double before, double after) const;
 
@@ -105,6 +106,7 @@ class RelaxationSolver {
   std::vector<Inequality<double>> caps_;
   /// Two cells more at either end, on which nothing depends. `step_`: right-hand side, then relative change of b.
   std::vector<double> b_, inverse_cap_, root_, step_;
+  NewtonParts parts_;                          ///< place j: spline j, hat j, cell j − 1 and its cap
   std::vector<double> fourth_;                 ///< b^(1/4), where limits of acceleration need it
   std::vector<std::array<double, 3>> matrix_;  ///< the diagonal and two above it; factored: 1/D, L₁, L₂
   Row inverse_jerk_{}, inverse_acceleration_{};

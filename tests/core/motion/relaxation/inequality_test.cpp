@@ -27,8 +27,8 @@ TEST(Inequality, PredictsAStepToNoComplementarity) {
 TEST(Inequality, FollowsToTheTargetWithTheProductOfThePredictor) {
   Inequality<double> i = some();
   i.predict(-0.25);
-  const double product = i.pending, target = 0.02;
-  i.pending = i.aim(target);
+  const double product = 0.75 * i.pending, target = 0.02;
+  i.pending = i.aim(target, 0.75);
   i.follow(0.125);
   EXPECT_NEAR(i.pending, -(0.1 + 0.125), 1e-15);  // the slack's step
   EXPECT_NEAR(0.7 * i.multiplier_step + 0.3 * i.pending, target - product - 0.7 * 0.3, 1e-15);
@@ -44,7 +44,7 @@ TEST(Inequality, TwoSidesAreTwo) {
   Inequality<double> one = some();
   sides.predict(Lanes<2>{-0.25, 0.25}), one.predict(-0.25);
   EXPECT_EQ(sides.pending[0], one.pending);
-  sides.pending = sides.aim(0.02), one.pending = one.aim(0.02);
+  sides.pending = sides.aim(0.02, 1), one.pending = one.aim(0.02, 1);
   sides.follow(Lanes<2>{0.125, -0.125}), one.follow(0.125);
   EXPECT_EQ(sides.multiplier_step[0], one.multiplier_step);
 }

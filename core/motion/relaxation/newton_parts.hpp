@@ -1,0 +1,72 @@
+#pragma once
+/// Which part of a Newton step each place of a relaxation takes (core/numeric/gradual.hpp).
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "core/numeric/gradual.hpp"
+#include "core/numeric/lanes.hpp"
+
+namespace bahnwerk {
+
+class NewtonParts {
+ public:
+  using Both = Lanes<2>;  ///< primal, dual
+
+  /// Of a step that is not taken at all, and of which nothing is known to stand in the way. `even`: all places are to
+  /// take the same part.
+  void begin(std::size_t places, bool even) {
+    even_ = even;
+    mean_ = Both{};
+    part_.assign(places, Both{});
+    product_.assign(places, 0);
+  }
+  /// At a place slacks, and multipliers, change by −`reach` of themselves at most; any place serves for all of them
+  /// where they are to take the same part.
+  void stop(std::size_t place, Both reach) { part_[place] = larger(part_[place], reach); }
+  /// Of a predictor: as much as keeps them positive. O(places).
+  void predicted() {
+    const Both one{1, 1};
+    if (even_) {
+      fit_even(1);
+      return product_.assign(part_.size(), std::sqrt(mean_[0] * mean_[1]));
+    }
+    Both sum{};
+    for (std::size_t i = 0; i < part_.size(); ++i) {
+      const Both p = 1.0 / larger(part_[i], one);
+      sum = sum + p, product_[i] = std::sqrt(p[0] * p[1]);
+    }
+    mean_ = sum / static_cast<double>(part_.size());
+  }
+  /// Of a step that is taken: `most` of that, and not much more than neighbours. What is not a number stays that, and
+  /// mean() is none. O(places).
+  void taken(double most) {
+    if (even_) return fit_even(most);
+    Both last{1, 1}, sum{};
+    for (Both& p : part_) p = last = smaller(next_part(last), most / larger(Both{most, most}, p));
+    last = Both{1, 1};
+    for (std::size_t i = part_.size(); i-- > 0;) sum = sum + (last = part_[i] = smaller(next_part(last), part_[i]));
+    mean_ = sum / static_cast<double>(part_.size());
+  }
+
+  double primal(std::size_t place) const { return part_[place][0]; }
+  double dual(std::size_t place) const { return part_[place][1]; }
+  Both mean() const { return mean_; }
+  /// What the product of both steps of the predictor counts at a place.
+  double of_product(std::size_t place) const { return product_[place]; }
+
+ private:
+  void fit_even(double most) {
+    Both farthest{most, most}, sum{};
+    for (const Both& p : part_) farthest = larger(farthest, p), sum = sum + p;
+    mean_ = most / farthest + 0.0 * sum;
+    part_.assign(part_.size(), mean_);
+  }
+
+  bool even_ = false;
+  std::vector<Both> part_;
+  std::vector<double> product_;
+  Both mean_{};
+};
+
+}  // namespace bahnwerk
