@@ -37,6 +37,8 @@ class Segment {
   PointPair parameter_at(PointPair travelled) const { return arc_length_.inverse(travelled); }
   double arc_length(double u) const;  ///< s(u) on the path, exact to 1e-12 of the segment's length
   double travelled(double u) const { return arc_length_.at(u); }  ///< s(u) from the begin of the segment, mm
+  /// The same at the parameters of a batch, which rise: batch.s. Two take little longer than one.
+  void travelled(PathBatch& batch) const { arc_length_.at(batch); }
   PathPoint at_parameter(
       double u) const;  ///< derivatives by arc length at u; one-sided limits at vanishing parametric tangents
   /// The same where the curve's own derivatives there are known.

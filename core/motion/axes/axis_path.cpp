@@ -104,11 +104,9 @@ bool KinematicAxisPath::enclose(std::size_t segment, double u, double radius, Ax
 void KinematicAxisPath::at_parameters(std::size_t segment, PathBatch& batch) const {
   batch.close();
   batch.planar = false;
-  for (std::size_t i = 0; i < 2 * batch.used_pairs(); ++i) {
-    const AxisJet q = raw_at_parameter(segment, batch.u[i]);  // positions are not asked for
-    batch.s.set(i, tool()[segment].travelled(batch.u[i]));
-    write_row(batch, i, q);
-  }
+  tool()[segment].travelled(batch);
+  for (std::size_t i = 0; i < 2 * batch.used_pairs(); ++i)
+    write_row(batch, i, raw_at_parameter(segment, batch.u[i]));  // positions are not asked for
 }
 
 AxisArray largest_rates(const AxisPath& path, ProgressScope* scope) {

@@ -9,9 +9,10 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double give = 1 + 1e-9, kinks = 1 + 1e-5, rounding = 1e-12;
-constexpr double blurs = 16;          // of q″, per length of the piece
-constexpr double most_change = 0.75;  // of b: more says nothing
-constexpr int halvings = 12;
+constexpr double blurs = 16;                         // of q″, per length of the piece
+constexpr double most_change = 0.75;                 // of b: more says nothing
+constexpr double close_enough = 1 + 4e-4, wide = 2;  // ratios of two b
+constexpr int most_steps = 14;
 
 double sq(double x) { return x * x; }
 
@@ -46,18 +47,21 @@ class Piece {
     return std::cbrt(cube * cube);
   }
 
-  bool possible(double b) {
+  /// By what part of the jerk limits b asks for more than there is; at least 0: it is possible.
+  double excess(double b) {
     accelerations(b);
     change_ = change(b);
-    if (!(change_ < most_change * b)) return true;
+    if (!(change_ < most_change * b)) return -1;
     const double least = b - change_, root = std::sqrt(least);
     const std::array<double, 2> along{this->along(0, b), this->along(1, b)};
+    double most = -1;
     for (std::size_t i = 0; i < count_; ++i) {
       const Pair& q = pairs_[i];
-      const double sum = q.change * least - q.least * change_;
-      if (sum > q.limit / root + q.along[0] * along[0] + q.along[1] * along[1]) return false;
+      const double asked = q.change * least - q.least * change_,
+                   given = q.limit / root + q.along[0] * along[0] + q.along[1] * along[1];
+      most = std::max(most, (asked - given) / given);
     }
-    return true;
+    return most;
   }
   double change() const { return change_; }
 
@@ -121,16 +125,19 @@ bool jerk_may_limit(const JerkCapPiece<N>& piece, double most) {
 template <int N>
 JerkCap jerk_cap(const JerkCapPiece<N>& piece, double most) {
   Piece<N> p(piece);
-  double low = p.least_cap();
+  double low = p.least_cap(), high = most;
   if (!(low < most)) return {most, 0};
-  if (p.possible(most)) return {most, p.change()};
-  double high = most, change = p.change();
-  for (int i = 0; i < halvings; ++i) {
-    const double middle = std::sqrt(low) * std::sqrt(high);
-    if (p.possible(middle))
-      low = middle;
+  double above = p.excess(most), change = p.change(), below = -1;
+  if (!(above > 0)) return {most, change};
+  // Between a possible and an impossible b: the middle of a wide range, else where a straight line is 0, a little above
+  // that; `high` counts, and need not be the least.
+  for (int i = 0; i < most_steps && high > close_enough * low; ++i) {
+    const double straight = low + (high - low) * std::clamp(-below / (above - below), 0.05, 0.95);
+    const double b = high > wide * low || i % 3 == 2 ? std::sqrt(low) * std::sqrt(high) : straight;
+    if (const double excess = p.excess(b); excess > 0)
+      high = b, above = excess, change = p.change();
     else
-      high = middle, change = p.change();
+      low = b, below = excess;
   }
   return {high * give, change};
 }

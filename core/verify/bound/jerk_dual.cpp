@@ -9,8 +9,9 @@ namespace {
 
 constexpr double tiny = 1e-30;
 constexpr double epsilon = std::numeric_limits<double>::epsilon(), infinite = std::numeric_limits<double>::infinity();
-// Pieces are halved that lose more than this part of their time, so often at most.
-constexpr double much = 2e-4;
+// Pieces are halved that lose more than this part of their time, so often at most; through kinematics the cells'
+// width costs far more than that.
+constexpr double much = 2e-4, kinematic_much = 1e-3;
 constexpr int halvings = 8;
 
 /// min over 0 < b ≤ cap of w/√b + G b; w ≥ 0.
@@ -197,7 +198,7 @@ typename JerkDual<N>::Value JerkDual<N>::of(const DualPiece<N>& p, double x, con
 template <int N>
 double JerkDual<N>::refined(const DualPiece<N>& p, double x, const DualPiece<N>* next, Value coarse, int depth,
                             Ends ends) {
-  if (!(coarse.loss > much * p.time) || depth == halvings) return coarse.now;
+  if (!(coarse.loss > (grid_.cartesian() ? much : kinematic_much) * p.time) || depth == halvings) return coarse.now;
   const double u = p.u0 + (p.u1 - p.u0) / 2;
   const BoundNode<N> m = grid_.node(p.segment, u), a = ends.first ? *ends.first : grid_.node(p.segment, p.u0),
                      b = ends.second ? *ends.second : grid_.node(p.segment, p.u1);
