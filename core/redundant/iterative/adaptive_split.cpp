@@ -37,6 +37,18 @@ std::vector<double> first_feeds(const RedundancyTask& task) {
   return feeds;
 }
 
+/// Head and coarse axes together, and what a pass tells of them.
+void slow(SplitPart& part, RedundancyIteration& pass, double factor) {
+  part.law.slow(factor);
+  for (TimeSpline& axis : part.coarse) axis.slow(factor);
+  pass.duration *= factor;
+  pass.violated_blocks = 0;
+  for (RedundancyPeaks& p : pass.peaks) {
+    p.coarse_velocity /= factor, p.fine_velocity /= factor;
+    p.coarse_acceleration /= factor * factor, p.fine_acceleration /= factor * factor;
+  }
+}
+
 }  // namespace
 
 AdaptiveSplit::AdaptiveSplit(const RedundancyTask& task, const RedundancyOptions& options,
@@ -211,8 +223,9 @@ std::vector<std::vector<SplitPeaks>> AdaptiveSplit::exact_peaks(const PathMotion
   return peaks;
 }
 
-RedundancyIteration AdaptiveSplit::judged(double duration, const std::vector<std::vector<SplitPeaks>>& peaks) const {
-  RedundancyIteration pass;
+AdaptiveSplit::Judged AdaptiveSplit::judged(double duration, const std::vector<std::vector<SplitPeaks>>& peaks) const {
+  Judged judged;
+  RedundancyIteration& pass = judged.pass;
   pass.duration = duration;
   pass.peaks.resize(axes());
   for (std::size_t b = 0; b < peaks.front().size(); ++b) {
@@ -221,22 +234,29 @@ RedundancyIteration AdaptiveSplit::judged(double duration, const std::vector<std
       const SplitPeaks& p = peaks[k][b];
       const CoarseFineAxis& a = task_.machine.axes[k];
       RedundancyPeaks& worst = pass.peaks[k];
-      const auto look = [&](double value, double limit, double& most) {
+      // `order`: of the derivative, which falls with that power of a slowing.
+      const auto look = [&](double value, double limit, int order, double& most) {
         most = std::max(most, value);
-        violated = violated || value > limit * (1 + rounding);
+        if (!(value > limit * (1 + rounding))) return;
+        violated = true;
+        const double excess = value / limit;
+        judged.slowing = std::max(judged.slowing, order == 0   ? unlimited
+                                                  : order == 1 ? excess
+                                                  : order == 2 ? std::sqrt(excess)
+                                                               : std::cbrt(excess));
       };
       double coarse_jerk = 0, fine_jerk = 0;
-      look(p.offset, a.stroke, worst.offset);
-      look(p.coarse_velocity, a.coarse.velocity, worst.coarse_velocity);
-      look(p.coarse_acceleration, a.coarse.acceleration, worst.coarse_acceleration);
-      look(p.fine_velocity, a.fine.velocity, worst.fine_velocity);
-      look(p.fine_acceleration, a.fine.acceleration, worst.fine_acceleration);
-      look(p.coarse_jerk, a.coarse.jerk, coarse_jerk);
-      look(p.fine_jerk, a.fine.jerk, fine_jerk);
+      look(p.offset, a.stroke, 0, worst.offset);
+      look(p.coarse_velocity, a.coarse.velocity, 1, worst.coarse_velocity);
+      look(p.coarse_acceleration, a.coarse.acceleration, 2, worst.coarse_acceleration);
+      look(p.fine_velocity, a.fine.velocity, 1, worst.fine_velocity);
+      look(p.fine_acceleration, a.fine.acceleration, 2, worst.fine_acceleration);
+      look(p.coarse_jerk, a.coarse.jerk, 3, coarse_jerk);
+      look(p.fine_jerk, a.fine.jerk, 3, fine_jerk);
     }
     pass.violated_blocks += violated;
   }
-  return pass;
+  return judged;
 }
 
 bool AdaptiveSplit::adapt_all(const std::vector<std::vector<SplitPeaks>>& peaks, std::size_t first, std::size_t last,
@@ -283,6 +303,8 @@ std::optional<SplitPart> AdaptiveSplit::solve(std::size_t first, std::size_t las
   reset(first, last);
   const std::size_t block = sections_.begin(first), end = sections_.begin(last);
   const double longest = alone_.duration(first, last);
+  const bool rests = std::all_of(begin.begin(), begin.end(),
+                                 [](const SplineBegin& at) { return at.velocity == 0 && at.acceleration == 0; });
   SplitPart part;
   part.first = first;
   part.last = last;
@@ -294,17 +316,20 @@ std::optional<SplitPart> AdaptiveSplit::solve(std::size_t first, std::size_t las
     if (!fit(samples, begin, part.coarse)) return std::nullopt;
     std::vector<std::vector<SplitPeaks>> peaks;
     for (std::size_t k = 0; k < axes(); ++k) peaks.push_back(sampled_peaks(samples, k, part.coarse[k], block, end));
-    RedundancyIteration pass = judged(head.duration(), peaks);
-    if (pass.violated_blocks == 0) {  // at samples: look between them
+    Judged found = judged(head.duration(), peaks);
+    const double bearable = rests ? 1 + constants_.most_slowing : 1;
+    if (found.slowing <= bearable) {  // at samples: look between them
       peaks = exact_peaks(head, part.coarse, first, last);
-      pass = judged(head.duration(), peaks);
+      found = judged(head.duration(), peaks);
     }
-    passes_.push_back(pass);
-    if (pass.violated_blocks == 0) {
+    if (found.slowing <= bearable) {
       for (std::size_t i = first; i < last; ++i) cells_[i] = {};
       part.law = std::move(head).law();
+      if (found.slowing > 1) slow(part, found.pass, found.slowing);
+      passes_.push_back(found.pass);
       return part;
     }
+    passes_.push_back(found.pass);
     // Where nothing falls the anchor has to, first.
     while (!adapt_all(peaks, first, last, iteration))
       if (++iteration > constants_.adaptation.anchor_steps) return std::nullopt;

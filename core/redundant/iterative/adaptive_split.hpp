@@ -22,6 +22,9 @@ struct IterativeOptions {
   bool sampled_limits = false;  ///< programs of phase 2 hold limits at the samples (4.29), not of control points (4.30)
   int max_iterations = 40;      ///< of one window
   double long_move = 10;        ///< straight segments longer than so many strokes are windows of their own (4.3.4)
+  /// Head and coarse axes that start at rest are slowed together by as much, in place of further iterations, where that
+  /// makes all of what they exceed vanish.
+  double most_slowing = 5e-4;
 };
 
 /// Sections [first, last) from time 0 on.
@@ -64,7 +67,11 @@ class AdaptiveSplit {
                                                    std::size_t first, std::size_t last);
   HeadCells cells_of(std::size_t section);
   void replan(std::size_t section);
-  RedundancyIteration judged(double duration, const std::vector<std::vector<SplitPeaks>>& peaks) const;
+  struct Judged {
+    RedundancyIteration pass;
+    double slowing = 1;  ///< factor of the duration that makes all valid; infinite where none does
+  };
+  Judged judged(double duration, const std::vector<std::vector<SplitPeaks>>& peaks) const;
   /// Lowers limits, and plans sections again whose limits fell. False: nothing fell.
   bool adapt_all(const std::vector<std::vector<SplitPeaks>>& peaks, std::size_t first, std::size_t last, int iteration);
 

@@ -24,4 +24,13 @@ void TimeSpline::append(const TimeSpline& other, double until, double end) {
   end_ = end;
 }
 
+void TimeSpline::slow(double factor) {
+  for (Piece& piece : pieces_) {
+    piece.begin *= factor;
+    double power = 1;
+    for (double& c : piece.coefficients) c /= power, power *= factor;
+  }
+  end_ *= factor;
+}
+
 }  // namespace bahnwerk

@@ -40,6 +40,8 @@ class TimeSpline {
   /// Continues with what another one does up to `until`, shifted by where this one ends; then it ends at `end`, which
   /// differs from their sum by rounding only.
   void append(const TimeSpline& other, double until, double end);
+  /// The same motion, lasting `factor` times as long. O(pieces).
+  void slow(double factor);
 
  private:
   struct Piece {
