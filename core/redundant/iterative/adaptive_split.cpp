@@ -62,7 +62,7 @@ AdaptiveSplit::AdaptiveSplit(const RedundancyTask& task, const RedundancyOptions
       first_feeds_(first_feeds(task)),
       sections_(task, options, machine_, first_feeds_, progress, from, from + 0.1 * (to - from)),
       alone_(task, options, coarse_limits(task.machine), task.feeds, progress, from + 0.1 * (to - from),
-             from + 0.2 * (to - from)) {
+             from + 0.2 * (to - from), sections_.width()) {
   const double spacing = task.machine.cycle_time * options.thinning;
   for (std::size_t k = 0; k < axes(); ++k) {
     if (!(tolerance(k, spacing, machine_.axes[k].velocity) > 0.1 * task.machine.axes[k].stroke))

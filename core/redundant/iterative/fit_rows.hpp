@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/numeric/large_pages.hpp"
 #include "core/redundant/iterative/band_matrix.hpp"
 #include "core/redundant/iterative/coarse_fit.hpp"
 
@@ -14,7 +15,7 @@ namespace bahnwerk {
 struct FitRows {
   SplineSpace space;
   SplineEnds ends;
-  std::vector<VariableRow> rows;  ///< row i is of sample i + 1
+  LargeVector<VariableRow> rows;  ///< row i is of sample i + 1
 
   FitRows(const CoarseTask& task, std::size_t degree, std::vector<double> knots)
       : space(degree, std::move(knots)), ends(space, task.begin) {

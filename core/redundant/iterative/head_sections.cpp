@@ -21,21 +21,28 @@ bool limits_jerk(const Machine& machine) {
 }  // namespace
 
 HeadSections::HeadSections(const RedundancyTask& task, const RedundancyOptions& options, const Machine& machine,
-                           const std::vector<double>& feeds, Progress& progress, double from, double to)
-    : task_(task), options_(options), progress_(progress), at_(to) {
+                           const std::vector<double>& feeds, Progress& progress, double from, double to, double width)
+    : task_(task), options_(options), progress_(progress), at_(to), width_(width > 0 ? width : 1) {
   const PathTask whole{*task.path, machine, feeds, task.rests};
   ProgressScope scope(progress, "planning", from, from);
   begin_ = find_sections(whole, options.corner_angle, scope).begin;
   const double middle = from + 0.5 * (to - from);
   TimeLaw law = plan(whole, progress, from, middle);
-  const double cycles = law.duration() / task.machine.cycle_time;
-  width_ = std::clamp(static_cast<double>(law.pieces().size()) / (pieces_per_cycle * cycles), 1.0, widest);
-  if (width_ > 1 && !limits_jerk(machine)) law = plan(whole, progress, middle, to);
+  if (!(width > 0) && !limits_jerk(machine)) {
+    const double cycles = law.duration() / task.machine.cycle_time;
+    width_ = std::clamp(static_cast<double>(law.pieces().size()) / (pieces_per_cycle * cycles), 1.0, widest);
+    if (width_ > 1) {
+      law = {};  // gives its memory to the next one
+      law = plan(whole, progress, middle, to);
+    }
+  }
   laws_.resize(size());
-  std::size_t section = 0;
-  for (LawPiece piece : law.pieces()) {
-    while (section + 1 < size() && piece.segment >= begin_[section + 1]) ++section;
-    laws_[section].append(piece);
+  const auto& pieces = law.pieces();
+  for (std::size_t section = 0, first = 0; section < size(); ++section) {
+    std::size_t last = first;
+    while (last < pieces.size() && (section + 1 == size() || pieces[last].segment < begin_[section + 1])) ++last;
+    laws_[section].reserve(last - first);
+    for (; first < last; ++first) laws_[section].append(pieces[first]);
   }
 }
 

@@ -23,10 +23,12 @@ namespace bahnwerk {
 class HeadSections {
  public:
   /// Plans all sections at once with the limits of `machine` and `feeds`. With jerks where `machine` limits them.
-  /// `task` and `options` outlive it. Throws what the planners throw.
+  /// `task` and `options` outlive it. `width` of cells, in usual ones; 0: it is found, by planning twice where it is
+  /// not 1. Throws what the planners throw.
   HeadSections(const RedundancyTask& task, const RedundancyOptions& options, const Machine& machine,
-               const std::vector<double>& feeds, Progress& progress, double from, double to);
+               const std::vector<double>& feeds, Progress& progress, double from, double to, double width = 0);
 
+  double width() const { return width_; }
   std::size_t size() const { return begin_.size() - 1; }
   /// The first segment of a section; of size(): one past the last.
   std::size_t begin(std::size_t section) const { return begin_[section]; }
