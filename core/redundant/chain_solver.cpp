@@ -15,6 +15,7 @@ struct Bound {
   double slack = 1, excess = 1, z = 1;
   double d_slack = 0, d_excess = 0, dz = 0;  // the step
   double aim1 = 0, aim2 = 0;                 // what slack·z and excess·(penalty − z) are to change by
+  double by_z = 0, by_elastic = 0;           // 1/z, 1/(penalty − z); 0: there is no excess
   double inverse = 0;                        // weight in the Newton system
   bool active() const { return std::isfinite(limit); }
 };
@@ -155,10 +156,14 @@ class Method {
     for (std::size_t c = 0; c < n_; ++c) states_[c + 1] = x = advanced<order>(x, chain_.steps[c], controls_[c]);
   }
 
+  /// Takes the part `taken_` of the bounds' steps, too: one pass over all of them.
   void measure() {
     double sum = 0, residual = 0, excess = 0, violation = 0;
     std::size_t count = 0;
-    each([&](const Bound& b, double sign, double x, double, double penalty) {
+    each([&](Bound& b, double sign, double x, double, double penalty) {
+      b.slack += taken_ * b.d_slack;
+      b.z += taken_ * b.dz;
+      if (penalty < hard) b.excess += taken_ * b.d_excess;
       sum += b.slack * b.z;
       ++count;
       if (penalty < hard) {
@@ -185,17 +190,22 @@ class Method {
     objective_ = 0.5 * energy + options_.penalty * excess;
   }
 
-  /// Weights and gradient for the aims of the bounds.
-  void assemble(bool weights) {
+  /// By what a bound is missed, with what its aims add.
+  static double shift(const Bound& b, double x) {
+    return x + b.slack - b.excess - b.limit + b.aim1 * b.by_z - b.aim2 * b.by_elastic;
+  }
+
+  /// Weights and gradient for the aims of the bounds, which aim(bound, penalty) sets.
+  template <class Aim>
+  void assemble(bool weights, Aim&& aim) {
     const auto bound = [&](Bound& b, double sign, double x, double penalty, double& w, double& g) {
-      const double elastic = penalty - b.z;
-      double shift = sign * x + b.slack - b.excess - b.limit + b.aim1 / b.z;
-      if (penalty < hard) shift -= b.aim2 / elastic;
+      aim(b, penalty);
       if (weights) {
-        b.inverse = 1 / (b.slack / b.z + (penalty < hard ? b.excess / elastic : 0));
+        b.by_z = 1 / b.z, b.by_elastic = penalty < hard ? 1 / (penalty - b.z) : 0;
+        b.inverse = 1 / (b.slack * b.by_z + b.excess * b.by_elastic);
         w += b.inverse;
       }
-      g += sign * (b.z + shift * b.inverse);
+      g += sign * (b.z + shift(b, sign * x) * b.inverse);
     };
     for (std::size_t i = 0; i <= n_; ++i)
       for (std::size_t k = 0; k < order; ++k) {
@@ -225,12 +235,11 @@ class Method {
   void factorise() {
     riccati_.factorise(weight_, cell_weight_);
     if (!chain_.ends_at_rest) return;
-    std::vector<State> unit(n_ + 1);
-    const std::vector<double> none(n_, 0.0);
+    unit_.resize(n_ + 1), none_.resize(n_);
     for (std::size_t k = 1; k < order; ++k) {
-      unit[n_] = {};
-      unit[n_][k] = 1;
-      riccati_.solve(unit, none, end_states_[k - 1], end_controls_[k - 1]);
+      unit_[n_] = {};
+      unit_[n_][k] = 1;
+      riccati_.solve(unit_, none_, end_states_[k - 1], end_controls_[k - 1]);
     }
   }
 
@@ -262,66 +271,57 @@ class Method {
     solve_step();
   }
 
+  /// Complementarity after a step a: now + a (linear + a square).
+  struct Products {
+    double linear = 0, square = 0;
+  };
   /// Steps of slacks and multipliers; returns the largest step that keeps them positive, 1 at most.
-  double reach(double keep) {
+  double reach(double keep, Products* products = nullptr) {
     double least = 1;
+    Products sums;
     const auto limit = [&](double value, double change) {
       if (change < 0 && -keep * value > least * change) least = -keep * value / change;
     };
     each([&](Bound& b, double sign, double x, double dx, double penalty) {
-      const double elastic = penalty - b.z;
-      double shift = sign * (x + dx) + b.slack - b.excess - b.limit + b.aim1 / b.z;
-      if (penalty < hard) shift -= b.aim2 / elastic;
-      b.dz = shift * b.inverse;
-      b.d_slack = (b.aim1 - b.slack * b.dz) / b.z;
+      b.dz = shift(b, sign * (x + dx)) * b.inverse;
+      b.d_slack = (b.aim1 - b.slack * b.dz) * b.by_z;
       limit(b.slack, b.d_slack);
       limit(b.z, b.dz);
       if (penalty < hard) {
-        b.d_excess = (b.aim2 + b.excess * b.dz) / elastic;
+        b.d_excess = (b.aim2 + b.excess * b.dz) * b.by_elastic;
         limit(b.excess, b.d_excess);
-        limit(elastic, -b.dz);
+        limit(penalty - b.z, -b.dz);
+        sums.linear += b.d_excess * (penalty - b.z) - b.excess * b.dz;
+        sums.square -= b.d_excess * b.dz;
       }
+      sums.linear += b.slack * b.dz + b.d_slack * b.z;
+      sums.square += b.d_slack * b.dz;
     });
+    if (products != nullptr) *products = sums;
     return least;
   }
 
   void step() {
-    each([&](Bound& b, double, double, double, double penalty) {
+    assemble(true, [](Bound& b, double penalty) {
       b.aim1 = -b.slack * b.z;
       b.aim2 = penalty < hard ? -b.excess * (penalty - b.z) : 0;
     });
-    assemble(true);
     factorise();
     solve_step();
-    const double affine = reach(1);
-    double after = 0;
-    std::size_t count = 0;
-    each([&](const Bound& b, double, double, double, double penalty) {
-      after += (b.slack + affine * b.d_slack) * (b.z + affine * b.dz);
-      ++count;
-      if (penalty < hard) {
-        after += (b.excess + affine * b.d_excess) * (penalty - b.z - affine * b.dz);
-        ++count;
-      }
-    });
-    const double ratio = count > 0 ? after / static_cast<double>(count) / mu_ : 0;
+    Products products;
+    const double affine = reach(1, &products);
+    const double ratio = gap_ > 0 ? 1 + affine * (products.linear + affine * products.square) / gap_ : 0;
     const double target = std::max(ratio * ratio * ratio, 1e-4) * mu_;
-    each([&](Bound& b, double, double, double, double penalty) {
+    assemble(false, [&](Bound& b, double penalty) {
       b.aim1 = target - b.slack * b.z - b.d_slack * b.dz;
       if (penalty < hard) b.aim2 = target - b.excess * (penalty - b.z) + b.d_excess * b.dz;
     });
-    assemble(false);
     solve_step();
-    const double a = reach(0.995);
+    taken_ = reach(0.995);
     for (std::size_t c = 0; c < n_; ++c)
-      if (free_[c]) controls_[c] += a * d_controls_[c];
-    begin_by(a);
-    dual_ *= 1 - a;
-    each([&](Bound& b, double, double, double, double penalty) {
-      b.slack += a * b.d_slack;
-      b.z += a * b.dz;
-      if (penalty < hard) b.excess += a * b.d_excess;
-    });
+      if (free_[c]) controls_[c] += taken_ * d_controls_[c];
+    begin_by(taken_);
+    dual_ *= 1 - taken_;
   }
 
   void finish(ChainSolution<order>& s) {
@@ -361,9 +361,12 @@ class Method {
   std::vector<double> cell_weight_, cell_gradient_;
   std::vector<State> d_states_;
   std::vector<double> d_controls_;
+  std::vector<State> unit_;   ///< 0 but for the last
+  std::vector<double> none_;  ///< 0
   std::array<std::vector<State>, order - 1> end_states_;
   std::array<std::vector<double>, order - 1> end_controls_;
   State at_end_{};
+  double taken_ = 0;  ///< part of the last step, which bounds take when they are measured
   double gap_ = 0, mu_ = 0, residual_ = 0, objective_ = 0, dual_ = 1, violation_ = 0;
 };
 

@@ -68,6 +68,8 @@ ChainSolution<order> followed_if_possible(const Chain<order>& chain, ChainOption
   // Where there is hardly any freedom multipliers may be above the penalty: then a little excess is no proof yet.
   ChainSolution<order> solution = solve(chain, options);
   if (solution.excess <= 0 || solution.excess > small_excess) return solution;
+  for (const Cluster<order>& c : clusters(chain, solution, 0.0))
+    if (c.certificate.value > 0) return solution;  // a proof
   options.penalty *= stricter;
   ChainSolution<order> strict = solve(chain, options);
   return strict.excess < solution.excess ? std::move(strict) : std::move(solution);

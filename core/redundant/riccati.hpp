@@ -70,11 +70,10 @@ class Riccati {
     const std::size_t n = h_.size();
     State q = node[n];
     for (std::size_t c = n; c-- > 0;) {
-      const double k = (by_control<order>(q, h_[c]) + cell[c]) * inverse_[c];
-      controls[c] = -k;
+      const double pull = by_control<order>(q, h_[c]) + cell[c];  // Bᵀq + c = G k0
+      controls[c] = -pull * inverse_[c];
       q = pulled_back<order>(q, h_[c]);
-      // q − Kᵀ G k0 with G k0 = Bᵀq + c
-      const double force = inverse_[c] > 0 ? k / inverse_[c] : 0;
+      const double force = inverse_[c] > 0 ? pull : 0;  // q − Kᵀ G k0
       for (std::size_t i = 0; i < order; ++i) q[i] += node[c][i] - gain_[c][i] * force;
     }
     State x = states[0] = begin(q);
