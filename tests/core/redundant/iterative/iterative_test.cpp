@@ -42,6 +42,36 @@ TEST(Iterative, TheQuadraticProgramHardlyLosesAnythingOnSmallContours) {
   for (const RedundancyPeaks& p : r.passes.back().peaks) EXPECT_LE(p.coarse_acceleration, 16000);
 }
 
+/// What is exceeded by a little slows the whole motion by as little, and is valid as it is.
+TEST(Iterative, SlowsALittleInPlaceOfFurtherIterations) {
+  Random random(5);
+  SilentProgress progress;
+  IterativeOptions stubborn;
+  stubborn.most_slowing = 0;
+  int fewer = 0;
+  for (int i = 0; i < 30; ++i) {
+    SCOPED_TRACE(i);
+    const RedundancyTask task = test::redundancy_task(test::random_contour(random, 100), test::md2());
+    const RedundancyResult slowed = plan(task, {}), exact = plan_iterative(task, {}, stubborn, progress, 0, 1);
+    expect_valid(task, slowed);
+    ASSERT_LE(slowed.iterations, exact.iterations);
+    if (slowed.iterations == exact.iterations) continue;
+    ++fewer;
+    // All passes are the same but the last one, which is slowed by what it exceeded.
+    const std::size_t last = slowed.iterations - 1;
+    for (std::size_t k = 0; k < last; ++k) {
+      EXPECT_EQ(slowed.passes[k].duration, exact.passes[k].duration) << k;
+      EXPECT_EQ(slowed.passes[k].violated_blocks, exact.passes[k].violated_blocks) << k;
+    }
+    EXPECT_GT(slowed.passes[last].duration, exact.passes[last].duration);
+    EXPECT_LE(slowed.passes[last].duration, (1 + IterativeOptions().most_slowing) * exact.passes[last].duration);
+    EXPECT_NEAR(slowed.head->duration(), slowed.passes[last].duration, 1e-12);
+    EXPECT_EQ(slowed.passes[last].violated_blocks, 0u);
+    EXPECT_GT(exact.passes[last].violated_blocks, 0u);
+  }
+  EXPECT_GE(fewer, 2);
+}
+
 TEST(Iterative, SimpleKnotsOfDegreeFourLimitTheCoarseJerk) {
   const RedundancyTask task = test::redundancy_task(test::small_contours(2, 2), test::md2());
   RedundancyOptions o;

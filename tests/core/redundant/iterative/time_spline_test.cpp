@@ -47,5 +47,24 @@ TEST(TimeSpline, ContinuesWithPartOfAnother) {
   EXPECT_EQ(s.in_piece(3, 4.5).x, 1 + 2 * 0.5 - 0.25);
 }
 
+TEST(TimeSpline, SlowsAsAWhole) {
+  TimeSpline s;
+  s.append(2, {1, -2, 3, 0.5, -0.25, 0.125});
+  s.append(3, {4, 1, -1, 0.25, 0.5, -0.125});
+  TimeSpline slow = s;
+  slow.slow(1.5);
+  EXPECT_EQ(slow.duration(), 4.5);
+  EXPECT_EQ(slow.begin(1), 3);
+  for (const std::size_t i : {std::size_t{0}, std::size_t{1}})
+    for (const double part : {0.0, 0.3, 1.0}) {
+      const double t = s.begin(i) + part * (s.end(i) - s.begin(i));
+      const AxisState before = s.in_piece(i, t), after = slow.in_piece(i, 1.5 * t);
+      EXPECT_NEAR(after.x, before.x, 1e-13);
+      EXPECT_NEAR(after.v, before.v / 1.5, 1e-13);
+      EXPECT_NEAR(after.a, before.a / 2.25, 1e-13);
+      EXPECT_NEAR(after.j, before.j / 3.375, 1e-13);
+    }
+}
+
 }  // namespace
 }  // namespace bahnwerk
