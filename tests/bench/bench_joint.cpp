@@ -28,6 +28,7 @@ void solution(benchmark::State& state) {
     options.held.push_back(axis);
     options.acceleration_change.push_back(3000);
     options.jerk_change.push_back(unlimited);
+    options.jerk_range.push_back(unlimited);
   }
   options.longest = chain_units(task.machine.axes[0]).time / 24;
   ProgressScope scope(progress, "bench", 0, 1);
