@@ -50,6 +50,44 @@ typename RelaxationSolver<N>::Sides RelaxationSolver<N>::hat_change(std::size_t 
               form_.cells[node + 2].acceleration[0][k] * (b_[node + 2] * after));
 }
 
+// The limits of acceleration at node j: takes their last step, and adds them to the system of b before and after it.
+template <int N>
+void RelaxationSolver<N>::assemble_hat(std::size_t j, double primal, double dual, Sides& products, Sides& worst) {
+  const WeakCell<N>&before = form_.cells[j + 1], &after = form_.cells[j + 2];
+  const auto take = [&](Inequality<Sides>& q, Sides value) {
+    q.advance(primal, dual), q.residual = value + q.slack;
+    products = products + q.slack * q.multiplier, worst = larger(worst, magnitude(q.residual));
+    return q.weight();
+  };
+  double d11 = 0, d10 = 0, d00 = 0, g1 = 0, g0 = 0;
+  if (form_.rooted[j] == 0) {
+    for (std::size_t k = 0; k < N; ++k) {
+      Inequality<Sides>& q = hats_[j][k];
+      const double f1 = before.acceleration[1][k] * b_[j + 1], f0 = after.acceleration[0][k] * b_[j + 2];
+      const Sides w = take(q, both(f1 + f0) - 1.0), h = w * q.residual;
+      const double weight = w[0] + w[1], pull = h[0] - h[1];
+      d11 += weight * f1 * f1, d10 += weight * f1 * f0, d00 += weight * f0 * f0;
+      g1 += pull * f1, g0 += pull * f0;
+    }
+  } else {
+    Sides s11{}, s10{}, s00{}, h1{}, h0{};
+    const double fourth1 = 0.25 * fourth_[j + 1], fourth0 = 0.25 * fourth_[j + 2];
+    for (std::size_t k = 0; k < N; ++k) {
+      Inequality<Sides>& q = hats_[j][k];
+      const Sides w = take(q, hat_value(j, k)), h = w * q.residual;
+      const Slope& e = slopes_[j][k];
+      const Sides r1 = fourth1 * before.root[1][k], r0 = fourth0 * after.root[0][k], z = q.multiplier * e.share,
+                  bend = q.multiplier * e.bend, pull = w * e.before, bent = bend * r1;
+      s11 = s11 + pull * e.before + 0.75 * z * r1 + bent * r1, s10 = s10 + pull * e.after + bent * r0;
+      s00 = s00 + w * e.after * e.after + 0.75 * z * r0 + bend * r0 * r0;
+      h1 = h1 + h * e.before, h0 = h0 + h * e.after;
+    }
+    d11 = sum(s11), d10 = sum(s10), d00 = sum(s00), g1 = sum(h1), g0 = sum(h0);
+  }
+  matrix_[j + 1][0] += d11, matrix_[j + 1][1] += d10, matrix_[j + 2][0] += d00;
+  step_[j + 1] -= g1, step_[j + 2] -= g0;
+}
+
 // Takes the last step, and poses the Newton system by relative changes of b, each T_j eliminated, with the right-hand
 // side of the predictor.
 template <int N>
@@ -75,41 +113,7 @@ void RelaxationSolver<N>::assemble() {
     const std::array<const WeakCell<N>*, 3> c{&form_.cells[j + 2], &form_.cells[j + 1], &form_.cells[j]};
     const std::array<double, 3> b{b_[j + 2], b_[j + 1], b_[j]};
     const double primal = parts_.primal(j), dual = parts_.dual(j);
-    if (j < hats_.size()) {
-      const auto take = [&](Inequality<Sides>& q, Sides value) {
-        q.advance(primal, dual), q.residual = value + q.slack;
-        products = products + q.slack * q.multiplier, worst_hat = larger(worst_hat, magnitude(q.residual));
-        return q.weight();
-      };
-      // By b before and after the node.
-      double d11 = 0, d10 = 0, d00 = 0, g1 = 0, g0 = 0;
-      if (form_.rooted[j] == 0) {
-        for (std::size_t k = 0; k < N; ++k) {
-          Inequality<Sides>& q = hats_[j][k];
-          const double f1 = c[1]->acceleration[1][k] * b[1], f0 = c[0]->acceleration[0][k] * b[0];
-          const Sides w = take(q, both(f1 + f0) - 1.0), h = w * q.residual;
-          const double weight = w[0] + w[1], pull = h[0] - h[1];
-          d11 += weight * f1 * f1, d10 += weight * f1 * f0, d00 += weight * f0 * f0;
-          g1 += pull * f1, g0 += pull * f0;
-        }
-      } else {
-        Sides s11{}, s10{}, s00{}, h1{}, h0{};
-        const double fourth1 = 0.25 * fourth_[j + 1], fourth0 = 0.25 * fourth_[j + 2];
-        for (std::size_t k = 0; k < N; ++k) {
-          Inequality<Sides>& q = hats_[j][k];
-          const Sides w = take(q, hat_value(j, k)), h = w * q.residual;
-          const Slope& e = slopes_[j][k];
-          const Sides r1 = fourth1 * c[1]->root[1][k], r0 = fourth0 * c[0]->root[0][k], z = q.multiplier * e.share,
-                      bend = q.multiplier * e.bend, pull = w * e.before, bent = bend * r1;
-          s11 = s11 + pull * e.before + 0.75 * z * r1 + bent * r1, s10 = s10 + pull * e.after + bent * r0;
-          s00 = s00 + w * e.after * e.after + 0.75 * z * r0 + bend * r0 * r0;
-          h1 = h1 + h * e.before, h0 = h0 + h * e.after;
-        }
-        d11 = sum(s11), d10 = sum(s10), d00 = sum(s00), g1 = sum(h1), g0 = sum(h0);
-      }
-      matrix_[j + 1][0] += d11, matrix_[j + 1][1] += d10, matrix_[j + 2][0] += d00;
-      step_[j + 1] -= g1, step_[j + 2] -= g0;
-    }
+    if (j < hats_.size()) assemble_hat(j, primal, dual, products, worst_hat);
     Spline& s = splines_[j];
     s.T += primal * s.step;
     duration_ += s.T;
@@ -334,6 +338,10 @@ template Lanes<2> RelaxationSolver<2>::hat_change(std::size_t, std::size_t, doub
 template Lanes<2> RelaxationSolver<3>::hat_change(std::size_t, std::size_t, double, double) const;
 template Lanes<2> RelaxationSolver<5>::hat_change(std::size_t, std::size_t, double, double) const;
 template Lanes<2> RelaxationSolver<8>::hat_change(std::size_t, std::size_t, double, double) const;
+template void RelaxationSolver<2>::assemble_hat(std::size_t, double, double, Lanes<2>&, Lanes<2>&);
+template void RelaxationSolver<3>::assemble_hat(std::size_t, double, double, Lanes<2>&, Lanes<2>&);
+template void RelaxationSolver<5>::assemble_hat(std::size_t, double, double, Lanes<2>&, Lanes<2>&);
+template void RelaxationSolver<8>::assemble_hat(std::size_t, double, double, Lanes<2>&, Lanes<2>&);
 template void RelaxationSolver<2>::assemble();
 template void RelaxationSolver<3>::assemble();
 template void RelaxationSolver<5>::assemble();

@@ -86,6 +86,7 @@ class RelaxationSolver {
 
   void take(const RelaxationProblem<N>& problem);
   void start();
+  void assemble_hat(std::size_t node, double primal, double dual, Sides& products, Sides& worst);
   void assemble();
   void factor();
   void solve_factored();
