@@ -17,7 +17,7 @@ class RelaxationWindows {
   static constexpr std::size_t window = N > 3 ? 2400 : 1200;
   static constexpr std::size_t fading = 100;  ///< cells in which two windows fade over
 
-  /// Of any number of cells at once: 2 to 4 µs per cell of two axes, however many there are.
+  /// Of any number of cells at once: about 1 µs per cell of three axes, however many there are.
   RelaxationMultipliers<N> solve(const RelaxationProblem<N>& problem, const RelaxationOptions& options,
                                  ProgressScope& pulse);
 
