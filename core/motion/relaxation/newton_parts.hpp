@@ -19,7 +19,6 @@ class NewtonParts {
     even_ = even;
     mean_ = Both{};
     part_.assign(places, Both{});
-    product_.assign(places, 0);
   }
   /// At a place slacks, and multipliers, change by −`reach` of themselves at most; any place serves for all of them
   /// where they are to take the same part.
@@ -31,6 +30,7 @@ class NewtonParts {
       fit_even(1);
       return product_.assign(part_.size(), std::sqrt(mean_[0] * mean_[1]));
     }
+    product_.resize(part_.size());
     Both sum{};
     for (std::size_t i = 0; i < part_.size(); ++i) {
       const Both p = 1.0 / larger(part_[i], one);

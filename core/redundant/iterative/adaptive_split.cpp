@@ -239,11 +239,7 @@ AdaptiveSplit::Judged AdaptiveSplit::judged(double duration, const std::vector<s
         most = std::max(most, value);
         if (!(value > limit * (1 + rounding))) return;
         violated = true;
-        const double excess = value / limit;
-        judged.slowing = std::max(judged.slowing, order == 0   ? unlimited
-                                                  : order == 1 ? excess
-                                                  : order == 2 ? std::sqrt(excess)
-                                                               : std::cbrt(excess));
+        judged.slowing = std::max(judged.slowing, order == 0 ? unlimited : std::pow(value / limit, 1.0 / order));
       };
       double coarse_jerk = 0, fine_jerk = 0;
       look(p.offset, a.stroke, 0, worst.offset);

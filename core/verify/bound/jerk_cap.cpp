@@ -47,7 +47,8 @@ class Piece {
     return std::cbrt(cube * cube);
   }
 
-  /// By what part of the jerk limits b asks for more than there is; at least 0: it is possible.
+  /// By how much more than jerk gives b asks for, in parts of that, the worst pair of axes; −1 at least. No more than
+  /// 0: b is possible.
   double excess(double b) {
     accelerations(b);
     change_ = change(b);
@@ -129,8 +130,8 @@ JerkCap jerk_cap(const JerkCapPiece<N>& piece, double most) {
   if (!(low < most)) return {most, 0};
   double above = p.excess(most), change = p.change(), below = -1;
   if (!(above > 0)) return {most, change};
-  // Between a possible and an impossible b: the middle of a wide range, else where a straight line is 0, a little above
-  // that; `high` counts, and need not be the least.
+  // Between a possible and an impossible b: the middle of a wide range, and of every third; else where a straight line
+  // is 0. `high` counts, and need not be the least.
   for (int i = 0; i < most_steps && high > close_enough * low; ++i) {
     const double straight = low + (high - low) * std::clamp(-below / (above - below), 0.05, 0.95);
     const double b = high > wide * low || i % 3 == 2 ? std::sqrt(low) * std::sqrt(high) : straight;
