@@ -38,6 +38,7 @@ template <int N, int M>
 void JerkSectionPlanner<N, M>::measure(const RowLimits<M>& limit, bool exact, ProgressScope& pulse) {
   const std::size_t n = grid_.cells.size();
   peaks_.resize(n);
+  certain_ = exact;
   worst_ = {};
   for (std::size_t c = 0; c < n; ++c) {
     pulse(c, n);
@@ -62,7 +63,7 @@ void JerkSectionPlanner<N, M>::measure(const RowLimits<M>& limit, bool exact, Pr
 
 template <int N, int M>
 void JerkSectionPlanner<N, M>::certify(ProgressScope& pulse) {
-  measure(limit_, true, pulse);  // a model of the path is good enough to plan by, not to vouch for
+  if (!certain_) measure(limit_, true, pulse);  // a model of the path is good enough to plan by, not to vouch for
   worst_ = {};
   PeakSweep sweep(std::vector<double>(3 * M, 1.0), resolved);
   for (std::size_t k = 0; k < 3 * M; ++k) sweep.raise(k, kept, 0, 0);  // below that nothing is looked for

@@ -30,7 +30,7 @@ struct JerkLimitedOptions {
   double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad; larger tangent jumps are corners with a stop
   Limits path;              ///< limits of v mm/s, |a| mm/s², |j| mm/s³ along the path; infinite unless given
   double gap = 1e-4;        ///< loss of duration to the solver, relative
-  double tolerance = 1e-4;  ///< loss of duration to the grid, relative, estimated; 4.2 times as much through kinematics
+  double tolerance = 1e-4;  ///< loss of duration to the grid, relative, estimated; six times as much through kinematics
   double angle = 0.02;      ///< most a cell turns, rad; five times as much through kinematics
   /// Cells of longer sections that are planned at once, before they are divided, through kinematics half of it; 0 =
   /// all.

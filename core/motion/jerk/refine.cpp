@@ -9,7 +9,7 @@ namespace bahnwerk {
 namespace {
 
 /// Through kinematics a grid is divided from so many times the loss on.
-constexpr double kinematic_loss = 4.2;
+constexpr double kinematic_loss = 6;
 
 }  // namespace
 

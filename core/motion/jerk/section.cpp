@@ -162,6 +162,7 @@ template <int N, int M>
 double JerkSectionPlanner<N, M>::attempt(Start start, ProgressScope& pulse) {
   exit_ = {};
   sped_up_ = 1;
+  certain_ = false;
   state_.resize(grid_.cells.size() + 1);
   const bool open = keep_ < grid_.cells.size();
   share_ = open ? open_share : full_share;
@@ -171,8 +172,12 @@ double JerkSectionPlanner<N, M>::attempt(Start start, ProgressScope& pulse) {
   // A solver that diverged on a divided grid leaves the states that dividing interpolated, to 1e-9: next to a rest the
   // acceleration has to be exactly what the cell's law says.
   const std::size_t n = grid_.cells.size();
-  if (n > 1 && !(state_[0].b > 0)) state_[1].a = rest_tie(grid_.length(0)) * state_[1].b;
-  if (n > 1 && !(state_[n].b > 0)) state_[n - 1].a = -rest_tie(grid_.length(n - 1)) * state_[n - 1].b;
+  const auto tie = [&](JerkNode& node, double a) {
+    certain_ = certain_ && node.a == a;
+    node.a = a;
+  };
+  if (n > 1 && !(state_[0].b > 0)) tie(state_[1], rest_tie(grid_.length(0)) * state_[1].b);
+  if (n > 1 && !(state_[n].b > 0)) tie(state_[n - 1], -rest_tie(grid_.length(n - 1)) * state_[n - 1].b);
   certify(pulse);
   return emit(pulse);
 }
@@ -197,6 +202,7 @@ void JerkSectionPlanner<N, M>::improve(double mu, ProgressScope& pulse) {
     solver.gap = reach;
     solver.violation = open ? open_violation : reach;
     if (round > 0) before_ = state_;
+    certain_ = false;
     const JerkSolverResult r = solver_.solve(problem_, state_, mu, solver, pulse);
     work_ += r.iterations * static_cast<double>(grid_.cells.size());
     if (round > 0 && !r.converged && !(r.violation < diverged)) {

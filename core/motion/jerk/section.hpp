@@ -202,7 +202,7 @@ class JerkSectionPlanner {
   /// The path in the middle of every curved cell, for measure().
   void look_half_way(ProgressScope& pulse);
 
-  /// Peaks of every cell, from samples; `exact`: of the path itself.
+  /// Peaks of every cell, from samples; `exact`: of the path itself, against the true limits.
   void measure(const RowLimits<M>& limit, bool exact, ProgressScope& pulse);
 
   /// Continuous peaks on the path itself wherever samples leave a doubt, and what holds at nodes alone: afterwards
@@ -262,6 +262,7 @@ class JerkSectionPlanner {
   JerkSolver<M> solver_;
   LargeVector<Middle> middle_;
   LargeVector<CellPeaks<M>> peaks_;
+  bool certain_ = false;  ///< whether these are the path's own, of the states at hand, against the true limits
   Worst worst_;
   LargeVector<LawPiece> pieces_, best_;
   double slow_ = 1, best_duration_ = unlimited, best_slow_ = 1, work_ = 0;

@@ -12,8 +12,9 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 // turns by no more than this, rad; a piece half of it.
 constexpr double part_of_ramp = 0.3, widest_turn = 0.05, part_of_onset = 0.004, part_of_section = 2e-4;
 constexpr double widest_swing = 0.1;  // of q″ b within a cell, of the axis' acceleration
-constexpr double finer = 0.5;         // of both, through kinematics
-constexpr std::size_t beyond = 200;   // and cells that windows of the relaxation reach further
+// The largest v² of the pieces of a cell over the smallest: the relaxation knows their mean, in which a trough is lost.
+constexpr double alike = 1.2;
+constexpr std::size_t beyond = 200;  // and cells that windows of the relaxation reach further
 // Worth less than 1e-5 of the bound, through kinematics 1e-4.
 constexpr double gap = 1e-4, violation = 1e-5, kinematic_gap = 3e-3, kinematic_violation = 1e-3;
 constexpr double pieces_per_node = 0.5, more_pieces = 400;
@@ -68,7 +69,6 @@ JerkBound<N>::JerkBound(const BoundGrid<N>& grid, const Machine& machine, Progre
 
 template <int N>
 bool JerkBound<N>::pose(std::size_t most) {
-  const double part = grid_.cartesian() ? 1 : finer;
   const auto& pieces = pieces_.list();
   const auto& extents = pieces_.extents();
   const auto known = [](const DualPiece<N>& p) {
@@ -81,14 +81,16 @@ bool JerkBound<N>::pose(std::size_t most) {
     for (std::size_t k = 0; k < N; ++k) bend += sq(p.end[k] - p.begin[k]);
     bend = std::sqrt(bend);
     const bool open = !problem_.cells.empty() && time_ + p.time < pieces_.per_cell() / 2 * extents[i].spacing &&
-                      turn_ + bend < part * widest_turn && swing_ + extents[i].swing < part * widest_swing &&
-                      problem_.cells.back().length + p.length < extents[i].finest;
+                      turn_ + bend < widest_turn && swing_ + extents[i].swing < widest_swing &&
+                      problem_.cells.back().length + p.length < extents[i].finest &&
+                      std::max(fastest_, p.cap) < alike * std::min(slowest_, p.cap);
     if (!open) {
       if (problem_.cells.size() == most) return true;
       ++cells_;
       problem_.cells.emplace_back().begin = p.begin;
       if (!grid_.cartesian()) ways_.emplace_back();
       time_ = turn_ = capped_ = swing_ = 0;
+      slowest_ = fastest_ = p.cap;
     }
     RelaxationCell<N>& cell = problem_.cells.back();
     if (p.joint.here) {
@@ -101,6 +103,7 @@ bool JerkBound<N>::pose(std::size_t most) {
     cell.end = p.end;
     cell.length += p.length;
     capped_ += p.cap * p.length, cell.cap = capped_ / cell.length;
+    slowest_ = std::min(slowest_, p.cap), fastest_ = std::max(fastest_, p.cap);
     time_ += p.time, turn_ += bend, swing_ += extents[i].swing;
     cell_of_.push_back(problem_.cells.size() - 1);
   }

@@ -68,6 +68,7 @@ class JerkBound {
   std::vector<std::size_t> cell_of_;                       ///< per piece at hand
   /// Of the cell that is being made up: s; rad; integral of the caps; of the axes' acceleration.
   double time_ = 0, turn_ = 0, capped_ = 0, swing_ = 0;
+  double slowest_ = 0, fastest_ = 0;  ///< of its pieces: caps
   std::vector<JerkWays<N>> ways_;  ///< per cell at hand, through kinematics
   JerkPieces<N> pieces_;
   RelaxationProblem<N> problem_;

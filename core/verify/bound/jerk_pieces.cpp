@@ -20,7 +20,10 @@ constexpr double at_feed = 0.999, cruising = 4;
 // time; less through kinematics, where speeds fall and rise again in a few milliseconds. Bends and changes of curvature
 // that take `slowing` times the jerk limit, at the speed at hand, slow it down. Where they take `slowed` of it they
 // may, with what else there is: cells on Cartesian axes are as short as if they did. Fine cells are half as long.
-constexpr double part_of_change = 0.1, fine_part = 0.05, kinematic_part = 0.04, slowing = 3, slowed = 0.3;
+constexpr double part_of_change = 0.1, fine_part = 0.05, kinematic_part = 0.08, slowing = 3, slowed = 0.3;
+// Where jerk leaves less of v² than everything else does, by this part at least, a law switches within a cell, and
+// multipliers need cells that are shorter by this.
+constexpr double capped = 0.05, capped_part = 0.35;
 // Through kinematics an enclosure costs as much as a cell of the relaxation.
 constexpr double pieces_per_cell = 2.1, kinematic_pieces = 1.05;
 constexpr double part_joined = 0.125;  // of the longest piece: shorter cells of the grid make up one
@@ -151,6 +154,7 @@ void JerkPieces<N>::push(const Node& a, const Node& b, double cap, double withou
   for (std::size_t k = 0; k < grid_.axes(); ++k)
     extent.swing = std::max(extent.swing, std::abs(b.curvature[k] - a.curvature[k]) * without / grid_.acceleration(k));
   pieces_.push_back(p);
+  if (!grid_.cartesian() && cap < (1 - capped) * without) extent.finest *= capped_part;
   extents_.push_back(extent);
 }
 
