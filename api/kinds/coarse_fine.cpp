@@ -117,6 +117,7 @@ RedundancyOptions redundancy(const json& spec, const ContourPlanning& planning) 
   options.keep_reserve = planning.method == PlanningMethod::braking_reserve;
   options.braking_reserve = planning.braking_reserve;
   options.smoothness = document.value("smoothness", options.smoothness);
+  if (given(document, "stretch")) options.stretch = document["stretch"].get<double>();
   options.compare = document.value("trades", options.compare);
   if (document.contains("approximation"))
     options.approximation =
@@ -159,6 +160,10 @@ void check_redundancy(const json& spec, const CoarseFineMachine& machine, const 
     fault({"machine", "redundancy", "fine_time_constant"}, "must be less than the coarse axes' time constant");
   if (method != RedundancyMethod::joint && document.value("smoothness", 0.0) > 0)
     fault({"machine", "redundancy", "smoothness"}, "belongs to method joint");
+  if (given(document, "stretch") && method != RedundancyMethod::joint)
+    fault({"machine", "redundancy", "stretch"}, "belongs to method joint");
+  if (given(document, "stretch") && document.value("smoothness", 0.0) > 0)
+    fault({"machine", "redundancy", "stretch"}, "stands in place of smoothness; give one of them");
   if (const int degree = document.value("degree", 3); document.value("knot_multiplicity", 1) > degree)
     fault({"machine", "redundancy", "knot_multiplicity"}, "must not be greater than the degree");
   if (given(document, "window") && document["window"].value("overlap", 3) >= document["window"].value("blocks", 10))

@@ -14,6 +14,7 @@
 #include "core/redundant/following.hpp"
 #include "core/redundant/head_plan.hpp"
 #include "core/redundant/head_slowing.hpp"
+#include "core/redundant/slowed_by_energy.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -33,7 +34,9 @@ constexpr int most_attempts = 6;
 // Of heads that leave the coarse axes more freedom: up to all of it in so many steps, long moves then last up to twice
 // as long in twice as many.
 constexpr double same_duration = 1e-6;  // relative
-constexpr int calm_steps = 8, calm_heads = 24;
+constexpr int calm_steps = 8;
+constexpr std::size_t calm_heads = 24;
+constexpr double least_spread = 1e-6;  // what is slowed by no more is slowed evenly
 double calm_at(int step) { return step <= calm_steps ? step / 8.0 : std::pow(2, (step - calm_steps) / 16.0); }
 
 template <std::size_t order>
@@ -193,29 +196,63 @@ class Planner {
   Split smoothest(double stretch) {
     if (stretch == 1) return fastest_;
     Split slowed{fastest_.head, fastest_.cells, stretch, solve_all(fastest_.cells, stretch)};
-    if (order != 2 || alone_) return slowed;
-    const double longest = fastest_.head->duration() * std::max(stretch, stretches[std::size(stretches) - 1]);
-    if (calm_.empty())
-      for (int i = 1; i <= calm_heads; ++i) {
-        calm_.push_back(plan_.calmer(head_share, calm_at(i)));
-        if (calm_.back()->duration() > longest) break;
-      }
-    const double duration = fastest_.head->duration() * stretch;
-    for (auto head = calm_.rbegin(); head != calm_.rend(); ++head) {
-      if (!((*head)->duration() <= duration * (1 + same_duration))) continue;
+    if constexpr (order != 2) {
+      return slowed;
+    } else {
+      if (alone_) return slowed;
+      const double duration = fastest_.head->duration() * stretch;
+      const std::size_t calm = calmest(duration, stretch);
       HeadCellOptions cells = cell_options_;
-      const double share = std::min(calm_at(static_cast<int>(calm_.rend() - head)), 1.0);
+      if (calm == 0) return spread(std::move(slowed), duration, cells);
+      const double share = std::min(calm_at(static_cast<int>(calm)), 1.0);
       for (std::size_t k = 0; k < axes(); ++k) {
         double& held = cells.held[k].acceleration;
         held += share * (std::min(held, axis(k).fine.acceleration) - held);
       }
-      Split calm{*head, head_cells(**head, cells, scope_), std::max(duration / (*head)->duration(), 1.0), {}};
-      calm.solutions = solve_all(calm.cells, calm.stretch);
-      const bool valid =
-          std::all_of(calm.solutions.begin(), calm.solutions.end(), [](const auto& s) { return s.exceeds.empty(); });
-      return valid && energy(calm) < energy(slowed) ? calm : slowed;
+      Split found = split_of(calm_[calm - 1], duration, cells);
+      Split one = spread(std::move(slowed), duration, cell_options_);
+      if (!valid(found)) return one;
+      found = spread(std::move(found), duration, cells);
+      return energy(found) < energy(one) ? found : one;
     }
-    return slowed;
+  }
+
+  /// How many calmer heads there are up to the last one that takes no longer than that; 0: none does.
+  std::size_t calmest(double duration, double stretch) {
+    const double longest = fastest_.head->duration() * std::max(stretch, stretches[std::size(stretches) - 1]);
+    while (calm_.size() < calm_heads && (calm_.empty() || calm_.back()->duration() <= longest))
+      calm_.push_back(plan_.calmer(head_share, calm_at(static_cast<int>(calm_.size()) + 1)));
+    std::size_t last = calm_.size();
+    while (last > 0 && !(calm_[last - 1]->duration() <= duration * (1 + same_duration))) --last;
+    return last;
+  }
+
+  Split split_of(std::shared_ptr<const PathMotion> head, double duration, const HeadCellOptions& options) {
+    Split split{std::move(head), {}, 1, {}};
+    split.cells = head_cells(*split.head, options, scope_);
+    split.stretch = std::max(duration / split.head->duration(), 1.0);
+    split.solutions = solve_all(split.cells, split.stretch);
+    return split;
+  }
+  static bool valid(const Split& split) {
+    return std::all_of(split.solutions.begin(), split.solutions.end(), [](const auto& s) { return s.exceeds.empty(); });
+  }
+
+  /// Lets a split that is slowed evenly be slow where its coarse axes work hardest instead.
+  Split spread(Split even, double duration, const HeadCellOptions& options) {
+    if (!(even.stretch > 1 + least_spread)) return even;
+    std::vector<double> energies(even.cells.size());
+    for (std::size_t c = 0; c < energies.size(); ++c) {
+      const double end = c + 1 < energies.size() ? even.cells.times[c + 1] : even.head->duration();
+      for (std::size_t k = 0; k < axes(); ++k) {
+        const double a = even.solutions[k].controls[c] * chain_units(axis(k)).acceleration();
+        energies[c] += a * a * (end - even.cells.times[c]);
+      }
+    }
+    TimeLaw law = even.head->law();
+    law.slow_sections(slowed_by_energy(law, even.cells.times, energies, duration));
+    Split uneven = split_of(std::make_shared<const PathMotion>(task_.path, std::move(law)), duration, options);
+    return valid(uneven) && energy(uneven) < energy(even) ? uneven : even;
   }
 
   double energy(const Split& split) const {

@@ -7,9 +7,9 @@
 /// 3. Where it has no solution a certificate (certificate.hpp) shows on which stretch, and the costates show where time
 ///    would help most: feeds of sections there fall (slower_sections.hpp) until it has one. Only stretches around those
 ///    places are solved again; the whole is, at last.
-/// 4. Then the energy ∫a² of each coarse axis is least at the duration found, stretched by `smoothness`: by slowing
-/// that
-///    motion, or by a head that asks less of the coarse axes and takes as long, whichever is the smoother.
+/// 4. Then the energy ∫a² of each coarse axis is least at the duration found, times `stretch`: by slowing that motion,
+///    or by a head that asks less of the coarse axes and takes as long, either of them evenly or most where the coarse
+///    axes work hardest (slowed_by_energy.hpp), whichever is the smoothest.
 ///
 /// No motion is shorter than the one of step 1, up to what its planner gives away, and with limited jerk up to what
 /// head_limits() does; the result is not proven to be the shortest where sections were slowed. Cost: O(cells), some 5

@@ -18,6 +18,7 @@ RedundancyResult joint(const RedundancyTask& task, const RedundancyOptions& opti
                        double to) {
   JointOptions given;
   given.smoothness = options.smoothness;
+  given.stretch = options.stretch;
   given.compare = options.compare;
   given.corner_angle = options.corner_angle;
   JointResult found =

@@ -54,6 +54,7 @@ struct RedundancyOptions {
   RedundancyMethod method = RedundancyMethod::joint;
   double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad; larger tangent jumps are corners with a stop
   double smoothness = 0;         ///< joint: 0 … 1, how far the duration is stretched for a smoother coarse axis
+  double stretch = 0;            ///< joint: ≥ 1, in place of what `smoothness` stands for
   bool compare = true;           ///< whether to make the table of trades, where the method has one
   bool keep_reserve = false;     ///< whether the head's law keeps the braking reserve K_b [Bock (2.11)]
   double braking_reserve = 0.7;  ///< K_b

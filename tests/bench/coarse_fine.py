@@ -18,10 +18,9 @@ reading, the bound, verification, setpoints and drawings are in it.
 With --method iterative the column `to first` is the duration over that of the first iteration, `passes` how many there
 were, `window` of --window BLOCKS OVERLAP plans in windows.
 
-With --smoother each contour is planned by `iterative`, and by `joint` stretched to the same duration, as far as
-smoothness 1 goes (5 %); a plan that is still shorter is slowed to that duration, which makes its ∫a² smaller by the
-cube of the quotient. Told are the sums of ∫a_c² of the coarse axes; that of `joint` has to be the smaller one, unless `iterative` takes more
-than 5 % longer (`beyond`).
+With --smoother each contour is planned by `iterative`, and by `joint` stretched to the same duration, to twice its
+shortest at most; a plan that is still shorter is slowed to that duration, which makes its ∫a² smaller by the cube of
+the quotient. Told are the sums of ∫a_c² of the coarse axes; that of `joint` has to be the smaller one.
 Plain Python 3, standard library only.
 """
 import argparse
@@ -31,6 +30,7 @@ import statistics
 import sys
 
 import planning
+from smoother import HEAD, smoother
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.append(str(ROOT / "examples"))
@@ -81,60 +81,18 @@ def contours(arguments):
         yield f"sheet {seed}", fine_sheet.contour(seed, arguments.size)
 
 
-STRETCHES = (1, 1.005, 1.01, 1.02, 1.05)  # of smoothness 0, 0.25 … 1
-
-
-def smoothness_of(stretch):
-    for i, (a, b) in enumerate(zip(STRETCHES, STRETCHES[1:])):
-        if stretch <= b:
-            return max(0, (i + (stretch - a) / (b - a)) / (len(STRETCHES) - 1))
-    return 1
-
-
 def document(contour, which, arguments, **redundancy):
     corner = {"mode": "blend", "tolerance": arguments.blend} if arguments.blend else {"mode": "stop"}
     data = machine(which, arguments.jerk, arguments.smoothness, arguments.trades)
-    data["redundancy"].update(method=arguments.method)
-    if arguments.method == "iterative":
+    data["redundancy"].update(method=redundancy.get("method", arguments.method))
+    if data["redundancy"]["method"] == "iterative":
         data["redundancy"].update(approximation=arguments.approximation, smoothing=arguments.smoothing)
         if arguments.window:
             data["redundancy"]["window"] = dict(zip(("blocks", "overlap"), arguments.window))
     data["redundancy"].update(redundancy)
-    if data["redundancy"]["method"] != "joint":
+    if data["redundancy"]["method"] != "joint" or "stretch" in redundancy:
         del data["redundancy"]["smoothness"]
     return {"kind": "contour", "spec": {"contour": at(FEEDS.get(which, 400), contour), "machine": data, "planning": {"corner": corner}}}
-
-
-def energy(result):
-    e = result["summary"]["coarse_smoothness"]
-    return sum(e.values()) if isinstance(e, dict) else sum(a["value"] if isinstance(a, dict) else a for a in e)
-
-
-def smoother(name, contour, which, arguments):
-    """Compares both methods at one duration; whether the joint planner's coarse axes are smoother."""
-    results = [planning.plan(arguments.program, document(contour, which, arguments, method="iterative"))[0],
-               planning.plan(arguments.program, document(contour, which, arguments, smoothness=0))[0]]
-    if any("summary" not in r for r in results):
-        print(f"{name[:24]:24} {which:7} FAILS, no plan")
-        return False
-    iterative, joint = results
-    duration, shortest = iterative["summary"]["duration"], joint["summary"]["duration"]
-    smooth = smoothness_of(duration / shortest)
-    if smooth > 0:
-        joint, _, _ = planning.plan(arguments.program, document(contour, which, arguments, smoothness=smooth))
-        if joint["summary"]["duration"] > duration * (1 + 1e-9):  # rounded up to a whole cycle
-            step = 2e-3 / shortest
-            joint, _, _ = planning.plan(arguments.program, document(contour, which, arguments, smoothness=smoothness_of(duration / shortest - step)))
-    quotient = min(1, joint["summary"]["duration"] / duration)
-    ours, theirs = energy(joint) * quotient ** 3, energy(iterative)
-    same = iterative["details"]["redundancy"]["fallbacks"] > 0  # the joint planner's own plan
-    # An axis whose acceleration is a thousandth of its limit in the mean square stands still but for the solver's tolerance.
-    still = 1e-6 * duration * sum(a["acceleration"] ** 2 for a in machine(which, False, 0, False)["coarse"].values())
-    ok = ours < max(theirs, still) or same
-    beyond = duration > shortest * STRETCHES[-1]
-    print(f"{name[:24]:24} {which:7} {shortest:10.4f} {duration:10.4f} {joint['summary']['duration']:10.4f} {theirs:12.5g} {ours:12.5g} {ours / theirs:8.3f}"
-          f"{' fell back' if same else '' if ok else ' beyond' if beyond else '  FAILS'}", flush=True)
-    return ok or beyond
 
 
 def longest_move(result):
@@ -162,10 +120,10 @@ def main():
     arguments = parser.parse_args()
     failed, gaps, shares = 0, [], []
     if arguments.smoother:
-        print(f"{'contour':24} {'machine':7} {'joint, s':>10} {'iterative':>10} {'stretched':>10} {'∫a² iterat.':>12} {'∫a² joint':>12} {'quotient':>8}")
+        print(HEAD)
         for name, contour in contours(arguments):
             for which in arguments.machine:
-                failed += not smoother(name, contour, which, arguments)
+                failed += not smoother(arguments.program, name, which, lambda **redundancy: document(contour, which, arguments, **redundancy))
         print(f"{failed} failed")
         return 1 if failed else 0
     joint = arguments.method == "joint"

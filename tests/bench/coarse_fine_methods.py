@@ -4,6 +4,7 @@
     python3 tests/bench/coarse_fine_methods.py build/release/bahnwerk
     python3 tests/bench/coarse_fine_methods.py build/release/bahnwerk --programs 20 --variant joint+jerk iterative+jerk
     python3 tests/bench/coarse_fine_methods.py build/release/bahnwerk --variant joint --machine md1 md2 --gaps
+    python3 tests/bench/coarse_fine_methods.py build/release/bahnwerk --smoother
     python3 tests/bench/coarse_fine_methods.py build/release/bahnwerk --first 17 --programs 1 --keep /tmp
 
 Programs are numbered; each is the same every time: sheets of small shapes, circles with positioning moves of up to
@@ -13,7 +14,10 @@ jerk, 30 to 500 1/s times their accelerations.
 
 A plan is verified, or refused with the fields that cannot be met, or it failed: not verified, no split found, or no
 answer in time. Failures are told, one line each, and are the exit status. With --gaps a plan whose gap to the bound is
-above 0.2 %, or 2 % where a positioning move is longer than 0.1 m, is told and counts as failed, too. Plain Python 3, standard library only.
+above 0.2 %, or 2 % where a positioning move is longer than 0.1 m, is told and counts as failed, too.
+
+With --smoother each program is planned by `iterative`, and by `joint` stretched to the same duration: its coarse axes
+have to be the smoother ones, see coarse_fine.py. Plain Python 3, standard library only.
 """
 import argparse
 import collections
@@ -25,6 +29,7 @@ import statistics
 import sys
 
 import planning
+from smoother import HEAD, smoother
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.append(str(ROOT / "examples"))
@@ -204,12 +209,25 @@ def main():
     parser.add_argument("--machine", nargs="+", choices=("md1", "md2"), default=[None])
     parser.add_argument("--numbers", nargs="+", type=int, help="only these programs")
     parser.add_argument("--gaps", action="store_true", help="hold the gaps to what they have to be")
+    parser.add_argument("--smoother", action="store_true", help="compare the coarse axes' smoothness with that of `iterative`")
     parser.add_argument("--seconds", type=float, default=300, help="within which a plan has to be there")
     parser.add_argument("--keep", help="folder for the documents of plans that failed or were refused")
     arguments = parser.parse_args()
     failed = 0
-    print(f"{'variant':24} {'verified':>8} {'refused':>8} {'failed':>8} {'fell back':>9} {'CPU, s':>8}", flush=True)
     numbers = arguments.numbers or range(arguments.first, arguments.first + arguments.programs)
+    if arguments.smoother:
+        print(HEAD)
+        for number, which in ((n, m) for m in arguments.machine for n in numbers):
+
+            def chosen(**redundancy):
+                job = document(number, "joint", which)
+                job["spec"]["machine"]["redundancy"] = {**redundancy, "trades": False}
+                return job
+
+            failed += not smoother(arguments.program, f"{contour(number)[0]} {number}", which or ("md1" if number % 2 else "md2"), chosen)
+        print(f"{failed} failed")
+        return 1 if failed else 0
+    print(f"{'variant':24} {'verified':>8} {'refused':>8} {'failed':>8} {'fell back':>9} {'CPU, s':>8}", flush=True)
     for variant in arguments.variant:
         counts, spent, fell_back, lines, gaps = collections.Counter(), 0.0, 0, [], []
         for number, which in ((n, m) for m in arguments.machine for n in numbers):

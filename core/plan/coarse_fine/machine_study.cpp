@@ -33,7 +33,7 @@ MachineStudy machine_study(const Contour& contour, const CoarseFineMachine& mach
                            const RedundancyOptions& given, Progress& progress, double from, double to) {
   RedundancyOptions options = given;
   options.compare = false;
-  options.smoothness = 0;
+  options.smoothness = options.stretch = 0;
   const double share = (to - from) / static_cast<double>(std::size(strokes) + std::size(factors));
   double begin = from;
   const auto plan = [&](const CoarseFineMachine& other) {

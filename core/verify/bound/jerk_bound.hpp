@@ -69,7 +69,7 @@ class JerkBound {
   /// Of the cell that is being made up: s; rad; integral of the caps; of the axes' acceleration.
   double time_ = 0, turn_ = 0, capped_ = 0, swing_ = 0;
   double slowest_ = 0, fastest_ = 0;  ///< of its pieces: caps
-  std::vector<JerkWays<N>> ways_;  ///< per cell at hand, through kinematics
+  std::vector<JerkWays<N>> ways_;     ///< per cell at hand, through kinematics
   JerkPieces<N> pieces_;
   RelaxationProblem<N> problem_;
   std::vector<Attempt> attempts_;

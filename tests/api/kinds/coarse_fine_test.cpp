@@ -88,6 +88,20 @@ TEST(CoarseFine, TheResultTellsOfBothAxes) {
   EXPECT_EQ(job.result["setpoints"]["columns"].size(), 22u);
 }
 
+TEST(CoarseFine, AStretchTakesThePlaceOfSmoothness) {
+  json spec = example("coarse_fine");
+  spec["machine"]["redundancy"] = {{"method", "joint"}, {"smoothness", 1}, {"trades", false}};
+  const PlannedJob smooth = planned(spec);
+  spec["machine"]["redundancy"] = {{"method", "joint"}, {"stretch", 1.12}, {"trades", false}};
+  const PlannedJob job = planned(spec);
+  EXPECT_TRUE(job.verified);
+  const double fastest = job.result["details"]["redundancy"]["fastest"];
+  EXPECT_NEAR(job.result["summary"]["duration"].get<double>(), 1.12 * fastest, 1.1e-3);  // to a whole cycle
+  for (const char* axis : {"x", "y"})
+    EXPECT_LT(job.result["summary"]["coarse_smoothness"][axis].get<double>(),
+              smooth.result["summary"]["coarse_smoothness"][axis].get<double>() / 1.15);
+}
+
 TEST(CoarseFine, TheTableOfTradesCanBeLeftOut) {
   json spec = example("coarse_fine");
   const PlannedJob with = planned(spec);

@@ -305,6 +305,27 @@ TEST(Joint, MoreTimeTakesLessEnergy) {
   }
 }
 
+/// Most of the time nothing accelerates: what time is added goes where the coarse axes work.
+TEST(Joint, AddedTimeGoesWhereCoarseAxesWorkHardest) {
+  ContourBuilder b(2, {0, 0, 0});
+  b.block(Mode::cut, 10);
+  b.line({100, 0, 0});
+  b.block(Mode::cut, 400);
+  for (int i = 0; i < 4; ++i) b.line({i % 2 == 0 ? 160.0 : 100.0, 10.0 * i, 0});
+  const JointTask task = test::joint_task(b.finish(), test::md2());
+  const auto energy = [&](double stretch) {
+    JointOptions options;
+    options.stretch = stretch;
+    const JointResult r = plan(task, options);
+    expect_valid(task, r);
+    EXPECT_NEAR(r.chosen.duration, stretch * r.fastest, 1e-9 * r.fastest);
+    return r.chosen.energy[0] + r.chosen.energy[1];
+  };
+  const double calm = energy(1.001);
+  EXPECT_LT(energy(1.02), 0.5 * calm);  // evenly slowed it would be 0.94
+  EXPECT_LT(energy(1.2), 0.05 * calm);
+}
+
 TEST(Joint, SmoothnessStandsForAStretch) {
   EXPECT_EQ(stretch_of(0), 1);
   EXPECT_EQ(stretch_of(0.5), 1.01);

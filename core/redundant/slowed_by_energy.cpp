@@ -1,0 +1,49 @@
+#include "core/redundant/slowed_by_energy.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bahnwerk {
+
+namespace {
+
+constexpr double most = 16;  // times as long
+constexpr int halvings = 50;
+
+}  // namespace
+
+std::vector<TimeLaw::Slowing> slowed_by_energy(const TimeLaw& law, const std::vector<double>& times,
+                                               const std::vector<double>& energies, double duration) {
+  std::vector<double> ends;  // of what lies between two rests
+  double begin = 0;
+  for (const LawPiece& piece : law.pieces())
+    if (!(piece.v > 0) && piece.t0 > begin) ends.push_back(begin = piece.t0);
+  ends.push_back(law.duration());
+  std::vector<double> sums(ends.size());
+  for (std::size_t c = 0, i = 0; c < times.size(); ++c) {
+    while (i + 1 < ends.size() && times[c] >= ends[i]) ++i;
+    sums[i] += energies[c];
+  }
+  const auto length = [&](std::size_t i) { return ends[i] - (i > 0 ? ends[i - 1] : 0); };
+  std::vector<TimeLaw::Slowing> slowings;
+  double hardest = 0;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    slowings.push_back({ends[i] - length(i) / 2, std::sqrt(std::sqrt(sums[i] / length(i)))});
+    hardest = std::max(hardest, slowings.back().factor);
+  }
+  if (!(hardest > 0)) return {};
+  const auto lasts = [&](double scale) {
+    double sum = 0;
+    for (std::size_t i = 0; i < ends.size(); ++i) sum += length(i) * std::max(1.0, scale * slowings[i].factor);
+    return sum;
+  };
+  double low = 0, high = most / hardest;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = (low + high) / 2;
+    (lasts(middle) < duration ? low : high) = middle;
+  }
+  for (TimeLaw::Slowing& slowing : slowings) slowing.factor = std::max(1.0, low * slowing.factor);
+  return slowings;
+}
+
+}  // namespace bahnwerk

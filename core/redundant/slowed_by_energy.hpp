@@ -1,0 +1,18 @@
+#pragma once
+/// Where a motion that may take longer should be slower, for the sake of the coarse axes' energy ∫a².
+///
+/// About: the coarse axes do not rest where the head does. The energy E of what lies between two rests falls with the
+/// cube of how many times as long it lasts, s; Σ E/s³ is least for a given Σ T s where s⁴ is as E/T, and 1 at least.
+#include <vector>
+
+#include "core/motion/law/time_law.hpp"
+
+namespace bahnwerk {
+
+/// By how much what lies between the law's rests should be slowed so that the whole lasts `duration` s, no part more
+/// than 16 times as long. `times`: where cells begin, the first at 0, s; `energies`: of each cell, in any unit. None
+/// where there is no energy. O(pieces + cells).
+std::vector<TimeLaw::Slowing> slowed_by_energy(const TimeLaw& law, const std::vector<double>& times,
+                                               const std::vector<double>& energies, double duration);
+
+}  // namespace bahnwerk
