@@ -36,7 +36,8 @@ constexpr int most_attempts = 6;
 constexpr double same_duration = 1e-6;  // relative
 constexpr int calm_steps = 8;
 constexpr std::size_t calm_heads = 24;
-constexpr double least_spread = 1e-6;  // what is slowed by no more is slowed evenly
+// What is slowed by no more than this is slowed evenly, and so is what would keep more than this of its energy.
+constexpr double least_spread = 1e-6, worth_spreading = 0.9;
 double calm_at(int step) { return step <= calm_steps ? step / 8.0 : std::pow(2, (step - calm_steps) / 16.0); }
 
 template <std::size_t order>
@@ -250,7 +251,9 @@ class Planner {
       }
     }
     TimeLaw law = even.head->law();
-    law.slow_sections(slowed_by_energy(law, even.cells.times, energies, duration));
+    SlowedByEnergy slowed = slowed_by_energy(law, even.cells.times, energies, duration);
+    if (slowed.energy > worth_spreading) return even;
+    law.slow_sections(std::move(slowed.slowings));
     Split uneven = split_of(std::make_shared<const PathMotion>(task_.path, std::move(law)), duration, options);
     return valid(uneven) && energy(uneven) < energy(even) ? uneven : even;
   }

@@ -12,8 +12,8 @@ constexpr int halvings = 50;
 
 }  // namespace
 
-std::vector<TimeLaw::Slowing> slowed_by_energy(const TimeLaw& law, const std::vector<double>& times,
-                                               const std::vector<double>& energies, double duration) {
+SlowedByEnergy slowed_by_energy(const TimeLaw& law, const std::vector<double>& times,
+                                const std::vector<double>& energies, double duration) {
   std::vector<double> ends;  // of what lies between two rests
   double begin = 0;
   for (const LawPiece& piece : law.pieces())
@@ -25,11 +25,13 @@ std::vector<TimeLaw::Slowing> slowed_by_energy(const TimeLaw& law, const std::ve
     sums[i] += energies[c];
   }
   const auto length = [&](std::size_t i) { return ends[i] - (i > 0 ? ends[i - 1] : 0); };
-  std::vector<TimeLaw::Slowing> slowings;
-  double hardest = 0;
+  SlowedByEnergy found;
+  std::vector<TimeLaw::Slowing>& slowings = found.slowings;
+  double hardest = 0, all = 0, left = 0;
   for (std::size_t i = 0; i < ends.size(); ++i) {
     slowings.push_back({ends[i] - length(i) / 2, std::sqrt(std::sqrt(sums[i] / length(i)))});
     hardest = std::max(hardest, slowings.back().factor);
+    all += sums[i];
   }
   if (!(hardest > 0)) return {};
   const auto lasts = [&](double scale) {
@@ -42,8 +44,14 @@ std::vector<TimeLaw::Slowing> slowed_by_energy(const TimeLaw& law, const std::ve
     const double middle = (low + high) / 2;
     (lasts(middle) < duration ? low : high) = middle;
   }
-  for (TimeLaw::Slowing& slowing : slowings) slowing.factor = std::max(1.0, low * slowing.factor);
-  return slowings;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    double& factor = slowings[i].factor;
+    factor = std::max(1.0, low * factor);
+    left += sums[i] / (factor * factor * factor);
+  }
+  const double evenly = law.duration() / duration;
+  found.energy = left / (all * evenly * evenly * evenly);
+  return found;
 }
 
 }  // namespace bahnwerk

@@ -9,10 +9,14 @@
 
 namespace bahnwerk {
 
-/// By how much what lies between the law's rests should be slowed so that the whole lasts `duration` s, no part more
-/// than 16 times as long. `times`: where cells begin, the first at 0, s; `energies`: of each cell, in any unit. None
-/// where there is no energy. O(pieces + cells).
-std::vector<TimeLaw::Slowing> slowed_by_energy(const TimeLaw& law, const std::vector<double>& times,
-                                               const std::vector<double>& energies, double duration);
+struct SlowedByEnergy {
+  std::vector<TimeLaw::Slowing> slowings;  ///< of what lies between two rests; none where there is no energy
+  double energy = 1;                       ///< what that leaves of it, about, over what slowing evenly would
+};
+
+/// So that the whole lasts `duration` s, no part more than 16 times as long as it does. `times`: where cells begin, the
+/// first at 0, s; `energies`: of each cell, in any unit. O(pieces + cells).
+SlowedByEnergy slowed_by_energy(const TimeLaw& law, const std::vector<double>& times,
+                                const std::vector<double>& energies, double duration);
 
 }  // namespace bahnwerk

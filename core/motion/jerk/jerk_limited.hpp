@@ -14,7 +14,7 @@
 /// Long sections are planned window by window (jerk_windows.cpp). Cost: O(cells), linear; a smooth spline takes 20 to
 /// 28 iterations in all, 3.5 to 4.7 µs per cell from 1e3 to 1e6 cells (tests/bench/bench_jerk.cpp). Through kinematics
 /// cells are wider, windows shorter, and the start is slower (docs/methods/motion.md): 400 cells per turn of a coil,
-/// about 100 Newton steps on them.
+/// 40 to 80 Newton steps on them.
 #include <cstddef>
 
 #include "core/base/progress.hpp"

@@ -21,8 +21,8 @@ constexpr double at_feed = 0.999, cruising = 4;
 // that take `slowing` times the jerk limit, at the speed at hand, slow it down. Where they take `slowed` of it they
 // may, with what else there is: cells on Cartesian axes are as short as if they did. Fine cells are half as long.
 constexpr double part_of_change = 0.1, fine_part = 0.05, kinematic_part = 0.08, slowing = 3, slowed = 0.3;
-// Where jerk leaves less of v² than everything else does, by this part at least, a law switches within a cell, and
-// multipliers need cells that are shorter by this.
+// Where jerk leaves less of v² than everything else does, by `capped` of it at least, a law changes faster than that,
+// and multipliers need cells of this part of the length.
 constexpr double capped = 0.05, capped_part = 0.35;
 // Through kinematics an enclosure costs as much as a cell of the relaxation.
 constexpr double pieces_per_cell = 2.1, kinematic_pieces = 1.05;
