@@ -197,25 +197,21 @@ class Planner {
   Split smoothest(double stretch) {
     if (stretch == 1) return fastest_;
     Split slowed{fastest_.head, fastest_.cells, stretch, solve_all(fastest_.cells, stretch)};
-    if constexpr (order != 2) {
-      return slowed;
-    } else {
-      if (alone_) return slowed;
-      const double duration = fastest_.head->duration() * stretch;
-      const std::size_t calm = calmest(duration, stretch);
-      HeadCellOptions cells = cell_options_;
-      if (calm == 0) return spread(std::move(slowed), duration, cells);
-      const double share = std::min(calm_at(static_cast<int>(calm)), 1.0);
-      for (std::size_t k = 0; k < axes(); ++k) {
-        double& held = cells.held[k].acceleration;
-        held += share * (std::min(held, axis(k).fine.acceleration) - held);
-      }
-      Split found = split_of(calm_[calm - 1], duration, cells);
-      Split one = spread(std::move(slowed), duration, cell_options_);
-      if (!valid(found)) return one;
-      found = spread(std::move(found), duration, cells);
-      return energy(found) < energy(one) ? found : one;
+    if (order != 2 || alone_) return slowed;
+    const double duration = fastest_.head->duration() * stretch;
+    const std::size_t calm = calmest(duration, stretch);
+    if (calm == 0) return spread(std::move(slowed), duration, cell_options_);
+    HeadCellOptions cells = cell_options_;
+    const double share = std::min(calm_at(static_cast<int>(calm)), 1.0);
+    for (std::size_t k = 0; k < axes(); ++k) {
+      double& held = cells.held[k].acceleration;
+      held += share * (std::min(held, axis(k).fine.acceleration) - held);
     }
+    Split found = split_of(calm_[calm - 1], duration, cells);
+    slowed = spread(std::move(slowed), duration, cell_options_);
+    if (!valid(found)) return slowed;
+    found = spread(std::move(found), duration, cells);
+    return energy(found) < energy(slowed) ? found : slowed;
   }
 
   /// How many calmer heads there are up to the last one that takes no longer than that; 0: none does.
@@ -242,19 +238,20 @@ class Planner {
   /// Lets a split that is slowed evenly be slow where its coarse axes work hardest instead.
   Split spread(Split even, double duration, const HeadCellOptions& options) {
     if (!(even.stretch > 1 + least_spread)) return even;
+    const TimeLaw& law = even.head->law();
     std::vector<double> energies(even.cells.size());
-    for (std::size_t c = 0; c < energies.size(); ++c) {
-      const double end = c + 1 < energies.size() ? even.cells.times[c + 1] : even.head->duration();
-      for (std::size_t k = 0; k < axes(); ++k) {
-        const double a = even.solutions[k].controls[c] * chain_units(axis(k)).acceleration();
-        energies[c] += a * a * (end - even.cells.times[c]);
+    for (std::size_t k = 0; k < axes(); ++k) {
+      const double unit = chain_units(axis(k)).acceleration();
+      for (std::size_t c = 0; c < energies.size(); ++c) {
+        const double a = even.solutions[k].controls[c] * unit;
+        energies[c] += a * a * (even.cells.times[c + 1] - even.cells.times[c]);
       }
     }
-    TimeLaw law = even.head->law();
     SlowedByEnergy slowed = slowed_by_energy(law, even.cells.times, energies, duration);
     if (slowed.energy > worth_spreading) return even;
-    law.slow_sections(std::move(slowed.slowings));
-    Split uneven = split_of(std::make_shared<const PathMotion>(task_.path, std::move(law)), duration, options);
+    TimeLaw slow = law;
+    slow.slow_sections(std::move(slowed.slowings));
+    Split uneven = split_of(std::make_shared<const PathMotion>(task_.path, std::move(slow)), duration, options);
     return valid(uneven) && energy(uneven) < energy(even) ? uneven : even;
   }
 

@@ -20,7 +20,7 @@ SlowedByEnergy slowed_by_energy(const TimeLaw& law, const std::vector<double>& t
     if (!(piece.v > 0) && piece.t0 > begin) ends.push_back(begin = piece.t0);
   ends.push_back(law.duration());
   std::vector<double> sums(ends.size());
-  for (std::size_t c = 0, i = 0; c < times.size(); ++c) {
+  for (std::size_t c = 0, i = 0; c < energies.size(); ++c) {
     while (i + 1 < ends.size() && times[c] >= ends[i]) ++i;
     sums[i] += energies[c];
   }

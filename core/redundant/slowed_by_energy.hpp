@@ -14,8 +14,8 @@ struct SlowedByEnergy {
   double energy = 1;                       ///< what that leaves of it, about, over what slowing evenly would
 };
 
-/// So that the whole lasts `duration` s, no part more than 16 times as long as it does. `times`: where cells begin, the
-/// first at 0, s; `energies`: of each cell, in any unit. O(pieces + cells).
+/// So that the whole lasts `duration` s, no part more than 16 times as long as it does. `times`: of the nodes
+/// between cells, both ends included, s; `energies`: of each cell, in any unit. O(pieces + cells).
 SlowedByEnergy slowed_by_energy(const TimeLaw& law, const std::vector<double>& times,
                                 const std::vector<double>& energies, double duration);
 

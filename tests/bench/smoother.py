@@ -7,8 +7,7 @@ CYCLE = 2e-3  # s; durations are rounded up to whole ones
 
 def energy(result):
     """The sum of ∫a² of the coarse axes, mm²/s³."""
-    e = result["summary"]["coarse_smoothness"]
-    return sum(e.values()) if isinstance(e, dict) else sum(a["value"] if isinstance(a, dict) else a for a in e)
+    return sum(result["summary"]["coarse_smoothness"].values())
 
 
 HEAD = f"{'contour':24} {'machine':7} {'joint, s':>10} {'iterative':>10} {'stretched':>10} {'∫a² iterat.':>12} {'∫a² joint':>12} {'quotient':>8}"

@@ -35,7 +35,8 @@ void JerkSectionPlanner<N, M>::look_half_way(ProgressScope& pulse) {
 }
 
 template <int N, int M>
-void JerkSectionPlanner<N, M>::measure(const RowLimits<M>& limit, bool exact, ProgressScope& pulse) {
+void JerkSectionPlanner<N, M>::measure(bool exact, ProgressScope& pulse) {
+  const RowLimits<M>& limit = exact ? limit_ : soft_;
   const std::size_t n = grid_.cells.size();
   peaks_.resize(n);
   certain_ = exact;
@@ -63,7 +64,7 @@ void JerkSectionPlanner<N, M>::measure(const RowLimits<M>& limit, bool exact, Pr
 
 template <int N, int M>
 void JerkSectionPlanner<N, M>::certify(ProgressScope& pulse) {
-  if (!certain_) measure(limit_, true, pulse);  // a model of the path is good enough to plan by, not to vouch for
+  if (!certain_) measure(true, pulse);  // a model of the path is good enough to plan by, not to vouch for
   worst_ = {};
   PeakSweep sweep(std::vector<double>(3 * M, 1.0), resolved);
   for (std::size_t k = 0; k < 3 * M; ++k) sweep.raise(k, kept, 0, 0);  // below that nothing is looked for
@@ -147,21 +148,21 @@ void JerkSectionPlanner<N, M>::tighten(double times, bool acceleration) {
 }
 
 template void JerkSectionPlanner<2, 2>::look_half_way(ProgressScope& pulse);
-template void JerkSectionPlanner<2, 2>::measure(const RowLimits<2>& limit, bool exact, ProgressScope& pulse);
+template void JerkSectionPlanner<2, 2>::measure(bool exact, ProgressScope& pulse);
 template void JerkSectionPlanner<2, 2>::certify(ProgressScope& pulse);
 template bool JerkSectionPlanner<2, 2>::stubborn();
 template void JerkSectionPlanner<2, 2>::tighten(double times, bool acceleration);
 template void JerkSectionPlanner<2, 3>::look_half_way(ProgressScope& pulse);
-template void JerkSectionPlanner<2, 3>::measure(const RowLimits<3>& limit, bool exact, ProgressScope& pulse);
+template void JerkSectionPlanner<2, 3>::measure(bool exact, ProgressScope& pulse);
 template void JerkSectionPlanner<2, 3>::certify(ProgressScope& pulse);
 template bool JerkSectionPlanner<2, 3>::stubborn();
 template void JerkSectionPlanner<2, 3>::tighten(double times, bool acceleration);
 template void JerkSectionPlanner<3, 3>::look_half_way(ProgressScope& pulse);
 template void JerkSectionPlanner<5, 5>::look_half_way(ProgressScope& pulse);
 template void JerkSectionPlanner<8, 8>::look_half_way(ProgressScope& pulse);
-template void JerkSectionPlanner<3, 3>::measure(const RowLimits<3>& limit, bool exact, ProgressScope& pulse);
-template void JerkSectionPlanner<5, 5>::measure(const RowLimits<5>& limit, bool exact, ProgressScope& pulse);
-template void JerkSectionPlanner<8, 8>::measure(const RowLimits<8>& limit, bool exact, ProgressScope& pulse);
+template void JerkSectionPlanner<3, 3>::measure(bool exact, ProgressScope& pulse);
+template void JerkSectionPlanner<5, 5>::measure(bool exact, ProgressScope& pulse);
+template void JerkSectionPlanner<8, 8>::measure(bool exact, ProgressScope& pulse);
 template void JerkSectionPlanner<3, 3>::certify(ProgressScope& pulse);
 template void JerkSectionPlanner<5, 5>::certify(ProgressScope& pulse);
 template void JerkSectionPlanner<8, 8>::certify(ProgressScope& pulse);
@@ -174,9 +175,9 @@ template void JerkSectionPlanner<8, 8>::tighten(double times, bool acceleration)
 template void JerkSectionPlanner<3, 4>::look_half_way(ProgressScope& pulse);
 template void JerkSectionPlanner<5, 6>::look_half_way(ProgressScope& pulse);
 template void JerkSectionPlanner<8, 9>::look_half_way(ProgressScope& pulse);
-template void JerkSectionPlanner<3, 4>::measure(const RowLimits<4>& limit, bool exact, ProgressScope& pulse);
-template void JerkSectionPlanner<5, 6>::measure(const RowLimits<6>& limit, bool exact, ProgressScope& pulse);
-template void JerkSectionPlanner<8, 9>::measure(const RowLimits<9>& limit, bool exact, ProgressScope& pulse);
+template void JerkSectionPlanner<3, 4>::measure(bool exact, ProgressScope& pulse);
+template void JerkSectionPlanner<5, 6>::measure(bool exact, ProgressScope& pulse);
+template void JerkSectionPlanner<8, 9>::measure(bool exact, ProgressScope& pulse);
 template void JerkSectionPlanner<3, 4>::certify(ProgressScope& pulse);
 template void JerkSectionPlanner<5, 6>::certify(ProgressScope& pulse);
 template void JerkSectionPlanner<8, 9>::certify(ProgressScope& pulse);

@@ -221,7 +221,7 @@ void JerkSectionPlanner<N, M>::improve(double mu, ProgressScope& pulse) {
     mu = 0;
     if (reach > 1e-3 && reach < 1e-2 && divides_ && division < options_.max_divisions && mark(pulse)) {
       if (!cartesian) {  // both at once
-        measure(soft_, false, pulse);
+        measure(false, pulse);
         stubborn();
       }
       divide(r.mu);
@@ -233,7 +233,7 @@ void JerkSectionPlanner<N, M>::improve(double mu, ProgressScope& pulse) {
       pose(pulse);
       mu = r.mu;
     }
-    measure(soft_, false, pulse);
+    measure(false, pulse);
     // What a cell exceeds without rows half-way is no reason for smaller shares once it has them.
     const bool accelerations = !fresh;
     if (fresh) pose_middles(true, pulse);
@@ -245,7 +245,7 @@ void JerkSectionPlanner<N, M>::improve(double mu, ProgressScope& pulse) {
       if (bearable()) {
         if (cartesian || exact == exact_rounds) break;
         ++exact;
-        measure(limit_, true, pulse);
+        measure(true, pulse);
         if (bearable()) break;
       }
     }

@@ -202,8 +202,9 @@ class JerkSectionPlanner {
   /// The path in the middle of every curved cell, for measure().
   void look_half_way(ProgressScope& pulse);
 
-  /// Peaks of every cell, from samples; `exact`: of the path itself, against the true limits.
-  void measure(const RowLimits<M>& limit, bool exact, ProgressScope& pulse);
+  /// Peaks of every cell, from samples and against what the solver may use; `exact`: of the path itself, against the
+  /// true limits.
+  void measure(bool exact, ProgressScope& pulse);
 
   /// Continuous peaks on the path itself wherever samples leave a doubt, and what holds at nodes alone: afterwards
   /// `worst_` is what the section has to be slowed by. Positions are rounded as those of the finished law are: on

@@ -27,7 +27,7 @@ double lasts(const TimeLaw& law, const std::vector<TimeLaw::Slowing>& slowings) 
 
 TEST(SlowedByEnergy, TwiceAsLongForSixteenTimesTheEnergy) {
   const TimeLaw law = moves(2);
-  const auto [found, energy] = slowed_by_energy(law, {0, 0.5, 1, 1.5}, {8, 8, 0.5, 0.5}, 3);
+  const auto [found, energy] = slowed_by_energy(law, {0, 0.5, 1, 1.5, 2}, {8, 8, 0.5, 0.5}, 3);
   ASSERT_EQ(found.size(), 2u);
   EXPECT_NEAR(found[0].factor, 2, 1e-9);
   EXPECT_NEAR(found[1].factor, 1, 1e-9);
@@ -41,7 +41,7 @@ TEST(SlowedByEnergy, IsTheLeastEnergy) {
   const auto energy = [&](double a, double b, double c) {
     return energies[0] / (a * a * a) + energies[1] / (b * b * b) + energies[2] / (c * c * c);
   };
-  const auto found = slowed_by_energy(law, {0, 1, 2}, energies, 3.9).slowings;
+  const auto found = slowed_by_energy(law, {0, 1, 2, 3}, energies, 3.9).slowings;
   ASSERT_EQ(found.size(), 3u);
   EXPECT_NEAR(lasts(law, found), 3.9, 1e-9);
   const double least = energy(found[0].factor, found[1].factor, found[2].factor);
@@ -50,13 +50,13 @@ TEST(SlowedByEnergy, IsTheLeastEnergy) {
 }
 
 TEST(SlowedByEnergy, WhereNothingAcceleratesNothingIsSlowed) {
-  const SlowedByEnergy found = slowed_by_energy(moves(2), {0, 1}, {0, 0}, 3);
+  const SlowedByEnergy found = slowed_by_energy(moves(2), {0, 1, 2}, {0, 0}, 3);
   EXPECT_TRUE(found.slowings.empty());
   EXPECT_EQ(found.energy, 1);
 }
 
 TEST(SlowedByEnergy, NoPartLastsMoreThanSixteenTimesAsLong) {
-  const auto found = slowed_by_energy(moves(2), {0, 1}, {1, 0}, 100).slowings;
+  const auto found = slowed_by_energy(moves(2), {0, 1, 2}, {1, 0}, 100).slowings;
   ASSERT_EQ(found.size(), 2u);
   EXPECT_NEAR(found[0].factor, 16, 1e-9);
   EXPECT_EQ(found[1].factor, 1);
