@@ -10,10 +10,10 @@ constexpr double to_boundary = 0.995;  // part of the longest step that is taken
 // Complementarity that a step aims at, in parts of what there is: what the predictor would leave, near the solution
 // its square. No less than this part of the gap that is asked for: what is not feasible has to keep up.
 constexpr double min_centring = 1e-4, gap_aimed_at = 0.3;
-constexpr double near = 0.1;  // from this gap on all places take the same part of a step
+constexpr double near = 0.03;  // from this gap on all places take the same part of a step
 constexpr double dual_tolerance = 1e-3;
 constexpr double never = 1e300;
-constexpr double first_cap = 0.3, first_slope = 0.2;  // of caps and of the steepest b at which the search begins
+constexpr double first_cap = 0.3, first_slope = 0.8;  // of caps and of the steepest b at which the search begins
 constexpr double blend = 0.02;  // of two limits into one; its square over 4 has to be less than any of them
 
 }  // namespace
@@ -112,9 +112,10 @@ typename RelaxationSolver<N>::Sides RelaxationSolver<N>::hat_value(std::size_t n
   const Sides value{sum, -sum};
   if (form_.rooted[node] == 0) return value - 1.0;
   const Sides r1 = fourth_[node + 1] * before.root[1][k], r0 = fourth_[node + 2] * after.root[0][k],
-              left = 1.0 - form_.fixed[node][k] - r1 - r0, square = left * left + blend * blend, width = root(square);
+              left = 1.0 - form_.fixed[node][k] - r1 - r0, width = root(left * left + blend * blend),
+              inverse = 1.0 / width;
   Slope& s = slopes_[node][k];
-  s.share = 0.5 + 0.5 * left / width, s.bend = (0.5 * blend * blend) / (square * width);
+  s.share = 0.5 + 0.5 * left * inverse, s.bend = (0.5 * blend * blend) * inverse * inverse * inverse;
   s.before = Sides{a1, -a1} - 0.25 * s.share * r1, s.after = Sides{a0, -a0} - 0.25 * s.share * r0;
   return value - 1.0 + 0.5 * (left + width);
 }

@@ -19,26 +19,31 @@ double sq(double x) { return x * x; }
 template <int N>
 class Piece {
  public:
-  explicit Piece(const JerkCapPiece<N>& piece) : p_(piece) {
+  /// Of b up to `most`: pairs of axes that cannot limit it, even if nothing worked against them, are left out.
+  Piece(const JerkCapPiece<N>& piece, double most) : p_(piece) {
+    const double cube = most * std::sqrt(most);  // v³
     for (std::size_t k = 0; k < p_.axes; ++k)
       for (std::size_t m = 0; m < k; ++m) {
         const double x = (p_.tangent[0][m] + p_.tangent[1][m]) / 2, y = -(p_.tangent[0][k] + p_.tangent[1][k]) / 2;
-        Pair pair;
-        pair.limit = (weighted(x, p_.jerk[k]) + weighted(y, p_.jerk[m])) * p_.length * give;
-        if (!(pair.limit < infinite)) continue;
+        const double limit = (weighted(x, p_.jerk[k]) + weighted(y, p_.jerk[m])) * p_.length * give;
+        if (!(limit < infinite)) continue;
         const double size = std::abs(x) + std::abs(y);
         std::array<double, 2> bend{};
+        double unsure = blurs * size * p_.blur / p_.length;
         for (std::size_t e = 0; e < 2; ++e) {
-          bend[e] = x * p_.bend[e][k] + y * p_.bend[e][m];
-          pair.along[e] = std::abs(x * p_.tangent[e][k] + y * p_.tangent[e][m]) + size * (2 * p_.blur + rounding);
-          pair.unsure += rounding * (std::abs(x * p_.bend[e][k]) + std::abs(y * p_.bend[e][m]));
+          const double one = x * p_.bend[e][k], other = y * p_.bend[e][m];
+          bend[e] = one + other, unsure += rounding * (std::abs(one) + std::abs(other));
         }
-        pair.unsure += blurs * size * p_.blur / p_.length;
-        pair.change = std::abs(bend[1] - bend[0]) - pair.unsure;
-        pair.least = std::min(std::abs(bend[0]), std::abs(bend[1])) + pair.unsure;
-        if (pair.change > 0) pairs_[count_++] = pair;
+        const double change = std::abs(bend[1] - bend[0]) - unsure;
+        if (!(limit < change * cube)) continue;
+        Pair& pair = pairs_[count_++];
+        pair = {change, std::min(std::abs(bend[0]), std::abs(bend[1])) + unsure, limit, {}};
+        for (std::size_t e = 0; e < 2; ++e)
+          pair.along[e] = std::abs(x * p_.tangent[e][k] + y * p_.tangent[e][m]) + size * (2 * p_.blur + rounding);
       }
   }
+
+  bool may_limit() const { return count_ > 0; }
 
   /// The cap if nothing worked against it: no less is impossible.
   double least_cap() const {
@@ -71,7 +76,6 @@ class Piece {
     double change = 0, least = 0;   ///< of P between the ends; the smaller |P|
     double limit = 0;               ///< mm times the sum of jerks
     std::array<double, 2> along{};  ///< what v̇ counts at both ends
-    double unsure = 0;
   };
 
   static double weighted(double p, double limit) { return p == 0 ? 0 : std::abs(p) * limit; }
@@ -120,14 +124,14 @@ class Piece {
 
 template <int N>
 bool jerk_may_limit(const JerkCapPiece<N>& piece, double most) {
-  return Piece<N>(piece).least_cap() < most;
+  return Piece<N>(piece, most).may_limit();
 }
 
 template <int N>
 JerkCap jerk_cap(const JerkCapPiece<N>& piece, double most) {
-  Piece<N> p(piece);
+  Piece<N> p(piece, most);
+  if (!p.may_limit()) return {most, 0};
   double low = p.least_cap(), high = most;
-  if (!(low < most)) return {most, 0};
   double above = p.excess(most), change = p.change(), below = -1;
   if (!(above > 0)) return {most, change};
   // Between a possible and an impossible b: the middle of a wide range, and of every third; else where a straight line
