@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -12,7 +13,8 @@ namespace {
 
 constexpr double small_excess = 0.05;  // with which a second, stricter solution may have none
 constexpr double stricter = 100;
-constexpr double rounding = 1e-9;  // of a range that ends at 0
+constexpr double rounding = 1e-9;     // of a range that ends at 0
+constexpr double much_further = 1.2;  // ahead, for which the first window is solved again
 
 template <std::size_t order>
 Chain<order> part(const Chain<order>& whole, std::size_t first, std::size_t last) {
@@ -39,6 +41,13 @@ double energy_of(const Chain<order>& chain, const WindowedSolution<order>& s) {
     else
       energy += 0.5 * chain.steps[c] * (s.states[c][2] * s.states[c][2] + s.states[c + 1][2] * s.states[c + 1][2]);
   return energy;
+}
+
+/// In which its acceleration, in the mean square, takes the axis over a unit of length.
+template <std::size_t order>
+double own_time(const Chain<order>& chain, const ChainSolution<order>& s) {
+  const double time = std::accumulate(chain.steps.begin(), chain.steps.end(), 0.0);
+  return std::sqrt(std::sqrt(time / s.energy));
 }
 
 /// The axis stands still, if there is a place inside all boxes.
@@ -83,14 +92,20 @@ WindowedSolution<order> solve_in_windows(const Chain<order>& chain, const ChainO
   WindowedSolution<order> all;
   all.states.resize(n + 1);
   all.controls.resize(n);
+  double ahead = windows.ahead;
   for (std::size_t first = 0; first < n;) {
     std::size_t keep = std::min(first + windows.kept, n), last = keep;
-    for (double ahead = 0; last < n && ahead < windows.ahead; ++last) ahead += chain.steps[last];
+    const auto further = [&](double time) {
+      return time < windows.ahead || (time < ahead && last - keep < windows.kept);
+    };
+    for (double time = 0; last < n && further(time); ++last) time += chain.steps[last];
     if (n - last < windows.kept / 2) keep = last = n;  // rather than a short one at the end
     Chain<order> window = part(chain, first, last);
     if (first > 0) window.begin = all.states[first];
     const ChainSolution<order> s = followed_if_possible(window, options);
     all.iterations += static_cast<std::size_t>(s.iterations);
+    const double before = std::exchange(ahead, std::max(windows.ahead, windows.own_times * own_time(window, s)));
+    if (first == 0 && last < n && last - keep < windows.kept && ahead > much_further * before) continue;
     std::copy_n(s.states.begin(), keep - first + 1, all.states.begin() + static_cast<std::ptrdiff_t>(first));
     std::copy_n(s.controls.begin(), keep - first, all.controls.begin() + static_cast<std::ptrdiff_t>(first));
     for (const Cluster<order>& c :

@@ -1,10 +1,12 @@
 #pragma once
 /// A long chain solved window by window: time and memory per window do not grow with the chain, and stay in a cache.
 ///
-/// Each window begins with the state that the one before left, and reaches `ahead` beyond what is kept of it, anywhere
-/// inside the boxes there. With more time ahead than a stop takes it loses next to no energy against the solution of
-/// the whole, and finds a solution where there is one; that one window ended where the next cannot go on is possible,
-/// so what exceeds boxes here proves nothing. An axis that can stand still does. O(cells).
+/// Each window begins with the state that the one before left, and reaches beyond what is kept of it, anywhere inside
+/// the boxes there. With more time ahead than a stop takes it finds a solution where there is one; that one window
+/// ended where the next cannot go on is possible, so what exceeds boxes here proves nothing. What lies ahead matters to
+/// the energy for some of the motion's own times, in which its acceleration, in the mean square, takes the axis over a
+/// unit of length: smooth motions have long ones. So far ahead a window loses next to no energy against the solution of
+/// the whole. An axis that can stand still does. O(cells).
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -15,7 +17,8 @@ namespace bahnwerk {
 
 struct ChainWindowOptions {
   std::size_t kept = 4000;  ///< cells of a window that are kept
-  double ahead = 10;        ///< units of time
+  double ahead = 10;        ///< units of time, at least
+  double own_times = 3;     ///< of the window before, that one looks ahead, for as many cells as are kept at most
   double followed = 0;      ///< excess that counts as none
 };
 

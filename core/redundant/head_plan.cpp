@@ -24,11 +24,13 @@ Machine shared(Machine machine, double share) {
   return machine;
 }
 
-/// Without some of the coarse axes' accelerations and of the fine ones' velocities.
-Machine calmed(Machine head, const CoarseFineMachine& machine, double calm) {
+Machine calmed(Machine head, const CoarseFineMachine& machine, const Freedom& freedom) {
   for (std::size_t k = 0; k < head.axes.size(); ++k) {
-    const auto lower = [&](double& value, double without) { value += calm * (std::min(value, without) - value); };
+    const auto lower = [&](double& value, double without) {
+      value += freedom.calm * (std::min(value, without) - value);
+    };
     lower(head.axes[k].acceleration, machine.axes[k].fine.acceleration);
+    head.axes[k].acceleration *= freedom.gentle;
     lower(head.axes[k].velocity, machine.axes[k].coarse.velocity);
   }
   return head;
@@ -53,11 +55,12 @@ std::size_t end_of_section(const TimeLaw& law, std::size_t begin) {
 }  // namespace
 
 template <std::size_t order>
-HeadPlan<order>::HeadPlan(const JointTask& task, double corner_angle, double share, Progress& progress, double calm)
+HeadPlan<order>::HeadPlan(const JointTask& task, double corner_angle, double share, Progress& progress,
+                          const Freedom& freedom)
     : task_(task),
       corner_angle_(corner_angle),
       progress_(progress),
-      limits_(calmed(shared(head_limits(task.machine), share), task.machine, calm)),
+      limits_(calmed(shared(head_limits(task.machine), share), task.machine, freedom)),
       paces_{task.feeds, {}},
       base_(planned(limits_, task.feeds, task.rests)) {
   for (std::size_t i = 0; i < base_.pieces().size();) {
@@ -131,13 +134,19 @@ double HeadPlan<order>::peak(std::size_t first, std::size_t last) const {
 }
 
 template <std::size_t order>
-std::shared_ptr<const PathMotion> HeadPlan<order>::calmer(double share, double calm) const {
-  HeadPlan other(task_, corner_angle_, share, progress_, std::min(calm, 1.0));
+std::shared_ptr<const PathMotion> HeadPlan<order>::calmer(double share, const Freedom& freedom) const {
+  HeadPlan other(task_, corner_angle_, share, progress_, freedom);
   other.paces_.feeds = paces_.feeds;
   other.paces_.gentle = paces_.gentle;
+  if (freedom.gentle < 1) {
+    const double most = freedom.gentle * other.peak(0, task_.path->size());
+    for (double& feed : other.paces_.feeds) feed = std::min(feed, most);
+    for (auto& [segment, straight] : other.paces_.straight)
+      if (straight.pace.feed > most) straight.pace.feed = most, straight.slowed = true;
+  }
   double stroke = 0;
   for (const CoarseFineAxis& axis : task_.machine.axes) stroke = std::max(stroke, axis.stroke);
-  const double slower = 1 / std::max(calm, 1.0);
+  const double slower = 1 / freedom.longer;
   for (const auto& [segment, straight] : paces_.straight) {
     const auto at = other.paces_.straight.find(segment);
     if (at == other.paces_.straight.end()) continue;

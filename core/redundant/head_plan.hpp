@@ -12,6 +12,13 @@
 
 namespace bahnwerk {
 
+/// What a calmer head leaves unused.
+struct Freedom {
+  double calm = 0;  ///< part of the coarse axes' accelerations, and of the fine ones' velocities, that it does without
+  double longer = 1;  ///< so many times as long moves of more than two strokes last
+  double gentle = 1;  ///< part that it uses of the accelerations left to it, and of its largest speed then
+};
+
 /// Plans the head again and again, with paces that fall. A straight section whose pace fell has a closed form; of other
 /// sections those are planned again whose feeds or accelerations fell. Every plan costs O(pieces) of the sections asked
 /// for besides.
@@ -19,11 +26,9 @@ template <std::size_t order>
 class HeadPlan {
  public:
   /// `share` of the summed limits is used. Straight sections get their paces. Throws as the planners of laws do.
-  HeadPlan(const JointTask& task, double corner_angle, double share, Progress& progress, double calm = 0);
-  /// A head that leaves the coarse axes more freedom: `calm` of 1 takes away their acceleration, and the fine axes'
-  /// velocity; 0 is motion(), what is between linear between. Beyond 1 moves of more than two strokes last so many
-  /// times as long, too. Nowhere quicker than the paces of this plan.
-  std::shared_ptr<const PathMotion> calmer(double share, double calm) const;
+  HeadPlan(const JointTask& task, double corner_angle, double share, Progress& progress, const Freedom& freedom = {});
+  /// A head that leaves the coarse axes more freedom than motion(), nowhere quicker than the paces of this plan.
+  std::shared_ptr<const PathMotion> calmer(double share, const Freedom& freedom) const;
 
   const Machine& limits() const { return limits_; }
   Paces& paces() { return paces_; }

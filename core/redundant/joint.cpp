@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "core/base/errors.hpp"
 #include "core/base/progress_scope.hpp"
 #include "core/motion/axes/spline_motion.hpp"
+#include "core/redundant/calm_heads.hpp"
 #include "core/redundant/chain_windows.hpp"
 #include "core/redundant/followable_states.hpp"
 #include "core/redundant/following.hpp"
@@ -31,14 +33,9 @@ constexpr double jerk_change = 4e-3;  // of the fine acceleration: range of the 
 constexpr double jerk_range = 1;
 constexpr double rest_of_window = 4;  // of a window of the chain, in its units of time, beyond a stop of the axis
 constexpr int most_attempts = 6;
-// Of heads that leave the coarse axes more freedom: up to all of it in so many steps, long moves then last up to twice
-// as long in twice as many.
-constexpr double same_duration = 1e-6;  // relative
-constexpr int calm_steps = 8;
-constexpr std::size_t calm_heads = 24;
 // What is slowed by no more than this is slowed evenly, and so is what would keep more than this of its energy.
 constexpr double least_spread = 1e-6, worth_spreading = 0.9;
-double calm_at(int step) { return step <= calm_steps ? step / 8.0 : std::pow(2, (step - calm_steps) / 16.0); }
+constexpr double hopeless = 3;  // times the least energy so far: no spreading makes up for that
 
 template <std::size_t order>
 class Planner {
@@ -199,29 +196,33 @@ class Planner {
     Split slowed{fastest_.head, fastest_.cells, stretch, solve_all(fastest_.cells, stretch)};
     if (order != 2 || alone_) return slowed;
     const double duration = fastest_.head->duration() * stretch;
-    const std::size_t calm = calmest(duration, stretch);
-    if (calm == 0) return spread(std::move(slowed), duration, cell_options_);
-    HeadCellOptions cells = cell_options_;
-    const double share = std::min(calm_at(static_cast<int>(calm)), 1.0);
-    for (std::size_t k = 0; k < axes(); ++k) {
-      double& held = cells.held[k].acceleration;
-      held += share * (std::min(held, axis(k).fine.acceleration) - held);
+    std::vector<std::pair<Split, HeadCellOptions>> found{{std::move(slowed), cell_options_}};
+    double least = energy(found.front().first);
+    const double longest = std::max(duration, fastest_.head->duration() * stretches[std::size(stretches) - 1]);
+    for (const CalmHead& calm : calm_.within(duration, longest)) {
+      const HeadCellOptions cells = cell_options(calm.freedom);
+      Split split = split_of(calm.head, duration, cells);
+      if (!valid(split)) continue;
+      least = std::min(least, energy(split));
+      found.emplace_back(std::move(split), cells);
     }
-    Split found = split_of(calm_[calm - 1], duration, cells);
-    slowed = spread(std::move(slowed), duration, cell_options_);
-    if (!valid(found)) return slowed;
-    found = spread(std::move(found), duration, cells);
-    return energy(found) < energy(slowed) ? found : slowed;
+    std::optional<Split> best;
+    for (auto& [split, cells] : found) {
+      if (energy(split) > hopeless * least) continue;
+      Split slower = spread(std::move(split), duration, cells);
+      if (!best || energy(slower) < energy(*best)) best = std::move(slower);
+    }
+    return *std::move(best);
   }
 
-  /// How many calmer heads there are up to the last one that takes no longer than that; 0: none does.
-  std::size_t calmest(double duration, double stretch) {
-    const double longest = fastest_.head->duration() * std::max(stretch, stretches[std::size(stretches) - 1]);
-    while (calm_.size() < calm_heads && (calm_.empty() || calm_.back()->duration() <= longest))
-      calm_.push_back(plan_.calmer(head_share, calm_at(static_cast<int>(calm_.size()) + 1)));
-    std::size_t last = calm_.size();
-    while (last > 0 && !(calm_[last - 1]->duration() <= duration * (1 + same_duration))) --last;
-    return last;
+  HeadCellOptions cell_options(const Freedom& freedom) const {
+    HeadCellOptions cells = cell_options_;
+    for (std::size_t k = 0; k < axes(); ++k) {
+      double& held = cells.held[k].acceleration;
+      held += freedom.calm * (std::min(held, axis(k).fine.acceleration) - held);
+      held *= freedom.gentle;
+    }
+    return cells;
   }
 
   Split split_of(std::shared_ptr<const PathMotion> head, double duration, const HeadCellOptions& options) {
@@ -310,7 +311,7 @@ class Planner {
   std::shared_ptr<const PathMotion> head_;
   HeadCells cells_;
   Split fastest_;
-  std::vector<std::shared_ptr<const PathMotion>> calm_;  // heads with ever more freedom for the coarse axes
+  CalmHeads<order> calm_{plan_, head_share};
   double ahead_ = 1;
   bool alone_ = false;  // whether the head moves as the coarse axes alone can
   bool stops_ = false;  // and rests where curvature jumps, too

@@ -47,12 +47,13 @@ double StatorIron::section_distance(Space p) const {
 }
 
 Block::Block(double azimuth, double inner, double outer, double left, double right, double low, double high)
-    : azimuth_(azimuth),
+    : outwards_(azimuth),
+      inwards_(-azimuth),
       middle_{(inner + outer) / 2, (left + right) / 2, (low + high) / 2},
       half_{(outer - inner) / 2, (right - left) / 2, (high - low) / 2} {}
 
 double Block::distance(Space p) const {
-  const Space d = turned(p, -azimuth_) - middle_;
+  const Space d = turned(p, inwards_) - middle_;
   const Space out{std::abs(d.x) - half_.x, std::abs(d.y) - half_.y, std::abs(d.z) - half_.z};
   const double inside = std::max({out.x, out.y, out.z});
   if (inside <= 0) return inside;
@@ -60,7 +61,7 @@ double Block::distance(Space p) const {
 }
 
 Space Block::away(Space p) const {
-  const Space d = turned(p, -azimuth_) - middle_;
+  const Space d = turned(p, inwards_) - middle_;
   Space out{std::abs(d.x) - half_.x, std::abs(d.y) - half_.y, std::abs(d.z) - half_.z};
   const double most = std::max({out.x, out.y, out.z});
   // Outside the way from the nearest point, inside the nearest face.
@@ -71,7 +72,7 @@ Space Block::away(Space p) const {
            out.x < most && out.y < most ? 1.0 : 0.0};
   }
   out = (1 / norm(out)) * Space{std::copysign(out.x, d.x), std::copysign(out.y, d.y), std::copysign(out.z, d.z)};
-  return turned(out, azimuth_);
+  return turned(out, outwards_);
 }
 
 std::vector<Block> tool_posts(const StatorPart& part, const ToolPost& post, Coil coil) {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/winding/part/part.hpp"
+#include "core/winding/part/space.hpp"
 
 namespace bahnwerk::winding {
 
@@ -69,7 +70,7 @@ class Block final : public Obstacle {
   Space away(Space p) const override;
 
  private:
-  double azimuth_;
+  Rotation outwards_, inwards_;  ///< from the azimuth 0 to the block, and back
   Space middle_, half_;
 };
 

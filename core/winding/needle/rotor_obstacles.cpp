@@ -100,17 +100,17 @@ double RotorIron::section_distance(Space p) const {
 }
 
 Wall::Wall(double azimuth, Region section, double half_width)
-    : azimuth_(azimuth), half_width_(half_width), section_(std::move(section)) {}
+    : outwards_(azimuth), inwards_(-azimuth), half_width_(half_width), section_(std::move(section)) {}
 
 double Wall::distance(Space p) const {
-  const Space local = turned(p, -azimuth_);
+  const Space local = turned(p, inwards_);
   const double section = -section_.distance({local.x, local.z}), beyond = std::abs(local.y) - half_width_;
   if (section <= 0 || beyond <= 0) return std::max(section, beyond);
   return std::hypot(section, beyond);
 }
 
 Space Wall::away(Space p) const {
-  const Space local = turned(p, -azimuth_);
+  const Space local = turned(p, inwards_);
   const Point at{local.x, local.z};
   const Region::Nearest nearest = section_.nearest(at);
   const double section = -nearest.distance, beyond = std::abs(local.y) - half_width_;
@@ -121,7 +121,7 @@ Space Wall::away(Space p) const {
     across_share = 1 - radial_share;
   }
   const Space n{radial_share * out.x, std::copysign(across_share, local.y), radial_share * out.y};
-  return turned((1 / norm(n)) * n, azimuth_);
+  return turned((1 / norm(n)) * n, outwards_);
 }
 
 std::vector<Wall> cap_walls(const RotorPart& part, const Slot& slot, const RotorShape& shape) {

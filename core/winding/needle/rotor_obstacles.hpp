@@ -46,7 +46,8 @@ class Wall final : public Obstacle {
   Space away(Space p) const override;
 
  private:
-  double azimuth_, half_width_;
+  Rotation outwards_, inwards_;
+  double half_width_;
   Region section_;
 };
 

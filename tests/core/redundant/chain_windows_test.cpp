@@ -45,6 +45,26 @@ TEST(ChainWindows, AWindowedSolutionIsOneOfTheWholeForHardlyMoreEnergy) {
   EXPECT_NEAR(s.states.back()[1], 0, 1e-8);
 }
 
+/// What is smooth looks far ahead: a window that ends where a stop would fit loses a tenth.
+TEST(ChainWindows, ASlowMotionIsWindowedForHardlyMoreEnergyToo) {
+  Chain<2> chain = wave(6000, 8);
+  for (double& step : chain.steps) step = 0.05;
+  for (std::size_t i = 0; i < chain.states.size(); ++i) {
+    const double x =
+        8 * std::sin(0.013 * 0.05 * static_cast<double>(i) * (1 + 0.3 * std::sin(0.002 * static_cast<double>(i))));
+    chain.states[i][0] = {x - 1, x + 1};
+  }
+  const ChainSolution<2> whole = solve(chain, {});
+  ChainWindowOptions windows;
+  windows.kept = 1000;
+  windows.ahead = 6;
+  const double own = solve_in_windows(chain, {}, windows).energy;
+  windows.own_times = 0;
+  const double given = solve_in_windows(chain, {}, windows).energy;
+  EXPECT_LT(own, 1.01 * whole.energy);
+  EXPECT_GT(given, 1.05 * whole.energy);
+}
+
 TEST(ChainWindows, OneWindowIsTheSolutionItself) {
   const Chain<2> chain = wave(300, 8);
   const ChainSolution<2> whole = solve(chain, {});

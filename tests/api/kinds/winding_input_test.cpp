@@ -1,0 +1,165 @@
+// What is read from the document of a winding.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "api/kinds/winding/winding.hpp"
+#include "core/base/errors.hpp"
+#include "core/machine/robot_winder.hpp"
+#include "tests/api/documents.hpp"
+
+namespace bahnwerk::api::winding_kind {
+namespace {
+
+using nlohmann::json;
+
+constexpr double degree = std::numbers::pi / 180;
+
+json example(const std::string& name) {
+  return test::read_json(test::source("schemas/examples/winding/" + name + ".json"));
+}
+json machine(const std::string& name) { return test::read_json(test::source("examples/machines/" + name + ".json")); }
+
+std::vector<std::string> fault_places(const json& spec) {
+  std::vector<std::string> places;
+  try {
+    request(spec);
+  } catch (const InvalidInput& error) {
+    for (const InputFault& fault : error.faults) {
+      std::string place;
+      for (const std::string& token : fault.place) place += "/" + token;
+      places.push_back(place);
+    }
+  }
+  return places;
+}
+
+TEST(WindingInput, ReadsAStator) {
+  const WindingRequest r = request(example("complete"));
+  const auto& part = std::get<winding::StatorPart>(r.part);
+  EXPECT_EQ(part.slots, 48);
+  EXPECT_NEAR(part.slot.tip_angle, 92.5 * degree, 1e-15);
+  EXPECT_EQ(part.heads.tool_radius, 99.971);
+  EXPECT_EQ(part.heads.tool_height, 15.5);
+  EXPECT_NEAR(r.wire.outer, 0.989, 1e-12);
+  EXPECT_EQ(r.coils, (std::vector<winding::Coil>{{0, 5}, {17, -5}}));
+  EXPECT_EQ(r.turns, 2u);
+  EXPECT_EQ(r.feed, PlanningMethod::natural);
+  EXPECT_EQ(r.along.velocity, 700);
+  EXPECT_EQ(r.along.jerk, 60000);
+  EXPECT_EQ(r.profile, SpeedProfile::double_s);
+  EXPECT_EQ(r.chord_tolerance, 0.005);
+  EXPECT_EQ(r.half_speed_curvature, 0.2);
+  EXPECT_NEAR(*r.model.pivot_limit, 10 * degree, 1e-15);
+  EXPECT_NEAR(r.model.pull.bending_moment, winding::bending_moment(r.wire), 1e-12);
+  EXPECT_EQ(r.model.change_height, 10);
+  EXPECT_EQ(r.least_clearance, -5);
+  EXPECT_EQ(r.links.weights.rate, 8);
+  EXPECT_EQ(r.cycle_time, 0.002);
+}
+
+TEST(WindingInput, DefaultsAreTheSources) {
+  json spec = example("complete");
+  for (const char* member : {"base_radius", "tool_radius", "tool_shift", "tool_height", "stack", "slots"})
+    spec["part"].erase(member);
+  const WindingRequest r = request(spec);
+  const auto& part = std::get<winding::StatorPart>(r.part);
+  const winding::StatorHeads source;
+  EXPECT_EQ(part.slots, 48);
+  EXPECT_NEAR(part.heads.base_radius, source.base_radius, 1e-9);
+  EXPECT_NEAR(part.heads.tool_radius, source.tool_radius, 1e-9);
+  EXPECT_EQ(part.heads.tool_shift, source.tool_shift);
+  EXPECT_EQ(part.heads.stack, source.stack);
+
+  const WindingRequest least = request(example("minimal"));
+  const auto& rotor = std::get<winding::RotorPart>(least.part);
+  EXPECT_EQ(rotor.poles, 6);
+  EXPECT_EQ(rotor.heads.cap_base, winding::RotorHeads{}.cap_base);
+  EXPECT_EQ(least.feed, PlanningMethod::jerk_limited);
+  EXPECT_EQ(least.along.velocity, unlimited);
+  EXPECT_FALSE(least.model.pivot_limit);
+  EXPECT_EQ(least.links.continuity, 3u);
+  EXPECT_EQ(least.coils.size(), 1u);
+}
+
+TEST(WindingInput, TakesTheMachinesOfTheExamplesAsTheyAre) {
+  for (const char* name : {"robot", "vertical", "horizontal"}) {
+    json spec = example("minimal");
+    spec["machine"] = machine(name);
+    EXPECT_FALSE(test::refusal(test::job_with_spec("winding", spec).dump())) << name;
+    const WindingRequest r = request(spec);
+    EXPECT_EQ(r.configurations.size(), name == std::string("robot") ? 2u : 1u);
+    for (const auto& machine : r.configurations)
+      for (const AxisLimits& axis : machine->axes()) {
+        const json& said = spec["machine"]["axes"][axis.name];
+        const double unit = axis.unit == "rad" ? degree : 1;
+        EXPECT_NEAR(axis.velocity, unit * said["velocity"].get<double>(), 1e-12 * axis.velocity) << axis.name;
+        EXPECT_NEAR(axis.jerk, unit * said["jerk"].get<double>(), 1e-12 * axis.jerk) << axis.name;
+        EXPECT_EQ(axis.highest == unlimited, said["range"].is_null()) << axis.name;
+      }
+  }
+}
+
+TEST(WindingInput, TheArmCanBeChosen) {
+  for (const auto& [name, arm] : {std::pair{"lefty", RobotArm::lefty}, {"righty", RobotArm::righty}}) {
+    json spec = example("complete");
+    spec["machine"]["arm"] = name;
+    const WindingRequest r = request(spec);
+    ASSERT_EQ(r.configurations.size(), 1u);
+    EXPECT_EQ(dynamic_cast<const RobotWinder&>(*r.configurations[0]).arm(), arm);
+  }
+}
+
+TEST(WindingInput, FaultsOfSlotAndHeadsAreNamedWithinThePart) {
+  json spec = example("minimal");
+  spec["part"]["slot"]["groove_radius"] = 0.3;
+  spec["part"]["slot"]["base_width"] = 12;
+  EXPECT_THAT(fault_places(spec), testing::ElementsAre("/part/slot/groove_radius", "/part/slot/base_width"));
+  spec = example("minimal");
+  spec["part"]["cap_height"] = 5;
+  EXPECT_THAT(fault_places(spec), testing::ElementsAre("/part/cap_height"));
+}
+
+TEST(WindingInput, CoilsMayNotLieOnEachOther) {
+  json spec = example("complete");
+  spec["coil"]["repeat"] = {{"step", 1}, {"count", 5}};
+  EXPECT_THAT(fault_places(spec), testing::IsEmpty()) << "0 … 4 with 5 … 9";
+  spec["coil"]["repeat"]["count"] = 6;
+  EXPECT_THAT(fault_places(spec), testing::ElementsAre("/coil/repeat"));
+  spec = example("minimal");
+  spec["coil"]["repeat"] = {{"step", 1}, {"count", 6}, {"alternate", false}};
+  EXPECT_THAT(fault_places(spec), testing::IsEmpty()) << "all poles of a rotor";
+  spec["coil"]["repeat"]["count"] = 7;
+  EXPECT_THAT(fault_places(spec), testing::ElementsAre("/coil/repeat"));
+}
+
+TEST(WindingInput, ReadsTheInterpolatorAndTheWiresPull) {
+  json spec = example("minimal");
+  const WindingRequest plain = request(spec);
+  EXPECT_EQ(plain.interpolator, Interpolator::exact);
+  EXPECT_EQ(plain.tension.mass, 0);
+  EXPECT_EQ(plain.tension.friction, 0);
+  EXPECT_EQ(plain.tension.range, 0);
+  EXPECT_NEAR(plain.tension.permitted, 120 * std::numbers::pi / 4 * 1.12 * 1.12, 1e-9);
+  spec["feed"]["interpolator"] = "quartic";
+  spec["pull"] = {{"force", 25}, {"effective_mass", 0.1}, {"friction", 0.2}, {"brake_range", 50}, {"permitted", 40}};
+  const WindingRequest r = request(spec);
+  EXPECT_EQ(r.interpolator, Interpolator::quartic);
+  EXPECT_EQ(r.tension.force, 25);
+  EXPECT_EQ(r.tension.mass, 0.1);
+  EXPECT_EQ(r.tension.friction, 0.2);
+  EXPECT_EQ(r.tension.range, 50);
+  EXPECT_EQ(r.tension.permitted, 40);
+  spec["pull"] = {{"force", 25}, {"brake_range", 20}, {"permitted", 24}};
+  EXPECT_THAT(fault_places(spec), testing::UnorderedElementsAre("/pull/force", "/pull/brake_range"));
+  // A thin wire is drawn at its yield point: said in a note, as long as nobody says what it may bear.
+  spec["pull"] = {{"force", 200}};
+  EXPECT_EQ(request(spec).tension.permitted, 200);
+}
+
+}  // namespace
+}  // namespace bahnwerk::api::winding_kind
