@@ -154,10 +154,11 @@ std::shared_ptr<const PathMotion> HeadPlan<order>::calmer(double share, const Fr
     if (!straight.slowed && !slows) continue;
     Pace& pace = at->second.pace;
     pace = {std::min(pace.feed, straight.pace.feed), std::min(pace.rise, straight.pace.rise),
-            std::min(pace.fall, straight.pace.fall)};
+            std::min(pace.fall, straight.pace.fall), freedom.gentle < 1 ? 0 : straight.pace.slope};
     if (slows) {  // from the speed that it really reaches
       const double peak = std::sqrt(2 * straight.move.length / (1 / pace.rise + 1 / pace.fall));
-      pace = {std::min(pace.feed, peak) * slower, pace.rise * slower * slower, pace.fall * slower * slower};
+      pace = {std::min(pace.feed, peak) * slower, pace.rise * slower * slower, pace.fall * slower * slower,
+              pace.slope * slower * slower};
     }
     at->second.slowed = true;
   }

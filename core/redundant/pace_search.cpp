@@ -27,18 +27,9 @@ constexpr std::size_t reach = 4;  // sections between the two of an exchange, at
 // Of the duration of a move, and of its acceleration or braking, in an exchange.
 constexpr std::array<double, 9> shifts{1.01, 1.04, 1.12, 1.3, 1 / 1.01, 1 / 1.04, 1 / 1.1, 1 / 1.2, 1 / 1.5};
 constexpr std::array<double, 3> ends{0.9, 0.7, 0.4};
-
-/// Duration of a straight move of length L that accelerates and brakes with 1/a + 1/b = s and cruises at w.
-double duration_of(double length, double s, double w) { return 0.5 * w * s + length / w; }
-double duration_of(const StraightMove& move, const Pace& pace) {
-  const double s = 1 / pace.rise + 1 / pace.fall;
-  return duration_of(move.length, s, std::min({pace.feed, move.fastest.feed, std::sqrt(2 * move.length / s)}));
-}
-/// The cruising speed for a duration; the highest where that is below the least, √(2 s L).
-double cruise_of(double length, double s, double duration) {
-  const double least = std::sqrt(2 * s * length), t = std::max(duration, least);
-  return (t - std::sqrt((t - least) * (t + least))) / s;
-}
+// Of a move's reserve, to either side, with the two highest levels of acceleration and of braking.
+constexpr std::array<double, 2> slopes{1, 0.4};
+constexpr int sloped_levels = 2;
 
 }  // namespace
 
@@ -156,7 +147,7 @@ bool PaceSearch::slowed(std::size_t section) {
   return plan_.paces().gentle.count(sections_[section].first) > 0;
 }
 
-bool PaceSearch::quickest_move(std::size_t section, double limit) {
+bool PaceSearch::quickest_move(std::size_t section, double limit, bool sloped) {
   Paces::Straight& move = *straight(section);
   const StraightMove& m = move.move;
   const Speeds before = speeds(section);
@@ -164,9 +155,8 @@ bool PaceSearch::quickest_move(std::size_t section, double limit) {
   Speeds best = before;
   Timed best_timed;
   bool found = false;
-  const auto tried = [&](double rise, double fall, double duration) {
-    const double s = 1 / rise + 1 / fall;
-    move.pace = {std::min(cruise_of(m.length, s, duration - wait), m.fastest.feed), rise, fall};
+  const auto tried = [&](double rise, double fall, double slope, double duration) {
+    move.pace = lasting(m, {0, rise, fall, slope}, duration - wait);
     move.slowed = true;
     Timed now = timed(sections_[section].first, sections_[section].last);
     if (!(now.duration < limit) || !possible(section, now)) return false;
@@ -175,32 +165,40 @@ bool PaceSearch::quickest_move(std::size_t section, double limit) {
     best_timed = std::move(now);
     return found = true;
   };
-  const auto searched = [&](double rise, double fall) {
+  const auto searched = [&](double rise, double fall, double slope) {
     rise = std::min(rise, m.fastest.rise), fall = std::min(fall, m.fastest.fall);
-    double least = wait + duration_of(m, {m.fastest.feed, rise, fall});
+    double least = wait + duration_of(m, {m.fastest.feed, rise, fall, slope});
     if (!(least < limit * (1 - worth))) return;
-    if (!tried(rise, fall, limit * (1 - worth))) return;
+    if (!tried(rise, fall, slope, limit * (1 - worth))) return;
     while (limit - least > closed * limit) {
       const double middle = 0.5 * (least + limit);
-      if (!tried(rise, fall, middle)) least = middle;
+      if (!tried(rise, fall, slope, middle)) least = middle;
     }
   };
-  if (before.slowed && tried(m.fastest.rise, m.fastest.fall, 0)) {
+  if (before.slowed && tried(m.fastest.rise, m.fastest.fall, 0, 0)) {
     sections_[section] = std::move(best_timed);
     return true;
   }
-  if (before.slowed) searched(before.pace.rise, before.pace.fall);
+  if (before.slowed) searched(before.pace.rise, before.pace.fall, before.pace.slope);
   const double rises = m.fastest.rise / m.slowest.rise, falls = m.fastest.fall / m.slowest.fall;
+  const auto graded = [&](int i, int j, double slope) {
+    searched(m.fastest.rise * std::pow(rises, -i / (levels - 1.0)),
+             m.fastest.fall * std::pow(falls, -j / (levels - 1.0)), slope);
+  };
   for (int i = 0; i < levels; ++i)
-    for (int j = 0; j < levels; ++j)
-      searched(m.fastest.rise * std::pow(rises, -i / (levels - 1.0)),
-               m.fastest.fall * std::pow(falls, -j / (levels - 1.0)));
+    for (int j = 0; j < levels; ++j) graded(i, j, 0);
+  for (const double part : slopes)
+    for (const double slope : {part * m.reserve, -part * m.reserve})
+      for (int i = 0; sloped && m.reserve > 0 && i < sloped_levels; ++i)
+        for (int j = 0; i + j < sloped_levels; ++j) graded(i, j, slope);
   for (double q = std::sqrt(std::pow(std::max(rises, falls), 1 / (levels - 1.0))); found && q > finest;
        q = std::sqrt(q)) {
     const Pace centre = best.pace;
     for (const double r : {1.0, q, 1 / q})
       for (const double f : {1.0, q, 1 / q})
-        if (r != 1 || f != 1) searched(centre.rise * r, centre.fall * f);
+        if (r != 1 || f != 1) searched(centre.rise * r, centre.fall * f, centre.slope);
+    if (centre.slope != 0)
+      for (const double r : {q, 1 / q}) searched(centre.rise, centre.fall, centre.slope * r);
   }
   restore(section, best);
   if (found) sections_[section] = std::move(best_timed);
@@ -280,7 +278,7 @@ bool PaceSearch::sweep() {
   bool found = false;
   for (std::size_t i = 0; i < sections_.size(); ++i) {
     if (slowed(i)) {
-      const bool quicker = straight(i) ? quickest_move(i, sections_[i].duration) : quicker_cut(i);
+      const bool quicker = straight(i) ? quickest_move(i, sections_[i].duration, true) : quicker_cut(i);
       found = found || quicker;
     }
     for (std::size_t k = 0; k < machine_.axes.size(); ++k) {
@@ -309,7 +307,7 @@ bool PaceSearch::exchange(std::size_t section, const Speeds& before, std::size_t
   std::vector<std::vector<FollowableStates>> kept(states.begin() + static_cast<std::ptrdiff_t>(low),
                                                   states.begin() + static_cast<std::ptrdiff_t>(high));
   section < move ? carry_forward(section, move) : carry_backward(move + 1, section + 1);
-  if (quickest_move(move, limit * (1 - worth))) {
+  if (quickest_move(move, limit * (1 - worth), false)) {
     carry_forward(std::min(section, move), sections_.size());
     carry_backward(0, std::max(section, move) + 1);
     return true;
@@ -347,21 +345,21 @@ bool PaceSearch::exchange_moves(std::size_t section, std::size_t move, bool slow
   const Speeds before = speeds(section);
   const auto changed = [&](const Pace& pace) {
     own.pace = {std::min(pace.feed, m.fastest.feed), std::min(pace.rise, m.fastest.rise),
-                std::min(pace.fall, m.fastest.fall)};
+                std::min(pace.fall, m.fastest.fall), pace.slope};
     own.slowed = true;
     return exchange(section, before, move);
   };
   const Pace now = before.pace;
   for (const double by : shifts) {
     if (by > 1 ? !other_slowed : !slowed) continue;
-    const double s = 1 / now.rise + 1 / now.fall, duration = duration_of(m, now) * by;
-    if (duration * duration < 2 * s * m.length) continue;
-    if (changed({cruise_of(m.length, s, duration), now.rise, now.fall})) return true;
+    const double duration = duration_of(m, now) * by;
+    if (duration < duration_of(m, {m.fastest.feed, now.rise, now.fall})) continue;
+    if (changed(lasting(m, now, duration))) return true;
   }
   if (!other_slowed) return false;
   for (const double by : ends)
     for (const bool rise : {true, false})
-      if (changed({now.feed, rise ? now.rise * by : now.rise, rise ? now.fall : now.fall * by})) return true;
+      if (changed({now.feed, rise ? now.rise * by : now.rise, rise ? now.fall : now.fall * by, now.slope})) return true;
   return false;
 }
 

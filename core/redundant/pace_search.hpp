@@ -4,10 +4,10 @@
 ///
 /// What the coarse axes can do before and behind a section are convex sets of states (followable_states.hpp) that do
 /// not change with its pace, so that a pace is judged on the cells of that section alone. A straight move is searched
-/// over its acceleration, its braking and its feed, other sections over a feed for all of it, the accelerations, and
-/// feeds of its segments. Then pairs: a section that is not a
-/// move becomes as quick as ever, or a move a little slower or quicker, in all or at one end, and another move near it
-/// makes up for that; what takes less time in all stays.
+/// over its acceleration, its braking, its feed and what is between them, other sections over a feed for all of it, the
+/// accelerations, and feeds of its segments. Then pairs: a section that is not a move becomes as quick as ever, or a
+/// move a little slower or quicker, in all or at one end, and another move near it makes up for that; what takes less
+/// time in all stays.
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -56,8 +56,9 @@ class PaceSearch {
   void restore(std::size_t section, const Speeds& speeds);
   bool slowed(std::size_t section);
 
-  /// The pace of a straight move with the least duration below `limit`; the plan keeps it if there is one.
-  bool quickest_move(std::size_t section, double limit);
+  /// The pace of a straight move with the least duration below `limit`; the plan keeps it if there is one. `sloped`:
+  /// whether other slopes than that of its pace are looked at.
+  bool quickest_move(std::size_t section, double limit, bool sloped);
   /// The same of another section, over feeds of its segments and one share of its accelerations.
   bool quicker_cut(std::size_t section);
   bool sweep();
