@@ -10,19 +10,12 @@
 #include "api/kinds/winding/winding.hpp"
 #include "core/base/errors.hpp"
 #include "core/machine/robot_winder.hpp"
-#include "tests/api/documents.hpp"
+#include "tests/api/kinds/winding_documents.hpp"
 
 namespace bahnwerk::api::winding_kind {
 namespace {
 
 using nlohmann::json;
-
-constexpr double degree = std::numbers::pi / 180;
-
-json example(const std::string& name) {
-  return test::read_json(test::source("schemas/examples/winding/" + name + ".json"));
-}
-json machine(const std::string& name) { return test::read_json(test::source("examples/machines/" + name + ".json")); }
 
 std::vector<std::string> fault_places(const json& spec) {
   std::vector<std::string> places;

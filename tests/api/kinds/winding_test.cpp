@@ -11,18 +11,12 @@
 #include "core/contour/dxf.hpp"
 #include "tests/api/checked.hpp"
 #include "tests/api/documents.hpp"
+#include "tests/api/kinds/winding_documents.hpp"
 
 namespace bahnwerk::api::winding_kind {
 namespace {
 
 using nlohmann::json;
-
-constexpr double degree = std::numbers::pi / 180;
-
-json example(const std::string& name) {
-  return test::read_json(test::source("schemas/examples/winding/" + name + ".json"));
-}
-json machine(const std::string& name) { return test::read_json(test::source("examples/machines/" + name + ".json")); }
 
 PlannedJob planned(const json& spec) {
   SilentProgress silent;
