@@ -30,8 +30,9 @@ winding::LayingRegions regions_of(const FillRequest& request) {
 /// The slot in which layouts are made, nominal or with its walls moved outwards by `wall` mm.
 class Filler {
  public:
-  explicit Filler(const FillRequest& request, double wall = 0) : request_(request), slot_(request.slot), wall_(wall) {
-    slot_.usable_area = slot_.usable_area.inward(-wall);
+  Filler(const FillRequest& request, double wall, Progress& progress)
+      : request_(request), slot_(request.slot), wall_(wall) {
+    slot_.usable_area = slot_.usable_area.inward(-wall, &progress);
   }
 
   Layout lay(Algorithm algorithm, double radius, double overlap, std::span<const std::vector<Point>> hints,
@@ -75,7 +76,7 @@ class Filler {
     if (std::holds_alternative<std::monostate>(request_.heads))
       return winding::needle(slot_.usable_area, radius, request_.tie_in, progress);
     winding::LayingRegions at = regions_of(request_);
-    for (winding::LayingRegion& region : at.at) region.usable_area = region.usable_area.inward(-wall_);
+    for (winding::LayingRegion& region : at.at) region.usable_area = region.usable_area.inward(-wall_, &progress);
     winding::NeedleLayout laid = winding::needle(at, radius, request_.tie_in, progress);
     regions.assign(std::make_move_iterator(laid.begin() + 1), std::make_move_iterator(laid.end()));
     return std::move(laid[0]);
@@ -104,7 +105,7 @@ std::vector<std::size_t> sampled_counts(const FillRequest& request, Algorithm al
   for (std::size_t k = 0; k < list.size(); ++k) {
     const double n = static_cast<double>(list.size());
     ProgressPart part(progress, "sampling", static_cast<double>(k) / n, (static_cast<double>(k) + 1) / n);
-    const Filler filler(request, request.sampling.slot_tolerance * list[k].wall);
+    const Filler filler(request, request.sampling.slot_tolerance * list[k].wall, part);
     Wire drawn = wire;
     drawn.outer *= 1 - tolerance * list[k].diameter;
     std::vector<Layout> regions;
@@ -216,7 +217,7 @@ FillPlan plan_fill(const FillRequest& request, Progress& progress) {
     return weight(request.algorithms[a]) < weight(request.algorithms[b]);
   });
   const std::vector<Sample> drawn = samples(request);
-  const Filler filler(request);
+  const Filler filler(request, 0, progress);
   for (const Wire& wire : request.wires) {
     const std::size_t first = plan.layouts.size();
     plan.layouts.resize(first + order.size());
