@@ -18,6 +18,7 @@
 #include "core/verify/law/rest_check.hpp"
 #include "core/verify/redundant/coarse_fine_checks.hpp"
 #include "core/verify/redundant/stroke_bound.hpp"
+#include "core/verify/redundant/stroke_chains.hpp"
 #include "core/verify/redundant/sum_checks.hpp"
 #include "core/verify/setpoints/motion_setpoint_checks.hpp"
 #include "core/verify/setpoints/setpoint_checks.hpp"
@@ -102,19 +103,34 @@ class Pipeline {
   }
 
   void bound() {
-    Machine machine = head_;
-    machine.axes.resize(moving_);
+    moving_head_ = head_, moving_coarse_ = coarse_axes_, moving_fine_ = fine_axes_;
+    moving_head_.axes.resize(moving_), moving_coarse_.resize(moving_), moving_fine_.resize(moving_);
+    const PathTask head = head_task();
     Bound& bound = plan_.contour.bound;
-    const PathTask head{*path_.moving, machine, path_.feeds, path_.rests, path_.dwells};
     const double between = posed() + 0.8 * (bounded() - posed());
     bound = lower_bound(head, planning_.corner_angle, progress_, posed(), between, &section_bounds_);
     bound.basis += ", limits of coarse and fine axes summed";
-    std::vector<AxisLimits> coarse = coarse_axes_, fine = fine_axes_;
-    coarse.resize(moving_), fine.resize(moving_);
-    const StrokeGain gain = raise_by_stroke({head, coarse, fine, between, bounded()}, section_bounds_, progress_);
+    const StrokeGain gain =
+        raise_by_stroke({head, moving_coarse_, moving_fine_, between, bounded()}, section_bounds_, progress_);
     bound.duration += gain.duration;
     if (gain.sections > 0)
       bound.basis += "; the way of the coarse axes in " + std::to_string(gain.sections) + " sections";
+  }
+
+  PathTask head_task() const { return {*path_.moving, moving_head_, path_.feeds, path_.rests, path_.dwells}; }
+
+  /// Where sections take longer than their bounds they may have to, together. A motion that is slower on purpose says
+  /// nothing of that.
+  void bound_chains() {
+    const bool fastest =
+        options_.method == RedundancyMethod::joint && options_.smoothness == 0 && options_.stretch <= 1;
+    if (!fastest) return;
+    const std::vector<double> times = section_times(plan_.head->law(), 1, section_bounds_);
+    const double gain =
+        gain_of_chains({head_task(), moving_coarse_, moving_fine_, 1, 1}, section_bounds_, times, progress_);
+    if (!(gain > 0)) return;
+    plan_.contour.bound.duration += gain;
+    plan_.contour.bound.basis += "; sections with their neighbours";
   }
 
   void method(RedundancyOptions options, double from) {
@@ -214,6 +230,7 @@ class Pipeline {
     plan_.contour.setpoints = std::move(setpoints);
     if (!given_->rests.empty()) verification().add(rest_check(*given_, *contour_, plan_.head->law(), progress_, 1));
     if (blended()) add(tube_checks(*given_, *contour_, planning_.blend_tolerance, progress_, 1, 1));
+    bound_chains();
     Bound& bound = plan_.contour.bound;
     verification().add(bound_check(bound, plan_.contour.duration));
     bound = with_gap(bound, plan_.contour.duration);
@@ -279,6 +296,8 @@ class Pipeline {
   std::shared_ptr<const Contour> given_, contour_;
   std::size_t moving_ = 0;
   PathPlanning path_;
+  Machine moving_head_;  // of the axes that move, what bounds are made of
+  std::vector<AxisLimits> moving_coarse_, moving_fine_;
   std::vector<SectionBound> section_bounds_;
   RedundancyResult result_;
   std::string why_not_;  // the method found nothing

@@ -6,21 +6,31 @@
 
 namespace bahnwerk {
 
+std::vector<double> section_times(const TimeLaw& law, double factor, const std::vector<SectionBound>& sections) {
+  std::vector<double> times;
+  const auto& pieces = law.pieces();
+  std::size_t i = 0;
+  for (const SectionBound& section : sections) {
+    double time = 0;
+    for (; i < pieces.size() && pieces[i].segment < section.last; ++i)
+      if (pieces[i].s_end > pieces[i].s) time += pieces[i].duration / factor;
+    times.push_back(time);
+  }
+  return times;
+}
+
 SectionGaps section_gaps(const AxisPath& path, const TimeLaw& law, double factor,
                          const std::vector<SectionBound>& bounds, Progress& progress, double progress_at,
                          std::vector<SectionGap>* each) {
   ProgressScope pulse(progress, "report", progress_at, progress_at);
   SectionGaps result;
   std::vector<double> gaps;
-  const auto& pieces = law.pieces();
-  std::size_t i = 0;
-  for (const SectionBound& section : bounds) {
-    SectionGap gap{path[section.first].source(), path[section.last - 1].s1() - path[section.first].s0(), 0,
+  const std::vector<double> times = section_times(law, factor, bounds);
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    const SectionBound& section = bounds[i];
+    SectionGap gap{path[section.first].source(), path[section.last - 1].s1() - path[section.first].s0(), times[i],
                    section.duration, 0};
-    for (; i < pieces.size() && pieces[i].segment < section.last; ++i) {
-      if (pieces[i].s_end > pieces[i].s) gap.time += pieces[i].duration / factor;
-      pulse.work(1);
-    }
+    pulse.work(1);
     if (!(gap.length > SectionGaps::shortest && gap.bound > 0)) continue;
     gap.gap = gap.time / gap.bound - 1;
     gaps.push_back(gap.gap);

@@ -25,6 +25,9 @@ struct SectionGaps {
   SectionGap worst;   ///< the first one, if there are several; meaningless if count is 0
 };
 
+/// What sections take as planned, s, without dwells. `law`, `factor`: as below. O(pieces + sections).
+std::vector<double> section_times(const TimeLaw& law, double factor, const std::vector<SectionBound>& sections);
+
 /// `law` with dwells or without; `factor`: by what it is slower than planned. `each`, if given, is filled with the
 /// sections that count, in order. O(pieces + sections).
 SectionGaps section_gaps(const AxisPath& path, const TimeLaw& law, double factor,

@@ -93,6 +93,12 @@ void ReachableStates::limit(double lowest, double highest, double velocity) {
   cut(0, -1, velocity + wider);
 }
 
+void ReachableStates::scale_velocity(double factor) {
+  double fastest = 0;
+  for (const State& s : vertices_) fastest = std::max(fastest, std::abs(s.v));
+  add_segment({0, (factor - 1) * fastest});
+}
+
 ReachableStates ReachableStates::reversed() const {
   ReachableStates s = *this;
   for (State& state : s.vertices_) state.v = -state.v;

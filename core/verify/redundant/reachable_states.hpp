@@ -24,6 +24,8 @@ class ReachableStates {
   void coast(double h);
   /// Only those with lowest ≤ x ≤ highest and |v| ≤ velocity remain.
   void limit(double lowest, double highest, double velocity);
+  /// Adds at least those whose velocity is up to `factor` times as large or as small, factor ≥ 1.
+  void scale_velocity(double factor);
   /// The same states in time that runs backwards.
   ReachableStates reversed() const;
   /// (x, 0) minus each state.

@@ -16,22 +16,14 @@
 /// of those now. So each section has a bound of its own, whatever the others take, and they may be added up.
 ///
 /// Relaxed are: everything between the nodes of a grid of time, how axes of the head depend on each other, what one
-/// section's motion takes away from the next one's, limits of jerk.
+/// section's motion takes away from the next one's (but see stroke_chains.hpp), limits of jerk.
 #include <cstddef>
 #include <vector>
 
 #include "core/base/progress.hpp"
-#include "core/machine/machine.hpp"
-#include "core/motion/axes/path_task.hpp"
-#include "core/verify/bound/lower_bound.hpp"
+#include "core/verify/redundant/stroke_sections.hpp"
 
 namespace bahnwerk {
-
-struct StrokeBoundTask {
-  const PathTask& head;                        ///< with the limits of both axes summed
-  const std::vector<AxisLimits>&coarse, fine;  ///< per axis of the path; a fine axis' stroke is its `highest`
-  double progress_from = 0, progress_to = 1;
-};
 
 struct StrokeGain {
   std::size_t sections = 0;  ///< whose bounds rose

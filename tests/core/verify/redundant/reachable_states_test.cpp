@@ -37,6 +37,21 @@ TEST(ReachableStates, HoldWhateverMotionLeadsTo) {
   }
 }
 
+TEST(ReachableStates, ScaledVelocitiesAreAmongThem) {
+  Random random(2);
+  for (int round = 0; round < 200; ++round) {
+    const double x = random.uniform(-1, 1), v = random.uniform(-1, 1), factor = random.uniform(1, 1.5);
+    ReachableStates states = ReachableStates::box(x, x + 0.1, std::abs(v));
+    states.advance(random.uniform(0.01, 0.5), infinite);
+    states.limit(-2, 2, std::abs(v));
+    const double fastest = states.holds(x, v) ? std::abs(v) : 0;
+    states.scale_velocity(factor);
+    if (fastest == 0) continue;
+    for (const double by : {1 / factor, 1.0, 0.5 * (1 + factor), factor}) EXPECT_TRUE(states.holds(x, by * v)) << round;
+    EXPECT_FALSE(states.holds(x, 1.01 * (2 * factor - 1) * fastest));
+  }
+}
+
 TEST(ReachableStates, FromRestNothingGetsFurtherThanFullAcceleration) {
   ReachableStates states = at_rest(0);
   for (int i = 0; i < 20; ++i) states.advance(0.1, infinite);

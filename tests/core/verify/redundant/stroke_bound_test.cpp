@@ -2,20 +2,16 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
-#include "core/contour/builder.hpp"
+#include "tests/core/verify/redundant/long_moves.hpp"
 
 namespace bahnwerk {
 namespace {
 
-const std::vector<AxisLimits> coarse{{"xc", 1800, 16000}, {"yc", 1800, 16000}};
-
-std::vector<AxisLimits> fine(double stroke) {
-  std::vector<AxisLimits> axes{{"xf", 2000, 60000}, {"yf", 2000, 60000}};
-  for (AxisLimits& axis : axes) axis.lowest = -stroke, axis.highest = stroke;
-  return axes;
-}
+using test::coarse;
+using test::fine;
+using test::head;
+using test::least;
+using test::moves;
 
 struct Bounded {
   std::vector<SectionBound> sections, before;
@@ -23,7 +19,6 @@ struct Bounded {
 };
 
 Bounded bounded(const Contour& contour, double stroke) {
-  const Machine head{{{"x", 3800, 76000}, {"y", 3800, 76000}}};
   const CartesianAxisPath path(contour.path, 2);
   const PathTask task = contour_task(path, contour, head);
   SilentProgress progress;
@@ -32,21 +27,6 @@ Bounded bounded(const Contour& contour, double stroke) {
   b.before = b.sections;
   b.gain = raise_by_stroke({task, coarse, fine(stroke)}, b.sections, progress);
   return b;
-}
-
-Contour moves(const std::vector<Vec>& to, double dwell = 0) {
-  ContourBuilder b(2, {0, 0, 0});
-  for (const Vec& v : to) {
-    b.block(Mode::position, unlimited);
-    b.line(v);
-    if (dwell > 0) b.dwell(dwell);
-  }
-  return b.finish();
-}
-
-/// From rest to rest over a way.
-double least(double way) {
-  return way < 1800 * 1800 / 16000.0 ? 2 * std::sqrt(way / 16000) : way / 1800 + 1800 / 16000.0;
 }
 
 TEST(StrokeBound, ALoneMoveTakesWhatTheCoarseAxisDoesForAllButTwoStrokes) {

@@ -1,0 +1,73 @@
+#include "core/verify/redundant/stroke_sections.hpp"
+
+#include <algorithm>
+
+namespace bahnwerk::verify {
+namespace {
+
+constexpr double piece = 0.05;  // of the least stroke: boxes of the path
+
+}  // namespace
+
+StrokeSections::StrokeSections(const StrokeBoundTask& task, const std::vector<SectionBound>& sections)
+    : task_(task), sections_(sections), step_(unlimited) {
+  for (std::size_t k = 0; k < axes(); ++k) {
+    step_ = std::min(step_, piece * task.fine[k].highest);
+    horizon_ = std::max(horizon_, StrokeAxis(task.coarse[k], task.fine[k], k, 0).horizon());
+  }
+}
+
+double StrokeSections::bound(std::size_t first, std::size_t last) const {
+  double sum = 0;
+  for (std::size_t i = first; i < last; ++i) sum += sections_[i].duration;
+  return sum;
+}
+
+bool StrokeSections::far(std::size_t section) const {
+  const SectionBound& s = sections_[section];
+  double length = 0, stroke = unlimited;
+  bool fast = false;
+  for (std::size_t k = 0; k < axes(); ++k) stroke = std::min(stroke, task_.fine[k].highest);
+  for (std::size_t i = s.first; i < s.last; ++i) {
+    length += task_.head.path[i].s1() - task_.head.path[i].s0();
+    for (std::size_t k = 0; k < axes(); ++k) {
+      const double feed = task_.head.feeds[i];
+      fast = fast || feed * feed > task_.coarse[k].acceleration * task_.fine[k].highest ||
+             feed > task_.coarse[k].velocity || feed > task_.fine[k].velocity;
+    }
+  }
+  return fast && length > stroke;
+}
+
+bool StrokeSections::waits(std::size_t before) const {
+  const std::size_t segment = before < count() ? sections_[before].first : sections_.back().last;
+  const auto& dwells = task_.head.dwells;
+  auto rest = std::lower_bound(dwells.begin(), dwells.end(), segment,
+                               [](const Rest& r, std::size_t of) { return r.segment < of; });
+  for (; rest != dwells.end() && rest->segment == segment; ++rest)
+    if (rest->seconds > 0) return true;
+  return false;
+}
+
+AxisJet StrokeSections::rest(std::size_t before) const {
+  const AxisPath& path = task_.head.path;
+  if (before == count()) return path.at(sections_.back().last - 1, path[sections_.back().last - 1].s1());
+  return path.at(sections_[before].first, path[sections_[before].first].s0());
+}
+
+StrokeAxis StrokeSections::axis(std::size_t k, std::size_t origin) const {
+  return {task_.coarse[k], task_.fine[k], k, rest(origin).value[k]};
+}
+
+StrokeSections::Surroundings StrokeSections::around(std::size_t first, std::size_t last) const {
+  return {reached(task_.head, sections_, first, 0, horizon_, step_),
+          reached(task_.head, sections_, last, count(), horizon_, step_), first == 0 && !waits(first),
+          last == count() && !waits(last)};
+}
+
+Passage StrokeSections::passage(std::size_t first, std::size_t last) const {
+  return {rest(first), rest(last), reached(task_.head, sections_, first, last, unlimited, step_, false),
+          reached(task_.head, sections_, last, first, unlimited, step_, false)};
+}
+
+}  // namespace bahnwerk::verify
