@@ -58,6 +58,8 @@ AdaptiveSplit::AdaptiveSplit(const RedundancyTask& task, const RedundancyOptions
       constants_(constants),
       scope_(progress, "planning", from + 0.2 * (to - from), to),
       jerk_(task.machine.limits_jerk()),
+      may_keep_(!jerk_ && options.approximation == CoarseApproximation::least_squares &&
+                options.smoothing == CoarseSmoothing::none),
       machine_(first_limits(task.machine)),
       first_feeds_(first_feeds(task)),
       sections_(task, options, machine_, first_feeds_, progress, from, from + 0.1 * (to - from)),
@@ -149,7 +151,7 @@ double AdaptiveSplit::tolerance(std::size_t axis, double spacing, double speed) 
   return a.stroke * stroke_share - std::min(by_velocity, by_acceleration) - of_check;
 }
 
-bool AdaptiveSplit::fit(const HeadSamples& head, const std::vector<SplineBegin>& begin,
+bool AdaptiveSplit::fit(const HeadSamples& head, const std::vector<SplineBegin>& begin, int iteration,
                         std::vector<TimeSpline>& coarse) {
   CoarseFitOptions o;
   o.approximation = options_.approximation;
@@ -160,6 +162,7 @@ bool AdaptiveSplit::fit(const HeadSamples& head, const std::vector<SplineBegin>&
   o.afterburner_evenly = options_.window.has_value();
   o.sampled_limits = constants_.sampled_limits;
   o.wide = constants_.wide_gap;
+  if (may_keep_) o.grading = constants_.grading;
   o.tick = [this] { scope_.report(); };
   const auto thinning = static_cast<std::size_t>(options_.thinning);
   const double spacing = head.times[thinning] - head.times[0];
@@ -172,11 +175,13 @@ bool AdaptiveSplit::fit(const HeadSamples& head, const std::vector<SplineBegin>&
     for (const AxisState& x : head.axes[k]) task.speed = std::max(task.speed, std::abs(x.v));
     task.tolerance = tolerance(k, spacing, task.speed);
     task.begin = begin[k];
+    if (kept(iteration) > 0) task.knots = knots_.times(head, k);
     task.limits = task_.machine.axes[k].coarse;
     std::optional<CoarseFit> found = fit_coarse(task, o);
     if (!found) return false;
     coarse.push_back(std::move(found->spline));
   }
+  if (may_keep_) knots_.keep(head, coarse);
   return true;
 }
 
@@ -259,6 +264,8 @@ bool AdaptiveSplit::adapt_all(const std::vector<std::vector<SplitPeaks>>& peaks,
                               int iteration) {
   const std::size_t begin = sections_.begin(first), blocks = sections_.begin(last) - begin;
   const HeadLimits before = limits_;
+  const AdaptationOptions adaptation =
+      kept(iteration) > 0 ? with_kept_knots(constants_.adaptation, kept(iteration)) : constants_.adaptation;
   bool fell = false;
   std::vector<double> coarse(blocks), fine(blocks);
   for (std::size_t k = 0; k < axes(); ++k) {
@@ -269,15 +276,15 @@ bool AdaptiveSplit::adapt_all(const std::vector<std::vector<SplitPeaks>>& peaks,
     of(&SplitPeaks::coarse_acceleration, &SplitPeaks::fine_acceleration);
     // The stroke cannot be exceeded but between samples, by fine accelerations beyond their limit.
     fell |= adapt(limits_.acceleration[k], begin, coarse, a.coarse.acceleration, fine, a.fine.acceleration, iteration,
-                  constants_.adaptation);
+                  adaptation);
     if (!jerk_) continue;
     of(&SplitPeaks::coarse_jerk, &SplitPeaks::fine_jerk);
-    fell |= adapt(limits_.jerk[k], begin, coarse, a.coarse.jerk, fine, a.fine.jerk, iteration, constants_.adaptation);
+    fell |= adapt(limits_.jerk[k], begin, coarse, a.coarse.jerk, fine, a.fine.jerk, iteration, adaptation);
   }
   for (std::size_t b = 0; b < blocks; ++b) {
     std::vector<SplitPeaks> here;
     for (std::size_t k = 0; k < axes(); ++k) here.push_back(peaks[k][b]);
-    fell |= adapt_feed(limits_.feeds[begin + b], first_feeds_[begin + b], here, task_.machine, constants_.adaptation);
+    fell |= adapt_feed(limits_.feeds[begin + b], first_feeds_[begin + b], here, task_.machine, adaptation);
   }
   for (std::size_t i = first; i < last; ++i) {
     bool changed = false;
@@ -309,7 +316,7 @@ std::optional<SplitPart> AdaptiveSplit::solve(std::size_t first, std::size_t las
     PathMotion head(task_.path, sections_.law(first, last));
     if (head.duration() > longest) return std::nullopt;
     const HeadSamples samples = sample(head);
-    if (!fit(samples, begin, part.coarse)) return std::nullopt;
+    if (!fit(samples, begin, iteration, part.coarse)) return std::nullopt;
     std::vector<std::vector<SplitPeaks>> peaks;
     for (std::size_t k = 0; k < axes(); ++k) peaks.push_back(sampled_peaks(samples, k, part.coarse[k], block, end));
     Judged found = judged(head.duration(), peaks);

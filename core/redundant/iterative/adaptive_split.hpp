@@ -1,6 +1,7 @@
 #pragma once
 /// Head and split of a run of sections, planned in turn until the split is valid [Bock 4.1, 4.3]: the head with the
 /// limits of each block, the coarse axes fitted to it, the check, and lower limits where it failed.
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 #include "core/redundant/head_cells.hpp"
 #include "core/redundant/iterative/coarse_fit.hpp"
 #include "core/redundant/iterative/head_sections.hpp"
+#include "core/redundant/iterative/kept_knots.hpp"
 #include "core/redundant/iterative/limit_adaptation.hpp"
 #include "core/redundant/redundancy.hpp"
 
@@ -18,7 +20,11 @@ namespace bahnwerk {
 /// Constants of the method; `redundancy` of a document has the others.
 struct IterativeOptions {
   AdaptationOptions adaptation;
-  std::size_t wide_gap = 6;     ///< K* of inserting knots
+  std::size_t wide_gap = 6;  ///< K* of inserting knots
+  /// Least squares without a second phase, jerk not limited: gaps between knots are graded (KnotChoice), and after so
+  /// many iterations (≥ 1) knots are kept and only added to.
+  double grading = 1.5;
+  int knots_anew = 3;
   bool sampled_limits = false;  ///< programs of phase 2 hold limits at the samples (4.29), not of control points (4.30)
   int max_iterations = 40;      ///< of one window
   double long_move = 10;        ///< straight segments longer than so many strokes are windows of their own (4.3.4)
@@ -61,7 +67,10 @@ class AdaptiveSplit {
   HeadSamples sample(const PathMotion& head) const;
   /// What fine axes may make up for at samples so far apart.
   double tolerance(std::size_t axis, double spacing, double speed) const;
-  bool fit(const HeadSamples& head, const std::vector<SplineBegin>& begin, std::vector<TimeSpline>& coarse);
+  /// How many iterations have kept their knots, iteration `iteration` included.
+  int kept(int iteration) const { return may_keep_ ? std::max(0, iteration - constants_.knots_anew) : 0; }
+  bool fit(const HeadSamples& head, const std::vector<SplineBegin>& begin, int iteration,
+           std::vector<TimeSpline>& coarse);
   /// Between samples, per axis and block, of sections [first, last).
   std::vector<std::vector<SplitPeaks>> exact_peaks(const PathMotion& head, const std::vector<TimeSpline>& coarse,
                                                    std::size_t first, std::size_t last);
@@ -80,6 +89,7 @@ class AdaptiveSplit {
   const IterativeOptions& constants_;
   ProgressScope scope_;
   bool jerk_;
+  bool may_keep_;    ///< knots: where the fit is least squares alone, and jerk is not limited (there it does not help)
   Machine machine_;  ///< of the head's first plan
   std::vector<double> first_feeds_;
   HeadLimits limits_;
@@ -88,6 +98,7 @@ class AdaptiveSplit {
   double fastest_ = 0;
   std::vector<HeadCells> cells_;  ///< per section, from its begin on, dwells included; empty where not known
   std::vector<RedundancyIteration> passes_;
+  KeptKnots knots_;
 };
 
 }  // namespace bahnwerk

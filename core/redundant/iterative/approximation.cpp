@@ -143,8 +143,11 @@ class Fitter {
 
   /// Knots where the error is too large, then those of the afterburner.
   std::optional<Approximation> inserted(std::size_t places) const {
-    KnotChoice choice(task_.duration, places, options_.degree, options_.multiplicity, options_.wide);
+    const bool least_squares = options_.approximation == CoarseApproximation::least_squares;
+    KnotChoice choice(task_.duration, places, options_.degree, options_.multiplicity, options_.wide,
+                      least_squares ? options_.grading : 0);
     begin(choice);
+    if (least_squares) choice.choose_nearest(task_.knots);
     std::optional<Approximation> best;
     std::size_t hits = 0;
     for (int pass = 0; pass < max_passes; ++pass) {

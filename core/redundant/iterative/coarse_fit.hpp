@@ -20,7 +20,8 @@ struct CoarseTask {
   double speed = 0;               ///< mm/s, the head's largest
   double tolerance = 0;           ///< mm: what the fine axis may make up for at these times
   SplineBegin begin;
-  Limits limits;  ///< of the coarse axis; jerk counts where it is finite
+  std::vector<double> knots;  ///< s, ascending: near which inner knots are from the begin, for least squares
+  Limits limits;              ///< of the coarse axis; jerk counts where it is finite
   double time(std::size_t i) const {
     return duration * (static_cast<double>(i) / static_cast<double>(positions.size() - 1));
   }
@@ -34,6 +35,7 @@ struct CoarseFitOptions {
   bool afterburner_evenly = false;  ///< its knots go into the widest gaps, as in windows [Bock 4.3.4]
   bool sampled_limits = false;      ///< (4.29): limits hold at the samples; else (4.30) for control points
   std::size_t wide = 6;             ///< K*
+  double grading = 0;               ///< of gaps between knots, for least squares; see KnotChoice
   std::function<void()> tick;       ///< called often; may throw
 };
 

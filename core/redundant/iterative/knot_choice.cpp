@@ -6,12 +6,13 @@
 namespace bahnwerk {
 
 KnotChoice::KnotChoice(double duration, std::size_t places, std::size_t degree, std::size_t multiplicity,
-                       std::size_t wide)
+                       std::size_t wide, double grading)
     : duration_(duration),
       places_(places),
       degree_(degree),
       multiplicity_(multiplicity),
       wide_(wide),
+      grading_(grading),
       chosen_{0, places + 1} {}
 
 std::size_t KnotChoice::interpolating(std::size_t samples, std::size_t degree, std::size_t multiplicity) {
@@ -42,7 +43,7 @@ std::size_t KnotChoice::choice(double t) const {
       if (here > 0 && gap(here - 1) > gap(best)) best = here - 1;
       if (here + 1 < gaps && gap(here + 1) > gap(best)) best = here + 1;
     }
-    return middle(best);
+    return middle(grading_ > 0 ? graded(best) : best);
   }
   // A chosen place: the wider of the nearest gaps on both sides that are not used up.
   std::size_t left = next, right = next;
@@ -51,6 +52,18 @@ std::size_t KnotChoice::choice(double t) const {
   const std::size_t on_left = left > 0 ? gap(left - 1) : 0, on_right = right < gaps ? gap(right) : 0;
   if (on_left == 0 && on_right == 0) return 0;
   return middle(on_left > on_right ? left - 1 : right);
+}
+
+std::size_t KnotChoice::graded(std::size_t i) const {
+  const auto length = [&](std::size_t k) { return static_cast<double>(chosen_[k + 1] - chosen_[k]); };
+  for (;;) {
+    std::size_t longest = i;
+    double most = grading_ * length(i);
+    if (i > 0 && length(i - 1) > most) longest = i - 1, most = length(longest);
+    if (i + 2 < chosen_.size() && length(i + 1) > most) longest = i + 1;
+    if (longest == i) return i;
+    i = longest;
+  }
 }
 
 void KnotChoice::add(std::size_t place) {
@@ -93,6 +106,12 @@ std::size_t KnotChoice::insert_apart(const std::vector<double>& times, std::size
   std::merge(chosen_.begin(), chosen_.end(), added.begin(), added.end(), std::back_inserter(both));
   chosen_ = std::move(both);
   return added.size();
+}
+
+void KnotChoice::choose_nearest(const std::vector<double>& times) {
+  for (const double t : times) chosen_.push_back(place_at(t));
+  std::sort(chosen_.begin(), chosen_.end());
+  chosen_.erase(std::unique(chosen_.begin(), chosen_.end()), chosen_.end());
 }
 
 void KnotChoice::choose_evenly(std::size_t count) {

@@ -4,6 +4,18 @@
 #include <cmath>
 
 namespace bahnwerk {
+namespace {
+
+constexpr double growth = 1.5;        // of what falls at least, from one pass with kept knots to the next
+constexpr double largest_least = 30;  // first ones that it grows to
+
+}  // namespace
+
+AdaptationOptions with_kept_knots(AdaptationOptions options, int kept) {
+  options.proportional = true;
+  options.least_change *= std::min(std::pow(growth, kept - 1), largest_least);
+  return options;
+}
 
 bool adapt(std::vector<double>& limits, std::size_t first, const std::vector<double>& coarse, double coarse_limit,
            const std::vector<double>& fine, double fine_limit, int iteration, const AdaptationOptions& options) {
@@ -21,7 +33,8 @@ bool adapt(std::vector<double>& limits, std::size_t first, const std::vector<dou
   };
   for (std::size_t j = 0; j < n; ++j) {
     if (coarse[j] > coarse_limit * (1 + options.rounding)) {
-      const double excess = std::max(coarse[j] - coarse_limit, options.least_change * old[j]);
+      double excess = std::max(coarse[j] - coarse_limit, options.least_change * old[j]);
+      if (options.proportional) excess = std::max(excess, (1 - coarse_limit / coarse[j]) * old[j]);
       const std::size_t reach = options.spread.size() - 1;
       for (std::size_t i = j - std::min(j, reach); i <= std::min(j + reach, n - 1); ++i)
         lower(i, old[i] - options.spread[i > j ? i - j : j - i] * excess, anchor);

@@ -17,9 +17,16 @@ struct AdaptationOptions {
   int anchor_steps = 20;      ///< of (4.40): the least limit is that of the coarse axis over this
   /// What falls, falls by this at least, relative: ours, for excess that vanishes slowly.
   double least_change = 2e-3;
+  /// With `proportional`: acceleration and jerk limits fall at least by the share by which the coarse axis has to.
+  /// Ours.
+  bool proportional = false;
   /// Excess that counts as none, relative: rounding.
   double rounding = 1e-9;
 };
+
+/// Ours, for passes that keep their knots, so that excess only vanishes by what falls: in proportion, and in each by
+/// half as much again as in the one before, at least. `kept` ≥ 1 such passes so far.
+AdaptationOptions with_kept_knots(AdaptationOptions options, int kept);
 
 /// The head's limits per block (segment of the path), of each axis.
 struct HeadLimits {

@@ -72,6 +72,47 @@ TEST(Iterative, SlowsALittleInPlaceOfFurtherIterations) {
   EXPECT_GE(fewer, 2);
 }
 
+/// With knots anew in each pass and no grading other blocks exceed limits in each, until the joint planner takes over.
+TEST(Iterative, KeptKnotsEndWhereKnotsAnewDoNot) {
+  Random random(11);
+  SilentProgress progress;
+  IterativeOptions anew;
+  anew.knots_anew = anew.max_iterations;
+  anew.grading = 0;
+  RedundancyOptions o;
+  o.smoothing = CoarseSmoothing::none;
+  for (int i = 0; i < 2; ++i) {
+    SCOPED_TRACE(i);
+    const RedundancyTask task = test::redundancy_task(test::random_contour(random, 400), test::md2());
+    const RedundancyResult r = plan(task, o);
+    expect_valid(task, r);
+    EXPECT_EQ(r.fallbacks, 0u);
+    EXPECT_GT(r.iterations, 3u);
+    EXPECT_EQ(plan_iterative(task, o, anew, progress, 0, 1).fallbacks, 1u);
+  }
+}
+
+/// With a second phase, and with other approximations, knots are always anew.
+TEST(Iterative, OnlyLeastSquaresAloneKeepsKnots) {
+  Random random(4);
+  SilentProgress progress;
+  IterativeOptions other;
+  other.knots_anew = 1;
+  other.grading = 2;
+  const RedundancyTask task = test::redundancy_task(test::random_contour(random, 100), test::md2());
+  RedundancyOptions o;
+  for (const auto& [approximation, smoothing] :
+       {std::pair{CoarseApproximation::least_squares, CoarseSmoothing::quadratic_program},
+        {CoarseApproximation::schoenberg, CoarseSmoothing::none},
+        {CoarseApproximation::chebyshev, CoarseSmoothing::none}}) {
+    o.approximation = approximation;
+    o.smoothing = smoothing;
+    const RedundancyResult a = plan(task, o), b = plan_iterative(task, o, other, progress, 0, 1);
+    EXPECT_EQ(a.head->duration(), b.head->duration());
+    EXPECT_EQ(a.iterations, b.iterations);
+  }
+}
+
 TEST(Iterative, SimpleKnotsOfDegreeFourLimitTheCoarseJerk) {
   const RedundancyTask task = test::redundancy_task(test::small_contours(2, 2), test::md2());
   RedundancyOptions o;

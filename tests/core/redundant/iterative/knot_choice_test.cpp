@@ -65,6 +65,26 @@ TEST(KnotChoice, SeveralAtOnceOnlyFarApart) {
   EXPECT_EQ(c.insert_apart({515}, 4), 1u);
 }
 
+/// The gap at the error has a neighbour four times as long: that one is divided, though the gap is wide enough itself.
+TEST(KnotChoice, GradedGapsAreNoNeighboursOfMuchLongerOnes) {
+  for (const double grading : {0.0, 1.5}) {
+    KnotChoice c(400, 399, 3, 1, 6, grading);
+    c.choose_nearest({40, 50, 60, 70, 80});  // 40, 10, 10, 10, 10, 320
+    EXPECT_TRUE(c.insert(75));
+    EXPECT_EQ(inner(c, 3), grading > 0 ? std::vector<double>({40, 50, 60, 70, 80, 240})
+                                       : std::vector<double>({40, 50, 60, 70, 75, 80}));
+    EXPECT_TRUE(c.insert(65));  // no neighbour is longer
+    EXPECT_EQ(inner(c, 3)[3], 65);
+  }
+}
+
+TEST(KnotChoice, ChoosesTheNearestPlacesOnce) {
+  KnotChoice c(40, 39, 3, 1, 6);
+  c.insert(5);
+  c.choose_nearest({-1, 0.2, 3.4, 3.6, 19.9, 39.9, 50});
+  EXPECT_EQ(inner(c, 3), std::vector<double>({3, 4, 20}));
+}
+
 TEST(KnotChoice, EvenChoices) {
   KnotChoice c(10, 9, 2, 1, 6);
   c.choose_evenly(4);

@@ -19,6 +19,29 @@ TEST(LimitAdaptation, CoarseExcessLowersTheNeighboursToo) {
   EXPECT_EQ(limits, std::vector<double>({60000, 58400, 57200, 56000, 57200, 58400, 60000}));
 }
 
+/// 20 000 has to become 16 000: a fifth less.
+TEST(LimitAdaptation, InProportionToTheCoarseExcess) {
+  AdaptationOptions proportional;
+  proportional.proportional = true;
+  std::vector<double> limits(2, 60000);
+  EXPECT_TRUE(adapt(limits, 0, {20000, 0}, 16000, {0, 0}, 60000, 1, proportional));
+  EXPECT_NEAR(limits[0], 48000, 1e-9);
+  EXPECT_NEAR(limits[1], 60000 - 0.7 * 12000, 1e-9);
+}
+
+TEST(LimitAdaptation, WithKeptKnotsMoreFallsFromPassToPass) {
+  double before = 0;
+  for (int kept = 1; kept <= 40; ++kept) {
+    const AdaptationOptions o = with_kept_knots(constants, kept);
+    EXPECT_TRUE(o.proportional);
+    EXPECT_GE(o.least_change, before);
+    EXPECT_LE(o.least_change, 0.06 + 1e-12);
+    before = o.least_change;
+  }
+  EXPECT_EQ(with_kept_knots(constants, 1).least_change, constants.least_change);
+  EXPECT_NEAR(with_kept_knots(constants, 3).least_change, 2.25 * constants.least_change, 1e-12);
+}
+
 TEST(LimitAdaptation, FineExcessLowersItsBlock) {
   std::vector<double> limits(3, 60000);
   EXPECT_TRUE(adapt(limits, 0, {0, 0, 0}, 16000, {0, 62000, 60000}, 60000, 1, constants));
