@@ -10,10 +10,11 @@ namespace {
 
 constexpr std::size_t page = std::size_t{1} << 21;
 
-/// Sizes come in eight steps per doubling, so that what a plan gives back fits the next one of about its size.
+/// Sizes come in two steps per doubling, so that what a plan gives back fits what it takes next. Room that is never
+/// written takes no memory.
 std::size_t rounded(std::size_t bytes) {
   std::size_t step = least;
-  while (step * 16 < bytes) step *= 2;
+  while (step * 4 < bytes) step *= 2;
   return (bytes + step - 1) / step * step;
 }
 

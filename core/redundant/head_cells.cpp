@@ -45,6 +45,9 @@ class Division {
   }
 
   HeadCells run(std::size_t first, std::size_t last) {
+    // What is not needed of it is never touched.
+    const double longest = (head_.end(last - 1) - head_.begin(first)) / options_.longest;
+    reserve(last - first + static_cast<std::size_t>(std::min(longest, 1e7)) + 2);
     for (std::size_t i = first; i < last; ++i) {
       const double begin = head_.begin(i), end = head_.end(i);
       if (!(end > begin)) continue;
@@ -65,6 +68,12 @@ class Division {
   }
 
  private:
+  void reserve(std::size_t count) {
+    cells_.times.reserve(count);
+    cells_.pieces.reserve(count);
+    for (std::size_t a = 0; a < axes_; ++a) cells_.nodes[a].reserve(count), cells_.cells[a].reserve(count);
+  }
+
   /// The part [begin, end] of a piece: in the open cell, or in a new one. Halved while accelerations differ too much.
   void add(std::size_t piece, double begin, double end, int halvings = 10) {
     scope_.work(10);

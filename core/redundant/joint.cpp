@@ -278,10 +278,10 @@ class Planner {
                        ? split.head
                        : std::make_shared<const PathMotion>(task_.path, split.head->law().slowed(split.stretch));
     result_.chosen.duration = result_.head->duration();
-    std::vector<SplineMotion::Piece> coarse(cells.size()), opposite(cells.size());
+    std::vector<SplineMotion::Piece> coarse(cells.size());
     for (std::size_t c = 0; c < cells.size(); ++c) {
-      coarse[c].end = opposite[c].end =
-          c + 1 < cells.size() ? cells.times[c + 1] * split.stretch : result_.head->duration();
+      coarse[c].end = c + 1 < cells.size() ? cells.times[c + 1] * split.stretch : result_.head->duration();
+      coarse[c].axes.reserve(axes());
       for (std::size_t k = 0; k < axes(); ++k) {
         const ChainUnits u = chain_units(axis(k));
         const ChainState<order>& x = split.solutions[k].states[c];
@@ -292,13 +292,10 @@ class Planner {
           p.push_back(0.5 * x[2] * u.acceleration());
           p.push_back(split.solutions[k].controls[c] * u.jerk() / 6);
         }
-        opposite[c].axes.push_back(-1.0 * p);
         coarse[c].axes.push_back(std::move(p));
       }
     }
     result_.coarse = std::make_shared<const SplineMotion>(std::move(coarse));
-    result_.fine =
-        std::make_shared<const SumOfMotions>(result_.head, std::make_shared<const SplineMotion>(std::move(opposite)));
   }
 
   const JointTask& task_;

@@ -50,7 +50,7 @@ double stretch_of(double smoothness);
 
 struct JointResult {
   std::shared_ptr<const PathMotion> head;  ///< the tool's motion
-  std::shared_ptr<const Motion> coarse, fine;
+  std::shared_ptr<const Motion> coarse;
   double fastest = 0;  ///< s, what the summed limits alone let the head do
   Trade chosen;
   std::vector<Trade> trades;              ///< of every stretch, if asked for

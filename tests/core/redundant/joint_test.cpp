@@ -10,6 +10,7 @@
 #include "core/numeric/random.hpp"
 #include "core/redundant/iterative/iterative.hpp"
 #include "tests/core/redundant/coarse_fine_machines.hpp"
+#include "tests/core/redundant/fine_motion.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -25,9 +26,10 @@ void expect_valid(const JointTask& task, const JointResult& r, int samples = 500
   const std::size_t axes = task.machine.axes.size();
   const bool jerk = task.machine.limits_jerk();
   const double T = r.chosen.duration;
+  const std::shared_ptr<const Motion> fine = test::fine_motion(r.head, *r.coarse);
   EXPECT_DOUBLE_EQ(r.head->duration(), T);
   EXPECT_DOUBLE_EQ(r.coarse->duration(), T);
-  EXPECT_DOUBLE_EQ(r.fine->duration(), T);
+  EXPECT_DOUBLE_EQ(fine->duration(), T);
   EXPECT_GE(T, r.fastest * (1 - 1e-12));
   std::vector<double> limits;
   for (const CoarseFineAxis& a : task.machine.axes)
@@ -39,15 +41,15 @@ void expect_valid(const JointTask& task, const JointResult& r, int samples = 500
       for (const double limit : {a.coarse.jerk, a.fine.jerk}) limits.push_back(limit);
   PeakSweep sweep(limits);
   std::size_t coarse_piece = 0;
-  for (std::size_t piece = 0; piece < r.fine->pieces(); ++piece) {
-    const double begin = r.fine->begin(piece), end = r.fine->end(piece);
+  for (std::size_t piece = 0; piece < fine->pieces(); ++piece) {
+    const double begin = fine->begin(piece), end = fine->end(piece);
     if (!(end > begin)) continue;
     while (coarse_piece + 1 < r.coarse->pieces() && r.coarse->begin(coarse_piece + 1) <= begin) ++coarse_piece;
     sweep.sweep(begin, end, false, piece, [&](PeakSamples& s) {
       const auto n = static_cast<std::size_t>(s.rule.points);
       for (std::size_t i = 0; i < n; ++i) {
         const double t = s.at(static_cast<int>(i));
-        const MotionState c = r.coarse->in_piece(coarse_piece, t), f = r.fine->in_piece(piece, t);
+        const MotionState c = r.coarse->in_piece(coarse_piece, t), f = fine->in_piece(piece, t);
         for (std::size_t k = 0; k < axes; ++k) {
           const double values[] = {c.velocity[k], c.acceleration[k], f.position[k], f.velocity[k], f.acceleration[k]};
           for (std::size_t q = 0; q < 5; ++q) s.values[(5 * k + q) * n + i] = values[q];
@@ -64,7 +66,7 @@ void expect_valid(const JointTask& task, const JointResult& r, int samples = 500
 
   for (std::size_t k = 0; k < axes; ++k) {
     const double scale = task.machine.axes[k].coarse.velocity;
-    for (const MotionState& x : {r.coarse->in_piece(0, 0), r.coarse->final_state(), r.fine->in_piece(0, 0)}) {
+    for (const MotionState& x : {r.coarse->in_piece(0, 0), r.coarse->final_state(), fine->in_piece(0, 0)}) {
       EXPECT_NEAR(x.velocity[k], 0, 1e-9 * scale);
       if (jerk) {
         EXPECT_NEAR(x.acceleration[k], 0, 1e-7 * task.machine.axes[k].coarse.acceleration);
@@ -83,7 +85,7 @@ void expect_valid(const JointTask& task, const JointResult& r, int samples = 500
   std::size_t h = 0, c = 0, f = 0;
   for (int i = 0; i <= samples; ++i) {
     const double t = T * i / samples;
-    const MotionState x = r.head->evaluate(t, h), xc = r.coarse->evaluate(t, c), xf = r.fine->evaluate(t, f);
+    const MotionState x = r.head->evaluate(t, h), xc = r.coarse->evaluate(t, c), xf = fine->evaluate(t, f);
     for (std::size_t k = 0; k < axes; ++k) ASSERT_NEAR(xc.position[k] + xf.position[k], x.position[k], 1e-12);
   }
 }
