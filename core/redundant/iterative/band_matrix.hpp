@@ -20,10 +20,17 @@ class BandMatrix {
   double at(std::size_t i, std::size_t d) const { return a_[i * stride_ + d]; }
   /// += weight · row rowᵀ.
   void add(const VariableRow& row, double weight) {
-    for (std::size_t i = 0; i < row.count; ++i) {
-      const double w = weight * row.weights[i];
-      double* entry = &at(row.first + i, 0);
-      for (std::size_t d = 0; d <= i; ++d) entry[d] += w * row.weights[i - d];
+    switch (row.count) {  // a constant is worth twice the time of the loops
+      case 2:
+        return add_of<2>(row, weight, 2);
+      case 3:
+        return add_of<3>(row, weight, 3);
+      case 4:
+        return add_of<4>(row, weight, 4);
+      case 5:
+        return add_of<5>(row, weight, 5);
+      default:
+        return add_of<0>(row, weight, row.count);
     }
   }
   void add(const BandMatrix& other, double weight) {
@@ -41,36 +48,77 @@ class BandMatrix {
   }
   /// Becomes its Cholesky factor L. False where it is not positive definite but for rounding. O(n band²).
   bool factor() {
-    constexpr double least = 1e-15;  // of the diagonal entry that the pivot was
-    for (std::size_t i = 0; i < n_; ++i) {
-      const std::size_t lowest = i + 1 > stride_ ? i + 1 - stride_ : 0;
-      for (std::size_t j = lowest; j <= i; ++j) {
-        double sum = at(i, i - j);
-        const std::size_t from = std::max(lowest, j + 1 > stride_ ? j + 1 - stride_ : 0);
-        for (std::size_t k = from; k < j; ++k) sum -= at(i, i - k) * at(j, j - k);
-        if (j < i) {
-          at(i, i - j) = sum / at(j, 0);
-        } else {
-          if (!(sum > least * at(i, 0))) return false;
-          at(i, 0) = std::sqrt(sum);
-        }
-      }
+    switch (stride_) {
+      case 3:
+        return factor_of<3>();
+      case 4:
+        return factor_of<4>();
+      case 5:
+        return factor_of<5>();
+      default:
+        return factor_of<0>();
     }
-    return true;
   }
   /// Of a factor: x becomes (L Lᵀ)⁻¹ x.
   void solve(std::vector<double>& x) const {
-    for (std::size_t i = 0; i < n_; ++i) {
-      for (std::size_t d = 1; d < stride_ && d <= i; ++d) x[i] -= at(i, d) * x[i - d];
-      x[i] /= at(i, 0);
-    }
-    for (std::size_t i = n_; i-- > 0;) {
-      x[i] /= at(i, 0);
-      for (std::size_t d = 1; d < stride_ && d <= i; ++d) x[i - d] -= at(i, d) * x[i];
+    switch (stride_) {
+      case 3:
+        return solve_of<3>(x);
+      case 4:
+        return solve_of<4>(x);
+      case 5:
+        return solve_of<5>(x);
+      default:
+        return solve_of<0>(x);
     }
   }
 
  private:
+  // The first template argument: the row's count, the stride; 0: known at run time alone.
+  template <std::size_t C>
+  void add_of(const VariableRow& row, double weight, std::size_t any) {
+    const std::size_t count = C > 0 ? C : any;
+    double* entry = &at(row.first, 0);
+    for (std::size_t i = 0; i < count; ++i, entry += stride_) {
+      const double w = weight * row.weights[i];
+      for (std::size_t d = 0; d <= i; ++d) entry[d] += w * row.weights[i - d];
+    }
+  }
+  template <std::size_t S>
+  bool factor_of() {
+    const std::size_t stride = S > 0 ? S : stride_;
+    constexpr double least = 1e-15;  // of the diagonal entry that the pivot was
+    for (std::size_t i = 0; i < n_; ++i) {
+      double* const row = &a_[i * stride];  // row[d]: entry (i, i − d)
+      const std::size_t before = std::min<std::size_t>(i, stride - 1);
+      for (std::size_t d = before; d > 0; --d) {  // column j = i − d
+        const double* const other = row - d * stride;
+        double sum = row[d];
+        for (std::size_t k = before; k > d; --k) sum -= row[k] * other[k - d];
+        row[d] = sum / other[0];
+      }
+      double sum = row[0];
+      for (std::size_t k = before; k > 0; --k) sum -= row[k] * row[k];
+      if (!(sum > least * row[0])) return false;
+      row[0] = std::sqrt(sum);
+    }
+    return true;
+  }
+  template <std::size_t S>
+  void solve_of(std::vector<double>& x) const {
+    const std::size_t stride = S > 0 ? S : stride_;
+    for (std::size_t i = 0; i < n_; ++i) {
+      const double* const row = &a_[i * stride];
+      for (std::size_t d = 1; d < stride && d <= i; ++d) x[i] -= row[d] * x[i - d];
+      x[i] /= row[0];
+    }
+    for (std::size_t i = n_; i-- > 0;) {
+      const double* const row = &a_[i * stride];
+      x[i] /= row[0];
+      for (std::size_t d = 1; d < stride && d <= i; ++d) x[i - d] -= row[d] * x[i];
+    }
+  }
+
   std::size_t n_, stride_;
   std::vector<double> a_;
 };

@@ -11,13 +11,45 @@ constexpr double keep = 0.995;            // of the way to the nearest bound tha
 constexpr double least_objective = 1e-2;  // that the first multipliers are taken from
 constexpr double first_slack = 1e-2;      // that every row has at least at the begin
 
-double value(const VariableRow& row, const std::vector<double>& y) {
+template <std::size_t C>
+double value_of(const VariableRow& row, const double* y, std::size_t any) {
   double sum = 0;
-  for (std::size_t r = 0; r < row.count; ++r) sum += row.weights[r] * y[row.first + r];
+  for (std::size_t r = 0; r < (C > 0 ? C : any); ++r) sum += row.weights[r] * y[r];
   return sum;
 }
-void scatter(const VariableRow& row, double factor, std::vector<double>& out) {
-  for (std::size_t r = 0; r < row.count; ++r) out[row.first + r] += factor * row.weights[r];
+double value(const VariableRow& row, const std::vector<double>& all) {
+  const double* const y = all.data() + row.first;
+  switch (row.count) {
+    case 2:
+      return value_of<2>(row, y, 2);
+    case 3:
+      return value_of<3>(row, y, 3);
+    case 4:
+      return value_of<4>(row, y, 4);
+    case 5:
+      return value_of<5>(row, y, 5);
+    default:
+      return value_of<0>(row, y, row.count);
+  }
+}
+template <std::size_t C>
+void scatter_of(const VariableRow& row, double factor, double* out, std::size_t any) {
+  for (std::size_t r = 0; r < (C > 0 ? C : any); ++r) out[r] += factor * row.weights[r];
+}
+void scatter(const VariableRow& row, double factor, std::vector<double>& all) {
+  double* const out = all.data() + row.first;
+  switch (row.count) {
+    case 2:
+      return scatter_of<2>(row, factor, out, 2);
+    case 3:
+      return scatter_of<3>(row, factor, out, 3);
+    case 4:
+      return scatter_of<4>(row, factor, out, 4);
+    case 5:
+      return scatter_of<5>(row, factor, out, 5);
+    default:
+      return scatter_of<0>(row, factor, out, row.count);
+  }
 }
 double dot(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0;
@@ -56,27 +88,21 @@ class Solver {
       if (options_.tick) options_.tick();
       residuals();
       const double objective = value_now();
-      if (mean() * count() <= options_.gap * (1 + std::abs(objective)) && worst_ <= options_.residual &&
+      const double mu = mean_;
+      if (mu * count() <= options_.gap * (1 + std::abs(objective)) && worst_ <= options_.residual &&
           dual_ <= options_.gap) {
         result.converged = true;
         break;
       }
       if (!factor()) break;
-      const double mu = mean();
-      for (Pair& pair : pairs_)
-        for (Side* side : {&pair.upper, &pair.lower}) side->complement = 0;
-      w_.complement = 0;
-      step();
-      const auto [primal, dual] = lengths();
+      step<false>(0);
+      const double primal = primal_, dual = dual_length_;
       double after = elastic_ ? (w_.s + primal * w_.ds) * (w_.z + dual * w_.dz) : 0;
       for (const Pair& pair : pairs_)
         for (const Side* side : {&pair.upper, &pair.lower})
           after += (side->s + primal * side->ds) * (side->z + dual * side->dz);
-      const double share = after / count() / mu, centre = share * share * share * mu;
-      for (Pair& pair : pairs_)
-        for (Side* side : {&pair.upper, &pair.lower}) side->complement = centre - side->ds * side->dz;
-      w_.complement = centre - w_.ds * w_.dz;
-      step();
+      const double share = after / count() / mu;
+      step<true>(share * share * share * mu);
       move();
     }
     result.y = std::move(y_);
@@ -113,12 +139,6 @@ class Solver {
     w_.z = elastic_ ? mu / w_.s : 0;
   }
 
-  double mean() const {
-    double sum = elastic_ ? w_.s * w_.z : 0;
-    for (const Pair& p : pairs_) sum += p.upper.s * p.upper.z + p.lower.s * p.lower.z;
-    return sum / count();
-  }
-
   void residuals() {
     std::fill(qy_.begin(), qy_.end(), 0.0);
     p_.quadratic.multiply(y_, qy_);
@@ -126,9 +146,11 @@ class Solver {
     for (std::size_t i = 0; i < p_.linear.size(); ++i) gradient_[i] += p_.linear[i];
     by_w_ = p_.price - w_.z;
     worst_ = 0;
+    double products = elastic_ ? w_.s * w_.z : 0;
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       const BandRow& row = p_.rows[i];
       Side &u = pairs_[i].upper, &l = pairs_[i].lower;
+      products += u.s * u.z + l.s * l.z;
       const double a = value(row.row, y_), give = row.elastic * w_.s;
       u.residual = row.upper + give - a - u.s;
       l.residual = a - row.lower + give - l.s;
@@ -136,6 +158,7 @@ class Solver {
       scatter(row.row, u.z - l.z, gradient_);
       by_w_ -= row.elastic * (u.z + l.z);
     }
+    mean_ = products / count();
     if (!elastic_) by_w_ = 0;
     double most = std::abs(by_w_), size = 1 + p_.price;
     for (std::size_t i = 0; i < n_; ++i) {
@@ -164,17 +187,23 @@ class Solver {
     return true;
   }
 
-  /// Newton's step for s z = complement: of all sides.
-  void step() {
+  /// Newton's step for s z = complement, of all sides: 0 in the predictor; in the corrector `centre` less what the
+  /// predictor left out. And how far slacks and multipliers may go until the first is 0, at most 1. Programs do not fit
+  /// the cache, so everything is done in two passes over the rows.
+  template <bool corrector>
+  void step(double centre) {
+    const auto aim = [centre](Side& side) { side.complement = corrector ? centre - side.ds * side.dz : 0; };
     const auto push = [](const Side& side) { return (side.complement - side.z * side.residual) / side.s - side.z; };
     double right_w = -by_w_;
     for (std::size_t i = 0; i < n_; ++i) dy_[i] = -gradient_[i];
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       const BandRow& row = p_.rows[i];
+      aim(pairs_[i].upper), aim(pairs_[i].lower);
       const double u = push(pairs_[i].upper), l = push(pairs_[i].lower);
       scatter(row.row, l - u, dy_);
       right_w += row.elastic * (u + l);
     }
+    aim(w_);
     double dw = 0;
     if (elastic_) {
       right_w += w_.complement / w_.s - w_.z;
@@ -183,33 +212,29 @@ class Solver {
     normal_.solve(dy_);
     if (elastic_)
       for (std::size_t i = 0; i < n_; ++i) dy_[i] -= dw * solved_border_[i];
+    primal_ = dual_length_ = 1;
+    const auto look = [this](const Side& side) {
+      if (side.ds < 0) primal_ = std::min(primal_, -side.s / side.ds);
+      if (side.dz < 0) dual_length_ = std::min(dual_length_, -side.z / side.dz);
+    };
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       const BandRow& row = p_.rows[i];
       Side &u = pairs_[i].upper, &l = pairs_[i].lower;
       const double a = value(row.row, dy_), give = row.elastic * dw;
       u.ds = u.residual - a + give;
       l.ds = l.residual + a + give;
-      for (Side* side : {&u, &l}) side->dz = (side->complement - side->z * side->ds) / side->s - side->z;
+      for (Side* side : {&u, &l}) {
+        side->dz = (side->complement - side->z * side->ds) / side->s - side->z;
+        look(*side);
+      }
     }
     w_.ds = dw;
     w_.dz = elastic_ ? (w_.complement - w_.z * dw) / w_.s - w_.z : 0;
-  }
-
-  /// How far slacks and multipliers may go until the first is 0, at most 1.
-  std::pair<double, double> lengths() const {
-    double primal = 1, dual = 1;
-    const auto look = [&](const Side& side) {
-      if (side.ds < 0) primal = std::min(primal, -side.s / side.ds);
-      if (side.dz < 0) dual = std::min(dual, -side.z / side.dz);
-    };
-    for (const Pair& pair : pairs_) look(pair.upper), look(pair.lower);
     if (elastic_) look(w_);
-    return {primal, dual};
   }
 
   void move() {
-    const std::pair<double, double> most = lengths();
-    const double least = std::min(most.first, most.second), step = least < 1 ? keep * least : 1;
+    const double least = std::min(primal_, dual_length_), step = least < 1 ? keep * least : 1;
     // One length for both: with a quadratic objective rows and multipliers are coupled.
     for (std::size_t i = 0; i < n_; ++i) y_[i] += step * dy_[i];
     const auto go = [step](Side& side) { side.s += step * side.ds, side.z += step * side.dz; };
@@ -223,7 +248,7 @@ class Solver {
   std::size_t n_;
   std::vector<double> y_, dy_, qy_, gradient_, border_, solved_border_;
   BandMatrix normal_;
-  double corner_ = 1, by_w_ = 0, worst_ = 0, dual_ = 0;
+  double corner_ = 1, by_w_ = 0, worst_ = 0, dual_ = 0, mean_ = 0, primal_ = 1, dual_length_ = 1;
   std::vector<Pair> pairs_;
   Side w_;
 };
