@@ -51,12 +51,7 @@ class Walk {
   double edge(std::size_t segment, bool entered) const {
     return entered == forward_ ? task_.path[segment].s0() : task_.path[segment].s1();
   }
-  /// The dwells at the begin of a segment.
-  void wait(std::size_t segment) {
-    auto rest = std::lower_bound(task_.dwells.begin(), task_.dwells.end(), segment,
-                                 [](const Rest& r, std::size_t s) { return r.segment < s; });
-    for (; rest != task_.dwells.end() && rest->segment == segment; ++rest) time_ += rest->seconds * (1 - 1e-12);
-  }
+  void wait(std::size_t segment) { time_ += dwell_before(task_, segment) * (1 - 1e-12); }
   bool segment(std::size_t segment, double left, double& by_feed) {
     const double length = task_.path[segment].s1() - task_.path[segment].s0();
     const bool straight = task_.path.linear(segment);
@@ -112,6 +107,14 @@ class Walk {
 };
 
 }  // namespace
+
+double dwell_before(const PathTask& task, std::size_t segment) {
+  auto rest = std::lower_bound(task.dwells.begin(), task.dwells.end(), segment,
+                               [](const Rest& r, std::size_t s) { return r.segment < s; });
+  double seconds = 0;
+  for (; rest != task.dwells.end() && rest->segment == segment; ++rest) seconds += rest->seconds;
+  return seconds;
+}
 
 HeadReach reached(const PathTask& task, const std::vector<SectionBound>& sections, std::size_t from, std::size_t to,
                   double horizon, double step, bool dwells) {

@@ -26,6 +26,9 @@ struct HeadReach {
   double until = 0;                  ///< s; pieces that are entered later may be missing
 };
 
+/// How long the head dwells before a segment, or behind the last one, s.
+double dwell_before(const PathTask& task, std::size_t segment);
+
 /// From the rest before section `from` of `sections` (or after all) along the sections up to the rest before section
 /// `to`, backward if to < from, in stretches of at most `step` mm, for `horizon` seconds. No motion that keeps the
 /// axes' limits, the feeds, the sections' bounds and the dwells of `task` is at a place of a piece earlier than that

@@ -40,13 +40,7 @@ bool StrokeSections::far(std::size_t section) const {
 }
 
 bool StrokeSections::waits(std::size_t before) const {
-  const std::size_t segment = before < count() ? sections_[before].first : sections_.back().last;
-  const auto& dwells = task_.head.dwells;
-  auto rest = std::lower_bound(dwells.begin(), dwells.end(), segment,
-                               [](const Rest& r, std::size_t of) { return r.segment < of; });
-  for (; rest != dwells.end() && rest->segment == segment; ++rest)
-    if (rest->seconds > 0) return true;
-  return false;
+  return dwell_before(task_.head, before < count() ? sections_[before].first : sections_.back().last) > 0;
 }
 
 AxisJet StrokeSections::rest(std::size_t before) const {

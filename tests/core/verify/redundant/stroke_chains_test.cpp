@@ -11,7 +11,6 @@ namespace bahnwerk {
 namespace {
 
 using test::coarse;
-using test::fine;
 using test::head;
 using test::least;
 using test::moves;
@@ -23,10 +22,10 @@ struct Bounded {
 };
 
 /// With a plan in which every section takes `longer` times its bound.
-Bounded bounded(const Contour& contour, double longer, double stroke = 20) {
+Bounded bounded(const Contour& contour, double longer) {
   const CartesianAxisPath path(contour.path, 2);
   const PathTask task = contour_task(path, contour, head);
-  const std::vector<AxisLimits> fine = test::fine(stroke);
+  const std::vector<AxisLimits> fine = test::fine(20);
   SilentProgress progress;
   Bounded b;
   lower_bound(task, 1e-3, progress, 0, 1, &b.sections);
