@@ -35,30 +35,31 @@ void JerkSectionPlanner<N, M>::look_half_way(ProgressScope& pulse) {
 }
 
 template <int N, int M>
-void JerkSectionPlanner<N, M>::measure(bool exact, ProgressScope& pulse) {
+CellPeaks<M> JerkSectionPlanner<N, M>::peaks_of(std::size_t c, bool exact) const {
   const RowLimits<M>& limit = exact ? limit_ : soft_;
+  const double h = grid_.length(c), f = feed(c);
+  const LawPiece law = jerk_piece(state_[c], state_[c + 1], h);
+  const JerkStation<M>&l = problem_.stations[problem_.cells[c].station],
+        &r = problem_.stations[problem_.cells[c].station + 1];
+  const std::size_t segment = grid_.cells[c].segment;
+  if (grid_.cells[c].straight) return cell_peaks<M>(law, h, limit, 1 / (f * f), l, r, [&](double) { return l; });
+  if (exact)
+    return cell_peaks<M>(law, h, limit, 1 / (f * f), l, r, [&](double s) {
+      return rows_of(path_.derivatives(segment, path_[segment].parameter_at(grid_.left(c).s + s)));
+    });
+  const CellPath<M> path(l, middle_[c].at, r, middle_[c].s, h);
+  return cell_peaks<M>(law, h, limit, 1 / (f * f), l, r, [&](double s) { return path.at(s); });
+}
+
+template <int N, int M>
+void JerkSectionPlanner<N, M>::measure(bool exact, ProgressScope& pulse) {
   const std::size_t n = grid_.cells.size();
   peaks_.resize(n);
   certain_ = exact;
   worst_ = {};
   for (std::size_t c = 0; c < n; ++c) {
     pulse(c, n);
-    const double h = grid_.length(c), f = feed(c);
-    const LawPiece law = jerk_piece(state_[c], state_[c + 1], h);
-    const JerkStation<M>&l = problem_.stations[problem_.cells[c].station],
-          &r = problem_.stations[problem_.cells[c].station + 1];
-    const std::size_t segment = grid_.cells[c].segment;
-    if (grid_.cells[c].straight) {
-      peaks_[c] = cell_peaks<M>(law, h, limit, 1 / (f * f), l, r, [&](double) { return l; });
-    } else if (exact) {
-      peaks_[c] = cell_peaks<M>(law, h, limit, 1 / (f * f), l, r, [&](double s) {
-        return rows_of(path_.derivatives(segment, path_[segment].parameter_at(grid_.left(c).s + s)));
-      });
-    } else {
-      const CellPath<M> path(l, middle_[c].at, r, middle_[c].s, h);
-      peaks_[c] = cell_peaks<M>(law, h, limit, 1 / (f * f), l, r, [&](double s) { return path.at(s); });
-    }
-    raise(peaks_[c]);
+    raise(peaks_[c] = peaks_of(c, exact));
   }
 }
 
@@ -148,11 +149,13 @@ void JerkSectionPlanner<N, M>::tighten(double times, bool acceleration) {
 }
 
 template void JerkSectionPlanner<2, 2>::look_half_way(ProgressScope& pulse);
+template CellPeaks<2> JerkSectionPlanner<2, 2>::peaks_of(std::size_t cell, bool exact) const;
 template void JerkSectionPlanner<2, 2>::measure(bool exact, ProgressScope& pulse);
 template void JerkSectionPlanner<2, 2>::certify(ProgressScope& pulse);
 template bool JerkSectionPlanner<2, 2>::stubborn();
 template void JerkSectionPlanner<2, 2>::tighten(double times, bool acceleration);
 template void JerkSectionPlanner<2, 3>::look_half_way(ProgressScope& pulse);
+template CellPeaks<3> JerkSectionPlanner<2, 3>::peaks_of(std::size_t cell, bool exact) const;
 template void JerkSectionPlanner<2, 3>::measure(bool exact, ProgressScope& pulse);
 template void JerkSectionPlanner<2, 3>::certify(ProgressScope& pulse);
 template bool JerkSectionPlanner<2, 3>::stubborn();
@@ -160,8 +163,11 @@ template void JerkSectionPlanner<2, 3>::tighten(double times, bool acceleration)
 template void JerkSectionPlanner<3, 3>::look_half_way(ProgressScope& pulse);
 template void JerkSectionPlanner<5, 5>::look_half_way(ProgressScope& pulse);
 template void JerkSectionPlanner<8, 8>::look_half_way(ProgressScope& pulse);
+template CellPeaks<3> JerkSectionPlanner<3, 3>::peaks_of(std::size_t cell, bool exact) const;
 template void JerkSectionPlanner<3, 3>::measure(bool exact, ProgressScope& pulse);
+template CellPeaks<5> JerkSectionPlanner<5, 5>::peaks_of(std::size_t cell, bool exact) const;
 template void JerkSectionPlanner<5, 5>::measure(bool exact, ProgressScope& pulse);
+template CellPeaks<8> JerkSectionPlanner<8, 8>::peaks_of(std::size_t cell, bool exact) const;
 template void JerkSectionPlanner<8, 8>::measure(bool exact, ProgressScope& pulse);
 template void JerkSectionPlanner<3, 3>::certify(ProgressScope& pulse);
 template void JerkSectionPlanner<5, 5>::certify(ProgressScope& pulse);
@@ -175,8 +181,11 @@ template void JerkSectionPlanner<8, 8>::tighten(double times, bool acceleration)
 template void JerkSectionPlanner<3, 4>::look_half_way(ProgressScope& pulse);
 template void JerkSectionPlanner<5, 6>::look_half_way(ProgressScope& pulse);
 template void JerkSectionPlanner<8, 9>::look_half_way(ProgressScope& pulse);
+template CellPeaks<4> JerkSectionPlanner<3, 4>::peaks_of(std::size_t cell, bool exact) const;
 template void JerkSectionPlanner<3, 4>::measure(bool exact, ProgressScope& pulse);
+template CellPeaks<6> JerkSectionPlanner<5, 6>::peaks_of(std::size_t cell, bool exact) const;
 template void JerkSectionPlanner<5, 6>::measure(bool exact, ProgressScope& pulse);
+template CellPeaks<9> JerkSectionPlanner<8, 9>::peaks_of(std::size_t cell, bool exact) const;
 template void JerkSectionPlanner<8, 9>::measure(bool exact, ProgressScope& pulse);
 template void JerkSectionPlanner<3, 4>::certify(ProgressScope& pulse);
 template void JerkSectionPlanner<5, 6>::certify(ProgressScope& pulse);

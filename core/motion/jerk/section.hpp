@@ -106,6 +106,10 @@ class JerkSectionPlanner {
   /// How much faster than the law that the window before threw away this one passes the same place.
   double speed_up() const;
 
+  /// Of the last nodes before which the rest at the window's end slows nothing, one about which no limit is exceeded
+  /// between the nodes, or as little as anywhere. O(1).
+  std::size_t calm_node() const;
+
   /// Throws away what the rest at the window's end slows: what is left ends in motion.
   void leave();
 
@@ -202,8 +206,10 @@ class JerkSectionPlanner {
   /// The path in the middle of every curved cell, for measure().
   void look_half_way(ProgressScope& pulse);
 
-  /// Peaks of every cell, from samples and against what the solver may use; `exact`: of the path itself, against the
-  /// true limits.
+  /// Peaks of a cell, from samples and against what the solver may use; `exact`: of the path itself, against the true
+  /// limits.
+  CellPeaks<M> peaks_of(std::size_t cell, bool exact) const;
+  /// Of every cell.
   void measure(bool exact, ProgressScope& pulse);
 
   /// Continuous peaks on the path itself wherever samples leave a doubt, and what holds at nodes alone: afterwards

@@ -28,6 +28,10 @@ constexpr double longest_overlap = 64;
 /// section's own fault.
 constexpr double well = 1 + 3e-4;
 constexpr std::size_t max_failures(std::size_t windows) { return 3 + windows / 8; }
+/// A window is left where the law keeps all limits between the nodes, too, so many cells before and behind: the state
+/// there stays, and a cell beside it that is given a smaller share of a limit may have no law at all. So many cells
+/// before the last one that is kept may do.
+constexpr std::size_t calm_cells = 4, farthest_calm = 64;
 
 }  // namespace
 
@@ -54,14 +58,15 @@ bool JerkSectionPlanner<N, M>::plan_windows(std::size_t window, double from, dou
     tail_ = here.tail;
     for (const Start& start : starts()) {
       here.cells = take_window(here.begin, here.cells);
-      end = here.begin + keep_;
-      progress = std::max(reported, from + (to - from) * static_cast<double>(end) / static_cast<double>(n));
+      progress =
+          std::max(reported, from + (to - from) * static_cast<double>(here.begin + keep_) / static_cast<double>(n));
       ProgressScope pulse(progress_, "planning", reported, progress);
       pulse.part(0, 0.1);
       pieces_.resize(here.pieces);
       if (const std::size_t least = here.pieces + 2 * here.cells; least > pieces_.capacity())
         grow(pieces_, foreseen(least, static_cast<double>(here.begin) / static_cast<double>(n)), pulse);
       attempt(start, pulse);
+      end = here.begin + keep_;
       if (end < n && !(exit_.b > 0)) slow_ = unlimited;  // it never came to that
       if (slow_ < good_enough) break;
     }
@@ -135,7 +140,23 @@ double JerkSectionPlanner<N, M>::speed_up() const {
 }
 
 template <int N, int M>
+std::size_t JerkSectionPlanner<N, M>::calm_node() const {
+  std::size_t best = keep_;
+  double least = unlimited;
+  for (std::size_t node = keep_; node > keep_ / 2 && node + farthest_calm > keep_ && least > 1; --node) {
+    if (joint(node)) continue;
+    double most = 0;
+    const std::size_t end = std::min(node + calm_cells, grid_.cells.size());
+    for (std::size_t c = node - std::min(node, calm_cells); c < end && most < least; ++c)
+      most = std::max(most, peaks_of(c, false).most());
+    if (most < least) best = node, least = most;
+  }
+  return best;
+}
+
+template <int N, int M>
 void JerkSectionPlanner<N, M>::leave() {
+  keep_ = calm_node();
   next_tail_.assign(state_.begin() + static_cast<std::ptrdiff_t>(keep_), state_.end());
   exit_ = state_[keep_];
   state_.resize(keep_ + 1);
