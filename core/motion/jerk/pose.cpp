@@ -170,8 +170,9 @@ void JerkSectionPlanner<N, M>::soften() {
 template <int N, int M>
 void JerkSectionPlanner<N, M>::guess(Start start, ProgressScope& pulse) {
   const std::size_t n = grid_.cells.size();
-  if (start.smooth) smooth<N>(grid_, 2 * jerk_time_, rough_, pulse);
-  const auto& b = start.smooth ? rough_.smooth_b : rough_.b;
+  const bool smoothed = start.smoothing != Smoothing::none;
+  if (smoothed) smooth<N>(grid_, 2 * jerk_time_, start.smoothing, rough_, pulse);
+  const auto& b = smoothed ? rough_.smooth_b : rough_.b;
   const double part = start.part;
   for (std::size_t i = 1; i < n; ++i) {
     const double l = grid_.length(i - 1), r = grid_.length(i);

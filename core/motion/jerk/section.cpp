@@ -56,11 +56,13 @@ void JerkSectionPlanner<N, M>::plan(std::size_t first, std::size_t last, double 
               plan_windows(window, from, to);
   if (!done) {
     const auto starts = this->starts();
+    const std::size_t next = usual_start() + 1;
     done = plan_whole(starts[0], pulse);
     for (std::size_t i = 1; i < starts.size() && !done; ++i) {
       build(first, last, pulse);  // its cells may have been divided
       // Where a long law is lost short ones may still be found.
-      done = (i == 1 && window > 0 && n > few_cells && plan_windows(n / 4, from, to)) || plan_whole(starts[i], pulse);
+      done =
+          (i == next && window > 0 && n > few_cells && plan_windows(n / 4, from, to)) || plan_whole(starts[i], pulse);
     }
     if (!done) {
       build(first, last, pulse);
@@ -97,7 +99,13 @@ template <int N, int M>
 bool JerkSectionPlanner<N, M>::plan_whole(Start start, ProgressScope& pulse) {
   pieces_.clear();
   const double duration = attempt(start, pulse);
-  if (slow_ < good_enough) return true;
+  if (slow_ < start.enough) {
+    if (best_duration_ < duration) {
+      std::swap(best_, pieces_);
+      slow_ = best_slow_;
+    }
+    return true;
+  }
   if (duration < best_duration_) {
     best_duration_ = duration;
     best_slow_ = slow_;
@@ -112,7 +120,7 @@ void JerkSectionPlanner<N, M>::plan_under_ceilings(ProgressScope& pulse) {
   ceiling_.assign(grid_.cells.size() + 1, unlimited);
   for (int i = 0; i < max_lowerings; ++i) {
     pieces_.clear();
-    const double duration = attempt(starts()[0], pulse);
+    const double duration = attempt(starts()[usual_start()], pulse);
     if (duration < best_duration_) {
       best_duration_ = duration;
       best_slow_ = slow_;

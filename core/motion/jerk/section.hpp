@@ -48,19 +48,24 @@ class JerkSectionPlanner {
   double work() const { return work_; }
 
  private:
-  /// Where the interior-point method starts: which part of the rough profile's v², the barrier, and whether the profile
-  /// is smoothed before.
+  /// Where the interior-point method starts: which part of the rough profile's v², the barrier, how the profile is
+  /// smoothed before; and by how much what comes of it may have to be slowed if others are not to be tried.
   struct Start {
     double part, mu;
-    bool smooth = false;
+    Smoothing smoothing = Smoothing::none;
+    double enough = jerk_section_detail::good_enough;
   };
-  static constexpr std::size_t start_count = 4;
   /// In the order in which they are tried. Through kinematics a path is passed at speeds that differ by a factor of a
-  /// hundred within milliseconds: there the profile lies far beyond the limits of jerk, but for a slow one.
-  std::array<Start, start_count> starts() const {
-    if (path_.cartesian()) return {Start{0.8, 0.1, true}, Start{0.7, 0.3}, Start{0.2, 1}, Start{0.02, 1}};
-    return {Start{0.2, 1, true}, Start{0.7, 0.3}, Start{0.2, 1}, Start{0.02, 1}};
+  /// hundred within milliseconds: there the profile lies far beyond the limits of jerk, but for a slow one. Nearer to
+  /// them the solver needs fewer steps, but where it fails in the end laws are often a little slower than from further
+  /// below, so that only what is as good as certain is taken.
+  std::vector<Start> starts() const {
+    using enum Smoothing;
+    if (path_.cartesian()) return {{0.8, 0.1, even}, {0.7, 0.3}, {0.2, 1}, {0.02, 1}};
+    return {{0.2, 1, narrowing, 1 + 1e-3}, {0.2, 1, even}, {0.7, 0.3}, {0.2, 1}, {0.02, 1}};
   }
+  /// The first of them that gives a law wherever there is one.
+  std::size_t usual_start() const { return path_.cartesian() ? 0 : 1; }
 
   /// Cells of a window. Through kinematics they are wider, and more of them divided: half as many fit the cache.
   std::size_t usual_window() const { return path_.cartesian() ? options_.window : options_.window / 2; }

@@ -12,8 +12,10 @@ constexpr int stuck_steps = 3;
 /// The gap is driven to no less than this part of what is asked for.
 constexpr double min_gap = 0.3;
 /// On from a solution, steps differ along the section; after so many they are the same everywhere: slower, but nothing
-/// in the way of convergence. From a rough start they always are: large steps of different length would tear the law.
+/// in the way of convergence. From a rough start, one with a barrier larger than this, they always are: large steps of
+/// different length would tear the law.
 constexpr int uneven_steps = 10;
+constexpr double rough_start = 5e-3;
 
 }  // namespace
 
@@ -97,7 +99,7 @@ JerkSolverResult JerkSolver<M>::solve(const JerkProblem<M>& problem, LargeVector
       break;
     }
     if (result.iterations == options.iterations) break;
-    steps_.fit(std::max(0.9, 1 - 10 * target_), mu > 0 || result.iterations >= uneven_steps, odd());
+    steps_.fit(std::max(0.9, 1 - 10 * target_), mu > rough_start || result.iterations >= uneven_steps, odd());
     // What the next step aims at: the less of this one could be taken, the nearer to the present μ.
     const double step = std::min(steps_.mean_primal, steps_.mean_dual), miss = 1 - step;
     const double now = (1 - step) * gap_ / scale_ + step * target_;

@@ -94,12 +94,19 @@ std::size_t brake(const Grid<N>& grid, const std::vector<double>& feed, const Ma
 }
 
 template <int N>
-void smooth(const Grid<N>& grid, double window, RoughProfile& profile, ProgressScope& pulse) {
-  constexpr double most = 4;  // times v²: a narrow trough may be as narrow for a good reason, a cusp for instance
+void smooth(const Grid<N>& grid, double window, Smoothing smoothing, RoughProfile& profile, ProgressScope& pulse) {
+  const bool narrowing = smoothing == Smoothing::narrowing;
+  // Times v²: a narrow trough may be as narrow for a good reason, a cusp for instance. Narrow windows show less of what
+  // is beside it.
+  const double most = narrowing ? 8 : 4;
+  constexpr double widening = 0.25;  // of half a window, per time
+  constexpr int most_halvings = 12;
   const std::size_t n = grid.cells.size();
-  auto &b = profile.b, &duration = profile.duration, &smooth_b = profile.smooth_b, &s = profile.s, &t = profile.t;
+  auto &b = profile.b, &duration = profile.duration, &smooth_b = profile.smooth_b, &s = profile.s, &t = profile.t,
+       &half = profile.half_window;
   s.resize(n + 1);
   t.resize(n + 1);
+  half.resize(n + 1);
   s[0] = t[0] = 0;
   for (std::size_t c = 0; c < n; ++c) {
     s[c + 1] = s[c] + grid.length(c);
@@ -111,18 +118,30 @@ void smooth(const Grid<N>& grid, double window, RoughProfile& profile, ProgressS
     const double v0 = T * std::sqrt(b[c]), v1 = T * std::sqrt(b[c + 1]);
     return s[c] + x * (v0 + x * (3 * h - 2 * v0 - v1 + x * (v0 + v1 - 2 * h)));
   };
-  smooth_b.assign(b.begin(), b.end());
   std::size_t from = 0, to = 0;
-  for (std::size_t i = 1; i < n; ++i) {
-    pulse(i, n);
-    const double w = std::min({0.5 * window, t[i], t[n] - t[i]});
-    if (!(w > 0)) continue;
+  /// The square of the mean speed within a time w of node i. O(1) if nodes are asked for in their order.
+  const auto mean = [&](std::size_t i, double w) {
     while (from > 0 && t[from] > t[i] - w) --from;  // where windows widen their begin may go back
     while (from + 1 < i && t[from + 1] <= t[i] - w) ++from;
     while (to > i && t[to] > t[i] + w) --to;
     while (to + 1 < n && t[to + 1] <= t[i] + w) ++to;
     const double v = (way(to, t[i] + w) - way(from, t[i] - w)) / (2 * w);
-    smooth_b[i] = std::min(v * v, most * b[i]);
+    return v * v;
+  };
+  for (std::size_t i = 0; i <= n; ++i) half[i] = std::min({0.5 * window, t[i], t[n] - t[i]});
+  if (narrowing) {
+    for (std::size_t i = 1; i < n; ++i) {
+      pulse(i, n);
+      for (int k = 0; k < most_halvings && half[i] > 0 && mean(i, half[i]) > most * b[i]; ++k) half[i] *= 0.5;
+    }
+    for (std::size_t i = 1; i <= n; ++i) half[i] = std::min(half[i], half[i - 1] + widening * (t[i] - t[i - 1]));
+    for (std::size_t i = n; i-- > 0;) half[i] = std::min(half[i], half[i + 1] + widening * (t[i + 1] - t[i]));
+    from = to = 0;
+  }
+  smooth_b.assign(b.begin(), b.end());
+  for (std::size_t i = 1; i < n; ++i) {
+    pulse(i, n);
+    if (half[i] > 0) smooth_b[i] = std::min(mean(i, half[i]), most * b[i]);
   }
 }
 
@@ -143,9 +162,9 @@ template std::size_t brake<2>(const Grid<2>&, const std::vector<double>&, const 
 template std::size_t brake<3>(const Grid<3>&, const std::vector<double>&, const Machine&, const Limits&, RoughProfile&);
 template std::size_t brake<5>(const Grid<5>&, const std::vector<double>&, const Machine&, const Limits&, RoughProfile&);
 template std::size_t brake<8>(const Grid<8>&, const std::vector<double>&, const Machine&, const Limits&, RoughProfile&);
-template void smooth<2>(const Grid<2>&, double, RoughProfile&, ProgressScope&);
-template void smooth<3>(const Grid<3>&, double, RoughProfile&, ProgressScope&);
-template void smooth<5>(const Grid<5>&, double, RoughProfile&, ProgressScope&);
-template void smooth<8>(const Grid<8>&, double, RoughProfile&, ProgressScope&);
+template void smooth<2>(const Grid<2>&, double, Smoothing, RoughProfile&, ProgressScope&);
+template void smooth<3>(const Grid<3>&, double, Smoothing, RoughProfile&, ProgressScope&);
+template void smooth<5>(const Grid<5>&, double, Smoothing, RoughProfile&, ProgressScope&);
+template void smooth<8>(const Grid<8>&, double, Smoothing, RoughProfile&, ProgressScope&);
 
 }  // namespace bahnwerk

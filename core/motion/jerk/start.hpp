@@ -25,8 +25,9 @@ PathLimits path_limits(const Station<N>& at, const Machine& machine, const Limit
 /// v² at every node, and how long each cell then takes, s, about (rest at the ends of cells allowed).
 struct RoughProfile {
   LargeVector<double> b, duration;
-  LargeVector<double> smooth_b;  ///< by smooth()
-  LargeVector<double> s, t;      ///< of the nodes, from the section's begin: by smooth()
+  LargeVector<double> smooth_b;     ///< by smooth()
+  LargeVector<double> s, t;         ///< of the nodes, from the section's begin: by smooth()
+  LargeVector<double> half_window;  ///< s, per node: by smooth()
 };
 /// `node_cap`: largest v² per node, from joints and feeds; zero at both ends.
 template <int N>
@@ -39,10 +40,13 @@ template <int N>
 std::size_t brake(const Grid<N>& grid, const std::vector<double>& feed, const Machine& machine, const Limits& path,
                   RoughProfile& profile);
 
+/// `narrowing`: less time where the profile has a trough so narrow that its mean would be out of all proportion.
+enum class Smoothing { none, even, narrowing };
+
 /// Rounds off the kinks of a profile, at which jerk would be out of all proportion: `smooth_b` becomes the square of
 /// its mean speed over this time, s, less next to the section's ends. O(nodes).
 template <int N>
-void smooth(const Grid<N>& grid, double window, RoughProfile& profile, ProgressScope& pulse);
+void smooth(const Grid<N>& grid, double window, Smoothing smoothing, RoughProfile& profile, ProgressScope& pulse);
 
 extern template PathLimits path_limits<2>(const Station<2>&, const Machine&, const Limits&, double);
 extern template PathLimits path_limits<3>(const Station<3>&, const Machine&, const Limits&, double);
@@ -65,9 +69,9 @@ extern template std::size_t brake<5>(const Grid<5>&, const std::vector<double>&,
                                      RoughProfile&);
 extern template std::size_t brake<8>(const Grid<8>&, const std::vector<double>&, const Machine&, const Limits&,
                                      RoughProfile&);
-extern template void smooth<2>(const Grid<2>&, double, RoughProfile&, ProgressScope&);
-extern template void smooth<3>(const Grid<3>&, double, RoughProfile&, ProgressScope&);
-extern template void smooth<5>(const Grid<5>&, double, RoughProfile&, ProgressScope&);
-extern template void smooth<8>(const Grid<8>&, double, RoughProfile&, ProgressScope&);
+extern template void smooth<2>(const Grid<2>&, double, Smoothing, RoughProfile&, ProgressScope&);
+extern template void smooth<3>(const Grid<3>&, double, Smoothing, RoughProfile&, ProgressScope&);
+extern template void smooth<5>(const Grid<5>&, double, Smoothing, RoughProfile&, ProgressScope&);
+extern template void smooth<8>(const Grid<8>&, double, Smoothing, RoughProfile&, ProgressScope&);
 
 }  // namespace bahnwerk

@@ -68,7 +68,7 @@ bool JerkSectionPlanner<N, M>::plan_windows(std::size_t window, double from, dou
       attempt(start, pulse);
       end = here.begin + keep_;
       if (end < n && !(exit_.b > 0)) slow_ = unlimited;  // it never came to that
-      if (slow_ < good_enough) break;
+      if (slow_ < start.enough) break;
     }
     // Where the section was lost as a whole, longer windows would be lost, too.
     if (sped_up_ > untouched && overlap_ < longest_overlap && window == usual_window()) {
