@@ -68,11 +68,13 @@ struct SectionBound {
 /// line between corners, 170–340 ns per node on arcs, 350–600 ns on free-form curves, O(n) time; with limits of
 /// jerk 2 to 4 µs per cell of theirs more.
 ///
-/// Long paths. A section of more than 4096 segments whose first grid has more than some 100,000 nodes is solved in
-/// windows of so many and a 16th more (a quarter where they are straight), which are left open behind; the next window
-/// begins as fast as that one may be there. So memory is that of a window, ≈ 0.25 kB per node of two axes. Limits of
-/// jerk see each window alone, free at its ends. Paths that would need more than 250,000 nodes to begin with get wider
-/// cells, up to 8 times, and are refined less: the bound then lies up to 1e-4 below what it would be.
+/// Long paths. A section of more than 4096 segments whose first grid has more than some 100,000 nodes (through
+/// kinematics 384 and 90,000) is solved in windows of so many (256 and 60,000) and a 16th more (a quarter where they
+/// are straight), which are left open behind; the next window begins as fast as that one may be there. So memory is
+/// that of a window, ≈ 0.25 kB per node of two axes, 0.4 kB of five. Limits of jerk see each window alone, free at its
+/// ends: on needle paths each window costs 15 to 20 ms of the bound. Paths that would need more than 250,000 nodes to
+/// begin with get wider cells, up to 8 times, and are refined less: the bound then lies up to 1e-4 below what it would
+/// be.
 ///
 /// Calls progress every few ms; throws what it throws, and UnreachablePose. `sections`, if given, is filled with the
 /// bounds of the sections, in order, whose sum (and the dwells) is the bound.
