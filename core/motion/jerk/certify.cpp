@@ -25,12 +25,13 @@ constexpr double resolved = 1e-8, kept = 1 - 1e-7;
 template <int N, int M>
 void JerkSectionPlanner<N, M>::look_half_way(ProgressScope& pulse) {
   const std::size_t n = grid_.cells.size();
-  middle_.resize(n);
+  shape_.resize(n);
   for (std::size_t c = 0; c < n; ++c) {
     pulse(c, n);
     if (grid_.cells[c].straight) continue;
     const Station<N> at = path_.at(grid_.cells[c].segment, 0.5 * (grid_.left(c).u + grid_.right(c).u));
-    middle_[c] = {rows_of(at), at.s - grid_.left(c).s};
+    const JerkStation<M>* ends = &problem_.stations[problem_.cells[c].station];
+    shape_[c] = CellPath<M>(ends[0], rows_of(at), ends[1], at.s - grid_.left(c).s, grid_.length(c));
   }
 }
 
@@ -47,8 +48,7 @@ CellPeaks<M> JerkSectionPlanner<N, M>::peaks_of(std::size_t c, bool exact) const
     return cell_peaks<M>(law, h, limit, 1 / (f * f), l, r, [&](double s) {
       return rows_of(path_.derivatives(segment, path_[segment].parameter_at(grid_.left(c).s + s)));
     });
-  const CellPath<M> path(l, middle_[c].at, r, middle_[c].s, h);
-  return cell_peaks<M>(law, h, limit, 1 / (f * f), l, r, [&](double s) { return path.at(s); });
+  return cell_peaks<M>(law, h, limit, 1 / (f * f), l, r, [&](double s) { return shape_[c].at(s); });
 }
 
 template <int N, int M>

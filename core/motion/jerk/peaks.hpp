@@ -15,6 +15,7 @@ namespace bahnwerk {
 template <int M>
 class CellPath {
  public:
+  CellPath() = default;  // of no cell
   /// `middle` lies at `sm` of [0, h].
   CellPath(const JerkStation<M>& left, const JerkStation<M>& middle, const JerkStation<M>& right, double sm, double h)
       : w_(1 / h), d1_(left.d1) {
@@ -39,9 +40,9 @@ class CellPath {
   }
 
  private:
-  double w_;
-  Lanes<M> d1_;
-  std::array<Lanes<M>, 6> p_;
+  double w_ = 0;
+  Lanes<M> d1_{};
+  std::array<Lanes<M>, 6> p_{};
 };
 
 /// Peaks over a cell in relation to the limits: of each axis' acceleration and jerk, of (speed/limit)² at worst.

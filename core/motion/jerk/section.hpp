@@ -200,15 +200,11 @@ class JerkSectionPlanner {
 
   double feed(std::size_t c) const { return std::min(feed_[grid_.cells[c].segment], options_.path.velocity); }
 
-  struct Middle {
-    JerkStation<M> at;
-    double s = 0;  ///< from the cell's left end
-  };
   struct Worst {
     double v = 0, a = 0, j = 0;
   };
 
-  /// The path in the middle of every curved cell, for measure().
+  /// The path within every curved cell, from its middle and ends, for measure().
   void look_half_way(ProgressScope& pulse);
 
   /// Peaks of a cell, from samples and against what the solver may use; `exact`: of the path itself, against the true
@@ -272,7 +268,7 @@ class JerkSectionPlanner {
   LargeVector<JerkNode> state_, before_;  // as solved, and before
   JerkProblem<M> problem_;
   JerkSolver<M> solver_;
-  LargeVector<Middle> middle_;
+  LargeVector<CellPath<M>> shape_;  // of curved cells
   LargeVector<CellPeaks<M>> peaks_;
   bool certain_ = false;  ///< whether these are the path's own, of the states at hand, against the true limits
   Worst worst_;

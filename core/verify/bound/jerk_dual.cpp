@@ -86,7 +86,7 @@ void JerkDual<N>::enter(std::size_t cell, const RelaxationProblem<N>& problem,
     weight_[r] = 1 - load;
   }
   mu_ = {multipliers.acceleration[cell], multipliers.acceleration[cell + 1]};
-  rooted_.fill(false);
+  rooted_.fill(false), any_rooted_ = false;
   if (problem.limits.empty() || multipliers.limited.empty()) return;
   for (std::size_t e = 0; e < 2; ++e) {
     const double v = std::sqrt(std::max(multipliers.b[cell + e], tiny));
@@ -99,6 +99,7 @@ void JerkDual<N>::enter(std::size_t cell, const RelaxationProblem<N>& problem,
       root_[e][k] = 0.75 * share * root * std::sqrt(v);
       slope_[e][k] = root_[e][k] / (3 * v * v);
       rooted_[k] = rooted_[k] || (share > 0 && mu_[e][k] != 0);
+      any_rooted_ = any_rooted_ || rooted_[k];
     }
   }
 }
@@ -126,7 +127,16 @@ typename JerkDual<N>::Limits JerkDual<N>::limits(const DualPiece<N>& p, std::siz
 }
 
 template <int N>
-typename JerkDual<N>::Value JerkDual<N>::of(const DualPiece<N>& p, double x, const DualPiece<N>* next) const {
+typename JerkDual<N>::AllLimits JerkDual<N>::limits(const DualPiece<N>& p, double x) const {
+  AllLimits all;
+  for (std::size_t k = 0; any_rooted_ && k < grid_.axes(); ++k)
+    if (rooted_[k]) all[k] = limits(p, k, x);
+  return all;
+}
+
+template <int N>
+typename JerkDual<N>::Value JerkDual<N>::of(const DualPiece<N>& p, double x, const DualPiece<N>* next,
+                                            const AllLimits& limits) const {
   const double y = x + p.length;
   // w is at least a quadratic: its Bernstein coefficients.
   double w0 = 0, w1 = 0, slope = 0;
@@ -157,7 +167,7 @@ typename JerkDual<N>::Value JerkDual<N>::of(const DualPiece<N>& p, double x, con
     moved += std::abs(change) * p.way_blur;
     radius += 0.5 * std::max(std::abs(e0), std::abs(e1)) * p.third[k];
     if (rooted_[k]) {
-      const Limits l = limits(p, k, x);
+      const Limits& l = limits[k];
       cost += l.cost;
       low += l.low, high += l.high;
     } else {
@@ -207,10 +217,11 @@ double JerkDual<N>::refined(const DualPiece<N>& p, double x, const DualPiece<N>*
   DualPiece<N> left = dual_piece(grid_, a, m, p.cap);
   const DualPiece<N> right = dual_piece(grid_, m, b, p.cap);
   left.joint = p.joint;
-  const Value first = of(left, x, nullptr), second = of(right, x + left.length, next);
+  const double middle = x + left.length;
+  const Value first = of(left, x, nullptr, limits(left, x)), second = of(right, middle, next, limits(right, middle));
   if (!(first.now + second.now > coarse.now)) return coarse.now;
   return refined(left, x, nullptr, first, depth + 1, {&a, &m}) +
-         refined(right, x + left.length, next, second, depth + 1, {&m, &b});
+         refined(right, middle, next, second, depth + 1, {&m, &b});
 }
 
 template <int N>
@@ -218,24 +229,25 @@ double JerkDual<N>::value(const Blocks<DualPiece<N>>& pieces, std::size_t first,
                           const std::vector<std::size_t>& cell_of, const RelaxationProblem<N>& problem,
                           const RelaxationMultipliers<N>& multipliers) {
   Sum sum;
-  std::size_t cell = problem.cells.size();
+  std::size_t cell = problem.cells.size(), begin = first;  // of the pieces: where that begins
   double x = 0;
   for (std::size_t i = first; i < last; ++i) {
     const DualPiece<N>& p = pieces[i];
     if (cell_of[i] != cell) {
       cell = cell_of[i], x = 0;
       enter(cell, problem, multipliers);
+      begin = i;
       taken_ = along_ = 0;
+      of_pieces_.clear();
       for (std::size_t j = i; j < last && cell_of[j] == cell; ++j) {
         along_ = std::max(along_, pieces[j].along);
-        for (std::size_t k = 0; k < grid_.axes(); ++k)
-          if (rooted_[k]) taken_ += limits(pieces[j], k, x).taken / length_;
+        for (const Limits& l : of_pieces_.emplace_back(limits(pieces[j], x))) taken_ += l.taken / length_;
         x += pieces[j].length;
       }
       x = 0;
     }
     const DualPiece<N>* next = i + 1 < cell_of.size() && pieces[i + 1].joint.here ? &pieces[i + 1] : nullptr;
-    sum.add(refined(p, x, next, of(p, x, next), 0, {}));
+    sum.add(refined(p, x, next, of(p, x, next, of_pieces_[i - begin]), 0, {}));
     x += p.length;
     pulse_.work(1);
   }

@@ -97,8 +97,10 @@ class JerkDual {
     double cost = 0, taken = 0, low = 0, high = 0;
   };
   Limits limits(const DualPiece<N>& piece, std::size_t k, double x) const;
-  /// Of a piece x mm from the cell's begin; `next`: the piece behind it, if a joint lies between.
-  Value of(const DualPiece<N>& piece, double x, const DualPiece<N>* next) const;
+  using AllLimits = std::array<Limits, N>;  ///< of the axes that count so
+  AllLimits limits(const DualPiece<N>& piece, double x) const;
+  /// Of a piece x mm from the cell's begin, with its limits; `next`: the piece behind it, if a joint lies between.
+  Value of(const DualPiece<N>& piece, double x, const DualPiece<N>* next, const AllLimits& limits) const;
   /// `ends`: the nodes at its begin and end, if known.
   using Ends = std::pair<const BoundNode<N>*, const BoundNode<N>*>;
   double refined(const DualPiece<N>& piece, double x, const DualPiece<N>* next, Value coarse, int depth, Ends ends);
@@ -114,7 +116,9 @@ class JerkDual {
   /// What these count against: fixed + √|q′_k| (root + slope b).
   std::array<Row, 2> fixed_{}, root_{}, slope_{};
   std::array<bool, N> rooted_{};
-  double taken_ = 0, along_ = 0;  ///< of D the mean over the cell; the largest |v̇| in it
+  bool any_rooted_ = false;
+  double taken_ = 0, along_ = 0;      ///< of D the mean over the cell; the largest |v̇| in it
+  std::vector<AllLimits> of_pieces_;  ///< of the cell
 };
 
 extern template class JerkDual<2>;

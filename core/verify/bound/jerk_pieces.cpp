@@ -245,11 +245,12 @@ void JerkPieces<N>::grade(const std::vector<double>& b, bool rest_first, bool re
 // x mm into a cell. Where the feed is all that holds a motion nothing happens but what the path does, the less the
 // further away anything else is.
 template <int N>
-typename JerkPieces<N>::Extent JerkPieces<N>::extent(std::size_t cell, double x, double energy, double whole,
+typename JerkPieces<N>::Extent JerkPieces<N>::extent(std::size_t cell, double x, const Room& room,
                                                      const std::vector<double>& b) const {
   const Cell& c = grid_.cells()[cell];
   const double left = c.length - x, feed = grid_.feed(grid_.nodes()[cell].segment);
-  const double most = std::min({whole, b[cell] + energy * (x / c.length), b[cell + 1] + energy * (left / c.length)});
+  const double most =
+      std::min({room.cap, b[cell] + room.energy * (x / c.length), b[cell + 1] + room.energy * (left / c.length)});
   const double expected = std::min(expected_[cell] + growth_[cell] * x, expected_[cell + 1] + growth_[cell] * left);
   const double slow = std::min(slow_[cell] + growth_[cell] * x, slow_[cell + 1] + growth_[cell] * left);
   const double speed = std::min(std::sqrt(std::max(most, 0.0)), std::cbrt(slow * slow));
@@ -265,9 +266,8 @@ typename JerkPieces<N>::Extent JerkPieces<N>::extent(std::size_t cell, double x,
   return e;
 }
 
-// What b may gain over a cell, and what it is at most anywhere in it.
 template <int N>
-std::pair<double, double> JerkPieces<N>::room(std::size_t cell, const std::vector<double>& b) const {
+typename JerkPieces<N>::Room JerkPieces<N>::room(std::size_t cell, const std::vector<double>& b) const {
   const Node &from = grid_.nodes()[cell], &to = grid_.nodes()[cell + 1];
   double energy = infinite;
   for (std::size_t k = 0; k < grid_.axes(); ++k)
@@ -278,10 +278,9 @@ std::pair<double, double> JerkPieces<N>::room(std::size_t cell, const std::vecto
 
 // Pieces of a cell: evenly in time, finer and finer towards rests and steps.
 template <int N>
-void JerkPieces<N>::divide(std::size_t cell, const std::vector<double>& b) {
+void JerkPieces<N>::divide(std::size_t cell, const Room& room, const std::vector<double>& b) {
   const Cell& c = grid_.cells()[cell];
   const Node &from = grid_.nodes()[cell], &to = grid_.nodes()[cell + 1];
-  const auto [energy, whole] = room(cell, b);
   grid_.remember(from, to);
   const DirectionRange<N> range = grid_.range(from, to);
   Row steepest;
@@ -290,7 +289,7 @@ void JerkPieces<N>::divide(std::size_t cell, const std::vector<double>& b) {
   Extent e{};
   Node last = from;
   while (x < c.length) {
-    e = extent(cell, x, energy, whole, b);
+    e = extent(cell, x, room, b);
     const double d = std::max(e.piece, c.length * 1e-4);
     pulse_.work(2);
     // A part of what is left: length is no linear function of the parameter.
@@ -303,19 +302,18 @@ void JerkPieces<N>::divide(std::size_t cell, const std::vector<double>& b) {
     x = next.s - from.s;
   }
   e.finest = std::min(e.finest, per_cell_ * std::min(before_[cell + 1], behind_[cell + 1]));
-  append(last, to, cap(cell, last, to, b, &steepest), e, cell, cell);
+  append(last, to, x > 0 ? cap(cell, last, to, b, &steepest) : room.cap, e, cell, cell);
   grid_.forget();
 }
 
 // The cells from `first` on that are so short that they make up one piece: what a piece is worth less for rounding
 // grows as it shrinks. Returns one past the last, `first` where there is nothing to join.
 template <int N>
-std::size_t JerkPieces<N>::joined(std::size_t first, const std::vector<double>& b) {
+std::size_t JerkPieces<N>::joined(std::size_t first, const Room& room, const std::vector<double>& b) {
   const auto& cells = grid_.cells();
   const auto& nodes = grid_.nodes();
-  const auto [energy, whole] = room(first, b);
-  Extent e = extent(first, 0, energy, whole, b);
-  double length = cells[first].length, most = whole;
+  Extent e = extent(first, 0, room, b);
+  double length = cells[first].length, most = room.cap;
   std::size_t i = first + 1;
   for (; i + 1 < b.size() && cells[i].kind != Cell::Kind::joint && nodes[i + 1].segment == nodes[first].segment; ++i) {
     const double limit = part_joined * std::min(e.piece, behind_[i + 1]);
@@ -362,11 +360,14 @@ void JerkPieces<N>::lay_next() {
   if (grid_.cells()[next_].kind == Cell::Kind::joint) {
     join(nodes[next_], nodes[next_ + 1], std::min(b[next_], b[next_ + 1]));
     ++next_;
-  } else if (const std::size_t behind = joined(next_, b); behind > next_) {
-    next_ = behind;
-  } else {
-    divide(next_++, b);
+    return;
   }
+  const Room room = this->room(next_, b);
+  const std::size_t behind = joined(next_, room, b);
+  if (behind == next_)
+    divide(next_++, room, b);
+  else
+    next_ = behind;
 }
 
 template class JerkPieces<2>;

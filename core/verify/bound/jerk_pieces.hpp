@@ -63,10 +63,14 @@ class JerkPieces {
   void expect(const std::vector<double>& b, bool rest_first, bool rest_last);
   void grade(const std::vector<double>& b, bool rest_first, bool rest_last);
   double finest_at(std::size_t node, const std::vector<double>& b) const;
-  Extent extent(std::size_t cell, double x, double energy, double whole, const std::vector<double>& b) const;
-  std::pair<double, double> room(std::size_t cell, const std::vector<double>& b) const;
-  void divide(std::size_t cell, const std::vector<double>& b);
-  std::size_t joined(std::size_t first, const std::vector<double>& b);
+  /// What b may gain over a cell, mm²/s², and what it is at most anywhere in it.
+  struct Room {
+    double energy, cap;
+  };
+  Room room(std::size_t cell, const std::vector<double>& b) const;
+  Extent extent(std::size_t cell, double x, const Room& room, const std::vector<double>& b) const;
+  void divide(std::size_t cell, const Room& room, const std::vector<double>& b);
+  std::size_t joined(std::size_t first, const Room& room, const std::vector<double>& b);
   DirectionRange<N> range(const Node& a, const Node& b, std::size_t first, std::size_t last) const;
   void append(const Node& a, const Node& b, double cap, Extent extent, std::size_t first, std::size_t last,
               int depth = 0, double without = 0);
