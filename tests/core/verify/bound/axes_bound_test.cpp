@@ -9,8 +9,10 @@
 
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/verify/bound/lower_bound.hpp"
+#include "tests/core/machine/winders.hpp"
 #include "tests/core/motion/axes/coordinate_axes.hpp"
 #include "tests/core/motion/axes/five_axes.hpp"
+#include "tests/core/motion/axes/needle_loop.hpp"
 #include "tests/core/verify/reference.hpp"
 
 namespace bahnwerk {
@@ -157,6 +159,28 @@ TEST(AxesBound, ARippleThatSamplesDoNotSee) {
 }
 
 /// Central differences of the map along random directions at random places.
+/// Where a path is parted nothing is known of jerk: each window loses some of the bound, and gains none. Beyond its
+/// ends each turn takes as long as any other, so that a path that is not parted tells what one that is should take.
+TEST(AxesBound, LongNeedlePathsInWindowsLoseLittle) {
+  const std::shared_ptr<const Kinematics> winder = test::horizontal();
+  const Machine machine{winder->axes(), 0.002};
+  const auto of_turns = [&](int turns) {
+    const test::NeedlePath needle = test::stator_turns(turns);
+    const KinematicAxisPath path(needle.tool, *winder, needle.orientation);
+    PathTask task{path, machine, std::vector<double>(path.size(), unlimited),
+                  std::vector<bool>(path.size() + 1, false)};
+    task.rests.front() = task.rests.back() = true;
+    SilentProgress silent;
+    return lower_bound(task, corner_angle, silent).duration;
+  };
+  const double few = of_turns(4), more = of_turns(8), whole = more + (more - few) / 4 * (400 - 8),
+               found = of_turns(400);
+  RecordProperty("loss", std::to_string(whole - found));
+  EXPECT_LT(found, whole * (1 + 1e-6));
+  EXPECT_GT(found, whole * (1 - 1e-3));
+  EXPECT_LT(found, whole * (1 - 1e-7)) << "not parted";
+}
+
 TEST(FiveAxesMap, KeepsTheBoundsThatItStates) {
   const test::FiveAxes kinematics;
   const MapBounds bounds = kinematics.bounds({{20, 10, 0}}, 50);
