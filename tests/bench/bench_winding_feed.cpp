@@ -7,9 +7,9 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 
-#include "core/plan/winding/winding_plan.hpp"
-#include "tests/core/machine/winders.hpp"
+#include "tests/core/plan/winding/winding_requests.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -34,31 +34,15 @@ class StageTimes final : public Progress {
   std::map<std::string, double> times_;
 };
 
-WindingRequest request(std::size_t turns, std::size_t machine) {
-  WindingRequest r;
-  r.wire = *winding::standard_wire(0.9, 2);
-  r.turns = turns;
-  r.least_clearance = -100;  // whether the needle passes is not asked here
-  r.configurations = test::winders()[machine].configurations;
-  return r;
+/// The coil repeated around the part, each in the next slot.
+WindingRequest repeated(WindingRequest request, int coils, std::size_t machine) {
+  const winding::Coil first = request.coils.front();
+  for (int i = 1; i < coils; ++i) request.coils.push_back({first.first + i, first.span});
+  request.configurations = test::winders()[machine].configurations;
+  return request;
 }
-
-WindingRequest stator(int coils, std::size_t machine) {
-  WindingRequest r = request(40, machine);
-  const winding::StatorPart part;
-  r.part = part;
-  r.model.pivot_limit = 0.2;
-  for (int i = 0; i < coils; ++i) r.coils.push_back(winding::coil_between(part, i, i + 5));
-  return r;
-}
-
-WindingRequest rotor(int coils, std::size_t machine) {
-  WindingRequest r = request(34, machine);
-  const winding::RotorPart part;
-  r.part = part;
-  for (int i = 0; i < coils; ++i) r.coils.push_back(winding::coil_between(part, i, i + 1));
-  return r;
-}
+WindingRequest stator(int coils, std::size_t machine) { return repeated(stator_request(40), coils, machine); }
+WindingRequest rotor(int coils, std::size_t machine) { return repeated(rotor_request(34), coils, machine); }
 
 void winding_feed(benchmark::State& state, WindingRequest (*make)(int, std::size_t), std::size_t machine) {
   const WindingRequest asked = make(static_cast<int>(state.range(0)), machine);
@@ -78,24 +62,14 @@ void winding_feed(benchmark::State& state, WindingRequest (*make)(int, std::size
   state.SetComplexityN(static_cast<std::int64_t>(turns));
 }
 
-BENCHMARK_CAPTURE(winding_feed, stator_robot, stator, 0)
-    ->Arg(1)
-    ->Arg(2)
-    ->Arg(5)
-    ->Complexity()
-    ->Unit(benchmark::kSecond);
-BENCHMARK_CAPTURE(winding_feed, stator_vertical, stator, 1)
-    ->Arg(1)
-    ->Arg(2)
-    ->Arg(5)
-    ->Complexity()
-    ->Unit(benchmark::kSecond);
-BENCHMARK_CAPTURE(winding_feed, rotor_horizontal, rotor, 2)
-    ->Arg(1)
-    ->Arg(2)
-    ->Arg(6)
-    ->Complexity()
-    ->Unit(benchmark::kSecond);
+/// One coil, two, and about 200 turns.
+template <int most>
+void up_to(benchmark::internal::Benchmark* bench) {
+  bench->Arg(1)->Arg(2)->Arg(most)->Complexity()->Unit(benchmark::kSecond);
+}
+BENCHMARK_CAPTURE(winding_feed, stator_robot, stator, 0)->Apply(up_to<5>);
+BENCHMARK_CAPTURE(winding_feed, stator_vertical, stator, 1)->Apply(up_to<5>);
+BENCHMARK_CAPTURE(winding_feed, rotor_horizontal, rotor, 2)->Apply(up_to<6>);
 
 }  // namespace
 }  // namespace bahnwerk

@@ -72,10 +72,7 @@ void JerkSectionPlanner<N, M>::plan(std::size_t first, std::size_t last, double 
       build(first, last, pulse);
       done = plan_whole({0, 0}, pulse);
     }
-    if (!done && best_duration_ < unlimited) {
-      std::swap(best_, pieces_);
-      slow_ = best_slow_;
-    }
+    if (!done && best_duration_ < unlimited) take_best();
   }
   for (LawPiece& p : pieces_) p.slow(slow_);
   result.cells += pieces_.size();
@@ -100,18 +97,25 @@ bool JerkSectionPlanner<N, M>::plan_whole(Start start, ProgressScope& pulse) {
   pieces_.clear();
   const double duration = attempt(start, pulse);
   if (slow_ < start.enough) {
-    if (best_duration_ < duration) {
-      std::swap(best_, pieces_);
-      slow_ = best_slow_;
-    }
+    if (best_duration_ < duration) take_best();
     return true;
   }
-  if (duration < best_duration_) {
-    best_duration_ = duration;
-    best_slow_ = slow_;
-    std::swap(best_, pieces_);
-  }
+  keep_if_best(duration);
   return false;
+}
+
+template <int N, int M>
+void JerkSectionPlanner<N, M>::keep_if_best(double duration) {
+  if (!(duration < best_duration_)) return;
+  best_duration_ = duration;
+  best_slow_ = slow_;
+  std::swap(best_, pieces_);
+}
+
+template <int N, int M>
+void JerkSectionPlanner<N, M>::take_best() {
+  slow_ = best_slow_;
+  std::swap(best_, pieces_);
 }
 
 template <int N, int M>
@@ -121,11 +125,7 @@ void JerkSectionPlanner<N, M>::plan_under_ceilings(ProgressScope& pulse) {
   for (int i = 0; i < max_lowerings; ++i) {
     pieces_.clear();
     const double duration = attempt(starts()[usual_start()], pulse);
-    if (duration < best_duration_) {
-      best_duration_ = duration;
-      best_slow_ = slow_;
-      std::swap(best_, pieces_);
-    }
+    keep_if_best(duration);
     if (slow_ < good_enough || !std::isfinite(duration)) break;
     lower_ceilings();
     rough(pulse);

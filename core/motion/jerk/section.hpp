@@ -92,6 +92,8 @@ class JerkSectionPlanner {
   /// Plans the section whose grid is at hand from the given start. Its pieces, slowed by `slow_`, then hold all limits;
   /// kept in `best_` if they are the quickest so far. False: there may be something much better.
   bool plan_whole(Start start, ProgressScope& pulse);
+  void keep_if_best(double duration);  ///< the pieces at hand; they are others then
+  void take_best();
 
   /// After all else came to nothing: on an undivided grid v² gets a ceiling wherever the law before exceeded a limit,
   /// by as much as the law had to be slowed there, until slowing the whole section costs little. Keeps what is quicker

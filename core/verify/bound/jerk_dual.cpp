@@ -86,7 +86,7 @@ void JerkDual<N>::enter(std::size_t cell, const RelaxationProblem<N>& problem,
     weight_[r] = 1 - load;
   }
   mu_ = {multipliers.acceleration[cell], multipliers.acceleration[cell + 1]};
-  rooted_.fill(false), any_rooted_ = false;
+  rooted_.fill(false);
   if (problem.limits.empty() || multipliers.limited.empty()) return;
   for (std::size_t e = 0; e < 2; ++e) {
     const double v = std::sqrt(std::max(multipliers.b[cell + e], tiny));
@@ -99,7 +99,6 @@ void JerkDual<N>::enter(std::size_t cell, const RelaxationProblem<N>& problem,
       root_[e][k] = 0.75 * share * root * std::sqrt(v);
       slope_[e][k] = root_[e][k] / (3 * v * v);
       rooted_[k] = rooted_[k] || (share > 0 && mu_[e][k] != 0);
-      any_rooted_ = any_rooted_ || rooted_[k];
     }
   }
 }
@@ -129,7 +128,7 @@ typename JerkDual<N>::Limits JerkDual<N>::limits(const DualPiece<N>& p, std::siz
 template <int N>
 typename JerkDual<N>::AllLimits JerkDual<N>::limits(const DualPiece<N>& p, double x) const {
   AllLimits all;
-  for (std::size_t k = 0; any_rooted_ && k < grid_.axes(); ++k)
+  for (std::size_t k = 0; k < grid_.axes(); ++k)
     if (rooted_[k]) all[k] = limits(p, k, x);
   return all;
 }

@@ -116,7 +116,6 @@ class JerkDual {
   /// What these count against: fixed + √|q′_k| (root + slope b).
   std::array<Row, 2> fixed_{}, root_{}, slope_{};
   std::array<bool, N> rooted_{};
-  bool any_rooted_ = false;
   double taken_ = 0, along_ = 0;      ///< of D the mean over the cell; the largest |v̇| in it
   std::vector<AllLimits> of_pieces_;  ///< of the cell
 };

@@ -23,18 +23,22 @@ using verify::rest_to_rest;
 constexpr int max_rounds = 8;
 // Longer sections are solved in windows for the sake of memory, of so many nodes of a first grid and a part more
 // behind them: b at the begin of a window is that at the end of the one before it, and what follows it is left open.
-// Straight segments have few nodes and may be driven fast: braking shows further there.
+// How many nodes there will be so many segments tell, if there are as many as one window has at least.
+struct Windows {
+  std::size_t segments, sampled;
+  double nodes;
+};
 // Through kinematics a window fits the processor's cache, or nearly so, for what limits of jerk lose at its ends.
-constexpr double window_nodes = 100'000, kinematic_window_nodes = 60'000, few_nodes = 4;  // the last of a segment
+constexpr Windows cartesian_windows{4096, 128, 100'000}, kinematic_windows{256, 32, 60'000};
+// Straight segments have few nodes and may be driven fast: braking shows further there.
+constexpr double few_nodes = 4;  // of a segment
 constexpr std::size_t part_behind = 16, part_behind_few = 4;
-// A first grid of more nodes is laid with wider cells, and refined less, as far as some of the segments tell: so many
-// of so many at least, which are one window at least.
+// A first grid of more nodes is laid with wider cells, and refined less.
 constexpr double usual_nodes = 250'000, widest = 8, coarse = 2, most_left = 1e-3;
 // Where jerk rules, what the grid knows without it only limits the speed, and need not be known as well: cells are
 // wider, and through kinematics they are refined less than that. Jerk does not rule if it makes the bound longer by no
 // more than this.
 constexpr double wider_with_jerk = 2, kinematic_with_jerk = 8, cartesian_rules = 1e-4, kinematic_rules = 0.01;
-constexpr std::size_t sampled_segments = 128, many_segments = 4096, kinematic_sampled = 32, kinematic_many = 256;
 
 /// How far a grid is refined. Enough when a refinement changes the bound by less than `converged` (the next one brings
 /// about a sixteenth of it) and when little time, `clear`, is left in cells that no single condition explains: a long
@@ -79,16 +83,15 @@ void solve(BoundGrid<N>& grid, BoundSolver<N>& solver, std::vector<unsigned char
 
 // Of a first grid, per segment.
 template <int N>
-double expected_nodes(BoundGrid<N>& grid, std::size_t segments) {
-  if (segments < (grid.cartesian() ? many_segments : kinematic_many)) return 1;
-  const std::size_t samples = grid.cartesian() ? sampled_segments : kinematic_sampled;
+double expected_nodes(BoundGrid<N>& grid, std::size_t segments, const Windows& windows) {
+  if (segments < windows.segments) return 1;
   double nodes = 0;
-  for (std::size_t k = 0; k < samples; ++k) {
-    const std::size_t i = k * segments / samples;
+  for (std::size_t k = 0; k < windows.sampled; ++k) {
+    const std::size_t i = k * segments / windows.sampled;
     grid.build(i, i + 1);
     nodes += static_cast<double>(grid.nodes().size());
   }
-  return nodes / static_cast<double>(samples);
+  return nodes / static_cast<double>(windows.sampled);
 }
 
 template <int N>
@@ -103,7 +106,8 @@ Bound bound_of(const PathTask& task, double corner_angle, Progress& progress, do
   verify::JerkBound<N> jerk(grid, task.machine, pulse);
   verify::RepeatedSections repeated(path, task.machine, task.feeds, pulse);
   std::vector<unsigned char> marked;
-  const double expected = expected_nodes(grid, path.size());
+  const Windows& windows = path.cartesian() ? cartesian_windows : kinematic_windows;
+  const double expected = expected_nodes(grid, path.size(), windows);
   const double wider = std::clamp(expected * static_cast<double>(path.size()) / usual_nodes, 1.0, widest);
   struct Grade {
     double wider;
@@ -116,9 +120,7 @@ Bound bound_of(const PathTask& task, double corner_angle, Progress& progress, do
     rough.effort = effort(path.cartesian() ? rough.wider : std::max(wider, kinematic_with_jerk));
   }
   const double rules = path.cartesian() ? cartesian_rules : kinematic_rules;
-  const double nodes_of_window = path.cartesian() ? window_nodes : kinematic_window_nodes;
-  const std::size_t window = std::max(path.cartesian() || expected <= 1 ? many_segments : kinematic_many,
-                                      static_cast<std::size_t>(nodes_of_window / expected)),
+  const std::size_t window = std::max(windows.segments, static_cast<std::size_t>(windows.nodes / expected)),
                     behind = window / (expected < few_nodes ? part_behind_few : part_behind),
                     whole = window + (path.cartesian() ? behind : window / 2);  // segments that are not parted
   double duration = 0;

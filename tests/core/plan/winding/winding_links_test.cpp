@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "tests/core/plan/winding/winding_requests.hpp"
+#include "tests/core/plan/winding/winding_plans.hpp"
 
 namespace bahnwerk {
 namespace {

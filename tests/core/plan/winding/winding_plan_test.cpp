@@ -15,7 +15,7 @@
 #include "core/base/errors.hpp"
 #include "core/motion/setpoints/needle_setpoints.hpp"
 #include "core/winding/fill.hpp"
-#include "tests/core/plan/winding/winding_requests.hpp"
+#include "tests/core/plan/winding/winding_plans.hpp"
 
 namespace bahnwerk {
 namespace {

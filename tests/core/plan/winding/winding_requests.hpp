@@ -1,9 +1,5 @@
 #pragma once
-/// Small coils of the source's parts on machines that reach them, and how their plans are judged.
-#include <gtest/gtest.h>
-
-#include <string>
-
+/// Coils of the source's parts on machines that reach them.
 #include "core/plan/winding/winding_plan.hpp"
 #include "core/winding/fill.hpp"
 #include "tests/core/machine/winders.hpp"
@@ -30,23 +26,6 @@ inline WindingRequest rotor_request(std::size_t turns) {
   r.model.pivot_limit.reset();
   r.configurations = test::winders()[2].configurations;
   return r;
-}
-
-inline WindingPlan planned(const WindingRequest& request) {
-  SilentProgress progress;
-  return plan_winding(request, progress);
-}
-
-inline void expect_verified(const WindingPlan& p, const std::string& what) {
-  for (const Check& check : p.motion.verification.checks)
-    EXPECT_TRUE(check.passed) << what << ": " << check.name << ' ' << check.value << " against " << check.limit
-                              << " at " << check.at;
-  EXPECT_TRUE(p.motion.verification.passed) << what;
-}
-inline const Check* find(const WindingPlan& p, const std::string& name) {
-  for (const Check& check : p.motion.verification.checks)
-    if (check.name == name) return &check;
-  return nullptr;
 }
 
 }  // namespace bahnwerk

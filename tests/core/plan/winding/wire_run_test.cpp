@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/core/plan/winding/winding_requests.hpp"
+#include "tests/core/plan/winding/winding_plans.hpp"
 
 namespace bahnwerk {
 namespace {

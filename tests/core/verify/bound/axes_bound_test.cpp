@@ -158,7 +158,6 @@ TEST(AxesBound, ARippleThatSamplesDoNotSee) {
   }
 }
 
-/// Central differences of the map along random directions at random places.
 /// Where a path is parted nothing is known of jerk: each window loses some of the bound, and gains none. Beyond its
 /// ends each turn takes as long as any other, so that a path that is not parted tells what one that is should take.
 TEST(AxesBound, LongNeedlePathsInWindowsLoseLittle) {
@@ -181,6 +180,7 @@ TEST(AxesBound, LongNeedlePathsInWindowsLoseLittle) {
   EXPECT_LT(found, whole * (1 - 1e-7)) << "not parted";
 }
 
+/// Central differences of the map along random directions at random places.
 TEST(FiveAxesMap, KeepsTheBoundsThatItStates) {
   const test::FiveAxes kinematics;
   const MapBounds bounds = kinematics.bounds({{20, 10, 0}}, 50);

@@ -1,0 +1,28 @@
+#pragma once
+/// How plans of such coils are made and judged.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/core/plan/winding/winding_requests.hpp"
+
+namespace bahnwerk {
+
+inline WindingPlan planned(const WindingRequest& request) {
+  SilentProgress progress;
+  return plan_winding(request, progress);
+}
+
+inline void expect_verified(const WindingPlan& p, const std::string& what) {
+  for (const Check& check : p.motion.verification.checks)
+    EXPECT_TRUE(check.passed) << what << ": " << check.name << ' ' << check.value << " against " << check.limit
+                              << " at " << check.at;
+  EXPECT_TRUE(p.motion.verification.passed) << what;
+}
+inline const Check* find(const WindingPlan& p, const std::string& name) {
+  for (const Check& check : p.motion.verification.checks)
+    if (check.name == name) return &check;
+  return nullptr;
+}
+
+}  // namespace bahnwerk
