@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -81,13 +82,15 @@ void solve(BoundGrid<N>& grid, BoundSolver<N>& solver, std::vector<unsigned char
   }
 }
 
-// Of a first grid, per segment.
+// Of a first grid, per segment. Samples at even distances might all be lines of a path that comes back to the same
+// ways: multiples of the golden ratio do not.
 template <int N>
 double expected_nodes(BoundGrid<N>& grid, std::size_t segments, const Windows& windows) {
   if (segments < windows.segments) return 1;
   double nodes = 0;
   for (std::size_t k = 0; k < windows.sampled; ++k) {
-    const std::size_t i = k * segments / windows.sampled;
+    const double place = std::fmod(static_cast<double>(k) * std::numbers::phi, 1.0);
+    const auto i = static_cast<std::size_t>(place * static_cast<double>(segments));
     grid.build(i, i + 1);
     nodes += static_cast<double>(grid.nodes().size());
   }
