@@ -66,6 +66,11 @@ ChebyshevRule make_rule(int points, bool open) {
       }
     for (int i = 0; i < points; ++i) rule.whole[i] += chebyshev_integral(k, 1) * rule.chebyshev[k][i];
   }
+  for (int j = 0; j < points; ++j) {
+    double sum = 0;
+    for (int i = 0; i < points; ++i) sum += std::abs(rule.bernstein[j][i]);
+    rule.rounding = std::max(rule.rounding, points * std::numeric_limits<double>::epsilon() / 2 * sum);
+  }
   return rule;
 }
 
@@ -138,9 +143,9 @@ void locate(double* c, int n, double lo, double hi, int depth, PolynomialPeak& b
 
 }  // namespace
 
-const ChebyshevRule& lobatto_rule(bool fine) {
-  static const ChebyshevRule coarse_rule = make_rule(5, false), fine_rule = make_rule(9, false);
-  return fine ? fine_rule : coarse_rule;
+const ChebyshevRule& lobatto_rule(int points) {
+  static const std::array<ChebyshevRule, 3> rules{make_rule(5, false), make_rule(9, false), make_rule(13, false)};
+  return rules[static_cast<std::size_t>(points / 4 - 1)];
 }
 
 const ChebyshevRule& open_rule() {
@@ -184,6 +189,11 @@ void PeakSweep::raise(std::size_t channel, double value, double at, std::size_t 
 
 // What no longer decays below this is rounding: it matters next to the peak only.
 constexpr double noise_like = 1e-6;
+// More points than usual lie further apart, on the flanks of a peak, where what their places are off counts most: they
+// show that an interval stays below the peak by more than this part of it, and are believed about a higher one where
+// that matters little to the limit alone.
+constexpr int usual_points = 9;
+constexpr double off_flanks = 1e-9;
 
 bool PeakSweep::absorb(const ChebyshevRule& rule, double begin, double end, std::size_t tag, bool resolved,
                        Patience patience) {
@@ -208,9 +218,10 @@ bool PeakSweep::absorb(const ChebyshevRule& rule, double begin, double end, std:
     if (!peak.finite) continue;
     room_[channel] = peak.value - largest;
 
-    // |p| ≤ Λ max|f(x_i)| with Lebesgue constants below 2.5 for up to 9 Chebyshev points.
-    const double proven = missing_[channel] + rounding_ * largest;
-    if (resolved && 2.5 * largest + proven <= peak.value) continue;
+    // |p| ≤ Λ max|f(x_i)| with Lebesgue constants below 2.6 for up to 13 Chebyshev points.
+    const double proven = missing_[channel] + (rounding_ + rule.rounding) * largest,
+                 doubt = proven + (n > usual_points ? off_flanks * largest : 0);
+    if (resolved && 2.6 * largest + doubt <= peak.value) continue;
 
     std::array<double, ChebyshevRule::max_points> b{};
     double bound = 0;
@@ -222,12 +233,14 @@ bool PeakSweep::absorb(const ChebyshevRule& rule, double begin, double end, std:
     }
     const double magnitude = std::max(scales_[channel], largest);
     if (std::isfinite(proven) || (!std::isnan(proven) && patience != Patience::none)) {
-      if (resolved && bound + proven <= peak.value * (1 + 1e-12)) continue;
-      if (resolved && proven <= resolution_ * magnitude) {
-        const PolynomialPeak p = polynomial_peak(b.data(), n, peak.value - proven);
-        if (p.at >= 0 && p.value + proven > peak.value)
-          peak = {p.value + proven, begin + p.at * (end - begin), tag, true};
-        continue;
+      if (resolved && bound + doubt <= peak.value * (1 + 1e-12)) continue;
+      if (resolved) {  // the polynomial may stay below the peak where its coefficients do not
+        const PolynomialPeak p = polynomial_peak(b.data(), n, std::max(0.0, peak.value - doubt));
+        if (p.at < 0 && doubt <= peak.value) continue;
+        if (doubt <= resolution_ * magnitude) {
+          if (p.value + proven > peak.value) peak = {p.value + proven, begin + p.at * (end - begin), tag, true};
+          continue;
+        }
       }
       if (patience == Patience::none || (patience == Patience::some && proven <= resolution_ * magnitude)) {
         raise(channel, bound + proven, begin + (end - begin) / 2, tag);

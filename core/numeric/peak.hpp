@@ -20,7 +20,7 @@ namespace bahnwerk {
 
 /// Interpolation points on [0,1], rising, with the maps from samples to coefficients.
 struct ChebyshevRule {
-  static constexpr int max_points = 9;
+  static constexpr int max_points = 13;
   int points = 0;  ///< degree + 1
   std::array<double, max_points> node{};
   std::array<std::array<double, max_points>, max_points> chebyshev{};  ///< [row = coefficient][column = sample]
@@ -28,9 +28,10 @@ struct ChebyshevRule {
   std::array<std::array<double, max_points>, max_points>
       integral{};                          ///< row i: weights of ∫ from 0 to node i; see `whole`
   std::array<double, max_points> whole{};  ///< weights of ∫ from 0 to 1
+  double rounding = 0;                     ///< of Bernstein coefficients, in parts of the largest sample
 };
-/// Chebyshev–Lobatto points, ends included: 5 or 9 of them.
-const ChebyshevRule& lobatto_rule(bool fine);
+/// Chebyshev–Lobatto points, ends included: 5, 9 or 13 of them.
+const ChebyshevRule& lobatto_rule(int points);
 /// 9 points without the ends, for functions that cannot be evaluated there.
 const ChebyshevRule& open_rule();
 
@@ -38,9 +39,9 @@ struct PolynomialPeak {
   double value = 0;  ///< max |p| over [0,1]
   double at = 0;     ///< where, in [0,1]
 };
-/// Largest |p| of a polynomial in Bernstein form (n ≤ 9 coefficients, overwritten), to 1e-13 relative. Returns at least
-/// `floor`, with at = −1, when nothing exceeds it. Cost: ≈ 30 ns when the coefficients do not pass `floor`, else ≈ 200
-/// ns.
+/// Largest |p| of a polynomial in Bernstein form (n ≤ 13 coefficients, overwritten), to 1e-13 relative. Returns at
+/// least `floor`, with at = −1, when nothing exceeds it. Cost: ≈ 30 ns when the coefficients do not pass `floor`, else
+/// ≈ 200 ns.
 PolynomialPeak polynomial_peak(double* coefficients, int n, double floor);
 
 /// The highest |value| of one function so far.
@@ -62,6 +63,7 @@ struct PeakSamples {
   const ChebyshevRule& rule;
   double begin, end;
   bool last;           ///< it will not be halved any more
+  bool more;           ///< more points follow where these do not do
   double* values;      ///< out: channel c at rule.node[i] of [begin, end] at values[c · rule.points + i]
   double* missing;     ///< out: per channel, a proven bound of |f − interpolant|; NaN, as it is handed in: not known
   bool empty = false;  ///< out: nothing was written, the bound being useless; not when `last`
@@ -86,8 +88,9 @@ class PeakSweep {
   /// A value known exactly. O(1).
   void raise(std::size_t channel, double value, double at, std::size_t tag);
 
-  /// Whether coarse samples may settle an interval, by what would be missing and by how far the samples before stayed
-  /// below the peaks: neighbours are alike. Who asks this is offered them on every interval. O(channels).
+  /// Whether these samples may settle an interval, by what would be missing and by how far the samples before stayed
+  /// below the peaks: neighbours are alike. Who asks this is offered 5 points on every interval, and after 9 points 13
+  /// before it is halved. O(channels).
   bool promising(const double* missing) {
     asked_ = true;
     for (std::size_t c = 0; c < peaks_.size(); ++c)
@@ -118,14 +121,17 @@ class PeakSweep {
                                 : now.depth >= noisy_depth               ? Patience::some
                                                                          : Patience::full;
       bool done = false;
-      const auto attempt = [&](const ChebyshevRule& rule, Patience limit) {
+      const auto attempt = [&](const ChebyshevRule& rule, Patience limit, bool more) {
         std::fill(missing_.begin(), missing_.end(), std::numeric_limits<double>::quiet_NaN());
-        PeakSamples samples{rule, now.begin, now.end, limit == Patience::none, values_.data(), missing_.data()};
+        PeakSamples samples{rule, now.begin, now.end, limit == Patience::none, more, values_.data(), missing_.data()};
         const bool resolved = sample(samples);
         return !samples.empty && absorb(rule, now.begin, now.end, tag, resolved, limit);
       };
-      if (!open && now.depth == 0 && coarse_may_do()) coarse_done(done = attempt(lobatto_rule(false), Patience::full));
-      if (!done) done = attempt(open ? open_rule() : lobatto_rule(true), patience);
+      if (!open && now.depth == 0 && coarse_may_do())
+        coarse_done(done = attempt(lobatto_rule(5), Patience::full, true));
+      const bool more = !open && asked_ && patience == Patience::full;
+      if (!done) done = attempt(open ? open_rule() : lobatto_rule(9), patience, more);
+      if (!done && more) done = attempt(lobatto_rule(13), patience, false);
       const double middle = now.begin + (now.end - now.begin) / 2;
       if (done || !(middle > now.begin && middle < now.end)) continue;
       stack[top++] = {middle, now.end, now.depth + 1};

@@ -77,7 +77,7 @@ class Division {
   /// The part [begin, end] of a piece: in the open cell, or in a new one. Halved while accelerations differ too much.
   void add(std::size_t piece, double begin, double end, int halvings = 10) {
     scope_.work(10);
-    const ChebyshevRule& rule = lobatto_rule(false);
+    const ChebyshevRule& rule = lobatto_rule(5);
     std::array<State, 5 * max_axes>
         states;  // NOLINT(cppcoreguidelines-pro-type-member-init); of axis a at node k: [k · axes + a]
     for (std::size_t k = 0; k < 5; ++k) evaluate(piece, begin + rule.node[k] * (end - begin), &states[k * axes_]);

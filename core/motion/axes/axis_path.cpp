@@ -105,8 +105,10 @@ void KinematicAxisPath::at_parameters(std::size_t segment, PathBatch& batch) con
   batch.close();
   batch.planar = false;
   tool()[segment].travelled(batch);
-  for (std::size_t i = 0; i < 2 * batch.used_pairs(); ++i)
-    write_row(batch, i, raw_at_parameter(segment, batch.u[i]));  // positions are not asked for
+  AxisJet q;
+  for (std::size_t i = 0; i < batch.count; ++i)
+    write_row(batch, i, q = raw_at_parameter(segment, batch.u[i]));  // positions are not asked for
+  if (batch.count % 2 == 1) write_row(batch, batch.count, q);
 }
 
 AxisArray largest_rates(const AxisPath& path, ProgressScope* scope) {

@@ -29,8 +29,8 @@ void ArcLengthCheck::measure(const LawPiece& piece, const Segment& segment, doub
     return std::abs(whole * (u1 - u0) - (s1 - s0));
   };
   const double resolved = resolution(segment, s1 - s0), middle = u0 + 0.5 * (u1 - u0);
-  double miss = miss_of(lobatto_rule(false));
-  if (!(miss <= resolved)) miss = miss_of(lobatto_rule(true));
+  double miss = miss_of(lobatto_rule(5));
+  if (!(miss <= resolved)) miss = miss_of(lobatto_rule(9));
   if (miss <= resolved || depth == 12 || !(middle > u0 && middle < u1)) return raise(miss, segment, s1 - s0, piece.t0);
   const double s = segment.travelled(middle);
   measure(piece, segment, u0, middle, s0, s, depth + 1);

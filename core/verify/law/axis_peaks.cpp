@@ -140,7 +140,7 @@ class Sweeper {
       samples.missing[c] = m;
       if (m <= useful * peaks_.scale(c)) samples.empty = false;
     }
-    if (samples.rule.points < ChebyshevRule::max_points && !peaks_.promising(samples.missing)) samples.empty = true;
+    if (samples.more && !peaks_.promising(samples.missing)) samples.empty = true;
   }
 
   bool at_vanishing_tangent(std::size_t segment, double begin, double end) {

@@ -66,7 +66,7 @@ TEST(ChannelBounds, HoldOverTheParameter) {
     const Rational curve = test::random_rational(random, round);
     const Segment segment(std::make_shared<Rational>(curve), 0, 0);
     CurveDiscs discs(curve);
-    for (const ChebyshevRule* rule : {&lobatto_rule(false), &lobatto_rule(true), &open_rule()}) {
+    for (const ChebyshevRule* rule : {&lobatto_rule(5), &lobatto_rule(9), &lobatto_rule(13), &open_rule()}) {
       const double half = 0.5 * std::pow(10, -2.5 * uniform(random)), middle = half + (1 - 2 * half) * uniform(random);
       const double s0 = segment.travelled(middle - half), way = segment.travelled(middle + half) - s0;
       const double b0 = 1e4 * uniform(random), b1 = 1e4 * uniform(random), a = (b1 - b0) / (2 * way);
@@ -103,7 +103,7 @@ TEST(ChannelBounds, HoldOverTime) {
                           v / (T * T) * uniform(random),
                           0,
                           v / (T * T * T) * uniform(random)};
-    for (const ChebyshevRule* rule : {&lobatto_rule(false), &lobatto_rule(true)}) {
+    for (const ChebyshevRule* rule : {&lobatto_rule(5), &lobatto_rule(9), &lobatto_rule(13)}) {
       const auto f = [&](double t) {
         const LawState x = middle.at((2 * t - 1) * T);
         return channels(segment.at_parameter(segment.parameter_at(x.s)), x);
