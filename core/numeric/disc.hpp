@@ -48,7 +48,7 @@ struct Disc {
   }
   /// sin(c + δ) − sin c = cos c sin δ − sin c (1 − cos δ), |sin δ| ≤ sinh r, |1 − cos δ| ≤ cosh r − 1.
   friend SineCosine<Disc> sine_cosine(const Disc& a) {
-    const double s = std::sin(a.centre), c = std::cos(a.centre);
+    const auto [s, c] = bahnwerk::sine_cosine(a.centre);
     const double first = grown_sine(a.radius), second = grown_cosine(a.radius);
     return {rounded(s, std::abs(c) * first + std::abs(s) * second),
             rounded(c, std::abs(s) * first + std::abs(c) * second)};
@@ -56,8 +56,9 @@ struct Disc {
   friend Disc sin(const Disc& a) { return sine_cosine(a).sine; }
   friend Disc cos(const Disc& a) { return sine_cosine(a).cosine; }
   /// The angle is (log(x + iy) − log(x − iy))/2i, and |log(1 + z)| ≤ −log(1 − |z|).
-  friend Disc atan2(const Disc& y, const Disc& x) {
-    const double angle = std::atan2(y.centre, x.centre), part = (x.radius + y.radius) / std::hypot(x.centre, y.centre);
+  friend Disc direction_angle(const Disc& y, const Disc& x) {
+    const double angle = bahnwerk::direction_angle(y.centre, x.centre),
+                 part = (x.radius + y.radius) / std::sqrt(x.centre * x.centre + y.centre * y.centre);
     return part < 1 ? rounded(angle, -std::log1p(-part)) : unknown(angle);
   }
   /// |acos′ z| = 1/|√(1 − z²)|.

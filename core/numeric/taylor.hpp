@@ -121,9 +121,8 @@ struct Taylor {
   }
   /// The same where its derivative is known by a shorter formula.
   friend Taylor atan2(const Taylor& y, const Taylor& x, const Taylor& slope) {
-    using std::atan2;
     Taylor r = integral(slope);
-    r.c[0] = atan2(y.c[0], x.c[0]);
+    r.c[0] = direction_angle(y.c[0], x.c[0]);
     return r;
   }
   /// Not defined where |value| ≥ 1.

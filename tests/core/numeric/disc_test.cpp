@@ -15,7 +15,7 @@ namespace {
 using Complex = std::complex<double>;
 
 // What std::complex does not have.
-Complex atan2(Complex y, Complex x) {
+Complex direction_angle(Complex y, Complex x) {
   return Complex(0, -0.5) * std::log((x + Complex(0, 1) * y) / (x - Complex(0, 1) * y));
 }
 
@@ -42,7 +42,7 @@ TEST(Disc, EnclosesWhatFormulasGive) {
     expect_enclosed([](auto x, auto y) { return (x + y) / (y * y); }, 0.4, -1.7, radius, 4);
     expect_enclosed([](auto x, auto y) { return sqrt(x + y); }, 0.4, 1.5, radius, 1.1);
     expect_enclosed([](auto x, auto y) { return sin(x) * cos(y); }, 0.4, 2.1, radius, 2);
-    expect_enclosed([](auto x, auto y) { return atan2(y, x); }, 1.1, 0.8, radius, 2);
+    expect_enclosed([](auto x, auto y) { return direction_angle(y, x); }, 1.1, 0.8, radius, 2);
     expect_enclosed([](auto x, auto y) { return acos(x * y); }, 0.4, 0.8, radius, 2.5);
   }
   expect_enclosed([](auto x, auto) { return sin(x); }, 0.4, 0, 1.7, 1.5);
@@ -57,7 +57,7 @@ TEST(Disc, KnowsNothingWhereASingularityMayBeReached) {
   EXPECT_FALSE((Disc(1) / near).known());
   EXPECT_FALSE(sqrt(near).known());
   EXPECT_FALSE(acos(near + Disc(0.5)).known());
-  EXPECT_FALSE(atan2(near, near).known());
+  EXPECT_FALSE(direction_angle(near, near).known());
   EXPECT_FALSE((Disc(1) / near * zero).known());
   EXPECT_TRUE(sqrt(near + Disc(0.2)).known());
 }
