@@ -79,7 +79,7 @@ void BoundGrid<N>::complete(Node& n) const {
     const Rational& rational = *known.rational;
     n.blur += std::min(1e-3, 16 * epsilon * (1 + rational.extent() / (rational.speed(u) * rational.reach())));
   }
-  n.s = u <= known.first ? s.s0() : u >= known.last ? s.s1() : s.arc_length(u);
+  n.s = s.travelled(u);
   const bool cusp = (u <= known.first && s.cusp_begin()) || (u >= known.last && s.cusp_end());
   if (cusp || known.linear) n.curvature = {};
   n.cap = cusp ? 0 : place_cap(n);
@@ -189,7 +189,7 @@ BoundCell<N> BoundGrid<N>::cell(Node& a, Node& b, const DirectionRange<N>* range
   }
   const Shape known = shape(a.segment);
   c.length = b.s - a.s;
-  if (const double blur = rounding_of(b.s); c.length <= blur && unit_direction(a)) {
+  if (const double blur = rounding_of(path_length(b)); c.length <= blur && unit_direction(a)) {
     // Differences over such a cell are rounding: only |d(v²)/ds| ≤ 2 |A| is asked of it.
     double square = 0;
     for (std::size_t k = 0; k < axes_; ++k) square += sq(acceleration_[k]);

@@ -79,7 +79,8 @@ void BoundGrid<N>::append_between(const Node& a, const Node& b, int depth) {
   const double u = a.u + (b.u - a.u) / 2;
   valley_ = unlimited;
   // Next to a cusp nothing but rounding is left to be resolved.
-  if (depth >= deepest || !(u > a.u && u < b.u) || !(b.s - a.s > rounding_of(b.s))) return append_with_roots(a, b, 0);
+  if (depth >= deepest || !(u > a.u && u < b.u) || !(b.s - a.s > rounding_of(path_length(b))))
+    return append_with_roots(a, b, 0);
   Node middle = place(a.segment, u);
   if (!too_wide(a, b) && !changes(a, middle, b)) {
     valley_ = valley(a, middle, b);
@@ -117,7 +118,7 @@ void BoundGrid<N>::append_with_roots(const Node& a, const Node& b, int axis, int
       }
     }
     if (!(root.u > a.u && root.u < b.u)) continue;
-    if (!path_.cartesian() && std::min(root.s - a.s, b.s - root.s) <= rounding_of(b.s)) continue;
+    if (!path_.cartesian() && std::min(root.s - a.s, b.s - root.s) <= rounding_of(path_length(b))) continue;
     root.tangent[k] = 0;
     append_with_roots(a, root, static_cast<int>(k) + 1, depth);
     append_with_roots(root, b, static_cast<int>(k) + 1, depth);
@@ -131,7 +132,7 @@ void BoundGrid<N>::append_with_roots(const Node& a, const Node& b, int axis, int
 template <int N>
 void BoundGrid<N>::append_monotone(const Node& a, const Node& b, int depth) {
   const double length = b.s - a.s;
-  if (!(length > rounding_of(b.s))) return append(b);
+  if (!(length > rounding_of(path_length(b)))) return append(b);
   const DirectionRange<N> all = range(a, b);
   bool doubt = false;
   for (std::size_t k = 0; k < axes_; ++k) doubt = doubt || all.wrong(k) > undecided;

@@ -95,6 +95,7 @@ class BoundGrid {
   }
   /// Whether |q'| = 1 and q'' ⟂ q' there: no axis that the tool moves along is left out.
   bool unit_direction(const Node& n) const;
+  double path_length(const Node& n) const { return path_[n.segment].s0() + n.s; }
   /// Largest |v̇| along the path at both sides of a joint, mm/s², where b is no more than `cap`.
   double along(const Node& a, const Node& b, double cap) const;
 

@@ -16,7 +16,7 @@ namespace bahnwerk::verify {
 template <int N>
 struct BoundNode {
   std::array<double, N> position{}, tangent{}, curvature{};  ///< q, q', q'' by path length; q'' is 0 at cusps
-  double s = 0, u = 0;                                       ///< arc length, mm, and the segment's parameter
+  double s = 0, u = 0;                                       ///< mm from the segment's begin, and its parameter
   double cap = 0;   ///< largest b = v² allowed at this place itself, mm²/s², may be infinite
   double blur = 0;  ///< how far rounding may have moved a component of q'
   std::uint32_t segment = 0;
@@ -58,7 +58,7 @@ template <std::size_t N>
 Vec direction(const std::array<double, N>& v) {
   return {v[0], v[1], N == 3 ? v[2] : 0};
 }
-/// Of a difference of path lengths up to s.
+/// Of a difference of path lengths up to s: shorter cells say nothing.
 inline double rounding_of(double s) { return 64 * std::numeric_limits<double>::epsilon() * (1 + s); }
 
 }  // namespace bahnwerk::verify

@@ -181,7 +181,7 @@ double JerkBound<N>::whole(bool rest_first, bool rest_last) {
 
 template <int N>
 double JerkBound<N>::duration(const std::vector<double>& b, double time, bool rest_first, bool rest_last) {
-  const double length = grid_.nodes()[b.size() - 1].s - grid_.nodes().front().s;
+  const double length = grid_.path_length(grid_.nodes()[b.size() - 1]) - grid_.path_length(grid_.nodes().front());
   const double spacing = std::max(std::min(part_of_ramp * ramp_, time / min_cells),
                                   time / (pieces_per_node * static_cast<double>(b.size()) + more_pieces));
   if (!(spacing < no_ramp * ramp_)) return 0;

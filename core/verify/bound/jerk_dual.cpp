@@ -11,7 +11,7 @@ constexpr double tiny = 1e-30;
 constexpr double epsilon = std::numeric_limits<double>::epsilon(), infinite = std::numeric_limits<double>::infinity();
 // Pieces are halved that lose more than this part of their time, so often at most; through kinematics the cells'
 // width costs far more than that.
-constexpr double much = 2e-4, kinematic_much = 1e-3;
+constexpr double much = 2e-4, kinematic_much = 1e-2;
 constexpr int halvings = 8;
 
 /// min over 0 < b ≤ cap of w/√b + G b; w ≥ 0.
@@ -49,14 +49,15 @@ struct Sum {
 }  // namespace
 
 template <int N>
-DualPiece<N> dual_piece(const BoundGrid<N>& grid, const BoundNode<N>& a, const BoundNode<N>& b, double cap) {
+DualPiece<N> dual_piece(const BoundGrid<N>& grid, const BoundNode<N>& a, const BoundNode<N>& b, double cap,
+                        const typename DualPiece<N>::Row& third) {
   DualPiece<N> p;
   p.segment = a.segment, p.u0 = a.u, p.u1 = b.u;
   p.length = b.s - a.s;
   p.cap = cap;
   p.time = p.length / std::sqrt(cap);
   p.rounding = 128 * epsilon * (1 + b.s) / p.length + 64 * epsilon + a.blur + b.blur;
-  p.third = grid.third(a, b);
+  p.third = third;
   p.along = infinite;
   // Of a coordinate an origin's sum, or an arc's centre and radius, at either end; other axes come from longer
   // formulas.
@@ -203,7 +204,8 @@ typename JerkDual<N>::Value JerkDual<N>::of(const DualPiece<N>& p, double x, con
   return {sure * p.length - cost - loss - 4 * epsilon * (cost + loss + p.time), (best - sure) * p.length + loss};
 }
 
-// Halves where that gains.
+// Halves where that gains. Through kinematics a bound of |q‴| costs more than all the rest: halves of halves take over
+// that of what they are part of.
 template <int N>
 double JerkDual<N>::refined(const DualPiece<N>& p, double x, const DualPiece<N>* next, Value coarse, int depth,
                             Ends ends) {
@@ -213,8 +215,9 @@ double JerkDual<N>::refined(const DualPiece<N>& p, double x, const DualPiece<N>*
                      b = ends.second ? *ends.second : grid_.node(p.segment, p.u1);
   if (!(m.s > a.s && b.s > m.s)) return coarse.now;
   pulse_.work(8);
-  DualPiece<N> left = dual_piece(grid_, a, m, p.cap);
-  const DualPiece<N> right = dual_piece(grid_, m, b, p.cap);
+  const bool enclosed = grid_.cartesian() || depth == 0;
+  DualPiece<N> left = dual_piece(grid_, a, m, p.cap, enclosed ? grid_.third(a, m) : p.third);
+  const DualPiece<N> right = dual_piece(grid_, m, b, p.cap, enclosed ? grid_.third(m, b) : p.third);
   left.joint = p.joint;
   const double middle = x + left.length;
   const Value first = of(left, x, nullptr, limits(left, x)), second = of(right, middle, next, limits(right, middle));
@@ -257,9 +260,13 @@ template class JerkDual<2>;
 template class JerkDual<3>;
 template class JerkDual<5>;
 template class JerkDual<8>;
-template DualPiece<2> dual_piece(const BoundGrid<2>&, const BoundNode<2>&, const BoundNode<2>&, double);
-template DualPiece<3> dual_piece(const BoundGrid<3>&, const BoundNode<3>&, const BoundNode<3>&, double);
-template DualPiece<5> dual_piece(const BoundGrid<5>&, const BoundNode<5>&, const BoundNode<5>&, double);
-template DualPiece<8> dual_piece(const BoundGrid<8>&, const BoundNode<8>&, const BoundNode<8>&, double);
+template DualPiece<2> dual_piece(const BoundGrid<2>&, const BoundNode<2>&, const BoundNode<2>&, double,
+                                 const DualPiece<2>::Row&);
+template DualPiece<3> dual_piece(const BoundGrid<3>&, const BoundNode<3>&, const BoundNode<3>&, double,
+                                 const DualPiece<3>::Row&);
+template DualPiece<5> dual_piece(const BoundGrid<5>&, const BoundNode<5>&, const BoundNode<5>&, double,
+                                 const DualPiece<5>::Row&);
+template DualPiece<8> dual_piece(const BoundGrid<8>&, const BoundNode<8>&, const BoundNode<8>&, double,
+                                 const DualPiece<8>::Row&);
 
 }  // namespace bahnwerk::verify

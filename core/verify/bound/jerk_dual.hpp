@@ -69,9 +69,10 @@ struct DualPiece {
   DualJoint<N> joint;   ///< before its begin
 };
 
-/// What lies between two places of one segment; no joint.
+/// What lies between two places of one segment, |q‴_k| being no more than `third` there; no joint.
 template <int N>
-DualPiece<N> dual_piece(const BoundGrid<N>& grid, const BoundNode<N>& a, const BoundNode<N>& b, double cap);
+DualPiece<N> dual_piece(const BoundGrid<N>& grid, const BoundNode<N>& a, const BoundNode<N>& b, double cap,
+                        const typename DualPiece<N>::Row& third);
 
 template <int N>
 class JerkDual {
@@ -124,9 +125,13 @@ extern template class JerkDual<2>;
 extern template class JerkDual<3>;
 extern template class JerkDual<5>;
 extern template class JerkDual<8>;
-extern template DualPiece<2> dual_piece(const BoundGrid<2>&, const BoundNode<2>&, const BoundNode<2>&, double);
-extern template DualPiece<3> dual_piece(const BoundGrid<3>&, const BoundNode<3>&, const BoundNode<3>&, double);
-extern template DualPiece<5> dual_piece(const BoundGrid<5>&, const BoundNode<5>&, const BoundNode<5>&, double);
-extern template DualPiece<8> dual_piece(const BoundGrid<8>&, const BoundNode<8>&, const BoundNode<8>&, double);
+extern template DualPiece<2> dual_piece(const BoundGrid<2>&, const BoundNode<2>&, const BoundNode<2>&, double,
+                                        const DualPiece<2>::Row&);
+extern template DualPiece<3> dual_piece(const BoundGrid<3>&, const BoundNode<3>&, const BoundNode<3>&, double,
+                                        const DualPiece<3>::Row&);
+extern template DualPiece<5> dual_piece(const BoundGrid<5>&, const BoundNode<5>&, const BoundNode<5>&, double,
+                                        const DualPiece<5>::Row&);
+extern template DualPiece<8> dual_piece(const BoundGrid<8>&, const BoundNode<8>&, const BoundNode<8>&, double,
+                                        const DualPiece<8>::Row&);
 
 }  // namespace bahnwerk::verify

@@ -149,7 +149,7 @@ void JerkPieces<N>::append(const Node& a, const Node& b, double cap, Extent exte
 template <int N>
 void JerkPieces<N>::push(const Node& a, const Node& b, double cap, double without, Extent extent) {
   if (!(b.s > a.s)) return;  // the joint before it stands before the next one
-  DualPiece<N> p = dual_piece(grid_, a, b, cap);
+  DualPiece<N> p = dual_piece(grid_, a, b, cap, grid_.third(a, b));
   p.joint = std::exchange(joint_, {});
   for (std::size_t k = 0; k < grid_.axes(); ++k)
     extent.swing = std::max(extent.swing, std::abs(b.curvature[k] - a.curvature[k]) * without / grid_.acceleration(k));

@@ -158,22 +158,34 @@ TEST(AxesBound, ARippleThatSamplesDoNotSee) {
   }
 }
 
-/// Where a path is parted nothing is known of jerk: each window loses some of the bound, and gains none. Beyond its
-/// ends each turn takes as long as any other, so that a path that is not parted tells what one that is should take.
-TEST(AxesBound, LongNeedlePathsInWindowsLoseLittle) {
+/// A coil of so many turns on the vertical winder.
+Bound of_turns(int turns) {
   const std::shared_ptr<const Kinematics> winder = test::vertical();
   const Machine machine{winder->axes(), 0.002};
-  const auto of_turns = [&](int turns) {
-    const test::NeedlePath needle = test::stator_turns(turns);
-    const KinematicAxisPath path(needle.tool, *winder, needle.orientation);
-    PathTask task{path, machine, std::vector<double>(path.size(), unlimited),
-                  std::vector<bool>(path.size() + 1, false)};
-    task.rests.front() = task.rests.back() = true;
-    SilentProgress silent;
-    return lower_bound(task, corner_angle, silent);
-  };
+  const test::NeedlePath needle = test::stator_turns(turns);
+  const KinematicAxisPath path(needle.tool, *winder, needle.orientation);
+  PathTask task{path, machine, std::vector<double>(path.size(), unlimited), std::vector<bool>(path.size() + 1, false)};
+  task.rests.front() = task.rests.back() = true;
+  SilentProgress silent;
+  return lower_bound(task, corner_angle, silent);
+}
+
+/// Beyond the ends of a coil each turn takes as long as any other.
+double extrapolated(double of_4, double of_8, int turns) { return of_8 + (of_8 - of_4) / 4 * (turns - 8); }
+
+/// What rounding takes from a turn is no more far along the path than at its begin.
+TEST(AxesBound, TheSameFarAlongThePath) {
+  const double whole = extrapolated(of_turns(4).duration, of_turns(8).duration, 60), found = of_turns(60).duration;
+  RecordProperty("loss", std::to_string(1 - found / whole));
+  EXPECT_GT(found, whole * (1 - 1e-6));
+  EXPECT_LT(found, whole * (1 + 1e-4));
+}
+
+/// Where a path is parted nothing is known of jerk: each window loses some of the bound, and gains none. A path that is
+/// not parted tells what one that is should take.
+TEST(AxesBound, LongNeedlePathsInWindowsLoseLittle) {
   const Bound few = of_turns(4), more = of_turns(8), found = of_turns(400);
-  const auto of_400 = [](double of_4, double of_8) { return of_8 + (of_8 - of_4) / 4 * (400 - 8); };
+  const auto of_400 = [](double of_4, double of_8) { return extrapolated(of_4, of_8, 400); };
   const double whole = of_400(few.duration, more.duration);
   RecordProperty("loss", std::to_string(whole - found.duration));
   EXPECT_LT(found.duration, whole * (1 + 1e-6));

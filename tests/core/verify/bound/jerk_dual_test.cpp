@@ -52,7 +52,7 @@ Laid lay(const BoundGrid<2>& grid, bool known) {
       }
       continue;
     }
-    DualPiece<2> p = dual_piece(grid, a, b, 2 * V * V);
+    DualPiece<2> p = dual_piece(grid, a, b, 2 * V * V, grid.third(a, b));
     p.joint = joint;
     joint = {};
     RelaxationCell<2> cell{p.length, p.way, p.begin, p.end, p.cap};
