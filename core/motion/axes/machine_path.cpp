@@ -15,7 +15,8 @@ namespace bahnwerk {
 namespace {
 
 constexpr int per_panel = 8;
-constexpr int most_halvings = 40;
+constexpr int most_steps = 40;
+constexpr double negligible = 1e-13;  // mm or rad, by which an axis may move further than to the turning point found
 constexpr double range_tolerance = 1e-9;  // mm or rad
 
 class Spans {
@@ -51,15 +52,26 @@ class Spans {
     offer(k, next, after.value[k]);
     double turned = q.value[k];
     if (q.d1[k] * after.d1[k] < 0) {
-      double low = u, high = next;
-      AxisJet middle = q;
-      for (int i = 0; i < most_halvings; ++i) {
-        const double at = low + (high - low) / 2;
-        middle = path_.at_parameter(segment_, at);
-        (middle.d1[k] * q.d1[k] > 0 ? low : high) = at;
+      // The Illinois method: secants, the slope at an end that stays being halved.
+      double low = u, high = next, slope_low = q.d1[k], slope_high = after.d1[k], at = u;
+      bool went_on = false, went_back = false;
+      for (int i = 0; i < most_steps; ++i) {
+        at = std::clamp((low * slope_high - high * slope_low) / (slope_high - slope_low), low, high);
+        const AxisJet middle = path_.at_parameter(segment_, at);
+        const double slope = middle.d1[k];
+        turned = middle.value[k];
+        if (slope * slope <= 2 * negligible * std::abs(middle.d2[k])) break;
+        if ((slope > 0) == (slope_low > 0)) {
+          low = at, slope_low = slope;
+          if (std::exchange(went_on, true)) slope_high /= 2;
+          went_back = false;
+        } else {
+          high = at, slope_high = slope;
+          if (std::exchange(went_back, true)) slope_low /= 2;
+          went_on = false;
+        }
       }
-      turned = middle.value[k];
-      offer(k, low, turned);
+      offer(k, at, turned);
     }
     spans_[k].travel += std::abs(turned - q.value[k]) + std::abs(after.value[k] - turned);
   }

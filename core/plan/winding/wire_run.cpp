@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -108,12 +109,15 @@ WireFigures WireRun::figures(const SetpointSource& setpoints, const PathMotion& 
     const LawState law = motion.along(piece, t);
     return std::pair(path[at].source(), drawing(at, path[at].parameter(law.s), law));
   };
+  std::optional<decltype(law_at(0))> left;  // what is known of row `row_of_left`
+  std::size_t row_of_left = 0;
   const auto within = [&](std::size_t k, const Measured& before, const Measured& after) {
     const double t = (static_cast<double>(k) - 0.5) * h;
-    const auto left = law_at(t - 0.5 * h);
+    if (!left || row_of_left + 1 != k) left = law_at(static_cast<double>(k - 1) * h);
     auto middle = law_at(t);
-    const auto right = law_at(t + 0.5 * h);
-    if (left.first == right.first) middle.second.acceleration = (right.second.speed - left.second.speed) / h;
+    const auto right = law_at(static_cast<double>(k) * h);
+    if (left->first == right.first) middle.second.acceleration = (right.second.speed - left->second.speed) / h;
+    left = right, row_of_left = k;
     judge({0, middle.second.bend, 0.5 * (before.brake + after.brake), after.coil}, middle.second, t);
   };
   std::array<Measured, 3> last{};
