@@ -49,7 +49,7 @@ class Planner {
     plan_.tool = std::make_shared<const PosePath>(pose_path(curves));
     plan_.path_length = plan_.tool->tool.length();
     progress_.report("clearance", linked);
-    plan_.clearance = clear(curves);
+    plan_.clearance = clear(curves, cleared);
     progress_.report("machine", cleared);
     try {
       plan_.machine = machine_path(plan_.tool->tool, plan_.tool->orientation, request_.configurations);
@@ -69,7 +69,8 @@ class Planner {
     const winding::Slot slot = winding::checked_slot(part);
     std::vector<winding::LayingRegions> regions;
     for (const winding::Coil& coil : request_.coils) regions.push_back(winding::coil_regions(part, slot, coil));
-    plan_.layout = winding::needle(regions.front(), request_.wire.radius(), slot.tension_point, progress_);
+    ProgressPart laying(progress_, "layout", 0, fitted);
+    plan_.layout = winding::needle(regions.front(), request_.wire.radius(), slot.tension_point, laying);
     const std::size_t most = plan_.layout[0].wires.size();
     if (most == 0) throw fault({"wire"}, "does not fit into the slot");
     if (request_.turns > most)
@@ -98,9 +99,10 @@ class Planner {
     winding::LinkOptions options = request_.links;
     options.objective = objective;
     const auto* stator = std::get_if<StatorPart>(&request_.part);
-    if (stator == nullptr) return winding::needle_path(plan_.support, false, options, progress_);
+    ProgressPart linking(progress_, "link", laid, linked);
+    if (stator == nullptr) return winding::needle_path(plan_.support, false, options, linking);
     const winding::PostPassage posts(*stator, request_.coils, request_.tool, request_.needle, request_.least_clearance);
-    return winding::needle_path(plan_.support, true, options, progress_, &posts);
+    return winding::needle_path(plan_.support, true, options, linking, &posts);
   }
 
   /// Replaces the smoothest links by those that take the least time, if the whole path takes less with them.
@@ -115,15 +117,16 @@ class Planner {
     }
     const LinkTimer timer(*machine, request_.along, request_.cycle_time, progress_);
     const winding::NeedlePath substitute = linked_by(LinkObjective::control_distance);
+    ProgressPart timing(progress_, "link", linked, linked);
     const winding::QuickLinks quick = winding::quick_links(
         plan_.support, plan_.path, substitute, request_.links,
-        [&](std::span<const BezierPiece> pieces) { return timer(pieces); }, progress_);
+        [&](std::span<const BezierPiece> pieces) { return timer(pieces); }, timing);
     LinkTimes times{timer.exact(smooth), timer.exact(substitute.curves()), timer.exact(quick.path.curves()),
                     quick.changed, LinkChoice::curvature};
-    const double allowed = std::min(request_.least_clearance, clear(smooth).minimum);
+    const double allowed = std::min(request_.least_clearance, clear(smooth, linked).minimum);
     double least = times.curvature;
     const auto take = [&](double time, const winding::NeedlePath& path, LinkChoice choice) {
-      if (!(time < least) || !within_ranges(path, machine) || clear(path.curves()).minimum < allowed) return;
+      if (!(time < least) || !within_ranges(path, machine) || clear(path.curves(), linked).minimum < allowed) return;
       plan_.path = path, times.taken = choice, least = time;
     };
     take(times.control_distance, substitute, LinkChoice::control_distance);
@@ -140,12 +143,13 @@ class Planner {
     }
   }
 
-  winding::Clearance clear(const std::vector<BezierPiece>& curves) {
-    return std::visit([&](const auto& part) { return clear(part, curves); }, request_.part);
+  /// Which takes from `linked` to `to` of the job.
+  winding::Clearance clear(const std::vector<BezierPiece>& curves, double to) {
+    return std::visit([&](const auto& part) { return clear(part, curves, to); }, request_.part);
   }
   /// Coil by coil, with what stands in the way while that is wound.
   template <class Part>
-  winding::Clearance clear(const Part& part, const std::vector<BezierPiece>& curves) {
+  winding::Clearance clear(const Part& part, const std::vector<BezierPiece>& curves, double to) {
     const winding::Slot slot = winding::checked_slot(part);
     winding::Clearance nearest;
     nearest.minimum = unlimited;
@@ -155,8 +159,12 @@ class Planner {
       std::size_t end = begin;
       while (end < pieces.size() && coil_of(pieces[end], plan_.support) == coil) ++end;
       const winding::PartObstacles all = obstacles(part, slot, request_.coils[coil]);
+      const auto done = [&](std::size_t piece) {
+        return linked + (to - linked) * static_cast<double>(piece) / static_cast<double>(pieces.size());
+      };
+      ProgressPart clearing(progress_, "clearance", done(begin), done(end));
       winding::Clearance least = winding::clearance(std::span(curves).subspan(begin, end - begin), request_.needle,
-                                                    all.list(), clearance_tolerance, progress_);
+                                                    all.list(), clearance_tolerance, clearing);
       least.move += begin;
       if (least.minimum < nearest.minimum)
         nearest = least, plan_.nearest = all.list().empty() ? "" : all.name(least.obstacle);

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress_part.hpp"
 #include "core/geometry/spline/spline_arc.hpp"
 #include "core/winding/part/space.hpp"
 #include "core/winding/path/known_links.hpp"
@@ -74,7 +75,9 @@ class Maker {
       for (BezierPiece& piece : here) path_.pieces.push_back({piece, i, false, 0});
       if (i + 1 == fixed_.size()) return std::move(path_);
       std::vector<BezierPiece> next = curve(fixed_[i + 1], options_.continuity);
-      join(i, here.back(), next.front(), progress);
+      const double done = static_cast<double>(i) / static_cast<double>(fixed_.size());
+      ProgressPart at(progress, "link", done, done);  // a search does not know when it ends
+      join(i, here.back(), next.front(), at);
       here = std::move(next);
     }
   }

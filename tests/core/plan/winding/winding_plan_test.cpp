@@ -8,7 +8,9 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <set>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -42,6 +44,35 @@ TEST(WindingPlan, EveryMachineWindsBothPartsWithEveryFeed) {
       EXPECT_LT(durations[3], durations[2]) << winder.name;
       EXPECT_LT(durations[2], durations[1]) << winder.name;
     }
+}
+
+/// What part of the job is done when the planner of the feed sets out, and whether it fell on the way there.
+struct BeforeTheFeed final : Progress {
+  double most = 0, fallen = 0;
+  bool planning = false;
+  std::set<std::string> stages;
+  void report(std::string_view stage, double fraction, std::string_view) override {
+    planning = planning || stage == "bound";
+    if (planning) return;
+    stages.emplace(stage);
+    fallen = std::max(fallen, most - fraction), most = std::max(most, fraction);
+  }
+};
+
+TEST(WindingPlan, ProgressIsThatOfTheWholeJob) {
+  for (const bool minimum_time : {false, true}) {
+    WindingRequest r = stator_request(2);
+    r.minimum_time = minimum_time;
+    BeforeTheFeed progress;
+    plan_winding(r, progress);
+    EXPECT_TRUE(progress.planning);
+    for (const char* stage : {"layout", "support points", "link", "clearance", "machine"})
+      EXPECT_EQ(progress.stages.count(stage), 1u) << stage;
+    EXPECT_LE(progress.most, 0.3);
+    if (!minimum_time) {  // which makes links, and measures their clearance, several times
+      EXPECT_EQ(progress.fallen, 0);
+    }
+  }
 }
 
 TEST(WindingPlan, TheSplineFeedIsVerifiedAndSlowerThanTheOptimum) {
