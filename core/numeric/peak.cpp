@@ -189,9 +189,9 @@ void PeakSweep::raise(std::size_t channel, double value, double at, std::size_t 
 
 // What no longer decays below this is rounding: it matters next to the peak only.
 constexpr double noise_like = 1e-6;
-// More points than usual lie further apart, on the flanks of a peak, where what their places are off counts most: they
-// show that an interval stays below the peak by more than this part of it, and are believed about a higher one where
-// that matters little to the limit alone.
+// More points than usual span longer intervals and lie on the flanks of a peak, where errors of their places count
+// most. They show that an interval stays below the peak by more than this part of it; a higher one is only taken from
+// them where that part is below the resolution.
 constexpr int usual_points = 9;
 constexpr double off_flanks = 1e-9;
 
