@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "core/numeric/sign_change.hpp"
+
 namespace bahnwerk {
 namespace {
 
@@ -82,27 +84,18 @@ double value_at(const double* c, int n, double t) {
   return b[0];
 }
 
-// The one root of the derivative (Bernstein differences d, m of them, of opposite sign at both ends): secants kept
-// inside a bracket. Boost's toms748_solve takes 1.2 to 1.4 times as long at these degrees.
+// The one root of the derivative (Bernstein differences d, m of them, of opposite sign at both ends). Boost's
+// toms748_solve takes 1.2 to 1.4 times as long at these degrees.
 double single_root(const double* d, int m) {
-  double lo = 0, hi = 1, flo = d[0], fhi = d[m - 1];
-  int side = 0;
-  for (int i = 0; i < 60 && hi - lo > 1e-9; ++i) {
-    double t = (lo * fhi - hi * flo) / (fhi - flo);
-    if (!(t > lo && t < hi)) t = lo + (hi - lo) / 2;
+  SignChange root{0, d[0], 1, d[m - 1]};
+  for (int i = 0; i < 60 && root.high - root.low > 1e-9; ++i) {
+    double t = root.next();
+    if (!root.holds(t)) t = root.middle();
     const double f = value_at(d, m, t);
     if (f == 0) return t;
-    if ((f > 0) == (flo > 0)) {
-      lo = t, flo = f;
-      if (side == -1) fhi /= 2;  // Illinois
-      side = -1;
-    } else {
-      hi = t, fhi = f;
-      if (side == 1) flo /= 2;
-      side = 1;
-    }
+    root.take(t, f);
   }
-  return lo + (hi - lo) / 2;
+  return root.middle();
 }
 
 void locate(double* c, int n, double lo, double hi, int depth, PolynomialPeak& best) {

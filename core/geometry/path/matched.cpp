@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/numeric/sign_change.hpp"
+
 namespace bahnwerk {
 
 namespace {
@@ -20,28 +22,19 @@ Nearest nearest(const Curve& curve, double u0, double u1, Vec p) {
     const double u = square > 0 ? std::clamp(u0 + dot(p - low.value, low.d1) / square, u0, u1) : u0;
     return {u, norm(curve.at(u).value - p)};
   }
-  double a = u0, b = u1, fa = slope(low), fb = slope(high);
-  if (!(fa < 0)) return {u0, norm(low.value - p)};
-  if (!(fb > 0)) return {u1, norm(high.value - p)};
-  // Regula falsi (Illinois).
+  SignChange slopes{u0, slope(low), u1, slope(high)};
+  if (!(slopes.f_low < 0)) return {u0, norm(low.value - p)};
+  if (!(slopes.f_high > 0)) return {u1, norm(high.value - p)};
   Nearest best{u0, norm(low.value - p)};
   if (const double d = norm(high.value - p); d < best.distance) best = {u1, d};
-  for (int i = 0, side = 0; i < 40 && b - a > 1e-13 * (u1 - u0); ++i) {
-    const double u = i % 8 == 7 ? 0.5 * (a + b) : std::clamp((a * fb - b * fa) / (fb - fa), a, b);
+  for (int i = 0; i < 40 && slopes.high - slopes.low > 1e-13 * (u1 - u0); ++i) {
+    const double u = i % 8 == 7 ? slopes.middle() : std::clamp(slopes.next(), slopes.low, slopes.high);
     const Jet h = curve.at(u);
     const double f = slope(h);
     const double distance = norm(h.value - p);
     if (!(distance > best.distance)) best = {u, distance};
     if (std::abs(f) <= 1e-12 * norm(h.d1) * (distance + 1e-4)) break;
-    if (f < 0) {
-      a = u, fa = f;
-      if (side == -1) fb *= 0.5;
-      side = -1;
-    } else {
-      b = u, fb = f;
-      if (side == 1) fa *= 0.5;
-      side = 1;
-    }
+    slopes.take(u, f);
   }
   return best;
 }

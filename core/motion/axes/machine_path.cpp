@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/errors.hpp"
+#include "core/numeric/sign_change.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -52,24 +53,15 @@ class Spans {
     offer(k, next, after.value[k]);
     double turned = q.value[k];
     if (q.d1[k] * after.d1[k] < 0) {
-      // The Illinois method: secants, the slope at an end that stays being halved.
-      double low = u, high = next, slope_low = q.d1[k], slope_high = after.d1[k], at = u;
-      bool went_on = false, went_back = false;
+      SignChange slopes{u, q.d1[k], next, after.d1[k]};
+      double at = u;
       for (int i = 0; i < most_steps; ++i) {
-        at = std::clamp((low * slope_high - high * slope_low) / (slope_high - slope_low), low, high);
-        const AxisJet middle = path_.at_parameter(segment_, at);
-        const double slope = middle.d1[k];
-        turned = middle.value[k];
-        if (slope * slope <= 2 * negligible * std::abs(middle.d2[k])) break;
-        if ((slope > 0) == (slope_low > 0)) {
-          low = at, slope_low = slope;
-          if (std::exchange(went_on, true)) slope_high /= 2;
-          went_back = false;
-        } else {
-          high = at, slope_high = slope;
-          if (std::exchange(went_back, true)) slope_low /= 2;
-          went_on = false;
-        }
+        at = std::clamp(slopes.next(), slopes.low, slopes.high);
+        const AxisJet there = path_.at_parameter(segment_, at);
+        const double slope = there.d1[k];
+        turned = there.value[k];
+        if (slope * slope <= 2 * negligible * std::abs(there.d2[k])) break;
+        slopes.take(at, slope);
       }
       offer(k, at, turned);
     }

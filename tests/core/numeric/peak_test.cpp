@@ -31,7 +31,7 @@ TEST(ChebyshevRule, InterpolatesPolynomialsExactly) {
         double b = 0, expected = 1;
         for (int i = 0; i < n; ++i) b += rule->bernstein[j][i] * std::pow(rule->node[i], power);
         for (int q = 0; q < power; ++q) expected *= double(j - q) / double(n - 1 - q);
-        EXPECT_NEAR(b, expected, rule->rounding + 2e-14) << n << " " << power << " " << j;
+        EXPECT_NEAR(b, expected, n > 9 ? rule->rounding : 2e-13) << n << " " << power << " " << j;
         double integral = 0;
         for (int i = 0; i < n; ++i) integral += rule->integral[j][i] * std::pow(rule->node[i], power);
         EXPECT_NEAR(integral, std::pow(rule->node[j], power + 1) / (power + 1), 1e-14);
@@ -221,8 +221,9 @@ TEST(PeakSweep, WhatRoundingTakesIsAdded) {
       samples.missing[0] = 0;
       return true;
     });
-    EXPECT_GE(sweep[0].value, 3 * (1 + rounding) - 1e-14);
-    EXPECT_LE(sweep[0].value, 3 * (1 + rounding + lobatto_rule(5).rounding) + 1e-14);
+    // That of the coefficients alone is less than 1e-12, which peaks are resolved to.
+    const double counted = rounding > 0 ? rounding + lobatto_rule(5).rounding : 0;
+    EXPECT_NEAR(sweep[0].value, 3 * (1 + counted), 1e-14);
   }
 }
 
