@@ -1,14 +1,17 @@
 #pragma once
 /// The job document as it comes in and the job resource as it goes out.
 #include <cstdint>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "api/kind.hpp"
+namespace bahnwerk {
+class Progress;
+}
 
 namespace bahnwerk::api {
+struct PlannedJob;  // api/planned_job.hpp
 
 /// A posted document that passed JSON, schema and semantic checks.
 struct JobRequest {

@@ -1,23 +1,16 @@
 #pragma once
 /// A kind of job is one descriptor in one list. Adding one: its core folder, api/kinds/<kind>.cpp, its schema with
 /// examples, its line in kinds.cpp, its tests. Nothing else.
-#include <memory>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string_view>
 
-#include "core/base/progress.hpp"
-#include "core/base/setpoint_source.hpp"
+namespace bahnwerk {
+class Progress;
+}
 
 namespace bahnwerk::api {
-
-/// What planning a document yields: the result document (contract form, setpoints' summary included) and the setpoints,
-/// if the kind has any.
-struct PlannedJob {
-  nlohmann::ordered_json result;
-  std::unique_ptr<SetpointSource> setpoints;
-  bool verified = false;
-};
+struct PlannedJob;  // api/planned_job.hpp
 
 struct Kind {
   std::string_view name;

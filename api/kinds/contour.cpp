@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "api/kinds/coarse_fine.hpp"
+#include "api/planned_job.hpp"
 #include "api/problem.hpp"
 #include "api/setpoint_summary.hpp"
 #include "api/verification.hpp"

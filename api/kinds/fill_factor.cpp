@@ -3,6 +3,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "api/planned_job.hpp"
 #include "api/problem.hpp"
 #include "api/verification.hpp"
 #include "core/base/errors.hpp"

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "api/planned_job.hpp"
 #include "api/problem.hpp"
 #include "api/setpoints.hpp"
 #include "core/base/errors.hpp"

@@ -46,11 +46,11 @@ Middleware access_log() {
     return [next = std::move(next)](RequestPtr request, Reply reply) {
       const auto start = std::chrono::steady_clock::now();
       next(request, [reply = std::move(reply), request, start](Response response) {
-        nlohmann::ordered_json line{{"request", request->id},         {"method", request->method},
-                                    {"route", route_label(*request)}, {"path", request->path.substr(0, 500)},
-                                    {"status", response.status},      {"ms", seconds_since(start) * 1e3},
-                                    {"peer", request->peer}};
-        if (!response.stream) line["bytes"] = response.body.size();
+        log::Fields line{{"request", request->id},         {"method", request->method},
+                         {"route", route_label(*request)}, {"path", request->path.substr(0, 500)},
+                         {"status", response.status},      {"ms", seconds_since(start) * 1e3},
+                         {"peer", request->peer}};
+        if (!response.stream) line.push_back({"bytes", response.body.size()});
         log::info("request", line);
         reply(std::move(response));
       });

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "api/planned_job.hpp"
 #include "api/problem.hpp"
 #include "core/base/errors.hpp"
 #include "server/jobs/progress.hpp"
@@ -202,8 +203,8 @@ void Workers::run(const api::Job& job) {
   live_.remove(*live);
   const double seconds = seconds_since(start);
   metrics_.planned(job.request.kind, outcome, seconds);
-  nlohmann::ordered_json line{{"job", id}, {"kind", job.request.kind}, {"state", outcome}, {"seconds", seconds}};
-  if (problem) line["problem"] = problem->type().slug;
+  log::Fields line{{"job", id}, {"kind", job.request.kind}, {"state", outcome}, {"seconds", seconds}};
+  if (problem) line.push_back({"problem", problem->type().slug});
   log::info("job_ended", line);
 }
 

@@ -3,6 +3,8 @@
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <nlohmann/json.hpp>
+
 #include "api/job.hpp"
 #include "server/runtime/clock.hpp"
 
@@ -39,11 +41,12 @@ constexpr std::string_view names[] = {"debug", "info", "warn", "error"};
 
 void set_level(Level level) { logger().set_level(spd(level)); }
 
-void write(Level level, std::string_view event, const nlohmann::ordered_json& fields) {
+void write(Level level, std::string_view event, const Fields& fields) {
   if (!logger().should_log(spd(level))) return;
   nlohmann::ordered_json line{
       {"time", api::rfc3339(now_ms())}, {"level", names[static_cast<int>(level)]}, {"event", event}};
-  if (fields.is_object()) line.update(fields);
+  for (const Field& field : fields)
+    std::visit([&](const auto& value) { line[std::string(field.name)] = value; }, field.value.variant());
   // Broken UTF-8 from a client must not lose the line.
   const std::string text = line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   logger().log(spd(level), spdlog::string_view_t(text));

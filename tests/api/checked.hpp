@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "api/kind.hpp"
+#include "api/planned_job.hpp"
 #include "api/schema.hpp"
 
 namespace bahnwerk::api::test {

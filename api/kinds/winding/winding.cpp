@@ -7,6 +7,7 @@
 
 #include "api/kinds/winding/winding_input.hpp"
 #include "api/kinds/winding/winding_result.hpp"
+#include "api/planned_job.hpp"
 #include "api/problem.hpp"
 #include "api/setpoint_summary.hpp"
 #include "api/verification.hpp"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "api/planned_job.hpp"
 #include "server/store/codec.hpp"
 #include "server/store/sqlite/reader.hpp"
 #include "server/store/sqlite/sqlite_store.hpp"

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "../store/fixture.hpp"
+#include "api/planned_job.hpp"
 #include "core/base/errors.hpp"
 #include "server/runtime/clock.hpp"
 

@@ -7,6 +7,7 @@
 #include <future>
 #include <nlohmann/json.hpp>
 
+#include "api/planned_job.hpp"
 #include "server/store/sqlite/sqlite_store.hpp"
 
 namespace bahnwerk::server {

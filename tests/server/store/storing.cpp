@@ -1,6 +1,7 @@
 /// Long series go into the store piece by piece; nobody sees them before the result is there.
 #include <random>
 
+#include "api/planned_job.hpp"
 #include "core/base/errors.hpp"
 #include "fixture.hpp"
 

@@ -1,0 +1,111 @@
+#!/usr/bin/env python3
+"""Runs clang-tidy over the sources of one or more folders.
+
+    .ci/tidy.py BUILD FOLDER...            files of a layer together in unity files
+    .ci/tidy.py BUILD --plain FOLDER...    every file on its own (slow; shows includes that are missing, too)
+
+BUILD is a configured build folder; its compile_commands.json tells flags and layers. Reading the headers takes three quarters of clang-tidy's time, so
+the files of a layer are included into a few unity files. Two files that define the same name cannot stand in one unity file: the compiler names the later
+one, which moves on to the next. Exits with 1 where clang-tidy finds something.
+"""
+import collections
+import concurrent.futures
+import json
+import os
+import re
+import shlex
+import subprocess
+import sys
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+MOST_FILES = 40  # of one unity file: a layer is spread over the processors
+
+
+def sources(build, folders):
+    """{layer: [(file, flags)]} from the compilation database."""
+    layers = collections.defaultdict(list)
+    with open(os.path.join(build, "compile_commands.json")) as stream:
+        for entry in json.load(stream):
+            name = os.path.relpath(entry["file"], ROOT)
+            if name.startswith(".") or name.split(os.sep)[0] not in folders:
+                continue
+            words = shlex.split(entry["command"])
+            words = words[next(i for i, word in enumerate(words) if word.startswith("-")):]
+            flags = [word for i, word in enumerate(words)
+                     if word not in ("-o", "-c") and words[i - 1] not in ("-o", "-c")]
+            layers[entry["output"].split("/CMakeFiles/")[0]].append((name, flags))
+    return layers
+
+
+def write_unity(build, layer, number, files):
+    path = os.path.join(build, "tidy", f"{layer.replace('/', '_')}_{number}.cpp")
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    with open(path, "w") as stream:
+        stream.writelines(f'#include "{os.path.join(ROOT, name)}"\n' for name in files)
+    return path
+
+
+def clashing(path, flags, files):
+    """Files of the unity file in which the compiler finds an error."""
+    run = subprocess.run(["clang++", "-fsyntax-only", "-w", "-ferror-limit=0", *flags, path], cwd=ROOT, capture_output=True, text=True)
+    if run.returncode == 0:
+        return set()
+    found = {os.path.relpath(place, ROOT) for place in re.findall(r"^(/[^:\n]+):\d+:\d+: (?:fatal )?error:", run.stderr, re.M)}
+    return found & set(files) or {files[-1]}
+
+
+def batches(build, layer, entries):
+    """Yields (unity file, flags), each of which compiles, or holds one file only."""
+    flags = entries[0][1]
+    names = sorted(name for name, _ in entries)
+    count = -(-len(names) // MOST_FILES)
+    waiting = [names[i::count] for i in range(count)]
+    number = 0
+    while waiting:
+        files = waiting.pop(0)
+        later = []
+        while True:
+            path = write_unity(build, layer, number, files)
+            bad = clashing(path, flags, files) if len(files) > 1 else set()
+            if not bad or len(files) == 1:
+                break
+            # The first of the files that remain always stays, so that each turn gets somewhere.
+            kept = [name for name in files if name not in bad] or files[:1]
+            later += [name for name in files if name not in kept]
+            files = kept
+        if later:
+            waiting.append(later)
+        number += 1
+        yield path, flags
+
+
+def tidy(path, flags, plain):
+    checks = [] if plain else ["--checks=-bugprone-suspicious-include"]
+    run = subprocess.run(["clang-tidy", "--quiet", *checks, path, "--", *flags], cwd=ROOT, capture_output=True, text=True)
+    return run.returncode, run.stdout + (run.stderr if run.returncode else "")
+
+
+def check_layer(build, layer, entries, plain):
+    if plain:
+        return [tidy(os.path.join(ROOT, name), flags, True) for name, flags in entries]
+    return [tidy(path, flags, False) for path, flags in batches(build, layer, entries)]
+
+
+def main():
+    words = [word for word in sys.argv[1:] if word != "--plain"]
+    plain = "--plain" in sys.argv
+    build, folders = os.path.abspath(words[0]), words[1:]
+    layers = sources(build, folders)
+    if not layers:
+        sys.exit(f"{build} knows no source of {' '.join(folders)}")
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        by_size = sorted(layers.items(), key=lambda item: -len(item[1]))
+        results = [result for found in pool.map(lambda item: check_layer(build, *item, plain), by_size) for result in found]
+    for code, text in results:
+        if code:
+            print(text)
+    print(f"{sum(map(len, layers.values()))} files of {len(layers)} layers in {len(results)} runs", file=sys.stderr)
+    sys.exit(any(code for code, _ in results))
+
+
+main()
