@@ -6,6 +6,7 @@
 
 #include "api/embedded.hpp"
 #include "api/json_text.hpp"
+#include "api/kind.hpp"
 #include "api/pointer.hpp"
 #include "api/problem.hpp"
 #include "api/schema.hpp"

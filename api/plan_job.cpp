@@ -3,6 +3,7 @@
 
 #include "api/job.hpp"
 #include "api/json_text.hpp"
+#include "api/kind.hpp"
 #include "api/planned_job.hpp"
 #include "api/pointer.hpp"
 #include "api/problem.hpp"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "api/planned_job.hpp"
 #include "server/http/middleware.hpp"
 #include "server/runtime/clock.hpp"
 #include "server/runtime/descriptors.hpp"

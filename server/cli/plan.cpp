@@ -10,6 +10,7 @@
 #include "api/problem.hpp"
 #include "api/setpoints.hpp"
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "server/cli/cli.hpp"
 #include "server/cli/progress_bar.hpp"
 #include "server/runtime/clock.hpp"

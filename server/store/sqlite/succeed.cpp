@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/planned_job.hpp"
+#include "core/base/progress.hpp"
 #include "server/store/codec.hpp"
 #include "server/store/sqlite/reader.hpp"
 #include "server/store/sqlite/sqlite_store.hpp"
