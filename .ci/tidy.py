@@ -30,10 +30,11 @@ def sources(build, folders):
             if name.startswith(".") or name.split(os.sep)[0] not in folders:
                 continue
             words = shlex.split(entry["command"])
+            layer = words[words.index("-o") + 1].split("/CMakeFiles/")[0]
             words = words[next(i for i, word in enumerate(words) if word.startswith("-")):]
             flags = [word for i, word in enumerate(words)
                      if word not in ("-o", "-c") and words[i - 1] not in ("-o", "-c")]
-            layers[entry["output"].split("/CMakeFiles/")[0]].append((name, flags))
+            layers[layer].append((name, flags))
     return layers
 
 
@@ -58,25 +59,23 @@ def batches(build, layer, entries):
     """Yields (unity file, flags), each of which compiles, or holds one file only."""
     flags = entries[0][1]
     names = sorted(name for name, _ in entries)
-    count = -(-len(names) // MOST_FILES)
-    waiting = [names[i::count] for i in range(count)]
     number = 0
-    while waiting:
-        files = waiting.pop(0)
+    while names:
+        count = -(-len(names) // MOST_FILES)
         later = []
-        while True:
-            path = write_unity(build, layer, number, files)
-            bad = clashing(path, flags, files) if len(files) > 1 else set()
-            if not bad or len(files) == 1:
-                break
-            # The first of the files that remain always stays, so that each turn gets somewhere.
-            kept = [name for name in files if name not in bad] or files[:1]
-            later += [name for name in files if name not in kept]
-            files = kept
-        if later:
-            waiting.append(later)
-        number += 1
-        yield path, flags
+        for files in (names[i::count] for i in range(count)):
+            while True:
+                path = write_unity(build, layer, number, files)
+                bad = clashing(path, flags, files) if len(files) > 1 else set()
+                if not bad:
+                    break
+                # The first of the files always stays, so that each turn gets somewhere.
+                kept = [name for name in files if name not in bad] or files[:1]
+                later += [name for name in files if name not in kept]
+                files = kept
+            number += 1
+            yield path, flags
+        names = later
 
 
 def tidy(path, flags, plain):
