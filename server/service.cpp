@@ -65,7 +65,7 @@ Service::Service(const ServiceOptions& options, Engine engine) : options_(option
   follow_changes();
   context_ = std::make_unique<Context>(Context{*store_, live_, notifier_, *pool_, *checks_, *heavy_, metrics_,
                                                std::move(engine.parse), options.max_queued, options.limits.max_body,
-                                               draining_});
+                                               draining_, options.build});
   add_job_routes(router_, *context_);
   add_result_routes(router_, *context_);
   add_meta_routes(router_, *context_);
@@ -108,6 +108,10 @@ void Service::follow_changes() {
 }
 
 std::string Service::address() const { return listener_->address(); }
+
+void Service::probe(std::function<void()> answered) {
+  listener_->post([this, answered = std::move(answered)]() mutable { pool_->post(std::move(answered)); });
+}
 
 bool Service::stop_listening(std::chrono::milliseconds patience) {
   notifier_.release();

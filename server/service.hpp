@@ -10,6 +10,7 @@
 #include "server/jobs/deadlines.hpp"
 #include "server/jobs/workers.hpp"
 #include "server/routes/context.hpp"
+#include "server/runtime/build_info.hpp"
 
 namespace bahnwerk::server {
 
@@ -23,6 +24,7 @@ struct ServiceOptions {
   std::size_t max_queued = 10'000;
   Limits limits;
   std::chrono::milliseconds drain_timeout{10'000};  ///< how long running jobs may go on after the end was asked for
+  BuildInfo build;
 };
 
 /// What the service calls to understand and to plan documents; the real ones come from api/.
@@ -42,6 +44,9 @@ class Service {
   Service& operator=(const Service&) = delete;
 
   std::string address() const;  ///< HOST:PORT as bound
+  /// Calls `answered` once a socket thread, then a thread that reads the store have had their turn. Where either kind
+  /// is stuck, it is never called.
+  void probe(std::function<void()> answered);
   /// Orderly end: new jobs are refused, running ones may finish within the drain timeout and go back to the queue
   /// otherwise, requests in flight are answered within that time, too, the store is checkpointed. Takes at most the
   /// drain timeout and a second. clean: all threads are at rest; late: some request or planner is not, what it does is

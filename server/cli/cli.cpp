@@ -87,17 +87,18 @@ int run_serve(const ServiceOptions& options, const std::string& role, const std:
 
 }  // namespace
 
-int run(int argc, char** argv) {
+int run(int argc, char** argv, const BuildInfo& build) {
   CLI::App app{"Bahnwerk: plans motions from contours to verified setpoints."};
-  app.set_version_flag("--version", BAHNWERK_VERSION);
+  app.set_version_flag("--version", to_string(build));
   app.require_subcommand(1);
   app.option_defaults()->always_capture_default();
 
   ServiceOptions options;
+  options.build = build;
   options.workers = std::max(2U, std::thread::hardware_concurrency()) - 1;
   std::string role = "all", level = "info", job, contour, out, id, server = "http://127.0.0.1:8080", format = "csv",
               layout, key;
-  bool wait = false;
+  bool wait = false, ready = false;
 
   CLI::App* serve_command =
       app.add_subcommand("serve", "runs the service; every flag also as environment variable BAHNWERK_...");
@@ -139,6 +140,9 @@ int run(int argc, char** argv) {
       ->check(CLI::IsMember({"csv", "ndjson", "f64", "json"}));
   add_layout(fetch_command);
   add_server(fetch_command);
+  CLI::App* health_command = app.add_subcommand("health", "asks whether the service lives, for container checks");
+  health_command->add_flag("--ready", ready, "whether it takes jobs, too: its store answers, and it does not end");
+  add_server(health_command);
   const std::pair<CLI::App*, const char*> exit_codes[] = {
       {serve_command, "0 ended in order, 1 a planner did not stop in time, 2 could not start"},
       {plan_command, "0 planned and verified, 1 planning failed (problem document on stdout), 2 bad input or usage"},
@@ -150,7 +154,8 @@ int run(int argc, char** argv) {
        "serve now (429, 5xx)"},
       {fetch_command,
        "0 printed, 1 the job failed or was cancelled, 2 refused or bad usage, 3 no server reached, or it cannot serve "
-       "now (429, 5xx)"}};
+       "now (429, 5xx)"},
+      {health_command, "0 it lives (with --ready: and takes jobs), 2 bad usage, 3 no server reached, or not ready"}};
   for (const auto& [command, codes] : exit_codes) {
     command->footer("Exit codes: " + std::string(codes) + ".");
     // Makes a command read its own environment variables when it is parsed. Without it all commands read theirs after
@@ -171,6 +176,7 @@ int run(int argc, char** argv) {
     if (*plan_command) return plan(read_job(job, contour), out, layout);
     if (*submit_command) return submit(server, read_job(job, contour), key, wait);
     if (*watch_command) return watch(server, id);
+    if (*health_command) return health(server, ready);
     return fetch(server, id, format, layout);
   } catch (const std::exception& error) {
     std::cerr << "bahnwerk: " << error.what() << '\n';

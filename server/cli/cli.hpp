@@ -1,5 +1,5 @@
 #pragma once
-/// The command line: `bahnwerk serve | plan | submit | watch | fetch`.
+/// The command line: `bahnwerk serve | plan | submit | watch | fetch | health`.
 #include <cstdint>
 #include <string>
 
@@ -12,7 +12,8 @@ inline constexpr int exit_failed = 1;       ///< planning failed or was cancelle
 inline constexpr int exit_usage = 2;        ///< bad input or usage, or refused by the server
 inline constexpr int exit_unreachable = 3;  ///< no server answered, or one that cannot serve now: trying again may help
 
-int run(int argc, char** argv);  ///< the whole program; its exit code
+/// The whole program; returns its exit code.
+int run(int argc, char** argv, const BuildInfo& build);
 
 int serve(const ServiceOptions& options);
 /// `job` is the document; with `out`, writes result.json and setpoints.csv there, these in a layout of api::csv_layouts
@@ -21,6 +22,8 @@ int plan(const std::string& job, const std::string& out, const std::string& layo
 int submit(const std::string& server, const std::string& job, const std::string& key, bool wait);
 int watch(const std::string& server, const std::string& id);
 int fetch(const std::string& server, const std::string& id, const std::string& format, const std::string& layout);
+/// Asks whether the process lives, or with `ready` whether it takes jobs; prints the answer.
+int health(const std::string& server, bool ready);
 
 /// The file's bytes, or stdin's for "-". Throws std::runtime_error with a sentence.
 std::string read_input(const std::string& path);

@@ -1,4 +1,4 @@
-/// submit, watch, fetch: a terminal client of the service.
+/// submit, watch, fetch, health: a terminal client of the service.
 #include <cstdio>
 #include <iostream>
 #include <map>
@@ -132,6 +132,16 @@ int fetch(const std::string& server, const std::string& id, const std::string& f
         client.request("GET", job_path(id) + "/setpoints" + query, {{"Accept", types.at(format)}}, {}, print);
     if (response.status != 200) return refused(response);
     if (std::fflush(stdout) != 0) throw std::runtime_error("cannot write the setpoints");
+    return exit_ok;
+  });
+}
+
+int health(const std::string& server, bool ready) {
+  const HttpClient client(server);
+  return guarded([&] {
+    const Response response = client.request("GET", ready ? "/readyz" : "/healthz", {{"Accept", "application/json"}});
+    if (response.status != 200) return refused(response);
+    std::cout << parse(response).dump(2) << std::endl;
     return exit_ok;
   });
 }

@@ -2,14 +2,50 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <cstdlib>
+#include <ctime>
 #include <iostream>
 
 #include "server/cli/cli.hpp"
 #include "server/runtime/log.hpp"
+#include "server/runtime/supervisor.hpp"
 
 namespace bahnwerk::server::cli {
+namespace {
+
+/// What ends late beside the drain timeout, at most: the last second of the service, and the store's checkpoint.
+constexpr std::chrono::seconds end_allowance{10};
+
+const char* or_empty(const char* text) { return text ? text : ""; }
+
+timespec to_timespec(std::chrono::milliseconds time) {
+  return {.tv_sec = time.count() / 1000, .tv_nsec = time.count() % 1000 * 1'000'000};
+}
+
+/// Waits for one of these signals and returns it. Meanwhile each heartbeat asks the service for a sign of life, which
+/// the manager gets only when the service's threads turn.
+int wait_for_signal(const sigset_t& ends, const Supervisor& supervisor, Service& service) {
+  int received = 0;
+  const auto heartbeat = supervisor.heartbeat();
+  if (!heartbeat) {
+    sigwait(&ends, &received);
+    return received;
+  }
+  const timespec interval = to_timespec(*heartbeat);
+  do {
+    service.probe([&supervisor] { supervisor.alive(); });
+    received = sigtimedwait(&ends, nullptr, &interval);
+  } while (received < 0);
+  return received;
+}
+
+}  // namespace
 
 int serve(const ServiceOptions& options) {
+  log::info("starting", {{"version", options.build.version},
+                         {"commit", options.build.commit},
+                         {"build", options.build.build},
+                         {"pid", ::getpid()}});
   // Blocked before any thread starts, so that only this one takes them.
   sigset_t ends;
   sigemptyset(&ends);
@@ -18,6 +54,8 @@ int serve(const ServiceOptions& options) {
   pthread_sigmask(SIG_BLOCK, &ends, nullptr);
   signal(SIGPIPE, SIG_IGN);
 
+  const Supervisor supervisor(or_empty(std::getenv("NOTIFY_SOCKET")),
+                              watchdog_interval(std::getenv("WATCHDOG_USEC"), std::getenv("WATCHDOG_PID"), ::getpid()));
   std::unique_ptr<Service> service;
   try {
     service = std::make_unique<Service>(options, real_engine());
@@ -31,11 +69,12 @@ int serve(const ServiceOptions& options) {
   log::info("listening", {{"address", service->address()},
                           {"store", options.store},
                           {"workers", options.workers},
-                          {"version", BAHNWERK_VERSION},
+                          {"version", options.build.version},
                           {"pid", ::getpid()}});
-  int received = 0;
-  sigwait(&ends, &received);
+  supervisor.ready("serving on " + service->address());
+  const int received = wait_for_signal(ends, supervisor, *service);
   log::info("signal", {{"signal", received == SIGTERM ? "SIGTERM" : "SIGINT"}});
+  supervisor.stopping("draining", options.drain_timeout + end_allowance);
   // A second signal takes its default course: the process ends at once.
   pthread_sigmask(SIG_UNBLOCK, &ends, nullptr);
   if (service->drain() == Service::Drained::late) ::_exit(exit_ok);

@@ -4,6 +4,7 @@
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
 #include <boost/asio/io_context.hpp>
+#include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/strand.hpp>
 #include <boost/asio/use_awaitable.hpp>
@@ -176,6 +177,8 @@ void Listener::start(unsigned threads) {
   asio::co_spawn(state_->acceptor.get_executor(), state_->accept(), asio::detached);
   for (unsigned i = 0; i < threads; ++i) state_->threads.emplace_back([this] { state_->io.run(); });
 }
+
+void Listener::post(std::function<void()> work) { asio::post(state_->io, std::move(work)); }
 
 bool Listener::stop(std::chrono::milliseconds patience) {
   if (state_->threads.empty()) return true;

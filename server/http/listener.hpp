@@ -41,6 +41,8 @@ class Listener {
   void open(const std::string& address);
   std::string address() const;  ///< as bound, "127.0.0.1:8080"
   void start(unsigned threads);
+  /// Runs `work`, which must not block, on a socket thread.
+  void post(std::function<void()> work);
   /// Orderly end: no new connections, idle ones close, requests in flight are answered, then false if some outlasted
   /// `patience`.
   bool stop(std::chrono::milliseconds patience);

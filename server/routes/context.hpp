@@ -6,6 +6,7 @@
 #include "server/http/router.hpp"
 #include "server/jobs/live.hpp"
 #include "server/jobs/notifier.hpp"
+#include "server/runtime/build_info.hpp"
 #include "server/runtime/metrics.hpp"
 #include "server/runtime/pool.hpp"
 #include "server/store/store.hpp"
@@ -27,6 +28,7 @@ struct Context {
   std::size_t max_queued;
   std::size_t max_body;  ///< bytes, of a body that comes compressed, too
   const std::atomic<bool>& draining;
+  const BuildInfo build;
 };
 
 void add_job_routes(Router& router,

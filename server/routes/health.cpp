@@ -31,9 +31,12 @@ Response metrics(Context& context) {
 }  // namespace
 
 void add_health_routes(Router& router, Context& context) {
-  router.add("GET", "/healthz", [](const RequestPtr&, const Reply& reply) {
-    reply(uncached(json_answer(200, {{"status", "alive"}})));
-  });
+  const nlohmann::ordered_json alive{{"status", "alive"},
+                                     {"version", context.build.version},
+                                     {"commit", context.build.commit},
+                                     {"build", context.build.build}};
+  router.add("GET", "/healthz",
+             [alive](const RequestPtr&, const Reply& reply) { reply(uncached(json_answer(200, alive))); });
   router.add("GET", "/readyz", on_pool(context.pool, [&](const Request&) { return ready(context); }));
   router.add("GET", "/metrics", on_pool(context.pool, [&](const Request&) { return metrics(context); }));
 }

@@ -105,6 +105,11 @@ for command in "submit $examples/line.json" "watch $id" "fetch $id"; do
   [[ $command == submit* ]] && request POST "/v1/jobs/$(jq -r .id "$work/out")/cancel"
   BAHNWERK_SERVER=$url client 3 $command --server "$dead"
 done
+for flag in "" --ready; do
+  client 0 health $flag --server "$url"
+  client 3 health $flag --server "$dead"
+done
+jq -e '.status == "alive"' <("$bahnwerk" health --server "$url") >/dev/null || fail "health prints the answer"
 stop_server || fail "orderly end"
 start_server --workers 1
 client 0 submit "$examples/line.json" --wait --server "$url"
@@ -112,7 +117,7 @@ snake 20000 '{"time_budget":0.2}' >"$work/budget.json"
 client 1 submit "$work/budget.json" --wait --server "$url"
 jq -e '.type == "/problems/budget-exhausted"' "$work/out" >/dev/null || fail "submit --wait prints why"
 stop_server || fail "orderly end"
-for command in "" serve plan submit watch fetch; do
+for command in "" serve plan submit watch fetch health; do
   client 0 $command --help
   grep -q "Exit codes: 0 " "$work/out" || fail "help of '$command' names the exit codes"
 done

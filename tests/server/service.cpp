@@ -3,6 +3,7 @@
 #include "server/service.hpp"
 
 #include <atomic>
+#include <future>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <sstream>
@@ -246,6 +247,29 @@ TEST_F(ServiceTest, EndsWithoutADrain) {
   options.workers = 0;
   start();
   EXPECT_EQ(json::parse(get("/v1/jobs/" + id).body)["state"], "queued") << "the job is taken up again";
+}
+
+TEST_F(ServiceTest, AnswersAProbeWhenItsThreadsTurn) {
+  start();
+  std::promise<void> answered;
+  service->probe([&] { answered.set_value(); });
+  answered.get_future().get();
+  service.reset();
+  options.http_threads = 0;
+  service = std::make_unique<Service>(options, stub_engine());
+  bool called = false;
+  service->probe([&] { called = true; });
+  service->drain();
+  service.reset();
+  EXPECT_FALSE(called) << "no socket thread turned";
+}
+
+TEST_F(ServiceTest, SaysWhichBuildItIs) {
+  options.build = {"1.2.3", "0123456789ab", "Release, X 1, -O9"};
+  start();
+  EXPECT_EQ(
+      json::parse(get("/healthz").body),
+      (json{{"status", "alive"}, {"version", "1.2.3"}, {"commit", "0123456789ab"}, {"build", "Release, X 1, -O9"}}));
 }
 
 TEST_F(ServiceTest, SaysWhyItCannotStart) {
