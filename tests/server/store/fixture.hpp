@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/planned_job.hpp"
+#include "core/base/progress.hpp"
 #include "server/store/sqlite/sqlite_store.hpp"
 
 namespace bahnwerk::server {
