@@ -35,9 +35,14 @@ boot() {
     mknod -m 666 dev/tty c 5 0
     ln -s /proc/self/fd dev/fd
     mkdir dev/shm dev/pts
+    mount -t devpts -o newinstance,ptmxmode=0666,mode=0620,gid=5 devpts dev/pts
+    ln -s pts/ptmx dev/ptmx
     touch dev/console
     mount -t tmpfs -o mode=755 tmpfs run
-    exec chroot . env -i container=check PATH=/usr/sbin:/usr/bin:/sbin:/bin /lib/systemd/systemd --unit=multi-user.target' - "$dir" </dev/null >"$dir.boot.log" 2>&1 &
+    # A chroot is not enough: units are given mount namespaces of their own.
+    pivot_root . .
+    umount -l .
+    exec env -i container=check PATH=/usr/sbin:/usr/bin:/sbin:/bin /lib/systemd/systemd --unit=multi-user.target' - "$dir" </dev/null >"$dir.boot.log" 2>&1 &
   local starter=$!
   for _ in $(seq 300); do
     booted=$(pgrep -P "$starter" -f /lib/systemd/systemd || true)

@@ -14,6 +14,8 @@ work=$(mktemp -d /var/tmp/bahnwerk-check.XXXXXX)
 pids=()
 quit() {
   local pid
+  for pid in "${pids[@]}"; do kill "$pid" 2>/dev/null || true; done
+  sleep 0.5
   for pid in "${pids[@]}"; do kill -KILL "$pid" 2>/dev/null || true; done
   rm -rf --one-file-system "$work"
 }
@@ -96,11 +98,11 @@ part_image() {
   local tar container root start config size
   tar=$(ls dist/bahnwerk_*.tar) || fail "No image: ./release makes it."
   say "The image"
-  container=$(buildah from "docker-archive:$tar")
+  container=$(buildah from -q "docker-archive:$tar" 2>/dev/null)
   root=$(buildah mount "$container")
   config=$(buildah inspect "$container" | jq '.Docker.config // .Docker.container_config')
   size=$(du -sxm "$root" | cut -f1)
-  echo "  $size MB unpacked, $(xz -T0 -3 -c "$tar" | wc -c | awk '{printf "%.0f", $1 / 1e6}') MB packed"
+  echo "  $size MB unpacked"
   [ "$size" -le 150 ] || fail "the image has more than 150 MB"
   jq -e '.User == "10001:10001" and .Healthcheck.Test == ["CMD", "bahnwerk", "health"] and (.Labels["org.opencontainers.image.revision"] | length > 5)
     and (.Volumes | has("/var/lib/bahnwerk")) and .StopSignal == "SIGTERM"' <<<"$config" >/dev/null || fail "the image's configuration: $config"
@@ -115,7 +117,7 @@ part_image() {
     unshare -pf --mount --net --kill-child bash -c '
       mount --make-rprivate / && ip link set lo up && mount --bind "$1" "$1" && mount -t proc proc "$1/proc" && mount --rbind /dev "$1/dev" && mount -t tmpfs tmpfs "$1/tmp" &&
         mount --bind "$2" "$1/var/lib/bahnwerk" && mount -o remount,bind,ro "$1" && shift 2 &&
-        exec setpriv --no-new-privs --bounding-set=-all env -i $(cat "$1") chroot --userspec=10001:10001 "$2" bash -c "cd /var/lib/bahnwerk; $3"' - \
+        exec env -i $(cat "$1") chroot "$2" setpriv --reuid=10001 --regid=10001 --clear-groups --no-new-privs --bounding-set=-all bash -c "cd /var/lib/bahnwerk; $3"' - \
       "$root" "$work/volume" "$work/env" "$root" "$1"
   }
   cp examples/bracket.json "$work/volume/"
