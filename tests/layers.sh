@@ -50,7 +50,7 @@ declare -A allowed=(
   [server/http]="server/runtime/ server/store/store.hpp api/pointer.hpp api/problem.hpp"
   [server/jobs]="server/runtime/ server/store/store.hpp server/store/changes.hpp api/job.hpp api/problem.hpp core/base/errors.hpp core/base/progress.hpp"
   [server/routes]="server/http/ server/jobs/ server/runtime/ server/store/store.hpp api/"
-  [server/cli]="server/service.hpp server/http/message.hpp server/http/uri.hpp server/runtime/ api/problem.hpp api/setpoints.hpp core/base/errors.hpp"
+  [server/cli]="server/service.hpp server/http/message.hpp server/http/uri.hpp server/runtime/ api/base64.hpp api/problem.hpp api/setpoints.hpp core/base/errors.hpp"
 )
 bad=0
 while IFS=: read -r file line include; do

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "api/base64.hpp"
 #include "api/kinds/contour.hpp"
 #include "core/base/errors.hpp"
 #include "core/contour/builder.hpp"
@@ -197,9 +198,16 @@ Contour from_gcode(const json& contour, Progress& progress) {
       (name == "G28" ? options.g28 : options.g30) = vec(at);
   if (contour.contains("cutter_radius")) options.cutter_radius = cutter_radius(contour["cutter_radius"]);
   options.steps = contour.value("steps", options.steps);
+  options.absolute_centres = contour.value("arc_centers", "relative") == "absolute";
+  options.g70_g71_units = contour.contains("g70_g71");
+  if (contour.contains("initial_motion"))
+    options.initial_motion = contour["initial_motion"] == "G0" ? GcodeMotion::rapid : GcodeMotion::line;
   options.max_segments = max_segments;
   return read_gcode(contour["gcode"].get_ref<const std::string&>(), options, progress);
 }
+
+/// "AutoCAD Binary DXF" in base64.
+constexpr const char* binary_drawing = "QXV0b0NBRCBCaW5hcnkgRFhG";
 
 Contour from_dxf(const json& contour, Progress& progress) {
   DxfOptions options;
@@ -209,7 +217,12 @@ Contour from_dxf(const json& contour, Progress& progress) {
   if (contour.value("order", "as_drawn") == "nearest") options.order = DxfOrder::nearest;
   if (contour.contains("layers")) options.layers = contour["layers"].get<std::vector<std::string>>();
   if (contour.contains("unit")) options.millimetres_per_unit = contour["unit"].get<double>();
-  return read_dxf(contour["dxf"].get_ref<const std::string&>(), options, progress);
+  options.hatch = contour.value("hatch", "skip") == "cut";
+  const std::string& text = contour["dxf"].get_ref<const std::string&>();
+  if (!text.starts_with(binary_drawing)) return read_dxf(text, options, progress);
+  const auto bytes = from_base64(text);
+  if (!bytes) throw InvalidInput({{{"contour", "dxf"}, "line 1: begins as a binary drawing in base64, but is none"}});
+  return read_dxf(*bytes, options, progress);
 }
 
 }  // namespace

@@ -70,8 +70,8 @@ Contour read_dxf(std::string_view text, const DxfOptions& options) {
 
 Contour read_dxf(std::string_view text, const DxfOptions& options, Progress& progress) {
   check(options);
-  DxfDrawing drawing =
-      read_dxf_drawing(text, {options.layers, options.millimetres_per_unit, options.max_curves}, progress);
+  DxfDrawing drawing = read_dxf_drawing(
+      text, {options.layers, options.millimetres_per_unit, options.max_curves, options.hatch}, progress);
   if (drawing.strands.empty()) {
     std::string what = "the drawing holds nothing to move along";
     for (std::size_t i = 0; i < std::min<std::size_t>(drawing.notes.size(), 5); ++i) what += "; " + drawing.notes[i];

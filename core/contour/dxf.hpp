@@ -1,13 +1,14 @@
 #pragma once
-/// Drawings as a contour: ASCII DXF, releases R12 to 2018.
+/// Drawings as a contour: DXF, ASCII or binary, releases R12 to 2018. Faults of a binary file name the line that its
+/// ASCII form would have.
 ///
 /// Drawn are LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE and POLYLINE (bulges; 3-D ones, too), SPLINE (control points with
-/// weights, or fit points alone: then the cubic spline through them) and INSERT (nested, arrays, any scale, mirrored).
-/// Nothing is approximated: an ellipse becomes a rational curve of degree 2, an arc in a block scaled unequally an
-/// ellipse. Extrusion directions follow the arbitrary axis algorithm. What else is in model space is skipped with a
-/// note per kind; so is what lies on frozen or switched-off layers or is invisible. Paper space is read, with a note,
-/// only where model space holds no curve at all: the sheet among the entities, else the first sheet that holds
-/// something.
+/// weights, or fit points alone: then the cubic spline through them) and INSERT (nested, arrays, any scale, mirrored);
+/// with an option the outlines of HATCH. Nothing is approximated: an ellipse becomes a rational curve of degree 2, an
+/// arc in a block scaled unequally an ellipse. Extrusion directions follow the arbitrary axis algorithm. What else is
+/// in model space is skipped with a note per kind; so is what lies on layers that are frozen, switched off or (unless
+/// asked for by name) not plotted, or is invisible. Paper space is read, with a note, only where model space holds no
+/// curve at all: the sheet among the entities, else the first sheet that holds something.
 ///
 /// Entities with ends that meet become one block (core/contour/dxf/cut/chain.hpp). Gaps are closed by moving an end
 /// where the curve beside the gap is 100 times as long (a line turns, an arc is moved and scaled with its sweep kept,
@@ -43,6 +44,7 @@ struct DxfOptions {
   double feed = std::numeric_limits<double>::infinity();  ///< mm/s, > 0; infinity = limited by the axes alone
   std::optional<double> millimetres_per_unit;  ///< > 0; else $INSUNITS counts, and mm with a note where that is missing
   std::size_t max_curves = 2'000'000;          ///< after blocks are resolved; more are refused
+  bool hatch = false;                          ///< cut the outlines of HATCH, too
 };
 
 /// Throws InvalidInput with up to 100 faults at {"contour","dxf"}, each with a message "line 123: …"; for an option

@@ -8,14 +8,18 @@
 namespace bahnwerk {
 namespace {
 
-constexpr std::size_t lines_per_report = 256;      // a spline takes up to 0.1 ms
+constexpr std::size_t lines_per_report = 256;  // a spline takes up to 0.1 ms
+constexpr char end_of_text = '\x1A';
+constexpr std::string_view filling("\x1A\0 \t\r\n", 6);
 constexpr std::size_t segments_per_report = 4096;  // one line may have a thousand turns
 
 /// The program's lines in their order, up to its end or to where reading on would tell nothing new.
 class Reading {
  public:
-  Reading(std::string_view text, const GcodeOptions& options, gcode::Interpreter& interpreter, Progress& progress)
+  Reading(std::string_view text, bool cut_off, const GcodeOptions& options, gcode::Interpreter& interpreter,
+          Progress& progress)
       : options_(options),
+        cut_off_(cut_off),
         interpreter_(interpreter),
         progress_(progress),
         parameters_(interpreter),
@@ -49,21 +53,40 @@ class Reading {
       }
       began = began || !line.empty();
       if (line.flow != gcode::Flow::none && line.fault.empty()) {
-        if (control_.execute(line)) continue;
+        if (flow(line)) continue;
         interpreter_.refuse(line, control_.fault());
+        return false;
+      }
+      if (line.has('O') && !control_.inside() && control_.called(line)) {
+        interpreter_.end_before_subprogram(line);
         return false;
       }
       if (!interpreter_.execute(line)) return interpreter_.ended();
       if (interpreter_.request().any() && !carry_out(line)) return interpreter_.ended();
     }
     if (control_.inside()) interpreter_.refuse(line, "the subprogram has no end (M99)");
+    if (cut_off_) interpreter_.end_of_text(line.number);
     return false;
+  }
+
+  /// An O word, with what its calls and returns mean for the modes.
+  bool flow(const gcode::Line& line) {
+    const std::size_t depth = control_.depth();
+    if (!control_.execute(line)) return false;
+    if (control_.depth() > depth) interpreter_.enter_subprogram();
+    if (control_.depth() < depth) interpreter_.leave_subprogram(line);
+    return true;
   }
 
   /// M98, M99.
   bool carry_out(const gcode::Line& line) {
     const gcode::Request request = interpreter_.request();
-    if (request.back ? control_.back() : control_.call(request.program, request.repeats)) return true;
+    const std::size_t depth = control_.depth();
+    if (request.back ? control_.back() : control_.call(request.program, request.repeats)) {
+      if (request.back) interpreter_.leave_subprogram(line);
+      if (control_.depth() > depth || (request.back && control_.depth() == depth)) interpreter_.enter_subprogram();
+      return true;
+    }
     if (request.back && !control_.inside())
       interpreter_.end(line);
     else
@@ -76,11 +99,12 @@ class Reading {
     gcode::Line line;
     while (!control_.used() && lines_.next(line, options_.block_delete)) {
       if (++carried_out_ % lines_per_report == 0) progress_.report("reading", 0);
-      if (!line.empty() || !line.fault.empty()) return interpreter_.rest(line);
+      if (!line.empty() || !line.fault.empty() || !line.controller.empty()) return interpreter_.rest(line);
     }
   }
 
   const GcodeOptions& options_;
+  bool cut_off_;
   gcode::Interpreter& interpreter_;
   Progress& progress_;
   gcode::Parameters parameters_;
@@ -91,13 +115,17 @@ class Reading {
 
 }  // namespace
 
-Contour read_gcode(std::string_view text, const GcodeOptions& options, Progress& progress) {
+Contour read_gcode(std::string_view whole, const GcodeOptions& options, Progress& progress) {
+  // The DOS mark of the end of a text; what fills up a block behind it, or without it, is nothing.
+  const std::string_view text = whole.substr(0, whole.find(end_of_text)), behind = whole.substr(text.size());
+  const bool cut_off = behind.find_first_not_of(filling) != std::string_view::npos;
+  const std::string_view program = text.substr(0, text.find_last_not_of('\0') + 1);
   gcode::Interpreter interpreter(options, false, progress);
-  Reading(text, options, interpreter, progress).read();
+  Reading(program, cut_off, options, interpreter, progress).read();
   if (!interpreter.lifted()) return interpreter.finish();
   // One height throughout, known only now: the same again at height 0.
   gcode::Interpreter flat(options, true, progress);
-  Reading(text, options, flat, progress).read();
+  Reading(program, cut_off, options, flat, progress).read();
   Contour contour = flat.finish();
   contour.height = interpreter.height();
   return contour;

@@ -9,11 +9,13 @@
 ///   the last one ended) and G5.1 a quadratic one.
 /// - G20 and G21 at any time, for every number from their own line on. G90 and G91. G80 ends the motion mode.
 /// - Rounding: the radii at both ends of an arc may differ by 0.01 mm, in inches by 0.0005 in (coordinates cut off
-///   behind their fourth decimal). The centre then moves to the chord's bisector. An R that is too small for its chord
-///   by no more than that makes a half circle.
+///   behind their fourth decimal), or as with LinuxCNC by 0.1 % of the radius, 0.5 mm or 0.05 in at most. The centre
+///   then moves to the chord's bisector; arcs of more than 300° become two (gcode/mover.hpp, ArcHalves). An R that is
+///   too small for its chord by no more than 0.01 mm or 0.0005 in makes a half circle.
 /// - Canned cycles G73, G81, G82, G83, G85, G86, G89 as RS274NGC 3.5.16 has them, with R, Z, Q, P that hold, L, G98 and
-///   G99, in any plane. G73 draws back by 0.254 mm, G83 comes back to 0.254 mm above the bottom. R and Z that hold stay
-///   the levels, or with G91 the increments, that they were in their own line.
+///   G99, in any plane. G73 draws back by 0.254 mm, G83 comes back to 0.254 mm above the bottom; by P, if P is less
+///   than the peck, else P is a dwell. R and Z that hold stay the levels, or with G91 the increments, that they were in
+///   their own line.
 /// - G41 and G42 move lines and arcs of G17 aside by the radius that the options give for the number D, or for the tool
 ///   T; G41.1 and G42.1 by half of the diameter D (gcode/compensation.hpp).
 ///
@@ -21,7 +23,8 @@
 /// - G54 … G59.3 with offsets from the options or from G10 L2, L20; zero where there are none, which is noted (G54
 ///   only if others are given). G52 and G92 (.1, .2, .3) share one offset on top of them, as with LinuxCNC. The contour
 ///   is in the coordinates of the machine; without offsets these are the program's.
-/// - Where the machine stands before is unknown. The contour starts where G92 X Y says, or at the end of the first
+/// - Where the machine stands before is unknown. The contour starts where G92 X Y or G10 L20 X Y says, or at the end of
+/// the first
 ///   motion if that is G0 in G90 with X and Y, else at the program's zero. It has 3 coordinates if any motion changes
 ///   Z, else 2 and one height.
 /// - G28 and G30 go to points that the options give, G53 moves in machine coordinates if the work offset in force is
@@ -35,8 +38,8 @@
 ///   on, M63 or M65 off. A program that uses both pairs cuts while both are on; both are off until they are first
 ///   switched on. A program that switches nothing on cuts whatever is not G0. Switches act before their line's motion.
 /// - F is in program units per minute; after G93 in 1/min, for its own line alone: the feed is the length that the
-///   program names, times F. Before the first F only the axes limit the feed, which is noted. Other moves than G0 keep
-///   F with the tool off.
+///   program names, times F. Before the first F only the axes limit the feed, which is noted; after G94 behind G93 a
+///   move without F is refused. Other moves than G0 keep F with the tool off.
 /// - G4 dwells, at most 86 400 s, after its line's switches and before its motion. Its time is P, else X, U, F or S,
 ///   always in seconds as LinuxCNC and GRBL have it; the note with the total shows where a program meant milliseconds.
 ///   Without a time it only stops. It is part of the cut while the tool is on; where nothing switches the tool, unless
@@ -44,24 +47,28 @@
 ///
 /// Order
 /// - Parameters #1 … #9999 and #<name>, expressions in brackets (gcode/expression.hpp). What was never set is 0 for a
-///   number, with a note, and refused for a name. #5161 … #5602 are the control's: offsets and position.
+///   number, with a note, and refused for a name. #5021 … #5029, #5161 … #5602 and names that LinuxCNC predefines
+///   (#<_x>, #<_metric>, #<_feed> …) are the control's: offsets, position, modes.
+/// - M70 saves the modes, M72 brings them back, M73 does so at the end of its subprogram (gcode/saved_modes.hpp).
 /// - O words: sub, endsub, call, return; if, elseif, else, endif; while, endwhile, do, repeat, endrepeat, break,
-///   continue. M98 P L and M99 with numbered subprograms of the same text. M99 in the main program ends it.
+///   continue. M98 P L and M99 with numbered subprograms of the same text. M99 in the main program ends it; so does the
+///   begin of a subprogram that it has called.
 /// - Reading the text once is free. Every line that is carried out again takes a step from a budget, and one more for
 ///   each 64 bytes of it; where it is used up, the program is refused at that line. At most 64 calls, 32 brackets
 ///   in one another, 10 000 names and 100 000 O words.
 ///
 /// Form: one block per line, capitals or not, blanks anywhere, also in numbers; N and O words; comments in ( ) and
-/// behind a semicolon; LF, CRLF or CR. M2, M30 or the second % end the program. A block of the contour begins where
-/// mode or feed changes.
+/// behind a semicolon; LF, CRLF or CR. M2, M30, the second % or 0x1A end the program. Exponents are read where nothing
+/// else can be meant. A block of the contour begins where mode or feed changes.
 ///
-/// Noted and left out: path control (G9, G61, G64), stops, tool changes, tool length (G43: the contour is that of the
-/// tool's tip), unknown M words, lines that begin with /, words of printers (E; M82, M104, M117, M201 and the like with
-/// all of their line; G29, G10 and G11 without L).
+/// Noted and left out: path control (G9, G61, G64), look-ahead (G5 P, G5.1 Q, G8 P), stops, tool changes, tool length
+/// (G43: the contour is that of the tool's tip), unknown M words with what stands behind them, lines that begin with /
+/// or $, words of printers (E; M82, M104, M117, M201 and the like with all of their line; G29, G10 and G11 without L).
 ///
 /// Refused, with the line: axes but X, Y and Z, arcs that are none, gouges, cutters without a radius, feed per
-/// revolution (G95), tapping and threading, probing, scaling and rotation (G50, G51, G68), polar coordinates, macros
-/// (G65, IF … GOTO), whatever is unknown. Equal faults are one, with their first line and how many more there are.
+/// revolution (G95), tapping and threading, probing, scaling and rotation (G51, G68), polar coordinates, macros
+/// (G65, IF … GOTO, those of a printer's host), coordinates behind M6, whatever is unknown. Equal faults are one, with
+/// their first line and how many more there are.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -75,6 +82,8 @@
 
 namespace bahnwerk {
 
+enum class GcodeMotion { rapid, line };
+
 struct GcodeOptions {
   double feed = std::numeric_limits<double>::infinity();  ///< before the first F, mm/s
   bool inch = false;                                      ///< units before the first G20 or G21
@@ -85,6 +94,9 @@ struct GcodeOptions {
   std::optional<Vec> g28{}, g30{};                   ///< points of the machine, mm; unset: not known
   std::map<int, double> cutter_radius{};             ///< by D number, mm; a negative one is on the other side
   std::size_t steps = 1'000'000;                     ///< budget of loops and subprograms
+  bool absolute_centres = false;                     ///< G90.1 before the first G90.1 or G91.1
+  bool g70_g71_units = false;                        ///< G70: inches, G71: mm, as older controls have them
+  std::optional<GcodeMotion> initial_motion{};       ///< before the first motion word; unset: none
 
   bool gives_offsets() const {
     return std::any_of(work_offsets.begin(), work_offsets.end(), [](const auto& one) { return one.has_value(); });

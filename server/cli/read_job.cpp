@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "api/base64.hpp"
 #include "server/cli/cli.hpp"
 
 namespace bahnwerk::server::cli {
@@ -28,7 +29,9 @@ std::string read_job(const std::string& job, const std::string& contour) {
   for (const char* form : {"start", "blocks", "points", "closed", "gcode", "dxf"}) geometry.erase(form);
   std::string kind = std::filesystem::path(contour).extension().string();
   for (char& c : kind) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  geometry[kind == ".dxf" ? "dxf" : "gcode"] = read_input(contour);
+  std::string part = read_input(contour);
+  if (kind == ".dxf" && part.starts_with("AutoCAD Binary DXF")) part = api::base64(part);  // bytes are no JSON
+  geometry[kind == ".dxf" ? "dxf" : "gcode"] = std::move(part);
   return document.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 

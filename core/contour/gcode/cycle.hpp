@@ -23,6 +23,7 @@ struct Cycle {
   int code = 0;  ///< 81 for G81; 0: none in force
   std::optional<CycleLevel> r, depth;
   std::optional<double> peck, dwell;  ///< mm, s
+  std::optional<double> clearance;    ///< P of G73 and G83, mm: how far above the last depth they feed again
   bool back_to_start = true;          ///< G98: retract to where the series began, if that is above R
   std::optional<double> start_level;  ///< along the depth axis, mm, of the series in force
 };

@@ -38,11 +38,12 @@ std::optional<CycleHole> Interpreter::cycle_words(const Line& line) {
   const bool dwells = cycle_.code == 82 || cycle_.code == 86 || cycle_.code == 89;
   if (pecks && takes(line, letters("Q"))) cycle_.peck = line['Q'] * unit_;
   if (dwells && (used_ & letters("P")) == 0 && takes(line, letters("P"))) cycle_.dwell = line['P'];
+  if (pecks && (used_ & letters("P")) == 0 && takes(line, letters("P"))) peck_word(line);
   if (!cycle_.r) fault("a canned cycle needs the retract plane R");
   if (!cycle_.depth) fault(std::string("a canned cycle needs the depth ") + depth_letter);
   if (pecks && !(cycle_.peck && *cycle_.peck > 0)) fault("G73 and G83 need the peck Q, greater than zero");
   if (dwells && !cycle_.dwell) fault("G82, G86 and G89 need the dwell P");
-  if (dwells && cycle_.dwell && !(*cycle_.dwell >= 0 && *cycle_.dwell <= longest_rest))
+  if (cycle_.dwell && !(*cycle_.dwell >= 0 && *cycle_.dwell <= longest_rest))
     fault("a dwell (P) lasts between 0 and 86400 s");
   const double repeats = line.has('L') ? line['L'] : 1;
   if (!(repeats >= 1 && repeats <= max_repeats && repeats == std::floor(repeats)))
@@ -81,9 +82,30 @@ std::optional<CycleHole> Interpreter::cycle_words(const Line& line) {
   return hole;
 }
 
+/// P of G73 and G83: for LinuxCNC how far above the last depth the tool feeds again, for other controls a dwell at the
+/// bottom. A clearance is less than the peck.
+void Interpreter::peck_word(const Line& line) {
+  cycle_.clearance.reset();
+  cycle_.dwell.reset();
+  const double value = line['P'];
+  if (value == 0) return;
+  if (value > 0 && cycle_.peck && value * unit_ < *cycle_.peck) {
+    cycle_.clearance = value * unit_;
+    note(key_peck, line,
+         "P of a peck cycle (G73, G83) taken as LinuxCNC does: how far above the last depth the tool feeds again");
+    return;
+  }
+  cycle_.dwell = value;
+  note(
+      key_peck, line,
+      "P of a peck cycle (G73, G83) is no clearance, for it is not less than the peck: taken as a dwell at the bottom");
+}
+
 void Interpreter::cycle(const Line& line) {
   const auto given = cycle_words(line);
   if (!given) return;
+  if (!fed_ && feed_lost_)
+    return fault("no feed after G94: F of inverse time (G93) holds no longer, program F per minute");
   if (!fed_) note(key_no_feed, line, "a move other than G0 without F: only the axes limit its speed");
   CycleHole hole = *given;
   const std::size_t depth = hole.axes.depth;
@@ -115,7 +137,7 @@ void Interpreter::drill(const CycleHole& hole) {
       if (pecks % 1024 == 1023) progress_.report("reading", 0);
       feed(level);
       if (cycle_.code == 83) rapid(hole.r);
-      rapid(std::min(hole.r, level + chip_break));
+      rapid(std::min(hole.r, level + cycle_.clearance.value_or(chip_break)));
     }
   }
   feed(hole.bottom);

@@ -10,6 +10,7 @@
 #include "core/contour/gcode/cycle.hpp"
 #include "core/contour/gcode/notes.hpp"
 #include "core/contour/gcode/offsets.hpp"
+#include "core/contour/gcode/saved_modes.hpp"
 #include "core/contour/gcode/words/codes.hpp"
 #include "core/contour/gcode/words/parameters.hpp"
 #include "core/contour/gcode/words/words.hpp"
@@ -19,7 +20,9 @@ namespace bahnwerk::gcode {
 /// Keys of notes: G words tenfold, M words from key_m on.
 inline constexpr int key_dwell = 40, key_reference = 280, key_m = 100'000, key_slash = 200'000, key_output = 200'001,
                      key_zero_power = 200'002, key_rest = 200'003, key_no_feed = 200'004, key_printer = 200'005,
-                     key_unset = 200'006, key_endless = 200'007;
+                     key_unset = 200'006, key_endless = 200'007, key_before = 200'008, key_controller = 200'009,
+                     key_look_ahead = 200'010, key_text_end = 200'011, key_main_end = 200'012, key_initial = 200'013,
+                     key_peck = 200'014;
 
 /// What a line asks of the order of the lines: M98, M99.
 struct Request {
@@ -43,9 +46,20 @@ class Interpreter final : public SystemParameters {
   void refuse(const Line& line, const std::string& why);
   /// M99 in the main program.
   void end(const Line& line);
+  /// The main program has no M30: a subprogram of its own begins.
+  void end_before_subprogram(const Line& line);
+  /// Calls and returns; at a return the modes come back that M73 has saved.
+  void enter_subprogram();
+  void leave_subprogram(const Line& line);
+  /// What follows 0x1A is no text.
+  void end_of_text(std::size_t line) {
+    notes_.add(key_text_end, line, "what follows 0x1A, the end of a text, is not read");
+  }
   /// No more lines come.
   void close(const Parameters::Unset& unset);
-  double system_parameter(int number) const override;
+  std::optional<double> system_parameter(int number) const override;
+  std::optional<double> predefined(std::string_view name) const override;
+  bool of_the_machine(std::string_view name) const override;
   /// The first line behind the end that is not empty.
   void rest(const Line& line);
 
@@ -57,29 +71,45 @@ class Interpreter final : public SystemParameters {
   Contour finish();
 
  private:
-  // interpreter.cpp: words and modes; switches.cpp: M words, dwells, printers
+  // interpreter.cpp: lines, feeds; g_words.cpp: G words; switches.cpp: M words, dwells, printers
   void g_words(const Line& line);
   void g_word(const Line& line, int tenfold);
+  int translated(int tenfold) const;
+  bool look_ahead(const Line& line, int tenfold);
+  void cancel(const Line& line, int tenfold);
+  void controller_line(const Line& line);
   void use_plane(Plane plane);
   void m_words(const Line& line);
   void m_word(const Line& line, int m);
   void printer_word(const Line& line, std::uint32_t words = ~0U);
+  void foreign_m(const Line& line, int m);
+  void tool_change(const Line& line);
   void dwell_time(const Line& line);
   void dwell(const Line& line);
   void rest_here(double seconds);
   void call(const Line& line);
   void feed(const Line& line);
+  void tool_words(const Line& line);
   void leftovers(const Line& line);
   void switched(bool& pair, bool on, bool& used);
   bool takes(const Line& line, std::uint32_t letters);
   void fault(const std::string& message);
   void note(int key, const Line& line, const char* text) { notes_.add(key, line.number, text); }
 
+  // modes.cpp: M70 … M73
+  void mode_words(const Line& line);
+  Modes modes() const;
+  void restore(const Modes& modes);
+  double motion_number() const;  // system_values.cpp
+
   // moves.cpp: the motion of a line
   void move(const Line& line);
   void straight(const Line& line);
   void arc(const Line& line);
-  std::optional<Vec> centre(const Line& line);
+  std::optional<Vec> centre(const Line& line, bool absolute);
+  bool agrees(const Line& line, Vec to, Vec about, ArcMove& how);
+  bool agrees_otherwise(const Line& line, Vec to) const;
+  double rounding() const;
   void spline(const Line& line);
   bool in_range(Vec at);
   bool feeds(const Line& line, double length);
@@ -92,11 +122,12 @@ class Interpreter final : public SystemParameters {
   void select_work_offset(const Line& line, int tenfold);
   void set_data(const Line& line);
   void set_position(const Line& line);
+  void stand_at(const Line& line, Vec origin);
   void compensate(const Line& line);
   std::optional<double> cutter_radius(const Line& line, bool by_diameter);
   void reference_point(const Line& line, const std::optional<Vec>& point);
   void machine_coordinates(const Line& line);
-  void leave(const Line& line, std::uint32_t axes);
+  void leave(const Line& line, std::uint32_t axes, bool given);
   void come_back(const Line& line);
   /// Before the first move the head stands where the program's zero is, whatever that becomes.
   template <class Change>
@@ -111,6 +142,7 @@ class Interpreter final : public SystemParameters {
   void cycle(const Line& line);
   std::optional<CycleHole> cycle_words(const Line& line);
   void drill(const CycleHole& hole);
+  void peck_word(const Line& line);
 
   const GcodeOptions options_;
   Progress& progress_;
@@ -120,18 +152,25 @@ class Interpreter final : public SystemParameters {
 
   // modal
   Action motion_ = Action::no_motion;
+  bool initial_ = true;  // no word of a motion yet
   Plane plane_ = Plane::xy;
   double unit_;  // mm
   bool absolute_ = true, absolute_centres_ = false;
   double feed_;                          // mm/s; with G93 1/s
   bool fed_ = false;                     // a feed is known
+  bool feed_lost_ = false;               // by G94 after G93
   bool inverse_time_ = false;            // G93
   bool spindle_ = true, output_ = true;  // on as long as the program does not use them
   bool uses_spindle_ = false, uses_output_ = false;
   std::optional<int> switch_output_;
   std::optional<Vec> last_handle_;  // of the G5 before: P Q
   Cycle cycle_;
-  int tool_ = 0;             // T
+  int tool_ = 0;  // T
+  int selected_tool_ = -1, current_tool_ = 0;
+  double speed_ = 0;  // S
+  bool clockwise_ = true, mist_ = false, flood_ = false, tool_length_ = false;
+  std::optional<Vec> g28_, g30_;
+  SavedModes saved_;
   double dwelt_ = 0;         // s, of all dwells
   std::uint32_t moved_ = 0;  // letters of the axes that moves have named
 

@@ -35,6 +35,33 @@ std::optional<Vec> centre_by_radius(Vec from, Vec to, double radius, const ArcMo
   return from + 0.5 * chord + (left ? height : -height) * aside;
 }
 
+RadiiOfArc radii_of_arc(Vec from, Vec to, Vec centre, Plane plane) {
+  const Vec n = normal(plane), a = from - centre, b = to - centre;
+  return {norm(a - dot(a, n) * n), norm(b - dot(b, n) * n)};
+}
+
+std::optional<ArcHalves> halves_of_arc(Vec from, Vec to, Vec centre, const ArcMove& how) {
+  constexpr double least = 1e-9;  // mm, of a difference of the radii
+  const Vec n = normal(how.plane);
+  const auto flat = [&](Vec v) { return v - dot(v, n) * n; };
+  const RadiiOfArc radii = radii_of_arc(from, to, centre, how.plane);
+  const double apart = radii.begin - radii.end, chord = norm(flat(to - from));
+  const double angle = swept(from, to, centre, n, how.counter_clockwise);
+  if (!(angle > std::numbers::pi) || !(chord > least) || !(radii.end > least) || !(std::abs(apart) > least)) return {};
+  // A single arc moves its centre by (r₁² − r₂²)/(2 chord).
+  if (!(radii.begin + radii.end > 2 * chord)) return {};
+  // Centres on the radii of the ends, c = d/(2 (1 + |cos θ/2|)) inwards and outwards; then both circles touch at θ/2.
+  const double shift = apart / (2 * (1 + std::abs(std::cos(angle / 2))));
+  const Vec out = flat(from - centre) / radii.begin, last = flat(to - centre) / radii.end;
+  const double half = how.counter_clockwise ? angle / 2 : -angle / 2;
+  const Vec middle = std::cos(half) * out + std::sin(half) * cross(n, out);
+  ArcHalves halves;
+  halves.first = centre + shift * out;
+  halves.second = centre - shift * last;
+  halves.middle = flat(halves.first) + (radii.begin - shift) * middle + 0.5 * (dot(from, n) + dot(to, n)) * n;
+  return halves;
+}
+
 double arc_length(Vec from, Vec to, Vec centre, const ArcMove& how) {
   const Vec n = normal(how.plane), spoke = from - centre;
   const double rise = dot(to - from, n), radius = norm(spoke - dot(spoke, n) * n);
@@ -102,7 +129,13 @@ void Mover::arc(Vec to, Vec centre, ArcMove how) {
     const double climb = exact ? dot(placed(to) - builder_.position(), n) : pitch;
     builder_.arc(builder_.position() + climb * n, placed(centre), how.counter_clockwise, n, how.tolerance);
   }
-  if (!full) builder_.arc(placed(to), placed(centre), how.counter_clockwise, n, how.tolerance);
+  if (full) return;
+  if (const auto halves = halves_of_arc(builder_.position(), placed(to), placed(centre), how)) {
+    builder_.arc(halves->middle, halves->first, how.counter_clockwise, n, how.tolerance);
+    builder_.arc(placed(to), halves->second, how.counter_clockwise, n, how.tolerance);
+  } else {
+    builder_.arc(placed(to), placed(centre), how.counter_clockwise, n, how.tolerance);
+  }
 }
 
 void Mover::spline(Vec to, Vec first, std::optional<Vec> second) {

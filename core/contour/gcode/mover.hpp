@@ -19,6 +19,21 @@ struct ArcMove {
 
 /// Centre of an arc of |radius|, negative for more than half a turn; none, with the reason in `why`, if there is none.
 std::optional<Vec> centre_by_radius(Vec from, Vec to, double radius, const ArcMove& how, const char*& why);
+/// Distances of an arc's ends from its centre, in its plane, mm.
+struct RadiiOfArc {
+  double begin, end;
+};
+RadiiOfArc radii_of_arc(Vec from, Vec to, Vec centre, Plane plane);
+
+/// An arc of more than half a turn whose radii differ, as two arcs: they begin and end square to the radii at the ends
+/// and meet in the middle with one tangent. Both stay within the difference of the radii from the spiral between them,
+/// where a single arc would move its centre far to reach both ends.
+struct ArcHalves {
+  Vec middle, first, second;  ///< where they meet (at the mean height), and their centres
+};
+/// None where a single arc moves its centre by less than the difference of the radii.
+std::optional<ArcHalves> halves_of_arc(Vec from, Vec to, Vec centre, const ArcMove& how);
+
 /// mm, all turns of a helix together.
 double arc_length(Vec from, Vec to, Vec centre, const ArcMove& how);
 

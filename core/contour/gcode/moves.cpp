@@ -1,4 +1,5 @@
 // The motion words of a line: where it goes and how.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -44,7 +45,7 @@ void Interpreter::move(const Line& line) {
   if (setting_) {
     const Action action = meaning(*setting_).action;
     if (action == Action::machine_coordinates) machine_coordinates(line);
-    if (action == Action::reference_point) reference_point(line, *setting_ == 280 ? options_.g28 : options_.g30);
+    if (action == Action::reference_point) reference_point(line, *setting_ == 280 ? g28_ : g30_);
     return;
   }
   const std::uint32_t own = motion_ == Action::cubic                                  ? letters("XYZIJPQ")
@@ -57,8 +58,15 @@ void Interpreter::move(const Line& line) {
   }
   if (motion_ == Action::no_motion) {
     takes(line, own);
-    return fault("coordinates without a motion: none of G0 … G3, G5, G5.1 is in force");
+    return fault(initial_
+                     ? "coordinates before any motion word: none of G0 … G3, G5, G5.1 is in force; initial_motion of "
+                       "the document can say which is at the begin"
+                     : "coordinates without a motion: none of G0 … G3, G5, G5.1 is in force");
   }
+  if (initial_)
+    note(key_initial, line,
+         motion_ == Action::rapid ? "coordinates before any motion word: G0, as initial_motion says"
+                                  : "coordinates before any motion word: G1, as initial_motion says");
   if (away_ != 0) return come_back(line);
   if (motion_ != Action::cubic) last_handle_.reset();
   // What follows a fault in the line shall only keep track of the place.
@@ -72,6 +80,10 @@ void Interpreter::move(const Line& line) {
 bool Interpreter::feeds(const Line& line, double length) {
   if (!fed_ && inverse_time_) {
     fault("a move in inverse time (G93) needs its own F");
+    return false;
+  }
+  if (!fed_ && feed_lost_) {
+    fault("no feed after G94: F of inverse time (G93) holds no longer, program F per minute");
     return false;
   }
   if (!fed_) note(key_no_feed, line, "a move other than G0 without F: only the axes limit its speed");
@@ -104,7 +116,7 @@ void Interpreter::straight(const Line& line) {
 void Interpreter::arc(const Line& line) {
   const auto to = target(line);
   if (!to) return;
-  ArcMove how{plane_, motion_ == Action::arc_ccw, 1, unit_ == 1 ? 0.01 : 0.0005 * unit_};
+  ArcMove how{plane_, motion_ == Action::arc_ccw, 1, rounding()};
   if ((used_ & letters("P")) == 0 && takes(line, letters("P"))) {
     const double turns = line['P'];
     if (!(turns >= 1 && turns <= max_turns && turns == std::floor(turns)))
@@ -117,25 +129,61 @@ void Interpreter::arc(const Line& line) {
   if (!by_centre && !by_radius) fault("an arc needs a radius R or a centre I, J, K");
   if (!sound_) return mover_.line(*to);
   const char* why = nullptr;
-  const auto about = by_radius ? centre_by_radius(mover_.position(), *to, line['R'] * unit_, how, why) : centre(line);
+  const auto about = by_radius ? centre_by_radius(mover_.position(), *to, line['R'] * unit_, how, why)
+                               : centre(line, absolute_centres_);
   if (why != nullptr) fault(why);
+  if (about && by_centre && !agrees(line, *to, *about, how)) return mover_.line(*to);
   const double length = inverse_time_ && about ? arc_length(mover_.position(), *to, *about, how) : 0;
   if (about && feeds(line, length)) return mover_.arc(*to, *about, how);
   mover_.line(*to);
 }
 
-std::optional<Vec> Interpreter::centre(const Line& line) {
+/// mm, by which radii may differ whatever their size: coordinates cut off behind their fourth decimal.
+double Interpreter::rounding() const { return unit_ == 1 ? 0.01 : 0.0005 * unit_; }
+
+/// Whether the radii at both ends agree, as LinuxCNC demands: to 0.1 % of the radius, 0.5 mm or 0.05 in at most. `how`
+/// gets the tolerance.
+bool Interpreter::agrees(const Line& line, Vec to, Vec about, ArcMove& how) {
+  constexpr double relative = 1e-3, wildly = 0.2;
+  const double most = unit_ == 1 ? 0.5 : 0.05 * unit_;
+  const RadiiOfArc radii = radii_of_arc(mover_.position(), to, about, how.plane);
+  const double largest = std::max(radii.begin, radii.end), apart = std::abs(radii.begin - radii.end);
+  how.tolerance = std::max(rounding(), std::min(most, relative * largest));
+  if (apart <= how.tolerance) return true;
+  std::string what = "the arc's radii at start and end differ by more than the tolerance";
+  if (apart > wildly * largest || agrees_otherwise(line, to))
+    what += absolute_centres_ ? ": is its centre relative to the start (G91.1, or arc_centers of the document)?"
+                              : ": is its centre absolute (G90.1, or arc_centers \"absolute\" of the document)?";
+  fault(what);
+  return false;
+}
+
+/// Whether the radii would agree if the centre were absolute where it is relative, or the other way round.
+bool Interpreter::agrees_otherwise(const Line& line, Vec to) const {
+  const std::size_t normal = plane_ == Plane::xy ? 2 : plane_ == Plane::zx ? 1 : 0;
+  const Vec from = mover_.position(), zero = absolute_centres_ ? from : offsets_.origin();
+  Vec about = from;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (k == normal) continue;
+    if (!line.has("IJK"[k])) return false;
+    about[k] = zero[k] + line["IJK"[k]] * unit_;
+  }
+  const RadiiOfArc radii = radii_of_arc(from, to, about, plane_);
+  return std::abs(radii.begin - radii.end) <= std::max(rounding(), 1e-3 * radii.begin);
+}
+
+std::optional<Vec> Interpreter::centre(const Line& line, bool absolute) {
   const std::size_t normal = plane_ == Plane::xy ? 2 : plane_ == Plane::zx ? 1 : 0;
   const Vec origin = offsets_.origin();
   Vec centre = mover_.position();
   for (std::size_t k = 0; k < 3; ++k) {
     const char letter = "IJK"[k];
     if (k == normal) {
-      if (line.has(letter) && line[letter] != 0 && !absolute_centres_)
+      if (line.has(letter) && line[letter] != 0 && !absolute)
         fault(std::string("the centre's ") + letter + " points out of the arc's plane");
     } else if (line.has(letter)) {
-      centre[k] = line[letter] * unit_ + (absolute_centres_ ? origin[k] : centre[k]);
-    } else if (absolute_centres_) {
+      centre[k] = line[letter] * unit_ + (absolute ? origin[k] : centre[k]);
+    } else if (absolute) {
       fault(std::string("an absolute centre (G90.1) needs ") + letter + " too");
     }
   }

@@ -28,6 +28,7 @@ class Offsets {
   Vec work(std::size_t index) const { return work_[index]; }
   bool known(std::size_t index) const { return known_[index]; }  ///< by the document or by the program, else zero
   Vec local() const { return on_ ? local_ : Vec{}; }
+  bool shifted() const { return on_; }  ///< by G52 or G92
 
   void select(std::size_t index) { active_ = index, update(); }
   void set_work(std::size_t index, Vec at) { work_[index] = at, known_[index] = true, update(); }

@@ -22,6 +22,8 @@ std::uint32_t axes_of(const Line& line) {
 constexpr const char* left_out =
     "move to a point of the machine (G28, G30, G53) left out, the document does not say where that is; between other "
     "moves the head stops and goes on from where it stood";
+constexpr const char* before =
+    "move to a point of the machine (G28, G30, G53) left out: where the head stands before the first move is not known";
 
 }  // namespace
 
@@ -69,8 +71,12 @@ void Interpreter::set_position(const Line& line) {
       if (line.has(axis_letters[k])) local[k] = free[k] - line[axis_letters[k]] * unit_;
     return offsets_.set_local(local);
   }
-  // Nothing has moved yet: that is where the contour begins.
-  const Vec place = named(line, at, offsets_.origin());
+  stand_at(line, offsets_.origin());
+}
+
+/// Nothing has moved yet: that is where the contour begins.
+void Interpreter::stand_at(const Line& line, Vec origin) {
+  const Vec place = named(line, mover_.position(), origin);
   if (!in_range(place)) return;
   if (line.has('X') && line.has('Y'))
     mover_.start(place);
@@ -80,7 +86,11 @@ void Interpreter::set_position(const Line& line) {
 
 /// G10 L2: a work offset; L20: the one with which the head stands at these coordinates.
 void Interpreter::set_data(const Line& line) {
-  if (!takes(line, letters("L"))) return printer_word(line);  // their G10 retracts the filament
+  if (!takes(line, letters("L"))) {
+    if (line.any(letters("PRXYZ")) && !line.has('S'))
+      return fault("G10 without L: only L2 and L20, work offsets, are supported");
+    return printer_word(line);  // their G10 retracts the filament
+  }
   takes(line, axes | letters("P"));
   const double form = line['L'], number = line.has('P') ? line['P'] : 0;
   if (form != 2 && form != 20) return fault("G10: only L2 and L20, work offsets, are supported");
@@ -90,7 +100,8 @@ void Interpreter::set_data(const Line& line) {
   const std::size_t index = number == 0 ? offsets_.active() : static_cast<std::size_t>(number) - 1;
   Vec work = offsets_.work(index);
   const Vec free = mover_.position() - offsets_.local();
-  if (form == 20 && !mover_.started()) return fault("G10 L20: where the head stands is unknown before the first move");
+  // Before the first move it tells where the head stands, not where the zero is.
+  if (form == 20 && !mover_.started()) return stand_at(line, work + offsets_.local());
   for (std::size_t k = 0; k < 3; ++k)
     if (line.has(axis_letters[k]))
       work[k] = form == 2 ? line[axis_letters[k]] * unit_ : free[k] - line[axis_letters[k]] * unit_;
@@ -101,7 +112,11 @@ void Interpreter::set_data(const Line& line) {
 void Interpreter::reference_point(const Line& line, const std::optional<Vec>& point) {
   const bool some = takes(line, axes);
   const std::uint32_t list = some ? axes_of(line) : axes;
-  if (!point || !mover_.started()) return leave(line, list);
+  if (line.bare) {
+    note(key_printer, line, "words of printers (E, M82, M104, G29 …) skipped: only the head's motion is planned");
+    takes(line, ~0U);
+  }
+  if (!point || !mover_.started()) return leave(line, list, point.has_value());
   if (some && !line.bare)
     if (const auto way = target(line)) rapid_to(*way);
   Vec to = mover_.position();
@@ -114,7 +129,8 @@ void Interpreter::reference_point(const Line& line, const std::optional<Vec>& po
 void Interpreter::machine_coordinates(const Line& line) {
   if (!takes(line, axes)) return;
   const std::uint32_t list = axes_of(line);
-  if (!offsets_.known(offsets_.active()) || !mover_.started()) return leave(line, list);
+  const bool known = offsets_.known(offsets_.active());
+  if (!known || !mover_.started()) return leave(line, list, known);
   if (motion_ != Action::rapid && motion_ != Action::line) return fault("G53 needs G0 or G1");
   if (!absolute_) return fault("G53 needs absolute coordinates (G90)");
   const Vec to = named(line, mover_.position(), {});
@@ -125,12 +141,26 @@ void Interpreter::machine_coordinates(const Line& line) {
 }
 
 /// The axes of a head that goes where nobody knows. Axes that never moved stand where the contour supposes them.
-void Interpreter::leave(const Line& line, std::uint32_t list) {
-  note(key_reference, line, left_out);
+void Interpreter::leave(const Line& line, std::uint32_t list, bool given) {
+  note(given ? key_before : key_reference, line, given ? before : left_out);
   if (!mover_.started()) return;
   if (away_ == 0) back_ = mover_.position();
   if ((list & moved_) != 0) away_line_ = line.number;
   away_ |= list & moved_;
+}
+
+/// A line that begins with $: GRBL's controllers set and do something beside the program.
+void Interpreter::controller_line(const Line& line) {
+  constexpr std::size_t longest = 24;
+  std::string shown;
+  for (const char c : line.controller.substr(0, longest)) {
+    if (c <= ' ' || c > '~' || c == ';') break;
+    shown += c;
+  }
+  if (shown.size() > 1 && (shown[1] == 'J' || shown[1] == 'j'))
+    return fault("a jog ($J) moves the head beside the program: program it as a move");
+  note(key_controller, line, (shown + ": a command of the controller, left out").c_str());
+  if (shown.size() > 1 && (shown[1] == 'H' || shown[1] == 'h') && mover_.started()) leave(line, axes, false);
 }
 
 /// While axes are away their places are collected; when all are known again the head goes there: up, across, down, the
@@ -205,22 +235,6 @@ void Interpreter::compensate(const Line& line) {
   if (away_ != 0)
     return fault("where cutter radius compensation begins is unknown after a move to a point of the machine");
   if (std::abs(aside) > 0) mover_.begin(aside);
-}
-
-/// Positions and offsets as RS274NGC (3.2.1) and LinuxCNC number them; mm, the position in the program's units.
-double Interpreter::system_parameter(int number) const {
-  const auto of = [&](int first, Vec at) { return at[static_cast<std::size_t>(number - first)]; };
-  const auto within = [&](int first) { return number >= first && number < first + 3; };
-  if (within(5161)) return of(5161, options_.g28.value_or(Vec{}));
-  if (within(5181)) return of(5181, options_.g30.value_or(Vec{}));
-  if (within(5211)) return of(5211, offsets_.local());
-  if (number == 5220) return static_cast<double>(offsets_.active() + 1);
-  if (within(5420)) return of(5420, mover_.position() - offsets_.origin()) / unit_;
-  constexpr int first_work = 5221, apart = 20;
-  const int index = (number - first_work) / apart, first = first_work + apart * index;
-  return number >= first_work && index < static_cast<int>(work_offsets) && within(first)
-             ? of(first, offsets_.work(static_cast<std::size_t>(index)))
-             : 0;
 }
 
 }  // namespace bahnwerk::gcode

@@ -8,11 +8,6 @@
 namespace bahnwerk::gcode {
 namespace {
 
-std::string m_name(int m) {
-  std::string text(1, 'M');
-  return text += std::to_string(m);
-}
-
 constexpr const char* printer_text =
     "words of printers (E, M82, M104, G29 …) skipped: only the head's motion is planned";
 
@@ -75,15 +70,44 @@ void Interpreter::m_word(const Line& line, int m) {
     case 4:
     case 5:
       if (m == 5 && (with(3) || with(4))) return fault("M5 contradicts another M word of the line");
+      clockwise_ = m == 3 || (m == 5 && clockwise_);
       return switched(spindle_, m != 5, uses_spindle_);
     case 6:
-      return note(key_m + 6, line, "tool change (M6) ignored");
+      return tool_change(line);
     case 7:
     case 8:
-    case 9:  // coolant
-    case 48:
-    case 49:  // overrides
+    case 9:
+      mist_ = m == 7 || (m == 8 && mist_);
+      flood_ = m == 8 || (m == 7 && flood_);
       return;
+    case 19:
+      takes(line, letters("RPQ"));
+      return note(key_m + 19, line, "orientation of the spindle (M19) ignored");
+    case 48:
+    case 49:
+    case 50:
+    case 51:
+    case 52:
+    case 53:  // overrides
+      takes(line, letters("P"));
+      return;
+    case 61:
+      if (takes(line, letters("Q")) && line['Q'] >= 0 && line['Q'] <= 999'999)
+        tool_ = current_tool_ = static_cast<int>(line['Q']);
+      return note(key_m + 6, line, "tool change (M6, M61) ignored");
+    case 66:
+      takes(line, letters("PELQ"));
+      return note(key_m + 66, line, "wait for an input (M66) ignored");
+    case 67:
+    case 68:
+      takes(line, letters("EQ"));
+      return note(key_m + 67, line, "analog output (M67, M68) ignored: it does not switch the tool");
+    case 70:
+    case 71:
+    case 72:
+      return;  // mode_words
+    case 73:
+      return line.any(letters("PQRS")) ? printer_word(line, letters("PQRST")) : void();
     case 62:
     case 63:
     case 64:
@@ -104,10 +128,26 @@ void Interpreter::m_word(const Line& line, int m) {
       request_.back = true;
       return;
     default:
-      if (printer_m(m)) return printer_word(line);
-      unknown_m_ = true;
-      return note(key_m + m, line, (m_name(m) + " is not known and ignored").c_str());
+      return foreign_m(line, m);
   }
+}
+
+/// Its words are its own (Lines), whatever they are.
+void Interpreter::foreign_m(const Line& line, int m) {
+  unknown_m_ = true;
+  if (printer_m(whole_m(m))) return note(key_printer, line, printer_text);
+  const bool words = line.foreign != 0 || line.text;
+  const int key = key_m + (m < 0 ? 100'000 - m : m);
+  note(key, line, (m_name(m) + " is not known and ignored" + (words ? ", what follows it too" : "")).c_str());
+}
+
+/// Where the head goes to change its tool is the machine's affair; a motion in force does not take coordinates there.
+void Interpreter::tool_change(const Line& line) {
+  current_tool_ = tool_;
+  const auto last = line.g.begin() + static_cast<std::ptrdiff_t>(line.g_count);
+  if ((line.behind_m6 & letters("XYZIJKR")) != 0 && std::none_of(line.g.begin(), last, takes_words))
+    return fault("coordinates behind a tool change (M6): program the move in a line of its own, or with its G word");
+  note(key_m + 6, line, "tool change (M6) ignored");
 }
 
 void Interpreter::call(const Line& line) {

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <set>
 
+#include "api/base64.hpp"
 #include "api/setpoints.hpp"
 #include "core/base/errors.hpp"
 #include "tests/api/checked.hpp"
@@ -142,6 +143,41 @@ TEST(ContourInput, ReadsWhatAPartProgramNeeds) {
   spec["contour"] = {{"gcode", "G1 X1\no1 repeat [11]\nX#1\no1 endrepeat"}, {"steps", 20}};
   EXPECT_NO_THROW(geometry(spec));
   spec["contour"]["steps"] = 19;
+  EXPECT_THROW(geometry(spec), InvalidInput);
+}
+
+TEST(ContourInput, TheDocumentSaysHowAPartProgramIsMeant) {
+  json spec;
+  spec["contour"] = {{"gcode", "G0 X30 Y10\nG3 X20 Y20 I20 J10"}, {"arc_centers", "absolute"}};
+  EXPECT_NEAR(geometry(spec).path.length(), 5 * std::numbers::pi, 1e-12);
+  spec["contour"]["arc_centers"] = "relative";
+  EXPECT_THROW(geometry(spec), InvalidInput);
+  spec["contour"] = {{"gcode", "G70 G1 X1\nG71 X20"}, {"g70_g71", "units"}};
+  EXPECT_NEAR(geometry(spec).path.length(), 25.4 + 5.4, 1e-12);
+  spec["contour"].erase("g70_g71");
+  EXPECT_THROW(geometry(spec), InvalidInput);
+  for (const char* word : {"G0", "G1"}) {
+    spec["contour"] = {{"gcode", "X4 Y3\nG1 X8"}, {"initial_motion", word}};
+    EXPECT_EQ(geometry(spec).path.length(), word[1] == '0' ? 4 : 9);  // a first G0 tells where the contour begins
+  }
+}
+
+TEST(ContourInput, HatchesAndBinaryDrawings) {
+  json spec;
+  const std::string square =
+      "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n9\n11\n12\n0\nHATCH\n8\n0\n91\n1\n92\n2\n72\n0\n73\n1\n93\n4\n10\n0"
+      "\n20\n0\n"
+      "10\n4\n20\n0\n10\n4\n20\n4\n10\n0\n20\n4\n97\n0\n0\nENDSEC\n0\nEOF\n";
+  spec["contour"] = {{"dxf", square}};
+  EXPECT_EQ(geometry(spec).blocks.size(), 1u);
+  spec["contour"]["hatch"] = "cut";
+  EXPECT_EQ(geometry(spec).blocks.size(), 3u);
+  // A line from 0 to 8 in a binary file of one byte per group code.
+  std::string bytes(
+      "AutoCAD Binary DXF\r\n\x1A\0\0SECTION\0\2ENTITIES\0\0LINE\0\x0B\0\0\0\0\0\0\x20\x40\0ENDSEC\0\0EOF\0", 69);
+  spec["contour"] = {{"dxf", base64(bytes)}};
+  EXPECT_EQ(geometry(spec).path.length(), 8);
+  spec["contour"]["dxf"] = base64(bytes) + "?";
   EXPECT_THROW(geometry(spec), InvalidInput);
 }
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -277,6 +278,55 @@ TEST(DxfTags, LineEndsMarksAndComments) {
   EXPECT_NEAR(read_dxf("  0\nSECTION\n  2\nENTITIES\n  0\nLINE\n 10\n +1.0E+00 \n 20\n\t0\n 11\n .5e1\n  0\nENDSEC\n")
                   .path.length(),
               4, 0);
+}
+
+TEST(DxfTags, WhatFollowsTheEndIsNotRead) {
+  const std::string text = drawing([](DxfText& t) { t.line(0, 0, 4, 0); });
+  for (const std::string& end : {std::string("\x1A"), std::string("\r\n\x1A\0\0\n", 6), std::string("\n\n")}) {
+    const Contour c = read_dxf(text + end);
+    EXPECT_EQ(cut_length(c), 4);
+    EXPECT_TRUE(c.notes.empty());
+  }
+  for (const char* end : {"made by hand\n", "0\nSECTION\n", "7\n"}) {
+    const Contour c = read_dxf(text + end);
+    EXPECT_EQ(cut_length(c), 4) << end;
+    EXPECT_TRUE(noted(c, "what follows EOF in line ")) << end;
+  }
+  // The mark of the end in place of EOF.
+  const Contour c = read_dxf(text.substr(0, text.rfind("0\nEOF")) + "\x1A");
+  EXPECT_EQ(cut_length(c), 4);
+  EXPECT_TRUE(noted(c, "does not end with EOF"));
+}
+
+TEST(DxfTags, LinesMayEndWithCarriageReturnsAlone) {
+  std::string text = drawing([](DxfText& t) { t.line(0, 0, 4, 0); });
+  std::replace(text.begin(), text.end(), '\n', '\r');
+  EXPECT_EQ(cut_length(read_dxf(text)), 4);
+}
+
+TEST(DxfDrawing, CurvesWithoutLengthAreDroppedWithANote) {
+  const Contour c = read([](DxfText& t) {
+    t.line(0, 0, 6, 0).circle(1, 1, 0).arc(2, 2, 0, 0, 90);
+    t.tag(0, "ELLIPSE", 8, "0", 10, 0, 20, 0, 11, 0, 21, 0, 40, 1).polyline({{{3, 3, 0}}}, true);
+  });
+  EXPECT_EQ(cut_length(c), 6);
+  EXPECT_TRUE(noted(c, "dropped: 4 curves without length (first in line "));
+  EXPECT_TRUE(
+      noted(read([](DxfText& t) { t.line(0, 0, 6, 0).circle(1, 1, 0); }), "dropped: 1 curve without length (line "));
+  EXPECT_EQ(faults(drawing([](DxfText& t) { t.circle(0, 0, -1); })).size(), 1u);
+}
+
+TEST(DxfDrawing, LayersThatAreNotPlottedAreSkippedUnlessAskedFor) {
+  DxfText text;
+  text.unit(4).section("TABLES").tag(0, "TABLE", 2, "LAYER", 70, 2);
+  text.tag(0, "LAYER", 2, "Guides", 70, 0, 62, 7, 290, 0, 0, "LAYER", 2, "Cut", 70, 0, 62, 7, 290, 1, 0, "ENDTAB")
+      .end();
+  text.section("ENTITIES").line(0, 0, 3, 0, "Cut").line(0, 9, 5, 9, "GUIDES").end();
+  const std::string file = text.eof();
+  const Contour c = read_dxf(file);
+  EXPECT_EQ(cut_length(c), 3);
+  EXPECT_TRUE(noted(c, "skipped: on a layer that is not plotted, \"GUIDES\""));
+  EXPECT_EQ(cut_length(read_dxf(file, {.layers = {"guides"}})), 5);
 }
 
 TEST(DxfTags, BrokenFilesAreRefusedWithALine) {

@@ -8,7 +8,11 @@ namespace bahnwerk::gcode {
 namespace {
 
 struct NoSystem final : SystemParameters {
-  double system_parameter(int number) const override { return number; }
+  std::optional<double> system_parameter(int number) const override { return number; }
+  std::optional<double> predefined(std::string_view name) const override {
+    return name == "_x" ? std::optional(7.0) : std::nullopt;
+  }
+  bool of_the_machine(std::string_view name) const override { return name == "_task"; }
 };
 
 double value(const std::string& text) {

@@ -59,7 +59,17 @@ std::string mutated(std::string text, Random& random) {
                                "G10 L2 P1",  "D3",
                                "G41.1",      "MOD",
                                "**",         "ATAN[1]/[2]",
-                               "<_value>"};
+                               "<_value>",   "M70",
+                               "M72",        "M73",
+                               "e-3",        "E-05",
+                               "$H",         "$0",
+                               "M666 X1",    "M862.3 P \"a b\"",
+                               "G5.1 Q1",    "G28 W",
+                               "#<_x>",      "\x1A",
+                               "(a (b) c)",  "M6",
+                               "G10 L20 P2", "G28.1",
+                               "G50",        "H2",
+                               "G83 P1"};
   for (std::uint64_t n = 1 + random.below(2); n > 0; --n) {
     const std::size_t at = random.below(text.size() + 1);
     switch (random.below(5)) {

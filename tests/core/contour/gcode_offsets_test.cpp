@@ -126,10 +126,46 @@ TEST(GcodeOffsets, FromAnUnknownPlaceNothingIsCut) {
   EXPECT_EQ(fault_lines("F60 G0 X0 Y0\nG1 X5\nG53 G0 X0\nG81 X5 Z1 R2"), (std::vector{4}));
 }
 
+TEST(GcodeOffsets, G10L20BeforeTheFirstMoveTellsWhereTheHeadStands) {
+  // As G92 there: the contour begins at the place, the zero stays.
+  const Contour c = read_gcode("F60 G10 L20 P1 X3 Y4 Z5\nG0 X9 Y4\nG1 X20");
+  EXPECT_EQ(begin_of(c), (Vec{3, 4, 0}));
+  EXPECT_EQ(c.height, 5);
+  EXPECT_EQ(end_of(c), (Vec{20, 4, 0}));
+  EXPECT_EQ(c.path.length(), 17);
+  // An offset of the document is kept; P0 is the one in force.
+  const Contour placed = read_gcode("F60 G10 L20 P0 X3 Y4 Z0\nG1 X5 Y4 Z0", with_offsets());
+  EXPECT_EQ(begin_of(placed), (Vec{103, 4, 0}));
+  EXPECT_EQ(end_of(placed), (Vec{105, 4, 0}));
+  // One that is selected later.
+  const Contour later = read_gcode("F60 G10 L20 P2 X1 Y2 Z3\nG55\nG1 X5", with_offsets());
+  EXPECT_EQ(begin_of(later), (Vec{1, 202, 0}));
+  EXPECT_EQ(end_of(later), (Vec{5, 202, 0}));
+}
+
+TEST(GcodeOffsets, APointOfTheDocumentBeforeTheFirstMove) {
+  GcodeOptions options;
+  options.g28 = Vec{0, 0, 50};
+  const Contour c = read_gcode("G91 G28 Z0\nG90 F60\nG0 X1 Y2 Z9\nG1 Z5", options);
+  ASSERT_EQ(c.notes.size(), 1u);
+  EXPECT_EQ(c.notes[0],
+            "line 1: move to a point of the machine (G28, G30, G53) left out: where the head stands before the first "
+            "move is not known");
+  EXPECT_TRUE(noted(read_gcode("G91 G28 Z0\nG90 F60\nG0 X1 Y2\nG1 X5"), "the document does not say where that is"));
+}
+
+TEST(GcodeOffsets, G28_1StoresThePlace) {
+  const Contour c = read_gcode("F60 G0 X1 Y2\nG1 X5\nG28.1\nX9 Y9\nG28\nG1 X6");
+  EXPECT_EQ(end_of(c.path[2]), (Vec{5, 2, 0}));
+  EXPECT_EQ(end_of(c), (Vec{6, 2, 0}));
+  EXPECT_TRUE(c.notes.empty());
+}
+
 TEST(GcodeOffsets, WhatIsRefused) {
   EXPECT_EQ(fault_lines("G1 X1\nG53 G1 G91 X5", with_offsets()), (std::vector{2}));
   EXPECT_EQ(fault_lines("G1 X1\nG3 X2 R5\nG53 X5", with_offsets()), (std::vector{3}));
-  EXPECT_EQ(fault_lines("G10 L20 P1 X5\nG1 X1"), (std::vector{1}));
+  EXPECT_EQ(fault_lines("G10 L20 P10 X5\nG1 X1"), (std::vector{1}));
+  EXPECT_EQ(fault_lines("G28.1\nG1 X1"), (std::vector{1}));
   EXPECT_EQ(fault_lines("G20 G52 X999999999\nG1 X1 Y1\nG92 X-999999999\nX1"), (std::vector{2}));
 }
 

@@ -1,6 +1,7 @@
 #include "core/contour/gcode.hpp"
 
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 #include "tests/core/contour/gcode_support.hpp"
@@ -95,9 +96,55 @@ TEST(Gcode, RoundedCentresMoveToTheBisector) {
 
 TEST(Gcode, InchesRoundMore) {
   // 0.0118 mm between the radii: too much in mm, within 0.0005 in.
-  EXPECT_EQ(read_gcode("G20 G0 X1 Y0\nG3 X0 Y1.000465 I-1 J0").path.size(), 1u);
-  EXPECT_EQ(fault_lines("G20 G0 X1 Y0\nG3 X0 Y1.00052 I-1 J0"), (std::vector{2}));
-  EXPECT_EQ(fault_lines("G21 G0 X25.4 Y0\nG3 X0 Y25.4118 I-25.4 J0"), (std::vector{2}));
+  EXPECT_EQ(read_gcode("G20 G0 X.1 Y0\nG3 X0 Y.100465 I-.1 J0").path.size(), 1u);
+  EXPECT_EQ(fault_lines("G20 G0 X.1 Y0\nG3 X0 Y.10052 I-.1 J0"), (std::vector{2}));
+  EXPECT_EQ(fault_lines("G21 G0 X2.54 Y0\nG3 X0 Y2.5518 I-2.54 J0"), (std::vector{2}));
+}
+
+TEST(Gcode, LargeArcsRoundByAThousandthOfTheirRadius) {
+  // A quarter of radius 40, its end 0.038 mm too far: 0.095 %.
+  const Contour c = read_gcode("G0 X40 Y0\nG3 X0 Y40.038 I-40");
+  EXPECT_NEAR(c.path.length(), 20.0095 * pi, 0.01);
+  expect_near(end_of(c), {0, 40.038, 0});
+  EXPECT_EQ(fault_lines("G0 X40 Y0\nG3 X0 Y40.042 I-40"), (std::vector{2}));
+  // Half a millimetre is too much for any radius.
+  EXPECT_EQ(read_gcode("G0 X900 Y0\nG3 X0 Y900.49 I-900").path.size(), 1u);
+  EXPECT_EQ(fault_lines("G0 X900 Y0\nG3 X0 Y900.51 I-900"), (std::vector{2}));
+  EXPECT_EQ(read_gcode("G20 G0 X90 Y0\nG3 X0 Y90.049 I-90").path.size(), 1u);
+  EXPECT_EQ(fault_lines("G20 G0 X90 Y0\nG3 X0 Y90.051 I-90"), (std::vector{2}));
+}
+
+/// Largest distance of the contour's points from the spiral r(φ) between two radii about the centre, mm.
+double off_the_spiral(const Contour& c, Vec centre, double begin, double end, double sweep) {
+  double worst = 0, angle = 0;
+  Vec last = begin_of(c) - centre;
+  for (int i = 0; i <= 2000; ++i) {
+    const Vec now = c.path.at(c.path.length() * i / 2000).value - centre;
+    angle += std::atan2(cross(last, now).z, dot(last, now));
+    last = now;
+    worst = std::max(worst, std::abs(norm(now) - (begin + (end - begin) * angle / sweep)));
+  }
+  EXPECT_NEAR(angle, sweep, 1e-9);
+  return worst;
+}
+
+TEST(Gcode, NearlyFullArcsWithRadiiThatDifferStayOnTheirSpiral) {
+  // 340° about (0, 0), from radius 30 to 30.02: one arc through both ends would have its centre 0.06 mm away.
+  const double a = 340 * pi / 180;
+  char text[120];
+  std::snprintf(text, sizeof text, "G0 X30 Y0\nG3 X%.12f Y%.12f I-30", 30.02 * std::cos(a), 30.02 * std::sin(a));
+  const Contour c = read_gcode(text);
+  ASSERT_EQ(c.path.size(), 2u);
+  EXPECT_LT(off_the_spiral(c, {}, 30, 30.02, a), 0.01);
+  EXPECT_NEAR(c.path.length(), 30.01 * a, 1e-4);
+  const Vec out = arc_of(c.path[0]).at(1).d1, in = arc_of(c.path[1]).at(0).d1;
+  EXPECT_LT(norm(cross(out, in)) / (norm(out) * norm(in)), 1e-12);  // one tangent where they meet
+  // As small as those that arcs fitted to chords leave.
+  const Contour small = read_gcode("G0 X5 Y5\nG1 X5.02 F60\nG2 X5.026 Y4.995 I0.01 J0.004");
+  const double r = std::hypot(0.01, 0.004), s = std::hypot(0.004, 0.009);
+  const double turned = 2 * pi - std::atan2(-0.009, -0.004) + std::atan2(-0.004, -0.01);
+  EXPECT_NEAR(small.path.length() - 0.02, 0.5 * (r + s) * turned, 1e-9);
+  EXPECT_EQ(end_of(small).x, 5.026);
 }
 
 TEST(Gcode, Helices) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/contour/builder.hpp"
+#include "core/contour/dxf/read/binary.hpp"
 #include "core/contour/dxf/read/entity.hpp"
 #include "core/contour/dxf/read/file.hpp"
 #include "core/contour/dxf/read/layers.hpp"
@@ -82,8 +83,9 @@ class Reader {
     while (faults_.size() < max_faults && tags_.next(record) && record.type != "ENDSEC" && record.type != "ENDBLK" &&
            record.type != "EOF") {
       count();
-      Entity entity;
-      if (parse(record, true, entity)) draw(std::move(entity), to_mm, {}, 0);
+      std::vector<Entity> parts;
+      parse(record, true, parts);
+      for (Entity& entity : parts) draw(std::move(entity), to_mm, {}, 0);
     }
   }
 
@@ -120,8 +122,11 @@ class Reader {
   /// Every step of the work, so that neither cancelling nor blocks in blocks in blocks take long.
   void count() { tags_.progress().work(4); }
 
-  /// False for what is not drawn at all. Faults are collected, but not those in what the top level does not show.
-  bool parse(const DxfRecord& record, bool top, Entity& entity) {
+  bool has_curves(std::string_view type) const { return dxf_has_curves(type) || (type == "HATCH" && reading_.hatch); }
+
+  /// Adds what is drawn. Faults are collected, but not those in what the top level does not show.
+  void parse(const DxfRecord& record, bool top, std::vector<Entity>& parts) {
+    Entity entity;
     entity.type = record.type;
     entity.line = record.line;
     try {
@@ -129,18 +134,25 @@ class Reader {
       if (space_ == Space::model && entity.common.paper) {
         note(in_paper_space, record.line);
       } else if (space_ == Space::paper && top && !entity.common.paper) {
-        return false;  // noted when model space was read
+        return;  // noted when model space was read
       } else if (entity.common.invisible) {
-        left_out_ |= record.type == "INSERT" || dxf_has_curves(record.type);
+        left_out_ |= record.type == "INSERT" || has_curves(record.type);
         note("skipped: invisible", record.line);
       } else if (record.type == "INSERT") {
         entity.insert = dxf_insert(record);
-        return true;
-      } else if (dxf_has_curves(record.type)) {
-        if (top && !shown(entity, {})) return false;
-        entity.shape = dxf_shape(record, tags_);
-        if (!entity.shape.note.empty()) note(entity.shape.note, record.line);
-        return true;
+        parts.push_back(std::move(entity));
+      } else if (has_curves(record.type)) {
+        if (top && !shown(entity, {})) return;
+        std::vector<DxfShape> shapes;
+        if (record.type == "HATCH")
+          shapes = dxf_hatch(record, tags_);
+        else
+          shapes.push_back(dxf_shape(record, tags_));
+        for (DxfShape& shape : shapes) {
+          if (!shape.note.empty()) note(shape.note, record.line);
+          entity.shape = std::move(shape);
+          parts.push_back(entity);
+        }
       } else if (record.type != "SEQEND" && record.type != "VERTEX" && record.type != "ATTRIB") {
         const std::string name = dxf_quoted(record.type);
         note("skipped: " + name.substr(1, name.size() - 2) + " is nothing to move along", record.line);
@@ -148,7 +160,6 @@ class Reader {
     } catch (const InvalidInput& e) {
       faults_.insert(faults_.end(), e.faults.begin(), e.faults.end());
     }
-    return false;
   }
 
   /// The layer that counts for an entity, and whether it is switched off.
@@ -168,7 +179,8 @@ class Reader {
     }
     if (entity.type == "INSERT") return true;
     if (own.off) note("skipped: on a layer switched off, " + dxf_quoted(own.layer), entity.line);
-    const bool visible = !own.off && layer.wanted;
+    if (layer.state.unplotted) note("skipped: on a layer that is not plotted, " + dxf_quoted(own.layer), entity.line);
+    const bool visible = !own.off && !layer.state.unplotted && layer.wanted;
     left_out_ |= !visible;
     return visible;
   }
@@ -257,8 +269,7 @@ class Reader {
     while (faults_.size() < max_faults && tags_.next(record) && record.type != "ENDBLK" && record.type != "ENDSEC" &&
            record.type != "EOF") {
       count();
-      Entity entity;
-      if (parse(record, false, entity)) found->second.push_back(std::move(entity));
+      parse(record, false, found->second);
     }
     tags_.seek(here);
     return found->second;
@@ -276,8 +287,10 @@ class Reader {
                                std::to_string(o.line) + ")");
     }
     if (dropped_ > 0)
-      drawing_.notes.push_back("dropped: " + std::to_string(dropped_) + " curves without length (first in line " +
-                               std::to_string(dropped_line_) + ")");
+      drawing_.notes.push_back(
+          "dropped: " + std::to_string(dropped_) +
+          (dropped_ == 1 ? " curve without length (line " : " curves without length (first in line ") +
+          std::to_string(dropped_line_) + ")");
   }
 
   DxfTags tags_;
@@ -296,6 +309,13 @@ class Reader {
 }  // namespace
 
 DxfDrawing read_dxf_drawing(std::string_view text, const DxfReading& reading, Progress& progress) {
+  if (dxf_is_binary(text)) return Reader(dxf_ascii(text, progress), reading, progress).read();
+  // Lines of old Macintoshes end with CR alone.
+  if (text.find('\n') == std::string_view::npos && text.find('\r') != std::string_view::npos) {
+    std::string lines(text);
+    std::replace(lines.begin(), lines.end(), '\r', '\n');
+    return Reader(lines, reading, progress).read();
+  }
   return Reader(text, reading, progress).read();
 }
 

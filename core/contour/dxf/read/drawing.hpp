@@ -16,6 +16,7 @@ struct DxfReading {
   std::vector<std::string> layers;             ///< only these (upper and lower case are the same); empty = all
   std::optional<double> millimetres_per_unit;  ///< instead of what the file says
   std::size_t max_curves = 2'000'000;          ///< after blocks are resolved; more are refused
+  bool hatch = false;                          ///< whether the outlines of HATCH are drawn
 };
 
 /// One entity: curves end to end.

@@ -10,18 +10,6 @@ namespace {
 constexpr double turn = 2 * std::numbers::pi;
 constexpr double degree = std::numbers::pi / 180;
 
-/// cos and sin of an angle in degrees, exact at whole quarters: drawings are full of them.
-void direction_of(double degrees, double& c, double& s) {
-  const double rest = std::remainder(degrees, 360.0);
-  if (rest == 0 || std::abs(rest) == 180 || std::abs(rest) == 90) {
-    c = std::abs(rest) == 90 ? 0 : rest == 0 ? 1 : -1;
-    s = rest == 90 ? 1 : rest == -90 ? -1 : 0;
-    return;
-  }
-  c = std::cos(rest * degree);
-  s = std::sin(rest * degree);
-}
-
 DxfShape line(const DxfRecord& record) {
   DrawnLine line;
   for (const DxfTag& tag : record.tags) take_point(tag, 10, line.from) || take_point(tag, 11, line.to);
@@ -35,12 +23,13 @@ DxfShape circle(const DxfRecord& record, bool full) {
   for (const DxfTag& tag : record.tags)
     take_point(tag, 10, centre) || take_number(tag, 40, radius) || take_number(tag, 50, start) ||
         take_number(tag, 51, end) || take_point(tag, 210, normal);
+  if (radius == 0) return {{}, 1, {}};  // a leftover of editing
   if (!(radius > 0)) refuse_dxf(record.line, "the radius has to be positive");
   DrawnArc arc;
   // The start lies on the first half-axis, so that ends at whole quarters are exact.
   double c = 1, s = 0, sweep = turn;
   if (!full) {
-    direction_of(start, c, s);
+    dxf_direction(start, c, s);
     const double angle = std::fmod(std::fmod(end, 360.0) - std::fmod(start, 360.0), 360.0);
     sweep = (angle > 0 ? angle : angle + 360) * degree;
   }
@@ -54,7 +43,7 @@ DxfShape ellipse(const DxfRecord& record) {
   for (const DxfTag& tag : record.tags)
     take_point(tag, 10, centre) || take_point(tag, 11, major) || take_number(tag, 40, ratio) ||
         take_number(tag, 41, start) || take_number(tag, 42, end) || take_point(tag, 210, normal);
-  if (!(norm(major) > 0)) refuse_dxf(record.line, "the ellipse's major axis has no length");
+  if (!(norm(major) > 0)) return {{}, 1, {}};
   if (!(std::abs(ratio) >= 1e-6 && std::abs(ratio) <= 1e6))
     refuse_dxf(record.line, "the ratio of the ellipse's axes has to be between 1e-6 and 1");
   if (!(std::abs(start) <= 1e6 && std::abs(end) <= 1e6))
@@ -68,6 +57,17 @@ DxfShape ellipse(const DxfRecord& record) {
 }
 
 }  // namespace
+
+void dxf_direction(double degrees, double& c, double& s) {
+  const double rest = std::remainder(degrees, 360.0);
+  if (rest == 0 || std::abs(rest) == 180 || std::abs(rest) == 90) {
+    c = std::abs(rest) == 90 ? 0 : rest == 0 ? 1 : -1;
+    s = rest == 90 ? 1 : rest == -90 ? -1 : 0;
+    return;
+  }
+  c = std::cos(rest * degree);
+  s = std::sin(rest * degree);
+}
 
 bool take_number(const DxfTag& tag, int code, double& number) {
   if (tag.code != code) return false;
@@ -125,7 +125,7 @@ DxfInsert dxf_insert(const DxfRecord& record) {
         take_number(tag, 45, insert.row_spacing) || take_number(tag, 50, rotation) || count(tag, 70, insert.columns) ||
         count(tag, 71, insert.rows) || take_point(tag, 210, insert.normal);
   }
-  direction_of(rotation, insert.cosine, insert.sine);
+  dxf_direction(rotation, insert.cosine, insert.sine);
   if (insert.scale.x == 0 || insert.scale.y == 0) refuse_dxf(record.line, "a scale factor of the INSERT is zero");
   insert.normal = dxf_object_system(insert.normal, record.line).z;
   return insert;

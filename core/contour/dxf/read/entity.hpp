@@ -47,6 +47,19 @@ DxfShape dxf_polyline(const DxfRecord& record, DxfTags& tags);
 DxfShape dxf_lightweight_polyline(const DxfRecord& record, DxfTags& tags);
 DxfShape dxf_spline(const DxfRecord& record, DxfTags& tags);
 
+/// A vertex of a polyline and its bulge, tan(sweep/4) of the arc that begins there.
+struct DxfVertex {
+  Vec at;
+  double bulge = 0;
+};
+DxfShape dxf_joined(const std::vector<DxfVertex>& vertices, bool closed, const Affine& map, DxfTags& tags);
+
+/// The outlines of a HATCH, each path as one shape or, where its edges do not meet, several.
+std::vector<DxfShape> dxf_hatch(const DxfRecord& record, DxfTags& tags);
+
+/// cos and sin of an angle in degrees, exact at whole quarters: drawings are full of them.
+void dxf_direction(double degrees, double& c, double& s);
+
 /// The object coordinate system of an extrusion direction: arbitrary axis algorithm of the DXF reference, "Object
 /// Coordinate Systems". A normal without length is a fault at `line`.
 Affine dxf_object_system(Vec normal, std::size_t line);

@@ -29,6 +29,7 @@ void layer(const DxfRecord& record, DxfFile& file) {
     if (tag.code == 2) layer.name = tag.value;
     if (tag.code == 70) layer.frozen = (dxf_integer(tag) & 1) != 0;
     if (tag.code == 62) layer.off = dxf_integer(tag) < 0;
+    if (tag.code == 290) layer.unplotted = dxf_integer(tag) == 0;
   }
   file.layers.emplace(dxf_lower(layer.name), layer);
 }
@@ -82,6 +83,8 @@ DxfFile dxf_file(DxfTags& tags) {
     if (!tags.next(record, keep)) break;
     if (record.type == "EOF") {
       ended = true;
+      if (tags.behind_end().find_first_not_of(std::string_view(" \t\r\n\x1A\0", 6)) != std::string_view::npos)
+        file.notes.push_back("what follows EOF in line " + std::to_string(record.line) + " is not read");
       break;
     }
     if (record.type == "SECTION") {

@@ -12,7 +12,7 @@
 namespace bahnwerk {
 
 struct DxfLayer {
-  bool frozen = false, off = false;
+  bool frozen = false, off = false, unplotted = false;
   std::string_view name = {};  ///< as written
 };
 struct DxfBlockPlace {

@@ -7,11 +7,6 @@
 namespace bahnwerk {
 namespace {
 
-struct Vertex {
-  Vec at;
-  double bulge = 0;
-};
-
 /// Below this an arc is straight to 5e-4 mm even over a chord of 1e9 mm.
 constexpr double straight = 1e-12;
 
@@ -23,12 +18,14 @@ DrawnArc bulged(Vec from, Vec to, double bulge) {
   return {centre, a, {-a.y, a.x, 0}, 0, 4 * std::atan(bulge)};
 }
 
-DxfShape joined(const std::vector<Vertex>& vertices, bool closed, const Affine& map, DxfTags& tags) {
+}  // namespace
+
+DxfShape dxf_joined(const std::vector<DxfVertex>& vertices, bool closed, const Affine& map, DxfTags& tags) {
   DxfShape shape;
-  if (vertices.empty()) return shape;
+  if (vertices.size() < 2) return {{}, 1, {}};
   shape.curves.reserve(vertices.size());
   Vec from = vertices.front().at;
-  const auto go = [&](const Vertex& start, Vec to, bool last) {
+  const auto go = [&](const DxfVertex& start, Vec to, bool last) {
     tags.progress().work();
     if (from == to) {  // a closed polyline may repeat its first vertex
       shape.without_length += last ? 0 : 1;
@@ -44,26 +41,24 @@ DxfShape joined(const std::vector<Vertex>& vertices, bool closed, const Affine& 
   return shape;
 }
 
-}  // namespace
-
 DxfShape dxf_lightweight_polyline(const DxfRecord& record, DxfTags& tags) {
-  std::vector<Vertex> vertices;
+  std::vector<DxfVertex> vertices;
   Vec normal{0, 0, 1};
   double elevation = 0;
   bool closed = false;
-  Vertex none;
+  DxfVertex none;
   for (const DxfTag& tag : record.tags) {
     tags.progress().work();
     if (tag.code == 10) vertices.emplace_back();
     if (tag.code == 70) closed = (dxf_integer(tag) & 1) != 0;
-    Vertex& vertex = vertices.empty() ? none : vertices.back();
+    DxfVertex& vertex = vertices.empty() ? none : vertices.back();
     if (take_number(tag, 20, vertex.at.y) && vertices.empty())
       refuse_dxf(tag.line, "a vertex has to begin with its x coordinate (group code 10)");
     take_number(tag, 10, vertex.at.x) || take_number(tag, 42, vertex.bulge) || take_number(tag, 38, elevation) ||
         take_point(tag, 210, normal);
   }
-  for (Vertex& v : vertices) v.at.z = elevation;
-  return joined(vertices, closed, dxf_object_system(normal, record.line), tags);
+  for (DxfVertex& v : vertices) v.at.z = elevation;
+  return dxf_joined(vertices, closed, dxf_object_system(normal, record.line), tags);
 }
 
 DxfShape dxf_polyline(const DxfRecord& record, DxfTags& tags) {
@@ -75,7 +70,7 @@ DxfShape dxf_polyline(const DxfRecord& record, DxfTags& tags) {
     take_number(tag, 30, elevation) || take_point(tag, 210, normal);
   }
   const bool in_space = (flags & 8) != 0;
-  std::vector<Vertex> vertices;
+  std::vector<DxfVertex> vertices;
   std::vector<InputFault> faults;  // all vertices have to be read, whatever is wrong with one
   DxfRecord part;
   for (;;) {
@@ -86,7 +81,7 @@ DxfShape dxf_polyline(const DxfRecord& record, DxfTags& tags) {
       break;
     }
     try {
-      Vertex v;
+      DxfVertex v;
       long kind = 0;
       for (const DxfTag& tag : part.tags) {
         if (tag.code == 70) kind = dxf_integer(tag);
@@ -101,7 +96,7 @@ DxfShape dxf_polyline(const DxfRecord& record, DxfTags& tags) {
   }
   if ((flags & (16 | 64)) != 0) return {{}, 0, "skipped: a POLYLINE that is a mesh"};
   if (!faults.empty()) throw InvalidInput(std::move(faults));
-  return joined(vertices, (flags & 1) != 0, in_space ? Affine{} : dxf_object_system(normal, record.line), tags);
+  return dxf_joined(vertices, (flags & 1) != 0, in_space ? Affine{} : dxf_object_system(normal, record.line), tags);
 }
 
 }  // namespace bahnwerk

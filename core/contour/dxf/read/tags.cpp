@@ -1,5 +1,6 @@
 #include "core/contour/dxf/read/tags.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -54,7 +55,7 @@ long dxf_integer(const DxfTag& tag) {
 
 DxfTags::DxfTags(std::string_view text, Progress& progress) : text_(text), progress_(progress, "reading", 0, 0) {
   if (text_.starts_with("AutoCAD Binary DXF"))
-    refuse_dxf(1, "this is a binary DXF file; save the drawing as ASCII DXF");
+    refuse_dxf(1, "this is a binary DXF file whose bytes were changed, as editors and transfers of texts do");
   if (text_.starts_with("AC10")) refuse_dxf(1, "this is a DWG file, not a DXF file; save the drawing as ASCII DXF");
   if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;
 }
@@ -73,6 +74,10 @@ bool DxfTags::next(DxfTag& tag) {
   progress_.work();
   do {
     if (!next_line(code)) return false;
+    if (!code.empty() && code.front() == '\x1A') {
+      at_ = text_.size();
+      return false;
+    }
     if (code.empty() && text_.find_first_not_of(" \t\r\n", std::min(at_, text_.size())) == std::string_view::npos) {
       at_ = text_.size();  // blank lines at the end
       return false;
@@ -95,6 +100,11 @@ bool DxfTags::next(DxfRecord& record, bool keep) {
   record.type = tag_.value;
   record.line = tag_.line;
   pending_ = false;
+  if (record.type == "EOF") {
+    behind_ = text_.substr(std::min(at_, text_.size()));
+    at_ = text_.size();
+    return true;
+  }
   for (;;) {
     pending_mark_ = {at_, line_};
     if (!next(tag_)) return true;

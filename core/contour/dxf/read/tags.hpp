@@ -37,11 +37,11 @@ struct DxfRecord {
 
 class DxfTags {
  public:
-  /// Refuses binary DXF and DWG files. A byte order mark is skipped.
+  /// Refuses DWG files. A byte order mark is skipped.
   DxfTags(std::string_view text, Progress& progress);
 
-  /// The next pair, comments (999) skipped; false at the end of the text. Throws InvalidInput for a group code that is
-  /// no integer from −5 to 1071, and for a code without a value.
+  /// The next pair, comments (999) skipped; false at the end of the text or at 0x1A, the DOS mark of it. Throws
+  /// InvalidInput for a group code that is no integer from −5 to 1071, and for a code without a value.
   bool next(DxfTag& tag);
   /// The next record; false at the end. Pairs before the first code 0 are skipped. With `keep` false the tags are not
   /// stored.
@@ -53,13 +53,15 @@ class DxfTags {
   };
   Mark mark() const;
   void seek(Mark mark);
+  /// What follows the record EOF, which is the last one.
+  std::string_view behind_end() const { return behind_; }
   std::size_t line() const { return line_; }       ///< lines read so far
   ProgressScope& progress() { return progress_; }  ///< for those who work on the records
 
  private:
   bool next_line(std::string_view& line);
 
-  std::string_view text_;
+  std::string_view text_, behind_;
   ProgressScope progress_;
   std::size_t at_ = 0, line_ = 0;
   bool pending_ = false;  ///< the last record ended at a code 0, which is in tag_

@@ -80,6 +80,11 @@ void Compensation::offset(Vec to, bool across) {
 }
 
 void Compensation::offset(Vec to, Vec centre, ArcMove how) {
+  if (const auto halves = halves_of_arc(programmed_, to, centre, how)) {
+    offset(halves->middle, halves->first, how);
+    how.turns = 1;
+    return offset(to, halves->second, how);
+  }
   const Vec from = std::exchange(programmed_, to);
   const Manner here = manner();
   if (state_ == State::leads_out) {

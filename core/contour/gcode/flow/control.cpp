@@ -203,6 +203,8 @@ bool Control::call(int program, std::size_t repeats) {
   }
   if (head == Outline::none) return fail("there is no subprogram O" + std::to_string(program) + " in the program");
   if (frames_.size() == max_calls) return fail("more than 64 subprograms in one another");
+  const std::size_t first = outline()[head].after.number;
+  if (std::find(called_.begin(), called_.end(), first) == called_.end()) called_.push_back(first);
   if (repeats == 0) return true;
   frames_.push_back({lines_.place(), head, repeats - 1, loops_.size(), true});
   lines_.go(outline()[head].after);

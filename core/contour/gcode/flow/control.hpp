@@ -1,6 +1,7 @@
 #pragma once
 /// The order in which the lines of a part program are carried out: subprograms, branches and loops of O words, M98 and
 /// M99, within a budget of steps.
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -41,6 +42,11 @@ class Control {
 
   /// The text is at its end inside a subprogram.
   bool inside() const { return !frames_.empty(); }
+  std::size_t depth() const { return frames_.size(); }  ///< subprograms under way
+  /// Whether M98 has called the subprogram that begins in this line.
+  bool called(const Line& line) const {
+    return std::find(called_.begin(), called_.end(), line.number) != called_.end();
+  }
   bool used() const { return outline_.has_value(); }
   const std::string& fault() const { return fault_; }
 
@@ -77,6 +83,7 @@ class Control {
   std::optional<Outline> outline_;  // made where it is first needed
   std::vector<Frame> frames_;
   std::vector<Loop> loops_;              // repeats under way
+  std::vector<std::size_t> called_;      // lines of the numbered subprograms that were called
   std::size_t pending_ = Outline::none;  // the elseif or else that an if led to
   std::size_t furthest_ = 0, spent_ = 0;
   std::string fault_;

@@ -40,9 +40,11 @@ enum class Action {
   inverse_time,
   dwell,
   reference_point,
+  store_reference,
   machine_coordinates,
   path_control,
   tool_length,
+  cancel,  ///< of what is never in force: scaling, mirroring
   printer,
   nothing,  ///< has no effect on a contour, or states what holds anyway
   refuse,
@@ -56,8 +58,16 @@ struct Code {
 
 /// `tenfold`: G5.1 is 51. Unknown words are refused.
 Code meaning(int tenfold);
+/// Whether the G word takes words of its line: coordinates, a time, an offset.
+bool takes_words(int tenfold);
+/// M words that this reader gives a meaning. What stands behind another one in its line is that word's own.
+bool known_m(int m);
 /// M words of printers' firmware that a machine tool does not know.
 bool printer_m(int m);
+/// The M word without its decimal, by its entry in Line::m.
+inline int whole_m(int m) { return m < 0 ? -m / 10 : m; }
+/// "M862.3", by its entry in Line::m.
+std::string m_name(int m);
 /// "G5.1"
 std::string name(int tenfold);
 

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/contour/gcode/words/characters.hpp"
+#include "core/contour/gcode/words/number_exponent.hpp"
 
 namespace bahnwerk::gcode {
 namespace {
@@ -92,7 +93,7 @@ bool Expression::next_is(char c) {
 bool Expression::value(double& result) {
   skip_blanks();
   if (at_ == end_) return fail("a value is missing");
-  if (part_of_number(*at_)) return number(result);
+  if (part_of_number(*at_)) return number(result, true);
   if (++depth_ > max_depth) return fail("more than 32 brackets or parameters in one another");
   bool read = false;
   if (*at_ == '+' || *at_ == '-') {
@@ -114,7 +115,7 @@ bool Expression::value(double& result) {
   return read;
 }
 
-bool Expression::number(double& result) {
+bool Expression::number(double& result, bool exponents) {
   std::array<char, 64> text;
   std::size_t size = 0;
   for (; at_ != end_ && (part_of_number(*at_) || blank(*at_)); ++at_) {
@@ -122,7 +123,12 @@ bool Expression::number(double& result) {
     if (size == text.size()) return fail("a number is too long");
     text[size++] = *at_;
   }
-  const auto [stop, error] = std::from_chars(text.data(), text.data() + size, result, std::chars_format::fixed);
+  if (exponents && at_ != end_ && !blank(at_[-1])) {
+    const std::size_t more = exponent_size({at_, static_cast<std::size_t>(end_ - at_)});
+    if (size + more > text.size()) return fail("a number is too long");
+    for (std::size_t i = 0; i < more; ++i) text[size++] = *at_++;
+  }
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + size, result);
   return (error == std::errc{} && stop == text.data() + size) || fail("what should be a number is none");
 }
 
@@ -144,7 +150,8 @@ bool Expression::reference(Reference& result) {
   result.name.clear();
   if (at_ != end_ && *at_ == '<') return name(result.name);
   double number = 0;
-  if (!value(number)) return false;
+  // A digit alone ends before a word E: X#1E5.
+  if (at_ != end_ && part_of_number(*at_) ? !this->number(number, false) : !value(number)) return false;
   if (!(number >= 1 && number <= Parameters::most && std::abs(number - std::round(number)) <= equal))
     return fail("a parameter's number is a whole one from 1 to 9999");
   result.number = static_cast<int>(std::round(number));
@@ -158,7 +165,9 @@ bool Expression::parameter(double& result) {
     result = parameters_.get(which.number, line_);
     return true;
   }
-  const auto found = parameters_.get(which.name);
+  const auto found = parameters_.get(which.name, line_);
+  if (!found && parameters_.of_the_machine(which.name))
+    return fail("the parameter #<" + which.name + "> is a value of the machine, which is not known here");
   if (!found) return fail("the parameter #<" + which.name + "> was not set");
   result = *found;
   return true;
@@ -194,7 +203,7 @@ bool Expression::exists(double& result) {
   std::string which;
   if (!next_is('[') || !next_is('#') || !name(which) || !next_is(']'))
     return fail("EXISTS asks for a name: EXISTS[#<name>]");
-  result = parameters_.get(which) ? 1 : 0;
+  result = parameters_.get(which, line_) ? 1 : 0;
   return true;
 }
 

@@ -7,7 +7,8 @@
 
 namespace bahnwerk::gcode {
 
-/// Reads from `at` on, at most to `end`, which no line end lies before. Blanks stand anywhere, capitals or not.
+/// Reads from `at` on, at most to `end`, which no line end lies before. Blanks stand anywhere, capitals or not. Numbers
+/// may have an exponent, 1.5e-3.
 ///
 /// Operators by rank, equal ones from the left: **, then * / MOD, then + -, then EQ NE GT GE LT LE, then AND OR XOR.
 /// What is not zero is true; EQ and NE take numbers within 1e-6 for equal. MOD is never negative. Functions: ABS ACOS
@@ -38,7 +39,7 @@ class Expression {
 
  private:
   bool fail(std::string why);
-  bool number(double& result);
+  bool number(double& result, bool exponents);
   bool parameter(double& result);
   bool function(double& result);
   bool atan(double& result);

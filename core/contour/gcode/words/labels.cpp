@@ -92,7 +92,8 @@ bool Lines::label(Line& line) {
     }
     if (line.label.empty()) {
       if (std::find(first, at_, '0') == at_) {
-        line.fault = "the letter O has no number";
+        const bool name = at_ != end_ && (is_letter(*at_) || *at_ == '_');
+        line.fault = name ? no_word(first - 1) : "the letter O has no number";
         return false;
       }
       line.label = "0";
@@ -133,7 +134,9 @@ bool Lines::assignment(Line& line) {
     line.fault = expression.fault().empty() ? "a parameter (#) stands behind a letter, or gets its value with ="
                                             : expression.fault();
   else if (Parameters::system(to.number) && to.name.empty())
-    line.fault = "the parameters #5161 to #5602 are kept by the control: they cannot be set";
+    line.fault = "the parameters #5021 to #5029 and #5161 to #5602 are kept by the control: they cannot be set";
+  else if (!to.name.empty() && parameters_->kept(to.name))
+    line.fault = "the parameter #<" + to.name + "> is kept by the control: it cannot be set";
   else
     assigned_.emplace_back(std::move(to), value);
   if (assigned_.size() > Line::max_assignments) line.fault = "a line sets 64 parameters at most";

@@ -12,11 +12,17 @@ void Parameters::reserve() {
 }
 
 double Parameters::get(int number, std::size_t line) {
-  if (system(number)) return system_.system_parameter(number);
+  const auto missing = [&] {
+    if (unset_.count++ == 0) unset_.number = number, unset_.line = line;
+    return 0.0;
+  };
+  if (system(number)) {
+    const auto value = system_.system_parameter(number);
+    return value ? *value : missing();
+  }
   reserve();
   const auto i = static_cast<std::size_t>(number);
-  if (!known_[i] && unset_.count++ == 0) unset_.number = number, unset_.line = line;
-  return values_[i];
+  return known_[i] ? values_[i] : missing();
 }
 
 void Parameters::set(int number, double value) {
@@ -25,10 +31,20 @@ void Parameters::set(int number, double value) {
   known_[static_cast<std::size_t>(number)] = true;
 }
 
-std::optional<double> Parameters::get(std::string_view name) const {
+std::optional<double> Parameters::get(std::string_view name, std::size_t line) const {
   const Names& list = name.substr(0, 1) == "_" || frames_.empty() ? global_ : frames_.back().names;
   const auto at = list.find(name);
-  return at == list.end() ? std::nullopt : std::optional(at->second);
+  if (at != list.end()) return at->second;
+  if (name == "_line") return static_cast<double>(line);
+  if (name == "_call_level") return static_cast<double>(frames_.size());
+  if (name == "_value" || name == "_value_returned") return 0;
+  return name.substr(0, 1) == "_" ? system_.predefined(name) : std::nullopt;
+}
+
+bool Parameters::kept(std::string_view name) const {
+  if (name.substr(0, 1) != "_") return false;
+  return name == "_line" || name == "_call_level" || name == "_value" || name == "_value_returned" ||
+         system_.predefined(name);
 }
 
 bool Parameters::set(std::string_view name, double value) {

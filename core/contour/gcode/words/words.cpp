@@ -31,20 +31,23 @@ std::string strange(char c) {
       return "a comment ends that did not begin";
     case '/':
       return "/ may stand only at the begin of a line";
+    case '?':
+    case '!':
+    case '~':
+    case '{':
+      return std::string("a command of the controller (") + c + "), not of the program";
+    case '@':
+    case '^':
+      return "polar coordinates (@, ^) are not supported";
+    case ',':
+      return "chamfers and roundings (,C ,R) are not supported";
+    case '*':
+      return "a checksum (*), as printers are sent, is no word of a part program";
+    case '"':
+      return "a text in quotes is no word of a part program";
     default:
       return "unexpected " + shown(c);
   }
-}
-
-/// Statements of Fanuc's macros, by their first letter and what follows it.
-bool macro_word(char first, const char* at, const char* end) {
-  for (const std::string_view word : {"IF", "GOTO", "WHILE", "END", "THEN", "DO"}) {
-    if (word[0] != first) continue;
-    std::size_t i = 1;
-    while (i < word.size() && at != end && capital(*at) == word[i]) ++i, ++at;
-    if (i == word.size()) return true;
-  }
-  return false;
 }
 
 }  // namespace
@@ -68,13 +71,20 @@ bool Lines::next(Line& line, bool skip_slash) {
   line_end_ = nullptr;
   line.letters_ = 0;
   line.g_count = line.m_count = 0;
-  line.slash = line.percent = line.bare = false;
+  line.slash = line.percent = line.bare = line.text = false;
+  line.behind_m6 = line.foreign = 0;
+  line.has_foreign = false;
+  line.controller.clear();
   line.flow = Flow::none;
   line.fault.clear();
   skip_blanks();
   if (at_ != end_ && *at_ == '%') {
     line.percent = true;
     skip_line();
+  } else if (at_ != end_ && *at_ == '$') {
+    const char* first = at_;
+    skip_line();
+    line.controller.assign(first, at_);
   } else if (at_ != end_ && *at_ == '/') {
     line.slash = true;
     ++at_;
@@ -83,6 +93,7 @@ bool Lines::next(Line& line, bool skip_slash) {
     if (skip_slash) skip_line();
   }
   words(line);
+  if (line.foreign != 0) give_up_foreign(line);
   if (!assigned_.empty()) {
     for (const auto& [to, value] : assigned_)
       if (to.name.empty())
@@ -117,9 +128,17 @@ void Lines::words(Line& line) {
       if (!assignment(line)) return;
       continue;
     }
+    if (c == '$') {
+      if (!selector(line)) return;
+      continue;
+    }
+    if (line.has_foreign) {
+      if (!foreign_word(line)) return;
+      continue;
+    }
     const char letter = c == ':' ? 'O' : capital(c);
     if (letter < 'A' || letter > 'Z') {
-      line.fault = strange(c);
+      line.fault = c == '_' ? no_word(at_) : strange(c);
       return;
     }
     ++at_;
@@ -132,10 +151,17 @@ void Lines::words(Line& line) {
 }
 
 bool Lines::comment(Line& line) {
+  bool inner = false;
   while (++at_ != end_ && !end_of_line(*at_)) {
+    inner = inner || *at_ == '(';
     if (*at_ == ')') {
       ++at_;
-      return true;
+      if (!inner) return true;
+      // What follows decides: (a (b) is one comment.
+      const char* next = std::find_if(at_, end_, [](char c) { return c == '(' || c == ')' || end_of_line(c); });
+      if (next == end_ || *next != ')') return true;
+      line.fault = "a comment stands within a comment: RS274NGC ends both at the first )";
+      return false;
     }
   }
   line.fault = "the comment does not end";
@@ -145,103 +171,44 @@ bool Lines::comment(Line& line) {
 bool Lines::word(Line& line, char letter) {
   double value = 0;
   if (!number(line, letter, value)) return false;
-  if (letter == 'G' || letter == 'M') {
-    const double scaled = letter == 'G' ? 10 * value : value, code = std::round(scaled);
-    if (!(value >= 0 && value < 10'000 && std::abs(scaled - code) < 1e-6)) {
-      line.fault = std::string("there is no such ") + letter + " word";
-      return false;
-    }
-    auto& list = letter == 'G' ? line.g : line.m;
-    auto& count = letter == 'G' ? line.g_count : line.m_count;
-    if (count == Line::max_codes) {
-      line.fault = std::string("too many ") + letter + " words";
-      return false;
-    }
-    list[count++] = static_cast<int>(code);
-    return letter == 'G' || (code != 117 && code != 118);  // a printer's message: text follows
-  }
+  if (letter == 'G' || letter == 'M') return code(line, letter, value);
+  if (letter == 'O' && line.bare) return true;  // G28 O of printers
   if (line.has(letter)) {
     line.fault = std::string("the letter ") + letter + " stands twice";
     return false;
   }
-  line.letters_ |= 1U << (letter - 'A');
+  const std::uint32_t bit = 1U << (letter - 'A');
+  line.letters_ |= bit;
   line.values_[static_cast<std::size_t>(letter - 'A')] = value;
-  return true;
-}
-
-/// G28 X Y and M84 X Y of printers name axes.
-bool Lines::bare_letters(const Line& line) {
-  const auto any = [](const auto& list, std::size_t count, auto holds) {
-    return std::any_of(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(count), holds);
+  const auto codes = [&](auto holds) {
+    return std::any_of(line.m.begin(), line.m.begin() + static_cast<std::ptrdiff_t>(line.m_count), holds);
   };
-  return any(line.g, line.g_count, [](int g) { return g == 280 || g == 290; }) || any(line.m, line.m_count, printer_m);
+  if (codes([](int m) { return m == 6; })) line.behind_m6 |= bit;
+  if (letter == 'E' && !codes([](int m) { return m >= 66 && m <= 68; })) printer_ = true;
+  return true;
 }
 
-bool Lines::number(Line& line, char letter, double& value) {
-  constexpr double largest = 1e9;
-  skip_blanks();
-  bool negative = false;
-  if (at_ != end_ && (*at_ == '+' || *at_ == '-')) {
-    negative = *at_++ == '-';
-    skip_blanks();
-  }
-  const char* first = at_;
-  while (at_ != end_ && part_of_number(*at_)) ++at_;
-  const char* last = at_;
-
-  // Rarely, blanks divide a number; its parts are then joined here.
-  std::array<char, 64> joined;
-  skip_blanks();
-  if (at_ != last && last != first && at_ != end_ && part_of_number(*at_)) {
-    std::size_t size = 0;
-    for (const char* c = first; c != end_ && (blank(*c) || part_of_number(*c)); at_ = ++c) {
-      if (blank(*c)) continue;
-      if (size == joined.size()) {
-        line.fault = std::string("the number of ") + letter + " is too long";
-        return false;
-      }
-      joined[size++] = *c;
-    }
-    first = joined.data();
-    last = first + size;
-  }
-  if (first == last) {
-    const char c = at_ == end_ ? '\n' : *at_;
-    const bool function = is_letter(c) && at_ + 1 != end_ && is_letter(at_[1]);
-    if (c != '#' && c != '[' && !function) {
-      if (letter != 'G' && letter != 'M' && letter != 'O' && bare_letters(line)) {
-        value = 0;
-        return line.bare = true;
-      }
-      line.fault = std::string("the letter ") + letter + " has no number";
-      return false;
-    }
-    if (macro_word(letter, at_, end_)) {
-      line.fault = "statements of macros (IF, WHILE, GOTO …) are not supported: O words are (O100 IF, O100 WHILE …)";
-      return false;
-    }
-    if (!computed(line, value)) return false;
-    if (negative) value = -value;
-    if (std::abs(value) <= largest) return true;
-    line.fault = std::string("the number of ") + letter + " is out of range (largest: 1e9)";
+/// Behind its number. M words with a decimal are only printers'.
+bool Lines::code(Line& line, char letter, double value) {
+  const bool m = letter == 'M';
+  const double scaled = 10 * value, tenfold = std::round(scaled);
+  const bool sound = value >= 0 && value < 10'000 && std::abs(scaled - tenfold) < 1e-6;
+  const int number = sound ? static_cast<int>(tenfold) : 0;
+  if (!sound || (m && number % 10 != 0 && known_m(number / 10))) {
+    line.fault = std::string("there is no such ") + letter + " word";
     return false;
   }
-  const auto [stop, error] = std::from_chars(first, last, value, std::chars_format::fixed);
-  if (error == std::errc::result_out_of_range || (error == std::errc{} && !(value <= largest))) {
-    // Numbers of lines and programs are names.
-    if (letter == 'N' || letter == 'O') {
-      value = 0;
-      return true;
-    }
-    line.fault = std::string("the number of ") + letter + " is out of range (largest: 1e9)";
+  auto& list = m ? line.m : line.g;
+  auto& count = m ? line.m_count : line.g_count;
+  if (count == Line::max_codes) {
+    line.fault = std::string("too many ") + letter + " words";
     return false;
   }
-  if (error != std::errc{} || stop != last) {
-    line.fault = std::string("what follows ") + letter + " is not a number";
-    return false;
-  }
-  if (negative) value = -value;
-  return true;
+  list[count++] = !m ? number : number % 10 != 0 ? -number : number / 10;
+  if (!m || known_m(number / 10)) return true;
+  line.has_foreign = true;
+  printer_ = printer_ || printer_m(number / 10);
+  return number != 1170 && number != 1180;  // a printer's message: text follows
 }
 
 }  // namespace bahnwerk::gcode

@@ -38,9 +38,14 @@ struct Line {
 
   std::size_t number = 0;  ///< in the text, from 1
   std::array<int, max_codes> g{};
-  std::size_t g_count = 0;  ///< g holds tenfold numbers: G5.1 is 51
-  std::array<int, max_codes> m{};
+  std::size_t g_count = 0;         ///< g holds tenfold numbers: G5.1 is 51
+  std::array<int, max_codes> m{};  ///< with a decimal tenfold and negative: M862.3 is −8623
   std::size_t m_count = 0;
+  std::uint32_t behind_m6 = 0;      ///< letters that stand behind M6
+  std::uint32_t foreign = 0;        ///< letters of M words that are not known here, which the line does not have
+  bool has_foreign = false;         ///< such an M word stands in the line
+  bool text = false;                ///< what follows such an M word are not only words
+  std::string controller;           ///< a line for the controller, $H: all of it; nothing else is read
   bool slash = false;               ///< begins with /
   bool bare = false;                ///< a letter has no number, as in G28 X Y of printers: 0
   bool percent = false;             ///< begins with %
@@ -74,8 +79,12 @@ struct Place {
   std::size_t number = 0;  ///< of the line before it
 };
 
-/// Walks through a text, O(bytes). Numbers are decimal, without exponent, within ±1e9, whatever the locale. What a line
-/// gives to parameters holds from the next one on.
+/// Walks through a text, O(bytes). Numbers are decimal, within ±1e9, whatever the locale; an exponent is read where
+/// nothing else can be meant (number_exponent.hpp) and a fault where a word E can. What a line gives to parameters
+/// holds from the next one on.
+///
+/// What stands behind an M word that no machine tool has (codes.hpp, known_m) is that word's own, numbers or not,
+/// unless the line has a G word that takes words: the line then has these letters.
 class Lines {
  public:
   /// Without parameters, whatever asks for them is a fault.
@@ -96,7 +105,16 @@ class Lines {
   const char* line_end();
   void end_line();
   bool word(Line& line, char letter);
+  bool code(Line& line, char letter, double value);
+  bool foreign_word(Line& line);
+  static void give_up_foreign(Line& line);
+  bool selector(Line& line);
   bool number(Line& line, char letter, double& value);
+  bool join(Line& line, char letter, const char*& first, const char*& last);
+  bool exponent(Line& line, char letter, const char*& first, const char*& last);
+  bool computed_number(Line& line, char letter, const char* word, double& value);
+  static bool parse(Line& line, char letter, const char* first, const char* last, double& value);
+  std::string no_word(const char* from) const;
   static bool bare_letters(const Line& line);
   bool comment(Line& line);
   void skip_blanks();
@@ -104,6 +122,8 @@ class Lines {
 
   const char *at_, *end_;
   const char* line_end_ = nullptr;  // of the line at hand, once it was looked for
+  std::array<char, 64> joined_{};   // a number that blanks divide
+  bool printer_ = false;            // words E stand alone, or words of printers: a program for one
   std::size_t number_ = 0;
   Parameters* parameters_;
   std::vector<std::pair<Expression::Reference, double>> assigned_;  // by the line at hand

@@ -1,0 +1,46 @@
+#pragma once
+/// Modes that M70 and M73 save and M72 or the end of a subprogram brings back, as LinuxCNC has them: not the motion.
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/contour/gcode/mover.hpp"
+
+namespace bahnwerk::gcode {
+
+struct Modes {
+  double unit = 1;  ///< mm
+  Plane plane = Plane::xy;
+  bool absolute = true, absolute_centres = false;
+  double feed = 0;  ///< mm/s; with G93 1/s
+  bool fed = false, feed_lost = false, inverse_time = false;
+  std::size_t work_offset = 0;  ///< index
+  bool back_to_start = true;    ///< G98
+  bool spindle = false;         ///< switched on
+  double aside = 0;             ///< cutter radius compensation, mm; 0: off
+  double speed = 0;             ///< S
+};
+
+/// One place for saved modes in the main program and in each subprogram under way.
+class SavedModes {
+ public:
+  void save(const Modes& modes, bool at_return) { levels_.back() = {modes, at_return}; }
+  void forget() { levels_.back() = {}; }
+  const std::optional<Modes>& saved() const { return levels_.back().modes; }
+  void enter() { levels_.emplace_back(); }
+  /// What the subprogram that ends has to bring back.
+  std::optional<Modes> leave() {
+    const Level level = levels_.back();
+    levels_.pop_back();
+    return level.at_return ? level.modes : std::nullopt;
+  }
+
+ private:
+  struct Level {
+    std::optional<Modes> modes;
+    bool at_return = false;
+  };
+  std::vector<Level> levels_{1};
+};
+
+}  // namespace bahnwerk::gcode
