@@ -40,11 +40,12 @@ struct DxfOptions {
   double tolerance = 0.01;              ///< ends this close are joined, mm; 0 … 10
   DxfOrder order = DxfOrder::as_drawn;  ///< of blocks: by their first entity in the file, or always the nearest next
                                         ///< (open ones may then be reversed, closed ones start at another corner)
-  std::vector<std::string> layers;      ///< only these; empty = all. Each has to exist
+  std::vector<std::string> layers{};    ///< only these; empty = all. Each has to exist
   double feed = std::numeric_limits<double>::infinity();  ///< mm/s, > 0; infinity = limited by the axes alone
-  std::optional<double> millimetres_per_unit;  ///< > 0; else $INSUNITS counts, and mm with a note where that is missing
-  std::size_t max_curves = 2'000'000;          ///< after blocks are resolved; more are refused
-  bool hatch = false;                          ///< cut the outlines of HATCH, too
+  std::optional<double>
+      millimetres_per_unit{};          ///< > 0; else $INSUNITS counts, and mm with a note where that is missing
+  std::size_t max_curves = 2'000'000;  ///< after blocks are resolved; more are refused
+  bool hatch = false;                  ///< cut the outlines of HATCH, too
 };
 
 /// Throws InvalidInput with up to 100 faults at {"contour","dxf"}, each with a message "line 123: …"; for an option

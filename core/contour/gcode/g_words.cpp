@@ -167,7 +167,7 @@ void Interpreter::g_word(const Line& line, int tenfold) {
       printer_word(line);
       break;
     case Action::path_control:
-      takes(line, letters("PQ"));
+      takes(line, letters("PQE"));
       note(640, line, code.text);
       break;
     case Action::tool_length:
@@ -187,10 +187,6 @@ void Interpreter::g_word(const Line& line, int tenfold) {
       break;
     case Action::nothing:
       if (tenfold == 490) takes(line, letters("H")), tool_length_ = false;
-      if (tenfold == 150 && line.has('H'))
-        fault(
-            "G15 H, a work offset of Okuma's controls, is not supported: use G54 to G59.3, with offsets of the "
-            "document");
       break;
     case Action::refuse:
       fault(name(tenfold) + ": " + code.text);

@@ -84,8 +84,13 @@ void Interpreter::feed(const Line& line) {
 void Interpreter::tool_words(const Line& line) {
   if (line.has('S') && (used_ & letters("S")) == 0) speed_ = line['S'];
   if (line.has('H') && (used_ & letters("H")) == 0) {
-    const auto last = line.g.begin() + static_cast<std::ptrdiff_t>(line.g_count);
-    if (std::any_of(line.g.begin(), last, [](int g) { return meaning(g).action == Action::work_offset; }))
+    const auto any = [&](auto holds) {
+      return std::any_of(line.g.begin(), line.g.begin() + static_cast<std::ptrdiff_t>(line.g_count), holds);
+    };
+    if (any([](int g) { return g == 150; }))
+      return fault(
+          "G15 H, a work offset of Okuma's controls, is not supported: use G54 to G59.3, with offsets of the document");
+    if (any([](int g) { return meaning(g).action == Action::work_offset; }))
       return fault("H beside a work offset, a tool's length as Okuma's controls have it, is not supported: use G43 H");
   }
   if (!line.has('D') || (used_ & letters("D")) != 0) return;

@@ -91,8 +91,10 @@ TEST(GcodeForeign, LookAheadIsNoSpline) {
 }
 
 TEST(GcodeForeign, CancelsOfWhatIsNeverOn) {
-  EXPECT_EQ(read_gcode("G8 G15 G17 G21 G40 G40.1 G49 H0 G50 G50.1 X0 Y0 G67 G69 G80 G90 G97\nG1 X5 F60").notes.size(),
-            0u);
+  const Contour c =
+      read_gcode("G8 G15 G17 G21 G40 G40.1 G49 H0 G50 G67 G69 G80 G90 G97\nG50.1 X0 Y0\nG0 G50 X1 Y0\nG1 X5 F60");
+  EXPECT_EQ(c.path.length(), 4);
+  EXPECT_TRUE(c.notes.empty());
   EXPECT_NE(fault("G50 X5\nG1 X6").find("use G92"), std::string::npos);
 }
 
@@ -159,14 +161,23 @@ TEST(GcodeForeign, ASubprogramBehindAMainProgramWithoutEnd) {
 
 TEST(GcodeForeign, PeckCyclesWithP) {
   const std::string begin = "F60 G0 X0 Y0 Z5\n", end = "\nG80";
-  const auto length = [&](const std::string& cycle) { return read_gcode(begin + cycle + end).path.length(); };
+  const auto lengths = [&](const std::string& cycle) {  // all of it, and what is fed
+    const Contour c = read_gcode(begin + cycle + end);
+    double fed = 0;
+    for (const Block& block : c.blocks)
+      for (std::size_t i = block.first; block.mode == Mode::cut && i < block.last; ++i) fed += c.path[i].length();
+    return std::pair(c.path.length(), fed);
+  };
   // Pecks at −1 and −4 of a hole from 2 to −6.
-  const double plain = length("G98 G83 Z-6 R2 Q3");
-  EXPECT_NEAR(length("G98 G83 Z-6 R2 Q3 P1"), plain - 2 * 2 * (1 - 0.254), 1e-9);
-  EXPECT_NEAR(length("G98 G73 Z-6 R2 Q3 P1"), length("G98 G73 Z-6 R2 Q3") + 2 * 2 * (1 - 0.254), 1e-9);
-  EXPECT_EQ(length("G98 G83 Z-6 R2 Q3 P0"), plain);
+  const auto [all, fed] = lengths("G98 G83 Z-6 R2 Q3");
+  EXPECT_NEAR(fed, 8 + 2 * 0.254, 1e-9);
+  const auto [all_wide, fed_wide] = lengths("G98 G83 Z-6 R2 Q3 P1");
+  EXPECT_NEAR(all_wide, all, 1e-9);
+  EXPECT_NEAR(fed_wide, 8 + 2 * 1, 1e-9);
+  EXPECT_NEAR(lengths("G98 G73 Z-6 R2 Q3 P1").first, lengths("G98 G73 Z-6 R2 Q3").first + 2 * 2 * (1 - 0.254), 1e-9);
+  EXPECT_EQ(lengths("G98 G83 Z-6 R2 Q3 P0").second, fed);
   const Contour dwells = read_gcode(begin + "G98 G83 Z-6 R2 Q3 P4" + end);
-  EXPECT_EQ(dwells.path.length(), plain);
+  EXPECT_EQ(dwells.path.length(), all);
   EXPECT_EQ(dwells.dwell(), 4);
   EXPECT_TRUE(noted(dwells, "taken as a dwell"));
 }

@@ -24,6 +24,7 @@ TEST(NumberExponent, TheOutputOfFormattersIsAnExponent) {
   EXPECT_EQ(reading("1.42109", "E-14"), ExponentReading::exponent);   // C, Python, C#
   EXPECT_EQ(reading("0.142109", "E-13"), ExponentReading::exponent);  // Fortran
   EXPECT_EQ(reading("1", "E-05"), ExponentReading::exponent);
+  EXPECT_EQ(reading("2.5", "E+07"), ExponentReading::exponent);
   EXPECT_EQ(reading("1.42109", "e-14", false), ExponentReading::exponent);
 }
 
@@ -72,7 +73,7 @@ TEST(NumberExponent, WhatIsUnclearIsRefusedUnlessTheProgramIsForAPrinter) {
   EXPECT_EQ(bahnwerk::fault_lines("G1 F60 X5\nX10E5\nX2"), (std::vector{2}));
   const Contour c = bahnwerk::read_gcode("M83\nG1 F60 X5\nX10E5\nX12");
   EXPECT_EQ(c.path.length(), 12);
-  const std::string& fault = bahnwerk::gcode_faults("G1 X12.5E-3").front().message;
+  const std::string fault = bahnwerk::gcode_faults("G1 X12.5E-3").front().message;
   EXPECT_NE(fault.find("line 1: "), std::string::npos);
   EXPECT_NE(fault.find("exponent"), std::string::npos);
 }

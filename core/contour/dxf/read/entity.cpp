@@ -10,6 +10,10 @@ namespace {
 constexpr double turn = 2 * std::numbers::pi;
 constexpr double degree = std::numbers::pi / 180;
 
+bool gives(const DxfRecord& record, int code) {
+  return std::any_of(record.tags.begin(), record.tags.end(), [&](const DxfTag& tag) { return tag.code == code; });
+}
+
 DxfShape line(const DxfRecord& record) {
   DrawnLine line;
   for (const DxfTag& tag : record.tags) take_point(tag, 10, line.from) || take_point(tag, 11, line.to);
@@ -23,7 +27,7 @@ DxfShape circle(const DxfRecord& record, bool full) {
   for (const DxfTag& tag : record.tags)
     take_point(tag, 10, centre) || take_number(tag, 40, radius) || take_number(tag, 50, start) ||
         take_number(tag, 51, end) || take_point(tag, 210, normal);
-  if (radius == 0) return {{}, 1, {}};  // a leftover of editing
+  if (radius == 0 && gives(record, 40)) return {{}, 1, {}};  // a leftover of editing
   if (!(radius > 0)) refuse_dxf(record.line, "the radius has to be positive");
   DrawnArc arc;
   // The start lies on the first half-axis, so that ends at whole quarters are exact.
@@ -43,6 +47,7 @@ DxfShape ellipse(const DxfRecord& record) {
   for (const DxfTag& tag : record.tags)
     take_point(tag, 10, centre) || take_point(tag, 11, major) || take_number(tag, 40, ratio) ||
         take_number(tag, 41, start) || take_number(tag, 42, end) || take_point(tag, 210, normal);
+  if (!gives(record, 11)) refuse_dxf(record.line, "the ellipse's major axis has no length");
   if (!(norm(major) > 0)) return {{}, 1, {}};
   if (!(std::abs(ratio) >= 1e-6 && std::abs(ratio) <= 1e6))
     refuse_dxf(record.line, "the ratio of the ellipse's axes has to be between 1e-6 and 1");

@@ -22,8 +22,8 @@ ExponentReading exponent_reading(std::string_view mantissa, std::string_view res
   if (capital != (rest[0] == 'E')) return ExponentReading::exponent;
   const bool sign = !digit(rest, 1);
   const std::size_t digits = size - (sign ? 2 : 1), point = mantissa.find('.');
-  const bool formatted = point == 1 && mantissa.size() > 3;                          // 1.42E-14; Fortran: 0.142E-13
-  const bool padded = digits == 2 && rest[size - 2] == '0' && mantissa.size() == 1;  // 1E-05
+  const bool formatted = point == 1 && mantissa.size() > 3;                    // 1.42E-14; Fortran: 0.142E-13
+  const bool padded = rest[2] == '0' && (point == 1 || mantissa.size() == 1);  // 2.5E-07, 1E-05
   return sign && digits > 1 && (formatted || padded) ? ExponentReading::exponent : ExponentReading::unclear;
 }
 

@@ -145,11 +145,13 @@ bool Lines::computed_number(Line& line, char letter, const char* word, double& v
 /// Digits, without a sign.
 bool Lines::parse(Line& line, char letter, const char* first, const char* last, double& value) {
   constexpr double largest = 1e9;
-  const char* exponent = std::find_if(first, last, is_letter);
   const auto [stop, error] = std::from_chars(first, last, value);
-  if (error == std::errc::result_out_of_range && exponent != last && exponent[1] == '-') {
-    value = 0;
-    return true;
+  if (error == std::errc::result_out_of_range) {
+    const char* exponent = std::find_if(first, last, is_letter);
+    if (exponent != last && exponent[1] == '-') {
+      value = 0;
+      return true;
+    }
   }
   if (error == std::errc::result_out_of_range || (error == std::errc{} && !(value <= largest))) {
     // Numbers of lines and programs are names.
