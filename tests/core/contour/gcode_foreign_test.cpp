@@ -51,6 +51,8 @@ TEST(GcodeForeign, HeadersOfPrinters) {
   EXPECT_TRUE(noted(c, "words of printers"));
   EXPECT_EQ(fault_lines("G1 X1\nM3.2\nX2"), (std::vector{2}));
   EXPECT_EQ(fault_lines("G28 U0 W0\nG1 X1"), (std::vector{1}));
+  EXPECT_EQ(end_of(read_gcode("G28 XYZ\nG28 XY ; again\nG1 X5 F60")).x, 5);
+  EXPECT_EQ(fault("G1 X1,5"), "line 1: a number has a point, no comma");
 }
 
 TEST(GcodeForeign, LinesForTheController) {

@@ -111,12 +111,20 @@ bool Lines::exponent(Line& line, char letter, const char*& first, const char*& l
   return true;
 }
 
+/// G28 XYZ: nothing but letters of axes up to a blank.
+bool Lines::axes_follow() const {
+  const char* last = at_;
+  while (last != end_ && std::string_view("XYZEW").find(capital(*last)) != std::string_view::npos) ++last;
+  return last != at_ && (last == end_ || blank(*last) || end_of_line(*last) || *last == ';');
+}
+
 /// An expression, a parameter or a function; for printers a letter alone.
 bool Lines::computed_number(Line& line, char letter, const char* word, double& value) {
   const char c = at_ == end_ ? '\n' : *at_;
   const bool name = is_letter(c) && at_ + 1 != end_ && (is_letter(at_[1]) || at_[1] == '_');
-  if (c != '#' && c != '[' && !name && c != '_') {
-    if (letter != 'G' && letter != 'M' && bare_letters(line)) {
+  const bool bare = letter != 'G' && letter != 'M' && bare_letters(line);
+  if (c != '#' && c != '[' && ((!name && c != '_') || (bare && axes_follow()))) {
+    if (bare) {
       value = 0;
       return line.bare = true;
     }

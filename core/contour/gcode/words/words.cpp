@@ -20,7 +20,7 @@ std::string shown(char c) {
 }
 
 /// What a character that begins no word stands for, if that is known.
-std::string strange(char c) {
+std::string strange(char c, char next) {
   switch (c) {
     case '=':
       return "= stands only behind a parameter";
@@ -40,6 +40,7 @@ std::string strange(char c) {
     case '^':
       return "polar coordinates (@, ^) are not supported";
     case ',':
+      if (part_of_number(next)) return "a number has a point, no comma";
       return "chamfers and roundings (,C ,R) are not supported";
     case '*':
       return "a checksum (*), as printers are sent, is no word of a part program";
@@ -138,7 +139,7 @@ void Lines::words(Line& line) {
     }
     const char letter = c == ':' ? 'O' : capital(c);
     if (letter < 'A' || letter > 'Z') {
-      line.fault = c == '_' ? no_word(at_) : strange(c);
+      line.fault = c == '_' ? no_word(at_) : strange(c, at_ + 1 == end_ ? '\n' : at_[1]);
       return;
     }
     ++at_;

@@ -116,6 +116,7 @@ class Lines {
   static bool parse(Line& line, char letter, const char* first, const char* last, double& value);
   std::string no_word(const char* from) const;
   static bool bare_letters(const Line& line);
+  bool axes_follow() const;
   bool comment(Line& line);
   void skip_blanks();
   void skip_line();
