@@ -18,6 +18,7 @@ void demand(bool holds) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   bahnwerk::DxfOptions options;
   options.max_curves = 1'000;
+  options.hatch = true;
   if (size > 0 && data[size - 1] % 2 == 1) options.order = bahnwerk::DxfOrder::nearest;
   try {
     const bahnwerk::Contour contour = bahnwerk::read_dxf({reinterpret_cast<const char*>(data), size}, options);
