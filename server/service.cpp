@@ -13,11 +13,6 @@
 namespace bahnwerk::server {
 namespace {
 
-/// After the drain timeout a planner has this long to notice (its rule: 100 ms of its processor time) and its job to be
-/// put back, then requests have what is left of the second until the end.
-constexpr std::chrono::milliseconds stop_patience{700};
-constexpr std::chrono::milliseconds answer_patience{200};
-
 /// Checks of posted documents have threads of their own: they may take long, and looks at jobs must not wait for them.
 constexpr unsigned check_threads = 2;
 
@@ -41,7 +36,8 @@ Limits affordable(Limits limits) {
 
 Engine real_engine() { return {api::parse_job, api::plan_job}; }
 
-Service::Service(const ServiceOptions& options, Engine engine) : options_(options) {
+Service::Service(const ServiceOptions& options, Engine engine, const TimeSource& time)
+    : options_(options), time_(time), notifier_(time) {
   // The address first: whoever cannot have it must not leave a new database behind. Nobody is answered before start().
   const Handler handler = compose({request_id(), access_log(), count(metrics_), guard()},
                                   [this](const RequestPtr& request, const Reply& reply) { router_(request, reply); });
@@ -60,12 +56,12 @@ Service::Service(const ServiceOptions& options, Engine engine) : options_(option
   heavy_ = std::make_unique<Pool>(1, options.worker_nice);
   // A file's owner needs no clock to know that a worker has gone: it would be gone itself.
   workers_ = std::make_unique<Workers>(*store_, live_, notifier_, metrics_, std::move(engine.plan),
-                                       store_->shared() ? std::optional(worker_lease) : std::nullopt);
-  deadlines_ = std::make_unique<Deadlines>(*store_);
+                                       store_->shared() ? std::optional(worker_lease) : std::nullopt, time_);
+  deadlines_ = std::make_unique<Deadlines>(*store_, time_);
   follow_changes();
   context_ = std::make_unique<Context>(Context{*store_, live_, notifier_, *pool_, *checks_, *heavy_, metrics_,
                                                std::move(engine.parse), options.max_queued, options.limits.max_body,
-                                               draining_, options.build});
+                                               draining_, options.build, time_, options.event_heartbeat});
   add_job_routes(router_, *context_);
   add_result_routes(router_, *context_);
   add_meta_routes(router_, *context_);
@@ -79,7 +75,7 @@ Service::~Service() {
   draining_ = true;
   workers_->stop_claiming();
   workers_->interrupt();
-  stop_listening(answer_patience);
+  stop_listening(options_.answer_patience);
   feed_.reset();
   // From here on nobody asks any more: let what is under way end from the top to the bottom.
   workers_.reset();
@@ -135,16 +131,15 @@ Service::Drained Service::drain() {
   if (!workers_->wait_idle(options_.drain_timeout)) {
     log::info("drain_timeout", {{"running", live_.size()}});
     workers_->interrupt();
-    if (!workers_->wait_idle(left(until + stop_patience))) {
+    if (!workers_->wait_idle(left(until + options_.stop_patience))) {
       log::error("planner_did_not_stop", {{"running", live_.size()}});
       stuck = true;
     }
   }
-  const bool answered = stop_listening(std::max(left(until), answer_patience));
+  const bool answered = stop_listening(std::max(left(until), options_.answer_patience));
   // Whoever was cut off, or has gone, may have left a check behind that nobody waits for.
-  const auto rest = std::max(left(until), answer_patience / 2);
-  const bool idle = checks_->wait_idle(rest) && heavy_->wait_idle(left(until) + milliseconds(10)) &&
-                    pool_->wait_idle(left(until) + milliseconds(10));
+  const auto rest = std::max(until, Clock::now() + options_.answer_patience / 2);
+  const bool idle = checks_->wait_idle(left(rest)) && heavy_->wait_idle(left(rest)) && pool_->wait_idle(left(rest));
   try {
     // A planner that gets no processor time cannot put its job back; whatever it still does comes too late then.
     if (stuck)

@@ -23,7 +23,11 @@ struct ServiceOptions {
   unsigned http_threads = 2;
   std::size_t max_queued = 10'000;
   Limits limits;
-  std::chrono::milliseconds drain_timeout{10'000};  ///< how long running jobs may go on after the end was asked for
+  std::chrono::milliseconds event_heartbeat{15'000};  ///< between two signs of life of a stream of events
+  std::chrono::milliseconds drain_timeout{10'000};    ///< how long running jobs may go on after the end was asked for
+  /// After the drain timeout a planner has this long to notice (its rule: 100 ms of its processor time) and its job to
+  /// be put back, then requests have what is left of the second until the end.
+  std::chrono::milliseconds stop_patience{700}, answer_patience{200};
   BuildInfo build;
 };
 
@@ -38,7 +42,7 @@ class Service {
  public:
   /// Opens store and port, recovers, and serves. Throws std::runtime_error (StoreError included) with a sentence for
   /// the operator.
-  Service(const ServiceOptions& options, Engine engine);
+  Service(const ServiceOptions& options, Engine engine, const TimeSource& time = system_time());
   ~Service();
   Service(const Service&) = delete;
   Service& operator=(const Service&) = delete;
@@ -49,8 +53,8 @@ class Service {
   void probe(std::function<void()> answered);
   /// Orderly end: new jobs are refused, running ones may finish within the drain timeout and go back to the queue
   /// otherwise, requests in flight are answered within that time, too, the store is checkpointed. Takes at most the
-  /// drain timeout and a second. clean: all threads are at rest; late: some request or planner is not, what it does is
-  /// lost (its job is back in the queue), and only _exit is safe.
+  /// drain timeout, both patiences and 100 ms. clean: all threads are at rest; late: some request or planner is not,
+  /// what it does is lost (its job is back in the queue), and only _exit is safe.
   enum class Drained { clean, late };
   Drained drain();
 
@@ -59,6 +63,7 @@ class Service {
   bool stop_listening(std::chrono::milliseconds patience);
   ServiceOptions options_;
   std::atomic<bool> draining_{false};
+  const TimeSource& time_;
   Metrics metrics_;
   std::unique_ptr<Store> store_;
   Router router_;

@@ -63,10 +63,14 @@ void add_serve(CLI::App& app, ServiceOptions& options, std::string& role, std::s
                   "for a request's header, from connecting on (408)"));
   env(add_seconds(app, "--body-timeout", options.limits.body_timeout,
                   "for a request's body, plus 1 s per 100 kB received (408)"));
+  env(add_seconds(app, "--stall-timeout", options.limits.stall_timeout,
+                  "after which a body that stands still makes room for another connection"));
   env(add_seconds(app, "--idle-timeout", options.limits.idle_timeout, "between requests of a connection"));
   env(add_seconds(app, "--write-timeout", options.limits.write_timeout,
                   "for each piece of an answer, plus 1 s per 100 kB"));
   env(add_seconds(app, "--drain-timeout", options.drain_timeout, "that running jobs may go on after SIGTERM"));
+  env(add_seconds(app, "--event-heartbeat", options.event_heartbeat,
+                  "of silence on a stream of events, then a comment says that it is alive"));
   env(app.add_option("--log-level", level, "least level logged")
           ->check(CLI::IsMember({"debug", "info", "warn", "error"})));
 }

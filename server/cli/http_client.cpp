@@ -80,10 +80,11 @@ Response HttpClient::request(const std::string& method, const std::string& targe
     parser.get().body().data = piece.data();
     parser.get().body().size = piece.size();
     auto read =
-        finish(io, stream, silence_patience, [&](auto done) { http::async_read(stream, buffer, parser, done); });
+        finish(io, stream, silence_patience, [&](auto done) { http::async_read_some(stream, buffer, parser, done); });
     if (read == http::error::need_buffer) read = {};
     check(read, "the answer broke off");
     const std::string_view text(piece.data(), piece.size() - parser.get().body().size);
+    if (text.empty()) continue;
     if (sink && response.status / 100 == 2)
       sink(text);
     else

@@ -22,7 +22,10 @@ struct ConnectionContext {
   explicit ConnectionContext(const Limits& l)
       : limits(l),
         bodies(std::make_shared<BodyBudget>(l.max_bodies)),
-        table({.most = l.max_connections, .max_per_address = l.max_per_address, .spare = l.spare_connections}) {}
+        table({.most = l.max_connections,
+               .max_per_address = l.max_per_address,
+               .spare = l.spare_connections,
+               .stalled = l.stall_timeout}) {}
   Limits limits;
   ListenerHooks hooks;
   std::shared_ptr<BodyBudget> bodies;

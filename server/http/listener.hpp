@@ -19,6 +19,7 @@ struct Limits {
   std::size_t spare_connections = 32;                ///< beyond the limit, for /healthz and /readyz alone
   std::chrono::milliseconds header_timeout{10'000};  ///< for the header: from connecting, later from its first byte
   std::chrono::milliseconds body_timeout{30'000};    ///< for the body, plus 1 s per 100 kB received
+  std::chrono::milliseconds stall_timeout{5'000};    ///< after it a body that stands still makes room for others
   std::chrono::milliseconds idle_timeout{75'000};    ///< between requests of a connection
   std::chrono::milliseconds write_timeout{30'000};   ///< for each piece of an answer, plus 1 s per 100 kB of it
 };

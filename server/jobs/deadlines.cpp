@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 
-#include "server/runtime/clock.hpp"
 #include "server/runtime/log.hpp"
 
 namespace bahnwerk::server {
@@ -14,7 +13,7 @@ constexpr std::int64_t retry = 1'000;           ///< ms after the store failed
 
 }  // namespace
 
-Deadlines::Deadlines(Store& store) : store_(store) {
+Deadlines::Deadlines(Store& store, const TimeSource& time) : store_(store), time_(time) {
   look();
   thread_ = std::thread([this] { loop(); });
 }
@@ -38,11 +37,11 @@ void Deadlines::notify() {
 
 std::int64_t Deadlines::look() {
   try {
-    const Expired expired = store_.expire(now_ms());
+    const Expired expired = store_.expire(time_.now_ms());
     for (const std::string& id : expired.ids)
       log::info("job_ended", {{"job", id}, {"state", "failed"}, {"problem", "deadline-exceeded"}});
     for (const std::string& id : expired.lost) log::warn("attempt_lost", {{"job", id}});
-    return expired.next ? std::clamp<std::int64_t>(*expired.next - now_ms(), 0, longest_sleep) : longest_sleep;
+    return expired.next ? std::clamp<std::int64_t>(*expired.next - time_.now_ms(), 0, longest_sleep) : longest_sleep;
   } catch (const StoreError& error) {
     log::error("expire_failed", {{"detail", error.what()}});
     return retry;
@@ -54,9 +53,10 @@ void Deadlines::loop() {
   while (!stop_) {
     const std::uint64_t seen = notifications_;
     lock.unlock();
-    const std::chrono::milliseconds sleep(look());
+    const auto asleep_since = time_.now();
+    const auto until = asleep_since + std::chrono::milliseconds(look());
     lock.lock();
-    wake_.wait_for(lock, sleep, [&] { return stop_ || notifications_ != seen; });
+    while (!stop_ && notifications_ == seen && time_.now() < until) time_.wait_until(lock, wake_, until);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <thread>
 
+#include "server/runtime/clock.hpp"
 #include "server/store/store.hpp"
 
 namespace bahnwerk::server {
@@ -14,7 +15,7 @@ namespace bahnwerk::server {
 class Deadlines {
  public:
   /// Ends what passed while nobody served, then starts the thread.
-  explicit Deadlines(Store& store);
+  explicit Deadlines(Store& store, const TimeSource& time = system_time());
   ~Deadlines();
   Deadlines(const Deadlines&) = delete;
   Deadlines& operator=(const Deadlines&) = delete;
@@ -26,6 +27,7 @@ class Deadlines {
   void loop();
 
   Store& store_;
+  const TimeSource& time_;
   std::mutex mutex_;
   std::condition_variable wake_;
   std::uint64_t notifications_ = 0;

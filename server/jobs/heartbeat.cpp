@@ -2,13 +2,19 @@
 
 #include <algorithm>
 
-#include "server/runtime/clock.hpp"
 #include "server/runtime/log.hpp"
 
 namespace bahnwerk::server {
 
-Heartbeat::Heartbeat(Store& store, LiveJobs& live, std::string worker, std::chrono::milliseconds lease)
-    : store_(store), live_(live), worker_(std::move(worker)), lease_(lease), thread_([this] { loop(); }) {}
+Heartbeat::Heartbeat(Store& store, LiveJobs& live, std::string worker, std::chrono::milliseconds lease,
+                     const TimeSource& time)
+    : store_(store),
+      live_(live),
+      worker_(std::move(worker)),
+      lease_(lease),
+      time_(time),
+      next_(time.now() + lease / 3),
+      thread_([this] { loop(); }) {}
 
 Heartbeat::~Heartbeat() {
   {
@@ -21,7 +27,10 @@ Heartbeat::~Heartbeat() {
 
 void Heartbeat::loop() {
   std::unique_lock lock(mutex_);
-  while (!wake_.wait_for(lock, lease_ / 3, [&] { return stop_; })) {
+  while (!stop_) {
+    while (!stop_ && time_.now() < next_) time_.wait_until(lock, wake_, next_);
+    if (stop_) return;
+    next_ = time_.now() + lease_ / 3;
     lock.unlock();
     beat();
     lock.lock();
@@ -33,7 +42,7 @@ void Heartbeat::beat() {
   std::vector<Attempt> attempts;
   for (const auto& live : running) attempts.push_back({live->id(), live->attempt()});
   try {
-    const std::int64_t now = now_ms();
+    const std::int64_t now = time_.now_ms();
     const auto over = store_.heartbeat({worker_, now, now + lease_.count()}, attempts);
     for (const auto& live : running)
       if (std::find(over.begin(), over.end(), Attempt{live->id(), live->attempt()}) != over.end()) live->lost = true;

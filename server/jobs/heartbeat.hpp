@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "server/jobs/live.hpp"
+#include "server/runtime/clock.hpp"
 #include "server/store/store.hpp"
 
 namespace bahnwerk::server {
@@ -14,7 +15,8 @@ namespace bahnwerk::server {
 class Heartbeat {
  public:
   /// Extends the leases to `lease` from now, three times within that time.
-  Heartbeat(Store& store, LiveJobs& live, std::string worker, std::chrono::milliseconds lease);
+  Heartbeat(Store& store, LiveJobs& live, std::string worker, std::chrono::milliseconds lease,
+            const TimeSource& time = system_time());
   ~Heartbeat();
   Heartbeat(const Heartbeat&) = delete;
   Heartbeat& operator=(const Heartbeat&) = delete;
@@ -27,6 +29,8 @@ class Heartbeat {
   LiveJobs& live_;
   const std::string worker_;
   const std::chrono::milliseconds lease_;
+  const TimeSource& time_;
+  TimeSource::Time next_;  ///< beat
   std::mutex mutex_;
   std::condition_variable wake_;
   bool stop_ = false;

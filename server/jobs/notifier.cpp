@@ -2,7 +2,7 @@
 
 namespace bahnwerk::server {
 
-Notifier::Notifier() : thread_([this] { loop(); }) {}
+Notifier::Notifier(const TimeSource& time) : time_(time), thread_([this] { loop(); }) {}
 
 Notifier::~Notifier() {
   release();
@@ -76,7 +76,7 @@ void Notifier::changed(const std::string& job, Change change) {
   bool sooner = false;
   {
     const std::lock_guard lock(mutex_);
-    const auto now = Clock::now();
+    const auto now = time_.now();
     for (auto [at, end] = by_job_.equal_range(job); at != end;) {
       const auto waiter = waiters_.find(at->second);
       ++at;  // take() removes the entry
@@ -126,8 +126,8 @@ void Notifier::loop() {
       continue;
     }
     const auto first = by_time_.begin();
-    if (first->first > Clock::now()) {
-      tick_.wait_until(lock, Clock::time_point(first->first));
+    if (first->first > time_.now()) {
+      time_.wait_until(lock, tick_, Clock::time_point(first->first));
       continue;
     }
     const auto call = take(waiters_.find(first->second));

@@ -12,6 +12,8 @@
 #include <thread>
 #include <vector>
 
+#include "server/runtime/clock.hpp"
+
 namespace bahnwerk::server {
 
 enum class Change { state, progress };
@@ -21,7 +23,7 @@ class Notifier {
   using Token = std::uint64_t;
   using Clock = std::chrono::steady_clock;
 
-  Notifier();
+  explicit Notifier(const TimeSource& time = system_time());
   ~Notifier();  ///< calls whoever still waits
   Notifier(const Notifier&) = delete;
   Notifier& operator=(const Notifier&) = delete;
@@ -46,6 +48,7 @@ class Notifier {
   using Waiters = std::map<Token, Waiter>;
   void loop();
 
+  const TimeSource& time_;
   std::mutex mutex_;
   std::condition_variable tick_;
   Token next_ = 1;

@@ -32,6 +32,8 @@ JobProgress::Stop JobProgress::reason(std::string_view stage) const {
 }
 
 void JobProgress::report(std::string_view stage, double fraction, std::string_view message) {
+  ++reports_;
+  if (stopped_ != Stop::none) ++reports_after_stop_;
   stopped_ = reason(stage);
   switch (stopped_) {
     case Stop::none:

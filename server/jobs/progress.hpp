@@ -2,6 +2,7 @@
 /// What a planner reports to while a worker runs it: checks whether to stop on every call (nanoseconds), publishes
 /// rarely.
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -31,6 +32,9 @@ class JobProgress final : public Progress {
   /// Throws Stopped when the job has to end; stopped() then says why. From the planner's thread only.
   void report(std::string_view stage, double fraction, std::string_view message = {}) override;
   Stop stopped() const { return stopped_; }
+  std::uint64_t reports() const { return reports_; }  ///< how often the planner has asked
+  /// How often the planner has asked again after it was told to stop: 0 where it stops at once.
+  std::uint64_t reports_after_stop() const { return reports_after_stop_; }
 
  private:
   Stop reason(std::string_view stage) const;
@@ -43,6 +47,7 @@ class JobProgress final : public Progress {
   double fraction_ = 0;
   std::shared_ptr<std::atomic<bool>> keeping_ = std::make_shared<std::atomic<bool>>(false);
   Stop stopped_ = Stop::none;
+  std::uint64_t reports_ = 0, reports_after_stop_ = 0;
 };
 
 }  // namespace bahnwerk::server

@@ -6,7 +6,6 @@
 #include "api/problem.hpp"
 #include "core/base/errors.hpp"
 #include "server/jobs/progress.hpp"
-#include "server/runtime/clock.hpp"
 #include "server/runtime/log.hpp"
 #include "server/runtime/memory.hpp"
 #include "server/runtime/priority.hpp"
@@ -15,15 +14,16 @@
 namespace bahnwerk::server {
 
 Workers::Workers(Store& store, LiveJobs& live, Notifier& notifier, Metrics& metrics, Planner planner,
-                 std::optional<std::chrono::milliseconds> lease)
+                 std::optional<std::chrono::milliseconds> lease, const TimeSource& time)
     : store_(store),
       live_(live),
       notifier_(notifier),
       metrics_(metrics),
       planner_(std::move(planner)),
-      name_(Uuid7().next(now_ms())),
-      lease_(lease) {
-  if (lease_) heartbeat_.emplace(store_, live_, name_, *lease_);
+      name_(Uuid7().next(time.now_ms())),
+      lease_(lease),
+      time_(time) {
+  if (lease_) heartbeat_.emplace(store_, live_, name_, *lease_, time_);
 }
 
 Workers::~Workers() {
@@ -54,7 +54,7 @@ void Workers::notify(std::size_t jobs) {
 }
 
 Lease Workers::lease() const {
-  const std::int64_t now = now_ms();
+  const std::int64_t now = time_.now_ms();
   return {name_, now, lease_ ? now + lease_->count() : Lease::forever};
 }
 
@@ -149,8 +149,8 @@ void Workers::run(const api::Job& job) {
       job, live,
       {.publish = [&] { notifier_.changed(id, Change::progress); },
        .keep = [&](Progressed p, std::function<void()> done) { store_.progress(std::move(p), std::move(done)); },
-       .now_ms = now_ms,
-       .now = [] { return std::chrono::steady_clock::now(); }});
+       .now_ms = [&] { return time_.now_ms(); },
+       .now = [&] { return time_.now(); }});
   const auto never = [] { return false; };
   std::string outcome;
   std::optional<api::PlannedJob> planned;
@@ -169,7 +169,7 @@ void Workers::run(const api::Job& job) {
     outcome = "succeeded";
     try {
       const auto kept = persist(
-          id, [&] { return store_.succeed(id, job.attempt, *planned, now_ms(), live->revision(), progress); },
+          id, [&] { return store_.succeed(id, job.attempt, *planned, time_.now_ms(), live->revision(), progress); },
           [&] { return live->cancel.load(); });
       if (kept == Kept::given_up) {
         given_up = true;
@@ -184,7 +184,7 @@ void Workers::run(const api::Job& job) {
   } else if (problem && progress.stopped() == JobProgress::Stop::interrupted) {
     outcome = "queued";
     persist(
-        id, [&] { return store_.requeue(id, job.attempt, now_ms(), live->revision()); }, never);
+        id, [&] { return store_.requeue(id, job.attempt, time_.now_ms(), live->revision()); }, never);
   } else if (problem) {
     Ending ending;
     const bool cancelled = given_up || progress.stopped() == JobProgress::Stop::cancelled;
@@ -194,7 +194,7 @@ void Workers::run(const api::Job& job) {
     persist(
         id,
         [&] {
-          ending.now = now_ms();
+          ending.now = time_.now_ms();
           ending.revision = live->revision();
           return store_.end(id, job.attempt, ending);
         },
@@ -203,8 +203,14 @@ void Workers::run(const api::Job& job) {
   live_.remove(*live);
   const double seconds = seconds_since(start);
   metrics_.planned(job.request.kind, outcome, seconds);
-  log::Fields line{{"job", id}, {"kind", job.request.kind}, {"state", outcome}, {"seconds", seconds}};
+  log::Fields line{{"job", id},
+                   {"kind", job.request.kind},
+                   {"state", outcome},
+                   {"seconds", seconds},
+                   {"reports", progress.reports()}};
   if (problem) line.push_back({"problem", problem->type().slug});
+  if (progress.stopped() != JobProgress::Stop::none)
+    line.push_back({"reports_after_stop", progress.reports_after_stop()});
   log::info("job_ended", line);
 }
 

@@ -13,6 +13,7 @@
 #include "server/jobs/heartbeat.hpp"
 #include "server/jobs/live.hpp"
 #include "server/jobs/notifier.hpp"
+#include "server/runtime/clock.hpp"
 #include "server/runtime/metrics.hpp"
 #include "server/store/store.hpp"
 
@@ -27,7 +28,7 @@ class Workers {
   /// `lease`: how long an attempt holds without a heartbeat of this process; nullopt: until the process ends, for a
   /// store that no other process uses. Of progress `notifier` is told here, of states by the store's changes.
   Workers(Store& store, LiveJobs& live, Notifier& notifier, Metrics& metrics, Planner planner,
-          std::optional<std::chrono::milliseconds> lease = std::nullopt);
+          std::optional<std::chrono::milliseconds> lease = std::nullopt, const TimeSource& time = system_time());
   ~Workers();  ///< interrupts and joins
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
@@ -56,6 +57,7 @@ class Workers {
   Planner planner_;
   const std::string name_;  ///< of this process, anew at every start
   const std::optional<std::chrono::milliseconds> lease_;
+  const TimeSource& time_;  ///< of leases, deadlines, budgets and progress
   std::mutex mutex_;
   std::condition_variable wake_, idle_;
   std::uint64_t notifications_ = 0;

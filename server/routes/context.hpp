@@ -7,6 +7,7 @@
 #include "server/jobs/live.hpp"
 #include "server/jobs/notifier.hpp"
 #include "server/runtime/build_info.hpp"
+#include "server/runtime/clock.hpp"
 #include "server/runtime/metrics.hpp"
 #include "server/runtime/pool.hpp"
 #include "server/store/store.hpp"
@@ -29,6 +30,8 @@ struct Context {
   std::size_t max_body;  ///< bytes, of a body that comes compressed, too
   const std::atomic<bool>& draining;
   const BuildInfo build;
+  const TimeSource& time;
+  std::chrono::milliseconds event_heartbeat;  ///< after so much silence a stream of events says that it is alive
 };
 
 void add_job_routes(Router& router,

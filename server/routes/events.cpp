@@ -12,7 +12,6 @@ namespace bahnwerk::server {
 namespace {
 
 using Clock = Notifier::Clock;
-constexpr std::chrono::seconds heartbeat{15};
 
 std::string event(std::string_view name, std::uint64_t id, const nlohmann::ordered_json& data) {
   return "id: " + std::to_string(id) + "\nevent: " + std::string(name) +
@@ -40,7 +39,7 @@ class JobFeed final : public Feed, public std::enable_shared_from_this<JobFeed> 
     context_.pool.post([self = shared_from_this()] { self->look(); });
   }
   void give(std::optional<std::string> piece) {
-    last_piece_ = Clock::now();
+    last_piece_ = context_.time.now();
     std::exchange(ready_, nullptr)(std::move(piece));
   }
 
@@ -56,12 +55,13 @@ class JobFeed final : public Feed, public std::enable_shared_from_this<JobFeed> 
     begun_ = true;
     text += news(*job);
     ended_ = final(*job) || context_.draining;
-    if (text.empty() && !ended_ && Clock::now() >= last_piece_ + heartbeat) text = ": still here\n\n";
+    if (text.empty() && !ended_ && context_.time.now() >= last_piece_ + context_.event_heartbeat)
+      text = ": still here\n\n";
     if (!text.empty()) return give(std::move(text));
     if (ended_) return give(std::nullopt);
     const auto progress_from = last_event_ + progress_interval;
     const bool progressed = job->revision > sent_;
-    auto until = last_piece_ + heartbeat;
+    auto until = last_piece_ + context_.event_heartbeat;
     if (progressed) until = std::min(until, progress_from);
     token_ = context_.notifier.wait(
         id_, until, [self = shared_from_this()] { self->look_later(); }, progress_from);
@@ -82,7 +82,7 @@ class JobFeed final : public Feed, public std::enable_shared_from_this<JobFeed> 
   std::string news(api::Job& job) {
     if (job.revision <= sent_) return "";
     const bool entered = job.state_revision == 0 || sent_ < job.state_revision;
-    if (!entered && Clock::now() < last_event_ + progress_interval) return "";
+    if (!entered && context_.time.now() < last_event_ + progress_interval) return "";
     std::string text;
     if (entered && final(job) && job.started_at && sent_ > 0 &&
         sent_ <= queued_) {  // planned too fast to be seen running
@@ -98,7 +98,7 @@ class JobFeed final : public Feed, public std::enable_shared_from_this<JobFeed> 
     text += entered ? event("state", job.revision, resource) : event("progress", job.revision, resource["progress"]);
     if (job.state == api::JobState::queued) queued_ = job.revision;
     sent_ = job.revision;
-    last_event_ = Clock::now();
+    last_event_ = context_.time.now();
     return text;
   }
 

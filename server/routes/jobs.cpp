@@ -65,7 +65,7 @@ Response list(Context& context, const Request& request) {
 Response cancel(Context& context, const Request& request) {
   require_json(request);
   const std::string& id = request.parameter("id");
-  if (!context.store.cancel(id, now_ms())) throw api::Problem("not-found", "There is no job " + id + ".");
+  if (!context.store.cancel(id, context.time.now_ms())) throw api::Problem("not-found", "There is no job " + id + ".");
   Response response = job_answer(202, find_job(context, id));
   response.set("Location", "/v1/jobs/" + id);
   return response;

@@ -97,7 +97,7 @@ void submit(Context& context, const RequestPtr& request, const Reply& reply) {
       if (!job.idempotency_key.empty()) job.body_hash = sha256(request->body);
       const GiveBack afterwards(request->body.size());
       job.request = context.parse(request->body);
-      job.now = now_ms();
+      job.now = context.time.now_ms();
       job.max_queued = context.max_queued;
       context.store.insert(std::move(job),
                            [&context, request, reply](const Inserted& inserted, std::exception_ptr error) {

@@ -19,15 +19,15 @@ struct Waiting : std::enable_shared_from_this<Waiting> {
         id(request->parameter("id")),
         any_change(request->header("if-none-match").has_value()),
         wait(seconds),
-        until(Notifier::Clock::now() + std::chrono::seconds(seconds)),
-        progress_from(Notifier::Clock::now() + progress_interval) {}
+        until(context.time.now() + std::chrono::seconds(seconds)),
+        progress_from(context.time.now() + progress_interval) {}
 
-  bool over() const { return context.draining || Notifier::Clock::now() >= until; }
+  bool over() const { return context.draining || context.time.now() >= until; }
   /// What the client waits for has come about.
   bool due(const api::Job& job) const {
     if (final(job)) return true;
     if (!any_change || matches_etag(*request, job_etag(job))) return false;
-    return !knows_state(*request, job) || Notifier::Clock::now() >= progress_from;
+    return !knows_state(*request, job) || context.time.now() >= progress_from;
   }
   Notifier::Clock::time_point next_look(const api::Job& job) const {
     const bool progressed = any_change && !matches_etag(*request, job_etag(job));

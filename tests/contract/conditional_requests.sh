@@ -25,12 +25,13 @@ done
 request GET "/v1/jobs/$id/setpoints" -H 'Accept: text/csv' -H "If-None-Match: $tag"
 expect_status 200 # another form, another tag
 
-seconds() { echo $((($(date +%s%N) - $1) / 1000000)); }
+# elapsed NS: ms since that moment. Only what has to take long is measured; what has to be quick is given a minute.
+elapsed() { echo $((($(date +%s%N) - $1) / 1000000)); }
 # A finished job does not change any more: no wait.
 began=$(date +%s%N)
-request GET "/v1/jobs/$id" -H "If-None-Match: $etag" -H 'Prefer: wait=20'
+request GET "/v1/jobs/$id" -H "If-None-Match: $etag" -H 'Prefer: wait=60'
 expect_status 304
-(($(seconds "$began") < 3000)) || fail "waited for a finished job"
+(($(elapsed "$began") < 50000)) || fail "waited for a finished job"
 
 # A queued job behind a long one: held for the whole time, then 304.
 snake 50000 >"$work/long.json"
@@ -45,8 +46,8 @@ began=$(date +%s%N)
 request GET "/v1/jobs/$short" -H "If-None-Match: $etag" -H 'Prefer: respond-async, wait=2'
 expect_status 304
 expect_header Preference-Applied wait=2
-took=$(seconds "$began")
-((took >= 1900 && took < 10000)) || fail "held for $took ms instead of 2000"
+took=$(elapsed "$began")
+((took >= 1900)) || fail "held for $took ms instead of 2000"
 
 # A running job's progress wakes the waiter, once a second at most, and every revision differs.
 request GET "/v1/jobs/$long"
@@ -58,23 +59,23 @@ for _ in 1 2 3; do
   [[ $(header ETag) != "$etag" ]] || fail "woken without a change"
   expect_json '.progress.fraction >= 0 and .progress.fraction <= 1 and (.progress.stage | length > 0)'
 done
-(($(seconds "$began") >= 3000)) || fail "woken three times within $(seconds "$began") ms"
+(($(elapsed "$began") >= 3000)) || fail "woken three times within $(elapsed "$began") ms"
 # Without If-None-Match progress does not count: held for the whole time.
 began=$(date +%s%N)
 request GET "/v1/jobs/$long" -H 'Prefer: wait=2'
 expect_status 200
 expect_header Preference-Applied wait=2
-(($(seconds "$began") >= 1900)) || fail "progress ended the wait"
+(($(elapsed "$began") >= 1900)) || fail "progress ended the wait"
 
 # Cancelling the queued job wakes who waits for it.
 request GET "/v1/jobs/$short"
 etag=$(header ETag)
 (sleep 1 && curl -sS -X POST "$url/v1/jobs/$short/cancel" -o /dev/null) &
 began=$(date +%s%N)
-request GET "/v1/jobs/$short" -H "If-None-Match: $etag" -H 'Prefer: wait=30'
+request GET "/v1/jobs/$short" -H "If-None-Match: $etag" -H 'Prefer: wait=60'
 expect_status 200
 expect_json '.state == "cancelled"'
-(($(seconds "$began") < 15000)) || fail "not woken by the change"
+(($(elapsed "$began") < 50000)) || fail "not woken by the change"
 wait $!
 # Waiters do not hold up the end of service, nor threads: 200 of them, and the server still answers.
 request GET "/v1/jobs/$long"

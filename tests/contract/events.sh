@@ -1,15 +1,11 @@
 #!/usr/bin/env bash
 # Following a job: events as they happen, waiting for the end with few and small answers.
 source "$(dirname "$0")/lib.sh"
-start_server --workers 1
+start_server --workers 1 --event-heartbeat 1
 snake 50000 >"$work/long.json"
 post "$work/long.json"
 long=$id
 await running
-post "$work/long.json" # two more, for machines that are done with the first too soon
-middle=$id
-post "$work/long.json"
-next=$id
 
 # stream FILE [curl's arguments…]: the events of job $id until their end.
 stream() {
@@ -21,22 +17,27 @@ names() { sed -n 's/^event: //p' "$1" | tr '\n' ' '; }
 last_id() { sed -n 's/^id: //p' "$1" | tail -n 1; }
 states() { sed -n 's/^data: //p' "$1" | jq -r '.state // empty' | tr '\n' ' '; }
 
+# tells_progress FILE [N]: whether it holds so many events of progress.
+tells_progress() { (($(cat "$1" 2>/dev/null | grep -c "^event: progress") >= ${2:-1})); }
+
 # The state at once, then progress, at most once a second, without the connection's end.
-curl -sSN --max-time 4 -o "$work/part" "$url/v1/jobs/$long/events" || true
+began=$(date +%s)
+curl -sSN --max-time 100 -o "$work/part" "$url/v1/jobs/$long/events" &
+follower=$!
+soon tells_progress "$work/part" 3 || fail "no progress"
+kill "$follower"
+wait "$follower" || true
 [[ $(names "$work/part") == "state progress "* ]] || fail "first the state, then progress: $(names "$work/part")"
 expect_equal "$(states "$work/part")" "running "
-(($(grep -c '^event: progress' "$work/part") <= 4)) || fail "more than one progress a second"
+(($(grep -c '^event: progress' "$work/part") <= $(date +%s) - began + 1)) || fail "more than one progress a second"
 sed -n 's/^data: //p' "$work/part" | tail -n 1 | jq -e '.fraction >= 0 and (.stage | length > 0)' >/dev/null || fail "progress carries its figures"
 
 # A queued job's stream sees every state, also those that last a moment only; a heartbeat keeps it open meanwhile.
 post "$examples/line.json"
 stream "$work/short" &
 follower=$!
-sleep 16.5
-grep -q '^: ' "$work/short" || fail "no heartbeat after 15 s"
+soon grep -qs '^: ' "$work/short" || fail "no heartbeat"
 expect_equal "$(states "$work/short")" "queued "
-request POST "/v1/jobs/$middle/cancel"
-request POST "/v1/jobs/$next/cancel"
 request POST "/v1/jobs/$long/cancel"
 wait "$follower" || fail "the stream ends by itself"
 expect_equal "$(states "$work/short")" "queued running succeeded "
@@ -67,11 +68,9 @@ for i in $(seq 200); do
   curl -sSN --max-time 120 "$url/v1/jobs/$long/events" -o "$work/many.$i" &
   pids[i]=$!
 done
-for _ in $(seq 100); do
-  (($(cat "$work"/many.* 2>/dev/null | grep -c '^event: state') >= 200)) && break
-  sleep 0.2
-done
-expect_equal "$(cat "$work"/many.* | grep -c '^event: state')" 200 "every stream has begun"
+begun() { cat "$work"/many.* 2>/dev/null | grep -c '^event: state'; }
+all_begun() { (($(begun) >= 200)); }
+soon all_begun || fail "of 200 streams $(begun) have begun"
 expect_equal "$(ls "/proc/$server_pid/task" | wc -l)" "$threads" "threads"
 request GET /healthz
 expect_status 200
@@ -91,12 +90,14 @@ expect_equal "$(cat "$work"/many.* | grep -c '"state":"cancelled"')" 200 "every 
 
 # The terminal client asks once a minute at most when nobody looks at its bar.
 post "$work/long.json"
+began=$SECONDS
 (sleep 4 && curl -sS -X POST "$url/v1/jobs/$id/cancel" -o /dev/null) &
 code=0
 "$bahnwerk" watch "$id" --server "$url" >"$work/watched" || code=$?
 expect_equal "$code" 1
-asked=$(jq -c --arg path "/v1/jobs/$id" 'select(.event == "request" and .method == "GET" and .path == $path)' "$work/log" | wc -l)
-((asked <= 2)) || fail "watch asked $asked times"
+# asked: how often job $id has been asked for.
+asked() { jq -cR --arg path "/v1/jobs/$id" 'fromjson? | select(.event == "request" and .method == "GET" and .path == $path)' "$work/log" | wc -l; }
+(($(asked) <= 2 + (SECONDS - began) / 60)) || fail "watch asked $(asked) times"
 
 # With somebody looking, about once a second.
 if ! script -qec true /dev/null >/dev/null 2>&1; then
@@ -104,8 +105,11 @@ if ! script -qec true /dev/null >/dev/null 2>&1; then
   exit 0
 fi
 post "$work/long.json"
-(sleep 5 && curl -sS -X POST "$url/v1/jobs/$id/cancel" -o /dev/null) &
+began=$SECONDS
+asked_often() { (($(asked) >= 4)); }
+(soon asked_often; curl -sS -X POST "$url/v1/jobs/$id/cancel" -o /dev/null) &
 script -qec "'$bahnwerk' watch $id --server $url" /dev/null >"$work/watched" 2>&1 || true
 grep -q '\[#* *\] *[0-9]* %' "$work/watched" || fail "a bar on a terminal"
-asked=$(jq -c --arg path "/v1/jobs/$id" 'select(.event == "request" and .method == "GET" and .path == $path)' "$work/log" | wc -l)
-((asked >= 3 && asked <= 12)) || fail "watch asked $asked times"
+(($(asked) >= 4)) || fail "watch asked $(asked) times"
+# The first two answers come at once: the job's, and that it runs.
+(($(asked) <= SECONDS - began + 4)) || fail "watch asked $(asked) times within $((SECONDS - began)) s"

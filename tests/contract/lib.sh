@@ -18,12 +18,13 @@ fail() {
   exit 1
 }
 
-# start_server [flags of serve…]: sets $url. The store stays the same over restarts within a test.
+# start_server [flags of serve…]: sets $url. The store stays the same over restarts within a test. Planners have the priority of what else the machine
+# runs: below it they might not get a turn for minutes.
 start_server() {
   : >"$work/log"
-  "$bahnwerk" serve --listen 127.0.0.1:0 --store "sqlite:${store:-$work/store.db}" "$@" 2>>"$work/log" &
+  "$bahnwerk" serve --listen 127.0.0.1:0 --worker-nice 0 --store "sqlite:${store:-$work/store.db}" "$@" 2>>"$work/log" &
   server_pid=$!
-  for _ in $(seq 300); do
+  for _ in $(seq 600); do
     address=$(jq -rR 'fromjson? | select(.event == "listening").address' "$work/log" 2>/dev/null || true)
     [[ -n $address ]] && break
     kill -0 "$server_pid" 2>/dev/null || fail "the server did not start"
@@ -50,7 +51,7 @@ request() {
   rm -f "$work/body" "$work/headers"
   local head=()
   [[ $method == HEAD ]] && head=(--head)
-  status=$(curl -sS --max-time 100 -X "$method" "${head[@]}" -o "$work/body" -D "$work/headers" -w '%{http_code}' "$@" "$url$path") ||
+  status=$(curl -sS --max-time 600 -X "$method" "${head[@]}" -o "$work/body" -D "$work/headers" -w '%{http_code}' "$@" "$url$path") ||
     fail "curl $method $path"
   [[ -f $work/body ]] || : >"$work/body"
 }
@@ -79,6 +80,27 @@ expect_problem() {
 }
 # expect_error SLUG: the job in the last answer failed or was cancelled for this reason.
 expect_error() { expect_json '.error.type == "/problems/" + $slug and (.error.detail | length > 0)' --arg slug "$1"; }
+
+# soon COMMAND…: holds until the command succeeds; false when it has not within 60 s, times $SLOWER.
+soon() {
+  local until=$((SECONDS + 60 * ${SLOWER:-1}))
+  until "$@"; do
+    ((SECONDS < until)) || return 1
+    sleep 0.1
+  done
+}
+# logged FILTER [arguments of jq…]: whether some line of the server's log passes.
+logged() {
+  local filter=$1
+  shift
+  [[ -n $(jq -cR "$@" "fromjson? | select($filter)" "$work/log") ]]
+}
+# expect_stopped ID: the planner of this job was told to stop, and that was the last time that it reported.
+expect_stopped() {
+  soon logged '.event == "job_ended" and .job == $id' --arg id "$1" || fail "the log does not tell of the end of job $1"
+  logged '.event == "job_ended" and .job == $id and .reports_after_stop == 0' --arg id "$1" ||
+    fail "the planner of job $1 went on after it was told to stop"
+}
 
 # post FILE [curl's arguments…]: posts a job document, sets $id.
 post() {

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Why planning fails, in the job's `error`: cancelled, deadline-exceeded, budget-exhausted; and draining while a job still runs.
 source "$(dirname "$0")/lib.sh"
-start_server --workers 1 --drain-timeout 3
+start_server --workers 1 --drain-timeout 600
 
 snake 20000 '{"time_budget":0.5}' >"$work/budget.json"
 post "$work/budget.json"
@@ -34,26 +34,25 @@ deadline=$(date -u -d '+2 seconds' +%Y-%m-%dT%H:%M:%SZ)
 jq --arg deadline "$deadline" '.deadline = $deadline' "$examples/line.json" >"$work/deadline.json"
 post "$work/deadline.json"
 expect_status 202
-request GET "/v1/jobs/$id" -H 'Prefer: wait=20'
+request GET "/v1/jobs/$id" -H 'Prefer: wait=60'
 expect_error deadline-exceeded
 expect_json '.state == "failed" and .attempt == 0 and .started_at == null'
 id=$long
 request GET "/v1/jobs/$id"
 expect_json '.state == "running"'
 
-# A queued job is cancelled at once, a running one within a second; asking again changes nothing.
+# A queued job is cancelled at once, a running one when its planner reports the next time; asking again changes nothing.
 request POST "/v1/jobs/$queued/cancel"
 expect_status 202
 expect_json '.state == "cancelled"'
 expect_error cancelled
 id=$long
-asked=$(date +%s%N)
 request POST "/v1/jobs/$id/cancel"
 expect_status 202
-await cancelled 10
-elapsed=$((($(date +%s%N) - asked) / 1000000))
-((elapsed < ${CANCEL_LIMIT_MS:-1000})) || fail "a running planner stopped only after $elapsed ms"
+await cancelled 30
 expect_error cancelled
+expect_stopped "$id"
+request GET "/v1/jobs/$id"
 finished=$(field .finished_at)
 request POST "/v1/jobs/$id/cancel"
 expect_status 202
@@ -64,11 +63,8 @@ post "$work/long.json"
 await running
 busy=$id
 kill -TERM "$server_pid"
-for _ in $(seq 50); do
-  request GET /readyz
-  [[ $status == 503 ]] && break
-  sleep 0.05
-done
+not_ready() { request GET /readyz && [[ $status == 503 ]]; }
+soon not_ready || fail "the server does not drain"
 expect_problem draining 503
 post "$examples/line.json"
 expect_problem draining 503
@@ -77,4 +73,9 @@ request GET /healthz
 expect_status 200
 request GET "/v1/jobs/$long" -H 'Prefer: wait=30'
 expect_status 200
-expect_equal "$(curl -sS --max-time 20 "$url/v1/jobs/$busy/events" | grep -c '^event: state')" 1 "events end with the service"
+expect_equal "$(curl -sS --max-time 60 "$url/v1/jobs/$busy/events" | grep -c '^event: state')" 1 "events end with the service"
+# It ends when the job does.
+request POST "/v1/jobs/$busy/cancel"
+expect_status 202
+wait "$server_pid" || fail "an orderly end exits 0"
+server_pid=

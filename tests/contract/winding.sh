@@ -91,10 +91,11 @@ await failed 60
 expect_error unreachable-pose
 expect_json '.error.detail | contains("turn 1 of coil 1") and contains("phi")'
 
-# A long plan is stopped within a second.
+# A long plan stops the first time that it reports after the order.
 jq '.spec.coil.turns = null | .spec.coil.repeat = {"step": 1, "count": 6}' "$work/job.json" >"$work/long.json"
 post "$work/long.json"
-sleep 1
+await running
 request POST "/v1/jobs/$id/cancel"
 expect_status 202
-await cancelled 3
+await cancelled 30
+expect_stopped "$id"

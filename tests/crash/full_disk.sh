@@ -21,12 +21,8 @@ serve() { start_server --store-reserve 512KiB "$@"; }
 fill() { head -c 20m /dev/zero >"$work/disk/filler" 2>/dev/null || true; }
 # ready STATUS: until /readyz has this status.
 ready() {
-  for _ in $(seq 100); do
-    request GET /readyz
-    [[ $status == "$1" ]] && return
-    sleep 0.1
-  done
-  fail "/readyz did not become $1"
+  readiness() { request GET /readyz && [[ $status == "$1" ]]; }
+  soon readiness "$1" || fail "/readyz did not become $1"
 }
 
 serve --workers 1

@@ -4,10 +4,10 @@
 
 #include <future>
 
+#include "../manual_time.hpp"
 #include "../store/fixture.hpp"
 #include "server/jobs/change_feed.hpp"
 #include "server/jobs/notifier.hpp"
-#include "server/runtime/clock.hpp"
 
 namespace bahnwerk::server {
 namespace {
@@ -20,17 +20,17 @@ struct DeadlinesTest : StoreTest {
     job.request.deadline = deadline;
     return insert_id(*store, job);
   }
-  /// Waits until the job ends; ms since `start`.
-  std::int64_t await(const std::string& id, std::int64_t start) {
-    while (store->get(id)->state == api::JobState::queued && now_ms() < start + 20'000)
-      std::this_thread::sleep_for(2ms);
-    return now_ms() - start;
+  /// Waits until the job is in that state, 30 s at most.
+  void await(const std::string& id, api::JobState state) {
+    for (int i = 0; i < 15'000 && store->get(id)->state != state; ++i) std::this_thread::sleep_for(2ms);
+    EXPECT_EQ(store->get(id)->state, state);
   }
+  ManualTime time;
 };
 
 TEST_F(DeadlinesTest, EndsAtOnceWhatPassedBeforeTheStart) {
-  const std::string id = post(now_ms() - 1);
-  const Deadlines deadlines(*store);
+  const std::string id = post(time.now_ms() - 1);
+  const Deadlines deadlines(*store, time);
   EXPECT_EQ(store->get(id)->state, api::JobState::failed) << "before anything else is done";
 }
 
@@ -40,27 +40,32 @@ TEST_F(DeadlinesTest, EndsWhatPassesAndTellsWhoWaits) {
                                    for (const Changed& change : changes) notifier.changed(change.id);
                                  },
                                  [] {}});
-  Deadlines deadlines(*store);
-  const std::int64_t start = now_ms();
+  Deadlines deadlines(*store, time);
+  const std::int64_t start = time.now_ms();
   const std::string late = post(start + 300'000);
   deadlines.notify();
   const std::string id = post(start + 300);  // becomes the next one
   std::promise<void> woken;
   notifier.wait(id, Notifier::Clock::now() + 60s, [&] { woken.set_value(); });
   deadlines.notify();
-  const auto took = await(id, start);
-  EXPECT_GE(took, 300);
-  EXPECT_LT(took, 3000);
-  EXPECT_EQ(woken.get_future().wait_for(5s), std::future_status::ready);
+  time.advance(299ms);
+  const std::string first = post(start + 299);
+  deadlines.notify();
+  await(first, api::JobState::failed);
+  EXPECT_EQ(store->get(id)->state, api::JobState::queued) << "1 ms before its deadline";
+  time.advance(1ms);
+  await(id, api::JobState::failed);
+  EXPECT_EQ(woken.get_future().wait_for(30s), std::future_status::ready);
   EXPECT_EQ(store->get(late)->state, api::JobState::queued);
 }
 
 TEST_F(DeadlinesTest, TakesBackJobsWhoseLeaseRunsOut) {
   const std::string id = insert_id(*store);
-  claim(*store, now_ms(), "gone", 200);
-  const Deadlines deadlines(*store);
-  for (int i = 0; i < 2000 && store->get(id)->state == api::JobState::running; ++i) std::this_thread::sleep_for(5ms);
-  EXPECT_EQ(store->get(id)->state, api::JobState::queued);
+  claim(*store, time.now_ms(), "gone", 200);
+  const Deadlines deadlines(*store, time);
+  EXPECT_EQ(store->get(id)->state, api::JobState::running);
+  time.advance(200ms);
+  await(id, api::JobState::queued);
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <atomic>
 #include <future>
 
+#include "../manual_time.hpp"
+
 namespace bahnwerk::server {
 namespace {
 
@@ -25,21 +27,40 @@ TEST(Notifier, CallsOnceWhenTheJobChanges) {
 
 TEST(Notifier, CallsWhenTheTimeIsOver) {
   std::promise<void> late, early;
-  Notifier notifier;
-  notifier.wait("a", Clock::now() + 1h, [] {});
-  notifier.wait("a", Clock::now() + 60ms, [&] { late.set_value(); });
-  notifier.wait("a", Clock::now() + 20ms, [&] { early.set_value(); });  // becomes the next deadline
   const auto start = Clock::now();
+  Notifier notifier;
+  notifier.wait("a", start + 1h, [] {});
+  notifier.wait("a", start + 60ms, [&] { late.set_value(); });
+  notifier.wait("a", start + 20ms, [&] { early.set_value(); });  // becomes the next deadline
   early.get_future().wait();
+  EXPECT_GE(Clock::now() - start, 20ms);
   late.get_future().wait();
-  EXPECT_GE(Clock::now() - start, 40ms);
+  EXPECT_GE(Clock::now() - start, 60ms);
+}
+
+TEST(Notifier, CallsInTheOrderOfTheirTimes) {
+  ManualTime time;
+  std::promise<void> early, late;
+  std::atomic<bool> late_called{false};
+  Notifier notifier(time);
+  notifier.wait("a", time.now() + 60ms, [&] {
+    late_called = true;
+    late.set_value();
+  });
+  notifier.wait("a", time.now() + 20ms, [&] { early.set_value(); });
+  time.advance(59ms);
+  early.get_future().wait();
+  EXPECT_FALSE(late_called);
+  time.advance(1ms);
+  late.get_future().wait();
 }
 
 TEST(Notifier, ProgressWakesWhomItConcernsAndNotTooEarly) {
   std::atomic<int> end{0}, soon{0}, later{0};
   std::promise<void> due;
-  Notifier notifier;
-  const auto start = Clock::now();
+  ManualTime time;
+  Notifier notifier(time);
+  const auto start = time.now();
   notifier.wait("a", start + 1h, [&] { ++end; });
   notifier.wait(
       "a", start + 1h, [&] { ++soon; }, start);
@@ -53,10 +74,11 @@ TEST(Notifier, ProgressWakesWhomItConcernsAndNotTooEarly) {
   notifier.changed("a", Change::progress);
   EXPECT_EQ(soon, 1);
   EXPECT_EQ(end, 0);
-  EXPECT_EQ(later, 0) << "too early";
+  time.advance(79ms);
   notifier.changed("a", Change::progress);
+  EXPECT_EQ(later, 0) << "too early";
+  time.advance(1ms);
   due.get_future().wait();  // without another change
-  EXPECT_GE(Clock::now() - start, 80ms);
   EXPECT_EQ(later, 1);
   EXPECT_EQ(end, 0) << "waits for the state";
   notifier.changed("a");

@@ -94,6 +94,10 @@ TEST_F(ProgressTest, StopsAtOnceOnCancel) {
   live->cancel = true;
   EXPECT_THROW(progress.report("x", 0), Stopped);
   EXPECT_EQ(progress.stopped(), Stop::cancelled);
+  EXPECT_EQ(progress.reports(), 2U);
+  EXPECT_EQ(progress.reports_after_stop(), 0U);
+  EXPECT_THROW(progress.report("x", 0), Stopped);
+  EXPECT_EQ(progress.reports_after_stop(), 1U) << "a planner that went on";
 }
 
 TEST_F(ProgressTest, StopsForTheEndOfService) {

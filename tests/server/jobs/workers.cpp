@@ -2,10 +2,10 @@
 
 #include <cmath>
 
+#include "../manual_time.hpp"
 #include "../store/fixture.hpp"
 #include "api/planned_job.hpp"
 #include "core/base/errors.hpp"
-#include "server/runtime/clock.hpp"
 
 namespace bahnwerk::server {
 namespace {
@@ -21,14 +21,20 @@ class Noise final : public SetpointSource {
   double cycle_time() const override { return 0.001; }
   double duration() const override { return 49.999; }
   void read(std::size_t first, std::size_t rows, double* out) const override {
+    if (first + rows == count()) ++read_whole;
     for (std::size_t k = first; k < first + rows; ++k) *out++ = std::sin(static_cast<double>(k) * 12345.678);
   }
+
+  static inline std::atomic<int> read_whole{0};  ///< how often all rows have been read
 
  private:
   std::vector<Column> columns_{{"x", "mm"}};
 };
 
-/// Plans what its spec names: {"do":"succeed"|"fail"|"crash"|"unverified"|"noise"|"loop"}.
+/// What lets a planner go on that waits for it.
+std::atomic<bool> latch{false};
+
+/// Plans what its spec names: {"do":"succeed"|"fail"|"crash"|"unverified"|"noise"|"loop"|"latch"}.
 api::PlannedJob stub(const std::string&, const std::string& spec, Progress& progress) {
   const std::string what = nlohmann::json::parse(spec).at("do");
   if (what == "fail") throw Infeasible("no motion");
@@ -43,7 +49,7 @@ api::PlannedJob stub(const std::string&, const std::string& spec, Progress& prog
     planned.setpoints = std::make_unique<Noise>();
     return planned;
   }
-  while (what == "loop") {
+  while (what == "loop" || (what == "latch" && !latch)) {
     progress.report("loop", 0.5);
     std::this_thread::sleep_for(2ms);
   }
@@ -51,29 +57,35 @@ api::PlannedJob stub(const std::string&, const std::string& spec, Progress& prog
 }
 
 struct WorkersTest : StoreTest {
+  ManualTime time;
   Metrics metrics;
   LiveJobs live;
   Notifier notifier;
   std::unique_ptr<Workers> workers;
 
   void start(unsigned threads = 2, std::optional<std::chrono::milliseconds> lease = std::nullopt) {
-    workers = std::make_unique<Workers>(*store, live, notifier, metrics, stub, lease);
+    workers = std::make_unique<Workers>(*store, live, notifier, metrics, stub, lease, time);
     workers->start(threads);
   }
   std::string post(const std::string& what, int priority = 0) {
     NewJob job = new_job(priority);
-    job.now = now_ms();
+    job.now = time.now_ms();
     job.request.document = nlohmann::json{{"do", what}}.dump();
     const std::string id = insert_id(*store, job);
     if (workers) workers->notify();
     return id;
   }
-  api::Job await(const std::string& id, JobState state) {
-    for (int i = 0; i < 3000; ++i) {
-      const auto job = store->get(id);
-      if (job->state == state) return *job;
+  /// Whether `condition` has come true, within 30 s.
+  template <class Condition>
+  static bool soon(Condition condition) {
+    for (int i = 0; i < 6000; ++i) {
+      if (condition()) return true;
       std::this_thread::sleep_for(5ms);
     }
+    return false;
+  }
+  api::Job await(const std::string& id, JobState state) {
+    if (soon([&] { return store->get(id)->state == state; })) return *store->get(id);
     ADD_FAILURE() << id << " did not become " << api::to_string(state);
     return *store->get(id);
   }
@@ -91,8 +103,7 @@ TEST_F(WorkersTest, PlansAndStores) {
     EXPECT_EQ(store->series(id)->count, 5000U);
   }
   // A worker leaves the list after its job has ended in the store.
-  for (int i = 0; i < 3000 && live.size() > 0; ++i) std::this_thread::sleep_for(5ms);
-  EXPECT_EQ(live.size(), 0U);
+  EXPECT_TRUE(soon([&] { return live.size() == 0; }));
 }
 
 TEST_F(WorkersTest, FailsForGood) {
@@ -112,7 +123,7 @@ TEST_F(WorkersTest, CancelsARunningJob) {
   start(1);
   const auto id = post("loop");
   await(id, JobState::running);
-  store->cancel(id, now_ms());
+  store->cancel(id, time.now_ms());
   live.cancel(id);
   await(id, JobState::cancelled);
   EXPECT_EQ(problem(id), "/problems/cancelled");
@@ -122,14 +133,18 @@ TEST_F(WorkersTest, HoldsDeadlineAndBudget) {
   start(1);
   NewJob late = new_job();
   late.request.document = R"({"do":"succeed"})";
-  late.request.deadline = now_ms() - 1;
+  late.request.deadline = time.now_ms() - 1;
   NewJob costly = new_job();
   costly.request.document = R"({"do":"loop"})";
-  costly.request.time_budget = 0.05;
+  costly.request.time_budget = 50;
   const auto a = insert_id(*store, late), b = insert_id(*store, costly);
   workers->notify();
   await(a, JobState::failed);
-  await(b, JobState::failed);
+  await(b, JobState::running);
+  EXPECT_TRUE(soon([&] {
+    time.advance(50s);
+    return store->get(b)->state == JobState::failed;
+  }));
   EXPECT_EQ(problem(a), "/problems/deadline-exceeded");
   EXPECT_EQ(problem(b), "/problems/budget-exhausted");
 }
@@ -142,7 +157,7 @@ TEST_F(WorkersTest, PutsJobsBackAtTheEnd) {
   workers->stop_claiming();
   EXPECT_FALSE(workers->wait_idle(50ms));
   workers->interrupt();
-  EXPECT_TRUE(workers->wait_idle(5s));
+  EXPECT_TRUE(workers->wait_idle(30s));
   for (const auto& id : {a, b, waiting}) {
     EXPECT_EQ(store->get(id)->state, JobState::queued);
     EXPECT_EQ(store->get(id)->attempt, 0);
@@ -151,13 +166,14 @@ TEST_F(WorkersTest, PutsJobsBackAtTheEnd) {
 
 TEST_F(WorkersTest, LetsJobsFinishAtTheEnd) {
   start(1);
-  const auto id = post("succeed");
-  await(id, JobState::succeeded);
+  latch = false;
+  const auto id = post("latch"), late = post("succeed");
+  await(id, JobState::running);
   workers->stop_claiming();
-  EXPECT_TRUE(workers->wait_idle(5s));
-  const auto late = post("succeed");
-  std::this_thread::sleep_for(20ms);
-  EXPECT_EQ(store->get(late)->state, JobState::queued);
+  latch = true;
+  EXPECT_TRUE(workers->wait_idle(30s));
+  EXPECT_EQ(store->get(id)->state, JobState::succeeded);
+  EXPECT_EQ(store->get(late)->state, JobState::queued) << "nothing new was begun";
 }
 
 TEST_F(WorkersTest, GivesUpAnUnstorableResultWhenCancelled) {
@@ -165,11 +181,11 @@ TEST_F(WorkersTest, GivesUpAnUnstorableResultWhenCancelled) {
   SqliteOptions options;
   options.max_pages = 40;  // room for the job, not for 400 kB of setpoints
   open(options);
+  Noise::read_whole = 0;
   start(1);
-  await(id, JobState::running);
-  std::this_thread::sleep_for(300ms);
+  EXPECT_TRUE(soon([] { return Noise::read_whole >= 2; })) << "tries to store it, and tries again";
   EXPECT_EQ(store->get(id)->state, JobState::running) << "waits for space";
-  store->cancel(id, now_ms());
+  store->cancel(id, time.now_ms());
   live.cancel(id);
   await(id, JobState::cancelled);
   EXPECT_FALSE(store->result(id));
@@ -181,24 +197,20 @@ TEST_F(WorkersTest, TellsWhoWaitsOfProgress) {
   notifier.wait(
       id, Notifier::Clock::now() + 1h, [&] { woken.set_value(); }, Notifier::Clock::now());
   start(1);
-  EXPECT_EQ(woken.get_future().wait_for(10s), std::future_status::ready);
+  EXPECT_EQ(woken.get_future().wait_for(30s), std::future_status::ready);
 }
 
 TEST_F(WorkersTest, KeepsItsLeaseByHeartbeats) {
-  start(1, 6s);  // long enough for a busy machine to be late
+  start(1, 6s);
   const auto id = post("loop");
   await(id, JobState::running);
-  const auto first = store->expire(now_ms()).next;
-  ASSERT_TRUE(first) << "the lease runs";
-  auto next = first;
-  for (int i = 0; i < 1000 && next == first; ++i) {
-    std::this_thread::sleep_for(10ms);
-    const Expired expired = store->expire(now_ms());
-    EXPECT_TRUE(expired.lost.empty());
-    next = expired.next;
+  EXPECT_TRUE(soon([&] { return live.size() == 1; }));
+  for (int beat = 1; beat <= 4; ++beat) {
+    EXPECT_EQ(store->expire(time.now_ms()).next, time.now_ms() + 6000) << "the lease runs";
+    time.advance(2s);
+    EXPECT_TRUE(soon([&] { return store->expire(time.now_ms()).next == time.now_ms() + 6000; }))
+        << "a heartbeat extends it";
   }
-  ASSERT_TRUE(next);
-  EXPECT_GT(*next, *first) << "a heartbeat extends it";
   EXPECT_EQ(store->get(id)->attempt, 1);
 }
 
@@ -206,12 +218,12 @@ TEST_F(WorkersTest, StopsWhatWasLost) {
   start(1, 300ms);
   const auto id = post("loop");
   await(id, JobState::running);
-  for (int i = 0; i < 1000 && live.size() == 0; ++i) std::this_thread::sleep_for(1ms);
-  EXPECT_EQ(claim(*store, now_ms() + 60'000, "another")->attempt, 2) << "which took this one for dead";
-  for (int i = 0; i < 3000 && live.size() > 0; ++i) std::this_thread::sleep_for(5ms);
-  EXPECT_EQ(live.size(), 0U);
+  EXPECT_TRUE(soon([&] { return live.size() == 1; }));
+  EXPECT_EQ(claim(*store, time.now_ms() + 60'000, "another")->attempt, 2) << "which took this one for dead";
+  time.advance(100ms);  // a heartbeat is told
+  EXPECT_TRUE(soon([&] { return live.size() == 0; }));
   EXPECT_EQ(store->get(id)->state, JobState::running);
-  EXPECT_TRUE(store->end(id, 2, {JobState::failed, "{}", now_ms(), 0})) << "left alone";
+  EXPECT_TRUE(store->end(id, 2, {JobState::failed, "{}", time.now_ms(), 0})) << "left alone";
 }
 
 }  // namespace
