@@ -199,7 +199,8 @@ class SectionPlanner {
     }
     for (std::size_t begin = 0; begin < n; begin += block) {
       const std::size_t end = std::min(n, begin + block);
-      pulse(begin, n);
+      pulse.done(static_cast<double>(begin) / static_cast<double>(n));
+      pulse.work(4 * (end - begin));  // looking between the stations may take microseconds per cell
       double v = std::sqrt(chain_.node(begin));
       chain_.forward(begin, end, share_, [&](std::size_t c) { v = shape(c, v); });
       for (std::size_t c = begin; c < end; ++c) check_cell(c);
@@ -228,7 +229,7 @@ class SectionPlanner {
   void solve_dirty(ProgressScope& pulse) {
     chain_.update(share_, dirty_, pulse);
     for (std::size_t c = 0; (c = first_set(dirty_, c)) != no_flag; ++c) {
-      pulse(c, grid_.cells.size());
+      pulse.work(4);  // these are some of the cells: their numbers tell nothing of how many there were
       shape(c, std::sqrt(chain_.node(c)));
       check_cell(c);
     }

@@ -190,7 +190,7 @@ void SpeedChain<N>::update(const UnsetVector<double>& share, CellFlags& dirty, P
   bool moved = false;  // did the right neighbour change?
   Known known;
   for (std::size_t c = n; (c = moved ? (c > 0 ? c - 1 : no_flag) : last_set(dirty, c)) != no_flag;) {
-    pulse(n - 1 - c, n);
+    pulse.work();
     const double node = speed_[c].node_stop, middle = speed_[c].middle_stop;
     const Stop stop = this->stop(c, share[c], speed_[c + 1].node_stop, known);
     speed_[c].middle_stop = stop.middle;
@@ -207,7 +207,7 @@ void SpeedChain<N>::update(const UnsetVector<double>& share, CellFlags& dirty, P
       if (next == no_flag) break;
       c = next - 1;
     }
-    pulse(c, n);
+    pulse.work();
     const double node = speed_[c + 1].node, middle = speed_[c].middle;
     step_forward(c, share[c], known);
     const bool changed = differs(speed_[c + 1].node, node);

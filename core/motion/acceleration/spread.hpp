@@ -19,10 +19,10 @@ void spread(Values& values, const LargeVector<std::uint8_t>& parts, std::size_t 
   values.resize(to);
   while (from > parts.size()) values[--to] = values[--from];
   constexpr std::size_t block = 4096;
-  while (from < to) {  // what lies before the first divided cell stays where it is
-    pulse(parts.size() - from, parts.size());
+  while (from < to) {          // what lies before the first divided cell stays where it is
     std::size_t begin = from;  // of a run of cells that stay whole
     for (const std::size_t least = from > block ? from - block : 0; begin > least && parts[begin - 1] == 1;) --begin;
+    pulse.work(1 + (from - begin) / 16);
     if (begin < from) {
       const auto at = [&](std::size_t i) { return values.begin() + static_cast<std::ptrdiff_t>(i); };
       std::move_backward(at(begin), at(from), at(to));

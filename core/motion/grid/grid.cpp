@@ -253,11 +253,12 @@ void Grid<N>::divide(const LanePath<N>& path, LargeVector<std::uint8_t>& parts, 
   new_cells.reserve(total);
   new_stations.reserve(stations.size() + total - n);
   for (std::size_t c = 0; c < n;) {
-    pulse(c, n);
+    pulse.done(static_cast<double>(c) / static_cast<double>(n));
     const bool shared = c > 0 && cells[c].station == cells[c - 1].station + 1;
     std::size_t end = c;
     for (const std::size_t most = std::min(n, c + block); end < most && parts[end] == 1;) ++end;
     if (end > c) {
+      pulse.work(1 + (end - c) / 4);
       const auto from = static_cast<std::ptrdiff_t>(cells[c].station) + (shared ? 1 : 0),
                  to = static_cast<std::ptrdiff_t>(cells[end - 1].station) + 2;
       const auto moved = static_cast<std::uint32_t>(new_stations.size() - static_cast<std::size_t>(from));
@@ -269,6 +270,7 @@ void Grid<N>::divide(const LanePath<N>& path, LargeVector<std::uint8_t>& parts, 
       continue;
     }
     const GridCell old = cells[c];
+    pulse.work(parts[c]);
     const double u0 = left(c).u, du = (right(c).u - u0) / parts[c];
     if (!shared) new_stations.push_back(left(c));
     const std::size_t before = new_cells.size();

@@ -101,43 +101,67 @@ inline nlohmann::json wavy_slot(int corners) {
 }
 
 /// A stator coil, links by time.
-inline nlohmann::json winding_spec() {
+inline nlohmann::json winding_spec(int turns) {
   nlohmann::json spec = read_json(source("schemas/examples/winding/complete.json"));
-  spec["coil"] = {{"slots", spec["coil"]["slots"]}, {"turns", 3}};
+  spec["coil"] = {{"slots", spec["coil"]["slots"]}, {"turns", turns}};
   spec["path"]["objective"] = "minimum_time";
   return spec;
 }
 
-inline std::vector<Large> large_documents() {
+/// A round slot of that many corners for a wide wire, which no layout takes many of, and a thin one.
+inline nlohmann::json round_slot_spec(int corners) {
+  auto points = nlohmann::json::array();
+  for (int k = 0; k < corners; ++k) {
+    const double t = 2 * std::numbers::pi * k / corners;
+    points.push_back({5 * std::cos(t), 5 * std::sin(t)});
+  }
+  const std::size_t n = points.size(), k = n / 5;
+  const nlohmann::json opening{points[k], points[n / 2 - k]};
+  return {{"slot", {{"type", "polygon"}, {"points", points}, {"opening", opening}}},
+          {"wires",
+           {{{"copper", 0.7}, {"outer", 0.75}, {"tolerance", 0.03}},
+            {{"copper", 8.8}, {"outer", 9.2}, {"tolerance", 0.02}}}},
+          {"needle_width", 2},
+          {"effort", 0.1},
+          {"robustness", {{"samples", 1}, {"slot_tolerance", 0.01}}}};
+}
+
+/// `size`: 1, or less for smaller documents of the same kind; those of the same place in the list belong together.
+inline std::vector<Large> large_documents(double size = 1) {
   const nlohmann::json blend{{"mode", "blend"}, {"tolerance", 0.02}};
+  const auto n = [size](int full) { return static_cast<int>(size * full); };
   return {
-      {"waves", "contour", contour_spec(waves(60'000), "time_optimal")},
-      {"waves, braking reserve", "contour", contour_spec(waves(60'000), "braking_reserve")},
-      {"waves, jerk", "contour", contour_spec(waves(20'000), "jerk_limited")},
-      {"snake", "contour", contour_spec(snake(1'000), "time_optimal")},
-      {"snake, jerk", "contour", contour_spec(snake(300), "jerk_limited")},
-      {"zigzag, blended", "contour", contour_spec(zigzag(3'000), "time_optimal", blend)},
-      {"zigzag, blended, jerk", "contour", contour_spec(zigzag(1'500), "jerk_limited", blend)},
-      {"waves, blended", "contour", contour_spec(waves(10'000), "time_optimal", blend)},
-      {"free-form", "contour", contour_spec(free_form(1'000), "time_optimal")},
-      {"free-form, blended", "contour", contour_spec(free_form(1'000), "time_optimal", blend)},
-      {"part program", "contour", contour_spec(program(40'000), "time_optimal")},
-      {"drawing", "contour", contour_spec(drawing(10'000), "time_optimal")},
+      {"waves", "contour", contour_spec(waves(n(60'000)), "time_optimal")},
+      {"waves, braking reserve", "contour", contour_spec(waves(n(60'000)), "braking_reserve")},
+      {"waves, jerk", "contour", contour_spec(waves(n(20'000)), "jerk_limited")},
+      {"snake", "contour", contour_spec(snake(n(1'000)), "time_optimal")},
+      {"snake, jerk", "contour", contour_spec(snake(n(300)), "jerk_limited")},
+      {"zigzag, blended", "contour", contour_spec(zigzag(n(3'000)), "time_optimal", blend)},
+      {"zigzag, blended, jerk", "contour", contour_spec(zigzag(n(1'500)), "jerk_limited", blend)},
+      {"waves, blended", "contour", contour_spec(waves(n(10'000)), "time_optimal", blend)},
+      {"free-form", "contour", contour_spec(free_form(n(1'000)), "time_optimal")},
+      {"free-form, blended", "contour", contour_spec(free_form(n(1'000)), "time_optimal", blend)},
+      {"part program", "contour", contour_spec(program(n(40'000)), "time_optimal")},
+      {"drawing", "contour", contour_spec(drawing(n(10'000)), "time_optimal")},
       {"wavy slot",
        "fill_factor",
-       {{"slot", wavy_slot(2'000)}, {"wires", {0.9}}, {"algorithms", {"orthocyclic_base", "raabe", "needle"}}}},
+       {{"slot", wavy_slot(n(2'000))}, {"wires", {0.9}}, {"algorithms", {"orthocyclic_base", "raabe", "needle"}}}},
       {"wavy slot, potential",
        "fill_factor",
-       {{"slot", wavy_slot(1'000)}, {"wires", {1.25}}, {"algorithms", {"potential"}}}},
+       {{"slot", wavy_slot(n(1'000))}, {"wires", {1.25}}, {"algorithms", {"potential"}}}},
       {"wavy slot, robustness",
        "fill_factor",
-       {{"slot", wavy_slot(1'000)}, {"wires", {1.25}}, {"algorithms", {"needle"}}, {"robustness", {{"samples", 20}}}}},
+       {{"slot", wavy_slot(n(1'000))},
+        {"wires", {1.25}},
+        {"algorithms", {"needle"}},
+        {"robustness", {{"samples", 20}}}}},
+      {"round slot", "fill_factor", round_slot_spec(n(2'000))},
       {"many wires",
        "fill_factor",
        {{"slot", wavy_slot(60)},
-        {"wires", {0.355}},
+        {"wires", {size < 1 ? 0.71 : 0.355}},
         {"algorithms", {"orthocyclic_flank", "raabe", "potential", "needle"}}}},
-      {"winding, links by time", "winding", winding_spec()},
+      {"winding, links by time", "winding", winding_spec(size < 1 ? 1 : 4)},
   };
 }
 

@@ -1,5 +1,5 @@
-/// No stage of any kind keeps a worker longer than it may: between two reports lie at most 100 ms of its processor
-/// time, and a plan stops at whichever report it is told to.
+/// No stage of any kind keeps a worker longer than it may, however large the document, and a plan stops at whichever
+/// report it is told to.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "large_documents.hpp"
 #include "tests/api/checked.hpp"
 #include "tests/api/documents.hpp"
@@ -20,7 +21,10 @@ constexpr double slower = 10;  // for debugging, or with a sanitizer
 #else
 constexpr double slower = 1;
 #endif
-constexpr double longest_gap = 0.1 * slower;  // s of this thread's processor time: other load does not count
+/// s of this thread's processor time, which no report may lie apart on any machine, however busy.
+constexpr double never = 1 * slower;
+/// The rule. What is longer must not have grown with the document.
+constexpr double rule = 0.1 * slower;
 
 double thread_seconds() {
   timespec time{};
@@ -36,16 +40,39 @@ class GapMeter final : public Progress {
     std::string stage, until;
     double seconds = 0;
   };
-  void begin() {
+  /// Plans and measures, once more with every call: of each gap the shortest counts.
+  PlannedJob plan(const test::Large& large) {
     next_ = 0;
     stage_ = "(begin)";
+    PlannedJob job;
+    const std::string document = test::job(large);
     last_ = thread_seconds();
+    try {
+      job = plan_job(large.kind, document, *this);
+    } catch (...) {
+      const auto problem = problem_from_current_exception();
+      ADD_FAILURE() << problem.type().slug << ": " << problem.what();
+    }
+    end("(end)");
+    return job;
   }
   void report(std::string_view stage, double, std::string_view) override {
     end(stage);
     stage_ = stage;
     last_ = thread_seconds();
   }
+  const Gap& longest() const {
+    return *std::max_element(gaps.begin(), gaps.end(),
+                             [](const Gap& a, const Gap& b) { return a.seconds < b.seconds; });
+  }
+  std::map<std::string, std::size_t> reports() const {
+    std::map<std::string, std::size_t> stages;
+    for (const Gap& gap : gaps) ++stages[gap.stage];
+    return stages;
+  }
+  std::vector<Gap> gaps;
+
+ private:
   void end(std::string_view until) {
     const double seconds = thread_seconds() - last_;
     if (next_ == gaps.size()) gaps.push_back({stage_, std::string(until), seconds});
@@ -53,64 +80,52 @@ class GapMeter final : public Progress {
     gaps[next_].seconds = std::min(gaps[next_].seconds, seconds);
     ++next_;
   }
-  const Gap& longest() const {
-    return *std::max_element(gaps.begin(), gaps.end(),
-                             [](const Gap& a, const Gap& b) { return a.seconds < b.seconds; });
-  }
-  std::vector<Gap> gaps;
-
- private:
   std::size_t next_ = 0;
   std::string stage_;
   double last_ = 0;
 };
 
-struct Stages : testing::TestWithParam<test::Large> {};
+struct Stages : testing::TestWithParam<std::size_t> {};
 
+/// A document four times as large is reported of as often per piece, and no part of the work on it is silent: what a
+/// planner does without a report in between does not grow with its input.
 TEST_P(Stages, ReportOften) {
-  const test::Large& large = GetParam();
-  const std::string document = test::job(large);
-  constexpr int most_runs = 4;
-  GapMeter meter;
-  for (int run = 0; run < most_runs; ++run) {
-    meter.begin();
-    PlannedJob job;
-    try {
-      job = plan_job(large.kind, document, meter);
-    } catch (...) {
-      const auto problem = problem_from_current_exception();
-      ADD_FAILURE() << problem.type().slug << ": " << problem.what();
-    }
-    meter.end("(end)");
-    if (run == 0) {
-      EXPECT_EQ(test::result_faults(job.result), std::vector<std::string>{});
-    }
-    if (meter.longest().seconds <= longest_gap) break;
+  const test::Large small = test::large_documents(0.25)[GetParam()], large = test::large_documents()[GetParam()];
+  GapMeter few, many;
+  few.plan(small);
+  EXPECT_EQ(test::result_faults(many.plan(large).result), std::vector<std::string>{});
+  if (large.kind == "contour") {  // a search for layouts does not take longer in a slot with more corners
+    EXPECT_GE(many.gaps.size(), 2 * few.gaps.size());
   }
+  const auto allowed = [&] { return std::min(never, std::max(rule, 2 * few.longest().seconds)); };
+  for (int run = 1; run < 4 && many.longest().seconds > allowed(); ++run) many.plan(large);
+
   struct Total {
     double seconds = 0, longest = 0;
-    std::size_t reports = 0;
   };
   std::map<std::string, Total> stages;
-  for (const auto& gap : meter.gaps) {
+  for (const auto& gap : many.gaps) {
     Total& stage = stages[gap.stage];
     stage.seconds += gap.seconds;
     stage.longest = std::max(stage.longest, gap.seconds);
-    ++stage.reports;
   }
+  const auto before = few.reports(), after = many.reports();
   for (const auto& [name, stage] : stages)
-    std::printf("%-22s %7zu reports %8.3f s, longest gap %6.1f ms\n", name.c_str(), stage.reports, stage.seconds,
-                1e3 * stage.longest);
-  const auto& longest = meter.longest();
-  EXPECT_LE(longest.seconds, longest_gap) << large.name << ": in " << longest.stage << ", until " << longest.until;
+    std::printf("%-22s %6zu and %7zu reports, %8.3f s, longest gap %6.1f ms\n", name.c_str(),
+                before.count(name) ? before.at(name) : 0, after.at(name), stage.seconds, 1e3 * stage.longest);
+  const auto& longest = many.longest();
+  std::printf("longest gap %.1f ms, of the smaller one %.1f ms\n", 1e3 * longest.seconds, 1e3 * few.longest().seconds);
+  EXPECT_LE(longest.seconds, allowed()) << large.name << ": in " << longest.stage << ", until " << longest.until;
 }
 
-INSTANTIATE_TEST_SUITE_P(Large, Stages, testing::ValuesIn(test::large_documents()), [](const auto& each) {
-  std::string name = each.param.name;
-  std::replace_if(
-      name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Large, Stages, testing::Range(std::size_t{0}, test::large_documents(0.01).size()),
+                         [](const auto& each) {
+                           std::string name = test::large_documents(0.01)[each.param].name;
+                           std::replace_if(
+                               name.begin(), name.end(),
+                               [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+                           return name;
+                         });
 
 /// Stops at the k-th report; a k beyond the last counts them.
 struct StopAt final : Progress {

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <ctime>
 #include <set>
 
 #include "core/base/errors.hpp"
@@ -107,48 +106,6 @@ TEST(FillPlan, SamplesSpreadAroundTheNominalCount) {
   request.sampling = {5, 0.0, 0};
   const FillPlan exact = plan_fill(request, silent);
   for (const std::size_t count : exact.layouts[0].sampled) EXPECT_EQ(count, filled.count());
-}
-
-/// The longest that the planner computed without a report, s of processor time: what else runs here does not count.
-class Gaps final : public Progress {
- public:
-  void report(std::string_view stage, double, std::string_view) override {
-    const double now = processor_time();
-    if (now - last_ > longest) {
-      longest = now - last_;
-      where = std::string(stage);
-    }
-    last_ = now;
-  }
-  double longest = 0;
-  std::string where;
-
- private:
-  static double processor_time() {
-    timespec t;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-  }
-  double last_ = processor_time();
-};
-
-TEST(FillPlan, ReportsEvery100MillisecondsWithManyCorners) {
-  winding::PolygonSlot polygon;
-  for (int k = 0; k < 2000; ++k) {
-    const double a = 2 * 3.141592653589793 * k / 2000;
-    polygon.points.push_back(5 * Point{std::cos(a), std::sin(a)});
-  }
-  FillRequest request = stator({});
-  request.slot = make_slot(polygon);
-  request.slot.opening = winding::Opening{{0, 5}, {0, -1}, 3, 0};
-  request.needle = winding::Needle{2};
-  request.heads = {};
-  request.wires = {{0.7, 0.75, 0.03}, {8.8, 9.2, 0.02}};
-  request.effort = 0.1;
-  request.sampling = {1, std::nullopt, 0.01};
-  Gaps gaps;
-  EXPECT_TRUE(plan_fill(request, gaps).verification.passed);
-  EXPECT_LT(gaps.longest, 0.1) << gaps.where;
 }
 
 TEST(FillPlan, TellsWhatDoesNotPassTheOpening) {
