@@ -24,7 +24,7 @@ using drawing::tick_label;
 
 constexpr double plot_size = 720, left = 64, right = 16, top = 60, gap = 44;  // px
 constexpr double first_tolerance = 0.2, last_tolerance = 52;                  // px
-const std::string ink = "fill=\"#20242a\"";
+constexpr const char* ink = "fill=\"#20242a\"";
 
 constexpr std::array classes{"cut", "position", "coarse"};  // what lines there are
 constexpr std::size_t cut_lines = 0, way_lines = 2;
@@ -213,7 +213,7 @@ class Drawer {
     std::string out;
     double x = left;
     const auto entry = [&](const std::string& sample, const std::string& words) {
-      out += sample + svg::text({x + 32, 42}, words, ink + " font-size=\"12\"");
+      out += sample + svg::text({x + 32, 42}, words, std::string(ink) + " font-size=\"12\"");
       x += 46 + 6.6 * static_cast<double>(words.size());
     };
     const auto line = [&](const std::string& look) { return svg::segment({x, 38}, {x + 26, 38}, look); };
