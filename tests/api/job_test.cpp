@@ -60,7 +60,7 @@ TEST(ParseJob, RefusesABodyThatIsNoObject) {
   }
 }
 
-TEST(ParseJob, TenMegabytesAreReadOrRefusedQuickly) {
+TEST(ParseJob, TenMegabytesAreReadOrRefusedInFewWords) {
   std::string points = "[0,0]";
   while (points.size() < 10'000'000)
     points += ",[" + std::to_string(points.size() % 1000) + ".25," + std::to_string(points.size() / 1000) + ".125]";

@@ -10,6 +10,7 @@
 #include "api/schema.hpp"
 #include "api/schema_explain.hpp"
 #include "tests/api/documents.hpp"
+#include "tests/core/cases.hpp"
 
 namespace bahnwerk::api {
 namespace {
@@ -47,7 +48,7 @@ TEST(Mutations, OfBytesNeverCrash) {
   std::mt19937_64 random(20260131);
   const std::string alphabet = "{}[]\",:0123456789.eE+-ntf \\/u\x80\xc3\xff";
   int good = 0;
-  for (int trial = 0; trial < 20'000; ++trial) {
+  for (int trial = 0; trial < bahnwerk::testing::cases(20'000); ++trial) {
     std::string body = bodies[random() % bodies.size()];
     for (std::size_t edits = 1 + random() % 4; edits > 0 && !body.empty(); --edits) {
       const std::size_t at = random() % body.size();
@@ -71,8 +72,8 @@ TEST(Mutations, OfBytesNeverCrash) {
     }
     good += accepted(body);
   }
-  EXPECT_GT(good, 100) << "mutations that stay valid have to occur";
-  EXPECT_LT(good, 19'000);
+  EXPECT_GT(200 * good, bahnwerk::testing::cases(20'000)) << "mutations that stay valid have to occur";
+  EXPECT_LT(20 * good, 19 * bahnwerk::testing::cases(20'000));
 }
 
 /// Replaces, removes or adds one value somewhere in a document.
@@ -124,7 +125,7 @@ TEST_P(MutationsOfValues, AreJudgedAlikeByBothJudges) {
   std::vector<json> specs;
   for (const auto& file : test::json_files("schemas/examples/" + GetParam())) specs.push_back(test::read_json(file));
   int valid = 0;
-  for (int trial = 0; trial < 20'000; ++trial) {
+  for (int trial = 0; trial < bahnwerk::testing::cases(20'000); ++trial) {
     json spec = specs[random() % specs.size()];
     for (std::size_t edits = 1 + random() % 2; edits > 0; --edits) mutate(spec, random);
     const auto errors = schema.validate(spec);
@@ -133,8 +134,8 @@ TEST_P(MutationsOfValues, AreJudgedAlikeByBothJudges) {
     valid += errors.empty();
     accepted(test::job_with_spec(GetParam(), spec).dump());
   }
-  EXPECT_GT(valid, 500);
-  EXPECT_LT(valid, 15'000);
+  EXPECT_GT(40 * valid, bahnwerk::testing::cases(20'000));
+  EXPECT_LT(4 * valid, 3 * bahnwerk::testing::cases(20'000));
 }
 
 std::vector<std::string> names_of_kinds() {

@@ -9,6 +9,7 @@
 
 #include "api/job.hpp"
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "tests/api/checked.hpp"
 #include "tests/api/documents.hpp"
 
@@ -23,7 +24,18 @@ PlannedJob planned(const json& document) {
   return test::checked(plan_job(request.kind, request.document, progress));
 }
 
-TEST(Results, OfAllExamplesKeepTheirSchema) {
+/// The duration of a plan, s, or how many wires a slot takes: what golden.json says of the example, to a thousandth. A
+/// change of it is a change of what users get, and has to be meant.
+void expect_golden(const std::string& path, const PlannedJob& job) {
+  static const json golden = test::read_json(test::source("tests/api/kinds/golden.json"));
+  const std::string name = std::filesystem::path(path).lexically_relative(test::source("")).string();
+  const auto& summary = job.result["summary"];
+  const double value = summary[summary.contains("duration") ? "duration" : "count"];
+  ASSERT_TRUE(golden.contains(name)) << "tests/api/kinds/golden.json lacks \"" << name << "\": " << value;
+  EXPECT_NEAR(value, golden[name].get<double>(), 1e-3 * value) << name;
+}
+
+TEST(Results, OfAllExamplesKeepTheirSchemaAndTheirFigures) {
   for (const auto& kind : kinds())
     for (const auto& file : test::json_files("schemas/examples/" + std::string(kind.name))) {
       SCOPED_TRACE(file);
@@ -32,11 +44,11 @@ TEST(Results, OfAllExamplesKeepTheirSchema) {
         spec["robustness"]["samples"] = 2;
         spec["wire_range"] = {{"least", 1.25}, {"most", 1.4}};
       }
-      planned(test::job_with_spec(kind.name, spec));
+      expect_golden(file, planned(test::job_with_spec(kind.name, spec)));
     }
   for (const auto& file : test::json_files("examples")) {
     SCOPED_TRACE(file);
-    planned(test::read_json(file));
+    expect_golden(file, planned(test::read_json(file)));
   }
 }
 
@@ -45,7 +57,7 @@ TEST(Results, OfPartFilesKeepTheirSchema) {
     const auto path = entry.path();
     SCOPED_TRACE(path.string());
     if (path.extension() == ".json") {
-      planned(test::read_json(path.string()));
+      expect_golden(path.string(), planned(test::read_json(path.string())));
       continue;
     }
     json job = test::read_json(

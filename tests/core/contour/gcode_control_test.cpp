@@ -1,5 +1,4 @@
 // Subprograms, branches and loops: the order of the lines, and its bounds.
-#include <chrono>
 #include <cmath>
 
 #include "core/base/errors.hpp"
@@ -147,7 +146,6 @@ TEST(GcodeControl, ACallIsItsText) {
 }
 
 TEST(GcodeControl, TheBudgetEndsEveryLoop) {
-  const auto begin = std::chrono::steady_clock::now();
   for (const char* text :
        {"G1 X1\no1 while [1]\no1 endwhile", "G1 X1\no1 while [1]\n(nothing)\no1 endwhile",
         "G1 X1\no1 do\n#1=[#1+1]\no1 while [1]", "G1 X1\no1 repeat [1000000000]\n#2=SIN[#2+1]\no1 endrepeat",
@@ -158,8 +156,6 @@ TEST(GcodeControl, TheBudgetEndsEveryLoop) {
     ASSERT_EQ(faults.size(), 1u) << text;
     EXPECT_NE(faults[0].message.find("the budget of 1000000 steps"), std::string::npos) << faults[0].message;
   }
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-  EXPECT_LT(took.count(), 20);
   EXPECT_EQ(fault_lines("G1 X1\no1 repeat [11]\n#1=1\no1 endrepeat", {.steps = 19}).size(), 1u);
   EXPECT_EQ(fault_lines("G1 X1\no1 repeat [11]\n#1=1\no1 endrepeat", {.steps = 20}).size(), 0u);
 }

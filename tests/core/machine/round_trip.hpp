@@ -4,19 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <random>
 #include <string>
 
 #include "core/machine/kinematics.hpp"
+#include "tests/core/cases.hpp"
 
 namespace bahnwerk::test {
 
-/// BAHNWERK_POSES=1000000 tests/core/test_machine asks for more.
-inline int poses() {
-  const char* wanted = std::getenv("BAHNWERK_POSES");
-  return wanted ? std::atoi(wanted) : 100'000;
-}
+inline int poses() { return testing::cases(100'000); }
 
 inline ToolJet standing(const ToolPose& pose) {
   ToolJet tool;

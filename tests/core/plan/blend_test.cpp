@@ -13,6 +13,7 @@
 #include "core/motion/jerk/jerk_limited.hpp"
 #include "core/numeric/random.hpp"
 #include "core/verify/geometry/tube.hpp"
+#include "tests/core/cases.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -253,7 +254,7 @@ Contour random_contour(Random& random) {
 }
 
 TEST(BlendProperty, RandomContoursStayInTheTube) {
-  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+  for (std::uint64_t seed = 0; seed < testing::cases(std::uint64_t{200}); ++seed) {
     Random random(seed);
     const double tolerance = std::pow(10, random.uniform(-4, 0));
     Contour given;

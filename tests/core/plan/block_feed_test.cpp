@@ -1,10 +1,8 @@
-/// Feeds of short blocks and rounding of free-form curves, on random contours. The quick run takes some seconds;
-/// BAHNWERK_BLOCK_CASES and BAHNWERK_CURVE_CASES set the numbers of contours (2000 and 5000 before a release).
+/// Feeds of short blocks and rounding of free-form curves, on random contours.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "core/contour/blend.hpp"
 #include "core/contour/builder.hpp"
@@ -12,16 +10,12 @@
 #include "core/numeric/random.hpp"
 #include "core/plan/contour_plan.hpp"
 #include "core/verify/verifier.hpp"
+#include "tests/core/cases.hpp"
 
 namespace bahnwerk {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-
-std::size_t cases(const char* name, std::size_t quick) {
-  const char* number = std::getenv(name);
-  return number ? static_cast<std::size_t>(std::atof(number)) : quick;
-}
 
 std::string failures(const Verification& verification) {
   std::string text;
@@ -169,7 +163,7 @@ class BlockFeeds : public ::testing::TestWithParam<int> {};
 
 TEST_P(BlockFeeds, HoldInEveryRow) {
   const std::size_t shards = 4, shard = static_cast<std::size_t>(GetParam());
-  for (std::size_t seed = shard; seed < cases("BAHNWERK_BLOCK_CASES", 16); seed += shards) {
+  for (std::size_t seed = shard; seed < testing::cases(std::size_t{16}); seed += shards) {
     Random random(7000 + seed);
     const Contour given = short_blocks(random);
     const Machine machine = machine_of(random);
@@ -186,6 +180,9 @@ TEST_P(BlockFeeds, HoldInEveryRow) {
         SilentProgress progress;
         const ContourPlan plan = plan_contour(given, machine, planning, progress);
         EXPECT_TRUE(plan.verification.passed) << failures(plan.verification);
+        if (method != PlanningMethod::braking_reserve) {
+          EXPECT_LE(plan.bound.gap, method == PlanningMethod::time_optimal ? 1e-5 : 0.02);
+        }
         expect_feeds_hold(given, *plan.setpoints, corner == CornerMode::blend ? tolerance : 0);
       }
   }
@@ -197,7 +194,7 @@ class FreeForm : public ::testing::TestWithParam<int> {};
 
 TEST_P(FreeForm, RoundedContoursAreVerified) {
   const std::size_t shards = 4, shard = static_cast<std::size_t>(GetParam());
-  for (std::size_t seed = shard; seed < cases("BAHNWERK_CURVE_CASES", 80); seed += shards) {
+  for (std::size_t seed = shard; seed < testing::cases(std::size_t{80}); seed += shards) {
     Random random(9000 + seed);
     const Contour given = free_form(random);
     ContourPlanning planning;
@@ -208,6 +205,7 @@ TEST_P(FreeForm, RoundedContoursAreVerified) {
     const ContourPlan plan = plan_contour(given, machine_of(random), planning, progress);
     EXPECT_TRUE(plan.verification.passed)
         << "seed " << seed << " tolerance " << planning.blend_tolerance << ": " << failures(plan.verification);
+    EXPECT_LE(plan.bound.gap, planning.method == PlanningMethod::time_optimal ? 1e-5 : 0.5);
   }
 }
 

@@ -1,10 +1,9 @@
 /// Random contours and limits: every plan is verified, within its bound, and behaves as physics says.
-/// Quick run: 20 000 cases in eight shards; BAHNWERK_CASES multiplies them.
+/// 8 000 cases in eight shards.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "core/plan/contour_plan.hpp"
+#include "tests/core/cases.hpp"
 #include "tests/core/plan/random_contour.hpp"
 
 namespace bahnwerk {
@@ -32,11 +31,6 @@ class PlanProperty : public ::testing::TestWithParam<int> {
   }
 };
 
-std::size_t cases(std::size_t quick) {
-  const char* factor = std::getenv("BAHNWERK_CASES");
-  return factor ? static_cast<std::size_t>(static_cast<double>(quick) * std::atof(factor)) : quick;
-}
-
 /// Mostly a few segments, now and then up to 200.
 std::size_t segment_count(Random& random) {
   const double pick = random.uniform();
@@ -46,7 +40,7 @@ std::size_t segment_count(Random& random) {
 
 TEST_P(PlanProperty, VerifiedBoundedMonotoneReversibleDivisibleScalable) {
   Random random(1000 + static_cast<std::uint64_t>(GetParam()));
-  for (std::size_t i = 0; i < cases(2500); ++i) {
+  for (std::size_t i = 0; i < testing::cases(std::size_t{1000}); ++i) {
     SCOPED_TRACE("shard " + std::to_string(GetParam()) + " case " + std::to_string(i));
     const std::size_t dimension = random.chance(0.25) ? 3 : 2;
     const Outline outline = testing::random_outline(random, segment_count(random), dimension);

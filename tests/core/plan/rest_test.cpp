@@ -7,6 +7,7 @@
 
 #include "core/contour/gcode.hpp"
 #include "core/plan/contour_plan.hpp"
+#include "tests/core/cases.hpp"
 #include "tests/core/plan/random_contour.hpp"
 
 namespace bahnwerk {
@@ -201,7 +202,7 @@ void scatter(Contour& contour, Random& random) {
 
 TEST(Dwell, RandomContoursAreExactlyLongerAndVerified) {
   Random random(7011);
-  for (int i = 0; i < 120; ++i) {
+  for (int i = 0; i < testing::cases(120); ++i) {
     SCOPED_TRACE(i);
     const std::size_t dimension = random.chance(0.25) ? 3 : 2;
     const testing::Outline outline = testing::random_outline(random, 1 + random.below(6), dimension);
@@ -226,7 +227,7 @@ TEST(Dwell, RandomContoursAreExactlyLongerAndVerified) {
 
 TEST(Dwell, RoundedPathsGoExactlyThroughTheRests) {
   Random random(7012);
-  for (int i = 0; i < 24; ++i) {
+  for (int i = 0; i < testing::cases(24); ++i) {
     SCOPED_TRACE(i);
     ContourBuilder b(2, {});
     Vec at;

@@ -1,10 +1,9 @@
 /// Random contours with corners rounded and jerk limited: every plan is verified, stays in its tube, and is not faster
-/// than its bound. BAHNWERK_CASES multiplies the cases.
+/// than its bound.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "core/plan/contour_plan.hpp"
+#include "tests/core/cases.hpp"
 #include "tests/core/plan/random_contour.hpp"
 
 namespace bahnwerk {
@@ -13,8 +12,7 @@ namespace {
 class SmoothProperty : public ::testing::TestWithParam<int> {};
 
 TEST_P(SmoothProperty, RoundedAndJerkLimitedPlansAreVerified) {
-  const char* factor = std::getenv("BAHNWERK_CASES");
-  const int cases = static_cast<int>(40 * (factor ? std::strtod(factor, nullptr) : 1));
+  const int cases = testing::cases(40);
   for (int n = 0; n < cases; ++n) {
     const int seed = 100'000 + cases * GetParam() + n;
     SCOPED_TRACE(seed);

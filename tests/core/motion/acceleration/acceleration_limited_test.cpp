@@ -4,14 +4,18 @@
 
 #include "core/base/errors.hpp"
 #include "core/contour/builder.hpp"
+#include "tests/core/motion/same_bits.hpp"
 #include "tests/core/motion/two_axes.hpp"
 
 namespace bahnwerk {
 namespace {
 
-double duration(const Contour& contour, const AccelerationLimitedOptions& options = {}) {
+TimeLaw law(const Contour& contour, const AccelerationLimitedOptions& options = {}) {
   SilentProgress progress;
-  return plan_acceleration_limited(contour, bahnwerk::testing::two_axes(), options, progress).law.duration();
+  return plan_acceleration_limited(contour, bahnwerk::testing::two_axes(), options, progress).law;
+}
+double duration(const Contour& contour, const AccelerationLimitedOptions& options = {}) {
+  return law(contour, options).duration();
 }
 
 Contour curve() {
@@ -165,7 +169,7 @@ TEST(AccelerationLimited, RefusesLimitsThatAreNone) {
   EXPECT_THROW(plan_acceleration_limited(curve(), m, {}, progress), InvalidInput);
 }
 
-TEST(AccelerationLimited, SameInputSameBits) { EXPECT_EQ(duration(curve()), duration(curve())); }
+TEST(AccelerationLimited, SameInputSameBits) { testing::expect_same_bits(law(curve()), law(curve())); }
 
 }  // namespace
 }  // namespace bahnwerk

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/core/cases.hpp"
 #include "tests/core/motion/feed/feed_problem.hpp"
 
 namespace bahnwerk {
@@ -81,7 +82,7 @@ TEST(ConstantFeed, WithoutAnyLimitOfAccelerationItIsRefused) {
 /// breaks a limit, or leaves no room for its changes.
 TEST(ConstantFeedProperty, IsVerifiedAndTheLargestOne) {
   Random random(6);
-  for (int n = 0; n < 60; ++n) {
+  for (int n = 0; n < testing::cases(60); ++n) {
     test::FeedProblem problem(random);
     for (const auto& [profile, name] : speed_profiles) {
       FeedOptions options;

@@ -5,6 +5,7 @@
 
 #include "core/motion/jerk/jerk_limited.hpp"
 #include "core/motion/profile/profile.hpp"
+#include "tests/core/cases.hpp"
 #include "tests/core/motion/feed/feed_problem.hpp"
 
 namespace bahnwerk {
@@ -60,7 +61,7 @@ TEST(CriticalPoints, ChangesGoOnOverManyShortPieces) {
 TEST(CriticalPointsProperty, IsVerifiedAndBetweenTheOthers) {
   Random random(7);
   double gained = 0;
-  for (int n = 0; n < 40; ++n) {
+  for (int n = 0; n < testing::cases(40); ++n) {
     test::FeedProblem problem(random);
     for (const auto& [profile, name] : speed_profiles) {
       FeedOptions options;
@@ -83,7 +84,7 @@ TEST(CriticalPointsProperty, IsVerifiedAndBetweenTheOthers) {
           << name << ' ' << n;
     }
   }
-  EXPECT_GT(gained, 10);
+  EXPECT_GT(4 * gained, testing::cases(40));
 }
 
 }  // namespace

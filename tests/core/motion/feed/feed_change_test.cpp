@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/core/cases.hpp"
 #include "tests/core/motion/feed/feed_problem.hpp"
 
 namespace bahnwerk {
@@ -55,7 +56,7 @@ TEST(FeedChange, NoneAboveTheFeedOfASegment) {
 TEST(FeedChangeProperty, KeepsAllLimitsBetweenTheNodes) {
   Random random(5);
   int found = 0;
-  for (int n = 0; n < 200; ++n) {
+  for (int n = 0; n < testing::cases(200); ++n) {
     const test::FeedProblem problem(random);
     const FeedGrid grid = grid_of(*problem.task, {});
     const FeedChanges changes(grid, n % 2 ? SpeedProfile::double_s : SpeedProfile::trigonometric);
@@ -89,7 +90,7 @@ TEST(FeedChangeProperty, KeepsAllLimitsBetweenTheNodes) {
         }
       }
   }
-  EXPECT_GT(found, 80);
+  EXPECT_GT(5 * found, 2 * testing::cases(200));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "core/numeric/random.hpp"
+#include "tests/core/cases.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -60,7 +61,7 @@ TEST(SpeedSpline, BasesAreAPartitionOfUnity) {
 TEST(SpeedSplineProperty, StatesAreDerivativesByTime) {
   const SpeedSpline s = spline();
   Random random(2);
-  for (int n = 0; n < 500; ++n) {
+  for (int n = 0; n < testing::cases(500); ++n) {
     const std::vector<double> c = controls(s, random);
     const std::size_t span = random.below(s.spans());
     const double x = random.uniform(0.1, 0.9), h = 1e-5;
@@ -79,7 +80,7 @@ TEST(SpeedSplineProperty, StatesAreDerivativesByTime) {
 TEST(SpeedSplineProperty, SlopesByTheControlPoints) {
   const SpeedSpline s = spline();
   Random random(3);
-  for (int n = 0; n < 500; ++n) {
+  for (int n = 0; n < testing::cases(500); ++n) {
     std::vector<double> c = controls(s, random);
     const auto place = s.at(1 + random.below(s.spans() - 2), random.uniform(0, 1));  // next to rest slopes are steep
     const State here = SpeedSpline::state(place, c);

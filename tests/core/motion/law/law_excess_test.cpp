@@ -15,6 +15,7 @@
 #include "core/motion/law/law_between.hpp"
 #include "core/numeric/random.hpp"
 #include "core/verify/verifier.hpp"
+#include "tests/core/cases.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -118,7 +119,7 @@ TEST(LawExcess, CountsTheStepsAtJoints) {
 /// Slowed by its excess a law is verified up to 1e-6, and no more than that slower than need be.
 TEST(LawExcessProperty, IsWhatTheVerifierFinds) {
   Random random(3);
-  for (int n = 0; n < 60; ++n) {
+  for (int n = 0; n < testing::cases(60); ++n) {
     Driven driven;
     std::vector<Vec> points;
     for (int i = 0; i < 6; ++i) points.push_back({4.0 * i + random.uniform(-1, 1), random.uniform(-4, 4)});

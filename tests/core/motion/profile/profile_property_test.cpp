@@ -7,6 +7,7 @@
 
 #include "core/motion/profile/profile.hpp"
 #include "core/numeric/random.hpp"
+#include "tests/core/cases.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -125,7 +126,7 @@ std::string text(const Case& c) {
 TEST(ProfileProperty, JointsEndsAndLimits) {
   Random random(41);
   std::size_t dips = 0, holds = 0;
-  for (int run = 0; run < 100000; ++run) {
+  for (int run = 0; run < testing::cases(100000); ++run) {
     const Case c = random_case(random);
     SCOPED_TRACE(text(c));
     const Profile p = straight_profile(c.length, c.v0, c.v1, c.limits);
@@ -141,7 +142,7 @@ TEST(ProfileProperty, JointsEndsAndLimits) {
 /// The same numbers in other units, by powers of two.
 TEST(ProfileProperty, Scales) {
   Random random(42);
-  for (int run = 0; run < 10000; ++run) {
+  for (int run = 0; run < testing::cases(10000); ++run) {
     const Case c = random_case(random);
     if (c.length < direct_distance(c.v0, c.v1, c.limits)) continue;  // dips are sensitive to the last bit of length
     const double x = 8, t = 0.5;                                     // new units of length and time
@@ -156,7 +157,7 @@ TEST(ProfileProperty, Scales) {
 
 TEST(ProfileProperty, RunsBackwardsInTheSameTime) {
   Random random(43);
-  for (int run = 0; run < 20000; ++run) {
+  for (int run = 0; run < testing::cases(20000); ++run) {
     const Case c = random_case(random);
     if (c.length < direct_distance(c.v0, c.v1, c.limits)) continue;
     const Profile p = straight_profile(c.length, c.v0, c.v1, c.limits);
@@ -172,7 +173,7 @@ TEST(ProfileProperty, RunsBackwardsInTheSameTime) {
 /// Longer takes longer, weaker takes longer.
 TEST(ProfileProperty, Monotone) {
   Random random(44);
-  for (int run = 0; run < 20000; ++run) {
+  for (int run = 0; run < testing::cases(20000); ++run) {
     const Case c = random_case(random);
     if (c.length < direct_distance(c.v0, c.v1, c.limits)) continue;
     const double T = straight_profile(c.length, c.v0, c.v1, c.limits).duration, margin = 1 + 1e-13;
@@ -192,7 +193,7 @@ TEST(ProfileProperty, Monotone) {
 /// A limit far away is none; each kind of move is the limit of the next.
 TEST(ProfileProperty, FarLimitsDoNotCount) {
   Random random(45);
-  for (int run = 0; run < 20000; ++run) {
+  for (int run = 0; run < testing::cases(20000); ++run) {
     ProfileLimits l{magnitude(random, 0.1, 10), magnitude(random, 0.1, 10), unlimited, unlimited};
     const double v0 = l.velocity * random.uniform(), v1 = random.chance(0.3) ? v0 : l.velocity * random.uniform();
     const double length = direct_distance(v0, v1, l) * (1 + random.uniform()) + magnitude(random, 0.01, 10);
@@ -221,7 +222,7 @@ TEST(ProfileProperty, ContinuousAcrossTheCases) {
   struct Move {
     double spare, low, rise, velocity, acceleration, jerk, snap;
   };
-  for (int run = 0; run < 3000; ++run) {
+  for (int run = 0; run < testing::cases(3000); ++run) {
     auto any = [&] { return magnitude(random, 0.1, 10); };
     auto move = [&]() -> Move {
       return {random.chance(0.2) ? 0 : any(), any(), random.chance(0.3) ? 0 : any(), any(), any(), any(), any()};

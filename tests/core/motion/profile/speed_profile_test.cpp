@@ -9,6 +9,7 @@
 #include "core/motion/law/time_law.hpp"
 #include "core/motion/profile/profile.hpp"
 #include "core/numeric/random.hpp"
+#include "tests/core/cases.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -55,7 +56,7 @@ TEST(SpeedProfileProperty, KeepsLimitsAndAddsUp) {
   Random random(1);
   for (const auto& [profile, name] : speed_profiles) {
     const SpeedProfileRow& row = speed_profile_row(profile);
-    for (int n = 0; n < 2000; ++n) {
+    for (int n = 0; n < testing::cases(2000); ++n) {
       const double height = std::pow(10, random.uniform(-3, 4)), A = std::pow(10, random.uniform(-3, 6)),
                    J = std::pow(10, random.uniform(-3, 8)), low = random.uniform(0, 1) < 0.3 ? 0 : height;
       const Rise rise = row.rise(height, A, J);
@@ -91,7 +92,7 @@ TEST(SpeedProfileProperty, KeepsLimitsAndAddsUp) {
 /// The double-S is the quickest of all: that of straight moves, and no other profile is quicker.
 TEST(SpeedProfileProperty, TheDoubleSIsTheQuickestUnderLimitedJerk) {
   Random random(2);
-  for (int n = 0; n < 500; ++n) {
+  for (int n = 0; n < testing::cases(500); ++n) {
     const double height = std::pow(10, random.uniform(-1, 3)), A = std::pow(10, random.uniform(1, 4)),
                  J = std::pow(10, random.uniform(2, 6));
     const double quickest = speed_profile_row(SpeedProfile::double_s).rise(height, A, J).duration;

@@ -11,6 +11,7 @@
 #include "core/redundant/known/geometric.hpp"
 #include "core/redundant/known/lag_compensation.hpp"
 #include "core/redundant/redundancy.hpp"
+#include "tests/core/cases.hpp"
 #include "tests/core/redundant/coarse_fine_machines.hpp"
 #include "tests/core/redundant/split_excess.hpp"
 
@@ -207,16 +208,25 @@ TEST(KnownMethods, RetimedMotionsRestWhereTheyDid) {
 
 TEST(KnownMethods, RandomContoursAreValid) {
   Random random(11);
-  std::map<RedundancyMethod, double> total;
-  for (int n = 0; n < 20; ++n) {
+  std::map<RedundancyMethod, double> total;  // times the fastest motion of the head
+  const int contours = testing::cases(20);
+  for (int n = 0; n < contours; ++n) {
     const Contour contour = test::random_contour(random, 100, 2, 5);
     const RedundancyTask task = test::redundancy_task(contour, random.below(2) ? test::md1() : test::md2());
     for (const RedundancyMethod method : known) {
       SCOPED_TRACE(std::to_string(n) + std::string(" ") +
                    std::string(name_of<RedundancyMethod>(method, redundancy_methods)));
-      expect_valid(task, plan(task, method));
+      const RedundancyResult r = plan(task, method);
+      expect_valid(task, r);
+      EXPECT_GE(r.head->duration(), r.fastest * (1 - 1e-9));
+      total[method] += r.head->duration() / r.fastest;
     }
   }
+  // What each costs in the mean: the head waits for nothing, for the filter's blocks, for the coarse axes' lag.
+  EXPECT_NEAR(total[RedundancyMethod::geometric], contours, 1e-6 * contours);
+  EXPECT_NEAR(total[RedundancyMethod::follow_up], contours, 1e-6 * contours);
+  EXPECT_LT(total[RedundancyMethod::filter], 1.8 * contours);
+  EXPECT_LT(total[RedundancyMethod::lag_compensation], 2.2 * contours);
 }
 
 }  // namespace

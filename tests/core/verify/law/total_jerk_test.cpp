@@ -12,6 +12,7 @@
 #include "core/geometry/curve/line.hpp"
 #include "core/geometry/curve/rational.hpp"
 #include "core/numeric/random.hpp"
+#include "tests/core/cases.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -61,7 +62,7 @@ TEST(TotalJerk, OnACircle) {
 
 TEST(TotalJerkProperty, IsNoLessThanAnySampleAndNoMoreThanItNeedBe) {
   Random random(9);
-  for (int n = 0; n < 100; ++n) {
+  for (int n = 0; n < testing::cases(100); ++n) {
     std::vector<Vec> points;
     for (int i = 0; i < 6; ++i)
       points.push_back({3.0 * i + random.uniform(-1, 1), random.uniform(-3, 3), random.uniform(-3, 3)});

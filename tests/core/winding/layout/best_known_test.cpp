@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <string>
 
 #include "core/winding/layout/potential.hpp"
+#include "tests/core/cases.hpp"
 #include "tests/core/winding/packing_rooms.hpp"
 
 namespace bahnwerk::winding {
@@ -94,10 +94,9 @@ TEST(Pack, FindsBestKnownPackings) {
 }
 
 TEST(Pack, FindsNothingLargerThanBestKnown) {
-  // Either of the two would be wrong: the table, or the check of what was found. All of them with PACKINGS=all.
+  // Either of the two would be wrong: the table, or the check of what was found. All of them in a long run.
   const std::vector<Instance> all = known_packings();
-  const char* wish = std::getenv("PACKINGS");
-  const std::size_t step = wish != nullptr && std::string(wish) == "all" ? 1 : 5;
+  const std::size_t step = bahnwerk::testing::case_factor() >= 5 ? 1 : 5;
   for (std::size_t i = 0; i < all.size(); i += step) {
     PotentialOptions options;
     options.effort = step == 1 ? 1 : 0.02;
