@@ -36,13 +36,18 @@ class Layer {
     smallest_ = min_interval * (panel.back() - panel.front());
     push(path_.at(index_, panel.front()));
     for (std::size_t i = 1; i < panel.size(); ++i) {
-      const Station<N> left = grid_.stations.back();
-      interval(left, path_.at(index_, panel[i]));
+      const Station<N> left = grid_.stations.back(), right = path_.at(index_, panel[i]);
+      if (i + 1 == panel.size() || resolved(left, right)) interval(left, right);
     }
   }
 
  private:
   void push(const Station<N>& at) { grid_.stations.push_back(at); }
+
+  /// Whether a station inside the segment leaves cells long enough before and behind it.
+  bool resolved(const Station<N>& before, const Station<N>& at) const {
+    return Grid<N>::resolved(before.s, at.s, segment_.length(), segment_.length());
+  }
 
   void cell_to(const Station<N>& at) {
     GridCell cell;
@@ -100,7 +105,9 @@ class Layer {
     const double need = parts(left, mid, right);
     const bool at_cusp = (segment_.cusp_begin() && left.u == segment_.curve().begin()) ||
                          (segment_.cusp_end() && right.u == segment_.curve().end());
-    if ((need > max_parts || at_cusp) && right.u - left.u > smallest_) {
+    const double length = segment_.length();
+    if ((need > max_parts || at_cusp) && right.u - left.u > smallest_ &&
+        Grid<N>::resolved(left.s, mid.s, right.s, length)) {
       interval(left, mid, known ? nullptr : &inner[0]);
       interval(mid, right, known ? nullptr : &inner[2]);
       return;
@@ -112,7 +119,10 @@ class Layer {
       batch.count = static_cast<std::size_t>(n - 1);
       for (int i = 1; i < n; ++i) batch.u.set(static_cast<std::size_t>(i - 1), left.u + i * du);
       path_.at_parameters(index_, batch);
-      for (std::size_t i = 0; i < batch.count; ++i) cell(path_.station(batch, i));
+      for (std::size_t i = 0; i < batch.count; ++i)
+        if (const Station<N> at = path_.station(batch, i);
+            Grid<N>::resolved(grid_.stations.back().s, at.s, right.s, length))
+          cell(at);
     }
     cell(right);
   }
@@ -154,8 +164,11 @@ class Layer {
       for (; i > 0 && turning[i - 1] > u; --i) turning[i] = turning[i - 1];
       turning[i] = u;
     }
-    for (std::size_t i = 0; i < count; ++i)
-      if (turning[i] - grid_.stations.back().u > closest * (right.u - left.u)) cell_to(path_.at(index_, turning[i]));
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!(turning[i] - grid_.stations.back().u > closest * (right.u - left.u))) continue;
+      const Station<N> at = path_.at(index_, turning[i]);
+      if (Grid<N>::resolved(grid_.stations.back().s, at.s, right.s, segment_.length())) cell_to(at);
+    }
   }
 
   Grid<N>& grid_;
@@ -203,10 +216,13 @@ void Grid<N>::grade_end(const LanePath<N>& path, bool front) {
   const GridCell old = front ? cells.front() : cells.back();
   if (old.straight) return;
   const double u0 = stations[old.station].u, u1 = stations[old.station + 1].u;
+  const double s0 = stations[old.station].s, s1 = stations[old.station + 1].s;
   std::vector<Station<N>> inner;
-  for (int i = 1; i <= end_halvings; ++i)
-    inner.push_back(
-        path.at(old.segment, front ? u0 + part(i) * (u1 - u0) : u1 - part(end_halvings + 1 - i) * (u1 - u0)));
+  for (int i = 1; i <= end_halvings; ++i) {
+    const Station<N> at =
+        path.at(old.segment, front ? u0 + part(i) * (u1 - u0) : u1 - part(end_halvings + 1 - i) * (u1 - u0));
+    if (resolved(inner.empty() ? s0 : inner.back().s, at.s, s1, path[old.segment].length())) inner.push_back(at);
+  }
   std::vector<GridCell> parts(inner.size() + 1, old);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     parts[i].station = old.station + static_cast<std::uint32_t>(i);
@@ -280,7 +296,7 @@ void Grid<N>::divide(const LanePath<N>& path, LargeVector<std::uint8_t>& parts, 
       cell.cusp_left = old.cusp_left && i == 1;
       cell.cusp_right = old.cusp_right && i == parts[c];
       const Station<N> next = i == parts[c] ? right(c) : path.at(old.segment, u0 + i * du);
-      if (i < parts[c] && !(next.s > new_stations.back().s)) continue;
+      if (i < parts[c] && !resolved(new_stations.back().s, next.s, right(c).s, path[old.segment].length())) continue;
       new_cells.push_back(cell);
       new_stations.push_back(next);
     }

@@ -34,6 +34,11 @@ struct GridOptions {
   double longest = std::numeric_limits<double>::infinity();  ///< cell where q is not linear, mm
 };
 
+/// Cells of free-form curves are longer than this part of their segment. Path length counts from the begin of a segment
+/// and is rounded: next to a vanishing tangent, where s ~ ρ^(m+1), places that the parameter tells apart are one place
+/// to it. Motion from rest takes 1e-6 of the segment's time for so short a way.
+constexpr double shortest_cell = 1e-12;
+
 template <int N>
 class Grid {
  public:
@@ -61,9 +66,15 @@ class Grid {
   /// Divides cell c into parts[c] equal cells; then parts[c] is what became of it, see below. O(cells).
   void divide(const LanePath<N>& path, LargeVector<std::uint8_t>& parts, ProgressScope& pulse);
   /// Divides cell c into count(c) cells; inner part i ends at the parameter place(c, i, u0, u1) between the cell's own
-  /// ends. Parts finer than path length resolves are left out: made(c, m) tells how many there are. O(cells).
+  /// ends. Parts finer than path length resolves (`shortest_cell`) are left out: made(c, m) tells how many there are.
+  /// O(cells).
   template <class Count, class Place, class Made>
   void divide(const LanePath<N>& path, Count&& count, Place&& place, Made&& made, ProgressScope& pulse);
+
+  /// Whether a station at `s` leaves cells long enough between two others of a segment of that length.
+  static bool resolved(double before, double s, double after, double length) {
+    return s - before > shortest_cell * length && after - s > shortest_cell * length;
+  }
 
  private:
   void grade_end(const LanePath<N>& path, bool front);
@@ -93,7 +104,7 @@ void Grid<N>::divide(const LanePath<N>& path, Count&& count, Place&& place, Made
       cell.cusp_left = old.cusp_left && i == 1;
       cell.cusp_right = old.cusp_right && i == parts;
       const Station<N> next = i == parts ? right(c) : path.at(old.segment, place(c, i, left(c).u, right(c).u));
-      if (i < parts && !(next.s > new_stations.back().s)) continue;
+      if (i < parts && !resolved(new_stations.back().s, next.s, right(c).s, path[old.segment].length())) continue;
       new_cells.push_back(cell);
       new_stations.push_back(next);
     }

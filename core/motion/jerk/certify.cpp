@@ -76,14 +76,17 @@ void JerkSectionPlanner<N, M>::certify(ProgressScope& pulse) {
       LawPiece law = jerk_piece(state_[c], state_[c + 1], grid_.length(c));
       if (!(law.duration > 0) || !std::isfinite(law.duration)) continue;  // emit() refuses the section
       const std::size_t segment = grid_.cells[c].segment;
-      law.s = path_[segment].s0() + grid_.left(c).s;
+      // Next to a cusp rounded positions say nothing of curvature; the verifier counts from there (LocalPlaces).
+      const bool cusp = path_[segment].cusp_begin() || path_[segment].cusp_end();
+      const double origin = cusp ? 0 : path_[segment].s0();
+      law.s = origin + grid_.left(c).s;
       const bool open = grid_.cells[c].cusp_left || grid_.cells[c].cusp_right;
       sweep.sweep(0, law.duration, open, c, [&](PeakSamples& samples) {
         const auto points = static_cast<std::size_t>(samples.rule.points);
         double* values = samples.values;
         for (std::size_t i = 0; i < points; ++i) {
           const LawState x = law.at(samples.begin + samples.rule.node[i] * (samples.end - samples.begin));
-          const JerkStation<M> d = rows_of(path_.derivatives(segment, path_[segment].parameter(x.s)));
+          const JerkStation<M> d = rows_of(path_.derivatives(segment, path_[segment].parameter_at(x.s - origin)));
           const double b = x.v * x.v;
           for (std::size_t k = 0; k < M; ++k) {
             values[k * points + i] = d.d1[k] * d.d1[k] * b * limit_.inverse_velocity2[k];

@@ -12,6 +12,7 @@
 #include "core/verify/law/arc_length_check.hpp"
 #include "core/verify/law/channel_bounds.hpp"
 #include "core/verify/law/curve_disc.hpp"
+#include "core/verify/law/local_places.hpp"
 #include "core/verify/law/repeated_run.hpp"
 #include "core/verify/rounding.hpp"
 
@@ -57,6 +58,7 @@ class Sweeper {
         peaks_(scales(channels_), resolution, rounded_samples),
         worst_(channels_.size()),
         repeated_(in),
+        places_(in),
         arc_length_(pulse) {
     if (const auto* path = dynamic_cast<const KinematicAxisPath*>(&in.path)) through_.emplace(*path);
   }
@@ -200,11 +202,11 @@ class Sweeper {
   void over_time(const LawPiece& piece, const Segment& segment) {
     // Counted from the begin of the segment: far along a path the rounding of s would show as noise.
     LawPiece local = piece;
-    local.s = piece.s - segment.s0();
+    local.s = places_.begin(index_);
     const double u0 = begin_of(piece, segment), half_way = local.at(0.5 * piece.duration).s;
     // Two parameters at once take little longer than one.
-    const PointPair inner = segment.parameter_at(PointPair{half_way, piece.s_end - segment.s0()});
-    const double u1 = end_at(piece, piece.s_end < segment.s1() ? inner[1] : segment.curve().end());
+    const PointPair inner = segment.parameter_at(PointPair{half_way, places_.end(index_)});
+    const double u1 = end_at(piece, places_.at_end(index_) ? segment.curve().end() : inner[1]);
     if (segment.curve().kind() == CurveKind::rational) {
       const double s0 = segment.travelled(u0), s1 = segment.travelled(u1);
       arc_length_.believe(piece, segment, s1 - s0);
@@ -246,10 +248,14 @@ class Sweeper {
   }
 
   // Parameters of the ends, that of the begin from the piece before where it ended there.
-  double begin_of(const LawPiece& piece, const Segment& segment) const {
-    return index_ > 0 && end_segment_ == piece.segment && end_s_ == piece.s ? end_u_ : segment.parameter(piece.s);
+  double begin_of(const LawPiece& piece, const Segment& segment) {
+    if (index_ > 0 && end_segment_ == piece.segment && end_s_ == piece.s) return end_u_;
+    const double s = places_.begin(index_);
+    return s < segment.length() ? segment.parameter_at(s) : segment.curve().end();
   }
-  double end_of(const LawPiece& piece, const Segment& segment) { return end_at(piece, segment.parameter(piece.s_end)); }
+  double end_of(const LawPiece& piece, const Segment& segment) {
+    return end_at(piece, places_.at_end(index_) ? segment.curve().end() : segment.parameter_at(places_.end(index_)));
+  }
   double end_at(const LawPiece& piece, double u) {
     end_segment_ = piece.segment, end_s_ = piece.s_end, end_u_ = u;
     return u;
@@ -371,6 +377,7 @@ class Sweeper {
   std::vector<Peak> worst_;  // of the motions before in which the limit was exceeded
   std::vector<TooFast> too_fast_;
   RepeatedRuns repeated_;
+  LocalPlaces places_;
   std::optional<AxisDiscsAlong> through_;  ///< of axes that follow the path through kinematics
   ArcLengthCheck arc_length_;
   std::size_t index_ = 0;
