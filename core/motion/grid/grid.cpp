@@ -34,6 +34,7 @@ class Layer {
   void lay() {
     const std::vector<double> panel = segment_.panel_parameters();
     smallest_ = min_interval * (panel.back() - panel.front());
+    end_ = segment_.travelled(panel.back());
     push(path_.at(index_, panel.front()));
     for (std::size_t i = 1; i < panel.size(); ++i) {
       const Station<N> left = grid_.stations.back(), right = path_.at(index_, panel[i]);
@@ -46,7 +47,7 @@ class Layer {
 
   /// Whether a station inside the segment leaves cells long enough before and behind it.
   bool resolved(const Station<N>& before, const Station<N>& at) const {
-    return Grid<N>::resolved(before.s, at.s, segment_.length(), segment_.length());
+    return Grid<N>::resolved(before.s, at.s, end_, segment_.length());
   }
 
   void cell_to(const Station<N>& at) {
@@ -178,7 +179,7 @@ class Layer {
   double feed2_;
   const GridOptions& options_;
   Lanes<N> acceleration_, inverse_acceleration_, velocity_;
-  double smallest_ = 0;
+  double smallest_ = 0, end_ = 0;
 };
 
 }  // namespace

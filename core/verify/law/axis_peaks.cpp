@@ -250,8 +250,7 @@ class Sweeper {
   // Parameters of the ends, that of the begin from the piece before where it ended there.
   double begin_of(const LawPiece& piece, const Segment& segment) {
     if (index_ > 0 && end_segment_ == piece.segment && end_s_ == piece.s) return end_u_;
-    const double s = places_.begin(index_);
-    return s < segment.length() ? segment.parameter_at(s) : segment.curve().end();
+    return piece.s < segment.s1() ? segment.parameter_at(places_.begin(index_)) : segment.curve().end();
   }
   double end_of(const LawPiece& piece, const Segment& segment) {
     return end_at(piece, places_.at_end(index_) ? segment.curve().end() : segment.parameter_at(places_.end(index_)));

@@ -25,6 +25,8 @@ double way(const LawPiece& piece) {
 
 }  // namespace
 
+double LocalPlaces::length(const Segment& segment) { return segment.travelled(segment.curve().end()); }
+
 bool LocalPlaces::summed(std::size_t i) {
   if (i >= first_ && i < last_) return !places_.empty();
   const auto& pieces = in_.law.pieces();
@@ -36,16 +38,17 @@ bool LocalPlaces::summed(std::size_t i) {
   const Vanishing where = vanishing(on);
   if (where == Vanishing::nowhere) return false;
   const std::size_t n = last_ - first_;
+  const double length = LocalPlaces::length(on);
   places_.resize(n + 1);
   if (where == Vanishing::at_begin) {
     double sum = places_[0] = std::max(0.0, pieces[first_].s - on.s0());
     for (std::size_t k = 0; k < n; ++k) places_[k + 1] = sum += way(pieces[first_ + k]);
   } else {
     double left = std::max(0.0, on.s1() - pieces[last_ - 1].s_end);
-    places_[n] = on.length() - left;
-    for (std::size_t k = n; k-- > 0;) places_[k] = on.length() - (left += way(pieces[first_ + k]));
+    places_[n] = length - left;
+    for (std::size_t k = n; k-- > 0;) places_[k] = length - (left += way(pieces[first_ + k]));
   }
-  for (double& s : places_) s = std::clamp(s, 0.0, on.length());
+  for (double& s : places_) s = std::clamp(s, 0.0, length);
   return true;
 }
 

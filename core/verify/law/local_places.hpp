@@ -20,13 +20,15 @@ class LocalPlaces {
   double end(std::size_t i) { return summed(i) ? places_[i - first_ + 1] : piece(i).s_end - segment(i).s0(); }
   /// Whether the piece ends where its segment does.
   bool at_end(std::size_t i) {
-    return summed(i) ? !(end(i) < segment(i).length()) : !(piece(i).s_end < segment(i).s1());
+    return summed(i) ? !(end(i) < length(segment(i))) : !(piece(i).s_end < segment(i).s1());
   }
 
  private:
   const LawPiece& piece(std::size_t i) const { return in_.law.pieces()[i]; }
   const Segment& segment(std::size_t i) const { return in_.path[piece(i).segment]; }
   bool summed(std::size_t i);
+  /// Of the curve itself: s1 − s0 is rounded as places are.
+  static double length(const Segment& segment);
 
   const VerifierInput& in_;
   std::size_t first_ = 0, last_ = 0;  ///< pieces of the segment looked at last
