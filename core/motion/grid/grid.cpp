@@ -35,15 +35,28 @@ class Layer {
     const std::vector<double> panel = segment_.panel_parameters();
     smallest_ = min_interval * (panel.back() - panel.front());
     end_ = segment_.travelled(panel.back());
-    push(path_.at(index_, panel.front()));
+    push(end_station(panel.front(), segment_.cusp_begin()));
     for (std::size_t i = 1; i < panel.size(); ++i) {
-      const Station<N> left = grid_.stations.back(), right = path_.at(index_, panel[i]);
-      if (i + 1 == panel.size() || resolved(left, right)) interval(left, right);
+      const bool last = i + 1 == panel.size();
+      const Station<N> left = grid_.stations.back(),
+                       right = last ? end_station(panel[i], segment_.cusp_end()) : path_.at(index_, panel[i]);
+      if (last || resolved(left, right)) interval(left, right);
     }
   }
 
  private:
   void push(const Station<N>& at) { grid_.stations.push_back(at); }
+
+  /// At a cusp with the tangent that the nearest place has which path length resolves: where the curve's own tangent
+  /// all but vanishes, and rounding makes the rest of it, it may point anywhere at the end itself.
+  Station<N> end_station(double u, bool cusp) const {
+    Station<N> station = path_.at(index_, u);
+    if (!cusp) return station;
+    const bool begin = u == segment_.curve().begin();
+    const double near = segment_.parameter_at(begin ? shortest_cell * end_ : end_ - shortest_cell * end_);
+    station.d1 = path_.derivatives(index_, near).d1;
+    return station;
+  }
 
   /// Whether a station inside the segment leaves cells long enough before and behind it.
   bool resolved(const Station<N>& before, const Station<N>& at) const {

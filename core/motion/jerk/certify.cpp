@@ -46,7 +46,7 @@ CellPeaks<M> JerkSectionPlanner<N, M>::peaks_of(std::size_t c, bool exact) const
   if (grid_.cells[c].straight) return cell_peaks<M>(law, h, limit, 1 / (f * f), l, r, [&](double) { return l; });
   if (exact)
     return cell_peaks<M>(law, h, limit, 1 / (f * f), l, r, [&](double s) {
-      return rows_of(path_.derivatives(segment, path_[segment].parameter_at(grid_.left(c).s + s)));
+      return rows_of(path_.derivatives(segment, path_[segment].parameter_at(looked_at(segment, grid_.left(c).s + s))));
     });
   return cell_peaks<M>(law, h, limit, 1 / (f * f), l, r, [&](double s) { return shape_[c].at(s); });
 }
@@ -86,7 +86,8 @@ void JerkSectionPlanner<N, M>::certify(ProgressScope& pulse) {
         double* values = samples.values;
         for (std::size_t i = 0; i < points; ++i) {
           const LawState x = law.at(samples.begin + samples.rule.node[i] * (samples.end - samples.begin));
-          const JerkStation<M> d = rows_of(path_.derivatives(segment, path_[segment].parameter_at(x.s - origin)));
+          const JerkStation<M> d =
+              rows_of(path_.derivatives(segment, path_[segment].parameter_at(looked_at(segment, x.s - origin))));
           const double b = x.v * x.v;
           for (std::size_t k = 0; k < M; ++k) {
             values[k * points + i] = d.d1[k] * d.d1[k] * b * limit_.inverse_velocity2[k];

@@ -209,6 +209,16 @@ class JerkSectionPlanner {
   /// The path within every curved cell, from its middle and ends, for measure().
   void look_half_way(ProgressScope& pulse);
 
+  /// The place of a segment at which the path is looked at where a law is at `s`: no nearer to a cusp than path length
+  /// resolves.
+  double looked_at(std::size_t segment, double s) const {
+    constexpr double nearest = 64 * std::numeric_limits<double>::epsilon();
+    const Segment& on = path_[segment];
+    const double length = on.length(), begin = on.cusp_begin() ? nearest * length : 0;
+    if (on.cusp_end()) s = std::min(s, on.travelled(on.curve().end()) - nearest * length);
+    return std::max(s, begin);
+  }
+
   /// Peaks of a cell, from samples and against what the solver may use; `exact`: of the path itself, against the true
   /// limits.
   CellPeaks<M> peaks_of(std::size_t cell, bool exact) const;

@@ -205,7 +205,7 @@ class Sweeper {
     local.s = places_.begin(index_);
     const double u0 = begin_of(piece, segment), half_way = local.at(0.5 * piece.duration).s;
     // Two parameters at once take little longer than one.
-    const PointPair inner = segment.parameter_at(PointPair{half_way, places_.end(index_)});
+    const PointPair inner = segment.parameter_at(PointPair{places_.looked_at(index_, half_way), places_.end(index_)});
     const double u1 = end_at(piece, places_.at_end(index_) ? segment.curve().end() : inner[1]);
     if (segment.curve().kind() == CurveKind::rational) {
       const double s0 = segment.travelled(u0), s1 = segment.travelled(u1);
@@ -218,7 +218,7 @@ class Sweeper {
       pulse_.work(static_cast<std::size_t>(n));
       const double half = 0.5 * (samples.end - samples.begin);
       const LawPiece here = moved(local, samples.begin + half);
-      const double middle = here.s == half_way ? inner[0] : segment.parameter_at(here.s);
+      const double middle = here.s == half_way ? inner[0] : segment.parameter_at(places_.looked_at(index_, here.s));
       if (!vanishing || !at_vanishing_tangent(piece.segment, segment.parameter_at(local.at(samples.begin).s),
                                               segment.parameter_at(local.at(samples.end).s)))
         tell_missing(samples, piece.segment, middle, (u1 - u0) * half / piece.duration,
@@ -233,13 +233,15 @@ class Sweeper {
         } else if (waiting == 0) {
           waiting = i + 1;
         } else {
-          const PointPair u = segment.parameter_at(PointPair{state_[waiting - 1].s, at.s});
+          const PointPair u = segment.parameter_at(
+              PointPair{places_.looked_at(index_, state_[waiting - 1].s), places_.looked_at(index_, at.s)});
           batch_.u.set(waiting - 1, u[0]);
           batch_.u.set(i, u[1]);
           waiting = 0;
         }
       }
-      if (waiting > 0) batch_.u.set(waiting - 1, segment.parameter_at(state_[waiting - 1].s));
+      if (waiting > 0)
+        batch_.u.set(waiting - 1, segment.parameter_at(places_.looked_at(index_, state_[waiting - 1].s)));
       fill(piece.segment, n, samples.values, [&](const Channel& c, double d1, double d2, double d3, std::size_t i) {
         return value(c, d1, d2, d3, state_[i]);
       });

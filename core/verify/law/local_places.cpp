@@ -3,9 +3,12 @@
 #include <algorithm>
 
 #include "core/geometry/curve/rational.hpp"
+#include "core/verify/rounding.hpp"
 
 namespace bahnwerk::verify {
 namespace {
+
+constexpr double nearest = 64 * epsilon;  // of a segment's length
 
 enum class Vanishing { nowhere, at_begin, at_end };
 
@@ -40,6 +43,8 @@ bool LocalPlaces::summed(std::size_t i) {
   const std::size_t n = last_ - first_;
   const double length = LocalPlaces::length(on);
   places_.resize(n + 1);
+  nearest_begin_ = on.cusp_begin() ? nearest * length : 0;
+  nearest_end_ = on.cusp_end() ? length - nearest * length : length;
   if (where == Vanishing::at_begin) {
     double sum = places_[0] = std::max(0.0, pieces[first_].s - on.s0());
     for (std::size_t k = 0; k < n; ++k) places_[k + 1] = sum += way(pieces[first_ + k]);

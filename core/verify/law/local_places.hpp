@@ -1,5 +1,6 @@
 #pragma once
 /// Where the pieces of a law lie within their segment, mm from its begin.
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -22,6 +23,10 @@ class LocalPlaces {
   bool at_end(std::size_t i) {
     return summed(i) ? !(end(i) < length(segment(i))) : !(piece(i).s_end < segment(i).s1());
   }
+  /// The place at which the curve is looked at where piece i is at `s`: no nearer to a cusp than 64 ε of the segment's
+  /// length, where u(s) is rounding and curvature anything. What bends there times v² is less than where it is looked
+  /// at.
+  double looked_at(std::size_t i, double s) { return summed(i) ? std::clamp(s, nearest_begin_, nearest_end_) : s; }
 
  private:
   const LawPiece& piece(std::size_t i) const { return in_.law.pieces()[i]; }
@@ -33,6 +38,7 @@ class LocalPlaces {
   const VerifierInput& in_;
   std::size_t first_ = 0, last_ = 0;  ///< pieces of the segment looked at last
   std::vector<double> places_;        ///< their ends; empty where s − s0 serves
+  double nearest_begin_ = 0, nearest_end_ = 0;
 };
 
 }  // namespace bahnwerk::verify
