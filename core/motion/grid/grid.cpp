@@ -12,6 +12,7 @@ namespace {
 constexpr int max_parts = 16;  // cells laid at once; more and the interval is halved first
 constexpr int end_halvings = 4;
 constexpr std::size_t usual_segment = 1 << 10;  // cells; longer ones may outgrow the room that was made for them
+constexpr double shortest_smooth = 1e-5;        // of a segment, next to a vanishing tangent that no motion notices
 constexpr double min_interval = 1e-6;           // of a segment's parameter range: grading towards a cusp ends here
 
 template <int N>
@@ -35,12 +36,13 @@ class Layer {
     const std::vector<double> panel = segment_.panel_parameters();
     smallest_ = min_interval * (panel.back() - panel.front());
     end_ = segment_.travelled(panel.back());
+    const double shortest = vanishes_smoothly() ? shortest_smooth : shortest_cell;
     push(end_station(panel.front(), segment_.cusp_begin()));
     for (std::size_t i = 1; i < panel.size(); ++i) {
       const bool last = i + 1 == panel.size();
       const Station<N> left = grid_.stations.back(),
                        right = last ? end_station(panel[i], segment_.cusp_end()) : path_.at(index_, panel[i]);
-      if (last || resolved(left, right)) interval(left, right);
+      if (last || Grid<N>::resolved(left.s, right.s, end_, segment_.length(), shortest)) interval(left, right);
     }
   }
 
@@ -58,9 +60,12 @@ class Layer {
     return station;
   }
 
-  /// Whether a station inside the segment leaves cells long enough before and behind it.
-  bool resolved(const Station<N>& before, const Station<N>& at) const {
-    return Grid<N>::resolved(before.s, at.s, end_, segment_.length());
+  /// The parametric tangent vanishes at an end, where the curvature stays bounded: to path length, and to a motion that
+  /// passes, nothing happens there, whatever the panels of the arc length.
+  bool vanishes_smoothly() const {
+    if (segment_.straight() || segment_.curve().kind() != CurveKind::rational) return false;
+    const auto& curve = static_cast<const Rational&>(segment_.curve());
+    return curve.vanishing_begin() + curve.vanishing_end() > 0 && !segment_.cusp_begin() && !segment_.cusp_end();
   }
 
   void cell_to(const Station<N>& at) {

@@ -72,8 +72,8 @@ class Grid {
   void divide(const LanePath<N>& path, Count&& count, Place&& place, Made&& made, ProgressScope& pulse);
 
   /// Whether a station at `s` leaves cells long enough between two others of a segment of that length.
-  static bool resolved(double before, double s, double after, double length) {
-    return s - before > shortest_cell * length && after - s > shortest_cell * length;
+  static bool resolved(double before, double s, double after, double length, double shortest = shortest_cell) {
+    return s - before > shortest * length && after - s > shortest * length;
   }
 
  private:
