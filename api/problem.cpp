@@ -2,6 +2,7 @@
 
 #include <array>
 #include <exception>
+#include <new>
 #include <nlohmann/json.hpp>
 
 #include "api/pointer.hpp"
@@ -188,6 +189,8 @@ Problem problem_from_current_exception(std::string_view prefix) {
         return {"budget-exhausted", "The time budget ran out while the job was planned."};
     }
     return {"internal", "The planner was stopped."};
+  } catch (const std::bad_alloc&) {
+    return {"budget-exhausted", "The memory ran out while the job was planned: divide the job, or let wider limits hold."};
   } catch (...) {
     return {"internal", "The planner ended unexpectedly."};  // its text may carry what no client should see
   }

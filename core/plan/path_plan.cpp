@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/errors.hpp"
 #include "core/motion/axes/length_axis.hpp"
 #include "core/motion/law/dwell.hpp"
 #include "core/motion/setpoints/path_setpoints.hpp"
@@ -127,6 +128,7 @@ class Pipeline {
 
   void take(TimeLaw law) {
     law_ = with_dwells(std::move(law), task_, progress_, at(planned));
+    if (!std::isfinite(law_.duration())) throw Infeasible("the planning method found no motion within the limits");
     limit_setpoints(law_.duration(), planning_.machine.cycle_time, planning_.max_setpoints);
   }
 

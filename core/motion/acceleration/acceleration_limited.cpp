@@ -34,6 +34,8 @@ constexpr double first_growth = 3;                       // cells after dividing
 // What the law may exceed a limit by unseen in wide cells, and how many times the error of their model that is. Laws
 // that are verified once more cost more than such a margin.
 constexpr double usual_margin = 1e-5, least_share = 100, most_share = 1000;
+constexpr double bearable_excess = 2e-7;
+constexpr int late_divisions = 24, late_rounds = 40;
 constexpr std::size_t block = 512;  // cells that stay in a cache
 
 /// What the number of cells follows: the curved segments, and by how much they turn, rad.
@@ -148,8 +150,18 @@ class SectionPlanner {
       divide(pulse);
       solve_dirty(pulse);
     }
-    for (int round = 0; round < options_.max_rounds && shrink_shares(pulse);
-         ++round, ++rounds) {  // … then the limits in its cells
+    // What is left of an excess slows the whole section: few cells, where a slow feed is reached within nanometres or
+    // limits change abruptly, may need more than the others.
+    const double bearable = std::max(bearable_excess, options_.excess);
+    for (int division = 0; division < late_divisions && marks_.mark_excess(excess_, bearable); ++division, ++rounds) {
+      pulse.half_of_rest();
+      divide(pulse);
+      solve_dirty(pulse);
+    }
+    const auto goes_on = [&](int round) {
+      return round < options_.max_rounds || (round < late_rounds && excess(grid_.cells.size()) > bearable);
+    };
+    for (int round = 0; goes_on(round) && shrink_shares(pulse); ++round, ++rounds) {  // … then the limits in its cells
       pulse.half_of_rest();
       solve_dirty(pulse);
     }

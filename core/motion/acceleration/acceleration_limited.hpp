@@ -30,7 +30,7 @@ struct AccelerationLimitedOptions {
   double braking_reserve = 0.7;  ///< K_b ∈ (0,1): the share of an axis' acceleration that bending may use
   double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad; larger tangent jumps are corners with a stop
   double excess = 2e-9;  ///< by which a limit may be exceeded inside a cell; what remains slows the section, relative
-  double tolerance = 1e-6;  ///< estimated loss of duration to the grid, relative
+  double tolerance = 2e-7;  ///< estimated loss of duration to the grid, relative
   int max_divisions = 5,
       max_rounds = 5;  ///< times that the grid is divided, then that limits inside cells are tightened
   GridOptions grid;

@@ -62,6 +62,21 @@ class DivisionMarks {
     return divide;
   }
 
+  /// Cells that exceed an acceleration by far, or a speed by more than `bearable`, which smaller shares of
+  /// accelerations do not cure. False = there are none. O(cells).
+  bool mark_excess(const UnsetVector<Excess>& excess, double bearable) {
+    const std::size_t n = grid_.cells.size();
+    parts.assign(n, 1);
+    bool divide = false;
+    for (std::size_t c = 0; c < n; ++c) {
+      if (grid_.cells[c].straight) continue;
+      if (!(excess[c].acceleration > divide_above || excess[c].velocity > bearable)) continue;
+      parts[c] = 4;
+      divide = true;
+    }
+    return divide;
+  }
+
  private:
   // An excess beyond this needs smaller cells, below it a smaller share of the limit.
   static constexpr double divide_above = 1e-2;

@@ -48,6 +48,7 @@ bool LocalPlaces::summed(std::size_t i) {
   if (where == Vanishing::at_begin) {
     double sum = places_[0] = std::max(0.0, pieces[first_].s - on.s0());
     for (std::size_t k = 0; k < n; ++k) places_[k + 1] = sum += way(pieces[first_ + k]);
+    if (!(pieces[last_ - 1].s_end < on.s1())) places_[n] = length;
   } else {
     double left = std::max(0.0, on.s1() - pieces[last_ - 1].s_end);
     places_[n] = length - left;

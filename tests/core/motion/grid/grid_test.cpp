@@ -44,6 +44,24 @@ TEST(Grid, CellsJoinUpAndCoverEverySegment) {
   EXPECT_EQ(grid.left(1).u, contour.path[1].curve().begin());
 }
 
+/// Next to a vanishing tangent s ~ ρ²: equal steps of the parameter are no steps of a rounded path length.
+TEST(Grid, CellsNextToAVanishingTangentAreResolvedByPathLengthAtBothEnds) {
+  const Vec p{3, 1, 0}, q{11, 6, 0}, r{17, -2, 0};
+  double nearest[2] = {};
+  for (const bool at_end : {false, true}) {
+    ContourBuilder b(2, at_end ? r : p);
+    b.nurbs(3, at_end ? std::vector<Vec>{r, q, p, p} : std::vector<Vec>{p, p, q, r}, {}, {0, 0, 0, 0, 1, 1, 1, 1});
+    const Contour contour = b.finish();
+    const Grid<2> grid = grid_of(contour);
+    const double length = contour.path.length();
+    for (std::size_t c = 0; c < grid.cells.size(); ++c) ASSERT_GT(grid.length(c), shortest_cell * length) << c;
+    EXPECT_NEAR(grid.right(grid.cells.size() - 1).s, length, 1e-15 * length);
+    nearest[at_end] = grid.length(at_end ? grid.cells.size() - 1 : 0);
+    EXPECT_LT(nearest[at_end], 1e-10 * length);
+  }
+  EXPECT_NEAR(nearest[0], nearest[1], 0.01 * nearest[0]);
+}
+
 /// x and y turn round at one place, which is found of each by itself and differs by rounding.
 TEST(Grid, AxesThatTurnTogetherPartACellOnce) {
   const Machine machine{{{"x", 500, 2000}, {"y", 500, 2000}, {"z", 500, 2000}}, 0.001};
