@@ -12,9 +12,13 @@ namespace bahnwerk::verify {
 
 inline constexpr double negligible_direction = 1e-24;  ///< q'_k² below this says nothing about b
 
-/// Shortest time over a way, mm, from speed² ≤ e0 to speed² ≤ e1: accelerate, cruise, brake.
+/// Shortest time over a way, mm, from speed² ≤ e0 to speed² ≤ e1: accelerate, cruise, brake. What no motion over so
+/// short a way can have at one end for what it has at the other is taken off first: e0 and e1 are bounds with the
+/// rounding of q′ in them, which next to a vanishing tangent is much.
 inline double travel_time(double e0, double e1, double way, double acceleration, double velocity) {
   if (!(way > 0)) return 0;
+  e0 = std::min({e0, velocity * velocity, e1 + 2 * acceleration * way});
+  e1 = std::min({e1, velocity * velocity, e0 + 2 * acceleration * way});
   const double energy = acceleration * way, up = std::max(0.0, (e1 - e0) / 2 + energy),
                down = std::max(0.0, (e0 - e1) / 2 + energy);
   const double v0 = std::sqrt(e0), v1 = std::sqrt(e1), top = std::sqrt(std::max(e0 + up, e1 + down));
@@ -27,7 +31,10 @@ inline double travel_time(double e0, double e1, double way, double acceleration,
 /// The longest that one of the axes takes for its way; the others wait for it.
 template <int N>
 double slowest(Lanes<N> e0, Lanes<N> e1, Lanes<N> way, Lanes<N> acceleration, Lanes<N> velocity) {
-  const Lanes<N> none{}, energy = acceleration * way, half = 0.5 * (e1 - e0);
+  const Lanes<N> none{}, energy = acceleration * way;
+  e0 = smaller(smaller(e0, velocity * velocity), e1 + 2 * energy);
+  e1 = smaller(smaller(e1, velocity * velocity), e0 + 2 * energy);
+  const Lanes<N> half = 0.5 * (e1 - e0);
   const Lanes<N> up = larger(none, half + energy), down = larger(none, energy - half);
   const Lanes<N> v0 = root(e0), v1 = root(e1), top = root(larger(e0 + up, e1 + down));
   const Lanes<N> times = (up / (top + v0) + down / (top + v1)) / acceleration;

@@ -156,7 +156,7 @@ TEST(VanishingTangent, OfAParabolaDoesNotSlowTheMotion) {
   parabola.points = {{0, 0}, {2.1, -0.2688}, {4.2, 0.6384}};
   parabola.from = parabola.points.front(), parabola.to = parabola.points.back();
   const Outline vanishing = of({cusp(0.4, 3, 6, 15)});
-  for (const PlanningMethod method : {PlanningMethod::braking_reserve, PlanningMethod::jerk_limited}) {
+  for (const PlanningMethod method : methods) {
     SCOPED_TRACE(static_cast<int>(method));
     expect_same_backwards(vanishing, method);
     const double expected = plan(of({parabola}), method).duration;

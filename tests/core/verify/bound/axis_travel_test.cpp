@@ -33,6 +33,18 @@ TEST(AxisTravel, NoMotionIsShorter) {
   }
 }
 
+/// Speeds at the ends are upper bounds: what no motion over the way can have counts for less.
+TEST(AxisTravel, EndsThatNoMotionJoinsCostNothing) {
+  const double way = 1e-5, a = 9000, b = 6400;
+  for (const double more : {1e-6, 1.0, 12.8, 1e4}) {
+    const double most = std::sqrt(b + 2 * a * way);  // what can still brake to √b, or what √b can reach
+    EXPECT_LE(travel_time(b + more, b, way, a, unlimited),
+              2 * way / (std::min(most, std::sqrt(b + more)) + 80) * (1 + 1e-12));
+    EXPECT_NEAR(travel_time(b, b + more, way, a, unlimited), travel_time(b + more, b, way, a, unlimited), 1e-15);
+    EXPECT_NEAR(travel_time(b + more, b, way, a, 80), way / 80, 1e-12 * way);  // no end is above the limit
+  }
+}
+
 template <int N>
 void expect_slowest() {
   std::mt19937_64 random(N);
