@@ -58,7 +58,7 @@ std::string rfc3339(std::int64_t ms);  ///< "2026-01-31T12:00:00.123Z"
 std::optional<std::int64_t> parse_rfc3339(std::string_view text);
 
 /// Plans a checked job document from its text: the one entry for worker and command line. Throws core's errors or
-/// Problem. A plan that fails its verification throws Problem "verification-failed".
+/// Problem. A plan that fails its verification is returned as not verified, with what failed, without setpoints.
 PlannedJob plan_job(const std::string& kind, const std::string& document, Progress& progress);
 
 }  // namespace bahnwerk::api

@@ -73,8 +73,16 @@ SetpointQuery parse_setpoint_query(const std::vector<std::pair<std::string, std:
       }
       continue;
     }
+    if (key == "frame") {
+      try {
+        result.frame = value_of<SetpointFrame>(value, setpoint_frames);
+      } catch (const std::invalid_argument&) {
+        fault("must be part or base");
+      }
+      continue;
+    }
     if (key != "first" && key != "count" && key != "every" && key != "points") {
-      fault("unknown parameter; known are first, count, every, columns, points, format, layout");
+      fault("unknown parameter; known are first, count, every, columns, points, format, layout, frame");
       continue;
     }
     const auto number = natural(value);

@@ -1,8 +1,13 @@
 #include "api/setpoint_rows.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <numbers>
 #include <stdexcept>
+#include <utility>
+
+#include "core/base/read_rows.hpp"
 
 namespace bahnwerk::api {
 namespace {
@@ -29,6 +34,51 @@ const double* RowCursor::next() {
   offset_ += every_ * width;
   ++given_;
   return row;
+}
+
+SetpointSeries in_base_frame(SetpointSeries series) {
+  struct Turn {
+    std::size_t x, y, z, phi, vx, vy, width;
+    double c, s;
+    PoseFrame frame;
+    void turn(double* row, std::size_t a, std::size_t b) const {
+      if (a >= width || b >= width) return;
+      const double p = row[a], q = row[b];
+      row[a] = c * p - s * q, row[b] = s * p + c * q;
+    }
+    void operator()(double* row) const {
+      turn(row, x, y);
+      turn(row, vx, vy);
+      const auto shift = [&](std::size_t column, double by) {
+        if (column < width) row[column] += by;
+      };
+      shift(x, frame.x), shift(y, frame.y), shift(z, frame.z), shift(phi, frame.angle);
+    }
+  };
+  const auto at = [&](const char* name) { return column_index(series.columns, name); };
+  const PoseFrame frame = *series.pose_frame;
+  const double angle = frame.angle * std::numbers::pi / 180;
+  const Turn turn{at("x"),         at("y"),         at("z"), at("phi"), at("vx"), at("vy"), series.columns.size(),
+                  std::cos(angle), std::sin(angle), frame};
+  series.read = [read = std::move(series.read), turn](std::size_t first, std::size_t rows, std::vector<double>& out) {
+    read(first, rows, out);
+    for (std::size_t k = 0; k < rows; ++k) turn(out.data() + k * turn.width);
+  };
+  return series;
+}
+
+SetpointSeries with_mark(SetpointSeries series, const std::string& name) {
+  const std::size_t width = series.columns.size();
+  series.columns.push_back({name, "1"});
+  series.read = [read = std::move(series.read), width](std::size_t first, std::size_t rows, std::vector<double>& out) {
+    std::vector<double> narrow;
+    read(first, rows, narrow);
+    out.assign(rows * (width + 1), 1.0);
+    for (std::size_t k = 0; k < rows; ++k)
+      std::copy_n(narrow.begin() + static_cast<std::ptrdiff_t>(k * width), width,
+                  out.begin() + static_cast<std::ptrdiff_t>(k * (width + 1)));
+  };
+  return series;
 }
 
 SetpointSeries envelope(SetpointSeries series, std::size_t first, std::size_t rows, std::size_t points,

@@ -1,6 +1,7 @@
 #pragma once
 /// Rows of a stored series in bounded memory, and the min/max envelope that charts draw.
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "api/setpoints.hpp"
@@ -22,6 +23,11 @@ class RowCursor {
   std::size_t loaded_ = 0, offset_ = 0;  // rows handed out up to the end of the block; place in the block
   std::vector<double> block_;
 };
+
+/// The series with columns x, y, z, phi, vx and vy, as far as it has them, in the machine's frame. It must know that.
+SetpointSeries in_base_frame(SetpointSeries series);
+/// The series with one more column, behind the others, that is 1 in every row.
+SetpointSeries with_mark(SetpointSeries series, const std::string& name);
 
 /// The envelope of rows [first, first + rows) as a series of min(points, rows) rows: column "index" (the bucket's first
 /// row), then per column of `columns` its smallest and largest value in the bucket, named x_min, x_max. Bucket b covers

@@ -52,7 +52,8 @@ std::vector<std::string> columns_of(const SetpointSeries& series, CsvLayout layo
   }
   if (names.empty()) refuse("layout", "this series has no columns of that layout; name some by columns");
   for (std::size_t k = 0, positions = names.size(); k < positions; ++k) names.push_back("v" + names[k]);
-  if (has("brake")) names.push_back("brake");
+  for (const char* name : {"brake", "base_frame", "part_frame"})
+    if (has(name)) names.push_back(name);
   return names;
 }
 
@@ -199,6 +200,13 @@ SetpointStream::SetpointStream(SetpointSeries series, SetpointQuery query, Setpo
     refuse("first",
            "row " + std::to_string(query.first) + " is beyond the series of " + std::to_string(series.count) + " rows");
   if (query.every == 0) refuse("every", "must be at least 1");
+  const bool poses = query.layout == CsvLayout::twincat_poses;
+  if (query.frame == SetpointFrame::base && !series.pose_frame)
+    refuse("frame", "the machine's frame is not known: this series has poses of the part alone");
+  const bool base = query.frame ? *query.frame == SetpointFrame::base : poses && series.pose_frame;
+  if (base) series = in_base_frame(std::move(series));
+  if (poses && query.columns.empty() && series.pose_frame)
+    series = with_mark(std::move(series), base ? "base_frame" : "part_frame");
   if (query.layout != CsvLayout::plain) {
     if (format != SetpointFormat::csv) refuse("layout", "is one of CSV: ask for text/csv or format=csv");
     if (query.columns.empty()) query.columns = columns_of(series, query.layout);

@@ -29,13 +29,22 @@ enum class CsvLayout { plain, twincat, twincat_poses };
 inline constexpr Named<CsvLayout> csv_layouts[] = {
     {CsvLayout::plain, "plain"}, {CsvLayout::twincat, "twincat"}, {CsvLayout::twincat_poses, "twincat_poses"}};
 
+/// Of which frame poses are: the part's, or the base of the machine, in which its kinematics is calculated.
+enum class SetpointFrame { part, base };
+inline constexpr Named<SetpointFrame> setpoint_frames[] = {{SetpointFrame::part, "part"},
+                                                           {SetpointFrame::base, "base"}};
+
 struct SetpointQuery {
   std::size_t first = 0;
   std::optional<std::size_t> count;  ///< rows of the series that the slice spans, before `every`
   std::size_t every = 1;
-  std::optional<std::size_t> points;     ///< min/max envelope with about this many points, for charts
-  std::vector<std::string> columns;      ///< empty = all
-  CsvLayout layout = CsvLayout::plain;   ///< of CSV alone, and of rows: not with `points`
+  std::optional<std::size_t> points;    ///< min/max envelope with about this many points, for charts
+  std::vector<std::string> columns;     ///< empty = all
+  CsvLayout layout = CsvLayout::plain;  ///< of CSV alone, and of rows: not with `points`
+  /// Of columns x, y, z, phi and their rates; not given: base in layout twincat_poses where the machine is known
+  /// [4.5.1: the controller takes ^O s], the part elsewhere. Without `columns` that layout ends with a column that is 1
+  /// and names the frame, base_frame or part_frame.
+  std::optional<SetpointFrame> frame;
   std::optional<SetpointFormat> format;  ///< wins over Accept: a link in a page cannot carry a header
 };
 /// From a decoded query string's pairs. Throws Problem schema-violation (422) with pointers like /query/first for
@@ -48,6 +57,7 @@ struct SetpointSeries {
   std::vector<Column> columns;
   std::size_t count = 0;
   double cycle_time = 0;
+  std::optional<PoseFrame> pose_frame = {};  ///< none: poses have no other frame
   /// Fills `out` with rows [first, first + rows), row-major, all columns.
   std::function<void(std::size_t first, std::size_t rows, std::vector<double>& out)> read;
 };
@@ -56,8 +66,8 @@ struct SetpointSeries {
 /// appended nothing.
 class SetpointStream {
  public:
-  /// Throws Problem schema-violation for an unknown column, a first beyond the series, and a layout of anything but
-  /// CSV, or of a series that has not what it holds.
+  /// Throws Problem schema-violation for a frame that is not known, an unknown column, a first beyond the series, and a
+  /// layout of anything but CSV, or of a series that has not what it holds.
   SetpointStream(SetpointSeries series, SetpointQuery query, SetpointFormat format);
   ~SetpointStream();
   SetpointStream(SetpointStream&&) noexcept;

@@ -101,7 +101,7 @@ int run(int argc, char** argv, const BuildInfo& build) {
   options.build = build;
   options.workers = std::max(2U, std::thread::hardware_concurrency()) - 1;
   std::string role = "all", level = "info", job, contour, out, id, server = "http://127.0.0.1:8080", format = "csv",
-              layout, key;
+              layout, frame, key;
   bool wait = false, ready = false;
 
   CLI::App* serve_command =
@@ -124,7 +124,14 @@ int run(int argc, char** argv, const BuildInfo& build) {
                      "pose and its rates instead)")
         ->check(CLI::IsMember({"plain", "twincat", "twincat_poses"}));
   };
+  const auto add_frame = [&](CLI::App* command) {
+    return command
+        ->add_option("--frame", frame,
+                     "of a winding's poses: part, or base, the machine's own (default: base with twincat_poses)")
+        ->check(CLI::IsMember({"part", "base"}));
+  };
   add_layout(plan_command)->needs(out_option);
+  add_frame(plan_command)->needs(out_option);
   const auto add_server = [&](CLI::App* command) {
     command->add_option("--server", server, "where the service is")->envname("BAHNWERK_SERVER")->type_name("URL");
   };
@@ -143,6 +150,7 @@ int run(int argc, char** argv, const BuildInfo& build) {
   fetch_command->add_option("--format", format, "csv, ndjson or f64 (little-endian doubles, row-major)")
       ->check(CLI::IsMember({"csv", "ndjson", "f64", "json"}));
   add_layout(fetch_command);
+  add_frame(fetch_command);
   add_server(fetch_command);
   CLI::App* health_command = app.add_subcommand("health", "asks whether the service lives, for container checks");
   health_command->add_flag("--ready", ready, "whether it takes jobs, too: its store answers, and it does not end");
@@ -177,11 +185,11 @@ int run(int argc, char** argv, const BuildInfo& build) {
   }
   try {
     if (*serve_command) return run_serve(options, role, level);
-    if (*plan_command) return plan(read_job(job, contour), out, layout);
+    if (*plan_command) return plan(read_job(job, contour), out, layout, frame);
     if (*submit_command) return submit(server, read_job(job, contour), key, wait);
     if (*watch_command) return watch(server, id);
     if (*health_command) return health(server, ready);
-    return fetch(server, id, format, layout);
+    return fetch(server, id, format, layout, frame);
   } catch (const std::exception& error) {
     std::cerr << "bahnwerk: " << error.what() << '\n';
     return exit_usage;

@@ -16,12 +16,14 @@ inline constexpr int exit_unreachable = 3;  ///< no server answered, or one that
 int run(int argc, char** argv, const BuildInfo& build);
 
 int serve(const ServiceOptions& options);
-/// `job` is the document; with `out`, writes result.json and setpoints.csv there, these in a layout of api::csv_layouts
-/// (empty: plain).
-int plan(const std::string& job, const std::string& out, const std::string& layout);
+/// `job` is the document; with `out`, writes result.json and drawings there, and setpoints.csv in a layout of
+/// api::csv_layouts (empty: plain), of a frame of api::setpoint_frames (empty: that of the layout). A plan that is not
+/// verified has no setpoints, and its problem is printed.
+int plan(const std::string& job, const std::string& out, const std::string& layout, const std::string& frame);
 int submit(const std::string& server, const std::string& job, const std::string& key, bool wait);
 int watch(const std::string& server, const std::string& id);
-int fetch(const std::string& server, const std::string& id, const std::string& format, const std::string& layout);
+int fetch(const std::string& server, const std::string& id, const std::string& format, const std::string& layout,
+          const std::string& frame);
 /// Asks whether the process lives, or with `ready` whether it takes jobs; prints the answer.
 int health(const std::string& server, bool ready);
 

@@ -54,17 +54,19 @@ void write(const std::filesystem::path& path, const std::string& text) {
 }
 
 /// Throws api::Problem for a layout that does not fit the columns. `source` outlives it.
-api::SetpointStream csv(const SetpointSource& source, const std::string& layout) {
+api::SetpointStream csv(const SetpointSource& source, const std::string& layout, const std::string& frame) {
   api::SetpointSeries series;
   series.columns = source.columns();
   series.count = source.count();
   series.cycle_time = source.cycle_time();
+  series.pose_frame = source.pose_frame();
   series.read = [&source](std::size_t first, std::size_t rows, std::vector<double>& values) {
     values.resize(rows * source.columns().size());
     source.read(first, rows, values.data());
   };
   api::SetpointQuery query;
   if (!layout.empty()) query.layout = value_of<api::CsvLayout>(layout, api::csv_layouts);
+  if (!frame.empty()) query.frame = value_of<api::SetpointFrame>(frame, api::setpoint_frames);
   return {std::move(series), std::move(query), api::SetpointFormat::csv};
 }
 
@@ -90,15 +92,18 @@ void write_files(const std::filesystem::path& folder, const nlohmann::ordered_js
 
 }  // namespace
 
-int plan(const std::string& job, const std::string& out, const std::string& layout) {
+int plan(const std::string& job, const std::string& out, const std::string& layout, const std::string& frame) {
   api::PlannedJob planned;
   std::optional<api::SetpointStream> setpoints;
   try {
     const api::JobRequest request = api::parse_job(job);
     TerminalProgress progress(request);
     planned = api::plan_job(request.kind, request.document, progress);
-    if (!planned.verified) throw api::Problem("verification-failed", "The plan was not verified against its limits.");
-    if (!out.empty() && planned.setpoints) setpoints.emplace(csv(*planned.setpoints, layout));
+    if (!planned.verified) {
+      if (!out.empty()) write_files(out, planned.result, std::nullopt);
+      throw api::Problem("verification-failed", planned.failure);
+    }
+    if (!out.empty() && planned.setpoints) setpoints.emplace(csv(*planned.setpoints, layout, frame));
   } catch (...) {
     return report_problem(api::problem_from_current_exception("/spec"));
   }

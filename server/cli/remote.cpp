@@ -116,7 +116,8 @@ int watch(const std::string& server, const std::string& id) {
   });
 }
 
-int fetch(const std::string& server, const std::string& id, const std::string& format, const std::string& layout) {
+int fetch(const std::string& server, const std::string& id, const std::string& format, const std::string& layout,
+          const std::string& frame) {
   static const std::map<std::string, std::string> types{{"csv", "text/csv"},
                                                         {"ndjson", "application/x-ndjson"},
                                                         {"f64", "application/octet-stream"},
@@ -127,7 +128,8 @@ int fetch(const std::string& server, const std::string& id, const std::string& f
       if (std::fwrite(piece.data(), 1, piece.size(), stdout) != piece.size())
         throw std::runtime_error("cannot write the setpoints");
     };
-    const std::string query = layout.empty() ? "" : "?layout=" + layout;
+    std::string query = layout.empty() ? "" : "?layout=" + layout;
+    if (!frame.empty()) query += (query.empty() ? "?frame=" : "&frame=") + frame;
     const Response response =
         client.request("GET", job_path(id) + "/setpoints" + query, {{"Accept", types.at(format)}}, {}, print);
     if (response.status != 200) return refused(response);

@@ -155,11 +155,16 @@ void Workers::run(const api::Job& job) {
   std::string outcome;
   std::optional<api::PlannedJob> planned;
   std::optional<api::Problem> problem;
+  std::string unverified;  // result of a plan that failed its verification
   try {
     if (store_.cancel_requested(id)) live->cancel = true;  // asked for between the claim and now
     progress.report("planning", 0);
     planned = planner_(job.request.kind, job.request.document, progress);
-    if (!planned->verified) throw api::Problem("verification-failed", "The plan was not verified against its limits.");
+    if (!planned->verified) {
+      unverified = planned->result.dump();
+      throw api::Problem("verification-failed",
+                         planned->failure.empty() ? "The plan was not verified against its limits." : planned->failure);
+    }
   } catch (...) {
     planned.reset();
     problem = api::problem_from_current_exception("/spec");
@@ -190,6 +195,7 @@ void Workers::run(const api::Job& job) {
     const bool cancelled = given_up || progress.stopped() == JobProgress::Stop::cancelled;
     ending.state = cancelled ? api::JobState::cancelled : api::JobState::failed;
     ending.error = problem->document("/v1/jobs/" + id).dump();
+    if (!cancelled) ending.result = std::move(unverified);
     outcome = api::to_string(ending.state);
     persist(
         id,

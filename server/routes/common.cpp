@@ -37,6 +37,12 @@ void require_success(Context& context, const std::string& id) {
       .because_of(error);
 }
 
+void require_result(Context& context, const std::string& id) {
+  const api::Job job = find_job(context, id);
+  const std::string why = job.state == api::JobState::failed ? job.error.value_or("{}") : "{}";
+  if (nlohmann::json::parse(why).value("type", "") != "/problems/verification-failed") require_success(context, id);
+}
+
 void require_json(const Request& request) {
   static constexpr std::array<std::string_view, 1> offers{"application/json"};
   if (!negotiate(request.header("accept"), offers))

@@ -46,6 +46,8 @@ api::Job find_job(Context& context, const std::string& id);
 /// Throws unless the job succeeded, only then there is something to fetch: job-not-finished, or no-result with the
 /// job's error.
 void require_success(Context& context, const std::string& id);
+/// The same, but a job that failed its verification has a result, too: what was planned and which checks it fails.
+void require_result(Context& context, const std::string& id);
 bool final(const api::Job& job);  ///< it has ended
 std::string job_etag(const api::Job& job);
 Response job_answer(int status, const api::Job& job);

@@ -13,8 +13,9 @@ namespace {
 Response result(Context& context, const Request& request) {
   require_json(request);
   const std::string& id = request.parameter("id");
-  require_success(context, id);
+  require_result(context, id);
   auto document = context.store.result(id);
+  if (!document) require_success(context, id);                                    // a failure of an older version
   if (!document) throw api::Problem("not-found", "There is no job " + id + ".");  // deleted in between
   return with_etag(request, "\"result\"", text_answer(200, "application/json", std::move(*document)));
 }
@@ -29,6 +30,7 @@ api::SetpointSeries stored_series(Store& store, const SeriesInfo& info) {
   series.columns = info.columns;
   series.count = info.count;
   series.cycle_time = info.cycle_time;
+  series.pose_frame = info.pose_frame;
   series.read = [&store, info, chunk = std::make_shared<Chunk>()](std::size_t first, std::size_t rows,
                                                                   std::vector<double>& out) {
     const std::size_t width = info.columns.size();
@@ -81,7 +83,7 @@ void add_result_routes(Router& router, Context& context) {
              on_pool(context.pool, [&](const Request& request) { return result(context, request); }));
   router.add("GET", "/v1/jobs/{id}/setpoints",
              on_pool(context.pool, [&](const Request& request) { return setpoints(context, request); }),
-             {"first", "count", "every", "columns", "points", "format", "layout"});
+             {"first", "count", "every", "columns", "points", "format", "layout", "frame"});
 }
 
 }  // namespace bahnwerk::server

@@ -62,6 +62,7 @@ inline constexpr int max_lost_attempts = 2;
 struct Ending {
   api::JobState state = api::JobState::failed;  ///< failed or cancelled
   std::string error;                            ///< problem document
+  std::string result = {};                      ///< result document of a plan that was not verified; empty: none
   std::int64_t now = 0;
   std::uint64_t revision = 0;
 };
@@ -72,6 +73,7 @@ struct SeriesInfo {
   std::vector<Column> columns;
   std::size_t count = 0, chunk_rows = 0;
   double cycle_time = 0;
+  std::optional<PoseFrame> pose_frame = {};
 };
 
 struct Progressed {

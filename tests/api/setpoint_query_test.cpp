@@ -30,6 +30,9 @@ TEST(SetpointQuery, ReadsEveryParameter) {
   EXPECT_EQ(parse_setpoint_query({{"format", "ndjson"}}).format, SetpointFormat::ndjson);
   EXPECT_EQ(parse_setpoint_query({{"layout", "twincat"}}).layout, CsvLayout::twincat);
   EXPECT_EQ(parse_setpoint_query({{"layout", "twincat_poses"}}).layout, CsvLayout::twincat_poses);
+  EXPECT_FALSE(parse_setpoint_query({}).frame);
+  EXPECT_EQ(parse_setpoint_query({{"frame", "part"}}).frame, SetpointFrame::part);
+  EXPECT_EQ(parse_setpoint_query({{"frame", "base"}}).frame, SetpointFrame::base);
   EXPECT_EQ(parse_setpoint_query({{"layout", "plain"}, {"points", "9"}}).layout, CsvLayout::plain);
 }
 

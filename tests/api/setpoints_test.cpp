@@ -95,6 +95,35 @@ TEST(SetpointStream, ControllersGetTheirColumnsAndSeparators) {
   EXPECT_EQ(laid_out(query), "s,q2\n6,4\n");
 }
 
+TEST(SetpointStream, PosesForAControllerAreOfTheMachinesBase) {
+  SetpointSeries series = needle_series();
+  series.pose_frame = PoseFrame{400, 10, 3, 90};
+  const auto text = [&](SetpointQuery query, SetpointFormat format = SetpointFormat::csv) {
+    query.first = 1;
+    SetpointStream stream(series, query, format);
+    std::string out;
+    while (stream.next(out)) {
+    }
+    return out;
+  };
+  SetpointQuery query;
+  query.layout = CsvLayout::twincat_poses;
+  // Turned by 90°: x is 400 − y, y is 10 + x; the velocities turn with them.
+  EXPECT_EQ(text(query), "x;y;phi;vx;vy;vphi;brake;base_frame\r\n394.5;15.25;95.75;-7;6.75;7.25;6.5;1\r\n");
+  query.frame = SetpointFrame::part;
+  EXPECT_EQ(text(query), "x;y;phi;vx;vy;vphi;brake;part_frame\r\n5.25;5.5;5.75;6.75;7;7.25;6.5;1\r\n");
+  query.columns = {"q1", "x"};
+  EXPECT_EQ(text(query), "q1;x\r\n3.75;5.25\r\n");
+  SetpointQuery plain;
+  plain.columns = {"y", "brake"};
+  EXPECT_EQ(text(plain), "y,brake\n5.5,6.5\n") << "of the part where nobody asks";
+  plain.frame = SetpointFrame::base;
+  EXPECT_EQ(text(plain), "y,brake\n15.25,6.5\n");
+  EXPECT_EQ(text(plain, SetpointFormat::ndjson), "{\"y\":15.25,\"brake\":6.5}\n");
+  series.pose_frame.reset();
+  EXPECT_THROW(text(plain), Problem) << "no machine's frame is known";
+}
+
 TEST(SetpointStream, LayoutsBelongToCsvAndToWhatTheyHold) {
   SetpointQuery query;
   query.layout = CsvLayout::twincat;

@@ -1,4 +1,5 @@
 /// SqliteStore: a worker's side, from claim to end. Every change is conditional on the attempt that makes it.
+#include "server/store/codec.hpp"
 #include "server/store/problems.hpp"
 #include "server/store/sqlite/rows.hpp"
 #include "server/store/sqlite/sqlite_store.hpp"
@@ -74,6 +75,7 @@ void SqliteStore::progress(Progressed progress, std::function<void()> done) {
 }
 
 bool SqliteStore::end(const std::string& id, int attempt, const Ending& ending) {
+  const std::string document = ending.result.empty() ? std::string() : pack_text(ending.result);
   return write_flag(
       [&](SqliteConnection& connection) {
         const std::int64_t change = changes_.next();
@@ -85,6 +87,11 @@ bool SqliteStore::end(const std::string& id, int attempt, const Ending& ending) 
                 .run();
         if (ended == 0) return false;
         drop_chunks(connection, id);
+        if (!document.empty()) {
+          Query result = connection.query("INSERT INTO results (seq, document) SELECT seq, ? FROM jobs WHERE id = ?");
+          result.blob(document);
+          (result << id).run();
+        }
         changes_.note(change, id, ending.state);
         return true;
       },

@@ -115,7 +115,12 @@ std::optional<SeriesInfo> SqliteStore::series(const std::string& id) {
   return unpacking([&] {
     SeriesInfo info;
     info.key = row.integer(0);
-    for (const auto& column : nlohmann::json::parse(row.text(1)))
+    const auto stored = nlohmann::json::parse(row.text(1));
+    if (stored.is_object()) {
+      const auto& origin = stored.at("origin");
+      info.pose_frame = PoseFrame{origin.at(0), origin.at(1), origin.at(2), stored.at("angle")};
+    }
+    for (const auto& column : stored.is_object() ? stored.at("columns") : stored)
       info.columns.push_back({column.at("name").get<std::string>(), column.at("unit").get<std::string>()});
     info.count = static_cast<std::size_t>(row.integer(2));
     info.chunk_rows = static_cast<std::size_t>(row.integer(3));

@@ -116,7 +116,11 @@ TEST_F(WorkersTest, FailsForGood) {
   EXPECT_EQ(problem(bug), "/problems/internal");
   EXPECT_EQ(problem(unverified), "/problems/verification-failed");
   EXPECT_EQ(store->get(bug)->attempt, 1);
-  EXPECT_FALSE(store->result(unverified));
+  EXPECT_FALSE(store->result(infeasible));
+  // What was planned can be had, with the checks that it fails, but no setpoints.
+  ASSERT_TRUE(store->result(unverified));
+  EXPECT_EQ(nlohmann::json::parse(*store->result(unverified)), nlohmann::json(ramp_plan(3).result));
+  EXPECT_FALSE(store->series(unverified));
 }
 
 TEST_F(WorkersTest, CancelsARunningJob) {
