@@ -125,11 +125,11 @@ ordered_json details(const ContourPlan& plan, const Machine& machine, const Cont
   return all;
 }
 
-/// `way`: of the coarse axes, if there are such.
-ordered_json drawings(const ContourPlan& plan, std::vector<Vec> way, Progress& progress) {
+/// `law`: of the motion along the path; `way`: of the coarse axes, if there are such.
+ordered_json drawings(const ContourPlan& plan, const TimeLaw& law, std::vector<Vec> way, Progress& progress) {
   char title[80];
   std::snprintf(title, sizeof title, "path of %.6g mm, %.6g s", plan.path_length, plan.duration);
-  return {{"contour.svg", contour_drawing(*plan.path, {.title = title, .way = std::move(way)}, progress)}};
+  return {{"contour.svg", contour_drawing(*plan.path, {.title = title, .way = std::move(way), .law = &law}, progress)}};
 }
 
 }  // namespace
@@ -279,7 +279,7 @@ PlannedJob plan_cartesian(Contour contour, const Asked& job, bool program, Progr
         plan.notes.push_back("jerk limits are given but not held: only method jerk_limited holds them");
         break;
       }
-  return finished(plan, result_of(plan, job, program), drawings(plan, {}, progress));
+  return finished(plan, result_of(plan, job, program), drawings(plan, plan.motion->law(), {}, progress));
 }
 
 PlannedJob plan_with_fine_axes(const Contour& contour, const Asked& job, const json& spec, bool program,
@@ -293,7 +293,7 @@ PlannedJob plan_with_fine_axes(const Contour& contour, const Asked& job, const j
   for (std::string& note : unused_options(spec)) plan.contour.notes.push_back(std::move(note));
   ordered_json result = result_of(plan.contour, job, program);
   report(plan, machine, job.redundancy.method, program, result);
-  ordered_json drawn = drawings(plan.contour, coarse_way(plan), first);
+  ordered_json drawn = drawings(plan.contour, plan.head->law(), coarse_way(plan), first);
   drawn["axes.svg"] = axis_drawing(plan, machine, first);
   if (study) {
     const MachineStudy others = machine_study(contour, machine, job.planning, job.redundancy, progress, planned, 1);

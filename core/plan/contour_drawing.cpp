@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <functional>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -22,25 +23,50 @@ using drawing::Sampler;
 using drawing::Thinned;
 using drawing::tick_label;
 
-constexpr double plot_size = 720, left = 64, right = 16, top = 60, gap = 44;  // px
-constexpr double first_tolerance = 0.2, last_tolerance = 52;                  // px
+constexpr double plot_size = 720, least_width = 780, left = 64, right = 16, top = 60, gap = 44;  // px
+constexpr double first_tolerance = 0.2, last_tolerance = 52;                                     // px
 constexpr const char* ink = "fill=\"#20242a\"";
 
-constexpr std::array classes{"cut", "position", "coarse"};  // what lines there are
-constexpr std::size_t cut_lines = 0, way_lines = 2;
+// From rest to the largest speed of a cut.
+constexpr std::array speed_colours{"#2f3a9e", "#2c6fb0", "#2a97a8", "#35a77a", "#86b82f",
+                                   "#c8b21f", "#e8971a", "#e06a18", "#cf3a1c", "#a3121a"};
+// What lines there are: positioning, the way of the coarse axes, and cuts, one class per colour.
+constexpr std::size_t position_lines = 0, way_lines = 1, cut_lines = 2, classes = cut_lines + speed_colours.size();
+const char* class_name(std::size_t of) {
+  return of == position_lines ? "position" : of == way_lines ? "coarse" : "cut";
+}
 
 /// How lines of a class are drawn, on a canvas whose unit is `unit` px.
-std::string style(std::size_t of, double unit = 1) {
+std::string style(std::size_t of, bool by_speed, double unit = 1) {
   char text[120];
-  if (of == cut_lines)
-    std::snprintf(text, sizeof text, "stroke=\"#1f5fbf\" stroke-width=\"%.4g\"", 1.6 / unit);
+  if (of >= cut_lines)
+    std::snprintf(text, sizeof text, "stroke=\"%s\" stroke-width=\"%.4g\"",
+                  by_speed ? speed_colours[of - cut_lines] : "#1f5fbf", (by_speed ? 2.2 : 1.6) / unit);
   else if (of == way_lines)
     std::snprintf(text, sizeof text, "stroke=\"#1d8a5f\" stroke-width=\"%.4g\"", 0.9 / unit);
   else
-    std::snprintf(text, sizeof text, "stroke=\"#d9730d\" stroke-width=\"%.4g\" stroke-dasharray=\"%.4g %.4g\"",
-                  1 / unit, 4 / unit, 3 / unit);
+    std::snprintf(text, sizeof text, "stroke=\"%s\" stroke-width=\"%.4g\" stroke-dasharray=\"%.4g %.4g\"",
+                  by_speed ? "#8a919b" : "#d9730d", 1 / unit, 4 / unit, 3 / unit);
   return text;
 }
+
+/// The speed along a path by its law, at places that come one behind the other.
+class Speeds {
+ public:
+  explicit Speeds(const TimeLaw& law) : pieces_(law.pieces()) {}
+  /// mm/s; within a piece v² changes evenly with s where the acceleration is constant, and nearly so where it is not.
+  double operator()(double s) {
+    while (at_ + 1 < pieces_.size() && pieces_[at_].s_end < s) ++at_;
+    const LawPiece& piece = pieces_[at_];
+    const double end = piece.at(piece.duration).v, way = piece.s_end - piece.s,
+                 share = way > 0 ? std::clamp((s - piece.s) / way, 0.0, 1.0) : 0;
+    return std::sqrt(std::max(0.0, (1 - share) * piece.v * piece.v + share * end * end));
+  }
+
+ private:
+  const LargeVector<LawPiece>& pieces_;
+  std::size_t at_ = 0;
+};
 
 struct Box {
   Vec low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
@@ -92,8 +118,10 @@ class Drawer {
 
   std::string run() {
     measure();
+    find_fastest();
     lay();
-    std::string frame = svg::open(left + views_[0].width() + right, views_.back().y0 + views_.back().height() + gap);
+    std::string frame = svg::open(std::max(left + views_[0].width() + right, by_speed() ? least_width : 0),
+                                  views_.back().y0 + views_.back().height() + gap);
     frame += svg::text({6, 20}, options_.title, ink);
     for (const View& view : views_) frame += axes(view);
     const std::size_t around = frame.size() + legend(first_tolerance).size() + 400;
@@ -109,6 +137,23 @@ class Drawer {
 
  private:
   bool cuts(const Block& block) const { return block.mode == Mode::cut; }
+  bool by_speed() const { return options_.law && !options_.law->pieces().empty(); }
+
+  /// The largest speed of a cut.
+  void find_fastest() {
+    if (!by_speed()) return;
+    std::vector<bool> cut(contour_.path.size(), false);
+    for (const Block& block : contour_.blocks)
+      for (std::size_t i = block.first; cuts(block) && i < block.last; ++i) cut[i] = true;
+    for (const LawPiece& piece : options_.law->pieces()) {
+      pulse();
+      if (cut.at(piece.segment)) fastest_ = std::max({fastest_, piece.v, piece.at(piece.duration).v});
+    }
+  }
+  std::size_t colour(double speed) const {
+    const double n = static_cast<double>(speed_colours.size());
+    return std::min(static_cast<std::size_t>(std::max(0.0, speed / fastest_ * n)), speed_colours.size() - 1);
+  }
 
   void measure() {
     const std::function<void(Vec)> hold = [this](Vec p) { box_.hold(p); };
@@ -146,35 +191,101 @@ class Drawer {
     views_.push_back(view);
   }
 
+  using Lines = std::vector<Thinned>;  // by class
+
+  /// Lines of a cut, in all views, each in the colour of its speed.
+  class CutLines {
+   public:
+    CutLines(const Drawer& drawer, std::vector<Lines>& views, double step)
+        : drawer_(drawer), views_(views), step_(step) {
+      if (drawer.by_speed()) speeds_.emplace(*drawer.options_.law);
+    }
+    void begin(Vec p, double s) {
+      end();
+      at_ = p, s_ = s;
+      open(colour_at(s));
+    }
+    /// Straight on; the speed is looked at every `step` px.
+    void to(Vec p) {
+      const double length = norm(p - at_);
+      const double px = drawer_.views_[0].scale * length;
+      const int parts = speeds_ ? static_cast<int>(std::clamp(std::ceil(px / step_), 1.0, 1000.0)) : 1;
+      for (int k = 1; k <= parts; ++k) {
+        const double share = static_cast<double>(k) / parts;
+        const std::size_t colour = colour_at(s_ + length * (share - 0.5 / parts));
+        if (colour != colour_) {
+          end();
+          open(colour, k == 1 ? at_ : at_ + (share - 1.0 / parts) * (p - at_));
+        }
+        const Vec next = k == parts ? p : at_ + share * (p - at_);
+        in_each([&](Thinned& line, const View& view) { line.to(view(next)); });
+      }
+      at_ = p, s_ += length;
+    }
+    /// Chords are a little shorter than what they stand for: the next segment begins at `s`.
+    void go_on(double s) { s_ = s; }
+    void end() {
+      if (colour_ < classes) in_each([](Thinned& line, const View&) { line.end(); });
+      colour_ = classes;
+    }
+
+   private:
+    std::size_t colour_at(double s) { return cut_lines + (speeds_ ? drawer_.colour((*speeds_)(s)) : 0); }
+    void open(std::size_t colour) { open(colour, at_); }
+    void open(std::size_t colour, Vec from) {
+      colour_ = colour;
+      in_each([&](Thinned& line, const View& view) { line.begin(view(from)); });
+    }
+    template <class Act>
+    void in_each(Act&& act) {
+      for (std::size_t v = 0; v < views_.size(); ++v) act(views_[v][colour_], drawer_.views_[v]);
+    }
+
+    const Drawer& drawer_;
+    std::vector<Lines>& views_;
+    double step_;  // px
+    std::optional<Speeds> speeds_;
+    Vec at_{};
+    double s_ = 0;
+    std::size_t colour_ = classes;
+  };
+
   /// False: larger than allowed. All views at once: points of a path take longer to find than to draw.
   bool draw(double tolerance, std::string& paths) {
-    using Lines = std::array<Thinned, classes.size()>;
-    std::vector<Lines> views(views_.size(), {Thinned(tolerance), Thinned(tolerance), Thinned(tolerance)});
+    std::vector<Lines> views(views_.size(), Lines(classes, Thinned(tolerance)));
     const auto size = [&] {
-      std::size_t sum = 600 * views.size();
+      std::size_t sum = (600 + 200 * speed_colours.size()) * views.size();
       for (const Lines& lines : views)
         for (const Thinned& each : lines) sum += each.data().size();
       return sum;
     };
+    CutLines cut(*this, views, std::max(3.0, 2 * tolerance));
     for (const Block& block : contour_.blocks) {
       if (block.first == block.last) continue;
-      const std::size_t mode = cuts(block) ? 0 : 1;
-      const auto in_each = [&](auto&& act) {
-        for (std::size_t v = 0; v < views.size(); ++v) act(views[v][mode], views_[v]);
+      const auto positioned = [&](auto&& act) {
+        for (std::size_t v = 0; v < views.size(); ++v) act(views[v][position_lines], views_[v]);
       };
-      const Curve& curve = contour_.path[block.first].curve();
-      const Vec begin = curve.at(curve.begin()).value;
-      in_each([&](Thinned& line, const View& view) { line.begin(view(begin)); });
+      const Segment& start = contour_.path[block.first];
+      const Vec begin = start.curve().at(start.curve().begin()).value;
+      if (cuts(block))
+        cut.begin(begin, start.s0());
+      else
+        positioned([&](Thinned& line, const View& view) { line.begin(view(begin)); });
       const std::function<void(Vec)> to = [&](Vec p) {
-        in_each([&](Thinned& line, const View& view) { line.to(view(p)); });
+        if (cuts(block))
+          cut.to(p);
+        else
+          positioned([&](Thinned& line, const View& view) { line.to(view(p)); });
         pulse();
       };
       Sampler sampler(0.1 * tolerance / views_[0].scale, to);
       for (std::size_t i = block.first; i < block.last; ++i) {
+        cut.go_on(contour_.path[i].s0());
         sampler(contour_.path[i]);
         if (size() > budget_) return false;
       }
-      in_each([](Thinned& line, const View&) { line.end(); });
+      cut.end();
+      positioned([](Thinned& line, const View&) { line.end(); });
     }
     for (std::size_t v = 0; v < views.size(); ++v) {
       Thinned& line = views[v][way_lines];
@@ -188,7 +299,10 @@ class Drawer {
     }
     paths.clear();
     for (std::size_t v = 0; v < views.size(); ++v) {
-      for (const std::size_t k : {1U, 0U, 2U})  // cuts on top of positioning
+      std::vector<std::size_t> order{position_lines};  // cuts on top of positioning
+      for (std::size_t k = cut_lines; k < classes; ++k) order.push_back(k);
+      order.push_back(way_lines);
+      for (const std::size_t k : order)
         if (!views[v][k].data().empty()) append(paths, k, views[v][k]);
       if (contour_.path.empty()) continue;
       const Curve& first = contour_.path[0].curve();
@@ -197,15 +311,15 @@ class Drawer {
     return paths.size() <= budget_;
   }
 
-  static void append(std::string& paths, std::size_t of, const Thinned& lines) {
+  void append(std::string& paths, std::size_t of, const Thinned& lines) const {
     char scale[40];
     std::snprintf(scale, sizeof scale, "scale(%.9g)", lines.lattice());
     paths.append("<path")
-        .append(svg::attribute("class", classes[of]))
+        .append(svg::attribute("class", class_name(of)))
         .append(svg::attribute("transform", scale))
         .append(svg::attribute("d", lines.data()))
         .append(" fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\" ")
-        .append(style(of, lines.lattice()))
+        .append(style(of, by_speed(), lines.lattice()))
         .append("/>\n");
   }
 
@@ -220,14 +334,33 @@ class Drawer {
     char words[60];
     for (const std::size_t k : {0U, 1U}) {
       std::snprintf(words, sizeof words, "%s %.6g mm", k == 0 ? "cut" : "position", length_[k]);
-      if (length_[k] > 0) entry(line(style(k)), words);
+      if (length_[k] > 0 && k == 0 && by_speed())
+        out += speed_key(x, words);
+      else if (length_[k] > 0)
+        entry(line(style(k == 0 ? cut_lines : position_lines, by_speed())), words);
     }
-    if (!options_.way.empty()) entry(line(style(way_lines)), "coarse axes");
+    if (!options_.way.empty()) entry(line(style(way_lines, by_speed())), "coarse axes");
     entry(svg::circle({x + 20, 38}, 4, "fill=\"#1d8a5f\""), "begin");
     if (tolerance > 0) {
       std::snprintf(words, sizeof words, "drawn to %.2g mm", tolerance / views_[0].scale);
       out += svg::text({x + 8, 42}, words, "fill=\"#5c6570\" font-size=\"12\"");
     }
+    return out;
+  }
+
+  /// "cut 300 mm, 0 [colours] 400 mm/s"; moves `x` behind it.
+  std::string speed_key(double& x, const std::string& length) const {
+    std::string out = svg::text({x, 42}, length + ": 0", ink + " font-size=\"12\"");
+    x += 7 * static_cast<double>(length.size() + 3) + 2;
+    for (const char* colour : speed_colours) {
+      out += "<rect" + svg::attribute("x", svg::number(x)) + " y=\"32\" width=\"9\" height=\"12\"" +
+             svg::attribute("fill", colour) + "/>\n";
+      x += 9;
+    }
+    char words[40];
+    std::snprintf(words, sizeof words, "%.4g mm/s", fastest_);
+    out += svg::text({x + 5, 42}, words, ink + " font-size=\"12\"");
+    x += 20 + 6.6 * static_cast<double>(std::string(words).size());
     return out;
   }
 
@@ -240,6 +373,7 @@ class Drawer {
   Progress& progress_;
   Box box_;
   std::array<double, 2> length_{};  // mm, cut and positioned
+  double fastest_ = 1e-9;           // mm/s, of cuts
   std::vector<View> views_;
   std::size_t points_ = 0, budget_ = 0;
 };

@@ -7,6 +7,7 @@
 #include "core/base/progress.hpp"
 #include "core/contour/contour.hpp"
 #include "core/geometry/curve/vec.hpp"
+#include "core/motion/law/time_law.hpp"
 
 namespace bahnwerk {
 
@@ -14,10 +15,12 @@ struct ContourDrawingOptions {
   std::string title;
   std::size_t max_bytes = 200'000;  ///< of the drawing; its frame takes up to 6 kB of them
   std::vector<Vec> way = {};        ///< drawn thin over the path, "coarse axes" in the legend; empty: none
+  const TimeLaw* law = nullptr;     ///< along the path: cuts are coloured by its speed; none: in one colour
 };
 
 /// The path from above (x to the right, y up), and below it from the front (x, z) if it is in space; axes in mm, cuts
-/// solid, positioning dashed, the begin marked, a legend with the lengths of both. A self-contained file on a white
+/// solid, in ten colours from rest (blue) to their largest speed (red) where the law is known, positioning dashed, the
+/// begin marked, a legend with the lengths of both. A self-contained file on a white
 /// background, about 800 px wide.
 ///
 /// Every point of the path lies within `e` of what is drawn and the reverse; the legend states e in mm. It is 0.2 px,

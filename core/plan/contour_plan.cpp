@@ -59,6 +59,7 @@ ContourPlan plan_contour(Contour input, const Machine& machine, const ContourPla
   plan.verification = std::move(planned.verification);
   plan.setpoints = std::move(planned.setpoints);
   plan.path = contour;
+  plan.motion = std::move(planned.motion);
   if (planning.what_if) plan.what_if = what_if(given, machine, planning, progress, all, 1.0);
   return plan;
 }

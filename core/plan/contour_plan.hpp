@@ -53,6 +53,8 @@ struct WhatIf {
 struct ContourPlan {
   std::unique_ptr<SetpointSource> setpoints;
   std::shared_ptr<const Contour> path;  ///< as driven: after blending
+  /// What the setpoints are samples of; nothing where coarse and fine axes share it (CoarseFinePlan::head).
+  std::shared_ptr<const PathMotion> motion;
   Verification verification;
   Bound bound;
   double duration = 0, cut_time = 0, position_time = 0;  ///< s, planned

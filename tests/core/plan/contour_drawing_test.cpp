@@ -60,6 +60,39 @@ double tolerance_mm(const std::string& drawing) {
 
 bool has(const std::string& drawing, const std::string& text) { return drawing.find(text) != std::string::npos; }
 
+TEST(ContourDrawing, CutsAreColouredByTheirSpeed) {
+  // A line of 100 mm from rest to rest at 1000 mm/s²: v = √(2 a s) up to the middle, there 316 mm/s.
+  ContourBuilder b(2, {});
+  b.block(Mode::cut, unlimited);
+  b.line({100, 0, 0});
+  const Contour contour = b.finish();
+  TimeLaw law;
+  const double middle = std::sqrt(2 * 1000 * 50.0);
+  law.append({.duration = middle / 1000, .s = 0, .s_end = 50, .v = 0, .a = 1000, .j = 0, .segment = 0});
+  law.append({.duration = middle / 1000, .s = 50, .s_end = 100, .v = middle, .a = -1000, .j = 0, .segment = 0});
+  SilentProgress progress;
+  const std::string drawing = contour_drawing(contour, {.title = "by speed", .law = &law}, progress);
+  EXPECT_TRUE(has(drawing, "316.2 mm/s"));
+  const auto all = strokes(drawing, "cut");
+  double length = 0, low = HUGE_VAL, high = -HUGE_VAL;
+  for (const Stroke& s : all) {
+    length += std::abs(s.x1 - s.x0);
+    low = std::min({low, s.x0, s.x1}), high = std::max({high, s.x0, s.x1});
+  }
+  EXPECT_NEAR(length, high - low, 2) << "every place is drawn once";
+  // The share of the line in each colour: v below a tenth of the largest on 1 % of either half, and so on.
+  std::size_t colours = 0;
+  for (std::size_t at = 0; (at = drawing.find("<path class=\"cut\"", at)) != std::string::npos; ++at, ++colours) {
+    const std::string one = drawing.substr(at, drawing.find("/>", at) + 2 - at);
+    double share = 0;
+    for (const Stroke& s : strokes(one, "cut")) share += std::abs(s.x1 - s.x0) / (high - low);
+    const double k = static_cast<double>(colours) / 10;
+    EXPECT_NEAR(share, (k + 0.1) * (k + 0.1) - k * k, 0.02) << colours;
+  }
+  EXPECT_EQ(colours, 10u);
+  EXPECT_EQ(drawing, contour_drawing(contour, {.title = "by speed", .law = &law}, progress));
+}
+
 TEST(ContourDrawing, CutsPositionsAndLegend) {
   ContourBuilder b(2, {});
   b.block(Mode::position, unlimited);
