@@ -3,6 +3,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "api/kinds/windable_result.hpp"
 #include "api/planned_job.hpp"
 #include "api/problem.hpp"
 #include "api/verification.hpp"
@@ -45,29 +46,6 @@ ordered_json wire(const winding::Wire& wire) {
   return {{"copper", wire.copper}, {"outer", wire.outer}, {"tolerance", wire.tolerance}};
 }
 
-ordered_json producible(const winding::Producible& verdict) {
-  if (!verdict.first) return nullptr;
-  const bool pushed = verdict.first->reason == winding::Producible::Reason::pushed_out;
-  return {{"wire", verdict.first->wire + 1},
-          {"laid", verdict.first->laid + 1},
-          {"reason", pushed ? "pushed_out" : "no_support"},
-          {"unsupported", verdict.unsupported.size()}};
-}
-
-/// What of wire and needle does not pass.
-ordered_json blocked(const FilledLayout& filled) {
-  ordered_json list = ordered_json::array();
-  for (const auto& each : filled.blocked) {
-    if (each.part == winding::Obstruction::Part::channel) {
-      list.push_back({{"part", "channel"}, {"wire", each.wire + 1}, {"region", each.back ? "slot_back" : "slot"}});
-    } else {
-      const bool wire = each.part == winding::Obstruction::Part::wire;
-      list.push_back({{"part", wire ? "wire" : "needle"}, {"needed", each.needed}, {"clear", each.clear}});
-    }
-  }
-  return list;
-}
-
 ordered_json spread(const FilledLayout& filled) {
   std::map<std::size_t, std::size_t> often;
   double sum = 0;
@@ -96,8 +74,9 @@ ordered_json layout(const FilledLayout& filled, double slot_area) {
                       {"max_overlap", filled.overlaps.deepest},
                       {"total_overlap_area", filled.overlaps.area},
                       {"producible", filled.can_be_wound()},
-                      {"blocked_by", blocked(filled)},
-                      {"slips", producible(filled.producible)},
+                      {"blocked_by", blocked_by(filled.windable, filled.wanted())},
+                      {"slips", slips(filled.windable, filled.wanted())},
+                      {"windable", windable(filled.windable, turns.parallel, filled.count())},
                       {"turns",
                        {{"serial", turns.serial},
                         {"parallel", turns.parallel},
@@ -124,7 +103,7 @@ ordered_json drawings(const FillRequest& request, const FillPlan& plan, Progress
   for (const std::size_t best : plan.best) {
     const FilledLayout& filled = plan.layouts[best];
     progress.report("drawing", 1);
-    out[std::string(name(filled.algorithm)) + ".svg"] = layout_drawing(request.slot, filled);
+    out[std::string(name(filled.algorithm)) + ".svg"] = layout_drawing(request, filled);
   }
   if (request.wires.size() > 1) out["fill_factors.svg"] = fill_factor_chart(plan, "Fill factors of the slot");
   return out;
@@ -136,7 +115,8 @@ ordered_json summary(const FilledLayout& filled) {
           {"count", filled.count()},
           {"electrical_fill", filled.electrical},
           {"mechanical_fill", filled.mechanical},
-          {"producible", filled.can_be_wound()}};
+          {"producible", filled.can_be_wound()},
+          {"windable", windable(filled.windable, filled.turns.parallel, filled.count())}};
 }
 
 /// The best of those that can be wound and take the turns asked for.

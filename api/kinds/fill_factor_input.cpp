@@ -9,6 +9,7 @@
 #include "api/kinds/fill_factor.hpp"
 #include "core/base/errors.hpp"
 #include "core/winding/layout/count_bound.hpp"
+#include "core/winding/part/part.hpp"
 #include "core/winding/slot/coil_sides.hpp"
 
 namespace bahnwerk::api::fill_factor {
@@ -20,19 +21,10 @@ constexpr double degree = std::numbers::pi / 180;
 
 Point point(const json& value) { return {value[0].get<double>(), value[1].get<double>()}; }
 
-winding::PolygonSlot polygon(const json& s) {
-  winding::PolygonSlot slot;
-  for (const auto& p : s["points"]) slot.points.push_back(point(p));
-  slot.liner = s.value("liner", 0.0);
-  slot.corner_radius = s.value("corner_radius", 0.0);
-  if (s.contains("opening")) slot.opening = {point(s["opening"][0]), point(s["opening"][1])};
-  return slot;
-}
-
 winding::Slot slot(const json& s, Progress* progress) {
   if (s["type"] == "stator") return make_slot(stator_slot(s));
   if (s["type"] == "rotor") return make_slot(rotor_slot(s));
-  return make_slot(polygon(s), progress);
+  return make_slot(polygon_slot(s), progress);
 }
 
 /// Which members of `heads` one type of slot has.
@@ -50,6 +42,8 @@ winding::StatorHeads heads_of_stator(const json& heads, const winding::StatorSlo
   winding::StatorHeads h = stator_heads(heads, slot, {"heads"}, faults);
   take(heads, "slot_pitch", h.slot_pitch, degree);
   take(heads, "span", h.span);
+  if (2 * std::atan2(h.tool_shift, h.tool_radius) >= h.span * h.slot_pitch)
+    faults.push_back({{"heads", "tool_shift"}, "lets the winding tools of the coil's two sides pass each other"});
   if (h.span * h.slot_pitch >= std::numbers::pi)
     faults.push_back(
         {{"heads", "span"}, "takes the coil to the other side of the stator: less than half a turn is possible"});
@@ -75,7 +69,13 @@ void read_algorithms(const json& spec, FillRequest& request, std::vector<InputFa
 
 void read_heads(const json& spec, FillRequest& request, std::vector<InputFault>& faults) {
   const json heads = spec.value("heads", json::object());
-  if (spec["slot"]["type"] == "stator") request.heads = heads_of_stator(heads, stator_slot(spec["slot"]), faults);
+  if (spec["slot"]["type"] == "stator") {
+    const winding::StatorHeads h = heads_of_stator(heads, stator_slot(spec["slot"]), faults);
+    // The default is the source's, whatever the slot: it only says where the heads lie.
+    if (heads.contains("slot_pitch") && !winding::leaves_teeth(request.slot, h.base_radius, h.slot_pitch))
+      faults.push_back({{"heads", "slot_pitch"}, "leaves no tooth between the slots: a larger one is needed"});
+    request.heads = h;
+  }
   if (spec["slot"]["type"] == "rotor") request.heads = heads_of_rotor(heads, faults);
   if (spec["slot"]["type"] == "polygon" && !heads.empty())
     faults.push_back({{"heads"}, "a polygon has no winding heads: tie_in draws all its wires"});
@@ -158,6 +158,9 @@ FillRequest request(const json& spec, Progress* progress) {
   if (spec.contains("robustness")) {
     const json& r = spec["robustness"];
     request.sampling = {r["samples"].get<int>(), given<double>(r, "wire_tolerance"), r.value("slot_tolerance", 0.0)};
+    if (request.slot.usable_area.inward(request.sampling.slot_tolerance, progress).empty())
+      faults.push_back(
+          {{"robustness", "slot_tolerance"}, "leaves no usable area where the walls stand inside by so much"});
   }
   // Heads that cannot be built are refused before anything is planned.
   if (faults.empty() && std::holds_alternative<winding::RotorHeads>(request.heads))

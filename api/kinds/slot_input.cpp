@@ -32,6 +32,16 @@ winding::StatorSlot stator_slot(const json& s) {
   return slot;
 }
 
+winding::PolygonSlot polygon_slot(const json& s) {
+  const auto point = [](const json& value) { return Point{value[0].get<double>(), value[1].get<double>()}; };
+  winding::PolygonSlot slot;
+  for (const auto& p : s["points"]) slot.points.push_back(point(p));
+  slot.liner = s.value("liner", 0.0);
+  slot.corner_radius = s.value("corner_radius", 0.0);
+  if (s.contains("opening")) slot.opening = {point(s["opening"][0]), point(s["opening"][1])};
+  return slot;
+}
+
 winding::RotorSlot rotor_slot(const json& s) {
   winding::RotorSlot slot;
   slot.grooves = s["grooves"];

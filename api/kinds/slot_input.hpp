@@ -42,6 +42,7 @@ void take(const Json& object, const char* member, double& value, double unit) {
 
 /// Of documents that passed their schema; a member "type" is not looked at.
 winding::StatorSlot stator_slot(const nlohmann::json& document);
+winding::PolygonSlot polygon_slot(const nlohmann::json& document);
 winding::RotorSlot rotor_slot(const nlohmann::json& document);
 
 /// Winding heads from members of `document`, which stands at `place`; each has a default that is taken from the slot

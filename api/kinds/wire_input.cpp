@@ -40,8 +40,17 @@ std::optional<Wire> read_wire(const json& value, const Place& place, int grade, 
     return wire;
   }
   const double copper = value["copper"], outer = value["outer"];
+  constexpr double thickest = 3;  // overall by copper diameter: fully insulated wires have up to 2.3
   if (outer < copper) faults.push_back({below(place, "outer"), "is less than the copper diameter"});
-  return Wire{copper, outer, given<double>(value, "tolerance").value_or(usual_tolerance(copper, grade))};
+  if (outer > thickest * copper)
+    faults.push_back({below(place, "outer"), "is more than three times the copper diameter, " + short_number(copper) +
+                                                 " mm: no winding wire has so thick an enamel"});
+  const auto tolerance = given<double>(value, "tolerance");
+  if (tolerance && outer >= copper && *tolerance > 0 && outer * (1 - *tolerance) < copper)
+    faults.push_back({below(place, "tolerance"), "lets the overall diameter fall to " +
+                                                     short_number(outer * (1 - *tolerance)) +
+                                                     " mm, less than the copper's"});
+  return Wire{copper, outer, tolerance.value_or(usual_tolerance(copper, grade))};
 }
 
 }  // namespace bahnwerk::api

@@ -7,7 +7,7 @@
 namespace bahnwerk {
 
 /// A layout in its slot; its title names algorithm, wire, count and copper.
-std::string layout_drawing(const winding::Slot& slot, const FilledLayout& filled);
+std::string layout_drawing(const FillRequest& request, const FilledLayout& filled);
 /// Fill factors over the wires, a curve for each algorithm.
 std::string fill_factor_chart(const FillPlan& plan, const std::string& title);
 

@@ -115,30 +115,6 @@ std::vector<std::size_t> sampled_counts(const FillRequest& request, Algorithm al
   return counts;
 }
 
-/// What of wire and needle does not pass, in the slot and in the coil's other one.
-std::vector<FilledLayout::Blocked> blocked(const FillRequest& request, const FilledLayout& filled, Progress& progress) {
-  std::vector<FilledLayout::Blocked> found;
-  if (!request.slot.opening || filled.count() == 0) return found;
-  const winding::Opening& opening = *request.slot.opening;
-  const double radius = filled.wire.radius();
-  for (const winding::Obstruction& each : opening_obstructions(opening, radius, request.needle))
-    found.push_back({each, false});
-  // Beside a rotor's coil the needle has all the usable area between the poles.
-  if (!request.needle || !found.empty() || request.slot.type == winding::Slot::Type::rotor) return found;
-  const auto channel = [&](const Region& usable_area, winding::Needle needle, const Layout& layout, bool back) {
-    ProgressPart last(progress, "needle access", 1, 1);
-    const auto wire =
-        first_out_of_reach(usable_area, opening, needle, radius, request.producible.touch, layout.wires, last);
-    if (wire) found.push_back({{winding::Obstruction::Part::channel, 0, 0, *wire}, back});
-  };
-  channel(request.slot.usable_area, *request.needle, filled.layout, false);
-  if (filled.regions.empty()) return found;
-  winding::Needle other = *request.needle;
-  if (other.stand == winding::Needle::Stand::left) other.stand = winding::Needle::Stand::right;
-  channel(request.back.empty() ? request.slot.usable_area : request.back, other, filled.regions[1], true);
-  return found;
-}
-
 void report(const FillRequest& request, FilledLayout& filled, Progress& progress) {
   const double radius = filled.wire.radius();
   progress.report("bound", 0);
@@ -154,9 +130,10 @@ void report(const FillRequest& request, FilledLayout& filled, Progress& progress
   if (filled.algorithm != Algorithm::needle && std::holds_alternative<winding::RotorHeads>(request.heads))
     filled.layout.tension_points =
         turn_pulls(laying_regions(request.slot, std::get<winding::RotorHeads>(request.heads)), filled.layout);
-  filled.producible = winding::producible(request.slot.usable_area, radius, filled.layout, request.tie_in,
-                                          request.producible, progress);
-  filled.blocked = blocked(request, filled, progress);
+  winding::LaidCoil coil{request.slot, radius, filled.layout, request.tie_in, request.needle};
+  if (!filled.regions.empty()) coil.back = &filled.regions[1];
+  if (!request.back.empty()) coil.back_area = &request.back;
+  filled.windable = winding::windable(coil, request.producible, progress);
 }
 
 std::string max_places(const FillPlan& plan) {

@@ -9,9 +9,8 @@
 #include "core/base/progress.hpp"
 #include "core/base/verification.hpp"
 #include "core/winding/fill.hpp"
-#include "core/winding/laying/access.hpp"
 #include "core/winding/laying/needle.hpp"
-#include "core/winding/laying/producible.hpp"
+#include "core/winding/laying/windable.hpp"
 #include "core/winding/layout/layout.hpp"
 #include "core/winding/slot/slot.hpp"
 #include "core/winding/wire.hpp"
@@ -55,18 +54,15 @@ struct FilledLayout {
   std::size_t bound = 0;                 ///< no layout has more wires
   double electrical = 0, mechanical = 0;
   winding::Overlaps overlaps;
-  winding::Producible producible;
-  /// What does not pass opening or slot; `back` of those in the coil's other slot.
-  struct Blocked : winding::Obstruction {
-    bool back = false;
-  };
-  std::vector<Blocked> blocked;
+  winding::Windable windable;  ///< of the whole layout
   winding::Turns turns;
   double resistance = 0;             ///< Ω/m of the coil's conductor
   std::vector<std::size_t> sampled;  ///< counts of the samples
 
   std::size_t count() const { return layout.wires.size(); }
-  bool can_be_wound() const { return producible.producible() && blocked.empty(); }
+  /// Wires of the coil that is wanted; all of them where the layout does not take it.
+  std::size_t wanted() const { return turns.fits ? turns.wires : count(); }
+  bool can_be_wound() const { return windable.can_be_wound(wanted()); }
 };
 
 struct FillPlan {

@@ -99,10 +99,18 @@ class Pipeline {
     return of({path, machine, task_.feeds, task_.rests, task_.dwells});
   }
 
+  MethodResult plan() {
+    const auto of = [&](const PathTask& task) {
+      return method_.plan(task, planning_.options, refinement_, progress_, at(bounded), at(planned));
+    };
+    if (planning_.jerk_share == 1) return of(task_);
+    Machine machine = moving_;
+    for (AxisLimits& axis : machine.axes) axis.jerk *= planning_.jerk_share;
+    return of({task_.path, machine, task_.feeds, task_.rests, task_.dwells});
+  }
+
   TimeLaw solve() {
-    MethodResult result = refinement_ == 0 && planning_.planned ? std::move(*planning_.planned)
-                                                                : method_.plan(task_, planning_.options, refinement_,
-                                                                               progress_, at(bounded), at(planned));
+    MethodResult result = refinement_ == 0 && planning_.planned ? std::move(*planning_.planned) : plan();
     plan_.iterations += result.iterations;
     cells_ = result.cells;
     return std::move(result.law);
@@ -111,7 +119,8 @@ class Pipeline {
   /// The proven bound tells whether the grid was fine enough, by the motion alone.
   TimeLaw law_near_the_bound() {
     TimeLaw law = solve();
-    for (int attempt = 1; method_.reaches_bound && attempt < attempts; ++attempt) {
+    const bool reaches_bound = method_.reaches_bound && planning_.jerk_share == 1;
+    for (int attempt = 1; reaches_bound && attempt < attempts; ++attempt) {
       if (with_gap({plan_.bound.duration - task_.dwell(), 0, {}}, law.duration()).gap <= close_enough ||
           cells_ > max_cells)
         break;

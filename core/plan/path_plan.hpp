@@ -32,6 +32,8 @@ struct PathPlanning {
   MethodOptions options;
   double max_setpoints = 20'000'000;
   std::shared_ptr<MethodResult> planned;  ///< the method's first law, if it is known already: it is taken from here
+  /// The share of every axis' jerk limit that the method plans with. Verification and bound are by the whole limit.
+  double jerk_share = 1;
   /// No setpoints are made, and the bound only where the method needs it: for the duration alone.
   bool only_duration = false;
   const Contour* blocks = nullptr;  ///< whose blocks the setpoints' columns mode and block tell, if they have such

@@ -1,7 +1,9 @@
 #include "core/winding/wire.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace bahnwerk::winding {
 namespace {
@@ -56,6 +58,20 @@ std::optional<Wire> standard_wire(double copper, int grade) {
   for (const Wire& wire : standard_wires(grade, copper, copper, Series::r40))
     if (std::abs(wire.copper - copper) < 1e-9) return wire;
   return std::nullopt;
+}
+
+int nearest_grade(const Wire& wire) {
+  int nearest = 1;
+  double least = std::numeric_limits<double>::infinity();
+  for (const int grade : {1, 2, 3}) {
+    const std::vector<Wire> list = standard_wires(grade, 0, 10, Series::r40);
+    const auto like = std::min_element(list.begin(), list.end(), [&](const Wire& a, const Wire& b) {
+      return std::abs(a.copper - wire.copper) < std::abs(b.copper - wire.copper);
+    });
+    const double off = std::abs(wire.outer - wire.copper - (like->outer - like->copper));
+    if (off < least) least = off, nearest = grade;
+  }
+  return nearest;
 }
 
 }  // namespace bahnwerk::winding

@@ -15,6 +15,10 @@ struct Wire {
 
 enum class Series { r20, r40 };
 
+/// The grade, 1 to 3, whose increase of the diameter by the enamel comes nearest to the wire's, by the standard wires
+/// whose copper is nearest.
+int nearest_grade(const Wire& wire);
+
 /// The standard's wire of this nominal diameter in grade 1, 2 or 3; nothing if it has none.
 std::optional<Wire> standard_wire(double copper, int grade);
 /// All standard wires with a nominal diameter from `least` to `most`, mm, thinnest first. The R 20 series is the

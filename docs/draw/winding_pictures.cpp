@@ -121,13 +121,12 @@ void fill_pictures(const std::string& folder) {
   const FillRequest sweep = stator_sweep();
   const FillPlan plan = plan_fill(sweep, silent);
   for (const std::size_t best : plan.best)
-    save(folder + "/stator_" + name(plan.layouts[best].algorithm) + ".svg",
-         layout_drawing(sweep.slot, plan.layouts[best]));
+    save(folder + "/stator_" + name(plan.layouts[best].algorithm) + ".svg", layout_drawing(sweep, plan.layouts[best]));
   save(folder + "/fill_factors.svg", fill_factor_chart(plan, "Fill factors of the example stator slot, grade 2"));
   FillRequest rotor = request(make_slot(RotorSlot{}), standard_wires(2, 1.12, 1.12, Series::r20), {Algorithm::needle});
   rotor.heads = RotorHeads{};
   const FillPlan laid = plan_fill(rotor, silent);
-  save(folder + "/rotor_needle.svg", layout_drawing(rotor.slot, laid.layouts.front()));
+  save(folder + "/rotor_needle.svg", layout_drawing(rotor, laid.layouts.front()));
 }
 
 void fill_table() {

@@ -28,7 +28,7 @@ expect_status 200
 expect_equal "$(head -n 1 "$work/body")" $'q1;q2;q3;q4;q5;vq1;vq2;vq3;vq4;vq5;brake\r'
 expect_equal "$(wc -l <"$work/body")" 4
 "$bahnwerk" fetch "$id" --server "$url" --layout twincat_poses >"$work/poses.csv"
-expect_equal "$(head -n 1 "$work/poses.csv")" $'x;y;z;phi;psi;vx;vy;vz;vphi;vpsi;brake\r'
+expect_equal "$(head -n 1 "$work/poses.csv")" $'x;y;z;phi;psi;vx;vy;vz;vphi;vpsi;brake;base_frame\r'
 request GET "/v1/jobs/$id/setpoints?layout=twincat" -H 'Accept: application/json'
 expect_problem schema-violation 422
 expect_json '.errors[0].pointer == "/query/layout"'
@@ -82,7 +82,18 @@ jq '.spec.feed.interpolator = "taylor1"' "$work/job.json" >"$work/scatter.json"
 post "$work/scatter.json"
 await failed 120
 expect_error verification-failed
-expect_json '.error.detail | contains("setpoint jerk")'
+expect_json '.error.detail | contains("setpoint jerk") and contains("turn 1 of coil 1")'
+# What was planned can be had all the same, but nothing that a machine could follow.
+request GET "/v1/jobs/$id/result"
+expect_status 200
+expect_json '.verification.passed == false and has("setpoints") == false and .summary.turns == 2'
+expect_json '[.verification.checks[] | select(.passed | not) | has("place") and has("change")] | all'
+request GET "/v1/jobs/$id/setpoints"
+expect_problem no-result 409
+if "$bahnwerk" plan "$work/scatter.json" --out "$work/scatter" >"$work/out"; then fail "a plan that is not verified"; fi
+jq -e '.type == "/problems/verification-failed"' "$work/out" >/dev/null || fail "the problem is printed"
+jq -e '.verification.passed == false' "$work/scatter/result.json" >/dev/null || fail "the result is written"
+[ ! -e "$work/scatter/setpoints.csv" ] || fail "setpoints of a plan that is not verified"
 
 # Where the machine does not reach: turn, region and pose.
 jq '.spec.machine.axes.q3.range = [0, 50]' "$work/job.json" >"$work/short.json"

@@ -24,15 +24,17 @@ using nlohmann::ordered_json;
 /// The setpoints with what they are computed from: path and machine are the plan's.
 class PlannedSetpoints final : public SetpointSource {
  public:
-  explicit PlannedSetpoints(WindingPlan& plan)
-      : tool_(plan.tool), machine_(plan.machine.kinematics), source_(std::move(plan.motion.setpoints)) {}
+  PlannedSetpoints(WindingPlan& plan, PoseFrame frame)
+      : frame_(frame), tool_(plan.tool), machine_(plan.machine.kinematics), source_(std::move(plan.motion.setpoints)) {}
   const std::vector<Column>& columns() const override { return source_->columns(); }
   std::size_t count() const override { return source_->count(); }
   double cycle_time() const override { return source_->cycle_time(); }
   double duration() const override { return source_->duration(); }
+  std::optional<PoseFrame> pose_frame() const override { return frame_; }
   void read(std::size_t first, std::size_t rows, double* out) const override { source_->read(first, rows, out); }
 
  private:
+  PoseFrame frame_;
   std::shared_ptr<const PosePath> tool_;
   std::shared_ptr<const Kinematics> machine_;
   std::unique_ptr<SetpointSource> source_;
@@ -44,7 +46,7 @@ ordered_json slot_access_result(const SlotAccess& access) {
           {"with_pivot_shift", access.shares.size() > 1 ? ordered_json(access.shares[1]) : ordered_json()}};
 }
 
-ordered_json summary(const WindingPlan& plan) {
+ordered_json summary(const WindingRequest& request, const WindingPlan& plan) {
   const double least = plan.clearance.minimum;
   return {{"duration", plan.motion.duration},
           {"path_length", plan.path_length},
@@ -53,6 +55,9 @@ ordered_json summary(const WindingPlan& plan) {
           {"strokes_per_minute", plan.strokes_per_minute},
           {"coils", plan.turns.empty() ? 0 : plan.turns.back().coil + 1},
           {"turns", plan.turns.size()},
+          {"parallel", request.parallel},
+          {"producible", plan.windable.can_be_wound(wires_per_coil(request, plan))},
+          {"windable_turns", plan.windable.most() / request.parallel},
           {"clearance", std::isfinite(least) ? ordered_json(least) : ordered_json()}};
 }
 
@@ -80,8 +85,8 @@ PlannedJob plan(const json& spec, Progress& progress) {
   PlannedJob job;
   job.verified = plan.motion.verification.passed;
   job.result = {{"kind", "winding"},
-                {"summary", summary(plan)},
-                {"verification", verification(in_degrees(plan.motion.verification))},
+                {"summary", summary(asked, plan)},
+                {"verification", placed_verification(asked, plan)},
                 {"bound", {{"duration", bound.duration}, {"gap", bound.gap}, {"basis", bound.basis}}},
                 {"setpoints", setpoint_summary(*plan.motion.setpoints)},
                 {"details", details(asked, plan, progress)}};
@@ -95,7 +100,7 @@ PlannedJob plan(const json& spec, Progress& progress) {
     job.result["details"]["access"] = slot_access_result(*access);
     job.result["details"]["drawings"]["clearance_map.svg"] = access->drawing;
   }
-  job.setpoints = std::make_unique<PlannedSetpoints>(plan);
+  job.setpoints = std::make_unique<PlannedSetpoints>(plan, pose_frame(spec));
   return job;
 }
 

@@ -89,6 +89,24 @@ constexpr Row rows[] = {{"robot", robot}, {"vertical", vertical}, {"horizontal",
 
 }  // namespace
 
+PoseFrame pose_frame(const json& spec) {
+  const json& document = spec["machine"];
+  const PartPlace standing = document["type"] == "robot"      ? RobotWinderSizes{}.part
+                             : document["type"] == "vertical" ? VerticalWinderSizes{}.part
+                                                              : HorizontalWinderSizes{}.part;
+  const PartPlace part = place(document, standing);
+  return {part.origin.x, part.origin.y, part.origin.z, part.angle / degree};
+}
+
+double swivel_length(const json& spec) {
+  const json& document = spec["machine"];
+  double length = RobotWinderSizes{}.l_tool;
+  if (document["type"] == "vertical") length = VerticalWinderSizes{}.l_tool;
+  if (document["type"] == "horizontal") length = HorizontalWinderSizes{}.l_tool;
+  take(document, "l_tool", length);
+  return length;
+}
+
 Machines machine(const json& spec, Faults& faults) {
   const json& document = spec["machine"];
   for (const Row& row : rows)

@@ -32,8 +32,9 @@ winding::LinkOptions links(const json& spec) {
 winding::NeedleModel needle_model(const json& spec, const winding::Wire& wire) {
   const json pull = member(spec, "pull"), needle = member(spec, "needle");
   winding::NeedleModel model;
-  model.pull.bending_moment = winding::bending_moment(wire);
-  take(pull, "force", model.pull.force);
+  const double strength = wire_strength(spec);
+  model.pull.force = wire_force(spec, wire);
+  model.pull.bending_moment = winding::bending_moment(wire, std::min(winding::bending_stress, strength));
   take(pull, "bend_radius", model.pull.bend_radius);
   take(pull, "bending_moment", model.pull.bending_moment);
   take(pull, "free_length", model.pull.free_length);
@@ -43,19 +44,30 @@ winding::NeedleModel needle_model(const json& spec, const winding::Wire& wire) {
   return model;
 }
 
-winding::TensionModel tension_model(const json& spec, const winding::Wire& wire, Faults& faults) {
+double wire_strength(const json& spec) {
+  double strength = winding::copper_strength;
+  take(member(spec, "pull"), "strength", strength);
+  return strength;
+}
+
+double wire_force(const json& spec, const winding::Wire& wire) {
+  constexpr double usual_share = 0.1;  // of what the wire bears
+  return given<double>(member(spec, "pull"), "force")
+      .value_or(usual_share * winding::breaking_pull(wire, wire_strength(spec)));
+}
+
+winding::TensionModel tension_model(const json& spec, const winding::Wire& wire) {
   const json pull = member(spec, "pull");
   winding::TensionModel model;
-  take(pull, "force", model.force);
+  model.force = wire_force(spec, wire);
   take(pull, "effective_mass", model.mass);
   take(pull, "friction", model.friction);
   take(pull, "brake_range", model.range);
-  model.permitted = std::max(model.force, winding::yield_pull(wire));
+  // Where the copper yields; a wire that shall be drawn thinner may be pulled as far as it bears.
+  const double bears = winding::breaking_pull(wire, wire_strength(spec)),
+               yields = std::min(winding::yield_pull(wire), bears);
+  model.permitted = model.force <= yields ? yields : bears;
   take(pull, "permitted", model.permitted);
-  if (model.permitted < model.force)
-    faults.push_back({{"pull", "force"}, "is more than pull.permitted: set it lower, or permit more"});
-  if (model.range > 0 && model.range < model.force)
-    faults.push_back({{"pull", "brake_range"}, "is less than pull.force: the brake cannot hold the wire at it"});
   return model;
 }
 
@@ -74,6 +86,7 @@ winding::ToolPost tool(const json& spec, const winding::StatorHeads* heads, Faul
     if (!document.empty()) faults.push_back({{"tool"}, "belongs to a stator: a rotor is wound without winding tools"});
     return post;
   }
+  post.height = heads->tool_height + winding::ToolPost{}.height - winding::StatorHeads{}.tool_height;
   take(document, "width", post.width);
   take(document, "thickness", post.thickness);
   take(document, "height", post.height);
@@ -92,6 +105,7 @@ void read_feed(const json& spec, WindingRequest& request, Faults& faults) {
   take(feed, "velocity", request.along.velocity);
   take(feed, "acceleration", request.along.acceleration);
   take(feed, "jerk", request.along.jerk);
+  take(feed, "tolerance", request.feed_tolerance);
   take(feed, "chord_tolerance", request.chord_tolerance);
   take(feed, "half_speed_curvature", request.half_speed_curvature);
   if (request.half_speed_curvature < unlimited && !(request.along.velocity < unlimited))

@@ -27,7 +27,19 @@ std::variant<winding::StatorPart, winding::RotorPart> part(const json& spec, Fau
   const json& document = spec["part"];
   if (document["type"] == "stator") {
     winding::StatorPart stator;
-    stator.slot = stator_slot(document["slot"]);
+    if (document["slot"].value("type", "stator") == "polygon") {
+      const auto base = given<double>(document, "base_radius");
+      if (!base)
+        throw InvalidInput(
+            {{{"part", "base_radius"}, "is needed: a drawn slot does not tell how far from the axis it lies"}});
+      try {
+        stator = winding::drawn_stator(polygon_slot(document["slot"]), *base);
+      } catch (const InvalidInput& error) {
+        throw relocated(error);
+      }
+    } else {
+      stator.slot = stator_slot(document["slot"]);
+    }
     stator.heads = stator_heads(document, stator.slot, {"part"}, faults);
     take(document, "slots", stator.slots);
     return stator;

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <string>
 
+#include "api/kinds/slot_input.hpp"
+#include "api/kinds/windable_result.hpp"
 #include "core/machine/robot_winder.hpp"
 
 namespace bahnwerk::api::winding_kind {
@@ -24,12 +26,17 @@ ordered_json points(const std::vector<Point>& list) {
 
 ordered_json layout(const WindingRequest& request, const WindingPlan& plan) {
   const winding::Wire& wire = request.wire;
+  const std::size_t wanted = wires_per_coil(request, plan);
   ordered_json regions = ordered_json::object();
   for (std::size_t j = 0; j < plan.layout.size(); ++j)
     regions[laying_region(j)] = {{"positions", points(plan.layout[j].wires)},
                                  {"pulls", points(plan.layout[j].tension_points)}};
   return {{"wire", {{"copper", wire.copper}, {"outer", wire.outer}, {"tolerance", wire.tolerance}}},
           {"count", plan.layout[0].wires.size()},
+          {"producible", plan.windable.can_be_wound(wanted)},
+          {"blocked_by", blocked_by(plan.windable, wanted)},
+          {"slips", slips(plan.windable, wanted)},
+          {"windable", windable(plan.windable, request.parallel, plan.layout[0].wires.size())},
           {"regions", std::move(regions)}};
 }
 
@@ -70,6 +77,24 @@ ordered_json arm(const WindingPlan& plan) {
 
 bool takes_profile(const WindingRequest& request) { return method_row(request.feed).takes_profile; }
 
+/// What of the layout cannot be wound, and how many turns can.
+void add_windable_notes(const WindingRequest& request, const WindingPlan& plan, ordered_json& list) {
+  const std::size_t wanted = wires_per_coil(request, plan);
+  if (plan.windable.can_be_wound(wanted)) return;
+  const std::string holds =
+      ": " + std::to_string(plan.windable.most() / request.parallel) + " turns of this layout can be wound";
+  if (const auto slip = plan.windable.producible_among(wanted).first)
+    list.push_back(slip->reason == winding::Producible::Reason::pushed_out
+                       ? "wire " + std::to_string(slip->wire + 1) + " is pushed out when wire " +
+                             std::to_string(slip->laid + 1) + " is laid" + holds
+                       : "wire " + std::to_string(slip->wire + 1) + " has no support where it is laid" + holds);
+  for (const auto& each : plan.windable.blocked_among(wanted))
+    if (each.part == winding::Obstruction::Part::channel)
+      list.push_back("a needle of " + short_number(request.needle.width) +
+                     " mm that does not swivel has no way to wire " + std::to_string(each.wire + 1) + " in the " +
+                     (each.back ? "second" : "first") + " slot past those laid before" + holds);
+}
+
 ordered_json notes(const WindingRequest& request, const WindingPlan& plan) {
   ordered_json list = ordered_json::array();
   // Where the wire leaves the needle at more than a right angle its tension rises [Herrmann 4.2.6].
@@ -91,11 +116,21 @@ ordered_json notes(const WindingRequest& request, const WindingPlan& plan) {
                    ": the acceleration jumps where a change of speed begins and ends; no jerk limit of axes or feed is "
                    "held or verified");
   if (const double yields = winding::yield_pull(request.wire); request.model.pull.force > yields)
-    list.push_back("the wire's copper yields at about " + std::to_string(std::lround(yields)) +
+    list.push_back("the wire's copper yields at about " + short_number(yields) +
                    " N, less than pull.force: it is drawn thinner, and its resistance rises");
-  if (request.turns > 0 && request.turns < plan.layout[0].wires.size())
-    list.push_back("the slot takes " + std::to_string(plan.layout[0].wires.size()) + " turns of this wire, " +
+  if (request.parallel > 1)
+    list.push_back(
+        std::to_string(request.parallel) +
+        " wires in hand: the needle goes through the middle of the places of each turn; pull.force is that of "
+        "one wire");
+  if (plan.clearance.minimum < 0)
+    list.push_back("needle.clearance is negative: the needle of this plan reaches " +
+                   short_number(-plan.clearance.minimum) + " mm into what it must not touch");
+  const std::size_t places = plan.layout[0].wires.size() / request.parallel;
+  if (request.turns > 0 && request.turns < places)
+    list.push_back("the slot takes " + std::to_string(places) + " turns of this wire, " +
                    std::to_string(request.turns) + " are wound");
+  add_windable_notes(request, plan, list);
   return list;
 }
 
@@ -117,6 +152,8 @@ ordered_json wire(const WindingRequest& request, const WindingPlan& plan) {
   const double copper = request.wire.copper;
   return {{"length", plan.wire_length},
           {"copper_mass", density * std::numbers::pi / 4 * copper * copper * plan.wire_length},
+          {"force", request.tension.force},
+          {"bears", request.bears},
           {"permitted", request.tension.permitted},
           {"peak", w.peak},
           {"least", w.least},
@@ -139,14 +176,11 @@ ordered_json turn_time(const WindingPlan& plan) {
       {"least", least}, {"mean", plan.motion.motion->duration() / static_cast<double>(begins.size())}, {"most", most}};
 }
 
-/// Where the tool's path is at parameter `v` of a piece, mm.
-double path_length(const Path& tool, std::size_t piece, double v) {
-  for (std::size_t i = 0; i < tool.size(); ++i)
-    if (tool[i].source() == piece && v <= tool[i].curve().end()) return tool[i].arc_length(v);
-  return tool.length();
-}
-
 }  // namespace
+
+std::size_t wires_per_coil(const WindingRequest& request, const WindingPlan& plan) {
+  return plan.turns.size() / request.coils.size() * request.parallel;
+}
 
 const char* laying_region(std::size_t region) {
   static constexpr const char* names[] = {"slot", "head_bottom", "slot_back", "head_top"};
@@ -164,17 +198,18 @@ ordered_json clearance(const WindingPlan& plan) {
   const FixedPiece& fixed = plan.support.at(piece.fixed);
   return {{"minimum", least.minimum}, {"coil", fixed.coil + 1},
           {"turn", fixed.turn + 1},   {"region", laying_region(fixed)},
-          {"link", piece.link},       {"at", path_length(plan.tool->tool, least.move, least.at)},
+          {"link", piece.link},       {"at", tool_length(plan.tool->tool, least.move, least.at)},
           {"along", least.along},     {"nearest", plan.nearest}};
 }
 
-ordered_json link_times(const WindingPlan& plan) {
+ordered_json link_times(const WindingRequest& request, const WindingPlan& plan) {
   if (!plan.link_times) return nullptr;
   const LinkTimes& times = *plan.link_times;
   const auto seconds = [](double time) { return std::isfinite(time) ? ordered_json(time) : ordered_json(); };
   return {{"curvature", seconds(times.curvature)},
           {"control_distance", seconds(times.control_distance)},
           {"minimum_time", seconds(times.minimum_time)},
+          {"feed", name_of<PlanningMethod>(request.feed, feed_methods)},
           {"changed", times.changed},
           {"taken", name_of<LinkChoice>(times.taken, link_choices)}};
 }
@@ -201,16 +236,7 @@ ordered_json details(const WindingRequest& request, const WindingPlan& plan, Pro
           {"support_points", support_points(plan, progress)},
           {"path", path(request, plan, progress)},
           {"links", links(request, plan, progress)},
-          {"link_times", link_times(plan)}};
-}
-
-Verification in_degrees(Verification verdict) {
-  for (Check& check : verdict.checks) {
-    if (!check.unit.starts_with("rad")) continue;
-    check.unit.replace(0, 3, "deg");
-    check.limit *= degrees, check.value *= degrees;
-  }
-  return verdict;
+          {"link_times", link_times(request, plan)}};
 }
 
 }  // namespace bahnwerk::api::winding_kind

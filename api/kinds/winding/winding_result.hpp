@@ -9,6 +9,8 @@ namespace bahnwerk::api::winding_kind {
 /// Of regions 0 … 3; of a fixed piece also "coil_change".
 const char* laying_region(std::size_t region);
 const char* laying_region(const winding::FixedPiece& piece);
+/// Places of the layout that one coil takes.
+std::size_t wires_per_coil(const WindingRequest& request, const WindingPlan& plan);
 /// Of the needle's least clearance; null where there is nothing that it could touch.
 nlohmann::ordered_json clearance(const WindingPlan& plan);
 /// Everything beside summary, verification, bound and setpoints.
@@ -18,7 +20,7 @@ nlohmann::ordered_json support_points(const WindingPlan& plan, Progress& progres
 nlohmann::ordered_json path(const WindingRequest& request, const WindingPlan& plan, Progress& progress);
 nlohmann::ordered_json links(const WindingRequest& request, const WindingPlan& plan, Progress& progress);
 
-/// The verdict with rotary axes in deg.
-Verification in_degrees(Verification verdict);
+/// The verdict with rotary axes in deg; of a check that failed also where on the winding that is, and what to change.
+nlohmann::ordered_json placed_verification(const WindingRequest& request, const WindingPlan& plan);
 
 }  // namespace bahnwerk::api::winding_kind

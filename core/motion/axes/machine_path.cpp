@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -82,10 +83,13 @@ void hold_ranges(const KinematicAxisPath& path, const std::vector<AxisSpan>& spa
     if (!(std::max(below, above) > range_tolerance)) continue;
     const double s = below > above ? span.lowest_at : span.highest_at;
     const std::size_t segment = path.tool().find(s);
+    const bool rotary = axis.unit == "rad";
+    const double shown = rotary ? 180 / std::numbers::pi : 1;  // documents have deg
+    const char* const unit = rotary ? "deg" : axis.unit.c_str();
     char text[240];
     std::snprintf(text, sizeof text, "axis %s would have to go from %.6g to %.6g %s, its range is %.6g to %.6g %s",
-                  axis.name.c_str(), span.lowest, span.highest, axis.unit.c_str(), axis.lowest, axis.highest,
-                  axis.unit.c_str());
+                  axis.name.c_str(), shown * span.lowest, shown * span.highest, unit, shown * axis.lowest,
+                  shown * axis.highest, unit);
     throw UnreachablePose(text, s, path.pose(segment, path[segment].parameter(s)).coordinates());
   }
 }

@@ -8,25 +8,22 @@
 #include <vector>
 
 #include "core/drawing/svg.hpp"
+#include "core/drawing/ticks.hpp"
 #include "core/motion/feed/curvature_feed.hpp"
 
 namespace bahnwerk {
 namespace {
 
-constexpr double width = 960, high = 460, left = 66, right = 150, top = 46, bottom = 50;  // px
+constexpr double width = 960, left = 76, right = 170, top = 46;  // px
+constexpr double feed_height = 330, panel_height = 130, between = 40, bottom = 50;
 constexpr std::size_t per_segment = 64;
 constexpr const char* colours[] = {"#1f5fbf", "#2a9d8f", "#b7791f", "#8e44ad", "#c1121f"};
 constexpr const char* feed_style = "fill=\"none\" stroke=\"#20242a\" stroke-width=\"2.4\"";
-constexpr const char* limit_style = "fill=\"none\" stroke=\"#4a525c\" stroke-dasharray=\"6 4\"";
+constexpr const char* thin_style = "fill=\"none\" stroke=\"#20242a\" stroke-width=\"1.4\"";
+constexpr const char* limit_style = "fill=\"none\" stroke=\"#c1121f\" stroke-dasharray=\"6 4\"";
+const std::string small = "font-size=\"12\" fill=\"#4a525c\"";
 
-using Line = std::vector<Point>;  // s mm, v mm/s
-
-double step_of(double most, int parts) {
-  const double rough = most / parts, power = std::pow(10, std::floor(std::log10(rough)));
-  for (const double nice : {1., 2., 5.})
-    if (nice * power >= rough) return nice * power;
-  return 10 * power;
-}
+using Line = std::vector<Point>;  // over s, mm
 
 /// Segments of the first coil's first turn: [0, n).
 std::size_t first_turn(const WindingPlan& plan) {
@@ -47,65 +44,95 @@ double constant_speed(const Machine& machine, const AxisJet& q, std::size_t axis
                    std::cbrt(over(limit.jerk, q.d3[axis]))});
 }
 
-/// The feed of the law up to a segment.
-Line feed_line(const TimeLaw& law, std::size_t segments) {
-  Line line;
+/// What the law does up to a segment: its feed, acceleration and jerk.
+std::array<Line, 3> law_lines(const TimeLaw& law, std::size_t segments) {
+  std::array<Line, 3> lines;
   for (const LawPiece& piece : law.pieces()) {
     if (piece.segment >= segments) break;
     constexpr int parts = 6;
-    for (int i = line.empty() ? 0 : 1; i <= parts; ++i) {
+    for (int i = 0; i <= parts; ++i) {
       const LawState x = piece.at(piece.duration * i / parts);
-      line.push_back({x.s, x.v});
+      lines[0].push_back({x.s, x.v}), lines[1].push_back({x.s, x.a}), lines[2].push_back({x.s, x.j});
     }
   }
-  return line;
+  return lines;
 }
 
+/// A frame with its ticks; what leaves it is not seen.
 class Chart {
  public:
-  Chart(double longest, double most) : longest_(longest), most_(most) {}
+  Chart(const char* id, double longest, double least, double most, double y, double height)
+      : id_(id), longest_(longest), least_(least), most_(most), y_(y), height_(height) {}
   Point at(Point p) const {
-    return {left + p.x / longest_ * (width - left - right),
-            high - bottom - std::min(p.y, most_) / most_ * (high - top - bottom)};
+    // Far beyond the frame no number of pixels is needed.
+    const double share = std::clamp((p.y - least_) / (most_ - least_), -1.0, 2.0);
+    return {left + p.x / longest_ * (width - left - right), y_ + height_ - share * height_};
   }
-  /// Points that show nothing new are left out.
+  /// Points that show nothing new are left out, and so is what has no end.
   std::string drawn(const Line& line, const std::string& style) const {
     std::string path;
     Point last{};
+    bool begun = false;
     for (std::size_t i = 0; i < line.size(); ++i) {
+      if (!std::isfinite(line[i].y)) {
+        begun = false;
+        continue;
+      }
       const Point p = at(line[i]);
-      if (i > 0 && i + 1 < line.size() && std::hypot(p.x - last.x, p.y - last.y) < 0.7) continue;
+      if (begun && i + 1 < line.size() && std::hypot(p.x - last.x, p.y - last.y) < 0.7) continue;
       char text[48];
-      std::snprintf(text, sizeof text, "%s%.1f %.1f", i == 0 ? "M" : "L", p.x, p.y);
-      path += text, last = p;
+      std::snprintf(text, sizeof text, "%s%.1f %.1f", begun ? "L" : "M", p.x, p.y);
+      path += text, last = p, begun = true;
     }
-    return "<path" + svg::attribute("d", path) + " " + style + "/>\n";
+    if (path.empty()) return {};
+    return "<path" + svg::attribute("d", path) + svg::attribute("clip-path", "url(#" + std::string(id_) + ")") + " " +
+           style + "/>\n";
   }
-  std::string frame(const std::string& title) const {
-    const std::string words = "font-size=\"12\" fill=\"#4a525c\"";
-    const auto number = [](double x) {
-      char text[32];
-      std::snprintf(text, sizeof text, "%.4g", x);
-      return std::string(text);
-    };
-    std::string out = svg::open(width, high) + svg::text({left, 22}, title, "font-size=\"16\" fill=\"#20242a\"");
-    for (double step = step_of(most_, 6), v = 0; v <= most_ * (1 + 1e-9); v += step) {
-      const Point p = at({0, v});
+  std::string level(double value, const std::string& style) const {
+    return value > least_ && value < most_ ? svg::segment(at({0, value}), at({longest_, value}), style) : std::string();
+  }
+  std::string frame(const std::string& what, int ticks) const {
+    using svg::attribute;
+    using svg::number;
+    const std::string box = "<rect" + attribute("x", number(left)) + attribute("y", number(y_)) +
+                            attribute("width", number(width - left - right)) + attribute("height", number(height_));
+    std::string out = "<clipPath" + attribute("id", id_) + ">" + box + "/></clipPath>\n";
+    const double step = drawing::nice((most_ - least_) / ticks);
+    drawing::for_each_tick(least_, most_, step, [&](double value) {
+      const Point p = at({0, value});
       out += svg::segment(p, {width - right, p.y}, "stroke=\"#dfe3e8\"");
-      out += svg::text({p.x - 8, p.y + 4}, number(v), words + " text-anchor=\"end\"");
-    }
-    for (double step = step_of(longest_, 8), s = 0; s <= longest_ * (1 + 1e-9); s += step) {
-      const Point p = at({s, 0});
-      out += svg::text({p.x, p.y + 18}, number(s), words + " text-anchor=\"middle\"");
-    }
-    out += svg::text({left, top - 8}, "feed in mm/s", words);
-    return out +
-           svg::text({(left + width - right) / 2, high - 12}, "arc length in mm", words + " text-anchor=\"middle\"");
+      out += svg::text({p.x - 8, p.y + 4}, drawing::tick_label(value), small + " text-anchor=\"end\"");
+    });
+    out += box + " fill=\"none\" stroke=\"#8a919b\"/>\n";
+    return out + svg::text({left, y_ - 8}, what, small);
+  }
+  std::string across() const {
+    std::string out;
+    drawing::for_each_tick(0, longest_, drawing::nice(longest_ / 8), [&](double s) {
+      out += svg::text({at({s, 0}).x, y_ + height_ + 18}, drawing::tick_label(s), small + " text-anchor=\"middle\"");
+    });
+    return out + svg::text({(left + width - right) / 2, y_ + height_ + 38}, "arc length in mm",
+                           small + " text-anchor=\"middle\"");
   }
 
  private:
-  double longest_, most_;
+  const char* id_;
+  double longest_, least_, most_, y_, height_;
 };
+
+/// The range of acceleration or jerk: what the law has, and its limit unless that lies far beyond.
+double range(const Line& line, double limit) {
+  double most = 1e-6;
+  for (const Point& p : line) most = std::max(most, std::abs(p.y));
+  return 1.12 * (limit < 4 * most ? std::max(most, limit) : most);
+}
+
+/// "limit 700 mm/s", and that it is not in the frame where it is not.
+std::string limit_words(double limit, double most, const char* unit) {
+  char text[80];
+  std::snprintf(text, sizeof text, "limit %.5g %s%s", limit, unit, limit < most ? "" : ", above");
+  return text;
+}
 
 }  // namespace
 
@@ -113,15 +140,14 @@ std::string feed_drawing(const WindingRequest& request, const WindingPlan& plan)
   const AxisPath& path = *plan.machine.axes;
   const Machine machine{plan.machine.kinematics->axes(), request.cycle_time};
   const std::size_t n = first_turn(plan);
-  const Line feed = feed_line(plan.motion.motion->law(), n);
+  const std::array<Line, 3> law = law_lines(plan.motion.motion->law(), n);
   double fastest = 1e-6;
-  for (const Point& p : feed) fastest = std::max(fastest, p.y);
+  for (const Point& p : law[0]) fastest = std::max(fastest, p.y);
   std::vector<double> feeds = curvature_feeds(plan.tool->tool, {request.chord_tolerance, request.cycle_time,
                                                                 request.half_speed_curvature, request.along.velocity});
-  const Chart chart(n > 0 ? path[n - 1].s1() : 1, 1.3 * fastest);
-
   std::vector<Line> axes(path.axes());
   Line allowed;
+  double highest = 0;  // of what the feed's own limits allow
   for (std::size_t i = 0; i < n; ++i) {
     const Curve& curve = path[i].curve();
     for (std::size_t k = 0; k <= per_segment; ++k) {
@@ -131,10 +157,17 @@ std::string feed_drawing(const WindingRequest& request, const WindingPlan& plan)
         axes[axis].push_back({path[i].arc_length(u), constant_speed(machine, q, axis)});
     }
     const double limit = std::min(feeds[i], request.along.velocity);
+    if (limit < 3 * fastest) highest = std::max(highest, limit);
     for (const double s : {path[i].s0(), path[i].s1()}) allowed.push_back({s, limit});
   }
 
-  std::string out = chart.frame("feed of the first turn and what limits leave to a constant one");
+  const double longest = n > 0 ? path[n - 1].s1() : 1;
+  const double most = std::max(1.3 * fastest, 1.08 * highest);
+  const Chart feed("feed", longest, 0, most, top, feed_height);
+  std::string out = svg::open(width, top + feed_height + 2 * (between + panel_height) + bottom);
+  out += svg::text({left, 22}, "the first turn: feed, and what limits leave to a constant one; acceleration, jerk",
+                   "font-size=\"16\" fill=\"#20242a\"");
+  out += feed.frame("feed in mm/s", 6);
   double y = top + 10;
   const auto entry = [&](const std::string& name, const std::string& style) {
     out += svg::segment({width - right + 14, y}, {width - right + 44, y}, style);
@@ -144,15 +177,31 @@ std::string feed_drawing(const WindingRequest& request, const WindingPlan& plan)
   for (std::size_t axis = 0; axis < axes.size(); ++axis) {
     const std::string style = std::string("fill=\"none\" stroke-width=\"1.2\"") +
                               svg::attribute("stroke", colours[axis % std::size(colours)]);
-    out += chart.drawn(axes[axis], style);
+    out += feed.drawn(axes[axis], style);
     entry("limits of " + machine.axes[axis].name, style);
   }
   if (std::any_of(allowed.begin(), allowed.end(), [](const Point& p) { return p.y < unlimited; })) {
-    out += chart.drawn(allowed, limit_style);
+    out += feed.drawn(allowed, limit_style);
     entry("feed's limits", limit_style);
   }
-  out += chart.drawn(feed, feed_style);
+  out += feed.drawn(law[0], feed_style);
   entry("feed", feed_style);
+
+  const std::array<double, 2> limits{request.along.acceleration, request.along.jerk};
+  constexpr std::array<const char*, 2> what{"acceleration along the path in mm/s²", "jerk along the path in mm/s³"},
+      units{"mm/s²", "mm/s³"}, ids{"acceleration", "jerk"};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double span = range(law[k + 1], limits[k]);
+    const double at = top + feed_height + between + static_cast<double>(k) * (panel_height + between);
+    const Chart panel(ids[k], longest, -span, span, at, panel_height);
+    out += panel.frame(what[k], 4) + panel.drawn(law[k + 1], thin_style);
+    if (limits[k] < unlimited) {
+      out += panel.level(limits[k], limit_style) + panel.level(-limits[k], limit_style);
+      y = at + 10;
+      entry(limit_words(limits[k], span, units[k]), limit_style);
+    }
+    if (k == 1) out += panel.across();
+  }
   return out + "</svg>\n";
 }
 

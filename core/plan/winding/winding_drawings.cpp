@@ -24,10 +24,17 @@ std::string needle_path_drawing(const WindingRequest& request, const WindingPlan
   std::snprintf(title, sizeof title, "needle path of %zu turn%s: %.6g mm, %.6g s", plan.turns.size(),
                 plan.turns.size() == 1 ? "" : "s", plan.path_length, plan.motion.duration);
   const std::vector<BezierPiece> all = curves(plan, plan.path.pieces.size());
+  const auto& pieces = plan.path.pieces;
+  const winding::FixedPiece& end = plan.support[pieces.back().fixed];
+  std::size_t last = pieces.size();
+  while (last > 0 && plan.support[pieces[last - 1].fixed].turn == end.turn &&
+         plan.support[pieces[last - 1].fixed].coil == end.coil)
+    --last;
   return winding::path_drawing(
       {title, all,
        std::visit([](const auto& part) { return winding::part_outline(part, winding::checked_slot(part)); },
-                  request.part)});
+                  request.part),
+       last, plan.turns.size()});
 }
 
 std::string turn_curvature_drawing(const WindingPlan& plan) {

@@ -1,7 +1,9 @@
 #include "core/plan/winding/winding_plan.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 #include <span>
 #include <utility>
@@ -28,7 +30,16 @@ using winding::StatorPart;
 
 // Of the longest step: each setpoint is nearer to its own place than to those of its neighbours.
 constexpr double most_lag = 0.5;
+// By which an axis' setpoint may be off the motion, mm or deg: inverse of the arc length and rounding.
+constexpr double rounding_of_rows = 1e-10;
+// Wires whose pile is decided beyond those that are wound: 400 take some 0.5 s, 1200 ten.
+constexpr std::size_t most_decided = 400;
 constexpr double clearance_tolerance = 0.001;  // mm
+// Where links have the tangent alone in common an axis' acceleration steps at joints, by jerk · cycle time at most
+// (core/motion/grid/sections.hpp). A third difference of setpoints is the mean of the jerk weighed by the quadratic
+// B-spline over three cycles, whose peak is 3/(4 T): a step counts with up to 3/4 of the limit, beside the jerk itself.
+// Planned with this share of the limit both together keep it.
+constexpr double share_beside_steps = 1 / 1.75;
 // Where the stages end, as shares of the whole job.
 constexpr double fitted = 0.03, laid = 0.05, linked = 0.2, cleared = 0.25, reached = 0.3, planned = 0.97;
 
@@ -71,17 +82,69 @@ class Planner {
     for (const winding::Coil& coil : request_.coils) regions.push_back(winding::coil_regions(part, slot, coil));
     ProgressPart laying(progress_, "layout", 0, fitted);
     plan_.layout = winding::needle(regions.front(), request_.wire.radius(), slot.tension_point, laying);
-    const std::size_t most = plan_.layout[0].wires.size();
-    if (most == 0) throw fault({"wire"}, "does not fit into the slot");
+    const std::size_t places = plan_.layout[0].wires.size(), parallel = request_.parallel, most = places / parallel;
+    if (places == 0) throw fault({"wire"}, "does not fit into the slot");
+    if (most == 0)
+      throw fault({"coil", "parallel"}, "are " + std::to_string(parallel) +
+                                            " wires in hand; the layout of this wire has places for " +
+                                            std::to_string(places));
     if (request_.turns > most)
-      throw fault({"coil", "turns"}, "need " + std::to_string(request_.turns) +
-                                         " places; the layout of this wire has " + std::to_string(most));
-    plan_.turns =
-        winding::turns_of(regions, plan_.layout, request_.turns > 0 ? request_.turns : most, request_.wire.radius());
+      throw fault({"coil", "turns"}, "need " + std::to_string(request_.turns * parallel) +
+                                         " places; the layout of this wire has " + std::to_string(places));
+    plan_.turns = winding::turns_of(regions, plan_.layout, request_.turns > 0 ? request_.turns : most,
+                                    request_.wire.radius(), parallel);
+    decide_windable(slot);
     if (request_.law == FeedLaw::bspline && plan_.turns.size() > max_spline_turns)
       throw fault({"feed", "law"}, too_many_spline_turns(plan_.turns.size()));
     ProgressPart supporting(progress_, "support points", fitted, laid);
     plan_.support = support(part, supporting);
+    check_depth(slot_depth(part, slot));
+  }
+  /// How deep the tip goes into the slot, mm: below a stator's bore, under a rotor's outer circle.
+  double slot_depth(const StatorPart& part, const winding::Slot&) const {
+    return farthest([bore = winding::bore(part) / 2](double from_axis) { return from_axis - bore; });
+  }
+  double slot_depth(const RotorPart& part, const winding::Slot& slot) const {
+    double outer = 0;
+    for (const Edge& edge : slot.iron.edges())
+      outer =
+          std::max(outer, std::hypot(part.heads.tooth_radius + edge.from.x, part.heads.tooth_half_width + edge.from.y));
+    return farthest([outer](double from_axis) { return outer - from_axis; });
+  }
+  template <class Depth>
+  double farthest(Depth depth) const {
+    double most = 0;
+    for (const FixedPiece& piece : plan_.support)
+      if (piece.kind == FixedPiece::Kind::region && piece.region % 2 == 0)
+        for (const winding::SupportPoint* point : {&piece.begin, &piece.end})
+          most = std::max(most, depth(std::hypot(point->pose.tip.x, point->pose.tip.y)));
+    return most;
+  }
+  /// Holder and swivel stay out of the slot.
+  void check_depth(double depth) const {
+    const auto deep = [&](const char* what) {
+      char text[160];
+      std::snprintf(text, sizeof text, "is too short: the tip goes %.4g mm deep into the slot, and %s with it", depth,
+                    what);
+      return std::string(text);
+    };
+    if (request_.needle.length < depth) throw fault({"needle", "length"}, deep("the needle's holder"));
+    if (request_.swivel_length < depth) throw fault({"machine", "l_tool"}, deep("the swivel"));
+  }
+  /// Whether the layout can be wound, by the verdict of kind fill_factor.
+  void decide_windable(const winding::Slot& slot) {
+    const std::size_t wanted = plan_.turns.size() / request_.coils.size() * request_.parallel;
+    std::array<winding::Layout, 2> layouts{plan_.layout[0], plan_.layout[2]};
+    for (winding::Layout& layout : layouts) {
+      const std::size_t count = std::min(layout.wires.size(), std::max(wanted, most_decided));
+      layout.wires.resize(count), layout.tension_points.resize(count);
+    }
+    winding::LaidCoil coil{slot, request_.wire.radius(), layouts[0], slot.tension_point,
+                           winding::Needle{request_.needle.width}};
+    coil.back = &layouts[1];
+    coil.swivels = request_.model.pivot_limit.has_value();
+    ProgressPart verdict(progress_, "layout", fitted, fitted);
+    plan_.windable = winding::windable(coil, request_.hold, verdict);
   }
   std::vector<FixedPiece> support(const StatorPart& part, Progress& progress) const {
     return winding::support_points(part, request_.coils, plan_.turns, needle_model(), progress);
@@ -121,8 +184,8 @@ class Planner {
     const winding::QuickLinks quick = winding::quick_links(
         plan_.support, plan_.path, substitute, request_.links,
         [&](std::span<const BezierPiece> pieces) { return timer(pieces); }, timing);
-    LinkTimes times{timer.exact(smooth), timer.exact(substitute.curves()), timer.exact(quick.path.curves()),
-                    quick.changed, LinkChoice::curvature};
+    // Links are looked for by the shortest law; which path is taken is decided by the feed that was asked for.
+    LinkTimes times{timed(plan_.path), timed(substitute), timed(quick.path), quick.changed, LinkChoice::curvature};
     const double allowed = std::min(request_.least_clearance, clear(smooth, linked).minimum);
     double least = times.curvature;
     const auto take = [&](double time, const winding::NeedlePath& path, LinkChoice choice) {
@@ -179,14 +242,15 @@ class Planner {
     return winding::part_obstacles(part, slot);
   }
 
-  void move() {
+  /// Of the motion along a path, which `tool` and `machine` are of.
+  PathPlanning planning_of(const winding::NeedlePath& path, const Path& tool, const MachinePath& machine) const {
     PathPlanning planning;
-    planning.path = planning.moving = plan_.machine.axes;
-    planning.machine = {plan_.machine.kinematics->axes(), request_.cycle_time};
-    const std::size_t n = plan_.tool->tool.size();
+    planning.path = planning.moving = machine.axes;
+    planning.machine = {machine.kinematics->axes(), request_.cycle_time};
+    const std::size_t n = tool.size();
     const CurvatureFeedLimits curvature{request_.chord_tolerance, request_.cycle_time, request_.half_speed_curvature,
                                         request_.along.velocity};
-    planning.feeds = planning.feeds_to_verify = curvature_feeds(plan_.tool->tool, curvature);
+    planning.feeds = planning.feeds_to_verify = curvature_feeds(tool, curvature);
     planning.rests = std::vector<bool>(n + 1, false);
     planning.rests.front() = planning.rests.back() = true;
     planning.method = request_.law == FeedLaw::bspline ? PlanningMethod::spline : request_.feed;
@@ -195,10 +259,35 @@ class Planner {
     // The speed that is allowed where the path is straight limits a feed, it is none.
     if (!(request_.half_speed_curvature < unlimited) && request_.along.velocity < unlimited)
       planning.options.feed = request_.along.velocity;
-    for (std::size_t i = 0; i < n; ++i)
-      planning.options.shares.push_back(plan_.path.pieces[plan_.tool->tool[i].source()].share);
+    for (std::size_t i = 0; i < n; ++i) planning.options.shares.push_back(path.pieces[tool[i].source()].share);
     planning.max_setpoints = request_.max_setpoints;
     planning.shown = NeedleSetpoints::shown(planning.machine);
+    // A feed that is given is not slowed: the differences of its setpoints tell whether it can be had.
+    const bool given = request_.feed == PlanningMethod::constant && planning.options.feed > 0;
+    if (request_.links.continuity < 2 && !given) planning.jerk_share = share_beside_steps;
+    return planning;
+  }
+
+  /// How long the whole path takes with the feed that was asked for, s; infinite where it cannot be had.
+  double timed(const winding::NeedlePath& path) {
+    const PosePath tool = pose_path(path.curves());
+    try {
+      const MachinePath machine = machine_path(tool.tool, tool.orientation, request_.configurations);
+      PathPlanning planning = planning_of(path, tool.tool, machine);
+      planning.only_duration = true;
+      planning.from = planning.to = linked;
+      return plan_along(planning, progress_).duration;
+    } catch (const UnreachablePose&) {
+      return unlimited;
+    } catch (const FeedTooFast&) {
+      return unlimited;
+    } catch (const Infeasible&) {
+      return unlimited;
+    }
+  }
+
+  void move() {
+    PathPlanning planning = planning_of(plan_.path, plan_.tool->tool, plan_.machine);
     const auto wire =
         std::make_shared<const WireRun>(plan_.tool, winding::anchors(plan_.path.pieces, plan_.support, plan_.turns),
                                         request_.model.pull, request_.tension);
@@ -222,10 +311,10 @@ class Planner {
     plan_.wire = wire->figures(*plan_.motion.setpoints, *plan_.motion.motion, progress_);
     for (Check& check : wire_checks(plan_.wire, request_.tension.permitted))
       plan_.motion.verification.add(std::move(check));
-    if (request_.interpolator == Interpolator::exact) return;
-    for (Check& check : difference_checks(
-             {*plan_.motion.setpoints, planning.machine, planning.shown, plan_.motion.verification}, progress_))
-      plan_.motion.verification.add(std::move(check));
+    DifferenceInput differences{*plan_.motion.setpoints, planning.machine, planning.shown, plan_.motion.verification};
+    differences.rounding = rounding_of_rows;
+    if (request_.interpolator != Interpolator::exact) differences.feed_tolerance = request_.feed_tolerance;
+    for (Check& check : difference_checks(differences, progress_)) plan_.motion.verification.add(std::move(check));
   }
 
   /// Measures all interpolators; the one that was asked for, nothing of the exact one: its places are the law's.
@@ -261,9 +350,12 @@ class Planner {
   }
 
   void tell() {
-    plan_.wire_length = winding::wire_length(request_.part, request_.coils, plan_.turns);
-    plan_.resistance = winding::resistance_per_metre(request_.wire, 1, request_.temperature) * plan_.wire_length / 1000;
-    plan_.strokes_per_minute = 120 * static_cast<double>(plan_.turns.size()) / plan_.motion.duration;
+    const double length = winding::wire_length(request_.part, request_.coils, plan_.turns),
+                 in_hand = static_cast<double>(request_.parallel);
+    plan_.wire_length = in_hand * length;
+    plan_.resistance =
+        winding::resistance_per_metre(request_.wire, request_.parallel, request_.temperature) * length / 1000;
+    plan_.strokes_per_minute = 60 * in_hand * static_cast<double>(plan_.turns.size()) / plan_.motion.duration;
     plan_.fastest = peak_speed(plan_.motion.motion->law());
     for (const LawPiece& piece : plan_.motion.motion->law().pieces())
       plan_.jerk.along = std::max({plan_.jerk.along, std::abs(piece.j), std::abs(piece.at(piece.duration).j)});
@@ -282,12 +374,20 @@ class Planner {
     if (!(plan_.clearance.minimum < unlimited)) return;
     Check check{"needle clearance", "mm", request_.least_clearance, plan_.clearance.minimum, 0, false};
     check.passed = check.value >= check.limit;
-    for (const LawPiece& law : plan_.motion.motion->law().pieces()) {
-      if (tool[law.segment].source() < plan_.clearance.move) continue;
-      check.at = law.t0;
-      break;
-    }
+    check.at = time_at(tool_length(tool, plan_.clearance.move, plan_.clearance.at));
     plan_.motion.verification.add(std::move(check));
+  }
+
+  /// When the needle is `s` mm along its path, s: to a millionth of the law's piece.
+  double time_at(double s) const {
+    const auto& pieces = plan_.motion.motion->law().pieces();
+    for (const LawPiece& law : pieces) {
+      double low = 0, high = law.duration;
+      if (law.at(high).s < s) continue;
+      while (high - low > 1e-6 * law.duration) (law.at((low + high) / 2).s < s ? low : high) = (low + high) / 2;
+      return law.t0 + high;
+    }
+    return plan_.motion.motion->duration();
   }
 
   const WindingRequest& request_;
@@ -296,6 +396,12 @@ class Planner {
 };
 
 }  // namespace
+
+double tool_length(const Path& tool, std::size_t piece, double v) {
+  for (std::size_t i = 0; i < tool.size(); ++i)
+    if (tool[i].source() == piece && v <= tool[i].curve().end()) return tool[i].arc_length(v);
+  return tool.length();
+}
 
 std::string too_many_spline_turns(std::size_t turns) {
   return "bspline is for comparison: it plans " + std::to_string(max_spline_turns) + " turns at most, these are " +

@@ -18,6 +18,7 @@
 #include "core/plan/winding/pose_path.hpp"
 #include "core/plan/winding/wire_run.hpp"
 #include "core/winding/laying/needle.hpp"
+#include "core/winding/laying/windable.hpp"
 #include "core/winding/needle/clearance.hpp"
 #include "core/winding/needle/support_points.hpp"
 #include "core/winding/part/turns.hpp"
@@ -51,11 +52,15 @@ struct WindingRequest {
   winding::Wire wire;
   std::vector<winding::Coil> coils;  ///< in the order in which they are wound, one at least
   std::size_t turns = 0;             ///< of each coil; 0: as many as the slot takes
+  std::size_t parallel = 1;          ///< wires in hand: every turn lays as many
+  winding::ProducibleOptions hold;   ///< what holds a wire that was laid
   winding::NeedleModel model;
   winding::TensionModel tension;  ///< its force is model.pull's
+  double bears = 0;               ///< the pull at which the wire breaks, N
   winding::NeedleShape needle;
-  winding::ToolPost tool;      ///< of a stator's winding tools
-  double least_clearance = 0;  ///< that the needle has to keep, mm
+  double swivel_length = unlimited;  ///< from the swivel's axis to the needle's tip, mm
+  winding::ToolPost tool;            ///< of a stator's winding tools
+  double least_clearance = 0;        ///< that the needle has to keep, mm
   winding::LinkOptions links;
   /// β and weights of the links by the time that the machine takes, from those of `links` on
   /// (core/winding/path/quick_links.hpp).
@@ -67,16 +72,18 @@ struct WindingRequest {
   FeedLaw law = FeedLaw::convex;                       ///< of jerk_limited
   /// Of constant and critical_points.
   SpeedProfile profile = SpeedProfile::double_s;
-  Limits along;                             ///< of the needle along its path: feed mm/s, tangential acceleration, jerk
-  double chord_tolerance = unlimited;       ///< mm, of the path from the chords between setpoints
+  Limits along;                        ///< of the needle along its path: feed mm/s, tangential acceleration, jerk
+  double feed_tolerance = 0.004;       ///< fraction by which setpoints of an interpolator may exceed along.velocity
+  double chord_tolerance = unlimited;  ///< mm, of the path from the chords between setpoints
   double half_speed_curvature = unlimited;  ///< 1/mm, at which half of along.velocity is allowed
   double temperature = 20;                  ///< °C, of the coil's resistance
   Interpolator interpolator = Interpolator::exact;
   double max_setpoints = 20'000'000;
 };
 
-/// What links by time gain: shortest durations of the whole path under limited jerk, s. The least of them is taken, but
-/// for paths that come nearer to what the needle must not touch than the smoothest does and the request allows.
+/// What links by time gain: durations of the whole path with the feed that was asked for, s. The least of them is
+/// taken, but for paths that come nearer to what the needle must not touch than the smoothest does and the request
+/// allows.
 struct LinkTimes {
   double curvature = 0, control_distance = 0, minimum_time = 0;
   std::size_t changed = 0;  ///< links that are not the smoothest, of the path with quick links
@@ -85,6 +92,7 @@ struct LinkTimes {
 
 struct WindingPlan {
   winding::NeedleLayout layout;              ///< of all four regions: as many wires as the slot takes
+  winding::Windable windable;                ///< the verdict on the layout: its first 400 wires, and all that are wound
   std::vector<winding::Turn> turns;          ///< of all coils
   std::vector<winding::FixedPiece> support;  ///< the support points are their ends
   winding::NeedlePath path;
@@ -95,14 +103,14 @@ struct WindingPlan {
   MachinePath machine;
   PathPlan motion;         ///< its verification is the whole plan's: clearance and forward kinematics, too
   double path_length = 0;  ///< mm
-  double wire_length = 0;  ///< mm, of all coils: through the middle of the wire's places
+  double wire_length = 0;  ///< mm, of all wires of all coils: through the middle of their places
   double resistance = 0;   ///< Ω, of all coils in series
   double fastest = 0;      ///< mm/s, of the needle along its path
   /// Its jerk: the largest along the path, and in space with when [(4.80)], mm/s³, s.
   struct Jerk {
     double along = 0, total = 0, at = 0;
   } jerk;
-  double strokes_per_minute = 0;             ///< passages of the needle through slots: two per turn
+  double strokes_per_minute = 0;             ///< wires in hand by the mean time of a turn [Herrmann (2.3)]
   std::vector<double> turn_begins;           ///< s, when each turn begins
   WireFigures wire;                          ///< of the setpoints
   std::vector<FeedFluctuation> fluctuation;  ///< of all `interpolators`, in their order
@@ -124,6 +132,9 @@ struct FeedTooFastAtTurn : FeedTooFast {
       : FeedTooFast(text, feed.limit, feed.asked), coil(piece.coil), turn(piece.turn), region(piece.region) {}
   std::size_t coil, turn, region;
 };
+
+/// Where a needle's path is at parameter `v` of a piece, mm.
+double tool_length(const Path& tool, std::size_t piece, double v);
 
 /// Throws InvalidInput naming members of the kind's document (part, coil, machine, path, feed, pull, needle);
 /// Infeasible; FeedTooFastAtTurn; UnreachableTurn; Stopped. Cost: some ms per turn and machine.

@@ -15,6 +15,10 @@ struct DifferenceInput {
   std::vector<double> shown;  ///< per axis: what one of its units is in its column
   /// The verdict on the motion that the rows were taken from: what it is held to, the rows are, too.
   const Verification& motion;
+  /// By how much positions may be off by rounding, in their column's unit: a difference of order n is off by 2ⁿ of it.
+  double rounding = 0;
+  /// A fraction by which the speed along the path may exceed its limit: what is stated of an interpolator's feed.
+  double feed_tolerance = 0;
 };
 
 /// Of every check `velocity <axis>`, `acceleration <axis>`, `jerk <axis>`, `path velocity`, `path acceleration`, `path
@@ -22,8 +26,9 @@ struct DifferenceInput {
 /// difference of consecutive rows' positions, divided by the cycle time to the first, second or third power. That is
 /// the mean of the derivative over one, two or three cycles: rows taken exactly from a motion keep what the motion
 /// keeps (mean value theorem), so this is for rows that an interpolator puts a little off it, where the motion's own
-/// peaks say nothing. value ≤ limit · (1 + 1e-9); missing columns and what is not a number fail. `at` is the middle of
-/// the rows. Reads all rows, 1024 at a time; 0.05 µs per row besides reading.
+/// peaks say nothing, and for paths whose joints let the acceleration step. value ≤ limit · (1 + 1e-9); missing columns
+/// and what is not a number fail. `at` is the middle of the rows. Reads all rows, 1024 at a time; 0.05 µs per row
+/// besides reading.
 std::vector<Check> difference_checks(const DifferenceInput& input, Progress& progress);
 
 }  // namespace bahnwerk

@@ -40,9 +40,13 @@ const char* colour(double clearance, double most) {
   return steps[std::min(step, steps.size() - 1)];
 }
 
-/// Cells of one row that have one colour as one rectangle.
+/// Cells of one row that have one colour as one rectangle. The first and last of a row reach one cell further: the
+/// slot's outline clips them where its wall lies.
 std::string cells(const ClearanceMap& map, const Window& window, double most) {
   std::string out;
+  const auto inside = [&](std::size_t column, std::size_t row) {
+    return column < map.columns && !std::isnan(map.at(column, row));
+  };
   for (std::size_t row = 0; row < map.rows; ++row)
     for (std::size_t column = 0; column < map.columns;) {
       if (std::isnan(map.at(column, row))) {
@@ -52,8 +56,11 @@ std::string cells(const ClearanceMap& map, const Window& window, double most) {
       const char* const shade = colour(map.at(column, row), most);
       std::size_t end = column + 1;
       while (end < map.columns && !std::isnan(map.at(end, row)) && colour(map.at(end, row), most) == shade) ++end;
-      const Point corner = window(map.middle(column, row) + Point{-map.step / 2, map.step / 2});
-      out += rectangle(corner, scale * map.step * static_cast<double>(end - column), scale * map.step, fill(shade));
+      const bool first = column == 0 || !inside(column - 1, row), last = !inside(end, row);
+      const Point corner =
+          window(map.middle(column, row) + Point{first ? -1.5 * map.step : -map.step / 2, map.step / 2});
+      const double cells = static_cast<double>(end - column + (first ? 1 : 0) + (last ? 1 : 0));
+      out += rectangle(corner, scale * map.step * cells, scale * map.step * (row == 0 ? 2 : 1), fill(shade));
       column = end;
     }
   return out;
@@ -106,12 +113,13 @@ std::string clearance_drawing(const StatorIron& iron, std::span<const DrawnClear
     out += svg::text({x, margin + 34}, drawn.title, "fill=\"#20242a\"");
     out += svg::text({x, margin + 53}, format("%.0f %% of the slot accessible", 100 * drawn.map.share(0)),
                      "font-size=\"12\" fill=\"#4a525c\"");
+    const std::string slot = "<path" + svg::attribute("d", region_path(iron.air(), window, scale));
     out += "<clipPath id=\"" + id + "\">" + rectangle(window.corner, wide, tall, "") + "</clipPath>\n";
+    out += "<clipPath id=\"" + id + "_outline\">" + slot + "/></clipPath>\n";
     out += rectangle(window.corner, wide, tall, fill(look::liner));
     out += "<g clip-path=\"url(#" + id + ")\">\n";
-    const std::string slot = "<path" + svg::attribute("d", region_path(iron.air(), window, scale));
-    out += slot + " fill=\"#ffffff\"/>\n" + "<g shape-rendering=\"crispEdges\">\n" + cells(drawn.map, window, most) +
-           "</g>\n";
+    out += slot + " fill=\"#ffffff\"/>\n" + "<g clip-path=\"url(#" + id +
+           "_outline)\" shape-rendering=\"crispEdges\">\n" + cells(drawn.map, window, most) + "</g>\n";
     out += slot + " fill=\"none\" stroke=\"" + look::outline + "\" stroke-width=\"1.6\"/>\n</g>\n";
     x += wide + margin;
   }

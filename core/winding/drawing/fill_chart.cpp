@@ -41,18 +41,34 @@ Scale scale(double least, double most, double step, double pixel_from, double pi
   return {from, std::max(to, from + step), pixel_from, pixel_to};
 }
 
-std::string curve(const std::vector<Point>& points, const Look& style, const char* dash) {
+/// The mark of enamel number `which`: a dot, a ring, a square, an open square.
+std::string mark(Point p, std::size_t which, const char* colour) {
+  const bool open = which % 2 == 1;
+  const std::string look = std::string("fill=\"") + (open ? "#ffffff" : colour) + "\" stroke=\"" + colour + "\"";
+  if (which % 4 < 2) return svg::circle(p, open ? 3.2 : 2.6, look);
+  return "<rect" + svg::attribute("x", svg::number(p.x - 3)) + svg::attribute("y", svg::number(p.y - 3)) +
+         " width=\"6\" height=\"6\" " + look + "/>\n";
+}
+
+std::string curve(const std::vector<Point>& points, const Look& style, std::size_t enamel, const char* dash) {
   std::string d;
   for (const Point& p : points) d += (d.empty() ? "M" : "L") + svg::number(p.x) + " " + svg::number(p.y);
   std::string out =
       "<path d=\"" + d + "\" fill=\"none\" stroke-width=\"2\" stroke=\"" + style.colour + "\"" + dash + "/>\n";
-  for (const Point& p : points) out += svg::circle(p, 2.6, std::string("fill=\"") + style.colour + "\"");
+  for (const Point& p : points) out += mark(p, enamel, style.colour);
   return out;
 }
 
 }  // namespace
 
-std::string fill_chart(std::span<const FillCurve> curves, const std::string& title) {
+std::string fill_chart(std::span<const FillCurve> given, const std::string& title) {
+  std::vector<FillCurve> curves(given.begin(), given.end());
+  for (FillCurve& c : curves)
+    std::stable_sort(c.values.begin(), c.values.end(),
+                     [](const auto& a, const auto& b) { return a.copper < b.copper; });
+  std::vector<std::string> enamels;
+  for (const FillCurve& c : curves)
+    if (std::find(enamels.begin(), enamels.end(), c.enamel) == enamels.end()) enamels.push_back(c.enamel);
   double thin = 1e300, thick = 0, least = 1, most = 0;
   for (const FillCurve& c : curves)
     for (const auto& v : c.values) {
@@ -83,17 +99,29 @@ std::string fill_chart(std::span<const FillCurve> curves, const std::string& tit
                    "text-anchor=\"middle\" fill=\"#4a525c\"");
   out += svg::text({left, top - 10}, "fill factor in %: electrical solid, mechanical dashed", "fill=\"#4a525c\"");
   double at = left;
+  std::vector<Algorithm> named;
   for (const FillCurve& c : curves) {
     const Look style = look(c.algorithm);
+    const std::size_t enamel =
+        static_cast<std::size_t>(std::find(enamels.begin(), enamels.end(), c.enamel) - enamels.begin());
     std::vector<Point> electrical, mechanical;
     for (const auto& v : c.values) {
       electrical.push_back({x(v.copper), y(100 * v.electrical)});
       mechanical.push_back({x(v.copper), y(100 * v.mechanical)});
     }
-    out += curve(electrical, style, "") + curve(mechanical, style, " stroke-dasharray=\"6 4\"");
+    out += curve(electrical, style, enamel, "") + curve(mechanical, style, enamel, " stroke-dasharray=\"6 4\"");
+    if (std::find(named.begin(), named.end(), c.algorithm) != named.end()) continue;
+    named.push_back(c.algorithm);
     out += svg::segment({at, 50}, {at + 22, 50}, std::string("stroke-width=\"3\" stroke=\"") + style.colour + "\"");
     out += svg::text({at + 28, 55}, style.name, "fill=\"#20242a\"");
     at += 50 + 7.6 * static_cast<double>(std::string(style.name).size());
+  }
+  if (enamels.size() > 1) {
+    double from = width - right;
+    for (std::size_t k = enamels.size(); k-- > 0;) {
+      from -= 26 + 7.2 * static_cast<double>(enamels[k].size());
+      out += mark({from, top - 15}, k, "#4a525c") + svg::text({from + 10, top - 10}, enamels[k], "fill=\"#4a525c\"");
+    }
   }
   return out + "</svg>\n";
 }

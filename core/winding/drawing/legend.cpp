@@ -83,7 +83,8 @@ Legend legend(const Slot& slot, const DrawnWires& drawn, bool layerless, Point a
     entries.swatch(look::layers[0], look::enamel,
                    format("wire: copper %.4g mm, %.4g with enamel", drawn.copper, 2 * drawn.radius), 7);
     if (drawn.numbered) entries.sign("7", "#20242a", "number: order of laying");
-    entries.colours("colour: layer, from the base up");
+    entries.colours(drawn.rows && std::abs(std::sin(*drawn.rows)) > 0.5 ? "colour: layer, a row along the flank"
+                                                                        : "colour: layer, from the base up");
     if (layerless) entries.swatch(look::nowhere, look::enamel, "wire that no layer carries", 7);
   }
   if (!drawn.slipping.empty()) entries.sign("✕", look::slips, "wire that does not stay");

@@ -12,8 +12,8 @@
 namespace bahnwerk::winding {
 namespace {
 
-constexpr double size = 860, margin = 24, title_height = 40, foot = 40, fine = 0.3;  // px
-constexpr std::array<const char*, 6> colours{"#1f5fbf", "#1d8fa8", "#1d8a5f", "#9aa526", "#d9730d", "#c1121f"};
+constexpr double size = 860, margin = 24, title_height = 56, foot = 40, fine = 0.3;  // px
+constexpr const char* curve_colour = "#1f5fbf";
 
 /// Isometric: x and y lead down to the left and to the right, 30° below the horizontal; mm of the paper, y upwards.
 Point isometric(Vec p) {
@@ -45,11 +45,17 @@ std::string format(const char* text, double a) {
   return out;
 }
 
-std::string drawn(const drawing::Thinned& lines, const char* colour, double width) {
+/// Of turns before the last, so that many of them leave it readable.
+double faintness(std::size_t turns) {
+  return turns <= 2 ? 0.7 : std::max(0.3, 1.6 / std::sqrt(static_cast<double>(turns)));
+}
+
+std::string drawn(const drawing::Thinned& lines, const char* colour, double width, double opacity = 1) {
   if (lines.data().empty()) return {};
   return "<path" + svg::attribute("transform", format("scale(%.9g)", lines.lattice())) +
          svg::attribute("d", lines.data()) + svg::attribute("stroke", colour) +
          svg::attribute("stroke-width", svg::number(width / lines.lattice())) +
+         (opacity < 1 ? svg::attribute("stroke-opacity", format("%.3g", opacity)) : "") +
          " fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\"/>\n";
 }
 
@@ -79,6 +85,37 @@ double tick(double most, double count) {
 
 }  // namespace
 
+namespace {
+
+constexpr const char *way_colour = "#1f5fbf", *last_colour = "#c1121f", *begin_colour = "#1d8a5f",
+                     *outline_colour = "#b6bcc5";
+
+std::string key(Point at, std::size_t turns, bool several) {
+  std::string out;
+  const auto words = [&](const char* text) {
+    out += svg::text(at + Point{34, 4}, text, "font-size=\"12\" fill=\"#20242a\"");
+    at.x += 46 + 6.4 * static_cast<double>(std::string(text).size());
+  };
+  const auto line = [&](const char* colour, double width, double opacity, const char* text) {
+    char look[120];
+    std::snprintf(look, sizeof look, "stroke=\"%s\" stroke-width=\"%g\" stroke-opacity=\"%.3g\"", colour, width,
+                  opacity);
+    out += svg::segment(at, at + Point{26, 0}, look);
+    words(text);
+  };
+  if (several) line(way_colour, 1.2, faintness(turns), turns > 2 ? "turns before" : "turn before");
+  line(last_colour, 2, 1, several ? "last turn" : "needle's tip");
+  out += svg::circle(at + Point{13, 0}, 4.5, std::string("fill=\"") + begin_colour + "\"");
+  words("begin");
+  out += svg::circle(at + Point{13, 0}, 4.5,
+                     std::string("fill=\"#ffffff\" stroke-width=\"2\" stroke=\"") + last_colour + "\"");
+  words("end");
+  line(outline_colour, 0.7, 1, "part");
+  return out;
+}
+
+}  // namespace
+
 std::string path_drawing(const DrawnPath& path) {
   View view;
   for (const SpaceLine& line : path.outline)
@@ -94,20 +131,30 @@ std::string path_drawing(const DrawnPath& path) {
     for (const Vec at : line) outline.to(view(at));
     outline.end();
   }
-  std::vector<drawing::Thinned> way(colours.size(), drawing::Thinned(fine));
+  drawing::Thinned before(fine), last(fine);
   const double tolerance = 0.1 * fine / view.scale;
-  for (std::size_t k = 0; k < path.pieces.size(); ++k) {
-    drawing::Thinned& line = way[k * colours.size() / path.pieces.size()];
-    const std::vector<SplinePoint> points = spline_points(path.pieces.subspan(k, 1), tolerance, 1);
-    line.begin(view(place(points.front())));
-    for (const SplinePoint& p : points) line.to(view(place(p)));
-    line.end();
-  }
+  const auto append = [&](drawing::Thinned& line, std::size_t first, std::size_t end) {
+    for (std::size_t k = first; k < end; ++k) {
+      const std::vector<SplinePoint> points = spline_points(path.pieces.subspan(k, 1), tolerance, 1);
+      line.begin(view(place(points.front())));
+      for (const SplinePoint& p : points) line.to(view(place(p)));
+      line.end();
+    }
+  };
+  const std::size_t split = std::min(path.last_turn, path.pieces.size());
+  append(before, 0, split);
+  append(last, split, path.pieces.size());
   const double height = margin + title_height + view.scale * (view.high.y - view.low.y) + foot + 2 * margin;
-  std::string out = svg::open(std::max(480.0, 2 * margin + view.scale * (view.high.x - view.low.x)), height);
+  std::string out = svg::open(std::max(560.0, 2 * margin + view.scale * (view.high.x - view.low.x)), height);
   out += svg::text({margin, margin + 6}, path.title, "font-size=\"16\" fill=\"#20242a\"");
-  out += drawn(outline, "#b6bcc5", 0.7);
-  for (std::size_t i = 0; i < way.size(); ++i) out += drawn(way[i], colours[i], 1.3);
+  out += key({margin, margin + 26}, path.turns, split > 0);
+  out += drawn(outline, outline_colour, 0.7);
+  out += drawn(before, way_colour, 1.2, faintness(path.turns)) + drawn(last, last_colour, 2);
+  if (!path.pieces.empty()) {
+    out += svg::circle(view(place(path.pieces.front().at(0)[0])), 4.5, std::string("fill=\"") + begin_colour + "\"");
+    out += svg::circle(view(place(path.pieces.back().at(1)[0])), 4.5,
+                       std::string("fill=\"#ffffff\" stroke-width=\"2\" stroke=\"") + last_colour + "\"");
+  }
   return out + scale_bar(view, height) + "</svg>\n";
 }
 
@@ -142,7 +189,7 @@ std::string curvature_chart(std::span<const BezierPiece> pieces, const std::stri
   for (std::size_t k = 0; k < points.size(); ++k)
     k == 0 ? line.begin(at(points[k].length, points[k].curvature)) : line.to(at(points[k].length, points[k].curvature));
   line.end();
-  return out + drawn(line, colours[0], 1.6) + "</svg>\n";
+  return out + drawn(line, curve_colour, 1.6) + "</svg>\n";
 }
 
 }  // namespace bahnwerk::winding

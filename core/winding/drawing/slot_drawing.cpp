@@ -45,6 +45,20 @@ std::vector<int> layers(const Region& usable_area, double radius, std::span<cons
   return layer;
 }
 
+std::vector<int> lattice_layers(double radius, double rows, std::span<const Point> wires) {
+  const Point across{-std::sin(rows), std::cos(rows)};
+  std::vector<int> layer;
+  // Neighbouring rows of a triangular lattice lie √3 radii apart.
+  for (const Point& wire : wires)
+    layer.push_back(static_cast<int>(std::lround(dot(wire - wires.front(), across) / (std::sqrt(3.0) * radius))));
+  const auto below = std::count_if(layer.begin(), layer.end(), [](int k) { return k < 0; });
+  const bool turned = 2 * static_cast<std::size_t>(below) > wires.size();
+  int least = 0;
+  for (int& k : layer) least = std::min(least, k = turned ? -k : k);
+  for (int& k : layer) k -= least;
+  return layer;
+}
+
 namespace {
 
 std::string filled(const Region& region, const Frame& frame, const char* fill, const char* stroke, const char* width) {
@@ -84,7 +98,9 @@ std::string slot_drawing(const Slot& slot, const DrawnWires& wires) {
   const Box& box = slot.iron.box();
   const double wide = box.high.x - box.low.x, high = box.high.y - box.low.y;
   const Frame frame{box, std::min(640 / wide, 760 / high)};
-  const std::vector<int> layer = layers(slot.usable_area, drawn.radius, drawn.wires);
+  const std::vector<int> layer = drawn.rows && !drawn.wires.empty()
+                                     ? lattice_layers(drawn.radius, *drawn.rows, drawn.wires)
+                                     : layers(slot.usable_area, drawn.radius, drawn.wires);
   const double size = std::min(0.75 * frame.scale * drawn.radius, 13.0);
   drawn.numbered = size > 5;
   const bool layerless = std::find(layer.begin(), layer.end(), -1) != layer.end();

@@ -96,6 +96,8 @@ std::vector<Obstruction> opening_obstructions(const Opening& opening, double rad
   if (!needle) return found;
   const double clear = needle->stand == Needle::Stand::middle ? opening.clear : opening.clear / 2;
   if (needle->width > clear + verify_margin) found.push_back({Obstruction::Part::needle, needle->width, clear, 0});
+  if (2 * radius > needle->width - verify_margin)
+    found.push_back({Obstruction::Part::bore, 2 * radius, needle->width, 0});
   return found;
 }
 

@@ -24,14 +24,16 @@ struct Obstruction {
   enum class Part {
     wire,     ///< does not pass the opening
     needle,   ///< does not pass the opening, or what the other coil side leaves of it
+    bore,     ///< the needle's: too narrow for the wire, which is led inside it
     channel,  ///< the needle's: the wires laid before leave no way to the place of `wire`
   };
   Part part = Part::wire;
-  double needed = 0, clear = 0;  ///< mm, of wire and needle
+  double needed = 0, clear = 0;  ///< mm, of wire and needle; of the bore the wire's and the needle's width
   std::size_t wire = 0;          ///< of the channel: index of the first wire without a way
 };
 
-/// Wire and needle against the opening's clear width.
+/// Wire and needle against the opening's clear width, the wire against the needle's width: a needle has walls, so a
+/// wire as thick as the needle does not run in it.
 std::vector<Obstruction> opening_obstructions(const Opening& opening, double radius, const std::optional<Needle>&);
 
 /// The first wire, in laying order, that the needle cannot bring to its place. The needle stands as deep as wires laid

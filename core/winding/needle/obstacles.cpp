@@ -10,8 +10,39 @@
 namespace bahnwerk::winding {
 namespace {
 
+/// A drawn slot's outline with the bore in place of its mouth, from one end of the opening to the other.
+Region drawn_air(const StatorPart& part, const Slot& slot) {
+  const Opening& opening = *slot.opening;
+  const double half = opening.clear / 2, axis = part.heads.base_radius;
+  const Point right = opening.middle + Point{half, 0}, left = opening.middle - Point{half, 0};
+  if (opening.middle.y >= axis)
+    throw InvalidInput({{{"part", "base_radius"}, "leaves no bore inside the slot's opening"}});
+  // From the left end on round the base to the right one.
+  const auto edges = slot.iron.edges();
+  const auto nearest = [&](Point p) {
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < edges.size(); ++i)
+      if (distance(edges[i].at(edges[i].nearest(p)), p) < distance(edges[best].at(edges[best].nearest(p)), p)) best = i;
+    return best;
+  };
+  const std::size_t first = nearest(left), last = nearest(right);
+  std::vector<Edge> loop;
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const std::size_t i = (first + k) % edges.size();
+    Edge e = edges[i];
+    if (i == first) e = e.part(e.nearest(left), 1);
+    if (i == last) e = e.part(0, e.nearest(right));
+    if (e.length() > 1e-9) loop.push_back(e);
+    if (i == last) break;
+  }
+  loop.front().from = left, loop.back().to = right;
+  loop.push_back(arc_between({0, axis}, right, left, true));
+  return Region(std::move(loop));
+}
+
 /// The slot's outline with the line between the tooth tips replaced by tips, opening and bore.
 Region air_of(const StatorPart& part, const Slot& slot) {
+  if (part.drawn) return drawn_air(part, slot);
   const double h = part.slot.height, r = part.slot.tip_corner_radius, axis = part.heads.base_radius;
   std::vector<Edge> loop;
   bool opened = false;

@@ -26,7 +26,8 @@ struct Pull {
 
 /// M of a round wire that yields all over its section: σ d³/6 with its copper diameter d, N mm.
 /// `yield_stress` N/mm²: soft-annealed copper that has been drawn over pulleys.
-double bending_moment(const Wire& wire, double yield_stress = 150);
+inline constexpr double bending_stress = 150;
+double bending_moment(const Wire& wire, double yield_stress = bending_stress);
 
 /// ρ, mm. Throws InvalidInput naming pull.force, pull.bend_radius, pull.bending_moment or pull.free_length where they
 /// are negative, not finite, or the force is 0.

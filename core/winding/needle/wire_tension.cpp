@@ -28,5 +28,6 @@ double compensating_brake(const TensionModel& model, const Drawing& drawing) {
 }
 
 double yield_pull(const Wire& wire, double stress) { return stress * std::numbers::pi / 4 * wire.copper * wire.copper; }
+double breaking_pull(const Wire& wire, double strength) { return yield_pull(wire, strength); }
 
 }  // namespace bahnwerk::winding

@@ -41,5 +41,8 @@ double compensating_brake(const TensionModel& model, const Drawing& drawing);
 /// The pull at which soft-annealed copper of that diameter yields: `stress` N/mm² times its section. Winding wire has a
 /// proof stress R_p0.2 of some 100 to 120 N/mm²; what IEC 60317-0-1 demands is the elongation at fracture.
 double yield_pull(const Wire& wire, double stress = 120);
+/// The pull at which it breaks: `strength` N/mm² times its section. Soft-annealed copper has 200 to 250 N/mm².
+inline constexpr double copper_strength = 200;
+double breaking_pull(const Wire& wire, double strength = copper_strength);
 
 }  // namespace bahnwerk::winding

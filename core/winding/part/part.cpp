@@ -1,7 +1,9 @@
 #include "core/winding/part/part.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <string>
 
 #include "core/base/errors.hpp"
@@ -53,6 +55,22 @@ LayingRegions placed(LayingRegions regions, bool mirrored, double angle) {
 
 }  // namespace
 
+StatorPart drawn_stator(const PolygonSlot& slot, double base_radius) {
+  StatorPart part;
+  part.drawn = upright(slot);
+  const Slot section = make_slot(*part.drawn);
+  const Point size = section.iron.box().high - section.iron.box().low;
+  part.slot = {};
+  part.slot.base_width = size.x;
+  part.slot.height = section.opening->middle.y;
+  part.slot.opening_width = section.opening->clear;
+  part.slot.tip_corner_radius = part.slot.base_corner_radius = 0;
+  part.slot.base_radius = part.heads.base_radius = base_radius;
+  part.slot.liner = slot.liner;
+  part.slot.wedge_thickness = part.slot.wedge_width = 0;
+  return part;
+}
+
 Coil coil_between(const StatorPart& part, int from, int to) {
   check_numbers(from, to, part.slots);
   int span = to - from;
@@ -85,14 +103,11 @@ std::vector<Coil> repeated(Coil coil, int slots, int step, std::size_t count, bo
 }
 
 Slot checked_slot(const StatorPart& part) {
-  Slot slot = make_slot(part.slot);
+  Slot slot = part.drawn ? make_slot(*part.drawn) : make_slot(part.slot);
   if (part.slots < 2) refuse({"part", "slots"}, "is less than 2: a coil needs two slots");
   if (part.heads.base_radius <= part.slot.height)
     refuse({"part", "base_radius"}, "is no more than the slot's height: the slot would reach the stator's axis");
-  // The middle of the tooth beside, seen in slot coordinates, from the axis outwards.
-  const double half = part.pitch() / 2;
-  const Point axis{0, part.heads.base_radius}, tooth{std::sin(half), -std::cos(half)};
-  if (!right_of(slot.iron, axis, tooth))
+  if (!leaves_teeth(slot, part.heads.base_radius, part.pitch()))
     refuse({"part", "slots"}, "leaves no tooth between the slots: fewer slots or a larger radius are needed");
   return slot;
 }
@@ -107,6 +122,24 @@ Slot checked_slot(const RotorPart& part) {
     refuse({"part", "poles"},
            "lets neighbouring coils reach into each other: fewer poles or a larger radius are needed");
   return slot;
+}
+
+bool leaves_teeth(const Slot& slot, double base_radius, double pitch) {
+  // The middle of the tooth beside, seen in slot coordinates, from the axis outwards.
+  return right_of(slot.iron, {0, base_radius}, {std::sin(pitch / 2), -std::cos(pitch / 2)});
+}
+
+double bore(const StatorPart& part) { return 2 * (part.heads.base_radius - part.slot.height); }
+
+double clear_way(const StatorPart&, const Slot& slot) { return slot.opening->clear; }
+
+double clear_way(const RotorPart& part, const Slot& slot) {
+  // The plane between two poles, in slot coordinates.
+  const double half = part.pitch() / 2;
+  const Point axis{-part.heads.tooth_radius, -part.heads.tooth_half_width}, middle{std::cos(half), std::sin(half)};
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Edge& e : slot.iron.edges()) nearest = std::min(nearest, -dot(e.from - axis, left_of(middle)));
+  return 2 * nearest;
 }
 
 LayingRegions coil_regions(const StatorPart& part, const Slot& slot, Coil coil) {

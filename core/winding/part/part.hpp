@@ -7,6 +7,7 @@
 /// 1] lies about pole n.
 #include <cstddef>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "core/winding/laying/laying_regions.hpp"
@@ -15,11 +16,17 @@ namespace bahnwerk::winding {
 
 struct StatorPart {
   StatorSlot slot;
+  /// A slot as it is drawn, upright(); `slot` has its height, the clear width of its opening, and no tip radius then.
+  std::optional<PolygonSlot> drawn = {};
   /// `slot_pitch` and `span` are not looked at: they follow from the number of slots and from the coil.
   StatorHeads heads;
   int slots = 48;
   double pitch() const { return 2 * std::numbers::pi / slots; }
 };
+
+/// A stator whose slot is drawn and lies with its base `base_radius` about the axis. Throws InvalidInput naming members
+/// of "slot".
+StatorPart drawn_stator(const PolygonSlot& slot, double base_radius);
 
 struct RotorPart {
   RotorSlot slot;
@@ -52,6 +59,16 @@ std::vector<Coil> repeated(Coil coil, int slots, int step, std::size_t count, bo
 /// slots or poles below 2 or so large that the slots reach into each other.
 Slot checked_slot(const StatorPart& part);
 Slot checked_slot(const RotorPart& part);
+
+/// Diameter of a stator's bore, mm.
+double bore(const StatorPart& part);
+/// The narrowest that wire and needle pass on their way to the wires' places, mm: the opening between a stator's tooth
+/// tips, the gap between the coils of a rotor's neighbouring poles.
+double clear_way(const StatorPart& part, const Slot& slot);
+double clear_way(const RotorPart& part, const Slot& slot);
+
+/// Whether a tooth is left between neighbouring slots, `pitch` rad apart, whose base lies `base_radius` about the axis.
+bool leaves_teeth(const Slot& slot, double base_radius, double pitch);
 
 /// The four laying regions of one coil, at its place in the part. Sections, and with them layouts, are the same for all
 /// coils of a span's size: a coil that goes counterclockwise mirrors one that goes clockwise. `slot` is

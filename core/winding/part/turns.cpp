@@ -22,27 +22,41 @@ std::vector<int> layers(const std::vector<Point>& wires, double radius, double t
   return found;
 }
 
+namespace {
+
+/// The middle of the places that turn `i` takes.
+Point middle(const Layout& layout, std::size_t i, std::size_t parallel) {
+  Point sum{};
+  for (std::size_t k = i * parallel; k < (i + 1) * parallel; ++k) sum = sum + layout.wires[k];
+  return (1 / static_cast<double>(parallel)) * sum;
+}
+
+}  // namespace
+
 std::vector<Turn> turns_of(const std::vector<LayingRegions>& coils, const NeedleLayout& layouts, std::size_t turns,
-                           double radius) {
+                           double radius, std::size_t parallel) {
   std::size_t least = layouts[0].wires.size();
   for (const Layout& layout : layouts) least = std::min(least, layout.wires.size());
-  if (turns > least) {
+  if (parallel == 0 || turns > least / parallel) {
     char text[120];
-    std::snprintf(text, sizeof text, "the coil has %zu turns, slots and winding heads take %zu", turns, least);
+    std::snprintf(text, sizeof text, "the coil has %zu turns of %zu wires, slots and winding heads take %zu wires",
+                  turns, parallel, least);
     throw Infeasible(text);
   }
-  std::vector<Point> wires(layouts[0].wires.begin(), layouts[0].wires.begin() + static_cast<std::ptrdiff_t>(turns));
-  const std::vector<int> layer = layers(wires, radius);
+  const std::vector<int> wire_layer = layers(layouts[0].wires, radius);
+  // Of several wires in hand the first one's.
+  const auto layer = [&](std::size_t turn) { return wire_layer[turn * parallel]; };
   std::vector<Turn> list;
   list.reserve(coils.size() * turns);
   for (std::size_t coil = 0; coil < coils.size(); ++coil)
     for (std::size_t i = 0; i < turns; ++i) {
       Turn turn{
-          .coil = coil, .number = i, .at = {}, .layer = layer[i], .layer_jump = i > 0 && layer[i] != layer[i - 1]};
+          .coil = coil, .number = i, .at = {}, .layer = layer(i), .layer_jump = i > 0 && layer(i) != layer(i - 1)};
       for (std::size_t j = 0; j < 4; ++j) {
-        const Point place = layouts[j].wires[i];
+        const Point place = middle(layouts[j], i, parallel);
         // The first slot is entered from the head of the turn before.
-        const Point before = j > 0 ? layouts[j - 1].wires[i] : layouts[3].wires[i > 0 ? i - 1 : 0];
+        const Point before =
+            j > 0 ? middle(layouts[j - 1], i, parallel) : middle(layouts[3], i > 0 ? i - 1 : 0, parallel);
         turn.at[j] = {coils[coil].at[j].begin.place(place), coils[coil].at[j].end.place(place),
                       coils[coil].held((j + 3) % 4, before)};
       }

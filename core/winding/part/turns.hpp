@@ -28,9 +28,10 @@ struct Turn {
 std::vector<int> layers(const std::vector<Point>& wires, double radius, double touch = 0.02);
 
 /// Turns of coils that all have the layouts `layouts`. The first turn of a coil is held where it would be if a turn
-/// with the places of the first one had been laid before. Throws Infeasible where the layouts have fewer wires than
-/// turns. O(turns · coils).
+/// with the places of the first one had been laid before. With `parallel` wires in hand a turn takes as many places of
+/// the layouts, one after the other, and goes through the middle of them. Throws Infeasible where the layouts have
+/// fewer wires than turns · parallel. O(turns · (coils + parallel)).
 std::vector<Turn> turns_of(const std::vector<LayingRegions>& coils, const NeedleLayout& layouts, std::size_t turns,
-                           double radius);
+                           double radius, std::size_t parallel = 1);
 
 }  // namespace bahnwerk::winding

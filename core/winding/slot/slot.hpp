@@ -78,4 +78,8 @@ Slot make_slot(const RotorSlot&);
 /// Asks `progress`, if there is one: with thousands of corners this takes a tenth of a second.
 Slot make_slot(const PolygonSlot&, Progress* progress = nullptr);
 
+/// The same slot turned and shifted so that its opening lies across the y axis, level, and its lowest point at y = 0,
+/// as a stator's slot is described. Throws as make_slot does, and where it has no opening.
+PolygonSlot upright(const PolygonSlot&, Progress* progress = nullptr);
+
 }  // namespace bahnwerk::winding

@@ -36,17 +36,37 @@ double flank_of(const std::vector<Edge>& loop) {
   return angle;
 }
 
-/// Both ends on the outline, the slot on one side of the line between them.
+/// Of the outline's corners, by the shoelace formula.
+Point centroid(const Region& outline) {
+  Point sum{};
+  double twice = 0;
+  const Point origin = outline.edges().front().from;
+  for (const Edge& edge : outline.edges()) {
+    const Point a = edge.from - origin, b = edge.to - origin;
+    const double c = cross(a, b);
+    twice += c, sum = sum + c * (a + b);
+  }
+  return origin + (1 / (3 * twice)) * sum;
+}
+
+/// Both ends on the outline. The slot lies where most of its area does: the mouth between the ends may be drawn
+/// straight or as the bore's arc, which dips into the slot or, of a rotor, bulges out of it.
 Opening opening_of(const Region& iron, const std::array<Point, 2>& ends, double liner) {
+  constexpr double deepest_mouth = 0.5;  // of the opening's width, that the mouth may dip: half a circle
   const double clear = distance(ends[0], ends[1]);
   if (clear < 1e-6) SlotFaults().stop("opening", "its ends are the same");
   for (const Point end : ends)
     if (std::abs(iron.distance(end)) > 1e-3)
       SlotFaults().stop("opening", "ends " + SlotFaults::mm(std::abs(iron.distance(end))) + " away from the outline");
   Opening opening{0.5 * (ends[0] + ends[1]), left_of(unit(ends[1] - ends[0])), clear, liner};
+  if (dot(centroid(iron) - opening.middle, opening.into) < 0) opening.into = -opening.into;
   const auto depth = [&](double k) { return iron.distance(opening.middle + k * clear * opening.into); };
-  if (depth(0.01) < depth(-0.01)) opening.into = -opening.into;
-  if (!(depth(0.01) > 0)) SlotFaults().stop("opening", "does not lead into the slot");
+  bool leads = false;
+  for (double k = 0.01; k <= deepest_mouth && !leads; k += 0.01) leads = depth(k) > 0;
+  if (!leads)
+    SlotFaults().stop("opening", "does not lead into the slot: from its middle no slot is met within half its width, " +
+                                     SlotFaults::mm(clear / 2) +
+                                     "; name the two ends of the mouth, where flanks or tooth tips end");
   return opening;
 }
 
@@ -84,6 +104,22 @@ Slot make_slot(const PolygonSlot& s, Progress* progress) {
   slot.tension_point = low - Point{4, 4};
   slot.flank_tension_point = low - Point{4, 0};
   return slot;
+}
+
+PolygonSlot upright(const PolygonSlot& s, Progress* progress) {
+  if (!s.opening) SlotFaults().stop("opening", "is needed: where wire and needle get in");
+  const Opening opening = *make_slot(s, progress).opening;
+  const Point y = -opening.into, x = -left_of(y);
+  PolygonSlot turned = s;
+  const auto turn = [&](Point p) { return Point{dot(p - opening.middle, x), dot(p - opening.middle, y)}; };
+  double lowest = 0;
+  for (Point& p : turned.points) {
+    p = turn(p);
+    lowest = std::min(lowest, p.y);
+  }
+  for (Point& p : turned.points) p.y -= lowest;
+  for (Point& p : *turned.opening) p = {turn(p).x, -lowest};
+  return turned;
 }
 
 }  // namespace bahnwerk::winding

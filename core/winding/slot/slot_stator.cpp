@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -21,6 +22,18 @@ Region iron(const StatorSlot& s, SlotFaults& faults) {
   if (top <= 0) faults.stop("tip_angle", "lets the flanks meet below the opening");
   if (s.opening_width > 2 * top)
     faults.add("opening_width", "is wider than the slot at its tooth tips, " + faults.mm(2 * top));
+  if (s.height >= s.base_radius + s.liner)
+    faults.add("height",
+               "reaches the stator's axis: less than base_radius, " + faults.mm(s.base_radius) + ", is possible");
+  if (s.wedge_thickness > 0 && !(s.wedge_width > 0))
+    faults.add("wedge_width",
+               "is 0: a wedge of " + faults.mm(s.wedge_thickness) + " needs its width, or wedge_thickness 0");
+  if (s.wedge_thickness >= s.height)
+    faults.add("wedge_thickness", "is no less than the slot's height, " + faults.mm(s.height));
+  // The slot is as wide at the wedge's lower side, or at the tooth tips where it opens towards them.
+  const double lean = (half - top) / (s.height - corner), wide = 2 * (top + std::max(0.0, lean * s.wedge_thickness));
+  if (s.wedge_thickness > 0 && s.wedge_width > wide + 1e-9)
+    faults.add("wedge_width", "is wider than the slot there, " + faults.mm(wide));
   if (s.opening_width <= 2 * s.tip_corner_radius)
     faults.add("tip_corner_radius", "leaves no opening: twice the radius is less than opening_width");
   faults.stop_if_any();

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <set>
@@ -172,6 +173,77 @@ TEST(FillFactorPlan, SaysWhatBlocksTheNeedle) {
   for (const char* region : {"head_bottom", "slot_back", "head_top"})
     EXPECT_TRUE(names.count(std::string("overlap with the boundary needle, ") + region)) << region;
   EXPECT_TRUE(names.count("bound"));
+}
+
+/// A wide slot, in which the 14th wire pushes one out.
+json wide_slot(const json& turns) {
+  json slot = example("complete")["slot"];
+  slot["base_width"] = 15, slot["tip_angle"] = 98, slot["base_radius"] = 126, slot["wedge_width"] = 3;
+  return {
+      {"slot", slot},   {"wires", {1.25}},  {"algorithms", {"needle"}}, {"heads", {{"slot_pitch", 15}, {"span", 5}}},
+      {"turns", turns}, {"drawings", false}};
+}
+
+TEST(FillFactorPlan, ProducibleIsAskedOfTheTurnsThatAreWanted) {
+  SilentProgress silent;
+  const auto of = [&](const json& turns) { return json(planned(wide_slot(turns), silent).result); };
+  const json all = of({{"serial", nullptr}, {"parallel", 1}});
+  const json layout = all["details"]["layouts"][0];
+  EXPECT_FALSE(layout["producible"].get<bool>());
+  const int most = layout["windable"]["wires"], laid = layout["slips"]["laid"];
+  EXPECT_EQ(most, laid - 1);
+  EXPECT_EQ(layout["windable"]["ends_by"], "pushed_out");
+  EXPECT_TRUE(all["summary"]["best_producible"].is_null());
+  for (const int turns : {1, most - 1, most, most + 1}) {
+    const json some = of({{"serial", turns}, {"parallel", 1}});
+    EXPECT_EQ(some["details"]["layouts"][0]["producible"], turns <= most) << turns;
+    EXPECT_EQ(some["details"]["layouts"][0]["slips"].is_null(), turns <= most) << turns;
+    EXPECT_EQ(some["summary"]["best_producible"].is_null(), turns > most) << turns;
+    EXPECT_EQ(some["summary"]["windable"]["turns"], most);
+  }
+  const json pairs = of({{"serial", 4}, {"parallel", 2}});
+  EXPECT_EQ(pairs["summary"]["windable"]["turns"], most / 2);
+  EXPECT_TRUE(pairs["summary"]["producible"].get<bool>());
+}
+
+TEST(FillFactorPlan, AWireDoesNotRunInANeedleThinnerThanItself) {
+  SilentProgress silent;
+  json spec = example("complete");
+  for (const char* member : {"robustness", "turns", "wire_range"}) spec.erase(member);
+  spec["wires"] = {0.71, 1.25};
+  spec["algorithms"] = {"needle"};
+  spec["needle_width"] = 1;
+  const auto result = planned(spec, silent).result;
+  EXPECT_TRUE(result["details"]["layouts"][0]["blocked_by"].empty() ||
+              result["details"]["layouts"][0]["blocked_by"][0]["part"] == "channel");
+  const auto& thick = result["details"]["layouts"][1];
+  EXPECT_FALSE(thick["producible"].get<bool>());
+  ASSERT_EQ(thick["blocked_by"].size(), 1u);
+  EXPECT_EQ(thick["blocked_by"][0]["part"], "needle");
+  EXPECT_EQ(thick["blocked_by"][0]["passage"], "needle");
+  EXPECT_EQ(thick["blocked_by"][0]["clear"], 1);
+  EXPECT_EQ(thick["windable"]["wires"], 0);
+}
+
+TEST(FillFactorPlan, ASlotWhoseMouthIsTheBoresArcIsFilled) {
+  // 10 mm wide, 14 mm deep, fully open to a bore of 40 mm, whose arc dips 0.31 mm into it.
+  SilentProgress silent;
+  json points = json::array();
+  const double up = 14 + std::sqrt(40.0 * 40 - 25);
+  for (int k = 0; k <= 10; ++k) points.push_back({5 - k, up - std::sqrt(40.0 * 40 - (5 - k) * (5 - k))});
+  points.push_back({-5, 0});
+  points.push_back({5, 0});
+  const json spec{
+      {"slot", {{"type", "polygon"}, {"points", points}, {"liner", 0.25}, {"opening", {{-5, 14}, {5, 14}}}}},
+      {"wires", {1.0}},
+      {"algorithms", {"needle"}},
+      {"turns", {{"serial", 40}, {"parallel", 1}}},
+      {"needle_width", 2}};
+  const PlannedJob job = planned(spec, silent);
+  EXPECT_TRUE(job.verified);
+  EXPECT_GE(job.result["summary"]["count"], 80);
+  EXPECT_NEAR(job.result["details"]["slot"]["clear_opening"].get<double>(), 10, 1e-9);
+  EXPECT_TRUE(job.result["summary"]["producible"].get<bool>());
 }
 
 TEST(FillFactorPlan, RobustnessIsADistribution) {

@@ -149,9 +149,82 @@ TEST(WindingInput, ReadsTheInterpolatorAndTheWiresPull) {
   EXPECT_EQ(r.tension.permitted, 40);
   spec["pull"] = {{"force", 25}, {"brake_range", 20}, {"permitted", 24}};
   EXPECT_THAT(fault_places(spec), testing::UnorderedElementsAre("/pull/force", "/pull/brake_range"));
-  // A thin wire is drawn at its yield point: said in a note, as long as nobody says what it may bear.
+}
+
+TEST(WindingInput, ThePullFollowsFromWhatTheWireBears) {
+  json spec = example("minimal");
+  const double section = std::numbers::pi / 4 * 1.12 * 1.12;
+  EXPECT_NEAR(request(spec).tension.force, 20 * section, 1e-9) << "a tenth of 200 N/mm²";
+  EXPECT_NEAR(request(spec).model.pull.force, 20 * section, 1e-9);
+  spec["pull"] = {{"force", nullptr}, {"strength", 240}};
+  EXPECT_NEAR(request(spec).tension.force, 24 * section, 1e-9);
+  EXPECT_NEAR(request(spec).bears, 240 * section, 1e-9);
+  // Drawn thinner, which a note says, up to where it breaks.
+  spec["pull"] = {{"force", 130}};
+  EXPECT_NEAR(request(spec).tension.permitted, 200 * section, 1e-9);
   spec["pull"] = {{"force", 200}};
-  EXPECT_EQ(request(spec).tension.permitted, 200);
+  EXPECT_THAT(fault_places(spec), testing::ElementsAre("/pull/force"));
+  spec["pull"] = {{"force", 200}, {"strength", 220}};
+  EXPECT_THAT(fault_places(spec), testing::IsEmpty());
+  // A thin wire with what suits a thick one.
+  spec["wire"] = 0.25;
+  spec["pull"] = {{"force", 30}};
+  EXPECT_THAT(fault_places(spec), testing::ElementsAre("/pull/force"));
+  spec["pull"] = {{"permitted", 30}};
+  EXPECT_THAT(fault_places(spec), testing::ElementsAre("/pull/permitted"));
+}
+
+/// The first message at that place.
+std::string message_at(const json& spec, const std::string& place) {
+  try {
+    request(spec);
+  } catch (const InvalidInput& error) {
+    for (const InputFault& fault : error.faults) {
+      std::string at;
+      for (const std::string& token : fault.place) at += "/" + token;
+      if (at == place) return fault.message;
+    }
+  }
+  return {};
+}
+
+TEST(WindingInput, WhatDoesNotPassTheOpeningIsToldInMillimetres) {
+  json spec = example("complete");
+  spec["needle"]["width"] = 3.3;
+  EXPECT_THAT(message_at(spec, "/needle/width"),
+              testing::AllOf(testing::HasSubstr("3.3 mm"), testing::HasSubstr("3.083 mm")));
+  spec["needle"].erase("width");
+  spec["wire"] = 2.8;
+  EXPECT_THAT(message_at(spec, "/needle/width"),
+              testing::AllOf(testing::HasSubstr("2.6 mm (the default)"), testing::HasSubstr("2.919 mm")));
+  EXPECT_EQ(message_at(spec, "/wire"), "") << "it passes the opening";
+  // Between the coils of a rotor: 2 (x sin 30° - y cos 30°) at the pole shoe's end.
+  spec = example("minimal");
+  spec["needle"] = {{"width", 25}};
+  EXPECT_THAT(message_at(spec, "/needle/width"), testing::HasSubstr("neighbouring poles"));
+}
+
+TEST(WindingInput, SizesThatFitAreNotRefused) {
+  json spec = example("complete");
+  spec["needle"] = {{"width", 3.08}, {"length", 158.9}};
+  spec["wire"] = 0.25;
+  spec["coil"]["turns"] = 1;
+  spec["pull"] = {{"bend_radius", 0.32}, {"free_length", 0}};
+  EXPECT_THAT(fault_places(spec), testing::IsEmpty());
+  spec["tool"] = {{"height", 15.5}};
+  EXPECT_THAT(fault_places(spec), testing::IsEmpty());
+  // The post follows the height at which the wire lies.
+  spec.erase("tool");
+  spec["part"]["tool_height"] = 30;
+  EXPECT_NEAR(request(spec).tool.height, 34.5, 1e-12);
+}
+
+TEST(WindingInput, TakesASlotOfKindFillFactorAsItIs) {
+  for (const char* name : {"complete", "minimal"}) {
+    json spec = example(name);
+    spec["part"]["slot"]["type"] = spec["part"]["type"];
+    EXPECT_FALSE(test::refusal(test::job_with_spec("winding", spec).dump())) << name;
+  }
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "api/kinds/fill_factor.hpp"
 #include "api/kinds/winding/winding_result.hpp"
 #include "core/base/errors.hpp"
 #include "core/contour/dxf.hpp"
@@ -121,6 +122,186 @@ TEST(WindingPlan, LinksByTimeTellWhatTheyGain) {
   EXPECT_GT(times["changed"], 0);
   EXPECT_LT(times["minimum_time"], times["curvature"]);
   EXPECT_NEAR(job.result["summary"]["duration"].get<double>(), times["minimum_time"].get<double>(), 0.01);
+}
+
+TEST(WindingPlan, WiresInHandAreLaidTogether) {
+  json spec = example("minimal");
+  const json one = planned(spec).result;
+  spec["coil"]["parallel"] = 2;
+  const PlannedJob job = planned(spec);
+  EXPECT_TRUE(job.verified);
+  const json two = job.result;
+  // n = z_p / t: wires in hand by the time of a turn.
+  EXPECT_NEAR(one["summary"]["strokes_per_minute"].get<double>(), 60 * 2 / one["summary"]["duration"].get<double>(),
+              1e-9);
+  EXPECT_NEAR(two["summary"]["strokes_per_minute"].get<double>(), 2 * 60 * 2 / two["summary"]["duration"].get<double>(),
+              1e-9);
+  EXPECT_EQ(two["summary"]["turns"], 2);
+  EXPECT_EQ(two["summary"]["parallel"], 2);
+  // Twice the wire, half the resistance, but for where the places lie.
+  EXPECT_NEAR(two["summary"]["wire_length"].get<double>() / one["summary"]["wire_length"].get<double>(), 2, 0.05);
+  EXPECT_NEAR(two["summary"]["resistance"].get<double>() / one["summary"]["resistance"].get<double>(), 0.5, 0.02);
+  EXPECT_EQ(two["details"]["layout"]["windable"]["turns"].get<int>(),
+            two["details"]["layout"]["windable"]["wires"].get<int>() / 2);
+}
+
+TEST(WindingPlan, SaysAsKindFillFactorDoesThatAWireIsPushedOut) {
+  json spec = example("complete");
+  // A wide slot: the wires of the first layer lie loose in it.
+  json& slot = spec["part"]["slot"];
+  slot["base_width"] = 15, slot["tip_angle"] = 98, slot["base_radius"] = 126, slot["wedge_width"] = 3;
+  for (const char* member : {"base_radius", "tool_radius"}) spec["part"].erase(member);
+  spec["part"]["slots"] = 24;
+  spec["wire"] = 1.25;
+  spec["coil"] = {{"slots", {0, 5}}, {"turns", 16}};
+  spec["needle"] = {{"width", 1.7}, {"pivot_limit", 10}, {"clearance", -5}};
+  spec["feed"] = {{"method", "natural"}};
+  const json said = planned(spec).result;
+  json fill_slot = slot;
+  fill_slot["type"] = "stator";
+  const json heads{{"slot_pitch", 15}, {"span", 5}, {"tool_shift", 2.5}, {"tool_height", 15.5}, {"stack", 210}};
+  const json fill{{"slot", fill_slot},
+                  {"wires", {1.25}},
+                  {"algorithms", {"needle"}},
+                  {"heads", heads},
+                  {"turns", {{"serial", 16}, {"parallel", 1}}},
+                  {"drawings", false}};
+  SilentProgress silent;
+  const json layout = json(fill_factor::plan(fill, silent).result)["details"]["layouts"][0];
+  EXPECT_EQ(said["details"]["layout"]["regions"]["slot"]["positions"], layout["positions"]);
+  for (const char* member : {"producible", "slips", "blocked_by", "windable"})
+    EXPECT_EQ(said["details"]["layout"][member], layout[member]) << member;
+  EXPECT_EQ(said["summary"]["producible"], false);
+  EXPECT_EQ(said["summary"]["windable_turns"], layout["windable"]["turns"]);
+  EXPECT_THAT(said["details"]["notes"].dump(), ::testing::HasSubstr("pushed out"));
+}
+
+TEST(WindingPlan, SetpointsOfTangentLinksKeepTheJerkOfTheirDifferences) {
+  json spec = example("minimal");
+  spec["coil"]["turns"] = 1;
+  spec["path"]["continuity"] = 1;
+  const PlannedJob job = planned(spec);
+  EXPECT_TRUE(job.verified);
+  const auto& columns = job.setpoints->columns();
+  const std::size_t width = columns.size(), n = job.setpoints->count();
+  std::vector<double> rows(n * width);
+  job.setpoints->read(0, n, rows.data());
+  const double cycle = job.setpoints->cycle_time();
+  const json limits = spec["machine"]["axes"];
+  double strained = 0;
+  for (std::size_t c = 0; c < 5; ++c)
+    for (std::size_t k = 3; k < n; ++k) {
+      const auto q = [&](std::size_t back) { return rows[(k - back) * width + c]; };
+      const double jerk = std::abs(q(0) - 3 * q(1) + 3 * q(2) - q(3)) / (cycle * cycle * cycle);
+      strained = std::max(strained, jerk / limits[columns[c].name]["jerk"].get<double>());
+    }
+  EXPECT_LE(strained, 1 + 1e-6);
+  EXPECT_GT(strained, 0.7) << "the limit is used";
+  bool named = false;
+  for (const auto& check : job.result["verification"]["checks"]) named |= check["name"] == "setpoint jerk q4";
+  EXPECT_TRUE(named) << "checked of the exact interpolator, too";
+}
+
+TEST(WindingPlan, ANominalFeedMayFluctuateByWhatIsStated) {
+  json spec = example("minimal");
+  spec["coil"]["turns"] = 1;
+  spec["feed"] = {{"method", "constant"}, {"velocity", 8}, {"interpolator", "quartic"}};
+  EXPECT_TRUE(planned(spec).verified);
+  spec["feed"]["tolerance"] = 0;
+  const PlannedJob strict = planned(spec);
+  EXPECT_FALSE(strict.verified);
+  for (const auto& check : strict.result["verification"]["checks"])
+    if (!check["passed"].get<bool>()) {
+      EXPECT_EQ(check["name"], "setpoint path velocity");
+      EXPECT_TRUE(check.contains("place") && check.contains("change"));
+    }
+}
+
+TEST(WindingPlan, LinksByTimeAreTimedWithTheFeedAskedFor) {
+  json spec = example("rotor");
+  spec["coil"] = {{"slots", {1, 0}}, {"turns", 1}};
+  spec["needle"] = {{"clearance", -100}};
+  spec["feed"] = {{"method", "critical_points"}};
+  spec["path"] = {{"objective", "curvature"}};
+  const double smooth = planned(spec).result["summary"]["duration"];
+  spec["path"]["objective"] = "minimum_time";
+  const json quick = planned(spec).result;
+  EXPECT_LE(quick["summary"]["duration"].get<double>(), smooth * (1 + 1e-9));
+  EXPECT_EQ(quick["details"]["link_times"]["feed"], "critical_points");
+  EXPECT_NEAR(quick["details"]["link_times"]["curvature"].get<double>(), smooth, 1e-6 * smooth);
+}
+
+TEST(WindingPlan, AClearanceThatIsMissedIsToldWithItsPlace) {
+  json spec = example("complete");
+  json& slot = spec["part"]["slot"];  // wide, with the wires of later turns far from its middle
+  slot["base_width"] = 14, slot["tip_angle"] = 97, slot["base_radius"] = 125, slot["wedge_width"] = 3.2;
+  for (const char* member : {"base_radius", "tool_radius"}) spec["part"].erase(member);
+  spec["part"]["slots"] = 24;
+  spec["wire"] = 1.25;
+  spec["coil"] = {{"slots", {0, 5}}, {"turns", 16}};
+  spec["needle"] = {{"width", 1.7}, {"pivot_limit", 10}};
+  const PlannedJob job = planned(spec);
+  ASSERT_FALSE(job.verified);
+  const json least = job.result["details"]["clearance"];
+  for (const auto& check : job.result["verification"]["checks"]) {
+    if (check["passed"].get<bool>()) continue;
+    ASSERT_EQ(check["name"], "needle clearance");
+    for (const char* member : {"coil", "turn", "region", "link"}) EXPECT_EQ(check["place"][member], least[member]);
+    EXPECT_EQ(check["place"]["obstacle"], least["nearest"]);
+    EXPECT_GT(check["at"], 0);
+    EXPECT_THAT(check["change"].get<std::string>(), ::testing::HasSubstr("needle.width"));
+    EXPECT_THAT(check["place"]["words"].get<std::string>(), ::testing::HasSubstr("turn "));
+  }
+}
+
+TEST(WindingPlan, ASlotAsItIsDrawnIsWound) {
+  json spec = example("complete");
+  // Drawn lying on its side, 150 mm off, its mouth the bore's arc of 79 mm, which dips 2 hundredths of a millimetre.
+  const auto place = [](double x, double y) { return json::array({150 + y, 20 - x}); };
+  json points = json::array();
+  for (const auto& [x, y] : {std::pair{-2.9, 0.0},
+                             {2.9, 0.0},
+                             {2.2, 15.5},
+                             {1.8, 16.0},
+                             {0.9, 15.985},
+                             {0.0, 15.98},
+                             {-0.9, 15.985},
+                             {-1.8, 16.0},
+                             {-2.2, 15.5}})
+    points.push_back(place(x, y));
+  spec["part"]["slot"] = {
+      {"type", "polygon"}, {"points", points}, {"liner", 0.2}, {"opening", {place(-1.8, 16), place(1.8, 16)}}};
+  spec["part"]["base_radius"] = 95;
+  spec["coil"] = {{"slots", {0, 5}}, {"turns", 1}};
+  spec["needle"] = {{"width", 1.6}, {"pivot_limit", 10}};
+  spec["feed"] = {{"method", "natural"}};
+  const PlannedJob job = planned(spec);
+  EXPECT_TRUE(job.verified) << job.result["verification"].dump();
+  EXPECT_TRUE(job.result["summary"]["producible"]);
+  EXPECT_GT(job.result["summary"]["clearance"], 0.1);
+  spec["needle"]["width"] = 3.7;
+  EXPECT_THAT(problem_of(spec, "semantic-violation"), ::testing::HasSubstr("clear opening of 3.6 mm"));
+  spec["needle"]["width"] = 1.6;
+  spec["part"].erase("base_radius");
+  EXPECT_THAT(problem_of(spec, "semantic-violation"), ::testing::HasSubstr("/spec/part/base_radius"));
+}
+
+TEST(WindingPlan, RangesAreToldInDegrees) {
+  json spec = example("complete");
+  spec["coil"] = {{"slots", {0, 5}}, {"turns", 1}};
+  spec["machine"]["axes"]["q5"]["range"] = {-85, 85};
+  EXPECT_THAT(problem_of(spec, "unreachable-pose"),
+              ::testing::HasSubstr("from -90 to 90 deg, its range is -85 to 85 deg"));
+}
+
+TEST(WindingPlan, AHolderDoesNotEnterTheSlot) {
+  json spec = example("complete");
+  spec["coil"] = {{"slots", {0, 5}}, {"turns", 1}};
+  spec["needle"]["length"] = 4;
+  EXPECT_THAT(problem_of(spec, "semantic-violation"), ::testing::HasSubstr("/spec/needle/length"));
+  spec["needle"]["length"] = 60;
+  spec["machine"]["l_tool"] = 4;
+  EXPECT_THAT(problem_of(spec, "semantic-violation"), ::testing::HasSubstr("/spec/machine/l_tool"));
 }
 
 TEST(WindingPlan, RotaryAxesAreInDegrees) {

@@ -58,10 +58,10 @@ TEST(FillPlan, OrderingsOfTheSource) {
       EXPECT_GT(most.count(), of(plan, other, i).count());
     EXPECT_LE(most.count(), most.bound);
     // [Herrmann 4.2.3]: which of the layouts can be wound.
-    EXPECT_FALSE(most.producible.producible());
-    EXPECT_FALSE(of(plan, Algorithm::orthocyclic_base, i).producible.producible());
-    EXPECT_FALSE(of(plan, Algorithm::orthocyclic_flank, i).producible.producible());
-    EXPECT_TRUE(of(plan, Algorithm::needle, i).producible.producible());
+    EXPECT_FALSE(most.windable.producible.producible());
+    EXPECT_FALSE(of(plan, Algorithm::orthocyclic_base, i).windable.producible.producible());
+    EXPECT_FALSE(of(plan, Algorithm::orthocyclic_flank, i).windable.producible.producible());
+    EXPECT_TRUE(of(plan, Algorithm::needle, i).windable.producible.producible());
   }
   EXPECT_GT(of(plan, Algorithm::needle, 0).mechanical, of(plan, Algorithm::needle, 2).mechanical);
   EXPECT_TRUE(watch.stages.count("potential, 0.9 mm"));
@@ -116,17 +116,17 @@ TEST(FillPlan, TellsWhatDoesNotPassTheOpening) {
   EXPECT_TRUE(plan_fill(request, silent).layouts[0].can_be_wound()) << "as in the source";
   request.needle = winding::Needle{3.1};
   const FillPlan wide = plan_fill(request, silent);
-  ASSERT_EQ(wide.layouts[0].blocked.size(), 1u);
-  EXPECT_EQ(wide.layouts[0].blocked[0].part, winding::Obstruction::Part::needle);
-  EXPECT_TRUE(wide.layouts[0].producible.producible()) << "the pile itself would hold";
+  ASSERT_EQ(wide.layouts[0].windable.blocked.size(), 1u);
+  EXPECT_EQ(wide.layouts[0].windable.blocked[0].part, winding::Obstruction::Part::needle);
+  EXPECT_TRUE(wide.layouts[0].windable.producible.producible()) << "the pile itself would hold";
   winding::StatorSlot narrow;
   narrow.opening_width = narrow.wedge_width = 0.62;
   request.slot = make_slot(narrow);
   request.needle.reset();
   const FillPlan thin = plan_fill(request, silent);
-  ASSERT_EQ(thin.layouts[0].blocked.size(), 1u);
-  EXPECT_EQ(thin.layouts[0].blocked[0].part, winding::Obstruction::Part::wire);
-  EXPECT_NEAR(thin.layouts[0].blocked[0].clear, 0.02, 1e-12);
+  ASSERT_EQ(thin.layouts[0].windable.blocked.size(), 1u);
+  EXPECT_EQ(thin.layouts[0].windable.blocked[0].part, winding::Obstruction::Part::wire);
+  EXPECT_NEAR(thin.layouts[0].windable.blocked[0].clear, 0.02, 1e-12);
 }
 
 TEST(FillPlan, TurnsThatNoLayoutTakesAreInfeasible) {

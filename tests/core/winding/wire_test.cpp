@@ -45,5 +45,15 @@ TEST(Wire, RangeAndSeriesAreChosen) {
   EXPECT_FALSE(standard_wire(0.91, 2));
 }
 
+TEST(NearestGrade, IsThatOfTheEnamel) {
+  for (const int grade : {1, 2, 3})
+    for (const double copper : {0.25, 0.71, 1.5}) {
+      const Wire wire = *standard_wire(copper, grade);
+      EXPECT_EQ(nearest_grade(wire), grade);
+      EXPECT_EQ(nearest_grade({copper * 1.003, wire.outer + copper * 0.003, 0}), grade) << "a copper of its own";
+    }
+  EXPECT_EQ(nearest_grade({1, 1, 0}), 1) << "bare";
+}
+
 }  // namespace
 }  // namespace bahnwerk::winding

@@ -33,6 +33,8 @@ TEST(FeedDrawing, HasACurvePerAxisAndTheFeedAndItsLimits) {
     const std::string svg = feed_drawing(r, plan);
     EXPECT_TRUE(svg.starts_with("<svg")) << svg.substr(0, 40);
     EXPECT_TRUE(svg.ends_with("</svg>\n"));
+    for (const char* name : {"acceleration along the path", "jerk along the path"})
+      EXPECT_NE(svg.find(name), std::string::npos) << name;
     for (const char* name : {"limits of q1", "limits of q5", ">feed<", "arc length in mm", "feed in mm/s"})
       EXPECT_NE(svg.find(name), std::string::npos) << name;
     EXPECT_EQ(count(svg, "feed's limits"), limited ? 1U : 0U);

@@ -89,5 +89,41 @@ TEST(DifferenceChecks, MissingColumnsAndWhatIsNoNumberFail) {
     EXPECT_EQ(check.passed, check.name == "setpoint path velocity");
 }
 
+TEST(DifferenceChecks, AStepOfTheAccelerationCountsBesideTheJerk) {
+  // Passed at a jerk of 600, with a step of 0.6 in the acceleration between two rows: 600 T.
+  Rows rows;
+  rows.q = [](double t) { return t < 1.0005 ? 100 * t * t * t : 100 * t * t * t + 0.3 * (t - 1.0005) * (t - 1.0005); };
+  rows.s = [](double t) { return t; };
+  const auto checks = checked(rows, held(1e9, 1e9, 700, 2));
+  EXPECT_FALSE(checks[2].passed);
+  EXPECT_NEAR(checks[2].value, 600 * 1.75, 1) << "the step counts with up to 3/4";
+  EXPECT_NEAR(checks[2].at, 1.0005, 0.002);
+}
+
+TEST(DifferenceChecks, AFeedMayFluctuateByItsToleranceAndRowsByTheirRounding) {
+  Rows rows;
+  rows.q = [](double) { return 0.0; };
+  rows.s = [](double t) { return 7 * t + 1e-5 * std::sin(1000 * std::numbers::pi * t + 1); };
+  const Verification motion = held(1, 1, 1, 7);
+  SilentProgress progress;
+  const Machine machine{{{"q", unlimited}}, 0.001};
+  DifferenceInput input{rows, machine, {180 / std::numbers::pi}, motion};
+  EXPECT_FALSE(difference_checks(input, progress).at(3).passed) << "0.017 too fast";
+  input.feed_tolerance = 0.002;
+  EXPECT_FALSE(difference_checks(input, progress).at(3).passed);
+  input.feed_tolerance = 0.003;
+  const Check kept = difference_checks(input, progress).at(3);
+  EXPECT_TRUE(kept.passed);
+  EXPECT_NEAR(kept.limit, 7.021, 1e-12);
+  // Rows off by 1e-9 deg: 8e-9 over T³ = 1e-9.
+  rows.s = [](double t) { return t; };
+  rows.q = [](double t) { return std::numbers::pi / 180 * 1e-9 * std::cos(1000 * std::numbers::pi * t); };
+  const Verification tight = held(1, 1, 0.1, 7);
+  DifferenceInput strict{rows, machine, {180 / std::numbers::pi}, tight};
+  EXPECT_FALSE(difference_checks(strict, progress).at(2).passed);
+  strict.rounding = 1.01e-9;
+  EXPECT_TRUE(difference_checks(strict, progress).at(2).passed);
+}
+
 }  // namespace
 }  // namespace bahnwerk

@@ -24,7 +24,8 @@ TEST(ClearanceDrawing, HasBothMapsAndWhatTheirColoursMean) {
       {"with < 20°", clearance_map(part, slot, needle, 0.35, 0.5, silent)}};
   const std::string svg = clearance_drawing(StatorIron(part, slot), maps, "needle 2.6 mm & slot 3.08 mm");
   EXPECT_EQ(svg.find("nan"), svg.npos);
-  EXPECT_EQ(times(svg, "<clipPath"), 2u);
+  EXPECT_EQ(times(svg, "<clipPath"), 4u) << "of each map its frame, and the slot's outline for the cells";
+  EXPECT_EQ(times(svg, "_outline)"), 2u);
   EXPECT_EQ(times(svg, "of the slot accessible"), 2u);
   EXPECT_NE(svg.find("with &lt; 20°"), svg.npos);
   EXPECT_NE(svg.find("needle 2.6 mm &amp; slot"), svg.npos);

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include "core/winding/slot/coil_sides.hpp"
 
 namespace bahnwerk::winding {
@@ -59,6 +63,46 @@ TEST(Drawing, ChartHasACurveForEachFactor) {
   EXPECT_EQ(times(svg, "stroke-dasharray"), 2u);
   EXPECT_EQ(times(svg, "<circle"), 8u);
   EXPECT_NO_THROW(fill_chart({}, "nothing"));
+}
+
+/// The x of all points of the first path, in its order.
+std::vector<double> across(const std::string& svg) {
+  std::vector<double> list;
+  const std::size_t begin = svg.find("<path d=\"") + 9, end = svg.find('"', begin);
+  for (std::size_t at = begin; at < end; at = svg.find_first_of("ML", at + 1))
+    list.push_back(std::stod(svg.substr(at + 1)));
+  return list;
+}
+
+TEST(Drawing, ChartGoesByDiameterWhateverTheOrderOfTheWires) {
+  const FillCurve mixed{Algorithm::needle, {{0.9, 0.5, 0.7}, {0.5, 0.52, 0.74}, {0.71, 0.51, 0.72}}, {}};
+  const std::vector<double> x = across(fill_chart({&mixed, 1}, "mixed"));
+  ASSERT_EQ(x.size(), 3u);
+  EXPECT_TRUE(std::is_sorted(x.begin(), x.end()));
+}
+
+TEST(Drawing, ChartKeepsEnamelsApart) {
+  const std::vector<FillCurve> curves{{Algorithm::needle, {{0.5, 0.53, 0.78}, {0.9, 0.54, 0.74}}, "thin"},
+                                      {Algorithm::needle, {{0.5, 0.49, 0.78}, {0.9, 0.51, 0.74}}, "thick"}};
+  const std::string svg = fill_chart(curves, "both");
+  EXPECT_EQ(times(svg, "<path"), 4u);
+  EXPECT_EQ(times(svg, ">needle<"), 1u) << "one entry for the algorithm";
+  EXPECT_EQ(times(svg, ">thin<") + times(svg, ">thick<"), 2u);
+}
+
+TEST(Drawing, LayersOfALatticeAreItsRows) {
+  // Rows at 80° against the base, laid from the flank inwards.
+  const double angle = -100 * std::acos(-1.0) / 180, rise = std::sqrt(3.0);
+  const Point along{std::cos(angle), std::sin(angle)}, inwards{-along.y, along.x};
+  std::vector<Point> wires;
+  std::vector<int> expected;
+  for (int row = 0; row < 4; ++row)
+    for (int i = 0; i < 5; ++i) {
+      wires.push_back((2.0 * i + row % 2) * along + (row * rise) * inwards);
+      expected.push_back(row);
+    }
+  EXPECT_EQ(lattice_layers(1, angle, wires), expected);
+  EXPECT_EQ(lattice_layers(1, angle + std::acos(-1.0), wires), expected) << "whichever way the rows run";
 }
 
 }  // namespace

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 #include "core/geometry/spline/spline_arc.hpp"
 
 namespace bahnwerk::winding {
@@ -36,11 +39,33 @@ TEST(PathDrawing, ShowsPathAndPart) {
   expect_sound(svg);
   EXPECT_NE(svg.find("one &lt; coil"), svg.npos);
   EXPECT_NE(svg.find("axes: 20 mm"), svg.npos) << svg.substr(svg.size() - 400);
-  EXPECT_EQ(times(svg, "transform=\"scale("), 1u + 6) << "the part, and six stretches of the path";
+  EXPECT_EQ(times(svg, "transform=\"scale("), 1u + 1) << "the part, and the path as one turn";
   EXPECT_EQ(svg, path_drawing({"one < coil", pieces, part_outline(part, checked_slot(part))}));
   // A long path is thinned to what shows.
   const std::vector<BezierPiece> same(3000, pieces[1]);
   EXPECT_LT(path_drawing({"again", same, {}}).size(), 20000u);
+}
+
+TEST(PathDrawing, TheLastTurnIsBoldAndThoseBeforeFaint) {
+  const auto opacity = [](const std::string& svg) {
+    const std::size_t at = svg.rfind("stroke-opacity=\"");
+    return at == svg.npos ? 1.0 : std::stod(svg.substr(at + 16));
+  };
+  const std::vector<BezierPiece> few = bent(4), many = bent(70);
+  const std::size_t each = few.size() / 4;
+  const std::string four = path_drawing({"four", few, {}, 3 * each, 4}),
+                    seventy = path_drawing({"70", many, {}, 69 * each, 70});
+  for (const std::string& svg : {four, seventy}) {
+    expect_sound(svg);
+    EXPECT_EQ(times(svg, "transform=\"scale("), 2u) << "the turns before, and the last";
+    for (const char* words : {">turns before<", ">last turn<", ">begin<", ">end<", ">part<"})
+      EXPECT_EQ(times(svg, words), 1u) << words;
+    EXPECT_EQ(times(svg, "<circle"), 4u) << "begin and end, in the key and on the path";
+  }
+  EXPECT_LT(opacity(seventy), 0.5 * opacity(four));
+  const std::string one = path_drawing({"one", bent(1), {}});
+  EXPECT_EQ(times(one, "turns before"), 0u);
+  EXPECT_EQ(times(one, ">needle's tip<"), 1u);
 }
 
 TEST(PathDrawing, OfNothingAndOfAPointIsStillADrawing) {

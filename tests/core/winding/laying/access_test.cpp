@@ -34,6 +34,16 @@ TEST(Opening, WireAndNeedleMustPassIt) {
       << "half of it belongs to the other coil side";
 }
 
+TEST(Opening, TheWireRunsInsideTheNeedle) {
+  const auto thin = opening_obstructions(opening, 0.8, Needle{1.5});
+  ASSERT_EQ(thin.size(), 1u);
+  EXPECT_EQ(thin[0].part, Obstruction::Part::bore);
+  EXPECT_EQ(thin[0].needed, 1.6);
+  EXPECT_EQ(thin[0].clear, 1.5);
+  EXPECT_EQ(opening_obstructions(opening, 0.75, Needle{1.5}).size(), 1u) << "a needle has walls";
+  EXPECT_TRUE(opening_obstructions(opening, 0.74, Needle{1.5}).empty());
+}
+
 TEST(Opening, OfTheExampleSlotIsTheSources) {
   // [Herrmann Fig. 4.16]: 3.1 mm, for a needle of 2.6 mm.
   EXPECT_NEAR(make_slot(StatorSlot{}).opening->clear, 3.083, 1e-12);

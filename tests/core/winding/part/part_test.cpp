@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
 
 #include "core/base/errors.hpp"
 #include "core/winding/laying/needle.hpp"
+#include "core/winding/needle/obstacles.hpp"
 #include "core/winding/part/space.hpp"
 
 namespace bahnwerk::winding {
@@ -191,6 +193,45 @@ TEST(Part, ImpossiblePartsAreRefusedByName) {
   RotorPart bad = rotor(6);
   bad.slot.height = 1;
   EXPECT_EQ(refused([&] { checked_slot(bad); }), "/slot/height");
+}
+
+TEST(Part, TellsWhatPassesAndWhatIsBesides) {
+  const StatorPart stator;
+  EXPECT_NEAR(bore(stator), 2 * (95.7 - 16.129), 1e-9);
+  EXPECT_NEAR(clear_way(stator, checked_slot(stator)), 3.083, 1e-12);
+  const Slot slot = checked_slot(stator);
+  EXPECT_TRUE(leaves_teeth(slot, 95.7, 7.5 * std::acos(-1.0) / 180));
+  EXPECT_FALSE(leaves_teeth(slot, 95.7, 3 * std::acos(-1.0) / 180));
+  // Where the coils of two poles come nearest, seen from the plane between them.
+  const RotorPart rotor;
+  const Slot beside = checked_slot(rotor);
+  double nearest = 1e9;
+  for (const Edge& e : beside.iron.edges()) {
+    const double x = rotor.heads.tooth_radius + e.from.x, y = rotor.heads.tooth_half_width + e.from.y;
+    nearest = std::min(nearest, x * std::sin(rotor.pitch() / 2) - y * std::cos(rotor.pitch() / 2));
+  }
+  EXPECT_NEAR(clear_way(rotor, beside), 2 * nearest, 1e-9);
+  EXPECT_GT(nearest, 0);
+}
+
+TEST(Part, ADrawnSlotIsTheOneOfItsSizes) {
+  // Sharp corners, so that the outline is drawn by its corners but for the base's arc.
+  StatorPart sized;
+  sized.slot.base_corner_radius = sized.slot.tip_corner_radius = sized.slot.wedge_thickness = sized.slot.wedge_width =
+      0;
+  sized.slot.opening_width = 4;
+  const Slot slot = checked_slot(sized);
+  PolygonSlot drawn{{}, sized.slot.liner, 0, std::array{Point{-2, 16.129}, Point{2, 16.129}}};
+  for (const Edge& edge : slot.iron.edges()) {
+    const int parts = edge.straight() ? 1 : 60;
+    for (int k = 0; k < parts; ++k) drawn.points.push_back(edge.at(static_cast<double>(k) / parts));
+  }
+  const StatorPart part = drawn_stator(drawn, 95.7);
+  EXPECT_NEAR(bore(part), bore(sized), 1e-6);
+  EXPECT_NEAR(clear_way(part, checked_slot(part)), 4, 1e-9);
+  const StatorIron is(part, checked_slot(part)), was(sized, slot);
+  for (const Space p : {Space{90, 0.5, 100}, {79, 1.9, 100}, {85, -2.3, 50}, {80, 3, 10}, {60, 20, 200}, {70, 0, 100}})
+    EXPECT_NEAR(is.distance(p), was.distance(p), 0.01) << p.x << ' ' << p.y;
 }
 
 }  // namespace

@@ -105,5 +105,23 @@ TEST(Turns, AsManyAsTheLayoutsHaveOrInfeasible) {
   EXPECT_THROW(turns_of({coil}, one, 1, 0.5), Infeasible);
 }
 
+TEST(Turns, OfSeveralWiresInHandGoThroughTheMiddleOfTheirPlaces) {
+  const RotorPart part;
+  const Slot slot = checked_slot(part);
+  const std::vector<LayingRegions> coils{coil_regions(part, slot, {0, 1})};
+  const NeedleLayout layouts = needle(coils[0], 0.5, slot.tension_point, silent);
+  const std::size_t count = layouts[0].wires.size();
+  const std::vector<Turn> turns = turns_of(coils, layouts, count / 3, 0.5, 3);
+  ASSERT_EQ(turns.size(), count / 3);
+  for (const std::size_t i : {std::size_t{0}, count / 3 - 1})
+    for (std::size_t j = 0; j < 4; ++j) {
+      const std::vector<Point>& w = layouts[j].wires;
+      const Point middle = (1 / 3.0) * (w[3 * i] + w[3 * i + 1] + w[3 * i + 2]);
+      EXPECT_LT(norm(turns[i].at[j].begin - coils[0].at[j].begin.place(middle)), 1e-12);
+    }
+  EXPECT_THROW(turns_of(coils, layouts, count / 3 + 1, 0.5, 3), Infeasible);
+  EXPECT_THROW(turns_of(coils, layouts, 1, 0.5, 0), Infeasible);
+}
+
 }  // namespace
 }  // namespace bahnwerk::winding

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
 #include <numbers>
 
 #include "core/base/errors.hpp"
@@ -51,6 +52,59 @@ TEST(StatorSlotTest, SharpCornersAreATrapezoidWithASegment) {
   const double area =
       (5.857 + top) / 2 * (16.129 - corner) + s.base_radius * s.base_radius * (angle - std::sin(angle)) / 2;
   EXPECT_NEAR(make_slot(s).iron.area(), area, 1e-9);
+}
+
+TEST(PolygonSlotTest, TheMouthMayBeTheBoresArc) {
+  // 8 mm wide, 12 mm deep; the mouth an arc of 30 mm about a point above it, which dips 0.27 mm below its ends.
+  PolygonSlot s{{{4, 12}}, 0.2, 0, std::array{Point{4, 12}, Point{-4, 12}}};
+  const double up = 12 + std::sqrt(30.0 * 30 - 16);
+  for (int k = 1; k < 8; ++k) {
+    const double x = 4 - k;
+    s.points.push_back({x, up - std::sqrt(30.0 * 30 - x * x)});
+  }
+  for (const Point p : {Point{-4, 12}, {-4, 0}, {4, 0}}) s.points.push_back(p);
+  const Slot slot = make_slot(s);
+  ASSERT_TRUE(slot.opening);
+  EXPECT_NEAR(slot.opening->clear, 8, 1e-12);
+  EXPECT_NEAR(slot.opening->into.y, -1, 1e-12);
+  // The same slot the other way round, and upside down.
+  std::swap((*s.opening)[0], (*s.opening)[1]);
+  EXPECT_NEAR(make_slot(s).opening->into.y, -1, 1e-12);
+  for (Point& p : s.points) p = {-p.x, -p.y};
+  for (Point& p : *s.opening) p = {-p.x, -p.y};
+  EXPECT_NEAR(make_slot(s).opening->into.y, 1, 1e-12);
+  // A mouth that bulges out, as a rotor's does.
+  PolygonSlot out{{{4, 12}, {0, 13}, {-4, 12}, {-4, 0}, {4, 0}}, 0.2, 0, std::array{Point{4, 12}, Point{-4, 12}}};
+  EXPECT_NEAR(make_slot(out).opening->into.y, -1, 1e-12);
+}
+
+TEST(PolygonSlotTest, UprightStandsOnItsBase) {
+  const PolygonSlot lying{{{20, 2}, {20, 8}, {5, 9}, {5, 1}}, 0.1, 0, std::array{Point{20, 3}, Point{20, 7}}};
+  const PolygonSlot standing = upright(lying);
+  const Slot slot = make_slot(standing);
+  EXPECT_NEAR(slot.opening->middle.x, 0, 1e-12);
+  EXPECT_NEAR(slot.opening->middle.y, 15, 1e-12);
+  EXPECT_NEAR(slot.opening->into.y, -1, 1e-12);
+  EXPECT_NEAR(slot.iron.box().low.y, 0, 1e-12);
+  EXPECT_NEAR(slot.iron.area(), make_slot(lying).iron.area(), 1e-9);
+  EXPECT_NEAR(slot.usable_area.area(), make_slot(lying).usable_area.area(), 1e-9);
+  PolygonSlot closed = lying;
+  closed.opening.reset();
+  EXPECT_THROW(upright(closed), InvalidInput);
+}
+
+TEST(StatorSlotTest, AWedgeHasAWidthThatTheSlotLeaves) {
+  const auto with = [](auto change) {
+    StatorSlot s;
+    change(s);
+    return refused(s);
+  };
+  EXPECT_EQ(with([](auto& s) { s.wedge_width = 0; }), "wedge_width");
+  EXPECT_EQ(with([](auto& s) { s.wedge_width = s.wedge_thickness = 0; }), "");
+  EXPECT_EQ(with([](auto& s) { s.wedge_width = 4.48; }), "") << "4.453 at the tooth tips, 0.037 more below them";
+  EXPECT_EQ(with([](auto& s) { s.wedge_width = 4.5; }), "wedge_width");
+  EXPECT_EQ(with([](auto& s) { s.wedge_thickness = 16.2; }), "wedge_thickness");
+  EXPECT_EQ(with([](auto& s) { s.base_radius = 15; }), "height");
 }
 
 TEST(StatorSlotTest, ImpossibleParametersAreNamed) {
