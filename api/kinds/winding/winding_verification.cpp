@@ -41,7 +41,9 @@ ordered_json place(const WindingPlan& plan, const winding::NeedlePiece& piece, c
   return out;
 }
 
-std::string change(const WindingRequest& request, const std::string& name) {
+std::string change(const WindingRequest& request, const std::string& name, const std::string& obstacle) {
+  if (name == "needle clearance" && obstacle == "winding tool")
+    return "needed is a smaller post (tool.width, tool.height), another part.tool_shift, or a narrower needle";
   if (name == "needle clearance") {
     std::string text = "needed is a narrower needle than " + short_number(request.needle.width) + " mm (needle.width)";
     if (std::holds_alternative<winding::StatorPart>(request.part))
@@ -74,7 +76,7 @@ ordered_json placed_verification(const WindingRequest& request, const WindingPla
     const bool clearance = name == "needle clearance";
     check["place"] = place(plan, clearance ? plan.path.pieces.at(plan.clearance.move) : piece_at(plan, check["at"]),
                            clearance ? plan.nearest : "");
-    if (std::string text = change(request, name); !text.empty()) check["change"] = std::move(text);
+    if (std::string text = change(request, name, plan.nearest); !text.empty()) check["change"] = std::move(text);
   }
   return verdict;
 }

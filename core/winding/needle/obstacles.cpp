@@ -27,15 +27,19 @@ Region drawn_air(const StatorPart& part, const Slot& slot) {
   };
   const std::size_t first = nearest(left), last = nearest(right);
   std::vector<Edge> loop;
-  for (std::size_t k = 0; k < edges.size(); ++k) {
-    const std::size_t i = (first + k) % edges.size();
-    Edge e = edges[i];
-    if (i == first) e = e.part(e.nearest(left), 1);
-    if (i == last) e = e.part(0, e.nearest(right));
+  const auto append = [&](const Edge& e) {
     if (e.length() > 1e-9) loop.push_back(e);
-    if (i == last) break;
-  }
-  loop.front().from = left, loop.back().to = right;
+  };
+  // The edge on which the opening ends may be one and the same: then all of the outline lies between.
+  append(edges[first].part(edges[first].nearest(left), 1));
+  std::size_t i = first;
+  do {
+    i = (i + 1) % edges.size();
+    append(i == last ? edges[i].part(0, edges[i].nearest(right)) : edges[i]);
+  } while (i != last);
+  if (loop.empty()) throw InvalidInput({{{"slot", "opening"}, "leaves nothing of the slot's outline"}});
+  if (loop.front().straight()) loop.front().from = left;
+  if (loop.back().straight()) loop.back().to = right;
   loop.push_back(arc_between({0, axis}, right, left, true));
   return Region(std::move(loop));
 }

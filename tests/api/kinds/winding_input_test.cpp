@@ -196,7 +196,7 @@ TEST(WindingInput, WhatDoesNotPassTheOpeningIsToldInMillimetres) {
   spec["needle"].erase("width");
   spec["wire"] = 2.8;
   EXPECT_THAT(message_at(spec, "/needle/width"),
-              testing::AllOf(testing::HasSubstr("2.6 mm (the default)"), testing::HasSubstr("2.919 mm")));
+              testing::AllOf(testing::HasSubstr("2.6 mm (the default)"), testing::HasSubstr("2.922 mm")));
   EXPECT_EQ(message_at(spec, "/wire"), "") << "it passes the opening";
   // Between the coils of a rotor: 2 (x sin 30° - y cos 30°) at the pole shoe's end.
   spec = example("minimal");

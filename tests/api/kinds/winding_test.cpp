@@ -233,13 +233,10 @@ TEST(WindingPlan, LinksByTimeAreTimedWithTheFeedAskedFor) {
 
 TEST(WindingPlan, AClearanceThatIsMissedIsToldWithItsPlace) {
   json spec = example("complete");
-  json& slot = spec["part"]["slot"];  // wide, with the wires of later turns far from its middle
-  slot["base_width"] = 14, slot["tip_angle"] = 97, slot["base_radius"] = 125, slot["wedge_width"] = 3.2;
-  for (const char* member : {"base_radius", "tool_radius"}) spec["part"].erase(member);
-  spec["part"]["slots"] = 24;
-  spec["wire"] = 1.25;
-  spec["coil"] = {{"slots", {0, 5}}, {"turns", 16}};
-  spec["needle"] = {{"width", 1.7}, {"pivot_limit", 10}};
+  spec["coil"] = {{"slots", {0, 5}}, {"turns", 1}};
+  spec["path"]["extra_point"] = 0;  // links that bend before they are out of the slot
+  spec["needle"] = {{"width", 3.0}, {"pivot_limit", 10}};
+  spec["feed"] = {{"method", "natural"}};
   const PlannedJob job = planned(spec);
   ASSERT_FALSE(job.verified);
   const json least = job.result["details"]["clearance"];
@@ -353,7 +350,8 @@ TEST(WindingPlan, ANeedleThatComesTooNearFails) {
   spec["coil"].erase("repeat");
   spec["coil"]["turns"] = 1;
   spec["feed"] = {{"method", "optimised"}};
-  spec["needle"] = {{"width", 5}, {"clearance", 0}};
+  spec["path"]["extra_point"] = 0;  // links that bend before they are out of the slot
+  spec["needle"] = {{"width", 3.0}, {"pivot_limit", 10}, {"clearance", 0}};
   SilentProgress silent;
   const PlannedJob job = test::checked(plan(spec, silent));
   EXPECT_FALSE(job.verified);

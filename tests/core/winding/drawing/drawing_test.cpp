@@ -65,10 +65,10 @@ TEST(Drawing, ChartHasACurveForEachFactor) {
   EXPECT_NO_THROW(fill_chart({}, "nothing"));
 }
 
-/// The x of all points of the first path, in its order.
+/// The x of all points of the first curve, in its order.
 std::vector<double> across(const std::string& svg) {
   std::vector<double> list;
-  const std::size_t begin = svg.find("<path d=\"") + 9, end = svg.find('"', begin);
+  const std::size_t end = svg.find("\" fill=\"none\" stroke-width=\"2\""), begin = svg.rfind("<path d=\"", end) + 9;
   for (std::size_t at = begin; at < end; at = svg.find_first_of("ML", at + 1))
     list.push_back(std::stod(svg.substr(at + 1)));
   return list;
@@ -85,7 +85,7 @@ TEST(Drawing, ChartKeepsEnamelsApart) {
   const std::vector<FillCurve> curves{{Algorithm::needle, {{0.5, 0.53, 0.78}, {0.9, 0.54, 0.74}}, "thin"},
                                       {Algorithm::needle, {{0.5, 0.49, 0.78}, {0.9, 0.51, 0.74}}, "thick"}};
   const std::string svg = fill_chart(curves, "both");
-  EXPECT_EQ(times(svg, "<path"), 4u);
+  EXPECT_EQ(times(svg, "fill=\"none\" stroke-width=\"2\""), 4u);
   EXPECT_EQ(times(svg, ">needle<"), 1u) << "one entry for the algorithm";
   EXPECT_EQ(times(svg, ">thin<") + times(svg, ">thick<"), 2u);
 }

@@ -24,8 +24,8 @@ Windable verdict(const Slot& slot, const std::vector<Point>& wires, std::optiona
   return windable({slot, 1, layout, {5, -1e9}, needle}, {}, silent);
 }
 
-/// Two wires loose on a wide base: the third drives them apart.
-const std::vector<Point> loose{{4, 1}, {6, 1}, {5, 1 + std::sqrt(3.0)}};
+/// Two wires loose on a wide base, with a gap between them: the third drives them apart.
+const std::vector<Point> loose{{3.1, 1}, {6.9, 1}, {5, 1 + std::sqrt(4 - 3.61)}};
 
 TEST(Windable, SoManyWiresHoldAsLieBeforeTheOneThatPushesOneOut) {
   const Windable all = verdict(open_slot(4), loose);
