@@ -46,11 +46,11 @@ declare -A allowed=(
     core/winding/wire.hpp core/winding/slot/slot.hpp core/winding/slot/coil_sides.hpp core/winding/laying/laying_regions.hpp core/winding/layout/count_bound.hpp"
   [server]="api/ core/base/errors.hpp core/base/progress.hpp"
   [server/runtime]="api/job.hpp"
-  [server/store]="server/runtime/ api/job.hpp api/problem.hpp api/setpoints.hpp"
+  [server/store]="server/runtime/ api/job.hpp api/planned_job.hpp api/problem.hpp api/setpoints.hpp core/base/progress.hpp"
   [server/http]="server/runtime/ server/store/store.hpp api/pointer.hpp api/problem.hpp"
-  [server/jobs]="server/runtime/ server/store/store.hpp server/store/changes.hpp api/job.hpp api/problem.hpp core/base/errors.hpp core/base/progress.hpp"
+  [server/jobs]="server/runtime/ server/store/store.hpp server/store/changes.hpp api/job.hpp api/planned_job.hpp api/problem.hpp core/base/errors.hpp core/base/progress.hpp"
   [server/routes]="server/http/ server/jobs/ server/runtime/ server/store/store.hpp api/"
-  [server/cli]="server/service.hpp server/http/message.hpp server/http/uri.hpp server/runtime/ api/base64.hpp api/problem.hpp api/setpoints.hpp core/base/errors.hpp"
+  [server/cli]="server/service.hpp server/http/message.hpp server/http/uri.hpp server/runtime/ api/base64.hpp api/planned_job.hpp api/problem.hpp api/setpoints.hpp core/base/errors.hpp core/base/progress.hpp"
 )
 bad=0
 while IFS=: read -r file line include; do

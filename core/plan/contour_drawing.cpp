@@ -350,7 +350,7 @@ class Drawer {
 
   /// "cut 300 mm, 0 [colours] 400 mm/s"; moves `x` behind it.
   std::string speed_key(double& x, const std::string& length) const {
-    std::string out = svg::text({x, 42}, length + ": 0", ink + " font-size=\"12\"");
+    std::string out = svg::text({x, 42}, length + ": 0", std::string(ink) + " font-size=\"12\"");
     x += 7 * static_cast<double>(length.size() + 3) + 2;
     for (const char* colour : speed_colours) {
       out += "<rect" + svg::attribute("x", svg::number(x)) + " y=\"32\" width=\"9\" height=\"12\"" +
@@ -359,7 +359,7 @@ class Drawer {
     }
     char words[40];
     std::snprintf(words, sizeof words, "%.4g mm/s", fastest_);
-    out += svg::text({x + 5, 42}, words, ink + " font-size=\"12\"");
+    out += svg::text({x + 5, 42}, words, std::string(ink) + " font-size=\"12\"");
     x += 20 + 6.6 * static_cast<double>(std::string(words).size());
     return out;
   }
