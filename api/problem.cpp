@@ -190,7 +190,8 @@ Problem problem_from_current_exception(std::string_view prefix) {
     }
     return {"internal", "The planner was stopped."};
   } catch (const std::bad_alloc&) {
-    return {"budget-exhausted", "The memory ran out while the job was planned: divide the job, or let wider limits hold."};
+    return {"budget-exhausted",
+            "The memory ran out while the job was planned: divide the job, or let wider limits hold."};
   } catch (...) {
     return {"internal", "The planner ended unexpectedly."};  // its text may carry what no client should see
   }
