@@ -15,9 +15,9 @@ foreach(form file IN ZIP_LISTS forms described)
   add_custom_command(OUTPUT ${file} COMMAND ${Python3_EXECUTABLE} ${package}/describe.py ${form} $<TARGET_FILE:bahnwerk> ${file}
     DEPENDS bahnwerk ${package}/describe.py VERBATIM)
 endforeach()
-add_custom_command(OUTPUT ${packaged}/changelog.gz COMMAND sh -c "gzip -9nc '${PROJECT_SOURCE_DIR}/CHANGELOG.md' >'${packaged}/changelog.gz'"
+add_custom_command(OUTPUT ${packaged}/CHANGELOG.md.gz COMMAND sh -c "gzip -9nc '${PROJECT_SOURCE_DIR}/CHANGELOG.md' >'${packaged}/CHANGELOG.md.gz'"
   DEPENDS ${PROJECT_SOURCE_DIR}/CHANGELOG.md VERBATIM)
-add_custom_target(package_files DEPENDS ${described} ${packaged}/changelog.gz)
+add_custom_target(package_files DEPENDS ${described} ${packaged}/CHANGELOG.md.gz)
 
 file(STRINGS ${PROJECT_SOURCE_DIR}/LICENSE license)
 list(GET license 2 COPYRIGHT)
@@ -33,7 +33,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/deploy/systemd/bahnwerk.default DESTINATION 
 install(FILES ${packaged}/bahnwerk.1.gz DESTINATION /usr/share/man/man1)
 install(FILES ${packaged}/bash DESTINATION /usr/share/bash-completion/completions RENAME bahnwerk)
 install(FILES ${packaged}/zsh DESTINATION /usr/share/zsh/vendor-completions RENAME _bahnwerk)
-install(FILES ${packaged}/copyright ${packaged}/changelog.gz ${PROJECT_SOURCE_DIR}/docs/operations.md DESTINATION ${doc})
+install(FILES ${packaged}/copyright ${packaged}/CHANGELOG.md.gz ${PROJECT_SOURCE_DIR}/docs/operations.md DESTINATION ${doc})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${doc} PATTERN "*.py" EXCLUDE PATTERN "generator" EXCLUDE PATTERN "__pycache__" EXCLUDE)
 install(FILES ${PROJECT_SOURCE_DIR}/examples/clients/python/bahnwerk.py DESTINATION ${doc}/examples/clients/python)
 

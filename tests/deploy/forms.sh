@@ -22,13 +22,18 @@ start_server
 request GET /openapi.json
 cp "$root"/tests/deploy/*.{mjs,ts} "$work/"
 ln -s "$modules/node_modules" "$work/node_modules"
-cd "$work"
+cd "$work" || exit
 # A member with a default need not be given.
 node_modules/.bin/openapi-typescript body --default-non-nullable=false -o api.d.ts >out 2>&1 || { cat out >&2; fail "types from the OpenAPI document"; }
 # Dockerfile, Kubernetes' own schemas; writes manifests.ts, in which the compiler finds members that no schema names.
 node forms.mjs "$root" || fail "a form is wrong"
 node_modules/.bin/tsc --noEmit --strict --target es2022 --module nodenext --moduleResolution nodenext client_types.ts manifests.ts >out 2>&1 || { cat out >&2; fail "tsc"; }
 node_modules/.bin/dclint --disable-rule no-build-and-image --max-warnings 0 "$root/docker/compose.yaml" >out 2>&1 || { cat out >&2; fail "dclint"; }
+
+# Debian 12 has no kubectl; where there is one it puts the manifests together.
+if command -v kubectl >/dev/null; then
+  kubectl kustomize "$root/deploy/kubernetes" >out 2>&1 || { cat out >&2; fail "kubectl kustomize"; }
+fi
 
 # systemd-analyze ends with 0 when it knows a key not, and says so: any word is a fault.
 sed "s#^ExecStart=/usr/bin/bahnwerk#ExecStart=$bahnwerk#" "$root/deploy/systemd/bahnwerk.service" >bahnwerk.service
