@@ -9,6 +9,16 @@ in_root() {
       DEBIAN_FRONTEND=noninteractive $(env | grep -iE "^(https?|no)_proxy=" || true) "${@:2}"' - "$dir" "$@" </dev/null
 }
 
+check_group=/sys/fs/cgroup/systemd/bahnwerk-check
+# unboot: ends it, if it runs.
+unboot() {
+  [ -z "${booted:-}" ] || kill -KILL "$booted" 2>/dev/null || true
+  [ ! -d "$check_group" ] || for _ in $(seq 50); do
+    find "$check_group" -depth -type d -exec rmdir {} + 2>/dev/null && break
+    sleep 0.1
+  done
+}
+
 # boot DIR: starts its systemd as process 1 of namespaces of its own, network included; sets $booted, the process.
 boot() {
   local dir=$1 unit
@@ -17,7 +27,11 @@ boot() {
     dev-hugepages.mount sys-fs-fuse-connections.mount systemd-networkd.service; do
     ln -sf /dev/null "$dir/etc/systemd/system/$unit"
   done
-  unshare -pf --mount --uts --ipc --cgroup --net --kill-child bash -c '
+  # Control groups of its own, below one that unboot() takes away.
+  [ ! -d /sys/fs/cgroup/systemd ] || mkdir -p "$check_group"
+  (
+    [ ! -d "$check_group" ] || echo "$BASHPID" >"$check_group/cgroup.procs"
+    exec unshare -pf --mount --uts --ipc --cgroup --net --kill-child bash -c '
     set -e
     cd "$1"
     mount --make-rprivate /
@@ -42,7 +56,8 @@ boot() {
     # A chroot is not enough: units are given mount namespaces of their own.
     pivot_root . .
     umount -l .
-    exec env -i container=check PATH=/usr/sbin:/usr/bin:/sbin:/bin /lib/systemd/systemd --unit=multi-user.target' - "$dir" </dev/null >"$dir.boot.log" 2>&1 &
+    exec env -i container=check PATH=/usr/sbin:/usr/bin:/sbin:/bin /lib/systemd/systemd --unit=multi-user.target' - "$dir"
+  ) </dev/null >"$dir.boot.log" 2>&1 &
   local starter=$!
   for _ in $(seq 300); do
     booted=$(pgrep -P "$starter" -f /lib/systemd/systemd || true)

@@ -17,6 +17,7 @@ quit() {
   for pid in "${pids[@]}"; do kill "$pid" 2>/dev/null || true; done
   sleep 0.5
   for pid in "${pids[@]}"; do kill -KILL "$pid" 2>/dev/null || true; done
+  unboot
   rm -rf --one-file-system "$work"
 }
 trap quit EXIT
@@ -51,7 +52,6 @@ part_package() {
   mkdir -p "$root/etc/systemd/system/bahnwerk.service.d"
   printf '[Service]\nWatchdogSec=3\n' >"$root/etc/systemd/system/bahnwerk.service.d/check.conf"
   boot "$root"
-  pids+=("$booted")
   unit_is active
   echo "  $(property StatusText); $(booted systemd-analyze security --no-pager bahnwerk.service 2>/dev/null | tail -n 1 | sed 's/^[^a-zA-Z]*//')"
   [ "$(property Type) $(property User)" = "notify bahnwerk" ] || fail "type and user of the unit"
@@ -87,7 +87,7 @@ part_package() {
   unit_is active
   has_job "$job" "removal, purge and a second installation"
   echo "  the jobs are still there"
-  kill -KILL "$booted"
+  unboot
 }
 # has_job ID AFTER
 has_job() { booted bahnwerk fetch "$1" --format csv >"$work/rows.csv" && grep -q '^x,y,' "$work/rows.csv" || fail "the job is lost after $2"; }
