@@ -96,7 +96,7 @@ struct GcodeOptions {
   std::size_t steps = 1'000'000;                     ///< budget of loops and subprograms
   bool absolute_centres = false;                     ///< G90.1 before the first G90.1 or G91.1
   bool g70_g71_units = false;                        ///< G70: inches, G71: mm, as older controls have them
-  std::optional<GcodeMotion> initial_motion{};       ///< before the first motion word; unset: none
+  GcodeMotion initial_motion = GcodeMotion::rapid;   ///< before the first motion word, which is noted
 
   bool gives_offsets() const {
     return std::any_of(work_offsets.begin(), work_offsets.end(), [](const auto& one) { return one.has_value(); });

@@ -31,6 +31,10 @@ expect_equal "$(jq '[.details.blocks[].mode] | join(" ")' "$work/out")" '"cut po
 printf '0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n10\n0\n20\n0\n40\n5\n0\nENDSEC\n0\nEOF\n' >"$work/part.DXF"
 expect_equal "$(code_of "$bahnwerk" plan - --contour "$work/part.DXF" <"$examples/line.json")" 0
 expect_equal "$(jq '.summary.path_length * 1e6 | round' "$work/out")" 31415927
+# A binary drawing: its bytes travel in base64.
+printf 'AutoCAD Binary DXF\r\n\x1a\x00\x00SECTION\x00\x02ENTITIES\x00\x00CIRCLE\x00\x28\x00\x00\x00\x00\x00\x00\x14\x40\x00ENDSEC\x00\x00EOF\x00' >"$work/binary.dxf"
+expect_equal "$(code_of "$bahnwerk" plan "$examples/line.json" --contour "$work/binary.dxf")" 0
+expect_equal "$(jq '.summary.path_length * 1e6 | round' "$work/out")" 31415927
 printf 'G1 X10\nG41 X20\n' >"$work/wrong.nc"
 expect_equal "$(code_of "$bahnwerk" plan "$examples/line.json" --contour "$work/wrong.nc")" 2
 jq -e '.errors[0].pointer == "/spec/contour/gcode" and (.errors[0].message | startswith("line 2: "))' "$work/out" >/dev/null ||

@@ -23,7 +23,7 @@ Interpreter::Interpreter(const GcodeOptions& options, bool flat, Progress& progr
       switch_output_(options.output),
       g28_(options.g28),
       g30_(options.g30) {
-  if (options.initial_motion) motion_ = *options.initial_motion == GcodeMotion::rapid ? Action::rapid : Action::line;
+  motion_ = options.initial_motion == GcodeMotion::rapid ? Action::rapid : Action::line;
   mover_.place(offsets_.origin());
 }
 

@@ -58,15 +58,14 @@ void Interpreter::move(const Line& line) {
   }
   if (motion_ == Action::no_motion) {
     takes(line, own);
-    return fault(initial_
-                     ? "coordinates before any motion word: none of G0 … G3, G5, G5.1 is in force; initial_motion of "
-                       "the document can say which is at the begin"
-                     : "coordinates without a motion: none of G0 … G3, G5, G5.1 is in force");
+    if (!sound_) return;
+    return fault("coordinates without a motion: none of G0 … G3, G5, G5.1 is in force");
   }
   if (initial_)
     note(key_initial, line,
-         motion_ == Action::rapid ? "coordinates before any motion word: G0, as initial_motion says"
-                                  : "coordinates before any motion word: G1, as initial_motion says");
+         motion_ == Action::rapid
+             ? "coordinates before any motion word: taken as G0, as GRBL begins (initial_motion of the document)"
+             : "coordinates before any motion word: taken as G1 (initial_motion of the document)");
   if (away_ != 0) return come_back(line);
   if (motion_ != Action::cubic) last_handle_.reset();
   // What follows a fault in the line shall only keep track of the place.

@@ -188,9 +188,6 @@ TEST(GcodeFaults, SayWhatIsWrong) {
   EXPECT_EQ(
       message("G1 X1\nX2 G95"),
       "line 2: G95: feed per revolution is not supported: use G94 with F per minute, which needs no spindle speed");
-  EXPECT_EQ(message("\n\nX5"),
-            "line 3: coordinates before any motion word: none of G0 … G3, G5, G5.1 is in force; initial_motion of the "
-            "document can say which is at the begin");
   EXPECT_EQ(message("G1 X5\nG80\nX6"), "line 3: coordinates without a motion: none of G0 … G3, G5, G5.1 is in force");
   EXPECT_EQ(message("G0 X10 Y0\nG3 X0 Y12 I-10"),
             "line 2: the arc's radii at start and end differ by more than the tolerance");

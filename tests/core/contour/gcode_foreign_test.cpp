@@ -38,6 +38,7 @@ TEST(GcodeForeign, LettersBeforeItOrOfAGWordAreTheLines) {
 
 TEST(GcodeForeign, AToolChangeTakesNoCoordinates) {
   EXPECT_EQ(fault_lines("G0 X0 Y0 Z5\nM6 T2 X9 Z30\nG1 X5 F60"), (std::vector{2}));
+  EXPECT_EQ(fault_lines("M6 T2 X9 Z30\nG1 X5 F60"), (std::vector{1}));
   EXPECT_EQ(end_of(read_gcode("G0 X0 Y0\nG1 X3 F60\nT2 M6 G1 X9")).x, 9);
   EXPECT_EQ(end_of(read_gcode("G0 X0 Y0\nG1 X3 F60\nX9 M6 T2")).x, 9);
 }
@@ -45,7 +46,7 @@ TEST(GcodeForeign, AToolChangeTakesNoCoordinates) {
 TEST(GcodeForeign, HeadersOfPrinters) {
   const Contour c = read_gcode(
       "M862.3 P \"MK3S X9\"\nM862.1 P0.6 A1\nM115 U2.10.3\nM486 S1 A\"cube; small\"\nM486 ATop\nM204.2 K1.0\n"
-      "M73 P0 R12\nG28 W\nG28 O\nG29.2 S0\nM555 X5 Y5 W40 H40\nG90\nM83\nG1 X30 Y4 F600\nX40 E2.5\n");
+      "M73 P0 R12\nM73.2 R1.0\nG28 W\nG28 O\nG29.2 S0\nM555 X5 Y5 W40 H40\nG90\nM83\nG1 X30 Y4 F600\nX40 E2.5\n");
   EXPECT_EQ(c.path.size(), 2u);
   EXPECT_EQ(end_of(c), (Vec{40, 4, 0}));
   EXPECT_TRUE(noted(c, "words of printers"));
@@ -126,10 +127,10 @@ TEST(GcodeForeign, PredefinedNames) {
 }
 
 TEST(GcodeForeign, TheDocumentSaysWhatTheTextDoesNot) {
-  EXPECT_EQ(fault_lines("X5 Y5\nG1 X9"), (std::vector{1}));
-  const Contour rapid = read_gcode("X5 Y5\nF60 G1 X9", {.initial_motion = GcodeMotion::rapid});
+  const Contour rapid = read_gcode("X5 Y5\nF60 G1 X9");
   EXPECT_EQ(rapid.path.length(), 4);
-  EXPECT_TRUE(noted(rapid, "line 1: coordinates before any motion word: G0"));
+  EXPECT_TRUE(noted(rapid, "line 1: coordinates before any motion word: taken as G0"));
+  EXPECT_EQ(fault_lines("G80\nX5 Y5\nG1 X9"), (std::vector{2}));
   EXPECT_EQ(read_gcode("F60 X5\nG0 X9", {.initial_motion = GcodeMotion::line}).blocks.front().mode, Mode::cut);
   EXPECT_TRUE(read_gcode("G1 F60 X5\nX6", {.initial_motion = GcodeMotion::line}).notes.empty());
 

@@ -195,7 +195,9 @@ bool Lines::code(Line& line, char letter, double value) {
   const double scaled = 10 * value, tenfold = std::round(scaled);
   const bool sound = value >= 0 && value < 10'000 && std::abs(scaled - tenfold) < 1e-6;
   const int number = sound ? static_cast<int>(tenfold) : 0;
-  if (!sound || (m && number % 10 != 0 && known_m(number / 10))) {
+  // A printer's M73.2 tells its progress.
+  const bool known = m && known_m(number / 10) && (number % 10 == 0 || number / 10 != 73);
+  if (!sound || (known && number % 10 != 0)) {
     line.fault = std::string("there is no such ") + letter + " word";
     return false;
   }
@@ -206,7 +208,7 @@ bool Lines::code(Line& line, char letter, double value) {
     return false;
   }
   list[count++] = !m ? number : number % 10 != 0 ? -number : number / 10;
-  if (!m || known_m(number / 10)) return true;
+  if (!m || known) return true;
   line.has_foreign = true;
   printer_ = printer_ || printer_m(number / 10);
   return number != 1170 && number != 1180;  // a printer's message: text follows
