@@ -207,8 +207,19 @@ class Explainer {
                        [&](const json& name) { return value.contains(name.get_ref<const std::string&>()); });
   }
 
-  /// Speaks for the one branch that the value means, by its type or a constant member, else by the required members
-  /// that are there; if that leaves none or several, says which branches there are.
+  /// Whether a branch requires a member that it holds constant, by which documents name it, and the value lacks that.
+  static bool unnamed(const json& branch, const json& value) {
+    if (!branch.contains("required") || !value.is_object()) return false;
+    return std::any_of(branch["required"].begin(), branch["required"].end(), [&](const json& required) {
+      const auto& name = required.get_ref<const std::string&>();
+      return !value.contains(name) && branch["properties"].contains(name) &&
+             branch["properties"][name].contains("const");
+    });
+  }
+
+  /// Speaks for the one branch that the value means, by its type or a constant member, else for the one that needs not
+  /// be named by such a member, else by the required members that are there; if that leaves none or several, says which
+  /// branches there are.
   void one_of(const json& branches, const json& value, std::string& at) {
     std::vector<const json*> possible, filled;
     std::size_t valid = 0;
@@ -224,6 +235,12 @@ class Explainer {
       if (complete(branch, value)) filled.push_back(&branch);
     }
     if (valid == 1) return;
+    if (possible.size() > 1) {
+      std::vector<const json*> named;
+      for (const json* branch : possible)
+        if (!unnamed(*branch, value)) named.push_back(branch);
+      if (named.size() == 1) possible = std::move(named);
+    }
     if (possible.size() != 1) possible = filled;
     if (possible.size() == 1)
       visit(*possible.front(), value, at);
