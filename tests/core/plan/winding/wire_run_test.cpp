@@ -54,7 +54,7 @@ TEST(WireRun, TellsWireAndTimes) {
   EXPECT_EQ(three.turn_begins[0], 0);
   EXPECT_LT(three.turn_begins[1], three.turn_begins[2]);
   EXPECT_LT(three.turn_begins[2], three.motion.duration);
-  EXPECT_NEAR(three.strokes_per_minute, 6 * 60 / three.motion.duration, 1e-9);
+  EXPECT_NEAR(three.strokes_per_minute, 3 * 60 / three.motion.duration, 1e-9);
 }
 
 }  // namespace
