@@ -43,7 +43,7 @@ declare -A allowed=(
     core/contour/ core/machine/ core/drawing/ core/geometry/ core/numeric/random.hpp core/numeric/taylor.hpp core/base/"
   [api]="core/plan/ core/base/
     core/contour/contour.hpp core/contour/builder.hpp core/contour/polyline.hpp core/contour/dxf.hpp core/contour/gcode.hpp core/machine/ core/redundant/redundancy.hpp core/redundant/coarse_fine.hpp
-    core/winding/wire.hpp core/winding/slot/slot.hpp core/winding/slot/coil_sides.hpp core/winding/laying/laying_regions.hpp core/winding/layout/count_bound.hpp"
+    core/winding/wire.hpp core/winding/slot/slot.hpp core/winding/slot/coil_sides.hpp core/winding/laying/laying_regions.hpp core/winding/laying/windable.hpp core/winding/layout/count_bound.hpp core/winding/part/part.hpp"
   [server]="api/ core/base/errors.hpp core/base/progress.hpp"
   [server/runtime]="api/job.hpp"
   [server/store]="server/runtime/ api/job.hpp api/planned_job.hpp api/problem.hpp api/setpoints.hpp core/base/progress.hpp"

@@ -4,8 +4,6 @@
 #include <variant>
 
 #include "api/kinds/winding/winding_input.hpp"
-#include "core/winding/needle/wire_pull.hpp"
-#include "core/winding/needle/wire_tension.hpp"
 #include "core/winding/part/part.hpp"
 
 namespace bahnwerk::api::winding_kind {
