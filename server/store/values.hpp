@@ -62,9 +62,9 @@ inline constexpr int max_lost_attempts = 2;
 struct Ending {
   api::JobState state = api::JobState::failed;  ///< failed or cancelled
   std::string error;                            ///< problem document
-  std::string result = {};                      ///< result document of a plan that was not verified; empty: none
   std::int64_t now = 0;
   std::uint64_t revision = 0;
+  std::string result = {};  ///< result document of a plan that was not verified; empty: none
 };
 
 /// What a stored series looks like; its rows come through Store::read_chunk.
