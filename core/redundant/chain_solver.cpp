@@ -9,18 +9,20 @@
 namespace bahnwerk {
 namespace {
 
-/// One side of a box: sign·x + slack − excess = limit. The multiplier z of it is between 0 and the penalty.
+/// One side of a box: sign·x + slack − excess = limit. The multiplier z of it is between 0 and the penalty; what it is
+/// below the penalty is a number of its own, because near the penalty a difference would have lost its digits.
 struct Bound {
   double limit = 0;  // infinite: there is none
-  double slack = 1, excess = 1, z = 1;
+  double slack = 1, excess = 1, z = 1, below = 1;
   double d_slack = 0, d_excess = 0, dz = 0;  // the step
-  double aim1 = 0, aim2 = 0;                 // what slack·z and excess·(penalty − z) are to change by
-  double by_z = 0, by_elastic = 0;           // 1/z, 1/(penalty − z); 0: there is no excess
+  double aim1 = 0, aim2 = 0;                 // what slack·z and excess·below are to change by
+  double by_z = 0, by_elastic = 0;           // 1/z, 1/below; 0: there is no excess
   double inverse = 0;                        // weight in the Newton system
   bool active() const { return std::isfinite(limit); }
 };
 
 constexpr double hard = std::numeric_limits<double>::infinity();
+constexpr double rest = 1e-9;  // derivatives at the end, that count as none
 
 struct Pair {
   Bound lower, upper;
@@ -64,8 +66,7 @@ class Method {
         break;
       }
       if (options_.any && violation_ <= 0 && dual_ < 1) break;
-      if (solution.iterations == options_.max_iterations) break;
-      step();
+      if (solution.iterations == options_.max_iterations || !step()) break;
     }
     finish(solution);
     return solution;
@@ -118,9 +119,11 @@ class Method {
         gradient_[i][k] = w * (states_[i][k] - middle);
       }
     newton();
-    for (std::size_t c = 0; c < n_; ++c) controls_[c] += d_controls_[c];
-    begin_by(1);
-    roll();
+    if (finite()) {
+      for (std::size_t c = 0; c < n_; ++c) controls_[c] += d_controls_[c];
+      begin_by(1);
+      roll();
+    }
     for (std::size_t i = 0; i <= n_; ++i)
       for (std::size_t k = 0; k < order; ++k) {
         const Range& r = chain_.states[i][k];
@@ -143,6 +146,7 @@ class Method {
         b.slack = room > 0 ? 0.5 * (room + root) : 2 * kappa * kappa / (root - room);
         b.excess = room > 0 ? 2 * kappa * kappa / (root + room) : 0.5 * (root - room);
         b.z = std::min(penalty * b.excess / (b.slack + b.excess), 0.9999 * penalty);
+        b.below = penalty - b.z;
       }
     });
   }
@@ -163,11 +167,11 @@ class Method {
     each([&](Bound& b, double sign, double x, double, double penalty) {
       b.slack += taken_ * b.d_slack;
       b.z += taken_ * b.dz;
-      if (penalty < hard) b.excess += taken_ * b.d_excess;
+      if (penalty < hard) b.excess += taken_ * b.d_excess, b.below -= taken_ * b.dz;
       sum += b.slack * b.z;
       ++count;
       if (penalty < hard) {
-        sum += b.excess * (penalty - b.z);
+        sum += b.excess * b.below;
         excess += b.excess;
         ++count;
       }
@@ -177,7 +181,7 @@ class Method {
     for (std::size_t k = 1; chain_.ends_at_rest && k < order; ++k) {
       const double speed = std::abs(states_[n_][k]);
       residual = std::max(residual, speed);
-      if (speed > 1e-9) violation = std::max(violation, speed);
+      if (speed > rest) violation = std::max(violation, speed);
     }
     violation_ = violation;
     gap_ = sum;
@@ -201,7 +205,7 @@ class Method {
     const auto bound = [&](Bound& b, double sign, double x, double penalty, double& w, double& g) {
       aim(b, penalty);
       if (weights) {
-        b.by_z = 1 / b.z, b.by_elastic = penalty < hard ? 1 / (penalty - b.z) : 0;
+        b.by_z = 1 / b.z, b.by_elastic = penalty < hard ? 1 / b.below : 0;
         b.inverse = 1 / (b.slack * b.by_z + b.excess * b.by_elastic);
         w += b.inverse;
       }
@@ -290,8 +294,8 @@ class Method {
       if (penalty < hard) {
         b.d_excess = (b.aim2 + b.excess * b.dz) * b.by_elastic;
         limit(b.excess, b.d_excess);
-        limit(penalty - b.z, -b.dz);
-        sums.linear += b.d_excess * (penalty - b.z) - b.excess * b.dz;
+        limit(b.below, -b.dz);
+        sums.linear += b.d_excess * b.below - b.excess * b.dz;
         sums.square -= b.d_excess * b.dz;
       }
       sums.linear += b.slack * b.dz + b.d_slack * b.z;
@@ -301,10 +305,11 @@ class Method {
     return least;
   }
 
-  void step() {
+  /// False: the Newton system has no solution in these digits, and nothing has changed.
+  bool step() {
     assemble(true, [](Bound& b, double penalty) {
       b.aim1 = -b.slack * b.z;
-      b.aim2 = penalty < hard ? -b.excess * (penalty - b.z) : 0;
+      b.aim2 = penalty < hard ? -b.excess * b.below : 0;
     });
     factorise();
     solve_step();
@@ -314,14 +319,29 @@ class Method {
     const double target = std::max(ratio * ratio * ratio, 1e-4) * mu_;
     assemble(false, [&](Bound& b, double penalty) {
       b.aim1 = target - b.slack * b.z - b.d_slack * b.dz;
-      if (penalty < hard) b.aim2 = target - b.excess * (penalty - b.z) + b.d_excess * b.dz;
+      if (penalty < hard) b.aim2 = target - b.excess * b.below + b.d_excess * b.dz;
     });
     solve_step();
-    taken_ = reach(0.995);
+    const double taken = reach(0.995);
+    if (!finite()) return false;
+    taken_ = taken;
     for (std::size_t c = 0; c < n_; ++c)
       if (free_[c]) controls_[c] += taken_ * d_controls_[c];
     begin_by(taken_);
     dual_ *= 1 - taken_;
+    return true;
+  }
+
+  /// Whether the step is a number everywhere.
+  bool finite() {
+    double sum = 0;
+    for (const State& d : d_states_)
+      for (const double x : d) sum += std::abs(x);
+    for (std::size_t c = 0; c < n_; ++c) sum += free_[c] ? std::abs(d_controls_[c]) : 0;
+    each([&](Bound& b, double, double, double, double) {
+      sum += std::abs(b.d_slack) + std::abs(b.d_excess) + std::abs(b.dz);
+    });
+    return std::isfinite(sum);
   }
 
   void finish(ChainSolution<order>& s) {
@@ -342,6 +362,8 @@ class Method {
     for (std::size_t c = 0; c < n_; ++c) s.energy += order == 2 ? chain_.steps[c] * controls_[c] * controls_[c] : 0;
     for (std::size_t i = 0; i <= n_; ++i)
       if constexpr (order == 3) s.energy += node_step(i) * states_[i][2] * states_[i][2];
+    for (std::size_t k = 1; chain_.ends_at_rest && k < order; ++k)
+      if (const double speed = std::abs(states_[n_][k]); !(speed <= rest)) s.excess = std::max(s.excess, speed);
     s.at_end = at_end_;
     s.states = std::move(states_);
     s.controls = std::move(controls_);

@@ -5,7 +5,9 @@
 ///
 /// Boxes of states are elastic: what exceeds them costs `penalty` per unit, so there always is a solution, and one
 /// without excess is one of the hard problem as long as its multipliers are below the penalty. Controls with a box
-/// narrower than `fixed_width` are fixed at its middle. Cost: O(cells) time and memory per iteration.
+/// narrower than `fixed_width` are fixed at its middle. Where digits no longer suffice for another step the solution is
+/// what the last one led to: states are always numbers, and `excess` tells whether they hold. Cost: O(cells) time and
+/// memory per iteration.
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -30,7 +32,7 @@ struct ChainSolution {
   std::vector<ChainState<order>>
       multipliers;             ///< of the boxes of states: positive of the upper bound, negative of the lower one
   ChainState<order> at_end{};  ///< multipliers of the rest at the end
-  double excess = 0;           ///< largest by which a state exceeds its box
+  double excess = 0;           ///< largest by which a state exceeds its box, or derivatives at the end their 0
   double energy = 0;           ///< Σ h·a²
   int iterations = 0;
   bool converged = false;

@@ -108,9 +108,11 @@ WindowedSolution<order> solve_in_windows(const Chain<order>& chain, const ChainO
     if (first == 0 && last < n && last - keep < windows.kept && ahead > much_further * before) continue;
     std::copy_n(s.states.begin(), keep - first + 1, all.states.begin() + static_cast<std::ptrdiff_t>(first));
     std::copy_n(s.controls.begin(), keep - first, all.controls.begin() + static_cast<std::ptrdiff_t>(first));
-    for (const Cluster<order>& c :
-         s.excess > windows.followed ? clusters(window, s, windows.followed) : std::vector<Cluster<order>>{})
-      all.exceeds.emplace_back(first + c.first, first + c.last);
+    if (s.excess > windows.followed) {
+      const std::vector<Cluster<order>> found = clusters(window, s, windows.followed);
+      for (const Cluster<order>& c : found) all.exceeds.emplace_back(first + c.first, first + c.last);
+      if (found.empty()) all.exceeds.emplace_back(first, last);  // it does not come to rest
+    }
     first = keep;
   }
   all.energy = energy_of(chain, all);

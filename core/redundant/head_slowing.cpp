@@ -55,7 +55,9 @@ bool HeadSlowing<order>::slow_once(const HeadStretch& stretch, std::size_t round
       solution = followed_if_possible(p.chains[k], fine);
     }
     if (solution.excess <= 0) continue;
-    for (const Cluster<order>& c : clusters(p.chains[k], solution, 0.0)) {
+    const std::vector<Cluster<order>> found = clusters(p.chains[k], solution, 0.0);
+    if (found.empty()) throw Infeasible("the coarse axes do not come to rest");
+    for (const Cluster<order>& c : found) {
       counts.certified += round == 1 && c.certificate.value > 0;
       lower_paces(p.head->law(), p.cells, k, machine_.axes[k], c, haste_of(round), plan_.paces());
       slower = true;
