@@ -4,6 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/redundant/joint.hpp"
+
 namespace bahnwerk::api::contour {
 namespace {
 
@@ -89,10 +91,8 @@ CoarseFineMachine coarse_fine_machine(const json& spec) {
   for (const char* stage : {"coarse", "fine"})
     for (const auto& [name, axis] : document[stage].items()) {
       some_jerk |= given(axis, "jerk");
-      const char* const other = stage == std::string("coarse") ? "fine" : "coarse";
-      if (!document[other].contains(name))
-        faults.push_back(
-            {{"machine", other, name}, std::string("is required: there is one among the ") + stage + " axes"});
+      if (stage == std::string("fine") && !document["coarse"].contains(name))
+        faults.push_back({{"machine", "coarse", name}, "is required: there is one among the fine axes"});
     }
   if (some_jerk)
     for (const char* stage : {"coarse", "fine"})
@@ -103,8 +103,12 @@ CoarseFineMachine coarse_fine_machine(const json& spec) {
   if (!faults.empty()) throw InvalidInput(std::move(faults));
   for (const char* name : axis_names)
     if (document["coarse"].contains(name)) {
-      const json& fine = document["fine"][name];
-      machine.axes.push_back({name, limits(document["coarse"][name]), limits(fine), fine["stroke"].get<double>()});
+      CoarseFineAxis axis{name, limits(document["coarse"][name]), {}, 0};
+      if (document["fine"].contains(name)) {
+        const json& fine = document["fine"][name];
+        axis.fine = limits(fine), axis.stroke = fine["stroke"].get<double>();
+      }
+      machine.axes.push_back(axis.stroke > 0 ? axis : coarse_alone(axis));
     }
   return machine;
 }
@@ -177,8 +181,9 @@ void check_redundancy(const json& spec, const CoarseFineMachine& machine, const 
 
 void check_grid(const CoarseFineMachine& machine, double shortest, std::vector<InputFault>& faults) {
   for (const CoarseFineAxis& axis : machine.axes) {
-    const double cells = cells_per_time * shortest / std::sqrt(axis.stroke / axis.coarse.acceleration);
-    if (cells > max_cells)
+    const double cell = std::sqrt(axis.stroke / axis.coarse.acceleration) / cells_per_time;
+    if (!(cell >= JointOptions{}.least_cell)) continue;  // the fine axis stands still
+    if (shortest / cell > max_cells)
       faults.push_back({{"machine", "fine", axis.name, "stroke"},
                         "is so small, beside the coarse axis' acceleration, that the motion would have more than " +
                             std::to_string(static_cast<long>(max_cells)) +

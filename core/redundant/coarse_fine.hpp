@@ -14,8 +14,15 @@ namespace bahnwerk {
 struct CoarseFineAxis {
   std::string name;
   Limits coarse, fine;  ///< their accelerations are finite; jerks of both are, or of neither
-  double stroke = 0;    ///< mm, one-sided: |x − x_c| ≤ stroke
+  double stroke = 0;    ///< mm, one-sided: |x − x_c| ≤ stroke; 0: there is no fine axis, and its limits are 0
 };
+
+/// The axis without its fine one: the coarse axis does all that the tool does.
+inline CoarseFineAxis coarse_alone(CoarseFineAxis axis) {
+  axis.stroke = 0;
+  axis.fine = {0, 0, axis.coarse.jerk < unlimited ? 0 : unlimited};
+  return axis;
+}
 
 struct CoarseFineMachine {
   std::vector<CoarseFineAxis> axes;  ///< axis k is coordinate k
@@ -48,8 +55,11 @@ inline Machine head_limits(const CoarseFineMachine& machine) {
   Machine head = summed(machine);
   for (std::size_t k = 0; k < head.axes.size(); ++k) {
     const Limits &coarse = machine.axes[k].coarse, &fine = machine.axes[k].fine;
-    head.axes[k].jerk =
-        head.axes[k].acceleration * std::min(coarse.jerk / coarse.acceleration, fine.jerk / fine.acceleration);
+    if (!(fine.acceleration > 0))
+      head.axes[k].jerk = coarse.jerk;
+    else
+      head.axes[k].jerk =
+          head.axes[k].acceleration * std::min(coarse.jerk / coarse.acceleration, fine.jerk / fine.acceleration);
   }
   return head;
 }

@@ -36,15 +36,6 @@ Machine calmed(Machine head, const CoarseFineMachine& machine, const Freedom& fr
   return head;
 }
 
-/// Whether derivatives of the axes differ on both sides of the begin of a segment; 1/mm for the second ones.
-bool curvature_jumps(const AxisPath& path, std::size_t segment) {
-  const AxisJet before = path.at_parameter(segment - 1, path[segment - 1].curve().end()),
-                after = path.at_parameter(segment, path[segment].curve().begin());
-  for (std::size_t k = 0; k < path.axes(); ++k)
-    if (!(std::abs(after.d1[k] - before.d1[k]) <= same && std::abs(after.d2[k] - before.d2[k]) <= same)) return true;
-  return false;
-}
-
 /// End of the section of the law that begins with piece `begin`.
 std::size_t end_of_section(const TimeLaw& law, std::size_t begin) {
   std::size_t end = begin + 1;
@@ -53,6 +44,16 @@ std::size_t end_of_section(const TimeLaw& law, std::size_t begin) {
 }
 
 }  // namespace
+
+bool derivatives_jump(const AxisPath& path, std::size_t segment, int derivatives) {
+  const AxisJet before = path.at_parameter(segment - 1, path[segment - 1].curve().end()),
+                after = path.at_parameter(segment, path[segment].curve().begin());
+  for (std::size_t k = 0; k < path.axes(); ++k)
+    if (!(std::abs(after.d1[k] - before.d1[k]) <= same &&
+          (derivatives < 2 || std::abs(after.d2[k] - before.d2[k]) <= same)))
+      return true;
+  return false;
+}
 
 template <std::size_t order>
 HeadPlan<order>::HeadPlan(const JointTask& task, double corner_angle, double share, Progress& progress,
@@ -220,7 +221,8 @@ std::shared_ptr<const PathMotion> HeadPlan<order>::coarse_alone(bool stops) cons
     coarse.axes[k].jerk = std::min(coarse.axes[k].jerk, coarse_share * limits.jerk);
   }
   std::vector<bool> rests = task_.rests;
-  for (std::size_t i = 1; stops && i < task_.path->size(); ++i) rests[i] = rests[i] || curvature_jumps(*task_.path, i);
+  for (std::size_t i = 1; stops && i < task_.path->size(); ++i)
+    rests[i] = rests[i] || derivatives_jump(*task_.path, i, 2);
   const PathTask path{*task_.path, coarse, {}, rests, task_.dwells};
   return std::make_shared<const PathMotion>(task_.path,
                                             with_dwells(planned(coarse, task_.feeds, rests), path, progress_));

@@ -32,6 +32,8 @@ typename HeadSlowing<order>::Problem HeadSlowing<order>::problem(const HeadStret
   const bool all = stretch.last == p.head->path().size();
   p.cells = head_cells(*p.head, 0, p.head->pieces() - (all ? 0 : 1), cell_options_, scope_);
   for (std::size_t k = 0; k < machine_.axes.size(); ++k) {
+    if (!(machine_.axes[k].stroke > 0)) continue;
+    p.axes.push_back(k);
     p.chains.push_back(following<order>(p.cells, k, machine_.axes[k]));
     p.chains.back().begins_at_rest = stretch.first == 0;
     p.chains.back().ends_at_rest = all;
@@ -59,7 +61,7 @@ bool HeadSlowing<order>::slow_once(const HeadStretch& stretch, std::size_t round
     if (found.empty()) throw Infeasible("the coarse axes do not come to rest");
     for (const Cluster<order>& c : found) {
       counts.certified += round == 1 && c.certificate.value > 0;
-      lower_paces(p.head->law(), p.cells, k, machine_.axes[k], c, haste_of(round), plan_.paces());
+      lower_paces(p.head->law(), p.cells, p.axes[k], machine_.axes[p.axes[k]], c, haste_of(round), plan_.paces());
       slower = true;
     }
   }

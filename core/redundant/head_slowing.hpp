@@ -39,6 +39,7 @@ class HeadSlowing {
   struct Problem {
     std::shared_ptr<const PathMotion> head;
     HeadCells cells;
+    std::vector<std::size_t> axes;  // that have a fine one
     std::vector<Chain<order>> chains;
   };
   Problem problem(const HeadStretch& stretch);

@@ -11,11 +11,14 @@
 #include "core/base/progress_scope.hpp"
 #include "core/motion/axes/spline_motion.hpp"
 #include "core/redundant/calm_heads.hpp"
+#include "core/redundant/carried_motion.hpp"
 #include "core/redundant/chain_windows.hpp"
+#include "core/redundant/energy.hpp"
 #include "core/redundant/followable_states.hpp"
 #include "core/redundant/following.hpp"
 #include "core/redundant/head_plan.hpp"
 #include "core/redundant/head_slowing.hpp"
+#include "core/redundant/lone_move.hpp"
 #include "core/redundant/slowed_by_energy.hpp"
 
 namespace bahnwerk {
@@ -35,7 +38,8 @@ constexpr double rest_of_window = 4;  // of a window of the chain, in its units 
 constexpr int most_attempts = 6;
 // What is slowed by no more than this is slowed evenly, and so is what would keep more than this of its energy.
 constexpr double least_spread = 1e-6, worth_spreading = 0.9;
-constexpr double hopeless = 3;  // times the least energy so far: no spreading makes up for that
+constexpr double hopeless = 3;    // times the least energy so far: no spreading makes up for that
+constexpr double quicker = 1e-6;  // of a duration: what the closed form has to gain
 
 template <std::size_t order>
 class Planner {
@@ -50,10 +54,12 @@ class Planner {
     cell_options_.longest = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < axes(); ++k) {
       const CoarseFineAxis& axis = task.machine.axes[k];
-      cell_options_.longest = std::min(cell_options_.longest, options.cell * chain_units(axis).time);
-      cell_options_.acceleration_change.push_back(order == 2 ? change * axis.fine.acceleration : unlimited);
-      cell_options_.jerk_change.push_back(order == 3 ? jerk_change * axis.fine.acceleration : unlimited);
-      cell_options_.jerk_range.push_back(order == 3 ? jerk_range * axis.fine.jerk : unlimited);
+      const bool splits = axis.stroke > 0;
+      if (splits) split_.push_back(k);
+      if (splits) cell_options_.longest = std::min(cell_options_.longest, options.cell * chain_units(axis).time);
+      cell_options_.acceleration_change.push_back(splits && order == 2 ? change * axis.fine.acceleration : unlimited);
+      cell_options_.jerk_change.push_back(splits && order == 3 ? jerk_change * axis.fine.acceleration : unlimited);
+      cell_options_.jerk_range.push_back(splits && order == 3 ? jerk_range * axis.fine.jerk : unlimited);
       cell_options_.held.push_back(held.axes[k]);
     }
     chain_options_.tick = [this] { scope_.report(); };
@@ -62,6 +68,56 @@ class Planner {
   JointResult run() {
     head_ = plan_.motion();
     result_.fastest = head_->duration();
+    if (split_.empty())
+      fastest_.head = head_;
+    else if (!lone())
+      followed_head();
+    const double chosen = options_.stretch >= 1 ? options_.stretch : stretch_of(options_.smoothness);
+    if (options_.compare)
+      for (const double stretch : stretches) {
+        const Split split = smoothest(stretch);
+        result_.trades.push_back(trade(stretch, split));
+        if (stretch == chosen) keep(stretch, split);
+      }
+    if (!result_.coarse) keep(chosen, smoothest(chosen));
+    result_.cells = fastest_.cells.size();
+    return std::move(result_);
+  }
+
+ private:
+  /// A head, stretched, and what the coarse axes do.
+  struct Split {
+    std::shared_ptr<const PathMotion> head;
+    HeadCells cells;
+    double stretch = 1;
+    std::vector<WindowedSolution<order>> solutions;  ///< of each axis that is split
+    std::vector<SplineMotion::Piece> closed;         ///< in place of solutions, of all axes; not stretched
+    double slowed = 1;  ///< by which solutions of the motion were slowed that are those of a quicker one
+  };
+
+  /// The closed form of a lone move, where no head that the coarse axes can follow is known to be as quick.
+  bool lone() {
+    if (!task_.dwells.empty()) return false;
+    std::optional<LoneMove> move = lone_move(*task_.path, task_.machine, task_.feeds.front());
+    if (!move) return false;
+    // Below the head's own duration only by what its limits keep back, which is more with limited jerk.
+    if (!(move->head.duration() < head_->duration() * (1 - quicker))) {
+      cells_ = head_cells(*head_, cell_options_, scope_);
+      std::vector<WindowedSolution<order>> solutions = solve_all(1);
+      if (exceeding(solutions).empty()) {
+        fastest_ = {head_, std::move(cells_), 1, std::move(solutions), {}};
+        return true;
+      }
+    }
+    fastest_.head = std::make_shared<const PathMotion>(task_.path, std::move(move->head));
+    fastest_.cells = head_cells(*fastest_.head, cell_options_, scope_);
+    fastest_.closed = std::move(move->coarse);
+    result_.slowed = fastest_.head->duration() > head_->duration() * (1 + quicker) ? 1 : 0;
+    return true;
+  }
+
+  /// The quickest head that the coarse axes are found to be able to follow.
+  void followed_head() {
     std::vector<WindowedSolution<order>> solutions;
     HeadSlowingCounts counts;
     for (int attempt = 0;; ++attempt) {
@@ -84,27 +140,8 @@ class Planner {
     result_.rounds = counts.rounds;
     result_.certified = counts.certified;
     result_.slowed = plan_.slowed();
-    result_.cells = cells_.size();
-    const double chosen = options_.stretch >= 1 ? options_.stretch : stretch_of(options_.smoothness);
-    fastest_ = {head_, std::move(cells_), 1, std::move(solutions)};
-    if (options_.compare)
-      for (const double stretch : stretches) {
-        const Split split = smoothest(stretch);
-        result_.trades.push_back(trade(stretch, split));
-        if (stretch == chosen) keep(stretch, split);
-      }
-    if (!result_.coarse) keep(chosen, smoothest(chosen));
-    return std::move(result_);
+    fastest_ = {head_, std::move(cells_), 1, std::move(solutions), {}};
   }
-
- private:
-  /// A head, stretched, and what the coarse axes do.
-  struct Split {
-    std::shared_ptr<const PathMotion> head;
-    HeadCells cells;
-    double stretch = 1;
-    std::vector<WindowedSolution<order>> solutions;
-  };
 
   std::size_t axes() const { return task_.machine.axes.size(); }
   const CoarseFineAxis& axis(std::size_t k) const { return task_.machine.axes[k]; }
@@ -113,7 +150,7 @@ class Planner {
   /// where curvature jumps.
   void slow(const std::vector<HeadStretch>& stretches, int attempt, HeadSlowingCounts& counts) {
     double around = 0;
-    for (std::size_t k = 0; k < axes(); ++k) around = std::max(around, ahead(k) * chain_units(axis(k)).time);
+    for (const std::size_t k : split_) around = std::max(around, ahead(k) * chain_units(axis(k)).time);
     HeadSlowing<order> slowing(plan_, task_.machine, cell_options_, around, options_.max_rounds, scope_);
     bool found = attempt < most_attempts;
     try {
@@ -138,7 +175,7 @@ class Planner {
   std::vector<WindowedSolution<order>> solve_all(double stretch) { return solve_all(cells_, stretch); }
   std::vector<WindowedSolution<order>> solve_all(const HeadCells& cells, double stretch) {
     std::vector<WindowedSolution<order>> solutions;
-    for (std::size_t k = 0; k < axes(); ++k) {
+    for (const std::size_t k : split_) {
       ChainWindowOptions windows;
       windows.ahead = ahead(k);
       windows.followed = followed;
@@ -161,16 +198,16 @@ class Planner {
   std::vector<HeadStretch> conflicting() {
     std::vector<Nodes> nodes;
     if constexpr (order == 2)
-      for (std::size_t k = 0; k < axes(); ++k)
+      for (const std::size_t k : split_)
         nodes.push_back(conflicts(following<2>(cells_, k, axis(k)), chain_options_.tick));
     return sections_around(nodes);
   }
 
   std::vector<HeadStretch> sections_around(const std::vector<Nodes>& nodes) const {
     std::vector<HeadStretch> found;
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-      const double around = ahead(k) * chain_units(axis(k)).time;
-      for (const auto& [first, last] : nodes[k])
+    for (std::size_t j = 0; j < nodes.size(); ++j) {
+      const double around = ahead(split_[j]) * chain_units(axis(split_[j])).time;
+      for (const auto& [first, last] : nodes[j])
         found.push_back({plan_.section_begin(segment_at(cells_.times[first] - around)),
                          plan_.section_end(segment_at(cells_.times[last] + around))});
     }
@@ -193,8 +230,8 @@ class Planner {
   /// limits demand of it a coarse axis has to accelerate wherever the fine one could not alone.
   Split smoothest(double stretch) {
     if (stretch == 1) return fastest_;
-    Split slowed{fastest_.head, fastest_.cells, stretch, solve_all(fastest_.cells, stretch)};
-    if (order != 2 || alone_) return slowed;
+    Split slowed = slowed_evenly(stretch);
+    if (order != 2 || alone_ || split_.empty()) return slowed;
     const double duration = fastest_.head->duration() * stretch;
     std::vector<std::pair<Split, HeadCellOptions>> found{{std::move(slowed), cell_options_}};
     double least = energy(found.front().first);
@@ -215,6 +252,18 @@ class Planner {
     return *std::move(best);
   }
 
+  /// The quickest head, slowed, with the coarse axes' least energy then; where that is not found they are slowed with
+  /// it.
+  Split slowed_evenly(double stretch) {
+    Split split{fastest_.head, fastest_.cells, stretch, {}, {}};
+    if (!split_.empty()) split.solutions = solve_all(fastest_.cells, stretch);
+    if (valid(split)) return split;
+    split.solutions = fastest_.solutions;
+    split.closed = fastest_.closed;
+    split.slowed = stretch;
+    return split;
+  }
+
   HeadCellOptions cell_options(const Freedom& freedom) const {
     HeadCellOptions cells = cell_options_;
     for (std::size_t k = 0; k < axes(); ++k) {
@@ -226,7 +275,7 @@ class Planner {
   }
 
   Split split_of(std::shared_ptr<const PathMotion> head, double duration, const HeadCellOptions& options) {
-    Split split{std::move(head), {}, 1, {}};
+    Split split{std::move(head), {}, 1, {}, {}};
     split.cells = head_cells(*split.head, options, scope_);
     split.stretch = std::max(duration / split.head->duration(), 1.0);
     split.solutions = solve_all(split.cells, split.stretch);
@@ -238,13 +287,13 @@ class Planner {
 
   /// Lets a split that is slowed evenly be slow where its coarse axes work hardest instead.
   Split spread(Split even, double duration, const HeadCellOptions& options) {
-    if (!(even.stretch > 1 + least_spread)) return even;
+    if (!(even.stretch > 1 + least_spread) || even.solutions.empty()) return even;
     const TimeLaw& law = even.head->law();
     std::vector<double> energies(even.cells.size());
-    for (std::size_t k = 0; k < axes(); ++k) {
-      const double unit = chain_units(axis(k)).acceleration();
+    for (std::size_t j = 0; j < split_.size(); ++j) {
+      const double unit = chain_units(axis(split_[j])).acceleration();
       for (std::size_t c = 0; c < energies.size(); ++c) {
-        const double a = even.solutions[k].controls[c] * unit;
+        const double a = even.solutions[j].controls[c] * unit;
         energies[c] += a * a * (even.cells.times[c + 1] - even.cells.times[c]);
       }
     }
@@ -263,39 +312,75 @@ class Planner {
   }
 
   Trade trade(double stretch, const Split& split) const {
-    Trade t{stretch, split.head->duration() * split.stretch, {}};
-    for (std::size_t k = 0; k < axes(); ++k) {
-      const ChainUnits u = chain_units(axis(k));
-      t.energy.push_back(split.solutions[k].energy * u.acceleration() * u.acceleration() * u.time);
+    Trade t{stretch, split.head->duration() * split.stretch, std::vector<double>(axes())};
+    if (split.solutions.size() < axes()) {  // some axes are those of the head
+      t.energy = acceleration_energy(*coarse_of(split, head_of(split)));
+      return t;
+    }
+    for (std::size_t j = 0; j < split_.size(); ++j) {
+      const ChainUnits u = chain_units(axis(split_[j]));
+      t.energy[split_[j]] =
+          split.solutions[j].energy * u.acceleration() * u.acceleration() * u.time / std::pow(split.slowed, 3);
     }
     return t;
   }
 
   void keep(double stretch, const Split& split) {
-    const HeadCells& cells = split.cells;
     result_.chosen = trade(stretch, split);
-    result_.head = split.stretch == 1
-                       ? split.head
-                       : std::make_shared<const PathMotion>(task_.path, split.head->law().slowed(split.stretch));
+    result_.head = head_of(split);
     result_.chosen.duration = result_.head->duration();
-    std::vector<SplineMotion::Piece> coarse(cells.size());
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-      coarse[c].end = c + 1 < cells.size() ? cells.times[c + 1] * split.stretch : result_.head->duration();
-      coarse[c].axes.reserve(axes());
-      for (std::size_t k = 0; k < axes(); ++k) {
-        const ChainUnits u = chain_units(axis(k));
-        const ChainState<order>& x = split.solutions[k].states[c];
-        Polynomial p{x[0] * u.length, x[1] * u.velocity()};
-        if constexpr (order == 2) {
-          p.push_back(0.5 * split.solutions[k].controls[c] * u.acceleration());
-        } else {
-          p.push_back(0.5 * x[2] * u.acceleration());
-          p.push_back(split.solutions[k].controls[c] * u.jerk() / 6);
-        }
-        coarse[c].axes.push_back(std::move(p));
+    result_.coarse = coarse_of(split, result_.head);
+  }
+
+  std::shared_ptr<const PathMotion> head_of(const Split& split) const {
+    if (split.stretch == 1) return split.head;
+    return std::make_shared<const PathMotion>(task_.path, split.head->law().slowed(split.stretch));
+  }
+
+  /// What the coarse axes do; `head` is slowed already.
+  std::shared_ptr<const Motion> coarse_of(const Split& split, std::shared_ptr<const PathMotion> head) const {
+    if (split_.empty()) return std::make_shared<const CarriedMotion>(head, nullptr, std::vector<bool>(axes(), true));
+    std::vector<SplineMotion::Piece> pieces = split.closed.empty() ? pieces_of(split, head->duration()) : split.closed;
+    if (!split.closed.empty() && split.slowed > 1) {
+      const std::vector<LawPiece>::size_type n = head->law().pieces().size();
+      for (std::size_t i = 0; i < pieces.size(); ++i) {
+        pieces[i].end = i + 1 < n ? head->law().pieces()[i + 1].t0 : head->duration();
+        for (Polynomial& p : pieces[i].axes) slow(p, split.slowed);
       }
     }
-    result_.coarse = std::make_shared<const SplineMotion>(std::move(coarse));
+    auto spline = std::make_shared<const SplineMotion>(std::move(pieces));
+    if (split_.size() == axes() || !split.closed.empty()) return spline;
+    std::vector<bool> carried(axes(), true);
+    for (const std::size_t k : split_) carried[k] = false;
+    return std::make_shared<const CarriedMotion>(std::move(head), std::move(spline), std::move(carried));
+  }
+
+  static void slow(Polynomial& p, double factor) {
+    double power = 1;
+    for (double& c : p) c /= power, power *= factor;
+  }
+
+  std::vector<SplineMotion::Piece> pieces_of(const Split& split, double duration) const {
+    const HeadCells& cells = split.cells;
+    std::vector<SplineMotion::Piece> coarse(cells.size());
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      coarse[c].end = c + 1 < cells.size() ? cells.times[c + 1] * split.stretch : duration;
+      coarse[c].axes.assign(axes(), Polynomial{0});
+      for (std::size_t j = 0; j < split_.size(); ++j) {
+        const ChainUnits u = chain_units(axis(split_[j]));
+        const ChainState<order>& x = split.solutions[j].states[c];
+        Polynomial p{x[0] * u.length, x[1] * u.velocity()};
+        if constexpr (order == 2) {
+          p.push_back(0.5 * split.solutions[j].controls[c] * u.acceleration());
+        } else {
+          p.push_back(0.5 * x[2] * u.acceleration());
+          p.push_back(split.solutions[j].controls[c] * u.jerk() / 6);
+        }
+        slow(p, split.slowed);
+        coarse[c].axes[split_[j]] = std::move(p);
+      }
+    }
+    return coarse;
   }
 
   const JointTask& task_;
@@ -306,6 +391,7 @@ class Planner {
   HeadCellOptions cell_options_;
   ChainOptions chain_options_;
   std::shared_ptr<const PathMotion> head_;
+  std::vector<std::size_t> split_;  // axes that have a fine one
   HeadCells cells_;
   Split fastest_;
   CalmHeads<order> calm_{plan_, head_share};
@@ -314,6 +400,19 @@ class Planner {
   bool stops_ = false;  // and rests where curvature jumps, too
   JointResult result_;
 };
+
+/// At rest wherever derivatives of the path jump that coarse axes have to let be continuous.
+JointTask resting_at_jumps(JointTask task, bool jerk) {
+  for (std::size_t i = 1; i < task.path->size(); ++i)
+    task.rests[i] = task.rests[i] || derivatives_jump(*task.path, i, jerk ? 2 : 1);
+  return task;
+}
+
+/// Without fine axes.
+JointTask alone(JointTask task, bool jerk) {
+  for (CoarseFineAxis& axis : task.machine.axes) axis = coarse_alone(axis);
+  return resting_at_jumps(std::move(task), jerk);
+}
 
 }  // namespace
 
@@ -328,8 +427,27 @@ JointResult plan_joint(const JointTask& task, const JointOptions& options, Progr
   for (const CoarseFineAxis& axis : task.machine.axes)
     if ((axis.coarse.jerk < unlimited) != jerk || (axis.fine.jerk < unlimited) != jerk)
       throw std::invalid_argument("the jerk is limited of all axes or of none");
-  if (jerk) return Planner<3>(task, options, progress, from, to).run();
-  return Planner<2>(task, options, progress, from, to).run();
+  const auto planned = [&](const JointTask& given) {
+    if (jerk) return Planner<3>(given, options, progress, from, to).run();
+    return Planner<2>(given, options, progress, from, to).run();
+  };
+  if (!options.coarse_alone) {
+    JointTask resolved = task;
+    bool small = false;
+    for (CoarseFineAxis& axis : resolved.machine.axes)
+      if (axis.stroke > 0 && !(options.cell * chain_units(axis).time >= options.least_cell)) {
+        axis = coarse_alone(axis);
+        small = true;
+      }
+    try {
+      return planned(small ? resting_at_jumps(std::move(resolved), jerk) : resolved);
+    } catch (const Infeasible&) {
+      // The coarse axes alone may still have a plan.
+    }
+  }
+  JointResult result = planned(alone(task, jerk));
+  result.gave_way = true;
+  return result;
 }
 
 }  // namespace bahnwerk

@@ -35,7 +35,9 @@ struct JointOptions {
   bool compare = false;   ///< whether to plan every stretch of `stretches` for the table
   double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad; larger tangent jumps are corners with a stop
   double cell = 1.0 / 24;                                    ///< longest cell, of √(stroke/coarse acceleration)
-  int max_rounds = 60;                                       ///< of slowing
+  double least_cell = 5e-5;   ///< s; a fine axis whose stroke asks for shorter cells stands still
+  int max_rounds = 60;        ///< of slowing
+  bool coarse_alone = false;  ///< whether all fine axes stand still
 };
 
 /// What a duration stretched by `stretch` ≥ 1 brings.
@@ -58,10 +60,16 @@ struct JointResult {
   std::size_t rounds = 0;                 ///< of slowing
   std::size_t slowed = 0;                 ///< segments whose feed was lowered
   std::size_t certified = 0;              ///< stretches proven to be too fast for the coarse axes
+  bool gave_way = false;                  ///< whether nothing was found with fine axes that move
 };
 
-/// Throws InvalidInput as the head's planner does, Infeasible where no feed helped, Stopped; std::invalid_argument
-/// where jerk is limited of some axes only.
+/// A coordinate without a fine axis, or with one whose stroke is too small for the grid of cells (`least_cell`), is the
+/// coarse axis' own (carried_motion.hpp). One straight move has a closed form (lone_move.hpp), which is taken where the
+/// head cannot be as fast as the sums let it be. Where no feed helps the coarse axes move alone, the last resort: as
+/// the ordinary planner plans them, at rest wherever a derivative of the path jumps that they cannot let jump.
+///
+/// Throws InvalidInput as the head's planner does, Infeasible where not even the coarse axes alone have a plan,
+/// Stopped; std::invalid_argument where jerk is limited of some axes only.
 JointResult plan_joint(const JointTask& task, const JointOptions& options, Progress& progress, double from = 0,
                        double to = 1);
 

@@ -35,7 +35,10 @@ constexpr int sloped_levels = 2;
 
 PaceSearch::PaceSearch(HeadPlan<2>& plan, const CoarseFineMachine& machine, const HeadCellOptions& cells,
                        ProgressScope& scope, std::size_t first, std::size_t last)
-    : plan_(plan), machine_(machine), cell_options_(cells), scope_(scope), first_(first), last_(last) {}
+    : plan_(plan), machine_(machine), cell_options_(cells), scope_(scope), first_(first), last_(last) {
+  for (std::size_t k = 0; k < machine.axes.size(); ++k)
+    if (machine.axes[k].stroke > 0) split_.push_back(k);
+}
 
 PaceSearch::Timed PaceSearch::timed(std::size_t first, std::size_t last) {
   scope_.report();
@@ -44,7 +47,7 @@ PaceSearch::Timed PaceSearch::timed(std::size_t first, std::size_t last) {
   const bool all = last == head->path().size();
   const HeadCells cells = head_cells(*head, 0, head->pieces() - (all ? 0 : 1), cell_options_, scope_);
   t.duration = cells.times.back();
-  for (std::size_t k = 0; k < machine_.axes.size(); ++k) {
+  for (const std::size_t k : split_) {
     Chain<2> chain = following<2>(cells, k, machine_.axes[k]);
     chain.begins_at_rest = first == 0;
     chain.ends_at_rest = all;
@@ -60,7 +63,7 @@ PaceSearch::Timed PaceSearch::timed(std::size_t first, std::size_t last) {
 
 void PaceSearch::carry_forward(std::size_t from, std::size_t to) {
   for (std::size_t i = from; i < to; ++i)
-    for (std::size_t k = 0; k < machine_.axes.size(); ++k) {
+    for (std::size_t k = 0; k < split_.size(); ++k) {
       const Chain<2>& chain = sections_[i].chains[k];
       FollowableStates states = forward_[i][k];
       if (i > 0) states.limit(chain.states.front());
@@ -70,7 +73,7 @@ void PaceSearch::carry_forward(std::size_t from, std::size_t to) {
 
 void PaceSearch::carry_backward(std::size_t from, std::size_t to) {
   for (std::size_t i = to; i-- > from;)
-    for (std::size_t k = 0; k < machine_.axes.size(); ++k) {
+    for (std::size_t k = 0; k < split_.size(); ++k) {
       const Chain<2>& chain = sections_[i].chains[k];
       FollowableStates states = backward_[i + 1][k];
       if (i + 1 < sections_.size()) states.limit(chain.states.back());
@@ -79,7 +82,7 @@ void PaceSearch::carry_backward(std::size_t from, std::size_t to) {
 }
 
 bool PaceSearch::possible(std::size_t section, const Timed& timed) const {
-  for (std::size_t k = 0; k < machine_.axes.size(); ++k) {
+  for (std::size_t k = 0; k < split_.size(); ++k) {
     const Chain<2>& chain = timed.chains[k];
     const std::size_t n = chain.cells(), middle = n / 2;
     FollowableStates from = forward_[section][k], to = backward_[section + 1][k];
@@ -101,7 +104,7 @@ bool PaceSearch::set_room(double room) {
     sections_.push_back(timed(i, end));
     i = end;
   }
-  const std::size_t n = sections_.size(), axes = machine_.axes.size();
+  const std::size_t n = sections_.size(), axes = split_.size();
   forward_.assign(n + 1, std::vector<FollowableStates>(axes));
   backward_ = forward_;
   for (std::size_t k = 0; k < axes; ++k) {
@@ -281,7 +284,7 @@ bool PaceSearch::sweep() {
       const bool quicker = straight(i) ? quickest_move(i, sections_[i].duration, true) : quicker_cut(i);
       found = found || quicker;
     }
-    for (std::size_t k = 0; k < machine_.axes.size(); ++k) {
+    for (std::size_t k = 0; k < split_.size(); ++k) {
       const Chain<2>& chain = sections_[i].chains[k];
       FollowableStates states = forward_[i][k];
       if (i > 0) states.limit(chain.states.front());

@@ -35,7 +35,7 @@ class PaceSearch {
   struct Timed {
     std::size_t first = 0, last = 0;  // segments
     double duration = 0;
-    std::vector<Chain<2>> chains;  // per axis
+    std::vector<Chain<2>> chains;  // per axis that has a fine one
   };
   struct Speeds {  // what a section may do at most
     Pace pace;
@@ -74,7 +74,8 @@ class PaceSearch {
   const HeadCellOptions& cell_options_;
   ProgressScope& scope_;
   std::size_t first_, last_;
-  double room_ = 0;  // that boxes are smaller by
+  std::vector<std::size_t> split_;  // axes that have a fine one
+  double room_ = 0;                 // that boxes are smaller by
   std::vector<Timed> sections_;
   std::vector<std::vector<FollowableStates>> forward_, backward_;  // [section, and behind the last][axis]
 };

@@ -1,5 +1,6 @@
 #include "core/redundant/redundancy.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -20,6 +21,7 @@ RedundancyResult joint(const RedundancyTask& task, const RedundancyOptions& opti
   given.smoothness = options.smoothness;
   given.stretch = options.stretch;
   given.compare = options.compare;
+  given.coarse_alone = options.coarse_alone;
   given.corner_angle = options.corner_angle;
   JointResult found =
       plan_joint({task.path, task.machine, task.feeds, task.rests, task.dwells}, given, progress, from, to);
@@ -31,6 +33,11 @@ RedundancyResult joint(const RedundancyTask& task, const RedundancyOptions& opti
   result.certified = found.certified;
   result.slowed_count = found.slowed;
   result.coarse_jerk_limited = task.machine.limits_jerk();
+  if (found.gave_way) {
+    result.fallbacks = options.coarse_alone ? 0 : 1;
+    result.notes.emplace_back(
+        "no motion was found in which the fine axes take part: they stand still, and the coarse axes move alone");
+  }
   const double planned = found.chosen.duration / found.chosen.stretch;
   result.passes.push_back({found.fastest, found.slowed, {}});
   if (found.slowed > 0) result.passes.push_back({planned, 0, {}});
@@ -48,6 +55,10 @@ constexpr RedundancyRow rows[] = {
     {RedundancyMethod::lag_compensation, plan_lag_compensation, false},
 };
 
+bool every_axis_is_split(const CoarseFineMachine& machine) {
+  return std::all_of(machine.axes.begin(), machine.axes.end(), [](const CoarseFineAxis& a) { return a.stroke > 0; });
+}
+
 }  // namespace
 
 const RedundancyRow& redundancy_row(RedundancyMethod method) {
@@ -60,6 +71,14 @@ RedundancyResult plan_redundant(const RedundancyTask& task, const RedundancyOpti
                                 double from, double to) {
   const bool again = options.reparametrise && !task.machine.limits_jerk();
   const double planned = again ? from + 0.7 * (to - from) : to;
+  if (options.method != RedundancyMethod::joint && !every_axis_is_split(task.machine)) {
+    RedundancyResult result = joint(task, options, progress, from, to);
+    ++result.fallbacks;
+    result.notes.insert(result.notes.begin(),
+                        "not every axis of the contour has a fine one, which the method asks for; the joint planner "
+                        "planned the contour");
+    return result;
+  }
   RedundancyResult result = redundancy_row(options.method).plan(task, options, progress, from, planned);
   return again ? reparametrised(std::move(result), task, progress, planned, to) : result;
 }

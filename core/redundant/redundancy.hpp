@@ -55,6 +55,7 @@ struct RedundancyOptions {
   double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad; larger tangent jumps are corners with a stop
   double smoothness = 0;         ///< joint: 0 … 1, how far the duration is stretched for a smoother coarse axis
   double stretch = 0;            ///< joint: ≥ 1, in place of what `smoothness` stands for
+  bool coarse_alone = false;     ///< joint: whether the fine axes stand still, the last resort
   bool compare = true;           ///< whether to make the table of trades, where the method has one
   bool keep_reserve = false;     ///< whether the head's law keeps the braking reserve K_b [Bock (2.11)]
   double braking_reserve = 0.7;  ///< K_b
@@ -141,7 +142,8 @@ struct RedundancyRow {
 /// Throws std::logic_error for a method without a row.
 const RedundancyRow& redundancy_row(RedundancyMethod method);
 
-/// What the row of `options.method` plans, timed anew if `options.reparametrise` says so (without limited jerk).
+/// What the row of `options.method` plans, timed anew if `options.reparametrise` says so (without limited jerk). Where
+/// an axis has no fine one the joint planner takes the place of every other method, which is counted and noted.
 RedundancyResult plan_redundant(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
                                 double from = 0, double to = 1);
 

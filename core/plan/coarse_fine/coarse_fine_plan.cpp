@@ -9,11 +9,11 @@
 #include "core/base/errors.hpp"
 #include "core/motion/setpoints/cycles.hpp"
 #include "core/plan/coarse_fine/coarse_fine_setpoints.hpp"
-#include "core/plan/coarse_fine/energy.hpp"
 #include "core/plan/coarse_fine/fitted_motion.hpp"
 #include "core/plan/contour/contour_report.hpp"
 #include "core/plan/contour/posed_contour.hpp"
 #include "core/plan/setpoint_count.hpp"
+#include "core/redundant/energy.hpp"
 #include "core/verify/geometry/tube.hpp"
 #include "core/verify/law/rest_check.hpp"
 #include "core/verify/redundant/coarse_fine_checks.hpp"
@@ -31,6 +31,7 @@ constexpr double largest_excess = 1e-4;  // of a limit, that counts as rounding
 constexpr int max_corrections = 4;
 constexpr std::size_t slow_lines_listed = 20, slow_sections_listed = 100;
 constexpr double slow_section = 1e-4;  // gap above which a section is listed
+constexpr double no_stroke = 1e-9;  // mm: what rounding leaves between tool and coarse axis where there is no fine one
 
 AxisLimits stage(const Limits& limits, const std::string& name) {
   AxisLimits axis;
@@ -160,22 +161,25 @@ class Pipeline {
       options.reparametrise = false;
     else if (options.method != RedundancyMethod::joint)
       options.method = RedundancyMethod::joint;
+    else if (!options.coarse_alone)
+      options.coarse_alone = true;
     else
       return std::nullopt;
     return options;
   }
 
-  /// The motion as it was before it was timed anew, or the joint planner's.
+  /// The motion as it was before it was timed anew, or the joint planner's, or that of the coarse axes alone.
   bool otherwise() {
     std::size_t given_up = 0;
     for (std::optional<RedundancyOptions> next = another(options_); next; next = another(*next)) {
       ++given_up;
       if (!tried(*next, planned)) continue;
       result_.fallbacks += given_up;
-      result_.notes.push_back(
-          next->method == options_.method
-              ? "the motion timed anew did not hold every limit: it is as the method planned it"
-              : "the method found no motion that holds every limit; the joint planner planned the contour");
+      if (!next->coarse_alone)
+        result_.notes.push_back(
+            next->method == options_.method
+                ? "the motion timed anew did not hold every limit: it is as the method planned it"
+                : "the method found no motion that holds every limit; the joint planner planned the contour");
       return true;
     }
     return false;
@@ -209,6 +213,7 @@ class Pipeline {
     verification() = verify_motion(head, progress_);
     CoarseFineToVerify split{*path_.path, plan_.head->law(), *plan_.coarse, coarse_axes_, fine_axes_};
     split.check_jerk = machine_.limits_jerk();
+    split.cycle_time = machine_.cycle_time;
     split.progress_from = between, split.progress_to = verified;
     add(coarse_fine_checks(split, progress_));
   }
@@ -317,7 +322,9 @@ std::vector<AxisLimits> fine_limits(const CoarseFineMachine& machine) {
   std::vector<AxisLimits> list;
   for (const CoarseFineAxis& axis : machine.axes) {
     list.push_back(stage(axis.fine, axis.name + "f"));
-    list.back().lowest = -axis.stroke, list.back().highest = axis.stroke;
+    if (!(axis.stroke > 0)) list.back() = stage({}, axis.name + "f");
+    list.back().highest = std::max(axis.stroke, no_stroke);
+    list.back().lowest = -list.back().highest;
   }
   return list;
 }

@@ -145,7 +145,15 @@ class Checker {
     for (std::size_t d = 0; d <= static_cast<std::size_t>(in_.continuous); ++d)
       for (std::size_t k = 0; k < in_.axes.size(); ++k)
         gaps_[d].raise(std::abs(part(right, d)[k] - part(left, d)[k]),
-                       tolerance(left, d, k, before, t) + tolerance(right, d, k, after, t), t);
+                       tolerance(left, d, k, before, t) + tolerance(right, d, k, after, t) + step(d, k), t);
+  }
+
+  /// What derivative d of an axis may jump by.
+  double step(std::size_t d, std::size_t axis) const {
+    const double time = axis < in_.step_times.size() ? in_.step_times[axis] : 0;
+    return d > 0 && d < derivatives && time > 0 && std::isfinite(limit(in_.axes[axis], d + 1))
+               ? limit(in_.axes[axis], d + 1) * time * (1 + 1e-9)
+               : 0;
   }
 
   void rest(Strained& check, const MotionState& x, double T, double t) const {

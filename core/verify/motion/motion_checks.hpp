@@ -18,6 +18,10 @@ struct MotionToVerify {
   /// s; how far off in time the states may be that the motion gives, beyond rounding: 0 for polynomials. Along a path
   /// u(s) is known to 1e-10 of a segment's length, so this is that over the speed.
   double resolution = 0;
+  /// s, per axis, none: 0. Where the path's tangent or curvature jumps by less than a corner an axis may let its
+  /// velocity jump by what its acceleration does in this time, the interpolation cycle, and its acceleration by what
+  /// its jerk does.
+  std::vector<double> step_times = {};
   double progress_from = 0, progress_to = 1;  ///< the share of the whole job's progress that this takes
 };
 

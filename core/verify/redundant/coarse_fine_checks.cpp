@@ -22,6 +22,7 @@ namespace verify {
 namespace {
 
 constexpr std::array names{"stroke ", "velocity ", "acceleration ", "jerk "};
+constexpr double least_stroke = 1e-8;  // mm; a fine axis with less is none
 constexpr std::array units{"", "/s", "/s²", "/s³"};
 
 struct Channel {
@@ -209,6 +210,8 @@ std::vector<Check> coarse_fine_checks(const CoarseFineToVerify& input, Progress&
   coarse.continuous = input.check_jerk ? 2 : 1;
   // Its pieces have been fitted to the head's times: both ends of each may be off by the rounding of t once more.
   coarse.resolution = std::numeric_limits<double>::epsilon() * input.law.duration();
+  for (const AxisLimits& fine : input.fine_axes)
+    coarse.step_times.push_back(fine.highest > verify::least_stroke ? 0 : input.cycle_time);
   coarse.progress_from = input.progress_from;
   coarse.progress_to = between;
   std::vector<Check> list = motion_checks(coarse, progress);

@@ -18,6 +18,7 @@ struct CoarseFineToVerify {
   const Motion& coarse;                                  ///< as many axes as the path has, as long as the law
   const std::vector<AxisLimits>&coarse_axes, fine_axes;  ///< limits and names; a fine axis' stroke is its `highest`
   bool check_jerk = false;  ///< jerk limits hold, and the coarse acceleration is continuous
+  double cycle_time = 0;    ///< s; a coarse axis without a fine one takes steps at a tangent jump as a machine's axis does
   double progress_from = 0, progress_to = 1;
 };
 
@@ -25,6 +26,10 @@ struct CoarseFineToVerify {
 /// pieces and rests with `coarse ` before their names; per axis `stroke <fine axis>` (|x − x_c|), `velocity <fine
 /// axis>`, `acceleration <fine axis>`, with check_jerk `jerk <fine axis>`; `coarse duration` (against the law's:
 /// rounding).
+///
+/// An axis whose `highest` is 1e-8 mm at most has no fine one: its coarse axis is an ordinary axis of a machine, whose
+/// velocity may jump by acceleration times cycle time (its acceleration by jerk times cycle time) where the path's
+/// derivatives do. Every other coarse axis has none of that.
 ///
 /// Head and coarse motion are looked at together on every piece of time on which both are smooth. Where the segment is
 /// linear and the coarse motion a polynomial their difference is one: its peak is an enclosure by Bernstein

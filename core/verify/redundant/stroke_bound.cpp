@@ -27,6 +27,7 @@ double least(const StrokeSections& sections, std::size_t section, ProgressScope&
   if (!around.known()) return bound;
   const Passage passage = sections.passage(section, section + 1);
   for (std::size_t k = 0; k < sections.axes(); ++k) {
+    if (!sections.split(k)) continue;
     const StrokeAxis axis = sections.axis(k, section);
     if (given > longest * axis.unit()) continue;
     const ReachableStates begin = around.begin(axis), end = around.end(axis).reversed();

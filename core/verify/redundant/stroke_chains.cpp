@@ -34,6 +34,7 @@ class PartedChain {
     parts_[0] = {sections.bound(first, middle), sections.passage(first, middle)};
     parts_[1] = {sections.bound(middle, last), sections.passage(middle, last).reversed()};
     for (std::size_t k = 0; k < sections.axes(); ++k) {
+      if (!sections.split(k)) continue;
       const StrokeAxis axis = sections.axis(k, first);
       if (std::max(parts_[0].bound, parts_[1].bound) > longest * axis.unit()) continue;
       axes_.push_back({axis, {around.begin(axis), around.end(axis)}, {}});

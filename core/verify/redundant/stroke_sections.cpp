@@ -5,17 +5,21 @@
 namespace bahnwerk::verify {
 namespace {
 
-constexpr double piece = 0.05;  // of the least stroke: boxes of the path
+constexpr double piece = 0.05;         // of the least stroke: boxes of the path
+constexpr double least_stroke = 1e-8;  // mm; a fine axis with less is none
 
 }  // namespace
 
 StrokeSections::StrokeSections(const StrokeBoundTask& task, const std::vector<SectionBound>& sections)
     : task_(task), sections_(sections), step_(unlimited) {
   for (std::size_t k = 0; k < axes(); ++k) {
+    if (!split(k)) continue;
     step_ = std::min(step_, piece * task.fine[k].highest);
     horizon_ = std::max(horizon_, StrokeAxis(task.coarse[k], task.fine[k], k, 0).horizon());
   }
 }
+
+bool StrokeSections::split(std::size_t k) const { return task_.fine[k].highest > least_stroke; }
 
 double StrokeSections::bound(std::size_t first, std::size_t last) const {
   double sum = 0;
@@ -27,10 +31,12 @@ bool StrokeSections::far(std::size_t section) const {
   const SectionBound& s = sections_[section];
   double length = 0, stroke = unlimited;
   bool fast = false;
-  for (std::size_t k = 0; k < axes(); ++k) stroke = std::min(stroke, task_.fine[k].highest);
+  for (std::size_t k = 0; k < axes(); ++k)
+    if (split(k)) stroke = std::min(stroke, task_.fine[k].highest);
   for (std::size_t i = s.first; i < s.last; ++i) {
     length += task_.head.path[i].s1() - task_.head.path[i].s0();
     for (std::size_t k = 0; k < axes(); ++k) {
+      if (!split(k)) continue;
       const double feed = task_.head.feeds[i];
       fast = fast || feed * feed > task_.coarse[k].acceleration * task_.fine[k].highest ||
              feed > task_.coarse[k].velocity || feed > task_.fine[k].velocity;

@@ -35,6 +35,8 @@ class StrokeSections {
 
   std::size_t count() const { return sections_.size(); }
   std::size_t axes() const { return task_.head.path.axes(); }
+  /// Whether an axis has a fine one; of others the limits of the head are all there is to say.
+  bool split(std::size_t k) const;
   /// Sum of the bounds of sections [first, last), s.
   double bound(std::size_t first, std::size_t last) const;
   /// Whether one is longer than the shortest stroke, and faster than the coarse axes alone may be.

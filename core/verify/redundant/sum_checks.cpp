@@ -54,7 +54,7 @@ std::vector<Check> sum_checks(const SumInput& input, Progress& progress) {
       const auto off = static_cast<double>(std::abs(static_cast<long double>(coarse) + rest - x));
       const double tolerance = c.derivative == 0 ? sum_tolerance : verify::rounding * (std::abs(x) + std::abs(coarse));
       sums[c.derivative].raise(off, tolerance, t);
-      fine[c.derivative].raise(std::abs(rest), c.limit, t);
+      if (c.limit < unlimited) fine[c.derivative].raise(std::abs(rest), c.limit, t);
     }
   };
   for_each_row(input.setpoints, check, [&](std::size_t done, std::size_t count) {

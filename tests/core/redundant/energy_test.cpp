@@ -1,4 +1,4 @@
-#include "core/plan/coarse_fine/energy.hpp"
+#include "core/redundant/energy.hpp"
 
 #include <gtest/gtest.h>
 
