@@ -1,6 +1,7 @@
 #include "core/redundant/joint.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -38,8 +39,10 @@ constexpr double rest_of_window = 4;  // of a window of the chain, in its units 
 constexpr int most_attempts = 6;
 // What is slowed by no more than this is slowed evenly, and so is what would keep more than this of its energy.
 constexpr double least_spread = 1e-6, worth_spreading = 0.9;
-constexpr double hopeless = 3;    // times the least energy so far: no spreading makes up for that
-constexpr double quicker = 1e-6;  // of a duration: what the closed form has to gain
+constexpr double hopeless = 3;                          // times the least energy so far: no spreading makes up for that
+constexpr std::array<double, 2> less_stroke{0.7, 0.4};  // parts of the strokes that may be planned for instead
+constexpr double far_above = 1.02;                      // times the bound: then they are
+constexpr double quicker = 1e-6;                        // of a duration: what the closed form has to gain
 
 template <std::size_t order>
 class Planner {
@@ -112,7 +115,8 @@ class Planner {
     fastest_.head = std::make_shared<const PathMotion>(task_.path, std::move(move->head));
     fastest_.cells = head_cells(*fastest_.head, cell_options_, scope_);
     fastest_.closed = std::move(move->coarse);
-    result_.slowed = fastest_.head->duration() > head_->duration() * (1 + quicker) ? 1 : 0;
+    const bool slower = fastest_.head->duration() > head_->duration() * (1 + quicker);
+    result_.slowed = result_.certified = slower ? 1 : 0;
     return true;
   }
 
@@ -414,6 +418,18 @@ JointTask alone(JointTask task, bool jerk) {
   return resting_at_jumps(std::move(task), jerk);
 }
 
+/// The task on that part of the strokes, without the fine axes whose strokes are too small for cells.
+JointTask resolved(JointTask task, const JointOptions& options, bool jerk, double part) {
+  bool small = false;
+  for (CoarseFineAxis& axis : task.machine.axes) {
+    axis.stroke *= part;
+    if (!(axis.stroke > 0) || options.cell * chain_units(axis).time >= options.least_cell) continue;
+    axis = coarse_alone(axis);
+    small = true;
+  }
+  return small ? resting_at_jumps(std::move(task), jerk) : task;
+}
+
 }  // namespace
 
 double stretch_of(double smoothness) {
@@ -427,25 +443,32 @@ JointResult plan_joint(const JointTask& task, const JointOptions& options, Progr
   for (const CoarseFineAxis& axis : task.machine.axes)
     if ((axis.coarse.jerk < unlimited) != jerk || (axis.fine.jerk < unlimited) != jerk)
       throw std::invalid_argument("the jerk is limited of all axes or of none");
-  const auto planned = [&](const JointTask& given) {
-    if (jerk) return Planner<3>(given, options, progress, from, to).run();
-    return Planner<2>(given, options, progress, from, to).run();
+  const auto planned = [&](const JointTask& given, const JointOptions& how) {
+    if (jerk) return Planner<3>(given, how, progress, from, to).run();
+    return Planner<2>(given, how, progress, from, to).run();
+  };
+  std::optional<JointResult> best;
+  const auto tried = [&](const JointTask& given, const JointOptions& how) {
+    try {
+      JointResult result = planned(given, how);
+      if (!best || result.chosen.duration < best->chosen.duration) {
+        if (best) result.fastest = best->fastest, result.slowed = std::max(result.slowed, best->slowed);
+        best = std::move(result);
+      }
+    } catch (const Infeasible&) {
+      // Another plan may be one.
+    }
   };
   if (!options.coarse_alone) {
-    JointTask resolved = task;
-    bool small = false;
-    for (CoarseFineAxis& axis : resolved.machine.axes)
-      if (axis.stroke > 0 && !(options.cell * chain_units(axis).time >= options.least_cell)) {
-        axis = coarse_alone(axis);
-        small = true;
-      }
-    try {
-      return planned(small ? resting_at_jumps(std::move(resolved), jerk) : resolved);
-    } catch (const Infeasible&) {
-      // The coarse axes alone may still have a plan.
-    }
+    tried(resolved(task, options, jerk, 1), options);
+    const bool slowed = best && best->slowed > 0 && task.path->size() > 1;
+    for (const double part : less_stroke)
+      if (slowed && options.bound > 0 && best->chosen.duration > far_above * options.bound * best->chosen.stretch)
+        tried(resolved(task, options, jerk, part), options);
+    if (slowed) tried(alone(task, jerk), options);
+    if (best) return *std::move(best);
   }
-  JointResult result = planned(alone(task, jerk));
+  JointResult result = planned(alone(task, jerk), options);
   result.gave_way = true;
   return result;
 }

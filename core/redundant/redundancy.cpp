@@ -22,6 +22,7 @@ RedundancyResult joint(const RedundancyTask& task, const RedundancyOptions& opti
   given.stretch = options.stretch;
   given.compare = options.compare;
   given.coarse_alone = options.coarse_alone;
+  given.bound = task.bound;
   given.corner_angle = options.corner_angle;
   JointResult found =
       plan_joint({task.path, task.machine, task.feeds, task.rests, task.dwells}, given, progress, from, to);

@@ -47,6 +47,7 @@ struct RedundancyTask {
   std::vector<double> feeds;  ///< as those of a PathTask
   std::vector<bool> rests;
   std::vector<Rest> dwells = {};
+  double bound = 0;  ///< s, what any motion takes at least, as far as it is known
 };
 
 /// What a document may set; each method takes what it knows.

@@ -137,6 +137,7 @@ class Pipeline {
   void method(RedundancyOptions options, double from) {
     RedundancyTask task{path_.moving, contour_, machine_, path_.feeds, path_.rests, path_.dwells};
     task.machine.axes.resize(moving_);
+    task.bound = plan_.contour.bound.duration;
     options.corner_angle = planning_.corner_angle;
     result_ = plan_redundant(task, options, progress_, from, planned);
     limit_setpoints(result_.head->duration(), machine_.cycle_time, planning_.max_setpoints);

@@ -37,8 +37,8 @@ struct CoarseFinePlan {
   std::vector<RedundancyLag> lags;
 };
 
-/// Axes of the machine with `c` and `f` behind their names, and what they may do. A fine axis' range is its stroke; where
-/// there is none it is 1e-9 mm, what rounding leaves, and nothing else is limited.
+/// Axes of the machine with `c` and `f` behind their names, and what they may do. A fine axis' range is its stroke;
+/// where there is none it is 1e-9 mm, what rounding leaves, and nothing else is limited.
 std::vector<AxisLimits> coarse_limits(const CoarseFineMachine& machine);
 std::vector<AxisLimits> fine_limits(const CoarseFineMachine& machine);
 
@@ -49,8 +49,8 @@ std::vector<AxisLimits> fine_limits(const CoarseFineMachine& machine);
 /// the sums. A limit exceeded by so little that it is rounding (1e-4 of it) slows everything by as much. Of `planning`
 /// corners, mode changes and the number of setpoints count; the head's law is the shortest one, with limited jerk where
 /// the machine limits it. A plan that does not pass gives way to the same one not timed anew, if it was, then to the
-/// joint planner's, and at last to that of the coarse axes alone, with fine axes that stand still; so does a method that
-/// finds none. That is counted in `fallbacks`, with a note.
+/// joint planner's, and at last to that of the coarse axes alone, with fine axes that stand still; so does a method
+/// that finds none. That is counted in `fallbacks`, with a note.
 ///
 /// Cost: that of the method and, for verification, 2 to 8 µs per cell of its coarse motion. Throws what rounding and
 /// method throw.

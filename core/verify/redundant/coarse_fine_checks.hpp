@@ -18,7 +18,8 @@ struct CoarseFineToVerify {
   const Motion& coarse;                                  ///< as many axes as the path has, as long as the law
   const std::vector<AxisLimits>&coarse_axes, fine_axes;  ///< limits and names; a fine axis' stroke is its `highest`
   bool check_jerk = false;  ///< jerk limits hold, and the coarse acceleration is continuous
-  double cycle_time = 0;    ///< s; a coarse axis without a fine one takes steps at a tangent jump as a machine's axis does
+  double cycle_time =
+      0;  ///< s; a coarse axis without a fine one takes steps at a tangent jump as a machine's axis does
   double progress_from = 0, progress_to = 1;
 };
 

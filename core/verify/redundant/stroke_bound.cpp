@@ -1,6 +1,7 @@
 #include "core/verify/redundant/stroke_bound.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/progress_scope.hpp"
 
@@ -18,9 +19,40 @@ constexpr int most_doublings = 20;
 constexpr double first_step = 0.02;  // of a unit of time
 constexpr double rounding = 1e-9;    // of a bound
 
+/// Time from one speed to rest or back within acceleration and jerk.
+double change(double speed, const AxisLimits& axis) {
+  if (!(axis.jerk < unlimited)) return speed / axis.acceleration;
+  return speed * axis.jerk >= axis.acceleration * axis.acceleration
+             ? speed / axis.acceleration + axis.acceleration / axis.jerk
+             : 2 * std::sqrt(speed / axis.jerk);
+}
+
+/// The least time over a way from rest to rest: trapezoid or double-S.
+double rest_to_rest(double way, const AxisLimits& axis) {
+  if (axis.velocity < unlimited && way >= axis.velocity * change(axis.velocity, axis))
+    return way / axis.velocity + change(axis.velocity, axis);
+  if (!(axis.jerk < unlimited)) return 2 * std::sqrt(way / axis.acceleration);
+  const double a = axis.acceleration, turning = a * a / axis.jerk;  // speed from which on the acceleration is reached
+  if (way < 2 * turning * std::sqrt(turning / axis.jerk)) return 4 * std::cbrt(way / (2 * axis.jerk));
+  return 2 * change(0.5 * (std::sqrt(turning * turning + 4 * a * way) - turning), axis);
+}
+
+/// What the way of a section is to its coarse axes, in closed form: all but two strokes at their largest speed, or from
+/// rest to rest where there is nothing before and behind.
+double least_way(const StrokeSections& sections, std::size_t section) {
+  const bool lone = sections.count() == 1 && !sections.waits(0) && !sections.waits(1);
+  double time = 0;
+  for (std::size_t k = 0; k < sections.axes(); ++k) {
+    const double way = sections.way(k, section) - 2 * sections.stroke(k);
+    if (!(way > 0)) continue;
+    time = std::max(time, lone ? rest_to_rest(way, sections.coarse(k)) : way / sections.coarse(k).velocity);
+  }
+  return time * (1 - rounding);
+}
+
 /// What a section takes at least, s.
 double least(const StrokeSections& sections, std::size_t section, ProgressScope& scope) {
-  const double given = sections.bound(section, section + 1);
+  const double given = std::max(sections.bound(section, section + 1), least_way(sections, section));
   double bound = given;
   if (!sections.far(section)) return bound;
   const StrokeSections::Surroundings around = sections.around(section, section + 1);

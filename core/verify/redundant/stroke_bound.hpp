@@ -15,8 +15,14 @@
 /// and accelerations, and at each time it is where it was nearer to the section before, where the stretches are parts
 /// of those now. So each section has a bound of its own, whatever the others take, and they may be added up.
 ///
+/// In closed form: the coarse axis travels what the ends of a section are apart, but for two strokes, at its largest
+/// speed at most; and where the path is one section, without dwells, it begins and ends at rest, so that it takes the
+/// time from rest to rest with its velocity, acceleration and jerk. That holds for sections of any length and strokes
+/// of any size.
+///
 /// Relaxed are: everything between the nodes of a grid of time, how axes of the head depend on each other, what one
-/// section's motion takes away from the next one's (but see stroke_chains.hpp), limits of jerk.
+/// section's motion takes away from the next one's (but see stroke_chains.hpp), limits of jerk
+/// but for that.
 #include <cstddef>
 #include <vector>
 

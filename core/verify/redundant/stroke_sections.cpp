@@ -1,6 +1,7 @@
 #include "core/verify/redundant/stroke_sections.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace bahnwerk::verify {
 namespace {
@@ -20,6 +21,10 @@ StrokeSections::StrokeSections(const StrokeBoundTask& task, const std::vector<Se
 }
 
 bool StrokeSections::split(std::size_t k) const { return task_.fine[k].highest > least_stroke; }
+
+double StrokeSections::way(std::size_t k, std::size_t section) const {
+  return std::abs(rest(section + 1).value[k] - rest(section).value[k]);
+}
 
 double StrokeSections::bound(std::size_t first, std::size_t last) const {
   double sum = 0;

@@ -39,6 +39,10 @@ class StrokeSections {
   bool split(std::size_t k) const;
   /// Sum of the bounds of sections [first, last), s.
   double bound(std::size_t first, std::size_t last) const;
+  /// How far apart the ends of a section are along axis k, mm; its stroke; its coarse axis.
+  double way(std::size_t k, std::size_t section) const;
+  double stroke(std::size_t k) const { return split(k) ? task_.fine[k].highest : 0; }
+  const AxisLimits& coarse(std::size_t k) const { return task_.coarse[k]; }
   /// Whether one is longer than the shortest stroke, and faster than the coarse axes alone may be.
   bool far(std::size_t section) const;
   /// Whether the head dwells before a section, or behind the last one.

@@ -180,5 +180,81 @@ TEST(CoarseFinePlan, WhereAMethodFindsNothingTheJointPlannerPlans) {
   EXPECT_LT(p.contour.duration, 2);
 }
 
+/// A plan on less is one on more: lone moves of any length on machines of any stroke, with limited jerk or without.
+TEST(CoarseFinePlan, RandomLoneMovesAreVerifiedAndNeverSlowerWithMoreStrokeOrAcceleration) {
+  Random random(3516);
+  for (int i = 0; i < 12; ++i) {
+    CoarseFineMachine machine = i % 2 == 0 ? test::md1() : test::md2();
+    if (i % 4 > 1) machine = test::with_jerk(machine, random.uniform(30, 400));
+    const double way = std::pow(10, random.uniform(0.5, 3.4)), angle = i % 3 == 0 ? 0 : random.uniform(0, 6.28);
+    RedundancyOptions options;
+    options.compare = false;
+    const auto time = [&](const CoarseFineMachine& m) {
+      const CoarseFinePlan p = plan(test::straight(way * std::cos(angle), way * std::sin(angle)), m, {}, options);
+      expect_verified(p);
+      EXPECT_EQ(p.fallbacks, 0u);
+      return p.contour.duration;
+    };
+    double before = 1e9;
+    for (const double stroke : {0.0, 0.001, 0.7, 12.0, 300.0}) {
+      CoarseFineMachine other = machine;
+      for (CoarseFineAxis& axis : other.axes) {
+        axis.stroke = stroke;
+        if (!(stroke > 0)) axis = coarse_alone(axis);
+      }
+      const double now = time(other);
+      EXPECT_LE(now, before * (1 + 2e-6)) << "stroke " << stroke << ", way " << way;
+      before = now;
+    }
+    before = 1e9;
+    for (const double factor : {0.5, 1.0, 2.0}) {
+      CoarseFineMachine other = machine;
+      for (CoarseFineAxis& axis : other.axes) axis.fine.acceleration *= factor;
+      const double now = time(other);
+      EXPECT_LE(now, before * (1 + 2e-6)) << "fine acceleration " << factor << ", way " << way;
+      before = now;
+    }
+  }
+}
+
+/// The bound of a lone move is what its coarse axis needs, with its jerk.
+TEST(CoarseFinePlan, TheBoundOfALoneMoveKnowsStrokeAndJerk) {
+  for (const double stroke : {0.001, 0.5, 12.0}) {
+    CoarseFineMachine machine = test::with_jerk(test::md2(), 80);
+    for (CoarseFineAxis& axis : machine.axes) axis.stroke = stroke;
+    const CoarseFinePlan p = plan(test::straight(430, 0), machine);
+    expect_verified(p);
+    EXPECT_LE(p.contour.bound.gap, stroke < 0.01 ? 1e-4 : 1e-6);
+  }
+}
+
+/// Circles along x alone have to be followed by the coarse axis y.
+TEST(CoarseFinePlan, OneRedundantAxisIsEnough) {
+  for (const bool jerk : {false, true}) {
+    CoarseFineMachine machine = jerk ? with_jerk(test::md2()) : test::md2();
+    machine.axes[1] = coarse_alone(machine.axes[1]);
+    const CoarseFinePlan p = plan(test::holes(2, 2, 12, 2), machine);
+    expect_verified(p);
+    EXPECT_EQ(p.fallbacks, 0u);
+    EXPECT_LE(check_value(p, "stroke yf"), 1e-9);
+    EXPECT_GT(check_value(p, "stroke xf"), 0.1);
+    machine.axes[0] = coarse_alone(machine.axes[0]);
+    const CoarseFinePlan alone = plan(test::holes(2, 2, 12, 2), machine);
+    expect_verified(alone);
+    EXPECT_LT(p.contour.duration, alone.contour.duration);
+  }
+}
+
+/// Another method asks for two axes of every coordinate.
+TEST(CoarseFinePlan, WhereAnAxisHasNoFineOneTheJointPlannerPlans) {
+  CoarseFineMachine machine = test::md1();
+  machine.axes[0] = coarse_alone(machine.axes[0]);
+  RedundancyOptions options;
+  options.method = RedundancyMethod::iterative;
+  const CoarseFinePlan p = plan(test::holes(2, 1, 12, 2), machine, {}, options);
+  expect_verified(p);
+  EXPECT_EQ(p.fallbacks, 1u);
+}
+
 }  // namespace
 }  // namespace bahnwerk

@@ -1,0 +1,132 @@
+#include "core/redundant/lone_move.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/motion/axes/spline_motion.hpp"
+#include "core/motion/law/path_motion.hpp"
+#include "tests/core/redundant/coarse_fine_machines.hpp"
+
+namespace bahnwerk {
+namespace {
+
+LoneMove move_of(const Contour& contour, const CoarseFineMachine& machine) {
+  const JointTask task = test::joint_task(contour, machine);
+  return lone_move(*task.path, machine, task.feeds.front()).value();
+}
+
+double lasts(const CoarseFineMachine& machine, double dx, double dy, double feed = unlimited) {
+  return move_of(test::straight(dx, dy, feed), machine).head.duration();
+}
+
+/// Coarse axes, strokes and fine axes at many times, and where the pieces meet.
+void expect_held(const Contour& contour, const CoarseFineMachine& machine) {
+  const JointTask task = test::joint_task(contour, machine);
+  LoneMove move = lone_move(*task.path, machine, task.feeds.front()).value();
+  const PathMotion head(task.path, move.head);
+  const SplineMotion coarse(move.coarse);
+  ASSERT_EQ(head.pieces(), coarse.pieces());
+  ASSERT_EQ(head.duration(), coarse.duration());
+  for (std::size_t i = 0; i < head.pieces(); ++i)
+    for (int n = 0; n <= 8; ++n) {
+      const double t = head.begin(i) + (head.end(i) - head.begin(i)) * n / 8;
+      const MotionState x = head.in_piece(i, t), c = coarse.in_piece(i, t);
+      EXPECT_LE(head.along(i, t).v, task.feeds.front() * (1 + 1e-9));
+      for (std::size_t k = 0; k < machine.axes.size(); ++k) {
+        const CoarseFineAxis& a = machine.axes[k];
+        EXPECT_LE(std::abs(x.position[k] - c.position[k]), a.stroke * (1 + 1e-9) + 1e-9);
+        EXPECT_LE(std::abs(c.velocity[k]), a.coarse.velocity * (1 + 1e-9));
+        EXPECT_LE(std::abs(c.acceleration[k]), a.coarse.acceleration * (1 + 1e-9));
+        EXPECT_LE(std::abs(x.velocity[k] - c.velocity[k]), a.fine.velocity * (1 + 1e-9) + 1e-9);
+        EXPECT_LE(std::abs(x.acceleration[k] - c.acceleration[k]), a.fine.acceleration * (1 + 1e-9) + 1e-6);
+        EXPECT_LE(std::abs(c.jerk[k]), a.coarse.jerk * (1 + 1e-6));
+        EXPECT_LE(std::abs(x.jerk[k] - c.jerk[k]), a.fine.jerk * (1 + 1e-6) + 1);
+      }
+    }
+  EXPECT_NEAR(head.along(head.pieces() - 1, head.duration()).v, 0, 1e-7);
+  EXPECT_NEAR(move.head.pieces().back().s_end, contour.path.length(), 1e-9);
+}
+
+TEST(LoneMove, TakesWhatTheCoarseAxesNeedForAllButTwoStrokes) {
+  CoarseFineMachine machine = test::md1();
+  for (CoarseFineAxis& axis : machine.axes) axis.stroke = 15;
+  EXPECT_NEAR(lasts(machine, 290, 0), 2 * std::sqrt(260.0 / 8000), 1e-9);
+  EXPECT_NEAR(lasts(machine, 1030, 0), 1000.0 / 1600 + 1600.0 / 8000, 1e-9);
+  for (CoarseFineAxis& axis : machine.axes) axis = coarse_alone(axis);
+  EXPECT_NEAR(lasts(machine, 290, 0), 2 * std::sqrt(290.0 / 8000), 1e-9);
+}
+
+/// With strokes that do not matter both drive as hard as they can all the time.
+TEST(LoneMove, TakesWhatBothNeedTogetherWithinTheStroke) {
+  EXPECT_NEAR(lasts(test::md1(), 30, 0), 2 * std::sqrt(30.0 / 68000), 1e-9);
+  EXPECT_NEAR(lasts(test::md1(), 0, -30), 2 * std::sqrt(30.0 / 68000), 1e-9);
+  const double rate = std::sqrt(0.5);
+  EXPECT_NEAR(lasts(test::md1(), 20, 20), 2 * std::sqrt(20 / rate / (68000 / rate)), 1e-9);
+}
+
+/// s = J T³/32 from rest to rest.
+TEST(LoneMove, KnowsTheJerk) {
+  CoarseFineMachine machine = test::with_jerk(test::md2(), 20);
+  for (CoarseFineAxis& axis : machine.axes) axis.stroke = 4;
+  EXPECT_NEAR(lasts(machine, 48, 0), std::cbrt(32 * 40 / (20 * 16000.0)), 1e-8);
+}
+
+TEST(LoneMove, HoldsEveryLimit) {
+  Random random(351);
+  for (int i = 0; i < 60; ++i) {
+    CoarseFineMachine machine = i % 2 == 0 ? test::md1() : test::md2();
+    for (CoarseFineAxis& axis : machine.axes) {
+      axis.stroke = std::pow(10, random.uniform(-3, 2.7));
+      axis.fine.velocity = random.uniform(500, 3000);
+      if (i % 5 == 0 && axis.name == "y") axis = coarse_alone(axis);
+    }
+    if (i % 3 == 0) machine = test::with_jerk(machine, random.uniform(20, 300));
+    const double way = std::pow(10, random.uniform(0, 3.4)), angle = random.uniform(0, 6.28);
+    expect_held(
+        test::straight(way * std::cos(angle), way * std::sin(angle), i % 4 == 0 ? random.uniform(50, 2000) : unlimited),
+        machine);
+  }
+}
+
+TEST(LoneMove, MoreOfAnythingIsNeverSlower) {
+  Random random(352);
+  for (int i = 0; i < 60; ++i) {
+    CoarseFineMachine machine = i % 2 == 0 ? test::md1() : test::md2();
+    if (i % 3 == 0) machine = test::with_jerk(machine, random.uniform(20, 300));
+    const double way = std::pow(10, random.uniform(0, 3.4)), angle = random.uniform(0, 6.28);
+    const double feed = i % 4 == 0 ? random.uniform(50, 2000) : unlimited;
+    const auto time = [&](const CoarseFineMachine& m) {
+      return lasts(m, way * std::cos(angle), way * std::sin(angle), feed);
+    };
+    double before = 1e9;
+    for (const double stroke : {0.0, 0.001, 0.3, 2.0, 9.0, 30.0, 31.0, 120.0, 500.0}) {
+      CoarseFineMachine other = machine;
+      for (CoarseFineAxis& axis : other.axes) {
+        axis.stroke = stroke;
+        if (!(stroke > 0)) axis = coarse_alone(axis);
+      }
+      const double now = time(other);
+      EXPECT_LE(now, before * (1 + 1e-8)) << "stroke " << stroke << " way " << way << " feed " << feed;
+      before = now;
+    }
+    for (Limits CoarseFineAxis::*stage : {&CoarseFineAxis::coarse, &CoarseFineAxis::fine}) {
+      before = 1e9;
+      for (const double factor : {0.25, 0.5, 0.8, 1.0, 1.5, 2.0}) {
+        CoarseFineMachine other = machine;
+        for (CoarseFineAxis& axis : other.axes) (axis.*stage).acceleration *= factor;
+        const double now = time(other);
+        EXPECT_LE(now, before * (1 + 1e-8)) << "acceleration " << factor << " way " << way << " feed " << feed;
+        before = now;
+      }
+    }
+  }
+}
+
+TEST(LoneMove, IsOneStraightSegment) {
+  const JointTask task = test::joint_task(test::slot(20, 5, 100), test::md1());
+  EXPECT_FALSE(lone_move(*task.path, task.machine, 100));
+}
+
+}  // namespace
+}  // namespace bahnwerk
