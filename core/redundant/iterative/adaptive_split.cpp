@@ -75,7 +75,6 @@ AdaptiveSplit::AdaptiveSplit(const RedundancyTask& task, const RedundancyOptions
   }
   limits_.feeds = first_feeds_;
   touched_.assign(sections_.size(), 0);
-  cells_.resize(sections_.size());
   fastest_ = sections_.duration(0, sections_.size());
 }
 
@@ -151,7 +150,7 @@ double AdaptiveSplit::tolerance(std::size_t axis, double spacing, double speed) 
   return a.stroke * stroke_share - std::min(by_velocity, by_acceleration) - of_check;
 }
 
-bool AdaptiveSplit::fit(const HeadSamples& head, const std::vector<SplineBegin>& begin, int iteration,
+bool AdaptiveSplit::fit(const HeadSamples& head, const std::vector<SplineBegin>& begin, int iteration, bool backward,
                         std::vector<TimeSpline>& coarse) {
   CoarseFitOptions o;
   o.approximation = options_.approximation;
@@ -177,20 +176,23 @@ bool AdaptiveSplit::fit(const HeadSamples& head, const std::vector<SplineBegin>&
     task.begin = begin[k];
     if (kept(iteration) > 0) task.knots = knots_.times(head, k);
     task.limits = task_.machine.axes[k].coarse;
+    if (backward) {
+      std::reverse(task.positions.begin(), task.positions.end());
+      task.begin = {task.positions.front(), 0, 0, begin[k].with_acceleration};
+      std::reverse(task.knots.begin(), task.knots.end());
+      for (double& t : task.knots) t = task.duration - t;
+    }
     std::optional<CoarseFit> found = fit_coarse(task, o);
     if (!found) return false;
-    coarse.push_back(std::move(found->spline));
+    coarse.push_back(backward ? found->spline.reversed(jerk_ ? 2 : 1) : std::move(found->spline));
   }
   if (may_keep_) knots_.keep(head, coarse);
   return true;
 }
 
-void AdaptiveSplit::replan(std::size_t section) {
-  sections_.replan(section, limits_of(section), limits_.feeds);
-  cells_[section] = {};
-}
+void AdaptiveSplit::replan(std::size_t section) { sections_.replan(section, limits_of(section), limits_.feeds); }
 
-HeadCells AdaptiveSplit::cells_of(std::size_t section) {
+HeadCells AdaptiveSplit::cells_of(const TimeLaw& law) {
   HeadCellOptions o;
   o.longest = task_.machine.cycle_time;
   for (std::size_t k = 0; k < axes(); ++k) {
@@ -199,7 +201,7 @@ HeadCells AdaptiveSplit::cells_of(std::size_t section) {
     o.jerk_change.push_back(unlimited);
     o.jerk_range.push_back(unlimited);
   }
-  const PathMotion head(task_.path, sections_.law(section, section + 1));
+  const PathMotion head(task_.path, law);
   HeadCells cells = head_cells(head, o, scope_);
   const MotionState end = head.in_piece(head.pieces() - 1, head.duration());  // not that of the whole path
   for (std::size_t k = 0; k < axes(); ++k)
@@ -207,23 +209,25 @@ HeadCells AdaptiveSplit::cells_of(std::size_t section) {
   return cells;
 }
 
-std::vector<std::vector<SplitPeaks>> AdaptiveSplit::exact_peaks(const PathMotion& head,
+std::vector<std::vector<SplitPeaks>> AdaptiveSplit::exact_peaks(const TimeLaw& law,
                                                                 const std::vector<TimeSpline>& coarse,
                                                                 std::size_t first, std::size_t last) {
   const std::size_t block = sections_.begin(first), end = sections_.begin(last);
   std::vector<std::vector<SplitPeaks>> peaks(axes(), std::vector<SplitPeaks>(end - block));
-  const auto& pieces = head.law().pieces();
+  const auto& pieces = law.pieces();
   std::vector<CellsBegin> at(axes());
-  std::size_t piece = 0;
-  for (std::size_t i = first; i < last; ++i) {
-    if (cells_[i].size() == 0) cells_[i] = cells_of(i);  // a section that was planned again has other cells
+  for (std::size_t i = first, piece = 0; i < last; ++i) {
     const std::size_t from = sections_.begin(i), to = sections_.begin(i + 1);
+    TimeLaw section;
+    std::size_t next = piece;
+    for (; next < pieces.size() && (i + 1 == last || pieces[next].segment < to); ++next) section.append(pieces[next]);
+    const HeadCells cells = cells_of(section);
     for (std::size_t k = 0; k < axes(); ++k) {
       at[k].law = piece;
-      const std::vector<SplitPeaks> here = split_peaks(cells_[i], head.law(), k, coarse[k], from, to, at[k]);
+      const std::vector<SplitPeaks> here = split_peaks(cells, law, k, coarse[k], from, to, at[k]);
       std::copy(here.begin(), here.end(), peaks[k].begin() + static_cast<std::ptrdiff_t>(from - block));
     }
-    while (piece < pieces.size() && pieces[piece].segment < to) ++piece;
+    piece = next;
   }
   return peaks;
 }
@@ -264,8 +268,9 @@ bool AdaptiveSplit::adapt_all(const std::vector<std::vector<SplitPeaks>>& peaks,
                               int iteration) {
   const std::size_t begin = sections_.begin(first), blocks = sections_.begin(last) - begin;
   const HeadLimits before = limits_;
+  const int impatient = std::max(kept(iteration), jerk_ ? 0 : iteration - constants_.patience);
   const AdaptationOptions adaptation =
-      kept(iteration) > 0 ? with_kept_knots(constants_.adaptation, kept(iteration)) : constants_.adaptation;
+      impatient > 0 ? with_larger_steps(constants_.adaptation, impatient) : constants_.adaptation;
   bool fell = false;
   std::vector<double> coarse(blocks), fine(blocks);
   for (std::size_t k = 0; k < axes(); ++k) {
@@ -302,42 +307,56 @@ bool AdaptiveSplit::adapt_all(const std::vector<std::vector<SplitPeaks>>& peaks,
 }
 
 std::optional<SplitPart> AdaptiveSplit::solve(std::size_t first, std::size_t last,
-                                              const std::vector<SplineBegin>& begin) {
+                                              const std::vector<SplineBegin>& begin, bool backward) {
   reset(first, last);
   const std::size_t block = sections_.begin(first), end = sections_.begin(last);
   const double longest = alone_.duration(first, last);
-  const bool rests = std::all_of(begin.begin(), begin.end(),
-                                 [](const SplineBegin& at) { return at.velocity == 0 && at.acceleration == 0; });
-  SplitPart part;
-  part.first = first;
-  part.last = last;
+  const bool rests = backward || std::all_of(begin.begin(), begin.end(), [](const SplineBegin& at) {
+                       return at.velocity == 0 && at.acceleration == 0;
+                     });
+  const double bearable = rests ? 1 + constants_.most_slowing : 1;
+  std::optional<SplitPart> best;  // not slowed yet
+  double best_slowing = unlimited;
+  const auto takes = [&] { return best ? best->law.duration() * best_slowing : unlimited; };
+  // Slowed by what it exceeds between samples; none where that does not help.
+  const auto slowed = [&](SplitPart part) -> std::optional<SplitPart> {
+    Judged found = judged(part.law.duration(), exact_peaks(part.law, part.coarse, first, last));
+    if (!(found.slowing < unlimited) || !(found.slowing * part.law.duration() <= longest)) return std::nullopt;
+    if (found.slowing > 1) slow(part, found.pass, found.slowing);
+    passes_.push_back(found.pass);
+    return part;
+  };
   for (int iteration = 1; iteration <= constants_.max_iterations; ++iteration) {
     scope_.half_of_rest();
-    PathMotion head(task_.path, sections_.law(first, last));
-    if (head.duration() > longest) return std::nullopt;
+    SplitPart part{first, last, sections_.law(first, last), {}};
+    // Limits only fall: what comes now takes as long as the head by itself, at least.
+    if (part.law.duration() > longest || part.law.duration() * (1 + constants_.most_slowing) >= takes()) break;
+    const PathMotion head(task_.path, part.law);
     const HeadSamples samples = sample(head);
-    if (!fit(samples, begin, iteration, part.coarse)) return std::nullopt;
+    if (!fit(samples, begin, iteration, backward, part.coarse)) break;
     std::vector<std::vector<SplitPeaks>> peaks;
     for (std::size_t k = 0; k < axes(); ++k) peaks.push_back(sampled_peaks(samples, k, part.coarse[k], block, end));
     Judged found = judged(head.duration(), peaks);
-    const double bearable = rests ? 1 + constants_.most_slowing : 1;
     if (found.slowing <= bearable) {  // at samples: look between them
-      peaks = exact_peaks(head, part.coarse, first, last);
+      peaks = exact_peaks(part.law, part.coarse, first, last);
       found = judged(head.duration(), peaks);
     }
     if (found.slowing <= bearable) {
-      for (std::size_t i = first; i < last; ++i) cells_[i] = {};
-      part.law = std::move(head).law();
       if (found.slowing > 1) slow(part, found.pass, found.slowing);
       passes_.push_back(found.pass);
       return part;
     }
     passes_.push_back(found.pass);
+    if (rests && found.slowing * head.duration() < std::min(takes(), longest)) {
+      best = std::move(part);
+      best_slowing = found.slowing;
+    }
     // Where nothing falls the anchor has to, first.
-    while (!adapt_all(peaks, first, last, iteration))
-      if (++iteration > constants_.adaptation.anchor_steps) return std::nullopt;
+    bool fell = adapt_all(peaks, first, last, iteration);
+    while (!fell && ++iteration <= constants_.adaptation.anchor_steps) fell = adapt_all(peaks, first, last, iteration);
+    if (!fell) break;
   }
-  return std::nullopt;
+  return best ? slowed(std::move(*best)) : std::nullopt;
 }
 
 }  // namespace bahnwerk

@@ -31,6 +31,10 @@ struct IterativeOptions {
   /// Head and coarse axes that start at rest are slowed together by as much, in place of further iterations, where that
   /// makes all of what they exceed vanish.
   double most_slowing = 5e-4;
+  /// From this iteration on limits fall faster in each, where jerk is not limited.
+  int patience = 2;
+  /// A motion that takes so much more than the head's first plan is planned backwards in time, too.
+  double backward_from = 9e-4;
 };
 
 /// Sections [first, last) from time 0 on.
@@ -56,9 +60,14 @@ class AdaptiveSplit {
   /// Blocks whose limits are below those of the first iteration.
   std::vector<SlowedSegment> slowed() const;
 
-  /// Valid motions of these sections, from what the coarse axes do at their begin to rest. The limits of their blocks
-  /// begin anew. None where `max_iterations` do not get there, or the head gets slower than the coarse axes are alone.
-  std::optional<SplitPart> solve(std::size_t first, std::size_t last, const std::vector<SplineBegin>& begin);
+  /// Valid motions of these sections, from what the coarse axes do at their begin to rest, with the first limits of
+  /// their blocks at first. From rest each pass has a factor by which all together can be slowed until no limit is
+  /// exceeded; the pass with the shortest such motion counts, and passes end where the head alone takes as long. None
+  /// where there is no such pass within `max_iterations`, or the head gets slower than the coarse axes are alone.
+  ///
+  /// `backward`: the coarse axes are fitted from the end to the begin, where they begin at rest at the head's place.
+  std::optional<SplitPart> solve(std::size_t first, std::size_t last, const std::vector<SplineBegin>& begin,
+                                 bool backward = false);
 
  private:
   std::size_t axes() const { return task_.machine.axes.size(); }
@@ -69,12 +78,12 @@ class AdaptiveSplit {
   double tolerance(std::size_t axis, double spacing, double speed) const;
   /// How many iterations have kept their knots, iteration `iteration` included.
   int kept(int iteration) const { return may_keep_ ? std::max(0, iteration - constants_.knots_anew) : 0; }
-  bool fit(const HeadSamples& head, const std::vector<SplineBegin>& begin, int iteration,
+  bool fit(const HeadSamples& head, const std::vector<SplineBegin>& begin, int iteration, bool backward,
            std::vector<TimeSpline>& coarse);
   /// Between samples, per axis and block, of sections [first, last).
-  std::vector<std::vector<SplitPeaks>> exact_peaks(const PathMotion& head, const std::vector<TimeSpline>& coarse,
+  std::vector<std::vector<SplitPeaks>> exact_peaks(const TimeLaw& law, const std::vector<TimeSpline>& coarse,
                                                    std::size_t first, std::size_t last);
-  HeadCells cells_of(std::size_t section);
+  HeadCells cells_of(const TimeLaw& law);
   void replan(std::size_t section);
   struct Judged {
     RedundancyIteration pass;
@@ -96,7 +105,6 @@ class AdaptiveSplit {
   std::vector<char> touched_;  ///< per section: not planned with the first limits any more
   HeadSections sections_, alone_;
   double fastest_ = 0;
-  std::vector<HeadCells> cells_;  ///< per section, from its begin on, dwells included; empty where not known
   std::vector<RedundancyIteration> passes_;
   KeptKnots knots_;
 };

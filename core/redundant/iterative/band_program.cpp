@@ -8,7 +8,7 @@ namespace bahnwerk {
 namespace {
 
 constexpr double keep = 0.995;            // of the way to the nearest bound that a step goes
-constexpr double least_objective = 1e-2;  // that the first multipliers are taken from
+constexpr double least_objective = 1e-2;  // that the first multipliers are taken from, without a price
 constexpr double first_slack = 1e-2;      // that every row has at least at the begin
 
 template <std::size_t C>
@@ -127,15 +127,19 @@ class Solver {
       if (row.elastic > 0) excess = std::max({excess, (a - row.upper) / row.elastic, (row.lower - a) / row.elastic});
     }
     w_.s = elastic_ ? 1.1 * excess + first_slack : 0;
-    const double objective = std::abs(value_now());
-    const double mu = std::max(objective, least_objective) / count();
+    double share = elastic_ ? 1 / w_.s : 0;  // Σ e/s: what the multipliers of w take of its price
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       const BandRow& row = p_.rows[i];
       const double a = value(row.row, y_), give = row.elastic * w_.s;
       pairs_[i].upper.s = std::max(row.upper + give - a, first_slack);
       pairs_[i].lower.s = std::max(a - row.lower + give, first_slack);
-      for (Side* side : {&pairs_[i].upper, &pairs_[i].lower}) side->z = mu / side->s;
+      share += row.elastic * (1 / pairs_[i].upper.s + 1 / pairs_[i].lower.s);
     }
+    // With a price the multipliers begin where that of w is met: a start far from it takes w to where rounding rules.
+    const double objective = std::abs(value_now());
+    const double mu = elastic_ ? p_.price / share : std::max(objective, least_objective) / count();
+    for (Pair& pair : pairs_)
+      for (Side* side : {&pair.upper, &pair.lower}) side->z = mu / side->s;
     w_.z = elastic_ ? mu / w_.s : 0;
   }
 

@@ -1,12 +1,12 @@
 #include "core/redundant/iterative/coarse_fit.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
 #include "core/redundant/iterative/approximation.hpp"
 #include "core/redundant/iterative/band_program.hpp"
+#include "core/redundant/iterative/coarse_smoothing.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -14,64 +14,6 @@ namespace {
 constexpr double inside = 1 - 1e-6;      // of the limits that programs keep
 constexpr double violation_price = 1e3;  // of exceeding limits by all of them, in energies of the fit
 constexpr double noise = 1e-4;           // of the limits: excess that counts as none
-
-/// ∫ (f″)² of the variables, half its Hessian: Gauss' rule is exact in every span. The gradient's constant part, which
-/// fixed control points leave, goes to `linear`.
-BandMatrix energy(const FitRows& fit, std::vector<double>& linear) {
-  constexpr std::array<double, 4> node{-0.8611363115940526, -0.3399810435848563, 0.3399810435848563,
-                                       0.8611363115940526};
-  constexpr std::array<double, 4> weight{0.3478548451374538, 0.6521451548625461, 0.6521451548625461,
-                                         0.3478548451374538};
-  BandMatrix h(fit.ends.variables(), fit.space.degree());
-  linear.assign(fit.ends.variables(), 0);
-  const std::vector<double>& k = fit.space.knots();
-  std::size_t span = 0;
-  for (std::size_t i = fit.space.degree(); i < fit.space.size(); ++i) {
-    const double half = 0.5 * (k[i + 1] - k[i]), middle = 0.5 * (k[i + 1] + k[i]);
-    if (!(half > 0)) continue;
-    for (std::size_t q = 0; q < node.size(); ++q) {
-      const VariableRow row = fit.ends.reduced(fit.space.at(middle + half * node[q], 2, span));
-      h.add(row, weight[q] * half);
-      for (std::size_t r = 0; r < row.count; ++r)
-        linear[row.first + r] += weight[q] * half * row.weights[r] * row.offset;
-    }
-  }
-  return h;
-}
-
-/// The smoothest of (1 − λ) E + λ G within tolerance, searched from large λ on by its logarithm.
-std::optional<std::vector<double>> smoothing_spline(const CoarseTask& task, const FitRows& fit,
-                                                    const std::function<void()>& tick) {
-  std::vector<double> right, linear;
-  const BandMatrix normal = fit.normal(task, right), rough = energy(fit, linear);
-  const auto at = [&](double ratio) -> std::optional<std::vector<double>> {  // λ/(1 − λ)
-    if (tick) tick();
-    BandMatrix sum = normal;
-    sum.add(rough, ratio);
-    if (!sum.factor()) return std::nullopt;
-    std::vector<double> y = right;
-    for (std::size_t i = 0; i < y.size(); ++i) y[i] -= ratio * linear[i];
-    sum.solve(y);
-    if (fit.largest_error(task, y) > task.tolerance) return std::nullopt;
-    return y;
-  };
-  constexpr double decade = 10, highest = 8, lowest = -14;
-  double exponent = highest;
-  std::optional<std::vector<double>> best;
-  for (; exponent >= lowest && !best; --exponent) best = at(std::pow(decade, exponent));
-  if (!best) return at(0);
-  double low = exponent + 1, high = low + 1;
-  for (int i = 0; i < 8; ++i) {
-    const double middle = 0.5 * (low + high);
-    if (auto y = at(std::pow(decade, middle))) {
-      best = std::move(y);
-      low = middle;
-    } else {
-      high = middle;
-    }
-  }
-  return best;
-}
 
 /// Counts positions from the first one in tolerances, and limits in themselves.
 class Programs {
@@ -212,6 +154,8 @@ std::optional<CoarseFit> fit_coarse(const CoarseTask& task, const CoarseFitOptio
     y = Programs(task, a->rows, options).quadratic(a->variables, fit.limits_met);
   } else if (options.smoothing == CoarseSmoothing::linear_program) {
     y = Programs(task, a->rows, options).linear(a->variables, fit.limits_met);
+  } else if (options.approximation == CoarseApproximation::least_squares) {
+    y = relieved(task, a->rows, a->variables, options.tick);
   }
   if (!y) y = std::move(a->variables);
   fit.error = a->rows.largest_error(task, *y);

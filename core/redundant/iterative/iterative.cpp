@@ -41,13 +41,12 @@ class Planner {
     result_.fastest = split_.fastest();
     coarse_.resize(task_.machine.axes.size());
     const bool found = options_.window ? windowed() : whole();
-    result_.passes = split_.passes();
+    if (options_.window) result_.slowed = split_.slowed(), result_.passes = split_.passes();
     result_.iterations = result_.passes.size();
     if (!found || law_.duration() > split_.alone().duration(0, sections().size())) {
       RedundancyResult other = fallback();
       if (!found || other.head->duration() < law_.duration()) return other;
     }
-    result_.slowed = split_.slowed();
     result_.coarse_jerk_limited = options_.degree - options_.knot_multiplicity >= 2;
     result_.head = std::make_shared<const PathMotion>(task_.path, std::move(law_));
     std::vector<Limits> limits;
@@ -83,8 +82,29 @@ class Planner {
     return begin;
   }
 
+  std::optional<SplitPart> solved_whole(bool backward) {
+    const std::size_t before = split_.passes().size();
+    std::optional<SplitPart> part = split_.solve(0, sections().size(), at_head(), backward);
+    const auto& passes = split_.passes();
+    result_.passes.assign(passes.begin() + static_cast<std::ptrdiff_t>(before), passes.end());
+    result_.slowed = split_.slowed();
+    return part;
+  }
+
+  /// In the direction of time, and against it where that leaves something to gain: the better one counts.
   bool whole() {
-    std::optional<SplitPart> part = split_.solve(0, sections().size(), at_head());
+    std::optional<SplitPart> part = solved_whole(false);
+    if (!part || part->law.duration() > split_.fastest() * (1 + constants_.backward_from)) {
+      std::vector<RedundancyIteration> passes = std::move(result_.passes);
+      std::vector<SlowedSegment> slowed = std::move(result_.slowed);
+      std::optional<SplitPart> back = solved_whole(true);
+      if (back && (!part || back->law.duration() < part->law.duration())) {
+        part = std::move(back);
+        result_.notes.emplace_back("the coarse axes were fitted against the direction of time, which is quicker here");
+      } else {
+        result_.passes = std::move(passes), result_.slowed = std::move(slowed);
+      }
+    }
     if (!part) return false;
     for (std::size_t k = 0; k < coarse_.size(); ++k) coarse_[k] = std::move(part->coarse[k]);
     law_ = std::move(part->law);

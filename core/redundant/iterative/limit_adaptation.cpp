@@ -6,14 +6,14 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double growth = 1.5;        // of what falls at least, from one pass with kept knots to the next
+constexpr double growth = 1.5;        // of what falls at least, from one such pass to the next
 constexpr double largest_least = 30;  // first ones that it grows to
 
 }  // namespace
 
-AdaptationOptions with_kept_knots(AdaptationOptions options, int kept) {
+AdaptationOptions with_larger_steps(AdaptationOptions options, int passes) {
   options.proportional = true;
-  options.least_change *= std::min(std::pow(growth, kept - 1), largest_least);
+  options.least_change *= std::min(std::pow(growth, passes - 1), largest_least);
   return options;
 }
 

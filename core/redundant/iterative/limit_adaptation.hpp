@@ -24,9 +24,9 @@ struct AdaptationOptions {
   double rounding = 1e-9;
 };
 
-/// Ours, for passes that keep their knots, so that excess only vanishes by what falls: in proportion, and in each by
-/// half as much again as in the one before, at least. `kept` ≥ 1 such passes so far.
-AdaptationOptions with_kept_knots(AdaptationOptions options, int kept);
+/// Ours, for passes in which excess only vanishes by what falls: in proportion, and in each by half as much again as in
+/// the one before, at least. `passes` ≥ 1 such passes so far.
+AdaptationOptions with_larger_steps(AdaptationOptions options, int passes);
 
 /// The head's limits per block (segment of the path), of each axis.
 struct HeadLimits {

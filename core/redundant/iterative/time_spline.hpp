@@ -42,6 +42,9 @@ class TimeSpline {
   void append(const TimeSpline& other, double until, double end);
   /// The same motion, lasting `factor` times as long. O(pieces).
   void slow(double factor);
+  /// The same motion from its end to its begin. Its first `rest` derivatives are 0 at its begin, where this one ends at
+  /// rest but for rounding. O(pieces).
+  TimeSpline reversed(std::size_t rest) const;
 
  private:
   struct Piece {

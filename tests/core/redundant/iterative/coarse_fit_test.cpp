@@ -156,5 +156,48 @@ TEST(CoarseFit, PassesGrowWithTheLogarithmOfTheDuration) {
   EXPECT_LE(counts[2] - counts[1], counts[1] - counts[0] + 10) << counts[0] << ' ' << counts[1] << ' ' << counts[2];
 }
 
+TEST(CoarseFit, LeastSquaresAreSmoothedAsFarAsTheLimitsNeedAndTheToleranceAllows) {
+  // 40 mm from rest to rest: few control points, which would take 20 000 mm/s² and 5 of 20 mm.
+  const auto move = [](double t) { return 20 * (1 - std::cos(M_PI * t / 0.1)); };
+  CoarseTask task = task_of(0.1, 101, 20, move);
+  CoarseFitOptions o;
+  o.smoothing = CoarseSmoothing::none;
+  const auto peak = [](const TimeSpline& s) {
+    double most = 0;
+    for (int i = 0; i <= 1000; ++i) most = std::max(most, std::abs(s.in_piece(s.find(1e-4 * i, 0), 1e-4 * i).a));
+    return most;
+  };
+  task.limits = {1e5, 1e6};
+  const double rough = peak(fit_coarse(task, o)->spline);
+  EXPECT_GT(rough, 17000);
+  task.limits = {1e5, 15000};
+  const auto fit = fit_coarse(task, o);
+  EXPECT_LE(peak(fit->spline), 15000);
+  EXPECT_GE(peak(fit->spline), 0.9 * 15000);  // no smoother than that
+  EXPECT_LE(largest_error(task, fit->spline), 20);
+  task.limits = {1e5, 1000};  // cannot be: the tolerance holds all the same
+  EXPECT_LE(largest_error(task, fit_coarse(task, o)->spline), 20);
+}
+
+/// Positions of 1e-13 mm more or less make no other fit, and the programs are solved to their end.
+TEST(CoarseFit, ProgramsAreSolvedToTheEndHoweverFewTheVariables) {
+  const auto move = [](double t) { return t < 0.35 ? 150 * (1 - std::cos(M_PI * t / 0.35)) : 300; };
+  CoarseTask here = task_of(0.45, 450, 20, move), there = here;
+  for (double& x : there.positions) x = (x + 1234.5) - 1234.5;
+  for (const auto smoothing : {CoarseSmoothing::quadratic_program, CoarseSmoothing::linear_program}) {
+    CoarseFitOptions o;
+    o.smoothing = smoothing;
+    int ticks = 0;
+    o.tick = [&] { ++ticks; };
+    const auto a = fit_coarse(here, o);
+    EXPECT_LE(ticks, 50);  // of knots and of one program; it ended after 80 where it did not converge
+    const auto b = fit_coarse(there, o);
+    for (int i = 0; i <= 450; ++i) {
+      const double t = 1e-3 * i;
+      EXPECT_NEAR(a->spline.in_piece(a->spline.find(t, 0), t).x, b->spline.in_piece(b->spline.find(t, 0), t).x, 1e-8);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace bahnwerk

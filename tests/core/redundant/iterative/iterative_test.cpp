@@ -8,6 +8,7 @@
 #include "core/base/errors.hpp"
 #include "core/numeric/random.hpp"
 #include "tests/core/redundant/coarse_fine_machines.hpp"
+#include "tests/core/redundant/frames.hpp"
 #include "tests/core/redundant/iterative/small_contours.hpp"
 #include "tests/core/redundant/split_excess.hpp"
 
@@ -72,8 +73,8 @@ TEST(Iterative, SlowsALittleInPlaceOfFurtherIterations) {
   EXPECT_GE(fewer, 2);
 }
 
-/// With knots anew in each pass and no grading other blocks exceed limits in each, until the joint planner takes over.
-TEST(Iterative, KeptKnotsEndWhereKnotsAnewDoNot) {
+/// With knots anew in each pass and no grading other blocks exceed limits in each.
+TEST(Iterative, KeptKnotsEndShorterThanKnotsAnew) {
   Random random(11);
   SilentProgress progress;
   IterativeOptions anew;
@@ -88,7 +89,8 @@ TEST(Iterative, KeptKnotsEndWhereKnotsAnewDoNot) {
     expect_valid(task, r);
     EXPECT_EQ(r.fallbacks, 0u);
     EXPECT_GT(r.iterations, 3u);
-    EXPECT_EQ(plan_iterative(task, o, anew, progress, 0, 1).fallbacks, 1u);
+    const RedundancyResult other = plan_iterative(task, o, anew, progress, 0, 1);
+    EXPECT_LT(r.head->duration(), 0.997 * other.head->duration());
   }
 }
 
@@ -221,6 +223,33 @@ TEST(Iterative, NeverSlowerThanTheCoarseAxesAlone) {
     expect_valid(task, r);
     EXPECT_LE(r.head->duration(), 600.0 / 1800 + 1800.0 / 16000 + 1e-9);
   }
+}
+
+/// With the first multipliers of its programs far from where they end, rounding decided by 5 % of a duration.
+TEST(Iterative, ThePlanDoesNotDependOnTheFrame) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed)
+    for (const auto& smoothing : coarse_smoothings) {
+      SCOPED_TRACE(std::to_string(seed) + smoothing.name);
+      RedundancyOptions o;
+      o.smoothing = smoothing.value;
+      const auto duration = [&](const test::Frame& frame) {
+        return plan(test::redundancy_task(test::framed(seed, frame), test::md2()), o).head->duration();
+      };
+      const double here = duration({});
+      for (const test::Frame& frame : test::other_frames) EXPECT_NEAR(duration(frame), here, 1e-9 * here);
+      EXPECT_NEAR(duration(test::backwards), here, 1e-3 * here);
+    }
+}
+
+/// The least squares of a move of two strokes leave three quarters of the stroke unused.
+TEST(Iterative, LeastSquaresAloneUseTheStrokeBeforeTheHeadIsSlowed) {
+  const RedundancyTask task = test::redundancy_task(test::straight(38, 0, 420), test::md2());
+  RedundancyOptions o;
+  o.smoothing = CoarseSmoothing::none;
+  const RedundancyResult r = plan(task, o);
+  expect_valid(task, r);
+  EXPECT_EQ(r.iterations, 1u);
+  EXPECT_NEAR(r.head->duration(), 38.0 / 420 + 420.0 / 60000, 1e-9);
 }
 
 TEST(Iterative, RefusesWhatMakesNoSense) {

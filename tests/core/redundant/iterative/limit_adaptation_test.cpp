@@ -29,17 +29,17 @@ TEST(LimitAdaptation, InProportionToTheCoarseExcess) {
   EXPECT_NEAR(limits[1], 60000 - 0.7 * 12000, 1e-9);
 }
 
-TEST(LimitAdaptation, WithKeptKnotsMoreFallsFromPassToPass) {
+TEST(LimitAdaptation, WithLargerStepsMoreFallsFromPassToPass) {
   double before = 0;
   for (int kept = 1; kept <= 40; ++kept) {
-    const AdaptationOptions o = with_kept_knots(constants, kept);
+    const AdaptationOptions o = with_larger_steps(constants, kept);
     EXPECT_TRUE(o.proportional);
     EXPECT_GE(o.least_change, before);
     EXPECT_LE(o.least_change, 0.06 + 1e-12);
     before = o.least_change;
   }
-  EXPECT_EQ(with_kept_knots(constants, 1).least_change, constants.least_change);
-  EXPECT_NEAR(with_kept_knots(constants, 3).least_change, 2.25 * constants.least_change, 1e-12);
+  EXPECT_EQ(with_larger_steps(constants, 1).least_change, constants.least_change);
+  EXPECT_NEAR(with_larger_steps(constants, 3).least_change, 2.25 * constants.least_change, 1e-12);
 }
 
 TEST(LimitAdaptation, FineExcessLowersItsBlock) {
