@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/redundant/coarse_alone.hpp"
 #include "core/redundant/iterative/iterative.hpp"
 #include "core/redundant/joint.hpp"
 #include "core/redundant/known/filter_plan.hpp"
@@ -81,7 +82,9 @@ RedundancyResult plan_redundant(const RedundancyTask& task, const RedundancyOpti
     return result;
   }
   RedundancyResult result = redundancy_row(options.method).plan(task, options, progress, from, planned);
-  return again ? reparametrised(std::move(result), task, progress, planned, to) : result;
+  if (again) result = reparametrised(std::move(result), task, progress, planned, to);
+  if (options.method == RedundancyMethod::joint || task.machine.limits_jerk()) return result;
+  return quicker_than_coarse_alone(std::move(result), task, options, progress, to);
 }
 
 }  // namespace bahnwerk

@@ -145,6 +145,8 @@ const RedundancyRow& redundancy_row(RedundancyMethod method);
 
 /// What the row of `options.method` plans, timed anew if `options.reparametrise` says so (without limited jerk). Where
 /// an axis has no fine one the joint planner takes the place of every other method, which is counted and noted.
+/// the coarse axes alone are quicker than any method but `joint`, which knows of them, they move alone (without limited
+/// jerk); that counts as a fallback.
 RedundancyResult plan_redundant(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
                                 double from = 0, double to = 1);
 

@@ -130,6 +130,10 @@ AxisArray largest_rates(const AxisPath& path, ProgressScope* scope) {
     const AxisJet q = path.at_parameter(i, u);
     for (std::size_t k = 0; k < path.axes(); ++k) rates[k] = std::max(rates[k], std::abs(q.d1[k]));
   });
+  // An axis may be slow at both ends of a panel and quick inside, as those that follow a straight tool path smoothly.
+  constexpr double usual = 1.1;
+  for (std::size_t k = 0; k < path.axes(); ++k)
+    if (between[k] > usual * most[k] && most[k] > surely) most[k] = between[k];
   // No map lets an axis move so much that this would be rounding.
   const auto moves = [&](double rate) { return rate > surely; };
   if (std::all_of(most.begin(), most.begin() + static_cast<std::ptrdiff_t>(path.axes()), moves)) return most;

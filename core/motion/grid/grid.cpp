@@ -30,6 +30,12 @@ class Layer {
     for (std::size_t k = 0; k < N; ++k)
       acceleration_[k] = machine.axes[k].acceleration, velocity_[k] = machine.axes[k].velocity;
     inverse_acceleration_ = 1 / acceleration_;
+    // A lane that repeats an axis bears its name; counted twice it would make cells depend on the order of axes.
+    for (std::size_t k = 0; k < N; ++k) {
+      counts_[k] = 1;
+      for (std::size_t i = 0; i < k; ++i)
+        if (!machine.axes[k].name.empty() && machine.axes[k].name == machine.axes[i].name) counts_[k] = 0;
+    }
   }
 
   void lay() {
@@ -78,12 +84,20 @@ class Layer {
     push(at);
   }
 
+  /// Every axis in one lane, 0 in those that repeat one.
+  Lanes<N> once(const Lanes<N>& lanes) const {
+    if constexpr (N > 3)
+      return counts_ * lanes;
+    else
+      return lanes;
+  }
+
   /// Most that v² can be where the path bends: |n · q̈| ≤ Σ |n_k| A_k with the unit normal n, so v² κ ≤ Σ |n_k| A_k.
   /// Through kinematics axes may run evenly along a path that bends, but for rounding: their own limits count, too.
   double curvature_cap(const Station<N>& at) const {
-    Lanes<N> normal = at.d2;
-    if (const double along = sum(at.d1 * at.d1); !path_.cartesian() && along > 0)
-      normal = at.d2 - (sum(at.d2 * at.d1) / along) * at.d1;
+    Lanes<N> normal = once(at.d2);
+    if (const double along = sum(once(at.d1) * at.d1); !path_.cartesian() && along > 0)
+      normal = once(at.d2 - (sum(once(at.d2) * at.d1) / along) * at.d1);
     const double square = sum(normal * normal);
     const double cap =
         square > 0 ? sum(magnitude(normal) * acceleration_) / square : std::numeric_limits<double>::infinity();
@@ -94,7 +108,8 @@ class Layer {
 
   /// How many cells [left, right] needs, estimated at its middle.
   double parts(const Station<N>& left, const Station<N>& mid, const Station<N>& right) const {
-    const double turn = distance<N>(left.d1, mid.d1) + distance<N>(mid.d1, right.d1);
+    const Lanes<N> middle = once(mid.d1);
+    const double turn = distance<N>(once(left.d1), middle) + distance<N>(middle, once(right.d1));
     const double h = right.s - left.s;
     if (!(h > 0)) return 1;
     const double t = (mid.s - left.s) / h, r = 1 - t;
@@ -196,7 +211,7 @@ class Layer {
   std::uint32_t index_;
   double feed2_;
   const GridOptions& options_;
-  Lanes<N> acceleration_, inverse_acceleration_, velocity_;
+  Lanes<N> acceleration_, inverse_acceleration_, velocity_, counts_;
   double smallest_ = 0, end_ = 0;
 };
 

@@ -151,7 +151,7 @@ double AdaptiveSplit::tolerance(std::size_t axis, double spacing, double speed) 
 }
 
 bool AdaptiveSplit::fit(const HeadSamples& head, const std::vector<SplineBegin>& begin, int iteration, bool backward,
-                        std::vector<TimeSpline>& coarse) {
+                        bool ends, std::vector<TimeSpline>& coarse) {
   CoarseFitOptions o;
   o.approximation = options_.approximation;
   o.smoothing = options_.smoothing;
@@ -176,9 +176,12 @@ bool AdaptiveSplit::fit(const HeadSamples& head, const std::vector<SplineBegin>&
     task.begin = begin[k];
     if (kept(iteration) > 0) task.knots = knots_.times(head, k);
     task.limits = task_.machine.axes[k].coarse;
+    const bool centred = task_.machine.axes[k].centred;
+    if (ends && centred) task.begin.end = task.positions.back();
     if (backward) {
       std::reverse(task.positions.begin(), task.positions.end());
-      task.begin = {task.positions.front(), 0, 0, begin[k].with_acceleration};
+      task.begin = {task.positions.front(), 0, 0, begin[k].with_acceleration, {}};
+      if (centred) task.begin.end = task.positions.back();
       std::reverse(task.knots.begin(), task.knots.end());
       for (double& t : task.knots) t = task.duration - t;
     }
@@ -333,7 +336,7 @@ std::optional<SplitPart> AdaptiveSplit::solve(std::size_t first, std::size_t las
     if (part.law.duration() > longest || part.law.duration() * (1 + constants_.most_slowing) >= takes()) break;
     const PathMotion head(task_.path, part.law);
     const HeadSamples samples = sample(head);
-    if (!fit(samples, begin, iteration, backward, part.coarse)) break;
+    if (!fit(samples, begin, iteration, backward, last == sections_.size(), part.coarse)) break;
     std::vector<std::vector<SplitPeaks>> peaks;
     for (std::size_t k = 0; k < axes(); ++k) peaks.push_back(sampled_peaks(samples, k, part.coarse[k], block, end));
     Judged found = judged(head.duration(), peaks);

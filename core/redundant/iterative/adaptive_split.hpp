@@ -78,7 +78,8 @@ class AdaptiveSplit {
   double tolerance(std::size_t axis, double spacing, double speed) const;
   /// How many iterations have kept their knots, iteration `iteration` included.
   int kept(int iteration) const { return may_keep_ ? std::max(0, iteration - constants_.knots_anew) : 0; }
-  bool fit(const HeadSamples& head, const std::vector<SplineBegin>& begin, int iteration, bool backward,
+  /// `ends`: whether the head is at the end of the path at last.
+  bool fit(const HeadSamples& head, const std::vector<SplineBegin>& begin, int iteration, bool backward, bool ends,
            std::vector<TimeSpline>& coarse);
   /// Between samples, per axis and block, of sections [first, last).
   std::vector<std::vector<SplitPeaks>> exact_peaks(const TimeLaw& law, const std::vector<TimeSpline>& coarse,

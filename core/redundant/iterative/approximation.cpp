@@ -113,14 +113,14 @@ class Fitter {
 
   /// Enough control points for the ends.
   void begin(KnotChoice& choice) const {
-    const std::size_t least = SplineEnds::least(task_.begin.with_acceleration), have = options_.degree + 1;
+    const std::size_t least = SplineEnds::least(task_.begin), have = options_.degree + 1;
     if (least > have) choice.choose_evenly((least - have + options_.multiplicity - 1) / options_.multiplicity);
   }
 
   std::optional<Approximation> fit(const KnotChoice& choice, double gap = 1e-4) const {
     tick();
     const std::vector<double> knots = choice.knots();
-    if (knots.size() < options_.degree + 1 + SplineEnds::least(task_.begin.with_acceleration)) return std::nullopt;
+    if (knots.size() < options_.degree + 1 + SplineEnds::least(task_.begin)) return std::nullopt;
     Approximation a{FitRows(task_, options_.degree, knots), {}, choice.chosen()};
     std::optional<std::vector<double>> y;
     switch (options_.approximation) {

@@ -96,8 +96,12 @@ class Programs {
     program.rows.reserve(2 * fit_.rows.size());
     for (std::size_t i = 0; i < fit_.rows.size(); ++i) {
       const VariableRow& row = fit_.rows[i];
-      const double x = (task_.positions[i + 1] - constant(row, middle_)) / scale_;
-      program.rows.push_back({row, x - inside, x + inside, 0});
+      const double place = constant(row, middle_), x = task_.positions[i + 1], give = inside * scale_;
+      // Within the coarse axis' range, too, where the tool lets it be.
+      const double lowest = std::clamp(task_.limits.lowest, x - give, x + give),
+                   highest = std::clamp(task_.limits.highest, x - give, x + give);
+      program.rows.push_back(
+          {row, (std::max(x - give, lowest) - place) / scale_, (std::min(x + give, highest) - place) / scale_, 0});
     }
     return program;
   }

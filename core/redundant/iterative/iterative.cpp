@@ -66,7 +66,7 @@ class Planner {
   std::vector<SplineBegin> at_head() const {
     std::vector<SplineBegin> begin(coarse_.size());
     const AxisJet q = task_.path->at_parameter(0, (*task_.path)[0].curve().begin());
-    for (std::size_t k = 0; k < begin.size(); ++k) begin[k] = {q.value[k], 0, 0, task_.machine.limits_jerk()};
+    for (std::size_t k = 0; k < begin.size(); ++k) begin[k] = {q.value[k], 0, 0, task_.machine.limits_jerk(), {}};
     return begin;
   }
   /// What the coarse axes do at time t of a part.
@@ -77,7 +77,7 @@ class Planner {
       const std::size_t piece = axis.find(t, 0);
       const AxisState x = axis.in_piece(piece, t);
       const bool ends = t >= axis.duration();  // at rest, but for rounding
-      begin[k] = {x.x, ends ? 0 : x.v, ends ? 0 : x.a, task_.machine.limits_jerk()};
+      begin[k] = {x.x, ends ? 0 : x.v, ends ? 0 : x.a, task_.machine.limits_jerk(), {}};
     }
     return begin;
   }

@@ -5,8 +5,8 @@
 
 namespace bahnwerk {
 
-SplineEnds::SplineEnds(const SplineSpace& space, const SplineBegin& begin) : size_(space.size()) {
-  if (size_ < least(begin.with_acceleration)) throw std::invalid_argument("too few control points for the ends");
+SplineEnds::SplineEnds(const SplineSpace& space, const SplineBegin& begin) : size_(space.size()), end_(begin.end) {
+  if (size_ < least(begin)) throw std::invalid_argument("too few control points for the ends");
   const std::vector<double>& k = space.knots();
   const auto m = static_cast<double>(space.degree());
   const std::size_t p = space.degree();
@@ -17,7 +17,7 @@ SplineEnds::SplineEnds(const SplineSpace& space, const SplineBegin& begin) : siz
     const double first = k[p + 1] - k[2], second = k[p + 2] - k[2];
     fixed_.push_back(fixed_[1] + second * (begin.velocity / m + begin.acceleration * first / (m * (m - 1))));
   }
-  variables_ = size_ - fixed_.size() - (begin.with_acceleration ? 2 : 1);
+  variables_ = size_ - fixed_.size() - (begin.with_acceleration ? 2 : 1) - (end_ ? 1 : 0);
 }
 
 VariableRow SplineEnds::reduced(const SplineRow& row) const {
@@ -31,6 +31,10 @@ VariableRow SplineEnds::reduced(const SplineRow& row) const {
       r.offset += row.weights[i] * fixed_[control];
       continue;
     }
+    if (end_ && control >= fixed_.size() + variables_) {
+      r.offset += row.weights[i] * *end_;
+      continue;
+    }
     const std::size_t variable = std::min(control - fixed_.size(), variables_ - 1);
     if (!any) r.first = variable, any = true;
     r.weights[variable - r.first] += row.weights[i];
@@ -42,7 +46,7 @@ VariableRow SplineEnds::reduced(const SplineRow& row) const {
 std::vector<double> SplineEnds::controls(const std::vector<double>& variables) const {
   std::vector<double> d = fixed_;
   d.insert(d.end(), variables.begin(), variables.end());
-  d.resize(size_, variables.back());
+  d.resize(size_, end_.value_or(variables.back()));
   return d;
 }
 

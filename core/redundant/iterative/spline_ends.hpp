@@ -3,6 +3,7 @@
 /// position and velocity are given, and the acceleration where it has to be continuous; at the end it rests wherever it
 /// is.
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "core/redundant/iterative/spline_space.hpp"
@@ -12,6 +13,7 @@ namespace bahnwerk {
 struct SplineBegin {
   double position = 0, velocity = 0, acceleration = 0;  ///< mm, mm/s, mm/s²
   bool with_acceleration = false;                       ///< given, and 0 at the end
+  std::optional<double> end = {};                       ///< mm, where it comes to rest, if not wherever it is
 };
 
 /// Σ weights[r] · y[first + r] + offset, of the variables y.
@@ -21,11 +23,12 @@ struct VariableRow {
   double offset = 0;
 };
 
-/// With K = 2 control points fixed at the begin and 2 equal ones at the end (3 each with accelerations).
+/// With K = 2 control points fixed at the begin and 2 equal ones at the end (3 each with accelerations), fixed, too,
+/// where the end is given.
 class SplineEnds {
  public:
   /// Control points that are needed at least.
-  static std::size_t least(bool with_acceleration) { return with_acceleration ? 6 : 4; }
+  static std::size_t least(const SplineBegin& begin) { return (begin.with_acceleration ? 6 : 4) + (begin.end ? 1 : 0); }
   SplineEnds(const SplineSpace& space, const SplineBegin& begin);
 
   std::size_t variables() const { return variables_; }
@@ -40,7 +43,8 @@ class SplineEnds {
 
  private:
   std::size_t size_, variables_;
-  std::vector<double> fixed_;
+  std::vector<double> fixed_;  ///< at the begin
+  std::optional<double> end_;
 };
 
 }  // namespace bahnwerk

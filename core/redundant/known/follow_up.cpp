@@ -54,12 +54,16 @@ FollowUp::FollowUp(const AxisPath& path, const Contour& contour, const CoarseFin
   }
   double stroke = machine.axes.front().stroke;
   for (const CoarseFineAxis& axis : machine.axes) stroke = std::fmin(stroke, axis.stroke);
+  const bool centred =
+      std::any_of(machine.axes.begin(), machine.axes.end(), [](const CoarseFineAxis& a) { return a.centred; });
   for (std::size_t r = 0; r < runs_.size(); ++r) {
     Run& run = runs_[r];
     run.s0 = path[run.first].s0();
     run.length = path[run.last - 1].s1() - run.s0;
     for (std::size_t i = run.first; i < run.last; ++i) run_[i] = r;
     if (!run.cuts) continue;
+    // A run that begins or ends the contour leaves the fine axes where they are.
+    if (centred && (r == 0 || r + 1 == runs_.size())) continue;
     Box box;
     run.fits = true;
     for (std::size_t i = run.first; i < run.last && run.fits; ++i) {
@@ -82,8 +86,8 @@ FollowUp::FollowUp(const AxisPath& path, const Contour& contour, const CoarseFin
     };
     if (r > 0) offset(runs_[r - 1], run.first, run.s0, run.begin);
     if (r + 1 < runs_.size()) offset(runs_[r + 1], run.last - 1, run.s0 + run.length, end);
-    if (r == 0) run.begin = end;  // where nothing was before, the fine axes already stand where they are needed
-    if (r + 1 == runs_.size()) end = run.begin;
+    if (r == 0 && !centred) run.begin = end;  // where nothing was before, the fine axes already stand where needed
+    if (r + 1 == runs_.size() && !centred) end = run.begin;
     for (std::size_t k = 0; k < axes_; ++k) run.change[k] = end[k] - run.begin[k];
   }
 }

@@ -33,6 +33,16 @@ AxisArray place(const AxisPath& path, double s, std::size_t& hint) {
   return path.at(hint, std::clamp(s, path[hint].s0(), path[hint].s1())).value;
 }
 
+/// The same, beyond both ends turned about the end point by half a turn.
+AxisArray turned_place(const AxisPath& path, double s, std::size_t& hint) {
+  const double end = s < 0 ? 0 : path.length();
+  if (s >= 0 && s <= end) return place(path, s, hint);
+  const AxisArray about = place(path, end, hint);
+  AxisArray x = turned_place(path, 2 * end - s, hint);
+  for (std::size_t k = 0; k < path.axes(); ++k) x[k] = 2 * about[k] - x[k];
+  return x;
+}
+
 bool within_strokes(const AxisPath& path, const CoarseCurve& curve, const CoarseFineMachine& machine,
                     ProgressScope& scope) {
   const auto looks = static_cast<std::size_t>(std::ceil(path.length() / curve.pitch() * looks_per_pitch)) + 1;
@@ -52,15 +62,20 @@ bool within_strokes(const AxisPath& path, const CoarseCurve& curve, const Coarse
 
 }  // namespace
 
-CoarseCurve::CoarseCurve(const AxisPath& path, double pitch) : axes_(path.axes()), pitch_(pitch) {
+CoarseCurve::CoarseCurve(const AxisPath& path, double pitch, Ends ends) : axes_(path.axes()), pitch_(pitch) {
+  const double length = path.length();
+  const auto spans = static_cast<std::size_t>(std::fmax(1, std::ceil(length / pitch)));
+  if (ends == Ends::centred) pitch_ = length / static_cast<double>(spans);
+  begin_ = ends == Ends::centred ? 0 : 0.5 * (length - pitch * static_cast<double>(spans));
   std::size_t hint = 0;
-  const auto spans = static_cast<std::size_t>(std::ceil(path.length() / pitch)) + 1;
-  for (std::size_t j = 0; j < spans + degree; ++j)
-    control_.push_back(place(path, pitch * (static_cast<double>(j) - 0.5 * (degree - 1)), hint));
+  for (std::size_t j = 0; j < spans + degree; ++j) {
+    const double s = begin_ + pitch_ * (static_cast<double>(j) - 0.5 * (degree - 1));
+    control_.push_back(ends == Ends::centred ? turned_place(path, s, hint) : place(path, s, hint));
+  }
 }
 
 AxisJet CoarseCurve::at(std::size_t, double s, const AxisJet&) const {
-  const double x = std::fmax(0, s / pitch_);
+  const double x = std::fmax(0, (s - begin_) / pitch_);
   const auto span = std::min(static_cast<std::size_t>(x), control_.size() - 1 - degree);
   const double t = x - static_cast<double>(span);
   std::array<AxisArray, degree + 1> c;
@@ -85,9 +100,14 @@ std::shared_ptr<const CoarseCurve> coarse_curve(const AxisPath& path, const Coar
   double stroke = machine.axes.front().stroke;
   for (const CoarseFineAxis& axis : machine.axes) stroke = std::fmin(stroke, axis.stroke);
   // |x(s) − x_c(s)| ≤ Σ B_i |s − s_i| ≤ √(Σ B_i (s − s_i)²) = Δ √((degree + 1)/12) = Δ/√2.
-  auto best = std::make_shared<const CoarseCurve>(path, used_stroke * std::sqrt(2.0) * stroke);
-  while (best->pitch() < path.length()) {
-    auto wider = std::make_shared<const CoarseCurve>(path, 2 * best->pitch());
+  const bool centred =
+      std::any_of(machine.axes.begin(), machine.axes.end(), [](const CoarseFineAxis& a) { return a.centred; });
+  const CoarseCurve::Ends ends = centred ? CoarseCurve::Ends::centred : CoarseCurve::Ends::free;
+  double pitch = used_stroke * std::sqrt(2.0) * stroke;
+  auto best = std::make_shared<const CoarseCurve>(path, pitch, ends);
+  while (pitch < path.length()) {
+    pitch *= 2;
+    auto wider = std::make_shared<const CoarseCurve>(path, pitch, ends);
     if (!within_strokes(path, *wider, machine, scope)) break;
     best = std::move(wider);
   }

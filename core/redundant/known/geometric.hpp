@@ -4,8 +4,9 @@
 /// The curve is the contour's variation-diminishing spline of degree 5 over arc length (Schoenberg): its control points
 /// are the tool's places at knots Δ apart. Because |x′| ≤ 1, it stays within Δ/√2 of the tool; from there Δ doubles as
 /// long as the offset leaves 1 % of the stroke. The source takes degree 3 or a QP; with degree 5 what the planner looks
-/// at between knots is smooth where they are, too. At corners all axes stop, since x_c′ is finite there: that is why
-/// the coarse axes' acceleration decides how long cutting takes.
+/// at between knots is smooth where they are, too. Knots lie alike as seen from both ends of the contour, so it takes
+/// as long backwards. At corners all axes stop, since x_c′ is finite there: that is why the coarse axes' acceleration
+/// decides how long cutting takes.
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -15,22 +16,29 @@
 
 namespace bahnwerk {
 
-/// Uniform B-spline of degree 5 over path length, extended beyond both ends of the path by its end points.
+/// Uniform B-spline of degree 5 over path length.
 class CoarseCurve final : public CoarsePath {
  public:
-  /// Control points every `pitch` mm.
-  CoarseCurve(const AxisPath& path, double pitch);
+  /// How the path goes on beyond its ends, where control points lie.
+  enum class Ends {
+    free,     ///< by its end points
+    centred,  ///< turned about its end points: there the curve meets the path
+  };
+  /// Control points every `pitch` mm, symmetric about the middle of the path; with centred ends at whole fractions of
+  /// its length, `pitch` at most.
+  CoarseCurve(const AxisPath& path, double pitch, Ends ends = Ends::free);
   bool linear(std::size_t) const override { return false; }
   AxisJet at(std::size_t segment, double s, const AxisJet& tool) const override;
   double pitch() const { return pitch_; }
 
  private:
   std::size_t axes_;
-  double pitch_;
-  std::vector<AxisArray> control_;  ///< of s = −2Δ, −Δ, 0, Δ, …
+  double pitch_, begin_;            ///< mm; where the first span begins, 0 at most
+  std::vector<AxisArray> control_;  ///< of s = begin − 2Δ, begin − Δ, …
 };
 
-/// The coarse curve with the longest pitch that keeps the fine axes inside their strokes, among Δ₀ 2ⁿ.
+/// The coarse curve with the longest pitch that keeps the fine axes inside their strokes, among Δ₀ 2ⁿ. Its ends are
+/// centred where a fine axis has to be.
 std::shared_ptr<const CoarseCurve> coarse_curve(const AxisPath& path, const CoarseFineMachine& machine,
                                                 Progress& progress);
 

@@ -64,6 +64,12 @@ double circle_gain(double coarse_lag, double fine_lag, double rate, bool prefilt
   return std::abs(prefilter ? fine : 1.0 - (1.0 - coarse) * (1.0 - fine));
 }
 
+Prefilter prefilter(double coarse_lag, double fine_lag, double cycle_time) {
+  // y = x − (T_f/T_c) · lag, and lag_i = d lag_{i−1} + (1 − d) T_c/h (x_i − x_{i−1}), see lagged().
+  const double decay = std::exp(-cycle_time / coarse_lag), gain = (1 - decay) * fine_lag / cycle_time;
+  return {{1, coarse_lag - fine_lag}, {1, coarse_lag}, {1 - gain, gain - decay}, -decay};
+}
+
 RedundancyResult plan_lag_compensation(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
                                        double from, double to) {
   const double cycle = task.machine.cycle_time, lag = options.coarse_lag;

@@ -17,6 +17,16 @@ double step_overshoot(double coarse_lag, double fine_lag);
 /// Radius of the circle that the tool makes of one of radius 1 that it goes round with `rate` rad/s.
 double circle_gain(double coarse_lag, double fine_lag, double rate, bool prefilter);
 
+/// V(σ) = 1 + G_c − G_c/G_f = (1 + (T_c − T_f) σ)/(1 + T_c σ) before the fine drive [Bock 3.4.2]: what a controller
+/// needs to filter the head's setpoints, from which it takes the coarse axis' place.
+struct Prefilter {
+  double numerator[2];    ///< of powers of σ: 1, s
+  double denominator[2];  ///< the same
+  /// y_i = b_0 x_i + b_1 x_{i−1} − a_1 y_{i−1} with one value per cycle: exact where x is linear in between.
+  double b[2], a1;
+};
+Prefilter prefilter(double coarse_lag, double fine_lag, double cycle_time);
+
 RedundancyResult plan_lag_compensation(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
                                        double from, double to);
 

@@ -11,6 +11,7 @@
 #include "core/motion/law/dwell.hpp"
 #include "core/motion/law/law_between.hpp"
 #include "core/redundant/known/split_peaks.hpp"
+#include "core/redundant/known/timed_ends.hpp"
 #include "core/redundant/known/timed_path.hpp"
 
 namespace bahnwerk {
@@ -187,7 +188,8 @@ RedundancyResult reparametrised(RedundancyResult found, const RedundancyTask& ta
     const Machine machine = both_stages(task.machine, 1 - margin);
     const PathTask again{path, machine, feeds, std::vector<bool>(path.size() + 1, false)};
     const double half = from + 0.5 * (to - from);
-    const TimeLaw rate = plan_acceleration_limited(again, {}, progress, from, half).law;
+    const TimeLaw rate =
+        with_moving_ends(plan_acceleration_limited(again, {}, progress, from, half).law, path, machine);
     ProgressScope scope(progress, "planning", half, to);
     Retimed retimed = Driver(found, path).run(rate, scope);
     const auto head = std::make_shared<const PathMotion>(task.path, std::move(retimed.law));

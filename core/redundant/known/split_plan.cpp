@@ -14,7 +14,8 @@ namespace bahnwerk {
 namespace {
 
 constexpr double first_margin = 1e-6, last_margin = 0.1;  // of all limits
-constexpr double exceeded = 1e-5;  // by which a peak may lie above its limit: the plan slows the whole by that little
+constexpr double exceeded = 1e-5;   // by which a peak may lie above its limit: the plan slows the whole by that little
+constexpr double grid_loss = 2e-7;  // relative: the cells of a path depend a little on the order of its axes
 constexpr double longest_piece = 0.5e-3;  // s, of the coarse motion
 
 }  // namespace
@@ -28,6 +29,7 @@ RedundancyResult plan_split(const RedundancyTask& task, const std::shared_ptr<co
   law_options.keep_reserve = options.keep_reserve;
   law_options.braking_reserve = options.braking_reserve;
   law_options.grid.longest = longest_cell;
+  law_options.tolerance = grid_loss;
   RedundancyResult result;
   for (double margin = first_margin; margin <= last_margin;) {
     const Machine machine = both_stages(task.machine, 1 - margin);

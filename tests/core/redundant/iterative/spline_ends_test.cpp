@@ -50,5 +50,31 @@ TEST(SplineEnds, TakeSomeControlPoints) {
   EXPECT_EQ(SplineEnds(SplineSpace(3, {0, 0, 0, 0, 1, 1, 1, 1}), {}).variables(), 1u);
 }
 
+TEST(SplineEnds, EndsAtRestWhereItIsTold) {
+  const SplineSpace space(3, {0, 0, 0, 0, 0.5, 1, 1.5, 2, 2, 2, 2});
+  for (const bool accelerated : {false, true}) {
+    SplineBegin begin{1, 2, accelerated ? 3.0 : 0, accelerated, {}};
+    const std::size_t free = SplineEnds(space, begin).variables();
+    begin.end = 7;
+    const SplineEnds ends(space, begin);
+    ASSERT_EQ(ends.variables() + 1, free);
+    const std::vector<double> y(ends.variables(), -4);
+    const TimeSpline s = space.spline(ends.controls(y));
+    const AxisState x = s.in_piece(s.pieces() - 1, 2);
+    EXPECT_NEAR(x.x, 7, 1e-12);
+    EXPECT_NEAR(x.v, 0, 1e-12);
+    if (accelerated) {
+      EXPECT_NEAR(x.a, 0, 1e-11);
+    }
+    std::size_t span = 0;  // rows agree with the spline
+    for (const double t : {0.1, 0.9, 1.4, 1.9}) {
+      const VariableRow row = ends.reduced(space.at(t, 0, span));
+      double sum = row.offset;
+      for (std::size_t r = 0; r < row.count; ++r) sum += row.weights[r] * y[row.first + r];
+      EXPECT_NEAR(sum, s.in_piece(s.find(t, 0), t).x, 1e-12);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace bahnwerk

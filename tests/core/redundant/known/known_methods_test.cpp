@@ -7,12 +7,14 @@
 
 #include "core/motion/law/dwell.hpp"
 #include "core/numeric/random.hpp"
+#include "core/redundant/known/filters.hpp"
 #include "core/redundant/known/follow_up.hpp"
 #include "core/redundant/known/geometric.hpp"
 #include "core/redundant/known/lag_compensation.hpp"
 #include "core/redundant/redundancy.hpp"
 #include "tests/core/cases.hpp"
 #include "tests/core/redundant/coarse_fine_machines.hpp"
+#include "tests/core/redundant/frames.hpp"
 #include "tests/core/redundant/split_excess.hpp"
 
 namespace bahnwerk {
@@ -227,6 +229,86 @@ TEST(KnownMethods, RandomContoursAreValid) {
   EXPECT_NEAR(total[RedundancyMethod::follow_up], contours, 1e-6 * contours);
   EXPECT_LT(total[RedundancyMethod::filter], 1.8 * contours);
   EXPECT_LT(total[RedundancyMethod::lag_compensation], 2.2 * contours);
+}
+
+/// Along a straight tool path the coarse curve is slow at both ends and as quick as the tool between them.
+TEST(KnownMethods, GeometricallySplitStraightMovesAreQuickerThanTheCoarseAxesAlone) {
+  for (const CoarseFineMachine& machine : {test::md1(), test::md2()})
+    for (const double length : {7.0, 90.0, 310.0, 620.0, 1900.0}) {
+      SCOPED_TRACE(length);
+      const RedundancyTask task = test::redundancy_task(test::straight(length, 0), machine);
+      const RedundancyResult r = plan(task, RedundancyMethod::geometric);
+      expect_valid(task, r);
+      const double V = machine.axes[0].coarse.velocity, A = machine.axes[0].coarse.acceleration;
+      EXPECT_LT(r.head->duration(), length > V * V / A ? length / V + V / A : 2 * std::sqrt(length / A));
+    }
+}
+
+TEST(KnownMethods, PlansDoNotDependOnTheFrame) {
+  for (const RedundancyMethod method : known)
+    for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+      SCOPED_TRACE(std::to_string(seed) + std::string(name_of<RedundancyMethod>(method, redundancy_methods)));
+      const auto duration = [&](const test::Frame& frame) {
+        return plan(test::redundancy_task(test::framed(seed, frame), test::md2()), method).head->duration();
+      };
+      const double here = duration({});
+      for (const test::Frame& frame : test::other_frames) EXPECT_NEAR(duration(frame), here, 1e-6 * here);
+      // A lag is not symmetric in time.
+      if (method != RedundancyMethod::lag_compensation) {
+        EXPECT_NEAR(duration(test::backwards), here, 1e-5 * here);
+      }
+    }
+}
+
+/// Where an axis stands centred at rest it does so with every method, at both ends.
+TEST(KnownMethods, FineAxesAreCentredAtBothEndsWhereTheyHaveToBe) {
+  CoarseFineMachine machine = test::md2();
+  for (CoarseFineAxis& axis : machine.axes) axis.centred = true;
+  for (const std::uint64_t seed : {3u, 4u}) {
+    const RedundancyTask task = test::redundancy_task(test::framed(seed, {}), machine);
+    for (const auto& method : redundancy_methods) {
+      if (method.value == RedundancyMethod::joint) continue;
+      SCOPED_TRACE(method.name);
+      const RedundancyResult r = plan(task, method.value);
+      expect_valid(task, r);
+      EXPECT_EQ(r.fallbacks, 0u);
+      for (const double t : {0.0, r.head->duration()}) {
+        const MotionState x = r.head->evaluate(t), c = r.coarse->evaluate(t);
+        for (std::size_t k = 0; k < 2; ++k) EXPECT_NEAR(x.position[k], c.position[k], 1e-8) << t;
+      }
+    }
+  }
+}
+
+/// What no axis drives near a limit is found, wherever the motion begins and ends: 5.2.3.
+TEST(KnownMethods, RetimedIterativePlansAreShorter) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE(seed);
+    const RedundancyTask task = test::redundancy_task(test::framed(seed, {}), test::md2());
+    RedundancyOptions options;
+    options.method = RedundancyMethod::iterative;
+    const RedundancyResult before = plan(task, RedundancyMethod::iterative);
+    options.reparametrise = true;
+    SilentProgress progress;
+    const RedundancyResult after = plan_redundant(task, options, progress);
+    expect_valid(task, after);
+    EXPECT_LT(after.head->duration(), (seed == 2 ? 0.98 : 0.9998) * before.head->duration());
+  }
+}
+
+/// The discrete prefilter answers a motion as its transfer function does: less the share T_f/T_c of the coarse lag.
+TEST(KnownMethods, ThePrefilterTakesOffItsShareOfTheCoarseLag) {
+  const double coarse = 0.02, fine = 0.003, step = 0.001;
+  std::vector<double> x;
+  for (int i = 0; i < 200; ++i) x.push_back(i < 50 ? 0 : std::sin(0.05 * (i - 50)) + 0.01 * (i - 50));
+  const std::vector<double> lag = lagged(x, coarse, step);
+  const Prefilter v = prefilter(coarse, fine, step);
+  double y = x[0];
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    y = v.b[0] * x[i] + v.b[1] * x[i - 1] - v.a1 * y;
+    EXPECT_NEAR(y, x[i] - fine / coarse * (x[i] - lag[i]), 1e-12);
+  }
+  EXPECT_NEAR((v.b[0] + v.b[1]) / (1 + v.a1), v.numerator[0] / v.denominator[0], 1e-12);  // at rest
 }
 
 }  // namespace

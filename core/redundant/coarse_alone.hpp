@@ -1,0 +1,16 @@
+#pragma once
+/// The coarse axes alone, within their own limits, under fine axes that stand in the middle: what every other plan has
+/// to be quicker than.
+#include "core/redundant/redundancy.hpp"
+
+namespace bahnwerk {
+
+/// Without limited jerk. Cost: that of the acceleration-limited planner. Throws what it throws.
+RedundancyResult plan_coarse_alone(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
+                                   double at);
+
+/// `found`, or the coarse axes alone where they are quicker: then one fallback more, with a note.
+RedundancyResult quicker_than_coarse_alone(RedundancyResult found, const RedundancyTask& task,
+                                           const RedundancyOptions& options, Progress& progress, double at);
+
+}  // namespace bahnwerk
