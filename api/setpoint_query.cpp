@@ -1,6 +1,7 @@
 // The query string of GET /v1/jobs/{id}/setpoints.
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <stdexcept>
 
 #include "api/pointer.hpp"
@@ -10,12 +11,20 @@
 namespace bahnwerk::api {
 namespace {
 
+constexpr double max_delay = 60;            // s
 constexpr std::size_t max_points = 20'000;  // an envelope is held in memory: 20 000 points of 12 columns are 4 MB
 
 std::optional<std::size_t> natural(std::string_view text) {
   std::size_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::optional<double> real(std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
   return value;
 }
 
@@ -81,8 +90,26 @@ SetpointQuery parse_setpoint_query(const std::vector<std::pair<std::string, std:
       }
       continue;
     }
+    if (key == "group") {
+      try {
+        result.group = value_of<DriveGroup>(value, drive_groups);
+      } catch (const std::invalid_argument&) {
+        fault("must be all, coarse or fine");
+      }
+      continue;
+    }
+    if (key == "delay") {
+      const auto seconds = real(value);
+      if (seconds && *seconds >= 0 && *seconds <= max_delay)
+        result.delay = *seconds;
+      else
+        fault("must be a time from 0 to 60 s, such as 0.004");
+      continue;
+    }
     if (key != "first" && key != "count" && key != "every" && key != "points") {
-      fault("unknown parameter; known are first, count, every, columns, points, format, layout, frame");
+      fault(
+          "unknown parameter; known are first, count, every, columns, points, format, layout, frame, group, "
+          "delay");
       continue;
     }
     const auto number = natural(value);

@@ -81,6 +81,38 @@ SetpointSeries with_mark(SetpointSeries series, const std::string& name) {
   return series;
 }
 
+SetpointSeries delayed(SetpointSeries series, std::size_t rows) {
+  if (rows == 0) return series;
+  std::vector<bool> rates;
+  for (const Column& column : series.columns) {
+    const bool rate = column.name.size() > 1 && (column.name[0] == 'v' || column.name[0] == 'a');
+    rates.push_back(rate && column_index(series.columns, column.name.substr(1)) < series.columns.size());
+  }
+  SetpointSeries result;
+  result.columns = series.columns;
+  result.count = series.count + (series.count > 0 ? rows : 0);
+  result.cycle_time = series.cycle_time;
+  result.read = [rows, series = std::move(series), rates = std::move(rates)](std::size_t first, std::size_t count,
+                                                                             std::vector<double>& out) {
+    const std::size_t width = series.columns.size(), waiting = first < rows ? std::min(count, rows - first) : 0;
+    std::vector<double> moving;
+    if (count > waiting) series.read(first + waiting - rows, count - waiting, moving);
+    if (waiting == 0) {
+      out = std::move(moving);
+      return;
+    }
+    std::vector<double> row;
+    series.read(0, 1, row);
+    for (std::size_t c = 0; c < width; ++c)
+      if (rates[c]) row[c] = 0;
+    out.clear();
+    out.reserve(count * width);
+    for (std::size_t i = 0; i < waiting; ++i) out.insert(out.end(), row.begin(), row.end());
+    out.insert(out.end(), moving.begin(), moving.end());
+  };
+  return result;
+}
+
 SetpointSeries envelope(SetpointSeries series, std::size_t first, std::size_t rows, std::size_t points,
                         std::vector<std::size_t> columns) {
   SetpointSeries result;

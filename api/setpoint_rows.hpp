@@ -28,6 +28,9 @@ class RowCursor {
 SetpointSeries in_base_frame(SetpointSeries series);
 /// The series with one more column, behind the others, that is 1 in every row.
 SetpointSeries with_mark(SetpointSeries series, const std::string& name);
+/// The series begun so many rows later: its first row stands before it as often, with 0 in the columns that are the
+/// rate vc or ac of another column c.
+SetpointSeries delayed(SetpointSeries series, std::size_t rows);
 
 /// The envelope of rows [first, first + rows) as a series of min(points, rows) rows: column "index" (the bucket's first
 /// row), then per column of `columns` its smallest and largest value in the bucket, named x_min, x_max. Bucket b covers

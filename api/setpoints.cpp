@@ -38,23 +38,40 @@ void append_f64(std::string& out, double value) {
   for (int i = 0; i < 8; ++i, bits >>= 8) out += static_cast<char>(bits & 0xFF);
 }
 
-/// The names of the columns that a layout holds where none are asked for; none: all.
-std::vector<std::string> columns_of(const SetpointSeries& series, CsvLayout layout) {
+/// The names of the columns that a layout holds for a group of drives where none are asked for; none: all.
+std::vector<std::string> columns_of(const SetpointSeries& series, CsvLayout layout, DriveGroup group) {
   std::vector<std::string> names;
   const auto has = [&](const std::string& name) { return column_index(series.columns, name) < series.columns.size(); };
-  if (layout == CsvLayout::plain) return names;
-  if (layout == CsvLayout::twincat) {
+  const auto in_group = [&](const std::string& name) {
+    if (group == DriveGroup::all) return true;
+    const char stage = group == DriveGroup::coarse ? 'c' : 'f';
+    return name.size() > 1 && name.back() == stage && has(name.substr(0, name.size() - 1));
+  };
+  if (layout == CsvLayout::plain && group == DriveGroup::all) return names;
+  if (layout != CsvLayout::twincat_poses) {
     for (const Column& c : series.columns)
-      if (has("v" + c.name) && has("a" + c.name)) names.push_back(c.name);
+      if (has("v" + c.name) && has("a" + c.name) && in_group(c.name)) names.push_back(c.name);
   } else {
     for (const char* name : {"x", "y", "z", "phi", "psi"})
-      if (has(name) && has(std::string("v") + name)) names.push_back(name);
+      if (has(name) && has(std::string("v") + name) && in_group(name)) names.push_back(name);
   }
+  if (names.empty() && group != DriveGroup::all) refuse("group", "this series has no axes of that group of drives");
   if (names.empty()) refuse("layout", "this series has no columns of that layout; name some by columns");
-  for (std::size_t k = 0, positions = names.size(); k < positions; ++k) names.push_back("v" + names[k]);
-  for (const char* name : {"brake", "base_frame", "part_frame"})
+  const std::size_t positions = names.size();
+  for (std::size_t k = 0; k < positions; ++k) names.push_back("v" + names[k]);
+  for (std::size_t k = 0; k < positions && layout == CsvLayout::plain; ++k) names.push_back("a" + names[k]);
+  for (const char* name : {"brake", "base_frame", "part_frame", "mode", "block"})
     if (has(name)) names.push_back(name);
   return names;
+}
+
+/// Throws where that is not whole cycles.
+std::size_t rows_of(double delay, double cycle_time) {
+  if (delay == 0) return 0;
+  const double cycles = delay / cycle_time, whole = std::round(cycles);
+  if (!(std::abs(cycles - whole) <= 1e-6 * std::fmax(1, whole)))
+    refuse("delay", "must be whole cycles of " + nlohmann::json(cycle_time).dump() + " s");
+  return static_cast<std::size_t>(whole);
 }
 
 std::vector<std::size_t> select(const SetpointSeries& series, const std::vector<std::string>& names) {
@@ -196,6 +213,7 @@ bool SetpointStream::State::row_step(std::string& out) {
 SetpointStream::SetpointStream(SetpointSeries series, SetpointQuery query, SetpointFormat format)
     : state_(std::make_unique<State>()) {
   auto& s = *state_;
+  series = delayed(std::move(series), rows_of(query.delay, series.cycle_time));
   if (query.first > series.count)
     refuse("first",
            "row " + std::to_string(query.first) + " is beyond the series of " + std::to_string(series.count) + " rows");
@@ -209,9 +227,9 @@ SetpointStream::SetpointStream(SetpointSeries series, SetpointQuery query, Setpo
     series = with_mark(std::move(series), base ? "base_frame" : "part_frame");
   if (query.layout != CsvLayout::plain) {
     if (format != SetpointFormat::csv) refuse("layout", "is one of CSV: ask for text/csv or format=csv");
-    if (query.columns.empty()) query.columns = columns_of(series, query.layout);
     s.separator = ";", s.line_end = "\r\n";
   }
+  if (query.columns.empty()) query.columns = columns_of(series, query.layout, query.group);
   const std::size_t rest = series.count - query.first;
   const std::size_t spanned = query.count ? std::min(*query.count, rest) : rest;
   s.selected = select(series, query.columns);

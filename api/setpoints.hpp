@@ -24,7 +24,8 @@ std::string_view format_name(SetpointFormat format);  ///< json, csv, ndjson, f6
 /// 4.5.1]: fields separated by semicolons, lines ended by CR LF, as FB_CSVMemBufferReader of Tc2_Utilities takes them
 /// by default; decimal points; a header line. Without `columns` they hold what a controller follows: twincat the axes,
 /// their velocities and the brake; twincat_poses the tool's pose, its rates and the brake, for controllers that know
-/// the machine's kinematics. An axis is a column c with columns vc and ac beside it; the pose x, y, z, phi, psi.
+/// the machine's kinematics; both mode and block, where there are such. An axis is a column c with columns vc and ac
+/// beside it; the pose x, y, z, phi, psi.
 enum class CsvLayout { plain, twincat, twincat_poses };
 inline constexpr Named<CsvLayout> csv_layouts[] = {
     {CsvLayout::plain, "plain"}, {CsvLayout::twincat, "twincat"}, {CsvLayout::twincat_poses, "twincat_poses"}};
@@ -33,6 +34,10 @@ inline constexpr Named<CsvLayout> csv_layouts[] = {
 enum class SetpointFrame { part, base };
 inline constexpr Named<SetpointFrame> setpoint_frames[] = {{SetpointFrame::part, "part"},
                                                            {SetpointFrame::base, "base"}};
+/// The drives that a file is for. coarse and fine: axes whose names are those of others with c or f behind them.
+enum class DriveGroup { all, coarse, fine };
+inline constexpr Named<DriveGroup> drive_groups[] = {
+    {DriveGroup::all, "all"}, {DriveGroup::coarse, "coarse"}, {DriveGroup::fine, "fine"}};
 
 struct SetpointQuery {
   std::size_t first = 0;
@@ -45,6 +50,10 @@ struct SetpointQuery {
   /// [4.5.1: the controller takes ^O s], the part elsewhere. Without `columns` that layout ends with a column that is 1
   /// and names the frame, base_frame or part_frame.
   std::optional<SetpointFrame> frame;
+  DriveGroup group = DriveGroup::all;  ///< without `columns`: whose axes
+  /// s, whole cycles: the axes rest so long before they begin, so that drives that follow with different lags, started
+  /// together, move together. Rows are counted with those.
+  double delay = 0;
   std::optional<SetpointFormat> format;  ///< wins over Accept: a link in a page cannot carry a header
 };
 /// From a decoded query string's pairs. Throws Problem schema-violation (422) with pointers like /query/first for
@@ -66,8 +75,9 @@ struct SetpointSeries {
 /// appended nothing.
 class SetpointStream {
  public:
-  /// Throws Problem schema-violation for a frame that is not known, an unknown column, a first beyond the series, and a
-  /// layout of anything but CSV, or of a series that has not what it holds.
+  /// Throws Problem schema-violation for a frame that is not known, an unknown column, a first beyond the series, a
+  /// layout of anything but CSV, a layout or group of a series that has not what it holds, and a delay that is not
+  /// whole cycles.
   SetpointStream(SetpointSeries series, SetpointQuery query, SetpointFormat format);
   ~SetpointStream();
   SetpointStream(SetpointStream&&) noexcept;

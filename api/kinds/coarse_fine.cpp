@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "core/redundant/joint.hpp"
+#include "core/redundant/known/lag_compensation.hpp"
 
 namespace bahnwerk::api::contour {
 namespace {
@@ -20,8 +22,11 @@ constexpr const char* axis_names[] = {"x", "y", "z"};
 bool given(const json& object, const char* name) { return object.contains(name) && !object[name].is_null(); }
 
 Limits limits(const json& axis) {
-  return {axis["velocity"].get<double>(), axis["acceleration"].get<double>(),
-          given(axis, "jerk") ? axis["jerk"].get<double>() : unlimited};
+  Limits limits{axis["velocity"].get<double>(), axis["acceleration"].get<double>(),
+                given(axis, "jerk") ? axis["jerk"].get<double>() : unlimited};
+  if (given(axis, "range"))
+    limits.lowest = axis["range"][0].get<double>(), limits.highest = axis["range"][1].get<double>();
+  return limits;
 }
 
 const json& redundancy_of(const json& spec) {
@@ -100,6 +105,9 @@ CoarseFineMachine coarse_fine_machine(const json& spec) {
         if (!given(axis, "jerk"))
           faults.push_back({{"machine", stage, name, "jerk"},
                             "is required: jerk is limited of all coarse and fine axes or of none"});
+  for (const auto& [name, axis] : document["coarse"].items())
+    if (given(axis, "range") && !(axis["range"][0].get<double>() < axis["range"][1].get<double>()))
+      faults.push_back({{"machine", "coarse", name, "range"}, "must go from the lower end to the higher one, mm"});
   if (!faults.empty()) throw InvalidInput(std::move(faults));
   for (const char* name : axis_names)
     if (document["coarse"].contains(name)) {
@@ -107,6 +115,7 @@ CoarseFineMachine coarse_fine_machine(const json& spec) {
       if (document["fine"].contains(name)) {
         const json& fine = document["fine"][name];
         axis.fine = limits(fine), axis.stroke = fine["stroke"].get<double>();
+        axis.centred = fine.value("at_rest", "free") == "centred";
       }
       machine.axes.push_back(axis.stroke > 0 ? axis : coarse_alone(axis));
     }
@@ -208,6 +217,8 @@ void report(const CoarseFinePlan& plan, const CoarseFineMachine& machine, Redund
             ordered_json& result) {
   result["summary"]["coarse_smoothness"] = per_axis(machine, plan.energy);
   result["summary"]["peak_coarse_acceleration"] = per_axis(machine, plan.peak_coarse_acceleration);
+  result["summary"]["rms_acceleration"] = {{"coarse", per_axis(machine, plan.rms.coarse)},
+                                           {"fine", per_axis(machine, plan.rms.fine)}};
   ordered_json trades = ordered_json::array();
   for (const RedundancyTrade& trade : plan.trades)
     trades.push_back({{"stretch", trade.stretch},
@@ -233,17 +244,66 @@ void report(const CoarseFinePlan& plan, const CoarseFineMachine& machine, Redund
   if (!lags.empty()) result["details"]["redundancy"]["lags"] = std::move(lags);
 }
 
+std::vector<StudyRequest> study_requests(const json& spec) {
+  if (!spec.contains("planning") || !spec["planning"].contains("machine_study")) return {};
+  const json& document = spec["planning"]["machine_study"];
+  if (document.is_boolean()) return document.get<bool>() ? usual_studies() : std::vector<StudyRequest>();
+  std::vector<StudyRequest> requests;
+  for (const auto& quantity : studied_quantities)
+    if (document.contains(quantity.name))
+      requests.push_back({quantity.value, document[quantity.name].is_array()
+                                              ? document[quantity.name].get<std::vector<double>>()
+                                              : std::vector<double>()});
+  return requests;
+}
+
+void report_prefilter(const RedundancyOptions& options, double cycle_time, ordered_json& result) {
+  const Prefilter v = prefilter(options.coarse_lag, options.fine_lag, cycle_time);
+  result["details"]["redundancy"]["prefilter"] = {{"numerator", v.numerator},
+                                                  {"denominator", v.denominator},
+                                                  {"cycle_time", cycle_time},
+                                                  {"b", v.b},
+                                                  {"a", {1.0, v.a1}}};
+}
+
+void check_range(const CoarseFineMachine& machine, const Contour& contour, std::vector<InputFault>& faults) {
+  constexpr int places = 32;  // of a curve
+  for (std::size_t k = 0; k < std::min(machine.axes.size(), contour.dimension); ++k) {
+    const CoarseFineAxis& axis = machine.axes[k];
+    double least = unlimited, most = -unlimited;
+    for (std::size_t i = 0; i < contour.path.size(); ++i) {
+      const Curve& curve = contour.path[i].curve();
+      const int looks = contour.path[i].straight() ? 1 : places;
+      for (int j = 0; j <= looks; ++j) {
+        const Vec p = curve.at(curve.begin() + (curve.end() - curve.begin()) * j / looks).value;
+        const double x = k == 0 ? p.x : k == 1 ? p.y : p.z;
+        least = std::min(least, x), most = std::max(most, x);
+      }
+    }
+    const double low = axis.coarse.lowest - axis.stroke, high = axis.coarse.highest + axis.stroke;
+    if (least >= low && most <= high) continue;
+    char text[300];
+    std::snprintf(
+        text, sizeof text,
+        "ends before the tool does: the contour goes from %.6g to %.6g mm, the coarse axis from %.6g to %.6g mm "
+        "and the fine one %.6g mm beyond; move the contour or widen the range",
+        least, most, axis.coarse.lowest, axis.coarse.highest, axis.stroke);
+    faults.push_back({{"machine", "coarse", axis.name, "range"}, text});
+  }
+}
+
 void report(const MachineStudy& study, double duration, ordered_json& result) {
-  const auto table = [&](const std::vector<StudiedMachine>& machines) {
+  ordered_json& tables = result["details"]["redundancy"]["machine_study"] = ordered_json::object();
+  for (const Study& table : study) {
     ordered_json list = ordered_json::array();
-    for (const StudiedMachine& m : machines)
+    for (const StudiedMachine& m : table.machines) {
       list.push_back({{"value", m.value},
                       {"duration", m.duration ? ordered_json(*m.duration) : ordered_json()},
                       {"ratio", m.duration ? ordered_json(*m.duration / duration) : ordered_json()}});
-    return list;
-  };
-  result["details"]["redundancy"]["machine_study"] = {{"stroke", table(study.stroke)},
-                                                      {"fine_acceleration", table(study.fine_acceleration)}};
+      if (!m.note.empty()) list.back()["note"] = m.note;
+    }
+    tables[name_of<StudiedQuantity>(table.quantity, studied_quantities)] = std::move(list);
+  }
 }
 
 }  // namespace bahnwerk::api::contour

@@ -39,6 +39,15 @@ std::vector<std::string> unused_options(const nlohmann::json& spec);
 void report(const CoarseFinePlan& plan, const CoarseFineMachine& machine, RedundancyMethod method, bool program,
             nlohmann::ordered_json& result);
 
+/// The tables that planning.machine_study asks for; none: no study.
+std::vector<StudyRequest> study_requests(const nlohmann::json& spec);
+
+/// Adds details.redundancy.prefilter: what makes the fine axes of drives with these lags free of overshoot.
+void report_prefilter(const RedundancyOptions& options, double cycle_time, nlohmann::ordered_json& result);
+
+/// Faults of where the tool goes: beyond what a coarse axis' range and the stroke reach.
+void check_range(const CoarseFineMachine& machine, const Contour& contour, std::vector<InputFault>& faults);
+
 /// Adds details.redundancy.machine_study; `duration`: that of the machine as it is.
 void report(const MachineStudy& study, double duration, nlohmann::ordered_json& result);
 

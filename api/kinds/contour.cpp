@@ -245,6 +245,7 @@ void check_contour(const Contour& contour, const Asked& job) {
   const double shortest = shortest_time(contour, job.head);
   check_setpoints(shortest, job.head, faults);
   check_grid(*job.coarse_fine, shortest, faults);
+  check_range(*job.coarse_fine, contour, faults);
   throw_if_any(std::move(faults));
 }
 
@@ -293,10 +294,13 @@ PlannedJob plan_with_fine_axes(const Contour& contour, const Asked& job, const j
   for (std::string& note : unused_options(spec)) plan.contour.notes.push_back(std::move(note));
   ordered_json result = result_of(plan.contour, job, program);
   report(plan, machine, job.redundancy.method, program, result);
+  if (job.redundancy.method == RedundancyMethod::lag_compensation)
+    report_prefilter(job.redundancy, machine.cycle_time, result);
   ordered_json drawn = drawings(plan.contour, plan.head->law(), coarse_way(plan), first);
   drawn["axes.svg"] = axis_drawing(plan, machine, first);
   if (study) {
-    const MachineStudy others = machine_study(contour, machine, job.planning, job.redundancy, progress, planned, 1);
+    const MachineStudy others =
+        machine_study(contour, machine, job.planning, job.redundancy, study_requests(spec), progress, planned, 1);
     report(others, plan.contour.duration, result);
     drawn["machine_study.svg"] = machine_study_drawing(others, plan.contour.duration);
   }

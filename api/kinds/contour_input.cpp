@@ -264,7 +264,10 @@ ContourPlanning planning(const json& spec) {
   planning.braking_reserve = document.value("braking_reserve", planning.braking_reserve);
   planning.stop_at_mode_change = document.value("mode_change", "pass") == "stop";
   planning.what_if = document.value("what_if", false);
-  planning.machine_study = document.value("machine_study", false);
+  if (document.contains("machine_study")) {
+    const auto& study = document["machine_study"];
+    planning.machine_study = study.is_object() || study.get<bool>();
+  }
   if (document.contains("corner")) {
     const auto& corner = document["corner"];
     if (corner.contains("angle")) planning.corner_angle = corner["angle"].get<double>() * std::numbers::pi / 180;

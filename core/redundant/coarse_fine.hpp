@@ -13,8 +13,8 @@ namespace bahnwerk {
 
 struct CoarseFineAxis {
   std::string name;
-  Limits coarse, fine;  ///< their accelerations are finite; jerks of both are, or of neither
-  double stroke = 0;    ///< mm, one-sided: |x − x_c| ≤ stroke; 0: there is no fine axis, and its limits are 0
+  Limits coarse, fine;   ///< their accelerations are finite; jerks of both are, or of neither
+  double stroke = 0;     ///< mm, one-sided: |x − x_c| ≤ stroke; 0: there is no fine axis, and its limits are 0
   bool centred = false;  ///< whether the fine axis stands in the middle of its stroke at the begin and at the end
 };
 

@@ -61,6 +61,11 @@ bool every_axis_is_split(const CoarseFineMachine& machine) {
   return std::all_of(machine.axes.begin(), machine.axes.end(), [](const CoarseFineAxis& a) { return a.stroke > 0; });
 }
 
+/// Where so, `iterative` takes the place of `joint`, which leaves open where fine axes stand at rest.
+bool centred(const CoarseFineMachine& machine) {
+  return std::any_of(machine.axes.begin(), machine.axes.end(), [](const CoarseFineAxis& a) { return a.centred; });
+}
+
 }  // namespace
 
 const RedundancyRow& redundancy_row(RedundancyMethod method) {
@@ -79,6 +84,15 @@ RedundancyResult plan_redundant(const RedundancyTask& task, const RedundancyOpti
     result.notes.insert(result.notes.begin(),
                         "not every axis of the contour has a fine one, which the method asks for; the joint planner "
                         "planned the contour");
+    return result;
+  }
+  if (options.method == RedundancyMethod::joint && centred(task.machine)) {
+    RedundancyOptions other = options;
+    other.method = RedundancyMethod::iterative;
+    RedundancyResult result = plan_redundant(task, other, progress, from, to);
+    ++result.fallbacks;
+    result.notes.emplace_back(
+        "the joint planner leaves open where fine axes stand at rest: the iterative method planned the contour");
     return result;
   }
   RedundancyResult result = redundancy_row(options.method).plan(task, options, progress, from, planned);

@@ -132,6 +132,13 @@ int run(int argc, char** argv, const BuildInfo& build) {
   };
   add_layout(plan_command)->needs(out_option);
   add_frame(plan_command)->needs(out_option);
+  std::vector<std::string> drives;
+  plan_command
+      ->add_option("--drives", drives,
+                   "a file of its own for the coarse or the fine drives, which begin so many s later: coarse=0, "
+                   "fine=0.004; again for the other ones")
+      ->type_name("GROUP=DELAY")
+      ->needs(out_option);
   const auto add_server = [&](CLI::App* command) {
     command->add_option("--server", server, "where the service is")->envname("BAHNWERK_SERVER")->type_name("URL");
   };
@@ -185,7 +192,7 @@ int run(int argc, char** argv, const BuildInfo& build) {
   }
   try {
     if (*serve_command) return run_serve(options, role, level);
-    if (*plan_command) return plan(read_job(job, contour), out, layout, frame);
+    if (*plan_command) return plan(read_job(job, contour), out, layout, frame, drives);
     if (*submit_command) return submit(server, read_job(job, contour), key, wait);
     if (*watch_command) return watch(server, id);
     if (*health_command) return health(server, ready);

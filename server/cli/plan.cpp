@@ -53,8 +53,32 @@ void write(const std::filesystem::path& path, const std::string& text) {
   finish(file, path);
 }
 
-/// Throws api::Problem for a layout that does not fit the columns. `source` outlives it.
-api::SetpointStream csv(const SetpointSource& source, const std::string& layout, const std::string& frame) {
+/// Drives that a file of setpoints is for.
+struct Drives {
+  std::string name;
+  api::DriveGroup group = api::DriveGroup::all;
+  double delay = 0;  ///< s
+};
+
+/// Of "fine=0.004". Throws std::runtime_error with a sentence.
+Drives read_drives(const std::string& text) {
+  const auto equals = text.find('=');
+  const auto wrong = [&] {
+    return std::runtime_error("--drives " + text + ": must be coarse or fine, =, and a time from 0 to 60 s");
+  };
+  if (equals == text.npos) throw wrong();
+  try {
+    const api::SetpointQuery query =
+        api::parse_setpoint_query({{"group", text.substr(0, equals)}, {"delay", text.substr(equals + 1)}});
+    return {text.substr(0, equals), query.group, query.delay};
+  } catch (const api::Problem&) {
+    throw wrong();
+  }
+}
+
+/// Throws api::Problem for a layout, a group or a delay that does not fit the series. `source` outlives it.
+api::SetpointStream csv(const SetpointSource& source, const std::string& layout, const std::string& frame,
+                        const Drives& drives) {
   api::SetpointSeries series;
   series.columns = source.columns();
   series.count = source.count();
@@ -67,12 +91,19 @@ api::SetpointStream csv(const SetpointSource& source, const std::string& layout,
   api::SetpointQuery query;
   if (!layout.empty()) query.layout = value_of<api::CsvLayout>(layout, api::csv_layouts);
   if (!frame.empty()) query.frame = value_of<api::SetpointFrame>(frame, api::setpoint_frames);
+  query.group = drives.group;
+  query.delay = drives.delay;
   return {std::move(series), std::move(query), api::SetpointFormat::csv};
 }
 
-/// result.json, the drawings that it holds, setpoints.csv.
+struct SetpointFile {
+  std::string name;
+  api::SetpointStream rows;
+};
+
+/// result.json, the drawings that it holds, the setpoints.
 void write_files(const std::filesystem::path& folder, const nlohmann::ordered_json& result,
-                 std::optional<api::SetpointStream> setpoints) {
+                 std::vector<SetpointFile> setpoints) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw std::runtime_error("cannot make " + folder.string() + ": " + error.message());
@@ -80,30 +111,37 @@ void write_files(const std::filesystem::path& folder, const nlohmann::ordered_js
   if (result["details"].contains("drawings"))
     for (const auto& [name, drawing] : result["details"]["drawings"].items())
       write(folder / name, drawing.get<std::string>());
-  if (!setpoints) return;
-  std::ofstream file(folder / "setpoints.csv", std::ios::binary);
-  for (bool more = true; more;) {
-    std::string piece;
-    more = setpoints->next(piece);
-    file << piece;
+  for (SetpointFile& each : setpoints) {
+    std::ofstream file(folder / each.name, std::ios::binary);
+    for (bool more = true; more;) {
+      std::string piece;
+      more = each.rows.next(piece);
+      file << piece;
+    }
+    finish(file, folder / each.name);
   }
-  finish(file, folder / "setpoints.csv");
 }
 
 }  // namespace
 
-int plan(const std::string& job, const std::string& out, const std::string& layout, const std::string& frame) {
+int plan(const std::string& job, const std::string& out, const std::string& layout, const std::string& frame,
+         const std::vector<std::string>& drives) {
+  std::vector<Drives> files{{}};
+  for (const std::string& each : drives) files.push_back(read_drives(each));
   api::PlannedJob planned;
-  std::optional<api::SetpointStream> setpoints;
+  std::vector<SetpointFile> setpoints;
   try {
     const api::JobRequest request = api::parse_job(job);
     TerminalProgress progress(request);
     planned = api::plan_job(request.kind, request.document, progress);
     if (!planned.verified) {
-      if (!out.empty()) write_files(out, planned.result, std::nullopt);
+      if (!out.empty()) write_files(out, planned.result, {});
       throw api::Problem("verification-failed", planned.failure);
     }
-    if (!out.empty() && planned.setpoints) setpoints.emplace(csv(*planned.setpoints, layout, frame));
+    if (!out.empty() && planned.setpoints)
+      for (const Drives& each : files)
+        setpoints.push_back({each.name.empty() ? "setpoints.csv" : "setpoints_" + each.name + ".csv",
+                             csv(*planned.setpoints, layout, frame, each)});
   } catch (...) {
     return report_problem(api::problem_from_current_exception("/spec"));
   }

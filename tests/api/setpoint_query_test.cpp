@@ -34,6 +34,8 @@ TEST(SetpointQuery, ReadsEveryParameter) {
   EXPECT_EQ(parse_setpoint_query({{"frame", "part"}}).frame, SetpointFrame::part);
   EXPECT_EQ(parse_setpoint_query({{"frame", "base"}}).frame, SetpointFrame::base);
   EXPECT_EQ(parse_setpoint_query({{"layout", "plain"}, {"points", "9"}}).layout, CsvLayout::plain);
+  EXPECT_EQ(parse_setpoint_query({{"group", "fine"}}).group, DriveGroup::fine);
+  EXPECT_EQ(parse_setpoint_query({{"delay", "0.004"}}).delay, 0.004);
 }
 
 TEST(SetpointQuery, DefaultsToEverything) {
@@ -60,6 +62,10 @@ TEST(SetpointQuery, RefusesContradictionsAndStrangers) {
   EXPECT_EQ(faults({{"layout", "twincat"}, {"points", "10"}}), Pointers{"/query/layout"});
   for (const char* layout : {"", "TwinCAT", "siemens"})
     EXPECT_EQ(faults({{"layout", layout}}), Pointers{"/query/layout"}) << layout;
+  for (const char* group : {"", "Coarse", "xc"})
+    EXPECT_EQ(faults({{"group", group}}), Pointers{"/query/group"}) << group;
+  for (const char* delay : {"", "-0.001", "4 ms", "nan", "61"})
+    EXPECT_EQ(faults({{"delay", delay}}), Pointers{"/query/delay"}) << delay;
   EXPECT_EQ(faults({{"offset", "10"}}), Pointers{"/query/offset"});
   EXPECT_EQ(faults({{"a/b", ""}}), Pointers{"/query/a~1b"});
   EXPECT_EQ(faults({{"first", "1"}, {"first", "1"}}), Pointers{"/query/first"});

@@ -124,6 +124,47 @@ TEST(SetpointStream, PosesForAControllerAreOfTheMachinesBase) {
   EXPECT_THROW(text(plain), Problem) << "no machine's frame is known";
 }
 
+/// Two rows 1 ms apart, of a coarse and a fine axis.
+SetpointSeries split_series() {
+  SetpointSeries series;
+  for (const char* name : {"x", "vx", "ax", "mode", "block", "xc", "xf", "vxc", "vxf", "axc", "axf"})
+    series.columns.push_back({name, "mm"});
+  series.count = 2;
+  series.cycle_time = 0.001;
+  series.read = [](std::size_t first, std::size_t rows, std::vector<double>& out) {
+    out.clear();
+    for (std::size_t i = first; i < first + rows; ++i)
+      for (int c = 0; c < 11; ++c) out.push_back(static_cast<double>(100 * (i + 1)) + c);
+  };
+  return series;
+}
+
+TEST(SetpointStream, DriveGroupsHaveFilesOfTheirOwnEachWithItsDelay) {
+  const auto text = [](const SetpointQuery& query) {
+    SetpointStream stream(split_series(), query, SetpointFormat::csv);
+    std::string all;
+    while (stream.next(all)) {
+    }
+    return all;
+  };
+  SetpointQuery query;
+  query.layout = CsvLayout::twincat;
+  query.group = DriveGroup::coarse;
+  EXPECT_EQ(text(query), "xc;vxc;mode;block\r\n105;107;103;104\r\n205;207;203;204\r\n");
+  query.group = DriveGroup::fine;
+  query.delay = 0.002;  // at rest where it begins
+  EXPECT_EQ(text(query),
+            "xf;vxf;mode;block\r\n106;0;103;104\r\n106;0;103;104\r\n106;108;103;104\r\n206;208;203;204\r\n");
+  query.layout = CsvLayout::plain;
+  query.first = 1;
+  query.count = 2;
+  EXPECT_EQ(text(query), "xf,vxf,axf,mode,block\n106,0,0,103,104\n106,108,110,103,104\n");
+  query.delay = 0.0015;
+  EXPECT_THROW(text(query), Problem);
+  query.delay = 0;
+  EXPECT_THROW(SetpointStream(needle_series(), query, SetpointFormat::csv), Problem);
+}
+
 TEST(SetpointStream, LayoutsBelongToCsvAndToWhatTheyHold) {
   SetpointQuery query;
   query.layout = CsvLayout::twincat;

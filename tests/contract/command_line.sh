@@ -21,9 +21,17 @@ grep -q '<path class="cut"' "$work/slow/contour.svg" || fail "a drawing of the c
 expect_equal "$(jq '[.verification.checks[] | select(.name | startswith("setpoints ")).passed] | length > 8 and all' "$work/out")" true
 # The same rows as a controller reads them; a layout needs rows to be written, and one that there is.
 expect_equal "$(code_of "$bahnwerk" plan "$work/slow.json" --out "$work/slow" --layout twincat)" 0
-expect_equal "$(sed -n '1p;$p' "$work/slow/setpoints.csv" | od -c -A n | tr -d ' \n')" 'x;y;vx;vy\r\n100;0;0;0\r\n'
+expect_equal "$(sed -n '1p;$p' "$work/slow/setpoints.csv" | od -c -A n | tr -d ' \n')" 'x;y;vx;vy;mode;block\r\n100;0;0;0;1;0\r\n'
 expect_equal "$(code_of "$bahnwerk" plan "$work/slow.json" --layout twincat)" 2
 expect_equal "$(code_of "$bahnwerk" plan "$work/slow.json" --out "$work/slow" --layout nonsense)" 2
+# Coarse and fine drives have files of their own, each with its delay; a group that there is not, or no time, is refused.
+jq '{kind: "contour", spec: {contour: {points: [[0, 0], [30, 0]]}, machine: .}}' "$examples/machines/md2.json" >"$work/split.json"
+expect_equal "$(code_of "$bahnwerk" plan "$work/split.json" --out "$work/split" --layout twincat --drives coarse=0 --drives fine=0.003)" 0
+expect_equal "$(head -n 1 "$work/split/setpoints_coarse.csv" | tr -d '\r')" "xc;yc;vxc;vyc;mode;block"
+expect_equal "$(head -n 1 "$work/split/setpoints_fine.csv" | tr -d '\r')" "xf;yf;vxf;vyf;mode;block"
+expect_equal "$(($(wc -l <"$work/split/setpoints_fine.csv") - $(wc -l <"$work/split/setpoints_coarse.csv")))" 3 "cycles of 1 ms"
+expect_equal "$(code_of "$bahnwerk" plan "$work/split.json" --out "$work/split" --drives fine)" 2
+expect_equal "$(code_of "$bahnwerk" plan "$work/split.json" --out "$work/split" --drives quick=0.003)" 2
 # A part program and a drawing take the contour's place.
 printf 'G21 G90\nM3\nG1 X100 F6000\nM5\nG0 Y50\nM2\n' >"$work/part.ngc"
 expect_equal "$(code_of "$bahnwerk" plan "$examples/line.json" --contour "$work/part.ngc")" 0

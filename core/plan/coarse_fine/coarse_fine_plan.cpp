@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress_scope.hpp"
 #include "core/motion/setpoints/cycles.hpp"
 #include "core/plan/coarse_fine/coarse_fine_setpoints.hpp"
 #include "core/plan/coarse_fine/fitted_motion.hpp"
@@ -16,6 +17,7 @@
 #include "core/redundant/energy.hpp"
 #include "core/verify/geometry/tube.hpp"
 #include "core/verify/law/rest_check.hpp"
+#include "core/verify/redundant/centre_checks.hpp"
 #include "core/verify/redundant/coarse_fine_checks.hpp"
 #include "core/verify/redundant/stroke_bound.hpp"
 #include "core/verify/redundant/stroke_chains.hpp"
@@ -217,6 +219,9 @@ class Pipeline {
     split.cycle_time = machine_.cycle_time;
     split.progress_from = between, split.progress_to = verified;
     add(coarse_fine_checks(split, progress_));
+    std::vector<bool> centred;
+    for (const CoarseFineAxis& axis : machine_.axes) centred.push_back(axis.centred);
+    add(centre_checks(*plan_.head, *plan_.coarse, fine_axes_, centred));
   }
 
   void add(std::vector<Check> checks) {
@@ -261,6 +266,8 @@ class Pipeline {
     plan_.fastest = result_.fastest;
     plan_.energy = acceleration_energy(*plan_.coarse);
     for (double& energy : plan_.energy) energy *= std::pow(cycles_.factor, 3);
+    ProgressScope scope(progress_, "report", 1, 1);
+    plan_.rms = rms_accelerations(*plan_.head, *plan_.coarse, scope);
     for (const AxisLimits& axis : coarse_axes_)
       plan_.peak_coarse_acceleration.push_back(value("acceleration " + axis.name));
     plan_.trades = std::move(result_.trades);

@@ -8,6 +8,7 @@
 #include "core/contour/contour.hpp"
 #include "core/motion/axes/motion.hpp"
 #include "core/motion/law/path_motion.hpp"
+#include "core/plan/coarse_fine/rms.hpp"
 #include "core/plan/contour_plan.hpp"
 #include "core/redundant/coarse_fine.hpp"
 #include "core/redundant/redundancy.hpp"
@@ -21,6 +22,7 @@ struct CoarseFinePlan {
   double fastest = 0;                            ///< s, what the first head's motion takes
   std::vector<double> energy;                    ///< ∫a_c² dt per axis, mm²/s³, as planned
   std::vector<double> peak_coarse_acceleration;  ///< per axis, mm/s², as sampled and verified
+  RmsAccelerations rms;                          ///< as sampled
   std::vector<RedundancyTrade> trades;
   std::vector<RedundancyIteration> passes;
   struct Slowed {

@@ -1,5 +1,6 @@
 #include "core/plan/coarse_fine/machine_study.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "core/base/errors.hpp"
@@ -10,47 +11,154 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double strokes[] = {5, 10, 20, 35, 50, 75, 100};  // mm
-constexpr double factors[] = {0.25, 0.5, 0.75, 1, 1.5, 2};  // of the accelerations
+constexpr double strokes[] = {0.5, 1, 2, 5, 10, 20, 35, 50, 75, 100};  // mm
+constexpr double factors[] = {0.25, 0.5, 0.75, 1, 1.5, 2};             // of the fine accelerations
+constexpr double other_factors[] = {0.5, 0.75, 1, 1.5, 2};             // of all other limits
 constexpr const char* stage = "machine study";
 
-std::optional<double> duration(const Contour& contour, const CoarseFineMachine& machine,
-                               const ContourPlanning& planning, const RedundancyOptions& options, Progress& progress) {
+/// The figure of that axis that is changed.
+double& figure(CoarseFineAxis& axis, StudiedQuantity quantity) {
+  switch (quantity) {
+    case StudiedQuantity::fine_acceleration:
+      return axis.fine.acceleration;
+    case StudiedQuantity::fine_velocity:
+      return axis.fine.velocity;
+    case StudiedQuantity::coarse_acceleration:
+      return axis.coarse.acceleration;
+    case StudiedQuantity::coarse_velocity:
+      return axis.coarse.velocity;
+    case StudiedQuantity::stroke:
+      break;
+  }
+  return axis.stroke;
+}
+
+/// The first axis that has a fine one: what others are scaled by.
+std::size_t leading(const CoarseFineMachine& machine) {
+  for (std::size_t k = 0; k < machine.axes.size(); ++k)
+    if (machine.axes[k].stroke > 0) return k;
+  return 0;
+}
+
+std::vector<double> values_of(const StudyRequest& request, CoarseFineMachine machine) {
+  std::vector<double> values = request.values;
+  if (values.empty()) {
+    const double now = figure(machine.axes[leading(machine)], request.quantity);
+    if (request.quantity == StudiedQuantity::stroke)
+      values.assign(std::begin(strokes), std::end(strokes));
+    else if (request.quantity == StudiedQuantity::fine_acceleration)
+      for (const double factor : factors) values.push_back(factor * now);
+    else
+      for (const double factor : other_factors) values.push_back(factor * now);
+  }
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values;
+}
+
+CoarseFineMachine changed(CoarseFineMachine machine, StudiedQuantity quantity, double value) {
+  const double factor = value / figure(machine.axes[leading(machine)], quantity);
+  const bool fine = quantity != StudiedQuantity::coarse_acceleration && quantity != StudiedQuantity::coarse_velocity;
+  for (CoarseFineAxis& axis : machine.axes) {
+    if (fine && !(axis.stroke > 0)) continue;  // there is no fine axis
+    double& now = figure(axis, quantity);
+    now = quantity == StudiedQuantity::stroke ? value : factor * now;
+  }
+  return machine;
+}
+
+/// "velocity xc 2476 mm/s, limit 1800 mm/s", of the first check that failed.
+std::string failed(const Verification& verification) {
+  for (const Check& check : verification.checks) {
+    if (check.passed) continue;
+    char text[200];
+    std::snprintf(text, sizeof text, "no plan passed the verifier: %s %.6g %s, limit %.6g %s", check.name.c_str(),
+                  check.value, check.unit.c_str(), check.limit, check.unit.c_str());
+    return text;
+  }
+  return "no plan passed the verifier";
+}
+
+StudiedMachine studied(double value, const Contour& contour, const CoarseFineMachine& machine,
+                       const ContourPlanning& planning, const RedundancyOptions& options, Progress& progress) {
+  StudiedMachine result;
+  result.value = value;
   try {
     const CoarseFinePlan plan = plan_coarse_fine(contour, machine, planning, options, progress);
-    if (plan.contour.verification.passed) return plan.contour.duration;
+    if (plan.contour.verification.passed)
+      result.duration = plan.contour.duration;
+    else
+      result.note = failed(plan.contour.verification);
   } catch (const Stopped&) {
     throw;
-  } catch (const PlanningError&) {
+  } catch (const PlanningError& e) {
     // A machine with which nothing can be planned: that is the answer.
+    result.note = std::string("nothing can be planned: ") + e.what();
   }
-  return {};
+  return result;
+}
+
+/// What a machine can do those with more can, too.
+void take_over(std::vector<StudiedMachine>& machines) {
+  const StudiedMachine* best = nullptr;
+  for (StudiedMachine& m : machines) {
+    if (best && (!m.duration || *m.duration > *best->duration)) {
+      char note[120];
+      std::snprintf(note, sizeof note, "the plan for %.6g holds here, too, and is the shorter one", best->value);
+      m.duration = best->duration;
+      m.note = note;
+      continue;
+    }
+    if (m.duration) best = &m;
+  }
+}
+
+const char* across(StudiedQuantity quantity) {
+  switch (quantity) {
+    case StudiedQuantity::fine_acceleration:
+      return "acceleration of the fine axes, mm/s²";
+    case StudiedQuantity::fine_velocity:
+      return "velocity of the fine axes, mm/s";
+    case StudiedQuantity::coarse_acceleration:
+      return "acceleration of the coarse axes, mm/s²";
+    case StudiedQuantity::coarse_velocity:
+      return "velocity of the coarse axes, mm/s";
+    case StudiedQuantity::stroke:
+      break;
+  }
+  return "stroke of the fine axes, mm";
 }
 
 }  // namespace
 
+std::vector<StudyRequest> usual_studies() {
+  std::vector<StudyRequest> requests;
+  for (const auto& quantity : studied_quantities) requests.push_back({quantity.value, {}});
+  return requests;
+}
+
 MachineStudy machine_study(const Contour& contour, const CoarseFineMachine& machine, const ContourPlanning& planning,
-                           const RedundancyOptions& given, Progress& progress, double from, double to) {
+                           const RedundancyOptions& given, const std::vector<StudyRequest>& requests,
+                           Progress& progress, double from, double to) {
   RedundancyOptions options = given;
   options.compare = false;
   options.smoothness = options.stretch = 0;
-  const double share = (to - from) / static_cast<double>(std::size(strokes) + std::size(factors));
-  double begin = from;
-  const auto plan = [&](const CoarseFineMachine& other) {
-    ProgressPart part(progress, stage, begin, begin + share);
-    begin += share;
-    return duration(contour, other, planning, options, part);
-  };
   MachineStudy study;
-  for (const double stroke : strokes) {
-    CoarseFineMachine other = machine;
-    for (CoarseFineAxis& axis : other.axes) axis.stroke = stroke;
-    study.stroke.push_back({stroke, plan(other)});
+  std::size_t plans = 0;
+  for (const StudyRequest& request : requests) {
+    study.push_back({request.quantity, {}});
+    for (const double value : values_of(request, machine)) study.back().machines.push_back({value, {}, {}});
+    plans += study.back().machines.size();
   }
-  for (const double factor : factors) {
-    CoarseFineMachine other = machine;
-    for (CoarseFineAxis& axis : other.axes) axis.fine.acceleration *= factor;
-    study.fine_acceleration.push_back({other.axes.front().fine.acceleration, plan(other)});
+  const double share = (to - from) / static_cast<double>(std::max<std::size_t>(plans, 1));
+  double begin = from;
+  for (Study& table : study) {
+    for (StudiedMachine& m : table.machines) {
+      ProgressPart part(progress, stage, begin, begin + share);
+      begin += share;
+      m = studied(m.value, contour, changed(machine, table.quantity, m.value), planning, options, part);
+    }
+    take_over(table.machines);
   }
   return study;
 }
@@ -59,17 +167,16 @@ std::string machine_study_drawing(const MachineStudy& study, double duration) {
   constexpr double width = 640, height = 200, right = 20;
   std::string out;
   double top = 30;
-  for (const auto& [list, across] : {std::pair{&study.stroke, "stroke of the fine axes, mm"},
-                                     std::pair{&study.fine_acceleration, "acceleration of the fine axes, mm/s²"}}) {
-    drawing::Panel panel{"duration, s", across, {{"", "#1f5fbf", {}, true}}, {duration}};
-    for (const StudiedMachine& m : *list)
+  for (const Study& table : study) {
+    drawing::Panel panel{"duration, s", across(table.quantity), {{"", "#1f5fbf", {}, true}}, {duration}};
+    for (const StudiedMachine& m : table.machines)
       if (m.duration) panel.curves[0].points.push_back({m.value, *m.duration});
     top += drawing::panel_top;
     out += drawing::panel_drawing(panel, drawing::panel_left, top, width, height);
     top += height + drawing::panel_bottom;
   }
   char title[120];
-  std::snprintf(title, sizeof title, "other fine axes; dashed: this machine, %.6g s", duration);
+  std::snprintf(title, sizeof title, "other axes; dashed: this machine, %.6g s", duration);
   return svg::open(drawing::panel_left + width + right, top) + svg::text({6, 20}, title, "fill=\"#20242a\"") + out +
          "</svg>\n";
 }

@@ -1,31 +1,53 @@
 #pragma once
-/// What other fine axes would bring on a contour: for who buys or tunes the machine.
+/// What other axes would bring on a contour: for who buys or tunes the machine.
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/base/named.hpp"
 #include "core/base/progress.hpp"
 #include "core/contour/contour.hpp"
 #include "core/plan/coarse_fine/coarse_fine_plan.hpp"
 
 namespace bahnwerk {
 
-struct StudiedMachine {
-  double value = 0;                ///< of every fine axis: stroke, mm, or acceleration, mm/s²
-  std::optional<double> duration;  ///< s; none where nothing verified can be planned
-};
+enum class StudiedQuantity { stroke, fine_acceleration, fine_velocity, coarse_acceleration, coarse_velocity };
+inline constexpr Named<StudiedQuantity> studied_quantities[] = {
+    {StudiedQuantity::stroke, "stroke"},
+    {StudiedQuantity::fine_acceleration, "fine_acceleration"},
+    {StudiedQuantity::fine_velocity, "fine_velocity"},
+    {StudiedQuantity::coarse_acceleration, "coarse_acceleration"},
+    {StudiedQuantity::coarse_velocity, "coarse_velocity"}};
 
-struct MachineStudy {
-  std::vector<StudiedMachine> stroke;             ///< 5 to 100 mm, the same of all axes
-  std::vector<StudiedMachine> fine_acceleration;  ///< a quarter to twice that of the first axis, all scaled alike
+/// One table that is asked for.
+struct StudyRequest {
+  StudiedQuantity quantity = StudiedQuantity::stroke;
+  /// Of the first axis, mm, mm/s, mm/s², all other axes being scaled alike; a stroke is every axis'. None: strokes from
+  /// 0.5 to 100 mm, limits from half to twice what they are.
+  std::vector<double> values;
 };
+/// One of each quantity.
+std::vector<StudyRequest> usual_studies();
+
+struct StudiedMachine {
+  double value = 0;
+  std::optional<double> duration;  ///< s; none where nothing verified can be planned
+  std::string note;                ///< why there is none, or which machine's plan it is
+};
+struct Study {
+  StudiedQuantity quantity = StudiedQuantity::stroke;
+  std::vector<StudiedMachine> machines;  ///< by ascending value
+};
+using MachineStudy = std::vector<Study>;
 
 /// Plans the contour again for every machine, all else being equal, with the shortest duration asked for. As many plans
-/// as machines. Throws Stopped.
+/// as machines. What a machine can do one with more of the same can, too: where its own plan is longer, theirs counts.
+/// Throws Stopped.
 MachineStudy machine_study(const Contour& contour, const CoarseFineMachine& machine, const ContourPlanning& planning,
-                           const RedundancyOptions& options, Progress& progress, double from, double to);
+                           const RedundancyOptions& options, const std::vector<StudyRequest>& requests,
+                           Progress& progress, double from, double to);
 
-/// Both as curves over the figure that is changed, in SVG; `duration`: that of the machine as it is.
+/// All as curves over the figure that is changed, in SVG; `duration`: that of the machine as it is.
 std::string machine_study_drawing(const MachineStudy& study, double duration);
 
 }  // namespace bahnwerk

@@ -94,12 +94,14 @@ class Programs {
   BandProgram positions() const {
     BandProgram program{BandMatrix(fit_.ends.variables(), fit_.space.degree()), {}, {}, 0};
     program.rows.reserve(2 * fit_.rows.size());
+    const double step = task_.time(1), bulge = task_.limits.acceleration * step * step / 8;
+    const double between = std::min(bulge, 0.25 * (task_.limits.highest - task_.limits.lowest));
     for (std::size_t i = 0; i < fit_.rows.size(); ++i) {
       const VariableRow& row = fit_.rows[i];
       const double place = constant(row, middle_), x = task_.positions[i + 1], give = inside * scale_;
-      // Within the coarse axis' range, too, where the tool lets it be.
-      const double lowest = std::clamp(task_.limits.lowest, x - give, x + give),
-                   highest = std::clamp(task_.limits.highest, x - give, x + give);
+      // Within the coarse axis' range, too, between samples as well, where the tool lets it be.
+      const double lowest = std::clamp(task_.limits.lowest + between, x - give, x + give),
+                   highest = std::clamp(task_.limits.highest - between, x - give, x + give);
       program.rows.push_back(
           {row, (std::max(x - give, lowest) - place) / scale_, (std::min(x + give, highest) - place) / scale_, 0});
     }

@@ -186,25 +186,31 @@ class Planner {
     for (std::size_t i = 0; i < n; ++i) law_.append(part.law.pieces()[i]);
     for (std::size_t k = 0; k < coarse_.size(); ++k) coarse_[k].append(part.coarse[k], t, law_.duration());
   }
+
   RedundancyResult fallback() const {
     RedundancyResult other = coarse_alone();
+    const bool centred = std::any_of(task_.machine.axes.begin(), task_.machine.axes.end(),
+                                     [](const CoarseFineAxis& axis) { return axis.centred; });
+    if (!centred) take_quicker_joint(other);  // which leaves open where fine axes stand at rest
+    other.fallbacks = 1;
+    other.fastest = result_.fastest;
+    other.passes = result_.passes;
+    other.iterations = other.passes.size();
+    return other;
+  }
+
+  void take_quicker_joint(RedundancyResult& other) const {
     try {
       RedundancyOptions options = options_;
       options.method = RedundancyMethod::joint;
       options.compare = false;
       RedundancyResult joint = redundancy_row(RedundancyMethod::joint).plan(task_, options, progress_, to_, to_);
       // With limited jerk the coarse axes alone cannot follow where curvature jumps.
-      if (task_.machine.limits_jerk() || joint.head->duration() < other.head->duration()) {
-        other = std::move(joint);
-        other.notes.push_back("the iterative method found no valid split; the joint planner planned the contour");
-      }
+      if (!task_.machine.limits_jerk() && !(joint.head->duration() < other.head->duration())) return;
+      other = std::move(joint);
+      other.notes.push_back("the iterative method found no valid split; the joint planner planned the contour");
     } catch (const Infeasible&) {  // the coarse axes alone, then
     }
-    other.fallbacks = 1;
-    other.fastest = result_.fastest;
-    other.passes = result_.passes;
-    other.iterations = other.passes.size();
-    return other;
   }
 
   /// The coarse axes do all, within their own limits; the fine ones stand in the middle.

@@ -145,8 +145,10 @@ TEST(CoarseFine, AStudyOfTheMachineIsATableAndAChart) {
   spec["planning"] = {{"machine_study", true}};
   const PlannedJob job = planned(spec);
   const auto& study = job.result["details"]["redundancy"]["machine_study"];
-  EXPECT_EQ(study["stroke"].size(), 7u);
+  EXPECT_EQ(study["stroke"].size(), 10u);
   EXPECT_EQ(study["fine_acceleration"][3]["value"], 60000);
+  for (const char* table : {"fine_velocity", "coarse_acceleration", "coarse_velocity"})
+    EXPECT_EQ(study[table].size(), 5u) << table;
   EXPECT_TRUE(job.result["details"]["drawings"].contains("machine_study.svg"));
 }
 
@@ -161,6 +163,77 @@ TEST(CoarseFine, ALongMoveTellsWhereItLosesTime) {
   EXPECT_EQ(redundancy["slow_sections"][0]["length"], 400);
   EXPECT_GE(redundancy["slowed_count"], 1);
   EXPECT_GT(job.result["bound"]["gap"], 0);
+}
+
+TEST(CoarseFine, AStudyTakesItsOwnValues) {
+  json spec = example("coarse_fine");
+  spec["planning"] = {{"machine_study", {{"stroke", {3, 0.5}}, {"coarse_velocity", nullptr}}}};
+  const PlannedJob job = planned(spec);
+  const auto& study = job.result["details"]["redundancy"]["machine_study"];
+  EXPECT_EQ(study.size(), 2u);
+  ASSERT_EQ(study["stroke"].size(), 2u);
+  EXPECT_EQ(study["stroke"][0]["value"], 0.5);
+  EXPECT_EQ(study["coarse_velocity"].size(), 5u);
+  for (const auto& row : study["stroke"]) EXPECT_TRUE(row["duration"].is_number()) << row;
+}
+
+TEST(CoarseFine, TheSummaryTellsTheMeanOfAccelerations) {
+  const PlannedJob job = planned(example("coarse_fine"));
+  const auto& rms = job.result["summary"]["rms_acceleration"];
+  const double T = job.result["summary"]["duration"];
+  for (const char* axis : {"x", "y"}) {
+    const double energy = job.result["summary"]["coarse_smoothness"][axis];
+    EXPECT_NEAR(rms["coarse"][axis].get<double>(), std::sqrt(energy / T), 1e-3 * std::sqrt(energy / T));
+    EXPECT_GT(rms["fine"][axis].get<double>(), 0);
+  }
+}
+
+TEST(CoarseFine, FineAxesAreCentredWhereTheDocumentAsksForIt) {
+  json spec = example("coarse_fine");
+  for (const char* axis : {"x", "y"}) spec["machine"]["fine"][axis]["at_rest"] = "centred";
+  spec["machine"]["redundancy"] = {{"method", "iterative"}};
+  const PlannedJob job = planned(spec);
+  std::size_t centred = 0;
+  for (const auto& check : job.result["verification"]["checks"])
+    centred += check["name"].get<std::string>().starts_with("centred at ");
+  EXPECT_EQ(centred, 4u);
+  EXPECT_TRUE(job.verified);
+  EXPECT_EQ(job.result["details"]["redundancy"]["fallbacks"], 0);
+}
+
+TEST(CoarseFine, TheTravelOfCoarseAxesIsHeld) {
+  json spec = example("coarse_fine");
+  spec["contour"] = {{"points", {{0, 0}, {60, 0}, {60, 30}}}};
+  spec["planning"] = json::object();
+  spec["machine"]["coarse"]["x"]["range"] = {0, 60};
+  const PlannedJob job = planned(spec);
+  EXPECT_TRUE(job.verified);
+  bool checked = false;
+  for (const auto& check : job.result["verification"]["checks"]) checked = checked || check["name"] == "range xc";
+  EXPECT_TRUE(checked);
+  spec["machine"]["coarse"]["x"]["range"] = {60, 0};
+  const auto refused = [&] {
+    try {
+      check(spec);
+    } catch (const Problem& problem) {
+      return test::pointers(problem);
+    }
+    return std::vector<std::string>();
+  };
+  EXPECT_EQ(refused(), std::vector<std::string>{"/spec/machine/coarse/x/range"});
+  spec["machine"]["coarse"]["x"]["range"] = {0, 20};
+  EXPECT_EQ(refused(), std::vector<std::string>{"/spec/machine/coarse/x/range"});
+}
+
+TEST(CoarseFine, ThePrefilterOfTheDrivesIsTold) {
+  json spec = example("coarse_fine");
+  spec["machine"]["redundancy"] = {
+      {"method", "lag_compensation"}, {"coarse_time_constant", 0.01}, {"fine_time_constant", 0.001}};
+  const PlannedJob job = planned(spec);
+  const auto& v = job.result["details"]["redundancy"]["prefilter"];
+  EXPECT_EQ(v["numerator"], json({1.0, 0.009}));
+  EXPECT_EQ(v["denominator"], json({1.0, 0.01}));
+  EXPECT_NEAR(v["b"][0].get<double>() + v["b"][1].get<double>(), 1 + v["a"][1].get<double>(), 1e-12);
 }
 
 }  // namespace

@@ -48,16 +48,42 @@ TEST(MachineStudy, TellsWhatOtherFineAxesBring) {
   SilentProgress progress;
   const Contour contour = test::holes(3, 2, 12, 2);
   const CoarseFinePlan plan = plan_coarse_fine(contour, test::md2(), {}, {}, progress);
-  const MachineStudy study = machine_study(contour, test::md2(), {}, {}, progress, 0, 1);
-  ASSERT_EQ(study.stroke.size(), 7u);
-  ASSERT_EQ(study.fine_acceleration.size(), 6u);
-  EXPECT_EQ(study.stroke[2].value, 20);
-  EXPECT_EQ(study.stroke[2].duration, plan.contour.duration);
-  EXPECT_EQ(study.fine_acceleration[3].value, 60000);
-  EXPECT_EQ(study.fine_acceleration[3].duration, plan.contour.duration);
-  for (std::size_t i = 1; i < 6; ++i)
-    EXPECT_LT(*study.fine_acceleration[i].duration, *study.fine_acceleration[i - 1].duration);
+  const MachineStudy study = machine_study(contour, test::md2(), {}, {}, usual_studies(), progress, 0, 1);
+  ASSERT_EQ(study.size(), std::size(studied_quantities));
+  const auto& strokes = study[0].machines;
+  ASSERT_EQ(strokes.size(), 10u);
+  EXPECT_EQ(strokes[0].value, 0.5);
+  EXPECT_EQ(strokes[5].value, 20);
+  EXPECT_LE(*strokes[5].duration, plan.contour.duration);
+  const auto& accelerations = study[1].machines;
+  ASSERT_EQ(accelerations.size(), 6u);
+  EXPECT_EQ(accelerations[3].value, 60000);
+  EXPECT_LE(*accelerations[3].duration, plan.contour.duration);
+  for (std::size_t i = 1; i < 6; ++i) EXPECT_LT(*accelerations[i].duration, *accelerations[i - 1].duration);
+  for (const Study& table : study)
+    for (std::size_t i = 0; i < table.machines.size(); ++i) {
+      ASSERT_TRUE(table.machines[i].duration);
+      if (i > 0) {  // what a machine can do one with more can, too
+        EXPECT_LE(*table.machines[i].duration, *table.machines[i - 1].duration);
+      }
+    }
   EXPECT_THAT(machine_study_drawing(study, plan.contour.duration), HasSubstr("stroke of the fine axes"));
+}
+
+TEST(MachineStudy, TakesTheValuesThatAreAskedForAndTellsWhyThereIsNoPlan) {
+  SilentProgress progress;
+  ContourPlanning planning;
+  planning.max_setpoints = 30;  // too few for the slow one
+  const MachineStudy study = machine_study(
+      test::straight(20, 0), test::md2(), planning, {},
+      {{StudiedQuantity::coarse_acceleration, {16000, 8000}}, {StudiedQuantity::fine_velocity, {1.5}}}, progress, 0, 1);
+  ASSERT_EQ(study.size(), 2u);
+  ASSERT_EQ(study[0].machines.size(), 2u);
+  EXPECT_EQ(study[0].machines[0].value, 8000);
+  EXPECT_EQ(study[1].machines.size(), 1u);
+  for (const Study& table : study)
+    for (const StudiedMachine& m : table.machines) EXPECT_EQ(m.note.empty(), m.duration.has_value());
+  EXPECT_FALSE(study[0].machines[0].duration);
 }
 
 }  // namespace
