@@ -145,7 +145,16 @@ class Checker {
     for (std::size_t d = 0; d <= static_cast<std::size_t>(in_.continuous); ++d)
       for (std::size_t k = 0; k < in_.axes.size(); ++k)
         gaps_[d].raise(std::abs(part(right, d)[k] - part(left, d)[k]),
-                       tolerance(left, d, k, before, t) + tolerance(right, d, k, after, t) + step(d, k), t);
+                       rounded(i - 1, left, d, k, before, t) + rounded(i, right, d, k, after, t) + step(d, k), t);
+  }
+
+  /// An axis that is no polynomial is a component of a motion along a curve, and rounded as the largest of them is.
+  double rounded(std::size_t piece, const MotionState& x, std::size_t d, std::size_t axis, double T, double t) const {
+    Polynomial p;
+    if (in_.motion.polynomial(piece, axis, p)) return tolerance(x, d, axis, T, t);
+    double most = 0;
+    for (std::size_t k = 0; k < in_.axes.size(); ++k) most = std::max(most, tolerance(x, d, k, T, t));
+    return most;
   }
 
   /// What derivative d of an axis may jump by.

@@ -35,7 +35,8 @@ struct MotionToVerify {
 /// coefficients over the piece, subdivided until they decide, to 1e-13. Of others peaks are found by interpolation
 /// (core/numeric/peak.hpp), resolved to 2e-11 of the limit. A limit holds when value ≤ limit · (1 + 1e-9). Continuity
 /// and rest are held to what rounding does to a piece of duration T: 32 ε (|x| + |v| T + |a| T²/2 + |j| T³/6) and its
-/// derivatives, from both sides, and to |x′| (ε t + resolution) for what t itself is off by. Not a number fails.
+/// derivatives, from both sides, and to |x′| (ε t + resolution) for what t itself is off by; where an axis is no
+/// polynomial to the largest of that of all axes, as components of a tangent are rounded. Not a number fails.
 ///
 /// Cost: O(pieces · axes), about 0.2 µs per polynomial and derivative. Throws std::invalid_argument where the numbers
 /// of axes differ, and what progress throws.
