@@ -228,23 +228,6 @@ TEST(CoarseFinePlan, TheBoundOfALoneMoveKnowsStrokeAndJerk) {
   }
 }
 
-/// Circles along x alone have to be followed by the coarse axis y.
-TEST(CoarseFinePlan, OneRedundantAxisIsEnough) {
-  for (const bool jerk : {false, true}) {
-    CoarseFineMachine machine = jerk ? with_jerk(test::md2()) : test::md2();
-    machine.axes[1] = coarse_alone(machine.axes[1]);
-    const CoarseFinePlan p = plan(test::holes(2, 2, 12, 2), machine);
-    expect_verified(p);
-    EXPECT_EQ(p.fallbacks, 0u);
-    EXPECT_LE(check_value(p, "stroke yf"), 1e-9);
-    EXPECT_GT(check_value(p, "stroke xf"), 0.1);
-    machine.axes[0] = coarse_alone(machine.axes[0]);
-    const CoarseFinePlan alone = plan(test::holes(2, 2, 12, 2), machine);
-    expect_verified(alone);
-    EXPECT_LT(p.contour.duration, alone.contour.duration);
-  }
-}
-
 /// Another method asks for two axes of every coordinate.
 TEST(CoarseFinePlan, WhereAnAxisHasNoFineOneTheJointPlannerPlans) {
   CoarseFineMachine machine = test::md1();
