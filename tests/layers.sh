@@ -39,10 +39,10 @@ declare -A allowed=(
     core/numeric/lanes.hpp core/numeric/large_pages.hpp core/numeric/peak.hpp core/numeric/polynomial.hpp
     core/base/errors.hpp core/base/progress.hpp core/base/progress_scope.hpp core/base/read_rows.hpp core/base/setpoint_source.hpp core/base/verification.hpp"
   [core/plan]="core/verify/ core/winding/ core/motion/axes/ core/motion/interpolation/ core/motion/law/ core/motion/setpoints/ core/motion/acceleration/acceleration_limited.hpp core/motion/jerk/jerk_limited.hpp core/motion/natural/natural_law.hpp core/motion/feed/ core/motion/profile/speed_profile.hpp
-    core/redundant/redundancy.hpp core/redundant/coarse_fine.hpp
+    core/redundant/redundancy.hpp core/redundant/coarse_fine.hpp core/redundant/energy.hpp
     core/contour/ core/machine/ core/drawing/ core/geometry/ core/numeric/random.hpp core/numeric/taylor.hpp core/base/"
   [api]="core/plan/ core/base/
-    core/contour/contour.hpp core/contour/builder.hpp core/contour/polyline.hpp core/contour/dxf.hpp core/contour/gcode.hpp core/machine/ core/redundant/redundancy.hpp core/redundant/coarse_fine.hpp
+    core/contour/contour.hpp core/contour/builder.hpp core/contour/polyline.hpp core/contour/dxf.hpp core/contour/gcode.hpp core/machine/ core/redundant/redundancy.hpp core/redundant/coarse_fine.hpp core/redundant/joint.hpp core/redundant/known/lag_compensation.hpp
     core/winding/wire.hpp core/winding/slot/slot.hpp core/winding/slot/coil_sides.hpp core/winding/laying/laying_regions.hpp core/winding/laying/windable.hpp core/winding/layout/count_bound.hpp core/winding/part/part.hpp"
   [server]="api/ core/base/errors.hpp core/base/progress.hpp"
   [server/runtime]="api/job.hpp"

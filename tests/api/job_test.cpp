@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/json_text.hpp"
+#include "api/planned_job.hpp"
 #include "tests/api/documents.hpp"
 
 namespace bahnwerk::api {

@@ -116,7 +116,7 @@ void mutate(json& node, std::mt19937_64& random) {
   }
 }
 
-class MutationsOfValues : public testing::TestWithParam<std::string> {};
+class MutationsOfValues : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(MutationsOfValues, AreJudgedAlikeByBothJudges) {
   const Schema schema(embedded(GetParam()));
@@ -143,7 +143,7 @@ std::vector<std::string> names_of_kinds() {
   for (const auto& kind : kinds()) names.emplace_back(kind.name);
   return names;
 }
-INSTANTIATE_TEST_SUITE_P(Kinds, MutationsOfValues, testing::ValuesIn(names_of_kinds()),
+INSTANTIATE_TEST_SUITE_P(Kinds, MutationsOfValues, ::testing::ValuesIn(names_of_kinds()),
                          [](const auto& each) { return each.param; });
 
 }  // namespace

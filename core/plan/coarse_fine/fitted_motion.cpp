@@ -26,35 +26,38 @@ FittedMotion::FittedMotion(std::shared_ptr<const Motion> motion, double factor, 
 
 void FittedMotion::end_at_rest(int rest) {
   const double h = duration_ - begin_.back();
-  SplineMotion::Piece piece{h, {}};
-  for (std::size_t k = 0; k < motion_->axes(); ++k) {
+  std::vector<Polynomial> corrected(motion_->axes());
+  for (std::size_t k = 0; k < corrected.size(); ++k) {
     Polynomial p;
-    if (!polynomial(pieces() - 1, k, p)) return;
+    if (!polynomial(pieces() - 1, k, p)) continue;
     const Polynomial dp = derivative(p);
     const double v = bahnwerk::evaluate(dp, h), a = bahnwerk::evaluate(derivative(dp), h);
     if (rest == 1)
       p = p + Polynomial{0, 0, -v / (2 * h)};
     else  // e = α τ³ + β τ⁴ with e′(h) = −v, e″(h) = −a
       p = p + Polynomial{0, 0, 0, (a * h - 3 * v) / (3 * h * h), (2 * v - a * h) / (4 * h * h * h)};
-    piece.axes.push_back(std::move(p));
+    corrected[k] = std::move(p);
   }
-  last_.emplace(std::vector<SplineMotion::Piece>{std::move(piece)});
+  last_ = std::move(corrected);
 }
 
 MotionState FittedMotion::in_piece(std::size_t piece, double t) const {
-  MotionState state;
-  if (last_ && piece + 1 == pieces()) {
-    state = last_->in_piece(0, t - begin_[piece]);
-    for (std::size_t k = 0; k < still_.size(); ++k) state.position[motion_->axes() + k] = still_[k];
-    return state;
-  }
-  state = motion_->in_piece(piece, motion_->begin(piece) + (t - begin_[piece]) / factor_);
+  MotionState state = motion_->in_piece(piece, motion_->begin(piece) + (t - begin_[piece]) / factor_);
   const std::size_t moving = motion_->axes();
   double power = factor_;
   for (AxisArray* part : {&state.velocity, &state.acceleration, &state.jerk, &state.snap}) {
     for (std::size_t k = 0; k < moving; ++k) (*part)[k] /= power;
     power *= factor_;
   }
+  if (piece + 1 == pieces())
+    for (std::size_t k = 0; k < last_.size(); ++k) {
+      if (last_[k].empty()) continue;
+      Polynomial p = last_[k];
+      for (AxisArray* part : {&state.position, &state.velocity, &state.acceleration, &state.jerk, &state.snap}) {
+        (*part)[k] = bahnwerk::evaluate(p, t - begin_[piece]);
+        p = derivative(p);
+      }
+    }
   for (std::size_t k = 0; k < still_.size(); ++k) state.position[moving + k] = still_[k];
   return state;
 }
@@ -70,7 +73,10 @@ bool FittedMotion::polynomial(std::size_t piece, std::size_t axis, Polynomial& o
     out = {still_[axis - motion_->axes()]};
     return true;
   }
-  if (last_ && piece + 1 == pieces()) return last_->polynomial(0, axis, out);
+  if (piece + 1 == pieces() && !last_.empty() && !last_[axis].empty()) {
+    out = last_[axis];
+    return true;
+  }
   if (!motion_->polynomial(piece, axis, out)) return false;
   double power = 1;
   for (double& c : out) c /= power, power *= factor_;

@@ -2,11 +2,9 @@
 /// A coarse motion fitted to the head's motion that is served.
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "core/motion/axes/motion.hpp"
-#include "core/motion/axes/spline_motion.hpp"
 #include "core/motion/law/time_law.hpp"
 
 namespace bahnwerk {
@@ -14,8 +12,8 @@ namespace bahnwerk {
 /// `motion`, slowed to last `factor` ≥ 1 times as long, as the head's law already is; followed by axes that stand still
 /// at `still`. Where its pieces and the law's end at the same time but for rounding, they end at the law's: else there
 /// would be moments at which the head has switched its acceleration and the coarse axes have not. What thousands of
-/// pieces added up to at the end instead of rest, by rounding, the last one takes out, if it is a polynomial: it is the
-/// fitted motion that is verified and served. final_state() is at rest.
+/// pieces added up to at the end instead of rest, by rounding, the last one takes out, in each axis that is a
+/// polynomial there: it is the fitted motion that is verified and served. final_state() is at rest.
 class FittedMotion final : public Motion {
  public:
   /// `rest`: the derivatives that are 0 at the end: 1 the velocity, 2 the acceleration, too. O(pieces of both). Throws
@@ -37,7 +35,7 @@ class FittedMotion final : public Motion {
   std::shared_ptr<const Motion> motion_;
   double factor_, duration_;
   std::vector<double> still_, begin_;
-  std::optional<SplineMotion> last_;  // the last piece by itself, corrected
+  std::vector<Polynomial> last_;  // per axis: the last piece, corrected; empty where it is no polynomial
 };
 
 }  // namespace bahnwerk

@@ -48,8 +48,8 @@ void poses_come_back(const Kinematics& machine, Reach&& reach) {
     angle = std::max(
         {angle, std::abs(std::remainder(again.phi - pose.phi, 2 * std::numbers::pi)), std::abs(again.psi - pose.psi)});
   }
-  testing::Test::RecordProperty("worst_position_mm", std::to_string(position * 1e12) + "e-12");
-  testing::Test::RecordProperty("worst_angle_rad", std::to_string(angle * 1e12) + "e-12");
+  ::testing::Test::RecordProperty("worst_position_mm", std::to_string(position * 1e12) + "e-12");
+  ::testing::Test::RecordProperty("worst_angle_rad", std::to_string(angle * 1e12) + "e-12");
   std::printf("worst of %d poses: %.3g mm, %.3g rad\n", poses(), position, angle);
   EXPECT_LE(position, 1e-12);
   EXPECT_LE(angle, 1e-12);
@@ -108,7 +108,7 @@ void derivatives_are_differences(const Kinematics& machine, Reach&& reach) {
       close(here.d2[k], plain(a2.d1[k], a1.d1[k], b1.d1[k], b2.d1[k]), "second");
       close(here.d3[k], plain(a2.d2[k], a1.d2[k], b1.d2[k], b2.d2[k]), "third");
     }
-    if (testing::Test::HasFailure()) FAIL() << "pose " << i;
+    if (::testing::Test::HasFailure()) FAIL() << "pose " << i;
   }
 }
 
@@ -154,7 +154,7 @@ void bounds_hold(const Kinematics& machine, Reach&& reach) {
         }
       }
     }
-    if (testing::Test::HasFailure()) FAIL() << "ball " << i;
+    if (::testing::Test::HasFailure()) FAIL() << "ball " << i;
   }
   EXPECT_GT(finite, 300);
   EXPECT_GT(closest[0], 0.5);

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <initializer_list>
+
+#include "core/motion/axes/spline_motion.hpp"
+
 namespace bahnwerk {
 namespace {
 
