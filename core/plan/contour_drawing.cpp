@@ -28,10 +28,10 @@ constexpr double first_tolerance = 0.2, last_tolerance = 52;                    
 constexpr const char* ink = "fill=\"#20242a\"";
 
 // From rest to the largest speed of a cut.
-constexpr std::array speed_colours{"#2f3a9e", "#2c6fb0", "#2a97a8", "#35a77a", "#86b82f",
-                                   "#c8b21f", "#e8971a", "#e06a18", "#cf3a1c", "#a3121a"};
+constexpr char speed_colours[][8] = {"#2f3a9e", "#2c6fb0", "#2a97a8", "#35a77a", "#86b82f",
+                                     "#c8b21f", "#e8971a", "#e06a18", "#cf3a1c", "#a3121a"};
 // What lines there are: positioning, the way of the coarse axes, and cuts, one class per colour.
-constexpr std::size_t position_lines = 0, way_lines = 1, cut_lines = 2, classes = cut_lines + speed_colours.size();
+constexpr std::size_t position_lines = 0, way_lines = 1, cut_lines = 2, classes = cut_lines + std::size(speed_colours);
 const char* class_name(std::size_t of) {
   return of == position_lines ? "position" : of == way_lines ? "coarse" : "cut";
 }
@@ -151,8 +151,8 @@ class Drawer {
     }
   }
   std::size_t colour(double speed) const {
-    const double n = static_cast<double>(speed_colours.size());
-    return std::min(static_cast<std::size_t>(std::max(0.0, speed / fastest_ * n)), speed_colours.size() - 1);
+    const double n = static_cast<double>(std::size(speed_colours));
+    return std::min(static_cast<std::size_t>(std::max(0.0, speed / fastest_ * n)), std::size(speed_colours) - 1);
   }
 
   void measure() {
@@ -254,7 +254,7 @@ class Drawer {
   bool draw(double tolerance, std::string& paths) {
     std::vector<Lines> views(views_.size(), Lines(classes, Thinned(tolerance)));
     const auto size = [&] {
-      std::size_t sum = (600 + 200 * speed_colours.size()) * views.size();
+      std::size_t sum = (600 + 200 * std::size(speed_colours)) * views.size();
       for (const Lines& lines : views)
         for (const Thinned& each : lines) sum += each.data().size();
       return sum;

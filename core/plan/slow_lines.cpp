@@ -106,11 +106,11 @@ std::vector<SlowLine> slow_lines(const PathMotion& motion, const Machine& machin
   for (std::size_t r = 0; r < lines.size(); ++r) {
     report[r].source = lines[r].source;
     report[r].time = lines[r].time;
-    report[r].share = lines[r].time / motion.duration();
+    report[r].share = std::min(1.0, lines[r].time / motion.duration());
     const auto most = std::max_element(times[r].begin(), times[r].end());
     const auto reason = static_cast<std::size_t>(most - times[r].begin());
     if (reason < reasons.count()) report[r].limit = reasons.name(reason);
-    report[r].limit_share = *most / lines[r].time;
+    report[r].limit_share = std::min(1.0, *most / lines[r].time);
   }
   return report;
 }

@@ -69,7 +69,7 @@ def spec(r):
                 "machine": machine(r, of_rotor),
                 "path": {"continuity": r.choice([2, 3, 3, 3, 4]), "objective": r.choice(["curvature", "control_distance"])},
                 "pull": {"force": r.uniform(5, 40), "bend_radius": r.uniform(2, 6), "free_length": r.uniform(0.5, 4)},
-                "needle": {"length": room, "width": r.uniform(0.35, 0.6) * opening, "pivot_limit": r.choice([None, 10]),
+                "needle": {"length": room, "width": max(r.uniform(0.35, 0.6) * opening, 1.3 * wire), "pivot_limit": r.choice([None, 10]),
                            "clearance": r.choice([-1, -1, 0])}}
     if r.random() < 0.3:
         document["coil"]["repeat"] = {"step": step, "count": 2, "alternate": r.random() < 0.5}

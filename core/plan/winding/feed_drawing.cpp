@@ -21,7 +21,7 @@ constexpr const char* colours[] = {"#1f5fbf", "#2a9d8f", "#b7791f", "#8e44ad", "
 constexpr const char* feed_style = "fill=\"none\" stroke=\"#20242a\" stroke-width=\"2.4\"";
 constexpr const char* thin_style = "fill=\"none\" stroke=\"#20242a\" stroke-width=\"1.4\"";
 constexpr const char* limit_style = "fill=\"none\" stroke=\"#c1121f\" stroke-dasharray=\"6 4\"";
-const std::string small = "font-size=\"12\" fill=\"#4a525c\"";
+constexpr const char* small = "font-size=\"12\" fill=\"#4a525c\"";
 
 using Line = std::vector<Point>;  // over s, mm
 
@@ -101,7 +101,7 @@ class Chart {
     drawing::for_each_tick(least_, most_, step, [&](double value) {
       const Point p = at({0, value});
       out += svg::segment(p, {width - right, p.y}, "stroke=\"#dfe3e8\"");
-      out += svg::text({p.x - 8, p.y + 4}, drawing::tick_label(value), small + " text-anchor=\"end\"");
+      out += svg::text({p.x - 8, p.y + 4}, drawing::tick_label(value), std::string(small) + " text-anchor=\"end\"");
     });
     out += box + " fill=\"none\" stroke=\"#8a919b\"/>\n";
     return out + svg::text({left, y_ - 8}, what, small);
@@ -109,10 +109,11 @@ class Chart {
   std::string across() const {
     std::string out;
     drawing::for_each_tick(0, longest_, drawing::nice(longest_ / 8), [&](double s) {
-      out += svg::text({at({s, 0}).x, y_ + height_ + 18}, drawing::tick_label(s), small + " text-anchor=\"middle\"");
+      out += svg::text({at({s, 0}).x, y_ + height_ + 18}, drawing::tick_label(s),
+                       std::string(small) + " text-anchor=\"middle\"");
     });
     return out + svg::text({(left + width - right) / 2, y_ + height_ + 38}, "arc length in mm",
-                           small + " text-anchor=\"middle\"");
+                           std::string(small) + " text-anchor=\"middle\"");
   }
 
  private:

