@@ -146,11 +146,11 @@ bool Interpreter::agrees(const Line& line, Vec to, Vec about, ArcMove& how) {
   constexpr double relative = 1e-3, wildly = 0.2;
   const double most = unit_ == 1 ? 0.5 : 0.05 * unit_;
   const RadiiOfArc radii = radii_of_arc(mover_.position(), to, about, how.plane);
-  const double largest = std::max(radii.begin, radii.end), apart = std::abs(radii.begin - radii.end);
-  how.tolerance = std::max(rounding(), std::min(most, relative * largest));
+  const double greater = std::max(radii.begin, radii.end), apart = std::abs(radii.begin - radii.end);
+  how.tolerance = std::max(rounding(), std::min(most, relative * greater));
   if (apart <= how.tolerance) return true;
   std::string what = "the arc's radii at start and end differ by more than the tolerance";
-  if (apart > wildly * largest || agrees_otherwise(line, to))
+  if (apart > wildly * greater || agrees_otherwise(line, to))
     what += absolute_centres_ ? ": is its centre relative to the start (G91.1, or arc_centers of the document)?"
                               : ": is its centre absolute (G90.1, or arc_centers \"absolute\" of the document)?";
   fault(what);
