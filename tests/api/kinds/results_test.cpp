@@ -93,9 +93,9 @@ TEST(Results, OfRandomDocumentsKeepTheirSchema) {
       planned(document);
     } catch (const PlanningError&) {  // some lie out of reach or do not fit
       ++refused;
-    } catch (const Problem& problem) {  // or have a needle that does not pass, which is refused at its place
+    } catch (const Problem& problem) {  // or have sizes that do not fit each other, which is refused at their places
       ASSERT_FALSE(problem.errors().empty()) << problem.what();
-      EXPECT_EQ(problem.errors()[0].pointer, "/spec/needle/width") << problem.what();
+      EXPECT_TRUE(problem.errors()[0].pointer.starts_with("/spec/")) << problem.what();
       ++refused;
     } catch (const std::exception& error) {  // a plan that is not verified, say
       ADD_FAILURE() << error.what();
