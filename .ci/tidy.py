@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """Runs clang-tidy over the sources of one or more folders.
 
-    .ci/tidy.py BUILD FOLDER...            files of a layer together in unity files
+    .ci/tidy.py BUILD FOLDER...            many files together in unity files
     .ci/tidy.py BUILD --plain FOLDER...    every file on its own (slow; shows includes that are missing, too)
 
-BUILD is a configured build folder; its compile_commands.json tells flags and layers. Reading the headers takes three quarters of clang-tidy's time, so
-the files of a layer are included into a few unity files. Two files that define the same name cannot stand in one unity file: the compiler names the later
-one, which moves on to the next. Exits with 1 where clang-tidy finds something.
+BUILD is a configured build folder; its compile_commands.json tells flags. Reading the headers takes three quarters of clang-tidy's time, so the files of a
+folder are included into a few unity files. Two files that define the same name cannot stand in one unity file: the compiler names the later one, which
+moves on to another. What one file declares hides names of another there, so -Wshadow is the compilers' matter. Exits with 1 where clang-tidy finds
+something.
 """
 import collections
 import concurrent.futures
@@ -18,28 +19,27 @@ import subprocess
 import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-MOST_FILES = 40  # of one unity file: a layer is spread over the processors
+MOST_FILES = 50  # of one unity file, so that the folder is spread over the processors
 
 
 def sources(build, folders):
-    """{layer: [(file, flags)]} from the compilation database."""
-    layers = collections.defaultdict(list)
+    """{folder: [(file, flags)]} from the compilation database."""
+    found = collections.defaultdict(list)
     with open(os.path.join(build, "compile_commands.json")) as stream:
         for entry in json.load(stream):
             name = os.path.relpath(entry["file"], ROOT)
             if name.startswith(".") or name.split(os.sep)[0] not in folders:
                 continue
             words = shlex.split(entry["command"])
-            layer = words[words.index("-o") + 1].split("/CMakeFiles/")[0]
             words = words[next(i for i, word in enumerate(words) if word.startswith("-")):]
             flags = [word for i, word in enumerate(words)
                      if word not in ("-o", "-c") and words[i - 1] not in ("-o", "-c")]
-            layers[layer].append((name, flags))
-    return layers
+            found[name.split(os.sep)[0]].append((name, flags))
+    return found
 
 
-def write_unity(build, layer, number, files):
-    path = os.path.join(build, "tidy", f"{layer.replace('/', '_')}_{number}.cpp")
+def write_unity(build, folder, number, files):
+    path = os.path.join(build, "tidy", f"{folder}_{number}.cpp")
     os.makedirs(os.path.dirname(path), exist_ok=True)
     with open(path, "w") as stream:
         stream.writelines(f'#include "{os.path.join(ROOT, name)}"\n' for name in files)
@@ -55,55 +55,71 @@ def clashing(path, flags, files):
     return found & set(files) or {files[-1]}
 
 
-def batches(build, layer, entries):
-    """Yields (unity file, flags), each of which compiles, or holds one file only."""
-    flags = entries[0][1]
-    names = sorted(name for name, _ in entries)
-    number = 0
-    while names:
-        count = -(-len(names) // MOST_FILES)
-        later = []
-        for files in (names[i::count] for i in range(count)):
-            while True:
-                path = write_unity(build, layer, number, files)
-                bad = clashing(path, flags, files) if len(files) > 1 else set()
-                if not bad:
-                    break
-                # The first of the files always stays, so that each turn gets somewhere.
-                kept = [name for name in files if name not in bad] or files[:1]
-                later += [name for name in files if name not in kept]
-                files = kept
-            number += 1
-            yield path, flags
-        names = later
+def settled(build, folder, number, flags, files):
+    """Writes a unity file that compiles, or holds one file only; returns it and the files that could not stay."""
+    later = []
+    while True:
+        path = write_unity(build, folder, number, files)
+        bad = clashing(path, flags, files) if len(files) > 1 else set()
+        if not bad:
+            return path, later
+        # The first of the files always stays, so that each turn gets somewhere.
+        kept = [name for name in files if name not in bad] or files[:1]
+        later += [name for name in files if name not in kept]
+        files = kept
 
 
 def tidy(path, flags, plain):
-    checks = [] if plain else ["--checks=-bugprone-suspicious-include"]
+    checks = [] if plain else ["--checks=-bugprone-suspicious-include", "--extra-arg=-Wno-shadow"]
     run = subprocess.run(["clang-tidy", "--quiet", *checks, path, "--", *flags], cwd=ROOT, capture_output=True, text=True)
     return run.returncode, run.stdout + (run.stderr if run.returncode else "")
 
 
-def check_layer(build, layer, entries, plain):
-    if plain:
-        return [tidy(os.path.join(ROOT, name), flags, True) for name, flags in entries]
-    return [tidy(path, flags, False) for path, flags in batches(build, layer, entries)]
+def check_together(pool, build, folder, entries):
+    """clang-tidy's results for the unity files of a folder; those that cannot stay where they are go round again."""
+    flags = list(dict.fromkeys(flag for _, flags in entries for flag in joined(flags)))
+    flags = [word for flag in flags for word in flag.split("\n")]
+    names = sorted(name for name, _ in entries)
+    results, number = [], 0
+    while names:
+        count = -(-len(names) // MOST_FILES)
+        parts = [(number + i, names[i::count]) for i in range(count)]
+        number += count
+
+        def check(part):
+            path, later = settled(build, folder, part[0], flags, part[1])
+            return tidy(path, flags, False), later
+
+        done = list(pool.map(check, parts))
+        results += [result for result, _ in done]
+        names = sorted(name for _, later in done for name in later)
+    return results
+
+
+def joined(flags):
+    """Flags of two words as one."""
+    words = iter(flags)
+    return [word if word not in ("-isystem", "-I", "-include") else word + "\n" + next(words) for word in words]
 
 
 def main():
     words = [word for word in sys.argv[1:] if word != "--plain"]
     plain = "--plain" in sys.argv
     build, folders = os.path.abspath(words[0]), words[1:]
-    layers = sources(build, folders)
-    if not layers:
+    found = sources(build, folders)
+    if not found:
         sys.exit(f"{build} knows no source of {' '.join(folders)}")
+    results = []
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        by_size = sorted(layers.items(), key=lambda item: -len(item[1]))
-        results = [result for found in pool.map(lambda item: check_layer(build, *item, plain), by_size) for result in found]
+        for folder, entries in found.items():
+            if plain:
+                results += pool.map(lambda entry: tidy(os.path.join(ROOT, entry[0]), entry[1], True), entries)
+            else:
+                results += check_together(pool, build, folder, entries)
     for code, text in results:
         if code:
             print(text)
-    print(f"{sum(map(len, layers.values()))} files of {len(layers)} layers in {len(results)} runs", file=sys.stderr)
+    print(f"{sum(map(len, found.values()))} files in {len(results)} runs", file=sys.stderr)
     sys.exit(any(code for code, _ in results))
 
 

@@ -3,10 +3,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
 #include "api/job.hpp"
+#include "api/kind.hpp"
 #include "api/problem.hpp"
 
 namespace {

@@ -236,7 +236,7 @@ TEST(CoarseFine, ThePrefilterOfTheDrivesIsTold) {
   const auto& v = job.result["details"]["redundancy"]["prefilter"];
   EXPECT_EQ(v["numerator"][0], 1.0);
   EXPECT_NEAR(v["numerator"][1].get<double>(), 0.009, 1e-15);
-  EXPECT_EQ(v["denominator"], json({1.0, 0.01}));
+  EXPECT_EQ(json(v["denominator"]), json({1.0, 0.01}));
   EXPECT_NEAR(v["b"][0].get<double>() + v["b"][1].get<double>(), 1 + v["a"][1].get<double>(), 1e-12);
 }
 

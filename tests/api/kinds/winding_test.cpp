@@ -243,8 +243,9 @@ TEST(WindingPlan, AClearanceThatIsMissedIsToldWithItsPlace) {
   for (const auto& check : job.result["verification"]["checks"]) {
     if (check["passed"].get<bool>()) continue;
     ASSERT_EQ(check["name"], "needle clearance");
-    for (const char* member : {"coil", "turn", "region", "link"}) EXPECT_EQ(check["place"][member], least[member]);
-    EXPECT_EQ(check["place"]["obstacle"], least["nearest"]);
+    for (const char* member : {"coil", "turn", "region", "link"})
+      EXPECT_EQ(json(check["place"][member]), json(least[member]));
+    EXPECT_EQ(json(check["place"]["obstacle"]), json(least["nearest"]));
     EXPECT_GT(check["at"], 0);
     EXPECT_THAT(check["change"].get<std::string>(), ::testing::HasSubstr("needle.width"));
     EXPECT_THAT(check["place"]["words"].get<std::string>(), ::testing::HasSubstr("turn "));
