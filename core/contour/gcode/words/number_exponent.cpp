@@ -21,10 +21,11 @@ ExponentReading exponent_reading(std::string_view mantissa, std::string_view res
   if (size == 0) return ExponentReading::word;
   if (capital != (rest[0] == 'E')) return ExponentReading::exponent;
   const bool sign = !digit(rest, 1);
-  const std::size_t digits = size - (sign ? 2 : 1), point = mantissa.find('.');
+  if (!sign || size < 4) return ExponentReading::unclear;  // a formatter writes a sign and two digits at least
+  const std::size_t point = mantissa.find('.');
   const bool formatted = point == 1 && mantissa.size() > 3;                    // 1.42E-14; Fortran: 0.142E-13
   const bool padded = rest[2] == '0' && (point == 1 || mantissa.size() == 1);  // 2.5E-07, 1E-05
-  return sign && digits > 1 && (formatted || padded) ? ExponentReading::exponent : ExponentReading::unclear;
+  return formatted || padded ? ExponentReading::exponent : ExponentReading::unclear;
 }
 
 }  // namespace bahnwerk::gcode
