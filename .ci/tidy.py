@@ -5,7 +5,7 @@
     .ci/tidy.py BUILD --plain FOLDER...    every file on its own (slow; shows includes that are missing, too)
 
 BUILD is a configured build folder; its compile_commands.json tells flags. Reading the headers takes three quarters of clang-tidy's time, so the files of a
-folder are included into a few unity files. Two files that define the same name cannot stand in one unity file: the compiler names the later one, which
+layer are included into a few unity files. Two files that define the same name cannot stand in one unity file: the compiler names the later one, which
 moves on to another. What one file declares hides names of another there, so -Wshadow is the compilers' matter. Exits with 1 where clang-tidy finds
 something.
 """
@@ -19,11 +19,11 @@ import subprocess
 import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-MOST_FILES = 50  # of one unity file, so that the folder is spread over the processors
+MOST_FILES = 40  # of one unity file
 
 
 def sources(build, folders):
-    """{folder: [(file, flags)]} from the compilation database."""
+    """{layer: [(file, flags)]} from the compilation database."""
     found = collections.defaultdict(list)
     with open(os.path.join(build, "compile_commands.json")) as stream:
         for entry in json.load(stream):
@@ -31,15 +31,16 @@ def sources(build, folders):
             if name.startswith(".") or name.split(os.sep)[0] not in folders:
                 continue
             words = shlex.split(entry["command"])
+            layer = words[words.index("-o") + 1].split("/CMakeFiles/")[0]
             words = words[next(i for i, word in enumerate(words) if word.startswith("-")):]
             flags = [word for i, word in enumerate(words)
                      if word not in ("-o", "-c") and words[i - 1] not in ("-o", "-c")]
-            found[name.split(os.sep)[0]].append((name, flags))
+            found[layer].append((name, flags))
     return found
 
 
-def write_unity(build, folder, number, files):
-    path = os.path.join(build, "tidy", f"{folder}_{number}.cpp")
+def write_unity(build, layer, number, files):
+    path = os.path.join(build, "tidy", f"{layer.replace('/', '_')}_{number}.cpp")
     os.makedirs(os.path.dirname(path), exist_ok=True)
     with open(path, "w") as stream:
         stream.writelines(f'#include "{os.path.join(ROOT, name)}"\n' for name in files)
@@ -55,11 +56,11 @@ def clashing(path, flags, files):
     return found & set(files) or {files[-1]}
 
 
-def settled(build, folder, number, flags, files):
+def settled(build, layer, number, flags, files):
     """Writes a unity file that compiles, or holds one file only; returns it and the files that could not stay."""
     later = []
     while True:
-        path = write_unity(build, folder, number, files)
+        path = write_unity(build, layer, number, files)
         bad = clashing(path, flags, files) if len(files) > 1 else set()
         if not bad:
             return path, later
@@ -75,24 +76,21 @@ def tidy(path, flags, plain):
     return run.returncode, run.stdout + (run.stderr if run.returncode else "")
 
 
-def check_together(pool, build, folder, entries):
-    """clang-tidy's results for the unity files of a folder; those that cannot stay where they are go round again."""
+def check_together(build, layer, entries):
+    """clang-tidy's results for the unity files of a layer; files that cannot stay where they are go round again."""
     flags = list(dict.fromkeys(flag for _, flags in entries for flag in joined(flags)))
     flags = [word for flag in flags for word in flag.split("\n")]
     names = sorted(name for name, _ in entries)
     results, number = [], 0
     while names:
         count = -(-len(names) // MOST_FILES)
-        parts = [(number + i, names[i::count]) for i in range(count)]
-        number += count
-
-        def check(part):
-            path, later = settled(build, folder, part[0], flags, part[1])
-            return tidy(path, flags, False), later
-
-        done = list(pool.map(check, parts))
-        results += [result for result, _ in done]
-        names = sorted(name for _, later in done for name in later)
+        later = []
+        for files in (names[i::count] for i in range(count)):
+            path, more = settled(build, layer, number, flags, files)
+            results.append(tidy(path, flags, False))
+            later += more
+            number += 1
+        names = sorted(later)
     return results
 
 
@@ -109,13 +107,13 @@ def main():
     found = sources(build, folders)
     if not found:
         sys.exit(f"{build} knows no source of {' '.join(folders)}")
-    results = []
+    by_size = sorted(found.items(), key=lambda item: -len(item[1]))
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        for folder, entries in found.items():
-            if plain:
-                results += pool.map(lambda entry: tidy(os.path.join(ROOT, entry[0]), entry[1], True), entries)
-            else:
-                results += check_together(pool, build, folder, entries)
+        if plain:
+            files = [entry for _, entries in by_size for entry in entries]
+            results = list(pool.map(lambda entry: tidy(os.path.join(ROOT, entry[0]), entry[1], True), files))
+        else:
+            results = [result for found_here in pool.map(lambda item: check_together(build, *item), by_size) for result in found_here]
     for code, text in results:
         if code:
             print(text)
