@@ -9,11 +9,10 @@ namespace {
 
 constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-constexpr std::array<std::int8_t, 256> values = [] {
-  std::array<std::int8_t, 256> list{};
+constexpr std::array<int, 256> values = [] {
+  std::array<int, 256> list{};
   list.fill(-1);
-  for (std::size_t i = 0; i < alphabet.size(); ++i)
-    list[static_cast<unsigned char>(alphabet[i])] = static_cast<std::int8_t>(i);
+  for (std::size_t i = 0; i < alphabet.size(); ++i) list[static_cast<unsigned char>(alphabet[i])] = static_cast<int>(i);
   return list;
 }();
 

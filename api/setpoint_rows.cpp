@@ -92,6 +92,7 @@ SetpointSeries delayed(SetpointSeries series, std::size_t rows) {
   result.columns = series.columns;
   result.count = series.count + (series.count > 0 ? rows : 0);
   result.cycle_time = series.cycle_time;
+  result.pose_frame = series.pose_frame;
   result.read = [rows, series = std::move(series), rates = std::move(rates)](std::size_t first, std::size_t count,
                                                                              std::vector<double>& out) {
     const std::size_t width = series.columns.size(), waiting = first < rows ? std::min(count, rows - first) : 0;
@@ -118,6 +119,7 @@ SetpointSeries envelope(SetpointSeries series, std::size_t first, std::size_t ro
   SetpointSeries result;
   result.count = std::min(points, rows);
   result.cycle_time = series.cycle_time;
+  result.pose_frame = series.pose_frame;
   result.columns.push_back({"index", "1"});
   for (std::size_t c : columns) {
     result.columns.push_back({series.columns[c].name + "_min", series.columns[c].unit});

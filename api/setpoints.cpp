@@ -213,7 +213,8 @@ bool SetpointStream::State::row_step(std::string& out) {
 SetpointStream::SetpointStream(SetpointSeries series, SetpointQuery query, SetpointFormat format)
     : state_(std::make_unique<State>()) {
   auto& s = *state_;
-  series = delayed(std::move(series), rows_of(query.delay, series.cycle_time));
+  const std::size_t waiting = rows_of(query.delay, series.cycle_time);
+  series = delayed(std::move(series), waiting);
   if (query.first > series.count)
     refuse("first",
            "row " + std::to_string(query.first) + " is beyond the series of " + std::to_string(series.count) + " rows");

@@ -36,7 +36,9 @@ class Fit {
   }
 
  private:
-  void add(std::vector<std::string> place, std::string message) { faults_.push_back({std::move(place), message}); }
+  void add(std::vector<std::string> place, std::string message) {
+    faults_.push_back({std::move(place), std::move(message)});
+  }
 
   bool given_in(const char* object, const char* member) const {
     return spec_.contains(object) && spec_[object].contains(member) && !spec_[object][member].is_null();
