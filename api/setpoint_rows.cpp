@@ -119,7 +119,6 @@ SetpointSeries envelope(SetpointSeries series, std::size_t first, std::size_t ro
   SetpointSeries result;
   result.count = std::min(points, rows);
   result.cycle_time = series.cycle_time;
-  result.pose_frame = series.pose_frame;
   result.columns.push_back({"index", "1"});
   for (std::size_t c : columns) {
     result.columns.push_back({series.columns[c].name + "_min", series.columns[c].unit});
