@@ -209,11 +209,11 @@ class Explainer {
 
   /// Whether a branch requires a member that it holds constant, by which documents name it, and the value lacks that.
   static bool unnamed(const json& branch, const json& value) {
-    if (!branch.contains("required") || !value.is_object()) return false;
+    if (!branch.contains("required") || !branch.contains("properties") || !value.is_object()) return false;
+    const json& members = branch["properties"];
     return std::any_of(branch["required"].begin(), branch["required"].end(), [&](const json& required) {
       const auto& name = required.get_ref<const std::string&>();
-      return !value.contains(name) && branch["properties"].contains(name) &&
-             branch["properties"][name].contains("const");
+      return !value.contains(name) && members.contains(name) && members[name].contains("const");
     });
   }
 
