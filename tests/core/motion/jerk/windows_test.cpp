@@ -1,6 +1,8 @@
 /// Long sections planned window by window: as quick as when they are planned whole, within all limits, without a step.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/contour/builder.hpp"
@@ -86,7 +88,9 @@ TEST(JerkWindows, SerpentineIsAsQuickAsWhole) { expect_as_quick_as_whole(serpent
 /// longer overlap than is hoped for, or cells have to be divided many times: each was once planned worse, by 1 % (16,
 /// 31, 69) to a factor of 30.
 TEST(JerkWindows, HardSplinesAreAsQuickAsWhole) {
-  for (const std::uint64_t seed : {4, 13, 15, 16, 31, 45, 54, 59, 69}) {
+  constexpr std::array<std::uint64_t, 9> seeds{16, 31, 69, 4, 13, 15, 45, 54, 59};
+  for (std::size_t i = 0; i < std::min(testing::cases(std::size_t{3}), seeds.size()); ++i) {
+    const std::uint64_t seed = seeds[i];
     Random random(seed);
     const double height = std::pow(10, random.uniform(-1, 1.3)), length = std::pow(10, random.uniform(-0.5, 1.2));
     const Contour contour = waves(250, random, height, 0.3 * length, 2 * length);

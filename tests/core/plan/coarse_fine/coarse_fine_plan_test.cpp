@@ -6,6 +6,7 @@
 
 #include "core/base/errors.hpp"
 #include "core/base/read_rows.hpp"
+#include "tests/core/cases.hpp"
 #include "tests/core/redundant/coarse_fine_machines.hpp"
 
 namespace bahnwerk {
@@ -49,7 +50,7 @@ TEST(CoarseFinePlan, HolesAreVerifiedAndAsQuickAsTheBoundAllows) {
 /// The bound is a check of the verification: no plan is shorter.
 TEST(CoarseFinePlan, LongMovesAreNotMuchLongerThanTheBoundThatKnowsTheStroke) {
   Random random(16);
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < testing::cases(4); ++i) {
     CoarseFineMachine machine = i % 2 == 0 ? test::md1() : test::md2();
     if (i % 3 == 0)
       for (CoarseFineAxis& axis : machine.axes) {
@@ -189,7 +190,7 @@ TEST(CoarseFinePlan, WhereAMethodFindsNothingTheJointPlannerPlans) {
 /// A plan on less is one on more: lone moves of any length on machines of any stroke, with limited jerk or without.
 TEST(CoarseFinePlan, RandomLoneMovesAreVerifiedAndNeverSlowerWithMoreStrokeOrAcceleration) {
   Random random(3516);
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < testing::cases(12); ++i) {
     CoarseFineMachine machine = i % 2 == 0 ? test::md1() : test::md2();
     if (i % 4 > 1) machine = test::with_jerk(machine, random.uniform(30, 400));
     const double way = std::pow(10, random.uniform(0.5, 3.4)), angle = i % 3 == 0 ? 0 : random.uniform(0, 6.28);
