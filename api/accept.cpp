@@ -1,29 +1,20 @@
-// Content negotiation of setpoints (RFC 9110, 12.5.1).
-#include <algorithm>
-#include <array>
-#include <charconv>
+#include "api/accept.hpp"
 
-#include "api/setpoints.hpp"
+#include <charconv>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace bahnwerk::api {
 namespace {
-
-struct Offer {
-  SetpointFormat format;
-  std::string_view type, subtype;
-};
-/// In the server's order of preference.
-constexpr std::array<Offer, 4> offers{{{SetpointFormat::json, "application", "json"},
-                                       {SetpointFormat::csv, "text", "csv"},
-                                       {SetpointFormat::ndjson, "application", "x-ndjson"},
-                                       {SetpointFormat::f64, "application", "octet-stream"}}};
 
 struct Range {
   std::string type, subtype;
   double quality = 1;
   int specificity() const { return type == "*" ? 0 : subtype == "*" ? 1 : 2; }
-  bool matches(const Offer& offer) const {
-    return (type == "*" || type == offer.type) && (subtype == "*" || subtype == offer.subtype);
+  bool matches(std::string_view offer) const {
+    const auto slash = offer.find('/');
+    return (type == "*" || type == offer.substr(0, slash)) && (subtype == "*" || subtype == offer.substr(slash + 1));
   }
 };
 
@@ -69,55 +60,27 @@ std::optional<Range> parse_range(std::string_view entry) {
 
 }  // namespace
 
-std::optional<SetpointFormat> negotiate_setpoints(std::string_view accept) {
-  if (trim(accept).empty()) return SetpointFormat::json;
+std::optional<std::size_t> negotiate(std::optional<std::string_view> accept, std::span<const std::string_view> offers) {
+  if (!accept || trim(*accept).empty()) return 0;
   std::vector<Range> ranges;
-  while (!accept.empty())
-    if (auto range = parse_range(take(accept, ','))) ranges.push_back(std::move(*range));
+  while (!accept->empty())
+    if (auto range = parse_range(take(*accept, ','))) ranges.push_back(std::move(*range));
 
-  std::optional<SetpointFormat> best;
+  std::optional<std::size_t> best;
   double best_quality = 0;
   int best_specificity = -1;
-  for (const auto& offer : offers) {
+  for (std::size_t i = 0; i < offers.size(); ++i) {
     const Range* match = nullptr;  // the most specific range speaks for an offer
     for (const auto& range : ranges)
-      if (range.matches(offer) && (!match || range.specificity() > match->specificity())) match = &range;
+      if (range.matches(offers[i]) && (!match || range.specificity() > match->specificity())) match = &range;
     if (!match || match->quality <= 0) continue;
     if (match->quality > best_quality || (match->quality == best_quality && match->specificity() > best_specificity)) {
-      best = offer.format;
+      best = i;
       best_quality = match->quality;
       best_specificity = match->specificity();
     }
   }
   return best;
-}
-
-std::string_view format_name(SetpointFormat format) {
-  switch (format) {
-    case SetpointFormat::csv:
-      return "csv";
-    case SetpointFormat::ndjson:
-      return "ndjson";
-    case SetpointFormat::f64:
-      return "f64";
-    case SetpointFormat::json:
-      break;
-  }
-  return "json";
-}
-
-std::string_view content_type(SetpointFormat format) {
-  switch (format) {
-    case SetpointFormat::csv:
-      return "text/csv; charset=utf-8; header=present";
-    case SetpointFormat::ndjson:
-      return "application/x-ndjson";
-    case SetpointFormat::f64:
-      return "application/octet-stream";
-    case SetpointFormat::json:
-      break;
-  }
-  return "application/json";
 }
 
 }  // namespace bahnwerk::api

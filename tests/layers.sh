@@ -15,7 +15,7 @@ declare -A allowed=(
   [core/drawing]="core/geometry/"
   [core/machine]="core/geometry/curve/ core/numeric/ core/base/errors.hpp"
   [core/contour]="core/machine/ core/geometry/curve/ core/geometry/path/ core/numeric/large_pages.hpp core/base/"
-  [core/motion/axes]="core/contour/contour.hpp core/machine/ core/geometry/curve/ core/geometry/path/ core/numeric/ core/base/errors.hpp core/base/progress_scope.hpp"
+  [core/motion/axes]="core/contour/contour.hpp core/machine/ core/geometry/curve/ core/geometry/path/ core/numeric/ core/base/"
   [core/motion/law]="core/motion/axes/ core/contour/contour.hpp core/machine/ core/geometry/path/ core/numeric/ core/base/"
   [core/motion/interpolation]="core/motion/axes/ core/motion/law/ core/machine/limits.hpp core/geometry/curve/ core/geometry/path/ core/base/"
   [core/motion/grid]="core/motion/axes/ core/contour/contour.hpp core/machine/ core/geometry/path/ core/numeric/ core/base/"
@@ -26,7 +26,10 @@ declare -A allowed=(
   [core/motion/jerk]="core/motion/profile/ core/motion/axes/ core/motion/grid/ core/motion/law/ core/contour/contour.hpp core/machine/ core/numeric/ core/base/"
   [core/motion/natural]="core/motion/axes/ core/motion/law/ core/geometry/path/ core/geometry/curve/ core/machine/ core/contour/contour.hpp core/base/"
   [core/motion/feed]="core/motion/axes/ core/motion/grid/ core/motion/law/ core/motion/profile/ core/geometry/path/ core/geometry/curve/ core/machine/ core/contour/contour.hpp core/numeric/golden_section.hpp core/numeric/optimise/optimise.hpp core/base/"
-  [core/redundant]="core/redundant/iterative/iterative.hpp core/geometry/curve/line.hpp core/geometry/path/path.hpp core/motion/axes/ core/motion/law/ core/motion/acceleration/acceleration_limited.hpp core/motion/jerk/jerk_limited.hpp core/motion/profile/profile.hpp core/contour/contour.hpp core/machine/ core/numeric/ core/base/"
+  [core/redundant]="core/geometry/curve/line.hpp core/geometry/path/path.hpp core/motion/axes/ core/motion/law/ core/motion/acceleration/acceleration_limited.hpp core/motion/jerk/jerk_limited.hpp core/motion/profile/profile.hpp core/contour/contour.hpp core/machine/ core/numeric/ core/base/"
+  [core/redundant/known]="core/redundant/ core/geometry/curve/line.hpp core/geometry/path/path.hpp core/motion/axes/ core/motion/law/ core/motion/acceleration/acceleration_limited.hpp core/motion/jerk/jerk_limited.hpp core/motion/profile/profile.hpp core/contour/contour.hpp core/machine/ core/numeric/ core/base/"
+  # The table of methods is above them all.
+  [core/redundant/methods]="core/redundant/ core/base/"
   [core/redundant/iterative]="core/redundant/ core/motion/axes/ core/motion/law/ core/motion/grid/sections.hpp core/motion/acceleration/acceleration_limited.hpp core/motion/jerk/jerk_limited.hpp core/contour/contour.hpp core/machine/ core/geometry/curve/ core/geometry/path/ core/numeric/ core/base/"
   [core/winding]="core/drawing/ core/geometry/region/ core/geometry/spline/ core/geometry/curve/vec.hpp core/numeric/golden_section.hpp core/numeric/random.hpp core/numeric/taylor.hpp core/base/"
   # The verifier sees what the user gave and the finished motion, no planner. The relaxation gives the bound multipliers,
@@ -37,17 +40,17 @@ declare -A allowed=(
     core/winding/margin.hpp core/geometry/region/region.hpp
     core/geometry/curve/arc.hpp core/geometry/curve/curve.hpp core/geometry/curve/rational.hpp core/geometry/curve/vec.hpp core/geometry/path/matched.hpp core/geometry/path/path.hpp core/geometry/path/rough_shape.hpp
     core/numeric/lanes.hpp core/numeric/large_pages.hpp core/numeric/peak.hpp core/numeric/polynomial.hpp
-    core/base/errors.hpp core/base/progress.hpp core/base/progress_scope.hpp core/base/read_rows.hpp core/base/setpoint_source.hpp core/base/verification.hpp"
+    core/base/"
   [core/plan]="core/verify/ core/winding/ core/motion/axes/ core/motion/interpolation/ core/motion/law/ core/motion/setpoints/ core/motion/acceleration/acceleration_limited.hpp core/motion/jerk/jerk_limited.hpp core/motion/natural/natural_law.hpp core/motion/feed/ core/motion/profile/speed_profile.hpp
-    core/redundant/redundancy.hpp core/redundant/coarse_fine.hpp core/redundant/energy.hpp
+    core/redundant/methods/method_table.hpp core/redundant/redundancy.hpp core/redundant/coarse_fine.hpp core/redundant/energy.hpp
     core/contour/ core/machine/ core/drawing/ core/geometry/ core/numeric/random.hpp core/numeric/taylor.hpp core/base/"
   [api]="core/plan/ core/base/
-    core/contour/contour.hpp core/contour/builder.hpp core/contour/polyline.hpp core/contour/dxf.hpp core/contour/gcode.hpp core/machine/ core/redundant/redundancy.hpp core/redundant/coarse_fine.hpp core/redundant/joint.hpp core/redundant/known/lag_compensation.hpp
+    core/contour/contour.hpp core/contour/builder.hpp core/contour/polyline.hpp core/contour/dxf.hpp core/contour/gcode.hpp core/machine/ core/redundant/redundancy.hpp core/redundant/coarse_fine.hpp core/redundant/joint.hpp core/redundant/known/lag_compensation.hpp core/redundant/methods/method_table.hpp
     core/winding/wire.hpp core/winding/slot/slot.hpp core/winding/slot/coil_sides.hpp core/winding/laying/laying_regions.hpp core/winding/laying/windable.hpp core/winding/layout/count_bound.hpp core/winding/part/part.hpp"
   [server]="api/ core/base/errors.hpp core/base/progress.hpp"
   [server/runtime]="api/job.hpp"
   [server/store]="server/runtime/ api/job.hpp api/planned_job.hpp api/problem.hpp api/setpoints.hpp core/base/progress.hpp"
-  [server/http]="server/runtime/ server/store/store.hpp api/pointer.hpp api/problem.hpp"
+  [server/http]="server/runtime/ server/store/store.hpp api/accept.hpp api/pointer.hpp api/problem.hpp"
   [server/jobs]="server/runtime/ server/store/store.hpp server/store/changes.hpp api/job.hpp api/planned_job.hpp api/problem.hpp core/base/errors.hpp core/base/progress.hpp"
   [server/routes]="server/http/ server/jobs/ server/runtime/ server/store/store.hpp api/"
   [server/cli]="server/service.hpp server/http/message.hpp server/http/uri.hpp server/runtime/ api/base64.hpp api/planned_job.hpp api/problem.hpp api/setpoints.hpp core/base/errors.hpp core/base/progress.hpp"

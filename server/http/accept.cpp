@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <string>
 
 namespace bahnwerk::server {
@@ -29,45 +28,7 @@ std::string_view cut(std::string_view& rest, char separator) {
   return trim(part);
 }
 
-/// 0 = no match, else the more the more specific.
-int match(std::string_view range, std::string_view type) {
-  if (range == type) return 3;
-  if (range == "*/*") return 1;
-  return range.ends_with("/*") && type.starts_with(range.substr(0, range.size() - 1)) ? 2 : 0;
-}
-
 }  // namespace
-
-std::optional<std::size_t> negotiate(std::optional<std::string_view> accept, std::span<const std::string_view> offers) {
-  if (!accept || trim(*accept).empty()) return 0;
-  std::optional<std::size_t> best;
-  double best_q = 0;
-  for (std::size_t i = 0; i < offers.size(); ++i) {
-    int specific = 0;
-    double quality = 0;
-    std::string_view rest = *accept;
-    while (!rest.empty()) {
-      std::string_view item = cut(rest, ',');
-      const std::string range = lower(cut(item, ';'));
-      double q = 1;
-      while (!item.empty()) {
-        const std::string parameter = lower(cut(item, ';'));
-        if (parameter.starts_with("q=") &&
-            std::from_chars(parameter.data() + 2, parameter.data() + parameter.size(), q).ec != std::errc())
-          q = 0;
-      }
-      if (const int found = match(range, offers[i]); found > specific) {
-        specific = found;
-        quality = q;
-      }
-    }
-    if (quality > best_q) {
-      best = i;
-      best_q = quality;
-    }
-  }
-  return best;
-}
 
 std::optional<Coding> content_coding(std::string_view content_encoding) {
   Coding coding = Coding::identity;

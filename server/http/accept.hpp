@@ -1,15 +1,15 @@
 #pragma once
+/// Headers that tell what a body is, and what is asked for.
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <string_view>
 
+#include "api/accept.hpp"
+
 namespace bahnwerk::server {
 
-/// Which of the offered media types an Accept header prefers [RFC 9110, 12.5.1]: the highest q wins, the most specific
-/// range decides each type's q, ties go to the earlier offer. Absent header = the first offer; nullopt = nothing
-/// acceptable.
-std::optional<std::size_t> negotiate(std::optional<std::string_view> accept, std::span<const std::string_view> offers);
+using api::negotiate;
 
 /// How a body is packed, from its Content-Encoding [RFC 9110, 8.4]; nullopt: in a way, or a chain of ways, that is not
 /// supported.

@@ -1,4 +1,8 @@
+#include "api/accept.hpp"
+
 #include <gtest/gtest.h>
+
+#include <array>
 
 #include "api/setpoints.hpp"
 
@@ -29,6 +33,15 @@ TEST(Accept, FollowsQualityAndSpecificity) {
   EXPECT_EQ(negotiate_setpoints("*/*, application/json;q=0"), SetpointFormat::csv);
   EXPECT_EQ(negotiate_setpoints("application/*;q=0.3, application/x-ndjson;q=0.7"), SetpointFormat::ndjson);
   EXPECT_EQ(negotiate_setpoints("application/*, application/json;q=0.1"), SetpointFormat::ndjson);
+}
+
+TEST(Accept, EveryEntryIsOneOfItsOwn) {
+  constexpr std::array<std::string_view, 2> offers{"text/html", "application/json"};
+  EXPECT_EQ(negotiate(none, offers), 0u);
+  EXPECT_EQ(negotiate("application/json, text/html", offers), 0u) << "a tie: the order of the offers";
+  EXPECT_EQ(negotiate("*/*, application/json", offers), 1u) << "named more specifically";
+  EXPECT_EQ(negotiate(";;;,,, application/json ; charset=utf-8 ; q=0.2", offers), 1u);
+  EXPECT_EQ(negotiate("*/*, text/html;q=0", offers), 1u);
 }
 
 TEST(Accept, RefusesWhatItCannotProduce) {
