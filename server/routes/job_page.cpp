@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/problem.hpp"
+#include "api/result_units.hpp"
 #include "api/setpoints.hpp"
 #include "server/http/accept.hpp"
 #include "server/http/answer.hpp"
@@ -53,33 +54,15 @@ std::string text_of(const ordered_json& value) {
   return escape_html(value.dump());
 }
 
-/// Of a figure in a summary or a bound, by its name: all kinds name their quantities alike. Others have none.
-std::string_view unit_of(std::string_view key, const ordered_json& value) {
-  struct Unit {
-    std::string_view ending, unit;
-  };
-  static constexpr std::array<Unit, 8> units{{{"duration", "s"},
-                                              {"time", "s"},
-                                              {"length", "mm"},
-                                              {"clearance", "mm"},
-                                              {"resistance", "Ω"},
-                                              {"per_minute", "1/min"},
-                                              {"coarse_smoothness", "mm²/s³"},
-                                              {"coarse_acceleration", "mm/s²"}}};
-  if (!value.is_number() && !value.is_object()) return "";
-  for (const Unit& each : units)
-    if (key.ends_with(each.ending)) return each.unit;
-  return "";
-}
-
-std::string rows_of(const ordered_json& object) {
+/// `part` of the result of a kind: its summary or bound. Units are those of the kind's schema.
+std::string rows_of(const ordered_json& object, const std::string& kind, std::string_view part) {
   std::string rows;
   if (!object.is_object()) return rows;
   for (const auto& [key, value] : object.items()) {
     std::string name = key;
     for (char& c : name)
       if (c == '_') c = ' ';
-    const std::string_view unit = unit_of(key, value);
+    const std::string unit = value.is_number() || value.is_object() ? api::result_unit(kind, part, key) : std::string();
     rows += "<tr><th>" + escape_html(name) + "</th><td>" + text_of(value);
     if (!unit.empty()) rows.append(" ").append(unit);
     rows += "</td></tr>\n";
@@ -185,8 +168,10 @@ std::string body(const api::Job& job, const ordered_json& result) {
   if (result.is_object()) {
     const ordered_json details = result.value("details", ordered_json::object());
     text += drawings(page, details);
-    text += "<h2>Summary</h2>\n<table>\n" + rows_of(result.value("summary", ordered_json())) + "</table>\n";
-    if (result.contains("bound")) text += "<h2>Bound</h2>\n<table>\n" + rows_of(result["bound"]) + "</table>\n";
+    text += "<h2>Summary</h2>\n<table>\n" +
+            rows_of(result.value("summary", ordered_json()), job.request.kind, "summary") + "</table>\n";
+    if (result.contains("bound"))
+      text += "<h2>Bound</h2>\n<table>\n" + rows_of(result["bound"], job.request.kind, "bound") + "</table>\n";
     if (details.contains("notes") && !details["notes"].empty()) {
       text += "<h2>Notes</h2>\n<ul>";
       for (const auto& note : details["notes"]) text += "<li>" + text_of(note) + "</li>";
