@@ -1,5 +1,5 @@
 #pragma once
-/// Kind "contour": JSON spec → core → result document. The only place where degrees become radians.
+/// Kind "contour": JSON spec → core → result document.
 #include <nlohmann/json_fwd.hpp>
 
 #include "api/kind.hpp"

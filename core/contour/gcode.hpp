@@ -17,7 +17,7 @@
 ///   than the peck, else P is a dwell. R and Z that hold stay the levels, or with G91 the increments, that they were in
 ///   their own line.
 /// - G41 and G42 move lines and arcs of G17 aside by the radius that the options give for the number D, or for the tool
-///   T; G41.1 and G42.1 by half of the diameter D (gcode/compensation.hpp).
+///   T; G41.1 and G42.1 by half of the diameter D (gcode/compensation/compensation.hpp).
 ///
 /// Place
 /// - G54 … G59.3 with offsets from the options or from G10 L2, L20; zero where there are none, which is noted (G54
@@ -46,7 +46,8 @@
 ///   G0 is in force.
 ///
 /// Order
-/// - Parameters #1 … #9999 and #<name>, expressions in brackets (gcode/expression.hpp). What was never set is 0 for a
+/// - Parameters #1 … #9999 and #<name>, expressions in brackets (gcode/words/expression.hpp). What was never set is 0
+/// for a
 ///   number, with a note, and refused for a name. #5021 … #5029, #5161 … #5602 and names that LinuxCNC predefines
 ///   (#<_x>, #<_metric>, #<_feed> …) are the control's: offsets, position, modes.
 /// - M70 saves the modes, M72 brings them back, M73 does so at the end of its subprogram (gcode/saved_modes.hpp).

@@ -2,7 +2,7 @@
 /// The fastest motion law within velocity, acceleration and jerk limits of every axis and of the path: smooth
 /// acceleration, at rest with zero acceleration at both ends of every section [Bock Def. 2.6], [Herrmann (4.80)].
 ///
-/// Per section from rest to rest a grid is laid by turn and by time, an interior-point method (jerk_solver.hpp) finds
+/// Per section from rest to rest a grid is laid by turn and by time, an interior-point method (solver.hpp) finds
 /// v² and a at its nodes, cells in which the law switches are divided and the problem solved again; cells in which a
 /// limit is exceeded between nodes get a smaller share of it; what remains slows the section uniformly, so that limits
 /// hold everywhere. The result is piecewise quartic in time with continuous acceleration. A straight segment alone
@@ -11,7 +11,7 @@
 /// (core/motion/grid/section_repeats.hpp). Should the method find nothing, other starts are tried, and at last a slow
 /// law that holds the limits.
 ///
-/// Long sections are planned window by window (jerk_windows.cpp). Cost: O(cells), linear; a smooth spline takes 20 to
+/// Long sections are planned window by window (windows.cpp). Cost: O(cells), linear; a smooth spline takes 20 to
 /// 28 iterations in all, 3.5 to 4.7 µs per cell from 1e3 to 1e6 cells (tests/bench/bench_jerk.cpp). Through kinematics
 /// cells are wider, windows shorter, and the start is slower (docs/methods/motion.md): 400 cells per turn of a coil,
 /// 40 to 80 Newton steps on them.

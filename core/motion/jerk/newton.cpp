@@ -160,7 +160,7 @@ void JerkSolver<M>::direct_cells(std::size_t g, std::size_t& next_middle, Twin& 
   const Twin mu = target_ * cells.weight, change = along(cells.law.dT, b1, a1, b2, a2);
   promise_ += change[0] + change[1];
   // No cell may leave the range in which its linearisation means something: of its duration, and of the root in its
-  // law (jerk_cell.hpp), it loses no more than half.
+  // law (cell.hpp), it loses no more than half.
   Twin primal = -2.0 * magnitude(change) / cells.law.T, dual{};
   const Twin mean = 0.5 * (x.v1 + x.v2), h3 = (1.0 / 3) * cells.h;
   const Twin now = mean * mean + h3 * (x.a1 - x.a2), fall = -mean * (x.w1 * b1 + x.w2 * b2) - h3 * (a1 - a2);

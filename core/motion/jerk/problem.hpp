@@ -1,9 +1,9 @@
 #pragma once
-/// Time optimality of one section under jerk limits, on a grid: what the interior-point method (jerk_solver.hpp)
+/// Time optimality of one section under jerk limits, on a grid: what the interior-point method (solver.hpp)
 /// solves.
 ///
 /// Unknown at every inner node: b = v² and the path acceleration a (b′ = 2a). Both end nodes are at rest, or their
-/// states are given. Minimised is the sum of the cells' durations (jerk_cell.hpp). For axis k, with the path's
+/// states are given. Minimised is the sum of the cells' durations (cell.hpp). For axis k, with the path's
 /// derivatives h′, h″, h‴ by arc length,
 ///   velocity      h′² b ≤ V²                                   [Bock (2.8)]
 ///   acceleration  |h″ b + h′ a| ≤ A                            [Bock (2.7), (2.9)]

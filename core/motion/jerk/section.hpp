@@ -1,8 +1,8 @@
 #pragma once
 /// Plans the sections of a contour one after the other under limits of jerk (jerk_limited.hpp): the state of one
-/// section and the steps on it. jerk_pose.cpp lays the grid and states the problem, jerk_refine.cpp divides cells in
-/// which the law switches, jerk_certify.cpp looks between the nodes, jerk_section.cpp puts them in order,
-/// jerk_windows.cpp for long sections window by window.
+/// section and the steps on it. pose.cpp lays the grid and states the problem, refine.cpp divides cells in
+/// which the law switches, certify.cpp looks between the nodes, section.cpp puts them in order,
+/// windows.cpp for long sections window by window.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

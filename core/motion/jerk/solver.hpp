@@ -8,12 +8,12 @@
 /// objective's convex part is kept. The complementarity of a row is driven to μ times the duration of its cell, so that
 /// the gap Σ s z is shared out like time, and no further than the gap asked for: multipliers that are nearly zero would
 /// stand in the way of the next change of shares. Going on from a solution, each stretch of the section takes as much
-/// of a step as it can (jerk_steps.hpp), so that the number of steps grows little with the section.
+/// of a step as it can (steps.hpp), so that the number of steps grows little with the section.
 ///
 /// The section is worked on from both its ends at once, towards its middle, with a cell of either half in a vector
-/// register (jerk_rows.hpp). The second half is passed backwards in time, which turns the sign of a and leaves b and
+/// register (rows.hpp). The second half is passed backwards in time, which turns the sign of a and leaves b and
 /// jerk as they are: so both halves are the same problem, and their elimination the same calculation. What is left of
-/// both at the node in the middle gives its step. jerk_adopt.cpp brings the problem into that form. Cost: O(cells) per
+/// both at the node in the middle gives its step. adopt.cpp brings the problem into that form. Cost: O(cells) per
 /// step, 0.11 µs per cell with two axes, 1 kB of memory each; 9 to 14 steps from a rough start to a gap of 3e-2, about
 /// as many again to 1e-4.
 #include <algorithm>

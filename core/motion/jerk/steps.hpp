@@ -8,7 +8,7 @@
 
 namespace bahnwerk {
 
-/// In the order of jerk_solver.hpp: both halves of the section from its ends inwards.
+/// In the order of solver.hpp: both halves of the section from its ends inwards.
 struct JerkSteps {
   LargeVector<Twin> primal, dual;  ///< per cell: first 1/(the part that reaches a wall), after fit() the part taken
   LargeVector<Twin> node_primal, node_dual;  ///< per node: the smaller part of both its cells

@@ -18,7 +18,7 @@
 
 namespace bahnwerk::verify {
 
-/// Over any axis path of at most N axes; N is 2, 3 or 8.
+/// Over any axis path of at most N axes; N is 2, 3, 5 or max_axes.
 template <int N>
 class BoundGrid {
  public:
