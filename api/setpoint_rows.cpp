@@ -5,6 +5,7 @@
 #include <memory>
 #include <numbers>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include "core/base/read_rows.hpp"
@@ -85,13 +86,14 @@ SetpointSeries delayed(SetpointSeries series, std::size_t rows) {
   if (rows == 0) return series;
   std::vector<bool> rates;
   for (const Column& column : series.columns) {
-    const bool rate = column.name.size() > 1 && (column.name[0] == 'v' || column.name[0] == 'a');
+    const bool rate = column.name.size() > 1 && std::string_view("vajs").find(column.name[0]) != std::string_view::npos;
     rates.push_back(rate && column_index(series.columns, column.name.substr(1)) < series.columns.size());
   }
   SetpointSeries result;
   result.columns = series.columns;
   result.count = series.count + (series.count > 0 ? rows : 0);
   result.cycle_time = series.cycle_time;
+  result.independent = series.independent;
   result.pose_frame = series.pose_frame;
   result.read = [rows, series = std::move(series), rates = std::move(rates)](std::size_t first, std::size_t count,
                                                                              std::vector<double>& out) {
@@ -119,6 +121,7 @@ SetpointSeries envelope(SetpointSeries series, std::size_t first, std::size_t ro
   SetpointSeries result;
   result.count = std::min(points, rows);
   result.cycle_time = series.cycle_time;
+  result.independent = series.independent;
   result.columns.push_back({"index", "1"});
   for (std::size_t c : columns) {
     result.columns.push_back({series.columns[c].name + "_min", series.columns[c].unit});

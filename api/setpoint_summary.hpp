@@ -6,7 +6,8 @@
 
 namespace bahnwerk::api {
 
-/// Count, duration, cycle time, and each column with its unit.
+/// Count, duration, cycle time, and each column with its unit; name, unit and step of the independent variable where
+/// it is not time.
 nlohmann::ordered_json setpoint_summary(const SetpointSource& setpoints);
 
 }  // namespace bahnwerk::api

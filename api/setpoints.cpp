@@ -138,6 +138,11 @@ void SetpointStream::State::prepare_json(std::size_t spanned, bool is_envelope) 
   }
   head += ",\"cycle_time\":";
   append_number(head, series.cycle_time);
+  if (const Independent& over = series.independent; !over.time()) {
+    head += ",\"independent\":{\"name\":" + text(over.name) + ",\"unit\":" + text(over.unit) + ",\"step\":";
+    append_number(head, over.step);
+    head += '}';
+  }
   const auto column = [&](std::size_t k, std::size_t suffix) {
     const auto& name = answered[k].name;
     return "{\"name\":" + text(std::string_view(name).substr(0, name.size() - suffix)) +
@@ -213,6 +218,8 @@ bool SetpointStream::State::row_step(std::string& out) {
 SetpointStream::SetpointStream(SetpointSeries series, SetpointQuery query, SetpointFormat format)
     : state_(std::make_unique<State>()) {
   auto& s = *state_;
+  if (query.delay > 0 && !series.independent.time())
+    refuse("delay", "this series is over " + series.independent.name + ", not over time: its rows cannot wait");
   const std::size_t waiting = rows_of(query.delay, series.cycle_time);
   series = delayed(std::move(series), waiting);
   if (query.first > series.count)

@@ -66,6 +66,7 @@ struct SetpointSeries {
   std::vector<Column> columns;
   std::size_t count = 0;
   double cycle_time = 0;
+  Independent independent = {};
   std::optional<PoseFrame> pose_frame = {};  ///< none: poses have no other frame
   /// Fills `out` with rows [first, first + rows), row-major, all columns.
   std::function<void(std::size_t first, std::size_t rows, std::vector<double>& out)> read;

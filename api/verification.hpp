@@ -1,5 +1,5 @@
 #pragma once
-/// The verifier's verdict as every kind reports it.
+/// The verifier's verdict and the bound as every kind reports them.
 #include <nlohmann/json_fwd.hpp>
 
 #include "core/base/verification.hpp"
@@ -7,5 +7,7 @@
 namespace bahnwerk::api {
 
 nlohmann::ordered_json verification(const Verification& verdict);
+/// {"duration" | "count" | "objective", "gap", "basis"}; counts are integers.
+nlohmann::ordered_json bound(const Bound& bound);
 
 }  // namespace bahnwerk::api

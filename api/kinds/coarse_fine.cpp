@@ -5,8 +5,11 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "api/check_text.hpp"
+#include "api/limits_input.hpp"
 #include "core/redundant/joint.hpp"
 #include "core/redundant/known/lag_compensation.hpp"
+#include "core/redundant/methods/method_table.hpp"
 
 namespace bahnwerk::api::contour {
 namespace {
@@ -20,14 +23,6 @@ constexpr double cells_per_time = 24;  // of √(stroke/coarse acceleration): Jo
 constexpr const char* axis_names[] = {"x", "y", "z"};
 
 bool given(const json& object, const char* name) { return object.contains(name) && !object[name].is_null(); }
-
-Limits limits(const json& axis) {
-  Limits limits{axis["velocity"].get<double>(), axis["acceleration"].get<double>(),
-                given(axis, "jerk") ? axis["jerk"].get<double>() : unlimited};
-  if (given(axis, "range"))
-    limits.lowest = axis["range"][0].get<double>(), limits.highest = axis["range"][1].get<double>();
-  return limits;
-}
 
 const json& redundancy_of(const json& spec) {
   static const json none = json::object();
@@ -111,10 +106,10 @@ CoarseFineMachine coarse_fine_machine(const json& spec) {
   if (!faults.empty()) throw InvalidInput(std::move(faults));
   for (const char* name : axis_names)
     if (document["coarse"].contains(name)) {
-      CoarseFineAxis axis{name, limits(document["coarse"][name]), {}, 0};
+      CoarseFineAxis axis{name, read_limits(document["coarse"][name]), {}, 0};
       if (document["fine"].contains(name)) {
         const json& fine = document["fine"][name];
-        axis.fine = limits(fine), axis.stroke = fine["stroke"].get<double>();
+        axis.fine = read_limits(fine), axis.stroke = fine["stroke"].get<double>();
         axis.centred = fine.value("at_rest", "free") == "centred";
       }
       machine.axes.push_back(axis.stroke > 0 ? axis : coarse_alone(axis));
@@ -292,6 +287,15 @@ void check_range(const CoarseFineMachine& machine, const Contour& contour, std::
   }
 }
 
+/// "velocity xc 2476 mm/s, limit 1800 mm/s".
+static std::string against_limit(const Check& check) {
+  char text[200];
+  const std::string name = check_name(check), unit = check_unit(check);
+  std::snprintf(text, sizeof text, "%s %.6g %s, limit %.6g %s", name.c_str(), check.value, unit.c_str(), check.limit,
+                unit.c_str());
+  return text;
+}
+
 void report(const MachineStudy& study, double duration, ordered_json& result) {
   ordered_json& tables = result["details"]["redundancy"]["machine_study"] = ordered_json::object();
   for (const Study& table : study) {
@@ -300,7 +304,7 @@ void report(const MachineStudy& study, double duration, ordered_json& result) {
       list.push_back({{"value", m.value},
                       {"duration", m.duration ? ordered_json(*m.duration) : ordered_json()},
                       {"ratio", m.duration ? ordered_json(*m.duration / duration) : ordered_json()}});
-      if (!m.note.empty()) list.back()["note"] = m.note;
+      if (!m.note.empty()) list.back()["note"] = m.failed ? m.note + ": " + against_limit(*m.failed) : m.note;
     }
     tables[name_of<StudiedQuantity>(table.quantity, studied_quantities)] = std::move(list);
   }

@@ -258,7 +258,7 @@ ordered_json result_of(const ContourPlan& plan, const Asked& job, bool program) 
             {"path_length", plan.path_length},
             {"iterations", plan.iterations}}},
           {"verification", verification(plan.verification)},
-          {"bound", {{"duration", plan.bound.duration}, {"gap", plan.bound.gap}, {"basis", plan.bound.basis}}},
+          {"bound", bound(plan.bound)},
           {"setpoints", setpoint_summary(*plan.setpoints)},
           {"details", details(plan, job.head, job.planning, program)}};
 }

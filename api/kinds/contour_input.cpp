@@ -6,6 +6,7 @@
 
 #include "api/base64.hpp"
 #include "api/kinds/contour.hpp"
+#include "api/limits_input.hpp"
 #include "core/base/errors.hpp"
 #include "core/contour/builder.hpp"
 #include "core/contour/dxf.hpp"
@@ -247,10 +248,7 @@ Machine machine(const json& spec) {
   for (const char* name : {"x", "y", "z"}) {
     const auto& axes = document["axes"];
     if (!axes.contains(name)) continue;
-    const auto& axis = axes[name];
-    const bool jerk = axis.contains("jerk") && !axis["jerk"].is_null();
-    machine.axes.push_back({name, axis["velocity"].get<double>(), axis["acceleration"].get<double>(),
-                            jerk ? axis["jerk"].get<double>() : unlimited});
+    machine.axes.emplace_back(name, read_limits(axes[name]));
   }
   return machine;
 }
@@ -275,9 +273,7 @@ ContourPlanning planning(const json& spec) {
     planning.blend_tolerance = corner.value("tolerance", 0.0);
   }
   if (document.contains("path")) {
-    const auto& path = document["path"];
-    planning.along = {path.value("velocity", unlimited), path.value("acceleration", unlimited),
-                      path.value("jerk", unlimited)};
+    planning.along = read_limits(document["path"]);
   }
   return planning;
 }

@@ -163,15 +163,11 @@ PlannedJob plan(const json& spec, Progress& progress) {
   job.verified = plan.verification.passed;
   ordered_json short_form = summary(top);
   short_form["best_producible"] = best_producible(plan);
-  job.result = {
-      {"kind", "fill_factor"},
-      {"summary", std::move(short_form)},
-      {"verification", verification(plan.verification)},
-      {"bound",
-       {{"count", top.bound},
-        {"gap", top.count() == 0 ? 0.0 : static_cast<double>(top.bound) / static_cast<double>(top.count()) - 1},
-        {"basis", "Oler's inequality on the convex hull of the wires' centres"}}},
-      {"details", std::move(details)}};
+  job.result = {{"kind", "fill_factor"},
+                {"summary", std::move(short_form)},
+                {"verification", verification(plan.verification)},
+                {"bound", bound(plan.bound)},
+                {"details", std::move(details)}};
   return job;
 }
 

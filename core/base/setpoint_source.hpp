@@ -18,14 +18,24 @@ struct PoseFrame {
   double angle = 0;            ///< deg
 };
 
-/// A series of setpoints, computed on demand: row k is the state at k · cycle_time. Rows are row-major doubles.
+/// What the rows of a series are taken over: row k is the state at k · step.
+struct Independent {
+  std::string name = "time";
+  std::string unit = "s";
+  double step = 0;  ///< in `unit`
+  bool time() const { return name == "time"; }
+};
+
+/// A series of setpoints, computed on demand: row k is the state at k · step of the independent variable, which is
+/// k · cycle_time unless a source says otherwise. Rows are row-major doubles.
 class SetpointSource {
  public:
   virtual ~SetpointSource() = default;
   virtual const std::vector<Column>& columns() const = 0;
   virtual std::size_t count() const = 0;
-  virtual double cycle_time() const = 0;  ///< s
-  virtual double duration() const = 0;    ///< s, (count − 1) · cycle_time
+  virtual double cycle_time() const = 0;  ///< s; over a master's position: while it moves at its nominal speed
+  virtual Independent independent() const { return {"time", "s", cycle_time()}; }
+  virtual double duration() const = 0;  ///< s, (count − 1) · cycle_time
   virtual std::optional<PoseFrame> pose_frame() const {
     return std::nullopt;
   }  ///< of a machine that moves a part's tool

@@ -1,20 +1,93 @@
 #pragma once
-/// What every plan says about itself: the checks of the independent verifier and the proven lower bound.
+/// What every plan says about itself: the checks of the independent verifier and the proven bound.
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace bahnwerk {
 
+/// What a check compares. Where an order is named, the check's `order` says which derivative.
+enum class CheckedQuantity {
+  named,             ///< what one kind alone checks: `subject` is its name, `unit` the whole unit
+  axis,              ///< an axis' range (order 0), or its derivative
+  path,              ///< the derivative along the tool's path
+  feed,              ///< the speed along the path in blocks of one feed, which is the limit
+  joint_step,        ///< the step of an axis' derivative where segments meet
+  corner_rest,       ///< the speed in corners and at rests
+  cusp_rest,         ///< the speed in cusps
+  start_rest,        ///< the speed at the begin
+  end_rest,          ///< the speed at the end
+  continuity,        ///< the step of a derivative where pieces of the motion meet
+  time_continuity,   ///< the gap in time where pieces meet
+  duration,          ///< that motions last equally long
+  bound,             ///< that a plan is not better than its bound
+  segments,          ///< that pieces stay in their segments
+  forward,           ///< that the motion never goes back
+  coverage,          ///< that the whole path is driven
+  path_distance,     ///< how far the law's places are from the path
+  arc_length,        ///< that two quadratures agree
+  block_order,       ///< that blocks are the contour's
+  deviation,         ///< how far the path is from the contour
+  dwell,             ///< that the motion rests as long as asked for
+  stroke,            ///< the position of a fine axis
+  centred_start,     ///< a fine axis' position at the begin
+  centred_end,       ///< a fine axis' position at the end
+  chord_error,       ///< how far the chord between rows is from the path
+  half_speed_feed,   ///< the speed in curves
+  tip_position,      ///< that forward kinematics of the rows is on the path
+  tip_angle,         ///< that it points where the path does
+  clearance,         ///< of the tool from obstacles: at least the limit
+  pull,              ///< the pull of the wire
+  slack,             ///< the least pull: at least the limit
+  wire_overlap,      ///< of wires with each other, beyond what is allowed
+  boundary_overlap,  ///< of wires with the boundary of the slot
+  wires_missing,     ///< the count of wires against that stated
+  rows_count,        ///< the number of rows, and that all columns are there
+  rows_time,         ///< the time that rows span
+  rows_path,         ///< column s
+  rows_speed,        ///< column v
+  rows_forward,      ///< that s never falls
+  rows,              ///< columns of positions (order 0) and derivatives
+  rows_end,          ///< the last row
+  rows_end_rest,     ///< the last row's speeds
+  rows_labels,       ///< mode and block
+  rows_sum,          ///< coarse + fine = head, per order
+  rows_stroke,       ///< fine positions
+  rows_fine,         ///< fine derivatives
+  rows_pose,         ///< columns of the pose
+  axis_differences,  ///< differences of an axis' rows over the cycle time, by order
+  path_differences,  ///< differences of s
+};
+
+/// What is compared and in which unit, as data: names that people read are made of it where they are shown
+/// (api/check_text.hpp).
+struct Checked {
+  CheckedQuantity quantity = CheckedQuantity::named;
+  int order = 0;             ///< 0 position, 1 velocity, 2 acceleration, 3 jerk, 4 snap
+  std::string unit = "mm";   ///< of order 0
+  std::string subject = {};  ///< the axis, the group of axes, or the layout that is checked; empty: all there is
+};
+
 /// One line of the verifier's verdict: the true continuous peak `value` at `at` seconds against `limit`.
-struct Check {
-  std::string name;
-  std::string unit;
-  double limit = 0;
+struct Check : Checked {
+  double limit = 0;  ///< in the unit and its order, as `value`
   double value = 0;
   double at = 0;
   bool passed = false;
 };
+
+/// Whether `check` is of that quantity and order, and of that subject.
+inline bool is(const Check& check, CheckedQuantity quantity, int order, const std::string& subject = {}) {
+  return check.quantity == quantity && check.order == order && check.subject == subject;
+}
+
+/// Whether a slower motion has a smaller value: derivatives of axes and along the path, and steps of them.
+inline bool falls_with_speed(const Check& check) {
+  const CheckedQuantity q = check.quantity;
+  return check.order > 0 && (q == CheckedQuantity::axis || q == CheckedQuantity::path || q == CheckedQuantity::feed ||
+                             q == CheckedQuantity::joint_step);
+}
 
 /// A limit is exceeded at `at` seconds: motion that lasts `factor` times as long keeps it.
 struct TooFast {
@@ -32,13 +105,34 @@ struct Verification {
     passed = passed && check.passed;
     checks.push_back(std::move(check));
   }
+  void add(std::vector<Check> more) {
+    for (Check& check : more) add(std::move(check));
+  }
+  /// The check of that quantity, order and subject; nullptr if there is none.
+  const Check* find(CheckedQuantity quantity, int order, const std::string& subject = {}) const {
+    const auto at = std::find_if(checks.begin(), checks.end(),
+                                 [&](const Check& check) { return is(check, quantity, order, subject); });
+    return at == checks.end() ? nullptr : &*at;
+  }
 };
 
-/// No motion under the same limits is shorter than `duration` (s). gap = planned / duration − 1.
+/// What a bound bounds: a duration (s), a count, or a kind's own objective.
+enum class BoundQuantity { duration, count, objective };
+/// Whether no solution is below the bound, or none above it.
+enum class BoundSense { lower, upper };
+
+/// No solution under the same limits is better than `value`. gap: by which fraction the planned one is worse.
 struct Bound {
-  double duration = 0;
+  double value = 0;
   double gap = 0;
   std::string basis;
+  BoundQuantity quantity = BoundQuantity::duration;
+  BoundSense sense = BoundSense::lower;
+  std::string unit = "s";
 };
+
+/// The bound with its gap to what was planned: planned / value − 1, for an upper bound value / planned − 1; 0 where
+/// the divisor is not positive, and where the plan is better by 1e-14, which is rounding.
+Bound with_gap(Bound bound, double planned);
 
 }  // namespace bahnwerk

@@ -1,5 +1,7 @@
 #pragma once
-/// What one axis, or the tool along its path, may do.
+/// What one axis, or the tool along its path, may do: one bound per derivative.
+#include <array>
+#include <cstddef>
 #include <limits>
 
 namespace bahnwerk {
@@ -13,6 +15,17 @@ struct Limits {
   double jerk = unlimited;                          ///< unit/s³
   double snap = unlimited;                          ///< unit/s⁴
   double lowest = -unlimited, highest = unlimited;  ///< range of positions, unit; along a path without meaning
+
+  static constexpr int highest_order = 4;
+  /// The bound of derivative 1 (velocity) to 4 (snap).
+  double of(int order) const { return this->*derivatives()[static_cast<std::size_t>(order - 1)]; }
+  double& of(int order) { return this->*derivatives()[static_cast<std::size_t>(order - 1)]; }
+  bool has_range() const { return lowest > -unlimited || highest < unlimited; }
+
+ private:
+  static constexpr std::array<double Limits::*, highest_order> derivatives() {
+    return {&Limits::velocity, &Limits::acceleration, &Limits::jerk, &Limits::snap};
+  }
 };
 
 }  // namespace bahnwerk

@@ -13,6 +13,7 @@ struct AxisLimits : Limits {
   std::string name;
   std::string unit = "mm";
   AxisLimits() = default;
+  AxisLimits(std::string axis, const Limits& limits) : Limits(limits), name(std::move(axis)) {}
   AxisLimits(std::string axis, double fastest, double strongest = unlimited, double jerkiest = unlimited)
       : Limits{fastest, strongest, jerkiest}, name(std::move(axis)) {}
 };

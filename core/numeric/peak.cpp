@@ -77,7 +77,7 @@ ChebyshevRule make_rule(int points, bool open) {
 }
 
 double value_at(const double* c, int n, double t) {
-  std::array<double, ChebyshevRule::max_points> b;
+  std::array<double, max_coefficients> b;
   std::copy(c, c + n, b.begin());
   for (int r = n - 1; r > 0; --r)
     for (int i = 0; i < r; ++i) b[i] += t * (b[i + 1] - b[i]);
@@ -108,7 +108,7 @@ void locate(double* c, int n, double lo, double hi, int depth, PolynomialPeak& b
   for (int i = 0; i < n; ++i) bound = std::max(bound, std::abs(c[i]));
   if (bound <= best.value * (1 + 1e-13) || depth > 40) return;
 
-  std::array<double, ChebyshevRule::max_points> d;
+  std::array<double, max_coefficients> d;
   int changes = 0;
   double sign = 0;
   for (int i = 0; i + 1 < n; ++i) {
@@ -123,7 +123,7 @@ void locate(double* c, int n, double lo, double hi, int depth, PolynomialPeak& b
     offer(value_at(c, n, t), lo + t * (hi - lo));
     return;
   }
-  std::array<double, ChebyshevRule::max_points> left;
+  std::array<double, max_coefficients> left;
   for (int r = 0; r < n; ++r) {
     left[r] = c[0];
     for (int i = 0; i + 1 < n - r; ++i) c[i] = (c[i] + c[i + 1]) / 2;

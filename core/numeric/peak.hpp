@@ -35,11 +35,13 @@ const ChebyshevRule& lobatto_rule(int points);
 /// 9 points without the ends, for functions that cannot be evaluated there.
 const ChebyshevRule& open_rule();
 
+inline constexpr int max_coefficients = 22;  ///< of a polynomial whose peak is looked for: degree 21
+
 struct PolynomialPeak {
   double value = 0;  ///< max |p| over [0,1]
   double at = 0;     ///< where, in [0,1]
 };
-/// Largest |p| of a polynomial in Bernstein form (n ≤ 13 coefficients, overwritten), to 1e-13 relative. Returns at
+/// Largest |p| of a polynomial in Bernstein form (n ≤ max_coefficients, overwritten), to 1e-13 relative. Returns at
 /// least `floor`, with at = −1, when nothing exceeds it. Cost: ≈ 30 ns when the coefficients do not pass `floor`, else
 /// ≈ 200 ns.
 PolynomialPeak polynomial_peak(double* coefficients, int n, double floor);

@@ -39,9 +39,7 @@ ContourPlan plan_contour(Contour input, const Machine& machine, const ContourPla
 
   const TimeLaw& sampled = planned.motion->law();
   if (!given->rests.empty()) planned.verification.add(rest_check(*given, *contour, sampled, progress, served));
-  if (blended)
-    for (Check& check : tube_checks(*given, *contour, planning.blend_tolerance, progress, served, all))
-      planned.verification.add(std::move(check));
+  if (blended) planned.verification.add(tube_checks(*given, *contour, planning.blend_tolerance, progress, served, all));
 
   ContourPlan plan;
   plan.notes = contour->notes;

@@ -233,6 +233,11 @@ FillPlan plan_fill(const FillRequest& request, Progress& progress) {
     plan.best.push_back(best);
     if (k == 0 || better(best, plan.top)) plan.top = best;
   }
+  const FilledLayout& top = plan.layouts[plan.top];
+  plan.bound =
+      with_gap({static_cast<double>(top.bound), 0, "Oler's inequality on the convex hull of the wires' centres",
+                BoundQuantity::count, BoundSense::upper, "1"},
+               static_cast<double>(top.count()));
   return plan;
 }
 

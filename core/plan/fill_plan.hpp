@@ -70,6 +70,7 @@ struct FillPlan {
   std::vector<std::size_t> best;      ///< per algorithm: the layout with the largest electrical fill factor
   std::size_t top = 0;                ///< the best of all
   Verification verification;
+  Bound bound;  ///< on the wires of the best of all, from above
 };
 
 /// Same request, same bits. Throws Stopped; Infeasible if turns are asked for and no layout takes them. Cost: that of

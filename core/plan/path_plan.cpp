@@ -9,27 +9,24 @@
 #include "core/motion/axes/length_axis.hpp"
 #include "core/motion/law/dwell.hpp"
 #include "core/motion/setpoints/path_setpoints.hpp"
-#include "core/plan/setpoint_count.hpp"
+#include "core/plan/pipeline.hpp"
 #include "core/verify/setpoints/setpoint_checks.hpp"
 #include "core/verify/verifier.hpp"
 
 namespace bahnwerk {
 namespace {
 
-constexpr int attempts = 4;
+constexpr int attempts = 4;                 // on finer and finer grids
 constexpr std::size_t max_cells = 500'000;  // that may be planned once more for the sake of the gap
 constexpr double close_enough = 5e-6;       // gap to the bound at which a plan counts as converged
 constexpr double largest_excess = 1e-4;     // of a limit, that counts as rounding
-constexpr int max_corrections = 6;
 
 /// On pieces so short that rounding shows, or so wide that the planner's model of them does, the verifier may find a
 /// limit exceeded by a little, no more than `largest` of it: slows those sections of the law verified by as much, all
 /// of them at once. False if that is not what is wrong.
 bool slow_by_the_excess(const Verification& verification, double largest, TimeLaw& law) {
   for (const Check& check : verification.checks) {
-    const bool scales = check.name.starts_with("velocity ") || check.name.starts_with("acceleration ") ||
-                        check.name.starts_with("jerk ") || check.name.starts_with("path ");
-    if (!check.passed && !(scales && check.value < check.limit * (1 + largest))) return false;
+    if (!check.passed && !(falls_with_speed(check) && check.value < check.limit * (1 + largest))) return false;
   }
   std::vector<TimeLaw::Slowing> sections;
   for (const Check& check : verification.checks)
@@ -39,9 +36,9 @@ bool slow_by_the_excess(const Verification& verification, double largest, TimeLa
   return true;
 }
 
-class Pipeline {
+class PathProblem final : public MotionProblem {
  public:
-  Pipeline(const PathPlanning& planning, Progress& progress)
+  PathProblem(const PathPlanning& planning, Progress& progress)
       : planning_(planning),
         progress_(progress),
         method_(method_row(planning.method, planning.options)),
@@ -51,33 +48,73 @@ class Pipeline {
     for (double& feed : task_.feeds) feed = std::min(feed, limits_along().velocity);
   }
 
-  PathPlan run() {
-    if (method_.reaches_bound || !planning_.only_duration) plan_.bound = bound();
-    take(law_near_the_bound());
-    for (int attempt = 1;; ++attempt) {
-      slow_and_verify(method_.holds_at_nodes && attempt == attempts ? unlimited : largest_excess);
-      if (plan_.verification.passed || attempt == attempts) break;
-      ++refinement_;
-      law_ = {};
-      take(solve());
-    }
-    plan_.pieces = law_.pieces().size();
-    if (planning_.only_duration) return std::move(plan_);
-    plan_.motion = std::make_shared<const PathMotion>(planning_.path, std::move(law_));
-    plan_.setpoints = setpoints();
-    for (Check& check : setpoint_checks({*planning_.path, machine_, plan_.motion->law(), *plan_.setpoints,
-                                         planning_.blocks, at(verified), at(1), planning_.shown, planning_.lag},
-                                        progress_))
-      plan_.verification.add(std::move(check));
-    plan_.verification.add(bound_check(plan_.bound, plan_.duration));
-    plan_.bound = with_gap(plan_.bound, plan_.duration);
-    return std::move(plan_);
-  }
-
- private:
   static constexpr double bounded = 0.1, planned = 0.55, verified = 0.85;  // where the stages end
   double at(double fraction) const { return planning_.from + fraction * (planning_.to - planning_.from); }
 
+  void plan() override {
+    if (method_.reaches_bound || !planning_.only_duration) bound_ = find_bound();
+    take(law_near_the_bound());
+  }
+  bool plan_otherwise() override {
+    if (attempt_ == attempts) return false;
+    ++attempt_, ++refinement_;
+    law_ = {};
+    take(solve());
+    return true;
+  }
+  double duration() const override { return law_.duration() / slowed_; }
+  /// In place: a law may be large.
+  void slow(double factor) override {
+    law_.slow(factor / slowed_);
+    slowed_ = factor;
+  }
+  Verification verify() override {
+    VerifierInput input{*planning_.path, machine_, law_, planning_.feeds_to_verify, planning_.rests};
+    input.corner_angle = planning_.options.corner_angle;
+    input.check_jerk = method_.limits_jerk;
+    input.along = limits_along();
+    input.progress_from = at(planned);
+    input.progress_to = at(verified);
+    return verify_motion(input, progress_);
+  }
+  bool correct(const Verification& verdict) override {
+    return slow_by_the_excess(verdict, method_.holds_at_nodes && attempt_ == attempts ? unlimited : largest_excess,
+                              law_);
+  }
+
+  std::shared_ptr<const Motion> motion() override {
+    pieces_ = law_.pieces().size();
+    return motion_ = std::make_shared<const PathMotion>(planning_.path, std::move(law_));
+  }
+  std::unique_ptr<SetpointSource> setpoints(std::size_t cycles) override {
+    if (planning_.setpoints) return planning_.setpoints(motion_, cycles);
+    return std::make_unique<PathSetpoints>(motion_, planning_.machine, cycles);
+  }
+  Rows row_checks(const SetpointSource& setpoints, const Verification& verdict) override {
+    Rows rows{{}, 1};
+    rows.checks.push_back(path_row_check({*planning_.path, machine_, motion_->law(), setpoints, planning_.blocks, 0, 1,
+                                          planning_.shown, planning_.lag}));
+    if (planning_.row_checks)
+      for (auto& check : planning_.row_checks(*motion_, setpoints, verdict)) rows.checks.push_back(std::move(check));
+    return rows;
+  }
+  Bound bound() override { return bound_; }
+
+  /// What the path has besides other motions.
+  PathPlan report(MotionPlan found) {
+    PathPlan plan;
+    plan.duration = found.duration, plan.cycles = found.cycles, plan.bound = std::move(found.bound);
+    plan.setpoints = std::move(found.setpoints);
+    plan.verification = std::move(found.verification);
+    plan.row_checks = std::move(found.row_checks);
+    plan.pieces = motion_ ? pieces_ : law_.pieces().size();
+    plan.motion = std::move(motion_);
+    plan.section_bounds = std::move(section_bounds_);
+    plan.iterations = iterations_;
+    return plan;
+  }
+
+ private:
   /// Those along the path that the method holds.
   Limits limits_along() const {
     Limits along = method_.limits_along ? planning_.options.along : Limits{};
@@ -86,9 +123,9 @@ class Pipeline {
   }
 
   /// Under the same limits: the speed along the path is one of its feeds, the others are limits of one more axis.
-  Bound bound() {
+  Bound find_bound() {
     const auto of = [&](const PathTask& task) {
-      return lower_bound(task, planning_.options.corner_angle, progress_, at(0), at(bounded), &plan_.section_bounds);
+      return lower_bound(task, planning_.options.corner_angle, progress_, at(0), at(bounded), &section_bounds_);
     };
     const Limits along = limits_along();
     const double acceleration = largest_acceleration(along, task_.path.length());
@@ -99,7 +136,7 @@ class Pipeline {
     return of({path, machine, task_.feeds, task_.rests, task_.dwells});
   }
 
-  MethodResult plan() {
+  MethodResult find_law() {
     const auto of = [&](const PathTask& task) {
       return method_.plan(task, planning_.options, refinement_, progress_, at(bounded), at(planned));
     };
@@ -110,8 +147,8 @@ class Pipeline {
   }
 
   TimeLaw solve() {
-    MethodResult result = refinement_ == 0 && planning_.planned ? std::move(*planning_.planned) : plan();
-    plan_.iterations += result.iterations;
+    MethodResult result = refinement_ == 0 && planning_.planned ? std::move(*planning_.planned) : find_law();
+    iterations_ += result.iterations;
     cells_ = result.cells;
     return std::move(result.law);
   }
@@ -121,8 +158,7 @@ class Pipeline {
     TimeLaw law = solve();
     const bool reaches_bound = method_.reaches_bound && planning_.jerk_share == 1;
     for (int attempt = 1; reaches_bound && attempt < attempts; ++attempt) {
-      if (with_gap({plan_.bound.duration - task_.dwell(), 0, {}}, law.duration()).gap <= close_enough ||
-          cells_ > max_cells)
+      if (with_gap({bound_.value - task_.dwell(), 0, {}}, law.duration()).gap <= close_enough || cells_ > max_cells)
         break;
       ++refinement_;
       if (TimeLaw finer = solve(); finer.duration() < law.duration()) law = std::move(finer);
@@ -130,36 +166,10 @@ class Pipeline {
     return law;
   }
 
-  std::unique_ptr<SetpointSource> setpoints() const {
-    if (planning_.setpoints) return planning_.setpoints(plan_.motion, plan_.cycles.count);
-    return std::make_unique<PathSetpoints>(plan_.motion, planning_.machine, plan_.cycles.count);
-  }
-
   void take(TimeLaw law) {
     law_ = with_dwells(std::move(law), task_, progress_, at(planned));
+    slowed_ = 1;
     if (!std::isfinite(law_.duration())) throw Infeasible("the planning method found no motion within the limits");
-    limit_setpoints(law_.duration(), planning_.machine.cycle_time, planning_.max_setpoints);
-  }
-
-  /// In place: a law may be large.
-  void slow_and_verify(double largest) {
-    double slowed = 1;  // by what law_ is, against the planned one
-    for (int correction = 0;; ++correction) {
-      plan_.duration = law_.duration() / slowed;
-      plan_.cycles = whole_cycles(plan_.duration, planning_.machine.cycle_time);
-      law_.slow(plan_.cycles.factor / slowed);
-      slowed = plan_.cycles.factor;
-      VerifierInput input{*planning_.path, machine_, law_, planning_.feeds_to_verify, planning_.rests};
-      input.corner_angle = planning_.options.corner_angle;
-      input.check_jerk = method_.limits_jerk;
-      input.along = limits_along();
-      input.progress_from = at(planned);
-      input.progress_to = at(verified);
-      plan_.verification = verify_motion(input, progress_);
-      if (plan_.verification.passed || correction == max_corrections ||
-          !slow_by_the_excess(plan_.verification, largest, law_))
-        return;
-    }
   }
 
   const PathPlanning& planning_;
@@ -167,14 +177,24 @@ class Pipeline {
   MethodRow method_;
   Machine machine_, moving_;
   PathTask task_;
-  int refinement_ = 0;
-  std::size_t cells_ = 0;
+  int attempt_ = 1, refinement_ = 0;
+  std::size_t cells_ = 0, iterations_ = 0, pieces_ = 0;
   TimeLaw law_;
-  PathPlan plan_;
+  double slowed_ = 1;  ///< by what law_ is, against the planned one
+  std::shared_ptr<const PathMotion> motion_;
+  Bound bound_;
+  std::vector<SectionBound> section_bounds_;
 };
 
 }  // namespace
 
-PathPlan plan_along(const PathPlanning& planning, Progress& progress) { return Pipeline(planning, progress).run(); }
+PathPlan plan_along(const PathPlanning& planning, Progress& progress) {
+  PathProblem problem(planning, progress);
+  PipelineOptions options{planning.machine.cycle_time, planning.max_setpoints};
+  options.rows_from = problem.at(PathProblem::verified), options.rows_to = problem.at(1);
+  MotionPlan plan = verified_motion(problem, options);
+  if (!planning.only_duration) plan = served_motion(problem, std::move(plan), options, progress);
+  return problem.report(std::move(plan));
+}
 
 }  // namespace bahnwerk

@@ -1,12 +1,13 @@
 #pragma once
-/// The pipeline of every kind whose axes follow a path: time law, whole cycles, verification, bound, setpoints, with
-/// refinement on demand. A kind brings the geometry before it and the report behind it.
+/// Axes that follow a path as a problem of the pipeline (core/plan/pipeline.hpp): time law, whole cycles, verification,
+/// bound, setpoints, with refinement on demand. A kind brings the geometry before it and the report behind it.
 #include <cstddef>
 #include <functional>
 #include <memory>
 #include <vector>
 
 #include "core/base/progress.hpp"
+#include "core/base/row_check.hpp"
 #include "core/base/setpoint_source.hpp"
 #include "core/base/verification.hpp"
 #include "core/contour/contour.hpp"
@@ -40,6 +41,9 @@ struct PathPlanning {
   /// What a kind derives from PathSetpoints; those themselves if it is empty.
   std::function<std::unique_ptr<SetpointSource>(const std::shared_ptr<const PathMotion>&, std::size_t cycles)>
       setpoints;
+  /// Checks of rows that the kind has besides, made for a motion with its verdict; none if it is empty. They look at
+  /// the rows in the pipeline's one pass.
+  std::function<RowChecks(const PathMotion&, const SetpointSource&, const Verification&)> row_checks = {};
   /// Per axis: what one of its units is in the setpoints' columns, such as 180/π for rad shown in deg; empty: 1.
   std::vector<double> shown;
   /// By how much these setpoints may be off the law's place (SetpointInput::lag).
@@ -54,7 +58,9 @@ struct PathPlan {
   std::shared_ptr<const PathMotion> motion;  ///< slowed to whole cycles: what is verified and sampled
   std::unique_ptr<SetpointSource> setpoints;
   Verification verification;
-  Bound bound;  ///< with its gap to the law as planned
+  RowChecks
+      row_checks;  ///< those of PathPlanning::row_checks, which have seen all rows; their verdicts are for the kind
+  Bound bound;     ///< with its gap to the law as planned
   std::vector<SectionBound> section_bounds;
   std::size_t iterations = 0;  ///< passes of the planner over its grid
 };

@@ -1,6 +1,6 @@
 #pragma once
-/// The methods that plan a machine with coarse and fine axes: one row each, from the same task to the same result. To
-/// add one, write a function `RedundancyResult plan(task, options, progress, from, to)` and enter it in redundancy.cpp.
+/// What every method that plans a machine with coarse and fine axes is given, and what it returns. The methods are the
+/// rows of core/redundant/methods/method_table.hpp.
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -131,23 +131,5 @@ struct RedundancyResult {
   std::vector<RedundancyLag> lags;    ///< without and with the prefilter, where drives were simulated
   std::vector<std::string> notes;     ///< what a user should know, sentences in English
 };
-
-struct RedundancyRow {
-  RedundancyMethod method;
-  /// Throws InvalidInput, Infeasible, Stopped.
-  RedundancyResult (*plan)(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
-                           double from, double to);
-  bool limits_jerk;  ///< jerk limits of both axes hold where they are given
-};
-
-/// Throws std::logic_error for a method without a row.
-const RedundancyRow& redundancy_row(RedundancyMethod method);
-
-/// What the row of `options.method` plans, timed anew if `options.reparametrise` says so (without limited jerk). Where
-/// an axis has no fine one the joint planner takes the place of every other method, which is counted and noted.
-/// the coarse axes alone are quicker than any method but `joint`, which knows of them, they move alone (without limited
-/// jerk); that counts as a fallback.
-RedundancyResult plan_redundant(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
-                                double from = 0, double to = 1);
 
 }  // namespace bahnwerk

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/verify/worst.hpp"
 #include "core/winding/margin.hpp"
 
 namespace bahnwerk {
@@ -103,11 +104,12 @@ void raise(Check& check, double value, double at) {
 
 Verification verify_layouts(const Region& usable_area, std::span<const LayoutToVerify> layouts, Progress& progress,
                             double progress_from, double progress_to) {
+  using enum CheckedQuantity;
   Verification verdict;
-  const auto check = [&](const std::string& name, const char* unit, double limit) -> Check& {
+  const auto check = [&](const Checked& what, double limit) -> Check& {
     for (Check& c : verdict.checks)
-      if (c.name == name) return c;
-    verdict.checks.push_back({name, unit, limit, -1e300, 0, true});
+      if (is(c, what.quantity, what.order, what.subject)) return c;
+    verdict.checks.push_back(verify::make_check(what, limit, -1e300, 0, true));
     return verdict.checks.back();
   };
   WorkCounter counter(progress, progress_from, progress_to);
@@ -125,18 +127,18 @@ Verification verify_layouts(const Region& usable_area, std::span<const LayoutToV
     }
     const double overlap =
         layout.wires.size() < 2 ? -layout.overlap : deepest_overlap(layout.wires, layout.radius, share, counter);
-    raise(check("overlap beyond what is allowed " + name, "mm", rounding), overlap - layout.overlap, layout.copper);
-    raise(check("overlap with the boundary " + name, "mm", rounding), layout.wires.empty() ? 0 : outside,
-          layout.copper);
+    raise(check({wire_overlap, 0, "mm", name}, rounding), overlap - layout.overlap, layout.copper);
+    raise(check({boundary_overlap, 0, "mm", name}, rounding), layout.wires.empty() ? 0 : outside, layout.copper);
     const auto count = static_cast<double>(layout.wires.size());
     if (layout.usable_area) {
-      raise(check("wires missing " + name, "1", 0), std::abs(static_cast<double>(layout.count) - count), layout.copper);
+      raise(check({wires_missing, 0, "1", name}, 0), std::abs(static_cast<double>(layout.count) - count),
+            layout.copper);
     } else if (count - static_cast<double>(layout.bound) > beyond_bound) {
       beyond_bound = count - static_cast<double>(layout.bound);
       at_bound = layout.copper;
     }
   }
-  if (!layouts.empty()) raise(check("bound", "1", 0), beyond_bound, at_bound);
+  if (!layouts.empty()) raise(check({bound, 0, "1"}, 0), beyond_bound, at_bound);
   verdict.passed = std::all_of(verdict.checks.begin(), verdict.checks.end(), [](const Check& c) { return c.passed; });
   return verdict;
 }

@@ -52,17 +52,18 @@ std::vector<double> feeds_to_hold(const Contour& driven, const Contour& given);
 /// the verifier crash.
 ///
 /// Checks, in this order: `velocity <axis>`, `acceleration <axis>`, `jerk <axis>` (limited axes only); `path velocity
-/// (feed F)` per distinct finite feed (of `given`, if that is set); `path velocity`, `path acceleration`, `path jerk`
-/// where limited (jerk: with check_jerk); `velocity step at joints` (|Δq′|·v against acceleration · cycle time, the
-/// worst axis and joint); with check_jerk `acceleration step at joints` (|Δ(q″v² + q′a)| against jerk · cycle time,
-/// likewise); `corner rest` (at the contour's rests, too), `cusp rest`, `start at rest`, `end at rest`; `continuity of
-/// velocity`; with check_jerk `continuity of acceleration` (also zero at rests); `continuity of position` (law and
-/// path, the worse in relation to its limit); `continuity of time`; `pieces within segments`; `forward motion`; `path
-/// covered` (32 ε of its length); `distance from contour` (law evaluated on the path, at the segments' ends, against
-/// position_tolerance + 32 ε of the coordinates); `arc length` (∫|dh/du|du of every piece on a free-form segment,
-/// integrated here, against the length the law believes in). A piece of rest (v = a = j = 0, s = s_end) is a motion
-/// like any other: a dwell. Cost: ≈ 50 ns per law piece on straight segments, ≈ 0.4 µs on arcs and cubics. Calls
-/// progress every few ms. Throws std::invalid_argument where axes, feeds or rests are not as many as the path asks for.
+/// (feed F)` per distinct finite feed (of `given`, if that is set); `path velocity`, `path acceleration`, `path jerk`,
+/// `path snap` where limited (the last two: with check_jerk); `velocity step at joints` (|Δq′|·v against acceleration ·
+/// cycle time, the worst axis and joint); with check_jerk `acceleration step at joints` (|Δ(q″v² + q′a)| against jerk ·
+/// cycle time, likewise); `corner rest` (at the contour's rests, too), `cusp rest`, `start at rest`, `end at rest`;
+/// `continuity of velocity`; with check_jerk `continuity of acceleration` (also zero at rests); `continuity of
+/// position` (law and path, the worse in relation to its limit); `continuity of time`; `pieces within segments`;
+/// `forward motion`; `path covered` (32 ε of its length); `distance from contour` (law evaluated on the path, at the
+/// segments' ends, against position_tolerance + 32 ε of the coordinates); `arc length` (∫|dh/du|du of every piece on a
+/// free-form segment, integrated here, against the length the law believes in). A piece of rest (v = a = j = 0, s =
+/// s_end) is a motion like any other: a dwell. Cost: ≈ 50 ns per law piece on straight segments, ≈ 0.4 µs on arcs and
+/// cubics. Calls progress every few ms. Throws std::invalid_argument where axes, feeds or rests are not as many as the
+/// path asks for.
 Verification verify_motion(const VerifierInput& input, Progress& progress);
 /// The same of a contour. Throws std::invalid_argument for more than three axes.
 Verification verify_motion(const ContourVerifierInput& input, Progress& progress);

@@ -40,19 +40,31 @@ struct Strained {
   double strain_ = -1, enough_ = -1;
 };
 
-/// passed = value ≤ limit · (1 + 1e-9); false for NaN.
-inline Check make_check(std::string name, std::string unit, double limit, const Worst& worst) {
-  return {std::move(name), std::move(unit), limit, worst.value, worst.at, worst.value <= limit * (1 + limit_tolerance)};
+inline Check make_check(Checked what, double limit, double value, double at, bool passed) {
+  return {std::move(what), limit, value, at, passed};
 }
 
-/// The same of a limit of its own for each value.
-inline Check make_limit_check(std::string name, std::string unit, const Strained& worst) {
-  return make_check(std::move(name), std::move(unit), worst.limit, {worst.value, worst.at});
+/// passed = value ≤ limit · (1 + 1e-9); false for NaN.
+inline Check make_check(Checked what, double limit, const Worst& worst) {
+  return make_check(std::move(what), limit, worst.value, worst.at, worst.value <= limit * (1 + limit_tolerance));
+}
+
+/// The limit is another one for each value.
+inline Check make_limit_check(Checked what, const Strained& worst) {
+  return make_check(std::move(what), worst.limit, {worst.value, worst.at});
 }
 
 /// passed = value ≤ limit; false for NaN. For tolerances that are derived from rounding.
+inline Check make_check(Checked what, const Strained& worst) {
+  return make_check(std::move(what), worst.limit, worst.value, worst.at, worst.value <= worst.limit);
+}
+
+/// A check that one kind alone makes, by its name.
+inline Check make_check(std::string name, std::string unit, double limit, const Worst& worst) {
+  return make_check(Checked{CheckedQuantity::named, 0, std::move(unit), std::move(name)}, limit, worst);
+}
 inline Check make_check(std::string name, std::string unit, const Strained& worst) {
-  return {std::move(name), std::move(unit), worst.limit, worst.value, worst.at, worst.value <= worst.limit};
+  return make_check(Checked{CheckedQuantity::named, 0, std::move(unit), std::move(name)}, worst);
 }
 
 }  // namespace bahnwerk::verify

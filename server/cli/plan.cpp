@@ -83,6 +83,7 @@ api::SetpointStream csv(const SetpointSource& source, const std::string& layout,
   series.columns = source.columns();
   series.count = source.count();
   series.cycle_time = source.cycle_time();
+  series.independent = source.independent();
   series.pose_frame = source.pose_frame();
   series.read = [&source](std::size_t first, std::size_t rows, std::vector<double>& values) {
     values.resize(rows * source.columns().size());

@@ -30,6 +30,7 @@ api::SetpointSeries stored_series(Store& store, const SeriesInfo& info) {
   series.columns = info.columns;
   series.count = info.count;
   series.cycle_time = info.cycle_time;
+  series.independent = info.independent;
   series.pose_frame = info.pose_frame;
   series.read = [&store, info, chunk = std::make_shared<Chunk>()](std::size_t first, std::size_t rows,
                                                                   std::vector<double>& out) {

@@ -73,6 +73,7 @@ struct SeriesInfo {
   std::vector<Column> columns;
   std::size_t count = 0, chunk_rows = 0;
   double cycle_time = 0;
+  Independent independent = {};
   std::optional<PoseFrame> pose_frame = {};
 };
 

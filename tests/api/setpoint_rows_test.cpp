@@ -27,6 +27,16 @@ TEST(RowCursor, WalksAndRewinds) {
   }
 }
 
+TEST(Delayed, EveryDerivativeRestsWhereAxesWait) {
+  SetpointSeries series;
+  series.columns = {{"x", "mm"}, {"vx", "mm/s"}, {"ax", "mm/s²"}, {"jx", "mm/s³"}, {"sx", "mm/s⁴"}, {"s", "mm"}};
+  series.count = 2, series.cycle_time = 0.001;
+  series.read = [](std::size_t, std::size_t rows, std::vector<double>& out) { out.assign(6 * rows, 5.0); };
+  std::vector<double> out;
+  delayed(series, 3).read(2, 2, out);
+  EXPECT_EQ(out, (std::vector<double>{5, 0, 0, 0, 0, 5, 5, 5, 5, 5, 5, 5}));
+}
+
 TEST(RowCursor, NoticesASeriesThatIsTooShort) {
   SetpointSeries series;
   series.columns = {{"x", "mm"}};

@@ -261,6 +261,33 @@ TEST(SetpointStream, AnEmptySliceIsAnEmptyAnswer) {
     }
 }
 
+/// A table over a master's angle: every format serves its rows, JSON tells what they are taken over.
+TEST(SetpointStream, SeriesOverAnAngleAreServedInEveryFormat) {
+  Source source{1000};
+  SetpointSeries series = source.series();
+  series.independent = {"phi", "deg", 0.36};
+  const auto text = [&](SetpointQuery query, SetpointFormat format) {
+    SetpointStream stream(series, std::move(query), format);
+    std::string whole;
+    while (stream.next(whole)) {
+    }
+    return whole;
+  };
+  EXPECT_EQ(from_csv(text({}, SetpointFormat::csv)), expected(0, 1000, 1));
+  EXPECT_EQ(from_ndjson(text({}, SetpointFormat::ndjson)), expected(0, 1000, 1));
+  EXPECT_EQ(from_f64(text({}, SetpointFormat::f64)), expected(0, 1000, 1));
+  const json whole = json::parse(text({}, SetpointFormat::json));
+  EXPECT_EQ(from_json(whole), expected(0, 1000, 1));
+  EXPECT_EQ(whole["independent"], (json{{"name", "phi"}, {"unit", "deg"}, {"step", 0.36}}));
+  SetpointQuery chart;
+  chart.points = 10;
+  EXPECT_EQ(json::parse(text(chart, SetpointFormat::json))["independent"]["step"], 0.36);
+  SetpointQuery late;
+  late.delay = 0.002;
+  EXPECT_THROW(text(late, SetpointFormat::csv), Problem);
+  EXPECT_FALSE(json::parse(answer(source, {}, SetpointFormat::json)).contains("independent")) << "it is time";
+}
+
 TEST(SetpointStream, RefusesUnknownColumnsAndRowsBeyondTheEnd) {
   const auto fault = [](const SetpointQuery& query) -> std::vector<std::string> {
     Source source{5};

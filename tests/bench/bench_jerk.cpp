@@ -59,7 +59,7 @@ void bound(benchmark::State& state, int degree) {
   const JerkLimitedResult planned = plan_jerk_limited(contour, m, {}, progress);
   Bound low;
   for (auto _ : state) low = lower_bound(contour, m, 1e-3, progress);
-  state.counters["gap"] = planned.law.duration() / low.duration - 1;
+  state.counters["gap"] = planned.law.duration() / low.value - 1;
   state.counters["time_per_point"] = benchmark::Counter(
       static_cast<double>(planned.cells), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
   state.SetComplexityN(static_cast<std::int64_t>(planned.cells));

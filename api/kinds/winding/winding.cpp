@@ -21,25 +21,6 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-/// The setpoints with what they are computed from: path and machine are the plan's.
-class PlannedSetpoints final : public SetpointSource {
- public:
-  PlannedSetpoints(WindingPlan& plan, PoseFrame frame)
-      : frame_(frame), tool_(plan.tool), machine_(plan.machine.kinematics), source_(std::move(plan.motion.setpoints)) {}
-  const std::vector<Column>& columns() const override { return source_->columns(); }
-  std::size_t count() const override { return source_->count(); }
-  double cycle_time() const override { return source_->cycle_time(); }
-  double duration() const override { return source_->duration(); }
-  std::optional<PoseFrame> pose_frame() const override { return frame_; }
-  void read(std::size_t first, std::size_t rows, double* out) const override { source_->read(first, rows, out); }
-
- private:
-  PoseFrame frame_;
-  std::shared_ptr<const PosePath> tool_;
-  std::shared_ptr<const Kinematics> machine_;
-  std::unique_ptr<SetpointSource> source_;
-};
-
 ordered_json slot_access_result(const SlotAccess& access) {
   return {{"step", access.step},
           {"without_pivot_shift", access.shares.front()},
@@ -81,13 +62,12 @@ PlannedJob plan(const json& spec, Progress& progress) {
       throw relocated(error);
     }
   }();
-  const Bound& bound = plan.motion.bound;
   PlannedJob job;
   job.verified = plan.motion.verification.passed;
   job.result = {{"kind", "winding"},
                 {"summary", summary(asked, plan)},
                 {"verification", placed_verification(asked, plan)},
-                {"bound", {{"duration", bound.duration}, {"gap", bound.gap}, {"basis", bound.basis}}},
+                {"bound", bound(plan.motion.bound)},
                 {"setpoints", setpoint_summary(*plan.motion.setpoints)},
                 {"details", details(asked, plan, progress)}};
   progress.report("drawing", 1);
@@ -100,7 +80,7 @@ PlannedJob plan(const json& spec, Progress& progress) {
     job.result["details"]["access"] = slot_access_result(*access);
     job.result["details"]["drawings"]["clearance_map.svg"] = access->drawing;
   }
-  job.setpoints = std::make_unique<PlannedSetpoints>(plan, pose_frame(spec));
+  job.setpoints = std::move(plan.motion.setpoints);
   return job;
 }
 

@@ -77,6 +77,7 @@ WindingRequest request(const json& spec) {
   take(spec["coil"], "turns", request.turns);
   take(spec["coil"], "parallel", request.parallel);
   request.configurations = machine(spec, faults);
+  request.frame = pose_frame(spec);
   take(spec["machine"], "cycle_time", request.cycle_time);
   request.links = links(spec);
   request.minimum_time = minimum_time(spec);

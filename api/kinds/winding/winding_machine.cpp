@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "api/kinds/winding/winding_input.hpp"
+#include "api/limits_input.hpp"
 #include "core/machine/horizontal_winder.hpp"
 #include "core/machine/robot_winder.hpp"
 #include "core/machine/vertical_winder.hpp"
@@ -31,14 +32,9 @@ std::vector<Limits> limits(const json& document, const std::array<bool, 5>& rota
     const std::string name = "q" + std::to_string(k + 1);
     const json& axis = document["axes"][name];
     const double unit = rotary[k] ? degree : 1;
-    take(axis, "velocity", list[k].velocity, unit);
-    take(axis, "acceleration", list[k].acceleration, unit);
-    take(axis, "jerk", list[k].jerk, unit);
-    const auto range = given<std::vector<double>>(axis, "range");
-    if (!range) continue;
-    if (range->at(0) > range->at(1))
+    list[k] = read_limits(axis, unit);
+    if (list[k].lowest > list[k].highest)
       faults.push_back({{"machine", "axes", name, "range"}, "ends below where it begins"});
-    list[k].lowest = unit * range->at(0), list[k].highest = unit * range->at(1);
   }
   return list;
 }

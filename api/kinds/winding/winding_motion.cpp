@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "api/kinds/winding/winding_input.hpp"
+#include "api/limits_input.hpp"
 
 namespace bahnwerk::api::winding_kind {
 namespace {
@@ -102,9 +103,7 @@ void read_feed(const json& spec, WindingRequest& request, Faults& faults) {
   if (request.law == FeedLaw::bspline && request.feed != PlanningMethod::jerk_limited)
     faults.push_back({{"feed", "law"}, "belongs to feed.method optimised: the other methods have their own"});
   request.profile = value_of<SpeedProfile>(feed.value("profile", "double_s"), speed_profiles);
-  take(feed, "velocity", request.along.velocity);
-  take(feed, "acceleration", request.along.acceleration);
-  take(feed, "jerk", request.along.jerk);
+  take_limits(feed, request.along);
   take(feed, "tolerance", request.feed_tolerance);
   take(feed, "chord_tolerance", request.chord_tolerance);
   take(feed, "half_speed_curvature", request.half_speed_curvature);

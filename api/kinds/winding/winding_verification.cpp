@@ -14,8 +14,8 @@ using nlohmann::ordered_json;
 
 Verification in_degrees(Verification verdict) {
   for (Check& check : verdict.checks) {
-    if (!check.unit.starts_with("rad")) continue;
-    check.unit.replace(0, 3, "deg");
+    if (check.unit != "rad") continue;
+    check.unit = "deg";
     check.limit *= 180 / std::numbers::pi, check.value *= 180 / std::numbers::pi;
   }
   return verdict;

@@ -25,8 +25,8 @@ MapBounds AxisPath::every_axis_moves() const {
   return bounds;
 }
 
-CartesianAxisPath::CartesianAxisPath(const Path& tool, std::size_t axes, double height)
-    : AxisPath(tool, std::min<std::size_t>(axes, 3), true), height_(height) {}
+CartesianAxisPath::CartesianAxisPath(std::shared_ptr<const Path> tool, std::size_t axes, double height)
+    : AxisPath(std::move(tool), std::min<std::size_t>(axes, 3), true), height_(height) {}
 
 AxisJet CartesianAxisPath::axes_at(const PathPoint& p) const {
   AxisJet q;
@@ -58,12 +58,13 @@ MapBounds CartesianAxisPath::map_bounds(std::size_t, double, double) const {
   return bounds;
 }
 
-KinematicAxisPath::KinematicAxisPath(const Path& tool, const Kinematics& kinematics,
+KinematicAxisPath::KinematicAxisPath(std::shared_ptr<const Path> tool, std::shared_ptr<const Kinematics> kinematics,
                                      std::shared_ptr<const Orientation> orientation)
-    : AxisPath(tool, kinematics.axes().size(), false),
-      kinematics_(kinematics),
+    : AxisPath(std::move(tool), kinematics->axes().size(), false),
+      shared_kinematics_(std::move(kinematics)),
+      kinematics_(*shared_kinematics_),
       orientation_(std::move(orientation)),
-      discs_(tool, orientation_),
+      discs_(this->tool(), orientation_),
       turns_(*this) {}
 
 AxisJet KinematicAxisPath::raw_at_parameter(std::size_t segment, double u) const {

@@ -7,7 +7,9 @@
 /// the axes do there is asked of the axis path, by segment and parameter.
 #include <cstddef>
 #include <memory>
+#include <utility>
 
+#include "core/base/borrowed.hpp"
 #include "core/base/progress_scope.hpp"
 #include "core/geometry/path/path.hpp"
 #include "core/machine/axis_jet.hpp"
@@ -63,13 +65,17 @@ class AxisPath {
   virtual void write_at(std::size_t segment, double s, double* out) const;
 
  protected:
-  AxisPath(const Path& tool, std::size_t axes, bool cartesian) : tool_(tool), axes_(axes), cartesian_(cartesian) {}
+  /// Shares the tool's path.
+  AxisPath(std::shared_ptr<const Path> tool, std::size_t axes, bool cartesian)
+      : shared_(std::move(tool)), tool_(*shared_), axes_(axes), cartesian_(cartesian) {}
+  const std::shared_ptr<const Path>& shared_tool() const { return shared_; }
   /// Row i of d1, d2, d3 of every axis.
   void write_row(PathBatch& batch, std::size_t i, const AxisJet& q) const;
   /// map_bounds() of axes that do not follow from the pose alone: only tells that every axis can move.
   MapBounds every_axis_moves() const;
 
  private:
+  std::shared_ptr<const Path> shared_;
   const Path& tool_;
   std::size_t axes_;
   bool cartesian_;
@@ -80,10 +86,13 @@ class AxisPath {
 AxisArray largest_rates(const AxisPath& path, ProgressScope* scope = nullptr);
 
 /// q = the tool's path itself, of which the first `axes` ≤ 3 coordinates count; the third is `height` above the path's.
-/// `tool` outlives it. Costs no more than the path.
+/// Costs no more than the path.
 class CartesianAxisPath final : public AxisPath {
  public:
-  CartesianAxisPath(const Path& tool, std::size_t axes, double height = 0);
+  CartesianAxisPath(std::shared_ptr<const Path> tool, std::size_t axes, double height = 0);
+  /// `tool` has to outlive it.
+  CartesianAxisPath(const Path& tool, std::size_t axes, double height = 0)
+      : CartesianAxisPath(borrowed(tool), axes, height) {}
   bool linear(std::size_t segment) const override { return tool()[segment].straight(); }
   AxisJet at_parameter(std::size_t segment, double u) const override {
     return axes_at(tool()[segment].at_parameter(u));
@@ -103,9 +112,13 @@ class CartesianAxisPath final : public AxisPath {
 /// and, if they can be, in their ranges (AxisTurns).
 class KinematicAxisPath final : public AxisPath {
  public:
-  /// `tool` and `kinematics` outlive it. Without `orientation` the tool's angles are 0. Throws UnreachablePose.
-  KinematicAxisPath(const Path& tool, const Kinematics& kinematics,
+  /// Without `orientation` the tool's angles are 0. Throws UnreachablePose.
+  KinematicAxisPath(std::shared_ptr<const Path> tool, std::shared_ptr<const Kinematics> kinematics,
                     std::shared_ptr<const Orientation> orientation = nullptr);
+  /// `tool` and `kinematics` have to outlive it.
+  KinematicAxisPath(const Path& tool, const Kinematics& kinematics,
+                    std::shared_ptr<const Orientation> orientation = nullptr)
+      : KinematicAxisPath(borrowed(tool), borrowed(kinematics), std::move(orientation)) {}
   bool linear(std::size_t) const override { return false; }
   AxisJet at_parameter(std::size_t segment, double u) const override;
   void at_parameters(std::size_t segment, PathBatch& batch) const override;
@@ -126,6 +139,7 @@ class KinematicAxisPath final : public AxisPath {
   const Kinematics& kinematics() const { return kinematics_; }
 
  private:
+  std::shared_ptr<const Kinematics> shared_kinematics_;
   const Kinematics& kinematics_;
   std::shared_ptr<const Orientation> orientation_;
   PoseDiscs discs_;

@@ -11,7 +11,8 @@ namespace bahnwerk {
 /// q_n = s, q_n′ = 1. Costs no more than the path that it stands on, which outlives it and has less than max_axes axes.
 class LengthAxisPath final : public AxisPath {
  public:
-  explicit LengthAxisPath(const AxisPath& path) : AxisPath(path.tool(), path.axes() + 1, false), path_(path) {}
+  explicit LengthAxisPath(const AxisPath& path)
+      : AxisPath(borrowed(path.tool()), path.axes() + 1, false), path_(path) {}
 
   bool linear(std::size_t segment) const override { return path_.linear(segment); }
   AxisJet at_parameter(std::size_t segment, double u) const override;

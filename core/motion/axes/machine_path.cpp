@@ -98,14 +98,14 @@ void hold_ranges(const KinematicAxisPath& path, const std::vector<AxisSpan>& spa
 
 std::vector<AxisSpan> axis_spans(const AxisPath& path) { return Spans(path).found(); }
 
-MachinePath machine_path(const Path& tool, const std::shared_ptr<const Orientation>& orientation,
+MachinePath machine_path(const std::shared_ptr<const Path>& tool, const std::shared_ptr<const Orientation>& orientation,
                          const std::vector<std::shared_ptr<const Kinematics>>& configurations) {
   if (configurations.empty()) throw std::invalid_argument("no machine");
   MachinePath best;
   std::optional<UnreachablePose> furthest;
   for (const auto& kinematics : configurations) {
     try {
-      MachinePath candidate{kinematics, std::make_shared<const KinematicAxisPath>(tool, *kinematics, orientation), {}};
+      MachinePath candidate{kinematics, std::make_shared<const KinematicAxisPath>(tool, kinematics, orientation), {}};
       candidate.spans = axis_spans(*candidate.axes);
       hold_ranges(*candidate.axes, candidate.spans);
       for (const AxisSpan& span : candidate.spans) candidate.travel += span.travel;

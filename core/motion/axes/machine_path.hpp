@@ -26,9 +26,14 @@ struct MachinePath {
 };
 
 /// Of `configurations` (the arms of a robot; or one machine alone) the one whose axes stay in their ranges, to 1e-9 of
-/// the unit, all along the path and travel least in all; of equal ones the first. `tool` outlives the result.
+/// the unit, all along the path and travel least in all; of equal ones the first.
 /// `orientation` may be empty. Throws UnreachablePose if there is none: that of the configuration that gets furthest.
-MachinePath machine_path(const Path& tool, const std::shared_ptr<const Orientation>& orientation,
+MachinePath machine_path(const std::shared_ptr<const Path>& tool, const std::shared_ptr<const Orientation>& orientation,
                          const std::vector<std::shared_ptr<const Kinematics>>& configurations);
+/// `tool` has to outlive the result.
+inline MachinePath machine_path(const Path& tool, const std::shared_ptr<const Orientation>& orientation,
+                                const std::vector<std::shared_ptr<const Kinematics>>& configurations) {
+  return machine_path(borrowed(tool), orientation, configurations);
+}
 
 }  // namespace bahnwerk

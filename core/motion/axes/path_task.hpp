@@ -23,16 +23,12 @@ struct PathTask {
   }
 };
 
-/// The first `axes` coordinates along a contour, which it keeps. A planar one's third axis stands at its height.
+/// The first `axes` coordinates along a contour, which it shares. A planar one's third axis stands at its height.
 inline std::shared_ptr<const AxisPath> contour_axes(std::shared_ptr<const Contour> contour, std::size_t axes) {
-  struct Kept {
-    std::shared_ptr<const Contour> contour;
-    CartesianAxisPath path;
-    Kept(std::shared_ptr<const Contour> c, std::size_t axes)
-        : contour(std::move(c)), path(contour->path, axes, contour->dimension < 3 ? contour->height : 0) {}
-  };
-  auto kept = std::make_shared<const Kept>(std::move(contour), axes);
-  return {kept, &kept->path};
+  const double height = contour->dimension < 3 ? contour->height : 0;
+  const Path& tool = contour->path;
+  return std::make_shared<const CartesianAxisPath>(std::shared_ptr<const Path>(std::move(contour), &tool), axes,
+                                                   height);
 }
 
 /// Feeds, rests and dwells of a contour, whose own path `path` follows.

@@ -7,7 +7,6 @@
 namespace bahnwerk {
 
 SplineMotion::SplineMotion(std::vector<Piece> pieces) : pieces_(std::move(pieces)) {
-  constexpr std::size_t max_coefficients = 9;
   double t = 0;
   for (const Piece& piece : pieces_) {
     if (!(piece.end > t)) throw std::invalid_argument("a piece of a spline ends after it begins");
@@ -15,7 +14,7 @@ SplineMotion::SplineMotion(std::vector<Piece> pieces) : pieces_(std::move(pieces
     if (piece.axes.empty() || piece.axes.size() > max_axes || piece.axes.size() != pieces_.front().axes.size())
       throw std::invalid_argument("all pieces of a spline have the same axes, one to eight");
     for (const Polynomial& axis : piece.axes)
-      if (axis.size() > max_coefficients) throw std::invalid_argument("a spline has a degree of 8 at most");
+      if (axis.size() > max_motion_degree + 1) throw std::invalid_argument("a spline has a degree of 21 at most");
   }
   if (pieces_.empty()) throw std::invalid_argument("a spline has one piece at least");
 }
@@ -35,6 +34,17 @@ MotionState SplineMotion::in_piece(std::size_t piece, double t) const {
     state.jerk[k] = 6 * d[3], state.snap[k] = 24 * d[4];
   }
   return state;
+}
+
+std::vector<SplineMotion::Piece> slowed(std::vector<SplineMotion::Piece> pieces, double factor) {
+  for (SplineMotion::Piece& piece : pieces) {
+    piece.end *= factor;
+    for (Polynomial& axis : piece.axes) {
+      double power = 1;
+      for (double& coefficient : axis) coefficient /= power, power *= factor;
+    }
+  }
+  return pieces;
 }
 
 bool SplineMotion::polynomial(std::size_t piece, std::size_t axis, Polynomial& out) const {

@@ -6,15 +6,17 @@
 
 namespace bahnwerk {
 
+inline constexpr std::size_t max_motion_degree = 21;
+
 class SplineMotion final : public Motion {
  public:
   /// From 0 to `end` s, which is also where further pieces go on.
   struct Piece {
     double end = 0;
-    std::vector<Polynomial> axes;  ///< positions over the time since the piece began, unit; one per axis, degree ≤ 8
+    std::vector<Polynomial> axes;  ///< positions over the time since the piece began, unit; one per axis
   };
   /// Throws std::invalid_argument for no pieces, times that do not rise, axes that differ in number or are none or more
-  /// than max_axes, and degrees above 8. Whether pieces fit together is for the verifier to say.
+  /// than max_axes, and degrees above max_motion_degree. Whether pieces fit together is for the verifier to say.
   explicit SplineMotion(std::vector<Piece> pieces);
   std::size_t axes() const override { return pieces_.front().axes.size(); }
   std::size_t pieces() const override { return pieces_.size(); }
@@ -28,5 +30,8 @@ class SplineMotion final : public Motion {
  private:
   std::vector<Piece> pieces_;
 };
+
+/// The same places, `factor` > 0 times as late.
+std::vector<SplineMotion::Piece> slowed(std::vector<SplineMotion::Piece> pieces, double factor);
 
 }  // namespace bahnwerk

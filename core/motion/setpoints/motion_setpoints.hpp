@@ -1,5 +1,5 @@
 #pragma once
-/// The setpoints of any motion: position, velocity and acceleration of every axis of a machine, cycle by cycle.
+/// The setpoints of any motion: position and derivatives of every axis of a machine, cycle by cycle.
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -11,13 +11,15 @@
 
 namespace bahnwerk {
 
-/// Columns `<axis>` for every axis of the machine, then `v<axis>`, then `a<axis>`, in the axis' unit, unit/s and
-/// unit/s²; row k at k · cycle_time, states just after it. The last row is Motion::final_state(). Kinds derive from it
-/// to add columns of their own. A row costs one Motion::evaluate() and its numbers.
+/// Columns `<axis>` for every axis of the machine, then `v<axis>`, `a<axis>`, and where they are asked for `j<axis>`
+/// and `s<axis>`, the jerk and the snap, in the axis' unit, unit/s … unit/s⁴; row k at k · cycle_time, states just
+/// after it. The last row is Motion::final_state(). Kinds derive from it to add columns of their own. A row costs one
+/// Motion::evaluate() and its numbers.
 class MotionSetpoints : public SetpointSource {
  public:
-  /// The motion lasts `cycles` whole cycles. Throws std::invalid_argument where it has not the machine's axes.
-  MotionSetpoints(std::shared_ptr<const Motion> motion, const Machine& machine, std::size_t cycles);
+  /// The motion lasts `cycles` whole cycles; columns go up to derivative `highest`, 0 to 4. Throws
+  /// std::invalid_argument where the motion has not the machine's axes, or not such derivatives.
+  MotionSetpoints(std::shared_ptr<const Motion> motion, const Machine& machine, std::size_t cycles, int highest = 2);
   const std::vector<Column>& columns() const override { return columns_; }
   std::size_t count() const override { return cycles_ + 1; }
   double cycle_time() const override { return cycle_time_; }
@@ -35,7 +37,7 @@ class MotionSetpoints : public SetpointSource {
     static constexpr std::size_t unknown = static_cast<std::size_t>(-1);
   };
   void add_column(Column column) { columns_.push_back(std::move(column)); }
-  /// Writes a row: the motion at t, position, velocity and acceleration of all axes, and the columns that were added.
+  /// Writes a row: the motion at t, position and derivatives of all axes, and the columns that were added.
   /// Sets the row's piece. Called for rows in ascending order.
   virtual void write(Row& row, double* out) const;
   /// The axes in the last row.
@@ -44,7 +46,7 @@ class MotionSetpoints : public SetpointSource {
  private:
   std::shared_ptr<const Motion> motion_;
   std::vector<Column> columns_;
-  std::size_t cycles_;
+  std::size_t cycles_, orders_;
   double cycle_time_;
 };
 

@@ -19,13 +19,14 @@ Machine in_degrees(Machine machine) {
 NeedleSetpoints::NeedleSetpoints(const std::shared_ptr<const PathMotion>& motion,
                                  std::shared_ptr<const KinematicAxisPath> axes, const Machine& machine,
                                  std::size_t cycles, BrakeForce brake,
-                                 std::shared_ptr<const Interpolation> interpolation)
+                                 std::shared_ptr<const Interpolation> interpolation, std::optional<PoseFrame> frame)
     : MotionSetpoints(motion, in_degrees(machine), cycles),
       motion_(motion),
       axes_(std::move(axes)),
       interpolation_(std::move(interpolation)),
       shown_(shown(machine)),
-      brake_(std::move(brake)) {
+      brake_(std::move(brake)),
+      frame_(frame) {
   for (const AxisLimits& axis : in_degrees(machine).axes) add_column({"j" + axis.name, axis.unit + "/s³"});
   for (const Column& column : {Column{"x", "mm"},
                                {"y", "mm"},

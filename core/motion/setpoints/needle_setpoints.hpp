@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/motion/axes/axis_path.hpp"
@@ -28,7 +29,9 @@ class NeedleSetpoints final : public MotionSetpoints {
   /// law's, which is what an exact one gives.
   NeedleSetpoints(const std::shared_ptr<const PathMotion>& motion, std::shared_ptr<const KinematicAxisPath> axes,
                   const Machine& machine, std::size_t cycles, BrakeForce brake,
-                  std::shared_ptr<const Interpolation> interpolation = nullptr);
+                  std::shared_ptr<const Interpolation> interpolation = nullptr,
+                  std::optional<PoseFrame> frame = std::nullopt);
+  std::optional<PoseFrame> pose_frame() const override { return frame_; }
   /// Per axis of the machine: 180/π for one of unit rad, else 1.
   static std::vector<double> shown(const Machine& machine);
 
@@ -46,6 +49,7 @@ class NeedleSetpoints final : public MotionSetpoints {
   std::shared_ptr<const Interpolation> interpolation_;
   std::vector<double> shown_;
   BrakeForce brake_;
+  std::optional<PoseFrame> frame_;
 };
 
 }  // namespace bahnwerk

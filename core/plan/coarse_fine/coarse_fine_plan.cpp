@@ -13,8 +13,9 @@
 #include "core/plan/coarse_fine/fitted_motion.hpp"
 #include "core/plan/contour/contour_report.hpp"
 #include "core/plan/contour/posed_contour.hpp"
-#include "core/plan/setpoint_count.hpp"
+#include "core/plan/pipeline.hpp"
 #include "core/redundant/energy.hpp"
+#include "core/redundant/methods/method_table.hpp"
 #include "core/verify/geometry/tube.hpp"
 #include "core/verify/law/rest_check.hpp"
 #include "core/verify/redundant/centre_checks.hpp"
@@ -47,9 +48,7 @@ double slower(const Verification& verification) {
   double factor = 1;
   for (const Check& check : verification.checks) {
     if (check.passed) continue;
-    const bool scales = check.name.starts_with("velocity ") || check.name.starts_with("acceleration ") ||
-                        check.name.starts_with("jerk ") || check.name.starts_with("path velocity");
-    if (!scales || !(check.value < check.limit * (1 + largest_excess))) return 1;
+    if (!falls_with_speed(check) || !(check.value < check.limit * (1 + largest_excess))) return 1;
     factor = std::max(factor, check.value / check.limit);
   }
   return factor > 1 ? factor * (1 + 1e-12) : 1;
@@ -64,28 +63,149 @@ std::vector<SectionGap> slowest(std::vector<SectionGap> sections) {
   return sections;
 }
 
-class Pipeline {
+class CoarseFineProblem final : public MotionProblem {
  public:
-  Pipeline(Contour input, const CoarseFineMachine& machine, const ContourPlanning& planning,
-           const RedundancyOptions& options, Progress& progress)
+  CoarseFineProblem(Contour input, const CoarseFineMachine& machine, const ContourPlanning& planning,
+                    const RedundancyOptions& options, Progress& progress)
       : machine_(machine),
         planning_(planning),
         options_(options),
         progress_(progress),
         head_(summed(machine)),
         coarse_axes_(coarse_limits(machine)),
-        fine_axes_(fine_limits(machine)) {
+        fine_axes_(fine_limits(machine)),
+        coarse_machine_{coarse_axes_, machine.cycle_time} {
     if (planning.stop_at_mode_change) stop_at_mode_changes(input);
     given_ = std::make_shared<const Contour>(std::move(input));
     moving_ = std::min(machine.axes.size(), given_->dimension);
   }
 
-  CoarseFinePlan run() {
-    pose();
-    bound();
-    if (!tried(options_, bounded()) && !otherwise()) throw Infeasible(why_not_);
-    check_setpoints();
-    report();
+  static constexpr double planned = 0.7, verified = 0.85;  // where the stages end
+
+  void plan() override {
+    prepare();
+    find_bound();
+    tried_ = options_;
+    if (!tried(bounded()) && !plan_otherwise()) throw Infeasible(why_not_);
+  }
+
+  /// The motion as it was before it was timed again, or the joint planner's, or that of the coarse axes alone.
+  bool plan_otherwise() override {
+    for (std::optional<RedundancyOptions> next = another(tried_); next; next = another(*next)) {
+      tried_ = *next;
+      ++given_up_;
+      if (tried(planned)) return true;
+    }
+    if (!found_) throw Infeasible(why_not_);
+    return false;
+  }
+
+  double duration() const override { return result_.head->duration() * stretch_; }
+
+  void slow(double factor) override {
+    const std::vector<double> still(machine_.axes.size() - moving_, contour_->height);
+    factor_ = factor * stretch_;
+    cycles_factor_ = factor;
+    plan_.head = std::make_shared<const PathMotion>(path_.path, result_.head->law().slowed(factor_));
+    plan_.coarse = std::make_shared<const FittedMotion>(result_.coarse, factor_, plan_.head->law(), still,
+                                                        machine_.limits_jerk() ? 2 : 1);
+  }
+
+  Verification verify() override {
+    const double between = planned + 0.5 * (verified - planned);
+    VerifierInput head{*path_.path, head_, plan_.head->law(), path_.feeds_to_verify, path_.rests};
+    head.corner_angle = planning_.corner_angle;
+    head.check_jerk = machine_.limits_jerk();
+    head.progress_from = planned, head.progress_to = between;
+    Verification verdict = verify_motion(head, progress_);
+    CoarseFineToVerify split{*path_.path, plan_.head->law(), *plan_.coarse, coarse_axes_, fine_axes_};
+    split.check_jerk = machine_.limits_jerk();
+    split.cycle_time = machine_.cycle_time;
+    split.progress_from = between, split.progress_to = verified;
+    verdict.add(coarse_fine_checks(split, progress_));
+    std::vector<bool> centred;
+    for (const CoarseFineAxis& axis : machine_.axes) centred.push_back(axis.centred);
+    verdict.add(centre_checks(*plan_.head, *plan_.coarse, fine_axes_, centred));
+    return verdict;
+  }
+
+  bool correct(const Verification& verdict) override {
+    const double more = slower(verdict);
+    if (more == 1) return false;
+    stretch_ = factor_ * more;  // of what was verified, whole cycles included
+    return true;
+  }
+
+  std::shared_ptr<const Motion> motion() override {
+    note_other_ways();
+    return plan_.head;
+  }
+
+  std::unique_ptr<SetpointSource> setpoints(std::size_t cycles) override {
+    return std::make_unique<CoarseFineSetpoints>(plan_.head, plan_.coarse, *contour_, head_, cycles);
+  }
+
+  Rows row_checks(const SetpointSource& setpoints, const Verification&) override {
+    Rows rows{{}, 3};
+    rows.checks.push_back(path_row_check({*path_.path, head_, plan_.head->law(), setpoints, contour_.get()}));
+    rows.checks.push_back(motion_row_check({*plan_.coarse, coarse_machine_, setpoints, "coarse"}));
+    rows.checks.push_back(sum_row_check({setpoints, head_.axes, coarse_axes_, fine_axes_}));
+    return rows;
+  }
+
+  std::vector<Check> more_checks() override {
+    std::vector<Check> list;
+    if (!given_->rests.empty()) list.push_back(rest_check(*given_, *contour_, plan_.head->law(), progress_, 1));
+    if (blended())
+      for (Check& check : tube_checks(*given_, *contour_, planning_.blend_tolerance, progress_, 1, 1))
+        list.push_back(std::move(check));
+    return list;
+  }
+
+  Bound bound() override {
+    bound_chains();
+    return bound_;
+  }
+
+  CoarseFinePlan report(MotionPlan found) {
+    ContourPlan& plan = plan_.contour;
+    plan.duration = found.duration;
+    plan.setpoints = std::move(found.setpoints);
+    plan.verification = std::move(found.verification);
+    plan.bound = std::move(found.bound);
+    const TimeLaw& sampled = plan_.head->law();
+    plan.path = contour_;
+    plan.notes = contour_->notes;
+    note_still_axes(*contour_, head_, plan);
+    plan.notes.insert(plan.notes.end(), result_.notes.begin(), result_.notes.end());
+    plan.path_length = contour_->path.length();
+    plan.iterations = result_.iterations;
+    plan.pieces = sampled.pieces().size();
+    report_blocks(*contour_, sampled, cycles_factor_, plan);
+    report_joints(*contour_, moving_, sampled, cycles_factor_, planning_.corner_angle, plan, progress_, 1);
+    plan.slow_lines = slow_lines(*plan_.head, head_, path_.feeds, {}, slow_lines_listed, progress_, 1);
+    std::vector<SectionGap> sections;
+    plan.sections = section_gaps(*path_.path, sampled, cycles_factor_, section_bounds_, progress_, 1, &sections);
+    plan_.slow_sections = slowest(std::move(sections));
+    plan_.fastest = result_.fastest;
+    plan_.energy = acceleration_energy(*plan_.coarse);
+    for (double& energy : plan_.energy) energy *= std::pow(cycles_factor_, 3);
+    ProgressScope scope(progress_, "report", 1, 1);
+    plan_.rms = rms_accelerations(*plan_.head, *plan_.coarse, scope);
+    for (const AxisLimits& axis : coarse_axes_)
+      plan_.peak_coarse_acceleration.push_back(value(CheckedQuantity::axis, 2, axis.name));
+    plan_.trades = std::move(result_.trades);
+    plan_.passes = std::move(result_.passes);
+    if (!plan_.passes.empty() && plan_.passes.back().peaks.empty()) plan_.passes.back().peaks = peaks();
+    for (const SlowedSegment& s : result_.slowed) {
+      const Segment& segment = contour_->path[s.segment];
+      plan_.slowed.push_back({segment.source(), segment.length(), s.feed});
+    }
+    plan_.slowed_count = std::max(plan_.slowed.size(), result_.slowed_count);
+    plan_.certified = result_.certified;
+    plan_.fallbacks = result_.fallbacks;
+    plan_.coarse_jerk_limited = result_.coarse_jerk_limited;
+    plan_.lags = std::move(result_.lags);
     return std::move(plan_);
   }
 
@@ -93,10 +213,9 @@ class Pipeline {
   // Where the stages end.
   double posed() const { return blended() ? 0.3 : 0.0; }
   double bounded() const { return posed() + 0.05; }
-  static constexpr double planned = 0.7, verified = 0.85;
   bool blended() const { return planning_.corner_mode == CornerMode::blend; }
 
-  void pose() {
+  void prepare() {
     ContourPlanning planning = planning_;
     planning.method = machine_.limits_jerk() ? PlanningMethod::jerk_limited : PlanningMethod::time_optimal;
     PosedContour posed_contour = pose_contour(given_, head_limits(machine_), planning, progress_, 0, posed());
@@ -105,19 +224,18 @@ class Pipeline {
     path_.planned.reset();
   }
 
-  void bound() {
+  void find_bound() {
     moving_head_ = head_, moving_coarse_ = coarse_axes_, moving_fine_ = fine_axes_;
     moving_head_.axes.resize(moving_), moving_coarse_.resize(moving_), moving_fine_.resize(moving_);
     const PathTask head = head_task();
-    Bound& bound = plan_.contour.bound;
     const double between = posed() + 0.8 * (bounded() - posed());
-    bound = lower_bound(head, planning_.corner_angle, progress_, posed(), between, &section_bounds_);
-    bound.basis += ", limits of coarse and fine axes summed";
+    bound_ = lower_bound(head, planning_.corner_angle, progress_, posed(), between, &section_bounds_);
+    bound_.basis += ", limits of coarse and fine axes summed";
     const StrokeGain gain =
         raise_by_stroke({head, moving_coarse_, moving_fine_, between, bounded()}, section_bounds_, progress_);
-    bound.duration += gain.duration;
+    bound_.value += gain.duration;
     if (gain.sections > 0)
-      bound.basis += "; the way of the coarse axes in " + std::to_string(gain.sections) + " sections";
+      bound_.basis += "; the way of the coarse axes in " + std::to_string(gain.sections) + " sections";
   }
 
   PathTask head_task() const { return {*path_.moving, moving_head_, path_.feeds, path_.rests, path_.dwells}; }
@@ -132,29 +250,29 @@ class Pipeline {
     const double gain =
         gain_of_chains({head_task(), moving_coarse_, moving_fine_, 1, 1}, section_bounds_, times, progress_);
     if (!(gain > 0)) return;
-    plan_.contour.bound.duration += gain;
-    plan_.contour.bound.basis += "; sections with their neighbours";
+    bound_.value += gain;
+    bound_.basis += "; sections with their neighbours";
   }
 
   void method(RedundancyOptions options, double from) {
     RedundancyTask task{path_.moving, contour_, machine_, path_.feeds, path_.rests, path_.dwells};
     task.machine.axes.resize(moving_);
-    task.bound = plan_.contour.bound.duration;
+    task.bound = bound_.value;
     options.corner_angle = planning_.corner_angle;
     result_ = plan_redundant(task, options, progress_, from, planned);
-    limit_setpoints(result_.head->duration(), machine_.cycle_time, planning_.max_setpoints);
+    stretch_ = 1;
   }
 
-  /// False: there is no plan.
-  bool tried(const RedundancyOptions& options, double from) {
+  /// With the options tried_. False: there is no plan.
+  bool tried(double from) {
+    found_ = false;
     try {
-      method(options, from);
+      method(tried_, from);
+      return found_ = true;
     } catch (const Infeasible& e) {
       if (why_not_.empty()) why_not_ = e.what();
       return false;
     }
-    slow_and_verify();
-    return verification().passed || !another(options);
   }
 
   /// What is planned where a plan with those options did not hold its limits.
@@ -171,132 +289,31 @@ class Pipeline {
     return options;
   }
 
-  /// The motion as it was before it was timed anew, or the joint planner's, or that of the coarse axes alone.
-  bool otherwise() {
-    std::size_t given_up = 0;
-    for (std::optional<RedundancyOptions> next = another(options_); next; next = another(*next)) {
-      ++given_up;
-      if (!tried(*next, planned)) continue;
-      result_.fallbacks += given_up;
-      if (!next->coarse_alone)
-        result_.notes.push_back(
-            next->method == options_.method
-                ? "the motion timed anew did not hold every limit: it is as the method planned it"
-                : "the method found no motion that holds every limit; the joint planner planned the contour");
-      return true;
-    }
-    return false;
+  /// Of what gave way to another plan.
+  void note_other_ways() {
+    if (given_up_ == 0) return;
+    result_.fallbacks += given_up_;
+    if (!tried_.coarse_alone)
+      result_.notes.push_back(
+          tried_.method == options_.method
+              ? "the motion timed again did not hold every limit: it is as the method planned it"
+              : "the method found no motion that holds every limit; the joint planner planned the contour");
   }
 
-  void slow_and_verify() {
-    const std::vector<double> still(machine_.axes.size() - moving_, contour_->height);
-    double stretch = 1;  // on top of what the method found
-    for (int correction = 0;; ++correction) {
-      plan_.contour.duration = result_.head->duration() * stretch;
-      cycles_ = whole_cycles(plan_.contour.duration, machine_.cycle_time);
-      const double factor = cycles_.factor * stretch;
-      plan_.head = std::make_shared<const PathMotion>(path_.path, result_.head->law().slowed(factor));
-      plan_.coarse = std::make_shared<const FittedMotion>(result_.coarse, factor, plan_.head->law(), still,
-                                                          machine_.limits_jerk() ? 2 : 1);
-      verify();
-      const double more = slower(verification());
-      if (verification().passed || correction == max_corrections || more == 1) return;
-      stretch = factor * more;  // of what was verified, whole cycles included
-    }
-  }
-
-  Verification& verification() { return plan_.contour.verification; }
-
-  void verify() {
-    const double between = planned + 0.5 * (verified - planned);
-    VerifierInput head{*path_.path, head_, plan_.head->law(), path_.feeds_to_verify, path_.rests};
-    head.corner_angle = planning_.corner_angle;
-    head.check_jerk = machine_.limits_jerk();
-    head.progress_from = planned, head.progress_to = between;
-    verification() = verify_motion(head, progress_);
-    CoarseFineToVerify split{*path_.path, plan_.head->law(), *plan_.coarse, coarse_axes_, fine_axes_};
-    split.check_jerk = machine_.limits_jerk();
-    split.cycle_time = machine_.cycle_time;
-    split.progress_from = between, split.progress_to = verified;
-    add(coarse_fine_checks(split, progress_));
-    std::vector<bool> centred;
-    for (const CoarseFineAxis& axis : machine_.axes) centred.push_back(axis.centred);
-    add(centre_checks(*plan_.head, *plan_.coarse, fine_axes_, centred));
-  }
-
-  void add(std::vector<Check> checks) {
-    for (Check& check : checks) verification().add(std::move(check));
-  }
-
-  void check_setpoints() {
-    const double a = verified + 0.05, b = verified + 0.1;
-    auto setpoints = std::make_unique<CoarseFineSetpoints>(plan_.head, plan_.coarse, *contour_, head_, cycles_.count);
-    add(setpoint_checks({*path_.path, head_, plan_.head->law(), *setpoints, contour_.get(), verified, a}, progress_));
-    Machine coarse{coarse_axes_, machine_.cycle_time};
-    for (Check& check : motion_setpoint_checks(*plan_.coarse, coarse, *setpoints, progress_, a, b)) {
-      check.name = "coarse " + check.name;
-      verification().add(std::move(check));
-    }
-    add(sum_checks({*setpoints, head_.axes, coarse_axes_, fine_axes_, b, 1}, progress_));
-    plan_.contour.setpoints = std::move(setpoints);
-    if (!given_->rests.empty()) verification().add(rest_check(*given_, *contour_, plan_.head->law(), progress_, 1));
-    if (blended()) add(tube_checks(*given_, *contour_, planning_.blend_tolerance, progress_, 1, 1));
-    bound_chains();
-    Bound& bound = plan_.contour.bound;
-    verification().add(bound_check(bound, plan_.contour.duration));
-    bound = with_gap(bound, plan_.contour.duration);
-  }
-
-  void report() {
-    ContourPlan& plan = plan_.contour;
-    const TimeLaw& sampled = plan_.head->law();
-    plan.path = contour_;
-    plan.notes = contour_->notes;
-    note_still_axes(*contour_, head_, plan);
-    plan.notes.insert(plan.notes.end(), result_.notes.begin(), result_.notes.end());
-    plan.path_length = contour_->path.length();
-    plan.iterations = result_.iterations;
-    plan.pieces = sampled.pieces().size();
-    report_blocks(*contour_, sampled, cycles_.factor, plan);
-    report_joints(*contour_, moving_, sampled, cycles_.factor, planning_.corner_angle, plan, progress_, 1);
-    plan.slow_lines = slow_lines(*plan_.head, head_, path_.feeds, {}, slow_lines_listed, progress_, 1);
-    std::vector<SectionGap> sections;
-    plan.sections = section_gaps(*path_.path, sampled, cycles_.factor, section_bounds_, progress_, 1, &sections);
-    plan_.slow_sections = slowest(std::move(sections));
-    plan_.fastest = result_.fastest;
-    plan_.energy = acceleration_energy(*plan_.coarse);
-    for (double& energy : plan_.energy) energy *= std::pow(cycles_.factor, 3);
-    ProgressScope scope(progress_, "report", 1, 1);
-    plan_.rms = rms_accelerations(*plan_.head, *plan_.coarse, scope);
-    for (const AxisLimits& axis : coarse_axes_)
-      plan_.peak_coarse_acceleration.push_back(value("acceleration " + axis.name));
-    plan_.trades = std::move(result_.trades);
-    plan_.passes = std::move(result_.passes);
-    if (!plan_.passes.empty() && plan_.passes.back().peaks.empty()) plan_.passes.back().peaks = peaks();
-    for (const SlowedSegment& s : result_.slowed) {
-      const Segment& segment = contour_->path[s.segment];
-      plan_.slowed.push_back({segment.source(), segment.length(), s.feed});
-    }
-    plan_.slowed_count = std::max(plan_.slowed.size(), result_.slowed_count);
-    plan_.certified = result_.certified;
-    plan_.fallbacks = result_.fallbacks;
-    plan_.coarse_jerk_limited = result_.coarse_jerk_limited;
-    plan_.lags = std::move(result_.lags);
-  }
-
-  double value(const std::string& check) {
-    const auto& checks = verification().checks;
-    const auto at = std::find_if(checks.begin(), checks.end(), [&](const Check& c) { return c.name == check; });
-    return at == checks.end() ? 0 : at->value;
+  double value(CheckedQuantity quantity, int order, const std::string& axis) {
+    const Check* check = plan_.contour.verification.find(quantity, order, axis);
+    return check == nullptr ? 0 : check->value;
   }
 
   /// Of the motion that is sampled, as verified.
   std::vector<RedundancyPeaks> peaks() {
     std::vector<RedundancyPeaks> list;
-    for (const CoarseFineAxis& axis : machine_.axes)
-      list.push_back({value("stroke " + axis.name + "f"), value("velocity " + axis.name + "c"),
-                      value("acceleration " + axis.name + "c"), value("velocity " + axis.name + "f"),
-                      value("acceleration " + axis.name + "f")});
+    using enum CheckedQuantity;
+    for (const CoarseFineAxis& one : machine_.axes) {
+      const std::string coarse = one.name + "c", fine = one.name + "f";
+      list.push_back({value(stroke, 0, fine), value(axis, 1, coarse), value(axis, 2, coarse), value(axis, 1, fine),
+                      value(axis, 2, fine)});
+    }
     return list;
   }
 
@@ -312,9 +329,15 @@ class Pipeline {
   Machine moving_head_;  // of the axes that move, what bounds are made of
   std::vector<AxisLimits> moving_coarse_, moving_fine_;
   std::vector<SectionBound> section_bounds_;
+  Machine coarse_machine_;
+  RedundancyOptions tried_;
   RedundancyResult result_;
-  std::string why_not_;  // the method found nothing
-  Cycles cycles_;
+  bool found_ = false;                     // the last method found a motion
+  std::string why_not_;                    // the method found nothing
+  std::size_t given_up_ = 0;               // plans that did not hold their limits
+  double stretch_ = 1;                     // on top of what the method found
+  double factor_ = 1, cycles_factor_ = 1;  // that the motion was slowed by, and the part of it for whole cycles
+  Bound bound_;
   CoarseFinePlan plan_;
 };
 
@@ -339,7 +362,10 @@ std::vector<AxisLimits> fine_limits(const CoarseFineMachine& machine) {
 
 CoarseFinePlan plan_coarse_fine(Contour contour, const CoarseFineMachine& machine, const ContourPlanning& planning,
                                 const RedundancyOptions& options, Progress& progress) {
-  return Pipeline(std::move(contour), machine, planning, options, progress).run();
+  CoarseFineProblem problem(std::move(contour), machine, planning, options, progress);
+  PipelineOptions pipeline{machine.cycle_time, planning.max_setpoints, max_corrections};
+  pipeline.rows_from = CoarseFineProblem::verified;
+  return problem.report(plan_motion(problem, pipeline, progress));
 }
 
 }  // namespace bahnwerk

@@ -67,16 +67,11 @@ CoarseFineMachine changed(CoarseFineMachine machine, StudiedQuantity quantity, d
   return machine;
 }
 
-/// "velocity xc 2476 mm/s, limit 1800 mm/s", of the first check that failed.
-std::string failed(const Verification& verification) {
-  for (const Check& check : verification.checks) {
-    if (check.passed) continue;
-    char text[200];
-    std::snprintf(text, sizeof text, "no plan passed the verifier: %s %.6g %s, limit %.6g %s", check.name.c_str(),
-                  check.value, check.unit.c_str(), check.limit, check.unit.c_str());
-    return text;
-  }
-  return "no plan passed the verifier";
+void fail(const Verification& verification, StudiedMachine& machine) {
+  machine.note = "no plan passed the verifier";
+  const auto& checks = verification.checks;
+  const auto failed = std::find_if(checks.begin(), checks.end(), [](const Check& check) { return !check.passed; });
+  if (failed != checks.end()) machine.failed = *failed;
 }
 
 StudiedMachine studied(double value, const Contour& contour, const CoarseFineMachine& machine,
@@ -88,7 +83,7 @@ StudiedMachine studied(double value, const Contour& contour, const CoarseFineMac
     if (plan.contour.verification.passed)
       result.duration = plan.contour.duration;
     else
-      result.note = failed(plan.contour.verification);
+      fail(plan.contour.verification, result);
   } catch (const Stopped&) {
     throw;
   } catch (const PlanningError& e) {
@@ -107,6 +102,7 @@ void take_over(std::vector<StudiedMachine>& machines) {
       std::snprintf(note, sizeof note, "the plan for %.6g holds here, too, and is the shorter one", best->value);
       m.duration = best->duration;
       m.note = note;
+      m.failed.reset();
       continue;
     }
     if (m.duration) best = &m;

@@ -6,6 +6,7 @@
 
 #include "core/base/named.hpp"
 #include "core/base/progress.hpp"
+#include "core/base/verification.hpp"
 #include "core/contour/contour.hpp"
 #include "core/plan/coarse_fine/coarse_fine_plan.hpp"
 
@@ -31,8 +32,9 @@ std::vector<StudyRequest> usual_studies();
 
 struct StudiedMachine {
   double value = 0;
-  std::optional<double> duration;  ///< s; none where nothing verified can be planned
-  std::string note;                ///< why there is none, or which machine's plan it is
+  std::optional<double> duration;    ///< s; none where nothing verified can be planned
+  std::string note;                  ///< why there is none, or which machine's plan it is
+  std::optional<Check> failed = {};  ///< the first check that no plan passed, where that is why
 };
 struct Study {
   StudiedQuantity quantity = StudiedQuantity::stroke;

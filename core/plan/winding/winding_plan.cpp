@@ -17,6 +17,7 @@
 #include "core/verify/setpoints/curvature_checks.hpp"
 #include "core/verify/setpoints/difference_checks.hpp"
 #include "core/verify/setpoints/needle_checks.hpp"
+#include "core/verify/worst.hpp"
 #include "core/winding/fill.hpp"
 #include "core/winding/needle/part_obstacles.hpp"
 #include "core/winding/path/quick_links.hpp"
@@ -63,7 +64,7 @@ class Planner {
     plan_.clearance = clear(curves, cleared);
     progress_.report("machine", cleared);
     try {
-      plan_.machine = machine_path(plan_.tool->tool, plan_.tool->orientation, request_.configurations);
+      plan_.machine = machine_path(tool_path(), plan_.tool->orientation, request_.configurations);
       move();
     } catch (const UnreachablePose& pose) {
       throw placed(pose);
@@ -286,6 +287,8 @@ class Planner {
     }
   }
 
+  std::shared_ptr<const Path> tool_path() const { return {plan_.tool, &plan_.tool->tool}; }
+
   void move() {
     PathPlanning planning = planning_of(plan_.path, plan_.tool->tool, plan_.machine);
     const auto wire =
@@ -295,26 +298,34 @@ class Planner {
       return std::make_unique<NeedleSetpoints>(
           motion, plan_.machine.axes, planning.machine, cycles,
           [wire](std::size_t segment, double u, const LawState& law) { return wire->brake(segment, u, law); },
-          interpolate(motion, cycles));
+          interpolate(motion, cycles), request_.frame);
     };
     if (request_.interpolator != Interpolator::exact) planning.lag = most_lag;
+    const WireRows* wire_rows = nullptr;
+    planning.row_checks = [&](const PathMotion& motion, const SetpointSource& setpoints, const Verification& verdict) {
+      RowChecks list;
+      list.push_back(needle_row_check({*plan_.machine.axes, *plan_.machine.kinematics, setpoints, planning.shown}));
+      auto rows = std::make_unique<WireRows>(*wire, setpoints, motion, request_.tension.permitted);
+      wire_rows = rows.get();
+      list.push_back(std::move(rows));
+      DifferenceInput differences{setpoints, planning.machine, planning.shown, verdict};
+      differences.rounding = rounding_of_rows;
+      if (request_.interpolator != Interpolator::exact) differences.feed_tolerance = request_.feed_tolerance;
+      list.push_back(difference_row_check(differences));
+      return list;
+    };
     planning.from = reached, planning.to = planned;
     plan_.motion = plan_along(planning, progress_);
-    for (Check& check : needle_checks(
-             {*plan_.machine.axes, *plan_.machine.kinematics, *plan_.motion.setpoints, planning.shown}, progress_))
-      plan_.motion.verification.add(std::move(check));
-    for (Check& check :
-         curvature_checks({*plan_.machine.axes, plan_.motion.motion->law(), request_.cycle_time,
-                           request_.chord_tolerance, request_.half_speed_curvature, request_.along.velocity, planned},
-                          progress_))
-      plan_.motion.verification.add(std::move(check));
-    plan_.wire = wire->figures(*plan_.motion.setpoints, *plan_.motion.motion, progress_);
-    for (Check& check : wire_checks(plan_.wire, request_.tension.permitted))
-      plan_.motion.verification.add(std::move(check));
-    DifferenceInput differences{*plan_.motion.setpoints, planning.machine, planning.shown, plan_.motion.verification};
-    differences.rounding = rounding_of_rows;
-    if (request_.interpolator != Interpolator::exact) differences.feed_tolerance = request_.feed_tolerance;
-    for (Check& check : difference_checks(differences, progress_)) plan_.motion.verification.add(std::move(check));
+    Verification& verdict = plan_.motion.verification;
+    const RowChecks rows = std::move(plan_.motion.row_checks);
+    verdict.add(rows[0]->checks());
+    verdict.add(
+        curvature_checks({*plan_.machine.axes, plan_.motion.motion->law(), request_.cycle_time,
+                          request_.chord_tolerance, request_.half_speed_curvature, request_.along.velocity, planned},
+                         progress_));
+    plan_.wire = wire_rows->figures();
+    verdict.add(rows[1]->checks());
+    verdict.add(rows[2]->checks());
   }
 
   /// Measures all interpolators; the one that was asked for, nothing of the exact one: its places are the law's.
@@ -372,10 +383,10 @@ class Planner {
       plan_.turn_begins.push_back(law.t0);
     }
     if (!(plan_.clearance.minimum < unlimited)) return;
-    Check check{"needle clearance", "mm", request_.least_clearance, plan_.clearance.minimum, 0, false};
-    check.passed = check.value >= check.limit;
-    check.at = time_at(tool_length(tool, plan_.clearance.move, plan_.clearance.at));
-    plan_.motion.verification.add(std::move(check));
+    const double least = request_.least_clearance, found = plan_.clearance.minimum,
+                 at = time_at(tool_length(tool, plan_.clearance.move, plan_.clearance.at));
+    plan_.motion.verification.add(
+        verify::make_check(Checked{CheckedQuantity::clearance}, least, found, at, found >= least));
   }
 
   /// When the needle is `s` mm along its path, s: to a millionth of the law's piece.

@@ -79,6 +79,7 @@ struct WindingRequest {
   double temperature = 20;                  ///< °C, of the coil's resistance
   Interpolator interpolator = Interpolator::exact;
   double max_setpoints = 20'000'000;
+  std::optional<PoseFrame> frame = {};  ///< of the setpoints' poses
 };
 
 /// What links by time gain: durations of the whole path with the feed that was asked for, s. The least of them is

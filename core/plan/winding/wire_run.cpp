@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/base/read_rows.hpp"
+#include "core/verify/worst.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -65,32 +66,33 @@ Drawing WireRun::drawing(std::size_t segment, double u, const LawState& law) con
   return {slope * law.v, free.length.derivative(2) * law.v * law.v + slope * law.a, free.bend.value()};
 }
 
-WireFigures WireRun::figures(const SetpointSource& setpoints, const PathMotion& motion, Progress& progress) const {
-  const Path& path = tool_->tool;
-  const auto& columns = setpoints.columns();
-  const std::size_t rows = setpoints.count();
-  std::array<std::size_t, 7> column{};
-  const char* const names[] = {"x", "y", "z", "phi", "psi", "s", "brake"};
-  for (std::size_t i = 0; i < column.size(); ++i) {
-    column[i] = column_index(columns, names[i]);
-    if (column[i] == columns.size()) throw std::invalid_argument(std::string("setpoints have no column ") + names[i]);
+struct WireRows::State {
+  using LawAt = std::pair<std::size_t, Drawing>;  ///< of which piece of the path, and the wire there
+
+  State(const WireRun& wire, const SetpointSource& source, const PathMotion& sampled)
+      : run(wire), motion(sampled), path(wire.tool_->tool), rows(source.count()), h(source.cycle_time()) {
+    const auto& columns = source.columns();
+    const char* const names[] = {"x", "y", "z", "phi", "psi", "s", "brake"};
+    for (std::size_t i = 0; i < column.size(); ++i) {
+      column[i] = column_index(columns, names[i]);
+      if (column[i] == columns.size()) throw std::invalid_argument(std::string("setpoints have no column ") + names[i]);
+    }
+    figures.least = figures.constant_least = std::numeric_limits<double>::infinity();
   }
-  std::size_t segment = 0, entered = 0, coil = 0;
-  const auto measure = [&](const double* row) {
+
+  Measured measure(const double* row) {
     segment = path.find(row[column[5]], segment);
     for (; entered < segment; ++entered)
-      if (path[entered + 1].source() != path[entered].source() && anchors_[path[entered + 1].source()].free) ++coil;
+      if (path[entered + 1].source() != path[entered].source() && run.anchors_[path[entered + 1].source()].free) ++coil;
     const ToolPose pose{
         {row[column[0]], row[column[1]], row[column[2]]}, radians * row[column[3]], radians * row[column[4]]};
-    const winding::FreeWire free = wire(segment, standing(pose));
-    return Measured{before_[segment] + free.length.value(), free.bend.value(), row[column[6]], coil};
-  };
+    const winding::FreeWire free = run.wire(segment, standing(pose));
+    return {run.before_[segment] + free.length.value(), free.bend.value(), row[column[6]], coil};
+  }
 
-  WireFigures figures;
-  figures.least = figures.constant_least = std::numeric_limits<double>::infinity();
-  const double h = setpoints.cycle_time();
-  const auto judge = [&](const Measured& row, const Drawing& drawing, double t) {
-    const double now = tension(model_, row.brake, drawing), constant = tension(model_, model_.force, drawing);
+  void evaluate(const Measured& row, const Drawing& drawing, double t) {
+    const double now = tension(run.model_, row.brake, drawing),
+                 constant = tension(run.model_, run.model_.force, drawing);
     if (!(now <= figures.peak)) figures.peak = now, figures.peak_at = t;
     if (!(now >= figures.least)) figures.least = now, figures.least_at = t;
     figures.constant_peak = std::max(figures.constant_peak, constant);
@@ -98,49 +100,65 @@ WireFigures WireRun::figures(const SetpointSource& setpoints, const PathMotion& 
     figures.speed = std::max(figures.speed, drawing.speed);
     figures.taken_back = std::max(figures.taken_back, -drawing.speed);
     figures.acceleration = std::max(figures.acceleration, std::abs(drawing.acceleration));
-  };
-  // In the middle of the cycle that ends with row k, by the law, with the cycle's mean acceleration: where the wire
-  // begins to lie on its bend circle the acceleration itself has a pole that lasts microseconds. Where the wire gets
-  // another anchor its speed steps, which only differences of rows see.
-  std::size_t piece = 0;
-  const auto law_at = [&](double t) {
+  }
+
+  LawAt law_at(double t) {
     piece = motion.law().find(t, piece);
     const std::size_t at = motion.law().pieces()[piece].segment;
     const LawState law = motion.along(piece, t);
-    return std::pair(path[at].source(), drawing(at, path[at].parameter(law.s), law));
-  };
-  std::optional<decltype(law_at(0))> left;  // what is known of row `row_of_left`
-  std::size_t row_of_left = 0;
-  const auto within = [&](std::size_t k, const Measured& before, const Measured& after) {
+    return {path[at].source(), run.drawing(at, path[at].parameter(law.s), law)};
+  }
+
+  // In the middle of the cycle that ends with row k, by the law, with the cycle's mean acceleration: where the wire
+  // begins to lie on its bend circle the acceleration itself has a pole that lasts microseconds. Where the wire gets
+  // another anchor its speed steps, which only differences of rows see.
+  void within(std::size_t k, const Measured& before, const Measured& after) {
     const double t = (static_cast<double>(k) - 0.5) * h;
     if (!left || row_of_left + 1 != k) left = law_at(static_cast<double>(k - 1) * h);
-    auto middle = law_at(t);
-    const auto right = law_at(static_cast<double>(k) * h);
+    LawAt middle = law_at(t);
+    const LawAt right = law_at(static_cast<double>(k) * h);
     if (left->first == right.first) middle.second.acceleration = (right.second.speed - left->second.speed) / h;
     left = right, row_of_left = k;
-    judge({0, middle.second.bend, 0.5 * (before.brake + after.brake), after.coil}, middle.second, t);
-  };
-  std::array<Measured, 3> last{};
-  const auto take = [&](std::size_t k, const double* row) {
+    evaluate({0, middle.second.bend, 0.5 * (before.brake + after.brake), after.coil}, middle.second, t);
+  }
+
+  void take(std::size_t k, const double* row) {
     std::rotate(last.begin(), last.begin() + 1, last.end());
     last[2] = measure(row);
-    if (k == 0 || k + 1 == rows) judge(last[2], {0, 0, last[2].bend}, static_cast<double>(k) * h);
+    if (k == 0 || k + 1 == rows) evaluate(last[2], {0, 0, last[2].bend}, static_cast<double>(k) * h);
     if (k > 0 && last[1].coil == last[2].coil) within(k, last[1], last[2]);
     if (k < 2 || last[0].coil != last[2].coil) return;
     const auto& [a, b, c] = last;
-    judge(b, {(c.length - a.length) / (2 * h), (c.length - 2 * b.length + a.length) / (h * h), b.bend},
-          static_cast<double>(k - 1) * h);
-  };
-  for_each_row(setpoints, take, [&](std::size_t, std::size_t) { progress.report("verify wire", 1); });
-  return figures;
-}
+    evaluate(b, {(c.length - a.length) / (2 * h), (c.length - 2 * b.length + a.length) / (h * h), b.bend},
+             static_cast<double>(k - 1) * h);
+  }
+
+  const WireRun& run;
+  const PathMotion& motion;
+  const Path& path;
+  std::size_t rows;
+  double h;  ///< s, a cycle
+  std::array<std::size_t, 7> column{};
+  std::size_t segment = 0, entered = 0, coil = 0, piece = 0;
+  std::optional<LawAt> left;  ///< what is known of row `row_of_left`
+  std::size_t row_of_left = 0;
+  std::array<Measured, 3> last{};
+  WireFigures figures;
+};
+
+WireRows::WireRows(const WireRun& wire, const SetpointSource& setpoints, const PathMotion& motion, double permitted)
+    : state_(std::make_unique<State>(wire, setpoints, motion)), permitted_(permitted) {}
+WireRows::~WireRows() = default;
+void WireRows::row(std::size_t k, const double* row) { state_->take(k, row); }
+std::vector<Check> WireRows::checks() { return wire_checks(state_->figures, permitted_); }
+const WireFigures& WireRows::figures() const { return state_->figures; }
 
 std::vector<Check> wire_checks(const WireFigures& figures, double permitted) {
   std::vector<Check> checks;
   if (std::isfinite(permitted))
-    checks.push_back(
-        {"wire pull", "N", permitted, figures.peak, figures.peak_at, figures.peak <= permitted * (1 + 1e-9)});
-  checks.push_back({"wire slack", "N", 0, figures.least, figures.least_at, figures.least >= 0});
+    checks.push_back(verify::make_check({CheckedQuantity::pull, 0, "N"}, permitted, {figures.peak, figures.peak_at}));
+  checks.push_back(
+      verify::make_check({CheckedQuantity::slack, 0, "N"}, 0, figures.least, figures.least_at, figures.least >= 0));
   return checks;
 }
 

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/base/progress.hpp"
+#include "core/base/row_check.hpp"
 #include "core/base/setpoint_source.hpp"
 #include "core/base/verification.hpp"
 #include "core/motion/law/path_motion.hpp"
@@ -38,15 +38,8 @@ class WireRun {
     return winding::compensating_brake(model_, ideal ? winding::Drawing{} : drawing(segment, u, law));
   }
 
-  /// From the rows as they are served, with columns x, y, z, phi, psi, s, brake: the wire that is drawn is measured in
-  /// every row, its speed and acceleration are differences of three rows, the mean over two cycles. In the middle of
-  /// every cycle, from the motion that rows are samples of, the mean over that cycle, with the mean of the brake's
-  /// forces at both rows: sampling, no enclosure. Shorter means would grow without bound: where the wire begins to lie
-  /// on its bend circle, ds of its length has a square root, and its acceleration a pole. Not told: what is about a
-  /// change of coils, whose wire nobody describes. 2 µs per row besides reading.
-  WireFigures figures(const SetpointSource& setpoints, const PathMotion& motion, Progress& progress) const;
-
  private:
+  friend class WireRows;
   winding::FreeWire wire(std::size_t segment, const ToolJet& tool) const;
 
   std::shared_ptr<const PosePath> tool_;
@@ -54,6 +47,27 @@ class WireRun {
   winding::TensionModel model_;
   double bend_radius_, free_length_;
   std::vector<double> before_;  ///< per segment: what makes the wire's length continuous where segments meet, mm
+};
+
+/// Measures the wire in rows as they are served, with columns x, y, z, phi, psi, s, brake. The length that is drawn is
+/// measured in every row; its speed and acceleration are differences of three rows, the mean over two cycles. In the
+/// middle of every cycle, from the motion that rows are samples of, they are the mean over that cycle, with the mean of
+/// the brake's forces at both rows: sampling, no enclosure. Shorter means would grow without bound: where the wire
+/// begins to lie on its bend circle, ds of its length has a square root, and its acceleration a pole. Nothing is told
+/// about a change of coils, whose wire nobody describes. 2 µs per row.
+class WireRows final : public RowCheck {
+ public:
+  /// What it is given has to live as long as it does. Throws std::invalid_argument for columns that are missing.
+  WireRows(const WireRun& wire, const SetpointSource& setpoints, const PathMotion& motion, double permitted);
+  ~WireRows() override;
+  void row(std::size_t k, const double* row) override;
+  std::vector<Check> checks() override;  ///< wire_checks()
+  const WireFigures& figures() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+  double permitted_;
 };
 
 /// `wire pull`: the peak of the tension against what the wire bears, where that is known; `wire slack`: the least

@@ -6,6 +6,7 @@
 
 #include "core/base/errors.hpp"
 #include "core/redundant/iterative/coarse_motion.hpp"
+#include "core/redundant/joint_method.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -204,7 +205,7 @@ class Planner {
       RedundancyOptions options = options_;
       options.method = RedundancyMethod::joint;
       options.compare = false;
-      RedundancyResult joint = redundancy_row(RedundancyMethod::joint).plan(task_, options, progress_, to_, to_);
+      RedundancyResult joint = plan_joint_method(task_, options, progress_, to_, to_);
       // With limited jerk the coarse axes alone cannot follow where curvature jumps.
       if (!task_.machine.limits_jerk() && !(joint.head->duration() < other.head->duration())) return;
       other = std::move(joint);

@@ -25,7 +25,7 @@ class SplitPath final : public AxisPath {
  public:
   /// `path` has N ≤ max_axes/2 axes.
   SplitPath(std::shared_ptr<const AxisPath> path, std::shared_ptr<const CoarsePath> coarse)
-      : AxisPath(path->tool(), 2 * path->axes(), false), path_(std::move(path)), coarse_(std::move(coarse)) {}
+      : AxisPath({path, &path->tool()}, 2 * path->axes(), false), path_(std::move(path)), coarse_(std::move(coarse)) {}
 
   bool linear(std::size_t segment) const override { return path_->linear(segment) && coarse_->linear(segment); }
   AxisJet at_parameter(std::size_t segment, double u) const override;

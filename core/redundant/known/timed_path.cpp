@@ -36,7 +36,10 @@ Path TimedPath::tool_path(const std::vector<Stretch>& stretches) {
 }
 
 TimedPath::TimedPath(const Path& tool, const Motion& head, const Motion& coarse, std::vector<Stretch> stretches)
-    : AxisPath(tool, 2 * coarse.axes(), false), head_(head), coarse_(coarse), stretches_(std::move(stretches)) {}
+    : AxisPath(borrowed(tool), 2 * coarse.axes(), false),
+      head_(head),
+      coarse_(coarse),
+      stretches_(std::move(stretches)) {}
 
 AxisJet TimedPath::at_time(std::size_t segment, double t) const {
   const Stretch& stretch = stretches_[segment];

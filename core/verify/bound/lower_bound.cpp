@@ -192,7 +192,7 @@ Bound lower_bound(const PathTask& task, double corner_angle, Progress& progress,
                 : axes <= 5 ? bound_of<5>(task, corner_angle, progress, progress_from, progress_to, sections)
                             : bound_of<max_axes>(task, corner_angle, progress, progress_from, progress_to, sections);
   // The planned motion sums up its dwells one by one, with rounding.
-  bound.duration += task.dwell() * (1 - 1e-12 - 4e-16 * static_cast<double>(task.dwells.size()));
+  bound.value += task.dwell() * (1 - 1e-12 - 4e-16 * static_cast<double>(task.dwells.size()));
   return bound;
 }
 
@@ -202,14 +202,8 @@ Bound lower_bound(const Contour& contour, const Machine& machine, double corner_
   return lower_bound(contour_task(path, contour, machine), corner_angle, progress, progress_from, progress_to);
 }
 
-Bound with_gap(Bound bound, double planned) {
-  bound.gap = bound.duration > 0 ? (planned - bound.duration) / bound.duration : 0;
-  if (bound.gap < 0 && bound.gap > -1e-14) bound.gap = 0;
-  return bound;
-}
-
 Check bound_check(const Bound& bound, double planned) {
-  return verify::make_check("bound", "s", planned, {bound.duration, 0});
+  return verify::make_check({CheckedQuantity::bound, 0, "s"}, planned, {bound.value, 0});
 }
 
 }  // namespace bahnwerk

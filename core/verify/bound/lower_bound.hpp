@@ -85,10 +85,6 @@ Bound lower_bound(const PathTask& task, double corner_angle, Progress& progress,
 Bound lower_bound(const Contour& contour, const Machine& machine, double corner_angle, Progress& progress,
                   double progress_from = 0, double progress_to = 1);
 
-/// Completes a bound: gap = planned / duration − 1. Negative only if the plan really is shorter than the bound by more
-/// than rounding.
-Bound with_gap(Bound bound, double planned);
-
 /// Check "bound", s: `value` is the bound, `limit` the planned duration. A plan that is shorter than its bound by more
 /// than 1e-9 of itself does not pass: one of the two is wrong.
 Check bound_check(const Bound& bound, double planned);

@@ -44,7 +44,7 @@ std::vector<Check> tube_checks(const Contour& given, const Contour& path, double
                                double from, double to) {
   ProgressScope pulse(progress, "verify", from, to);
   pulse.report();
-  std::vector<Check> checks{verify::make_check("blocks out of order", "1", 0, wrong_blocks(given, path))};
+  std::vector<Check> checks{verify::make_check({CheckedQuantity::block_order, 0, "1"}, 0, wrong_blocks(given, path))};
   verify::Worst worst{HUGE_VAL, 0};
   if (checks.back().passed && !given.path.empty() && !path.path.empty()) {
     worst = {};
@@ -57,7 +57,7 @@ std::vector<Check> tube_checks(const Contour& given, const Contour& path, double
       if (std::isnan(found.value) || found.value > worst.value) worst.raise(found.value, found.at);
     }
   }
-  checks.push_back(verify::make_check("deviation from contour", "mm", tolerance, worst));
+  checks.push_back(verify::make_check(Checked{CheckedQuantity::deviation}, tolerance, worst));
   pulse.done(1);
   pulse.report();
   return checks;

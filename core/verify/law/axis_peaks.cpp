@@ -28,13 +28,12 @@ struct Channel {
 
 std::vector<Channel> make_channels(const VerifierInput& in) {
   std::vector<Channel> list;
-  auto add = [&](Quantity quantity, double AxisLimits::*limit) {
+  for (const Quantity quantity : {Quantity::velocity, Quantity::acceleration, Quantity::jerk}) {
+    if (quantity == Quantity::jerk && !in.check_jerk) continue;
     for (std::size_t k = 0; k < in.path.axes(); ++k)
-      if (const double value = in.machine.axes[k].*limit; value < unlimited) list.push_back({quantity, k, value});
-  };
-  add(Quantity::velocity, &AxisLimits::velocity);
-  add(Quantity::acceleration, &AxisLimits::acceleration);
-  if (in.check_jerk) add(Quantity::jerk, &AxisLimits::jerk);
+      if (const double value = in.machine.axes[k].of(static_cast<int>(quantity) + 1); value < unlimited)
+        list.push_back({quantity, k, value});
+  }
   return list;
 }
 
@@ -348,15 +347,13 @@ class Sweeper {
   }
 
   Check check(std::size_t c, const Peak& peak) const {
-    static constexpr std::array names{"velocity ", "acceleration ", "jerk "};
-    static constexpr std::array units{"/s", "/s²", "/s³"};
     const Channel& channel = channels_[c];
     Worst worst{channel.squared() ? std::sqrt(peak.value) : peak.value, 0};
     if (!peak.finite) worst.value = std::numeric_limits<double>::quiet_NaN();
     if (peak.tag < in_.law.pieces().size()) worst.at = moment(in_.law.pieces()[peak.tag], peak.at);
-    const auto kind = static_cast<std::size_t>(channel.quantity);
     const AxisLimits& axis = in_.machine.axes[channel.axis];
-    return make_check(names[kind] + axis.name, axis.unit + units[kind], channel.limit, worst);
+    const int order = static_cast<int>(channel.quantity) + 1;
+    return make_check({CheckedQuantity::axis, order, axis.unit, axis.name}, channel.limit, worst);
   }
 
   // When a piece passes the place where its peak was found.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <utility>
 
@@ -39,12 +38,6 @@ SpeedRange speed_range(const Passed& passed) {
       if (tau > 0 && tau < p.duration) offer(p.at(tau).v, tau);
   offer(passed.end.v, p.duration);
   return r;
-}
-
-std::string feed_name(double feed) {
-  char text[64];
-  std::snprintf(text, sizeof text, "path velocity (feed %.10g)", feed);
-  return text;
 }
 
 class LawChecker {
@@ -108,8 +101,9 @@ class LawChecker {
   }
 
  private:
-  // Acceleration and jerk along the path: a is a parabola, j even.
+  // Acceleration, jerk and snap along the path: a is a parabola, j even, the snap constant.
   void path_peaks(const LawPiece& p) {
+    path_snap_.raise(std::abs(p.q), p.t0);
     for (const double tau : {0.0, turning_points(p)[2], p.duration}) {
       if (!(tau >= 0 && tau <= p.duration)) continue;
       const LawState x = p.at(tau);
@@ -178,15 +172,16 @@ class LawChecker {
     most.worst.raise(candidate, limit, t);
     if (most.worst.value != before.value || most.worst.limit != before.limit) most.axis = axis;
   }
-  std::string unit(const StrainedAxis& most, const char* per) const {
-    return in_.machine.axes.empty() ? std::string("mm") + per : in_.machine.axes[most.axis].unit + per;
+  std::string unit(const StrainedAxis& most) const {
+    return in_.machine.axes.empty() ? "mm" : in_.machine.axes[most.axis].unit;
   }
 
   std::vector<Check> report() const {
+    using enum CheckedQuantity;
     std::vector<Check> list;
     std::vector<Check> feeds;
     for (std::size_t i = 0; i < distinct_.size(); ++i)
-      feeds.push_back(make_check(feed_name(distinct_[i]), "mm/s", distinct_[i], feed_peaks_[i]));
+      feeds.push_back(make_check({feed, 1}, distinct_[i], feed_peaks_[i]));
     if (feeds.size() > max_feeds) {
       std::stable_sort(feeds.begin(), feeds.end(), [](const Check& a, const Check& b) {
         if (a.passed != b.passed) return b.passed;
@@ -195,30 +190,29 @@ class LawChecker {
       feeds.resize(max_feeds);
     }
     for (Check& c : feeds) list.push_back(std::move(c));
-    if (in_.along.velocity < unlimited) list.push_back(make_check("path velocity", "mm/s", in_.along.velocity, peak_));
+    if (in_.along.velocity < unlimited) list.push_back(make_check({path, 1}, in_.along.velocity, peak_));
     if (in_.along.acceleration < unlimited)
-      list.push_back(make_check("path acceleration", "mm/s²", in_.along.acceleration, path_acceleration_));
-    if (in_.check_jerk && in_.along.jerk < unlimited)
-      list.push_back(make_check("path jerk", "mm/s³", in_.along.jerk, path_jerk_));
+      list.push_back(make_check({path, 2}, in_.along.acceleration, path_acceleration_));
+    if (in_.check_jerk && in_.along.jerk < unlimited) list.push_back(make_check({path, 3}, in_.along.jerk, path_jerk_));
+    if (in_.check_jerk && in_.along.snap < unlimited) list.push_back(make_check({path, 4}, in_.along.snap, path_snap_));
     if (!joints_.empty()) {
-      list.push_back(make_limit_check("velocity step at joints", unit(step_, "/s"), step_.worst));
-      if (jump_.worst.limit > 0)
-        list.push_back(make_limit_check("acceleration step at joints", unit(jump_, "/s²"), jump_.worst));
-      list.push_back(make_check("corner rest", "mm/s", corner_));
+      list.push_back(make_limit_check({joint_step, 1, unit(step_)}, step_.worst));
+      if (jump_.worst.limit > 0) list.push_back(make_limit_check({joint_step, 2, unit(jump_)}, jump_.worst));
+      list.push_back(make_check({corner_rest, 1}, corner_));
     }
-    if (has_cusp_) list.push_back(make_check("cusp rest", "mm/s", cusp_));
-    list.push_back(make_check("start at rest", "mm/s", start_));
-    list.push_back(make_check("end at rest", "mm/s", end_));
-    list.push_back(make_check("continuity of velocity", "mm/s", velocity_gap_));
-    if (in_.check_jerk) list.push_back(make_check("continuity of acceleration", "mm/s²", acceleration_gap_));
+    if (has_cusp_) list.push_back(make_check({cusp_rest, 1}, cusp_));
+    list.push_back(make_check({start_rest, 1}, start_));
+    list.push_back(make_check({end_rest, 1}, end_));
+    list.push_back(make_check({continuity, 1}, velocity_gap_));
+    if (in_.check_jerk) list.push_back(make_check({continuity, 2}, acceleration_gap_));
     Strained position = position_gap_;
     position.raise(joint_gap_.value, joint_gap_.limit, joint_gap_.at);
-    list.push_back(make_check("continuity of position", "mm", position));
-    list.push_back(make_check("continuity of time", "s", time_gap_));
-    list.push_back(make_check("pieces within segments", "mm", outside_));
-    list.push_back(make_check("forward motion", "mm/s", backward_));
-    list.push_back(make_check("path covered", "mm", uncovered_));
-    list.push_back(make_check("distance from contour", "mm", distance_));
+    list.push_back(make_check({continuity, 0}, position));
+    list.push_back(make_check({time_continuity, 0, "s"}, time_gap_));
+    list.push_back(make_check({segments, 0}, outside_));
+    list.push_back(make_check({forward, 1}, backward_));
+    list.push_back(make_check({coverage, 0}, uncovered_));
+    list.push_back(make_check({path_distance, 0}, distance_));
     return list;
   }
 
@@ -228,7 +222,7 @@ class LawChecker {
   std::vector<double> distinct_;
   std::vector<Worst> feed_peaks_;
   bool has_cusp_ = false;
-  Worst peak_, path_acceleration_, path_jerk_;
+  Worst peak_, path_acceleration_, path_jerk_, path_snap_;
   StrainedAxis step_, jump_;
   Strained backward_, outside_, position_gap_, joint_gap_, velocity_gap_, acceleration_gap_, time_gap_, corner_, cusp_,
       start_, end_, uncovered_, distance_;

@@ -10,9 +10,10 @@
 
 namespace bahnwerk::verify {
 
-using Bernstein = std::array<double, ChebyshevRule::max_points>;
+using Bernstein = std::array<double, max_coefficients>;
 
-/// Bernstein coefficients over [0, 1] of p(T x), the constant lifted by `offset`; how many there are. Degree 8 at most.
+/// Bernstein coefficients over [0, 1] of p(T x), the constant lifted by `offset`; how many there are. No more than
+/// max_coefficients.
 inline std::size_t bernstein(const Polynomial& p, double duration, double offset, Bernstein& b) {
   const std::size_t n = std::max<std::size_t>(p.size(), 1);
   Bernstein scaled{};

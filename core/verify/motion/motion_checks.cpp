@@ -17,19 +17,13 @@ namespace verify {
 namespace {
 
 constexpr std::size_t derivatives = 4;  // velocity, acceleration, jerk, snap
-constexpr std::array names{"velocity ", "acceleration ", "jerk ", "snap "};
-constexpr std::array units{"/s", "/s²", "/s³", "/s⁴"};
-constexpr std::array continuities{"continuity of position", "continuity of velocity", "continuity of acceleration",
-                                  "continuity of jerk"};
 
 const AxisArray& part(const MotionState& x, std::size_t derivative) {
   const std::array<const AxisArray*, 5> parts{&x.position, &x.velocity, &x.acceleration, &x.jerk, &x.snap};
   return *parts[derivative];
 }
 
-double limit(const AxisLimits& axis, std::size_t derivative) {
-  return std::array{axis.velocity, axis.acceleration, axis.jerk, axis.snap}[derivative - 1];
-}
+double limit(const AxisLimits& axis, std::size_t derivative) { return axis.of(static_cast<int>(derivative)); }
 
 /// Σ |x⁽ᵈ⁺ⁱ⁾| Tⁱ/i!: what the d-th derivative is summed up from within a piece, and hence what its rounding follows.
 double terms(const MotionState& x, std::size_t derivative, std::size_t axis, double duration) {
@@ -81,7 +75,7 @@ class Checker {
       reach(k, p, t0, T);
       for (std::size_t d = 1; d <= derivatives; ++d) {
         p = derivative(p);
-        std::array<double, ChebyshevRule::max_points> b{};
+        Bernstein b{};
         const std::size_t n = bernstein(p, T, 0, b);
         Worst& peak = peaks_[d - 1][k];
         if (!std::all_of(b.begin(), b.begin() + static_cast<std::ptrdiff_t>(n),
@@ -104,7 +98,7 @@ class Checker {
       if (!std::isfinite(border)) continue;
       // Beyond a border a polynomial is what its largest magnitude about a far place tells; the place is far enough for
       // nothing on the other side to count.
-      std::array<double, ChebyshevRule::max_points> b{};
+      Bernstein b{};
       const std::size_t n = bernstein(p, T, -border, b);
       double most = 0;
       for (std::size_t j = 0; j < n; ++j) most = std::isnan(b[j]) ? b[j] : std::max(most, std::abs(b[j]));
@@ -177,26 +171,29 @@ class Checker {
     return tolerance(x, d, k, T, t) + tolerance(other, d, k, T, t);
   }
 
+  /// What is checked of all axes together.
+  Checked whole(CheckedQuantity quantity, int order) const { return {quantity, order, in_.unit, in_.group}; }
+
   std::vector<Check> report() const {
     std::vector<Check> list;
     const std::size_t axes = in_.axes.size();
     for (std::size_t k = 0; k < axes; ++k) {
       const AxisLimits& axis = in_.axes[k];
-      if (std::isfinite(axis.lowest) || std::isfinite(axis.highest))
-        list.push_back(make_check("range " + axis.name, axis.unit, range_[k]));
+      if (axis.has_range()) list.push_back(make_check({CheckedQuantity::axis, 0, axis.unit, axis.name}, range_[k]));
       for (std::size_t d = 1; d <= derivatives; ++d) {
         if (!std::isfinite(limit(axis, d))) continue;
         Worst worst = peaks_[d - 1][k];
         const Peak& sampled = sweep_[(d - 1) * axes + k];
         worst.raise(sampled.finite ? sampled.value : std::nan(""), sampled.at);
         if (d == 4 && !in_.motion.has_snap()) worst.value = std::nan("");
-        list.push_back(make_check(names[d - 1] + axis.name, axis.unit + units[d - 1], limit(axis, d), worst));
+        list.push_back(
+            make_check({CheckedQuantity::axis, static_cast<int>(d), axis.unit, axis.name}, limit(axis, d), worst));
       }
     }
     for (std::size_t d = 0; d <= static_cast<std::size_t>(in_.continuous); ++d)
-      list.push_back(make_check(continuities[d], d == 0 ? "unit" : std::string("unit") + units[d - 1], gaps_[d]));
-    if (in_.rests_at_begin) list.push_back(make_check("start at rest", "unit/s", start_));
-    if (in_.rests_at_end) list.push_back(make_check("end at rest", "unit/s", end_));
+      list.push_back(make_check(whole(CheckedQuantity::continuity, static_cast<int>(d)), gaps_[d]));
+    if (in_.rests_at_begin) list.push_back(make_check(whole(CheckedQuantity::start_rest, 1), start_));
+    if (in_.rests_at_end) list.push_back(make_check(whole(CheckedQuantity::end_rest, 1), end_));
     return list;
   }
 

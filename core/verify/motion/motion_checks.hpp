@@ -1,6 +1,7 @@
 #pragma once
 /// The verifier of any motion of axes over time, wherever it comes from: it asks for states and polynomials, no
 /// planner.
+#include <string>
 #include <vector>
 
 #include "core/base/progress.hpp"
@@ -23,6 +24,8 @@ struct MotionToVerify {
   /// its jerk does.
   std::vector<double> step_times = {};
   double progress_from = 0, progress_to = 1;  ///< the share of the whole job's progress that this takes
+  std::string group = {};                     ///< the subject of checks of all axes together
+  std::string unit = "unit";                  ///< their unit: that of the axes, if they have the same one
 };
 
 /// Checks, in this order, per axis where limited: `range <axis>` (by how much positions lie beyond lowest and highest,

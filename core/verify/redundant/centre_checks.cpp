@@ -16,9 +16,9 @@ std::vector<Check> centre_checks(const Motion& head, const Motion& coarse, const
     for (std::size_t k = 0; k < fine_axes.size(); ++k) {
       if (!centred[k]) continue;
       const AxisLimits& axis = fine_axes[k];
-      list.push_back(
-          verify::make_check((end ? "centred at end " : "centred at start ") + axis.name, axis.unit, middle,
-                             verify::Worst{std::abs(x.position[k] - c.position[k]), end ? head.duration() : 0}));
+      list.push_back(verify::make_check(
+          {end ? CheckedQuantity::centred_end : CheckedQuantity::centred_start, 0, axis.unit, axis.name}, middle,
+          verify::Worst{std::abs(x.position[k] - c.position[k]), end ? head.duration() : 0}));
     }
   }
   return list;

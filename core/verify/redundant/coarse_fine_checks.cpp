@@ -21,9 +21,7 @@ namespace bahnwerk {
 namespace verify {
 namespace {
 
-constexpr std::array names{"stroke ", "velocity ", "acceleration ", "jerk "};
 constexpr double least_stroke = 1e-8;  // mm; a fine axis with less is none
-constexpr std::array units{"", "/s", "/s²", "/s³"};
 
 struct Channel {
   std::size_t axis, derivative;  // of the fine axis
@@ -88,8 +86,8 @@ class FineSweep {
       const Channel& channel = channels_[c_];
       const AxisLimits& axis = in_.fine_axes[channel.axis];
       const Peak& peak = peaks_[c_];
-      list.push_back(make_check(names[channel.derivative] + axis.name, axis.unit + units[channel.derivative],
-                                channel.limit,
+      const auto quantity = channel.derivative == 0 ? CheckedQuantity::stroke : CheckedQuantity::axis;
+      list.push_back(make_check({quantity, static_cast<int>(channel.derivative), axis.unit, axis.name}, channel.limit,
                                 Worst{peak.finite ? peak.value : std::numeric_limits<double>::quiet_NaN(), peak.at}));
     }
     return list;
@@ -214,18 +212,15 @@ std::vector<Check> coarse_fine_checks(const CoarseFineToVerify& input, Progress&
     coarse.step_times.push_back(fine.highest > verify::least_stroke ? 0 : input.cycle_time);
   coarse.progress_from = input.progress_from;
   coarse.progress_to = between;
+  coarse.group = "coarse";
+  coarse.unit = "mm";
   std::vector<Check> list = motion_checks(coarse, progress);
-  for (Check& check : list) {
-    if (!check.unit.starts_with("unit")) continue;
-    check.name = "coarse " + check.name;
-    check.unit = "mm" + check.unit.substr(4);
-  }
   ProgressScope scope(progress, "verify", between, input.progress_to);
   for (Check& check : verify::FineSweep(input, scope).run()) list.push_back(std::move(check));
   verify::Strained duration;
   duration.raise(std::abs(input.coarse.duration() - input.law.duration()), verify::rounding * input.law.duration(),
                  input.law.duration());
-  list.push_back(verify::make_check("coarse duration", "s", duration));
+  list.push_back(verify::make_check({CheckedQuantity::duration, 0, "s", "coarse"}, duration));
   scope.done(1);
   scope.report();
   return list;

@@ -5,7 +5,6 @@
 #include <limits>
 #include <string>
 
-#include "core/base/progress_scope.hpp"
 #include "core/base/read_rows.hpp"
 #include "core/verify/rounding.hpp"
 #include "core/verify/worst.hpp"
@@ -39,38 +38,45 @@ bool find(const SumInput& in, std::vector<Triple>& found) {
   return true;
 }
 
-}  // namespace
+class SumRows final : public RowCheck {
+ public:
+  explicit SumRows(const SumInput& in) : cycle_time_(in.setpoints.cycle_time()) {
+    if (!find(in, triples_)) sums_[0].raise(std::numeric_limits<double>::quiet_NaN(), 0, 0);
+  }
 
-std::vector<Check> sum_checks(const SumInput& input, Progress& progress) {
-  ProgressScope scope(progress, "verify setpoints", input.progress_from, input.progress_to);
-  std::vector<Triple> triples;
-  std::array<Strained, 3> sums, fine;
-  if (!find(input, triples)) sums[0].raise(std::numeric_limits<double>::quiet_NaN(), 0, 0);
-  const double rows = static_cast<double>(input.setpoints.count());
-  const auto check = [&](std::size_t row, const double* values) {
-    const double t = static_cast<double>(row) * input.setpoints.cycle_time();
-    for (const Triple& c : triples) {
+  void row(std::size_t k, const double* values) override {
+    const double t = static_cast<double>(k) * cycle_time_;
+    for (const Triple& c : triples_) {
       const double x = values[c.head], coarse = values[c.coarse], rest = values[c.fine];
       const auto off = static_cast<double>(std::abs(static_cast<long double>(coarse) + rest - x));
       const double tolerance = c.derivative == 0 ? sum_tolerance : verify::rounding * (std::abs(x) + std::abs(coarse));
-      sums[c.derivative].raise(off, tolerance, t);
-      if (c.limit < unlimited) fine[c.derivative].raise(std::abs(rest), c.limit, t);
+      sums_[c.derivative].raise(off, tolerance, t);
+      if (c.limit < unlimited) fine_[c.derivative].raise(std::abs(rest), c.limit, t);
     }
-  };
-  for_each_row(input.setpoints, check, [&](std::size_t done, std::size_t count) {
-    scope.done(static_cast<double>(done) / rows);
-    scope.work(4 * count);
-  });
-  scope.done(1);
-  scope.report();
-  using verify::make_check;
-  using verify::make_limit_check;
-  return {make_check("setpoints sum", "mm", sums[0]),
-          make_check("setpoints sum of velocities", "mm/s", sums[1]),
-          make_check("setpoints sum of accelerations", "mm/s²", sums[2]),
-          make_limit_check("setpoints stroke", "mm", fine[0]),
-          make_limit_check("setpoints fine velocity", "mm/s", fine[1]),
-          make_limit_check("setpoints fine acceleration", "mm/s²", fine[2])};
+  }
+
+  std::vector<Check> checks() override {
+    using verify::make_check;
+    using verify::make_limit_check;
+    using enum CheckedQuantity;
+    return {make_check({rows_sum, 0}, sums_[0]),        make_check({rows_sum, 1}, sums_[1]),
+            make_check({rows_sum, 2}, sums_[2]),        make_limit_check({rows_stroke, 0}, fine_[0]),
+            make_limit_check({rows_fine, 1}, fine_[1]), make_limit_check({rows_fine, 2}, fine_[2])};
+  }
+
+ private:
+  double cycle_time_;
+  std::vector<Triple> triples_;
+  std::array<Strained, 3> sums_, fine_;
+};
+
+}  // namespace
+
+std::unique_ptr<RowCheck> sum_row_check(const SumInput& input) { return std::make_unique<SumRows>(input); }
+
+std::vector<Check> sum_checks(const SumInput& input, Progress& progress) {
+  ProgressScope scope(progress, "verify setpoints", input.progress_from, input.progress_to);
+  return check_rows(input.setpoints, sum_row_check(input), scope);
 }
 
 }  // namespace bahnwerk

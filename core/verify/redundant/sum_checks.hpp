@@ -1,8 +1,10 @@
 #pragma once
 /// The independent check of the setpoints of coarse and fine axes: that they add up to the head's, row by row.
+#include <memory>
 #include <vector>
 
 #include "core/base/progress.hpp"
+#include "core/base/row_check.hpp"
 #include "core/base/setpoint_source.hpp"
 #include "core/base/verification.hpp"
 #include "core/machine/machine.hpp"
@@ -15,7 +17,7 @@ struct SumInput {
   double progress_from = 0, progress_to = 1;
 };
 
-/// Reads all rows. With ε = 2⁻⁵²:
+/// With ε = 2⁻⁵²:
 ///
 /// `setpoints sum`                   mm     |x_c + x_f − x|, added up without rounding: 1e-12
 /// `setpoints sum of velocities`     mm/s   the same of them: 32 ε (|v| + |v_c|)
@@ -24,7 +26,10 @@ struct SumInput {
 /// `setpoints fine velocity`         mm/s   |v_f| against its limit, likewise
 /// `setpoints fine acceleration`     mm/s²  |a_f| against its limit, likewise
 ///
-/// Missing columns and what is not a number fail. Memory: one chunk of rows. Calls progress every 1024 rows.
+/// Missing columns and what is not a number fail.
+std::unique_ptr<RowCheck> sum_row_check(const SumInput& input);
+
+/// Reads all rows for that check alone.
 std::vector<Check> sum_checks(const SumInput& input, Progress& progress);
 
 }  // namespace bahnwerk

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "core/base/read_rows.hpp"
@@ -18,7 +19,7 @@ using verify::Worst;
 struct Series {
   std::size_t column = 0;
   double shown = 1;
-  std::array<const Check*, 3> limits{};
+  std::array<std::optional<Check>, 3> limits{};
   std::array<Worst, 3> worst{};
   std::array<double, 4> last{};  ///< the newest first
   std::size_t known = 0;
@@ -37,50 +38,71 @@ struct Series {
   }
 };
 
-}  // namespace
+Checked differences_of(const Check& held) {
+  Checked what = held;
+  what.quantity =
+      held.quantity == CheckedQuantity::path ? CheckedQuantity::path_differences : CheckedQuantity::axis_differences;
+  return what;
+}
 
-std::vector<Check> difference_checks(const DifferenceInput& in, Progress& progress) {
-  const auto& columns = in.setpoints.columns();
-  const std::size_t width = columns.size();
-  const double cycle_time = in.setpoints.cycle_time();
-  std::vector<Series> all;
-  const auto add = [&](const std::string& column, double shown, const std::array<std::string, 3>& names) {
+class DifferenceRows final : public RowCheck {
+ public:
+  explicit DifferenceRows(const DifferenceInput& in)
+      : in_(in), width_(in.setpoints.columns().size()), cycle_time_(in.setpoints.cycle_time()) {
+    for (std::size_t k = 0; k < in.machine.axes.size(); ++k) {
+      const std::string& name = in.machine.axes[k].name;
+      add(name, k < in.shown.size() ? in.shown[k] : 1, CheckedQuantity::axis, name);
+    }
+    add("s", 1, CheckedQuantity::path, "");
+  }
+
+  void row(std::size_t k, const double* row) override {
+    for (Series& series : all_)
+      if (series.column < width_) series.add(row[series.column], static_cast<double>(k) * cycle_time_, cycle_time_);
+  }
+
+  std::vector<Check> checks() override {
+    std::vector<Check> list;
+    for (const Series& series : all_)
+      for (std::size_t i = 0; i < series.limits.size(); ++i) {
+        if (!series.limits[i]) continue;
+        const Check& held = *series.limits[i];
+        const bool feed = i == 0 && &series == &all_.back();  // of s, which was added last
+        const double limit = feed ? held.limit * (1 + in_.feed_tolerance) : held.limit;
+        list.push_back(verify::make_check(differences_of(held), limit, series.worst[i]));
+        const double order = static_cast<double>(i + 1),
+                     off = std::pow(2 / cycle_time_, order) * in_.rounding / series.shown;
+        if (series.worst[i].value <= limit + off) list.back().passed = true;
+      }
+    return list;
+  }
+
+ private:
+  void add(const std::string& column, double shown, CheckedQuantity quantity, const std::string& subject) {
     Series series;
     series.shown = shown;
-    series.column = column_index(columns, column);
-    for (std::size_t i = 0; i < names.size(); ++i)
-      for (const Check& check : in.motion.checks)
-        if (check.name == names[i]) series.limits[i] = &check;
-    all.push_back(series);
-  };
-  for (std::size_t k = 0; k < in.machine.axes.size(); ++k) {
-    const std::string& name = in.machine.axes[k].name;
-    add(name, k < in.shown.size() ? in.shown[k] : 1, {"velocity " + name, "acceleration " + name, "jerk " + name});
+    series.column = column_index(in_.setpoints.columns(), column);
+    for (std::size_t i = 0; i < series.limits.size(); ++i)
+      if (const Check* held = in_.motion.find(quantity, static_cast<int>(i + 1), subject)) series.limits[i] = *held;
+    if (series.column >= width_) series.worst.fill({std::numeric_limits<double>::quiet_NaN(), 0});
+    all_.push_back(series);
   }
-  add("s", 1, {"path velocity", "path acceleration", "path jerk"});
 
-  for (Series& series : all)
-    if (series.column >= width) series.worst.fill({std::numeric_limits<double>::quiet_NaN(), 0});
-  for_each_row(
-      in.setpoints,
-      [&](std::size_t k, const double* row) {
-        for (Series& series : all)
-          if (series.column < width) series.add(row[series.column], static_cast<double>(k) * cycle_time, cycle_time);
-      },
-      [&](std::size_t, std::size_t) { progress.report("verify differences", 1); });
-  std::vector<Check> checks;
-  for (const Series& series : all)
-    for (std::size_t i = 0; i < series.limits.size(); ++i) {
-      const Check* held = series.limits[i];
-      if (!held) continue;
-      const bool feed = i == 0 && &series == &all.back();  // of s, which was added last
-      const double limit = feed ? held->limit * (1 + in.feed_tolerance) : held->limit;
-      checks.push_back(verify::make_check("setpoint " + held->name, held->unit, limit, series.worst[i]));
-      const double order = static_cast<double>(i + 1),
-                   off = std::pow(2 / cycle_time, order) * in.rounding / series.shown;
-      if (series.worst[i].value <= limit + off) checks.back().passed = true;
-    }
-  return checks;
+  DifferenceInput in_;
+  std::size_t width_;
+  double cycle_time_;
+  std::vector<Series> all_;
+};
+
+}  // namespace
+
+std::unique_ptr<RowCheck> difference_row_check(const DifferenceInput& input) {
+  return std::make_unique<DifferenceRows>(input);
+}
+
+std::vector<Check> difference_checks(const DifferenceInput& input, Progress& progress) {
+  ProgressScope scope(progress, "verify differences", 1, 1);
+  return check_rows(input.setpoints, difference_row_check(input), scope);
 }
 
 }  // namespace bahnwerk

@@ -1,10 +1,10 @@
 #include "core/verify/setpoints/motion_setpoint_checks.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
+#include <utility>
 
-#include "core/base/progress_scope.hpp"
 #include "core/base/read_rows.hpp"
 #include "core/verify/rounding.hpp"
 #include "core/verify/worst.hpp"
@@ -16,86 +16,111 @@ using verify::epsilon;
 using verify::rounding;
 using verify::Strained;
 
-constexpr std::size_t units_per_row = 4;  // of work, for progress
+constexpr std::size_t all_orders = 5, needed_orders = 3;  // position, velocity, acceleration; then jerk and snap
 
-/// Per axis its columns of position, velocity and acceleration.
-using Columns = std::array<std::array<std::size_t, 3>, max_axes>;
+const AxisArray& part(const MotionState& x, std::size_t order) {
+  const std::array<const AxisArray*, all_orders> parts{&x.position, &x.velocity, &x.acceleration, &x.jerk, &x.snap};
+  return *parts[order];
+}
 
-/// False where one is missing.
-bool find(const std::vector<Column>& columns, const Machine& machine, std::size_t axes, Columns& found) {
-  for (std::size_t k = 0; k < axes; ++k)
-    for (std::size_t order = 0; order < 3; ++order) {
-      const std::string name = std::array{"", "v", "a"}[order] + machine.axes[k].name;
-      found[k][order] = column_index(columns, name);
-      if (found[k][order] == columns.size()) return false;
+class MotionRows final : public RowCheck {
+ public:
+  explicit MotionRows(const MotionSetpointInput& in) : in_(in), axes_(in.motion.axes()) {
+    find_columns();
+    const double last = static_cast<double>(in_.setpoints.count()) - 1, duration = in_.motion.duration(),
+                 cycle = in_.machine.cycle_time;
+    count_.raise(reads() ? std::abs(last - std::round(duration / cycle)) : 1, 0, 0);
+    time_.raise(std::abs(last * cycle - duration), rounding * duration, duration);
+    time_.raise(std::abs(in_.setpoints.duration() - duration), rounding * duration, duration);
+    time_.raise(std::abs(in_.setpoints.cycle_time() - cycle) * last, rounding * duration, duration);
+  }
+
+  bool reads() const override { return orders_ >= needed_orders; }
+
+  void row(std::size_t k, const double* row) override {
+    const Motion& motion = in_.motion;
+    const double t = static_cast<double>(k) * in_.machine.cycle_time;
+    if (k + 1 == in_.setpoints.count()) return check_end(row, motion.final_state(), t);
+    while (piece_ + 1 < motion.pieces() && motion.begin(piece_ + 1) <= t) ++piece_;
+    check(row, motion.in_piece(piece_, t), motion.end(piece_) - motion.begin(piece_), t);
+  }
+
+  std::vector<Check> checks() override {
+    using verify::make_check;
+    using enum CheckedQuantity;
+    const auto of = [&](CheckedQuantity quantity, std::size_t order, const char* unit) {
+      return Checked{quantity, static_cast<int>(order), unit, in_.group};
+    };
+    std::vector<Check> list{make_check(of(rows_count, 0, "1"), count_), make_check(of(rows_time, 0, "s"), time_)};
+    for (std::size_t order = 0; order < std::max(orders_, needed_orders); ++order)
+      list.push_back(make_check(of(rows, order, "mm"), off_[order]));
+    list.push_back(make_check(of(rows_end, 0, "mm"), end_));
+    return list;
+  }
+
+ private:
+  /// Derivatives are checked as far as every axis has a column of them.
+  void find_columns() {
+    const auto& columns = in_.setpoints.columns();
+    if (in_.machine.axes.size() != axes_) return;
+    for (; orders_ < all_orders; ++orders_)
+      for (std::size_t k = 0; k < axes_; ++k) {
+        const std::string name = std::array{"", "v", "a", "j", "s"}[orders_] + in_.machine.axes[k].name;
+        columns_[orders_][k] = column_index(columns, name);
+        if (columns_[orders_][k] == columns.size()) return;
+      }
+  }
+
+  /// What the derivative is summed up from within a piece of that duration, up to the jerk.
+  static double terms(const MotionState& state, std::size_t order, std::size_t axis, double piece) {
+    const double x = std::abs(state.position[axis]), v = std::abs(state.velocity[axis]),
+                 a = std::abs(state.acceleration[axis]), j = std::abs(state.jerk[axis]);
+    switch (order) {
+      case 0:
+        return x + piece * (v + piece * (a / 2 + piece * j / 6));
+      case 1:
+        return v + piece * (a + piece * j / 2);
+      case 2:
+        return a + piece * j;
+      default:
+        return std::abs(part(state, order)[axis]);
     }
-  return true;
-}
+  }
 
-struct Worst {
-  Strained count, time, position, velocity, acceleration, end;
+  void check(const double* row, const MotionState& state, double piece, double t) {
+    const double blur = epsilon * t;
+    for (std::size_t order = 0; order < orders_; ++order)
+      for (std::size_t k = 0; k < axes_; ++k) {
+        const double next = order + 1 < all_orders ? std::abs(part(state, order + 1)[k]) : 0;
+        off_[order].raise(std::abs(row[columns_[order][k]] - part(state, order)[k]),
+                          rounding * terms(state, order, k, piece) + next * blur, t);
+      }
+  }
+
+  void check_end(const double* row, const MotionState& state, double t) {
+    for (std::size_t order = 0; order < orders_; ++order)
+      for (std::size_t k = 0; k < axes_; ++k)
+        end_.raise(std::abs(row[columns_[order][k]] - part(state, order)[k]), 0, t);
+  }
+
+  MotionSetpointInput in_;
+  std::size_t axes_, orders_ = 0, piece_ = 0;
+  std::array<std::array<std::size_t, max_axes>, all_orders> columns_{};
+  Strained count_, time_, end_;
+  std::array<Strained, all_orders> off_;
 };
-
-void check_row(const double* row, const Columns& columns, const MotionState& state, std::size_t axes, double piece,
-               double t, Worst& worst) {
-  const double blur = epsilon * t;
-  for (std::size_t k = 0; k < axes; ++k) {
-    const double v = std::abs(state.velocity[k]), a = std::abs(state.acceleration[k]), j = std::abs(state.jerk[k]);
-    worst.position.raise(
-        std::abs(row[columns[k][0]] - state.position[k]),
-        rounding * (std::abs(state.position[k]) + piece * (v + piece * (a / 2 + piece * j / 6))) + v * blur, t);
-    worst.velocity.raise(std::abs(row[columns[k][1]] - state.velocity[k]),
-                         rounding * (v + piece * (a + piece * j / 2)) + a * blur, t);
-    worst.acceleration.raise(std::abs(row[columns[k][2]] - state.acceleration[k]),
-                             rounding * (a + piece * j) + j * blur, t);
-  }
-}
-
-void check_end(const double* row, const Columns& columns, const MotionState& state, std::size_t axes, double t,
-               Worst& worst) {
-  for (std::size_t k = 0; k < axes; ++k) {
-    worst.end.raise(std::abs(row[columns[k][0]] - state.position[k]), 0, t);
-    worst.end.raise(std::abs(row[columns[k][1]] - state.velocity[k]), 0, t);
-    worst.end.raise(std::abs(row[columns[k][2]] - state.acceleration[k]), 0, t);
-  }
-}
 
 }  // namespace
 
+std::unique_ptr<RowCheck> motion_row_check(const MotionSetpointInput& input) {
+  return std::make_unique<MotionRows>(input);
+}
+
 std::vector<Check> motion_setpoint_checks(const Motion& motion, const Machine& machine, const SetpointSource& setpoints,
-                                          Progress& progress, double progress_from, double progress_to) {
-  ProgressScope pulse(progress, "verify setpoints", progress_from, progress_to);
-  pulse.report();
-  const std::size_t rows = setpoints.count(), axes = motion.axes();
-  const double last = static_cast<double>(rows) - 1, duration = motion.duration(), cycle = machine.cycle_time;
-  Worst worst;
-  Columns columns{};
-  const bool complete = machine.axes.size() == axes && find(setpoints.columns(), machine, axes, columns);
-  worst.count.raise(complete ? std::abs(last - std::round(duration / cycle)) : 1, 0, 0);
-  worst.time.raise(std::abs(last * cycle - duration), rounding * duration, duration);
-  worst.time.raise(std::abs(setpoints.duration() - duration), rounding * duration, duration);
-  worst.time.raise(std::abs(setpoints.cycle_time() - cycle) * last, rounding * duration, duration);
-  std::size_t piece = 0;
-  const auto check = [&](std::size_t k, const double* row) {
-    const double t = static_cast<double>(k) * cycle;
-    if (k + 1 == rows) return check_end(row, columns, motion.final_state(), axes, t, worst);
-    while (piece + 1 < motion.pieces() && motion.begin(piece + 1) <= t) ++piece;
-    check_row(row, columns, motion.in_piece(piece, t), axes, motion.end(piece) - motion.begin(piece), t, worst);
-  };
-  if (complete)
-    for_each_row(setpoints, check, [&](std::size_t done, std::size_t count) {
-      pulse.done(static_cast<double>(done) / static_cast<double>(rows));
-      pulse.work(count * units_per_row);
-    });
-  using verify::make_check;
-  pulse.done(1);
-  pulse.report();
-  return {make_check("setpoints count", "1", worst.count),
-          make_check("setpoints time", "s", worst.time),
-          make_check("setpoints position", "mm", worst.position),
-          make_check("setpoints velocity", "mm/s", worst.velocity),
-          make_check("setpoints acceleration", "mm/s²", worst.acceleration),
-          make_check("setpoints end", "mm", worst.end)};
+                                          Progress& progress, double progress_from, double progress_to,
+                                          const std::string& group) {
+  ProgressScope scope(progress, "verify setpoints", progress_from, progress_to);
+  return check_rows(setpoints, motion_row_check({motion, machine, setpoints, group}), scope);
 }
 
 }  // namespace bahnwerk

@@ -1,9 +1,12 @@
 #pragma once
 /// The independent check of the setpoints of any motion: every row's axes against the motion that was verified. Where
 /// the axes follow a path, setpoint_checks.hpp checks more.
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "core/base/progress.hpp"
+#include "core/base/row_check.hpp"
 #include "core/base/setpoint_source.hpp"
 #include "core/base/verification.hpp"
 #include "core/machine/machine.hpp"
@@ -11,20 +14,33 @@
 
 namespace bahnwerk {
 
-/// Reads all rows, 1024 at a time. Row k is the state just after t = k · cycle time, found by a walk through the
-/// motion's pieces; the last row is the motion's final state. With ε, t's own rounding and the state x, v, a, j, s at
-/// that moment, T the piece's duration:
+/// What is kept while rows are read.
+struct MotionSetpointInput {
+  const Motion& motion;
+  const Machine& machine;
+  const SetpointSource& setpoints;
+  std::string group = {};  ///< the subject of all checks
+};
+
+/// Row k is the state just after t = k · cycle time, found by a walk through the motion's pieces; the last row is the
+/// motion's final state. With ε, t's own rounding and the state x, v, a, j, s at that moment, T the piece's duration:
 ///
 /// `setpoints count`         1         |rows − (duration / cycle time + 1)|; columns that are missing count, too: 0
 /// `setpoints time`          s         (rows − 1) · cycle time against the motion's duration: 32 ε of it
 /// `setpoints position`      mm        columns of the axes: 32 ε (|x| + |v| T + |a| T²/2 + |j| T³/6) + |v| ε t
-/// `setpoints velocity`      mm/s      the same of v: 32 ε (|v| + |a| T + |j| T²/2) + |a| ε t
-/// `setpoints acceleration`  mm/s²     the same of a: 32 ε (|a| + |j| T) + |j| ε t
+/// `setpoints velocity`      mm/s      columns v: 32 ε (|v| + |a| T + |j| T²/2) + |a| ε t
+/// `setpoints acceleration`  mm/s²     columns a: 32 ε (|a| + |j| T) + |j| ε t
+/// `setpoints jerk`          mm/s³     columns j, where every axis has one: 32 ε |j| + |s| ε t
+/// `setpoints snap`          mm/s⁴     columns s, where every axis has one: 32 ε |s|
 /// `setpoints end`           mm        last row: axes against the motion's final state: 0
 ///
-/// mm stands for the axis' unit. Of each the row is reported that strains its tolerance most; `at` is its time. Not a
-/// number fails. Memory: one chunk of rows. Calls progress every 2048 rows; throws what it throws.
+/// mm stands for the axis' unit. Each check tells the row that strains its tolerance most; `at` is its time. Not a
+/// number fails.
+std::unique_ptr<RowCheck> motion_row_check(const MotionSetpointInput& input);
+
+/// Reads all rows for that check alone, 1024 at a time. Calls progress every 2048 rows; throws what it throws.
 std::vector<Check> motion_setpoint_checks(const Motion& motion, const Machine& machine, const SetpointSource& setpoints,
-                                          Progress& progress, double progress_from = 0, double progress_to = 1);
+                                          Progress& progress, double progress_from = 0, double progress_to = 1,
+                                          const std::string& group = {});
 
 }  // namespace bahnwerk

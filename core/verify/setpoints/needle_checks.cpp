@@ -23,45 +23,62 @@ double turned(const ToolPose& a, const ToolPose& b) {
   return degrees * (phi + psi);
 }
 
+class NeedleRows final : public RowCheck {
+ public:
+  explicit NeedleRows(const NeedleInput& in) : in_(in), axes_(in.path.axes()) {
+    const auto& columns = in_.setpoints.columns();
+    const std::size_t width = columns.size();
+    complete_ = in_.shown.size() == axes_ && in_.machine.axes().size() == axes_;
+    for (std::size_t k = 0; complete_ && k < axes_; ++k) {
+      axis_column_[k] = column_index(columns, in_.machine.axes()[k].name);
+      complete_ = axis_column_[k] < width;
+    }
+    const char* const names[] = {"x", "y", "z", "phi", "psi", "s"};
+    for (std::size_t i = 0; i < pose_column_.size(); ++i)
+      complete_ = complete_ && (pose_column_[i] = column_index(columns, names[i])) < width;
+    if (!complete_) position_.raise(unlimited, tolerance, 0);
+  }
+
+  bool reads() const override { return complete_; }
+
+  void row(std::size_t i, const double* row) override {
+    const double t = static_cast<double>(i) * in_.setpoints.cycle_time();
+    AxisArray q{};
+    for (std::size_t k = 0; k < axes_; ++k) q[k] = row[axis_column_[k]] / in_.shown[k];
+    const ToolPose is = in_.machine.forward(q);
+    const double s = row[pose_column_[5]];
+    segment_ = in_.path.tool().find(s, segment_);
+    const ToolPose wanted = in_.path.pose(segment_, in_.path[segment_].parameter(s));
+    position_.raise(off(is, wanted), tolerance, t);
+    angle_.raise(turned(is, wanted), tolerance, t);
+    const ToolPose told{{row[pose_column_[0]], row[pose_column_[1]], row[pose_column_[2]]},
+                        row[pose_column_[3]] / degrees,
+                        row[pose_column_[4]] / degrees};
+    pose_.raise(off(is, told) + reach / degrees * turned(is, told), tolerance, t);
+  }
+
+  std::vector<Check> checks() override {
+    using enum CheckedQuantity;
+    return {verify::make_check({tip_position, 0}, position_), verify::make_check({tip_angle, 0, "deg"}, angle_),
+            verify::make_check({rows_pose, 0}, pose_)};
+  }
+
+ private:
+  NeedleInput in_;
+  std::size_t axes_, segment_ = 0;
+  bool complete_ = false;
+  std::array<std::size_t, max_axes> axis_column_{};
+  std::array<std::size_t, 6> pose_column_{};
+  Strained position_, angle_, pose_;
+};
+
 }  // namespace
 
-std::vector<Check> needle_checks(const NeedleInput& in, Progress& progress) {
-  const auto& columns = in.setpoints.columns();
-  const std::size_t axes = in.path.axes(), width = columns.size();
-  std::array<std::size_t, max_axes> axis_column{};
-  std::array<std::size_t, 6> pose_column{};
-  bool complete = in.shown.size() == axes && in.machine.axes().size() == axes;
-  for (std::size_t k = 0; complete && k < axes; ++k) {
-    axis_column[k] = column_index(columns, in.machine.axes()[k].name);
-    complete = axis_column[k] < width;
-  }
-  const char* const names[] = {"x", "y", "z", "phi", "psi", "s"};
-  for (std::size_t i = 0; i < pose_column.size(); ++i)
-    complete = complete && (pose_column[i] = column_index(columns, names[i])) < width;
+std::unique_ptr<RowCheck> needle_row_check(const NeedleInput& input) { return std::make_unique<NeedleRows>(input); }
 
-  Strained position, angle, pose;
-  if (!complete) position.raise(unlimited, tolerance, 0);
-  std::size_t segment = 0;
-  const auto check = [&](std::size_t i, const double* row) {
-    const double t = static_cast<double>(i) * in.setpoints.cycle_time();
-    AxisArray q{};
-    for (std::size_t k = 0; k < axes; ++k) q[k] = row[axis_column[k]] / in.shown[k];
-    const ToolPose is = in.machine.forward(q);
-    const double s = row[pose_column[5]];
-    segment = in.path.tool().find(s, segment);
-    const ToolPose wanted = in.path.pose(segment, in.path[segment].parameter(s));
-    position.raise(off(is, wanted), tolerance, t);
-    angle.raise(turned(is, wanted), tolerance, t);
-    const ToolPose told{{row[pose_column[0]], row[pose_column[1]], row[pose_column[2]]},
-                        row[pose_column[3]] / degrees,
-                        row[pose_column[4]] / degrees};
-    pose.raise(off(is, told) + reach / degrees * turned(is, told), tolerance, t);
-  };
-  if (complete)
-    for_each_row(in.setpoints, check, [&](std::size_t, std::size_t) { progress.report("verify needle", 1); });
-  return {verify::make_check("forward kinematics position", "mm", position),
-          verify::make_check("forward kinematics angle", "deg", angle),
-          verify::make_check("setpoints pose", "mm", pose)};
+std::vector<Check> needle_checks(const NeedleInput& input, Progress& progress) {
+  ProgressScope scope(progress, "verify needle", 1, 1);
+  return check_rows(input.setpoints, needle_row_check(input), scope);
 }
 
 }  // namespace bahnwerk

@@ -1,8 +1,10 @@
 #pragma once
 /// The independent check of where a winding machine's setpoints put the needle: forward kinematics of every row.
+#include <memory>
 #include <vector>
 
 #include "core/base/progress.hpp"
+#include "core/base/row_check.hpp"
 #include "core/base/setpoint_source.hpp"
 #include "core/base/verification.hpp"
 #include "core/machine/kinematics.hpp"
@@ -17,8 +19,6 @@ struct NeedleInput {
   std::vector<double> shown;        ///< per axis: what one of its units is in its column
 };
 
-/// Reads all rows, 1024 at a time.
-///
 /// `forward kinematics position`  mm   forward(axes) against the path at the row's s: 1e-6
 /// `forward kinematics angle`     deg  the same of φ (to whole turns) and ψ: 1e-6
 /// `setpoints pose`               mm   columns x, y, z, phi, psi against forward(axes), an angle as the arc that it
@@ -26,6 +26,9 @@ struct NeedleInput {
 ///                                     a point 100 mm away: 1e-6
 ///
 /// Missing columns and what is not a number fail. About 0.5 µs per row.
+std::unique_ptr<RowCheck> needle_row_check(const NeedleInput& input);
+
+/// Reads all rows for that check alone.
 std::vector<Check> needle_checks(const NeedleInput& input, Progress& progress);
 
 }  // namespace bahnwerk

@@ -19,32 +19,40 @@ using verify::PieceRounding;
 using verify::rounding;
 using verify::Strained;
 
-constexpr std::size_t units_per_row = 4;  // of work, for progress
-
 /// Larger of two, not-a-number if either is.
 double larger(double a, double b) { return std::isnan(a) || a > b ? a : b; }
 
-class RowChecker {
+class PathRows final : public RowCheck {
  public:
-  explicit RowChecker(const SetpointInput& in)
-      : in_(in), path_(in.path), pieces_(in.law.pieces()), axes_(in.path.axes()), cycle_time_(in.machine.cycle_time) {
+  explicit PathRows(const SetpointInput& in)
+      : in_(in),
+        path_(in.path),
+        pieces_(in.law.pieces()),
+        rows_(in.setpoints.count()),
+        axes_(in.path.axes()),
+        cycle_time_(in.machine.cycle_time) {
     shown_.fill(1);
     std::copy_n(in.shown.begin(), std::min(in.shown.size(), axes_), shown_.begin());
     if (in.lag > 0) lag_ = in.lag * peak_speed(in.law) * cycle_time_;
-  }
-
-  std::vector<Check> run(ProgressScope& pulse) {
-    const std::size_t rows = in_.setpoints.count();
-    const double last = static_cast<double>(rows) - 1, duration = in_.law.duration();
+    const double last = static_cast<double>(rows_) - 1, duration = in_.law.duration();
     const double missing = static_cast<double>(find_columns());
     count_.raise(larger(missing, std::abs(last - std::round(duration / cycle_time_))), 0, 0);
     time_.raise(larger(std::abs(last * cycle_time_ - duration),
                        larger(std::abs(in_.setpoints.duration() - duration),
                               std::abs(in_.setpoints.cycle_time() - cycle_time_) * last)),
                 rounding * duration, duration);
-    if (missing == 0 && !pieces_.empty() && path_.size() > 0 && rows > 0) read(rows, pulse);
-    return report();
+    reads_ = missing == 0 && !pieces_.empty() && path_.size() > 0 && rows_ > 0;
+    if (reads_) enter(0);
   }
+
+  bool reads() const override { return reads_; }
+  void row(std::size_t k, const double* row) override {
+    if (k + 1 < rows_)
+      check(k, row);
+    else
+      check_last(row);
+  }
+  std::vector<Check> checks() override { return report(); }
 
  private:
   /// How many of the columns needed are not there.
@@ -64,22 +72,6 @@ class RowChecker {
     s_column_ = find("s"), v_column_ = find("v");
     if (in_.contour != nullptr) mode_column_ = find("mode"), block_column_ = find("block");
     return missing;
-  }
-
-  void read(std::size_t rows, ProgressScope& pulse) {
-    enter(0);
-    for_each_row(
-        in_.setpoints,
-        [&](std::size_t k, const double* row) {
-          if (k + 1 < rows)
-            check(k, row);
-          else
-            check_last(row);
-        },
-        [&](std::size_t done, std::size_t count) {
-          pulse.done(static_cast<double>(done) / static_cast<double>(rows));
-          pulse.work(count * units_per_row);
-        });
   }
 
   /// Piece i of the law is the one that rows now lie on.
@@ -166,28 +158,27 @@ class RowChecker {
 
   std::vector<Check> report() const {
     using verify::make_check;
-    std::vector<Check> checks = {make_check("setpoints count", "1", count_),
-                                 make_check("setpoints time", "s", time_),
-                                 make_check("setpoints path", "mm", path_column_),
-                                 make_check("setpoints speed", "mm/s", speed_),
-                                 make_check("setpoints forward", "mm", forward_),
-                                 make_check("setpoints position", "mm", position_),
-                                 make_check("setpoints velocity", "mm/s", velocity_),
-                                 make_check("setpoints acceleration", "mm/s²", acceleration_)};
+    using enum CheckedQuantity;
+    std::vector<Check> checks = {
+        make_check({rows_count, 0, "1"}, count_),          make_check({rows_time, 0, "s"}, time_),
+        make_check({rows_path, 0}, path_column_),          make_check({rows_speed, 1}, speed_),
+        make_check({rows_forward, 0}, forward_),           make_check({CheckedQuantity::rows, 0}, position_),
+        make_check({CheckedQuantity::rows, 1}, velocity_), make_check({CheckedQuantity::rows, 2}, acceleration_)};
     if (in_.contour != nullptr) {
       Strained labels;
       labels.raise(static_cast<double>(mislabelled_), 0, mislabelled_at_);
-      checks.push_back(make_check("setpoints mode and block", "1", labels));
+      checks.push_back(make_check({rows_labels, 0, "1"}, labels));
     }
-    checks.push_back(make_check("setpoints end", "mm", end_));
-    checks.push_back(make_check("setpoints end at rest", "mm/s", rest_));
+    checks.push_back(make_check({rows_end, 0}, end_));
+    checks.push_back(make_check({rows_end_rest, 1}, rest_));
     return checks;
   }
 
-  const SetpointInput& in_;
+  SetpointInput in_;
   const AxisPath& path_;
   const LargeVector<LawPiece>& pieces_;
-  std::size_t axes_;
+  bool reads_ = false;
+  std::size_t rows_, axes_;
   double cycle_time_, lag_ = 0;
   AxisArray shown_{};
   std::array<std::size_t, max_axes> position_column_{}, velocity_column_{}, acceleration_column_{};
@@ -202,13 +193,11 @@ class RowChecker {
 
 }  // namespace
 
+std::unique_ptr<RowCheck> path_row_check(const SetpointInput& input) { return std::make_unique<PathRows>(input); }
+
 std::vector<Check> setpoint_checks(const SetpointInput& input, Progress& progress) {
-  ProgressScope pulse(progress, "verify setpoints", input.progress_from, input.progress_to);
-  pulse.report();
-  std::vector<Check> checks = RowChecker(input).run(pulse);
-  pulse.done(1);
-  pulse.report();
-  return checks;
+  ProgressScope scope(progress, "verify setpoints", input.progress_from, input.progress_to);
+  return check_rows(input.setpoints, path_row_check(input), scope);
 }
 
 }  // namespace bahnwerk

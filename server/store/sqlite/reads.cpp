@@ -116,7 +116,7 @@ std::optional<SeriesInfo> SqliteStore::series(const std::string& id) {
     SeriesInfo info;
     info.key = row.integer(0);
     const auto stored = nlohmann::json::parse(row.text(1));
-    if (stored.is_object()) {
+    if (stored.contains("origin")) {
       const auto& origin = stored.at("origin");
       info.pose_frame = PoseFrame{origin.at(0), origin.at(1), origin.at(2), stored.at("angle")};
     }
@@ -125,6 +125,11 @@ std::optional<SeriesInfo> SqliteStore::series(const std::string& id) {
     info.count = static_cast<std::size_t>(row.integer(2));
     info.chunk_rows = static_cast<std::size_t>(row.integer(3));
     info.cycle_time = row.number(4);
+    info.independent.step = info.cycle_time;
+    if (stored.contains("independent")) {
+      const auto& over = stored.at("independent");
+      info.independent = {over.at(0).get<std::string>(), over.at(1).get<std::string>(), over.at(2).get<double>()};
+    }
     return info;
   });
 }

@@ -52,14 +52,18 @@ void insert_chunks(SqliteConnection& connection, std::int64_t seq, const std::ve
   }
 }
 
-/// An array of columns; where the poses' frame is known an object with that, too.
+/// An array of columns; where the poses' frame is known, or the independent variable is not time, an object with that,
+/// too.
 std::string column_list(const SetpointSource& source) {
   nlohmann::json list = nlohmann::json::array();
   for (const Column& column : source.columns()) list.push_back({{"name", column.name}, {"unit", column.unit}});
   const auto frame = source.pose_frame();
-  if (!frame) return list.dump();
-  const nlohmann::json origin{frame->x, frame->y, frame->z};
-  return nlohmann::json{{"columns", std::move(list)}, {"origin", origin}, {"angle", frame->angle}}.dump();
+  const Independent over = source.independent();
+  if (!frame && over.time()) return list.dump();
+  nlohmann::json out{{"columns", std::move(list)}};
+  if (frame) out["origin"] = {frame->x, frame->y, frame->z}, out["angle"] = frame->angle;
+  if (!over.time()) out["independent"] = {over.name, over.unit, over.step};
+  return out.dump();
 }
 
 }  // namespace

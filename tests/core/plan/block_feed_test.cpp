@@ -11,6 +11,7 @@
 #include "core/plan/contour_plan.hpp"
 #include "core/verify/verifier.hpp"
 #include "tests/core/cases.hpp"
+#include "tests/core/check_names.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -21,7 +22,7 @@ std::string failures(const Verification& verification) {
   std::string text;
   for (const Check& c : verification.checks)
     if (!c.passed)
-      text += c.name + ": " + std::to_string(c.value) + " > " + std::to_string(c.limit) + " at " +
+      text += check_name(c) + ": " + std::to_string(c.value) + " > " + std::to_string(c.limit) + " at " +
               std::to_string(c.at) + "; ";
   return text;
 }

@@ -6,6 +6,7 @@
 
 #include "core/contour/builder.hpp"
 #include "core/plan/contour_plan.hpp"
+#include "tests/core/check_names.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -26,7 +27,7 @@ ContourPlan plan(Contour contour, const Machine& m, PlanningMethod method = Plan
 
 double peak(const ContourPlan& p, const std::string& name) {
   for (const Check& c : p.verification.checks)
-    if (c.name.find(name) != std::string::npos) return c.value;
+    if (check_name(c).find(name) != std::string::npos) return c.value;
   return -1;
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/plan/contour_plan.hpp"
 #include "tests/core/cases.hpp"
+#include "tests/core/check_names.hpp"
 #include "tests/core/plan/random_contour.hpp"
 
 namespace bahnwerk {
@@ -25,7 +26,7 @@ class PlanProperty : public ::testing::TestWithParam<int> {
     std::string text;
     for (const Check& c : p.verification.checks)
       if (!c.passed)
-        text += c.name + " limit " + std::to_string(c.limit) + " value " + std::to_string(c.value) + " at " +
+        text += check_name(c) + " limit " + std::to_string(c.limit) + " value " + std::to_string(c.value) + " at " +
                 std::to_string(c.at) + "; ";
     return text;
   }

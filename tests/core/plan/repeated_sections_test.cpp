@@ -19,7 +19,7 @@ ContourPlan plan(const Contour& contour, PlanningMethod method) {
   SilentProgress progress;
   ContourPlan plan = plan_contour(contour, m, planning, progress);
   EXPECT_TRUE(plan.verification.passed);
-  EXPECT_GE(plan.duration, plan.bound.duration * (1 - 1e-9));
+  EXPECT_GE(plan.duration, plan.bound.value * (1 - 1e-9));
   return plan;
 }
 
@@ -68,7 +68,7 @@ TEST(RepeatedSections, TheSameTwiceOver) {
   const ContourPlan one = plan(contour, PlanningMethod::jerk_limited),
                     two = plan(contour, PlanningMethod::jerk_limited);
   EXPECT_EQ(one.duration, two.duration);
-  EXPECT_EQ(one.bound.duration, two.bound.duration);
+  EXPECT_EQ(one.bound.value, two.bound.value);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "core/plan/contour/section_gaps.hpp"
 #include "core/plan/contour/stopping_time.hpp"
 #include "core/plan/contour_plan.hpp"
+#include "tests/core/check_names.hpp"
 #include "tests/core/plan/random_contour.hpp"
 
 namespace bahnwerk {
@@ -33,7 +34,8 @@ ContourPlan plan(const Contour& contour, const Machine& machine, PlanningMethod 
   ContourPlan p = plan_contour(contour, machine, planning, progress);
   EXPECT_TRUE(p.verification.passed);
   for (const Check& check : p.verification.checks)
-    EXPECT_TRUE(check.passed) << check.name << ' ' << check.value << " against " << check.limit << " at " << check.at;
+    EXPECT_TRUE(check.passed) << check_name(check) << ' ' << check.value << " against " << check.limit << " at "
+                              << check.at;
   EXPECT_GE(p.bound.gap, 0);
   return p;
 }
@@ -208,7 +210,7 @@ TEST(SectionGaps, AddUp) {
   EXPECT_EQ(p.sections.worst.source, 0u);  // the only one without a closed form
   EXPECT_NEAR(p.sections.worst.length, 65 + 10 * pi, 1e-9);
   // All others are exact: what the whole lacks is lacking here.
-  EXPECT_NEAR(p.sections.worst.time - p.sections.worst.bound, p.duration - p.bound.duration, 1e-7);
+  EXPECT_NEAR(p.sections.worst.time - p.sections.worst.bound, p.duration - p.bound.value, 1e-7);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "core/plan/contour_plan.hpp"
 #include "tests/core/cases.hpp"
+#include "tests/core/check_names.hpp"
 #include "tests/core/plan/random_contour.hpp"
 
 namespace bahnwerk {
@@ -30,12 +31,12 @@ TEST_P(SmoothProperty, RoundedAndJerkLimitedPlansAreVerified) {
       ContourPlan result = plan_contour(testing::build(outline), machine, planning, progress);
       EXPECT_TRUE(result.verification.passed);
       for (const Check& check : result.verification.checks) {
-        EXPECT_TRUE(check.passed) << check.name << ' ' << check.value << " against " << check.limit;
-        if (check.name == "deviation from contour") {
+        EXPECT_TRUE(check.passed) << check_name(check) << ' ' << check.value << " against " << check.limit;
+        if (check_name(check) == "deviation from contour") {
           EXPECT_LE(check.value, planning.blend_tolerance);
         }
       }
-      EXPECT_EQ(result.verification.checks.back().name == "deviation from contour", corner == CornerMode::blend);
+      EXPECT_EQ(check_name(result.verification.checks.back()) == "deviation from contour", corner == CornerMode::blend);
       EXPECT_GE(result.bound.gap, 0);
       return result.duration;
     };

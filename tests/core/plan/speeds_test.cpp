@@ -11,6 +11,7 @@
 #include "core/contour/builder.hpp"
 #include "core/plan/contour_plan.hpp"
 #include "tests/core/cases.hpp"
+#include "tests/core/check_names.hpp"
 #include "tests/core/plan/random_contour.hpp"
 
 namespace bahnwerk {
@@ -79,7 +80,8 @@ void expect_verified(const Contour& given, const Machine& m, PlanningMethod meth
   planning.method = method;
   const ContourPlan plan = plan_contour(given, m, planning, progress);
   for (const Check& c : plan.verification.checks)
-    EXPECT_TRUE(c.passed) << what << ": " << c.name << ' ' << c.value << " against " << c.limit << " at " << c.at;
+    EXPECT_TRUE(c.passed) << what << ": " << check_name(c) << ' ' << c.value << " against " << c.limit << " at "
+                          << c.at;
   EXPECT_TRUE(plan.verification.passed) << what;
   if (method == PlanningMethod::time_optimal) {
     EXPECT_LE(plan.bound.gap, 1e-3) << what;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/plan/contour_plan.hpp"
+#include "tests/core/check_names.hpp"
 #include "tests/core/plan/random_contour.hpp"
 
 namespace bahnwerk {
@@ -132,7 +133,7 @@ void expect_same_backwards(const Outline& outline, PlanningMethod method, double
     ContourPlan found;
     ASSERT_NO_THROW(found = plan(back ? testing::reversed(outline) : outline, method));
     for (const Check& c : found.verification.checks)
-      EXPECT_TRUE(c.passed) << c.name << " " << c.value << ", limit " << c.limit << ", backwards " << back;
+      EXPECT_TRUE(c.passed) << check_name(c) << " " << c.value << ", limit " << c.limit << ", backwards " << back;
     duration[back] = found.duration;
   }
   const double tolerance = method == PlanningMethod::jerk_limited ? 1e-3 : close;

@@ -16,6 +16,7 @@
 #include "core/motion/jerk/jerk_limited.hpp"
 #include "core/verify/law/axis_peaks.hpp"
 #include "core/verify/verifier.hpp"
+#include "tests/core/check_names.hpp"
 #include "tests/core/motion/axes/bow.hpp"
 #include "tests/core/motion/axes/five_axes.hpp"
 #include "tests/core/verify/law/random_rational.hpp"
@@ -47,17 +48,14 @@ Verification verdict(const AxisPath& path, const Contour& contour, const Machine
 std::string failed(const Verification& v) {
   std::string text;
   for (const Check& c : v.checks)
-    if (!c.passed) text += c.name + ' ' + std::to_string(c.value) + " > " + std::to_string(c.limit) + "; ";
+    if (!c.passed) text += check_name(c) + ' ' + std::to_string(c.value) + " > " + std::to_string(c.limit) + "; ";
   return text;
 }
 
-/// The limit that a check named "<quantity> <axis>" is about.
+/// The limit that a check of an axis is about.
 double& limit_of(Machine& machine, const Check& check) {
-  const auto space = check.name.find(' ');
-  const std::string quantity = check.name.substr(0, space), name = check.name.substr(space + 1);
   for (AxisLimits& axis : machine.axes)
-    if (axis.name == name)
-      return quantity == "velocity" ? axis.velocity : quantity == "acceleration" ? axis.acceleration : axis.jerk;
+    if (axis.name == check.subject) return axis.of(check.order);
   throw std::logic_error("no axis of that name");
 }
 
@@ -73,16 +71,16 @@ void passes_and_fails(const AxisPath& path, const Contour& contour, Machine mach
                              [](const Check& a, const Check& b) { return a.value / a.limit < b.value / b.limit; });
   };
   const Check before = largest_use(verdict(path, contour, machine, law, jerk));
-  EXPECT_LE(before.value / before.limit, 1 + 1e-8) << before.name;
+  EXPECT_LE(before.value / before.limit, 1 + 1e-8) << check_name(before);
   law = law.slowed(std::max(1.0, before.value / before.limit));
   const Verification v = verdict(path, contour, machine, law, jerk);
   EXPECT_TRUE(v.passed) << failed(v);
   const Check most = largest_use(v);
-  EXPECT_GE(most.value / most.limit, 1 - 1e-3) << most.name;
+  EXPECT_GE(most.value / most.limit, 1 - 1e-3) << check_name(most);
   limit_of(machine, most) = most.value * (1 - 1e-6);
   const Verification w = verdict(path, contour, machine, law, jerk);
   EXPECT_FALSE(w.passed);
-  for (const Check& c : w.checks) EXPECT_EQ(c.passed, c.name != most.name) << c.name;
+  for (const Check& c : w.checks) EXPECT_EQ(c.passed, check_name(c) != check_name(most)) << check_name(c);
 }
 
 TEST(VerifierAxes, FiveAxesByEveryPlanner) {
@@ -225,8 +223,8 @@ TEST(VerifierAxes, PeaksNextToAVanishingTangentAreProven) {
     EXPECT_EQ(estimated(path, contour, machine, law), 0u);
     const Verification v = verdict(path, contour, machine, law, true);
     for (std::size_t c = 0; c < 6; ++c) {
-      EXPECT_GE(v.checks[c].value, dense[c] * (1 - 1e-9)) << v.checks[c].name;
-      EXPECT_LE(v.checks[c].value, dense[c] * (1 + 1e-6)) << v.checks[c].name;
+      EXPECT_GE(v.checks[c].value, dense[c] * (1 - 1e-9)) << check_name(v.checks[c]);
+      EXPECT_LE(v.checks[c].value, dense[c] * (1 + 1e-6)) << check_name(v.checks[c]);
     }
   }
 }
@@ -239,16 +237,15 @@ TEST(VerifierAxes, NoAxisIsLeftOut) {
   const Machine machine{kinematics.axes(), 0.001};
   const TimeLaw law = planned(contour_task(path, contour, machine), Method::jerk_limited).slowed(1.001);
   for (std::size_t k = 0; k < 5; ++k)
-    for (const char* quantity : {"velocity ", "acceleration ", "jerk "}) {
+    for (int order = 1; order <= 3; ++order) {
       Machine less = machine;
-      double& limit = limit_of(less, {quantity + machine.axes[k].name, "", 0, 0, 0, false});
-      limit *= 1e-3;
+      AxisLimits& axis = less.axes[k];
+      axis.of(order) *= 1e-3;
       const Verification v = verdict(path, contour, less, law, true);
-      const auto at = std::find_if(v.checks.begin(), v.checks.end(),
-                                   [&](const Check& c) { return c.name == quantity + machine.axes[k].name; });
-      ASSERT_NE(at, v.checks.end()) << quantity << k;
-      EXPECT_FALSE(at->passed) << at->name;
-      EXPECT_EQ(at->unit.substr(0, 3), k == 0 || k == 1 || k == 3 ? "rad" : "mm/") << at->name;
+      const Check* check = v.find(CheckedQuantity::axis, order, axis.name);
+      ASSERT_NE(check, nullptr) << order << k;
+      EXPECT_FALSE(check->passed) << check_name(*check);
+      EXPECT_EQ(check->unit, k == 0 || k == 1 || k == 3 ? "rad" : "mm") << check_name(*check);
     }
 }
 
@@ -378,9 +375,9 @@ TEST(VerifierAxes, PeaksOnRandomRationalsEncloseTheDenseOnes) {
     EXPECT_EQ(estimated(path, contour, machine, law), 0u) << round;
     for (std::size_t c = 0; c < 6; ++c) {
       EXPECT_GE(v.checks[c].value, dense[c] * (1 - 1e-12))
-          << round << ' ' << v.checks[c].name << ' ' << v.checks[c].value / dense[c] - 1;
+          << round << ' ' << check_name(v.checks[c]) << ' ' << v.checks[c].value / dense[c] - 1;
       EXPECT_LE(v.checks[c].value, dense[c] * (1 + 1e-9))
-          << round << ' ' << v.checks[c].name << ' ' << v.checks[c].value / dense[c] - 1;
+          << round << ' ' << check_name(v.checks[c]) << ' ' << v.checks[c].value / dense[c] - 1;
     }
   }
 }

@@ -9,6 +9,7 @@
 
 #include "core/numeric/random.hpp"
 #include "core/winding/slot/slot.hpp"
+#include "tests/core/check_names.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -78,12 +79,12 @@ TEST(LayoutJudge, LooksAtEveryRegionInItsOwnRoom) {
   EXPECT_FALSE(verdict({{1, 1}, {3, 1}}, {{8, 8}, {6.1, 8}}).passed) << "an overlap in the head";
   const Verification missing = verdict({{1, 1}, {3, 1}}, {{8, 8}});
   EXPECT_FALSE(missing.passed);
-  for (const Check& check : missing.checks) EXPECT_EQ(check.passed, check.name != "wires missing any, head");
+  for (const Check& check : missing.checks) EXPECT_EQ(check.passed, check_name(check) != "wires missing any, head");
 }
 
 TEST(LayoutJudge, CountAboveTheBoundFailsTheCheckOfThatName) {
   const Verification verdict = verify_motion(square(), 0.5, {{1, 1}, {3, 3}}, 0, 1);
-  ASSERT_EQ(verdict.checks.back().name, "bound");
+  ASSERT_EQ(check_name(verdict.checks.back()), "bound");
   EXPECT_FALSE(verdict.checks.back().passed);
   EXPECT_EQ(verdict.checks.back().value, 1);
 }

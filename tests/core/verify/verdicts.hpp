@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/verify/verifier.hpp"
+#include "tests/core/check_names.hpp"
 #include "tests/core/verify/reference.hpp"
 
 namespace bahnwerk::reference {
@@ -23,7 +24,7 @@ inline Verification verdict(const Contour& contour, const Machine& m, const Time
 }
 inline const Check& find(const Verification& v, const std::string& name) {
   for (const Check& c : v.checks)
-    if (c.name == name) return c;
+    if (check_name(c) == name) return c;
   ADD_FAILURE() << "no check named " << name;
   static const Check none;
   return none;
@@ -32,8 +33,8 @@ inline const Check& find(const Verification& v, const std::string& name) {
 inline void expect_failed(const Verification& v, const std::vector<std::string>& names) {
   EXPECT_EQ(v.passed, names.empty());
   for (const Check& c : v.checks) {
-    const bool expected = std::find(names.begin(), names.end(), c.name) != names.end();
-    EXPECT_EQ(!c.passed, expected) << c.name << " " << c.value << " against " << c.limit << " at " << c.at;
+    const bool expected = std::find(names.begin(), names.end(), check_name(c)) != names.end();
+    EXPECT_EQ(!c.passed, expected) << check_name(c) << " " << c.value << " against " << c.limit << " at " << c.at;
   }
 }
 inline TimeLaw edited(const TimeLaw& law, std::size_t i, const std::function<void(LawPiece&)>& edit) {

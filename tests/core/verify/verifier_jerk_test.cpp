@@ -9,6 +9,7 @@
 #include "core/motion/axes/path_task.hpp"
 #include "core/motion/law/path_motion.hpp"
 #include "core/verify/verifier.hpp"
+#include "tests/core/check_names.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -47,7 +48,7 @@ TimeLaw bow(double length, double T, int n, std::size_t segment = 0) {
 }
 
 const Check& find(const Verification& v, const std::string& name) {
-  const auto at = std::find_if(v.checks.begin(), v.checks.end(), [&](const Check& c) { return c.name == name; });
+  const auto at = std::find_if(v.checks.begin(), v.checks.end(), [&](const Check& c) { return check_name(c) == name; });
   EXPECT_NE(at, v.checks.end()) << name;
   return *at;
 }
@@ -112,7 +113,7 @@ TEST(VerifierJerk, SmoothLawPasses) {
   ContourBuilder b(2, {});
   b.line({0.6 * way, 0.8 * way, 0});
   const Verification v = verdict(b.finish(), law);
-  for (const Check& c : v.checks) EXPECT_TRUE(c.passed) << c.name << ' ' << c.value << " > " << c.limit;
+  for (const Check& c : v.checks) EXPECT_TRUE(c.passed) << check_name(c) << ' ' << c.value << " > " << c.limit;
 }
 
 TEST(VerifierJerk, AccelerationMustNotJump) {
@@ -146,6 +147,27 @@ TEST(VerifierJerk, PathLimitsAreJudged) {
   EXPECT_NEAR(find(verdict(line(), law, unlimited, 2 * j), "path jerk").value, j, 0.02 * j);
   EXPECT_FALSE(find(verdict(line(), law, 0.9 * a), "path acceleration").passed);
   EXPECT_FALSE(find(verdict(line(), law, unlimited, 0.9 * j), "path jerk").passed);
+}
+
+TEST(VerifierJerk, PathSnapIsTheLargestOfAnyPiece) {
+  const Contour contour = line();
+  const TimeLaw law = bow(50, 0.4, 64);
+  double snap = 0;
+  for (const LawPiece& piece : law.pieces()) snap = std::max(snap, std::abs(piece.q));
+  ASSERT_GT(snap, 0);
+  const Machine m = machine();
+  for (const double share : {0.999, 1.001}) {
+    SilentProgress silent;
+    ContourVerifierInput input{contour, m, law, 1e-3, true};
+    input.path.snap = share * snap;
+    const Verification v = verify_motion(input, silent);
+    const Check* check = v.find(CheckedQuantity::path, 4);
+    ASSERT_NE(check, nullptr);
+    EXPECT_DOUBLE_EQ(check->value, snap);
+    EXPECT_EQ(check->passed, share > 1);
+    EXPECT_EQ(check_name(*check), "path snap");
+    EXPECT_EQ(check_unit(*check), "mm/s⁴");
+  }
 }
 
 TEST(VerifierJerk, AccelerationStepWhereCurvatureJumps) {

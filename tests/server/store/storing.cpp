@@ -32,6 +32,25 @@ api::PlannedJob long_plan() {
   return planned;
 }
 
+/// A table over a master's angle, whose poses are of the part if it is told so.
+class Table final : public SetpointSource {
+ public:
+  explicit Table(std::optional<PoseFrame> frame) : frame_(frame) {}
+  const std::vector<Column>& columns() const override { return columns_; }
+  std::size_t count() const override { return 5; }
+  double cycle_time() const override { return 0.125; }
+  double duration() const override { return 0.5; }
+  Independent independent() const override { return {"phi", "deg", 90}; }
+  std::optional<PoseFrame> pose_frame() const override { return frame_; }
+  void read(std::size_t first, std::size_t rows, double* out) const override {
+    for (std::size_t k = first; k < first + rows; ++k) *out++ = 90.0 * static_cast<double>(k);
+  }
+
+ private:
+  std::optional<PoseFrame> frame_;
+  std::vector<Column> columns_{{"phi", "deg"}};
+};
+
 struct StoppingAt final : Progress {
   explicit StoppingAt(int k) : left(k) {}
   void report(std::string_view stage, double, std::string_view) override {
@@ -44,6 +63,34 @@ struct StoppingAt final : Progress {
 std::size_t chunks(const std::filesystem::path& store) {
   SqliteConnection connection(store, false);
   return static_cast<std::size_t>(connection.query("SELECT count(*) FROM chunks").one_int());
+}
+
+TEST_F(StoreTest, KeepsWhatTheRowsAreTakenOver) {
+  for (const bool framed : {false, true}) {
+    const std::string id = insert_id(*store);
+    claim(*store, 1);
+    api::PlannedJob planned = ramp_plan(0);
+    planned.setpoints = std::make_unique<Table>(framed ? std::optional(PoseFrame{1, 2, 3, 45}) : std::nullopt);
+    SilentProgress progress;
+    ASSERT_TRUE(store->succeed(id, 1, planned, 2, 0, progress));
+    const auto series = store->series(id);
+    ASSERT_TRUE(series);
+    EXPECT_EQ(series->independent.name, "phi");
+    EXPECT_EQ(series->independent.unit, "deg");
+    EXPECT_EQ(series->independent.step, 90);
+    EXPECT_EQ(series->cycle_time, 0.125);
+    EXPECT_EQ(series->columns.at(0).name, "phi");
+    EXPECT_EQ(series->pose_frame.has_value(), framed);
+    if (framed) {
+      EXPECT_EQ(series->pose_frame->angle, 45);
+    }
+  }
+  const std::string id = insert_id(*store);
+  claim(*store, 1);
+  SilentProgress progress;
+  ASSERT_TRUE(store->succeed(id, 1, ramp_plan(3), 2, 0, progress));
+  EXPECT_TRUE(store->series(id)->independent.time());
+  EXPECT_EQ(store->series(id)->independent.step, 0.001);
 }
 
 TEST_F(StoreTest, StoresLongSeriesPieceByPiece) {

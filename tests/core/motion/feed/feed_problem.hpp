@@ -15,6 +15,7 @@
 #include "core/motion/feed/constant_feed.hpp"
 #include "core/numeric/random.hpp"
 #include "core/verify/verifier.hpp"
+#include "tests/core/check_names.hpp"
 
 namespace bahnwerk::test {
 
@@ -87,7 +88,7 @@ inline std::string faults(const FeedProblem& problem, const TimeLaw& law, const 
   std::string list;
   for (const Check& check : verify_motion(input, progress).checks)
     if (!check.passed && !(check.value <= check.limit * (1 + excess)))
-      list += check.name + " " + std::to_string(check.value) + " / " + std::to_string(check.limit) + " at " +
+      list += check_name(check) + " " + std::to_string(check.value) + " / " + std::to_string(check.limit) + " at " +
               std::to_string(check.at) + "; ";
   return list;
 }

@@ -7,6 +7,7 @@
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/numeric/random.hpp"
 #include "core/verify/verifier.hpp"
+#include "tests/core/check_names.hpp"
 #include "tests/core/motion/reference/jerk_curves.hpp"
 #include "tests/core/motion/same_bits.hpp"
 
@@ -28,7 +29,7 @@ TimeLaw law(const Contour& contour, const Machine& m, const JerkLimitedOptions& 
   ContourVerifierInput input{contour, m, result, options.corner_angle, true};
   input.path = options.path;
   for (const Check& check : verify_motion(input, progress).checks)
-    EXPECT_TRUE(check.passed) << check.name << ' ' << check.value << " > " << check.limit;
+    EXPECT_TRUE(check.passed) << check_name(check) << ' ' << check.value << " > " << check.limit;
   return result;
 }
 double duration(const Contour& contour, const Machine& m, const JerkLimitedOptions& options = {}) {

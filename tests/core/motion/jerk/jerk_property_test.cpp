@@ -14,6 +14,7 @@
 #include "core/verify/bound/lower_bound.hpp"
 #include "core/verify/verifier.hpp"
 #include "tests/core/cases.hpp"
+#include "tests/core/check_names.hpp"
 #include "tests/core/plan/random_contour.hpp"
 
 namespace bahnwerk {
@@ -73,13 +74,14 @@ TEST_P(JerkProperty, NoLimitIsViolated) {
     ContourVerifierInput input{contour, p.machine, law, p.options.corner_angle, true};
     input.path = p.options.path;
     for (const Check& check : verify_motion(input, progress).checks)
-      ASSERT_TRUE(check.passed) << "seed " << seed << ": " << check.name << ' ' << check.value << " > " << check.limit;
+      ASSERT_TRUE(check.passed) << "seed " << seed << ": " << check_name(check) << ' ' << check.value << " > "
+                                << check.limit;
     const Bound bound = lower_bound(contour, p.machine, p.options.corner_angle, progress);
     ASSERT_TRUE(bound_check(bound, law.duration()).passed)
-        << "seed " << seed << ": " << law.duration() << " < " << bound.duration;
+        << "seed " << seed << ": " << law.duration() << " < " << bound.value;
     // The bound knows nothing of limits along the path.
     if (p.options.path.velocity == unlimited && p.options.path.acceleration == unlimited)
-      gaps.push_back(law.duration() / bound.duration - 1);
+      gaps.push_back(law.duration() / bound.value - 1);
   }
   std::sort(gaps.begin(), gaps.end());
   const std::vector<double> printed = gaps_in_readme();
@@ -105,7 +107,7 @@ TEST(JerkHard, AxesWithoutALimitOfJerk) {
     const Problem p = random_problem(static_cast<std::uint64_t>(seed));
     const Contour contour = testing::build(p.outline);
     const double duration = plan_jerk_limited(contour, p.machine, p.options, progress).law.duration();
-    EXPECT_LE(duration, most * lower_bound(contour, p.machine, p.options.corner_angle, progress).duration) << seed;
+    EXPECT_LE(duration, most * lower_bound(contour, p.machine, p.options.corner_angle, progress).value) << seed;
   }
 }
 

@@ -9,6 +9,7 @@
 #include "core/motion/jerk/jerk_limited.hpp"
 #include "core/verify/verifier.hpp"
 #include "tests/core/cases.hpp"
+#include "tests/core/check_names.hpp"
 #include "tests/core/plan/random_contour.hpp"
 
 namespace bahnwerk {
@@ -63,7 +64,7 @@ double verified(const Contour& contour, const Machine& m, JerkLimitedOptions opt
   ContourVerifierInput input{contour, m, law, options.corner_angle, true};
   input.path = options.path;
   for (const Check& check : verify_motion(input, progress).checks)
-    EXPECT_TRUE(check.passed) << window << ": " << check.name << ' ' << check.value << " > " << check.limit;
+    EXPECT_TRUE(check.passed) << window << ": " << check_name(check) << ' ' << check.value << " > " << check.limit;
   return law.duration();
 }
 

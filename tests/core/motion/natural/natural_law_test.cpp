@@ -11,6 +11,7 @@
 #include "core/geometry/curve/line.hpp"
 #include "core/geometry/curve/rational.hpp"
 #include "core/verify/verifier.hpp"
+#include "tests/core/check_names.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -90,7 +91,7 @@ TEST(NaturalLaw, KeepsTheLimitsAndReachesOne) {
       SilentProgress progress;
       double most = 0;
       for (const Check& check : verify_motion(input, progress).checks)
-        if (check.name.ends_with(" x") || check.name.ends_with(" y"))  // of an axis
+        if (check_name(check).ends_with(" x") || check_name(check).ends_with(" y"))  // of an axis
           most = std::max(most, check.value / check.limit);
       return most;
     };

@@ -10,6 +10,7 @@
 #include "core/motion/setpoints/cycles.hpp"
 #include "core/verify/setpoints/needle_checks.hpp"
 #include "core/verify/setpoints/setpoint_checks.hpp"
+#include "tests/core/check_names.hpp"
 #include "tests/core/machine/winders.hpp"
 #include "tests/core/motion/axes/needle_loop.hpp"
 
@@ -76,7 +77,7 @@ struct Wound {
 std::string failed(const std::vector<Check>& checks) {
   std::string names;
   for (const Check& check : checks)
-    if (!check.passed) names += (names.empty() ? "" : ", ") + check.name;
+    if (!check.passed) names += (names.empty() ? "" : ", ") + check_name(check);
   return names;
 }
 

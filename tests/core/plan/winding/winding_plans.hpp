@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "tests/core/check_names.hpp"
 #include "tests/core/plan/winding/winding_requests.hpp"
 
 namespace bahnwerk {
@@ -15,13 +16,13 @@ inline WindingPlan planned(const WindingRequest& request) {
 
 inline void expect_verified(const WindingPlan& p, const std::string& what) {
   for (const Check& check : p.motion.verification.checks)
-    EXPECT_TRUE(check.passed) << what << ": " << check.name << ' ' << check.value << " against " << check.limit
+    EXPECT_TRUE(check.passed) << what << ": " << check_name(check) << ' ' << check.value << " against " << check.limit
                               << " at " << check.at;
   EXPECT_TRUE(p.motion.verification.passed) << what;
 }
 inline const Check* find(const WindingPlan& p, const std::string& name) {
   for (const Check& check : p.motion.verification.checks)
-    if (check.name == name) return &check;
+    if (check_name(check) == name) return &check;
   return nullptr;
 }
 

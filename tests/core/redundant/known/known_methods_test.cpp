@@ -11,6 +11,7 @@
 #include "core/redundant/known/follow_up.hpp"
 #include "core/redundant/known/geometric.hpp"
 #include "core/redundant/known/lag_compensation.hpp"
+#include "core/redundant/methods/method_table.hpp"
 #include "core/redundant/redundancy.hpp"
 #include "tests/core/cases.hpp"
 #include "tests/core/redundant/coarse_fine_machines.hpp"

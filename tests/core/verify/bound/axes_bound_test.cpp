@@ -24,7 +24,7 @@ constexpr double corner_angle = 2e-3;
 
 double bound(const AxisPath& path, const Contour& contour, const Machine& machine) {
   SilentProgress silent;
-  return lower_bound(contour_task(path, contour, machine), corner_angle, silent).duration;
+  return lower_bound(contour_task(path, contour, machine), corner_angle, silent).value;
 }
 
 double planned(const AxisPath& path, const Contour& contour, const Machine& machine) {
@@ -175,7 +175,7 @@ double extrapolated(double of_4, double of_8, int turns) { return of_8 + (of_8 -
 
 /// What rounding takes from a turn is no more far along the path than at its begin.
 TEST(AxesBound, TheSameFarAlongThePath) {
-  const double whole = extrapolated(of_turns(4).duration, of_turns(8).duration, 60), found = of_turns(60).duration;
+  const double whole = extrapolated(of_turns(4).value, of_turns(8).value, 60), found = of_turns(60).value;
   RecordProperty("loss", std::to_string(1 - found / whole));
   EXPECT_GT(found, whole * (1 - 1e-6));
   EXPECT_LT(found, whole * (1 + 1e-4));
@@ -186,10 +186,10 @@ TEST(AxesBound, TheSameFarAlongThePath) {
 TEST(AxesBound, LongNeedlePathsInWindowsLoseLittle) {
   const Bound few = of_turns(4), more = of_turns(8), found = of_turns(400);
   const auto of_400 = [](double of_4, double of_8) { return extrapolated(of_4, of_8, 400); };
-  const double whole = of_400(few.duration, more.duration);
-  RecordProperty("loss", std::to_string(whole - found.duration));
-  EXPECT_LT(found.duration, whole * (1 + 1e-6));
-  EXPECT_GT(found.duration, whole * (1 - 1e-3));
+  const double whole = of_400(few.value, more.value);
+  RecordProperty("loss", std::to_string(whole - found.value));
+  EXPECT_LT(found.value, whole * (1 + 1e-6));
+  EXPECT_GT(found.value, whole * (1 - 1e-3));
   // The node at which two windows meet counts for both.
   const auto nodes = [](const Bound& b) { return std::stod(b.basis.substr(b.basis.find_first_of("0123456789"))); };
   EXPECT_GT(nodes(found), of_400(nodes(few), nodes(more))) << "not parted";

@@ -28,7 +28,7 @@ Machine machine(double jerk, std::size_t axes = 2) {
 
 double bound(const Contour& contour, const Machine& m, double corner = corner_angle) {
   SilentProgress silent;
-  return lower_bound(contour, m, corner, silent).duration;
+  return lower_bound(contour, m, corner, silent).value;
 }
 
 double planned(const Contour& contour, const Machine& m) {
@@ -244,7 +244,7 @@ TEST(JerkBound, HoldsForFiveAxes) {
   for (const Contour& contour : contours()) {
     const KinematicAxisPath path(contour.path, kinematics);
     const PathTask task = contour_task(path, contour, m);
-    const double low = lower_bound(task, corner_angle, silent).duration;
+    const double low = lower_bound(task, corner_angle, silent).value;
     const double plan = plan_jerk_limited(task, {}, silent).law.duration();
     EXPECT_LE(low, plan * (1 + 1e-9));
     EXPECT_GE(low, plan * (1 - 0.06));

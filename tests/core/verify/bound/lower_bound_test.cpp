@@ -10,6 +10,7 @@
 #include "core/contour/polyline.hpp"
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/verify/verifier.hpp"
+#include "tests/core/check_names.hpp"
 #include "tests/core/verify/reference.hpp"
 
 namespace bahnwerk {
@@ -23,7 +24,7 @@ constexpr double corner_angle = 0.1 * std::numbers::pi / 180;
 
 double bound(const Contour& contour, const Machine& m) {
   SilentProgress silent;
-  return lower_bound(contour, m, corner_angle, silent).duration;
+  return lower_bound(contour, m, corner_angle, silent).value;
 }
 
 TEST(LowerBound, LineReachesTheClosedForm) {
@@ -134,11 +135,11 @@ TEST(LowerBound, BelowMotionsThatTheJudgeAccepts) {
     for (int pass = 0; pass < 2; ++pass)  // peaks are resolved in relation to the limits: once more with the right ones
       for (const Check& c : verify_motion({contour, m, law, corner_angle}, silent).checks)
         for (std::size_t k = 0; k < 2; ++k) {
-          if (c.name == "velocity " + m.axes[k].name) m.axes[k].velocity = c.value;
-          if (c.name == "acceleration " + m.axes[k].name) m.axes[k].acceleration = c.value;
+          if (check_name(c) == "velocity " + m.axes[k].name) m.axes[k].velocity = c.value;
+          if (check_name(c) == "acceleration " + m.axes[k].name) m.axes[k].acceleration = c.value;
         }
     for (const Check& c : verify_motion({contour, m, law, corner_angle}, silent).checks)
-      ASSERT_TRUE(c.passed) << i << " " << c.name << " " << c.value << " against " << c.limit;
+      ASSERT_TRUE(c.passed) << i << " " << check_name(c) << " " << c.value << " against " << c.limit;
     EXPECT_LE(bound(contour, m), law.duration());
   }
 }
@@ -252,7 +253,7 @@ TEST(LowerBound, ExtremeInputsGiveFiniteBounds) {
         EXPECT_GE(t, contour->path.length() / std::sqrt(2) / velocity * (1 - 1e-9));
       }
   SilentProgress silent;
-  EXPECT_EQ(lower_bound(Contour{}, machine(2, 1, 1), corner_angle, silent).duration, 0);
+  EXPECT_EQ(lower_bound(Contour{}, machine(2, 1, 1), corner_angle, silent).value, 0);
 }
 
 TEST(LowerBound, LongAlmostStraightCurves) {

@@ -19,7 +19,7 @@ const Machine plain{{{"x", 1800, 16000, unlimited}, {"y", 1500, 9000, unlimited}
 
 double bound(const Contour& contour, const Machine& machine) {
   SilentProgress silent;
-  return lower_bound(contour, machine, corner_angle, silent).duration;
+  return lower_bound(contour, machine, corner_angle, silent).value;
 }
 /// Of the curve [0, n) against [n, 2 n).
 double margin(const AxisPath& path, const Machine& machine, const std::vector<double>& feeds, std::size_t n) {

@@ -8,6 +8,7 @@
 #include "core/contour/polyline.hpp"
 #include "core/geometry/curve/arc.hpp"
 #include "core/geometry/curve/rational.hpp"
+#include "tests/core/check_names.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -27,7 +28,7 @@ TEST(Tube, SameContourIsAtNoDistance) {
   const Check k = check(c, c, 0.01);
   EXPECT_TRUE(k.passed);
   EXPECT_LE(k.value, 1.5e-6);
-  EXPECT_EQ(k.name, "deviation from contour");
+  EXPECT_EQ(check_name(k), "deviation from contour");
 }
 
 TEST(Tube, ParallelLinesAndArcs) {
@@ -111,7 +112,7 @@ std::vector<Check> checks(const Contour& given, const Contour& path) {
 
 TEST(Tube, BordersStayWhereTheyWere) {
   const Contour given = blocks(4, 4.2);
-  for (const Check& c : checks(given, blocks(4.0099, 4.1901))) EXPECT_TRUE(c.passed) << c.name;
+  for (const Check& c : checks(given, blocks(4.0099, 4.1901))) EXPECT_TRUE(c.passed) << check_name(c);
   for (const auto& [one, two] : {std::pair{4.0101, 4.2}, {4.0, 4.1899}, {3.9, 4.1}}) {
     const auto moved = checks(given, blocks(one, two));
     EXPECT_TRUE(moved[0].passed);
@@ -123,7 +124,7 @@ TEST(Tube, BlocksAreTheContours) {
   const Contour given = blocks(4, 4.2);
   const auto refused = [&](const Contour& path) {
     const auto list = checks(given, path);
-    EXPECT_EQ(list[0].name, "blocks out of order");
+    EXPECT_EQ(check_name(list[0]), "blocks out of order");
     EXPECT_FALSE(list[0].passed);
     EXPECT_GE(list[0].value, 1);
     EXPECT_FALSE(list[1].passed);

@@ -13,6 +13,7 @@
 #include "core/motion/jerk/jerk_limited.hpp"
 #include "core/motion/law/path_motion.hpp"
 #include "core/numeric/random.hpp"
+#include "tests/core/check_names.hpp"
 #include "tests/core/motion/axes/five_axes.hpp"
 
 namespace bahnwerk {
@@ -39,7 +40,7 @@ std::vector<Check> verify_axes(const Motion& motion, const std::vector<AxisLimit
 
 const Check& named(const std::vector<Check>& checks, const std::string& name) {
   for (const Check& check : checks)
-    if (check.name == name) return check;
+    if (check_name(check) == name) return check;
   throw std::out_of_range(name);
 }
 
@@ -48,7 +49,7 @@ testing::AssertionResult passed(const std::vector<Check>& checks) {
   for (const Check& check : checks)
     if (!check.passed)
       result = testing::AssertionFailure()
-               << check.name << ": " << check.value << " > " << check.limit << " at " << check.at;
+               << check_name(check) << ": " << check.value << " > " << check.limit << " at " << check.at;
   return result;
 }
 
@@ -66,7 +67,24 @@ TEST(MotionChecks, OneAxisHasThePeaksOfItsClosedForm) {
   EXPECT_NEAR(named(checks, "acceleration b").value, a, 1e-12 * a);
   EXPECT_NEAR(named(checks, "jerk b").value, j, 1e-12 * j);
   EXPECT_NEAR(named(checks, "snap b").value, s, 1e-12 * s);
-  EXPECT_EQ(named(checks, "jerk b").unit, "rad/s³");
+  EXPECT_EQ(check_unit(named(checks, "jerk b")), "rad/s³");
+}
+
+/// x = (t (1 − t))¹⁰ t.
+TEST(MotionChecks, PeaksOfDegree21AreEnclosed) {
+  Polynomial bump{1};
+  for (int i = 0; i < 10; ++i) bump = bump * Polynomial{0, 1, -1};
+  const SplineMotion motion({{1, {bump * Polynomial{0, 1}}}});
+  const auto checks = verify_axes(motion, {limits(1, unlimited, unlimited)}, 3);
+  EXPECT_TRUE(passed(checks));
+  // x′ = t¹⁰ (1 − t)⁹ (11 − 21 t): its extremes by a fine grid.
+  double most = 0;
+  for (int i = 0; i <= 1'000'000; ++i) {
+    const double t = i * 1e-6;
+    most = std::max(most, std::abs(std::pow(t, 10) * std::pow(1 - t, 9) * (11 - 21 * t)));
+  }
+  EXPECT_NEAR(named(checks, "velocity b").value, most, 1e-9 * most);
+  EXPECT_GE(named(checks, "velocity b").value, most * (1 - 1e-10));
 }
 
 TEST(MotionChecks, ALimitThatIsAMillionthTooLowFails) {

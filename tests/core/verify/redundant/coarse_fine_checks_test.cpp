@@ -8,6 +8,7 @@
 #include "core/contour/builder.hpp"
 #include "core/motion/axes/path_task.hpp"
 #include "core/motion/axes/spline_motion.hpp"
+#include "tests/core/check_names.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -40,7 +41,7 @@ struct Case {
 
 Check find(const std::vector<Check>& checks, const std::string& name) {
   for (const Check& c : checks)
-    if (c.name == name) return c;
+    if (check_name(c) == name) return c;
   ADD_FAILURE() << "no check " << name;
   return {};
 }
@@ -80,7 +81,7 @@ TEST(CoarseFineChecks, OnALineTheFineAxisDoesWhatTheCoarseLeaves) {
   EXPECT_DOUBLE_EQ(find(checks, "velocity xf").value, 100);
   EXPECT_NEAR(find(checks, "velocity xf").at, 0.1, 1e-12);
   EXPECT_DOUBLE_EQ(find(checks, "acceleration xf").value, 1000);
-  for (const Check& c : checks) EXPECT_TRUE(c.passed) << c.name;
+  for (const Check& c : checks) EXPECT_TRUE(c.passed) << check_name(c);
 }
 
 /// x_c = 50 t² would follow exactly; of x_c = 40 t² a tenth of the way is left at 0.1 s.
@@ -100,8 +101,8 @@ TEST(CoarseFineChecks, OnACircleThePeaksAreThoseOfTheCircle) {
     for (const auto& [name, value] :
          {std::pair<const char*, double>{"stroke ", 8}, {"velocity ", 200}, {"acceleration ", 200.0 * 200 / 8}}) {
       const Check c = find(checks, std::string(name) + axis);
-      EXPECT_GE(c.value, value * (1 - 1e-14)) << c.name;
-      EXPECT_LE(c.value, value * (1 + 1e-9)) << c.name;
+      EXPECT_GE(c.value, value * (1 - 1e-14)) << check_name(c);
+      EXPECT_LE(c.value, value * (1 + 1e-9)) << check_name(c);
     }
   }
 }

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "tests/core/check_names.hpp"
+
 namespace bahnwerk {
 namespace {
 
@@ -33,7 +35,7 @@ struct Rows final : SetpointSource {
   std::vector<std::string> failing() const {
     std::vector<std::string> list;
     for (const Check& c : checks())
-      if (!c.passed) list.push_back(c.name);
+      if (!c.passed) list.push_back(check_name(c));
     return list;
   }
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/geometry/curve/arc.hpp"
+#include "tests/core/check_names.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -30,10 +31,10 @@ TEST(CurvatureChecks, OfACircle) {
   const Circle circle(v, 3);
   const auto checks = circle.checks(0.005, 0.2, 400);
   ASSERT_EQ(checks.size(), 2u);
-  EXPECT_EQ(checks[0].name, "chord error");
+  EXPECT_EQ(check_name(checks[0]), "chord error");
   EXPECT_NEAR(checks[0].value, Circle::radius * (1 - std::cos(v * 0.002 / Circle::radius / 2)), 1e-10);
   EXPECT_TRUE(checks[0].passed);
-  EXPECT_EQ(checks[1].name, "half-speed feed");
+  EXPECT_EQ(check_name(checks[1]), "half-speed feed");
   EXPECT_NEAR(checks[1].value, 2 * v, 1e-9);
   EXPECT_TRUE(checks[1].passed);
   EXPECT_TRUE(circle.checks(unlimited, unlimited, 1).empty());

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <string>
 
+#include "tests/core/check_names.hpp"
+
 namespace bahnwerk {
 namespace {
 
@@ -31,11 +33,11 @@ class Rows final : public SetpointSource {
 Verification held(double velocity, double acceleration, double jerk, double path) {
   Verification v;
   v.passed = true;
-  v.add({"velocity q", "rad/s", velocity, 0, 0, true});
-  v.add({"acceleration q", "rad/s²", acceleration, 0, 0, true});
-  v.add({"jerk q", "rad/s³", jerk, 0, 0, true});
-  v.add({"end at rest", "mm/s", 0, 0, 0, true});
-  v.add({"path velocity", "mm/s", path, 0, 0, true});
+  v.add(Check{{CheckedQuantity::axis, 1, "rad", "q"}, velocity, 0, 0, true});
+  v.add(Check{{CheckedQuantity::axis, 2, "rad", "q"}, acceleration, 0, 0, true});
+  v.add(Check{{CheckedQuantity::axis, 3, "rad", "q"}, jerk, 0, 0, true});
+  v.add(Check{{CheckedQuantity::end_rest, 1}, 0, 0, 0, true});
+  v.add(Check{{CheckedQuantity::path, 1}, path, 0, 0, true});
   return v;
 }
 std::vector<Check> checked(const Rows& rows, const Verification& motion) {
@@ -55,9 +57,9 @@ TEST(DifferenceChecks, ASineKeepsItsDerivativesPeaks) {
                                "setpoint path velocity"};
   const char* const units[] = {"rad/s", "rad/s²", "rad/s³", "mm/s"};
   for (std::size_t i = 0; i < 4; ++i) {
-    EXPECT_EQ(checks[i].name, names[i]);
-    EXPECT_EQ(checks[i].unit, units[i]);
-    EXPECT_TRUE(checks[i].passed) << checks[i].name << ' ' << checks[i].value;
+    EXPECT_EQ(check_name(checks[i]), names[i]);
+    EXPECT_EQ(check_unit(checks[i]), units[i]);
+    EXPECT_TRUE(checks[i].passed) << check_name(checks[i]) << ' ' << checks[i].value;
     EXPECT_NEAR(checks[i].value / checks[i].limit, 1, 2e-4);  // the mean over up to three cycles, w T = 0.02
   }
 }
@@ -86,7 +88,7 @@ TEST(DifferenceChecks, MissingColumnsAndWhatIsNoNumberFail) {
   rows.q = [](double) { return 0.0; };
   rows.named[1].name = "other";
   for (const Check& check : checked(rows, held(1, 1, 1, 1)))
-    EXPECT_EQ(check.passed, check.name == "setpoint path velocity");
+    EXPECT_EQ(check.passed, check_name(check) == "setpoint path velocity");
 }
 
 TEST(DifferenceChecks, AStepOfTheAccelerationCountsBesideTheJerk) {

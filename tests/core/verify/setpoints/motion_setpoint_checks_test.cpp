@@ -12,6 +12,7 @@
 
 #include "core/motion/axes/spline_motion.hpp"
 #include "core/motion/setpoints/motion_setpoints.hpp"
+#include "tests/core/check_names.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -53,7 +54,7 @@ struct MotionRows : testing::Test {
     SilentProgress progress;
     std::string names;
     for (const Check& check : motion_setpoint_checks(*motion, machine, source, progress))
-      if (!check.passed) names += check.name + ';';
+      if (!check.passed) names += check_name(check) + ';';
     return names;
   }
   std::string failed(std::size_t row, std::size_t column, double change) const {
@@ -86,6 +87,25 @@ TEST_F(MotionRows, WhatIsChangedFails) {
   EXPECT_EQ(failed(600, 0, 1e-300), "setpoints end;");
   EXPECT_EQ(failed(600, 3, 1e-300), "setpoints end;");
   EXPECT_EQ(failed(7, 5, std::numeric_limits<double>::quiet_NaN()), "setpoints acceleration;");
+}
+
+TEST_F(MotionRows, JerkAndSnapAreCheckedWhereTheyAreColumns) {
+  const MotionSetpoints full(motion, machine, 600, 4);
+  ASSERT_EQ(full.columns().size(), 10u);
+  EXPECT_EQ(full.columns()[6].name, "jcam");
+  EXPECT_EQ(full.columns()[6].unit, "mm/s³");
+  EXPECT_EQ(full.columns()[9].name, "stable");
+  EXPECT_EQ(failed(full), "");
+  const auto spoiled = [&](std::size_t row, std::size_t column, double change) {
+    Edited edited(full);
+    edited.edit = [=](std::size_t k, double* out) {
+      if (k == row) out[column] += change;
+    };
+    return failed(edited);
+  };
+  EXPECT_EQ(spoiled(42, 6, 1e-6), "setpoints jerk;");
+  EXPECT_EQ(spoiled(42, 8, 1e-4), "setpoints snap;");
+  EXPECT_EQ(spoiled(600, 8, 1e-9), "setpoints end;");
 }
 
 TEST_F(MotionRows, MissingColumnsAndRowsFail) {

@@ -15,6 +15,7 @@
 #include "core/motion/setpoints/contour_setpoints.hpp"
 #include "core/verify/bound/lower_bound.hpp"
 #include "core/verify/verifier.hpp"
+#include "tests/core/check_names.hpp"
 #include "tests/core/motion/setpoints/slowed.hpp"
 #include "tests/core/verify/reference.hpp"
 
@@ -86,15 +87,15 @@ struct SetpointChecks : testing::Test {
   /// Exactly these checks fail.
   void expect_failed(const SetpointSource& source, const std::vector<std::string>& names) const {
     for (const Check& c : checked(source)) {
-      const bool expected = std::find(names.begin(), names.end(), c.name) != names.end();
-      EXPECT_EQ(!c.passed, expected) << c.name << ' ' << c.value << " against " << c.limit << " at " << c.at;
+      const bool expected = std::find(names.begin(), names.end(), check_name(c)) != names.end();
+      EXPECT_EQ(!c.passed, expected) << check_name(c) << ' ' << c.value << " against " << c.limit << " at " << c.at;
     }
   }
   /// Names of the checks that fail, each followed by a semicolon.
   std::string failed(const SetpointSource& source) const {
     std::string list;
     for (const Check& c : checked(source))
-      if (!c.passed) list += c.name + ";";
+      if (!c.passed) list += check_name(c) + ";";
     return list;
   }
   std::string failed(const std::function<void(std::size_t, double*)>& edit) const {
@@ -168,7 +169,7 @@ TEST_F(SetpointChecks, TolerancesAreThoseOfRounding) {
     return checked(source);
   };
   const auto find = [](const std::vector<Check>& list, const std::string& name) {
-    return *std::find_if(list.begin(), list.end(), [&](const Check& c) { return c.name == name; });
+    return *std::find_if(list.begin(), list.end(), [&](const Check& c) { return check_name(c) == name; });
   };
   const double place = 32 * eps * (30 + 50), quick = 32 * eps * 300;
   EXPECT_TRUE(find(shifted(X, 0.9 * place), "setpoints position").passed);
@@ -221,7 +222,7 @@ TEST_F(SetpointChecks, AColumnThatIsMissing) {
   Tampered source(*rows);
   source.columns_[BLOCK].name = "blocks";
   const auto checks = checked(source);
-  EXPECT_EQ(checks[0].name, "setpoints count");
+  EXPECT_EQ(check_name(checks[0]), "setpoints count");
   EXPECT_FALSE(checks[0].passed);
   EXPECT_EQ(checks[0].value, 1);
 }
@@ -256,15 +257,15 @@ TEST_F(SetpointChecks, RestIsAMotion) {
   const ContourSetpoints source(dwelling, corner, m, cycles.count);
   SilentProgress progress;
   for (const Check& c : setpoint_checks({dwelling->path(), m, dwelling->law(), source, &corner}, progress))
-    EXPECT_TRUE(c.passed) << c.name << ' ' << c.value << " against " << c.limit << " at " << c.at;
+    EXPECT_TRUE(c.passed) << check_name(c) << ' ' << c.value << " against " << c.limit << " at " << c.at;
   const Verification v = verify_motion({corner, m, dwelling->law(), 1e-3}, progress);
   for (const Check& c : v.checks)
-    EXPECT_TRUE(c.passed) << c.name << ' ' << c.value << " against " << c.limit << " at " << c.at;
+    EXPECT_TRUE(c.passed) << check_name(c) << ' ' << c.value << " against " << c.limit << " at " << c.at;
 }
 
 TEST(BoundCheck, FailsAPlanThatIsTooShort) {
   const Bound bound{2, 0, ""};
-  EXPECT_EQ(bound_check(bound, 2.5).name, "bound");
+  EXPECT_EQ(check_name(bound_check(bound, 2.5)), "bound");
   EXPECT_TRUE(bound_check(bound, 2.5).passed);
   EXPECT_TRUE(bound_check(bound, 2).passed);
   EXPECT_TRUE(bound_check(bound, 2 * (1 - 5e-10)).passed);

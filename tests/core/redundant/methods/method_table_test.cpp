@@ -1,4 +1,4 @@
-#include "core/redundant/redundancy.hpp"
+#include "core/redundant/methods/method_table.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/redundant/redundancy.hpp"
+#include "core/redundant/methods/method_table.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -6,7 +6,7 @@
 
 #include "core/redundant/coarse_alone.hpp"
 #include "core/redundant/iterative/iterative.hpp"
-#include "core/redundant/joint.hpp"
+#include "core/redundant/joint_method.hpp"
 #include "core/redundant/known/filter_plan.hpp"
 #include "core/redundant/known/follow_up.hpp"
 #include "core/redundant/known/geometric.hpp"
@@ -16,40 +16,9 @@
 namespace bahnwerk {
 namespace {
 
-RedundancyResult joint(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress, double from,
-                       double to) {
-  JointOptions given;
-  given.smoothness = options.smoothness;
-  given.stretch = options.stretch;
-  given.compare = options.compare;
-  given.coarse_alone = options.coarse_alone;
-  given.bound = task.bound;
-  given.corner_angle = options.corner_angle;
-  JointResult found =
-      plan_joint({task.path, task.machine, task.feeds, task.rests, task.dwells}, given, progress, from, to);
-  RedundancyResult result;
-  result.head = std::move(found.head);
-  result.coarse = std::move(found.coarse);
-  result.fastest = found.fastest;
-  result.iterations = found.iterations;
-  result.certified = found.certified;
-  result.slowed_count = found.slowed;
-  result.coarse_jerk_limited = task.machine.limits_jerk();
-  if (found.gave_way) {
-    result.fallbacks = options.coarse_alone ? 0 : 1;
-    result.notes.emplace_back(
-        "no motion was found in which the fine axes take part: they stand still, and the coarse axes move alone");
-  }
-  const double planned = found.chosen.duration / found.chosen.stretch;
-  result.passes.push_back({found.fastest, found.slowed, {}});
-  if (found.slowed > 0) result.passes.push_back({planned, 0, {}});
-  for (Trade& trade : found.trades) result.trades.push_back({trade.stretch, trade.duration, std::move(trade.energy)});
-  return result;
-}
-
 constexpr RedundancyRow rows[] = {
     //  method                              planner  limits_jerk
-    {RedundancyMethod::joint, joint, true},
+    {RedundancyMethod::joint, plan_joint_method, true},
     {RedundancyMethod::iterative, plan_iterative, true},
     {RedundancyMethod::geometric, plan_geometric, false},
     {RedundancyMethod::filter, plan_filter, false},
@@ -79,7 +48,7 @@ RedundancyResult plan_redundant(const RedundancyTask& task, const RedundancyOpti
   const bool again = options.reparametrise && !task.machine.limits_jerk();
   const double planned = again ? from + 0.7 * (to - from) : to;
   if (options.method != RedundancyMethod::joint && !every_axis_is_split(task.machine)) {
-    RedundancyResult result = joint(task, options, progress, from, to);
+    RedundancyResult result = plan_joint_method(task, options, progress, from, to);
     ++result.fallbacks;
     result.notes.insert(result.notes.begin(),
                         "not every axis of the contour has a fine one, which the method asks for; the joint planner "

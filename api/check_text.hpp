@@ -1,0 +1,169 @@
+#pragma once
+/// What people read of a check: its name and its unit. In one header without JSON, for tests of core, too.
+#include <array>
+#include <cstddef>
+#include <cstdio>
+#include <string>
+
+#include "core/base/verification.hpp"
+
+namespace bahnwerk::api {
+
+namespace text {
+
+inline const char* derivative(int order) {
+  static constexpr std::array names{"position", "velocity", "acceleration", "jerk", "snap"};
+  return names.at(static_cast<std::size_t>(order));
+}
+
+inline std::string feed_name(double feed) {
+  char text[64];
+  std::snprintf(text, sizeof text, "path velocity (feed %.10g)", feed);
+  return text;
+}
+
+/// The name without its subject.
+inline std::string general_name(const Checked& what, double limit) {
+  const std::string of = derivative(what.order);
+  using enum CheckedQuantity;
+  switch (what.quantity) {
+    case named:
+      return {};
+    case axis:
+      return what.order == 0 ? "range" : of;
+    case path:
+      return "path " + of;
+    case feed:
+      return feed_name(limit);
+    case joint_step:
+      return of + " step at joints";
+    case corner_rest:
+      return "corner rest";
+    case cusp_rest:
+      return "cusp rest";
+    case start_rest:
+      return "start at rest";
+    case end_rest:
+      return "end at rest";
+    case continuity:
+      return "continuity of " + of;
+    case time_continuity:
+      return "continuity of time";
+    case duration:
+      return "duration";
+    case bound:
+      return "bound";
+    case segments:
+      return "pieces within segments";
+    case forward:
+      return "forward motion";
+    case coverage:
+      return "path covered";
+    case path_distance:
+      return "distance from contour";
+    case arc_length:
+      return "arc length";
+    case block_order:
+      return "blocks out of order";
+    case deviation:
+      return "deviation from contour";
+    case dwell:
+      return "dwell";
+    case stroke:
+      return "stroke";
+    case centred_start:
+      return "centred at start";
+    case centred_end:
+      return "centred at end";
+    case chord_error:
+      return "chord error";
+    case half_speed_feed:
+      return "half-speed feed";
+    case tip_position:
+      return "forward kinematics position";
+    case tip_angle:
+      return "forward kinematics angle";
+    case clearance:
+      return "needle clearance";
+    case pull:
+      return "wire pull";
+    case slack:
+      return "wire slack";
+    case wire_overlap:
+      return "overlap beyond what is allowed";
+    case boundary_overlap:
+      return "overlap with the boundary";
+    case wires_missing:
+      return "wires missing";
+    case rows_count:
+      return "setpoints count";
+    case rows_time:
+      return "setpoints time";
+    case rows_path:
+      return "setpoints path";
+    case rows_speed:
+      return "setpoints speed";
+    case rows_forward:
+      return "setpoints forward";
+    case rows:
+      return "setpoints " + of;
+    case rows_end:
+      return "setpoints end";
+    case rows_end_rest:
+      return "setpoints end at rest";
+    case rows_labels:
+      return "setpoints mode and block";
+    case rows_sum:
+      return std::string("setpoints sum") +
+             std::array{"", " of velocities", " of accelerations"}.at(static_cast<std::size_t>(what.order));
+    case rows_stroke:
+      return "setpoints stroke";
+    case rows_fine:
+      return "setpoints fine " + of;
+    case rows_pose:
+      return "setpoints pose";
+    case axis_differences:
+      return "setpoint " + of;
+    case path_differences:
+      return "setpoint path " + of;
+  }
+  return {};
+}
+
+/// Whether a subject is one of several that have such a check each, and not the group of axes that is meant.
+inline bool one_of_several(CheckedQuantity quantity) {
+  using enum CheckedQuantity;
+  switch (quantity) {
+    case axis:
+    case stroke:
+    case centred_start:
+    case centred_end:
+    case wire_overlap:
+    case boundary_overlap:
+    case wires_missing:
+    case axis_differences:
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace text
+
+/// "velocity x", "path velocity (feed 400)": `limit` is part of some names. A subject stands behind the name of what
+/// one axis or layout has, before that of a group of axes.
+inline std::string check_name(const Checked& what, double limit) {
+  const std::string name = text::general_name(what, limit);
+  if (name.empty() || what.subject.empty()) return name + what.subject;
+  return text::one_of_several(what.quantity) ? name + ' ' + what.subject : what.subject + ' ' + name;
+}
+
+inline std::string check_name(const Check& check) { return check_name(check, check.limit); }
+
+/// "mm/s²": the unit of order 0 and per what.
+inline std::string check_unit(const Checked& what) {
+  static constexpr std::array per{"", "/s", "/s²", "/s³", "/s⁴"};
+  return what.unit + per.at(static_cast<std::size_t>(what.order));
+}
+
+}  // namespace bahnwerk::api

@@ -1,0 +1,43 @@
+#include "core/base/row_check.hpp"
+
+#include <utility>
+
+#include "core/base/read_rows.hpp"
+
+namespace bahnwerk {
+
+namespace {
+constexpr std::size_t units_per_row = 4;  // of work, for progress
+}
+
+void read_rows(const SetpointSource& setpoints, std::span<const std::unique_ptr<RowCheck>> all, ProgressScope& scope) {
+  std::vector<RowCheck*> readers;
+  for (const auto& each : all)
+    if (each->reads()) readers.push_back(each.get());
+  if (readers.empty()) return;
+  const double rows = static_cast<double>(setpoints.count());
+  for_each_row(
+      setpoints,
+      [&](std::size_t k, const double* row) {
+        for (RowCheck* reader : readers) reader->row(k, row);
+      },
+      [&](std::size_t done, std::size_t count) {
+        scope.done(static_cast<double>(done) / rows);
+        scope.work(count * units_per_row * readers.size());
+      });
+}
+
+std::vector<Check> check_rows(const SetpointSource& setpoints, std::unique_ptr<RowCheck> check, ProgressScope& scope) {
+  scope.report();
+  const RowChecks one = [&] {
+    RowChecks list;
+    list.push_back(std::move(check));
+    return list;
+  }();
+  read_rows(setpoints, one, scope);
+  scope.done(1);
+  scope.report();
+  return one.front()->checks();
+}
+
+}  // namespace bahnwerk

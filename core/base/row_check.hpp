@@ -1,0 +1,34 @@
+#pragma once
+/// Checks of the rows of a series: several of them share one pass, so that each row is evaluated once.
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/base/progress_scope.hpp"
+#include "core/base/setpoint_source.hpp"
+#include "core/base/verification.hpp"
+
+namespace bahnwerk {
+
+/// Looks at all rows of a series, in order, and tells then what it found.
+class RowCheck {
+ public:
+  virtual ~RowCheck() = default;
+  /// Row k, from 0 on; `row` holds as many numbers as the series has columns.
+  virtual void row(std::size_t k, const double* row) = 0;
+  /// Whether it can look at rows at all: false where columns are missing.
+  virtual bool reads() const { return true; }
+  /// Called once, behind the last row.
+  virtual std::vector<Check> checks() = 0;
+};
+
+using RowChecks = std::vector<std::unique_ptr<RowCheck>>;
+
+/// Reads the series once, 1024 rows at a time, for all that look at rows. Memory: that of 1024 rows.
+void read_rows(const SetpointSource& setpoints, std::span<const std::unique_ptr<RowCheck>> all, ProgressScope& scope);
+
+/// Reads the series for one check alone.
+std::vector<Check> check_rows(const SetpointSource& setpoints, std::unique_ptr<RowCheck> check, ProgressScope& scope);
+
+}  // namespace bahnwerk

@@ -1,0 +1,40 @@
+#include "core/redundant/joint_method.hpp"
+
+#include <utility>
+
+#include "core/redundant/joint.hpp"
+
+namespace bahnwerk {
+
+RedundancyResult plan_joint_method(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
+                                   double from, double to) {
+  JointOptions given;
+  given.smoothness = options.smoothness;
+  given.stretch = options.stretch;
+  given.compare = options.compare;
+  given.coarse_alone = options.coarse_alone;
+  given.bound = task.bound;
+  given.corner_angle = options.corner_angle;
+  JointResult found =
+      plan_joint({task.path, task.machine, task.feeds, task.rests, task.dwells}, given, progress, from, to);
+  RedundancyResult result;
+  result.head = std::move(found.head);
+  result.coarse = std::move(found.coarse);
+  result.fastest = found.fastest;
+  result.iterations = found.iterations;
+  result.certified = found.certified;
+  result.slowed_count = found.slowed;
+  result.coarse_jerk_limited = task.machine.limits_jerk();
+  if (found.gave_way) {
+    result.fallbacks = options.coarse_alone ? 0 : 1;
+    result.notes.emplace_back(
+        "no motion was found in which the fine axes take part: they stand still, and the coarse axes move alone");
+  }
+  const double planned = found.chosen.duration / found.chosen.stretch;
+  result.passes.push_back({found.fastest, found.slowed, {}});
+  if (found.slowed > 0) result.passes.push_back({planned, 0, {}});
+  for (Trade& trade : found.trades) result.trades.push_back({trade.stretch, trade.duration, std::move(trade.energy)});
+  return result;
+}
+
+}  // namespace bahnwerk

@@ -1,0 +1,27 @@
+#pragma once
+/// The methods that plan a machine with coarse and fine axes: one row each, from the same task to the same result. To
+/// add one, write a function `RedundancyResult plan(task, options, progress, from, to)` and enter it in
+/// method_table.cpp.
+#include "core/redundant/redundancy.hpp"
+
+namespace bahnwerk {
+
+struct RedundancyRow {
+  RedundancyMethod method;
+  /// Throws InvalidInput, Infeasible, Stopped.
+  RedundancyResult (*plan)(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
+                           double from, double to);
+  bool limits_jerk;  ///< jerk limits of both axes hold where they are given
+};
+
+/// Throws std::logic_error for a method without a row.
+const RedundancyRow& redundancy_row(RedundancyMethod method);
+
+/// What the row of `options.method` plans, timed again if `options.reparametrise` says so (without limited jerk). Where
+/// an axis has no fine one the joint planner takes the place of every other method, which is counted and noted. Where
+/// the coarse axes alone are quicker than any method but `joint`, which knows of them, they move alone (without limited
+/// jerk); that counts as a fallback.
+RedundancyResult plan_redundant(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
+                                double from = 0, double to = 1);
+
+}  // namespace bahnwerk

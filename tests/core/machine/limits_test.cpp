@@ -1,0 +1,41 @@
+#include "core/machine/limits.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/machine/machine.hpp"
+
+namespace bahnwerk {
+namespace {
+
+TEST(Limits, AreOnePerDerivative) {
+  Limits limits{1, 2, 3, 4};
+  for (int order = 1; order <= Limits::highest_order; ++order) {
+    EXPECT_EQ(limits.of(order), order);
+    limits.of(order) *= 10;
+  }
+  EXPECT_EQ(limits.velocity, 10);
+  EXPECT_EQ(limits.acceleration, 20);
+  EXPECT_EQ(limits.jerk, 30);
+  EXPECT_EQ(limits.snap, 40);
+}
+
+TEST(Limits, RangesMayBeOpenAtOneEnd) {
+  Limits limits;
+  EXPECT_FALSE(limits.has_range());
+  limits.lowest = -5;
+  EXPECT_TRUE(limits.has_range());
+  limits = {};
+  limits.highest = 5;
+  EXPECT_TRUE(limits.has_range());
+}
+
+TEST(AxisLimits, TakeAllLimitsAndAName) {
+  Limits limits{1, 2, 3, 4, -5, 6};
+  const AxisLimits axis("q", limits);
+  EXPECT_EQ(axis.name, "q");
+  EXPECT_EQ(axis.snap, 4);
+  EXPECT_EQ(axis.lowest, -5);
+}
+
+}  // namespace
+}  // namespace bahnwerk

@@ -1,0 +1,43 @@
+// Splines up to degree 21, whose peaks the verifier encloses as those of low degrees.
+#include "core/motion/axes/spline_motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace bahnwerk {
+namespace {
+
+TEST(SplineMotion, DerivativesOfAMonomialOfDegree21) {
+  Polynomial p(22);
+  p[21] = 1;
+  const SplineMotion motion({{1, {p}}});
+  const MotionState end = motion.final_state();
+  EXPECT_DOUBLE_EQ(end.position[0], 1);
+  EXPECT_DOUBLE_EQ(end.velocity[0], 21);
+  EXPECT_DOUBLE_EQ(end.acceleration[0], 21 * 20);
+  EXPECT_DOUBLE_EQ(end.jerk[0], 21 * 20 * 19);
+  EXPECT_DOUBLE_EQ(end.snap[0], 21 * 20 * 19 * 18);
+}
+
+TEST(SplineMotion, SlowedItIsAtTheSamePlacesLater) {
+  const std::vector<SplineMotion::Piece> pieces{{1, {{1, 2, 3, 4, 5}}}, {3, {{15, -1, 0.5}}}};
+  const SplineMotion given(pieces), slow(slowed(pieces, 2));
+  EXPECT_EQ(slow.duration(), 6);
+  for (const double t : {0.25, 0.5, 1.5, 2.75}) {
+    const MotionState x = given.evaluate(t), y = slow.evaluate(2 * t);
+    EXPECT_DOUBLE_EQ(y.position[0], x.position[0]);
+    EXPECT_DOUBLE_EQ(y.velocity[0], x.velocity[0] / 2);
+    EXPECT_DOUBLE_EQ(y.snap[0], x.snap[0] / 16);
+  }
+}
+
+TEST(SplineMotion, HigherDegreesAndOtherFaultsAreRefused) {
+  EXPECT_THROW(SplineMotion({{1, {Polynomial(23)}}}), std::invalid_argument);
+  EXPECT_THROW(SplineMotion({}), std::invalid_argument);
+  EXPECT_THROW(SplineMotion({{1, {{0}}}, {1, {{0}}}}), std::invalid_argument);
+  EXPECT_THROW(SplineMotion({{1, {{0}}}, {2, {{0}, {0}}}}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace bahnwerk
