@@ -12,7 +12,7 @@ namespace bahnwerk::api {
 namespace text {
 
 inline const char* derivative(int order) {
-  static constexpr std::array names{"position", "velocity", "acceleration", "jerk", "snap"};
+  constexpr std::array names{"position", "velocity", "acceleration", "jerk", "snap"};
   return names.at(static_cast<std::size_t>(order));
 }
 
@@ -162,7 +162,7 @@ inline std::string check_name(const Check& check) { return check_name(check, che
 
 /// "mm/s²": the unit of order 0 and per what.
 inline std::string check_unit(const Checked& what) {
-  static constexpr std::array per{"", "/s", "/s²", "/s³", "/s⁴"};
+  constexpr std::array per{"", "/s", "/s²", "/s³", "/s⁴"};
   return what.unit + per.at(static_cast<std::size_t>(what.order));
 }
 

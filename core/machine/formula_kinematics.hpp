@@ -8,6 +8,7 @@
 ///   void check(const ToolPose& pose, const AxisArray& axes) const;   throws UnreachablePose where solve(), which gave
 ///                                                                    these axes, NaN maybe, is not defined
 ///   ToolPose forward(const AxisArray& axes) const override;
+///   static constexpr std::size_t swivel;   the axis that is ψ, if one is
 ///
 /// T is Taylor<3> (core/numeric/taylor.hpp), of numbers or of discs, or Majorant<4> (core/numeric/majorant.hpp).
 /// Nothing else: a machine is one file.
@@ -66,11 +67,15 @@ std::vector<AxisLimits> numbered_axes(const std::vector<Limits>& limits, const s
 template <class Machine>
 class FormulaKinematics : public Kinematics {
  public:
+  static constexpr std::size_t swivel = max_axes;  ///< none
   const std::vector<AxisLimits>& axes() const override { return axes_; }
   /// A choice of scale: of the size of the parts that are wound, so that no coordinate outweighs the others.
   double lever() const override { return 100; }
-  /// Rotary axes come round; where they may not go on for ever their ranges say so.
-  double period(std::size_t axis) const override { return axes_[axis].unit == "rad" ? 2 * std::numbers::pi : 0; }
+  /// Rotary axes come round; where they may not go on for ever their ranges say so. The swivel does not: ψ is between
+  /// −90° and 90°, and a range whole turns away from that is a mistake, not another way to be there.
+  double period(std::size_t axis) const override {
+    return axis != Machine::swivel && axes_[axis].unit == "rad" ? 2 * std::numbers::pi : 0;
+  }
 
   AxisJet inverse(const ToolJet& tool) const override {
     using T = Taylor<3>;

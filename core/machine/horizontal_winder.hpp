@@ -24,6 +24,7 @@ struct HorizontalWinderSizes {
 
 class HorizontalWinder final : public FormulaKinematics<HorizontalWinder> {
  public:
+  static constexpr std::size_t swivel = 4;
   /// Limits of q1 … q5, angles in rad. Throws std::invalid_argument for another count.
   HorizontalWinder(const HorizontalWinderSizes& sizes, const std::vector<Limits>& limits)
       : FormulaKinematics(numbered_axes<5>(limits, {false, false, false, true, true})), sizes_(sizes) {}

@@ -30,6 +30,7 @@ struct RobotWinderSizes {
 
 class RobotWinder final : public FormulaKinematics<RobotWinder> {
  public:
+  static constexpr std::size_t swivel = 4;
   /// Limits of q1 … q5, angles in rad. Throws std::invalid_argument for another count.
   RobotWinder(const RobotWinderSizes& sizes, RobotArm arm, const std::vector<Limits>& limits)
       : FormulaKinematics(numbered_axes<5>(limits, {true, true, false, true, true})), sizes_(sizes), arm_(arm) {}

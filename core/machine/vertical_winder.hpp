@@ -24,6 +24,7 @@ struct VerticalWinderSizes {
 
 class VerticalWinder final : public FormulaKinematics<VerticalWinder> {
  public:
+  static constexpr std::size_t swivel = 2;
   /// Limits of q1 … q5, angles in rad. Throws std::invalid_argument for another count.
   VerticalWinder(const VerticalWinderSizes& sizes, const std::vector<Limits>& limits)
       : FormulaKinematics(numbered_axes<5>(limits, {false, false, true, true, false})), sizes_(sizes) {}

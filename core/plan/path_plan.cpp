@@ -19,7 +19,11 @@ namespace {
 constexpr int attempts = 4;                 // on finer and finer grids
 constexpr std::size_t max_cells = 500'000;  // that may be planned once more for the sake of the gap
 constexpr double close_enough = 5e-6;       // gap to the bound at which a plan counts as converged
-constexpr double largest_excess = 1e-4;     // of a limit, that counts as rounding
+// Where a finer grid costs little a plan is to be closer, so that a contour and the same one backwards take as long to
+// 1e-6; unless the grid before gained less than this.
+constexpr double closer = 5e-7, worthwhile = 2e-7;
+constexpr std::size_t few_cells = 20'000;
+constexpr double largest_excess = 1e-4;  // of a limit, that counts as rounding
 
 /// On pieces so short that rounding shows, or so wide that the planner's model of them does, the verifier may find a
 /// limit exceeded by a little, no more than `largest` of it: slows those sections of the law verified by as much, all
@@ -153,15 +157,22 @@ class PathProblem final : public MotionProblem {
     return std::move(result.law);
   }
 
-  /// The proven bound tells whether the grid was fine enough, by the motion alone.
+  /// Plans on finer grids while that is worthwhile. The proven bound tells whether the grid was fine enough, by the
+  /// motion alone; a braking reserve has no bound that it reaches, there the grid before tells.
   TimeLaw law_near_the_bound() {
     TimeLaw law = solve();
     const bool reaches_bound = method_.reaches_bound && planning_.jerk_share == 1;
-    for (int attempt = 1; reaches_bound && attempt < attempts; ++attempt) {
-      if (with_gap({bound_.value - task_.dwell(), 0, {}}, law.duration()).gap <= close_enough || cells_ > max_cells)
-        break;
+    if (!reaches_bound && planning_.method != PlanningMethod::braking_reserve) return law;
+    bool gained = true;
+    for (int attempt = 1; attempt < attempts; ++attempt) {
+      const double gap =
+          reaches_bound ? with_gap({bound_.value - task_.dwell(), 0, {}}, law.duration()).gap : close_enough;
+      const bool may_gain = gained && cells_ <= few_cells;
+      if (gap <= closer || cells_ > max_cells || (gap <= close_enough && !may_gain)) break;
       ++refinement_;
-      if (TimeLaw finer = solve(); finer.duration() < law.duration()) law = std::move(finer);
+      TimeLaw finer = solve();
+      gained = finer.duration() < law.duration() * (1 - worthwhile);
+      if (finer.duration() < law.duration()) law = std::move(finer);
     }
     return law;
   }

@@ -5,6 +5,7 @@
 
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/motion/law/dwell.hpp"
+#include "core/redundant/coarse_task.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -16,18 +17,13 @@ constexpr double slower = 1e-9;  // relative, that counts as none
 
 RedundancyResult plan_coarse_alone(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
                                    double at) {
-  Machine machine;
-  machine.cycle_time = task.machine.cycle_time;
-  for (const CoarseFineAxis& axis : task.machine.axes)
-    machine.axes.emplace_back(axis.name, (1 - margin) * axis.coarse.velocity, (1 - margin) * axis.coarse.acceleration);
   AccelerationLimitedOptions law;
   law.corner_angle = options.corner_angle;
   law.keep_reserve = options.keep_reserve;
   law.braking_reserve = options.braking_reserve;
-  PathTask path{*task.path, machine, task.feeds, task.rests, task.dwells};
   // The fine axes stand, so the coarse ones take every step of the tool's velocity: they rest at all of them.
-  for (std::size_t i = 1; i < task.path->size(); ++i)
-    if (stops_at(task.path->tool(), i, 1e-8)) path.rests[i] = true;
+  const Machine coarse = coarse_machine(task.machine, 1 - margin);
+  const PathTask path{*task.path, coarse, task.feeds, rests_at_jumps(*task.path, task.rests, 1), task.dwells};
   RedundancyResult alone;
   alone.head = std::make_shared<const PathMotion>(
       task.path, with_dwells(plan_acceleration_limited(path, law, progress, at, at).law, path, progress, at));
@@ -38,6 +34,7 @@ RedundancyResult plan_coarse_alone(const RedundancyTask& task, const RedundancyO
 
 RedundancyResult quicker_than_coarse_alone(RedundancyResult found, const RedundancyTask& task,
                                            const RedundancyOptions& options, Progress& progress, double at) {
+  if (!within_coarse_range(*task.path, task.machine)) return found;
   RedundancyResult alone = plan_coarse_alone(task, options, progress, at);
   const double own = found.head->duration(), other = alone.head->duration();
   if (own <= other * (1 + slower)) return found;

@@ -9,7 +9,8 @@ namespace bahnwerk {
 RedundancyResult plan_coarse_alone(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
                                    double at);
 
-/// `found`, or the coarse axes alone where they are quicker: then one fallback more, with a note.
+/// `found`, or the coarse axes alone where they are quicker and stay within their ranges: then one fallback more, with
+/// a note.
 RedundancyResult quicker_than_coarse_alone(RedundancyResult found, const RedundancyTask& task,
                                            const RedundancyOptions& options, Progress& progress, double at);
 

@@ -55,10 +55,11 @@ Chain<order> following(const HeadCells& head, std::size_t axis, const CoarseFine
   }
   for (std::size_t i = 0; i <= n; ++i) {
     // What the cells on either side take away.
-    double position = 0, velocity = 0, own_velocity = 0, acceleration = 0;
+    double position = 0, own_position = 0, velocity = 0, own_velocity = 0, acceleration = 0;
     for (std::size_t c = i > 0 ? i - 1 : 0; c < std::min(i + 1, n); ++c) {
       const double h = (head.times[c + 1] - head.times[c]) * stretch;
       position = std::max(position, limits.fine.acceleration * h * h / 8);
+      own_position = std::max(own_position, limits.coarse.acceleration * h * h / 8);
       velocity = std::max(velocity, 0.25 * h * cells[c].acceleration.width() * s2);
       if (order == 3)
         own_velocity = std::max(own_velocity, std::min(limits.coarse.jerk * h / 8, limits.coarse.acceleration / 4) * h);
@@ -70,9 +71,11 @@ Chain<order> following(const HeadCells& head, std::size_t axis, const CoarseFine
     const double x = nodes[i].x;
     const Range v = slowed(both(nodes[i].v, nodes[i].v_jump), s1), a = slowed(both(nodes[i].a, nodes[i].a_jump), s2);
     const double reach = std::max(kept * limits.stroke - position, 0.5 * limits.stroke);
-    chain.states[i][0] = scaled({x - reach, x + reach}, units.length);
-    chain.states[i][0].lowest = std::max(chain.states[i][0].lowest, limits.coarse.lowest / units.length);
-    chain.states[i][0].highest = std::min(chain.states[i][0].highest, limits.coarse.highest / units.length);
+    Range box{std::max(x - reach, limits.coarse.lowest), std::min(x + reach, limits.coarse.highest)};
+    const double inside = std::clamp(0.5 * (box.highest - box.lowest), 0.0, own_position);
+    if (limits.coarse.lowest > x - reach) box.lowest += inside;
+    if (limits.coarse.highest < x + reach) box.highest -= inside;
+    chain.states[i][0] = scaled(box, units.length);
     const double own = kept * limits.coarse.velocity - own_velocity,
                  fine = kept * limits.fine.velocity - own_velocity - velocity;
     chain.states[i][1] = scaled({std::max(-own, v.highest - fine), std::min(own, v.lowest + fine)}, units.velocity());

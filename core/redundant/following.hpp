@@ -5,9 +5,9 @@
 /// In a cell the coarse acceleration is constant (order 2) or linear (order 3), so what the head does between its nodes
 /// is the only thing that boxes have to leave room for: with the head's acceleration within a range of width w in a
 /// cell of h seconds the fine velocity is at most w·h/4 beyond what it is at the nodes, the fine position at most
-/// A_f·h²/8, the fine acceleration (its jerk's range of width w) at most w·h/4; with order 3
-/// both velocities lie at most J_c·h²/8, and A_c·h/4, beyond. Where the head's velocity or acceleration jumps at a node
-/// what it is on either side counts.
+/// A_f·h²/8, the coarse one at most A_c·h²/8 beyond the nodes', the fine acceleration (its jerk's range of width w) at
+/// most w·h/4; with order 3 both velocities lie at most J_c·h²/8, and A_c·h/4, beyond. Where the head's velocity or
+/// acceleration jumps at a node what it is on either side counts.
 #include <cstddef>
 
 #include "core/redundant/chain.hpp"

@@ -7,12 +7,12 @@
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/motion/jerk/jerk_limited.hpp"
 #include "core/motion/law/dwell.hpp"
+#include "core/redundant/coarse_task.hpp"
 #include "core/redundant/section_law.hpp"
 
 namespace bahnwerk {
 namespace {
 
-constexpr double same = 1e-9;              // rounding of derivatives
 constexpr double coarse_share = 1 - 1e-5;  // of the coarse axes' limits: more than their boxes keep back
 
 Machine shared(Machine machine, double share) {
@@ -44,16 +44,6 @@ std::size_t end_of_section(const TimeLaw& law, std::size_t begin) {
 }
 
 }  // namespace
-
-bool derivatives_jump(const AxisPath& path, std::size_t segment, int derivatives) {
-  const AxisJet before = path.at_parameter(segment - 1, path[segment - 1].curve().end()),
-                after = path.at_parameter(segment, path[segment].curve().begin());
-  for (std::size_t k = 0; k < path.axes(); ++k)
-    if (!(std::abs(after.d1[k] - before.d1[k]) <= same &&
-          (derivatives < 2 || std::abs(after.d2[k] - before.d2[k]) <= same)))
-      return true;
-  return false;
-}
 
 template <std::size_t order>
 HeadPlan<order>::HeadPlan(const JointTask& task, double corner_angle, double share, Progress& progress,
@@ -213,16 +203,10 @@ std::shared_ptr<const PathMotion> HeadPlan<order>::motion(std::size_t first, std
 
 template <std::size_t order>
 std::shared_ptr<const PathMotion> HeadPlan<order>::coarse_alone(bool stops) const {
-  Machine coarse = limits_;
-  for (std::size_t k = 0; k < coarse.axes.size(); ++k) {
-    const Limits& limits = task_.machine.axes[k].coarse;
-    coarse.axes[k].velocity = std::min(coarse.axes[k].velocity, coarse_share * limits.velocity);
-    coarse.axes[k].acceleration = std::min(coarse.axes[k].acceleration, coarse_share * limits.acceleration);
-    coarse.axes[k].jerk = std::min(coarse.axes[k].jerk, coarse_share * limits.jerk);
-  }
-  std::vector<bool> rests = task_.rests;
-  for (std::size_t i = 1; stops && i < task_.path->size(); ++i)
-    rests[i] = rests[i] || derivatives_jump(*task_.path, i, 2);
+  Machine coarse = coarse_machine(task_.machine, coarse_share);
+  for (std::size_t k = 0; k < coarse.axes.size(); ++k)
+    coarse.axes[k].jerk = std::min(coarse.axes[k].jerk, limits_.axes[k].jerk);  // what cells take the head to hold
+  const std::vector<bool> rests = stops ? rests_at_jumps(*task_.path, task_.rests, 2) : task_.rests;
   const PathTask path{*task_.path, coarse, {}, rests, task_.dwells};
   return std::make_shared<const PathMotion>(task_.path,
                                             with_dwells(planned(coarse, task_.feeds, rests), path, progress_));

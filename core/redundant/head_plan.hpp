@@ -19,10 +19,6 @@ struct Freedom {
   double gentle = 1;  ///< part that it uses of the accelerations left to it, and of its largest speed then
 };
 
-/// Whether the first derivatives of the axes differ on both sides of the begin of a segment; with `derivatives` 2 the
-/// second ones, too. By more than rounding: 1e-9, 1e-9 1/mm.
-bool derivatives_jump(const AxisPath& path, std::size_t segment, int derivatives);
-
 /// Plans the head again and again, with paces that fall. A straight section whose pace fell has a closed form; of other
 /// sections those are planned again whose feeds or accelerations fell. Every plan costs O(pieces) of the sections asked
 /// for besides.

@@ -15,7 +15,9 @@ namespace {
 constexpr double first_raise = 1.06, least_raise = 1.006, finer = 1.0 / 3;  // of a speed
 // Enough to see what is needed; a gap lets the excess be a 1e-4 of it, by the chain's penalty.
 constexpr double rough_gap = 1e-2, unclear = 1e-5, fine_gap = 1e-5;
-constexpr int patience = 30;  // Newton steps until a raised pace counts as too fast
+constexpr std::size_t most_work = 8000000;  // cells times Newton steps until a stretch is given up: some 5 s
+constexpr double hopeless = 10;             // times as long as at first: so slow a stretch serves nobody
+constexpr int patience = 30;                // Newton steps until a raised pace counts as too fast
 
 /// By how much more is slowed than the first-order estimate asks for. It underestimates by a fifth, which would cost
 /// rounds at the end; at the beginning it would cost time.
@@ -38,6 +40,7 @@ typename HeadSlowing<order>::Problem HeadSlowing<order>::problem(const HeadStret
     p.chains.back().begins_at_rest = stretch.first == 0;
     p.chains.back().ends_at_rest = all;
   }
+  if (work_ > most_work) throw Infeasible("slower sections were not found with the effort that is worth it");
   return p;
 }
 
@@ -51,6 +54,7 @@ bool HeadSlowing<order>::slow_once(const HeadStretch& stretch, std::size_t round
   bool slower = false;
   for (std::size_t k = 0; k < p.chains.size(); ++k) {
     ChainSolution<order> solution = followed_if_possible(p.chains[k], rough);
+    work_ += solution.iterations * p.cells.size();
     if (solution.excess > 0 && solution.excess < unclear) {
       ChainOptions fine = rough;
       fine.gap = fine_gap;
@@ -76,8 +80,11 @@ bool HeadSlowing<order>::followed(const HeadStretch& stretch) {
   rough.any = true;
   rough.max_iterations = patience;
   rough.tick = [this] { scope_.report(); };
-  return std::all_of(p.chains.begin(), p.chains.end(),
-                     [&](const Chain<order>& chain) { return solve(chain, rough).excess <= 0; });
+  return std::all_of(p.chains.begin(), p.chains.end(), [&](const Chain<order>& chain) {
+    const ChainSolution<order> solution = solve(chain, rough);
+    work_ += solution.iterations * p.cells.size();
+    return solution.excess <= 0;
+  });
 }
 
 /// The sections of a stretch that matter to the one that begins with `segment`.
@@ -103,6 +110,7 @@ void HeadSlowing<order>::raise(const HeadStretch& stretch) {
   auto& straight = plan_.paces().straight;
   for (double by = first_raise; by > least_raise; by = std::pow(by, finer))
     for (auto s = straight.lower_bound(stretch.first); s != straight.end() && s->first < stretch.last; ++s) {
+      if (work_ > most_work / 2) return;  // it is followed as it is
       if (!s->second.slowed) continue;
       const HeadStretch around = neighbourhood(stretch, s->first);
       const auto raised = [&](double Pace::*limit, double factor) {
@@ -110,7 +118,7 @@ void HeadSlowing<order>::raise(const HeadStretch& stretch) {
           const double before = s->second.pace.*limit, most = s->second.move.fastest.*limit;
           if (!(before < most)) return;
           s->second.pace.*limit = std::min(before * factor, most);
-          if (followed(around)) continue;
+          if (work_ <= most_work / 2 && followed(around)) continue;
           s->second.pace.*limit = before;
           return;
         }
@@ -124,9 +132,14 @@ void HeadSlowing<order>::raise(const HeadStretch& stretch) {
 template <std::size_t order>
 bool HeadSlowing<order>::run(const HeadStretch& stretch, HeadSlowingCounts& counts) {
   bool raised = false;
+  work_ = 0;
+  const double longest = hopeless * plan_.motion(stretch.first, stretch.last)->duration();
   for (std::size_t round = 1; round <= static_cast<std::size_t>(max_rounds_); ++round) {
     counts.rounds = std::max(counts.rounds, round);
-    if (slow_once(stretch, round, counts)) continue;
+    if (slow_once(stretch, round, counts)) {
+      if (plan_.motion(stretch.first, stretch.last)->duration() > longest) break;
+      continue;
+    }
     if (raised || round == 1) return round > 1;
     bool searched = false;
     if constexpr (order == 2)

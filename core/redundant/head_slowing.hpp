@@ -27,12 +27,13 @@ struct HeadSlowingCounts {
 template <std::size_t order>
 class HeadSlowing {
  public:
-  /// A section matters for `around` seconds before and behind it.
+  /// A section matters for `around` seconds before and behind it. `plan`, `machine`, `cells` and `scope` outlive it.
   HeadSlowing(HeadPlan<order>& plan, const CoarseFineMachine& machine, const HeadCellOptions& cells, double around,
               int max_rounds, ProgressScope& scope)
       : plan_(plan), machine_(machine), cell_options_(cells), around_(around), max_rounds_(max_rounds), scope_(scope) {}
 
-  /// Throws Infeasible where nothing helped. False: nothing had to be slowed.
+  /// Throws Infeasible where nothing helped, the stretch would last ten times as long, or half a million cells were
+  /// solved. False: nothing had to be slowed.
   bool run(const HeadStretch& stretch, HeadSlowingCounts& counts);
 
  private:
@@ -54,6 +55,7 @@ class HeadSlowing {
   double around_;
   int max_rounds_;
   ProgressScope& scope_;
+  std::size_t work_ = 0;  // cells times Newton steps, for the stretch at hand
 };
 
 extern template class HeadSlowing<2>;

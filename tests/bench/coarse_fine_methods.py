@@ -190,7 +190,7 @@ def outcome(result):
             bad = [f"{c['name']} {c['value']:.9g} > {c['limit']:.9g}" for c in result["verification"]["checks"] if not c["passed"]]
             return "failed", "; ".join(bad), redundancy["fallbacks"]
         return "verified", "", redundancy["fallbacks"]
-    fields = [f"{e['pointer']} {e['detail']}" for e in result.get("errors", [])]
+    fields = [f"{e['pointer']} {e.get('message', e.get('detail', ''))}" for e in result.get("errors", [])]
     return ("refused" if fields else "failed"), result.get("detail", "") + " " + "; ".join(fields), 0
 
 

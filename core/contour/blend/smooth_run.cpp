@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/contour/blend/layout.hpp"
+#include "core/contour/blend/reversed_run.hpp"
 #include "core/contour/blend/smooth.hpp"
 #include "core/contour/blend/smooth_basis.hpp"
 #include "core/contour/blend/smooth_scale.hpp"
@@ -371,7 +372,13 @@ class WindowedRun {
 
 SmoothedRun smooth_run(const Stretch& stretch, const RunRange& range, const std::vector<double>& borders,
                        const RunTolerance& tolerance, std::size_t dimension, bool rests, ProgressScope& scope) {
-  SmoothedRun run = WindowedRun(stretch, range, tolerance, dimension, rests, scope).run();
+  SmoothedRun run;
+  if (begins_at_end(stretch, range)) {
+    const ReversedRun back(stretch, range);
+    run = back.turned_back(WindowedRun(back.stretch(), back.range(), tolerance, dimension, rests, scope).run());
+  } else {
+    run = WindowedRun(stretch, range, tolerance, dimension, rests, scope).run();
+  }
   if (run.done) cut_at(borders, run);
   return run;
 }

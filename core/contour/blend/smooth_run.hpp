@@ -32,6 +32,9 @@ struct SmoothedRun {
 /// contour has its own on the curve. `borders`: places, strictly ascending (changes of the block), at which a piece
 /// ends, however close together they are. Not done when the curve would turn round in a point or cannot be kept inside.
 ///
+/// A run is smoothed from the end that its shape tells (core/contour/blend/reversed_run.hpp): backwards it becomes the
+/// same curve.
+///
 /// A long run is smoothed in windows of some 1 000 intervals of the spline: each goes on from the state in which the
 /// one before it was cut (three derivatives are common there) and reaches 96 intervals beyond its own cut, on which its
 /// end then no longer shows. Where a window cannot go on from a cut, it and the one before it become one. Memory: about

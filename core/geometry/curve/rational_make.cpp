@@ -17,6 +17,10 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 [[noreturn]] void fault(std::vector<std::string> place, const char* what) {
   throw InvalidInput({{std::move(place), what}});
 }
+/// What rounding of coordinates of that size does to the first derivative at an end, n (P₁ − P₀), on [0, 1].
+double coordinate_noise(double size, std::size_t degree) {
+  return 4 * epsilon * size * static_cast<double>(std::max<std::size_t>(degree, 1));
+}
 bool usable(double x) { return std::abs(x) <= largest; }  // false for NaN
 
 }  // namespace
@@ -76,7 +80,7 @@ Rational Rational::from_power_basis(const std::vector<std::vector<double>>& rows
     }
     Polynomial p = rows[i];
     const double start = p[0];
-    noise = std::max(noise, 4 * epsilon * std::abs(start));
+    noise = std::max(noise, coordinate_noise(std::abs(start), rows[i].size() - 1));
     p[0] = 0;
     p = shifted(p, 0.5, 0.5);
     origin[i] = start + p[0];
@@ -101,7 +105,7 @@ Rational Rational::bezier(const std::vector<Vec>& points, const std::vector<doub
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (!usable(points[i][axis]))
         fault({"points", std::to_string(i)}, "a coordinate has to be finite and within 1e9 mm");
-      noise = std::max(noise, 4 * epsilon * std::abs(points[i][axis]));
+      noise = std::max(noise, coordinate_noise(std::abs(points[i][axis]), points.size() - 1));
     }
   }
   const bool is_rational = !weights.empty() && low != high;

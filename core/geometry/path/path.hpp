@@ -50,8 +50,9 @@ class Segment {
   /// difficult.
   std::vector<double> panel_parameters() const;
 
-  /// True where the parametric tangent vanishes at that end and the curvature grows without bound (or beyond 1e12 per
-  /// length of the segment): the speed has to be 0 there. at_parameter() reports d2 = d3 = 0 at the end itself.
+  /// True where the parametric tangent vanishes at that end and the curvature grows without bound (or beyond
+  /// `sharpest_bend` per length of the segment): the speed has to be 0 there. at_parameter() reports d2 = d3 = 0 at the
+  /// end itself.
   bool cusp_begin() const { return cusp_begin_; }
   bool cusp_end() const { return cusp_end_; }
 

@@ -39,9 +39,27 @@ struct Interval {
   double low, high;
 };
 
-/// Collects, in order, small intervals of t on which |v| cannot be shown to be positive, or is all but zero throughout
-/// (there rounding decides its direction).
-void suspects(const VectorPolynomial& v, Interval range, double negligible, int depth, std::vector<Interval>& found) {
+/// What |v| may fall below, of the sum of its coefficients, where the curve turns round in a needle point, and how wide
+/// an interval of t is looked at as one place then.
+constexpr double needle_speed = 3e-4, needle_width = 1e-4;
+
+/// Whether |v| only rises or only falls for |t| ≤ 1: v·v′ keeps its sign.
+bool monotonous(const VectorPolynomial& v) {
+  double middle = 0, rest = 0;
+  const std::size_t n = length_of(v);
+  for (std::size_t k = 0; k + 1 < 2 * n; ++k) {
+    double sum = 0;
+    for (std::size_t j = 0; j <= k && j + 1 < n; ++j)
+      if (k - j < n) sum += static_cast<double>(j + 1) * dot(coefficient(v, k - j), coefficient(v, j + 1));
+    (k == 0 ? middle : rest) += std::abs(sum);
+  }
+  return middle > 1.001 * rest;
+}
+
+/// Collects, in order, small intervals of t on which |v| cannot be shown to be positive, or has a minimum below `slow`,
+/// or is all but zero throughout (there rounding decides its direction).
+void suspects(const VectorPolynomial& v, Interval range, double negligible, double slow, int depth,
+              std::vector<Interval>& found) {
   const double middle = 0.5 * (range.low + range.high);
   const VectorPolynomial local = shifted(v, middle, 0.5 * (range.high - range.low));
   const Vec v0 = coefficient(local, 0);
@@ -53,13 +71,14 @@ void suspects(const VectorPolynomial& v, Interval range, double negligible, int 
   }
   const bool tiny = size + rest <= negligible;
   // v keeps a positive component along v(middle) on the whole interval (with room for a zero at its border).
-  if (!tiny && along < 0.999 * size * size) return;
-  if (tiny || depth == 0 || found.size() > 4096) {
+  const bool positive = !tiny && along < 0.999 * size * size;
+  if (positive && (size * size - along >= slow * size || monotonous(local))) return;
+  if (tiny || depth == 0 || found.size() > 4096 || (positive && range.high - range.low <= needle_width)) {
     found.push_back(range);
     return;
   }
-  suspects(v, {range.low, middle}, negligible, depth - 1, found);
-  suspects(v, {middle, range.high}, negligible, depth - 1, found);
+  suspects(v, {range.low, middle}, negligible, slow, depth - 1, found);
+  suspects(v, {middle, range.high}, negligible, slow, depth - 1, found);
 }
 
 /// The minimum of |v| near t by Gauss–Newton; quadratic where v has a simple zero.
@@ -78,8 +97,30 @@ double polish(const VectorPolynomial& v, double t) {
 
 struct Zero {
   double u;
-  std::size_t order;  ///< 0: cut here, but nothing is snapped to zero
+  std::size_t order;    ///< 0: cut here, but nothing is snapped to zero
+  bool needle = false;  ///< the curve turns round here: its pieces are expanded about this point
+  bool pivot() const { return order > 0 || needle; }
 };
+
+/// Curvature in 1/mm by h' = V/w², V the hodograph: w² |V × V'|/|V|³, whatever the parameter.
+double curvature_at(const Rational& curve, const VectorPolynomial& v, double t) {
+  const Vec value = evaluate(v, t), slope = evaluate(derivative(v), t);
+  const double w = bahnwerk::evaluate(curve.weight(), t), size = norm(value);
+  return w * w * norm(cross(value, slope)) / (size * size * size);
+}
+
+/// The sum of 16 chords: never above the length, whatever the weights.
+double rough_length(const Rational& curve) {
+  constexpr int chords = 16;
+  double sum = 0;
+  Vec before = curve.at(curve.begin()).value;
+  for (int i = 1; i <= chords; ++i) {
+    const Vec here = curve.at(curve.begin() + (curve.end() - curve.begin()) * i / chords).value;
+    sum += norm(here - before);
+    before = here;
+  }
+  return sum;
+}
 
 /// How many of the coefficients 1, 2, … of h − h(pivot) are negligible.
 std::size_t order_at(const Rational& expanded, double tolerance) {
@@ -97,7 +138,7 @@ std::vector<Zero> inner_zeros(const Rational& curve, const VectorPolynomial& v, 
   const double from = (curve.begin() - curve.pivot()) / curve.reach(),
                to = (curve.end() - curve.pivot()) / curve.reach();
   std::vector<Interval> found;
-  suspects(v, {from, to}, 1e-10 * scale, 24, found);
+  suspects(v, {from, to}, 1e-10 * scale, needle_speed * scale, 24, found);
   std::vector<Zero> zeros;
   const auto parameter = [&](double t) { return curve.pivot() + curve.reach() * t; };
   for (std::size_t i = 0; i < found.size();) {
@@ -109,15 +150,19 @@ std::vector<Zero> inner_zeros(const Rational& curve, const VectorPolynomial& v, 
     i = j;
     double best = start;
     std::size_t order = 0;
-    bool low = norm(evaluate(v, start)) <= 1e-7 * scale;
+    bool low = norm(evaluate(v, start)) <= 1e-7 * scale, needle = false;
     VectorPolynomial d = v;
     for (std::size_t m = 1; m <= curve.degree();
          ++m, d = derivative(d)) {  // v^(m−1) has a simple zero where v has an m-fold one
       const double t = std::clamp(polish(d, start), from, to);
       if (std::abs(t - start) > near) continue;
-      if (m == 1 && norm(evaluate(v, t)) <= 1e-7 * scale) {
-        best = t;
-        low = true;
+      if (m == 1) {
+        const double speed = norm(evaluate(v, t));
+        needle = speed > 0 && curvature_at(curve, v, t) * rough_length(curve) > sharpest_bend;
+        if (needle || speed <= 1e-7 * scale) {
+          best = t;
+          low = true;
+        }
       }
       const double u = parameter(t);
       if (order_at(curve.restricted(curve.begin(), curve.end(), u), tolerance) >= m) {
@@ -127,7 +172,7 @@ std::vector<Zero> inner_zeros(const Rational& curve, const VectorPolynomial& v, 
     }
     if (!low && order == 0) continue;
     const double margin = 1e-9 * (to - from);
-    if (best - from > margin && to - best > margin) zeros.push_back({parameter(best), order});
+    if (best - from > margin && to - best > margin) zeros.push_back({parameter(best), order, needle});
   }
   return zeros;
 }
@@ -145,21 +190,20 @@ std::vector<Rational> regular_pieces(const Rational& given) {
     if (curve.speed(u) * (u1 - u0) > 2 * tolerance) return std::size_t{0};  // the first coefficient, but for rounding
     return order_at(curve.restricted(u0, u1, u), tolerance);
   };
-  cuts.insert(cuts.begin(), {u0, end_order(u0)});
-  cuts.push_back({u1, end_order(u1)});
+  cuts.insert(cuts.begin(), {u0, end_order(u0), false});
+  cuts.push_back({u1, end_order(u1), false});
   if (cuts.size() == 2 && cuts[0].order == 0 && cuts[1].order == 0) return {given};
   std::vector<Rational> pieces;
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-    const auto [a, before] = cuts[i];
-    const auto [b, after] = cuts[i + 1];
-    const double middle = 0.5 * (a + b);
-    if (before > 0 && after > 0) {
-      pieces.push_back(curve.restricted(a, middle, a, before));
-      pieces.push_back(curve.restricted(middle, b, b, after));
-    } else if (before > 0) {
-      pieces.push_back(curve.restricted(a, b, a, before));
-    } else if (after > 0) {
-      pieces.push_back(curve.restricted(a, b, b, after));
+    const Zero &before = cuts[i], &after = cuts[i + 1];
+    const double a = before.u, b = after.u, middle = 0.5 * (a + b);
+    if (before.pivot() && after.pivot()) {
+      pieces.push_back(curve.restricted(a, middle, a, before.order));
+      pieces.push_back(curve.restricted(middle, b, b, after.order));
+    } else if (before.pivot()) {
+      pieces.push_back(curve.restricted(a, b, a, before.order));
+    } else if (after.pivot()) {
+      pieces.push_back(curve.restricted(a, b, b, after.order));
     } else {
       pieces.push_back(curve.restricted(a, b, middle));
     }

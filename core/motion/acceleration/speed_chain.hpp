@@ -66,8 +66,17 @@ class SpeedChain {
   Caps caps(std::size_t c) const;
   double first_cap(std::size_t c, double cap) const;
   /// At a cusp the curvature is unbounded while v² κ → 0: half of the limit is kept in reserve there.
-  double left_part(std::size_t c) const { return grid_.cells[c].cusp_left ? 0.5 : 1; }
-  double right_part(std::size_t c) const { return grid_.cells[c].cusp_right ? 0.5 : 1; }
+  double left_part(std::size_t c) const {
+    return grid_.cells[c].any_way ? any_way(grid_.left(c)) : grid_.cells[c].cusp_left ? 0.5 : 1;
+  }
+  double right_part(std::size_t c) const {
+    return grid_.cells[c].any_way ? any_way(grid_.right(c)) : grid_.cells[c].cusp_right ? 0.5 : 1;
+  }
+  /// The part of the limits with which half of the least acceleration goes along the path: in a needle point the path
+  /// turns through any direction while it bends, and together that takes 1.3 times the acceleration along it.
+  double any_way(const Station<N>& at) const {
+    return 0.5 * largest(magnitude(at.d1) * limit_.inverse_acceleration) / largest(limit_.inverse_acceleration);
+  }
   Rows<N> rows_left(std::size_t c, double share, bool flip) const;
   Rows<N> rows_right(std::size_t c, double share, bool flip) const;
   Rows<N> link(const Station<N>& at, double h, double share, bool flip, std::size_t segment) const;

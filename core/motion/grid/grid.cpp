@@ -13,6 +13,7 @@ constexpr int max_parts = 16;  // cells laid at once; more and the interval is h
 constexpr int end_halvings = 4;
 constexpr std::size_t usual_segment = 1 << 10;  // cells; longer ones may outgrow the room that was made for them
 constexpr double shortest_smooth = 1e-5;        // of a segment, next to a vanishing tangent that no motion notices
+constexpr double needle_reach = 2e-11;          // of a segment, beside a needle point that cells may be too wide for
 constexpr double min_interval = 1e-6;           // of a segment's parameter range: grading towards a cusp ends here
 
 template <int N>
@@ -80,8 +81,19 @@ class Layer {
     cell.segment = index_;
     cell.cusp_left = segment_.cusp_begin() && grid_.stations.back().u == segment_.curve().begin();
     cell.cusp_right = segment_.cusp_end() && at.u == segment_.curve().end();
+    const double near = needle_reach * segment_.length();
+    cell.any_way = (needle(true) && (cell.cusp_left || at.s <= near)) ||
+                   (needle(false) && (cell.cusp_right || end_ - grid_.stations.back().s <= near));
     grid_.cells.push_back(cell);
     push(at);
+  }
+
+  /// A cusp of curvature at which no parametric tangent vanishes: its direction there is not the one beside it.
+  bool needle(bool begin) const {
+    if (!path_.cartesian() || segment_.curve().kind() != CurveKind::rational) return false;
+    const auto& curve = static_cast<const Rational&>(segment_.curve());
+    return begin ? segment_.cusp_begin() && curve.vanishing_begin() == 0
+                 : segment_.cusp_end() && curve.vanishing_end() == 0;
   }
 
   /// Every axis in one lane, 0 in those that repeat one.
@@ -327,7 +339,7 @@ void Grid<N>::divide(const LanePath<N>& path, LargeVector<std::uint8_t>& parts, 
     for (int i = 1; i <= parts[c]; ++i) {
       GridCell cell = old;
       cell.station = static_cast<std::uint32_t>(new_stations.size() - 1);
-      cell.cusp_left = old.cusp_left && i == 1;
+      cell.cusp_left = old.cusp_left && new_cells.size() == before;  // parts may be left out
       cell.cusp_right = old.cusp_right && i == parts[c];
       const Station<N> next = i == parts[c] ? right(c) : path.at(old.segment, u0 + i * du);
       if (i < parts[c] && !resolved(new_stations.back().s, next.s, right(c).s, path[old.segment].length())) continue;

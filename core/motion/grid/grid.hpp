@@ -24,7 +24,8 @@ struct GridCell {
   std::uint32_t segment = 0;  ///< path segment
   bool straight = false;
   bool cusp_left = false, cusp_right = false;  ///< unbounded curvature at that end, where the speed is zero
-  bool regular() const { return !(straight | cusp_left | cusp_right); }
+  bool any_way = false;  ///< beside a needle point: what turns here is too small for path length to resolve
+  bool regular() const { return !(straight | cusp_left | cusp_right | any_way); }
 };
 
 struct GridOptions {
@@ -101,7 +102,7 @@ void Grid<N>::divide(const LanePath<N>& path, Count&& count, Place&& place, Made
     for (int i = 1; i <= parts; ++i) {
       GridCell cell = old;
       cell.station = static_cast<std::uint32_t>(new_stations.size() - 1);
-      cell.cusp_left = old.cusp_left && i == 1;
+      cell.cusp_left = old.cusp_left && new_cells.size() == before;  // parts may be left out
       cell.cusp_right = old.cusp_right && i == parts;
       const Station<N> next = i == parts ? right(c) : path.at(old.segment, place(c, i, left(c).u, right(c).u));
       if (i < parts && !resolved(new_stations.back().s, next.s, right(c).s, path[old.segment].length())) continue;

@@ -144,7 +144,8 @@ void JerkSectionPlanner<N, M>::tighten(double times, bool acceleration) {
     for (std::size_t k = 0; k < M && acceleration; ++k) rows.share[k] *= less(peaks_[rows.cell].acceleration[k]);
   for (std::size_t c = 0; c < n; ++c) {
     for (auto& share : problem_.cells[c].share)
-      for (std::size_t k = 0; k < M; ++k) share[k] = std::max(min_share, share[k] * less(peaks_[c].jerk[k]));
+      for (std::size_t k = 0; k < M; ++k)
+        share[k] = std::max(std::min(min_share, share[k]), share[k] * less(peaks_[c].jerk[k]));
     if (c > 0) {
       problem_.inverse_cap[c][0] /= less(peaks_[c - 1].velocity);
       problem_.inverse_cap[c][1] /= less(peaks_[c].velocity);

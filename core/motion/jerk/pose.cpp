@@ -204,6 +204,17 @@ void JerkSectionPlanner<N, M>::guess(Start start, ProgressScope& pulse) {
 }
 
 template <int N, int M>
+double JerkSectionPlanner<N, M>::needle_part(std::size_t c) const {
+  if (!grid_.cells[c].any_way) return 1;
+  double along = 0, least = 0;
+  for (std::size_t k = 0; k < N; ++k) {
+    along = std::max(along, std::abs(grid_.left(c).d1[k]) * limit_.inverse_jerk[k]);
+    least = std::max(least, limit_.inverse_jerk[k]);
+  }
+  return 0.125 * along / least;
+}
+
+template <int N, int M>
 void JerkSectionPlanner<N, M>::pose(ProgressScope& pulse) {
   const std::size_t n = grid_.cells.size();
   caps(cap_, pulse);
@@ -236,7 +247,7 @@ void JerkSectionPlanner<N, M>::pose(ProgressScope& pulse) {
     auto& cell = problem_.cells[c];
     cell.h = grid_.length(c);
     cell.station = grid_.cells[c].station;
-    for (auto& share : cell.share) share.fill(share_);
+    for (auto& share : cell.share) share.fill(share_ * needle_part(c));
     const JerkStation<M>& s = problem_.stations[cell.station];
     if (c > 0) {
       add_node(c, s, limit_.inverse_acceleration);
@@ -307,6 +318,7 @@ template void JerkSectionPlanner<2, 2>::lay(ProgressScope& pulse);
 template bool JerkSectionPlanner<2, 2>::mark_long();
 template void JerkSectionPlanner<2, 2>::soften();
 template void JerkSectionPlanner<2, 2>::guess(Start start, ProgressScope& pulse);
+template double JerkSectionPlanner<2, 2>::needle_part(std::size_t c) const;
 template void JerkSectionPlanner<2, 2>::pose(ProgressScope& pulse);
 template void JerkSectionPlanner<2, 2>::pose_middles(bool looked, ProgressScope& pulse);
 template void JerkSectionPlanner<2, 2>::add_node(std::size_t node, const JerkStation<2>& s,
@@ -319,6 +331,7 @@ template void JerkSectionPlanner<2, 3>::lay(ProgressScope& pulse);
 template bool JerkSectionPlanner<2, 3>::mark_long();
 template void JerkSectionPlanner<2, 3>::soften();
 template void JerkSectionPlanner<2, 3>::guess(Start start, ProgressScope& pulse);
+template double JerkSectionPlanner<2, 3>::needle_part(std::size_t c) const;
 template void JerkSectionPlanner<2, 3>::pose(ProgressScope& pulse);
 template void JerkSectionPlanner<2, 3>::pose_middles(bool looked, ProgressScope& pulse);
 template void JerkSectionPlanner<2, 3>::add_node(std::size_t node, const JerkStation<3>& s,
@@ -347,8 +360,11 @@ template void JerkSectionPlanner<8, 8>::soften();
 template void JerkSectionPlanner<3, 3>::guess(Start start, ProgressScope& pulse);
 template void JerkSectionPlanner<5, 5>::guess(Start start, ProgressScope& pulse);
 template void JerkSectionPlanner<8, 8>::guess(Start start, ProgressScope& pulse);
+template double JerkSectionPlanner<3, 3>::needle_part(std::size_t c) const;
 template void JerkSectionPlanner<3, 3>::pose(ProgressScope& pulse);
+template double JerkSectionPlanner<5, 5>::needle_part(std::size_t c) const;
 template void JerkSectionPlanner<5, 5>::pose(ProgressScope& pulse);
+template double JerkSectionPlanner<8, 8>::needle_part(std::size_t c) const;
 template void JerkSectionPlanner<8, 8>::pose(ProgressScope& pulse);
 template void JerkSectionPlanner<3, 3>::pose_middles(bool looked, ProgressScope& pulse);
 template void JerkSectionPlanner<5, 5>::pose_middles(bool looked, ProgressScope& pulse);
@@ -383,8 +399,11 @@ template void JerkSectionPlanner<8, 9>::soften();
 template void JerkSectionPlanner<3, 4>::guess(Start start, ProgressScope& pulse);
 template void JerkSectionPlanner<5, 6>::guess(Start start, ProgressScope& pulse);
 template void JerkSectionPlanner<8, 9>::guess(Start start, ProgressScope& pulse);
+template double JerkSectionPlanner<3, 4>::needle_part(std::size_t c) const;
 template void JerkSectionPlanner<3, 4>::pose(ProgressScope& pulse);
+template double JerkSectionPlanner<5, 6>::needle_part(std::size_t c) const;
 template void JerkSectionPlanner<5, 6>::pose(ProgressScope& pulse);
+template double JerkSectionPlanner<8, 9>::needle_part(std::size_t c) const;
 template void JerkSectionPlanner<8, 9>::pose(ProgressScope& pulse);
 template void JerkSectionPlanner<3, 4>::pose_middles(bool looked, ProgressScope& pulse);
 template void JerkSectionPlanner<5, 6>::pose_middles(bool looked, ProgressScope& pulse);

@@ -177,6 +177,9 @@ class JerkSectionPlanner {
   /// From the rough profile of the grid as it is; part 0: rest to rest by one bow, v² ~ (s (L − s)/L)^(4/3).
   void guess(Start start, ProgressScope& pulse);
 
+  /// The part of the jerk limits that a cell may use at most: beside a needle point an eighth of the least one along
+  /// the path. From rest v a = 3 j s and v³ = 4.5 j s², so what turns there unseen takes up to five times j.
+  double needle_part(std::size_t c) const;
   void pose(ProgressScope& pulse);
 
   /// Rows for the acceleration between nodes: in long cells, and, once there is a law to look at, where an axis comes

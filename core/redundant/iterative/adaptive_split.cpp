@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <utility>
 
 #include "core/base/errors.hpp"
+#include "core/redundant/coarse_task.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -13,6 +15,18 @@ namespace {
 constexpr double acceleration_change = 5e-2;  // of the fine acceleration, in a cell of the exact check
 constexpr double stroke_share = 1 - 1e-9;     // that the fit may use: rounding
 constexpr double rounding = 1e-9;             // of limits, excess that counts as none
+
+constexpr double least_tolerance = 0.1;  // of the stroke, that has to be left at samples
+
+/// Between samples so far apart a fine axis may leave its stroke. Fewer samples are the document's wish, samples of the
+/// cycle are all there are.
+[[noreturn]] void too_far_apart(const std::string& axis, double spacing, int thinning) {
+  char text[160];
+  std::snprintf(text, sizeof text, "between samples %.3g ms apart the fine axis %s may leave its stroke", 1e3 * spacing,
+                axis.c_str());
+  if (thinning == 1) throw Infeasible(text);
+  throw InvalidInput({{{"machine", "redundancy", "thinning"}, std::string(text) + "; give a smaller number"}});
+}
 
 /// [Bock 4.3.2]: the coarse axes are to hold still at best, so the fine ones' limits are the head's; velocities count
 /// with both, and feeds hold them.
@@ -22,12 +36,6 @@ Machine first_limits(const CoarseFineMachine& machine) {
     head.axes[k].acceleration = machine.axes[k].fine.acceleration;
     head.axes[k].jerk = machine.axes[k].fine.jerk;
   }
-  return head;
-}
-
-Machine coarse_limits(const CoarseFineMachine& machine) {
-  Machine head = summed(machine);
-  for (std::size_t k = 0; k < head.axes.size(); ++k) static_cast<Limits&>(head.axes[k]) = machine.axes[k].coarse;
   return head;
 }
 
@@ -63,13 +71,12 @@ AdaptiveSplit::AdaptiveSplit(const RedundancyTask& task, const RedundancyOptions
       machine_(first_limits(task.machine)),
       first_feeds_(first_feeds(task)),
       sections_(task, options, machine_, first_feeds_, progress, from, from + 0.1 * (to - from)),
-      alone_(task, options, coarse_limits(task.machine), task.feeds, progress, from + 0.1 * (to - from),
+      alone_(task, options, coarse_machine(task.machine, 1), task.feeds, progress, from + 0.1 * (to - from),
              from + 0.2 * (to - from), sections_.width()) {
   const double spacing = task.machine.cycle_time * options.thinning;
   for (std::size_t k = 0; k < axes(); ++k) {
-    if (!(tolerance(k, spacing, machine_.axes[k].velocity) > 0.1 * task.machine.axes[k].stroke))
-      throw InvalidInput(
-          {{{"redundancy", "thinning"}, "between samples so far apart a fine axis may leave its stroke"}});
+    if (!(tolerance(k, spacing, machine_.axes[k].velocity) > least_tolerance * task.machine.axes[k].stroke))
+      too_far_apart(task.machine.axes[k].name, spacing, options.thinning);
     limits_.acceleration.emplace_back(task.path->size(), machine_.axes[k].acceleration);
     limits_.jerk.emplace_back(task.path->size(), machine_.axes[k].jerk);
   }

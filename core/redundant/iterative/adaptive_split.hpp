@@ -46,8 +46,8 @@ struct SplitPart {
 
 class AdaptiveSplit {
  public:
-  /// All are kept by reference. Throws InvalidInput where thinning leaves nothing of the stroke, and what planners of
-  /// the head throw.
+  /// All are kept by reference. Throws InvalidInput where thinning leaves nothing of the stroke, Infeasible where
+  /// samples of the cycle do, and what planners of the head throw.
   AdaptiveSplit(const RedundancyTask& task, const RedundancyOptions& options, const IterativeOptions& constants,
                 Progress& progress, double from, double to);
 

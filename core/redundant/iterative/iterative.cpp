@@ -13,7 +13,7 @@ namespace {
 
 void check(const RedundancyTask& task, const RedundancyOptions& options) {
   const auto refuse = [](const char* field, const std::string& why) {
-    throw InvalidInput({{{"redundancy", field}, why}});
+    throw InvalidInput({{{"machine", "redundancy", field}, why}});
   };
   if (options.degree < 2 || options.degree > static_cast<int>(max_spline_degree))
     refuse("degree", "the degree of the coarse axes' splines is 2 to 5");

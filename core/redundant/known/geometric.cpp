@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
+#include "core/base/errors.hpp"
 #include "core/base/progress_scope.hpp"
 #include "core/redundant/known/split_plan.hpp"
 
@@ -13,7 +16,9 @@ namespace {
 constexpr double used_stroke = 0.99;
 constexpr int looks_per_pitch = 16;
 constexpr std::size_t degree = 5;
-constexpr double cells_per_pitch = 64;  // of the planner: the curve's knots lie inside them
+constexpr double cells_per_pitch = 64;                         // of the planner: the curve's knots lie inside them
+constexpr double least_cells_per_pitch = 4, most_cells = 2e4;  // along the path
+constexpr int patience = 1;                                    // curves closer to the path that are no quicker
 
 /// The degree + 1 uniform B-splines that are not zero on a span, at t ∈ [0, 1] of it (Cox, de Boor).
 std::array<double, degree + 1> basis(std::size_t of, double t) {
@@ -94,30 +99,57 @@ AxisJet CoarseCurve::at(std::size_t, double s, const AxisJet&) const {
   return q;
 }
 
-std::shared_ptr<const CoarseCurve> coarse_curve(const AxisPath& path, const CoarseFineMachine& machine,
-                                                Progress& progress) {
+namespace {
+
+CoarseCurve::Ends ends_of(const CoarseFineMachine& machine) {
+  const bool centred =
+      std::any_of(machine.axes.begin(), machine.axes.end(), [](const CoarseFineAxis& a) { return a.centred; });
+  return centred ? CoarseCurve::Ends::centred : CoarseCurve::Ends::free;
+}
+
+double pitch_of(const AxisPath& path, int step) { return path.length() * std::pow(2.0, -0.5 * step); }
+
+/// The first step whose curve keeps the fine axes inside their strokes.
+int widest_step(const AxisPath& path, const CoarseFineMachine& machine, Progress& progress) {
   ProgressScope scope(progress, "planning", 0, 0);
   double stroke = machine.axes.front().stroke;
   for (const CoarseFineAxis& axis : machine.axes) stroke = std::fmin(stroke, axis.stroke);
   // |x(s) − x_c(s)| ≤ Σ B_i |s − s_i| ≤ √(Σ B_i (s − s_i)²) = Δ √((degree + 1)/12) = Δ/√2.
-  const bool centred =
-      std::any_of(machine.axes.begin(), machine.axes.end(), [](const CoarseFineAxis& a) { return a.centred; });
-  const CoarseCurve::Ends ends = centred ? CoarseCurve::Ends::centred : CoarseCurve::Ends::free;
-  double pitch = used_stroke * std::sqrt(2.0) * stroke;
-  auto best = std::make_shared<const CoarseCurve>(path, pitch, ends);
-  while (pitch < path.length()) {
-    pitch *= 2;
-    auto wider = std::make_shared<const CoarseCurve>(path, pitch, ends);
-    if (!within_strokes(path, *wider, machine, scope)) break;
-    best = std::move(wider);
-  }
-  return best;
+  const double fits = used_stroke * std::sqrt(2.0) * stroke;
+  int step = 0;
+  for (; pitch_of(path, step) > fits; ++step)
+    if (within_strokes(path, CoarseCurve(path, pitch_of(path, step), ends_of(machine)), machine, scope)) break;
+  return step;
+}
+
+}  // namespace
+
+std::shared_ptr<const CoarseCurve> coarse_curve(const AxisPath& path, const CoarseFineMachine& machine,
+                                                Progress& progress) {
+  return std::make_shared<const CoarseCurve>(path, pitch_of(path, widest_step(path, machine, progress)),
+                                             ends_of(machine));
 }
 
 RedundancyResult plan_geometric(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
                                 double from, double to) {
-  const auto curve = coarse_curve(*task.path, task.machine, progress);
-  return plan_split(task, curve, curve->pitch() / cells_per_pitch, options, progress, from, to);
+  const AxisPath& path = *task.path;
+  std::optional<RedundancyResult> best;
+  int worse = 0;
+  for (int step = widest_step(path, task.machine, progress); worse < patience; ++step) {
+    const double cells = std::fmin(cells_per_pitch, most_cells * pitch_of(path, step) / path.length());
+    if (cells < least_cells_per_pitch) break;
+    const auto curve = std::make_shared<const CoarseCurve>(path, pitch_of(path, step), ends_of(task.machine));
+    try {
+      RedundancyResult found = plan_split(task, curve, curve->pitch() / cells, options, progress, from, to);
+      worse = best && !(found.head->duration() < best->head->duration()) ? worse + 1 : 0;
+      if (worse == 0) best = std::move(found);
+    } catch (const Infeasible&) {
+      ++worse;
+    }
+    from = to;
+  }
+  if (best) return *std::move(best);
+  throw Infeasible("no coarse curve within the strokes was found along which all axes hold their limits");
 }
 
 }  // namespace bahnwerk

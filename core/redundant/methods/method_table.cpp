@@ -1,9 +1,11 @@
 #include "core/redundant/methods/method_table.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <stdexcept>
 #include <utility>
 
+#include "core/base/errors.hpp"
 #include "core/redundant/coarse_alone.hpp"
 #include "core/redundant/iterative/iterative.hpp"
 #include "core/redundant/joint_method.hpp"
@@ -15,6 +17,32 @@
 
 namespace bahnwerk {
 namespace {
+
+constexpr double worth_giving_way = 1e-4;  // of a duration
+
+/// A lone straight move has a closed form. Fits of splines to it find next to it what is now quicker, now slower with
+/// more stroke or acceleration: the closed form counts where it is quicker.
+RedundancyResult quicker_than_lone_move(RedundancyResult found, const RedundancyTask& task,
+                                        const RedundancyOptions& options, Progress& progress, double at) {
+  if (task.path->size() != 1 || !task.path->linear(0) || !task.dwells.empty()) return found;
+  RedundancyOptions fastest = options;
+  fastest.smoothness = 0, fastest.stretch = 1, fastest.compare = false;
+  try {
+    RedundancyResult other = plan_joint_method(task, fastest, progress, at, at);
+    if (found.head->duration() <= other.head->duration() * (1 + worth_giving_way)) return found;
+    char note[160];
+    std::snprintf(note, sizeof note,
+                  "the method's own motion takes %.6g s, the move's closed form %.6g s: the joint planner planned it",
+                  found.head->duration(), other.head->duration());
+    other.fallbacks = found.fallbacks + 1;
+    other.notes = std::move(found.notes);
+    other.notes.emplace_back(note);
+    other.passes.insert(other.passes.begin(), found.passes.begin(), found.passes.end());
+    return other;
+  } catch (const Infeasible&) {
+    return found;
+  }
+}
 
 constexpr RedundancyRow rows[] = {
     //  method                              planner  limits_jerk
@@ -66,6 +94,8 @@ RedundancyResult plan_redundant(const RedundancyTask& task, const RedundancyOpti
   }
   RedundancyResult result = redundancy_row(options.method).plan(task, options, progress, from, planned);
   if (again) result = reparametrised(std::move(result), task, progress, planned, to);
+  if (options.method == RedundancyMethod::iterative && !centred(task.machine))
+    result = quicker_than_lone_move(std::move(result), task, options, progress, to);
   if (options.method == RedundancyMethod::joint || task.machine.limits_jerk()) return result;
   return quicker_than_coarse_alone(std::move(result), task, options, progress, to);
 }

@@ -139,7 +139,9 @@ class Checker {
     for (std::size_t d = 0; d <= static_cast<std::size_t>(in_.continuous); ++d)
       for (std::size_t k = 0; k < in_.axes.size(); ++k)
         gaps_[d].raise(std::abs(part(right, d)[k] - part(left, d)[k]),
-                       rounded(i - 1, left, d, k, before, t) + rounded(i, right, d, k, after, t) + step(d, k), t);
+                       rounded(i - 1, left, d, k, before, t) + rounded(i, right, d, k, after, t) +
+                           (in_.step ? in_.step(k, d, t) : 0),
+                       t);
   }
 
   /// An axis that is no polynomial is a component of a motion along a curve, and rounded as the largest of them is.
@@ -149,14 +151,6 @@ class Checker {
     double most = 0;
     for (std::size_t k = 0; k < in_.axes.size(); ++k) most = std::max(most, tolerance(x, d, k, T, t));
     return most;
-  }
-
-  /// What derivative d of an axis may jump by.
-  double step(std::size_t d, std::size_t axis) const {
-    const double time = axis < in_.step_times.size() ? in_.step_times[axis] : 0;
-    return d > 0 && d < derivatives && time > 0 && std::isfinite(limit(in_.axes[axis], d + 1))
-               ? limit(in_.axes[axis], d + 1) * time * (1 + 1e-9)
-               : 0;
   }
 
   void rest(Strained& check, const MotionState& x, double T, double t) const {

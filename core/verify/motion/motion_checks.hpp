@@ -1,6 +1,8 @@
 #pragma once
 /// The verifier of any motion of axes over time, wherever it comes from: it asks for states and polynomials, no
 /// planner.
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,10 +21,9 @@ struct MotionToVerify {
   /// s; how far off in time the states may be that the motion gives, beyond rounding: 0 for polynomials. Along a path
   /// u(s) is known to 1e-10 of a segment's length, so this is that over the speed.
   double resolution = 0;
-  /// s, per axis, none: 0. Where the path's tangent or curvature jumps by less than a corner an axis may let its
-  /// velocity jump by what its acceleration does in this time, the interpolation cycle, and its acceleration by what
-  /// its jerk does.
-  std::vector<double> step_times = {};
+  /// By how much derivative `derivative` (0 position, 1 velocity, 2 acceleration) of an axis may jump where pieces meet
+  /// at time t, as an axis' does where the tangent of its path jumps; none: not at all.
+  std::function<double(std::size_t axis, std::size_t derivative, double t)> step = {};
   double progress_from = 0, progress_to = 1;  ///< the share of the whole job's progress that this takes
   std::string group = {};                     ///< the subject of checks of all axes together
   std::string unit = "unit";                  ///< their unit: that of the axes, if they have the same one

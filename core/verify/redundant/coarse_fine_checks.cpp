@@ -14,14 +14,13 @@
 #include "core/verify/law/curve_disc.hpp"
 #include "core/verify/motion/bernstein.hpp"
 #include "core/verify/motion/motion_checks.hpp"
+#include "core/verify/redundant/least_stroke.hpp"
 #include "core/verify/rounding.hpp"
 #include "core/verify/worst.hpp"
 
 namespace bahnwerk {
 namespace verify {
 namespace {
-
-constexpr double least_stroke = 1e-8;  // mm; a fine axis with less is none
 
 struct Channel {
   std::size_t axis, derivative;  // of the fine axis
@@ -195,6 +194,44 @@ class FineSweep {
   std::size_t discs_of_ = 0;
 };
 
+/// mm, what a segment's points are computed with: its own length, the radius of its curvature, its distance from zero.
+double size_of(const AxisPath& path, std::size_t segment, const AxisJet& q) {
+  double far = 0, bent = 0;
+  for (std::size_t k = 0; k < path.axes(); ++k) far += std::abs(q.value[k]), bent += q.d2[k] * q.d2[k];
+  return far + path[segment].length() + (bent > 0 ? 2 / std::sqrt(bent) : 0);
+}
+
+/// By how much a coarse axis without a fine one may jump at time t: as much as the head does where segments meet, and
+/// as a machine's axis may at a tangent jump.
+double step_of_the_head(const CoarseFineToVerify& in, std::size_t k, std::size_t derivative, double t) {
+  if (derivative > 2 || (derivative > 0 && in.fine_axes[k].highest > least_stroke)) return 0;
+  const Limits& axis = in.coarse_axes[k];
+  const double most = derivative == 0 ? unlimited : in.cycle_time * (derivative == 1 ? axis.acceleration : axis.jerk);
+  if (derivative > 0 && !std::isfinite(most)) return 0;
+  const auto& pieces = in.law.pieces();
+  const double blur = 2 * rounding * t;
+  auto piece = std::lower_bound(pieces.begin(), pieces.end(), t - blur,
+                                [](const LawPiece& p, double time) { return p.t0 < time; });
+  double jump = 0;
+  for (; piece != pieces.end() && piece->t0 <= t + blur; ++piece) {
+    if (piece == pieces.begin() || piece->segment == (piece - 1)->segment || piece->segment >= in.path.size()) continue;
+    const std::size_t before = (piece - 1)->segment;
+    const AxisJet left = in.path.at_parameter(before, in.path[before].curve().end()),
+                  right = in.path.at_parameter(piece->segment, in.path[piece->segment].curve().begin());
+    const double tangent = std::abs(right.d1[k] - left.d1[k]), curvature = std::abs(right.d2[k] - left.d2[k]);
+    if (derivative == 0) {
+      jump =
+          std::max(jump, std::min(std::abs(right.value[k] - left.value[k]),
+                                  rounding * (size_of(in.path, before, left) + size_of(in.path, before + 1, right))));
+      continue;
+    }
+    const LawState end = (piece - 1)->at((piece - 1)->duration);
+    const double v = std::max(end.v, piece->v), a = std::max(std::abs(end.a), std::abs(piece->a));
+    jump = std::max(jump, derivative == 1 ? tangent * v : curvature * v * v + tangent * a);
+  }
+  return std::min(jump, most) * (1 + 1e-9);
+}
+
 }  // namespace
 }  // namespace verify
 
@@ -208,8 +245,9 @@ std::vector<Check> coarse_fine_checks(const CoarseFineToVerify& input, Progress&
   coarse.continuous = input.check_jerk ? 2 : 1;
   // Its pieces have been fitted to the head's times: both ends of each may be off by the rounding of t once more.
   coarse.resolution = std::numeric_limits<double>::epsilon() * input.law.duration();
-  for (const AxisLimits& fine : input.fine_axes)
-    coarse.step_times.push_back(fine.highest > verify::least_stroke ? 0 : input.cycle_time);
+  coarse.step = [&input](std::size_t axis, std::size_t derivative, double t) {
+    return verify::step_of_the_head(input, axis, derivative, t);
+  };
   coarse.progress_from = input.progress_from;
   coarse.progress_to = between;
   coarse.group = "coarse";

@@ -28,9 +28,12 @@ struct CoarseFineToVerify {
 /// axis>`, `acceleration <fine axis>`, with check_jerk `jerk <fine axis>`; `coarse duration` (against the law's:
 /// rounding).
 ///
-/// An axis whose `highest` is 1e-8 mm at most has no fine one: its coarse axis is an ordinary axis of a machine, whose
-/// velocity may jump by acceleration times cycle time (its acceleration by jerk times cycle time) where the path's
-/// derivatives do. Every other coarse axis has none of that.
+/// An axis whose `highest` is 1e-8 mm at most (least_stroke) has no fine one: its coarse axis is an ordinary axis of a
+/// machine. Where segments of the path meet its velocity may jump by what the jump of the tangent makes of the head's
+/// speed, acceleration times cycle time at most (its acceleration by what tangent and curvature make of speed and
+/// acceleration, jerk times cycle time at most). Nothing else of it jumps, and nothing of any other coarse axis, but
+/// positions where curves meet: those as the path's do, by the rounding of what the curve is computed with (its radius,
+/// its length).
 ///
 /// Head and coarse motion are looked at together on every piece of time on which both are smooth. Where the segment is
 /// linear and the coarse motion a polynomial their difference is one: its peak is an enclosure by Bernstein

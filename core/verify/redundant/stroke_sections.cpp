@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/verify/redundant/least_stroke.hpp"
+
 namespace bahnwerk::verify {
 namespace {
 
-constexpr double piece = 0.05;         // of the least stroke: boxes of the path
-constexpr double least_stroke = 1e-8;  // mm; a fine axis with less is none
+constexpr double piece = 0.05;  // of the least stroke: boxes of the path
 
 }  // namespace
 

@@ -95,7 +95,8 @@ TEST_P(Stages, ReportOften) {
   few.plan(small);
   EXPECT_EQ(test::result_faults(many.plan(large).result), std::vector<std::string>{});
   if (large.kind == "contour") {  // a search for layouts does not take longer in a slot with more corners
-    EXPECT_GE(many.gaps.size(), 2 * few.gaps.size());
+    // Small documents are planned on finer grids, too, for the sake of the gap: less than four times as often.
+    EXPECT_GE(2 * many.gaps.size(), 3 * few.gaps.size());
   }
   const auto allowed = [&] { return std::min(never, std::max(rule, 2 * few.longest().seconds)); };
   for (int run = 1; run < 4 && many.longest().seconds > allowed(); ++run) many.plan(large);

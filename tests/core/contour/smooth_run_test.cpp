@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/contour/blend/reversed_run.hpp"
 #include "core/contour/blend/smooth_scale.hpp"
 #include "core/contour/polyline.hpp"
 #include "core/machine/machine.hpp"
@@ -79,6 +80,29 @@ TEST(SmoothRun, WindowsJoinWithThreeDerivatives) {
     EXPECT_LE(norm(a.d1 * (span / before) - b.d1 * (du / h)), 1e-10);
     EXPECT_LE(norm(a.d2 * std::pow(span / before, 2) - b.d2 * std::pow(du / h, 2)), 1e-8);
     EXPECT_LE(norm(a.d3 * std::pow(span / before, 3) - b.d3 * std::pow(du / h, 3)), 1e-6);
+  }
+}
+
+TEST(SmoothRun, BackwardsItBecomesTheSameCurve) {
+  for (const int n : {400, 5000}) {  // one window, and several
+    std::vector<Vec> points = chords(n);
+    const Smoothable there(points);
+    std::reverse(points.begin(), points.end());
+    const Smoothable back(points);
+    const double length = there.stretch.length();
+    EXPECT_NE(begins_at_end(there.stretch, {0, length}), begins_at_end(back.stretch, {0, length}));
+    const SmoothedRun a = there.smoothed(0, length), b = back.smoothed(0, length);
+    ASSERT_TRUE(a.done && b.done);
+    const std::size_t count = a.pieces.size();
+    ASSERT_EQ(b.pieces.size(), count);
+    for (std::size_t k = 0; k < count; ++k) {
+      const Rational &p = *a.pieces[k], &q = *b.pieces[count - 1 - k];
+      EXPECT_NEAR(a.breaks[k], length - b.breaks[count - k], 1e-9);
+      for (const double x : {0.0, 0.3, 0.8})
+        EXPECT_LE(
+            norm(p.at(p.begin() + x * (p.end() - p.begin())).value - q.at(q.end() - x * (q.end() - q.begin())).value),
+            1e-8);
+    }
   }
 }
 

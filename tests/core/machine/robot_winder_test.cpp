@@ -128,6 +128,7 @@ TEST(RobotWinder, HasFiveAxes) {
   EXPECT_EQ(machine->axes()[4].unit, "rad");
   EXPECT_EQ(machine->period(2), 0);
   EXPECT_EQ(machine->period(0), 2 * pi);
+  EXPECT_EQ(machine->period(4), 0);  // the swivel does not come round
   EXPECT_THROW(RobotWinder(test::robot_sizes(), RobotArm::lefty, std::vector<Limits>(4)), std::invalid_argument);
 }
 

@@ -59,7 +59,8 @@ TEST_P(PlanProperty, VerifiedBoundedMonotoneReversibleDivisibleScalable) {
       case 0: {
         const ContourPlan reserve = plan(outline, machine, PlanningMethod::braking_reserve);
         ASSERT_TRUE(reserve.verification.passed) << failures(reserve);
-        ASSERT_LE(fast.duration, reserve.duration * (1 + 1e-9));
+        // Each is as close to what it can reach as the pipeline asks for.
+        ASSERT_LE(fast.duration, reserve.duration * (1 + 1e-6));
         break;
       }
       case 1: {  // looser limits never take longer

@@ -114,6 +114,11 @@ std::vector<Case> cases() {
        of({line({-4000, 3}, {0, 0}), bezier({{0, 0}, {0, 0}, {0.0008, 0.0006}, {0.0015, 0.0002}})}, 400)},
       {"a handle at the end of 2 µm behind 6 m",
        of({line({-6000, 3}, {0, 0}), bezier({{0, 0}, {0.0008, 0.0006}, {0.002, 0.0002}, {0.002, 0.0002}})}, 400)},
+      // Beside their end these run along the diagonal, at the end itself along x.
+      {"a handle of 20 fm along the diagonal", of({bezier({{0, 0}, {2, 1}, {12 - 2e-11, 11}, {12, 11}})})},
+      {"a handle of 4 pm behind a line",
+       of({line({-30, 0}, {0, 0}), bezier({{0, 0}, {2, 1}, {12 - 4e-9, 11}, {12, 11}})})},
+      {"a handle of 20 pm", of({bezier({{0, 0}, {2, 1}, {12 - 2e-8, 11}, {12, 11}})})},
   };
 }
 
@@ -165,6 +170,34 @@ TEST(VanishingTangent, OfAParabolaDoesNotSlowTheMotion) {
     EXPECT_NEAR(plan(vanishing, method).duration, expected,
                 (method == PlanningMethod::jerk_limited ? 1e-3 : 1e-6) * expected);
   }
+}
+
+/// Handles of some 50 mm that lead there and back: a curve that turns round within nanometres, in the middle of a
+/// piece.
+std::vector<Case> needles() {
+  std::vector<Case> list;
+  for (const double width : {1e-10, 3e-8, 1e-6, 2e-5, 4e-4, 2e-3}) {
+    const std::string wide = " of " + std::to_string(1e6 * width) + " nm";
+    list.push_back({"there and back" + wide, of({bezier({{0, 0}, {45, width / 2}, {0, width}})})});
+    list.push_back({"an S" + wide, of({bezier({{0, 0}, {50, 0}, {50, width}, {10, width}})})});
+    list.push_back({"all but a cusp" + wide, of({bezier({{0, 0}, {40, 40}, {width, 40}, {40 + width, 0}})})});
+  }
+  return list;
+}
+
+/// With limited accelerations a rest at the point costs next to nothing: as there and back on straight lines.
+TEST(VanishingTangent, NeedlePointsAreTurnedAtRest) {
+  for (const Case& one : needles())
+    for (const PlanningMethod method : methods) {
+      SCOPED_TRACE(one.name + ", method " + std::to_string(static_cast<int>(method)));
+      expect_same_backwards(one.outline, method, 2e-6);
+    }
+  // 22.5 mm out and back at 80 mm/s and 9000 mm/s².
+  const double expected = 2 * (22.5 / feed + feed / 9000);
+  for (const double width : {1e-10, 3e-8, 1e-6, 2e-5, 4e-4})
+    EXPECT_NEAR(plan(of({bezier({{0, 0}, {45, width / 2}, {0, width}})}), PlanningMethod::time_optimal).duration,
+                expected, 1e-5 * expected)
+        << width;
 }
 
 TEST(VanishingTangent, OfAStraightCurveCostsNothing) {

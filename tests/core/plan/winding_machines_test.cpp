@@ -2,10 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "core/base/errors.hpp"
+#include "core/geometry/curve/reversed.hpp"
 #include "core/motion/axes/machine_path.hpp"
 #include "core/plan/path_plan.hpp"
 #include "tests/core/check_names.hpp"
@@ -78,6 +82,53 @@ TEST(WindingMachines, OneTurnIsPlannedAndVerifiedOnEachOfThem) {
     std::printf("%s: %.4f s (gap %.2g), jerk %.4f s (gap %.2g)\n", winder.name.c_str(), fast.duration, fast.bound.gap,
                 smooth.duration, smooth.bound.gap);
   }
+}
+
+/// Limits of axes do not know which way time runs, through kinematics neither.
+TEST(WindingMachines, BackwardsAPathTakesAsLong) {
+  using CurvePointer = std::shared_ptr<const Curve>;
+  const auto angles = [](double phi, double psi) {
+    return std::make_shared<Rational>(
+        Rational::from_power_basis({{0, 0, 0, 10 * phi, -15 * phi, 6 * phi}, {0, 0, 0, 10 * psi, -15 * psi, 6 * psi}}));
+  };
+  const auto still = std::make_shared<Rational>(Rational::from_power_basis({{0, 0}, {0, 0}}));
+  // Up a slot, and half over the winding head while the needle swivels.
+  const std::vector<std::pair<CurvePointer, CurvePointer>> pieces{
+      {std::make_shared<Line>(Vec{80, 0, 0}, Vec{80, 0, 110}), still},
+      {std::make_shared<Rational>(
+           Rational::bezier({{80, 0, 110}, {80, 0, 118}, {80, 0, 126}, {78, 14, 140}, {74, 30, 140}})),
+       angles(0.39, 1.1)}};
+  test::NeedleMaker forward, backward;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const auto& [curve, turned] = pieces[i];
+    forward.append(curve, turned);
+    const auto& [last, last_turned] = pieces[pieces.size() - 1 - i];
+    backward.append(reversed(*last), reversed(*last_turned));
+  }
+  const test::NeedlePath there = forward.done(), back = backward.done();
+  for (const test::Winder& winder : test::winders())
+    for (const PlanningMethod method :
+         {PlanningMethod::time_optimal, PlanningMethod::braking_reserve, PlanningMethod::jerk_limited}) {
+      const std::string what = winder.name + ", method " + std::to_string(static_cast<int>(method));
+      const PathPlan a = plan(machine_path(there.tool, there.orientation, winder.configurations), there.tool, method),
+                     b = plan(machine_path(back.tool, back.orientation, winder.configurations), back.tool, method);
+      expect_verified(a, what);
+      expect_verified(b, what + " backwards");
+      EXPECT_NEAR(b.duration, a.duration, (method == PlanningMethod::jerk_limited ? 1e-3 : 1e-5) * a.duration) << what;
+    }
+}
+
+/// The swivel holds the needle between −90° and 90°; its range is not met a whole turn away from that.
+TEST(WindingMachines, AnotherTurnOfTheSwivelIsOutOfReach) {
+  const test::NeedlePath path = test::stator_turn();
+  const auto swivelling = [](double lowest, double highest) {
+    std::vector<Limits> limits = test::horizontal_limits();
+    limits[4] = test::rotary(720, 7000, 180000, lowest, highest);
+    return std::make_shared<const HorizontalWinder>(HorizontalWinderSizes{}, limits);
+  };
+  EXPECT_NO_THROW(machine_path(path.tool, path.orientation, {swivelling(-100, 100)}));
+  EXPECT_THROW(machine_path(path.tool, path.orientation, {swivelling(260, 460)}), UnreachablePose);
+  EXPECT_THROW(machine_path(path.tool, path.orientation, {swivelling(-7300, -7100)}), UnreachablePose);
 }
 
 /// Limits of the needle along its path, one by one and together, on a machine whose axes hold nothing up: a double-S

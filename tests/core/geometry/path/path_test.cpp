@@ -46,8 +46,14 @@ TEST(Segment, RandomNurbsPropertyOfEveryPoint) {
   for (int i = 0; i < 300; ++i) {
     for (const Rational& piece : testing::random_nurbs(random).pieces()) {
       const Path path = path_of(piece);
-      ASSERT_EQ(path.size(), 1U);
       const double length = path.length();
+      if (path.size() == 2) {  // cut where it turns round within a hundred millionth of its length
+        const Jet at = piece.at(path[0].curve().end());
+        const double speed = norm(at.d1);
+        EXPECT_GT(norm(cross(at.d1, at.d2)) / (speed * speed * speed) * length, 1e8);
+        continue;
+      }
+      ASSERT_EQ(path.size(), 1U);
       for (int k = 0; k <= 8; ++k) {
         const double s = length * k / 8;
         EXPECT_NEAR(path[0].arc_length(path[0].parameter(s)), s, 1e-12 * length);

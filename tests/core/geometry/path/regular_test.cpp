@@ -99,5 +99,24 @@ TEST(RegularPieces, APointIsOnePiece) {
   EXPECT_EQ(regular_pieces(Rational::bezier({{1, 2, 3}, {1, 2, 3}, {1, 2, 3}})).size(), 1U);
 }
 
+TEST(RegularPieces, CutsWhereACurveTurnsRoundWithinNanometres) {
+  Random random(57);
+  for (int i = 0; i < 300; ++i) {
+    // There and back along x while y creeps on: the tangent is (0, width) at `at`, with the curvature 2 slope/width².
+    const double at = random.uniform(0.02, 0.98), slope = 100, width = std::pow(10, random.uniform(-9, -3.2)),
+                 bent = random.chance(0.5) ? 0.2 : 0;
+    const Rational curve = Rational::from_power_basis({{0, -2 * slope * at, slope}, {0, width, 0, bent * width}});
+    const auto pieces = regular_pieces(curve);
+    ASSERT_EQ(pieces.size(), 2U) << width << " at " << at;
+    EXPECT_NEAR(pieces[0].end(), at, 1e-9);
+    EXPECT_EQ(pieces[0].vanishing_end(), 0U);
+    EXPECT_EQ(pieces[0].pivot(), pieces[0].end());
+    EXPECT_EQ(pieces[1].pivot(), pieces[0].end());
+    EXPECT_NEAR(pieces[1].speed(pieces[1].begin()), width * (1 + 3 * bent * at * at), 1e-3 * width);
+  }
+  // Wider than that it is a curve like any other.
+  EXPECT_EQ(regular_pieces(Rational::from_power_basis({{0, -100, 100}, {0, 0.1}})).size(), 1U);
+}
+
 }  // namespace
 }  // namespace bahnwerk

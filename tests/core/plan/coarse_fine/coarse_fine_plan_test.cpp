@@ -237,6 +237,58 @@ TEST(CoarseFinePlan, TheBoundOfALoneMoveKnowsStrokeAndJerk) {
   }
 }
 
+/// x has a fine axis, y has none.
+TEST(CoarseFinePlan, OneRedundantAxisIsEnough) {
+  CoarseFineMachine machine = test::md2(), alone = machine;
+  machine.axes[1] = coarse_alone(machine.axes[1]);
+  for (CoarseFineAxis& axis : alone.axes) axis = coarse_alone(axis);
+  RedundancyOptions options;
+  options.compare = false;
+  const CoarseFinePlan p = plan(test::holes(2, 1, 12, 2), machine, {}, options),
+                       slow = plan(test::holes(2, 1, 12, 2), alone, {}, options);
+  expect_verified(p);
+  expect_verified(slow);
+  EXPECT_EQ(p.fallbacks, 0u);
+  EXPECT_LE(check_value(p, "stroke yf"), 1e-9);
+  EXPECT_GT(check_value(p, "stroke xf"), 0.1);
+  EXPECT_LT(p.contour.duration, slow.contour.duration);
+}
+
+/// A helix with z on the coarse axis alone: its coarse axis does what the tool does, and limits the climb.
+TEST(CoarseFinePlan, HeightMayBeACoarseAxisAlone) {
+  CoarseFineMachine machine = test::md1();
+  machine.axes.push_back(coarse_alone({"z", {60, 2000}, {}, 0}));
+  ContourBuilder b(3, {10, 0, 0});
+  b.block(Mode::cut, 400);
+  b.arc({10, 0, 9}, {0, 0, 0}, true);
+  b.line({30, 0, 0});
+  RedundancyOptions options;
+  options.compare = false;
+  const CoarseFinePlan p = plan(b.finish(), machine, {}, options);
+  expect_verified(p);
+  EXPECT_EQ(p.fallbacks, 0u);
+  EXPECT_LE(check_value(p, "stroke zf"), 1e-9);
+  EXPECT_GT(check_value(p, "stroke xf"), 0.1);
+  EXPECT_NEAR(check_value(p, "velocity zc"), 60, 0.5);  // z is what limits the motion
+}
+
+/// With less acceleration a head may have more jerk, so more acceleration of one axis alone must not take that away.
+TEST(CoarseFinePlan, WithLimitedJerkMoreAccelerationIsNotSlower) {
+  RedundancyOptions options;
+  options.compare = false;
+  for (Limits CoarseFineAxis::*stage : {&CoarseFineAxis::coarse, &CoarseFineAxis::fine}) {
+    double before = 1e9;
+    for (const double factor : {1.0, 1.6, 2.5}) {
+      CoarseFineMachine machine = test::with_jerk(test::md1(), 60);
+      for (CoarseFineAxis& axis : machine.axes) (axis.*stage).acceleration *= factor;
+      const CoarseFinePlan p = plan(test::holes(2, 1, 12, 2), machine, {}, options);
+      expect_verified(p);
+      EXPECT_LE(p.contour.duration, before * (1 + 1e-6)) << factor;
+      before = p.contour.duration;
+    }
+  }
+}
+
 /// Another method asks for two axes of every coordinate.
 TEST(CoarseFinePlan, WhereAnAxisHasNoFineOneTheJointPlannerPlans) {
   CoarseFineMachine machine = test::md1();

@@ -96,7 +96,7 @@ TEST(KnownMethods, TheCoarseCurveStaysWithinTheStroke) {
   const RedundancyTask task = test::redundancy_task(test::holes(4, 4, 80, 30), test::md2());
   SilentProgress progress;
   const auto curve = coarse_curve(*task.path, task.machine, progress);
-  EXPECT_GE(curve->pitch(), 0.98 * std::sqrt(2) * 20);
+  EXPECT_GE(curve->pitch(), 0.98 * 20);
   for (double s = 0; s < task.path->length(); s += 0.1) {
     const std::size_t i = task.path->tool().find(s);
     const AxisJet q = curve->at(i, s, {});

@@ -29,11 +29,13 @@ struct Case {
   std::vector<AxisLimits> coarse_axes = limits("c", 1e4, 1e5, unlimited, unlimited);
   std::vector<AxisLimits> fine_axes = limits("f", 1e4, 1e6, unlimited, 100);
   bool jerk = false;
+  double cycle_time = 0;
 
   std::vector<Check> checks() const {
     const SplineMotion motion(coarse);
     CoarseFineToVerify input{*path, law, motion, coarse_axes, fine_axes};
     input.check_jerk = jerk;
+    input.cycle_time = cycle_time;
     SilentProgress progress;
     return coarse_fine_checks(input, progress);
   }
@@ -166,6 +168,42 @@ TEST(CoarseFineChecks, FaultsOfTheCoarseMotionShow) {
   switches.fine_axes = limits("f", 1e4, 1000, unlimited, 100);
   EXPECT_NEAR(find(switches.checks(), "acceleration xf").value, 2000, 1e-6);
   EXPECT_FALSE(find(switches.checks(), "acceleration xf").passed);
+}
+
+/// Two lines of 10 mm that meet under 1 mrad, passed at 100 mm/s; y has no fine axis.
+Case bent(double velocity_at_begin, double velocity_behind) {
+  ContourBuilder b(2, {0, 0, 0});
+  b.block(Mode::cut, unlimited);
+  b.line({10, 0, 0});
+  b.line({10 + 10 * std::cos(1e-3), 10 * std::sin(1e-3), 0});
+  Case c{path_of(b), {}, {}};
+  c.law.append({0, 0.1, 0, 5, 0, 1000, 0, 0});
+  c.law.append({0, 0.05, 5, 10, 100, 0, 0, 0});
+  c.law.append({0, 0.05, 10, 15, 100, 0, 0, 1});
+  c.law.append({0, 0.1, 15, 20, 100, -1000, 0, 1});
+  const double v = 100 * std::sin(1e-3), low = velocity_at_begin, high = velocity_behind * v;
+  c.coarse = {{0.1, {{4}, {0}}},
+              {0.15, {{4}, {0, low, -low / 0.05}}},
+              {0.2, {{4}, {0, high, (v - high) / 0.1}}},
+              {0.3, {{4}, {0.05 * (v + high) / 2, v, -5 * v}}}};
+  c.fine_axes[1] = AxisLimits("yf", 0, 0);
+  c.fine_axes[1].lowest = c.fine_axes[1].highest = 0;
+  c.cycle_time = 1e-3;
+  return c;
+}
+
+/// A coarse axis' acceleration of 1e5 mm/s² is 100 mm/s in a cycle: what jumps is a thousandth of that.
+TEST(CoarseFineChecks, AnAxisWithoutAFineOneStepsWithTheTangentAndNowhereElse) {
+  const auto continuous = [](const Case& c) { return find(c.checks(), "coarse continuity of velocity").passed; };
+  EXPECT_TRUE(continuous(bent(0, 1)));
+  EXPECT_FALSE(continuous(bent(1e-3, 1)));   // where the law changes, on a straight line
+  EXPECT_FALSE(continuous(bent(0, 1.001)));  // more than the tangent does
+  Case small = bent(0, 1);
+  small.cycle_time = 1e-7;  // 0.01 mm/s
+  EXPECT_FALSE(continuous(small));
+  Case split = bent(0, 1);
+  split.fine_axes = limits("f", 1e4, 1e6, unlimited, 100);
+  EXPECT_FALSE(continuous(split));
 }
 
 TEST(CoarseFineChecks, AxesHaveToFitTogether) {

@@ -1,0 +1,68 @@
+#include "core/redundant/coarse_task.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace bahnwerk {
+namespace {
+
+constexpr double same = 1e-9;  // rounding of derivatives
+constexpr int places = 32;     // of a curve
+
+bool derivatives_jump(const AxisPath& path, std::size_t segment, int derivatives) {
+  const AxisJet before = path.at_parameter(segment - 1, path[segment - 1].curve().end()),
+                after = path.at_parameter(segment, path[segment].curve().begin());
+  for (std::size_t k = 0; k < path.axes(); ++k)
+    if (!(std::abs(after.d1[k] - before.d1[k]) <= same &&
+          (derivatives < 2 || std::abs(after.d2[k] - before.d2[k]) <= same)))
+      return true;
+  return false;
+}
+
+}  // namespace
+
+Machine coarse_machine(const CoarseFineMachine& machine, double share) {
+  Machine coarse;
+  coarse.cycle_time = machine.cycle_time;
+  for (const CoarseFineAxis& axis : machine.axes)
+    coarse.axes.emplace_back(axis.name, share * axis.coarse.velocity, share * axis.coarse.acceleration,
+                             share * axis.coarse.jerk);
+  return coarse;
+}
+
+std::vector<bool> rests_at_jumps(const AxisPath& path, std::vector<bool> rests, int derivatives) {
+  for (std::size_t i = 1; i < path.size(); ++i) rests[i] = rests[i] || derivatives_jump(path, i, derivatives);
+  return rests;
+}
+
+bool within_coarse_range(const AxisPath& path, const CoarseFineMachine& machine, double part) {
+  const bool limited = std::any_of(machine.axes.begin(), machine.axes.end(), [](const CoarseFineAxis& axis) {
+    return std::isfinite(axis.coarse.lowest) || std::isfinite(axis.coarse.highest);
+  });
+  for (std::size_t i = 0; limited && i < path.size(); ++i) {
+    const Segment& segment = path[i];
+    const int looks = path.linear(i) ? 1 : places;
+    for (int j = 0; j <= looks; ++j) {
+      const AxisJet q = path.at(i, segment.s0() + segment.length() * j / looks);
+      for (std::size_t k = 0; k < path.axes(); ++k) {
+        const Limits& coarse = machine.axes[k].coarse;
+        const double beyond = part * machine.axes[k].stroke;
+        if (q.value[k] < coarse.lowest - beyond || q.value[k] > coarse.highest + beyond) return false;
+      }
+    }
+  }
+  return true;
+}
+
+JointTask resting_at_jumps(JointTask task) {
+  task.rests = rests_at_jumps(*task.path, std::move(task.rests), task.machine.limits_jerk() ? 2 : 1);
+  return task;
+}
+
+JointTask without_fine_axes(JointTask task) {
+  for (CoarseFineAxis& axis : task.machine.axes) axis = coarse_alone(axis);
+  return resting_at_jumps(std::move(task));
+}
+
+}  // namespace bahnwerk

@@ -1,0 +1,28 @@
+#pragma once
+/// What coarse axes do without fine ones: their own limits, and where the tool has to rest for them.
+#include <cstddef>
+#include <vector>
+
+#include "core/machine/machine.hpp"
+#include "core/redundant/joint_task.hpp"
+
+namespace bahnwerk {
+
+/// That part of the coarse axes' own limits; named as the machine's axes.
+Machine coarse_machine(const CoarseFineMachine& machine, double share);
+
+/// `rests`, and each segment's begin at which first derivatives of the axes differ on both sides, with `derivatives` 2
+/// the second ones, too, by more than rounding: 1e-9, 1e-9 1/mm.
+std::vector<bool> rests_at_jumps(const AxisPath& path, std::vector<bool> rests, int derivatives);
+
+/// Whether the tool's path stays within the ranges of the coarse axes and that part of the strokes beyond them; with 0
+/// they can do all by themselves. Curves are looked at in 32 places each.
+bool within_coarse_range(const AxisPath& path, const CoarseFineMachine& machine, double part = 0);
+
+/// At rest wherever derivatives jump that coarse axes have to let be continuous: the first, with limited jerk the
+/// second ones, too.
+JointTask resting_at_jumps(JointTask task);
+/// The task for the coarse axes alone, at rest there.
+JointTask without_fine_axes(JointTask task);
+
+}  // namespace bahnwerk

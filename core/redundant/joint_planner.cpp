@@ -1,0 +1,194 @@
+#include "core/redundant/joint_planner.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/errors.hpp"
+#include "core/redundant/followable_states.hpp"
+#include "core/redundant/following.hpp"
+#include "core/redundant/lone_move.hpp"
+
+namespace bahnwerk {
+namespace {
+
+constexpr int most_attempts = 6;
+constexpr double quicker = 1e-6;  // of a duration: what the closed form has to gain
+
+/// The coarse axes go from where they begin to where they end.
+bool within_ranges(const LoneMove& move, const CoarseFineMachine& machine) {
+  const SplineMotion motion(move.coarse);
+  const MotionState begin = motion.in_piece(0, 0), end = motion.final_state();
+  for (std::size_t k = 0; k < machine.axes.size(); ++k)
+    for (const double x : {begin.position[k], end.position[k]})
+      if (x < machine.axes[k].coarse.lowest || x > machine.axes[k].coarse.highest) return false;
+  return true;
+}
+
+}  // namespace
+
+template <std::size_t order>
+JointPlanner<order>::JointPlanner(JointTask task, const JointOptions& options, Progress& progress, double from,
+                                  double to)
+    : task_(std::move(task)),
+      options_(options),
+      scope_(progress, "planning", from, to),
+      plan_(task_, options.corner_angle, joint_head_share<order>, progress),
+      splits_(task_, options.cell, [this] { scope_.report(); }),
+      head_(plan_.motion()),
+      smoother_(task_, splits_, plan_, fastest_, scope_) {
+  result_.fastest = head_->duration();
+}
+
+template <std::size_t order>
+bool JointPlanner<order>::find(double below) {
+  if (!(head_->duration() < below)) return false;
+  if (splits_.axes().empty())
+    fastest_.head = head_;
+  else if (!lone())
+    follow();
+  return true;
+}
+
+template <std::size_t order>
+JointResult JointPlanner<order>::result() {
+  const double chosen = options_.stretch >= 1 ? options_.stretch : stretch_of(options_.smoothness);
+  if (options_.compare)
+    for (const double stretch : stretches) {
+      const JointSplit<order> split = smoother_.smoothest(stretch, !alone_);
+      result_.trades.push_back(splits_.trade(stretch, split));
+      if (stretch == chosen) keep(stretch, split);
+    }
+  if (!result_.coarse) keep(chosen, smoother_.smoothest(chosen, !alone_));
+  result_.cells = fastest_.cells.size();
+  result_.iterations = splits_.iterations();
+  return std::move(result_);
+}
+
+/// The closed form of a lone move, where no head that the coarse axes can follow is known to be as quick.
+template <std::size_t order>
+bool JointPlanner<order>::lone() {
+  if (!task_.dwells.empty()) return false;
+  std::optional<LoneMove> move = lone_move(*task_.path, task_.machine, task_.feeds.front());
+  if (!move || !within_ranges(*move, task_.machine)) return false;
+  // Below the head's own duration only by what its limits keep back, which is more with limited jerk.
+  if (!(move->head.duration() < head_->duration() * (1 - quicker))) {
+    cells_ = head_cells(*head_, splits_.cells(), scope_);
+    std::vector<WindowedSolution<order>> solutions = splits_.solve(cells_, 1);
+    if (exceeding(solutions).empty()) {
+      fastest_ = {head_, std::move(cells_), 1, std::move(solutions), {}};
+      return true;
+    }
+  }
+  fastest_.head = std::make_shared<const PathMotion>(task_.path, std::move(move->head));
+  fastest_.cells = head_cells(*fastest_.head, splits_.cells(), scope_);
+  fastest_.closed = std::move(move->coarse);
+  const bool slower = fastest_.head->duration() > head_->duration() * (1 + quicker);
+  result_.slowed = result_.certified = slower ? 1 : 0;
+  return true;
+}
+
+/// The quickest head that the coarse axes are found to be able to follow.
+template <std::size_t order>
+void JointPlanner<order>::follow() {
+  std::vector<WindowedSolution<order>> solutions;
+  HeadSlowingCounts counts;
+  for (int attempt = 0;; ++attempt) {
+    cells_ = head_cells(*head_, splits_.cells(), scope_);
+    std::vector<HeadStretch> too_fast = attempt == 0 ? conflicting() : std::vector<HeadStretch>();
+    if (too_fast.empty()) {
+      solutions = splits_.solve(cells_, 1);
+      too_fast = exceeding(solutions);
+    }
+    if (too_fast.empty()) break;
+    if (!alone_) {
+      slow(too_fast, attempt, counts);
+    } else if (order == 3 && !stops_) {
+      stops_ = true;
+      head_ = plan_.coarse_alone(true);
+    } else {
+      throw Infeasible("the coarse axes cannot follow, however slowly the tool moves");
+    }
+  }
+  result_.rounds = counts.rounds;
+  result_.certified = counts.certified;
+  result_.slowed = plan_.slowed();
+  fastest_ = {head_, std::move(cells_), 1, std::move(solutions), {}};
+}
+
+/// The head gets slower on those stretches; it is never slower than the coarse axes alone, unless those have to rest
+/// where curvature jumps.
+template <std::size_t order>
+void JointPlanner<order>::slow(const std::vector<HeadStretch>& too_fast, int attempt, HeadSlowingCounts& counts) {
+  double around = 0;
+  for (const std::size_t k : splits_.axes()) around = std::max(around, splits_.ahead(k));
+  const HeadCellOptions cells = splits_.cells();
+  HeadSlowing<order> slowing(plan_, task_.machine, cells, around, options_.max_rounds, scope_);
+  bool found = attempt < most_attempts;
+  try {
+    for (const HeadStretch& stretch : too_fast)
+      if (found) slowing.run(stretch, counts);
+  } catch (const Infeasible&) {
+    found = false;
+  }
+  if (found) head_ = plan_.motion();
+  const auto alone = plan_.coarse_alone();
+  alone_ = !found || alone->duration() < head_->duration();
+  if (alone_) head_ = alone;
+  splits_.look_further();  // should it have been too short
+}
+
+/// The sections around what exceeds boxes.
+template <std::size_t order>
+std::vector<HeadStretch> JointPlanner<order>::exceeding(const std::vector<WindowedSolution<order>>& solutions) const {
+  std::vector<Nodes> nodes;
+  for (const WindowedSolution<order>& solution : solutions) nodes.push_back(solution.exceeds);
+  return sections_around(nodes);
+}
+
+/// The sections around what no coarse motion can follow, as far as sets of states tell: much sooner than a solution.
+template <std::size_t order>
+std::vector<HeadStretch> JointPlanner<order>::conflicting() {
+  std::vector<Nodes> nodes;
+  if constexpr (order == 2)
+    for (const std::size_t k : splits_.axes())
+      nodes.push_back(conflicts(following<2>(cells_, k, splits_.axis(k)), splits_.chain().tick));
+  return sections_around(nodes);
+}
+
+template <std::size_t order>
+std::vector<HeadStretch> JointPlanner<order>::sections_around(const std::vector<Nodes>& nodes) const {
+  std::vector<HeadStretch> found;
+  for (std::size_t j = 0; j < nodes.size(); ++j) {
+    const double around = splits_.ahead(splits_.axes()[j]);
+    for (const auto& [first, last] : nodes[j])
+      found.push_back({plan_.section_begin(segment_at(cells_.times[first] - around)),
+                       plan_.section_end(segment_at(cells_.times[last] + around))});
+  }
+  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<HeadStretch> merged;
+  for (const HeadStretch& s : found)
+    if (!merged.empty() && s.first < merged.back().last)
+      merged.back().last = std::max(merged.back().last, s.last);
+    else
+      merged.push_back(s);
+  return merged;
+}
+
+template <std::size_t order>
+std::size_t JointPlanner<order>::segment_at(double t) const {
+  const TimeLaw& law = head_->law();
+  return law.pieces()[law.find(std::clamp(t, 0.0, law.duration()))].segment;
+}
+
+template <std::size_t order>
+void JointPlanner<order>::keep(double stretch, const JointSplit<order>& split) {
+  result_.chosen = splits_.trade(stretch, split);
+  result_.head = splits_.head_of(split);
+  result_.chosen.duration = result_.head->duration();
+  result_.coarse = splits_.coarse_of(split, result_.head);
+}
+
+template class JointPlanner<2>;
+template class JointPlanner<3>;
+
+}  // namespace bahnwerk

@@ -1,0 +1,92 @@
+#include "core/redundant/joint_smoother.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "core/redundant/following.hpp"
+#include "core/redundant/slowed_by_energy.hpp"
+
+namespace bahnwerk {
+namespace {
+
+// What is slowed by no more than this is slowed evenly, and so is what would keep more than this of its energy.
+constexpr double least_spread = 1e-6, worth_spreading = 0.9;
+constexpr double hopeless = 3;  // times the least energy so far: no spreading makes up for that
+
+}  // namespace
+
+template <std::size_t order>
+JointSplit<order> JointSmoother<order>::smoothest(double stretch, bool calm) {
+  if (stretch == 1) return fastest_;
+  JointSplit<order> slowed = slowed_evenly(stretch);
+  if (order != 2 || !calm || splits_.axes().empty()) return slowed;
+  const double duration = fastest_.head->duration() * stretch;
+  std::vector<std::pair<JointSplit<order>, HeadCellOptions>> found{{std::move(slowed), splits_.cells()}};
+  double least = splits_.energy(found.front().first);
+  const double longest = std::max(duration, fastest_.head->duration() * stretches[std::size(stretches) - 1]);
+  for (const CalmHead& head : calm_.within(duration, longest)) {
+    const HeadCellOptions cells = splits_.cells(head.freedom);
+    JointSplit<order> split = split_of(head.head, duration, cells);
+    if (!split.valid()) continue;
+    least = std::min(least, splits_.energy(split));
+    found.emplace_back(std::move(split), cells);
+  }
+  std::optional<JointSplit<order>> best;
+  for (auto& [split, cells] : found) {
+    if (splits_.energy(split) > hopeless * least) continue;
+    JointSplit<order> slower = spread(std::move(split), duration, cells);
+    if (!best || splits_.energy(slower) < splits_.energy(*best)) best = std::move(slower);
+  }
+  return *std::move(best);
+}
+
+/// The quickest head, slowed, with the coarse axes' least energy then; where that is not found they are slowed with it.
+template <std::size_t order>
+JointSplit<order> JointSmoother<order>::slowed_evenly(double stretch) {
+  JointSplit<order> split{fastest_.head, fastest_.cells, stretch, {}, {}};
+  if (!splits_.axes().empty()) split.solutions = splits_.solve(fastest_.cells, stretch);
+  if (split.valid()) return split;
+  split.solutions = fastest_.solutions;
+  split.closed = fastest_.closed;
+  split.slowed = stretch;
+  return split;
+}
+
+template <std::size_t order>
+JointSplit<order> JointSmoother<order>::split_of(std::shared_ptr<const PathMotion> head, double duration,
+                                                 const HeadCellOptions& options) {
+  JointSplit<order> split{std::move(head), {}, 1, {}, {}};
+  split.cells = head_cells(*split.head, options, scope_);
+  split.stretch = std::max(duration / split.head->duration(), 1.0);
+  split.solutions = splits_.solve(split.cells, split.stretch);
+  return split;
+}
+
+/// Lets a split that is slowed evenly be slow where its coarse axes work hardest instead.
+template <std::size_t order>
+JointSplit<order> JointSmoother<order>::spread(JointSplit<order> even, double duration,
+                                               const HeadCellOptions& options) {
+  if (!(even.stretch > 1 + least_spread) || even.solutions.empty()) return even;
+  const TimeLaw& law = even.head->law();
+  std::vector<double> energies(even.cells.size());
+  for (std::size_t j = 0; j < splits_.axes().size(); ++j) {
+    const double unit = chain_units(splits_.axis(splits_.axes()[j])).acceleration();
+    for (std::size_t c = 0; c < energies.size(); ++c) {
+      const double a = even.solutions[j].controls[c] * unit;
+      energies[c] += a * a * (even.cells.times[c + 1] - even.cells.times[c]);
+    }
+  }
+  SlowedByEnergy slowed = slowed_by_energy(law, even.cells.times, energies, duration);
+  if (slowed.energy > worth_spreading) return even;
+  TimeLaw slow = law;
+  slow.slow_sections(std::move(slowed.slowings));
+  JointSplit<order> uneven =
+      split_of(std::make_shared<const PathMotion>(task_.path, std::move(slow)), duration, options);
+  return uneven.valid() && splits_.energy(uneven) < splits_.energy(even) ? uneven : even;
+}
+
+template class JointSmoother<2>;
+template class JointSmoother<3>;
+
+}  // namespace bahnwerk
