@@ -44,7 +44,7 @@ SetpointQuery parse_setpoint_query(const std::vector<std::pair<std::string, std:
   SetpointQuery result;
   std::vector<FieldError> errors;
   std::vector<std::string> seen;
-  bool every_given = false;
+  bool every_given = false, csv = false;
   for (const auto& [key, value] : query) {
     const auto fault = [&, &name = key](std::string message) {
       errors.push_back({pointer("/query", {name.substr(0, 100)}), std::move(message)});
@@ -75,10 +75,22 @@ SetpointQuery parse_setpoint_query(const std::vector<std::pair<std::string, std:
       continue;
     }
     if (key == "layout") {
+      const auto controller = std::find_if(std::begin(controller_layouts), std::end(controller_layouts),
+                                           [&, &text = value](const auto& entry) { return entry.name == text; });
+      if (controller != std::end(controller_layouts)) {
+        result.controller = controller->value;
+        continue;
+      }
+      if (value == "csv") {  // plain rows, as CSV whatever the Accept header says
+        csv = true;
+        continue;
+      }
       try {
         result.layout = value_of<CsvLayout>(value, csv_layouts);
       } catch (const std::invalid_argument&) {
-        fault("must be plain, twincat or twincat_poses");
+        fault(
+            "must be plain, csv, twincat or twincat_poses, of a motion law also twincat_nc, twincat_mc3, isg, "
+            "lcamhdl_xy, lcamhdl_basic, lcamhdl_advanced, codesys_xyva or codesys_xy");
       }
       continue;
     }
@@ -128,6 +140,11 @@ SetpointQuery parse_setpoint_query(const std::vector<std::pair<std::string, std:
       if (*number == 0 || *number > max_points) fault("must be from 1 to " + std::to_string(max_points));
     }
   }
+  if (csv && result.format && *result.format != SetpointFormat::csv)
+    errors.push_back({"/query/format", "must be csv where layout is csv"});
+  if (csv) result.format = SetpointFormat::csv;
+  if (result.controller && seen.size() > 1)
+    errors.push_back({"/query/layout", "is a whole cam table: it cannot be combined with other parameters"});
   if (result.points && every_given)
     errors.push_back({"/query/points", "cannot be combined with every: an envelope looks at every row"});
   if (result.points && result.layout != CsvLayout::plain)

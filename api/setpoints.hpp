@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "api/kinds/motion_law/controller_layouts.hpp"
 #include "core/base/named.hpp"
 #include "core/base/setpoint_source.hpp"
 
@@ -46,6 +47,8 @@ struct SetpointQuery {
   std::optional<std::size_t> points;    ///< min/max envelope with about this many points, for charts
   std::vector<std::string> columns;     ///< empty = all
   CsvLayout layout = CsvLayout::plain;  ///< of CSV alone, and of rows: not with `points`
+  /// A cam table as a controller reads it, instead of rows: of motion laws, with nothing else.
+  std::optional<ControllerLayout> controller;
   /// Of columns x, y, z, phi and their rates; not given: base in layout twincat_poses where the machine is known
   /// [4.5.1: the controller takes ^O s], the part elsewhere. Without `columns` that layout ends with a column that is 1
   /// and names the frame, base_frame or part_frame.

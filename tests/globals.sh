@@ -19,7 +19,7 @@ failed=0
 for library in "${libraries[@]}"; do
   list=$(objects "$library" | sort -u)
   while read -r object; do
-    [[ -n $object && ! $object =~ ^(guard\ variable\ for|DW\.ref\.|std::|boost::|nlohmann::|valijson::|__) ]] || continue
+    [[ -n $object && ! $object =~ ^(guard\ variable\ for|DW\.ref\.|std::|boost::|nlohmann::|valijson::|Eigen::|__) ]] || continue
     grep -qxF "guard variable for $object" <<<"$list" && constant "${object##*::}" "$2" && continue
     echo "${library##*/}: $object can be written"
     failed=1

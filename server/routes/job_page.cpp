@@ -131,6 +131,9 @@ std::string downloads(const std::string& link, const std::string& page, const or
         const std::string name(api::format_name(format));
         text += " · <a href=\"" + link + "/setpoints?format=" + name + "\">setpoints, " + name + "</a>";
       }
+    if (result.contains("setpoints") && result.value("kind", "") == "motion_law")
+      for (const auto& layout : api::controller_layouts)
+        text += " · <a href=\"" + link + "/setpoints?layout=" + layout.name + "\">cam table, " + layout.name + "</a>";
     if (result.contains("details") && result["details"].contains("drawings"))
       for (const auto& [name, drawing] : result["details"]["drawings"].items())
         if (!shown_by_browsers(name))

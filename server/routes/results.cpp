@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "api/problem.hpp"
 #include "api/setpoints.hpp"
@@ -51,9 +52,28 @@ api::SetpointSeries stored_series(Store& store, const SeriesInfo& info) {
   return series;
 }
 
+/// A cam table in the layout of a controller, from the stored result.
+Response controller_table(Context& context, const Request& request, api::ControllerLayout layout) {
+  const std::string& id = request.parameter("id");
+  require_success(context, id);
+  const auto document = context.store.result(id);
+  if (!document) throw api::Problem("not-found", "There is no job " + id + ".");
+  const auto result = nlohmann::json::parse(*document);
+  const std::string name = name_of<api::ControllerLayout>(layout, api::controller_layouts);
+  if (result.value("kind", "") != "motion_law")
+    throw api::Problem("schema-violation", "layout " + name + " is of motion laws alone",
+                       {{"/query/layout", "is of jobs of kind motion_law alone"}});
+  api::ControllerFile file = api::controller_file(result, layout);
+  Response response = text_answer(200, file.content_type, std::move(file.text));
+  response.set("X-Refit-Error", file.refit_error);
+  response.set("Content-Disposition", "attachment; filename=\"" + id + "-" + name + "." + file.extension + "\"");
+  return with_etag(request, "\"table-" + name + "\"", std::move(response));
+}
+
 Response setpoints(Context& context, const Request& request) {
   const std::string& id = request.parameter("id");
   const api::SetpointQuery query = api::parse_setpoint_query(request.query);
+  if (query.controller) return controller_table(context, request, *query.controller);
   const auto format = query.format ? query.format : api::negotiate_setpoints(request.header("accept").value_or(""));
   if (!format)
     throw api::Problem(

@@ -30,6 +30,8 @@ TEST(SetpointQuery, ReadsEveryParameter) {
   EXPECT_EQ(parse_setpoint_query({{"format", "ndjson"}}).format, SetpointFormat::ndjson);
   EXPECT_EQ(parse_setpoint_query({{"layout", "twincat"}}).layout, CsvLayout::twincat);
   EXPECT_EQ(parse_setpoint_query({{"layout", "twincat_poses"}}).layout, CsvLayout::twincat_poses);
+  EXPECT_EQ(parse_setpoint_query({{"layout", "codesys_xyva"}}).controller, ControllerLayout::codesys_xyva);
+  EXPECT_EQ(parse_setpoint_query({{"layout", "csv"}}).format, SetpointFormat::csv);
   EXPECT_FALSE(parse_setpoint_query({}).frame);
   EXPECT_EQ(parse_setpoint_query({{"frame", "part"}}).frame, SetpointFrame::part);
   EXPECT_EQ(parse_setpoint_query({{"frame", "base"}}).frame, SetpointFrame::base);
@@ -60,6 +62,8 @@ TEST(SetpointQuery, RefusesContradictionsAndStrangers) {
   for (const char* format : {"", "CSV", "xml"})
     EXPECT_EQ(faults({{"format", format}}), Pointers{"/query/format"}) << format;
   EXPECT_EQ(faults({{"layout", "twincat"}, {"points", "10"}}), Pointers{"/query/layout"});
+  EXPECT_EQ(faults({{"layout", "twincat_nc"}, {"first", "3"}}), Pointers{"/query/layout"});
+  EXPECT_EQ(faults({{"layout", "csv"}, {"format", "json"}}), Pointers{"/query/format"});
   for (const char* layout : {"", "TwinCAT", "siemens"})
     EXPECT_EQ(faults({{"layout", layout}}), Pointers{"/query/layout"}) << layout;
   for (const char* group : {"", "Coarse", "xc"})

@@ -26,13 +26,14 @@ PlannedJob planned(const json& document) {
   return test::checked(plan_job(request.kind, request.document, progress));
 }
 
-/// The duration of a plan, s, or how many wires a slot takes: what golden.json says of the example, to a thousandth. A
-/// change of it is a change of what users get, and has to be meant.
+/// The duration of a plan, s, how many wires a slot takes, or J of a motion law: what golden.json says of the example,
+/// to a thousandth. A change of it is a change of what users get, and has to be meant.
 void expect_golden(const std::string& path, const PlannedJob& job) {
   static const json golden = test::read_json(test::source("tests/api/kinds/golden.json"));
   const std::string name = std::filesystem::path(path).lexically_relative(test::source("")).string();
   const auto& summary = job.result["summary"];
-  const double value = summary[summary.contains("duration") ? "duration" : "count"];
+  const char* figure = summary.contains("duration") ? "duration" : summary.contains("count") ? "count" : "objective";
+  const double value = summary[figure];
   ASSERT_TRUE(golden.contains(name)) << "tests/api/kinds/golden.json lacks \"" << name << "\": " << value;
   EXPECT_NEAR(value, golden[name].get<double>(), 1e-3 * value) << name;
 }

@@ -1,0 +1,113 @@
+#include "api/kinds/motion_law/motion_law_input.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+
+#include "api/kinds/motion_law/motion_law_faults.hpp"
+#include "core/base/errors.hpp"
+
+namespace bahnwerk::api::motion_law {
+namespace {
+
+using cam::MotionLawProblem;
+using cam::MotionPoint;
+using cam::Range;
+using nlohmann::json;
+
+Range range(const json& value) {
+  if (value.is_number()) return {value.get<double>(), value.get<double>()};
+  Range out;
+  if (const auto at = value.find("min"); at != value.end()) out.min = at->get<double>();
+  if (const auto at = value.find("max"); at != value.end()) out.max = at->get<double>();
+  return out;
+}
+
+constexpr const char* order_names[] = {"position", "velocity", "acceleration", "jerk"};
+
+MotionPoint point(const json& p) {
+  MotionPoint out;
+  out.at = range(p["at"]);
+  out.continuity = p.value("continuity", 2);
+  const auto put = [&](int order, const json& value) {
+    if (order >= static_cast<int>(out.values.size())) out.values.resize(static_cast<std::size_t>(order + 1));
+    out.values[static_cast<std::size_t>(order)] = range(value);
+  };
+  for (int r = 0; r < 4; ++r)
+    if (const auto at = p.find(order_names[r]); at != p.end()) put(r, *at);
+  if (const auto at = p.find("derivatives"); at != p.end())
+    for (const auto& [order, value] : at->items()) put(std::stoi(order), value);
+  if (const auto at = p.find("section"); at != p.end())
+    for (int r = 0; r < 4; ++r)
+      if (const auto limit = at->find(order_names[r]); limit != at->end())
+        out.section[static_cast<std::size_t>(r)] = range(*limit);
+  if (const auto at = p.find("law"); at != p.end())
+    out.law = value_of<cam::ClassicalLaw>(at->get<std::string>(), cam::classical_laws);
+  if (const auto at = p.find("inflection"); at != p.end()) out.inflection = at->get<double>();
+  out.still = p.value("still", false);
+  return out;
+}
+
+MotionLawProblem problem(const json& spec) {
+  MotionLawProblem out;
+  const json& master = spec["master"];
+  out.master_unit = master.value("unit", "deg");
+  out.length = master["length"].get<double>();
+  if (!master["cycle_duration"].is_null()) out.cycle_duration = master["cycle_duration"].get<double>();
+  if (const auto slave = spec.find("slave"); slave != spec.end()) out.slave_unit = slave->value("unit", "mm");
+  out.periodic = spec["periodic"].get<bool>();
+  for (const json& p : spec["points"]) out.points.push_back(point(p));
+  out.method = spec.value("method", "optimal") == "optimal" ? cam::LawMethod::optimal : cam::LawMethod::active_set;
+  if (const auto degree = spec.find("degree"); degree != spec.end() && !degree->is_null())
+    out.degree = degree->get<int>();
+  out.pieces = spec.value("pieces", 1);
+  const json objective = spec.value("objective", json::object());
+  out.objective.weight = {0, objective.value("velocity", 1.0), objective.value("acceleration", 1.0),
+                          objective.value("jerk", 0.1)};
+  out.objective.normalised = objective.value("normalised", false);
+  out.objective.zero_crossing_penalty = objective.value("zero_crossing_penalty", 0.0);
+  if (const auto drive = spec.find("drive"); drive != spec.end()) {
+    cam::DriveLimits limits;
+    limits.velocity = drive->value("velocity", limits.velocity);
+    limits.acceleration = drive->value("acceleration", limits.acceleration);
+    limits.jerk = drive->value("jerk", limits.jerk);
+    out.drive = limits;
+  }
+  if (const auto modes = spec.find("vibration"); modes != spec.end())
+    for (const json& mode : *modes)
+      out.vibration.push_back({mode["frequency"].get<double>(), mode.value("damping", 0.0)});
+  out.seed = spec.value("seed", std::uint64_t{1});
+  return out;
+}
+
+void note_what_has_no_effect(const json& spec, MotionLawRequest& request) {
+  const auto note = [&](const char* text) { request.notes.emplace_back(text); };
+  if (request.problem.method == cam::LawMethod::active_set) {
+    if (request.problem.degree)
+      note("degree has no effect: method \"active_set\" balances the degrees of the sections");
+    if (spec.contains("pieces") && request.problem.pieces != 1)
+      note("pieces have no effect: method \"active_set\" takes one polynomial per section");
+  } else {
+    if (!request.problem.degree && spec.contains("pieces"))
+      note("pieces have no effect where degree is null: both are chosen");
+  }
+}
+
+}  // namespace
+
+MotionLawRequest request(const json& spec) {
+  MotionLawRequest out;
+  out.problem = problem(spec);
+  if (const auto at = spec.find("cycle_time"); at != spec.end()) out.sampling.cycle_time = at->get<double>();
+  if (const auto at = spec.find("samples"); at != spec.end()) out.sampling.samples = at->get<std::size_t>();
+  out.drawings = spec.value("drawings", true);
+  note_what_has_no_effect(spec, out);
+  std::vector<InputFault> faults = problem_faults(out.problem);
+  for (InputFault& fault : sampling_faults(out.problem, out.sampling)) faults.push_back(std::move(fault));
+  if (!faults.empty()) throw InvalidInput(std::move(faults));
+  return out;
+}
+
+}  // namespace bahnwerk::api::motion_law

@@ -1,0 +1,185 @@
+#include "api/kinds/motion_law/motion_law_result.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "api/setpoint_summary.hpp"
+#include "api/verification.hpp"
+#include "core/cam/law_table.hpp"
+#include "core/plan/motion_law/law_spectrum.hpp"
+
+namespace bahnwerk::api::motion_law {
+namespace {
+
+using cam::CamLaw;
+using nlohmann::ordered_json;
+
+ordered_json number_or_null(bool known, double value) { return known ? ordered_json(value) : ordered_json(); }
+
+/// Coefficients of x^k: differences of those of Bernstein's basis.
+ordered_json power(const std::vector<double>& bernstein) {
+  ordered_json out = ordered_json::array();
+  std::vector<double> d = bernstein;
+  double choose = 1;  // C(n, k)
+  const std::size_t n = bernstein.size() - 1;
+  for (std::size_t k = 0; k <= n; ++k) {
+    out.push_back(choose * d[0]);
+    for (std::size_t i = 0; i + 1 < d.size(); ++i) d[i] = d[i + 1] - d[i];
+    d.pop_back();
+    choose *= static_cast<double>(n - k) / static_cast<double>(k + 1);
+  }
+  return out;
+}
+
+ordered_json sections(const LawPlan& plan) {
+  const CamLaw& law = plan.solution.law;
+  const double scale = plan.problem.length / plan.solution.cycle_duration;
+  ordered_json list = ordered_json::array();
+  std::size_t i = 0;
+  for (std::size_t s = 0; s < plan.problem.sections(); ++s) {
+    const std::size_t first = i;
+    std::size_t degree = 0;
+    double peak[4]{};
+    ordered_json pieces = ordered_json::array();
+    for (; i < law.pieces() && law.piece(i).section == s; ++i) {
+      const auto& b = law.piece(i).bernstein;
+      degree = std::max(degree, b.size() - 1);
+      for (int r = 1; r < 4; ++r) peak[r] = std::max(peak[r], law.peak(r, i).value);
+      pieces.push_back({{"begin", law.breaks()[i] * scale},
+                        {"end", law.breaks()[i + 1] * scale},
+                        {"bernstein", b},
+                        {"power", power(b)}});
+    }
+    const double rise = law.piece(i - 1).bernstein.back() - law.piece(first).bernstein.front();
+    const double duration = law.breaks()[i] - law.breaks()[first];
+    double largest = 0;
+    for (std::size_t k = first; k < i; ++k)
+      for (const double c : law.piece(k).bernstein) largest = std::max(largest, std::abs(c));
+    const bool rises = std::abs(rise) > 1e-9 * largest;
+    const auto& named = plan.problem.points[s].law;
+    list.push_back(
+        {{"degree", degree},
+         {"begin", law.breaks()[first] * scale},
+         {"end", law.breaks()[i] * scale},
+         {"law", named ? ordered_json(name_of<cam::ClassicalLaw>(*named, cam::classical_laws)) : ordered_json()},
+         {"rise", rise},
+         {"cv", number_or_null(rises, peak[1] * duration / std::abs(rise))},
+         {"ca", number_or_null(rises, peak[2] * duration * duration / std::abs(rise))},
+         {"cj", number_or_null(rises, peak[3] * duration * duration * duration / std::abs(rise))},
+         {"pieces", std::move(pieces)}});
+  }
+  return list;
+}
+
+ordered_json conversions(const std::vector<cam::Conversion>& list) {
+  ordered_json out = ordered_json::array();
+  for (const auto& c : list) out.push_back({{"point", c.point}, {"derivative", c.order}, {"value", c.value}});
+  return out;
+}
+
+ordered_json peak(const LawPlan& plan, std::size_t order) {
+  const cam::LawPeak& p = plan.solution.value.peaks[order];
+  return {{"value", p.value},
+          {"at", p.at * plan.problem.length / plan.solution.cycle_duration},
+          {"section", plan.solution.law.piece(p.piece).section}};
+}
+
+/// What a law without limits of sections does beyond its points.
+void note_overshoot(const LawPlan& plan, std::vector<std::string>& notes) {
+  double least = HUGE_VAL, most = -HUGE_VAL;
+  for (const cam::MotionPoint& p : plan.problem.points) {
+    least = std::min(least, p.value(0).min), most = std::max(most, p.value(0).max);
+  }
+  if (!std::isfinite(least) || !std::isfinite(most) || !(most > least)) return;
+  const std::string unit = " " + plan.problem.slave_unit;
+  for (std::size_t s = 0; s < plan.problem.sections(); ++s) {
+    if (!plan.problem.points[s].section[0].free()) continue;
+    const auto extremes = plan.solution.law.section_extremes(0, s);
+    const double over = extremes.highest.value - most, under = least - extremes.lowest.value;
+    if (std::max(over, under) <= 1e-6 * (most - least)) continue;
+    const bool high = over >= under;
+    notes.push_back("section " + std::to_string(s) + " leaves the range of the points: position " +
+                    ordered_json(high ? extremes.highest.value : extremes.lowest.value).dump() + unit +
+                    (high ? ", above " : ", below ") + ordered_json(high ? most : least).dump() + unit +
+                    "; \"section\": {\"position\": {\"" + (high ? "max" : "min") + "\": " +
+                    ordered_json(high ? most : least).dump() + "}} in point " + std::to_string(s) + " keeps it there");
+  }
+}
+
+ordered_json order_of_source(const LawPlan& plan) {
+  if (!plan.solution.source_order) return nullptr;
+  const auto& order = *plan.solution.source_order;
+  return {{"objective", number_or_null(std::isfinite(order.objective), order.objective)},
+          {"conversions", conversions(order.conversions)}};
+}
+
+ordered_json compared_law(const LawPlan& plan) {
+  const cam::LawValue value = cam::evaluate_objective(plan.problem, *plan.classical);
+  return {{"objective", value.objective},
+          {"peak_velocity", value.peaks[1].value},
+          {"peak_acceleration", value.peaks[2].value},
+          {"peak_jerk", value.peaks[3].value}};
+}
+
+ordered_json spectrum(const LawPlan& plan) {
+  const std::size_t harmonics = shown_harmonics(plan.problem);
+  ordered_json frequencies = ordered_json::array();
+  for (std::size_t k = 1; k <= harmonics; ++k)
+    frequencies.push_back(static_cast<double>(k) / plan.solution.cycle_duration);
+  return {{"frequency", std::move(frequencies)},
+          {"law", acceleration_spectrum(plan.solution.law, harmonics)},
+          {"classical", acceleration_spectrum(*plan.classical, harmonics)}};
+}
+
+}  // namespace
+
+ordered_json result_document(const MotionLawRequest& request, const LawPlan& plan) {
+  const cam::LawSolution& solution = plan.solution;
+  const bool optimal = plan.problem.method == cam::LawMethod::optimal;
+  std::vector<std::string> notes = request.notes;
+  notes.insert(notes.end(), solution.notes.begin(), solution.notes.end());
+  if (!optimal) note_overshoot(plan, notes);  // the optimiser's notes have its own
+  const auto positions = solution.law.extremes(0);
+  ordered_json details = {
+      {"master",
+       {{"unit", plan.problem.master_unit},
+        {"begin", cam::table_begin(plan.problem)},
+        {"length", plan.problem.length},
+        {"periodic", plan.problem.periodic}}},
+      {"sections", sections(plan)},
+      {"angles", solution.at},
+      {"peaks", {{"velocity", peak(plan, 1)}, {"acceleration", peak(plan, 2)}, {"jerk", peak(plan, 3)}}},
+      {"conversions", conversions(solution.conversions)},
+      {"source_order", order_of_source(plan)},
+      {"distributions", solution.distributions},
+      {"systems", solution.systems},
+      {"condition", solution.condition ? ordered_json(*solution.condition) : ordered_json()},
+      {"lower", solution.lower ? ordered_json(*solution.lower) : ordered_json()},
+      {"classical", compared_law(plan)},
+      {"active_set", plan.source_law ? ordered_json{{"objective", plan.source_law->value.objective},
+                                                    {"degree", plan.source_law->law.max_degree()}}
+                                     : ordered_json()},
+      {"spectrum", spectrum(plan)},
+      {"notes", notes}};
+  return {{"kind", "motion_law"},
+          {"summary",
+           {{"objective", solution.value.objective},
+            {"peak_velocity", solution.value.peaks[1].value},
+            {"peak_acceleration", solution.value.peaks[2].value},
+            {"peak_jerk", solution.value.peaks[3].value},
+            {"cycle_duration", solution.cycle_duration},
+            {"stroke", positions.highest.value - positions.lowest.value},
+            {"degree", solution.law.max_degree()},
+            {"method", optimal ? "optimal" : "active_set"}}},
+          {"verification", verification(plan.verification)},
+          {"bound",
+           {{"objective", plan.lower},
+            {"gap", number_or_null(plan.lower > 0, solution.value.objective / plan.lower - 1)},
+            {"basis", plan.basis}}},
+          {"setpoints", setpoint_summary(*plan.table)},
+          {"details", std::move(details)}};
+}
+
+}  // namespace bahnwerk::api::motion_law

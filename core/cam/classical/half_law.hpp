@@ -1,0 +1,23 @@
+#pragma once
+/// The first half of a symmetric normalised motion law [VDI 2143]: f(0) = 0, f(1/2) = 1/2, f(1 − z) = 1 − f(z).
+///
+/// Gutman's laws are f = z − Σ c_k/(2πk) sin 2πkz over the first n odd harmonics, c_k ∝ (1 − k/(2n + 2))/k², Σ c_k = 1:
+/// Fejér means of the Fourier series of the quadratic law. n = 1 is the inclined sine; n = 2 is the law that bears his
+/// name, z − 15/(32π) sin 2πz − 1/(96π) sin 6πz.
+#include <vector>
+
+#include "core/cam/classical/classical_law.hpp"
+
+namespace bahnwerk::cam {
+
+/// f over [begin, end] ⊂ [0, 1/2] in Bernstein form; sines by their Taylor polynomials, to 1e-15.
+struct HalfLawPiece {
+  double begin = 0, end = 0;
+  std::vector<double> bernstein;
+};
+/// Pieces that cover [0, 1/2]. Throws std::logic_error for `straight`, which has no halves.
+std::vector<HalfLawPiece> half_law(ClassicalLaw law);
+/// f'(1/2), the law's Cv where it rests at both ends.
+double middle_velocity(const std::vector<HalfLawPiece>& half);
+
+}  // namespace bahnwerk::cam

@@ -1,0 +1,156 @@
+#include "core/cam/optimal/degree_choice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+#include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
+#include "core/cam/optimal/free_angles.hpp"
+#include "core/cam/optimal/law_bound.hpp"
+#include "core/cam/optimal/law_faults.hpp"
+
+namespace bahnwerk::cam {
+namespace {
+
+constexpr double wanted_gap = 0.01;
+constexpr int most_pieces = 16;
+constexpr std::size_t most_boxes = 60;  // programs of branch and bound
+
+class Search {
+ public:
+  Search(const LawTask& task, Progress& progress) : task_(task), progress_(progress) {}
+
+  SplineResult at(int degree, int pieces, const std::vector<double>& times, double gap) {
+    ++programs;
+    const SectionBasis basis(degree, pieces);
+    SplineOptions options;
+    options.gap = gap;
+    return SplineProgram(task_, basis, times).solve(options, progress_);
+  }
+  int programs = 0;
+
+ private:
+  const LawTask& task_;
+  Progress& progress_;
+};
+
+std::vector<double> times_of(const LawTask& task, const SplineResult& spline) {
+  return {spline.breaks.begin(), spline.breaks.begin() + static_cast<std::ptrdiff_t>(task.points())};
+}
+
+bool usable(const SplineResult& spline) { return spline.feasible && spline.violation <= 1e-8; }
+
+}  // namespace
+
+int least_degree(const LawTask& task) {
+  int degree = 3;
+  for (std::size_t i = 0; i < task.points(); ++i)
+    if (task.joint(i)) degree = std::max(degree, task.continuity[i] + 1);
+  return std::min(degree, max_degree);
+}
+
+void bound_law(const LawTask& task, const KnownLaw& law, DegreeChoice& choice, Progress& progress) {
+  const std::string program =
+      "over node values of position, velocity and acceleration with moments of the jerk in each cell of a grid";
+  if (!task.free_angles()) {
+    choice.bound = relaxation_bound(task, task.at, law, {}, progress);
+    ++choice.programs;
+    choice.basis = "linear program " + program + ": every law with bounded jerk keeps it";
+    return;
+  }
+  const AllLawsBound bound = bound_over_angles(task, law, most_boxes, 1e-3, progress);
+  choice.programs += static_cast<int>(bound.programs);
+  choice.bound = bound.objective;
+  choice.basis = "linear programs " + program + ", over boxes of angles (branch and bound, " +
+                 std::to_string(bound.programs) + " programs" +
+                 (bound.complete ? ")" : ", ended before the last box was settled)");
+}
+
+DegreeChoice choose_degree(const MotionLawProblem& problem, const LawTask& task, Progress& progress) {
+  DegreeChoice choice;
+  Search search(task, progress);
+  const double fine = SplineOptions{}.gap;
+  const auto solve = [&](int degree, int pieces, double gap) {
+    if (!task.free_angles()) return search.at(degree, pieces, task.middle(), gap);
+    const SectionBasis basis(degree, pieces);
+    FreeAngles free = optimise_angles(task, basis, problem.seed, progress);
+    search.programs += free.programs;
+    return std::move(free.spline);
+  };
+  const auto bound_of = [&](const SplineResult& spline, int degree, int pieces) {
+    const SectionBasis basis(degree, pieces);
+    bound_law(task, KnownLaw(task, basis, spline), choice, progress);
+  };
+  if (problem.degree) {
+    choice.degree = *problem.degree;
+    choice.pieces = problem.pieces;
+    choice.spline = solve(choice.degree, choice.pieces, fine);
+    if (!usable(choice.spline)) {
+      const SectionBasis basis(choice.degree, choice.pieces);
+      const std::vector<double> times = choice.spline.breaks.empty() ? task.middle() : times_of(task, choice.spline);
+      explain_infeasible(task, basis, times, progress);
+      throw InvalidInput(
+          std::vector{InputFault{{"degree"}, "no law of this degree keeps all values, ranges and limits"}});
+    }
+    bound_of(choice.spline, choice.degree, choice.pieces);
+    choice.programs += search.programs;
+    return choice;
+  }
+  // A first law, for the bound and the angles.
+  const int least = least_degree(task);
+  SplineResult first;
+  int first_degree = std::max(least, 7), first_pieces = 1;
+  for (; first_degree <= max_degree; first_degree += 2, first_pieces = std::min(most_pieces, 2 * first_pieces)) {
+    first = solve(first_degree, first_pieces, 1e-6);
+    if (usable(first)) break;
+  }
+  if (!usable(first)) {
+    const SectionBasis basis(max_degree, 1);
+    explain_infeasible(task, basis, first.breaks.empty() ? task.middle() : times_of(task, first), progress);
+    throw Infeasible("no law up to degree 21 keeps all values, ranges and limits");
+  }
+  bound_of(first, first_degree, first_pieces);
+  const std::vector<double> times = times_of(task, first);
+  double target = choice.bound;
+  if (task.free_angles()) {  // the bound over all angles leaves a gap that no degree can close
+    const SectionBasis basis(first_degree, first_pieces);
+    const KnownLaw law(task, basis, first);
+    target = std::max(target, relaxation_bound(task, law.points(), law, {}, progress));
+  }
+  const auto good = [&](const SplineResult& spline) {
+    return usable(spline) && spline.objective <= (1 + wanted_gap) * target;
+  };
+  std::optional<SplineResult> best;
+  int best_degree = first_degree, best_pieces = first_pieces;
+  bool found = false;
+  for (int degree = least; degree <= max_degree && !found; ++degree) {
+    // More pieces are never worse where they divide each other: the most first.
+    SplineResult most = search.at(degree, most_pieces, times, 1e-5);
+    if (!good(most)) {
+      if (usable(most) && (!best || most.objective < best->objective * (1 - 1e-4)))
+        best = std::move(most), best_degree = degree, best_pieces = most_pieces;
+      continue;
+    }
+    found = true;
+    best_degree = degree, best_pieces = most_pieces;
+    for (int pieces = 1; pieces < most_pieces; ++pieces)
+      if (good(search.at(degree, pieces, times, 1e-5))) {
+        best_pieces = pieces;
+        break;
+      }
+  }
+  choice.degree = best_degree;
+  choice.pieces = best_pieces;
+  choice.spline = solve(best_degree, best_pieces, fine);
+  if (!usable(choice.spline)) choice.spline = search.at(best_degree, best_pieces, times, fine);
+  if (!found)
+    choice.notes.push_back(
+        "No degree up to 21 with up to 16 pieces comes within 1 % of the bound; this is the least J among them.");
+  bound_of(choice.spline, best_degree, best_pieces);
+  choice.programs += search.programs;
+  return choice;
+}
+
+}  // namespace bahnwerk::cam

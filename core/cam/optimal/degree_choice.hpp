@@ -1,0 +1,31 @@
+#pragma once
+/// The degree and the pieces of `optimal`: those that the problem names, or the smallest degree, and for it the fewest
+/// pieces, within 1 % of the bound over all laws.
+#include <string>
+#include <vector>
+
+#include "core/cam/optimal/law_task.hpp"
+#include "core/cam/optimal/spline_program.hpp"
+
+namespace bahnwerk::cam {
+
+struct DegreeChoice {
+  int degree = 0, pieces = 1;
+  SplineResult spline;  ///< angles and coefficients
+  double bound = 0;     ///< over all laws
+  std::string basis;    ///< of the bound
+  int programs = 0;     ///< solved
+  std::vector<std::string> notes;
+};
+
+/// Throws InvalidInput where no law exists.
+DegreeChoice choose_degree(const MotionLawProblem& problem, const LawTask& task, Progress& progress);
+
+class KnownLaw;
+/// Sets the bound over all laws and what it is made of; counts its programs.
+void bound_law(const LawTask& task, const KnownLaw& law, DegreeChoice& choice, Progress& progress);
+
+/// The smallest degree that `optimal` takes: one more than any continuity, 3 at least, 21 at most.
+int least_degree(const LawTask& task);
+
+}  // namespace bahnwerk::cam

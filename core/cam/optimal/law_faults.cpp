@@ -1,0 +1,82 @@
+#include "core/cam/optimal/law_faults.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+
+#include "core/base/errors.hpp"
+#include "core/cam/optimal/spline_program.hpp"
+
+namespace bahnwerk::cam {
+namespace {
+
+constexpr const char* order_names[limited_orders] = {"position", "velocity", "acceleration", "jerk"};
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+std::vector<std::string> place_of(const LawTask::Condition& condition) {
+  std::vector<std::string> place{"points", std::to_string(condition.point)};
+  if (condition.order < limited_orders) {
+    place.emplace_back(order_names[condition.order]);
+  } else {
+    place.emplace_back("derivatives");
+    place.push_back(std::to_string(condition.order));
+  }
+  return place;
+}
+
+}  // namespace
+
+void check_contradictions(const MotionLawProblem& problem) {
+  std::vector<InputFault> faults;
+  for (std::size_t section = 0; section < problem.sections(); ++section)
+    for (int r = 0; r < limited_orders; ++r) {
+      const Range limit = problem.points[section].section[static_cast<std::size_t>(r)];
+      const std::vector<std::string> place{"points", std::to_string(section), "section", order_names[r]};
+      if (limit.empty()) {
+        faults.push_back({place, "min is above max: nothing can keep this limit"});
+        continue;
+      }
+      for (const std::size_t point : {section, problem.periodic ? problem.end_point(section) : section + 1}) {
+        const Range asked = problem.points[point].value(r);
+        if (asked.min > limit.max || asked.max < limit.min)
+          faults.push_back(
+              {place, "leaves out what point " + std::to_string(point) + " asks for, " +
+                          (asked.fixed() ? number(asked.min) : number(asked.min) + " … " + number(asked.max)) +
+                          ": widen the limit or change the point"});
+      }
+    }
+  if (!faults.empty()) throw InvalidInput(std::move(faults));
+}
+
+void explain_infeasible(const LawTask& task, const SectionBasis& basis, const std::vector<double>& times,
+                        Progress& progress) {
+  const LawConflict conflict = SplineProgram(task, basis, times).find_conflict(progress);
+  if (!conflict.values && conflict.violation < 1e-6) return;
+  const std::string degree =
+      "degree " + std::to_string(basis.degree()) +
+      (basis.pieces() == 1 ? std::string(" with one piece") : " with " + std::to_string(basis.pieces()) + " pieces") +
+      " per section";
+  std::vector<InputFault> faults;
+  for (const std::size_t c : conflict.conditions)
+    faults.push_back({place_of(task.conditions[c]),
+                      conflict.values
+                          ? "contradicts the other values named here for " + degree +
+                                ": take more pieces, a higher degree, less continuity, or a range"
+                          : "this range cannot be reached together with the other conditions named here for " + degree +
+                                ": widen it, or take more pieces or a higher degree"});
+  for (const auto& [section, order] : conflict.limits)
+    faults.push_back({{"points", std::to_string(section), "section", order_names[order]},
+                      "no law of " + degree +
+                          " keeps this limit all over the section together with the other conditions named here: "
+                          "widen it, or take more pieces or a higher degree"});
+  std::sort(faults.begin(), faults.end(), [](const InputFault& a, const InputFault& b) { return a.place < b.place; });
+  if (faults.empty()) faults.push_back({{"degree"}, "values and continuity contradict each other for " + degree});
+  throw InvalidInput(std::move(faults));
+}
+
+}  // namespace bahnwerk::cam

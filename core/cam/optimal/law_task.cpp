@@ -1,0 +1,138 @@
+#include "core/cam/optimal/law_task.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/cam/cam_law.hpp"
+
+namespace bahnwerk::cam {
+namespace {
+
+double middle_of(const Range& range) {
+  if (std::isinf(range.min)) return std::isinf(range.max) ? 0 : range.max;
+  return std::isinf(range.max) ? range.min : range.min + (range.max - range.min) / 2;
+}
+
+/// Span of the positions that points name, or what their derivatives move in the time of a section.
+double position_unit(const MotionLawProblem& problem, double time) {
+  double low = std::numeric_limits<double>::infinity(), high = -low, other = 0;
+  const auto take = [&](const Range& range) {
+    for (const double value : {range.min, range.max})
+      if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
+  };
+  for (const MotionPoint& point : problem.points) {
+    take(point.value(0));
+    double factor = 1;
+    for (int r = 1; r < static_cast<int>(point.values.size()); ++r) {
+      factor *= time / r;
+      for (const double value : {point.value(r).min, point.value(r).max})
+        if (std::isfinite(value)) other = std::max(other, std::abs(value) * factor);
+    }
+  }
+  if (high > low) return high - low;
+  return other > 0 ? other : 1;
+}
+
+}  // namespace
+
+bool LawTask::free_angles() const {
+  return std::any_of(at.begin(), at.end(), [](const Range& range) { return !range.fixed(); });
+}
+
+double LawTask::to_task(int order) const { return std::pow(unit_time, order) / unit_position; }
+
+std::vector<double> LawTask::breaks(const std::vector<double>& times) const {
+  std::vector<double> result = times;
+  if (periodic) result.push_back(times.front() + cycle);
+  return result;
+}
+
+std::vector<double> LawTask::middle() const {
+  std::vector<double> result;
+  for (const Range& range : at) result.push_back(middle_of(range));
+  return result;
+}
+
+/// Where what a point and the sections on both sides of it allow is a single value, this is a condition: rows that hold
+/// each other would leave the programs without interior.
+void pin_values(LawTask& task) {
+  for (std::size_t point = 0; point < task.points(); ++point)
+    for (int r = 0; r < limited_orders; ++r) {
+      const auto o = static_cast<std::size_t>(r);
+      Range allowed;
+      const auto take = [&](const Range& range) {
+        allowed.min = std::max(allowed.min, range.min);
+        allowed.max = std::min(allowed.max, range.max);
+      };
+      LawTask::Condition* known = nullptr;
+      for (LawTask::Condition& condition : task.conditions)
+        if (condition.point == point && condition.order == r) known = &condition;
+      if (known) take(known->range);
+      if (known && known->range.fixed()) continue;
+      const bool begins = task.periodic || point + 1 < task.points();
+      const bool ends = task.periodic || point > 0;
+      if (begins && ends && task.continuity[point] < r) continue;
+      if (begins) take(task.limits[point][o]);
+      if (ends) take(task.limits[point > 0 ? point - 1 : task.sections() - 1][o]);
+      if (!std::isfinite(allowed.min) || !(std::abs(allowed.max - allowed.min) <= 1e-12 * (1 + std::abs(allowed.min))))
+        continue;
+      if (known)
+        known->range = {allowed.min, allowed.min};
+      else
+        task.conditions.push_back({point, r, {allowed.min, allowed.min}});
+    }
+}
+
+LawTask make_law_task(const MotionLawProblem& problem) {
+  LawTask task;
+  const std::size_t sections = problem.sections();
+  task.periodic = problem.periodic;
+  task.unit_time = *problem.cycle_duration / static_cast<double>(sections);
+  task.cycle = static_cast<double>(sections);
+  task.unit_position = position_unit(problem, task.unit_time);
+  double low = std::numeric_limits<double>::infinity();
+  for (const MotionPoint& point : problem.points)
+    if (!point.value(0).free()) low = std::min(low, middle_of(point.value(0)));
+  task.origin = std::isfinite(low) ? low : 0;
+  const double angle = task.cycle / problem.length;
+  const auto scaled = [&](const Range& range, int order) {
+    const double factor = task.to_task(order), origin = order == 0 ? task.origin : 0;
+    return Range{(range.min - origin) * factor,
+                 range.fixed() ? (range.min - origin) * factor : (range.max - origin) * factor};
+  };
+  for (std::size_t i = 0; i < problem.points.size(); ++i) {
+    const MotionPoint& point = problem.points[i];
+    const double from = problem.points.front().at.min;
+    task.at.push_back({(point.at.min - from) * angle, (point.at.max - from) * angle});
+    task.continuity.push_back(problem.continuity(i));
+    for (int r = 0; r < static_cast<int>(point.values.size()); ++r)
+      if (!point.value(r).free()) task.conditions.push_back({i, r, scaled(point.value(r), r)});
+  }
+  for (std::size_t i = 0; i < sections; ++i) {
+    std::array<Range, limited_orders> limits;
+    for (int r = 0; r < limited_orders; ++r) {
+      const auto k = static_cast<std::size_t>(r);
+      limits[k] = scaled(problem.points[i].section[k], r);
+    }
+    task.limits.push_back(limits);
+  }
+  pin_values(task);
+  const std::array<double, limited_orders> weight = effective_weights(problem);
+  for (int r = 1; r < limited_orders; ++r)
+    task.weight[static_cast<std::size_t>(r)] = weight[static_cast<std::size_t>(r)] / task.to_task(r);
+  std::vector<std::size_t> still;
+  for (std::size_t i = 0; i < problem.points.size(); ++i)
+    if (problem.points[i].still) still.push_back(i);
+  for (std::size_t k = 0; k < still.size(); ++k) {
+    if (k + 1 == still.size() && !problem.periodic) break;
+    for (const VibrationMode& mode : problem.vibration) {
+      const double omega = 2 * std::numbers::pi * mode.frequency * task.unit_time;
+      task.vibration.push_back({still[k], still[(k + 1) % still.size()], mode.damping * omega,
+                                omega * std::sqrt(1 - mode.damping * mode.damping)});
+    }
+  }
+  return task;
+}
+
+}  // namespace bahnwerk::cam

@@ -1,0 +1,142 @@
+#include "core/cam/optimal/optimal_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
+#include "core/cam/optimal/degree_choice.hpp"
+#include "core/cam/optimal/drive.hpp"
+#include "core/cam/optimal/law_bound.hpp"
+#include "core/cam/optimal/law_faults.hpp"
+
+namespace bahnwerk::cam {
+namespace {
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+CamLaw to_law(const MotionLawProblem& problem, const LawTask& task, const SectionBasis& basis,
+              const SplineResult& spline) {
+  std::vector<double> breaks;
+  std::vector<LawPiece> pieces;
+  const double begin = problem.points.front().at.min * problem.seconds_per_unit();
+  const double count = static_cast<double>(basis.pieces());
+  for (std::size_t section = 0; section < task.sections(); ++section) {
+    const double from = spline.breaks[section], length = spline.breaks[section + 1] - from;
+    for (std::size_t piece = 0; piece < basis.pieces(); ++piece) {
+      LawPiece out;
+      out.section = section;
+      out.bernstein.resize(basis.degree() + 1);
+      basis.bernstein(piece, spline.coefficients.data() + section * basis.size(), out.bernstein.data());
+      for (double& b : out.bernstein) b = task.origin + task.unit_position * b;
+      pieces.push_back(std::move(out));
+      breaks.push_back(begin + task.unit_time * (from + length * static_cast<double>(piece) / count));
+    }
+  }
+  breaks.push_back(begin + task.unit_time * spline.breaks.back());
+  return CamLaw(std::move(breaks), std::move(pieces), task.periodic);
+}
+
+/// The same law with J as the task weighs it.
+SplineResult in_weights(const LawTask& task, SplineResult spline) {
+  spline.objective = 0;
+  for (std::size_t r = 1; r < limited_orders; ++r) spline.objective += task.weight[r] * spline.peaks[r];
+  return spline;
+}
+
+/// Least peaks alone do not keep a law between its points: where it leaves their range, and what would prevent it.
+void note_overshoot(const MotionLawProblem& problem, const CamLaw& law, std::vector<std::string>& notes) {
+  const double stroke = problem.points_stroke();
+  for (std::size_t section = 0; section < problem.sections(); ++section) {
+    const MotionPoint &from = problem.points[section],
+                      &to = problem.points[problem.periodic ? problem.end_point(section) : section + 1];
+    const Range a = from.value(0), b = to.value(0);
+    if (!from.section[0].free() || !std::isfinite(a.min + a.max + b.min + b.max)) continue;
+    const double low = std::min(a.min, b.min), high = std::max(a.max, b.max);
+    const LawExtremes extremes = law.section_extremes(0, section);
+    const double over = std::max(extremes.highest.value - high, low - extremes.lowest.value);
+    if (!(over > 1e-4 * std::max(stroke, high - low))) continue;
+    const double room = high - low > over ? 0 : over / 10;  // a dwell needs some
+    const bool rises = b.min > a.max, falls = b.max < a.min;
+    const std::string limit =
+        rises   ? "\"velocity\": {\"min\": 0}"
+        : falls ? "\"velocity\": {\"max\": 0}"
+                : "\"position\": {\"min\": " + number(low - room) + ", \"max\": " + number(high + room) + "}";
+    notes.push_back("Section " + std::to_string(section) + ", from point " + std::to_string(section) +
+                    ", leaves the range of its points by " + number(over) + " " + problem.slave_unit +
+                    ". If it must not, add to point " + std::to_string(section) + ": \"section\": {" + limit + "}.");
+  }
+}
+
+}  // namespace
+
+OptimalLaw plan_optimal_law(const MotionLawProblem& given, Progress& progress) {
+  MotionLawProblem problem = given;
+  problem.objective.zero_crossing_penalty = 0;
+  for (std::size_t i = 0; i < problem.sections(); ++i)
+    if (problem.points[i].law)
+      throw InvalidInput({{{"points", std::to_string(i), "law"},
+                           "method optimal plans every section itself: leave the law out, or take method active_set"}});
+  OptimalLaw result;
+  LawSolution& solution = result.solution;
+  DegreeChoice chosen;
+  const bool shortest = !problem.cycle_duration;
+  if (shortest) {
+    ShortestCycle cycle = find_shortest_cycle(problem, progress);
+    problem.cycle_duration = cycle.duration;
+    chosen = {cycle.degree, cycle.pieces, std::move(cycle.spline), 0, "", cycle.programs, {}};
+    chosen.notes.push_back("The cycle is the shortest within the drive's limits for degree " +
+                           std::to_string(cycle.degree) + " and " + std::to_string(cycle.pieces) +
+                           " pieces per section" +
+                           (cycle.monotone ? ": in " + number(cycle.too_short) + " s or less there is none."
+                                           : ". Values other than 0 were asked for, or vibration: a shorter cycle may "
+                                             "exist that is not next to this one."));
+  }
+  check_contradictions(problem);
+  const LawTask task = make_law_task(problem);
+  if (shortest) {
+    const SectionBasis basis(chosen.degree, chosen.pieces);
+    const KnownLaw law(task, basis, in_weights(task, chosen.spline));
+    bound_law(task, law, chosen, progress);
+  } else {
+    chosen = choose_degree(problem, task, progress);
+  }
+  result.degree = chosen.degree;
+  result.pieces = chosen.pieces;
+  solution.notes = chosen.notes;
+  const SectionBasis basis(chosen.degree, chosen.pieces);
+  const SplineResult& spline = chosen.spline;
+  solution.law = to_law(problem, task, basis, spline);
+  solution.cycle_duration = *problem.cycle_duration;
+  for (std::size_t i = 0; i < task.points(); ++i)
+    solution.at.push_back(task.at[i].fixed()
+                              ? problem.points[i].at.min
+                              : problem.points.front().at.min + spline.breaks[i] * problem.length / task.cycle);
+  solution.value = evaluate_objective(problem, solution.law);
+  solution.degrees.assign(problem.sections(), chosen.degree);
+  solution.systems = static_cast<std::size_t>(chosen.programs);
+  if (shortest) {
+    // The law was made for the cycle, not for J.
+  } else {
+    solution.lower = std::min(spline.lower, solution.value.objective);
+    result.proven = solution.value.objective - *solution.lower <= 1e-7 * solution.value.objective;
+  }
+  if (!result.proven)
+    solution.notes.push_back("The law is proven to be within " +
+                             number(100 * (solution.value.objective / *solution.lower - 1)) +
+                             " % of the least J of its degree, pieces and angles.");
+  solution.bound = LawBound{std::min(chosen.bound, solution.value.objective), chosen.basis};
+  note_overshoot(problem, solution.law, solution.notes);
+  if (given.objective.zero_crossing_penalty > 0)
+    solution.notes.push_back(
+        "zero_crossing_penalty is not part of method optimal, whose problem is convex: section limits of velocity say "
+        "the same exactly.");
+  return result;
+}
+
+}  // namespace bahnwerk::cam

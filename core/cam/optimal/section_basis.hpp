@@ -1,0 +1,34 @@
+#pragma once
+/// The splines of one section: degree n on equal pieces of u ∈ [0, 1], joined up to order n − 1, as B-splines with
+/// clamped knots. With one piece they are the Bernstein polynomials.
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace bahnwerk::cam {
+
+class SectionBasis {
+ public:
+  /// degree 1 … 21, pieces 1 at least. Cost: O(pieces · degree⁴), nothing with one piece.
+  SectionBasis(int degree, int pieces);
+
+  std::size_t degree() const { return degree_; }
+  std::size_t pieces() const { return pieces_; }
+  std::size_t size() const { return degree_ + pieces_; }  ///< coefficients of a section
+  /// Weights with which the coefficients piece … piece + degree enter the derivative d^order/du^order at v ∈ [0, 1] of
+  /// a piece. Zero above the degree.
+  void weights(std::size_t piece, double v, std::size_t order, double* out) const;
+  /// Bernstein coefficients (degree + 1) of a piece, over its own v ∈ [0, 1].
+  void bernstein(std::size_t piece, const double* coefficients, double* out) const;
+  /// Values B_j^degree(v) of the Bernstein polynomials of any degree; out: degree + 1.
+  static void bernstein_values(std::size_t degree, double v, double* out);
+
+ private:
+  std::size_t degree_, pieces_;
+  std::vector<double> to_bernstein_;  // per piece: row j = Bernstein coefficient j; none with one piece
+};
+
+/// Replaces the n Bernstein coefficients of a polynomial by the n − 1 of its derivative with respect to v.
+void differentiate_bernstein(std::vector<double>& coefficients);
+
+}  // namespace bahnwerk::cam

@@ -1,0 +1,140 @@
+#pragma once
+/// The least J = Σ w_r max |s^(r)| over splines of one degree with fixed angles: a semi-infinite linear program.
+///
+/// Variables are B-spline coefficients by section and one peak per order. Values and continuity are equalities, ranges
+/// at points are rows, peaks and section limits are rows at sample points that are exchanged: each round adds the
+/// extrema of its law. The objective of a law is its true one (enclosures); the lower bound is that of the dual of a
+/// program with some sample points, hence valid for all of them. Rounds end when both agree. Cost: linear in the number
+/// of sections; some 3 to 6 rounds of 8 to 20 iterations.
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "core/cam/optimal/law_task.hpp"
+#include "core/cam/optimal/section_basis.hpp"
+#include "core/numeric/interior_point/bordered_band.hpp"
+
+namespace bahnwerk {
+class Progress;
+}
+namespace bahnwerk::cam {
+
+/// What is limited at a point of a section: peak of an order, or the section's own limit.
+struct LawSample {
+  std::size_t section, piece;
+  double v;  ///< in the piece, [0, 1]
+  int order;
+  bool limit;
+};
+
+struct SplineResult {
+  bool feasible = false;             ///< values and continuity do not contradict each other, limits hold
+  bool converged = false;            ///< objective and lower agree
+  std::vector<double> breaks;        ///< of the sections, in the task's units
+  std::vector<double> coefficients;  ///< by section, SectionBasis::size() each
+  double objective = 0;              ///< J of the true peaks
+  double lower = 0;                  ///< no spline of this degree, with these angles, has less
+  std::array<double, limited_orders> peaks{};
+  double violation = 0;  ///< of section limits and ranges at most, in parts of the order's unit
+  int rounds = 0, iterations = 0;
+  std::vector<LawSample> samples;  ///< of the last round: a start for a neighbouring program
+};
+
+struct SplineOptions {
+  double gap = 1e-8;  ///< of J
+  double violation = 1e-10;
+  int max_rounds = 25;
+};
+
+/// What a joint program in coefficients and times is linear at.
+struct JointReference {
+  const std::vector<double>& coefficients;  ///< of the law at the program's times
+  std::vector<double> radius;               ///< by point: how far its time may move; 0: not at all
+};
+struct JointStep {
+  bool converged = false;
+  std::vector<double> times;  ///< of the points
+  double objective = 0;       ///< J that the linear model expects there
+};
+
+/// Why no law exists: conditions and limits that stand against each other.
+struct LawConflict {
+  bool values = false;                  ///< values and continuity alone contradict each other
+  double violation = 0;                 ///< the least that ranges and limits have to give way, in the orders' units
+  std::vector<std::size_t> conditions;  ///< numbers in LawTask::conditions
+  std::vector<std::pair<std::size_t, int>> limits;  ///< section, order
+};
+
+class SplineProgram {
+ public:
+  /// `reference`: outlives the program, which is then one for joint_step() alone.
+  SplineProgram(const LawTask& task, const SectionBasis& basis, const std::vector<double>& times,
+                const JointReference* reference = nullptr);
+  /// Least violation of ranges and limits, with Farkas' multipliers. A violation of next to nothing: a law exists.
+  LawConflict find_conflict(Progress& progress);
+  JointStep joint_step(const std::vector<LawSample>& samples, Progress& progress);
+  SplineResult solve(const SplineOptions& options, Progress& progress, const std::vector<LawSample>* samples = nullptr);
+
+ private:
+  void build_equalities();
+  bool find_start();
+  void add_rows();
+  void initial_samples();
+  void set_point(double mu);
+  void center();
+  void set_peaks(const std::array<double, limited_orders>& peaks, double factor);
+  void settle_equalities();
+  void settle_multipliers();
+  void find_contacts();
+  void exchange();
+  bool shared_begin(const LawSample& sample) const;
+  bool pinned(const LawSample& sample) const;
+  void evaluate(SplineResult& result, bool enclosed);
+  double lower_bound(double upper) const;
+  std::vector<double> derivative(const double* x, std::size_t section, std::size_t piece, int order) const;
+  bool counted(int order) const { return task_.weight[static_cast<std::size_t>(order)] > 0; }
+
+  void set_units(const std::array<double, limited_orders>& peaks);
+  /// How a value Σ weights · coefficients / length^order changes with the times of the section's ends, added to `out`.
+  void add_time_terms(std::size_t section, std::size_t first, const std::vector<double>& weights, int order,
+                      double factor, std::vector<BorderedRow::Term>& out) const;
+
+  std::size_t give_ = BorderedRow::none;         // shared variable of find_conflict: what rows give way
+  std::vector<std::size_t> equality_condition_;  // by equality: its condition, or none
+  const LawTask& task_;
+  const SectionBasis& basis_;
+  const JointReference* reference_;
+  std::vector<double> times_;
+  std::vector<std::size_t> time_border_;  // by point
+  std::vector<double> breaks_, lengths_;
+  BorderedBand band_;
+  InteriorPoint point_;
+  std::vector<double> start_multipliers_;
+  std::vector<double> start_;                              // x of the first law, its peaks
+  std::array<double, limited_orders> unit_{};              // of the peaks
+  std::array<std::size_t, limited_orders> peak_border_{};  // shared variable of the order
+  double unit_objective_ = 1;
+  struct Sampled {
+    LawSample sample;
+    double upper = -1, lower = -1;  // multipliers, −1: new
+    double slack = 0;               // of the nearer side
+  };
+  std::vector<Sampled> samples_;
+  std::size_t initial_ = 0;          // samples that always stay
+  std::vector<std::size_t> ranges_;  // conditions that are ranges, one row each before the samples
+  struct Contact {
+    std::size_t section;
+    bool end;
+    int order;
+    double sign;  // of the derivative that is not negative
+  };
+  std::vector<Contact> contacts_;  // one row each behind the ranges
+  std::size_t fixed_rows() const { return ranges_.size() + contacts_.size(); }
+  std::vector<Sampled> range_state_;
+  std::vector<LawSample> found_;  // extrema of the last law
+};
+
+/// |s| of any law with J ≤ upper, in the task's units; 0 where nothing bounds it.
+double position_bound(const LawTask& task, double upper);
+
+}  // namespace bahnwerk::cam

@@ -1,0 +1,100 @@
+#pragma once
+/// What a motion law has to keep [Nolte 2, 3]: points on a master's angle with values or ranges, how smooth the law is
+/// at each of them, limits inside the sections between them, and what makes one law better than another.
+///
+/// Units: angles in the master's unit; positions in the slave's; derivatives with respect to time, unit/s^r, wherever
+/// the cycle's duration is known. Section i begins at point i; an open law of N points has N − 1 sections, a periodic
+/// one has N: the last leads to point 0, one master length later.
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/cam/classical/classical_law.hpp"
+
+namespace bahnwerk::cam {
+
+inline constexpr int max_degree = 21;     ///< of a section
+inline constexpr int limited_orders = 4;  ///< position, velocity, acceleration, jerk: orders that sections and J know
+
+/// A value (min = max) or a range; an end that is absent is infinite.
+struct Range {
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
+  bool fixed() const { return min == max; }
+  bool free() const { return min == -std::numeric_limits<double>::infinity() && max == -min; }
+  bool empty() const { return !(min <= max); }
+};
+
+struct MotionPoint {
+  Range at;                                     ///< the angle, master's unit; fixed or a bounded range
+  std::vector<Range> values;                    ///< by order, 0 position; what is absent or free() is not asked for
+  int continuity = 2;                           ///< as the document gives it; see MotionLawProblem::continuity()
+  std::array<Range, limited_orders> section{};  ///< limits by order, all over the section that begins here
+  std::optional<ClassicalLaw> law;              ///< of the section that begins here; none: a polynomial
+  std::optional<double> inflection;             ///< λ of that law, 0 < λ < 1; none: 0.5
+  bool still = false;                           ///< no residual vibration of `vibration` from here on
+
+  Range value(int order) const {
+    return order < static_cast<int>(values.size()) ? values[static_cast<std::size_t>(order)] : Range{};
+  }
+};
+
+/// J = Σ weight[r] · (largest |s^(r)| inside the sections), r = 1 velocity, 2 acceleration, 3 jerk; weight[0] is 0.
+struct LawObjective {
+  std::array<double, limited_orders> weight{0, 1, 1, 0.1};
+  /// Each peak counts as its coefficient peak · T^r / h, T the cycle's duration, h = points_stroke().
+  bool normalised = false;
+  /// Added for each sign change of velocity and of acceleration inside a section; `active_set` alone.
+  double zero_crossing_penalty = 0;
+};
+
+struct VibrationMode {
+  double frequency = 0;  ///< Hz, of the undamped mode
+  double damping = 0;    ///< ratio, 0 ≤ damping < 1
+};
+/// What a drive can do; infinite where it is not limited.
+struct DriveLimits {
+  double velocity = std::numeric_limits<double>::infinity();
+  double acceleration = std::numeric_limits<double>::infinity();
+  double jerk = std::numeric_limits<double>::infinity();
+};
+
+enum class LawMethod { active_set, optimal };
+
+struct MotionLawProblem {
+  std::string master_unit = "deg", slave_unit = "mm";
+  double length = 360;                   ///< of one cycle, master's unit, > 0
+  std::optional<double> cycle_duration;  ///< s, > 0; none: as short as `drive` allows
+  bool periodic = false;
+  std::vector<MotionPoint> points;  ///< ascending; an open law's first and last are fixed and `length` apart
+  LawObjective objective;
+  LawMethod method = LawMethod::active_set;
+  std::optional<int> degree;  ///< of `optimal`; none: degree and pieces as the bound asks
+  int pieces = 1;             ///< into which `optimal` cuts each section
+  std::optional<DriveLimits> drive;
+  std::vector<VibrationMode> vibration;
+  std::uint64_t seed = 1;
+
+  std::size_t sections() const { return periodic ? points.size() : points.size() - 1; }
+  /// Where section i ends.
+  std::size_t end_point(std::size_t section) const { return section + 1 < points.size() ? section + 1 : 0; }
+  /// Derivatives 0 … continuity(i) are the same on both sides of point i: the document's, or the highest order of a
+  /// value or range there if that is larger. Of the ends of an open law it means nothing.
+  int continuity(std::size_t point) const;
+  bool has_free_angles() const;
+  /// s per master's unit. Needs the cycle's duration.
+  double seconds_per_unit() const { return *cycle_duration / length; }
+  /// The stroke that the points force: the highest lower end of their position ranges less the lowest upper end; 0
+  /// where that is negative.
+  double points_stroke() const;
+};
+
+/// Breakpoints in s of all sections for chosen angles (one per point, master's unit): sections() + 1 of them, the first
+/// one that of point 0.
+std::vector<double> section_times(const MotionLawProblem& problem, const std::vector<double>& at);
+
+}  // namespace bahnwerk::cam

@@ -1,0 +1,52 @@
+#pragma once
+/// What a method found.
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/cam/cam_law.hpp"
+
+namespace bahnwerk::cam {
+
+/// A range became a value.
+struct Conversion {
+  std::size_t point = 0;
+  int order = 0;
+  double value = 0;  ///< the end of the range that holds, unit/s^order
+  bool at_maximum = false;
+  bool operator==(const Conversion&) const = default;
+};
+
+/// Which ranges became values, one after the other, and what the law was then worth.
+struct ConversionOrder {
+  std::vector<Conversion> conversions;
+  double objective = 0;
+};
+
+/// No law under the same values, ranges, continuity and section limits, of whatever degree and with whatever angles in
+/// their ranges, has a smaller J.
+struct LawBound {
+  double objective = 0;
+  std::string basis;
+};
+
+struct LawSolution {
+  CamLaw law;
+  std::vector<double> at;  ///< chosen angles, one per point, master's unit
+  LawValue value;
+  double cycle_duration = 0;            ///< s
+  std::vector<Conversion> conversions;  ///< `active_set`, in the order in which they happened
+  /// `active_set` in the source's order of conversion, where another one (`conversions`) gave less.
+  std::optional<ConversionOrder> source_order;
+  std::vector<int> degrees;         ///< by section
+  std::size_t distributions = 0;    ///< balanced distributions of degrees that were compared for `conversions`
+  std::optional<double> condition;  ///< of the scaled linear system (2-norm), `active_set`
+  std::size_t systems = 0;          ///< linear systems solved, or programs
+  /// `optimal`: J of the dual at the same degree, pieces and angles, ≤ value.objective.
+  std::optional<double> lower;
+  std::optional<LawBound> bound;
+  std::vector<std::string> notes;  ///< for the user
+};
+
+}  // namespace bahnwerk::cam

@@ -1,0 +1,37 @@
+#pragma once
+/// The method of the source [Nolte 3]: the spline of all given values; then the range of the lowest order that is
+/// violated the most becomes a value at its violated end, and the spline is solved again, until all ranges hold.
+///
+/// Balanced degrees may tie, and another order of conversions may end in a better law: both are looked at as far as
+/// `systems` goes, and the least J is taken.
+#include <cstddef>
+#include <vector>
+
+#include "core/cam/solution.hpp"
+#include "core/cam/spline/spline_system.hpp"
+
+namespace bahnwerk {
+class Progress;
+}
+
+namespace bahnwerk::cam {
+
+struct ActiveSetOptions {
+  std::size_t distributions = 64;  ///< of degrees that tie, at most, per set of conversions
+  std::size_t sections = 1000;     ///< solved once there is a law, about: linear systems times their sections
+  bool source_order_only = false;  ///< no other order of conversion, one distribution until the end
+};
+
+/// The conditions of a problem with chosen angles: values, sections of classical laws, no ranges yet.
+SplineTask spline_task(const MotionLawProblem& problem, const std::vector<double>& at);
+
+/// Degrees that no distribution keeps to 21, sections without a condition, and systems that are singular whatever the
+/// distribution: faults at the points (InvalidInput). One linear system, ≈ 0.1 ms for 50 points.
+void check_spline(const MotionLawProblem& problem, const std::vector<double>& at);
+
+/// `at`: one angle per point. Throws InvalidInput as check_spline() does, and Infeasible where no order of conversion
+/// ends with all ranges kept, or section limits do not hold: this method does not know them.
+LawSolution solve_active_set(const MotionLawProblem& problem, const std::vector<double>& at, Progress& progress,
+                             const ActiveSetOptions& options = {});
+
+}  // namespace bahnwerk::cam

@@ -1,0 +1,119 @@
+#include "core/cam/spline/degrees.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+namespace bahnwerk::cam {
+namespace {
+
+constexpr int unreachable = std::numeric_limits<int>::max() / 2;
+
+/// Distributions along a chain of points whose first and last shares are chosen among what they allow. Point i's
+/// section is the one behind it.
+class Chain {
+ public:
+  Chain(std::vector<PointShare> points, const std::vector<bool>& sections)
+      : points_(std::move(points)), sections_(sections) {}
+
+  /// The least largest degree; unreachable where a section would have no condition.
+  int least_maximum() { return run(unreachable - 1, true); }
+  /// The least sum of squares with degrees up to `cap`; keeps what it found for list().
+  int least_squares(int cap) { return run(cap, false); }
+  /// Adds the distributions of that sum, up to `at_most` in `out`; false when there are more.
+  bool list(std::set<std::vector<int>>& out, std::size_t at_most) const {
+    std::vector<int> degrees(sections_.size(), -1);
+    return follow(0, -1, best_, degrees, out, at_most);
+  }
+
+ private:
+  int choices(std::size_t i) const { return points_[i].before_max - points_[i].before_min + 1; }
+  int before(std::size_t i, int choice) const { return points_[i].before_max - choice; }
+  int degree(std::size_t section, int choice, int next) const {
+    return points_[section].total - before(section, choice) + before(section + 1, next) - 1;
+  }
+
+  /// costs_[i][choice]: the least cost of sections i, i + 1, …
+  int run(int cap, bool maximum) {
+    cap_ = cap;
+    costs_.assign(points_.size(), {});
+    for (std::size_t i = points_.size(); i-- > 0;) {
+      costs_[i].assign(static_cast<std::size_t>(choices(i)), i + 1 == points_.size() ? 0 : unreachable);
+      if (i + 1 == points_.size()) continue;
+      for (int choice = 0; choice < choices(i); ++choice)
+        for (int next = 0; next < choices(i + 1); ++next) {
+          const int rest = costs_[i + 1][static_cast<std::size_t>(next)], own = cost(i, choice, next, maximum);
+          if (rest == unreachable || own == unreachable) continue;
+          int& least = costs_[i][static_cast<std::size_t>(choice)];
+          least = std::min(least, maximum ? std::max(rest, own) : rest + own);
+        }
+    }
+    best_ = *std::min_element(costs_[0].begin(), costs_[0].end());
+    return best_;
+  }
+  int cost(std::size_t section, int choice, int next, bool maximum) const {
+    if (!sections_[section]) return 0;
+    const int d = degree(section, choice, next);
+    if (d < 0 || d > cap_) return unreachable;
+    return maximum ? d : d * d;
+  }
+  bool follow(std::size_t i, int choice, int left, std::vector<int>& degrees, std::set<std::vector<int>>& out,
+              std::size_t at_most) const {
+    if (i + 1 == points_.size() && choice >= 0) {
+      if (out.size() >= at_most) return out.count(degrees) > 0;
+      out.insert(degrees);
+      return true;
+    }
+    if (choice < 0) {
+      for (int first = 0; first < choices(0); ++first)
+        if (costs_[0][static_cast<std::size_t>(first)] == left && !follow(0, first, left, degrees, out, at_most))
+          return false;
+      return true;
+    }
+    for (int next = 0; next < choices(i + 1); ++next) {
+      const int own = cost(i, choice, next, false), rest = costs_[i + 1][static_cast<std::size_t>(next)];
+      if (own == unreachable || rest == unreachable || own + rest != left) continue;
+      degrees[i] = sections_[i] ? degree(i, choice, next) : -1;
+      if (!follow(i + 1, next, rest, degrees, out, at_most)) return false;
+    }
+    return true;
+  }
+
+  std::vector<PointShare> points_;
+  const std::vector<bool>& sections_;
+  std::vector<std::vector<int>> costs_;
+  int cap_ = 0, best_ = unreachable;
+};
+
+}  // namespace
+
+DegreeDistributions balance_degrees(const std::vector<PointShare>& shares, const std::vector<bool>& sections,
+                                    int max_degree, std::size_t at_most) {
+  DegreeDistributions out;
+  const bool cycle = sections.size() == shares.size();
+  std::vector<Chain> chains;
+  if (cycle) {
+    for (int before = shares[0].before_max; before >= shares[0].before_min; --before) {
+      std::vector<PointShare> points = shares;
+      points.front().before_min = points.front().before_max = before;
+      points.push_back(points.front());
+      chains.emplace_back(std::move(points), sections);
+    }
+  } else {
+    chains.emplace_back(shares, sections);
+  }
+  int least = unreachable;
+  for (Chain& chain : chains) least = std::min(least, chain.least_maximum());
+  out.least_maximum = least;
+  if (least == unreachable || least > max_degree) return out;
+  int squares = unreachable;
+  std::vector<int> costs;
+  for (Chain& chain : chains) costs.push_back(chain.least_squares(least)), squares = std::min(squares, costs.back());
+  std::set<std::vector<int>> found;
+  for (std::size_t i = 0; i < chains.size(); ++i)
+    if (costs[i] == squares && !chains[i].list(found, at_most)) out.complete = false;
+  out.degrees.assign(found.rbegin(), found.rend());
+  return out;
+}
+
+}  // namespace bahnwerk::cam

@@ -1,0 +1,32 @@
+#pragma once
+/// Balance of polynomial degrees [Nolte 4]: each condition at a point is given to one of the two sections that meet
+/// there; a section's degree is the number of its conditions less one.
+///
+/// Of all distributions those are taken whose largest degree is the least, and among them those whose sum of squared
+/// degrees is the least: an exact dynamic program over the shares of the points, along a path or around a cycle.
+#include <cstddef>
+#include <vector>
+
+namespace bahnwerk::cam {
+
+/// How many of a point's `total` conditions the section before it may take; the section behind it takes the others.
+struct PointShare {
+  int total = 0;
+  int before_min = 0, before_max = 0;
+};
+
+struct DegreeDistributions {
+  /// Degree of every section, −1 where the section asks for none; each is a different best distribution, the first one
+  /// gives the earliest sections the most. Empty: there is no distribution with all degrees in 0 … max_degree.
+  std::vector<std::vector<int>> degrees;
+  bool complete = true;   ///< false: there are more than were asked for
+  int least_maximum = 0;  ///< the largest degree of the best distributions, even where it is above the limit
+};
+
+/// `shares`: one per point. `sections`: whether section i, behind point i, has unknowns; shares.size() of them around a
+/// cycle, one less along a path. Where a section has none its neighbours' points give all to the other side (the caller
+/// says so in their shares). O(points · most conditions², that once more per condition of the first point for a cycle).
+DegreeDistributions balance_degrees(const std::vector<PointShare>& shares, const std::vector<bool>& sections,
+                                    int max_degree, std::size_t at_most);
+
+}  // namespace bahnwerk::cam

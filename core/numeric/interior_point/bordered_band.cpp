@@ -1,0 +1,335 @@
+#include "core/numeric/interior_point/bordered_band.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bahnwerk {
+namespace {
+
+// What keeps the factors regular where a law is not determined or conditions repeat each other; refinement takes its
+// effect out again.
+constexpr double primal_shift = 1e-11, dual_shift = 1e-13;
+
+}  // namespace
+
+std::size_t BorderedBand::add_border(double cost) {
+  border_cost_.push_back(cost);
+  prepared_ = false;
+  return border_cost_.size() - 1;
+}
+
+std::size_t BorderedBand::add_variables(std::size_t count) {
+  const std::size_t first = position_.size();
+  for (std::size_t i = 0; i < count; ++i) position_.push_back(slots_++);
+  prepared_ = false;
+  return first;
+}
+
+std::size_t BorderedBand::add_equality(std::span<const std::pair<std::size_t, double>> terms, double side,
+                                       std::span<const Term> border) {
+  equalities_.push_back(
+      {equality_terms_.size(), terms.size(), equality_borders_.size(), border.size(), slots_++, false});
+  equality_terms_.insert(equality_terms_.end(), terms.begin(), terms.end());
+  equality_borders_.insert(equality_borders_.end(), border.begin(), border.end());
+  equality_side_.push_back(side);
+  prepared_ = false;
+  return equalities_.size() - 1;
+}
+
+std::size_t BorderedBand::add_far_equality(std::span<const std::pair<std::size_t, double>> terms, double side,
+                                           std::span<const Term> border) {
+  add_equality(terms, side, border);
+  --slots_;
+  equalities_.back().slot = far_++;
+  equalities_.back().far = true;
+  return equalities_.size() - 1;
+}
+
+std::size_t BorderedBand::add_row(const BorderedRow& row) {
+  Row stored{row.first,   row.weights.size(), row_weights_.size(), row_borders_.size(), row.border.size(),
+             row.elastic, BorderedRow::none,  BorderedRow::none,   row.elastic_weight};
+  if (row.upper < BorderedRow::unlimited) {
+    stored.upper = inequality_side_.size();
+    inequality_side_.push_back(row.upper);
+  }
+  if (row.lower > -BorderedRow::unlimited) {
+    stored.lower = inequality_side_.size();
+    inequality_side_.push_back(-row.lower);
+  }
+  row_weights_.insert(row_weights_.end(), row.weights.begin(), row.weights.end());
+  row_borders_.insert(row_borders_.end(), row.border.begin(), row.border.end());
+  rows_.push_back(stored);
+  prepared_ = false;
+  return rows_.size() - 1;
+}
+
+void BorderedBand::clear_rows() {
+  rows_.clear();
+  row_weights_.clear();
+  row_borders_.clear();
+  inequality_side_.clear();
+  prepared_ = false;
+}
+
+const std::vector<double>& BorderedBand::cost() const {
+  cost_.assign(position_.size() + border_cost_.size(), 0);
+  std::copy(border_cost_.begin(), border_cost_.end(), cost_.begin() + static_cast<std::ptrdiff_t>(position_.size()));
+  return cost_;
+}
+
+void BorderedBand::multiply(const std::vector<double>& x, std::vector<double>& gx, std::vector<double>& ex) const {
+  const double* const shared = x.data() + position_.size();
+  for (const Row& row : rows_) {
+    const double *const a = row_weights_.data() + row.weights, *const at = x.data() + row.first;
+    double sum = 0;
+    for (std::size_t k = 0; k < row.count; ++k) sum += a[k] * at[k];
+    for (std::size_t k = 0; k < row.border_count; ++k) {
+      const Term& term = row_borders_[row.borders + k];
+      sum += term.weight * shared[term.border];
+    }
+    const double give = row.elastic != BorderedRow::none ? row.elastic_weight * shared[row.elastic] : 0;
+    if (row.upper != BorderedRow::none) gx[row.upper] = sum - give;
+    if (row.lower != BorderedRow::none) gx[row.lower] = -sum - give;
+  }
+  for (std::size_t i = 0; i < equalities_.size(); ++i) {
+    const Equality& equality = equalities_[i];
+    double sum = 0;
+    for (std::size_t k = 0; k < equality.count; ++k) {
+      const auto& [variable, weight] = equality_terms_[equality.terms + k];
+      sum += weight * x[variable];
+    }
+    for (std::size_t k = 0; k < equality.border_count; ++k) {
+      const Term& term = equality_borders_[equality.borders + k];
+      sum += term.weight * shared[term.border];
+    }
+    ex[i] = sum;
+  }
+}
+
+void BorderedBand::add_transposed(const std::vector<double>& z, const std::vector<double>& y,
+                                  std::vector<double>& out) const {
+  double* const shared = out.data() + position_.size();
+  for (const Row& row : rows_) {
+    const double upper = row.upper != BorderedRow::none ? z[row.upper] : 0;
+    const double lower = row.lower != BorderedRow::none ? z[row.lower] : 0;
+    const double factor = upper - lower;
+    const double* const a = row_weights_.data() + row.weights;
+    double* const at = out.data() + row.first;
+    for (std::size_t k = 0; k < row.count; ++k) at[k] += factor * a[k];
+    for (std::size_t k = 0; k < row.border_count; ++k) {
+      const Term& term = row_borders_[row.borders + k];
+      shared[term.border] += factor * term.weight;
+    }
+    if (row.elastic != BorderedRow::none) shared[row.elastic] -= row.elastic_weight * (upper + lower);
+  }
+  for (std::size_t i = 0; i < equalities_.size(); ++i) {
+    const Equality& equality = equalities_[i];
+    for (std::size_t k = 0; k < equality.count; ++k) {
+      const auto& [variable, weight] = equality_terms_[equality.terms + k];
+      out[variable] += weight * y[i];
+    }
+    for (std::size_t k = 0; k < equality.border_count; ++k) {
+      const Term& term = equality_borders_[equality.borders + k];
+      shared[term.border] += term.weight * y[i];
+    }
+  }
+}
+
+void BorderedBand::prepare() {
+  if (prepared_) return;
+  half_ = 1;
+  for (const Row& row : rows_)
+    if (row.count > 1) half_ = std::max(half_, position_[row.first + row.count - 1] - position_[row.first]);
+  for (const Equality& equality : equalities_) {
+    if (equality.far) continue;
+    for (std::size_t k = 0; k < equality.count; ++k) {
+      const std::size_t at = position_[equality_terms_[equality.terms + k].first];
+      half_ = std::max(half_, at > equality.slot ? at - equality.slot : equality.slot - at);
+    }
+  }
+  width_ = 3 * half_ + 1;
+  prepared_ = true;
+}
+
+bool BorderedBand::factor(const std::vector<double>& weights) {
+  prepare();
+  weights_ = weights;
+  const std::size_t shared = border_cost_.size(), columns = shared + far_;
+  band_.assign(slots_ * width_, 0);
+  border_.assign(slots_ * columns, 0);
+  corner_.assign(columns * columns, 0);
+  const auto column = [&](std::size_t k) { return border_.data() + k * slots_; };
+  for (const Row& row : rows_) {
+    const double upper = row.upper != BorderedRow::none ? weights[row.upper] : 0;
+    const double lower = row.lower != BorderedRow::none ? weights[row.lower] : 0;
+    const double both = upper + lower;
+    const double* const a = row_weights_.data() + row.weights;
+    const std::size_t* const at = position_.data() + row.first;
+    if (row.count > 0) {
+      // The upper triangle; adjoining positions, mostly.
+      const bool adjoining = at[row.count - 1] - at[0] == row.count - 1;
+      for (std::size_t i = 0; i < row.count; ++i) {
+        const double factor = both * a[i];
+        if (adjoining) {
+          double* const out = &band(at[i], at[i]);
+          for (std::size_t j = i; j < row.count; ++j) out[j - i] += factor * a[j];
+        } else {
+          for (std::size_t j = i; j < row.count; ++j) band(at[i], at[j]) += factor * a[j];
+        }
+      }
+    }
+    const auto add_border_terms = [&](std::size_t border, double factor) {
+      double* const out = column(border);
+      for (std::size_t i = 0; i < row.count; ++i) out[at[i]] += factor * a[i];
+    };
+    for (std::size_t k = 0; k < row.border_count; ++k) {
+      const Term& term = row_borders_[row.borders + k];
+      add_border_terms(term.border, both * term.weight);
+      for (std::size_t l = 0; l < row.border_count; ++l) {
+        const Term& other = row_borders_[row.borders + l];
+        corner_[term.border * columns + other.border] += both * term.weight * other.weight;
+      }
+    }
+    if (row.elastic != BorderedRow::none) {
+      const double across = -row.elastic_weight * (upper - lower);
+      add_border_terms(row.elastic, across);
+      corner_[row.elastic * columns + row.elastic] += row.elastic_weight * row.elastic_weight * both;
+      for (std::size_t k = 0; k < row.border_count; ++k) {
+        const Term& term = row_borders_[row.borders + k];
+        corner_[term.border * columns + row.elastic] += across * term.weight;
+        corner_[row.elastic * columns + term.border] += across * term.weight;
+      }
+    }
+  }
+  for (std::size_t i : position_) band(i, i) += primal_shift;
+  for (std::size_t k = 0; k < shared; ++k) corner_[k * columns + k] += primal_shift;
+  for (const Equality& equality : equalities_) {
+    if (equality.far) {
+      const std::size_t k = shared + equality.slot;
+      for (std::size_t t = 0; t < equality.count; ++t) {
+        const auto& [variable, weight] = equality_terms_[equality.terms + t];
+        column(k)[position_[variable]] += weight;
+      }
+      for (std::size_t t = 0; t < equality.border_count; ++t) {
+        const Term& term = equality_borders_[equality.borders + t];
+        corner_[k * columns + term.border] += term.weight;
+        corner_[term.border * columns + k] += term.weight;
+      }
+      corner_[k * columns + k] -= dual_shift;
+      continue;
+    }
+    for (std::size_t t = 0; t < equality.count; ++t) {
+      const auto& [variable, weight] = equality_terms_[equality.terms + t];
+      const std::size_t at = position_[variable];
+      band(std::min(at, equality.slot), std::max(at, equality.slot)) += weight;
+    }
+    for (std::size_t t = 0; t < equality.border_count; ++t) {
+      const Term& term = equality_borders_[equality.borders + t];
+      column(term.border)[equality.slot] += term.weight;
+    }
+    band(equality.slot, equality.slot) -= dual_shift;
+  }
+  for (std::size_t i = 0; i < slots_; ++i)
+    for (std::size_t j = i + 1; j < std::min(slots_, i + half_ + 1); ++j) band(j, i) = band(i, j);
+  if (!factor_band()) return false;
+  // Schur complement of the border: corner − borderᵀ band⁻¹ border.
+  solved_ = border_;
+  for (std::size_t k = 0; k < columns; ++k) solve_band(solved_.data() + k * slots_);
+  for (std::size_t i = 0; i < columns; ++i)
+    for (std::size_t j = 0; j < columns; ++j) {
+      const double *const a = border_.data() + i * slots_, *const b = solved_.data() + j * slots_;
+      double sum = 0;
+      for (std::size_t k = 0; k < slots_; ++k) sum += a[k] * b[k];
+      corner_[i * columns + j] -= sum;
+    }
+  corner_pivots_.resize(columns);
+  for (std::size_t k = 0; k < columns; ++k) {
+    std::size_t pivot = k;
+    for (std::size_t i = k + 1; i < columns; ++i)
+      if (std::abs(corner_[i * columns + k]) > std::abs(corner_[pivot * columns + k])) pivot = i;
+    corner_pivots_[k] = pivot;
+    if (!(std::abs(corner_[pivot * columns + k]) > 0)) return false;
+    if (pivot != k)
+      for (std::size_t j = 0; j < columns; ++j) std::swap(corner_[k * columns + j], corner_[pivot * columns + j]);
+    for (std::size_t i = k + 1; i < columns; ++i) {
+      const double factor = corner_[i * columns + k] /= corner_[k * columns + k];
+      for (std::size_t j = k + 1; j < columns; ++j) corner_[i * columns + j] -= factor * corner_[k * columns + j];
+    }
+  }
+  return true;
+}
+
+bool BorderedBand::factor_band() {
+  pivots_.resize(slots_);
+  std::size_t reach = 0;  // last column that a row so far has
+  for (std::size_t k = 0; k < slots_; ++k) {
+    const std::size_t last = std::min(slots_ - 1, k + half_);
+    std::size_t pivot = k;
+    for (std::size_t i = k + 1; i <= last; ++i)
+      if (std::abs(band(i, k)) > std::abs(band(pivot, k))) pivot = i;
+    pivots_[k] = pivot;
+    reach = std::max(reach, std::min(slots_ - 1, pivot + half_));
+    if (!(std::abs(band(pivot, k)) > 0)) return false;
+    if (pivot != k)
+      for (std::size_t j = k; j <= reach; ++j) std::swap(band(k, j), band(pivot, j));
+    const double inverse = 1 / band(k, k);
+    const double* const top = &band(k, k);
+    for (std::size_t i = k + 1; i <= last; ++i) {
+      double* const row = &band(i, k);
+      if (row[0] == 0) continue;
+      const double factor = row[0] *= inverse;
+      for (std::size_t j = 1; j <= reach - k; ++j) row[j] -= factor * top[j];
+    }
+  }
+  return true;
+}
+
+void BorderedBand::solve_band(double* right) const {
+  const auto at = [this](std::size_t i, std::size_t j) { return band_.data() + i * width_ + (j + half_ - i); };
+  for (std::size_t k = 0; k < slots_; ++k) {
+    if (pivots_[k] != k) std::swap(right[k], right[pivots_[k]]);
+    const std::size_t last = std::min(slots_ - 1, k + half_);
+    const double value = right[k];
+    if (value == 0) continue;
+    for (std::size_t i = k + 1; i <= last; ++i) right[i] -= *at(i, k) * value;
+  }
+  for (std::size_t k = slots_; k-- > 0;) {
+    const std::size_t last = std::min(slots_ - 1, k + 2 * half_);
+    const double* const row = at(k, k);
+    double sum = right[k];
+    for (std::size_t j = k + 1; j <= last; ++j) sum -= row[j - k] * right[j];
+    right[k] = sum / row[0];
+  }
+}
+
+void BorderedBand::solve(std::vector<double>& x, std::vector<double>& y) const {
+  const std::size_t shared = border_cost_.size(), columns = shared + far_;
+  right_.assign(slots_, 0);
+  right_border_.assign(columns, 0);
+  for (std::size_t i = 0; i < position_.size(); ++i) right_[position_[i]] = x[i];
+  for (std::size_t k = 0; k < shared; ++k) right_border_[k] = x[position_.size() + k];
+  for (std::size_t i = 0; i < equalities_.size(); ++i)
+    (equalities_[i].far ? right_border_[shared + equalities_[i].slot] : right_[equalities_[i].slot]) = y[i];
+  solve_band(right_.data());
+  for (std::size_t k = 0; k < columns; ++k) {
+    const double* const b = border_.data() + k * slots_;
+    for (std::size_t i = 0; i < slots_; ++i) right_border_[k] -= b[i] * right_[i];
+  }
+  for (std::size_t k = 0; k < columns; ++k) std::swap(right_border_[k], right_border_[corner_pivots_[k]]);
+  for (std::size_t k = 0; k < columns; ++k)
+    for (std::size_t i = k + 1; i < columns; ++i) right_border_[i] -= corner_[i * columns + k] * right_border_[k];
+  for (std::size_t k = columns; k-- > 0;) {
+    for (std::size_t j = k + 1; j < columns; ++j) right_border_[k] -= corner_[k * columns + j] * right_border_[j];
+    right_border_[k] /= corner_[k * columns + k];
+  }
+  for (std::size_t k = 0; k < columns; ++k) {
+    const double* const b = solved_.data() + k * slots_;
+    for (std::size_t i = 0; i < slots_; ++i) right_[i] -= b[i] * right_border_[k];
+  }
+  for (std::size_t i = 0; i < position_.size(); ++i) x[i] = right_[position_[i]];
+  for (std::size_t k = 0; k < shared; ++k) x[position_.size() + k] = right_border_[k];
+  for (std::size_t i = 0; i < equalities_.size(); ++i)
+    y[i] = equalities_[i].far ? right_border_[shared + equalities_[i].slot] : right_[equalities_[i].slot];
+}
+
+}  // namespace bahnwerk

@@ -1,0 +1,108 @@
+#pragma once
+/// Linear programs whose rows are of few neighbouring variables and of a few more that all rows may share (the border).
+///
+/// Variables and local equalities stand in the order in which they are added: the system of a step is a band over them
+/// with a border of shared variables and of equalities that reach far. The band is factored by Gaussian elimination
+/// with partial pivoting, the border by its Schur complement. Cost per factorisation: O(size · band · (band + border)),
+/// linear in the number of variables.
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/numeric/interior_point/interior_point.hpp"
+
+namespace bahnwerk {
+
+/// lower − f w ≤ aᵀx + bᵀw ≤ upper + f w, a over neighbouring variables of the band, one or two sides.
+struct BorderedRow {
+  static constexpr double unlimited = std::numeric_limits<double>::infinity();
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  struct Term {
+    std::size_t border;  ///< number of the shared variable
+    double weight;
+  };
+  std::size_t first = 0;            ///< variable that a begins with
+  std::span<const double> weights;  ///< a; copied by add_row
+  double lower = -unlimited, upper = unlimited;
+  std::size_t elastic = none;  ///< shared variable that widens both sides
+  double elastic_weight = 1;   ///< f
+  std::span<const Term> border;
+};
+
+class BorderedBand final : public InteriorPointSystem {
+ public:
+  using Term = BorderedRow::Term;
+
+  /// A shared variable with its cost; returns its number.
+  std::size_t add_border(double cost);
+  void set_border_cost(std::size_t border, double cost) { border_cost_[border] = cost; }
+  /// Variables of the band without cost, neighbours of those before; returns the first one's number.
+  std::size_t add_variables(std::size_t count);
+  /// Σ weight · variable + Σ weight · shared variable = side, of variables near the end of the band as it stands.
+  /// Returns its number.
+  std::size_t add_equality(std::span<const std::pair<std::size_t, double>> terms, double side,
+                           std::span<const Term> border = {});
+  /// An equality of variables anywhere: each costs as much as a shared variable.
+  std::size_t add_far_equality(std::span<const std::pair<std::size_t, double>> terms, double side,
+                               std::span<const Term> border = {});
+  /// After all variables. Returns the row's number.
+  std::size_t add_row(const BorderedRow& row);
+  void clear_rows();
+
+  std::size_t band_variables() const { return position_.size(); }
+  std::size_t borders() const { return border_cost_.size(); }
+  std::size_t rows() const { return rows_.size(); }
+  /// Where a shared variable stands in x.
+  std::size_t border_index(std::size_t border) const { return position_.size() + border; }
+  /// Where the sides of a row stand in s and z; BorderedRow::none for a side that is unlimited.
+  std::size_t upper_side(std::size_t row) const { return rows_[row].upper; }
+  std::size_t lower_side(std::size_t row) const { return rows_[row].lower; }
+
+  const std::vector<double>& cost() const override;
+  const std::vector<double>& equality_side() const override { return equality_side_; }
+  const std::vector<double>& inequality_side() const override { return inequality_side_; }
+  void multiply(const std::vector<double>& x, std::vector<double>& gx, std::vector<double>& ex) const override;
+  void add_transposed(const std::vector<double>& z, const std::vector<double>& y,
+                      std::vector<double>& out) const override;
+  bool factor(const std::vector<double>& weights) override;
+  void solve(std::vector<double>& x, std::vector<double>& y) const override;
+  /// Those of the last factors.
+  const std::vector<double>& weights() const { return weights_; }
+
+ private:
+  struct Row {
+    std::size_t first, count, weights, borders, border_count, elastic, upper, lower;
+    double elastic_weight;
+  };
+  struct Equality {
+    std::size_t terms, count, borders, border_count, slot;  // slot: in the band, or in the border where `far`
+    bool far;
+  };
+  void prepare();
+  double& band(std::size_t i, std::size_t j) { return band_[i * width_ + (j + half_ - i)]; }
+  void solve_band(double* right) const;
+  bool factor_band();
+
+  std::vector<std::size_t> position_;  // of the band's variables
+  std::size_t slots_ = 0;              // of the band: variables and local equalities
+  std::size_t far_ = 0;
+  std::vector<double> border_cost_, equality_side_, inequality_side_;
+  mutable std::vector<double> cost_;
+  std::vector<Row> rows_;
+  std::vector<Equality> equalities_;
+  std::vector<double> row_weights_;
+  std::vector<Term> row_borders_, equality_borders_;
+  std::vector<std::pair<std::size_t, double>> equality_terms_;
+  std::vector<double> weights_;
+  bool prepared_ = false;
+  std::size_t half_ = 0, width_ = 0;
+  std::vector<double> band_;                      // rows of 3 half_ + 1: row i begins with column i − half_
+  std::vector<std::size_t> pivots_;               // row that was swapped with k
+  std::vector<double> border_, solved_, corner_;  // border_ and solved_: one column after the other
+  std::vector<std::size_t> corner_pivots_;
+  mutable std::vector<double> right_, right_border_;
+};
+
+}  // namespace bahnwerk

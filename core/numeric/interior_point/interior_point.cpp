@@ -1,0 +1,219 @@
+#include "core/numeric/interior_point/interior_point.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bahnwerk {
+namespace {
+
+using Vector = std::vector<double>;
+
+double dot(const Vector& a, const Vector& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+double largest(const Vector& a) {
+  double most = 0;
+  for (const double value : a) most = std::max(most, std::abs(value));
+  return most;
+}
+
+constexpr int most_directions = 12;  // of GMRES
+
+class Driver {
+ public:
+  Driver(InteriorPointSystem& system, InteriorPoint& point, const InteriorPointOptions& options)
+      : system_(system),
+        p_(point),
+        options_(options),
+        variables_(p_.x.size()),
+        equalities_(p_.y.size()),
+        rows_(p_.s.size()),
+        gx_(rows_),
+        ds_(rows_),
+        dz_(rows_),
+        predicted_(rows_),
+        weights_(rows_),
+        push_(rows_),
+        row_residual_(rows_),
+        ex_(equalities_),
+        dual_residual_(variables_),
+        equality_residual_(equalities_) {}
+
+  InteriorPointResult run() {
+    InteriorPointResult result;
+    for (;; ++result.iterations) {
+      if (options_.tick) options_.tick();
+      residuals();
+      const double objective = dot(system_.cost(), p_.x);
+      const double mu = dot(p_.s, p_.z) / static_cast<double>(std::max<std::size_t>(rows_, 1));
+      result.gap = mu * static_cast<double>(rows_) / (1 + std::abs(objective));
+      result.primal_residual = std::max(largest(row_residual_), largest(equality_residual_));
+      result.dual_residual = largest(dual_residual_);
+      if (!std::isfinite(result.gap) || !std::isfinite(result.primal_residual) || !std::isfinite(result.dual_residual))
+        return result;
+      result.converged = result.gap <= options_.gap && result.primal_residual <= options_.residual &&
+                         result.dual_residual <= options_.residual;
+      if (result.converged || result.iterations >= options_.max_iterations) return result;
+      for (std::size_t i = 0; i < rows_; ++i) weights_[i] = p_.z[i] / p_.s[i];
+      if (!system_.factor(weights_)) return result;
+      std::fill(predicted_.begin(), predicted_.end(), 0.0);
+      step(0);
+      double after = 0;
+      for (std::size_t i = 0; i < rows_; ++i) after += (p_.s[i] + primal_ * ds_[i]) * (p_.z[i] + dual_ * dz_[i]);
+      const double share = rows_ ? after / static_cast<double>(rows_) / mu : 0;
+      for (std::size_t i = 0; i < rows_; ++i) predicted_[i] = ds_[i] * dz_[i];
+      // Products far below what is asked for would only take residuals along.
+      const double least =
+          0.1 * options_.gap * (1 + std::abs(objective)) / static_cast<double>(std::max<std::size_t>(rows_, 1));
+      step(std::max(share * share * share * mu, least));
+      if (!finite()) return result;
+      move();
+    }
+  }
+
+ private:
+  bool finite() const {
+    const auto all = [](const Vector& a) {
+      return std::all_of(a.begin(), a.end(), [](double value) { return std::isfinite(value); });
+    };
+    return all(dx_) && all(dy_);
+  }
+
+  void residuals() {
+    system_.multiply(p_.x, gx_, ex_);
+    const Vector &g = system_.inequality_side(), &e = system_.equality_side();
+    for (std::size_t i = 0; i < rows_; ++i) row_residual_[i] = gx_[i] + p_.s[i] - g[i];
+    for (std::size_t i = 0; i < equalities_; ++i) equality_residual_[i] = ex_[i] - e[i];
+    dual_residual_ = system_.cost();
+    system_.add_transposed(p_.z, p_.y, dual_residual_);
+  }
+
+  /// Newton's step towards s z = target − predicted.
+  void step(double target) {
+    for (std::size_t i = 0; i < rows_; ++i)
+      push_[i] = (target - predicted_[i] + p_.z[i] * row_residual_[i]) / p_.s[i] - p_.z[i];
+    right_x_ = dual_residual_;
+    none_.assign(equalities_, 0);
+    system_.add_transposed(push_, none_, right_x_);
+    for (double& value : right_x_) value = -value;
+    right_y_ = equality_residual_;
+    for (double& value : right_y_) value = -value;
+    dx_ = right_x_;
+    dy_ = right_y_;
+    solve_refined(system_, weights_, dx_, dy_);
+    system_.multiply(dx_, gx_, ex_);
+    primal_ = dual_ = 1;
+    for (std::size_t i = 0; i < rows_; ++i) {
+      ds_[i] = -row_residual_[i] - gx_[i];
+      dz_[i] = push_[i] + weights_[i] * gx_[i];
+      if (ds_[i] < 0) primal_ = std::min(primal_, -p_.s[i] / ds_[i]);
+      if (dz_[i] < 0) dual_ = std::min(dual_, -p_.z[i] / dz_[i]);
+    }
+  }
+
+  void move() {
+    const double primal = primal_ < 1 ? keep * primal_ : 1, dual = dual_ < 1 ? keep * dual_ : 1;
+    for (std::size_t i = 0; i < variables_; ++i) p_.x[i] += primal * dx_[i];
+    for (std::size_t i = 0; i < equalities_; ++i) p_.y[i] += dual * dy_[i];
+    for (std::size_t i = 0; i < rows_; ++i) {
+      p_.s[i] += primal * ds_[i];
+      p_.z[i] += dual * dz_[i];
+    }
+  }
+
+  static constexpr double keep = 0.995;  // of the way to the nearest bound that a step goes
+
+  InteriorPointSystem& system_;
+  InteriorPoint& p_;
+  const InteriorPointOptions& options_;
+  std::size_t variables_, equalities_, rows_;
+  Vector gx_, ds_, dz_, predicted_, weights_, push_, row_residual_, ex_, dual_residual_, equality_residual_;
+  Vector right_x_, right_y_, dx_, dy_, none_;
+  double primal_ = 1, dual_ = 1;
+};
+
+}  // namespace
+
+void solve_refined(const InteriorPointSystem& system, const std::vector<double>& weights, std::vector<double>& x,
+                   std::vector<double>& y) {
+  const Vector right_x = x, right_y = y;
+  const std::size_t variables = x.size(), size = x.size() + y.size();
+  Vector ax(variables), ay(y.size()), gx(weights.size()), residual(size);
+  const auto apply = [&](const Vector& from_x, const Vector& from_y) {
+    system.multiply(from_x, gx, ay);
+    for (std::size_t i = 0; i < gx.size(); ++i) gx[i] *= weights[i];
+    std::fill(ax.begin(), ax.end(), 0.0);
+    system.add_transposed(gx, from_y, ax);
+  };
+  system.solve(x, y);
+  apply(x, y);
+  for (std::size_t i = 0; i < variables; ++i) residual[i] = right_x[i] - ax[i];
+  for (std::size_t i = 0; i < y.size(); ++i) residual[variables + i] = right_y[i] - ay[i];
+  const double aim = 1e-13 + 1e-11 * std::max(largest(right_x), largest(right_y));
+  if (largest(residual) <= aim) return;
+  std::vector<Vector> basis, directions_x, directions_y, columns;  // columns: of the rotated Hessenberg matrix
+  Vector cosine, sine, right;
+  const double length = std::sqrt(dot(residual, residual));
+  if (!std::isfinite(length)) return;
+  for (double& value : residual) value /= length;
+  basis.push_back(std::move(residual));
+  right.push_back(length);
+  for (int k = 0; k < most_directions && std::abs(right.back()) > aim; ++k) {
+    const Vector& last = basis.back();
+    Vector along_x(last.begin(), last.begin() + static_cast<std::ptrdiff_t>(variables));
+    Vector along_y(last.begin() + static_cast<std::ptrdiff_t>(variables), last.end());
+    system.solve(along_x, along_y);
+    apply(along_x, along_y);
+    Vector next(ax), column;
+    next.insert(next.end(), ay.begin(), ay.end());
+    for (const Vector& other : basis) {
+      const double share = dot(next, other);
+      column.push_back(share);
+      for (std::size_t i = 0; i < size; ++i) next[i] -= share * other[i];
+    }
+    const double rest = std::sqrt(dot(next, next));
+    for (std::size_t i = 0; i < cosine.size(); ++i) {
+      const double a = column[i], b = column[i + 1];
+      column[i] = cosine[i] * a + sine[i] * b;
+      column[i + 1] = cosine[i] * b - sine[i] * a;
+    }
+    const double hypotenuse = std::hypot(column.back(), rest);
+    if (!(hypotenuse > 0) || !std::isfinite(hypotenuse)) break;
+    cosine.push_back(column.back() / hypotenuse);
+    sine.push_back(rest / hypotenuse);
+    column.back() = hypotenuse;
+    const double now = right.back();
+    right.back() = cosine.back() * now;
+    right.push_back(-sine.back() * now);
+    columns.push_back(std::move(column));
+    directions_x.push_back(std::move(along_x));
+    directions_y.push_back(std::move(along_y));
+    if (!(rest > 0)) break;
+    for (double& value : next) value /= rest;
+    basis.push_back(std::move(next));
+  }
+  for (std::size_t k = columns.size(); k-- > 0;) {
+    double share = right[k];
+    for (std::size_t j = k + 1; j < columns.size(); ++j) share -= columns[j][k] * right[j];
+    right[k] = share /= columns[k][k];
+    for (std::size_t i = 0; i < variables; ++i) x[i] += share * directions_x[k][i];
+    for (std::size_t i = 0; i < y.size(); ++i) y[i] += share * directions_y[k][i];
+  }
+}
+
+InteriorPointResult solve_interior_point(InteriorPointSystem& system, InteriorPoint& point,
+                                         const InteriorPointOptions& options) {
+  return Driver(system, point, options).run();
+}
+
+DualValue dual_value(const InteriorPointSystem& system, const std::vector<double>& y, const std::vector<double>& z) {
+  std::vector<double> multipliers = z;
+  for (double& value : multipliers) value = std::max(value, 0.0);
+  DualValue result{-dot(system.inequality_side(), multipliers) - dot(system.equality_side(), y), system.cost()};
+  system.add_transposed(multipliers, y, result.residual);
+  return result;
+}
+
+}  // namespace bahnwerk

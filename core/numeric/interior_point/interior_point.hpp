@@ -1,0 +1,72 @@
+#pragma once
+/// A primal–dual interior-point method for linear programs with free variables:
+///
+///   minimise cᵀx so that E x = e, G x + s = g, s ≥ 0;   dual: maximise −gᵀz − eᵀy so that c + Gᵀz + Eᵀy = 0, z ≥ 0.
+///
+/// Mehrotra's predictor and corrector [Mehrotra, On the implementation of a primal-dual interior point method, SIAM J.
+/// Optim. 2, 1992]. The driver knows vectors only; how the system of a step is assembled, factored and solved is the
+/// business of an `InteriorPointSystem`, one class per structure. Cost: one factorisation and two solutions with a step
+/// of refinement each per iteration, 10 to 40 iterations.
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace bahnwerk {
+
+/// The program and the linear algebra of its steps.
+class InteriorPointSystem {
+ public:
+  virtual ~InteriorPointSystem() = default;
+  virtual const std::vector<double>& cost() const = 0;             ///< c; its size is the number of variables
+  virtual const std::vector<double>& equality_side() const = 0;    ///< e
+  virtual const std::vector<double>& inequality_side() const = 0;  ///< g
+  /// gx = G x, ex = E x; both have their sizes already.
+  virtual void multiply(const std::vector<double>& x, std::vector<double>& gx, std::vector<double>& ex) const = 0;
+  /// out += Gᵀz + Eᵀy.
+  virtual void add_transposed(const std::vector<double>& z, const std::vector<double>& y,
+                              std::vector<double>& out) const = 0;
+  /// Assembles and factors K = [GᵀWG Eᵀ; E 0] with W = diag(weights) > 0. False where it is singular.
+  virtual bool factor(const std::vector<double>& weights) = 0;
+  /// (x, y) := K⁻¹ (x, y) with the last factors.
+  virtual void solve(std::vector<double>& x, std::vector<double>& y) const = 0;
+};
+
+/// Where the method stands; s and z are positive.
+struct InteriorPoint {
+  std::vector<double> x, y, s, z;
+};
+
+struct InteriorPointOptions {
+  double gap = 1e-9;       ///< mean of s z, in parts of 1 + |cᵀx|, times the number of rows, at which it ends
+  double residual = 1e-9;  ///< of all equations, absolute: programs are scaled to the order of 1
+  int max_iterations = 80;
+  std::function<void()> tick;  ///< called every iteration; may throw
+};
+
+struct InteriorPointResult {
+  bool converged = false;
+  int iterations = 0;
+  double gap = 0, primal_residual = 0, dual_residual = 0;  ///< what was reached
+};
+
+/// Goes from `point`, whose sizes and signs are right, to the optimum. Where it does not converge the last point stays.
+InteriorPointResult solve_interior_point(InteriorPointSystem& system, InteriorPoint& point,
+                                         const InteriorPointOptions& options);
+
+/// (x, y) := K⁻¹ (x, y), K with these weights and without what its factors add to stay regular: their solution and,
+/// where it lost too much to rounding (weights range over twenty powers of ten), a few steps of GMRES that they
+/// precondition [Saad, A flexible inner-outer preconditioned GMRES algorithm, SIAM J. Sci. Comput. 14, 1993]. What is
+/// lost is of low rank, so 12 steps do.
+void solve_refined(const InteriorPointSystem& system, const std::vector<double>& weights, std::vector<double>& x,
+                   std::vector<double>& y);
+
+/// A lower bound of cᵀx over all feasible x is value − Σ |residual_k| magnitude_k where |x_k| ≤ magnitude_k: weak
+/// duality, for any multipliers. What is not exactly dual feasible costs what it can be worth.
+struct DualValue {
+  double value = 0;              ///< −gᵀz − eᵀy
+  std::vector<double> residual;  ///< c + Gᵀz + Eᵀy
+};
+/// Negative z count as 0.
+DualValue dual_value(const InteriorPointSystem& system, const std::vector<double>& y, const std::vector<double>& z);
+
+}  // namespace bahnwerk

@@ -1,0 +1,68 @@
+#include "core/plan/motion_law/planned_law.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/errors.hpp"
+#include "core/base/progress_part.hpp"
+#include "core/cam/optimal/optimal_law.hpp"
+#include "core/cam/spline/angle_search.hpp"
+
+namespace bahnwerk {
+
+double mean_velocity_bound(const cam::MotionLawProblem& problem) {
+  const double weight = cam::effective_weights(problem)[1], scale = problem.seconds_per_unit();
+  double most = 0;
+  for (std::size_t s = 0; s < problem.sections(); ++s) {
+    const std::size_t e = problem.end_point(s);
+    const cam::Range from = problem.points[s].value(0), to = problem.points[e].value(0);
+    const double way = std::max({from.min - to.max, to.min - from.max, 0.0});
+    const double angle = problem.points[e].at.max - problem.points[s].at.min + (e <= s ? problem.length : 0);
+    most = std::max(most, way / (angle * scale));
+  }
+  return weight * most;
+}
+
+namespace {
+
+/// What method `optimal` proves of a problem that `active_set` solved: with fixed angles and no classical laws it has a
+/// bound over all laws.
+void bound_by_optimum(const cam::MotionLawProblem& problem, PlannedLaw& out, Progress& progress) {
+  constexpr std::size_t most_sections = 100;
+  const bool classical =
+      std::any_of(problem.points.begin(), problem.points.end(), [](const cam::MotionPoint& p) { return p.law; });
+  if (classical || problem.sections() > most_sections) return;
+  cam::MotionLawProblem same = problem;
+  same.method = cam::LawMethod::optimal;
+  same.degree = std::clamp(static_cast<int>(out.solution.law.max_degree()), 5, problem.sections() > 10 ? 9 : 21);
+  same.pieces = 1;
+  same.objective.zero_crossing_penalty = 0;
+  try {
+    const cam::OptimalLaw optimal = cam::plan_optimal_law(same, progress);
+    if (!optimal.solution.bound || !(optimal.solution.bound->objective > out.lower)) return;
+    out.lower = std::min(optimal.solution.bound->objective, out.solution.value.objective);
+    out.basis = optimal.solution.bound->basis;
+  } catch (const InvalidInput&) {
+  } catch (const Infeasible&) {
+  }
+}
+
+}  // namespace
+
+PlannedLaw plan_law(const cam::MotionLawProblem& problem, Progress& progress) {
+  PlannedLaw out;
+  if (problem.method == cam::LawMethod::optimal) {
+    cam::OptimalLaw found = cam::plan_optimal_law(problem, progress);
+    out.solution = std::move(found.solution);
+    if (out.solution.bound) out.lower = out.solution.bound->objective, out.basis = out.solution.bound->basis;
+    return out;
+  }
+  ProgressPart solving(progress, "active_set", 0, 0.5), bounding(progress, "bound", 0.5, 1);
+  out.solution = cam::plan_active_set(problem, solving);
+  out.lower = mean_velocity_bound(problem);
+  out.basis = "the mean velocity between two points is reached";
+  bound_by_optimum(problem, out, bounding);
+  return out;
+}
+
+}  // namespace bahnwerk

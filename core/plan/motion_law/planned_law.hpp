@@ -1,0 +1,21 @@
+#pragma once
+/// A law by the method that the problem names, with its lower bound.
+#include <string>
+
+#include "core/cam/solution.hpp"
+
+namespace bahnwerk {
+
+class Progress;
+
+struct PlannedLaw {
+  cam::LawSolution solution;
+  double lower = 0;   ///< no law of whatever degree and angles has a smaller J
+  std::string basis;  ///< what the bound rests on
+};
+PlannedLaw plan_law(const cam::MotionLawProblem& problem, Progress& progress);
+
+/// A bound that costs nothing: between two points the mean velocity is reached. 0 where positions are not given.
+double mean_velocity_bound(const cam::MotionLawProblem& problem);
+
+}  // namespace bahnwerk

@@ -1,0 +1,121 @@
+#include "core/probe/arcs/speed_choice.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/probe/straight/straight.hpp"
+
+namespace bahnwerk::probe {
+
+SpeedChoice::SpeedChoice(const ProbeProblem& problem, const std::vector<std::size_t>& row_end)
+    : problem_(problem), row_end_(row_end), rounding_(coordinate_rounding(problem)) {}
+
+/// Entry and exit are in the tube, and the turn has room on its edges. Both get harder with the speed.
+double SpeedChoice::largest_speed(std::size_t i, const Turn& turn, Vec in, Vec out) const {
+  const Vec before = problem_.points[i - 1], point = problem_.points[i], after = problem_.points[i + 1];
+  const double room = std::min(norm(point - before), norm(after - point));
+  const auto fits = [&](double speed) {
+    const TurnSize size = turn.size(speed);
+    if (size.length > room) return false;
+    const Vec apex = turn.apex(point, size);
+    const double allowed = problem_.tolerance + rounding_;
+    return distance_from_edge(apex - size.length * in, before, point) <= allowed &&
+           distance_from_edge(apex + size.length * out, point, after) <= allowed;
+  };
+  if (fits(problem_.speed)) return problem_.speed;
+  double low = 0, high = problem_.speed;
+  for (int step = 0; step < 40 && high - low > 1e-7 * high; ++step) {
+    const double middle = (low + high) / 2;
+    (fits(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+void SpeedChoice::connect(std::size_t edge, Vec direction, const Candidates& from, Candidates& to) const {
+  const Vec chord = problem_.points[edge + 1] - problem_.points[edge];
+  const ProfileLimits limits = limits_along(problem_, direction);
+  for (Candidate& next : to) {
+    next.time = unlimited;
+    for (std::size_t k = 0; k < from.size(); ++k) {
+      const Candidate& last = from[k];
+      if (!(last.time < unlimited)) continue;
+      const double way = norm(chord + (next.offset - last.offset)),
+                   turns = last.size.duration / 2 + next.size.duration / 2;
+      const double length = way * (1 - 1e-9) - last.size.length - next.size.length;
+      if (!(length >= 0) || last.time + turns + length / problem_.speed >= next.time) continue;
+      if (length < min_distance(last.speed, next.speed, limits)) continue;
+      const double time = last.time + turns + straight_profile(length, last.speed, next.speed, limits).duration;
+      if (!(time < next.time)) continue;
+      next.time = time, next.before = static_cast<int>(k), next.by_row = false;
+    }
+  }
+}
+
+TurnSpeeds SpeedChoice::choose(const std::vector<Vec>& directions, const std::vector<double>& shares,
+                               const TurnSpeeds* near, const std::vector<double>& factors,
+                               ProgressScope& progress) const {
+  const std::size_t n = problem_.points.size();
+  std::vector<double> speed_before(n, 0);
+  if (near)
+    for (std::size_t i = 0; i < near->node.size(); ++i) speed_before[near->node[i]] = near->speed[i];
+  std::vector<Candidates> all(n);
+  all[0].resize(1);
+  std::size_t row_begin = 0;
+  for (std::size_t i = 1; i < n; ++i) {
+    Candidates& here = all[i];
+    here.resize(1);  // rest
+    if (i + 1 < n) {
+      const Vec in = directions[i - 1], out = directions[i];
+      const Turn turn(problem_, in, out);
+      const double most = largest_speed(i, turn, in, out);
+      const auto add = [&](double speed) {
+        if (!(speed > 0)) return;
+        Candidate c;
+        c.speed = std::min(speed, most);
+        for (const Candidate& other : here)
+          if (std::abs(other.speed - c.speed) <= 1e-9 * problem_.speed) return;
+        c.size = turn.size(c.speed);
+        c.offset = turn.apex({}, c.size);
+        here.push_back(c);
+      };
+      add(speed_before[i]);
+      for (const double share : speed_before[i] > 0 ? factors : shares)
+        add(share * (speed_before[i] > 0 ? speed_before[i] : most));
+      if (near && speed_before[i] > 0) add(most);
+    }
+    connect(i - 1, directions[i - 1], all[i - 1], here);
+    if (row_end_[row_begin] == i) {
+      if (i - row_begin > 1 && all[row_begin][0].time < unlimited) {
+        const double time = all[row_begin][0].time + rest_to_rest_duration(problem_, row_begin, i);
+        if (time <= here[0].time) here[0].time = time, here[0].by_row = true;
+      }
+      row_begin = i;
+    }
+    progress.work(here.size() * all[i - 1].size());
+  }
+  TurnSpeeds best;
+  std::size_t candidate = 0;
+  std::vector<std::size_t> begin_of_row(n, 0);
+  for (std::size_t i = 0; i < n;) {
+    const std::size_t end = std::max(row_end_[i], i + 1);
+    for (std::size_t k = i + 1; k <= std::min(end, n - 1); ++k) begin_of_row[k] = i;
+    i = end;
+  }
+  for (std::size_t i = n - 1;;) {
+    best.node.push_back(i);
+    best.speed.push_back(all[i][candidate].speed);
+    if (i == 0) break;
+    const Candidate& c = all[i][candidate];
+    if (c.by_row) {
+      i = begin_of_row[i], candidate = 0;
+    } else {
+      candidate = static_cast<std::size_t>(c.before);
+      --i;
+    }
+  }
+  std::reverse(best.node.begin(), best.node.end());
+  std::reverse(best.speed.begin(), best.speed.end());
+  return best;
+}
+
+}  // namespace bahnwerk::probe

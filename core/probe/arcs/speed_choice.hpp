@@ -1,0 +1,41 @@
+#pragma once
+/// The speeds of the turns by dynamic programming over candidates per point, for given directions.
+#include <vector>
+
+#include "core/base/progress_scope.hpp"
+#include "core/probe/arcs/turn.hpp"
+#include "core/probe/arcs/turn_path.hpp"
+#include "core/probe/problem.hpp"
+
+namespace bahnwerk::probe {
+
+class SpeedChoice {
+ public:
+  /// `row_end` as straight_rows() has it.
+  SpeedChoice(const ProbeProblem& problem, const std::vector<std::size_t>& row_end);
+
+  /// The quickest choice among the speeds 0 and shares[…] of the largest that the tube admits at each point, and, where
+  /// `near` is a choice made before, that speed times each of `factors`. `directions` per edge of the problem.
+  /// O(points · candidates²), 0.5 µs each.
+  TurnSpeeds choose(const std::vector<Vec>& directions, const std::vector<double>& shares, const TurnSpeeds* near,
+                    const std::vector<double>& factors, ProgressScope& progress) const;
+
+ private:
+  struct Candidate {
+    double speed = 0;
+    TurnSize size;
+    Vec offset;           // C − P
+    double time = 0;      // quickest from the start to the middle of the turn
+    int before = -1;      // candidate at the point before
+    bool by_row = false;  // from a rest at the begin of the row that ends here
+  };
+  using Candidates = std::vector<Candidate>;
+  double largest_speed(std::size_t i, const Turn& turn, Vec in, Vec out) const;
+  void connect(std::size_t edge, Vec direction, const Candidates& from, Candidates& to) const;
+
+  const ProbeProblem& problem_;
+  const std::vector<std::size_t>& row_end_;
+  double rounding_;
+};
+
+}  // namespace bahnwerk::probe

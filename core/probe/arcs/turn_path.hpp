@@ -1,0 +1,60 @@
+#pragma once
+/// Straights and turns of given speeds: the directions that belong together, what fits, how long it takes.
+#include <cstddef>
+#include <vector>
+
+#include "core/base/progress_scope.hpp"
+#include "core/probe/arcs/turn.hpp"
+#include "core/probe/problem.hpp"
+
+namespace bahnwerk::probe {
+
+/// The points that count, the others lie on a straight between two rests, and the speed at each: 0 is a rest.
+struct TurnSpeeds {
+  std::vector<std::size_t> node;  ///< ascending, the first and the last point among them
+  std::vector<double> speed;      ///< mm/s, per node; 0 at both ends
+};
+
+class TurnPath {
+ public:
+  TurnPath(const ProbeProblem& problem, TurnSpeeds speeds);
+
+  std::size_t nodes() const { return speeds_.node.size(); }
+  const TurnSpeeds& speeds() const { return speeds_; }
+  /// Of the straight behind node i, a unit vector.
+  Vec direction(std::size_t i) const { return direction_[i]; }
+
+  /// Directions from those at hand, or those of another path of the same nodes.
+  void start_from(const std::vector<Vec>& direction) { direction_ = direction; }
+  const std::vector<Vec>& directions() const { return direction_; }
+  /// Iterates the fixed point of directions until they move by less than `close`; 100 times at most.
+  void solve(double close, ProgressScope& progress);
+  /// Lowers speeds until every turn is in the tube and every straight is as long as its change of speed needs.
+  void repair(ProgressScope& progress);
+  /// Between two rests: rests at every point but for those in a row (`row_end` as straight_rows() has it) where that
+  /// takes less time.
+  void prefer_rests(const std::vector<std::size_t>& row_end);
+  double duration() const;
+  ProbeMotion write(ProgressScope& progress) const;
+
+ private:
+  Turn turn(std::size_t i) const { return {problem_, direction_[i - 1], direction_[i]}; }
+  Vec point(std::size_t i) const { return problem_.points[speeds_.node[i]]; }
+  /// From apex i to the next one.
+  Vec way(std::size_t i) const { return (point(i + 1) - point(i)) + (offset_[i + 1] - offset_[i]); }
+  bool turns(std::size_t i) const { return speeds_.speed[i] > 0; }
+  void measure();
+  /// Directions that differ by rounding alone, so that no turn is between them, are made one.
+  void align();
+  double straight_length(std::size_t i) const;
+  double straight_duration(std::size_t i) const;
+
+  const ProbeProblem& problem_;
+  TurnSpeeds speeds_;
+  std::vector<Vec> direction_;  // per edge between nodes
+  std::vector<TurnSize> size_;  // per node
+  std::vector<Vec> offset_;     // C − P, per node: small beside coordinates, so that short edges lose no digits
+  double rounding_;             // of a distance, mm
+};
+
+}  // namespace bahnwerk::probe

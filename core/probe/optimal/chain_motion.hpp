@@ -1,0 +1,81 @@
+#pragma once
+/// The polynomials of a chain.
+#include "core/motion/axes/spline_motion.hpp"
+#include "core/numeric/polynomial.hpp"
+#include "core/probe/optimal/chain.hpp"
+
+namespace bahnwerk {
+
+/// Appends the four pieces of each cell, as coefficients of the time since the piece began: quartics, the last one with
+/// what rounding left open. `place` turns the
+/// coefficients of D coordinates into those of the machine's axes. Appends to `times` when each point after the first
+/// is passed.
+template <int D, typename Place>
+void append_pieces(const CellChain<D>& chain, Place&& place, std::vector<SplineMotion::Piece>& pieces,
+                   std::vector<double>& times);
+
+}  // namespace bahnwerk
+
+#include "core/probe/optimal/cell_rows.hpp"
+
+namespace bahnwerk {
+
+/// A quartic piece with state (x, v, a, j) at its begin and a snap.
+inline Polynomial quartic(const std::array<double, 4>& state, double snap) {
+  return {state[0], state[1], state[2] / 2, state[3] / 6, snap / 24};
+}
+
+/// The state of a polynomial at time T, T > 0.
+inline std::array<double, 4> state_at(Polynomial p, double T) {
+  std::array<double, 4> state{};
+  for (double& value : state) value = evaluate(p, T), p = derivative(p);
+  return state;
+}
+
+/// Adds to a piece of duration T what rounding left open at its end: velocity, acceleration and jerk become those of
+/// `node`, by a quintic of velocity that vanishes with two derivatives at the begin. The position stays as it comes
+/// out.
+inline void land(Polynomial& p, double T, const std::array<double, 4>& node) {
+  const std::array<double, 4> reached = state_at(p, T);
+  const double dv = node[1] - reached[1], da = (node[2] - reached[2]) * T, dj = (node[3] - reached[3]) * T * T;
+  const double cubic = 10 * dv - 4 * da + dj / 2, quartic = -15 * dv + 7 * da - dj, quintic = 6 * dv - 3 * da + dj / 2;
+  const double T3 = T * T * T;
+  p[4] += cubic / (4 * T3);
+  p.push_back(quartic / (5 * T3 * T));
+  p.push_back(quintic / (6 * T3 * T * T));
+}
+
+template <int D, typename Place>
+void append_pieces(const CellChain<D>& chain, Place&& place, std::vector<SplineMotion::Piece>& pieces,
+                   std::vector<double>& times) {
+  double t = pieces.empty() ? 0 : pieces.back().end;
+  CellValues<D> v;
+  std::array<double, D> position = chain.node.front().state[0];
+  for (std::size_t c = 0; c < chain.cell.size(); ++c) {
+    const ChainNode<D>&from = chain.node[c], &to = chain.node[c + 1];
+    const double duration = chain.cell[c].duration, h = duration / CellBasis::pieces;
+    evaluate_cell(from, to, duration, v);
+    // A state is carried from piece to piece and from there on to the node, so that both sides of every joint agree to
+    // the rounding of their own terms; the positions are carried through all of them.
+    std::array<std::array<double, 4>, D> state;
+    for (std::size_t k = 0; k < D; ++k) state[k] = {position[k], from.state[1][k], from.state[2][k], from.state[3][k]};
+    double begin = t;
+    for (std::size_t piece = 0; piece < CellBasis::pieces; ++piece) {
+      const bool last = piece + 1 == CellBasis::pieces;
+      const double end = last ? t + duration : t + static_cast<double>(piece + 1) * h, T = end - begin;
+      std::array<Polynomial, D> x;
+      for (std::size_t k = 0; k < D; ++k) {
+        x[k] = quartic(state[k], v.q[CellBasis::first[4] + piece][k]);
+        if (last) land(x[k], T, {0, to.state[1][k], to.state[2][k], to.state[3][k]});
+        state[k] = state_at(x[k], T);
+      }
+      pieces.push_back({end, place(x)});
+      begin = end;
+    }
+    for (std::size_t k = 0; k < D; ++k) position[k] = state[k][0];
+    t += duration;
+    if (to.point >= 0) times.push_back(t);
+  }
+}
+
+}  // namespace bahnwerk

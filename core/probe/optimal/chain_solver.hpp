@@ -1,0 +1,46 @@
+#pragma once
+/// Shortens a chain of cells under all limits at once: a feasible primal-dual interior-point method.
+///
+/// Unknowns: the states of the nodes and the logarithms of the durations of the cells. Every Bézier point of the
+/// position lies in its edge's capsule, those of the velocity have norm ≤ speed, those of acceleration, jerk and snap
+/// lie within the limits of their axis, hence the motion keeps all limits at all times. The states are those of time
+/// itself, so cells next to each other may last differently and the passing times are free; the price is that the
+/// constraints are bilinear in states and durations. Each iterate keeps all constraints strictly, whatever comes of the
+/// rest: a run can end at any iteration.
+///
+/// The Newton system is block tridiagonal over the nodes (4 D unknowns each), durations are eliminated cell by cell:
+/// linear cost, about 4 µs (D = 2) or 10 µs (D = 3) a cell and iteration.
+#include <functional>
+
+#include "core/probe/optimal/chain.hpp"
+
+namespace bahnwerk {
+
+struct ChainSolverOptions {
+  double gap = 1e-3;    ///< ends where Σ λ g ≤ gap · duration
+  int iterations = 60;  ///< at most
+  double start_mu = 0;  ///< barrier parameter relative to duration / constraints; 0: chosen
+  double shortest = 0;  ///< no cell becomes shorter, s
+};
+
+struct ChainSolverReport {
+  int iterations = 0;
+  double gap = 0;  ///< Σ λ g / duration
+};
+
+/// `chain` strictly keeps every limit and the tube; it stays as it is where it does not. `stop` is asked once an
+/// iteration and may throw.
+template <int D>
+ChainSolverReport shorten_chain(CellChain<D>& chain, const ChainLimits<D>& limits, const ChainSolverOptions& options,
+                                const std::function<void()>& stop);
+
+/// The factor by which the chain has to be slowed so that speed, acceleration, jerk and snap are kept with room
+/// `margin` (0.01: 1 % below the limit); below 1 where it may be quicker.
+template <int D>
+double slowing_factor(const CellChain<D>& chain, const ChainLimits<D>& limits, double margin);
+
+/// The motion that lasts `factor` times as long, on the path that it has.
+template <int D>
+void slow_down(CellChain<D>& chain, double factor);
+
+}  // namespace bahnwerk

@@ -1,0 +1,23 @@
+#pragma once
+/// Method `optimal` of kind `probe_path`: a quartic spline in time whose steps and passing times are free, from coarse
+/// to fine, as quick as limits and tube allow; never slower than `start`.
+///
+/// Unknowns are the states at the points and at nodes between them, and the durations between (core/probe/optimal/
+/// cell_basis.hpp, chain_solver.hpp). Where the tube has no width the head rests at every corner, and each straight
+/// between is planned along its direction. The result keeps every limit at all times, by the convex-hull property.
+/// Objective `ripple`: the shortest motions for lower speeds, of which the one with the least ripple that lasts at most
+/// `stretch` times as long as the quickest is taken; no motion is promised to have less.
+/// The problem has local optima; the search starts from a motion that rests at every point.
+/// Cost: linear in the points; a few hundred cells take 0.1 s, 10 000 points some seconds.
+#include "core/probe/probe_motion.hpp"
+#include "core/probe/problem.hpp"
+
+namespace bahnwerk {
+
+class Progress;
+
+/// `start`: a motion that is right, which is returned where nothing quicker is found. Asks `progress` at every
+/// iteration.
+ProbeMotion plan_optimal(const ProbeProblem& problem, const ProbeMotion& start, Progress& progress);
+
+}  // namespace bahnwerk

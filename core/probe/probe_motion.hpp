@@ -1,0 +1,58 @@
+#pragma once
+/// What every method of kind `probe_path` plans: polynomials in time with the times at which the points are passed.
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "core/base/named.hpp"
+#include "core/base/progress_scope.hpp"
+#include "core/motion/axes/spline_motion.hpp"
+
+namespace bahnwerk {
+
+/// What the head does for a while. `rest`: it stands still at a point for a moment (begin = end). `interval`: it goes
+/// from one point to the next one, with nothing to say of parts of it.
+enum class ProbePhaseKind { accelerate, hold, brake, turn, rest, interval };
+inline constexpr Named<ProbePhaseKind> probe_phase_kinds[] = {{ProbePhaseKind::accelerate, "accelerate"},
+                                                              {ProbePhaseKind::hold, "hold"},
+                                                              {ProbePhaseKind::brake, "brake"},
+                                                              {ProbePhaseKind::turn, "turn"},
+                                                              {ProbePhaseKind::rest, "rest"},
+                                                              {ProbePhaseKind::interval, "interval"}};
+
+struct ProbePhase {
+  ProbePhaseKind kind = ProbePhaseKind::interval;
+  double begin = 0, end = 0;  ///< s
+  std::size_t point = 0;      ///< in ProbeProblem::points: that of a turn or rest, else that which was passed before
+};
+
+struct ProbeMotion {
+  std::shared_ptr<const SplineMotion> motion;  ///< as many axes as the problem has
+  std::vector<double> times;  ///< s, per point of ProbeProblem::points, ascending, first 0, last duration
+  /// s, per piece, as planned: the ends of pieces are their sums, rounded. Empty: differences of ends. Slowed motions
+  /// are made from them, as times would otherwise be rounded once more than the verifier grants.
+  std::vector<double> durations;
+  std::vector<ProbePhase> phases;  ///< in order of time
+  double duration() const { return motion->duration(); }
+};
+
+/// A sum of times that is rounded only where it is read.
+class TimeSum {
+ public:
+  void add(double duration) {
+    const double sum = high_ + duration, back = sum - high_;
+    low_ += (high_ - (sum - back)) + (duration - back);
+    high_ = sum;
+  }
+  double value() const { return high_ + low_; }
+
+ private:
+  double high_ = 0, low_ = 0;
+};
+
+/// The same path `factor` (> 0) times as slow: times by it, coefficient i divided by factorⁱ. Derivative r of every
+/// axis is divided by factorʳ. `duration` is what the slowed motion ends at, exactly; factor · duration by default.
+ProbeMotion slowed(const ProbeMotion& motion, double factor);
+ProbeMotion slowed(const ProbeMotion& motion, double factor, double duration, ProgressScope* progress = nullptr);
+
+}  // namespace bahnwerk

@@ -1,0 +1,153 @@
+#include "core/probe/spline/spline.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "core/base/progress_scope.hpp"
+#include "core/probe/spline/spline_run.hpp"
+#include "core/probe/straight/straight.hpp"
+
+namespace bahnwerk {
+namespace {
+
+using namespace probe;
+
+/// What is between two rests: a spline, or straights from rest to rest.
+struct Section {
+  std::size_t first = 0, last = 0;
+  std::optional<SplineRun> run;
+};
+
+class SplinePlanner {
+ public:
+  SplinePlanner(const ProbeProblem& problem, bool jerks)
+      : problem_(problem), jerks_(jerks), row_end_(straight_rows(problem)) {}
+
+  void solve(ProgressScope& progress) {
+    // Sections that are still to be planned, the first one on top.
+    std::vector<std::pair<std::size_t, std::size_t>> open{{0, problem_.points.size() - 1}};
+    while (!open.empty()) {
+      const auto [first, last] = open.back();
+      open.pop_back();
+      if (row_end_[first] >= last) {
+        take_rests(first, last);
+        continue;
+      }
+      SplineRun run(problem_, first, last, jerks_);
+      if (run.solve(progress)) {
+        if (run.duration() < resting(first, last)) {
+          duration_ += run.duration();
+          sections_.push_back({first, last, std::move(run)});
+        } else {
+          take_rests(first, last);
+        }
+        continue;
+      }
+      std::size_t end = last;
+      for (std::size_t i = run.rests().size(); i-- > 0;) {
+        open.emplace_back(run.rests()[i], end);
+        end = run.rests()[i];
+      }
+      open.emplace_back(first, end);
+    }
+    prefer_rows();
+  }
+
+  double duration() const { return duration_; }
+
+  ProbeMotion write(ProgressScope& progress) const {
+    MotionWriter writer(problem_);
+    for (const Section& section : sections_) {
+      progress.work(64);
+      if (section.first > 0) rest(writer, section.first);
+      if (section.run)
+        write(writer, section, progress);
+      else
+        append_rest_to_rest(writer, problem_, section.first, section.last);
+    }
+    writer.aim(problem_.points.back());
+    return writer.finish();
+  }
+
+ private:
+  std::size_t next(std::size_t i, std::size_t last) const { return std::min(last, row_end_[i]); }
+  double resting(std::size_t first, std::size_t last) const {
+    double sum = 0;
+    for (std::size_t i = first; i < last; i = next(i, last)) sum += rest_to_rest_duration(problem_, i, next(i, last));
+    return sum;
+  }
+  void take_rests(std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; i = next(i, last)) sections_.push_back({i, next(i, last), std::nullopt});
+    duration_ += resting(first, last);
+  }
+  /// Rests within a row cost time: where sections begin and end with rows, rows from rest to rest are taken if they are
+  /// quicker.
+  void prefer_rows() {
+    std::vector<char> begins_row(problem_.points.size(), 0);
+    for (std::size_t i = 0; i + 1 < problem_.points.size(); i = row_end_[i]) begins_row[i] = 1;
+    begins_row.back() = 1;
+    std::vector<Section> kept;
+    double total = 0;
+    for (std::size_t a = 0; a < sections_.size();) {
+      const std::size_t first = sections_[a].first;
+      double planned = 0;
+      std::size_t b = a;
+      do {
+        const Section& s = sections_[b];
+        planned += s.run ? s.run->duration() : rest_to_rest_duration(problem_, s.first, s.last);
+        ++b;
+      } while (!begins_row[sections_[b - 1].last]);
+      const std::size_t last = sections_[b - 1].last;
+      if (const double rows = resting(first, last); rows <= planned) {
+        total += rows;
+        for (std::size_t i = first; i < last; i = next(i, last)) kept.push_back({i, next(i, last), std::nullopt});
+      } else {
+        total += planned;
+        for (std::size_t i = a; i < b; ++i) kept.push_back(std::move(sections_[i]));
+      }
+      a = b;
+    }
+    sections_ = std::move(kept);
+    duration_ = total;
+  }
+  static void rest(MotionWriter& writer, std::size_t point) {
+    writer.pass(writer.time());
+    writer.phase(ProbePhaseKind::rest, writer.time(), writer.time(), point);
+  }
+  void write(MotionWriter& writer, const Section& section, ProgressScope& progress) const {
+    const SplineRun& run = *section.run;
+    writer.aim(problem_.points[section.first]);
+    for (std::size_t i = 0; i < run.times().size(); ++i) {
+      progress.work(8);
+      const double begin = writer.time();
+      // Each piece begins where rounding has taken the one before, and ends where it should.
+      const double h = run.times()[i];
+      writer.add(h, septic_coefficients(i == 0 ? run.end(0) : writer.carry(), run.end(i + 1), h));
+      writer.phase(ProbePhaseKind::interval, begin, writer.time(), section.first + i);
+      if (i + 1 < run.times().size()) writer.pass(writer.time());
+    }
+  }
+
+  const ProbeProblem& problem_;
+  bool jerks_;
+  std::vector<std::size_t> row_end_;
+  std::vector<Section> sections_;
+  double duration_ = 0;
+};
+
+}  // namespace
+
+ProbeMotion plan_spline(const ProbeProblem& problem, Progress& progress, double progress_from, double progress_to) {
+  ProgressScope scope(progress, "spline", progress_from, progress_to);
+  scope.report();
+  scope.part(0, 0.5);
+  SplinePlanner plain(problem, false), with_jerks(problem, true);
+  plain.solve(scope);
+  scope.part(0.5, 1);
+  with_jerks.solve(scope);
+  return with_jerks.duration() < plain.duration() ? with_jerks.write(scope) : plain.write(scope);
+}
+
+}  // namespace bahnwerk

@@ -1,0 +1,47 @@
+#pragma once
+/// The independent verifier of a motion law: it sees what the user gave, the law's coefficients as they are published,
+/// and the served table. It shares no evaluation with the solvers: derivatives are formed and enclosed by formulas of
+/// its own, so every check holds between the rows, too.
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/base/setpoint_source.hpp"
+#include "core/base/verification.hpp"
+#include "core/cam/problem.hpp"
+
+namespace bahnwerk {
+
+class Progress;
+
+/// A law as it is published.
+struct LawToVerify {
+  std::vector<double> breaks;                  ///< s, one more than pieces
+  std::vector<std::size_t> sections;           ///< of every piece
+  std::vector<std::vector<double>> bernstein;  ///< of every piece, over its local parameter 0 … 1
+  std::vector<double> at;                      ///< chosen angles, one per point, master's unit
+  double cycle_duration = 0;                   ///< s
+  double objective = 0;                        ///< J as reported
+  std::vector<double> peaks;                   ///< by order, as reported
+  std::optional<double> bound;                 ///< on J, as reported
+};
+
+/// Checks, each the worst of its kind, `at` s:
+///   angles                      chosen angles out of their ranges or order, and sections that do not begin there
+///   value <derivative>          distance of the law from a number, or beyond a range, at either side of a point
+///   continuity <derivative>     largest jump at points, up to the order that each asks for
+///   section limit <derivative>  how far the law leaves the limits of a section, anywhere inside (enclosed)
+///   drive <derivative>          peak against what the drive can do
+///   peak <derivative>           enclosed peak beyond the reported one
+///   objective                   J from the enclosed peaks beyond the reported one
+///   classical law               distance from a section's law by its textbook formula (rest to rest, in parts of the
+///   stroke) residual vibration          of a mode at a point that is to be still, in parts of the peak acceleration
+///   table <column>              distance of a row from the law
+///   table section limit <derivative>   rows beyond the limits of their section
+///   bound                       bound beyond J
+/// Tolerances: 1e-9 of what the coefficients of the pieces that meet can express in the derivative, at least their
+/// rounding. O(pieces · degree²) and O(rows · degree²).
+Verification verify_motion_law(const cam::MotionLawProblem& problem, const LawToVerify& law,
+                               const SetpointSource& table, Progress& progress);
+
+}  // namespace bahnwerk

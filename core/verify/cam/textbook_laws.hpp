@@ -1,0 +1,20 @@
+#pragma once
+/// Sections that name a classical law against its textbook formula.
+#include "core/base/verification.hpp"
+#include "core/cam/problem.hpp"
+
+namespace bahnwerk {
+
+struct LawToVerify;
+
+namespace verify {
+
+/// f(z) of a law from rest to rest with its inflection at λ, f(0) = 0, f(1) = 1 [VDI 2143].
+double textbook_law(cam::ClassicalLaw law, double z, double inflection);
+
+/// Adds `classical law`: the largest distance, in parts of the stroke, of every section that names a law and rests at
+/// both ends (or is straight), at 200 places each. Nothing where no section does.
+void check_textbook_laws(const cam::MotionLawProblem& problem, const LawToVerify& law, Verification& out);
+
+}  // namespace verify
+}  // namespace bahnwerk

@@ -1,0 +1,89 @@
+#include "core/verify/probe/probe_setpoint_checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "core/base/progress_scope.hpp"
+#include "core/base/read_rows.hpp"
+#include "core/verify/rounding.hpp"
+#include "core/verify/setpoints/motion_setpoint_checks.hpp"
+#include "core/verify/worst.hpp"
+
+namespace bahnwerk {
+namespace {
+
+using verify::rounding;
+using verify::Strained;
+
+class RowChecker {
+ public:
+  RowChecker(const ProbeToVerify& in, const SetpointSource& setpoints) : in_(in), setpoints_(setpoints) {
+    for (const AxisLimits& axis : in.problem.machine.axes)
+      for (const char* prefix : {"", "v"}) column_.push_back(find(prefix + axis.name));
+    deviation_column_ = find("deviation");
+    speed_column_ = find("v");
+    for (const Vec& p : in.problem.given) largest_ = std::max({largest_, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  }
+
+  std::vector<Check> run(ProgressScope& scope) {
+    if (complete_) {
+      for_each_row(
+          setpoints_, [&](std::size_t k, const double* row) { check(k, row); },
+          [&](std::size_t done, std::size_t count) {
+            scope.done(static_cast<double>(done) / static_cast<double>(setpoints_.count()));
+            scope.work(4 * count);
+          });
+    } else {
+      for (Strained* each : {&deviation_, &speed_}) each->raise(std::nan(""), 0, 0);
+    }
+    using verify::make_check;
+    return {make_check("setpoints deviation", "mm", deviation_), make_check("setpoints speed", "mm/s", speed_)};
+  }
+
+ private:
+  std::size_t find(const std::string& name) {
+    const std::size_t at = column_index(setpoints_.columns(), name);
+    complete_ = complete_ && at < setpoints_.columns().size();
+    return at;
+  }
+
+  void check(std::size_t k, const double* row) {
+    const Motion& motion = in_.motion;
+    const double t = std::min(motion.duration(), static_cast<double>(k) * in_.problem.machine.cycle_time);
+    const bool last = k + 1 == setpoints_.count();
+    while (edge_ + 1 < in_.problem.edges() && (in_.times[edge_ + 1] <= t || last)) ++edge_;
+    Vec position, velocity;
+    for (std::size_t axis = 0; axis < in_.problem.dimension(); ++axis) {
+      position[axis] = row[column_[2 * axis]];
+      velocity[axis] = row[column_[2 * axis + 1]];
+    }
+    const double from = distance_from_edge(position, in_.problem.points[edge_], in_.problem.points[edge_ + 1]);
+    deviation_.raise(std::abs(row[deviation_column_] - from), 2 * rounding * largest_, t);
+    speed_.raise(std::abs(row[speed_column_] - norm(velocity)), rounding * norm(velocity), t);
+  }
+
+  const ProbeToVerify& in_;
+  const SetpointSource& setpoints_;
+  std::vector<std::size_t> column_;  // per axis position, velocity
+  std::size_t deviation_column_ = 0, speed_column_ = 0;
+  bool complete_ = true;
+  double largest_ = 0;
+  std::size_t edge_ = 0;
+  Strained deviation_, speed_;
+};
+
+}  // namespace
+
+std::vector<Check> probe_setpoint_checks(const ProbeToVerify& input, const SetpointSource& setpoints,
+                                         Progress& progress) {
+  const double middle = (input.progress_from + input.progress_to) / 2;
+  std::vector<Check> checks =
+      motion_setpoint_checks(input.motion, input.problem.machine, setpoints, progress, input.progress_from, middle);
+  ProgressScope scope(progress, "verify setpoints", middle, input.progress_to);
+  for (Check& check : RowChecker(input, setpoints).run(scope)) checks.push_back(std::move(check));
+  return checks;
+}
+
+}  // namespace bahnwerk

@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# A motion law over HTTP: the same bits with one worker and with two, and as `bahnwerk plan` gives them; its table, cam tables in every
+# layout of a controller, drawings, clear faults.
+source "$(dirname "$0")/lib.sh"
+cp "$examples/tolerance_boxes.json" "$work/job.json"
+jq '.spec.points[1].position = 14' "$work/job.json" >"$work/other.json"
+
+start_server --workers 1
+post "$work/job.json"
+expect_status 202
+await succeeded 60
+request GET "/v1/jobs/$id/result"
+expect_status 200
+expect_json '.verification.passed and .kind == "motion_law" and .bound.objective <= .summary.objective'
+expect_json '(.details.sections | length) == 5 and .setpoints.count == 721'
+expect_json '.details.drawings["law.svg"] | startswith("<svg")'
+jq -S . "$work/body" >"$work/one.json"
+request GET "/v1/jobs/$id/setpoints?first=120&count=1"
+expect_status 200
+expect_json '.columns | length == 5'
+request GET "/v1/jobs/$id/setpoints?layout=csv"
+expect_status 200
+[[ $(head -n 1 "$work/body") == phi,s,v,a,j && $(wc -l <"$work/body") == 722 ]] || fail "csv"
+for layout in twincat_nc twincat_mc3 isg lcamhdl_xy lcamhdl_basic lcamhdl_advanced codesys_xyva codesys_xy; do
+  request GET "/v1/jobs/$id/setpoints?layout=$layout"
+  expect_status 200
+  grep -qi '^x-refit-error: position .* jerk ' "$work/headers" || fail "$layout: X-Refit-Error"
+  [[ $(wc -l <"$work/body") -gt 4 ]] || fail "$layout"
+done
+request GET "/v1/jobs/$id/setpoints?layout=twincat_nc&first=3"
+expect_problem schema-violation 422
+expect_json '.errors[0].pointer == "/query/layout"'
+post "$examples/line.json"
+await succeeded 60
+request GET "/v1/jobs/$id/setpoints?layout=isg"
+expect_problem schema-violation 422
+stop_server
+
+expect_same_bits_elsewhere "$work/job.json" "$work/other.json" "$work/one.json"
+for name in law spectrum; do
+  [[ $(head -c 4 "$work/offline/$name.svg") == '<svg' ]] || fail "$name.svg"
+done
+
+jq '.spec.points[1].position = {"min": 20, "max": 15}' "$work/job.json" >"$work/bad.json"
+post "$work/bad.json"
+expect_problem semantic-violation 422
+expect_json '.errors[0].pointer == "/spec/points/1/position"'
+jq '.spec.points[2].at = 60' "$work/job.json" >"$work/bad.json"
+post "$work/bad.json"
+expect_problem semantic-violation 422
+expect_json '.errors[0].pointer == "/spec/points/2/at"'

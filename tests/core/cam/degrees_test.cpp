@@ -1,0 +1,83 @@
+#include "core/cam/spline/degrees.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <set>
+
+#include "tests/core/cases.hpp"
+
+namespace bahnwerk::cam {
+namespace {
+
+/// All distributions, one after the other.
+void try_all(const std::vector<PointShare>& shares, std::size_t sections, std::vector<int>& before,
+             std::set<std::vector<int>>& best, std::pair<int, int>& least) {
+  if (before.size() < shares.size()) {
+    const PointShare& share = shares[before.size()];
+    for (int b = share.before_min; b <= share.before_max; ++b) {
+      before.push_back(b);
+      try_all(shares, sections, before, best, least);
+      before.pop_back();
+    }
+    return;
+  }
+  std::vector<int> degrees;
+  std::pair<int, int> cost{0, 0};
+  for (std::size_t s = 0; s < sections; ++s) {
+    const std::size_t end = (s + 1) % shares.size();
+    degrees.push_back(shares[s].total - before[s] + before[end] - 1);
+    if (degrees.back() < 0) return;
+    cost.first = std::max(cost.first, degrees.back());
+    cost.second += degrees.back() * degrees.back();
+  }
+  if (best.empty() || cost < least) best.clear(), least = cost;
+  if (cost == least) best.insert(degrees);
+}
+
+TEST(Degrees, EqualBruteForceOnSmallCases) {
+  std::mt19937 random(4);
+  for (int i = 0; i < testing::cases(1000); ++i) {
+    const bool cycle = random() % 2 == 0;
+    std::vector<PointShare> shares(2 + random() % 4);
+    for (auto& share : shares) {
+      const int joined = 1 + static_cast<int>(random() % 4), values = static_cast<int>(random() % (joined + 1));
+      share = {joined + values, values, joined};
+    }
+    if (!cycle) {
+      const int first = static_cast<int>(random() % 4), last = static_cast<int>(random() % 4);
+      shares.front() = {first, 0, 0}, shares.back() = {last, last, last};
+    }
+    const std::size_t sections = shares.size() - (cycle ? 0 : 1);
+    std::set<std::vector<int>> best;
+    std::pair<int, int> least;
+    std::vector<int> before;
+    try_all(shares, sections, before, best, least);
+    const auto found = balance_degrees(shares, std::vector<bool>(sections, true), 21, 10000);
+    EXPECT_EQ(std::set<std::vector<int>>(found.degrees.begin(), found.degrees.end()), best) << i;
+    EXPECT_TRUE(found.complete);
+  }
+}
+
+TEST(Degrees, ManyTiesAreListedUpToTheNumberAskedFor) {
+  std::vector<PointShare> shares(40, PointShare{5, 1, 4});
+  shares.front() = {3, 0, 0}, shares.back() = {5, 5, 5};
+  const auto found = balance_degrees(shares, std::vector<bool>(39, true), 21, 16);
+  EXPECT_EQ(found.degrees.size(), 16u);
+  EXPECT_FALSE(found.complete);
+}
+
+TEST(Degrees, AGivenSectionHasNone) {
+  const auto found = balance_degrees({{3, 0, 0}, {4, 4, 4}, {4, 0, 0}, {3, 3, 3}}, {true, false, true}, 21, 10);
+  EXPECT_EQ(found.degrees, (std::vector<std::vector<int>>{{6, -1, 6}}));
+}
+
+TEST(Degrees, ADegreeAboveTheLimitSaysWhichItWouldBe) {
+  const auto found = balance_degrees({{12, 0, 0}, {12, 12, 12}}, {true}, 21, 10);
+  EXPECT_TRUE(found.degrees.empty());
+  EXPECT_EQ(found.least_maximum, 23);
+}
+
+}  // namespace
+}  // namespace bahnwerk::cam

@@ -1,0 +1,49 @@
+#include "core/cam/optimal/free_angles.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/base/progress.hpp"
+#include "tests/core/cam/optimal/laws.hpp"
+
+namespace bahnwerk::cam {
+namespace {
+
+/// Every start ends in the J that a scan over the angle finds.
+TEST(FreeAngles, StartsEndInTheLeastJOfAScan) {
+  SilentProgress progress;
+  MotionLawProblem problem = testing::rest_to_rest(30, 1);
+  problem.points.insert(problem.points.begin() + 1, testing::point_at(40, {testing::fixed(11)}, 3));
+  const SectionBasis basis(6, 1);
+  double least = 1e300;
+  for (int k = 0; k <= 60; ++k) {
+    problem.points[1].at = {25 + 0.5 * k, 25 + 0.5 * k};
+    const LawTask task = make_law_task(problem);
+    SplineOptions coarse;
+    coarse.gap = 1e-6;
+    least = std::min(least, SplineProgram(task, basis, task.middle()).solve(coarse, progress).objective);
+  }
+  problem.points[1].at = {25, 55};
+  const LawTask task = make_law_task(problem);
+  const FreeAngles free = optimise_angles(task, basis, 1, progress);
+  EXPECT_LE(free.spline.objective, least * (1 + 1e-6));
+  EXPECT_GE(free.spline.objective, least * (1 - 1e-2));
+  for (const double each : free.start_results) EXPECT_NEAR(each, free.spline.objective, 1e-5 * free.spline.objective);
+  EXPECT_GE(free.spline.breaks[1], task.at[1].min);
+  EXPECT_LE(free.spline.breaks[1], task.at[1].max);
+}
+
+TEST(FreeAngles, SameSeedSameLaw) {
+  SilentProgress progress;
+  MotionLawProblem problem = testing::rest_to_rest(30, 1);
+  problem.points.insert(problem.points.begin() + 1, testing::point_at(40, {testing::fixed(20)}, 3));
+  problem.points[1].at = {30, 70};
+  const LawTask task = make_law_task(problem);
+  const SectionBasis basis(6, 1);
+  EXPECT_EQ(optimise_angles(task, basis, 5, progress).spline.coefficients,
+            optimise_angles(task, basis, 5, progress).spline.coefficients);
+}
+
+}  // namespace
+}  // namespace bahnwerk::cam

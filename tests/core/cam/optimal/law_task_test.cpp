@@ -1,0 +1,56 @@
+#include "core/cam/optimal/law_task.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/cam/optimal/laws.hpp"
+
+namespace bahnwerk::cam {
+namespace {
+
+using testing::fixed;
+using testing::point_at;
+
+TEST(LawTask, UnitsAreTheMeanSectionAndTheSpanOfThePositions) {
+  MotionLawProblem problem = testing::rest_to_rest(30, 0.6);
+  problem.points.insert(problem.points.begin() + 1, point_at(45, {Range{12, 14}, fixed(80)}));
+  problem.points[0].section[1] = {-60, 200};
+  const LawTask task = make_law_task(problem);
+  EXPECT_DOUBLE_EQ(task.unit_time, 0.3);
+  EXPECT_DOUBLE_EQ(task.unit_position, 30);
+  EXPECT_DOUBLE_EQ(task.cycle, 2);
+  EXPECT_DOUBLE_EQ(task.at[1].min, 1);
+  EXPECT_NEAR(task.limits[0][1].max, 200 * 0.3 / 30, 1e-14);
+  EXPECT_NEAR(task.weight[2] * task.to_task(2), problem.objective.weight[2], 1e-14);
+  ASSERT_EQ(task.conditions.size(), 8u);
+  EXPECT_NEAR(task.conditions[3].range.min, 12.0 / 30, 1e-14);
+  EXPECT_NEAR(task.conditions[4].range.max, 80 * 0.3 / 30, 1e-14);
+}
+
+/// A rise and a fall that may not turn back meet at a point that rests.
+TEST(LawTask, LimitsOfNeighboursThatLeaveOneValuePinIt) {
+  MotionLawProblem problem = testing::rest_to_rest(0, 1);
+  problem.points.insert(problem.points.begin() + 1, point_at(40, {fixed(20)}));
+  problem.points[0].section[1].min = 0;
+  problem.points[1].section[1].max = 0;
+  const LawTask task = make_law_task(problem);
+  const LawTask::Condition& pinned = task.conditions.back();
+  EXPECT_EQ(pinned.point, 1u);
+  EXPECT_EQ(pinned.order, 1);
+  EXPECT_EQ(pinned.range.min, 0);
+  EXPECT_TRUE(pinned.range.fixed());
+}
+
+TEST(LawTask, VibrationGoesFromOnePointThatStandsStillToTheNext) {
+  MotionLawProblem problem = testing::rest_to_rest(10, 0.5);
+  problem.points.insert(problem.points.begin() + 1, point_at(40, {fixed(5)}));
+  problem.points[0].still = problem.points[2].still = true;
+  problem.vibration = {{4, 0.1}, {9, 0}};
+  const LawTask task = make_law_task(problem);
+  ASSERT_EQ(task.vibration.size(), 2u);
+  EXPECT_EQ(task.vibration[0].from, 0u);
+  EXPECT_EQ(task.vibration[0].to, 2u);
+  EXPECT_NEAR(task.vibration[0].decay, 0.1 * 2 * 3.14159265358979 * 4 * 0.25, 1e-12);
+}
+
+}  // namespace
+}  // namespace bahnwerk::cam

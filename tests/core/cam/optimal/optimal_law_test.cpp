@@ -1,0 +1,118 @@
+#include "core/cam/optimal/optimal_law.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
+#include "tests/core/cam/optimal/laws.hpp"
+
+namespace bahnwerk::cam {
+namespace {
+
+/// The same problem in other seconds and millimetres.
+MotionLawProblem scaled(MotionLawProblem problem, double time, double length) {
+  problem.cycle_duration = *problem.cycle_duration * time;
+  const auto scale = [&](Range& range, int order) {
+    range.min *= length / std::pow(time, order);
+    range.max *= length / std::pow(time, order);
+  };
+  for (MotionPoint& point : problem.points) {
+    for (int r = 0; r < static_cast<int>(point.values.size()); ++r) scale(point.values[static_cast<std::size_t>(r)], r);
+    for (int r = 0; r < limited_orders; ++r) scale(point.section[static_cast<std::size_t>(r)], r);
+  }
+  for (int r = 1; r < limited_orders; ++r) problem.objective.weight[static_cast<std::size_t>(r)] *= std::pow(time, r);
+  return problem;
+}
+
+TEST(OptimalLaw, TimeAndStrokeScaleJAndNothingElse) {
+  SilentProgress progress;
+  Random random(2);
+  for (int k = 0; k < 4; ++k) {
+    MotionLawProblem problem = testing::random_problem(random);
+    problem.degree = 7;
+    const OptimalLaw one = plan_optimal_law(problem, progress),
+                     other = plan_optimal_law(scaled(problem, 0.03, 7), progress);
+    EXPECT_NEAR(other.solution.value.objective, 7 * one.solution.value.objective,
+                1e-6 * other.solution.value.objective);
+    EXPECT_NEAR(other.solution.bound->objective, 7 * one.solution.bound->objective,
+                1e-4 * other.solution.value.objective);
+    EXPECT_LE(one.solution.bound->objective, *one.solution.lower * (1 + 1e-9));
+  }
+}
+
+TEST(OptimalLaw, WithoutDegreeItComesWithinAHundredthOfAllLaws) {
+  SilentProgress progress;
+  const OptimalLaw law = plan_optimal_law(testing::rest_to_rest(30, 0.5), progress);
+  EXPECT_LE(law.solution.value.objective, 1.01 * law.solution.bound->objective * (1 + 1e-6));
+  EXPECT_EQ(law.degree, 3);
+  EXPECT_LE(law.pieces, 16);
+  EXPECT_EQ(law.solution.law.pieces(), static_cast<std::size_t>(law.pieces));
+}
+
+TEST(OptimalLaw, OvershootIsNotedWithTheLimitThatPreventsIt) {
+  SilentProgress progress;
+  MotionLawProblem problem = testing::rest_to_rest(30, 1);
+  problem.points.insert(problem.points.begin() + 1, testing::point_at(25, {testing::fixed(20)}, 3));
+  problem.degree = 7;
+  const OptimalLaw law = plan_optimal_law(problem, progress);
+  ASSERT_EQ(law.solution.notes.size(), 1u);
+  EXPECT_NE(law.solution.notes[0].find("\"velocity\": {\"min\": 0}"), std::string::npos) << law.solution.notes[0];
+  problem.points[0].section[1].min = problem.points[1].section[1].min = 0;
+  EXPECT_TRUE(plan_optimal_law(problem, progress).solution.notes.empty());
+}
+
+/// A dwell: a section whose velocity is 0 all over.
+TEST(OptimalLaw, LimitsThatAreValuesHoldAllOver) {
+  SilentProgress progress;
+  MotionLawProblem problem = testing::rest_to_rest(30, 1);
+  problem.points.insert(problem.points.begin() + 1, testing::point_at(50, {testing::fixed(30)}));
+  problem.points[1].section[1] = {0, 0};
+  problem.degree = 6;
+  const OptimalLaw law = plan_optimal_law(problem, progress);
+  const LawExtremes dwell = law.solution.law.section_extremes(0, 1);
+  EXPECT_NEAR(dwell.lowest.value, 30, 1e-8);
+  EXPECT_NEAR(dwell.highest.value, 30, 1e-8);
+}
+
+TEST(OptimalLaw, FaultsNameTheirPlace) {
+  SilentProgress progress;
+  const auto place_of = [&](const MotionLawProblem& problem) {
+    try {
+      plan_optimal_law(problem, progress);
+    } catch (const InvalidInput& fault) {
+      return fault.faults.front().place;
+    }
+    return std::vector<std::string>{};
+  };
+  MotionLawProblem problem = testing::rest_to_rest(30, 1);
+  problem.degree = 6;
+  problem.points[0].section[1].max = 31;
+  EXPECT_EQ(place_of(problem), (std::vector<std::string>{"points", "0", "section", "velocity"}));
+  problem.points[0].section[1].max = 1e9;
+  problem.points[0].section[0].max = 20;
+  EXPECT_EQ(place_of(problem), (std::vector<std::string>{"points", "0", "section", "position"}));
+  problem.points[0].section[0].max = 1e9;
+  problem.degree = 4;
+  EXPECT_EQ(place_of(problem), (std::vector<std::string>{"points", "0", "acceleration"}));
+  problem.degree = 6;
+  problem.points[0].law = ClassicalLaw::modified_sine;
+  EXPECT_EQ(place_of(problem), (std::vector<std::string>{"points", "0", "law"}));
+}
+
+TEST(OptimalLaw, TheDriveDecidesWhereTheCycleHasNoDuration) {
+  SilentProgress progress;
+  MotionLawProblem problem = testing::rest_to_rest(40, 1);
+  problem.cycle_duration.reset();
+  problem.drive = DriveLimits{100, 1200, 30000};
+  problem.degree = 7;
+  const OptimalLaw law = plan_optimal_law(problem, progress);
+  EXPECT_NEAR(law.solution.law.duration(), law.solution.cycle_duration, 1e-12);
+  EXPECT_LE(law.solution.value.peaks[1].value, 100 * (1 + 1e-9));
+  EXPECT_LE(law.solution.value.peaks[2].value, 1200 * (1 + 1e-9));
+  EXPECT_LE(law.solution.value.peaks[3].value, 30000 * (1 + 1e-9));
+}
+
+}  // namespace
+}  // namespace bahnwerk::cam

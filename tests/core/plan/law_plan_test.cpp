@@ -1,0 +1,102 @@
+#include "core/plan/motion_law/law_plan.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
+#include "core/plan/motion_law/law_drawings.hpp"
+#include "core/plan/motion_law/law_spectrum.hpp"
+#include "tests/core/cam/problems.hpp"
+#include "tests/core/cases.hpp"
+
+namespace bahnwerk {
+namespace {
+
+using namespace cam::testing_problems;
+
+LawPlan planned(const cam::MotionLawProblem& problem, LawSampling sampling = {}) {
+  SilentProgress progress;
+  return plan_motion_law(problem, sampling, progress);
+}
+
+cam::MotionLawProblem random_problem(std::mt19937& random) {
+  std::uniform_real_distribution<double> unit(0, 1);
+  const bool periodic = random() % 2 == 0;
+  const std::size_t n = 3 + random() % 3;
+  std::vector<cam::MotionPoint> points;
+  double at = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double position = 40 * unit(random);
+    cam::MotionPoint p = point(at, 2 + static_cast<int>(random() % 2), {number(position)});
+    if (i > 0 && random() % 2) p.values[0] = {position - 3, position + 3};
+    if (random() % 2) p.values.push_back({-0.3, 0.3});
+    points.push_back(std::move(p));
+    at += 20 + 40 * unit(random);
+  }
+  if (!periodic) at = points.back().at.min, points.front() = rest(0, 5), points.back() = rest(at, 30);
+  cam::MotionLawProblem out = problem(at, periodic, points);
+  out.cycle_duration = 0.4;
+  out.objective.weight = {0, 1, 0.05, 0.002};
+  return out;
+}
+
+TEST(LawPlan, RandomProblemsAreVerifiedAndTheOptimumIsNoWorseThanTheActiveSet) {
+  std::mt19937 random(9);
+  int compared = 0;
+  for (int i = 0; i < testing::cases(12); ++i) {
+    cam::MotionLawProblem problem = random_problem(random);
+    LawPlan active;
+    try {
+      active = planned(problem);
+    } catch (const PlanningError&) {
+      continue;  // singular, or no order of conversions ends
+    }
+    EXPECT_TRUE(active.verification.passed) << i;
+    problem.method = cam::LawMethod::optimal;
+    problem.degree = std::max(5, static_cast<int>(active.solution.law.max_degree()));
+    const LawPlan optimal = planned(problem);
+    EXPECT_TRUE(optimal.verification.passed) << i;
+    const double best = optimal.solution.value.objective;
+    EXPECT_LE(best, active.solution.value.objective * (1 + 1e-7)) << i;
+    EXPECT_LE(optimal.lower, best) << i;
+    EXPECT_LE(active.lower, best * (1 + 1e-9)) << i;
+    ++compared;
+  }
+  EXPECT_GT(compared, testing::cases(12) / 2);
+}
+
+TEST(LawPlan, ACycleTimeThatDoesNotDivideTheCycleHasNoSteps) {
+  EXPECT_EQ(table_steps({0.001, {}}, 0.5), 500u);
+  EXPECT_EQ(table_steps({0.003, {}}, 0.5), 0u);
+  EXPECT_EQ(table_steps({{}, 123}, 0.5), 123u);
+  EXPECT_EQ(table_steps({}, 0.5), 720u);
+}
+
+TEST(LawPlan, TheSpectrumHasTheEnergyOfTheAcceleration) {
+  // Parseval: Σ amplitude²/2 is the mean square of an acceleration without mean.
+  const LawPlan plan = planned(problem(2, true, {rest(0, 0), rest(1, 20)}));
+  double mean_square = 0, sum = 0;
+  for (int k = 0; k < 2000; ++k) mean_square += std::pow(plan.solution.law.evaluate(k / 1000.0, 2), 2) / 2000;
+  for (const double amplitude : acceleration_spectrum(plan.solution.law, 200)) sum += amplitude * amplitude / 2;
+  EXPECT_NEAR(sum, mean_square, 1e-5 * mean_square);
+}
+
+TEST(LawPlan, DrawingsShowTheLawItsBoxesAndItsLimits) {
+  cam::MotionLawProblem p = problem(130, false, {rest(0, 0), point(55, 3, {{24, 26}}), rest(130, 45)});
+  p.points[1].section[1] = {-0.1, 1};
+  const LawPlan plan = planned(p);
+  const std::string drawing = law_drawing(plan);
+  EXPECT_NE(drawing.find("J 3.29793"), std::string::npos);
+  EXPECT_NE(drawing.find("fill-opacity"), std::string::npos);
+  EXPECT_NE(drawing.find("#c1121f"), std::string::npos);
+  EXPECT_EQ(drawing.find("nan"), std::string::npos);
+  EXPECT_LT(drawing.size(), 200000u);
+  EXPECT_EQ(spectrum_drawing(plan).find("nan"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace bahnwerk

@@ -1,0 +1,32 @@
+#include "core/probe/figures.hpp"
+
+#include "core/probe/arcs/arcs.hpp"
+#include "tests/core/probe/probe_cases.hpp"
+
+namespace bahnwerk {
+namespace {
+
+using namespace probe_cases;
+
+TEST(ProbeFigures, OfAStraightAreKnown) {
+  const ProbeProblem p = problem({{0, 0, 0}, {10, 0, 0}, {60, 0, 0}, {80, 0, 0}}, 0.1, 3);
+  SilentProgress silent;
+  ProgressScope scope(silent, "test", 0, 1);
+  const ProbeMotion plan = plan_arcs(p, silent);
+  const ProbeFigures f = probe_figures(p, plan, scope);
+  EXPECT_NEAR(f.path_length, 80, 1e-9);
+  EXPECT_NEAR(f.mean_speed, 80 / plan.duration(), 1e-9);
+  EXPECT_NEAR(f.speed_ripple, 0, 1e-8) << "all at nominal speed between the inner points";
+  EXPECT_LT(f.max_deviation, 1e-12);
+}
+
+TEST(ProbeFigures, ARestInBetweenIsARippleAboveOne) {
+  const ProbeProblem p = problem({{0, 0}, {30, 0}, {30, 30}, {0, 30}}, 0);
+  SilentProgress silent;
+  ProgressScope scope(silent, "test", 0, 1);
+  const ProbeFigures f = probe_figures(p, plan_arcs(p, silent), scope);
+  EXPECT_NEAR(f.speed_ripple, 20 / (30 / (1.5 + 0.17)), 1e-6);
+}
+
+}  // namespace
+}  // namespace bahnwerk

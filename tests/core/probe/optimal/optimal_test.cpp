@@ -1,0 +1,131 @@
+#include "core/probe/optimal/optimal.hpp"
+
+#include "core/base/errors.hpp"
+#include "core/probe/arcs/arcs.hpp"
+#include "core/probe/figures.hpp"
+#include "core/verify/probe/probe_bound.hpp"
+#include "tests/core/cases.hpp"
+#include "tests/core/probe/probe_cases.hpp"
+#include "tests/core/silent_scope.hpp"
+
+namespace bahnwerk {
+namespace {
+
+using namespace probe_cases;
+using testing::cases;
+
+ProbeMotion stops(const ProbeProblem& problem) {
+  SilentProgress silent;
+  return plan_stops(problem, silent);
+}
+ProbeMotion optimal(const ProbeProblem& problem) {
+  SilentProgress silent;
+  const ProbeMotion plan = plan_optimal(problem, stops(problem), silent);
+  expect_right(problem, plan);
+  return plan;
+}
+double bound(const ProbeProblem& problem) {
+  SilentProgress silent;
+  return probe_bound(problem, silent).value;
+}
+
+TEST(Optimal, ACornerIsPassedWithinAPerCentOfTheBound) {
+  const ProbeProblem p = problem({{1, 2}, {1, 8}, {7, 8}}, 0.06);
+  const double planned = optimal(p).duration(), least = bound(p);
+  EXPECT_LE(least, planned);
+  EXPECT_LT(planned, 1.01 * least);
+  EXPECT_LT(planned, 0.95 * stops(p).duration());
+}
+
+TEST(Optimal, AShortMoveIsQuickerThanFifteenPhases) {
+  // Snap alone limits it: (384 d/S)^¼ is the least time of all, (512 d/S)^¼ that of fifteen phases.
+  const ProbeProblem p = problem({{0, 0}, {0, 0.03}}, 0.05);
+  const double planned = optimal(p).duration();
+  EXPECT_GE(planned, std::pow(384 * 0.03 / 200000, 0.25));
+  EXPECT_LT(planned, 1.002 * std::pow(384 * 0.03 / 200000, 0.25));
+}
+
+TEST(Optimal, TwoPointsTakeNoLongerThanTheProfile) {
+  const ProbeProblem p = problem({{0, 0, 0}, {0, 60, 0}}, 0.05, 3);
+  EXPECT_LE(optimal(p).duration(), 3.17 + 1e-9);
+  EXPECT_GT(optimal(p).duration(), 0.999 * 3.17);
+}
+
+TEST(Optimal, WithoutTubeCornersAreRestsAndReversalsAreNot) {
+  const double corner = optimal(problem({{0, 0}, {6, 0}, {6, 6}}, 0)).duration();
+  EXPECT_NEAR(corner, 2 * (6.0 / 20 + 0.17), 1e-3);
+  const ProbeProblem back = problem({{0, 0}, {30, 40}, {12, 16}}, 0);
+  EXPECT_LT(optimal(back).duration(), stops(back).duration() - 0.02);
+}
+
+TEST(Optimal, DensePointsOnACircleArePassedAtSpeed) {
+  for (std::size_t n : {40u, 300u}) {
+    const ProbeProblem p = problem(circle(n, 6), 0.05);
+    const double planned = optimal(p).duration();
+    EXPECT_LT(planned, 2 * M_PI * 6 / 20 + 0.21) << n;
+    EXPECT_GE(planned, 12 * static_cast<double>(n) * std::sin(M_PI / static_cast<double>(n)) / 20) << n;
+  }
+}
+
+TEST(Optimal, NoiseBelowThePointToleranceCostsNothing) {
+  ProbeProblem p = problem(circle(40, 6), 0.05);
+  Random random(11);
+  for (Vec& v : p.given) v = v + Vec{2e-4 * (random.uniform() - 0.5), 2e-4 * (random.uniform() - 0.5), 0};
+  p.point_tolerance = 3e-4;
+  merge_points(p);
+  EXPECT_LT(optimal(p).duration(), 2 * M_PI * 6 / 20 + 0.22);
+}
+
+TEST(Optimal, TimeScaledWithItsLimitsGivesTheScaledDuration) {
+  const std::vector<Vec> points = {{0, 0}, {4, 1}, {6, 5}, {2, 7}};
+  const double k = 2;
+  const double slow = optimal(problem(points, 0.1, 2, 20, 200, 4000, 200000)).duration();
+  const double quick =
+      optimal(problem(points, 0.1, 2, 20 * k, 200 * k * k, 4000 * k * k * k, 200000 * k * k * k * k)).duration();
+  EXPECT_NEAR(slow, k * quick, 1e-9 * slow);
+}
+
+TEST(Optimal, RandomSetsAreRightNeverSlowerThanTheirStartAndNeverBelowTheBound) {
+  Random random(5);
+  for (int i = 0; i < bahnwerk::testing::cases(12); ++i) {
+    const std::size_t dimension = i % 2 ? 3 : 2;
+    const double spacing = std::exp(random.uniform() * 6 - 3);
+    std::vector<Vec> points{{0, 0, 0}};
+    for (int n = 2 + static_cast<int>(random.uniform() * 12); n-- > 0;) {
+      Vec step{random.uniform() - 0.5, random.uniform() - 0.5, dimension == 3 ? random.uniform() - 0.5 : 0};
+      points.push_back(points.back() + 2 * spacing * step);
+    }
+    const double scale = std::exp(random.uniform() * 4 - 2);
+    const ProbeProblem p = problem(points, i % 4 == 3 ? 0 : spacing * std::exp(-5 * random.uniform()), dimension,
+                                   20 * scale, 200 * scale, 4000 * scale, 200000 * scale);
+    const double planned = optimal(p).duration();
+    EXPECT_LE(planned, stops(p).duration()) << i;
+    EXPECT_LE(bound(p), planned) << i;
+    EXPECT_GT(bound(p), 0) << i;
+  }
+}
+
+TEST(Optimal, RippleIsLessWithinTheStretchedTime) {
+  ProbeProblem p = problem({{0, 0}, {8, 0}, {8, 6}, {14, 6}, {14, 0}, {22, 0}}, 0.2);
+  const ProbeMotion quickest = optimal(p);
+  p.objective = ProbeObjective::ripple;
+  p.stretch = 1.4;
+  const ProbeMotion even = optimal(p);
+  EXPECT_LE(even.duration(), 1.4 * quickest.duration());
+  EXPECT_LT(probe_figures(p, even, silent_scope()).speed_ripple,
+            0.6 * probe_figures(p, quickest, silent_scope()).speed_ripple);
+}
+
+TEST(Optimal, ItEndsWhenProgressSaysSo) {
+  struct Stop final : Progress {
+    void report(std::string_view, double, std::string_view) override {
+      if (++calls > 5) throw Stopped(StopReason::cancelled);
+    }
+    int calls = 0;
+  } stop;
+  const ProbeProblem p = problem(circle(40, 6), 0.05);
+  EXPECT_THROW(plan_optimal(p, stops(p), stop), Stopped);
+}
+
+}  // namespace
+}  // namespace bahnwerk

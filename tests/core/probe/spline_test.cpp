@@ -1,0 +1,44 @@
+#include "core/probe/spline/spline.hpp"
+
+#include "core/probe/arcs/arcs.hpp"
+#include "tests/core/probe/probe_cases.hpp"
+
+namespace bahnwerk {
+namespace {
+
+using namespace probe_cases;
+
+ProbeMotion spline(const ProbeProblem& problem) {
+  SilentProgress silent;
+  return plan_spline(problem, silent);
+}
+
+TEST(Spline, StraightsAreTheProfileOfFifteenPhases) {
+  const ProbeProblem p = problem({{-40, 0, 0}, {-20, 0, 0}, {-20, 0, 0}, {10, 0, 0}, {40, 0, 0}}, 0, 3);
+  EXPECT_NEAR(spline(p).duration(), 4.17, 1e-12);
+  expect_right(p, spline(p));
+}
+
+TEST(Spline, WithoutToleranceTheHeadRestsAtCorners) {
+  const ProbeProblem p = problem({{0, 0}, {5, 0}, {5, 5}}, 0);
+  EXPECT_NEAR(spline(p).duration(), 0.84, 1e-12);
+  expect_right(p, spline(p));
+}
+
+TEST(Spline, IsNeverSlowerThanRestsAndKeepsEverything) {
+  const std::vector<std::pair<std::string, ProbeProblem>> cases{
+      {"corner", problem({{0, 0}, {5, 0}, {5, 5}}, 0.05)},
+      {"wide corner", problem({{0, 0}, {5, 0}, {5, 5}}, 2)},
+      {"reversal", problem({{0, 0}, {50, 0}, {0, 0}}, 0.05)},
+      {"circle", problem(circle(60, 10), 0.05)},
+      {"fine circle", problem(circle(600, 10), 0.05)},
+      {"space", problem({{0, 0, 0}, {12, 3, 1}, {20, 14, 9}, {9, 20, 22}, {-3, 10, 30}}, 0.4, 3)}};
+  for (const auto& [name, p] : cases) {
+    const ProbeMotion plan = spline(p);
+    EXPECT_LE(plan.duration(), stops_duration(p) * (1 + 1e-12)) << name;
+    expect_right(p, plan, name);
+  }
+}
+
+}  // namespace
+}  // namespace bahnwerk
