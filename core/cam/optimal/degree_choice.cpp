@@ -51,13 +51,25 @@ int least_degree(const LawTask& task) {
   return std::min(degree, max_degree);
 }
 
+namespace {
+
+/// What a bound takes for granted where neither weights nor conditions limit what rounding of its multipliers is worth.
+const char* assumption(const LawTask& task, double objective) {
+  return task.weight[1] > 0 && task.weight[2] > 0 && position_bound(task, objective) > 0
+             ? ""
+             : "; for laws whose position, velocity and acceleration stay below a thousand times this one's";
+}
+
+}  // namespace
+
 void bound_law(const LawTask& task, const KnownLaw& law, DegreeChoice& choice, Progress& progress) {
   const std::string program =
       "over node values of position, velocity and acceleration with moments of the jerk in each cell of a grid";
   if (!task.free_angles()) {
     choice.bound = relaxation_bound(task, task.at, law, {}, progress);
     ++choice.programs;
-    choice.basis = "linear program " + program + ": every law with bounded jerk keeps it";
+    choice.basis =
+        "linear program " + program + ": every law with bounded jerk keeps it" + assumption(task, law.objective());
     return;
   }
   const AllLawsBound bound = bound_over_angles(task, law, most_boxes, 1e-3, progress);
@@ -65,7 +77,8 @@ void bound_law(const LawTask& task, const KnownLaw& law, DegreeChoice& choice, P
   choice.bound = bound.objective;
   choice.basis = "linear programs " + program + ", over boxes of angles (branch and bound, " +
                  std::to_string(bound.programs) + " programs" +
-                 (bound.complete ? ")" : ", ended before the last box was settled)");
+                 (bound.complete ? ")" : ", ended before the last box was settled)") +
+                 assumption(task, law.objective());
 }
 
 DegreeChoice choose_degree(const MotionLawProblem& problem, const LawTask& task, Progress& progress) {
