@@ -52,8 +52,16 @@ ChainLimits<D> limits_of(const ProbeProblem& problem) {
 
 ProbeMotion motion_of(std::vector<SplineMotion::Piece> pieces, std::vector<double> times) {
   ProbeMotion out;
+  // Every piece begins at the very place at which rounding leaves the one before it.
   double begin = 0;
-  for (const SplineMotion::Piece& piece : pieces) out.durations.push_back(piece.end - begin), begin = piece.end;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const double duration = pieces[i].end - begin;
+    out.durations.push_back(duration);
+    begin = pieces[i].end;
+    if (i + 1 == pieces.size()) break;
+    for (std::size_t k = 0; k < pieces[i].axes.size(); ++k)
+      pieces[i + 1].axes[k][0] = evaluate(pieces[i].axes[k], duration);
+  }
   out.motion = std::make_shared<SplineMotion>(std::move(pieces));
   times.back() = out.motion->duration();
   for (std::size_t e = 0; e + 1 < times.size(); ++e)
