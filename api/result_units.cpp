@@ -35,7 +35,7 @@ const ordered_json& resolved(const ordered_json& schema, const ordered_json& mem
 
 std::string unit_of(const ordered_json& schema, const ordered_json& member) {
   const ordered_json& described = resolved(schema, member);
-  const std::string own = described_unit(described.value("description", ""));
+  std::string own = described_unit(described.value("description", ""));
   if (!own.empty() || !described.contains("properties") || described["properties"].empty()) return own;
   const ordered_json& members = described["properties"];
   const std::string first = unit_of(schema, members.front());

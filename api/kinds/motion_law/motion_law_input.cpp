@@ -32,8 +32,9 @@ MotionPoint point(const json& p) {
   out.at = range(p["at"]);
   out.continuity = p.value("continuity", 2);
   const auto put = [&](int order, const json& value) {
-    if (order >= static_cast<int>(out.values.size())) out.values.resize(static_cast<std::size_t>(order + 1));
-    out.values[static_cast<std::size_t>(order)] = range(value);
+    const auto at = static_cast<std::size_t>(order);
+    if (at >= out.values.size()) out.values.resize(at + 1);
+    out.values[at] = range(value);
   };
   for (int r = 0; r < 4; ++r)
     if (const auto at = p.find(order_names[r]); at != p.end()) put(r, *at);

@@ -63,10 +63,10 @@ void take_difference(const CamLaw& law, double t0, double t1, const std::vector<
     bernstein_raise(q.data(), b.size() - 1, n - 1);
     for (std::size_t k = 0; k < n; ++k) p[k] -= q[k];
     std::size_t size = n;
-    for (std::size_t r = 0; r < error.size(); ++r) {
-      BernsteinExtremes found{-error[r], error[r]};
+    for (double& largest : error) {
+      BernsteinExtremes found{-largest, largest};
       take_extremes({p.data(), size}, found);
-      error[r] = std::max(found.high, -found.low);
+      largest = std::max(found.high, -found.low);
       size = bernstein_derivative({p.data(), size}, p.data());
       for (std::size_t k = 0; k < size; ++k) p[k] /= end - begin;
     }

@@ -70,8 +70,9 @@ double Turn::deviation(double speed, Vec before, Vec point, Vec after, double en
   const Vec apex = this->apex(point, whole);
   double most = enough;
   for (const bool first : {true, false}) {
-    // The second half is the first one backwards in time, from the exit with −d_out to the point.
-    const Vec direction = first ? in_ : -out_, change = first ? change_ : change_;
+    // The second half is the first one backwards in time, from the exit with −d_out to the point: −d_in + d_out is the
+    // same change.
+    const Vec direction = first ? in_ : -out_, change = change_;
     const Vec begin = apex - whole.length * direction;
     double t = 0;
     for (std::size_t i = 0; i < n; ++i) {

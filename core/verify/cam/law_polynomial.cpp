@@ -31,7 +31,8 @@ std::vector<double> derivative_coefficients(const std::vector<double>& b, double
   for (int i = 0; i + order <= n; ++i) {
     double difference = 0, binomial = 1;
     for (int k = 0; k <= order; ++k) {
-      difference += ((order - k) % 2 == 0 ? binomial : -binomial) * b[static_cast<std::size_t>(i + k)];
+      difference +=
+          ((order - k) % 2 == 0 ? binomial : -binomial) * b[static_cast<std::size_t>(i) + static_cast<std::size_t>(k)];
       binomial *= static_cast<double>(order - k) / static_cast<double>(k + 1);
     }
     for (int k = 0; k < order; ++k) difference *= static_cast<double>(n - k) / duration;

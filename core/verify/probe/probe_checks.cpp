@@ -52,7 +52,7 @@ class Enclosure {
     spans_.clear();
     spans_.push_back({part, begin, end, 0});
     while (!spans_.empty()) {
-      Span now = std::move(spans_.back());
+      Span now = spans_.back();
       spans_.pop_back();
       double upper = 0;
       for (std::size_t i = 0; i < now.part.n; ++i) {
@@ -72,8 +72,8 @@ class Enclosure {
       }
       if (lower > worst.value) worst.raise(lower, when);
       const double middle = (now.begin + now.end) / 2;
-      Part right = now.part.cut();
-      spans_.push_back({std::move(right), middle, now.end, now.depth + 1});
+      const Part right = now.part.cut();
+      spans_.push_back({right, middle, now.end, now.depth + 1});
       spans_.push_back({now.part, now.begin, middle, now.depth + 1});
     }
   }
