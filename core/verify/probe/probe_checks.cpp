@@ -201,9 +201,8 @@ std::vector<Check> probe_checks(const ProbeToVerify& input, Progress& progress) 
   MotionToVerify motion{input.motion, input.problem.machine.axes, 3};
   motion.progress_from = from;
   motion.progress_to = middle;
+  motion.unit = "mm";
   std::vector<Check> checks = motion_checks(motion, progress);
-  for (Check& check : checks)  // of continuity and rest: all axes count in mm
-    if (check.unit.starts_with("unit")) check.unit.replace(0, 4, "mm");
   ProgressScope scope(progress, "verify", middle, to);
   for (Check& check : verify::ProbeChecker(input).run(scope)) checks.push_back(std::move(check));
   return checks;
