@@ -37,11 +37,11 @@ enum class CheckedQuantity {
   half_speed_feed,   ///< the speed in curves
   tip_position,      ///< that forward kinematics of the rows is on the path
   tip_angle,         ///< that it points where the path does
-  clearance,         ///< of the tool from obstacles: at least the limit
+  clearance,         ///< the tool's distance from obstacles: at least the limit
   pull,              ///< the pull of the wire
   slack,             ///< the least pull: at least the limit
-  wire_overlap,      ///< of wires with each other, beyond what is allowed
-  boundary_overlap,  ///< of wires with the boundary of the slot
+  wire_overlap,      ///< by how much wires overlap, beyond what is allowed
+  boundary_overlap,  ///< by how much wires overlap the slot's boundary
   wires_missing,     ///< the count of wires against that stated
   rows_count,        ///< the number of rows, and that all columns are there
   rows_time,         ///< the time that rows span
@@ -65,7 +65,7 @@ enum class CheckedQuantity {
 struct Checked {
   CheckedQuantity quantity = CheckedQuantity::named;
   int order = 0;             ///< 0 position, 1 velocity, 2 acceleration, 3 jerk, 4 snap
-  std::string unit = "mm";   ///< of order 0
+  std::string unit = "mm";   ///< the unit of order 0
   std::string subject = {};  ///< the axis, the group of axes, or the layout that is checked; empty: all there is
 };
 

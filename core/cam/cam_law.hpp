@@ -78,7 +78,7 @@ class CamLaw {
 struct LawValue {
   double objective = 0;
   std::array<LawPeak, limited_orders> peaks{};  ///< by order; [0] of |position|
-  std::size_t zero_crossings = 0;               ///< of velocity and acceleration inside sections
+  std::size_t zero_crossings = 0;               ///< how often velocity and acceleration change sign inside sections
 };
 LawValue evaluate_objective(const MotionLawProblem& problem, const CamLaw& law);
 /// weight[r], with the factor that `normalised` gives it.

@@ -13,7 +13,7 @@ struct DegreeChoice {
   int degree = 0, pieces = 1;
   SplineResult spline;  ///< angles and coefficients
   double bound = 0;     ///< over all laws
-  std::string basis;    ///< of the bound
+  std::string basis;    ///< what the bound rests on
   int programs = 0;     ///< solved
   std::vector<std::string> notes;
 };

@@ -12,7 +12,7 @@
 namespace bahnwerk::cam {
 namespace {
 
-constexpr double wanted = 1e-7;  // of the duration, between long enough and too short
+constexpr double wanted = 1e-7;  // share of the duration that may be left between long enough and too short
 constexpr int most_durations = 60;
 
 /// Whether a stretched law is one, too: all derivatives that are asked for are 0 or ranges that contain it.

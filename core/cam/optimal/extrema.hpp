@@ -7,7 +7,7 @@ namespace bahnwerk::cam {
 
 struct Extremum {
   double at;     ///< in [0, 1]
-  double value;  ///< of the polynomial, with its sign
+  double value;  ///< the polynomial's, with its sign
 };
 /// Local extrema and both ends, rising in `at`. Two that lie closer than a seventh of what Chebyshev points of the
 /// degree are apart may be missed. Cost: O(degree²) and O(degree · 40) per extremum.

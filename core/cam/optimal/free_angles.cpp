@@ -9,7 +9,7 @@ namespace bahnwerk::cam {
 namespace {
 
 constexpr int most_steps = 30;
-constexpr double least_section = 1e-3;  // of the mean section, that angles are kept apart
+constexpr double least_section = 1e-3;  // share of the mean section by which angles are kept apart
 
 class AngleSearch {
  public:
@@ -26,7 +26,7 @@ class AngleSearch {
   /// Descends from one start.
   SplineResult descend(std::vector<double> times, double gap) {
     SplineResult now = at(times, gap, nullptr);
-    double share = 1;  // of the radius that is allowed at most
+    double share = 1;  // how much is taken from the largest radius that is allowed
     for (int step = 0; step < most_steps && share > 1e-5; ++step) {
       if (!usable(now)) {  // towards the middle of the ranges, where a law is likelier
         const std::vector<double> middle = task_.middle();

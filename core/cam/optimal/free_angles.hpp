@@ -12,7 +12,7 @@
 namespace bahnwerk::cam {
 
 struct FreeAngles {
-  SplineResult spline;                ///< of the best start, its times in `breaks`
+  SplineResult spline;                ///< that from the best start, its times in `breaks`
   std::vector<double> start_results;  ///< J that each start ended in
   int programs = 0;
 };
