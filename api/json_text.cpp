@@ -7,6 +7,7 @@
 
 #include "api/pointer.hpp"
 #include "api/problem.hpp"
+#include "core/base/progress.hpp"
 
 namespace bahnwerk::api {
 namespace {

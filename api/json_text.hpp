@@ -4,7 +4,9 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string_view>
 
-#include "core/base/progress.hpp"
+namespace bahnwerk {
+class Progress;
+}
 
 namespace bahnwerk::api {
 

@@ -8,6 +8,7 @@
 #include "api/kinds/contour.hpp"
 #include "api/limits_input.hpp"
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "core/contour/builder.hpp"
 #include "core/contour/dxf.hpp"
 #include "core/contour/gcode.hpp"

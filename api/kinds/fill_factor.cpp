@@ -8,6 +8,7 @@
 #include "api/problem.hpp"
 #include "api/verification.hpp"
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "core/plan/fill_drawings.hpp"
 
 namespace bahnwerk::api::fill_factor {

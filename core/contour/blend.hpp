@@ -24,11 +24,12 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/contour/contour.hpp"
 #include "core/machine/machine.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 struct BlendOptions {
   double tolerance = 0.01;                                   ///< mm, both from and to the given contour

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/base/progress.hpp"
 #include "core/base/progress_scope.hpp"
 #include "core/contour/builder.hpp"
 #include "core/contour/dxf/cut/cut.hpp"

@@ -29,10 +29,11 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/contour/contour.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 enum class DxfOrder { as_drawn, nearest };
 

@@ -78,10 +78,11 @@
 #include <optional>
 #include <string_view>
 
-#include "core/base/progress.hpp"
 #include "core/contour/contour.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 enum class GcodeMotion { rapid, line };
 

@@ -1,5 +1,6 @@
 #include "core/contour/polyline.hpp"
 
+#include "core/base/progress.hpp"
 #include "core/contour/builder.hpp"
 
 namespace bahnwerk {

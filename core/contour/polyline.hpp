@@ -2,10 +2,11 @@
 /// A contour from points, joined by straight lines.
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/contour/contour.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 /// One cut block. Points closer than min_segment_length to the last kept one are dropped with a note. Throws
 /// InvalidInput with places like {"contour","points","7"}. O(n), about 0.2 µs per point; `progress` is asked every few

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/drawing/path_lines.hpp"
 #include "core/drawing/svg.hpp"
 #include "core/drawing/ticks.hpp"

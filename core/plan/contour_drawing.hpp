@@ -4,12 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/contour/contour.hpp"
 #include "core/geometry/curve/vec.hpp"
 #include "core/motion/law/time_law.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 struct ContourDrawingOptions {
   std::string title;

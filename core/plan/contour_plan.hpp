@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/base/setpoint_source.hpp"
 #include "core/base/verification.hpp"
 #include "core/contour/contour.hpp"
@@ -16,6 +15,8 @@
 #include "core/plan/slow_lines.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 enum class CornerMode { stop, blend };
 

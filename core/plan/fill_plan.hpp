@@ -6,7 +6,6 @@
 #include <variant>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/base/verification.hpp"
 #include "core/winding/fill.hpp"
 #include "core/winding/laying/needle.hpp"
@@ -16,6 +15,8 @@
 #include "core/winding/wire.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 /// Samples of a slot and a wire that are not nominal.
 struct FillSampling {

@@ -6,7 +6,6 @@
 #include <memory>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/base/row_check.hpp"
 #include "core/base/setpoint_source.hpp"
 #include "core/base/verification.hpp"
@@ -18,6 +17,8 @@
 #include "core/verify/bound/lower_bound.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 struct PathPlanning {
   std::shared_ptr<const AxisPath> path;  ///< of every axis of the machine

@@ -5,7 +5,6 @@
 #include <memory>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/base/row_check.hpp"
 #include "core/base/setpoint_source.hpp"
 #include "core/base/verification.hpp"
@@ -13,6 +12,8 @@
 #include "core/motion/setpoints/cycles.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 /// What a kind brings. The pipeline calls plan() first, then duration(), slow() and verify() as often as it has to, and
 /// at last the others once each, in the order in which they stand here.

@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "core/base/named.hpp"
-#include "core/base/progress.hpp"
 #include "core/machine/machine.hpp"
 #include "core/motion/axes/path_task.hpp"
 #include "core/motion/law/time_law.hpp"
 #include "core/motion/profile/speed_profile.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 enum class PlanningMethod { braking_reserve, time_optimal, jerk_limited, natural, constant, critical_points, spline };
 inline constexpr Named<PlanningMethod> planning_methods[] = {{PlanningMethod::braking_reserve, "braking_reserve"},

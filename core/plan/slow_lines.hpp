@@ -4,11 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/machine/machine.hpp"
 #include "core/motion/law/path_motion.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 struct SlowLine {
   std::size_t source = 0;  ///< of the path's segments: a program's line, else the segment's number in the document

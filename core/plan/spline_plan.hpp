@@ -3,12 +3,13 @@
 #include <functional>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/machine/machine.hpp"
 #include "core/motion/axes/spline_motion.hpp"
 #include "core/plan/pipeline.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 struct SplinePlanning {
   std::vector<SplineMotion::Piece> pieces;  ///< as planned, from rest to rest

@@ -5,12 +5,13 @@
 #include <memory>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/motion/law/path_motion.hpp"
 #include "core/redundant/joint_task.hpp"
 #include "core/redundant/slower_sections.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 /// What a calmer head leaves unused.
 struct Freedom {

@@ -19,7 +19,6 @@
 #include <memory>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/motion/axes/axis_path.hpp"
 #include "core/motion/axes/motion.hpp"
 #include "core/motion/axes/path_task.hpp"
@@ -28,6 +27,8 @@
 #include "core/redundant/joint_task.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 struct JointOptions {
   double smoothness = 0;  ///< 0 … 1: how far the duration is stretched, see stretch_of()

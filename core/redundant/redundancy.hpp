@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/base/named.hpp"
-#include "core/base/progress.hpp"
 #include "core/contour/contour.hpp"
 #include "core/motion/axes/axis_path.hpp"
 #include "core/motion/axes/motion.hpp"

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/verify/worst.hpp"
 #include "core/winding/margin.hpp"
 

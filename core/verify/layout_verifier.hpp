@@ -4,11 +4,12 @@
 #include <span>
 #include <string>
 
-#include "core/base/progress.hpp"
 #include "core/base/verification.hpp"
 #include "core/geometry/region/region.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 struct LayoutToVerify {
   std::string algorithm;

@@ -2,7 +2,6 @@
 /// The independent verifier of a finished motion law: it shares the geometry with the planner and nothing else.
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/base/verification.hpp"
 #include "core/contour/contour.hpp"
 #include "core/machine/machine.hpp"
@@ -10,6 +9,8 @@
 #include "core/motion/law/time_law.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 /// Axes that follow a path by a time law: 1 to max_axes of them.
 struct VerifierInput {

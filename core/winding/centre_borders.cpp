@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/progress.hpp"
 #include "core/geometry/region/crossings.hpp"
 #include "core/winding/margin.hpp"
 

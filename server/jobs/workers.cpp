@@ -5,6 +5,7 @@
 #include "api/planned_job.hpp"
 #include "api/problem.hpp"
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "server/jobs/progress.hpp"
 #include "server/runtime/log.hpp"
 #include "server/runtime/memory.hpp"

@@ -6,6 +6,7 @@
 
 #include "api/json_text.hpp"
 #include "api/planned_job.hpp"
+#include "core/base/progress.hpp"
 #include "tests/api/documents.hpp"
 
 namespace bahnwerk::api {

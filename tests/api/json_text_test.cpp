@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/problem.hpp"
+#include "core/base/progress.hpp"
 #include "tests/api/documents.hpp"
 
 namespace bahnwerk::api {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/base/progress.hpp"
 #include "core/contour/blend.hpp"
 #include "core/contour/polyline.hpp"
 #include "core/numeric/random.hpp"

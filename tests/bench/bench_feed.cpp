@@ -1,6 +1,7 @@
 /// Time of a feed plan per segment of the path: the grid, one feed for all, a feed per piece.
 #include <benchmark/benchmark.h>
 
+#include "core/base/progress.hpp"
 #include "core/motion/axes/machine_path.hpp"
 #include "core/motion/feed/critical_points.hpp"
 #include "tests/core/machine/winders.hpp"

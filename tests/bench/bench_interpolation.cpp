@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "core/base/progress.hpp"
 #include "core/motion/interpolation/interpolation.hpp"
 #include "tests/core/motion/interpolation/moved.hpp"
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/base/progress.hpp"
 #include "core/contour/builder.hpp"
 #include "core/motion/jerk/jerk_limited.hpp"
 #include "core/verify/bound/lower_bound.hpp"

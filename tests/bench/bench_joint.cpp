@@ -2,6 +2,7 @@
 /// of a sheet of holes.
 #include <benchmark/benchmark.h>
 
+#include "core/base/progress.hpp"
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/redundant/chain_solver.hpp"
 #include "core/redundant/following.hpp"

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/base/progress.hpp"
 #include "core/contour/builder.hpp"
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "tests/core/motion/two_axes.hpp"

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/base/progress.hpp"
 #include "core/winding/laying/needle.hpp"
 #include "core/winding/laying/producible.hpp"
 #include "core/winding/layout/orthocyclic.hpp"

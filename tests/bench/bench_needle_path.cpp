@@ -3,6 +3,7 @@
 /// largest coil of the example rotor. And of the clearance along that path.
 #include <benchmark/benchmark.h>
 
+#include "core/base/progress.hpp"
 #include "core/winding/laying/needle.hpp"
 #include "core/winding/needle/clearance.hpp"
 #include "core/winding/needle/part_obstacles.hpp"

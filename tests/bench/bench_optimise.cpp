@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <ctime>
 
+#include "core/base/progress.hpp"
 #include "tests/core/numeric/optimise/problems.hpp"
 
 namespace bahnwerk {

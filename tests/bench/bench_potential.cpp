@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/progress.hpp"
 #include "core/numeric/random.hpp"
 #include "core/winding/layout/potential.hpp"
 #include "core/winding/packing/squeeze.hpp"

@@ -2,6 +2,7 @@
 /// depend on how long one hole takes to plan.
 #include <benchmark/benchmark.h>
 
+#include "core/base/progress.hpp"
 #include "core/plan/contour_plan.hpp"
 #include "tests/core/motion/sheet.hpp"
 

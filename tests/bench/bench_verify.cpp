@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/motion/setpoints/contour_setpoints.hpp"
 #include "core/verify/bound/lower_bound.hpp"
 #include "core/verify/setpoints/setpoint_checks.hpp"

@@ -1,6 +1,7 @@
 /// Time of what every layout stands on: distances to a slot, the verifier's look at a layout; and of a whole sweep.
 #include <benchmark/benchmark.h>
 
+#include "core/base/progress.hpp"
 #include "core/numeric/random.hpp"
 #include "core/plan/fill_plan.hpp"
 #include "core/verify/layout_verifier.hpp"

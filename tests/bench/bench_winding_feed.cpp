@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/base/progress.hpp"
 #include "tests/core/plan/winding/winding_requests.hpp"
 
 namespace bahnwerk {

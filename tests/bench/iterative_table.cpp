@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <ctime>
 
+#include "core/base/progress.hpp"
 #include "core/motion/law/block_times.hpp"
 #include "core/redundant/iterative/iterative.hpp"
 #include "tests/core/redundant/coarse_fine_machines.hpp"

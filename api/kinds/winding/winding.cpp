@@ -11,6 +11,7 @@
 #include "api/problem.hpp"
 #include "api/setpoint_summary.hpp"
 #include "api/verification.hpp"
+#include "core/base/progress.hpp"
 #include "core/plan/winding/feed_drawing.hpp"
 #include "core/plan/winding/slot_access.hpp"
 #include "core/plan/winding/winding_drawings.hpp"

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "api/kinds/winding/winding_result.hpp"
+#include "core/base/progress.hpp"
 
 namespace bahnwerk::api::winding_kind {
 namespace {

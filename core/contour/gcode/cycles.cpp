@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/progress.hpp"
 #include "core/contour/gcode/interpreter.hpp"
 
 namespace bahnwerk::gcode {

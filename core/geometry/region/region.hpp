@@ -5,10 +5,11 @@
 #include <span>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/geometry/region/edge_tree.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 /// From this number on it pays to look where parallels are needed before they are crossed with each other.
 inline constexpr std::size_t many_edges = 200;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/geometry/region/crossings.hpp"
 #include "core/geometry/region/region.hpp"
 

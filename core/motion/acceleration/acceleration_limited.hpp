@@ -16,7 +16,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/contour/contour.hpp"
 #include "core/machine/machine.hpp"
 #include "core/motion/axes/path_task.hpp"
@@ -24,6 +23,8 @@
 #include "core/motion/law/time_law.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 struct AccelerationLimitedOptions {
   bool keep_reserve = false;     ///< braking_reserve instead of time_optimal

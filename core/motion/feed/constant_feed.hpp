@@ -5,11 +5,12 @@
 #include <vector>
 
 #include "core/base/errors.hpp"
-#include "core/base/progress.hpp"
 #include "core/motion/feed/feed_change.hpp"
 #include "core/motion/law/time_law.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 struct FeedOptions {
   SpeedProfile profile = SpeedProfile::double_s;

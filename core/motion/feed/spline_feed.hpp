@@ -8,11 +8,12 @@
 /// limited, not its norm in space (4.80). No bound comes with it: plan_jerk_limited() is the planner to use.
 #include <cstddef>
 
-#include "core/base/progress.hpp"
 #include "core/motion/axes/path_task.hpp"
 #include "core/motion/law/time_law.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 struct SplineFeedOptions {
   Limits path;                    ///< the tool's path

@@ -17,7 +17,6 @@
 /// 40 to 80 Newton steps on them.
 #include <cstddef>
 
-#include "core/base/progress.hpp"
 #include "core/contour/contour.hpp"
 #include "core/machine/machine.hpp"
 #include "core/motion/axes/path_task.hpp"
@@ -25,6 +24,8 @@
 #include "core/motion/law/time_law.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 struct JerkLimitedOptions {
   double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad; larger tangent jumps are corners with a stop

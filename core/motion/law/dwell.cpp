@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/progress.hpp"
+
 namespace bahnwerk {
 
 namespace {

@@ -1,10 +1,11 @@
 #pragma once
 /// Dwells in a time law. Planners only know that the motion stops at rests; how long it stays there is added here.
-#include "core/base/progress.hpp"
 #include "core/motion/axes/path_task.hpp"
 #include "core/motion/law/time_law.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 /// The law with a piece at rest for every dwell of the task that lasts, in their order. The law has to be at rest at
 /// those places. The other pieces stay as they are, only later. O(pieces + rests). Progress stays at

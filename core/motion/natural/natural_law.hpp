@@ -10,11 +10,12 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/motion/axes/path_task.hpp"
 #include "core/motion/law/time_law.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 struct NaturalOptions {
   /// Per segment: which share of its link's parameter it takes, 0 for what lies between links. Segments with shares

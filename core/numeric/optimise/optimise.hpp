@@ -12,9 +12,9 @@
 #include <span>
 #include <vector>
 
-#include "core/base/progress.hpp"
-
 namespace bahnwerk {
+
+class Progress;
 
 /// Rows c(x) ≤ 0, or c(x) = 0.
 struct Constraints {

@@ -3,11 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/geometry/curve/vec.hpp"
 #include "core/plan/coarse_fine/coarse_fine_plan.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 /// Per moving axis over time: positions of head and coarse axis, the fine axis within its stroke, velocities and
 /// accelerations of both with their limits [kind of Bock, Figs. 4.6 to 4.9], as SVG below 200 kB. What is drawn are the

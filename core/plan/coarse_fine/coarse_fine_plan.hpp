@@ -4,7 +4,6 @@
 #include <memory>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/contour/contour.hpp"
 #include "core/motion/axes/motion.hpp"
 #include "core/motion/law/path_motion.hpp"
@@ -14,6 +13,8 @@
 #include "core/redundant/redundancy.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 struct CoarseFinePlan {
   ContourPlan contour;  ///< what every plan of a contour tells; its setpoints are CoarseFineSetpoints

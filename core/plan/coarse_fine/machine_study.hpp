@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "core/base/named.hpp"
-#include "core/base/progress.hpp"
 #include "core/base/verification.hpp"
 #include "core/contour/contour.hpp"
 #include "core/plan/coarse_fine/coarse_fine_plan.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 enum class StudiedQuantity { stroke, fine_acceleration, fine_velocity, coarse_acceleration, coarse_velocity };
 inline constexpr Named<StudiedQuantity> studied_quantities[] = {

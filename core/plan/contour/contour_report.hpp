@@ -2,13 +2,14 @@
 /// What every plan of a contour tells, whatever its axes are.
 #include <cstddef>
 
-#include "core/base/progress.hpp"
 #include "core/contour/contour.hpp"
 #include "core/machine/machine.hpp"
 #include "core/motion/law/time_law.hpp"
 #include "core/plan/contour_plan.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 /// Times of the blocks in the motion that is sampled; the sums per mode in the planned one, which is `factor` quicker.
 void report_blocks(const Contour& contour, const TimeLaw& sampled, double factor, ContourPlan& plan);

@@ -2,12 +2,13 @@
 /// A contour made ready for the pipeline: rounded, if that is asked for, where it pays.
 #include <memory>
 
-#include "core/base/progress.hpp"
 #include "core/contour/contour.hpp"
 #include "core/plan/contour_plan.hpp"
 #include "core/plan/path_plan.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 struct PosedContour {
   std::shared_ptr<const Contour> driven;

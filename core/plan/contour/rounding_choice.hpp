@@ -5,12 +5,13 @@
 #include <memory>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/contour/blend.hpp"
 #include "core/machine/machine.hpp"
 #include "core/plan/planning_method.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 struct RoundingChoice {
   std::shared_ptr<const Contour> driven;

@@ -3,12 +3,13 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/motion/axes/path_task.hpp"
 #include "core/motion/law/time_law.hpp"
 #include "core/verify/bound/lower_bound.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 struct SectionGap {
   std::size_t source = 0;  ///< of the first of its segments

@@ -4,10 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/plan/contour_plan.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 /// The changes that apply to a planning, in this order: twice the tolerance (where corners are rounded), half and twice
 /// the jerk (where it is limited), half the accelerations. Jerk and accelerations: of every axis and along the path.

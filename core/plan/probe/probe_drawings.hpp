@@ -2,10 +2,11 @@
 /// Drawings of a probe path, as the source has them (SVG).
 #include <string>
 
-#include "core/base/progress.hpp"
 #include "core/plan/probe/probe_plan.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 /// The path with its tube and points: plan (x, y), and elevation (x, z) of a path in space. To scale.
 std::string probe_path_drawing(const ProbePlan& plan);

@@ -1,10 +1,11 @@
 #pragma once
 /// The methods of kind `probe_path`, one row each, and the bound that all are held to.
-#include "core/base/progress.hpp"
 #include "core/base/verification.hpp"
 #include "core/plan/probe/probe_plan.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 /// The motion of the request's method. Reports progress up to 0.7.
 ProbeMotion probe_motion(const ProbeRequest& request, Progress& progress);

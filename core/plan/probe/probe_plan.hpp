@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "core/base/named.hpp"
-#include "core/base/progress.hpp"
 #include "core/base/setpoint_source.hpp"
 #include "core/base/verification.hpp"
 #include "core/motion/setpoints/cycles.hpp"
@@ -12,6 +11,8 @@
 #include "core/probe/problem.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 enum class ProbeMethod { optimal, arcs, spline };
 inline constexpr Named<ProbeMethod> probe_methods[] = {

@@ -4,11 +4,12 @@
 #include <memory>
 #include <span>
 
-#include "core/base/progress.hpp"
 #include "core/geometry/spline/bezier_piece.hpp"
 #include "core/machine/kinematics.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 class LinkTimer {
  public:

@@ -10,7 +10,6 @@
 
 #include "core/base/errors.hpp"
 #include "core/base/named.hpp"
-#include "core/base/progress.hpp"
 #include "core/motion/axes/machine_path.hpp"
 #include "core/motion/feed/constant_feed.hpp"
 #include "core/motion/interpolation/interpolation.hpp"
@@ -26,6 +25,8 @@
 #include "core/winding/wire.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 /// How fast the needle goes along its path.
 inline constexpr Named<PlanningMethod> feed_methods[] = {

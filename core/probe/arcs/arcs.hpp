@@ -10,11 +10,12 @@
 /// straight. Speeds that the exact geometry does not admit are lowered until it does, down to 0 if need be.
 ///
 /// Never slower than resting at every point, row of points by row. Cost: O(points), about 0.1 ms each.
-#include "core/base/progress.hpp"
 #include "core/probe/probe_motion.hpp"
 #include "core/probe/problem.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 /// Throws what progress throws.
 ProbeMotion plan_arcs(const ProbeProblem& problem, Progress& progress, double progress_from = 0,

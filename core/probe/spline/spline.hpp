@@ -12,11 +12,12 @@
 /// point.
 ///
 /// O(points), some 50 µs each.
-#include "core/base/progress.hpp"
 #include "core/probe/probe_motion.hpp"
 #include "core/probe/problem.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 /// Throws what progress throws.
 ProbeMotion plan_spline(const ProbeProblem& problem, Progress& progress, double progress_from = 0,

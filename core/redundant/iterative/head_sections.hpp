@@ -10,7 +10,6 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/base/progress_scope.hpp"
 #include "core/machine/machine.hpp"
 #include "core/motion/axes/path_task.hpp"
@@ -19,6 +18,8 @@
 #include "core/redundant/redundancy.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 class HeadSections {
  public:

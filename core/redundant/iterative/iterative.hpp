@@ -12,11 +12,12 @@
 ///
 /// Not the fastest motion: the head never gets more than the fine axes' acceleration. Cost: O(samples) per iteration;
 /// docs/methods/coarse_fine_iterative.md has times.
-#include "core/base/progress.hpp"
 #include "core/redundant/iterative/adaptive_split.hpp"
 #include "core/redundant/redundancy.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 /// Throws InvalidInput for degrees and knots that do not make the coarse motion as smooth as it has to be, for thinning
 /// that leaves nothing of the stroke, and as the head's planner does; Stopped.

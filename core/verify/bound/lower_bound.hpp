@@ -3,11 +3,12 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/base/verification.hpp"
 #include "core/motion/axes/path_task.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 /// What the path's segments [first, last) between two rests take at least, s; without dwells.
 struct SectionBound {

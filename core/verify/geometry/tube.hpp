@@ -3,11 +3,12 @@
 /// nothing of how the path was made.
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/base/verification.hpp"
 #include "core/contour/contour.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 /// Two checks.
 ///

@@ -1,11 +1,12 @@
 #pragma once
 /// Whether a motion rests where its contour asks for it, and as long.
-#include "core/base/progress.hpp"
 #include "core/base/verification.hpp"
 #include "core/contour/contour.hpp"
 #include "core/motion/law/time_law.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 /// Walks through the moments at which the law is at rest and matches them, in order, with the places of `given.rests`:
 /// the path driven has to be within `position_tolerance` (mm) of the place, and the law to stand there for the sum of

@@ -6,12 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/base/verification.hpp"
 #include "core/machine/machine.hpp"
 #include "core/motion/axes/motion.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 struct MotionToVerify {
   const Motion& motion;

@@ -3,12 +3,13 @@
 /// document, everywhere between samples. It sees polynomials of time and the times of the points, no planner.
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/base/verification.hpp"
 #include "core/motion/axes/motion.hpp"
 #include "core/probe/problem.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 struct ProbeToVerify {
   const ProbeProblem& problem;

@@ -2,12 +2,13 @@
 /// The independent check of every setpoint of a probe path.
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/base/setpoint_source.hpp"
 #include "core/base/verification.hpp"
 #include "core/verify/probe/probe_checks.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 /// Checks of core/verify/setpoints/motion_setpoint_checks.hpp, which hold positions and all derivatives shown of
 /// all rows to the motion that was verified, and of every row

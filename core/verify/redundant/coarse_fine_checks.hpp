@@ -3,7 +3,6 @@
 /// sees the path, the law and the coarse motion; the fine axes are the rest, x_f = x − x_c.
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/base/verification.hpp"
 #include "core/machine/machine.hpp"
 #include "core/motion/axes/axis_path.hpp"
@@ -11,6 +10,8 @@
 #include "core/motion/law/time_law.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 struct CoarseFineToVerify {
   const AxisPath& path;                                  ///< Cartesian

@@ -26,10 +26,11 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/verify/redundant/stroke_sections.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 struct StrokeGain {
   std::size_t sections = 0;  ///< whose bounds rose

@@ -12,10 +12,11 @@
 /// No section counts twice: of all chains those that do not overlap and gain most.
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/verify/redundant/stroke_sections.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 /// By how much a path takes longer than the sum of the bounds of its sections, s. `planned`: what they take in a plan,
 /// without dwells. That only says where to look: where they take longer than their bounds, and in steps that could

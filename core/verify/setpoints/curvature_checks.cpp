@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/progress.hpp"
 #include "core/verify/worst.hpp"
 
 namespace bahnwerk {

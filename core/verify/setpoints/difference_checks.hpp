@@ -3,13 +3,14 @@
 #include <memory>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/base/row_check.hpp"
 #include "core/base/setpoint_source.hpp"
 #include "core/base/verification.hpp"
 #include "core/machine/machine.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 struct DifferenceInput {
   const SetpointSource& setpoints;  ///< columns of every axis' name, and s

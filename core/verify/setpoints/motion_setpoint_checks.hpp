@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/base/row_check.hpp"
 #include "core/base/setpoint_source.hpp"
 #include "core/base/verification.hpp"
@@ -13,6 +12,8 @@
 #include "core/motion/axes/motion.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 /// What is kept while rows are read.
 struct MotionSetpointInput {

@@ -3,7 +3,6 @@
 #include <memory>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/base/row_check.hpp"
 #include "core/base/setpoint_source.hpp"
 #include "core/base/verification.hpp"
@@ -11,6 +10,8 @@
 #include "core/motion/axes/axis_path.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 struct NeedleInput {
   const KinematicAxisPath& path;    ///< where the needle has to be at each s

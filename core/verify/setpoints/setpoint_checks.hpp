@@ -3,7 +3,6 @@
 #include <memory>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/base/row_check.hpp"
 #include "core/base/setpoint_source.hpp"
 #include "core/base/verification.hpp"
@@ -13,6 +12,8 @@
 #include "core/motion/law/time_law.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 struct SetpointInput {
   const AxisPath& path;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/progress.hpp"
 #include "core/winding/margin.hpp"
 
 namespace bahnwerk::winding {

@@ -6,9 +6,12 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/winding/layout/layout.hpp"
 #include "core/winding/slot/slot.hpp"
+
+namespace bahnwerk {
+class Progress;
+}
 
 namespace bahnwerk::winding {
 

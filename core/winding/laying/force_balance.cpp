@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/progress.hpp"
+
 namespace bahnwerk::winding {
 namespace {
 

@@ -4,8 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/geometry/region/point.hpp"
+
+namespace bahnwerk {
+class Progress;
+}
 
 namespace bahnwerk::winding {
 

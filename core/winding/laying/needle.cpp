@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/base/progress.hpp"
 #include "core/winding/layout/sites.hpp"
 
 namespace bahnwerk::winding {

@@ -3,9 +3,12 @@
 /// piece of wire from the region before is shortest, because its tension draws it there.
 #include <array>
 
-#include "core/base/progress.hpp"
 #include "core/winding/laying/laying_regions.hpp"
 #include "core/winding/layout/layout.hpp"
+
+namespace bahnwerk {
+class Progress;
+}
 
 namespace bahnwerk::winding {
 

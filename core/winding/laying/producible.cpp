@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/progress.hpp"
 #include "core/winding/laying/force_balance.hpp"
 
 namespace bahnwerk::winding {

@@ -5,9 +5,12 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/geometry/region/region.hpp"
 #include "core/winding/layout/layout.hpp"
+
+namespace bahnwerk {
+class Progress;
+}
 
 namespace bahnwerk::winding {
 

@@ -4,11 +4,14 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/winding/laying/access.hpp"
 #include "core/winding/laying/producible.hpp"
 #include "core/winding/layout/layout.hpp"
 #include "core/winding/slot/slot.hpp"
+
+namespace bahnwerk {
+class Progress;
+}
 
 namespace bahnwerk::winding {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/progress.hpp"
 #include "core/winding/layout/sites.hpp"
 
 namespace bahnwerk::winding {

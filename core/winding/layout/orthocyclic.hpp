@@ -1,8 +1,11 @@
 #pragma once
 /// Orthocyclic layout: every wire on one triangular lattice [Herrmann 4.2.1, Algorithm 4.1; Bickel].
-#include "core/base/progress.hpp"
 #include "core/geometry/region/region.hpp"
 #include "core/winding/layout/layout.hpp"
+
+namespace bahnwerk {
+class Progress;
+}
 
 namespace bahnwerk::winding {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/base/progress.hpp"
 #include "core/winding/margin.hpp"
 #include "core/winding/packing/search.hpp"
 

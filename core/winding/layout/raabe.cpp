@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "core/base/progress.hpp"
 #include "core/winding/layout/sites.hpp"
 
 namespace bahnwerk::winding {

@@ -1,8 +1,11 @@
 #pragma once
 /// Estimate of a random winding: every wire drops to the lowest place [Herrmann 4.2.2, Algorithm 4.2; Raabe].
-#include "core/base/progress.hpp"
 #include "core/geometry/region/region.hpp"
 #include "core/winding/layout/layout.hpp"
+
+namespace bahnwerk {
+class Progress;
+}
 
 namespace bahnwerk::winding {
 

@@ -5,10 +5,13 @@
 #include <span>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/geometry/spline/bezier_piece.hpp"
 #include "core/winding/needle/obstacles.hpp"
 #include "core/winding/needle/support_points.hpp"
+
+namespace bahnwerk {
+class Progress;
+}
 
 namespace bahnwerk::winding {
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/base/progress.hpp"
 #include "core/winding/part/space.hpp"
 
 namespace bahnwerk::winding {

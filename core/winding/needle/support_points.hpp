@@ -6,9 +6,12 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/winding/needle/wire_pull.hpp"
 #include "core/winding/part/turns.hpp"
+
+namespace bahnwerk {
+class Progress;
+}
 
 namespace bahnwerk::winding {
 

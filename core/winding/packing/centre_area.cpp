@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/progress.hpp"
 #include "core/winding/centre_borders.hpp"
 
 namespace bahnwerk::winding {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/numeric/random.hpp"
 #include "core/winding/packing/squeeze.hpp"
 #include "core/winding/packing/starts.hpp"

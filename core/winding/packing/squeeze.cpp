@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/progress.hpp"
+
 namespace bahnwerk::winding {
 namespace {
 

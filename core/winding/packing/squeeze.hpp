@@ -6,8 +6,11 @@
 #include <span>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/winding/packing/centre_area.hpp"
+
+namespace bahnwerk {
+class Progress;
+}
 
 namespace bahnwerk::winding {
 

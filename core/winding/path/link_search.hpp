@@ -4,8 +4,11 @@
 #include <cstddef>
 #include <optional>
 
-#include "core/base/progress.hpp"
 #include "core/geometry/spline/search/best_link.hpp"
+
+namespace bahnwerk {
+class Progress;
+}
 
 namespace bahnwerk::winding {
 

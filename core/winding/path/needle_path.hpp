@@ -4,11 +4,14 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/geometry/spline/nurbs_path.hpp"
 #include "core/winding/needle/support_points.hpp"
 #include "core/winding/path/link_search.hpp"
 #include "core/winding/path/post_passage.hpp"
+
+namespace bahnwerk {
+class Progress;
+}
 
 namespace bahnwerk::winding {
 

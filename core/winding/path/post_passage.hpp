@@ -9,10 +9,13 @@
 #include <span>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/geometry/spline/bezier_piece.hpp"
 #include "core/winding/needle/part_obstacles.hpp"
 #include "core/winding/needle/support_points.hpp"
+
+namespace bahnwerk {
+class Progress;
+}
 
 namespace bahnwerk::winding {
 

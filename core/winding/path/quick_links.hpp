@@ -5,8 +5,11 @@
 #include <span>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/winding/path/needle_path.hpp"
+
+namespace bahnwerk {
+class Progress;
+}
 
 namespace bahnwerk::winding {
 

@@ -7,8 +7,11 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/geometry/region/region.hpp"
+
+namespace bahnwerk {
+class Progress;
+}
 
 namespace bahnwerk::winding {
 

@@ -6,6 +6,7 @@
 
 #include "api/kinds/contour.hpp"
 #include "api/problem.hpp"
+#include "core/base/progress.hpp"
 #include "tests/api/checked.hpp"
 #include "tests/api/documents.hpp"
 

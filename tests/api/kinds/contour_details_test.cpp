@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/kinds/contour.hpp"
+#include "core/base/progress.hpp"
 #include "tests/api/checked.hpp"
 #include "tests/api/documents.hpp"
 

@@ -11,6 +11,7 @@
 #include "api/base64.hpp"
 #include "api/setpoints.hpp"
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "tests/api/checked.hpp"
 #include "tests/api/documents.hpp"
 

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "tests/api/checked.hpp"
 #include "tests/api/documents.hpp"
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "tests/api/checked.hpp"
 #include "tests/api/documents.hpp"
 

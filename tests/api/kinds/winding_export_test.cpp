@@ -9,6 +9,7 @@
 #include <string>
 
 #include "api/kinds/winding/winding.hpp"
+#include "core/base/progress.hpp"
 #include "tests/api/checked.hpp"
 #include "tests/api/documents.hpp"
 

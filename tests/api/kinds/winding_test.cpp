@@ -9,6 +9,7 @@
 #include "api/kinds/fill_factor.hpp"
 #include "api/kinds/winding/winding_result.hpp"
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "core/contour/dxf.hpp"
 #include "tests/api/checked.hpp"
 #include "tests/api/documents.hpp"

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/progress.hpp"
+
 namespace bahnwerk {
 namespace {
 

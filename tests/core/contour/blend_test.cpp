@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "core/contour/builder.hpp"
 #include "core/contour/polyline.hpp"
 #include "core/geometry/curve/curvature.hpp"

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/base/progress.hpp"
 #include "core/contour/dxf/cut/chain_order.hpp"
 #include "core/contour/dxf/cut/point_grid.hpp"
 #include "core/numeric/random.hpp"

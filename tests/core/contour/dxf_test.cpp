@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/progress.hpp"
 #include "core/contour/builder.hpp"
 #include "core/numeric/random.hpp"
 #include "dxf_text.hpp"

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "core/contour/gcode/flow/outline.hpp"
 #include "core/numeric/random.hpp"
 #include "tests/core/contour/gcode_support.hpp"

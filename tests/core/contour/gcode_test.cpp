@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "core/base/progress.hpp"
 #include "tests/core/contour/gcode_support.hpp"
 
 namespace bahnwerk {

@@ -4,6 +4,7 @@
 
 #include <numeric>
 
+#include "core/base/progress.hpp"
 #include "core/base/progress_scope.hpp"
 #include "core/numeric/large_pages.hpp"
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/progress.hpp"
 #include "core/contour/builder.hpp"
 #include "core/contour/polyline.hpp"
 #include "core/geometry/curve/curvature.hpp"

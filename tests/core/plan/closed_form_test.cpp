@@ -4,6 +4,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "core/base/progress.hpp"
 #include "core/contour/builder.hpp"
 #include "core/plan/contour_plan.hpp"
 #include "tests/core/check_names.hpp"

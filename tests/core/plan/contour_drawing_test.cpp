@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/contour/builder.hpp"
 #include "core/numeric/random.hpp"
 #include "tests/core/plan/random_contour.hpp"

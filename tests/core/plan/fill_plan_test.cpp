@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 
 namespace bahnwerk {
 namespace {

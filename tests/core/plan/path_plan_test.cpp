@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "core/base/progress.hpp"
 #include "core/contour/builder.hpp"
 #include "core/motion/setpoints/path_setpoints.hpp"
 #include "tests/core/check_names.hpp"

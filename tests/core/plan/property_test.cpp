@@ -2,6 +2,7 @@
 /// 8 000 cases in eight shards.
 #include <gtest/gtest.h>
 
+#include "core/base/progress.hpp"
 #include "core/plan/contour_plan.hpp"
 #include "tests/core/cases.hpp"
 #include "tests/core/check_names.hpp"

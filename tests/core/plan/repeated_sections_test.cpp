@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/base/progress.hpp"
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/motion/law/block_times.hpp"
 #include "core/plan/contour_plan.hpp"

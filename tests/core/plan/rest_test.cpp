@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/contour/gcode.hpp"
 #include "core/plan/contour_plan.hpp"
 #include "tests/core/cases.hpp"

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/base/progress.hpp"
 #include "core/contour/builder.hpp"
 #include "core/plan/contour/section_gaps.hpp"
 #include "core/plan/contour/stopping_time.hpp"

@@ -3,6 +3,7 @@
 /// and nothing else.
 #include <gtest/gtest.h>
 
+#include "core/base/progress.hpp"
 #include "core/contour/builder.hpp"
 #include "core/numeric/random.hpp"
 #include "core/plan/contour_plan.hpp"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string>
 
+#include "core/base/progress.hpp"
 #include "core/contour/gcode.hpp"
 #include "core/plan/contour_plan.hpp"
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "core/base/progress.hpp"
 #include "core/contour/builder.hpp"
 #include "core/plan/contour_plan.hpp"
 #include "tests/core/cases.hpp"

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "core/contour/builder.hpp"
 
 namespace bahnwerk {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "core/geometry/curve/reversed.hpp"
 #include "core/motion/axes/machine_path.hpp"
 #include "core/plan/path_plan.hpp"

@@ -1,5 +1,6 @@
 #include "core/probe/arcs/arcs.hpp"
 
+#include "core/base/progress.hpp"
 #include "tests/core/probe/probe_cases.hpp"
 
 namespace bahnwerk {

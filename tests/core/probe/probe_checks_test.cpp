@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "core/base/progress.hpp"
 #include "core/probe/arcs/arcs.hpp"
 #include "tests/core/check_names.hpp"
 #include "tests/core/probe/probe_cases.hpp"

@@ -1,4 +1,5 @@
 // What has to hold between problems: time is only a scale.
+#include "core/base/progress.hpp"
 #include "core/probe/arcs/arcs.hpp"
 #include "core/probe/spline/spline.hpp"
 #include "tests/core/cases.hpp"

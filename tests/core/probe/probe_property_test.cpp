@@ -1,4 +1,5 @@
 // Random sets of points: every method ends with a motion that keeps everything.
+#include "core/base/progress.hpp"
 #include "core/probe/arcs/arcs.hpp"
 #include "core/probe/spline/spline.hpp"
 #include "tests/core/cases.hpp"

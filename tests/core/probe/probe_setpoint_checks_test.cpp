@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "core/base/progress.hpp"
 #include "core/probe/arcs/arcs.hpp"
 #include "core/probe/resting_motion.hpp"
 #include "tests/core/check_names.hpp"

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/numeric/random.hpp"
 #include "core/winding/slot/slot.hpp"
 #include "tests/core/check_names.hpp"

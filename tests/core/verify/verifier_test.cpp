@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "tests/core/check_names.hpp"
 #include "tests/core/verify/verdicts.hpp"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 
 namespace bahnwerk::server {
 namespace {

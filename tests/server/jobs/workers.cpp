@@ -6,6 +6,7 @@
 #include "../store/fixture.hpp"
 #include "api/planned_job.hpp"
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 
 namespace bahnwerk::server {
 namespace {

@@ -3,6 +3,7 @@
 
 #include "api/planned_job.hpp"
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "fixture.hpp"
 
 namespace bahnwerk::server {

@@ -4,10 +4,11 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/geometry/curve/vec.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 /// What chaining has to know of a curve (which may itself be several curves end to end).
 struct Strand {

@@ -3,10 +3,11 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/geometry/curve/vec.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 /// A chain where it can be entered. An open one has two entries, its ends, and is left at the other one; a closed one
 /// is left where it was entered.

@@ -3,13 +3,14 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/base/progress_scope.hpp"
 #include "core/contour/builder.hpp"
 #include "core/contour/dxf/drawn.hpp"
 #include "core/contour/dxf/read/drawing.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 struct Cut {
   std::vector<Drawn> curves;       ///< ends may miss each other by the chaining tolerance

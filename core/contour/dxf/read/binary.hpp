@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/progress.hpp"
-
 namespace bahnwerk {
+
+class Progress;
 
 bool dxf_is_binary(std::string_view bytes);
 

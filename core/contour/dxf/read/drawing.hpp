@@ -7,10 +7,11 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/contour/dxf/drawn.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 struct DxfReading {
   std::vector<std::string> layers;             ///< only these (upper and lower case are the same); empty = all

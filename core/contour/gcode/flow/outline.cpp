@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/progress.hpp"
+
 namespace bahnwerk::gcode {
 
 Outline::Outline(std::string_view text, bool skip_slash, Progress& progress) {

@@ -6,8 +6,11 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/progress.hpp"
 #include "core/contour/gcode/words/words.hpp"
+
+namespace bahnwerk {
+class Progress;
+}
 
 namespace bahnwerk::gcode {
 

@@ -2,11 +2,12 @@
 /// The β of a link that make it smoothest, in the sense of (4.60) or of its substitute (4.61) [Herrmann 4.3.4].
 #include <optional>
 
-#include "core/base/progress.hpp"
 #include "core/geometry/spline/smoothness.hpp"
 #include "core/numeric/optimise/optimise.hpp"
 
 namespace bahnwerk {
+
+class Progress;
 
 enum class LinkObjective { curvature, control_distance };
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "core/contour/builder.hpp"
 #include "tests/core/motion/same_bits.hpp"
 #include "tests/core/motion/two_axes.hpp"

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/progress.hpp"
 #include "tests/core/cases.hpp"
 #include "tests/core/motion/feed/feed_problem.hpp"
 

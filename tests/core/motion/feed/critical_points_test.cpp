@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/progress.hpp"
 #include "core/motion/jerk/jerk_limited.hpp"
 #include "core/motion/profile/profile.hpp"
 #include "tests/core/cases.hpp"

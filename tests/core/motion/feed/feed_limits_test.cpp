@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/progress.hpp"
 #include "core/geometry/curve/arc.hpp"
 #include "tests/core/motion/feed/feed_problem.hpp"
 

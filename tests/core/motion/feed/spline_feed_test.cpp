@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "core/motion/jerk/jerk_limited.hpp"
 #include "tests/core/motion/feed/feed_problem.hpp"
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/progress.hpp"
 #include "tests/core/motion/axes/five_axes.hpp"
 #include "tests/core/motion/sheet.hpp"
 #include "tests/core/motion/two_axes.hpp"

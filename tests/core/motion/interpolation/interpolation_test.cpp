@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/geometry/curve/arc.hpp"
 #include "core/geometry/curve/line.hpp"
 #include "tests/core/motion/interpolation/moved.hpp"

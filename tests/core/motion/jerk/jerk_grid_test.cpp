@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/progress.hpp"
 #include "core/contour/builder.hpp"
 #include "tests/core/motion/two_axes.hpp"
 

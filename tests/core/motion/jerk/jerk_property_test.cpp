@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "core/motion/jerk/jerk_limited.hpp"
 #include "core/verify/bound/lower_bound.hpp"
 #include "core/verify/verifier.hpp"

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/progress.hpp"
 #include "core/contour/builder.hpp"
 #include "core/motion/jerk/jerk_limited.hpp"
 #include "core/verify/verifier.hpp"
@@ -90,7 +91,7 @@ TEST(JerkWindows, SerpentineIsAsQuickAsWhole) { expect_as_quick_as_whole(serpent
 /// 31, 69) to a factor of 30.
 TEST(JerkWindows, HardSplinesAreAsQuickAsWhole) {
   constexpr std::array<std::uint64_t, 9> seeds{16, 31, 69, 4, 13, 15, 45, 54, 59};
-  for (std::size_t i = 0; i < std::min(testing::cases(std::size_t{3}), seeds.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(testing::cases(std::size_t{2}), seeds.size()); ++i) {
     const std::uint64_t seed = seeds[i];
     Random random(seed);
     const double height = std::pow(10, random.uniform(-1, 1.3)), length = std::pow(10, random.uniform(-0.5, 1.2));

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/geometry/curve/arc.hpp"
 #include "core/geometry/curve/line.hpp"
 #include "core/geometry/curve/rational.hpp"

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "core/base/progress.hpp"
 #include "core/geometry/curve/line.hpp"
 
 namespace bahnwerk {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "core/geometry/curve/line.hpp"
 #include "core/geometry/curve/rational.hpp"
 #include "core/verify/verifier.hpp"

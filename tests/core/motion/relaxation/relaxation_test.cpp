@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/progress.hpp"
 #include "tests/core/motion/relaxation/problems.hpp"
 
 namespace bahnwerk {

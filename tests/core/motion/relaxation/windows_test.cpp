@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/progress.hpp"
 #include "tests/core/motion/relaxation/problems.hpp"
 
 namespace bahnwerk {

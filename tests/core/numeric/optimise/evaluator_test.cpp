@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/progress.hpp"
 #include "tests/core/numeric/optimise/problems.hpp"
 
 namespace bahnwerk {

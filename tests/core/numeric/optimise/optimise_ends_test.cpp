@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "core/numeric/optimise/optimise.hpp"
 #include "tests/core/numeric/optimise/problems.hpp"
 #include "tests/core/numeric/optimise/solving.hpp"

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/numeric/optimise/optimise.hpp"
 #include "tests/core/numeric/optimise/problems.hpp"
 

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "core/base/progress.hpp"
 #include "core/plan/coarse_fine/machine_study.hpp"
 #include "core/plan/contour_drawing.hpp"
 #include "tests/core/redundant/coarse_fine_machines.hpp"
@@ -46,7 +47,7 @@ TEST(AxisDrawing, TheWayOfTheCoarseAxesStaysWithinTheStrokeOfThePath) {
 /// 6 holes of 4 mm need no more than a few mm of stroke, and more acceleration makes them quicker.
 TEST(MachineStudy, TellsWhatOtherFineAxesBring) {
   SilentProgress progress;
-  const Contour contour = test::holes(3, 2, 12, 2);
+  const Contour contour = test::holes(2, 1, 12, 2);
   const CoarseFinePlan plan = plan_coarse_fine(contour, test::md2(), {}, {}, progress);
   const MachineStudy study = machine_study(contour, test::md2(), {}, {}, usual_studies(), progress, 0, 1);
   ASSERT_EQ(study.size(), std::size(studied_quantities));

@@ -2,6 +2,7 @@
 // the bound is told to look.
 #include <gtest/gtest.h>
 
+#include "core/base/progress.hpp"
 #include "core/plan/coarse_fine/coarse_fine_plan.hpp"
 #include "core/plan/contour/section_gaps.hpp"
 #include "core/verify/redundant/stroke_bound.hpp"

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "core/base/read_rows.hpp"
 #include "tests/core/cases.hpp"
 #include "tests/core/check_names.hpp"
@@ -51,7 +52,7 @@ TEST(CoarseFinePlan, HolesAreVerifiedAndAsQuickAsTheBoundAllows) {
 /// The bound is a check of the verification: no plan is shorter.
 TEST(CoarseFinePlan, LongMovesAreNotMuchLongerThanTheBoundThatKnowsTheStroke) {
   Random random(16);
-  for (int i = 0; i < testing::cases(4); ++i) {
+  for (int i = 0; i < testing::cases(3); ++i) {
     CoarseFineMachine machine = i % 2 == 0 ? test::md1() : test::md2();
     if (i % 3 == 0)
       for (CoarseFineAxis& axis : machine.axes) {

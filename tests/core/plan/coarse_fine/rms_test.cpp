@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/base/progress.hpp"
 #include "core/motion/axes/spline_motion.hpp"
 
 namespace bahnwerk {

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "core/base/progress.hpp"
 #include "tests/core/machine/winders.hpp"
 
 namespace bahnwerk {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "core/geometry/spline/link.hpp"
 #include "core/plan/winding/pose_path.hpp"
 #include "tests/core/machine/winders.hpp"

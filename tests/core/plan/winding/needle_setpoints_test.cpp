@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "core/base/progress.hpp"
 #include "core/motion/axes/machine_path.hpp"
 #include "core/motion/natural/natural_law.hpp"
 #include "core/motion/setpoints/cycles.hpp"

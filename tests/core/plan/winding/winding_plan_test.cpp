@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "core/motion/setpoints/needle_setpoints.hpp"
 #include "core/winding/fill.hpp"
 #include "tests/core/cases.hpp"

@@ -1,6 +1,7 @@
 #include "core/probe/optimal/optimal.hpp"
 
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "core/probe/arcs/arcs.hpp"
 #include "core/probe/figures.hpp"
 #include "core/verify/probe/probe_bound.hpp"

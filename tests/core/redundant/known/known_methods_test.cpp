@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/progress.hpp"
 #include "core/motion/law/dwell.hpp"
 #include "core/numeric/random.hpp"
 #include "core/redundant/known/filters.hpp"

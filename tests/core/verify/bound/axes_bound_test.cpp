@@ -7,6 +7,7 @@
 #include <random>
 #include <string>
 
+#include "core/base/progress.hpp"
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/verify/bound/lower_bound.hpp"
 #include "tests/core/machine/winders.hpp"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "tests/core/motion/axes/five_axes.hpp"
 #include "tests/core/verify/reference.hpp"
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "core/base/progress.hpp"
 #include "core/verify/bound/bound_grid.hpp"
 #include "tests/core/motion/axes/five_axes.hpp"
 #include "tests/core/verify/reference.hpp"

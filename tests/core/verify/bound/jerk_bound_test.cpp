@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/progress.hpp"
 #include "core/motion/jerk/jerk_limited.hpp"
 #include "core/verify/bound/bound_solver.hpp"
 #include "core/verify/bound/lower_bound.hpp"

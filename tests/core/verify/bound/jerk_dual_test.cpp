@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/motion/jerk/jerk_limited.hpp"
 #include "core/verify/bound/bound_solver.hpp"
 #include "core/verify/bound/jerk_ways.hpp"

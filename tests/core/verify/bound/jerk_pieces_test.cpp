@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/base/progress.hpp"
 #include "core/motion/axes/path_task.hpp"
 #include "core/verify/bound/bound_solver.hpp"
 #include "tests/core/verify/reference.hpp"

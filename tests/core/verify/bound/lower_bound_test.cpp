@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "core/contour/polyline.hpp"
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/verify/verifier.hpp"

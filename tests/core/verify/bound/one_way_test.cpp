@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/verify/bound/bound_solver.hpp"
 #include "tests/core/verify/reference.hpp"
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/progress.hpp"
 #include "core/verify/bound/lower_bound.hpp"
 #include "tests/core/motion/sheet.hpp"
 #include "tests/core/verify/reference.hpp"

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/base/progress.hpp"
 #include "core/contour/builder.hpp"
 #include "core/contour/polyline.hpp"
 #include "core/geometry/curve/arc.hpp"

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/progress.hpp"
 #include "core/motion/jerk/jerk_limited.hpp"
 #include "tests/core/motion/sheet.hpp"
 #include "tests/core/verify/verdicts.hpp"

@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/geometry/curve/arc.hpp"
 #include "core/geometry/curve/line.hpp"
 #include "core/geometry/curve/rational.hpp"

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "core/base/progress.hpp"
 #include "core/contour/builder.hpp"
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/motion/axes/spline_motion.hpp"

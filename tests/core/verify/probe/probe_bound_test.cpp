@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/base/progress.hpp"
 #include "tests/core/probe/probe_cases.hpp"
 
 namespace bahnwerk {

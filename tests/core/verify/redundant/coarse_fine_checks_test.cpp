@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/base/progress.hpp"
 #include "core/contour/builder.hpp"
 #include "core/motion/axes/path_task.hpp"
 #include "core/motion/axes/spline_motion.hpp"

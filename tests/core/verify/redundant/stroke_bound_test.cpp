@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/progress.hpp"
 #include "tests/core/verify/redundant/long_moves.hpp"
 
 namespace bahnwerk {

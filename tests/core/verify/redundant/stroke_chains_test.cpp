@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/base/progress.hpp"
 #include "core/verify/redundant/stroke_bound.hpp"
 #include "tests/core/verify/redundant/long_moves.hpp"
 

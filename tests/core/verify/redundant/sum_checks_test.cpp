@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/base/progress.hpp"
 #include "tests/core/check_names.hpp"
 
 namespace bahnwerk {

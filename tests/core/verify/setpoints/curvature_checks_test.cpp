@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "core/base/progress.hpp"
 #include "core/geometry/curve/arc.hpp"
 #include "tests/core/check_names.hpp"
 

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string>
 
+#include "core/base/progress.hpp"
 #include "tests/core/check_names.hpp"
 
 namespace bahnwerk {

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/motion/axes/spline_motion.hpp"
 #include "core/motion/setpoints/motion_setpoints.hpp"
 #include "tests/core/check_names.hpp"

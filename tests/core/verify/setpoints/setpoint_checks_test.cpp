@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "core/motion/acceleration/acceleration_limited.hpp"
 #include "core/motion/setpoints/contour_setpoints.hpp"
 #include "core/verify/bound/lower_bound.hpp"

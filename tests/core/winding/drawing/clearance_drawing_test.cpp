@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include "core/base/progress.hpp"
+
 namespace bahnwerk::winding {
 namespace {
 

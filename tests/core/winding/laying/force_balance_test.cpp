@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/base/progress.hpp"
 #include "core/numeric/random.hpp"
 
 namespace bahnwerk::winding {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "core/numeric/random.hpp"
 #include "core/winding/layout/sites.hpp"
 #include "core/winding/wire.hpp"

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "core/numeric/random.hpp"
 #include "core/winding/laying/needle.hpp"
 #include "core/winding/layout/orthocyclic.hpp"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/progress.hpp"
 #include "core/winding/slot/slot.hpp"
 #include "tests/core/geometry/region/random_region.hpp"
 #include "tests/core/geometry/region/rooms.hpp"

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "tests/core/winding/layout/best_known.hpp"
 #include "tests/core/winding/packing_rooms.hpp"
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/base/progress.hpp"
 #include "core/winding/slot/slot.hpp"
 #include "core/winding/wire.hpp"
 #include "tests/core/geometry/region/random_region.hpp"

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/base/progress.hpp"
 #include "core/numeric/random.hpp"
 #include "core/winding/layout/potential.hpp"
 #include "core/winding/packing/squeeze.hpp"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/base/progress.hpp"
 #include "core/winding/part/space.hpp"
 
 namespace bahnwerk::winding {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "core/geometry/spline/spline_arc.hpp"
 #include "core/numeric/random.hpp"
 #include "core/winding/part/space.hpp"

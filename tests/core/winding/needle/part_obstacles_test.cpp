@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "core/winding/needle/clearance.hpp"
 #include "core/winding/part/space.hpp"
 

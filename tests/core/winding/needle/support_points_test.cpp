@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "core/numeric/random.hpp"
 #include "tests/core/winding/needle/quiet_support.hpp"
 

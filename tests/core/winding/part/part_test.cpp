@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "core/winding/laying/needle.hpp"
 #include "core/winding/needle/obstacles.hpp"
 #include "core/winding/part/space.hpp"

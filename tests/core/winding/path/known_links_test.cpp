@@ -6,6 +6,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "core/base/progress.hpp"
 #include "core/geometry/spline/spline_arc.hpp"
 #include "core/winding/path/needle_path.hpp"
 #include "needle_pieces.hpp"

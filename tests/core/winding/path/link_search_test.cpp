@@ -5,6 +5,7 @@
 
 #include <numbers>
 
+#include "core/base/progress.hpp"
 #include "core/geometry/spline/spline_arc.hpp"
 
 namespace bahnwerk::winding {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "core/winding/laying/needle.hpp"
 #include "core/winding/part/space.hpp"
 #include "tests/core/geometry/spline/spline_support.hpp"

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
 #include "core/numeric/random.hpp"
 #include "core/winding/path/needle_path.hpp"
 #include "tests/core/winding/path/needle_pieces.hpp"

@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "core/base/progress.hpp"
 #include "tests/core/winding/path/needle_pieces.hpp"
 
 namespace bahnwerk::winding {

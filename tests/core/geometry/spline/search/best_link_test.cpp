@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/progress.hpp"
 #include "core/geometry/spline/spline_arc.hpp"
 
 namespace bahnwerk {
