@@ -8,6 +8,7 @@
 
 #include "core/base/errors.hpp"
 #include "core/contour/dxf.hpp"
+#include "tests/core/contour/ends_of.hpp"
 
 namespace bahnwerk::test {
 
@@ -92,8 +93,6 @@ inline std::size_t cut_count(const Contour& c) {
   for (const Block& b : c.blocks) n += b.mode == Mode::cut ? 1 : 0;
   return n;
 }
-inline Vec begin_of(const Contour& c) { return c.path.at(0).value; }
-inline Vec end_of(const Contour& c) { return c.path.at(c.path.length()).value; }
 inline bool noted(const Contour& c, const std::string& what) {
   for (const std::string& n : c.notes)
     if (n.find(what) != std::string::npos) return true;

@@ -9,11 +9,11 @@
 #include "core/base/errors.hpp"
 #include "core/contour/gcode.hpp"
 #include "core/geometry/curve/arc.hpp"
+#include "core/machine/limits.hpp"
+#include "tests/core/contour/ends_of.hpp"
 #include "tests/core/contour/expect_near.hpp"
 
 namespace bahnwerk {
-
-inline constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 inline std::vector<InputFault> gcode_faults(std::string_view text, const GcodeOptions& options = {}) {
   try {
@@ -34,11 +34,6 @@ inline std::vector<int> fault_lines(std::string_view text, const GcodeOptions& o
   }
   return lines;
 }
-
-inline Vec begin_of(const Segment& segment) { return segment.curve().at(segment.curve().begin()).value; }
-inline Vec end_of(const Segment& segment) { return segment.curve().at(segment.curve().end()).value; }
-inline Vec begin_of(const Contour& contour) { return begin_of(contour.path[0]); }
-inline Vec end_of(const Contour& contour) { return end_of(contour.path[contour.path.size() - 1]); }
 
 inline const Arc& arc_of(const Segment& segment) {
   EXPECT_EQ(segment.curve().kind(), CurveKind::arc);

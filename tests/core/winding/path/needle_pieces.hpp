@@ -49,8 +49,8 @@ inline std::vector<FixedPiece> rotor_pieces(std::size_t turns, std::size_t coils
 inline double worst_jump(std::span<const BezierPiece> pieces, std::size_t order) {
   double worst = 0;
   for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
-    const auto peak = testing::peaks(pieces.subspan(i, 2));
-    worst = std::max(worst, testing::jump(pieces[i], pieces[i + 1], order, peak[order]));
+    const auto peak = bahnwerk::testing::peaks(pieces.subspan(i, 2));
+    worst = std::max(worst, bahnwerk::testing::jump(pieces[i], pieces[i + 1], order, peak[order]));
   }
   return worst;
 }
