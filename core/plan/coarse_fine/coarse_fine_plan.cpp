@@ -219,8 +219,8 @@ class CoarseFineProblem final : public MotionProblem {
     ContourPlanning planning = planning_;
     planning.method = machine_.limits_jerk() ? PlanningMethod::jerk_limited : PlanningMethod::time_optimal;
     PreparedContour prepared_contour = prepare_contour(given_, head_limits(machine_), planning, progress_, 0, posed());
-    contour_ = std::move(posed_contour.driven);
-    path_ = std::move(posed_contour.path);
+    contour_ = std::move(prepared_contour.driven);
+    path_ = std::move(prepared_contour.path);
     path_.planned.reset();
   }
 

@@ -129,16 +129,16 @@ void OverlapEnergy::share(std::span<const Point> wires, std::vector<double>& of_
   }
 }
 
-Rest Minimiser::minimise(OverlapEnergy& energy, std::vector<Point>& wires, double goal, int most, Progress& progress) {
+Rest Minimiser::minimise(OverlapEnergy& overlap, std::vector<Point>& wires, double goal, int most, Progress& progress) {
   const std::size_t n = wires.size();
   for (auto* list : {&gradient_, &trial_, &trial_gradient_, &direction_}) list->resize(n);
   for (std::size_t k = 0; k < memory; ++k) {
     step_[k].resize(n);
     change_[k].resize(n);
   }
-  const double longest = 0.15 * energy.distance();
+  const double longest = 0.15 * overlap.distance();
   double deepest = 0;
-  double energy = energy.energy(wires, gradient_, deepest);
+  double energy = overlap.energy(wires, gradient_, deepest);
   std::size_t kept = 0, next = 0;
   double earlier = energy;
   const int steps_per_report = static_cast<int>(2000000 / (10 * n + 1)) + 1;  // steps between two reports
@@ -186,7 +186,7 @@ Rest Minimiser::minimise(OverlapEnergy& energy, std::vector<Point>& wires, doubl
     bool lower = false;
     for (int halving = 0; halving < 12; ++halving) {
       for (std::size_t i = 0; i < n; ++i) trial_[i] = wires[i] + length * direction_[i];
-      trial_energy = energy.energy(trial_, trial_gradient_, trial_deepest);
+      trial_energy = overlap.energy(trial_, trial_gradient_, trial_deepest);
       lower = trial_energy <= energy + 1e-4 * length * slope;
       if (lower) break;
       length *= 0.5;

@@ -60,7 +60,7 @@ constexpr double resolution = 4e-10;  ///< mm; smaller overlaps count as contact
 /// hardly fall below `goal`.
 class Minimiser {
  public:
-  Rest minimise(OverlapEnergy& energy, std::vector<Point>& wires, double goal, int most, Progress& progress);
+  Rest minimise(OverlapEnergy& overlap, std::vector<Point>& wires, double goal, int most, Progress& progress);
 
  private:
   static constexpr std::size_t memory = 5;
