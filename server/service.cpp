@@ -13,10 +13,10 @@
 namespace bahnwerk::server {
 namespace {
 
-/// Checks of posted documents have threads of their own: they may take long, and looks at jobs must not wait for them.
+/// Checks of posted documents have their own threads: they may take long, and queries of jobs must not wait for them.
 constexpr unsigned check_threads = 2;
 
-/// How long a worker of a shared store may be silent before its jobs are given to others.
+/// Time after which a silent worker of a shared store loses its jobs to others.
 constexpr std::chrono::milliseconds worker_lease{30'000};
 
 /// Descriptors beside connections: the store's files and readers, log, event loops.
@@ -54,7 +54,7 @@ Service::Service(const ServiceOptions& options, Engine engine, const TimeSource&
   pool_ = std::make_unique<Pool>(std::max(4U, std::thread::hardware_concurrency()));
   checks_ = std::make_unique<Pool>(check_threads);
   heavy_ = std::make_unique<Pool>(1, options.worker_nice);
-  // A file's owner needs no clock to know that a worker has gone: it would be gone itself.
+  // The owner of a file needs no clock to detect that a worker has ended: it would have ended itself.
   workers_ = std::make_unique<Workers>(*store_, live_, notifier_, metrics_, std::move(engine.plan),
                                        store_->shared() ? std::optional(worker_lease) : std::nullopt, time_);
   deadlines_ = std::make_unique<Deadlines>(*store_, time_);
@@ -77,7 +77,7 @@ Service::~Service() {
   workers_->interrupt();
   stop_listening(options_.answer_patience);
   feed_.reset();
-  // From here on nobody asks any more: let what is under way end from the top to the bottom.
+  // No request arrives from here on: work in progress ends from the top to the bottom.
   workers_.reset();
   checks_->join();
   heavy_->join();
@@ -137,7 +137,7 @@ Service::Drained Service::drain() {
     }
   }
   const bool answered = stop_listening(std::max(left(until), options_.answer_patience));
-  // Whoever was cut off, or has gone, may have left a check behind that nobody waits for.
+  // A client that was cut off, or has left, may have left a check behind for which nobody waits.
   const auto rest = std::max(until, Clock::now() + options_.answer_patience / 2);
   const bool idle = checks_->wait_idle(left(rest)) && heavy_->wait_idle(left(rest)) && pool_->wait_idle(left(rest));
   try {

@@ -1,5 +1,5 @@
 #pragma once
-/// The whole service: store, workers and listener put together, started and orderly ended.
+/// The whole service: store, workers and listener, with orderly start and end.
 #include <atomic>
 #include <chrono>
 #include <memory>
@@ -17,21 +17,21 @@ namespace bahnwerk::server {
 struct ServiceOptions {
   std::string listen = "127.0.0.1:8080";
   std::string store = "sqlite:var/bahnwerk.db";
-  std::size_t store_reserve = std::size_t{8} << 20;  ///< bytes of disk set aside, so that a full one can be emptied
-  int worker_nice = 10;  ///< how far the planners' priority lies below that of the threads that answer
+  std::size_t store_reserve = std::size_t{8} << 20;  ///< bytes of disk set aside, so that a full disk can be emptied
+  int worker_nice = 10;  ///< difference of the planners' priority to that of the answering threads
   unsigned workers = 1;  ///< planner threads; 0 = accepts jobs without planning them
   unsigned http_threads = 2;
   std::size_t max_queued = 10'000;
   Limits limits;
-  std::chrono::milliseconds event_heartbeat{15'000};  ///< between two signs of life of a stream of events
-  std::chrono::milliseconds drain_timeout{10'000};    ///< how long running jobs may go on after the end was asked for
+  std::chrono::milliseconds event_heartbeat{15'000};  ///< longest silence of a stream of events
+  std::chrono::milliseconds drain_timeout{10'000};    ///< time for running jobs after the end was requested
   /// After the drain timeout a planner has this long to notice (its rule: 100 ms of its processor time) and its job to
-  /// be put back, then requests have what is left of the second until the end.
+  /// be requeued; then requests have the rest of the second until the end.
   std::chrono::milliseconds stop_patience{700}, answer_patience{200};
   BuildInfo build;
 };
 
-/// What the service calls to understand and to plan documents; the real ones come from api/.
+/// The functions that check and plan documents; the real ones are those of api/.
 struct Engine {
   Parser parse;
   Planner plan;
@@ -48,13 +48,13 @@ class Service {
   Service& operator=(const Service&) = delete;
 
   std::string address() const;  ///< HOST:PORT as bound
-  /// Calls `answered` once a socket thread, then a thread that reads the store have had their turn. Where either kind
-  /// is stuck, it is never called.
+  /// Calls `answered` after a socket thread and then a thread that reads the store have run it. If threads of either
+  /// type are stuck, it is never called.
   void probe(std::function<void()> answered);
-  /// Orderly end: new jobs are refused, running ones may finish within the drain timeout and go back to the queue
-  /// otherwise, requests in flight are answered within that time, too, the store is checkpointed. Takes at most the
-  /// drain timeout, both patiences and 100 ms. clean: all threads are at rest; late: some request or planner is not,
-  /// what it does is lost (its job is back in the queue), and only _exit is safe.
+  /// Ends orderly: new jobs are refused, running ones may finish within the drain timeout and return to the queue
+  /// otherwise, requests in flight are answered within that time, too, and the store is checkpointed. It takes at most
+  /// the drain timeout, both patiences and 100 ms. clean: all threads are at rest; late: some request or planner is
+  /// not, its work is lost (its job is back in the queue), and only _exit is safe.
   enum class Drained { clean, late };
   Drained drain();
 
@@ -69,7 +69,7 @@ class Service {
   Router router_;
   Notifier notifier_;
   LiveJobs live_;
-  std::unique_ptr<Listener> listener_;  ///< its sockets outlive whoever may still answer: pool, store, workers
+  std::unique_ptr<Listener> listener_;  ///< its sockets outlive everything that may still answer: pool, store, workers
   std::unique_ptr<Pool> pool_, checks_, heavy_;
   std::unique_ptr<Workers> workers_;
   std::unique_ptr<Deadlines> deadlines_;

@@ -208,15 +208,15 @@ void check_planning(const Machine& machine, const ContourPlanning& planning) {
 namespace {
 
 /// What a job asks for, checked as far as its geometry is not needed.
-struct Asked {
+struct ContourJob {
   std::optional<CoarseFineMachine> coarse_fine;
   Machine head;  ///< of coarse and fine axes the sums
   ContourPlanning planning;
   RedundancyOptions redundancy;
 };
 
-Asked asked(const json& spec) {
-  Asked job;
+ContourJob read_contour_job(const json& spec) {
+  ContourJob job;
   job.planning = planning(spec);
   job.planning.max_setpoints = max_setpoints;
   std::vector<InputFault> faults;
@@ -238,7 +238,7 @@ Asked asked(const json& spec) {
   return job;
 }
 
-void check_contour(const Contour& contour, const Asked& job) {
+void check_contour(const Contour& contour, const ContourJob& job) {
   if (!job.coarse_fine) return check_together(contour, job.head, job.planning);
   std::vector<InputFault> faults;
   check_axes(contour, job.head, "coarse", faults);
@@ -249,7 +249,7 @@ void check_contour(const Contour& contour, const Asked& job) {
   throw_if_any(std::move(faults));
 }
 
-ordered_json result_of(const ContourPlan& plan, const Asked& job, bool program) {
+ordered_json result_of(const ContourPlan& plan, const ContourJob& job, bool program) {
   return {{"kind", "contour"},
           {"summary",
            {{"duration", plan.duration},
@@ -272,7 +272,7 @@ PlannedJob finished(ContourPlan& plan, ordered_json result, ordered_json drawn) 
   return job;
 }
 
-PlannedJob plan_cartesian(Contour contour, const Asked& job, bool program, Progress& progress) {
+PlannedJob plan_cartesian(Contour contour, const ContourJob& job, bool program, Progress& progress) {
   ContourPlan plan = plan_contour(std::move(contour), job.head, job.planning, progress);
   if (!method_row(job.planning.method).limits_jerk)
     for (const auto& axis : job.head.axes)
@@ -283,7 +283,7 @@ PlannedJob plan_cartesian(Contour contour, const Asked& job, bool program, Progr
   return finished(plan, result_of(plan, job, program), drawings(plan, plan.motion->law(), {}, progress));
 }
 
-PlannedJob plan_with_fine_axes(const Contour& contour, const Asked& job, const json& spec, bool program,
+PlannedJob plan_with_fine_axes(const Contour& contour, const ContourJob& job, const json& spec, bool program,
                                Progress& progress) {
   const CoarseFineMachine& machine = *job.coarse_fine;
   const bool study = job.planning.machine_study;
@@ -311,7 +311,7 @@ PlannedJob plan_with_fine_axes(const Contour& contour, const Asked& job, const j
 
 void check(const json& spec) {
   try {
-    const Asked job = asked(spec);
+    const ContourJob job = read_contour_job(spec);
     check_contour(geometry(spec), job);
   } catch (const InvalidInput&) {
     throw problem_from_current_exception("/spec");
@@ -320,7 +320,7 @@ void check(const json& spec) {
 
 PlannedJob plan(const json& spec, Progress& progress) {
   progress.report("read", 0.0);
-  const Asked job = asked(spec);
+  const ContourJob job = read_contour_job(spec);
   Contour path = geometry(spec, progress);
   check_contour(path, job);
   const bool program = spec["contour"].contains("gcode");

@@ -1,10 +1,10 @@
 #pragma once
-/// Shared pointers to what somebody else owns.
+/// Shared pointers to objects that another owner keeps alive.
 #include <memory>
 
 namespace bahnwerk {
 
-/// Points to `object`, which has to outlive it, and owns nothing: for objects on the stack where shared ones are taken.
+/// Returns a shared pointer to `object`, which has to outlive it. It owns nothing; it serves objects on the stack.
 template <class T>
 std::shared_ptr<const T> borrowed(const T& object) {
   return {std::shared_ptr<const T>(), &object};

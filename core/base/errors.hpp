@@ -15,14 +15,14 @@ struct PlanningError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// One fault in the input, at a place inside the document, e.g. {"blocks", 3, "segments", 0, "arc"} →
+/// One fault in the input, at a place inside the document: {"blocks", 3, "segments", 0, "arc"} is
 /// /blocks/3/segments/0/arc.
 struct InputFault {
   std::vector<std::string> place;
   std::string message;
 };
-/// The input is well-formed but means nothing: zero length, a gap, contradictory limits. All faults found, in document
-/// order.
+/// The input is well-formed but contradictory: zero length, a gap, limits that exclude each other. Contains all faults,
+/// in document order.
 struct InvalidInput : PlanningError {
   explicit InvalidInput(std::vector<InputFault> list)
       : PlanningError(list.empty() ? std::string("invalid input") : list.front().message), faults(std::move(list)) {}
@@ -33,13 +33,13 @@ struct InvalidInput : PlanningError {
 struct Infeasible : PlanningError {
   using PlanningError::PlanningError;
 };
-/// A pose lies outside what the machine reaches, or where its axes could not follow the tool (a singularity, the end of
-/// a range).
+/// A pose outside the machine's reach, or one at which its axes cannot follow the tool (a singularity, the end of a
+/// range).
 struct UnreachablePose : PlanningError {
   using Pose = std::array<double, 5>;
   UnreachablePose(const std::string& what, double at, const Pose& tool = {})
       : PlanningError(what), path_length(at), pose(tool) {}
-  double path_length;  ///< where on the path, mm; NaN as long as only the pose is known
+  double path_length;  ///< place on the path, mm; NaN as long as only the pose is known
   Pose pose;           ///< of the tool: x, y, z, mm; φ, ψ, rad
 };
 /// A tolerance cannot be met; `reached` is the best found, in the tolerance's unit.

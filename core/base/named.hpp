@@ -1,6 +1,6 @@
 #pragma once
-/// The names of an enumeration's values as they stand in documents: one table beside the enumeration, read both ways.
-/// A name or value that is not in the table is an error, never a default.
+/// The names of an enumeration's values in documents: one table beside the enumeration, used in both directions. A name
+/// or value that is not in the table is an error, never a default.
 #include <span>
 #include <stdexcept>
 #include <string>

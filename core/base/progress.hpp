@@ -1,6 +1,6 @@
 #pragma once
-/// What a planner calls while it works: it reports where it stands and learns whether to stop.
-/// Rule: no planner runs 100 ms without a call. Reporting is cheap; implementations throttle what they publish.
+/// Interface between a planner and its caller: the planner reports its stage and learns whether it has to stop. No
+/// planner runs 100 ms without a call. Reporting is cheap; implementations throttle what they publish.
 #include <string_view>
 
 namespace bahnwerk {
@@ -12,7 +12,7 @@ class Progress {
   virtual void report(std::string_view stage, double fraction, std::string_view message = {}) = 0;
 };
 
-/// Reports to nobody and never stops.
+/// Ignores all reports and never stops.
 class SilentProgress final : public Progress {
  public:
   void report(std::string_view, double, std::string_view) override {}

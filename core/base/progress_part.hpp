@@ -7,7 +7,7 @@
 
 namespace bahnwerk {
 
-/// Maps what a planner reports to [from, to] of the whole, under one name.
+/// Maps a planner's fraction to [from, to] of the whole job, under one stage name.
 class ProgressPart final : public Progress {
  public:
   ProgressPart(Progress& whole, std::string stage, double from, double to)

@@ -1,6 +1,6 @@
 #pragma once
-/// A stage of a job's progress, for code that works in small steps: it counts them and calls Progress often enough to
-/// stop within milliseconds, seldom enough to cost nothing.
+/// A stage of a job's progress for code that works in small steps: it counts the steps and calls Progress often enough
+/// to stop within milliseconds, and seldom enough to cost nothing.
 #include <cstddef>
 #include <string_view>
 
@@ -10,32 +10,32 @@ namespace bahnwerk {
 
 class ProgressScope {
  public:
-  /// `stage` runs from `from` to `to` of the whole job, and has to outlive this object.
+  /// `stage` is the stage's name and has to outlive this object; it runs from `from` to `to` of the whole job.
   ProgressScope(Progress& progress, std::string_view stage, double from, double to)
       : progress_(progress), stage_(stage), from_(from), to_(to), begin_(from), end_(to) {}
 
-  /// What follows is this part, [begin, end] ⊂ [0, 1], of the stage.
+  /// The following work is the part [begin, end] ⊂ [0, 1] of the stage.
   void part(double begin, double end) {
     begin_ = from_ + begin * (to_ - from_);
     end_ = from_ + end * (to_ - from_);
     fraction_ = 0;
     report();
   }
-  /// What follows is half of what is left: for loops whose number is not known before. Follows part().
+  /// The following work is half of the rest of the stage: for loops of unknown length, after part().
   void half_of_rest() { part(end_fraction(), 0.5 + 0.5 * end_fraction()); }
-  /// How much of this part is done, in [0,1]; tells nobody yet.
+  /// Sets the completed fraction of this part, in [0, 1], without a report.
   void done(double fraction) { fraction_ = fraction; }
 
-  /// `units` of roughly 0.1 to 1 µs have been worked.
+  /// Counts `units` of work of roughly 0.1 to 1 µs each.
   void work(std::size_t units = 1) {
     work_ += units;
     if (work_ >= units_per_report) report();
   }
-  /// Step i of n of this part is due; a few hundred nanoseconds each.
+  /// Step i of n of this part begins; a step takes a few hundred nanoseconds.
   void operator()(std::size_t i, std::size_t n) {
     if (i % steps_per_report == 0) report(i, n);
   }
-  /// Step i of n of this part is due; up to a millisecond each.
+  /// Step i of n of this part begins; a step takes up to a millisecond.
   void now(std::size_t i, std::size_t n) {
     if (i % long_steps_per_report == 0) report(i, n);
   }

@@ -9,14 +9,14 @@
 
 namespace bahnwerk {
 
-/// Index of the column of that name; columns.size() if there is none.
+/// Returns the index of the column of that name; columns.size() if there is none.
 inline std::size_t column_index(const std::vector<Column>& columns, std::string_view name) {
   const auto at = std::find_if(columns.begin(), columns.end(), [&](const Column& c) { return c.name == name; });
   return static_cast<std::size_t>(at - columns.begin());
 }
 
-/// Calls visit(k, row) for every row, in order, and passed(rows so far, rows since the last call) after every 1024 of
-/// them and at the end. Memory: that of 1024 rows.
+/// Calls visit(k, row) for every row in order, and passed(rows so far, rows since the last call) after every 1024 rows
+/// and at the end. Memory: 1024 rows.
 template <class Visit, class Passed>
 void for_each_row(const SetpointSource& setpoints, Visit&& visit, Passed&& passed) {
   constexpr std::size_t chunk_rows = 1024;

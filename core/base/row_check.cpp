@@ -10,7 +10,8 @@ namespace {
 constexpr std::size_t units_per_row = 4;  // what a row counts as, for progress
 }
 
-void read_rows(const SetpointSource& setpoints, std::span<const std::unique_ptr<RowCheck>> all, ProgressScope& scope) {
+void read_rows(const SetpointSource& setpoints, std::span<const std::unique_ptr<RowCheck>> all,
+               ProgressScope& progress) {
   std::vector<RowCheck*> readers;
   for (const auto& each : all)
     if (each->reads()) readers.push_back(each.get());
@@ -22,21 +23,22 @@ void read_rows(const SetpointSource& setpoints, std::span<const std::unique_ptr<
         for (RowCheck* reader : readers) reader->row(k, row);
       },
       [&](std::size_t done, std::size_t count) {
-        scope.done(static_cast<double>(done) / rows);
-        scope.work(count * units_per_row * readers.size());
+        progress.done(static_cast<double>(done) / rows);
+        progress.work(count * units_per_row * readers.size());
       });
 }
 
-std::vector<Check> check_rows(const SetpointSource& setpoints, std::unique_ptr<RowCheck> check, ProgressScope& scope) {
-  scope.report();
+std::vector<Check> check_rows(const SetpointSource& setpoints, std::unique_ptr<RowCheck> check,
+                              ProgressScope& progress) {
+  progress.report();
   const RowChecks one = [&] {
     RowChecks list;
     list.push_back(std::move(check));
     return list;
   }();
-  read_rows(setpoints, one, scope);
-  scope.done(1);
-  scope.report();
+  read_rows(setpoints, one, progress);
+  progress.done(1);
+  progress.report();
   return one.front()->checks();
 }
 

@@ -11,13 +11,13 @@
 
 namespace bahnwerk {
 
-/// Looks at all rows of a series, in order, and tells then what it found.
+/// A check that receives all rows of a series in order and then returns its results.
 class RowCheck {
  public:
   virtual ~RowCheck() = default;
-  /// Row k, from 0 on; `row` holds as many numbers as the series has columns.
+  /// Receives row k, from 0 on; `row` has as many numbers as the series has columns.
   virtual void row(std::size_t k, const double* row) = 0;
-  /// Whether it can look at rows at all: false where columns are missing.
+  /// Whether the check can read the rows: false if columns are missing.
   virtual bool reads() const { return true; }
   /// Called once, behind the last row.
   virtual std::vector<Check> checks() = 0;
@@ -25,10 +25,12 @@ class RowCheck {
 
 using RowChecks = std::vector<std::unique_ptr<RowCheck>>;
 
-/// Reads the series once, 1024 rows at a time, for all that look at rows. Memory: that of 1024 rows.
-void read_rows(const SetpointSource& setpoints, std::span<const std::unique_ptr<RowCheck>> all, ProgressScope& scope);
+/// Reads the series once, 1024 rows at a time, for all checks that can read rows. Memory: 1024 rows.
+void read_rows(const SetpointSource& setpoints, std::span<const std::unique_ptr<RowCheck>> all,
+               ProgressScope& progress);
 
 /// Reads the series for one check alone.
-std::vector<Check> check_rows(const SetpointSource& setpoints, std::unique_ptr<RowCheck> check, ProgressScope& scope);
+std::vector<Check> check_rows(const SetpointSource& setpoints, std::unique_ptr<RowCheck> check,
+                              ProgressScope& progress);
 
 }  // namespace bahnwerk

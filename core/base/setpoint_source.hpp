@@ -12,13 +12,13 @@ struct Column {
   std::string unit;
 };
 
-/// Where the frame of columns x, y, z, phi stands in the machine's own: turned about z, then shifted.
+/// Place of the frame of the columns x, y, z, phi in the machine's frame: rotation about z, then translation.
 struct PoseFrame {
   double x = 0, y = 0, z = 0;  ///< mm
   double angle = 0;            ///< deg
 };
 
-/// What the rows of a series are taken over: row k is the state at k · step.
+/// The independent variable of a series: row k is the state at k · step.
 struct Independent {
   std::string name = "time";
   std::string unit = "s";
@@ -26,19 +26,19 @@ struct Independent {
   bool time() const { return name == "time"; }
 };
 
-/// A series of setpoints, computed on demand: row k is the state at k · step of the independent variable, which is
-/// k · cycle_time unless a source says otherwise. Rows are row-major doubles.
+/// A series of setpoints, computed on demand: row k is the state at k · step of the independent variable, which is time
+/// with the step cycle_time unless a source overrides it. Rows are row-major doubles.
 class SetpointSource {
  public:
   virtual ~SetpointSource() = default;
   virtual const std::vector<Column>& columns() const = 0;
   virtual std::size_t count() const = 0;
-  virtual double cycle_time() const = 0;  ///< s; over a master's position: while it moves at its nominal speed
+  virtual double cycle_time() const = 0;  ///< s; over a master's position: the cycle at its nominal speed
   virtual Independent independent() const { return {"time", "s", cycle_time()}; }
   virtual double duration() const = 0;  ///< s, (count − 1) · cycle_time
   virtual std::optional<PoseFrame> pose_frame() const {
     return std::nullopt;
-  }  ///< of a machine that moves a part's tool
+  }  ///< for a machine that moves a part's tool
   /// Writes rows [first, first + rows) into `out`, columns().size() doubles each. Thread-safe, deterministic per row.
   virtual void read(std::size_t first, std::size_t rows, double* out) const = 0;
 };

@@ -1,5 +1,5 @@
 #pragma once
-/// What every plan says about itself: the checks of the independent verifier and the proven bound.
+/// The verdict on a plan: the checks of the independent verifier and the proven bound.
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -7,47 +7,47 @@
 
 namespace bahnwerk {
 
-/// What a check compares. Where an order is named, the check's `order` says which derivative.
+/// The quantity that a check compares. Where an order is named, the check's `order` is the derivative.
 enum class CheckedQuantity {
-  named,             ///< what one kind alone checks: `subject` is its name, `unit` the whole unit
+  named,             ///< of one kind only: `subject` is its name, `unit` the whole unit
   axis,              ///< an axis' range (order 0), or its derivative
   path,              ///< the derivative along the tool's path
   feed,              ///< the speed along the path in blocks of one feed, which is the limit
   joint_step,        ///< the step of an axis' derivative where segments meet
   corner_rest,       ///< the speed in corners and at rests
   cusp_rest,         ///< the speed in cusps
-  start_rest,        ///< the speed at the begin
+  start_rest,        ///< the speed at the beginning
   end_rest,          ///< the speed at the end
   continuity,        ///< the step of a derivative where pieces of the motion meet
   time_continuity,   ///< the gap in time where pieces meet
-  duration,          ///< that motions last equally long
-  bound,             ///< that a plan is not better than its bound
-  segments,          ///< that pieces stay in their segments
-  forward,           ///< that the motion never goes back
-  coverage,          ///< that the whole path is driven
-  path_distance,     ///< how far the law's places are from the path
-  arc_length,        ///< that two quadratures agree
-  block_order,       ///< that blocks are the contour's
-  deviation,         ///< how far the path is from the contour
-  dwell,             ///< that the motion rests as long as asked for
+  duration,          ///< equal durations of motions
+  bound,             ///< a plan is not better than its bound
+  segments,          ///< pieces stay in their segments
+  forward,           ///< the motion never moves backwards
+  coverage,          ///< the whole path is driven
+  path_distance,     ///< distance of the law's places from the path
+  arc_length,        ///< two quadratures agree
+  block_order,       ///< blocks are those of the contour
+  deviation,         ///< distance of the path from the contour
+  dwell,             ///< duration of a requested rest
   stroke,            ///< the position of a fine axis
-  centred_start,     ///< a fine axis' position at the begin
+  centred_start,     ///< a fine axis' position at the beginning
   centred_end,       ///< a fine axis' position at the end
-  chord_error,       ///< how far the chord between rows is from the path
+  chord_error,       ///< distance of the chord between rows from the path
   half_speed_feed,   ///< the speed in curves
-  tip_position,      ///< that forward kinematics of the rows is on the path
-  tip_angle,         ///< that it points where the path does
+  tip_position,      ///< forward kinematics of the rows against the path
+  tip_angle,         ///< direction by forward kinematics against the path
   clearance,         ///< the tool's distance from obstacles: at least the limit
   pull,              ///< the pull of the wire
   slack,             ///< the least pull: at least the limit
-  wire_overlap,      ///< by how much wires overlap, beyond what is allowed
-  boundary_overlap,  ///< by how much wires overlap the slot's boundary
-  wires_missing,     ///< the count of wires against that stated
-  rows_count,        ///< the number of rows, and that all columns are there
-  rows_time,         ///< the time that rows span
+  wire_overlap,      ///< overlap of wires beyond the allowed one
+  boundary_overlap,  ///< overlap of wires with the slot's boundary
+  wires_missing,     ///< the count of wires against the stated one
+  rows_count,        ///< the number of rows, and presence of all columns
+  rows_time,         ///< the time span of the rows
   rows_path,         ///< column s
   rows_speed,        ///< column v
-  rows_forward,      ///< that s never falls
+  rows_forward,      ///< s never decreases
   rows,              ///< columns of positions (order 0) and derivatives
   rows_end,          ///< the last row
   rows_end_rest,     ///< the last row's speeds
@@ -60,24 +60,23 @@ enum class CheckedQuantity {
   path_differences,  ///< differences of s
 };
 
-/// What is compared and in which unit, as data: names that people read are made of it where they are shown
-/// (api/check_text.hpp).
+/// The compared quantity and its unit, as data; api/check_text.hpp makes the texts for people.
 struct Checked {
   CheckedQuantity quantity = CheckedQuantity::named;
   int order = 0;             ///< 0 position, 1 velocity, 2 acceleration, 3 jerk, 4 snap
   std::string unit = "mm";   ///< the unit of order 0
-  std::string subject = {};  ///< the axis, the group of axes, or the layout that is checked; empty: all there is
+  std::string subject = {};  ///< the axis, the group of axes, or the layout that is checked; empty: everything
 };
 
-/// One line of the verifier's verdict: the true continuous peak `value` at `at` seconds against `limit`.
+/// One check of the verifier: the true continuous peak `value` at `at` seconds against `limit`.
 struct Check : Checked {
-  double limit = 0;  ///< in the unit and its order, as `value`
+  double limit = 0;  ///< in the unit of its order, as `value` is
   double value = 0;
   double at = 0;
   bool passed = false;
 };
 
-/// Whether `check` is of that quantity and order, and of that subject.
+/// Whether `check` has that quantity, order and subject.
 inline bool is(const Check& check, CheckedQuantity quantity, int order, const std::string& subject = {}) {
   return check.quantity == quantity && check.order == order && check.subject == subject;
 }
@@ -89,7 +88,7 @@ inline bool falls_with_speed(const Check& check) {
                              q == CheckedQuantity::joint_step);
 }
 
-/// A limit is exceeded at `at` seconds: motion that lasts `factor` times as long keeps it.
+/// A limit is exceeded at `at` seconds; a motion that lasts `factor` times as long keeps it.
 struct TooFast {
   double at = 0;
   double factor = 1;
@@ -98,9 +97,9 @@ struct TooFast {
 struct Verification {
   bool passed = false;
   std::vector<Check> checks;
-  /// Where axes exceed their limits: once, by the most strained axis, of every motion between two rests.
+  /// Excesses of axes: one per motion between two rests, that of the axis with the largest factor.
   std::vector<TooFast> too_fast;
-  /// One more check, behind those that there are.
+  /// Appends a check.
   void add(Check check) {
     passed = passed && check.passed;
     checks.push_back(std::move(check));
@@ -108,7 +107,7 @@ struct Verification {
   void add(std::vector<Check> more) {
     for (Check& check : more) add(std::move(check));
   }
-  /// The check of that quantity, order and subject; nullptr if there is none.
+  /// Returns the check of that quantity, order and subject; nullptr if there is none.
   const Check* find(CheckedQuantity quantity, int order, const std::string& subject = {}) const {
     const auto at = std::find_if(checks.begin(), checks.end(),
                                  [&](const Check& check) { return is(check, quantity, order, subject); });
@@ -116,12 +115,12 @@ struct Verification {
   }
 };
 
-/// What a bound bounds: a duration (s), a count, or a kind's own objective.
+/// The bounded quantity: a duration (s), a count, or a kind's own objective.
 enum class BoundQuantity { duration, count, objective };
 /// Whether no solution is below the bound, or none above it.
 enum class BoundSense { lower, upper };
 
-/// No solution under the same limits is better than `value`. gap: by which fraction the planned one is worse.
+/// No solution under the given limits is better than `value`; `gap` is the fraction by which the planned one is worse.
 struct Bound {
   double value = 0;
   double gap = 0;
@@ -131,8 +130,8 @@ struct Bound {
   std::string unit = "s";
 };
 
-/// The bound with its gap to what was planned: planned / value − 1, for an upper bound value / planned − 1; 0 where
-/// the divisor is not positive, and where the plan is better by 1e-14, which is rounding.
+/// Returns the bound with its gap to the planned value: planned / value − 1, for an upper bound value / planned − 1; 0
+/// where the divisor is not positive, and where the plan is better by 1e-14, which is rounding.
 Bound with_gap(Bound bound, double planned);
 
 }  // namespace bahnwerk

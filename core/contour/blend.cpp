@@ -33,7 +33,11 @@ class Blender {
  public:
   Blender(const Contour& given, const BlendOptions& options, const Machine& machine, Progress& progress, double from,
           double to, std::vector<BlendSection>* sections)
-      : given_(given), options_(options), machine_(machine), scope_(progress, "blend", from, to), sections_(sections) {
+      : given_(given),
+        options_(options),
+        machine_(machine),
+        progress_(progress, "blend", from, to),
+        sections_(sections) {
     result_.dimension = given.dimension;
     result_.height = given.height;
     rest_ = given.rest_places();
@@ -51,7 +55,7 @@ class Blender {
       take_rests(i);
       std::size_t j = i + 1;
       while (j < n && mode(j) == mode(i) && !rest_[j]) ++j;
-      auto list = stretches(given_.path, i, j, block_, tiny_share * options_.tolerance, reversal, scope_);
+      auto list = stretches(given_.path, i, j, block_, tiny_share * options_.tolerance, reversal, progress_);
       list.front().rest_begin = i == 0 || rests(i);
       list.back().rest_end = j == n || rests(j);
       for (const Stretch& s : list) {
@@ -63,9 +67,9 @@ class Blender {
     take_rests(n);
     end_section(n);
     finish_blocks();
-    note(result_, count_, options_, scope_);
-    scope_.done(1);
-    scope_.report();
+    note(result_, count_, options_, progress_);
+    progress_.done(1);
+    progress_.report();
     return std::move(result_);
   }
 
@@ -87,15 +91,15 @@ class Blender {
   }
   /// The motion rests at the joint where segment i begins.
   bool rests(std::size_t i) const { return rest_[i] || stops_at(given_.path, i, options_.corner_angle); }
-  /// The path goes exactly through the places of rests, which are ends of stretches.
+  /// The path passes exactly through the places of rests, which are ends of stretches.
   void take_rests(std::size_t segment) {
     for (std::size_t i = result_.rests.size(); i < given_.rests.size() && given_.rests[i].segment <= segment; ++i)
       result_.rests.push_back({result_.path.size(), given_.rests[i].seconds, given_.rests[i].block});
   }
   void report() {
-    scope_.done(
+    progress_.done(
         std::min(1.0, static_cast<double>(done_) / static_cast<double>(std::max<std::size_t>(1, given_.path.size()))));
-    scope_.report();
+    progress_.report();
   }
   Ability ability(std::size_t block) const {
     Ability a{0, HUGE_VAL, HUGE_VAL, 0};
@@ -118,7 +122,7 @@ class Blender {
     std::vector<Ability> abilities;
     abilities.reserve(stretch.elements.size());
     for (const Element& e : stretch.elements) abilities.push_back(ability(e.block));
-    const auto changes = lay_out(stretch, used_share * options_.tolerance, abilities, scope_);
+    const auto changes = lay_out(stretch, used_share * options_.tolerance, abilities, progress_);
     double at = 0;
     std::size_t hint = 0;
     for (const Change& change : changes) {
@@ -144,7 +148,7 @@ class Blender {
     owner_.insert(owner_.end(), result_.path.size() - before, from.block);
   }
 
-  /// What lies between a and b as it is.
+  /// Copies the part between a and b unchanged.
   void keep(const Stretch& stretch, double a, double b, std::size_t& hint) {
     if (!(b > a)) return;
     for (std::size_t i = hint = stretch.find(a, hint); i < stretch.elements.size(); ++i) {
@@ -161,8 +165,8 @@ class Blender {
     if (++done_ % progress_step == 0) report();
   }
 
-  /// Keeps what lies between `at` and the blend, and moves `at` behind it. Leaves everything as it is if the joint
-  /// cannot be blended within the tolerance.
+  /// Copies the part between `at` and the blend, and moves `at` behind it. Changes nothing if the joint cannot be
+  /// blended within the tolerance.
   void corner(const Stretch& stretch, const Change& change, double& at, std::size_t& hint) {
     tick();
     const Element &before = stretch.elements[change.joint - 1], &after = stretch.elements[change.joint];
@@ -206,11 +210,11 @@ class Blender {
       if (stretch.elements[i].block != stretch.elements[i - 1].block) borders.push_back(stretch.elements[i].begin);
     const auto smoothed = [&](bool rests) {
       return smooth_run(stretch, range, borders, {used_share * options_.tolerance, fitted_share * options_.tolerance},
-                        given_.dimension, rests, scope_);
+                        given_.dimension, rests, progress_);
     };
     SmoothedRun run = smoothed(depth >= max_splits);
     if (!run.done && depth < max_splits) {
-      const auto cuts = sharpest_joints(stretch, range.a, range.b, run.troubles, hint);
+      const auto cuts = sharpest_joints(stretch, range.a, range.b, run.failure_positions, hint);
       if (!cuts.empty()) return split(stretch, range, cuts, depth, hint), true;
       run = smoothed(true);
     }
@@ -236,8 +240,8 @@ class Blender {
     return true;
   }
 
-  /// A run that cannot be smoothed as a whole: the sharpest joints next to the trouble become rests, and what lies
-  /// between them is laid out anew.
+  /// Divides a run that cannot be smoothed as a whole: the sharpest joints next to the failure become rests, and the
+  /// parts between them are laid out again.
   void split(const Stretch& stretch, const RunRange& range, std::vector<std::size_t> cuts, int depth,
              std::size_t hint) {
     std::size_t i = stretch.find(range.a, hint);
@@ -289,7 +293,7 @@ class Blender {
   const Contour& given_;
   const BlendOptions& options_;
   const Machine& machine_;
-  ProgressScope scope_;
+  ProgressScope progress_;
   std::vector<std::size_t> block_, owner_;
   std::vector<bool> rest_;
   std::vector<std::unique_ptr<Segment>> parts_;
@@ -297,7 +301,7 @@ class Blender {
   BlendCount count_;
   std::size_t done_ = 0;
   std::vector<BlendSection>* sections_;
-  std::size_t changes_ = 0;  // before the section at hand
+  std::size_t changes_ = 0;  // before the current section
 };
 
 }  // namespace

@@ -83,7 +83,7 @@ void ContourBuilder::drop(const std::string& why) {
   }
 }
 
-/// False, with its faults kept, for what cannot be made.
+/// Returns false, with its faults stored, for a segment that cannot be made.
 template <class Make>
 bool ContourBuilder::guarded(Make make) {
   try {

@@ -48,12 +48,12 @@ bool stops_at(const Path& path, std::size_t i, double corner_angle) {
              corner_angle;
 }
 
-std::vector<Joint> joints(const Path& path, ProgressScope* scope) {
+std::vector<Joint> joints(const Path& path, ProgressScope* progress) {
   std::vector<Joint> list;
   if (path.empty()) return list;
   list.reserve(path.size() - 1);
   for (std::size_t i = 1; i < path.size(); ++i) {
-    if (scope) scope->work(4);
+    if (progress) progress->work(4);
     const Segment &before = path[i - 1], &after = path[i];
     const Vec left = before.at_parameter(before.curve().end()).d1;
     const Vec right = after.at_parameter(after.curve().begin()).d1;

@@ -1,5 +1,5 @@
 #pragma once
-/// A contour as it is planned: blocks of curves joined into one path, with what the reader of it had to note.
+/// A contour as it is planned: blocks of curves joined into one path, with the notes of its reader.
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace bahnwerk {
 
-enum class Mode { cut, position };
+enum class Mode { cut, position };  ///< tool on, tool off
 
 /// One block: the path segments [first, last) share a mode and a feed.
 struct Block {
@@ -21,20 +21,21 @@ struct Block {
 /// The motion rests where path segment `segment` begins; segment == path.size(): at the end of the path.
 struct Rest {
   std::size_t segment = 0;
-  double seconds = 0;     ///< for how long, 0 = it only stops
-  std::size_t block = 0;  ///< the block that the rest belongs to; it may hold nothing else
+  double seconds = 0;     ///< duration, 0 = it only stops
+  std::size_t block = 0;  ///< the block to which the rest belongs; it may have no segments
 };
 inline constexpr double longest_rest = 86400;  ///< s, of one dwell
 
 struct Contour {
-  std::size_t dimension = 2;
-  double height = 0;  ///< mm, of a planar contour (whose path has z = 0): where a third axis stands, 0 if not known
+  std::size_t dimension = 2;  ///< coordinates of the path, 2 or 3
+  double height = 0;  ///< mm, of a planar contour (whose path has z = 0): position of a third axis, 0 if unknown
   Path path;
-  std::vector<Block> blocks;          ///< in order, covering every segment; empty blocks are kept (first == last)
+  std::vector<Block> blocks;          ///< in order, covering every segment; empty blocks have first == last
   std::vector<Rest> rests;            ///< by segment, at one place by block: dwells add up
-  std::vector<std::string> notes;     ///< what was dropped or moved on reading, for the report
+  std::vector<std::string> notes;     ///< what the reader dropped or moved, for the report
   std::vector<double> feeds() const;  ///< per path segment, mm/s
-  /// Per path segment, and last for the end of the path: whether the motion rests there. O(segments + rests).
+  /// Returns whether the motion rests at the beginning of each path segment and, as the last entry, at the end of the
+  /// path. O(segments + rests).
   std::vector<bool> rest_places() const;
   double dwell() const;  ///< s, of all rests
 };
@@ -42,17 +43,18 @@ struct Contour {
 /// Adds a rest of 0 s wherever cutting and positioning meet. O(blocks + rests).
 void stop_at_mode_changes(Contour& contour);
 
-/// Where two path segments meet.
+/// A place at which two path segments meet; the tangent may jump there.
 struct Joint {
-  double s = 0;
+  double s = 0;          ///< mm along the path
   std::size_t next = 0;  ///< index of the segment that begins here
   double angle = 0;      ///< tangent jump, rad
   Vec step;              ///< right tangent − left tangent
 };
-/// Whether a motion has to stop where segment i > 0 begins: at a cusp, or a tangent jump above `corner_angle`, rad.
+/// Whether a motion has to stop at the beginning of segment i > 0: at a cusp, or a tangent jump above `corner_angle`,
+/// rad.
 bool stops_at(const Path& path, std::size_t i, double corner_angle);
 
-/// Every inner joint of the path, in order. O(n), up to 2 µs each; tells `scope`, if any.
-std::vector<Joint> joints(const Path& path, ProgressScope* scope = nullptr);
+/// Returns every inner joint of the path, in order. O(n), up to 2 µs each; tells `progress`, if any.
+std::vector<Joint> joints(const Path& path, ProgressScope* progress = nullptr);
 
 }  // namespace bahnwerk

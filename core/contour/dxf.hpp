@@ -1,23 +1,23 @@
 #pragma once
-/// Drawings as a contour: DXF, ASCII or binary, releases R12 to 2018. Faults of a binary file name the line that its
-/// ASCII form would have.
+/// Reads drawings as contours: DXF, ASCII or binary, releases R12 to 2018. Faults of a binary file name the line of its
+/// ASCII form.
 ///
-/// Drawn are LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE and POLYLINE (bulges; 3-D ones, too), SPLINE (control points with
+/// It reads LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE and POLYLINE (bulges; 3-D ones, too), SPLINE (control points with
 /// weights, or fit points alone: then the cubic spline through them) and INSERT (nested, arrays, any scale, mirrored);
 /// with an option the outlines of HATCH. Nothing is approximated: an ellipse becomes a rational curve of degree 2, an
-/// arc in a block scaled unequally an ellipse. Extrusion directions follow the arbitrary axis algorithm. What else is
-/// in model space is skipped with a note per kind; so is what lies on layers that are frozen, switched off or (unless
-/// asked for by name) not plotted, or is invisible. Paper space is read, with a note, only where model space holds no
-/// curve at all: the sheet among the entities, else the first sheet that holds something.
+/// arc in a block scaled unequally an ellipse. Extrusion directions follow the arbitrary axis algorithm. Other entities
+/// in model space are skipped with a note per type, and so are entities on layers that are frozen, switched off or
+/// (unless requested by name) not plotted, and invisible ones. Paper space is read, with a note, only where model space
+/// has no curve at all: the sheet among the entities, else the first sheet with a curve.
 ///
-/// Entities with ends that meet become one block (core/contour/dxf/cut/chain.hpp). Gaps are closed by moving an end
-/// where the curve beside the gap is 100 times as long (a line turns, an arc is moved and scaled with its sweep kept,
-/// control points of a spline are shifted in proportion); else by a short line. Entities drawn twice, in either
-/// direction, are dropped with a note (whole entities only; overlapping parts are not looked for). Between blocks
-/// straight moves with Mode::position. The contour starts where its first block does.
+/// Entities whose ends meet become one block (core/contour/dxf/cut/chain.hpp). A gap is closed by moving an end where
+/// the curve beside it is 100 times as long (a line turns, an arc is moved and scaled with constant sweep, control
+/// points of a spline are shifted in proportion), otherwise by a short line. Entities drawn twice, in either direction,
+/// are dropped with a note (whole entities only). Straight moves with Mode::position connect the blocks. The contour
+/// starts at the beginning of its first block.
 ///
-/// Planar if every entity is flat; different heights are then put into one plane with a note. As soon as one entity has
-/// points more than 1e-6 mm apart in height everything is spatial.
+/// The contour is planar if every entity is flat; different heights are then moved into one plane with a note. If one
+/// entity has points more than 1e-6 mm apart in height, the contour is spatial.
 ///
 /// Cost: O(n log n). CPU time for files of 10 MB (one thread, virtual machine at 2.3 GHz): 73 000 loose LINEs 0.11 s,
 /// LWPOLYLINEs with 380 000 vertices 0.24 s, 90 000 CIRCLEs 0.14 s; the order of nearest neighbours takes up to 0.2 s
@@ -41,19 +41,18 @@ struct DxfOptions {
   double tolerance = 0.01;              ///< ends this close are joined, mm; 0 … 10
   DxfOrder order = DxfOrder::as_drawn;  ///< of blocks: by their first entity in the file, or always the nearest next
                                         ///< (open ones may then be reversed, closed ones start at another corner)
-  std::vector<std::string> layers{};    ///< only these; empty = all. Each has to exist
+  std::vector<std::string> layers{};    ///< only these, each of which has to exist; empty = all
   double feed = std::numeric_limits<double>::infinity();  ///< mm/s, > 0; infinity = limited by the axes alone
-  std::optional<double>
-      millimetres_per_unit{};          ///< > 0; else $INSUNITS counts, and mm with a note where that is missing
-  std::size_t max_curves = 2'000'000;  ///< after blocks are resolved; more are refused
-  bool hatch = false;                  ///< cut the outlines of HATCH, too
+  std::optional<double> millimetres_per_unit{};  ///< > 0; otherwise $INSUNITS, and mm with a note where that is missing
+  std::size_t max_curves = 2'000'000;            ///< after blocks are resolved; a drawing with more is refused
+  bool hatch = false;                            ///< whether the outlines of HATCH are cut, too
 };
 
 /// Throws InvalidInput with up to 100 faults at {"contour","dxf"}, each with a message "line 123: …"; for an option
 /// without a meaning at {"contour","tolerance"}, {"contour","feed"}, {"contour","unit"} or {"contour","layers",index};
 /// the last one's message lists the layers that exist.
 Contour read_dxf(std::string_view text, const DxfOptions& options = {});
-/// `progress` hears "reading" at least every 100 ms; what it throws passes through.
+/// `progress` receives the stage "reading" at least every 100 ms; its exceptions are passed on.
 Contour read_dxf(std::string_view text, const DxfOptions& options, Progress& progress);
 
 }  // namespace bahnwerk

@@ -14,7 +14,7 @@ constexpr char end_of_text = '\x1A';
 constexpr std::string_view filling("\x1A\0 \t\r\n", 6);
 constexpr std::size_t segments_per_report = 4096;  // one line may have a thousand turns
 
-/// The program's lines in their order, up to its end or to where reading on would tell nothing new.
+/// Reads the program's lines in their order, up to its end or to where further reading is useless.
 class Reading {
  public:
   Reading(std::string_view text, bool cut_off, const GcodeOptions& options, gcode::Interpreter& interpreter,
@@ -124,7 +124,7 @@ Contour read_gcode(std::string_view whole, const GcodeOptions& options, Progress
   gcode::Interpreter interpreter(options, false, progress);
   Reading(program, cut_off, options, interpreter, progress).read();
   if (!interpreter.lifted()) return interpreter.finish();
-  // One height throughout, known only now: the same again at height 0.
+  // The contour has one height throughout, which is known only now: it is read again at height 0.
   gcode::Interpreter flat(options, true, progress);
   Reading(program, cut_off, options, flat, progress).read();
   Contour contour = flat.finish();

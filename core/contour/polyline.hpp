@@ -8,9 +8,9 @@ namespace bahnwerk {
 
 class Progress;
 
-/// One cut block. Points closer than min_segment_length to the last kept one are dropped with a note. Throws
-/// InvalidInput with places like {"contour","points","7"}. O(n), about 0.2 µs per point; `progress` is asked every few
-/// thousand.
+/// Returns one cut block. Points closer than min_segment_length to the last point used are dropped with a note. Throws
+/// InvalidInput with places like {"contour","points","7"}. O(n), about 0.2 µs per point; asks `progress` every few
+/// thousand points.
 Contour polyline(std::size_t dimension, const std::vector<Vec>& points, bool closed, double feed,
                  Progress* progress = nullptr);
 

@@ -14,20 +14,21 @@ struct PanelCurve {
 };
 
 struct Panel {
-  std::string title, across;  ///< what goes up, with its unit; what goes across, none: no numbers there
+  std::string title, across;  ///< quantity of the vertical axis with its unit; quantity of the horizontal axis, empty:
+                              ///< no numbers there
   std::vector<PanelCurve> curves;
   std::vector<double> limits;  ///< drawn as dashed lines
-  bool from_zero = false;      ///< whether the range of values begins there
+  bool from_zero = false;      ///< whether the range of values begins at 0
 };
 
-/// The panel with its frame at (left, top) px, `width` · `height` px, values above the frame's bottom. Curves are lines
-/// from point to point, in tenths of a px. O(points).
+/// Returns the panel with its frame at (left, top) px, `width` · `height` px, values upwards from the frame's bottom.
+/// Curves are lines from point to point, in tenths of a px. O(points).
 std::string panel_drawing(const Panel& panel, double left, double top, double width, double height);
 
-/// Room that a panel needs around its frame, px.
+/// Margins that a panel needs around its frame, px.
 inline constexpr double panel_left = 72, panel_top = 24, panel_bottom = 34;
 
-/// Of a curve with many more points than the panel has columns: the lowest and highest value in each of `columns`
+/// Thins a curve with many more points than the panel has columns: the lowest and highest value in each of `columns`
 /// columns over [0, end], two points at the column's middle. O(1) per value.
 class Envelope {
  public:

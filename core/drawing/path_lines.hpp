@@ -1,5 +1,5 @@
 #pragma once
-/// What a drawing of a path is made of: points so close that chords do, and lines thinned to what shows.
+/// Polylines of a path for drawings: points whose chords are close enough, and lines thinned to what is visible.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace bahnwerk::drawing {
 
-/// Points of a segment so close that chords stay within `tolerance`, mm; its begin is left out.
+/// Points of a segment whose chords stay within `tolerance`, mm; the segment's beginning is left out.
 class Sampler {
  public:
   Sampler(double tolerance, const std::function<void(Vec)>& to) : tolerance_(tolerance), to_(to) {}
@@ -43,7 +43,7 @@ class Sampler {
  private:
   static constexpr int deepest = 12;
   static double at(const Curve& curve, int i, int n) { return curve.begin() + (curve.end() - curve.begin()) * i / n; }
-  /// Distance from the line through a and b, or from a where they are one.
+  /// Returns the distance from the line through a and b, or from a if they are equal.
   static double off(Vec p, Vec a, Vec b) {
     const Vec way = b - a;
     const double length = norm(way);
@@ -65,8 +65,8 @@ class Sampler {
   const std::function<void(Vec)>& to_;
 };
 
-/// Path data of many lines, thinned: a point is left out while one straight line passes all points since the last kept
-/// one within half of the tolerance; kept points lie on a lattice of a third of it, and no line is drawn twice.
+/// Path data of many lines, thinned: a point is left out while one straight line passes all points since the last one
+/// used within half of the tolerance. Points are rounded to a lattice of a third of it, and no line is drawn twice.
 class Thinned {
  public:
   explicit Thinned(double tolerance) : reach_(tolerance / 2), lattice_(tolerance / 3) {}
@@ -91,7 +91,7 @@ class Thinned {
     open_ = false;
     pen_ = nowhere;
   }
-  /// In units of lattice(), px.
+  /// Path data in units of lattice(), px.
   const std::string& data() const { return data_; }
   double lattice() const { return lattice_; }
 
@@ -99,7 +99,7 @@ class Thinned {
   using Place = std::pair<std::int32_t, std::int32_t>;
   static constexpr Place nowhere{INT32_MIN, INT32_MIN};
 
-  /// Whether the line from the anchor to p passes all points since; narrows the directions that later ones may have.
+  /// Whether the line from the anchor to p passes all points since; restricts the directions of later ones.
   bool fits(Point p) {
     const double dx = p.x - anchor_.x, dy = p.y - anchor_.y, d = std::hypot(dx, dy);
     if (d < farthest_ - reach_) return false;  // turned back

@@ -1,5 +1,5 @@
 #pragma once
-/// A path of rational pieces as points: for drawings and viewers, and its curvature over the arc length.
+/// A path of rational pieces as points for drawings and viewers, and its curvature over the arc length.
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -8,19 +8,19 @@
 
 namespace bahnwerk {
 
-/// Points x, y, z, φ, ψ so close that straight lines between them stay within `tolerance` mm of the path and
-/// `angle_tolerance` rad of its angles, as far as three points inside each stretch of it show. Ends of pieces are among
-/// them; where one piece begins as the one before ends the point stands once. O(points).
+/// Returns points x, y, z, φ, ψ whose connecting lines stay within `tolerance` mm of the path and `angle_tolerance` rad
+/// of its angles, by three points inside each interval. Ends of pieces are among them, once where one piece begins at
+/// the end of the one before. O(points).
 std::vector<SplinePoint> spline_points(std::span<const BezierPiece> pieces, double tolerance,
                                        double angle_tolerance = 0.01);
 
 struct CurvaturePoint {
-  double length = 0;     ///< from the path's begin, mm
+  double length = 0;     ///< from the path's beginning, mm
   double curvature = 0;  ///< of the first three coordinates, 1/mm
   std::size_t piece = 0;
 };
-/// `intervals` + 1 points for each piece, both ends included: where curvature jumps, two points have one length.
-/// Lengths by Gauss's rule between the points. A piece without length has curvature 0.
+/// Returns `intervals` + 1 points for each piece, both ends included: where curvature jumps, two points have one
+/// length. Lengths are computed by Gauss quadrature between the points. A piece without length has curvature 0.
 std::vector<CurvaturePoint> curvature_points(std::span<const BezierPiece> pieces, std::size_t intervals = 64);
 
 }  // namespace bahnwerk

@@ -1,12 +1,12 @@
 #pragma once
-/// Where the ticks of an axis of a drawing stand.
+/// Places of the ticks of an axis of a drawing.
 #include <cmath>
 #include <cstdio>
 #include <string>
 
 namespace bahnwerk::drawing {
 
-/// 1, 2 or 5 times a power of ten, at least `least` > 0.
+/// Returns 1, 2 or 5 times a power of ten, the smallest that is at least `least` > 0.
 inline double nice(double least) {
   const double power = std::pow(10, std::floor(std::log10(least)));
   for (const double factor : {1.0, 2.0, 5.0})
@@ -20,7 +20,7 @@ void for_each_tick(double low, double high, double by, At&& at) {
   for (double k = std::ceil(low / by - 1e-9); k <= high / by + 1e-9; ++k) at(k * by);
 }
 
-/// The number beside a tick.
+/// Returns the text beside a tick.
 inline std::string tick_label(double value) {
   char text[40];
   std::snprintf(text, sizeof text, "%.7g", std::abs(value) < 1e-12 ? 0 : value);

@@ -1,5 +1,5 @@
 #pragma once
-/// The positions of all axes at one place and their derivatives by whatever the axes are followed along.
+/// The positions of all axes at one place and their derivatives by one variable (time, arc length or another).
 #include <array>
 #include <cstddef>
 
@@ -9,14 +9,14 @@ namespace bahnwerk {
 
 inline constexpr std::size_t max_axes = 8;
 
-/// One number per axis; those beyond the machine's are 0.
+/// One number per axis; entries beyond the machine's axes are 0.
 using AxisArray = std::array<double, max_axes>;
 
 struct AxisJet {
   AxisArray value{}, d1{}, d2{}, d3{};
 };
 
-/// Enclosures of the derivatives over a disc of whatever the axes are followed along.
+/// Enclosures of the derivatives over a disc of that variable.
 struct AxisDiscs {
   std::array<Disc, max_axes> d1{}, d2{}, d3{};
 };

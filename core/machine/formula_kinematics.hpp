@@ -1,5 +1,5 @@
 #pragma once
-/// Machines whose axes are closed formulas of a needle's pose: the formula is written once, over numbers of any kind;
+/// Machines whose axes are closed formulas of a needle's pose. The formula is written once, over numbers of any type;
 /// values, derivatives to order 3 and their bounds follow from it.
 ///
 /// A machine derives from FormulaKinematics<itself> and brings
@@ -10,8 +10,8 @@
 ///   ToolPose forward(const AxisArray& axes) const override;
 ///   static constexpr std::size_t swivel;   the axis that is ψ, if one is
 ///
-/// T is Taylor<3> (core/numeric/taylor.hpp), of numbers or of discs, or Majorant<4> (core/numeric/majorant.hpp).
-/// Nothing else: a machine is one file.
+/// T is Taylor<3> (core/numeric/taylor.hpp), of numbers or of discs, or Majorant<4> (core/numeric/majorant.hpp). A
+/// machine needs nothing else and is one file.
 #include <array>
 #include <cstddef>
 #include <numbers>
@@ -32,7 +32,7 @@ struct NeedleOf {
   T x, y, z, phi, psi;  ///< mm, rad
 };
 
-/// Where the part stands in the frame in which a machine is calculated: p_machine = R_z(angle) p_part + origin.
+/// Place of the part in the frame of a machine's formulas: p_machine = R_z(angle) p_part + origin.
 struct PartPlace {
   Vec origin;        ///< mm
   double angle = 0;  ///< rad
@@ -51,7 +51,7 @@ struct PartPlace {
   }
 };
 
-/// Axes q1, q2, … of a machine: mm, or rad where `rotary`. Throws std::invalid_argument for a wrong count.
+/// Returns the axes q1, q2, … of a machine: mm, or rad where `rotary`. Throws std::invalid_argument for a wrong count.
 template <std::size_t n>
 std::vector<AxisLimits> numbered_axes(const std::vector<Limits>& limits, const std::array<bool, n>& rotary) {
   if (limits.size() != n) throw std::invalid_argument("a machine of " + std::to_string(n) + " axes");
@@ -69,10 +69,10 @@ class FormulaKinematics : public Kinematics {
  public:
   static constexpr std::size_t swivel = max_axes;  ///< none
   const std::vector<AxisLimits>& axes() const override { return axes_; }
-  /// A choice of scale: of the size of the parts that are wound, so that no coordinate outweighs the others.
+  /// The scale is the size of the parts that are wound, so that no coordinate outweighs the others.
   double lever() const override { return 100; }
-  /// Rotary axes come round; where they may not go on for ever their ranges say so. The swivel does not: ψ is between
-  /// −90° and 90°, and a range whole turns away from that is a mistake, not another way to be there.
+  /// Rotary axes are periodic; ranges exclude unlimited turns. The swivel is not: ψ is between −90° and 90°, and a
+  /// range that is whole turns away from that is a mistake.
   double period(std::size_t axis) const override {
     return axis != Machine::swivel && axes_[axis].unit == "rad" ? 2 * std::numbers::pi : 0;
   }
@@ -100,7 +100,7 @@ class FormulaKinematics : public Kinematics {
     }
     return known;
   }
-  /// Every formula is analytic: what holds in the complex ball holds in the real one.
+  /// Every formula is analytic: bounds in the complex ball hold in the real one.
   MapBounds bounds(const ToolPose& centre, double radius) const override { return complex_bounds(centre, radius); }
   MapBounds complex_bounds(const ToolPose& centre, double radius) const override {
     using M = Majorant<4>;

@@ -7,17 +7,17 @@
 ///
 ///   (x, y) = R(−q4) (q2 + l − l cos q5, q1),   z = q3 + z_B − l sin q5,   φ = π − q4,   ψ = q5.
 ///
-/// With q5 = 0 that is [Herrmann appendix A], whose machine has no swivel; it may be fitted with one [2.3.2], which
-/// leaves the tip where it is when the needle does not swivel. A range of q5 from 0 to 0 is the machine without it.
+/// q5 = 0 gives [Herrmann appendix A], whose machine has no swivel; it may be fitted with one [2.3.2], which leaves the
+/// tip in place when the needle does not swivel. A range of q5 from 0 to 0 describes the machine without it.
 #include <cmath>
 
 #include "core/machine/formula_kinematics.hpp"
 
 namespace bahnwerk {
 
-/// mm; of which the source tells no value.
+/// mm; the source gives no values.
 struct HorizontalWinderSizes {
-  double z_part = 0;   ///< z_B, along the spindle, from where q3 = 0 to the part
+  double z_part = 0;   ///< z_B, along the spindle, from q3 = 0 to the part
   double l_tool = 40;  ///< l_Tool, from the swivel's axis to the needle's tip
   PartPlace part;      ///< in the spindle
 };
@@ -39,8 +39,7 @@ class HorizontalWinder final : public FormulaKinematics<HorizontalWinder> {
     return {-aside, l * swivel_c - T(l) - forth, n.z - T(sizes_.z_part) + l * swivel_s, T(std::numbers::pi) - n.phi,
             n.psi};
   }
-  void check(const ToolPose&, const AxisArray&) const {
-  }  // every pose has its axes; what they can reach, their ranges say
+  void check(const ToolPose&, const AxisArray&) const {}  // every pose has its axes; their ranges limit the reach
   ToolPose forward(const AxisArray& q) const override {
     const double phi = std::numbers::pi - q[3], c = std::cos(phi), s = std::sin(phi), l = sizes_.l_tool,
                  forth = l * std::cos(q[4]) - l - q[1], aside = -q[0];

@@ -1,5 +1,5 @@
 #pragma once
-/// How the axes of a machine move its tool. Knows no path in time and no planner.
+/// The map between the axes of a machine and its tool. It is independent of paths, time and planners.
 #include <array>
 #include <cstddef>
 
@@ -9,10 +9,10 @@
 
 namespace bahnwerk {
 
-/// How strongly axis positions can change with the tool's pose. Poses are points of the space (x, y, z, lever·φ,
-/// lever·ψ), all in mm: for every pose that is asked for and every direction of unit length e, |∂ⁿ q_k/∂eⁿ| ≤ order[n −
-/// 1][k], in the axis' unit per mmⁿ. Of mixed directions the same holds (a symmetric multilinear form is largest where
-/// its arguments are equal: Banach, Studia Math. 7, 1938).
+/// Bounds on the derivatives of axis positions by the tool's pose. Poses are points of the space (x, y, z, lever·φ,
+/// lever·ψ), all in mm. For every pose in question and every direction of unit length e, |∂ⁿ q_k/∂eⁿ| ≤ order[n −
+/// 1][k], in the axis' unit per mmⁿ. The bound holds for mixed directions, too (a symmetric multilinear form is largest
+/// where its arguments are equal: Banach, Studia Math. 7, 1938).
 struct MapBounds {
   std::array<AxisArray, 4> order{};
 };
@@ -20,32 +20,33 @@ struct MapBounds {
 class Kinematics {
  public:
   virtual ~Kinematics() = default;
-  /// Names, units and ranges, in the axes' order; 1 to max_axes of them.
+  /// Returns names, units and ranges, in the axes' order; 1 to max_axes of them.
   virtual const std::vector<AxisLimits>& axes() const = 0;
-  /// What one radian of the tool's angles counts as, mm; 0: the machine leaves them out of account.
+  /// Returns the length that one radian of the tool's angles counts as, mm; 0: the machine ignores the angles.
   virtual double lever() const { return 0; }
-  /// Positions of an axis that differ by so much are one place of the machine, and inverse() gives any of them. 0:
-  /// none.
+  /// Returns the period of an axis: positions that differ by it are one place of the machine, and inverse() returns any
+  /// of them. 0: none.
   virtual double period(std::size_t axis) const {
     (void)axis;
     return 0;
   }
-  /// The axes while the tool moves: derivatives by the variable of `tool`. Throws UnreachablePose, with the pose and
-  /// without a place, that of one out of reach and of one where axes are not smooth functions of the pose.
+  /// Returns the axes of a moving tool; derivatives are by the variable of `tool`. Throws UnreachablePose, with the
+  /// pose and without a place, for a pose out of reach and for one at which axes are not smooth functions of the pose.
   virtual AxisJet inverse(const ToolJet& tool) const = 0;
-  /// What inverse() gives for any tool within `tool`, and its analytic continuation for complex ones. False: not known,
-  /// as where a singular pose cannot be excluded; bounds() may tell then.
+  /// Encloses inverse() for any tool within `tool`, and its analytic continuation for complex ones. Returns false if no
+  /// enclosure is known, as where a singular pose cannot be excluded; bounds() may give one.
   virtual bool enclose(const ToolDiscs& tool, AxisDiscs& axes) const {
     (void)tool, (void)axes;
     return false;
   }
-  /// Where the tool is. Angles that do not count are 0, others hold to whole turns.
+  /// Returns the pose of the tool. Angles that do not count are 0, others are determined up to whole turns.
   virtual ToolPose forward(const AxisArray& axes) const = 0;
-  /// For all poses within `radius` mm of `centre`: what makes enclosures of q(s) from those of the tool's path.
+  /// Returns bounds for all poses within `radius` mm of `centre`; with them enclosures of the tool's path give those of
+  /// q(s).
   virtual MapBounds bounds(const ToolPose& centre, double radius) const = 0;
-  /// The same for complex poses and directions: wherever |pose − centre| ≤ radius (norm of a complex vector) inverse()
-  /// is analytic and its derivatives of order 1 to 3 are no larger. Infinite where that is not known, or not so: for
-  /// smaller discs it may be. With it the verifier's peaks are proven, without it they are estimates.
+  /// Returns bounds for complex poses and directions: wherever |pose − centre| ≤ radius (norm of a complex vector)
+  /// inverse() is analytic and its derivatives of order 1 to 3 are no larger. Infinite where unknown or false; smaller
+  /// discs may have bounds. They make the verifier's peaks proofs instead of estimates.
   virtual MapBounds complex_bounds(const ToolPose& centre, double radius) const {
     (void)centre, (void)radius;
     MapBounds unknown;
@@ -54,7 +55,7 @@ class Kinematics {
   }
 };
 
-/// Axis k is coordinate k of the tool.
+/// The Cartesian machine: axis k is coordinate k of the tool.
 class Cartesian final : public Kinematics {
  public:
   explicit Cartesian(std::vector<AxisLimits> axes) : axes_(std::move(axes)) {}

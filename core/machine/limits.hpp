@@ -1,5 +1,5 @@
 #pragma once
-/// What one axis, or the tool along its path, may do: one bound per derivative.
+/// The limits of one axis, or of the tool along its path: one bound per derivative.
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -14,10 +14,10 @@ struct Limits {
   double acceleration = unlimited;                  ///< unit/s²
   double jerk = unlimited;                          ///< unit/s³
   double snap = unlimited;                          ///< unit/s⁴
-  double lowest = -unlimited, highest = unlimited;  ///< range of positions, unit; along a path without meaning
+  double lowest = -unlimited, highest = unlimited;  ///< range of positions, unit; without meaning along a path
 
   static constexpr int highest_order = 4;
-  /// The bound of derivative 1 (velocity) to 4 (snap).
+  /// Returns the bound of derivative 1 (velocity) to 4 (snap).
   double of(int order) const { return this->*derivatives()[static_cast<std::size_t>(order - 1)]; }
   double& of(int order) { return this->*derivatives()[static_cast<std::size_t>(order - 1)]; }
   bool has_range() const { return lowest > -unlimited || highest < unlimited; }

@@ -1,5 +1,5 @@
 #pragma once
-/// The axes of a machine and what each may do.
+/// The axes of a machine and their limits.
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -19,7 +19,7 @@ struct AxisLimits : Limits {
 };
 
 struct Machine {
-  std::vector<AxisLimits> axes;  ///< as the axes of an AxisPath are numbered; Cartesian: axis k is coordinate k
+  std::vector<AxisLimits> axes;  ///< in the order of an AxisPath's axes; Cartesian: axis k is coordinate k
   double cycle_time = 0.001;     ///< s
   std::size_t dimension() const { return axes.size(); }
 };

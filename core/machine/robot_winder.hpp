@@ -15,16 +15,16 @@
 
 namespace bahnwerk {
 
-/// The elbow's sign: righty has q2 > 0 [Herrmann (3.18)].
+/// The elbow's configuration: righty has q2 > 0 [Herrmann (3.18)].
 enum class RobotArm { lefty, righty };
 
-/// mm; where the source tells no value (it shows them in a figure) the default is of our making, for a robot that
-/// reaches 800 mm as the one it names.
+/// mm. The source gives no values (it shows them in a figure); the defaults are assumed for a reach of 800 mm, as the
+/// robot has that it names.
 struct RobotWinderSizes {
   double l1 = 400, l2 = 400;  ///< upper arm l_1, lower arm l_2
   double o_tool = 20;         ///< o_Tool, from the quill's axis to the swivel's
   double l_tool = 50;         ///< l_Tool, from the swivel's axis to the needle's tip
-  double least_bend = 0.01;   ///< rad: an elbow straighter than that, or as far folded, is singular
+  double least_bend = 0.01;   ///< rad; a smaller elbow angle, or one as close to 180°, is singular
   PartPlace part{{450, 0, 0}, 0};
 };
 
@@ -40,8 +40,8 @@ class RobotWinder final : public FormulaKinematics<RobotWinder> {
   ///
   ///   q2 = σ atan2(p, w − l1² − l2²),   q1 = atan2(y, x) − β,   β = σ atan2(p, w + l1² − l2²),
   ///
-  /// p being 2 l1 l2 |sin q2|, and twice l1 times the quill's distance from the upper arm's line. Derived, with p p′ =
-  /// (l1² + l2² − w) w′,
+  /// where p = 2 l1 l2 |sin q2| = 2 l1 · (the quill's distance from the upper arm's line). The derivatives are, with p
+  /// p′ = (l1² + l2² − w) w′,
   ///
   ///   q2′ = −σ w′/p,   β′ = −σ (1 + (l2² − l1²)/w) w′/2p,
   ///
@@ -63,7 +63,7 @@ class RobotWinder final : public FormulaKinematics<RobotWinder> {
     const T q1 = atan2(y, x, (derived(y) * x - derived(x) * y) / w) - beta;
     return {q1, q2, n.z + sizes_.l_tool * swivel_s, n.phi - q1 - q2, n.psi};
   }
-  /// Where the elbow is too straight or too far folded.
+  /// Throws where the elbow is too straight or too far folded.
   void check(const ToolPose& pose, const AxisArray& q) const {
     const double bend = std::abs(q[1]);
     if (bend >= sizes_.least_bend && bend <= std::numbers::pi - sizes_.least_bend) return;

@@ -13,7 +13,7 @@
 
 namespace bahnwerk {
 
-/// mm; o_tool and l_tool, of which the source tells no value, are of our making.
+/// mm; the source gives no values for o_tool and l_tool, whose defaults are assumed.
 struct VerticalWinderSizes {
   double d_upper = 700, a_upper = 500;  ///< of the upper base: height, and along the shift
   double d_lower = 100, a_lower = 500;  ///< of the turntable: height, and along the feed
@@ -40,8 +40,7 @@ class VerticalWinder final : public FormulaKinematics<VerticalWinder> {
             T(sizes_.a_lower + sizes_.o_tool) + l * swivel_c - forth, n.psi, T(std::numbers::pi) - n.phi,
             T(sizes_.a_upper) + aside};
   }
-  void check(const ToolPose&, const AxisArray&) const {
-  }  // every pose has its axes; what they can reach, their ranges say
+  void check(const ToolPose&, const AxisArray&) const {}  // every pose has its axes; their ranges limit the reach
   ToolPose forward(const AxisArray& q) const override {
     const double phi = std::numbers::pi - q[3], c = std::cos(phi), s = std::sin(phi),
                  forth = sizes_.a_lower + sizes_.o_tool + sizes_.l_tool * std::cos(q[2]) - q[1],

@@ -9,7 +9,7 @@ namespace bahnwerk {
 
 class Chebyshev {
  public:
-  /// The series with coefficients c (at least one; c₀ counts fully) on [a, b], a < b.
+  /// Takes the series with coefficients c (at least one; c₀ counts fully) on [a, b], a < b.
   Chebyshev(double a, double b, std::vector<double> coefficients);
 
   /// Interpolates f at the degree + 1 Chebyshev–Lobatto points (the ends included), degree ≥ 1. O(degree²).
@@ -20,24 +20,25 @@ class Chebyshev {
     for (double x : lobatto(degree)) samples.push_back(f(0.5 * (a + b) + 0.5 * (b - a) * x));
     return {a, b, from_samples(samples)};
   }
-  /// cos(jπ/degree), j = 0 … degree: descending from 1 to −1, exactly symmetric.
+  /// Returns cos(jπ/degree), j = 0 … degree: descending from 1 to −1, exactly symmetric.
   static std::vector<double> lobatto(std::size_t degree);
-  /// Coefficients of the interpolant through values at those points.
+  /// Returns the coefficients of the interpolant through values at those points.
   static std::vector<double> from_samples(const std::vector<double>& values);
 
   double begin() const { return a_; }
   double end() const { return b_; }
   const std::vector<double>& coefficients() const { return c_; }
-  /// Clenshaw's recurrence, O(degree).
+  /// Evaluates by Clenshaw's recurrence, O(degree).
   double operator()(double u) const;
   Chebyshev derivative() const;
-  /// The antiderivative that vanishes at begin().
+  /// Returns the antiderivative that vanishes at begin().
   Chebyshev integral() const;
-  /// Σ |c_k| ≥ |value| everywhere on the interval.
+  /// Returns Σ |c_k| ≥ |value| everywhere on the interval.
   double bound() const;
-  /// Σ |c_k| over k ≥ first: bounds what is lost by cutting the series there.
+  /// Returns Σ |c_k| over k ≥ first, which bounds the error of truncating the series there.
   double tail(std::size_t first) const;
-  /// Coefficients of 1, x, x² … of the same polynomial. Loses digits when the c_k do not decay (factor up to 2.4ⁿ).
+  /// Returns the coefficients of 1, x, x² … of the polynomial. Loses digits when the c_k do not decay (factor up to
+  /// 2.4ⁿ).
   std::vector<double> power_basis() const;
 
  private:

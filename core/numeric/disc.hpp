@@ -1,10 +1,10 @@
 #pragma once
-/// Numbers that stand for all complex numbers within a radius of a real one: a formula written once then encloses what
-/// it gives for any of them [Petković, Petković, "Complex Interval Arithmetic and Its Applications", 1998, chapter 1].
+/// Numbers that represent all complex numbers within a radius of a real one. A formula written once then encloses its
+/// values for all of them [Petković, Petković, "Complex Interval Arithmetic and Its Applications", 1998, chapter 1].
 ///
-/// A real interval is such a disc's diameter, so the same numbers enclose functions over intervals, and, where they are
-/// analytic, over discs in the complex plane. Rounding of the centres is included; that of the radii, 1e-15 of them, is
-/// not. Where nothing is known, because a disc may reach a singularity, the radius is infinite or NaN. In a Taylor
+/// A real interval is the diameter of a disc, so these numbers enclose functions over intervals and, where they are
+/// analytic, over discs in the complex plane. Rounding of the centres is included; rounding of the radii, 1e-15 of
+/// them, is not. If a disc may reach a singularity, the radius is infinite or NaN. As coefficients of a Taylor
 /// (core/numeric/taylor.hpp) they enclose derivatives. Cost: 2 to 4 multiplications each.
 #include <cmath>
 #include <limits>
@@ -17,12 +17,12 @@ struct Disc {
   double centre = 0, radius = 0;
 
   Disc() = default;
-  Disc(double number) : centre(number) {}  // NOLINT: numbers take part in formulas like any disc
+  Disc(double number) : centre(number) {}  // NOLINT: numbers are used in formulas like discs
   Disc(double c, double r) : centre(c), radius(r) {}
 
   double low() const { return centre - radius; }
   double high() const { return centre + radius; }
-  double most() const { return std::abs(centre) + radius; }  ///< size of the largest
+  double most() const { return std::abs(centre) + radius; }  ///< largest magnitude
   bool known() const { return std::isfinite(radius); }
   bool zero() const { return centre == 0 && radius == 0; }
 
@@ -72,7 +72,7 @@ struct Disc {
 
   static Disc rounded(double centre, double radius) { return {centre, radius + rounding * std::abs(centre)}; }
   static Disc unknown(double centre) { return {centre, std::numeric_limits<double>::infinity()}; }
-  /// sinh r and cosh r − 1, from above.
+  /// Upper bounds of sinh r and of cosh r − 1.
   static double grown_sine(double r) { return r <= 1 ? r * (1 + 0.18 * r * r) : std::sinh(r); }
   static double grown_cosine(double r) { return r <= 1 ? 0.55 * r * r : std::cosh(r) - 1; }
 };

@@ -1,17 +1,17 @@
 #pragma once
-/// Golden section search [Kiefer, Proc. Amer. Math. Soc. 4 (1953)]: where a function of one variable has its largest
-/// value. It needs no derivative, and no smoothness.
+/// Golden section search [Kiefer, Proc. Amer. Math. Soc. 4 (1953)] for the largest value of a function of one variable.
+/// It needs neither derivatives nor smoothness.
 
 namespace bahnwerk {
 
 template <class Value>
 struct GoldenSection {
-  double at = 0;  ///< the middle of an interval that holds the largest value
-  Value value{};  ///< the largest one seen of its two inner points
+  double at = 0;  ///< middle of an interval that contains the largest value
+  Value value{};  ///< the larger value of its two inner points
 };
 
-/// `value` has one maximum over [first, last]; of several one is found. Until the interval is no longer than `exact`;
-/// every evaluation leaves 0.62 of it. What is evaluated needs `<` alone.
+/// `value` has one maximum over [first, last]; if it has several, one is found. The search ends when the interval is no
+/// longer than `exact`; every evaluation reduces it to 0.62 of its length. Values need `<` only.
 template <class Function>
 auto golden_section(const Function& value, double first, double last, double exact) {
   constexpr double golden = 0.61803398874989484820;

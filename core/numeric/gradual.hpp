@@ -1,12 +1,12 @@
 #pragma once
-/// Parts of a Newton step that differ along a banded problem. One tight row would hold up a long problem everywhere; so
-/// each place takes the part that it can, but parts rise only gradually from one to the next: where they differ the
-/// step's linear equations hold no longer, by as much as they differ from place to place.
+/// Step lengths of a Newton step that vary along a banded problem. One tight row would shorten the step of a long
+/// problem everywhere; so each place has its own step length, and step lengths rise only gradually from one place to
+/// the next. Where they differ, the step's linear equations are violated by their difference.
 #include "core/numeric/lanes.hpp"
 
 namespace bahnwerk {
 
-/// The largest part next to one that takes `part`. A number, or one per lane.
+/// Returns the largest step length next to `part`. L is a number, or a vector of one per lane.
 template <class L>
 L next_part(L part) {
   constexpr double slope = 0.02, growth = 1.05;

@@ -1,6 +1,6 @@
 #pragma once
-/// One number per axis, or per cell, calculated with at once: two fit a vector register of every 64-bit processor.
-/// The functions below serve plain numbers as well, so that one piece of code can serve both.
+/// One number per axis, or per cell, computed at once: two fit a vector register of every 64-bit processor. The
+/// functions below accept plain numbers as well, so that one piece of code serves both.
 #include <array>
 #include <bit>
 #include <cmath>
@@ -99,16 +99,16 @@ inline Lanes<2> smaller(Lanes<2> a, Lanes<2> b) { return a < b ? a : b; }
 inline double larger(double a, double b) { return a > b ? a : b; }
 inline Lanes<2> larger(Lanes<2> a, Lanes<2> b) { return a > b ? a : b; }
 
-/// `yes` where a < b, else 0.
+/// Returns `yes` where a < b, else 0.
 inline double where_less(double a, double b, double yes) { return a < b ? yes : 0; }
 inline Lanes<2> where_less(Lanes<2> a, Lanes<2> b, Lanes<2> yes) { return a < b ? yes : Lanes<2>{0, 0}; }
 
-/// Over all lanes.
+/// Reductions over all lanes.
 inline double sum(Lanes<2> a) { return a[0] + a[1]; }
 inline double largest(double a) { return a; }
 inline double largest(Lanes<2> a) { return a[0] > a[1] ? a[0] : a[1]; }
 
-/// The numbers of an array as lanes, and back.
+/// Converts an array to lanes, and back.
 template <std::size_t N>
 inline Lanes<static_cast<int>(N)> lanes(const std::array<double, N>& a) {
   return std::bit_cast<Lanes<static_cast<int>(N)>>(a);

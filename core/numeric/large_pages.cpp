@@ -18,7 +18,7 @@ std::size_t rounded(std::size_t bytes) {
   return (bytes + step - 1) / step * step;
 }
 
-struct Kept {
+struct FreeMapping {
   void* memory;
   std::size_t size;
 };
@@ -55,7 +55,7 @@ class Store {
 
  private:
   std::mutex mutex_;
-  std::vector<Kept> kept_;  // a few dozen at most, oldest first
+  std::vector<FreeMapping> kept_;  // a few dozen at most, oldest first
   std::size_t total_ = 0;
 };
 

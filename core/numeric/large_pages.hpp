@@ -1,7 +1,7 @@
 #pragma once
-/// Storage for large arrays that are written once and read a few times, as planners' grids are. Taking
-/// fresh memory from the system 4 KiB at a time costs as much as computing what goes in; so it comes in large pages,
-/// and what is given back is kept for the next plan, up to 512 MiB per process.
+/// Storage for large arrays that are written once and read a few times, such as planners' grids. Taking fresh memory
+/// from the system 4 KiB at a time costs as much as computing its content, so memory comes in large pages, and freed
+/// memory is reused by the next plan, up to 512 MiB per process.
 #include <cstddef>
 #include <limits>
 #include <new>
@@ -10,11 +10,11 @@
 namespace bahnwerk {
 
 namespace large_pages {
-inline constexpr std::size_t least = std::size_t{1} << 17;  ///< bytes; smaller arrays are ordinary ones
+inline constexpr std::size_t least = std::size_t{1} << 17;  ///< bytes; smaller arrays use ordinary memory
 inline constexpr std::size_t max_kept = std::size_t{1} << 29;
-/// At least `bytes` ≥ least of memory, its content undefined. Throws std::bad_alloc. Thread-safe.
+/// Returns at least `bytes` ≥ least of memory with undefined content. Throws std::bad_alloc. Thread-safe.
 void* take(std::size_t bytes);
-/// Gives back what take(bytes) returned.
+/// Frees the memory that take(bytes) returned.
 void give(void* memory, std::size_t bytes) noexcept;
 }  // namespace large_pages
 
@@ -41,8 +41,8 @@ struct LargePages {
 template <class T>
 using LargeVector = std::vector<T, LargePages<T>>;
 
-/// The same for arrays that are written before they are read: resize() leaves new numbers undefined, and so saves a
-/// pass over them.
+/// A vector for arrays that are written before they are read: resize() leaves new numbers undefined, which saves a pass
+/// over them.
 template <class T>
 struct UnsetPages : LargePages<T> {
   template <class U>

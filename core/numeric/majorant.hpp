@@ -1,14 +1,14 @@
 #pragma once
-/// Numbers that carry bounds of a function's derivatives over a ball, so that a formula written once gives them too.
+/// Numbers that carry bounds of a function's derivatives over a ball. A formula written once then gives bounds, too.
 ///
-/// A function f of n variables is followed over the complex ball |z − centre| ≤ radius (norm of a complex vector). A
-/// Majorant<N> holds f at the centre, which is real, and m_1 … m_N with |∂ⁿf/∂eⁿ| ≤ n! m_n for every point of the ball
-/// and every complex direction e of unit length; so |f(z) − f(centre)| ≤ m_1 radius. Sums and products of such series
-/// bound sums and products of functions, and of f(g) what f's derivatives allow about g(centre) [Cauchy's majorants;
-/// Krantz, Parks, "A Primer of Real Analytic Functions", 2nd ed., 2002, section 1.4]. Where nothing is known, because
-/// the ball may reach a singularity, bounds are infinite. Bounds are proven but for rounding, of 1e-15 of their size.
+/// A function f of n variables is considered over the complex ball |z − centre| ≤ radius (norm of a complex vector). A
+/// Majorant<N> contains f at the real centre and m_1 … m_N with |∂ⁿf/∂eⁿ| ≤ n! m_n for every point of the ball and
+/// every complex direction e of unit length, so |f(z) − f(centre)| ≤ m_1 radius. Sums and products of such series bound
+/// sums and products of functions; f(g) is bounded by what f's derivatives allow about g(centre) [Cauchy's majorants;
+/// Krantz, Parks, "A Primer of Real Analytic Functions", 2nd ed., 2002, section 1.4]. Where the ball may reach a
+/// singularity bounds are infinite. Bounds are proven but for rounding, 1e-15 of their size.
 ///
-/// Has the functions of Taylor (core/numeric/taylor.hpp). Cost: O(N²) per operation, O(N³) for sin, cos, sqrt, /.
+/// It has the functions of Taylor (core/numeric/taylor.hpp). Cost: O(N²) per operation, O(N³) for sin, cos, sqrt, /.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,10 +23,10 @@ template <std::size_t N>
 class Majorant {
  public:
   Majorant() = default;
-  Majorant(double constant) : centre_(constant) {  // NOLINT: constants take part in formulas like any number
+  Majorant(double constant) : centre_(constant) {  // NOLINT: constants are used in formulas like numbers
     m_[0] = std::abs(constant);
   }
-  /// A coordinate of the space over a ball about it: |∂/∂e| ≤ `slope`.
+  /// Returns a coordinate of the space over a ball about it: |∂/∂e| ≤ `slope`.
   static Majorant coordinate(double centre, double radius, double slope = 1) {
     Majorant x(centre);
     x.radius_ = radius;
@@ -34,13 +34,13 @@ class Majorant {
     return x.sized(infinite);
   }
   double centre() const { return centre_; }
-  /// Upper bound of the n-th derivative's size, n = 1 … N.
+  /// Returns an upper bound of the magnitude of the n-th derivative, n = 1 … N.
   double derivative(std::size_t n) const {
     double factorial = 1;
     for (std::size_t i = 2; i <= n; ++i) factorial *= static_cast<double>(i);
     return factorial * m_[n];
   }
-  /// How far from the value at the centre it can be.
+  /// Returns a bound of the distance from the value at the centre.
   double off() const { return times(m_[1], radius_); }
 
   friend Majorant operator-(Majorant a) {
@@ -60,7 +60,7 @@ class Majorant {
     return r.sized(times(a.m_[0], b.m_[0]));
   }
   friend Majorant operator/(const Majorant& a, const Majorant& b) { return a * b.reciprocal(); }
-  /// The value at the centre is positive.
+  /// The value at the centre has to be positive.
   friend Majorant sqrt(const Majorant& a) {
     const double least = a.centre_ - a.off();
     Series f{};
@@ -84,7 +84,8 @@ class Majorant {
     return integral(std::acos(a.centre_), derived(a) / sqrt(Majorant(1) - a * a));
   }
 
-  /// The derivative along e as a function of its own, whose value at the centre depends on e. Its N-th one is lost.
+  /// Returns the derivative along e as a function of its own, whose value at the centre depends on e. Its N-th
+  /// derivative is lost.
   friend Majorant derived(const Majorant& a) {
     Majorant r;
     r.centre_ = std::numeric_limits<double>::quiet_NaN();
@@ -97,19 +98,20 @@ class Majorant {
   using Series = std::array<double, N + 1>;
   static constexpr double infinite = std::numeric_limits<double>::infinity();
 
-  static double times(double a, double b) { return a == 0 || b == 0 ? 0 : a * b; }  // 0 stays 0 beside what is unknown
+  static double times(double a, double b) { return a == 0 || b == 0 ? 0 : a * b; }  // 0 times an unknown bound is 0
   static Majorant joined(const Majorant& a, const Majorant& b, double centre) {
     Majorant r(centre);
     r.radius_ = std::max(a.radius_, b.radius_);
     return r;
   }
-  /// With the size over the ball, of which `most` is one bound.
+  /// Returns this with its magnitude over the ball as the constant; `most` is one bound of it.
   Majorant sized(double most) {
     const double about = std::abs(centre_) + off();
     m_[0] = about < most ? about : most;  // the centre may be unknown, NaN
     return *this;
   }
-  /// f(a) from f at a's centre and bounds of |f^(n)|/n! wherever a can be: Σ f_n (Σ m_i x^i)^n, cut off behind x^N.
+  /// Returns f(a) from f at a's centre and bounds of |f^(n)|/n! over the range of a: Σ f_n (Σ m_i x^i)^n, truncated
+  /// behind x^N.
   Majorant through(double value, const Series& f) const {
     Majorant r(value);
     r.radius_ = radius_;
@@ -145,7 +147,7 @@ class Majorant {
   }
 
   double centre_ = 0, radius_ = 0;
-  Series m_{};  ///< sizes over the ball: of f itself, and of its derivatives/n!
+  Series m_{};  ///< magnitudes over the ball: of f, and of its derivatives/n!
 };
 
 }  // namespace bahnwerk

@@ -128,7 +128,7 @@ void locate(double* c, int n, double lo, double hi, int depth, PolynomialPeak& b
     left[r] = c[0];
     for (int i = 0; i + 1 < n - r; ++i) c[i] = (c[i] + c[i + 1]) / 2;
   }
-  // c now holds the right half's coefficients.
+  // c now has the right half's coefficients.
   const double middle = lo + (hi - lo) / 2;
   locate(left.data(), n, lo, middle, depth + 1, best);
   locate(c, n, middle, hi, depth + 1, best);
@@ -180,7 +180,7 @@ void PeakSweep::raise(std::size_t channel, double value, double at, std::size_t 
   if (peak.finite && std::abs(value) > peak.value) peak = {std::abs(value), at, tag, true};
 }
 
-// What no longer decays below this is rounding: it matters next to the peak only.
+// Coefficients that no longer decay below this are rounding, which matters next to the peak only.
 constexpr double noise_like = 1e-6;
 // More points than usual span longer intervals and lie on the flanks of a peak, where errors of their places count
 // most. They show that an interval stays below the peak by more than this part of it; a higher one is only taken from
@@ -243,7 +243,7 @@ bool PeakSweep::absorb(const ChebyshevRule& rule, double begin, double end, std:
       continue;
     }
     ++estimated_;
-    // The last four coefficients tell the rate of decay, and the rate what is missing behind the last.
+    // The last four coefficients give the rate of decay, and the rate the truncation error.
     std::array<double, 4> c{};
     for (int k = 0; k < 4; ++k)
       for (int i = 0; i < n; ++i) c[k] += rule.chebyshev[n - 4 + k][i] * f[i];

@@ -1,13 +1,13 @@
 #pragma once
 /// The true continuous maximum of |f| over an interval, for several functions that share their evaluations.
 ///
-/// Each interval is sampled at Chebyshev points; the interpolant's Bernstein coefficients bound it from outside
-/// (Farouki, "The Bernstein polynomial basis: a centennial retrospective", CAGD 29, 2012), and only where that bound
-/// passes the highest value so far is the maximum located through the roots of the derivative. How far the function may
-/// be from the interpolant is the caller's to prove (`PeakSamples::missing`, interpolation_error()): it is added, so
-/// the peak is an enclosure, never below the truth but for rounding of the samples. An interval where that is more than
-/// the resolution and could matter is halved. Where the caller knows no bound the decay of the Chebyshev coefficients
-/// is taken for it: an estimate, which content that aliases on the points can deceive.
+/// Each interval is sampled at Chebyshev points. The interpolant's Bernstein coefficients bound it from outside
+/// (Farouki, "The Bernstein polynomial basis: a centennial retrospective", CAGD 29, 2012); only where that bound
+/// exceeds the highest value so far is the maximum located through the roots of the derivative. The caller proves a
+/// bound of the function's distance from the interpolant (`PeakSamples::missing`, interpolation_error()). It is added,
+/// so the peak is an enclosure, never below the truth but for rounding of the samples. An interval where that bound is
+/// above the resolution and could matter is halved. Without a bound the decay of the Chebyshev coefficients is used: an
+/// estimate, which content that aliases on the points can defeat.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,7 +18,7 @@
 
 namespace bahnwerk {
 
-/// Interpolation points on [0,1], rising, with the maps from samples to coefficients.
+/// Interpolation points on [0,1], ascending, with the maps from samples to coefficients.
 struct ChebyshevRule {
   static constexpr int max_points = 13;
   int points = 0;  ///< degree + 1
@@ -28,22 +28,22 @@ struct ChebyshevRule {
   std::array<std::array<double, max_points>, max_points>
       integral{};                          ///< row i: weights of ∫ from 0 to node i; see `whole`
   std::array<double, max_points> whole{};  ///< weights of ∫ from 0 to 1
-  double rounding = 0;                     ///< of Bernstein coefficients, in parts of the largest sample
+  double rounding = 0;                     ///< of Bernstein coefficients, relative to the largest sample
 };
-/// Chebyshev–Lobatto points, ends included: 5, 9 or 13 of them.
+/// Returns the Chebyshev–Lobatto points, ends included: 5, 9 or 13 of them.
 const ChebyshevRule& lobatto_rule(int points);
-/// 9 points without the ends, for functions that cannot be evaluated there.
+/// Returns 9 points without the ends, for functions that cannot be evaluated there.
 const ChebyshevRule& open_rule();
 
-inline constexpr int max_coefficients = 22;  ///< of a polynomial whose peak is looked for: degree 21
+inline constexpr int max_coefficients = 22;  ///< of a polynomial whose peak is searched: degree 21
 
 struct PolynomialPeak {
   double value = 0;  ///< max |p| over [0,1]
   double at = 0;     ///< where, in [0,1]
 };
-/// Largest |p| of a polynomial in Bernstein form (n ≤ max_coefficients, overwritten), to 1e-13 relative. Returns at
-/// least `floor`, with at = −1, when nothing exceeds it. Cost: ≈ 30 ns when the coefficients do not pass `floor`, else
-/// ≈ 200 ns.
+/// Returns the largest |p| of a polynomial in Bernstein form (n ≤ max_coefficients, overwritten), to 1e-13 relative, or
+/// `floor` with at = −1 when nothing exceeds it. Cost: ≈ 30 ns when the coefficients do not exceed `floor`, else ≈ 200
+/// ns.
 PolynomialPeak polynomial_peak(double* coefficients, int n, double floor);
 
 /// The highest |value| of one function so far.
@@ -54,28 +54,28 @@ struct Peak {
   bool finite = true;   ///< false once any sample was NaN or infinite
 };
 
-/// How far the interpolant in Chebyshev points (with or without the ends) may be from a function that is analytic and
-/// |f| ≤ 1 within `reach` half widths of the middle of its interval: 4 ρ⁻ⁿ/(ρ − 1), n = points − 1, where the ellipse
-/// with foci ±1 and semi-axis sum ρ just fits that disc [Trefethen, Approximation Theory and Approximation Practice,
-/// 2013, theorem 8.2]. Infinite for reach ≤ 1.
+/// Returns a bound of the distance of the interpolant in Chebyshev points (with or without the ends) from a function
+/// that is analytic with |f| ≤ 1 within `reach` half widths of the middle of its interval: 4 ρ⁻ⁿ/(ρ − 1), n = points −
+/// 1, where the ellipse with foci ±1 and semi-axis sum ρ just fits that disc [Trefethen, Approximation Theory and
+/// Approximation Practice, 2013, theorem 8.2]. Infinite for reach ≤ 1.
 double interpolation_error(int points, double reach);
 
-/// What a sampled interval is made of.
+/// One sampled interval.
 struct PeakSamples {
   const ChebyshevRule& rule;
   double begin, end;
-  bool last;           ///< it will not be halved any more
-  bool more;           ///< more points follow where these do not do
+  bool last;           ///< whether it will not be halved any more
+  bool more;           ///< whether more points follow if these do not suffice
   double* values;      ///< out: channel c at rule.node[i] of [begin, end] at values[c · rule.points + i]
-  double* missing;     ///< out: per channel, a proven bound of |f − interpolant|; NaN, as it is handed in: not known
-  bool empty = false;  ///< out: nothing was written, the bound being useless; not when `last`
+  double* missing;     ///< out: per channel, a proven bound of |f − interpolant|; NaN, its initial value: unknown
+  bool empty = false;  ///< out: nothing was written because the bound is useless; not when `last`
   double at(int i) const { return begin + rule.node[static_cast<std::size_t>(i)] * (end - begin); }
 };
 
-/// Running peaks of several functions over many intervals. `scale` of a function is the magnitude that counts (its
+/// Running peaks of several functions over many intervals. `scale` of a function is its reference magnitude (its
 /// limit): values are resolved to twice `resolution` of it (or of the function itself if that is larger); where halving
-/// does not get there, the outer bound and what may be missing count. `rounding` of its size is what a sample may lack:
-/// it is added to what is missing where that is known.
+/// does not achieve that, the outer bound and the missing part count. `rounding` times its magnitude is the error of a
+/// sample; it is added to the missing part where that is known.
 class PeakSweep {
  public:
   explicit PeakSweep(std::vector<double> scales, double resolution = 1e-11, double rounding = 0);
@@ -85,14 +85,14 @@ class PeakSweep {
   double scale(std::size_t channel) const { return scales_[channel]; }
   std::size_t evaluations() const { return evaluations_; }
 
-  /// Goes on as if the peak had been `value`, and returns what it was: what stays below is not looked for. O(1).
+  /// Continues as if the peak had been `value`, and returns the previous one: smaller values are not searched. O(1).
   Peak restart(std::size_t channel, double value) { return std::exchange(peaks_[channel], Peak{value, 0, 0, true}); }
-  /// A value known exactly. O(1).
+  /// Raises the peak to an exactly known value. O(1).
   void raise(std::size_t channel, double value, double at, std::size_t tag);
 
-  /// Whether these samples may settle an interval, by what would be missing and by how far the samples before stayed
-  /// below the peaks: neighbours are alike. Who asks this is offered 5 points on every interval, and after 9 points 13
-  /// before it is halved. O(channels).
+  /// Whether these samples may settle an interval, by the missing part and by the distance of the previous samples from
+  /// the peaks, since neighbours are similar. A caller of this function is offered 5 points on every interval, and
+  /// after 9 points 13 before it is halved. O(channels).
   bool promising(const double* missing) {
     asked_ = true;
     for (std::size_t c = 0; c < peaks_.size(); ++c)
@@ -100,11 +100,11 @@ class PeakSweep {
     return true;
   }
 
-  /// Sampled intervals on which an estimate alone decided: no bound was known, or halving ended before one was finite.
+  /// Number of sampled intervals decided by an estimate: no bound was known, or halving ended before one was finite.
   std::size_t estimated() const { return estimated_; }
 
-  /// Sweeps [a, b]. `sample(PeakSamples&)` fills values and missing, and returns false when it knows itself unresolved
-  /// there. `open`: never evaluate at the ends of a sampled interval.
+  /// Sweeps [a, b]. `sample(PeakSamples&)` fills values and missing, and returns false if it knows that it is
+  /// unresolved there. `open` avoids the ends of a sampled interval.
   template <class Sample>
   void sweep(double a, double b, bool open, std::size_t tag, Sample&& sample) {
     struct Interval {
@@ -114,7 +114,7 @@ class PeakSweep {
     std::array<Interval, 2 * max_depth + 2> stack;
     std::size_t top = 0;
     stack[top++] = {a, b, 0};
-    std::size_t allowance = budget_ / 2 + 128;  // one function gone wild must not use up what the others need
+    std::size_t allowance = budget_ / 2 + 128;  // one irregular function must not use up the budget of the others
     budget_ -= budget_ / 2;
     while (top > 0) {
       const Interval now = stack[--top];
@@ -145,12 +145,12 @@ class PeakSweep {
  private:
   static constexpr int max_depth = 40, noisy_depth = 12;
   static constexpr std::size_t budget_cap = 100000;
-  /// full: halve what is not resolved. some: take noise below 5e-11 for what it is. none: take the outer bound.
+  /// full: halve what is not resolved. some: accept noise below 5e-11. none: take the outer bound.
   enum class Patience { full, some, none };
-  /// Takes the samples in; true when the interval needs no halving.
+  /// Evaluates the samples; returns true when the interval needs no halving.
   bool absorb(const ChebyshevRule& rule, double begin, double end, std::size_t tag, bool resolved, Patience patience);
 
-  // Neighbours are alike: where five points did not do they are tried again every fourth time.
+  // Neighbours are similar: where five points did not suffice, they are tried again every fourth time.
   bool coarse_may_do() { return missing_.empty() || asked_ || coarse_failed_ == 0 || --coarse_failed_ == 0; }
   void coarse_done(bool done) { coarse_failed_ = done || missing_.empty() || std::isnan(missing_.front()) ? 0 : 4; }
 
@@ -158,13 +158,12 @@ class PeakSweep {
   std::vector<double> scales_;
   double resolution_, rounding_;
   std::vector<double> values_, missing_;
-  std::vector<double> room_;  // by how much the samples before were below the peaks
-  bool asked_ = false;        // promising()
+  std::vector<double> room_;  // distance of the previous samples below the peaks
+  bool asked_ = false;        // whether promising() was called
   int coarse_failed_ = 0;
   std::size_t estimated_ = 0;
   std::size_t evaluations_ = 0;
-  std::size_t budget_ =
-      budget_cap;  // halvings still allowed over all sweeps: noise must not cost more than linear time
+  std::size_t budget_ = budget_cap;  // halvings still allowed over all sweeps, so that noise costs linear time
 };
 
 }  // namespace bahnwerk

@@ -12,9 +12,9 @@
 
 namespace bahnwerk {
 
-/// Encloses p^(n)(x)/n!, n = 0 … 3, for all complex |x − at| ≤ radius, and the same of q: Taylor coefficients about
-/// `at`, and the sizes of those behind them. Degree 31 at most. Rounding is included. O(degree²), for both as long as
-/// for one.
+/// Encloses p^(n)(x)/n!, n = 0 … 3, for all complex |x − at| ≤ radius, and those of q: Taylor coefficients about `at`,
+/// with the magnitudes of the higher ones. The degree is at most 31. Rounding is included. O(degree²), for both as long
+/// as for one.
 inline std::array<Taylor<3, Disc>, 2> enclose(const Polynomial& p, const Polynomial& q, double at, double radius) {
   using Both = Lanes<2>;
   constexpr std::size_t orders = 4, most_terms = 32;
@@ -28,7 +28,8 @@ inline std::array<Taylor<3, Disc>, 2> enclose(const Polynomial& p, const Polynom
     size[k] = magnitude(c[k]);
   }
   const double reach = std::abs(at) + radius;
-  // Of the derivative one order above, on the whole disc, by its sizes about `at`: so all coefficients are needed.
+  // The derivative one order higher is bounded on the whole disc by its magnitudes about `at`, which needs all
+  // coefficients.
   for (std::size_t n = 0; n < known; ++n)
     for (std::size_t k = count - 1; k > n; --k) c[k - 1] += at * c[k], size[k - 1] += reach * size[k];
   for (std::size_t n = known; n < count; ++n)

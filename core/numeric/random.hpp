@@ -1,5 +1,5 @@
 #pragma once
-/// Seeded random numbers that are the same on every platform (the distributions of <random> are not).
+/// Seeded random numbers with equal values on every platform (the distributions of <random> differ).
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -30,10 +30,10 @@ class Random {
     return result;
   }
 
-  /// Uniform in [0, 1), a multiple of 2⁻⁵³.
+  /// Returns a uniform number in [0, 1), a multiple of 2⁻⁵³.
   double uniform() { return static_cast<double>(next() >> 11) * 0x1p-53; }
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
-  /// Uniform among 0 … n−1 without bias, n ≥ 1.
+  /// Returns a uniform number among 0 … n−1 without bias, n ≥ 1.
   std::uint64_t below(std::uint64_t n) {
     const std::uint64_t reject = (0 - n) % n;  // 2⁶⁴ mod n
     std::uint64_t x = next();
@@ -42,7 +42,7 @@ class Random {
   }
   bool chance(double probability) { return uniform() < probability; }
 
-  /// Standard normal, Marsaglia's polar method; one draw per pair is kept for the next call.
+  /// Returns a standard normal number by Marsaglia's polar method; one draw per pair is stored for the next call.
   double normal() {
     if (has_spare_) {
       has_spare_ = false;

@@ -1,17 +1,16 @@
 #pragma once
-/// Where a continuous function changes its sign: the Illinois method, secants kept inside a bracket, with the value at
-/// an end that stays for a second time halved [Dowell, Jarratt, BIT 11 (1971), 168–174]. The caller evaluates, and
-/// decides when it is enough:
+/// Root finding by the Illinois method: secants inside a bracket, in which the value at an end that remains for a
+/// second time is halved [Dowell, Jarratt, BIT 11 (1971), 168–174]. The caller evaluates and decides when to stop:
 ///
 ///   SignChange bracket{low, f(low), high, f(high)};
 ///   for (…) { const double x = bracket.next(); bracket.take(x, f(x)); }
 namespace bahnwerk {
 
 struct SignChange {
-  double low, f_low, high, f_high;  ///< f_low and f_high of opposite signs; values that count, halved ones too
-  int side = 0;                     ///< that the last place replaced: low, −1, or high, 1
+  double low, f_low, high, f_high;  ///< f_low and f_high have opposite signs; they may be halved values
+  int side = 0;                     ///< end that the last place replaced: −1 low, 1 high
 
-  /// May fall onto an end, or beyond it, by rounding.
+  /// The result may coincide with an end, or be beyond it, by rounding.
   double next() const { return (low * f_high - high * f_low) / (f_high - f_low); }
   double middle() const { return low + (high - low) / 2; }
   bool holds(double x) const { return x > low && x < high; }

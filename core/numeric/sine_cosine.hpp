@@ -1,12 +1,12 @@
 #pragma once
-/// Sine and cosine of one angle at once, and the angle of a direction, of numbers of any kind: each of a pair alone
-/// takes nearly as long as both.
+/// Sine and cosine of one angle at once, and the angle of a direction, for numbers of any type: one of a pair takes
+/// nearly as long as both.
 ///
-/// Of doubles to 2 units in the last place, with code of our own: kinematics ask for them a million times per path, and
-/// the C library, which is good to one unit, sets the processor's rounding mode at every call and takes 1.3 times
-/// (sine, cosine) and 2.4 times (angle) as long. Sine and cosine: reduction by parts of π/2 [Cody, Waite, "Software
-/// Manual for the Elementary Functions", 1980, chapter 8], polynomials as in FreeBSD's k_sin.c and k_cos.c. Angle: the
-/// rational function of Cephes' atan.c.
+/// The versions for doubles are accurate to 2 units in the last place. They are own code: kinematics call them a
+/// million times per path, and the C library, accurate to one unit, sets the processor's rounding mode at every call
+/// and takes 1.3 times (sine, cosine) and 2.4 times (angle) as long. Sine and cosine: reduction by parts of π/2 [Cody,
+/// Waite, "Software Manual for the Elementary Functions", 1980, chapter 8], polynomials as in FreeBSD's k_sin.c and
+/// k_cos.c. Angle: the rational function of Cephes' atan.c.
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -28,11 +28,11 @@ constexpr double horner(double z, const double (&c)[n]) {
   return sum;
 }
 
-/// Of angles from 1e5 rad on the C library's.
+/// Angles from 1e5 rad on use the C library.
 inline SineCosine<double> sine_cosine(double angle) {
   constexpr double farthest = 1e5;
   if (!(std::abs(angle) < farthest)) return {std::sin(angle), std::cos(angle)};
-  // π/2 in three parts: a number of quarters times the first is exact.
+  // π/2 is split into three parts: a number of quarters times the first one is exact.
   constexpr double first = 1.57079632673412561417, second = 6.07710050630396597660e-11,
                    third = 2.02226624879595063154e-21;
   constexpr double to_whole = 6755399441055744.0;  // 1.5 · 2^52: a sum with it has the nearest integer in its last bits
@@ -53,7 +53,7 @@ inline SineCosine<double> sine_cosine(double angle) {
   return {(quadrant & 2) != 0 ? -sine : sine, ((quadrant + 1) & 2) != 0 ? -cosine : cosine};
 }
 
-/// Of the direction (x, y), from −π to π; NaN where both are 0.
+/// Returns the angle of the direction (x, y), from −π to π; NaN where both are 0.
 inline double direction_angle(double y, double x) {
   constexpr double pi = std::numbers::pi, tan_of_eighth = 0.41421356237309504880;  // tan(π/8)
   const double across = std::abs(x), up = std::abs(y);

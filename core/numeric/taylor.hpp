@@ -1,5 +1,5 @@
 #pragma once
-/// Numbers that carry their first derivatives by one variable, so that a formula written once gives both.
+/// Numbers that carry their first derivatives by one variable. A formula written once gives value and derivatives.
 ///
 /// A Taylor<N> holds the coefficients c_0 … c_N of a truncated series Σ c_n x^n; the n-th derivative is n! c_n. Rules:
 /// Griewank, Walther, "Evaluating Derivatives", 2nd ed., SIAM 2008, table 13.1 and 13.2. Cost: O(N²) per operation.
@@ -15,8 +15,8 @@
 
 namespace bahnwerk {
 
-/// f(0), …, f(count − 1), each number known when compiling: series are short, and loops over them that the compiler
-/// vectorises take twice as long as plain code.
+/// Calls f(0), …, f(count − 1) with each number known to the compiler: series are short, and loops over them that the
+/// compiler vectorises take twice as long as plain code.
 template <std::size_t count, class F>
 [[gnu::always_inline]] inline void unrolled(F&& f) {
   [&]<std::size_t... i>(std::index_sequence<i...>) __attribute__((always_inline)) {
@@ -30,8 +30,8 @@ struct Taylor {
   std::array<S, N + 1> c{};
 
   Taylor() = default;
-  Taylor(double constant) { c[0] = constant; }  // NOLINT: constants take part in formulas like any number
-  /// From a value and its derivatives.
+  Taylor(double constant) { c[0] = constant; }  // NOLINT: constants are used in formulas like numbers
+  /// Returns a series from a value and its derivatives.
   template <class... Derivatives>
   static Taylor from(double value, Derivatives... derivatives) {
     static_assert(sizeof...(Derivatives) <= N);
@@ -85,7 +85,7 @@ struct Taylor {
     });
     return r;
   }
-  /// Not defined where the value is 0.
+  /// Undefined where the value is 0.
   friend Taylor sqrt(const Taylor& a) {
     using std::sqrt;
     Taylor r;
@@ -115,17 +115,17 @@ struct Taylor {
   }
   friend Taylor sin(const Taylor& a) { return sine_cosine(a).sine; }
   friend Taylor cos(const Taylor& a) { return sine_cosine(a).cosine; }
-  /// The angle of the direction (x, y); not defined where both are 0.
+  /// Returns the angle of the direction (x, y); undefined where both are 0.
   friend Taylor atan2(const Taylor& y, const Taylor& x) {
     return atan2(y, x, (derived(y) * x - derived(x) * y) / (x * x + y * y));
   }
-  /// The same where its derivative is known by a shorter formula.
+  /// Returns the angle where its derivative is known by a shorter formula.
   friend Taylor atan2(const Taylor& y, const Taylor& x, const Taylor& slope) {
     Taylor r = integral(slope);
     r.c[0] = direction_angle(y.c[0], x.c[0]);
     return r;
   }
-  /// Not defined where |value| ≥ 1.
+  /// Undefined where |value| ≥ 1.
   friend Taylor acos(const Taylor& a) {
     using std::acos;
     Taylor r = integral(-(derived(a) / sqrt(Taylor(1) - a * a)));
@@ -133,7 +133,7 @@ struct Taylor {
     return r;
   }
 
-  /// d/dx: the last coefficient is not known, and not needed where integral() drops it.
+  /// Returns d/dx: the last coefficient is unknown, and not needed where integral() drops it.
   friend Taylor derived(const Taylor& a) {
     Taylor r;
     unrolled<N>([&](auto n) __attribute__((always_inline)) { r.c[n] = static_cast<double>(n + 1) * a.c[n + 1]; });

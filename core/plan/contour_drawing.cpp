@@ -120,7 +120,7 @@ class Drawer {
   std::string run() {
     measure();
     find_fastest();
-    lay();
+    arrange();
     std::string frame = svg::open(std::max(left + views_[0].width() + right, by_speed() ? least_width : 0),
                                   views_.back().y0 + views_.back().height() + gap);
     frame += svg::text({6, 20}, options_.title, ink);
@@ -147,7 +147,7 @@ class Drawer {
     for (const Block& block : contour_.blocks)
       for (std::size_t i = block.first; cuts(block) && i < block.last; ++i) cut[i] = true;
     for (const LawPiece& piece : options_.law->pieces()) {
-      pulse();
+      stage_progress();
       if (cut.at(piece.segment)) fastest_ = std::max({fastest_, piece.v, piece.at(piece.duration).v});
     }
   }
@@ -163,7 +163,7 @@ class Drawer {
         const Segment& segment = contour_.path[i];
         if (i == 0) box_.hold(segment.curve().at(segment.curve().begin()).value);
         Sampler(segment.length() / 500, hold)(segment);
-        pulse();
+        stage_progress();
         length_[cuts(block) ? 0 : 1] += segment.length();
       }
     }
@@ -171,7 +171,7 @@ class Drawer {
   }
 
   /// Views below each other at one scale, each with a margin.
-  void lay() {
+  void arrange() {
     const Vec size = box_.high - box_.low;
     const double largest = std::max({size.x, size.y, size.z, 1e-9}), margin = 0.04 * largest;
     View view;
@@ -277,7 +277,7 @@ class Drawer {
           cut.to(p);
         else
           positioned([&](Thinned& line, const View& view) { line.to(view(p)); });
-        pulse();
+        stage_progress();
       };
       Sampler sampler(0.1 * tolerance / views_[0].scale, to);
       for (std::size_t i = block.first; i < block.last; ++i) {
@@ -293,7 +293,7 @@ class Drawer {
       for (const Vec& p : options_.way) {
         if (&p == options_.way.data()) line.begin(views_[v](p));
         line.to(views_[v](p));
-        pulse();
+        stage_progress();
         if (size() > budget_) return false;
       }
       line.end();
@@ -365,7 +365,7 @@ class Drawer {
     return out;
   }
 
-  void pulse() {
+  void stage_progress() {
     if (++points_ % 4096 == 0) progress_.report("drawing", 1);
   }
 

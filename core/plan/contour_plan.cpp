@@ -5,7 +5,7 @@
 
 #include "core/motion/setpoints/contour_setpoints.hpp"
 #include "core/plan/contour/contour_report.hpp"
-#include "core/plan/contour/posed_contour.hpp"
+#include "core/plan/contour/prepared_contour.hpp"
 #include "core/plan/contour/section_gaps.hpp"
 #include "core/plan/contour/what_if.hpp"
 #include "core/plan/path_plan.hpp"
@@ -25,7 +25,7 @@ ContourPlan plan_contour(Contour input, const Machine& machine, const ContourPla
   const double all = planning.what_if ? 0.25 : 1;  // of the progress, before it is asked what if
   const bool blended = planning.corner_mode == CornerMode::blend;
   const double posed_at = blended ? 0.5 * all : 0.0, served = (blended ? 0.95 : 1.0) * all;
-  PosedContour posed = pose_contour(given, machine, planning, progress, 0.0, posed_at);
+  PreparedContour posed = prepare_contour(given, machine, planning, progress, 0.0, posed_at);
   const std::shared_ptr<const Contour> contour = std::move(posed.driven);
   const std::size_t moving = std::min(machine.dimension(), given->dimension);
   PathPlanning& path = posed.path;

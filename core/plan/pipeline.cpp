@@ -34,11 +34,11 @@ MotionPlan served_motion(MotionProblem& problem, MotionPlan plan, const Pipeline
   plan.motion = problem.motion();
   plan.setpoints = problem.setpoints(plan.cycles.count);
   MotionProblem::Rows rows = problem.row_checks(*plan.setpoints, plan.verification);
-  ProgressScope scope(progress, "verify setpoints", options.rows_from, options.rows_to);
-  scope.report();
-  read_rows(*plan.setpoints, rows.checks, scope);
-  scope.done(1);
-  scope.report();
+  ProgressScope stage_progress(progress, "verify setpoints", options.rows_from, options.rows_to);
+  stage_progress.report();
+  read_rows(*plan.setpoints, rows.checks, stage_progress);
+  stage_progress.done(1);
+  stage_progress.report();
   for (std::size_t i = 0; i < rows.counted; ++i) plan.verification.add(rows.checks[i]->checks());
   const auto counted = rows.checks.begin() + static_cast<std::ptrdiff_t>(rows.counted);
   plan.row_checks.assign(std::move_iterator(counted), std::move_iterator(rows.checks.end()));

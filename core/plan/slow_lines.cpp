@@ -58,7 +58,7 @@ class Reasons {
 
 std::vector<SlowLine> slow_lines(const PathMotion& motion, const Machine& machine, const std::vector<double>& feeds,
                                  const Limits& along, std::size_t count, Progress& progress, double progress_at) {
-  ProgressScope pulse(progress, "report", progress_at, progress_at);
+  ProgressScope stage_progress(progress, "report", progress_at, progress_at);
   const AxisPath& path = motion.path();
   const auto& pieces = motion.law().pieces();
   std::size_t sources = 0;
@@ -66,7 +66,7 @@ std::vector<SlowLine> slow_lines(const PathMotion& motion, const Machine& machin
   std::vector<Line> lines(sources);
   for (const LawPiece& p : pieces) {
     lines[path[p.segment].source()].time += p.duration;
-    pulse.work(1);
+    stage_progress.work(1);
   }
   for (std::size_t i = 0; i < sources; ++i) lines[i].source = i;
   count = std::min(count, sources);
@@ -90,9 +90,9 @@ std::vector<SlowLine> slow_lines(const PathMotion& motion, const Machine& machin
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const LawPiece& p = pieces[i];
     const std::size_t r = row[path[p.segment].source()];
-    pulse.work(1);
+    stage_progress.work(1);
     if (r == none) continue;
-    pulse.work(8);
+    stage_progress.work(8);
     const bool dwell = p.v == 0 && p.a == 0 && p.j == 0 && !(p.s_end > p.s);
     const LawState end = p.at(p.duration);
     report[r].stops = report[r].stops || dwell || !(p.v > 0) || !(end.v > 1e-9 * std::max(1.0, p.v));

@@ -61,7 +61,7 @@ bool CarriedMotion::polynomial(std::size_t piece, std::size_t axis, Polynomial& 
   const LawState x = law.at(begin.t - law.t0);
   const AxisJet q = head_->path().at(law.segment, x.s);
   const double rate = q.d1[axis];
-  out = {q.value[axis], rate * x.v, rate * x.a / 2, rate * x.j / 6, rate * law.q / 24};
+  out = {q.value[axis], rate * x.v, rate * x.a / 2, rate * x.j / 6, rate * law.snap / 24};
   return true;
 }
 

@@ -30,7 +30,7 @@ Machine calmed(Machine head, const CoarseFineMachine& machine, const Freedom& fr
       value += freedom.calm * (std::min(value, without) - value);
     };
     lower(head.axes[k].acceleration, machine.axes[k].fine.acceleration);
-    head.axes[k].acceleration *= freedom.gentle;
+    head.axes[k].acceleration *= freedom.acceleration_share;
     lower(head.axes[k].velocity, machine.axes[k].coarse.velocity);
   }
   return head;
@@ -52,14 +52,14 @@ HeadPlan<order>::HeadPlan(const JointTask& task, double corner_angle, double sha
       corner_angle_(corner_angle),
       progress_(progress),
       limits_(calmed(shared(head_limits(task.machine), share), task.machine, freedom)),
-      paces_{task.feeds, {}},
+      section_limits_{task.feeds, {}},
       base_(planned(limits_, task.feeds, task.rests)) {
   for (std::size_t i = 0; i < base_.pieces().size();) {
     const std::size_t end = end_of_section(base_, i), segment = base_.pieces()[i].segment;
     sections_.push_back(segment);
     if (const auto move = straight_move(*task.path, task.machine, limits_, task.feeds[segment], segment,
                                         base_.pieces()[end - 1].segment + 1))
-      paces_.straight.insert({segment, {*move, move->fastest}});
+      section_limits_.straight.insert({segment, {*move, move->fastest}});
     i = end;
   }
   sections_.push_back(task.path->size());
@@ -96,16 +96,16 @@ TimeLaw HeadPlan<order>::planned(const Machine& limits, const std::vector<double
 
 template <std::size_t order>
 const TimeLaw* HeadPlan<order>::slower_law(std::size_t first, std::size_t last) {
-  const auto begin = paces_.feeds.begin() + static_cast<std::ptrdiff_t>(first),
-             end = paces_.feeds.begin() + static_cast<std::ptrdiff_t>(last);
-  const auto gentle = paces_.gentle.find(first);
-  const double share = gentle == paces_.gentle.end() ? 1 : gentle->second;
+  const auto begin = section_limits_.feeds.begin() + static_cast<std::ptrdiff_t>(first),
+             end = section_limits_.feeds.begin() + static_cast<std::ptrdiff_t>(last);
+  const auto gentle = section_limits_.acceleration_share.find(first);
+  const double share = gentle == section_limits_.acceleration_share.end() ? 1 : gentle->second;
   if (share == 1 && std::equal(begin, end, task_.feeds.begin() + static_cast<std::ptrdiff_t>(first))) return nullptr;
   SlowerLaw& slower = slower_[first];
   if (slower.share != share || !std::equal(begin, end, slower.feeds.begin(), slower.feeds.end())) {
     Machine limits = limits_;
     for (AxisLimits& axis : limits.axes) axis.acceleration *= share;
-    slower.law = section_law(*task_.path, first, last, limits, paces_.feeds,
+    slower.law = section_law(*task_.path, first, last, limits, section_limits_.feeds,
                              [&](const PathTask& task) { return planned(task); });
     slower.feeds.assign(begin, end);
     slower.share = share;
@@ -127,25 +127,25 @@ double HeadPlan<order>::peak(std::size_t first, std::size_t last) const {
 template <std::size_t order>
 std::shared_ptr<const PathMotion> HeadPlan<order>::calmer(double share, const Freedom& freedom) const {
   HeadPlan other(task_, corner_angle_, share, progress_, freedom);
-  other.paces_.feeds = paces_.feeds;
-  other.paces_.gentle = paces_.gentle;
-  if (freedom.gentle < 1) {
-    const double most = freedom.gentle * other.peak(0, task_.path->size());
-    for (double& feed : other.paces_.feeds) feed = std::min(feed, most);
-    for (auto& [segment, straight] : other.paces_.straight)
+  other.section_limits_.feeds = section_limits_.feeds;
+  other.section_limits_.acceleration_share = section_limits_.acceleration_share;
+  if (freedom.acceleration_share < 1) {
+    const double most = freedom.acceleration_share * other.peak(0, task_.path->size());
+    for (double& feed : other.section_limits_.feeds) feed = std::min(feed, most);
+    for (auto& [segment, straight] : other.section_limits_.straight)
       if (straight.pace.feed > most) straight.pace.feed = most, straight.slowed = true;
   }
   double stroke = 0;
   for (const CoarseFineAxis& axis : task_.machine.axes) stroke = std::max(stroke, axis.stroke);
   const double slower = 1 / freedom.longer;
-  for (const auto& [segment, straight] : paces_.straight) {
-    const auto at = other.paces_.straight.find(segment);
-    if (at == other.paces_.straight.end()) continue;
+  for (const auto& [segment, straight] : section_limits_.straight) {
+    const auto at = other.section_limits_.straight.find(segment);
+    if (at == other.section_limits_.straight.end()) continue;
     const bool slows = slower < 1 && straight.move.length > 2 * stroke;
     if (!straight.slowed && !slows) continue;
     Pace& pace = at->second.pace;
     pace = {std::min(pace.feed, straight.pace.feed), std::min(pace.rise, straight.pace.rise),
-            std::min(pace.fall, straight.pace.fall), freedom.gentle < 1 ? 0 : straight.pace.slope};
+            std::min(pace.fall, straight.pace.fall), freedom.acceleration_share < 1 ? 0 : straight.pace.slope};
     if (slows) {  // from the speed that it really reaches
       const double peak = std::sqrt(2 * straight.move.length / (1 / pace.rise + 1 / pace.fall));
       pace = {std::min(pace.feed, peak) * slower, pace.rise * slower * slower, pace.fall * slower * slower,
@@ -161,10 +161,12 @@ std::size_t HeadPlan<order>::slowed() const {
   std::size_t count = 0;
   std::size_t gentle_end = 0;
   for (std::size_t i = 0; i < task_.feeds.size(); ++i) {
-    if (const auto at = paces_.gentle.find(i); at != paces_.gentle.end() && at->second < 1) gentle_end = section_end(i);
-    count += i < gentle_end || paces_.feeds[i] < task_.feeds[i];
+    if (const auto at = section_limits_.acceleration_share.find(i);
+        at != section_limits_.acceleration_share.end() && at->second < 1)
+      gentle_end = section_end(i);
+    count += i < gentle_end || section_limits_.feeds[i] < task_.feeds[i];
   }
-  for (const auto& [segment, s] : paces_.straight) count += s.slowed;
+  for (const auto& [segment, s] : section_limits_.straight) count += s.slowed;
   return count;
 }
 
@@ -181,8 +183,8 @@ std::shared_ptr<const PathMotion> HeadPlan<order>::motion(std::size_t first, std
   law.reserve(behind - piece_of(first) + 8);
   for (std::size_t i = piece_of(first); i < behind;) {
     const std::size_t end = end_of_section(base_, i);
-    const auto at = paces_.straight.find(pieces[i].segment);
-    if (at != paces_.straight.end() && at->second.slowed)
+    const auto at = section_limits_.straight.find(pieces[i].segment);
+    if (at != section_limits_.straight.end() && at->second.slowed)
       append_move(law, at->second.move, at->second.pace);
     else if (const TimeLaw* slower = slower_law(pieces[i].segment, pieces[end - 1].segment + 1))
       for (const LawPiece& piece : slower->pieces()) law.append(piece);

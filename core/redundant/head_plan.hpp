@@ -16,24 +16,26 @@ class Progress;
 /// What a calmer head leaves unused.
 struct Freedom {
   double calm = 0;  ///< part of the coarse axes' accelerations, and of the fine ones' velocities, that it does without
-  double longer = 1;  ///< so many times as long moves of more than two strokes last
-  double gentle = 1;  ///< part that it uses of the accelerations left to it, and of its largest speed then
+  double longer = 1;              ///< so many times as long moves of more than two strokes last
+  double acceleration_share = 1;  ///< part that it uses of the accelerations left to it, and of its largest speed then
 };
 
-/// Plans the head again and again, with paces that fall. A straight section whose pace fell has a closed form; of other
-/// sections those are planned again whose feeds or accelerations fell. Every plan costs O(pieces) of the sections asked
-/// for besides.
+/// Plans the head again and again, with section_limits that fall. A straight section whose pace fell has a closed form;
+/// of other sections those are planned again whose feeds or accelerations fell. Every plan costs O(pieces) of the
+/// sections asked for besides.
 template <std::size_t order>
 class HeadPlan {
  public:
-  /// `share` of the summed limits is used. Straight sections get their paces. Throws as the planners of laws do.
+  /// `share` of the summed limits is used. Straight sections get their section_limits. Throws as the planners of laws
+  /// do.
   HeadPlan(const JointTask& task, double corner_angle, double share, Progress& progress, const Freedom& freedom = {});
-  /// A head that leaves the coarse axes more freedom than motion(), nowhere quicker than the paces of this plan.
+  /// A head that leaves the coarse axes more freedom than motion(), nowhere quicker than the section_limits of this
+  /// plan.
   std::shared_ptr<const PathMotion> calmer(double share, const Freedom& freedom) const;
 
   const Machine& limits() const { return limits_; }
-  Paces& paces() { return paces_; }
-  const Paces& paces() const { return paces_; }
+  SectionLimits& section_limits() { return section_limits_; }
+  const SectionLimits& section_limits() const { return section_limits_; }
   /// Of the task.
   double feed(std::size_t segment) const { return task_.feeds[segment]; }
   /// Largest speed of the head on segments [first, last) with the task's feeds.
@@ -66,7 +68,7 @@ class HeadPlan {
   double corner_angle_;
   Progress& progress_;
   Machine limits_;
-  Paces paces_;
+  SectionLimits section_limits_;
   TimeLaw base_;                             // with the task's feeds
   std::map<std::size_t, SlowerLaw> slower_;  // by first segment
   std::vector<std::size_t> sections_;        // first segments, and the end of the path

@@ -7,7 +7,7 @@
 #include "core/redundant/chain_windows.hpp"
 #include "core/redundant/clusters.hpp"
 #include "core/redundant/following.hpp"
-#include "core/redundant/pace_search.hpp"
+#include "core/redundant/section_timing_search.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -21,7 +21,7 @@ constexpr int patience = 30;                // Newton steps until a raised pace 
 
 /// By how much more is slowed than the first-order estimate asks for. It underestimates by a fifth, which would cost
 /// rounds at the end; at the beginning it would cost time.
-double haste_of(std::size_t round) {
+double relaxation_factor_of(std::size_t round) {
   return round <= 2 ? 1.0 : 1.25 * std::pow(1.25, std::max(0.0, static_cast<double>(round) - 8));
 }
 
@@ -65,7 +65,8 @@ bool HeadSlowing<order>::slow_once(const HeadStretch& stretch, std::size_t round
     if (found.empty()) throw Infeasible("the coarse axes do not come to rest");
     for (const Cluster<order>& c : found) {
       counts.certified += round == 1 && c.certificate.value > 0;
-      lower_paces(p.head->law(), p.cells, p.axes[k], machine_.axes[p.axes[k]], c, haste_of(round), plan_.paces());
+      lower_section_limits(p.head->law(), p.cells, p.axes[k], machine_.axes[p.axes[k]], c, relaxation_factor_of(round),
+                           plan_.section_limits());
       slower = true;
     }
   }
@@ -107,7 +108,7 @@ HeadStretch HeadSlowing<order>::neighbourhood(const HeadStretch& stretch, std::s
 
 template <std::size_t order>
 void HeadSlowing<order>::raise(const HeadStretch& stretch) {
-  auto& straight = plan_.paces().straight;
+  auto& straight = plan_.section_limits().straight;
   for (double by = first_raise; by > least_raise; by = std::pow(by, finer))
     for (auto s = straight.lower_bound(stretch.first); s != straight.end() && s->first < stretch.last; ++s) {
       if (work_ > most_work / 2) return;  // it is followed as it is
@@ -143,7 +144,7 @@ bool HeadSlowing<order>::run(const HeadStretch& stretch, HeadSlowingCounts& coun
     if (raised || round == 1) return round > 1;
     bool searched = false;
     if constexpr (order == 2)
-      searched = PaceSearch(plan_, machine_, cell_options_, scope_, stretch.first, stretch.last).run();
+      searched = SectionTimingSearch(plan_, machine_, cell_options_, scope_, stretch.first, stretch.last).run();
     if (!searched) raise(stretch);
     raised = true;
   }

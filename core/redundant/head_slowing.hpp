@@ -1,8 +1,9 @@
 #pragma once
-/// Paces of a head that its coarse axes can follow, on stretches where they cannot.
+/// SectionLimits of a head that its coarse axes can follow, on stretches where they cannot.
 ///
-/// Every stretch is solved by itself: paces fall round by round (slower_sections.hpp) until both axes have a solution,
-/// then each pace of a straight move that fell rises again as far as it can while the others stay, to 0.7 % of a speed.
+/// Every stretch is solved by itself: section_limits fall round by round (slower_sections.hpp) until both axes have a
+/// solution, then each pace of a straight move that fell rises again as far as it can while the others stay, to 0.7 %
+/// of a speed.
 #include <cstddef>
 #include <functional>
 #include <vector>

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/base/errors.hpp"
-#include "core/redundant/followable_states.hpp"
+#include "core/redundant/controllable_set.hpp"
 #include "core/redundant/following.hpp"
 #include "core/redundant/lone_move.hpp"
 

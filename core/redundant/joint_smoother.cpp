@@ -25,7 +25,7 @@ JointSplit<order> JointSmoother<order>::smoothest(double stretch, bool calm) {
   std::vector<std::pair<JointSplit<order>, HeadCellOptions>> found{{std::move(slowed), splits_.cells()}};
   double least = splits_.energy(found.front().first);
   const double longest = std::max(duration, fastest_.head->duration() * stretches[std::size(stretches) - 1]);
-  for (const CalmHead& head : calm_.within(duration, longest)) {
+  for (const SmoothHeadCandidate& head : smooth_heads_.within(duration, longest)) {
     const HeadCellOptions cells = splits_.cells(head.freedom);
     JointSplit<order> split = split_of(head.head, duration, cells);
     if (!split.valid()) continue;

@@ -2,8 +2,8 @@
 /// The smoothest coarse axes for a duration: by slowing the quickest motion, or by a head that asks less of them and
 /// takes as long, either of them evenly or most where the coarse axes work hardest (slowed_by_energy.hpp).
 #include "core/base/progress_scope.hpp"
-#include "core/redundant/calm_heads.hpp"
 #include "core/redundant/joint_split.hpp"
+#include "core/redundant/smooth_head_candidates.hpp"
 
 namespace bahnwerk {
 
@@ -13,7 +13,7 @@ class JointSmoother {
   /// All outlive it. `plan`: whose heads are calmed; `fastest`: the quickest motion that was found.
   JointSmoother(const JointTask& task, JointSplits<order>& splits, const HeadPlan<order>& plan,
                 const JointSplit<order>& fastest, ProgressScope& scope)
-      : task_(task), splits_(splits), fastest_(fastest), scope_(scope), calm_(plan, joint_head_share<order>) {}
+      : task_(task), splits_(splits), fastest_(fastest), scope_(scope), smooth_heads_(plan, joint_head_share<order>) {}
 
   /// The quickest motion, slowed, or a head that leaves the coarse axes more freedom and takes as long (`calm`, without
   /// limited jerk): with what the summed limits demand of it a coarse axis has to accelerate wherever the fine one
@@ -29,7 +29,7 @@ class JointSmoother {
   JointSplits<order>& splits_;
   const JointSplit<order>& fastest_;
   ProgressScope& scope_;
-  CalmHeads<order> calm_;
+  SmoothHeadCandidates<order> smooth_heads_;
 };
 
 extern template class JointSmoother<2>;

@@ -56,7 +56,7 @@ HeadCellOptions JointSplits<order>::cells(const Freedom& freedom) const {
   for (std::size_t k = 0; k < cells.held.size(); ++k) {
     double& held = cells.held[k].acceleration;
     held += freedom.calm * (std::min(held, axis(k).fine.acceleration) - held);
-    held *= freedom.gentle;
+    held *= freedom.acceleration_share;
   }
   return cells;
 }

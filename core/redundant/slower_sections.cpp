@@ -10,12 +10,13 @@ namespace bahnwerk {
 namespace {
 
 constexpr double feed_step = 0.97, acceleration_step = feed_step * feed_step;
-constexpr int most_steps = 10;    // in one round: what is gained is known only nearby
-constexpr double desperate = 30;  // haste from which on the estimate is not trusted any more
+constexpr int most_steps = 10;           // in one round: what is gained is known only nearby
+constexpr double untrusted_factor = 30;  // relaxation_factor from which on the estimate is not trusted any more
 // Of what a lower acceleration is estimated to gain: changing it by that much shifts the whole section, and where the
 // coarse axis can start before the head does a lower feed is the better choice in the end.
 constexpr double trust = 0.2;
-constexpr double trust_below = 0.1;  // the same of what is slower than the coarse axes alone: not before that haste
+constexpr double trust_below =
+    0.1;  // the same of what is slower than the coarse axes alone: not before that relaxation_factor
 constexpr double patient = 1.3;
 constexpr double least_share = 0.02;  // of a step
 constexpr double all_slower = 0.8;
@@ -33,10 +34,10 @@ struct Lengthened {
 struct Section {
   std::size_t first = 0, last = 0;  // segments
   double peak = 0;                  // mm/s
-  Paces::Straight* straight = nullptr;
+  SectionLimits::Straight* straight = nullptr;
   std::vector<Lengthened> cells;
   std::array<double, 3> steps{};  // of feed, rise, fall
-  bool floor = false;             // whether paces of straight moves end at those of the coarse axes alone
+  bool floor = false;             // whether section_limits of straight moves end at those of the coarse axes alone
 
   struct Effect {
     double gain = 0, time = 0;
@@ -73,9 +74,9 @@ struct Section {
     return e;
   }
   /// Lets the limits fall to those of a pace.
-  void lower(const Pace& p, Paces& paces) const {
+  void lower(const Pace& p, SectionLimits& section_limits) const {
     if (!straight) {
-      for (std::size_t i = first; i < last; ++i) paces.feeds[i] = std::min(paces.feeds[i], p.feed);
+      for (std::size_t i = first; i < last; ++i) section_limits.feeds[i] = std::min(section_limits.feeds[i], p.feed);
       return;
     }
     Pace& now = straight->pace;
@@ -89,7 +90,7 @@ struct Section {
 
 /// Sections of the law that the cells [first, last) lie in.
 std::vector<Section> sections_of(const TimeLaw& law, const HeadCells& head, std::size_t first, std::size_t last,
-                                 Paces& paces) {
+                                 SectionLimits& section_limits) {
   std::vector<Section> sections;
   const auto& pieces = law.pieces();
   const auto rests_before = [&](std::size_t i) { return i == 0 || pieces[i].v == 0; };
@@ -100,7 +101,8 @@ std::vector<Section> sections_of(const TimeLaw& law, const HeadCells& head, std:
     Section s;
     s.first = pieces[begin].segment;
     s.last = pieces[end - 1].segment + 1;
-    if (const auto at = paces.straight.find(s.first); at != paces.straight.end()) s.straight = &at->second;
+    if (const auto at = section_limits.straight.find(s.first); at != section_limits.straight.end())
+      s.straight = &at->second;
     for (; c < last && head.pieces[c] < end; ++c) {
       const double t = 0.5 * (head.times[c] + head.times[c + 1]);
       const LawPiece& piece = pieces[law.find(t, head.pieces[c])];
@@ -115,12 +117,12 @@ std::vector<Section> sections_of(const TimeLaw& law, const HeadCells& head, std:
 }  // namespace
 
 template <std::size_t order>
-void lower_paces(const TimeLaw& law, const HeadCells& head, std::size_t axis, const CoarseFineAxis& limits,
-                 const Cluster<order>& cluster, double haste, Paces& paces) {
+void lower_section_limits(const TimeLaw& law, const HeadCells& head, std::size_t axis, const CoarseFineAxis& limits,
+                          const Cluster<order>& cluster, double relaxation_factor, SectionLimits& section_limits) {
   const ChainUnits units = chain_units(limits);
   const std::size_t first = cluster.certificate.first, last = cluster.certificate.last;
-  std::vector<Section> sections = sections_of(law, head, first, last, paces);
-  for (Section& s : sections) s.floor = haste < patient;
+  std::vector<Section> sections = sections_of(law, head, first, last, section_limits);
+  for (Section& s : sections) s.floor = relaxation_factor < patient;
   std::size_t c = first;
   for (Section& s : sections)
     for (Lengthened& cell : s.cells) {
@@ -135,7 +137,7 @@ void lower_paces(const TimeLaw& law, const HeadCells& head, std::size_t axis, co
       ++c;
     }
 
-  double need = haste * cluster.need, first_ratio = 0;
+  double need = relaxation_factor * cluster.need, first_ratio = 0;
   while (need > 0) {
     Section* best = nullptr;
     std::size_t best_kind = 0;
@@ -164,21 +166,21 @@ void lower_paces(const TimeLaw& law, const HeadCells& head, std::size_t axis, co
     const double share = std::clamp(need / best_gain, least_share, 1.0);
     auto steps = best->steps;
     steps[best_kind] += share;
-    best->lower(best->pace(steps), paces);
+    best->lower(best->pace(steps), section_limits);
     ++best->steps[best_kind];
     need -= best_gain;
   }
-  if (need == haste * cluster.need || haste > desperate)
+  if (need == relaxation_factor * cluster.need || relaxation_factor > untrusted_factor)
     for (const Section& s : sections) {
       if (s.peak == 0) continue;
       const double n = std::log(all_slower) / std::log(feed_step);
-      s.lower(s.pace({n, n, n}), paces);
+      s.lower(s.pace({n, n, n}), section_limits);
     }
 }
 
-template void lower_paces(const TimeLaw&, const HeadCells&, std::size_t, const CoarseFineAxis&, const Cluster<2>&,
-                          double, Paces&);
-template void lower_paces(const TimeLaw&, const HeadCells&, std::size_t, const CoarseFineAxis&, const Cluster<3>&,
-                          double, Paces&);
+template void lower_section_limits(const TimeLaw&, const HeadCells&, std::size_t, const CoarseFineAxis&,
+                                   const Cluster<2>&, double, SectionLimits&);
+template void lower_section_limits(const TimeLaw&, const HeadCells&, std::size_t, const CoarseFineAxis&,
+                                   const Cluster<3>&, double, SectionLimits&);
 
 }  // namespace bahnwerk

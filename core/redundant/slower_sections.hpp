@@ -20,7 +20,7 @@
 namespace bahnwerk {
 
 /// How fast the head may go.
-struct Paces {
+struct SectionLimits {
   std::vector<double> feeds;  ///< per segment of the path, mm/s
   struct Straight {
     StraightMove move;
@@ -29,20 +29,19 @@ struct Paces {
   };
   std::map<std::size_t, Straight> straight;  ///< by segment; their feeds are not those above
   /// Share of the accelerations that other sections are planned with, by their first segment; 1 where there is none.
-  std::map<std::size_t, double> gentle = {};
+  std::map<std::size_t, double> acceleration_share = {};
 };
 
-/// Lowers paces for one stretch of axis `axis`; never raises one. `cluster` is of the chain of the cells. `haste` ≥ 1
-/// multiplies the need. Where nothing is known to help, and with a haste above 30, all sections of the stretch get
-/// slower by a fifth.
-/// O(cells · steps).
+/// Lowers section_limits for one stretch of axis `axis`; never raises one. `cluster` is of the chain of the cells.
+/// `relaxation_factor` ≥ 1 multiplies the need. Where nothing is known to help, and with a relaxation_factor above 30,
+/// all sections of the stretch get slower by a fifth. O(cells · steps).
 template <std::size_t order>
-void lower_paces(const TimeLaw& law, const HeadCells& head, std::size_t axis, const CoarseFineAxis& limits,
-                 const Cluster<order>& cluster, double haste, Paces& paces);
+void lower_section_limits(const TimeLaw& law, const HeadCells& head, std::size_t axis, const CoarseFineAxis& limits,
+                          const Cluster<order>& cluster, double relaxation_factor, SectionLimits& section_limits);
 
-extern template void lower_paces(const TimeLaw&, const HeadCells&, std::size_t, const CoarseFineAxis&,
-                                 const Cluster<2>&, double, Paces&);
-extern template void lower_paces(const TimeLaw&, const HeadCells&, std::size_t, const CoarseFineAxis&,
-                                 const Cluster<3>&, double, Paces&);
+extern template void lower_section_limits(const TimeLaw&, const HeadCells&, std::size_t, const CoarseFineAxis&,
+                                          const Cluster<2>&, double, SectionLimits&);
+extern template void lower_section_limits(const TimeLaw&, const HeadCells&, std::size_t, const CoarseFineAxis&,
+                                          const Cluster<3>&, double, SectionLimits&);
 
 }  // namespace bahnwerk

@@ -46,7 +46,7 @@ double distance_to(const Edge& edge, Point p) {
   return off > std::abs(edge.turn) / 2 ? ends : std::abs(std::hypot(px, py) - edge.radius);
 }
 
-/// By how much the wire reaches over the boundary, mm; negative: clearance.
+/// Returns how far the wire extends over the boundary, mm; negative: clearance.
 double beyond(const Region& usable_area, Point p, double radius) {
   double nearest = 1e300, turns = 0;
   for (const Edge& edge : usable_area.edges()) {
@@ -93,7 +93,7 @@ double deepest_overlap(std::span<const Point> wires, double radius, double share
 }
 
 void raise(Check& check, double value, double at) {
-  // Not a number is worse than any.
+  // Not a number is worse than every number.
   if (value > check.value || std::isnan(value)) {
     check.value = value;
     check.at = at;

@@ -31,17 +31,17 @@ Verification verify_motion(const VerifierInput& input, Progress& progress) {
     throw std::invalid_argument("the verifier needs limits of as many axes as the path has");
   if (input.feeds.size() != input.path.size() || input.rests.size() != input.path.size() + 1)
     throw std::invalid_argument("the verifier needs a feed per segment and a rest per place between them");
-  ProgressScope pulse(progress, "verify", input.progress_from, input.progress_to);
-  pulse.report();
-  verify::AxisPeaks axes = verify::axis_peaks(input, pulse);
+  ProgressScope stage_progress(progress, "verify", input.progress_from, input.progress_to);
+  stage_progress.report();
+  verify::AxisPeaks axes = verify::axis_peaks(input, stage_progress);
   Verification result;
   result.checks = std::move(axes.checks);
   result.too_fast = std::move(axes.too_fast);
-  for (Check& check : verify::law_checks(input, pulse)) result.checks.push_back(std::move(check));
+  for (Check& check : verify::law_checks(input, stage_progress)) result.checks.push_back(std::move(check));
   result.checks.push_back(verify::make_check(Checked{CheckedQuantity::arc_length}, axes.arc_length));
   result.passed = std::all_of(result.checks.begin(), result.checks.end(), [](const Check& c) { return c.passed; });
-  pulse.done(1);
-  pulse.report();
+  stage_progress.done(1);
+  stage_progress.report();
   return result;
 }
 

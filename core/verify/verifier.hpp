@@ -12,18 +12,18 @@ namespace bahnwerk {
 
 class Progress;
 
-/// Axes that follow a path by a time law: 1 to max_axes of them.
+/// Axes that follow a path by a time law, 1 to max_axes of them.
 struct VerifierInput {
   const AxisPath& path;
-  const Machine& machine;                     ///< as many axes as the path has, in its order
-  const TimeLaw& law;                         ///< what will be sampled
-  std::vector<double> feeds;                  ///< per segment: the tool's speed, mm/s, infinite where not limited
-  std::vector<bool> rests;                    ///< per segment, whether the motion rests at its begin; one for the end
-  double corner_angle = 0;                    ///< rad, a larger jump of the tool's tangent needs a stop
-  bool check_jerk = false;                    ///< also verify jerk where its limit is finite, and what goes with it
-  Limits along = {};                          ///< limits along the tool's path
-  double position_tolerance = 1e-6;           ///< mm, by which curves may miss each other at a joint
-  double progress_from = 0, progress_to = 1;  ///< the share of the whole job's progress that verifying takes
+  const Machine& machine;            ///< as many axes as the path has, in its order
+  const TimeLaw& law;                ///< the law that is sampled
+  std::vector<double> feeds;         ///< per segment: the tool's speed, mm/s, infinite where not limited
+  std::vector<bool> rests;           ///< per segment, whether the motion rests at its beginning; one more for the end
+  double corner_angle = 0;           ///< rad, a larger jump of the tool's tangent needs a stop
+  bool check_jerk = false;           ///< whether jerk is verified where its limit is finite, with related checks
+  Limits along = {};                 ///< limits along the tool's path
+  double position_tolerance = 1e-6;  ///< mm, allowed gap of curves at a joint
+  double progress_from = 0, progress_to = 1;  ///< the part of the whole job's progress that verifying covers
 };
 
 /// A contour on a Cartesian machine: axis k is coordinate k of the tool.
@@ -34,39 +34,38 @@ struct ContourVerifierInput {
   double corner_angle = 0;
   bool check_jerk = false;
   Limits path = {};                  ///< limits along the path
-  const Contour* given = nullptr;    ///< whose blocks' feeds hold for the same blocks of `contour`, if another
+  const Contour* given = nullptr;    ///< contour whose feeds hold for the blocks of `contour`, if another
   double position_tolerance = 1e-6;  ///< mm
   double progress_from = 0, progress_to = 1;
 };
 
-/// Feeds per path segment, mm/s. A path driven in place of the given contour has to obey that one's; a segment of none
-/// of its blocks may not be driven at all: 0.
+/// Returns the feeds per path segment, mm/s. A path driven in place of the given contour has to keep that contour's
+/// feeds; a segment that belongs to none of its blocks may not be driven at all: 0.
 std::vector<double> feeds_to_hold(const Contour& driven, const Contour& given);
 
 /// Verifies a law along its path. Peaks over time are enclosures, never below the true continuous peak but for the
-/// rounding of what is evaluated: in closed form where the axes are linear in s and for path velocity; on curves by
-/// interpolation with a proven bound of what it misses (core/verify/law/axis_peaks.hpp, which names the two
-/// exceptions), resolved to 2e-11 of the limit, where halving ends by outer bounds. The arc length is no enclosure: two
-/// quadratures of different kinds that have to agree. A limit of the document holds when value ≤ limit · (1 + 1e-9);
-/// all other tolerances are what rounding may do to the pieces at hand (core/verify/rounding.hpp), each reported with
-/// the value that strains it most. Not a number anywhere fails the check in which it shows; nothing in the law makes
-/// the verifier crash.
+/// rounding of the evaluated terms: in closed form where the axes are linear in s and for path velocity; on curves by
+/// interpolation with a proven bound of its error (core/verify/law/axis_peaks.hpp, which names the exceptions),
+/// resolved to 2e-11 of the limit, and to outer bounds where halving ends. The arc length is not enclosed: two
+/// quadratures of different kinds have to agree. A limit of the document holds when value ≤ limit · (1 + 1e-9); all
+/// other tolerances are the rounding of the pieces (core/verify/rounding.hpp), each reported with the value closest to
+/// it. A value that is not a number fails its check; no law makes the verifier crash.
 ///
-/// Checks, in this order: `velocity <axis>`, `acceleration <axis>`, `jerk <axis>` (limited axes only); `path velocity
-/// (feed F)` per distinct finite feed (of `given`, if that is set); `path velocity`, `path acceleration`, `path jerk`,
-/// `path snap` where limited (the last two: with check_jerk); `velocity step at joints` (|Δq′|·v against acceleration ·
-/// cycle time, the worst axis and joint); with check_jerk `acceleration step at joints` (|Δ(q″v² + q′a)| against jerk ·
-/// cycle time, likewise); `corner rest` (at the contour's rests, too), `cusp rest`, `start at rest`, `end at rest`;
-/// `continuity of velocity`; with check_jerk `continuity of acceleration` (also zero at rests); `continuity of
-/// position` (law and path, the worse in relation to its limit); `continuity of time`; `pieces within segments`;
-/// `forward motion`; `path covered` (32 ε of its length); `distance from contour` (law evaluated on the path, at the
-/// segments' ends, against position_tolerance + 32 ε of the coordinates); `arc length` (∫|dh/du|du of every piece on a
-/// free-form segment, integrated here, against the length the law believes in). A piece of rest (v = a = j = 0, s =
-/// s_end) is a motion like any other: a dwell. Cost: ≈ 50 ns per law piece on straight segments, ≈ 0.4 µs on arcs and
-/// cubics. Calls progress every few ms. Throws std::invalid_argument where axes, feeds or rests are not as many as the
-/// path asks for.
+/// The checks, in this order: `velocity <axis>`, `acceleration <axis>`, `jerk <axis>` (limited axes only); `path
+/// velocity (feed F)` per distinct finite feed (of `given`, if that is set); `path velocity`, `path acceleration`,
+/// `path jerk`, `path snap` where limited (the last two: with check_jerk); `velocity step at joints` (|Δq′|·v against
+/// acceleration · cycle time, the worst axis and joint); with check_jerk `acceleration step at joints` (|Δ(q″v² + q′a)|
+/// against jerk · cycle time, the worst axis and joint); `corner rest` (at the contour's rests, too), `cusp rest`,
+/// `start at rest`, `end at rest`; `continuity of velocity`; with check_jerk `continuity of acceleration` (also zero at
+/// rests); `continuity of position` (law and path, the worse in relation to its limit); `continuity of time`; `pieces
+/// within segments`; `forward motion`; `path covered` (32 ε of its length); `distance from contour` (law evaluated on
+/// the path, at the segments' ends, against position_tolerance + 32 ε of the coordinates); `arc length` (∫|dh/du|du of
+/// every piece on a free-form segment, integrated here, against the length that the law uses). A piece of rest (v = a =
+/// j = 0, s = s_end) is a motion like any other: a dwell. Cost: ≈ 50 ns per law piece on straight segments, ≈ 0.4 µs on
+/// arcs and cubics. Calls progress every few ms. Throws std::invalid_argument if axes, feeds or rests do not match the
+/// path.
 Verification verify_motion(const VerifierInput& input, Progress& progress);
-/// The same of a contour. Throws std::invalid_argument for more than three axes.
+/// Verifies a contour. Throws std::invalid_argument for more than three axes.
 Verification verify_motion(const ContourVerifierInput& input, Progress& progress);
 
 }  // namespace bahnwerk

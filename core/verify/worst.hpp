@@ -1,5 +1,5 @@
 #pragma once
-/// The largest of many values with the moment it occurred; not-a-number wins over everything and stays.
+/// The largest of many values with its time; not-a-number exceeds everything and stays.
 #include <cmath>
 #include <limits>
 #include <string>
@@ -21,14 +21,14 @@ struct Worst {
   }
 };
 
-/// The one of many values that comes nearest to its own limit, or exceeds it by most; not-a-number stays here, too.
+/// The value of many that is closest to its own limit, or exceeds it by most; not-a-number stays here, too.
 struct Strained {
   double value = 0;
   double limit = 0;
   double at = 0;
   void raise(double candidate, double bound, double when) {
     if (candidate <= enough_ * bound && bound <= std::numeric_limits<double>::max()) return;  // no division
-    if (!std::isfinite(bound)) bound = 0;  // a law out of bounds does not widen its own tolerance
+    if (!std::isfinite(bound)) bound = 0;  // an unbounded law does not widen its own tolerance
     double strain = candidate == 0 ? 0 : candidate / bound;
     if (std::isnan(strain)) strain = std::numeric_limits<double>::infinity();
     if (std::isnan(value) || (strain <= strain_ && !std::isnan(candidate))) return;
@@ -49,17 +49,17 @@ inline Check make_check(Checked what, double limit, const Worst& worst) {
   return make_check(std::move(what), limit, worst.value, worst.at, worst.value <= limit * (1 + limit_tolerance));
 }
 
-/// The limit is another one for each value.
+/// Makes a check whose limit differs for each value.
 inline Check make_limit_check(Checked what, const Strained& worst) {
   return make_check(std::move(what), worst.limit, {worst.value, worst.at});
 }
 
-/// passed = value ≤ limit; false for NaN. For tolerances that are derived from rounding.
+/// Makes a check with passed = value ≤ limit; false for NaN. For tolerances that follow from rounding.
 inline Check make_check(Checked what, const Strained& worst) {
   return make_check(std::move(what), worst.limit, worst.value, worst.at, worst.value <= worst.limit);
 }
 
-/// A check that one kind alone makes, by its name.
+/// Makes a check that only one kind has, by its name.
 inline Check make_check(std::string name, std::string unit, double limit, const Worst& worst) {
   return make_check(Checked{CheckedQuantity::named, 0, std::move(unit), std::move(name)}, limit, worst);
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// What a layout is worth: fill factors, overlaps, turns, resistance.
+/// Figures of a layout: fill factors, overlaps, turns, resistance.
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -9,11 +9,12 @@
 
 namespace bahnwerk::winding {
 
-/// Copper in the slot as punched [Herrmann (2.2)], wires in the usable area that is left for them (2.3); areas mm².
+/// Fill factors: copper in the slot as punched [Herrmann (2.2)], and wires in the usable area (2.3); areas in mm².
 double electrical_fill(std::size_t count, const Wire& wire, double slot_area);
 double mechanical_fill(std::size_t count, const Wire& wire, double room_area);
 
-/// Area that two circles of one radius share, mm²: two segments [Herrmann (4.9), (4.10); the printed form is one].
+/// Returns the area that two circles of one radius share, mm²: two segments [Herrmann (4.9), (4.10); the printed form
+/// is one].
 double shared_area(double radius, double distance);
 
 struct Overlaps {
@@ -26,14 +27,14 @@ Overlaps overlaps(std::span<const Point> wires, double radius);  ///< O(n log n)
 struct Turns {
   std::size_t serial = 0, parallel = 0;
   std::size_t wires = 0;  ///< places used, 0 if the coil does not fit
-  double loss = 0;        ///< share of the places that stay empty; 0 if the coil does not fit
-  bool fits = false;      ///< whether the layout takes the coil: at least one turn, all of its wires
+  double loss = 0;        ///< share of empty places; 0 if the coil does not fit
+  bool fits = false;      ///< whether the layout holds the coil: at least one turn with all of its wires
 };
-/// What is not given becomes as large as `count` places allow; with neither, one wire in parallel.
+/// A number that is not given becomes as large as `count` places allow; with neither, one wire in parallel.
 Turns turns(std::size_t count, std::optional<std::size_t> serial, std::optional<std::size_t> parallel);
 
-/// Ω per metre of a conductor of `parallel` wires at `temperature` °C [Herrmann (2.1)]: annealed copper, 1/58 Ω mm²/m
-/// at 20 °C and 0.393 % more per kelvin (IEC 60028).
+/// Returns Ω per metre of a conductor of `parallel` wires at `temperature` °C [Herrmann (2.1)]: annealed copper, 1/58 Ω
+/// mm²/m at 20 °C and 0.393 % more per kelvin (IEC 60028).
 double resistance_per_metre(const Wire& wire, std::size_t parallel, double temperature);
 
 }  // namespace bahnwerk::winding

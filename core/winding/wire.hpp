@@ -15,14 +15,14 @@ struct Wire {
 
 enum class Series { r20, r40 };
 
-/// The grade, 1 to 3, whose increase of the diameter by the enamel comes nearest to the wire's, by the standard wires
-/// whose copper is nearest.
+/// Returns the grade, 1 to 3, whose increase of the diameter by the enamel is nearest to the wire's, by the standard
+/// wires with the nearest copper diameter.
 int nearest_grade(const Wire& wire);
 
-/// The standard's wire of this nominal diameter in grade 1, 2 or 3; nothing if it has none.
+/// Returns the standard's wire of this nominal diameter in grade 1, 2 or 3; nothing if it has none.
 std::optional<Wire> standard_wire(double copper, int grade);
-/// All standard wires with a nominal diameter from `least` to `most`, mm, thinnest first. The R 20 series is the
-/// preferred one; R 40 adds the sizes between.
+/// Returns all standard wires with a nominal diameter from `least` to `most`, mm, thinnest first. The R 20 series is
+/// the preferred one; R 40 has the sizes between as well.
 std::vector<Wire> standard_wires(int grade, double least, double most, Series series);
 
 }  // namespace bahnwerk::winding

@@ -8,7 +8,7 @@
 
 namespace bahnwerk::server::cli {
 
-/// No server, or the connection broke; the text is a sentence for the user.
+/// No server answered, or the connection broke; the text is a sentence for the user.
 struct Unreachable : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -17,7 +17,8 @@ class HttpClient {
  public:
   explicit HttpClient(std::string url);  ///< http://HOST[:PORT][/PREFIX]; throws std::invalid_argument
 
-  /// One request on its own connection. The body of a 2xx answer goes piece by piece to `sink` when there is one.
+  /// Sends one request on its own connection. The body of a 2xx answer is passed piece by piece to `sink`, if there is
+  /// one.
   Response request(const std::string& method, const std::string& target, const Pairs& headers,
                    const std::string& body = {}, const std::function<void(std::string_view)>& sink = nullptr) const;
 

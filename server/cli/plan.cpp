@@ -60,7 +60,7 @@ struct Drives {
   double delay = 0;  ///< s
 };
 
-/// Of "fine=0.004". Throws std::runtime_error with a sentence.
+/// Reads "fine=0.004". Throws std::runtime_error with a sentence for the user.
 Drives read_drives(const std::string& text) {
   const auto equals = text.find('=');
   const auto wrong = [&] {
@@ -102,7 +102,7 @@ struct SetpointFile {
   api::SetpointStream rows;
 };
 
-/// result.json, the drawings that it holds, the setpoints.
+/// Writes result.json, its drawings, and the setpoints.
 void write_files(const std::filesystem::path& folder, const nlohmann::ordered_json& result,
                  std::vector<SetpointFile> setpoints) {
   std::error_code error;

@@ -19,7 +19,7 @@ class ProgressBar {
   bool drawn_ = false;
 };
 
-/// "[#####     ]  50 %  stage  message", at most `width` characters, control characters left out.
+/// Returns "[#####     ]  50 %  stage  message", at most `width` characters, without control characters.
 std::string progress_line(double fraction, std::string_view stage, std::string_view message, std::size_t width);
 
 }  // namespace bahnwerk::server::cli

@@ -1,4 +1,4 @@
-/// submit, watch, fetch, health: a terminal client of the service.
+/// The commands submit, watch, fetch and health: a terminal client of the service.
 #include <cstdio>
 #include <iostream>
 #include <map>

@@ -13,7 +13,7 @@
 namespace bahnwerk::server::cli {
 namespace {
 
-/// What ends late beside the drain timeout, at most: the last second of the service, and the store's checkpoint.
+/// Time for what ends after the drain timeout, at most: the last second of the service, and the store's checkpoint.
 constexpr std::chrono::seconds end_allowance{10};
 
 const char* or_empty(const char* text) { return text ? text : ""; }

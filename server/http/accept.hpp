@@ -1,5 +1,5 @@
 #pragma once
-/// Headers that tell what a body is, and what is asked for.
+/// Headers that describe a body and the requested form of the answer.
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -11,8 +11,8 @@ namespace bahnwerk::server {
 
 using api::negotiate;
 
-/// How a body is packed, from its Content-Encoding [RFC 9110, 8.4]; nullopt: in a way, or a chain of ways, that is not
-/// supported.
+/// Returns the coding of a body from its Content-Encoding [RFC 9110, 8.4]; nullopt for a coding, or a chain of codings,
+/// that is not supported.
 enum class Coding { identity, gzip };
 std::optional<Coding> content_coding(std::string_view content_encoding);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// How many bytes of request bodies all connections hold together.
+/// The memory of request bodies of all connections together.
 #include <atomic>
 #include <cstddef>
 #include <memory>
@@ -10,14 +10,14 @@ class BodyBudget {
  public:
   explicit BodyBudget(std::size_t most) : most_(most) {}
 
-  /// What one request has taken; given back with it.
+  /// The part of one request, returned with the object.
   class Share {
    public:
     explicit Share(std::shared_ptr<BodyBudget> budget) : budget_(std::move(budget)) {}
     ~Share() { budget_->taken_ -= bytes_; }
     Share(const Share&) = delete;
     Share& operator=(const Share&) = delete;
-    /// False: there is no room for so many more.
+    /// Returns false if there is no room for that many more bytes.
     bool add(std::size_t bytes) {
       if ((budget_->taken_ += bytes) > budget_->most_) {
         budget_->taken_ -= bytes;

@@ -87,8 +87,8 @@ void Connection::expire(std::chrono::milliseconds base, std::size_t bytes) {
   stream_.expires_after(base + std::chrono::milliseconds(bytes / bytes_per_ms));
 }
 
-// The stream's own timer closes the socket when it runs out; reading is cut by another one, so that the client can
-// still be told.
+// The stream's own timer closes the socket when it expires; a separate timer ends reading, so that the client can still
+// get an answer.
 void Connection::read_until(Time until) {
   const auto turn = ++turn_;
   timer_.expires_at(until);

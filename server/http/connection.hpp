@@ -1,6 +1,6 @@
 #pragma once
-/// One client's connection: a coroutine that reads a request, awaits its answer, writes it, and again. Only
-/// listener.cpp and connection.cpp include this (Beast is heavy).
+/// One client's connection: a coroutine that reads a request, awaits its answer, writes it, and repeats. Only
+/// listener.cpp and connection.cpp include this (Beast is slow to compile).
 #include <atomic>
 #include <boost/asio/any_io_executor.hpp>
 #include <boost/asio/awaitable.hpp>
@@ -17,7 +17,7 @@
 
 namespace bahnwerk::server {
 
-/// What all connections of a listener share.
+/// Objects shared by all connections of a listener.
 struct ConnectionContext {
   explicit ConnectionContext(const Limits& l)
       : limits(l),
@@ -36,12 +36,13 @@ struct ConnectionContext {
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
   enum class Cut { none, timeout, crowded, closing };
-  /// `spare`: serves one request, for health or readiness; answers 503 to any other.
+  /// A `spare` connection serves one request, for health or readiness, and answers 503 to any other.
   Connection(boost::asio::ip::tcp::socket socket, std::shared_ptr<ConnectionContext> context, ConnectionTable::Id id,
              bool spare);
 
   boost::asio::awaitable<void> serve();  ///< until the client or a fault ends it
-  /// Ends it unless a request is being answered; a client in the middle of a request gets a 408. From any thread.
+  /// Closes the connection unless a request is being answered; a client in the middle of a request gets a 408. From any
+  /// thread.
   void cut(Cut why);
 
  private:
@@ -69,13 +70,13 @@ class Connection : public std::enable_shared_from_this<Connection> {
   std::shared_ptr<ConnectionContext> context_;
   boost::beast::flat_buffer buffer_;
   boost::asio::steady_timer timer_;
-  std::uint64_t turn_ = 0;  ///< of the timer: one that ran out before it was set anew says nothing
+  std::uint64_t turn_ = 0;  ///< count of timer settings: an expiry of an earlier setting is ignored
   std::string peer_;
   const ConnectionTable::Id id_;
   const bool spare_;
   const Time connected_ = std::chrono::steady_clock::now();
   bool reading_ = false, first_ = true;
-  bool leaving_ = false;  ///< the request in hand is the last
+  bool leaving_ = false;  ///< the current request is the last
   Cut cut_ = Cut::none;
 };
 

@@ -45,7 +45,7 @@ void ConnectionTable::dismiss(Id id) {
 ConnectionTable::Admission ConnectionTable::admit(const std::string& address, Time now) {
   const std::lock_guard lock(mutex_);
   Admission result;
-  // Those that leave still hold their sockets for a moment.
+  // Connections that are closing still have their sockets for a moment.
   if (entries_.size() >= 2 * rules_.most + rules_.spare) return result;
   bool spare = false;
   const auto group = addresses_.find(address);

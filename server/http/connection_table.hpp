@@ -1,5 +1,6 @@
 #pragma once
-/// Who is connected, and who has to leave when there are too many. No sockets here: a connection is a number.
+/// The open connections, and the choice of those to close when there are too many. It has no sockets: a connection is a
+/// number.
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -12,10 +13,9 @@
 
 namespace bahnwerk::server {
 
-/// Below its limits everybody is admitted. At a limit the connection that has waited longest without a whole request in
-/// hand makes room; an address at its own limit gives up one of its own. Where all are busy the newcomer becomes a
-/// spare: it is served health and readiness only, so that whoever watches the service still sees it live. Thread-safe;
-/// every call O(log n).
+/// Below its limits every connection is admitted. At a limit the connection that has waited longest without a complete
+/// request is closed; an address at its own limit loses one of its own. Where all are busy the new one becomes a spare:
+/// it is served health and readiness only, so that monitoring still sees the service. Thread-safe; every call O(log n).
 class ConnectionTable {
  public:
   using Id = std::uint64_t;
@@ -25,9 +25,9 @@ class ConnectionTable {
   enum class Phase { waiting, body, busy };
   struct Rules {
     std::size_t most = 1024;
-    std::size_t max_per_address = 512;  ///< 0 = as many as there are
+    std::size_t max_per_address = 512;  ///< 0 = unlimited
     std::size_t spare = 32;
-    std::chrono::milliseconds stalled{5'000};  ///< a body that stood still for so long makes room, too
+    std::chrono::milliseconds stalled{5'000};  ///< a body without progress for this long may be closed, too
   };
   enum class Place { regular, spare, none };
   struct Admission {
@@ -40,7 +40,7 @@ class ConnectionTable {
   Admission admit(const std::string& address, Time now);
   void enter(Id id, Phase phase, Time now);
   void remove(Id id);
-  std::optional<Id> longest_waiting(Time now);  ///< for want of descriptors: it has to be closed
+  std::optional<Id> longest_waiting(Time now);  ///< to be closed because descriptors have run out
   std::size_t size() const;
 
  private:

@@ -5,9 +5,9 @@
 
 namespace bahnwerk::server {
 
-/// The text of a gzip body (RFC 1952, members one after the other included); nullopt when it would have more than
-/// `most` bytes: a few kilobytes can stand for gigabytes, so unpacking stops there. Memory: the text, 64 KiB besides.
-/// Throws Problem bad-request when it is damaged, or anything follows it.
+/// Returns the text of a gzip body (RFC 1952, consecutive members included); nullopt if it has more than `most` bytes:
+/// a few kilobytes may expand to gigabytes, so unpacking stops there. Memory: the text and 64 KiB. Throws Problem
+/// bad-request for a damaged body, or data behind it.
 std::optional<std::string> gunzip(std::string_view packed, std::size_t most);
 
 }  // namespace bahnwerk::server

@@ -1,5 +1,5 @@
 #pragma once
-/// How threads without a coroutine hand something to one. Only connection.cpp includes this.
+/// Transfers values from threads without a coroutine to a coroutine. Only connection.cpp includes this.
 #include <atomic>
 #include <boost/asio/any_io_executor.hpp>
 #include <boost/asio/as_tuple.hpp>
@@ -16,7 +16,7 @@ namespace bahnwerk::server {
 namespace asio = boost::asio;
 constexpr auto tuple_awaitable = asio::as_tuple(asio::use_awaitable);
 
-/// A value that another thread hands to a coroutine: `set` posts it to the coroutine's strand, `get` awaits it there.
+/// A value that another thread passes to a coroutine: `set` posts it to the coroutine's strand, `get` awaits it there.
 template <class Value>
 class Handover {
  public:
@@ -39,7 +39,7 @@ class Handover {
   std::optional<Value> value_;
 };
 
-/// Held by every copy of a Reply: when the last goes without an answer, the client still gets one.
+/// Held by every copy of a Reply: when the last copy is destroyed without an answer, the client still gets one.
 struct Promise {
   explicit Promise(std::shared_ptr<Handover<Response>> to) : handover(std::move(to)) {}
   Promise(const Promise&) = delete;

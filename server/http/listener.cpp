@@ -57,7 +57,7 @@ class Open {
   std::map<ConnectionTable::Id, std::weak_ptr<Connection>> list_;
 };
 
-/// What the limit per address counts as one: an IPv4 address, or the /64 that an IPv6 customer has all of.
+/// Returns the unit of the limit per address: an IPv4 address, or the /64 that belongs to one IPv6 customer.
 std::string address_key(const tcp::socket& socket) {
   boost::system::error_code error;
   const auto remote = socket.remote_endpoint(error);

@@ -1,5 +1,5 @@
 #pragma once
-/// A request and its answer as plain values: what handlers see. No sockets, no Beast.
+/// A request and its answer as plain values for handlers, without sockets or Beast.
 #include <functional>
 #include <memory>
 #include <optional>
@@ -12,7 +12,7 @@ namespace bahnwerk::server {
 
 using Pairs = std::vector<std::pair<std::string, std::string>>;
 
-/// The message itself was broken, or too much: what to answer instead of handling it.
+/// A broken or too large message: the answer to give instead of handling it.
 struct Fault {
   int status;
   std::string detail;
@@ -26,35 +26,35 @@ struct Request {
   Pairs query;                        ///< decoded, in order
   Pairs headers;                      ///< names in lower case, in order
   std::string body;
-  std::shared_ptr<void> body_share;  ///< of the memory set aside for bodies; given back with the last copy
+  std::shared_ptr<void> body_share;  ///< part of the memory for bodies; returned with the last copy
   std::string peer;                  ///< client's address
 
   std::string id;              ///< request id, set by middleware
   std::string route;           ///< the matched pattern, set by the router; empty when none matched
   Pairs parameters;            ///< of the pattern, e.g. {id}
-  std::optional<Fault> fault;  ///< then the other members are only as complete as reading came
+  std::optional<Fault> fault;  ///< if set, the other members are incomplete
 
-  /// Value of a header (lower-case name), several lines joined by ", "; nullopt when absent.
+  /// Returns the value of a header (lower-case name), several lines joined by ", "; nullopt when absent.
   std::optional<std::string> header(std::string_view name) const;
   const std::string& parameter(std::string_view name) const;  ///< of the matched pattern; throws std::out_of_range
 };
 
-/// A body that comes about while it is sent, for hours maybe, without a thread that waits for it.
+/// A body that is produced while it is sent, possibly for hours, without a waiting thread.
 class Feed {
  public:
   using Ready = std::function<void(std::optional<std::string>)>;
   virtual ~Feed() = default;
-  /// Calls `ready` once, from any thread: with the next piece, or with nullopt at the end. Must not block.
+  /// Calls `ready` once, from any thread, with the next piece, or with nullopt at the end. Must not block.
   virtual void next(Ready ready) = 0;
-  virtual void stop() = 0;  ///< the client has gone; from any thread
+  virtual void stop() = 0;  ///< the client has disconnected; from any thread
 };
 
 struct Response {
   int status = 200;
   Pairs headers;
   std::string body;
-  /// Instead of `body`: called until it returns false, appends a piece each time. Written chunked. May block; may
-  /// throw, then the connection breaks off, so that the client sees that the answer is not whole.
+  /// An alternative to `body`: it is called until it returns false and appends a piece each time. Written chunked. May
+  /// block. If it throws, the connection is aborted, so that the client sees that the answer is incomplete.
   std::function<bool(std::string&)> stream;
   std::shared_ptr<Feed> feed;  ///< instead of both; the connection ends with it
   bool close = false;          ///< end the connection after this answer
@@ -67,7 +67,7 @@ struct Response {
 using Reply = std::function<void(Response)>;
 using RequestPtr = std::shared_ptr<Request>;
 using Handler = std::function<void(RequestPtr, Reply)>;
-/// Wraps a handler into another. The list's first is the outermost.
+/// Wraps a handler into another one. The first of a list is the outermost.
 using Middleware = std::function<Handler(Handler)>;
 Handler compose(const std::vector<Middleware>& list, Handler innermost);
 

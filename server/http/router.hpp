@@ -1,6 +1,6 @@
 #pragma once
-/// From method and path to a handler. HEAD is answered by GET's handler (the connection leaves the body out), OPTIONS
-/// and wrong methods with the list of right ones.
+/// Maps method and path to a handler. HEAD is answered by GET's handler (the connection omits the body), OPTIONS and
+/// wrong methods with the list of right ones.
 #include <map>
 #include <string>
 #include <string_view>
@@ -12,8 +12,9 @@ namespace bahnwerk::server {
 
 class Router {
  public:
-  /// Pattern: literal segments and {name}s, e.g. "/v1/jobs/{id}". Literals win over names. `query`: the parameters that
-  /// may follow the `?`, each at most once and with a value; anything else is a schema-violation.
+  /// Adds a pattern of literal segments and {name}s, e.g. "/v1/jobs/{id}". Literals have precedence over names. `query`
+  /// are the parameters allowed behind the `?`, each at most once and with a value; anything else is a
+  /// schema-violation.
   void add(std::string_view method, std::string_view pattern, Handler handler,
            std::vector<std::string_view> query = {});
   /// Sets route and parameters of the request, then calls the handler; not-found, method-not-allowed and

@@ -1,6 +1,6 @@
 #pragma once
-/// Brings what changed in the store to those who act on it, once it is durable: at once what this process commits, by
-/// asking what other processes do.
+/// Passes changes of the store, once durable, to the parts that act on them: commits of this process at once, those of
+/// other processes by polling.
 #include <chrono>
 #include <condition_variable>
 #include <functional>
@@ -14,13 +14,13 @@ namespace bahnwerk::server {
 class ChangeFeed {
  public:
   struct Hooks {
-    /// From any thread, quick, without exceptions. A job's own commits may come twice, as every look is harmless.
+    /// Called from any thread; it has to be quick and must not throw. A job's own commits may be reported twice.
     std::function<void(const std::vector<Changed>&)> changed;
-    std::function<void()> all;  ///< changes may have been missed: everybody has to look
+    std::function<void()> all;  ///< changes may have been missed: every job has to be checked
   };
-  /// Tells of every change from now on. Asks the source every `interval`, with a thread of its own, where it is shared.
+  /// Reports every change from now on. Polls the source every `interval`, on its own thread, if it is shared.
   ChangeFeed(ChangeSource& source, Hooks hooks, std::chrono::milliseconds interval = std::chrono::milliseconds(250));
-  ~ChangeFeed();  ///< no hook is called any more
+  ~ChangeFeed();  ///< no hook is called afterwards
   ChangeFeed(const ChangeFeed&) = delete;
   ChangeFeed& operator=(const ChangeFeed&) = delete;
 
@@ -31,7 +31,7 @@ class ChangeFeed {
   ChangeSource& source_;
   const Hooks hooks_;
   const std::chrono::milliseconds interval_;
-  std::uint64_t seen_ = 0;  ///< the asking thread's
+  std::uint64_t seen_ = 0;  ///< used by the polling thread
   std::mutex mutex_;
   std::condition_variable wake_;
   bool stop_ = false;

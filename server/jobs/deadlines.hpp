@@ -1,7 +1,6 @@
 #pragma once
-/// Ends queued jobs when their deadline passes, whether or not a worker is free, and takes back running ones whose
-/// lease runs out. One thread, asleep until the next of both, at most ten seconds: other processes may have brought
-/// one.
+/// Ends queued jobs when their deadline passes, even if no worker is free, and takes back running ones whose lease runs
+/// out. One thread sleeps until the next of both, at most ten seconds, since other processes may have added one.
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
@@ -14,7 +13,7 @@ namespace bahnwerk::server {
 
 class Deadlines {
  public:
-  /// Ends what passed while nobody served, then starts the thread.
+  /// Ends jobs whose deadline passed while no process served, then starts the thread.
   explicit Deadlines(Store& store, const TimeSource& time = system_time());
   ~Deadlines();
   Deadlines(const Deadlines&) = delete;
@@ -23,7 +22,7 @@ class Deadlines {
   void notify();  ///< a job was queued
 
  private:
-  std::int64_t look();  ///< ends what is due; how long (ms) to sleep if not notified
+  std::int64_t look();  ///< ends what is due; returns how long (ms) to sleep if not notified
   void loop();
 
   Store& store_;

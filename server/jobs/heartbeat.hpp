@@ -1,5 +1,5 @@
 #pragma once
-/// Keeps the leases of the attempts that run in this process, and tells those that were lost to stop.
+/// Extends the leases of the attempts that run in this process, and stops those that were lost.
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -30,7 +30,7 @@ class Heartbeat {
   const std::string worker_;
   const std::chrono::milliseconds lease_;
   const TimeSource& time_;
-  TimeSource::Time next_;  ///< beat
+  TimeSource::Time next_;  ///< next extension
   std::mutex mutex_;
   std::condition_variable wake_;
   bool stop_ = false;

@@ -1,5 +1,5 @@
 #pragma once
-/// The jobs being planned right now, as they stand this moment. The store follows a little later.
+/// The jobs that are being planned, with their current state. The store follows a little later.
 #include <atomic>
 #include <map>
 #include <memory>
@@ -19,13 +19,13 @@ class LiveJob {
   const std::string& id() const { return id_; }
   int attempt() const { return attempt_; }
 
-  void publish(double fraction, std::string_view stage, std::string_view message);  ///< the revision grows
+  void publish(double fraction, std::string_view stage, std::string_view message);  ///< increases the revision
   std::uint64_t revision() const;
-  void overlay(api::Job& job) const;  ///< puts the present progress over what the store knew of the same attempt
+  void overlay(api::Job& job) const;  ///< replaces the store's progress of this attempt by the current one
 
-  std::atomic<bool> cancel{false};     ///< a client wants it to end
+  std::atomic<bool> cancel{false};     ///< a client has cancelled the job
   std::atomic<bool> interrupt{false};  ///< the service ends; the job goes back to the queue
-  std::atomic<bool> lost{false};       ///< the store says that the attempt is over: nothing more can be stored of it
+  std::atomic<bool> lost{false};       ///< the store reports that the attempt is over: no result of it can be stored
 
  private:
   const std::string id_;

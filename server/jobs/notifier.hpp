@@ -1,6 +1,6 @@
 #pragma once
-/// Who waits for a job to change is called back, once: when it changed, when the time is over, or at the end of
-/// service. No thread blocks per waiter: one thread keeps the deadlines.
+/// Calls waiters for a change of a job back once: when it changed, when the time is over, or at the end of service. No
+/// thread blocks per waiter: one thread manages the deadlines.
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
@@ -24,13 +24,13 @@ class Notifier {
   using Clock = std::chrono::steady_clock;
 
   explicit Notifier(const TimeSource& time = system_time());
-  ~Notifier();  ///< calls whoever still waits
+  ~Notifier();  ///< calls all remaining waiters
   Notifier(const Notifier&) = delete;
   Notifier& operator=(const Notifier&) = delete;
 
-  /// A change of state wakes every waiter. Progress alone wakes those that gave `progress_from`, and not before that
-  /// time: a waiter that comes again at once is called as often as it allows, not as often as the planner reports.
-  /// `wake` is called from any thread and must be quick.
+  /// A change of state wakes every waiter. Progress alone wakes those with `progress_from`, not before that time: a
+  /// waiter that returns at once is called as often as it allows, not as often as the planner reports. `wake` is called
+  /// from any thread and must be quick.
   Token wait(const std::string& job, Clock::time_point until, std::function<void()> wake,
              std::optional<Clock::time_point> progress_from = std::nullopt);
   void wake(Token token);  ///< calls this one now, unless it was called already

@@ -1,6 +1,5 @@
 #pragma once
-/// What a planner reports to while a worker runs it: checks whether to stop on every call (nanoseconds), publishes
-/// rarely.
+/// The Progress of a planner in a worker: checks on every call whether to stop (nanoseconds), and publishes rarely.
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -19,8 +18,8 @@ class JobProgress final : public Progress {
   using Clock = std::chrono::steady_clock;
   enum class Stop { none, cancelled, deadline, budget, interrupted, lost };
 
-  /// `publish` is called when clients can see a change (at most every 100 ms), `keep` when the store shall know (at
-  /// most every 500 ms, and never while a former one is under way).
+  /// `publish` is called for clients, at most every 100 ms; `keep` for the store, at most every 500 ms, and never while
+  /// a previous call is in progress.
   struct Hooks {
     std::function<void()> publish;
     std::function<void(Progressed, std::function<void()>)> keep;
@@ -29,11 +28,11 @@ class JobProgress final : public Progress {
   };
   JobProgress(const api::Job& job, std::shared_ptr<LiveJob> live, Hooks hooks);
 
-  /// Throws Stopped when the job has to end; stopped() then says why. From the planner's thread only.
+  /// Throws Stopped when the job has to end; stopped() then gives the reason. From the planner's thread only.
   void report(std::string_view stage, double fraction, std::string_view message = {}) override;
   Stop stopped() const { return stopped_; }
   std::uint64_t reports() const { return reports_; }  ///< how often the planner has asked
-  /// How often the planner has asked again after it was told to stop: 0 where it stops at once.
+  /// Number of calls after the planner was told to stop; 0 if it stops at once.
   std::uint64_t reports_after_stop() const { return reports_after_stop_; }
 
  private:

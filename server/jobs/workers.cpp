@@ -117,21 +117,21 @@ void Workers::loop() {
   idle_.notify_all();
 }
 
-Workers::Kept Workers::persist(const std::string& id, const std::function<bool()>& write,
-                               const std::function<bool()>& give_up) {
+Workers::Persisted Workers::persist(const std::string& id, const std::function<bool()>& write,
+                                    const std::function<bool()>& give_up) {
   for (;;) {
     try {
       if (!write()) log::warn("job_ending_ignored", {{"job", id}, {"detail", "the attempt was over already"}});
-      return Kept::yes;
+      return Persisted::yes;
     } catch (const StoreError& error) {
       log::error("store_failed", {{"job", id}, {"detail", error.what()}});
     }
     {
       const std::lock_guard lock(mutex_);
-      if (interrupted_) return Kept::no;  // still `running` in the store: the next start takes it up again
+      if (interrupted_) return Persisted::no;  // still `running` in the store: the next start takes it up again
     }
     for (int i = 0; i < 10; ++i) {
-      if (give_up()) return Kept::given_up;
+      if (give_up()) return Persisted::given_up;
       sleep(std::chrono::milliseconds(100));
     }
   }
@@ -158,7 +158,7 @@ void Workers::run(const api::Job& job) {
   std::optional<api::Problem> problem;
   std::string unverified;  // result of a plan that failed its verification
   try {
-    if (store_.cancel_requested(id)) live->cancel = true;  // asked for between the claim and now
+    if (store_.cancel_requested(id)) live->cancel = true;  // requested between the claim and now
     progress.report("planning", 0);
     planned = planner_(job.request.kind, job.request.document, progress);
     if (!planned->verified) {
@@ -177,7 +177,7 @@ void Workers::run(const api::Job& job) {
       const auto kept = persist(
           id, [&] { return store_.succeed(id, job.attempt, *planned, time_.now_ms(), live->revision(), progress); },
           [&] { return live->cancel.load(); });
-      if (kept == Kept::given_up) {
+      if (kept == Persisted::given_up) {
         given_up = true;
         problem.emplace("cancelled", "The job was cancelled while its result could not be stored.");
       }

@@ -1,5 +1,5 @@
 #pragma once
-/// The threads that plan: claim a job from the store, plan it, store how it ended. They never touch a socket.
+/// The planning threads: they claim a job from the store, plan it and store its end. They never use a socket.
 #include <chrono>
 #include <condition_variable>
 #include <functional>
@@ -19,24 +19,24 @@
 
 namespace bahnwerk::server {
 
-/// What plans; api::plan_job in service, something small in tests.
+/// The planner: api::plan_job in the service, a small function in tests.
 using Planner =
     std::function<api::PlannedJob(const std::string& kind, const std::string& document, Progress& progress)>;
 
 class Workers {
  public:
-  /// `lease`: how long an attempt holds without a heartbeat of this process; nullopt: until the process ends, for a
-  /// store that no other process uses. Of progress `notifier` is told here, of states by the store's changes.
+  /// `lease` is the duration of an attempt without a heartbeat of this process; nullopt: until the process ends, for a
+  /// store that no other process uses. Progress is reported to `notifier` here, states by the store's changes.
   Workers(Store& store, LiveJobs& live, Notifier& notifier, Metrics& metrics, Planner planner,
           std::optional<std::chrono::milliseconds> lease = std::nullopt, const TimeSource& time = system_time());
   ~Workers();  ///< interrupts and joins
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
-  /// `nice`: how far their priority lies below that of the threads that answer (Linux).
+  /// `nice` is the difference of their priority to that of the answering threads (Linux).
   void start(unsigned threads, int nice = 0);
-  void notify(std::size_t jobs = 1);                   ///< so many jobs were queued
-  void stop_claiming();                                ///< what runs goes on, nothing new begins
+  void notify(std::size_t jobs = 1);                   ///< that many jobs were queued
+  void stop_claiming();                                ///< running jobs continue, no new ones begin
   bool wait_idle(std::chrono::milliseconds patience);  ///< after stop_claiming: true when all threads have ended
   void interrupt();  ///< running planners stop at their next report; their jobs go back to the queue
 
@@ -44,10 +44,10 @@ class Workers {
   Lease lease() const;
   void loop();
   void run(const api::Job& job);
-  enum class Kept { yes, no, given_up };
-  /// Stores an ending; while the store fails (disk full) waits and tries again, until interrupted (no) or `give_up`
+  enum class Persisted { yes, no, given_up };
+  /// Stores an ending; while the store fails (disk full) it waits and tries again, until interrupted (no) or `give_up`
   /// (given_up).
-  Kept persist(const std::string& id, const std::function<bool()>& write, const std::function<bool()>& give_up);
+  Persisted persist(const std::string& id, const std::function<bool()>& write, const std::function<bool()>& give_up);
   void sleep(std::chrono::milliseconds time);
 
   Store& store_;
@@ -55,7 +55,7 @@ class Workers {
   Notifier& notifier_;
   Metrics& metrics_;
   Planner planner_;
-  const std::string name_;  ///< of this process, anew at every start
+  const std::string name_;  ///< of this process, new at every start
   const std::optional<std::chrono::milliseconds> lease_;
   const TimeSource& time_;  ///< of leases, deadlines, budgets and progress
   std::mutex mutex_;

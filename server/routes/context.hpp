@@ -1,5 +1,5 @@
 #pragma once
-/// What the handlers work with, and the functions that hang them into the router. One file per group of addresses.
+/// The objects that handlers use, and the functions that add handlers to the router. One file per group of addresses.
 #include <atomic>
 #include <functional>
 
@@ -14,7 +14,7 @@
 
 namespace bahnwerk::server {
 
-/// Checks a posted document; api::parse_job in service, something small in tests.
+/// Checks a posted document: api::parse_job in the service, a small function in tests.
 using Parser = std::function<api::JobRequest(std::string_view body)>;
 
 struct Context {
@@ -22,16 +22,16 @@ struct Context {
   LiveJobs& live;
   Notifier& notifier;
   Pool& pool;
-  Pool& checks;  ///< of posted documents
-  Pool& heavy;   ///< one thread, for large documents: read one after the other, they cannot exhaust memory together
+  Pool& checks;  ///< for posted documents
+  Pool& heavy;   ///< one thread, for large documents: one after the other they cannot exhaust memory together
   Metrics& metrics;
   Parser parse;
   std::size_t max_queued;
-  std::size_t max_body;  ///< bytes, of a body that comes compressed, too
+  std::size_t max_body;  ///< bytes of a body, also after decompression
   const std::atomic<bool>& draining;
   const BuildInfo build;
   const TimeSource& time;
-  std::chrono::milliseconds event_heartbeat;  ///< after so much silence a stream of events says that it is alive
+  std::chrono::milliseconds event_heartbeat;  ///< longest silence of a stream of events
 };
 
 void add_job_routes(Router& router,
@@ -41,17 +41,17 @@ void add_meta_routes(Router& router, Context& context);    ///< kinds, schemas, 
 void add_health_routes(Router& router, Context& context);  ///< healthz, readyz, metrics
 void add_page_routes(Router& router, Context& context);    ///< the list of jobs and a page per job
 
-/// The job as it stands this moment, without its document; throws Problem not-found.
+/// Returns the current state of the job, without its document; throws Problem not-found.
 api::Job find_job(Context& context, const std::string& id);
-/// Throws unless the job succeeded, only then there is something to fetch: job-not-finished, or no-result with the
-/// job's error.
+/// Throws job-not-finished, or no-result with the job's error, unless the job succeeded.
 void require_success(Context& context, const std::string& id);
-/// The same, but a job that failed its verification has a result, too: what was planned and which checks it fails.
+/// Throws like require_success(), except for a job that failed its verification, which has a result, too: the plan and
+/// its failed checks.
 void require_result(Context& context, const std::string& id);
-bool final(const api::Job& job);  ///< it has ended
+bool final(const api::Job& job);  ///< whether it has ended
 std::string job_etag(const api::Job& job);
 Response job_answer(int status, const api::Job& job);
-/// Throws Problem not-acceptable unless the request takes application/json.
+/// Throws Problem not-acceptable unless the request accepts application/json.
 void require_json(const Request& request);
 /// Answers 304 when If-None-Match names `etag` (quotes included), else `response` with it.
 Response with_etag(const Request& request, const std::string& etag, Response response);

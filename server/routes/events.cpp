@@ -18,8 +18,8 @@ std::string event(std::string_view name, std::uint64_t id, const nlohmann::order
          "\ndata: " + data.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n\n";
 }
 
-/// What a client of one stream knows. Asked for the next piece it looks at the job on the pool, and waits with the
-/// notifier when there is nothing new.
+/// The state of one client's stream. For the next piece it reads the job on the pool, and waits with the notifier when
+/// there is nothing new.
 class JobFeed final : public Feed, public std::enable_shared_from_this<JobFeed> {
  public:
   JobFeed(Context& context, std::string id, std::uint64_t known)
@@ -48,7 +48,7 @@ class JobFeed final : public Feed, public std::enable_shared_from_this<JobFeed> 
     std::optional<api::Job> job;
     try {
       job = find_job(context_, id_);
-    } catch (...) {  // deleted meanwhile, or the store failed: the client asks again and is told
+    } catch (...) {  // deleted meanwhile, or the store failed: the client's next request gets the answer
       return give(std::nullopt);
     }
     std::string text = begun_ ? "" : "retry: 3000\n\n";
@@ -65,7 +65,7 @@ class JobFeed final : public Feed, public std::enable_shared_from_this<JobFeed> 
     if (progressed) until = std::min(until, progress_from);
     token_ = context_.notifier.wait(
         id_, until, [self = shared_from_this()] { self->look_later(); }, progress_from);
-    // What changed between the look and the wait would be missed.
+    // A change between the query and the wait would be missed.
     if (stopped_ || revision() != job->revision) context_.notifier.wake(token_);
   }
 
@@ -113,7 +113,7 @@ class JobFeed final : public Feed, public std::enable_shared_from_this<JobFeed> 
   std::atomic<Notifier::Token> token_{0};
 };
 
-/// What Last-Event-ID names; 0: nothing is known.
+/// Returns the id of Last-Event-ID; 0: unknown.
 std::uint64_t last_event(const Request& request) {
   const std::string text = request.header("last-event-id").value_or("");
   std::uint64_t id = 0;

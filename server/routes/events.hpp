@@ -4,9 +4,9 @@
 namespace bahnwerk::server {
 
 /// GET /v1/jobs/{id}/events: a stream of server-sent events [WHATWG HTML, 9.2] that ends after the job's final state or
-/// when the service ends. `state` carries the job resource, `progress` its member progress, at most once a second; the
-/// id is the job's revision. With Last-Event-ID only what is later is sent; 204, which tells a browser not to come
-/// again, when that was the end. A comment every 15 s keeps the connection open. No thread waits.
+/// when the service ends. `state` contains the job resource, `progress` its member progress, at most once a second; the
+/// id is the job's revision. With Last-Event-ID only later events are sent; 204, which tells a browser not to
+/// reconnect, if that was the last one. A comment every 15 s keeps the connection open. No thread waits.
 void events(Context& context, const RequestPtr& request, const Reply& reply);
 
 }  // namespace bahnwerk::server

@@ -46,7 +46,7 @@ JobFilter parse_filter(const Pairs& query) {
 Response list(Context& context, const Request& request) {
   require_json(request);
   JobFilter filter = parse_filter(request.query);
-  const std::size_t limit = filter.limit++;  // one more tells whether there is a next page
+  const std::size_t limit = filter.limit++;  // one more shows whether there is a next page
   auto jobs = context.store.list(filter);
   const bool more = jobs.size() > limit;
   if (more) jobs.pop_back();

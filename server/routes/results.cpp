@@ -21,7 +21,7 @@ Response result(Context& context, const Request& request) {
   return with_etag(request, "\"result\"", text_answer(200, "application/json", std::move(*document)));
 }
 
-/// Reads rows through the store's chunks; the last one is kept, since rows come in order.
+/// Reads rows through the store's chunks; the last chunk is stored, since rows are read in order.
 api::SetpointSeries stored_series(Store& store, const SeriesInfo& info) {
   struct Chunk {
     std::size_t first = static_cast<std::size_t>(-1);

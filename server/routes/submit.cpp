@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t large_document = 1 << 20;  ///< bytes; a parsed document takes about 25 times its text
 
-/// What checking a large document leaves in the allocator goes back to the system, whether or not it was valid.
+/// Returns the memory of checking a large document to the system, valid or not.
 struct GiveBack {
   explicit GiveBack(std::size_t bytes) : large(bytes >= worth_giving_back) {}
   ~GiveBack() {
@@ -88,7 +88,7 @@ void submit(Context& context, const RequestPtr& request, const Reply& reply) {
   if (context.draining) throw api::Problem("draining", "The server is about to stop and takes no new jobs.");
   NewJob job;
   job.idempotency_key = idempotency_key(*request);
-  // How large a packed body is shows only when it is unpacked: one after the other, too.
+  // The size of a packed body is known only when it is unpacked: such bodies are handled one after the other, too.
   const bool large = request->body.size() > large_document || *coding == Coding::gzip;
   Pool& pool = large ? context.heavy : context.checks;
   pool.post([&context, request, reply, coding, job = std::move(job)]() mutable {

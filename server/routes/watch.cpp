@@ -10,7 +10,7 @@ namespace {
 
 constexpr int longest_wait = 60;
 
-/// One request that is held. It looks at the job on the pool, and again whenever the notifier calls.
+/// One delayed request. It reads the job on the pool, and again whenever the notifier calls.
 struct Waiting : std::enable_shared_from_this<Waiting> {
   Waiting(Context& all, RequestPtr asked, Reply answer, int seconds)
       : context(all),
@@ -23,7 +23,7 @@ struct Waiting : std::enable_shared_from_this<Waiting> {
         progress_from(context.time.now() + progress_interval) {}
 
   bool over() const { return context.draining || context.time.now() >= until; }
-  /// What the client waits for has come about.
+  /// Whether the condition of the client is fulfilled.
   bool due(const api::Job& job) const {
     if (final(job)) return true;
     if (!any_change || matches_etag(*request, job_etag(job))) return false;
@@ -45,7 +45,7 @@ struct Waiting : std::enable_shared_from_this<Waiting> {
       const auto again = [self = shared_from_this()] { self->context.pool.post([self] { self->look(); }); };
       const auto token =
           context.notifier.wait(id, next_look(job), again, any_change ? std::optional(progress_from) : std::nullopt);
-      // What changed between the look and the wait would be missed.
+      // A change between the query and the wait would be missed.
       const api::Job now = find_job(context, id);
       if (now.revision != job.revision && (due(now) || next_look(now) != next_look(job))) context.notifier.wake(token);
     } catch (...) {
@@ -98,7 +98,7 @@ void watch(Context& context, const RequestPtr& request, const Reply& reply) {
     context.pool.post([waiting = std::make_shared<Waiting>(context, request, reply, wait)] { waiting->look(); });
     return;
   }
-  // Most looks are at a job that was looked at a moment ago: no other thread has to be woken for those.
+  // Most queries are for a job that was read a moment ago: no other thread is woken for those.
   if (auto job = context.store.at_hand(request->parameter("id"))) {
     context.live.overlay(*job);
     return reply(with_etag(*request, job_etag(*job), job_answer(200, *job)));

@@ -3,19 +3,19 @@
 
 namespace bahnwerk::server {
 
-/// Progress alone answers a waiter, and is sent to an event stream, this long after it began to wait at the earliest.
+/// Shortest time after which progress alone answers a waiter, or is sent to an event stream.
 inline constexpr std::chrono::seconds progress_interval{1};
 
-/// GET /v1/jobs/{id}: the resource with ETag. `Prefer: wait=SECONDS` (at most 60) [RFC 7240] holds the answer until the
-/// job has ended; together with If-None-Match until the resource is another than that names, for progress alone one
-/// second at least; until the time is over in any case. No thread waits.
+/// GET /v1/jobs/{id}: the resource with ETag. `Prefer: wait=SECONDS` (at most 60) [RFC 7240] delays the answer until
+/// the job has ended; together with If-None-Match until the resource differs from that ETag, for progress alone at
+/// least one second; in any case until the time is over. No thread waits.
 void watch(Context& context, const RequestPtr& request, const Reply& reply);
 
-/// Seconds of a Prefer header's wait, 0 without one.
+/// Returns the seconds of a Prefer header's wait, 0 without one.
 int preferred_wait(const Request& request);
 
-/// Whether If-None-Match names an ETag that the job has had since it entered its present state: what changed is
-/// progress alone.
+/// Whether If-None-Match names an ETag that the job has had since it entered its present state, so that only progress
+/// has changed.
 bool knows_state(const Request& request, const api::Job& job);
 
 }  // namespace bahnwerk::server

@@ -3,8 +3,8 @@
 
 namespace bahnwerk::server {
 
-/// How many files and sockets this process may have open, after raising the limit towards `wanted` as far as the system
-/// lets it.
+/// Returns the number of files and sockets that this process may have open, after raising the limit towards `wanted` as
+/// far as the system allows.
 std::size_t raise_descriptors(std::size_t wanted);
 
 }  // namespace bahnwerk::server

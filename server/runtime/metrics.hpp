@@ -1,5 +1,5 @@
 #pragma once
-/// What the service counts, in Prometheus' terms.
+/// Counters of the service in Prometheus' terms.
 #include <functional>
 #include <memory>
 #include <string>

@@ -10,14 +10,14 @@ namespace bahnwerk::server {
 class Pool {
  public:
   explicit Pool(unsigned threads, int nice = 0);
-  ~Pool();  ///< runs what was posted, then joins
+  ~Pool();  ///< runs the posted work, then joins
   Pool(const Pool&) = delete;
   Pool& operator=(const Pool&) = delete;
   /// `work` must not throw.
   void post(std::function<void()> work);
-  /// True when everything posted has run, false when that takes longer than `patience`.
+  /// Returns true when all posted work has run, false when that takes longer than `patience`.
   bool wait_idle(std::chrono::milliseconds patience);
-  void join();  ///< waits for everything posted; nothing may be posted afterwards
+  void join();  ///< waits for all posted work; nothing may be posted afterwards
 
  private:
   struct State;

@@ -1,5 +1,6 @@
 #pragma once
-/// Tells a service manager how the process is, by datagrams to the socket that NOTIFY_SOCKET names [sd_notify(3)].
+/// Reports the state of the process to a service manager, by datagrams to the socket that NOTIFY_SOCKET names
+/// [sd_notify(3)].
 #include <chrono>
 #include <optional>
 #include <string>
@@ -9,19 +10,19 @@ namespace bahnwerk::server {
 
 class Supervisor {
  public:
-  /// `socket`: a path, or @name in the abstract namespace; empty: there is no service manager, nothing is told.
-  /// `watchdog`: how long the manager lets pass between two signs of life, 0: it expects none.
+  /// `socket` is a path, or @name in the abstract namespace; empty: there is no service manager, and nothing is sent.
+  /// `watchdog` is the manager's longest interval between two signs of life; 0: none.
   explicit Supervisor(std::string_view socket, std::chrono::microseconds watchdog = {});
   ~Supervisor();
   Supervisor(const Supervisor&) = delete;
   Supervisor& operator=(const Supervisor&) = delete;
 
-  /// Whether messages have a place to go to.
+  /// Whether there is a service manager.
   bool present() const { return descriptor_ >= 0; }
-  /// How often to call alive(): half of what the manager lets pass; without a value it expects no call.
+  /// Interval for calls of alive(): half of the manager's interval; without a value no call is expected.
   std::optional<std::chrono::milliseconds> heartbeat() const;
 
-  // Each may be called from any thread, never blocks, and returns whether the message was handed over.
+  // Each may be called from any thread, never blocks, and returns whether the message was sent.
   bool ready(std::string_view status) const;
   /// The end has begun and may take `within`.
   bool stopping(std::string_view status, std::chrono::milliseconds within) const;
@@ -34,8 +35,8 @@ class Supervisor {
   std::chrono::microseconds watchdog_;
 };
 
-/// What the manager lets pass between signs of life of process `pid`, from the values of WATCHDOG_USEC and WATCHDOG_PID
-/// (null: not set); 0 where it expects none, or expects them of another process.
+/// Returns the manager's interval between signs of life of process `pid`, from the values of WATCHDOG_USEC and
+/// WATCHDOG_PID (null: not set); 0 if it expects none, or expects them of another process.
 std::chrono::microseconds watchdog_interval(const char* usec, const char* watched, int pid);
 
 }  // namespace bahnwerk::server

@@ -10,10 +10,11 @@ namespace bahnwerk::server {
 class Uuid7 {
  public:
   Uuid7();
-  /// The next identifier, greater than all before it even when the clock stands still or steps back (then the time part
-  /// runs ahead of `now_ms` as far as needed, RFC 9562 6.2 method 1 with a 12-bit counter). Not thread-safe.
+  /// Returns the next identifier, greater than all earlier ones even when the clock stands still or steps back (then
+  /// the time part runs ahead of `now_ms` as far as needed, RFC 9562 6.2 method 1 with a 12-bit counter). Not
+  /// thread-safe.
   std::string next(std::int64_t now_ms);
-  /// Makes all further identifiers greater than `id` (one of a former process).
+  /// Makes all further identifiers greater than `id` (one of a previous process).
   void advance_past(std::string_view id);
 
  private:
@@ -22,7 +23,7 @@ class Uuid7 {
   std::uint32_t counter_ = 0;
 };
 
-/// Random, not ordered: for request ids.
+/// Returns a random identifier without order, for request ids.
 std::string random_id();
 
 }  // namespace bahnwerk::server

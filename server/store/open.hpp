@@ -7,12 +7,12 @@
 
 namespace bahnwerk::server {
 
-/// Throws StoreError unless open_store takes such a URL; touches nothing.
+/// Throws StoreError unless open_store accepts such a URL; opens nothing.
 void check_store(const std::string& url);
 
-/// Opens the store named by a URL: sqlite:PATH (the directory is made when it is missing). `observer` is told of every
-/// commit (seconds, writes); `reserve` bytes of disk are set aside for a full one. Throws StoreError with a sentence
-/// for the operator.
+/// Opens the store named by a URL: sqlite:PATH (a missing directory is created). `observer` receives every commit
+/// (seconds, writes); `reserve` bytes of disk are set aside for a full one. Throws StoreError with a sentence for the
+/// operator.
 std::unique_ptr<Store> open_store(const std::string& url, std::function<void(double, std::size_t)> observer,
                                   std::size_t reserve = 0);
 

@@ -1,7 +1,7 @@
 #pragma once
-/// Where jobs live. Every call that changes something returns (or calls back) only when the change is durable. The
-/// calls may come from any thread, and, where the store is shared, from several processes: each is one transaction.
-/// What every implementation must hold is in tests/server/store/conformance.
+/// The interface of a store of jobs. Every call that changes something returns (or calls back) only when the change is
+/// durable. Calls may come from any thread, and, where the store is shared, from several processes: each is one
+/// transaction. Requirements of every implementation are in tests/server/store/conformance.
 #include <exception>
 #include <functional>
 #include <map>
@@ -13,16 +13,16 @@ namespace bahnwerk::server {
 
 class Store : public ChangeSource {
  public:
-  // Jobs come in.
+  // Insertion.
 
   /// Accepts a job; `done` is called once, from any thread, after the commit or with the StoreError. Waiting calls
   /// share a commit.
   virtual void insert(NewJob job, std::function<void(Inserted, std::exception_ptr)> done) = 0;
 
-  // Looks.
+  // Queries.
 
-  /// The job without its document, if it is known without a look at the disk and is up to date: for threads that must
-  /// not wait.
+  /// Returns the job without its document if it is up to date in memory, without disk access: for threads that must not
+  /// wait.
   virtual std::optional<api::Job> at_hand(const std::string&) { return std::nullopt; }
   /// `with_document` false leaves JobRequest::document empty.
   virtual std::optional<api::Job> get(const std::string& id, bool with_document = true) = 0;
@@ -33,8 +33,9 @@ class Store : public ChangeSource {
   // Attempts: from claim to one of end, succeed, requeue. Each of these changes nothing and returns false when the job
   // is not running any more, or runs another attempt.
 
-  /// The next job: highest priority, then first come; it becomes `running` and its attempt grows by one. No job is
-  /// given to two. Attempts whose lease ran out before `lease.now` are lost first, as in `expire`.
+  /// Claims the next job: highest priority, then first come; it becomes `running` and its attempt number increases by
+  /// one. No job is given to two callers. Attempts whose lease ran out before `lease.now` are lost first, as in
+  /// `expire`.
   virtual std::optional<api::Job> claim(const Lease& lease) = 0;
   /// Extends the attempts that this worker still has to `lease.until`, also those whose lease ran out unnoticed.
   /// Returns the others: they ended or were lost, and their planners may stop.
@@ -43,35 +44,35 @@ class Store : public ChangeSource {
   /// attempt is over.
   virtual void progress(Progressed progress, std::function<void()> done) = 0;
   virtual bool end(const std::string& id, int attempt, const Ending& ending) = 0;
-  /// From then on the result and all setpoints are there. Long series go in piece by piece before that, so that neither
-  /// memory nor other writers suffer from their length; `progress` is asked between the pieces and may throw Stopped.
-  /// After a StoreError a further call goes on where this one ended.
+  /// Stores the result and all setpoints. Long series are stored piece by piece before the state changes, so that
+  /// neither memory nor other writers suffer from their length; `progress` is asked between the pieces and may throw
+  /// Stopped. After a StoreError a further call continues where this one ended.
   virtual bool succeed(const std::string& id, int attempt, const api::PlannedJob& planned, std::int64_t now,
                        std::uint64_t revision, Progress& progress) = 0;
-  /// Puts a running job back as if the attempt had not been made; a job whose cancellation was asked for is cancelled
+  /// Puts a running job back as if the attempt had not been made; a job with a requested cancellation is cancelled
   /// instead.
   virtual bool requeue(const std::string& id, int attempt, std::int64_t now, std::uint64_t revision) = 0;
 
-  /// Ends queued jobs whose deadline has passed as deadline-exceeded. Running jobs whose lease has run out lost their
-  /// attempt: they go back to the queue and keep its number, so that the next one is another; they end as cancelled
-  /// when that was asked for, or as worker-lost after max_lost_attempts. A few hundred at a time; writes only when
-  /// there are any.
+  /// Ends queued jobs whose deadline has passed as deadline-exceeded. Running jobs whose lease has run out have lost
+  /// their attempt: they return to the queue with its number, so that the next one differs; they end as cancelled when
+  /// that was requested, or as worker-lost after max_lost_attempts. A few hundred per call; writes only when there are
+  /// any.
   virtual Expired expire(std::int64_t now) = 0;
 
-  // What clients ask for.
+  // Requests of clients.
 
-  /// A queued job is cancelled at once, of a running one the wish is kept; finished ones stay. Returns the job after
-  /// that, without its document.
+  /// Cancels a queued job at once and records the request for a running one; finished jobs are unchanged. Returns the
+  /// job afterwards, without its document.
   virtual std::optional<api::Job> cancel(const std::string& id, std::int64_t now) = 0;
   virtual bool cancel_requested(const std::string& id) = 0;
   virtual Removed remove(const std::string& id) = 0;
 
   virtual std::optional<std::string> result(const std::string& id) = 0;  ///< the result document's text
   virtual std::optional<SeriesInfo> series(const std::string& id) = 0;   ///< nullopt: no result, or none with setpoints
-  /// Rows of chunk `first_row` (a multiple of chunk_rows), row-major. Throws StoreError when it is gone.
+  /// Reads the rows of chunk `first_row` (a multiple of chunk_rows), row-major. Throws StoreError when it was removed.
   virtual void read_chunk(const SeriesInfo& series, std::size_t first_row, std::vector<double>& out) = 0;
 
-  virtual void checkpoint() = 0;  ///< leaves nothing in side files; for an orderly end
+  virtual void checkpoint() = 0;  ///< empties side files; for an orderly end
 };
 
 }  // namespace bahnwerk::server

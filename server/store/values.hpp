@@ -1,5 +1,5 @@
 #pragma once
-/// What goes into a store and comes out of it, whatever keeps it. Times are ms since 1970 UTC.
+/// Values that go into a store and come out of it, independent of its implementation. Times are ms since 1970 UTC.
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace bahnwerk::server {
 
-/// The store could not do it; nothing of the call was kept. `full`: no space left.
+/// The store failed; no part of the call was stored. `full`: no space left.
 struct StoreError : std::runtime_error {
   StoreError(const std::string& what, bool no_space) : std::runtime_error(what), full(no_space) {}
   bool full;
@@ -23,7 +23,7 @@ struct NewJob {
   std::string idempotency_key;  ///< empty = none
   std::string body_hash;        ///< of the posted body; compared when the key was used before
   std::int64_t now = 0;
-  std::size_t max_queued = 0;  ///< refuse when so many wait already
+  std::size_t max_queued = 0;  ///< refuses the job when this many already wait
 };
 struct Inserted {
   enum class What { created, replayed, conflict, full };
@@ -38,8 +38,8 @@ struct JobFilter {
   std::size_t limit = 50;
 };
 
-/// Who plans, and until when its attempts are its own without a further heartbeat. A process names itself anew at every
-/// start. Clocks of several processes may differ by much less than a lease takes.
+/// Identifies a worker, and the time until which its attempts are its own without a further heartbeat. A process has a
+/// new name at every start. Clocks of several processes may differ by much less than the duration of a lease.
 struct Lease {
   static constexpr std::int64_t forever = std::numeric_limits<std::int64_t>::max();
   std::string worker;
@@ -47,18 +47,18 @@ struct Lease {
   std::int64_t until = forever;
 };
 
-/// One run of a planner on a job: the number grows with every claim.
+/// One run of a planner on a job: the number increases with every claim.
 struct Attempt {
   std::string id;
   int number = 0;
   bool operator==(const Attempt&) const = default;
 };
 
-/// A job whose attempts were lost so often (the process died, or let its lease run out) is not tried again: it ends as
+/// A job whose attempts were lost this often (the process died, or its lease ran out) is not tried again: it ends as
 /// worker-lost.
 inline constexpr int max_lost_attempts = 2;
 
-/// How an attempt ended. `revision` is the last one shown to clients while it ran.
+/// The end of an attempt. `revision` is the last one shown to clients while it ran.
 struct Ending {
   api::JobState state = api::JobState::failed;  ///< failed or cancelled
   std::string error;                            ///< problem document
@@ -67,7 +67,7 @@ struct Ending {
   std::string result = {};  ///< result document of a plan that was not verified; empty: none
 };
 
-/// What a stored series looks like; its rows come through Store::read_chunk.
+/// Properties of a stored series; its rows are read by Store::read_chunk.
 struct SeriesInfo {
   std::int64_t key = 0;
   std::vector<Column> columns;
@@ -87,7 +87,7 @@ struct Progressed {
 
 enum class Removed { yes, running, unknown };
 
-/// What Store::expire did, and when there will be something to do again.
+/// Result of Store::expire, and the time of the next call that has something to do.
 struct Expired {
   std::vector<std::string> ids;   ///< queued jobs that ended because their deadline had passed
   std::vector<std::string> lost;  ///< running jobs whose lease had run out

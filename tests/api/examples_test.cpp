@@ -39,7 +39,7 @@ std::size_t check_cases(const std::string& file, const std::string& folder, std:
   return cases.size();
 }
 
-TEST(Examples, OfEveryKindAreAccepted) {
+TEST(Examples, AreAcceptedForEveryKind) {
   for (const auto& kind : kinds()) {
     const auto files = test::json_files("schemas/examples/" + std::string(kind.name));
     EXPECT_FALSE(files.empty()) << kind.name;

@@ -21,14 +21,14 @@ TEST(LimitsInput, EveryOrderIsRead) {
   EXPECT_EQ(limits.highest, 135);
 }
 
-TEST(LimitsInput, WhatIsNotThereIsNotLimited) {
+TEST(LimitsInput, MissingLimitsAreInfinite) {
   const Limits limits = read_limits(json::parse(R"({"velocity":3,"jerk":null})"));
   EXPECT_EQ(limits.velocity, 3);
   for (int order = 2; order <= Limits::highest_order; ++order) EXPECT_EQ(limits.of(order), unlimited);
   EXPECT_FALSE(limits.has_range());
 }
 
-TEST(LimitsInput, WhatIsNotThereKeepsItsValue) {
+TEST(LimitsInput, MissingMembersKeepTheirValues) {
   Limits limits{1, 2, 3, 4};
   take_limits(json::parse(R"({"acceleration":7,"velocity":null})"), limits);
   EXPECT_EQ(limits.velocity, 1);

@@ -20,8 +20,8 @@ Interpolation interpolation(benchmark::State& state) {
   static std::shared_ptr<const Path> kept;
   kept = moved.path;
   SilentProgress progress;
-  ProgressScope scope(progress, "bench", 0, 1);
-  return {moved.motion, row.value, moved.cycle_time, cycles, scope};
+  ProgressScope stage_progress(progress, "bench", 0, 1);
+  return {moved.motion, row.value, moved.cycle_time, cycles, stage_progress};
 }
 
 void step(benchmark::State& state) {

@@ -32,8 +32,8 @@ void solution(benchmark::State& state) {
     options.jerk_range.push_back(unlimited);
   }
   options.longest = chain_units(task.machine.axes[0]).time / 24;
-  ProgressScope scope(progress, "bench", 0, 1);
-  const HeadCells cells = head_cells(head, options, scope);
+  ProgressScope stage_progress(progress, "bench", 0, 1);
+  const HeadCells cells = head_cells(head, options, stage_progress);
   const Chain<2> chain = following<2>(cells, 0, task.machine.axes[0]);
   ChainSolution<2> s;
   for (auto _ : state) s = solve(chain, {});

@@ -8,7 +8,7 @@
 #include "core/base/progress.hpp"
 #include "core/numeric/random.hpp"
 #include "core/winding/layout/potential.hpp"
-#include "core/winding/packing/squeeze.hpp"
+#include "core/winding/packing/overlap_energy.hpp"
 
 namespace bahnwerk::winding {
 namespace {
@@ -62,11 +62,11 @@ void minimisation(benchmark::State& state) {
   Minimiser minimiser;
   for (auto _ : state) {
     state.PauseTiming();
-    Squeeze squeeze(centres, 2 * radius);
+    OverlapEnergy energy(centres, 2 * radius);
     std::vector<Point> wires(count);
     for (Point& p : wires) p = places[random.below(places.size())];
     state.ResumeTiming();
-    benchmark::DoNotOptimize(minimiser.minimise(squeeze, wires, 1e300, 600, progress).energy);
+    benchmark::DoNotOptimize(minimiser.minimise(energy, wires, 1e300, 600, progress).energy);
   }
   state.counters["time_per_wire"] = benchmark::Counter(
       static_cast<double>(count), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);

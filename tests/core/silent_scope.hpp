@@ -7,8 +7,8 @@ namespace bahnwerk {
 /// Reports to nobody and never stops.
 inline ProgressScope& silent_scope() {
   static SilentProgress progress;
-  static ProgressScope scope(progress, "test", 0, 1);
-  return scope;
+  static ProgressScope stage_progress(progress, "test", 0, 1);
+  return stage_progress;
 }
 
 }  // namespace bahnwerk

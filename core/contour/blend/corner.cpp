@@ -10,9 +10,9 @@ namespace bahnwerk::blending {
 
 namespace {
 
-constexpr double turn_floor = 1e-7;    // rad, below it a tangent jump is rounding
-constexpr double bend_floor = 1e-6;    // of the curvature
-constexpr double bend_share = 0.0075;  // deviation of a blended curvature jump: this · jump · d²
+constexpr double turn_floor = 1e-7;         // rad, below it a tangent jump is rounding
+constexpr double curvature_floor = 1e-6;    // of the curvature
+constexpr double curvature_share = 0.0075;  // deviation of a blended curvature jump: this · jump · d²
 
 double stretch_factor(double turn) { return 0.9 + 0.03 * turn; }
 double middle_share(double turn) { return (64 - 44 * stretch_factor(turn)) / 64 * std::sin(0.5 * turn); }
@@ -20,7 +20,7 @@ double middle_share(double turn) { return (64 - 44 * stretch_factor(turn)) / 64 
 constexpr double proof_share = 1e-3;                     // of the tolerance: how exactly it is held
 constexpr double first_place = 0.05, last_place = 0.95;  // of a joint on its blend
 
-/// What lies between two places of an element, as a curve between two parameters.
+/// The part between two places of an element, as a curve between two parameters.
 struct Part {
   Part(const Element& e, double from, double to)
       : line(e.straight ? Line(e.from + from * e.tangent, e.from + to * e.tangent) : Line({}, {})),
@@ -55,27 +55,28 @@ JointShape joint_shape(const Element& before, const Element& after) {
   shape.turn = angle_between(left.d1, right.d1);
   if (shape.turn < turn_floor) shape.turn = 0;
   shape.tightest = std::max(norm(left.d2), norm(right.d2));
-  shape.bend = norm(right.d2 - left.d2);
-  if (!(shape.bend > bend_floor * shape.tightest)) shape.bend = 0;
+  shape.curvature_jump = norm(right.d2 - left.d2);
+  if (!(shape.curvature_jump > curvature_floor * shape.tightest)) shape.curvature_jump = 0;
   return shape;
 }
 
 namespace {
 
-/// The speed up to which a joint may be passed as it is, by the steps that are allowed in one cycle. 0: it is a corner.
+/// Returns the speed up to which a joint may be passed as given, by the steps that are allowed in one cycle. 0: it is a
+/// corner.
 double step_speed(const JointShape& joint, const Ability& ability) {
   if (!(joint.turn <= ability.corner) || !(ability.speed > 0)) return 0;
   const double cycle = ability.step / ability.speed, room = ability.jerk * cycle - joint.turn * ability.pull;
   if (!(room > 0)) return 0;
-  const double by_bend = joint.bend > 0 ? std::sqrt(room / joint.bend) : HUGE_VAL;
-  return joint.turn > 0 ? std::min(by_bend, ability.acceleration * cycle / joint.turn) : by_bend;
+  const double by_curvature = joint.curvature_jump > 0 ? std::sqrt(room / joint.curvature_jump) : HUGE_VAL;
+  return joint.turn > 0 ? std::min(by_curvature, ability.acceleration * cycle / joint.turn) : by_curvature;
 }
 
 }  // namespace
 
 Reach reach(const JointShape& joint, double tolerance, const Ability& ability) {
   Reach r;
-  const double a = middle_share(joint.turn), b = bend_share * joint.bend;
+  const double a = middle_share(joint.turn), b = curvature_share * joint.curvature_jump;
   if (!(a > 0 || b > 0)) return r;
   r.allowed = 2 * tolerance / (a + std::sqrt(a * a + 4 * b * tolerance));
   // Peak curvature 1.4 sin(θ/2)/d and peak curvature rate 4 sin(θ/2)/d² of a blended corner; jump/d of a blended
@@ -90,12 +91,12 @@ Reach reach(const JointShape& joint, double tolerance, const Ability& ability) {
       most = std::min({v, std::sqrt(ability.pull / k), std::cbrt(std::sqrt(3.0) * ability.jerk / (k * k))});
     const double as_it_is = step_speed(joint, ability);
     if (as_it_is >= most) return r;
-    if (joint.turn == 0 && as_it_is > 0) r.least = as_it_is * as_it_is * as_it_is * joint.bend / ability.jerk;
+    if (joint.turn == 0 && as_it_is > 0) r.least = as_it_is * as_it_is * as_it_is * joint.curvature_jump / ability.jerk;
   }
   if (jerky) need = std::max(need, std::sqrt(4 * s * v * v * v / ability.jerk));
-  if (joint.bend > 0) {
+  if (joint.curvature_jump > 0) {
     const double slow = joint.tightest > 0 ? std::min(v, std::sqrt(ability.acceleration / joint.tightest)) : v;
-    need = std::max(need, jerky ? slow * slow * slow * joint.bend / ability.jerk : 0.5 * r.allowed);
+    need = std::max(need, jerky ? slow * slow * slow * joint.curvature_jump / ability.jerk : 0.5 * r.allowed);
   }
   r.wanted = std::min(r.allowed, std::max({1.25 * need, ability.step, tolerance}));
   return r;
@@ -105,8 +106,9 @@ Rational corner_curve(const Element& before, double d1, const Element& after, do
   const Jet a = before.at(before.length - d1), b = after.at(d2);
   const JointShape joint = joint_shape(before, after);
   // A curvature jump alone is passed evenly, λ = 1.
-  const double by_turn = middle_share(joint.turn), by_bend = bend_share * joint.bend * 0.5 * (d1 + d2);
-  const double share = by_turn > 0 ? by_turn / (by_turn + by_bend) : 0.0;
+  const double by_turn = middle_share(joint.turn),
+               by_curvature = curvature_share * joint.curvature_jump * 0.5 * (d1 + d2);
+  const double share = by_turn > 0 ? by_turn / (by_turn + by_curvature) : 0.0;
   const double l = (1 + share * (stretch_factor(joint.turn) - 1)) * (d1 + d2);
   std::vector<Vec> p(8);
   p[0] = a.value;

@@ -15,46 +15,48 @@
 
 namespace bahnwerk::blending {
 
-/// What meets at a joint.
+/// Jumps and curvature at a joint.
 struct JointShape {
-  double turn = 0;      ///< θ, rad
-  double bend = 0;      ///< |jump of the curvature vector|, 1/mm
-  double tightest = 0;  ///< larger curvature of both sides, 1/mm
+  double turn = 0;            ///< θ, rad
+  double curvature_jump = 0;  ///< |jump of the curvature vector|, 1/mm
+  double tightest = 0;        ///< larger curvature of both sides, 1/mm
 };
 JointShape joint_shape(const Element& before, const Element& after);
 
-/// What the machine can use: the speed that feed and axes allow, mm/s, the weakest axis, and the way in one cycle.
+/// Limits of the machine at a joint: the speed that feed and axes allow, mm/s, the weakest axis, and the length covered
+/// in one cycle.
 struct Ability {
   double speed = 0, acceleration = 0, jerk = 0;
-  double step = 0;         ///< mm; shorter blends are of no use
+  double step = 0;         ///< mm; shorter blends are useless
   double pull = HUGE_VAL;  ///< largest acceleration of all axes together, mm/s²
-  double corner = 0;       ///< rad; smaller tangent jumps are passed as they are, if slowly
+  double corner = 0;       ///< rad; smaller tangent jumps are passed as given, if slowly
 };
 
-/// How far a blend should reach, mm.
+/// Lengths of a blend on one side of the joint, mm.
 struct Reach {
   double allowed = 0;  ///< by the tolerance
-  double wanted = 0;   ///< what the machine can use of it
-  double least = 0;    ///< a shorter one would be passed more slowly than the joint as it is
+  double wanted = 0;   ///< the part of it that the machine can use
+  double least = 0;    ///< a shorter blend would be slower than the joint as given
 };
-/// Where jerk is limited a blend has its price, the rate of its curvature: Δκ v³/d of the jerk. The joint as it is may
-/// step the acceleration by jerk · cycle (and the velocity by acceleration · cycle). Nothing is wanted where it can be
-/// passed that way at any speed that the curvature beside it allows.
+/// Computes the reach of a blend. Where jerk is limited a blend has a cost, its curvature rate: Δκ v³/d of the jerk.
+/// The joint as given may step the acceleration by jerk · cycle (and the velocity by acceleration · cycle). `wanted` is
+/// 0 where this allows any speed that the curvature beside the joint allows.
 Reach reach(const JointShape& joint, double tolerance, const Ability& ability);
 
-/// The blend from `d1` before the end of `before` to `d2` behind the begin of `after`.
+/// Returns the blend from `d1` before the end of `before` to `d2` behind the beginning of `after`.
 Rational corner_curve(const Element& before, double d1, const Element& after, double d2);
 
-/// How a blend fits what it replaces.
+/// Deviation of a blend from the curves that it replaces.
 struct CornerFit {
-  double deviation = 0;  ///< mm. Up to the tolerance: proven. Above: one distance of more than the tolerance
+  double deviation = 0;  ///< mm; proven up to the tolerance, above it one distance of more than the tolerance
   double joint = 0.5;    ///< the parameter of the blend that belongs to the joint; strictly between 0 and 1
 };
 
-/// Matches the blend up to the place nearest to the joint with what it replaces of `before`, and the rest with what it
-/// replaces of `after`, both forward only; so distances are those in order along both, and the joint has a place on the
-/// blend within the tolerance of it. Closed form between lines cut back alike, where the deviation is at the joint;
-/// else a bound that is refined until it is within the tolerance or a distance is not (core/geometry/path/matched.hpp).
+/// Matches the blend up to the place nearest to the joint with the replaced part of `before`, and the rest with that of
+/// `after`, forwards on both. Distances are therefore in order along both, and the joint has a place on the blend
+/// within the tolerance. The result is in closed form between lines cut back equally, where the deviation is at the
+/// joint; otherwise it is a bound that is refined until it is within the tolerance or one distance is not
+/// (core/geometry/path/matched.hpp).
 CornerFit corner_fit(const Rational& curve, const Element& before, double d1, const Element& after, double d2,
                      double tolerance);
 

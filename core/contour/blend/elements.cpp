@@ -16,7 +16,7 @@ Jet Element::at(double along) const {
 
 std::shared_ptr<const Curve> Element::part(double a, double b) const {
   const bool whole = a <= 0 && b >= length;
-  // Not owned here: the given contour may go, so a curve is copied by its kind.
+  // The element does not own its curve, and the given contour may be destroyed, so a curve is copied by its type.
   if (straight) return std::make_shared<Line>(from + a * tangent, from + b * tangent);
   const Curve& curve = segment->curve();
   const double u0 = a <= 0 ? curve.begin() : segment->parameter(segment->s0() + a);
@@ -31,7 +31,7 @@ std::shared_ptr<const Curve> Element::part(double a, double b) const {
   }
   const auto& rational = static_cast<const Rational&>(curve);
   if (whole) return std::make_shared<Rational>(rational);
-  // A vanishing tangent at a kept end stays the pivot, exactly.
+  // A vanishing tangent at an end that is included stays the pivot, exactly.
   if (rational.vanishing_begin() > 0 && a <= 0)
     return std::make_shared<Rational>(rational.restricted(u0, u1, u0, rational.vanishing_begin()));
   if (rational.vanishing_end() > 0 && b >= length)
@@ -84,19 +84,19 @@ Element whole(const Path& path, std::size_t i, std::size_t block) {
   return e;
 }
 
-/// Lines [first, last) of one block with their vertices thinned: none closer than `tiny` to the one kept before.
+/// Appends lines [first, last) of one block with their vertices thinned: none closer than `tiny` to the previous one.
 void append_lines(const Path& path, std::size_t first, std::size_t last, const std::vector<std::size_t>& blocks,
                   double tiny, std::vector<Element>& out) {
   const std::size_t at = out.size();
   Vec from = start_of(path[first]);
-  std::size_t begin = first;  // first segment since the vertex kept last
+  std::size_t begin = first;  // first segment since the previous vertex
   for (std::size_t i = first; i < last; ++i) {
     const Vec to = end_of(path[i]);
     const double length = norm(to - from);
     const bool final = i + 1 == last;
     if (length < tiny && !final) continue;
     if (length < tiny && out.size() > at) {
-      // The end stays, so the vertex before it goes.
+      // The end is fixed, so the vertex before it is removed.
       Element& e = out.back();
       const Vec way = to - e.from;
       if (norm(way) >= tiny) {
@@ -128,10 +128,10 @@ void append_lines(const Path& path, std::size_t first, std::size_t last, const s
 
 std::vector<Stretch> stretches(const Path& path, std::size_t first, std::size_t last,
                                const std::vector<std::size_t>& blocks, double tiny, double reversal,
-                               ProgressScope& scope) {
+                               ProgressScope& progress) {
   std::vector<Element> elements;
   for (std::size_t i = first; i < last;) {
-    scope.work();
+    progress.work();
     if (!path[i].straight()) {
       elements.push_back(whole(path, i, blocks[i]));
       ++i;
@@ -141,14 +141,14 @@ std::vector<Stretch> stretches(const Path& path, std::size_t first, std::size_t 
     while (j < last && path[j].straight() && blocks[j] == blocks[i]) ++j;
     const std::size_t before = elements.size();
     append_lines(path, i, j, blocks, tiny, elements);
-    // Nothing but a loop that small: no block may be lost.
+    // The block is a loop that small; it must not be lost.
     if (elements.size() == before)
       for (std::size_t k = i; k < j; ++k) elements.push_back(whole(path, k, blocks[k]));
     i = j;
   }
   std::vector<Stretch> list;
   for (std::size_t i = 0; i < elements.size(); ++i) {
-    scope.work();
+    progress.work();
     Element& e = elements[i];
     bool cut = i == 0;
     if (i > 0) {

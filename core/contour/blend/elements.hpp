@@ -1,5 +1,5 @@
 #pragma once
-/// The stretches of a contour that blending works on: curves between two places at which the path has to stay.
+/// The parts of a contour between two places at which the path has to stay, as sequences of curves.
 #include <algorithm>
 #include <cstddef>
 #include <memory>
@@ -9,44 +9,45 @@
 
 namespace bahnwerk::blending {
 
-/// One curve of a stretch: a path segment, or the line that stands for several tiny ones.
+/// One curve of a stretch: a path segment, or the line that replaces several tiny ones.
 struct Element {
-  const Segment* segment = nullptr;  ///< none for a merged line
+  const Segment* segment = nullptr;  ///< none for a line that replaces several
   bool straight = true;
   Vec from, tangent;  ///< of a straight element
-  double begin = 0;   ///< where it starts along the stretch, mm
+  double begin = 0;   ///< beginning along the stretch, mm
   double length = 0;
   std::size_t source = 0, block = 0;
   std::size_t first = 0;  ///< path segment with which it begins
 
   double end() const { return begin + length; }
-  /// h and its derivatives by arc length at `along` ∈ [0, length] from its start.
+  /// Returns h and its derivatives by arc length at `along` ∈ [0, length] from the element's beginning.
   Jet at(double along) const;
-  /// The curve between two places; the segment's own one if that is all of it.
+  /// Returns the curve between two places; the segment's own curve if that is all of it.
   std::shared_ptr<const Curve> part(double a, double b) const;
-  /// The curve's parameter at `along`, of a curved element.
+  /// Returns the parameter of a curved element at `along`.
   double parameter(double along) const {
     return segment->parameter(std::clamp(segment->s0() + along, segment->s0(), segment->s1()));
   }
 };
 
-/// Consecutive elements of one mode. At its ends the path stays where it is.
+/// Consecutive elements of one mode. The path stays unchanged at both ends.
 struct Stretch {
   std::vector<Element> elements;
   bool rest_begin = true, rest_end = true;  ///< the motion rests there, so the direction is free
   double length() const { return elements.empty() ? 0.0 : elements.back().end(); }
-  /// Index of the element that holds `t` (the later one at a joint). O(log n), O(1) with a good hint.
+  /// Returns the index of the element that holds `t` (the later one at a joint). O(log n), O(1) with a good hint.
   std::size_t find(double t, std::size_t hint) const;
-  /// The same for places that are asked for nearly in order: O(1) within a few elements of `from`, else O(log n).
+  /// Returns find(t) for queries in nearly ascending or descending order: O(1) within a few elements of `from`, else
+  /// O(log n).
   std::size_t near(double t, std::size_t from) const;
 };
 
-/// Cuts the segments [first, last) of a path (all of one mode) at joints that turn by more than `reversal` rad and at
-/// cusps. Lines shorter than `tiny` mm are merged into neighbours of the same block: vertices move by no more than
-/// twice that, borders of blocks not at all, and each block keeps an element. `blocks[i]` is the block of segment i.
-/// O(segments); `scope` is told.
+/// Divides the segments [first, last) of a path (all of one mode) at joints that turn by more than `reversal` rad and
+/// at cusps. Lines shorter than `tiny` mm are merged with neighbours of their block: vertices move by at most twice
+/// that, borders of blocks not at all, and each block has at least one element. `blocks[i]` is the block of segment i.
+/// O(segments); tells `progress`.
 std::vector<Stretch> stretches(const Path& path, std::size_t first, std::size_t last,
                                const std::vector<std::size_t>& blocks, double tiny, double reversal,
-                               ProgressScope& scope);
+                               ProgressScope& progress);
 
 }  // namespace bahnwerk::blending

@@ -7,7 +7,7 @@ namespace bahnwerk::blending {
 
 namespace {
 
-constexpr double crowded_turn = 0.8, crowded_bend = 0.35;
+constexpr double crowded_turn = 0.8, crowded_curvature = 0.35;
 constexpr double movable_below = 0.99;  // of what the tolerance allows
 
 /// A run around a crowded joint swallows the movable blends and runs before it that it overlaps.
@@ -28,7 +28,7 @@ void add_run(std::vector<Change>& list, double a, double b) {
 }  // namespace
 
 std::vector<Change> lay_out(const Stretch& stretch, double tolerance, const std::vector<Ability>& ability,
-                            ProgressScope& scope) {
+                            ProgressScope& progress) {
   const auto& elements = stretch.elements;
   const std::size_t n = elements.size();
   std::vector<Change> list;
@@ -36,12 +36,12 @@ std::vector<Change> lay_out(const Stretch& stretch, double tolerance, const std:
   std::vector<Reach> reaches(n + 1);
   std::vector<bool> turns(n + 1, false);
   for (std::size_t j = 1; j < n; ++j) {
-    scope.work();
+    progress.work();
     const JointShape shape = joint_shape(elements[j - 1], elements[j]);
     reaches[j] = reach(shape, tolerance, ability[j - 1].speed > ability[j].speed ? ability[j - 1] : ability[j]);
     turns[j] = shape.turn > 0;
   }
-  // What a joint may take of a segment that another one wants too.
+  // Returns the part of a segment that a joint may take when another one requests it, too.
   const auto share = [&](std::size_t element, double mine, double other) {
     const double length = elements[element].length;
     return std::min(mine, std::max(0.5 * length, length - other));
@@ -51,7 +51,7 @@ std::vector<Change> lay_out(const Stretch& stretch, double tolerance, const std:
     if (!(want > 0)) continue;
     const double d = std::min(share(j - 1, want, reaches[j - 1].wanted), share(j, want, reaches[j + 1].wanted));
     if (d < reaches[j].least) continue;
-    if (d < (turns[j] ? crowded_turn : crowded_bend) * want) {
+    if (d < (turns[j] ? crowded_turn : crowded_curvature) * want) {
       add_run(list, std::max(0.0, t - want), std::min(stretch.length(), t + want));
       continue;
     }
@@ -71,9 +71,9 @@ std::vector<Change> lay_out(const Stretch& stretch, double tolerance, const std:
 }
 
 std::vector<std::size_t> sharpest_joints(const Stretch& stretch, double a, double b,
-                                         const std::vector<double>& troubles, std::size_t hint) {
+                                         const std::vector<double>& failure_positions, std::size_t hint) {
   std::vector<std::size_t> cuts;
-  for (const double t : troubles) {
+  for (const double t : failure_positions) {
     const std::size_t here = stretch.find(t, hint);
     std::size_t best = 0;
     double sharpest = 0;

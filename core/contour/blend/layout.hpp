@@ -1,5 +1,5 @@
 #pragma once
-/// Which joints of a stretch get a blend of their own, and which segments are smoothed as one run.
+/// Decides which joints of a stretch get a corner blend and which segments are smoothed as one run.
 #include <cstddef>
 #include <vector>
 
@@ -8,25 +8,26 @@
 
 namespace bahnwerk::blending {
 
-/// What is replaced between a and b along the stretch. The rest stays.
+/// A replacement of the curves between a and b along the stretch; the rest is unchanged.
 struct Change {
   double a = 0, b = 0;
   bool run = false;
-  std::size_t joint = 0;  ///< of a corner blend: the element that begins there
-  bool movable = false;   ///< a corner blend that may become part of a neighbouring run
+  std::size_t joint = 0;  ///< of a corner blend: the element that begins at the joint
+  bool movable = false;   ///< whether the corner blend may become part of a neighbouring run
 };
 
-/// Every joint wants a length on both sides (core/contour/blend/corner.hpp). A segment whose joints want more than it
-/// has is shared out. A joint that gets less than 0.8 of what it wants (0.35 if only the curvature jumps) is crowded:
-/// it and all that lies within its wish belong to a run; wishes that overlap make one run. Runs end before corners that
-/// the tolerance alone limits. `ability[i]` is what the machine can do on element i. O(elements); `scope` is told
-/// every few ms and may throw.
+/// Every joint requests a length on both sides (core/contour/blend/corner.hpp). The length of a segment is divided
+/// among its joints if they request more than it has. A joint that gets less than 0.8 of its request (0.35 if only the
+/// curvature jumps) is crowded: it and everything within its request belong to a run; overlapping requests form one
+/// run. Runs end before corners that the tolerance alone limits. `ability[i]` are the machine's limits on element i.
+/// O(elements); tells `progress` every few ms.
 std::vector<Change> lay_out(const Stretch& stretch, double tolerance, const std::vector<Ability>& ability,
-                            ProgressScope& scope);
+                            ProgressScope& progress);
 
-/// For each place of `troubles`, ascending, on a run from a to b: the sharpest joint inside it near that place, by the
-/// element that begins there. Ascending, none twice, none where no joint turns. `hint` is an element not behind a.
+/// Returns, for each of `failure_positions` (ascending) on a run from a to b, the sharpest joint inside the run near
+/// that place, as the element that begins there: ascending, without duplicates, none where no joint turns. `hint` is an
+/// element not behind a.
 std::vector<std::size_t> sharpest_joints(const Stretch& stretch, double a, double b,
-                                         const std::vector<double>& troubles, std::size_t hint);
+                                         const std::vector<double>& failure_positions, std::size_t hint);
 
 }  // namespace bahnwerk::blending

@@ -11,7 +11,7 @@ constexpr double small_jump = 1e-6;  // rad, worth a note
 
 }  // namespace
 
-void note(Contour& blended, const BlendCount& count, const BlendOptions& options, ProgressScope& scope) {
+void note(Contour& blended, const BlendCount& count, const BlendOptions& options, ProgressScope& progress) {
   char text[200];
   std::snprintf(text, sizeof text, "blended within %.6g mm: %zu joints, %zu runs of %zu short segments",
                 options.tolerance, count.corners, count.runs, count.run_segments);
@@ -20,7 +20,7 @@ void note(Contour& blended, const BlendCount& count, const BlendOptions& options
   double where = 0;
   std::size_t small = 0;
   for (std::size_t i = 1; i < blended.path.size(); ++i) {
-    scope.work();
+    progress.work();
     const Segment &before = blended.path[i - 1], &after = blended.path[i];
     const double angle =
         angle_between(before.at_parameter(before.curve().end()).d1, after.at_parameter(after.curve().begin()).d1);

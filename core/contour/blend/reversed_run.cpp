@@ -52,7 +52,7 @@ SmoothedRun ReversedRun::turned_back(SmoothedRun run) const {
     for (double& t : places) t = end_ - t;
   };
   mirror(run.breaks);
-  mirror(run.troubles);
+  mirror(run.failure_positions);
   if (!run.breaks.empty()) run.breaks.front() = given_.a, run.breaks.back() = given_.b;
   return run;
 }

@@ -16,15 +16,15 @@ constexpr double first_penalty = 1, last_penalty = 1e9, penalty_factor = 100;
 constexpr double start_fill = 0.95;                // of the radius, where the barrier takes over
 constexpr double final_mu = 1.5e-4, enough = 0.3;  // and what a step there may still bring, of μ
 constexpr int max_newton = 60;
-// μ falls to these parts of the mean complementarity, by how far the last step went.
+// μ falls to these parts of the mean complementarity, depending on the length of the last step.
 constexpr double far = 0.8, near = 0.3, after_far = 0.1, between = 0.2, after_near = 0.5;
-constexpr double to_the_wall = 0.98;  // of the way to where a site or a multiplier lets no step go further
+constexpr double to_the_wall = 0.98;  // of the distance to the boundary of a site or a multiplier
 
 /// The method, in `Dim` coordinates.
 template <std::size_t Dim>
 class Solver {
  public:
-  Solver(const TubeProblem& problem, ProgressScope& scope) : system_(problem, scope), terms_(system_.sites()) {}
+  Solver(const TubeProblem& problem, ProgressScope& progress) : system_(problem, progress), terms_(system_.sites()) {}
 
   TubeSpline run() {
     TubeSpline out;
@@ -67,12 +67,12 @@ class Solver {
     system_.move(1);
   }
 
-  /// r² − |residual|², which stays positive.
+  /// Returns r² − |residual|², which stays positive.
   double room(std::size_t i) const {
     return system_.radius(i) * system_.radius(i) - System::product(system_.residual(i), system_.residual(i));
   }
 
-  /// Those with which the spline of that penalty is stationary: pull by pull the same.
+  /// Sets the multipliers for which the spline of that penalty is stationary: equal pulls.
   void start_multipliers(double penalty) {
     multiplier_.resize(system_.sites());
     change_.resize(system_.sites());
@@ -107,7 +107,7 @@ class Solver {
     system_.solve();
     double decrement = 0;
     for (std::size_t i = 0; i < slope_.size(); ++i) decrement += slope_[i] * system_.right()[i];
-    // How far the step may go before a site leaves its ball, or a multiplier becomes negative.
+    // These are the largest step lengths before a site leaves its ball, or a multiplier becomes negative.
     double longest = 1, dual = 1;
     for (std::size_t i = 0; i < system_.sites(); ++i) {
       const Coordinates move = step_[i] = system_.step_at(i);
@@ -117,7 +117,7 @@ class Solver {
       if (change_[i] < 0) dual = std::min(dual, -to_the_wall * multiplier_[i] / change_[i]);
     }
     if (!std::isfinite(decrement) || !(longest > 0)) return true;
-    // The energy along the step is a parabola; the logarithms are summed anew.
+    // The energy along the step is a parabola; the logarithms are summed at each trial.
     double quadratic = 0, linear = 0;
     system_.energy_along(quadratic, linear);
     const auto gain = [&](double x) {
@@ -198,15 +198,15 @@ Vec with(std::size_t axis, double value, const Vec& v) {
 
 }  // namespace
 
-TubeSpline smooth_in_tube(const TubeProblem& problem, ProgressScope& scope) {
-  if (problem.dimension < 3) return Solver<2>(problem, scope).run();
+TubeSpline smooth_in_tube(const TubeProblem& problem, ProgressScope& progress) {
+  if (problem.dimension < 3) return Solver<2>(problem, progress).run();
   const std::size_t axis = constant_axis(problem);
-  if (axis == 3) return Solver<3>(problem, scope).run();
+  if (axis == 3) return Solver<3>(problem, progress).run();
   TubeProblem flat = problem;
   flat.dimension = 2;
   for (TubeSite& site : flat.sites) site.p = without(axis, site.p);
   for (TubeEnd* end : {&flat.begin, &flat.end}) end->jet = without(axis, end->jet);
-  TubeSpline spline = Solver<2>(flat, scope).run();
+  TubeSpline spline = Solver<2>(flat, progress).run();
   for (Vec& c : spline.points) c = with(axis, problem.begin.jet.value[axis], c);
   return spline;
 }

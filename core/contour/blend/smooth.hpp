@@ -1,12 +1,12 @@
 #pragma once
 /// The smoothest quintic spline through a tube of balls: it minimises ∫ w |f'''|² dt subject to |f(tᵢ) − pᵢ| < rᵢ.
 ///
-/// Primal-dual interior-point method for ½∫w|f'''|² − μ Σ gᵢ log(1 − |f(tᵢ) − pᵢ|²/rᵢ²) with falling μ, started from a
-/// smoothing spline (a quadratic penalty instead of the logarithm) that lies inside the tube, and from the multipliers
-/// that this penalty stands for. A step of Newton's method for the logarithm itself goes no further than the one site
-/// lets it that is next to its wall: 33 steps for 1 000 intervals of a rough surface, 18 of these. The weights make the
-/// energy dimensionless and even: w = H⁵/ρ² per break interval, where H is the length on which the tube lets a curve
-/// bend (its "scale") and ρ the tube's radius; so rough and calm regions of one contour count alike. All systems are
+/// It is a primal-dual interior-point method for ½∫w|f'''|² − μ Σ gᵢ log(1 − |f(tᵢ) − pᵢ|²/rᵢ²) with decreasing μ. It
+/// starts from a smoothing spline inside the tube (a quadratic penalty instead of the logarithm) and from the
+/// multipliers of that penalty. Newton's method for the logarithm itself could go no further than the site next to its
+/// wall allows: 33 steps for 1 000 intervals of a rough surface instead of 18. The weights make the energy
+/// dimensionless and uniform: w = H⁵/ρ² per break interval, with H the length on which the tube lets a curve bend (its
+/// "scale") and ρ the tube's radius, so that rough and smooth regions of one contour have equal weight. All systems are
 /// banded: O(breaks + sites) per step, some 20 steps, 0.3 µs each per interval in the plane.
 #include <cstddef>
 #include <vector>
@@ -16,19 +16,21 @@
 
 namespace bahnwerk::blending {
 
+/// A site of the tube: |f(t) − p| < radius.
 struct TubeSite {
-  double t = 0;
-  Vec p;
+  double t = 0;       ///< parameter, mm along the contour
+  Vec p;              ///< point of the contour, mm
   double radius = 0;  ///< mm
 };
 
+/// Condition at one end of the spline.
 struct TubeEnd {
-  bool clamped = false;  ///< three derivatives are given, by t; otherwise only the position
+  bool clamped = false;  ///< whether three derivatives by t are given; otherwise only the position
   Jet jet;
 };
 
 struct TubeProblem {
-  std::size_t dimension = 2;
+  std::size_t dimension = 2;    ///< 2 or 3 coordinates
   std::vector<TubeSite> sites;  ///< ascending t, strictly inside the breaks
   std::vector<double> breaks;   ///< strictly ascending, at least 8 intervals
   std::vector<double> scale;    ///< H per interval, mm
@@ -38,15 +40,16 @@ struct TubeProblem {
 struct TubeSpline {
   std::vector<double> knots;
   std::vector<Vec> points;  ///< degree 5
-  bool inside = false;      ///< every site holds
-  std::size_t worst = 0;    ///< if not: the site that is violated most
+  bool inside = false;      ///< whether |f(tᵢ) − pᵢ| < rᵢ at every site
+  std::size_t worst = 0;    ///< otherwise the site with the largest violation
   std::size_t steps = 0;    ///< Newton steps taken
 
-  /// f and its derivatives in break interval `span`.
+  /// Returns f and its derivatives in break interval `span`.
   Jet at(std::size_t span, double t) const;
 };
 
-/// `scope` is told at least every 20 ms or so and may throw.
-TubeSpline smooth_in_tube(const TubeProblem& problem, ProgressScope& scope);
+/// Returns the spline; `inside` is false if no spline with these breaks fits the tube. Tells `progress` at least every
+/// 20 ms and throws what it throws.
+TubeSpline smooth_in_tube(const TubeProblem& problem, ProgressScope& progress);
 
 }  // namespace bahnwerk::blending

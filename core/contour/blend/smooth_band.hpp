@@ -1,9 +1,8 @@
 #pragma once
-/// Symmetric positive definite matrices with few diagonals: A = L D Lᵀ without pivots, O(n w²). Not Eigen, which has no
-/// factorisation of bands and whose sparse one (SimplicialLDLT) takes several times as long at the widths of blends, 11
-/// in the plane and 17 in space: what keeps this one short is that the compiler knows the length of a column, and that
-/// no sum waits for another. What does the work is inlined where it is called: there the compiler may have wider
-/// registers (smooth_system.cpp).
+/// Symmetric positive definite band matrices: A = L D Lᵀ without pivoting, O(n w²). Eigen has no band factorisation,
+/// and its sparse one (SimplicialLDLT) takes several times as long at the widths of blends, 11 in the plane and 17 in
+/// space. This one is fast because the compiler knows the length of a column, and because no sum depends on another.
+/// The kernels are inlined into their callers, where the compiler may use wider registers (smooth_system.cpp).
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -15,14 +14,14 @@
 
 namespace bahnwerk::blending {
 
-/// Entries up to `Width` beside the diagonal.
+/// Stores entries up to `Width` beside the diagonal.
 template <std::size_t Width>
 class BandMatrix {
  public:
   explicit BandMatrix(std::size_t n) : n_(n), a_((n + Width) * (Width + 1), 0.0) {}
   void clear() { std::fill(a_.begin(), a_.end(), 0.0); }
   std::size_t size() const { return n_; }
-  /// Entry of the lower half, j ≤ i ≤ j + Width. Those of one j follow each other.
+  /// Entry of the lower half, j ≤ i ≤ j + Width. Entries of one j are contiguous.
   double& at(std::size_t i, std::size_t j) { return a_[j * Width + i]; }
   double at(std::size_t i, std::size_t j) const { return a_[j * Width + i]; }
 
@@ -30,20 +29,20 @@ class BandMatrix {
   double* column(std::size_t j) { return &a_[j * (Width + 1)]; }
   const double* column(std::size_t j) const { return &a_[j * (Width + 1)]; }
 
-  /// In place. A pivot lost to rounding is replaced, which keeps that unknown where it is. `scope` is told every
-  /// few thousand columns.
-  [[gnu::always_inline]] void factor(ProgressScope& scope) {
+  /// Factors in place. A pivot that rounding has made non-positive is replaced, which leaves that unknown unchanged.
+  /// `progress` is told every few thousand columns.
+  [[gnu::always_inline]] void factor(ProgressScope& progress) {
     given_.resize(n_);
     for (std::size_t k = 0; k < n_; ++k) given_[k] = at(k, k);
     for (std::size_t k = 0; k < n_; ++k) {
-      scope.work();
+      progress.work();
       double* const here = column(k);
       if (!(here[0] > 1e-15 * given_[k])) here[0] = 1e15 * std::max(given_[k], 1e-300);
       std::array<double, Width + 1> below, share;
       std::copy_n(here, Width + 1, below.begin());
       const double inverse = 1 / here[0];
       for (std::size_t i = 1; i <= Width; ++i) here[i] = share[i] = below[i] * inverse;
-      // Behind the last column there is room for what is not there.
+      // Room behind the last column replaces the entries that do not exist.
       eliminate(here, below, share, std::make_index_sequence<Width>());
     }
   }
@@ -61,7 +60,7 @@ class BandMatrix {
     for (std::size_t k = n_; k-- > 0;) {
       const double* const below = column(k);
       double* const here = &x[k];
-      // The unknown found last comes last: all others need not wait for it.
+      // The unknown computed last is added last, so that the other products need not wait for it.
       std::array<double, 4> sum{};
       for (std::size_t i = Width; i > 1; --i) sum[i % 4] += below[i] * here[i];
       here[0] = here[0] / below[0] - ((sum[0] + sum[1]) + (sum[2] + sum[3])) - below[1] * here[1];
@@ -71,7 +70,7 @@ class BandMatrix {
 
  private:
   using Column = std::array<double, Width + 1>;
-  /// Every loop's length is known to the compiler, which takes several steps of it at once.
+  /// The compiler knows the length of every loop and computes several iterations at once.
   template <std::size_t... I>
   [[gnu::always_inline]] static void eliminate(double* here, const Column& below, const Column& share,
                                                std::index_sequence<I...>) {

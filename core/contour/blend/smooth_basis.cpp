@@ -13,7 +13,7 @@ BasisRow basis_at(const std::vector<double>& knots, std::size_t span, double t) 
   return bspline_basis<spline_order>(knots, spline_degree, span + spline_degree, t);
 }
 
-BasisRow bend_basis_at(const std::vector<double>& knots, std::size_t span, double t) {
+BasisRow second_derivative_basis_at(const std::vector<double>& knots, std::size_t span, double t) {
   return bspline_basis<spline_order, 2>(knots, spline_degree, span + spline_degree, t);
 }
 

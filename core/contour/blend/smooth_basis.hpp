@@ -11,20 +11,21 @@ namespace bahnwerk::blending {
 inline constexpr std::size_t spline_degree = 5;
 inline constexpr std::size_t spline_order = spline_degree + 1;
 
-/// [k][i]: k-th derivative of the i-th of the six.
+/// [k][i] is the k-th derivative of the i-th of the six.
 using BasisRow = BsplineBasis<spline_order>;
 
-/// The breaks with both ends six times: four continuous derivatives inside, position at the ends.
+/// Returns the breaks with both ends six times: four continuous derivatives inside, position at the ends.
 std::vector<double> clamped_knots(const std::vector<double>& breaks);
 
-/// Basis functions span … span + 5 at t in [breaks[span], breaks[span + 1]]. O(degree²).
+/// Evaluates basis functions span … span + 5 at t in [breaks[span], breaks[span + 1]]. O(degree²).
 BasisRow basis_at(const std::vector<double>& knots, std::size_t span, double t);
-/// The same without the derivatives of order 3, or without any, which stay 0: in two thirds or a fifth of the time.
-BasisRow bend_basis_at(const std::vector<double>& knots, std::size_t span, double t);
+/// Evaluates them without the derivatives of order 3, or without any, which stay 0: in two thirds or a fifth of the
+/// time.
+BasisRow second_derivative_basis_at(const std::vector<double>& knots, std::size_t span, double t);
 BasisRow value_basis_at(const std::vector<double>& knots, std::size_t span, double t);
 
-/// Third derivatives of the six at `Count` places of one interval: they are those of three quadratic B-splines, so that
-/// the intervals' lengths are divided by once for all places.
+/// Evaluates the third derivatives of the six at `Count` places of one interval. They are those of three quadratic
+/// B-splines, so the divisions by interval lengths are done once for all places.
 template <std::size_t Count>
 std::array<std::array<double, spline_order>, Count> third_basis_at(const std::vector<double>& knots, std::size_t span,
                                                                    const std::array<double, Count>& places) {

@@ -11,7 +11,7 @@
 #include "core/contour/blend/smooth_scale.hpp"
 #include "core/contour/blend/smooth_spans.hpp"
 #include "core/geometry/curve/nurbs.hpp"
-#include "core/geometry/path/bend_bound.hpp"
+#include "core/geometry/path/second_derivative_bound.hpp"
 
 namespace bahnwerk::blending {
 
@@ -23,7 +23,7 @@ constexpr double site_step = 0.25;   // of H
 constexpr double slowest = 0.05;     // smallest |f'|: below it the curve all but turns round in a point
 
 /// All joints of the run, and places between them so that none is further from the next than H/4.
-std::vector<TubeSite> sites_of(const Stretch& stretch, const RunRange& range, const BendScale& scale, double radius,
+std::vector<TubeSite> sites_of(const Stretch& stretch, const RunRange& range, const TubeScale& scale, double radius,
                                const std::vector<double>& extra) {
   std::vector<double> places;
   const double tiny = 1e-9 * (range.b - range.a);
@@ -93,7 +93,7 @@ TubeEnd end_of(const Stretch& stretch, double t, bool clamped) {
 }
 
 /// Bounds of |f''| per span: the control points of f'' that count there.
-std::vector<double> bends_of(const TubeSpline& spline) {
+std::vector<double> second_derivative_bounds_of(const TubeSpline& spline) {
   const auto derivative = [&](const std::vector<Vec>& points, std::size_t degree, std::size_t skipped) {
     std::vector<Vec> list;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
@@ -103,21 +103,21 @@ std::vector<double> bends_of(const TubeSpline& spline) {
     return list;
   };
   const auto second = derivative(derivative(spline.points, spline_degree, 0), spline_degree - 1, 1);
-  std::vector<double> bends;
+  std::vector<double> bounds;
   for (std::size_t k = 0; k + spline_degree - 1 <= second.size(); ++k) {
     double most = 0;
     for (std::size_t i = k; i < k + spline_degree - 1; ++i)
       if (const double size = norm(second[i]); !(size <= most)) most = size;
-    bends.push_back(most);
+    bounds.push_back(most);
   }
-  return bends;
+  return bounds;
 }
 
-/// What an element bulges from its chord between two places on it.
+/// Returns the bulge of an element from its chord between two places on it.
 double bulge_of(const Element& e, double from, double to) {
   if (e.straight) return 0;
   const double u0 = e.parameter(from), u1 = e.parameter(to);
-  return u1 > u0 ? BendBound(e.segment->curve()).at(u0, u1) * (u1 - u0) * (u1 - u0) / 8 : 0.0;
+  return u1 > u0 ? SecondDerivativeBound(e.segment->curve()).at(u0, u1) * (u1 - u0) * (u1 - u0) / 8 : 0.0;
 }
 
 struct Finding {
@@ -130,14 +130,18 @@ class Inspection {
  public:
   Inspection(const Stretch& stretch, const TubeProblem& problem, const TubeSpline& spline,
              const RunTolerance& tolerance)
-      : stretch_(stretch), problem_(problem), spline_(spline), tolerance_(tolerance), bends_(bends_of(spline)) {}
+      : stretch_(stretch),
+        problem_(problem),
+        spline_(spline),
+        tolerance_(tolerance),
+        second_derivatives_(second_derivative_bounds_of(spline)) {}
 
-  Finding run(ProgressScope& scope) {
+  Finding run(ProgressScope& progress) {
     Finding found;
     std::vector<double> slow;
     Place last = place(problem_.breaks.front());
     for (std::size_t i = 0; i <= problem_.sites.size(); ++i) {
-      scope.work();
+      progress.work();
       const double begin = last.t, end = i < problem_.sites.size() ? problem_.sites[i].t : problem_.breaks.back();
       worst_ = tolerance_.aimed, outside_ = -1;
       double least = slowest, halt = -1;
@@ -164,7 +168,7 @@ class Inspection {
   };
 
   Place place(double t) {
-    span_ = std::min(span_, bends_.size() - 1);
+    span_ = std::min(span_, second_derivatives_.size() - 1);
     while (span_ > 0 && t < problem_.breaks[span_]) --span_;
     while (span_ + 2 < problem_.breaks.size() && t >= problem_.breaks[span_ + 1]) ++span_;
     const SpanPolynomials::Place f = spline_.at(span_, t);
@@ -174,11 +178,13 @@ class Inspection {
   /// Between two places the distance is at most the larger one at them plus what both curves bulge.
   void prove(const Place& a, const Place& b, int depth) {
     const double width = b.t - a.t;
-    double bend = 0;
-    for (std::size_t k = a.span; k <= b.span; ++k) bend = std::max(bend, bends_[k]);
+    double second_derivative = 0;
+    for (std::size_t k = a.span; k <= b.span; ++k)
+      second_derivative = std::max(second_derivative, second_derivatives_[k]);
     element_ = stretch_.find(0.5 * (a.t + b.t), element_);
     const Element& e = stretch_.elements[element_];
-    const double bulge = bend * width * width / 8 + bulge_of(e, std::max(0.0, a.t - e.begin), b.t - e.begin);
+    const double bulge =
+        second_derivative * width * width / 8 + bulge_of(e, std::max(0.0, a.t - e.begin), b.t - e.begin);
     if (std::max(a.off, b.off) + bulge <= tolerance_.proven) return;
     const Place middle = place(0.5 * (a.t + b.t));
     if (!(middle.off <= worst_) || depth == 0) {
@@ -194,8 +200,8 @@ class Inspection {
   const TubeProblem& problem_;
   const SpanPolynomials spline_;
   const RunTolerance& tolerance_;
-  std::vector<double> bends_;
-  std::size_t span_ = 0, element_ = 0, at_ = 0;  // of the places looked at last
+  std::vector<double> second_derivatives_;
+  std::size_t span_ = 0, element_ = 0, at_ = 0;  // of the last places evaluated
   double worst_ = 0, outside_ = -1;
 };
 
@@ -204,11 +210,12 @@ struct Window {
   bool done = false;
   std::vector<double> breaks;
   TubeSpline spline;
-  std::vector<double> troubles;  ///< if not done
+  std::vector<double> failure_positions;  ///< if not done
 };
 
-Window smooth_window(const Stretch& stretch, const RunRange& range, BendScale scale, const TubeEnd& begin,
-                     const TubeEnd& end, const RunTolerance& tolerance, std::size_t dimension, ProgressScope& scope) {
+Window smooth_window(const Stretch& stretch, const RunRange& range, TubeScale scale, const TubeEnd& begin,
+                     const TubeEnd& end, const RunTolerance& tolerance, std::size_t dimension,
+                     ProgressScope& progress) {
   Window window;
   std::vector<double> extra;
   TubeProblem problem;
@@ -216,27 +223,28 @@ Window smooth_window(const Stretch& stretch, const RunRange& range, BendScale sc
   problem.begin = begin;
   problem.end = end;
   for (int round = 0; round < max_rounds; ++round) {
-    scope.report();
+    progress.report();
     problem.breaks = scale.breaks();
     problem.scale.clear();
     for (std::size_t k = 0; k + 1 < problem.breaks.size(); ++k)
       problem.scale.push_back(2 * (problem.breaks[k + 1] - problem.breaks[k]));
     problem.sites = sites_of(stretch, range, scale, site_share * tolerance.aimed, extra);
-    window.spline = smooth_in_tube(problem, scope);
+    window.spline = smooth_in_tube(problem, progress);
     if (!window.spline.inside) {
-      window.troubles.clear();
+      window.failure_positions.clear();
       for (const TubeSite& site : problem.sites) {
         const auto k = static_cast<std::size_t>(std::upper_bound(problem.breaks.begin(), problem.breaks.end(), site.t) -
                                                 problem.breaks.begin());
-        if (!(norm(window.spline.at(k - 1, site.t).value - site.p) < site.radius)) window.troubles.push_back(site.t);
+        if (!(norm(window.spline.at(k - 1, site.t).value - site.p) < site.radius))
+          window.failure_positions.push_back(site.t);
       }
-      if (!scale.refine(window.troubles)) return window;
+      if (!scale.refine(window.failure_positions)) return window;
       continue;
     }
-    const Finding finding = Inspection(stretch, problem, window.spline, tolerance).run(scope);
+    const Finding finding = Inspection(stretch, problem, window.spline, tolerance).run(progress);
     window.done = finding.places.empty();
     if (window.done) window.breaks = std::move(problem.breaks);
-    if (!window.done) window.troubles = finding.places;
+    if (!window.done) window.failure_positions = finding.places;
     if (window.done || finding.turning) return window;
     extra.insert(extra.end(), finding.places.begin(), finding.places.end());
   }
@@ -247,13 +255,13 @@ Window smooth_window(const Stretch& stretch, const RunRange& range, BendScale sc
 class WindowedRun {
  public:
   WindowedRun(const Stretch& stretch, const RunRange& range, const RunTolerance& tolerance, std::size_t dimension,
-              bool rests, ProgressScope& scope)
+              bool rests, ProgressScope& progress)
       : stretch_(stretch),
         range_(range),
         tolerance_(tolerance),
         dimension_(dimension),
-        scope_(scope),
-        scale_(stretch, range.a, range.b, tolerance.aimed, scope),
+        progress_(progress),
+        scale_(stretch, range.a, range.b, tolerance.aimed, progress),
         rests_(rests || end_of_window(range.a, usual, range.b) < range.b) {}
 
   SmoothedRun run() {
@@ -263,14 +271,14 @@ class WindowedRun {
     while (run_.done && at_ < range_.b) {
       const double end = end_of_window(at_, size_, stop_);
       const bool all = at_ == range_.a && end == range_.b, last = end == stop_;
-      Window window =
-          smooth_window(stretch_, {at_, end}, all ? scale_ : scale_.part(at_, end), begin_,
-                        end_of(stretch_, end, end == range_.b && range_.clamped_end), tolerance_, dimension_, scope_);
+      Window window = smooth_window(stretch_, {at_, end}, all ? scale_ : scale_.part(at_, end), begin_,
+                                    end_of(stretch_, end, end == range_.b && range_.clamped_end), tolerance_,
+                                    dimension_, progress_);
       if (window.done)
         take(window, last);
       else if (before_.size > 0 && before_.size < largest)
         join();
-      else if (!rests_ || !rest_near(window.troubles, end))
+      else if (!rests_ || !rest_near(window.failure_positions, end))
         give_up(window);
     }
     return std::move(run_);
@@ -294,7 +302,7 @@ class WindowedRun {
     before_.size = 0;
   }
 
-  /// Keeps of a window what its far end does not bear on, all of the last one before a rest.
+  /// Takes the part of a window that its far end does not influence, all of the last one before a rest.
   void take(Window& window, bool last) {
     const std::size_t all = window.breaks.size() - 1, kept = last ? all : all - static_cast<std::size_t>(overlap);
     std::vector<Rational> pieces = Nurbs(spline_degree, window.spline.points, {}, window.spline.knots).pieces();
@@ -312,7 +320,7 @@ class WindowedRun {
     size_ = usual;
   }
 
-  /// The cut from which a window cannot go on may be to blame: it and the window before become one.
+  /// The cut from which a window cannot continue may be the cause: it and the window before are merged.
   void join() {
     at_ = before_.at, begin_ = before_.begin, free_ = before_.free;
     size_ = 2 * before_.size;
@@ -321,15 +329,15 @@ class WindowedRun {
     before_.size = 0;
   }
 
-  /// Ends the window at a joint near the first trouble. What has none stays as it is. False: it cannot.
-  bool rest_near(const std::vector<double>& troubles, double end) {
-    const double trouble = troubles.empty() ? 0.5 * (at_ + end) : troubles.front();
+  /// Ends the window at a joint near the first failure. A run without a joint is unchanged. Returns false if it cannot.
+  bool rest_near(const std::vector<double>& failure_positions, double end) {
+    const double failure = failure_positions.empty() ? 0.5 * (at_ + end) : failure_positions.front();
     const auto& elements = stretch_.elements;
     const auto inside = [&](std::size_t j) {
       return j < elements.size() && elements[j].begin > at_ && elements[j].begin < end;
     };
-    const std::vector<std::size_t> sharp = sharpest_joints(stretch_, at_, end, {trouble}, 0);
-    const std::size_t here = stretch_.find(trouble, 0);
+    const std::vector<std::size_t> sharp = sharpest_joints(stretch_, at_, end, {failure}, 0);
+    const std::size_t here = stretch_.find(failure, 0);
     std::size_t joint = sharp.empty() ? here : sharp.front();
     if (!inside(joint)) ++joint;
     if (inside(joint)) {
@@ -346,15 +354,15 @@ class WindowedRun {
   void give_up(const Window& window) {
     run_.done = false;
     run_.pieces.clear();
-    run_.troubles = window.troubles;
+    run_.failure_positions = window.failure_positions;
   }
 
   const Stretch& stretch_;
   const RunRange& range_;
   const RunTolerance& tolerance_;
   std::size_t dimension_;
-  ProgressScope& scope_;
-  BendScale scale_;
+  ProgressScope& progress_;
+  TubeScale scale_;
   bool rests_;
   SmoothedRun run_;
   double at_ = 0, stop_ = 0, size_ = usual;
@@ -371,13 +379,13 @@ class WindowedRun {
 }  // namespace
 
 SmoothedRun smooth_run(const Stretch& stretch, const RunRange& range, const std::vector<double>& borders,
-                       const RunTolerance& tolerance, std::size_t dimension, bool rests, ProgressScope& scope) {
+                       const RunTolerance& tolerance, std::size_t dimension, bool rests, ProgressScope& progress) {
   SmoothedRun run;
   if (begins_at_end(stretch, range)) {
     const ReversedRun back(stretch, range);
-    run = back.turned_back(WindowedRun(back.stretch(), back.range(), tolerance, dimension, rests, scope).run());
+    run = back.turned_back(WindowedRun(back.stretch(), back.range(), tolerance, dimension, rests, progress).run());
   } else {
-    run = WindowedRun(stretch, range, tolerance, dimension, rests, scope).run();
+    run = WindowedRun(stretch, range, tolerance, dimension, rests, progress).run();
   }
   if (run.done) cut_at(borders, run);
   return run;

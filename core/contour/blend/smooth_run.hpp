@@ -10,36 +10,39 @@
 namespace bahnwerk::blending {
 
 struct RunRange {
-  double a = 0, b = 0;                              ///< along the stretch, mm
-  bool clamped_begin = false, clamped_end = false;  ///< leave and meet the contour with three derivatives
+  double a = 0, b = 0;  ///< along the stretch, mm
+  bool clamped_begin = false,
+       clamped_end = false;  ///< whether the curve has three derivatives in common with the contour at that end
 };
 
 struct RunTolerance {
-  double aimed = 0;   ///< mm, at every place looked at
+  double aimed = 0;   ///< mm, at every place that is evaluated
   double proven = 0;  ///< mm, everywhere; a little larger
 };
 
 struct SmoothedRun {
   bool done = false;
-  /// Bézier curves of degree 5, joined with three continuous derivatives or four; none: the contour stays as it is.
+  /// Bézier curves of degree 5, joined with three or four continuous derivatives; an empty entry means that the contour
+  /// stays as given.
   std::vector<std::optional<Rational>> pieces;
-  std::vector<double> breaks;    ///< along the stretch, pieces + 1
-  std::vector<double> troubles;  ///< if not done: where along the stretch it failed, ascending
+  std::vector<double> breaks;             ///< along the stretch, pieces + 1
+  std::vector<double> failure_positions;  ///< if not done: places of failure along the stretch, ascending
 };
 
-/// |f(t) − contour(t)| ≤ tolerance.proven for all t: from the distances at places so close together that what both
-/// curves bulge between them fits in, too. So each is within the tolerance of the other, in order, and a place of the
-/// contour has its own on the curve. `borders`: places, strictly ascending (changes of the block), at which a piece
-/// ends, however close together they are. Not done when the curve would turn round in a point or cannot be kept inside.
+/// Replaces a run by one curve with |f(t) − contour(t)| ≤ tolerance.proven for all t, from distances at places so close
+/// together that the bulges of both curves between them are included. Each curve is therefore within the tolerance of
+/// the other, in order, and a place of the contour has its place on the curve. A piece ends at each of `borders`
+/// (changes of the block, strictly ascending), however close together they are. Not done if the curve would reverse in
+/// a point or cannot stay inside.
 ///
-/// A run is smoothed from the end that its shape tells (core/contour/blend/reversed_run.hpp): backwards it becomes the
-/// same curve.
+/// The shape of a run decides from which end it is smoothed (core/contour/blend/reversed_run.hpp), so its reverse
+/// becomes the same curve.
 ///
-/// A long run is smoothed in windows of some 1 000 intervals of the spline: each goes on from the state in which the
-/// one before it was cut (three derivatives are common there) and reaches 96 intervals beyond its own cut, on which its
-/// end then no longer shows. Where a window cannot go on from a cut, it and the one before it become one. Memory: about
-/// 1.5 kB per interval of a window, and the pieces.
+/// A long run is smoothed in windows of some 1 000 intervals of the spline: each starts from the state in which the
+/// previous one was cut (three derivatives are common there) and extends 96 intervals beyond its own cut, where its end
+/// has no visible influence. If a window cannot start from a cut, it is merged with the previous one. Memory: about 1.5
+/// kB per interval of a window, and the pieces.
 SmoothedRun smooth_run(const Stretch& stretch, const RunRange& range, const std::vector<double>& borders,
-                       const RunTolerance& tolerance, std::size_t dimension, bool rests, ProgressScope& scope);
+                       const RunTolerance& tolerance, std::size_t dimension, bool rests, ProgressScope& progress);
 
 }  // namespace bahnwerk::blending

@@ -35,7 +35,7 @@ Vec point_of(const Stretch& stretch, double t, std::size_t& at) {
   return e.straight ? e.from + along * e.tangent : e.at(along).value;
 }
 
-BendScale::BendScale(const Stretch& stretch, double a, double b, double tolerance, ProgressScope& scope) {
+TubeScale::TubeScale(const Stretch& stretch, double a, double b, double tolerance, ProgressScope& progress) {
   const double most = 0.5 * (b - a), least = std::min(tolerance, most);
   min_ = least / 16;
   double h = most;
@@ -48,17 +48,17 @@ BendScale::BendScale(const Stretch& stretch, double a, double b, double toleranc
     t_.push_back(t);
     h_.push_back(h);
     if (t >= b) break;
-    scope.work();
+    progress.work();
   }
   grade();
 }
 
-double BendScale::at(double t) const {
+double TubeScale::at(double t) const {
   auto node = static_cast<std::size_t>(std::upper_bound(t_.begin(), t_.end(), t) - t_.begin());
   return at(t, node);
 }
 
-double BendScale::at(double t, std::size_t& node) const {
+double TubeScale::at(double t, std::size_t& node) const {
   std::size_t& i = node;  // the first node behind t
   while (i < t_.size() && t_[i] <= t) ++i;
   while (i > 0 && t < t_[i - 1]) --i;
@@ -68,7 +68,7 @@ double BendScale::at(double t, std::size_t& node) const {
   return h_[i - 1] + x * (h_[i] - h_[i - 1]);
 }
 
-bool BendScale::refine(const std::vector<double>& places) {
+bool TubeScale::refine(const std::vector<double>& places) {
   std::size_t next = 0;  // nodes before it are done
   bool changed = false;
   for (const double t : places) {
@@ -84,8 +84,8 @@ bool BendScale::refine(const std::vector<double>& places) {
   return changed;
 }
 
-BendScale BendScale::part(double a, double b) const {
-  BendScale part;
+TubeScale TubeScale::part(double a, double b) const {
+  TubeScale part;
   part.min_ = min_;
   part.t_.push_back(a);
   part.h_.push_back(at(a));
@@ -99,7 +99,7 @@ BendScale BendScale::part(double a, double b) const {
   return part;
 }
 
-double BendScale::ahead(double t, double breaks) const {
+double TubeScale::ahead(double t, double breaks) const {
   double left = t, h = at(t);
   for (auto i = static_cast<std::size_t>(std::upper_bound(t_.begin(), t_.end(), t) - t_.begin()); i < t_.size(); ++i) {
     const double step = (t_[i] - left) * (1 / h + 1 / h_[i]);
@@ -111,12 +111,12 @@ double BendScale::ahead(double t, double breaks) const {
   return t_.back();
 }
 
-void BendScale::grade() {
+void TubeScale::grade() {
   for (std::size_t i = 1; i < t_.size(); ++i) h_[i] = std::min(h_[i], h_[i - 1] + slope * (t_[i] - t_[i - 1]));
   for (std::size_t i = t_.size() - 1; i-- > 0;) h_[i] = std::min(h_[i], h_[i + 1] + slope * (t_[i + 1] - t_[i]));
 }
 
-std::vector<double> BendScale::breaks() const {
+std::vector<double> TubeScale::breaks() const {
   // Equal steps of ∫ 2/H dt.
   std::vector<double> sum(t_.size(), 0.0);
   for (std::size_t i = 1; i < t_.size(); ++i) sum[i] = sum[i - 1] + (t_[i] - t_[i - 1]) * (1 / h_[i - 1] + 1 / h_[i]);

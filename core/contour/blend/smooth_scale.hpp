@@ -1,5 +1,6 @@
 #pragma once
-/// How finely a spline has to be able to bend along a run of segments.
+/// The length scale of a spline along a run of segments: the scale on which the tube around them lets a curve bend. The
+/// spline's breaks follow from it (smooth.hpp).
 #include <cstddef>
 #include <vector>
 
@@ -7,39 +8,40 @@
 
 namespace bahnwerk::blending {
 
-/// H(t): about the length of contour around t that stays within the tolerance of its chord (√(8 R ε) on an arc). It
-/// changes by at most 0.4 per mm of t, so neighbouring spline intervals are of similar size.
-class BendScale {
+/// H(t) is approximately the length of contour around t that stays within the tolerance of its chord (√(8 R ε) on an
+/// arc). It changes by at most 0.4 per mm of t, so neighbouring spline intervals are of similar size.
+class TubeScale {
  public:
-  /// Between a and b of a stretch, mm; `tolerance` mm. O(nodes · log elements), some 4 nodes per H.
-  BendScale(const Stretch& stretch, double a, double b, double tolerance, ProgressScope& scope);
+  /// Computes H between a and b of a stretch, mm; `tolerance` in mm. O(nodes · log elements), some 4 nodes per H.
+  TubeScale(const Stretch& stretch, double a, double b, double tolerance, ProgressScope& progress);
 
+  /// Returns H at `t`, mm along the stretch. O(log nodes).
   double at(double t) const;
-  /// The same for places that are asked for nearly in order: `node` is where the last one was, 0 at first.
+  /// Returns at(t) for queries in nearly ascending order; `node` is the place of the last query, 0 at first.
   double at(double t, std::size_t& node) const;
-  /// Halves H around these places (ascending), but not below a sixteenth of the tolerance. False: nothing is left to
-  /// be halved.
+  /// Halves H around these places (ascending), but not below a sixteenth of the tolerance. Returns false if nothing
+  /// could be halved.
   bool refine(const std::vector<double>& places);
-  /// The same between two of its places, to be refined on its own. O(log nodes + nodes between them).
-  BendScale part(double a, double b) const;
-  /// From `t` on: where so many breaks have passed, at most the end. O(log nodes + nodes passed).
+  /// Returns the scale between two of its places, to be refined separately. O(log nodes + nodes between them).
+  TubeScale part(double a, double b) const;
+  /// Returns the place `breaks` breaks after `t`, at most the end. O(log nodes + nodes passed).
   double ahead(double t, double breaks) const;
-  /// Spline breaks: intervals of H/2, at least 8, their ends a and b.
+  /// Returns the spline breaks from a to b: intervals of H/2, at least 8.
   std::vector<double> breaks() const;
 
  private:
-  BendScale() = default;
-  /// Applies the bound on the slope.
+  TubeScale() = default;
+  /// Limits the slope of H.
   void grade();
 
-  std::vector<double> t_, h_;
-  double min_ = 0;
+  std::vector<double> t_, h_;  ///< nodes: places along the stretch, ascending, and H there, mm
+  double min_ = 0;             ///< least H that refine() reaches
 };
 
-/// Point of a stretch at `t`, which lies on element `at` afterwards. O(1) near the element that `at` was before, else
-/// O(log elements).
+/// Returns the point of a stretch at `t`; `at` becomes the element that holds it. O(1) near the previous element `at`,
+/// else O(log elements).
 Vec point_of(const Stretch& stretch, double t, std::size_t& at);
-/// The same from nowhere.
+/// Returns the point of a stretch at `t`.
 inline Vec point_of(const Stretch& stretch, double t) {
   std::size_t at = stretch.find(t, stretch.elements.size());
   return point_of(stretch, t, at);

@@ -9,7 +9,7 @@ SpanPolynomials::SpanPolynomials(const TubeSpline& spline) {
   const auto end_of = [&](std::size_t k) { return spline.knots[spline_degree + k]; };
   // Relative to a control point nearby, so that large coordinates cost no digits.
   const auto jet = [&](std::size_t span, double t, Vec base) {
-    const BasisRow row = bend_basis_at(spline.knots, span, t);
+    const BasisRow row = second_derivative_basis_at(spline.knots, span, t);
     Jet f;
     for (std::size_t i = 0; i < spline_order; ++i) {
       const Vec c = spline.points[span + i] - base;

@@ -1,6 +1,6 @@
 #pragma once
-/// The spans of a tube's spline as polynomials: where a spline is looked at in many places these take a few
-/// multiplications each, the B-splines of degree 5 that do not vanish there some fifty divisions.
+/// The spans of a tube's spline as polynomials. Evaluating these takes a few multiplications per place, the B-splines
+/// of degree 5 some fifty divisions.
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -11,13 +11,15 @@ namespace bahnwerk::blending {
 
 class SpanPolynomials {
  public:
-  /// By position and two derivatives at both ends of every span, which determine a polynomial of degree 5. O(spans).
+  /// Each span follows from position and two derivatives at both ends, which determine a polynomial of degree 5.
+  /// O(spans).
   explicit SpanPolynomials(const TubeSpline& spline);
 
   struct Place {
     Vec value, slope;  ///< f and its derivative by t
   };
-  /// In break interval `span`, to some 1e-15 of the coordinates; the slope to as much per length of the span.
+  /// Evaluates break interval `span`, accurate to some 1e-15 of the coordinates, the slope to as much per length of the
+  /// span.
   Place at(std::size_t span, double t) const {
     const Span& s = spans_[span];
     const double x = (t - s.begin) * s.inverse;

@@ -6,8 +6,8 @@ namespace bahnwerk::blending {
 
 namespace {
 
-/// Does the work in registers of four numbers where the processor has them: half the time, the same to the last bit,
-/// since every operation stays what it was. What is to profit has to be inlined into `work`.
+/// Runs `work` in registers of four numbers where the processor has them: in half the time, with equal results to the
+/// last bit, since every operation is unchanged. Only code inlined into `work` benefits.
 #if defined(__x86_64__)
 template <class Work>
 [[gnu::target("avx2")]] void work_wide(Work& work) {
@@ -28,9 +28,9 @@ void work_in_lanes(Work&& work) {
 }  // namespace
 
 template <std::size_t Dim>
-TubeSystem<Dim>::TubeSystem(const TubeProblem& problem, ProgressScope& scope)
+TubeSystem<Dim>::TubeSystem(const TubeProblem& problem, ProgressScope& progress)
     : p_(problem),
-      scope_(scope),
+      progress_(progress),
       points_(problem.breaks.size() + spline_degree - 1),
       knots_(clamped_knots(problem.breaks)),
       energy_(points_),
@@ -57,7 +57,7 @@ void TubeSystem<Dim>::assemble_energy() {
   double radius = HUGE_VAL;
   for (const TubeSite& s : p_.sites) radius = std::min(radius, s.radius);
   for (std::size_t k = 0; k + 1 < p_.breaks.size(); ++k) {
-    scope_.work();
+    progress_.work();
     const double h = p_.breaks[k + 1] - p_.breaks[k];
     const double H = p_.scale[k], w = H * H * H * H * H / (radius * radius);
     std::array<double, 3> places;
@@ -183,10 +183,10 @@ void TubeSystem<Dim>::keep_ends() {
 
 template <std::size_t Dim>
 void TubeSystem<Dim>::solve() {
-  scope_.report();  // windows are too short for the steps that others count
+  progress_.report();  // windows are too short for the steps that others count
   keep_ends();
   work_in_lanes([&]() __attribute__((always_inline)) {
-    system_.factor(scope_);
+    system_.factor(progress_);
     system_.solve(right_);
   });
 }

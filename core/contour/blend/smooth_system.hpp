@@ -1,6 +1,6 @@
 #pragma once
-/// The quadratic model of a tube's spline (smooth.hpp): its energy and what sites add to it, as one banded system for
-/// the control points. Which terms the sites add, and how far a step goes, is the method's to say (smooth.cpp).
+/// The quadratic model of a tube's spline (smooth.hpp): its energy and the terms of the sites, as one banded system for
+/// the control points. smooth.cpp decides which terms the sites add and how long a step is.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -20,8 +20,8 @@ struct TubeRow {
   double gain = 0;  // g
 };
 
-/// Column C of what a site adds to the matrix, and all after it: `share[e]` is the column that a control point of
-/// weight 1 gets for coordinate e.
+/// Adds column C of a site's matrix, and all columns after it: `share[e]` is the column of a control point of weight 1
+/// for coordinate e.
 template <std::size_t Dim, std::size_t C = 0>
 [[gnu::always_inline]] inline void add_columns(double* column, const std::array<double, spline_order>& weight,
                                                const std::array<std::array<double, spline_order * Dim>, Dim>& share) {
@@ -32,13 +32,13 @@ template <std::size_t Dim, std::size_t C = 0>
   }
 }
 
-/// What a site adds: gradient `force`·r, Hessian `pull` I + `twist` r rᵀ.
+/// Terms of a site: gradient `force`·r, Hessian `pull` I + `twist` r rᵀ.
 struct SiteTerm {
   double force, pull, twist;
 };
 
-/// In the plane or in space: `Dim` coordinates. A step is start(), add_sites(), solve() and move(), each O(breaks +
-/// sites).
+/// The system in the plane or in space, `Dim` coordinates. A step consists of start(), add_sites(), solve() and move(),
+/// each O(breaks + sites).
 template <std::size_t Dim>
 class TubeSystem {
  public:
@@ -49,32 +49,33 @@ class TubeSystem {
     return sum;
   }
 
-  /// Both outlive it. Control points that the ends determine are placed, all others lie at 0.
-  TubeSystem(const TubeProblem& problem, ProgressScope& scope);
+  /// Both have to outlive the object. Control points that the ends determine are set, all others are 0.
+  TubeSystem(const TubeProblem& problem, ProgressScope& progress);
 
   std::size_t sites() const { return rows_.size(); }
   double radius(std::size_t site) const { return p_.sites[site].radius; }
   double gain(std::size_t site) const { return rows_[site].gain; }
-  /// f(tᵢ) − pᵢ as it was when sites were last looked at.
+  /// Returns f(tᵢ) − pᵢ of the last call of fullest().
   const Coordinates& residual(std::size_t site) const { return residual_[site]; }
   void look_at_sites();
-  /// Looks at the sites: the largest |residual|/radius, infinite if one is NaN, and its site.
+  /// Evaluates the sites. Returns the largest |residual|/radius, infinite if one is NaN, and its site.
   std::pair<double, std::size_t> fullest();
 
-  /// Gradient and matrix of the energy.
+  /// Sets gradient and matrix to those of the energy.
   void start();
   /// Adds the terms of all sites.
   void add_sites(const std::vector<SiteTerm>& terms);
 
-  /// −gradient until solve(), then the step.
+  /// Returns −gradient until solve(), then the step.
   const std::vector<double>& right() const { return right_; }
-  /// Solves for the step, in which the ends stay as they are.
+  /// Solves for the step; the ends stay unchanged.
   void solve();
-  /// How the spline moves at the site with the step.
+  /// Returns the displacement of the spline at the site in the step.
   Coordinates step_at(std::size_t site) const { return value(rows_[site], right_); }
-  /// Adds the first and second derivative of ½∫w|f'''|² along the step, at its begin. Once after solve().
+  /// Adds the first and second derivative of ½∫w|f'''|² along the step at its beginning. To be called once after
+  /// solve().
   void energy_along(double& quadratic, double& linear);
-  /// Takes that part of the step.
+  /// Moves by that part of the step.
   void move(double share);
 
   const std::vector<double>& knots() const { return knots_; }
@@ -82,7 +83,7 @@ class TubeSystem {
 
  private:
   [[gnu::always_inline]] void add_site(std::size_t s, const SiteTerm& term) {
-    scope_.work();
+    progress_.work();
     const auto& [force, pull, twist] = term;
     const Coordinates& r = residual_[s];
     const TubeRow& row = rows_[s];
@@ -107,7 +108,7 @@ class TubeSystem {
   void place(std::size_t i, const Vec& c) {
     for (std::size_t d = 0; d < Dim; ++d) c_[i * Dim + d] = c[d];
   }
-  /// Σ of the site's basis values with rows of `x`.
+  /// Returns Σ of the site's basis values times rows of `x`.
   Coordinates value(const TubeRow& row, const std::vector<double>& x) const {
     Coordinates f{};
     for (std::size_t j = 0; j < spline_order; ++j)
@@ -117,17 +118,17 @@ class TubeSystem {
   void assemble_energy();
   void prepare_sites();
   void fix_ends();
-  /// energy_ times x, whose rows behind the last point are 0.
+  /// Computes energy_ times x, whose rows behind the last point are 0.
   void times_energy(const std::vector<double>& x, std::vector<double>& product) const;
-  /// Identity for what the ends determine.
+  /// Replaces the rows of the control points that the ends determine by those of the identity.
   void keep_ends();
 
   const TubeProblem& p_;
-  ProgressScope& scope_;
+  ProgressScope& progress_;
   std::size_t points_;
   std::vector<double> knots_;
   BandMatrix<spline_degree> energy_;
-  BandMatrix<spline_order * Dim - 1> energies_, system_;  // the energy of all coordinates; and the sites'
+  BandMatrix<spline_order * Dim - 1> energies_, system_;  // the energy's matrix of all coordinates; with the sites'
   std::vector<double> c_;                                 // Dim coordinates per point, and a few zeros
   std::size_t fixed_begin_ = 0, fixed_end_ = 0;
   LargeVector<TubeRow> rows_;

@@ -22,13 +22,14 @@ Vec unit(Vec v) {
   return length > 0 ? v / length : Vec{};
 }
 
-/// d p/dφ in the sense of travel.
+/// Returns d p/dφ in the direction of travel.
 Vec tangent(const DrawnArc& arc, double angle) {
   const Vec d = std::cos(angle) * arc.b - std::sin(angle) * arc.a;
   return unit(arc.sweep < 0 ? -d : d);
 }
 
-/// End direction of a spline: its derivative, or where that vanishes the way to the first point that differs.
+/// Returns the end direction of a spline: its derivative, or where that vanishes the direction to the first point that
+/// differs.
 Vec end_direction(const std::vector<Vec>& points, Vec derivative, double scale, bool at_end) {
   if (norm(derivative) > 1e-9 * scale) return unit(derivative);
   const Vec end = at_end ? points.back() : points.front();

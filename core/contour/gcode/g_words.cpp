@@ -8,7 +8,7 @@ namespace {
 
 constexpr double inch = 25.4;  // mm
 
-/// What cutter radius compensation, which is one move late, cannot go along with.
+/// Whether the word is incompatible with cutter radius compensation, which is one move late.
 bool unfit_for_compensation(int tenfold) {
   switch (meaning(tenfold).action) {
     case Action::plane_zx:
@@ -71,7 +71,7 @@ void Interpreter::g_words(const Line& line) {
   }
 }
 
-/// Of scaling and mirroring, which are never in force. Lathes have other words G50.
+/// Words of scaling and mirroring, which are never active, are ignored. Lathes have other words G50.
 void Interpreter::cancel(const Line& line, int tenfold) {
   if (tenfold == 501) return void(takes(line, letters("XYZIJK")));  // the axes that are no longer mirrored
   const auto last = line.g.begin() + static_cast<std::ptrdiff_t>(line.g_count);

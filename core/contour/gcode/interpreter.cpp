@@ -80,7 +80,7 @@ void Interpreter::feed(const Line& line) {
   feed_lost_ = false;
 }
 
-/// Speeds, and numbers of tools' offsets that nothing of the line has asked for: without G41 or G43 these do nothing.
+/// Speeds, and numbers of tool offsets that no word of the line uses: without G41 or G43 these have no effect.
 void Interpreter::tool_words(const Line& line) {
   if (line.has('S') && (used_ & letters("S")) == 0) speed_ = line['S'];
   if (line.has('H') && (used_ & letters("H")) == 0) {

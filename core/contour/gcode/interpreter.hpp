@@ -1,6 +1,5 @@
 #pragma once
-/// Gives the words of a part program their meaning, line by line, and drives a Mover with them, by way of the
-/// compensation of the cutter's radius.
+/// Interprets the words of a part program line by line and drives a Mover, by way of the cutter radius compensation.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -17,14 +16,14 @@
 
 namespace bahnwerk::gcode {
 
-/// Keys of notes: G words tenfold, M words from key_m on.
+/// Keys of notes: ten times the G word, M words from key_m on.
 inline constexpr int key_dwell = 40, key_reference = 280, key_m = 100'000, key_slash = 200'000, key_output = 200'001,
                      key_zero_power = 200'002, key_rest = 200'003, key_no_feed = 200'004, key_printer = 200'005,
                      key_unset = 200'006, key_endless = 200'007, key_before = 200'008, key_controller = 200'009,
                      key_look_ahead = 200'010, key_text_end = 200'011, key_main_end = 200'012, key_initial = 200'013,
                      key_peck = 200'014;
 
-/// What a line asks of the order of the lines: M98, M99.
+/// Requests of a line to the order of the lines: M98, M99.
 struct Request {
   int program = -1;
   std::size_t repeats = 1;
@@ -36,36 +35,36 @@ class Interpreter final : public SystemParameters {
  public:
   Interpreter(const GcodeOptions& options, bool flat, Progress& progress);
 
-  /// False where the program ends, or where reading on would tell nothing new.
+  /// Executes a line. Returns false at the end of the program, or where further reading is useless.
   bool execute(const Line& line);
 
   bool ended() const { return ends_; }
   std::size_t segments() { return mover_.builder().segments(); }
   Request request() const { return request_; }
-  /// The program cannot go on at this line.
+  /// Refuses the line; the program cannot continue.
   void refuse(const Line& line, const std::string& why);
-  /// M99 in the main program.
+  /// M99 in the main program ends it.
   void end(const Line& line);
-  /// The main program has no M30: a subprogram of its own begins.
+  /// The main program has no M30, and a subprogram of its own begins.
   void end_before_subprogram(const Line& line);
-  /// Calls and returns; at a return the modes come back that M73 has saved.
+  /// Enters and leaves subprograms; at a return the modes that M73 has saved are restored.
   void enter_subprogram();
   void leave_subprogram(const Line& line);
-  /// What follows 0x1A is no text.
+  /// 0x1A ends the text; everything behind it is no text.
   void end_of_text(std::size_t line) {
     notes_.add(key_text_end, line, "what follows 0x1A, the end of a text, is not read");
   }
-  /// No more lines come.
+  /// No further lines follow.
   void close(const Parameters::Unset& unset);
   std::optional<double> system_parameter(int number) const override;
   std::optional<double> predefined(std::string_view name) const override;
   bool of_the_machine(std::string_view name) const override;
-  /// The first line behind the end that is not empty.
+  /// Receives the first line behind the end that is not empty.
   void rest(const Line& line);
 
-  /// The contour keeps one height other than 0: to be read again as a flat one.
+  /// Whether the contour stays at one height other than 0; it is then read again as a flat one.
   bool lifted() const { return height() != 0; }
-  /// Of a contour that keeps one, mm.
+  /// Returns the height of a contour that stays at one, mm; otherwise 0.
   double height() const { return mover_.climbs() ? 0 : mover_.position().z; }
   /// Throws InvalidInput.
   Contour finish();
@@ -129,7 +128,7 @@ class Interpreter final : public SystemParameters {
   void machine_coordinates(const Line& line);
   void leave(const Line& line, std::uint32_t axes, bool given);
   void come_back(const Line& line);
-  /// Before the first move the head stands where the program's zero is, whatever that becomes.
+  /// Before the first move the head's position is the program's zero, also after changes of the zero.
   template <class Change>
   void change_origin(Change change) {
     const Vec before = offsets_.origin();
@@ -171,15 +170,15 @@ class Interpreter final : public SystemParameters {
   bool clockwise_ = true, mist_ = false, flood_ = false, tool_length_ = false;
   std::optional<Vec> g28_, g30_;
   SavedModes saved_;
-  double dwelt_ = 0;         // s, of all dwells
+  double dwelt_ = 0;         // s, sum of all dwells
   std::uint32_t moved_ = 0;  // letters of the axes that moves have named
 
-  // The head went to a point of the machine that is not known: which axes are still away, and where it will stand.
+  // Axes away from the known position, and that position, after a move to an unknown point of the machine.
   std::uint32_t away_ = 0;
   std::size_t away_line_ = 0;
   Vec back_;
 
-  // of the line at hand
+  // of the current line
   std::uint32_t used_ = 0;
   std::optional<double> dwell_;  // s
   Request request_;

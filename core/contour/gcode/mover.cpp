@@ -28,7 +28,7 @@ std::optional<Vec> centre_by_radius(Vec from, Vec to, double radius, const ArcMo
         : half - size > how.tolerance ? "the radius R is too small: the end is further away than 2 R"
                                       : nullptr;
   if (why != nullptr) return std::nullopt;
-  // To the left of the chord lies the centre of a counter-clockwise arc of less than half a turn.
+  // The centre of a counter-clockwise arc of less than half a turn lies to the left of the chord.
   const double height = size > half ? std::sqrt((size - half) * (size + half)) : 0;
   const bool left = how.counter_clockwise == (radius > 0);
   const Vec aside = cross(n, chord) / (2 * half);
@@ -168,7 +168,7 @@ void Mover::join_blocks(Contour& contour) {
   std::vector<std::size_t> dwells(contour.blocks.size(), 0), owner(contour.blocks.size(), 0);
   for (const Rest& rest : contour.rests) ++dwells[rest.block];
   std::vector<Block> kept;
-  bool still = false;  // the last block kept holds dwells alone
+  bool still = false;  // whether the last block has dwells only
   for (std::size_t i = 0; i < contour.blocks.size(); ++i) {
     const Block& block = contour.blocks[i];
     const bool moves = block.first < block.last;

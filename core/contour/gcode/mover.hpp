@@ -1,5 +1,5 @@
 #pragma once
-/// The moves of a part program, in mm: from where it stands to the next place, as segments of a contour.
+/// The moves of a part program, in mm, as segments of a contour.
 #include <limits>
 #include <optional>
 
@@ -7,17 +7,18 @@
 
 namespace bahnwerk::gcode {
 
-/// Plane of arcs by its normal: G17 z, G18 y, G19 x. Seen against it G3 turns counter-clockwise.
+/// Plane of arcs by its normal: G17 z, G18 y, G19 x. Seen against the normal, G3 turns counter-clockwise.
 enum class Plane { xy, zx, yz };
 
 struct ArcMove {
   Plane plane = Plane::xy;
   bool counter_clockwise = false;
-  std::size_t turns = 1;    ///< P: the last one, which may be part of a turn, included
-  double tolerance = 0.01;  ///< by which the radii may differ, mm
+  std::size_t turns = 1;    ///< P: number of turns including the last one, which may be partial
+  double tolerance = 0.01;  ///< allowed difference of the radii, mm
 };
 
-/// Centre of an arc of |radius|, negative for more than half a turn; none, with the reason in `why`, if there is none.
+/// Returns the centre of an arc of |radius|, negative for more than half a turn; nothing, with the reason in `why`, if
+/// there is none.
 std::optional<Vec> centre_by_radius(Vec from, Vec to, double radius, const ArcMove& how, const char*& why);
 /// Distances of an arc's ends from its centre, in its plane, mm.
 struct RadiiOfArc {
@@ -25,39 +26,39 @@ struct RadiiOfArc {
 };
 RadiiOfArc radii_of_arc(Vec from, Vec to, Vec centre, Plane plane);
 
-/// An arc of more than half a turn whose radii differ, as two arcs: they begin and end square to the radii at the ends
-/// and meet in the middle with one tangent. Both stay within the difference of the radii from the spiral between them,
-/// where a single arc would move its centre far to reach both ends.
+/// An arc of more than half a turn whose radii differ, as two arcs. They begin and end perpendicular to the radii at
+/// the ends and meet in the middle with one tangent. Both stay within the difference of the radii from the spiral
+/// between them, where a single arc would move its centre far to reach both ends.
 struct ArcHalves {
-  Vec middle, first, second;  ///< where they meet (at the mean height), and their centres
+  Vec middle, first, second;  ///< meeting point (at the mean height), and the centres
 };
-/// None where a single arc moves its centre by less than the difference of the radii.
+/// Returns nothing where a single arc moves its centre by less than the difference of the radii.
 std::optional<ArcHalves> halves_of_arc(Vec from, Vec to, Vec centre, const ArcMove& how);
 
-/// mm, all turns of a helix together.
+/// Returns the length in mm, all turns of a helix included.
 double arc_length(Vec from, Vec to, Vec centre, const ArcMove& how);
 
 class Mover {
  public:
-  /// `flat`: every height is 0, for a contour that keeps one height.
+  /// `flat` sets every height to 0, for a contour that stays at one height.
   explicit Mover(bool flat) : builder_(2, {}, "gcode"), flat_(flat) {}
 
-  /// The next moves are of this mode and feed (mm/s): a new block where that changes.
+  /// The next moves have this mode and feed (mm/s); a change begins a new block.
   void use(Mode mode, double feed);
-  /// The program uses a switch for the first time: what came before did not cut.
+  /// The program uses a switch for the first time: earlier moves did not cut.
   void first_switch();
 
-  /// Where the head stands before the first move, if that is known or assumed.
+  /// Sets the head's position before the first move, if that is known or assumed.
   void place(Vec at);
-  /// The first move of all may only tell where the contour starts.
+  /// The first move of all may only define where the contour starts.
   void start(Vec at);
   bool started() const { return started_; }
   void line(Vec to);
   void arc(Vec to, Vec centre, ArcMove how);
-  /// Bézier curve; no second control point: of degree 2.
+  /// Bézier curve; without a second control point of degree 2.
   void spline(Vec to, Vec first, std::optional<Vec> second);
 
-  /// The head rests where it stands, s, as part of a block of this mode.
+  /// The head rests at its position for `seconds`, as part of a block of this mode.
   void dwell(Mode mode, double seconds);
 
   Vec position() const { return at_; }  ///< as programmed
@@ -76,7 +77,7 @@ class Mover {
   Vec at_;
   Mode mode_ = Mode::cut;
   double feed_ = std::numeric_limits<double>::infinity();
-  std::size_t positioning_ = 0;  // so many blocks came before the first switch
+  std::size_t positioning_ = 0;  // number of blocks before the first switch
   bool new_block_ = true, flat_, started_ = false, climbs_ = false;
 };
 

@@ -1,4 +1,4 @@
-// The motion words of a line: where it goes and how.
+// The motion words of a line: target and type of the motion.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -68,7 +68,7 @@ void Interpreter::move(const Line& line) {
              : "coordinates before any motion word: taken as G1 (initial_motion of the document)");
   if (away_ != 0) return come_back(line);
   if (motion_ != Action::cubic) last_handle_.reset();
-  // What follows a fault in the line shall only keep track of the place.
+  // After a fault in the line only the place is tracked.
   if (motion_ == Action::rapid || motion_ == Action::line || !sound_) return straight(line);
   if (motion_ == Action::cycle) return cycle(line);
   if (motion_ == Action::arc_cw || motion_ == Action::arc_ccw) return arc(line);
@@ -137,7 +137,7 @@ void Interpreter::arc(const Line& line) {
   mover_.line(*to);
 }
 
-/// mm, by which radii may differ whatever their size: coordinates cut off behind their fourth decimal.
+/// Returns the allowed difference of radii of any size, mm: coordinates truncated after their fourth decimal.
 double Interpreter::rounding() const { return unit_ == 1 ? 0.01 : 0.0005 * unit_; }
 
 /// Whether the radii at both ends agree, as LinuxCNC demands: to 0.1 % of the radius, 0.5 mm or 0.05 in at most. `how`
@@ -157,7 +157,7 @@ bool Interpreter::agrees(const Line& line, Vec to, Vec about, ArcMove& how) {
   return false;
 }
 
-/// Whether the radii would agree if the centre were absolute where it is relative, or the other way round.
+/// Whether the radii would agree if the centre were absolute instead of relative, or relative instead of absolute.
 bool Interpreter::agrees_otherwise(const Line& line, Vec to) const {
   const std::size_t normal = plane_ == Plane::xy ? 2 : plane_ == Plane::zx ? 1 : 0;
   const Vec from = mover_.position(), zero = absolute_centres_ ? from : offsets_.origin();

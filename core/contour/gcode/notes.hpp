@@ -1,5 +1,5 @@
 #pragma once
-/// What a part program says beyond its contour: one note per matter, with its first line and how often it came.
+/// Notes about a part program beyond its contour: one per matter, with its first line and its count.
 #include <algorithm>
 #include <cstddef>
 #include <map>
@@ -11,7 +11,7 @@ namespace bahnwerk::gcode {
 
 class Notes {
  public:
-  /// `key` names the matter; the text of its first note stays. O(log matters), of which 64 are kept.
+  /// `key` identifies the matter; its first text remains. O(log matters), of which 64 are stored.
   void add(int key, std::size_t line, const char* text, std::size_t count = 1) {
     const auto at = entries_.find(key);
     if (at != entries_.end())
@@ -23,7 +23,7 @@ class Notes {
   void complete(int key, std::string text) {
     if (const auto at = entries_.find(key); at != entries_.end()) at->second.text = std::move(text);
   }
-  /// "line 7 and 2 more: text", by line.
+  /// Returns "line 7 and 2 more: text", ordered by line.
   std::vector<std::string> texts() const {
     std::vector<std::pair<std::size_t, std::string>> list;
     for (const auto& [key, entry] : entries_) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Where the zero of a part program lies: work offsets (G54 … G59.3, G10), and what G52 or G92 put on top of them.
+/// The zero of a part program: work offsets (G54 … G59.3, G10), and the additional offset of G52 or G92.
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -10,12 +10,13 @@ namespace bahnwerk::gcode {
 
 inline constexpr std::size_t work_offsets = 9;  ///< G54 … G59, G59.1, G59.2, G59.3
 
-/// Index of a work offset by its word, tenfold: G59.1 is 591.
+/// Returns the index of a work offset by ten times its word: G59.1 is 591.
 constexpr std::size_t work_offset_index(int tenfold) {
   return static_cast<std::size_t>(tenfold <= 590 ? (tenfold - 540) / 10 : tenfold - 585);
 }
 
-/// All lengths mm, in the coordinates of the contour: those of the machine where the document gives the work offsets.
+/// All lengths are in mm, in the coordinates of the contour: machine coordinates where the document gives the work
+/// offsets.
 class Offsets {
  public:
   explicit Offsets(const std::array<std::optional<Vec>, work_offsets>& given) {
@@ -23,16 +24,16 @@ class Offsets {
       if (given[i]) set_work(i, *given[i]);
   }
 
-  Vec origin() const { return origin_; }  ///< of the program, as offsets stand now
+  Vec origin() const { return origin_; }  ///< zero of the program with the current offsets
   std::size_t active() const { return active_; }
   Vec work(std::size_t index) const { return work_[index]; }
-  bool known(std::size_t index) const { return known_[index]; }  ///< by the document or by the program, else zero
+  bool known(std::size_t index) const { return known_[index]; }  ///< given by the document or by the program, else zero
   Vec local() const { return on_ ? local_ : Vec{}; }
   bool shifted() const { return on_; }  ///< by G52 or G92
 
   void select(std::size_t index) { active_ = index, update(); }
   void set_work(std::size_t index, Vec at) { work_[index] = at, known_[index] = true, update(); }
-  /// G52 and G92 share one offset, as with LinuxCNC: the later one replaces the earlier.
+  /// G52 and G92 share one offset, as in LinuxCNC: the later one replaces the earlier.
   void set_local(Vec by) { local_ = by, on_ = true, update(); }
   void clear_local(bool keep) {
     if (!keep) local_ = {};

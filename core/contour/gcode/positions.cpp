@@ -1,5 +1,5 @@
-// Where the program's zero lies (G54 … G59.3, G10, G52, G92), points of the machine (G28, G30, G53), and on which side
-// of the contour the cutter goes (G40, G41, G42).
+// The program's zero (G54 … G59.3, G10, G52, G92), points of the machine (G28, G30, G53), and the side of the contour
+// on which the cutter moves (G40, G41, G42).
 #include <cmath>
 
 #include "core/contour/gcode/interpreter.hpp"
@@ -41,7 +41,7 @@ void Interpreter::select_work_offset(const Line& line, int tenfold) {
     note(tenfold, line, ("the work offset " + name(tenfold) + " is not in the document: taken as zero").c_str());
 }
 
-/// What takes the coordinates of the line for something else than its motion.
+/// Executes words that take the coordinates of the line for something other than its motion.
 void Interpreter::settings(const Line& line) {
   if (!setting_) return;
   switch (meaning(*setting_).action) {
@@ -74,7 +74,7 @@ void Interpreter::set_position(const Line& line) {
   stand_at(line, offsets_.origin());
 }
 
-/// Nothing has moved yet: that is where the contour begins.
+/// Nothing has moved yet: the contour begins here.
 void Interpreter::stand_at(const Line& line, Vec origin) {
   const Vec place = named(line, mover_.position(), origin);
   if (!in_range(place)) return;
@@ -100,7 +100,7 @@ void Interpreter::set_data(const Line& line) {
   const std::size_t index = number == 0 ? offsets_.active() : static_cast<std::size_t>(number) - 1;
   Vec work = offsets_.work(index);
   const Vec free = mover_.position() - offsets_.local();
-  // Before the first move it tells where the head stands, not where the zero is.
+  // Before the first move it states the head's position, not the zero.
   if (form == 20 && !mover_.started()) return stand_at(line, work + offsets_.local());
   for (std::size_t k = 0; k < 3; ++k)
     if (line.has(axis_letters[k]))
@@ -108,7 +108,7 @@ void Interpreter::set_data(const Line& line) {
   change_origin([&] { offsets_.set_work(index, work); });
 }
 
-/// G28, G30: by way of the given coordinates, for the axes that have one or for all.
+/// Executes G28 and G30: by way of the given coordinates, for the axes that have one or for all.
 void Interpreter::reference_point(const Line& line, const std::optional<Vec>& point) {
   const bool some = takes(line, axes);
   const std::uint32_t list = some ? axes_of(line) : axes;
@@ -140,7 +140,7 @@ void Interpreter::machine_coordinates(const Line& line) {
   if (feeds(line, norm(to - mover_.position()))) mover_.line(to);
 }
 
-/// The axes of a head that goes where nobody knows. Axes that never moved stand where the contour supposes them.
+/// Records the axes of a head that moves to an unknown point. Axes that never moved are where the contour assumes them.
 void Interpreter::leave(const Line& line, std::uint32_t list, bool given) {
   note(given ? key_before : key_reference, line, given ? before : left_out);
   if (!mover_.started()) return;
@@ -163,8 +163,8 @@ void Interpreter::controller_line(const Line& line) {
   if (shown.size() > 1 && (shown[1] == 'H' || shown[1] == 'h') && mover_.started()) leave(line, axes, false);
 }
 
-/// While axes are away their places are collected; when all are known again the head goes there: up, across, down, the
-/// last of it as the line says.
+/// While axes are away their places are collected; when all are known again the head moves there: up, across, down, the
+/// last part as the line says.
 void Interpreter::come_back(const Line& line) {
   takes(line, axes);
   const std::string since =
@@ -198,7 +198,7 @@ void Interpreter::come_back(const Line& line) {
     mover_.line(to);
 }
 
-/// By D number, or by that of the tool; G41.1 and G42.1 have the diameter itself.
+/// Returns the radius by the D number, or by that of the tool; G41.1 and G42.1 have the diameter itself.
 std::optional<double> Interpreter::cutter_radius(const Line& line, bool by_diameter) {
   const bool given = takes(line, letters("D"));
   if (by_diameter) {

@@ -1,5 +1,6 @@
 #pragma once
-/// Modes that M70 and M73 save and M72 or the end of a subprogram brings back, as LinuxCNC has them: not the motion.
+/// Modes that M70 and M73 save and M72 or the end of a subprogram restores, as in LinuxCNC; the motion word is not
+/// saved.
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -21,14 +22,14 @@ struct Modes {
   double speed = 0;             ///< S
 };
 
-/// One place for saved modes in the main program and in each subprogram under way.
+/// One place for saved modes in the main program and in each active subprogram.
 class SavedModes {
  public:
   void save(const Modes& modes, bool at_return) { levels_.back() = {modes, at_return}; }
   void forget() { levels_.back() = {}; }
   const std::optional<Modes>& saved() const { return levels_.back().modes; }
   void enter() { levels_.emplace_back(); }
-  /// What the subprogram that ends has to bring back.
+  /// Returns the modes that the ending subprogram restores.
   std::optional<Modes> leave() {
     const Level level = levels_.back();
     levels_.pop_back();

@@ -1,4 +1,4 @@
-// What a line says beside its motion: M words, dwells, words of printers.
+// Words of a line other than its motion: M words, dwells, words of printers.
 #include <algorithm>
 #include <cmath>
 #include <string_view>
@@ -13,8 +13,8 @@ constexpr const char* printer_text =
 
 }  // namespace
 
-/// Its time is P, in other dialects X, U, F or S; then it is no coordinate, feed or speed. Always seconds: the dialects
-/// that mean milliseconds write the same words.
+/// The dwell's time is P, in other dialects X, U, F or S, which is then no coordinate, feed or speed. It is always in
+/// seconds: the dialects that mean milliseconds use these words, too.
 void Interpreter::dwell_time(const Line& line) {
   if (dwell_) return fault("two dwells (G4) in one line");
   dwell_ = 0;  // none given: it only stops
@@ -141,7 +141,7 @@ void Interpreter::foreign_m(const Line& line, int m) {
   note(key, line, (m_name(m) + " is not known and ignored" + (words ? ", what follows it too" : "")).c_str());
 }
 
-/// Where the head goes to change its tool is the machine's affair; a motion in force does not take coordinates there.
+/// The machine decides where the head changes its tool; an active motion does not take coordinates there.
 void Interpreter::tool_change(const Line& line) {
   current_tool_ = tool_;
   const auto last = line.g.begin() + static_cast<std::ptrdiff_t>(line.g_count);

@@ -1,4 +1,4 @@
-// What a program may ask the control: numbered parameters from #5021 on, and predefined names.
+// Values of the control for programs: numbered parameters from #5021 on, and predefined names.
 #include <algorithm>
 #include <array>
 

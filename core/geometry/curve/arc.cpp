@@ -34,7 +34,8 @@ Arc::Arc(Vec centre, Vec e1, Vec e2, double radius, double sweep, double rise)
       length_(std::hypot(radius * sweep, rise)) {}
 
 Jet Arc::at(double u) const {
-  // cos φ − 1 = −2 sin²(φ/2): from the start point outwards, so that short arcs of large radius keep their digits.
+  // cos φ − 1 = −2 sin²(φ/2) is used from the start point outwards, so that short arcs of large radius have full
+  // accuracy.
   const double half = 0.5 * sweep_ * u, sine = std::sin(half), cosine = std::cos(half);
   const double s = 2 * sine * cosine, versine = 2 * sine * sine, c = 1 - versine;
   const double r1 = radius_ * sweep_, r2 = r1 * sweep_, r3 = r2 * sweep_;
@@ -43,7 +44,7 @@ Jet Arc::at(double u) const {
 }
 
 bool Arc::derivatives(PathBatch& batch) const {
-  // From the first point on by the addition theorems; up to 0.1 rad these terms are exact to 1e-18.
+  // Further points follow from the first one by the addition theorems; up to 0.1 rad these terms are exact to 1e-18.
   const double u0 = batch.u[0], reach = std::abs(sweep_ * (batch.u[batch.count - 1] - u0));
   if (!(reach <= 0.1)) return false;
   const double s0 = std::sin(sweep_ * u0), c0 = std::cos(sweep_ * u0);

@@ -6,17 +6,16 @@ namespace bahnwerk {
 
 class Arc final : public Curve {
  public:
-  /// `e1`, `e2` orthonormal; `sweep` in rad, negative turns from e₂ to e₁; `rise` in mm over the whole arc.
+  /// `e1`, `e2` are orthonormal; `sweep` in rad, negative values turn from e₂ to e₁; `rise` in mm over the whole arc.
   Arc(Vec centre, Vec e1, Vec e2, double radius, double sweep, double rise = 0);
 
-  /// The arc from one point to another about a centre. `counter_clockwise` is seen with the normal pointing to the
-  /// viewer; what `to` lies above `from` along the normal becomes the rise of a helix; equal points (to 1e-9 mm in the
-  /// plane) mean a full circle. The radii at the ends may differ by `tolerance`, mm: the centre then moves, as little
-  /// as possible, to the perpendicular bisector of the chord. Throws InvalidInput: not finite or beyond 1e9 mm {"arc"},
-  /// no normal
-  /// {"arc","normal"}, and {"arc","center"} for a zero radius, for radii that differ by more, and for an arc of more
-  /// than half a turn whose end points are so close that the difference would move the centre by over 5 % of the
-  /// radius.
+  /// Returns the arc from one point to another about a centre. `counter_clockwise` is seen with the normal pointing to
+  /// the viewer; the height of `to` above `from` along the normal becomes the rise of a helix; equal points (to 1e-9 mm
+  /// in the plane) mean a full circle. The radii at the ends may differ by `tolerance`, mm: the centre then moves, as
+  /// little as possible, to the perpendicular bisector of the chord. Throws InvalidInput at {"arc"} for values that are
+  /// not finite or beyond 1e9 mm, at {"arc","normal"} for a zero normal, and at {"arc","center"} for a zero radius, for
+  /// radii that differ by more, and for an arc of more than half a turn whose end points are so close that the centre
+  /// would move by over 5 % of the radius.
   static Arc through(Vec from, Vec to, Vec centre, Vec normal, bool counter_clockwise, double tolerance = 0.01);
 
   CurveKind kind() const override { return CurveKind::arc; }

@@ -6,12 +6,13 @@
 
 namespace bahnwerk {
 
-/// [o][r]: derivative of order o of basis function r, of the degree + 1 that do not vanish in knots[k] … knots[k + 1].
+/// [o][r] is the derivative of order o of basis function r, of the degree + 1 that do not vanish in knots[k] … knots[k
+/// + 1].
 template <std::size_t Limit>
 using BsplineBasis = std::array<std::array<double, Limit>, 4>;
 
-/// The values alone, of a degree that is known: `knots` from knots[k] on. The same numbers as below, from one row of
-/// the triangle [A2.2].
+/// Evaluates the values alone, for a degree known to the compiler; `knots` starts at knots[k]. The numbers are those of
+/// the function below, from one row of the triangle [A2.2].
 template <std::size_t degree>
 inline void bspline_values(const double* knots, double u, double* values) {
   std::array<double, degree + 1> left{}, right{};
@@ -29,12 +30,12 @@ inline void bspline_values(const double* knots, double u, double* values) {
   }
 }
 
-/// At u, up to order min(Most, degree); degree < Limit. O(degree²); most of it are the derivatives.
+/// Evaluates at u up to order min(Most, degree); degree < Limit. O(degree²), mostly for the derivatives.
 template <std::size_t Limit, std::size_t Most = 3>
 inline BsplineBasis<Limit> bspline_basis(const std::vector<double>& knots, std::size_t degree, std::size_t k,
                                          double u) {
   const std::size_t p = degree, orders = p < Most ? p : Most;
-  // The triangle of basis functions (upper part) and knot differences (lower part).
+  // ndu is the triangle of basis functions (upper part) and knot differences (lower part).
   std::array<std::array<double, Limit>, Limit> ndu{};
   std::array<double, Limit> left{}, right{};
   ndu[0][0] = 1;

@@ -12,9 +12,9 @@ inline double curvature_rate(const Jet& point) {
   return k > 0 ? dot(point.d2, point.d3) / k : 0.0;
 }
 
-/// Derivatives by arc length from those by a parameter whose speed σ = |h_u| > 0. With ⊥ the part across the tangent T:
-/// h_ss = h_uu⊥/σ²,  h_sss = (h_uuu⊥ − 3 (T·h_uu/σ) h_uu⊥)/σ³ − |h_ss|² T  (differentiate h_ss = κN once more; T·h_ss =
-/// 0).
+/// Converts derivatives by a parameter with the speed σ = |h_u| > 0 to derivatives by arc length. With ⊥ the part
+/// perpendicular to the tangent T: h_ss = h_uu⊥/σ²,  h_sss = (h_uuu⊥ − 3 (T·h_uu/σ) h_uu⊥)/σ³ − |h_ss|² T (from
+/// differentiating h_ss = κN; T·h_ss = 0).
 inline Jet by_arc_length(const Jet& h) {
   const double inverse = 1 / norm(h.d1), square = inverse * inverse;
   const Vec tangent = inverse * h.d1;
@@ -59,7 +59,7 @@ inline void by_arc_length(PathBatch& batch) {
 }
 }  // namespace curvature_detail
 
-/// The same for a whole batch, in place.
+/// Converts a whole batch in place.
 inline void by_arc_length(PathBatch& batch) {
   batch.planar ? curvature_detail::by_arc_length<2>(batch) : curvature_detail::by_arc_length<3>(batch);
 }

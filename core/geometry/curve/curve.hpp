@@ -5,7 +5,7 @@
 
 namespace bahnwerk {
 
-/// Value and the first three derivatives with respect to the parameter of the curve at hand.
+/// Value and the first three derivatives by the curve's parameter.
 struct Jet {
   Vec value, d1, d2, d3;
 };
@@ -22,7 +22,8 @@ class Curve {
   virtual Jet at(double u) const = 0;
   /// |dh/du|, mm per unit of u; cheaper than at().
   virtual double speed(double u) const = 0;
-  /// Derivatives by the parameter at all points of a batch. False: take them one by one.
+  /// Writes the derivatives by the parameter at all points of a batch. Returns false if the curve evaluates points one
+  /// by one.
   virtual bool derivatives(PathBatch&) const { return false; }
 };
 

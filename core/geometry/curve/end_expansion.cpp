@@ -40,7 +40,7 @@ std::size_t negligible(const Vectors& a, double tolerance) {
 }
 
 constexpr double near_zone = 1.0 / 16;
-/// What matters for ρ ≤ 1/16.
+/// Returns the coefficients that matter for ρ ≤ 1/16.
 std::vector<Vec> trimmed(const Vectors& a) {
   double most = 0, power = 1;
   for (std::size_t k = 0; k < size(a); ++k, power *= near_zone) most = std::max(most, norm(coefficient(a, k)) * power);
@@ -76,7 +76,7 @@ EndExpansion::EndExpansion(const Rational& curve) {
   inward_ = at_end ? -1 : 1;
   inverse_reach_ = 1 / curve.reach();
   zone_ = near_zone * curve.reach();
-  // In ρ = |u − end|/reach: at the far end the curve is read backwards.
+  // The variable is ρ = |u − end|/reach: at the far end the curve is read backwards.
   const Polynomial w = shifted(curve.weight(), 0, inward_), w1 = bahnwerk::derivative(w);
   const Vectors n = each([&](std::size_t i) { return shifted(curve.coordinate(i), 0, inward_); });
   const Vectors v = each([&](std::size_t i) {

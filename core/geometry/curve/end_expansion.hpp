@@ -1,5 +1,5 @@
 #pragma once
-/// Geometry next to a vanishing parametric tangent, where the usual quotients are 0/0.
+/// Derivatives by arc length next to a vanishing parametric tangent, where the usual quotients are 0/0.
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -9,17 +9,18 @@
 namespace bahnwerk {
 
 /// With ρ ≥ 0 the scaled distance from the end, V = w² h' = ρᵐ W(ρ) and W × W' = ρʳ C(ρ) are divided out as
-/// polynomials, so tangent W/|W|, binormal curvature b = w² ρ^(r−m) C/|W|³ and db/ds come without cancellation for
-/// every ρ > 0, and as limits at 0. Valid in the near zone ρ ≤ 1/16. O(degree), no allocation after construction.
+/// polynomials, so the tangent W/|W|, the binormal curvature b = w² ρ^(r−m) C/|W|³ and db/ds are free of cancellation
+/// for every ρ > 0, and have limits at 0. Valid in the near zone ρ ≤ 1/16. O(degree), no allocation after construction.
 class EndExpansion {
  public:
   /// `curve` has a vanishing tangent at exactly one end.
   explicit EndExpansion(const Rational& curve);
 
   bool covers(double u) const { return (u - end_) * inward_ <= zone_; }
-  /// d1, d2, d3 of `point` by arc length at u; at the end itself the one-sided limits, or 0 for a part that has none.
+  /// Writes d1, d2, d3 of `point` by arc length at u; at the end itself the one-sided limits, or 0 for a derivative
+  /// without one.
   void derivatives(double u, Jet& point) const;
-  /// The curvature grows without bound towards the end.
+  /// Whether the curvature grows without bound towards the end.
   bool unbounded() const { return curvature_power_ < 0; }
 
  private:

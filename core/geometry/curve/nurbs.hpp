@@ -13,11 +13,11 @@ class Nurbs {
  public:
   static constexpr std::size_t max_degree = 16;
 
-  /// Empty weights = all one. Throws InvalidInput with all faults found, at {"nurbs","degree"}, {"nurbs","points",i},
-  /// {"nurbs","weights",i}, {"nurbs","knots",i}: degree 1 … 16; more points than the degree; coordinates within 1e9 mm;
-  /// weights positive and at most 1e6 apart; as many knots as points + degree + 1, finite, non-decreasing, none more
-  /// than degree + 1 times (inside the domain degree times: there the curve would be torn, unless the points agree to
-  /// 1e-9 mm); a non-empty domain.
+  /// Empty weights mean all one. Throws InvalidInput with all faults found, at {"nurbs","degree"},
+  /// {"nurbs","points",i}, {"nurbs","weights",i}, {"nurbs","knots",i}. Required are degree 1 … 16; more points than the
+  /// degree; coordinates within 1e9 mm; positive weights at most a factor of 1e6 apart; as many knots as points +
+  /// degree + 1, finite, non-decreasing, none more than degree + 1 times (inside the domain degree times, since the
+  /// curve would be discontinuous there, unless the points agree to 1e-9 mm); a non-empty domain.
   Nurbs(std::size_t degree, std::vector<Vec> points, std::vector<double> weights, std::vector<double> knots);
 
   std::size_t degree() const { return degree_; }
@@ -33,8 +33,8 @@ class Nurbs {
 
   /// The non-empty knot spans [u_k, u_{k+1}], ascending.
   std::vector<std::pair<double, double>> spans() const;
-  /// Bézier extraction by blossoms: one piece per span of spans(), each over its own parameter (u − u_k)/(u_{k+1} −
-  /// u_k) ∈ [0, 1]; spans on which all control points coincide are kept too (as pieces without length). O(spans ·
+  /// Returns the Bézier pieces by blossoms: one piece per span of spans(), each over its own parameter (u −
+  /// u_k)/(u_{k+1} − u_k) ∈ [0, 1]; spans on which all control points coincide are pieces without length. O(spans ·
   /// degree⁴).
   std::vector<Rational> pieces() const;
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Up to 16 neighbouring points of one path segment at once: planners lay their grids this way, at a fraction of the
-/// cost of single points.
+/// Up to 16 neighbouring points of one path segment, evaluated at once at a fraction of the cost of single points.
+/// Planners build their grids with it.
 #include <array>
 #include <cstddef>
 
@@ -13,19 +13,19 @@ using PointPair = Lanes<2>;
 
 struct PathBatch {
   static constexpr std::size_t most = 16, pairs = most / 2;
-  /// One number per point; the last of an odd count stands twice.
+  /// One number per point; the last one of an odd count is stored twice.
   struct Row {
     std::array<PointPair, pairs> pair;
     double operator[](std::size_t i) const { return pair[i / 2][i % 2]; }
     void set(std::size_t i, double value) { pair[i / 2][i % 2] = value; }
   };
-  std::size_t count = 0;          ///< points asked for, 1 … 16
+  std::size_t count = 0;          ///< number of points, 1 … 16
   Row u;                          ///< in: parameters, ascending
-  Row s;                          ///< out: path length from the begin of the segment, mm
+  Row s;                          ///< out: path length from the beginning of the segment, mm
   std::array<Row, 8> d1, d2, d3;  ///< out: derivatives of x, y, z, or of as many axes
   bool planar = true;             ///< out: z is constant, its rows are not written
   std::size_t used_pairs() const { return (count + 1) / 2; }
-  /// Makes whole pairs of what was asked for.
+  /// Fills the last pair of an odd count.
   void close() {
     if (count % 2 == 1) u.set(count, u[count - 1]);
   }

@@ -3,8 +3,8 @@
 ///
 /// Stored in the power basis of t = (u − pivot)/reach with |t| ≤ 1, relative to an origin on the curve, so that neither
 /// large coordinates nor a parameter far from 0 cost digits. Power-basis rounding grows like 2.4ⁿ ε at worst (degree 5:
-/// 80 ε, degree 16: 1e6 ε), and with the ratio of the weights; Horner with the derivatives carried along. Measured
-/// cost: see tests/bench/bench_curve.cpp.
+/// 80 ε, degree 16: 1e6 ε), and with the ratio of the weights. Evaluation is Horner's scheme with derivatives; its cost
+/// is measured by tests/bench/bench_curve.cpp.
 #include <cstddef>
 #include <vector>
 
@@ -17,13 +17,13 @@ class Rational final : public Curve {
  public:
   static constexpr std::size_t max_degree = 24;
 
-  /// h(u) = Σ rows[d][k] u^k on [0, 1], one row per coordinate (2 or 3; rows may differ in length). Throws InvalidInput
-  /// at
-  /// {"polynomial","coefficients",…} for anything not finite or beyond 1e9, empty rows, or a degree above 24.
+  /// Returns h(u) = Σ rows[d][k] u^k on [0, 1], one row per coordinate (2 or 3; rows may differ in length). Throws
+  /// InvalidInput at {"polynomial","coefficients",…} for values that are not finite or beyond 1e9, empty rows, or a
+  /// degree above 24.
   static Rational from_power_basis(const std::vector<std::vector<double>>& rows);
-  /// Bézier curve on [0, 1]; no weights = all one. Throws InvalidInput at {"points"…} or {"weights"…}: not finite,
-  /// beyond 1e9 mm, weights not positive or more than a factor of 1e6 apart, counts that do not fit, degree outside 1
-  /// … 24.
+  /// Returns a Bézier curve on [0, 1]; no weights mean all one. Throws InvalidInput at {"points"…} or {"weights"…} for
+  /// values that are not finite or beyond 1e9 mm, weights that are not positive or more than a factor of 1e6 apart,
+  /// counts that do not match, and a degree outside 1 … 24.
   static Rational bezier(const std::vector<Vec>& points, const std::vector<double>& weights = {});
 
   CurveKind kind() const override { return CurveKind::rational; }
@@ -35,28 +35,30 @@ class Rational final : public Curve {
 
   std::size_t degree() const { return degree_; }
   bool rational() const { return rational_; }
-  /// The same curve restricted to [u0, u1] and expanded about `pivot` ∈ [u0, u1]; parameters keep their meaning.
-  /// `vanishing`: the lowest coefficients 1 … vanishing are set to exactly 0, which makes the parametric tangent vanish
-  /// to that order at the pivot, an end, with full relative accuracy around it.
+  /// Returns the curve restricted to [u0, u1] and expanded about `pivot` ∈ [u0, u1]; the parameter is unchanged. The
+  /// lowest coefficients 1 … `vanishing` are set to exactly 0, which makes the parametric tangent vanish to that order
+  /// at the pivot, an end, with full relative accuracy around it.
   Rational restricted(double u0, double u1, double pivot, std::size_t vanishing = 0) const;
-  /// Order of the zero of dh/du at an end (0: none), as set by restricted(). At most one end vanishes.
+  /// Returns the order of the zero of dh/du at an end (0: none), as set by restricted(). The tangent vanishes at one
+  /// end at most.
   std::size_t vanishing_begin() const { return pivot_ == begin_ ? vanishing_ : 0; }
   std::size_t vanishing_end() const { return pivot_ == end_ ? vanishing_ : 0; }
 
-  /// For whoever analyses the piece: h(u) = origin + (N_x, N_y, N_z)(t)/w(t), t = (u − pivot)/reach; w = {1} for a
-  /// polynomial.
+  /// Returns the coefficients for analysis: h(u) = origin + (N_x, N_y, N_z)(t)/w(t), t = (u − pivot)/reach; w = {1} for
+  /// a polynomial.
   Vec origin() const { return origin_; }
   double pivot() const { return pivot_; }
   double reach() const { return reach_; }
   Polynomial coordinate(std::size_t axis) const;
   Polynomial weight() const;
-  /// Σ |coefficient| over the numerators without the constant: bounds the extent of the piece up to the weight, mm.
+  /// Returns Σ |coefficient| of the numerators without the constant, mm, which bounds the extent of the piece up to the
+  /// weight.
   double extent() const { return extent_; }
-  /// What rounding of the input coordinates may have done to a coefficient, mm.
+  /// Returns the error of a coefficient that rounding of the input coordinates may cause, mm.
   double noise() const { return noise_; }
-  /// All of it on one straight line, to 1e-12 of its extent (or the rounding of the coordinates).
+  /// Whether all of it is on one straight line, to 1e-12 of its extent (or the rounding of the coordinates).
   bool collinear() const;
-  /// The projection of a collinear piece onto its line: rounding no longer hides where it turns back.
+  /// Returns the projection of a collinear piece onto its line, so that rounding does not hide where it reverses.
   Rational straightened() const;
 
  private:
@@ -72,8 +74,8 @@ class Rational final : public Curve {
   Vec origin_;
   std::size_t degree_ = 0, stride_ = 2, vanishing_ = 0;
   bool rational_ = false, plane_ = true;
-  std::vector<double> c_;  ///< t^k from k·stride: x y [z w]; z = 0 and w = 1 where they do not exist
-  std::vector<double> d_;  ///< the derivative's, for polynomials
+  std::vector<double> c_;  ///< t^k from k·stride: x y [z w]; z = 0 and w = 1 where they are not stored
+  std::vector<double> d_;  ///< those of the derivative, for polynomials
   double extent_ = 0, noise_ = 0;
 };
 

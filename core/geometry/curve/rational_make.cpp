@@ -1,4 +1,4 @@
-// How rational pieces come about: from a document's coefficients or control points, or from another piece.
+// Construction of rational pieces from a document's coefficients or control points, or from another piece.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,7 +17,8 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 [[noreturn]] void fault(std::vector<std::string> place, const char* what) {
   throw InvalidInput({{std::move(place), what}});
 }
-/// What rounding of coordinates of that size does to the first derivative at an end, n (P₁ − P₀), on [0, 1].
+/// Returns the effect of rounding of coordinates of that size on the first derivative at an end, n (P₁ − P₀), on [0,
+/// 1].
 double coordinate_noise(double size, std::size_t degree) {
   return 4 * epsilon * size * static_cast<double>(std::max<std::size_t>(degree, 1));
 }

@@ -25,7 +25,7 @@ std::vector<double> bernstein(const Polynomial& p, double begin, double end, std
   return b;
 }
 
-/// By its control points, taken from the last to the first.
+/// Reverses the control points.
 Rational backwards(const Rational& curve) {
   const double begin = (curve.begin() - curve.pivot()) / curve.reach(),
                end = (curve.end() - curve.pivot()) / curve.reach();
@@ -48,8 +48,8 @@ std::shared_ptr<const Curve> reversed(const Curve& curve) {
     return std::make_shared<Line>(line.to(), line.from());
   }
   if (curve.kind() == CurveKind::arc) {
-    // With E₁, E₂ the frame at the end, φ = sweep − u·sweep gives cos(u·sweep) E₁ − sin(u·sweep) E₂: the normal turns
-    // round, sweep and rise keep their signs.
+    // With E₁, E₂ the frame at the end, φ = sweep − u·sweep gives cos(u·sweep) E₁ − sin(u·sweep) E₂: the normal is
+    // reversed, sweep and rise keep their signs.
     const auto& arc = static_cast<const Arc&>(curve);
     const double c = std::cos(arc.sweep()), s = std::sin(arc.sweep());
     return std::make_shared<Arc>(arc.centre() + arc.rise() * arc.normal(), c * arc.e1() + s * arc.e2(),

@@ -44,8 +44,8 @@ const Tables& tables() {
   return made;
 }
 
-/// Of x: a step of Newton's method so short, with what the bend of s(x) adds to it, leaves an error of the order of its
-/// third power, below rounding.
+/// Length of a step of Newton's method in x that, with the correction by the second derivative of s(x), leaves an error
+/// of third order below rounding.
 constexpr double short_step = 4e-6;
 
 /// Σ c[k] x^k, k < 13, by Estrin's scheme: short dependency chains, fixed order of operations.
@@ -67,7 +67,7 @@ Number estrin_slope(const std::array<double, 13>& c, Number x) {
 }
 /// Σ ½ k (k − 1) c[k] x^(k−2).
 template <class Number>
-Number estrin_bend(const std::array<double, 13>& c, Number x) {
+Number estrin_second_derivative(const std::array<double, 13>& c, Number x) {
   const Number x2 = x * x, x4 = x2 * x2, x8 = x4 * x4;
   const Number a = (c[2] + 3 * c[3] * x) + (6 * c[4] + 10 * c[5] * x) * x2;
   const Number b = (15 * c[6] + 21 * c[7] * x) + (28 * c[8] + 36 * c[9] * x) * x2;
@@ -255,7 +255,7 @@ PointPair ArcLength::inverse(PointPair s) const {
       const PointPair x = larger(smaller(estrin(panel.start, y), PointPair{1, 1}), PointPair{-1, -1});
       const PointPair slope = estrin_slope(panel.s, x), step = (estrin(panel.s, x) - (s - panel.base)) / slope;
       if (largest(magnitude(step)) < short_step) {
-        const PointPair end = x - step * (1.0 + step * estrin_bend(panel.s, x) / slope);
+        const PointPair end = x - step * (1.0 + step * estrin_second_derivative(panel.s, x) / slope);
         const PointPair u = panel.centre + end / panel.inverse_half;
         return larger(smaller(u, PointPair{u_[i + 1], u_[i + 1]}), PointPair{u_[i], u_[i]});
       }
@@ -279,7 +279,7 @@ double ArcLength::inverse_on(const Panel& panel, double s) const {
     (value > 0 ? high : low) = x;
     const double step = value / slope, next = x - step;
     if (std::abs(step) < short_step) {
-      x = std::clamp(next - step * (step * estrin_bend(panel.s, x) / slope), -1.0, 1.0);
+      x = std::clamp(next - step * (step * estrin_second_derivative(panel.s, x) / slope), -1.0, 1.0);
       break;
     }
     const bool inside = next >= low && next <= high;

@@ -1,13 +1,14 @@
 #pragma once
-/// Arc length over the parameter and back.
+/// Arc length as a function of the parameter, and its inverse.
 ///
-/// Lines and arcs: closed form. Rational pieces: adaptive panels; on each the speed is interpolated by a polynomial of
-/// degree 11 at Chebyshev points, bisected until its last two coefficients are below 2e-13 of the panel's mean speed
-/// (or do not matter to the whole), and integrated exactly. Next to an end where the tangent vanishes the panels shrink
-/// geometrically and the innermost one is the monomial s ~ ρ^(m+1), so that both directions keep relative accuracy
-/// there. Accuracy of s(u), u(s): some 1e-15 of the length (tests hold 1e-12). Building: below 1 µs per panel; 4–25
-/// panels for ordinary pieces. The inverse has its own Newton's method: Boost's newton_raphson_iterate takes 1.2 times
-/// as long per point and measures its tolerance by the root, which lies anywhere around 0 here.
+/// Lines and arcs have closed forms. Rational pieces have adaptive panels; on each the speed is interpolated by a
+/// polynomial of degree 11 at Chebyshev points and integrated exactly. A panel is bisected until the last two
+/// coefficients are below 2e-13 of its mean speed (or negligible for the whole). Next to an end where the tangent
+/// vanishes the panels shrink geometrically and the innermost one is the monomial s ~ ρ^(m+1), so that both directions
+/// have full relative accuracy there. Accuracy of s(u), u(s): some 1e-15 of the length (tests hold 1e-12). Cost: below
+/// 1 µs per panel; 4–25 panels for ordinary pieces. The inverse is a Newton method of its own: Boost's
+/// newton_raphson_iterate takes 1.2 times as long per point and measures its tolerance relative to the root, which lies
+/// anywhere around 0 here.
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -19,7 +20,7 @@ namespace bahnwerk {
 
 class ArcLength {
  public:
-  /// The curve is read, not kept. Rational pieces have to be regular inside (core/geometry/path/regular.hpp).
+  /// The curve is read, not stored. Rational pieces have to be regular inside (core/geometry/path/regular.hpp).
   explicit ArcLength(const Curve& curve);
 
   double length() const { return length_; }
@@ -28,9 +29,9 @@ class ArcLength {
   void at(PathBatch& batch) const;
   /// u(s); s is clamped to [0, length()]. O(log panels), usually one step, of third order, from a polynomial start.
   double inverse(double s) const;
-  /// Two at once, which takes little longer than one where they lie in the same panel, ascending.
+  /// Returns two values at once, at little more than the cost of one where they lie in one panel, ascending.
   PointPair inverse(PointPair s) const;
-  /// Borders of the panels, ascending from begin to end of the parameter.
+  /// Returns the borders of the panels, ascending from the first to the last parameter.
   std::vector<double> borders() const;
 
  private:

@@ -46,11 +46,11 @@ double MatchedDistance::bound(const MatchedPieces& pieces, double tolerance, dou
 
 double MatchedDistance::halve(const MatchedPieces& c, double tolerance, double slack, double& found, int depth) const {
   const double wa = c.a1 - c.a0, wb = c.b1 - c.b0;
-  const double bulge_a = wa > 0 ? bend_a_.at(c.a0, c.a1) * wa * wa / 8 : 0.0;
-  const double bulge_b = wb > 0 ? bend_b_.at(c.b0, c.b1) * wb * wb / 8 : 0.0;
+  const double bulge_a = wa > 0 ? second_a_.at(c.a0, c.a1) * wa * wa / 8 : 0.0;
+  const double bulge_b = wb > 0 ? second_b_.at(c.b0, c.b1) * wb * wb / 8 : 0.0;
   const double bound = c.ends() + bulge_a + bulge_b;
   if (!(bound > found + slack) || !(c.ends() <= tolerance) || depth == 0) return bound;
-  if (scope_) scope_->work(units_per_halving);
+  if (progress_) progress_->work(units_per_halving);
   MatchedPieces first = c, second = c;
   if (bulge_a >= bulge_b) {
     first.a1 = second.a0 = 0.5 * (c.a0 + c.a1);

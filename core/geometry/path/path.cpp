@@ -45,7 +45,7 @@ Segment::Segment(std::shared_ptr<const Curve> curve, double s0, std::size_t sour
       (rational.vanishing_begin() > 0 ? cusp_begin_ : cusp_end_) = expansion_->unbounded();
     }
     // A tangent that almost vanishes turns within nothing: no machine passes it with a speed worth having.
-    const auto spike = [&](double u) { return !(norm(at_parameter(u).d2) * length <= sharpest_bend); };
+    const auto spike = [&](double u) { return !(norm(at_parameter(u).d2) * length <= sharpest_curvature); };
     if (!straight_ && rational.vanishing_begin() == 0) cusp_begin_ = spike(u0);
     if (!straight_ && rational.vanishing_end() == 0) cusp_end_ = spike(u1);
   }

@@ -24,7 +24,7 @@ VectorPolynomial derivative(const VectorPolynomial& v) {
   return {bahnwerk::derivative(v[0]), bahnwerk::derivative(v[1]), bahnwerk::derivative(v[2])};
 }
 
-/// w² dh/dt as a polynomial: N' w − N w'.
+/// Returns w² dh/dt as a polynomial: N' w − N w'.
 VectorPolynomial hodograph(const Rational& curve) {
   const Polynomial w = curve.weight(), w1 = bahnwerk::derivative(w);
   VectorPolynomial v;
@@ -39,8 +39,8 @@ struct Interval {
   double low, high;
 };
 
-/// What |v| may fall below, of the sum of its coefficients, where the curve turns round in a needle point, and how wide
-/// an interval of t is looked at as one place then.
+/// Relative value below which |v| may fall where the curve turns round in a needle point, and the width of an interval
+/// of t that then counts as one place.
 constexpr double needle_speed = 3e-4, needle_width = 1e-4;
 
 /// Whether |v| only rises or only falls for |t| ≤ 1: v·v′ keeps its sign.
@@ -70,7 +70,7 @@ void suspects(const VectorPolynomial& v, Interval range, double negligible, doub
     along += std::abs(dot(v0, coefficient(local, k)));
   }
   const bool tiny = size + rest <= negligible;
-  // v keeps a positive component along v(middle) on the whole interval (with room for a zero at its border).
+  // v has a positive component along v(middle) on the whole interval (with room for a zero at its border).
   const bool positive = !tiny && along < 0.999 * size * size;
   if (positive && (size * size - along >= slow * size || monotonous(local))) return;
   if (tiny || depth == 0 || found.size() > 4096 || (positive && range.high - range.low <= needle_width)) {
@@ -122,7 +122,7 @@ double rough_length(const Rational& curve) {
   return sum;
 }
 
-/// How many of the coefficients 1, 2, … of h − h(pivot) are negligible.
+/// Returns how many of the coefficients 1, 2, … of h − h(pivot) are negligible.
 std::size_t order_at(const Rational& expanded, double tolerance) {
   const Polynomial x = expanded.coordinate(0), y = expanded.coordinate(1), z = expanded.coordinate(2);
   std::size_t order = 0;
@@ -158,7 +158,7 @@ std::vector<Zero> inner_zeros(const Rational& curve, const VectorPolynomial& v, 
       if (std::abs(t - start) > near) continue;
       if (m == 1) {
         const double speed = norm(evaluate(v, t));
-        needle = speed > 0 && curvature_at(curve, v, t) * rough_length(curve) > sharpest_bend;
+        needle = speed > 0 && curvature_at(curve, v, t) * rough_length(curve) > sharpest_curvature;
         if (needle || speed <= 1e-7 * scale) {
           best = t;
           low = true;

@@ -1,5 +1,5 @@
 #pragma once
-/// Finding stretches of a path that may be the same curve at another place: by a number that such stretches share.
+/// Finds sequences of segments that may be moved copies of each other, by a number that copies share.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -10,14 +10,14 @@
 
 namespace bahnwerk {
 
-/// Of the segments [first, last): equal for stretches that are moved copies of each other, up to rounding (two copies
-/// in about 10⁴ come out different all the same). Equal numbers prove nothing. O(1).
+/// Returns a number of the segments [first, last) that is equal for moved copies, up to rounding (for about 2 in 10⁴
+/// copies it differs). Equal numbers prove nothing. O(1).
 std::uint64_t rough_shape(const Path& path, std::size_t first, std::size_t last);
 
-/// What was seen of each number: the latest few of the indices that were added.
+/// The latest few indices that were added for each number.
 class RoughIndex {
  public:
-  /// The latest first. Valid until the next add().
+  /// Returns the indices, the latest first. Valid until the next add().
   std::span<const std::size_t> of(std::uint64_t shape) const;
   void add(std::uint64_t shape, std::size_t index);
 

@@ -20,24 +20,24 @@ struct Edge {
   double length() const;
   Point at(double fraction) const;         ///< fraction 0 … 1 of the length
   Point direction(double fraction) const;  ///< unit tangent
-  /// Fraction of the point of the edge that is nearest to `p`, in [0, 1].
+  /// Returns the fraction of the point of the edge that is nearest to `p`, in [0, 1].
   double nearest(Point p) const;
   Edge part(double first, double last) const;
   Edge reversed() const;
-  /// Twice the area between the edge and the origin, counterclockwise positive; a loop's sum is twice its area.
+  /// Returns twice the area between the edge and the origin, counterclockwise positive; a loop's sum is twice its area.
   double doubled_area() const;
 };
 
 Edge line(Point from, Point to);
-/// From `start` rad, over `turn` rad (positive counterclockwise).
+/// Returns an arc from the angle `start` rad over `turn` rad (positive counterclockwise).
 Edge arc(Point centre, double radius, double start, double turn);
-/// The arc about `centre` from one point to another on its circle, at most one turn.
+/// Returns the arc about `centre` from one point to another on its circle, at most one turn.
 Edge arc_between(Point centre, Point from, Point to, bool counterclockwise);
 
-/// A box that holds the edge and `more` mm around it; about arcs it may be larger.
+/// Returns a box that contains the edge and `more` mm around it; around arcs it may be larger.
 Box extent(const Edge& edge, double more);
 
-/// Where two edges meet, as fractions of each; lines that overlap meet nowhere. At most two.
+/// A meeting of two edges, as fractions of each; lines that overlap have none. There are at most two.
 struct Meeting {
   double first = 0, second = 0;
 };

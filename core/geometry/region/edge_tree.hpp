@@ -1,5 +1,5 @@
 #pragma once
-/// The edges of a boundary in nested boxes: which of them can be nearest to a point.
+/// The edges of a boundary in nested boxes, for queries of the edges nearest to a point.
 #include <algorithm>
 #include <cstddef>
 #include <span>
@@ -9,16 +9,16 @@
 
 namespace bahnwerk {
 
-/// A binary tree over blocks of edges in their order: edges that follow each other lie side by side, so that no sorting
-/// is needed. O(n) to build; a query takes O(log n) blocks where one part of the boundary is clearly the nearest, all
-/// of them in the middle of a circle.
+/// A binary tree over blocks of edges in their order: consecutive edges lie side by side, so no sorting is needed. O(n)
+/// to build; a query takes O(log n) blocks where one part of the boundary is clearly the nearest, all of them in the
+/// middle of a circle.
 class EdgeTree {
  public:
   EdgeTree() = default;
   explicit EdgeTree(std::span<const Edge> edges);
 
-  /// Calls `visit(first, last)` for blocks of edges in ascending nearness of their boxes, as long as those lie no
-  /// farther than `best`, a squared distance in mm² that `visit` may lessen.
+  /// Calls `visit(first, last)` for blocks of edges in ascending distance of their boxes, as long as these are no
+  /// farther than `best`, a squared distance in mm² that `visit` may reduce.
   template <class Visit>
   void near(Point p, const double& best, Visit visit) const {
     if (count_ > 0) near(1, p, best, visit);
@@ -27,7 +27,7 @@ class EdgeTree {
  private:
   static constexpr std::size_t block = 32;
   std::size_t count_ = 0, leaves_ = 0;
-  std::vector<Box> boxes_;  ///< of node k, whose halves are 2 k and 2 k + 1; leaves are the last ones
+  std::vector<Box> boxes_;  ///< of node k, whose halves are 2 k and 2 k + 1; leaves are last
 
   static double square_distance_to(const Box& box, Point p) {
     const double x = std::max({box.low.x - p.x, p.x - box.high.x, 0.0});

@@ -1,6 +1,6 @@
 #pragma once
-/// Points of a slot's cross-section, mm: x along the slot's base, y from the base to the opening. Not Eigen's Vector2d:
-/// its header alone adds 63 % to the compile time of what includes this one.
+/// Points of a slot's cross-section, mm: x along the slot's base, y from the base to the opening. Eigen's Vector2d is
+/// not used: its header alone adds 63 % to the compile time of every file that includes this one.
 #include <cmath>
 
 namespace bahnwerk {
@@ -21,9 +21,9 @@ inline double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
 inline double norm(Point a) { return std::sqrt(dot(a, a)); }
 inline double square_distance(Point a, Point b) { return dot(a - b, a - b); }
 inline double distance(Point a, Point b) { return norm(a - b); }
-/// A quarter turn to the left.
+/// Returns the vector turned by a quarter turn to the left.
 inline Point left_of(Point a) { return {-a.y, a.x}; }
-/// `a` of length 1; (0, 1) if it has none.
+/// Returns `a` scaled to length 1; (0, 1) if it has none.
 inline Point unit(Point a) {
   const double length = norm(a);
   return length > 0 ? (1 / length) * a : Point{0, 1};

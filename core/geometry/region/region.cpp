@@ -22,7 +22,7 @@ void widen(Box& box, const Edge& edge) {
     if (const Point p = edge.centre + edge.radius * d; distance(edge.at(edge.nearest(p)), p) < 1e-9) widen(box, p);
 }
 
-/// At the tip of a cusp tangents say nothing: whether the boundary turns left (+1) or right a little away from it.
+/// Tangents do not decide at the tip of a cusp: this returns whether the boundary turns left (+1) or right near it.
 int cusp(const Edge& before, const Edge& after) {
   const Point tip = after.from;
   return cross(tip - before.at(0.99), after.at(0.01) - tip) > 0 ? 1 : -1;

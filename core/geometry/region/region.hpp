@@ -1,6 +1,6 @@
 #pragma once
-/// The region inside a boundary of lines and arcs: a slot, or what liner and wedge leave of it. Distances, areas and
-/// offsets are exact up to rounding; nothing is chopped into chords.
+/// The region inside a boundary of lines and arcs: a slot, or its part without liner and wedge. Distances, areas and
+/// offsets are exact up to rounding; no arc is replaced by chords.
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -11,13 +11,13 @@ namespace bahnwerk {
 
 class Progress;
 
-/// From this number on it pays to look where parallels are needed before they are crossed with each other.
+/// From this number of edges on, computing where parallels are needed before crossing them saves time.
 inline constexpr std::size_t many_edges = 200;
 
 class Region {
  public:
   Region() = default;
-  /// One or more closed loops of edges end to end, the region on their left. Ends may miss by 1e-6 mm. Throws
+  /// Takes one or more closed loops of consecutive edges, the region on their left. Ends may miss by 1e-6 mm. Throws
   /// std::invalid_argument if a loop does not close.
   explicit Region(std::vector<Edge> edges);
 
@@ -27,7 +27,7 @@ class Region {
     Point at, normal;
     std::size_t edge = 0;
   };
-  Nearest nearest(Point p) const;  ///< of several as near, the one on the first edge
+  Nearest nearest(Point p) const;  ///< of equally near points the one on the first edge
   double distance(Point p) const { return nearest(p).distance; }
 
   bool empty() const { return edges_.empty(); }
@@ -35,7 +35,7 @@ class Region {
   double length() const;  ///< of the boundary, mm
   const Box& box() const { return box_; }
   std::span<const Edge> edges() const { return edges_; }
-  /// Whether the boundary turns to the right (more than 1e-9) where edge `i` begins: a corner that juts into the
+  /// Whether the boundary turns to the right (more than 1e-9) where edge `i` begins: a corner that projects into the
   /// region.
   bool juts_at(std::size_t i) const { return corner_[i] < 0; }
   bool recedes_at(std::size_t i) const { return corner_[i] > 0; }
@@ -43,27 +43,27 @@ class Region {
   /// Whether edge `i` is the first of its loop.
   bool begins_loop(std::size_t i) const { return before_[i] >= i; }
 
-  /// Every edge moved by `depth` into the region, with arcs about the corners at which that opens gaps: what bounds
-  /// inward(depth), not yet cut where it leaves it.
+  /// Returns every edge moved by `depth` into the region, with arcs about the corners at which that opens gaps.
+  /// Trimmed, they bound inward(depth).
   std::vector<Edge> parallels(double depth) const;
-  /// For each of these a box that holds all of its points at `depth` inside the boundary: of many short edges most
-  /// parallels lie elsewhere and would cross each other there, up to n² times. A few distances each.
-  /// Reports fraction 0 to `progress`, if there is one.
+  /// Returns for each parallel a box that contains all of its points at `depth` inside the boundary. Most parallels of
+  /// many short edges lie elsewhere and would cross each other there, up to n² times. It takes a few distances each and
+  /// reports fraction 0 to `progress`, if there is one.
   std::vector<Box> reached(const std::vector<Edge>& parallels, double depth, Progress* progress = nullptr) const;
-  /// The areas of all points at least `depth` inside the boundary; several loops where a neck closes, empty where
-  /// nothing is left. Lines and points are left out: centre_borders knows them.
-  /// A negative depth widens the region, around its corners by arcs. O(n²) for n edges.
+  /// Returns the areas of all points at least `depth` inside the boundary: several loops where a neck closes, empty
+  /// where nothing remains. Lines and points are left out (see centre_borders). A negative depth widens the region,
+  /// around its corners by arcs. O(n²) for n edges.
   Region inward(double depth, Progress* progress = nullptr) const;
-  /// This region without that of `other`. Boundaries must not run along each other. O(n·m).
+  /// Returns this region without the region `other`. Boundaries must not coincide along a part. O(n·m).
   Region without(const Region& other) const;
 
  private:
   std::vector<Edge> edges_;
   std::vector<std::size_t> before_, after_;
-  std::vector<int> corner_;  ///< at the begin of each edge: +1 turns left, 0 smooth, −1 turns right
+  std::vector<int> corner_;  ///< at the beginning of each edge: +1 turns left, 0 smooth, −1 turns right
   EdgeTree tree_;
 
-  /// From which fraction on a straight parallel is not too near to an edge; 1 if nowhere.
+  /// Returns the fraction from which on a straight parallel is far enough from all edges; 1 if nowhere.
   double first_reached(const Edge& parallel, double depth) const;
   Box box_;
 };

@@ -1,5 +1,5 @@
-// Offsets and differences of regions: edges are split where they meet, the parts that bound the result are kept and
-// joined again.
+// Offsets and differences of regions: edges are split where they meet, the parts that bound the result are selected and
+// joined.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,10 +12,10 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double joint = 1e-6;         // mm, ends this close are one
-constexpr double crumb = 1e-9;         // mm, shorter parts are rounding
-constexpr double reach_margin = 1e-8;  // mm, what lacks no more is not given up before it is cut
-constexpr double together = 2e-9;      // mm, edges no further apart have nothing between them
+constexpr double joint = 1e-6;            // mm, ends this close are one
+constexpr double min_edge_length = 1e-9;  // mm, shorter parts are rounding
+constexpr double reach_margin = 1e-8;     // mm, what lacks no more is not given up before it is cut
+constexpr double together = 2e-9;         // mm, edges no further apart have nothing between them
 constexpr Box nowhere{{1e300, 1e300}, {-1e300, -1e300}};
 
 /// The parts into which meetings cut every edge.
@@ -26,7 +26,7 @@ std::vector<Edge> split(const std::vector<Edge>& edges, const std::vector<std::v
     at.push_back(0);
     at.push_back(1);
     std::sort(at.begin(), at.end());
-    const double least = crumb / edges[i].length();
+    const double least = min_edge_length / edges[i].length();
     double last = 0;
     for (const double f : at) {
       if (f - last < least) continue;
@@ -37,14 +37,14 @@ std::vector<Edge> split(const std::vector<Edge>& edges, const std::vector<std::v
   return parts;
 }
 
-/// Whether `end`, where another edge has the direction `along`, lies on `edge` and that edge runs the other way there.
+/// Whether `end`, where another edge has the direction `along`, lies on `edge` and that edge has the opposite direction
+/// there.
 bool runs_back(const Edge& edge, Point end, Point along, double& at) {
   at = edge.nearest(end);
   return distance(edge.at(at), end) <= together && dot(edge.direction(at), along) < -1 + 1e-9;
 }
 
-/// Without the parts that run forth and back over each other, as where the region is twice the depth wide: they bound
-/// no area, and no side of them is inside.
+/// Removes the parts that run back over each other, as where the region is twice the depth wide: they bound no area.
 std::vector<Edge> without_lines(std::vector<Edge> parts, Progress* progress) {
   std::vector<std::vector<double>> cuts(parts.size());
   const auto each_pair = [&](auto visit) {
@@ -86,8 +86,8 @@ std::vector<Edge> without_lines(std::vector<Edge> parts, Progress* progress) {
   return left;
 }
 
-/// Drops parts that come from nowhere or lead nowhere. At a shallow corner the parallels run past their crossing for
-/// some 1e-6 mm before they are too near to a wall to be told from what bounds the result.
+/// Removes parts without a predecessor or successor. At a shallow corner the parallels extend past their crossing for
+/// some 1e-6 mm before they are distinguishable from the bounds of the result.
 void drop_tails(std::vector<Edge>& parts, Progress* progress) {
   for (bool dropped = true; dropped;) {
     std::vector<char> led_to(parts.size()), leads_on(parts.size());
@@ -157,7 +157,7 @@ std::vector<Edge> Region::parallels(double depth) const {
     shifted.from += depth * left_of(edge.direction(0));
     shifted.to += depth * left_of(edge.direction(1));
     if (!edge.straight()) shifted.radius += edge.turn > 0 ? -depth : depth;
-    if (edge.straight() || shifted.radius > crumb) edges.push_back(shifted);
+    if (edge.straight() || shifted.radius > min_edge_length) edges.push_back(shifted);
   }
   return edges;
 }
@@ -167,7 +167,7 @@ double Region::first_reached(const Edge& parallel, double depth) const {
   for (int step = 0; step < 100 && from < 1; ++step) {
     const Nearest nearest = this->nearest(parallel.at(from));
     if (nearest.distance >= depth - reach_margin) return from;
-    // What is too near to one straight edge is an interval: the distance from a convex set is convex along a line.
+    // The part too near to one straight edge is an interval: the distance from a convex set is convex along a line.
     const Edge& edge = edges_[nearest.edge];
     if (!edge.straight() || nearest.distance < 0) return from;
     const auto near = [&](double f) {

@@ -15,14 +15,14 @@ constexpr std::size_t spline_orders = 5;  ///< the value and four derivatives: e
 using SplinePoint = std::array<double, spline_dimension>;
 /// Homogeneous coordinates [Herrmann (3.79)]: w·p, then w.
 using HomogeneousPoint = std::array<double, spline_dimension + 1>;
-/// Value and derivatives 1 … 4 by the parameter at hand.
+/// Value and derivatives 1 … 4 by the piece's parameter.
 using SplineJet = std::array<SplinePoint, spline_orders>;
 using HomogeneousJet = std::array<HomogeneousPoint, spline_orders>;
 
 inline Vec place(const SplinePoint& p) { return {p[0], p[1], p[2]}; }
 HomogeneousPoint homogeneous(const SplinePoint& p, double weight);
 SplinePoint projected(const HomogeneousPoint& p);
-/// Derivatives of the quotient from those of numerator and weight.
+/// Returns the derivatives of the quotient from those of numerator and weight.
 SplineJet projected(const HomogeneousJet& jet);
 
 class BezierPiece {
@@ -31,19 +31,19 @@ class BezierPiece {
 
   /// Degree = points − 1, 1 … 9; weights positive. Throws std::invalid_argument otherwise.
   explicit BezierPiece(std::vector<HomogeneousPoint> points);
-  /// The straight line of degree 1 with weights 1 [Herrmann (4.31)–(4.34)]; all five coordinates go linearly.
+  /// Returns the straight line of degree 1 with weights 1 [Herrmann (4.31)–(4.34)]; all five coordinates are linear.
   static BezierPiece line(const SplinePoint& from, const SplinePoint& to);
 
   std::size_t degree() const { return points_.size() - 1; }
   const std::vector<HomogeneousPoint>& points() const { return points_; }
 
-  /// de Casteljau: O(degree²), no allocation.
+  /// Evaluates by de Casteljau's algorithm: O(degree²), no allocation.
   HomogeneousJet homogeneous_at(double v) const;
   SplineJet at(double v) const { return projected(homogeneous_at(v)); }
 
-  /// The same curve, parameter included, as a piece of a higher degree [Piegl, Tiller: The NURBS Book, 5.5].
+  /// Returns the curve, with its parameter, as a piece of a higher degree [Piegl, Tiller: The NURBS Book, 5.5].
   BezierPiece elevated(std::size_t degree) const;
-  /// The same curve with all weights times `factor` > 0.
+  /// Returns the curve with all weights multiplied by `factor` > 0.
   BezierPiece scaled(double factor) const;
 
  private:

@@ -7,8 +7,8 @@
 
 namespace bahnwerk {
 
-/// Bézier point i ≤ 4 of degree p from the derivatives at v = 0: P_i = Σ_j C(i,j) (p − j)!/p! s⁽ʲ⁾(0). For the other
-/// end count from there and take the derivatives by 1 − v.
+/// Returns Bézier point i ≤ 4 of degree p from the derivatives at v = 0: P_i = Σ_j C(i,j) (p − j)!/p! s⁽ʲ⁾(0). For the
+/// other end, points count from there and derivatives are by 1 − v.
 inline double end_point(const std::array<double, spline_orders>& derivatives, std::size_t degree, std::size_t i) {
   double sum = 0, choose = 1, falling = 1;  // C(i, j), p!/(p − j)!
   for (std::size_t j = 0; j <= i; ++j) {

@@ -9,27 +9,27 @@
 
 namespace bahnwerk {
 
-/// The first three coordinates as a curve of space over the same parameter.
+/// Returns the first three coordinates as a curve of space over the piece's parameter.
 Rational place_curve(const BezierPiece& piece);
 
 /// σ(v), mm, on [0, 1], of the first three coordinates.
 ///
 /// An interval is halved until (4.69) holds with its share of `tolerance`: ε holds for the whole piece (in the source
-/// for each interval). With the factor 1/10 of (4.69) that is safe by 1.5 asymptotically. The spline between the points
-/// has an error of its own, which ε does not limit: tests compare both with the exact length. One spline per piece: σ′
-/// jumps where pieces join geometrically, and a C² spline over the whole path, as the source has it, rings there.
-/// Cost: 4 speeds per point; points grow with ε^(−1/4).
+/// for each interval). The factor 1/10 of (4.69) is asymptotically safe by 1.5. The spline between the points has an
+/// error that ε does not limit: tests compare both with the exact length. Each piece has its own spline: σ′ jumps where
+/// pieces join geometrically, and a C² spline over the whole path, as in the source, oscillates there. Cost: 4 speeds
+/// per point; the number of points grows with ε^(−1/4).
 class LengthSpline {
  public:
   /// Throws std::invalid_argument for a tolerance below 1e-12 mm.
   LengthSpline(const BezierPiece& piece, double tolerance);
 
   double length() const { return values_.back(); }
-  /// v outside [0, 1] is clamped. O(log points).
+  /// Returns σ(v); v is clamped to [0, 1]. O(log points).
   double at(double v) const;
-  /// v(σ) by bisection and Newton's method; σ is clamped. O(log points).
+  /// Returns v(σ) by bisection and Newton's method; σ is clamped. O(log points).
   double inverse(double length) const;
-  /// The interpolated points and their lengths.
+  /// Returns the interpolated points and their lengths.
   const std::vector<double>& parameters() const { return parameters_; }
   const std::vector<double>& values() const { return values_; }
 

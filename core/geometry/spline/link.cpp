@@ -90,7 +90,7 @@ void link_gradient(std::size_t continuity, const LinkEnds& ends, const LinkShape
     const Series change = inverse_change(last ? shape.after : shape.before);
     const SplineJet curve = reparametrised(last ? ends.after : ends.before, change);
     const auto weight = end.weights(shape.weights);
-    // By the derivatives of weight times curve, then by those of the curve, both from this end on.
+    // Gradients by the derivatives of weight times curve, then by those of the curve, both from this end on.
     std::array<Vec, spline_orders> by_product{}, by_curve{};
     for (std::size_t n = 0; n <= continuity; ++n) {
       std::array<double, spline_orders> unit{};

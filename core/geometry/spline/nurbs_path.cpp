@@ -37,7 +37,7 @@ SplineJet NurbsPath::at(double u) const {
   for (std::size_t i = 0; i <= p; ++i) q[i] = points[k - p + i];
   HomogeneousJet jet{};
   for (std::size_t order = 0; order < std::min(spline_orders, p + 1); ++order) {
-    // q[i], i = order … p: control points of the derivative of this order, a spline of degree p − order.
+    // q[i], i = order … p, are control points of the derivative of this order, a spline of degree p − order.
     std::copy(q.begin(), q.end(), b.begin());
     for (std::size_t l = order + 1; l <= p; ++l)
       for (std::size_t i = p; i >= l; --i) {

@@ -7,7 +7,8 @@
 
 namespace bahnwerk {
 
-/// Over [knots[degree], knots[points.size()]]; as many knots as points + degree + 1, the end ones degree + 1 times.
+/// The domain is [knots[degree], knots[points.size()]]; there are points + degree + 1 knots, the end ones degree + 1
+/// times.
 struct NurbsPath {
   std::size_t degree = 1;
   std::vector<HomogeneousPoint> points;
@@ -15,17 +16,18 @@ struct NurbsPath {
 
   double begin() const { return knots[degree]; }
   double end() const { return knots[points.size()]; }
-  /// By the scheme of de Boor on control points of the derivatives; at a knot the span to its right counts, at the end
-  /// the last one. O(degree²), no allocation.
+  /// Evaluates by de Boor's scheme on control points of the derivatives; at a knot the span to its right counts, at the
+  /// end the last one. O(degree²), no allocation.
   SplineJet at(double u) const;
-  /// One piece per knot span, each over its own v ∈ [0, 1], by inserting knots [Piegl, Tiller: The NURBS Book, 5.3].
+  /// Returns one piece per knot span, each over its own v ∈ [0, 1], by knot insertion [Piegl, Tiller: The NURBS Book,
+  /// 5.3].
   std::vector<BezierPiece> pieces() const;
 };
 
-/// Pieces end to end as one curve: raised to the highest degree, weights of each scaled so that they continue those of
-/// the piece before, inner knots as often as the degree. Piece n takes u ∈ [n, n + 1] and keeps its parameter there.
-/// Where a piece begins its control point is the end point of the one before: throws std::invalid_argument where these
-/// are more than 1e-9 apart (mm, rad), and for no pieces.
+/// Joins pieces to one curve: they are raised to the highest degree, weights of each are scaled so that they continue
+/// those of the piece before, and inner knots have the multiplicity of the degree. Piece n has u ∈ [n, n + 1] with an
+/// unchanged parameter. The first control point of a piece is the end point of the one before: throws
+/// std::invalid_argument where these are more than 1e-9 apart (mm, rad), and for no pieces.
 NurbsPath united(std::span<const BezierPiece> pieces);
 
 }  // namespace bahnwerk

@@ -21,7 +21,7 @@ Series composed(const Series& outer, const Series& inner) {
 Series reverted(const Series& f) {
   Series g;
   g.c[1] = 1 / f.c[1];
-  // With g right to order n − 1, f(g(x)) − x begins with a term of order n.
+  // If g is right to order n − 1, f(g(x)) − x begins with a term of order n.
   for (std::size_t n = 2; n < spline_orders; ++n) g.c[n] = -composed(f, g).c[n] / f.c[1];
   return g;
 }

@@ -1,12 +1,11 @@
 #pragma once
-/// Faà di Bruno's formula and its inverse as operations on truncated series: how derivatives change when a parameter
-/// does.
+/// Faà di Bruno's formula and its inverse as operations on truncated series: derivatives under a change of parameter.
 ///
 /// The β of geometric continuity are β_i = f⁽ⁱ⁾ for the change of parameter f with which a link š becomes
-/// parametrically continuous: s₁⁽ⁱ⁾ = (š ∘ f)⁽ⁱ⁾ at the joint [Herrmann (4.55), (4.56)]. What is sought, š = s₁ ∘ f⁻¹,
-/// follows from the reverted series of f; that is the source's F⁻¹, which solves the same equations one after the
-/// other. Hence larger β₁ make the link leave its neighbour's tangent *sooner* (š′ = s₁′/β₁). Beside (4.57) the source
-/// says the opposite; the β it prints for its optimum have sensible sizes only in the form taken here.
+/// parametrically continuous: s₁⁽ⁱ⁾ = (š ∘ f)⁽ⁱ⁾ at the joint [Herrmann (4.55), (4.56)]. The link š = s₁ ∘ f⁻¹ follows
+/// from the reverted series of f; the source's F⁻¹ solves the same equations one after the other. Hence a larger β₁
+/// makes the link leave its neighbour's tangent *sooner* (š′ = s₁′/β₁). The text beside (4.57) says the opposite; the β
+/// that the source prints for its optimum have sensible sizes only in this form.
 #include <array>
 #include <cstddef>
 
@@ -16,25 +15,26 @@
 namespace bahnwerk {
 
 using Series = Taylor<spline_orders - 1>;
-/// β₁ … β₄; those beyond the continuity asked for do not matter.
+/// β₁ … β₄; those beyond the requested continuity are ignored.
 using Betas = std::array<double, spline_orders - 1>;
 
-/// outer(inner(x)); the constant of `inner` has to be 0.
+/// Returns outer(inner(x)); the constant of `inner` has to be 0.
 Series composed(const Series& outer, const Series& inner);
-/// g with f(g(x)) = x; the constant of f has to be 0, its slope not.
+/// Returns g with f(g(x)) = x; the constant of f has to be 0, its slope not.
 Series reverted(const Series& f);
 
-/// f⁻¹ of the change of parameter with these derivatives.
+/// Returns f⁻¹ of the change of parameter f with these derivatives.
 Series inverse_change(const Betas& betas);
-/// Derivatives of s ∘ change from those of s.
+/// Returns the derivatives of s ∘ change from those of s.
 SplineJet reparametrised(const SplineJet& jet, const Series& change);
-/// The same for one coordinate, such as the weight.
+/// Returns them for one coordinate, such as the weight.
 std::array<double, spline_orders> reparametrised(const std::array<double, spline_orders>& jet, const Series& change);
 
-/// ∂š⁽ⁿ⁾/∂β_j, j = 1 … 4, of š = s ∘ f⁻¹. From f(f⁻¹(x)) = x follows ∂š/∂β_j = −(f⁻¹)ʲ/j! · š′.
+/// Returns ∂š⁽ⁿ⁾/∂β_j, j = 1 … 4, of š = s ∘ f⁻¹. From f(f⁻¹(x)) = x follows ∂š/∂β_j = −(f⁻¹)ʲ/j! · š′.
 SplineJet beta_derivative(const SplineJet& link, const Series& change, std::size_t j);
 
-/// Derivatives of a jet by the arc length of its first three coordinates; their first derivative must not vanish.
+/// Returns the derivatives of a jet by the arc length of its first three coordinates; their first derivative must not
+/// vanish.
 SplineJet by_length(const SplineJet& jet);
 
 }  // namespace bahnwerk

@@ -58,7 +58,7 @@ std::vector<BezierPiece> spline_arc(const SplinePoint& from, Vec centre, Vec nor
       return middle + factor * (std::cos(angle) * e1 + std::sin(angle) * e2);
     };
     const double a = static_cast<double>(i) * alpha, b = static_cast<double>(i + 1) * alpha;
-    // Both ends are computed from their own angle, so that neighbours share the same bits. The tangents meet at 1/cos.
+    // Both ends are computed from their own angle, so that neighbours have equal bits. The tangents meet at 1/cos.
     const Vec corners[3] = {i == 0 ? place(from) : on_circle(a, 1), on_circle((a + b) / 2, 1 / c), on_circle(b, 1)};
     std::vector<HomogeneousPoint> points;
     for (std::size_t j = 0; j < 3; ++j)

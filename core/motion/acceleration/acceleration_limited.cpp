@@ -18,35 +18,35 @@ namespace bahnwerk {
 
 namespace {
 
-// Memory: about 270 bytes per cell of a window, 72 for the law of each. Beyond the usual number cells get wider, up to
-// the widest; the gap then tells what that costs.
+// Memory: about 270 bytes per cell of a window, 72 for the law of each. Beyond the usual number cells become wider, up
+// to this factor; the gap then contains the cost.
 constexpr double widest = 10, max_turn = 160000;  // rad
 // Cells wider than these are divided so many times at most, which brings less than their width costs; but limits inside
 // them are tightened until what is exceeded is little, for the largest excess slows all.
 constexpr double wide = 2, very_wide = 4;
 constexpr int divisions_of_wide = 3, divisions_of_very_wide = 1, rounds_of_wide = 12;
 constexpr double excess_of_wide = 1e-6;
-constexpr double graded_cells = 8;                       // more at both ends of a grid
-constexpr std::size_t sampled_segments = 256;            // whose cells tell how many there will be
-constexpr double long_segment = 1000, few_bends = 4096;  // bends: too many to sample, too few to care
-constexpr std::size_t max_foreseen = 16'000'000;         // pieces
-constexpr double first_growth = 3;                       // cells after dividing per cell before
-// What the law may exceed a limit by unseen in wide cells, and how many times the error of their model that is. Laws
-// that are verified once more cost more than such a margin.
+constexpr double graded_cells = 8;                        // more at both ends of a grid
+constexpr std::size_t sampled_segments = 256;             // sample whose cells estimate the number of all cells
+constexpr double long_segment = 1000, few_curved = 4096;  // bends: too many to sample, too few to care
+constexpr std::size_t max_foreseen = 16'000'000;          // pieces
+constexpr double first_growth = 3;                        // cells after dividing per cell before
+// Allowed excess over a limit that wide cells may not show, as a margin, and its ratio to the error of their model.
+// Verifying a law once more costs more than such a margin.
 constexpr double usual_margin = 1e-5, least_share = 100, most_share = 1000;
 constexpr double bearable_excess = 2e-7;
 constexpr int late_divisions = 24, late_rounds = 40;
 constexpr std::size_t block = 512;  // cells that stay in a cache
 
-/// What the number of cells follows: the curved segments, and by how much they turn, rad.
-struct Bends {
+/// Quantities that determine the number of cells: the curved segments and their turn, rad.
+struct CurvedParts {
   double curved = 0, turn = 0;
   double count(double angle) const { return curved + turn / angle; }
 };
 
 template <int N>
-Bends bends(const LanePath<N>& path, std::size_t segment) {
-  return path.linear(segment) ? Bends{} : Bends{1, total_turn(path, segment, segment + 1)};
+CurvedParts curved_parts(const LanePath<N>& path, std::size_t segment) {
+  return path.linear(segment) ? CurvedParts{} : CurvedParts{1, total_turn(path, segment, segment + 1)};
 }
 
 template <int N>
@@ -54,10 +54,10 @@ class SectionPlanner {
  public:
   /// `each`: of every segment; `all`: of the path; `density`: cells per bend.
   SectionPlanner(const LanePath<N>& path, const Machine& lanes, const AccelerationLimitedOptions& options,
-                 const std::vector<double>& feed, const Sections& sections, const std::vector<Bends>& each,
-                 const Bends& all, double density, double model_error, Progress& progress)
+                 const std::vector<double>& feed, const Sections& sections, const std::vector<CurvedParts>& each,
+                 const CurvedParts& all, double density, double model_error, Progress& progress)
       : path_(path),
-        bends_(each),
+        curved_parts_(each),
         machine_(lanes),
         options_(options),
         feed_(feed),
@@ -70,7 +70,7 @@ class SectionPlanner {
         marks_(grid_, chain_) {
     const double cells = static_cast<double>(path.size()) + density * all.count(options.grid.angle);
     one_window_ = cells <= static_cast<double>(options.window);
-    // Where the law switches there are more. Memory that is not written to costs nothing.
+    // Where the law switches there are more cells. Unwritten memory costs nothing.
     grid_.reserve(static_cast<std::size_t>(2.1 * std::min(cells, 2 * static_cast<double>(options.window))) + 16);
   }
 
@@ -78,23 +78,24 @@ class SectionPlanner {
   void plan(std::size_t first, std::size_t last, double from, double to, AccelerationLimitedResult& result) {
     if (!one_window_ && reach(first, last, static_cast<double>(options_.window)) < last)
       return plan_long(first, last, from, to, result);
-    ProgressScope pulse(progress_, "planning", from, to);
-    solve_window(first, last, 0, pulse, result);
+    ProgressScope stage_progress(progress_, "planning", from, to);
+    solve_window(first, last, 0, stage_progress, result);
     slow_ = slowing(excess(grid_.cells.size()));
-    emit(grid_.cells.size(), result, pulse);
+    emit(grid_.cells.size(), result, stage_progress);
   }
 
  private:
   /// The end of the segments from `first` on that have about so many cells; one at least.
   std::size_t reach(std::size_t first, std::size_t last, double cells) const {
     std::size_t end = first;
-    for (; end < last && cells > 0; ++end) cells -= std::max(1.0, density_ * bends_[end].count(options_.grid.angle));
+    for (; end < last && cells > 0; ++end)
+      cells -= std::max(1.0, density_ * curved_parts_[end].count(options_.grid.angle));
     return end;
   }
 
-  /// Window by window, each to a stop at its end. Kept is what lies before the last segment border which that stop does
-  /// not reach and where the speed is given by what came before, or does not change; the next window begins there.
-  /// Where there is none, or the next window cannot go on from it, windows grow.
+  /// Plans window by window, each to a stop at its end. The part before the last segment border is used that this stop
+  /// does not influence and where the speed is determined by earlier cells, or does not change; the next window begins
+  /// there. If there is no such border, or the next window cannot continue from it, windows grow.
   void plan_long(std::size_t first, std::size_t last, double from, double to, AccelerationLimitedResult& result) {
     struct Place {
       std::size_t segment, pieces, cells;
@@ -102,7 +103,7 @@ class SectionPlanner {
     };
     const std::size_t first_piece = result.law.pieces().size();
     Place at{first, first_piece, result.cells, 0, 0}, before = at;
-    // Dividing makes more of them, as the windows before tell.
+    // Division increases their number, as in the windows before.
     double window = static_cast<double>(options_.window), grown = first_growth;
     const auto fraction = [&](std::size_t segment) {
       const double begin = path_[first].s0(), end = path_[last - 1].s1();
@@ -111,8 +112,8 @@ class SectionPlanner {
     slow_ = 1;
     while (at.segment < last) {
       const std::size_t end = reach(at.segment, last, window / grown);
-      ProgressScope pulse(progress_, "planning", fraction(at.segment), fraction(end));
-      solve_window(at.segment, end, at.entry, pulse, result);
+      ProgressScope stage_progress(progress_, "planning", fraction(at.segment), fraction(end));
+      solve_window(at.segment, end, at.entry, stage_progress, result);
       const std::size_t keep = end == last ? grid_.cells.size() : border();
       if (!chain_.enters() || keep == 0) {
         if (!chain_.enters()) at = before;
@@ -121,7 +122,7 @@ class SectionPlanner {
         continue;
       }
       before = at;
-      emit(keep, result, pulse);
+      emit(keep, result, stage_progress);
       grown = std::max(1.0, static_cast<double>(grid_.cells.size()) * grown / window);
       at = {end == last ? last : grid_.cells[keep].segment, result.law.pieces().size(), result.cells, chain_.node(keep),
             std::max(at.most, excess(keep))};
@@ -137,35 +138,37 @@ class SectionPlanner {
     return 0;
   }
 
-  void solve_window(std::size_t first, std::size_t last, double entry, ProgressScope& pulse,
+  void solve_window(std::size_t first, std::size_t last, double entry, ProgressScope& stage_progress,
                     AccelerationLimitedResult& result) {
-    pulse.part(0, 0.2);
-    grid_.build(path_, first, last, feed_, machine_, options_.grid, pulse);
-    pulse.half_of_rest();
-    solve(entry, pulse);
+    stage_progress.part(0, 0.2);
+    grid_.build(path_, first, last, feed_, machine_, options_.grid, stage_progress);
+    stage_progress.half_of_rest();
+    solve(entry, stage_progress);
     std::size_t rounds = 1;
     for (int division = 0;  // first the grid …
-         division < options_.max_divisions && marks_.mark(excess_, options_.tolerance, pulse); ++division, ++rounds) {
-      pulse.half_of_rest();
-      divide(pulse);
-      solve_dirty(pulse);
+         division < options_.max_divisions && marks_.mark(excess_, options_.tolerance, stage_progress);
+         ++division, ++rounds) {
+      stage_progress.half_of_rest();
+      divide(stage_progress);
+      solve_dirty(stage_progress);
     }
-    // What is left of an excess slows the whole section: few cells, where a slow feed is reached within nanometres or
-    // limits change abruptly, may need more than the others.
+    // The rest of an excess slows the whole section: a few cells, where a slow feed is reached within nanometres or
+    // limits change abruptly, may need more rounds than the others.
     const double bearable = std::max(bearable_excess, options_.excess);
     for (int division = 0; division < late_divisions && marks_.mark_excess(excess_, bearable); ++division, ++rounds) {
-      pulse.half_of_rest();
-      divide(pulse);
-      solve_dirty(pulse);
+      stage_progress.half_of_rest();
+      divide(stage_progress);
+      solve_dirty(stage_progress);
     }
     const auto goes_on = [&](int round) {
       return round < options_.max_rounds || (round < late_rounds && excess(grid_.cells.size()) > bearable);
     };
-    for (int round = 0; goes_on(round) && shrink_shares(pulse); ++round, ++rounds) {  // … then the limits in its cells
-      pulse.half_of_rest();
-      solve_dirty(pulse);
+    for (int round = 0; goes_on(round) && shrink_shares(stage_progress);
+         ++round, ++rounds) {  // … then the limits in its cells
+      stage_progress.half_of_rest();
+      solve_dirty(stage_progress);
     }
-    pulse.half_of_rest();
+    stage_progress.half_of_rest();
     result.rounds = std::max(result.rounds, rounds);
     result.window = std::max(result.window, grid_.cells.size());
   }
@@ -196,7 +199,7 @@ class SectionPlanner {
   }
 
   /// Speeds of all cells and their laws, block by block: reading the cells once more costs as much as the work on them.
-  void solve(double entry, ProgressScope& pulse) {
+  void solve(double entry, ProgressScope& stage_progress) {
     const std::size_t n = grid_.cells.size();
     for_all_of_cells([n](auto& values) {
       values.clear();  // a larger array takes nothing over
@@ -205,14 +208,14 @@ class SectionPlanner {
     chain_.start(entry);
     for (std::size_t end = n; end > 0;) {
       const std::size_t begin = (end - 1) / block * block;
-      pulse(begin, n);
+      stage_progress(begin, n);
       chain_.backward(begin, end, [this](std::size_t c) { return share_[c] = share(c); });
       end = begin;
     }
     for (std::size_t begin = 0; begin < n; begin += block) {
       const std::size_t end = std::min(n, begin + block);
-      pulse.done(static_cast<double>(begin) / static_cast<double>(n));
-      pulse.work(4 * (end - begin));  // looking between the stations may take microseconds per cell
+      stage_progress.done(static_cast<double>(begin) / static_cast<double>(n));
+      stage_progress.work(4 * (end - begin));  // looking between the stations may take microseconds per cell
       double v = std::sqrt(chain_.node(begin));
       chain_.forward(begin, end, share_, [&](std::size_t c) { v = shape(c, v); });
       for (std::size_t c = begin; c < end; ++c) check_cell(c);
@@ -220,12 +223,12 @@ class SectionPlanner {
   }
 
   /// Divides the marked cells; their parts are dirty.
-  void divide(ProgressScope& pulse) {
+  void divide(ProgressScope& stage_progress) {
     const LargeVector<std::uint8_t>& parts = marks_.parts;
-    grid_.divide(path_, marks_.parts, pulse);
+    grid_.divide(path_, marks_.parts, stage_progress);
     const std::size_t n = grid_.cells.size();
-    chain_.divided(parts, pulse);
-    for_all_of_cells([&](auto& values) { spread(values, parts, n, pulse); });
+    chain_.divided(parts, stage_progress);
+    for_all_of_cells([&](auto& values) { spread(values, parts, n, stage_progress); });
     dirty_.assign(n, 0);
     std::size_t first = 0;
     for (const std::uint8_t count : parts) {
@@ -238,10 +241,10 @@ class SectionPlanner {
   }
 
   /// Speeds and laws of dirty cells, and of all that these influence.
-  void solve_dirty(ProgressScope& pulse) {
-    chain_.update(share_, dirty_, pulse);
+  void solve_dirty(ProgressScope& stage_progress) {
+    chain_.update(share_, dirty_, stage_progress);
     for (std::size_t c = 0; (c = first_set(dirty_, c)) != no_flag; ++c) {
-      pulse.work(4);  // these are some of the cells: their numbers tell nothing of how many there were
+      stage_progress.work(4);  // the size of this list does not give the number of cells
       shape(c, std::sqrt(chain_.node(c)));
       check_cell(c);
     }
@@ -255,7 +258,7 @@ class SectionPlanner {
     return v2;
   }
 
-  /// Where a curved cell exceeds a limit between its stations.
+  /// Checks whether a curved cell exceeds a limit between its stations.
   void check_cell(std::size_t c) {
     const GridCell& cell = grid_.cells[c];
     const Station<N>&l = grid_.stations[cell.station], &r = (&l)[1];
@@ -267,11 +270,11 @@ class SectionPlanner {
   }
 
   /// Cells that exceed a limit a little get a smaller share of it. False = none does.
-  bool shrink_shares(ProgressScope& pulse) {
+  bool shrink_shares(ProgressScope& stage_progress) {
     bool any = false;
     dirty_.resize(grid_.cells.size());
     for (std::size_t c = 0; c < grid_.cells.size(); ++c) {
-      pulse(c, grid_.cells.size());
+      stage_progress(c, grid_.cells.size());
       dirty_[c] = excess_[c].acceleration > options_.excess;
       if (!dirty_[c]) continue;
       share_[c] /= 1 + 1.2 * excess_[c].acceleration;
@@ -281,20 +284,20 @@ class SectionPlanner {
   }
 
   /// For the law of so many cells: all that the rest of the path lets expect, where the law has to grow.
-  void make_room(TimeLaw& law, std::size_t cells, ProgressScope& pulse) const {
+  void make_room(TimeLaw& law, std::size_t cells, ProgressScope& stage_progress) const {
     const double done = path_[grid_.cells[cells - 1].segment].s1() / path_.tool().length();
-    law.reserve(cells + 2, std::min(foreseen(law.pieces().size() + cells, done), max_foreseen), pulse);
+    law.reserve(cells + 2, std::min(foreseen(law.pieces().size() + cells, done), max_foreseen), stage_progress);
   }
 
   /// The law of the first cells.
-  void emit(std::size_t cells, AccelerationLimitedResult& result, ProgressScope& pulse) {
-    pulse.report();
-    make_room(result.law, cells, pulse);
+  void emit(std::size_t cells, AccelerationLimitedResult& result, ProgressScope& stage_progress) {
+    stage_progress.report();
+    make_room(result.law, cells, stage_progress);
     result.cells += cells;
     LawWriter law(result.law, path_.tool(), slow_);
     bool cruises = false;  // constant speed through the whole cell: such cells of one segment become one piece
     for (std::size_t c = 0; c < cells; ++c) {
-      pulse(c, cells);
+      stage_progress(c, cells);
       const GridCell& cell = grid_.cells[c];
       const bool follows = c > 0 && grid_.cells[c - 1].segment == cell.segment, cruised = follows && cruises;
       const double s1 = follows ? ends_[c - 1] : 0, s2 = ends_[c], b1 = chain_.node(c), b2 = chain_.node(c + 1);
@@ -309,7 +312,7 @@ class SectionPlanner {
   }
 
   const LanePath<N>& path_;
-  const std::vector<Bends>& bends_;
+  const std::vector<CurvedParts>& curved_parts_;
   const Machine& machine_;  // of the lanes
   const AccelerationLimitedOptions& options_;
   const std::vector<double>& feed_;
@@ -329,15 +332,15 @@ class SectionPlanner {
 /// Cells per bend, from some of the segments: 1, more where curvature changes fast.
 template <int N>
 double cell_density(const LanePath<N>& path, const Machine& lanes, const std::vector<double>& feed,
-                    const AccelerationLimitedOptions& options, ProgressScope& pulse) {
+                    const AccelerationLimitedOptions& options, ProgressScope& stage_progress) {
   Grid<N> grid;
   double cells = 0, all = 0;
   const std::size_t n = path.size(), looks = std::min(n / 8, sampled_segments);
   for (std::size_t k = 0; k < looks; ++k) {
     const std::size_t i = k * n / looks;
-    const double count = bends(path, i).count(options.grid.angle);
+    const double count = curved_parts(path, i).count(options.grid.angle);
     if (!(count > 0 && count < long_segment)) continue;
-    grid.build(path, i, i + 1, feed, lanes, options.grid, pulse);
+    grid.build(path, i, i + 1, feed, lanes, options.grid, stage_progress);
     cells += std::max(1.0, static_cast<double>(grid.cells.size()) - graded_cells);
     all += count;
   }
@@ -349,12 +352,12 @@ AccelerationLimitedResult plan(const PathTask& task, const AccelerationLimitedOp
                                double from, double to) {
   const LanePath<N> path(task.path);
   const Machine lanes = path.limits(task.machine);
-  ProgressScope pulse(progress, "planning", from, from);
-  Bends all;
-  std::vector<Bends> each(path.size());
+  ProgressScope stage_progress(progress, "planning", from, from);
+  CurvedParts all;
+  std::vector<CurvedParts> each(path.size());
   for (std::size_t i = 0; i < path.size(); ++i) {
-    if (i % 4096 == 4095) pulse.report();
-    each[i] = bends(path, i);
+    if (i % 4096 == 4095) stage_progress.report();
+    each[i] = curved_parts(path, i);
     all.curved += each[i].curved, all.turn += each[i].turn;
   }
   if (all.turn > max_turn)
@@ -363,7 +366,7 @@ AccelerationLimitedResult plan(const PathTask& task, const AccelerationLimitedOp
           "the contour turns by " + std::to_string(static_cast<long>(all.turn)) + " rad in all, more than the " +
               std::to_string(static_cast<long>(max_turn)) + " that fit into memory"}});
   const double count = all.count(options.grid.angle),
-               density = count > few_bends ? cell_density(path, lanes, task.feeds, options, pulse) : 1;
+               density = count > few_curved ? cell_density(path, lanes, task.feeds, options, stage_progress) : 1;
   const double wider = std::clamp(std::max(options.width, density * count / options.usual_cells), 1.0, widest);
   AccelerationLimitedOptions fitted = options;
   fitted.grid.angle *= wider;
@@ -376,7 +379,7 @@ AccelerationLimitedResult plan(const PathTask& task, const AccelerationLimitedOp
   }
   const double model_error =
       wider > 1 ? std::clamp(usual_margin, least_share * fitted.grid.hermite, most_share * fitted.grid.hermite) : 0;
-  const Sections sections = find_sections(task, options.corner_angle, pulse);
+  const Sections sections = find_sections(task, options.corner_angle, stage_progress);
   AccelerationLimitedResult result;
   SectionPlanner<N> planner(path, lanes, fitted, task.feeds, sections, each, all, density, model_error, progress);
   for_each_section_once(

@@ -2,17 +2,17 @@
 /// Motion laws within velocity and acceleration limits of every axis: the fastest one, and the one with a braking
 /// reserve [Bock 2.2.3].
 ///
-/// Per section from rest to rest a grid is laid, one backward pass finds the largest v² from which each node can still
-/// come to rest, one forward pass takes the largest v² that stays below it; cells where the law switches are divided
-/// until the estimated loss falls below `tolerance`, and cells in which a limit is exceeded between the stations get a
-/// smaller share of it. Sections beyond `window` cells are planned in overlapping windows, each to a stop at its end;
-/// what is kept of it is what that stop cannot reach, so the law is that of the whole section. Paths that would need
-/// more than `usual_cells` get wider ones, at most 10 times as wide: there the duration is up to 5e-4 above what finer
-/// ones would give, and the law stays 1e-5 of the limits below them, which wide cells see less exactly. Straight
-/// segments are one cell each and exact. Sections along which the axes do what they did along an earlier one take over
-/// its law (core/motion/grid/section_repeats.hpp). The result is piecewise cubic in time. Cost: O(cells) time and
-/// memory per section; for two axes, path evaluation included, about 85 ns per cell for one solution and 0.6 µs with
-/// all rounds (tests/bench/bench_motion.cpp).
+/// Each section from rest to rest gets a grid. A backward pass computes the controllable set of each node: the largest
+/// v² from which the section can still end at rest. A forward pass takes the largest reachable v² inside these sets
+/// [Bobrow 1985; Shin, McKay 1985; Pham, Pham 2018]. Cells in which the law switches are divided until the estimated
+/// loss is below `tolerance`; cells in which a limit is exceeded between the stations get a smaller share of it.
+/// Sections beyond `window` cells are planned in overlapping windows, each to a stop at its end; only the part is used
+/// that this stop does not influence, so the law is that of the whole section. Paths that need more than `usual_cells`
+/// get wider cells, at most 10 times as wide: there the duration is up to 5e-4 above that of finer cells, and the law
+/// stays 1e-5 of the limits below them. Straight segments are one cell each and exact. Sections that repeat an earlier
+/// one take over its law (core/motion/grid/section_repeats.hpp). The result is piecewise cubic in time. Cost: O(cells)
+/// time and memory per section; for two axes, path evaluation included, about 85 ns per cell for one solution and 0.6
+/// µs with all rounds (tests/bench/bench_motion.cpp).
 #include <cstddef>
 #include <vector>
 
@@ -30,28 +30,29 @@ struct AccelerationLimitedOptions {
   bool keep_reserve = false;     ///< braking_reserve instead of time_optimal
   double braking_reserve = 0.7;  ///< K_b ∈ (0,1): the share of an axis' acceleration that bending may use
   double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad; larger tangent jumps are corners with a stop
-  double excess = 2e-9;  ///< by which a limit may be exceeded inside a cell; what remains slows the section, relative
+  double excess = 2e-9;     ///< allowed relative excess over a limit inside a cell; a larger one slows the section
   double tolerance = 2e-7;  ///< estimated loss of duration to the grid, relative
   int max_divisions = 5,
-      max_rounds = 5;  ///< times that the grid is divided, then that limits inside cells are tightened
+      max_rounds = 5;  ///< how often the grid is divided, then how often limits inside cells are reduced
   GridOptions grid;
-  std::size_t window = 1 << 16;  ///< cells planned at once, about; longer sections are planned piece by piece
-  double usual_cells = 1e6;      ///< on paths that would need more cells get up to 10 times as wide
-  double width = 1;              ///< times that cells are as wide as usual, at least: 1 … 10
+  std::size_t window =
+      1 << 16;               ///< approximate number of cells planned at once; longer sections are planned in windows
+  double usual_cells = 1e6;  ///< paths that need more cells get up to 10 times as wide ones
+  double width = 1;          ///< least factor of the cells' width, 1 … 10
 };
 
 struct AccelerationLimitedResult {
   TimeLaw law;
-  std::size_t rounds = 0;  ///< most passes any section took
+  std::size_t rounds = 0;  ///< largest number of passes of any section
   std::size_t cells = 0;   ///< cells of the final grids
-  std::size_t window = 0;  ///< most of them planned at once
+  std::size_t window = 0;  ///< largest number of cells planned at once
 };
 
-/// Throws InvalidInput for limits that are not positive and for paths that turn by more than 160 000 rad, Stopped when
-/// progress says so, UnreachablePose. Progress runs from `from` to `to`.
+/// Progress runs from `from` to `to`. Throws InvalidInput for limits that are not positive and for paths that turn by
+/// more than 160 000 rad, Stopped when `progress` says so, UnreachablePose.
 AccelerationLimitedResult plan_acceleration_limited(const PathTask& task, const AccelerationLimitedOptions& options,
                                                     Progress& progress, double from = 0, double to = 1);
-/// The same for a contour on a Cartesian machine.
+/// Plans a contour on a Cartesian machine.
 AccelerationLimitedResult plan_acceleration_limited(const Contour& contour, const Machine& machine,
                                                     const AccelerationLimitedOptions& options, Progress& progress,
                                                     double from = 0, double to = 1);

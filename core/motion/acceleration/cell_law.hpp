@@ -1,5 +1,5 @@
 #pragma once
-/// The motion law inside one curved cell, and by how much it exceeds the limits between the stations.
+/// The motion law inside one curved cell, and its excess over the limits between the stations.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,16 +11,16 @@
 
 namespace bahnwerk {
 
-/// Jerk constant in time over one cell; s counts from its left end.
+/// A law with constant jerk over one cell; s counts from the cell's left end.
 struct CellLaw {
   double duration, v, a, j;
   LawState at(double tau) const {
-    const double bend = tau * j;
-    return {tau * (v + tau * (0.5 * a + (1.0 / 6) * bend)), v + tau * (a + 0.5 * bend), a + bend, j};
+    const double change = tau * j;
+    return {tau * (v + tau * (0.5 * a + (1.0 / 6) * change)), v + tau * (a + 0.5 * change), a + change, j};
   }
 };
 
-/// From v1 = √b1 to v2 with the solved acceleration (g − b1)/h at the begin; s counts from the cell's left end.
+/// Returns the law from v1 = √b1 to v2 with the solved acceleration (g − b1)/h at the beginning.
 inline CellLaw cell_law(double b1, double v1, double g, double v2, double h) {
   // h = v1 T + (2 a1 + a2) T²/6 and v2 = v1 + (a1 + a2) T/2 ⇒ a1 T²/6 + (2 v1 + v2) T/3 = h
   const double w = 1 / h, a1 = (g - b1) * w, half = (2 * v1 + v2) * (1.0 / 6),
@@ -33,15 +33,16 @@ inline CellLaw cell_law(double b1, double v1, double g, double v2, double h) {
   return {duration, v1, (v2 - v1) / duration, 0};
 }
 
-/// Relative excess over the limits: of |axis acceleration|/A, and of (axis velocity/V)², (v/feed)². Negative = within.
+/// Relative excess over the limits: of |axis acceleration|/A, of (axis velocity/V)² and of (v/feed)². Negative values
+/// are within the limits.
 struct Excess {
   double acceleration, velocity;
 };
 
 namespace cell_law_detail {
 
-/// The path between two stations from their derivatives: the cubic of h'' and the quintic of h' that the grid keeps
-/// exact enough.
+/// The path between two stations from their derivatives: the cubic of h'' and the quintic of h', which the grid keeps
+/// accurate enough.
 template <int N>
 struct Between {
   const Station<N>&l, &r;
@@ -59,7 +60,7 @@ struct Between {
   }
 };
 
-/// Largest |f| over a cell from five even samples.
+/// Returns the largest |f| over a cell from five equidistant samples.
 inline double peak(const std::array<double, 5>& f) {
   const EvenSamples<double> samples(f, 0.9);
   return samples.most < 0.9 ? samples.most : samples.peak() + 1e-9;
@@ -67,9 +68,9 @@ inline double peak(const std::array<double, 5>& f) {
 
 }  // namespace cell_law_detail
 
-/// Where nothing switches inside a cell a look at both ends and at half time is enough: what the parabola through these
-/// three points hides is smaller than its bend by the angle that the path turns. Returns what the accelerations exceed
-/// their limits by at most; false where that is too rough to rely on.
+/// Evaluates both ends and the middle of a cell in which nothing switches. The error of the parabola through these
+/// three points is smaller than its second difference by the angle that the path turns. Writes an upper bound of the
+/// accelerations' excess; returns false where this is too rough.
 template <int N>
 inline bool smooth_excess(const Station<N>& l, const Station<N>& r, double h, const CellLaw& p, double b1, double b2,
                           const AxisBounds<N>& limit, Excess& excess) {
@@ -83,23 +84,22 @@ inline bool smooth_excess(const Station<N>& l, const Station<N>& r, double h, co
   const Lanes<N> f = (b * (c + off * slope) + middle.a * (t + off * c)) * limit.inverse_acceleration,
                  fl = (b1 * l.d2 + p.a * l.d1) * limit.inverse_acceleration,
                  fr = (b2 * r.d2 + a2 * r.d1) * limit.inverse_acceleration;
-  const Lanes<N> ends = larger(magnitude(fl), magnitude(fr)), bend = fl + fr - 2 * f, size = magnitude(bend),
-                 tilt = 0.5 * magnitude(fr - fl);
-  // Where the parabola has its vertex inside the cell it lies tilt²/(2 size) beyond f: less than this, which needs no
-  // division.
+  const Lanes<N> ends = larger(magnitude(fl), magnitude(fr)), second_difference = fl + fr - 2 * f,
+                 size = magnitude(second_difference), tilt = 0.5 * magnitude(fr - fl);
+  // A parabola with its vertex inside the cell exceeds f by tilt²/(2 size): this bound needs no division.
   const Lanes<N> peak = larger(ends, magnitude(f));
   double most = largest(peak + smaller(0.125 * size, 0.5 * tilt) + 0.02 * size), bent = largest(size);
   if (most > 1 + 1e-9 || bent >= 1e-3) {
     most = bent = 0;
     for (std::size_t k = 0; k < N; ++k) {
       if (ends[k] < 0.98) continue;
-      const double vertex = tilt[k] < size[k] ? std::abs(f[k] - 0.5 * tilt[k] * tilt[k] / bend[k]) : 0;
+      const double vertex = tilt[k] < size[k] ? std::abs(f[k] - 0.5 * tilt[k] * tilt[k] / second_difference[k]) : 0;
       most = std::max(most, std::max(peak[k], vertex) + 0.02 * size[k]);
       bent = std::max(bent, size[k]);
     }
   }
   excess = {most - 1, -1};
-  // Too far to expand the path about s = h/2, or v² bends too much for the reserve of 2 %.
+  // The path turns too much to be expanded about s = h/2, or v² is too curved for the reserve of 2 %.
   bool smooth = bent < 1e-3 && std::abs(off) < 0.01 * h && std::abs(b1 - 2 * b + b2) < 1e-3 * b;
   if (std::max(b1, b2) > 0.97 * limit.slowest2) {
     const Lanes<N> fastest = larger(l.d1 * l.d1 * b1, r.d1 * r.d1 * b2);
@@ -108,7 +108,7 @@ inline bool smooth_excess(const Station<N>& l, const Station<N>& r, double h, co
   return smooth && (most <= 1 + 1e-9 || most > 1 + 1e-7);
 }
 
-/// Peaks over a cell, from samples of the law on the rebuilt path.
+/// Returns the peaks over a cell from samples of the law on the reconstructed path.
 template <int N>
 Excess cell_excess(const Station<N>& l, const Station<N>& r, double h, const CellLaw& p, const GridCell& cell,
                    const AxisBounds<N>& limit, double feed) {
@@ -128,7 +128,7 @@ Excess cell_excess(const Station<N>& l, const Station<N>& r, double h, const Cel
   }
   Excess worst{0, fastest / (feed * feed)};
   for (std::size_t k = 0; k < N; ++k) {
-    // The model does not hold next to a cusp; half of the limit is in reserve there.
+    // The model does not hold next to a cusp; half of the limit is reserved there.
     if (!cell.cusp_left && !cell.cusp_right)
       worst.acceleration = std::max(worst.acceleration, cell_law_detail::peak(value[k]));
     worst.velocity = std::max(worst.velocity, cell_law_detail::peak(value[N + k]));

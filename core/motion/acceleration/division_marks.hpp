@@ -1,6 +1,6 @@
 #pragma once
-/// Which cells of an acceleration-limited law have to be divided: where it switches inside a cell, and where it exceeds
-/// a limit by far.
+/// Decides which cells of an acceleration-limited law are divided: cells in which it switches, and cells in which it
+/// exceeds a limit by far.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -16,12 +16,12 @@ class DivisionMarks {
  public:
   DivisionMarks(const Grid<N>& grid, const SpeedChain<N>& chain) : grid_(grid), chain_(chain) {}
 
-  LargeVector<std::uint8_t> parts;  ///< into how many each cell is to be divided, and then was
+  LargeVector<std::uint8_t> parts;  ///< number of parts of each cell
 
-  /// Where a law switches inside a cell the ramp is far from its neighbours': estimates what that costs and divides
-  /// such cells until the whole stays below the tolerance; also cells that exceed a limit by far. False = nothing to
-  /// divide. O(cells).
-  bool mark(const UnsetVector<Excess>& excess, double tolerance, ProgressScope& pulse) {
+  /// Estimates the loss in cells in which the law switches, where the ramp differs from its neighbours', and divides
+  /// such cells until the sum is below the tolerance; also divides cells that exceed a limit by far. Returns false if
+  /// there is nothing to divide. O(cells).
+  bool mark(const UnsetVector<Excess>& excess, double tolerance, ProgressScope& progress) {
     const std::size_t n = grid_.cells.size();
     parts.assign(n, 1);
     loss_.assign(n, 0);
@@ -30,7 +30,7 @@ class DivisionMarks {
     bool divide = false;
     double v_left = n > 0 ? std::sqrt(chain_.node(0)) : 0, before = 0, here = n > 0 ? ramp(0) : 0;
     for (std::size_t c = 0; c < n; ++c) {
-      pulse(c, n);
+      progress(c, n);
       const GridCell& cell = grid_.cells[c];
       const double v_right = std::sqrt(chain_.node(c + 1)), v = 0.5 * (v_left + v_right), h = grid_.length(c);
       const double next = c + 1 < n ? ramp(c + 1) : 0;
@@ -62,8 +62,8 @@ class DivisionMarks {
     return divide;
   }
 
-  /// Cells that exceed an acceleration by far, or a speed by more than `bearable`, which smaller shares of
-  /// accelerations do not cure. False = there are none. O(cells).
+  /// Marks cells that exceed an acceleration by far, or a speed by more than `bearable`, which smaller shares of
+  /// accelerations cannot correct. Returns false if there are none. O(cells).
   bool mark_excess(const UnsetVector<Excess>& excess, double bearable) {
     const std::size_t n = grid_.cells.size();
     parts.assign(n, 1);
@@ -81,19 +81,19 @@ class DivisionMarks {
   // An excess beyond this needs smaller cells, below it a smaller share of the limit.
   static constexpr double divide_above = 1e-2;
 
-  /// How far v² bends inside a cell: the ramp of its acceleration over its length.
+  /// Returns the change of the slope of v² inside a cell: the ramp of its acceleration over its length.
   double ramp(std::size_t c) const {
     return (chain_.node(c + 1) - 2 * chain_.middle(c) + chain_.node(c)) / (grid_.length(c) * grid_.length(c));
   }
 
-  /// What a ramp of acceleration instead of a jump costs, s. At a peak of v² only the area under the ramp. At a trough
-  /// v² stays lower all along the arcs that leave it, until they have doubled it: about an eighth of the cell's own
-  /// time.
-  double switching_loss(std::size_t c, double bend, double v, double h) const {
+  /// Returns the cost of a ramp of acceleration instead of a jump, s. At a maximum of v² it is the area under the ramp.
+  /// At a minimum v² stays lower along the arcs that leave it until they have doubled it, which costs about an eighth
+  /// of the cell's time.
+  double switching_loss(std::size_t c, double second_difference, double v, double h) const {
     const double change = std::max(std::abs(chain_.middle(c) - chain_.node(c)),
-                                   std::abs(chain_.node(c + 1) - chain_.middle(c)));  // of v², of either half
-    const double jump = std::abs(bend) * h * h, area = jump * h / (16 * v * v * v);
-    return bend > 0 && jump > 0.2 * change ? std::max(area, 0.125 * jump / change * h / v) : area;
+                                   std::abs(chain_.node(c + 1) - chain_.middle(c)));  // of v², over each half
+    const double jump = std::abs(second_difference) * h * h, area = jump * h / (16 * v * v * v);
+    return second_difference > 0 && jump > 0.2 * change ? std::max(area, 0.125 * jump / change * h / v) : area;
   }
 
   const Grid<N>& grid_;

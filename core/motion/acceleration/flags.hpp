@@ -1,5 +1,6 @@
 #pragma once
-/// Flags of cells, few of which are set: found eight at a time.
+/// Flags of a grid's cells, few of which are set: the cells that a planner has to solve again. They are searched eight
+/// at a time.
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -12,7 +13,7 @@ using CellFlags = UnsetVector<std::uint8_t>;  ///< 0 or 1 per cell
 
 inline constexpr std::size_t no_flag = static_cast<std::size_t>(-1);
 
-/// The first cell from `from` on that has its flag set, or no_flag. O(cells passed/8).
+/// Returns the first cell from `from` on that has its flag set, or no_flag. O(cells passed/8).
 inline std::size_t first_set(const CellFlags& flags, std::size_t from) {
   const std::size_t n = flags.size();
   std::uint64_t eight = 0;
@@ -26,7 +27,7 @@ inline std::size_t first_set(const CellFlags& flags, std::size_t from) {
   return no_flag;
 }
 
-/// The last cell before `end` that has its flag set, or no_flag. O(cells passed/8).
+/// Returns the last cell before `end` that has its flag set, or no_flag. O(cells passed/8).
 inline std::size_t last_set(const CellFlags& flags, std::size_t end) {
   std::uint64_t eight = 0;
   while (end >= sizeof eight) {

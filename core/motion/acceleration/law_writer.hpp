@@ -1,5 +1,5 @@
 #pragma once
-/// Writes the law of one section, cell by cell, all of it slowed by one factor.
+/// Writes the law of one section, cell by cell, slowed by one factor.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,7 +10,7 @@
 
 namespace bahnwerk {
 
-/// Path lengths count from the begin of the segment. O(1) each.
+/// Path lengths count from the beginning of the segment. Each call is O(1).
 class LawWriter {
  public:
   LawWriter(TimeLaw& law, const Path& path, double slow)
@@ -28,19 +28,19 @@ class LawWriter {
     p.segment = segment;
   }
 
-  /// Lets the last piece, which has to run at constant speed, go on to `s_end`.
+  /// Extends the last piece, which has to run at constant speed, to `s_end`.
   void extend(std::size_t segment, double s_end) { law_.extend(path_[segment].s0() + s_end); }
 
-  /// Accelerate, hold, brake between the v² b1 and b2: exact on a straight line. The lengths of the phases come from
-  /// their speeds, never from differences of places: a slow feed is reached within nanometres, of which the rounding of
-  /// s far along the path leaves nothing.
+  /// Writes accelerate, hold, brake between the v² b1 and b2, which is exact on a straight line. The lengths of the
+  /// phases follow from their speeds, never from differences of places: a slow feed is reached within nanometres, which
+  /// the rounding of s far along the path would hide.
   void straight(std::size_t segment, double s1, double s2, double b1, double b2, double a, double cap) {
     const double way = s2 - s1, least = 4 * epsilon, top = 0.5 * (b1 + b2) + a * way;
     const double v1 = std::sqrt(b1), v2 = std::sqrt(b2), v = std::sqrt(std::max({std::min(cap, top), b1, b2}));
     double up = (v - v1) * (v + v1) / (2 * a), down = (v - v2) * (v + v2) / (2 * a);
     const double hold = way - up - down;
     const bool holds = cap < top && hold > least * way;
-    if (!holds) {  // both ramps meet in one point; their difference is known better than their sum
+    if (!holds) {  // both ramps meet in one point; their difference is more accurate than their sum
       up = std::clamp(0.5 * way + (b2 - b1) / (4 * a), 0.0, way);
       down = way - up;
     }

@@ -1,11 +1,12 @@
 #pragma once
-/// Two neighbours in a chain of speeds, the half-planes between them, and the two questions a planner asks: how fast
-/// may I be next if I am this fast now, and how fast may I be now if I must not be faster than that next?
+/// One link of a chain of speeds: the half-planes between two neighbouring variables, the largest reachable second
+/// variable for a given first one, and the largest first variable from which an allowed second one can be reached
+/// (one-step reachable and controllable sets [Pham, Pham 2018]).
 ///
-/// Inside a grid cell of length Δ, b = v² is a quadratic in s with Bernstein coefficients b1, g, b2: path acceleration
-/// (g − b1)/Δ at the left, (b2 − g)/Δ at the right. An axis acceleration h'' b + h' a [Bock (2.7)] at the left station
-/// is therefore linear in (b1, g), at the right one in (g, b2), and the whole section is one chain b1 g b2 g b3 … of
-/// variables whose links are polygons around the origin.
+/// Inside a grid cell of length Δ, b = v² is a quadratic in s with Bernstein coefficients b1, g, b2. The path
+/// acceleration is (g − b1)/Δ at the left and (b2 − g)/Δ at the right. An axis acceleration h'' b + h' a [Bock (2.7)]
+/// at the left station is therefore linear in (b1, g), at the right one in (g, b2). A whole section is one chain b1 g
+/// b2 g b3 … of variables whose links are polygons around the origin.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,8 +15,7 @@
 
 namespace bahnwerk {
 
-/// Two-sided half-planes |p x + q y| ≤ c between the variables x, y of a link, at most M of them. The origin satisfies
-/// all.
+/// At most M pairs of half-planes |p x + q y| ≤ c between the variables x, y of a link. The origin satisfies all.
 template <int M>
 struct LinkRows {
   std::array<double, M> p, q, c;
@@ -28,7 +28,7 @@ struct LinkRows {
   }
 };
 
-/// Largest y ≤ cap for a given x for which some y ∈ [0, cap] exists. O(rows), no branches.
+/// Returns the largest y ≤ cap for a given x for which some y ∈ [0, cap] exists. O(rows), no branches.
 template <int M>
 double reach_forward(const LinkRows<M>& rows, double x, double cap) {
   double best = cap;
@@ -42,25 +42,24 @@ double reach_forward(const LinkRows<M>& rows, double x, double cap) {
   return std::max(best, 0.0);
 }
 
-/// Largest x ≤ cap_x for which some y ∈ [0, cap_y] satisfies every row: a linear program in two variables, walked along
-/// its edges from y = cap_y. Usually one or two steps of O(rows).
+/// Returns the largest x ≤ cap_x for which some y ∈ [0, cap_y] satisfies every row: a linear program in two variables,
+/// solved along the edges of the polygon from y = cap_y. It usually takes one or two steps of O(rows).
 template <int M>
 double reach_backward(const LinkRows<M>& rows, double cap_x, double cap_y) {
   const auto n = static_cast<std::size_t>(rows.n);
   double y = cap_y;
   for (int step = 0; step < 3 * M; ++step) {
-    // The tightest upper and lower bound on x at this y, with their slopes dx/dy.
+    // These are the tightest upper and lower bound on x at this y, with their slopes dx/dy.
     double upper = cap_x, upper_slope = 0, upper_margin = 0, lower = 0, lower_slope = 0, lower_margin = 0, most = y;
     for (std::size_t i = 0; i < n; ++i) {
       const double p = std::abs(rows.p[i]);
-      if (!(p * cap_x > 1e-9 * rows.c[i])) {  // as good as a limit on y alone
+      if (!(p * cap_x > 1e-9 * rows.c[i])) {  // practically a limit on y alone
         most = std::min(most, (rows.c[i] - (p > 0 ? p * cap_x : 0)) / std::abs(rows.q[i]));
         continue;
       }
       const double slope = -std::copysign(rows.q[i], rows.p[i] * rows.q[i]) / p;
       const double width = rows.c[i] / p, middle = slope * y;
-      // At a vertex take the line that leads on to smaller y: the one of larger slope. The margin is rounding, 1e-13 of
-      // the row.
+      // At a vertex, the line of larger slope leads on to smaller y. The margin is rounding, 1e-13 of the row.
       const double line = middle + width, margin = 1e-13 * (width + std::abs(middle));
       if (line < upper - margin || (line < upper + margin && slope > upper_slope)) {
         upper = std::min(line, upper);
@@ -77,7 +76,7 @@ double reach_backward(const LinkRows<M>& rows, double cap_x, double cap_y) {
       y = most;
       continue;
     }
-    if (lower - upper > lower_margin + upper_margin) {  // y is too large: go back to where the two lines meet
+    if (lower - upper > lower_margin + upper_margin) {  // y is too large: continue where the two lines meet
       const double gain = lower_slope - upper_slope;
       if (!(gain > 0)) return std::max(0.0, upper);  // rounding only: the origin is feasible
       y = std::max(0.0, y - (lower - upper) / gain);

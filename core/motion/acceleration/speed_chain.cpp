@@ -91,7 +91,7 @@ double SpeedChain<N>::search_right(std::size_t c, double share, double cap_middl
   return reach_backward(rows_right(c, share, true), cap_middle, cap_node);
 }
 
-/// What may be driven at the cell's middle and left end if the right end allows `next`.
+/// Returns the controllable values at the cell's middle and left end if the right end allows `next`.
 template <int N>
 inline typename SpeedChain<N>::Stop SpeedChain<N>::step_back(std::size_t c, double share, const Caps& cap, double next,
                                                              Known& known) const {
@@ -108,8 +108,8 @@ inline typename SpeedChain<N>::Stop SpeedChain<N>::step_back(std::size_t c, doub
           left.plain() && !reserve_ ? left.backward_left(cap.left, middle) : search_left(c, share, cap.left, middle)};
 }
 
-/// The same with the cell's caps; `next` is lowered to what the cell allows at its right end. Axis velocities are
-/// looked at only where the speed is above the least of them: |h'_k| ≤ 1.
+/// Returns them with the cell's caps; `next` is lowered to what the cell allows at its right end. Axis velocities are
+/// evaluated only where the speed is above the least of them: |h'_k| ≤ 1.
 template <int N>
 typename SpeedChain<N>::Stop SpeedChain<N>::stop(std::size_t c, double share, double& next, Known& right) const {
   if (!reserve_ && !grid_.cells[c].straight) {
@@ -128,7 +128,7 @@ typename SpeedChain<N>::Stop SpeedChain<N>::stop(std::size_t c, double share, do
   return step_back(c, share, cap, next, right);
 }
 
-/// What cell c allows at its right end, at most `speed2`.
+/// Returns the cap of cell c at its right end, at most `speed2`.
 template <int N>
 double SpeedChain<N>::right_cap(std::size_t c, double speed2) const {
   if (reserve_ || speed2 > limit_.slowest2) return std::min(speed2, caps(c).right);
@@ -179,18 +179,18 @@ std::size_t SpeedChain<N>::unaffected(const UnsetVector<double>& share) const {
 }
 
 template <int N>
-void SpeedChain<N>::divided(const LargeVector<std::uint8_t>& parts, ProgressScope& pulse) {
-  spread(speed_, parts, grid_.cells.size(), pulse);
+void SpeedChain<N>::divided(const LargeVector<std::uint8_t>& parts, ProgressScope& progress) {
+  spread(speed_, parts, grid_.cells.size(), progress);
 }
 
 template <int N>
-void SpeedChain<N>::update(const UnsetVector<double>& share, CellFlags& dirty, ProgressScope& pulse) {
+void SpeedChain<N>::update(const UnsetVector<double>& share, CellFlags& dirty, ProgressScope& progress) {
   const auto differs = [](double a, double b) { return std::abs(a - b) > 1e-14 * std::abs(b); };
   const std::size_t n = grid_.cells.size();
   bool moved = false;  // did the right neighbour change?
   Known known;
   for (std::size_t c = n; (c = moved ? (c > 0 ? c - 1 : no_flag) : last_set(dirty, c)) != no_flag;) {
-    pulse.work();
+    progress.work();
     const double node = speed_[c].node_stop, middle = speed_[c].middle_stop;
     const Stop stop = this->stop(c, share[c], speed_[c + 1].node_stop, known);
     speed_[c].middle_stop = stop.middle;
@@ -207,7 +207,7 @@ void SpeedChain<N>::update(const UnsetVector<double>& share, CellFlags& dirty, P
       if (next == no_flag) break;
       c = next - 1;
     }
-    pulse.work();
+    progress.work();
     const double node = speed_[c + 1].node, middle = speed_[c].middle;
     step_forward(c, share[c], known);
     const bool changed = differs(speed_[c + 1].node, node);

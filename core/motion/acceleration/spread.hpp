@@ -1,5 +1,5 @@
 #pragma once
-/// What is known per cell of a grid, carried over when cells are divided.
+/// Transfers values per cell of a grid to the parts when cells are divided.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -10,19 +10,19 @@
 
 namespace bahnwerk {
 
-/// Makes room for divided cells in what is known per cell: each part gets what its cell had. `values` may hold one
-/// more, which stays the last. O(cells).
+/// Makes room for divided cells: each part gets the value of its cell. `values` may hold one more value, which stays
+/// the last one. O(cells).
 template <class Values>
-void spread(Values& values, const LargeVector<std::uint8_t>& parts, std::size_t cells, ProgressScope& pulse) {
+void spread(Values& values, const LargeVector<std::uint8_t>& parts, std::size_t cells, ProgressScope& progress) {
   std::size_t from = values.size(), to = from + cells - parts.size();
-  grow(values, to, pulse);
+  grow(values, to, progress);
   values.resize(to);
   while (from > parts.size()) values[--to] = values[--from];
   constexpr std::size_t block = 4096;
-  while (from < to) {          // what lies before the first divided cell stays where it is
-    std::size_t begin = from;  // of a run of cells that stay whole
+  while (from < to) {          // values before the first divided cell stay in place
+    std::size_t begin = from;  // beginning of a run of cells that are not divided
     for (const std::size_t least = from > block ? from - block : 0; begin > least && parts[begin - 1] == 1;) --begin;
-    pulse.work(1 + (from - begin) / 16);
+    progress.work(1 + (from - begin) / 16);
     if (begin < from) {
       const auto at = [&](std::size_t i) { return values.begin() + static_cast<std::ptrdiff_t>(i); };
       std::move_backward(at(begin), at(from), at(to));

@@ -1,5 +1,5 @@
 #pragma once
-/// What the axes allow at one station of a curved cell, as rows of the link between v² there and the cell's middle
+/// The axis limits at one station of a curved cell, as rows of the link between v² there and the cell's middle
 /// coefficient.
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace bahnwerk {
 
-/// Limits in the form the inner loop wants.
+/// Limits in the form that the inner loop needs.
 template <int N>
 struct AxisBounds {
   Lanes<N> velocity{}, acceleration{};
@@ -31,8 +31,8 @@ struct AxisBounds {
 template <int N>
 using Rows = LinkRows<2 * N + 1>;
 
-/// Rows of the link (b at the station, g): `h` is the cell's length, negative at its right end; the path acceleration
-/// is (g − b)/h. `share` of the limits may be used. `Flip` exchanges the variables' order: (g, b).
+/// Rows of the link (b at the station, g). `h` is the cell's length, negative at its right end; the path acceleration
+/// is (g − b)/h. `share` is the usable part of the limits. `Flip` exchanges the variables' order: (g, b).
 template <int N, bool Flip>
 inline void acceleration_rows(Rows<N>& rows, const Station<N>& at, double h, double share, const AxisBounds<N>& limit) {
   const double w = 1 / h;
@@ -40,9 +40,9 @@ inline void acceleration_rows(Rows<N>& rows, const Station<N>& at, double h, dou
     const double A = share * limit.acceleration[k];
     const double t = w * at.d1[k], p = at.d2[k] - t;
     Flip ? rows.add(t, p, A) : rows.add(p, t, A);
-    // Where the axis turns round (h'_k ≈ 0) its acceleration says little about a, but its slope h''' v² + 3 h'' a does:
-    // without it the law would chatter around the point. The neglected term h'_k da/ds is of second order in the cell
-    // there.
+    // Where the axis turns round (h'_k ≈ 0, a zero-inertia point) its acceleration hardly depends on a, but its slope
+    // h''' v² + 3 h'' a does; without this row the law would oscillate around the point. The neglected term h'_k da/ds
+    // is of second order in the cell there.
     if (std::abs(at.d1[k]) < 4 * std::abs(h * at.d2[k])) {
       const double tilt = t + at.d2[k], shift = at.d2[k] + h / 3 * at.d3[k] - tilt;
       Flip ? rows.add(tilt, shift, A) : rows.add(shift, tilt, A);
@@ -50,8 +50,8 @@ inline void acceleration_rows(Rows<N>& rows, const Station<N>& at, double h, dou
   }
 }
 
-/// What a link in its usual form needs of a station, whatever cell lies beside it: h''_k/h'_k and A_k/|h'_k|. An axis
-/// that stands still (as y does along a path in the XZ plane) asks nothing: 0 and ∞.
+/// The part of a station that a plain link needs for either neighbouring cell: h''_k/h'_k and A_k/|h'_k|. An axis that
+/// stands still (as y does along a path in the XZ plane) gives 0 and ∞.
 template <int N>
 struct PlainStation {
   Lanes<N> tilt, reach;
@@ -65,9 +65,9 @@ struct PlainStation {
   }
 };
 
-/// Rows of a link in their usual form. Where no axis turns round near the station, |h'_k| ≥ 4 |h h''_k|, all rows rise
-/// together and the answers of reach.hpp need no search: divided by |h'_k|/h, with t = h h''_k/h'_k and w = h
-/// A_k/|h'_k| the row of axis k says, at the cell's left end, |t b + g − b| ≤ w, at its right end |t b + b − g| ≤ w.
+/// Rows of a plain link. Where no axis turns round near the station, |h'_k| ≥ 4 |h h''_k|, all rows rise together and
+/// reach.hpp needs no search. Divided by |h'_k|/h, with t = h h''_k/h'_k and w = h A_k/|h'_k|, the row of axis k is |t
+/// b + g − b| ≤ w at the cell's left end and |t b + b − g| ≤ w at its right end.
 template <int N>
 class PlainLink {
  public:
@@ -79,15 +79,16 @@ class PlainLink {
     return plain;
   }
 
-  /// Largest second variable for a given first one; the round-off margin absorbs the rounding of x. Divisions come
-  /// first: each speed depends on the one before, so the operations between them decide the time of a pass.
+  /// Returns the largest second variable for a given first one; the round-off margin absorbs the rounding of x.
+  /// Divisions come first: each speed depends on the one before, so the operations between them determine the time of a
+  /// pass.
   double forward_left(double b, double cap) const { return reached((round_off_margin - tilt_) * b + width_, cap); }
   double forward_right(double g, double cap) const {
     const Lanes<N> factor = round_off_margin / (1 + tilt_);
     return reached(factor * g + factor * width_, cap);
   }
-  /// Largest first variable for which the second one, up to a cap, exists. Row k reads |x − f_k y| ≤ w_k with f_k > 0,
-  /// so the largest x belongs to the largest y that all rows can share.
+  /// Returns the largest first variable for which a second one, up to a cap, exists. Row k is |x − f_k y| ≤ w_k with
+  /// f_k > 0, so the largest x belongs to the largest y that all rows allow.
   double backward_left(double cap_b, double cap_g) const {
     const Lanes<N> factor = 1 / (1 - tilt_);
     return largest(factor, factor * width_, cap_b, cap_g);
@@ -109,8 +110,9 @@ class PlainLink {
   Lanes<N> tilt_, width_;
 };
 
-/// [Bock 2.2.3]: the limit curve v↓² = min(feed², V²/h'², K_b A/|h''|) of (2.12)–(2.15), and the acceleration a↓ below
-/// it, (2.16) with |h''| v↓² in place of the printed |h'' v↓|². Condition (2.11) is kept with h'' (printed h').
+/// The limit curve of [Bock 2.2.3]: v↓² = min(feed², V²/h'², K_b A/|h''|) of (2.12)–(2.15), and the acceleration a↓
+/// below it, (2.16) with |h''| v↓² in place of the printed |h'' v↓|². Condition (2.11) is applied with h'' (printed:
+/// h').
 struct ReserveLimit {
   double speed2 = 0;        ///< v↓²
   double acceleration = 0;  ///< a↓
@@ -131,8 +133,8 @@ inline ReserveLimit reserve_limit(const Station<N>& at, const AxisBounds<N>& lim
   return r;
 }
 
-/// A cap φ(s) on v² over a cell, from its values and slopes at both ends: the largest middle coefficient g that keeps
-/// v² below φ to third order when the ends touch it, and safely below it otherwise.
+/// Returns the largest middle coefficient g for a cap φ(s) on v² over a cell, from its values and slopes at both ends.
+/// It keeps v² below φ to third order when the ends touch it, and safely below it otherwise.
 inline double middle_cap(double left, double left_slope, double right, double right_slope, double h) {
   const double tangents = std::min(left + 0.5 * h * left_slope, right - 0.5 * h * right_slope);
   return std::max(tangents, std::min(left, right));

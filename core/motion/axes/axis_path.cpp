@@ -108,11 +108,11 @@ void KinematicAxisPath::at_parameters(std::size_t segment, PathBatch& batch) con
   tool()[segment].travelled(batch);
   AxisJet q;
   for (std::size_t i = 0; i < batch.count; ++i)
-    write_row(batch, i, q = raw_at_parameter(segment, batch.u[i]));  // positions are not asked for
+    write_row(batch, i, q = raw_at_parameter(segment, batch.u[i]));  // positions are not needed
   if (batch.count % 2 == 1) write_row(batch, batch.count, q);
 }
 
-AxisArray largest_rates(const AxisPath& path, ProgressScope* scope) {
+AxisArray largest_rates(const AxisPath& path, ProgressScope* progress) {
   constexpr double rounding = 1e-12, surely = 1e-3;            // of what is possible; unit/mm
   constexpr std::array inner{0.1178, 0.3451, 0.6373, 0.8682};  // of a panel: an axis may rest at both its ends
   AxisArray most{}, between{}, possible{};
@@ -127,7 +127,7 @@ AxisArray largest_rates(const AxisPath& path, ProgressScope* scope) {
     }
   };
   all([&](std::size_t i, double u, AxisArray& rates) {
-    if (scope) scope->work(16);
+    if (progress) progress->work(16);
     const AxisJet q = path.at_parameter(i, u);
     for (std::size_t k = 0; k < path.axes(); ++k) rates[k] = std::max(rates[k], std::abs(q.d1[k]));
   });
@@ -139,7 +139,7 @@ AxisArray largest_rates(const AxisPath& path, ProgressScope* scope) {
   const auto moves = [&](double rate) { return rate > surely; };
   if (std::all_of(most.begin(), most.begin() + static_cast<std::ptrdiff_t>(path.axes()), moves)) return most;
   all([&](std::size_t i, double u, AxisArray&) {
-    if (scope) scope->work(16);
+    if (progress) progress->work(16);
     const MapBounds map = path.map_bounds(i, u, 0);
     for (std::size_t k = 0; k < path.axes(); ++k) possible[k] = std::max(possible[k], map.order[0][k]);
   });

@@ -18,8 +18,8 @@ bool still(const MotionState& x, std::size_t k) { return x.velocity[k] == 0 && x
 Polynomial quintic(double h, double x0, double v0, double a0, double x1, double v1, double a1) {
   if (h < velocity_counts) return {x0, v0, 0.5 * a0, (a1 - a0) / (6 * h)};
   if (h < position_counts) {
-    const double rest = (v1 - v0 - h * a0) / (h * h), bend = (a1 - a0) / h;
-    return {x0, v0, 0.5 * a0, rest - bend / 3, (0.5 * bend - rest) / (2 * h)};
+    const double rest = (v1 - v0 - h * a0) / (h * h), change = (a1 - a0) / h;
+    return {x0, v0, 0.5 * a0, rest - change / 3, (0.5 * change - rest) / (2 * h)};
   }
   const double dx = x1 - x0 - h * (v0 + 0.5 * h * a0), dv = h * (v1 - v0 - h * a0), da = h * h * (a1 - a0);
   const double h3 = h * h * h;

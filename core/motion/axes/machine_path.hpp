@@ -1,5 +1,5 @@
 #pragma once
-/// The axes of a machine along a tool's path, in the configuration that suits it best.
+/// The axes of a machine along a tool's path, in the machine's best configuration.
 #include <memory>
 #include <vector>
 
@@ -7,15 +7,15 @@
 
 namespace bahnwerk {
 
-/// Where an axis goes along a path.
+/// Range and travel of an axis along a path.
 struct AxisSpan {
   double lowest = 0, highest = 0;        ///< in the axis' unit
   double lowest_at = 0, highest_at = 0;  ///< mm along the path
-  double travel = 0;                     ///< sum of all ways
+  double travel = 0;                     ///< total variation of the axis
 };
 
-/// Of every axis. Extremes between the samples (eight per panel of the path's arc length) are found where q′ changes
-/// its sign, to 1e-12 of the panel; nothing is proven of what happens between two samples otherwise.
+/// Returns the span of every axis. Extremes between the samples (eight per panel of the path's arc length) are found
+/// where q′ changes its sign, to 1e-12 of the panel. They are not proven between two samples of one sign.
 std::vector<AxisSpan> axis_spans(const AxisPath& path);
 
 struct MachinePath {
@@ -25,9 +25,9 @@ struct MachinePath {
   double travel = 0;  ///< sum over all axes, in their units
 };
 
-/// Of `configurations` (the arms of a robot; or one machine alone) the one whose axes stay in their ranges, to 1e-9 of
-/// the unit, all along the path and travel least in all; of equal ones the first.
-/// `orientation` may be empty. Throws UnreachablePose if there is none: that of the configuration that gets furthest.
+/// Returns, of `configurations` (the arms of a robot, or one machine alone), the one whose axes stay in their ranges
+/// along the whole path, to 1e-9 of the unit, and travel least in total; the first one of equals. `orientation` may be
+/// empty. Throws UnreachablePose if there is none, for the configuration that gets furthest along the path.
 MachinePath machine_path(const std::shared_ptr<const Path>& tool, const std::shared_ptr<const Orientation>& orientation,
                          const std::vector<std::shared_ptr<const Kinematics>>& configurations);
 /// `tool` has to outlive the result.

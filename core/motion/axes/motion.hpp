@@ -1,6 +1,6 @@
 #pragma once
-/// N axes over time, in pieces: what setpoints, verifier and drawings take, wherever it comes from. An axis path driven
-/// by a time law is one, a spline in time is one, the sum of two is one.
+/// N axes over time, in pieces. Setpoints, verifier and drawings take any motion: an axis path driven by a time law, a
+/// spline in time, a sum of two motions.
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -23,19 +23,20 @@ class Motion {
   virtual std::size_t pieces() const = 0;             ///< 1 at least
   virtual double begin(std::size_t piece) const = 0;  ///< s; the first one's is 0, ascending
   virtual double duration() const = 0;                ///< s; where the last piece ends
-  /// State at t inside piece `piece`, its ends included: there one-sided limits.
+  /// Returns the state at t inside piece `piece`; at its ends the one-sided limits.
   virtual MotionState in_piece(std::size_t piece, double t) const = 0;
-  /// Where it has arrived: the last piece's state at its end, unless the motion knows it without rounding.
+  /// Returns the state in which the motion ends: the last piece's at its end, unless the motion knows it without
+  /// rounding.
   virtual MotionState final_state() const { return in_piece(pieces() - 1, duration()); }
-  /// Whether `MotionState::snap` is known; else it is 0.
+  /// Whether `MotionState::snap` is computed; otherwise it is 0.
   virtual bool has_snap() const { return false; }
-  /// Position of an axis in a piece as a polynomial of t − begin(piece), lowest coefficient first, if it is one: then
-  /// everything about it can be enclosed. False: it is none, `out` is left alone.
+  /// Writes the position of an axis in a piece as a polynomial of t − begin(piece), lowest coefficient first, if it is
+  /// one; then its peaks can be enclosed. Returns false, and leaves `out` unchanged, if it is none.
   virtual bool polynomial(std::size_t /*piece*/, std::size_t /*axis*/, Polynomial& /*out*/) const { return false; }
 
   double end(std::size_t piece) const { return piece + 1 < pieces() ? begin(piece + 1) : duration(); }
-  /// State just after t ∈ [0, duration()]: right limits. `piece` is the hint and is updated. O(log pieces), O(1) with
-  /// a good hint.
+  /// Returns the state just after t ∈ [0, duration()]: right limits. `piece` is a hint and is updated. O(log pieces),
+  /// O(1) with a good hint.
   MotionState evaluate(double t, std::size_t& piece) const;
   MotionState evaluate(double t) const {
     std::size_t piece = 0;
@@ -43,11 +44,11 @@ class Motion {
   }
 };
 
-/// Coarse + fine = tool: the sum of two motions of equally many axes that last equally long. Its pieces end where a
-/// piece of either does.
+/// Coarse + fine = tool: the sum of two motions with equally many axes and equal durations. Its pieces end where a
+/// piece of either summand ends.
 class SumOfMotions final : public Motion {
  public:
-  /// Throws std::invalid_argument where axes differ, or durations by more than rounding.
+  /// Throws std::invalid_argument if the numbers of axes differ, or the durations by more than rounding.
   SumOfMotions(std::shared_ptr<const Motion> first, std::shared_ptr<const Motion> second);
   std::size_t axes() const override { return first_->axes(); }
   std::size_t pieces() const override { return begin_.size(); }
@@ -60,7 +61,7 @@ class SumOfMotions final : public Motion {
  private:
   struct Begin {
     double t;
-    std::size_t first, second;  // the piece of either
+    std::size_t first, second;  // the piece of each summand
   };
   std::shared_ptr<const Motion> first_, second_;
   std::vector<Begin> begin_;

@@ -76,7 +76,7 @@ ToolJet Orientation::tool(const Segment& segment, std::size_t index, double u) c
   tool.phi.value = a.value.x, tool.psi.value = a.value.y;
   const auto zero = [](const Vec& v) { return v.x == 0 && v.y == 0; };
   if (zero(a.d1) && zero(a.d2) && zero(a.d3)) return tool;
-  // Of lines and arcs the speed is constant, without the rounding of a norm.
+  // The speed of lines and arcs is constant, without the rounding of a norm.
   const double speed = curve.kind() == CurveKind::rational ? norm(h.d1) : curve.speed(u);
   double u1 = 1 / speed, u2 = 0, u3 = 0;
   if (curve.kind() == CurveKind::rational) {  // of lines and arcs s is linear in u

@@ -1,5 +1,5 @@
 #pragma once
-/// What a planner of time laws, and the bound on all of them, is given: where the axes go and what they may do.
+/// The input of a planner of time laws, and of the bound on all of them: the path of the axes and their limits.
 #include <memory>
 #include <utility>
 #include <vector>
@@ -14,16 +14,18 @@ struct PathTask {
   const AxisPath& path;
   const Machine& machine;     ///< as many axes as the path has, in its order
   std::vector<double> feeds;  ///< per segment: speed of the tool, mm/s, infinite where not limited
-  std::vector<bool> rests;    ///< per segment, whether the motion rests at its begin; and one for the end of the path
-  std::vector<Rest> dwells = {};  ///< those that last, and others, by segment; `rests` holds at each of them
-  double dwell() const {          ///< s, of all of them
+  std::vector<bool>
+      rests;  ///< per segment, whether the motion rests at its beginning; one more entry for the end of the path
+  std::vector<Rest> dwells = {};  ///< all dwells by segment, also those of duration 0; `rests` is true at each of them
+  double dwell() const {          ///< s, sum of all
     double seconds = 0;
     for (const Rest& rest : dwells) seconds += rest.seconds;
     return seconds;
   }
 };
 
-/// The first `axes` coordinates along a contour, which it shares. A planar one's third axis stands at its height.
+/// Returns the first `axes` coordinates along a contour, which the path shares. The third axis of a planar contour is
+/// constant at its height.
 inline std::shared_ptr<const AxisPath> contour_axes(std::shared_ptr<const Contour> contour, std::size_t axes) {
   const double height = contour->dimension < 3 ? contour->height : 0;
   const Path& tool = contour->path;
@@ -31,7 +33,7 @@ inline std::shared_ptr<const AxisPath> contour_axes(std::shared_ptr<const Contou
                                                    height);
 }
 
-/// Feeds, rests and dwells of a contour, whose own path `path` follows.
+/// Returns the task with the feeds, rests and dwells of a contour, whose path `path` follows.
 inline PathTask contour_task(const AxisPath& path, const Contour& contour, const Machine& machine) {
   return {path, machine, contour.feeds(), contour.rest_places(), contour.rests};
 }

@@ -12,13 +12,13 @@ namespace {
 
 bool still(const DiscJet& f) { return f.c[1].zero() && f.c[2].zero() && f.c[3].zero(); }
 
-/// d/du to d/ds where ds/du is constant.
+/// Converts d/du to d/ds where ds/du is constant.
 void slowed(DiscJet& f, double inverse_speed) {
   double power = 1;
   for (std::size_t n = 1; n <= 3; ++n) f.c[n] = (power *= inverse_speed) * f.c[n];
 }
 
-/// The same by 1/|h_u|, as a series by u.
+/// Converts d/du to d/ds by 1/|h_u| as a series in u.
 void slowed(DiscJet& f, const DiscJet& inverse_speed) {
   if (still(f)) return;
   const DiscJet first = derived(f) * inverse_speed, second = derived(first) * inverse_speed;

@@ -1,5 +1,5 @@
 #pragma once
-/// Where a tool can be, and how it can move, all along a stretch of its path: enclosures.
+/// Enclosures of a tool's pose and its derivatives over an interval of its path.
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -14,15 +14,16 @@ namespace bahnwerk {
 /// Immutable and thread-safe.
 class PoseDiscs {
  public:
-  /// Reads `tool`, keeps `orientation`, which may be empty: then the angles are 0.
+  /// Reads `tool` and shares `orientation`, which may be empty: then the angles are 0.
   PoseDiscs(const Path& tool, std::shared_ptr<const Orientation> orientation);
 
-  /// Pose with derivatives by arc length, for all complex parameters within `radius` of u, on the segment's curve and
-  /// its continuation. False: not known, as where the parametric tangent may vanish. O(degree²), 1 to 2 µs.
+  /// Encloses the pose with its derivatives by arc length for all complex parameters within `radius` of u, on the
+  /// segment's curve and its analytic continuation. Returns false if no enclosure is known, as where the parametric
+  /// tangent may vanish. O(degree²), 1 to 2 µs.
   bool enclose(const Segment& segment, std::size_t index, double u, double radius, ToolDiscs& tool) const;
 
  private:
-  /// origin + N(t)/w(t), t = (u − pivot)/reach, of a rational curve.
+  /// The rational curve origin + N(t)/w(t) with t = (u − pivot)/reach.
   struct Quotient {
     std::array<Polynomial, 3> position;
     Polynomial weight;
@@ -30,7 +31,7 @@ class PoseDiscs {
     double pivot = 0, reach = 1;
   };
   std::shared_ptr<const Orientation> orientation_;
-  std::vector<std::unique_ptr<const Quotient>> quotients_;  ///< by segment; none of lines and arcs
+  std::vector<std::unique_ptr<const Quotient>> quotients_;  ///< by segment; empty for lines and arcs
 };
 
 }  // namespace bahnwerk

@@ -1,5 +1,5 @@
 #pragma once
-/// Axes that follow polynomials in time, piece by piece: what cam and probe planners make.
+/// Axes that follow polynomials in time, piece by piece, as the cam and probe planners make them.
 #include <vector>
 
 #include "core/motion/axes/motion.hpp"
@@ -10,13 +10,13 @@ inline constexpr std::size_t max_motion_degree = 21;
 
 class SplineMotion final : public Motion {
  public:
-  /// From 0 to `end` s, which is also where further pieces go on.
+  /// A piece lasts from the end of the piece before (0 for the first) to `end` s.
   struct Piece {
     double end = 0;
-    std::vector<Polynomial> axes;  ///< positions over the time since the piece began, unit; one per axis
+    std::vector<Polynomial> axes;  ///< positions over the time since the beginning of the piece, unit; one per axis
   };
-  /// Throws std::invalid_argument for no pieces, times that do not rise, axes that differ in number or are none or more
-  /// than max_axes, and degrees above max_motion_degree. Whether pieces fit together is for the verifier to say.
+  /// Throws std::invalid_argument for no pieces, times that do not increase, axes that differ in number or are none or
+  /// more than max_axes, and degrees above max_motion_degree. The verifier checks whether the pieces fit together.
   explicit SplineMotion(std::vector<Piece> pieces);
   std::size_t axes() const override { return pieces_.front().axes.size(); }
   std::size_t pieces() const override { return pieces_.size(); }
@@ -31,7 +31,7 @@ class SplineMotion final : public Motion {
   std::vector<Piece> pieces_;
 };
 
-/// The same places, `factor` > 0 times as late.
+/// Returns the pieces with every time multiplied by `factor` > 0.
 std::vector<SplineMotion::Piece> slowed(std::vector<SplineMotion::Piece> pieces, double factor);
 
 }  // namespace bahnwerk

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double resolution = 1e-9;   // of a feed
 constexpr double least_feed = 1e-6;   // mm/s: what is slower is no motion
-constexpr double exactly = 1 + 1e-9;  // a feed that was asked for may be the largest one but for rounding
+constexpr double exactly = 1 + 1e-9;  // a requested feed may equal the largest one but for rounding
 
 /// Both changes of a motion at one feed, if they fit.
 bool fits(const FeedChanges& changes, double begin, double end, double v, FeedHold& hold) {
@@ -23,7 +23,7 @@ bool fits(const FeedChanges& changes, double begin, double end, double v, FeedHo
   return true;
 }
 
-/// What holds the feed down over [s0, s1].
+/// Returns the limit that determines the largest feed over [s0, s1].
 FeedLimit slowest(const FeedGrid& grid, double s0, double s1) {
   const Path& tool = grid.task().path.tool();
   FeedLimit least;
@@ -131,13 +131,14 @@ TimeLaw constant_feed(const FeedGrid& grid, const FeedOptions& options) {
 
 TimeLaw plan_constant_feed(const PathTask& task, const FeedOptions& options, Progress& progress, double from,
                            double to) {
-  ProgressScope scope(progress, "constant feed", from, to);
-  scope.report();
+  ProgressScope stage_progress(progress, "constant feed", from, to);
+  stage_progress.report();
   const FeedGrid grid(
-      task, {options.nodes, speed_profile_row(options.profile).limits_jerk, options.corner_angle, options.path}, scope);
+      task, {options.nodes, speed_profile_row(options.profile).limits_jerk, options.corner_angle, options.path},
+      stage_progress);
   TimeLaw law = constant_feed(grid, options);
-  scope.done(1);
-  scope.report();
+  stage_progress.done(1);
+  stage_progress.report();
   return law;
 }
 

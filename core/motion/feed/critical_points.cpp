@@ -17,7 +17,7 @@ struct Cell {
   double s0 = 0, s1 = 0, feed = 0;
 };
 
-/// What lies between two holds: a rise, a hold, a fall.
+/// A rise, a constant speed and a fall between two holds.
 struct Hill {
   FeedHold top;
   double duration = unlimited;
@@ -31,16 +31,16 @@ class Section {
     laid_ = {0, holds_.size() - 1};
   }
 
-  std::vector<FeedHold> run(ProgressScope& scope) {
+  std::vector<FeedHold> run(ProgressScope& stage_progress) {
     std::vector<std::size_t> order(cells_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return cells_[a].feed < cells_[b].feed; });
     for (const std::size_t cell : order) {
       lay(cell);
-      scope.work(400);
+      stage_progress.work(400);
     }
-    return with_hills(scope);
+    return with_hills(stage_progress);
   }
 
  private:
@@ -77,12 +77,12 @@ class Section {
     return !direct || through <= direct->duration + least_gain;
   }
 
-  /// At the higher speed of both all the way but for the change.
+  /// Returns the change at one end only, with the higher speed of both between the holds.
   std::optional<Hill> base(const FeedHold& left, const FeedHold& right) const {
     return hill(left, right, std::max(left.v, right.v));
   }
 
-  /// With so much at the top, if limits and room allow it.
+  /// Returns the changes with this speed at the top, if limits and room allow it.
   std::optional<Hill> hill(const FeedHold& left, const FeedHold& right, double top) const {
     const double room = right.s0 - left.s1;
     const auto rise = changes_.find(left.s1, left.v, top, true, room);
@@ -131,7 +131,7 @@ class Section {
     return best;
   }
 
-  std::vector<FeedHold> with_hills(ProgressScope& scope) const {
+  std::vector<FeedHold> with_hills(ProgressScope& stage_progress) const {
     std::vector<FeedHold> list;
     for (auto at = laid_.begin(); at != laid_.end(); ++at) {
       const FeedHold& here = holds_[*at];
@@ -140,7 +140,7 @@ class Section {
       if (next == laid_.end()) break;
       const std::size_t first = *at == 0 ? 0 : *at - 1, last = std::min(*next, cells_.size());
       if (const auto top = highest(here, holds_[*next], first, last)) list.push_back(top->top);
-      scope.work(400);
+      stage_progress.work(400);
     }
     return list;
   }
@@ -151,7 +151,7 @@ class Section {
   std::set<std::size_t> laid_;
 };
 
-/// How a path is cut up, and what of the axes' limits a hold may take.
+/// A division of the path, and the part of the axes' limits that a hold may use.
 struct Cut {
   std::size_t parts;
   double share;
@@ -173,15 +173,15 @@ std::vector<Cell> cells_of(const FeedGrid& grid, std::size_t first, std::size_t 
   return cells;
 }
 
-/// From rest to rest: the quickest of all cuts; empty if none can be written.
+/// Returns the fastest law of all divisions from rest to rest; empty if none can be written.
 TimeLaw quickest(const FeedGrid& grid, SpeedProfile profile, std::size_t first, std::size_t last,
-                 ProgressScope& scope) {
+                 ProgressScope& stage_progress) {
   const Path& tool = grid.task().path.tool();
   TimeLaw best;
   for (const Cut& cut : cuts) {
     Section section(grid, profile, cells_of(grid, first, last, cut), tool[first].s0(), tool[last - 1].s1());
     TimeLaw law;
-    if (write_feed(grid, profile, section.run(scope), law) &&
+    if (write_feed(grid, profile, section.run(stage_progress), law) &&
         (best.pieces().empty() || law.duration() < best.duration()))
       best = std::move(law);
   }
@@ -192,23 +192,24 @@ TimeLaw quickest(const FeedGrid& grid, SpeedProfile profile, std::size_t first, 
 
 TimeLaw plan_critical_points(const PathTask& task, const FeedOptions& options, Progress& progress, double from,
                              double to) {
-  ProgressScope scope(progress, "critical points", from, to);
-  scope.part(0, 0.4);
+  ProgressScope stage_progress(progress, "critical points", from, to);
+  stage_progress.part(0, 0.4);
   const FeedGrid grid(
-      task, {options.nodes, speed_profile_row(options.profile).limits_jerk, options.corner_angle, options.path}, scope);
+      task, {options.nodes, speed_profile_row(options.profile).limits_jerk, options.corner_angle, options.path},
+      stage_progress);
   FeedOptions largest = options;
   largest.feed = 0;
   TimeLaw constant = constant_feed(grid, largest);
-  scope.part(0.4, 1);
+  stage_progress.part(0.4, 1);
   const Path& tool = task.path.tool();
   const auto& sections = grid.sections().begin;
   TimeLaw law;
   for (std::size_t i = 0; i + 1 < sections.size(); ++i) {
-    const TimeLaw part = quickest(grid, options.profile, sections[i], sections[i + 1], scope);
+    const TimeLaw part = quickest(grid, options.profile, sections[i], sections[i + 1], stage_progress);
     if (part.pieces().empty()) return constant;
     law.reserve(part.pieces().size());
     for (const LawPiece& piece : part.pieces()) law.append(piece);
-    scope.done(tool[sections[i + 1] - 1].s1() / tool.length());
+    stage_progress.done(tool[sections[i + 1] - 1].s1() / tool.length());
   }
   return law.duration() <= constant.duration() ? std::move(law) : std::move(constant);
 }

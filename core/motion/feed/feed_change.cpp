@@ -9,7 +9,7 @@ namespace bahnwerk {
 namespace {
 
 constexpr double margin = 1 - 1e-3;  // of accelerations and jerks: the nodes are not everywhere
-constexpr double aim = 1 - 3e-3;     // so that the next try is not rejected for the same place
+constexpr double aim = 1 - 3e-3;     // margin, so that the next trial is not rejected at the same place
 constexpr double least_share = 0.02, when_too_fast = 0.75;
 constexpr double time_exact = 1e-9;  // of a piece
 constexpr int tries = 24;
@@ -54,7 +54,7 @@ class Walk {
   double distance() const { return forwards_ ? grid_.s(next_) - from_ : from_ - grid_.s(next_); }
   std::size_t next() const { return next_; }
   std::size_t segment() const { return segment_; }
-  /// Past the next node; tells whether that is over a joint, behind which another node lies at the same place.
+  /// Moves past the next node; returns whether that crosses a joint, behind which another node lies at the same place.
   bool pass() {
     const bool joint = forwards_ ? next_ + 1 == grid_.last(segment_) : next_ == grid_.first(segment_);
     forwards_ ? ++next_ : --next_;
@@ -130,7 +130,8 @@ std::optional<FeedChange> FeedChanges::find(double s, double low, double high, b
   FeedChange change;
   change.low = low, change.s = s, change.forwards = forwards;
   if (!(high > low)) return change;
-  // What the axes leave, standing: where the change begins, then along as far as it would go with that.
+  // First the acceleration and jerk that the axes allow at rest where the change begins, then their minimum over its
+  // length.
   double a = 0, j = 0;
   for (int pass = 0; pass < 2; ++pass) {
     const double reach = pass == 0 ? 0 : profile_.rise(high - low, a, j).distance(low);

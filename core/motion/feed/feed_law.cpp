@@ -13,7 +13,8 @@ constexpr double nothing = 1e-9;  // of the peak acceleration
 /// A rise backwards in time.
 RisePiece mirrored(const RisePiece& p) {
   const double T = p.duration;
-  return {T, p.v + T * (p.a + T * (p.j / 2 + T * p.q / 6)), -(p.a + T * (p.j + T * p.q / 2)), p.j + T * p.q, -p.q};
+  return {T, p.v + T * (p.a + T * (p.j / 2 + T * p.snap / 6)), -(p.a + T * (p.j + T * p.snap / 2)), p.j + T * p.snap,
+          -p.snap};
 }
 
 }  // namespace
@@ -47,7 +48,7 @@ void FeedLawWriter::change(const FeedChange& change, double s_end) {
     end.s = last ? s_end : piece.at(p.duration).s;
     if (last) {
       end.v = change.forwards ? change.high() : change.low;
-      end.a = p.a + p.duration * (p.j + p.duration * p.q / 2);
+      end.a = p.a + p.duration * (p.j + p.duration * p.snap / 2);
       if (std::abs(end.a) < nothing * change.rise.acceleration) end.a = 0;  // but of a profile whose acceleration jumps
     } else {
       const RisePiece next = change.forwards ? pieces[i + 1] : mirrored(pieces[pieces.size() - 2 - i]);
@@ -69,7 +70,7 @@ void FeedLawWriter::write(const LawPiece& whole, const LawState& goal) {
       const LawState x = whole.at(tau);
       LawPiece& piece = law_.next();
       piece.duration = until - tau, piece.s = s_, piece.s_end = border, piece.segment = segment_;
-      piece.v = x.v, piece.a = x.a, piece.j = x.j, piece.q = whole.q;
+      piece.v = x.v, piece.a = x.a, piece.j = x.j, piece.snap = whole.snap;
       tau = until;
     }
     s_ = std::max(s_, border);
@@ -78,11 +79,11 @@ void FeedLawWriter::write(const LawPiece& whole, const LawState& goal) {
   const LawState x = whole.at(tau);
   LawPiece& piece = law_.next();
   piece.duration = whole.duration - tau, piece.s = s_, piece.segment = segment_;
-  piece.v = x.v, piece.a = x.a, piece.j = x.j, piece.q = whole.q;
+  piece.v = x.v, piece.a = x.a, piece.j = x.j, piece.snap = whole.snap;
   if (tau > 0) {  // from its end: what rounding of the whole piece left would be much for a short rest of it
     const double T = piece.duration;
-    piece.a = goal.a - T * (piece.j + T * piece.q / 2);
-    piece.v = goal.v - T * (piece.a + T * (piece.j / 2 + T * piece.q / 6));
+    piece.a = goal.a - T * (piece.j + T * piece.snap / 2);
+    piece.v = goal.v - T * (piece.a + T * (piece.j / 2 + T * piece.snap / 6));
   }
   s_ = piece.s_end = segment_ + 1 < path_.size() ? std::min(s_end, path_[segment_].s1()) : s_end;
   if (segment_ + 1 < path_.size() && s_ >= path_[segment_].s1()) ++segment_;

@@ -6,15 +6,15 @@
 
 namespace bahnwerk {
 
-/// In order along the path, without gaps; pieces end where a segment of the path does. O(pieces + segments).
+/// Writes in order along the path, without gaps; pieces end where a segment of the path does. O(pieces + segments).
 class FeedLawWriter {
  public:
-  /// `law` and `path` outlive it; the law goes on at `begin`.
+  /// `law` and `path` have to outlive the object; the law continues at `begin`.
   FeedLawWriter(TimeLaw& law, const Path& path, double begin)
       : law_(law), path_(path), s_(begin), segment_(path.find(begin)) {}
-  /// At speed v from where the law is to s.
+  /// Continues at speed v from the end of the law to s.
   void hold(double v, double s);
-  /// The change, from where the law is to `s_end`, which is where the change ends but for rounding.
+  /// Appends the change, from the end of the law to `s_end`, which is the end of the change but for rounding.
   void change(const FeedChange& change, double s_end);
 
  private:

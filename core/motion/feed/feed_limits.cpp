@@ -51,19 +51,19 @@ std::string in_words(const FeedLimit& limit, const Machine& machine) {
   return "the feed of the path's piece";
 }
 
-FeedGrid::FeedGrid(const PathTask& task, const FeedGridOptions& options, ProgressScope& scope)
+FeedGrid::FeedGrid(const PathTask& task, const FeedGridOptions& options, ProgressScope& progress)
     : task_(task), options_(options), axes_(task.path.axes()) {
-  sections_ = find_sections(task, options.corner_angle, scope);
+  sections_ = find_sections(task, options.corner_angle, progress);
   for (std::size_t i = 0; i < task.path.size(); ++i) {
     first_.push_back(s_.size());
     sample(i);
-    scope.work(4 * (s_.size() - first_.back()));
-    scope.done(static_cast<double>(i) / static_cast<double>(task.path.size()));
+    progress.work(4 * (s_.size() - first_.back()));
+    progress.done(static_cast<double>(i) / static_cast<double>(task.path.size()));
   }
   first_.push_back(s_.size());
   for (std::size_t i = 0; i < task.path.size(); ++i) {
     search(i);
-    scope.work(200);
+    progress.work(200);
   }
   joint_.assign(task.path.size(), unlimited);
   for (std::size_t i = 1; i < task.path.size(); ++i) limit_at_joint(i);

@@ -1,10 +1,9 @@
 #pragma once
-/// What the limits leave to the feed, place by place: how fast the tool may pass at constant speed, and how strongly
-/// the speed may change there.
+/// The largest constant speed at each place of a path, and the largest change of speed there.
 ///
 /// At constant speed v axis k has velocity q′v, acceleration q″v² and jerk q‴v³, so a place may be passed at
 ///     min over k of V/|q′|, √(A/|q″|), ∛(J/|q‴|), the feed of its segment, the limit along the path,
-/// and a joint at which q′ or q″ jumps by Δ only with |Δ| v ≤ A T, |Δ| v² ≤ J T over a cycle T.
+/// A joint at which q′ or q″ jumps by Δ requires |Δ| v ≤ A T, |Δ| v² ≤ J T over a cycle T.
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -16,25 +15,25 @@
 
 namespace bahnwerk {
 
-/// What keeps a feed from being larger, and where.
+/// The limit that determines the largest feed, and its place.
 struct FeedLimit {
   enum class Kind { velocity, acceleration, jerk, velocity_step, acceleration_step, path_velocity, segment_feed };
   double speed = unlimited;  ///< mm/s
   Kind kind = Kind::path_velocity;
-  std::size_t axis = 0;     ///< of the first five kinds
+  std::size_t axis = 0;     ///< if the limit is one of an axis
   double s = 0;             ///< mm along the path
-  std::size_t segment = 0;  ///< in which that is
+  std::size_t segment = 0;  ///< that contains s
 };
-/// Such as "the jerk limit of q5".
+/// Returns a name such as "the jerk limit of q5".
 std::string in_words(const FeedLimit& limit, const Machine& machine);
 
-/// One place of the grid. A joint is there twice, with the derivatives before and behind it.
+/// One place of the grid. A joint has two nodes, with the derivatives before and behind it.
 struct FeedNode {
   double s = 0;
   const double *d1 = nullptr, *d2 = nullptr, *d3 = nullptr;  ///< per axis: q′, q″, q‴
 };
 
-/// How the tool moves at a place.
+/// Speed, acceleration and jerk of the tool at a place.
 struct FeedState {
   double v = 0, a = 0, j = 0;
 };
@@ -43,21 +42,22 @@ struct FeedGridOptions {
   std::size_t nodes = 16;  ///< per panel of the path
   bool limits_jerk = true;
   double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad
-  Limits along;                                              ///< the tool's path
+  Limits along;                                              ///< along the tool's path
 };
 
-/// `task` outlives it. O(nodes), about 1 µs each through a machine's kinematics; 8 (3 axes + 1) bytes each.
+/// `task` has to outlive the object. O(nodes), about 1 µs each through a machine's kinematics; 8 (3 axes + 1) bytes
+/// each.
 class FeedGrid {
  public:
-  FeedGrid(const PathTask& task, const FeedGridOptions& options, ProgressScope& scope);
+  FeedGrid(const PathTask& task, const FeedGridOptions& options, ProgressScope& progress);
 
   const PathTask& task() const { return task_; }
   const FeedGridOptions& options() const { return options_; }
   const Sections& sections() const { return sections_; }
-  /// The largest constant speed over a whole segment, its joints included: at the nodes, and at the slowest place
-  /// around every node that is slower than its neighbours, to 1e-9.
+  /// Returns the largest constant speed over a whole segment, its joints included: at the nodes, and at the slowest
+  /// place around every node that is slower than its neighbours, to 1e-9.
   const FeedLimit& hold(std::size_t segment) const { return hold_[segment]; }
-  /// The same over a part of it, mm/s, with `share` of the speed that the axes allow.
+  /// Returns the largest constant speed over a part of a segment, mm/s, with `share` of the axes' speed.
   double hold_between(std::size_t segment, double s0, double s1, double share = 1) const;
 
   std::size_t size() const { return s_.size(); }
@@ -66,19 +66,19 @@ class FeedGrid {
     const double* row = rows_.data() + 3 * axes_ * i;
     return {s_[i], row, row + axes_, row + 2 * axes_};
   }
-  /// Nodes of a segment: [first, last).
+  /// First node of a segment; the nodes of a segment are [first, last).
   std::size_t first(std::size_t segment) const { return first_[segment]; }
   std::size_t last(std::size_t segment) const { return first_[segment + 1]; }
   std::size_t segment_of(double s, std::size_t hint) const { return task_.path.tool().find(s, hint); }
 
-  /// The largest acceleration along the path that the axes have at a node, standing; and jerk.
+  /// Returns the largest acceleration along the path that the axes allow at a node at rest.
   double acceleration(std::size_t node) const;
   double jerk(std::size_t node) const;
 
-  /// 1 if a place is passed within `margin` of all limits at this speed, acceleration and jerk. Else the factor f < 1
-  /// up to which it is with acceleration f a and jerk f² j; 0 where v alone is too much.
+  /// Returns 1 if a place is passed within `margin` of all limits at this speed, acceleration and jerk; otherwise the
+  /// factor f < 1 up to which it is with acceleration f a and jerk f² j; 0 where v alone is too large.
   double share(const FeedNode& node, const FeedState& state, double margin) const;
-  /// Whether a joint may be passed so: from the last node of a segment to the first of the next.
+  /// Whether a joint may be passed in this state: from the last node of a segment to the first one of the next.
   bool passes_joint(std::size_t next_segment, const FeedState& state) const;
 
  private:
@@ -93,9 +93,9 @@ class FeedGrid {
   FeedGridOptions options_;
   std::size_t axes_;
   Sections sections_;
-  std::vector<double> s_, u_, rows_, speed_;  // per node; of the last what it may be passed at
-  std::vector<FeedLimit> minima_;             // between nodes, ascending
-  std::vector<double> joint_;                 // per segment: what its begin may be passed at
+  std::vector<double> s_, u_, rows_, speed_;  // per node; speed_ is the largest constant speed
+  std::vector<FeedLimit> minima_;             // local minima between nodes, ascending
+  std::vector<double> joint_;                 // per segment: largest speed at the joint at its beginning
   std::vector<std::size_t> first_;
   std::vector<FeedLimit> hold_;
 };

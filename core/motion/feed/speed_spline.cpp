@@ -58,7 +58,7 @@ SpeedSpline::Place SpeedSpline::at(std::size_t span, double x) const {
       if (i < p) sum += (knot(first + p + 1) - w) / (knot(first + p + 1) - knot(first + 1)) * n[p - 1][i];
       n[p][i] = sum;
     }
-  // Of degree p from `lower`, what the bases of degree p − 1 are worth.
+  // Returns the derivatives of the basis functions of degree p from those of degree p − 1, from `lower` on.
   const auto derived = [&](std::size_t p, const std::array<double, order>& lower) {
     std::array<double, order> d{};
     for (std::size_t i = 0; i <= p; ++i) {

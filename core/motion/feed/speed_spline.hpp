@@ -1,11 +1,11 @@
 #pragma once
-/// The feed as a cubic B-spline along the path [Herrmann 4.4.3, (4.78)], and the motion that it makes.
+/// The feed as a cubic B-spline along the path [Herrmann 4.4.3, (4.78)], and the motion that it defines.
 ///
-/// The source's spline has the path's own parameter u. There v = 0 at the start leaves no motion: with dv/dσ finite the
-/// tip never gets off, ∫dσ/v diverges. Here its parameter is w with σ(w) = w + const but in the first and the last
-/// spans, where σ = h φ(x), φ = x⁴ − 0.6 x⁵, x the distance from the end over the width h of these spans together:
-/// φ(1) = 0.4, φ′(1) = 1, φ″(1) = 0. With three control points 0 at either end v ~ w³ ~ σ^(3/4): the law of constant
-/// snap, at rest with v = a = j = 0 (4.79).
+/// The source's spline has the path's parameter u. With v = 0 at the start and dv/dσ finite, ∫dσ/v diverges and the tip
+/// never starts. Here its parameter is w with σ(w) = w + const except in the first and the last spans, where σ = h
+/// φ(x), φ = x⁴ − 0.6 x⁵, x the distance from the end over the width h of these spans together: φ(1) = 0.4, φ′(1) = 1,
+/// φ″(1) = 0. With three control points 0 at each end, v ~ w³ ~ σ^(3/4): the law of constant snap, at rest with v = a =
+/// j = 0 (4.79).
 ///
 /// With g = dv/dσ = v_w/σ_w:   a = v g,   j = v (g² + v dg/dσ),   dg/dσ = (v_ww σ_w − v_w σ_ww)/σ_w³.
 #include <array>
@@ -17,32 +17,32 @@ namespace bahnwerk {
 
 class SpeedSpline {
  public:
-  static constexpr std::size_t order = 4;  ///< control points that count in a span
-  static constexpr std::size_t fixed = 3;  ///< of them 0 at either end
+  static constexpr std::size_t order = 4;  ///< control points with an influence on a span
+  static constexpr std::size_t fixed = 3;  ///< control points that are 0 at each end
 
-  /// `breaks`: mm along the path, ascending, the path's ends among them: a span between any two. The first and the last
-  /// `graded` ≥ 1 spans, which may be all, are evenly wide in w instead.
+  /// `breaks` are places along the path, mm, ascending, the path's ends included; a span lies between any two
+  /// neighbours. The first and the last `graded` ≥ 1 spans, which may be all, have equal widths in w instead.
   SpeedSpline(std::vector<double> breaks, std::size_t graded);
 
   std::size_t spans() const { return breaks_.size() - 1; }
   std::size_t points() const { return spans() + order - 1; }
 
-  /// A place: σ with its derivatives by w; per control point of the span, from number `span` on, its part of v, v_w,
-  /// v_ww.
+  /// A place: σ with its derivatives by w, and, per control point of the span (from number `span` on), its part of v,
+  /// v_w, v_ww.
   struct Place {
     std::size_t span = 0;
     double s = 0, s1 = 0, s2 = 0;
     std::array<double, order> b0{}, b1{}, b2{};
   };
-  /// At x ∈ [0, 1] of a span's width in w.
+  /// Returns the place at x ∈ [0, 1] of a span's width in w.
   Place at(std::size_t span, double x) const;
   double width(std::size_t span) const { return knot(span + order) - knot(span + order - 1); }  ///< in w
 
   struct State {
     double v = 0, a = 0, j = 0;
-    std::array<double, order> dv{}, da{}, dj{};  ///< by the span's control points
+    std::array<double, order> dv{}, da{}, dj{};  ///< gradients by the span's control points
   };
-  /// Not at the very ends of the path, where all is 0 and g is not defined.
+  /// Returns the state at a place other than the very ends of the path, where all is 0 and g is undefined.
   static State state(const Place& place, std::span<const double> control);
 
  private:
@@ -50,7 +50,7 @@ class SpeedSpline {
 
   std::vector<double> breaks_, knots_;
   std::size_t graded_;
-  double first_width_, last_width_;  ///< of the graded spans together, in w
+  double first_width_, last_width_;  ///< sum over the graded spans, in w
 };
 
 }  // namespace bahnwerk

@@ -17,8 +17,8 @@
 namespace bahnwerk {
 namespace {
 
-/// Gauss's rule of four points on [0, 1] [Abramowitz, Stegun, Handbook of Mathematical Functions, table 25.4]: places
-/// where limits are looked at, and the duration's quadrature.
+/// Gauss's rule of four points on [0, 1] [Abramowitz, Stegun, Handbook of Mathematical Functions, table 25.4]: the
+/// places at which limits are evaluated, and the duration's quadrature.
 constexpr std::array<double, 4> nodes{0.0694318442029737, 0.3300094782075719, 0.6699905217924281, 0.9305681557970263},
     weights{0.1739274225687269, 0.3260725774312731, 0.3260725774312731, 0.1739274225687269};
 
@@ -46,8 +46,8 @@ class SplinePlanner {
         control_(spline_.points(), 0.0) {}
 
   SplineFeed run() {
-    ProgressScope scope(progress_, "spline feed", 0, 1);
-    sample(scope);
+    ProgressScope stage_progress(progress_, "spline feed", 0, 1);
+    sample(stage_progress);
     start();
     const std::size_t first = SpeedSpline::fixed, last = control_.size() - SpeedSpline::fixed;
     const std::size_t step = options_.window - options_.overlap, windows = (last - first + step - 1) / step;
@@ -60,7 +60,7 @@ class SplinePlanner {
         improve(begin, std::min(begin + options_.window, last), part);
       }
     write();
-    result_.law.slow(law_excess(task_, result_.law, options_.path, scope));
+    result_.law.slow(law_excess(task_, result_.law, options_.path, stage_progress));
     return std::move(result_);
   }
 
@@ -72,7 +72,7 @@ class SplinePlanner {
     AxisArray d1, d2, d3;
   };
 
-  void sample(ProgressScope& scope) {
+  void sample(ProgressScope& stage_progress) {
     for (std::size_t i = 0; i < spline_.spans(); ++i)
       for (std::size_t k = 0; k < per_span; ++k) {
         Node node;
@@ -87,7 +87,7 @@ class SplinePlanner {
           node.fastest =
               std::min(node.fastest, task_.machine.axes[axis].velocity / std::max(std::abs(q.d1[axis]), 1e-12));
         nodes_.push_back(node);
-        scope.work(4);
+        stage_progress.work(4);
       }
   }
 
@@ -112,7 +112,7 @@ class SplinePlanner {
   /// Rows per node: the speed; squares of accelerations and jerks of the axes and along the path, over their limits.
   std::size_t rows_per_node() const { return 1 + 2 * (task_.path.axes() + 1); }
 
-  /// Control points [begin, end) with all others as they are.
+  /// Optimises the control points [begin, end) with constant others.
   void improve(std::size_t begin, std::size_t end, Progress& progress) {
     const std::size_t spans = spline_.spans(), from = (begin - SpeedSpline::fixed) * per_span,
                       to = std::min(end, spans) * per_span;
@@ -161,7 +161,7 @@ class SplinePlanner {
         values[row] = std::isfinite(node.fastest) ? at.v / node.fastest - 1 : -1;
         if (double* out = slopes(); out && std::isfinite(node.fastest)) spread(node, at.dv, 1 / node.fastest, out);
         ++row;
-        // c_v, c_a, c_j: the derivatives of a quantity by v, a, j.
+        // c_v, c_a, c_j are the derivatives of a quantity by v, a, j.
         const auto keep = [&](double quantity, double limit, double c_v, double c_a, double c_j) {
           const double ratio = limit < unlimited ? quantity / limit : 0;
           values[row] = ratio * ratio - 1;
@@ -231,12 +231,12 @@ class SplinePlanner {
     }
     return sum;
   }
-  /// At either end the spline is the law of constant snap but for terms that vanish there: s = q t⁴/24, so t = 4 s/v,
+  /// At each end the spline is the law of constant snap but for terms that vanish there: s = snap t⁴/24, so t = 4 s/v,
   /// a = 3 v/t. Returns a.
   double append_start(std::size_t segment, const LawState& to) {
     const double t = 4 * to.s / to.v;
     LawPiece piece;
-    piece.segment = segment, piece.duration = t, piece.s_end = to.s, piece.q = 6 * to.v / (t * t * t);
+    piece.segment = segment, piece.duration = t, piece.s_end = to.s, piece.snap = 6 * to.v / (t * t * t);
     result_.law.append(piece);
     return 3 * to.v / t;
   }
@@ -244,7 +244,7 @@ class SplinePlanner {
     const double t = 4 * (task_.path.length() - from.s) / from.v;
     LawPiece piece;
     piece.segment = segment, piece.duration = t, piece.s = from.s, piece.s_end = task_.path.length();
-    piece.v = from.v, piece.a = -3 * from.v / t, piece.j = 6 * from.v / (t * t), piece.q = -6 * from.v / (t * t * t);
+    piece.v = from.v, piece.a = -3 * from.v / t, piece.j = 6 * from.v / (t * t), piece.snap = -6 * from.v / (t * t * t);
     result_.law.append(piece);
   }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What five even samples of a smooth function over a cell tell about its peak.
+/// Peak of a smooth function over a cell, estimated from five equidistant samples.
 #include <array>
 #include <cstddef>
 
@@ -7,14 +7,14 @@
 
 namespace bahnwerk {
 
-/// Largest |f| of five even samples; from `worth` on also what lies between them: the quartic through them gives four
-/// more samples, parabolas the peaks between these nine. L: a number, or one per axis.
+/// Largest |f| of five equidistant samples. From `worth` on, values between them count, too: the quartic through them
+/// gives four more samples, parabolas the peaks between these nine. L is a number, or a vector of one number per axis.
 template <class L>
 struct EvenSamples {
-  L most;     ///< of the five
-  L between;  ///< of all, with the peaks of the parabolas; = most if no `most` reaches `worth`
-  L third;    ///< largest third difference of the nine: a cubic may pass a parabola through its neighbours by
-              ///< 0.065 of it; 0 if no `most` reaches `worth`
+  L most;     ///< of the five samples
+  L between;  ///< of all nine, with the peaks of the parabolas; equal to `most` if no `most` reaches `worth`
+  L third;  ///< largest third difference of the nine samples: a cubic exceeds the parabola through its neighbours by at
+            ///< most 0.065 of it; 0 if no `most` reaches `worth`
 
   EvenSamples(const std::array<L, 5>& f, double worth) {
     most = magnitude(f[0]);
@@ -29,15 +29,15 @@ struct EvenSamples {
                              f[3], (-5.0 * f[0] + 28.0 * f[1] - 70.0 * f[2] + 140.0 * f[3] + 35.0 * f[4]) * part,
                              f[4]};
     for (std::size_t i = 1; i < 8; ++i) {
-      const L slope = 0.5 * (g[i + 1] - g[i - 1]), bend = g[i + 1] - 2.0 * g[i] + g[i - 1];
+      const L slope = 0.5 * (g[i + 1] - g[i - 1]), second_difference = g[i + 1] - 2.0 * g[i] + g[i - 1];
       between = larger(between, magnitude(g[i]));
-      // (no peak where bend is 0: that division's outcome is not used)
-      between =
-          larger(between, where_less(magnitude(slope), magnitude(bend), magnitude(g[i] - 0.5 * slope * slope / bend)));
+      // A second difference of 0 means no peak; the result of that division is not used.
+      between = larger(between, where_less(magnitude(slope), magnitude(second_difference),
+                                           magnitude(g[i] - 0.5 * slope * slope / second_difference)));
       if (i > 1) third = larger(third, magnitude(g[i + 1] - g[i - 2] - 3.0 * (g[i] - g[i - 1])));
     }
   }
-  /// The peak, with a reserve for what parabolas miss.
+  /// Returns the peak with a reserve for the error of the parabolas.
   L peak() const { return between + 0.15 * (between - most); }
 };
 

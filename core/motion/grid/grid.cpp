@@ -9,7 +9,7 @@ namespace bahnwerk {
 
 namespace {
 
-constexpr int max_parts = 16;  // cells laid at once; more and the interval is halved first
+constexpr int max_parts = 16;  // cells made at once; an interval with more is halved first
 constexpr int end_halvings = 4;
 constexpr std::size_t usual_segment = 1 << 10;  // cells; longer ones may outgrow the room that was made for them
 constexpr double shortest_smooth = 1e-5;        // of a segment, next to a vanishing tangent that no motion notices
@@ -31,7 +31,7 @@ class Layer {
     for (std::size_t k = 0; k < N; ++k)
       acceleration_[k] = machine.axes[k].acceleration, velocity_[k] = machine.axes[k].velocity;
     inverse_acceleration_ = 1 / acceleration_;
-    // A lane that repeats an axis bears its name; counted twice it would make cells depend on the order of axes.
+    // A lane that repeats an axis has its name; counted twice it would make cells depend on the order of axes.
     for (std::size_t k = 0; k < N; ++k) {
       counts_[k] = 1;
       for (std::size_t i = 0; i < k; ++i)
@@ -39,7 +39,7 @@ class Layer {
     }
   }
 
-  void lay() {
+  void build() {
     const std::vector<double> panel = segment_.panel_parameters();
     smallest_ = min_interval * (panel.back() - panel.front());
     end_ = segment_.travelled(panel.back());
@@ -56,8 +56,8 @@ class Layer {
  private:
   void push(const Station<N>& at) { grid_.stations.push_back(at); }
 
-  /// At a cusp with the tangent that the nearest place has which path length resolves: where the curve's own tangent
-  /// all but vanishes, and rounding makes the rest of it, it may point anywhere at the end itself.
+  /// At a cusp the station has the tangent of the nearest place that path length resolves: where the curve's tangent
+  /// nearly vanishes and is mostly rounding, its direction at the end itself is arbitrary.
   Station<N> end_station(double u, bool cusp) const {
     Station<N> station = path_.at(index_, u);
     if (!cusp) return station;
@@ -118,7 +118,7 @@ class Layer {
     return inverse * inverse * cap > 1 ? 1 / (inverse * inverse) : cap;
   }
 
-  /// How many cells [left, right] needs, estimated at its middle.
+  /// Returns the number of cells that [left, right] needs, estimated at its middle.
   double parts(const Station<N>& left, const Station<N>& mid, const Station<N>& right) const {
     const Lanes<N> middle = once(mid.d1);
     const double turn = distance<N>(once(left.d1), middle) + distance<N>(middle, once(right.d1));
@@ -126,14 +126,14 @@ class Layer {
     if (!(h > 0)) return 1;
     const double t = (mid.s - left.s) / h, r = 1 - t;
     const double cap = std::min({feed2_, curvature_cap(left), curvature_cap(mid), curvature_cap(right)});
-    // Of the cubic model of d2, relative to what the axis allows.
+    // This is the error of the cubic model of d2 relative to the axis' limit.
     const Lanes<N> model =
         (r * r * (1 + 2 * t)) * left.d2 + (t * t * (1 + 2 * r)) * right.d2 + (h * t * r) * (r * left.d3 - t * right.d3);
     const double error = std::isfinite(cap) ? cap * largest(magnitude(model - mid.d2) * inverse_acceleration_) : 0;
     return std::max({turn / options_.angle, std::sqrt(std::sqrt(error / options_.hermite)), h / options_.longest});
   }
 
-  /// Cells between two stations; `known` is the one in the middle, if it has been looked at before.
+  /// Makes the cells between two stations; `known` is the one in the middle, if it was evaluated before.
   void interval(const Station<N>& left, const Station<N>& right, const Station<N>* known = nullptr) {
     // Three at once cost no more than the middle alone, and are what both halves need.
     std::array<Station<N>, 3> inner;
@@ -231,24 +231,24 @@ class Layer {
 
 template <int N>
 void Grid<N>::build(const LanePath<N>& path, std::size_t first, std::size_t last, const std::vector<double>& feed,
-                    const Machine& machine, const GridOptions& options, ProgressScope& pulse) {
+                    const Machine& machine, const GridOptions& options, ProgressScope& progress) {
   stations.clear();
   cells.clear();
   section_length = 0;
   for (std::size_t i = first; i < last; ++i) {
     section_length += path[i].length();
-    pulse.now(i - first, last - first);
+    progress.now(i - first, last - first);
     if (const std::size_t least = stations.size() + usual_segment; least > stations.capacity()) {
       const std::size_t room = foreseen(least, static_cast<double>(i - first) / static_cast<double>(last - first));
-      grow(stations, room, pulse);
-      grow(cells, room, pulse);
+      grow(stations, room, progress);
+      grow(cells, room, progress);
     }
     if (path.linear(i)) {
       cells.push_back({static_cast<std::uint32_t>(stations.size()), static_cast<std::uint32_t>(i), true, false, false});
       stations.push_back(path.at(i, path[i].curve().begin()));
       stations.push_back(path.at(i, path[i].curve().end()));
     } else {
-      Layer<N>(*this, path, static_cast<std::uint32_t>(i), machine, feed[i], options).lay();
+      Layer<N>(*this, path, static_cast<std::uint32_t>(i), machine, feed[i], options).build();
     }
     if (i == first) grade_end(path, true);  // while few cells stand behind it
   }
@@ -305,7 +305,7 @@ void Grid<N>::cut(std::size_t last) {
 
 /// Few cells are divided: those that stay whole are copied run by run.
 template <int N>
-void Grid<N>::divide(const LanePath<N>& path, LargeVector<std::uint8_t>& parts, ProgressScope& pulse) {
+void Grid<N>::divide(const LanePath<N>& path, LargeVector<std::uint8_t>& parts, ProgressScope& progress) {
   constexpr std::size_t block = 4096;
   LargeVector<Station<N>>& new_stations = spare_stations_;
   LargeVector<GridCell>& new_cells = spare_cells_;
@@ -315,12 +315,12 @@ void Grid<N>::divide(const LanePath<N>& path, LargeVector<std::uint8_t>& parts, 
   new_cells.reserve(total);
   new_stations.reserve(stations.size() + total - n);
   for (std::size_t c = 0; c < n;) {
-    pulse.done(static_cast<double>(c) / static_cast<double>(n));
+    progress.done(static_cast<double>(c) / static_cast<double>(n));
     const bool shared = c > 0 && cells[c].station == cells[c - 1].station + 1;
     std::size_t end = c;
     for (const std::size_t most = std::min(n, c + block); end < most && parts[end] == 1;) ++end;
     if (end > c) {
-      pulse.work(1 + (end - c) / 4);
+      progress.work(1 + (end - c) / 4);
       const auto from = static_cast<std::ptrdiff_t>(cells[c].station) + (shared ? 1 : 0),
                  to = static_cast<std::ptrdiff_t>(cells[end - 1].station) + 2;
       const auto moved = static_cast<std::uint32_t>(new_stations.size() - static_cast<std::size_t>(from));
@@ -332,7 +332,7 @@ void Grid<N>::divide(const LanePath<N>& path, LargeVector<std::uint8_t>& parts, 
       continue;
     }
     const GridCell old = cells[c];
-    pulse.work(parts[c]);
+    progress.work(parts[c]);
     const double u0 = left(c).u, du = (right(c).u - u0) / parts[c];
     if (!shared) new_stations.push_back(left(c));
     const std::size_t before = new_cells.size();

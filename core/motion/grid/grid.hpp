@@ -1,10 +1,10 @@
 #pragma once
-/// The stations of one section of a path at which a planner looks: dense where the path turns, one cell per straight
-/// segment.
+/// The stations of one section of a path at which a planner evaluates limits: dense where the path turns, one cell per
+/// straight segment.
 ///
 /// A section goes from rest to rest. Cells lie inside one segment each, so curvature may jump from cell to cell. Inside
 /// a cell the curvature vector is reproduced by the cubic through its values and derivatives at both ends to `hermite`
-/// of an axis limit; that is what lets the planner hold limits between stations, not only on them.
+/// of an axis limit. This lets the planner hold limits between stations.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -24,20 +24,20 @@ struct GridCell {
   std::uint32_t segment = 0;  ///< path segment
   bool straight = false;
   bool cusp_left = false, cusp_right = false;  ///< unbounded curvature at that end, where the speed is zero
-  bool any_way = false;  ///< beside a needle point: what turns here is too small for path length to resolve
+  bool any_way = false;                        ///< beside a needle point: path length does not resolve the turn
   bool regular() const { return !(straight | cusp_left | cusp_right | any_way); }
 };
 
 struct GridOptions {
-  double angle = 0.004;  ///< most a cell turns, rad
+  double angle = 0.004;  ///< largest turn of a cell, rad
   double hermite =
-      1e-10;  ///< error allowed to the cubic model of a curvature vector, as a fraction of the axis acceleration limit
-  double longest = std::numeric_limits<double>::infinity();  ///< cell where q is not linear, mm
+      1e-10;  ///< allowed error of the cubic model of a curvature vector, as a fraction of the axis acceleration limit
+  double longest = std::numeric_limits<double>::infinity();  ///< longest cell where q is not linear, mm
 };
 
-/// Cells of free-form curves are longer than this part of their segment. Path length counts from the begin of a segment
-/// and is rounded: next to a vanishing tangent, where s ~ ρ^(m+1), places that the parameter tells apart are one place
-/// to it. Motion from rest takes 1e-6 of the segment's time for so short a way.
+/// Least length of a cell of a free-form curve, as a part of its segment. Path length counts from the beginning of a
+/// segment and is rounded: next to a vanishing tangent, where s ~ ρ^(m+1), it does not resolve places that the
+/// parameter resolves. A motion from rest takes 1e-6 of the segment's time for this length.
 constexpr double shortest_cell = 1e-12;
 
 template <int N>
@@ -51,28 +51,28 @@ class Grid {
   const Station<N>& left(std::size_t c) const { return stations[cells[c].station]; }
   const Station<N>& right(std::size_t c) const { return stations[cells[c].station + 1]; }
 
-  /// Makes room for so many cells: growing step by step would touch twice the memory.
+  /// Reserves room for this many cells; growing step by step would touch twice the memory.
   void reserve(std::size_t cells_expected) {
     stations.reserve(cells_expected);
     cells.reserve(cells_expected);
   }
-  /// Stations for the path segments [first, last); the first and the last cell are halved towards the rest at the
-  /// section's ends, where the speed changes by more than it is. O(cells).
+  /// Builds the stations for the path segments [first, last). The first and the last cell are halved towards the rest
+  /// at the section's ends, where the speed changes by more than its value. O(cells).
   void build(const LanePath<N>& path, std::size_t first, std::size_t last, const std::vector<double>& feed,
-             const Machine& machine, const GridOptions& options, ProgressScope& pulse);
+             const Machine& machine, const GridOptions& options, ProgressScope& progress);
   /// Becomes the cells [first, last) of another grid. O(last − first).
   void slice(const Grid& of, std::size_t first, std::size_t last);
-  /// Keeps the cells [0, last) only.
+  /// Removes all cells but [0, last).
   void cut(std::size_t last);
-  /// Divides cell c into parts[c] equal cells; then parts[c] is what became of it, see below. O(cells).
-  void divide(const LanePath<N>& path, LargeVector<std::uint8_t>& parts, ProgressScope& pulse);
-  /// Divides cell c into count(c) cells; inner part i ends at the parameter place(c, i, u0, u1) between the cell's own
-  /// ends. Parts finer than path length resolves (`shortest_cell`) are left out: made(c, m) tells how many there are.
+  /// Divides cell c into parts[c] equal cells; parts[c] becomes the number of cells made. O(cells).
+  void divide(const LanePath<N>& path, LargeVector<std::uint8_t>& parts, ProgressScope& progress);
+  /// Divides cell c into count(c) cells; inner part i ends at the parameter place(c, i, u0, u1) between the cell's
+  /// ends. Parts finer than path length resolves (`shortest_cell`) are omitted: made(c, m) receives their number.
   /// O(cells).
   template <class Count, class Place, class Made>
-  void divide(const LanePath<N>& path, Count&& count, Place&& place, Made&& made, ProgressScope& pulse);
+  void divide(const LanePath<N>& path, Count&& count, Place&& place, Made&& made, ProgressScope& progress);
 
-  /// Whether a station at `s` leaves cells long enough between two others of a segment of that length.
+  /// Whether a station at `s` leaves long enough cells between two others of a segment of that length.
   static bool resolved(double before, double s, double after, double length, double shortest = shortest_cell) {
     return s - before > shortest * length && after - s > shortest * length;
   }
@@ -80,13 +80,13 @@ class Grid {
  private:
   void grade_end(const LanePath<N>& path, bool front);
 
-  LargeVector<Station<N>> spare_stations_;  // empty, with the room of what was divided last
+  LargeVector<Station<N>> spare_stations_;  // empty, with the capacity of the last division
   LargeVector<GridCell> spare_cells_;
 };
 
 template <int N>
 template <class Count, class Place, class Made>
-void Grid<N>::divide(const LanePath<N>& path, Count&& count, Place&& place, Made&& made, ProgressScope& pulse) {
+void Grid<N>::divide(const LanePath<N>& path, Count&& count, Place&& place, Made&& made, ProgressScope& progress) {
   LargeVector<Station<N>>& new_stations = spare_stations_;
   LargeVector<GridCell>& new_cells = spare_cells_;
   std::size_t total = 0;
@@ -94,7 +94,7 @@ void Grid<N>::divide(const LanePath<N>& path, Count&& count, Place&& place, Made
   new_cells.reserve(total);
   new_stations.reserve(stations.size() + total - cells.size());
   for (std::size_t c = 0; c < cells.size(); ++c) {
-    pulse(c, cells.size());
+    progress(c, cells.size());
     const GridCell& old = cells[c];
     if (c == 0 || old.station != cells[c - 1].station + 1) new_stations.push_back(left(c));
     const int parts = count(c);
@@ -102,7 +102,7 @@ void Grid<N>::divide(const LanePath<N>& path, Count&& count, Place&& place, Made
     for (int i = 1; i <= parts; ++i) {
       GridCell cell = old;
       cell.station = static_cast<std::uint32_t>(new_stations.size() - 1);
-      cell.cusp_left = old.cusp_left && new_cells.size() == before;  // parts may be left out
+      cell.cusp_left = old.cusp_left && new_cells.size() == before;  // parts may be omitted
       cell.cusp_right = old.cusp_right && i == parts;
       const Station<N> next = i == parts ? right(c) : path.at(old.segment, place(c, i, left(c).u, right(c).u));
       if (i < parts && !resolved(new_stations.back().s, next.s, right(c).s, path[old.segment].length())) continue;
@@ -117,8 +117,8 @@ void Grid<N>::divide(const LanePath<N>& path, Count&& count, Place&& place, Made
   new_cells.clear();
 }
 
-/// By how much the path turns over the segments [first, last), rad, about: what the number of cells follows. Through
-/// kinematics: by how much the scaled q′ of the axes changes.
+/// Returns the approximate turn of the path over the segments [first, last), rad, which determines the number of cells.
+/// Through kinematics it is the change of the scaled q′ of the axes.
 template <int N>
 double total_turn(const LanePath<N>& path, std::size_t first, std::size_t last);
 

@@ -1,10 +1,10 @@
 #pragma once
-/// An axis path as planners calculate with it: N lanes, where N is 2, 3, 5 or 8.
+/// An axis path as planners evaluate it: N lanes, where N is 2, 3, 5 or 8 (with_lanes() below).
 ///
-/// Lanes beyond the path's axes, and those of axes that stand still but for rounding, repeat the first one that moves
-/// with its limits, which changes nothing. Axes through kinematics have any units: they are scaled so that no |q′|
-/// exceeds 1, and their limits likewise, which does not change what motions are allowed. Cartesian axes are such
-/// already, and stay as they are to the last bit.
+/// Lanes beyond the path's axes, and lanes of axes that stand still but for rounding, repeat the first moving axis with
+/// its limits, which changes nothing. Axes through kinematics have any units: they and their limits are scaled so that
+/// no |q′| exceeds 1, which does not change the set of allowed motions. Cartesian axes need no scaling and stay
+/// unchanged to the last bit.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,8 +17,8 @@
 
 namespace bahnwerk {
 
-/// One side of a node: path length from the begin of its segment (short differences stay exact on long paths), curve
-/// parameter, and the lanes' derivatives by path length.
+/// One side of a node: path length from the beginning of its segment (short differences stay exact on long paths),
+/// curve parameter, and the lanes' derivatives by path length.
 template <int N>
 struct Station {
   double s = 0, u = 0;
@@ -40,13 +40,13 @@ class LanePath {
   bool cartesian() const { return path_.cartesian(); }
 
   Station<N> at(std::size_t segment, double u) const;
-  /// The same without `s`, which takes an integral along free-form curves.
+  /// Returns the station without `s`, which takes an integral along free-form curves.
   Station<N> derivatives(std::size_t segment, double u) const;
   void at_parameters(std::size_t segment, PathBatch& batch) const { path_.at_parameters(segment, batch); }
-  /// Point i of such a batch.
+  /// Returns point i of a batch.
   Station<N> station(const PathBatch& batch, std::size_t i) const;
 
-  /// What the lanes may do; names are those of the axes.
+  /// Returns the limits of the lanes; names are those of the axes.
   Machine limits(const Machine& machine) const;
 
  private:
@@ -94,7 +94,7 @@ Lanes<N> LanePath<N>::lanes(const AxisArray& values) const {
 template <int N>
 Station<N> LanePath<N>::derivatives(std::size_t segment, double u) const {
   if constexpr (N < 8)
-    if (path_.cartesian() && path_.axes() == N) {  // without the detour over eight axes
+    if (path_.cartesian() && path_.axes() == N) {  // without conversion from eight axes
       const PathPoint p = path_[segment].at_parameter(u);
       Station<N> station;
       station.u = u;
@@ -131,7 +131,7 @@ Machine LanePath<N>::limits(const Machine& machine) const {
   return scaled;
 }
 
-/// Calls plan(std::integral_constant<int, N>) with the lanes that a path of so many axes takes.
+/// Calls plan(std::integral_constant<int, N>) with the least N that holds a path of so many axes.
 template <class Plan>
 auto with_lanes(std::size_t axes, Plan&& plan) {
   if (axes <= 2) return plan(std::integral_constant<int, 2>{});

@@ -8,7 +8,7 @@ namespace bahnwerk {
 namespace {
 
 constexpr double tolerance = 1e-11;
-// By how much a place may be off from where the law says that it is, parts of s: the verifier allows 32.
+// Allowed distance of a place from the law's place, relative to s: the verifier allows 32.
 constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
 
 bool close(double a, double b, double scale) { return std::abs(a - b) <= tolerance * scale; }
@@ -17,8 +17,8 @@ using Rows = std::array<PathBatch::Row, max_axes>;
 
 }  // namespace
 
-SectionRepeats::SectionRepeats(const PathTask& task, const Sections& sections, ProgressScope& scope)
-    : task_(task), sections_(sections), scope_(scope) {
+SectionRepeats::SectionRepeats(const PathTask& task, const Sections& sections, ProgressScope& progress)
+    : task_(task), sections_(sections), progress_(progress) {
   for (std::size_t k = 0; k < task.path.axes(); ++k)
     acceleration_ = std::hypot(acceleration_, task.machine.axes[k].acceleration);
 }
@@ -39,7 +39,7 @@ bool SectionRepeats::same(std::size_t a, std::size_t b) const {
   double length_a = 0, length_b = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const Segment &s = path[first_a + i], &t = path[first_b + i];
-    scope_.work();
+    progress_.work();
     if (task_.feeds[first_a + i] != task_.feeds[first_b + i] || s.cusp_begin() != t.cusp_begin() ||
         s.cusp_end() != t.cusp_end() || path.linear(first_a + i) != path.linear(first_b + i))
       return false;
@@ -47,7 +47,7 @@ bool SectionRepeats::same(std::size_t a, std::size_t b) const {
   }
   const double ratio = length_b / length_a;
   if (!close(ratio, 1, 1)) return false;
-  // From rest to rest no motion gets beyond this: what a cap above it is does not matter.
+  // No motion from rest to rest exceeds this value: caps above it do not matter.
   const double reach = path.cartesian() ? acceleration_ * length_a : unlimited;
   for (std::size_t i = 1; i < n; ++i) {
     const double cap = sections_.joint_cap[first_a + i], other = sections_.joint_cap[first_b + i];
@@ -61,7 +61,7 @@ bool SectionRepeats::same(std::size_t a, std::size_t b) const {
 bool SectionRepeats::same_segment(std::size_t a, std::size_t b, double ratio, double length) const {
   const AxisPath& path = task_.path;
   const Segment &s = path[a], &t = path[b];
-  scope_.work(4);
+  progress_.work(4);
   if (std::abs(t.travelled(t.curve().end()) - ratio * s.travelled(s.curve().end())) > rounding * t.s1()) return false;
   PathBatch p, q;
   p.count = q.count = path.linear(a) ? 2 : PathBatch::most;

@@ -6,7 +6,7 @@ namespace bahnwerk {
 
 namespace {
 
-/// By how much q′ jumps.
+/// Returns the jump of q′.
 AxisArray step(const AxisPath& path, const Joint& joint) {
   AxisArray jump{};
   if (path.cartesian()) {
@@ -21,12 +21,12 @@ AxisArray step(const AxisPath& path, const Joint& joint) {
 
 }  // namespace
 
-Sections find_sections(const PathTask& task, double corner_angle, ProgressScope& scope) {
+Sections find_sections(const PathTask& task, double corner_angle, ProgressScope& progress) {
   Sections sections;
   const AxisPath& path = task.path;
   sections.begin.push_back(0);
   sections.joint_cap.assign(path.size(), unlimited);
-  for (const Joint& joint : joints(path.tool(), &scope)) {
+  for (const Joint& joint : joints(path.tool(), &progress)) {
     if (task.rests[joint.next] || joint.angle > corner_angle || path[joint.next].cusp_begin() ||
         path[joint.next - 1].cusp_end()) {
       sections.begin.push_back(joint.next);

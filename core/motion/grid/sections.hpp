@@ -1,5 +1,5 @@
 #pragma once
-/// Where a contour has to be passed at rest, and how fast its small tangent jumps may be passed.
+/// Divides a contour into sections from rest to rest, and limits the speed at small tangent jumps.
 #include <vector>
 
 #include "core/motion/axes/path_task.hpp"
@@ -7,17 +7,16 @@
 namespace bahnwerk {
 
 struct Sections {
-  /// Segment indices at which a section begins, 0 first, path.size() last: between two of them the motion does not
-  /// stop.
+  /// Segment indices at which a section begins: 0 first, path.size() last. The motion does not stop inside a section.
   std::vector<std::size_t> begin;
-  /// Per segment: largest v² at the joint where it begins; infinity at smooth joints, unused at the begin of sections.
+  /// Largest v² at the joint where each segment begins; infinity at smooth joints, unused at the beginning of sections.
   std::vector<double> joint_cap;
 };
 
 /// A tangent jump of the tool above `corner_angle` (rad), a cusp or a rest ends a section. A smaller jump Δ of q′ is
 /// passed so slowly that the velocity step |Δ_k| v of every axis stays within its acceleration · cycle_time.
-/// O(segments); tells `scope`.
-Sections find_sections(const PathTask& task, double corner_angle, ProgressScope& scope);
+/// O(segments); tells `progress`.
+Sections find_sections(const PathTask& task, double corner_angle, ProgressScope& progress);
 
 /// Plans section by section: plan(first segment, one past the last, begin and end of its share of the progress from
 /// `from` to `to`, by path length).

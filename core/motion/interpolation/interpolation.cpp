@@ -24,7 +24,7 @@ double arc(const Curve& curve, double from, double to) {
   return half * sum;
 }
 
-/// The way from one place to a later one.
+/// Returns the length from one place to a later one.
 double arc(const Path& path, const PathPlace& from, const PathPlace& to) {
   if (from.segment == to.segment) return arc(path[from.segment].curve(), from.u, to.u);
   double sum = arc(path[from.segment].curve(), from.u, path[from.segment].curve().end()) +
@@ -41,12 +41,12 @@ struct Mean {
 }  // namespace
 
 Interpolation::Interpolation(std::shared_ptr<const PathMotion> motion, Interpolator interpolator, double cycle_time,
-                             std::size_t cycles, ProgressScope& scope)
+                             std::size_t cycles, ProgressScope& progress)
     : motion_(std::move(motion)),
       stepper_(motion_->path().tool(), interpolator, cycle_time),
       cycle_time_(cycle_time),
       cycles_(cycles) {
-  measure(scope);
+  measure(progress);
 }
 
 void Interpolation::law_at(Row& row) const {
@@ -74,7 +74,7 @@ Interpolation::Row Interpolation::row(std::size_t index) const {
   return row;
 }
 
-void Interpolation::measure(ProgressScope& scope) {
+void Interpolation::measure(ProgressScope& progress) {
   const Path& path = motion_->path().tool();
   const double floor = least_share * peak_speed(motion_->law()) * cycle_time_;
   Mean along, chord;
@@ -94,7 +94,7 @@ void Interpolation::measure(ProgressScope& scope) {
     chord.add(std::abs(aim - norm(way)) / scale);
     fluctuation_.drift += length - aim;
     fluctuation_.lag = std::max(fluctuation_.lag, std::abs(row.place.s - row.law.s));
-    scope(row.index, cycles_);
+    progress(row.index, cycles_);
   }
   const auto rows = static_cast<double>(cycles_);
   fluctuation_.mean = along.sum / rows, fluctuation_.largest = along.largest;

@@ -9,15 +9,14 @@
 namespace bahnwerk {
 namespace {
 
-/// In units of the first-order step: both sides of the equation divided by (l N)².
+/// The equation in units of the first-order step: both sides divided by (l N)².
 struct Quartic {
   double a4, a3, a2, a1;  // a0 = −1
   double at(double x) const { return -1 + x * (a1 + x * (a2 + x * (a3 + x * a4))); }
   double slope(double x) const { return a1 + x * (2 * a2 + x * (3 * a3 + x * 4 * a4)); }
 };
 
-/// Where f stops rising or falling inside (from, end), ascending: one place at most between two zeros of its second
-/// derivative.
+/// Extrema of f inside (from, end), ascending: at most one between two zeros of its second derivative.
 struct Turns {
   std::array<double, 3> at{};
   std::size_t count = 0;

@@ -9,10 +9,10 @@
 namespace bahnwerk {
 namespace {
 
-// Of a segment's mean parametric speed: a tangent shorter than that has no direction that a step could follow.
+// Relative to a segment's mean parametric speed: a shorter tangent has no usable direction.
 constexpr double least_speed = 1e-6;
-// The quartic's series leaves out the third order: over a step that takes more of its curve's parameter than this it is
-// gone in parts, of which there are no more than so many.
+// The quartic's series omits the third order: a step that takes more of its curve's parameter than this is divided into
+// parts, at most this many.
 constexpr double whole_step = 1.0 / 64;
 constexpr double most_parts = 32;
 

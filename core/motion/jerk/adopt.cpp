@@ -8,7 +8,7 @@ namespace bahnwerk {
 
 namespace {
 
-/// Of what is odd in time.
+/// Sign of quantities that are odd in time.
 constexpr double sign(std::size_t half) { return half == 0 ? 1 : -1; }
 
 }  // namespace
@@ -16,11 +16,11 @@ constexpr double sign(std::size_t half) { return half == 0 ? 1 : -1; }
 template <int M>
 void JerkSolver<M>::adopt(const LargeVector<JerkNode>& x) {
   n_ = problem_->cells.size();
-  groups_ = (n_ + twin - 1) / twin;
+  groups_ = (n_ + lane_count - 1) / lane_count;
   const bool from_rest = !(x[0].b > 0), to_rest = !(x[n_].b > 0);
-  for (auto* values : {&b_, &a_, &v_, &w_, &db_, &da_}) values->assign(groups_ + 1, Twin{});
+  for (auto* values : {&b_, &a_, &v_, &w_, &db_, &da_}) values->assign(groups_ + 1, Lane2{});
   for (std::size_t i = 0; i <= groups_; ++i)
-    for (std::size_t half = 0; half < twin; ++half) {
+    for (std::size_t half = 0; half < lane_count; ++half) {
       const std::size_t node = node_of(i, half);
       const double b = x[node].b;
       double a = x[node].a;
@@ -41,7 +41,7 @@ void JerkSolver<M>::adopt_cells() {
   cells_.resize(groups_);
   elimination_.resize(groups_);
   for (std::size_t g = 0; g < groups_; ++g)
-    for (std::size_t half = 0; half < twin; ++half) {
+    for (std::size_t half = 0; half < lane_count; ++half) {
       Cells& cells = cells_[g];
       const auto& cell = p.cells[cell_of(g, half)];
       cells.h[half] = cell.h;
@@ -65,9 +65,9 @@ void JerkSolver<M>::adopt_nodes() {
   const auto& p = *problem_;
   nodes_.resize(groups_ + 1);
   std::size_t joints = 0;
-  std::array<std::size_t, twin> next{0, p.nodes.size()};  // rows of the first half lie below, the second's above
+  std::array<std::size_t, lane_count> next{0, p.nodes.size()};  // rows of the first half lie below, the second's above
   for (std::size_t i = 0; i <= groups_; ++i)
-    for (std::size_t half = 0; half < twin; ++half) {
+    for (std::size_t half = 0; half < lane_count; ++half) {
       Nodes& nodes = nodes_[i];
       const std::size_t node = node_of(i, half);
       const bool held = holds(i, half);
@@ -104,13 +104,13 @@ void JerkSolver<M>::adopt_nodes() {
 template <int M>
 bool JerkSolver<M>::adopt_middles() {
   const auto& p = *problem_;
-  bool same = posed_cells_ == n_ && posed_middles_.size() == p.middles.size();
-  posed_cells_ = n_;
-  for (std::size_t i = 0; same && i < p.middles.size(); ++i) same = posed_middles_[i] == p.middles[i].cell;
+  bool same = prepared_cells_ == n_ && prepared_middles_.size() == p.middles.size();
+  prepared_cells_ = n_;
+  for (std::size_t i = 0; same && i < p.middles.size(); ++i) same = prepared_middles_[i] == p.middles[i].cell;
   if (!same) {
-    posed_middles_.clear();
+    prepared_middles_.clear();
     middles_.clear();
-    for (const MiddleRows<M>& set : p.middles) posed_middles_.push_back(set.cell);
+    for (const MiddleRows<M>& set : p.middles) prepared_middles_.push_back(set.cell);
   }
   std::size_t first = 0, last = p.middles.size(), at = 0;
   for (; first < last; ++at) {

@@ -1,6 +1,6 @@
 #pragma once
-/// The motion law inside one cell when jerk is limited: speed is a cubic of time through speed and acceleration at both
-/// ends, so the law is a quartic, jerk changes evenly, and neighbouring cells meet with continuous acceleration.
+/// The motion law inside one cell when jerk is limited. Speed is the cubic of time through speed and acceleration at
+/// both ends, so s(t) is a quartic, jerk is linear in time, and neighbouring cells meet with continuous acceleration.
 ///
 /// From (v₁, a₁) to (v₂, a₂) over the length h: ∫v dt = T (v₁ + v₂)/2 + T² (a₁ − a₂)/12 = h gives T, and
 /// j₁ = 6 (v₂ − v₁)/T² − (4a₁ + 2a₂)/T,  j₂ = −6 (v₂ − v₁)/T² + (2a₁ + 4a₂)/T.
@@ -13,12 +13,13 @@
 
 namespace bahnwerk {
 
-/// Speed² b and path acceleration a: the state of a law at a node.
+/// State of a law at a node: b = v² (mm²/s²) and path acceleration a (mm/s²).
 struct JerkNode {
   double b = 0, a = 0;
 };
 
-/// Duration and the jerk at both ends, with their gradients by (b₁, a₁, b₂, a₂). L: a number, or one per cell.
+/// Duration (s) and jerk (mm/s³) at both ends, with their gradients by (b₁, a₁, b₂, a₂). L is a number, or a vector of
+/// one number per cell.
 template <class L>
 struct JerkCellOf {
   L T{}, j1{}, j2{};
@@ -27,11 +28,11 @@ struct JerkCellOf {
 using JerkCell = JerkCellOf<double>;
 
 namespace jerk_cell_detail {
-/// Most of v̄² that a change of acceleration may take from the discriminant: beyond lies no sensible law.
+/// The discriminant is at least this part of v̄²; a larger change of acceleration has no sensible law.
 constexpr double min_root = 0.01;
 }  // namespace jerk_cell_detail
 
-/// Between two moving nodes: v speeds, w = 1/(2v) their derivatives by b, a accelerations.
+/// Law between two moving nodes: v are speeds, w = 1/(2v) their derivatives by b, a accelerations, h the length.
 template <class L>
 inline JerkCellOf<L> jerk_cell(L v1, L w1, L a1, L v2, L w2, L a2, L h) {
   const L mean = 0.5 * (v1 + v2), square = mean * mean;
@@ -53,7 +54,7 @@ inline JerkCell jerk_cell(JerkNode l, JerkNode r, double h) {
   return jerk_cell(v1, 0.5 / v1, l.a, v2, 0.5 / v2, r.a, h);
 }
 
-/// Between rest and a node with speed² b: constant jerk, T = 3h/v, |a| = 2v²/(3h), j = 2v³/(9h²). `a` of the moving
+/// Law between rest and a node with speed² b: constant jerk, T = 3h/v, |a| = 2v²/(3h), j = 2v³/(9h²). `a` of the moving
 /// node is tied to b, so the gradients have one entry, for b of the node at index `moving` (0 left, 1 right).
 inline JerkCell rest_cell(double b, double h, std::size_t moving) {
   const double v = std::sqrt(b);
@@ -64,10 +65,10 @@ inline JerkCell rest_cell(double b, double h, std::size_t moving) {
   c.dj1[2 * moving] = c.dj2[2 * moving] = 1.5 * c.j1 / b;
   return c;
 }
-/// a = tie · b at the moving node of the first (sign +) or last cell (sign −) of a section.
+/// Factor of a = tie · b at the moving node of the first (sign +) or last cell (sign −) of a section.
 inline double rest_tie(double h) { return 2.0 / (3 * h); }
 
-/// The law from its ends; s counts from the cell's left end.
+/// Returns the law between the states at both ends; s counts from the cell's left end.
 inline LawPiece jerk_piece(JerkNode l, JerkNode r, double h) {
   LawPiece p;
   if (!(l.b > 0) || !(r.b > 0)) {
@@ -88,7 +89,7 @@ inline LawPiece jerk_piece(JerkNode l, JerkNode r, double h) {
   p.v = v1;
   p.a = l.a;
   p.j = (m6 - 4 * l.a - 2 * r.a) * u;
-  p.q = ((2 * l.a + 4 * r.a - m6) * u - p.j) * u;
+  p.snap = ((2 * l.a + 4 * r.a - m6) * u - p.j) * u;
   return p;
 }
 

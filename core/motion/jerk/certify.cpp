@@ -11,8 +11,8 @@ using jerk_section_detail::sure;
 
 namespace {
 
-/// Where an axis turns round, its jerk inside a cell hangs on its jerk at both ends only loosely. A share smaller than
-/// this does not help any more, a smaller cell does.
+/// Where an axis turns round, its jerk inside a cell depends only weakly on its jerk at both ends. A share below this
+/// does not help; a smaller cell does.
 constexpr double min_share = 0.5;
 /// A peak from which on shares are not even tried, and one for which they are.
 constexpr double hopeless = 1.15, bearable = 1.05;
@@ -23,11 +23,11 @@ constexpr double resolved = 1e-8, kept = 1 - 1e-7;
 }  // namespace
 
 template <int N, int M>
-void JerkSectionPlanner<N, M>::look_half_way(ProgressScope& pulse) {
+void JerkSectionPlanner<N, M>::look_half_way(ProgressScope& progress) {
   const std::size_t n = grid_.cells.size();
   shape_.resize(n);
   for (std::size_t c = 0; c < n; ++c) {
-    pulse(c, n);
+    progress(c, n);
     if (grid_.cells[c].straight) continue;
     const Station<N> at = path_.at(grid_.cells[c].segment, 0.5 * (grid_.left(c).u + grid_.right(c).u));
     const JerkStation<M>* ends = &problem_.stations[problem_.cells[c].station];
@@ -52,26 +52,26 @@ CellPeaks<M> JerkSectionPlanner<N, M>::peaks_of(std::size_t c, bool exact) const
 }
 
 template <int N, int M>
-void JerkSectionPlanner<N, M>::measure(bool exact, ProgressScope& pulse) {
+void JerkSectionPlanner<N, M>::measure(bool exact, ProgressScope& progress) {
   const std::size_t n = grid_.cells.size();
   peaks_.resize(n);
   certain_ = exact;
   worst_ = {};
   for (std::size_t c = 0; c < n; ++c) {
-    pulse(c, n);
+    progress(c, n);
     raise(peaks_[c] = peaks_of(c, exact));
   }
 }
 
 template <int N, int M>
-void JerkSectionPlanner<N, M>::certify(ProgressScope& pulse) {
-  if (!certain_) measure(true, pulse);  // a model of the path is good enough to plan by, not to vouch for
+void JerkSectionPlanner<N, M>::certify(ProgressScope& progress) {
+  if (!certain_) measure(true, progress);  // a model of the path is good enough to plan by, not to vouch for
   worst_ = {};
   PeakSweep sweep(std::vector<double>(3 * M, 1.0), resolved);
   for (std::size_t k = 0; k < 3 * M; ++k) sweep.raise(k, kept, 0, 0);  // below that nothing is looked for
   const std::size_t n = grid_.cells.size();
   for (std::size_t c = 0; c < n; ++c) {
-    pulse(c, n);
+    progress(c, n);
     if (peaks_[c].doubt > sure) {
       LawPiece law = jerk_piece(state_[c], state_[c + 1], grid_.length(c));
       if (!(law.duration > 0) || !std::isfinite(law.duration)) continue;  // emit() refuses the section
@@ -118,7 +118,7 @@ void JerkSectionPlanner<N, M>::certify(ProgressScope& pulse) {
 }
 
 template <int N, int M>
-bool JerkSectionPlanner<N, M>::stubborn() {
+bool JerkSectionPlanner<N, M>::mark_unresolved_cells() {
   const std::size_t n = grid_.cells.size();
   bool any = false;
   division_.resize(n);
@@ -153,51 +153,51 @@ void JerkSectionPlanner<N, M>::tighten(double times, bool acceleration) {
   }
 }
 
-template void JerkSectionPlanner<2, 2>::look_half_way(ProgressScope& pulse);
+template void JerkSectionPlanner<2, 2>::look_half_way(ProgressScope& progress);
 template CellPeaks<2> JerkSectionPlanner<2, 2>::peaks_of(std::size_t cell, bool exact) const;
-template void JerkSectionPlanner<2, 2>::measure(bool exact, ProgressScope& pulse);
-template void JerkSectionPlanner<2, 2>::certify(ProgressScope& pulse);
-template bool JerkSectionPlanner<2, 2>::stubborn();
+template void JerkSectionPlanner<2, 2>::measure(bool exact, ProgressScope& progress);
+template void JerkSectionPlanner<2, 2>::certify(ProgressScope& progress);
+template bool JerkSectionPlanner<2, 2>::mark_unresolved_cells();
 template void JerkSectionPlanner<2, 2>::tighten(double times, bool acceleration);
-template void JerkSectionPlanner<2, 3>::look_half_way(ProgressScope& pulse);
+template void JerkSectionPlanner<2, 3>::look_half_way(ProgressScope& progress);
 template CellPeaks<3> JerkSectionPlanner<2, 3>::peaks_of(std::size_t cell, bool exact) const;
-template void JerkSectionPlanner<2, 3>::measure(bool exact, ProgressScope& pulse);
-template void JerkSectionPlanner<2, 3>::certify(ProgressScope& pulse);
-template bool JerkSectionPlanner<2, 3>::stubborn();
+template void JerkSectionPlanner<2, 3>::measure(bool exact, ProgressScope& progress);
+template void JerkSectionPlanner<2, 3>::certify(ProgressScope& progress);
+template bool JerkSectionPlanner<2, 3>::mark_unresolved_cells();
 template void JerkSectionPlanner<2, 3>::tighten(double times, bool acceleration);
-template void JerkSectionPlanner<3, 3>::look_half_way(ProgressScope& pulse);
-template void JerkSectionPlanner<5, 5>::look_half_way(ProgressScope& pulse);
-template void JerkSectionPlanner<8, 8>::look_half_way(ProgressScope& pulse);
+template void JerkSectionPlanner<3, 3>::look_half_way(ProgressScope& progress);
+template void JerkSectionPlanner<5, 5>::look_half_way(ProgressScope& progress);
+template void JerkSectionPlanner<8, 8>::look_half_way(ProgressScope& progress);
 template CellPeaks<3> JerkSectionPlanner<3, 3>::peaks_of(std::size_t cell, bool exact) const;
-template void JerkSectionPlanner<3, 3>::measure(bool exact, ProgressScope& pulse);
+template void JerkSectionPlanner<3, 3>::measure(bool exact, ProgressScope& progress);
 template CellPeaks<5> JerkSectionPlanner<5, 5>::peaks_of(std::size_t cell, bool exact) const;
-template void JerkSectionPlanner<5, 5>::measure(bool exact, ProgressScope& pulse);
+template void JerkSectionPlanner<5, 5>::measure(bool exact, ProgressScope& progress);
 template CellPeaks<8> JerkSectionPlanner<8, 8>::peaks_of(std::size_t cell, bool exact) const;
-template void JerkSectionPlanner<8, 8>::measure(bool exact, ProgressScope& pulse);
-template void JerkSectionPlanner<3, 3>::certify(ProgressScope& pulse);
-template void JerkSectionPlanner<5, 5>::certify(ProgressScope& pulse);
-template void JerkSectionPlanner<8, 8>::certify(ProgressScope& pulse);
-template bool JerkSectionPlanner<3, 3>::stubborn();
-template bool JerkSectionPlanner<5, 5>::stubborn();
-template bool JerkSectionPlanner<8, 8>::stubborn();
+template void JerkSectionPlanner<8, 8>::measure(bool exact, ProgressScope& progress);
+template void JerkSectionPlanner<3, 3>::certify(ProgressScope& progress);
+template void JerkSectionPlanner<5, 5>::certify(ProgressScope& progress);
+template void JerkSectionPlanner<8, 8>::certify(ProgressScope& progress);
+template bool JerkSectionPlanner<3, 3>::mark_unresolved_cells();
+template bool JerkSectionPlanner<5, 5>::mark_unresolved_cells();
+template bool JerkSectionPlanner<8, 8>::mark_unresolved_cells();
 template void JerkSectionPlanner<3, 3>::tighten(double times, bool acceleration);
 template void JerkSectionPlanner<5, 5>::tighten(double times, bool acceleration);
 template void JerkSectionPlanner<8, 8>::tighten(double times, bool acceleration);
-template void JerkSectionPlanner<3, 4>::look_half_way(ProgressScope& pulse);
-template void JerkSectionPlanner<5, 6>::look_half_way(ProgressScope& pulse);
-template void JerkSectionPlanner<8, 9>::look_half_way(ProgressScope& pulse);
+template void JerkSectionPlanner<3, 4>::look_half_way(ProgressScope& progress);
+template void JerkSectionPlanner<5, 6>::look_half_way(ProgressScope& progress);
+template void JerkSectionPlanner<8, 9>::look_half_way(ProgressScope& progress);
 template CellPeaks<4> JerkSectionPlanner<3, 4>::peaks_of(std::size_t cell, bool exact) const;
-template void JerkSectionPlanner<3, 4>::measure(bool exact, ProgressScope& pulse);
+template void JerkSectionPlanner<3, 4>::measure(bool exact, ProgressScope& progress);
 template CellPeaks<6> JerkSectionPlanner<5, 6>::peaks_of(std::size_t cell, bool exact) const;
-template void JerkSectionPlanner<5, 6>::measure(bool exact, ProgressScope& pulse);
+template void JerkSectionPlanner<5, 6>::measure(bool exact, ProgressScope& progress);
 template CellPeaks<9> JerkSectionPlanner<8, 9>::peaks_of(std::size_t cell, bool exact) const;
-template void JerkSectionPlanner<8, 9>::measure(bool exact, ProgressScope& pulse);
-template void JerkSectionPlanner<3, 4>::certify(ProgressScope& pulse);
-template void JerkSectionPlanner<5, 6>::certify(ProgressScope& pulse);
-template void JerkSectionPlanner<8, 9>::certify(ProgressScope& pulse);
-template bool JerkSectionPlanner<3, 4>::stubborn();
-template bool JerkSectionPlanner<5, 6>::stubborn();
-template bool JerkSectionPlanner<8, 9>::stubborn();
+template void JerkSectionPlanner<8, 9>::measure(bool exact, ProgressScope& progress);
+template void JerkSectionPlanner<3, 4>::certify(ProgressScope& progress);
+template void JerkSectionPlanner<5, 6>::certify(ProgressScope& progress);
+template void JerkSectionPlanner<8, 9>::certify(ProgressScope& progress);
+template bool JerkSectionPlanner<3, 4>::mark_unresolved_cells();
+template bool JerkSectionPlanner<5, 6>::mark_unresolved_cells();
+template bool JerkSectionPlanner<8, 9>::mark_unresolved_cells();
 template void JerkSectionPlanner<3, 4>::tighten(double times, bool acceleration);
 template void JerkSectionPlanner<5, 6>::tighten(double times, bool acceleration);
 template void JerkSectionPlanner<8, 9>::tighten(double times, bool acceleration);

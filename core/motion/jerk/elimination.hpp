@@ -1,6 +1,7 @@
 #pragma once
-/// Block-tridiagonal elimination with 2 × 2 blocks: what a cell adds to the Newton system, and one node at a time. Not
-/// Eigen: its LDLT of a 2 × 2 block takes 5 times as long; its closed inverse takes as long, but does not guard pivots.
+/// Block-tridiagonal elimination with 2 × 2 blocks (a Riccati recursion): the contribution of a cell to the Newton
+/// system, and the elimination of one node. Eigen is not used here: its LDLT of a 2 × 2 block takes 5 times as long,
+/// and its closed inverse does not guard pivots.
 #include <array>
 #include <limits>
 
@@ -8,7 +9,7 @@
 
 namespace bahnwerk {
 
-/// Diagonal block and right-hand side of one node. L: a number, or one per node.
+/// Diagonal block and right-hand side of one node. L is a number, or a vector of one number per node.
 template <class L>
 struct NodeBlock {
   L bb{}, ba{}, aa{}, rb{}, ra{};
@@ -19,7 +20,7 @@ struct NodeBlock {
     rb = rb + other.rb;
     ra = ra + other.ra;
   }
-  /// A row with gradient (p, q).
+  /// Adds a row with gradient (p, q), weight w and right-hand side y.
   void add(L w, L p, L q, L y) {
     const L wp = w * p;
     bb = bb + wp * p;
@@ -30,11 +31,11 @@ struct NodeBlock {
   }
 };
 
-/// Sums over rows of products of their gradients (t, nb, na) among each other and with the right-hand side.
+/// Sums over rows of the products of their gradients (t, nb, na) with each other and with the right-hand side.
 template <class L>
 struct RowSums {
   L tt{}, tb{}, ta{}, bb{}, ba{}, aa{}, yt{}, yb{}, ya{};
-  /// Of one row: sums begin with it, since adding to zeros costs as much as adding.
+  /// Returns the sums of one row. Sums start from a row, since adding to zeros costs as much as adding.
   static RowSums of(L w, L y, L t, L nb, L na) {
     const L wt = w * t, wb = w * nb;
     return {wt * t, wt * nb, wt * na, wb * nb, wb * na, w * na * na, y * t, y * nb, y * na};
@@ -66,8 +67,8 @@ struct CellMatrix {
   L m00{}, m01{}, m11{}, m02{}, m03{}, m12{}, m13{}, m22{}, m23{}, m33{};
   std::array<L, 4> r{};
 
-  /// Of the rows at the left node, with gradient t q + n, n = (nb, na) on it; `from`: negative gradient of what is
-  /// minimised. With u = Σ w t (t q + n) it is q uᵀ + Σ w t n qᵀ + Σ w n nᵀ.
+  /// Returns the matrix of the rows at the left node, whose gradient is t q + n with n = (nb, na) on that node; `from`
+  /// is the negative gradient of the objective. With u = Σ w t (t q + n) the matrix is q uᵀ + Σ w t n qᵀ + Σ w n nᵀ.
   static CellMatrix of_left(const std::array<L, 4>& q, const RowSums<L>& s, const std::array<L, 4>& from) {
     const L u0 = s.tt * q[0] + s.tb, u1 = s.tt * q[1] + s.ta, u2 = s.tt * q[2];
     return {u0 * q[0] + s.tb * q[0] + s.bb,
@@ -82,7 +83,7 @@ struct CellMatrix {
             s.tt * q[3] * q[3],
             {from[0] - s.yt * q[0] - s.yb, from[1] - s.yt * q[1] - s.ya, from[2] - s.yt * q[2], from[3] - s.yt * q[3]}};
   }
-  /// Likewise rows at the right node.
+  /// Adds the rows at the right node.
   void add_right(const std::array<L, 4>& q, const RowSums<L>& s) {
     const L u1 = s.tt * q[1], u2 = s.tt * q[2] + s.tb, u3 = s.tt * q[3] + s.ta;
     m00 += s.tt * q[0] * q[0];
@@ -100,7 +101,7 @@ struct CellMatrix {
     r[2] -= s.yt * q[2] + s.yb;
     r[3] -= s.yt * q[3] + s.ya;
   }
-  /// Rows with gradient t q + nb (1, 0, 1, 0).
+  /// Adds rows with gradient t q + nb (1, 0, 1, 0).
   void add_both(const std::array<L, 4>& q, const RowSums<L>& s) {
     const L u0 = s.tt * q[0] + s.tb, u1 = s.tt * q[1], u2 = s.tt * q[2] + s.tb, u3 = s.tt * q[3];
     m00 += u0 * q[0] + s.tb * q[0] + s.bb;
@@ -130,13 +131,13 @@ struct Elimination {
   }
 };
 
-/// The diagonal of a node's block is what rows add to it less what the elimination of the nodes before takes away
-/// again. Stiff rows leave so little of it that rounding decides whether anything is left; this part of the sum, what
-/// rounding may have taken, is given back.
+/// A node's diagonal is the sum of its rows less what the elimination of the nodes before it subtracts. Stiff rows make
+/// this a small difference of large sums, and rounding may turn it negative. This part of the sum, which rounding may
+/// have taken, is added back.
 constexpr double given_back = 0.5 * std::numeric_limits<double>::epsilon();
 
-/// Eliminates the left node of a cell whose block, the cell's matrix included, is `now`; `after` is the right node's.
-/// `bb` and `aa` are the sums on its diagonal before anything was taken away.
+/// Eliminates the left node of a cell. `now` is its block, the cell's matrix included, `after` the block of the right
+/// node; `bb` and `aa` are the sums on its diagonal before any subtraction.
 template <class L>
 inline Elimination<L> eliminate(const NodeBlock<L>& now, L bb, L aa, const CellMatrix<L>& K, NodeBlock<L>& after) {
   Elimination<L> e;
@@ -158,7 +159,7 @@ inline Elimination<L> eliminate(const NodeBlock<L>& now, L bb, L aa, const CellM
   return e;
 }
 
-/// The same for a node next to rest, where a = tie · b.
+/// Eliminates a node next to rest, where a = tie · b.
 inline Elimination<double> eliminate_tied(const NodeBlock<double>& now, double tie, const CellMatrix<double>& K,
                                           NodeBlock<double>& after) {
   Elimination<double> e;

@@ -18,11 +18,11 @@ double division_point(Division division, int i) {
 }
 
 template <int N>
-void divide(Grid<N>& grid, const LanePath<N>& path, const LargeVector<Division>& division, ProgressScope& pulse) {
+void divide(Grid<N>& grid, const LanePath<N>& path, const LargeVector<Division>& division, ProgressScope& progress) {
   grid.divide(
       path, [&](std::size_t c) { return division[c].parts; },
       [&](std::size_t c, int i, double u0, double u1) { return u0 + division_point(division[c], i) * (u1 - u0); },
-      [](std::size_t, std::size_t) {}, pulse);
+      [](std::size_t, std::size_t) {}, progress);
 }
 
 template void divide<2>(Grid<2>&, const LanePath<2>&, const LargeVector<Division>&, ProgressScope&);

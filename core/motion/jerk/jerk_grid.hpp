@@ -1,13 +1,13 @@
 #pragma once
-/// Divides the cells of a Grid for a jerk-limited law: straight segments, too, need nodes where the law changes its
-/// jerk, and near rest, where s ~ t³, nodes crowd.
+/// Divides the cells of a Grid for a jerk-limited law. Straight segments, too, need nodes where the law changes its
+/// jerk, and nodes are dense near rest, where s ~ t³.
 #include <cstdint>
 
 #include "core/motion/grid/grid.hpp"
 
 namespace bahnwerk {
 
-/// How the parts of a cell lie in it: evenly, or evenly in time next to a rest.
+/// Spacing of the parts of a cell: equal lengths, or equal times next to a rest.
 enum class Spread : std::uint8_t { even, from_rest, to_rest, both };
 
 struct Division {
@@ -15,12 +15,12 @@ struct Division {
   Spread spread = Spread::even;
 };
 
-/// Where part i of n ends, as a fraction of the cell.
+/// Returns the end of part i as a fraction of the cell.
 double division_point(Division division, int i);
 
 /// Divides cell c of the grid into division[c]. O(cells).
 template <int N>
-void divide(Grid<N>& grid, const LanePath<N>& path, const LargeVector<Division>& division, ProgressScope& pulse);
+void divide(Grid<N>& grid, const LanePath<N>& path, const LargeVector<Division>& division, ProgressScope& progress);
 
 extern template void divide<2>(Grid<2>&, const LanePath<2>&, const LargeVector<Division>&, ProgressScope&);
 extern template void divide<3>(Grid<3>&, const LanePath<3>&, const LargeVector<Division>&, ProgressScope&);

@@ -17,8 +17,8 @@ JerkLimitedResult plan(const PathTask& task, const JerkLimitedOptions& options, 
                        double to) {
   const LanePath<N> path(task.path);
   const Machine lanes = path.limits(task.machine);
-  ProgressScope scope(progress, "planning", from, from);
-  const Sections sections = find_sections(task, options.corner_angle, scope);
+  ProgressScope stage_progress(progress, "planning", from, from);
+  const Sections sections = find_sections(task, options.corner_angle, stage_progress);
   JerkLimitedResult result;
   JerkSectionPlanner<N, M> planner(path, lanes, options, task.feeds, sections, progress);
   const double work = for_each_section_once(

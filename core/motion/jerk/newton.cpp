@@ -9,7 +9,7 @@ namespace bahnwerk {
 
 namespace {
 
-inline Twin along(const std::array<Twin, 4>& q, Twin b1, Twin a1, Twin b2, Twin a2) {
+inline Lane2 along(const std::array<Lane2, 4>& q, Lane2 b1, Lane2 a1, Lane2 b2, Lane2 a2) {
   return q[0] * b1 + q[1] * a1 + q[2] * b2 + q[3] * a2;
 }
 
@@ -18,13 +18,13 @@ inline Twin along(const std::array<Twin, 4>& q, Twin b1, Twin a1, Twin b2, Twin 
 template <int M>
 void JerkSolver<M>::move_nodes() {
   for (std::size_t i = 0; i <= groups_; ++i) {
-    const Twin part = steps_.node_primal[i];
+    const Lane2 part = steps_.node_primal[i];
     b_[i] += part * db_[i];
     a_[i] += part * da_[i];
     v_[i] = root(b_[i]);
     w_[i] = 0.5 / v_[i];
   }
-  for (std::size_t half = 0; half < twin; ++half)
+  for (std::size_t half = 0; half < lane_count; ++half)
     if (rests(half)) w_[0][half] = 0;
 }
 
@@ -32,7 +32,7 @@ template <int M>
 void JerkSolver<M>::evaluate(std::size_t g, const Ends& x) {
   Cells& cells = cells_[g];
   cells.law = jerk_cell(x.v1, x.w1, x.a1, x.v2, x.w2, x.a2, cells.h);
-  for (std::size_t half = 0; g == 0 && half < twin; ++half)
+  for (std::size_t half = 0; g == 0 && half < lane_count; ++half)
     if (rests(half)) set(cells.law, half, rest_cell(b_[1][half], cells.h[half], 1));
   if (!missing(g, 1)) return;
   JerkCell none;
@@ -41,17 +41,17 @@ void JerkSolver<M>::evaluate(std::size_t g, const Ends& x) {
 }
 
 template <int M>
-NodeBlock<Twin> JerkSolver<M>::assemble_nodes(std::size_t i, JerkTotals<Twin>& totals) {
+NodeBlock<Lane2> JerkSolver<M>::assemble_nodes(std::size_t i, JerkTotals<Lane2>& totals) {
   Nodes& nodes = nodes_[i];
-  const Twin b = b_[i], a = a_[i], w = w_[i], mu = target_ * nodes.weight;
-  const Twin primal = steps_.node_primal[i], dual = steps_.node_dual[i];
-  NodeBlock<Twin> block;
-  // Of the duration's curvature the convex part, 3 (h₁ + h₂)/(8 v⁵).
-  const Twin w2 = w * w;
+  const Lane2 b = b_[i], a = a_[i], w = w_[i], mu = target_ * nodes.weight;
+  const Lane2 primal = steps_.node_primal[i], dual = steps_.node_dual[i];
+  NodeBlock<Lane2> block;
+  // This is the convex part of the duration's second derivative, 3 (h₁ + h₂)/(8 v⁵).
+  const Lane2 w2 = w * w;
   block.bb = 12.0 * nodes.length * (w2 * w2 * w);
   for (std::size_t k = 0; k < 2; ++k) {
-    Twin weight, y;
-    const Twin p = nodes.cap[k], q = p * nodes.slope[k];
+    Lane2 weight, y;
+    const Lane2 p = nodes.cap[k], q = p * nodes.slope[k];
     nodes.capped[k].move(primal, dual);
     totals.count(nodes.capped[k], nodes.capped[k].weigh(1.0 - (p * b + q * a), mu, weight, y));
     block.add(weight, p, q, y);
@@ -61,38 +61,38 @@ NodeBlock<Twin> JerkSolver<M>::assemble_nodes(std::size_t i, JerkTotals<Twin>& t
 }
 
 template <int M>
-CellMatrix<Twin> JerkSolver<M>::assemble_cells(std::size_t g, std::size_t& next_middle, JerkTotals<Twin>& totals) {
+CellMatrix<Lane2> JerkSolver<M>::assemble_cells(std::size_t g, std::size_t& next_middle, JerkTotals<Lane2>& totals) {
   Cells& cells = cells_[g];
   const Ends x = ends(g);
   evaluate(g, x);
-  const JerkCellOf<Twin>& law = cells.law;
-  const Twin mu = target_ * cells.weight, primal = steps_.primal[g], dual = steps_.dual[g];
-  auto K = CellMatrix<Twin>::of_left(law.dj1,
-                                     cells.end[0].assemble(x.b1, x.v1, x.w1, x.a1, law.j1, mu, primal, dual, totals),
-                                     {-law.dT[0], -law.dT[1], -law.dT[2], -law.dT[3]});
+  const JerkCellOf<Lane2>& law = cells.law;
+  const Lane2 mu = target_ * cells.weight, primal = steps_.primal[g], dual = steps_.dual[g];
+  auto K = CellMatrix<Lane2>::of_left(law.dj1,
+                                      cells.end[0].assemble(x.b1, x.v1, x.w1, x.a1, law.j1, mu, primal, dual, totals),
+                                      {-law.dT[0], -law.dT[1], -law.dT[2], -law.dT[3]});
   K.add_right(law.dj2, cells.end[1].assemble(x.b2, x.v2, x.w2, x.a2, law.j2, mu, primal, dual, totals));
   if (next_middle < middles_.size() && middles_[next_middle].cells == g) {
     Middles& set = middles_[next_middle++];
-    const JerkMiddle<Twin> m = jerk_middle(x.v1, x.w1, x.a1, x.v2, x.w2, x.a2, law);
+    const JerkMiddle<Lane2> m = jerk_middle(x.v1, x.w1, x.a1, x.v2, x.w2, x.a2, law);
     K.add_both(m.dg, set.rows.assemble(x.b1 + x.b2, m, target_ * set.weight, primal, dual, totals));
   }
   return K;
 }
 
 template <int M>
-NodeBlock<Twin> JerkSolver<M>::assemble_joint(Joint& joint, JerkTotals<double>& totals) {
+NodeBlock<Lane2> JerkSolver<M>::assemble_joint(Joint& joint, JerkTotals<double>& totals) {
   const std::size_t i = joint.node, half = joint.half;
   NodeBlock<double> block;
   joint.rows.assemble(b_[i][half], a_[i][half], target_ * nodes_[i].weight[half], steps_.node_primal[i][half],
                       steps_.node_dual[i][half], block, totals);
-  NodeBlock<Twin> blocks;
+  NodeBlock<Lane2> blocks;
   set(blocks, half, block);
   return blocks;
 }
 
 template <int M>
-void JerkSolver<M>::eliminate_first(const NodeBlock<Twin>& now, const CellMatrix<Twin>& K, NodeBlock<Twin>& after) {
-  for (std::size_t half = 0; half < twin; ++half) {
+void JerkSolver<M>::eliminate_first(const NodeBlock<Lane2>& now, const CellMatrix<Lane2>& K, NodeBlock<Lane2>& after) {
+  for (std::size_t half = 0; half < lane_count; ++half) {
     const NodeBlock<double> block = lane(now, half);
     const CellMatrix<double> cell = lane(K, half);
     NodeBlock<double> rest = lane(after, half);
@@ -104,7 +104,7 @@ void JerkSolver<M>::eliminate_first(const NodeBlock<Twin>& now, const CellMatrix
 }
 
 template <int M>
-JerkNode JerkSolver<M>::meet(const NodeBlock<Twin>& blocks) const {
+JerkNode JerkSolver<M>::meet(const NodeBlock<Lane2>& blocks) const {
   NodeBlock<double> first = lane(blocks, 0);
   const NodeBlock<double> second = lane(blocks, 1);
   first.add({second.bb, -second.ba, second.aa, second.rb, -second.ra});
@@ -118,21 +118,21 @@ JerkNode JerkSolver<M>::meet(const NodeBlock<Twin>& blocks) const {
 }
 
 template <int M>
-void JerkSolver<M>::assemble(ProgressScope& pulse) {
+void JerkSolver<M>::assemble(ProgressScope& progress) {
   move_nodes();
   std::size_t next_joint = 0, next_middle = 0;
-  NodeBlock<Twin> after;
-  Twin before_bb{}, before_aa{};
-  JerkTotals<Twin> totals;
+  NodeBlock<Lane2> after;
+  Lane2 before_bb{}, before_aa{};
+  JerkTotals<Lane2> totals;
   JerkTotals<double> at_joints;
-  Twin duration{};
+  Lane2 duration{};
   for (std::size_t g = 0; g < groups_; ++g) {
-    pulse(twin * g, n_);
-    NodeBlock<Twin> now = assemble_nodes(g, totals);
-    const CellMatrix<Twin> K = assemble_cells(g, next_middle, totals);
+    progress(lane_count * g, n_);
+    NodeBlock<Lane2> now = assemble_nodes(g, totals);
+    const CellMatrix<Lane2> K = assemble_cells(g, next_middle, totals);
     duration += cells_[g].law.T;
     now.add({K.m00, K.m01, K.m11, K.r[0], K.r[1]});
-    const Twin bb = now.bb + before_bb, aa = now.aa + before_aa;
+    const Lane2 bb = now.bb + before_bb, aa = now.aa + before_aa;
     now.add(after);
     while (joint_at(g, next_joint)) now.add(assemble_joint(joints_[next_joint++], at_joints));
     after = {K.m22, K.m23, K.m33, K.r[2], K.r[3]};
@@ -153,19 +153,19 @@ void JerkSolver<M>::assemble(ProgressScope& pulse) {
 }
 
 template <int M>
-void JerkSolver<M>::direct_cells(std::size_t g, std::size_t& next_middle, Twin& min_primal, Twin& max_dual) {
+void JerkSolver<M>::direct_cells(std::size_t g, std::size_t& next_middle, Lane2& min_primal, Lane2& max_dual) {
   Cells& cells = cells_[g];
   const Ends x = ends(g);
-  const Twin b1 = db_[g], a1 = da_[g], b2 = db_[g + 1], a2 = da_[g + 1];
-  const Twin mu = target_ * cells.weight, change = along(cells.law.dT, b1, a1, b2, a2);
-  promise_ += change[0] + change[1];
+  const Lane2 b1 = db_[g], a1 = da_[g], b2 = db_[g + 1], a2 = da_[g + 1];
+  const Lane2 mu = target_ * cells.weight, change = along(cells.law.dT, b1, a1, b2, a2);
+  predicted_decrease_ += change[0] + change[1];
   // No cell may leave the range in which its linearisation means something: of its duration, and of the root in its
   // law (cell.hpp), it loses no more than half.
-  Twin primal = -2.0 * magnitude(change) / cells.law.T, dual{};
-  const Twin mean = 0.5 * (x.v1 + x.v2), h3 = (1.0 / 3) * cells.h;
-  const Twin now = mean * mean + h3 * (x.a1 - x.a2), fall = -mean * (x.w1 * b1 + x.w2 * b2) - h3 * (a1 - a2);
-  Twin loss = 2.0 * fall / larger(now, jerk_cell_detail::min_root * mean * mean);
-  for (std::size_t half = 0; half < twin; ++half)
+  Lane2 primal = -2.0 * magnitude(change) / cells.law.T, dual{};
+  const Lane2 mean = 0.5 * (x.v1 + x.v2), h3 = (1.0 / 3) * cells.h;
+  const Lane2 now = mean * mean + h3 * (x.a1 - x.a2), fall = -mean * (x.w1 * b1 + x.w2 * b2) - h3 * (a1 - a2);
+  Lane2 loss = 2.0 * fall / larger(now, jerk_cell_detail::min_root * mean * mean);
+  for (std::size_t half = 0; half < lane_count; ++half)
     if ((g == 0 && rests(half)) || missing(g, half)) loss[half] = 0;
   primal = smaller(primal, -loss);
   cells.end[0].step(x.v1, x.w1, x.a1, along(cells.law.dj1, b1, a1, b2, a2), b1, a1, mu, primal, dual);
@@ -179,14 +179,14 @@ void JerkSolver<M>::direct_cells(std::size_t g, std::size_t& next_middle, Twin& 
 }
 
 template <int M>
-void JerkSolver<M>::direct_nodes(std::size_t i, std::size_t& next_joint, Twin& min_primal, Twin& max_dual) {
+void JerkSolver<M>::direct_nodes(std::size_t i, std::size_t& next_joint, Lane2& min_primal, Lane2& max_dual) {
   Nodes& nodes = nodes_[i];
-  Twin primal{}, dual{};  // in registers: a reference may be to what rows store
-  const Twin db = db_[i], da = da_[i], w = w_[i], mu = target_ * nodes.weight;
+  Lane2 primal{}, dual{};  // in registers: a reference may be to what rows store
+  const Lane2 db = db_[i], da = da_[i], w = w_[i], mu = target_ * nodes.weight;
   for (std::size_t k = 0; k < 2; ++k) nodes.capped[k].step(nodes.cap[k] * (db + nodes.slope[k] * da), mu, primal, dual);
   nodes.rows.step(db, da, mu, primal, dual);
   // Speeds stay positive, and no node runs away on the strength of its linearisation.
-  const Twin growth = 4.0 * w * w * db;
+  const Lane2 growth = 4.0 * w * w * db;
   primal = smaller(primal, smaller(growth * (1 / 0.8), growth * (-1 / 1.5)));
   for (; next_joint > 0 && joints_[next_joint - 1].node == i; --next_joint) {
     Joint& joint = joints_[next_joint - 1];
@@ -201,27 +201,27 @@ void JerkSolver<M>::direct_nodes(std::size_t i, std::size_t& next_joint, Twin& m
 }
 
 template <int M>
-void JerkSolver<M>::direction(ProgressScope& pulse) {
+void JerkSolver<M>::direction(ProgressScope& progress) {
   std::size_t next_middle = middles_.size(), next_joint = joints_.size();
-  promise_ = 0;
-  db_[groups_] = Twin{middle_.b, odd() ? 0 : middle_.b};
-  da_[groups_] = Twin{middle_.a, odd() ? 0 : -middle_.a};
+  predicted_decrease_ = 0;
+  db_[groups_] = Lane2{middle_.b, odd() ? 0 : middle_.b};
+  da_[groups_] = Lane2{middle_.a, odd() ? 0 : -middle_.a};
   // A node's rows count for the cell to the right of it: in the second half that is the outer one.
-  Twin primal, dual;
+  Lane2 primal, dual;
   direct_nodes(groups_, next_joint, primal, dual);
-  Twin inner_primal = all(primal[0]), inner_dual = all(dual[0]);
+  Lane2 inner_primal = all(primal[0]), inner_dual = all(dual[0]);
   for (std::size_t g = groups_; g-- > 0;) {
-    pulse(n_ - twin * (g + 1) + odd(), n_);
+    progress(n_ - lane_count * (g + 1) + odd(), n_);
     if (g > 0) elimination_[g].back(db_[g + 1], da_[g + 1], db_[g], da_[g]);
     if (missing(g, 1)) {
       db_[g][1] = middle_.b;
       da_[g][1] = -middle_.a;
     }
-    Twin node_primal, node_dual;
+    Lane2 node_primal, node_dual;
     direct_nodes(g, next_joint, node_primal, node_dual);
     direct_cells(g, next_middle, primal, dual);
-    steps_.primal[g] = -smaller(primal, Twin{node_primal[0], inner_primal[1]});
-    steps_.dual[g] = larger(dual, Twin{node_dual[0], inner_dual[1]});
+    steps_.primal[g] = -smaller(primal, Lane2{node_primal[0], inner_primal[1]});
+    steps_.dual[g] = larger(dual, Lane2{node_dual[0], inner_dual[1]});
     if (missing(g, 1)) {  // the node in the middle again
       node_primal = smaller(node_primal, inner_primal);
       node_dual = larger(node_dual, inner_dual);
@@ -233,14 +233,14 @@ void JerkSolver<M>::direction(ProgressScope& pulse) {
 
 template void JerkSolver<2>::move_nodes();
 template void JerkSolver<2>::evaluate(std::size_t, const Ends&);
-template NodeBlock<Twin> JerkSolver<2>::assemble_nodes(std::size_t, JerkTotals<Twin>&);
-template CellMatrix<Twin> JerkSolver<2>::assemble_cells(std::size_t, std::size_t&, JerkTotals<Twin>&);
-template NodeBlock<Twin> JerkSolver<2>::assemble_joint(Joint&, JerkTotals<double>&);
-template void JerkSolver<2>::eliminate_first(const NodeBlock<Twin>&, const CellMatrix<Twin>&, NodeBlock<Twin>&);
-template JerkNode JerkSolver<2>::meet(const NodeBlock<Twin>&) const;
+template NodeBlock<Lane2> JerkSolver<2>::assemble_nodes(std::size_t, JerkTotals<Lane2>&);
+template CellMatrix<Lane2> JerkSolver<2>::assemble_cells(std::size_t, std::size_t&, JerkTotals<Lane2>&);
+template NodeBlock<Lane2> JerkSolver<2>::assemble_joint(Joint&, JerkTotals<double>&);
+template void JerkSolver<2>::eliminate_first(const NodeBlock<Lane2>&, const CellMatrix<Lane2>&, NodeBlock<Lane2>&);
+template JerkNode JerkSolver<2>::meet(const NodeBlock<Lane2>&) const;
 template void JerkSolver<2>::assemble(ProgressScope&);
-template void JerkSolver<2>::direct_cells(std::size_t, std::size_t&, Twin&, Twin&);
-template void JerkSolver<2>::direct_nodes(std::size_t, std::size_t&, Twin&, Twin&);
+template void JerkSolver<2>::direct_cells(std::size_t, std::size_t&, Lane2&, Lane2&);
+template void JerkSolver<2>::direct_nodes(std::size_t, std::size_t&, Lane2&, Lane2&);
 template void JerkSolver<2>::direction(ProgressScope&);
 template void JerkSolver<3>::move_nodes();
 template void JerkSolver<5>::move_nodes();
@@ -248,30 +248,30 @@ template void JerkSolver<8>::move_nodes();
 template void JerkSolver<3>::evaluate(std::size_t, const Ends&);
 template void JerkSolver<5>::evaluate(std::size_t, const Ends&);
 template void JerkSolver<8>::evaluate(std::size_t, const Ends&);
-template NodeBlock<Twin> JerkSolver<3>::assemble_nodes(std::size_t, JerkTotals<Twin>&);
-template NodeBlock<Twin> JerkSolver<5>::assemble_nodes(std::size_t, JerkTotals<Twin>&);
-template NodeBlock<Twin> JerkSolver<8>::assemble_nodes(std::size_t, JerkTotals<Twin>&);
-template CellMatrix<Twin> JerkSolver<3>::assemble_cells(std::size_t, std::size_t&, JerkTotals<Twin>&);
-template CellMatrix<Twin> JerkSolver<5>::assemble_cells(std::size_t, std::size_t&, JerkTotals<Twin>&);
-template CellMatrix<Twin> JerkSolver<8>::assemble_cells(std::size_t, std::size_t&, JerkTotals<Twin>&);
-template NodeBlock<Twin> JerkSolver<3>::assemble_joint(Joint&, JerkTotals<double>&);
-template NodeBlock<Twin> JerkSolver<5>::assemble_joint(Joint&, JerkTotals<double>&);
-template NodeBlock<Twin> JerkSolver<8>::assemble_joint(Joint&, JerkTotals<double>&);
-template void JerkSolver<3>::eliminate_first(const NodeBlock<Twin>&, const CellMatrix<Twin>&, NodeBlock<Twin>&);
-template void JerkSolver<5>::eliminate_first(const NodeBlock<Twin>&, const CellMatrix<Twin>&, NodeBlock<Twin>&);
-template void JerkSolver<8>::eliminate_first(const NodeBlock<Twin>&, const CellMatrix<Twin>&, NodeBlock<Twin>&);
-template JerkNode JerkSolver<3>::meet(const NodeBlock<Twin>&) const;
-template JerkNode JerkSolver<5>::meet(const NodeBlock<Twin>&) const;
-template JerkNode JerkSolver<8>::meet(const NodeBlock<Twin>&) const;
+template NodeBlock<Lane2> JerkSolver<3>::assemble_nodes(std::size_t, JerkTotals<Lane2>&);
+template NodeBlock<Lane2> JerkSolver<5>::assemble_nodes(std::size_t, JerkTotals<Lane2>&);
+template NodeBlock<Lane2> JerkSolver<8>::assemble_nodes(std::size_t, JerkTotals<Lane2>&);
+template CellMatrix<Lane2> JerkSolver<3>::assemble_cells(std::size_t, std::size_t&, JerkTotals<Lane2>&);
+template CellMatrix<Lane2> JerkSolver<5>::assemble_cells(std::size_t, std::size_t&, JerkTotals<Lane2>&);
+template CellMatrix<Lane2> JerkSolver<8>::assemble_cells(std::size_t, std::size_t&, JerkTotals<Lane2>&);
+template NodeBlock<Lane2> JerkSolver<3>::assemble_joint(Joint&, JerkTotals<double>&);
+template NodeBlock<Lane2> JerkSolver<5>::assemble_joint(Joint&, JerkTotals<double>&);
+template NodeBlock<Lane2> JerkSolver<8>::assemble_joint(Joint&, JerkTotals<double>&);
+template void JerkSolver<3>::eliminate_first(const NodeBlock<Lane2>&, const CellMatrix<Lane2>&, NodeBlock<Lane2>&);
+template void JerkSolver<5>::eliminate_first(const NodeBlock<Lane2>&, const CellMatrix<Lane2>&, NodeBlock<Lane2>&);
+template void JerkSolver<8>::eliminate_first(const NodeBlock<Lane2>&, const CellMatrix<Lane2>&, NodeBlock<Lane2>&);
+template JerkNode JerkSolver<3>::meet(const NodeBlock<Lane2>&) const;
+template JerkNode JerkSolver<5>::meet(const NodeBlock<Lane2>&) const;
+template JerkNode JerkSolver<8>::meet(const NodeBlock<Lane2>&) const;
 template void JerkSolver<3>::assemble(ProgressScope&);
 template void JerkSolver<5>::assemble(ProgressScope&);
 template void JerkSolver<8>::assemble(ProgressScope&);
-template void JerkSolver<3>::direct_cells(std::size_t, std::size_t&, Twin&, Twin&);
-template void JerkSolver<5>::direct_cells(std::size_t, std::size_t&, Twin&, Twin&);
-template void JerkSolver<8>::direct_cells(std::size_t, std::size_t&, Twin&, Twin&);
-template void JerkSolver<3>::direct_nodes(std::size_t, std::size_t&, Twin&, Twin&);
-template void JerkSolver<5>::direct_nodes(std::size_t, std::size_t&, Twin&, Twin&);
-template void JerkSolver<8>::direct_nodes(std::size_t, std::size_t&, Twin&, Twin&);
+template void JerkSolver<3>::direct_cells(std::size_t, std::size_t&, Lane2&, Lane2&);
+template void JerkSolver<5>::direct_cells(std::size_t, std::size_t&, Lane2&, Lane2&);
+template void JerkSolver<8>::direct_cells(std::size_t, std::size_t&, Lane2&, Lane2&);
+template void JerkSolver<3>::direct_nodes(std::size_t, std::size_t&, Lane2&, Lane2&);
+template void JerkSolver<5>::direct_nodes(std::size_t, std::size_t&, Lane2&, Lane2&);
+template void JerkSolver<8>::direct_nodes(std::size_t, std::size_t&, Lane2&, Lane2&);
 template void JerkSolver<3>::direction(ProgressScope&);
 template void JerkSolver<5>::direction(ProgressScope&);
 template void JerkSolver<8>::direction(ProgressScope&);
@@ -281,30 +281,30 @@ template void JerkSolver<9>::move_nodes();
 template void JerkSolver<4>::evaluate(std::size_t, const Ends&);
 template void JerkSolver<6>::evaluate(std::size_t, const Ends&);
 template void JerkSolver<9>::evaluate(std::size_t, const Ends&);
-template NodeBlock<Twin> JerkSolver<4>::assemble_nodes(std::size_t, JerkTotals<Twin>&);
-template NodeBlock<Twin> JerkSolver<6>::assemble_nodes(std::size_t, JerkTotals<Twin>&);
-template NodeBlock<Twin> JerkSolver<9>::assemble_nodes(std::size_t, JerkTotals<Twin>&);
-template CellMatrix<Twin> JerkSolver<4>::assemble_cells(std::size_t, std::size_t&, JerkTotals<Twin>&);
-template CellMatrix<Twin> JerkSolver<6>::assemble_cells(std::size_t, std::size_t&, JerkTotals<Twin>&);
-template CellMatrix<Twin> JerkSolver<9>::assemble_cells(std::size_t, std::size_t&, JerkTotals<Twin>&);
-template NodeBlock<Twin> JerkSolver<4>::assemble_joint(Joint&, JerkTotals<double>&);
-template NodeBlock<Twin> JerkSolver<6>::assemble_joint(Joint&, JerkTotals<double>&);
-template NodeBlock<Twin> JerkSolver<9>::assemble_joint(Joint&, JerkTotals<double>&);
-template void JerkSolver<4>::eliminate_first(const NodeBlock<Twin>&, const CellMatrix<Twin>&, NodeBlock<Twin>&);
-template void JerkSolver<6>::eliminate_first(const NodeBlock<Twin>&, const CellMatrix<Twin>&, NodeBlock<Twin>&);
-template void JerkSolver<9>::eliminate_first(const NodeBlock<Twin>&, const CellMatrix<Twin>&, NodeBlock<Twin>&);
-template JerkNode JerkSolver<4>::meet(const NodeBlock<Twin>&) const;
-template JerkNode JerkSolver<6>::meet(const NodeBlock<Twin>&) const;
-template JerkNode JerkSolver<9>::meet(const NodeBlock<Twin>&) const;
+template NodeBlock<Lane2> JerkSolver<4>::assemble_nodes(std::size_t, JerkTotals<Lane2>&);
+template NodeBlock<Lane2> JerkSolver<6>::assemble_nodes(std::size_t, JerkTotals<Lane2>&);
+template NodeBlock<Lane2> JerkSolver<9>::assemble_nodes(std::size_t, JerkTotals<Lane2>&);
+template CellMatrix<Lane2> JerkSolver<4>::assemble_cells(std::size_t, std::size_t&, JerkTotals<Lane2>&);
+template CellMatrix<Lane2> JerkSolver<6>::assemble_cells(std::size_t, std::size_t&, JerkTotals<Lane2>&);
+template CellMatrix<Lane2> JerkSolver<9>::assemble_cells(std::size_t, std::size_t&, JerkTotals<Lane2>&);
+template NodeBlock<Lane2> JerkSolver<4>::assemble_joint(Joint&, JerkTotals<double>&);
+template NodeBlock<Lane2> JerkSolver<6>::assemble_joint(Joint&, JerkTotals<double>&);
+template NodeBlock<Lane2> JerkSolver<9>::assemble_joint(Joint&, JerkTotals<double>&);
+template void JerkSolver<4>::eliminate_first(const NodeBlock<Lane2>&, const CellMatrix<Lane2>&, NodeBlock<Lane2>&);
+template void JerkSolver<6>::eliminate_first(const NodeBlock<Lane2>&, const CellMatrix<Lane2>&, NodeBlock<Lane2>&);
+template void JerkSolver<9>::eliminate_first(const NodeBlock<Lane2>&, const CellMatrix<Lane2>&, NodeBlock<Lane2>&);
+template JerkNode JerkSolver<4>::meet(const NodeBlock<Lane2>&) const;
+template JerkNode JerkSolver<6>::meet(const NodeBlock<Lane2>&) const;
+template JerkNode JerkSolver<9>::meet(const NodeBlock<Lane2>&) const;
 template void JerkSolver<4>::assemble(ProgressScope&);
 template void JerkSolver<6>::assemble(ProgressScope&);
 template void JerkSolver<9>::assemble(ProgressScope&);
-template void JerkSolver<4>::direct_cells(std::size_t, std::size_t&, Twin&, Twin&);
-template void JerkSolver<6>::direct_cells(std::size_t, std::size_t&, Twin&, Twin&);
-template void JerkSolver<9>::direct_cells(std::size_t, std::size_t&, Twin&, Twin&);
-template void JerkSolver<4>::direct_nodes(std::size_t, std::size_t&, Twin&, Twin&);
-template void JerkSolver<6>::direct_nodes(std::size_t, std::size_t&, Twin&, Twin&);
-template void JerkSolver<9>::direct_nodes(std::size_t, std::size_t&, Twin&, Twin&);
+template void JerkSolver<4>::direct_cells(std::size_t, std::size_t&, Lane2&, Lane2&);
+template void JerkSolver<6>::direct_cells(std::size_t, std::size_t&, Lane2&, Lane2&);
+template void JerkSolver<9>::direct_cells(std::size_t, std::size_t&, Lane2&, Lane2&);
+template void JerkSolver<4>::direct_nodes(std::size_t, std::size_t&, Lane2&, Lane2&);
+template void JerkSolver<6>::direct_nodes(std::size_t, std::size_t&, Lane2&, Lane2&);
+template void JerkSolver<9>::direct_nodes(std::size_t, std::size_t&, Lane2&, Lane2&);
 template void JerkSolver<4>::direction(ProgressScope&);
 template void JerkSolver<6>::direction(ProgressScope&);
 template void JerkSolver<9>::direction(ProgressScope&);

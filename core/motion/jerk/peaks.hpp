@@ -1,5 +1,5 @@
 #pragma once
-/// By how much the law of one cell exceeds limits between its nodes.
+/// Peaks of the law of one cell between its nodes, in relation to the limits.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,8 +15,8 @@ namespace bahnwerk {
 template <int M>
 class CellPath {
  public:
-  CellPath() = default;  // of no cell
-  /// `middle` lies at `sm` of [0, h].
+  CellPath() = default;  // empty
+  /// `middle` lies at `sm` ∈ (0, h).
   CellPath(const JerkStation<M>& left, const JerkStation<M>& middle, const JerkStation<M>& right, double sm, double h)
       : w_(1 / h), d1_(left.d1) {
     const double x = sm * w_, y = 1 - x, ix = 1 / x, iy = 1 / y;
@@ -45,12 +45,12 @@ class CellPath {
   std::array<Lanes<M>, 6> p_{};
 };
 
-/// Peaks over a cell in relation to the limits: of each axis' acceleration and jerk, of (speed/limit)² at worst.
+/// Peaks over a cell as fractions of the limits: acceleration and jerk of each axis, and the largest (speed/limit)².
 template <int M>
 struct CellPeaks {
   std::array<double, M> acceleration{}, jerk{};
   double velocity = 0;
-  double doubt = 0;  ///< what any of them may be at most, as far as samples tell
+  double doubt = 0;  ///< upper estimate of any of them, as far as samples show
   double most() const {
     double p = velocity;
     for (std::size_t k = 0; k < M; ++k) p = std::max({p, acceleration[k], jerk[k]});
@@ -64,7 +64,8 @@ struct RowLimits {
 };
 
 namespace jerk_peaks_detail {
-/// Largest |f| over [0, 1] from five even samples. `doubt` becomes what they cannot know about.
+/// Returns the largest |f| over [0, 1] from five equidistant samples; `doubt` becomes the part that samples cannot
+/// exclude.
 template <class L>
 inline L peak(const std::array<L, 5>& f, L& doubt) {
   const EvenSamples<L> samples(f, 0.7);
@@ -74,7 +75,7 @@ inline L peak(const std::array<L, 5>& f, L& doubt) {
 }
 }  // namespace jerk_peaks_detail
 
-/// Largest v² of a piece.
+/// Returns the largest v² of a piece, mm²/s².
 inline double peak_speed2(const LawPiece& law) {
   double most = std::max(law.v, law.at(law.duration).v);
   for (const double t : turning_points(law))
@@ -82,7 +83,7 @@ inline double peak_speed2(const LawPiece& law) {
   return most * most;
 }
 
-/// `path(s)` gives the derivatives at s ∈ (0, h) of the cell, `left` and `right` are those at its ends.
+/// `path(s)` returns the derivatives at s ∈ (0, h) of the cell; `left` and `right` are those at its ends.
 template <int M, class PathAt>
 CellPeaks<M> cell_peaks(const LawPiece& law, double h, const RowLimits<M>& limit, double inverse_feed2,
                         const JerkStation<M>& left, const JerkStation<M>& right, PathAt&& path) {

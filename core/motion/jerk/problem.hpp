@@ -1,15 +1,15 @@
 #pragma once
-/// Time optimality of one section under jerk limits, on a grid: what the interior-point method (solver.hpp)
-/// solves.
+/// The time-optimal problem of one section under jerk limits, on a grid, as the interior-point method (solver.hpp)
+/// solves it.
 ///
-/// Unknown at every inner node: b = v² and the path acceleration a (b′ = 2a). Both end nodes are at rest, or their
-/// states are given. Minimised is the sum of the cells' durations (cell.hpp). For axis k, with the path's
+/// The unknowns at every inner node are b = v² and the path acceleration a (b′ = 2a). Both end nodes are at rest, or
+/// their states are given. The objective is the sum of the cells' durations (cell.hpp). For axis k, with the path's
 /// derivatives h′, h″, h‴ by arc length,
 ///   velocity      h′² b ≤ V²                                   [Bock (2.8)]
 ///   acceleration  |h″ b + h′ a| ≤ A                            [Bock (2.7), (2.9)]
 ///   jerk          |h‴ v³ + 3 h″ v a + h′ j| ≤ J                [Bock Def. 2.6], [Herrmann (4.80)]
-/// Acceleration holds at nodes and, where jerk leaves it room, in the middle of cells; jerk at both ends of each cell.
-/// Every row is divided by its limit; `share` (near 1) is the part of it that may be used.
+/// Acceleration is limited at nodes and, where needed, in the middle of cells; jerk at both ends of each cell. Every
+/// row is divided by its limit; `share` (near 1) is the usable part of it.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -20,7 +20,7 @@
 
 namespace bahnwerk {
 
-/// Derivatives of M quantities by arc length: the axes and, where limited, the path itself (1, 0, 0).
+/// Derivatives by arc length of M quantities: the axes and, where limited, the path itself (1, 0, 0).
 template <int M>
 struct JerkStation {
   Lanes<M> d1{}, d2{}, d3{};
@@ -33,28 +33,28 @@ struct NodeRows {
   std::array<double, M> p{}, q{}, share{};
 };
 
-/// M rows |h″ (b₁ + b₂)/2 + h′ g| / A ≤ share: g = 3 (v₂ − v₁)/T − a₁ − a₂ is the middle Bernstein coefficient of the
-/// acceleration, a quadratic of time, so that with it a itself stays below between the nodes. Without these rows a law
-/// at the acceleration limit would swing its jerk within every cell.
+/// M rows |h″ (b₁ + b₂)/2 + h′ g| / A ≤ share. g = 3 (v₂ − v₁)/T − a₁ − a₂ is the middle Bernstein coefficient of the
+/// acceleration, a quadratic of time, so a stays below its limit between the nodes. Without these rows a law at the
+/// acceleration limit oscillates in jerk within every cell.
 template <int M>
 struct MiddleRows {
   std::size_t cell = 0;
-  std::array<double, M> d1{}, d2{}, share{};  ///< derivatives half-way, divided by A; d2 halved
+  std::array<double, M> d1{}, d2{}, share{};  ///< derivatives in the middle, divided by A; d2 is halved
 };
 
 template <int M>
 struct JerkProblem {
   struct Cell {
     double h = 0;                                  ///< mm
-    std::uint32_t station = 0;                     ///< its left end; the right one follows
+    std::uint32_t station = 0;                     ///< station of its left end; the right end is the next one
     std::array<std::array<double, M>, 2> share{};  ///< of the jerk limits, at both ends
   };
   LargeVector<JerkStation<M>> stations;
   LargeVector<Cell> cells;
   std::array<double, M> inverse_jerk{};  ///< 1/J, s³/mm; 0 = unlimited
-  /// Per node, towards the left and the right cell: b ∓ reach · a ≤ cap, as 1/cap, s²/mm², 0 = unlimited. b ∓ 2/3 h a
-  /// are the inner Bernstein coefficients of b, a cubic of s, over the cell: with them b itself stays below between the
-  /// nodes.
+  /// Caps per node, towards the left and the right cell: b ∓ reach · a ≤ cap, stored as 1/cap, s²/mm²; 0 means
+  /// unlimited. b ∓ 2/3 h a are the inner Bernstein coefficients of b, a cubic of s, over the cell, so b stays below
+  /// its cap between the nodes.
   LargeVector<std::array<double, 2>> inverse_cap;
   LargeVector<std::array<double, 2>> cap_reach;  ///< mm
   LargeVector<NodeRows<M>> nodes;                ///< by node, ascending

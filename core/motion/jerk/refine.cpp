@@ -25,17 +25,17 @@ double JerkSectionPlanner<N, M>::slack_ramp(std::size_t c, double change, double
 }
 
 template <int N, int M>
-bool JerkSectionPlanner<N, M>::mark(ProgressScope& pulse) {
+bool JerkSectionPlanner<N, M>::mark(ProgressScope& progress) {
   const std::size_t n = grid_.cells.size();
   const auto from_rest = [&](std::size_t c) { return c == 0 && !(entry_.b > 0); };
   const auto to_rest = [&](std::size_t c) { return c + 1 == n && !(exit_.b > 0); };
   loss_.assign(n, 0);
   double time = 0, total = 0;
   for (std::size_t c = 0; c < n; ++c) {
-    pulse(c, n);
+    progress(c, n);
     const LawPiece p = jerk_piece(state_[c], state_[c + 1], grid_.length(c));
-    const double T = p.duration, change = std::abs(p.q) * T, end = p.a + T * (p.j + 0.5 * T * p.q);
-    const double jerk = std::max(std::abs(p.j), std::abs(p.j + T * p.q)), a = std::max(std::abs(p.a), std::abs(end));
+    const double T = p.duration, change = std::abs(p.snap) * T, end = p.a + T * (p.j + 0.5 * T * p.snap);
+    const double jerk = std::max(std::abs(p.j), std::abs(p.j + T * p.snap)), a = std::max(std::abs(p.a), std::abs(end));
     const double v = std::sqrt(std::max(state_[c].b, state_[c + 1].b));
     time += T;
     if (jerk > 0) loss_[c] = change * T * T / 24 * std::max(T, std::min(a / jerk, jerk_time_)) / v;
@@ -51,8 +51,8 @@ bool JerkSectionPlanner<N, M>::mark(ProgressScope& pulse) {
   for (const double l : loss_)
     if (l > bearable / static_cast<double>(n)) ++many;
   const double dear = bearable / static_cast<double>(many);
-  // What a cell loses falls with the square of its parts. Wide cells get as many as it takes, so that the law has to be
-  // found on one more grid, not on two.
+  // The loss of a cell falls with the square of its parts. Wide cells get as many parts as needed at once, so that the
+  // law has to be found on one more grid, not on two.
   const auto parts = [&](double excess) -> std::uint16_t {
     if (path_.cartesian()) return 4;
     return static_cast<std::uint16_t>(std::clamp(std::ceil(std::sqrt(1.5 * excess)), 2.0, 8.0));
@@ -70,7 +70,7 @@ bool JerkSectionPlanner<N, M>::mark(ProgressScope& pulse) {
 }
 
 template <int N, int M>
-void JerkSectionPlanner<N, M>::refine(ProgressScope& pulse) {
+void JerkSectionPlanner<N, M>::refine(ProgressScope& progress) {
   const LargeVector<GridCell> cells = grid_.cells;
   LargeVector<double> length(cells.size()), begin(cells.size()), ends(cells.size());
   for (std::size_t c = 0; c < cells.size(); ++c) {
@@ -79,11 +79,11 @@ void JerkSectionPlanner<N, M>::refine(ProgressScope& pulse) {
     ends[c] = grid_.right(c).s;
   }
   const LargeVector<JerkNode> old = state_;
-  divide<N>(grid_, path_, division_, pulse);
+  divide<N>(grid_, path_, division_, progress);
   state_.resize(grid_.cells.size() + 1);
   std::size_t c = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    pulse(i, cells.size());
+    progress(i, cells.size());
     const LawPiece law = jerk_piece(old[i], old[i + 1], length[i]);
     state_[c] = old[i];
     double t = 0;
@@ -104,28 +104,28 @@ void JerkSectionPlanner<N, M>::refine(ProgressScope& pulse) {
 }
 
 template double JerkSectionPlanner<2, 2>::slack_ramp(std::size_t c, double change, double jerk) const;
-template bool JerkSectionPlanner<2, 2>::mark(ProgressScope& pulse);
-template void JerkSectionPlanner<2, 2>::refine(ProgressScope& pulse);
+template bool JerkSectionPlanner<2, 2>::mark(ProgressScope& progress);
+template void JerkSectionPlanner<2, 2>::refine(ProgressScope& progress);
 template double JerkSectionPlanner<2, 3>::slack_ramp(std::size_t c, double change, double jerk) const;
-template bool JerkSectionPlanner<2, 3>::mark(ProgressScope& pulse);
-template void JerkSectionPlanner<2, 3>::refine(ProgressScope& pulse);
+template bool JerkSectionPlanner<2, 3>::mark(ProgressScope& progress);
+template void JerkSectionPlanner<2, 3>::refine(ProgressScope& progress);
 template double JerkSectionPlanner<3, 3>::slack_ramp(std::size_t c, double change, double jerk) const;
 template double JerkSectionPlanner<5, 5>::slack_ramp(std::size_t c, double change, double jerk) const;
 template double JerkSectionPlanner<8, 8>::slack_ramp(std::size_t c, double change, double jerk) const;
-template bool JerkSectionPlanner<3, 3>::mark(ProgressScope& pulse);
-template bool JerkSectionPlanner<5, 5>::mark(ProgressScope& pulse);
-template bool JerkSectionPlanner<8, 8>::mark(ProgressScope& pulse);
-template void JerkSectionPlanner<3, 3>::refine(ProgressScope& pulse);
-template void JerkSectionPlanner<5, 5>::refine(ProgressScope& pulse);
-template void JerkSectionPlanner<8, 8>::refine(ProgressScope& pulse);
+template bool JerkSectionPlanner<3, 3>::mark(ProgressScope& progress);
+template bool JerkSectionPlanner<5, 5>::mark(ProgressScope& progress);
+template bool JerkSectionPlanner<8, 8>::mark(ProgressScope& progress);
+template void JerkSectionPlanner<3, 3>::refine(ProgressScope& progress);
+template void JerkSectionPlanner<5, 5>::refine(ProgressScope& progress);
+template void JerkSectionPlanner<8, 8>::refine(ProgressScope& progress);
 template double JerkSectionPlanner<3, 4>::slack_ramp(std::size_t c, double change, double jerk) const;
 template double JerkSectionPlanner<5, 6>::slack_ramp(std::size_t c, double change, double jerk) const;
 template double JerkSectionPlanner<8, 9>::slack_ramp(std::size_t c, double change, double jerk) const;
-template bool JerkSectionPlanner<3, 4>::mark(ProgressScope& pulse);
-template bool JerkSectionPlanner<5, 6>::mark(ProgressScope& pulse);
-template bool JerkSectionPlanner<8, 9>::mark(ProgressScope& pulse);
-template void JerkSectionPlanner<3, 4>::refine(ProgressScope& pulse);
-template void JerkSectionPlanner<5, 6>::refine(ProgressScope& pulse);
-template void JerkSectionPlanner<8, 9>::refine(ProgressScope& pulse);
+template bool JerkSectionPlanner<3, 4>::mark(ProgressScope& progress);
+template bool JerkSectionPlanner<5, 6>::mark(ProgressScope& progress);
+template bool JerkSectionPlanner<8, 9>::mark(ProgressScope& progress);
+template void JerkSectionPlanner<3, 4>::refine(ProgressScope& progress);
+template void JerkSectionPlanner<5, 6>::refine(ProgressScope& progress);
+template void JerkSectionPlanner<8, 9>::refine(ProgressScope& progress);
 
 }  // namespace bahnwerk

@@ -1,6 +1,6 @@
 #pragma once
-/// The rows of JerkProblem as the interior-point method sees them: two cells, or nodes, are calculated with at once, so
-/// that nothing has to be summed across a vector register. L is a number, or one per cell.
+/// The rows of JerkProblem in the form of the interior-point method. Two cells, or nodes, are computed at once, one per
+/// lane of a vector register. L is a number, or a vector of one number per cell.
 #include <array>
 #include <cstddef>
 
@@ -9,16 +9,16 @@
 
 namespace bahnwerk {
 
-/// One cell, or node, of either half of the section.
-using Twin = Lanes<2>;
-constexpr std::size_t twin = 2;
-inline Twin all(double a) { return Twin{a, a}; }
-/// Of a lane that stands for nothing.
+/// One cell, or node, of each half of the section.
+using Lane2 = Lanes<2>;
+constexpr std::size_t lane_count = 2;
+inline Lane2 all(double a) { return Lane2{a, a}; }
+/// Weight of a lane that represents no cell or node.
 constexpr double no_weight = 1e-30;
-inline NodeBlock<double> lane(const NodeBlock<Twin>& n, std::size_t e) {
+inline NodeBlock<double> lane(const NodeBlock<Lane2>& n, std::size_t e) {
   return {n.bb[e], n.ba[e], n.aa[e], n.rb[e], n.ra[e]};
 }
-inline CellMatrix<double> lane(const CellMatrix<Twin>& K, std::size_t e) {
+inline CellMatrix<double> lane(const CellMatrix<Lane2>& K, std::size_t e) {
   return {K.m00[e],
           K.m01[e],
           K.m11[e],
@@ -31,14 +31,14 @@ inline CellMatrix<double> lane(const CellMatrix<Twin>& K, std::size_t e) {
           K.m33[e],
           {K.r[0][e], K.r[1][e], K.r[2][e], K.r[3][e]}};
 }
-inline void set(NodeBlock<Twin>& blocks, std::size_t lane, const NodeBlock<double>& block) {
+inline void set(NodeBlock<Lane2>& blocks, std::size_t lane, const NodeBlock<double>& block) {
   blocks.bb[lane] = block.bb;
   blocks.ba[lane] = block.ba;
   blocks.aa[lane] = block.aa;
   blocks.rb[lane] = block.rb;
   blocks.ra[lane] = block.ra;
 }
-inline void set(Elimination<Twin>& nodes, std::size_t lane, const Elimination<double>& node) {
+inline void set(Elimination<Lane2>& nodes, std::size_t lane, const Elimination<double>& node) {
   nodes.fbb[lane] = node.fbb;
   nodes.fba[lane] = node.fba;
   nodes.fab[lane] = node.fab;
@@ -46,7 +46,7 @@ inline void set(Elimination<Twin>& nodes, std::size_t lane, const Elimination<do
   nodes.yb[lane] = node.yb;
   nodes.ya[lane] = node.ya;
 }
-inline void set(JerkCellOf<Twin>& laws, std::size_t lane, const JerkCell& law) {
+inline void set(JerkCellOf<Lane2>& laws, std::size_t lane, const JerkCell& law) {
   laws.T[lane] = law.T;
   laws.j1[lane] = law.j1;
   laws.j2[lane] = law.j2;
@@ -57,24 +57,24 @@ inline void set(JerkCellOf<Twin>& laws, std::size_t lane, const JerkCell& law) {
   }
 }
 
-/// A row g ≤ share: slack s, multiplier z, step d of the slack.
+/// A row g ≤ share with slack s, multiplier z and step d of the slack.
 template <class L>
 struct JerkSide {
   L s, z, d;
-  L i;  ///< 1/(s z), which gives 1/s and 1/z without a second division; from step() on the part of z that it takes
+  L i;  ///< 1/(s z), which gives 1/s and 1/z without a second division; after step() the part of z that the step takes
 
-  /// The slack is what is free, but at least `least`.
+  /// Initialises the slack with `room`, but with at least `least`.
   void begin(L room, L mu, L least) {
     s = larger(room, least);
     z = mu / s;
     d = i = 0.0 * s;
   }
-  /// Takes parts of the last step.
+  /// Moves by the given parts of the last step.
   void move(L primal, L dual) {
     s = s + primal * d;
     z = z - dual * i * z;
   }
-  /// `room` is share − g: residual, weight and right-hand side of the row in the Newton system. Returns s z.
+  /// Computes weight w and right-hand side y of the row in the Newton system for room = share − g. Returns s z.
   L weigh(L room, L mu, L& w, L& y) {
     const L gap = s * z;
     d = room - s;
@@ -84,8 +84,8 @@ struct JerkSide {
     y = is * (mu - z * d);
     return gap;
   }
-  /// The step when g changes by `change`; `dual` becomes at least 1/(the part of it that reaches zero), `primal` at
-  /// most the negative of that.
+  /// Computes the step for a change of g by `change`. `dual` becomes at least 1/(the part of the step at which z
+  /// reaches zero), `primal` at most the negative of that for s.
   void step(L change, L mu, L& primal, L& dual) {
     d = d - change;
     const L f = d * (z * i);
@@ -95,7 +95,7 @@ struct JerkSide {
   }
 };
 
-/// What the rows amount to at an iterate.
+/// Sums over the rows at an iterate.
 template <class L>
 struct JerkTotals {
   L gap{}, violation{};
@@ -153,13 +153,13 @@ struct JerkNodeRows {
   }
 };
 
-/// Jerk of M quantities at one end of a cell, in parts of their limits: d₃ v³ + d₂ v a + d₁ j.
+/// Jerk of M quantities at one end of a cell, divided by their limits: d₃ v³ + d₂ v a + d₁ j.
 template <class L, int M>
 struct JerkEndRows {
   std::array<L, M> d1, d2, d3, share;  ///< h′/J, 3 h″/J, h‴/J
   std::array<JerkRow<L>, M> rows;
 
-  /// Values, and gradients by the node's b and a beside that of the path's jerk.
+  /// The value, and its gradients by b and a of the node; the gradient by j is d1.
   L value(std::size_t k, L b, L v, L a, L j) const { return v * (d3[k] * b + d2[k] * a) + d1[k] * j; }
   L by_b(std::size_t k, L v, L w, L a) const { return d3[k] * (1.5 * v) + d2[k] * (a * w); }
   L by_a(std::size_t k, L v) const { return d2[k] * v; }

@@ -17,15 +17,15 @@ namespace {
 
 constexpr std::size_t few_cells = 200;  // too few for windows
 
-/// As long as the end of a window is open, the solver keeps to this part of every limit, and as exactly as this: so
-/// that the state in which the window is left has room to move.
+/// While the end of a window is open, the solver uses this part of every limit, to this accuracy, so that the next
+/// window can continue from the state at which the window is cut.
 constexpr double open_share = 1 - 1e-2, open_violation = 2e-3;
 
-/// A solver that has not converged and violates rows by more has diverged: once in a section it begins anew where it
-/// came from; what it finds then is taken.
+/// A solver that has not converged and violates rows by more has diverged: once per section it starts again from its
+/// first guess; that result is accepted.
 constexpr double diverged = 1e-2;
 
-/// So often ceilings of v² are lowered, where the law has to be slowed by more than this.
+/// Ceilings of v² are lowered this often, where the law has to be slowed by more than the factor below.
 constexpr int max_lowerings = 8;
 constexpr double bearable_slow = 1.002;
 
@@ -34,11 +34,11 @@ constexpr double bearable_slow = 1.002;
 constexpr double kinematic_angle = 5;
 constexpr int exact_rounds = 4;
 
-/// What a smaller share of the jerk limit leaves of an excess inside a cell may be most of it: in the last rounds, few
-/// cells of many, more is taken than what they exceed it by.
+/// A smaller share of the jerk limit may remove only a small part of an excess inside a cell: in the last rounds, for a
+/// few cells of many, shares fall by this many times the excess.
 constexpr double late_tightening = 3;
 
-/// So near to a cell's end, in parts of it, speed at rest is rounding.
+/// Speed at rest is rounding within this part of a cell from its end.
 constexpr double rest = 1e-6;
 
 }  // namespace
@@ -46,10 +46,10 @@ constexpr double rest = 1e-6;
 template <int N, int M>
 void JerkSectionPlanner<N, M>::plan(std::size_t first, std::size_t last, double from, double to,
                                     JerkLimitedResult& result) {
-  ProgressScope pulse(progress_, "planning", from, to);
-  pulse.part(0, 0.1);
+  ProgressScope progress(progress_, "planning", from, to);
+  progress.part(0, 0.1);
   if (last == first + 1 && alone(first, result)) return;
-  build(first, last, pulse);
+  build(first, last, progress);
   const std::size_t n = grid_.cells.size(), window = usual_window();
   best_duration_ = unlimited;
   bool done = window > 0 && static_cast<double>(n) > last_window * static_cast<double>(window) &&
@@ -57,20 +57,20 @@ void JerkSectionPlanner<N, M>::plan(std::size_t first, std::size_t last, double 
   if (!done) {
     const auto starts = this->starts();
     const std::size_t next = usual_start() + 1;
-    done = plan_whole(starts[0], pulse);
+    done = plan_whole(starts[0], progress);
     for (std::size_t i = 1; i < starts.size() && !done; ++i) {
-      build(first, last, pulse);  // its cells may have been divided
-      // Where a long law is lost short ones may still be found.
-      done =
-          (i == next && window > 0 && n > few_cells && plan_windows(n / 4, from, to)) || plan_whole(starts[i], pulse);
+      build(first, last, progress);  // its cells may have been divided
+      // If a long section fails, shorter windows may succeed.
+      done = (i == next && window > 0 && n > few_cells && plan_windows(n / 4, from, to)) ||
+             plan_whole(starts[i], progress);
     }
     if (!done) {
-      build(first, last, pulse);
-      plan_under_ceilings(pulse);
+      build(first, last, progress);
+      plan_under_ceilings(progress);
     }
     if (!done && best_duration_ == unlimited) {  // no optimum at all, but a law
-      build(first, last, pulse);
-      done = plan_whole({0, 0}, pulse);
+      build(first, last, progress);
+      done = plan_whole({0, 0}, progress);
     }
     if (!done && best_duration_ < unlimited) take_best();
   }
@@ -80,22 +80,22 @@ void JerkSectionPlanner<N, M>::plan(std::size_t first, std::size_t last, double 
 }
 
 template <int N, int M>
-void JerkSectionPlanner<N, M>::build(std::size_t first, std::size_t last, ProgressScope& pulse) {
+void JerkSectionPlanner<N, M>::build(std::size_t first, std::size_t last, ProgressScope& progress) {
   GridOptions grid;
   grid.angle = path_.cartesian() ? options_.angle : kinematic_angle * options_.angle;
   grid.hermite = 1e-5;
-  pulse.half_of_rest();
-  grid_.build(path_, first, last, feed_, machine_, grid, pulse);
-  lay(pulse);
+  progress.half_of_rest();
+  grid_.build(path_, first, last, feed_, machine_, grid, progress);
+  build_grid(progress);
   soften();
   keep_ = all_cells;
   strict_caps_ = false;
 }
 
 template <int N, int M>
-bool JerkSectionPlanner<N, M>::plan_whole(Start start, ProgressScope& pulse) {
+bool JerkSectionPlanner<N, M>::plan_whole(Start start, ProgressScope& progress) {
   pieces_.clear();
-  const double duration = attempt(start, pulse);
+  const double duration = attempt(start, progress);
   if (slow_ < start.enough) {
     if (best_duration_ < duration) take_best();
     return true;
@@ -119,16 +119,16 @@ void JerkSectionPlanner<N, M>::take_best() {
 }
 
 template <int N, int M>
-void JerkSectionPlanner<N, M>::plan_under_ceilings(ProgressScope& pulse) {
+void JerkSectionPlanner<N, M>::plan_under_ceilings(ProgressScope& progress) {
   divides_ = false;
   ceiling_.assign(grid_.cells.size() + 1, unlimited);
   for (int i = 0; i < max_lowerings; ++i) {
     pieces_.clear();
-    const double duration = attempt(starts()[usual_start()], pulse);
+    const double duration = attempt(starts()[usual_start()], progress);
     keep_if_best(duration);
     if (slow_ < good_enough || !std::isfinite(duration)) break;
     lower_ceilings();
-    rough(pulse);
+    rough(progress);
   }
   divides_ = true;
   ceiling_.clear();
@@ -167,16 +167,16 @@ bool JerkSectionPlanner<N, M>::alone(std::size_t segment, JerkLimitedResult& res
 }
 
 template <int N, int M>
-double JerkSectionPlanner<N, M>::attempt(Start start, ProgressScope& pulse) {
+double JerkSectionPlanner<N, M>::attempt(Start start, ProgressScope& progress) {
   exit_ = {};
   sped_up_ = 1;
   certain_ = false;
   state_.resize(grid_.cells.size() + 1);
   const bool open = keep_ < grid_.cells.size();
   share_ = open ? open_share : full_share;
-  guess(start, pulse);
-  pose(pulse);
-  if (start.mu > 0) improve(start.mu, pulse);
+  guess(start, progress);
+  build_problem(progress);
+  if (start.mu > 0) improve(start.mu, progress);
   // A solver that diverged on a divided grid leaves the states that dividing interpolated, to 1e-9: next to a rest the
   // acceleration has to be exactly what the cell's law says.
   const std::size_t n = grid_.cells.size();
@@ -186,12 +186,12 @@ double JerkSectionPlanner<N, M>::attempt(Start start, ProgressScope& pulse) {
   };
   if (n > 1 && !(state_[0].b > 0)) tie(state_[1], rest_tie(grid_.length(0)) * state_[1].b);
   if (n > 1 && !(state_[n].b > 0)) tie(state_[n - 1], -rest_tie(grid_.length(n - 1)) * state_[n - 1].b);
-  certify(pulse);
-  return emit(pulse);
+  certify(progress);
+  return emit(progress);
 }
 
 template <int N, int M>
-void JerkSectionPlanner<N, M>::improve(double mu, ProgressScope& pulse) {
+void JerkSectionPlanner<N, M>::improve(double mu, ProgressScope& progress) {
   JerkSolverOptions solver;
   double reach = 3e-2;
   int division = 0, exact = 0;
@@ -199,19 +199,19 @@ void JerkSectionPlanner<N, M>::improve(double mu, ProgressScope& pulse) {
   const bool cartesian = path_.cartesian();
   const auto divide = [&](double barrier) {
     ++division;
-    refine(pulse);
-    pose(pulse);
+    refine(progress);
+    build_problem(progress);
     fresh = true;
     mu = cartesian ? std::max(10 * barrier, 1e-2) : std::max(2 * barrier, 1e-3);
   };
   for (int round = 0;; ++round) {
-    pulse.half_of_rest();
+    progress.half_of_rest();
     const bool open = round == 0 && keep_ < grid_.cells.size();
     solver.gap = reach;
     solver.violation = open ? open_violation : reach;
     if (round > 0) before_ = state_;
     certain_ = false;
-    const JerkSolverResult r = solver_.solve(problem_, state_, mu, solver, pulse);
+    const JerkSolverResult r = solver_.solve(problem_, state_, mu, solver, progress);
     work_ += r.iterations * static_cast<double>(grid_.cells.size());
     if (round > 0 && !r.converged && !(r.violation < diverged)) {
       state_ = before_;
@@ -220,46 +220,46 @@ void JerkSectionPlanner<N, M>::improve(double mu, ProgressScope& pulse) {
       mu = 1e-2;
       if (!wider_caps_) continue;
       strict_caps_ = true;  // it may well have been these
-      pose(pulse);
+      build_problem(progress);
       fresh = true;
       continue;
     }
     if (!std::isfinite(r.duration)) return;
     if (round == 0) sped_up_ = speed_up();
     mu = 0;
-    if (reach > 1e-3 && reach < 1e-2 && divides_ && division < options_.max_divisions && mark(pulse)) {
+    if (reach > 1e-3 && reach < 1e-2 && divides_ && division < options_.max_divisions && mark(progress)) {
       if (!cartesian) {  // both at once
-        measure(false, pulse);
-        stubborn();
+        measure(false, progress);
+        mark_unresolved_cells();
       }
       divide(r.mu);
       continue;
     }
     if (open) {
-      leave();
+      drop_braking_tail();
       share_ = full_share;
-      pose(pulse);
+      build_problem(progress);
       mu = r.mu;
     }
-    measure(false, pulse);
-    // What a cell exceeds without rows half-way is no reason for smaller shares once it has them.
+    measure(false, progress);
+    // An excess of a cell without middle rows does not reduce shares if the cell gets these rows.
     const bool accelerations = !fresh;
-    if (fresh) pose_middles(true, pulse);
+    if (fresh) build_middle_rows(true, progress);
     fresh = false;
-    // What is left slows the section by its half (v², a) or third (j) power.
+    // The rest slows the section by its square root (v², a) or cube root (j).
     const auto bearable = [&] { return std::max({worst_.v, worst_.a, worst_.j}) < 1 + 4 * options_.gap; };
     if (reach <= options_.gap) {
       if (round >= options_.max_rounds) break;
       if (bearable()) {
         if (cartesian || exact == exact_rounds) break;
         ++exact;
-        measure(true, pulse);
+        measure(true, progress);
         if (bearable()) break;
       }
     }
     tighten(cartesian || reach > options_.gap ? 1.05 : late_tightening, accelerations);
     division_.clear();
-    if (divides_ && division < (cartesian ? 4 : 1) * options_.max_divisions && stubborn()) {
+    if (divides_ && division < (cartesian ? 4 : 1) * options_.max_divisions && mark_unresolved_cells()) {
       divide(r.mu);
       reach = 3e-3;
       continue;
@@ -269,7 +269,7 @@ void JerkSectionPlanner<N, M>::improve(double mu, ProgressScope& pulse) {
 }
 
 template <int N, int M>
-double JerkSectionPlanner<N, M>::emit(ProgressScope& pulse) {
+double JerkSectionPlanner<N, M>::emit(ProgressScope& progress) {
   const std::size_t n = grid_.cells.size();
   slow_ = 1;
   if (worst_.v > 1) slow_ = std::max(slow_, std::sqrt(worst_.v));
@@ -279,7 +279,7 @@ double JerkSectionPlanner<N, M>::emit(ProgressScope& pulse) {
   double total = 0;
   bool sound = std::isfinite(slow_);
   for (std::size_t c = 0; c < n; ++c) {
-    pulse(c, n);
+    progress(c, n);
     const double h = grid_.length(c);
     LawPiece p = jerk_piece(state_[c], state_[c + 1], h);
     sound = sound && p.duration > 0 && std::abs(p.at(p.duration).s - h) <= 1e-9 * h;
@@ -298,23 +298,23 @@ double JerkSectionPlanner<N, M>::emit(ProgressScope& pulse) {
 template void JerkSectionPlanner<2, 2>::plan(std::size_t first, std::size_t last, double from, double to,
                                              JerkLimitedResult& result);
 template bool JerkSectionPlanner<2, 2>::alone(std::size_t segment, JerkLimitedResult& result);
-template void JerkSectionPlanner<2, 2>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
-template bool JerkSectionPlanner<2, 2>::plan_whole(Start start, ProgressScope& pulse);
-template void JerkSectionPlanner<2, 2>::plan_under_ceilings(ProgressScope& pulse);
+template void JerkSectionPlanner<2, 2>::build(std::size_t first, std::size_t last, ProgressScope& progress);
+template bool JerkSectionPlanner<2, 2>::plan_whole(Start start, ProgressScope& progress);
+template void JerkSectionPlanner<2, 2>::plan_under_ceilings(ProgressScope& progress);
 template void JerkSectionPlanner<2, 2>::lower_ceilings();
-template double JerkSectionPlanner<2, 2>::attempt(Start start, ProgressScope& pulse);
-template void JerkSectionPlanner<2, 2>::improve(double mu, ProgressScope& pulse);
-template double JerkSectionPlanner<2, 2>::emit(ProgressScope& pulse);
+template double JerkSectionPlanner<2, 2>::attempt(Start start, ProgressScope& progress);
+template void JerkSectionPlanner<2, 2>::improve(double mu, ProgressScope& progress);
+template double JerkSectionPlanner<2, 2>::emit(ProgressScope& progress);
 template void JerkSectionPlanner<2, 3>::plan(std::size_t first, std::size_t last, double from, double to,
                                              JerkLimitedResult& result);
 template bool JerkSectionPlanner<2, 3>::alone(std::size_t segment, JerkLimitedResult& result);
-template void JerkSectionPlanner<2, 3>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
-template bool JerkSectionPlanner<2, 3>::plan_whole(Start start, ProgressScope& pulse);
-template void JerkSectionPlanner<2, 3>::plan_under_ceilings(ProgressScope& pulse);
+template void JerkSectionPlanner<2, 3>::build(std::size_t first, std::size_t last, ProgressScope& progress);
+template bool JerkSectionPlanner<2, 3>::plan_whole(Start start, ProgressScope& progress);
+template void JerkSectionPlanner<2, 3>::plan_under_ceilings(ProgressScope& progress);
 template void JerkSectionPlanner<2, 3>::lower_ceilings();
-template double JerkSectionPlanner<2, 3>::attempt(Start start, ProgressScope& pulse);
-template void JerkSectionPlanner<2, 3>::improve(double mu, ProgressScope& pulse);
-template double JerkSectionPlanner<2, 3>::emit(ProgressScope& pulse);
+template double JerkSectionPlanner<2, 3>::attempt(Start start, ProgressScope& progress);
+template void JerkSectionPlanner<2, 3>::improve(double mu, ProgressScope& progress);
+template double JerkSectionPlanner<2, 3>::emit(ProgressScope& progress);
 template void JerkSectionPlanner<3, 3>::plan(std::size_t first, std::size_t last, double from, double to,
                                              JerkLimitedResult& result);
 template void JerkSectionPlanner<5, 5>::plan(std::size_t first, std::size_t last, double from, double to,
@@ -324,27 +324,27 @@ template void JerkSectionPlanner<8, 8>::plan(std::size_t first, std::size_t last
 template bool JerkSectionPlanner<3, 3>::alone(std::size_t segment, JerkLimitedResult& result);
 template bool JerkSectionPlanner<5, 5>::alone(std::size_t segment, JerkLimitedResult& result);
 template bool JerkSectionPlanner<8, 8>::alone(std::size_t segment, JerkLimitedResult& result);
-template void JerkSectionPlanner<3, 3>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
-template void JerkSectionPlanner<5, 5>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
-template void JerkSectionPlanner<8, 8>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
-template bool JerkSectionPlanner<3, 3>::plan_whole(Start start, ProgressScope& pulse);
-template void JerkSectionPlanner<3, 3>::plan_under_ceilings(ProgressScope& pulse);
+template void JerkSectionPlanner<3, 3>::build(std::size_t first, std::size_t last, ProgressScope& progress);
+template void JerkSectionPlanner<5, 5>::build(std::size_t first, std::size_t last, ProgressScope& progress);
+template void JerkSectionPlanner<8, 8>::build(std::size_t first, std::size_t last, ProgressScope& progress);
+template bool JerkSectionPlanner<3, 3>::plan_whole(Start start, ProgressScope& progress);
+template void JerkSectionPlanner<3, 3>::plan_under_ceilings(ProgressScope& progress);
 template void JerkSectionPlanner<3, 3>::lower_ceilings();
-template bool JerkSectionPlanner<5, 5>::plan_whole(Start start, ProgressScope& pulse);
-template bool JerkSectionPlanner<8, 8>::plan_whole(Start start, ProgressScope& pulse);
-template void JerkSectionPlanner<5, 5>::plan_under_ceilings(ProgressScope& pulse);
-template void JerkSectionPlanner<8, 8>::plan_under_ceilings(ProgressScope& pulse);
+template bool JerkSectionPlanner<5, 5>::plan_whole(Start start, ProgressScope& progress);
+template bool JerkSectionPlanner<8, 8>::plan_whole(Start start, ProgressScope& progress);
+template void JerkSectionPlanner<5, 5>::plan_under_ceilings(ProgressScope& progress);
+template void JerkSectionPlanner<8, 8>::plan_under_ceilings(ProgressScope& progress);
 template void JerkSectionPlanner<5, 5>::lower_ceilings();
 template void JerkSectionPlanner<8, 8>::lower_ceilings();
-template double JerkSectionPlanner<3, 3>::attempt(Start start, ProgressScope& pulse);
-template double JerkSectionPlanner<5, 5>::attempt(Start start, ProgressScope& pulse);
-template double JerkSectionPlanner<8, 8>::attempt(Start start, ProgressScope& pulse);
-template void JerkSectionPlanner<3, 3>::improve(double mu, ProgressScope& pulse);
-template void JerkSectionPlanner<5, 5>::improve(double mu, ProgressScope& pulse);
-template void JerkSectionPlanner<8, 8>::improve(double mu, ProgressScope& pulse);
-template double JerkSectionPlanner<3, 3>::emit(ProgressScope& pulse);
-template double JerkSectionPlanner<5, 5>::emit(ProgressScope& pulse);
-template double JerkSectionPlanner<8, 8>::emit(ProgressScope& pulse);
+template double JerkSectionPlanner<3, 3>::attempt(Start start, ProgressScope& progress);
+template double JerkSectionPlanner<5, 5>::attempt(Start start, ProgressScope& progress);
+template double JerkSectionPlanner<8, 8>::attempt(Start start, ProgressScope& progress);
+template void JerkSectionPlanner<3, 3>::improve(double mu, ProgressScope& progress);
+template void JerkSectionPlanner<5, 5>::improve(double mu, ProgressScope& progress);
+template void JerkSectionPlanner<8, 8>::improve(double mu, ProgressScope& progress);
+template double JerkSectionPlanner<3, 3>::emit(ProgressScope& progress);
+template double JerkSectionPlanner<5, 5>::emit(ProgressScope& progress);
+template double JerkSectionPlanner<8, 8>::emit(ProgressScope& progress);
 template void JerkSectionPlanner<3, 4>::plan(std::size_t first, std::size_t last, double from, double to,
                                              JerkLimitedResult& result);
 template void JerkSectionPlanner<5, 6>::plan(std::size_t first, std::size_t last, double from, double to,
@@ -354,26 +354,26 @@ template void JerkSectionPlanner<8, 9>::plan(std::size_t first, std::size_t last
 template bool JerkSectionPlanner<3, 4>::alone(std::size_t segment, JerkLimitedResult& result);
 template bool JerkSectionPlanner<5, 6>::alone(std::size_t segment, JerkLimitedResult& result);
 template bool JerkSectionPlanner<8, 9>::alone(std::size_t segment, JerkLimitedResult& result);
-template void JerkSectionPlanner<3, 4>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
-template void JerkSectionPlanner<5, 6>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
-template void JerkSectionPlanner<8, 9>::build(std::size_t first, std::size_t last, ProgressScope& pulse);
-template bool JerkSectionPlanner<3, 4>::plan_whole(Start start, ProgressScope& pulse);
-template void JerkSectionPlanner<3, 4>::plan_under_ceilings(ProgressScope& pulse);
+template void JerkSectionPlanner<3, 4>::build(std::size_t first, std::size_t last, ProgressScope& progress);
+template void JerkSectionPlanner<5, 6>::build(std::size_t first, std::size_t last, ProgressScope& progress);
+template void JerkSectionPlanner<8, 9>::build(std::size_t first, std::size_t last, ProgressScope& progress);
+template bool JerkSectionPlanner<3, 4>::plan_whole(Start start, ProgressScope& progress);
+template void JerkSectionPlanner<3, 4>::plan_under_ceilings(ProgressScope& progress);
 template void JerkSectionPlanner<3, 4>::lower_ceilings();
-template bool JerkSectionPlanner<5, 6>::plan_whole(Start start, ProgressScope& pulse);
-template bool JerkSectionPlanner<8, 9>::plan_whole(Start start, ProgressScope& pulse);
-template void JerkSectionPlanner<5, 6>::plan_under_ceilings(ProgressScope& pulse);
-template void JerkSectionPlanner<8, 9>::plan_under_ceilings(ProgressScope& pulse);
+template bool JerkSectionPlanner<5, 6>::plan_whole(Start start, ProgressScope& progress);
+template bool JerkSectionPlanner<8, 9>::plan_whole(Start start, ProgressScope& progress);
+template void JerkSectionPlanner<5, 6>::plan_under_ceilings(ProgressScope& progress);
+template void JerkSectionPlanner<8, 9>::plan_under_ceilings(ProgressScope& progress);
 template void JerkSectionPlanner<5, 6>::lower_ceilings();
 template void JerkSectionPlanner<8, 9>::lower_ceilings();
-template double JerkSectionPlanner<3, 4>::attempt(Start start, ProgressScope& pulse);
-template double JerkSectionPlanner<5, 6>::attempt(Start start, ProgressScope& pulse);
-template double JerkSectionPlanner<8, 9>::attempt(Start start, ProgressScope& pulse);
-template void JerkSectionPlanner<3, 4>::improve(double mu, ProgressScope& pulse);
-template void JerkSectionPlanner<5, 6>::improve(double mu, ProgressScope& pulse);
-template void JerkSectionPlanner<8, 9>::improve(double mu, ProgressScope& pulse);
-template double JerkSectionPlanner<3, 4>::emit(ProgressScope& pulse);
-template double JerkSectionPlanner<5, 6>::emit(ProgressScope& pulse);
-template double JerkSectionPlanner<8, 9>::emit(ProgressScope& pulse);
+template double JerkSectionPlanner<3, 4>::attempt(Start start, ProgressScope& progress);
+template double JerkSectionPlanner<5, 6>::attempt(Start start, ProgressScope& progress);
+template double JerkSectionPlanner<8, 9>::attempt(Start start, ProgressScope& progress);
+template void JerkSectionPlanner<3, 4>::improve(double mu, ProgressScope& progress);
+template void JerkSectionPlanner<5, 6>::improve(double mu, ProgressScope& progress);
+template void JerkSectionPlanner<8, 9>::improve(double mu, ProgressScope& progress);
+template double JerkSectionPlanner<3, 4>::emit(ProgressScope& progress);
+template double JerkSectionPlanner<5, 6>::emit(ProgressScope& progress);
+template double JerkSectionPlanner<8, 9>::emit(ProgressScope& progress);
 
 }  // namespace bahnwerk

@@ -1,8 +1,8 @@
 #pragma once
-/// Plans the sections of a contour one after the other under limits of jerk (jerk_limited.hpp): the state of one
-/// section and the steps on it. pose.cpp lays the grid and states the problem, refine.cpp divides cells in
-/// which the law switches, certify.cpp looks between the nodes, section.cpp puts them in order,
-/// windows.cpp for long sections window by window.
+/// Plans the sections of a contour one after the other under limits of jerk (jerk_limited.hpp). This class holds the
+/// state of one section. build_problem.cpp makes the grid and the rows, refine.cpp divides cells in which the law
+/// switches, certify.cpp examines the law between the nodes, section.cpp sequences these steps, windows.cpp plans long
+/// sections in windows.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -18,15 +18,15 @@
 namespace bahnwerk {
 
 namespace jerk_section_detail {
-/// The solver may use this part of every limit; what lies below `sure` between the nodes needs no closer look.
+/// The solver may use this part of every limit. A peak below `sure` between the nodes needs no exact evaluation.
 constexpr double full_share = 1 - 2e-5, sure = 1 - 1e-5;
-/// A law that had to be slowed by more than this may have a better start.
+/// A law that has to be slowed by more than this is planned again from another start.
 constexpr double good_enough = 1.01;
-/// The last window of a section is up to so many windows long; what is no longer than that is planned whole.
+/// The last window of a section may be this many windows long; a section no longer than that is planned as a whole.
 constexpr double last_window = 1.5;
 }  // namespace jerk_section_detail
 
-/// N axes, M rows: one more when the path itself is limited.
+/// N axes and M rows; M = N + 1 when the path itself is limited.
 template <int N, int M>
 class JerkSectionPlanner {
  public:
@@ -44,34 +44,35 @@ class JerkSectionPlanner {
   }
 
   void plan(std::size_t first, std::size_t last, double from, double to, JerkLimitedResult& result);
-  /// Newton steps times cells, of all sections.
+  /// Returns Newton steps times cells, summed over all sections.
   double work() const { return work_; }
 
  private:
-  /// Where the interior-point method starts: which part of the rough profile's v², the barrier, how the profile is
-  /// smoothed before; and by how much what comes of it may have to be slowed if others are not to be tried.
+  /// A start of the interior-point method: the part of the rough profile's v², the barrier parameter, the smoothing of
+  /// the profile, and the largest slowing with which its result is accepted without further starts.
   struct Start {
     double part, mu;
     Smoothing smoothing = Smoothing::none;
     double enough = jerk_section_detail::good_enough;
   };
-  /// In the order in which they are tried. Through kinematics a path is passed at speeds that differ by a factor of a
-  /// hundred within milliseconds: there the profile lies far beyond the limits of jerk, but for a slow one. Nearer to
-  /// them the solver needs fewer steps, but where it fails in the end laws are often a little slower than from further
-  /// below, so that only what is as good as certain is taken.
+  /// Returns the starts in the order in which they are tried. Through kinematics, speeds along a path differ by a
+  /// factor of a hundred within milliseconds, and only a slow start is within the jerk limits. A start nearer to the
+  /// limits needs fewer steps but may end in a slower law, so its result is accepted only if it needs almost no
+  /// slowing.
   std::vector<Start> starts() const {
     using enum Smoothing;
     if (path_.cartesian()) return {{0.8, 0.1, even}, {0.7, 0.3}, {0.2, 1}, {0.02, 1}};
     return {{0.2, 1, narrowing, 1 + 1e-3}, {0.2, 1, even}, {0.7, 0.3}, {0.2, 1}, {0.02, 1}};
   }
-  /// The first of them that gives a law wherever there is one.
+  /// Returns the index of the first start that gives a law wherever one exists.
   std::size_t usual_start() const { return path_.cartesian() ? 0 : 1; }
 
-  /// Cells of a window. Through kinematics they are wider, and more of them divided: half as many fit the cache.
+  /// Returns the cells of a window. Through kinematics cells are wider and divided more often, so half as many fit the
+  /// cache.
   std::size_t usual_window() const { return path_.cartesian() ? options_.window : options_.window / 2; }
 
   void set_jerk_times() {
-    constexpr double at_once = 1.0 / 64;  // of the longest time
+    constexpr double at_once = 1.0 / 64;  // part of the longest time
     std::vector<double> times;
     for (const Limits& axis : machine_.axes)
       if (std::isfinite(axis.jerk)) times.push_back(axis.acceleration / axis.jerk);
@@ -83,54 +84,54 @@ class JerkSectionPlanner {
     jerk_time_ = *std::lower_bound(times.begin(), times.end(), at_once * times.back());
   }
 
-  /// A straight segment alone between two rests has a closed form.
+  /// Plans a straight segment alone between two rests in closed form; returns false for any other section.
   bool alone(std::size_t segment, JerkLimitedResult& result);
 
-  /// Lays the grid of a section, with its rough profile.
-  void build(std::size_t first, std::size_t last, ProgressScope& pulse);
+  /// Builds the grid of the section of segments [first, last), with its rough profile.
+  void build(std::size_t first, std::size_t last, ProgressScope& stage_progress);
 
-  /// Plans the section whose grid is at hand from the given start. Its pieces, slowed by `slow_`, then hold all limits;
-  /// kept in `best_` if they are the quickest so far. False: there may be something much better.
-  bool plan_whole(Start start, ProgressScope& pulse);
-  void keep_if_best(double duration);  ///< the pieces at hand; they are others then
+  /// Plans the section of the current grid from the given start. Its pieces, slowed by `slow_`, hold all limits and are
+  /// stored in `best_` if they are the fastest so far. Returns false if a much better law may exist.
+  bool plan_whole(Start start, ProgressScope& stage_progress);
+  void keep_if_best(double duration);  ///< stores the current pieces, by exchange
   void take_best();
 
-  /// After all else came to nothing: on an undivided grid v² gets a ceiling wherever the law before exceeded a limit,
-  /// by as much as the law had to be slowed there, until slowing the whole section costs little. Keeps what is quicker
-  /// than `best_`.
-  void plan_under_ceilings(ProgressScope& pulse);
+  /// Last method: on an undivided grid, v² gets a ceiling wherever the law before exceeded a limit, by as much as the
+  /// law had to be slowed there, until slowing the whole section costs little. Stores a law faster than `best_`.
+  void plan_under_ceilings(ProgressScope& stage_progress);
   /// Lowers the ceilings of the cells that exceed a limit.
   void lower_ceilings();
 
-  /// The same window by window; `from` … `to` is the share of progress. False: some window came to nothing, and the
-  /// grid at hand is the section's again.
+  /// Plans the section in windows; progress runs from `from` to `to`. Returns false if some window failed; the current
+  /// grid is then the section's.
   bool plan_windows(std::size_t window, double from, double to);
 
-  /// Makes about so many cells of the section's from `begin` on the grid at hand, to be passed from `entry_` to rest;
-  /// more, if the rest would slow most of them. Returns how many.
+  /// Makes about `cells` cells of the section from `begin` on the current grid, to be passed from `entry_` to rest;
+  /// more, if the rest would slow most of them. Returns their number.
   std::size_t take_window(std::size_t begin, std::size_t cells);
 
-  /// How much faster than the law that the window before threw away this one passes the same place.
+  /// Returns the ratio of this window's speed to the speed of the previous window's dropped law at one place of the
+  /// overlap.
   double speed_up() const;
 
-  /// Of the last nodes before which the rest at the window's end slows nothing, one about which no limit is exceeded
-  /// between the nodes, or as little as anywhere. O(1).
-  std::size_t calm_node() const;
+  /// Returns the node at which the window is cut: the last of the nodes that the rest at its end does not slow, about
+  /// which no limit is exceeded between the nodes, or the one with the smallest excess. O(1).
+  std::size_t cut_node() const;
 
-  /// Throws away what the rest at the window's end slows: what is left ends in motion.
-  void leave();
+  /// Drops the cells that the rest at the window's end slows; the remaining law ends in motion.
+  void drop_braking_tail();
 
-  /// Lets a first guess follow what the window before found, and blend over into its own.
-  void follow();
+  /// Replaces the beginning of the first guess by the previous window's law and blends over into the guess.
+  void blend_previous_window();
 
-  /// Solves the grid at hand from the given start. Returns the duration of the law slowed by `slow_`, infinite if it
-  /// came to nothing.
-  double attempt(Start start, ProgressScope& pulse);
+  /// Solves on the current grid from the given start. Returns the duration of the law slowed by `slow_`, or infinity on
+  /// failure.
+  double attempt(Start start, ProgressScope& stage_progress);
 
-  /// Solves, looks between the nodes, and solves again with a smaller gap.
-  void improve(double mu, ProgressScope& pulse);
+  /// Solves, evaluates peaks between the nodes, reduces shares, and solves again with a smaller gap.
+  void improve(double mu, ProgressScope& stage_progress);
 
-  /// `at`: a station of the grid or a point of the path.
+  /// `at` is a station of the grid or a point of the path.
   template <class Point>
   JerkStation<M> rows_of(const Point& at) const {
     JerkStation<M> r;
@@ -147,61 +148,62 @@ class JerkSectionPlanner {
     return node > 0 && node < grid_.cells.size() && grid_.cells[node].segment != grid_.cells[node - 1].segment;
   }
 
-  /// Largest v² per node: velocity limits, feeds, joints.
-  void caps(LargeVector<double>& cap, ProgressScope& pulse) const;
+  /// Computes the largest v² per node from velocity limits, feeds and joints.
+  void caps(LargeVector<double>& cap, ProgressScope& stage_progress) const;
 
-  /// The first (or last) inner Bernstein coefficient that the limits on v² leave a cell: of φ(s) it is φ ± h/3 φ′, and
-  /// never needs to be below both ends' values.
+  /// Returns the first (or last) inner Bernstein coefficient of v² that the limits φ(s) on v² allow in a cell: φ ± h/3
+  /// φ′, at least the smaller of both ends' values.
   double cell_cap(std::size_t c, bool at_end) const;
 
-  /// The largest path acceleration at a place passed with at most this v².
+  /// Returns the largest path acceleration at a place passed with at most this v², mm/s².
   double steepest(const Station<N>& at, double b) const;
 
-  void rough(ProgressScope& pulse);
+  void rough(ProgressScope& stage_progress);
 
-  /// Cells in the midst of a stretch that the rough profile passes at one speed, far from every limit: `steady_`.
+  /// Marks in `steady_` the cells of parts that the rough profile passes at one speed, far from every limit.
   void find_steady();
 
-  /// Nodes where the law needs them, by a rough profile.
-  void lay(ProgressScope& pulse);
+  /// Divides the grid by the rough profile, so that there are nodes where the law needs them.
+  void build_grid(ProgressScope& stage_progress);
 
-  /// Parts of equal length take unequal times where the law gathers speed: marks those that take much longer than they
-  /// should. False = there are none.
+  /// Marks cells that take much longer than their neighbours, as cells of equal length do where the law accelerates
+  /// from rest. Returns false if there are none.
   bool mark_long();
 
-  /// What the solver may do with jerk: no more than takes an axis from one limit of its acceleration to the other in a
-  /// quarter of a mean cell that is not steady. A larger jerk gains nothing that the grid could show, and without any
-  /// limit along some axis the law would swing between the nodes.
+  /// Lowers jerk limits that the grid cannot resolve: to what takes an axis from −A to A in a quarter of a mean cell
+  /// that is not steady. Without any jerk limit of some axis the law would oscillate between the nodes.
   void soften();
 
-  /// From the rough profile of the grid as it is; part 0: rest to rest by one bow, v² ~ (s (L − s)/L)^(4/3).
-  void guess(Start start, ProgressScope& pulse);
+  /// Sets the first guess from the rough profile of the current grid. Part 0 gives v² ~ (s (L − s)/L)^(4/3) from rest
+  /// to rest.
+  void guess(Start start, ProgressScope& stage_progress);
 
-  /// The part of the jerk limits that a cell may use at most: beside a needle point an eighth of the least one along
-  /// the path. From rest v a = 3 j s and v³ = 4.5 j s², so what turns there unseen takes up to five times j.
+  /// Returns the largest usable part of a cell's jerk limits: beside a needle point an eighth of the least one along
+  /// the path. From rest v a = 3 j s and v³ = 4.5 j s², so a turn that path length does not resolve takes up to five
+  /// times j.
   double needle_part(std::size_t c) const;
-  void pose(ProgressScope& pulse);
+  void build_problem(ProgressScope& stage_progress);
 
-  /// Rows for the acceleration between nodes: in long cells, and, once there is a law to look at, where an axis comes
-  /// near its limit.
-  void pose_middles(bool looked, ProgressScope& pulse);
+  /// Builds the rows for the acceleration between nodes: in long cells, and, if a law exists (`looked`), where an axis
+  /// comes near its limit.
+  void build_middle_rows(bool looked, ProgressScope& stage_progress);
 
   void add_node(std::size_t node, const JerkStation<M>& s, const std::array<double, M>& inverse);
 
-  /// How long the law at hand takes for a cell, s.
+  /// Returns the duration of a cell in the current law, s.
   double duration(std::size_t c) const { return jerk_piece(state_[c], state_[c + 1], grid_.length(c)).duration; }
 
-  /// Where acceleration rises from rest or in a trough of v² the law stays slower for all that follows: the part of the
-  /// cell's duration that a jerk as large as allowed would save, if the change of acceleration is one worth a node.
+  /// Returns the part of the cell's duration that the largest allowed jerk would save, if the change of acceleration is
+  /// worth a node. Where acceleration rises from rest or in a minimum of v², the law stays slower afterwards.
   double slack_ramp(std::size_t c, double change, double jerk) const;
 
-  /// Where the law switches inside a cell its jerk ramps instead of jumping: a deficit of speed that lasts for about
-  /// a/j. Estimates what that costs and marks cells for division until the sum stays below the tolerance. False =
+  /// Marks cells for division in which the law switches, until the estimated loss is below the tolerance. Inside such a
+  /// cell jerk ramps instead of jumping, which costs a deficit of speed for about a/j. Returns false if there is
   /// nothing to divide.
-  bool mark(ProgressScope& pulse);
+  bool mark(ProgressScope& stage_progress);
 
-  /// Divides the grid and carries the law over.
-  void refine(ProgressScope& pulse);
+  /// Divides the grid and transfers the law to it.
+  void refine(ProgressScope& stage_progress);
 
   double feed(std::size_t c) const { return std::min(feed_[grid_.cells[c].segment], options_.path.velocity); }
 
@@ -209,10 +211,10 @@ class JerkSectionPlanner {
     double v = 0, a = 0, j = 0;
   };
 
-  /// The path within every curved cell, from its middle and ends, for measure().
-  void look_half_way(ProgressScope& pulse);
+  /// Evaluates the path at the middle and the ends of every curved cell, for measure().
+  void look_half_way(ProgressScope& stage_progress);
 
-  /// The place of a segment at which the path is looked at where a law is at `s`: no nearer to a cusp than path length
+  /// Returns the place at which the path is evaluated where a law is at `s`: no nearer to a cusp than path length
   /// resolves.
   double looked_at(std::size_t segment, double s) const {
     constexpr double nearest = 64 * std::numeric_limits<double>::epsilon();
@@ -222,16 +224,17 @@ class JerkSectionPlanner {
     return std::max(s, begin);
   }
 
-  /// Peaks of a cell, from samples and against what the solver may use; `exact`: of the path itself, against the true
-  /// limits.
+  /// Returns the peaks of a cell from samples, relative to what the solver may use; with `exact` from the path itself,
+  /// relative to the true limits.
   CellPeaks<M> peaks_of(std::size_t cell, bool exact) const;
-  /// Of every cell.
-  void measure(bool exact, ProgressScope& pulse);
+  /// Computes the peaks of every cell.
+  void measure(bool exact, ProgressScope& stage_progress);
 
-  /// Continuous peaks on the path itself wherever samples leave a doubt, and what holds at nodes alone: afterwards
-  /// `worst_` is what the section has to be slowed by. Positions are rounded as those of the finished law are: on
-  /// micrometres far from the path's begin that noise shows, and the peaks' outer bounds contain it.
-  void certify(ProgressScope& pulse);
+  /// Computes continuous peaks on the path itself wherever samples leave a doubt, and the limits that hold at nodes
+  /// only; afterwards `worst_` is the factor by which the section has to be slowed. Positions are rounded as in the
+  /// finished law: on micrometres far from the path's beginning that rounding is visible, and the peaks' outer bounds
+  /// contain it.
+  void certify(ProgressScope& stage_progress);
 
   void raise(const CellPeaks<M>& peaks) {
     worst_.v = std::max(worst_.v, peaks.velocity);
@@ -241,17 +244,17 @@ class JerkSectionPlanner {
     }
   }
 
-  /// Marks cells for division, besides those that are marked, in which shares of the limit of jerk do not help. False =
-  /// there are none.
-  bool stubborn();
+  /// Marks for division the cells in which shares of the jerk limit do not help, in addition to those marked already.
+  /// Returns false if there are none.
+  bool mark_unresolved_cells();
 
-  /// Cells that exceed a limit between their nodes get a smaller share of it, by so many times the excess; of
-  /// accelerations, if these are looked at.
+  /// Reduces the shares of cells that exceed a limit between their nodes, by `times` the excess; with `acceleration`
+  /// also those of acceleration limits.
   void tighten(double times, bool acceleration);
 
-  /// Appends the law's pieces to `pieces_`, and finds by how much they have to be slowed for what still exceeds a
-  /// limit. Returns their duration then, infinite if they are no law.
-  double emit(ProgressScope& pulse);
+  /// Appends the law's pieces to `pieces_` and computes the slowing that the remaining excess requires. Returns the
+  /// slowed duration, or infinity if the pieces are no law.
+  double emit(ProgressScope& stage_progress);
 
   const LanePath<N>& path_;
   const Machine& machine_;
@@ -260,32 +263,32 @@ class JerkSectionPlanner {
   const Sections& sections_;
   Progress& progress_;
   RowLimits<M> limit_, soft_;
-  /// In which jerk brings an axis to its full acceleration, s: the shortest, and that of those axes next to whose time
-  /// others are no time at all. An axis whose jerk is limited by a thousand times as much as another's would have the
-  /// whole grid follow it, for nothing.
+  /// Time in which jerk brings an axis to its full acceleration, s: the shortest one, and the shortest among axes whose
+  /// time is not negligible. An axis with a thousand times the jerk of another one must not determine the whole grid.
   double shortest_jerk_time_ = 0, jerk_time_ = 0;
-  Grid<N> grid_, section_grid_;  // at hand, and the section's when that is a window of it
+  Grid<N> grid_, section_grid_;  // the current grid, and the section's if the current one is a window
   RoughProfile rough_, section_rough_;
-  JerkNode entry_, exit_;  // states at both ends: rest but in windows
+  JerkNode entry_, exit_;  // states at both ends: rest, except in windows
   static constexpr std::size_t all_cells = std::numeric_limits<std::size_t>::max();
   double share_ = jerk_section_detail::full_share;
-  LargeVector<double> ceiling_;   // of v² per node of the grid at hand; empty: none
-  bool divides_ = true;           // cells in which the law switches
-  std::size_t keep_ = all_cells;  // cells of a window that the rest at its end does not slow
-  /// Whether caps of nodes leave the cells beside them more room (pose()), and whether they may not: the solver
-  /// diverged.
+  LargeVector<double> ceiling_;   // of v² per node of the current grid; empty: none
+  bool divides_ = true;           // whether cells in which the law switches are divided
+  std::size_t keep_ = all_cells;  // number of cells of a window that the rest at its end does not slow
+  /// Whether caps of nodes give the cells beside them more room (build_problem()), and whether that is forbidden
+  /// because the solver diverged.
   bool wider_caps_ = false, strict_caps_ = false;
-  double overlap_ = 1, sped_up_ = 1;        // of windows, in what is hoped for; what it was too short for
-  LargeVector<JerkNode> tail_, next_tail_;  // what the window before, and this one, found behind these
+  double overlap_ = 1,
+         sped_up_ = 1;  // factor of the windows' overlap; speed_up() of the window whose overlap was too short
+  LargeVector<JerkNode> tail_, next_tail_;  // laws behind the cut of the previous window and of this one
   LargeVector<double> cap_, loss_, longest_;
   LargeVector<std::uint8_t> steady_;
   LargeVector<Division> division_;
-  LargeVector<JerkNode> state_, before_;  // as solved, and before
+  LargeVector<JerkNode> state_, before_;  // the solution, and the one before
   JerkProblem<M> problem_;
   JerkSolver<M> solver_;
-  LargeVector<CellPath<M>> shape_;  // of curved cells
+  LargeVector<CellPath<M>> shape_;  // per curved cell
   LargeVector<CellPeaks<M>> peaks_;
-  bool certain_ = false;  ///< whether these are the path's own, of the states at hand, against the true limits
+  bool certain_ = false;  ///< whether peaks_ are exact ones of the current states
   Worst worst_;
   LargeVector<LawPiece> pieces_, best_;
   double slow_ = 1, best_duration_ = unlimited, best_slow_ = 1, work_ = 0;

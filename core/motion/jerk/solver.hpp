@@ -3,19 +3,18 @@
 /// multipliers of every row [Wright: Primal-Dual Interior-Point Methods, 1997; Nocedal, Wright: Numerical Optimization,
 /// ch. 19].
 ///
-/// The unknowns of a node couple to the next node's only, so one Newton step is a block-tridiagonal Cholesky
-/// factorisation with 2 × 2 blocks. Rows are linearised where the iterate is; of the second derivatives only the
-/// objective's convex part is kept. The complementarity of a row is driven to μ times the duration of its cell, so that
-/// the gap Σ s z is shared out like time, and no further than the gap asked for: multipliers that are nearly zero would
-/// stand in the way of the next change of shares. Going on from a solution, each stretch of the section takes as much
-/// of a step as it can (steps.hpp), so that the number of steps grows little with the section.
+/// The unknowns of a node are coupled to the next node's only, so one Newton step is a block-tridiagonal Cholesky
+/// factorisation with 2 × 2 blocks. Rows are linearised at the iterate; only the objective's convex part of the second
+/// derivatives is used. The complementarity target of a row is μ times the duration of its cell, and no smaller than
+/// the requested gap needs: multipliers near zero would impede the next change of shares. When the solver continues
+/// from a solution, each part of the section takes the largest step that it can (steps.hpp), so the number of steps
+/// grows little with the length of the section.
 ///
-/// The section is worked on from both its ends at once, towards its middle, with a cell of either half in a vector
-/// register (rows.hpp). The second half is passed backwards in time, which turns the sign of a and leaves b and
-/// jerk as they are: so both halves are the same problem, and their elimination the same calculation. What is left of
-/// both at the node in the middle gives its step. adopt.cpp brings the problem into that form. Cost: O(cells) per
-/// step, 0.11 µs per cell with two axes, 1 kB of memory each; 9 to 14 steps from a rough start to a gap of 3e-2, about
-/// as many again to 1e-4.
+/// The elimination runs from both ends of the section towards its middle, with one cell of each half in a vector
+/// register (rows.hpp). The second half is traversed backwards in time, which changes the sign of a and leaves b and
+/// jerk unchanged, so both halves have one form. The remaining block of the node in the middle gives its step.
+/// adopt.cpp brings the problem into this form. Cost: O(cells) per step, 0.11 µs per cell with two axes, 1 kB of memory
+/// per cell; 9 to 14 steps from a rough start to a gap of 3e-2, about as many again to 1e-4.
 #include <algorithm>
 #include <cstddef>
 
@@ -28,14 +27,14 @@
 namespace bahnwerk {
 
 struct JerkSolverOptions {
-  double gap = 1e-5;        ///< complementarity relative to the duration at which to stop
-  double violation = 1e-6;  ///< of rows, relative to their limits
+  double gap = 1e-5;        ///< complementarity relative to the duration at which the solver stops
+  double violation = 1e-6;  ///< of rows, relative to their limits, at which the solver stops
   int iterations = 60;
 };
 
 struct JerkSolverResult {
   int iterations = 0;
-  double duration = 0, gap = 0, violation = 0;  ///< at the last iterate; gap relative
+  double duration = 0, gap = 0, violation = 0;  ///< at the last iterate; gap and violation are relative
   double mu = 0;                                ///< mean complementarity reached
   bool converged = false;
 };
@@ -43,31 +42,31 @@ struct JerkSolverResult {
 template <int M>
 class JerkSolver {
  public:
-  /// From the states in `x` (inner nodes b > 0), which it improves in place. Both end nodes stay as they are: at rest,
-  /// or, where b > 0, in motion. `mu` is where the barrier starts (1 for a rough start, small for one near the
-  /// solution); 0 goes on from the last solution after a change of shares.
+  /// Improves the states in `x` (inner nodes b > 0) in place. Both end nodes stay as they are: at rest, or, where b >
+  /// 0, in motion. `mu` is the initial barrier parameter (1 for a rough start, small near the solution); 0 continues
+  /// from the last solution after a change of shares.
   JerkSolverResult solve(const JerkProblem<M>& problem, LargeVector<JerkNode>& x, double mu,
-                         const JerkSolverOptions& options, ProgressScope& pulse);
+                         const JerkSolverOptions& options, ProgressScope& progress);
 
-  /// Adds to every cell of the last problem the time that shares of its limits of jerk below 1 cost, s: to first order,
-  /// by the rows' multipliers.
+  /// Adds to `cost`, per cell of the last problem, the time that shares of its jerk limits below 1 cost, s, to first
+  /// order by the rows' multipliers.
   void add_share_costs(LargeVector<double>& cost) const;
 
  private:
-  /// Cell g of either half, their rows and all that these need. Lanes that stand for no inner node or no cell have rows
-  /// without gradients and next to no weight.
+  /// Cell g of each half with its rows. Lanes that represent no inner node or no cell have rows without gradients and a
+  /// negligible weight.
   struct Cells {
-    Twin h, weight;
-    JerkCellOf<Twin> law;
-    std::array<JerkEndRows<Twin, M>, 2> end;
+    Lane2 h, weight;
+    JerkCellOf<Lane2> law;
+    std::array<JerkEndRows<Lane2, M>, 2> end;
   };
-  /// Likewise nodes; the one in the middle is the first half's.
+  /// Node i of each half with its rows; the node in the middle belongs to the first half.
   struct Nodes {
-    Twin weight;
-    Twin length;                           ///< of both cells next to it
-    std::array<Twin, 2> cap, slope;        ///< rows cap (b + slope a) ≤ 1 towards the outer and the inner cell
-    std::array<JerkSide<Twin>, 2> capped;  ///< their states
-    JerkNodeRows<Twin, M> rows;
+    Lane2 weight;
+    Lane2 length;                           ///< of both neighbouring cells
+    std::array<Lane2, 2> cap, slope;        ///< rows cap (b + slope a) ≤ 1 towards the outer and the inner cell
+    std::array<JerkSide<Lane2>, 2> capped;  ///< their states
+    JerkNodeRows<Lane2, M> rows;
   };
   /// Further rows of one node.
   struct Joint {
@@ -76,47 +75,47 @@ class JerkSolver {
   };
   struct Middles {
     std::size_t cells = 0;
-    Twin weight;
-    JerkMiddleRows<Twin, M> rows;
+    Lane2 weight;
+    JerkMiddleRows<Lane2, M> rows;
   };
-  /// What the nodes' b, a and speeds are at the outer and the inner end of two cells.
+  /// b, a and speeds of the nodes at the outer and the inner end of two cells.
   struct Ends {
-    Twin b1, a1, v1, w1, b2, a2, v2, w2;
+    Lane2 b1, a1, v1, w1, b2, a2, v2, w2;
   };
 
   void adopt(const LargeVector<JerkNode>& x);
   void adopt_nodes();
   void adopt_cells();
-  /// False: they are others than before, and need to be started.
+  /// Returns false if these cells differ from the previous ones and have to be initialised.
   bool adopt_middles();
   static void take_middle(const MiddleRows<M>& rows, std::size_t half, Middles& to);
-  void start(double mu, ProgressScope& pulse);
+  void start(double mu, ProgressScope& progress);
   void start_middles(double mu);
   void move_nodes();
   void evaluate(std::size_t g, const Ends& x);
-  NodeBlock<Twin> assemble_nodes(std::size_t i, JerkTotals<Twin>& totals);
-  CellMatrix<Twin> assemble_cells(std::size_t g, std::size_t& next_middle, JerkTotals<Twin>& totals);
+  NodeBlock<Lane2> assemble_nodes(std::size_t i, JerkTotals<Lane2>& totals);
+  CellMatrix<Lane2> assemble_cells(std::size_t g, std::size_t& next_middle, JerkTotals<Lane2>& totals);
   bool joint_at(std::size_t i, std::size_t next) const { return next < joints_.size() && joints_[next].node == i; }
-  NodeBlock<Twin> assemble_joint(Joint& joint, JerkTotals<double>& totals);
+  NodeBlock<Lane2> assemble_joint(Joint& joint, JerkTotals<double>& totals);
   /// Eliminates the nodes next to the section's ends.
-  void eliminate_first(const NodeBlock<Twin>& now, const CellMatrix<Twin>& K, NodeBlock<Twin>& after);
-  /// The step of the node in the middle from what both halves leave of it.
-  JerkNode meet(const NodeBlock<Twin>& blocks) const;
-  void assemble(ProgressScope& pulse);
-  void direct_cells(std::size_t g, std::size_t& next_middle, Twin& primal, Twin& dual);
-  void direct_nodes(std::size_t i, std::size_t& next_joint, Twin& primal, Twin& dual);
-  void direction(ProgressScope& pulse);
+  void eliminate_first(const NodeBlock<Lane2>& now, const CellMatrix<Lane2>& K, NodeBlock<Lane2>& after);
+  /// Returns the step of the node in the middle from the remaining blocks of both halves.
+  JerkNode meet(const NodeBlock<Lane2>& blocks) const;
+  void assemble(ProgressScope& progress);
+  void direct_cells(std::size_t g, std::size_t& next_middle, Lane2& primal, Lane2& dual);
+  void direct_nodes(std::size_t i, std::size_t& next_joint, Lane2& primal, Lane2& dual);
+  void direction(ProgressScope& progress);
 
   Ends ends(std::size_t g) const { return {b_[g], a_[g], v_[g], w_[g], b_[g + 1], a_[g + 1], v_[g + 1], w_[g + 1]}; }
-  /// The section's end at which a half begins.
+  /// Whether the section's end at which a half begins is at rest.
   bool rests(std::size_t half) const { return !(b_[0][half] > 0); }
-  /// An odd number of cells leaves the second half with one less than groups_: in its place is one that weighs nothing,
-  /// and its last node is the one in the middle.
-  bool odd() const { return n_ % twin != 0; }
+  /// Whether the number of cells is odd. The second half then has one cell less than groups_; a cell of negligible
+  /// weight takes its place, and its last node is the one in the middle.
+  bool odd() const { return n_ % lane_count != 0; }
   bool missing(std::size_t g, std::size_t half) const { return half == 1 && odd() && g + 1 == groups_; }
   std::size_t node_of(std::size_t i, std::size_t half) const { return half == 0 ? i : n_ - i; }
   std::size_t cell_of(std::size_t g, std::size_t half) const { return half == 0 ? g : n_ - 1 - g; }
-  /// Of cell g of a half, which may be the other half's last one: beyond the node in the middle.
+  /// Returns the weight of cell g of a half; beyond the node in the middle it is a cell of the other half.
   double cell_weight(std::size_t g, std::size_t half) const {
     return g < groups_ ? cells_[g].weight[half] : cells_[n_ - 1 - g].weight[1 - half];
   }
@@ -124,20 +123,20 @@ class JerkSolver {
   bool holds(std::size_t i, std::size_t half) const { return i > 0 && (half == 0 ? i <= groups_ : i < n_ - groups_); }
 
   const JerkProblem<M>* problem_ = nullptr;
-  std::size_t n_ = 0, groups_ = 0;   ///< cells, and of them in the longer half
-  LargeVector<Twin> b_, a_, v_, w_;  ///< per node: v², a, v, 1/(2v); the last is 0 at rest
-  LargeVector<Twin> db_, da_;
+  std::size_t n_ = 0, groups_ = 0;    ///< number of cells, and of cells in the longer half
+  LargeVector<Lane2> b_, a_, v_, w_;  ///< per node: v², a, v, 1/(2v); the last is 0 at rest
+  LargeVector<Lane2> db_, da_;
   LargeVector<Cells> cells_;
   LargeVector<Nodes> nodes_;
   LargeVector<Joint> joints_;
   LargeVector<Middles> middles_;
-  LargeVector<std::size_t> posed_middles_;  ///< their cells
-  std::size_t posed_cells_ = 0;             ///< of the section then
-  LargeVector<Elimination<Twin>> elimination_;
+  LargeVector<std::size_t> prepared_middles_;  ///< cells of the middle rows when they were initialised
+  std::size_t prepared_cells_ = 0;             ///< cells of the section at that time
+  LargeVector<Elimination<Lane2>> elimination_;
   JerkNode middle_;  ///< step of the node in the middle
   JerkSteps steps_;
-  double target_ = 0;  ///< μ aimed at
-  double duration_ = 0, gap_ = 0, violation_ = 0, scale_ = 0, promise_ = 0;
+  double target_ = 0;  ///< target of μ
+  double duration_ = 0, gap_ = 0, violation_ = 0, scale_ = 0, predicted_decrease_ = 0;
 };
 
 extern template class JerkSolver<2>;

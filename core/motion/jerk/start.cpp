@@ -7,8 +7,8 @@ namespace bahnwerk {
 
 namespace {
 
-/// The smaller one of `most` and v² after a way h from b, growing as from rest with constant jerk, b = (9/2 J
-/// s²)^(2/3), and with at most the acceleration.
+/// Returns the smaller one of `most` and the v² at the distance h from b, growing as from rest with constant jerk, b =
+/// (9/2 J s²)^(2/3), and with at most the acceleration.
 double grow(double most, double b, double h, double acceleration, double jerk) {
   most = std::min(most, b + 2 * acceleration * h);
   if (!std::isfinite(jerk)) return most;
@@ -59,7 +59,7 @@ PathLimits path_limits(const Station<N>& at, const Machine& machine, const Limit
 
 template <int N>
 void rough_profile(const Grid<N>& grid, const std::vector<double>& feed, const Machine& machine, const Limits& path,
-                   const LargeVector<double>& node_cap, RoughProfile& profile, ProgressScope& pulse) {
+                   const LargeVector<double>& node_cap, RoughProfile& profile, ProgressScope& progress) {
   const std::size_t n = grid.cells.size();
   auto& b = profile.b;
   b.assign(node_cap.begin(), node_cap.end());
@@ -68,14 +68,14 @@ void rough_profile(const Grid<N>& grid, const std::vector<double>& feed, const M
     return path_limits<N>(at, machine, path, feed[grid.cells[c].segment]);
   };
   for (std::size_t c = 0; c < n; ++c) {
-    pulse(c, n);
+    progress(c, n);
     const PathLimits l = limits(grid.left(c), c), r = limits(grid.right(c), c);
     if (!grid.cells[c].cusp_left) b[c] = std::min(b[c], l.cap);
     if (!grid.cells[c].cusp_right) b[c + 1] = std::min(b[c + 1], r.cap);
     b[c + 1] = grow(b[c + 1], b[c], grid.length(c), part * l.acceleration, part * l.jerk);
   }
   for (std::size_t c = n; c-- > 0;) {
-    pulse(n - 1 - c, n);
+    progress(n - 1 - c, n);
     backward(grid, c, limits(grid.right(c), c), profile);
   }
 }
@@ -94,7 +94,7 @@ std::size_t brake(const Grid<N>& grid, const std::vector<double>& feed, const Ma
 }
 
 template <int N>
-void smooth(const Grid<N>& grid, double window, Smoothing smoothing, RoughProfile& profile, ProgressScope& pulse) {
+void smooth(const Grid<N>& grid, double window, Smoothing smoothing, RoughProfile& profile, ProgressScope& progress) {
   const bool narrowing = smoothing == Smoothing::narrowing;
   // Times v²: a narrow trough may be as narrow for a good reason, a cusp for instance. Narrow windows show less of what
   // is beside it.
@@ -119,7 +119,7 @@ void smooth(const Grid<N>& grid, double window, Smoothing smoothing, RoughProfil
     return s[c] + x * (v0 + x * (3 * h - 2 * v0 - v1 + x * (v0 + v1 - 2 * h)));
   };
   std::size_t from = 0, to = 0;
-  /// The square of the mean speed within a time w of node i. O(1) if nodes are asked for in their order.
+  /// Returns the square of the mean speed within a time w of node i. O(1) for queries in the order of nodes.
   const auto mean = [&](std::size_t i, double w) {
     while (from > 0 && t[from] > t[i] - w) --from;  // where windows widen their begin may go back
     while (from + 1 < i && t[from + 1] <= t[i] - w) ++from;
@@ -131,7 +131,7 @@ void smooth(const Grid<N>& grid, double window, Smoothing smoothing, RoughProfil
   for (std::size_t i = 0; i <= n; ++i) half[i] = std::min({0.5 * window, t[i], t[n] - t[i]});
   if (narrowing) {
     for (std::size_t i = 1; i < n; ++i) {
-      pulse(i, n);
+      progress(i, n);
       for (int k = 0; k < most_halvings && half[i] > 0 && mean(i, half[i]) > most * b[i]; ++k) half[i] *= 0.5;
     }
     for (std::size_t i = 1; i <= n; ++i) half[i] = std::min(half[i], half[i - 1] + widening * (t[i] - t[i - 1]));
@@ -140,7 +140,7 @@ void smooth(const Grid<N>& grid, double window, Smoothing smoothing, RoughProfil
   }
   smooth_b.assign(b.begin(), b.end());
   for (std::size_t i = 1; i < n; ++i) {
-    pulse(i, n);
+    progress(i, n);
     if (half[i] > 0) smooth_b[i] = std::min(mean(i, half[i]), most * b[i]);
   }
 }

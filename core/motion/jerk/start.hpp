@@ -1,8 +1,9 @@
 #pragma once
-/// A rough speed profile of one section: where the interior-point method starts and by which the grid is laid.
+/// A rough speed profile of one section, from which the interior-point method starts and by which the grid is divided.
 ///
-/// Caps from velocity, curvature and h‴, then one pass each way that lets v² grow no faster than from rest with a
-/// constant jerk, v² = (9/2 J s²)^(2/3), and no faster than 2 A. Neither optimal nor feasible. O(nodes).
+/// It consists of caps from velocity, curvature and h‴ and one forward and one backward pass, in which v² grows no
+/// faster than from rest with a constant jerk, v² = (9/2 J s²)^(2/3), and no faster than 2 A. It is neither optimal nor
+/// feasible. O(nodes).
 #include <vector>
 
 #include "core/base/progress_scope.hpp"
@@ -12,7 +13,7 @@
 
 namespace bahnwerk {
 
-/// What the axes allow along the path at one place.
+/// Limits along the path at one place.
 struct PathLimits {
   double cap = unlimited;           ///< of v², mm²/s²
   double acceleration = unlimited;  ///< along a straight, mm/s²
@@ -22,31 +23,31 @@ struct PathLimits {
 template <int N>
 PathLimits path_limits(const Station<N>& at, const Machine& machine, const Limits& path, double feed);
 
-/// v² at every node, and how long each cell then takes, s, about (rest at the ends of cells allowed).
+/// v² at every node, and the approximate duration of each cell, s (with rest at its ends allowed).
 struct RoughProfile {
   LargeVector<double> b, duration;
-  LargeVector<double> smooth_b;     ///< by smooth()
-  LargeVector<double> s, t;         ///< of the nodes, from the section's begin: by smooth()
-  LargeVector<double> half_window;  ///< s, per node: by smooth()
+  LargeVector<double> smooth_b;     ///< made by smooth()
+  LargeVector<double> s, t;         ///< of the nodes, from the section's beginning; made by smooth()
+  LargeVector<double> half_window;  ///< s, per node; made by smooth()
 };
-/// `node_cap`: largest v² per node, from joints and feeds; zero at both ends.
+/// `node_cap` is the largest v² per node from joints and feeds; zero at both ends.
 template <int N>
 void rough_profile(const Grid<N>& grid, const std::vector<double>& feed, const Machine& machine, const Limits& path,
-                   const LargeVector<double>& node_cap, RoughProfile& profile, ProgressScope& pulse);
+                   const LargeVector<double>& node_cap, RoughProfile& profile, ProgressScope& progress);
 
-/// Brings a profile to rest at its end. Returns the node up to which it stays what it was, 0 if it does nowhere.
-/// O(nodes changed).
+/// Brings a profile to rest at its end. Returns the last node whose value is unchanged, 0 if there is none. O(nodes
+/// changed).
 template <int N>
 std::size_t brake(const Grid<N>& grid, const std::vector<double>& feed, const Machine& machine, const Limits& path,
                   RoughProfile& profile);
 
-/// `narrowing`: less time where the profile has a trough so narrow that its mean would be out of all proportion.
+/// `narrowing` averages over less time where the profile has a minimum so narrow that its mean would be far too large.
 enum class Smoothing { none, even, narrowing };
 
-/// Rounds off the kinks of a profile, at which jerk would be out of all proportion: `smooth_b` becomes the square of
-/// its mean speed over this time, s, less next to the section's ends. O(nodes).
+/// Smooths the tangent jumps of a profile, at which jerk would be far too large: `smooth_b` becomes the square of the
+/// mean speed over `window` s, over less next to the section's ends. O(nodes).
 template <int N>
-void smooth(const Grid<N>& grid, double window, Smoothing smoothing, RoughProfile& profile, ProgressScope& pulse);
+void smooth(const Grid<N>& grid, double window, Smoothing smoothing, RoughProfile& profile, ProgressScope& progress);
 
 extern template PathLimits path_limits<2>(const Station<2>&, const Machine&, const Limits&, double);
 extern template PathLimits path_limits<3>(const Station<3>&, const Machine&, const Limits&, double);

@@ -1,5 +1,5 @@
 #pragma once
-/// Which part of a Newton step each cell takes (core/numeric/gradual.hpp).
+/// Step lengths of a Newton step per cell (core/numeric/gradual.hpp).
 #include <algorithm>
 
 #include "core/motion/jerk/rows.hpp"
@@ -8,40 +8,41 @@
 
 namespace bahnwerk {
 
-/// In the order of solver.hpp: both halves of the section from its ends inwards.
+/// The order is that of solver.hpp: both halves of the section from its ends inwards.
 struct JerkSteps {
-  LargeVector<Twin> primal, dual;  ///< per cell: first 1/(the part that reaches a wall), after fit() the part taken
-  LargeVector<Twin> node_primal, node_dual;  ///< per node: the smaller part of both its cells
+  LargeVector<Lane2> primal,
+      dual;  ///< per cell: first 1/(part of the step that reaches a boundary), after fit() the part taken
+  LargeVector<Lane2> node_primal, node_dual;  ///< per node: the smaller part of both its cells
   double mean_primal = 0, mean_dual = 0;
 
   void still(std::size_t cells) {
-    primal.assign(cells, Twin{});
-    dual.assign(cells, Twin{});
-    node_primal.assign(cells + 1, Twin{});
-    node_dual.assign(cells + 1, Twin{});
+    primal.assign(cells, Lane2{});
+    dual.assign(cells, Lane2{});
+    node_primal.assign(cells + 1, Lane2{});
+    node_dual.assign(cells + 1, Lane2{});
   }
-  /// `reach` is the part of the way to the wall that may be taken; `even` the same part everywhere. `odd`: the last
-  /// cell of the second half is the first half's last one once more.
+  /// Chooses the parts. `reach` is the usable part of the distance to the boundary; `even` uses one part everywhere;
+  /// `odd` says that the last cell of the second half repeats the last one of the first half.
   void fit(double reach, bool even, bool odd) {
     mean_primal = fit(primal, node_primal, reach, even, odd);
     mean_dual = fit(dual, node_dual, reach, even, odd);
   }
 
  private:
-  static double fit(LargeVector<Twin>& part, LargeVector<Twin>& node, double reach, bool even, bool odd) {
+  static double fit(LargeVector<Lane2>& part, LargeVector<Lane2>& node, double reach, bool even, bool odd) {
     const std::size_t n = part.size();
     if (even) {
-      Twin most = all(reach);
-      for (const Twin p : part) most = larger(most, p);
+      Lane2 most = all(reach);
+      for (const Lane2 p : part) most = larger(most, p);
       const double taken = reach / largest(most);
       part.assign(n, all(taken));
       node.assign(n + 1, all(taken));
       return taken;
     }
-    Twin last = all(1), sum{};
-    for (Twin& p : part) last = p = smaller(smaller(all(1), reach / p), next_part(last));
-    // On across the middle, where either half meets the other one.
-    const Twin other = {last[1], last[0]};
+    Lane2 last = all(1), sum{};
+    for (Lane2& p : part) last = p = smaller(smaller(all(1), reach / p), next_part(last));
+    // The sweep continues across the middle, where both halves meet.
+    const Lane2 other = {last[1], last[0]};
     part[n - 1] = smaller(last, odd ? other : next_part(other));
     last = all(1);
     for (std::size_t c = n; c-- > 0;) {
@@ -52,7 +53,7 @@ struct JerkSteps {
     const double middle = odd ? node[n - 1][1] : std::min(part[n - 1][0], part[n - 1][1]);
     node[n] = all(middle);
     const double twice = odd ? part[n - 1][1] : 0;
-    return (sum[0] + sum[1] - twice) / static_cast<double>(odd ? twin * n - 1 : twin * n);
+    return (sum[0] + sum[1] - twice) / static_cast<double>(odd ? lane_count * n - 1 : lane_count * n);
   }
 };
 

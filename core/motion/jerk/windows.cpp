@@ -1,8 +1,7 @@
-/// Long sections window by window. A window is a stretch of the section's cells, passed from the state in which the
-/// window before it was left to rest at its own end. Once the solver is roughly there, what that rest slows is thrown
-/// away, and the state at the end of what is kept stays as it is from then on: still a little inside of all limits, so
-/// that the next window has room to move. Its loss is a small part of the time that it takes to make up for a small
-/// difference of speed.
+/// Plans long sections in windows. A window is a range of the section's cells, passed from the state at which the
+/// previous window was cut to rest at its own end. After a rough solution the cells that this rest slows are dropped,
+/// and the state at the cut is final: slightly inside all limits, so that the next window has an interior. The loss is
+/// a small part of the time that a small difference of speed costs.
 #include <algorithm>
 #include <cmath>
 
@@ -19,8 +18,8 @@ namespace {
 /// Before braking begins, by the rough profile, a law may still differ from that of the whole section: for so long, in
 /// A/J and in braking times, is hoped at first.
 constexpr double jerk_times = 5, braking_times = 5;
-/// Half-way through what was thrown away, the next window's law must not be faster than the one thrown away was by more
-/// than this: else the window's end slowed even what was kept.
+/// Half-way through the dropped part, the next window's law must not be faster than the dropped one by more than this;
+/// otherwise the window's end has slowed the remaining cells, too.
 constexpr double untouched = 1.01;
 constexpr double longest_overlap = 64;
 /// The largest excess of any window slows the whole section. One that is to blame for more was most likely left in a
@@ -28,10 +27,10 @@ constexpr double longest_overlap = 64;
 /// section's own fault.
 constexpr double well = 1 + 3e-4;
 constexpr std::size_t max_failures(std::size_t windows) { return 3 + windows / 8; }
-/// A window is left where the law keeps all limits between the nodes, too, so many cells before and behind: the state
-/// there stays, and a cell beside it that is given a smaller share of a limit may have no law at all. So many cells
-/// before the last one that is kept may do.
-constexpr std::size_t calm_cells = 4, farthest_calm = 64;
+/// A window is cut where the law keeps all limits between the nodes for this many cells before and behind: the state
+/// there is final, and a cell beside it with a smaller share of a limit may have no law at all. The cut lies at most
+/// this many cells before the last usable one.
+constexpr std::size_t clear_cells = 4, farthest_cut = 64;
 
 }  // namespace
 
@@ -60,17 +59,17 @@ bool JerkSectionPlanner<N, M>::plan_windows(std::size_t window, double from, dou
       here.cells = take_window(here.begin, here.cells);
       progress =
           std::max(reported, from + (to - from) * static_cast<double>(here.begin + keep_) / static_cast<double>(n));
-      ProgressScope pulse(progress_, "planning", reported, progress);
-      pulse.part(0, 0.1);
+      ProgressScope stage_progress(progress_, "planning", reported, progress);
+      stage_progress.part(0, 0.1);
       pieces_.resize(here.pieces);
       if (const std::size_t least = here.pieces + 2 * here.cells; least > pieces_.capacity())
-        grow(pieces_, foreseen(least, static_cast<double>(here.begin) / static_cast<double>(n)), pulse);
-      attempt(start, pulse);
+        grow(pieces_, foreseen(least, static_cast<double>(here.begin) / static_cast<double>(n)), stage_progress);
+      attempt(start, stage_progress);
       end = here.begin + keep_;
       if (end < n && !(exit_.b > 0)) slow_ = unlimited;  // it never came to that
       if (slow_ < start.enough) break;
     }
-    // Where the section was lost as a whole, longer windows would be lost, too.
+    // If the section failed as a whole, longer windows would fail, too.
     if (sped_up_ > untouched && overlap_ < longest_overlap && window == usual_window()) {
       overlap_ *= 2;
       places.pop_back();
@@ -103,7 +102,7 @@ std::size_t JerkSectionPlanner<N, M>::take_window(std::size_t begin, std::size_t
   const std::size_t all = section_grid_.cells.size();
   for (;; cells *= 2) {
     const bool last = static_cast<double>(all - begin) <= last_window * static_cast<double>(cells);
-    // Where it is slow there is least to brake.
+    // The least braking is needed where the profile is slow.
     const std::size_t end = last ? all
                                  : static_cast<std::size_t>(std::min_element(at(speeds, begin + cells - cells / 8),
                                                                              at(speeds, begin + cells + 1)) -
@@ -128,7 +127,7 @@ template <int N, int M>
 double JerkSectionPlanner<N, M>::speed_up() const {
   const std::size_t n = std::min(tail_.size(), state_.size());
   if (n == 0) return 1;
-  // How long the law thrown away takes for cell c.
+  // Returns the duration of cell c in the dropped law.
   const auto time = [&](std::size_t c) {
     return 2 * grid_.length(c) / (std::sqrt(tail_[c].b) + std::sqrt(tail_[c + 1].b));
   };
@@ -140,14 +139,14 @@ double JerkSectionPlanner<N, M>::speed_up() const {
 }
 
 template <int N, int M>
-std::size_t JerkSectionPlanner<N, M>::calm_node() const {
+std::size_t JerkSectionPlanner<N, M>::cut_node() const {
   std::size_t best = keep_;
   double least = unlimited;
-  for (std::size_t node = keep_; node > keep_ / 2 && node + farthest_calm > keep_ && least > 1; --node) {
+  for (std::size_t node = keep_; node > keep_ / 2 && node + farthest_cut > keep_ && least > 1; --node) {
     if (joint(node)) continue;
     double most = 0;
-    const std::size_t end = std::min(node + calm_cells, grid_.cells.size());
-    for (std::size_t c = node - std::min(node, calm_cells); c < end && most < least; ++c)
+    const std::size_t end = std::min(node + clear_cells, grid_.cells.size());
+    for (std::size_t c = node - std::min(node, clear_cells); c < end && most < least; ++c)
       most = std::max(most, peaks_of(c, false).most());
     if (most < least) best = node, least = most;
   }
@@ -155,8 +154,8 @@ std::size_t JerkSectionPlanner<N, M>::calm_node() const {
 }
 
 template <int N, int M>
-void JerkSectionPlanner<N, M>::leave() {
-  keep_ = calm_node();
+void JerkSectionPlanner<N, M>::drop_braking_tail() {
+  keep_ = cut_node();
   next_tail_.assign(state_.begin() + static_cast<std::ptrdiff_t>(keep_), state_.end());
   exit_ = state_[keep_];
   state_.resize(keep_ + 1);
@@ -164,7 +163,7 @@ void JerkSectionPlanner<N, M>::leave() {
 }
 
 template <int N, int M>
-void JerkSectionPlanner<N, M>::follow() {
+void JerkSectionPlanner<N, M>::blend_previous_window() {
   const std::size_t n = std::min(tail_.size(), grid_.cells.size());
   double length = 0, s = 0;
   for (std::size_t i = 0; i < n; ++i) length += grid_.length(i);
@@ -180,13 +179,13 @@ void JerkSectionPlanner<N, M>::follow() {
 template bool JerkSectionPlanner<2, 2>::plan_windows(std::size_t window, double from, double to);
 template std::size_t JerkSectionPlanner<2, 2>::take_window(std::size_t begin, std::size_t cells);
 template double JerkSectionPlanner<2, 2>::speed_up() const;
-template void JerkSectionPlanner<2, 2>::leave();
-template void JerkSectionPlanner<2, 2>::follow();
+template void JerkSectionPlanner<2, 2>::drop_braking_tail();
+template void JerkSectionPlanner<2, 2>::blend_previous_window();
 template bool JerkSectionPlanner<2, 3>::plan_windows(std::size_t window, double from, double to);
 template std::size_t JerkSectionPlanner<2, 3>::take_window(std::size_t begin, std::size_t cells);
 template double JerkSectionPlanner<2, 3>::speed_up() const;
-template void JerkSectionPlanner<2, 3>::leave();
-template void JerkSectionPlanner<2, 3>::follow();
+template void JerkSectionPlanner<2, 3>::drop_braking_tail();
+template void JerkSectionPlanner<2, 3>::blend_previous_window();
 template bool JerkSectionPlanner<3, 3>::plan_windows(std::size_t window, double from, double to);
 template bool JerkSectionPlanner<5, 5>::plan_windows(std::size_t window, double from, double to);
 template bool JerkSectionPlanner<8, 8>::plan_windows(std::size_t window, double from, double to);
@@ -196,12 +195,12 @@ template std::size_t JerkSectionPlanner<8, 8>::take_window(std::size_t begin, st
 template double JerkSectionPlanner<3, 3>::speed_up() const;
 template double JerkSectionPlanner<5, 5>::speed_up() const;
 template double JerkSectionPlanner<8, 8>::speed_up() const;
-template void JerkSectionPlanner<3, 3>::leave();
-template void JerkSectionPlanner<5, 5>::leave();
-template void JerkSectionPlanner<8, 8>::leave();
-template void JerkSectionPlanner<3, 3>::follow();
-template void JerkSectionPlanner<5, 5>::follow();
-template void JerkSectionPlanner<8, 8>::follow();
+template void JerkSectionPlanner<3, 3>::drop_braking_tail();
+template void JerkSectionPlanner<5, 5>::drop_braking_tail();
+template void JerkSectionPlanner<8, 8>::drop_braking_tail();
+template void JerkSectionPlanner<3, 3>::blend_previous_window();
+template void JerkSectionPlanner<5, 5>::blend_previous_window();
+template void JerkSectionPlanner<8, 8>::blend_previous_window();
 template bool JerkSectionPlanner<3, 4>::plan_windows(std::size_t window, double from, double to);
 template bool JerkSectionPlanner<5, 6>::plan_windows(std::size_t window, double from, double to);
 template bool JerkSectionPlanner<8, 9>::plan_windows(std::size_t window, double from, double to);
@@ -211,11 +210,11 @@ template std::size_t JerkSectionPlanner<8, 9>::take_window(std::size_t begin, st
 template double JerkSectionPlanner<3, 4>::speed_up() const;
 template double JerkSectionPlanner<5, 6>::speed_up() const;
 template double JerkSectionPlanner<8, 9>::speed_up() const;
-template void JerkSectionPlanner<3, 4>::leave();
-template void JerkSectionPlanner<5, 6>::leave();
-template void JerkSectionPlanner<8, 9>::leave();
-template void JerkSectionPlanner<3, 4>::follow();
-template void JerkSectionPlanner<5, 6>::follow();
-template void JerkSectionPlanner<8, 9>::follow();
+template void JerkSectionPlanner<3, 4>::drop_braking_tail();
+template void JerkSectionPlanner<5, 6>::drop_braking_tail();
+template void JerkSectionPlanner<8, 9>::drop_braking_tail();
+template void JerkSectionPlanner<3, 4>::blend_previous_window();
+template void JerkSectionPlanner<5, 6>::blend_previous_window();
+template void JerkSectionPlanner<8, 9>::blend_previous_window();
 
 }  // namespace bahnwerk

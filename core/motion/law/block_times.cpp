@@ -11,8 +11,9 @@ std::vector<BlockTime> block_times(const Contour& contour, const TimeLaw& law) {
   const auto enter = [&](std::size_t block, double t) {
     while (begin.size() <= block && begin.size() < blocks.size()) begin.push_back(t);
   };
-  std::size_t block = 0, rest = 0;  // of the segment at hand; the next one of the contour
-  // The motion may stand elsewhere, too, such as where it waits for a filter: that belongs to the block at hand.
+  std::size_t block = 0, rest = 0;  // of the current segment; the next one of the contour
+  // The motion may also rest elsewhere, for example while it waits for a filter: that time belongs to the current
+  // block.
   const auto there = [&](const Rest& at, const LawPiece& piece) {
     if (contour.path.size() == 0) return true;
     if (at.segment < contour.path.size()) return at.segment <= piece.segment;

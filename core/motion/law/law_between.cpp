@@ -9,13 +9,13 @@ void append_between(TimeLaw& law, std::size_t segment, const LawState& from, con
     const double dv = (to.v - from.v - from.a * t) / (t * t), da = (to.a - from.a) / t;
     LawPiece piece;
     piece.s = from.s, piece.v = from.v, piece.a = from.a;
-    piece.j = 6 * dv - 2 * da, piece.q = (6 * da - 12 * dv) / t;
+    piece.j = 6 * dv - 2 * da, piece.snap = (6 * da - 12 * dv) / t;
     return piece;
   };
   double t = duration;
   LawPiece piece = piece_of(t);
   for (int i = 0; i < 50; ++i) {
-    // ds/dT of the quartic that always meets both speeds: about their mean.
+    // This is ds/dT of the quartic that always meets both speeds: about their mean.
     const double off = piece.at(t).s - to.s, slope = (from.v + to.v) / 2 + t * (from.a - to.a) / 6;
     const double next = t - off / slope;
     if (!(next > 0.5 * duration && next < 2 * duration)) break;

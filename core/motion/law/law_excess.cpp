@@ -16,8 +16,8 @@ constexpr std::array looked_at{0.0, 0.25, 0.5, 0.75, 1.0};  // of a piece, befor
 
 class LawExcess {
  public:
-  LawExcess(const PathTask& task, const TimeLaw& law, const Limits& along, ProgressScope& scope)
-      : task_(task), law_(law), along_(along), scope_(scope), axes_(task.path.axes()) {}
+  LawExcess(const PathTask& task, const TimeLaw& law, const Limits& along, ProgressScope& progress)
+      : task_(task), law_(law), along_(along), progress_(progress), axes_(task.path.axes()) {}
 
   double run() {
     along_the_path();
@@ -32,7 +32,7 @@ class LawExcess {
                       std::cbrt(std::abs(j) / limits.jerk)});
   }
 
-  /// In closed form: v is a cubic, a a parabola, j even.
+  /// Evaluates the limits along the path in closed form: v is a cubic, a a parabola, j linear.
   void along_the_path() {
     for (const LawPiece& piece : law_.pieces()) {
       const Limits limits{std::min(along_.velocity, task_.feeds[piece.segment]), along_.acceleration, along_.jerk};
@@ -91,7 +91,7 @@ class LawExcess {
           put(3 * k + 2, i, (d3 * v * v + 3 * d2 * a) * v + d1 * j);
         }
       }
-      scope_.work(2 * n);
+      progress_.work(2 * n);
     };
 
     std::vector<double> coarse(3 * axes_, 0.0);
@@ -122,15 +122,15 @@ class LawExcess {
   const PathTask& task_;
   const TimeLaw& law_;
   const Limits& along_;
-  ProgressScope& scope_;
+  ProgressScope& progress_;
   std::size_t axes_;
   double most_ = 0;
 };
 
 }  // namespace
 
-double law_excess(const PathTask& task, const TimeLaw& law, const Limits& along, ProgressScope& scope) {
-  return LawExcess(task, law, along, scope).run();
+double law_excess(const PathTask& task, const TimeLaw& law, const Limits& along, ProgressScope& progress) {
+  return LawExcess(task, law, along, progress).run();
 }
 
 }  // namespace bahnwerk

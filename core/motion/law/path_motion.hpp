@@ -11,11 +11,11 @@
 
 namespace bahnwerk {
 
-/// Its pieces are those of the law, which ends at rest at the end of the path. Snap is not known: it takes a fourth
+/// Its pieces are those of the law, which ends at rest at the end of the path. Snap is not available: it needs a fourth
 /// derivative of the path.
 class PathMotion final : public Motion {
  public:
-  /// The law has one piece at least.
+  /// The law has at least one piece.
   PathMotion(std::shared_ptr<const AxisPath> path, TimeLaw law) : path_(std::move(path)), law_(std::move(law)) {}
   const AxisPath& path() const { return *path_; }
   const TimeLaw& law() const& { return law_; }
@@ -24,20 +24,20 @@ class PathMotion final : public Motion {
   std::size_t pieces() const override { return law_.pieces().size(); }
   double begin(std::size_t piece) const override { return law_.pieces()[piece].t0; }
   double duration() const override { return law_.duration(); }
-  /// One inversion of the arc length and one evaluation of the path.
+  /// Costs one inversion of the arc length and one evaluation of the path.
   MotionState in_piece(std::size_t piece, double t) const override;
-  /// At rest, exactly at the end of the path.
+  /// Returns rest, exactly at the end of the path.
   MotionState final_state() const override;
-  /// Place and speed along the tool's path, s between the ends of the piece.
+  /// Returns place and speed along the tool's path, s between the ends of the piece.
   LawState along(std::size_t piece, double t) const {
     const LawPiece& p = law_.pieces()[piece];
     LawState x = p.at(std::clamp(t - p.t0, 0.0, p.duration));
     x.s = std::clamp(x.s, p.s, p.s_end);
     return x;
   }
-  /// The axes where the tool is at `x` in that piece: in_piece(piece, t) = driven(piece, along(piece, t)).
+  /// Returns the axes for the tool at `x` in that piece: in_piece(piece, t) = driven(piece, along(piece, t)).
   MotionState driven(std::size_t piece, const LawState& x) const;
-  /// The same of position, velocity and acceleration: axes() numbers of each, one after the other.
+  /// Writes position, velocity and acceleration of driven(): axes() numbers of each, one after the other.
   void write_driven(std::size_t piece, const LawState& x, double* out) const;
 
  private:

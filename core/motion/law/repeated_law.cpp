@@ -10,15 +10,15 @@ double length(const Segment& segment) { return segment.travelled(segment.curve()
 }  // namespace
 
 void repeat_law(TimeLaw& law, std::size_t from, std::size_t to, const Path& path, std::size_t source, std::size_t copy,
-                std::size_t segments, ProgressScope& scope) {
+                std::size_t segments, ProgressScope& progress) {
   double before = 0, now = 0;
   for (std::size_t i = 0; i < segments; ++i) before += length(path[source + i]), now += length(path[copy + i]);
   const double stretch = now / before;
   law.reserve(to - from);
   std::size_t at = path.size();
-  double part = 1;  // of the segment at hand
+  double part = 1;  // part of the current segment
   for (std::size_t i = from; i < to; ++i) {
-    scope.work();
+    progress.work();
     LawPiece p = law.pieces()[i];
     const Segment &old = path[p.segment], &segment = path[p.segment - source + copy];
     if (p.segment != at) at = p.segment, part = length(segment) / length(old);
@@ -27,7 +27,7 @@ void repeat_law(TimeLaw& law, std::size_t from, std::size_t to, const Path& path
     };
     p.segment = p.segment - source + copy;
     p.s = place(p.s), p.s_end = place(p.s_end);
-    p.v *= stretch, p.a *= stretch, p.j *= stretch, p.q *= stretch;
+    p.v *= stretch, p.a *= stretch, p.j *= stretch, p.snap *= stretch;
     law.append(p);
   }
 }

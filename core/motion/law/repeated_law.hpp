@@ -1,5 +1,5 @@
 #pragma once
-/// The law of one section once more, along another that is the same but for its place.
+/// Transfers the law of one section to another one that differs in its position only.
 #include <cstddef>
 
 #include "core/base/progress_scope.hpp"
@@ -8,10 +8,11 @@
 
 namespace bahnwerk {
 
-/// Appends to the law what its pieces [from, to) do along the path's segments from `source` on, for those from `copy`
-/// on: as many, of lengths that differ by rounding. The law is stretched by the ratio of both sections' lengths; at the
-/// ends of segments places are those of the path. O(pieces); tells `scope`.
+/// Appends to the law a copy of its pieces [from, to), which belong to the path's segments from `source` on, for the
+/// segments from `copy` on. Both have equally many segments, with lengths that differ by rounding. The copy is scaled
+/// by the ratio of both sections' lengths; at the ends of segments it takes the places of the path. O(pieces); tells
+/// `progress`.
 void repeat_law(TimeLaw& law, std::size_t from, std::size_t to, const Path& path, std::size_t source, std::size_t copy,
-                std::size_t segments, ProgressScope& scope);
+                std::size_t segments, ProgressScope& progress);
 
 }  // namespace bahnwerk

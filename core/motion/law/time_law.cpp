@@ -9,16 +9,16 @@ namespace bahnwerk {
 std::array<double, 3> turning_points(const LawPiece& p) {
   constexpr double never = std::numeric_limits<double>::infinity();
   std::array<double, 3> at{never, never, never};
-  if (p.q == 0) {
+  if (p.snap == 0) {
     if (p.j != 0) at[0] = -p.a / p.j;
     return at;
   }
-  at[2] = -p.j / p.q;
-  // a + j τ + q τ²/2 = 0, without cancellation
-  const double root = p.j * p.j - 2 * p.a * p.q;
+  at[2] = -p.j / p.snap;
+  // Solves a + j τ + snap τ²/2 = 0 without cancellation.
+  const double root = p.j * p.j - 2 * p.a * p.snap;
   if (root >= 0) {
     const double sum = -(p.j + std::copysign(std::sqrt(root), p.j));
-    at[0] = sum / p.q;
+    at[0] = sum / p.snap;
     if (sum != 0) at[1] = 2 * p.a / sum;
   }
   return at;

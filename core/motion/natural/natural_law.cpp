@@ -18,11 +18,11 @@ constexpr int durations_tried = 400;
 
 using State = LawState;  // its jerk is not used
 
-/// How speed and acceleration get from one pair to another: v(t) is the cubic that meets both at both ends.
+/// A change of speed and acceleration from one pair to another: v(t) is the cubic that meets both at both ends.
 struct Change {
   double v0 = 0, a0 = 0, v1 = 0, a1 = 0, duration = 0;
 
-  /// v = v0 + b u + c2 u² + c3 u³ over u = t / duration.
+  /// The cubic v = v0 + b u + c2 u² + c3 u³ over u = t / duration.
   struct Cubic {
     double b, c2, c3;
   };
@@ -37,12 +37,12 @@ struct Change {
             (b + u * (2 * c2 + u * 3 * c3)) / duration};
   }
   double way() const { return at(duration).s; }
-  /// By what factor it exceeds limits along the path; infinite where it does not go forwards all the way.
+  /// Returns the factor by which it exceeds limits along the path; infinite where it moves backwards.
   double excess(const Limits& limits) const {
     double most = 0;
     constexpr int samples = 32;
     const auto [b, c2, c3] = cubic();
-    // Where v has an extreme: 3 c3 u² + 2 c2 u + b = 0.
+    // Extrema of v: 3 c3 u² + 2 c2 u + b = 0.
     if (const double root = c2 * c2 - 3 * c3 * b; root > 0)
       for (const double q : {-c2 - std::sqrt(root), -c2 + std::sqrt(root)})
         for (const double u : {q / (3 * c3), b / q})
@@ -84,7 +84,7 @@ class NaturalPlanner {
     if (options.shares.size() != tool_.size()) throw std::invalid_argument("natural feed: one share per segment");
   }
 
-  TimeLaw run(ProgressScope& scope) {
+  TimeLaw run(ProgressScope& stage_progress) {
     State state;
     for (std::size_t i = 0; i < tool_.size();) {
       const std::size_t end = options_.shares[i] > 0 ? link_end(i) : between_end(i);
@@ -97,11 +97,11 @@ class NaturalPlanner {
         state = to;
       }
       i = end;
-      scope.work(options_.steps);
-      scope.done(static_cast<double>(i) / static_cast<double>(tool_.size()));
+      stage_progress.work(options_.steps);
+      stage_progress.done(static_cast<double>(i) / static_cast<double>(tool_.size()));
     }
-    // From one speed of reference everything is slowed, or quickened, to where a limit is reached.
-    law_.slow(std::max(law_excess(task_, law_, options_.path, scope), 1e-6));
+    // From a reference speed everything is slowed, or accelerated, until a limit is reached.
+    law_.slow(std::max(law_excess(task_, law_, options_.path, stage_progress), 1e-6));
     return std::move(law_);
   }
 
@@ -146,7 +146,7 @@ class NaturalPlanner {
     return here;
   }
 
-  /// To the mean speed of all, on, and to the speed of what follows.
+  /// Changes to the mean speed of all links, holds it, and changes to the speed of the next link.
   void pass_between(std::size_t begin, std::size_t end, const State& from, const State& to) {
     const Limits limits = along(begin, end);
     const double room = (to.s - from.s) / 2;
@@ -180,7 +180,7 @@ class NaturalPlanner {
     };
     const auto cruise = [&](double s) {
       if (!(s > here.s)) return;
-      const std::size_t parts = tool_[i].straight() ? 1 : options_.steps;  // where limits are looked at
+      const std::size_t parts = tool_[i].straight() ? 1 : options_.steps;  // places at which limits are evaluated
       const double s0 = here.s;
       for (std::size_t n = 1; n <= parts; ++n) {
         const double share = static_cast<double>(n) / static_cast<double>(parts);
@@ -195,7 +195,7 @@ class NaturalPlanner {
     cruise(falls);
     go(fall, falls, to);
   }
-  /// When the change has gone so far, between two times.
+  /// Returns the time, between two times, at which the change has covered this distance.
   static double time_at(const Change& part, double way, double low, double high) {
     for (int n = 0; n < 100 && high - low > 1e-15 * part.duration; ++n) {
       const double middle = low + (high - low) / 2;
@@ -203,7 +203,7 @@ class NaturalPlanner {
     }
     return high;
   }
-  /// What the machine can do along the path between two links.
+  /// Returns the machine's limits along the path between two links.
   Limits along(std::size_t begin, std::size_t end) const {
     Limits least = options_.path;
     for (std::size_t i = begin; i < end; ++i)
@@ -234,11 +234,11 @@ class NaturalPlanner {
 }  // namespace
 
 TimeLaw plan_natural(const PathTask& task, const NaturalOptions& options, Progress& progress, double from, double to) {
-  ProgressScope scope(progress, "natural feed", from, to);
-  scope.report();
-  TimeLaw law = NaturalPlanner(task, options).run(scope);
-  scope.done(1);
-  scope.report();
+  ProgressScope stage_progress(progress, "natural feed", from, to);
+  stage_progress.report();
+  TimeLaw law = NaturalPlanner(task, options).run(stage_progress);
+  stage_progress.done(1);
+  stage_progress.report();
   return law;
 }
 

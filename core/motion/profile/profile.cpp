@@ -13,7 +13,7 @@
 namespace bahnwerk {
 namespace {
 
-/// What the two changes of a move depend on.
+/// Parameters of the two changes of a move.
 struct Task {
   SpeedChangeLaw law;
   double low, high;  // of the two end speeds
@@ -28,10 +28,11 @@ struct Value {
   double value, slope;
 };
 
-/// The root of a continuous f in [low, high] with f(low), f(high) of opposite signs; f is increasing (direction 1) or
-/// falls through zero (−1). Newton's method from `high`, halving the bracket whenever it would be left: on convex f it
-/// converges from that side without any. Not Boost's newton_raphson_iterate: no slower, but it throws where rounding
-/// gives both ends the same sign, and takes its direction from the slope, which leads away from a root beyond a kink.
+/// Returns the root of a continuous f in [low, high] with f(low), f(high) of opposite signs; f is increasing (direction
+/// 1) or falls through zero (−1). It uses Newton's method from `high`, with bisection whenever the bracket would be
+/// left: on convex f it converges from that side without bisection. Boost's newton_raphson_iterate is as fast, but
+/// throws where rounding gives both ends one sign, and takes its direction from the slope, which leads away from a root
+/// beyond a change of slope.
 template <class F>
 double root(F&& f, double low, double high, double direction) {
   double x = high, last = high - low;
@@ -48,8 +49,8 @@ double root(F&& f, double low, double high, double direction) {
   return x;
 }
 
-/// How far w is above both end speeds, for a move of `length` ≥ direct(); `most` at most. The unknown is the time T of
-/// the smaller change, in which distances are smooth down to zero and convex (but for the kinks).
+/// Returns how far w is above both end speeds, for a move of `length` ≥ direct(); at most `most`. The unknown is the
+/// time T of the smaller change, in which distances are smooth down to zero and piecewise convex.
 double top(const Task& task, double length, double most) {
   const double spare = length - task.direct(), sum = task.low + task.high;
   if (!(spare > 0)) return 0;
@@ -74,7 +75,7 @@ double top(const Task& task, double length, double most) {
   return law.height(root(distance, 0, T_high, 1));
 }
 
-/// How far w is below both end speeds, for a move of least() ≤ length < direct(): the smallest such dip.
+/// Returns how far w is below both end speeds, for a move of least() ≤ length < direct(): the smallest such dip.
 double dip(const Task& task, double length) {
   const SpeedChangeLaw& law = task.law;
   const double middle = (task.low + task.high) / 2;
@@ -83,7 +84,7 @@ double dip(const Task& task, double length) {
     return {(task.low - d / 2) * T + (middle - d / 2) * t - length,
             task.low - d / 2 - T * d_slope / 2 + d_slope * (-t / 2 + (middle - d / 2) * law.slope(large))};
   };
-  // Concave between the kinks: the first of their intervals that ends below `length` holds the root, and only one.
+  // The function is piecewise concave: the first interval that ends below `length` contains the root, and only one.
   std::array<double, 3> end{law.full_height() - task.gap(), law.full_height(), task.low};
   double from = 0;
   for (const double d : end) {
@@ -178,7 +179,7 @@ ProfileState Profile::sample(double t) const {
   std::size_t i = 0;
   while (i + 1 < count && t >= piece[i + 1].t0) ++i;
   ProfileState state = piece[i].at(std::clamp(t - piece[i].t0, 0.0, piece[i].duration));
-  state.v = std::max(state.v, 0.0);  // rounding where it comes to rest
+  state.v = std::max(state.v, 0.0);  // rounding where it reaches rest
   return state;
 }
 

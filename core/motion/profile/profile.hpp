@@ -3,22 +3,22 @@
 /// to any end speed; acceleration (and jerk, if snap is limited) is zero at both ends.
 ///
 /// trapezoid   acceleration limited             ≤ 3 pieces of constant acceleration
-/// double-S    and jerk limited                 ≤ 7 pieces of constant jerk
-///             and snap limited                 ≤ 15 pieces of constant snap
-/// Sources: [Herrmann 3.3.1] for the phases (formulas re-derived), [Thielemann] for the same with a limit on snap.
+///   double-S    and jerk limited                 ≤ 7 pieces of constant jerk
+///               and snap limited                 ≤ 15 pieces of constant snap
+/// Sources: [Herrmann 3.3.1] for the phases (formulas re-derived), [Thielemann] for the limit on snap.
 ///
 /// The move changes speed from v0 to a turning speed w, holds w, changes to v1. With the change D(x,y) =
 /// T(|x−y|)(x+y)/2 (core/motion/profile/profile_change.hpp) the distance without hold, D(v0,w) + D(w,v1), grows with w
 /// ≥ max(v0,v1), so w is the speed limit or the root. Below the direct change D(v0,v1) only a *dip* w < min(v0,v1) can
 /// help: the time spent braking and turning is regained where the speed is low. The distance is concave in w there
-/// (between the kinks of T), hence the least one is that of w = 0 or of the direct change, and the root can be
-/// enclosed.
+/// (between the points at which the formula of T changes), hence the least one is that of w = 0 or of the direct
+/// change, and the root can be enclosed.
 ///
-/// Trapezoid and double-S are the quickest of all motions with 0 ≤ v ≤ V under their limits: for given T the distance
-/// is a linear function under linear constraints, and the switching parabola of the phases is feasible in the dual
-/// problem with the same value. Snap-limited moves are the quickest of this form, in which jerk vanishes at the turning
-/// speed. Where the speed limit is not reached, reversing the acceleration in one go would be quicker: by 7.5 %
-/// from rest to rest with snap alone limited (384^¼ against 512^¼ (L/S)^¼).
+/// Trapezoid and double-S are the fastest of all motions with 0 ≤ v ≤ V under their limits: for given T the distance is
+/// a linear function under linear constraints, and the switching parabola of the phases is feasible in the dual problem
+/// with an equal value. Snap-limited moves are the fastest of this form, in which jerk vanishes at the turning speed.
+/// Where the speed limit is not reached, another form is up to 7.5 % faster, from rest to rest with snap alone limited
+/// (384^¼ against 512^¼ (L/S)^¼).
 ///
 /// Cost: no allocation; ≈ 0.1 µs trapezoid, 0.3 µs double-S, 0.5 µs snap-limited. Accuracy: a few roundings of the
 /// distance and speeds.
@@ -31,7 +31,7 @@
 
 namespace bahnwerk {
 
-/// mm/s, mm/s², mm/s³, mm/s⁴; each positive or infinite, one of the last three finite.
+/// mm/s, mm/s², mm/s³, mm/s⁴; each is positive or infinite, and one of the last three is finite.
 struct ProfileLimits {
   double velocity = unlimited, acceleration = unlimited, jerk = unlimited, snap = unlimited;
 };
@@ -40,7 +40,7 @@ struct ProfileState {
   double s = 0, v = 0, a = 0, j = 0, snap = 0;
 };
 
-/// Constant snap over τ = t − t0 ∈ [0, duration], from the state given.
+/// A piece of constant snap over τ = t − t0 ∈ [0, duration], from the given state.
 struct ProfilePiece {
   double t0 = 0, duration = 0;
   double s = 0, v = 0, a = 0, j = 0, snap = 0;
@@ -62,18 +62,18 @@ struct Profile {
   double peak_jerk = 0;                   ///< largest |j|, mm/s³; infinite where the acceleration jumps
 
   std::span<const ProfilePiece> pieces() const { return {piece.data(), count}; }
-  /// State just after t, clamped to the move; from `duration` on exactly {distance, end_speed, 0, 0, 0}.
+  /// Returns the state just after t, clamped to the move; from `duration` on exactly {distance, end_speed, 0, 0, 0}.
   ProfileState sample(double t) const;
 };
 
-/// Quickest move over `distance` (mm, ≥ 0). Throws InvalidInput for what is no limit, distance or speed within the
-/// limits, Infeasible when the distance is shorter than min_distance() (by more than 1e-12 of it); its text has the
-/// numbers. The duration is continuous in all arguments as long as distance ≥ direct_distance(), and jumps up below.
+/// Returns the fastest move over `distance` (mm, ≥ 0). Throws InvalidInput for invalid limits, distances or speeds,
+/// Infeasible when the distance is shorter than min_distance() (by more than 1e-12 of it); its text has the numbers.
+/// The duration is continuous in all arguments as long as distance ≥ direct_distance(), and jumps up below.
 Profile straight_profile(double distance, double start_speed, double end_speed, const ProfileLimits& limits);
 
-/// Distance of the quickest change of speed, mm. Throws InvalidInput.
+/// Returns the distance of the fastest change of speed, mm. Throws InvalidInput.
 double direct_distance(double start_speed, double end_speed, const ProfileLimits& limits);
-/// Shortest distance of a straight_profile, mm: at most the direct one. Throws InvalidInput.
+/// Returns the shortest distance of a straight_profile, mm: at most the direct one. Throws InvalidInput.
 double min_distance(double start_speed, double end_speed, const ProfileLimits& limits);
 
 /// Appends the move as pieces of path segment `segment`, starting at path length `begin` (mm).

@@ -27,15 +27,15 @@ Rise rise_from(double speed, const SpeedChange& c, double snap) {
     rise.end[rise.count++] = at;
     rise.duration += duration;
   };
-  const double a = c.acceleration, j = c.jerk, bend = c.ramp * j / 2;  // bend: what a ramp of the jerk gains
+  const double a = c.acceleration, j = c.jerk, ramp_gain = c.ramp * j / 2;  // bend: what a ramp of the jerk gains
   if (c.ramp > 0) {
-    add(c.ramp, 0, bend, 0, j, snap);
-    add(c.jerk_hold, bend, a - bend, j, j, 0);
-    add(c.ramp, a - bend, a, j, 0, -snap);
+    add(c.ramp, 0, ramp_gain, 0, j, snap);
+    add(c.jerk_hold, ramp_gain, a - ramp_gain, j, j, 0);
+    add(c.ramp, a - ramp_gain, a, j, 0, -snap);
     add(c.hold, a, a, 0, 0, 0);
-    add(c.ramp, a, a - bend, 0, -j, -snap);
-    add(c.jerk_hold, a - bend, bend, -j, -j, 0);
-    add(c.ramp, bend, 0, -j, 0, snap);
+    add(c.ramp, a, a - ramp_gain, 0, -j, -snap);
+    add(c.jerk_hold, a - ramp_gain, ramp_gain, -j, -j, 0);
+    add(c.ramp, ramp_gain, 0, -j, 0, snap);
   } else {
     add(c.jerk_hold, 0, a, j, j, 0);
     add(c.hold, a, a, 0, 0, 0);
@@ -83,7 +83,7 @@ void lay_pieces(Profile& profile, const SpeedChange& first, const SpeedChange& s
   const std::size_t turn = profile.count;
   w <= v1 ? put_up(profile, b, length - b.distance) : put_down(profile, b, length);
 
-  // What is known exactly at the ends and at the turn.
+  // States at the ends and at the turn are known exactly.
   if (profile.count > 0) {
     profile.piece[0].s = 0;
     profile.piece[0].v = v0;

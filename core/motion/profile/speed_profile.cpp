@@ -32,10 +32,10 @@ Rise double_s(double height, double acceleration, double jerk) {
   Rise rise;
   rise.height = height;
   const SpeedChange change = SpeedChangeLaw(acceleration, jerk, unlimited).shape(height);
-  const double a = change.acceleration, bend = change.jerk_hold * a / 2;  // what the speed gains while a rises
+  const double a = change.acceleration, rise_gain = change.jerk_hold * a / 2;  // what the speed gains while a rises
   add(rise, {change.jerk_hold, 0, 0, change.jerk, 0});
-  add(rise, {change.hold, bend, a, 0, 0});
-  add(rise, {change.jerk_hold, height - bend, a, -change.jerk, 0});
+  add(rise, {change.hold, rise_gain, a, 0, 0});
+  add(rise, {change.jerk_hold, height - rise_gain, a, -change.jerk, 0});
   return rise;
 }
 
@@ -67,7 +67,7 @@ Rise trigonometric(double height, double acceleration, double jerk) {
   const double T = std::max(pi / 2 * height / acceleration, std::sqrt(wave.largest_jerk() * height / jerk));
   const double a = height / T, j = a / T, q = j / T;
   for (const RisePiece& piece : wave.piece)
-    add(rise, {T * piece.duration, height * piece.v, a * piece.a, j * piece.j, q * piece.q});
+    add(rise, {T * piece.duration, height * piece.v, a * piece.a, j * piece.j, q * piece.snap});
   rise.duration = T;
   return rise;
 }

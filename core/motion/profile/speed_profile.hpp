@@ -1,17 +1,17 @@
 #pragma once
-/// The profiles with which a feed changes from one constant speed to another [Herrmann 3.3.1]: one row each in a table.
-/// To add one, add a row.
+/// The profiles with which a feed changes from one constant speed to another [Herrmann 3.3.1], one row of a table each.
+/// A new profile is a new row.
 ///
-/// A change goes up by a height h from acceleration 0 to acceleration 0; one that goes down is the same backwards. All
-/// are symmetric about their middle, so that the way is duration · (mean of both speeds), and scale: a λ-fold
-/// acceleration with a λ²-fold jerk limit makes the same change in 1/λ of the time.
+/// A rise increases the speed by a height h from acceleration 0 to acceleration 0; a fall is its mirror image in time.
+/// All profiles are symmetric about their middle, so the distance is duration · (mean of both speeds), and they scale:
+/// λ times the acceleration with λ² times the jerk limit gives the change in 1/λ of the time.
 ///
-/// double_s       jerk J, 0, −J; no stretch of constant acceleration where h < A²/J [(3.96)–(3.101), ERRATA: the
-///                printed branches for slowing down and the reduced cases are wrong]
-/// trapezoid      constant acceleration A, which jumps at both ends: jerk is not limited [(3.93), (3.94)]
-/// trigonometric  half a cosine wave, long enough for both A and J; the source takes one of them [(3.102)–(3.105)]. A
-///                law is made of polynomials, so it is 16 cubics of the speed that meet speed and acceleration of the
-///                wave at their ends: 2e-6 h off, acceleration no larger, J held by the cubics themselves.
+/// double_s       jerk J, 0, −J; no phase of constant acceleration where h < A²/J [(3.96)–(3.101); the printed
+///                  branches for slowing down and the reduced cases are wrong]
+///   trapezoid      constant acceleration A, which jumps at both ends: jerk is not limited [(3.93), (3.94)]
+///   trigonometric  half a cosine wave, long enough for both A and J; the source takes one of them [(3.102)–(3.105)]. A
+///                  law is made of polynomials, so it is 16 cubics of the speed that meet speed and acceleration of the
+///                  wave at their ends: 2e-6 h off, acceleration no larger, J held by the cubics themselves.
 #include <array>
 #include <cstddef>
 #include <span>
@@ -25,9 +25,9 @@ inline constexpr Named<SpeedProfile> speed_profiles[] = {{SpeedProfile::double_s
                                                          {SpeedProfile::trapezoid, "trapezoid"},
                                                          {SpeedProfile::trigonometric, "trigonometric"}};
 
-/// v(τ) = v + a τ + j τ²/2 + q τ³/6 above the lower speed, mm/s, over τ ∈ [0, duration].
+/// One piece: v(τ) = v + a τ + j τ²/2 + snap τ³/6 above the lower speed, mm/s, over τ ∈ [0, duration].
 struct RisePiece {
-  double duration = 0, v = 0, a = 0, j = 0, q = 0;
+  double duration = 0, v = 0, a = 0, j = 0, snap = 0;
 };
 
 struct Rise {
@@ -36,15 +36,15 @@ struct Rise {
   double height = 0, duration = 0;  ///< mm/s, s
   double acceleration = 0;          ///< its peak, mm/s²
   std::span<const RisePiece> pieces() const { return {piece.data(), count}; }
-  /// From speed `low`, or down to it, mm.
+  /// Returns the distance of the rise from speed `low`, or of the fall down to it, mm.
   double distance(double low) const { return duration * (low + height / 2); }
 };
 
 struct SpeedProfileRow {
   SpeedProfile profile;
   bool limits_jerk;  ///< its acceleration is continuous and its jerk stays within the limit
-  /// The quickest rise of this profile by `height` ≥ 0 within acceleration (mm/s²) and jerk (mm/s³), both positive, one
-  /// of them finite; of a profile that limits no jerk the acceleration.
+  /// Returns the fastest rise of this profile by `height` ≥ 0 within acceleration (mm/s²) and jerk (mm/s³), both
+  /// positive, one of them finite; acceleration has to be finite for a profile that does not limit jerk.
   Rise (*rise)(double height, double acceleration, double jerk);
 };
 

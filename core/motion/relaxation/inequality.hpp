@@ -1,27 +1,28 @@
 #pragma once
-/// An inequality value ≤ 0 of an interior-point method: its slack, its multiplier, and their steps.
+/// An inequality value ≤ 0 of an interior-point method: its slack, its multiplier, and their steps. V is a number, or a
+/// vector of one number per side of |x| ≤ limit.
 namespace bahnwerk {
 
 /// V: a number, or one per side of |x| ≤ limit.
 template <class V>
 struct Inequality {
   V slack{}, multiplier{};
-  V inverse{};   ///< of the slack: all else multiplies by it
+  V inverse{};   ///< 1/slack, the only form in which it is used
   V residual{};  ///< value + slack
   V pending{};   ///< the product of the predictor's steps, then aim(), then the slack's step
   V multiplier_step{};
 
   V weight() const { return multiplier * inverse; }
-  /// What the multiplier becomes for complementarity `target` as long as the value does not change. `part`: how much of
-  /// the product of the predictor's steps counts.
+  /// Returns the new multiplier for complementarity `target` if the value does not change. `part` is the weight of the
+  /// product of the predictor's steps.
   V aim(double target, double part) const { return (target - part * pending + multiplier * residual) * inverse; }
-  /// Towards no complementarity at all, where the value changes so.
+  /// Predictor: steps towards complementarity 0 for a given change of the value.
   void predict(V change) {
     const V step = -(residual + change);
     multiplier_step = -(weight() * step + multiplier);
     pending = step * multiplier_step;
   }
-  /// From aim() to both steps.
+  /// Completes the steps of slack and multiplier after aim().
   void follow(V change) {
     multiplier_step = pending + weight() * change - multiplier;
     pending = -(residual + change);

@@ -1,4 +1,4 @@
-// The steps of the relaxation's interior-point method. Each goes over the splines once, with the hats beside them.
+// The steps of the relaxation's interior-point method. Each is a sweep over the splines, with the hats beside them.
 #include <algorithm>
 #include <cmath>
 
@@ -17,7 +17,7 @@ Sides both(double x) { return Sides{x, -x}; }
 Sides farthest(double primal, double dual) { return Sides{primal, dual}; }
 Sides farthest(Sides primal, Sides dual) { return larger(Sides{primal[0], dual[0]}, Sides{primal[1], dual[1]}); }
 
-/// What the steps of inequalities add up to, and how far they may go at a place.
+/// Sums over the steps of inequalities, and their largest step lengths at a place.
 template <class V>
 struct Steps {
   V primal{}, dual{}, change{}, product{};
@@ -31,7 +31,7 @@ struct Steps {
   void followed(const Inequality<V>& i) {
     primal = larger(primal, -(i.pending * i.inverse)), dual = larger(dual, -(i.multiplier_step / i.multiplier));
   }
-  /// What stands in their way at one place; on to the next.
+  /// Returns the step lengths of this place and resets them for the next one.
   Sides leave() {
     const Sides reach = farthest(primal, dual);
     primal = dual = V{};
@@ -41,7 +41,7 @@ struct Steps {
 
 }  // namespace
 
-// What hat_value() changes by, where b changes by these parts of itself before and after the node.
+// Returns the change of hat_value() for relative changes of b before and after the node.
 template <int N>
 typename RelaxationSolver<N>::Sides RelaxationSolver<N>::hat_change(std::size_t node, std::size_t k, double before,
                                                                     double after) const {
@@ -77,9 +77,9 @@ void RelaxationSolver<N>::assemble_hat(std::size_t j, double primal, double dual
       const Sides w = take(q, hat_value(j, k)), h = w * q.residual;
       const Slope& e = slopes_[j][k];
       const Sides r1 = fourth1 * before.root[1][k], r0 = fourth0 * after.root[0][k], z = q.multiplier * e.share,
-                  bend = q.multiplier * e.bend, pull = w * e.before, bent = bend * r1;
+                  second = q.multiplier * e.second, pull = w * e.before, bent = second * r1;
       s11 = s11 + pull * e.before + 0.75 * z * r1 + bent * r1, s10 = s10 + pull * e.after + bent * r0;
-      s00 = s00 + w * e.after * e.after + 0.75 * z * r0 + bend * r0 * r0;
+      s00 = s00 + w * e.after * e.after + 0.75 * z * r0 + second * r0 * r0;
       h1 = h1 + h * e.before, h0 = h0 + h * e.after;
     }
     d11 = sum(s11), d10 = sum(s10), d00 = sum(s00), g1 = sum(h1), g0 = sum(h0);
@@ -155,7 +155,7 @@ void RelaxationSolver<N>::assemble() {
         matrix_[j + 2 - r][r - q] += w0 * e[r] * e[q] + block[p] * b[r] * b[q] - half * s.coupling[q];
       step_[j + 2 - r] -= h0 * e[r] + pull[r] * b[r] + s.coupling[r] * share;
     }
-    pulse_->work(1);
+    progress_->work(1);
   }
   complementarity_ = complementarity + sum(products);
   violation_ = std::max(violation, largest(worst_hat));
@@ -168,7 +168,7 @@ void RelaxationSolver<N>::factor() {
   for (std::size_t a = 2; a < cells_ + 2; ++a) {
     double d = matrix_[a][0] - l1 * l1 * d1 - m2 * m2 * d2;
     const double next = matrix_[a][1] - l1 * l2 * d1, second = matrix_[a][2];
-    if (!(d > 0)) d = never;  // rounding only: this b stays as it is
+    if (!(d > 0)) d = never;  // rounding only: this b is unchanged
     const double inverse = 1 / d;
     m2 = l2, d2 = d1, d1 = d, l1 = next * inverse, l2 = second * inverse;
     matrix_[a] = {inverse, l1, l2};
@@ -184,7 +184,7 @@ void RelaxationSolver<N>::solve_factored() {
     step_[a] = step_[a] * matrix_[a][0] - matrix_[a][1] * step_[a + 1] - matrix_[a][2] * step_[a + 2];
 }
 
-// What the step towards no complementarity at all does to every inequality.
+// Effect of the predictor's step on every inequality.
 template <int N>
 typename RelaxationSolver<N>::Promise RelaxationSolver<N>::predict(bool even) {
   Steps<double> one;
@@ -216,7 +216,7 @@ typename RelaxationSolver<N>::Promise RelaxationSolver<N>::predict(bool even) {
       s.jerk[k].predict(change), two.predicted(s.jerk[k], change);
     }
     if (!even) parts_.stop(j, larger(one.leave(), two.leave()));
-    pulse_->work(1);
+    progress_->work(1);
   }
   if (even) parts_.stop(0, larger(one.leave(), two.leave()));
   return {one.change + sum(two.change), one.product + sum(two.product)};
@@ -265,7 +265,7 @@ void RelaxationSolver<N>::correct(double target) {
       const std::size_t a = j + 2 - r;
       step_[a] -= pull[r] * b_[a] - 0.5 * h0 * c[r]->time[r] * root_[a] + s.coupling[r] * share;
     }
-    pulse_->work(1);
+    progress_->work(1);
   }
 }
 
@@ -302,12 +302,12 @@ void RelaxationSolver<N>::follow(bool even) {
       two.followed(s.jerk[k]);
     }
     if (!even) parts_.stop(j, larger(one.leave(), two.leave()));
-    pulse_->work(1);
+    progress_->work(1);
   }
   if (even) parts_.stop(0, larger(one.leave(), two.leave()));
 }
 
-// Of the duration, what the Lagrangian's gradient may be worth: by relative changes of every T and every b.
+// Bound of the effect of the Lagrangian's gradient on the duration, by relative changes of every T and every b.
 template <int N>
 double RelaxationSolver<N>::dual_residual() const {
   std::vector<double> gradient(b_.size(), 0);

@@ -1,5 +1,5 @@
 #pragma once
-/// Which part of a Newton step each place of a relaxation takes (core/numeric/gradual.hpp).
+/// Step lengths of a Newton step for each place of a relaxation (core/numeric/gradual.hpp).
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -13,17 +13,16 @@ class NewtonParts {
  public:
   using Both = Lanes<2>;  ///< primal, dual
 
-  /// Of a step that is not taken at all, and of which nothing is known to stand in the way. `even`: all places are to
-  /// take the same part.
+  /// Starts a step without any restriction. `even` gives all places one step length.
   void begin(std::size_t places, bool even) {
     even_ = even;
     mean_ = Both{};
     part_.assign(places, Both{});
   }
-  /// At a place slacks, and multipliers, change by −`reach` of themselves at most; any place serves for all of them
-  /// where they are to take the same part.
+  /// Restricts the step at a place at which slacks, and multipliers, change by at most −`reach` of themselves; with
+  /// `even` the place does not matter.
   void stop(std::size_t place, Both reach) { part_[place] = larger(part_[place], reach); }
-  /// Of a predictor: as much as keeps them positive. O(places).
+  /// Chooses the predictor's step lengths, the largest that keep slacks and multipliers positive. O(places).
   void predicted() {
     const Both one{1, 1};
     if (even_) {
@@ -38,8 +37,8 @@ class NewtonParts {
     }
     mean_ = sum / static_cast<double>(part_.size());
   }
-  /// Of a step that is taken: `most` of that, and not much more than neighbours. What is not a number stays that, and
-  /// mean() is none. O(places).
+  /// Chooses the step lengths: `most` of what keeps them positive, and not much more than at the neighbours. A value
+  /// that is not a number is propagated to mean(). O(places).
   void taken(double most) {
     if (even_) return fit_even(most);
     Both last{1, 1}, sum{};
@@ -52,7 +51,7 @@ class NewtonParts {
   double primal(std::size_t place) const { return part_[place][0]; }
   double dual(std::size_t place) const { return part_[place][1]; }
   Both mean() const { return mean_; }
-  /// What the product of both steps of the predictor counts at a place.
+  /// Returns the weight of the product of both steps of the predictor at a place.
   double of_product(std::size_t place) const { return product_[place]; }
 
  private:

@@ -7,10 +7,10 @@ namespace bahnwerk {
 namespace {
 
 constexpr double to_boundary = 0.995;  // part of the longest step that is taken
-// Complementarity that a step aims at, in parts of what there is: what the predictor would leave, near the solution
-// its square. No less than this part of the gap that is asked for: what is not feasible has to keep up.
+// Target of the complementarity of a step relative to the present one: what the predictor would leave, near the
+// solution its square. It is at least this part of the requested gap, since infeasibility has to fall with it.
 constexpr double min_centring = 1e-4, gap_aimed_at = 0.3;
-constexpr double near = 0.03;  // from this gap on all places take the same part of a step
+constexpr double near = 0.03;  // from this gap on all places have one step length
 constexpr double dual_tolerance = 1e-3;
 constexpr double never = 1e300;
 constexpr double first_cap = 0.3, first_slope = 0.8;  // of caps and of the steepest b at which the search begins
@@ -115,12 +115,12 @@ typename RelaxationSolver<N>::Sides RelaxationSolver<N>::hat_value(std::size_t n
               left = 1.0 - form_.fixed[node][k] - r1 - r0, width = root(left * left + blend * blend),
               inverse = 1.0 / width;
   Slope& s = slopes_[node][k];
-  s.share = 0.5 + 0.5 * left * inverse, s.bend = (0.5 * blend * blend) * inverse * inverse * inverse;
+  s.share = 0.5 + 0.5 * left * inverse, s.second = (0.5 * blend * blend) * inverse * inverse * inverse;
   s.before = Sides{a1, -a1} - 0.25 * s.share * r1, s.after = Sides{a0, -a0} - 0.25 * s.share * r0;
   return value - 1.0 + 0.5 * (left + width);
 }
 
-// What part of the present complementarity the next step aims at.
+// Returns the target of the next step relative to the present complementarity.
 template <int N>
 double RelaxationSolver<N>::centring(const Promise& promise, bool even) const {
   const double p = parts_.mean()[0], d = parts_.mean()[1],
@@ -131,8 +131,8 @@ double RelaxationSolver<N>::centring(const Promise& promise, bool even) const {
 
 template <int N>
 RelaxationOutcome RelaxationSolver<N>::solve(const RelaxationProblem<N>& problem, const RelaxationOptions& options,
-                                             ProgressScope& pulse) {
-  pulse_ = &pulse;
+                                             ProgressScope& progress) {
+  progress_ = &progress;
   take(problem);
   start();
   RelaxationOutcome outcome;

@@ -3,15 +3,15 @@
 ///
 /// With b = v², the axes q over the path length s, and c = 1/v, axis k has the acceleration a_k = q″_k b + q′_k b′/2,
 /// and its jerk is a_k′/c. Time is ∫ c ds. The limits |a_k′| ≤ J_k c and |a_k| ≤ A_k are linear in (b, c). Only c =
-/// 1/√b is not: relaxed to c ≥ 1/√b everything is convex. Every true motion is feasible in the relaxed problem with its
-/// own duration, so that no motion is faster than its optimum; where c = 1/√b everywhere, the optimum is the fastest
+/// 1/√b is not: relaxed to c ≥ 1/√b the problem is convex. Every true motion is feasible in the relaxed problem with
+/// its own duration, so no motion is faster than its optimum; where c = 1/√b everywhere, the optimum is the fastest
 /// motion.
 ///
 /// core/motion/relaxation/weak_form.hpp has the discretisation.
 ///
-/// Solved by a primal-dual interior-point method with predictor and corrector [Mehrotra, SIAM J. Optim. 2 (1992)]. Each
-/// T_j is eliminated on its own; what is left is one system of five diagonals for b. Far from the solution each place
-/// takes the part of a step that it can (newton_parts.hpp); near it they all take the same, and the equations hold.
+/// It is solved by a primal-dual interior-point method with predictor and corrector [Mehrotra, SIAM J. Optim. 2
+/// (1992)]. Each T_j is eliminated on its own, which leaves one pentadiagonal system for b. Far from the solution each
+/// place has its own step length (newton_parts.hpp); near it all have one, and the Newton equations hold.
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -24,22 +24,22 @@
 
 namespace bahnwerk {
 
-/// Of axis k: of jerk per B-spline, index j + 1 for the one whose support is the cells j − 1 … j + 1, j = −1 … n, and
-/// Σ_k J_k |jerk[j][k]| ≤ 1; of acceleration per node. Signed.
+/// Signed multipliers of axis k: of jerk per B-spline, with index j + 1 for the one whose support is the cells j − 1 …
+/// j + 1, j = −1 … n, and Σ_k J_k |jerk[j][k]| ≤ 1; of acceleration per node.
 template <int N>
 struct RelaxationMultipliers {
   using Row = std::array<double, N>;
   std::vector<Row> jerk;          ///< s³/mm
   std::vector<Row> acceleration;  ///< s³/mm²
-  /// What part of that counts against RelaxationLimit, in place of A_k; 0 to 1. None: 0.
+  /// Part of `acceleration` that belongs to RelaxationLimit in place of A_k, 0 to 1; empty if none does.
   std::vector<Row> limited;
-  std::vector<double> b;  ///< per node, about; mm²/s². None where `limited` has none
+  std::vector<double> b;  ///< approximate b per node, mm²/s²; empty where `limited` is
 };
 
 struct RelaxationOutcome {
   int iterations = 0;
   double duration = 0;   ///< s, Σ T_j at the last iterate
-  double gap = 0;        ///< complementarity over duration
+  double gap = 0;        ///< complementarity relative to the duration
   double violation = 0;  ///< of the rows, relative to their limits
   bool converged = false;
 };
@@ -47,39 +47,40 @@ struct RelaxationOutcome {
 struct RelaxationOptions {
   double gap = 1e-5, violation = 1e-6;
   int iterations = 40;
-  std::size_t beyond = 150;  ///< cells that windows reach beyond where they count (windows.hpp)
+  std::size_t beyond = 150;  ///< overlap of windows on each side, cells (windows.hpp)
 };
 
-/// Keeps its memory from one problem to the next: about 0.7 (N = 2), 1.0 (3), 1.4 (5), 2.2 kB (8) per cell. 7 to 15
-/// iterations, 0.1 µs each per cell of three axes as long as it fits the cache.
+/// Solver of relaxations. It reuses its memory from one problem to the next: about 0.7 (N = 2), 1.0 (3), 1.4 (5), 2.2
+/// kB (8) per cell. 7 to 15 iterations, 0.1 µs each per cell of three axes as long as it fits the cache.
 template <int N>
 class RelaxationSolver {
  public:
   using Row = std::array<double, N>;
-  /// Of at least one cell. Throws what progress throws.
-  RelaxationOutcome solve(const RelaxationProblem<N>& problem, const RelaxationOptions& options, ProgressScope& pulse);
+  /// Solves a problem of at least one cell. Throws what `progress` throws.
+  RelaxationOutcome solve(const RelaxationProblem<N>& problem, const RelaxationOptions& options,
+                          ProgressScope& progress);
 
-  /// Of the last solution: b per cell, mm²/s².
+  /// Returns b per cell of the last solution, mm²/s².
   std::vector<double> b() const { return {b_.begin() + 2, b_.end() - 2}; }
   RelaxationMultipliers<N> multipliers() const;
 
  private:
   using Sides = Lanes<2>;  ///< of |x| ≤ limit
-  /// Spline j lives on the cells stored as j … j + 2; place r of its support is stored as j + 2 − r.
+  /// Spline j has the stored cells j … j + 2 as its support; place r of its support is stored as j + 2 − r.
   struct Spline {
     Inequality<double> time;
     std::array<Inequality<Sides>, N> jerk;
     double T = 0, step = 0;                  ///< and its step
-    double inverse_curvature = 0, rest = 0;  ///< of T; right-hand side
+    double inverse_curvature = 0, rest = 0;  ///< inverse second derivative by T; right-hand side
     std::array<double, 3> coupling{};        ///< with b of its cells
   };
   using Hat = std::array<Inequality<Sides>, N>;
-  /// How the value of a hat's inequality changes with relative changes of b before and after its node. Its limit is the
-  /// lesser of A_k and what jerk allows; `share`: how much it is the latter.
+  /// Derivatives of a hat's inequality by relative changes of b before and after its node. Its limit is the smaller of
+  /// A_k and of what jerk allows, smoothed; `share` is the weight of the latter.
   struct Slope {
-    Sides before{}, after{}, share{}, bend{};
+    Sides before{}, after{}, share{}, second{};
   };
-  /// Of the predictor's steps.
+  /// Change of the complementarity under the predictor's steps.
   struct Promise {
     double change = 0, both = 0;  ///< Σ multiplier · slack step; Σ of both steps
   };
@@ -99,16 +100,17 @@ class RelaxationSolver {
   Sides hat_change(std::size_t node, std::size_t k, double before, double after) const;
 
   std::size_t cells_ = 0, rows_ = 0;
-  ProgressScope* pulse_ = nullptr;
+  ProgressScope* progress_ = nullptr;
   WeakForm<N> form_;
   std::vector<Spline> splines_;
   std::vector<Hat> hats_;
-  std::vector<std::array<Slope, N>> slopes_;  ///< of those whose limits depend on b
+  std::vector<std::array<Slope, N>> slopes_;  ///< of the hats whose limits depend on b
   std::vector<Inequality<double>> caps_;
-  /// Two cells more at either end, on which nothing depends. `step_`: right-hand side, then relative change of b.
+  /// Two more cells at each end, on which nothing depends. `step_` is the right-hand side, then the relative change of
+  /// b.
   std::vector<double> b_, inverse_cap_, root_, step_;
   NewtonParts parts_;                          ///< place j: spline j, hat j, cell j − 1 and its cap
-  std::vector<double> fourth_;                 ///< b^(1/4), where limits of acceleration need it
+  std::vector<double> fourth_;                 ///< b^(1/4), where limits of acceleration contain it
   std::vector<std::array<double, 3>> matrix_;  ///< the diagonal and two above it; factored: 1/D, L₁, L₂
   Row inverse_jerk_{}, inverse_acceleration_{};
   double duration_ = 0, complementarity_ = 0, violation_ = 0;

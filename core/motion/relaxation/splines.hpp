@@ -6,7 +6,7 @@
 
 namespace bahnwerk {
 
-/// A polynomial of second degree on a cell of length h: values and slopes at both ends, second derivative.
+/// A quadratic polynomial on a cell of length h: values and slopes at both ends, second derivative.
 struct SplinePart {
   double begin = 0, end = 0, slope_begin = 0, slope_end = 0, second = 0;
   double at(double x) const { return begin + x * (slope_begin + x * second / 2); }
@@ -14,8 +14,8 @@ struct SplinePart {
   double integral(double h) const { return h * (begin + end) / 2 - second * h * h * h / 12; }
 };
 
-/// The three quadratic B-splines that live on a cell of length h between neighbours of lengths `before` and `after`, by
-/// the place of their support: the one that ends with this cell, … that begins with it.
+/// Returns the three quadratic B-splines on a cell of length h between neighbours of lengths `before` and `after`, in
+/// the order of their support: the one that ends with this cell, the middle one, the one that begins with it.
 inline std::array<SplinePart, 3> spline_parts(double before, double h, double after) {
   const double left = before + h, right = h + after;
   return {SplinePart{h / left, 0, -2 / left, 0, 2 / (h * left)},

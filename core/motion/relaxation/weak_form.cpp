@@ -18,7 +18,7 @@ void WeakForm<N>::take(const RelaxationProblem<N>& problem) {
   Row inverse_jerk, inverse_acceleration;
   for (std::size_t k = 0; k < N; ++k)
     inverse_jerk[k] = 1 / problem.jerk[k], inverse_acceleration[k] = 1 / problem.acceleration[k];
-  // Nothing may be asked of a free end: the splines and the hat that are not 0 there are left out.
+  // A free end has no conditions: the splines and the hat that are not 0 there are left out.
   const auto spline_counts = [&](std::size_t i, std::size_t r) {
     return (problem.rest_first || i + r >= 2) && (problem.rest_last || i + r < n);
   };
@@ -35,12 +35,13 @@ void WeakForm<N>::take(const RelaxationProblem<N>& problem) {
       c.time[r] = p.integral(h);
       if (!spline_counts(i, r)) continue;
       for (std::size_t k = 0; k < N; ++k)
-        c.jerk[r][k] = (p.second * cell.way[k] - 0.5 * (p.slope_end * cell.end[k] - p.slope_begin * cell.begin[k])) *
-                       inverse_jerk[k];
+        c.jerk[r][k] =
+            (p.second * cell.displacement[k] - 0.5 * (p.slope_end * cell.end[k] - p.slope_begin * cell.begin[k])) *
+            inverse_jerk[k];
     }
     mass[i] += h / 2, mass[i + 1] += h / 2;
     for (std::size_t k = 0; k < N; ++k) {
-      const double slope = cell.way[k] / h;
+      const double slope = cell.displacement[k] / h;
       if (hat_counts(i)) c.acceleration[0][k] = (slope - 0.5 * cell.begin[k]) * inverse_acceleration[k];
       if (hat_counts(i + 1)) c.acceleration[1][k] = (0.5 * cell.end[k] - slope) * inverse_acceleration[k];
     }
@@ -75,11 +76,14 @@ void WeakForm<N>::take(const RelaxationProblem<N>& problem) {
       for (std::size_t r = 0; r < 3; ++r) {
         allowed[step.cell + r][k] += parts[r].at(step.at) * step.time[k];
         if (spline_counts(step.cell, r))
-          c.jerk[r][k] +=
-              (0.5 * parts[r].slope(step.at) * step.kink[k] - parts[r].at(step.at) * step.bend[k]) * inverse_jerk[k];
+          c.jerk[r][k] += (0.5 * parts[r].slope(step.at) * step.tangent_jump[k] -
+                           parts[r].at(step.at) * step.acceleration_step[k]) *
+                          inverse_jerk[k];
       }
-      if (hat_counts(step.cell)) c.acceleration[0][k] -= 0.5 * (1 - part) * step.kink[k] * inverse_acceleration[k];
-      if (hat_counts(step.cell + 1)) c.acceleration[1][k] -= 0.5 * part * step.kink[k] * inverse_acceleration[k];
+      if (hat_counts(step.cell))
+        c.acceleration[0][k] -= 0.5 * (1 - part) * step.tangent_jump[k] * inverse_acceleration[k];
+      if (hat_counts(step.cell + 1))
+        c.acceleration[1][k] -= 0.5 * part * step.tangent_jump[k] * inverse_acceleration[k];
     }
   }
   for (std::size_t i = 0; i < n; ++i)

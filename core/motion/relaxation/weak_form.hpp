@@ -1,16 +1,17 @@
 #pragma once
-/// The relaxation (core/motion/relaxation/relaxation.hpp) as a finite problem: what it is given, and its weak form.
+/// The relaxation (core/motion/relaxation/relaxation.hpp) as a finite problem: its input and its weak form.
 ///
-/// Discretisation. b is constant in each cell. The limits are asked in the mean only: of acceleration weighted by hats,
-/// of jerk weighted by the quadratic B-splines B_j, with T_j ≥ ∫ B_j c ds the time that such a weight sees:
-///   minimise Σ T_j,   |∫ B_j da_k − Σ B_j bend_k b| ≤ J_k (T_j + step_jk),   |∫ hat_i a_k ds| ≤ A_k ∫ hat_i ds,   b ≤
+/// Discretisation: b is constant in each cell. The limits hold in the mean: acceleration weighted by hat functions,
+/// jerk weighted by the quadratic B-splines B_j, with T_j ≥ ∫ B_j c ds the time under that weight:
+///   minimise Σ T_j,   |∫ B_j da_k − Σ B_j step_k b| ≤ J_k (T_j + time_jk),   |∫ hat_i a_k ds| ≤ A_k ∫ hat_i ds,   b ≤
 ///   cap,
-/// (or |…| ≤ ∫ hat_i (fixed + root √|q′_k| b^(1/4)) ds where b^(1/4), which is concave, is part of a limit,)
-/// the sum over the joints in the support of B_j, step_jk their J_k · time with the weight B_j.
-/// The integrals by parts need q at the nodes and q′ on both sides of them, no q″. This weak form is chosen so that the
-/// multipliers are multipliers of the problem that is not discretised, too: λ_k = Σ λ_jk B_j is continuously
+/// (or |…| ≤ ∫ hat_i (fixed + root √|q′_k| b^(1/4)) ds where b^(1/4), which is concave, is part of a limit.)
+/// The sum is over the joints in the support of B_j; step_k is their acceleration step, time_jk their J_k · time with
+/// the weight B_j.
+/// Integrated by parts, the integrals need q at the nodes and q′ on both sides of them, no q″. The weak form is chosen
+/// so that its multipliers are feasible for the continuous problem, too: λ_k = Σ λ_jk B_j is continuously
 /// differentiable, μ_k = Σ μ_ik hat_i is continuous, and Σ_k J_k |λ_jk| ≤ 1 for each j makes 1 − Σ J_k |λ_k| ≥ 0
-/// everywhere. core/verify/bound/jerk_bound.hpp turns them into a proven bound, whatever their quality.
+/// everywhere. core/verify/bound/jerk_bound.hpp turns them into a proven bound, independent of their accuracy.
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -24,23 +25,23 @@ template <int N>
 struct RelaxationCell {
   using Row = std::array<double, N>;
   double length = 0;   ///< mm, > 0
-  Row way{};           ///< q_k at the end − q_k at the begin
+  Row displacement{};  ///< q_k at the end − q_k at the begin
   Row begin{}, end{};  ///< q′_k at both ends, on this cell's side
   double cap = 0;      ///< largest b in the cell, mm²/s², finite and > 0
 };
 
-/// A place where q′_k jumps by kink[k] and q″_k by bend[k]. So the acceleration of axis k jumps by bend[k] · b, and
-/// may by J_k · time[k] more.
+/// A place where q′_k jumps by tangent_jump[k] and q″_k by acceleration_step[k]: the acceleration of axis k jumps by
+/// acceleration_step[k] · b, and may jump by J_k · time[k] more.
 template <int N>
 struct RelaxationStep {
   std::size_t cell = 0;
-  double at = 0;                 ///< mm from the cell's begin
+  double at = 0;                 ///< mm from the cell's beginning
   std::array<double, N> time{};  ///< s
-  std::array<double, N> kink{}, bend{};
+  std::array<double, N> tangent_jump{}, acceleration_step{};
 };
 
-/// Of the acceleration of an axis wherever the hat of a node is not 0, to either side: ± a_k ≤ fixed + root √u,
-/// with u = |q′_k| √b its speed.
+/// Limit of the acceleration of an axis wherever the hat of a node is not 0: ± a_k ≤ fixed + root √u on each side, with
+/// u = |q′_k| √b its speed.
 template <int N>
 struct RelaxationLimit {
   std::array<std::array<double, 2>, N> fixed{}, root{};
@@ -51,40 +52,41 @@ struct RelaxationProblem {
   using Row = std::array<double, N>;
   std::vector<RelaxationCell<N>> cells;
   std::vector<RelaxationStep<N>> steps;
-  /// Per node, in place of A_k; none: A_k everywhere.
+  /// Limits per node in place of A_k; empty: A_k everywhere.
   std::vector<RelaxationLimit<N>> limits;
   Row acceleration{}, jerk{};                ///< limits; jerk may be infinite
-  bool rest_first = true, rest_last = true;  ///< else speed and acceleration are free at that end
+  bool rest_first = true, rest_last = true;  ///< otherwise speed and acceleration are free at that end
 };
 
-/// The B-splines that live on a cell. Beyond the ends lengths are mirrored; a single cell has itself for neighbours.
+/// The B-splines on a cell. Beyond the ends lengths are mirrored; the neighbours of a single cell are itself.
 template <int N>
 std::array<SplinePart, 3> splines_on(const std::vector<RelaxationCell<N>>& cells, std::size_t cell) {
   const double h = cells[cell].length;
   return spline_parts(cell > 0 ? cells[cell - 1].length : h, h, cell + 1 < cells.size() ? cells[cell + 1].length : h);
 }
 
-/// What b of one cell contributes, by the place of the cell in the support of a spline or a hat.
+/// Coefficients of b of one cell, by the place of the cell in the support of a spline or a hat.
 template <int N>
 struct WeakCell {
   using Row = std::array<double, N>;
   std::array<double, 3> time{};       ///< ∫ B_j ds
   std::array<Row, 3> jerk{};          ///< ∫ B_j da_k / J_k per b; 0 of splines that a free end excludes
-  std::array<Row, 2> acceleration{};  ///< ∫ hat a_k ds / (A_k ∫ hat ds) per b; likewise
-  /// What b^(1/4) adds to its limit, to either side, over A_k.
+  std::array<Row, 2> acceleration{};  ///< ∫ hat a_k ds / (A_k ∫ hat ds) per b; 0 of hats that a free end excludes
+  /// Part of b^(1/4) in the limit on each side, divided by A_k.
   std::array<std::array<Lanes<2>, N>, 2> root{};
 };
 
 template <int N>
 struct WeakForm {
-  std::vector<WeakCell<N>> cells;              ///< two empty ones at either end: cell i is stored as i + 2
+  std::vector<WeakCell<N>> cells;              ///< two empty cells at each end: cell i is stored as i + 2
   std::vector<std::array<double, N>> allowed;  ///< per spline: step_jk, s
   std::vector<double> mass;                    ///< per node: ∫ hat ds, mm
-  std::vector<std::array<Lanes<2>, N>> fixed;  ///< per node: the rest of the limit of acceleration, over A_k
+  std::vector<std::array<Lanes<2>, N>>
+      fixed;  ///< per node: the constant part of the limit of acceleration, divided by A_k
   bool limited = false, any_rooted = false;
-  std::vector<unsigned char> rooted;  ///< per node: whether b^(1/4) adds anything to any
+  std::vector<unsigned char> rooted;  ///< per node: whether any limit depends on b^(1/4)
 
-  /// O(cells). Keeps its memory.
+  /// O(cells). Reuses its memory.
   void take(const RelaxationProblem<N>& problem);
 };
 

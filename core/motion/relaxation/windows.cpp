@@ -7,8 +7,8 @@ namespace bahnwerk {
 
 template <int N>
 const RelaxationMultipliers<N>& RelaxationWindows<N>::next(const RelaxationProblem<N>& part, std::size_t begin,
-                                                           const RelaxationOptions& options, ProgressScope& pulse) {
-  solver_.solve(part, options, pulse);
+                                                           const RelaxationOptions& options, ProgressScope& progress) {
+  solver_.solve(part, options, progress);
   RelaxationMultipliers<N> found = solver_.multipliers();
   if (begin > 0) {
     const auto fade = [&](const auto& before, auto& after) {
@@ -36,7 +36,7 @@ void RelaxationWindows<N>::drop(std::size_t cells) {
 
 template <int N>
 RelaxationMultipliers<N> RelaxationWindows<N>::solve(const RelaxationProblem<N>& problem,
-                                                     const RelaxationOptions& options, ProgressScope& pulse) {
+                                                     const RelaxationOptions& options, ProgressScope& progress) {
   const std::size_t n = problem.cells.size(), beyond = std::clamp(options.beyond, fading, window);
   RelaxationMultipliers<N> all;
   RelaxationProblem<N> part;
@@ -56,7 +56,7 @@ RelaxationMultipliers<N> RelaxationWindows<N>::solve(const RelaxationProblem<N>&
                          problem.limits.begin() + static_cast<std::ptrdiff_t>(last + 1));
     if (begin > 0) drop(first - from);
     from = first;
-    const RelaxationMultipliers<N>& found = next(part, begin - first, options, pulse);
+    const RelaxationMultipliers<N>& found = next(part, begin - first, options, progress);
     const auto put = [&](const auto& some, auto& to) {
       to.resize(first), to.insert(to.end(), some.begin(), some.end());
     };

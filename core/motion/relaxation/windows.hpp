@@ -1,8 +1,9 @@
 #pragma once
-/// Multipliers of long relaxations (relaxation.hpp), window by window: what is far away has no say in them.
+/// Multipliers of long relaxations (relaxation.hpp), window by window: distant cells hardly influence them.
 ///
-/// Each window is solved on its own with free ends, some way beyond where it counts; where two overlap their
-/// multipliers fade over into each other. Any mean of two sets of multipliers is one, with Σ_k J_k |λ_jk| ≤ 1 again.
+/// Each window is solved with free ends and extends beyond the cells in which it counts; where two windows overlap
+/// their multipliers are blended. A convex combination of two sets of feasible multipliers is feasible, with Σ_k J_k
+/// |λ_jk| ≤ 1.
 #include <cstddef>
 
 #include "core/motion/relaxation/relaxation.hpp"
@@ -12,21 +13,21 @@ namespace bahnwerk {
 template <int N>
 class RelaxationWindows {
  public:
-  /// Cells in which it counts. With two or three axes a window fits the processor's cache; with more it would have to
-  /// be so short that what it reaches beyond would cost more than that saves.
+  /// Number of cells in which a window counts. With two or three axes a window fits the processor's cache; with more
+  /// axes it would have to be so short that the overlap costs more than that saves.
   static constexpr std::size_t window = N > 3 ? 2400 : 1200;
-  static constexpr std::size_t fading = 100;  ///< cells in which two windows fade over
+  static constexpr std::size_t fading = 100;  ///< cells in which two windows are blended
 
-  /// Of any number of cells at once: about 1 µs per cell of three axes, however many there are.
+  /// Solves for any number of cells at once: about 1 µs per cell of three axes.
   RelaxationMultipliers<N> solve(const RelaxationProblem<N>& problem, const RelaxationOptions& options,
-                                 ProgressScope& pulse);
+                                 ProgressScope& progress);
 
-  /// Of the cells at hand, a part of a longer problem: the window counts from cell `begin` on, 0 or at least fading/2,
-  /// where it goes on with the one before. Those of the last fading/2 cells in which it counts are not final unless it
-  /// is the last one.
+  /// Solves the next window of the available cells `part`, which are a part of a longer problem. The window counts from
+  /// cell `begin` on (0, or at least fading/2), where it continues the previous one. The multipliers of its last
+  /// fading/2 cells are not final unless it is the last window.
   const RelaxationMultipliers<N>& next(const RelaxationProblem<N>& part, std::size_t begin,
-                                       const RelaxationOptions& options, ProgressScope& pulse);
-  /// The first cells of the last part are not at hand any more.
+                                       const RelaxationOptions& options, ProgressScope& progress);
+  /// Removes the first cells of the last part.
   void drop(std::size_t cells);
 
  private:

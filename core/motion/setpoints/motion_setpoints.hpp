@@ -11,14 +11,13 @@
 
 namespace bahnwerk {
 
-/// Columns `<axis>` for every axis of the machine, then `v<axis>`, `a<axis>`, and where they are asked for `j<axis>`
-/// and `s<axis>`, the jerk and the snap, in the axis' unit, unit/s … unit/s⁴; row k at k · cycle_time, states just
-/// after it. The last row is Motion::final_state(). Kinds derive from it to add columns of their own. A row costs one
-/// Motion::evaluate() and its numbers.
+/// Columns `<axis>` for every axis of the machine, then `v<axis>`, `a<axis>`, and if requested `j<axis>` and `s<axis>`
+/// (jerk and snap), in the axis' unit, unit/s … unit/s⁴. Row k is the state just after k · cycle_time; the last row is
+/// Motion::final_state(). Derived classes add columns. A row costs one Motion::evaluate() and its numbers.
 class MotionSetpoints : public SetpointSource {
  public:
   /// The motion lasts `cycles` whole cycles; columns go up to derivative `highest`, 0 to 4. Throws
-  /// std::invalid_argument where the motion has not the machine's axes, or not such derivatives.
+  /// std::invalid_argument if the motion has other axes than the machine, or lacks these derivatives.
   MotionSetpoints(std::shared_ptr<const Motion> motion, const Machine& machine, std::size_t cycles, int highest = 2);
   const std::vector<Column>& columns() const override { return columns_; }
   std::size_t count() const override { return cycles_ + 1; }
@@ -32,15 +31,15 @@ class MotionSetpoints : public SetpointSource {
     double t = 0;           ///< s
     std::size_t piece = 0;  ///< of the motion
     bool last = false;
-    std::size_t place = unknown;  ///< where write() got to with the row before, if it is kept there
-    Interpolation::Row stepped;   ///< the same where places are stepped from row to row
+    std::size_t place = unknown;  ///< position of write() after the row before, if it is stored there
+    Interpolation::Row stepped;   ///< the row before, where places are stepped from row to row
     static constexpr std::size_t unknown = static_cast<std::size_t>(-1);
   };
   void add_column(Column column) { columns_.push_back(std::move(column)); }
-  /// Writes a row: the motion at t, position and derivatives of all axes, and the columns that were added.
-  /// Sets the row's piece. Called for rows in ascending order.
+  /// Writes a row: position and derivatives of all axes at t, and the added columns. Sets the row's piece. Called for
+  /// rows in ascending order.
   virtual void write(Row& row, double* out) const;
-  /// The axes in the last row.
+  /// Writes the axes of the last row.
   void write_end(double* out) const;
 
  private:

@@ -13,26 +13,26 @@
 
 namespace bahnwerk {
 
-/// The force that the wire's brake is set to, N, where the needle is at parameter u of a segment of its path, at the
-/// speed and acceleration of `law`.
+/// Returns the force to which the wire's brake is set, N, for the needle at parameter u of a segment of its path, at
+/// the speed and acceleration of `law`.
 using BrakeForce = std::function<double(std::size_t segment, double u, const LawState& law)>;
 
 /// Columns of MotionSetpoints, then j<axis> of every axis, x, y, z (mm), phi, psi (deg) of the needle in the part's
 /// frame, s (mm) and v (mm/s) along its path, brake (N), and vx, vy, vz (mm/s), vphi, vpsi (deg/s), the rates of the
-/// pose. Rotary axes in deg and deg/s…: what an axis of unit rad counts is in shown().
+/// pose. Rotary axes are in deg, deg/s …: shown() has the factor of an axis of unit rad.
 ///
-/// With an interpolation the rows' places are its own, a little off those of the law; speed, acceleration and jerk
+/// With an interpolation, the rows' places are its own, slightly off those of the law; speed, acceleration and jerk
 /// along the path are the law's at the row's time.
 class NeedleSetpoints final : public MotionSetpoints {
  public:
-  /// `motion` drives `axes` and lasts `cycles` whole cycles, as does the interpolation; without one places are the
-  /// law's, which is what an exact one gives.
+  /// `motion` drives `axes` and lasts `cycles` whole cycles, as does the interpolation. Without an interpolation places
+  /// are the law's, which are those of the exact interpolator.
   NeedleSetpoints(const std::shared_ptr<const PathMotion>& motion, std::shared_ptr<const KinematicAxisPath> axes,
                   const Machine& machine, std::size_t cycles, BrakeForce brake,
                   std::shared_ptr<const Interpolation> interpolation = nullptr,
                   std::optional<PoseFrame> frame = std::nullopt);
   std::optional<PoseFrame> pose_frame() const override { return frame_; }
-  /// Per axis of the machine: 180/π for one of unit rad, else 1.
+  /// Returns a factor per axis of the machine: 180/π for one of unit rad, else 1.
   static std::vector<double> shown(const Machine& machine);
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// The setpoints of axes that follow a path: the axes, and the tool's place and speed along its path.
+/// The setpoints of axes that follow a path: the axes, and place and speed of the tool along its path.
 #include <cstddef>
 #include <memory>
 
@@ -12,11 +12,11 @@ namespace bahnwerk {
 /// Columns of MotionSetpoints, then s (mm) and v (mm/s).
 class PathSetpoints : public MotionSetpoints {
  public:
-  /// `motion` must already last a whole number of cycles.
+  /// `motion` already lasts a whole number of cycles.
   PathSetpoints(std::shared_ptr<const PathMotion> motion, const Machine& machine, std::size_t cycles);
 
  protected:
-  /// How many columns stand before those that are added to these.
+  /// Number of columns before those that derived classes add.
   std::size_t path_columns() const { return 3 * motion_->axes() + 2; }
   /// Evaluates the law once for the axes, s and v.
   void write(Row& row, double* out) const override;

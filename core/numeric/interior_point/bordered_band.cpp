@@ -6,8 +6,8 @@
 namespace bahnwerk {
 namespace {
 
-// What keeps the factors regular where a law is not determined or conditions repeat each other; refinement takes its
-// effect out again.
+// Regularisation of the factors where a solution is not unique or conditions are redundant; refinement removes its
+// effect.
 constexpr double primal_shift = 1e-11, dual_shift = 1e-13;
 
 }  // namespace

@@ -1,10 +1,10 @@
 #pragma once
-/// Linear programs whose rows are of few neighbouring variables and of a few more that all rows may share (the border).
+/// Linear programs whose rows have few neighbouring variables and a few more that all rows may share (the border).
 ///
-/// Variables and local equalities stand in the order in which they are added: the system of a step is a band over them
-/// with a border of shared variables and of equalities that reach far. The band is factored by Gaussian elimination
-/// with partial pivoting, the border by its Schur complement. Cost per factorisation: O(size · band · (band + border)),
-/// linear in the number of variables.
+/// Variables and local equalities are ordered as they are added: the system of a step is a band over them with a border
+/// of shared variables and of far-reaching equalities. The band is factored by Gaussian elimination with partial
+/// pivoting, the border by its Schur complement. Cost per factorisation: O(size · band · (band + border)), linear in
+/// the number of variables.
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -15,7 +15,8 @@
 
 namespace bahnwerk {
 
-/// lower − f w ≤ aᵀx + bᵀw ≤ upper + f w, a over neighbouring variables of the band, one or two sides.
+/// The row lower − f w ≤ aᵀx + bᵀw ≤ upper + f w, with a over neighbouring variables of the band, one-sided or
+/// two-sided.
 struct BorderedRow {
   static constexpr double unlimited = std::numeric_limits<double>::infinity();
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
@@ -23,7 +24,7 @@ struct BorderedRow {
     std::size_t border;  ///< number of the shared variable
     double weight;
   };
-  std::size_t first = 0;            ///< variable that a begins with
+  std::size_t first = 0;            ///< first variable of a
   std::span<const double> weights;  ///< a; copied by add_row
   double lower = -unlimited, upper = unlimited;
   std::size_t elastic = none;  ///< shared variable that widens both sides
@@ -35,28 +36,28 @@ class BorderedBand final : public InteriorPointSystem {
  public:
   using Term = BorderedRow::Term;
 
-  /// A shared variable with its cost; returns its number.
+  /// Adds a shared variable with its cost; returns its number.
   std::size_t add_border(double cost);
   void set_border_cost(std::size_t border, double cost) { border_cost_[border] = cost; }
-  /// Variables of the band without cost, neighbours of those before; returns the first one's number.
+  /// Adds variables of the band without cost, neighbours of the previous ones; returns the first one's number.
   std::size_t add_variables(std::size_t count);
-  /// Σ weight · variable + Σ weight · shared variable = side, of variables near the end of the band as it stands.
+  /// Adds Σ weight · variable + Σ weight · shared variable = side, for variables near the current end of the band.
   /// Returns its number.
   std::size_t add_equality(std::span<const std::pair<std::size_t, double>> terms, double side,
                            std::span<const Term> border = {});
-  /// An equality of variables anywhere: each costs as much as a shared variable.
+  /// Adds an equality of arbitrary variables; each costs as much as a shared variable.
   std::size_t add_far_equality(std::span<const std::pair<std::size_t, double>> terms, double side,
                                std::span<const Term> border = {});
-  /// After all variables. Returns the row's number.
+  /// Adds a row, after all variables. Returns its number.
   std::size_t add_row(const BorderedRow& row);
   void clear_rows();
 
   std::size_t band_variables() const { return position_.size(); }
   std::size_t borders() const { return border_cost_.size(); }
   std::size_t rows() const { return rows_.size(); }
-  /// Where a shared variable stands in x.
+  /// Index of a shared variable in x.
   std::size_t border_index(std::size_t border) const { return position_.size() + border; }
-  /// Where the sides of a row stand in s and z; BorderedRow::none for a side that is unlimited.
+  /// Indices of the sides of a row in s and z; BorderedRow::none for an unlimited side.
   std::size_t upper_side(std::size_t row) const { return rows_[row].upper; }
   std::size_t lower_side(std::size_t row) const { return rows_[row].lower; }
 
@@ -68,7 +69,7 @@ class BorderedBand final : public InteriorPointSystem {
                       std::vector<double>& out) const override;
   bool factor(const std::vector<double>& weights) override;
   void solve(std::vector<double>& x, std::vector<double>& y) const override;
-  /// Those of the last factors.
+  /// The weights of the last factors.
   const std::vector<double>& weights() const { return weights_; }
 
  private:
@@ -77,7 +78,7 @@ class BorderedBand final : public InteriorPointSystem {
     double elastic_weight;
   };
   struct Equality {
-    std::size_t terms, count, borders, border_count, slot;  // slot: in the band, or in the border where `far`
+    std::size_t terms, count, borders, border_count, slot;  // slot: in the band, or in the border if `far`
     bool far;
   };
   void prepare();

@@ -64,7 +64,7 @@ class Driver {
       for (std::size_t i = 0; i < rows_; ++i) after += (p_.s[i] + primal_ * ds_[i]) * (p_.z[i] + dual_ * dz_[i]);
       const double share = rows_ ? after / static_cast<double>(rows_) / mu : 0;
       for (std::size_t i = 0; i < rows_; ++i) predicted_[i] = ds_[i] * dz_[i];
-      // Products far below what is asked for would only take residuals along.
+      // Products far below the requested ones would only increase residuals.
       const double least =
           0.1 * options_.gap * (1 + std::abs(objective)) / static_cast<double>(std::max<std::size_t>(rows_, 1));
       step(std::max(share * share * share * mu, least));
@@ -123,7 +123,7 @@ class Driver {
     }
   }
 
-  static constexpr double keep = 0.995;  // of the way to the nearest bound that a step goes
+  static constexpr double keep = 0.995;  // of the distance to the nearest bound
 
   InteriorPointSystem& system_;
   InteriorPoint& p_;

@@ -3,10 +3,10 @@
 ///
 ///   minimise cᵀx so that E x = e, G x + s = g, s ≥ 0;   dual: maximise −gᵀz − eᵀy so that c + Gᵀz + Eᵀy = 0, z ≥ 0.
 ///
-/// Mehrotra's predictor and corrector [Mehrotra, On the implementation of a primal-dual interior point method, SIAM J.
-/// Optim. 2, 1992]. The driver knows vectors only; how the system of a step is assembled, factored and solved is the
-/// business of an `InteriorPointSystem`, one class per structure. Cost: one factorisation and two solutions with a step
-/// of refinement each per iteration, 10 to 40 iterations.
+/// Mehrotra's predictor–corrector method [Mehrotra, On the implementation of a primal-dual interior point method, SIAM
+/// J. Optim. 2, 1992]. The driver uses vectors only; an `InteriorPointSystem`, one class per structure, assembles,
+/// factors and solves the system of a step. Cost: one factorisation and two solutions with a step of refinement each
+/// per iteration, 10 to 40 iterations.
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -20,24 +20,24 @@ class InteriorPointSystem {
   virtual const std::vector<double>& cost() const = 0;             ///< c; its size is the number of variables
   virtual const std::vector<double>& equality_side() const = 0;    ///< e
   virtual const std::vector<double>& inequality_side() const = 0;  ///< g
-  /// gx = G x, ex = E x; both have their sizes already.
+  /// Computes gx = G x, ex = E x; both already have their sizes.
   virtual void multiply(const std::vector<double>& x, std::vector<double>& gx, std::vector<double>& ex) const = 0;
-  /// out += Gᵀz + Eᵀy.
+  /// Computes out += Gᵀz + Eᵀy.
   virtual void add_transposed(const std::vector<double>& z, const std::vector<double>& y,
                               std::vector<double>& out) const = 0;
-  /// Assembles and factors K = [GᵀWG Eᵀ; E 0] with W = diag(weights) > 0. False where it is singular.
+  /// Assembles and factors K = [GᵀWG Eᵀ; E 0] with W = diag(weights) > 0. Returns false if it is singular.
   virtual bool factor(const std::vector<double>& weights) = 0;
-  /// (x, y) := K⁻¹ (x, y) with the last factors.
+  /// Computes (x, y) := K⁻¹ (x, y) with the last factors.
   virtual void solve(std::vector<double>& x, std::vector<double>& y) const = 0;
 };
 
-/// Where the method stands; s and z are positive.
+/// An iterate; s and z are positive.
 struct InteriorPoint {
   std::vector<double> x, y, s, z;
 };
 
 struct InteriorPointOptions {
-  double gap = 1e-9;       ///< mean of s z, in parts of 1 + |cᵀx|, times the number of rows, at which it ends
+  double gap = 1e-9;       ///< mean of s z at which the method ends, relative to 1 + |cᵀx|, times the number of rows
   double residual = 1e-9;  ///< of all equations, absolute: programs are scaled to the order of 1
   int max_iterations = 80;
   std::function<void()> tick;  ///< called every iteration; may throw
@@ -46,22 +46,23 @@ struct InteriorPointOptions {
 struct InteriorPointResult {
   bool converged = false;
   int iterations = 0;
-  double gap = 0, primal_residual = 0, dual_residual = 0;  ///< what was reached
+  double gap = 0, primal_residual = 0, dual_residual = 0;  ///< at the last iterate
 };
 
-/// Goes from `point`, whose sizes and signs are right, to the optimum. Where it does not converge the last point stays.
+/// Iterates from `point`, whose sizes and signs have to be right, to the optimum. Without convergence `point` is the
+/// last iterate.
 InteriorPointResult solve_interior_point(InteriorPointSystem& system, InteriorPoint& point,
                                          const InteriorPointOptions& options);
 
-/// (x, y) := K⁻¹ (x, y), K with these weights and without what its factors add to stay regular: their solution and,
-/// where it lost too much to rounding (weights range over twenty powers of ten), a few steps of GMRES that they
-/// precondition [Saad, A flexible inner-outer preconditioned GMRES algorithm, SIAM J. Sci. Comput. 14, 1993]. What is
-/// lost is of low rank, so 12 steps do.
+/// Computes (x, y) := K⁻¹ (x, y) for K with these weights, without the regularisation of its factors: the factors'
+/// solution and, where rounding has lost too much (weights range over twenty powers of ten), a few steps of GMRES that
+/// they precondition [Saad, A flexible inner-outer preconditioned GMRES algorithm, SIAM J. Sci. Comput. 14, 1993]. The
+/// error has low rank, so 12 steps suffice.
 void solve_refined(const InteriorPointSystem& system, const std::vector<double>& weights, std::vector<double>& x,
                    std::vector<double>& y);
 
-/// A lower bound of cᵀx over all feasible x is value − Σ |residual_k| magnitude_k where |x_k| ≤ magnitude_k: weak
-/// duality, for any multipliers. What is not exactly dual feasible costs what it can be worth.
+/// A lower bound of cᵀx over all feasible x is value − Σ |residual_k| magnitude_k where |x_k| ≤ magnitude_k, by weak
+/// duality, for any multipliers. Dual infeasibility is charged with its largest effect.
 struct DualValue {
   double value = 0;              ///< −gᵀz − eᵀy
   std::vector<double> residual;  ///< c + Gᵀz + Eᵀy

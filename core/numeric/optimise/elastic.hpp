@@ -1,11 +1,11 @@
 #pragma once
-/// The problem "least largest violation" of another problem.
+/// The problem "smallest largest violation" of another problem.
 #include "core/numeric/optimise/optimise.hpp"
 
 namespace bahnwerk {
 
 /// Minimises s ≥ 0 over (x, s) under cᵢ(x) ≤ s for inequalities and ±cᵢ(x) ≤ s for equalities, in their scales; bounds
-/// stay. It has feasible points whatever the constraints. Refers to `problem`, which has to outlive it.
+/// are unchanged. It has feasible points for any constraints. It refers to `problem`, which has to outlive it.
 OptimisationProblem elastic_problem(const OptimisationProblem& problem);
 
 }  // namespace bahnwerk

@@ -1,5 +1,6 @@
 #pragma once
-/// The values of an OptimisationProblem in scaled variables z = x/scale, each point evaluated once, the best one kept.
+/// The values of an OptimisationProblem in scaled variables z = x/scale. Each point is evaluated once, and the best one
+/// stored.
 #include <algorithm>
 #include <cstddef>
 #include <span>
@@ -9,14 +10,14 @@
 
 namespace bahnwerk {
 
-/// Everything known at one point, scaled.
+/// All values at one point, scaled.
 struct OptimisationPoint {
   std::vector<double> z, x;  ///< x = scale · z within the bounds
   double objective = 0;
   std::vector<double> rows;   ///< inequalities, then equalities
-  double violation = 0;       ///< largest of a row
+  double violation = 0;       ///< largest one of a row
   bool defined = false;       ///< all values finite
-  bool has_gradient = false;  ///< the next two hold, and are finite
+  bool has_gradient = false;  ///< whether the next two are valid and finite
   std::vector<double> gradient, jacobian;
 };
 
@@ -29,18 +30,18 @@ class OptimisationEvaluator {
   double lower(std::size_t j) const { return lower_[j]; }  ///< scaled
   double upper(std::size_t j) const { return upper_[j]; }
 
-  /// Valid until the next call. Runs the callbacks only where `z` or the gradients are new.
+  /// The result is valid until the next call. Callbacks run only where `z` or the gradients are new.
   const OptimisationPoint& at(std::span<const double> z, bool gradients);
-  /// Feasible with the least objective, else with the least violation; without gradients.
+  /// Returns the feasible point with the least objective, else the one with the least violation; without gradients.
   const OptimisationPoint& best() const { return best_; }
-  /// Finite values for points where the problem is undefined, worse than any seen: methods without gradients compare
-  /// them.
+  /// Finite values for points where the problem is undefined, worse than all others, for methods without gradients,
+  /// which compare them.
   double worse_objective() const { return worst_ + (worst_ - min_) + 1; }
   double worse_row() const { return worst_violation_ + 1; }
 
   void report();
   std::size_t evaluations() const { return evaluations_; }
-  /// Those of a solve of another problem on behalf of this one.
+  /// Adds the evaluations of another problem that was solved on behalf of this one.
   void count(std::size_t evaluations) { evaluations_ += evaluations; }
   std::size_t left() const { return options_.max_evaluations - std::min(evaluations_, options_.max_evaluations); }
 

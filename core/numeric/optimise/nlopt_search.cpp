@@ -29,7 +29,7 @@ nlopt_algorithm algorithm(OptimisationMethod method) {
   throw std::invalid_argument("method of optimisation");
 }
 
-/// What NLopt's callbacks get.
+/// The data of NLopt's callbacks.
 struct Bridge {
   OptimisationEvaluator& evaluator;
   nlopt_opt nlopt;

@@ -1,10 +1,10 @@
 #pragma once
-/// Minimum of a function of several variables under bounds and smooth constraints: a facade over NLopt 2.7
-/// [Johnson: The NLopt nonlinear-optimization package] that checks what NLopt claims.
+/// Minimum of a function of several variables under bounds and smooth constraints: a facade over NLopt 2.7 [Johnson:
+/// The NLopt nonlinear-optimization package] that verifies NLopt's result.
 ///
-/// Cost beside the callbacks: 1 µs per evaluation of a few variables; `slsqp` n³ + n² · (active rows) per iteration, in
-/// which nobody asks Progress: 10 ms at 200 variables and 200 rows (the longest one 0.1 s), 70 ms at 400 and 400 (0.5
-/// s); `mma` up to 10 ms. Measured by tests/bench/bench_optimise.cpp.
+/// Cost beside the callbacks: 1 µs per evaluation of a few variables; `slsqp` n³ + n² · (active rows) per iteration,
+/// during which Progress is not asked: 10 ms at 200 variables and 200 rows (the longest one 0.1 s), 70 ms at 400 and
+/// 400 (0.5 s); `mma` up to 10 ms. Measured by tests/bench/bench_optimise.cpp.
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -22,13 +22,13 @@ struct Constraints {
   /// Fills `values` (rows) and, unless it is empty, `jacobian` (rows × dimension, row by row: ∂cᵢ/∂xⱼ at i · dimension
   /// + j).
   std::function<void(std::span<const double> x, std::span<double> values, std::span<double> jacobian)> evaluate;
-  /// Size of a change of each row that matters as much as 1 in another row; empty: 1. Violations are in this unit.
+  /// Change of each row that is equivalent to 1 in another row; empty: 1. Violations are in this unit.
   std::vector<double> scale;
 };
 
-/// Callbacks see points within the bounds only. A value that is not finite says "undefined here"; the search turns back
-/// from such points. Gradients are asked for by slsqp and mma alone; an entry left unset counts as undefined. What a
-/// callback throws comes out of minimise() unchanged.
+/// Callbacks receive points within the bounds only. A value that is not finite means "undefined here"; the search
+/// avoids such points. Only slsqp and mma request gradients; an entry that is not set counts as undefined. Exceptions
+/// of callbacks are passed on by minimise() unchanged.
 struct OptimisationProblem {
   std::size_t dimension = 0;
   std::vector<double> lower, upper;  ///< per variable; may be infinite; empty: unbounded
@@ -49,12 +49,12 @@ enum class OptimisationMethod {
   direct_l,  ///< dividing rectangles [Gablonsky, Kelley 2001]; global, finite bounds, no constraints, no gradients
 };
 
-/// Tolerances are in units of the scales. No result depends on anything but problem, start and options: same seed, same
+/// Tolerances are in units of the scales. Results depend on problem, start and options only: equal seeds give equal
 /// bits.
 struct OptimisationOptions {
   OptimisationMethod method = OptimisationMethod::slsqp;
-  /// A search ends when it moves by less, relative to x and to the scales. cobyla: 1e-5; with less it may alternate
-  /// between two points until max_evaluations.
+  /// A search ends when it moves by less, relative to x and to the scales. For cobyla 1e-5 is suitable; with less it
+  /// may alternate between two points until max_evaluations.
   double step_tolerance = 1e-9;
   double kkt_tolerance = 1e-6;         ///< see kkt_residual
   double constraint_tolerance = 1e-8;  ///< largest violation of a feasible point
@@ -63,18 +63,18 @@ struct OptimisationOptions {
 };
 
 enum class OptimisationStatus {
-  /// slsqp, mma: feasible, and the KKT residual is within its tolerance: a local minimum to first order.
+  /// slsqp, mma: the point is feasible and its KKT residual within its tolerance: a local minimum to first order.
   converged,
-  /// cobyla, isres, direct_l: the method ended by itself at a feasible point; nothing confirms the minimum.
+  /// cobyla, isres, direct_l: the method ended at a feasible point; nothing confirms the minimum.
   search_ended,
-  /// No feasible point found; with slsqp and mma the largest violation has a confirmed local minimum above the
+  /// No feasible point was found; with slsqp and mma the largest violation has a confirmed local minimum above the
   /// tolerance.
   infeasible,
-  /// max_evaluations reached (up to three more are made to check the end); x is the best point seen.
+  /// max_evaluations was reached (up to three more are made to check the end); x is the best point found.
   evaluation_limit,
-  /// slsqp, mma: the KKT residual stayed above its tolerance in all repeated searches; x is the best point seen.
+  /// slsqp, mma: the KKT residual stayed above its tolerance in all repeated searches; x is the best point found.
   stalled,
-  /// No point with finite values, or gradients that are not finite at all starts.
+  /// There was no point with finite values, or gradients were not finite at all starts.
   undefined,
 };
 
@@ -83,17 +83,17 @@ struct OptimisationResult {
   std::vector<double> x;                                        ///< within the bounds
   double objective = std::numeric_limits<double>::quiet_NaN();  ///< f(x)
   double violation = std::numeric_limits<double>::quiet_NaN();  ///< largest violation of a row, in its scale
-  /// slsqp, mma: least ‖∇f + Jᵀλ‖∞ and |λᵢcᵢ| over multipliers of the right sign, scaled, relative to max(1, ‖∇f‖∞);
-  /// with status `infeasible` that of the problem "least largest violation". NaN if there is none.
+  /// slsqp, mma: the least ‖∇f + Jᵀλ‖∞ and |λᵢcᵢ| over multipliers of the right sign, scaled, relative to max(1,
+  /// ‖∇f‖∞); with status `infeasible` that of the problem "smallest largest violation". NaN if there is none.
   double kkt_residual = std::numeric_limits<double>::quiet_NaN();
   std::size_t evaluations = 0;  ///< points at which the callbacks ran, repeated searches included
 };
 
-/// `start` is moved into the bounds. Calls progress.report("optimise", …) before every evaluation.
-/// slsqp and mma are repeated from where they ended with tighter tolerances, then from points nearby, until the KKT
-/// conditions hold; without a feasible point the largest violation is minimised first. Throws std::invalid_argument for
-/// sizes that do not fit, scales that are not positive, a start or bounds that are NaN, and for a method that cannot
-/// take the problem (mma with equalities, direct_l with constraints, isres and direct_l without finite bounds).
+/// `start` is moved into the bounds. Calls progress.report("optimise", …) before every evaluation. slsqp and mma are
+/// repeated from their end with tighter tolerances, then from points nearby, until the KKT conditions hold; without a
+/// feasible point the largest violation is minimised first. Throws std::invalid_argument for sizes that do not match,
+/// scales that are not positive, a start or bounds that are NaN, and for a method that does not apply to the problem
+/// (mma with equalities, direct_l with constraints, isres and direct_l without finite bounds).
 OptimisationResult minimise(const OptimisationProblem& problem, std::span<const double> start,
                             const OptimisationOptions& options, Progress& progress);
 

@@ -12,7 +12,7 @@
 #include "core/plan/coarse_fine/coarse_fine_setpoints.hpp"
 #include "core/plan/coarse_fine/fitted_motion.hpp"
 #include "core/plan/contour/contour_report.hpp"
-#include "core/plan/contour/posed_contour.hpp"
+#include "core/plan/contour/prepared_contour.hpp"
 #include "core/plan/pipeline.hpp"
 #include "core/redundant/energy.hpp"
 #include "core/redundant/methods/method_table.hpp"
@@ -218,9 +218,9 @@ class CoarseFineProblem final : public MotionProblem {
   void prepare() {
     ContourPlanning planning = planning_;
     planning.method = machine_.limits_jerk() ? PlanningMethod::jerk_limited : PlanningMethod::time_optimal;
-    PosedContour posed_contour = pose_contour(given_, head_limits(machine_), planning, progress_, 0, posed());
-    contour_ = std::move(posed_contour.driven);
-    path_ = std::move(posed_contour.path);
+    PreparedContour prepared_contour = prepare_contour(given_, head_limits(machine_), planning, progress_, 0, posed());
+    contour_ = std::move(prepared_contour.driven);
+    path_ = std::move(prepared_contour.path);
     path_.planned.reset();
   }
 

@@ -35,8 +35,8 @@ void report_joints(const Contour& contour, std::size_t axes, const TimeLaw& samp
   std::size_t i = 0;
   const auto& pieces = sampled.pieces();
   const std::vector<bool> rest = contour.rest_places();
-  ProgressScope scope(progress, "verify", progress_at, progress_at);
-  for (const Joint& joint : joints(contour.path, &scope)) {
+  ProgressScope stage_progress(progress, "verify", progress_at, progress_at);
+  for (const Joint& joint : joints(contour.path, &stage_progress)) {
     if (joint.angle > corner_angle || joint.angle < report_jump) continue;
     while (i < pieces.size() && pieces[i].segment < joint.next) ++i;
     if (rest[joint.next]) continue;

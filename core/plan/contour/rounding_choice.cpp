@@ -48,7 +48,7 @@ class Chooser {
         method_(method),
         options_(options),
         progress_(progress),
-        pulse_(progress, "planning", from, to),
+        stage_progress_(progress, "planning", from, to),
         from_(from),
         to_(to) {
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -69,7 +69,7 @@ class Chooser {
     constexpr double first = 0.9;  // of the progress
     const double middle = from_ + first * (to_ - from_);
     MethodResult law = plan(*rounded_, from_, middle);
-    pulse_.done(first);
+    stage_progress_.done(first);
     find_times(law.law);
     if (!plan_with_stops(middle)) return {std::move(rounded_), std::move(law)};
     for (Section& s : sections_) {
@@ -95,7 +95,7 @@ class Chooser {
     for (const Section& s : sections_) {
       const bool rests = found.empty() || (next < law.pieces().size() && !(law.pieces()[next].v > 0));
       const Part part = part_of(law, next, s.rounded_end);
-      pulse_.work(part.end - part.begin + 1);
+      stage_progress_.work(part.end - part.begin + 1);
       if (rests) {
         found.push_back(s);
         found.back().law = part;
@@ -117,8 +117,8 @@ class Chooser {
     const std::vector<double> feeds = given_->feeds();
     stopping_.dimension = given_->dimension, stopping_.height = given_->height;
     for (Section& s : sections_) {
-      pulse_.work(1);
-      if (!s.changed || !(stopping.least(s.given, s.given_end, pulse_) < quicker * s.law.duration)) continue;
+      stage_progress_.work(1);
+      if (!s.changed || !(stopping.least(s.given, s.given_end, stage_progress_) < quicker * s.law.duration)) continue;
       s.stopping = stopping_.path.size();
       s.stopping_law.end = 1;  // in doubt
       stopping_.rests.push_back({s.stopping, 0, 0});
@@ -126,13 +126,13 @@ class Chooser {
         if (stopping_.blocks.empty() || stopping_.blocks.back().feed != feeds[i])
           stopping_.blocks.push_back({Mode::cut, feeds[i], stopping_.path.size(), stopping_.path.size()});
         append(stopping_.path, given_, i);
-        pulse_.work(2);
+        stage_progress_.work(2);
         ++stopping_.blocks.back().last;
       }
     }
     if (stopping_.path.empty()) return false;
     stopping_result_ = plan(stopping_, from, to_);
-    pulse_.done(1);
+    stage_progress_.done(1);
     std::size_t next = 0;
     for (Section& s : sections_)
       if (s.stopping_law.end > 0)
@@ -164,7 +164,7 @@ class Chooser {
       for (std::size_t i = first; i < last; ++i) {
         append(contour->path, from, i);
         owner.push_back((s.stops ? given_owners : rounded_owners)[i]);
-        pulse_.work(4);
+        stage_progress_.work(4);
       }
       if (s.stops)
         copy(stopping_result_.law, s.stopping_law, stopping_.path, s.stopping, contour->path, place, law);
@@ -205,7 +205,7 @@ class Chooser {
       piece.s = moved(piece.s), piece.s_end = moved(piece.s_end);
       piece.segment = after + piece.segment - before;
       out.append(piece);
-      pulse_.work(1);
+      stage_progress_.work(1);
     }
   }
 
@@ -227,7 +227,7 @@ class Chooser {
   const MethodRow& method_;
   const MethodOptions& options_;
   Progress& progress_;
-  ProgressScope pulse_;
+  ProgressScope stage_progress_;
   double from_, to_;
   std::vector<Section> sections_;
   Contour stopping_;

@@ -22,7 +22,7 @@ std::vector<double> section_times(const TimeLaw& law, double factor, const std::
 SectionGaps section_gaps(const AxisPath& path, const TimeLaw& law, double factor,
                          const std::vector<SectionBound>& bounds, Progress& progress, double progress_at,
                          std::vector<SectionGap>* each) {
-  ProgressScope pulse(progress, "report", progress_at, progress_at);
+  ProgressScope stage_progress(progress, "report", progress_at, progress_at);
   SectionGaps result;
   std::vector<double> gaps;
   const std::vector<double> times = section_times(law, factor, bounds);
@@ -30,7 +30,7 @@ SectionGaps section_gaps(const AxisPath& path, const TimeLaw& law, double factor
     const SectionBound& section = bounds[i];
     SectionGap gap{path[section.first].source(), path[section.last - 1].s1() - path[section.first].s0(), times[i],
                    section.duration, 0};
-    pulse.work(1);
+    stage_progress.work(1);
     if (!(gap.length > SectionGaps::shortest && gap.bound > 0)) continue;
     gap.gap = gap.time / gap.bound - 1;
     gaps.push_back(gap.gap);

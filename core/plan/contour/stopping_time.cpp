@@ -46,11 +46,11 @@ bool StoppingTime::rests(std::size_t i) const {
   return i == 0 || i >= contour_.path.size() || rests_[i] || stops_at(contour_.path, i, corner_angle_);
 }
 
-double StoppingTime::least(std::size_t first, std::size_t last, ProgressScope& pulse) const {
+double StoppingTime::least(std::size_t first, std::size_t last, ProgressScope& progress) const {
   double sum = 0;
   for (std::size_t begin = first, end = first + 1; begin < last; begin = end++) {
-    while (end < last && !rests(end)) ++end, pulse.work(1);
-    sum += between_stops(begin, end, pulse);
+    while (end < last && !rests(end)) ++end, progress.work(1);
+    sum += between_stops(begin, end, progress);
   }
   return sum * (1 - rounding);
 }
@@ -68,9 +68,9 @@ StoppingTime::Limit StoppingTime::limit(std::size_t i) const {
       l.jerk = std::min(l.jerk, machine_.axes[k].jerk / t);
     }
   } else if (segment.curve().kind() == CurveKind::arc) {
-    const double bend = norm(at.d2);
-    if (bend > 0) l.speed = std::min(l.speed, std::sqrt(acceleration_ / bend));
-    l.jerk += bend * bend * l.speed * l.speed * l.speed;
+    const double q2 = norm(at.d2);
+    if (q2 > 0) l.speed = std::min(l.speed, std::sqrt(acceleration_ / q2));
+    l.jerk += q2 * q2 * l.speed * l.speed * l.speed;
   } else {
     l.jerk = unlimited;  // its curvature is not known
   }
@@ -86,16 +86,16 @@ double StoppingTime::joint_speed(std::size_t next) const {
   const double cycle = machine_.cycle_time;
   double speed = unlimited;
   for (std::size_t k = 0; k < machine_.axes.size(); ++k) {
-    const double kink = std::abs(b.d1[k] - a.d1[k]), bend = std::abs(b.d2[k] - a.d2[k]);
+    const double tangent_jump = std::abs(b.d1[k] - a.d1[k]), q2 = std::abs(b.d2[k] - a.d2[k]);
     const AxisLimits& axis = machine_.axes[k];
-    if (kink > 0) speed = std::min(speed, axis.acceleration * cycle / kink);
-    if (bend > 0) speed = std::min(speed, std::sqrt((axis.jerk * cycle + kink * acceleration_) / bend));
+    if (tangent_jump > 0) speed = std::min(speed, axis.acceleration * cycle / tangent_jump);
+    if (q2 > 0) speed = std::min(speed, std::sqrt((axis.jerk * cycle + tangent_jump * acceleration_) / q2));
   }
   return speed * (1 + rounding);
 }
 
-double StoppingTime::between_stops(std::size_t first, std::size_t last, ProgressScope& pulse) const {
-  pulse.work(1);
+double StoppingTime::between_stops(std::size_t first, std::size_t last, ProgressScope& progress) const {
+  progress.work(1);
   if (last == first + 1 && axes_.linear(first)) return verify::rest_to_rest(axes_, first, feeds_[first], machine_);
   Limit l = limit(first);
   const auto stop = [](const Limit& at) {
@@ -105,7 +105,7 @@ double StoppingTime::between_stops(std::size_t first, std::size_t last, Progress
   };
   double sum = l.time + stop(l);
   for (std::size_t i = first + 1; i < last; ++i) {
-    pulse.work(1);
+    progress.work(1);
     const Limit before = l;
     l = limit(i);
     sum += l.time;

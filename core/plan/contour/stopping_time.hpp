@@ -25,7 +25,7 @@ class StoppingTime {
   StoppingTime(const Contour& contour, const AxisPath& axes, const Machine& machine, double corner_angle);
 
   /// Of the segments [first, last), at rest at both ends, s; without dwells. O(segments), 50 to 200 ns each.
-  double least(std::size_t first, std::size_t last, ProgressScope& pulse) const;
+  double least(std::size_t first, std::size_t last, ProgressScope& progress) const;
   /// Whether the motion rests where segment i begins, at a corner for one.
   bool rests(std::size_t i) const;
 
@@ -37,7 +37,7 @@ class StoppingTime {
   };
   Limit limit(std::size_t segment) const;
   double joint_speed(std::size_t next) const;
-  double between_stops(std::size_t first, std::size_t last, ProgressScope& pulse) const;
+  double between_stops(std::size_t first, std::size_t last, ProgressScope& progress) const;
 
   const Contour& contour_;
   const AxisPath& axes_;

@@ -5,7 +5,7 @@
 
 #include "core/base/errors.hpp"
 #include "core/base/progress_part.hpp"
-#include "core/plan/contour/posed_contour.hpp"
+#include "core/plan/contour/prepared_contour.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -26,7 +26,7 @@ std::optional<double> duration(const std::shared_ptr<const Contour>& given, cons
                                const ContourPlanning& planning, Progress& progress) {
   constexpr double posed_at = 0.5;
   try {
-    PosedContour posed = pose_contour(given, machine, planning, progress, 0, posed_at);
+    PreparedContour posed = prepare_contour(given, machine, planning, progress, 0, posed_at);
     posed.path.only_duration = true;
     posed.path.from = posed_at, posed.path.to = 1;
     const PathPlan plan = plan_along(posed.path, progress);

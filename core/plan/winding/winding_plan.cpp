@@ -53,7 +53,7 @@ class Planner {
   Planner(const WindingRequest& request, Progress& progress) : request_(request), progress_(progress) {}
 
   WindingPlan run() {
-    std::visit([&](const auto& part) { lay(part); }, request_.part);
+    std::visit([&](const auto& part) { plan_layout(part); }, request_.part);
     progress_.report("link", laid);
     plan_.path = linked_by(request_.links.objective);
     if (request_.minimum_time) quicken();
@@ -71,13 +71,13 @@ class Planner {
     } catch (const FeedTooFast& feed) {
       throw placed(feed);
     }
-    tell();
+    report();
     return std::move(plan_);
   }
 
  private:
   template <class Part>
-  void lay(const Part& part) {
+  void plan_layout(const Part& part) {
     const winding::Slot slot = winding::checked_slot(part);
     std::vector<winding::LayingRegions> regions;
     for (const winding::Coil& coil : request_.coils) regions.push_back(winding::coil_regions(part, slot, coil));
@@ -332,9 +332,10 @@ class Planner {
   std::shared_ptr<const Interpolation> interpolate(const std::shared_ptr<const PathMotion>& motion,
                                                    std::size_t cycles) {
     std::shared_ptr<const Interpolation> chosen;
-    ProgressScope scope(progress_, "interpolate", planned, planned);
+    ProgressScope stage_progress(progress_, "interpolate", planned, planned);
     for (const auto& row : interpolators) {
-      auto stepped = std::make_shared<const Interpolation>(motion, row.value, request_.cycle_time, cycles, scope);
+      auto stepped =
+          std::make_shared<const Interpolation>(motion, row.value, request_.cycle_time, cycles, stage_progress);
       plan_.fluctuation.push_back(stepped->fluctuation());
       if (row.value == request_.interpolator && row.value != Interpolator::exact) chosen = std::move(stepped);
     }
@@ -360,7 +361,7 @@ class Planner {
     return {feed, "feed.velocity: " + turn_in_words(piece) + ": " + feed.what() + cause, piece};
   }
 
-  void tell() {
+  void report() {
     const double length = winding::wire_length(request_.part, request_.coils, plan_.turns),
                  in_hand = static_cast<double>(request_.parallel);
     plan_.wire_length = in_hand * length;

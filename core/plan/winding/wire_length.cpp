@@ -4,13 +4,13 @@
 #include <cstddef>
 #include <numbers>
 
-#include "core/winding/part/space.hpp"
+#include "core/winding/part/vec3.hpp"
 
 namespace bahnwerk::winding {
 namespace {
 
 /// About the axis from one place to the other, counterclockwise for sense > 0, rising evenly.
-double arc(Space from, Space to, double sense) {
+double arc(Vec3 from, Vec3 to, double sense) {
   const double between = sense * (azimuth(to) - azimuth(from)),
                sweep = between - 2 * std::numbers::pi * std::floor(between / (2 * std::numbers::pi)),
                r0 = std::hypot(from.x, from.y), r1 = std::hypot(to.x, to.y);

@@ -45,7 +45,7 @@ void even_end(std::vector<LawPiece>& pieces, bool last, const TimedPath& path, c
   for (std::size_t i = 0; i < best; ++i) {
     LawPiece& p = piece(i);
     p.v = rate;
-    p.a = p.j = p.q = 0;
+    p.a = p.j = p.snap = 0;
     p.duration = (p.s_end - p.s) / rate;
   }
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// What single axes can do between two nodes of the bound.
+/// Limits of the motion of single axes between two nodes of the bound.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -10,11 +10,11 @@
 
 namespace bahnwerk::verify {
 
-inline constexpr double negligible_direction = 1e-24;  ///< q'_k² below this says nothing about b
+inline constexpr double negligible_direction = 1e-24;  ///< a q'_k² below this does not limit b
 
-/// Shortest time over a way, mm, from speed² ≤ e0 to speed² ≤ e1: accelerate, cruise, brake. What no motion over so
-/// short a way can have at one end for what it has at the other is taken off first: e0 and e1 are bounds with the
-/// rounding of q′ in them, which next to a vanishing tangent is much.
+/// Returns the shortest time over the distance `way`, mm, from speed² ≤ e0 to speed² ≤ e1: accelerate, cruise, brake.
+/// If the distance is too short for one end speed given the other, that end speed is reduced first: e0 and e1 are
+/// bounds that include the rounding of q′, which is large next to a vanishing tangent.
 inline double travel_time(double e0, double e1, double way, double acceleration, double velocity) {
   if (!(way > 0)) return 0;
   e0 = std::min({e0, velocity * velocity, e1 + 2 * acceleration * way});
@@ -28,7 +28,7 @@ inline double travel_time(double e0, double e1, double way, double acceleration,
   return (velocity - start + velocity - end) / acceleration + std::max(0.0, way - ramps) / velocity;
 }
 
-/// The longest that one of the axes takes for its way; the others wait for it.
+/// Returns the longest time that one of the axes takes for its distance; the others wait for it.
 template <int N>
 double slowest(Lanes<N> e0, Lanes<N> e1, Lanes<N> way, Lanes<N> acceleration, Lanes<N> velocity) {
   const Lanes<N> none{}, energy = acceleration * way;
@@ -46,19 +46,19 @@ double slowest(Lanes<N> e0, Lanes<N> e1, Lanes<N> way, Lanes<N> acceleration, La
   return longest;
 }
 
-/// Bounds of q'_k² at a node, of all axes.
+/// Bounds of q'_k² of all axes at a node.
 template <int N>
 Lanes<N> most(const BoundNode<N>& n) {
-  const Lanes<N> t = n.blur + magnitude(lanes(n.tangent));
+  const Lanes<N> t = n.rounding_error + magnitude(lanes(n.tangent));
   return t * t;
 }
 template <int N>
 Lanes<N> least(const BoundNode<N>& n) {
-  const Lanes<N> t = larger(Lanes<N>{}, -(n.blur - magnitude(lanes(n.tangent))));
+  const Lanes<N> t = larger(Lanes<N>{}, -(n.rounding_error - magnitude(lanes(n.tangent))));
   return t * t;
 }
 
-/// What a cell lets through from a node with speed² b to the other one: q b' ≤ p b + energy for every axis.
+/// Condition of a cell between a node with speed² b and the other one: q b' ≤ p b + energy for every axis.
 template <int N>
 double across(const BoundCell<N>& cell, const BoundNode<N>& from, const BoundNode<N>& to, double b) {
   if (cell.kind == BoundCell<N>::Kind::joint) return b + cell.slip;

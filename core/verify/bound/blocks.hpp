@@ -1,13 +1,13 @@
 #pragma once
-/// An array that grows at its end without moving what it holds.
+/// An array that grows at its end without moving its elements.
 #include <cstddef>
 #include <utility>
 #include <vector>
 
 namespace bahnwerk::verify {
 
-/// Copying a large array would take longer than progress may wait. Ordinary memory: the large pages kept from plan to
-/// plan are left to the planners, whose arrays fit them.
+/// Copying a large array would take longer than the interval between two progress calls. It uses ordinary memory; the
+/// large pages that are reused from plan to plan are left to the planners, whose arrays fit them.
 template <class T>
 class Blocks {
  public:
@@ -23,9 +23,9 @@ class Blocks {
       block.push_back(value);
     ++size_;
   }
-  /// Both keep the memory for what follows.
+  /// Both keep the memory for later elements.
   void clear() { size_ = 0; }
-  /// The first `count`. O(elements behind them).
+  /// Removes all but the first `count`. O(elements behind them).
   void drop(std::size_t count) {
     for (std::size_t i = count; i < size_; ++i) (*this)[i - count] = std::move((*this)[i]);
     size_ -= count;
@@ -37,7 +37,7 @@ class Blocks {
   std::vector<std::vector<T>> blocks_;
 };
 
-/// The elements of an array in another order. Lives no longer than both, and as long as neither grows.
+/// A view of the elements of an array in another order. Valid as long as both exist and do not grow.
 template <class T, class Index>
 class Ordered {
  public:

@@ -1,4 +1,4 @@
-// What every motion has to respect at a node and between two of them.
+// Conditions that every motion satisfies at a node and between two of them.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double no_direction = 1e-12;  // |q'_k| below this: the axis stands still, its conditions are dropped
-constexpr double give = 1 + 1e-11;      // caps give way for the rounding of curvatures
+constexpr double give = 1 + 1e-11;      // caps are increased by the rounding of curvatures
 constexpr double slow = 1e-3;           // |q'_m| below this: what the axis allows along the path is not used
 
 double sq(double x) { return x * x; }
@@ -64,7 +64,7 @@ BoundNode<N> BoundGrid<N>::place(std::size_t segment, double u) const {
       if (still_[k]) continue;
       n.position[k] = scale_[k] * q.value[k], n.tangent[k] = scale_[k] * q.d1[k], n.curvature[k] = scale_[k] * q.d2[k];
     }
-    n.blur = 64 * epsilon;
+    n.rounding_error = 64 * epsilon;
   }
   return n;
 }
@@ -74,10 +74,10 @@ void BoundGrid<N>::complete(Node& n) const {
   const Segment& s = path_[n.segment];
   const Shape& known = shape(n.segment);
   const double u = n.u;
-  if (known.arc != nullptr) n.blur = std::max(n.blur, 6 * epsilon);
+  if (known.arc != nullptr) n.rounding_error = std::max(n.rounding_error, 6 * epsilon);
   if (known.rational != nullptr && !s.straight()) {
     const Rational& rational = *known.rational;
-    n.blur += std::min(1e-3, 16 * epsilon * (1 + rational.extent() / (rational.speed(u) * rational.reach())));
+    n.rounding_error += std::min(1e-3, 16 * epsilon * (1 + rational.extent() / (rational.speed(u) * rational.reach())));
   }
   n.s = s.travelled(u);
   const bool cusp = (u <= known.first && s.cusp_begin()) || (u >= known.last && s.cusp_end());
@@ -104,12 +104,12 @@ double BoundGrid<N>::jerk_cap(const AxisSizes& sizes) const {
   for (std::size_t m = 0; m < axes_; ++m) {
     const double rate = std::max(sizes.low[m], -sizes.high[m]);  // |q'_m| from below
     if (!(rate > slow) || !std::isfinite(jerk_[m])) continue;
-    const double bend = most(sizes.bend_low[m], sizes.bend_high[m]) / rate, along = acceleration_[m] / rate;
+    const double q2 = most(sizes.q2_low[m], sizes.q2_high[m]) / rate, along = acceleration_[m] / rate;
     for (std::size_t k = 0; k < axes_; ++k) {
       if (k == m || !std::isfinite(jerk_[k]) || !(sizes.least_third[k] > 0)) continue;
-      const double d1 = most(sizes.low[k], sizes.high[k]), d2 = most(sizes.bend_low[k], sizes.bend_high[k]),
-                   weight = 3 * (d2 + d1 * bend);  // of v |v̇|
-      const double c3 = sizes.least_third[k] - d1 * sizes.third[m] / rate - weight * bend, c1 = weight * along,
+      const double d1 = most(sizes.low[k], sizes.high[k]), d2 = most(sizes.q2_low[k], sizes.q2_high[k]),
+                   weight = 3 * (d2 + d1 * q2);  // of v |v̇|
+      const double c3 = sizes.least_third[k] - d1 * sizes.third[m] / rate - weight * q2, c1 = weight * along,
                    c0 = jerk_[k] + d1 * jerk_[m] / rate;
       if (!(c3 > 0) || !std::isfinite(c0 + c1)) continue;
       double v = std::cbrt(c0 / c3) + std::sqrt(c1 / c3);  // no less than the root; Newton's steps stay above it
@@ -129,7 +129,7 @@ double BoundGrid<N>::turn_cap(const Node& n) const {
     for (std::size_t m = 0; m < k; ++m) {
       const double turn = std::abs(n.tangent[m] * n.curvature[k] - n.tangent[k] * n.curvature[m]);
       const double reach = acceleration_[k] * std::abs(n.tangent[m]) + acceleration_[m] * t;
-      if (turn > 0 && reach > 0) cap = std::min(cap, reach / turn * (give + 16 * n.blur));
+      if (turn > 0 && reach > 0) cap = std::min(cap, reach / turn * (give + 16 * n.rounding_error));
     }
   }
   return cap;
@@ -152,14 +152,14 @@ double BoundGrid<N>::step_cap(const Node& a, const Node& b, double cap) const {
   const double most_along = along(a, b, cap);
   double most = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < axes_; ++k) {
-    const double step = std::abs(b.curvature[k] - a.curvature[k]), kink = std::abs(b.tangent[k] - a.tangent[k]);
-    const double allowed = jerk_[k] * cycle_time_ + (kink > 0 ? kink * most_along : 0);
+    const double step = std::abs(b.curvature[k] - a.curvature[k]), tangent_jump = std::abs(b.tangent[k] - a.tangent[k]);
+    const double allowed = jerk_[k] * cycle_time_ + (tangent_jump > 0 ? tangent_jump * most_along : 0);
     if (step > 0 && allowed < most * step) most = allowed / step * give;
   }
   return most;
 }
 
-// By how much the tool's direction jumps.
+// Returns the jump of the tool's direction.
 template <int N>
 double BoundGrid<N>::corner(const Node& a, const Node& b) const {
   if (unit_direction(a) && unit_direction(b)) return angle_between(direction(a.tangent), direction(b.tangent));
@@ -189,18 +189,18 @@ BoundCell<N> BoundGrid<N>::cell(Node& a, Node& b, const DirectionRange<N>* range
   }
   const Shape known = shape(a.segment);
   c.length = b.s - a.s;
-  if (const double blur = rounding_of(path_length(b)); c.length <= blur && unit_direction(a)) {
-    // Differences over such a cell are rounding: only |d(v²)/ds| ≤ 2 |A| is asked of it.
+  if (const double rounding_error = rounding_of(path_length(b)); c.length <= rounding_error && unit_direction(a)) {
+    // Differences over such a cell are rounding: only |d(v²)/ds| ≤ 2 |A| is required of it.
     double square = 0;
     for (std::size_t k = 0; k < axes_; ++k) square += sq(acceleration_[k]);
-    c.slip = 2 * std::sqrt(square) * (c.length + blur);
+    c.slip = 2 * std::sqrt(square) * (c.length + rounding_error);
     return c;
   }
   c.kind = known.linear ? Cell::Kind::straight : Cell::Kind::curved;
   const bool arc = path_.cartesian() && known.arc != nullptr;
-  double bend = 0, rounding = 0;
+  double q2 = 0, rounding = 0;
   if (arc) {
-    bend = sq(c.length) / 12 * circle_factor(known.arc->sweep() * (b.u - a.u));
+    q2 = sq(c.length) / 12 * circle_factor(known.arc->sweep() * (b.u - a.u));
   } else if (c.kind == Cell::Kind::curved) {
     double size = length_of(a.position) + length_of(b.position);
     if (known.rational != nullptr) size += known.rational->extent();
@@ -216,10 +216,10 @@ BoundCell<N> BoundGrid<N>::cell(Node& a, Node& b, const DirectionRange<N>* range
     if (c.kind == Cell::Kind::straight)
       way = std::abs(a.tangent[k]) * c.length;
     else if (arc)  // ∫h' ds from both ends without cancellation, exact on circles and helices
-      way = std::abs((a.tangent[k] + b.tangent[k]) / 2 * c.length + bend * (a.curvature[k] - b.curvature[k]));
+      way = std::abs((a.tangent[k] + b.tangent[k]) / 2 * c.length + q2 * (a.curvature[k] - b.curvature[k]));
     else
       way = std::abs(b.position[k] - a.position[k]);
-    c.way[k] = std::max(0.0, way * (1 - 1e-13) - rounding);
+    c.displacement[k] = std::max(0.0, way * (1 - 1e-13) - rounding);
     if (c.kind == Cell::Kind::curved)  // there and back
       way = std::min(way + 2 * c.length * range->wrong(k), c.length * range->most(k));
     c.energy[k] = 2 * acceleration_[k] * (way + 1e-13 * c.length + rounding);
@@ -230,11 +230,11 @@ BoundCell<N> BoundGrid<N>::cell(Node& a, Node& b, const DirectionRange<N>* range
   c.valley = valley_;
   double fastest = feeds_[a.segment];
   for (std::size_t k = 0; k < axes_; ++k)
-    if (const double least = range->least(k) - a.blur - b.blur; least > no_direction)
+    if (const double least = range->least(k) - a.rounding_error - b.rounding_error; least > no_direction)
       fastest = std::min(fastest, velocity_[k] / least);
   for (std::size_t k = 0; k < axes_; ++k)
-    c.velocity[k] = std::min(velocity_[k], fastest * (range->most(k) + a.blur + b.blur));
-  // p_m b_a ≤ q_m b_b + c_m and q_k b_b ≤ p_k b_a + c_k leave b_a and b_b finite where the lines cross.
+    c.velocity[k] = std::min(velocity_[k], fastest * (range->most(k) + a.rounding_error + b.rounding_error));
+  // The conditions p_m b_a ≤ q_m b_b + c_m and q_k b_b ≤ p_k b_a + c_k leave b_a and b_b finite where the lines cross.
   for (std::size_t k = 0; k < axes_; ++k)
     for (std::size_t m = 0; m < axes_; ++m) {
       if (m == k) continue;

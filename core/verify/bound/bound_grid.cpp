@@ -19,13 +19,13 @@ constexpr int halvings = 12;
 
 template <int N>
 BoundGrid<N>::BoundGrid(const AxisPath& path, const Machine& machine, std::vector<double> feeds, double corner_angle,
-                        ProgressScope& pulse)
+                        ProgressScope& progress)
     : path_(path),
       axes_(path.axes()),
       cycle_time_(machine.cycle_time),
       corner_angle_(corner_angle),
       feeds_(std::move(feeds)),
-      pulse_(pulse) {
+      progress_(progress) {
   scale_.fill(1);
   if (!path.cartesian()) scale_axes();
   for (std::size_t k = 0; k < axes_; ++k) {
@@ -38,10 +38,10 @@ BoundGrid<N>::BoundGrid(const AxisPath& path, const Machine& machine, std::vecto
     if (!(f > 0)) f = unlimited;
 }
 
-// What counts as small is measured by 1; nothing else depends on it, so samples will do.
+// The scale of small jerk effects is 1; nothing else depends on it, so samples suffice.
 template <int N>
 void BoundGrid<N>::scale_axes() {
-  const AxisArray most = largest_rates(path_, &pulse_);
+  const AxisArray most = largest_rates(path_, &progress_);
   for (std::size_t k = 0; k < axes_; ++k) still_[k] = most[k] == 0;
   for (std::size_t k = 0; k < axes_; ++k)
     if (most[k] > 0 && std::isfinite(most[k])) scale_[k] = std::exp2(-std::ceil(std::log2(most[k])));
@@ -98,7 +98,7 @@ void BoundGrid<N>::append_with_roots(const Node& a, const Node& b, int axis, int
     double flo = a.tangent[k], fhi = b.tangent[k], lo = a.u, hi = b.u;
     if (!(flo * fhi < 0) || std::max(std::abs(flo), std::abs(fhi)) < no_direction) continue;
     // Through kinematics what is 0 at a node is so but for rounding: a root right beside it would say nothing.
-    if (!path_.cartesian() && std::min(std::abs(flo), std::abs(fhi)) <= a.blur) continue;
+    if (!path_.cartesian() && std::min(std::abs(flo), std::abs(fhi)) <= a.rounding_error) continue;
     Node root;
     for (int i = 0, side = 0; i < 80; ++i) {
       double u = (lo * fhi - hi * flo) / (fhi - flo);
@@ -127,8 +127,8 @@ void BoundGrid<N>::append_with_roots(const Node& a, const Node& b, int axis, int
   append_monotone(a, b, depth);
 }
 
-// The ends of the cell agree on the way that every axis goes. Where it cannot be shown that all between agrees, too,
-// half a cell tells more; what is left in doubt then goes into the cell's energy.
+// Encloses the distance of every axis between the ends of the cell. Where monotonicity cannot be shown for the whole
+// cell, half cells are tried; the remaining doubt is added to the cell's energy.
 template <int N>
 void BoundGrid<N>::append_monotone(const Node& a, const Node& b, int depth) {
   const double length = b.s - a.s;
@@ -151,7 +151,7 @@ void BoundGrid<N>::append(const Node& b, const DirectionRange<N>* range) {
     id = static_cast<std::uint32_t>(nodes_.size());
     nodes_.push_back(b);
     nodes_[id].id = id;
-    pulse_.work(shape(b.segment).linear ? 1 : 8);
+    progress_.work(shape(b.segment).linear ? 1 : 8);
   }
   order_.push_back(id);
   if (order_.size() < 2) return;
@@ -198,7 +198,7 @@ void BoundGrid<N>::refine(const std::vector<unsigned char>& marked) {
   order_.clear(), fresh_.clear();
   order_.push_back(former_.front());
   for (std::size_t i = 0; i + 1 < former_.size(); ++i) {
-    if (i % 64 == 0) pulse_.work(1);
+    if (i % 64 == 0) progress_.work(1);
     if (!marked[i] || !cells_[former_[i]].divisible) {
       order_.push_back(former_[i + 1]);
       continue;

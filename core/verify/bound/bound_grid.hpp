@@ -1,5 +1,5 @@
 #pragma once
-/// The nodes of the lower bound: places on the path with what every motion has to respect there.
+/// The nodes of the lower bound: places on the path with the conditions that every motion has to satisfy there.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -24,36 +24,37 @@ class BoundGrid {
  public:
   using Node = BoundNode<N>;
   using Cell = BoundCell<N>;
-  static constexpr double widest_turn = 0.02;   ///< rad per cell
-  static constexpr double widest_change = 0.1;  ///< of q'' over half a cell, of q''; cells are halved beyond that
+  static constexpr double widest_turn = 0.02;  ///< rad per cell
+  static constexpr double widest_change =
+      0.1;  ///< of q'' over half a cell, relative to q''; cells are halved beyond that
 
-  /// `path` and `pulse` outlive it. `feeds`: speed of the tool per segment, infinite where not limited. O(panels) for
-  /// axes through kinematics.
+  /// `path` and `progress` have to outlive the object. `feeds` are speeds of the tool per segment, infinite where not
+  /// limited. O(panels) for axes through kinematics.
   BoundGrid(const AxisPath& path, const Machine& machine, std::vector<double> feeds, double corner_angle,
-            ProgressScope& pulse);
+            ProgressScope& progress);
 
-  /// Cells up to so many times as wide as usual where grids are laid from now on, 8 at most: the bound loses with the
-  /// square of that, and holds all the same.
+  /// Cells become up to `factor` times as wide as usual, 8 at most, in grids that are built later: the bound loses with
+  /// the square of that, and remains valid.
   void widen(double factor) {
     turn_ = factor * widest_turn;
     change_ = factor * widest_change;
   }
-  /// The first grid over the segments [first, last), at rest where it begins and ends or as fast there as the place
-  /// itself allows.
+  /// Builds the first grid over the segments [first, last), at rest at each end or as fast there as the place itself
+  /// allows.
   void build(std::size_t first, std::size_t last, bool rest_first = true, bool rest_last = true);
-  /// How many cells begin in segments before this one. O(log n).
+  /// Returns the number of cells that begin in segments before this one. O(log n).
   std::size_t cells_before(std::size_t segment) const {
     const auto behind = std::partition_point(order_.begin(), order_.end() - 1,
                                              [&](std::uint32_t id) { return nodes_[id].segment < segment; });
     return static_cast<std::size_t>(behind - order_.begin());
   }
-  /// At the begin of that grid b is known to be no more than this.
+  /// Limits b at the beginning of that grid to `most`.
   void enter(double most) {
     Node& first = nodes_[order_.front()];
     first.cap = std::min(first.cap, most);
   }
-  /// Quarters the cells marked, in the order of cells(). What is known of the others stays where it is: O(marked), and
-  /// 1 ns per node for their order.
+  /// Quarters the marked cells, in the order of cells(). Results of the other cells stay valid: O(marked), and 1 ns per
+  /// node for their order.
   void refine(const std::vector<unsigned char>& marked);
 
   std::size_t axes() const { return axes_; }
@@ -63,45 +64,45 @@ class BoundGrid {
   double velocity(std::size_t k) const { return velocity_[k]; }
   double jerk(std::size_t k) const { return jerk_[k]; }  ///< may be infinite
   double feed(std::size_t segment) const { return feeds_[segment]; }
-  /// Along the path; cell i lies between node i and node i + 1.
+  /// Nodes along the path; cell i lies between node i and node i + 1.
   Ordered<Node, std::uint32_t> nodes() const { return {nodes_, order_.data(), order_.size()}; }
   Ordered<Cell, std::uint32_t> cells() const { return {cells_, order_.data(), order_.size() - 1}; }
-  /// Nodes by BoundNode::id, which they keep when the grid is refined, and the cells that begin at them.
+  /// Nodes by BoundNode::id, which is unchanged when the grid is refined, and the cells that begin at them.
   const std::vector<std::uint32_t>& order() const { return order_; }
   std::size_t ids() const { return nodes_.size(); }
   const Node& node_of(std::uint32_t id) const { return nodes_[id]; }
   const Cell& cell_of(std::uint32_t id) const { return cells_[id]; }
-  /// Between nodes `first` and `last` of order() all cells are new since the last build() or refine(), and nodes,
-  /// these two included, are new or may have another cap. Ascending.
+  /// Between nodes `first` and `last` of order() all cells are new since the last build() or refine(), and nodes, these
+  /// two included, are new or may have another cap. Spans are ascending.
   struct Span {
     std::uint32_t first, last;
   };
   const std::vector<Span>& fresh() const { return fresh_; }
-  /// All that q' can be between two nodes of one segment.
+  /// Returns the range of q' between two nodes of one segment.
   DirectionRange<N> range(const Node& a, const Node& b) const;
-  /// Through kinematics: what is known between two nodes serves all within from now on, until forget().
+  /// Through kinematics: enclosures between two nodes are used for all intervals within them, until forget().
   void remember(const Node& a, const Node& b) const;
   void forget() const { whole_.segment = static_cast<std::size_t>(-1); }
-  /// Bounds of |q'''_k|, 1/mm², between two nodes of one segment; infinite where there are none.
+  /// Returns bounds of |q'''_k|, 1/mm², between two nodes of one segment; infinite where there are none.
   std::array<double, N> third(const Node& a, const Node& b) const;
-  /// Largest b = v² that limits of jerk allow at any place between two nodes of one segment; infinite where unknown,
-  /// and where the axes are the tool's coordinates.
+  /// Returns the largest b = v² that limits of jerk allow at any place between two nodes of one segment; infinite where
+  /// unknown, and where the axes are the tool's coordinates.
   double jerk_cap(const Node& a, const Node& b) const;
-  /// A place of a segment.
+  /// Returns the node at a place of a segment.
   Node node(std::size_t segment, double u) const {
     Node n = place(segment, u);
     complete(n);
     return n;
   }
-  /// Whether |q'| = 1 and q'' ⟂ q' there: no axis that the tool moves along is left out.
+  /// Whether |q'| = 1 and q'' ⟂ q' there, so that no axis along which the tool moves is left out.
   bool unit_direction(const Node& n) const;
   double path_length(const Node& n) const { return path_[n.segment].s0() + n.s; }
-  /// Largest |v̇| along the path at both sides of a joint, mm/s², where b is no more than `cap`.
+  /// Returns the largest |v̇| along the path on both sides of a joint, mm/s², where b is at most `cap`.
   double along(const Node& a, const Node& b, double cap) const;
 
  private:
   using Row = std::array<double, N>;
-  /// What is asked of a segment at every node.
+  /// Properties of a segment that every node needs.
   struct Shape {
     const Arc* arc = nullptr;            ///< if it is one
     const Rational* rational = nullptr;  ///< likewise
@@ -115,7 +116,7 @@ class BoundGrid {
   }
   void learn(std::size_t segment) const;
   void scale_axes();
-  Node place(std::size_t segment, double u) const;  ///< position and derivatives alone
+  Node place(std::size_t segment, double u) const;  ///< position and derivatives only
   void complete(Node& n) const;
   double place_cap(const Node& n) const;
   double turn_cap(const Node& n) const;
@@ -132,18 +133,18 @@ class BoundGrid {
   void append(const Node& b, const DirectionRange<N>* range = nullptr);
   Cell cell(Node& a, Node& b, const DirectionRange<N>* range) const;
   DirectionRange<N> range_by_map(const Node& a, const Node& b) const;
-  /// Between two places of a segment: enclosures of q' and q'', and bounds of |q'''|, for axes through kinematics.
+  /// Enclosures of q' and q'', and bounds of |q'''|, between two places of a segment, for axes through kinematics.
   struct AxisSizes {
-    Row low{}, high{}, bend_low{}, bend_high{}, third{};
+    Row low{}, high{}, q2_low{}, q2_high{}, third{};
     Row least_third{};  ///< of |q'''|, from below
   };
   double jerk_cap(const AxisSizes& sizes) const;
-  /// `depth`: how often the way, `length` mm, may be halved to find what is known of short ones alone.
+  /// `depth` limits how often the interval, `length` mm, is halved to find enclosures of short intervals.
   AxisSizes axis_sizes(std::size_t segment, double u0, double u1, double length, int depth) const;
-  /// The same between two nodes, the last ones of which are remembered: several figures of a cell follow from it.
+  /// Returns the sizes between two nodes; the last ones are stored, since several figures of a cell follow from them.
   const AxisSizes& axis_sizes(const Node& a, const Node& b) const;
   AxisSizes within(const AxisSizes& whole, const Node& a, const Node& b) const;
-  Hodograph::Bends bends(std::size_t segment, double u0, double u1) const;
+  Hodograph::DerivativeBounds derivative_bounds(std::size_t segment, double u0, double u1) const;
   Hodograph& hodograph(std::size_t segment) const;
 
   const AxisPath& path_;
@@ -151,25 +152,25 @@ class BoundGrid {
   Row scale_{}, acceleration_{}, velocity_{}, jerk_{};
   std::array<bool, N> still_{};  ///< axes that stand still but for rounding: their conditions are dropped
   double cycle_time_, corner_angle_;
-  double turn_ = widest_turn, change_ = widest_change;  ///< the same, of the grids to come
+  double turn_ = widest_turn, change_ = widest_change;  ///< widths of the grids that are built later
   std::vector<double> feeds_;
-  ProgressScope& pulse_;
+  ProgressScope& progress_;
   Blocks<Node> nodes_;
   Blocks<Cell> cells_;  ///< of the same id as the node that they begin at
   std::vector<std::uint32_t> order_, former_;
   std::vector<Span> fresh_;
-  double valley_ = unlimited;  ///< of the cells that are appended
+  double valley_ = unlimited;  ///< of the cells that are being appended
   bool jerk_limited_ = false;
   struct Stretch {
     std::size_t segment = static_cast<std::size_t>(-1);
     double u0 = 0, u1 = 0;
     AxisSizes sizes;
   };
-  mutable Stretch stretch_;  ///< asked for last
-  mutable Stretch whole_;    ///< remembered
-  mutable Shape shape_;      ///< of the segment asked for last
+  mutable Stretch stretch_;  ///< of the last query
+  mutable Stretch whole_;    ///< of remember()
+  mutable Shape shape_;      ///< of the segment of the last query
   mutable std::size_t shape_of_ = static_cast<std::size_t>(-1);
-  mutable std::optional<Hodograph> hodograph_;  ///< of the segment asked for last
+  mutable std::optional<Hodograph> hodograph_;  ///< of the segment of the last query
   mutable std::size_t hodograph_of_ = 0;
 };
 

@@ -12,10 +12,10 @@ namespace {
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double bend_rounding = 1e-9;  // of q'' at a node, generously
 
-Hodograph::Bends bends_of(const Arc& arc) {
+Hodograph::DerivativeBounds second_derivative_bounds_of(const Arc& arc) {
   const double turn = std::abs(arc.sweep()) / arc.length() * (1 + 8 * epsilon);  // rad/mm
-  const double bend = arc.radius() * turn * turn;                                // 1/mm
-  return {bend, bend * turn};
+  const double q2 = arc.radius() * turn * turn;                                  // 1/mm
+  return {q2, q2 * turn};
 }
 
 }  // namespace
@@ -46,32 +46,32 @@ DirectionRange<N> BoundGrid<N>::range(const Node& a, const Node& b) const {
   }
   for (std::size_t k = 0; k < axes_; ++k) {
     const Interval g = between(a.tangent[k], b.tangent[k], a.curvature[k], b.curvature[k], b.s - a.s, known.third);
-    range.low[k] = g.low - a.blur, range.high[k] = g.high + a.blur;
+    range.low[k] = g.low - a.rounding_error, range.high[k] = g.high + a.rounding_error;
   }
   return range;
 }
 
-// Where q'' keeps its sign q' lies between its ends.
+// Where q'' has one sign, q' lies between its end values.
 template <int N>
 DirectionRange<N> BoundGrid<N>::range_by_map(const Node& a, const Node& b) const {
-  const double length = b.s - a.s, blur = std::max(a.blur, b.blur);
+  const double length = b.s - a.s, rounding_error = std::max(a.rounding_error, b.rounding_error);
   const AxisSizes& sizes = axis_sizes(a, b);
   DirectionRange<N> range;
   for (std::size_t k = 0; k < axes_; ++k) {
     if (still_[k]) continue;
     Interval g{sizes.low[k], sizes.high[k]};
-    if (sizes.bend_low[k] >= 0 || sizes.bend_high[k] <= 0)
+    if (sizes.q2_low[k] >= 0 || sizes.q2_high[k] <= 0)
       g = {std::min(a.tangent[k], b.tangent[k]), std::max(a.tangent[k], b.tangent[k])};
     else if (std::isfinite(sizes.third[k]))
       g = between(a.tangent[k], b.tangent[k], a.curvature[k], b.curvature[k], length, sizes.third[k]);
-    range.low[k] = std::max(sizes.low[k], g.low - blur);
-    range.high[k] = std::min(sizes.high[k], g.high + blur);
+    range.low[k] = std::max(sizes.low[k], g.low - rounding_error);
+    range.high[k] = std::min(sizes.high[k], g.high + rounding_error);
   }
   return range;
 }
 
-// By the path's own enclosures, else by bounds of the map from the tool's position to the axes:
-// q' = Dq h', q'' = D²q[h', h'] + Dq h'', q''' = D³q[h', h', h'] + 3 D²q[h', h''] + Dq h'''.
+// Uses the path's own enclosures, else bounds of the map from the tool's position to the axes: q' = Dq h', q'' =
+// D²q[h', h'] + Dq h'', q''' = D³q[h', h', h'] + 3 D²q[h', h''] + Dq h'''.
 template <int N>
 typename BoundGrid<N>::AxisSizes BoundGrid<N>::axis_sizes(std::size_t segment, double u0, double u1, double length,
                                                           int depth) const {
@@ -82,32 +82,33 @@ typename BoundGrid<N>::AxisSizes BoundGrid<N>::axis_sizes(std::size_t segment, d
   for (std::size_t k = 0; k < axes_ && known; ++k) {
     const double scale = scale_[k];
     sizes.low[k] = scale * discs.d1[k].low(), sizes.high[k] = scale * discs.d1[k].high();
-    sizes.bend_low[k] = scale * discs.d2[k].low(), sizes.bend_high[k] = scale * discs.d2[k].high();
+    sizes.q2_low[k] = scale * discs.d2[k].low(), sizes.q2_high[k] = scale * discs.d2[k].high();
     if (still_[k]) continue;
     sizes.third[k] = scale * discs.d3[k].most();
     sizes.least_third[k] = scale * std::max(0.0, std::abs(discs.d3[k].centre) - discs.d3[k].radius);
   }
   if (known) return sizes;
-  const Hodograph::Bends bends = this->bends(segment, u0, u1);
+  const Hodograph::DerivativeBounds derivative_bounds = this->derivative_bounds(segment, u0, u1);
   const MapBounds map = path_.map_bounds(segment, middle, length);
   known = path_.pose_turn(segment, middle, half) == 0;  // else the tool's angles move the axes, too
   for (std::size_t k = 0; k < axes_; ++k) {
     const double m1 = scale_[k] * map.order[0][k], m2 = scale_[k] * map.order[1][k], m3 = scale_[k] * map.order[2][k];
-    const double first = known ? m1 : unlimited, second = known ? m2 + m1 * bends.second : unlimited;
+    const double first = known ? m1 : unlimited, second = known ? m2 + m1 * derivative_bounds.second : unlimited;
     sizes.low[k] = -first, sizes.high[k] = first;
-    sizes.bend_low[k] = -second, sizes.bend_high[k] = second;
-    sizes.third[k] = known ? m3 + 3 * m2 * bends.second + m1 * bends.third : unlimited;
+    sizes.q2_low[k] = -second, sizes.q2_high[k] = second;
+    sizes.third[k] = known ? m3 + 3 * m2 * derivative_bounds.second + m1 * derivative_bounds.third : unlimited;
   }
   for (std::size_t k = 0; k < axes_; ++k)
-    known = known && std::isfinite(sizes.high[k]) && (std::isfinite(sizes.third[k]) || !std::isfinite(bends.third));
+    known = known && std::isfinite(sizes.high[k]) &&
+            (std::isfinite(sizes.third[k]) || !std::isfinite(derivative_bounds.third));
   if (known || depth == 0 || !(middle > u0 && middle < u1)) return sizes;
   const double before = path_[segment].travelled(middle) - path_[segment].travelled(u0);  // smaller stretches may do
   const AxisSizes left = axis_sizes(segment, u0, middle, before, depth - 1),
                   right = axis_sizes(segment, middle, u1, std::max(length - before, 0.0), depth - 1);
   for (std::size_t k = 0; k < axes_; ++k) {
     sizes.low[k] = std::min(left.low[k], right.low[k]), sizes.high[k] = std::max(left.high[k], right.high[k]);
-    sizes.bend_low[k] = std::min(left.bend_low[k], right.bend_low[k]);
-    sizes.bend_high[k] = std::max(left.bend_high[k], right.bend_high[k]);
+    sizes.q2_low[k] = std::min(left.q2_low[k], right.q2_low[k]);
+    sizes.q2_high[k] = std::max(left.q2_high[k], right.q2_high[k]);
     sizes.third[k] = std::max(left.third[k], right.third[k]);
     sizes.least_third[k] = std::min(left.least_third[k], right.least_third[k]);
   }
@@ -130,21 +131,22 @@ void BoundGrid<N>::remember(const Node& a, const Node& b) const {
   if (!path_.cartesian()) whole_ = {a.segment, a.u, b.u, axis_sizes(a, b)};
 }
 
-// From what is known of the whole and what the ends of the part are: q'' changes by no more than |q'''| times the way.
+// Follows from the enclosure of the whole interval and the ends of the part: q'' changes by at most |q'''| times the
+// length.
 template <int N>
 typename BoundGrid<N>::AxisSizes BoundGrid<N>::within(const AxisSizes& whole, const Node& a, const Node& b) const {
   AxisSizes part = whole;
-  const double length = b.s - a.s, blur = std::max(a.blur, b.blur);
+  const double length = b.s - a.s, rounding_error = std::max(a.rounding_error, b.rounding_error);
   for (std::size_t k = 0; k < axes_; ++k) {
     if (still_[k] || !std::isfinite(whole.third[k])) continue;
     const double middle = (a.curvature[k] + b.curvature[k]) / 2,
                  size = std::abs(a.curvature[k]) + std::abs(b.curvature[k]),
                  reach = whole.third[k] * length / 2 * (1 + 1e-12) + bend_rounding * size;
-    part.bend_low[k] = std::max(part.bend_low[k], middle - reach);
-    part.bend_high[k] = std::min(part.bend_high[k], middle + reach);
+    part.q2_low[k] = std::max(part.q2_low[k], middle - reach);
+    part.q2_high[k] = std::min(part.q2_high[k], middle + reach);
     const Interval g = between(a.tangent[k], b.tangent[k], a.curvature[k], b.curvature[k], length, whole.third[k]);
-    part.low[k] = std::max(part.low[k], g.low - blur);
-    part.high[k] = std::min(part.high[k], g.high + blur);
+    part.low[k] = std::max(part.low[k], g.low - rounding_error);
+    part.high[k] = std::min(part.high[k], g.high + rounding_error);
   }
   return part;
 }
@@ -154,15 +156,16 @@ double BoundGrid<N>::jerk_cap(const Node& a, const Node& b) const {
   return jerk_limited_ && a.segment == b.segment ? jerk_cap(axis_sizes(a, b)) : unlimited;
 }
 
-// Of the tool's path: |h''| and |h'''|.
+// Returns |h''| and |h'''| of the tool's path.
 template <int N>
-Hodograph::Bends BoundGrid<N>::bends(std::size_t index, double u0, double u1) const {
+Hodograph::DerivativeBounds BoundGrid<N>::derivative_bounds(std::size_t index, double u0, double u1) const {
   const Segment& segment = path_[index];
   if ((segment.cusp_begin() && u0 <= segment.curve().begin()) || (segment.cusp_end() && u1 >= segment.curve().end()))
     return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   if (segment.straight()) return {};
-  return segment.curve().kind() == CurveKind::arc ? bends_of(static_cast<const Arc&>(segment.curve()))
-                                                  : hodograph(index).bends(u0, u1);
+  return segment.curve().kind() == CurveKind::arc
+             ? second_derivative_bounds_of(static_cast<const Arc&>(segment.curve()))
+             : hodograph(index).derivative_bounds(u0, u1);
 }
 
 template <int N>
@@ -170,13 +173,13 @@ std::array<double, N> BoundGrid<N>::third(const Node& a, const Node& b) const {
   Row third{};
   if (shape(a.segment).linear) return third;
   if (path_.cartesian()) {
-    third.fill(bends(a.segment, a.u, b.u).third);
+    third.fill(derivative_bounds(a.segment, a.u, b.u).third);
     return third;
   }
   return axis_sizes(a, b).third;
 }
 
-template Hodograph::Bends BoundGrid<2>::bends(std::size_t, double, double) const;
+template Hodograph::DerivativeBounds BoundGrid<2>::derivative_bounds(std::size_t, double, double) const;
 template BoundGrid<2>::AxisSizes BoundGrid<2>::axis_sizes(std::size_t, double, double, double, int) const;
 template const BoundGrid<2>::AxisSizes& BoundGrid<2>::axis_sizes(const Node&, const Node&) const;
 template Hodograph& BoundGrid<2>::hodograph(std::size_t) const;
@@ -188,12 +191,12 @@ template void BoundGrid<2>::remember(const Node&, const Node&) const;
 template void BoundGrid<3>::remember(const Node&, const Node&) const;
 template void BoundGrid<5>::remember(const Node&, const Node&) const;
 template void BoundGrid<8>::remember(const Node&, const Node&) const;
-template Hodograph::Bends BoundGrid<3>::bends(std::size_t, double, double) const;
+template Hodograph::DerivativeBounds BoundGrid<3>::derivative_bounds(std::size_t, double, double) const;
 template BoundGrid<3>::AxisSizes BoundGrid<3>::axis_sizes(std::size_t, double, double, double, int) const;
 template const BoundGrid<3>::AxisSizes& BoundGrid<3>::axis_sizes(const Node&, const Node&) const;
 template Hodograph& BoundGrid<3>::hodograph(std::size_t) const;
-template Hodograph::Bends BoundGrid<5>::bends(std::size_t, double, double) const;
-template Hodograph::Bends BoundGrid<8>::bends(std::size_t, double, double) const;
+template Hodograph::DerivativeBounds BoundGrid<5>::derivative_bounds(std::size_t, double, double) const;
+template Hodograph::DerivativeBounds BoundGrid<8>::derivative_bounds(std::size_t, double, double) const;
 template BoundGrid<5>::AxisSizes BoundGrid<5>::axis_sizes(std::size_t, double, double, double, int) const;
 template BoundGrid<8>::AxisSizes BoundGrid<8>::axis_sizes(std::size_t, double, double, double, int) const;
 template const BoundGrid<5>::AxisSizes& BoundGrid<5>::axis_sizes(const Node&, const Node&) const;

@@ -59,7 +59,7 @@ void BoundSolver<N>::forwards(const std::vector<Span>& all) {
       }
       changed = b != ahead_[id];
       ahead_[id] = b;
-      if (i % 64 == 0) pulse_.work(8);
+      if (i % 64 == 0) progress_.work(8);
     }
     if (!reached_.empty() && reached_.back().last == first)
       reached_.back().last = i;
@@ -88,7 +88,7 @@ void BoundSolver<N>::backwards() {
       changed = b != b_[id];
       b_[id] = b;
       if (i + 1 < order.size()) look_at(grid_.node_of(id), grid_.node_of(order[i + 1]));
-      if (i % 64 == 0) pulse_.work(64);
+      if (i % 64 == 0) progress_.work(64);
     }
     if (kept < reached_.size() && reached_[kept].first == last)
       reached_[kept].first = i;
@@ -118,7 +118,7 @@ double BoundSolver<N>::duration(std::size_t cells) const {
     const double term = part - lost, next = sum + term;
     lost = (next - sum) - term;
     sum = next;
-    pulse_.work(1);
+    progress_.work(1);
   }
   return sum;
 }
@@ -153,7 +153,7 @@ typename BoundSolver<N>::Doubt BoundSolver<N>::mark_switching(double total, std:
   std::size_t i = 0;
   for (const Span& span : reached_)  // and the neighbours of the cells that are new
     for (i = std::max<std::size_t>(i, span.first > 1 ? span.first - 1 : 0); i < cells && i <= span.last; ++i) {
-      if (i % 64 == 0) pulse_.work(8);
+      if (i % 64 == 0) progress_.work(8);
       const std::uint32_t id = order[i];
       if ((state_[id] & divisible) == 0 || time_[id] < negligible_time * total) continue;
       if ((state_[id] & mixed) != 0) doubt.time += time_[id];
@@ -218,7 +218,7 @@ double BoundSolver<N>::time_of(const Cell& cell, const Node& from, const Node& t
     if (e0[k] >= v2 && e1[k] >= v2) active = static_cast<unsigned char>(4 + 3 * k);
   }
   return std::max(cell.length / feed,
-                  slowest<N>(e0, e1, lanes(cell.way), lanes(grid_.accelerations()), lanes(cell.velocity)));
+                  slowest<N>(e0, e1, lanes(cell.displacement), lanes(grid_.accelerations()), lanes(cell.velocity)));
 }
 
 template class BoundSolver<2>;

@@ -1,5 +1,5 @@
 #pragma once
-/// The largest b = v² that any motion may have at the nodes of a bound grid, and the least time that leaves.
+/// The largest b = v² that any motion may have at the nodes of a bound grid, and the least time that follows.
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -10,26 +10,26 @@
 
 namespace bahnwerk::verify {
 
-/// Solves a grid, and solves it again where refining has changed it: b is calculated anew from the first new node of
-/// every place on, forwards and backwards, as far as it comes out different. The results are those of solving all of
-/// it, to the last bit; what is carried over only saves time. Cost: 30 to 60 ns per node reached, for two axes.
+/// Solves a grid, and solves it again where refinement has changed it: b is recomputed from the first new node of every
+/// place on, forwards and backwards, until it is unchanged. The results equal those of a complete solution to the last
+/// bit. Cost: 30 to 60 ns per node reached, for two axes.
 template <int N>
 class BoundSolver {
  public:
-  /// Both outlive it.
-  BoundSolver(const BoundGrid<N>& grid, ProgressScope& pulse) : grid_(grid), pulse_(pulse) {}
+  /// Both have to outlive the object.
+  BoundSolver(const BoundGrid<N>& grid, ProgressScope& progress) : grid_(grid), progress_(progress) {}
 
-  /// All of the grid.
+  /// Solves the whole grid.
   void solve();
-  /// After BoundGrid::refine(), of the grid that was solved before.
+  /// Solves the changes after BoundGrid::refine() of the grid that was solved before.
   void solve_changes();
-  /// Of the first cells, s. O(cells).
+  /// Returns the duration of the first cells, s. O(cells).
   double duration(std::size_t cells) const;
   double duration() const { return duration(grid_.order().size() - 1); }
-  /// By id of the node, of its cell.
+  /// Returns b of a node, or the time of the cell that begins there, by the node's id.
   double speed_square(std::uint32_t id) const { return b_[id]; }
   double cell_time(std::uint32_t id) const { return time_[id]; }
-  /// Of the first `count` nodes along the path. O(count).
+  /// Returns b of the first `count` nodes along the path. O(count).
   std::vector<double> speed_squares(std::size_t count) const {
     std::vector<double> list;
     list.reserve(count);
@@ -38,15 +38,15 @@ class BoundSolver {
   }
 
   struct Doubt {
-    std::size_t cells = 0;  ///< in which the binding condition may change
-    double time = 0;        ///< s, spent in those that no single condition explains
+    std::size_t cells = 0;  ///< number of cells in which the binding condition may change
+    double time = 0;        ///< s, spent in cells that no single condition explains
   };
-  /// Marks, in the order of BoundGrid::cells(), those new ones inside which b comes to the bottom of a valley of the
-  /// caps. Returns how many.
+  /// Marks, in the order of BoundGrid::cells(), the new cells inside which b reaches a minimum of the caps. Returns
+  /// their number.
   std::size_t mark_valleys(std::vector<unsigned char>& marked) const;
-  /// Marks the cells without a condition that binds all through, and the neighbours of a change. After the first call
-  /// only cells that solve_changes() has reached have anything new to say: call it after each of them. `total`: cells
-  /// that take less than 1e-10 of it do not count.
+  /// Marks the cells without a condition that binds throughout, and the neighbours of a change. After the first call
+  /// only cells that solve_changes() has reached are evaluated: call it after each of them. Cells that take less than
+  /// 1e-10 of `total` do not count.
   Doubt mark_switching(double total, std::vector<unsigned char>& marked);
 
  private:
@@ -65,13 +65,14 @@ class BoundSolver {
   double time_of(const Cell& cell, const Node& from, const Node& to, unsigned char& active) const;
 
   const BoundGrid<N>& grid_;
-  ProgressScope& pulse_;
-  // By id. `ahead_`: the largest b after the forward pass. `active_`: 0 none, else which condition binds from one end
-  // of the cell to the other: feed, axis accelerates, brakes, runs at its velocity. `state_`: the flags above.
+  ProgressScope& progress_;
+  // By id. `ahead_` is the largest b after the forward pass. `active_` is 0 for none, else the condition that binds
+  // from one end of the cell to the other: feed, axis accelerates, brakes, runs at its velocity. `state_` has the flags
+  // above.
   std::vector<double> ahead_, b_, time_;
   std::vector<unsigned char> active_, state_;
-  std::vector<Span> reached_;  ///< nodes [first, last) that the passes went over
-  bool looked_ = false;        ///< mark_switching() has seen all cells but those
+  std::vector<Span> reached_;  ///< nodes [first, last) that the passes reached
+  bool looked_ = false;        ///< whether mark_switching() has evaluated all other cells
 };
 
 extern template class BoundSolver<2>;

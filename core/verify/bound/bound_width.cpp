@@ -1,4 +1,4 @@
-// How wide cells may be, by samples: this decides how tight the bound is, not whether it holds.
+// Chooses the width of cells by samples, which affects the tightness of the bound, not its validity.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -22,7 +22,7 @@ std::array<double, N> difference(const std::array<double, N>& a, const std::arra
 }
 }  // namespace
 
-// The curve may do something between a and b that the two nodes do not tell.
+// Whether the curve between a and b may differ from what the two nodes show.
 template <int N>
 bool BoundGrid<N>::too_wide(const Node& a, const Node& b) const {
   const double length = b.s - a.s;
@@ -47,19 +47,19 @@ bool BoundGrid<N>::too_wide(const Node& a, const Node& b) const {
 
 template <int N>
 bool BoundGrid<N>::changes(const Node& a, const Node& middle, const Node& b) const {
-  const double bend = std::max({length_of(a.curvature), length_of(middle.curvature), length_of(b.curvature)});
-  if (bend * (b.s - a.s) < slight_turn) return false;
+  const double q2 = std::max({length_of(a.curvature), length_of(middle.curvature), length_of(b.curvature)});
+  if (q2 * (b.s - a.s) < slight_turn) return false;
   const double change = std::max(length_of(difference(middle.curvature, a.curvature)),
                                  length_of(difference(b.curvature, middle.curvature)));
-  return change > change_ * bend;
+  return change > change_ * q2;
 }
 
 // The maximum velocity curve may be lower inside than between the ends. Told by a third place, and by how much it is
 // off the line through the others.
 template <int N>
 double BoundGrid<N>::valley(const Node& a, const Node& middle, const Node& b) const {
-  const double bend = std::max({length_of(a.curvature), length_of(middle.curvature), length_of(b.curvature)});
-  if (bend * (b.s - a.s) < slight_turn) return unlimited;
+  const double q2 = std::max({length_of(a.curvature), length_of(middle.curvature), length_of(b.curvature)});
+  if (q2 * (b.s - a.s) < slight_turn) return unlimited;
   const double cap = turn_cap(middle), off = std::abs(turn_cap(a) - 2 * cap + turn_cap(b));
   if (!std::isfinite(off)) return cap;
   return off > shallow * cap ? cap - off / 4 : unlimited;

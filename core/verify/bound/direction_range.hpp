@@ -1,5 +1,5 @@
 #pragma once
-/// What the derivative q'_k of an axis by path length may be between two nodes of the bound: an enclosure.
+/// An enclosure of the derivative q'_k of an axis by path length between two nodes of the bound.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,23 +11,23 @@ struct Interval {
   double low = 0, high = 0;
 };
 
-/// A function with the values g0, g1 and slopes d0, d1 at both ends of an interval of length l, whose second derivative
-/// nowhere exceeds `bend`: its slope lies between (d0 + d1 ∓ bend l)/2 throughout (from either end it changes by at
-/// most bend times the way), so it lies between the two lines of least and of greatest slope from either end. Where the
-/// slope keeps its sign these are the values at the ends.
-inline Interval between(double g0, double g1, double d0, double d1, double l, double bend) {
-  const double least = (d0 + d1 - bend * l) / 2, most = (d0 + d1 + bend * l) / 2;
+/// Encloses a function with the values g0, g1 and slopes d0, d1 at both ends of an interval of length l, whose second
+/// derivative nowhere exceeds `q2`. Its slope lies between (d0 + d1 ∓ q2 l)/2 (from either end it changes by at most q2
+/// times the distance), so the function lies between the two lines of least and of greatest slope from either end.
+/// Where the slope has one sign, these are the values at the ends.
+inline Interval between(double g0, double g1, double d0, double d1, double l, double q2) {
+  const double least = (d0 + d1 - q2 * l) / 2, most = (d0 + d1 + q2 * l) / 2;
   if (least >= 0 || most <= 0) return {std::min(g0, g1), std::max(g0, g1)};
   const auto place = [l](double x) { return std::clamp(x, 0.0, l); };
   const double x = place((g1 - g0 - most * l) / (least - most)), y = place((g1 - g0 - least * l) / (most - least));
   return {std::min({g0, g1, g0 + least * x}), std::max({g0, g1, g0 + most * y})};
 }
 
-/// Of every axis. ∫|q'_k| is at most |Δq_k| and twice the integral of what has the wrong sign.
+/// Ranges of q'_k of every axis. ∫|q'_k| is at most |Δq_k| plus twice the integral of the part with the wrong sign.
 template <int N>
 struct DirectionRange {
   std::array<double, N> low{}, high{};
-  /// How far q'_k may have the wrong sign, whichever that is; 0: q_k is monotone.
+  /// Returns how far q'_k may have the wrong sign; 0: q_k is monotone.
   double wrong(std::size_t k) const { return std::max(0.0, std::min(high[k], -low[k])); }
   double least(std::size_t k) const { return std::max({0.0, low[k], -high[k]}); }  ///< of |q'_k|
   double most(std::size_t k) const { return std::max({0.0, high[k], -low[k]}); }   ///< of |q'_k|

@@ -29,7 +29,7 @@ Hodograph::Hodograph(const Rational& curve)
     if (curve.rational()) {
       size = size * sizes(w) + sizes(n) * sizes(w1);
       v = v * w - n * w1;
-      v.resize(std::min(v.size(), 2 * curve.degree() - 1));  // the highest power of both products is the same
+      v.resize(std::min(v.size(), 2 * curve.degree() - 1));  // the highest powers of both products cancel
     }
     const std::size_t count = std::min(v.size(), terms);
     std::copy_n(v.begin(), count, v_[axis].begin());
@@ -49,7 +49,7 @@ void Hodograph::expand(const Row& from, std::size_t count, double middle, double
   for (std::size_t k = 0; k < count; ++k, power *= half) to[k] *= power;
 }
 
-// Horner with the derivatives carried along; what is left out are the powers beyond.
+// Evaluates by Horner's scheme with derivatives; higher powers are omitted.
 std::array<double, Hodograph::few> Hodograph::expand(const Row& from, std::size_t count, double middle, double half) {
   double t0 = from[count - 1], t1 = 0, t2 = 0, t3 = 0, t4 = 0;
   for (std::size_t k = count - 1; k-- > 0;) {
@@ -103,7 +103,7 @@ Hodograph::Range Hodograph::range(double u0, double u1) {
   if (count_ > few) left = rest(t0, t1);
   double size = 0, square = 0;
   for (std::size_t j = count_; j-- > 0;) size = size * far + size_[j];
-  const double blur = 8 * static_cast<double>(count_ + 1) * epsilon * size;
+  const double rounding_error = 8 * static_cast<double>(count_ + 1) * epsilon * size;
   for (std::size_t k = 0; k < axes_; ++k) {
     v[k] = expand(v_[k], count_, middle, half);
     square += v[k][0] * v[k][0];
@@ -112,7 +112,7 @@ Hodograph::Range Hodograph::range(double u0, double u1) {
   if (!(centre > 0)) return range;
   const double inverse = 1 / centre;
   for (std::size_t k = 0; k < axes_; ++k) direction[k] = v[k][0] * inverse;
-  const double unseen = left[0] + left[1] + left[2] + 2 * blur;
+  const double unseen = left[0] + left[1] + left[2] + 2 * rounding_error;
   double along = centre - unseen, across = unseen;
   for (std::size_t j = 1; j < std::min(count_, few); ++j) {
     double part = v[0][j] * direction[0] + v[1][j] * direction[1];
@@ -138,7 +138,7 @@ Hodograph::Range Hodograph::range(double u0, double u1) {
     const double even = c[0] + c[2] + c[4], odd = c[1] + c[3], ends = std::abs(odd);
     double low = even - ends, high = even + ends;
     const double slope = 2 * std::abs(c[2]) + 3 * std::abs(c[3]) + 4 * std::abs(c[4]) + 5 * left[k];
-    if (std::abs(c[1]) < slope) {  // not monotone for certain: the quadratic part, and what is left of the others
+    if (std::abs(c[1]) < slope) {  // not certainly monotone: the quadratic part, and the rest of the others
       const double border = c[0] + c[2];
       low = border - std::abs(c[1]), high = border + std::abs(c[1]);
       if (std::abs(c[1]) < 2 * std::abs(c[2])) {
@@ -148,7 +148,7 @@ Hodograph::Range Hodograph::range(double u0, double u1) {
       const double others = std::abs(c[3]) + std::abs(c[4]);
       low -= others, high += others;
     }
-    low -= left[k] + blur, high += left[k] + blur;
+    low -= left[k] + rounding_error, high += left[k] + rounding_error;
     range.low[k] = std::max({-1.0, direction[k] - spread, low >= 0 ? 0.0 : low / along});
     range.high[k] = std::min({1.0, direction[k] + spread, high <= 0 ? 0.0 : high / along});
   }
@@ -156,8 +156,8 @@ Hodograph::Range Hodograph::range(double u0, double u1) {
 }
 
 // The binormal curvature is b = V × V' w²/|V|³, h'' = b × h', h''' = b' × h' + b × h'' (cf. curve/end_expansion).
-Hodograph::Bends Hodograph::bends(double u0, double u1) const {
-  constexpr Bends none{infinite, infinite};
+Hodograph::DerivativeBounds Hodograph::derivative_bounds(double u0, double u1) const {
+  constexpr DerivativeBounds none{infinite, infinite};
   if (count_ == 0) return none;
   const double t0 = (u0 - pivot_) * inverse_reach_, t1 = (u1 - pivot_) * inverse_reach_;
   const double middle = 0.5 * (t0 + t1), half = 0.5 * std::abs(t1 - t0), far = std::max(std::abs(t0), std::abs(t1));
@@ -166,14 +166,14 @@ Hodograph::Bends Hodograph::bends(double u0, double u1) const {
   for (std::size_t k = 0; k < axes_; ++k) expand(v_[k], count_, middle, half, rows[k]);
   double size = 0;
   for (std::size_t j = count_; j-- > 0;) size = size * far + size_[j];
-  const double blur = 8 * static_cast<double>(count_ + 1) * epsilon * size;
+  const double rounding_error = 8 * static_cast<double>(count_ + 1) * epsilon * size;
   expand(w_, weights_, middle, half, w);
   const auto v = [&](std::size_t j) { return Vec{rows[0][j], rows[1][j], rows[2][j]}; };
   double most_w = 0, slope_w = 0;
   for (std::size_t j = 0; j < weights_; ++j)
     most_w += std::abs(w[j]), slope_w += static_cast<double>(j) * std::abs(w[j]);
   const double centre = norm(v(0));
-  double least = centre - blur, slope = 0;
+  double least = centre - rounding_error, slope = 0;
   for (std::size_t j = 1; j < count_; ++j) {
     least -= centre > 0 ? std::abs(dot(v(j), v(0))) / centre : 0;
     slope += static_cast<double>(j) * norm(v(j));
@@ -186,15 +186,15 @@ Hodograph::Bends Hodograph::bends(double u0, double u1) const {
       first += (m - n) * turn;
       second += (m * (m - 1) - n * (n - 1)) * turn;
     }
-  first += blur * slope, second += blur * slope * static_cast<double>(count_);
+  first += rounding_error * slope, second += rounding_error * slope * static_cast<double>(count_);
   const double w2 = most_w * most_w, cube = least * least * least;
-  Bends bends;
-  bends.second = first * w2 / (cube * half);
-  bends.third =
+  DerivativeBounds derivative_bounds;
+  derivative_bounds.second = first * w2 / (cube * half);
+  derivative_bounds.third =
       w2 / (least * half * half) *
           (second * w2 / cube + 2 * first * most_w * slope_w / cube + 3 * first * w2 * slope / (cube * least)) +
-      bends.second * bends.second;
-  return bends;
+      derivative_bounds.second * derivative_bounds.second;
+  return derivative_bounds;
 }
 
 }  // namespace bahnwerk::verify

@@ -1,5 +1,5 @@
 #pragma once
-/// Where a rational curve may point, and how it may bend, between two parameters: enclosures, not samples.
+/// Enclosures of the direction and of the derivatives of a rational curve between two parameters.
 #include <array>
 #include <cstddef>
 
@@ -7,28 +7,28 @@
 
 namespace bahnwerk::verify {
 
-/// With h = N/w the tangent has the direction of V = N' w − N w' (N' of a polynomial), whose components are polynomials
-/// and have the signs of those of h'. About the middle of the parameters asked for, V = Σ v_j x^j with |x| ≤ 1: sizes
-/// of the v_j bound everything. Rounding of the v_j is included, from the sizes of what they are sums of.
+/// With h = N/w the tangent has the direction of V = N' w − N w' (N' for a polynomial), whose components are
+/// polynomials with the signs of those of h'. About the middle of the interval, V = Σ v_j x^j with |x| ≤ 1: the
+/// magnitudes of the v_j bound everything. Rounding of the v_j is included, from the magnitudes of their terms.
 class Hodograph {
  public:
   /// O(degree²).
   explicit Hodograph(const Rational& curve);
 
-  /// Of every component of h' by arc length, all over [u0, u1].
+  /// Range of every component of h' by arc length over [u0, u1].
   struct Range {
     std::array<double, 3> low{-1, -1, -1}, high{1, 1, 1};
   };
-  /// V lies in a cone about its value in the middle; besides, a component whose linear term outweighs the others is
-  /// monotone, and so has no more than the sign change that its ends show. Terms from the fifth power on are bounded
-  /// together, over a sixteenth of the curve. O(degree): 50 ns for planar cubics.
+  /// Computes the range. V lies in a cone about its value in the middle; in addition, a component whose linear term
+  /// exceeds the others is monotone and has at most the sign change of its ends. Terms from the fifth power on are
+  /// bounded together, over a sixteenth of the curve. O(degree): 50 ns for planar cubics.
   Range range(double u0, double u1);
 
   /// Upper bounds of |h''|, 1/mm, and |h'''|, 1/mm², by arc length; infinite where V cannot be shown not to vanish.
-  struct Bends {
+  struct DerivativeBounds {
     double second = 0, third = 0;
   };
-  Bends bends(double u0, double u1) const;
+  DerivativeBounds derivative_bounds(double u0, double u1) const;
 
  private:
   static constexpr std::size_t terms = 2 * Rational::max_degree;
@@ -41,10 +41,10 @@ class Hodograph {
   double pivot_, inverse_reach_;
   std::size_t axes_ = 2, count_ = 0, weights_ = 1;
   std::array<Row, 3> v_{};  ///< V
-  Row size_{};              ///< what the coefficients of all components together would be without cancellation
+  Row size_{};              ///< magnitudes of the coefficients of all components together without cancellation
   Row w_{};
   double begin_, width_;                              ///< of t
-  std::array<std::array<double, 3>, parts> fifth_{};  ///< bounds of V⁽⁵⁾/5! over parts of the curve, once asked for
+  std::array<std::array<double, 3>, parts> fifth_{};  ///< bounds of V⁽⁵⁾/5! over parts of the curve, computed on demand
   std::array<bool, parts> known_{};
 };
 

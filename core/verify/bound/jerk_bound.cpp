@@ -19,8 +19,8 @@ constexpr std::size_t beyond = 200;  // and cells that windows of the relaxation
 constexpr double gap = 1e-4, violation = 1e-5, kinematic_gap = 3e-3, kinematic_violation = 1e-3;
 constexpr double pieces_per_node = 0.5, more_pieces = 400;
 constexpr double min_cells = 60;  // of a section
-// An axis that jerk brings to its full acceleration in less than this part of the longest time that another one takes
-// does so at once: cells as narrow as its jerk asks for would show nothing else.
+// An axis that jerk brings to its full acceleration in less than this part of another axis' longest time counts as
+// immediate: cells narrow enough for its jerk would show nothing more.
 constexpr double at_once = 1.0 / 64;
 constexpr double no_ramp = 4;  // cells that take longer than so many ramps show nothing of jerk
 // Sections of so few cells, if jerk makes them longer by more than this part, are bounded on fine cells as well: some
@@ -45,12 +45,12 @@ std::array<double, N> shown_jerk(const BoundGrid<N>& grid) {
 }  // namespace
 
 template <int N>
-JerkBound<N>::JerkBound(const BoundGrid<N>& grid, const Machine& machine, ProgressScope& pulse)
+JerkBound<N>::JerkBound(const BoundGrid<N>& grid, const Machine& machine, ProgressScope& progress)
     : grid_(grid),
-      pulse_(pulse),
+      progress_(progress),
       shown_jerk_(shown_jerk(grid)),
-      pieces_(grid, machine.cycle_time, shown_jerk_, pulse),
-      dual_(grid, pulse) {
+      pieces_(grid, machine.cycle_time, shown_jerk_, progress),
+      dual_(grid, progress) {
   problem_.acceleration.fill(1), problem_.jerk.fill(infinite);
   for (std::size_t k = 0; k < grid.axes(); ++k) {
     problem_.acceleration[k] = grid.acceleration(k);
@@ -77,11 +77,11 @@ bool JerkBound<N>::pose(std::size_t most) {
   };
   for (std::size_t i = cell_of_.size(); pieces_.has(i) && known(pieces[i]); ++i) {
     const DualPiece<N>& p = pieces[i];
-    double bend = 0;
-    for (std::size_t k = 0; k < N; ++k) bend += sq(p.end[k] - p.begin[k]);
-    bend = std::sqrt(bend);
+    double q2 = 0;
+    for (std::size_t k = 0; k < N; ++k) q2 += sq(p.end[k] - p.begin[k]);
+    q2 = std::sqrt(q2);
     const bool open = !problem_.cells.empty() && time_ + p.time < pieces_.per_cell() / 2 * extents[i].spacing &&
-                      turn_ + bend < widest_turn && swing_ + extents[i].swing < widest_swing &&
+                      turn_ + q2 < widest_turn && swing_ + extents[i].swing < widest_swing &&
                       problem_.cells.back().length + p.length < extents[i].finest &&
                       std::max(fastest_, p.cap) < alike * std::min(slowest_, p.cap);
     if (!open) {
@@ -94,17 +94,18 @@ bool JerkBound<N>::pose(std::size_t most) {
     }
     RelaxationCell<N>& cell = problem_.cells.back();
     if (p.joint.here) {
-      RelaxationStep<N> step{problem_.cells.size() - 1, cell.length, {}, p.joint.kink, p.joint.bend};
+      RelaxationStep<N> step{
+          problem_.cells.size() - 1, cell.length, {}, p.joint.tangent_jump, p.joint.acceleration_step};
       for (std::size_t k = 0; k < N; ++k) step.time[k] = p.joint.step[k] / problem_.jerk[k];
       problem_.steps.push_back(step);
     }
     if (!grid_.cartesian()) ways_.back().add(p, extents[i].ahead, extents[i].behind, extents[i].speed);
-    for (std::size_t k = 0; k < N; ++k) cell.way[k] += p.way[k];
+    for (std::size_t k = 0; k < N; ++k) cell.displacement[k] += p.displacement[k];
     cell.end = p.end;
     cell.length += p.length;
     capped_ += p.cap * p.length, cell.cap = capped_ / cell.length;
     slowest_ = std::min(slowest_, p.cap), fastest_ = std::max(fastest_, p.cap);
-    time_ += p.time, turn_ += bend, swing_ += extents[i].swing;
+    time_ += p.time, turn_ += q2, swing_ += extents[i].swing;
     cell_of_.push_back(problem_.cells.size() - 1);
   }
   return false;
@@ -125,7 +126,7 @@ void JerkBound<N>::forget(std::size_t first) {
   for (Attempt& attempt : attempts_) attempt.solver.drop(first);
 }
 
-// Any multipliers give a bound, as long as they are those of the whole stretch.
+// Any multipliers give a bound if they are those of the whole section.
 template <int N>
 double JerkBound<N>::stretch(bool rest_first, bool rest_last) {
   using Windows = RelaxationWindows<N>;
@@ -150,7 +151,7 @@ double JerkBound<N>::stretch(bool rest_first, bool rest_last) {
       problem_.limits.push_back(jerk_limit(ways_[i > 0 ? i - 1 : 0], ways_[i < ways_.size() ? i : i - 1], grid_));
     for (Attempt& attempt : attempts_) {
       problem_.jerk = attempt.jerk;
-      const RelaxationMultipliers<N>& found = attempt.solver.next(problem_, begin, options, pulse_);
+      const RelaxationMultipliers<N>& found = attempt.solver.next(problem_, begin, options, progress_);
       attempt.total += dual_.value(pieces_.list(), done, until, cell_of_, problem_, found);
     }
     problem_.jerk = limits;

@@ -8,8 +8,8 @@ namespace bahnwerk::verify {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double give = 1 + 1e-9, kinks = 1 + 1e-5, rounding = 1e-12;
-constexpr double blurs = 16;                         // of q″, per length of the piece
+constexpr double give = 1 + 1e-9, v_margin = 1 + 1e-5, rounding = 1e-12;
+constexpr double rounding_factor = 16;               // of q″, per length of the piece
 constexpr double most_change = 0.75;                 // of b: more says nothing
 constexpr double close_enough = 1 + 4e-4, wide = 2;  // ratios of two b
 constexpr int most_steps = 14;
@@ -19,7 +19,7 @@ double sq(double x) { return x * x; }
 template <int N>
 class Piece {
  public:
-  /// Of b up to `most`: pairs of axes that cannot limit it, even if nothing worked against them, are left out.
+  /// For b up to `most`, pairs of axes that cannot limit it in any case are left out.
   Piece(const JerkCapPiece<N>& piece, double most) : p_(piece) {
     const double cube = most * std::sqrt(most);  // v³
     for (std::size_t k = 0; k < p_.axes; ++k)
@@ -28,18 +28,19 @@ class Piece {
         const double limit = (weighted(x, p_.jerk[k]) + weighted(y, p_.jerk[m])) * p_.length * give;
         if (!(limit < infinite)) continue;
         const double size = std::abs(x) + std::abs(y);
-        std::array<double, 2> bend{};
-        double unsure = blurs * size * p_.blur / p_.length;
+        std::array<double, 2> q2{};
+        double unsure = rounding_factor * size * p_.rounding_error / p_.length;
         for (std::size_t e = 0; e < 2; ++e) {
-          const double one = x * p_.bend[e][k], other = y * p_.bend[e][m];
-          bend[e] = one + other, unsure += rounding * (std::abs(one) + std::abs(other));
+          const double one = x * p_.q2[e][k], other = y * p_.q2[e][m];
+          q2[e] = one + other, unsure += rounding * (std::abs(one) + std::abs(other));
         }
-        const double change = std::abs(bend[1] - bend[0]) - unsure;
+        const double change = std::abs(q2[1] - q2[0]) - unsure;
         if (!(limit < change * cube)) continue;
         Pair& pair = pairs_[count_++];
-        pair = {change, std::min(std::abs(bend[0]), std::abs(bend[1])) + unsure, limit, {}};
+        pair = {change, std::min(std::abs(q2[0]), std::abs(q2[1])) + unsure, limit, {}};
         for (std::size_t e = 0; e < 2; ++e)
-          pair.along[e] = std::abs(x * p_.tangent[e][k] + y * p_.tangent[e][m]) + size * (2 * p_.blur + rounding);
+          pair.along[e] =
+              std::abs(x * p_.tangent[e][k] + y * p_.tangent[e][m]) + size * (2 * p_.rounding_error + rounding);
       }
   }
 
@@ -52,8 +53,8 @@ class Piece {
     return std::cbrt(cube * cube);
   }
 
-  /// By how much more than jerk gives b asks for, in parts of that, the worst pair of axes; −1 at least. No more than
-  /// 0: b is possible.
+  /// Returns the relative excess of the jerk that b needs over the limit, for the worst pair of axes, at least −1. b is
+  /// possible if it is at most 0.
   double excess(double b) {
     accelerations(b);
     change_ = change(b);
@@ -81,7 +82,7 @@ class Piece {
   static double weighted(double p, double limit) { return p == 0 ? 0 : std::abs(p) * limit; }
 
   void accelerations(double b) {
-    const double v = std::sqrt(b) * kinks;
+    const double v = std::sqrt(b) * v_margin;
     for (std::size_t k = 0; k < p_.axes; ++k) {
       most_[k] = p_.acceleration[k];
       if (!(p_.least[k] > 0 && p_.jerk[k] < infinite)) continue;
@@ -96,7 +97,7 @@ class Piece {
     for (std::size_t k = 0; k < p_.axes; ++k) {
       sum += p_.most[k] * most_[k];
       if (!(p_.least[k] > 0)) continue;
-      const double least = sq(p_.least[k] / p_.most[k]) * b - 2 * most_[k] * p_.way[k] / sq(p_.most[k]);
+      const double least = sq(p_.least[k] / p_.most[k]) * b - 2 * most_[k] * p_.displacement[k] / sq(p_.most[k]);
       most = std::min(most, b - least);
     }
     return (p_.unit ? std::min(most, 2 * p_.length * sum) : most) * give;
@@ -107,8 +108,9 @@ class Piece {
     double most = infinite, sum = 0;
     for (std::size_t k = 0; k < p_.axes; ++k) {
       const double t = std::abs(p_.tangent[e][k]);
-      sum += (t + p_.blur) * most_[k];
-      if (t > 2 * p_.blur) most = std::min(most, (most_[k] + std::abs(p_.bend[e][k]) * b) / (t - p_.blur));
+      sum += (t + p_.rounding_error) * most_[k];
+      if (t > 2 * p_.rounding_error)
+        most = std::min(most, (most_[k] + std::abs(p_.q2[e][k]) * b) / (t - p_.rounding_error));
     }
     return (p_.unit ? std::min(most, sum) : most) * give;
   }

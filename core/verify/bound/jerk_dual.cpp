@@ -14,7 +14,7 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon(), infinite = st
 constexpr double much = 2e-4, kinematic_much = 1e-2;
 constexpr int halvings = 8;
 
-/// min over 0 < b ≤ cap of w/√b + G b; w ≥ 0.
+/// Returns min over 0 < b ≤ cap of w/√b + G b for w ≥ 0.
 double least(double w, double G, double cap) {
   if (G > 0 && w <= 2 * G * cap * std::sqrt(cap)) return 1.5 * std::cbrt(2 * G * w * w);
   return w / std::sqrt(cap) + G * cap;
@@ -56,20 +56,21 @@ DualPiece<N> dual_piece(const BoundGrid<N>& grid, const BoundNode<N>& a, const B
   p.length = b.s - a.s;
   p.cap = cap;
   p.time = p.length / std::sqrt(cap);
-  p.rounding = 128 * epsilon * (1 + b.s) / p.length + 64 * epsilon + a.blur + b.blur;
+  p.rounding = 128 * epsilon * (1 + b.s) / p.length + 64 * epsilon + a.rounding_error + b.rounding_error;
   p.third = third;
   p.along = infinite;
-  // Of a coordinate an origin's sum, or an arc's centre and radius, at either end; other axes come from longer
-  // formulas.
-  const double blurs = (grid.cartesian() ? 4 : 16) * epsilon;
+  // Rounding of a coordinate comes from an origin's sum, or an arc's centre and radius, at either end; other axes have
+  // longer formulas.
+  const double rounding_factor = (grid.cartesian() ? 4 : 16) * epsilon;
   for (std::size_t k = 0; k < grid.axes(); ++k) {
-    p.way[k] = b.position[k] - a.position[k];
-    p.way_blur = std::max({p.way_blur, blurs * std::abs(a.position[k]), blurs * std::abs(b.position[k])});
+    p.displacement[k] = b.position[k] - a.position[k];
+    p.displacement_error = std::max(
+        {p.displacement_error, rounding_factor * std::abs(a.position[k]), rounding_factor * std::abs(b.position[k])});
     p.begin[k] = a.tangent[k], p.end[k] = b.tangent[k];
-    p.bend[k] = std::max(std::abs(a.curvature[k]), std::abs(b.curvature[k]));
-    const double bend = p.bend[k] + p.third[k] * p.length;  // |q″_k| anywhere in it
-    const double least = std::min(std::abs(p.begin[k]), std::abs(p.end[k])) - bend * p.length;
-    if (least > 1e-3) p.along = std::min(p.along, (grid.acceleration(k) + bend * cap) / least);
+    p.q2[k] = std::max(std::abs(a.curvature[k]), std::abs(b.curvature[k]));
+    const double q2 = p.q2[k] + p.third[k] * p.length;  // |q″_k| anywhere in it
+    const double least = std::min(std::abs(p.begin[k]), std::abs(p.end[k])) - q2 * p.length;
+    if (least > 1e-3) p.along = std::min(p.along, (grid.acceleration(k) + q2 * cap) / least);
   }
   return p;
 }
@@ -138,7 +139,7 @@ template <int N>
 typename JerkDual<N>::Value JerkDual<N>::of(const DualPiece<N>& p, double x, const DualPiece<N>* next,
                                             const AllLimits& limits) const {
   const double y = x + p.length;
-  // w is at least a quadratic: its Bernstein coefficients.
+  // w is at least a quadratic with these Bernstein coefficients.
   double w0 = 0, w1 = 0, slope = 0;
   for (std::size_t r = 0; r < 3; ++r)
     w0 += weight_[r] * parts_[r].at(x), w1 += weight_[r] * parts_[r].at(y), slope += weight_[r] * parts_[r].slope(x);
@@ -146,7 +147,7 @@ typename JerkDual<N>::Value JerkDual<N>::of(const DualPiece<N>& p, double x, con
   const auto positive = [](double w) { return std::max(0.0, w - 1e-14); };
   const Range w{positive(std::min({w0, w1, middle})), positive(std::max({w0, w1, middle})),
                 positive((w0 + w1 + middle) / 3)};
-  double integral = 0, size = 0, moved = 0, radius = 0, cost = 0, kink = 0, next_kink = 0, loss = 0;
+  double integral = 0, size = 0, moved = 0, radius = 0, cost = 0, tangent_jump = 0, next_tangent_jump = 0, loss = 0;
   double low = 0, high = 0;  // D
   for (std::size_t k = 0; k < grid_.axes(); ++k) {
     const double rise = (mu_[1][k] - mu_[0][k]) / length_;
@@ -162,9 +163,9 @@ typename JerkDual<N>::Value JerkDual<N>::of(const DualPiece<N>& p, double x, con
     };
     const double u0 = mu_[0][k] + rise * x, u1 = mu_[0][k] + rise * y;
     const double e0 = u0 - slope0, e1 = u1 - slope1, change = rise - second;
-    integral += 0.5 * (e1 * p.end[k] - e0 * p.begin[k]) - change * p.way[k];
-    size += (std::abs(e0) + std::abs(e1)) * (1 + p.bend[k] * p.length) + std::abs(change) * p.length;
-    moved += std::abs(change) * p.way_blur;
+    integral += 0.5 * (e1 * p.end[k] - e0 * p.begin[k]) - change * p.displacement[k];
+    size += (std::abs(e0) + std::abs(e1)) * (1 + p.q2[k] * p.length) + std::abs(change) * p.length;
+    moved += std::abs(change) * p.displacement_error;
     radius += 0.5 * std::max(std::abs(e0), std::abs(e1)) * p.third[k];
     if (rooted_[k]) {
       const Limits& l = limits[k];
@@ -176,19 +177,20 @@ typename JerkDual<N>::Value JerkDual<N>::of(const DualPiece<N>& p, double x, con
     if (p.joint.here) {
       const double l = lambda(x);
       cost += std::abs(l) * p.joint.step[k];
-      kink -= 0.5 * e0 * p.joint.kink[k] + l * p.joint.bend[k];
+      tangent_jump -= 0.5 * e0 * p.joint.tangent_jump[k] + l * p.joint.acceleration_step[k];
     }
-    if (next != nullptr) next_kink -= 0.5 * e1 * next->joint.kink[k] + lambda(y) * next->joint.bend[k];
+    if (next != nullptr)
+      next_tangent_jump -= 0.5 * e1 * next->joint.tangent_jump[k] + lambda(y) * next->joint.acceleration_step[k];
   }
   if (taken_ > 0) {
-    // Of D only its mean over the cell.
+    // Only the mean of D over the cell counts.
     const double centre = length_ / 2, a = std::abs(x - centre), b = std::abs(y - centre),
                  away = (x - centre) * (y - centre) > 0 ? p.length * (a + b) / 2 : (a * a + b * b) / 2;
     integral -= taken_ * p.length, size += taken_ * p.length;
     loss += std::max(high - taken_, taken_ - low) * std::min(2 * along_ * away, p.cap * p.length);
   }
-  // What jumps of q′ and q″ add to G stands at the joint. Half of it may be spread over the pieces on either side, for
-  // b cannot change much there: on average by |v̇| times the length.
+  // The contribution of jumps of q′ and q″ to G lies at the joint. Half of it may be distributed to the pieces on
+  // either side, since b cannot change much there: on average by |v̇| times the length.
   const auto spread = [&](double jump, double joint_cap) {
     const double change = p.along * p.length;
     if (change < joint_cap)
@@ -196,8 +198,8 @@ typename JerkDual<N>::Value JerkDual<N>::of(const DualPiece<N>& p, double x, con
     else
       loss += std::max(0.0, -jump) / 2 * joint_cap;
   };
-  if (p.joint.here) spread(kink, p.joint.cap);
-  if (next != nullptr) spread(next_kink, next->joint.cap);
+  if (p.joint.here) spread(tangent_jump, p.joint.cap);
+  if (next != nullptr) spread(next_tangent_jump, next->joint.cap);
   // G stays within half of what it may change by about its mean.
   const double mean = (integral - p.rounding * size - moved) / p.length, half = radius * p.length / 2;
   const double sure = least_mean(w, {mean - half, mean + half, mean}, p.cap), best = least(w.mean, mean, p.cap);
@@ -214,7 +216,7 @@ double JerkDual<N>::refined(const DualPiece<N>& p, double x, const DualPiece<N>*
   const BoundNode<N> m = grid_.node(p.segment, u), a = ends.first ? *ends.first : grid_.node(p.segment, p.u0),
                      b = ends.second ? *ends.second : grid_.node(p.segment, p.u1);
   if (!(m.s > a.s && b.s > m.s)) return coarse.now;
-  pulse_.work(8);
+  progress_.work(8);
   const bool enclosed = grid_.cartesian() || depth == 0;
   DualPiece<N> left = dual_piece(grid_, a, m, p.cap, enclosed ? grid_.third(a, m) : p.third);
   const DualPiece<N> right = dual_piece(grid_, m, b, p.cap, enclosed ? grid_.third(m, b) : p.third);
@@ -251,7 +253,7 @@ double JerkDual<N>::value(const Blocks<DualPiece<N>>& pieces, std::size_t first,
     const DualPiece<N>* next = i + 1 < cell_of.size() && pieces[i + 1].joint.here ? &pieces[i + 1] : nullptr;
     sum.add(refined(p, x, next, of(p, x, next, of_pieces_[i - begin]), 0, {}));
     x += p.length;
-    pulse_.work(1);
+    progress_.work(1);
   }
   return sum.now;
 }

@@ -9,26 +9,26 @@
 /// since acceleration and b vanish at rests; at a free end λ, λ′ and μ have to vanish instead. Because c = b^(−1/2) and
 /// b ≤ cap (what the bound without jerk leaves), w c + G b is no less than
 ///   f(w, G) = min over 0 < b ≤ cap of w b^(−1/2) + G b:   3/2 w^(2/3) (2G)^(1/3), or w cap^(−1/2) + G cap.
-/// So every choice of multipliers yields a lower bound; those of the convex problem in core/motion/relaxation come
-/// close to the best. That solver is a source of numbers only: nothing it does can make the bound wrong.
+/// Every choice of multipliers yields a lower bound; those of the convex problem in core/motion/relaxation are close to
+/// the best. That solver only supplies numbers: none of its results can make the bound wrong.
 ///
-/// Where more is known of the acceleration than A_k, ± a_k ≤ fixed + root √u with u = |q′_k| v, μ_k costs that in place
-/// of A_k there. Such limits are given per node and hold wherever its hat is not 0, so with μ_k = Σ μ_ik hat_i node i
-/// costs |μ_ik| ∫ hat_i (fixed + root √|q′_k| b^(1/4)) ds, on the side of the sign of μ_ik; or any mean of that and of
-/// the cost with A_k. b^(1/4) is no more than its tangent at any b₀, (3 b₀^(1/4) + b₀^(−3/4) b)/4, so this is a
-/// constant cost and takes D(s) from G(s).
+/// Some accelerations have tighter limits than A_k, ± a_k ≤ fixed + root √u with u = |q′_k| v; there μ_k costs that in
+/// place of A_k. Such limits are given per node and hold wherever its hat is not 0, so with μ_k = Σ μ_ik hat_i node i
+/// costs |μ_ik| ∫ hat_i (fixed + root √|q′_k| b^(1/4)) ds, on the side of the sign of μ_ik, or any convex combination
+/// of that and of the cost with A_k. b^(1/4) is at most its tangent at any b₀, (3 b₀^(1/4) + b₀^(−3/4) b)/4, so this is
+/// a constant cost and subtracts D(s) from G(s).
 ///
-/// What is enclosed. f is concave and grows in w and in G. Over a piece both have known means (∫ G ds follows from q
-/// and q′ at its ends, w is no less than a quadratic) and known ranges (|G′| ≤ ½ Σ |η_k| |q‴_k|, for η_k is linear),
-/// and the mean of a concave function is no less than the least mean over the corners of these ranges. The mean of D is
-/// bounded from above (μ_k is linear, |q′_k| within |q‴_k| length²/8 of that, and the mean of a root is no more than
-/// the root of the mean), and as b changes by 2 |v̇| per length at most D may be replaced by its mean over the cell:
-/// with b₀ in the middle of it ∫ (D − mean) b ds = ∫ (D − mean) (b − b₀) ds. Rounding is covered by margins from the
-/// sizes of what is added up, as in lower_bound.hpp.
+/// Enclosures: f is concave and increasing in w and in G. Over a piece both have known means (∫ G ds follows from q and
+/// q′ at its ends, w is at least a quadratic) and known ranges (|G′| ≤ ½ Σ |η_k| |q‴_k|, since η_k is linear), and the
+/// mean of a concave function is at least the least mean over the corners of these ranges. The mean of D is bounded
+/// from above (μ_k is linear, |q′_k| within |q‴_k| length²/8 of that, and the mean of a root is at most the root of the
+/// mean). As b changes by at most 2 |v̇| per length, D may be replaced by its mean over the cell: with b₀ in the middle
+/// of it ∫ (D − mean) b ds = ∫ (D − mean) (b − b₀) ds. Rounding is covered by margins from the magnitudes of the
+/// summands, as in lower_bound.hpp.
 ///
-/// At a joint an axis steps by Δa_k = Δq″_k b + Δq′_k v̇, for the acceleration v̇ along the path is continuous, and by no
-/// more than J_k · cycle time: the verifier demands both. So either the first part is known, and costs λ_k Δq″_k b, of
-/// either sign, or nothing but the size of the whole, |λ_k| J_k · cycle time.
+/// At a joint an axis steps by Δa_k = Δq″_k b + Δq′_k v̇, since the acceleration v̇ along the path is continuous, and
+/// by at most J_k · cycle time: the verifier demands both. So either the first part is known, and costs λ_k Δq″_k b, of
+/// either sign, or only the magnitude of the whole, |λ_k| J_k · cycle time.
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -41,14 +41,14 @@
 
 namespace bahnwerk::verify {
 
-/// Steps at one place of the path; of several that nothing lies between, all together.
+/// Steps at one place of the path; joints without a piece between them are added up.
 template <int N>
 struct DualJoint {
   using Row = std::array<double, N>;
   bool here = false;
-  Row kink{}, bend{};  ///< Δq′_k, and what is known of Δa_k, per b
-  Row step{};          ///< |Δa_k − bend_k b| at most
-  double cap = 0;      ///< largest b
+  Row tangent_jump{}, acceleration_step{};  ///< Δq′_k, and the known part of Δa_k, per b
+  Row step{};                               ///< bound of |Δa_k − acceleration_step_k b|
+  double cap = 0;                           ///< largest b
 };
 
 /// A part of a segment on which the dual function is evaluated.
@@ -56,20 +56,20 @@ template <int N>
 struct DualPiece {
   using Row = std::array<double, N>;
   std::size_t segment = 0;
-  double u0 = 0, u1 = 0;      ///< its ends on the segment's curve
-  Row way{}, begin{}, end{};  ///< q at the end − at the begin, q′ at both ends
-  Row bend{};                 ///< largest |q″_k| at its ends
-  Row third{};                ///< bounds of |q‴_k|, 1/mm²
+  double u0 = 0, u1 = 0;               ///< its ends on the segment's curve
+  Row displacement{}, begin{}, end{};  ///< q at the end − at the begin, q′ at both ends
+  Row q2{};                            ///< largest |q″_k| at its ends
+  Row third{};                         ///< bounds of |q‴_k|, 1/mm²
   double length = 0;
-  double cap = 0;       ///< largest b anywhere in it
-  double along = 0;     ///< largest |v̇| in it
-  double time = 0;      ///< about, s
-  double rounding = 0;  ///< of the length and of q′, relative
-  double way_blur = 0;  ///< how far rounding of q at either end may have moved a component of `way`
-  DualJoint<N> joint;   ///< before its begin
+  double cap = 0;                 ///< largest b anywhere in it
+  double along = 0;               ///< largest |v̇| in it
+  double time = 0;                ///< approximate, s
+  double rounding = 0;            ///< of the length and of q′, relative
+  double displacement_error = 0;  ///< effect of rounding of q at either end on a component of `displacement`
+  DualJoint<N> joint;             ///< before its beginning
 };
 
-/// What lies between two places of one segment, |q‴_k| being no more than `third` there; no joint.
+/// Returns the piece between two places of one segment with |q‴_k| ≤ `third`; without a joint.
 template <int N>
 DualPiece<N> dual_piece(const BoundGrid<N>& grid, const BoundNode<N>& a, const BoundNode<N>& b, double cap,
                         const typename DualPiece<N>::Row& third);
@@ -78,47 +78,48 @@ template <int N>
 class JerkDual {
  public:
   using Row = std::array<double, N>;
-  /// `grid` and `pulse` outlive it.
-  JerkDual(const BoundGrid<N>& grid, ProgressScope& pulse) : grid_(grid), pulse_(pulse) {}
+  /// `grid` and `progress` have to outlive the object.
+  JerkDual(const BoundGrid<N>& grid, ProgressScope& progress) : grid_(grid), progress_(progress) {}
 
-  /// Of the pieces [first, last), which make up whole cells of a relaxation: cell_of[i] is that of piece i, for all of
-  /// the pieces.
-  /// Pieces on which the enclosure loses much are halved, 8 times at most. O(pieces), 0.2 µs each of two axes.
+  /// Returns the value for the pieces [first, last), which form whole cells of a relaxation: cell_of[i] is the cell of
+  /// piece i, for all of the pieces. Pieces on which the enclosure loses much are halved, at most 8 times. O(pieces),
+  /// 0.2 µs each for two axes.
   double value(const Blocks<DualPiece<N>>& pieces, std::size_t first, std::size_t last,
                const std::vector<std::size_t>& cell_of, const RelaxationProblem<N>& problem,
                const RelaxationMultipliers<N>& multipliers);
 
  private:
   struct Value {
-    double now = 0, loss = 0;  ///< and by how much better it may be
+    double now = 0, loss = 0;  ///< value, and bound of what halving can gain
   };
   void enter(std::size_t cell, const RelaxationProblem<N>& problem, const RelaxationMultipliers<N>& multipliers);
-  /// Of μ_k on a piece where it counts against such limits: its cost, ∫ D ds at most, and the range of D.
+  /// Terms of μ_k on a piece where it counts against tighter limits: its cost, a bound of ∫ D ds, and the range of D.
   struct Limits {
     double cost = 0, taken = 0, low = 0, high = 0;
   };
   Limits limits(const DualPiece<N>& piece, std::size_t k, double x) const;
-  using AllLimits = std::array<Limits, N>;  ///< of the axes that count so
+  using AllLimits = std::array<Limits, N>;  ///< per axis with such limits
   AllLimits limits(const DualPiece<N>& piece, double x) const;
-  /// Of a piece x mm from the cell's begin, with its limits; `next`: the piece behind it, if a joint lies between.
+  /// Returns the value of a piece x mm from the cell's beginning, with its limits; `next` is the piece behind it, if a
+  /// joint lies between.
   Value of(const DualPiece<N>& piece, double x, const DualPiece<N>* next, const AllLimits& limits) const;
-  /// `ends`: the nodes at its begin and end, if known.
+  /// The nodes at the beginning and end of a piece, if known.
   using Ends = std::pair<const BoundNode<N>*, const BoundNode<N>*>;
   double refined(const DualPiece<N>& piece, double x, const DualPiece<N>* next, Value coarse, int depth, Ends ends);
 
   const BoundGrid<N>& grid_;
-  ProgressScope& pulse_;
-  /// Of the cell at hand: its length, its splines with their w and λ, μ at its ends.
+  ProgressScope& progress_;
+  /// Of the current cell: its length, its splines with their w and λ, μ at its ends.
   double length_ = 0;
   std::array<SplinePart, 3> parts_{};
   std::array<double, 3> weight_{};
   std::array<Row, 3> lambda_{};
   std::array<Row, 2> mu_{};
-  /// What these count against: fixed + √|q′_k| (root + slope b).
+  /// Their limits: fixed + √|q′_k| (root + slope b).
   std::array<Row, 2> fixed_{}, root_{}, slope_{};
   std::array<bool, N> rooted_{};
-  double taken_ = 0, along_ = 0;      ///< of D the mean over the cell; the largest |v̇| in it
-  std::vector<AllLimits> of_pieces_;  ///< of the cell
+  double taken_ = 0, along_ = 0;      ///< mean of D over the cell; the largest |v̇| in it
+  std::vector<AllLimits> of_pieces_;  ///< per piece of the cell
 };
 
 extern template class JerkDual<2>;

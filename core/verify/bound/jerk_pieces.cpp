@@ -16,18 +16,19 @@ constexpr double cell_of_distance = 0.2, part_of_first = 0.25;
 // down to less than this part of what feed and bends allow.
 constexpr double part_of_cycle = 0.25, held_part_of_cycle = 0.02, held = 0.7;
 constexpr double at_feed = 0.999, cruising = 4;
-// A motion with limited jerk takes some √(v/J) to change its speed by some of v: there a cell takes this part of that
-// time; less through kinematics, where speeds fall and rise again in a few milliseconds. Bends and changes of curvature
-// that take `slowing` times the jerk limit, at the speed at hand, slow it down. Where they take `slowed` of it they
-// may, with what else there is: cells on Cartesian axes are as short as if they did. Fine cells are half as long.
+// A motion with limited jerk takes some √(v/J) to change its speed by a part of v: there a cell takes this part of that
+// time; less through kinematics, where speeds fall and rise again in a few milliseconds. Curvature and its changes slow
+// a motion down if they take `slowing` times the jerk limit at the current speed. If they take `slowed` of it they may,
+// together with other terms: cells on Cartesian axes are then as short as if they did. Fine cells are half as long.
 constexpr double part_of_change = 0.1, fine_part = 0.05, kinematic_part = 0.08, slowing = 3, slowed = 0.3;
-// Where jerk leaves less of v² than everything else does, by `capped` of it at least, a law changes faster than that,
+// Where jerk leaves less of v² than all other conditions, by `capped` of it at least, a law changes faster than that,
 // and multipliers need cells of this part of the length.
 constexpr double capped = 0.05, capped_part = 0.35;
 // Through kinematics an enclosure costs as much as a cell of the relaxation.
 constexpr double pieces_per_cell = 2.1, kinematic_pieces = 1.05;
 constexpr double part_joined = 0.125;  // of the longest piece: shorter cells of the grid make up one
-// Of b in a piece whose jerk limits b, and through kinematics: it is halved, so often at most.
+// Relative change of b in a piece whose jerk limits b, and through kinematics: such a piece is halved, at most this
+// often.
 constexpr double much_change = 0.1, kinematic_change = 0.015;
 constexpr int halvings = 3;
 
@@ -36,9 +37,9 @@ double sq(double x) { return x * x; }
 }  // namespace
 
 template <int N>
-JerkPieces<N>::JerkPieces(const BoundGrid<N>& grid, double cycle_time, const Row& shown, ProgressScope& pulse)
+JerkPieces<N>::JerkPieces(const BoundGrid<N>& grid, double cycle_time, const Row& shown, ProgressScope& progress)
     : grid_(grid),
-      pulse_(pulse),
+      progress_(progress),
       cycle_time_(cycle_time),
       per_cell_(grid.cartesian() ? pieces_per_cell : kinematic_pieces),
       part_of_distance_(grid.cartesian() ? cell_of_distance / 2 : cell_of_distance),
@@ -50,9 +51,9 @@ JerkPieces<N>::JerkPieces(const BoundGrid<N>& grid, double cycle_time, const Row
     piece_.acceleration[k] = grid.acceleration(k), piece_.jerk[k] = grid.jerk(k);
 }
 
-// The largest b between two places within a cell. From its begin to the far end of the piece q'_k² b changes by at most
-// 2 A_k ∫ |q'_k| ds: that is a part of what it may change by over the whole cell where q is linear, and no more than
-// the largest |q'_k| times the way elsewhere. `steepest`: these, null: the piece is the cell.
+// Returns the largest b between two places within a cell. From the cell's beginning to the far end of the piece q'_k² b
+// changes by at most 2 A_k ∫ |q'_k| ds: a part of the change over the whole cell where q is linear, and at most the
+// largest |q'_k| times the length elsewhere. `steepest` has these largest values; null: the piece is the cell.
 template <int N>
 double JerkPieces<N>::cap(std::size_t cell, const Node& a, const Node& b, const std::vector<double>& at_nodes,
                           const Row* steepest) const {
@@ -63,14 +64,15 @@ double JerkPieces<N>::cap(std::size_t cell, const Node& a, const Node& b, const 
   const DirectionRange<N> range = grid_.range(a, b);
   const double ahead = b.s - from.s, behind = to.s - a.s;
   for (std::size_t k = 0; k < grid_.axes(); ++k) {
-    const double q2 = sq(std::max(0.0, range.least(k) - a.blur - b.blur));
+    const double q2 = sq(std::max(0.0, range.least(k) - a.rounding_error - b.rounding_error));
     if (!(q2 > 1e-24)) continue;
     double forward = c.energy[k], backward = c.energy[k];
     if (steepest != nullptr && straight) {
       forward *= ahead / c.length, backward *= behind / c.length;
     } else if (steepest != nullptr) {
-      const double per_way = 2 * grid_.acceleration(k) * (*steepest)[k], blur = 64 * epsilon * std::abs(to.s);
-      forward = std::min(forward, per_way * (ahead + blur)), backward = std::min(backward, per_way * (behind + blur));
+      const double per_way = 2 * grid_.acceleration(k) * (*steepest)[k], rounding_error = 64 * epsilon * std::abs(to.s);
+      forward = std::min(forward, per_way * (ahead + rounding_error)),
+      backward = std::min(backward, per_way * (behind + rounding_error));
     }
     most = std::min({most, sq(grid_.velocity(k)) / q2, (from.most(k) * at_nodes[cell] + forward) / q2,
                      (to.most(k) * at_nodes[cell + 1] + backward) / q2});
@@ -84,13 +86,13 @@ void JerkPieces<N>::join(const Node& a, const Node& b, double cap) {
   joint_.cap = joint_.here ? std::max(joint_.cap, cap) : cap;
   joint_.here = true;
   for (std::size_t k = 0; k < grid_.axes(); ++k) {
-    const double kink = b.tangent[k] - a.tangent[k], bend = b.curvature[k] - a.curvature[k];
+    const double tangent_jump = b.tangent[k] - a.tangent[k], q2 = b.curvature[k] - a.curvature[k];
     const double allowed = grid_.jerk(k) * cycle_time_;
-    // What is not known of the step if its part that follows from q″ is.
-    const double rest =
-        (kink != 0 ? std::abs(kink) * along : 0) + 1e-9 * (std::abs(a.curvature[k]) + std::abs(b.curvature[k])) * cap;
-    joint_.kink[k] += kink;
-    if (rest <= allowed) joint_.bend[k] += bend;
+    // This is the unknown part of the step if the part that follows from q″ is known.
+    const double rest = (tangent_jump != 0 ? std::abs(tangent_jump) * along : 0) +
+                        1e-9 * (std::abs(a.curvature[k]) + std::abs(b.curvature[k])) * cap;
+    joint_.tangent_jump[k] += tangent_jump;
+    if (rest <= allowed) joint_.acceleration_step[k] += q2;
     joint_.step[k] += std::min(rest, allowed) * (1 + 1e-9);
   }
 }
@@ -104,7 +106,7 @@ DirectionRange<N> JerkPieces<N>::range(const Node& a, const Node& b, std::size_t
     const DirectionRange<N> one = grid_.range(grid_.nodes()[i], grid_.nodes()[i + 1]);
     for (std::size_t k = 0; k < N; ++k)
       all.low[k] = std::min(all.low[k], one.low[k]), all.high[k] = std::max(all.high[k], one.high[k]);
-    pulse_.work(8);
+    progress_.work(8);
   }
   return all;
 }
@@ -122,14 +124,14 @@ void JerkPieces<N>::append(const Node& a, const Node& b, double cap, Extent exte
       extent.ahead[k] = piece_.ahead[k].steps + piece_.ahead[k].end,
       extent.behind[k] = piece_.behind[k].steps + piece_.behind[k].end;
   }
-  piece_.length = b.s - a.s, piece_.blur = std::max(a.blur, b.blur);
-  piece_.tangent = {a.tangent, b.tangent}, piece_.bend = {a.curvature, b.curvature};
+  piece_.length = b.s - a.s, piece_.rounding_error = std::max(a.rounding_error, b.rounding_error);
+  piece_.tangent = {a.tangent, b.tangent}, piece_.q2 = {a.curvature, b.curvature};
   if (!jerk_may_limit(piece_, cap)) return push(a, b, cap, without, extent);
   if (grid_.cartesian()) one_way_.set(piece_, a, b, first, last);
   const DirectionRange<N> range = this->range(a, b, first, last);
   for (std::size_t k = 0; k < grid_.axes(); ++k) {
     piece_.least[k] = range.least(k), piece_.most[k] = range.most(k);
-    piece_.way[k] = std::abs(b.position[k] - a.position[k]) + 64 * epsilon * std::abs(b.position[k]);
+    piece_.displacement[k] = std::abs(b.position[k] - a.position[k]) + 64 * epsilon * std::abs(b.position[k]);
   }
   piece_.unit = grid_.unit_direction(a) && grid_.unit_direction(b);
   const JerkCap found = jerk_cap(piece_, cap);
@@ -169,15 +171,15 @@ void JerkPieces<N>::expect(const std::vector<double>& b, bool rest_first, bool r
   expected_.resize(n + 1), slow_.resize(n + 1), growth_.resize(n);
   for (std::size_t i = 0; i <= n; ++i) {
     const Node& node = nodes[i];
-    const double bend = length_of(node.curvature);
+    const double q2 = length_of(node.curvature);
     double cube = never;  // v³
     for (std::size_t k = 0; k < grid_.axes(); ++k)
-      if (const double rate = std::abs(node.curvature[k]) * bend; rate > 0)
+      if (const double rate = std::abs(node.curvature[k]) * q2; rate > 0)
         cube = std::min(cube, slowing * shown_jerk_[k] / rate);
     const bool fed = b[i] > sq(at_feed * grid_.feed(node.segment));
     const double known = fed ? never : std::pow(b[i], 0.75);
     expected_[i] = std::min(known, std::sqrt(cube)), slow_[i] = std::min(known, std::sqrt(slower_ * cube));
-    pulse_.work(2);
+    progress_.work(2);
   }
   for (std::size_t i = 0; i < n; ++i) {
     double jerk = infinite, cube = never;
@@ -207,22 +209,22 @@ void JerkPieces<N>::expect(const std::vector<double>& b, bool rest_first, bool r
   }
 }
 
-// The longest piece next to a node: at rest acceleration builds up on a short way, and where an axis has to step by
-// more acceleration than one cycle allows the motion slows down within a few cycles.
+// Returns the longest piece next to a node: at rest acceleration builds up on a short distance, and where an axis has
+// to step by more acceleration than one cycle allows the motion slows down within a few cycles.
 template <int N>
 double JerkPieces<N>::finest_at(std::size_t node, const std::vector<double>& b) const {
   const Node &from = grid_.nodes()[node], &to = grid_.nodes()[node + 1];
   const double most = std::min(b[node], b[node + 1]);
   double finest = infinite, jerk = infinite;
   for (std::size_t k = 0; k < grid_.axes(); ++k) {
-    const double bend = std::abs(to.curvature[k] - from.curvature[k]), step = shown_jerk_[k] * cycle_time_;
-    if (bend * most > step) finest = std::min(finest, cycle_time_ * std::sqrt(step / bend));
+    const double q2 = std::abs(to.curvature[k] - from.curvature[k]), step = shown_jerk_[k] * cycle_time_;
+    if (q2 * most > step) finest = std::min(finest, cycle_time_ * std::sqrt(step / q2));
     jerk = std::min(jerk, shown_jerk_[k]);
   }
   if (finest == infinite) return infinite;
-  const double bend = std::max(length_of(from.curvature), length_of(to.curvature));
+  const double q2 = std::max(length_of(from.curvature), length_of(to.curvature));
   const double free =
-      std::min({sq(grid_.feed(from.segment)), sq(grid_.feed(to.segment)), std::pow(jerk / sq(bend), 2.0 / 3)});
+      std::min({sq(grid_.feed(from.segment)), sq(grid_.feed(to.segment)), std::pow(jerk / sq(q2), 2.0 / 3)});
   return finest * (most < held * free ? held_part_of_cycle : part_of_cycle);
 }
 
@@ -236,14 +238,14 @@ void JerkPieces<N>::grade(const std::vector<double>& b, bool rest_first, bool re
   for (std::size_t i = 0; i < n; ++i) {
     before_[i + 1] = before_[i] + part_of_distance_ * cells[i].length;
     if (cells[i].kind == Cell::Kind::joint) before_[i + 1] = std::min(before_[i + 1], behind_[i] = finest_at(i, b));
-    pulse_.work(1);
+    progress_.work(1);
   }
   for (std::size_t i = n; i-- > 0;)
     behind_[i] = std::min(behind_[i], behind_[i + 1] + part_of_distance_ * cells[i].length);
 }
 
-// x mm into a cell. Where the feed is all that holds a motion nothing happens but what the path does, the less the
-// further away anything else is.
+// Returns the longest cell x mm into a cell. Where only the feed limits a motion, only the path causes changes, and
+// less so with the distance of other conditions.
 template <int N>
 typename JerkPieces<N>::Extent JerkPieces<N>::extent(std::size_t cell, double x, const Room& room,
                                                      const std::vector<double>& b) const {
@@ -284,15 +286,15 @@ void JerkPieces<N>::divide(std::size_t cell, const Room& room, const std::vector
   grid_.remember(from, to);
   const DirectionRange<N> range = grid_.range(from, to);
   Row steepest;
-  for (std::size_t k = 0; k < N; ++k) steepest[k] = range.most(k) + from.blur + to.blur;
+  for (std::size_t k = 0; k < N; ++k) steepest[k] = range.most(k) + from.rounding_error + to.rounding_error;
   double x = 0;
   Extent e{};
   Node last = from;
   while (x < c.length) {
     e = extent(cell, x, room, b);
     const double d = std::max(e.piece, c.length * 1e-4);
-    pulse_.work(2);
-    // A part of what is left: length is no linear function of the parameter.
+    progress_.work(2);
+    // A part of the rest is taken, since length is no linear function of the parameter.
     const double u = last.u + (to.u - last.u) * (d / (c.length - x));
     if (x + 1.5 * d >= c.length || !(u > last.u && u < to.u)) break;
     const Node next = grid_.node(from.segment, u);
@@ -320,7 +322,7 @@ std::size_t JerkPieces<N>::joined(std::size_t first, const Room& room, const std
     if (!(length + cells[i].length < limit)) break;
     length += cells[i].length;
     most = std::max(most, cap(i, nodes[i], nodes[i + 1], b, nullptr));
-    pulse_.work(2);
+    progress_.work(2);
   }
   if (i == first + 1) return first;
   append(nodes[first], nodes[i], most, e, first, i - 1);
@@ -356,7 +358,7 @@ template <int N>
 void JerkPieces<N>::lay_next() {
   const auto& nodes = grid_.nodes();
   const std::vector<double>& b = *most_;
-  pulse_.work(8);
+  progress_.work(8);
   if (grid_.cells()[next_].kind == Cell::Kind::joint) {
     join(nodes[next_], nodes[next_ + 1], std::min(b[next_], b[next_ + 1]));
     ++next_;

@@ -1,10 +1,10 @@
 #pragma once
-/// The pieces of a path on which the bound under limited jerk stands (core/verify/bound/jerk_bound.hpp), each with the
-/// largest b = v² on it.
+/// The pieces of a path for the bound under limited jerk (core/verify/bound/jerk_bound.hpp), each with the largest b =
+/// v² on it.
 ///
-/// They are short enough for what jerk does: by time, by turn, by the change of centripetal acceleration, finer and
-/// finer towards rests and towards joints at which an axis has to step by more acceleration than one cycle allows.
-/// Where curvature changes b is limited besides (core/verify/bound/jerk_cap.hpp).
+/// They are short enough to resolve jerk: by time, by turn, by the change of centripetal acceleration, and shorter
+/// towards rests and towards joints at which an axis has to step by more acceleration than one cycle allows. Where
+/// curvature changes, jerk limits b as well (core/verify/bound/jerk_cap.hpp).
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -19,41 +19,41 @@
 
 namespace bahnwerk::verify {
 
-/// N axes as the BoundGrid has them.
+/// N axes of the BoundGrid.
 template <int N>
 class JerkPieces {
  public:
   using Row = std::array<double, N>;
-  /// What a piece says about cells.
+  /// Properties of a piece that limit the length of cells.
   struct Extent {
-    double swing = 0;    ///< by how much q″_k b changes along it, over A_k
+    double swing = 0;    ///< change of q″_k b along it, relative to A_k
     double finest = 0;   ///< mm, longest cell here
     double spacing = 0;  ///< s, longest cell here
     double piece = 0;    ///< mm, longest piece
-    double speed = 0;    ///< mm/s, about how fast a motion is
-    /// Through kinematics: by how much the acceleration of an axis against its direction (ahead) and in it (behind) may
-    /// exceed √(2 J u), u its speed; infinite where it may turn round.
+    double speed = 0;    ///< mm/s, approximate speed of a motion
+    /// Through kinematics: bounds of the excess of an axis' acceleration against its direction (ahead) and in it
+    /// (behind) over √(2 J u), u its speed; infinite where it may turn round.
     Row ahead{}, behind{};
   };
-  /// Pieces of the same length that make up a cell, whatever rounding does.
+  /// Number of pieces of equal length per cell, independent of rounding.
   double per_cell() const { return per_cell_; }
 
-  /// `grid` and `pulse` outlive it. `shown`: per axis the jerk for which pieces are to be short enough.
-  JerkPieces(const BoundGrid<N>& grid, double cycle_time, const Row& shown, ProgressScope& pulse);
+  /// `grid` and `progress` have to outlive the object. `shown` is the jerk per axis that pieces have to resolve.
+  JerkPieces(const BoundGrid<N>& grid, double cycle_time, const Row& shown, ProgressScope& progress);
 
-  /// Of the first nodes of the grid at hand, at which v² is `b` at most, which outlives them. A cell takes `spacing` s
-  /// at most; next to rest pieces begin with `first_piece` mm. Pieces come when they are asked for, O(1) each. `fine`:
-  /// on Cartesian axes twice as many where jerk changes the speed.
+  /// Starts with the first nodes of the current grid, at which v² is at most `b`, which has to outlive the pieces. A
+  /// cell takes at most `spacing` s; next to rest pieces begin with `first_piece` mm. Pieces are computed on demand,
+  /// O(1) each. `fine`: on Cartesian axes twice as many where jerk changes the speed.
   void begin(const std::vector<double>& b, bool rest_first, bool rest_last, double spacing, double first_piece,
              bool fine);
-  /// Whether there is a piece i; if so, the lists reach so far.
+  /// Whether there is a piece i; if so, the lists contain it.
   bool has(std::size_t i);
-  /// The first `count` are not needed any more: what follows them is piece 0 from now on. O(those that follow).
+  /// Removes the first `count`; the following one becomes piece 0. O(those that follow).
   void drop(std::size_t count);
-  bool dropped() const { return dropped_; }  ///< any, since begin()
+  bool dropped() const { return dropped_; }  ///< whether any was removed since begin()
 
   const Blocks<DualPiece<N>>& list() const { return pieces_; }
-  const Blocks<Extent>& extents() const { return extents_; }  ///< of each
+  const Blocks<Extent>& extents() const { return extents_; }  ///< per piece
 
  private:
   using Node = BoundNode<N>;
@@ -63,7 +63,7 @@ class JerkPieces {
   void expect(const std::vector<double>& b, bool rest_first, bool rest_last);
   void grade(const std::vector<double>& b, bool rest_first, bool rest_last);
   double finest_at(std::size_t node, const std::vector<double>& b) const;
-  /// What b may gain over a cell, mm²/s², and what it is at most anywhere in it.
+  /// Bounds of the gain of b over a cell, mm²/s², and of b anywhere in it.
   struct Room {
     double energy, cap;
   };
@@ -80,28 +80,28 @@ class JerkPieces {
   void join(const Node& a, const Node& b, double cap);
 
   const BoundGrid<N>& grid_;
-  ProgressScope& pulse_;
+  ProgressScope& progress_;
   double cycle_time_;
   double per_cell_;
-  double part_of_distance_;  ///< from rest, that a piece takes
-  double slower_;            ///< v³ in slow_, of that in expected_, at bends
-  double much_change_;       ///< of b along a piece: what jerk leaves is better known of halves
+  double part_of_distance_;  ///< part of the distance from rest that a piece takes
+  double slower_;            ///< ratio of v³ in slow_ to that in expected_, at high curvature
+  double much_change_;       ///< change of b along a piece above which it is halved
   Row shown_jerk_;
-  double part_of_change_ = 0;  ///< that a cell takes, of the time in which jerk changes the speed by some of it
+  double part_of_change_ = 0;  ///< time of a cell relative to the time in which jerk changes the speed
   double spacing_ = 0;         ///< s, time of a cell
   double first_piece_ = 0;     ///< mm, next to rest
-  /// Per node of the grid: the longest piece, mm, that rests and steps of acceleration before and behind it allow here.
+  /// Per node of the grid: the longest piece, mm, that rests and steps of acceleration before and behind it allow.
   std::vector<double> before_, behind_;
-  /// About how fast a motion is, v^(3/2), at the nodes of the grid, feeds apart; how slow it may be; and by how much
-  /// that may grow per mm. Decides where pieces are short, no more.
+  /// Approximate v^(3/2) of a motion at the nodes of the grid, without feeds; its lower estimate; and its largest
+  /// growth per mm. They only decide where pieces are short.
   std::vector<double> expected_, slow_, growth_;
-  JerkCapPiece<N> piece_;  ///< the one at hand
+  JerkCapPiece<N> piece_;  ///< the current one
   OneWay<N> one_way_;
   Blocks<DualPiece<N>> pieces_;
   Blocks<Extent> extents_;
-  DualJoint<N> joint_;                         ///< before the piece to come
+  DualJoint<N> joint_;                         ///< before the next piece
   const std::vector<double>* most_ = nullptr;  ///< v² at the nodes
-  std::size_t next_ = 0;                       ///< cell of the grid
+  std::size_t next_ = 0;                       ///< next cell of the grid
   bool dropped_ = false;
 };
 

@@ -8,8 +8,8 @@ namespace bahnwerk::verify {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double least_limit = 1e-3;                 // of A_k: it leaves the solver some room
-constexpr double kinks = 1 + 1e-5, give = 1 + 1e-9;  // as in jerk_cap
+constexpr double least_limit = 1e-3;                    // of A_k: it leaves the solver some room
+constexpr double v_margin = 1 + 1e-5, give = 1 + 1e-9;  // as in jerk_cap
 
 }  // namespace
 
@@ -32,7 +32,7 @@ RelaxationLimit<N> jerk_limit(const JerkWays<N>& before, const JerkWays<N>& afte
   RelaxationLimit<N> limit;
   const double speed = std::max(before.speed, after.speed);
   for (std::size_t k = 0; k < grid.axes(); ++k) {
-    const double most = grid.acceleration(k), jerk = 2 * grid.jerk(k) * kinks;
+    const double most = grid.acceleration(k), jerk = 2 * grid.jerk(k) * v_margin;
     limit.fixed[k] = {most, most};
     const int direction = before.direction[k] != 0 ? before.direction[k] : after.direction[k];
     if (direction == 0 || direction * after.direction[k] < 0 || !(jerk < infinite)) continue;

@@ -1,9 +1,9 @@
 #pragma once
-/// What limits of jerk leave of the axes' accelerations around a node of the relaxation.
+/// Limits of the axes' accelerations around a node of the relaxation that follow from limits of jerk.
 ///
-/// Where an axis goes on in its direction its acceleration is no more than √(2 J u) and something that follows from the
-/// end of its way (core/verify/bound/jerk_cap.hpp), u its speed. This is convex in b and v̇ together: a limit that the
-/// relaxation can take in the place of A_k. What it takes has to hold wherever the hat of a node is not 0.
+/// An axis that keeps its direction has an acceleration of at most √(2 J u) and a term that follows from the end of the
+/// distance (core/verify/bound/jerk_cap.hpp), u its speed. This is convex in b and v̇ together: a limit that the
+/// relaxation can use in the place of A_k. It has to hold wherever the hat of a node is not 0.
 #include <array>
 #include <cstddef>
 
@@ -13,23 +13,23 @@
 
 namespace bahnwerk::verify {
 
-/// What the pieces of a cell have in common.
+/// Common bounds of the pieces of a cell.
 template <int N>
 struct JerkWays {
   using Row = std::array<double, N>;
-  std::array<int, N> direction{};  ///< of the axes; 0: they stand still
-  /// By how much the accelerations against and in their directions may exceed √(2 J u), mm/s²; infinite where an axis
-  /// may turn round.
+  std::array<int, N> direction{};  ///< of the axes; 0: standing still
+  /// Bounds of the excess of the accelerations against and in their directions over √(2 J u), mm/s²; infinite where an
+  /// axis may turn round.
   Row ahead{}, behind{};
-  Row size{};        ///< the largest |q′_k|, about
-  double speed = 0;  ///< mm/s, about
+  Row size{};        ///< approximate largest |q′_k|
+  double speed = 0;  ///< mm/s, approximate
 
-  /// One piece more, where a motion is about so fast.
+  /// Adds a piece, on which a motion has about that speed.
   void add(const DualPiece<N>& piece, const Row& ahead_of_it, const Row& behind_it, double speed_there);
 };
 
-/// Around a node, between its two cells. In the place of A_k only where that is about what counts: at the speeds that
-/// are likely.
+/// Returns the limits around a node, between its two cells, in the place of A_k where they are about the tighter ones
+/// at likely speeds.
 template <int N>
 RelaxationLimit<N> jerk_limit(const JerkWays<N>& before, const JerkWays<N>& after, const BoundGrid<N>& grid);
 

@@ -22,9 +22,9 @@ using verify::BoundSolver;
 using verify::rest_to_rest;
 
 constexpr int max_rounds = 8;
-// Longer sections are solved in windows for the sake of memory, of so many nodes of a first grid and a part more
-// behind them: b at the begin of a window is that at the end of the one before it, and what follows it is left open.
-// How many nodes there will be so many segments tell, if there are as many as one window has at least.
+// Longer sections are solved in windows to limit memory, with this many nodes of a first grid and a part more behind
+// them: b at the beginning of a window is that at the end of the one before, and its end is open. This many segments
+// estimate the number of nodes, if one window has at least as many.
 struct Windows {
   std::size_t segments, sampled;
   double nodes;
@@ -34,16 +34,15 @@ constexpr Windows cartesian_windows{4096, 128, 100'000}, kinematic_windows{256, 
 // Straight segments have few nodes and may be driven fast: braking shows further there.
 constexpr double few_nodes = 4;  // of a segment
 constexpr std::size_t part_behind = 16, part_behind_few = 4;
-// A first grid of more nodes is laid with wider cells, and refined less.
+// A first grid of more nodes has wider cells, and is refined less.
 constexpr double usual_nodes = 250'000, widest = 8, coarse = 2, most_left = 1e-3;
-// Where jerk rules, what the grid knows without it only limits the speed, and need not be known as well: cells are
-// wider, and through kinematics they are refined less than that. Jerk does not rule if it makes the bound longer by no
-// more than this.
+// Where jerk dominates, the bound without it only limits the speed and may be less accurate: cells are wider, and
+// through kinematics they are refined less. Jerk does not dominate if it increases the bound by no more than this.
 constexpr double wider_with_jerk = 2, kinematic_with_jerk = 8, cartesian_rules = 1e-4, kinematic_rules = 0.01;
 
-/// How far a grid is refined. Enough when a refinement changes the bound by less than `converged` (the next one brings
-/// about a sixteenth of it) and when little time, `clear`, is left in cells that no single condition explains: a long
-/// cell may have to be cut several times before anything shows.
+/// Effort of refinement. It ends when a refinement changes the bound by less than `converged` (the next one brings
+/// about a sixteenth of it) and when little time, `clear`, remains in cells that no single condition explains: a long
+/// cell may have to be divided several times before an effect is visible.
 struct Effort {
   double converged = 3e-7, clear = 1e-3;
   int min_rounds = 2, valley_rounds = 4;
@@ -82,8 +81,8 @@ void solve(BoundGrid<N>& grid, BoundSolver<N>& solver, std::vector<unsigned char
   }
 }
 
-// Of a first grid, per segment. Samples at even distances might all be lines of a path that comes back to the same
-// ways: multiples of the golden ratio do not.
+// Estimates the nodes of a first grid per segment. Samples at equal distances might all be lines of a path that repeats
+// a pattern; multiples of the golden ratio are not.
 template <int N>
 double expected_nodes(BoundGrid<N>& grid, std::size_t segments, const Windows& windows) {
   if (segments < windows.segments) return 1;
@@ -101,13 +100,13 @@ template <int N>
 Bound bound_of(const PathTask& task, double corner_angle, Progress& progress, double progress_from, double progress_to,
                std::vector<SectionBound>* sections) {
   const AxisPath& path = task.path;
-  ProgressScope pulse(progress, "bound", progress_from, progress_to);
-  pulse.report();
-  const std::vector<Joint> list = joints(path.tool(), &pulse);
-  BoundGrid<N> grid(path, task.machine, task.feeds, corner_angle, pulse);
-  BoundSolver<N> solver(grid, pulse);
-  verify::JerkBound<N> jerk(grid, task.machine, pulse);
-  verify::RepeatedSections repeated(path, task.machine, task.feeds, pulse);
+  ProgressScope stage_progress(progress, "bound", progress_from, progress_to);
+  stage_progress.report();
+  const std::vector<Joint> list = joints(path.tool(), &stage_progress);
+  BoundGrid<N> grid(path, task.machine, task.feeds, corner_angle, stage_progress);
+  BoundSolver<N> solver(grid, stage_progress);
+  verify::JerkBound<N> jerk(grid, task.machine, stage_progress);
+  verify::RepeatedSections repeated(path, task.machine, task.feeds, stage_progress);
   std::vector<unsigned char> marked;
   const Windows& windows = path.cartesian() ? cartesian_windows : kinematic_windows;
   const double expected = expected_nodes(grid, path.size(), windows);
@@ -136,17 +135,17 @@ Bound bound_of(const PathTask& task, double corner_angle, Progress& progress, do
     if (last == first + 1 && path.linear(first)) {
       duration += rest_to_rest(path, first, grid.feed(first), task.machine) * (1 - 1e-12);
       nodes += 2;
-      pulse.work(2);
+      stage_progress.work(2);
     } else if (const auto known = repeated.find(first, last)) {
       duration += known->duration;
       nodes += known->nodes, cells += known->cells;
-      pulse.work(last - first);
+      stage_progress.work(last - first);
     } else {
       double section = 0, entry = 0;
       const std::size_t nodes_before = nodes, cells_before = jerk.cells();
       for (std::size_t begin = first, end = 0; begin < last; begin = end) {
         end = last - begin > whole ? begin + window : last;
-        pulse.done(static_cast<double>(begin + end) / 2 / static_cast<double>(path.size()));
+        stage_progress.done(static_cast<double>(begin + end) / 2 / static_cast<double>(path.size()));
         std::size_t kept = 0;
         const auto part_without_jerk = [&](const Grade& grade, bool anew) {
           if (anew) {
@@ -174,7 +173,7 @@ Bound bound_of(const PathTask& task, double corner_angle, Progress& progress, do
       repeated.add({first, last, section, nodes - nodes_before, jerk.cells() - cells_before});
     }
     if (sections) sections->push_back({first, last, duration - before});
-    pulse.done(static_cast<double>(last) / static_cast<double>(path.size()));
+    stage_progress.done(static_cast<double>(last) / static_cast<double>(path.size()));
   }
   std::string basis = "axis energies between " + std::to_string(nodes) + " nodes of the path";
   if (jerk.limited()) basis += ", jerk by duality over " + std::to_string(cells) + " cells";

@@ -8,13 +8,14 @@ namespace bahnwerk::verify {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon(), infinite = std::numeric_limits<double>::infinity();
-// Jumps of q' up to this part of it are rounding; so many of them may add up that a step each, of this part of the
-// axis' acceleration, ends the way.
-constexpr double no_kink = 1e-9, step_of_kink = 1e-5, most_steps = 0.02;
+// Jumps of q' up to this part of it are rounding; each adds a step of this part of the axis' acceleration, and the
+// distance ends when many of them have added up.
+constexpr double no_jump = 1e-9, step_of_jump = 1e-5, most_steps = 0.02;
 
 }  // namespace
 
-// From the end where the way ends to the other; `forwards`: ways ahead, so that the pass goes backwards.
+// Sweeps from the end of the distance to its beginning; with `forwards` the distances ahead, so the pass runs
+// backwards.
 template <int N>
 void OneWay<N>::pass(const BoundGrid<N>& grid, const std::vector<double>& b, bool forwards, bool rest,
                      double cycle_time, Ends& ends) const {
@@ -25,10 +26,10 @@ void OneWay<N>::pass(const BoundGrid<N>& grid, const std::vector<double>& b, boo
   bool changed = true;
   std::array<End, N> now;
   std::array<int, N> sign{};  // of q' there, 0 as long as it stands still
-  // The way ends at a node. b is at most `cap` there.
+  // The distance ends at a node. b is at most `cap` there.
   const auto end = [&](const BoundNode<N>& node, std::size_t k, double cap) {
-    const double size = std::abs(node.tangent[k]) + node.blur, bend = std::abs(node.curvature[k]) * cap,
-                 most = size > 0 ? bend + size * grid.along(node, node, cap) : bend;
+    const double size = std::abs(node.tangent[k]) + node.rounding_error, q2 = std::abs(node.curvature[k]) * cap,
+                 most = size > 0 ? q2 + size * grid.along(node, node, cap) : q2;
     now[k] = {node.position[k], 0, std::min(most * (1 + 1e-9), grid.acceleration(k))}, sign[k] = 0;
   };
   for (std::size_t k = 0; k < grid.axes(); ++k) {
@@ -55,13 +56,13 @@ void OneWay<N>::pass(const BoundGrid<N>& grid, const std::vector<double>& b, boo
     for (std::size_t k = 0; k < grid.axes(); ++k) {
       bool turns = (cell.turning >> k & 1u) != 0;
       if (cell.kind == BoundCell<N>::Kind::joint) {
-        const double kink = std::abs(to.tangent[k] - from.tangent[k]);
+        const double tangent_jump = std::abs(to.tangent[k] - from.tangent[k]);
         double change = std::abs(to.curvature[k] - from.curvature[k]) * cap;
-        if (kink > 0 && along < 0) along = grid.along(from, to, cap);
-        if (kink > 0) change += kink * along;
+        if (tangent_jump > 0 && along < 0) along = grid.along(from, to, cap);
+        if (tangent_jump > 0) change += tangent_jump * along;
         now[k].steps += std::min(grid.jerk(k) * cycle_time, change) * (1 + 1e-9);
-        if (kink > 0) now[k].steps += step_of_kink * grid.acceleration(k);
-        turns = turns || kink > no_kink * std::min(std::abs(from.tangent[k]), std::abs(to.tangent[k])) ||
+        if (tangent_jump > 0) now[k].steps += step_of_jump * grid.acceleration(k);
+        turns = turns || tangent_jump > no_jump * std::min(std::abs(from.tangent[k]), std::abs(to.tangent[k])) ||
                 now[k].steps > most_steps * grid.acceleration(k);
       }
       if (turns) end(near, k, b[forwards ? i : i + 1]);

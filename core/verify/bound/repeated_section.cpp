@@ -12,12 +12,12 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// How far two segments are apart.
+/// Differences between two segments.
 struct Difference {
-  double tangent = 0, bend = 0, third = 0;         ///< of q′, q″, q‴: largest |Δ|, 1, 1/mm, 1/mm²
+  double tangent = 0, q2 = 0, third = 0;           ///< of q′, q″, q‴: largest |Δ|, 1, 1/mm, 1/mm²
   double pace = 0, change = 0, second_change = 0;  ///< |w′ − 1|, |w″|, |w‴|
   double curvature = 0, torsion = 0;               ///< largest |q″|, |q‴| of either
-  bool none() const { return tangent == 0 && bend == 0 && third == 0 && pace == 0; }
+  bool none() const { return tangent == 0 && q2 == 0 && third == 0 && pace == 0; }
 };
 
 double length_of(const Segment& segment) { return segment.travelled(segment.curve().end()); }
@@ -41,13 +41,13 @@ bool difference(const Arc& a, const Arc& b, double length, Difference& d) {
   const double frame = norm(a.e1() - b.e1()) + norm(a.e2() - b.e2()), sweep = std::abs(a.sweep() - b.sweep());
   const double parts = std::abs(a.radius() - b.radius()) / b.radius() + sweep / std::abs(b.sweep()) +
                        std::abs(a.rise() - b.rise()) / length + d.pace;
-  // Of (r φ (e₂ cos φx − e₁ sin φx) + rise n)/length at corresponding x, and of its derivatives, each relative to its
-  // own size; twice that for terms of second order.
+  // Bounds the difference of (r φ (e₂ cos φx − e₁ sin φx) + rise n)/length at corresponding x, and of its derivatives,
+  // each relative to its size; twice that for terms of second order.
   const double all = 2 * (3 * frame + sweep + 4 * parts + std::abs(b.sweep()) * d.pace);
   if (!(all < 1e-6)) return false;
   const double turn = std::abs(b.sweep()) / length;
   d.curvature = 1.001 * b.radius() * turn * turn, d.torsion = d.curvature * turn;
-  d.tangent = all, d.bend = all * d.curvature, d.third = all * d.torsion;
+  d.tangent = all, d.q2 = all * d.curvature, d.third = all * d.torsion;
   return true;
 }
 
@@ -76,9 +76,9 @@ struct Most {
 double excess(const Difference& d, const Machine& machine, std::size_t axes, const Most& most, bool joints) {
   const double v = most.speed, v2 = v * v, v3 = v2 * v, a = most.acceleration;
   const double velocity = 2 * (d.tangent + d.pace) * v;
-  const double acceleration = 2 * d.bend * v2 + (2 * d.tangent + 4 * d.pace) * a + 2 * d.change * v2;
+  const double acceleration = 2 * d.q2 * v2 + (2 * d.tangent + 4 * d.pace) * a + 2 * d.change * v2;
   const double along = most.jerk + a * d.curvature * v;  // |s⃛|
-  const double jerk = (2 * d.third + 7 * d.pace * d.torsion) * v3 + (6 * d.bend + 9 * d.pace * d.curvature) * v * a +
+  const double jerk = (2 * d.third + 7 * d.pace * d.torsion) * v3 + (6 * d.q2 + 9 * d.pace * d.curvature) * v * a +
                       6 * d.curvature * d.change * v3 + 6 * d.change * v * a + 2 * d.second_change * v3 +
                       (d.tangent + d.pace > 0 ? (2 * d.tangent + d.pace) * along : 0);
   double worst = d.pace;  // of feeds
@@ -97,13 +97,13 @@ double excess(const Difference& d, const Machine& machine, std::size_t axes, con
 }  // namespace
 
 double repeat_margin(const AxisPath& path, const Machine& machine, const std::vector<double>& feeds, std::size_t a,
-                     std::size_t b, std::size_t n, ProgressScope& pulse) {
+                     std::size_t b, std::size_t n, ProgressScope& progress) {
   if (!path.cartesian() || a + n > path.size() || b + n > path.size()) return infinite;
   std::vector<Difference> differences;
   double length = 0;
   for (std::size_t i = 0; i < n; ++i) {
     Difference d;
-    pulse.work(2);
+    progress.work(2);
     if (feeds[a + i] != feeds[b + i] || !difference(path[a + i], path[b + i], d)) return infinite;
     if (!d.none()) differences.push_back(d);
     length += length_of(path[b + i]);
@@ -121,7 +121,7 @@ double repeat_margin(const AxisPath& path, const Machine& machine, const std::ve
   const double reach = std::sqrt(most.acceleration * length);
   double worst = 0;
   for (const Difference& d : differences) {
-    pulse.work();
+    progress.work();
     most.speed = d.curvature > 0 ? std::min(reach, std::sqrt(1.01 * most.acceleration / d.curvature)) : reach;
     worst = std::max(worst, excess(d, machine, path.axes(), most, n > 1));
   }
@@ -134,7 +134,7 @@ std::optional<RepeatedSections::Known> RepeatedSections::find(std::size_t first,
   for (const std::size_t i : index_.of(shape_)) {
     const Known& known = known_[i];
     if (known.last - known.first != last - first) continue;
-    const double margin = repeat_margin(path_, machine_, feeds_, known.first, first, last - first, pulse_);
+    const double margin = repeat_margin(path_, machine_, feeds_, known.first, first, last - first, progress_);
     if (margin <= largest_margin) return Known{first, last, known.duration * (1 - margin), known.nodes, known.cells};
   }
   return {};

@@ -1,6 +1,6 @@
 #pragma once
-/// Whether a section is an earlier one at another place, and what the rounding of coordinates may then be worth in
-/// time: one bound serves both.
+/// Recognises a section that is an earlier one at another place, and bounds the effect of the rounding of coordinates
+/// on its duration, so that one bound serves both.
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -12,22 +12,22 @@
 
 namespace bahnwerk::verify {
 
-/// Such an η that no motion along segments [b, b + n), from rest to rest within the limits, is shorter than 1 − η times
-/// the shortest one along [a, a + n); infinite where the two do not match, or where that cannot be told. Cartesian axes
-/// only. O(n); tells `pulse`.
+/// Returns an η such that no motion along segments [b, b + n), from rest to rest within the limits, is shorter than 1 −
+/// η times the shortest one along [a, a + n); infinite if the two do not match, or this cannot be decided. Cartesian
+/// axes only. O(n); tells `progress`.
 ///
-/// The argument. Free-form curves have to agree but for their place, to the last bit. Of lines and arcs the difference
-/// in what they are made of bounds how far q′, q″, q‴ are apart at corresponding places, by ε₁, ε₂, ε₃. Segments whose
-/// lengths differ by D are mapped onto each other by w(s) with w′ = 1 + D · 30 x²(1 − x)²/L, x = s/L, so that w is C²
-/// at joints: |w′ − 1| ≤ 2|D|/L, |w″| ≤ 6|D|/L², |w‴| ≤ 60|D|/L³. A motion s(t) along b becomes w(s(t)) along a, with
-/// accelerations and jerks that differ by less than what is added up here: |s̈| ≤ A with A² = Σ A_k², hence v² ≤ A L
-/// over the section, |q″| v² ≤ A, and |s⃛| ≤ J + A |q″| v likewise. Slowed uniformly by 1 + η it is within the limits
-/// along a if no limit is exceeded by more than η of itself. The same goes for the steps of velocity and acceleration
-/// that joints inside the section allow.
+/// The argument: free-form curves have to agree but for their place, to the last bit. Differences in the parameters of
+/// lines and arcs bound the differences of q′, q″, q‴ at corresponding places by ε₁, ε₂, ε₃. Segments whose lengths
+/// differ by D are mapped onto each other by w(s) with w′ = 1 + D · 30 x²(1 − x)²/L, x = s/L, so that w is C² at
+/// joints: |w′ − 1| ≤ 2|D|/L, |w″| ≤ 6|D|/L², |w‴| ≤ 60|D|/L³. A motion s(t) along b becomes w(s(t)) along a, with
+/// accelerations and jerks that differ by less than the sums computed here: |s̈| ≤ A with A² = Σ A_k², hence v² ≤ A L
+/// over the section, |q″| v² ≤ A, and |s⃛| ≤ J + A |q″| v. Slowed uniformly by 1 + η it is within the limits along a if
+/// no limit is exceeded by more than η of itself. The argument includes the steps of velocity and acceleration that
+/// joints inside the section allow.
 double repeat_margin(const AxisPath& path, const Machine& machine, const std::vector<double>& feeds, std::size_t a,
-                     std::size_t b, std::size_t n, ProgressScope& pulse);
+                     std::size_t b, std::size_t n, ProgressScope& progress);
 
-/// The bounds of sections so far, for those that come back.
+/// The bounds of previous sections, for sections that repeat them.
 class RepeatedSections {
  public:
   struct Known {
@@ -35,13 +35,14 @@ class RepeatedSections {
     double duration;
     std::size_t nodes, cells;  ///< of the bound's grid, of the relaxation
   };
-  /// All outlive it.
-  RepeatedSections(const AxisPath& path, const Machine& machine, const std::vector<double>& feeds, ProgressScope& pulse)
-      : path_(path), machine_(machine), feeds_(feeds), pulse_(pulse) {}
-  /// What is known of the segments [first, last): an earlier section's, less the margin. Of a path through kinematics
-  /// nothing ever is.
+  /// All have to outlive the object.
+  RepeatedSections(const AxisPath& path, const Machine& machine, const std::vector<double>& feeds,
+                   ProgressScope& progress)
+      : path_(path), machine_(machine), feeds_(feeds), progress_(progress) {}
+  /// Returns the bound of the segments [first, last) from an earlier section, less the margin; nothing for a path
+  /// through kinematics.
   std::optional<Known> find(std::size_t first, std::size_t last);
-  /// Of the section asked for last.
+  /// Adds the section of the last find().
   void add(const Known& section);
 
  private:
@@ -50,7 +51,7 @@ class RepeatedSections {
   const AxisPath& path_;
   const Machine& machine_;
   const std::vector<double>& feeds_;
-  ProgressScope& pulse_;
+  ProgressScope& progress_;
   std::uint64_t shape_ = 0;
   RoughIndex index_;
   std::vector<Known> known_;

@@ -1,6 +1,6 @@
 #pragma once
-/// The shortest straight move from rest to rest under limits on speed, acceleration and jerk: what no motion along a
-/// straight section can beat.
+/// The shortest straight move from rest to rest under limits on speed, acceleration and jerk, a lower bound of every
+/// motion along a straight section.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,9 +10,9 @@
 
 namespace bahnwerk::verify {
 
-/// s over `way` mm; acceleration finite, speed and jerk may be infinite. Jerk J, 0, −J, 0, −J, 0, J with what is not
-/// needed left out: full speed V is reached if way ≥ V (V/A + A/J), or V 2 √(V/J) when A is not; full acceleration A if
-/// way ≥ 2 A³/J².
+/// Returns the duration over `way` mm, s; acceleration is finite, speed and jerk may be infinite. The move has jerk J,
+/// 0, −J, 0, −J, 0, J without the phases that are not needed: full speed V is reached if way ≥ V (V/A + A/J), or V 2
+/// √(V/J) when A is not; full acceleration A if way ≥ 2 A³/J².
 inline double rest_to_rest(double way, double speed, double acceleration, double jerk) {
   if (!(way > 0)) return 0;
   const double ramp = acceleration / jerk;  // s, 0 without a limit on jerk
@@ -22,10 +22,10 @@ inline double rest_to_rest(double way, double speed, double acceleration, double
   return std::cbrt(32 * way / jerk);
 }
 
-/// The same along a segment over which q is linear: all axes share one law.
+/// Returns the duration along a segment over which q is linear: all axes share one law.
 inline double rest_to_rest(const AxisPath& path, std::size_t linear, double feed, const Machine& machine) {
   const double u = path[linear].curve().begin();
-  const bool cartesian = path.cartesian();  // without the detour over eight axes
+  const bool cartesian = path.cartesian();  // without conversion from eight axes
   const Vec way = cartesian ? path[linear].at_parameter(u).d1 : Vec{};
   const AxisArray other = cartesian ? AxisArray{} : path.at_parameter(linear, u).d1;
   double speed = feed, acceleration = unlimited, jerk = unlimited;

@@ -1,5 +1,5 @@
 #pragma once
-/// Pieces of segments that turn little, so that each has one nearest point to anything near it
+/// Pieces of segments that turn so little that each has one nearest point to any point near it
 /// (core/geometry/path/matched.hpp).
 #include <vector>
 
@@ -7,7 +7,7 @@
 
 namespace bahnwerk::verify {
 
-/// [u0, u1] of a segment, its ends and its length, mm.
+/// The interval [u0, u1] of a segment, its ends and its length, mm.
 struct CurvePiece {
   std::size_t segment = 0;
   double u0 = 0, u1 = 0;
@@ -15,8 +15,8 @@ struct CurvePiece {
   double length = 0;
 };
 
-/// Cuts a segment, the `index`-th of its path, until no piece turns by more than 0.5 rad (at most 2²⁴ pieces), and adds
-/// them to `curve_pieces` in order.
+/// Divides a segment, the `index`-th of its path, until no piece turns by more than 0.5 rad (at most 2²⁴ pieces), and
+/// appends them to `curve_pieces` in order.
 void add_curve_pieces(const Segment& segment, std::size_t index, std::vector<CurvePiece>& curve_pieces);
 
 }  // namespace bahnwerk::verify

@@ -15,7 +15,7 @@ struct Part {
   bool empty() const { return !(low <= high); }
 };
 
-/// What of the edge from q0 to q1 is within r of p.
+/// Returns the part of the edge from q0 to q1 within r of p.
 Part near_part(Vec p, Vec q0, Vec q1, double r) {
   const Vec way = q1 - q0, off = p - q0;
   const double length = norm(way);
@@ -28,7 +28,7 @@ Part near_part(Vec p, Vec q0, Vec q1, double r) {
   return part.high < 0 || part.low > 1 ? Part{} : part;
 }
 
-/// What can be reached of edge `edge` of b from one point of a.
+/// The reachable part of edge `edge` of b from one point of a.
 struct Reached {
   std::size_t edge = 0;
   Part part;
@@ -37,12 +37,12 @@ struct Reached {
 }  // namespace
 
 Traversal traverse_within(const std::vector<Vec>& a, const std::vector<Vec>& b, double radius, std::size_t max_cells,
-                          ProgressScope& scope) {
+                          ProgressScope& progress) {
   if (a.size() < 2 || b.size() < 2 || !(norm(a.front() - b.front()) <= radius) ||
       !(norm(a.back() - b.back()) <= radius))
     return Traversal::impossible;
   std::vector<Reached> now, next;
-  // From a's first point b can be followed as far as it stays near without a gap.
+  // From a's first point b is reachable as far as it stays near without a gap.
   for (std::size_t j = 0; j + 1 < b.size(); ++j) {
     const Part part = near_part(a[0], b[j], b[j + 1], radius);
     if (part.empty() || part.low > 0) break;
@@ -74,7 +74,7 @@ Traversal traverse_within(const std::vector<Vec>& a, const std::vector<Vec>& b, 
       if (left.empty()) above.low = std::max(above.low, below.low);
       below = above;
       if (++cells - told >= cells_per_report) {
-        scope.work(cells - told);
+        progress.work(cells - told);
         told = cells;
         if (cells > max_cells) return Traversal::too_long;
       }

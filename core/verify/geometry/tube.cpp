@@ -42,24 +42,24 @@ verify::Worst wrong_blocks(const Contour& given, const Contour& path) {
 
 std::vector<Check> tube_checks(const Contour& given, const Contour& path, double tolerance, Progress& progress,
                                double from, double to) {
-  ProgressScope pulse(progress, "verify", from, to);
-  pulse.report();
+  ProgressScope stage_progress(progress, "verify", from, to);
+  stage_progress.report();
   std::vector<Check> checks{verify::make_check({CheckedQuantity::block_order, 0, "1"}, 0, wrong_blocks(given, path))};
   verify::Worst worst{HUGE_VAL, 0};
   if (checks.back().passed && !given.path.empty() && !path.path.empty()) {
     worst = {};
-    verify::TubeBlock tube(tolerance, pulse);
+    verify::TubeBlock tube(tolerance, stage_progress);
     for (std::size_t b = 0; b < std::max<std::size_t>(1, given.blocks.size()); ++b) {
       const verify::Stretch piece = stretch(path, b);
       if (piece.first == piece.last) continue;
-      pulse.done(static_cast<double>(piece.first) / static_cast<double>(path.path.size()));
+      stage_progress.done(static_cast<double>(piece.first) / static_cast<double>(path.path.size()));
       const verify::Worst found = tube.measure(stretch(given, b), piece);
       if (std::isnan(found.value) || found.value > worst.value) worst.raise(found.value, found.at);
     }
   }
   checks.push_back(verify::make_check(Checked{CheckedQuantity::deviation}, tolerance, worst));
-  pulse.done(1);
-  pulse.report();
+  stage_progress.done(1);
+  stage_progress.report();
   return checks;
 }
 

@@ -15,8 +15,9 @@ constexpr double slack_share = 0.004;  // of the tolerance: what polygons may di
 constexpr double enough = 0.99;        // of the tolerance: no need to know better
 constexpr std::size_t max_cells_per_edge = 64, min_cells = 50'000'000;
 constexpr std::size_t max_points = 20'000'000;
-constexpr std::size_t narrow = 8, wider = 8;  // pieces beside a place that are looked at with it, and times as many
-constexpr std::size_t limb_units = 16, cell_units = 8;  // of a pulse's work
+constexpr std::size_t narrow = 8,
+                      wider = 8;  // pieces around a place in the first window, and the factor of the next ones
+constexpr std::size_t limb_units = 16, cell_units = 8;  // units of work for progress
 
 }  // namespace
 
@@ -45,7 +46,7 @@ Worst TubeBlock::measure(const Stretch& given, const Stretch& path) {
 void TubeBlock::cut(const Stretch& stretch, std::vector<CurvePiece>& curve_pieces) {
   curve_pieces.clear();
   for (std::size_t i = stretch.first; i < stretch.last; ++i) {
-    pulse_.work(limb_units);
+    progress_.work(limb_units);
     add_curve_pieces((*stretch.path)[i], i, curve_pieces);
   }
 }
@@ -58,7 +59,7 @@ void TubeBlock::match() {
   Match at{0, limbs_[0].u0, norm(links_[0].p0 - limbs_[0].p0)};
   double found = 0;
   for (std::size_t i = 0; i < links_.size(); ++i) {
-    pulse_.work(limb_units);
+    progress_.work(limb_units);
     const CurvePiece& link = links_[i];
     const Match to = i + 1 < links_.size()
                          ? follow(link, at)
@@ -76,8 +77,9 @@ void TubeBlock::match() {
   }
 }
 
-/// Where on the contour, from `from` on, the end of a piece of the path belongs: the contour is followed until it comes
-/// within the tolerance of that end; the nearest point before it leaves again for good is taken.
+/// Returns the place of the contour, from `from` on, that is matched to the end of a piece of the path: the contour is
+/// followed until it is within the tolerance of that end; the nearest point before it finally leaves the tolerance is
+/// taken.
 TubeBlock::Match TubeBlock::follow(const CurvePiece& link, const Match& from) const {
   const double near = tolerance_ * (1 + 1e-9) + 1e-9, most = 20 * link.length + 200 * near;
   double walked = 0;
@@ -85,7 +87,7 @@ TubeBlock::Match TubeBlock::follow(const CurvePiece& link, const Match& from) co
   Match best{from.limb, from.u, HUGE_VAL};
   for (std::size_t k = from.limb; k < limbs_.size() && walked <= most; ++k) {
     const CurvePiece& l = limbs_[k];
-    pulse_.work(1);
+    progress_.work(1);
     const Nearest n = nearest((*given_.path)[l.segment].curve(), k == from.limb ? from.u : l.u0, l.u1, link.p1);
     if (n.distance < best.distance) best = {k, n.u, n.distance};
     entered = entered || n.distance <= near;
@@ -123,23 +125,23 @@ void TubeBlock::lay(const CurvePiece& link, const Match& from, const Match& to) 
   }
 }
 
-/// Of the cells that are laid; `found`: the largest distance within the tolerance so far.
+/// Returns the bound over the current cells; `found` is the largest distance within the tolerance so far.
 Worst TubeBlock::bound(double& found) {
   Worst worst;
   const double slack = std::min(finest, 1e-3 * tolerance_);
   for (const Cell& c : cells_)
     if (c.pieces.ends() <= tolerance_) found = std::max(found, c.pieces.ends());
   for (const Cell& c : cells_) {
-    pulse_.work(cell_units);
+    progress_.work(cell_units);
     const Segment& segment = (*path_.path)[c.path];
-    const MatchedDistance distance(segment.curve(), (*given_.path)[c.given].curve(), &pulse_);
+    const MatchedDistance distance(segment.curve(), (*given_.path)[c.given].curve(), &progress_);
     const double b = distance.bound(c.pieces, tolerance_, slack, found);
     if (std::isnan(b) || b > worst.value) worst.raise(b, segment.arc_length(c.pieces.a1));
   }
   return worst;
 }
 
-/// Whether both sides of a link's begin may be looked at apart from each other: it is matched well.
+/// Whether both sides of the beginning of a piece may be treated separately, because it is matched well.
 bool TubeBlock::separates(std::size_t link) const {
   return link == 0 || link >= links_.size() || ends_[link - 1].distance <= (enough - slack_share) * tolerance_;
 }
@@ -169,7 +171,7 @@ double TubeBlock::decided(const Window& window) {
     return HUGE_VAL;
   const std::size_t most = std::max(min_cells, max_cells_per_edge * (given_points_.size() + path_points_.size()));
   for (const double share : {enough, 1.0})
-    if (traverse_within(path_points_, given_points_, (share - slack_share) * tolerance_, most, pulse_) ==
+    if (traverse_within(path_points_, given_points_, (share - slack_share) * tolerance_, most, progress_) ==
         Traversal::possible)
       return share * tolerance_;
   return HUGE_VAL;
@@ -183,10 +185,10 @@ bool TubeBlock::polygon(const Path& path, const CurvePiece& first, double begin,
   points.assign(1, path[first.segment].curve().at(begin).value);
   for (std::size_t i = first.segment; i <= last.segment; ++i) {
     const Curve& curve = path[i].curve();
-    const BendBound bend(curve);
+    const SecondDerivativeBound bend(curve);
     const auto add = [&](const auto& self, double u0, double u1, int depth) -> void {
       const double w = u1 - u0;
-      pulse_.work(1);
+      progress_.work(1);
       if (depth > 0 && !(bend.at(u0, u1) * w * w / 8 <= bulge) && points.size() < max_points) {
         self(self, u0, 0.5 * (u0 + u1), depth - 1);
         self(self, 0.5 * (u0 + u1), u1, depth - 1);

@@ -1,5 +1,5 @@
 #pragma once
-/// How far a path strays from one block of a contour.
+/// A bound of the distance of a path from one block of a contour.
 #include <vector>
 
 #include "core/base/progress_scope.hpp"
@@ -15,31 +15,32 @@ struct Stretch {
   std::size_t first = 0, last = 0;
 };
 
-/// Matches two stretches of positive length, begin to begin and end to end, forward on both in between. First by
-/// following both piece by piece. Where that shows more than the tolerance (coils and spikes smaller than it mislead
-/// it), by the decision of the Fréchet distance of polygons that are within 0.2 % of the tolerance of them: of the
-/// surroundings of such a place, between two pairs of points that were matched well, and if that does not do of wider
-/// ones, up to the whole block.
+/// Matches two ranges of segments of positive length, beginning to beginning and end to end, forwards on both. The
+/// first method follows both piece by piece. Where that gives more than the tolerance (coils and spikes smaller than
+/// the tolerance mislead it), the Fréchet distance decides, for polygons within 0.2 % of the tolerance of the curves:
+/// first for the surroundings of such a place, between two pairs of points that were matched well, then for wider ones,
+/// up to the whole block.
 class TubeBlock {
  public:
-  TubeBlock(double tolerance, ProgressScope& pulse) : tolerance_(tolerance), pulse_(pulse) {}
+  TubeBlock(double tolerance, ProgressScope& progress) : tolerance_(tolerance), progress_(progress) {}
 
-  /// A bound of the distance, mm, under the matching found, and where on the path, mm. Above the tolerance: a distance
-  /// under the matching that was tried first.
+  /// Returns a bound of the distance, mm, under the matching found, and its place on the path, mm; above the tolerance
+  /// a distance under the matching of the first method.
   Worst measure(const Stretch& given, const Stretch& path);
 
  private:
-  /// Matched pieces of a path segment and a contour segment.
+  /// Matched pieces of a path segment and of a contour segment.
   struct Cell {
     std::size_t path = 0, given = 0;
     MatchedPieces pieces;  ///< a: of the path, b: of the contour
   };
-  /// A place of the contour that a piece's end is matched to: on a piece of it, at a parameter; mm apart.
+  /// The place of the contour that is matched to the end of a piece: a piece of the contour, a parameter, and the
+  /// distance, mm.
   struct Match {
     std::size_t limb = 0;
     double u = 0, distance = 0;
   };
-  /// Pieces of the path, [first, last).
+  /// The pieces [first, last) of the path.
   struct Window {
     std::size_t first = 0, last = 0;
   };
@@ -56,13 +57,13 @@ class TubeBlock {
                std::vector<Vec>& points);
 
   double tolerance_;
-  ProgressScope& pulse_;
+  ProgressScope& progress_;
   Stretch given_, path_;
-  std::vector<CurvePiece> limbs_, links_;  ///< of the contour, of the path
-  std::vector<Match> ends_;                ///< of the links
-  std::vector<Cell> cells_;                ///< of one link
-  std::vector<std::size_t> strayed_;       ///< links that are farther away than the tolerance
-  Worst near_, far_;                       ///< of all other links, and of these
+  std::vector<CurvePiece> limbs_, links_;  ///< of the contour and of the path
+  std::vector<Match> ends_;                ///< of the path's pieces
+  std::vector<Cell> cells_;                ///< of one piece of the path
+  std::vector<std::size_t> strayed_;       ///< pieces of the path that are farther away than the tolerance
+  Worst near_, far_;                       ///< of all other pieces, and of these
   std::vector<Vec> given_points_, path_points_;
 };
 

@@ -21,7 +21,7 @@ void ArcLengthCheck::measure(const LawPiece& piece, const Segment& segment, doub
                              int depth) {
   if (!(u1 > u0)) return;
   const auto miss_of = [&](const ChebyshevRule& rule) {
-    pulse_.work(static_cast<std::size_t>(rule.points));
+    progress_.work(static_cast<std::size_t>(rule.points));
     double whole = 0;
     for (int i = 0; i < rule.points; ++i)
       whole += rule.whole[static_cast<std::size_t>(i)] *

@@ -1,5 +1,5 @@
 #pragma once
-/// Whether the arc length that a law counts in is the length of the curve.
+/// Checks that the arc length used by a law is the length of the curve.
 #include "core/base/progress_scope.hpp"
 #include "core/geometry/path/path.hpp"
 #include "core/motion/law/time_law.hpp"
@@ -7,22 +7,22 @@
 
 namespace bahnwerk::verify {
 
-/// Keeps the largest miss, mm, with what quadrature and rounding may be of it.
+/// Stores the largest error, mm, relative to the error of quadrature and rounding.
 class ArcLengthCheck {
  public:
-  /// `pulse` outlives it.
-  explicit ArcLengthCheck(ProgressScope& pulse) : pulse_(pulse) {}
+  /// `progress` has to outlive the object.
+  explicit ArcLengthCheck(ProgressScope& progress) : progress_(progress) {}
 
-  /// The way that the law goes along a piece against the length of what it goes along, mm.
+  /// Compares the length that the law covers in a piece with the length of the segment's part, mm.
   void believe(const LawPiece& piece, const Segment& segment, double way);
-  /// ∫|dh/du| du over [u0, u1] against the way from s0 to s1 of the segment, by Lobatto's rule, with more points and
-  /// then halved until the rule resolves it.
+  /// Compares ∫|dh/du| du over [u0, u1] with the length from s0 to s1 of the segment, by Lobatto's rule, with more
+  /// points and then halved until the rule resolves it.
   void measure(const LawPiece& piece, const Segment& segment, double u0, double u1, double s0, double s1) {
     measure(piece, segment, u0, u1, s0, s1, 0);
   }
-  /// A stretch of `way` mm is `miss` mm longer or shorter, found at the time `when`.
+  /// Records an error of `miss` mm over a length of `way` mm at the time `when`.
   void raise(double miss, const Segment& segment, double way, double when);
-  /// To what quadrature resolves the length of a stretch, mm.
+  /// Returns the resolution of the quadrature over a length, mm.
   static double resolution(const Segment& segment, double way);
 
   const Strained& worst() const { return worst_; }
@@ -30,7 +30,7 @@ class ArcLengthCheck {
  private:
   void measure(const LawPiece& piece, const Segment& segment, double u0, double u1, double s0, double s1, int depth);
 
-  ProgressScope& pulse_;
+  ProgressScope& progress_;
   Strained worst_;
 };
 

@@ -45,37 +45,37 @@ std::vector<double> scales(const std::vector<Channel>& channels) {
 
 /// An interpolation error beyond this part of a limit helps nobody: halve without looking.
 constexpr double useful = 0.1, resolution = 1e-11;
-/// Of its size: what rounding may take from a sample.
+/// Relative rounding of a sample.
 constexpr double rounded_samples = 2e-12;
 
 class Sweeper {
  public:
-  Sweeper(const VerifierInput& in, ProgressScope& pulse)
+  Sweeper(const VerifierInput& in, ProgressScope& progress)
       : in_(in),
-        pulse_(pulse),
+        progress_(progress),
         channels_(make_channels(in)),
         peaks_(scales(channels_), resolution, rounded_samples),
         worst_(channels_.size()),
         repeated_(in),
         places_(in),
-        arc_length_(pulse) {
+        arc_length_(progress) {
     if (const auto* path = dynamic_cast<const KinematicAxisPath*>(&in.path)) through_.emplace(*path);
   }
 
   AxisPeaks run() {
     const auto& pieces = in_.law.pieces();
     for (index_ = 0; index_ < pieces.size(); ++index_) {
-      pulse_.work(1);
+      progress_.work(1);
       if (!(pieces[index_].v > 0)) end_motion();
       if (index_ == 0 || pieces[index_].segment != pieces[index_ - 1].segment) {
         const std::size_t next = repeated_.skip(index_);
-        pulse_.work((next - index_) / 16);
+        progress_.work((next - index_) / 16);
         if (next > index_) {
           index_ = next - 1;
           continue;
         }
       }
-      if (index_ % 256 == 0) pulse_.done(static_cast<double>(index_) / static_cast<double>(pieces.size()));
+      if (index_ % 256 == 0) progress_.done(static_cast<double>(index_) / static_cast<double>(pieces.size()));
       const LawPiece& piece = pieces[index_];
       if (piece.segment < in_.path.size()) check_piece(piece, in_.path[piece.segment]);
     }
@@ -122,8 +122,8 @@ class Sweeper {
     }
   }
 
-  // What interpolation may miss, per channel, by bounds(disc) about u, the interval being about `half` wide either way;
-  // without bounds of the axes it stays not known.
+  // Sets the interpolation error per channel, by bounds(disc) about u, for an interval of half width `half`; without
+  // bounds of the axes it remains unknown.
   template <class Bounds>
   void tell_missing(PeakSamples& samples, std::size_t segment, double u, double half, Bounds&& bounds) {
     const CurveDisc disc = discs(segment).about(u);
@@ -149,8 +149,8 @@ class Sweeper {
     return all.vanishing() > 0 && (begin <= all.vanishing_at() && end >= all.vanishing_at());
   }
 
-  // The same next to a vanishing tangent, where the law has to be at rest; what it moves there is rounding, or another
-  // check's fault, and leaves an estimate.
+  // Sets the interpolation error next to a vanishing tangent, where the law has to be at rest. A motion there is
+  // rounding, or another check reports it; it leaves an estimate.
   void tell_from_rest(PeakSamples& samples, const LawPiece& piece, double begin, double half, double b0, double b1) {
     CurveDiscs& all = discs(piece.segment);
     const double resting = begin <= all.vanishing_at() && all.vanishing_at() < begin + half ? b0 : b1;
@@ -172,7 +172,7 @@ class Sweeper {
   }
 
   void check_piece(const LawPiece& piece, const Segment& segment) {
-    const double finite = piece.s + piece.s_end + piece.v + piece.a + piece.j + piece.q + piece.duration;
+    const double finite = piece.s + piece.s_end + piece.v + piece.a + piece.j + piece.snap + piece.duration;
     if (!std::isfinite(finite)) {
       for (std::size_t c = 0; c < channels_.size(); ++c) peaks_.raise(c, finite, 0, index_);
       return;
@@ -214,7 +214,7 @@ class Sweeper {
     const bool open = segment.cusp_begin() || segment.cusp_end(), vanishing = discs(piece.segment).vanishing() > 0;
     peaks_.sweep(0, piece.duration, open, index_, [&](PeakSamples& samples) {
       const int n = samples.rule.points;
-      pulse_.work(static_cast<std::size_t>(n));
+      progress_.work(static_cast<std::size_t>(n));
       const double half = 0.5 * (samples.end - samples.begin);
       const LawPiece here = moved(local, samples.begin + half);
       const double middle = here.s == half_way ? inner[0] : segment.parameter_at(places_.looked_at(index_, here.s));
@@ -285,7 +285,7 @@ class Sweeper {
       const ChebyshevRule& rule = samples.rule;
       const double begin = samples.begin, end = samples.end;
       const int n = rule.points;
-      pulse_.work(static_cast<std::size_t>(n));
+      progress_.work(static_cast<std::size_t>(n));
       bool resolved = true;
       double from = 0, to = ds;
       if (even) {
@@ -331,8 +331,9 @@ class Sweeper {
     });
   }
 
-  // At a rest, and at the end. A peak that exceeds its limit counts for the motion before; it is put aside, so that one
-  // in the next motion is found even if it is lower. What keeps the limit goes on being looked for in all of the law.
+  // Called at a rest, and at the end. A peak that exceeds its limit counts for the motion before; it is stored
+  // separately, so that one in the next motion is found even if it is lower. Peaks within the limit are searched over
+  // the whole law.
   void end_motion() {
     TooFast most;
     for (std::size_t c = 0; c < channels_.size(); ++c) {
@@ -369,7 +370,7 @@ class Sweeper {
   }
 
   const VerifierInput& in_;
-  ProgressScope& pulse_;
+  ProgressScope& progress_;
   std::vector<Channel> channels_;
   PeakSweep peaks_;
   std::vector<Peak> worst_;  // of the motions before in which the limit was exceeded
@@ -391,6 +392,6 @@ class Sweeper {
 
 }  // namespace
 
-AxisPeaks axis_peaks(const VerifierInput& input, ProgressScope& pulse) { return Sweeper(input, pulse).run(); }
+AxisPeaks axis_peaks(const VerifierInput& input, ProgressScope& progress) { return Sweeper(input, progress).run(); }
 
 }  // namespace bahnwerk::verify

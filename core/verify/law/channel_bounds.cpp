@@ -15,7 +15,7 @@ constexpr double lebesgue = 2.6;  // of interpolation in up to 13 Chebyshev poin
 
 double square(double x) { return x * x; }
 
-constexpr double farthest = 1024;  // half widths, of the largest reach that is looked at
+constexpr double farthest = 1024;  // half widths of the largest reach that is used
 
 }  // namespace
 
@@ -44,8 +44,8 @@ ChannelBounds bounds_from_rest(double a, double half, const CurveDisc& disc, std
   const double h1 = disc.first, h2 = disc.second, h3 = disc.third, A = std::abs(a);
   const double b = 2 * A * disc.speed * disc.radius, jerk = h3 * b + 3 * h2 * A;
   ChannelBounds bounds{error * h1 * h1 * b, error * (h2 * b + h1 * A), error * b * jerk * jerk};
-  // s at the points is integrated (see above). At the first of them the derivatives are as much larger as their poles
-  // allow.
+  // s at the points is integrated (see above). At the first of them the derivatives are larger by the factor of their
+  // poles.
   const double off = lebesgue * 2 * A * 2 * (2 * half * error * disc.speed);
   const double nearer = disc.radius / (2 * half * rule.node[0]), m = static_cast<double>(vanishing);
   const double g2 = h2 * std::pow(nearer, m), g3 = h3 * std::pow(nearer, 2 * m + 1), g = g3 * b + 3 * g2 * A;
@@ -65,8 +65,8 @@ LawPiece moved(const LawPiece& piece, double tau) {
 
 namespace {
 
-/// Bounds of figures whose sizes are `sizes(S, V, A, J)` where the law's way, speed, acceleration and jerk are at most
-/// that large.
+/// Returns bounds of functions whose magnitudes are `sizes(S, V, A, J)` for a law with at most this length, speed,
+/// acceleration and jerk.
 template <std::size_t n, class Sizes>
 std::array<double, n> best_over_time(const LawPiece& piece, double half, const CurveDisc& disc, int points,
                                      Sizes&& sizes) {
@@ -74,7 +74,7 @@ std::array<double, n> best_over_time(const LawPiece& piece, double half, const C
   bounds.fill(unknown);
   if (!(half > 0) || !(disc.radius > 0)) return bounds;
   const double way = disc.radius / disc.pace;
-  const double v = std::abs(piece.v), a = std::abs(piece.a), j = std::abs(piece.j), q = std::abs(piece.q);
+  const double v = std::abs(piece.v), a = std::abs(piece.a), j = std::abs(piece.j), q = std::abs(piece.snap);
   const auto moves = [&](double r) { return r * (v + r * (a / 2 + r * (j / 6 + r * q / 24))); };
   // The further out, the quicker the error falls and the larger law and curve may be: from the disc's border on, for as
   // long as any bound gets better. Up to there S, which is convex, is at most four times as large where no part of it

@@ -141,7 +141,7 @@ CurveDisc CurveDiscs::make(double centre, std::size_t vanishing) {
     const Sizes x = sizes(x_at_.size(), radius, [&](std::size_t k) { return x_sizes_[k]; });
     const double X = norm(x_at_[0]) + x.tail + 2 * (dv.first * V + V1 * dv.tail),
                  X1 = x.first + 2 * (dv.second * V + V2 * dv.tail);
-    // Of V on the circle, from W: |z| = radius there.
+    // Bounds of V on the circle, from W: |z| = radius there.
     const double v_most = power * V, v1 = power * (V1 + m * V / radius), x_most = square_power * X,
                  x1 = square_power * (X1 + 2 * m * X / radius), least = square_power * (q0 - Q), nu = std::sqrt(least),
                  most = w0 + W, square = most * most, w1 = w.first + dw.first;

@@ -1,8 +1,7 @@
 #pragma once
-/// A curve in the complex plane: how large its derivatives by arc length can be near a place, and how far that holds.
-///
-/// Interpolation errors of whatever is made of them follow from such bounds, whatever the samples look like
-/// [Trefethen, Approximation Theory and Approximation Practice, 2013, theorem 8.2].
+/// Bounds of a curve's derivatives by arc length on discs in the complex plane. Interpolation errors of functions of
+/// these derivatives follow from such bounds, independently of the samples [Trefethen, Approximation Theory and
+/// Approximation Practice, 2013, theorem 8.2].
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -13,38 +12,39 @@
 
 namespace bahnwerk::verify {
 
-/// For all complex u with |u − centre| < radius: h′, h″, h‴ (by arc length) and s are analytic, and of their sizes
-/// (norms of complex vectors, mm) the following are upper bounds. radius = 0: nothing is known.
+/// For all complex u with |u − centre| < radius, h′, h″, h‴ (by arc length) and s are analytic, and the members are
+/// upper bounds of their magnitudes (norms of complex vectors, mm). radius = 0 means that nothing is known.
 struct CurveDisc {
   double centre = 0, radius = 0;
   double first = 0, second = 0, third = 0;  ///< |h′|, |h″|, |h‴|
   double speed = 0, pace = 0;               ///< |ds/du|, |du/ds|
 };
 
-/// Discs of one curve, made where they are asked for. With V = w² h_u, X = V′ × V, ν² = V·V, from u = pivot + reach·t:
+/// Discs of one curve, computed on demand. With V = w² h_u, X = V′ × V, ν² = V·V, from u = pivot + reach·t:
 ///
 ///   h′ = V/ν,   h″ = w² (V × X)/ν⁴,   h‴ = (w²/ν) d/dt h″,   ds/dt = ν/w².
 ///
-/// All are analytic where ν² ≠ 0 ≠ w. V, w, ν² and X are polynomials; about a centre their Taylor coefficients' sizes
-/// bound them on a disc, and the disc is as large as |ν² − ν²(c)| ≤ 0.6 ν²(c) and |w − w(c)| ≤ 0.3 w(c) allow. What
-/// rounding of the coefficients can do is added (32 degree·ε of the terms' magnitudes). Arcs:
-/// |cos(φ + iy)|² + |sin(φ + iy)|² = cosh 2y, for |y| ≤ 2.5.
+/// All are analytic where ν² ≠ 0 ≠ w. V, w, ν² and X are polynomials; the magnitudes of their Taylor coefficients about
+/// a centre bound them on a disc, which is as large as |ν² − ν²(c)| ≤ 0.6 ν²(c) and |w − w(c)| ≤ 0.3 w(c) allow. The
+/// effect of rounding of the coefficients is added (32 degree·ε of the terms' magnitudes). Arcs: |cos(φ + iy)|² +
+/// |sin(φ + iy)|² = cosh 2y, for |y| ≤ 2.5.
 class CurveDiscs {
  public:
-  static constexpr double largest = 4;  ///< radius where the curve has |t| ≤ 1
-  /// The curve is read, not kept. `start`: the first radius in t that is tried for a rational piece.
+  static constexpr double largest = 4;  ///< radius where |t| ≤ 1 on the curve
+  /// The curve is read, not stored. `start` is the first radius in t that is tried for a rational piece.
   explicit CurveDiscs(const Curve& curve, double start = largest);
-  /// A start for a curve that is like this one.
+  /// Returns a suitable start for a similar curve.
   double start() const { return start_; }
-  /// A disc about `u`, at least half as large as the largest that can be had there. O(degree²) for a new one, a few ns
-  /// where the last one serves; asked for in ascending order, one serves many.
+  /// Returns a disc about `u`, at least half as large as the largest one there. O(degree²) for a new one, a few ns
+  /// where the last one serves; in ascending order, one disc serves many queries.
   CurveDisc about(double u);
 
-  /// Order m of the zero of h_u at an end of the curve; 0: none.
+  /// Returns the order m of the zero of h_u at an end of the curve; 0: none.
   std::size_t vanishing() const { return vanishing_; }
   double vanishing_at() const { return pivot_; }
-  /// About that end, where h″ and h‴ may have poles: V = z^m W, and the bounds hold on the circle |u − centre| = radius
-  /// (of `speed`, in all of the disc). What is analytic inside is no larger anywhere in the disc.
+  /// Returns the disc about that end, where h″ and h‴ may have poles: V = z^m W, and the bounds hold on the circle |u −
+  /// centre| = radius (those of `speed` in all of the disc). A function that is analytic inside has no larger values in
+  /// the disc.
   const CurveDisc& at_vanishing_tangent();
 
  private:
@@ -62,19 +62,19 @@ class CurveDiscs {
   Polynomial w_at_, q_at_;
 };
 
-/// The same of every axis of a machine while its tool, which does not turn, follows the path through the disc's centre,
-/// by the chain rule: |q′| ≤ m₁|h′|, |q″| ≤ m₂|h′|² + m₁|h″|, |q‴| ≤ m₃|h′|³ + 3m₂|h′||h″| + m₁|h‴| with the map's
-/// bounds m for as far as the disc takes the tool's position h. The disc is halved until they are known; false where
-/// they never are.
+/// Computes the discs of every axis of a machine whose tool, which does not turn, follows the path through the disc's
+/// centre, by the chain rule: |q′| ≤ m₁|h′|, |q″| ≤ m₂|h′|² + m₁|h″|, |q‴| ≤ m₃|h′|³ + 3m₂|h′
+/// h″| + m₁|h‴| with the map's bounds m for the range of the tool's position h on the disc. The disc is halved until
+/// they are known; returns false if they never are.
 bool through(const KinematicAxisPath& path, std::size_t segment, const CurveDisc& tool,
              std::array<CurveDisc, max_axes>& axes);
 
-/// Discs of every axis along a path: what the path encloses (AxisPath::enclose), else through().
+/// Discs of every axis along a path: the path's own enclosures (AxisPath::enclose), else through().
 class AxisDiscsAlong {
  public:
   explicit AxisDiscsAlong(const KinematicAxisPath& path) : path_(path) {}
-  /// About the centre of the tool's disc, as large as intervals of half width `half` (of the parameter) need it; null:
-  /// not known. Valid until the next call. Where places are asked for in order one enclosure serves many.
+  /// Returns the discs about the centre of the tool's disc, as large as intervals of half width `half` (of the
+  /// parameter) need, or null if unknown. Valid until the next call. For queries in order one enclosure serves many.
   const std::array<CurveDisc, max_axes>* about(std::size_t segment, const CurveDisc& tool, double half);
 
  private:

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t max_feeds = 32;  // checks written per document; beyond that the most strained ones
 
-// A piece with what is asked of it more than once.
+// A piece with values that are used more than once.
 struct Passed {
   const LawPiece* piece;
   LawState end;
@@ -32,7 +32,7 @@ SpeedRange speed_range(const Passed& passed) {
     if (!(v >= r.low)) r.low = v, r.low_at = p.t0 + tau;
     if (!(v <= r.high)) r.high = v, r.high_at = p.t0 + tau;
   };
-  const double T = p.duration, change = T * (std::abs(p.j) + T * std::abs(p.q));
+  const double T = p.duration, change = T * (std::abs(p.j) + T * std::abs(p.snap));
   if (!p.constant_acceleration() && !(std::abs(p.a) > change))  // else a keeps its sign
     for (const double tau : turning_points(p))
       if (tau > 0 && tau < p.duration) offer(p.at(tau).v, tau);
@@ -42,10 +42,10 @@ SpeedRange speed_range(const Passed& passed) {
 
 class LawChecker {
  public:
-  LawChecker(const VerifierInput& in, ProgressScope& pulse)
-      : in_(in), path_(in.path.tool()), joints_(joints(path_, &pulse)) {}
+  LawChecker(const VerifierInput& in, ProgressScope& progress)
+      : in_(in), path_(in.path.tool()), joints_(joints(path_, &progress)) {}
 
-  std::vector<Check> run(ProgressScope& pulse) {
+  std::vector<Check> run(ProgressScope& progress) {
     const auto& pieces = in_.law.pieces();
     const std::vector<double>& feeds = in_.feeds;
     distinct_ = feeds;
@@ -57,7 +57,7 @@ class LawChecker {
     std::size_t feed_of = path_.size(), feed_at = 0;
     std::optional<Passed> before;
     for (const LawPiece& p : pieces) {
-      pulse.work(1);
+      progress.work(1);
       const Passed here(p);
       const SpeedRange v = speed_range(here);
       peak_.raise(v.high, v.high_at);
@@ -103,7 +103,7 @@ class LawChecker {
  private:
   // Acceleration, jerk and snap along the path: a is a parabola, j even, the snap constant.
   void path_peaks(const LawPiece& p) {
-    path_snap_.raise(std::abs(p.q), p.t0);
+    path_snap_.raise(std::abs(p.snap), p.t0);
     for (const double tau : {0.0, turning_points(p)[2], p.duration}) {
       if (!(tau >= 0 && tau <= p.duration)) continue;
       const LawState x = p.at(tau);
@@ -112,7 +112,7 @@ class LawChecker {
     }
   }
 
-  // From one piece to the next: continuity, and what holds at the joints of the path that lie between.
+  // Checks the transition between two pieces: continuity, and the conditions at the joints of the path between them.
   void pass(const Passed& left_piece, const Passed& right_piece) {
     const LawPiece &before = *left_piece.piece, &after = *right_piece.piece;
     const double t = after.t0, v0 = left_piece.end.v, v1 = after.v;
@@ -145,7 +145,7 @@ class LawChecker {
     pass_joint(before.segment, after.segment, joint, v, a0, a1, t);
   }
 
-  // What the axes' velocities and accelerations jump by where their derivatives along the path do.
+  // Checks the jumps of the axes' velocities and accelerations where their derivatives along the path jump.
   void pass_joint(std::size_t before, std::size_t after, const Joint& joint, double v, double a0, double a1, double t) {
     const bool look = in_.check_jerk || !in_.path.cartesian();
     AxisJet l, r;
@@ -231,8 +231,8 @@ class LawChecker {
 
 }  // namespace
 
-std::vector<Check> law_checks(const VerifierInput& input, ProgressScope& pulse) {
-  return LawChecker(input, pulse).run(pulse);
+std::vector<Check> law_checks(const VerifierInput& input, ProgressScope& progress) {
+  return LawChecker(input, progress).run(progress);
 }
 
 }  // namespace bahnwerk::verify

@@ -1,5 +1,5 @@
 #pragma once
-/// What is verified about a law in closed form: path velocity against the feeds, rest, continuity, order and coverage.
+/// Checks of a law in closed form: path velocity against the feeds, rest, continuity, order and coverage.
 #include <vector>
 
 #include "core/base/progress_scope.hpp"
@@ -9,6 +9,6 @@ namespace bahnwerk::verify {
 
 /// Checks of the law against the path's joints and feeds, in the order that verify_motion() documents. O(pieces +
 /// segments).
-std::vector<Check> law_checks(const VerifierInput& input, ProgressScope& pulse);
+std::vector<Check> law_checks(const VerifierInput& input, ProgressScope& progress);
 
 }  // namespace bahnwerk::verify

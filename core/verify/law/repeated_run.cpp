@@ -50,7 +50,7 @@ bool RepeatedRuns::same(const Run& a, const Run& b) const {
   for (std::size_t i = 0; i < b.last - b.first; ++i) {
     const LawPiece &p = pieces[a.first + i], &q = pieces[b.first + i];
     if (!(near(p.s, q.s) && near(p.s_end, q.s_end) && close(p.duration, q.duration) && close(p.v, q.v) &&
-          close(p.a, q.a) && close(p.j, q.j) && close(p.q, q.q)))
+          close(p.a, q.a) && close(p.j, q.j) && close(p.snap, q.snap)))
       return false;
   }
   return true;

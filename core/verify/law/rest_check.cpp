@@ -20,8 +20,8 @@ Vec begin_of(const Path& path, std::size_t segment) {
 /// The moments at rest of a law, one after the other.
 class Rests {
  public:
-  Rests(const Contour& driven, const TimeLaw& law, ProgressScope& pulse)
-      : path_(driven.path), law_(law), pulse_(pulse) {}
+  Rests(const Contour& driven, const TimeLaw& law, ProgressScope& stage_progress)
+      : path_(driven.path), law_(law), progress_(stage_progress) {}
 
   double begin = 0, lasts = 0;  ///< s
   Vec place;                    ///< mm
@@ -29,8 +29,8 @@ class Rests {
   /// False behind the last one.
   bool next() {
     const auto& pieces = law_.pieces();
-    for (; next_ < pieces.size() && !(pieces[next_].v == 0); ++next_) pulse_.work(1);
-    pulse_.work(8);
+    for (; next_ < pieces.size() && !(pieces[next_].v == 0); ++next_) progress_.work(1);
+    progress_.work(8);
     if (next_ > pieces.size() || pieces.empty()) return false;
     if (next_ == pieces.size()) {  // the end, which other checks hold to be at rest
       begin = law_.duration();
@@ -45,18 +45,18 @@ class Rests {
     if (first.segment >= path_.size()) return false;
     place = path_[first.segment].at(first.s).value;
     while (next_ < pieces.size() && stands(pieces[next_]) && pieces[next_].s == first.s)
-      lasts += pieces[next_++].duration, pulse_.work(1);
+      lasts += pieces[next_++].duration, progress_.work(1);
     if (lasts > 0 && next_ == pieces.size()) ++next_;  // it was the end
     if (lasts == 0) ++next_;
     return true;
   }
 
  private:
-  static bool stands(const LawPiece& p) { return p.v == 0 && p.a == 0 && p.j == 0 && p.q == 0; }
+  static bool stands(const LawPiece& p) { return p.v == 0 && p.a == 0 && p.j == 0 && p.snap == 0; }
 
   const Path& path_;
   const TimeLaw& law_;
-  ProgressScope& pulse_;
+  ProgressScope& progress_;
   std::size_t next_ = 0;
 };
 
@@ -64,9 +64,9 @@ class Rests {
 
 Check rest_check(const Contour& given, const Contour& driven, const TimeLaw& law, Progress& progress,
                  double progress_at, double position_tolerance) {
-  ProgressScope pulse(progress, "verify", progress_at, progress_at);
+  ProgressScope stage_progress(progress, "verify", progress_at, progress_at);
   Check check = verify::make_check({CheckedQuantity::dwell, 0, "s"}, rounding * law.duration(), 0, 0, false);
-  Rests at(driven, law, pulse);
+  Rests at(driven, law, stage_progress);
   for (std::size_t i = 0, j = 0; i < given.rests.size(); i = j) {
     double seconds = 0;
     for (j = i; j < given.rests.size() && given.rests[j].segment == given.rests[i].segment; ++j)

@@ -27,7 +27,7 @@ double square(const PathBatch& batch, std::size_t i, const LawState& x) {
 
 }  // namespace
 
-Worst total_jerk(const Path& tool, const TimeLaw& law, ProgressScope& pulse) {
+Worst total_jerk(const Path& tool, const TimeLaw& law, ProgressScope& progress) {
   PathBatch batch;
   std::array<LawState, PathBatch::most> state;
   // Counted from the begin of the segment: far along a path the rounding of s would show as noise.
@@ -38,7 +38,7 @@ Worst total_jerk(const Path& tool, const TimeLaw& law, ProgressScope& pulse) {
       batch.u.set(i, segment.parameter_at(std::clamp(state[i].s, 0.0, segment.length())));
     }
     segment.at_parameters(batch);
-    pulse.work(n);
+    progress.work(n);
   };
   const auto local = [&](const LawPiece& piece) {
     LawPiece moved = piece;

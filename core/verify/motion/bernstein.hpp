@@ -1,5 +1,5 @@
 #pragma once
-/// A polynomial of time in the form that encloses it (Farouki, "The Bernstein polynomial basis: a centennial
+/// A polynomial of time in Bernstein form, which encloses it (Farouki, "The Bernstein polynomial basis: a centennial
 /// retrospective", CAGD 29, 2012).
 #include <algorithm>
 #include <array>
@@ -12,8 +12,8 @@ namespace bahnwerk::verify {
 
 using Bernstein = std::array<double, max_coefficients>;
 
-/// Bernstein coefficients over [0, 1] of p(T x), the constant lifted by `offset`; how many there are. No more than
-/// max_coefficients.
+/// Writes the Bernstein coefficients over [0, 1] of p(T x), the constant increased by `offset`. Returns their number,
+/// at most max_coefficients.
 inline std::size_t bernstein(const Polynomial& p, double duration, double offset, Bernstein& b) {
   const std::size_t n = std::max<std::size_t>(p.size(), 1);
   Bernstein scaled{};

@@ -41,10 +41,10 @@ class Checker {
     for (auto& peaks : peaks_) peaks.resize(in.axes.size());
   }
 
-  std::vector<Check> run(ProgressScope& scope) {
+  std::vector<Check> run(ProgressScope& stage_progress) {
     const Motion& motion = in_.motion;
     for (std::size_t i = 0; i < motion.pieces(); ++i) {
-      scope.now(i, motion.pieces());
+      stage_progress.now(i, motion.pieces());
       piece(i);
       if (i > 0) joint(i);
     }
@@ -90,14 +90,14 @@ class Checker {
     if (sampled) sample(i, t0, T);
   }
 
-  /// How far positions lie outside of the range: of |x − middle| the part beyond half of it.
+  /// Records how far positions lie outside the range: the part of |x − middle| beyond half of it.
   void reach(std::size_t k, const Polynomial& p, double t0, double T) {
     const AxisLimits& axis = in_.axes[k];
     for (const double sign : {1.0, -1.0}) {
       const double border = sign > 0 ? axis.highest : axis.lowest;
       if (!std::isfinite(border)) continue;
-      // Beyond a border a polynomial is what its largest magnitude about a far place tells; the place is far enough for
-      // nothing on the other side to count.
+      // The excess of a polynomial over a border is its largest magnitude about a far place, far enough for the other
+      // side not to count.
       Bernstein b{};
       const std::size_t n = bernstein(p, T, -border, b);
       double most = 0;
@@ -165,7 +165,7 @@ class Checker {
     return tolerance(x, d, k, T, t) + tolerance(other, d, k, T, t);
   }
 
-  /// What is checked of all axes together.
+  /// Returns a check of all axes together.
   Checked whole(CheckedQuantity quantity, int order) const { return {quantity, order, in_.unit, in_.group}; }
 
   std::vector<Check> report() const {
@@ -207,9 +207,9 @@ std::vector<Check> motion_checks(const MotionToVerify& input, Progress& progress
     throw std::invalid_argument("a motion is verified against the limits of as many axes as it has");
   if (input.continuous < 0 || input.continuous > 3)
     throw std::invalid_argument("pieces are compared up to their third derivative");
-  ProgressScope scope(progress, "verify", input.progress_from, input.progress_to);
-  scope.report();
-  return verify::Checker(input).run(scope);
+  ProgressScope stage_progress(progress, "verify", input.progress_from, input.progress_to);
+  stage_progress.report();
+  return verify::Checker(input).run(stage_progress);
 }
 
 }  // namespace bahnwerk

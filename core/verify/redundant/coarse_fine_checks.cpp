@@ -119,7 +119,7 @@ class FineSweep {
       const std::size_t k = channel.axis;
       if (k != axis) {
         const double d = q.d1[k];
-        fine = Polynomial{q.value[k], d * law.v, d * law.a / 2, d * law.j / 6, d * law.q / 24} -
+        fine = Polynomial{q.value[k], d * law.v, d * law.a / 2, d * law.j / 6, d * law.snap / 24} -
                shifted(coarse_[k], from - in_.coarse.begin(c), 1);
         axis = k, derived = 0;
       }

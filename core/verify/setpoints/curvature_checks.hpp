@@ -1,6 +1,6 @@
 #pragma once
-/// The independent check of feeds that the path's curvature limits [Herrmann (4.71), (4.72)]: of the motion as sampled,
-/// with no word of how its feeds were found.
+/// Checks feeds that the path's curvature limits [Herrmann (4.71), (4.72)] on the sampled motion, independently of how
+/// the feeds were found.
 #include <vector>
 
 #include "core/base/verification.hpp"
@@ -14,20 +14,20 @@ class Progress;
 
 struct CurvatureInput {
   const AxisPath& path;
-  const TimeLaw& law;  ///< what is sampled
+  const TimeLaw& law;  ///< the law that is sampled
   double cycle_time = 0.001;
   double chord_tolerance = unlimited;       ///< mm
   double half_speed_curvature = unlimited;  ///< κ̂, 1/mm
   double velocity = unlimited;              ///< v_max, mm/s
-  double at = 1;                            ///< of the job's progress
+  double at = 1;                            ///< fraction of the job's progress
 };
 
-/// Of every cycle, four places:
+/// Returns these checks, over four places of every cycle:
 ///
 /// `chord error`       mm    distance of the path from the chord between two setpoints, against the tolerance
 /// `half-speed feed`   mm/s  v (κ̂ + κ)/κ̂ against v_max
 ///
-/// Each where it is limited. About 1 µs per setpoint.
+/// Each check exists where its quantity is limited. About 1 µs per setpoint.
 std::vector<Check> curvature_checks(const CurvatureInput& input, Progress& progress);
 
 }  // namespace bahnwerk

@@ -15,7 +15,7 @@ namespace {
 
 using verify::Worst;
 
-/// One column of positions with what is asked of its differences, by their order 1 … 3.
+/// One column of positions with the checks of its differences, by their order 1 … 3.
 struct Series {
   std::size_t column = 0;
   double shown = 1;
@@ -101,8 +101,8 @@ std::unique_ptr<RowCheck> difference_row_check(const DifferenceInput& input) {
 }
 
 std::vector<Check> difference_checks(const DifferenceInput& input, Progress& progress) {
-  ProgressScope scope(progress, "verify differences", 1, 1);
-  return check_rows(input.setpoints, difference_row_check(input), scope);
+  ProgressScope stage_progress(progress, "verify differences", 1, 1);
+  return check_rows(input.setpoints, difference_row_check(input), stage_progress);
 }
 
 }  // namespace bahnwerk

@@ -1,5 +1,5 @@
 #pragma once
-/// What the setpoints themselves ask of the axes: differences from row to row, held to the motion's limits.
+/// Checks differences of the setpoints from row to row against the motion's limits.
 #include <memory>
 #include <vector>
 
@@ -15,26 +15,26 @@ class Progress;
 struct DifferenceInput {
   const SetpointSource& setpoints;  ///< columns of every axis' name, and s
   const Machine& machine;
-  std::vector<double> shown;  ///< per axis: what one of its units is in its column
-  /// The verdict on the motion that the rows were taken from: what it is held to, the rows are, too. It has to be known
+  std::vector<double> shown;  ///< per axis: the factor from its unit to that of its column
+  /// The verdict on the motion from which the rows were taken; its limits apply to the rows, too. It has to be complete
   /// when the check is made.
   const Verification& motion;
-  /// By how much positions may be off by rounding, in their column's unit: a difference of order n is off by 2ⁿ of it.
+  /// Rounding of positions, in their column's unit: a difference of order n is off by 2ⁿ of it.
   double rounding = 0;
-  /// A fraction by which the speed along the path may exceed its limit: what is stated of an interpolator's feed.
+  /// Fraction by which the speed along the path may exceed its limit: the stated accuracy of an interpolator's feed.
   double feed_tolerance = 0;
 };
 
-/// Of every check `velocity <axis>`, `acceleration <axis>`, `jerk <axis>`, `path velocity`, `path acceleration`, `path
-/// jerk` in `motion` one named `setpoint <check>`, with its limit and unit: the largest first, second or third
-/// difference of consecutive rows' positions, divided by the cycle time to the first, second or third power. That is
-/// the mean of the derivative over one, two or three cycles: rows taken exactly from a motion keep what the motion
-/// keeps (mean value theorem), so this is for rows that an interpolator puts a little off it, where the motion's own
-/// peaks say nothing, and for paths whose joints let the acceleration step. value ≤ limit · (1 + 1e-9); missing columns
-/// and what is not a number fail. `at` is the middle of the rows. 0.05 µs per row.
+/// Returns for every check `velocity <axis>`, `acceleration <axis>`, `jerk <axis>`, `path velocity`, `path
+/// acceleration`, `path jerk` in `motion` one named `setpoint <check>`, with its limit and unit: the largest first,
+/// second or third difference of consecutive rows' positions, divided by the cycle time to the first, second or third
+/// power. That is the mean of the derivative over one, two or three cycles: rows taken exactly from a motion keep its
+/// limits (mean value theorem). The check is therefore for rows of an interpolator, which the motion's peaks do not
+/// cover, and for paths whose joints let the acceleration step. value ≤ limit · (1 + 1e-9); missing columns and values
+/// that are not numbers fail. `at` is the middle of the rows. 0.05 µs per row.
 std::unique_ptr<RowCheck> difference_row_check(const DifferenceInput& input);
 
-/// Reads all rows for that check alone.
+/// Reads all rows for this check alone.
 std::vector<Check> difference_checks(const DifferenceInput& input, Progress& progress);
 
 }  // namespace bahnwerk

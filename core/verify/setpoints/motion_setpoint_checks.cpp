@@ -71,7 +71,7 @@ class MotionRows final : public RowCheck {
       }
   }
 
-  /// What the derivative is summed up from within a piece of that duration, up to the jerk.
+  /// Returns the sum of the magnitudes of a derivative's terms within a piece of that duration, up to the jerk.
   static double terms(const MotionState& state, std::size_t order, std::size_t axis, double piece) {
     const double x = std::abs(state.position[axis]), v = std::abs(state.velocity[axis]),
                  a = std::abs(state.acceleration[axis]), j = std::abs(state.jerk[axis]);
@@ -88,12 +88,12 @@ class MotionRows final : public RowCheck {
   }
 
   void check(const double* row, const MotionState& state, double piece, double t) {
-    const double blur = epsilon * t;
+    const double rounding_error = epsilon * t;
     for (std::size_t order = 0; order < orders_; ++order)
       for (std::size_t k = 0; k < axes_; ++k) {
         const double next = order + 1 < all_orders ? std::abs(part(state, order + 1)[k]) : 0;
         off_[order].raise(std::abs(row[columns_[order][k]] - part(state, order)[k]),
-                          rounding * terms(state, order, k, piece) + next * blur, t);
+                          rounding * terms(state, order, k, piece) + next * rounding_error, t);
       }
   }
 
@@ -119,8 +119,8 @@ std::unique_ptr<RowCheck> motion_row_check(const MotionSetpointInput& input) {
 std::vector<Check> motion_setpoint_checks(const Motion& motion, const Machine& machine, const SetpointSource& setpoints,
                                           Progress& progress, double progress_from, double progress_to,
                                           const std::string& group) {
-  ProgressScope scope(progress, "verify setpoints", progress_from, progress_to);
-  return check_rows(setpoints, motion_row_check({motion, machine, setpoints, group}), scope);
+  ProgressScope stage_progress(progress, "verify setpoints", progress_from, progress_to);
+  return check_rows(setpoints, motion_row_check({motion, machine, setpoints, group}), stage_progress);
 }
 
 }  // namespace bahnwerk

@@ -1,6 +1,6 @@
 #pragma once
-/// The independent check of the setpoints of any motion: every row's axes against the motion that was verified. Where
-/// the axes follow a path, setpoint_checks.hpp checks more.
+/// Checks the setpoints of any motion: every row's axes against the motion that was verified. Where the axes follow a
+/// path, setpoint_checks.hpp checks more.
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,7 +15,7 @@ namespace bahnwerk {
 
 class Progress;
 
-/// What is kept while rows are read.
+/// The inputs of the check, which have to exist while rows are read.
 struct MotionSetpointInput {
   const Motion& motion;
   const Machine& machine;
@@ -23,8 +23,8 @@ struct MotionSetpointInput {
   std::string group = {};  ///< the subject of all checks
 };
 
-/// Row k is the state just after t = k · cycle time, found by a walk through the motion's pieces; the last row is the
-/// motion's final state. With ε, t's own rounding and the state x, v, a, j, s at that moment, T the piece's duration:
+/// Row k is the state just after t = k · cycle time, found by a sweep through the motion's pieces; the last row is the
+/// motion's final state. With ε, t's own rounding and the state x, v, a, j, s at that time, T the piece's duration:
 ///
 /// `setpoints count`         1         |rows − (duration / cycle time + 1)|; columns that are missing count, too: 0
 /// `setpoints time`          s         (rows − 1) · cycle time against the motion's duration: 32 ε of it
@@ -35,11 +35,11 @@ struct MotionSetpointInput {
 /// `setpoints snap`          mm/s⁴     columns s, where every axis has one: 32 ε |s|
 /// `setpoints end`           mm        last row: axes against the motion's final state: 0
 ///
-/// mm stands for the axis' unit. Each check tells the row that strains its tolerance most; `at` is its time. Not a
-/// number fails.
+/// mm stands for the axis' unit. Each check reports the row that is closest to its tolerance; `at` is its time. A value
+/// that is not a number fails.
 std::unique_ptr<RowCheck> motion_row_check(const MotionSetpointInput& input);
 
-/// Reads all rows for that check alone, 1024 at a time. Calls progress every 2048 rows; throws what it throws.
+/// Reads all rows for this check alone, 1024 at a time. Calls progress every 2048 rows; throws what it throws.
 std::vector<Check> motion_setpoint_checks(const Motion& motion, const Machine& machine, const SetpointSource& setpoints,
                                           Progress& progress, double progress_from = 0, double progress_to = 1,
                                           const std::string& group = {});

@@ -17,7 +17,7 @@ constexpr double degrees = 180 / std::numbers::pi, reach = 100;  // mm
 constexpr double tolerance = 1e-6;                               // mm, deg
 
 double off(const ToolPose& a, const ToolPose& b) { return norm(a.position - b.position); }
-/// deg; NaN if one of them is.
+/// Returns the larger difference of both angles, deg; NaN if one of them is.
 double turned(const ToolPose& a, const ToolPose& b) {
   const double phi = std::abs(std::remainder(a.phi - b.phi, 2 * std::numbers::pi)), psi = std::abs(a.psi - b.psi);
   return degrees * (phi + psi);
@@ -77,8 +77,8 @@ class NeedleRows final : public RowCheck {
 std::unique_ptr<RowCheck> needle_row_check(const NeedleInput& input) { return std::make_unique<NeedleRows>(input); }
 
 std::vector<Check> needle_checks(const NeedleInput& input, Progress& progress) {
-  ProgressScope scope(progress, "verify needle", 1, 1);
-  return check_rows(input.setpoints, needle_row_check(input), scope);
+  ProgressScope stage_progress(progress, "verify needle", 1, 1);
+  return check_rows(input.setpoints, needle_row_check(input), stage_progress);
 }
 
 }  // namespace bahnwerk

@@ -1,5 +1,5 @@
 #pragma once
-/// The independent check of where a winding machine's setpoints put the needle: forward kinematics of every row.
+/// Checks the needle's poses of a winding machine's setpoints by forward kinematics of every row.
 #include <memory>
 #include <vector>
 
@@ -14,22 +14,22 @@ namespace bahnwerk {
 class Progress;
 
 struct NeedleInput {
-  const KinematicAxisPath& path;    ///< where the needle has to be at each s
-  const Kinematics& machine;        ///< its forward() shares nothing with inverse(), with which the axes were made
+  const KinematicAxisPath& path;    ///< required pose of the needle at each s
+  const Kinematics& machine;        ///< its forward() is independent of inverse(), which gave the axes
   const SetpointSource& setpoints;  ///< columns of every axis' name, x, y, z, phi, psi, s
-  std::vector<double> shown;        ///< per axis: what one of its units is in its column
+  std::vector<double> shown;        ///< per axis: the factor from its unit to that of its column
 };
 
 /// `forward kinematics position`  mm   forward(axes) against the path at the row's s: 1e-6
-/// `forward kinematics angle`     deg  the same of φ (to whole turns) and ψ: 1e-6
-/// `setpoints pose`               mm   columns x, y, z, phi, psi against forward(axes), an angle as the arc that it
-/// moves
-///                                     a point 100 mm away: 1e-6
+///   `forward kinematics angle`     deg  φ (to whole turns) and ψ against the path: 1e-6
+///   `setpoints pose`               mm   columns x, y, z, phi, psi against forward(axes), an angle as the arc that it
+///   moves
+///                                        a point 100 mm away: 1e-6
 ///
-/// Missing columns and what is not a number fail. About 0.5 µs per row.
+/// Missing columns and values that are not numbers fail. About 0.5 µs per row.
 std::unique_ptr<RowCheck> needle_row_check(const NeedleInput& input);
 
-/// Reads all rows for that check alone.
+/// Reads all rows for this check alone.
 std::vector<Check> needle_checks(const NeedleInput& input, Progress& progress);
 
 }  // namespace bahnwerk

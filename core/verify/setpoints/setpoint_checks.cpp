@@ -55,7 +55,7 @@ class PathRows final : public RowCheck {
   std::vector<Check> checks() override { return report(); }
 
  private:
-  /// How many of the columns needed are not there.
+  /// Returns the number of missing columns.
   std::size_t find_columns() {
     std::size_t missing = 0;
     const auto& columns = in_.setpoints.columns();
@@ -81,14 +81,14 @@ class PathRows final : public RowCheck {
     const LawPiece& piece = pieces_[i];
     const auto& rests = in_.contour->rests;
     while (rest_at_ < rests.size() && !(rests[rest_at_].seconds > 0)) ++rest_at_;
-    const bool stands = piece.v == 0 && piece.a == 0 && piece.j == 0 && piece.q == 0;
+    const bool stands = piece.v == 0 && piece.a == 0 && piece.j == 0 && piece.snap == 0;
     if (stands && rest_at_ < rests.size() && at_rest(rests[rest_at_], piece)) {
       block_ = rests[rest_at_++].block;
       return;
     }
     const auto& blocks = in_.contour->blocks;
     while (way_block_ + 1 < blocks.size() && blocks[way_block_].last <= piece.segment) ++way_block_;
-    block_ = std::max(block_, way_block_);  // behind the rest at the path's end nothing goes back
+    block_ = std::max(block_, way_block_);  // behind the rest at the path's end blocks do not decrease
   }
   /// Whether a piece that stands is at the place of that rest: a motion may also wait elsewhere.
   bool at_rest(const Rest& rest, const LawPiece& piece) const {
@@ -103,14 +103,14 @@ class PathRows final : public RowCheck {
   }
 
   void check(std::size_t k, const double* row) {
-    const double t = static_cast<double>(k) * cycle_time_, blur = epsilon * t;
+    const double t = static_cast<double>(k) * cycle_time_, rounding_error = epsilon * t;
     while (piece_ + 1 < pieces_.size() && pieces_[piece_ + 1].t0 <= t) enter(piece_ + 1);
     const LawPiece& piece = pieces_[piece_];
     if (rounding_of_ != piece_) rounding_ = verify::rounding_of(piece), rounding_of_ = piece_;
     const LawState law = piece.at(std::clamp(t - piece.t0, 0.0, std::max(piece.duration, 0.0)));
     const double s = row[s_column_], v = row[v_column_];
-    path_column_.raise(std::abs(s - law.s), rounding_.position + std::abs(law.v) * blur + lag_, t);
-    speed_.raise(std::abs(v - law.v), rounding_.speed + std::abs(law.a) * blur, t);
+    path_column_.raise(std::abs(s - law.s), rounding_.position + std::abs(law.v) * rounding_error + lag_, t);
+    speed_.raise(std::abs(v - law.v), rounding_.speed + std::abs(law.a) * rounding_error, t);
     if (k > 0) forward_.raise(std::isnan(s) ? s : std::max(0.0, before_ - s), rounding * path_.length(), t);
     before_ = s;
     label(row, t);
@@ -122,7 +122,7 @@ class PathRows final : public RowCheck {
     const double along = size(q1), a = std::abs(law.a);
     const double place = rounding * (size(q) + along * path_[segment].length()), quick = rounding * along * std::abs(v),
                  quicker = rounding * (v * v * size(q2) + along * a) +
-                           along * (rounding_.acceleration + std::abs(law.j) * blur);
+                           along * (rounding_.acceleration + std::abs(law.j) * rounding_error);
     for (std::size_t axis = 0; axis < axes_; ++axis) {
       const double unit = shown_[axis];
       position_.raise(std::abs(row[position_column_[axis]] - unit * q[axis]), unit * place, t);
@@ -184,7 +184,7 @@ class PathRows final : public RowCheck {
   std::array<std::size_t, max_axes> position_column_{}, velocity_column_{}, acceleration_column_{};
   std::size_t s_column_ = 0, v_column_ = 0, mode_column_ = 0, block_column_ = 0;
   std::size_t piece_ = 0, block_ = 0, mislabelled_ = 0;
-  std::size_t way_block_ = 0, rest_at_ = 0;  // block of the segment at hand; the next rest of the contour
+  std::size_t way_block_ = 0, rest_at_ = 0;  // block of the current segment; the next rest of the contour
   PieceRounding rounding_;
   std::size_t rounding_of_ = static_cast<std::size_t>(-1);
   double before_ = 0, mislabelled_at_ = 0;
@@ -196,8 +196,8 @@ class PathRows final : public RowCheck {
 std::unique_ptr<RowCheck> path_row_check(const SetpointInput& input) { return std::make_unique<PathRows>(input); }
 
 std::vector<Check> setpoint_checks(const SetpointInput& input, Progress& progress) {
-  ProgressScope scope(progress, "verify setpoints", input.progress_from, input.progress_to);
-  return check_rows(input.setpoints, path_row_check(input), scope);
+  ProgressScope stage_progress(progress, "verify setpoints", input.progress_from, input.progress_to);
+  return check_rows(input.setpoints, path_row_check(input), stage_progress);
 }
 
 }  // namespace bahnwerk

@@ -1,5 +1,5 @@
 #pragma once
-/// The independent check of the setpoints that are served: every row against the motion that was verified.
+/// Checks the setpoints that are served: every row against the motion that was verified.
 #include <memory>
 #include <vector>
 
@@ -20,19 +20,18 @@ struct SetpointInput {
   const Machine& machine;
   const TimeLaw& law;  ///< as verified: slowed to whole cycles
   const SetpointSource& setpoints;
-  const Contour* contour = nullptr;           ///< whose blocks the columns mode and block tell, if there are such
-  double progress_from = 0, progress_to = 1;  ///< the share of the whole job's progress that this takes
-  /// Per axis: what one of its units is in its columns, such as 180/π for rad shown in deg; empty: 1.
+  const Contour* contour = nullptr;           ///< whose blocks the columns mode and block describe, if they exist
+  double progress_from = 0, progress_to = 1;  ///< the part of the whole job's progress that the checks cover
+  /// Per axis: the factor from its unit to that of its columns, such as 180/π for rad shown in deg; empty: 1.
   std::vector<double> shown = {};
-  /// By how much an interpolator may put a row before or behind the law's place, along the path, as a share of the
-  /// longest way that the law goes in one cycle; 0: not at all.
+  /// Distance by which an interpolator may place a row before or behind the law's place, along the path, relative to
+  /// the longest distance of the law in one cycle.
   double lag = 0;
 };
 
-/// Path and law are evaluated at the rows' times. So the rows keep the limits
-/// that the motion keeps. Row k is the state just after t = k · cycle time; the last row is at rest, exactly at the
-/// path's end. ε, and what rounding does to a piece of
-/// the law: core/verify/rounding.hpp. Besides that t is off by ε t, so with the law's v, a, j at that moment:
+/// Path and law are evaluated at the rows' times, so the rows keep the limits of the motion. Row k is the state just
+/// after t = k · cycle time; the last row is at rest, exactly at the path's end. core/verify/rounding.hpp defines ε and
+/// the rounding of a piece of the law. In addition t has an error of ε t, so with the law's v, a, j at that time:
 ///
 /// `setpoints count`         1      |rows − (duration / cycle time + 1)|; columns that are missing count, too: 0
 /// `setpoints time`          s      (rows − 1) · cycle time against the law's duration: 32 ε of it
@@ -47,13 +46,13 @@ struct SetpointInput {
 /// `setpoints end`           mm     last row: distance from the path's end and of s from its length: 0
 /// `setpoints end at rest`   mm/s   last row: largest |v|, and |a| · cycle time, of any axis and of the path: 0
 ///
-/// |q| is the norm over all axes, whose units count alike: mm stands for the axis' unit. Of each the row is reported
-/// that strains its tolerance most; `at` is its time. Not a number fails. Cost per row,
-/// reading included: 62 ns on lines, 160 ns on arcs, 220 ns on cubics, of which reading takes 22, 75, 100 ns
-/// (bench_verify). What `input` refers to has to live as long as the check.
+/// |q| is the norm over all axes with equal weights: mm stands for the axis' unit. Each check reports the row that is
+/// closest to its tolerance; `at` is its time. A value that is not a number fails. Cost per row, reading included: 62
+/// ns on lines, 160 ns on arcs, 220 ns on cubics, of which reading takes 22, 75, 100 ns (bench_verify). The objects
+/// that `input` refers to have to outlive the check.
 std::unique_ptr<RowCheck> path_row_check(const SetpointInput& input);
 
-/// Reads all rows for that check alone, 1024 at a time. Calls progress every 2048 rows; throws what it throws.
+/// Reads all rows for this check alone, 1024 at a time. Calls progress every 2048 rows; throws what it throws.
 std::vector<Check> setpoint_checks(const SetpointInput& input, Progress& progress);
 
 }  // namespace bahnwerk

@@ -12,9 +12,9 @@ struct DrawnClearance {
   ClearanceMap map;
 };
 
-/// The slot with its tooth tips, each cell coloured by the clearance of a needle whose tip is there: red where it does
-/// not fit, from yellow to green in steps up to the largest clearance of all maps. The legend says of each map which
-/// share of the slot is accessible.
+/// Draws the slot with its tooth tips, each cell coloured by the clearance of a needle whose tip is there: red where it
+/// does not fit, from yellow to green in steps up to the largest clearance of all maps. The legend gives the accessible
+/// share of the slot for each map.
 std::string clearance_drawing(const StatorIron& iron, std::span<const DrawnClearance> maps, const std::string& title);
 
 }  // namespace bahnwerk::winding

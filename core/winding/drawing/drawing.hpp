@@ -17,20 +17,21 @@ struct DrawnWires {
   std::vector<Point> wires;                   ///< in laying order
   std::vector<std::size_t> slipping;          ///< indices of wires that do not stay where they are laid
   std::optional<std::size_t> unreached = {};  ///< index of the first wire that the needle cannot lay
-  bool numbered = true;                       ///< wires large enough for it
-  /// Of a lattice: the direction of its rows, rad; every row is a layer then, counted from the first wire's on.
+  bool numbered = true;                       ///< whether wires that are large enough are numbered
+  /// Direction of the rows of a lattice, rad; every row is then a layer, counted from the first wire's.
   std::optional<double> rows = {};
 };
 
-/// The slot's outline, the usable area that liner and wedge leave, and the wires, coloured by layers counted from the
-/// base, numbered in laying order; a wire that slips is crossed out in red, one out of the needle's reach ringed.
-/// Beside it a legend and a scale.
+/// Draws the slot's outline, the usable area and the wires, coloured by layers counted from the base and numbered in
+/// laying order; a wire that slips is crossed out in red, one out of the needle's reach is ringed. A legend and a scale
+/// are beside it.
 std::string slot_drawing(const Slot& slot, const DrawnWires& drawn);
 
-/// Layers of a triangular lattice: the row of each wire, from the first wire's row on.
+/// Returns the layers of a triangular lattice: the row of each wire, counted from the first wire's row.
 std::vector<int> lattice_layers(double radius, double rows, std::span<const Point> wires);
 
-/// Layers from the base: wires that touch what supports the base layer are 0, those that touch them 1, and so on.
+/// Returns the layers from the base: wires that touch what supports the base layer are 0, those that touch them 1, and
+/// so on.
 std::vector<int> layers(const Region& usable_area, double radius, std::span<const Point> wires);
 
 struct FillCurve {
@@ -41,8 +42,8 @@ struct FillCurve {
   std::vector<Value> values;
   std::string enamel = {};  ///< of all its wires; curves of different enamels have different marks
 };
-/// Electrical (solid) and mechanical (dashed) fill factor over the copper diameter. Each curve's values are joined in
-/// the order of their diameters, whatever their own.
+/// Draws the electrical (solid) and mechanical (dashed) fill factor over the copper diameter. Each curve's values are
+/// joined in the order of their diameters.
 std::string fill_chart(std::span<const FillCurve> curves, const std::string& title);
 
 }  // namespace bahnwerk::winding

@@ -35,7 +35,7 @@ struct Scale {
   double operator()(double value) const { return pixel_from + (value - from) / (to - from) * (pixel_to - pixel_from); }
 };
 
-/// From a multiple of `step` to one.
+/// Returns a scale from one multiple of `step` to another.
 Scale scale(double least, double most, double step, double pixel_from, double pixel_to) {
   const double from = step * std::floor(least / step + 1e-9), to = step * std::ceil(most / step - 1e-9);
   return {from, std::max(to, from + step), pixel_from, pixel_to};

@@ -39,7 +39,7 @@ class Entries {
     out_ += svg::text({at_.x + 8, at_.y + 4}, sign, std::string("text-anchor=\"middle\" fill=\"") + colour + "\"");
     words_of(words);
   }
-  /// As long as a round number of millimetres.
+  /// Draws the scale with a round length in millimetres.
   void scale(double pixels) {
     const double power = std::pow(10, std::floor(std::log10(100 / pixels)));
     const double left = 100 / pixels / power, mm = power * (left >= 5 ? 5 : left >= 2 ? 2 : 1);

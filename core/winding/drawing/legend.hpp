@@ -1,5 +1,5 @@
 #pragma once
-/// What the colours, numbers and lines of a drawing mean, beside it.
+/// The legend of a drawing: the meaning of its colours, numbers and lines.
 #include <string>
 
 #include "core/winding/drawing/drawing.hpp"
@@ -26,7 +26,7 @@ struct Legend {
 };
 inline constexpr double legend_width = 310;  // px
 
-/// Entries for what the drawing shows, from `at` (px) downwards, and a scale of `pixels` px per mm.
+/// Returns entries for the contents of the drawing, from `at` (px) downwards, and a scale of `pixels` px per mm.
 Legend legend(const Slot& slot, const DrawnWires& drawn, bool layerless, Point at, double pixels);
 
 }  // namespace bahnwerk::winding

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/winding/needle/rotor_obstacles.hpp"
-#include "core/winding/part/space.hpp"
+#include "core/winding/part/vec3.hpp"
 
 namespace bahnwerk::winding {
 namespace {
@@ -19,16 +19,16 @@ void append(std::vector<Point>& line, const Edge& edge) {
   for (int i = 1; i <= pieces; ++i) line.push_back(edge.at(static_cast<double>(i) / pieces));
 }
 
-std::vector<SpaceLine> repeated(const Section& section, int count, double pitch, double low, double high) {
-  std::vector<SpaceLine> lines;
+std::vector<Polyline3> repeated(const Section& section, int count, double pitch, double low, double high) {
+  std::vector<Polyline3> lines;
   const auto place = [](Point p, double angle, double z) {
-    const Space at = turned({p.x, p.y, z}, angle);
+    const Vec3 at = turned({p.x, p.y, z}, angle);
     return Vec{at.x, at.y, at.z};
   };
   for (int n = 0; n < count; ++n)
     for (const double z : {low, high})
       for (const std::vector<Point>& line : section) {
-        SpaceLine drawn;
+        Polyline3 drawn;
         for (const Point p : line) drawn.push_back(place(p, n * pitch, z));
         lines.push_back(std::move(drawn));
         if (z != low) continue;
@@ -38,7 +38,7 @@ std::vector<SpaceLine> repeated(const Section& section, int count, double pitch,
   return lines;
 }
 
-/// Without the circle about the axis, which the neighbours interrupt.
+/// Returns the outline without the circle about the axis, which the neighbours interrupt.
 std::vector<Point> open_line(const Region& region, Point axis) {
   const auto edges = region.edges();
   std::size_t circle = 0;
@@ -51,7 +51,7 @@ std::vector<Point> open_line(const Region& region, Point axis) {
   return line;
 }
 
-/// From the end of one line on a circle about the axis to the beginning of the next one, `pitch` further.
+/// Returns the arc about the axis from the end of one line to the beginning of the next one, `pitch` further.
 std::vector<Point> between(Point from, Point to, double pitch) {
   const double begin = std::atan2(from.y, from.x), way = std::atan2(to.y, to.x) + pitch - begin,
                round = 2 * std::numbers::pi, sweep = way - round * std::floor(way / round);
@@ -64,17 +64,17 @@ std::vector<Point> between(Point from, Point to, double pitch) {
 
 }  // namespace
 
-std::vector<SpaceLine> part_outline(const StatorPart& part, const Slot& slot) {
+std::vector<Polyline3> part_outline(const StatorPart& part, const Slot& slot) {
   const double axis = part.heads.base_radius;
   std::vector<Point> line = open_line(StatorIron(part, slot).air(), {0, axis});
-  // From slot coordinates; then from the side of negative y to that of positive.
+  // Converts from slot coordinates and orders the points from negative to positive y.
   for (Point& p : line) p = {axis - p.y, p.x};
   if (line.front().y > line.back().y) std::reverse(line.begin(), line.end());
   return repeated({line, between(line.back(), line.front(), part.pitch())}, part.slots, part.pitch(), 0,
                   part.heads.stack);
 }
 
-std::vector<SpaceLine> part_outline(const RotorPart& part, const Slot& slot) {
+std::vector<Polyline3> part_outline(const RotorPart& part, const Slot& slot) {
   std::vector<Point> line = open_line(RotorIron(part, slot).iron(), {0, 0});
   if (line.front().y > line.back().y) std::reverse(line.begin(), line.end());
   return repeated({line, between(line.back(), line.front(), part.pitch())}, part.poles, part.pitch(),

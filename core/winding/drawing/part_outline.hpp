@@ -7,11 +7,11 @@
 
 namespace bahnwerk::winding {
 
-using SpaceLine = std::vector<Vec>;
+using Polyline3 = std::vector<Vec>;
 
-/// Slots, tooth tips and bore at both ends of the stack, and the corners of the tooth tips between them.
-std::vector<SpaceLine> part_outline(const StatorPart& part, const Slot& slot);
-/// Poles and hub at both ends of the end caps' grooves, and the shoes' corners between them.
-std::vector<SpaceLine> part_outline(const RotorPart& part, const Slot& slot);
+/// Returns slots, tooth tips and bore at both ends of the stack, and the corners of the tooth tips between them.
+std::vector<Polyline3> part_outline(const StatorPart& part, const Slot& slot);
+/// Returns poles and hub at both ends of the end caps' grooves, and the shoes' corners between them.
+std::vector<Polyline3> part_outline(const RotorPart& part, const Slot& slot);
 
 }  // namespace bahnwerk::winding

@@ -45,7 +45,7 @@ std::string format(const char* text, double a) {
   return out;
 }
 
-/// Of turns before the last, so that many of them leave it readable.
+/// Returns the opacity of turns before the last, so that many of them remain readable.
 double faintness(std::size_t turns) {
   return turns <= 2 ? 0.7 : std::max(0.3, 1.6 / std::sqrt(static_cast<double>(turns)));
 }
@@ -118,14 +118,14 @@ std::string key(Point at, std::size_t turns, bool several) {
 
 std::string path_drawing(const DrawnPath& path) {
   View view;
-  for (const SpaceLine& line : path.outline)
+  for (const Polyline3& line : path.outline)
     for (const Vec at : line) view.widen(at);
   // Once for the size, then as fine as that needs.
   for (const BezierPiece& piece : path.pieces)
     for (int i = 0; i <= 8; ++i) view.widen(place(piece.at(i / 8.0)[0]));
   view.fit();
   drawing::Thinned outline(fine);
-  for (const SpaceLine& line : path.outline) {
+  for (const Polyline3& line : path.outline) {
     if (line.empty()) continue;
     outline.begin(view(line.front()));
     for (const Vec at : line) outline.to(view(at));

@@ -8,7 +8,7 @@
 
 namespace bahnwerk::winding {
 
-/// `frame(point)` are pixels, y downwards; `scale` px per mm.
+/// Returns the path data. `frame(point)` is in pixels, y downwards; `scale` in px per mm.
 template <class Frame>
 std::string region_path(const Region& region, const Frame& frame, double scale) {
   std::string d;
@@ -19,7 +19,7 @@ std::string region_path(const Region& region, const Frame& frame, double scale) 
       return command + svg::number(q.x) + " " + svg::number(q.y);
     };
     if (region.begins_loop(i)) d += to("M", edge.from);
-    // A path's arc must not be a whole circle: in two halves.
+    // An arc of an SVG path must not be a whole circle: it is drawn in two halves.
     for (const double f : edge.straight() ? std::vector{1.0} : std::vector{0.5, 1.0})
       d += edge.straight() ? to("L", edge.to)
                            : to("A" + svg::number(scale * edge.radius) + " " + svg::number(scale * edge.radius) +

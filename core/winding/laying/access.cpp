@@ -27,9 +27,9 @@ struct Interval {
   }
 };
 
-/// At which heights of the mouth on the upright at `x` a disc of radius `reach` about `disc` lies across the straight
-/// wire; all relative to the wire's place, which lies outside the disc. What the disc hides from there is convex and is
-/// bounded by two tangents, from where they touch it, and by its near side.
+/// Returns the heights of the mouth on the upright line at `x` from which a disc of radius `reach` about `disc` lies
+/// across the straight wire; all relative to the wire's place, which lies outside the disc. The hidden region is convex
+/// and bounded by two tangents, from their points of contact on, and by the near side of the disc.
 Interval hidden(Point disc, double reach, double x) {
   Interval at;
   const double away = norm(disc), touching = std::sqrt(away * away - reach * reach);
@@ -109,7 +109,7 @@ std::optional<std::size_t> first_out_of_reach(const Region& usable_area, const O
   const double half = needle.width / 2;
   const double x = needle.stand == Needle::Stand::middle ? 0 : needle.stand == Needle::Stand::left ? -half : half;
   const double through = opening.clear / 2 - radius;  // how far from the middle a wire passes the opening
-  const double face = -opening.cover - radius;        // below this height the tooth tips are out of the way
+  const double face = -opening.cover - radius;        // below this height the tooth tips do not obstruct
   double tip = floor_of(usable_area, upright, opening, x - half + verify_margin, x + half - verify_margin);
   std::vector<Point> laid;
   std::vector<Interval> taken;
@@ -119,7 +119,7 @@ std::optional<std::size_t> first_out_of_reach(const Region& usable_area, const O
     const Point place = upright(wire);
     double highest = endless;
     if (std::abs(place.x) > through) {
-      // Where the wire passes from under the tooth tips it must be within the clear opening.
+      // Where the wire leaves the region under the tooth tips it must be within the clear opening.
       const double border = place.x > 0 ? through : -through;
       highest = face;
       if (through > 0 && (place.x > 0 ? x < border : x > border) && place.y < face)

@@ -103,7 +103,7 @@ ForceBalance::Result ForceBalance::solve(Progress& progress, double fraction) {
   image_.resize(n);
   change_.resize(forces_.size());
   balance();
-  // At most 2/‖AᵀA‖: each push acts on two wires, each wire bears `most` pushes.
+  // The step is at most 2/‖AᵀA‖: each push acts on two wires, each wire has at most `most` pushes.
   const double fixed =
       1.0 / static_cast<double>(std::max<std::size_t>(1, *std::max_element(touching_.begin(), touching_.end())));
   Step step = Step::first;

@@ -1,5 +1,5 @@
 #pragma once
-/// Whether contact forces can hold a pile of wires at rest.
+/// Decides whether contact forces can hold a pile of wires at rest.
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -12,14 +12,14 @@ class Progress;
 
 namespace bahnwerk::winding {
 
-/// Wires with a force on each and contacts that only push. Looks for the contact forces that leave least of the forces
-/// unbalanced (a non-negative least-squares problem). Its solution decides either way: nothing is left, or what is
-/// left, read as a velocity of every wire, moves along the forces without closing any contact, so the wires do slip.
-/// Forces are kept between calls of solve: a pile that grows by a wire starts from those that held it before.
+/// Wires with a force on each and contacts that only push. The solution of a non-negative least-squares problem leaves
+/// as little of the forces unbalanced as possible and decides both ways: either nothing is left, or the rest, read as a
+/// velocity of every wire, moves along the forces without closing any contact, so the wires slip. Forces are stored
+/// between calls of solve(): a pile that grows by a wire starts from the previous ones.
 class ForceBalance {
  public:
   /// With friction a contact pushes in any direction within atan(friction) of its normal. Moments are not balanced: a
-  /// wire is held against rolling by its own stiffness in torsion, beyond both ends of the slot.
+  /// wire is held against rolling by its torsional stiffness beyond both ends of the slot.
   explicit ForceBalance(double friction) : friction_(friction) {}
 
   static constexpr std::size_t wall = static_cast<std::size_t>(-1);
@@ -28,19 +28,20 @@ class ForceBalance {
   void add_contact(std::size_t wire, std::size_t other, Point normal);
 
   struct Result {
-    bool balanced = false;    ///< no wire is left with more than 1e-6 (in units of the forces)
-    double residual = 0;      ///< largest force left on a wire
-    double closing = 0;       ///< greatest speed at which contacts close while wires slip, in terms of `residual`
-    std::size_t fastest = 0;  ///< the wire with the largest force left
+    bool balanced = false;    ///< whether no wire has an unbalanced force of more than 1e-6 (in units of the forces)
+    double residual = 0;      ///< largest unbalanced force on a wire
+    double closing = 0;       ///< largest speed at which contacts close while wires slip, relative to `residual`
+    std::size_t fastest = 0;  ///< the wire with the largest unbalanced force
     /// After too many steps neither may hold: not balanced, and no proof of a slip.
     bool proves_slip() const { return !balanced && closing <= 1e-6; }
   };
-  /// Conjugate gradients on changing sets of loaded contacts, O(contacts) a step. Reports `fraction` while it works.
+  /// Solves by conjugate gradients on changing sets of loaded contacts, O(contacts) a step. Reports `fraction` while it
+  /// works.
   Result solve(Progress& progress, double fraction);
 
-  /// Of each contact, or of the two limits of its friction: how hard it pushes.
+  /// Returns the force of each contact, or of the two limits of its friction.
   std::span<const double> pushes() const { return amount_; }
-  /// What solve left on each wire: the velocities that prove a slip.
+  /// Returns the unbalanced force of each wire: the velocities that prove a slip.
   std::span<const Point> left() const { return left_; }
 
  private:
@@ -51,7 +52,7 @@ class ForceBalance {
   enum class Step { first, joining, loaded };
   void balance();
   Result measure() const;
-  bool choose_step(double fixed, double residual, Step& step);  ///< false: no step lessens what is left
+  bool choose_step(double fixed, double residual, Step& step);  ///< false: no step reduces the residual
   void conjugate(double curvature);
   void spread(const std::vector<double>& pushes, std::vector<Point>& forces) const;
   void gather(const std::vector<Point>& forces, std::vector<double>& pushes) const;

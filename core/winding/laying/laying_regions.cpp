@@ -10,17 +10,17 @@
 namespace bahnwerk::winding {
 namespace {
 
-Space operator+(Space a, Space b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-Space operator-(Space a, Space b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-Space operator*(double k, Space a) { return {k * a.x, k * a.y, k * a.z}; }
-double dot(Space a, Space b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+Vec3 operator*(double k, Vec3 a) { return {k * a.x, k * a.y, k * a.z}; }
+double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 Region rectangle(double width, double height) {
   return Region({line({0, 0}, {width, 0}), line({width, 0}, {width, height}), line({width, height}, {0, height}),
                  line({0, height}, {0, 0})});
 }
 
-/// Where the line from `foot` to `end` reaches `height`.
+/// Returns the point at which the line from `foot` to `end` reaches `height`.
 Point raised(Point foot, Point end, double height) {
   if (!(end.y > foot.y)) throw std::invalid_argument("a flank does not rise from the base");
   return foot + ((height - foot.y) / (end.y - foot.y)) * (end - foot);
@@ -50,21 +50,21 @@ Region cap(const Region& slot, double height) {
 
 }  // namespace
 
-Space Frame::place(Point p) const { return origin + p.x * x + p.y * y; }
-Point Frame::foot(Space p) const {
-  const Space d = p - origin;
+Vec3 Frame::place(Point p) const { return origin + p.x * x + p.y * y; }
+Point Frame::foot(Vec3 p) const {
+  const Vec3 d = p - origin;
   return {dot(d, x), dot(d, y)};
 }
 
-Space LayingRegions::held(std::size_t j, Point place) const {
-  const Space begin = at[j].begin.place(place), end = at[j].end.place(place), back = begin - end;
+Vec3 LayingRegions::held(std::size_t j, Point place) const {
+  const Vec3 begin = at[j].begin.place(place), end = at[j].end.place(place), back = begin - end;
   const double length = std::sqrt(dot(back, back));
   return end + (length > 0 ? hold / length : 0) * back;
 }
 
 LayingRegions laying_regions(const Slot& slot, const StatorHeads& h) {
   struct Side {
-    Space radial, tangential;
+    Vec3 radial, tangential;
   };
   const auto side = [&](int slots) {
     const double a = -slots * h.slot_pitch;
@@ -72,10 +72,10 @@ LayingRegions laying_regions(const Slot& slot, const StatorHeads& h) {
   };
   const Side first = side(0), second = side(h.span);
   const auto in_slot = [&](const Side& s, double z) {
-    return Frame{h.base_radius * s.radial + Space{0, 0, z}, s.tangential, -1.0 * s.radial};
+    return Frame{h.base_radius * s.radial + Vec3{0, 0, z}, s.tangential, -1.0 * s.radial};
   };
   const auto at_tool = [&](const Side& s, double shift, bool top) {
-    const Space axial{0, 0, top ? h.stack + h.tool_height : -h.tool_height};
+    const Vec3 axial{0, 0, top ? h.stack + h.tool_height : -h.tool_height};
     return Frame{h.tool_radius * s.radial + shift * s.tangential + axial, s.radial, {0, 0, top ? 1.0 : -1.0}};
   };
   // Larger than any pile of the wires that the slot holds.

@@ -13,18 +13,18 @@
 namespace bahnwerk::winding {
 
 /// A point or vector in the part's coordinates.
-struct Space {
+struct Vec3 {
   double x = 0, y = 0, z = 0;
-  friend bool operator==(const Space&, const Space&) = default;
+  friend bool operator==(const Vec3&, const Vec3&) = default;
 };
 
 /// A section's plane in the part: orthonormal x and y axis.
 struct Frame {
-  Space origin, x, y;
-  Space place(Point p) const;
-  /// The foot of `p` on the plane. Its distance to a place is the length of the part of (p − place) that is normal to
-  /// the wire (4.15).
-  Point foot(Space p) const;
+  Vec3 origin, x, y;
+  Vec3 place(Point p) const;
+  /// Returns the foot of `p` on the plane. Its distance to a place is the length of the part of (p − place) that is
+  /// normal to the wire (4.15).
+  Point foot(Vec3 p) const;
 };
 
 struct LayingRegion {
@@ -37,15 +37,15 @@ struct LayingRegions {
   /// The wire is drawn from a point this far before the end of the region that it leaves: it bends round the edge
   /// between two regions instead of being held at its tip.
   double hold = 0;
-  /// Where the wire at `place` of region `j` is still held before it leaves the region.
-  Space held(std::size_t j, Point place) const;
+  /// Returns the point at which the wire at `place` of region `j` is held before it leaves the region.
+  Vec3 held(std::size_t j, Point place) const;
 };
 
 /// Winding heads of a stator. Wires lie behind a winding tool per slot: outside a cylinder about the stator's axis and
 /// beyond the tool's contact height, in the section radial (x) by axial (y) with the corner of both contacts as origin.
-/// The tools stand shifted towards the coil's middle, and the wires between them are straight across the section. The
-/// second slot lies clockwise from the first, so that the first slot's wires are drawn to negative x.
-/// Defaults: [Herrmann Table 4.3].
+/// The tools are shifted towards the coil's middle, and the wires between them are straight across the section. The
+/// second slot lies clockwise from the first, so the first slot's wires are drawn to negative x. Defaults: [Herrmann
+/// Table 4.3].
 struct StatorHeads {
   double base_radius = 95.7;                         ///< r_NG, of the base as punched, the origin of slot coordinates
   double slot_pitch = 7.5 * std::numbers::pi / 180;  ///< φ_Z
@@ -64,13 +64,15 @@ struct RotorHeads {
   double stack = 202;               ///< h_BP
   double tooth_half_width = 10.35;  ///< b_Z, from the tooth's middle to the slot's base
   double tooth_radius = 40.10;      ///< r_Z, of the slot's origin
-  double hold = 5;  ///< of the wire before the edges of the tooth; [Herrmann Fig. 4.10] draws from 5 mm below the base
+  double hold =
+      5;  ///< length of held wire before the edges of the tooth; [Herrmann Fig. 4.10] draws from 5 mm below the base
 };
 
-/// Sections and frames after [Herrmann (4.22)] with y from the base to the bore, i.e. R_z(+π/2).
+/// Returns sections and frames after [Herrmann (4.22)] with y from the base to the bore, i.e. R_z(+π/2).
 LayingRegions laying_regions(const Slot& slot, const StatorHeads& heads);
-/// After (4.23). The slot's outline must have one straight closing line between two straight flanks, as make_slot gives
-/// it; throws std::invalid_argument if not, InvalidInput if the flanks cannot continue up to the cap's height.
+/// Returns sections and frames after (4.23). The slot's outline must have one straight closing line between two
+/// straight flanks, as make_slot gives it; otherwise throws std::invalid_argument. Throws InvalidInput if the flanks
+/// cannot be extended to the cap's height.
 LayingRegions laying_regions(const Slot& slot, const RotorHeads& heads);
 
 }  // namespace bahnwerk::winding

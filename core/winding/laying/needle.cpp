@@ -9,7 +9,7 @@
 namespace bahnwerk::winding {
 namespace {
 
-/// Share of the wires laid, from the area that they take at least.
+/// Returns the estimated share of the wires laid, from the area that they need at least.
 double share(std::size_t wires, const Region& usable_area, double radius) {
   return std::min(1.0, static_cast<double>(wires) * 3.5 * radius * radius / usable_area.area());
 }

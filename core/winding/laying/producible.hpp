@@ -1,6 +1,6 @@
 #pragma once
-/// Whether a layout can be produced by laying its wires in their order under tension; [Herrmann 4.2.1–4.2.5] decides by
-/// eye what is decided here.
+/// Decides whether a layout can be produced by laying its wires in their order under tension. [Herrmann 4.2.1–4.2.5]
+/// decides this by eye.
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -14,19 +14,20 @@ class Progress;
 
 namespace bahnwerk::winding {
 
-/// Every wire is drawn to its point with the same force, and must stay where it was laid
+/// Every wire is drawn to its point with a unit force, and must stay where it was laid
 /// (a) as it is laid: boundary and wires laid before, taken as fixed, hold it;
 /// (b) as every later wire is laid: forces that only push, between wires and boundary, hold the whole pile.
 ///
 /// Without friction hardly any pile passes (b): two wires side by side on a smooth base are driven apart by the first
-/// one on top of them. What holds real ones is
+/// one on top of them. Real piles are held by
 /// - friction of enamel on enamel and on the liner, dry and under tension;
-/// - neighbours that are not farther away than wires of one size differ: a wire that moves by less than its own
-///   tolerance has not left its place. Gaps up to `touch` count as contacts.
+/// - neighbours whose gaps are within the tolerance of the wires: a wire that moves by less than its own tolerance has
+/// not left
+///   its place. Gaps up to `touch` count as contacts.
 ///
-/// Both numbers are the same for all layouts. In the example stator slot they separate widely what the source separates
-/// by eye: needle layouts of the standard wires from 0.5 to 1.6 mm of copper hold from a friction of 0.28 on, layouts
-/// on a lattice along the flank fall up to 0.55, those on a lattice along the base up to 1.
+/// Both numbers are equal for all layouts. In the example stator slot they separate widely what the source separates by
+/// eye: needle layouts of the standard wires from 0.5 to 1.6 mm of copper are stable from a friction of 0.28 on,
+/// layouts on a lattice along the flank slip up to 0.55, those on a lattice along the base up to 1.
 struct ProducibleOptions {
   double friction = 0.3;
   double touch = 0.02;  ///< fraction of the diameter; overall diameters of a standard wire differ by 0.02 to 0.04
@@ -34,25 +35,25 @@ struct ProducibleOptions {
 
 struct Producible {
   enum class Reason {
-    no_support,  ///< slips as it is laid
-    pushed_out,  ///< by a wire laid later
+    no_support,  ///< the wire slips as it is laid
+    pushed_out,  ///< a wire laid later pushes it out
   };
   struct Slip {
-    std::size_t wire = 0;  ///< that slips
-    std::size_t laid = 0;  ///< the wire whose laying makes it slip; the same where that has no support
+    std::size_t wire = 0;  ///< the wire that slips
+    std::size_t laid = 0;  ///< the wire whose laying makes it slip; equal to `wire` if that has no support
     Reason reason = Reason::no_support;
-    bool proved = true;  ///< velocities prove it; false: no balance found, and no proof that there is none
+    bool proved = true;  ///< whether velocities prove it; false: no balance was found, and no proof that there is none
   };
   std::optional<Slip> first;             ///< in the order of laying
-  std::vector<std::size_t> unsupported;  ///< all wires that (a) does not hold
+  std::vector<std::size_t> unsupported;  ///< all wires that fail (a)
 
   bool producible() const { return !first; }
-  std::vector<std::size_t> slipping() const;  ///< all wires named above, ascending
+  std::vector<std::size_t> slipping() const;  ///< all wires that slip, ascending
 };
 
-/// `tension_point` draws the wires of a layout without pulls of its own. (b) is decided up to the first slip only: what
-/// follows would lie differently. The whole boundary bears, also the side that a wedge closes later. O(n) solutions of
-/// a balance of O(n) forces.
+/// `tension_point` draws the wires of a layout without pulls of its own. (b) is decided up to the first slip only,
+/// since later wires would lie differently. The whole boundary supports wires, also the side that a wedge closes later.
+/// O(n) solutions of a balance of O(n) forces.
 Producible producible(const Region& usable_area, double radius, const Layout& layout, Point tension_point,
                       const ProducibleOptions& options, Progress& progress);
 

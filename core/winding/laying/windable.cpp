@@ -27,7 +27,7 @@ std::vector<Windable::Blocked> blocked(const LaidCoil& coil, double touch, Progr
   return found;
 }
 
-/// Wires that are in place before what is in the way.
+/// Returns the number of wires in place before an obstruction.
 std::size_t before(const Obstruction& each) { return each.part == Obstruction::Part::channel ? each.wire : 0; }
 
 }  // namespace

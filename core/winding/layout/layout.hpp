@@ -16,7 +16,7 @@ inline constexpr Named<Algorithm> algorithms[] = {{Algorithm::orthocyclic_base, 
 
 struct Layout {
   std::vector<Point> wires;
-  /// Where each wire was pulled to when it was laid; empty: the slot's own point for all.
+  /// The point to which each wire was pulled when it was laid; empty: the slot's tension point for all.
   std::vector<Point> tension_points;
 };
 

@@ -12,7 +12,7 @@ namespace bahnwerk::winding {
 namespace {
 
 constexpr double slack = verify_margin;
-constexpr double unit_work = 5.5e8;  // Squeeze::work spent on one number of wires at effort 1
+constexpr double unit_work = 5.5e8;  // OverlapEnergy::work spent on one number of wires at effort 1
 
 void demand(double radius, const PotentialOptions& options) {
   if (!(radius > 0) || !(options.overlap >= 0) || !(options.overlap < 2 * radius))
@@ -23,7 +23,7 @@ std::uint64_t work_of(const PotentialOptions& options, double share) {
   return static_cast<std::uint64_t>(std::max(1.0, share * unit_work * options.effort));
 }
 
-/// Few wires have few ways to lie; more tries would find the same again.
+/// Few wires have few layouts; more tries would repeat them.
 std::size_t tries_of(const PotentialOptions& options, double share, std::size_t count) {
   return static_cast<std::size_t>(share * options.effort * (300 + 60.0 * static_cast<double>(count))) + 8;
 }

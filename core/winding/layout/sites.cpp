@@ -12,7 +12,7 @@ namespace {
 
 constexpr double slack = fit_margin;
 constexpr double on_edge = 1e-10;  // mm by which a point may miss the edge it belongs to
-constexpr double equal = 1e-9;     // mm, costs closer than this are the same
+constexpr double equal = 1e-9;     // mm; smaller differences of cost are ties
 
 /// Points of `edge` at `reach` from `centre`, at most two.
 template <class Found>

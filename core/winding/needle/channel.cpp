@@ -7,7 +7,7 @@
 
 #include "core/base/errors.hpp"
 #include "core/numeric/golden_section.hpp"
-#include "core/winding/part/space.hpp"
+#include "core/winding/part/vec3.hpp"
 
 namespace bahnwerk::winding {
 namespace {
@@ -16,11 +16,11 @@ constexpr double most_lean = 1.5, lean_step = 0.05, lean_exact = 1e-6;
 constexpr double look_step = 0.5, look_exact = 1e-3;  // mm
 constexpr int looks = 24;                             // steps along a line
 
-/// Of one obstacle, whose distances change by at most 1 mm per mm; or `least` if that is less.
+/// Returns the distance of one obstacle, whose distances change by at most 1 mm per mm; or `least` if that is less.
 template <class Distance>
 double nearest(const NeedlePose& pose, const NeedleShape& needle, const Distance& distance, double least) {
   const double radius = needle.width / 2;
-  const Space d = pose.direction();
+  const Vec3 d = pose.direction();
   const auto at = [&](double s) { return distance(pose.tip - s * d) - radius; };
   double here = std::numeric_limits<double>::infinity(), where = radius;
   for (double s = radius; s <= needle.length;) {
@@ -32,7 +32,7 @@ double nearest(const NeedlePose& pose, const NeedleShape& needle, const Distance
   return std::min({least, here, at(golden_section([&](double s) { return -at(s); }, first, last, look_exact).at)});
 }
 
-/// The needle turns the shorter way: its direction may be given by angles that differ by a whole turn.
+/// The needle turns by the shorter angle: its direction may be given by angles that differ by a whole turn.
 NeedlePose mixed(const NeedlePose& a, const NeedlePose& b, double u) {
   const double phi = a.phi + std::remainder(b.phi - a.phi, 2 * std::numbers::pi);
   return {(1 - u) * a.tip + u * b.tip, (1 - u) * a.phi + u * phi, (1 - u) * a.psi + u * b.psi};
@@ -44,7 +44,7 @@ double room(const NeedlePose& pose, const NeedleShape& needle, const std::vector
   double least = std::numeric_limits<double>::infinity();
   for (const Obstacle* obstacle : obstacles)
     least = nearest(
-        pose, needle, [&](Space p) { return obstacle->distance(p); }, least);
+        pose, needle, [&](Vec3 p) { return obstacle->distance(p); }, least);
   return least;
 }
 
@@ -65,22 +65,22 @@ double slot_room(const NeedlePose& from, const NeedlePose& to, double low, doubl
   for (int i = 0; i <= looks; ++i) {
     const NeedlePose pose = mixed(from, to, first + (last - first) * i / looks);
     least = nearest(
-        pose, needle, [&](Space p) { return iron.section_distance(p); }, least);
+        pose, needle, [&](Vec3 p) { return iron.section_distance(p); }, least);
     if (first == last) break;
   }
   return least;
 }
 
-SupportPoint kept_clear(Space along, Space across, const std::function<SupportPoint(Space)>& support,
+SupportPoint kept_clear(Vec3 along, Vec3 across, const std::function<SupportPoint(Vec3)>& support,
                         const std::function<double(const NeedlePose&)>& left, double enough) {
   const SupportPoint straight = support(along);
   double most = left(straight.pose), best = 0;
   if (most >= enough) return straight;
   const auto leaning = [&](double k) {
-    const Space way = along + k * across;
+    const Vec3 way = along + k * across;
     return support((1 / norm(way)) * way);
   };
-  /// What this lean leaves; nothing where it is impossible.
+  /// Returns the distance for this lean; nothing if it is impossible.
   const auto leaves = [&](double k) {
     try {
       return left(leaning(k).pose);

@@ -11,8 +11,8 @@
 namespace bahnwerk::winding {
 namespace {
 
-/// How far the needle's direction is at most from that at `psi` where the angles change by so much: |d'|² = φ'² cos² ψ
-/// + ψ'². A needle along the part's axis does not turn with φ.
+/// Returns a bound of the change of the needle's direction from that at `psi` where the angles change by this much:
+/// |d'|² = φ'² cos² ψ + ψ'². A needle along the part's axis does not change with φ.
 double turned_by(double phi, double psi_change, double psi) {
   return std::hypot(phi * std::min(1.0, std::abs(std::cos(psi)) + std::abs(psi_change)), psi_change);
 }
@@ -24,21 +24,21 @@ class MoveStretch {
   double at() const { return u_; }
   NeedlePose middle() const { return move_->at(u_); }
   MoveStretch half(bool second) const { return MoveStretch(*move_, u_ + (second ? half_ : -half_) / 2, half_ / 2); }
-  Reach reach(Space d) const {
+  Reach reach(Vec3 d) const {
     const NeedleMove& m = *move_;
     const double turn = turned_by(half_ * (m.to.phi - m.from.phi), half_ * (m.to.psi - m.from.psi), middle().psi);
     if (m.arc) {
       const double along = round() * std::hypot(d.x, d.y);
       return {round(), along, round(), round(), along * std::abs(d.z), turn};
     }
-    const Space way = half_ * (m.to.tip - m.from.tip);
+    const Vec3 way = half_ * (m.to.tip - m.from.tip);
     const double along = dot(way, d);
-    const Space beside = way - along * d;
+    const Vec3 beside = way - along * d;
     return {norm(way), std::abs(along), norm(beside), std::hypot(beside.x, beside.y), std::abs(beside.z), turn};
   }
-  double lowest(Space n) const {
+  double lowest(Vec3 n) const {
     if (move_->arc) {
-      const Space p = move_->at(u_).tip;
+      const Vec3 p = move_->at(u_).tip;
       const double angle = half_ * std::abs(move_->sweep);
       return -angle * (std::abs(n.y * p.x - n.x * p.y) + angle / 2 * std::abs(n.x * p.x + n.y * p.y));
     }
@@ -70,12 +70,12 @@ class PieceStretch {
   }
   /// The curve lies in the convex hull of the control points, its halves in those of theirs: no point of it is farther
   /// from the middle than the farthest of them.
-  Reach reach(Space d) const {
+  Reach reach(Vec3 d) const {
     Reach r;
     double whole = 0, beside = 0, across = 0, phi_change = 0, psi_change = 0;
-    each([&](Space off, double phi, double psi) {
+    each([&](Vec3 off, double phi, double psi) {
       const double along = dot(off, d);
-      const Space rest = off - along * d;
+      const Vec3 rest = off - along * d;
       r.along = std::max(r.along, std::abs(along));
       r.height = std::max(r.height, std::abs(rest.z));
       whole = std::max(whole, dot(off, off));
@@ -88,9 +88,9 @@ class PieceStretch {
     r.turn = turned_by(phi_change, psi_change, middle_[4]);
     return r;
   }
-  double lowest(Space n) const {
+  double lowest(Vec3 n) const {
     double least = 0;
-    each([&](Space off, double, double) { least = std::min(least, dot(n, off)); });
+    each([&](Vec3 off, double, double) { least = std::min(least, dot(n, off)); });
     return least;
   }
 
@@ -104,10 +104,10 @@ class PieceStretch {
         const HomogeneousPoint& p = (*half)[i];
         const double k = 1 / p[spline_dimension];
         const auto off = [&](std::size_t d) { return k * p[d] - middle_[d]; };
-        call(Space{off(0), off(1), off(2)}, off(3), off(4));
+        call(Vec3{off(0), off(1), off(2)}, off(3), off(4));
       }
   }
-  /// de Casteljau at the middle.
+  /// Divides by de Casteljau's algorithm at the middle.
   void divide() {
     Points b = points_;
     for (std::size_t l = 0; l <= degree_; ++l) {

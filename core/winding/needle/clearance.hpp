@@ -1,6 +1,6 @@
 #pragma once
-/// How far the needle stays from what it must not touch, along a whole path: the least distance over all poses, not
-/// only over samples [Herrmann 4.2.6, Fig. 4.16]. Lengths mm, angles rad.
+/// The least distance of the needle from its obstacles along a whole path: over all poses, not only over samples
+/// [Herrmann 4.2.6, Fig. 4.16]. Lengths mm, angles rad.
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -15,34 +15,35 @@ class Progress;
 
 namespace bahnwerk::winding {
 
-/// A move from one pose to another: tip and angles change evenly, on a line or, with `arc`, about the part's axis.
+/// A move from one pose to another: tip and angles are linear, on a line or, with `arc`, about the part's axis.
 struct NeedleMove {
   NeedlePose from, to;
   bool arc = false;
   double sweep = 0;               ///< of an arc, rad
   NeedlePose at(double u) const;  ///< u in [0, 1]
 };
-/// The fixed pieces with straight moves between them: tip and angles change evenly there, too.
+/// Returns the fixed pieces with straight moves between them, on which tip and angles are linear, too.
 std::vector<NeedleMove> straight_links(const std::vector<FixedPiece>& pieces);
 
 struct Clearance {
-  double minimum = 0;        ///< mm; negative: so deep the needle reaches into an obstacle
-  std::size_t move = 0;      ///< on which move or piece
-  double at = 0;             ///< where on it, u or v in [0, 1]
-  double along = 0;          ///< where on the needle, from the tip, mm
-  std::size_t obstacle = 0;  ///< which obstacle
+  double minimum = 0;        ///< mm; negative: depth to which the needle enters an obstacle
+  std::size_t move = 0;      ///< index of the move or piece
+  double at = 0;             ///< place on it, u or v in [0, 1]
+  double along = 0;          ///< place on the needle, from the tip, mm
+  std::size_t obstacle = 0;  ///< index of the obstacle
 };
 
-/// The least clearance over all moves, all points of the needle and all obstacles. What is reported is reached there,
-/// and nowhere the clearance is less than that by more than `tolerance`: moves and needle are halved until the distance
-/// in the middle of each piece, which changes by no more than points move, proves that. Asks `progress`. Without moves
-/// or obstacles infinite. Throws InvalidInput naming needle.width or needle.length,
+/// Returns the least clearance over all moves, all points of the needle and all obstacles. The reported value is
+/// reached at the reported place, and the clearance is nowhere less by more than `tolerance`: moves and needle are
+/// halved until the distance in the middle of each part, which changes by at most the displacement of points, proves
+/// it. Asks `progress`. Infinite without moves or obstacles. Throws InvalidInput naming needle.width or needle.length,
 /// std::invalid_argument for a tolerance below 1e-6.
 Clearance clearance(const std::vector<NeedleMove>& moves, const NeedleShape& needle,
                     const std::vector<const Obstacle*>& obstacles, double tolerance, Progress& progress);
 
-/// The same along the rational pieces of a path in x, y, z (mm), phi, psi (rad): how far the needle is from its pose in
-/// the middle of a stretch follows from the stretch's own control points, in whose convex hull it lies.
+/// Returns the least clearance along the rational pieces of a path in x, y, z (mm), phi, psi (rad). The displacement of
+/// the needle from its pose in the middle of an interval follows from the interval's control points, in whose convex
+/// hull it lies.
 Clearance clearance(std::span<const BezierPiece> pieces, const NeedleShape& needle,
                     const std::vector<const Obstacle*>& obstacles, double tolerance, Progress& progress);
 

@@ -5,14 +5,14 @@
 #include <stdexcept>
 
 #include "core/base/progress.hpp"
-#include "core/winding/part/space.hpp"
+#include "core/winding/part/vec3.hpp"
 
 namespace bahnwerk::winding {
 
 NeedlePose tip_pose(const StatorPart& part, Point tip, std::optional<double> pivot_limit) {
-  const Space place{part.heads.base_radius - tip.y, tip.x, part.heads.stack / 2};
+  const Vec3 place{part.heads.base_radius - tip.y, tip.x, part.heads.stack / 2};
   const double opening = part.heads.base_radius - part.slot.height - part.slot.tip_corner_radius;
-  // Without bend and free length the tip is where the wire shall lie.
+  // Without bend and free length the tip is at the wire's place.
   return slot_support(place, {0, 0, -1}, 0, 0, {opening, 0, 0}, pivot_limit).pose;
 }
 

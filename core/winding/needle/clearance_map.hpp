@@ -1,6 +1,6 @@
 #pragma once
-/// Where in a stator's slot a needle's tip can go, with and without pivot shift: the map of [Herrmann Fig. 4.16].
-/// Lengths mm, angles rad.
+/// The accessible part of a stator's slot for a needle's tip, with and without pivot shift: the map of [Herrmann Fig.
+/// 4.16]. Lengths mm, angles rad.
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -9,11 +9,11 @@
 
 namespace bahnwerk::winding {
 
-/// The pose of a needle inside the stack whose tip is at `tip`, in slot coordinates, of slot 0: away from the axis or,
-/// with a limit, from the middle of the tooth opening as far as the limit allows (slot_support).
+/// Returns the pose of a needle inside the stack whose tip is at `tip`, in slot coordinates of slot 0: it points away
+/// from the axis or, with a limit, from the middle of the tooth opening as far as the limit allows (slot_support).
 NeedlePose tip_pose(const StatorPart& part, Point tip, std::optional<double> pivot_limit);
-/// Least clearance of that needle, to within `tolerance`; some 0.1 ms. Throws like clearance(). For the wires of a
-/// layout take their places as tips, or their support points' poses and clearance().
+/// Returns the least clearance of that needle, to within `tolerance`; some 0.1 ms. Throws like clearance(). For the
+/// wires of a layout, use their places as tips, or their support points' poses and clearance().
 double tip_clearance(const StatorPart& part, const StatorIron& iron, const NeedleShape& needle, Point tip,
                      std::optional<double> pivot_limit, double tolerance = 1e-3);
 
@@ -27,12 +27,12 @@ struct ClearanceMap {
     return low + step * Point{static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5};
   }
   double at(std::size_t column, std::size_t row) const { return values[row * columns + column]; }
-  /// Share of the slot's cells with at least this clearance.
+  /// Returns the share of the slot's cells with at least this clearance.
   double share(double clearance) const;
 };
 
-/// Over the slot as punched. Asks `progress`. Throws std::invalid_argument for a step that is not positive or leads to
-/// more than a million cells.
+/// Computes the map over the slot as punched. Asks `progress`. Throws std::invalid_argument for a step that is not
+/// positive or gives more than a million cells.
 ClearanceMap clearance_map(const StatorPart& part, const Slot& slot, const NeedleShape& needle,
                            std::optional<double> pivot_limit, double step, Progress& progress);
 

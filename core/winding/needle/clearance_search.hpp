@@ -2,10 +2,11 @@
 /// The search for the least clearance over a path, the needle and all obstacles, for any description of the path that
 /// can be halved.
 ///
-/// Within a stretch of the path the needle is compared with where it is in the stretch's middle. What it moves along
-/// its own axis is seen there as a longer needle, so that a needle that dives into a slot costs no more than one that
-/// stands; only what its points move beside that lowers the bound. The longer needle is halved until every part of it
-/// is decided. Where what moves beside is too much the stretch is halved, for the part of the needle that needs it.
+/// Within an interval of the path the needle is compared with its pose in the interval's middle. Its displacement along
+/// its own axis is treated as a longer needle, so that a needle that dives into a slot costs no more than one that
+/// stands; only the displacement of its points perpendicular to that lowers the bound. The longer needle is halved
+/// until every part of it is decided. Where the perpendicular displacement is too large the interval is halved, for the
+/// parts of the needle that need it.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -16,22 +17,23 @@
 #include "core/base/progress.hpp"
 #include "core/numeric/golden_section.hpp"
 #include "core/winding/needle/clearance.hpp"
-#include "core/winding/part/space.hpp"
+#include "core/winding/part/vec3.hpp"
 
 namespace bahnwerk::winding {
 
-/// How far the needle's tip is, anywhere on a stretch, from where it is in the stretch's middle, mm.
+/// Bounds of the displacement of the needle's tip, anywhere on an interval, from its place in the interval's middle,
+/// mm.
 struct Reach {
-  double whole = 0;   ///< in all
+  double whole = 0;   ///< in total
   double along = 0;   ///< along the needle's axis in the middle
-  double beside = 0;  ///< of the rest, normal to that: in all,
+  double beside = 0;  ///< of the rest, normal to that: in total,
   double across = 0;  ///< in sections normal to the part's axis,
   double height = 0;  ///< and along the part's axis
   double turn = 0;    ///< of the needle's direction: length of the difference of unit vectors
 };
 
-/// `Stretch` has middle(), the pose there; at(), its place on the piece; reach(direction in the middle); lowest(n), the
-/// least of n · (tip − tip in the middle); half(bool second).
+/// `Stretch` is an interval of the path: it has middle(), the pose there; at(), its place on the piece; reach(direction
+/// in the middle); lowest(n), the least of n · (tip − tip in the middle); half(bool second).
 template <class Stretch>
 class ClearanceSearch {
  public:
@@ -45,11 +47,11 @@ class ClearanceSearch {
     best_.minimum = std::numeric_limits<double>::infinity();
   }
 
-  /// `whole(n)` is the stretch that piece n is.
+  /// `whole(n)` returns piece n as an interval.
   template <class Whole>
   Clearance over(std::size_t count, const Whole& whole) {
-    // A coarse look at everything first: what is farther away than the nearest of that needs few halvings. Pieces that
-    // come nearest are searched first.
+    // A coarse evaluation of everything comes first: parts that are farther away than its nearest need few halvings.
+    // The nearest pieces are searched first.
     std::vector<double> nearest(count);
     for (piece_ = 0; piece_ < count; ++piece_) nearest[piece_] = coarse(whole(piece_));
     std::vector<std::size_t> order(count);
@@ -58,7 +60,7 @@ class ClearanceSearch {
     for (std::size_t n = 0; n < count; ++n) {
       done_ = static_cast<double>(n) / static_cast<double>(count);
       piece_ = order[n];
-      // The axis of the bar, from the middle of its round end.
+      // The bar's axis begins in the middle of its round end.
       open_.clear();
       for (std::size_t k = 0; k < obstacles_.size(); ++k) open_.push_back({k, radius_, length_});
       descend(whole(piece_), 0, open_.size());
@@ -69,7 +71,7 @@ class ClearanceSearch {
  private:
   static constexpr double round_off = 1e-9;    // mm
   static constexpr double along_exact = 1e-7;  // mm
-  /// Of the needle's axis, before an obstacle.
+  /// A part of the needle's axis, with one obstacle.
   struct Part {
     std::size_t obstacle;
     double first, last;
@@ -81,7 +83,7 @@ class ClearanceSearch {
   void seen(std::size_t k, double found, double u, double s) {
     if (found < best_.minimum) best_ = {found, piece_, u, s, k};
   }
-  double look(std::size_t k, Space at, double u, double s) {
+  double look(std::size_t k, Vec3 at, double u, double s) {
     const double found = obstacles_[k]->distance(at) - radius_;
     seen(k, found, u, s);
     return found;
@@ -92,7 +94,7 @@ class ClearanceSearch {
     for (const Stretch* stretch : {&halves[0], &whole, &halves[1]}) {
       ask();
       const NeedlePose pose = stretch->middle();
-      const Space d = pose.direction();
+      const Vec3 d = pose.direction();
       for (int j = 0; j <= 8; ++j) {
         const double s = radius_ + j / 8.0 * (length_ - radius_);
         for (std::size_t k = 0; k < obstacles_.size(); ++k)
@@ -102,7 +104,7 @@ class ClearanceSearch {
     return least;
   }
 
-  /// Parts of the needle open_[begin] to open_[end] over a stretch.
+  /// Decides the parts open_[begin] to open_[end] of the needle over an interval.
   void descend(const Stretch& stretch, std::size_t begin, std::size_t end) {
     pose_ = stretch.middle(), direction_ = pose_.direction(), at_ = stretch.at(), reach_ = stretch.reach(direction_);
     for (std::size_t i = begin; i < end; ++i) {
@@ -125,7 +127,8 @@ class ClearanceSearch {
     open_.resize(end);
   }
 
-  /// A convex obstacle: the nearest point of the needle is found exactly, and the obstacle lies behind the plane there.
+  /// For a convex obstacle the nearest point of the needle is found exactly, and the obstacle lies behind the plane
+  /// there.
   bool decided(const Stretch& stretch, std::size_t k) {
     ask();
     const Obstacle& obstacle = *obstacles_[k];
@@ -133,35 +136,35 @@ class ClearanceSearch {
     const double middle = (radius_ + length_) / 2, half = (length_ - radius_) / 2;
     if (look(k, pose_.tip - middle * direction_, at_, middle) - half - reach_.whole - turned >= enough) return true;
     const double s = nearest_along(obstacle);
-    const Space at = pose_.tip - s * direction_;
+    const Vec3 at = pose_.tip - s * direction_;
     const double found = look(k, at, at_, s);
     if (found - reach_.whole - turned >= enough) return true;
-    const Space n = obstacle.away(at);
+    const Vec3 n = obstacle.away(at);
     const double slope = -dot(n, direction_), ahead = std::min(slope * (radius_ - s), slope * (length_ - s));
     return found + ahead + stretch.lowest(n) - turned >= enough;
   }
-  /// Where on the needle the obstacle is nearest: a golden section search, which stands on a needle that lies flat
-  /// against a face as well.
+  /// Returns the place on the needle that is nearest to the obstacle, by a golden section search, which also works for
+  /// a needle that lies flat against a face.
   double nearest_along(const Obstacle& obstacle) const {
     const auto near = [&](double s) { return -obstacle.distance(pose_.tip - s * direction_); };
     return golden_section(near, radius_, length_, along_exact).at;
   }
 
-  /// From s − half to s + half on the longer needle; what stays undecided widens low_ to high_.
+  /// Halves the part from s − half to s + half of the longer needle; undecided parts widen low_ to high_.
   void halved(std::size_t k, double s, double half) {
     ask();
     const Obstacle& obstacle = *obstacles_[k];
-    const Space p = pose_.tip - s * direction_;
+    const Vec3 p = pose_.tip - s * direction_;
     const Distances at = obstacle.distances(p);
     const double found = at.whole - radius_;
     if (s >= radius_ && s <= length_) seen(k, found, at_, s);
-    // The needle's own points that come here are up to reach_.along farther from the tip, and turn about it.
+    // Points of the needle that come here are up to reach_.along farther from the tip, and rotate about it.
     const double enough = best_.minimum - tolerance_ + round_off,
                  turn = std::clamp(s + half + reach_.along, 0.0, length_) * reach_.turn;
     double moved = reach_.beside + turn, most = found - moved;
     if (most - half >= enough) return;
-    // Of what is decided in a section, or by the height alone, only what moves that way counts. Where it would decide
-    // if the stretch were short enough, so it does for how long that has to be.
+    // For a decision in a section, or by the height alone, only displacement in that direction counts. If it would
+    // decide for a shorter interval, the needed length is computed.
     const auto decides = [&](double distance, double by, double share) {
       const double least = distance - by - turn;
       if (least - share * half >= enough) return true;
@@ -187,9 +190,9 @@ class ClearanceSearch {
   std::vector<Part> open_;
   std::size_t piece_ = 0, count_ = 0;
   double done_ = 0;
-  // Of the stretch at hand.
+  // Pose of the current interval.
   NeedlePose pose_;
-  Space direction_;
+  Vec3 direction_;
   double at_ = 0, low_ = 0, high_ = 0;
   Reach reach_;
 };

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "core/base/errors.hpp"
-#include "core/winding/part/space.hpp"
+#include "core/winding/part/vec3.hpp"
 
 namespace bahnwerk::winding {
 namespace {
@@ -17,7 +17,7 @@ Region drawn_air(const StatorPart& part, const Slot& slot) {
   const Point right = opening.middle + Point{half, 0}, left = opening.middle - Point{half, 0};
   if (opening.middle.y >= axis)
     throw InvalidInput({{{"part", "base_radius"}, "leaves no bore inside the slot's opening"}});
-  // From the left end on round the base to the right one.
+  // Returns the outline from the left end round the base to the right end.
   const auto edges = slot.iron.edges();
   const auto nearest = [&](Point p) {
     std::size_t best = 0;
@@ -30,7 +30,7 @@ Region drawn_air(const StatorPart& part, const Slot& slot) {
   const auto append = [&](const Edge& e) {
     if (e.length() > 1e-9) loop.push_back(e);
   };
-  // The edge on which the opening ends may be one and the same: then all of the outline lies between.
+  // Both ends of the opening may be on one edge: then all of the outline lies between them.
   append(edges[first].part(edges[first].nearest(left), 1));
   std::size_t i = first;
   do {
@@ -76,7 +76,7 @@ Region air_of(const StatorPart& part, const Slot& slot) {
 StatorIron::StatorIron(const StatorPart& part, const Slot& slot)
     : air_(air_of(part, slot)), axis_(part.heads.base_radius), pitch_(part.pitch()), stack_(part.heads.stack) {}
 
-double StatorIron::section_distance(Space p) const {
+double StatorIron::section_distance(Vec3 p) const {
   const double at = azimuth(p), from_axis = std::hypot(p.x, p.y), local = std::remainder(at, pitch_);
   return air_.distance({from_axis * std::sin(local), axis_ - from_axis * std::cos(local)});
 }
@@ -87,26 +87,26 @@ Block::Block(double azimuth, double inner, double outer, double left, double rig
       middle_{(inner + outer) / 2, (left + right) / 2, (low + high) / 2},
       half_{(outer - inner) / 2, (right - left) / 2, (high - low) / 2} {}
 
-double Block::distance(Space p) const {
-  const Space d = turned(p, inwards_) - middle_;
-  const Space out{std::abs(d.x) - half_.x, std::abs(d.y) - half_.y, std::abs(d.z) - half_.z};
+double Block::distance(Vec3 p) const {
+  const Vec3 d = turned(p, inwards_) - middle_;
+  const Vec3 out{std::abs(d.x) - half_.x, std::abs(d.y) - half_.y, std::abs(d.z) - half_.z};
   const double inside = std::max({out.x, out.y, out.z});
   if (inside <= 0) return inside;
   return norm({std::max(out.x, 0.0), std::max(out.y, 0.0), std::max(out.z, 0.0)});
 }
 
-Space Block::away(Space p) const {
-  const Space d = turned(p, inwards_) - middle_;
-  Space out{std::abs(d.x) - half_.x, std::abs(d.y) - half_.y, std::abs(d.z) - half_.z};
+Vec3 Block::away(Vec3 p) const {
+  const Vec3 d = turned(p, inwards_) - middle_;
+  Vec3 out{std::abs(d.x) - half_.x, std::abs(d.y) - half_.y, std::abs(d.z) - half_.z};
   const double most = std::max({out.x, out.y, out.z});
-  // Outside the way from the nearest point, inside the nearest face.
+  // Outside the block the vector from the nearest point counts, inside the nearest face.
   if (most > 0) {
     out = {std::max(out.x, 0.0), std::max(out.y, 0.0), std::max(out.z, 0.0)};
   } else {
     out = {out.x == most ? 1.0 : 0.0, out.x < most && out.y == most ? 1.0 : 0.0,
            out.x < most && out.y < most ? 1.0 : 0.0};
   }
-  out = (1 / norm(out)) * Space{std::copysign(out.x, d.x), std::copysign(out.y, d.y), std::copysign(out.z, d.z)};
+  out = (1 / norm(out)) * Vec3{std::copysign(out.x, d.x), std::copysign(out.y, d.y), std::copysign(out.z, d.z)};
   return turned(out, outwards_);
 }
 

@@ -11,9 +11,9 @@ namespace bahnwerk::winding {
 class PartObstacles {
  public:
   void add(std::unique_ptr<Obstacle> obstacle, std::string name);
-  /// As clearance() takes them; valid as long as this object.
+  /// Returns the list for clearance(); valid as long as this object.
   const std::vector<const Obstacle*>& list() const { return list_; }
-  /// What is at this place of the list, such as "stack" or "winding tool".
+  /// Returns the name of entry i of the list, such as "stack" or "winding tool".
   const std::string& name(std::size_t i) const { return names_.at(i); }
 
  private:
@@ -22,10 +22,10 @@ class PartObstacles {
   std::vector<std::string> names_;
 };
 
-/// "stack", and a "winding tool" per slot side of each coil. Throws like StatorIron and tool_posts.
+/// Returns "stack", and a "winding tool" per slot side of each coil. Throws like StatorIron and tool_posts.
 PartObstacles part_obstacles(const StatorPart& part, const Slot& slot, const ToolPost& post,
                              const std::vector<Coil>& coils);
-/// "pole", and an "end cap" wall above and below each pole. Throws like RotorIron and cap_walls.
+/// Returns "pole", and an "end cap" wall above and below each pole. Throws like RotorIron and cap_walls.
 PartObstacles part_obstacles(const RotorPart& part, const Slot& slot, const RotorShape& shape = {});
 
 }  // namespace bahnwerk::winding

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/winding/part/space.hpp"
+#include "core/winding/part/vec3.hpp"
 
 namespace bahnwerk::winding {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "core/base/errors.hpp"
 #include "core/geometry/region/crossings.hpp"
-#include "core/winding/part/space.hpp"
+#include "core/winding/part/vec3.hpp"
 
 namespace bahnwerk::winding {
 namespace {
@@ -34,7 +34,7 @@ std::size_t closing_edge(const Region& slot) {
   return closing;
 }
 
-/// From the root's flank along the pole to the shoe's, moved by `origin`.
+/// Returns the side from the root's flank along the pole to the shoe's flank, moved by `origin`.
 std::vector<Edge> side_of(const Slot& slot, Point origin) {
   const std::size_t closing = closing_edge(slot.iron);
   const auto edges = slot.iron.edges();
@@ -69,12 +69,12 @@ Region pole_of(const RotorPart& part, const Slot& slot, double shoe_edge) {
   return Region(std::move(loop));
 }
 
-/// Where the line through a flank is at a height above the grooves.
+/// Returns the place of the line through a flank at a height above the grooves.
 double flank_at(const Edge& flank, double height) {
   return flank.from.x + (height - flank.from.y) / (flank.to.y - flank.from.y) * (flank.to.x - flank.from.x);
 }
 
-/// A convex section above the grooves at the stack's upper end, or the same below it.
+/// Returns a convex section above the grooves at the stack's upper end, or its mirror image at the lower end.
 Region section(std::vector<Point> corners, double grooves, bool top, double stack) {
   for (Point& p : corners) p.y = top ? stack + grooves + p.y : -grooves - p.y;
   if (!top) std::reverse(corners.begin(), corners.end());
@@ -94,7 +94,7 @@ RotorIron::RotorIron(const RotorPart& part, const Slot& slot, const RotorShape& 
   iron_ = pole_of(part, slot, shape.shoe_edge);
 }
 
-double RotorIron::section_distance(Space p) const {
+double RotorIron::section_distance(Vec3 p) const {
   const double from_axis = std::hypot(p.x, p.y), local = std::remainder(azimuth(p), pitch_);
   return -iron_.distance({from_axis * std::cos(local), from_axis * std::sin(local)});
 }
@@ -102,15 +102,15 @@ double RotorIron::section_distance(Space p) const {
 Wall::Wall(double azimuth, Region section, double half_width)
     : outwards_(azimuth), inwards_(-azimuth), half_width_(half_width), section_(std::move(section)) {}
 
-double Wall::distance(Space p) const {
-  const Space local = turned(p, inwards_);
+double Wall::distance(Vec3 p) const {
+  const Vec3 local = turned(p, inwards_);
   const double section = -section_.distance({local.x, local.z}), beyond = std::abs(local.y) - half_width_;
   if (section <= 0 || beyond <= 0) return std::max(section, beyond);
   return std::hypot(section, beyond);
 }
 
-Space Wall::away(Space p) const {
-  const Space local = turned(p, inwards_);
+Vec3 Wall::away(Vec3 p) const {
+  const Vec3 local = turned(p, inwards_);
   const Point at{local.x, local.z};
   const Region::Nearest nearest = section_.nearest(at);
   const double section = -nearest.distance, beyond = std::abs(local.y) - half_width_;
@@ -120,7 +120,7 @@ Space Wall::away(Space p) const {
     radial_share = section >= beyond ? 1 : 0;
     across_share = 1 - radial_share;
   }
-  const Space n{radial_share * out.x, std::copysign(across_share, local.y), radial_share * out.y};
+  const Vec3 n{radial_share * out.x, std::copysign(across_share, local.y), radial_share * out.y};
   return turned((1 / norm(n)) * n, outwards_);
 }
 
@@ -132,7 +132,7 @@ std::vector<Wall> cap_walls(const RotorPart& part, const Slot& slot, const Rotor
     throw InvalidInput({{{"rotor", "outer_wall"}, "is higher than the end cap above its grooves"}});
   const std::vector<Edge> side = side_of(slot, {h.tooth_radius, 0});
   const Edge &root = side.front(), &shoe = side.back();
-  // In the plane of radius and height above the grooves.
+  // Coordinates are radius and height above the grooves.
   const double foot = flank_at(root, 0), top = flank_at(root, height);
   std::vector<Point> inner{{foot, 0}, {std::max(top, 0.0), height}, {0, height}, {0, 0}};
   if (top < 0) inner = {{foot, 0}, {0, foot / (foot - top) * height}, {0, 0}};

@@ -1,6 +1,6 @@
 #pragma once
-/// What the needle must not touch when it winds a rotor: poles with their shoes, the hub between them, end caps with
-/// their walls. Lengths mm, angles rad.
+/// The obstacles of the needle when it winds a rotor: poles with their shoes, the hub between them, end caps with their
+/// walls. Lengths mm, angles rad.
 #include <algorithm>
 #include <vector>
 
@@ -8,27 +8,27 @@
 
 namespace bahnwerk::winding {
 
-/// What the slot's and the heads' parameters leave open; [Herrmann] gives no sizes for it.
+/// Sizes that the parameters of slot and heads do not determine; [Herrmann] gives none.
 struct RotorShape {
   double shoe_edge = 0;      ///< radial thickness of the pole shoe at its edges, mm
   double outer_wall = 0;     ///< height of the end cap's wall at the pole shoe above the cap's grooves, mm; 0: none
-  double wall_overhang = 0;  ///< by how much the cap's walls are wider than the flanks below them, to either side, mm
+  double wall_overhang = 0;  ///< width of the cap's walls beyond the flanks below them, on each side, mm
 };
 
-/// Poles and hub over the stack and, below the grooves of both end caps, these. In the section of a pole: the slot's
-/// outline on both sides, a circle about the axis through the outer ends of the shoe's flanks (or their edges), and the
-/// hub's through the inner ends of the root's flanks. Poles are alike and symmetric, so that of several the one nearest
+/// Poles and hub over the stack and the part of both end caps below the grooves. In the section of a pole these are the
+/// slot's outline on both sides, a circle about the axis through the outer ends of the shoe's flanks (or their edges),
+/// and the hub's circle through the inner ends of the root's flanks. Poles are equal and symmetric, so the one nearest
 /// in azimuth decides.
 class RotorIron final : public Obstacle {
  public:
   /// `slot` is checked_slot(part). Throws InvalidInput naming members of "rotor", and slot.root_flank where the
   /// flanks reach into the hub or beyond the shoe.
   RotorIron(const RotorPart& part, const Slot& slot, const RotorShape& shape = {});
-  double distance(Space p) const override { return distances(p).whole; }
-  Distances distances(Space p) const override { return extruded(section_distance(p), height_distance(p)); }
-  double section_distance(Space p) const override;
-  double height_distance(Space p) const override { return std::max(low_ - p.z, p.z - high_); }
-  /// One pole and the whole hub; x along the pole's middle from the rotor's axis, y across it.
+  double distance(Vec3 p) const override { return distances(p).whole; }
+  Distances distances(Vec3 p) const override { return extruded(section_distance(p), height_distance(p)); }
+  double section_distance(Vec3 p) const override;
+  double height_distance(Vec3 p) const override { return std::max(low_ - p.z, p.z - high_); }
+  /// Returns one pole and the whole hub; x along the pole's middle from the rotor's axis, y across it.
   const Region& iron() const { return iron_; }
 
  private:
@@ -41,9 +41,9 @@ class Wall final : public Obstacle {
  public:
   /// `section` counterclockwise and convex: x the radius, y the height along the part's axis.
   Wall(double azimuth, Region section, double half_width);
-  double distance(Space p) const override;
+  double distance(Vec3 p) const override;
   bool convex() const override { return true; }
-  Space away(Space p) const override;
+  Vec3 away(Vec3 p) const override;
 
  private:
   Rotation outwards_, inwards_;
@@ -51,11 +51,11 @@ class Wall final : public Obstacle {
   Region section_;
 };
 
-/// The walls of both end caps at every pole, below and above: inner ones, which continue the root's flank from the
-/// cap's grooves to its height and are taken as solid down to the axis, and outer ones on the shoe if the shape has
-/// any. They are as wide as the flanks below them. Where the source's needle lies across the cap while its tip passes
-/// the wires, (4.28) and (4.29), there is no room for an outer wall; it gives none. Throws InvalidInput naming members
-/// of "rotor".
+/// Returns the walls of both end caps at every pole, below and above: inner ones, which continue the root's flank from
+/// the cap's grooves to its height and are taken as solid down to the axis, and outer ones on the shoe if the shape has
+/// any. They are as wide as the flanks below them. The source gives no outer wall; its needle, which crosses the cap
+/// while its tip passes the wires, (4.28) and (4.29), leaves no room for one. Throws InvalidInput naming members of
+/// "rotor".
 std::vector<Wall> cap_walls(const RotorPart& part, const Slot& slot, const RotorShape& shape = {});
 
 }  // namespace bahnwerk::winding

@@ -12,26 +12,26 @@ double wrapped(double angle) { return std::remainder(angle, 2 * std::numbers::pi
 
 }  // namespace
 
-// The needle's axis runs through the point C where the tangents of the bend meet. C = P + (l + t) u, t = ρ tan(α/2), so
-// that only the number t has to be found; for a given C the direction is closed: that of C seen from the axis or from
-// the pivot, limited so that the axis makes at most the angle λ with the azimuth of the tip C − t d:
+// The needle's axis passes through the point C where the tangents of the bend meet, C = P + (l + t) u with t = ρ
+// tan(α/2), so only the number t is unknown. For a given C the direction has a closed form: it is that of C seen from
+// the axis or from the pivot, limited so that the axis makes at most the angle λ with the azimuth of the tip C − t d.
 // |C| sin γ = |M| sin λ and |C| cos γ = |M| cos λ + t give γ = λ − asin(t/|C| sin λ) for the angle γ at C. The
-// direction changes continuously with t, and as it is horizontal cos α is no less than minus the horizontal part of u:
-// between 0 and the t of that angle there is a solution.
-SupportPoint slot_support(Space place, Space along, double bend_radius, double free_length, Space pivot,
+// direction is continuous in t, and since it is horizontal cos α is at least minus the horizontal part of u: between 0
+// and the t of that angle there is a solution.
+SupportPoint slot_support(Vec3 place, Vec3 along, double bend_radius, double free_length, Vec3 pivot,
                           std::optional<double> pivot_limit) {
   constexpr double least_depth = 1;
-  const Space out = radial(azimuth(pivot));
+  const Vec3 out = radial(azimuth(pivot));
   SupportPoint found;
   double gamma = 0;
   /// The support point for this t; what ρ tan(α/2) is for it.
   const auto tangent_of = [&](double tangent) {
-    const Space c = place + (free_length + tangent) * along;
+    const Vec3 c = place + (free_length + tangent) * along;
     const double at = azimuth(c), from_axis = std::hypot(c.x, c.y);
     if (!(from_axis > tangent)) throw Infeasible("the needle's tip would lie beyond the part's axis");
     gamma = 0;
     if (pivot_limit) {
-      const Space through = c - pivot;
+      const Vec3 through = c - pivot;
       const double most = *pivot_limit - std::asin(tangent / from_axis * std::sin(*pivot_limit)),
                    aim = azimuth(pivot) + std::atan2(cross(out, through).z, std::max(dot(out, through), least_depth));
       gamma = std::clamp(wrapped(aim - at), -most, most);
@@ -49,7 +49,7 @@ SupportPoint slot_support(Space place, Space along, double bend_radius, double f
     (tangent_of(middle) > middle ? low : high) = middle;
   }
   tangent_of((low + high) / 2);
-  // What is left of a needle that points straight outwards is round-off.
+  // The pivot shift of a needle that points straight outwards is round-off.
   found.pivot_shift = gamma == 0 ? 0 : wrapped(found.pose.phi - azimuth(found.pose.tip));
   return found;
 }

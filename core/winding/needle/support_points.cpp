@@ -13,15 +13,14 @@ namespace bahnwerk::winding {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-// What a tip that is moved has beyond the clearance asked for, and how exactly, mm: links and lines come a little
-// nearer.
+// Margin of a moved tip beyond the required clearance, and its accuracy, mm: links and lines come slightly nearer.
 constexpr double margin = 0.1, lack_exact = 1e-3;
-constexpr std::size_t units_per_tip = 400;  // of work, for progress: a tip with what is left beside it
+constexpr std::size_t units_per_tip = 400;  // of work for progress, per tip with its distances
 
 double nearest_turn(double angle, double to) { return to + std::remainder(angle - to, 2 * pi); }
 
-Space direction(Space from, Space to) {
-  const Space way = to - from;
+Vec3 direction(Vec3 from, Vec3 to) {
+  const Vec3 way = to - from;
   const double length = norm(way);
   if (!(length > 1e-9)) throw Infeasible("two laying regions have no distance: the wire between them has no direction");
   return (1 / length) * way;
@@ -73,7 +72,7 @@ class Pieces {
                  height = highest_ + model_.change_height;
     arc.sweep = std::remainder(azimuth(to.begin.pose.tip) - begin, 2 * pi);
     arc.end = arc.begin;
-    const auto at = [&](double angle) { return radius * radial(angle) + Space{0, 0, height}; };
+    const auto at = [&](double angle) { return radius * radial(angle) + Vec3{0, 0, height}; };
     arc.begin.pose.tip = at(begin);
     arc.end.pose.tip = at(begin + arc.sweep);
     return arc;
@@ -89,9 +88,9 @@ FixedPiece head(const Passage& p, double sense, bool top, double rho, double len
   FixedPiece piece;
   piece.shape = FixedPiece::Shape::arc;
   const double out = top ? 1 : -1;
-  const Space needle{0, 0, -out};
+  const Vec3 needle{0, 0, -out};
   const TipOffset in = tip_offset(direction(p.held, p.begin), needle, rho, length);
-  const Space tip = p.begin + in.offset;
+  const Vec3 tip = p.begin + in.offset;
   // Along the arc the wire trails horizontally: a right angle with the needle.
   const double lead = length + rho, radius = std::max(std::hypot(tip.x, tip.y), std::hypot(p.end.x, p.end.y)),
                height = out * std::max(out * tip.z, out * p.end.z + rho);
@@ -101,27 +100,28 @@ FixedPiece head(const Passage& p, double sense, bool top, double rho, double len
   if (!(sweep > 0)) throw Infeasible("a winding head is shorter than the needle's way into it");
   piece.sweep = sense * sweep;
   const double begin = azimuth(tip), psi = out * pi / 2;  // (4.26)
-  const auto at = [&](double angle) { return radius * radial(angle) + Space{0, 0, height}; };
+  const auto at = [&](double angle) { return radius * radial(angle) + Vec3{0, 0, height}; };
   piece.begin = {{at(begin), begin, psi}, 0, in.exit_angle};
   piece.end = {{at(begin + piece.sweep), begin + piece.sweep, psi}, 0, pi / 2};
   return piece;
 }
 
 /// The ends of a line in a laying region. `leading(place, along)` is the support point of a wire over `place`;
-/// `standing(pose)` what the part leaves the needle there, `between(begin, end)` along the line, mm. Tells `scope`.
+/// `standing(pose)` what the part leaves the needle there, `between(begin, end)` along the line, mm. Tells
+/// `stage_progress`.
 template <class Leading, class Standing, class Between>
-void set_ends(FixedPiece& piece, const Passage& p, Space across, const NeedleModel& model, const Leading& leading,
-              const Standing& standing, const Between& between, ProgressScope& scope) {
-  const Space in = direction(p.held, p.begin), out = direction(p.begin, p.end);
-  const auto over = [&](Space place, Space along) {
-    scope.work(units_per_tip);
+void set_ends(FixedPiece& piece, const Passage& p, Vec3 across, const NeedleModel& model, const Leading& leading,
+              const Standing& standing, const Between& between, ProgressScope& stage_progress) {
+  const Vec3 in = direction(p.held, p.begin), out = direction(p.begin, p.end);
+  const auto over = [&](Vec3 place, Vec3 along) {
+    stage_progress.work(units_per_tip);
     return leading(place, along);
   };
-  const auto begin = [&](Space along) { return over(p.begin, along); };
-  const auto end = [&](Space along) { return over(p.end, along); };
+  const auto begin = [&](Vec3 along) { return over(p.begin, along); };
+  const auto end = [&](Vec3 along) { return over(p.end, along); };
   piece.begin = begin(in), piece.end = end(out);
   if (!model.shape) return;
-  // So much as the line lacks each end has to leave more than it does.
+  // Each end has to increase its distance by what the line lacks.
   double at_begin = standing(piece.begin.pose), at_end = standing(piece.end.pose);
   for (int round = 0; round < 8; ++round) {
     const double lacking = model.clearance + margin - between(piece.begin.pose, piece.end.pose);
@@ -140,16 +140,16 @@ const char* region_in_words(std::size_t region) {
   return names[region];
 }
 
-Space NeedlePose::direction() const {
+Vec3 NeedlePose::direction() const {
   return {std::cos(phi) * std::cos(psi), std::sin(phi) * std::cos(psi), -std::sin(psi)};
 }
 
 std::vector<FixedPiece> support_points(const StatorPart& part, const std::vector<Coil>& coils,
                                        const std::vector<Turn>& turns, const NeedleModel& model, Progress& progress) {
   check(model);
-  ProgressScope scope(progress, "support points", 0, 1);
+  ProgressScope stage_progress(progress, "support points", 0, 1);
   const double rho = bend_radius(model.pull), length = model.pull.free_length;
-  // Where the tooth tips are nearest to each other.
+  // The tooth tips are nearest to each other at this place.
   const double opening = part.heads.base_radius - part.slot.height - part.slot.tip_corner_radius;
   const Slot slot_shape = checked_slot(part);
   const StatorIron iron(part, slot_shape);
@@ -161,7 +161,7 @@ std::vector<FixedPiece> support_points(const StatorPart& part, const std::vector
   };
   Pieces pieces(model);
   for (const Turn& turn : turns) {
-    scope.now(static_cast<std::size_t>(&turn - turns.data()), turns.size());
+    stage_progress.now(static_cast<std::size_t>(&turn - turns.data()), turns.size());
     const Coil& coil = coils.at(turn.coil);
     for (std::size_t j = 0; j < 4; ++j) {
       const Passage& p = turn.at[j];
@@ -171,11 +171,11 @@ std::vector<FixedPiece> support_points(const StatorPart& part, const std::vector
         piece = head(p, sense, j == 3, rho, length);
       } else {
         const double slot = (coil.first + (j == 2 ? coil.span : 0)) * part.pitch();
-        const Space pivot = opening * radial(slot), across = radial(slot + pi / 2);
-        const auto leading = [&](Space place, Space along) {
+        const Vec3 pivot = opening * radial(slot), across = radial(slot + pi / 2);
+        const auto leading = [&](Vec3 place, Vec3 along) {
           return slot_support(place, along, rho, length, pivot, model.pivot_limit);
         };
-        set_ends(piece, p, across, model, leading, standing, between, scope);
+        set_ends(piece, p, across, model, leading, standing, between, stage_progress);
       }
       piece.coil = turn.coil, piece.turn = turn.number, piece.region = j;
       pieces.add(piece);
@@ -187,10 +187,10 @@ std::vector<FixedPiece> support_points(const StatorPart& part, const std::vector
 std::vector<FixedPiece> support_points(const RotorPart& part, const std::vector<Turn>& turns, const NeedleModel& model,
                                        Progress& progress) {
   check(model);
-  ProgressScope scope(progress, "support points", 0, 1);
+  ProgressScope stage_progress(progress, "support points", 0, 1);
   const double rho = bend_radius(model.pull), length = model.pull.free_length;
   // The needle points at the axis (4.28): its tip is on the outer side of the bend, whose tangents meet at C.
-  const auto leading = [&](Space place, Space along) {
+  const auto leading = [&](Vec3 place, Vec3 along) {
     SupportPoint found;
     double tangent = rho;
     for (int i = 0; i < 200; ++i) {
@@ -209,11 +209,11 @@ std::vector<FixedPiece> support_points(const RotorPart& part, const std::vector<
   const std::vector<Wall> walls = cap_walls(part, slot_shape);
   Pieces pieces(model);
   for (const Turn& turn : turns) {
-    scope.now(static_cast<std::size_t>(&turn - turns.data()), turns.size());
+    stage_progress.now(static_cast<std::size_t>(&turn - turns.data()), turns.size());
     for (std::size_t j = 0; j < 4; ++j) {
       const Passage& p = turn.at[j];
       const bool slot = j % 2 == 0;
-      const Space middle = radial(azimuth(p.begin + p.end) + pi / 2);
+      const Vec3 middle = radial(azimuth(p.begin + p.end) + pi / 2);
       const auto pole = std::lround(azimuth(p.begin + p.end) / part.pitch()) + part.poles;
       const Wall& wall = walls[2 * (static_cast<std::size_t>(pole % part.poles)) + (j == 3)];
       const auto between = [&](const NeedlePose& from, const NeedlePose& to) {
@@ -223,16 +223,16 @@ std::vector<FixedPiece> support_points(const RotorPart& part, const std::vector<
       };
       const auto standing = [&](const NeedlePose& pose) {
         if (slot) return slot_room(pose, pose, pose.tip.z, pose.tip.z, *model.shape, iron);
-        // Along an end cap the needle goes on to the middle of the pole.
+        // Along an end cap the needle continues to the middle of the pole.
         NeedlePose to = pose;
         to.tip = pose.tip - dot(pose.tip, middle) * middle;
         to.phi = pose.phi + std::remainder(azimuth(to.tip) - azimuth(pose.tip), 2 * pi);
         return room(pose, to, *model.shape, {&iron, &wall});
       };
       // Across a slot sideways, across an end cap along the part's axis.
-      const Space across = slot ? radial(azimuth(p.begin) + pi / 2) : Space{0, 0, 1};
+      const Vec3 across = slot ? radial(azimuth(p.begin) + pi / 2) : Vec3{0, 0, 1};
       FixedPiece piece;
-      set_ends(piece, p, across, model, leading, standing, between, scope);
+      set_ends(piece, p, across, model, leading, standing, between, stage_progress);
       piece.coil = turn.coil, piece.turn = turn.number, piece.region = j;
       pieces.add(piece);
     }

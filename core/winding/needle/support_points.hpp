@@ -1,6 +1,6 @@
 #pragma once
-/// What of the needle's path is fixed: a straight line through every slot, an arc about the part's axis behind the
-/// winding tools of a stator or a straight line along the end cap of a rotor's pole, with the needle's pose at both
+/// The fixed parts of the needle's path: a straight line through every slot, an arc about the part's axis behind the
+/// winding tools of a stator, or a straight line along the end cap of a rotor's pole, with the needle's pose at both
 /// ends [Herrmann 4.2.6, (4.24)–(4.29), 4.3]. Between them the path is free. Lengths mm, angles rad.
 #include <cstddef>
 #include <optional>
@@ -15,15 +15,15 @@ class Progress;
 
 namespace bahnwerk::winding {
 
-/// φ is the azimuth in which the needle points, ψ how far it points down: it points along
-/// (cos φ cos ψ, sin φ cos ψ, −sin ψ).
+/// φ is the azimuth in which the needle points, ψ the angle by which it points down; its direction is (cos φ cos ψ, sin
+/// φ cos ψ, −sin ψ).
 struct NeedlePose {
-  Space tip;
+  Vec3 tip;
   double phi = 0, psi = 0;
-  Space direction() const;
+  Vec3 direction() const;
 };
 
-/// A bar with a round end whose foremost point is the tip; in a section that it lies in, a box with a rounded tip.
+/// A bar with a round end whose foremost point is the tip; in a section through its axis, a box with a rounded tip.
 struct NeedleShape {
   double width = 2.6;  ///< mm
   double length = 60;  ///< from the tip to the holder, mm
@@ -39,42 +39,42 @@ struct FixedPiece {
   enum class Shape { line, arc };  ///< arc: about the part's axis, at one height
   enum class Kind { region, coil_change };
   Kind kind = Kind::region;
-  std::size_t coil = 0, turn = 0;  ///< of a change: those that it comes from
+  std::size_t coil = 0, turn = 0;  ///< of a change: those from which it starts
   std::size_t region = 0;          ///< 0 … 3; of a change 3
   Shape shape = Shape::line;
-  SupportPoint begin, end;  ///< φ runs on from piece to piece, without jumps by whole turns
+  SupportPoint begin, end;  ///< φ is continuous from piece to piece, without jumps by whole turns
   double sweep = 0;         ///< of an arc about the axis, counterclockwise positive
 };
 
-/// What a message calls laying region 0 … 3: "the first slot" …
+/// Returns the name of laying region 0 … 3 for messages: "the first slot" …
 const char* region_in_words(std::size_t region);
 
 struct NeedleModel {
   Pull pull;
-  /// Pivot shift: in a stator's slot the needle swivels about the middle of the tooth opening, φ_DPVS at most by so
-  /// much to either side. Without it the needle points away from the stator's axis.
+  /// Pivot shift: in a stator's slot the needle swivels about the middle of the tooth opening, by at most this φ_DPVS
+  /// to either side. Without it the needle points away from the stator's axis.
   std::optional<double> pivot_limit;
-  /// How much farther from the axis, and higher, than any other piece the needle passes from coil to coil.
+  /// Distance from the axis, and height, by which the needle exceeds any other piece when it passes from coil to coil.
   double change_radius = 5, change_height = 10;
-  /// With a shape the tip is held where this needle keeps `clearance`, mm, from the part, as far as there is such a
-  /// place (core/winding/needle/channel.hpp); without, the tip is where the wire's straight run puts it.
+  /// With a shape the tip is placed where this needle keeps `clearance`, mm, from the part, if such a place exists
+  /// (core/winding/needle/channel.hpp); without, the tip is on the straight wire.
   std::optional<NeedleShape> shape;
   double clearance = 0;
 };
 
-/// Support points of turns that turns_of made of coil_regions of these coils. The first turn's wire comes from where
-/// turns_of holds it. Throws InvalidInput naming members of "pull" and "needle"; Infeasible where a head is too short
-/// for its arc, or the wire would leave the needle backwards; Stopped. O(turns): some µs each, 2 ms where tips are
-/// moved.
+/// Returns the support points of the turns that turns_of() made from the coil_regions() of these coils. The first
+/// turn's wire comes from where turns_of() holds it. Throws InvalidInput naming members of "pull" and "needle";
+/// Infeasible where a head is too short for its arc, or the wire would leave the needle backwards; Stopped. O(turns):
+/// some µs each, 2 ms where tips are moved.
 std::vector<FixedPiece> support_points(const StatorPart& part, const std::vector<Coil>& coils,
                                        const std::vector<Turn>& turns, const NeedleModel& model, Progress& progress);
 std::vector<FixedPiece> support_points(const RotorPart& part, const std::vector<Turn>& turns, const NeedleModel& model,
                                        Progress& progress);
 
-/// The needle in a stator's slot: the tip from which a wire along `along` comes to lie at `place`, seen by a needle
-/// that points away from the axis or, with a limit, through `pivot` as far as the limit allows. A pivot that lies less
-/// than 1 mm before the bend, or behind it, counts as 1 mm before it. Throws Infeasible.
-SupportPoint slot_support(Space place, Space along, double bend_radius, double free_length, Space pivot,
+/// Returns the needle in a stator's slot: the tip from which a wire along `along` is laid at `place`, for a needle that
+/// points away from the axis or, with a limit, through `pivot` as far as the limit allows. A pivot less than 1 mm
+/// before the bend, or behind it, counts as 1 mm before it. Throws Infeasible.
+SupportPoint slot_support(Vec3 place, Vec3 along, double bend_radius, double free_length, Vec3 pivot,
                           std::optional<double> pivot_limit);
 
 }  // namespace bahnwerk::winding

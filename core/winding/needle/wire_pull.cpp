@@ -35,8 +35,8 @@ double bend_radius(const Pull& pull) {
   return radius;
 }
 
-TipOffset tip_offset(Space along, Space needle, double bend_radius, double free_length) {
-  // By the sine and the cosine: accurate also where the wire leaves straight ahead or backwards.
+TipOffset tip_offset(Vec3 along, Vec3 needle, double bend_radius, double free_length) {
+  // Sine and cosine give an accurate angle also where the wire leaves straight ahead or backwards.
   const double angle = std::atan2(norm(cross(along, needle)), -dot(along, needle));
   if (angle > std::numbers::pi - 1e-3) throw Infeasible("the wire would leave the needle backwards along its axis");
   const double tangent = bend_radius * std::tan(angle / 2);

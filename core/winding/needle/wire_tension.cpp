@@ -13,7 +13,7 @@ constexpr double creeping = 10;  // mm/s
 double capstan(const TensionModel& model, const Drawing& drawing) {
   return std::exp(model.friction * drawing.bend * drawing.speed / std::hypot(drawing.speed, creeping));
 }
-/// m ẇ, N: kg mm/s² are mN.
+/// Returns m ẇ, N: kg mm/s² are mN.
 double inertia(const TensionModel& model, const Drawing& drawing) { return model.mass * drawing.acceleration / 1000; }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #pragma once
-/// Where the centres of wires of one radius may lie, made for the many queries of a packing search.
-/// A square grid knows which cells lie inside for certain and which boundary pieces can be the nearest one in the
-/// others; a query costs 5 … 30 ns. Lengths mm.
+/// The possible centres of wires of one radius, for the many queries of a packing search. A square grid stores which
+/// cells are certainly inside and which boundary pieces can be the nearest one in the others; a query costs 5 … 30 ns.
+/// Lengths mm.
 #include <algorithm>
 #include <cstdint>
 #include <span>
@@ -17,17 +17,17 @@ namespace bahnwerk::winding {
 
 class CentreArea {
  public:
-  /// All points of `usable_area` at least `radius` away from its boundary: areas, and the lines and points that exact
-  /// fits leave. O((edges of usable area)²) and 4096 distances. Reports stage "potential".
+  /// Contains all points of `usable_area` at least `radius` away from its boundary: areas, and the lines and points of
+  /// exact fits. O((edges of usable area)²) and 4096 distances. Reports stage "potential".
   CentreArea(const Region& usable_area, double radius, Progress& progress);
 
   bool empty() const { return edges_.empty(); }
   const Region& region() const { return region_; }  ///< the areas
   const Box& box() const { return box_; }
-  /// What bounds the areas, and the lines of exact fits; a point is a line without length.
+  /// Returns the borders of the areas, and the lines of exact fits; a point is a line without length.
   std::span<const Edge> edges() const { return edges_; }
-  /// The way from `p` to the nearest point where a centre may lie; nothing if `p` is one itself. Its squared length is
-  /// differentiable in the corners of the usable area, which the distance from the nearest wall is not.
+  /// Returns the vector from `p` to the nearest possible centre; zero if `p` is one itself. Its squared length is
+  /// differentiable in the corners of the usable area, unlike the distance from the nearest wall.
   Point way_in(Point p) const {
     const auto column = static_cast<int>(std::clamp((p.x - low_.x) * per_cell_, 0.0, last_column_));
     const auto row = static_cast<int>(std::clamp((p.y - low_.y) * per_cell_, 0.0, last_row_));
@@ -36,7 +36,7 @@ class CentreArea {
     return inside_[cell] ? Point{} : way_in(p, cell);
   }
   bool holds(Point p) const { return way_in(p) == Point{}; }
-  /// Points spread over the usable area and its boundary at most about `pitch` apart, in a fixed order.
+  /// Returns points of the usable area and its boundary at most about `pitch` apart, in a fixed order.
   std::vector<Point> spread(double pitch) const;
 
  private:
@@ -46,7 +46,7 @@ class CentreArea {
     double side = 0;  ///< of an arc: +1 the usable area is inside its circle, −1 outside
     bool over_half = false;
     bool thin = false;                   ///< bounds no area: an exact fit
-    int corner_from = 0, corner_to = 0;  ///< −1: juts into the usable area, +1: does not, 0: smooth
+    int corner_from = 0, corner_to = 0;  ///< −1: projects into the usable area, +1: does not, 0: smooth
   };
   struct Hit {
     double square = 0;

@@ -11,12 +11,12 @@ namespace {
 
 constexpr int steps = 600;  // of a minimisation
 constexpr double endless = std::numeric_limits<double>::infinity();
-constexpr std::size_t elite = 4;  // starts from which hops go on
+constexpr std::size_t elite = 4;  // starts from which hops continue
 
 }  // namespace
 
 PackingSearch::PackingSearch(const CentreArea& usable_area, double distance, std::uint64_t seed, Progress& progress)
-    : usable_area_(usable_area), squeeze_(usable_area, distance), random_(seed), progress_(progress) {
+    : usable_area_(usable_area), energy_(usable_area, distance), random_(seed), progress_(progress) {
   if (usable_area.empty()) return;
   sides_ = winding::sides(usable_area.edges(), 1.5 * distance);
   // Points in cells a distance wide, for the holes between wires.
@@ -52,7 +52,7 @@ std::vector<Point> PackingSearch::holes(std::span<const Point> wires, std::size_
           clearance_[i] = std::min(clearance_[i], square_distance(pool_[i], p));
       }
   }
-  squeeze_.add_work(30 * wires.size() + 2 * most * pool_.size());
+  energy_.add_work(30 * wires.size() + 2 * most * pool_.size());
   std::vector<Point> found;
   while (found.size() < most) {
     const auto widest = std::max_element(clearance_.begin(), clearance_.end());
@@ -66,7 +66,7 @@ std::vector<Point> PackingSearch::holes(std::span<const Point> wires, std::size_
 
 void PackingSearch::adjust(std::vector<Point>& wires, std::size_t count) {
   while (wires.size() > count) {
-    squeeze_.share(wires, share_);
+    energy_.share(wires, share_);
     const auto worst = std::max_element(share_.begin(), share_.end());
     std::size_t which = static_cast<std::size_t>(worst - share_.begin());
     if (*worst == 0) which = random_.below(wires.size());
@@ -86,7 +86,7 @@ PackingSearch::State PackingSearch::settled(std::vector<Point> wires, double goa
   progress_.report("potential");
   ++settled_;
   State state;
-  const Rest rest = minimiser_.minimise(squeeze_, wires, goal, steps, progress_);
+  const Rest rest = minimiser_.minimise(energy_, wires, goal, steps, progress_);
   state.wires = std::move(wires);
   state.energy = rest.energy;
   state.allowed = rest.allowed;
@@ -95,7 +95,7 @@ PackingSearch::State PackingSearch::settled(std::vector<Point> wires, double goa
 
 std::vector<Point> PackingSearch::start(std::size_t count) {
   std::vector<Point> wires;
-  const double full = squeeze_.distance();
+  const double full = energy_.distance();
   const bool few = count < 12;
   if (random_.chance(few ? 0.8 : 0.25)) {
     // Uniform in the usable area, then grown [Herrmann Algorithm 4.3, lines 4 to 17].
@@ -105,10 +105,10 @@ std::vector<Point> PackingSearch::start(std::size_t count) {
       wires.push_back(p + usable_area_.way_in(p));
     }
     for (const double grown : {0.5, 0.7, 0.85, 0.95}) {
-      squeeze_.set_distance(grown * full);
-      minimiser_.minimise(squeeze_, wires, endless, 30, progress_);
+      energy_.set_distance(grown * full);
+      minimiser_.minimise(energy_, wires, endless, 30, progress_);
     }
-    squeeze_.set_distance(full);
+    energy_.set_distance(full);
     return wires;
   }
   wires = random_rows(usable_area_, sides_, full, count, random_);
@@ -121,9 +121,9 @@ std::vector<Point> PackingSearch::start(std::size_t count) {
 std::vector<Point> PackingSearch::hop(const State& from) {
   std::vector<Point> wires = from.wires;
   const std::size_t n = wires.size();
-  const double full = squeeze_.distance(), kind = random_.uniform();
+  const double full = energy_.distance(), kind = random_.uniform();
   if (kind < 0.4) {
-    squeeze_.share(wires, share_);
+    energy_.share(wires, share_);
     std::size_t which = random_.below(n);
     // A wire that is squeezed hard, or one that carries nothing, or any.
     const double whom = random_.uniform();
@@ -155,13 +155,13 @@ std::optional<std::vector<Point>> PackingSearch::find(std::size_t count, std::sp
                                                       std::uint64_t work, std::size_t tries) {
   if (count == 0) return std::vector<Point>{};
   if (pool_.empty()) return std::nullopt;
-  const std::uint64_t end = squeeze_.work() + work;
+  const std::uint64_t end = energy_.work() + work;
   const std::size_t last = settled_ + tries;
   const auto goes_on = [&] {
-    const double spent = 1 - static_cast<double>(end - std::min(end, squeeze_.work())) / static_cast<double>(work);
+    const double spent = 1 - static_cast<double>(end - std::min(end, energy_.work())) / static_cast<double>(work);
     const double tried = 1 - static_cast<double>(last - std::min(last, settled_)) / static_cast<double>(tries);
     progress_.reach(from_ + (to_ - from_) * std::max(spent, tried));
-    return squeeze_.work() < end && settled_ < last;
+    return energy_.work() < end && settled_ < last;
   };
   std::vector<State> states;
   const auto keep = [&](State state) {
@@ -176,18 +176,18 @@ std::optional<std::vector<Point>> PackingSearch::find(std::size_t count, std::sp
     if (state.allowed) return state.wires;
     keep(std::move(state));
   }
-  // A third of the work goes into starts, the rest into hops, in rounds so that a bad first round is not the last word.
+  // A third of the work is spent on starts, the rest on hops, in rounds, so that a bad first round can be corrected.
   std::uint64_t round = std::max<std::uint64_t>(work / 12, 1);
   while (goes_on()) {
-    const std::uint64_t begin = squeeze_.work();
+    const std::uint64_t begin = energy_.work();
     std::size_t tried = 0;
-    while ((squeeze_.work() < begin + round / 3 || tried < elite) && goes_on()) {
+    while ((energy_.work() < begin + round / 3 || tried < elite) && goes_on()) {
       State state = settled(start(count), states.size() < elite ? endless : states.back().energy);
       if (state.allowed) return state.wires;
       keep(std::move(state));
       ++tried;
     }
-    while (squeeze_.work() < begin + round && !states.empty() && goes_on())
+    while (energy_.work() < begin + round && !states.empty() && goes_on())
       for (State& state : states) {
         State next = settled(hop(state), state.energy);
         if (next.allowed) return next.wires;
@@ -198,7 +198,7 @@ std::optional<std::vector<Point>> PackingSearch::find(std::size_t count, std::sp
           ++state.idle;
         }
       }
-    // What has not got better for long makes way for new starts.
+    // Layouts without an improvement for long are replaced by new starts.
     std::erase_if(states, [&](const State& s) { return s.idle > 30 + 2 * count; });
   }
   return std::nullopt;
@@ -210,7 +210,7 @@ void PackingSearch::fill(std::vector<Point>& wires) {
     bool added = false;
     for (const Point& p : holes(wires, 4)) {
       bool free = true;
-      for (const Point& other : wires) free = free && distance(p, other) >= squeeze_.distance();
+      for (const Point& other : wires) free = free && distance(p, other) >= energy_.distance();
       if (free && usable_area_.holds(p)) {
         wires.push_back(p);
         added = true;

@@ -10,7 +10,7 @@
 
 #include "core/base/progress.hpp"
 #include "core/numeric/random.hpp"
-#include "core/winding/packing/squeeze.hpp"
+#include "core/winding/packing/overlap_energy.hpp"
 #include "core/winding/packing/starts.hpp"
 
 namespace bahnwerk::winding {
@@ -20,14 +20,14 @@ class PackingSearch {
   /// `distance` between centres, mm.
   PackingSearch(const CentreArea& usable_area, double distance, std::uint64_t seed, Progress& progress);
 
-  /// `count` wires, or nothing after `work` (Squeeze::work) has been spent or `tries` minimisations. `likely` are
-  /// layouts of any number of wires to begin with.
+  /// Returns `count` wires, or nothing after `work` (OverlapEnergy::work) or `tries` minimisations. `likely` are
+  /// layouts of any number of wires for the start.
   std::optional<std::vector<Point>> find(std::size_t count, std::span<const std::vector<Point>> likely,
                                          std::uint64_t work, std::size_t tries);
   /// Adds wires to an allowed layout as long as one fits into its holes.
   void fill(std::vector<Point>& wires);
 
-  /// What the next tries count for in the progress: from here to there.
+  /// Sets the part of the progress that the next tries cover.
   void set_span(double from, double to) {
     from_ = from;
     to_ = to;
@@ -40,9 +40,9 @@ class PackingSearch {
     std::vector<Point> wires;
     double energy = 0;
     bool allowed = false;
-    std::size_t idle = 0;  ///< hops since it last got better
+    std::size_t idle = 0;  ///< hops since the last improvement
   };
-  /// Says everywhere how far the longest try has come.
+  /// Reports the progress of the longest try in every stage.
   class Steady final : public Progress {
    public:
     explicit Steady(Progress& to) : to_(to) {}
@@ -55,17 +55,17 @@ class PackingSearch {
     Progress& to_;
     double fraction_ = 0;
   };
-  /// Removes squeezed wires or fills holes until there are `count`.
+  /// Removes the wires with the largest overlap, or fills holes, until there are `count`.
   void adjust(std::vector<Point>& wires, std::size_t count);
   State settled(std::vector<Point> wires, double goal);
   std::vector<Point> start(std::size_t count);
   std::vector<Point> hop(const State& from);
-  /// Points of the usable area by their distance from the nearest wire, widest first, at most `most`, not near each
-  /// other.
+  /// Returns points of the usable area by their distance from the nearest wire, widest first, at most `most`, not near
+  /// each other.
   std::vector<Point> holes(std::span<const Point> wires, std::size_t most);
 
   const CentreArea& usable_area_;
-  Squeeze squeeze_;
+  OverlapEnergy energy_;
   Minimiser minimiser_;
   Random random_;
   Steady progress_;

@@ -30,7 +30,7 @@ void each_point(const Rows& rows, const Box& box, Take take) {
   }
 }
 
-/// Where a lattice point that misses the usable area by rounding belongs.
+/// Moves a lattice point that misses the usable area by rounding into it.
 bool settle(const CentreArea& usable_area, Point& p) {
   const Point in = usable_area.way_in(p);
   if (dot(in, in) > 1e-20) return false;
@@ -104,7 +104,7 @@ std::vector<Point> random_rows(const CentreArea& usable_area, const std::vector<
       grains.push_back(along_side(side, distance, stretch, turned, random));
     }
   }
-  // Where two grains meet: as far from one side as from the other, moved a little.
+  // The border of two lattices has equal distances from both sides, with a random shift.
   const double border = random.uniform(-2, 2) * distance;
   std::vector<Point> points;
   double low = 0.9, high = 1.06;

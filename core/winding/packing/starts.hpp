@@ -7,29 +7,29 @@
 
 namespace bahnwerk::winding {
 
-/// Rows of wires: neighbours in a row `pitch` apart, rows `height` apart and shifted by half a pitch.
+/// Rows of wires: neighbours in a row are `pitch` apart, rows `height` apart and shifted by half a pitch.
 struct Rows {
   Point origin;
   Point along{1, 0};  ///< unit vector
   double pitch = 1, height = 0.8660254037844386;
 };
-/// All points of `rows` where a centre may lie.
+/// Returns all points of `rows` that are possible centres.
 std::vector<Point> points_of(const Rows& rows, const CentreArea& usable_area);
 
-/// Directions of the edges at least `least` long, by their chords, with a point of each.
+/// Direction of an edge at least `least` long, by its chord, with a point of it.
 struct Side {
   Point at, along, inwards;
   double length = 0;
 };
 std::vector<Side> sides(std::span<const Edge> edges, double least);
 
-/// Random layouts of about as many wires as fit at `distance`: rows along a random side, rows along two sides that
-/// meet halfway between them, or rows in any direction, squeezed to a smaller pitch until there are `count` of them.
-/// May return more or fewer.
+/// Returns a random layout of about as many wires as fit at `distance`: rows along a random side, rows along two sides
+/// that meet halfway between them, or rows in any direction, compressed to a smaller pitch until there are `count` of
+/// them. The number may differ.
 std::vector<Point> random_rows(const CentreArea& usable_area, const std::vector<Side>& sides, double distance,
                                std::size_t count, Random& random);
 
-/// The most wires that lie in unsqueezed rows, over many directions, shifts and stretches of the rows.
+/// Returns the largest layout of uncompressed rows, over many directions, shifts and stretches of the rows.
 std::vector<Point> best_rows(const CentreArea& usable_area, const std::vector<Side>& sides, double distance,
                              std::size_t trials, Random& random);
 

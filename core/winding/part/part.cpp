@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/base/errors.hpp"
-#include "core/winding/part/space.hpp"
+#include "core/winding/part/vec3.hpp"
 
 namespace bahnwerk::winding {
 namespace {
@@ -32,7 +32,7 @@ bool right_of(const Region& outline, Point on, Point direction) {
   const Point left = left_of(direction);
   for (const Edge& e : outline.edges()) {
     std::vector<Point> farthest{e.from, e.to};
-    // Of an arc the point that lies farthest to the left.
+    // The point of an arc that lies farthest to the left counts.
     if (!e.straight()) farthest.push_back(e.at(e.nearest(e.centre + 2 * e.radius * left)));
     for (const Point p : farthest)
       if (dot(p - on, left) >= 0) return false;
@@ -41,7 +41,7 @@ bool right_of(const Region& outline, Point on, Point direction) {
 }
 
 Frame placed(const Frame& f, bool mirrored, double angle) {
-  const auto move = [&](Space a) { return turned(mirrored ? Space{a.x, -a.y, a.z} : a, angle); };
+  const auto move = [&](Vec3 a) { return turned(mirrored ? Vec3{a.x, -a.y, a.z} : a, angle); };
   return {move(f.origin), move(f.x), move(f.y)};
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The part that is wound, and where its coils lie: frames of the laying regions for any slot, span and winding
+/// The part to be wound and the places of its coils: frames of the laying regions for any slot, span and winding
 /// direction [Herrmann (4.22), (4.23), Tables 4.3 and 4.4]. Lengths mm, angles rad.
 ///
 /// Slots are numbered counterclockwise seen from above. Slot n of a stator has its middle at n · 2π/slots. Slot n of a
@@ -16,16 +16,16 @@ namespace bahnwerk::winding {
 
 struct StatorPart {
   StatorSlot slot;
-  /// A slot as it is drawn, upright(); `slot` has its height, the clear width of its opening, and no tip radius then.
+  /// A slot as it is drawn, upright(); `slot` then has its height, the clear width of its opening, and no tip radius.
   std::optional<PolygonSlot> drawn = {};
-  /// `slot_pitch` and `span` are not looked at: they follow from the number of slots and from the coil.
+  /// `slot_pitch` and `span` are ignored: they follow from the number of slots and from the coil.
   StatorHeads heads;
   int slots = 48;
   double pitch() const { return 2 * std::numbers::pi / slots; }
 };
 
-/// A stator whose slot is drawn and lies with its base `base_radius` about the axis. Throws InvalidInput naming members
-/// of "slot".
+/// Returns a stator whose slot is drawn, with its base at `base_radius` from the axis. Throws InvalidInput naming
+/// members of "slot".
 StatorPart drawn_stator(const PolygonSlot& slot, double base_radius);
 
 struct RotorPart {
@@ -43,36 +43,36 @@ struct Coil {
   friend bool operator==(const Coil&, const Coil&) = default;
 };
 
-/// The coil from slot `from` to slot `to`, both 0 … number of slots (which is slot 0 again), the shorter way round.
-/// Over half a stator that is the way that the numbers count. About a rotor's pole: [n, n + 1] or, the other way round,
-/// [n + 1, n]. Throws InvalidInput naming coil.slots.
+/// Returns the coil from slot `from` to slot `to`, both 0 … number of slots (which is slot 0), the shorter way round.
+/// Over half a stator it follows the numbering. About a rotor's pole it is [n, n + 1] or, in the other direction, [n +
+/// 1, n]. Throws InvalidInput naming coil.slots.
 Coil coil_between(const StatorPart& part, int from, int to);
 Coil coil_between(const RotorPart& part, int from, int to);
 
-/// The same coil wound the other way round: down where it went up.
+/// Returns the coil wound in the other direction: down where it went up.
 Coil reversed(Coil coil);
-/// `count` coils, each `step` slots after the one before, every other one reversed if `alternate`. Slot numbers are
-/// reduced to 0 … slots − 1.
+/// Returns `count` coils, each `step` slots after the one before, every other one reversed if `alternate`. Slot numbers
+/// are reduced to 0 … slots − 1.
 std::vector<Coil> repeated(Coil coil, int slots, int step, std::size_t count, bool alternate);
 
-/// The slot as sections and layouts see it. Throws InvalidInput naming members of "slot", and of "part": a number of
-/// slots or poles below 2 or so large that the slots reach into each other.
+/// Returns the slot for sections and layouts. Throws InvalidInput naming members of "slot", and of "part" for a number
+/// of slots or poles below 2 or so large that the slots overlap.
 Slot checked_slot(const StatorPart& part);
 Slot checked_slot(const RotorPart& part);
 
 /// Diameter of a stator's bore, mm.
 double bore(const StatorPart& part);
-/// The narrowest that wire and needle pass on their way to the wires' places, mm: the opening between a stator's tooth
-/// tips, the gap between the coils of a rotor's neighbouring poles.
+/// Returns the narrowest opening that wire and needle have to pass, mm: the opening between a stator's tooth tips, the
+/// gap between the coils of a rotor's neighbouring poles.
 double clear_way(const StatorPart& part, const Slot& slot);
 double clear_way(const RotorPart& part, const Slot& slot);
 
-/// Whether a tooth is left between neighbouring slots, `pitch` rad apart, whose base lies `base_radius` about the axis.
+/// Whether a tooth remains between neighbouring slots, `pitch` rad apart, whose base is at `base_radius` from the axis.
 bool leaves_teeth(const Slot& slot, double base_radius, double pitch);
 
-/// The four laying regions of one coil, at its place in the part. Sections, and with them layouts, are the same for all
-/// coils of a span's size: a coil that goes counterclockwise mirrors one that goes clockwise. `slot` is
-/// checked_slot(part). Throws InvalidInput where the winding tools of both sides stand in each other's way.
+/// Returns the four laying regions of one coil, at its place in the part. Sections and layouts are equal for all coils
+/// with one size of span: a counterclockwise coil mirrors a clockwise one. `slot` is checked_slot(part). Throws
+/// InvalidInput where the winding tools of both sides overlap.
 LayingRegions coil_regions(const StatorPart& part, const Slot& slot, Coil coil);
 LayingRegions coil_regions(const RotorPart& part, const Slot& slot, Coil coil);
 

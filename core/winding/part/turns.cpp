@@ -44,7 +44,7 @@ std::vector<Turn> turns_of(const std::vector<LayingRegions>& coils, const Needle
     throw Infeasible(text);
   }
   const std::vector<int> wire_layer = layers(layouts[0].wires, radius);
-  // Of several wires in hand the first one's.
+  // The layer of a turn with several wires in hand is that of its first wire.
   const auto layer = [&](std::size_t turn) { return wire_layer[turn * parallel]; };
   std::vector<Turn> list;
   list.reserve(coils.size() * turns);

@@ -15,7 +15,7 @@ double chord(const LinkEnds& ends) { return norm(place(ends.after[0]) - place(en
 bool congruent(const LinkEnds& a, const LinkEnds& b, std::size_t continuity) {
   const Vec from = place(a.before[0]), to = place(b.before[0]);
   const double size = std::hypot(from.x, from.y) * std::hypot(to.x, to.y), distance = chord(a);
-  // As complex numbers b = e^{iθ} a, or of the conjugate of a.
+  // Compares as complex numbers: b = e^{iθ} a, or the conjugate of a.
   const auto alike_by = [&](double hand) {
     const double c = (from.x * to.x + hand * from.y * to.y) / size, s = (from.x * to.y - hand * from.y * to.x) / size;
     const auto same = [&](const SplineJet& x, const SplineJet& y) {

@@ -1,7 +1,7 @@
 #pragma once
-/// Links that were found, to be found again where the same way comes back turned about the part's axis, or mirrored by
-/// a plane through it: coils that are repeated around the part, in one direction or in turns, have all their links so.
-/// How smooth a link is depends neither on where it stands nor on which hand.
+/// A memory of links for congruent ends: rotated about the part's axis, or mirrored by a plane through it. All links of
+/// coils that are repeated around the part have such ends. The smoothness of a link depends neither on its place nor on
+/// its orientation.
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -11,14 +11,15 @@
 
 namespace bahnwerk::winding {
 
-/// Whether `b` is `a` turned about the z axis, or mirrored by a plane through it, to 1e-11: places of the distance of
-/// both ends, each derivative up to `continuity` of the first one's size. Angles of the needle do not count.
+/// Whether `b` is `a` rotated about the z axis, or mirrored by a plane through it, to 1e-11: places relative to the
+/// distance of both ends, each derivative up to `continuity` relative to the first one. Angles of the needle do not
+/// count.
 bool congruent(const LinkEnds& a, const LinkEnds& b, std::size_t continuity);
 
 class KnownLinks {
  public:
   explicit KnownLinks(std::size_t continuity) : continuity_(continuity) {}
-  /// The first one remembered that joins such ends. O(log n).
+  /// Returns the first remembered link that joins such ends. O(log n).
   const FoundLink* find(const LinkEnds& ends) const;
   void remember(const LinkEnds& ends, const FoundLink& link);
 

@@ -8,7 +8,7 @@
 namespace bahnwerk::winding {
 namespace {
 
-// Of J. From the shape of the turn before nothing is gained by more.
+// Evaluations of J. More of them gain nothing from the shape of the turn before.
 constexpr std::size_t evaluations_from_a_neighbour = 250, evaluations_of_a_search = 250, evaluations_of_the_best = 1000;
 constexpr double far_rougher = 10;  // in J
 constexpr double loop = 1.5;        // rad: by what a loop turns more than a bend, at least
@@ -28,7 +28,7 @@ double turned_angle(const BezierPiece& piece) {
   return sum;
 }
 
-double sharpest_bend(const BezierPiece& piece) {
+double sharpest_curvature(const BezierPiece& piece) {
   constexpr int samples = 256;
   const auto squared_speed = [&](double v) {
     constexpr std::size_t w = spline_dimension;
@@ -72,7 +72,7 @@ FoundLink LinkSearch::find(const LinkEnds& ends, const std::optional<FoundLink>&
              : found;
 }
 
-/// From what is known of the turn before, as long as that leads to about as smooth a link.
+/// Searches from the link of the turn before, if that leads to about as smooth a link.
 FoundLink LinkSearch::again(const LinkEnds& ends, const std::optional<FoundLink>& known, LinkObjective objective,
                             Progress& progress) const {
   if (!known) return search(ends, objective, progress);
@@ -85,7 +85,7 @@ FoundLink LinkSearch::by(const SmoothnessRule& rule, const LinkEnds& ends, const
                          LinkObjective objective, std::size_t evaluations, Progress& progress, double& seen) const {
   FoundLink found{best_link(rule, ends, objective, options_.weights, start, progress, evaluations), objective, 0};
   seen = found.best.smoothness;
-  found.bend = sharpest_bend(link(options_.continuity, ends, found.best.shape));
+  found.bend = sharpest_curvature(link(options_.continuity, ends, found.best.shape));
   const double j = smoothness(fine_rule_, ends, found.best.shape, options_.weights);
   found.best.smoothness = j < unusable ? std::max(j, options_.weights.rate * found.bend) : unusable;
   return found;
@@ -101,8 +101,8 @@ FoundLink LinkSearch::solve(const LinkEnds& ends, const LinkShape& start, LinkOb
                                               : by(fine_rule_, ends, start, objective, evaluations, progress, seen);
 }
 
-/// From several starts: links that leave their neighbours' tangents soon or late. (4.60) prefers a wide loop to a bend,
-/// on a way that is far longer: of links that turn by about as little as any, it is the smoothest that is taken.
+/// Searches from several starts: links that leave their neighbours' tangents early or late. (4.60) prefers a wide loop,
+/// a far longer path, to a direct link; of the links that turn by about the least angle, the smoothest is taken.
 FoundLink LinkSearch::search(const LinkEnds& ends, LinkObjective objective, Progress& progress) const {
   std::vector<std::pair<double, BestLink>> found;
   double smoothest = unusable;

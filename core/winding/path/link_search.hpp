@@ -17,35 +17,35 @@ struct LinkOptions {
   LinkObjective objective = LinkObjective::curvature;
   SmoothnessWeights weights;
   /// A stator's needle leaves the slot radially: between slot and winding head it passes an extra point above the slot,
-  /// so far out towards the head's radius (λ of [Herrmann 4.3.4]), where it has finished its swivel. 0: no such point.
-  /// There are two links then, which meet there on a radius, without curvature and without turning. (The source has one
-  /// link with a double knot, which goes on turning behind the point: ψ overshoots by up to 90°.)
+  /// at this fraction of the distance to the head's radius (λ of [Herrmann 4.3.4]), where its swivel is complete. 0: no
+  /// such point. There are then two links, which meet there on a radius, without curvature and without turning. (The
+  /// source has one link with a double knot, which continues to turn behind the point: ψ overshoots by up to 90°.)
   double extra_point = 0.5;
 };
 
-/// ∫ κ ds along a piece, the angle that its tangent turns, rad, by the midpoint rule with 128 nodes.
+/// Returns ∫ κ ds along a piece, the angle by which its tangent turns, rad, by the midpoint rule with 128 nodes.
 double turned_angle(const BezierPiece& piece);
 
-/// The largest κ where the parametric speed has a minimum, 1/mm: what is too narrow for a quadrature is a needle that
-/// nearly stands still. 50 µs.
-double sharpest_bend(const BezierPiece& piece);
-constexpr double sharpest_usable = 100;  ///< κ, 1/mm, of a bend that is no cusp
+/// Returns the largest κ where the parametric speed has a minimum, 1/mm. A place too narrow for a quadrature is one at
+/// which the needle nearly stands still. 50 µs.
+double sharpest_curvature(const BezierPiece& piece);
+constexpr double sharpest_usable = 100;  ///< κ, 1/mm; above it the place counts as a cusp
 
 struct FoundLink {
-  BestLink best;  ///< its smoothness J by a fine rule, and no less than the sharpest bend makes of it
-  LinkObjective objective = LinkObjective::curvature;  ///< what was minimised at last
-  double bend = 0;                                     ///< its sharpest, 1/mm
+  BestLink best;  ///< its smoothness J by a fine rule, and at least what the sharpest place gives
+  LinkObjective objective = LinkObjective::curvature;  ///< the objective that was minimised last
+  double bend = 0;                                     ///< its largest κ at a minimum of the speed, 1/mm
   bool cusped() const { return !(bend <= sharpest_usable); }
 };
 
 class LinkSearch {
  public:
-  /// `options` outlives it.
+  /// `options` has to outlive the object.
   explicit LinkSearch(const LinkOptions& options);
 
-  /// `known`: the link at the same place of the turn before, which is nearly the same. (4.61) takes no notice of how
-  /// sharp a link bends: where it leads to a cusp, that place has the smoothest link, from turn to turn. The result may
-  /// still have a cusp. About 1.5 ms, of the first turn 10 ms.
+  /// Returns the link. `known` is the link at this place of the turn before, which is nearly equal. (4.61) ignores the
+  /// curvature of a link: where it leads to a cusp, that place has the smoothest link, from turn to turn. The result
+  /// may still have a cusp. About 1.5 ms, 10 ms for the first turn.
   FoundLink find(const LinkEnds& ends, const std::optional<FoundLink>& known, Progress& progress) const;
 
  private:

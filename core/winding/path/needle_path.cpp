@@ -14,7 +14,7 @@
 #include "core/base/errors.hpp"
 #include "core/base/progress_part.hpp"
 #include "core/geometry/spline/spline_arc.hpp"
-#include "core/winding/part/space.hpp"
+#include "core/winding/part/vec3.hpp"
 #include "core/winding/path/known_links.hpp"
 #include "core/winding/path/link_search.hpp"
 
@@ -49,15 +49,15 @@ std::vector<BezierPiece> curve(const FixedPiece& piece, std::size_t continuity) 
 
 /// On the slot's radius, towards that of the other piece [Herrmann 4.3.4].
 ExtraPoint on_the_radius(const Way& way, double share) {
-  const Space a = way.slot.tip, b = way.head.tip;
+  const Vec3 a = way.slot.tip, b = way.head.tip;
   return {azimuth(a), std::hypot(a.x, a.y) + share * std::hypot(b.x - a.x, b.y - a.y)};
 }
 
-/// The pose in which a stator's needle has finished its swivel on its way out of a slot, or begins it on its way in: at
-/// the height of the winding head. The needle passes it on a radius, without curvature and without turning.
+/// Returns the pose in which a stator's needle has finished its swivel when it leaves a slot, or begins it when it
+/// enters: at the height of the winding head. The needle passes it on a radius, without curvature and without turning.
 SplineJet extra_pose(const Way& way, const ExtraPoint& at, bool inwards) {
   const double phi = way.slot.phi + std::remainder(at.azimuth - way.slot.phi, 2 * pi), sense = inwards ? -1 : 1;
-  const Space out = radial(at.azimuth), tip = at.radius * out;
+  const Vec3 out = radial(at.azimuth), tip = at.radius * out;
   SplineJet jet{};
   jet[0] = {tip.x, tip.y, way.head.tip.z, phi, way.head.psi};
   jet[1] = {sense * out.x, sense * out.y, 0, 0, 0};
@@ -92,7 +92,7 @@ class Maker {
     BezierPiece piece;
   };
   using Both = std::array<Found, 2>;
-  /// The way past a post at the same place of the turn before.
+  /// The passage of a post at this place of the turn before.
   struct Passed {
     std::optional<std::size_t> place;  ///< of PostPassage::beside(); none: the point was on the slot's radius
     bool exhausted = false;            ///< no place was enough
@@ -118,8 +118,9 @@ class Maker {
     take(i, both[1], out ? 0 : 1);
   }
 
-  /// `links(point)`: both links by way of a point. The source's point wherever the needle keeps its distance from the
-  /// posts with it; or the first place beside the post with which it does, or the one that leaves most.
+  /// `links(point)` returns both links by way of a point. The source's point is used wherever the needle keeps its
+  /// distance from the posts with it; otherwise the first place beside the post with enough distance, or the one with
+  /// the largest.
   template <class Links>
   Both past_the_post(std::size_t i, const Way& way, const Links& links, Progress& progress) {
     const ExtraPoint source = on_the_radius(way, options_.extra_point);
@@ -147,7 +148,7 @@ class Maker {
     if (!(norm(place(ends.after[0]) - place(ends.before[0])) > shortest))
       throw Infeasible("no room for a link between " + where(from) + " and " + where(to) +
                        (from.kind == to.kind ? "" : ": raise needle.change_radius or needle.change_height"));
-    // The link at the same place of the turn before is nearly the same, that of a coil before may be just the same.
+    // The link at this place of the turn before is nearly equal; that of a previous coil may be exactly equal.
     const Place at{from.kind, from.region, to.kind, part};
     std::optional<FoundLink>& known = known_[at];
     KnownLinks& all = all_.try_emplace(at, options_.continuity).first->second;

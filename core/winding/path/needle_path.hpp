@@ -18,36 +18,36 @@ namespace bahnwerk::winding {
 /// One rational piece of the path.
 struct NeedlePiece {
   BezierPiece curve;
-  std::size_t fixed = 0;  ///< index of the fixed piece that this is part of, or that its link starts from
+  std::size_t fixed = 0;  ///< index of the fixed piece to which it belongs, or from which its link starts
   bool link = false;
-  /// 1 of a link that the natural feed passes evenly, else 0: of two links that meet at an extra point it is the one at
-  /// the slot, since their parameters' speeds do not agree there.
+  /// 1 for a link that the natural feed passes at constant parameter speed, else 0: of two links that meet at an extra
+  /// point it is the one at the slot, since their parameter speeds differ there.
   double share = 0;
 };
 
-/// From fixed piece `from` to the one after it; two that follow each other where an extra point lies between.
+/// A link from fixed piece `from` to the next one; two consecutive links where an extra point lies between.
 struct NeedleLink {
   std::size_t from = 0;
   std::size_t piece = 0;  ///< index in NeedlePath::pieces
-  LinkEnds ends;          ///< what the β belong to
-  BestLink best;          ///< the β found, and the smoothness J of (4.60)
-  double curvature = 0;   ///< ∫ |κ| ds, the angle that the tangent turns, rad
+  LinkEnds ends;          ///< the ends to which the β belong
+  BestLink best;          ///< the β and the smoothness J of (4.60)
+  double curvature = 0;   ///< ∫ |κ| ds, the angle by which the tangent turns, rad
 };
 
-/// The coil that is wound on this piece; of the link down from a coil change the one that it leads to.
+/// Returns the coil that is wound on this piece; for the link down from a coil change the one to which it leads.
 std::size_t coil_of(const NeedlePiece& piece, const std::vector<FixedPiece>& fixed);
 
 struct NeedlePath {
   std::vector<NeedlePiece> pieces;
   std::vector<NeedleLink> links;  ///< in order
   std::vector<BezierPiece> curves() const;
-  /// All pieces as one NURBS, piece n over [n, n + 1].
+  /// Returns all pieces as one NURBS, piece n over [n, n + 1].
   NurbsPath united() const;
 };
 
-/// `stator`: whether links between slot and winding head have an extra point. `posts`: of a stator, what that point has
-/// to keep clear of; it is moved only where a post stands in the way (core/winding/path/post_passage.hpp). Each link
-/// starts its search from the shape of the link at the same place of the turn before. Throws Infeasible where two fixed
+/// `stator` says whether links between slot and winding head have an extra point. `posts` are the obstacles of that
+/// point in a stator; it is moved only where a post is in the way (core/winding/path/post_passage.hpp). Each link
+/// starts its search from the shape of the link at this place of the turn before. Throws Infeasible where two fixed
 /// pieces leave no room for a link, InvalidInput naming path.continuity or path.extra_point. 1.5 ms per link of a
 /// stator, 1 ms of a rotor; beside posts the first turn takes up to 0.3 s more.
 NeedlePath needle_path(const std::vector<FixedPiece>& pieces, bool stator, const LinkOptions& options,

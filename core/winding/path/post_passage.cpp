@@ -5,12 +5,12 @@
 #include <cmath>
 
 #include "core/winding/needle/clearance.hpp"
-#include "core/winding/part/space.hpp"
+#include "core/winding/part/vec3.hpp"
 
 namespace bahnwerk::winding {
 namespace {
 
-constexpr double least_beside = 0.1;                      // mm, beyond the clearance asked for
+constexpr double least_beside = 0.1;                      // mm, beyond the required clearance
 constexpr std::array beside_more = {0.0, 0.5, 1.0, 2.0};  // in needle's widths
 constexpr std::array along = {0.5, 1.0, 0.0};             // from the post's inner face to its outer one
 
@@ -37,7 +37,7 @@ ExtraPoint PostPassage::beside(const Way& way, std::size_t place) const {
   const double slot = (coil.first + (way.second ? coil.span : 0)) * part_.pitch();
   // Towards the coil's middle, counterclockwise positive.
   const double inwards = (coil.span > 0) == way.second ? -1 : 1;
-  const Space tip = turned(way.slot.tip, -slot);
+  const Vec3 tip = turned(way.slot.tip, -slot);
   const double width = post_.width / 2 + needle_.width / 2 + std::max(clearance_, -needle_.width / 2) + least_beside +
                        beside_more[place / along.size()] * needle_.width;
   const double y = std::min(inwards * tip.y, part_.heads.tool_shift - width);

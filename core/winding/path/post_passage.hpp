@@ -1,10 +1,10 @@
 #pragma once
-/// How a stator's needle gets past the posts of the winding tools between a slot and a winding head. Lengths mm, angles
+/// Guides a stator's needle past the posts of the winding tools between a slot and a winding head. Lengths mm, angles
 /// rad.
 ///
 /// The source's extra point lies on the slot's own radius [Herrmann 4.3.4]. Where a post reaches across that radius the
-/// needle would run into it. Then the point is put beside the post, on the side that faces away from the coil's middle,
-/// where the wire comes to lie: the needle passes there on a radius and goes round the post's outer face.
+/// needle would collide with it. The point is then placed beside the post, on the side that faces away from the coil's
+/// middle, where the wire will lie: the needle passes there on a radius and then round the post's outer face.
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -19,32 +19,34 @@ class Progress;
 
 namespace bahnwerk::winding {
 
-/// In the plane across the part's axis.
+/// An extra point in the plane across the part's axis.
 struct ExtraPoint {
   double azimuth = 0, radius = 0;
 };
 
-/// From a slot into a winding head, or the other way round.
+/// A passage from a slot into a winding head, or in the other direction.
 struct Way {
   std::size_t coil = 0;
   bool second = false;    ///< side of the coil
-  NeedlePose slot, head;  ///< between which it leads
+  NeedlePose slot, head;  ///< poses at both ends
 };
 
 class PostPassage {
  public:
-  /// `part` outlives it. `clearance`: that the needle has to keep, mm. Throws what part_obstacles throws.
+  /// `part` has to outlive the object. `clearance` is the required one, mm. Throws what part_obstacles throws.
   PostPassage(const StatorPart& part, const std::vector<Coil>& coils, const ToolPost& post, const NeedleShape& needle,
               double clearance);
 
-  /// What both have to be, mm: as much as two proofs of a clearance can differ above what was asked for.
+  /// Returns the value that both clearances have to reach, mm: the required one plus the possible difference of two
+  /// proofs.
   double enough() const { return clearance_ + 2 * tolerance; }
-  /// The least distance of the needle along these pieces from the posts of this coil, mm, proven to 0.001. 0.1 ms.
+  /// Returns the least distance of the needle along these pieces from the posts of this coil, mm, proven to 0.001. 0.1
+  /// ms.
   double from_posts(std::size_t coil, std::span<const BezierPiece> pieces, Progress& progress) const;
-  /// From its posts and from the stack.
+  /// Returns the least distance from its posts and from the stack.
   double from_all(std::size_t coil, std::span<const BezierPiece> pieces, Progress& progress) const;
 
-  /// Places beside the post, all of them worth a try; the ones nearest to the slot's radius first.
+  /// Number of places beside the post that are tried, those nearest to the slot's radius first.
   static constexpr std::size_t places = 12;
   ExtraPoint beside(const Way& way, std::size_t place) const;
 

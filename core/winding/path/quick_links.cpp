@@ -22,7 +22,7 @@ constexpr double swing = 0.02;           // rad that an angle may go farther bey
 constexpr double worse = 0.002;          // by which a link of the turn before may save less than it did there
 constexpr double most_log_weight = 1.5;  // ln of a weight
 
-/// By how much φ and ψ go beyond their values at both ends, at most, rad.
+/// Returns the largest excess of φ and ψ over their values at both ends, rad.
 double overshoot(const BezierPiece& piece) {
   const SplinePoint a = piece.at(0)[0], b = piece.at(1)[0];
   double most = 0;
@@ -34,7 +34,7 @@ double overshoot(const BezierPiece& piece) {
   return most;
 }
 
-/// What is varied: γ, then the logarithm of a weight for each half.
+/// The variables: γ, then the logarithm of a weight for each half.
 struct Point {
   std::vector<double> gamma;
   std::array<double, 2> log_weight{};
@@ -89,7 +89,7 @@ class Quickener {
     const BezierPiece piece = link(options_.continuity, search.link.ends, shape);
     const double j = bahnwerk::smoothness(rule_, search.link.ends, shape, options_.weights);
     if (!(j <= rougher * search.smoothness) || !(turned_angle(piece) <= search.angle + turn) ||
-        !(overshoot(piece) <= search.swing + swing) || !(sharpest_bend(piece) <= sharpest_usable))
+        !(overshoot(piece) <= search.swing + swing) || !(sharpest_curvature(piece) <= sharpest_usable))
       return unknown;
     search.window[search.at] = piece;
     const double time = timed(search.window);
@@ -100,7 +100,8 @@ class Quickener {
   Search start(std::size_t i) const {
     const auto& pieces = result_.path.pieces;
     const NeedleLink& link = result_.path.links[i];
-    // To the begin of the fixed piece before, to the end of the one after: both may have several parts.
+    // The range extends to the beginning of the fixed piece before and to the end of the one after, which may have
+    // several parts.
     std::size_t begin = link.piece, end = link.piece + 1;
     while (pieces[begin].link) --begin;
     while (begin > 0 && !pieces[begin - 1].link && pieces[begin - 1].fixed == pieces[begin].fixed) --begin;
@@ -144,8 +145,8 @@ class Quickener {
     if (found) take(i, search);
   }
 
-  /// What has been found at the other end of the part, which mirrors this one, and on the way back, which is this one
-  /// reversed. Whether there was any.
+  /// Evaluates the links found at the other end of the part, whose mirror image this one is, and in the other
+  /// direction, reversed. Returns whether there was any.
   bool look_at_twins(Search& search, const FixedPiece& from, const FixedPiece& to, bool second, bool first_of_two) {
     if (from.kind != FixedPiece::Kind::region || to.kind != FixedPiece::Kind::region) return false;
     const bool other_part = second || first_of_two ? !second : second;
@@ -206,7 +207,7 @@ class Quickener {
                 std::size_t evaluations, Make&& point) {
     problem.objective_scale = 0.1 * before;
     problem.objective = [&](std::span<const double> x, std::span<double>) {
-      // As bad as is of use: a linear model of the time must not be spoilt by what is far worse.
+      // The value is limited: a linear model of the time must not be distorted by far worse points.
       return std::min(look(search, point(x)), 1.2 * before);
     };
     bahnwerk::minimise(problem, start, options(evaluations), progress_);

@@ -35,7 +35,7 @@ SharedSlot shared(const Slot& slot, Sharing how) {
     half.back = slot.usable_area.without(half_plane(p, up, size));
     half.slot.usable_area = slot.usable_area.without(half_plane(p, -up, size));
   } else {
-    // To the left of a line that runs to the right lies what is above it.
+    // The left side of a line that runs to the right is the part above it.
     const Point right = -left_of(up);
     const auto below = [&](double at) { return slot.usable_area.without(half_plane(middle + at * up, right, size)); };
     // The sign alone: rounding makes the difference 0 at several heights, and the lowest of them is the border.

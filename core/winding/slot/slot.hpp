@@ -50,10 +50,10 @@ struct PolygonSlot {
   std::vector<Point> points;
   double liner = 0;
   double corner_radius = 0;                          ///< of convex corners
-  std::optional<std::array<Point, 2>> opening = {};  ///< its ends, on the outline
+  std::optional<std::array<Point, 2>> opening = {};  ///< its two ends, on the outline
 };
 
-/// Where wires and needle get in.
+/// The opening through which wires and needle enter.
 struct Opening {
   Point middle;
   Point into{0, -1};  ///< unit vector
@@ -67,22 +67,22 @@ struct Slot {
   Region iron;                     ///< the slot as punched
   Region usable_area;              ///< what wires may fill
   std::optional<Opening> opening;  ///< of a polygon only if it is given
-  Region wedge;                    ///< as it is drawn; usable area leaves it out
-  Region taken;                    ///< where another coil side lies already; empty: nowhere
-  /// Where the winding head pulls a wire from: [Herrmann 4.2.1] uses (−4, −4) mm for the stator.
+  Region wedge;                    ///< as it is drawn; the usable area excludes it
+  Region taken;                    ///< area of a coil side laid before; empty: none
+  /// The point from which the winding head pulls a wire: [Herrmann 4.2.1] uses (−4, −4) mm for the stator.
   Point tension_point;
-  Point flank_tension_point;  ///< the same for layers that begin at a flank: (−4, 0) mm there
+  Point flank_tension_point;  ///< the point for layers that begin at a flank: (−4, 0) mm there
   double flank = 0;           ///< direction of the flank at which layers may begin, rad against the base
 };
 
-/// Throw InvalidInput naming each impossible parameter by its member in the schema.
+/// Throws InvalidInput naming each impossible parameter by its member in the schema.
 Slot make_slot(const StatorSlot&);
 Slot make_slot(const RotorSlot&);
 /// Asks `progress`, if there is one: with thousands of corners this takes a tenth of a second.
 Slot make_slot(const PolygonSlot&, Progress* progress = nullptr);
 
-/// The same slot turned and shifted so that its opening lies across the y axis, level, and its lowest point at y = 0,
-/// as a stator's slot is described. Throws as make_slot does, and where it has no opening.
+/// Returns the slot turned and shifted so that its opening lies across the y axis, level, and its lowest point at y =
+/// 0, as a stator's slot is described. Throws as make_slot does, and where it has no opening.
 PolygonSlot upright(const PolygonSlot&, Progress* progress = nullptr);
 
 }  // namespace bahnwerk::winding

@@ -1,5 +1,5 @@
 #pragma once
-/// Collects what is impossible in a slot's parameters, each under its member's name.
+/// Collects impossible parameters of a slot, each under its member's name.
 #include <cstdio>
 #include <string>
 #include <vector>

@@ -36,7 +36,7 @@ double flank_of(const std::vector<Edge>& loop) {
   return angle;
 }
 
-/// Of the outline's corners, by the shoelace formula.
+/// Returns the centroid of the outline's corners by the shoelace formula.
 Point centroid(const Region& outline) {
   Point sum{};
   double twice = 0;

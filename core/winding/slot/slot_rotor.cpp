@@ -33,8 +33,8 @@ Shape check(const RotorSlot& s) {
           {-std::cos(s.shoe_angle), std::sin(s.shoe_angle)}};
 }
 
-/// From the root's corner into the first groove: where the groove's arc leaves the flank or, if it does not reach it,
-/// the base.
+/// Returns the outline from the root's corner into the first groove: where the groove's arc leaves the flank or, if it
+/// does not reach it, the base.
 std::vector<Edge> root(const RotorSlot& s, const Shape& shape, Edge& groove) {
   const Point corner{0, 0}, end = s.root_flank * shape.root;
   const Edge flank = line(end, corner);
@@ -67,7 +67,7 @@ Slot make_slot(const RotorSlot& s) {
     const Point to = i + 1 == s.grooves ? bottom : Point{middle.x + half, shape.cusp};
     Edge groove = arc_between(middle, from, to, true);
     if (i == 0) loop = root(s, shape, groove);
-    // Nothing is left of a single groove that does not reach the root's flank: the shoe's arc begins at its bottom.
+    // A single groove that does not reach the root's flank vanishes: the shoe's arc begins at its bottom.
     if (groove.length() > 1e-9) loop.push_back(groove);
   }
   // The last groove runs out into the pole shoe's flank.

@@ -40,7 +40,7 @@ Region iron(const StatorSlot& s, SlotFaults& faults) {
   const Point left{-half, corner}, right{half, corner};
   std::vector<Edge> loop{arc_between({0, s.base_radius}, left, right, true), line(right, {top, s.height}),
                          line({top, s.height}, {-top, s.height}), line({-top, s.height}, left)};
-  // From the last corner to the first: rounding inserts an edge.
+  // Corners are rounded from the last to the first, since rounding inserts an edge.
   const char* const names[] = {"base_corner_radius", "tip_corner_radius", "tip_corner_radius", "base_corner_radius"};
   for (std::size_t i = 4; i-- > 0;)
     if (!round_corner(loop, i, i % 3 == 0 ? s.base_corner_radius : s.tip_corner_radius))
@@ -68,7 +68,7 @@ Slot make_slot(const StatorSlot& s) {
     slot.wedge = wedge(s, s.height);
   }
   if (slot.usable_area.empty()) faults.stop("wedge_thickness", "leaves no usable area");
-  // Without its liner, as in [Herrmann Fig. 4.16]: 3.1 mm in the example.
+  // The opening is without its liner, as in [Herrmann Fig. 4.16]: 3.1 mm in the example.
   slot.opening = Opening{{0, s.height}, {0, -1}, s.opening_width - 2 * s.tip_corner_radius, s.liner};
   slot.tension_point = {-4, -4};
   slot.flank_tension_point = {-4, 0};

@@ -29,7 +29,7 @@ void ChangeLog::listen(std::function<void(const std::vector<Changed>&)> call) {
 }
 
 std::uint64_t last_change(SqliteConnection& connection) {
-  // The last removal is always kept, so no number is ever given twice.
+  // The last removal is always stored, so no number is used twice.
   Query row = connection.query(
       "SELECT max(coalesce((SELECT max(changed) FROM jobs WHERE changed > 0), 0), "
       "coalesce((SELECT max(changed) FROM removals), 0))");

@@ -1,5 +1,5 @@
 #pragma once
-/// Numbers what the writer changes, and tells the listener of it after the commit.
+/// Numbers the changes of the writer, and reports them to the listener after the commit.
 #include <cstdint>
 #include <functional>
 #include <mutex>
@@ -12,13 +12,13 @@ namespace bahnwerk::server {
 class SqliteConnection;
 
 /// Used by the writer's thread; listen from any. One writer commits one transaction after the other, so numbers become
-/// visible in their order; those of a transaction that failed are not used again.
+/// visible in their order; those of a failed transaction are not used again.
 class ChangeLog {
  public:
-  void open(SqliteConnection& connection);  ///< goes on after the last number in the database
+  void open(SqliteConnection& connection);  ///< continues after the last number in the database
   void begin() { pending_.clear(); }        ///< a transaction begins, perhaps in place of one that failed
   std::int64_t next() { return ++last_; }
-  /// The job has change `number` (from next) now.
+  /// Records that the job now has change `number` (from next).
   void note(std::int64_t number, const std::string& id, std::optional<api::JobState> state, bool cancelled = false);
   void committed();
   void listen(std::function<void(const std::vector<Changed>&)> call);
@@ -30,10 +30,10 @@ class ChangeLog {
   std::function<void(const std::vector<Changed>&)> listener_;
 };
 
-/// ChangeSource's questions, answered from any connection to the database.
+/// Implements ChangeSource's queries on any connection to the database.
 Changes changes_since(SqliteConnection& connection, std::uint64_t sequence, std::size_t limit);
 std::uint64_t last_change(SqliteConnection& connection);
-/// Within a transaction: the job's row has gone, with this number.
+/// Records within a transaction that the job's row was removed, with this number.
 void keep_removal(SqliteConnection& connection, std::int64_t number, const std::string& id);
 
 }  // namespace bahnwerk::server

@@ -1,5 +1,5 @@
 #pragma once
-/// One connection to the database with its prepared statements. Not thread-safe; errors come as StoreError.
+/// One connection to the database with its prepared statements. Not thread-safe; errors are thrown as StoreError.
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -12,7 +12,7 @@ class Statement;
 
 namespace bahnwerk::server {
 
-/// A statement in use: bind with `<<` in order of the parameters, step, read columns. Reset when it goes out of scope.
+/// A statement in use: bind with `<<` in order of the parameters, step, read columns. Reset by the destructor.
 class Query {
  public:
   explicit Query(SQLite::Statement& statement) : statement_(&statement) {}
@@ -29,8 +29,8 @@ class Query {
   Query& operator<<(std::optional<double> value);
   Query& blob(std::string_view bytes);  ///< must outlive the statement's use
 
-  bool step();  ///< true: a row is there
-  int run();    ///< to the end; rows changed
+  bool step();  ///< true: there is a row
+  int run();    ///< to the end; returns the number of rows changed
   int one_int();
 
   std::int64_t integer(int column) const;
@@ -58,8 +58,8 @@ class SqliteConnection {
   Query query(std::string_view sql);  ///< prepared once, then reused
   void execute(const char* sql);
   void rollback() noexcept;  ///< if a transaction is open
-  /// Gives the file so many bytes on the disk, in steps of 256 KiB, before they are needed; false when there is no
-  /// room.
+  /// Allocates that many bytes of the file on the disk, in steps of 256 KiB, before they are needed; returns false when
+  /// there is no room.
   bool allocate(std::int64_t bytes) noexcept;
 
  private:

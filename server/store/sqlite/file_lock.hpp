@@ -3,11 +3,12 @@
 
 namespace bahnwerk::server {
 
-/// Holds a file exclusively (flock) for the life of the object; the system lets go when the process dies, however it
-/// dies.
+/// Locks a file exclusively (flock) for the life of the object; the system releases the lock when the process dies in
+/// any manner.
 class FileLock {
  public:
-  /// Throws StoreError with a sentence for the operator: another process has it, no permission, no such directory.
+  /// Throws StoreError with a sentence for the operator: another process has the lock, no permission, no such
+  /// directory.
   explicit FileLock(std::string path);
   ~FileLock();
   FileLock(const FileLock&) = delete;

@@ -1,6 +1,6 @@
 #pragma once
-/// Jobs as they were last read. Many clients ask again and again for the few jobs that run or have just ended, and the
-/// store is written rarely.
+/// Jobs as they were last read. Many clients ask repeatedly for the few jobs that run or have just ended, and the store
+/// is written rarely.
 #include <cstdint>
 #include <mutex>
 #include <optional>
@@ -11,8 +11,8 @@
 
 namespace bahnwerk::server {
 
-/// All that it holds was read at one count of commits; the next commit empties it, so nothing has to say what it
-/// changed. Thread-safe.
+/// All entries were read at one count of commits; the next commit empties the cache, so changes need not be reported to
+/// it. Thread-safe.
 class JobCache {
  public:
   void put(std::uint64_t commits, const api::Job& job) {

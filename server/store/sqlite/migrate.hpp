@@ -1,5 +1,5 @@
 #pragma once
-/// The schema's history: numbered SQL files under server/store/migrations, each applied once, in order, in its own
+/// Migrations of the schema: numbered SQL files under server/store/migrations, each applied once, in order, in its own
 /// transaction.
 #include <span>
 #include <string_view>
@@ -15,7 +15,7 @@ struct Migration {
 };
 std::span<const Migration> migrations();
 
-/// Brings the database up to date. Throws StoreError when it was written by a newer version.
+/// Brings the database up to date. Throws StoreError if a newer version wrote it.
 void migrate(SqliteConnection& connection);
 
 }  // namespace bahnwerk::server

@@ -1,5 +1,5 @@
 #pragma once
-/// A reading connection on loan from the store: taken on construction, given back at the end.
+/// A reading connection borrowed from the store: taken by the constructor, returned by the destructor.
 #include "server/store/sqlite/sqlite_store.hpp"
 
 namespace bahnwerk::server {

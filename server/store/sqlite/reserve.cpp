@@ -16,7 +16,7 @@ bool Reserve::take() {
   if (file < 0) return false;
   // posix_fallocate writes zeros where the file system cannot allocate otherwise.
   const bool allocated = ::posix_fallocate(file, 0, static_cast<off_t>(bytes_)) == 0;
-  // What an earlier start with a larger reserve left, or what could be had of a disk too full for all of it.
+  // This removes the rest of a larger reserve of an earlier start, or what a nearly full disk could give.
   const bool cut = ::ftruncate(file, allocated ? static_cast<off_t>(bytes_) : 0) == 0;
   ::close(file);
   held_ = allocated && cut;

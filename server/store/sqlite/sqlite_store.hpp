@@ -1,7 +1,7 @@
 #pragma once
-/// The store in one SQLite file, owned by one process. Writes go through one thread with group commit, reads through
-/// their own connections and never wait for a write (WAL). Who opens the file holds its lock, so that all leases of
-/// before are void.
+/// The store in one SQLite file, owned by one process. Writes use one thread with group commit; reads use their own
+/// connections and never wait for a write (WAL). The process that opens the file has its lock, so all earlier leases
+/// are void.
 #include <atomic>
 #include <functional>
 #include <memory>
@@ -29,8 +29,8 @@ struct SqliteOptions {
 
 class SqliteStore final : public Store {
  public:
-  /// Opens or creates; brings the schema up to date; all running jobs have lost their attempts. Throws StoreError with
-  /// a sentence.
+  /// Opens or creates the file and brings the schema up to date; all running jobs have lost their attempts. Throws
+  /// StoreError with a sentence for the operator.
   explicit SqliteStore(SqliteOptions options);
   ~SqliteStore() override;
 
@@ -62,13 +62,13 @@ class SqliteStore final : public Store {
   void checkpoint() override;
 
  private:
-  class Reader;                                            ///< a reading connection on loan
-  static constexpr std::size_t max_expired_at_once = 256;  ///< in one transaction: others wait for it
+  class Reader;                                            ///< a borrowed reading connection
+  static constexpr std::size_t max_expired_at_once = 256;  ///< per transaction, since others wait for it
   Inserted insert_one(SqliteConnection& connection, const NewJob& job, const std::string& packed_document);
   void recover(std::int64_t now);
-  /// Ends the attempts of running jobs whose lease ended before or at `until`, at most `most`; which ones.
+  /// Ends the attempts of running jobs whose lease ended before or at `until`, at most `most`; returns their jobs.
   std::vector<std::string> lose(SqliteConnection& connection, std::int64_t until, std::int64_t now, std::size_t most);
-  /// Runs it on the writer, returns what it returned.
+  /// Runs `work` on the writer and returns its result.
   bool write_flag(const std::function<bool(SqliteConnection&)>& work, Writer::Bytes adds);
 
   SqliteOptions options_;
@@ -80,7 +80,7 @@ class SqliteStore final : public Store {
   JobCache cache_;
   std::mutex readers_mutex_;
   std::vector<std::unique_ptr<SqliteConnection>> readers_;
-  Writer writer_;  ///< last: its thread ends before anything it uses
+  Writer writer_;  ///< last: its thread ends before the members that it uses
 };
 
 }  // namespace bahnwerk::server

@@ -92,7 +92,7 @@ bool SqliteStore::succeed(const std::string& id, int attempt, const api::Planned
     }
     for (;;) {
       piece = pack_piece(*source, first, progress);
-      if (first == source->count()) break;  // the last piece goes with the result
+      if (first == source->count()) break;  // the last piece is stored with the result
       const bool stored = write_flag(
           [&](SqliteConnection& connection) {
             const auto seq = still_running(connection);

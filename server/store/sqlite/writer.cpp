@@ -158,7 +158,7 @@ void Writer::commit(std::deque<Item>& group) {
   }
   for (Item& item : group) {
     if (item.done) item.done(error);
-    item = {};  // what it captured goes before the next group is awaited
+    item = {};  // its captures are destroyed before the next group is awaited
   }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Group commit: one thread owns the writing connection; whatever waits when it comes round shares one transaction.
-/// Works never commit: what cannot run inside a transaction goes through `outside`.
+/// Group commit: one thread owns the writing connection; all works that wait when it is free share one transaction.
+/// Works never commit: what cannot run inside a transaction uses `outside`.
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
@@ -17,38 +17,39 @@ namespace bahnwerk::server {
 
 class Writer {
  public:
-  /// May run more than once: when a group fails, each of its works is tried alone, in a transaction of its own.
+  /// A work may run more than once: when a group fails, each of its works is tried alone, in a transaction of its own.
   using Work = std::function<void(SqliteConnection&)>;
-  /// Called once after the commit (nullptr) or with what went wrong; on the writer's thread, so it must be quick.
+  /// Called once after the commit (nullptr) or with the error; on the writer's thread, so it must be quick.
   using Done = std::function<void(std::exception_ptr)>;
-  /// Told of every commit: seconds, works in it.
+  /// Receives every commit: seconds, works in it.
   using Observer = std::function<void(double, std::size_t)>;
-  /// On the writer's thread: before a transaction begins, and after it was committed, before its works' Done.
+  /// Called on the writer's thread: before a transaction begins, and after it was committed, before its works' Done.
   struct Hooks {
     std::function<void()> begin;
     Observer committed;
   };
-  /// About how many bytes a work adds to the database. One that adds none (deletes, cancels, ends a job) may use the
-  /// reserve when the disk is full; one that adds some is refused while there is not twice that much room, once for the
-  /// log and once for the file: what is committed can then always be moved into the file.
+  /// Approximate number of bytes that a work adds to the database. A work that adds none (deletes, cancels, ends a job)
+  /// may use the reserve when the disk is full. A work that adds some is refused while there is less than twice that
+  /// room, once for the log and once for the file: committed data can then always be moved into the file.
   using Bytes = std::size_t;
   static constexpr Bytes frees = 0, row = 4096;
 
   Writer(SqliteConnection& connection, Reserve& reserve, Hooks hooks);
-  ~Writer();  ///< does what was posted, then ends
+  ~Writer();  ///< runs the posted works, then ends
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
 
   void post(Work work, Done done, Bytes adds);
   void run(const Work& work, Bytes adds = frees);  ///< posts and waits; rethrows
-  /// The same for a work that makes its own transactions, or must not be in one (migrations, checkpoints): it runs at
-  /// its turn, by itself and not in a group, without a transaction around it. It may run twice when the disk is full.
+  /// Runs a work that makes its own transactions, or must not be in one (migrations, checkpoints): in its turn, alone,
+  /// without a transaction around it. It may run twice when the disk is full.
   void outside(const Work& work);
 
-  /// The disk was full when last something was written, or the reserve is used up. Ends by itself within about a second
-  /// of there being room.
+  /// Whether the disk was full at the last write, or the reserve is used up. It becomes false within about a second
+  /// after there is room.
   bool full() const { return full_ || !reserve_.held(); }
-  /// Grows with every commit, before anybody is told of it: what was read at one count is current as long as it stands.
+  /// Increases with every commit, before it is reported: a value read at one count is current as long as the count is
+  /// unchanged.
   std::uint64_t commits() const { return commits_; }
 
  private:
@@ -56,7 +57,7 @@ class Writer {
     Work work;
     Done done;
     Bytes adds = 0;
-    bool outside = false;  ///< of any transaction: a group of its own
+    bool outside = false;  ///< outside of any transaction: a group of its own
   };
   enum class Room { enough, with_reserve, none };
   void loop();
@@ -74,7 +75,7 @@ class Writer {
   SqliteConnection& connection_;
   Reserve& reserve_;
   Hooks hooks_;
-  std::int64_t allocated_ = 0;  ///< bytes that the file is known to have on the disk
+  std::int64_t allocated_ = 0;  ///< bytes of the file known to be allocated on the disk
   std::atomic<bool> full_{false};
   std::atomic<std::uint64_t> commits_{0};
   std::mutex mutex_;

@@ -32,7 +32,7 @@ json program() {
        {{"method", "jerk_limited"}, {"corner", {{"mode", "blend"}, {"tolerance", 0.02}}}, {"what_if", true}}}};
 }
 
-TEST(ContourDetails, WhatIfIsWhatThatDocumentSays) {
+TEST(ContourDetails, WhatIfEqualsThePlanOfTheChangedDocument) {
   const json spec = program(), asked = result(spec);
   const json& answers = asked["details"]["what_if"];
   ASSERT_EQ(answers.size(), 4u);
@@ -59,7 +59,7 @@ TEST(ContourDetails, WhatIfIsWhatThatDocumentSays) {
   EXPECT_THAT(answers[3]["text"].get<std::string>(), testing::MatchesRegex("half the accelerations: .* s, .* % more"));
 }
 
-TEST(ContourDetails, WhatIfAsksForWhatApplies) {
+TEST(ContourDetails, WhatIfPlansTheLimitsThatApply) {
   json spec = program();
   spec["planning"] = {{"method", "time_optimal"}, {"what_if", true}};
   const json answers = result(spec)["details"]["what_if"];

@@ -194,7 +194,7 @@ TEST(ContourInput, NamesEveryPointOfTheWrongDimension) {
   }
 }
 
-TEST(ContourPlan, OfAStraightLineHasTheClosedFormDuration) {
+TEST(ContourPlan, StraightLineHasTheClosedFormDuration) {
   SilentProgress progress;
   const auto job = planned(example_spec("line"), progress);
   const double v = 1800, a = 16000, length = 100;

@@ -38,7 +38,7 @@ void expect_golden(const std::string& path, const PlannedJob& job) {
   EXPECT_NEAR(value, golden[name].get<double>(), 1e-3 * value) << name;
 }
 
-TEST(Results, OfAllExamplesKeepTheirSchemaAndTheirFigures) {
+TEST(Results, KeepSchemaAndFiguresForAllExamples) {
   for (const auto& kind : kinds())
     for (const auto& file : test::json_files("schemas/examples/" + std::string(kind.name))) {
       SCOPED_TRACE(file);
@@ -55,7 +55,7 @@ TEST(Results, OfAllExamplesKeepTheirSchemaAndTheirFigures) {
   }
 }
 
-TEST(Results, OfPartFilesKeepTheirSchema) {
+TEST(Results, KeepTheirSchemaForPartFiles) {
   for (const auto& entry : std::filesystem::directory_iterator(test::source("examples/parts"))) {
     const auto path = entry.path();
     SCOPED_TRACE(path.string());
@@ -72,7 +72,7 @@ TEST(Results, OfPartFilesKeepTheirSchema) {
 }
 
 /// The documents that tests/compare plans with two binaries.
-TEST(Results, OfRandomDocumentsKeepTheirSchema) {
+TEST(Results, KeepTheirSchemaForRandomDocuments) {
   const auto folder = std::filesystem::path(testing::TempDir()) / ("bahnwerk_results_" + std::to_string(::getpid()));
   std::filesystem::create_directories(folder);
   const std::string script = test::source("tests/compare/compare.py");

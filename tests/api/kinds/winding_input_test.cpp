@@ -188,7 +188,7 @@ std::string message_at(const json& spec, const std::string& place) {
   return {};
 }
 
-TEST(WindingInput, WhatDoesNotPassTheOpeningIsToldInMillimetres) {
+TEST(WindingInput, ObstructionsOfTheOpeningAreReportedInMillimetres) {
   json spec = example("complete");
   spec["needle"]["width"] = 3.3;
   EXPECT_THAT(message_at(spec, "/needle/width"),

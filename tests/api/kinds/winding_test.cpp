@@ -394,7 +394,7 @@ TEST(WindingPlan, TheContractsFeedIsPlannedWithEveryMethod) {
   }
 }
 
-TEST(WindingPlan, WithATrapezoidTheResultSaysThatNoJerkIsHeld) {
+TEST(WindingPlan, TrapezoidIsNotedToHoldNoJerk) {
   json spec = example("minimal");
   spec["coil"]["turns"] = 1;
   spec["feed"] = {{"method", "constant"}, {"profile", "trapezoid"}};

@@ -15,7 +15,7 @@ TEST(Named, ReadsTheTableBothWays) {
   }
 }
 
-TEST(Named, WhatIsNotInTheTableIsAnError) {
+TEST(Named, NamesOutsideTheTableAreErrors) {
   EXPECT_THROW(value_of<Colour>("grey", colours), std::invalid_argument);
   EXPECT_THROW(value_of<Colour>("", colours), std::invalid_argument);
   EXPECT_THROW(name_of<Colour>(Colour::grey, colours), std::logic_error);

@@ -54,7 +54,7 @@ TEST(RowCheck, AllChecksShareOnePass) {
   EXPECT_EQ(all[2]->checks()[0].value, 4999 * 2500.0);
 }
 
-TEST(RowCheck, NoRowIsComputedForNobody) {
+TEST(RowCheck, NoRowIsComputedWithoutAReader) {
   const Numbers numbers(10);
   RowChecks all;
   all.push_back(std::make_unique<Sum>(false));

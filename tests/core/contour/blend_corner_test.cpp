@@ -56,7 +56,7 @@ TEST(BlendCorner, CurvatureJumpStaysWithinItsEstimate) {
   const Element &a = s[0].elements[0], &b = s[0].elements[1];
   const JointShape shape = joint_shape(a, b);
   EXPECT_EQ(shape.turn, 0);
-  EXPECT_NEAR(shape.bend, 0.1, 1e-12);
+  EXPECT_NEAR(shape.curvature_jump, 0.1, 1e-12);
   const Reach r = reach(shape, 1e-4, {1800, 16000, HUGE_VAL, 0});
   const Rational curve = corner_curve(a, r.allowed, b, r.allowed);
   EXPECT_LE(corner_fit(curve, a, r.allowed, b, r.allowed, 1.1e-4).deviation, 1.1e-4);
@@ -96,12 +96,12 @@ TEST(BlendCorner, WantsNoMoreThanSpeedAndJerkAskFor) {
   EXPECT_EQ(reach({}, 1, {1000, 16000, 1e5, 0}).wanted, 0);
 }
 
-TEST(BlendCorner, WhatJerkPassesAsItIsStaysAsItIs) {
+TEST(BlendCorner, JointsThatJerkPassesStayAsGiven) {
   // Steps of 1000 mm/s² (jerk · cycle) pass a jump of curvature of 1e-3/mm at 1000 mm/s, one of 0.1/mm at 100 mm/s.
   const Ability able{1000, 16000, 1e6, 1, 23000, 2e-3};
   JointShape small, large;
-  small.bend = 0.9e-3, small.tightest = 0.1;
-  large.bend = 0.1, large.tightest = 0.1;
+  small.curvature_jump = 0.9e-3, small.tightest = 0.1;
+  large.curvature_jump = 0.1, large.tightest = 0.1;
   EXPECT_EQ(reach(small, 0.02, able).wanted, 0);
   const Reach wanted = reach(large, 0.02, able);
   EXPECT_GT(wanted.wanted, 0);

@@ -66,7 +66,7 @@ TEST(Blend, RightAngleUsesTheTolerance) {
   EXPECT_TRUE(path.path[2].straight());
 }
 
-TEST(Blend, NoLongerThanTheMachineCanUse) {
+TEST(Blend, BlendsAreNoLongerThanTheMachineCanUse) {
   // 1e-4 rad: within 0.5 mm the blend could reach for kilometres.
   const Contour path = blended(polyline(2, {{}, {500, 0, 0}, {1000, 500e-4, 0}}, false, unlimited), 0.5);
   ASSERT_EQ(path.path.size(), 3u);
@@ -208,7 +208,7 @@ TEST(Blend, EveryBlockKeepsItsPlaceHoweverShort) {
     }
 }
 
-TEST(Blend, WhatDoesNotFitIsRoundedLess) {
+TEST(Blend, CornersThatDoNotFitAreRoundedLess) {
   // The spline's weights make it bend far more sharply near its begin than its derivatives there tell.
   ContourBuilder b(2, {0.45, -0.1, 0});
   b.block(Mode::position, unlimited);

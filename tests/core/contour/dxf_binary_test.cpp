@@ -81,7 +81,7 @@ TEST(DxfBinary, NumbersKeepTheirBits) {
             "0\nSECTION\n62\n-1\n1\na b\n");
 }
 
-TEST(DxfBinary, WhatIsCutOffIsRefused) {
+TEST(DxfBinary, TruncatedFilesAreRefused) {
   for (const bool short_codes : {false, true}) {
     const std::string whole = part(short_codes);
     for (std::size_t size = 22; size + 8 < whole.size(); ++size) {

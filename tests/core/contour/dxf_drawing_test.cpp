@@ -150,7 +150,7 @@ TEST(DxfDrawing, Units) {
   EXPECT_EQ(list[0].rfind("/contour/dxf line 8: ", 0), 0u) << list[0];
 }
 
-TEST(DxfDrawing, WhatIsNothingToMoveAlongIsSkippedWithANotePerKind) {
+TEST(DxfDrawing, EntitiesWithoutCurvesAreSkippedWithANotePerKind) {
   const Contour c = read([](DxfText& t) {
     t.line(0, 0, 1, 0);
     t.tag(0, "TEXT", 10, 0, 20, 0, 1, "LINE").tag(0, "TEXT", 1, "b").tag(0, "POINT", 10, 5, 20, 5);
@@ -280,7 +280,7 @@ TEST(DxfTags, LineEndsMarksAndComments) {
               4, 0);
 }
 
-TEST(DxfTags, WhatFollowsTheEndIsNotRead) {
+TEST(DxfTags, TextBehindTheEndIsNotRead) {
   const std::string text = drawing([](DxfText& t) { t.line(0, 0, 4, 0); });
   for (const std::string& end : {std::string("\x1A"), std::string("\r\n\x1A\0\0\n", 6), std::string("\n\n")}) {
     const Contour c = read_dxf(text + end);

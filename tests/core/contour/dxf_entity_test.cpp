@@ -246,7 +246,7 @@ TEST(DxfEntity, EveryBadEntityIsNamed) {
   for (const auto& f : list) EXPECT_EQ(f.rfind("/contour/dxf line ", 0), 0u) << f;
 }
 
-TEST(DxfEntity, AtMostAHundredFaults) {
+TEST(DxfEntity, ReportsAtMostAHundredFaults) {
   const auto list = faults(drawing([](DxfText& t) {
     for (int i = 0; i < 300; ++i) t.circle(0, 0, -1);
   }));

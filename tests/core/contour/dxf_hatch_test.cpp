@@ -114,7 +114,7 @@ TEST(DxfHatch, SplinesByControlPoints) {
   EXPECT_EQ(c.blocks.size(), 1u);
 }
 
-TEST(DxfHatch, InBlocksAndSeenFromBelow) {
+TEST(DxfHatch, IsReadInBlocksAndFromBelow) {
   DxfText text;
   text.unit(4).section("BLOCKS").tag(0, "BLOCK", 2, "B", 10, 0, 20, 0);
   hatch(text, 1).tag(92, 3, 72, 0, 73, 1, 93, 3, 10, 0, 20, 0, 10, 3, 20, 0, 10, 3, 20, 4, 97, 0);

@@ -115,7 +115,7 @@ TEST(GcodeCompensation, Arcs) {
   expect_near(end_of(helix), {0, 0, 6}, 1e-12);
 }
 
-TEST(GcodeCompensation, WhereTheRadiusComesFrom) {
+TEST(GcodeCompensation, RadiusComesFromTheWordDOrTheTool) {
   GcodeOptions options;
   options.cutter_radius = {{1, 2.0}, {2, -2.0}, {7, 2.0}, {8, 0.0}};
   const auto way = [&](const std::string& words) {
@@ -145,13 +145,13 @@ TEST(GcodeCompensation, LeadsInAlongAnArc) {
   expect_joined(c);
 }
 
-TEST(GcodeCompensation, AtAnotherHeightItGoesStraight) {
+TEST(GcodeCompensation, LeadsAreStraightAtAnotherHeight) {
   // Too short and from the wrong side, but above the work.
   EXPECT_EQ(shape(compensated("G0 X0 Y1 Z5\nG41 D1 G1 X0 Y0\nZ0\nX20\nZ5\nG40 X20 Y-1", 3)),
             "0 3; 0 3; 20 3; 20 3; 20 -1");
 }
 
-TEST(GcodeCompensation, WhatHappensBetweenMoves) {
+TEST(GcodeCompensation, EventsHappenBetweenTheirMoves) {
   // Depth by depth, a dwell, and the switch.
   const Contour c =
       compensated("F60 G0 X-10 Y0 Z5\nG41 D1 G1 X0\nG1 Z0\nM3\nY20\nZ-1\nG4 P2\nX20\nM5\nG40 Y40\nG0 Z5", 2);
@@ -191,7 +191,7 @@ TEST(GcodeCompensation, GougesAreRefused) {
   EXPECT_EQ(refused("G0 X10 Y1\nG41 D1 G1 X0 Y0\nX20\nG40 X10 Y1", 3), (std::vector{2, 4}));  // from the wrong side
 }
 
-TEST(GcodeCompensation, WhatIsRefused) {
+TEST(GcodeCompensation, GougesAndMissingRadiiAreRefused) {
   const std::string on = "G0 X-10 Y0\nG41 D1 G1 X0\nY20\n", off = "\nG40 X-10 Y40";
   for (const char* word : {"G18", "G55 Y30", "G92 X0 Y0", "G52 X5", "G28 Z0", "G53 X0", "G81 X5 R1 Z-1",
                            "G5 X5 I1 J1 P1 Q1", "G42 D1", "G41 D2", "G41.1 D5", "G10 L2 P1 X1"})
@@ -289,7 +289,7 @@ TEST(GcodeCompensation, InsideAConvexPolygonItIsTrimmed) {
   EXPECT_GT(done, 300);
 }
 
-TEST(GcodeCompensation, NoNeighbourIsTouchedOnRandomWays) {
+TEST(GcodeCompensation, CutterTouchesNoNeighbourOnRandomPaths) {
   // Lines and arcs with corners of every kind: what is not refused keeps the radius from the move and its neighbours.
   Random random(23);
   int done = 0;

@@ -204,7 +204,7 @@ TEST(GcodeControl, ProgressIsAsked) {
   EXPECT_THROW(read_gcode("G1 X1\no1 while [1]\no1 endwhile", {.steps = 10'000'000}, progress), std::runtime_error);
 }
 
-TEST(GcodeControl, WhatDoesNotBelongTogether) {
+TEST(GcodeControl, UnmatchedWordsAreFaults) {
   const std::pair<const char*, int> cases[] = {
       {"G1 X1\no1 if [1]\nX2", 2},
       {"G1 X1\no1 sub\nX2", 2},

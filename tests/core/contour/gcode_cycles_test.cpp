@@ -64,7 +64,7 @@ TEST(GcodeCycles, WordsHold) {
   EXPECT_EQ(fault_lines(head + "G81 X4 R2 Z-1\nG0 X1\nG81 X5"), (std::vector{4, 4}));
 }
 
-TEST(GcodeCycles, InOtherPlanesAndUnits) {
+TEST(GcodeCycles, WorkInOtherPlanesAndUnits) {
   expect_same(head + "G18 G81 X4 Z5 R3 Y-1", head + "G0 Y3\nX4 Z5\nG1 Y-1\nG0 Y3");
   expect_same(head + "G19 G81 Y4 Z5 R3 X-1", head + "G0 X3\nY4 Z5\nG1 X-1\nG0 X3");
   expect_same(head + "G20 G81 X1 R2 Z1", head + "G0 Z50.8\nX25.4\nG1 Z25.4\nG0 Z50.8");

@@ -213,7 +213,7 @@ TEST(GcodeFaults, OneMessagePerCause) {
   EXPECT_EQ(faults[1].message, "line 2 and 49999 more: the second linear axis W is not supported: only X, Y and Z are");
 }
 
-TEST(GcodeFaults, AtMostAHundredCauses) {
+TEST(GcodeFaults, ReportsAtMostAHundredCauses) {
   std::string text;
   for (int i = 0; i < 100'000; ++i) text.append("G1 G").append(std::to_string(200 + i % 9000)).append(" X1\n");
   const auto lines = fault_lines(text);
@@ -230,7 +230,7 @@ TEST(GcodeFaults, ASecondProgramIsNotReadAlong) {
   EXPECT_EQ(fault_lines("O1\nG1 X10\nO2\nG1 X20\nM30"), (std::vector{3}));
 }
 
-TEST(GcodeFaults, TooLong) {
+TEST(GcodeFaults, TooLongProgramsAreFaults) {
   std::string text = "G1\n";
   for (int i = 1; i <= 20; ++i) text.append("X").append(std::to_string(i)).append(1, '\n');
   EXPECT_EQ(read_gcode(text, {.max_segments = 20}).path.size(), 20u);

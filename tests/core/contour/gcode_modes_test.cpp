@@ -34,7 +34,7 @@ bool noted(const Contour& c, std::string_view begin, std::string_view part) {
   return false;
 }
 
-TEST(GcodeModes, WithoutASwitchOnlyG0Positions) {
+TEST(GcodeModes, OnlyG0PositionsWithoutASwitch) {
   EXPECT_EQ(blocks("G0 X0 Y0\nG1 X10\nX20 F600\nG2 X30 R5\nG0 X0\nG1 Y5\nY6 F1200"), "c c10 p c10 c20");
 }
 
@@ -150,7 +150,7 @@ TEST(GcodeModes, OneHeightIsKept) {
   EXPECT_EQ(read_gcode("G0 X0 Y0 Z-3\nF60 G1 X10 Z-4").height, 0);
 }
 
-TEST(GcodeModes, WhatIsNoted) {
+TEST(GcodeModes, IgnoredModesAreNoted) {
   const Contour c = read_gcode(
       "%\nO1000 (part)\nT1 M6\nG54 G64 P0.01\nS1000 M3\nG43 H1\n/ G1 X99\nG1 X10 F60 D3\nM0\nM4 S0\nM123 "
       "P4\nX20\nM30\n%\n"

@@ -119,7 +119,7 @@ TEST(GcodeOffsets, AnUnknownOneStopsTheHead) {
   EXPECT_EQ(read_gcode("F60 G0 X0 Y0\nG1 X5\nG28 Z0\nX6").dimension, 2u);
 }
 
-TEST(GcodeOffsets, FromAnUnknownPlaceNothingIsCut) {
+TEST(GcodeOffsets, NothingIsCutFromAnUnknownPlace) {
   EXPECT_EQ(fault_lines("F60 G0 X0 Y0 Z5\nG1 X5 Z1\nG28 Z0\nG1 X9\nX10"), (std::vector{4}));
   EXPECT_EQ(fault_lines("F60 G0 X0 Y0 Z5\nG1 X5 Z1\nG28 Z0\nG91 G0 Z9\nX10"), (std::vector{4}));
   EXPECT_EQ(fault_lines("F60 G0 X0 Y0 Z5\nG1 X5 Z1\nG28\nG2 X9 Y0 Z0 R5\nX10 R5"), (std::vector{4}));
@@ -161,7 +161,7 @@ TEST(GcodeOffsets, G28_1StoresThePlace) {
   EXPECT_TRUE(c.notes.empty());
 }
 
-TEST(GcodeOffsets, WhatIsRefused) {
+TEST(GcodeOffsets, UnknownOffsetsAreRefused) {
   EXPECT_EQ(fault_lines("G1 X1\nG53 G1 G91 X5", with_offsets()), (std::vector{2}));
   EXPECT_EQ(fault_lines("G1 X1\nG3 X2 R5\nG53 X5", with_offsets()), (std::vector{3}));
   EXPECT_EQ(fault_lines("G10 L20 P10 X5\nG1 X1"), (std::vector{1}));

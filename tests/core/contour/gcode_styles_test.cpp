@@ -72,7 +72,7 @@ std::string written(const std::vector<Piece>& pieces, Style style) {
   return text;
 }
 
-TEST(GcodeStyles, AllTellTheSameContour) {
+TEST(GcodeStyles, AllStylesGiveOneContour) {
   Random random(7);
   for (int run = 0; run < 200; ++run) {
     const auto pieces = contour(random);

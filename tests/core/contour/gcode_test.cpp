@@ -251,7 +251,7 @@ TEST(Gcode, OneHeightIsAPlanarContour) {
   EXPECT_EQ(begin_of(read_gcode("G0 X10 Y0 Z5\nG1 X20\nZ4.9")).z, 5);
 }
 
-TEST(Gcode, WhereTheContourStarts) {
+TEST(Gcode, ContourStartsWhereTheFirstWordsSay) {
   expect_near(begin_of(read_gcode("G0 X10 Y20\nG1 X0")), {10, 20, 0}, 0);
   expect_near(begin_of(read_gcode("G0 X10 Y20 Z3\nG1 Z0")), {10, 20, 3}, 0);
   expect_near(begin_of(read_gcode("G0 X10\nG1 Y5")), {0, 0, 0}, 0);

@@ -79,7 +79,7 @@ TEST(GcodeWords, EveryKindOfLineEndCounts) {
   EXPECT_EQ(seen, (std::vector<std::pair<std::size_t, double>>{{1, 1}, {2, 2}, {3, 3}, {5, 5}}));
 }
 
-TEST(GcodeWords, WhatIsNoNumberIsAFault) {
+TEST(GcodeWords, TextThatIsNoNumberIsAFault) {
   for (const char* text :
        {"X",
         "X-",

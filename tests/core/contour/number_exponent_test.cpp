@@ -28,7 +28,7 @@ TEST(NumberExponent, TheOutputOfFormattersIsAnExponent) {
   EXPECT_EQ(reading("1.42109", "e-14", false), ExponentReading::exponent);
 }
 
-TEST(NumberExponent, WhatAPrinterMayMeanIsUnclear) {
+TEST(NumberExponent, WordsThatAPrinterMayMeanAreUnclear) {
   for (const char* rest : {"E5", "E-5", "E-10 F300"}) EXPECT_EQ(reading("10", rest), ExponentReading::unclear) << rest;
   EXPECT_EQ(reading("1.0", "E-5"), ExponentReading::unclear);
 }
@@ -69,7 +69,7 @@ TEST(NumberExponent, WordsEStayWords) {
   EXPECT_EQ(only("X10 E5")['X'], 10);
 }
 
-TEST(NumberExponent, WhatIsUnclearIsRefusedUnlessTheProgramIsForAPrinter) {
+TEST(NumberExponent, UnclearExponentsAreRefusedUnlessTheProgramIsForAPrinter) {
   EXPECT_EQ(bahnwerk::fault_lines("G1 F60 X5\nX10E5\nX2"), (std::vector{2}));
   const Contour c = bahnwerk::read_gcode("M83\nG1 F60 X5\nX10E5\nX12");
   EXPECT_EQ(c.path.length(), 12);

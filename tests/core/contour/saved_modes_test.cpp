@@ -15,7 +15,7 @@ TEST(SavedModes, DistanceModeComesBack) {
   EXPECT_EQ(c.blocks.back().feed, 1);  // there was no feed to bring back
 }
 
-TEST(SavedModes, WhatIsSavedAndWhatIsNot) {
+TEST(SavedModes, SavesModesButNotTheMotion) {
   GcodeOptions options;
   options.work_offsets[0] = Vec{0, 0, 0};
   options.work_offsets[2] = Vec{100, 0, 0};

@@ -145,8 +145,8 @@ TEST(SmoothRun, TellsWhereAShortOneCannotBeSmoothed) {
   const Smoothable reversing(chords(1000, {700}));
   const SmoothedRun run = reversing.smoothed(0, reversing.stretch.length());
   ASSERT_FALSE(run.done);
-  ASSERT_FALSE(run.troubles.empty());
-  for (const double s : run.troubles) EXPECT_LT(std::abs(s - reversing.stretch.elements[700].begin), 1);
+  ASSERT_FALSE(run.failure_positions.empty());
+  for (const double s : run.failure_positions) EXPECT_LT(std::abs(s - reversing.stretch.elements[700].begin), 1);
   EXPECT_TRUE(reversing.smoothed(0, reversing.stretch.length(), true).done);
 }
 

@@ -33,7 +33,7 @@ TEST(SmoothBasis, AgreesWithNurbs) {
       // To the last digit: less is computed, nothing else.
       EXPECT_EQ(value_basis_at(knots, k, t)[0], basis_at(knots, k, t)[0]);
       for (const std::size_t order : {0, 1, 2})
-        EXPECT_EQ(bend_basis_at(knots, k, t)[order], basis_at(knots, k, t)[order]);
+        EXPECT_EQ(second_derivative_basis_at(knots, k, t)[order], basis_at(knots, k, t)[order]);
       const auto third = third_basis_at<2>(knots, k, {t, breaks[k + 1]});
       const BasisRow here = basis_at(knots, k, t), end = basis_at(knots, k, breaks[k + 1]);
       for (std::size_t i = 0; i < spline_order; ++i) {

@@ -54,7 +54,7 @@ TEST(SplinePoints, JointsStandOnceAndGapsTwice) {
   EXPECT_GT(spline_points(std::vector{turn}, 0.1, 0.01).size(), 5u);
 }
 
-TEST(CurvaturePoints, OfLinesAndArcs) {
+TEST(CurvaturePoints, ValuesOnLinesAndArcsAreExact) {
   std::vector<BezierPiece> pieces{BezierPiece::line({-7, 20, 3, 0, 0}, {0, 20, 3, 0, 0})};
   const double sweep = 2.5;
   for (const BezierPiece& arc : spline_arc({0, 20, 3, 0, 0}, {0, 0, 3}, {0, 0, -1}, sweep, {0, 0, 0, 1, 0}))

@@ -99,7 +99,7 @@ TEST(RobotWinder, TheArmsDifferInTheElbowsSign) {
   for (const AxisJet& q : {left, right}) EXPECT_NEAR(q.value[0] + q.value[1] + q.value[3], pose.phi, 1e-15);
 }
 
-TEST(RobotWinder, WhatItsArmCannotReachIsNamed) {
+TEST(RobotWinder, UnreachablePosesAreNamed) {
   const auto machine = test::robot(RobotArm::lefty);
   for (const ToolPose& pose : {ToolPose{{600, 0, 10}, 0, 0}, ToolPose{{420, 0, 10}, 0, 0.2}}) {
     try {

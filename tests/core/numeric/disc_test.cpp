@@ -69,7 +69,7 @@ TEST(Disc, NumbersStayThemselvesButForRounding) {
   EXPECT_TRUE((Disc(0) * Disc(7)).zero());
 }
 
-TEST(Disc, InASeriesItEnclosesDerivatives) {
+TEST(Disc, EnclosesDerivativesAsCoefficientOfASeries) {
   using T = Taylor<3>;
   using Wide = Taylor<3, Disc>;
   const auto formula = [](const auto& x) {

@@ -12,7 +12,7 @@ TEST(NextPart, GrowsByAFactorWhereSmallAndByASumWhereLarge) {
   EXPECT_EQ(next_part(0.0), 0);
 }
 
-TEST(NextPart, OfLanesIsThatOfEach) {
+TEST(NextPart, IsComputedLaneByLane) {
   const Lanes<2> next = next_part(Lanes<2>{0.01, 0.8});
   EXPECT_EQ(next[0], next_part(0.01));
   EXPECT_EQ(next[1], next_part(0.8));

@@ -18,11 +18,11 @@ struct Counted final : Progress {
 
 TEST(Grow, KeepsTheValuesAndReportsWhileItCopies) {
   Counted progress;
-  ProgressScope scope(progress, "planning", 0, 1);
+  ProgressScope stage_progress(progress, "planning", 0, 1);
   UnsetVector<double> values(1'000'000);
   std::iota(values.begin(), values.end(), 0.0);
   const std::size_t more = values.capacity() + 1;
-  grow(values, more, scope);
+  grow(values, more, stage_progress);
   EXPECT_GE(values.capacity(), more);
   EXPECT_GT(progress.reports, 50);
   ASSERT_EQ(values.size(), 1'000'000u);
@@ -31,11 +31,11 @@ TEST(Grow, KeepsTheValuesAndReportsWhileItCopies) {
 
 TEST(Grow, DoesNothingWhereThereIsRoom) {
   Counted progress;
-  ProgressScope scope(progress, "planning", 0, 1);
+  ProgressScope stage_progress(progress, "planning", 0, 1);
   std::vector<int> values{1, 2, 3};
   values.reserve(10);
   const int* const at = values.data();
-  grow(values, 10, scope);
+  grow(values, 10, stage_progress);
   EXPECT_EQ(values.data(), at);
   EXPECT_EQ(progress.reports, 0);
 }

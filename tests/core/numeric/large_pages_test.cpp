@@ -20,7 +20,7 @@ TEST(LargePages, ArraysGrowAndKeepTheirContent) {
   EXPECT_EQ(v.back(), 7);
 }
 
-TEST(LargePages, WhatIsGivenBackIsTakenAgain) {
+TEST(LargePages, FreedMemoryIsReused) {
   const std::size_t bytes = 3 * large_pages::least;
   void* const first = large_pages::take(bytes);
   large_pages::give(first, bytes);

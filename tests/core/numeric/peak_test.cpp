@@ -213,7 +213,7 @@ TEST(PeakSweep, AnArchBelowThePeakIsNotHalved) {
   EXPECT_GT(evaluations(0.0011), 14u);
 }
 
-TEST(PeakSweep, WhatRoundingTakesIsAdded) {
+TEST(PeakSweep, RoundingOfSamplesIsAdded) {
   for (const double rounding : {0.0, 1e-9}) {
     PeakSweep sweep({1.0}, 1e-8, rounding);
     sweep.sweep(0, 1, false, 0, [](PeakSamples& samples) {

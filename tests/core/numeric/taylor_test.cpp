@@ -51,7 +51,7 @@ TEST(Taylor, FollowsFormulas) {
   }
 }
 
-TEST(Taylor, OfTheIdentityIsExact) {
+TEST(Taylor, IsExactForTheIdentity) {
   const T x = T::from(0.5, 1.0), one = sin(x) * sin(x) + cos(x) * cos(x);
   EXPECT_NEAR(one.value(), 1, 1e-15);
   for (std::size_t n = 1; n <= 3; ++n) EXPECT_NEAR(one.derivative(n), 0, 1e-15);

@@ -119,7 +119,7 @@ TEST(ContourDrawing, CutsPositionsAndLegend) {
       EXPECT_NEAR(std::hypot(s.x0 + f * (s.x1 - s.x0) - x, s.y0 + f * (s.y1 - s.y0) - y), 20 * scale, 0.2);
 }
 
-TEST(ContourDrawing, InSpaceFromAboveAndFromTheFront) {
+TEST(ContourDrawing, PathsInSpaceAreDrawnFromAboveAndFromTheFront) {
   ContourBuilder b(3, {});
   b.block(Mode::cut, 100);
   b.line({10, 20, 30});

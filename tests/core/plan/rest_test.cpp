@@ -104,7 +104,7 @@ TEST(Dwell, LastsExactlyAsLongAsAskedBesideTheStop) {
       }
 }
 
-TEST(Dwell, AtBeginAndEnd) {
+TEST(Dwell, RestsAtBeginAndEnd) {
   for (const PlanningMethod method : methods)
     for (const double blend : {0.0, 0.5}) {
       const ContourPlan none = plan(shape(-1, -1), {method, blend}),
@@ -177,7 +177,7 @@ TEST(Dwell, BlocksOfDwellsAloneHaveTheirTime) {
   }
 }
 
-TEST(Dwell, AtACusp) {
+TEST(Dwell, RestsAtACusp) {
   ContourBuilder b(2, {-5, 0, 0});
   b.line({0, 0, 0});
   b.dwell(0.05);

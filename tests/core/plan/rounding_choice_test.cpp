@@ -48,9 +48,10 @@ bool kept(const ContourPlan& p) {
 
 double least(const Contour& contour, const Machine& machine) {
   SilentProgress progress;
-  ProgressScope pulse(progress, "planning", 0, 1);
+  ProgressScope stage_progress(progress, "planning", 0, 1);
   const CartesianAxisPath axes(contour.path, machine.dimension());
-  return StoppingTime(contour, axes, machine, ContourPlanning{}.corner_angle).least(0, contour.path.size(), pulse);
+  return StoppingTime(contour, axes, machine, ContourPlanning{}.corner_angle)
+      .least(0, contour.path.size(), stage_progress);
 }
 
 /// Arcs of a quarter of a turn at most, each tangent to the next and a little wider.
@@ -117,7 +118,7 @@ TEST(RoundingChoice, SectionsOfBothKindsMakeOneMotion) {
   for (std::size_t k = 0; k < 4; ++k) EXPECT_GT(rounded.blocks[k].length, 0) << k;
 }
 
-TEST(RoundingChoice, WhereRoundingPaysNothingIsKept) {
+TEST(RoundingChoice, RoundedSectionsStayWhereRoundingIsFaster) {
   ContourBuilder b(2, {});
   b.block(Mode::cut, 500);
   for (int i = 1; i < 20; ++i) b.line({5.0 * i, i % 2 * 3.0, 0});

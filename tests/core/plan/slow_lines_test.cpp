@@ -56,7 +56,7 @@ TEST(SlowLines, JerkBindsOnShortMoves) {
   for (const SlowLine& line : p.slow_lines) EXPECT_TRUE(line.limit.starts_with("jerk")) << line.limit;
 }
 
-TEST(SlowLines, AtMostTwentySlowestFirstWhateverTheMethod) {
+TEST(SlowLines, ListsAtMostTwentySlowestFirstForEveryMethod) {
   std::string program = "G1 F30000\n";
   for (int i = 1; i <= 60; ++i) program += "X" + std::to_string(i * i) + " Y" + std::to_string(i % 2 * 5) + "\n";
   for (const PlanningMethod method :

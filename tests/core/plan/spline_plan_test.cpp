@@ -51,7 +51,7 @@ TEST(SplinePlan, LastsWholeCyclesAndIsVerifiedUpToTheSnap) {
   EXPECT_EQ(plan.setpoints->count(), 302u);
 }
 
-TEST(SplinePlan, WhatExceedsALimitByRoundingIsSlowed) {
+TEST(SplinePlan, ExcessesByRoundingAreSlowed) {
   SilentProgress progress;
   SplinePlanning given = planning(1 - 5e-5);
   given.machine.cycle_time = T / 256;  // no slowing to whole cycles that would do
@@ -61,7 +61,7 @@ TEST(SplinePlan, WhatExceedsALimitByRoundingIsSlowed) {
   EXPECT_GT(plan.duration, T);
 }
 
-TEST(SplinePlan, WhatExceedsALimitByMoreFails) {
+TEST(SplinePlan, LargerExcessesFail) {
   SilentProgress progress;
   const MotionPlan plan = plan_spline(planning(0.9), progress);
   EXPECT_FALSE(plan.verification.passed);

@@ -158,7 +158,7 @@ TEST(VanishingTangent, EveryMethodPlansItAndBackwardsTakesAsLong) {
 }
 
 /// Where the curvature stays bounded a motion passes: what vanishes there is the parameter's affair alone.
-TEST(VanishingTangent, OfAParabolaDoesNotSlowTheMotion) {
+TEST(VanishingTangent, DoesNotSlowTheMotionOnAParabola) {
   Shape parabola;  // (15 x, 15 x²) for x = −0.064 … 0.216, as x = (t − 0.4)³ makes it
   parabola.kind = Shape::polynomial;
   parabola.points = {{0, 0}, {2.1, -0.2688}, {4.2, 0.6384}};
@@ -201,7 +201,7 @@ TEST(VanishingTangent, NeedlePointsAreTurnedAtRest) {
         << width;
 }
 
-TEST(VanishingTangent, OfAStraightCurveCostsNothing) {
+TEST(VanishingTangent, CostsNothingOnAStraightCurve) {
   // Rest to rest over 5 mm at 80 mm/s and, along (3, 4), 9000/0.8 mm/s².
   const Outline straight = of({bezier({{0, 0}, {0, 0}, {3, 4}, {3, 4}})});
   const double expected = 5 / feed + feed / (9000 / 0.8);

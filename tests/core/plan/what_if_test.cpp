@@ -76,7 +76,7 @@ TEST(WhatIf, EachAnswerIsThePlanWithThatLimit) {
     }
 }
 
-TEST(WhatIf, WhatCannotBePlannedHasNoDuration) {
+TEST(WhatIf, UnplannableLimitsHaveNoDuration) {
   const ContourPlan p = plan(machine, planning(PlanningMethod::time_optimal, 600));  // 1 000 mm at most
   ASSERT_EQ(p.what_if.size(), 2u);
   EXPECT_EQ(p.what_if[0].what, WhatIf::What::tolerance);

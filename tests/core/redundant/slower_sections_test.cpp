@@ -24,11 +24,11 @@ TEST(SlowerSections, FeedsFallUntilTheCoarseAxisCanFollow) {
   const CoarseFineAxis& axis = task.machine.axes[0];
   const Machine machine = head_limits(task.machine);
   SilentProgress progress;
-  Paces paces{task.feeds, {}};
+  SectionLimits section_limits{task.feeds, {}};
   double duration = 0;
   for (int round = 0; round < 40; ++round) {
     const TimeLaw law =
-        plan_acceleration_limited(PathTask{*task.path, machine, paces.feeds, task.rests}, {}, progress).law;
+        plan_acceleration_limited(PathTask{*task.path, machine, section_limits.feeds, task.rests}, {}, progress).law;
     EXPECT_GT(law.duration(), duration);
     duration = law.duration();
     const PathMotion head(task.path, law);
@@ -44,14 +44,14 @@ TEST(SlowerSections, FeedsFallUntilTheCoarseAxisCanFollow) {
     const ChainSolution<2> s = solve(chain, {});
     if (s.excess <= 1e-7) {
       ASSERT_GT(round, 1);
-      EXPECT_GT(paces.feeds[3], std::sqrt(20.0 * 16000));
-      EXPECT_LT(paces.feeds[3], 3800);
+      EXPECT_GT(section_limits.feeds[3], std::sqrt(20.0 * 16000));
+      EXPECT_LT(section_limits.feeds[3], 3800);
       return;
     }
-    const std::vector<double> before = paces.feeds;
-    for (const auto& c : clusters(chain, s, 1e-7)) lower_paces(law, cells, 0, axis, c, 1.25, paces);
-    EXPECT_NE(paces.feeds, before);
-    for (std::size_t i = 0; i < before.size(); ++i) EXPECT_LE(paces.feeds[i], before[i]);
+    const std::vector<double> before = section_limits.feeds;
+    for (const auto& c : clusters(chain, s, 1e-7)) lower_section_limits(law, cells, 0, axis, c, 1.25, section_limits);
+    EXPECT_NE(section_limits.feeds, before);
+    for (std::size_t i = 0; i < before.size(); ++i) EXPECT_LE(section_limits.feeds[i], before[i]);
   }
   FAIL() << "still too fast";
 }

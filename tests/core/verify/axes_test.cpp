@@ -109,8 +109,9 @@ TEST(VerifierAxes, OneAxisByEveryPlanner) {
 
 std::size_t estimated(const AxisPath& path, const Contour& contour, const Machine& machine, const TimeLaw& law) {
   SilentProgress progress;
-  ProgressScope pulse(progress, "verify", 0, 1);
-  return verify::axis_peaks({path, machine, law, contour.feeds(), contour.rest_places(), 1e-3, true}, pulse).estimated;
+  ProgressScope stage_progress(progress, "verify", 0, 1);
+  return verify::axis_peaks({path, machine, law, contour.feeds(), contour.rest_places(), 1e-3, true}, stage_progress)
+      .estimated;
 }
 
 /// Where curve and machine state how they grow, nothing is left to estimates; a machine that does not is served, too.
@@ -249,7 +250,7 @@ TEST(VerifierAxes, NoAxisIsLeftOut) {
     }
 }
 
-TEST(VerifierAxes, WhatDoesNotFitIsRefused) {
+TEST(VerifierAxes, MismatchedInputsAreRefused) {
   const Contour contour = bow();
   const CartesianAxisPath path(contour.path, 2);
   const Machine three = reference::machine(3, 1, 1);
@@ -311,7 +312,7 @@ TEST(VerifierAxes, PeaksOnRandomRationalsEncloseTheDenseOnes) {
       TimeLaw other;
       for (LawPiece p : law.pieces()) {
         const double v1 = p.v + p.a * p.duration, h = p.duration, dv = v1 - p.v;
-        p.a = 0, p.j = 6 * dv / (h * h), p.q = -2 * p.j / h;
+        p.a = 0, p.j = 6 * dv / (h * h), p.snap = -2 * p.j / h;
         other.append(p);
       }
       law = other;

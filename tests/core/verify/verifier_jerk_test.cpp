@@ -40,7 +40,7 @@ TimeLaw bow(double length, double T, int n, std::size_t segment = 0) {
     p.v = l.v;
     p.a = l.a;
     p.j = (m6 - 4 * l.a - 2 * r.a) / h;
-    p.q = ((2 * l.a + 4 * r.a - m6) / h - p.j) / h;
+    p.snap = ((2 * l.a + 4 * r.a - m6) / h - p.j) / h;
     p.segment = segment;
     s = p.s_end = p.at(h).s;
     law.append(p);
@@ -124,7 +124,7 @@ TEST(VerifierJerk, AccelerationMustNotJump) {
       const double h = p.duration, more = 5;
       p.a += more;
       p.j -= 6 * more / h;
-      p.q += 12 * more / (h * h);
+      p.snap += 12 * more / (h * h);
       EXPECT_NEAR(p.at(h).s, p.s_end, 1e-9);
     }
     broken.append(p);
@@ -154,7 +154,7 @@ TEST(VerifierJerk, PathSnapIsTheLargestOfAnyPiece) {
   const Contour contour = line();
   const TimeLaw law = bow(50, 0.4, 64);
   double snap = 0;
-  for (const LawPiece& piece : law.pieces()) snap = std::max(snap, std::abs(piece.q));
+  for (const LawPiece& piece : law.pieces()) snap = std::max(snap, std::abs(piece.snap));
   ASSERT_GT(snap, 0);
   const Machine m = machine();
   for (const double share : {0.999, 1.001}) {
@@ -183,7 +183,7 @@ TEST(VerifierJerk, AccelerationStepWhereCurvatureJumps) {
     LawPiece p;  // v = v0 + (v1 − v0)(3τ² − 2τ³)
     p.duration = T, p.s = s, p.s_end = s + length, p.v = v0, p.segment = segment;
     p.j = 6 * (v1 - v0) / (T * T);
-    p.q = -2 * p.j / T;
+    p.snap = -2 * p.j / T;
     law.append(p);
   };
   ramp(0, 30, T1, 0, v, 0);

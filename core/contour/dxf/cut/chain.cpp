@@ -34,7 +34,7 @@ std::uint32_t cost(const std::vector<Strand>& strands, std::size_t a, std::size_
                    double tolerance) {
   constexpr double gap = 4e6, resolution = 1e6;
   const double shorter = std::min(strands[a / 2].length, strands[b / 2].length);
-  // Of strands shorter than the tolerance the ends of the next but one are near, too: those are gaps.
+  // For strands shorter than the tolerance the ends of the next but one are near, too: those are gaps.
   const bool coincident = distance <= std::min(0.1 * tolerance, 0.5 * shorter) || distance == 0;
   return static_cast<std::uint32_t>(
       coincident ? std::round(resolution * angle_between(outward(strands, a), -outward(strands, b)))

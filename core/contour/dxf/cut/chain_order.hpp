@@ -1,5 +1,5 @@
 #pragma once
-/// In which order to visit chains: always the nearest one next.
+/// Orders chains by nearest neighbours.
 #include <cstddef>
 #include <vector>
 
@@ -9,8 +9,8 @@ namespace bahnwerk {
 
 class Progress;
 
-/// A chain where it can be entered. An open one has two entries, its ends, and is left at the other one; a closed one
-/// is left where it was entered.
+/// The entries of a chain. An open chain has two, its ends, and is left at the other one; a closed chain is left where
+/// it was entered.
 struct ChainEntries {
   std::vector<Vec> at;
   bool closed = false;
@@ -19,10 +19,10 @@ struct ChainVisit {
   std::size_t chain = 0, entry = 0;
 };
 
-/// Starts with the first chain at its first entry, then goes to the nearest entry of those left. The tour of nearest
+/// Starts with the first chain at its first entry, then continues with the nearest remaining entry. A tour of nearest
 /// neighbours is on average some 25 % longer than the shortest one [Johnson, McGeoch: The traveling salesman problem: a
-/// case study in local optimization, 1997]. k-d tree whose emptied branches are not searched: O(n log n) for n entries
-/// spread evenly. Every chain needs an entry.
+/// case study in local optimization, 1997]. It uses a k-d tree whose empty branches are not searched: O(n log n) for n
+/// uniformly distributed entries. Every chain needs an entry.
 std::vector<ChainVisit> nearest_order(const std::vector<ChainEntries>& chains, Progress& progress);
 
 }  // namespace bahnwerk

@@ -27,7 +27,7 @@ void append(Cut& cut, Drawn curve, std::size_t line) {
   cut.lines.push_back(line);
 }
 
-/// Where a closed cut may start: at its corners, or anywhere between curves if it has none.
+/// Returns the possible starts of a closed cut: its corners, or any place between curves if it has none.
 std::vector<std::size_t> starts(const Cut& cut, ProgressScope& progress) {
   constexpr double corner = 1e-3;  // rad
   std::vector<std::size_t> list;

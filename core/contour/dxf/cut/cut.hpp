@@ -1,5 +1,5 @@
 #pragma once
-/// Cuts: curves of a drawing that follow each other, from loose entities to the blocks of a contour.
+/// Cuts: consecutive curves of a drawing, made from loose entities and written as the blocks of a contour.
 #include <cstddef>
 #include <vector>
 
@@ -18,23 +18,23 @@ struct Cut {
   bool closed = false;
 };
 
-/// Entities that are drawn again, in either direction, are taken out; how many. Two count as the same if corresponding
+/// Removes entities that are drawn again, in either direction, and returns their number. Two are equal if corresponding
 /// points are within `tolerance` (mm). O(n).
 std::size_t drop_duplicates(std::vector<DxfStrand>& strands, double tolerance, Progress& progress);
 
-/// Chained within the tolerance, mm. O(n log n).
+/// Chains strands within the tolerance, mm. O(n log n).
 std::vector<Cut> cuts(std::vector<DxfStrand> strands, double tolerance, Progress& progress);
 
-/// Into the order of nearest neighbours. O(n log n).
+/// Orders cuts by nearest neighbours. O(n log n).
 std::vector<Cut> nearest(std::vector<Cut> cuts, Progress& progress);
 
-/// What closing gaps took.
+/// Number and size of the closed gaps.
 struct GapReport {
   std::size_t moved = 0, bridged = 0;
   double worst = 0;  ///< mm
 };
 
-/// Adds a cut to the block begun in `builder`, which stands at its start.
+/// Appends a cut to the block begun in `builder`, whose position is the cut's start.
 void write_cut(ContourBuilder& builder, const Cut& cut, GapReport& gaps, ProgressScope& progress);
 
 }  // namespace bahnwerk

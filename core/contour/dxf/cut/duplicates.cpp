@@ -57,7 +57,7 @@ std::size_t drop_duplicates(std::vector<DxfStrand>& strands, double tolerance, P
               same_strand(kept[i], strand, true, tolerance, reading);
       return !again;
     });
-    // One that is hardly longer than the tolerance would be the same as its neighbours.
+    // An entity hardly longer than the tolerance would equal its neighbours.
     if (again && length > 10 * tolerance) {
       ++dropped;
       continue;

@@ -1,7 +1,7 @@
 #pragma once
-/// Points hashed by the cell of a regular grid that they lie in: who is near? O(1) per point and query while cells hold
-/// few points; a query looks at no more than `max_looks` points per cell (the last ones added), so that a million
-/// points at one place stay linear, too.
+/// Points hashed by their cell in a regular grid, for queries of near points. O(1) per point and query while cells hold
+/// few points. A query evaluates at most `max_looks` points per cell (the last ones added), so that a million points at
+/// one place cost linear time.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -18,7 +18,7 @@ class PointGrid {
  public:
   static constexpr std::size_t max_looks = 256;
 
-  /// For about `expected` points and queries of this radius, mm (1e-9 at least).
+  /// The grid expects about `expected` points and queries of this radius, mm (at least 1e-9).
   PointGrid(double radius, std::size_t expected)
       : radius_(std::max(radius, 1e-9)),
         inverse_(0.25 / radius_),
@@ -32,7 +32,8 @@ class PointGrid {
     heads_[cell] = static_cast<std::uint32_t>(points_.size() - 1);
   }
 
-  /// visit(i, distance) for the points i (in the order they were added) within the radius, until it returns false.
+  /// Calls visit(i, distance) for the points i within the radius, in the order in which they were added, until it
+  /// returns false.
   template <class Visit>
   void near(Vec p, Visit visit) const {
     std::array<std::size_t, 8> seen;
@@ -41,7 +42,7 @@ class PointGrid {
       for (std::int64_t y = index(p.y - radius_); y <= index(p.y + radius_); ++y)
         for (std::int64_t z = index(p.z - radius_); z <= index(p.z + radius_); ++z) {
           const std::size_t cell = slot({x, y, z});
-          // Two cells may share a slot: its points are looked at once.
+          // Two cells may share a slot, whose points are visited once.
           bool again = false;
           for (std::size_t i = 0; i < cells; ++i) again = again || seen[i] == cell;
           if (again || cells == seen.size()) continue;
@@ -57,10 +58,10 @@ class PointGrid {
  private:
   static constexpr std::uint32_t none = UINT32_MAX;
 
-  /// Half a cell off, so that whole numbers do not lie on borders; 4 radii wide, so that a query meets 2 per axis at
-  /// most.
+  /// The grid is shifted by half a cell, so that integers do not lie on borders, and its cells are 4 radii wide, so
+  /// that a query meets at most 2 per axis.
   std::int64_t index(double x) const {
-    constexpr double largest = 4e18;  // what lies beyond shares a cell
+    constexpr double largest = 4e18;  // all points beyond share a cell
     return static_cast<std::int64_t>(std::clamp(std::floor(x * inverse_ + 0.5), -largest, largest));
   }
   std::size_t slot(std::array<std::int64_t, 3> cell) const {

@@ -14,7 +14,7 @@ constexpr std::string_view sentinel("AutoCAD Binary DXF\r\n\x1A\0", 22);
 
 enum class Value { text, real, int16, int32, int64, byte, chunk };
 
-/// By group code (DXF reference, "Group code value types").
+/// Returns the type of a value by its group code (DXF reference, "Group code value types").
 Value value_of(int code) {
   const auto within = [&](int first, int last) { return code >= first && code <= last; };
   if (within(10, 59) || within(110, 149) || within(210, 239) || within(460, 469) || within(1010, 1059))

@@ -1,6 +1,6 @@
 #pragma once
-/// Binary DXF files: the same groups as in ASCII, their values as bytes (DXF reference, "Binary DXF files"). Releases
-/// up to R12 have group codes of one byte, later ones of two.
+/// Binary DXF files: the groups of the ASCII form with their values as bytes (DXF reference, "Binary DXF files").
+/// Releases up to R12 have group codes of one byte, later ones of two.
 #include <string>
 #include <string_view>
 
@@ -10,9 +10,9 @@ class Progress;
 
 bool dxf_is_binary(std::string_view bytes);
 
-/// The drawing in ASCII, up to its EOF: numbers as short as they are exact, data chunks empty. Throws InvalidInput at
-/// {"contour","dxf"}, with the line of the ASCII form that would follow, for what is cut off or begins with no section.
-/// O(bytes).
+/// Returns the drawing in ASCII, up to its EOF, with the shortest exact numbers and empty data chunks. Throws
+/// InvalidInput at {"contour","dxf"}, with the next line of the ASCII form, for a file that is cut off or does not
+/// begin with a section. O(bytes).
 std::string dxf_ascii(std::string_view bytes, Progress& progress);
 
 }  // namespace bahnwerk

@@ -18,7 +18,7 @@ constexpr std::size_t max_faults = 100;
 constexpr std::size_t max_depth = 32;
 constexpr const char* in_paper_space = "skipped: in paper space";
 
-/// An entity of a block, kept for the next time the block is inserted.
+/// An entity of a block, stored for further insertions of the block.
 struct Entity {
   std::string_view type;
   std::size_t line = 0;
@@ -40,7 +40,7 @@ class Reader {
     try {
       entities(*file_.entities, to_mm);
       if (drawing_.strands.empty() && !left_out_ && faults_.empty()) paper_space(to_mm);
-    } catch (const InvalidInput& e) {  // no use to go on
+    } catch (const InvalidInput& e) {  // reading cannot continue
       faults_.insert(faults_.end(), e.faults.begin(), e.faults.end());
     }
     if (faults_.empty()) faults_ = layers_.missing();
@@ -53,7 +53,7 @@ class Reader {
   }
 
  private:
-  /// What applies to all that an INSERT brings.
+  /// Properties that an INSERT applies to its entities.
   struct Inherited {
     std::string_view layer;  ///< for entities on layer 0; empty at the top
     bool off = false;        ///< that layer is switched off
@@ -168,7 +168,7 @@ class Reader {
     return {entity.common.layer, layers_[entity.common.layer].state.off};
   }
 
-  /// With a note if not. Of an INSERT only a frozen layer hides everything.
+  /// Whether the entity is shown; adds a note if not. For an INSERT only a frozen layer hides everything.
   bool shown(const Entity& entity, const Inherited& inherited) {
     const Inherited own = layer_of(entity, inherited);
     const DxfLayers::Layer& layer = layers_[own.layer];
@@ -200,7 +200,8 @@ class Reader {
     if (dropped_line_ == 0 && shape.without_length > 0) dropped_line_ = line;
     DxfStrand strand{{}, line};
     strand.curves.reserve(shape.curves.size());
-    // Parts without length are left out; where they would add up to one, what follows begins at the end kept last.
+    // Parts without length are left out; where they would add up to a length, the next part begins at the end of the
+    // last one used.
     for (Drawn& curve : shape.curves) {
       tags_.progress().work();
       Drawn placed = straightened(mapped(map, std::move(curve)), line);
@@ -247,7 +248,7 @@ class Reader {
     const std::vector<Entity>& inside = entities_of(found->first, found->second);
     for (std::size_t row = 0; row < at.rows; ++row)
       for (std::size_t column = 0; column < at.columns; ++column) {
-        // What draws nothing costs, too: billions of empty blocks can be written in a few lines.
+        // Empty blocks cost time, too: billions of them can be written in a few lines.
         if ((inserted_ += 1 + inside.size()) > 4 * reading_.max_curves)
           refuse_dxf(entity.line, "more than " + std::to_string(4 * reading_.max_curves) + " entities inserted");
         count();

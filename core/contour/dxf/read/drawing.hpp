@@ -1,6 +1,6 @@
 #pragma once
-/// A whole DXF file: sections, unit, layers, blocks; everything drawn in model space, blocks resolved, in mm. Paper
-/// space is read instead, with a note, if model space holds no curve at all, hidden ones included.
+/// A whole DXF file: sections, unit, layers, blocks; all entities of model space, with blocks resolved, in mm. Paper
+/// space is read instead, with a note, if model space has no curve at all, hidden ones included.
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -14,13 +14,13 @@ namespace bahnwerk {
 class Progress;
 
 struct DxfReading {
-  std::vector<std::string> layers;             ///< only these (upper and lower case are the same); empty = all
-  std::optional<double> millimetres_per_unit;  ///< instead of what the file says
-  std::size_t max_curves = 2'000'000;          ///< after blocks are resolved; more are refused
+  std::vector<std::string> layers;             ///< only these (case-insensitive); empty = all
+  std::optional<double> millimetres_per_unit;  ///< instead of the file's unit
+  std::size_t max_curves = 2'000'000;          ///< after blocks are resolved; a drawing with more is refused
   bool hatch = false;                          ///< whether the outlines of HATCH are drawn
 };
 
-/// One entity: curves end to end.
+/// One entity: consecutive curves.
 struct DxfStrand {
   std::vector<Drawn> curves;
   std::size_t line = 0;  ///< of the entity in the file

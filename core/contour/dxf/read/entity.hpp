@@ -1,6 +1,6 @@
 #pragma once
-/// Single entities of a DXF file: from records to curves, in the drawing's unit and in world coordinates of the
-/// space or block that they stand in. Faults are thrown as InvalidInput that names the line. O(tags), fit splines too.
+/// Single entities of a DXF file: from records to curves, in the drawing's unit and in world coordinates of their space
+/// or block. Faults are thrown as InvalidInput that names the line. O(tags), fit splines included.
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -11,15 +11,15 @@
 
 namespace bahnwerk {
 
-/// What every entity has.
+/// Properties of every entity.
 struct DxfCommon {
   std::string_view layer = "0";
   bool paper = false, invisible = false;
 };
 DxfCommon dxf_common(const DxfRecord& record);
 
-/// A block that stands in for its entities, once or as an array: map(row, column) takes the block's coordinates to
-/// those that the INSERT is drawn in.
+/// A reference to a block's entities, once or as an array: map(row, column) maps the block's coordinates to those in
+/// which the INSERT is drawn.
 struct DxfInsert {
   std::string_view block;
   Vec at, scale{1, 1, 1};
@@ -31,18 +31,18 @@ struct DxfInsert {
 };
 
 struct DxfShape {
-  std::vector<Drawn> curves;       ///< end to end
-  std::size_t without_length = 0;  ///< parts dropped because they have none
-  std::string note;                ///< what the reader thought about it, empty = nothing
+  std::vector<Drawn> curves;       ///< consecutive
+  std::size_t without_length = 0;  ///< dropped parts without length
+  std::string note;                ///< a remark of the reader, empty = none
 };
 
-/// One of LINE ARC CIRCLE ELLIPSE LWPOLYLINE POLYLINE SPLINE.
+/// Whether the type is LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE, POLYLINE or SPLINE.
 bool dxf_has_curves(std::string_view type);
-/// `tags` stands behind `record`; of a POLYLINE its vertices are read from there.
+/// Reads an entity. `tags` is positioned behind `record`; the vertices of a POLYLINE are read from it.
 DxfShape dxf_shape(const DxfRecord& record, DxfTags& tags);
 DxfInsert dxf_insert(const DxfRecord& record);
 
-/// The parts of dxf_shape, each in a file of its own.
+/// The parts of dxf_shape(), each in its own file.
 DxfShape dxf_polyline(const DxfRecord& record, DxfTags& tags);
 DxfShape dxf_lightweight_polyline(const DxfRecord& record, DxfTags& tags);
 DxfShape dxf_spline(const DxfRecord& record, DxfTags& tags);
@@ -54,17 +54,17 @@ struct DxfVertex {
 };
 DxfShape dxf_joined(const std::vector<DxfVertex>& vertices, bool closed, const Affine& map, DxfTags& tags);
 
-/// The outlines of a HATCH, each path as one shape or, where its edges do not meet, several.
+/// Returns the outlines of a HATCH, each path as one shape or, where its edges do not meet, as several.
 std::vector<DxfShape> dxf_hatch(const DxfRecord& record, DxfTags& tags);
 
-/// cos and sin of an angle in degrees, exact at whole quarters: drawings are full of them.
+/// Computes cos and sin of an angle in degrees, exact at multiples of 90°, which are frequent in drawings.
 void dxf_direction(double degrees, double& c, double& s);
 
-/// The object coordinate system of an extrusion direction: arbitrary axis algorithm of the DXF reference, "Object
-/// Coordinate Systems". A normal without length is a fault at `line`.
+/// Returns the object coordinate system of an extrusion direction: arbitrary axis algorithm of the DXF reference,
+/// "Object Coordinate Systems". A normal without length is a fault at `line`.
 Affine dxf_object_system(Vec normal, std::size_t line);
 
-/// If the tag has this code its number is taken; for a point the codes of y and z are 10 and 20 higher.
+/// Takes the tag's number if it has this code and returns true. For a point the codes of y and z are 10 and 20 higher.
 bool take_number(const DxfTag& tag, int code, double& number);
 bool take_point(const DxfTag& tag, int code, Vec& point);
 

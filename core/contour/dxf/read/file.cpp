@@ -78,7 +78,7 @@ DxfFile dxf_file(DxfTags& tags) {
   std::size_t section_line = 0;
   bool ended = false, layers = false;
   for (;;) {
-    // Only these hold what is needed; entities are read later.
+    // Only these sections are needed; entities are read later.
     const bool keep = section != "ENTITIES" && section != "OBJECTS" && section != "CLASSES";
     if (!tags.next(record, keep)) break;
     if (record.type == "EOF") {
@@ -88,14 +88,14 @@ DxfFile dxf_file(DxfTags& tags) {
       break;
     }
     if (record.type == "SECTION") {
-      // The tags of the first record of a section were kept: it began outside of any.
+      // The tags of the first record of a section were stored: it began outside of any section.
       if (!section.empty()) refuse_dxf(record.line, "a SECTION begins inside section " + dxf_quoted(section));
       section = value_of(record, 2);
       section_line = record.line;
       if (section.empty()) refuse_dxf(record.line, "a SECTION without a name (group code 2)");
       if (section == "HEADER") header(record, file);
       if (section == "ENTITIES" && !file.entities) file.entities = tags.mark();
-      // Nothing behind the entities is needed, and what other programs store there is not always in order.
+      // Nothing behind the entities is needed, and data of other programs there is not always valid.
       if (section == "OBJECTS" && file.entities) return file;
     } else if (record.type == "ENDSEC") {
       section = {};

@@ -1,5 +1,5 @@
 #pragma once
-/// Where in a DXF file things are: one pass over the text, without looking into entities.
+/// Places of the parts of a DXF file, found in one pass over the text without reading entities.
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,7 +18,7 @@ struct DxfLayer {
 struct DxfBlockPlace {
   DxfTags::Mark first;  ///< its first entity
   Vec base;
-  bool external = false;  ///< a reference to another file
+  bool external = false;  ///< whether it is a reference to another file
   std::size_t line = 0;
 };
 
@@ -31,13 +31,13 @@ struct DxfFile {
   std::vector<std::string> notes;
 };
 
-/// ASCII letters only: names in DXF are the same in upper and lower case.
+/// Converts ASCII letters to lower case: names in DXF are case-insensitive.
 std::string dxf_lower(std::string_view name);
 
-/// Throws InvalidInput for what is no DXF file or is cut off. O(bytes).
+/// Reads the file's structure. Throws InvalidInput for a text that is no DXF file or is cut off. O(bytes).
 DxfFile dxf_file(DxfTags& tags);
 
-/// mm per drawing unit for a value of $INSUNITS; nothing for unknown ones and those beyond any machine.
+/// Returns mm per drawing unit for a value of $INSUNITS; nothing for unknown units and those beyond any machine.
 std::optional<double> dxf_unit(long code);
 
 }  // namespace bahnwerk

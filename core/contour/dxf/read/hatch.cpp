@@ -23,7 +23,7 @@ struct Edge {
 struct Angles {
   double start = 0, end = 360;
   bool counter_clockwise = true;
-  /// In the sense of travel, (0, 360].
+  /// Returns the angle in the direction of travel, (0, 360].
   double swept() const {
     const double angle = std::fmod(end - start, 360.0);
     return angle > 1e-9 ? angle : angle + 360;
@@ -53,7 +53,7 @@ Edge arc_edge(Tags tags) {
   return {{arc_between(centre, a, b, 0, angles.swept() * degree, angles.counter_clockwise)}, {}};
 }
 
-/// The parameter of the point that is seen at an angle, both in rad; whole turns are kept.
+/// Returns the parameter of the point seen at an angle, both in rad; whole turns are preserved.
 double parameter(double angle, double ratio) {
   const double whole = std::round(angle / turn) * turn, rest = angle - whole;
   return whole + std::atan2(std::sin(rest) / ratio, std::cos(rest));
@@ -83,7 +83,7 @@ Edge ellipse_edge(Tags tags) {
   return edge;
 }
 
-/// With the group codes of a SPLINE.
+/// Reads a spline edge, with the group codes of a SPLINE.
 Edge spline_edge(Tags tags, DxfTags& file) {
   DxfRecord record{"SPLINE", tags.front().line, {}};
   for (DxfTag tag : tags) {
@@ -116,7 +116,7 @@ Edge edge_of(Tags tags, DxfTags& file) {
   }
 }
 
-/// Of the two readings of an ellipse's angles the one whose ends are nearer to the edges beside it.
+/// Chooses of the two readings of an ellipse's angles the one whose ends are nearer to the neighbouring edges.
 void settle_ellipses(std::vector<Edge>& edges) {
   const std::size_t n = edges.size();
   for (std::size_t i = 0; i < n; ++i) {

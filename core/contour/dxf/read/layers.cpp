@@ -19,7 +19,7 @@ const DxfLayers::Layer& DxfLayers::operator[](std::string_view name) {
     const std::string lower = dxf_lower(name);
     if (const auto declared = declared_.find(lower); declared != declared_.end())
       found->second.state = declared->second;
-    // Who asks for a layer by its name wants it, plotted or not.
+    // A layer that is requested by its name is read, plotted or not.
     if (!wanted_.empty()) found->second.state.unplotted = false;
     found->second.wanted = wanted_.empty() || std::find(wanted_.begin(), wanted_.end(), lower) != wanted_.end();
   }

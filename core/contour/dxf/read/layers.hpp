@@ -1,5 +1,5 @@
 #pragma once
-/// The layers of a drawing: which of them are read, and which of those asked for do not exist.
+/// The layers of a drawing: which of them are read, and which of the requested ones do not exist.
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -17,15 +17,16 @@ class DxfLayers {
     bool wanted = true;
   };
 
-  /// `wanted`: only these, upper and lower case are the same; empty = all.
+  /// `wanted` are the only layers to read, case-insensitive; empty = all.
   explicit DxfLayers(const std::vector<std::string>& wanted);
-  /// The layers that the file declares.
+  /// Adds the layers that the file declares.
   void declare(const DxfFile& file);
 
-  /// By the name as written, so that its lower case is made once. What is asked for counts as existing.
+  /// Returns the layer of a name as written, so that its lower case is computed once. A name that is looked up counts
+  /// as existing.
   const Layer& operator[](std::string_view name);
 
-  /// One fault per name that was wanted and that neither the file declares nor an entity has, at {"contour", "layers",
+  /// Returns one fault per wanted name that neither the file declares nor an entity has, at {"contour", "layers",
   /// index}; its message lists the layers that exist.
   std::vector<InputFault> missing() const;
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The lowest layer of a DXF file: lines in pairs, a group code and its value; pairs from one code 0 to the next form a
+/// The lowest layer of a DXF file: lines in pairs, a group code and its value. Pairs from one code 0 to the next form a
 /// record (a section, a table entry, an entity). Views point into the text. O(bytes), no allocation but the tags.
 #include <cstddef>
 #include <string>
@@ -10,9 +10,9 @@
 #include "core/base/progress_scope.hpp"
 namespace bahnwerk {
 
-/// What is wrong in a DXF file, at {"contour","dxf"}: "line 12: …".
+/// Returns a fault of a DXF file at {"contour","dxf"}: "line 12: …".
 InputFault dxf_fault(std::size_t line, const std::string& what);
-/// Throws it as InvalidInput.
+/// Throws that fault as InvalidInput.
 [[noreturn]] void refuse_dxf(std::size_t line, const std::string& what);
 
 struct DxfTag {
@@ -21,12 +21,12 @@ struct DxfTag {
   std::size_t line = 0;    ///< of the value, counted from 1
 };
 
-/// A finite number; anything else throws InvalidInput with the tag's line.
+/// Returns a finite number; throws InvalidInput with the tag's line for anything else.
 double dxf_real(const DxfTag& tag);
-/// An integer within ±2³¹ (written as one, or as a real number without fraction).
+/// Returns an integer within ±2³¹ (written as one, or as a real number without fraction).
 long dxf_integer(const DxfTag& tag);
 
-/// Text from a file for a message: shortened, and what is not printable ASCII replaced by '?'.
+/// Shortens text of a file for a message and replaces characters that are not printable ASCII by '?'.
 std::string dxf_quoted(std::string_view text);
 
 struct DxfRecord {
@@ -40,23 +40,23 @@ class DxfTags {
   /// Refuses DWG files. A byte order mark is skipped.
   DxfTags(std::string_view text, Progress& progress);
 
-  /// The next pair, comments (999) skipped; false at the end of the text or at 0x1A, the DOS mark of it. Throws
-  /// InvalidInput for a group code that is no integer from −5 to 1071, and for a code without a value.
+  /// Reads the next pair and skips comments (999). Returns false at the end of the text or at 0x1A, the DOS end mark.
+  /// Throws InvalidInput for a group code that is no integer from −5 to 1071, and for a code without a value.
   bool next(DxfTag& tag);
-  /// The next record; false at the end. Pairs before the first code 0 are skipped. With `keep` false the tags are not
-  /// stored.
+  /// Reads the next record; returns false at the end. Pairs before the first code 0 are skipped. With `keep` false the
+  /// tags are not stored.
   bool next(DxfRecord& record, bool keep = true);
 
-  /// Where the next record begins: to read it again later.
+  /// The beginning of the next record, for reading it again later.
   struct Mark {
     std::size_t offset = 0, line = 0;
   };
   Mark mark() const;
   void seek(Mark mark);
-  /// What follows the record EOF, which is the last one.
+  /// Returns the text behind the record EOF.
   std::string_view behind_end() const { return behind_; }
   std::size_t line() const { return line_; }       ///< lines read so far
-  ProgressScope& progress() { return progress_; }  ///< for those who work on the records
+  ProgressScope& progress() { return progress_; }  ///< for code that works on the records
 
  private:
   bool next_line(std::string_view& line);
@@ -64,7 +64,7 @@ class DxfTags {
   std::string_view text_, behind_;
   ProgressScope progress_;
   std::size_t at_ = 0, line_ = 0;
-  bool pending_ = false;  ///< the last record ended at a code 0, which is in tag_
+  bool pending_ = false;  ///< whether the last record ended at a code 0, which is in tag_
   DxfTag tag_;
   Mark pending_mark_;
 };

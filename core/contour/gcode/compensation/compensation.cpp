@@ -57,7 +57,7 @@ void Compensation::dwell(Mode mode, double seconds) {
   happens({Event::Kind::dwell, how, seconds});
 }
 
-/// At once where no move is kept back.
+/// Happens at once if no move is pending.
 void Compensation::happens(const Event& event) {
   events_.push_back(event);
   if (state_ == State::leads_out || (!last_ && !lead_)) happen();
@@ -92,7 +92,7 @@ void Compensation::offset(Vec to, Vec centre, ArcMove how) {
     return lead_out(to);
   }
   try {
-    // As the program without compensation has it, rounding of the centre included.
+    // The arc is that of the program without compensation, rounding of the centre included.
     const Arc arc = Arc::through(flat(from), flat(to), flat(centre), {0, 0, 1}, how.counter_clockwise, how.tolerance);
     const double sense = how.counter_clockwise ? 1 : -1;
     const double sweep = std::abs(arc.sweep()) + turn * static_cast<double>(how.turns - 1);
@@ -115,7 +115,7 @@ void Compensation::spline(Vec to, Vec first, std::optional<Vec> second) {
   offset(to, true);
 }
 
-/// The next move is known: what was kept back is driven.
+/// The next move is known: the pending one is written.
 void Compensation::add(Move move) {
   const std::size_t now = mover_.builder().line();
   if (!last_)
@@ -127,7 +127,7 @@ void Compensation::add(Move move) {
   mover_.builder().at_line(now);
 }
 
-/// An arc that leads in ends beside the end that the program names, in the same direction (LinuxCNC).
+/// An arc that leads in ends beside the end that the program names, in one direction with it (LinuxCNC).
 void Compensation::lead_in(Vec to, Vec along, double sense) {
   const Manner here = manner();
   OffsetPiece piece;
@@ -157,18 +157,18 @@ void Compensation::lead_in(Vec to, Vec along, double sense) {
   last_ = Move{piece, here, to.z, 0};
 }
 
-/// To beside the begin of the first move.
+/// Leads in to beside the beginning of the first move.
 void Compensation::lead_in(const Move& next) {
   const Vec from = flat(mover_.position()), at = next.piece.corner_from, beside = next.piece.from;
   const double side = aside_ > 0 ? 1 : -1, radius = std::abs(aside_), way = norm(from - at);
   const Vec out = side * left_of(next.piece.direction_from);
   state_ = State::on;
-  // Above the work the cutter goes straight.
+  // Above the work the cutter moves straight.
   const bool above = std::any_of(events_.begin(), events_.end(), [&](const Event& event) {
     return event.kind == Event::Kind::height && event.value < lead_->z;
   });
   if (!above && dot(from - at, out) < radius - slack) {
-    // The straight way would touch the begin: along the tangent, then round it.
+    // The straight line would touch the beginning: the path is along the tangent, then round it.
     const Vec heading = way >= radius ? turned((at - from) / way, side * std::asin(radius / way)) : Vec{};
     if (way < radius) {
       fault(lead_manner_.line, "the move behind G41 or G42 leads in: it must be longer than the cutter's radius");
@@ -207,7 +207,7 @@ void Compensation::lead_out(Vec to) {
   drive(flat(to), to.z, how);
 }
 
-/// Between the move that was kept back and the next one.
+/// Joins the pending move and the next one.
 void Compensation::corner(Move& next) {
   Move& last = *last_;
   OffsetPiece &a = last.piece, &b = next.piece;
@@ -283,7 +283,7 @@ void Compensation::happen() {
   mover_.builder().at_line(now);
 }
 
-/// Nothing follows that would trim the last move.
+/// No further move trims the last one.
 void Compensation::flush() {
   const std::size_t now = mover_.builder().line();
   if (last_) {

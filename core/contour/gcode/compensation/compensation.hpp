@@ -1,17 +1,20 @@
 #pragma once
-/// Cutter radius compensation (G41, G42): stands between the program and a Mover and moves lines and arcs in the plane
-/// of x and y aside, one move late.
+/// Cutter radius compensation (G41, G42). It sits between the program and a Mover and offsets lines and arcs in the
+/// plane of x and y, one move late.
 ///
-/// - Outside corners are rounded by an arc about the corner, inside corners trimmed to where the moved curves cross.
-/// - The first move leads in. A straight one goes to beside the begin of the next one, or, where the cutter would touch
-///   that begin on its way, along the tangent and round it; an arc ends beside its end in its direction, with another
-///   radius. The first move behind G40, a straight one, leads out in the same way. At another height than the contour
-///   both go straight.
-/// - Moves along z alone, dwells and switches happen where the cutter then stands.
+/// - Outside corners are rounded by an arc about the corner, inside corners trimmed to the crossing of the offset
+/// curves.
+/// - The first move leads in. A straight one goes to beside the beginning of the next one, or, where the cutter would
+/// touch
+///   that beginning on its path, along the tangent and round it; an arc ends beside its end in its direction, with
+///   another radius. The first move behind G40, a straight one, leads out in the mirrored manner. At another height
+///   than the contour both are straight.
+/// - Moves along z alone, dwells and switches happen at the cutter's position at that time.
 ///
-/// Refused as gouges: an arc narrower than the cutter, an inside corner in which one of its two moves is trimmed away,
-/// a closed contour that begins in an inside corner, a lead-in or lead-out that is shorter than the radius or comes
-/// from the wrong side. Only neighbours are compared: a wall elsewhere that the cutter would touch is not seen.
+/// These are refused as gouges: an arc narrower than the cutter, an inside corner in which one of its two moves is
+/// trimmed away, a closed contour that begins in an inside corner, a lead-in or lead-out that is shorter than the
+/// radius or comes from the wrong side. Only neighbours are compared: a wall elsewhere that the cutter would touch is
+/// not detected.
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -23,23 +26,23 @@ namespace bahnwerk::gcode {
 
 class Compensation {
  public:
-  static constexpr double slack = 1e-3;  ///< mm: by how much moves may be too short, as coordinates are rounded
+  static constexpr double slack = 1e-3;  ///< mm; moves may be too short by this, since coordinates are rounded
 
   explicit Compensation(bool flat) : mover_(flat) {}
 
-  /// From the next move on, `aside` mm (positive: to the left), not zero.
+  /// Offsets from the next move on by `aside` mm (positive: to the left), which is not zero.
   void begin(double aside);
   void end();
   bool on() const { return state_ == State::leads_in || state_ == State::on; }
   double aside() const { return aside_; }
 
-  // As Mover has them; places are those that the program names.
+  // The interface of Mover; places are those of the program.
   void use(Mode mode, double feed) { off() ? mover_.use(mode, feed) : keep(mode, feed); }
   void first_switch();
   void place(Vec at) { mover_.place(programmed_ = at); }
   void start(Vec at) { mover_.start(programmed_ = at); }
   bool started() const { return mover_.started(); }
-  /// `across`: the program names x or y, even if they stay.
+  /// `across` says that the program names x or y, even if they do not change.
   void line(Vec to, bool across = true) { off() ? mover_.line(to) : offset(to, across); }
   void arc(Vec to, Vec centre, ArcMove how) { off() ? mover_.arc(to, centre, how) : offset(to, centre, how); }
   void spline(Vec to, Vec first, std::optional<Vec> second);
@@ -51,13 +54,13 @@ class Compensation {
 
  private:
   enum class State { off, leads_in, on, leads_out };
-  /// How a move is carried out, and what it is blamed for.
+  /// Mode and feed of a move, and its line for faults.
   struct Manner {
     Mode mode = Mode::cut;
     double feed = std::numeric_limits<double>::infinity();
     std::size_t line = 0;
   };
-  /// What happens between two moves in the plane.
+  /// An event between two moves in the plane.
   struct Event {
     enum class Kind { height, dwell, first_switch } kind;
     Manner manner;
@@ -66,7 +69,7 @@ class Compensation {
   struct Move {
     OffsetPiece piece;
     Manner manner;
-    double z;  // where it ends
+    double z;  // height of its end
     double tolerance;
   };
 
@@ -94,11 +97,11 @@ class Compensation {
   double aside_ = 0;
   Vec programmed_;
   Manner manner_;
-  std::optional<Vec> lead_;  // where the move that leads in goes
+  std::optional<Vec> lead_;  // end of the move that leads in
   Manner lead_manner_;
-  std::optional<Move> last_;          // not driven yet: its end waits for the next one
+  std::optional<Move> last_;          // not written yet: its end depends on the next one
   std::optional<OffsetPiece> first_;  // of the section
-  std::vector<Event> events_;         // behind it
+  std::vector<Event> events_;         // behind that move
 };
 
 }  // namespace bahnwerk::gcode

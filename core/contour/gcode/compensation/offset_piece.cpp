@@ -11,7 +11,7 @@ namespace {
 constexpr double turn = 2 * std::numbers::pi;
 constexpr double rounding = 1e-9;  // mm, rad: what is that little before an end is the end
 
-/// In [0, 2π); what is a rounding below 2π counts as 0.
+/// Reduces to [0, 2π); a value below 2π by rounding counts as 0.
 double wrapped(double angle) {
   angle = std::fmod(angle, turn);
   if (angle < 0) angle += turn;
@@ -59,7 +59,7 @@ Crossings circle_circle(Vec p, double r, Vec q, double s) {
   return result;
 }
 
-/// What of the piece lies behind a point of it, mm.
+/// Returns the length of the piece behind a point of it, mm.
 double behind(const OffsetPiece& piece, Vec at) {
   if (!piece.arc) return dot(piece.to - at, piece.direction_to);
   return piece.radius * wrapped(piece.sense * (angle_of(piece.to - piece.centre) - angle_of(at - piece.centre)));

@@ -1,48 +1,49 @@
 #pragma once
-/// A line or an arc of the plane, moved aside by a cutter's radius, and where two of them meet.
+/// A line or an arc of the plane, offset by a cutter's radius, and the crossing of two of them.
 #include <optional>
 
 #include "core/geometry/curve/vec.hpp"
 
 namespace bahnwerk::gcode {
 
-/// To the left of a direction, mm; z is left out.
+/// Returns the vector to the left of a direction, mm; z is ignored.
 inline Vec left_of(Vec direction) { return {-direction.y, direction.x, 0}; }
 inline double turn_of(Vec from, Vec to) {  ///< rad, within ±π, counter-clockwise positive
   return std::atan2(from.x * to.y - from.y * to.x, from.x * to.x + from.y * to.y);
 }
 Vec turned(Vec direction, double angle);  ///< counter-clockwise, rad
 
-/// All in the plane (z = 0). `radius` 0 and `sweep` 0: a line; an arc that has shrunk to its centre has no length.
+/// A piece in the plane (z = 0). `radius` 0 and `sweep` 0 mean a line; an arc that has shrunk to its centre has no
+/// length.
 struct OffsetPiece {
-  Vec from, to;     ///< moved aside, and trimmed
+  Vec from, to;     ///< offset and trimmed
   Vec corner_from;  ///< as programmed
   Vec corner_to;
   Vec direction_from;  ///< unit tangents at both ends
   Vec direction_to;
   bool arc = false;
   Vec centre;
-  double radius = 0;  ///< of the arc moved aside
+  double radius = 0;  ///< of the offset arc
   double sense = 1;   ///< of the arc: 1 counter-clockwise, −1 clockwise
-  double sweep = 0;   ///< that is left of it, rad, not negative; over 2π for several turns
-  double length = 0;  ///< that is left of it, mm
+  double sweep = 0;   ///< remaining sweep, rad, not negative; over 2π for several turns
+  double length = 0;  ///< remaining length, mm
 
-  void trim_begin(double by, Vec at);  ///< mm along the piece; `at`: where it begins then
+  void trim_begin(double by, Vec at);  ///< mm along the piece; `at` is its new beginning
   void trim_end(double by, Vec at);
 };
 
-/// `aside`: mm, positive to the left. The ends must differ.
+/// Returns the offset line. `aside` in mm, positive to the left. The ends must differ.
 OffsetPiece offset_line(Vec from, Vec to, double aside);
-/// An arc by its centre, `sweep` > 0. None where it is more than `slack` mm too narrow to be moved aside.
+/// Returns the offset arc about its centre, `sweep` > 0; nothing if it is more than `slack` mm too narrow.
 std::optional<OffsetPiece> offset_arc(Vec from, Vec to, Vec centre, double sense, double sweep, double aside,
                                       double slack);
 
 struct Meeting {
   Vec at;
-  double before, behind;  ///< how much of the first piece lies behind it, of the second one before it, mm
+  double before, behind;  ///< lengths of the first piece behind it and of the second one before it, mm
 };
-/// The crossing of two pieces that is nearest to the corner between them, where it lies on both of them, or beyond
-/// their other end by at most `slack`, mm.
+/// Returns the crossing of two pieces that is nearest to the corner between them, if it lies on both, or beyond their
+/// other end by at most `slack`, mm.
 std::optional<Meeting> meeting(const OffsetPiece& first, const OffsetPiece& second, double slack);
 
 }  // namespace bahnwerk::gcode

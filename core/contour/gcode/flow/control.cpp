@@ -91,7 +91,7 @@ bool Control::execute(const Line& line) {
   }
 }
 
-/// if, elseif: to the next one of the label where its condition does not hold.
+/// Executes if and elseif: jumps to the next word of the label if the condition does not hold.
 bool Control::branch(const Line& line, std::size_t index) {
   double value = 0;
   Place end;
@@ -102,7 +102,7 @@ bool Control::branch(const Line& line, std::size_t index) {
   return true;
 }
 
-/// while, endwhile, and the while of a do.
+/// Executes while, endwhile, and the while of a do.
 bool Control::loop(const Line& line, std::size_t index) {
   const std::size_t head = outline()[index].head;
   Place end;
@@ -129,7 +129,7 @@ bool Control::repeat(const Line& line, std::size_t index) {
   if (line.flow == Flow::repeat) {
     double times = 0;
     if (!condition(line, times)) return false;
-    loops_.erase(under_way, loops_.end());  // left by break, or by another way
+    loops_.erase(under_way, loops_.end());  // left by break, or otherwise
     times = std::floor(times + 1e-6);
     if (times < 1)
       lines_.go(end);
@@ -148,7 +148,7 @@ bool Control::repeat(const Line& line, std::size_t index) {
   return true;
 }
 
-/// break, continue.
+/// Executes break and continue.
 bool Control::jump(std::size_t head, Flow flow) {
   Place end;
   if (!end_of(head, end)) return false;
@@ -177,7 +177,7 @@ bool Control::call_sub(const Line& line) {
   return true;
 }
 
-/// return, endsub.
+/// Executes return and endsub.
 bool Control::leave(const Line& line) {
   if (frames_.empty() || frames_.back().numbered) return fail("return and endsub stand in a subprogram (sub)");
   std::vector<double> values;

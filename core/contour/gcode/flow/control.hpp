@@ -1,5 +1,5 @@
 #pragma once
-/// The order in which the lines of a part program are carried out: subprograms, branches and loops of O words, M98 and
+/// The order in which the lines of a part program are executed: subprograms, branches and loops of O words, M98 and
 /// M99, within a budget of steps.
 #include <algorithm>
 #include <cstddef>
@@ -17,13 +17,14 @@ namespace bahnwerk::gcode {
 
 class Control {
  public:
-  static constexpr std::size_t max_calls = 64;       ///< subprograms in one another
+  static constexpr std::size_t max_calls = 64;       ///< depth of nested subprograms
   static constexpr std::size_t bytes_per_step = 64;  ///< a longer line takes one step more for each
 
   Control(std::string_view text, const GcodeOptions& options, Parameters& parameters, Lines& lines, Progress& progress)
       : text_(text), options_(options), parameters_(parameters), lines_(lines), progress_(progress) {}
 
-  /// Takes the line from the budget if it, or one behind it, was carried out before. False: there is nothing left.
+  /// Takes the line from the budget if it, or a line behind it, was executed before. Returns false if the budget is
+  /// used up.
   bool spend(const Line& line, Place before) {
     if (line.number > furthest_) {
       furthest_ = line.number;
@@ -33,16 +34,17 @@ class Control {
     return spent_ <= options_.steps;
   }
 
-  /// Carries out a line with a flow: the next line is another one then. False, with fault(), where that is impossible.
+  /// Executes a line with a flow: the next line is then another one. Returns false, with fault(), if that is
+  /// impossible.
   bool execute(const Line& line);
-  /// M98: the numbered subprogram, so often.
+  /// Executes M98: calls the numbered subprogram `repeats` times.
   bool call(int program, std::size_t repeats);
-  /// M99; false in the main program.
+  /// Executes M99; returns false in the main program.
   bool back();
 
-  /// The text is at its end inside a subprogram.
+  /// Whether the end of the text was reached inside a subprogram.
   bool inside() const { return !frames_.empty(); }
-  std::size_t depth() const { return frames_.size(); }  ///< subprograms under way
+  std::size_t depth() const { return frames_.size(); }  ///< active subprograms
   /// Whether M98 has called the subprogram that begins in this line.
   bool called(const Line& line) const {
     return std::find(called_.begin(), called_.end(), line.number) != called_.end();
@@ -54,8 +56,8 @@ class Control {
   struct Frame {
     Place back;
     std::size_t head;       // in the outline
-    std::size_t remaining;  // further times
-    std::size_t loops;      // of those outside
+    std::size_t remaining;  // remaining repetitions
+    std::size_t loops;      // number of enclosing loops
     bool numbered;
   };
   struct Loop {
@@ -80,11 +82,11 @@ class Control {
   Parameters& parameters_;
   Lines& lines_;
   Progress& progress_;
-  std::optional<Outline> outline_;  // made where it is first needed
+  std::optional<Outline> outline_;  // made on first use
   std::vector<Frame> frames_;
-  std::vector<Loop> loops_;              // repeats under way
+  std::vector<Loop> loops_;              // active repeats
   std::vector<std::size_t> called_;      // lines of the numbered subprograms that were called
-  std::size_t pending_ = Outline::none;  // the elseif or else that an if led to
+  std::size_t pending_ = Outline::none;  // the elseif or else to which an if has jumped
   std::size_t furthest_ = 0, spent_ = 0;
   std::string fault_;
 };

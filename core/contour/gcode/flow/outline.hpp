@@ -1,5 +1,5 @@
 #pragma once
-/// Where the O words of a part program stand, and which of them belong together.
+/// Places of the O words of a part program, and their chains.
 #include <cstddef>
 #include <map>
 #include <string>
@@ -18,8 +18,8 @@ class Outline {
  public:
   static constexpr std::size_t none = ~std::size_t{0}, most = 100'000;
 
-  /// A line with an O word. Those of one label from sub to endsub, from if to endif, from while, do or repeat to the
-  /// end of the loop are a chain; the label may be used again behind it.
+  /// A line with an O word. The words of one label from sub to endsub, from if to endif, from while, do or repeat to
+  /// the end of the loop form a chain; the label may be used again behind it.
   struct Entry {
     Place before, after;      ///< the line
     Flow flow = Flow::none;   ///< none: a number alone, as programs and subprograms of M98 have it
@@ -31,11 +31,11 @@ class Outline {
   /// O(bytes + O words · log labels).
   Outline(std::string_view text, bool skip_slash, Progress& progress);
 
-  bool full() const { return full_; }  ///< there are more than `most`, which are not known
+  bool full() const { return full_; }  ///< whether there are more than `most`; the others are unknown
   const Entry& operator[](std::size_t index) const { return entries_[index]; }
-  /// The entry of a line; none if it has no O word.
+  /// Returns the entry of a line; none if it has no O word.
   std::size_t of_line(std::size_t number) const;
-  /// The head of a subprogram: O… sub, or with `numbered` a number alone. The first of this label.
+  /// Returns the head of the first subprogram of a label: O… sub, or with `numbered` a number alone.
   std::size_t subprogram(const std::string& label, bool numbered) const;
 
  private:

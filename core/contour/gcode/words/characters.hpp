@@ -1,5 +1,5 @@
 #pragma once
-/// Kinds of characters in a part program, whatever the locale.
+/// Classes of characters in a part program, independent of the locale.
 
 namespace bahnwerk::gcode {
 

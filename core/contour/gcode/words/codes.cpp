@@ -148,7 +148,7 @@ Code meaning(int tenfold) {
     case 131:  // no interpolation of a rotary axis
     case 150:  // no polar coordinates
     case 230:  // no forbidden zone
-    case 401:  // no tool kept normal to the contour
+    case 401:  // no tool direction normal to the contour
     case 490:  // no tool length
     case 670:  // no macro
     case 690:  // no rotation

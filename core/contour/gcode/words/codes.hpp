@@ -1,5 +1,5 @@
 #pragma once
-/// What the G words of a part program mean to the reader.
+/// The meaning of the G words of a part program.
 #include <string>
 
 namespace bahnwerk::gcode {
@@ -44,31 +44,31 @@ enum class Action {
   machine_coordinates,
   path_control,
   tool_length,
-  cancel,  ///< of what is never in force: scaling, mirroring
+  cancel,  ///< of modes that are never active: scaling, mirroring
   printer,
-  nothing,  ///< has no effect on a contour, or states what holds anyway
+  nothing,  ///< has no effect on a contour, or states a default
   refuse,
 };
 
 struct Code {
   Group group;
   Action action;
-  const char* text;  ///< why it is refused, what its note says
+  const char* text;  ///< why it is refused, or the text of its note
 };
 
-/// `tenfold`: G5.1 is 51. Unknown words are refused.
+/// Returns the meaning of ten times a G word: G5.1 is 51. Unknown words are refused.
 Code meaning(int tenfold);
 /// Whether the G word takes words of its line: coordinates, a time, an offset.
 bool takes_words(int tenfold);
-/// M words that this reader gives a meaning. What stands behind another one in its line is that word's own.
+/// Whether this reader interprets the M word. The words behind another M word in its line belong to that word.
 bool known_m(int m);
-/// M words of printers' firmware that a machine tool does not know.
+/// Whether it is an M word of printers' firmware that a machine tool does not have.
 bool printer_m(int m);
-/// The M word without its decimal, by its entry in Line::m.
+/// Returns the M word without its decimal, by its entry in Line::m.
 inline int whole_m(int m) { return m < 0 ? -m / 10 : m; }
-/// "M862.3", by its entry in Line::m.
+/// Returns "M862.3", by its entry in Line::m.
 std::string m_name(int m);
-/// "G5.1"
+/// Returns "G5.1" for 51.
 std::string name(int tenfold);
 
 }  // namespace bahnwerk::gcode

@@ -1,5 +1,5 @@
 #pragma once
-/// Values in a part program that are no plain numbers: parameters (#5, #<depth>) and expressions ([#1 + 2 * SIN[30]]).
+/// Values in a part program other than plain numbers: parameters (#5, #<depth>) and expressions ([#1 + 2 * SIN[30]]).
 #include <cstddef>
 #include <string>
 
@@ -7,33 +7,33 @@
 
 namespace bahnwerk::gcode {
 
-/// Reads from `at` on, at most to `end`, which no line end lies before. Blanks stand anywhere, capitals or not. Numbers
-/// may have an exponent, 1.5e-3.
+/// Reads from `at` on, at most to `end`; no line end lies before it. Blanks may be anywhere, and case does not matter.
+/// Numbers may have an exponent, 1.5e-3.
 ///
-/// Operators by rank, equal ones from the left: **, then * / MOD, then + -, then EQ NE GT GE LT LE, then AND OR XOR.
-/// What is not zero is true; EQ and NE take numbers within 1e-6 for equal. MOD is never negative. Functions: ABS ACOS
-/// ASIN ATAN[y]/[x] COS EXISTS[#<name>] EXP FIX FUP LN ROUND SIN SQRT TAN; angles in degrees.
+/// Operators by precedence, equal ones from the left: **, then * / MOD, then + -, then EQ NE GT GE LT LE, then AND OR
+/// XOR. A value other than zero is true; EQ and NE take numbers within 1e-6 as equal. MOD is never negative. Functions:
+/// ABS ACOS ASIN ATAN[y]/[x] COS EXISTS[#<name>] EXP FIX FUP LN ROUND SIN SQRT TAN; angles in degrees.
 class Expression {
  public:
-  static constexpr int max_depth = 32;  ///< of brackets and parameters in one another
+  static constexpr int max_depth = 32;  ///< depth of nested brackets and parameters
 
   Expression(const char* at, const char* end, std::size_t line, Parameters& parameters)
       : at_(at), end_(end), line_(line), parameters_(parameters) {}
 
-  /// A number, a parameter, an expression in brackets or a function, with signs. False: see fault().
+  /// Reads a number, a parameter, an expression in brackets or a function, with signs. Returns false with fault().
   bool value(double& result);
 
-  /// A parameter by number or by name, behind its #.
+  /// A parameter by number or by name.
   struct Reference {
     int number = 0;
     std::string name;  ///< empty: by number
   };
   bool reference(Reference& result);
-  /// The name between < and >.
+  /// Reads the name between < and >.
   bool name(std::string& result);
 
   void skip_blanks();
-  bool next_is(char c);  ///< and takes it
+  bool next_is(char c);  ///< and consumes it
   const char* at() const { return at_; }
   const std::string& fault() const { return fault_; }
 

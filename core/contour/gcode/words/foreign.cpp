@@ -1,4 +1,4 @@
-// What stands behind an M word that is not known here, and characters that begin no word.
+// Words behind an unknown M word, and characters that begin no word.
 #include <algorithm>
 
 #include "core/contour/gcode/words/characters.hpp"

@@ -7,21 +7,22 @@
 namespace bahnwerk::gcode {
 
 enum class ExponentReading {
-  word,      ///< a word E of its own
+  word,      ///< a separate word E
   exponent,  ///< part of the number
-  unclear,   ///< either
+  unclear,   ///< ambiguous
 };
 
-/// What e or E behind a number is. `mantissa`: the digits and the point before it. `rest`: from e or E on, to the end
-/// of the line. `capital`: whether the letter of the word is a capital one. `size`: length of the exponent, e included.
+/// Classifies e or E behind a number. `mantissa` are the digits and the point before it, `rest` the text from e or E to
+/// the end of the line; `capital` says whether the letter of the word is a capital one; `size` becomes the length of
+/// the exponent, e included.
 ///
-/// An E word when its number has a point or no digit. An exponent where its e is not written as the word's letter is
-/// (X…e…), or where sign, two digits and one digit before the mantissa's point tell the output of a formatter.
-/// Otherwise unclear. O(length of the number).
+/// It is a word E if its number has a point or no digit. It is an exponent if its e differs in case from the word's
+/// letter (X…e…), or if sign, two digits and one digit before the mantissa's point show the output of a formatter.
+/// Otherwise it is ambiguous. O(length of the number).
 ExponentReading exponent_reading(std::string_view mantissa, std::string_view rest, bool capital, std::size_t& size);
 
-/// Length of an exponent (e-14, E+3, e5) at the begin of `rest`, where nothing but a number can stand; 0: there is
-/// none.
+/// Returns the length of an exponent (e-14, E+3, e5) at the beginning of `rest`, where only a number can be; 0 if there
+/// is none.
 std::size_t exponent_size(std::string_view rest);
 
 }  // namespace bahnwerk::gcode

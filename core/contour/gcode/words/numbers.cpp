@@ -75,7 +75,7 @@ bool Lines::join(Line& line, char letter, const char*& first, const char*& last)
   return true;
 }
 
-/// At e or E, right behind the digits. `first`, `last` take the exponent along if it is one.
+/// Reads e or E right behind the digits. `first`, `last` include the exponent if it is one.
 bool Lines::exponent(Line& line, char letter, const char*& first, const char*& last) {
   if (std::string_view("GMNOT").find(letter) != std::string_view::npos) return true;
   const auto digits = static_cast<std::size_t>(last - first);

@@ -1,5 +1,5 @@
 #pragma once
-/// The parameters of a part program: #1 … #9999 and named ones, with those that belong to a subprogram.
+/// The parameters of a part program: #1 … #9999 and named ones, with the local ones of subprograms.
 #include <array>
 #include <cstddef>
 #include <functional>
@@ -11,15 +11,15 @@
 
 namespace bahnwerk::gcode {
 
-/// What the control keeps: #5161 … #5602, positions and offsets, and predefined names (#<_x>). Nothing else may set
+/// Parameters of the control: #5161 … #5602, positions and offsets, and predefined names (#<_x>). Programs cannot set
 /// them.
 class SystemParameters {
  public:
   virtual ~SystemParameters() = default;
-  /// None where this reader does not know it.
+  /// Returns nothing if this reader does not know the parameter.
   virtual std::optional<double> system_parameter(int number) const = 0;
   virtual std::optional<double> predefined(std::string_view name) const = 0;
-  /// A name of LinuxCNC whose value only the machine knows.
+  /// Whether it is a name of LinuxCNC whose value only the machine knows.
   virtual bool of_the_machine(std::string_view name) const = 0;
 };
 
@@ -27,7 +27,7 @@ class Parameters {
  public:
   static constexpr int most = 9999, locals = 30;  ///< #1 … #30 belong to a subprogram
   static constexpr int position_first = 5021, system_first = 5161, system_last = 5602;
-  static constexpr std::size_t max_names = 10'000;  ///< of all subprograms that are under way
+  static constexpr std::size_t max_names = 10'000;  ///< in all active subprograms
 
   explicit Parameters(const SystemParameters& system) : system_(system) {}
 
@@ -35,18 +35,19 @@ class Parameters {
     return (number >= position_first && number < position_first + 9) ||
            (number >= system_first && number <= system_last);
   }
-  /// 0 where it was never set, or is not known, which is remembered.
+  /// Returns 0 for a parameter that was never set or is unknown, and records the read.
   double get(int number, std::size_t line);
   void set(int number, double value);
-  /// Names are in small letters, without blanks; those that begin with _ are known everywhere.
+  /// Names are in lower case without blanks; those that begin with _ are global.
   std::optional<double> get(std::string_view name, std::size_t line) const;
-  /// Names that the control keeps: predefined ones with a value.
+  /// Whether the name belongs to the control: predefined ones with a value.
   bool kept(std::string_view name) const;
   bool of_the_machine(std::string_view name) const { return system_.of_the_machine(name); }
-  /// False where there are too many.
+  /// Returns false if there are too many names.
   bool set(std::string_view name, double value);
 
-  /// A subprogram with its own #1 …, the first of them given, the others as they are; and its own names.
+  /// Enters a subprogram with its own #1 …, the first ones given by `arguments`, the others copied, and with its own
+  /// names.
   void enter(const std::vector<double>& arguments);
   void leave();
 
@@ -54,7 +55,9 @@ class Parameters {
     int number = 0;
     std::size_t line = 0, count = 0;
   };
-  const Unset& unset() const { return unset_; }  ///< what was read without a value: the first, and how often
+  const Unset& unset() const {
+    return unset_;
+  }  ///< parameters that were read without a value: the first one, and their count
 
  private:
   using Names = std::map<std::string, double, std::less<>>;

@@ -19,7 +19,7 @@ std::string shown(char c) {
   return text;
 }
 
-/// What a character that begins no word stands for, if that is known.
+/// Returns the meaning of a character that begins no word, if it is known.
 std::string strange(char c, char next) {
   switch (c) {
     case '=':
@@ -195,7 +195,7 @@ bool Lines::code(Line& line, char letter, double value) {
   const double scaled = 10 * value, tenfold = std::round(scaled);
   const bool sound = value >= 0 && value < 10'000 && std::abs(scaled - tenfold) < 1e-6;
   const int number = sound ? static_cast<int>(tenfold) : 0;
-  // A printer's M73.2 tells its progress.
+  // M73.2 of a printer reports its progress.
   const bool known = m && known_m(number / 10) && (number % 10 == 0 || number / 10 != 73);
   if (!sound || (known && number % 10 != 0)) {
     line.fault = std::string("there is no such ") + letter + " word";

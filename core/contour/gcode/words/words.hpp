@@ -1,5 +1,5 @@
 #pragma once
-/// The words of a part program, line by line: letters and numbers, not their meaning.
+/// The words of a part program, line by line: letters and numbers without their meaning.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace bahnwerk::gcode {
 
-/// What an O word does to the order of the lines.
+/// Effect of an O word on the order of the lines.
 enum class Flow : std::uint8_t {
   none,
   sub,
@@ -32,28 +32,28 @@ enum class Flow : std::uint8_t {
   next
 };
 
-/// One line of a program. G and M words are lists, every other letter has at most one number.
+/// One line of a program. G and M words are lists; every other letter has at most one number.
 struct Line {
   static constexpr std::size_t max_codes = 16, max_assignments = 64;
 
   std::size_t number = 0;  ///< in the text, from 1
   std::array<int, max_codes> g{};
-  std::size_t g_count = 0;         ///< g holds tenfold numbers: G5.1 is 51
-  std::array<int, max_codes> m{};  ///< with a decimal tenfold and negative: M862.3 is −8623
+  std::size_t g_count = 0;         ///< g has ten times the number: G5.1 is 51
+  std::array<int, max_codes> m{};  ///< with a decimal ten times the number and negative: M862.3 is −8623
   std::size_t m_count = 0;
-  std::uint32_t behind_m6 = 0;      ///< letters that stand behind M6
-  std::uint32_t foreign = 0;        ///< letters of M words that are not known here, which the line does not have
-  bool has_foreign = false;         ///< such an M word stands in the line
-  bool text = false;                ///< what follows such an M word are not only words
-  std::string controller;           ///< a line for the controller, $H: all of it; nothing else is read
+  std::uint32_t behind_m6 = 0;      ///< letters behind M6
+  std::uint32_t foreign = 0;        ///< letters behind unknown M words, which belong to those words
+  bool has_foreign = false;         ///< whether such an M word is in the line
+  bool text = false;                ///< whether something other than words follows such an M word
+  std::string controller;           ///< a line for the controller, such as $H, in full; nothing else of it is read
   bool slash = false;               ///< begins with /
-  bool bare = false;                ///< a letter has no number, as in G28 X Y of printers: 0
+  bool bare = false;                ///< whether a letter has no number, as in G28 X Y of printers: 0
   bool percent = false;             ///< begins with %
-  Flow flow = Flow::none;           ///< with its label; nothing else of the line is read
-  const char* arguments = nullptr;  ///< what follows it
+  Flow flow = Flow::none;           ///< with its label; the rest of the line is not read
+  const char* arguments = nullptr;  ///< text behind it
   const char* end = nullptr;        ///< of the line
   std::string label;                ///< of an O word: its name, or its number without leading zeros
-  std::string fault;                ///< the first thing that is not a word; empty = none
+  std::string fault;                ///< the first text that is not a word; empty = none
 
   bool has(char letter) const { return (letters_ >> (letter - 'A')) & 1U; }
   double operator[](char letter) const { return values_[static_cast<std::size_t>(letter - 'A')]; }
@@ -79,22 +79,23 @@ struct Place {
   std::size_t number = 0;  ///< of the line before it
 };
 
-/// Walks through a text, O(bytes). Numbers are decimal, within ±1e9, whatever the locale; an exponent is read where
-/// nothing else can be meant (number_exponent.hpp) and a fault where a word E can. What a line gives to parameters
-/// holds from the next one on.
+/// Reads a text line by line, O(bytes). Numbers are decimal, within ±1e9, independent of the locale; an exponent is
+/// read where nothing else can be meant (number_exponent.hpp) and is a fault where a word E can be. Values that a line
+/// gives to parameters hold from the next line on.
 ///
-/// What stands behind an M word that no machine tool has (codes.hpp, known_m) is that word's own, numbers or not,
-/// unless the line has a G word that takes words: the line then has these letters.
+/// Words behind an M word that no machine tool has (codes.hpp, known_m) belong to that word, unless the line has a G
+/// word that takes words: then they are words of the line.
 class Lines {
  public:
-  /// Without parameters, whatever asks for them is a fault.
+  /// Without parameters, every use of a parameter is a fault.
   explicit Lines(std::string_view text, Parameters* parameters = nullptr);
-  /// False at the end of the text. With `skip_slash` the words of a line that begins with / are not read.
+  /// Reads the next line; returns false at the end of the text. With `skip_slash` the words of a line that begins with
+  /// / are not read.
   bool next(Line& line, bool skip_slash);
 
   Place place() const { return {at_, number_}; }
   void go(Place place) { at_ = place.at, number_ = place.number; }
-  /// The O word of the next line, if it has one: label and flow alone, the rest of the line is not looked at.
+  /// Reads the O word of the next line, if it has one: label and flow only; the rest of the line is skipped.
   bool next_label(Line& line);
 
  private:
@@ -122,12 +123,12 @@ class Lines {
   void skip_line();
 
   const char *at_, *end_;
-  const char* line_end_ = nullptr;  // of the line at hand, once it was looked for
-  std::array<char, 64> joined_{};   // a number that blanks divide
-  bool printer_ = false;            // words E stand alone, or words of printers: a program for one
+  const char* line_end_ = nullptr;  // of the current line, once found
+  std::array<char, 64> joined_{};   // a number with blanks in it
+  bool printer_ = false;            // whether words E are alone, or words of printers occur: a program for a printer
   std::size_t number_ = 0;
   Parameters* parameters_;
-  std::vector<std::pair<Expression::Reference, double>> assigned_;  // by the line at hand
+  std::vector<std::pair<Expression::Reference, double>> assigned_;  // by the current line
 };
 
 }  // namespace bahnwerk::gcode

@@ -12,21 +12,20 @@ class Progress;
 enum class LinkObjective { curvature, control_distance };
 
 struct BestLink {
-  LinkShape shape;          ///< β by the parameters of the ends as given
-  double objective = 0;     ///< what was minimised, without the term that makes (4.61) unique
-  double smoothness = 0;    ///< J of (4.60), whatever was minimised
+  LinkShape shape;          ///< β by the parameters of the given ends
+  double objective = 0;     ///< the minimised value, without the term that makes (4.61) unique
+  double smoothness = 0;    ///< J of (4.60), also for other objectives
   double kkt_residual = 0;  ///< of the search; see OptimisationResult
   OptimisationStatus status = OptimisationStatus::undefined;
   std::size_t evaluations = 0;
 };
 
-/// A local minimum, by sequential quadratic programming with analytic gradients; never worse than its start. `start`:
-/// a shape that was good for similar ends (the turn before); none: links of the chord's length as speed. Weights are
-/// taken from there and held.
+/// Returns a local minimum, found by sequential quadratic programming with analytic gradients; never worse than its
+/// start. `start` is a good shape for similar ends (the turn before); without one the search starts from links with the
+/// chord's length as speed. Weights are taken from it and constant.
 ///
-/// Its variables and their bounds: link_variables.hpp.
-/// (4.61) has a minimum on a set of β: 1e-2·chord·J/J(start) is added, which takes the smoothest of them.
-/// Throws what link() throws. Ends after max_evaluations, of about 6 µs each for k = 3.
+/// Variables and their bounds: link_variables.hpp. (4.61) has a set of minima: 1e-2·chord·J/J(start) is added, which
+/// selects the smoothest of them. Throws what link() throws. Ends after max_evaluations, of about 6 µs each for k = 3.
 BestLink best_link(const SmoothnessRule& rule, const LinkEnds& ends, LinkObjective objective,
                    const SmoothnessWeights& weights, const std::optional<LinkShape>& start, Progress& progress,
                    std::size_t max_evaluations = 2000);

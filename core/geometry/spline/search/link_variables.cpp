@@ -10,7 +10,7 @@ Betas betas_of(const Series& change) {
 }
 Series change_of(const Betas& betas) { return Series::from(0, betas[0], betas[1], betas[2], betas[3]); }
 
-/// f, whose inverse has these derivatives.
+/// Returns the f whose inverse has these derivatives.
 Series change_of(std::span<const double> gamma) {
   Series inverse;
   for (std::size_t j = 1; j <= gamma.size(); ++j) inverse.c[j] = gamma[j - 1] / LinkVariables::scale(j);

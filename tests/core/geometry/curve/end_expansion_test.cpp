@@ -9,7 +9,7 @@ namespace {
 
 using testing::expect_near;
 
-TEST(EndExpansion, WhereTheCurvatureIsBoundedAndItsRateIsNot) {
+TEST(EndExpansion, HoldsWhereTheCurvatureIsBoundedAndItsRateIsNot) {
   // (u³, u⁷): y = x^(7/3), κ = 28/9 u/q^(3/2) with q = 1 + 49/9 u⁸, ds = 3u² √q du.
   const auto pieces = regular_pieces(Rational::from_power_basis({{0, 0, 0, 1}, {0, 0, 0, 0, 0, 0, 0, 1}}));
   ASSERT_EQ(pieces.size(), 1U);

@@ -106,7 +106,7 @@ TEST(Region, InwardHoldsWhatIsDeepEnough) {
   }
 }
 
-TEST(Region, WithoutCutsAPieceAway) {
+TEST(Region, WithoutRemovesTheOtherRegion) {
   const Region piece =
       Region({line({1, 1.5}, {2, 1.5}), line({2, 1.5}, {2, 3}), line({2, 3}, {1, 3}), line({1, 3}, {1, 1.5})});
   const Region rest = rectangle(3, 2).without(piece);

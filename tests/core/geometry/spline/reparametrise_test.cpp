@@ -65,7 +65,7 @@ TEST(Reparametrise, BetaDerivativesAreThoseOfDifferences) {
   }
 }
 
-TEST(Reparametrise, ByLengthHasUnitTangentAndDoesNotDependOnTheParameter) {
+TEST(Reparametrise, DerivativesByLengthHaveUnitTangentAndDoNotDependOnTheParameter) {
   Random random(4);
   for (int i = 0; i < 50; ++i) {
     SplineJet s{};

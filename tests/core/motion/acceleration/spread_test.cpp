@@ -16,7 +16,7 @@ TEST(Spread, EachPartGetsWhatItsCellHad) {
   EXPECT_EQ(values, (std::vector<int>{10, 11, 11, 11, 12, 13, 13}));
 }
 
-TEST(Spread, WhatBelongsToTheEndStaysTheLast) {
+TEST(Spread, ValueOfTheEndStaysTheLast) {
   LargeVector<std::uint8_t> parts{2, 1};
   std::vector<int> values{10, 11, 99};
   spread(values, parts, 3, silent_scope());

@@ -44,7 +44,7 @@ TEST(Orientation, DerivativesAreByArcLength) {
   }
 }
 
-TEST(Orientation, OnLinesAndArcsTheParameterIsEven) {
+TEST(Orientation, ParameterIsProportionalToLengthOnLinesAndArcs) {
   Path path;
   path.append(std::make_shared<Arc>(Vec{}, Vec{1, 0, 0}, Vec{0, 1, 0}, 20, 2.0), 0);
   const Orientation turn(path, {line({0.5, 0.1, 0}, {2.5, 0.1, 0})});
@@ -87,7 +87,7 @@ TEST(Orientation, TurnsAreBoundedInTheComplexPlane) {
   EXPECT_EQ(still.turn_within(0, 0.5, 10), 0);
 }
 
-TEST(Orientation, WhatDoesNotFitIsRefused) {
+TEST(Orientation, AnglesThatDoNotFitAreRefused) {
   Path path;
   path.append(line({0, 0, 0}, {50, 0, 0}), 0);
   path.append(line({50, 0, 0}, {50, 30, 0}), 1);

@@ -15,7 +15,7 @@ TimeLaw planned(const test::FeedProblem& problem, const FeedOptions& options) {
   return plan_constant_feed(*problem.task, options, progress, 0, 1);
 }
 
-TEST(ConstantFeed, OnALineItIsAStraightMove) {
+TEST(ConstantFeed, IsAStraightMoveOnALine) {
   const test::FeedProblem problem({200}, {}, 1);
   FeedOptions options;
   options.path.velocity = 100, options.path.acceleration = 400, options.path.jerk = 3000;
@@ -73,7 +73,7 @@ TEST(ConstantFeed, RestsWhereTheTaskDoes) {
   EXPECT_TRUE(rested);
 }
 
-TEST(ConstantFeed, WithoutAnyLimitOfAccelerationItIsRefused) {
+TEST(ConstantFeed, IsRefusedWithoutAnyLimitOfAcceleration) {
   test::FeedProblem problem({30}, {}, 8);
   for (AxisLimits& axis : problem.machine.axes) axis = {axis.name, 100};
   EXPECT_THROW(planned(problem, {}), InvalidInput);

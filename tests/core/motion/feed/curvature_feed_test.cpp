@@ -35,7 +35,7 @@ TEST(CurvatureFeed, HalfTheSpeedIsAllowedAtItsCurvature) {
   EXPECT_EQ(half_speed_feed(1, {}), unlimited);
 }
 
-TEST(CurvatureFeed, OfEverySegmentTheLargestCurvatureCounts) {
+TEST(CurvatureFeed, LargestCurvatureOfEverySegmentCounts) {
   const test::FeedProblem problem({10, 10}, {1.3}, 6);
   double most = 0;
   for (int k = 0; k <= 100000; ++k) {

@@ -12,11 +12,11 @@ namespace {
 
 FeedGrid grid_of(const PathTask& task, const FeedGridOptions& options) {
   static SilentProgress progress;
-  ProgressScope scope(progress, "test", 0, 1);
-  return {task, options, scope};
+  ProgressScope stage_progress(progress, "test", 0, 1);
+  return {task, options, stage_progress};
 }
 
-TEST(FeedChange, OnALineItIsTheProfileUnderTheLimitsAlongThePath) {
+TEST(FeedChange, IsTheProfileUnderTheLimitsAlongThePathOnALine) {
   const test::FeedProblem problem({100}, {}, 1);
   FeedGridOptions options;
   options.along.acceleration = 400, options.along.jerk = 3000;
@@ -73,9 +73,9 @@ TEST(FeedChangeProperty, KeepsAllLimitsBetweenTheNodes) {
     for (const RisePiece& p : change->rise.pieces())
       for (int k = 0; k <= 20; ++k) {
         const double t = p.duration * k / 20;
-        const double v = low + p.v + t * (p.a + t * (p.j / 2 + t * p.q / 6)),
-                     a = (forwards ? 1 : -1) * (p.a + t * (p.j + t * p.q / 2)), j = p.j + t * p.q;
-        const double way = t * (low + p.v + t * (p.a / 2 + t * (p.j / 6 + t * p.q / 24)));
+        const double v = low + p.v + t * (p.a + t * (p.j / 2 + t * p.snap / 6)),
+                     a = (forwards ? 1 : -1) * (p.a + t * (p.j + t * p.snap / 2)), j = p.j + t * p.snap;
+        const double way = t * (low + p.v + t * (p.a / 2 + t * (p.j / 6 + t * p.snap / 24)));
         const double at = std::clamp(forwards ? s + x + way : s - x - way, 0.0, length);
         if (k == 20) x += way;
         const std::size_t segment = problem.tool.find(at);

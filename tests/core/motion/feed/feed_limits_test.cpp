@@ -12,12 +12,12 @@ namespace {
 
 FeedGrid grid_of(const PathTask& task, FeedGridOptions options = {}) {
   static SilentProgress progress;
-  ProgressScope scope(progress, "test", 0, 1);
-  return {task, options, scope};
+  ProgressScope stage_progress(progress, "test", 0, 1);
+  return {task, options, stage_progress};
 }
 
 /// On a quarter circle of radius r each axis has q′ up to 1, q″ up to 1/r, q‴ up to 1/r².
-TEST(FeedLimits, OfACircle) {
+TEST(FeedLimits, ValuesOnACircleAreKnown) {
   const double r = 20;
   Path tool;
   tool.append(std::make_shared<Arc>(Vec{}, Vec{1, 0, 0}, Vec{0, 1, 0}, r, 2, 0), 0);

@@ -25,7 +25,7 @@ double optimum(const test::FeedProblem& problem, const Limits& along = {}) {
   return plan_jerk_limited(*problem.task, options, progress, 0, 1).law.duration();
 }
 
-TEST(SplineFeed, OnALineItIsNearTheShortestMove) {
+TEST(SplineFeed, IsNearTheShortestMoveOnALine) {
   const test::FeedProblem problem({200}, {}, 1);
   Limits along;
   along.velocity = 100, along.acceleration = 400, along.jerk = 3000;

@@ -20,9 +20,10 @@ Contour mixed() {
 Grid<2> grid_of(const Contour& contour, const GridOptions& options = {}) {
   Grid<2> grid;
   SilentProgress progress;
-  ProgressScope pulse(progress, "planning", 0, 1);
+  ProgressScope stage_progress(progress, "planning", 0, 1);
   const CartesianAxisPath axes(contour.path, 2);
-  grid.build(LanePath<2>(axes), 0, contour.path.size(), contour.feeds(), bahnwerk::testing::two_axes(), options, pulse);
+  grid.build(LanePath<2>(axes), 0, contour.path.size(), contour.feeds(), bahnwerk::testing::two_axes(), options,
+             stage_progress);
   return grid;
 }
 
@@ -74,9 +75,9 @@ TEST(Grid, AxesThatTurnTogetherPartACellOnce) {
     const Contour contour = b.finish();
     Grid<3> grid;
     SilentProgress progress;
-    ProgressScope pulse(progress, "planning", 0, 1);
+    ProgressScope stage_progress(progress, "planning", 0, 1);
     const CartesianAxisPath axes(contour.path, 3);
-    grid.build(LanePath<3>(axes), 0, contour.path.size(), contour.feeds(), machine, {}, pulse);
+    grid.build(LanePath<3>(axes), 0, contour.path.size(), contour.feeds(), machine, {}, stage_progress);
     for (std::size_t c = 0; c < grid.cells.size(); ++c) ASSERT_GT(grid.length(c), 1e-6) << i << ", cell " << c;
   }
 }
@@ -120,9 +121,9 @@ TEST(Grid, DivideKeepsTheEnds) {
   parts[n - 1] = 2;
   const double left = grid.left(1).s, right = grid.right(1).s;
   SilentProgress progress;
-  ProgressScope pulse(progress, "planning", 0, 1);
+  ProgressScope stage_progress(progress, "planning", 0, 1);
   const CartesianAxisPath axes(contour.path, 2);
-  grid.divide(LanePath<2>(axes), parts, pulse);
+  grid.divide(LanePath<2>(axes), parts, stage_progress);
   EXPECT_EQ(grid.cells.size(), n + 5);
   EXPECT_EQ(grid.left(1).s, left);
   EXPECT_EQ(grid.right(5).s, right);

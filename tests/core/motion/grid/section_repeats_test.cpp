@@ -16,9 +16,9 @@ constexpr double corner_angle = 2e-3;
 /// Per section, which one it repeats.
 std::vector<std::size_t> sources(const PathTask& task) {
   SilentProgress silent;
-  ProgressScope scope(silent, "test", 0, 1);
-  const Sections sections = find_sections(task, corner_angle, scope);
-  SectionRepeats repeats(task, sections, scope);
+  ProgressScope progress(silent, "test", 0, 1);
+  const Sections sections = find_sections(task, corner_angle, progress);
+  SectionRepeats repeats(task, sections, progress);
   std::vector<std::size_t> list;
   for (std::size_t i = 0; i + 1 < sections.begin.size(); ++i) list.push_back(repeats.source(i));
   return list;
@@ -54,7 +54,7 @@ TEST(SectionRepeats, AHoleAtAnotherPlaceIsTheSame) {
   EXPECT_TRUE(alike({{0.3, 0.7, 0}}, {{10.16, 900.1, 0}}));  // not to the last bit
 }
 
-TEST(SectionRepeats, WhatDiffersByMoreThanRoundingIsNot) {
+TEST(SectionRepeats, SectionsThatDifferByMoreThanRoundingAreNotRepeated) {
   EXPECT_FALSE(alike({{0, 0, 0}}, {{10, 3, 0}, 2.5 + 1e-6}));
   EXPECT_FALSE(alike({{0, 0, 0}}, {{10, 3, 0}, 2.5 + 1e-9}));
   EXPECT_FALSE(alike({{0, 0, 0}}, {{10, 3, 0}, 2.5, 301}));

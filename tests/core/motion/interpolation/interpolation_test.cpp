@@ -20,15 +20,15 @@ constexpr Interpolator all[] = {Interpolator::exact, Interpolator::taylor1, Inte
 
 Interpolation interpolate(const test::Moved& moved, Interpolator interpolator) {
   SilentProgress progress;
-  ProgressScope scope(progress, "interpolate", 0, 1);
-  return {moved.motion, interpolator, moved.cycle_time, moved.cycles, scope};
+  ProgressScope stage_progress(progress, "interpolate", 0, 1);
+  return {moved.motion, interpolator, moved.cycle_time, moved.cycles, stage_progress};
 }
 
 FeedFluctuation fluctuation(const test::Moved& moved, Interpolator interpolator) {
   return interpolate(moved, interpolator).fluctuation();
 }
 
-TEST(Interpolation, AtConstantSpeedOnALineAllAreExact) {
+TEST(Interpolation, AllInterpolatorsAreExactAtConstantSpeedOnALine) {
   const auto moved =
       test::at_constant_speed(test::path_of({std::make_shared<const Line>(Vec{1, 2, 3}, Vec{31, 42, 3})}), 123, 0.002);
   for (const Interpolator interpolator : all) {
@@ -40,7 +40,7 @@ TEST(Interpolation, AtConstantSpeedOnALineAllAreExact) {
   }
 }
 
-TEST(Interpolation, OnALineTheFirstOrderLacksTheAcceleration) {
+TEST(Interpolation, FirstOrderLacksTheAccelerationOnALine) {
   const auto moved =
       test::from_rest_to_rest(test::path_of({std::make_shared<const Line>(Vec{0, 0, 0}, Vec{100, 0, 0})}), 400, 0.002);
   // The largest acceleration of the law, in its quarters; what v T lacks is a T²/2.
@@ -52,7 +52,7 @@ TEST(Interpolation, OnALineTheFirstOrderLacksTheAcceleration) {
   EXPECT_LE(fluctuation(moved, Interpolator::quartic).lag, 1e-12);
 }
 
-TEST(Interpolation, OnACircleTheArcExceedsTheQuarticsChordAsKnown) {
+TEST(Interpolation, ArcExceedsTheQuarticsChordOnACircleAsKnown) {
   // The chord of a rational circle is exact: 2 r sin(l/2r) = aim.
   const double r = 20;
   const auto moved = test::at_constant_speed(test::path_of({test::quarter_ellipse(r, r)}), 160, 0.002);

@@ -18,12 +18,12 @@ struct Moved {
 
 /// Along a path with the law `ds` of its first segment alone, or at constant speed; lasts `cycles` cycles.
 inline std::shared_ptr<const PathMotion> motion_of(const std::shared_ptr<const Path>& path, TimeLaw law) {
-  struct Kept {
+  struct SharedAxisPath {
     std::shared_ptr<const Path> path;
     CartesianAxisPath axes;
-    explicit Kept(std::shared_ptr<const Path> p) : path(std::move(p)), axes(*path, 3) {}
+    explicit SharedAxisPath(std::shared_ptr<const Path> p) : path(std::move(p)), axes(*path, 3) {}
   };
-  auto kept = std::make_shared<const Kept>(path);
+  auto kept = std::make_shared<const SharedAxisPath>(path);
   return std::make_shared<const PathMotion>(std::shared_ptr<const AxisPath>(kept, &kept->axes), std::move(law));
 }
 

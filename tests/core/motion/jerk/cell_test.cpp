@@ -50,10 +50,10 @@ TEST(JerkCell, GradientsAreDerivatives) {
   }
 }
 
-TEST(JerkCell, FromRestJerkIsConstant) {
+TEST(JerkCell, JerkIsConstantFromRest) {
   const double b = 9, h = 2, d = 1e-5;
   const LawPiece up = jerk_piece({}, {b, rest_tie(h) * b}, h), down = jerk_piece({b, -rest_tie(h) * b}, {}, h);
-  EXPECT_EQ(up.q, 0);
+  EXPECT_EQ(up.snap, 0);
   EXPECT_NEAR(up.at(up.duration).s, h, 1e-14);
   EXPECT_NEAR(up.at(up.duration).v, 3, 1e-14);
   EXPECT_NEAR(up.at(up.duration).a, rest_tie(h) * b, 1e-14);

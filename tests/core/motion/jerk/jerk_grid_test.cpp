@@ -28,14 +28,14 @@ TEST(JerkGrid, CellsStayEndToEndWithinTheirSegments) {
   const Contour contour = b.finish();
   const Machine machine = testing::two_axes();
   SilentProgress progress;
-  ProgressScope pulse(progress, "planning", 0, 1);
+  ProgressScope stage_progress(progress, "planning", 0, 1);
   Grid<2> grid;
   const CartesianAxisPath axes(contour.path, 2);
-  grid.build(LanePath<2>(axes), 0, contour.path.size(), contour.feeds(), machine, {}, pulse);
+  grid.build(LanePath<2>(axes), 0, contour.path.size(), contour.feeds(), machine, {}, stage_progress);
   const std::size_t before = grid.cells.size();
   LargeVector<Division> division(before, Division{3, Spread::even});
   division[0].spread = Spread::from_rest;
-  divide<2>(grid, LanePath<2>(axes), division, pulse);
+  divide<2>(grid, LanePath<2>(axes), division, stage_progress);
   ASSERT_EQ(grid.cells.size(), 3 * before);
   double length = 0;
   for (std::size_t c = 0; c < grid.cells.size(); ++c) {

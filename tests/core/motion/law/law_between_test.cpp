@@ -15,7 +15,7 @@ TEST(LawBetween, MeetsBothStatesWhateverTheDurationGiven) {
   for (int n = 0; n < 1000; ++n) {
     LawPiece piece;  // a quartic that goes forwards
     piece.s = random.uniform(0, 100), piece.v = random.uniform(10, 20), piece.a = random.uniform(-10, 10);
-    piece.j = random.uniform(-20, 20), piece.q = random.uniform(-20, 20);
+    piece.j = random.uniform(-20, 20), piece.snap = random.uniform(-20, 20);
     const double duration = random.uniform(0.1, 0.5);
     const LawState from = piece.at(0), to = piece.at(duration);
     TimeLaw law;
@@ -27,7 +27,7 @@ TEST(LawBetween, MeetsBothStatesWhateverTheDurationGiven) {
     EXPECT_EQ(made.s_end, to.s);
     EXPECT_NEAR(made.duration, duration, 1e-12);
     EXPECT_NEAR(made.j, piece.j, 1e-8);
-    EXPECT_NEAR(made.q, piece.q, 1e-6);
+    EXPECT_NEAR(made.snap, piece.snap, 1e-6);
     const LawState end = made.at(made.duration);
     EXPECT_NEAR(end.s, to.s, 1e-12 * to.s);
     EXPECT_NEAR(end.v, to.v, 1e-11);
@@ -35,12 +35,12 @@ TEST(LawBetween, MeetsBothStatesWhateverTheDurationGiven) {
   }
 }
 
-TEST(LawBetween, FromRestAtConstantJerk) {
+TEST(LawBetween, HasConstantJerkFromRest) {
   TimeLaw law;
   append_between(law, 0, {0, 0, 0, 0}, {6.0 * 8 / 6, 6.0 * 4 / 2, 12, 0}, 1.9);
   EXPECT_NEAR(law.duration(), 2, 1e-12);
   EXPECT_NEAR(law.pieces().front().j, 6, 1e-10);
-  EXPECT_NEAR(law.pieces().front().q, 0, 1e-9);
+  EXPECT_NEAR(law.pieces().front().snap, 0, 1e-9);
 }
 
 }  // namespace

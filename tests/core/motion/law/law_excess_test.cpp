@@ -39,9 +39,9 @@ struct Driven {
   }
   double excess() const {
     SilentProgress silent;
-    ProgressScope scope(silent, "test", 0, 1);
+    ProgressScope progress(silent, "test", 0, 1);
     const PathTask task{*axes, machine, std::vector<double>(tool.size(), unlimited), rests};
-    return law_excess(task, law, along, scope);
+    return law_excess(task, law, along, progress);
   }
 };
 

@@ -33,8 +33,8 @@ TimeLaw law() {
 TimeLaw law_twice() {
   TimeLaw twice = law();
   SilentProgress silent;
-  ProgressScope scope(silent, "test", 0, 1);
-  repeat_law(twice, 0, 3, path, 0, 3, 2, scope);
+  ProgressScope progress(silent, "test", 0, 1);
+  repeat_law(twice, 0, 3, path, 0, 3, 2, progress);
   return twice;
 }
 

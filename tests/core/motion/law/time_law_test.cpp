@@ -111,13 +111,13 @@ TEST(LawPiece, StateIsTheDerivative) {
 
 TEST(LawPiece, SnapRampsTheJerk) {
   LawPiece p;
-  p.duration = 2, p.s = 1, p.v = 3, p.a = -2, p.j = 4, p.q = -6;
+  p.duration = 2, p.s = 1, p.v = 3, p.a = -2, p.j = 4, p.snap = -6;
   const double t = 1.3, d = 1e-5;
   const LawState x = p.at(t), up = p.at(t + d), down = p.at(t - d);
   EXPECT_NEAR((up.s - down.s) / (2 * d), x.v, 1e-8);
   EXPECT_NEAR((up.v - down.v) / (2 * d), x.a, 1e-8);
   EXPECT_NEAR((up.a - down.a) / (2 * d), x.j, 1e-8);
-  EXPECT_NEAR((up.j - down.j) / (2 * d), p.q, 1e-8);
+  EXPECT_NEAR((up.j - down.j) / (2 * d), p.snap, 1e-8);
   LawPiece slow = p;
   slow.slow(1.5);
   EXPECT_NEAR(slow.at(1.5 * t).s, x.s, 1e-13);
@@ -126,11 +126,11 @@ TEST(LawPiece, SnapRampsTheJerk) {
 
 TEST(LawPiece, TurningPoints) {
   LawPiece p;
-  p.a = 1, p.j = -4, p.q = 4;
+  p.a = 1, p.j = -4, p.snap = 4;
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) EXPECT_NEAR(p.at(turning_points(p)[i]).a, 0, 1e-14);
   EXPECT_NE(turning_points(p)[0], turning_points(p)[1]);
   EXPECT_DOUBLE_EQ(turning_points(p)[2], 1);
-  p.q = 0;
+  p.snap = 0;
   EXPECT_DOUBLE_EQ(turning_points(p)[0], 0.25);
   EXPECT_TRUE(std::isinf(turning_points(p)[1]));
   p.j = 0;

@@ -13,7 +13,7 @@ namespace {
 double magnitude(Random& random) { return std::exp(random.uniform(std::log(1e-6), std::log(1e6))); }
 double maybe(Random& random) { return random.chance(0.15) ? unlimited : magnitude(random); }
 
-TEST(SpeedChangeLaw, ByHand) {
+TEST(SpeedChangeLaw, AgreesWithValuesComputedByHand) {
   EXPECT_DOUBLE_EQ(SpeedChangeLaw(5, unlimited, unlimited).duration(10), 2);
   EXPECT_DOUBLE_EQ(SpeedChangeLaw(5, 20, unlimited).duration(10), 10 / 5. + 5 / 20.);
   EXPECT_DOUBLE_EQ(SpeedChangeLaw(5, 20, unlimited).duration(1), 2 * std::sqrt(1 / 20.));
@@ -76,7 +76,7 @@ TEST(SpeedChangeLaw, ShapeAddsUp) {
   }
 }
 
-TEST(SpeedChangeLaw, NoHeightNoPhases) {
+TEST(SpeedChangeLaw, HasNoPhasesWithoutHeight) {
   const SpeedChange c = SpeedChangeLaw(5, unlimited, unlimited).shape(0);
   EXPECT_EQ(c.hold, 0);
   EXPECT_EQ(c.acceleration, 0);

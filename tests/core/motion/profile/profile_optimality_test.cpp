@@ -64,7 +64,7 @@ double magnitude(Random& random, double low, double high) {
   return std::exp(random.uniform(std::log(low), std::log(high)));
 }
 
-TEST(ProfileOptimality, NoMotionGoesFartherInTheSameTime) {
+TEST(ProfileOptimality, NoMotionCoversMoreDistanceInEqualTime) {
   Random random(51);
   for (int run = 0; run < 20000; ++run) {
     ProfileLimits l{magnitude(random, 1e-3, 1e3), magnitude(random, 1e-3, 1e3), magnitude(random, 1e-3, 1e3)};
@@ -81,7 +81,7 @@ TEST(ProfileOptimality, NoMotionGoesFartherInTheSameTime) {
 }
 
 /// A dip, mirrored at v = 0: no motion goes less far in its time. And no quicker dip would do.
-TEST(ProfileOptimality, NoMotionStaysCloserInTheSameTime) {
+TEST(ProfileOptimality, NoMotionCoversLessDistanceInEqualTime) {
   Random random(52);
   int dips = 0;
   for (int run = 0; run < 20000; ++run) {

@@ -58,7 +58,7 @@ TEST(Profile, SnapLimitedByHand) {
   EXPECT_DOUBLE_EQ(duration(2 * half * half, {9, 9, 2, 8}), 4 * half);
 }
 
-TEST(Profile, AtTheBordersOfTheCases) {
+TEST(Profile, DurationIsContinuousAtTheBordersOfTheCases) {
   // Speed and acceleration limit reached just so.
   EXPECT_DOUBLE_EQ(duration(20, {10, 5}), 4);
   EXPECT_DOUBLE_EQ(duration(10 * (10 / 5. + 5 / 20.), {10, 5, 20}), 2 * (10 / 5. + 5 / 20.));

@@ -21,7 +21,7 @@ struct At {
 At at(const Rise& rise, double t) {
   for (const RisePiece& p : rise.pieces()) {
     if (t <= p.duration || &p == &rise.pieces().back())
-      return {p.v + t * (p.a + t * (p.j / 2 + t * p.q / 6)), p.a + t * (p.j + t * p.q / 2), p.j + t * p.q};
+      return {p.v + t * (p.a + t * (p.j / 2 + t * p.snap / 6)), p.a + t * (p.j + t * p.snap / 2), p.j + t * p.snap};
     t -= p.duration;
   }
   return {};
@@ -66,14 +66,14 @@ TEST(SpeedProfileProperty, KeepsLimitsAndAddsUp) {
         ASSERT_NEAR(p.v, v, 1e-12 * height) << name;
         ASSERT_TRUE(!row.limits_jerk || std::abs(p.a - a) <= 1e-9 * rise.acceleration) << name;
         // Simpson's rule is exact for the cubic speed.
-        const auto speed = [&](double x) { return p.v + x * (p.a + x * (p.j / 2 + x * p.q / 6)); };
+        const auto speed = [&](double x) { return p.v + x * (p.a + x * (p.j / 2 + x * p.snap / 6)); };
         s += p.duration / 6 * (6 * low + speed(0) + 4 * speed(p.duration / 2) + speed(p.duration));
         for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0}) {
           const double x = part * p.duration;
-          ASSERT_LE(std::abs(p.a + x * (p.j + x * p.q / 2)), A * (1 + 1e-12)) << name;
-          ASSERT_TRUE(!row.limits_jerk || std::abs(p.j + x * p.q) <= J * (1 + 1e-11)) << name;
+          ASSERT_LE(std::abs(p.a + x * (p.j + x * p.snap / 2)), A * (1 + 1e-12)) << name;
+          ASSERT_TRUE(!row.limits_jerk || std::abs(p.j + x * p.snap) <= J * (1 + 1e-11)) << name;
         }
-        t += p.duration, v = speed(p.duration), a = p.a + p.duration * (p.j + p.duration * p.q / 2);
+        t += p.duration, v = speed(p.duration), a = p.a + p.duration * (p.j + p.duration * p.snap / 2);
       }
       ASSERT_NEAR(v, height, 1e-11 * height) << name;
       ASSERT_TRUE(!row.limits_jerk || std::abs(a) <= 1e-9 * rise.acceleration) << name;

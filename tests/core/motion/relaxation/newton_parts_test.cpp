@@ -39,7 +39,7 @@ TEST(NewtonParts, OnePlaceHoldsUpItsNeighboursAlone) {
   EXPECT_GT(parts.mean()[0], 0.8);
 }
 
-TEST(NewtonParts, OrAllOfThem) {
+TEST(NewtonParts, AllPlacesTakeOneStepLengthIfRequested) {
   NewtonParts parts = held_up(true);
   parts.taken(0.995);
   for (std::size_t i = 0; i < places; ++i) {

@@ -52,12 +52,12 @@ inline double dual_of(const RelaxationProblem<2>& p, const RelaxationMultipliers
       const auto& l = m.jerk[i + r];
       w += (1 - p.jerk[0] * std::abs(l[0]) - p.jerk[1] * std::abs(l[1])) * parts[r].integral(h);
       for (std::size_t k = 0; k < 2; ++k)
-        G += l[k] *
-             (parts[r].second * c.way[k] - 0.5 * (parts[r].slope_end * c.end[k] - parts[r].slope_begin * c.begin[k]));
+        G += l[k] * (parts[r].second * c.displacement[k] -
+                     0.5 * (parts[r].slope_end * c.end[k] - parts[r].slope_begin * c.begin[k]));
     }
     for (std::size_t k = 0; k < 2; ++k) {
       const double m0 = m.acceleration[i][k], m1 = m.acceleration[i + 1][k];
-      G += m0 * (c.way[k] / h - 0.5 * c.begin[k]) + m1 * (0.5 * c.end[k] - c.way[k] / h);
+      G += m0 * (c.displacement[k] / h - 0.5 * c.begin[k]) + m1 * (0.5 * c.end[k] - c.displacement[k] / h);
       dual -= p.acceleration[k] * h * (std::abs(m0) + std::abs(m1)) / 2;
     }
     const double b = G > 0 ? std::min(cap, std::pow(w / (2 * G), 2.0 / 3)) : cap;

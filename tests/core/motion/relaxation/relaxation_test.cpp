@@ -20,9 +20,9 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 double solved(const RelaxationProblem<2>& problem) {
   SilentProgress silent;
-  ProgressScope pulse(silent, "test", 0, 1);
+  ProgressScope progress(silent, "test", 0, 1);
   RelaxationSolver<2> solver;
-  const RelaxationOutcome outcome = solver.solve(problem, {}, pulse);
+  const RelaxationOutcome outcome = solver.solve(problem, {}, progress);
   EXPECT_TRUE(outcome.converged);
   return outcome.duration;
 }
@@ -63,7 +63,7 @@ TEST(Relaxation, CirclesWithFreeEndsGoAtTheSpeedThatJerkAllows) {
   EXPECT_GE(found, 0.7 * steady);
 }
 
-TEST(Relaxation, WhatIsLooserIsNotSlower) {
+TEST(Relaxation, LooserLimitsAreNotSlower) {
   const auto base = circle(10, 200, 1800, 16000, 1e6);
   const double before = solved(base);
   for (int change = 0; change < 6; ++change) {
@@ -101,11 +101,11 @@ TEST(Relaxation, LimitsByJerkOnlySlowDown) {
 TEST(Relaxation, MultipliersAreFeasibleAndTheirDualIsTheOptimum) {
   const auto p = circle(10, 150, 400, 16000, 1e6);
   SilentProgress silent;
-  ProgressScope pulse(silent, "test", 0, 1);
+  ProgressScope progress(silent, "test", 0, 1);
   RelaxationSolver<2> solver;
   RelaxationOptions options;
   options.gap = 1e-8;
-  const double optimum = solver.solve(p, options, pulse).duration;
+  const double optimum = solver.solve(p, options, progress).duration;
   const RelaxationMultipliers<2> m = solver.multipliers();
   ASSERT_EQ(m.jerk.size(), p.cells.size() + 2);
   ASSERT_EQ(m.acceleration.size(), p.cells.size() + 1);
@@ -117,12 +117,12 @@ TEST(Relaxation, MultipliersAreFeasibleAndTheirDualIsTheOptimum) {
 
 TEST(Relaxation, OneCellAndMemoryOfAnotherProblem) {
   SilentProgress silent;
-  ProgressScope pulse(silent, "test", 0, 1);
+  ProgressScope progress(silent, "test", 0, 1);
   RelaxationSolver<2> solver;
   const auto large = circle(10, 300, 1800, 16000, 1e6), small = line(1, 1, 1800, 16000, 1e6);
-  const double first = solver.solve(large, {}, pulse).duration;
-  EXPECT_GT(solver.solve(small, {}, pulse).duration, 0);
-  EXPECT_EQ(solver.solve(large, {}, pulse).duration, first);
+  const double first = solver.solve(large, {}, progress).duration;
+  EXPECT_GT(solver.solve(small, {}, progress).duration, 0);
+  EXPECT_EQ(solver.solve(large, {}, progress).duration, first);
   EXPECT_EQ(solver.b().size(), 300u);
 }
 

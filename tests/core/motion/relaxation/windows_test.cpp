@@ -19,11 +19,11 @@ TEST(RelaxationWindows, LoseNextToNothingAgainstTheWhole) {
     for (std::size_t i = cell; i < cell + 40; ++i) p.cells[i].cap /= 4;  // something to slow down for
   }
   SilentProgress silent;
-  ProgressScope pulse(silent, "test", 0, 1);
+  ProgressScope progress(silent, "test", 0, 1);
   RelaxationSolver<2> whole;
-  const double optimum = whole.solve(p, {}, pulse).duration;
+  const double optimum = whole.solve(p, {}, progress).duration;
   RelaxationWindows<2> windows;
-  const auto m = windows.solve(p, {}, pulse);
+  const auto m = windows.solve(p, {}, progress);
   ASSERT_EQ(m.jerk.size(), p.cells.size() + 2);
   ASSERT_EQ(m.acceleration.size(), p.cells.size() + 1);
   for (const auto& l : m.jerk) EXPECT_LE(p.jerk[0] * std::abs(l[0]) + p.jerk[1] * std::abs(l[1]), 1 + 1e-12);
@@ -40,11 +40,11 @@ TEST(RelaxationWindows, LoseNextToNothingAgainstTheWhole) {
 TEST(RelaxationWindows, AreTheWholeForShortProblems) {
   const auto p = test::circle(10, 300, 400, 16000, 1e6);
   SilentProgress silent;
-  ProgressScope pulse(silent, "test", 0, 1);
+  ProgressScope progress(silent, "test", 0, 1);
   RelaxationSolver<2> whole;
-  whole.solve(p, {}, pulse);
+  whole.solve(p, {}, progress);
   RelaxationWindows<2> windows;
-  EXPECT_EQ(windows.solve(p, {}, pulse).jerk, whole.multipliers().jerk);
+  EXPECT_EQ(windows.solve(p, {}, progress).jerk, whole.multipliers().jerk);
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ TEST(InteriorPoint, DualValueLessItsResidualIsBelowEveryFeasibleCost) {
   }
 }
 
-TEST(InteriorPoint, WhatCannotHoldDoesNotConverge) {
+TEST(InteriorPoint, InfeasibleProgramsDoNotConverge) {
   BorderedBand program;
   program.add_variables(1);
   const double one[] = {1};

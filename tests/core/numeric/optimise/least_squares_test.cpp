@@ -41,7 +41,7 @@ TEST(NonNegativeLeastSquares, RandomOnesWithDependentColumns) {
   }
 }
 
-TEST(NonNegativeLeastSquares, NoColumns) {
+TEST(NonNegativeLeastSquares, AcceptsAProblemWithoutColumns) {
   EXPECT_EQ(non_negative_least_squares(MatrixXd(3, 0), VectorXd::Ones(3), 0, [] {}).size(), 0);
 }
 

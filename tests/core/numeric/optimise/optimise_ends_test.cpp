@@ -143,7 +143,7 @@ TEST(Minimise, ACancelEndsItBeforeTheNextEvaluation) {
     }
 }
 
-TEST(Minimise, WhatACallbackThrowsComesOutUnchanged) {
+TEST(Minimise, ExceptionsOfCallbacksArePassedOnUnchanged) {
   struct Own {
     int code;
   };

@@ -22,7 +22,7 @@ using test::solve;
 using test::Status;
 
 // The gradients of the test problems themselves.
-TEST(GradientCheck, OfTheTestProblems) {
+TEST(GradientCheck, HoldsForTheTestProblems) {
   for (const KnownProblem& k : {tutorial(), rosenbrock(), hs35(), hs43(), hs71(), hs100(), banded_quadratic(10)})
     EXPECT_LT(gradient_error(k.problem, k.start), 1e-7);
 }

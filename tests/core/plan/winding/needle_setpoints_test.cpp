@@ -97,10 +97,11 @@ std::vector<double> all_rows(const SetpointSource& source) {
 TEST(NeedleSetpoints, SteppedRowsAreTheSameInEverySliceAndOffTheLawByTheirLag) {
   const Wound wound;
   SilentProgress progress;
-  ProgressScope scope(progress, "interpolate", 0, 1);
+  ProgressScope stage_progress(progress, "interpolate", 0, 1);
   const std::size_t cycles = wound.rows->count() - 1;
   for (const Interpolator interpolator : {Interpolator::taylor1, Interpolator::taylor2, Interpolator::quartic}) {
-    const auto stepped = std::make_shared<const Interpolation>(wound.motion, interpolator, 0.002, cycles, scope);
+    const auto stepped =
+        std::make_shared<const Interpolation>(wound.motion, interpolator, 0.002, cycles, stage_progress);
     const NeedleSetpoints rows(
         wound.motion, wound.machine.axes, wound.limits, cycles,
         [](std::size_t, double, const LawState&) { return 25.0; }, stepped);

@@ -236,7 +236,7 @@ TEST(WindingPlan, InterpolatorsThatScatterFailByName) {
   EXPECT_FALSE(find(p, "setpoint jerk q3")->passed);
 }
 
-TEST(WindingPlan, WhereTheFeedIsFarBelowTheLimitsTheQuarticKeepsThem) {
+TEST(WindingPlan, QuarticKeepsTheLimitsAtAFeedFarBelowThem) {
   WindingRequest r = rotor_request(1);
   r.interpolator = Interpolator::quartic;
   r.feed = PlanningMethod::natural;

@@ -24,7 +24,7 @@ TEST(WireLength, StraightAboutARotorsTooth) {
 
 TEST(WireLength, AboutTheAxisBehindAStatorsTools) {
   const double r = 100, a = 0.6;
-  const auto at = [&](double angle, double z) { return Space{r * std::cos(angle), r * std::sin(angle), z}; };
+  const auto at = [&](double angle, double z) { return Vec3{r * std::cos(angle), r * std::sin(angle), z}; };
   Turn turn;
   turn.at[0] = {at(0, 200), at(0, 0), {}};
   turn.at[1] = {at(0, 0), at(a, 0), {}};

@@ -19,7 +19,7 @@ TEST(AxisTravel, ClosedForms) {
   EXPECT_NEAR(travel_time(1e4, 1e4, 2, 100, 5), 2 / 5.0, 1e-15);                       // no faster than that
 }
 
-TEST(AxisTravel, NoMotionIsShorter) {
+TEST(AxisTravel, NoMotionIsFasterThanTravelTime) {
   // Speed up by a, cruise, brake: with any share of the acceleration it takes longer.
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> share(0, 1);
@@ -79,7 +79,7 @@ TEST(AxisTravel, TheTightestConditionCounts) {
   EXPECT_NEAR(across(cell, a, b, 100), (0.64 * 100 + 10) / 0.36, 1e-12);
   b.tangent = {1, 0};  // of an axis that stands still there is nothing to say
   EXPECT_NEAR(across(cell, a, b, 100), 0.36 * 100 + 1000, 1e-12);
-  b.blur = 1;
+  b.rounding_error = 1;
   EXPECT_EQ(across(cell, a, b, 100), unlimited);
   cell.kind = BoundCell<2>::Kind::joint;
   EXPECT_EQ(across(cell, a, b, 100), 100);

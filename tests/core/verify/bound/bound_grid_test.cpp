@@ -19,12 +19,12 @@ using reference::Maker;
 template <int N = 2>
 struct Grid {
   explicit Grid(const Contour& contour, const Machine& m = machine(N, 500, 16000), double corner_angle = 2e-3)
-      : path(contour.path, N), pulse(silent, "bound", 0, 1), grid(path, m, contour.feeds(), corner_angle, pulse) {
+      : path(contour.path, N), progress(silent, "bound", 0, 1), grid(path, m, contour.feeds(), corner_angle, progress) {
     grid.build(0, contour.path.size());
   }
   CartesianAxisPath path;
   SilentProgress silent;
-  ProgressScope pulse;
+  ProgressScope progress;
   BoundGrid<N> grid;
 };
 
@@ -58,8 +58,8 @@ void expect_sound(const Contour& contour, const BoundGrid<N>& grid) {
       const double rounding = 1e-13 * (1 + norm(point<N>(a.position)) + cell.length);
       EXPECT_GE(cell.energy[k], 2 * grid.acceleration(k) * (way - rounding)) << i << " axis " << k;
       EXPECT_LE(cell.energy[k], 2 * grid.acceleration(k) * (way + 20 * rounding)) << i << " axis " << k;
-      EXPECT_LE(cell.way[k], way + rounding);
-      EXPECT_GE(cell.way[k], way - 20 * rounding);
+      EXPECT_LE(cell.displacement[k], way + rounding);
+      EXPECT_GE(cell.displacement[k], way - 20 * rounding);
     }
   }
   EXPECT_NEAR(length, contour.path.length(), 1e-10 * contour.path.length());
@@ -114,25 +114,25 @@ TEST(BoundGrid, TwoTurnsBetweenCoarseNodesAreSeen) {
 
 TEST(BoundGrid, CornersRestAndSmallJumpsAreCapped) {
   const double angle = 1e-3;
-  const Contour bend = Maker()
-                           .line({40, 0})
-                           .line({40 + 40 * std::cos(angle), 40 * std::sin(angle)})
-                           .line({40 + 40 * std::cos(angle), 80})
-                           .done();
-  Grid<2> g(bend, machine(2, 1e5, 16000, 1e-5));
+  const Contour q2 = Maker()
+                         .line({40, 0})
+                         .line({40 + 40 * std::cos(angle), 40 * std::sin(angle)})
+                         .line({40 + 40 * std::cos(angle), 80})
+                         .done();
+  Grid<2> g(q2, machine(2, 1e5, 16000, 1e-5));
   EXPECT_NEAR(std::sqrt(g.grid.nodes()[1].cap), 0.16 / std::sin(angle), 1e-6);
   EXPECT_EQ(g.grid.nodes()[3].cap, 0);
   EXPECT_EQ(g.grid.nodes()[4].cap, 0);
 }
 
 // What is known of a cell holds in its parts.
-TEST(BoundGrid, WhatIsRememberedOfACellHoldsInItsParts) {
+TEST(BoundGrid, RememberedEnclosuresHoldInPartsOfTheCell) {
   const test::FiveAxes kinematics;
   const Contour contour = Maker().bezier({{30, 40}, {60, -40}, {80, 20}}).done();
   const KinematicAxisPath path(contour.path, kinematics);
   SilentProgress silent;
-  ProgressScope pulse(silent, "bound", 0, 1);
-  BoundGrid<5> grid(path, {kinematics.axes(), 0.001}, contour.feeds(), 2e-3, pulse);
+  ProgressScope progress(silent, "bound", 0, 1);
+  BoundGrid<5> grid(path, {kinematics.axes(), 0.001}, contour.feeds(), 2e-3, progress);
   grid.build(0, path.size());
   std::size_t looked = 0;
   for (std::size_t i = 0; i + 1 < grid.nodes().size(); ++i) {

@@ -20,9 +20,9 @@ using reference::Maker;
 template <int N>
 void expect_the_same(const AxisPath& path, const Machine& m, const std::vector<double>& feeds, unsigned seed) {
   SilentProgress silent;
-  ProgressScope pulse(silent, "bound", 0, 1);
-  BoundGrid<N> grid(path, m, feeds, 2e-3, pulse);
-  BoundSolver<N> solver(grid, pulse);
+  ProgressScope progress(silent, "bound", 0, 1);
+  BoundGrid<N> grid(path, m, feeds, 2e-3, progress);
+  BoundSolver<N> solver(grid, progress);
   grid.build(0, path.size());
   solver.solve();
   std::mt19937_64 random(seed);
@@ -42,7 +42,7 @@ void expect_the_same(const AxisPath& path, const Machine& m, const std::vector<d
       EXPECT_EQ(grid.nodes()[at].s, places[i]);
     }
     solver.solve_changes();
-    BoundSolver<N> fresh(grid, pulse);
+    BoundSolver<N> fresh(grid, progress);
     fresh.solve();
     for (const std::uint32_t id : grid.order()) EXPECT_EQ(solver.speed_square(id), fresh.speed_square(id));
     for (std::size_t i = 0; i + 1 < grid.order().size(); ++i)
@@ -62,7 +62,7 @@ TEST(BoundSolver, ChangesAreSolvedToTheLastBit) {
   }
 }
 
-TEST(BoundSolver, InSpaceAndThroughKinematics) {
+TEST(BoundSolver, RefinedSolutionsEqualCompleteOnesInSpaceAndThroughKinematics) {
   const Contour space = Maker(3, {10, 0, 0})
                             .arc({0, 10, 3}, {0, 0, 0}, true)
                             .bezier({{-5, 15, 8}, {-10, 10, 12}, {10, 5, 0}}, {1, 0.5, 2, 1})
@@ -83,10 +83,10 @@ TEST(BoundSolver, ValleysOfTheCapsAreMarkedWhereTheMotionComesNearThem) {
   std::size_t nodes[2];
   for (const bool fast : {false, true}) {
     SilentProgress silent;
-    ProgressScope pulse(silent, "bound", 0, 1);
+    ProgressScope progress(silent, "bound", 0, 1);
     const CartesianAxisPath path(wave.path, 2);
-    BoundGrid<2> grid(path, machine(2, fast ? unlimited : 10, 16000), wave.feeds(), 2e-3, pulse);
-    BoundSolver<2> solver(grid, pulse);
+    BoundGrid<2> grid(path, machine(2, fast ? unlimited : 10, 16000), wave.feeds(), 2e-3, progress);
+    BoundSolver<2> solver(grid, progress);
     grid.build(0, path.size());
     solver.solve();
     std::vector<unsigned char> marked;

@@ -24,8 +24,8 @@ TEST(Between, HoldsRandomCubicsAndIsExactWhereTheyAreMonotone) {
     const double c[] = {uniform(random), uniform(random), uniform(random), uniform(random)}, l = 1 + uniform(random);
     const auto value = [&](double x) { return c[0] + x * (c[1] + x * (c[2] + x * c[3])); };
     const auto slope = [&](double x) { return c[1] + x * (2 * c[2] + x * 3 * c[3]); };
-    const double bend = std::max(std::abs(2 * c[2]), std::abs(2 * c[2] + 6 * c[3] * l));
-    const Interval g = between(value(0), value(l), slope(0), slope(l), l, bend);
+    const double q2 = std::max(std::abs(2 * c[2]), std::abs(2 * c[2] + 6 * c[3] * l));
+    const Interval g = between(value(0), value(l), slope(0), slope(l), l, q2);
     for (int j = 0; j <= 50; ++j) {
       EXPECT_GE(value(l * j / 50), g.low - 1e-12);
       EXPECT_LE(value(l * j / 50), g.high + 1e-12);
@@ -38,8 +38,8 @@ TEST(Between, HoldsRandomCubicsAndIsExactWhereTheyAreMonotone) {
 template <int N>
 void expect_enclosed(const AxisPath& path, const Machine& machine, const std::vector<double>& feeds) {
   SilentProgress silent;
-  ProgressScope pulse(silent, "bound", 0, 1);
-  BoundGrid<N> grid(path, machine, feeds, 2e-3, pulse);
+  ProgressScope progress(silent, "bound", 0, 1);
+  BoundGrid<N> grid(path, machine, feeds, 2e-3, progress);
   grid.build(0, path.size());
   for (int round = 0; round < 2; ++round) {
     std::size_t undecided = 0;
@@ -60,7 +60,7 @@ void expect_enclosed(const AxisPath& path, const Machine& machine, const std::ve
           last = q.value[k];
         }
         EXPECT_GE(cell.energy[k], 2 * grid.acceleration(k) * (way - 1e-12)) << i << " axis " << k;
-        EXPECT_LE(cell.way[k], way + 1e-12) << i << " axis " << k;
+        EXPECT_LE(cell.displacement[k], way + 1e-12) << i << " axis " << k;
       }
     }
     EXPECT_EQ(undecided, 0u);  // halved until it does not matter
@@ -68,7 +68,7 @@ void expect_enclosed(const AxisPath& path, const Machine& machine, const std::ve
   }
 }
 
-TEST(DirectionRange, OnAMachineWithFiveAxes) {
+TEST(DirectionRange, EnclosesQPrimeOnAMachineWithFiveAxes) {
   const test::FiveAxes kinematics;
   const Machine machine{kinematics.axes(), 0.001};
   for (const Contour& contour : {Maker().line({40, 0}).arc({60, 20}, {40, 20}, true).line({60, 45}).done(),
@@ -79,7 +79,7 @@ TEST(DirectionRange, OnAMachineWithFiveAxes) {
   }
 }
 
-TEST(DirectionRange, OnCartesianAxes) {
+TEST(DirectionRange, EnclosesQPrimeOnCartesianAxes) {
   for (unsigned i = 0; i < 20; ++i) {
     std::mt19937_64 random(90 + i);
     const Contour contour = reference::random_contour(random, 5, i % 2);

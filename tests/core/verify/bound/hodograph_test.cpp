@@ -33,16 +33,16 @@ TEST(Hodograph, HoldsWhatSamplesFind) {
       for (const double width : {1.0, 0.1, 0.01, 1e-4}) {
         const double u0 = unit(random) * (1 - width), u1 = u0 + width;
         const Hodograph::Range range = hodograph.range(u0, u1);
-        const Hodograph::Bends bends = hodograph.bends(u0, u1);
+        const Hodograph::DerivativeBounds derivative_bounds = hodograph.derivative_bounds(u0, u1);
         for (int j = 0; j <= 40; ++j) {
           const Jet h = by_arc_length(curve.at(u0 + (u1 - u0) * j / 40));
-          const double blur = degree > 5 ? 1e-7 : 1e-12;  // of the sample: the power basis costs digits
+          const double rounding_error = degree > 5 ? 1e-7 : 1e-12;  // of the sample: the power basis costs digits
           for (std::size_t k = 0; k < 3; ++k) {
-            EXPECT_GE(h.d1[k], range.low[k] - blur) << degree << " " << width;
-            EXPECT_LE(h.d1[k], range.high[k] + blur) << degree << " " << width;
+            EXPECT_GE(h.d1[k], range.low[k] - rounding_error) << degree << " " << width;
+            EXPECT_LE(h.d1[k], range.high[k] + rounding_error) << degree << " " << width;
           }
-          EXPECT_LE(norm(h.d2), bends.second * (1 + 1e-6)) << degree << " " << width;
-          EXPECT_LE(norm(h.d3), bends.third * (1 + 1e-6)) << degree << " " << width;
+          EXPECT_LE(norm(h.d2), derivative_bounds.second * (1 + 1e-6)) << degree << " " << width;
+          EXPECT_LE(norm(h.d3), derivative_bounds.third * (1 + 1e-6)) << degree << " " << width;
         }
       }
     }
@@ -58,8 +58,8 @@ TEST(Hodograph, ClosesIn) {
     const Hodograph::Range range = hodograph.range(u - width, u + width);
     const double turn = norm(h.d2) * curve.speed(u) * width;
     for (std::size_t k = 0; k < 2; ++k) EXPECT_LE(range.high[k] - range.low[k], 2.5 * turn + 1e-9);
-    const Hodograph::Bends bends = hodograph.bends(u - width, u + width);
-    EXPECT_NEAR(bends.second, norm(h.d2), 1e-2 * norm(h.d2) + 1e-6);
+    const Hodograph::DerivativeBounds derivative_bounds = hodograph.derivative_bounds(u - width, u + width);
+    EXPECT_NEAR(derivative_bounds.second, norm(h.d2), 1e-2 * norm(h.d2) + 1e-6);
   }
 }
 
@@ -81,7 +81,7 @@ TEST(Hodograph, NothingIsKnownWhereTheTangentVanishes) {
     EXPECT_EQ(range.low[k], -1);
     EXPECT_EQ(range.high[k], 1);
   }
-  EXPECT_TRUE(std::isinf(hodograph.bends(0.4, 0.7).second));
+  EXPECT_TRUE(std::isinf(hodograph.derivative_bounds(0.4, 0.7).second));
 }
 
 }  // namespace

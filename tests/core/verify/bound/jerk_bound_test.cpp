@@ -205,11 +205,11 @@ TEST(JerkBound, LosesNothingToRoundingOnVeryShortCells) {
   const Contour contour = Maker().line({300, 0}).bezier({{300.1, 0}, {300.2, 0}, {300.3, 0.2}, {300.3, 0.3}}).done();
   const Machine m = machine(1e6);
   SilentProgress silent;
-  ProgressScope pulse(silent, "bound", 0, 1);
+  ProgressScope progress(silent, "bound", 0, 1);
   const CartesianAxisPath path(contour.path, 2);
-  verify::BoundGrid<2> grid(path, m, contour_task(path, contour, m).feeds, corner_angle, pulse);
-  verify::BoundSolver<2> solver(grid, pulse);
-  verify::JerkBound<2> jerk(grid, m, pulse);
+  verify::BoundGrid<2> grid(path, m, contour_task(path, contour, m).feeds, corner_angle, progress);
+  verify::BoundSolver<2> solver(grid, progress);
+  verify::JerkBound<2> jerk(grid, m, progress);
   grid.build(0, path.size());
   const auto duration = [&] {
     solver.solve();

@@ -13,14 +13,14 @@ namespace {
 
 /// Two axes along a plane curve of heading θ(s) = θ₀ + κ s + κ′ s²/2 + κ″ s³/6, and a third one that is a polynomial.
 struct Curve {
-  double heading = 0, bend = 0, rate = 0, change = 0;
+  double heading = 0, q2 = 0, rate = 0, change = 0;
   std::array<double, 4> third{};
 
   struct At {
     std::array<double, 3> d1, d2, d3;
   };
   At at(double s) const {
-    const double o = heading + s * (bend + s * (rate / 2 + s * change / 6)), k = bend + s * (rate + s * change / 2),
+    const double o = heading + s * (q2 + s * (rate / 2 + s * change / 6)), k = q2 + s * (rate + s * change / 2),
                  r = rate + s * change, x = std::cos(o), y = std::sin(o);
     return {{x, y, third[1] + s * (2 * third[2] + 3 * s * third[3])},
             {-k * y, k * x, 2 * third[2] + 6 * s * third[3]},
@@ -32,11 +32,11 @@ struct Curve {
 template <int N>
 JerkCapPiece<N> piece_of(const Curve& curve, double length) {
   JerkCapPiece<N> p;
-  p.length = length, p.blur = 1e-15, p.unit = N == 2;
+  p.length = length, p.rounding_error = 1e-15, p.unit = N == 2;
   constexpr int samples = 400;
   for (std::size_t k = 0; k < N; ++k) {
     p.tangent[0][k] = curve.at(0).d1[k], p.tangent[1][k] = curve.at(length).d1[k];
-    p.bend[0][k] = curve.at(0).d2[k], p.bend[1][k] = curve.at(length).d2[k];
+    p.q2[0][k] = curve.at(0).d2[k], p.q2[1][k] = curve.at(length).d2[k];
     double low = 1e9, high = -1e9, way = 0;
     for (int i = 0; i <= samples; ++i) {
       const double t = curve.at(length * i / samples).d1[k];
@@ -44,7 +44,7 @@ JerkCapPiece<N> piece_of(const Curve& curve, double length) {
       way += (i == 0 || i == samples ? 0.5 : 1) * t * length / samples;
     }
     p.least[k] = std::max({0.0, low - 1e-6, -high - 1e-6}), p.most[k] = std::max(high, -low) + 1e-6;
-    p.way[k] = std::abs(way) + 1e-6 * length;
+    p.displacement[k] = std::abs(way) + 1e-6 * length;
   }
   return p;
 }
@@ -61,7 +61,7 @@ void expect_no_motion_above(std::uint64_t seed) {
                 0.5 * sign(random) / (length * length),
                 sign(random) / (length * length * length),
                 {}};
-    if (i % 3 == 0) curve.bend = curve.change = 0;
+    if (i % 3 == 0) curve.q2 = curve.change = 0;
     curve.third = {0, sign(random), sign(random) / length, sign(random) / (length * length)};
     JerkCapPiece<N> p = piece_of<N>(curve, length);
     // Through the piece with v = v₀ + a t + j t²/2.

@@ -46,20 +46,23 @@ Laid lay(const BoundGrid<2>& grid, bool known) {
     if (a.segment != b.segment) {
       joint.here = true, joint.cap = 2 * V * V;
       for (std::size_t k = 0; k < 2; ++k) {
-        joint.kink[k] = b.tangent[k] - a.tangent[k];
+        joint.tangent_jump[k] = b.tangent[k] - a.tangent[k];
         // Where an axis' q' jumps v̇ is at most what the other one leaves along the path.
-        joint.step[k] = known ? std::min(J * 0.001, std::abs(joint.kink[k]) * 2 * A) : J * 0.001;
-        if (known) joint.bend[k] = b.curvature[k] - a.curvature[k];
+        joint.step[k] = known ? std::min(J * 0.001, std::abs(joint.tangent_jump[k]) * 2 * A) : J * 0.001;
+        if (known) joint.acceleration_step[k] = b.curvature[k] - a.curvature[k];
       }
       continue;
     }
     DualPiece<2> p = dual_piece(grid, a, b, 2 * V * V, grid.third(a, b));
     p.joint = joint;
     joint = {};
-    RelaxationCell<2> cell{p.length, p.way, p.begin, p.end, p.cap};
+    RelaxationCell<2> cell{p.length, p.displacement, p.begin, p.end, p.cap};
     if (p.joint.here)
-      laid.problem.steps.push_back(
-          {laid.problem.cells.size(), 0, {p.joint.step[0] / J, p.joint.step[1] / J}, p.joint.kink, p.joint.bend});
+      laid.problem.steps.push_back({laid.problem.cells.size(),
+                                    0,
+                                    {p.joint.step[0] / J, p.joint.step[1] / J},
+                                    p.joint.tangent_jump,
+                                    p.joint.acceleration_step});
     laid.cell_of.push_back(laid.problem.cells.size());
     laid.problem.cells.push_back(cell);
     laid.pieces.push_back(p);
@@ -69,8 +72,8 @@ Laid lay(const BoundGrid<2>& grid, bool known) {
 
 // What jerk leaves of the axes' accelerations around the nodes, in the place of A; `quickest`: speeds at which it
 // counts.
-int limit(Laid& laid, BoundGrid<2>& grid, double quickest, ProgressScope& pulse) {
-  BoundSolver<2> solver(grid, pulse);
+int limit(Laid& laid, BoundGrid<2>& grid, double quickest, ProgressScope& progress) {
+  BoundSolver<2> solver(grid, progress);
   solver.solve();
   OneWay<2> one_way;
   const std::vector<double> b = solver.speed_squares(grid.order().size());
@@ -104,7 +107,7 @@ double planned(const Contour& contour) {
   return plan_jerk_limited(contour, machine(), options, silent).law.duration();
 }
 
-TEST(JerkDual, NorWhereJerkLimitsAccelerations) {
+TEST(JerkDual, NoMultipliersProveMoreThanAMotionTakesUnderAccelerationLimitsFromJerk) {
   const std::vector<Contour> contours{
       Maker().line({20, 0}).arc({30, 10}, {20, 10}, true).line({30, 30}).done(),
       Maker().line({10, 0}).arc({20, 10}, {10, 10}, true).arc({10, 20}, {10, 10}, true).done(),
@@ -112,21 +115,21 @@ TEST(JerkDual, NorWhereJerkLimitsAccelerations) {
       Maker().arc({5, 5}, {0, 5}, true).arc({-1, 11}, {-1, 5}, true).arc({-8, 4}, {-1, 4}, true).done(),
   };
   SilentProgress silent;
-  ProgressScope pulse(silent, "test", 0, 1);
+  ProgressScope progress(silent, "test", 0, 1);
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> part(0, 1), sign(-1, 1);
   for (const Contour& contour : contours) {
     const CartesianAxisPath path(contour.path, 2);
     const double time = planned(contour);
-    BoundGrid<2> grid(path, machine(), contour.feeds(), corner_angle, pulse);
+    BoundGrid<2> grid(path, machine(), contour.feeds(), corner_angle, progress);
     grid.build(0, path.size());
     for (int i = 0; i < 2; ++i) grid.refine(std::vector<unsigned char>(grid.order().size() - 1, 1));
     Laid laid = lay(grid, true);
-    EXPECT_GT(limit(laid, grid, 10, pulse), 50);
+    EXPECT_GT(limit(laid, grid, 10, progress), 50);
     RelaxationSolver<2> solver;
-    EXPECT_TRUE(solver.solve(laid.problem, {}, pulse).converged);
+    EXPECT_TRUE(solver.solve(laid.problem, {}, progress).converged);
     const RelaxationMultipliers<2> best = solver.multipliers();
-    JerkDual<2> dual(grid, pulse);
+    JerkDual<2> dual(grid, progress);
     const auto value = [&](const RelaxationMultipliers<2>& m) {
       return dual.value(laid.pieces, 0, laid.pieces.size(), laid.cell_of, laid.problem, m);
     };
@@ -151,7 +154,7 @@ TEST(JerkDual, NorWhereJerkLimitsAccelerations) {
       for (auto& around : slower.limits)
         for (auto& sides : around.root)
           for (double& root : sides) root *= factor;
-      solver.solve(slower, {}, pulse);
+      solver.solve(slower, {}, progress);
       for (const double at : {1.0, 0.3, 0.1}) {
         RelaxationMultipliers<2> m = solver.multipliers();
         for (double& b : m.b) b *= at;
@@ -172,20 +175,20 @@ TEST(JerkDual, NoMultipliersProveMoreThanAMotionTakes) {
       Maker().arc({5, 5}, {0, 5}, true).arc({-1, 11}, {-1, 5}, true).arc({-8, 4}, {-1, 4}, true).done(),
   };
   SilentProgress silent;
-  ProgressScope pulse(silent, "test", 0, 1);
+  ProgressScope progress(silent, "test", 0, 1);
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> part(0, 1.5), sign(-1, 1);
   for (const Contour& contour : contours) {
     const CartesianAxisPath path(contour.path, 2);
     const double time = planned(contour);
-    BoundGrid<2> grid(path, machine(), contour.feeds(), corner_angle, pulse);
+    BoundGrid<2> grid(path, machine(), contour.feeds(), corner_angle, progress);
     grid.build(0, path.size());
     for (const bool known : {false, true}) {
       const Laid laid = lay(grid, known);
       RelaxationSolver<2> solver;
-      solver.solve(laid.problem, {}, pulse);
+      solver.solve(laid.problem, {}, progress);
       const RelaxationMultipliers<2> best = solver.multipliers();
-      JerkDual<2> dual(grid, pulse);
+      JerkDual<2> dual(grid, progress);
       const auto value = [&](const RelaxationMultipliers<2>& m) {
         return dual.value(laid.pieces, 0, laid.pieces.size(), laid.cell_of, laid.problem, m);
       };
@@ -208,17 +211,17 @@ TEST(JerkDual, NoMultipliersProveMoreThanAMotionTakes) {
   }
 }
 
-TEST(JerkDual, WithoutMultipliersIsTheTimeAtTheLargestSpeed) {
+TEST(JerkDual, IsTheTimeAtTheLargestSpeedWithoutMultipliers) {
   const Contour contour = Maker().line({30, 40}).done();
   const CartesianAxisPath path(contour.path, 2);
   SilentProgress silent;
-  ProgressScope pulse(silent, "test", 0, 1);
-  BoundGrid<2> grid(path, machine(), contour.feeds(), 1e-3, pulse);
+  ProgressScope progress(silent, "test", 0, 1);
+  BoundGrid<2> grid(path, machine(), contour.feeds(), 1e-3, progress);
   grid.build(0, path.size());
   const Laid laid = lay(grid, true);
   RelaxationMultipliers<2> none;
   none.jerk.resize(laid.problem.cells.size() + 2), none.acceleration.resize(laid.problem.cells.size() + 1);
-  JerkDual<2> dual(grid, pulse);
+  JerkDual<2> dual(grid, progress);
   EXPECT_NEAR(dual.value(laid.pieces, 0, laid.pieces.size(), laid.cell_of, laid.problem, none),
               50 / std::sqrt(2 * V * V), 1e-12);
 }

@@ -23,15 +23,15 @@ TEST(JerkPieces, AdvanceWhereTheParameterDoesNotGrowLikeLength) {
   const CartesianAxisPath path(contour.path, 2);
   const PathTask task = contour_task(path, contour, machine);
   SilentProgress silent;
-  ProgressScope pulse(silent, "pieces", 0, 1);
+  ProgressScope progress(silent, "pieces", 0, 1);
   for (const double wider : {1.0, 8.0}) {
-    BoundGrid<2> grid(path, machine, task.feeds, 0.03, pulse);
+    BoundGrid<2> grid(path, machine, task.feeds, 0.03, progress);
     grid.widen(wider);
     grid.build(0, path.size());
-    BoundSolver<2> solver(grid, pulse);
+    BoundSolver<2> solver(grid, progress);
     solver.solve();
     const std::vector<double> b = solver.speed_squares(grid.order().size());
-    JerkPieces<2> pieces(grid, machine.cycle_time, {1e6, 1e6}, pulse);
+    JerkPieces<2> pieces(grid, machine.cycle_time, {1e6, 1e6}, progress);
     for (const bool fine : {false, true}) {
       constexpr double first_piece = 1e-3;
       pieces.begin(b, true, true, 1e-4, first_piece, fine);

@@ -68,9 +68,9 @@ TEST(LowerBound, FeedChangesBetweenBlocks) {
 
 TEST(LowerBound, SmallTangentJumpLimitsTheSpeed) {
   const double angle = 1e-3, allowed = 0.16 / std::sin(angle);  // A · cycle = 0.16 mm/s
-  const Contour bend = Maker().line({40, 0}).line({40 + 40 * std::cos(angle), 40 * std::sin(angle)}).done();
+  const Contour q2 = Maker().line({40, 0}).line({40 + 40 * std::cos(angle), 40 * std::sin(angle)}).done();
   const double a = 16000, peak2 = (allowed * allowed) / 2 + a * 40, half = (2 * std::sqrt(peak2) - allowed) / a;
-  EXPECT_NEAR(bound(bend, machine(2, unlimited, a, 1e-5)), 2 * half, 1e-7);
+  EXPECT_NEAR(bound(q2, machine(2, unlimited, a, 1e-5)), 2 * half, 1e-7);
 }
 
 TEST(LowerBound, CircleBetweenLinesAgainstTheDenseSolution) {

@@ -25,11 +25,11 @@ Ways ways(const Contour& contour, double jerk, bool rest_last = true) {
   Machine m = reference::machine(2, 600, 16000);
   for (AxisLimits& axis : m.axes) axis.jerk = jerk;
   SilentProgress silent;
-  ProgressScope pulse(silent, "test", 0, 1);
+  ProgressScope progress(silent, "test", 0, 1);
   const CartesianAxisPath path(contour.path, 2);
-  BoundGrid<2> grid(path, m, contour.feeds(), 0.03, pulse);
+  BoundGrid<2> grid(path, m, contour.feeds(), 0.03, progress);
   grid.build(0, path.size(), true, rest_last);
-  BoundSolver<2> solver(grid, pulse);
+  BoundSolver<2> solver(grid, progress);
   solver.solve();
   OneWay<2> one_way;
   one_way.take(grid, solver.speed_squares(grid.order().size()), true, rest_last, m.cycle_time);
@@ -52,14 +52,14 @@ TEST(OneWay, EndsWhereAnAxisTurnsRound) {
     if (!arc) continue;
     const auto& b = all.nodes[std::min(i + 1, all.nodes.size() - 1)];
     if (a.position[1] < 0.1 || a.position[1] > 19.9) continue;
-    EXPECT_NEAR(p.ahead[1].way, 20 - b.position[1], 0.01) << i;
+    EXPECT_NEAR(p.ahead[1].displacement, 20 - b.position[1], 0.01) << i;
     if (std::abs(a.position[1] - 10) < 0.5) continue;  // next to the turn
     const double x = b.position[0];
     if (back)
-      EXPECT_NEAR(p.behind[0].way, 20 - a.position[0], 0.01) << i;
+      EXPECT_NEAR(p.behind[0].displacement, 20 - a.position[0], 0.01) << i;
     else
-      EXPECT_NEAR(p.ahead[0].way, 20 - x, 0.01) << i;
-    EXPECT_LE(back ? p.behind[0].way : p.ahead[0].way, 20 - (back ? a.position[0] : x) + 1e-9);
+      EXPECT_NEAR(p.ahead[0].displacement, 20 - x, 0.01) << i;
+    EXPECT_LE(back ? p.behind[0].displacement : p.ahead[0].displacement, 20 - (back ? a.position[0] : x) + 1e-9);
   }
 }
 
@@ -73,22 +73,22 @@ TEST(OneWay, AddsTheStepsAtJointsAndEndsAtOpenEnds) {
   };
   const Ways all = ways(contour, 1e5);
   const JerkCapPiece<2>& p = all.pieces[on_arc(all)];
-  EXPECT_FALSE(std::isfinite(p.ahead[1].way));  // to the rest at its end
-  EXPECT_FALSE(std::isfinite(p.behind[0].way));
+  EXPECT_FALSE(std::isfinite(p.ahead[1].displacement));  // to the rest at its end
+  EXPECT_FALSE(std::isfinite(p.behind[0].displacement));
   EXPECT_NEAR(p.behind[1].steps, 0, 1e-9);  // the arc's own: y sets out there
   EXPECT_NEAR(p.behind[0].steps, 0, 1e-5 * 16000 + 1e-9);
   EXPECT_NEAR(p.ahead[1].steps, 0, 1e-5 * 16000 + 1e-9);
   const Ways open = ways(contour, 1e5, false);
-  EXPECT_NEAR(open.pieces[on_arc(open)].ahead[1].way, 30 - open.nodes[on_arc(open) + 1].position[1], 1e-9);
+  EXPECT_NEAR(open.pieces[on_arc(open)].ahead[1].displacement, 30 - open.nodes[on_arc(open) + 1].position[1], 1e-9);
 
   // At 45° both axes step at the joint of a line and an arc: by what the cycle allows, or not at all.
   const double r = 10 / std::sqrt(2.0);
   const Contour diagonal = Maker().line({r, r}).arc({3 * r, r}, {2 * r, 0}, false).done();
   const Ways smooth = ways(diagonal, 1e5), steep = ways(diagonal, 1e9);
-  EXPECT_FALSE(std::isfinite(smooth.pieces.front().ahead[0].way));
+  EXPECT_FALSE(std::isfinite(smooth.pieces.front().ahead[0].displacement));
   EXPECT_GE(smooth.pieces.front().ahead[0].steps, 1e5 * cycle);
   EXPECT_LE(smooth.pieces.front().ahead[0].steps, 1e5 * cycle + 1e-5 * 16000 + 1e-3);
-  EXPECT_LE(steep.pieces.front().ahead[0].way, r);
+  EXPECT_LE(steep.pieces.front().ahead[0].displacement, r);
 }
 
 TEST(OneWay, EndsAtANodeWhereAnAxisTurnsAndKnowsItsAccelerationThere) {
@@ -108,8 +108,8 @@ TEST(OneWay, EndsAtANodeWhereAnAxisTurnsAndKnowsItsAccelerationThere) {
                second = a.segment == 2 && a.position[1] > 10.5;
     if (!first && !second) continue;
     const AxisWay& way = first ? all.pieces[i].ahead[0] : all.pieces[i].behind[0];
-    EXPECT_LE(way.way, 20 - (first ? b : a).position[0] + 1e-9) << i;
-    EXPECT_GE(way.way, 20 - (first ? b : a).position[0] - 0.01) << i;
+    EXPECT_LE(way.displacement, 20 - (first ? b : a).position[0] + 1e-9) << i;
+    EXPECT_GE(way.displacement, 20 - (first ? b : a).position[0] - 0.01) << i;
     EXPECT_LE(way.end, 1.01 * fastest / 10) << i;
     ++(first ? before : behind);
   }
@@ -121,7 +121,7 @@ TEST(OneWay, EndsAtANodeWhereAnAxisTurnsAndKnowsItsAccelerationThere) {
 
 TEST(OneWay, KinksEndIt) {
   const Ways all = ways(Maker().line({10, 0}).line({20, 0.1}).line({30, 0}).done(), 1e6);
-  EXPECT_NEAR(all.pieces.front().ahead[0].way, 0, 1e-9);
+  EXPECT_NEAR(all.pieces.front().ahead[0].displacement, 0, 1e-9);
 }
 
 }  // namespace

@@ -25,8 +25,8 @@ double bound(const Contour& contour, const Machine& machine) {
 /// Of the curve [0, n) against [n, 2 n).
 double margin(const AxisPath& path, const Machine& machine, const std::vector<double>& feeds, std::size_t n) {
   SilentProgress silent;
-  ProgressScope pulse(silent, "test", 0, 1);
-  return repeat_margin(path, machine, feeds, 0, n, n, pulse);
+  ProgressScope progress(silent, "test", 0, 1);
+  return repeat_margin(path, machine, feeds, 0, n, n, progress);
 }
 double margin(const Contour& contour, const Machine& machine) {
   const CartesianAxisPath path(contour.path, 2);

@@ -44,7 +44,7 @@ TEST(RestToRest, EqualsASearchForThePeakSpeed) {
   for (const int kind : kinds) EXPECT_GT(kind, 100);
 }
 
-TEST(RestToRest, WithoutLimits) {
+TEST(RestToRest, HasKnownDurationsWithoutLimits) {
   EXPECT_DOUBLE_EQ(rest_to_rest(100, unlimited, 16000, unlimited), 2 * std::sqrt(100.0 / 16000));
   EXPECT_DOUBLE_EQ(rest_to_rest(1000, 1800, 16000, unlimited), 1000.0 / 1800 + 1800.0 / 16000);
   EXPECT_EQ(rest_to_rest(0, 1, 1, 1), 0);

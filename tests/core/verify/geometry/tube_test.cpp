@@ -163,7 +163,7 @@ TEST(Tube, CoilsWithinTheTolerancePass) {
   EXPECT_FALSE(check(line(coil), line(half), 0.001).passed);
 }
 
-TEST(Tube, WhatMisleadsInOnePlaceIsDecidedThereAndNothingElsewhereIsOverlooked) {
+TEST(Tube, MisleadingPlacesAreDecidedLocallyAndOthersAreStillChecked) {
   // Coils far apart along a zigzag of a thousand lines, which the path follows 0.004 mm aside.
   std::vector<Vec> given, path;
   std::size_t before_last = 0;

@@ -14,7 +14,7 @@ namespace {
 struct ArcLength : testing::Test {
   Path path;
   SilentProgress progress;
-  ProgressScope pulse{progress, "", 0, 1};
+  ProgressScope stage_progress{progress, "", 0, 1};
   void SetUp() override {
     path.append(std::make_shared<Rational>(Rational::from_power_basis({{0, 40, -30, 25}, {0, -5, 60, -20}})), 0);
   }
@@ -27,7 +27,7 @@ struct ArcLength : testing::Test {
 };
 
 TEST_F(ArcLength, AWayAsLongAsTheCurveIsBelieved) {
-  ArcLengthCheck check(pulse);
+  ArcLengthCheck check(stage_progress);
   check.believe(whole(), path[0], path.length());
   check.measure(whole(), path[0], 0, 1, 0, path.length());
   EXPECT_TRUE(passed(check)) << check.worst().value << " against " << check.worst().limit;
@@ -36,7 +36,7 @@ TEST_F(ArcLength, AWayAsLongAsTheCurveIsBelieved) {
 
 TEST_F(ArcLength, AWayThatIsALittleTooLongIsNot) {
   for (const double factor : {1 + 1e-9, 1 - 1e-9, 1.5}) {
-    ArcLengthCheck believed(pulse), measured(pulse);
+    ArcLengthCheck believed(stage_progress), measured(stage_progress);
     believed.believe(whole(), path[0], factor * path.length());
     measured.measure(whole(), path[0], 0, 1, 0, factor * path.length());
     EXPECT_FALSE(passed(believed)) << factor;
@@ -45,7 +45,7 @@ TEST_F(ArcLength, AWayThatIsALittleTooLongIsNot) {
 }
 
 TEST_F(ArcLength, AnEmptyStretchSaysNothing) {
-  ArcLengthCheck check(pulse);
+  ArcLengthCheck check(stage_progress);
   check.measure(whole(), path[0], 0.5, 0.5, 1, 2);
   EXPECT_EQ(check.worst().value, 0);
 }

@@ -42,17 +42,17 @@ struct RepeatedRunsOfASheet : testing::Test {
   }
 };
 
-TEST_F(RepeatedRunsOfASheet, AllHolesButTheFirst) { EXPECT_EQ(skipped(law), 11u); }
+TEST_F(RepeatedRunsOfASheet, AllHolesButTheFirstAreRepeated) { EXPECT_EQ(skipped(law), 11u); }
 
-TEST_F(RepeatedRunsOfASheet, NotOneWithAnotherNumberInIt) {
+TEST_F(RepeatedRunsOfASheet, RunWithAnotherNumberIsNotRepeated) {
   for (double LawPiece::*number : {&LawPiece::s, &LawPiece::s_end, &LawPiece::v, &LawPiece::a, &LawPiece::j})
     EXPECT_EQ(skipped(reference::edited(law, inside(), [&](LawPiece& p) { p.*number *= 1 + 1e-9; })), 10u);
   EXPECT_EQ(skipped(reference::edited(law, inside() + 1, [](LawPiece& p) { p.duration *= 1 + 1e-9; })), 10u);
-  EXPECT_EQ(skipped(reference::edited(law, inside(), [](LawPiece& p) { p.q = 1; })), 10u);
+  EXPECT_EQ(skipped(reference::edited(law, inside(), [](LawPiece& p) { p.snap = 1; })), 10u);
 }
 
 // A hole of another radius under the same law.
-TEST_F(RepeatedRunsOfASheet, NotOneOfAnotherArc) {
+TEST_F(RepeatedRunsOfASheet, RunOnAnotherArcIsNotRepeated) {
   ContourBuilder b(2, {1.7, 0, 0});
   b.block(Mode::cut, 300);
   b.arc({1.7, 0, 0}, {}, true);

@@ -26,8 +26,8 @@ Path path_of(std::shared_ptr<const Curve> curve) {
 
 verify::Worst peak(const Path& path, const TimeLaw& law) {
   SilentProgress silent;
-  ProgressScope pulse(silent, "test", 0, 1);
-  return verify::total_jerk(path, law, pulse);
+  ProgressScope progress(silent, "test", 0, 1);
+  return verify::total_jerk(path, law, progress);
 }
 
 LawPiece over(const Path& path, double v) {
@@ -36,10 +36,10 @@ LawPiece over(const Path& path, double v) {
   return piece;
 }
 
-TEST(TotalJerk, OnALineItIsTheLaws) {
+TEST(TotalJerk, IsTheLawsJerkOnALine) {
   const Path path = path_of(std::make_shared<Line>(Vec{1, 2, 3}, Vec{3, 5, 9}));
   LawPiece piece = over(path, 10);
-  piece.j = -60, piece.q = 100;  // the jerk is largest at the begin
+  piece.j = -60, piece.snap = 100;  // the jerk is largest at the begin
   TimeLaw law;
   law.append(piece);
   EXPECT_NEAR(peak(path, law).value, 60, 1e-5);
@@ -47,7 +47,7 @@ TEST(TotalJerk, OnALineItIsTheLaws) {
 }
 
 /// h‴ = −h′/r²: evenly round it is v³/r², and with a changing speed √((j − v³/r²)² + (3 v a/r)²).
-TEST(TotalJerk, OnACircle) {
+TEST(TotalJerk, IsKnownOnACircle) {
   constexpr double r = 4, v = 10;
   const Path path = path_of(std::make_shared<Arc>(Vec{1, 1, 5}, Vec{1, 0, 0}, Vec{0, 1, 0}, r, 3.0));
   TimeLaw law;
@@ -70,7 +70,7 @@ TEST(TotalJerkProperty, IsNoLessThanAnySampleAndNoMoreThanItNeedBe) {
     const Path path = path_of(std::make_shared<Rational>(Rational::bezier(points)));
     LawPiece piece;
     piece.v = random.uniform(5, 20), piece.a = random.uniform(-5, 5);
-    piece.j = random.uniform(-50, 50), piece.q = random.uniform(-200, 200);
+    piece.j = random.uniform(-50, 50), piece.snap = random.uniform(-200, 200);
     piece.duration = 0.2;
     piece.s_end = piece.at(piece.duration).s;
     ASSERT_LT(piece.s_end, path.length());

@@ -27,7 +27,7 @@ struct Circle {
   }
 };
 
-TEST(CurvatureChecks, OfACircle) {
+TEST(CurvatureChecks, ValuesOnACircleAreKnown) {
   const double v = 200;
   const Circle circle(v, 3);
   const auto checks = circle.checks(0.005, 0.2, 400);

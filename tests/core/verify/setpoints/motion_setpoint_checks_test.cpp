@@ -80,7 +80,7 @@ TEST_F(MotionRows, AreThoseOfTheMotion) {
   EXPECT_NEAR(row[4], 0, 1e-9);
 }
 
-TEST_F(MotionRows, WhatIsChangedFails) {
+TEST_F(MotionRows, ChangedRowsFail) {
   EXPECT_EQ(failed(150, 0, 1e-12), "setpoints position;");
   EXPECT_EQ(failed(299, 1, 1e-13), "setpoints position;");
   EXPECT_EQ(failed(150, 2, 1e-10), "setpoints velocity;");

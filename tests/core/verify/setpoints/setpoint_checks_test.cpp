@@ -125,7 +125,7 @@ struct SetpointChecks : testing::Test {
   }
 };
 
-TEST_F(SetpointChecks, WhatIsServedPasses) {
+TEST_F(SetpointChecks, ServedRowsPass) {
   ASSERT_GT(last, 4000u);
   expect_failed(*rows, {});
   EXPECT_EQ(checked(*rows).size(), 11u);

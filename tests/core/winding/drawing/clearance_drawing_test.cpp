@@ -38,7 +38,7 @@ TEST(ClearanceDrawing, HasBothMapsAndWhatTheirColoursMean) {
   EXPECT_EQ(svg, clearance_drawing(StatorIron(part, slot), maps, "needle 2.6 mm & slot 3.08 mm"));
 }
 
-TEST(ClearanceDrawing, OfNoMapsAndEmptyOnesIsStillADrawing) {
+TEST(ClearanceDrawing, IsADrawingWithoutMapsAndWithEmptyOnes) {
   const StatorPart part;
   const StatorIron iron(part, checked_slot(part));
   for (const std::vector<DrawnClearance>& maps : {std::vector<DrawnClearance>{}, {{"empty", {}}}}) {

@@ -45,7 +45,7 @@ TEST(Drawing, HasALegendOfWhatItShows) {
     EXPECT_EQ(times(all, words), 1u) << words;
 }
 
-TEST(Drawing, OfNoWiresIsTheSlot) {
+TEST(Drawing, IsTheSlotWithoutWires) {
   EXPECT_EQ(times(slot_drawing(make_slot(RotorSlot{}), {"empty", 1, 0.9, {}, {}}), "<circle"), 0u);
 }
 

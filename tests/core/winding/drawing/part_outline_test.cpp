@@ -13,10 +13,10 @@ namespace {
 // What is drawn is the surface that the needle must not touch.
 template <class Part, class Iron>
 void expect_on(const Part& part, const Iron& iron, int count, double low, double high) {
-  const std::vector<SpaceLine> lines = part_outline(part, checked_slot(part));
+  const std::vector<Polyline3> lines = part_outline(part, checked_slot(part));
   EXPECT_EQ(lines.size(), static_cast<std::size_t>(count) * (2 * 2 + 2 * 2));
   double least = HUGE_VAL, most = -HUGE_VAL;
-  for (const SpaceLine& line : lines) {
+  for (const Polyline3& line : lines) {
     ASSERT_GE(line.size(), 2u);
     for (const Vec p : line) {
       EXPECT_NEAR(iron.section_distance({p.x, p.y, p.z}), 0, 1e-9);
@@ -26,10 +26,10 @@ void expect_on(const Part& part, const Iron& iron, int count, double low, double
   EXPECT_EQ(least, low);
   EXPECT_EQ(most, high);
   // Each section's lines close one loop: the end of one is the begin of another.
-  for (const SpaceLine& line : lines) {
+  for (const Polyline3& line : lines) {
     if (line.front().z != line.back().z) continue;
     EXPECT_EQ(std::count_if(lines.begin(), lines.end(),
-                            [&](const SpaceLine& other) {
+                            [&](const Polyline3& other) {
                               return norm(other.front() - line.back()) < 1e-9 && other.front().z == other.back().z;
                             }),
               1);

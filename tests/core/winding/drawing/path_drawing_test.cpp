@@ -68,7 +68,7 @@ TEST(PathDrawing, TheLastTurnIsBoldAndThoseBeforeFaint) {
   EXPECT_EQ(times(one, ">needle's tip<"), 1u);
 }
 
-TEST(PathDrawing, OfNothingAndOfAPointIsStillADrawing) {
+TEST(PathDrawing, IsADrawingForNothingAndForAPoint) {
   expect_sound(path_drawing({"none", {}, {}}));
   const std::vector<BezierPiece> still{BezierPiece::line({1, 2, 3, 0, 0}, {1, 2, 3, 1, 0})};
   expect_sound(path_drawing({"still", still, {}}));

@@ -44,7 +44,7 @@ TEST(Opening, TheWireRunsInsideTheNeedle) {
   EXPECT_TRUE(opening_obstructions(opening, 0.74, Needle{1.5}).empty());
 }
 
-TEST(Opening, OfTheExampleSlotIsTheSources) {
+TEST(Opening, HasTheSourcesWidthInTheExampleSlot) {
   // [Herrmann Fig. 4.16]: 3.1 mm, for a needle of 2.6 mm.
   EXPECT_NEAR(make_slot(StatorSlot{}).opening->clear, 3.083, 1e-12);
 }

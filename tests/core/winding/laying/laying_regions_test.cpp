@@ -30,15 +30,15 @@ Matrix turn_x(double t) {
 }
 void expect_same(const Matrix& m, const Frame& frame) {
   for (const Point p : {Point{0, 0}, Point{1.5, -2}, Point{-4, 7}}) {
-    const Space found = frame.place(p);
+    const Vec3 found = frame.place(p);
     EXPECT_NEAR(found.x, m.a[0][0] * p.x + m.a[0][1] * p.y + m.a[0][3], 1e-12);
     EXPECT_NEAR(found.y, m.a[1][0] * p.x + m.a[1][1] * p.y + m.a[1][3], 1e-12);
     EXPECT_NEAR(found.z, m.a[2][0] * p.x + m.a[2][1] * p.y + m.a[2][3], 1e-12);
   }
 }
 
-double dot(Space a, Space b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-Space minus(Space a, Space b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Vec3 minus(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 
 LayingRegions stator() { return laying_regions(make_slot(StatorSlot{}), StatorHeads{}); }
 LayingRegions rotor() { return laying_regions(make_slot(RotorSlot{}), RotorHeads{}); }
@@ -62,7 +62,7 @@ TEST(LayingRegions, RotorSlotsStandAsInTheirTransformations) {
   expect_same(shift(h.tooth_radius, -h.tooth_half_width, -h.cap_base) * turn_x(half_turn), r.at[0].end);
   // The second slot mirrors the first at the tooth.
   for (const Point p : {Point{1, 2}, Point{-3, 0.5}}) {
-    const Space a = r.at[0].begin.place(p), b = r.at[2].end.place(p);
+    const Vec3 a = r.at[0].begin.place(p), b = r.at[2].end.place(p);
     EXPECT_NEAR(a.x, b.x, 1e-12);
     EXPECT_NEAR(a.y, -b.y, 1e-12);
     EXPECT_NEAR(a.z, b.z, 1e-12);
@@ -84,7 +84,7 @@ TEST(LayingRegions, HeadsLieBehindTheToolAndBeyondItsHeight) {
   const StatorHeads h;
   for (const std::size_t j : {1u, 3u})
     for (const Frame& f : {r.at[j].begin, r.at[j].end}) {
-      const Space corner = f.place({0, 0}), far = f.place({3, 2});
+      const Vec3 corner = f.place({0, 0}), far = f.place({3, 2});
       const double out = j == 1 ? -1 : 1, end = j == 1 ? 0 : h.stack;
       EXPECT_NEAR(out * (corner.z - end), h.tool_height, 1e-12);
       EXPECT_NEAR(out * (far.z - corner.z), 2, 1e-12);
@@ -98,10 +98,10 @@ TEST(LayingRegions, FootKeepsThePartOfAForceThatIsNormalToTheWire) {
   const LayingRegions regions = stator();
   for (int i = 0; i < 50; ++i) {
     const Frame& f = regions.at[static_cast<std::size_t>(i % 4)].begin;
-    const Space wire{f.x.y * f.y.z - f.x.z * f.y.y, f.x.z * f.y.x - f.x.x * f.y.z, f.x.x * f.y.y - f.x.y * f.y.x};
-    const Space from{random.uniform(-9, 9), random.uniform(-9, 9), random.uniform(-9, 9)};
+    const Vec3 wire{f.x.y * f.y.z - f.x.z * f.y.y, f.x.z * f.y.x - f.x.x * f.y.z, f.x.x * f.y.y - f.x.y * f.y.x};
+    const Vec3 from{random.uniform(-9, 9), random.uniform(-9, 9), random.uniform(-9, 9)};
     const Point place{random.uniform(-5, 5), random.uniform(-5, 5)};
-    const Space force = minus(from, f.place(place));  // (4.15)
+    const Vec3 force = minus(from, f.place(place));  // (4.15)
     const double along = dot(force, wire);
     EXPECT_NEAR(distance(f.foot(from), place), std::sqrt(dot(force, force) - along * along), 1e-9);
   }

@@ -27,7 +27,7 @@ Windable verdict(const Slot& slot, const std::vector<Point>& wires, std::optiona
 /// Two wires loose on a wide base, with a gap between them: the third drives them apart.
 const std::vector<Point> loose{{3.1, 1}, {6.9, 1}, {5, 1 + std::sqrt(4 - 3.61)}};
 
-TEST(Windable, SoManyWiresHoldAsLieBeforeTheOneThatPushesOneOut) {
+TEST(Windable, WiresBeforeTheOneThatPushesAnotherOutHold) {
   const Windable all = verdict(open_slot(4), loose);
   ASSERT_TRUE(all.producible.first);
   EXPECT_EQ(all.producible.first->laid, 2u);

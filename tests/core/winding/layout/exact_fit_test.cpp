@@ -50,7 +50,7 @@ void expect_count(const Region& usable_area, double angle, std::size_t count, co
   expect_allowed(usable_area, 0.5, 0, most);
 }
 
-TEST(ExactFit, OfARowByAllAlgorithms) {
+TEST(ExactFit, RowIsFilledByAllAlgorithms) {
   for (const int count : {1, 2, 7, 12})
     for (const double angle : angles)
       for (const Point place : places)
@@ -58,7 +58,7 @@ TEST(ExactFit, OfARowByAllAlgorithms) {
                      std::to_string(count) + " wires, " + std::to_string(angle) + " rad");
 }
 
-TEST(ExactFit, OfFourInASquare) {
+TEST(ExactFit, FourWiresFitInASquare) {
   for (const double angle : angles)
     for (const Point place : places) {
       const Region usable_area = polygon(turned(box(2, 2), angle, place));
@@ -69,7 +69,7 @@ TEST(ExactFit, OfFourInASquare) {
     }
 }
 
-TEST(ExactFit, OfTheInscribedCircle) {
+TEST(ExactFit, InscribedCircleFits) {
   for (const int sides : {3, 4, 6, 7, 50})
     for (const double angle : angles)
       expect_count(polygon(turned(around(sides), angle, {31, 7})), 0.1, 1, std::to_string(sides) + " sides");
@@ -83,7 +83,7 @@ const std::vector<Point> staggered{{0, 0}, {2, 0}, {2, 0.5}, {6, 0.5}, {6.5, 1.5
 const std::vector<Point> between_rooms{{0, 0}, {2, 0}, {2, 0.5}, {6, 0.5}, {6, 0}, {8, 0},
                                        {8, 2}, {6, 2}, {6, 1.5}, {2, 1.5}, {2, 2}, {0, 2}};
 
-TEST(ExactFit, OfACorridorBesideARoom) {
+TEST(ExactFit, CorridorBesideARoomIsFilled) {
   const std::pair<std::vector<Point>, std::size_t> usable_areas[] = {
       {corridor, 8}, {staggered, 8}, {between_rooms, 12}};
   for (const auto& [corners, count] : usable_areas)

@@ -10,7 +10,7 @@
 #include "core/base/progress.hpp"
 #include "core/numeric/random.hpp"
 #include "core/winding/layout/potential.hpp"
-#include "core/winding/packing/squeeze.hpp"
+#include "core/winding/packing/overlap_energy.hpp"
 #include "core/winding/slot/slot.hpp"
 #include "core/winding/wire.hpp"
 
@@ -26,7 +26,7 @@ class FourStarts {
         wire_(wire),
         random_(random),
         usable_area_(slot, wire.radius(), silent_),
-        squeeze_(usable_area_, 2 * wire.radius()) {
+        energy_(usable_area_, 2 * wire.radius()) {
     places_ = usable_area_.spread(wire.radius() / 4);
   }
   std::size_t most() {
@@ -52,11 +52,11 @@ class FourStarts {
     std::vector<Point> wires;
     for (std::size_t i = 0; i < count; ++i) wires.push_back(places_[random_.below(places_.size())]);
     for (int grown = 100; grown < 200; ++grown) {
-      squeeze_.set_distance(2 * wire_.radius() * grown / 200);
-      minimiser_.minimise(squeeze_, wires, endless, 30, silent);
+      energy_.set_distance(2 * wire_.radius() * grown / 200);
+      minimiser_.minimise(energy_, wires, endless, 30, silent);
     }
-    squeeze_.set_distance(2 * wire_.radius());
-    minimiser_.minimise(squeeze_, wires, endless, 3000, silent);
+    energy_.set_distance(2 * wire_.radius());
+    minimiser_.minimise(energy_, wires, endless, 3000, silent);
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t k = i + 1; k < count; ++k)
         if (2 * wire_.radius() - distance(wires[i], wires[k]) > rule(wire_)) return false;
@@ -68,7 +68,7 @@ class FourStarts {
   Random& random_;
   SilentProgress silent_;
   CentreArea usable_area_;
-  Squeeze squeeze_;
+  OverlapEnergy energy_;
   Minimiser minimiser_;
   std::vector<Point> places_;
 };

@@ -19,7 +19,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 SilentProgress silent;
 
-Space unit(Space a) { return (1 / norm(a)) * a; }
+Vec3 unit(Vec3 a) { return (1 / norm(a)) * a; }
 
 double proven(const NeedlePose& from, const NeedlePose& to, const NeedleShape& needle, const Obstacle& obstacle) {
   return clearance(std::vector<NeedleMove>{{from, to}}, needle, {&obstacle}, 0.02, silent).minimum;
@@ -78,7 +78,7 @@ TEST(Room, IsThatOfTheShorterTurn) {
 class Wall final : public Obstacle {
  public:
   explicit Wall(double face) : face_(face) {}
-  double distance(Space p) const override { return face_ - p.y; }
+  double distance(Vec3 p) const override { return face_ - p.y; }
 
  private:
   double face_;
@@ -87,8 +87,8 @@ class Wall final : public Obstacle {
 // A wire along −z, a needle along x: the tip moves 7 mm times the sine of the lean.
 TEST(KeptClear, LeansTheWireAsFarAsAWallAsks) {
   const NeedleShape needle{2, 30};
-  const Space along{0, 0, -1}, across{0, 1, 0};
-  const auto support = [](Space way) {
+  const Vec3 along{0, 0, -1}, across{0, 1, 0};
+  const auto support = [](Vec3 way) {
     const NeedlePose pose{7.0 * way, 0, 0};
     return SupportPoint{pose, 0, pi / 2};
   };
@@ -112,12 +112,12 @@ TEST(KeptClear, ImpossibleDirectionsAreNoneAndThoseOfTheWireItselfAnError) {
   const NeedleShape needle{2, 30};
   const Wall wall(0);
   const auto left = [&](const NeedlePose& p) { return room(p, needle, {&wall}); };
-  const auto half = [](Space way) {
+  const auto half = [](Vec3 way) {
     if (way.y < 0) throw Infeasible("not that way");
     return SupportPoint{{7.0 * way, 0, 0}, 0, pi / 2};
   };
   EXPECT_EQ(kept_clear({0, 0, -1}, {0, 1, 0}, half, left, 0.1).pose.tip.y, 0);
-  const auto none = [](Space) -> SupportPoint { throw Infeasible("no way"); };
+  const auto none = [](Vec3) -> SupportPoint { throw Infeasible("no way"); };
   EXPECT_THROW(kept_clear({0, 0, -1}, {0, 1, 0}, none, left, 0.1), Infeasible);
 }
 
@@ -133,9 +133,9 @@ double through(const FixedPiece& piece, const NeedleShape& needle, const Obstacl
   return proven(piece.begin.pose, piece.end.pose, needle, iron);
 }
 /// From the tip back through the bend: the straight wire ends at `place`, where it comes from the tip.
-void expect_leads_to(const SupportPoint& s, Space place, double radius, double length, std::size_t where) {
+void expect_leads_to(const SupportPoint& s, Vec3 place, double radius, double length, std::size_t where) {
   const double t = radius * std::tan(s.exit_angle / 2);
-  const Space corner = s.pose.tip + t * s.pose.direction(), way = unit(corner - place);
+  const Vec3 corner = s.pose.tip + t * s.pose.direction(), way = unit(corner - place);
   EXPECT_NEAR(norm(corner - place), length + t, 1e-7) << where;
   EXPECT_NEAR(std::cos(s.exit_angle), -dot(way, s.pose.direction()), 1e-9) << where;
 }
@@ -223,11 +223,11 @@ TEST(Channel, TipsChangeContinuouslyWithTheWiresPlace) {
   NeedleModel model;
   model.pivot_limit = 0.17;
   model.shape = NeedleShape{1.6, 60};
-  Space last{};
+  Vec3 last{};
   double farthest = 0, held = 0;
   for (int i = 0; i <= 400; ++i) {
     const double y = i * 0.005;  // from the slot's middle to its flank
-    const Space in{99, y - 2.5, 225}, top{88, y, 210}, bottom{88, y, 0};
+    const Vec3 in{99, y - 2.5, 225}, top{88, y, 210}, bottom{88, y, 0};
     Turn turn;
     turn.at[0] = {top, bottom, in};
     // Heads far enough away; they are not looked at.
@@ -235,7 +235,7 @@ TEST(Channel, TipsChangeContinuouslyWithTheWiresPlace) {
     turn.at[2] = {turned({88, 0, 0}, 5 * part.pitch()), turned({88, 0, 210}, 5 * part.pitch()), turn.at[1].end};
     turn.at[3] = {turned({100, -3, 226}, 5 * part.pitch() - 0.05), turned({100, 3, 226}, 0.05), turn.at[2].end};
     const auto pieces = support_points(part, {{0, 5}}, {turn}, model);
-    const Space tip = pieces[0].begin.pose.tip;
+    const Vec3 tip = pieces[0].begin.pose.tip;
     if (i > 0) farthest = std::max(farthest, norm(tip - last));
     last = tip;
     NeedleModel free = model;

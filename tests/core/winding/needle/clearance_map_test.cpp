@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "core/base/progress.hpp"
-#include "core/winding/part/space.hpp"
+#include "core/winding/part/vec3.hpp"
 
 namespace bahnwerk::winding {
 namespace {
@@ -24,14 +24,14 @@ TEST(ClearanceMap, ATipInTheMiddleHasHalfOfWhatTheOpeningLeaves) {
 
 // A needle that does not swivel: its axis leads from the stator's axis through the tip past the tooth tip's half
 // circle.
-TEST(ClearanceMap, WithoutShiftTheToothTipDecidesBesideTheMiddle) {
+TEST(ClearanceMap, ToothTipDecidesBesideTheMiddleWithoutShift) {
   const StatorPart part;
   const StatorIron iron(part, checked_slot(part));
   for (const double x : {0.2, 0.8, -0.8, 1.5}) {
     const Point tip{x, 6};
     const NeedlePose pose = tip_pose(part, tip, std::nullopt);
-    EXPECT_NEAR(norm(pose.tip - Space{95.7 - 6, x, 105}), 0, 1e-12);
-    const Space d = pose.direction(), centre{95.7 - 16.129 - 0.3, std::copysign(3.683 / 2, x), 105};
+    EXPECT_NEAR(norm(pose.tip - Vec3{95.7 - 6, x, 105}), 0, 1e-12);
+    const Vec3 d = pose.direction(), centre{95.7 - 16.129 - 0.3, std::copysign(3.683 / 2, x), 105};
     EXPECT_NEAR(d.y * pose.tip.x, d.x * pose.tip.y, 1e-9) << "along a radius";
     const double beside = norm(cross(centre - pose.tip, d)) - 0.3 - 1.3;
     EXPECT_NEAR(tip_clearance(part, iron, {2.6, 60}, tip, std::nullopt, 1e-6), beside, 1e-6);

@@ -11,7 +11,7 @@
 #include "core/base/progress.hpp"
 #include "core/geometry/spline/spline_arc.hpp"
 #include "core/numeric/random.hpp"
-#include "core/winding/part/space.hpp"
+#include "core/winding/part/vec3.hpp"
 #include "tests/core/winding/needle/quiet_support.hpp"
 
 namespace bahnwerk::winding {
@@ -20,9 +20,9 @@ namespace {
 constexpr double pi = std::numbers::pi;
 SilentProgress silent;
 
-NeedleMove still(Space tip, double phi, double psi = 0) { return {{tip, phi, psi}, {tip, phi, psi}}; }
+NeedleMove still(Vec3 tip, double phi, double psi = 0) { return {{tip, phi, psi}, {tip, phi, psi}}; }
 
-TEST(Clearance, InTheMiddleOfTheOpeningIsHalfOfWhatIsLeft) {
+TEST(Clearance, IsHalfOfThePlayInTheMiddleOfTheOpening) {
   const StatorPart part;
   const StatorIron iron(part, checked_slot(part));
   for (const double width : {0.5, 2.6, 3.083, 4.0}) {
@@ -53,7 +53,7 @@ TEST(Clearance, IsFoundBetweenTheEndsOfAMove) {
   round.sweep = pi;
   round.to.phi = pi / 2;
   EXPECT_NEAR(clearance({round}, {2, 30}, {&post}, 1e-6, silent).minimum, 15 - std::hypot(12, 1) - 1, 1.1e-6);
-  EXPECT_NEAR(norm(round.at(0.5).tip - Space{15, 0, 10}), 0, 1e-12);
+  EXPECT_NEAR(norm(round.at(0.5).tip - Vec3{15, 0, 10}), 0, 1e-12);
 }
 
 // Against dense samples, for moves in, through and out of slots with swivelling needles.
@@ -68,7 +68,7 @@ TEST(Clearance, IsTheLeastOfADenseSample) {
   for (int round = 0; round < 40; ++round) {
     NeedleMove move;
     for (NeedlePose* p : {&move.from, &move.to}) {
-      p->tip = random.uniform(60, 104) * radial(random.uniform(-0.02, 0.02)) + Space{0, 0, random.uniform(-30, 40)};
+      p->tip = random.uniform(60, 104) * radial(random.uniform(-0.02, 0.02)) + Vec3{0, 0, random.uniform(-30, 40)};
       p->phi = random.uniform(-0.1, 0.1);
       p->psi = random.uniform(-pi / 2, 0);
     }
@@ -99,11 +99,11 @@ TEST(Clearance, IsTheLeastOfADenseSample) {
 TEST(Clearance, PivotShiftOpensTheSlotsSides) {
   const StatorPart part;
   const StatorIron iron(part, checked_slot(part));
-  const Space pivot{95.7 - 16.429, 0, 0}, along{0, 0, -1};
+  const Vec3 pivot{95.7 - 16.429, 0, 0}, along{0, 0, -1};
   int better = 0;
   for (const double depth : {8.0, 10.0, 12.0})
     for (const double x : {-1.2, -0.6, 0.6, 1.2}) {
-      const Space place{79.3 + depth, x, 100};
+      const Vec3 place{79.3 + depth, x, 100};
       const auto with = [&](std::optional<double> limit) {
         const NeedlePose pose = slot_support(place, along, 2, 1, pivot, limit).pose;
         return clearance({still(pose.tip, pose.phi)}, {2.6, 60}, {&iron}, 1e-6, silent).minimum;
@@ -116,7 +116,7 @@ TEST(Clearance, PivotShiftOpensTheSlotsSides) {
   EXPECT_GT(better, 5) << "places that only the shift makes accessible";
 }
 
-TEST(Clearance, OfAWholeCoilAsksAndEnds) {
+TEST(Clearance, AsksProgressAndStopsForAWholeCoil) {
   const StatorPart part;
   const Slot slot = checked_slot(part);
   const std::vector<Coil> coils{{0, 5}};
@@ -140,7 +140,7 @@ TEST(Clearance, OfAWholeCoilAsksAndEnds) {
 SplinePoint pose_point(const NeedlePose& p) { return {p.tip.x, p.tip.y, p.tip.z, p.phi, p.psi}; }
 
 // Lines and arcs as rational pieces: the same as moves.
-TEST(Clearance, OfLinesAndArcsAsPiecesIsThatOfMoves) {
+TEST(Clearance, IsEqualForPiecesAndMovesOnLinesAndArcs) {
   const StatorPart part;
   const StatorIron iron(part, checked_slot(part));
   const std::vector<Block> posts = tool_posts(part, {}, {0, 5});
@@ -150,12 +150,12 @@ TEST(Clearance, OfLinesAndArcsAsPiecesIsThatOfMoves) {
   for (int round = 0; round < 30; ++round) {
     const double height = random.uniform(218, 240), begin = random.uniform(-0.2, 0.2), sweep = random.uniform(0.1, 0.7),
                  radius = random.uniform(96, 108);
-    NeedleMove arc{{radius * radial(begin) + Space{0, 0, height}, begin, pi / 2}, {}, true, sweep};
+    NeedleMove arc{{radius * radial(begin) + Vec3{0, 0, height}, begin, pi / 2}, {}, true, sweep};
     arc.to = arc.from;
     arc.to.phi += sweep;
     NeedleMove line{{random.uniform(70, 90) * radial(random.uniform(-0.02, 0.02)), 0, 0}, {}, false, 0};
     line.from.tip.z = random.uniform(-20, 50), line.from.phi = random.uniform(-0.1, 0.1);
-    line.to = {line.from.tip + Space{random.uniform(-3, 3), random.uniform(-1, 1), 60}, random.uniform(-0.1, 0.1), 0.3};
+    line.to = {line.from.tip + Vec3{random.uniform(-3, 3), random.uniform(-1, 1), 60}, random.uniform(-0.1, 0.1), 0.3};
     std::vector<BezierPiece> round_arc =
         spline_arc(pose_point(arc.from), {0, 0, height}, {0, 0, 1}, sweep, {0, 0, 0, sweep, 0}, 4);
     const std::vector<BezierPiece> straight{BezierPiece::line(pose_point(line.from), pose_point(line.to))};
@@ -168,7 +168,7 @@ TEST(Clearance, OfLinesAndArcsAsPiecesIsThatOfMoves) {
 }
 
 // Against dense samples of pieces of all degrees with weights far from each other.
-TEST(Clearance, OfRationalPiecesIsTheLeastOfADenseSample) {
+TEST(Clearance, EqualsTheMinimumOfADenseSampleOfRationalPieces) {
   Random random(12);
   const StatorPart part;
   const StatorIron iron(part, checked_slot(part));
@@ -183,7 +183,7 @@ TEST(Clearance, OfRationalPiecesIsTheLeastOfADenseSample) {
     for (std::size_t i = 0; i <= degree; ++i) {
       // One draw after the other: in which order arguments are evaluated is the compiler's choice.
       const double from_axis = random.uniform(60, 104), azimuth = random.uniform(-0.02, 0.02);
-      const Space tip = from_axis * radial(azimuth);
+      const Vec3 tip = from_axis * radial(azimuth);
       const SplinePoint pose{tip.x, tip.y, random.uniform(-60, 10), random.uniform(-0.1, 0.1),
                              random.uniform(-pi / 2, 0)};
       points.push_back(homogeneous(pose, std::exp(random.uniform(-2, 2))));
@@ -235,7 +235,7 @@ TEST(Clearance, AShortDipOfAPieceIsFound) {
   EXPECT_NEAR(c.minimum, least, 2e-5);
 }
 
-TEST(Clearance, OfNoPiecesIsInfinite) {
+TEST(Clearance, IsInfiniteWithoutPieces) {
   const Block post(0, 10, 12, -1, 1, 0, 20);
   EXPECT_TRUE(std::isinf(clearance(std::vector<BezierPiece>{}, {2.6, 60}, {&post}, 0.01, silent).minimum));
   const std::vector<BezierPiece> still{BezierPiece::line({20, 0, 5, pi, 0}, {20, 0, 5, pi, 0})};

@@ -8,7 +8,7 @@
 
 #include "core/base/errors.hpp"
 #include "core/numeric/random.hpp"
-#include "core/winding/part/space.hpp"
+#include "core/winding/part/vec3.hpp"
 
 namespace bahnwerk::winding {
 namespace {
@@ -24,19 +24,19 @@ TEST(StatorIron, OpeningIsAsWideAsTheTipsLeave) {
     const StatorIron stator = iron(part);
     const double narrowest = 95.7 - 16.129 - 0.3;
     for (int n = 0; n < slots; n += 3) {
-      const Space middle = narrowest * radial(n * part.pitch()) + Space{0, 0, 100};
+      const Vec3 middle = narrowest * radial(n * part.pitch()) + Vec3{0, 0, 100};
       EXPECT_NEAR(stator.distance(middle), 3.083 / 2, 1e-9) << slots;
       // 1 mm towards a tip and 0.4 mm outwards: to the half circle about (b_t/2, h + r_et).
-      const Space beside = turned({narrowest + 0.4, 1, 100}, n * part.pitch());
+      const Vec3 beside = turned({narrowest + 0.4, 1, 100}, n * part.pitch());
       EXPECT_NEAR(stator.distance(beside), std::hypot(3.683 / 2 - 1, 0.4) - 0.3, 1e-9);
     }
     // The axis is a bore's radius from all teeth; half a pitch beside a slot there is a tooth.
     const double bore = std::hypot(3.683 / 2, 95.7 - 16.129 - 0.6);
     EXPECT_NEAR(stator.distance({0, 0, 50}), std::hypot(3.683 / 2, narrowest) - 0.3, 1e-9) << "tips round inwards";
-    EXPECT_NEAR(stator.distance((bore - 2) * radial(part.pitch() / 2) + Space{0, 0, 50}), 2, 1e-9);
-    EXPECT_NEAR(stator.distance((bore + 1) * radial(part.pitch() / 2) + Space{0, 0, 50}), -1, 1e-9);
+    EXPECT_NEAR(stator.distance((bore - 2) * radial(part.pitch() / 2) + Vec3{0, 0, 50}), 2, 1e-9);
+    EXPECT_NEAR(stator.distance((bore + 1) * radial(part.pitch() / 2) + Vec3{0, 0, 50}), -1, 1e-9);
     // Above and below the stack.
-    EXPECT_NEAR(stator.distance((bore + 3) * radial(part.pitch() / 2) + Space{0, 0, 212}), 2, 1e-12);
+    EXPECT_NEAR(stator.distance((bore + 3) * radial(part.pitch() / 2) + Vec3{0, 0, 212}), 2, 1e-12);
     EXPECT_NEAR(stator.distance({narrowest, 0, -4}), std::hypot(3.083 / 2, 4), 1e-9);
   }
 }
@@ -47,8 +47,8 @@ TEST(StatorIron, ChangesByNoMoreThanThePointMoves) {
   const StatorIron stator = iron(part);
   int inside = 0;
   for (int i = 0; i < 20000; ++i) {
-    const Space p = random.uniform(70, 100) * radial(random.uniform(-pi, pi)) + Space{0, 0, random.uniform(-5, 215)};
-    const Space q = p + Space{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+    const Vec3 p = random.uniform(70, 100) * radial(random.uniform(-pi, pi)) + Vec3{0, 0, random.uniform(-5, 215)};
+    const Vec3 q = p + Vec3{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
     const double a = stator.distance(p), b = stator.distance(q);
     EXPECT_LE(std::abs(a - b), norm(p - q) + 1e-9);
     EXPECT_LE(stator.section_distance(p), a + 1e-12);
@@ -82,10 +82,10 @@ TEST(Block, DistanceInClosedForm) {
 TEST(Block, LiesBehindThePlaneAtItsNearestPoint) {
   Random random(9);
   const Block block(0.4, 10, 14, -1, 3, 0, 6);
-  const auto any = [&] { return Space{random.uniform(4, 18), random.uniform(-4, 14), random.uniform(-5, 12)}; };
+  const auto any = [&] { return Vec3{random.uniform(4, 18), random.uniform(-4, 14), random.uniform(-5, 12)}; };
   int inside = 0;
   for (int i = 0; i < 20000; ++i) {
-    const Space p = any(), q = any(), n = block.away(p);
+    const Vec3 p = any(), q = any(), n = block.away(p);
     EXPECT_NEAR(norm(n), 1, 1e-12);
     EXPECT_GE(block.distance(q), block.distance(p) + dot(n, q - p) - 1e-9);
     inside += block.distance(p) < 0;
@@ -100,10 +100,10 @@ TEST(ToolPosts, StandBehindBothSlotsTowardsTheCoilsMiddle) {
     ASSERT_EQ(posts.size(), 4u);
     const LayingRegions regions = coil_regions(part, checked_slot(part), coil);
     // The wires' corner lies on the post's outer face, in its middle.
-    const Space first = regions.at[1].begin.place({0, 0}), second = regions.at[1].end.place({0, 0});
+    const Vec3 first = regions.at[1].begin.place({0, 0}), second = regions.at[1].end.place({0, 0});
     EXPECT_NEAR(posts[0].distance(first), 0, 1e-12);
     EXPECT_NEAR(posts[2].distance(second), 0, 1e-12);
-    EXPECT_NEAR(posts[0].distance(1.02 * first + Space{0, 0, 0.02 * 15.5}), 0.02 * 99.971, 1e-6);
+    EXPECT_NEAR(posts[0].distance(1.02 * first + Vec3{0, 0, 0.02 * 15.5}), 0.02 * 99.971, 1e-6);
     EXPECT_NEAR(posts[1].distance(regions.at[3].end.place({0, 0})), 0, 1e-12);
     EXPECT_NEAR(posts[3].distance(regions.at[3].begin.place({0, 0})), 0, 1e-12);
   }

@@ -8,7 +8,7 @@
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
 #include "core/winding/needle/clearance.hpp"
-#include "core/winding/part/space.hpp"
+#include "core/winding/part/vec3.hpp"
 
 namespace bahnwerk::winding {
 namespace {
@@ -38,7 +38,7 @@ TEST(PartObstacles, ANeedleBetweenTwoPoles) {
   // The outer corner of the shoe, Table 4.2.
   const double shoe = std::atan2(10.35 + 2.433, 40.10 + 15.518), outer = std::hypot(10.35 + 2.433, 40.10 + 15.518);
   const double at = shoe + 0.08;
-  NeedleMove down{{53 * radial(at) + Space{0, 0, 200}, at + std::numbers::pi, 0}, {}, false, 0};
+  NeedleMove down{{53 * radial(at) + Vec3{0, 0, 200}, at + std::numbers::pi, 0}, {}, false, 0};
   down.to = down.from;
   down.to.tip.z = 2;
   const Clearance c = clearance({down}, {2.6, 60}, poles.list(), 1e-6, silent);
@@ -46,7 +46,7 @@ TEST(PartObstacles, ANeedleBetweenTwoPoles) {
   EXPECT_NEAR(c.minimum, outer * std::sin(0.08) - 1.3, 2e-3);
   EXPECT_NEAR(53 + c.along, outer * std::cos(0.08), 0.1);
   // Along the pole above the cap's inner wall, whose foot is at the slot's root and which leans by 30°.
-  NeedleMove over{{45 * radial(0) + Space{0, -20, 202 + 28 - 5}, std::numbers::pi, 0}, {}, false, 0};
+  NeedleMove over{{45 * radial(0) + Vec3{0, -20, 202 + 28 - 5}, std::numbers::pi, 0}, {}, false, 0};
   over.to = over.from;
   over.to.tip.y = 20;
   const Clearance above = clearance({over}, {2.6, 60}, poles.list(), 1e-6, silent);

@@ -9,7 +9,7 @@
 #include "core/base/progress.hpp"
 #include "core/numeric/random.hpp"
 #include "core/winding/fill.hpp"
-#include "core/winding/part/space.hpp"
+#include "core/winding/part/vec3.hpp"
 #include "tests/core/winding/needle/quiet_support.hpp"
 
 namespace bahnwerk::winding {
@@ -38,11 +38,11 @@ TEST(FreeWire, AnyBendLeadsToWhereTheWireLies) {
     const NeedlePose pose{{random.uniform(-90, 90), random.uniform(-90, 90), random.uniform(-90, 90)},
                           random.uniform(-3, 3),
                           random.uniform(-1.5, 1.5)};
-    const Space d = pose.direction();
-    const Space some{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
-    const Space side = (1 / norm(cross(d, some))) * cross(d, some);
-    const Space place = pose.tip + (rho * std::sin(bend) + run * std::cos(bend)) * d +
-                        (rho * (1 - std::cos(bend)) + run * std::sin(bend)) * side;
+    const Vec3 d = pose.direction();
+    const Vec3 some{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+    const Vec3 side = (1 / norm(cross(d, some))) * cross(d, some);
+    const Vec3 place = pose.tip + (rho * std::sin(bend) + run * std::cos(bend)) * d +
+                       (rho * (1 - std::cos(bend)) + run * std::sin(bend)) * side;
     const FreeWire wire = free_wire(standing(pose), {.begin = place}, rho, 2);
     EXPECT_NEAR(wire.length.value(), run + rho * bend, 1e-3);
     EXPECT_NEAR(wire.bend.value(), bend, 1e-3);

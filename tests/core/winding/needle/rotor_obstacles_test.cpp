@@ -9,7 +9,7 @@
 
 #include "core/base/errors.hpp"
 #include "core/numeric/random.hpp"
-#include "core/winding/part/space.hpp"
+#include "core/winding/part/vec3.hpp"
 
 namespace bahnwerk::winding {
 namespace {
@@ -45,7 +45,7 @@ TEST(RotorIron, HasTheSlotsOutlineOnBothSidesOfEveryPole) {
     ++near;
     for (int pole = 0; pole < part.poles; ++pole)
       for (const double side : {-1.0, 1.0}) {
-        const Space at = turned({40.10 + p.x, side * (10.35 + p.y), 100}, pole * part.pitch());
+        const Vec3 at = turned({40.10 + p.x, side * (10.35 + p.y), 100}, pole * part.pitch());
         EXPECT_NEAR(rotor.distance(at), depth, 1e-9);
         EXPECT_NEAR(rotor.section_distance(at), depth, 1e-9);
       }
@@ -61,22 +61,22 @@ TEST(RotorIron, ShoesHubAndEndCaps) {
                hub = std::hypot(40.10 + ends.root.x, 10.35 + ends.root.y), middle = part.pitch() / 2;
   for (int pole = 0; pole < part.poles; ++pole) {
     const double at = pole * part.pitch();
-    EXPECT_NEAR(rotor.distance((outer + 3) * radial(at) + Space{0, 0, 50}), 3, 1e-9) << "above the shoe";
-    EXPECT_NEAR(rotor.distance((outer - 3) * radial(at) + Space{0, 0, 50}), -3, 1e-9);
-    EXPECT_NEAR(rotor.distance((hub + 2) * radial(at + middle) + Space{0, 0, 50}), 2, 1e-9) << "between the poles";
-    EXPECT_NEAR(rotor.distance((hub - 2) * radial(at + middle) + Space{0, 0, 50}), -2, 1e-9);
+    EXPECT_NEAR(rotor.distance((outer + 3) * radial(at) + Vec3{0, 0, 50}), 3, 1e-9) << "above the shoe";
+    EXPECT_NEAR(rotor.distance((outer - 3) * radial(at) + Vec3{0, 0, 50}), -3, 1e-9);
+    EXPECT_NEAR(rotor.distance((hub + 2) * radial(at + middle) + Vec3{0, 0, 50}), 2, 1e-9) << "between the poles";
+    EXPECT_NEAR(rotor.distance((hub - 2) * radial(at + middle) + Vec3{0, 0, 50}), -2, 1e-9);
     // In the opening, off the shoe's corner.
-    const Space corner = turned({40.10 + ends.shoe.x, 10.35 + ends.shoe.y, 50}, at);
+    const Vec3 corner = turned({40.10 + ends.shoe.x, 10.35 + ends.shoe.y, 50}, at);
     EXPECT_NEAR(rotor.distance(turned(corner, 0.2)), 2 * outer * std::sin(0.1), 1e-9);
     // The end caps continue the stack up to the grooves.
-    EXPECT_NEAR(rotor.distance((outer - 5) * radial(at) + Space{0, 0, 202 + 10.6 + 2}), 2, 1e-9);
-    EXPECT_NEAR(rotor.distance((outer - 5) * radial(at) + Space{0, 0, -10.6 - 4}), 4, 1e-9);
-    EXPECT_NEAR(rotor.distance((outer - 5) * radial(at) + Space{0, 0, -10.6 + 1}), -1, 1e-9);
-    EXPECT_NEAR(rotor.distance((outer + 3) * radial(at) + Space{0, 0, -10.6 - 4}), 5, 1e-9) << "off an edge";
+    EXPECT_NEAR(rotor.distance((outer - 5) * radial(at) + Vec3{0, 0, 202 + 10.6 + 2}), 2, 1e-9);
+    EXPECT_NEAR(rotor.distance((outer - 5) * radial(at) + Vec3{0, 0, -10.6 - 4}), 4, 1e-9);
+    EXPECT_NEAR(rotor.distance((outer - 5) * radial(at) + Vec3{0, 0, -10.6 + 1}), -1, 1e-9);
+    EXPECT_NEAR(rotor.distance((outer + 3) * radial(at) + Vec3{0, 0, -10.6 - 4}), 5, 1e-9) << "off an edge";
   }
   // An edge of the shoe adds to its radius.
   const RotorIron thick = iron(part, {.shoe_edge = 1.5});
-  EXPECT_NEAR(thick.distance((outer + 3) * radial(0) + Space{0, 0, 50}), 1.5, 1e-9);
+  EXPECT_NEAR(thick.distance((outer + 3) * radial(0) + Vec3{0, 0, 50}), 1.5, 1e-9);
   const Point side = (1 / outer) * Point{40.10 + ends.shoe.x, 10.35 + ends.shoe.y};
   const Point beside = (outer + 0.75) * side + 0.5 * left_of(side);
   EXPECT_NEAR(thick.distance({beside.x, beside.y, 50}), 0.5, 1e-9) << "its face lies along the radius";
@@ -90,8 +90,8 @@ TEST(RotorIron, ChangesByNoMoreThanThePointMoves) {
     const RotorIron rotor = iron(part, {.shoe_edge = 1});
     int inside = 0;
     for (int i = 0; i < 20000; ++i) {
-      const Space p = random.uniform(0, 70) * radial(random.uniform(-pi, pi)) + Space{0, 0, random.uniform(-20, 220)};
-      const Space q = p + Space{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+      const Vec3 p = random.uniform(0, 70) * radial(random.uniform(-pi, pi)) + Vec3{0, 0, random.uniform(-20, 220)};
+      const Vec3 q = p + Vec3{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
       const double a = rotor.distance(p), b = rotor.distance(q);
       EXPECT_LE(std::abs(a - b), norm(p - q) + 1e-9);
       EXPECT_LE(rotor.section_distance(p), a + 1e-12);
@@ -121,9 +121,9 @@ TEST(RotorIron, EndCapsFitTheLayingRegions) {
         for (const double at : {0.3, 0.6, 0.9}) {
           const Point on = flank.at(at);
           if (on.y < 1) continue;  // grooves and the shoe's rounding
-          const Space p = 0.5 * (head.begin.place(on) + head.end.place(on)),
-                      off = 0.5 * (head.begin.place(on + 0.4 * left_of(flank.direction(0))) +
-                                   head.end.place(on + 0.4 * left_of(flank.direction(0))));
+          const Vec3 p = 0.5 * (head.begin.place(on) + head.end.place(on)),
+                     off = 0.5 * (head.begin.place(on + 0.4 * left_of(flank.direction(0))) +
+                                  head.end.place(on + 0.4 * left_of(flank.direction(0))));
           double touching = 1e9, away = 1e9;
           for (const Wall& wall : walls) {
             touching = std::min(touching, wall.distance(p));
@@ -148,12 +148,12 @@ TEST(Wall, DistanceInClosedForm) {
   EXPECT_NEAR(wall.distance({0, 11, 0.25}), -0.25, 1e-12);
   // Convex along every line.
   Random random(3);
-  const auto any = [&] { return Space{random.uniform(-8, 8), random.uniform(4, 20), random.uniform(-6, 9)}; };
+  const auto any = [&] { return Vec3{random.uniform(-8, 8), random.uniform(4, 20), random.uniform(-6, 9)}; };
   for (int i = 0; i < 5000; ++i) {
-    const Space a = any(), b = any();
+    const Vec3 a = any(), b = any();
     const double t = random.uniform(0, 1);
     EXPECT_LE(wall.distance(a + t * (b - a)), (1 - t) * wall.distance(a) + t * wall.distance(b) + 1e-9);
-    const Space n = wall.away(a);
+    const Vec3 n = wall.away(a);
     EXPECT_NEAR(norm(n), 1, 1e-12);
     EXPECT_GE(wall.distance(b), wall.distance(a) + dot(n, b - a) - 1e-9) << "behind the plane at its nearest point";
   }

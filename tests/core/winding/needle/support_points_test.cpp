@@ -33,18 +33,18 @@ Wound wound(const Part& part, std::vector<Coil> coils, double radius, std::size_
 }
 
 /// The wire from the tip back: needle, circle, straight. True where it ends at `place` in the direction −`along`.
-void expect_leads_to(const SupportPoint& s, Space place, Space along, double radius, double length, int where) {
-  const Space d = s.pose.direction();
+void expect_leads_to(const SupportPoint& s, Vec3 place, Vec3 along, double radius, double length, int where) {
+  const Vec3 d = s.pose.direction();
   const double angle = std::acos(std::clamp(-dot(d, along), -1.0, 1.0));
   EXPECT_NEAR(s.exit_angle, angle, 1e-7) << where;
   const double t = radius * std::tan(angle / 2);
-  const Space corner = place + (length + t) * along;
+  const Vec3 corner = place + (length + t) * along;
   EXPECT_NEAR(norm(corner - (s.pose.tip + t * d)), 0, 1e-7) << where << ": tangents of the bend do not meet";
 }
 
-Space unit(Space a) { return (1 / norm(a)) * a; }
+Vec3 unit(Vec3 a) { return (1 / norm(a)) * a; }
 
-TEST(SupportPoints, InSlotsTheWireComesToItsPlace) {
+TEST(SupportPoints, WireReachesItsPlaceInSlots) {
   for (const int slots : {12, 48}) {
     StatorPart part;
     part.slots = slots;
@@ -90,10 +90,10 @@ TEST(SupportPoints, HeadsAreArcsAboutTheAxis) {
       const FixedPiece& piece = pieces[n];
       const Passage& p = w.turns[n / 4].at[n % 4];
       ASSERT_EQ(piece.shape, FixedPiece::Shape::arc);
-      const Space a = piece.begin.pose.tip, b = piece.end.pose.tip;
+      const Vec3 a = piece.begin.pose.tip, b = piece.end.pose.tip;
       EXPECT_NEAR(norm(turned(a, piece.sweep) - b), 0, 1e-11);
       const double out = n % 4 == 3 ? 1 : -1;
-      EXPECT_NEAR(norm(piece.begin.pose.direction() - Space{0, 0, -out}), 0, 1e-15) << "towards the stack (4.26)";
+      EXPECT_NEAR(norm(piece.begin.pose.direction() - Vec3{0, 0, -out}), 0, 1e-15) << "towards the stack (4.26)";
       EXPECT_EQ(piece.begin.pose.psi, out * pi / 2);
       EXPECT_GE(out * (a.z - p.begin.z), 5 - 1e-9) << "at least the bend's radius beyond the wire";
       EXPECT_GE(std::hypot(a.x, a.y), std::hypot(p.end.x, p.end.y) - 1e-9);
@@ -131,7 +131,7 @@ TEST(SupportPoints, ChangesOfCoilPassAboveAndOutsideAllElse) {
   std::size_t changes = 0;
   for (const FixedPiece& p : pieces)
     if (p.kind == FixedPiece::Kind::region)
-      for (const Space t : {p.begin.pose.tip, p.end.pose.tip})
+      for (const Vec3 t : {p.begin.pose.tip, p.end.pose.tip})
         farthest = std::max(farthest, std::hypot(t.x, t.y)), highest = std::max(highest, t.z);
   for (std::size_t n = 0; n < pieces.size(); ++n) {
     const FixedPiece& p = pieces[n];
@@ -146,7 +146,7 @@ TEST(SupportPoints, ChangesOfCoilPassAboveAndOutsideAllElse) {
   EXPECT_EQ(changes, 5u);
 }
 
-TEST(SupportPoints, OfARotorPointAtItsAxis) {
+TEST(SupportPoints, PointAtTheAxisOfARotor) {
   const RotorPart part;
   for (const Coil coil : {Coil{0, 1}, Coil{4, -1}}) {
     const Wound w = wound(part, {coil}, 1.217 / 2, 100);
@@ -225,8 +225,8 @@ TEST(SupportPoints, MirrorWithTheCoil) {
              right = support_points(part, b.coils, b.turns, model);
   ASSERT_EQ(left.size(), right.size());
   for (std::size_t n = 0; n < left.size(); ++n) {
-    const Space l = left[n].begin.pose.tip, r = right[n].begin.pose.tip;
-    EXPECT_NEAR(norm(l - Space{r.x, -r.y, r.z}), 0, 1e-6) << n;
+    const Vec3 l = left[n].begin.pose.tip, r = right[n].begin.pose.tip;
+    EXPECT_NEAR(norm(l - Vec3{r.x, -r.y, r.z}), 0, 1e-6) << n;
     EXPECT_NEAR(left[n].begin.pivot_shift, -right[n].begin.pivot_shift, 1e-7) << n;
     EXPECT_NEAR(left[n].sweep, -right[n].sweep, 1e-7) << n;
   }
@@ -238,16 +238,16 @@ TEST(SlotSupport, SwivelsAboutThePivotUpToTheLimit) {
   int free = 0, limited = 0;
   for (int i = 0; i < 3000; ++i) {
     const double at = random.uniform(-3, 3), lean = random.uniform(0, 0.4), around = random.uniform(-pi, pi);
-    const Space e = radial(at), t{-e.y, e.x, 0}, pivot = 79 * e;
-    const Space place = random.uniform(84, 95) * e + random.uniform(-2.8, 2.8) * t + Space{0, 0, 210};
-    const Space along = unit(Space{0, 0, -1} + lean * std::cos(around) * e + lean * std::sin(around) * t);
+    const Vec3 e = radial(at), t{-e.y, e.x, 0}, pivot = 79 * e;
+    const Vec3 place = random.uniform(84, 95) * e + random.uniform(-2.8, 2.8) * t + Vec3{0, 0, 210};
+    const Vec3 along = unit(Vec3{0, 0, -1} + lean * std::cos(around) * e + lean * std::sin(around) * t);
     const double limit = random.uniform(0, 0.3);
     const double rho = random.uniform(0, 3);
     const SupportPoint s = slot_support(place, along, rho, 1, pivot, limit);
     expect_leads_to(s, place, along, rho, 1, i);
     EXPECT_LE(std::abs(s.pivot_shift), limit + 1e-12);
     EXPECT_NEAR(std::remainder(s.pose.phi - azimuth(s.pose.tip) - s.pivot_shift, 2 * pi), 0, 1e-12);
-    const Space d = s.pose.direction(), from = s.pose.tip - pivot;
+    const Vec3 d = s.pose.direction(), from = s.pose.tip - pivot;
     const double beside = cross(from, d).z;
     if (std::abs(beside) < 1e-9) {
       ++free;
@@ -265,7 +265,7 @@ TEST(SlotSupport, SwivelsAboutThePivotUpToTheLimit) {
 
 TEST(SlotSupport, AWireInTheSlotsMiddleNeedsNoShift) {
   const SupportPoint s = slot_support({90, 0, 0}, {0, 0, -1}, 5, 2, {79, 0, 0}, 0.3);
-  EXPECT_NEAR(norm(s.pose.tip - Space{85, 0, -7}), 0, 1e-12);
+  EXPECT_NEAR(norm(s.pose.tip - Vec3{85, 0, -7}), 0, 1e-12);
   EXPECT_EQ(s.pivot_shift, 0);
   EXPECT_EQ(s.pose.phi, 0);
   // 2 mm beside it, 11 mm behind the pivot: the axis leans by atan(2/11), less the tip's own azimuth.

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-Space unit(Space a) { return (1 / norm(a)) * a; }
+Vec3 unit(Vec3 a) { return (1 / norm(a)) * a; }
 
 TEST(WirePull, AForceThatHardlyPullsIsNamed) {
   Pull pull;
@@ -36,34 +36,34 @@ TEST(WirePull, TheBendJoinsNeedleAndFreeWire) {
   int seen = 0;
   for (int i = 0; i < 20000; ++i) {
     const auto direction = [&] { return unit({random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)}); };
-    const Space u = direction(), d = direction();
+    const Vec3 u = direction(), d = direction();
     const double radius = random.uniform(0, 9), length = random.uniform(0, 5);
     const double angle = std::acos(-dot(u, d));
     if (angle < 1e-3 || angle > 3) continue;
     ++seen;
     const TipOffset tip = tip_offset(u, d, radius, length);
     EXPECT_NEAR(tip.exit_angle, angle, 1e-9);
-    const Space side = (1 / std::sin(angle)) * (-1.0 * u - std::cos(angle) * d);
-    const Space end = tip.offset + radius * std::sin(angle) * d + radius * (1 - std::cos(angle)) * side;
+    const Vec3 side = (1 / std::sin(angle)) * (-1.0 * u - std::cos(angle) * d);
+    const Vec3 end = tip.offset + radius * std::sin(angle) * d + radius * (1 - std::cos(angle)) * side;
     EXPECT_NEAR(norm(end - length * u), 0, 1e-9 * (1 + std::tan(angle / 2))) << "end of the circle on the free wire";
   }
   EXPECT_GT(seen, 15000);
 }
 
 TEST(WirePull, ClosedForms) {
-  const Space out{1, 0, 0}, up{0, 0, 1};
+  const Vec3 out{1, 0, 0}, up{0, 0, 1};
   // A right angle: radius ahead and radius back.
   TipOffset tip = tip_offset(up, out, 5, 2);
-  EXPECT_NEAR(norm(tip.offset - Space{-5, 0, 7}), 0, 1e-14);
+  EXPECT_NEAR(norm(tip.offset - Vec3{-5, 0, 7}), 0, 1e-14);
   EXPECT_NEAR(tip.exit_angle, pi / 2, 1e-15);
   // Straight out of the needle: the tip is `free_length` before the place.
   tip = tip_offset(up, {0, 0, -1}, 5, 2);
-  EXPECT_NEAR(norm(tip.offset - Space{0, 0, 2}), 0, 1e-14);
+  EXPECT_NEAR(norm(tip.offset - Vec3{0, 0, 2}), 0, 1e-14);
   EXPECT_NEAR(tip.exit_angle, 0, 1e-15);
   // 60° and 120°: tan 30° and tan 60°.
   tip = tip_offset({std::sqrt(0.75), 0, 0.5}, {0, 0, -1}, 3, 0);
   EXPECT_NEAR(tip.exit_angle, pi / 3, 1e-15);
-  EXPECT_NEAR(norm(tip.offset - Space{1.5, 0, std::sqrt(3) * 1.5}), 0, 1e-14);
+  EXPECT_NEAR(norm(tip.offset - Vec3{1.5, 0, std::sqrt(3) * 1.5}), 0, 1e-14);
   // No radius, no length: the tip at the wire's place.
   EXPECT_EQ(norm(tip_offset(up, out, 0, 0).offset), 0);
   EXPECT_THROW(tip_offset(up, up, 5, 2), Infeasible);

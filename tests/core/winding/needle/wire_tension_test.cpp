@@ -11,7 +11,7 @@
 namespace bahnwerk::winding {
 namespace {
 
-TEST(WireTension, WithoutMassAndFrictionItIsTheBrakesForce) {
+TEST(WireTension, IsTheBrakesForceWithoutMassAndFriction) {
   const TensionModel model{.force = 12};
   const Drawing drawing{700, 30000, 1.5};
   EXPECT_EQ(tension(model, 17, drawing), 17);

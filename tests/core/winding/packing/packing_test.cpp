@@ -7,7 +7,7 @@
 #include "core/numeric/random.hpp"
 #include "core/winding/layout/potential.hpp"
 #include "core/winding/packing/centre_area.hpp"
-#include "core/winding/packing/squeeze.hpp"
+#include "core/winding/packing/overlap_energy.hpp"
 #include "core/winding/packing/starts.hpp"
 #include "tests/core/winding/packing_rooms.hpp"
 
@@ -44,13 +44,13 @@ TEST(CentreArea, AgreesWithTheExactRegion) {
   }
 }
 
-TEST(Squeeze, EnergyAndForcesAgreeWithAllPairs) {
+TEST(OverlapEnergy, EnergyAndForcesAgreeWithAllPairs) {
   Random random(3);
   const Region usable_area = stator_room();
   const double radius = 0.35, least = 0.69;
   const CentreArea centres(usable_area, radius, silent);
   for (const std::size_t n : {2u, 30u, 200u}) {
-    Squeeze squeeze(centres, least);
+    OverlapEnergy overlap(centres, least);
     std::vector<Point> wires(n), gradient(n), unused(n);
     for (Point& p : wires) p = {random.uniform(-2.8, 2.8), random.uniform(0, 16)};
     const auto brute = [&](const std::vector<Point>& at) {
@@ -63,7 +63,7 @@ TEST(Squeeze, EnergyAndForcesAgreeWithAllPairs) {
     };
     for (int round = 0; round < 40; ++round) {
       double deepest = 0;
-      const double energy = squeeze.energy(wires, gradient, deepest);
+      const double energy = overlap.energy(wires, gradient, deepest);
       EXPECT_NEAR(energy, brute(wires), 1e-9 * (1 + energy));
       const std::size_t i = random.below(n);
       for (const Point& d : {Point{1e-6, 0}, Point{0, 1e-6}}) {
@@ -82,14 +82,14 @@ TEST(Minimiser, EndsWhereForcesBalance) {
   Random random(5);
   const CentreArea centres(square(), 0.1, silent);
   for (int round = 0; round < 20; ++round) {
-    Squeeze squeeze(centres, 0.2);
+    OverlapEnergy overlap(centres, 0.2);
     std::vector<Point> wires(33), gradient(33);
     for (Point& p : wires) p = {random.uniform(0.1, 0.9), random.uniform(0.1, 0.9)};
     Minimiser minimiser;
-    const Rest rest = minimiser.minimise(squeeze, wires, 1e300, 2000, silent);
+    const Rest rest = minimiser.minimise(overlap, wires, 1e300, 2000, silent);
     EXPECT_FALSE(rest.allowed);  // 33 do not fit: 30 is the most known for 0.0917
     double deepest = 0, square = 0;
-    EXPECT_NEAR(squeeze.energy(wires, gradient, deepest), rest.energy, 1e-12);
+    EXPECT_NEAR(overlap.energy(wires, gradient, deepest), rest.energy, 1e-12);
     for (const Point& g : gradient) square += dot(g, g);
     EXPECT_LE(square, 1e-3 * rest.energy);
   }

@@ -11,7 +11,7 @@
 #include "core/base/progress.hpp"
 #include "core/winding/laying/needle.hpp"
 #include "core/winding/needle/obstacles.hpp"
-#include "core/winding/part/space.hpp"
+#include "core/winding/part/vec3.hpp"
 
 namespace bahnwerk::winding {
 namespace {
@@ -31,7 +31,7 @@ std::string refused(const std::function<void()>& call) {
   return "nothing";
 }
 
-void expect_near(Space a, Space b, double tolerance, const std::string& what) {
+void expect_near(Vec3 a, Vec3 b, double tolerance, const std::string& what) {
   EXPECT_NEAR(norm(a - b), 0, tolerance) << what;
 }
 
@@ -61,7 +61,7 @@ TEST(Part, StatorFramesAreThoseOfTheTransformations) {
       for (const Point p : {Point{0, 0}, Point{1.25, 3}, Point{-2, 9}}) {
         const auto expected = [&](int n, double z) {
           const double a = n * 2 * pi / slots, r = part.heads.base_radius - p.y, t = side * p.x;
-          return Space{r * std::cos(a) - t * std::sin(a), r * std::sin(a) + t * std::cos(a), z};
+          return Vec3{r * std::cos(a) - t * std::sin(a), r * std::sin(a) + t * std::cos(a), z};
         };
         const std::string what = std::to_string(slots) + " slots, span " + std::to_string(span);
         expect_near(regions.at[0].begin.place(p), expected(first, 210), 1e-11, what);
@@ -70,7 +70,7 @@ TEST(Part, StatorFramesAreThoseOfTheTransformations) {
         expect_near(regions.at[2].end.place(p), expected(first + span, 210), 1e-11, what);
       }
       // The head is passed from the first side to the second, between the slots, at one radius and height.
-      const Space a = regions.at[1].begin.place({1, 2}), b = regions.at[1].end.place({1, 2});
+      const Vec3 a = regions.at[1].begin.place({1, 2}), b = regions.at[1].end.place({1, 2});
       EXPECT_NEAR(std::hypot(a.x, a.y), std::hypot(b.x, b.y), 1e-11);
       EXPECT_NEAR(a.z, -17.5, 1e-12);
       EXPECT_NEAR(b.z, -17.5, 1e-12);
@@ -231,7 +231,7 @@ TEST(Part, ADrawnSlotIsTheOneOfItsSizes) {
   EXPECT_NEAR(bore(part), bore(sized), 1e-6);
   EXPECT_NEAR(clear_way(part, checked_slot(part)), 4, 1e-9);
   const StatorIron is(part, checked_slot(part)), was(sized, slot);
-  for (const Space p : {Space{90, 0.5, 100}, {79, 1.9, 100}, {85, -2.3, 50}, {80, 3, 10}, {60, 20, 200}, {70, 0, 100}})
+  for (const Vec3 p : {Vec3{90, 0.5, 100}, {79, 1.9, 100}, {85, -2.3, 50}, {80, 3, 10}, {60, 20, 200}, {70, 0, 100}})
     EXPECT_NEAR(is.distance(p), was.distance(p), 0.01) << p.x << ' ' << p.y;
 }
 

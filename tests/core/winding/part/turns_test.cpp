@@ -6,14 +6,14 @@
 
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
-#include "core/winding/part/space.hpp"
+#include "core/winding/part/vec3.hpp"
 
 namespace bahnwerk::winding {
 namespace {
 
 SilentProgress silent;
 
-TEST(Layers, OfALatticeAreItsRows) {
+TEST(Layers, AreTheRowsOfALattice) {
   std::vector<Point> wires;
   const double pitch = 2, rise = std::sqrt(3.0);
   std::vector<int> expected;
@@ -76,7 +76,7 @@ TEST(Turns, FollowTheLayoutsOfEveryCoil) {
     EXPECT_GE(distance(layouts[0].wires[i], layouts[0].wires[i - 1]), 2 * radius - 1e-9);
 }
 
-TEST(Turns, OfTheExampleRotorJumpOncePerLayer) {
+TEST(Turns, JumpOncePerLayerInTheExampleRotor) {
   const RotorPart part;
   const Slot slot = checked_slot(part);
   const LayingRegions coil = coil_regions(part, slot, {0, 1});
@@ -92,7 +92,7 @@ TEST(Turns, OfTheExampleRotorJumpOncePerLayer) {
   EXPECT_NEAR(norm(turns[3].at[1].held - turns[3].at[0].end), 5, 1e-9);
 }
 
-TEST(Turns, AsManyAsTheLayoutsHaveOrInfeasible) {
+TEST(Turns, AreAsManyAsTheLayoutsHaveOrInfeasible) {
   const StatorPart part;
   const Slot slot = checked_slot(part);
   const LayingRegions coil = coil_regions(part, slot, {0, -5});
@@ -106,7 +106,7 @@ TEST(Turns, AsManyAsTheLayoutsHaveOrInfeasible) {
   EXPECT_THROW(turns_of({coil}, one, 1, 0.5), Infeasible);
 }
 
-TEST(Turns, OfSeveralWiresInHandGoThroughTheMiddleOfTheirPlaces) {
+TEST(Turns, PassThroughTheMiddleOfThePlacesOfSeveralWires) {
   const RotorPart part;
   const Slot slot = checked_slot(part);
   const std::vector<LayingRegions> coils{coil_regions(part, slot, {0, 1})};

@@ -23,8 +23,8 @@ LinkEnds corner(double shift) {
 TEST(LinkSearch, TurnedAngleAndSharpestBendOfACircle) {
   const auto arc = spline_arc({4, 0, 0, 0, 0}, {}, {0, 0, 1}, 1.3).front();
   EXPECT_NEAR(turned_angle(arc), 1.3, 1e-4);
-  EXPECT_NEAR(sharpest_bend(arc), 0.25, 1e-6);
-  EXPECT_EQ(sharpest_bend(BezierPiece::line({}, {1})), 0);
+  EXPECT_NEAR(sharpest_curvature(arc), 0.25, 1e-6);
+  EXPECT_EQ(sharpest_curvature(BezierPiece::line({}, {1})), 0);
 }
 
 // A cubic whose speed falls to 0.01 of its chord at a bend: no sample sees it, the minimum of the speed does.
@@ -32,7 +32,7 @@ TEST(LinkSearch, SharpestBendSeesWhatIsNarrow) {
   const double d = 1e-3;
   const BezierPiece cusp(
       {homogeneous({0, 0}, 1), homogeneous({1 + d, 1}, 1), homogeneous({-d, 1}, 1), homogeneous({1, 0}, 1)});
-  EXPECT_GT(sharpest_bend(cusp), 100);
+  EXPECT_GT(sharpest_curvature(cusp), 100);
 }
 
 TEST(LinkSearch, FindsABendAndTheSameFromItsNeighbour) {

@@ -10,7 +10,7 @@
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
 #include "core/winding/laying/needle.hpp"
-#include "core/winding/part/space.hpp"
+#include "core/winding/part/vec3.hpp"
 #include "tests/core/geometry/spline/spline_support.hpp"
 #include "tests/core/winding/path/needle_pieces.hpp"
 
@@ -67,7 +67,7 @@ TEST(NeedlePath, GoesThroughEverySupportPoint) {
       if (piece.link) continue;
       const auto at = [&](const NeedlePose& pose, double v) {
         const SplinePoint p = piece.curve.at(v)[0];
-        return std::hypot(norm(Space{p[0], p[1], p[2]} - pose.tip), p[3] - pose.phi, p[4] - pose.psi);
+        return std::hypot(norm(Vec3{p[0], p[1], p[2]} - pose.tip), p[3] - pose.phi, p[4] - pose.psi);
       };
       const bool first = i == 0 || path.pieces[i - 1].link,
                  last = i + 1 == path.pieces.size() || path.pieces[i + 1].link;
@@ -89,7 +89,7 @@ TEST(NeedlePath, ArcsAreCircles) {
   std::size_t arcs = 0;
   for (const NeedlePiece& piece : path.pieces) {
     if (piece.link || pieces[piece.fixed].shape != FixedPiece::Shape::arc) continue;
-    const Space tip = pieces[piece.fixed].begin.pose.tip;
+    const Vec3 tip = pieces[piece.fixed].begin.pose.tip;
     ++arcs;
     for (int i = 0; i <= 20; ++i) {
       const SplinePoint p = piece.curve.at(i / 20.0)[0];

@@ -65,7 +65,7 @@ TEST(PostPassage, KeepsTheClearanceThatIsAskedFor) {
 }
 
 // The tip passes above posts of 20 mm.
-TEST(PostPassage, WhereNoPostStandsInTheWayThePathIsTheSources) {
+TEST(PostPassage, PathIsTheSourcesWhereNoPostIsInTheWay) {
   const Passing p(0, 5, 6, 1, 0, 25);
   const NeedlePath with = p.path(true), without = p.path(false);
   ASSERT_EQ(with.pieces.size(), without.pieces.size());
@@ -99,7 +99,7 @@ TEST(PostPassage, AllPlacesKeepTheClearanceOfTheStandingNeedle) {
       way.slot.tip = turned({85, random.uniform(-1, 1), 215}, (first + (second ? span : 0)) * part.pitch());
       for (std::size_t place = 0; place < PostPassage::places; ++place) {
         const ExtraPoint at = posts.beside(way, place);
-        Space tip = at.radius * radial(at.azimuth);
+        Vec3 tip = at.radius * radial(at.azimuth);
         tip.z = part.heads.stack + 10;
         const double from_post = blocks[second ? 3 : 1].distance(tip) - needle.width / 2;
         EXPECT_GE(from_post, std::max(clearance, -needle.width / 2) + 0.1 - 1e-9) << n << " " << place;

@@ -33,7 +33,7 @@ struct Paths {
 };
 
 // A needle of constant speed: the shortest links are the quickest.
-TEST(QuickLinks, OfAConstantSpeedAreShorter) {
+TEST(QuickLinks, AreShorterForAConstantSpeed) {
   for (const bool stator : {true, false}) {
     const Paths paths(stator, 3);
     const QuickLinks quick = paths.quick(length);

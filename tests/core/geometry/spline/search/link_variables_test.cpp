@@ -54,7 +54,7 @@ TEST(LinkVariables, AreDerivativesByLengthInUnitsOfTheChord) {
     for (std::size_t d = 0; d < 5; ++d) EXPECT_NEAR(m[i][d], (p[i][d] + q[i][d]) / 2, 1e-9);
 }
 
-TEST(LinkVariables, OfAShapeAreWithinTheirBounds) {
+TEST(LinkVariables, AreWithinTheirBoundsForEveryShape) {
   const LinkVariables variables(3, stator());
   const auto gamma = variables.of({{1e-3, 50, -1e5, 0}, {1e6, 0, 0, 0}, {}});
   for (std::size_t i = 0; i < gamma.size(); ++i) {

@@ -1,8 +1,8 @@
 #pragma once
-/// Quicker paces for a stretch that the coarse axes can follow: one section after the other gets the quickest that it
-/// can have while the others stay.
+/// Quicker section_limits for a stretch that the coarse axes can follow: one section after the other gets the quickest
+/// that it can have while the others stay.
 ///
-/// What the coarse axes can do before and behind a section are convex sets of states (followable_states.hpp) that do
+/// What the coarse axes can do before and behind a section are convex sets of states (controllable_set.hpp) that do
 /// not change with its pace, so that a pace is judged on the cells of that section alone. A straight move is searched
 /// over its acceleration, its braking, its feed and what is between them, other sections over a feed for all of it, the
 /// accelerations, and feeds of its segments. Then pairs: a section that is not a move becomes as quick as ever, or a
@@ -15,20 +15,21 @@
 #include "core/base/progress_scope.hpp"
 #include "core/redundant/chain.hpp"
 #include "core/redundant/coarse_fine.hpp"
-#include "core/redundant/followable_states.hpp"
+#include "core/redundant/controllable_set.hpp"
 #include "core/redundant/head_cells.hpp"
 #include "core/redundant/head_plan.hpp"
 
 namespace bahnwerk {
 
-class PaceSearch {
+class SectionTimingSearch {
  public:
   /// Of the sections in the path's segments [first, last).
-  PaceSearch(HeadPlan<2>& plan, const CoarseFineMachine& machine, const HeadCellOptions& cells, ProgressScope& scope,
-             std::size_t first, std::size_t last);
+  SectionTimingSearch(HeadPlan<2>& plan, const CoarseFineMachine& machine, const HeadCellOptions& cells,
+                      ProgressScope& scope, std::size_t first, std::size_t last);
 
-  /// Paces of the plan become quicker where that is found. False: the paces given cannot be followed with the little
-  /// room that the search leaves. Some 0.2 ms per pace that is looked at, 20 to 60 of them per slowed section.
+  /// SectionLimits of the plan become quicker where that is found. False: the section_limits given cannot be followed
+  /// with the little room that the search leaves. Some 0.2 ms per pace that is looked at, 20 to 60 of them per slowed
+  /// section.
   bool run();
 
  private:
@@ -51,7 +52,7 @@ class PaceSearch {
   void carry_backward(std::size_t from, std::size_t to);
   bool possible(std::size_t section, const Timed& timed) const;
 
-  Paces::Straight* straight(std::size_t section);
+  SectionLimits::Straight* straight(std::size_t section);
   Speeds speeds(std::size_t section);
   void restore(std::size_t section, const Speeds& speeds);
   bool slowed(std::size_t section);
@@ -62,7 +63,8 @@ class PaceSearch {
   /// The same of another section, over feeds of its segments and one share of its accelerations.
   bool quicker_cut(std::size_t section);
   bool sweep();
-  /// A section whose paces were changed from `before`, and a move that makes up for it; else they are restored.
+  /// A section whose section_limits were changed from `before`, and a move that makes up for it; else they are
+  /// restored.
   bool exchange(std::size_t section, const Speeds& before, std::size_t move);
   bool exchange_cut(std::size_t section, std::size_t move);
   bool exchange_moves(std::size_t section, std::size_t move, bool slowed, bool other_slowed);
@@ -77,7 +79,7 @@ class PaceSearch {
   std::vector<std::size_t> split_;  // axes that have a fine one
   double room_ = 0;                 // that boxes are smaller by
   std::vector<Timed> sections_;
-  std::vector<std::vector<FollowableStates>> forward_, backward_;  // [section, and behind the last][axis]
+  std::vector<std::vector<ControllableSet>> forward_, backward_;  // [section, and behind the last][axis]
 };
 
 }  // namespace bahnwerk

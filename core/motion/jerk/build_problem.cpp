@@ -14,18 +14,18 @@ constexpr double middle_from = 0.15, near_limit = 0.8;
 /// Through kinematics a part that lasts so many times what parts should last is divided once more.
 constexpr double long_part = 2;
 
-/// A cell needs no nodes inside if the speed v is the same for so many times A/J + v/A before and behind it, and takes
-/// at most this part of the limits of acceleration and jerk.
+/// A cell needs no nodes inside if the speed v is constant for this many times A/J + v/A before and behind it, and
+/// takes at most this part of the limits of acceleration and jerk.
 constexpr double steady_times = 3, steady_part = 0.75;
 
 }  // namespace
 
 template <int N, int M>
-void JerkSectionPlanner<N, M>::caps(LargeVector<double>& cap, ProgressScope& pulse) const {
+void JerkSectionPlanner<N, M>::caps(LargeVector<double>& cap, ProgressScope& progress) const {
   const std::size_t n = grid_.cells.size();
   cap.assign(n + 1, unlimited);
   for (std::size_t c = 0; c < n; ++c) {
-    pulse(c, n);
+    progress(c, n);
     const double f = feed(c);
     for (const std::size_t e : {std::size_t{0}, std::size_t{1}}) {
       const Station<N>& s = e ? grid_.right(c) : grid_.left(c);
@@ -77,9 +77,9 @@ double JerkSectionPlanner<N, M>::steepest(const Station<N>& at, double b) const 
 }
 
 template <int N, int M>
-void JerkSectionPlanner<N, M>::rough(ProgressScope& pulse) {
-  caps(cap_, pulse);
-  rough_profile<N>(grid_, feed_, machine_, options_.path, cap_, rough_, pulse);
+void JerkSectionPlanner<N, M>::rough(ProgressScope& progress) {
+  caps(cap_, progress);
+  rough_profile<N>(grid_, feed_, machine_, options_.path, cap_, rough_, progress);
 }
 
 template <int N, int M>
@@ -110,8 +110,8 @@ void JerkSectionPlanner<N, M>::find_steady() {
 }
 
 template <int N, int M>
-void JerkSectionPlanner<N, M>::lay(ProgressScope& pulse) {
-  rough(pulse);
+void JerkSectionPlanner<N, M>::build_grid(ProgressScope& progress) {
+  rough(progress);
   find_steady();
   const std::size_t n = grid_.cells.size();
   double total = 0;
@@ -132,11 +132,11 @@ void JerkSectionPlanner<N, M>::lay(ProgressScope& pulse) {
                                                                                : Spread::even};
     longest_.insert(longest_.end(), static_cast<std::size_t>(parts), steady_[c] ? unlimited : long_part * tau);
   }
-  divide<N>(grid_, path_, division_, pulse);
-  rough(pulse);
+  divide<N>(grid_, path_, division_, progress);
+  rough(progress);
   if (!path_.cartesian() && mark_long()) {
-    divide<N>(grid_, path_, division_, pulse);
-    rough(pulse);
+    divide<N>(grid_, path_, division_, progress);
+    rough(progress);
   }
 }
 
@@ -168,10 +168,10 @@ void JerkSectionPlanner<N, M>::soften() {
 }
 
 template <int N, int M>
-void JerkSectionPlanner<N, M>::guess(Start start, ProgressScope& pulse) {
+void JerkSectionPlanner<N, M>::guess(Start start, ProgressScope& progress) {
   const std::size_t n = grid_.cells.size();
   const bool smoothed = start.smoothing != Smoothing::none;
-  if (smoothed) smooth<N>(grid_, 2 * jerk_time_, start.smoothing, rough_, pulse);
+  if (smoothed) smooth<N>(grid_, 2 * jerk_time_, start.smoothing, rough_, progress);
   const auto& b = smoothed ? rough_.smooth_b : rough_.b;
   const double part = start.part;
   for (std::size_t i = 1; i < n; ++i) {
@@ -190,7 +190,7 @@ void JerkSectionPlanner<N, M>::guess(Start start, ProgressScope& pulse) {
     }
   state_[0] = entry_;
   state_[n] = {};
-  follow();
+  blend_previous_window();
   if (part > 0) return;
   double L = 0, s = 0;
   for (std::size_t c = 0; c < n; ++c) L += grid_.length(c);
@@ -215,9 +215,9 @@ double JerkSectionPlanner<N, M>::needle_part(std::size_t c) const {
 }
 
 template <int N, int M>
-void JerkSectionPlanner<N, M>::pose(ProgressScope& pulse) {
+void JerkSectionPlanner<N, M>::build_problem(ProgressScope& progress) {
   const std::size_t n = grid_.cells.size();
-  caps(cap_, pulse);
+  caps(cap_, progress);
   problem_.inverse_jerk = soft_.inverse_jerk;
   problem_.inverse_cap.resize(n + 1);
   problem_.cap_reach.resize(n + 1);
@@ -229,7 +229,7 @@ void JerkSectionPlanner<N, M>::pose(ProgressScope& pulse) {
       problem_.inverse_cap[i][side] = 1 / (share_ * std::min(cap_[i], cell));
       problem_.cap_reach[i][side] = reach;
       if (!(cell > cap_[i]) || !ceiling_.empty() || strict_caps_) continue;
-      // Where the node's own cap is the lower one the inner coefficient need not keep to it, but to the cell's. With
+      // Where the node's own cap is lower than the cell's, the inner coefficient has to satisfy only the cell's. With
       // this reach it does, since no law has a larger acceleration there: it may leave a slow segment accelerating.
       wider_caps_ = true;
       const Station<N>& at = side == 0 ? grid_.right(c) : grid_.left(c);
@@ -243,7 +243,7 @@ void JerkSectionPlanner<N, M>::pose(ProgressScope& pulse) {
   problem_.nodes.reserve(n);
   problem_.middles.clear();
   for (std::size_t c = 0; c < n; ++c) {
-    pulse(c, n);
+    progress(c, n);
     auto& cell = problem_.cells[c];
     cell.h = grid_.length(c);
     cell.station = grid_.cells[c].station;
@@ -265,12 +265,12 @@ void JerkSectionPlanner<N, M>::pose(ProgressScope& pulse) {
       }
     }
   }
-  pose_middles(false, pulse);
-  look_half_way(pulse);
+  build_middle_rows(false, progress);
+  look_half_way(progress);
 }
 
 template <int N, int M>
-void JerkSectionPlanner<N, M>::pose_middles(bool looked, ProgressScope& pulse) {
+void JerkSectionPlanner<N, M>::build_middle_rows(bool looked, ProgressScope& progress) {
   const std::size_t n = grid_.cells.size();
   problem_.middles.clear();
   const auto near = [&](std::size_t c) {
@@ -280,7 +280,7 @@ void JerkSectionPlanner<N, M>::pose_middles(bool looked, ProgressScope& pulse) {
   };
   const auto near_any = [&](std::size_t c) { return near(c) || (c > 0 && near(c - 1)) || (c + 1 < n && near(c + 1)); };
   for (std::size_t c = entry_.b > 0 ? 0 : 1; c < (exit_.b > 0 ? n : n - 1); ++c) {
-    pulse(c, n);
+    progress(c, n);
     if (duration(c) < middle_from * shortest_jerk_time_ && !(looked && near_any(c))) continue;
     const JerkStation<M>&s = problem_.stations[problem_.cells[c].station],
           &r = problem_.stations[problem_.cells[c].station + 1];
@@ -310,104 +310,104 @@ void JerkSectionPlanner<N, M>::add_node(std::size_t node, const JerkStation<M>& 
   problem_.nodes.push_back(rows);
 }
 
-template void JerkSectionPlanner<2, 2>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
+template void JerkSectionPlanner<2, 2>::caps(LargeVector<double>& cap, ProgressScope& progress) const;
 template double JerkSectionPlanner<2, 2>::cell_cap(std::size_t c, bool at_end) const;
 template double JerkSectionPlanner<2, 2>::steepest(const Station<2>& at, double b) const;
-template void JerkSectionPlanner<2, 2>::rough(ProgressScope& pulse);
-template void JerkSectionPlanner<2, 2>::lay(ProgressScope& pulse);
+template void JerkSectionPlanner<2, 2>::rough(ProgressScope& progress);
+template void JerkSectionPlanner<2, 2>::build_grid(ProgressScope& progress);
 template bool JerkSectionPlanner<2, 2>::mark_long();
 template void JerkSectionPlanner<2, 2>::soften();
-template void JerkSectionPlanner<2, 2>::guess(Start start, ProgressScope& pulse);
+template void JerkSectionPlanner<2, 2>::guess(Start start, ProgressScope& progress);
 template double JerkSectionPlanner<2, 2>::needle_part(std::size_t c) const;
-template void JerkSectionPlanner<2, 2>::pose(ProgressScope& pulse);
-template void JerkSectionPlanner<2, 2>::pose_middles(bool looked, ProgressScope& pulse);
+template void JerkSectionPlanner<2, 2>::build_problem(ProgressScope& progress);
+template void JerkSectionPlanner<2, 2>::build_middle_rows(bool looked, ProgressScope& progress);
 template void JerkSectionPlanner<2, 2>::add_node(std::size_t node, const JerkStation<2>& s,
                                                  const std::array<double, 2>& inverse);
-template void JerkSectionPlanner<2, 3>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
+template void JerkSectionPlanner<2, 3>::caps(LargeVector<double>& cap, ProgressScope& progress) const;
 template double JerkSectionPlanner<2, 3>::cell_cap(std::size_t c, bool at_end) const;
 template double JerkSectionPlanner<2, 3>::steepest(const Station<2>& at, double b) const;
-template void JerkSectionPlanner<2, 3>::rough(ProgressScope& pulse);
-template void JerkSectionPlanner<2, 3>::lay(ProgressScope& pulse);
+template void JerkSectionPlanner<2, 3>::rough(ProgressScope& progress);
+template void JerkSectionPlanner<2, 3>::build_grid(ProgressScope& progress);
 template bool JerkSectionPlanner<2, 3>::mark_long();
 template void JerkSectionPlanner<2, 3>::soften();
-template void JerkSectionPlanner<2, 3>::guess(Start start, ProgressScope& pulse);
+template void JerkSectionPlanner<2, 3>::guess(Start start, ProgressScope& progress);
 template double JerkSectionPlanner<2, 3>::needle_part(std::size_t c) const;
-template void JerkSectionPlanner<2, 3>::pose(ProgressScope& pulse);
-template void JerkSectionPlanner<2, 3>::pose_middles(bool looked, ProgressScope& pulse);
+template void JerkSectionPlanner<2, 3>::build_problem(ProgressScope& progress);
+template void JerkSectionPlanner<2, 3>::build_middle_rows(bool looked, ProgressScope& progress);
 template void JerkSectionPlanner<2, 3>::add_node(std::size_t node, const JerkStation<3>& s,
                                                  const std::array<double, 3>& inverse);
-template void JerkSectionPlanner<3, 3>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
-template void JerkSectionPlanner<5, 5>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
-template void JerkSectionPlanner<8, 8>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
+template void JerkSectionPlanner<3, 3>::caps(LargeVector<double>& cap, ProgressScope& progress) const;
+template void JerkSectionPlanner<5, 5>::caps(LargeVector<double>& cap, ProgressScope& progress) const;
+template void JerkSectionPlanner<8, 8>::caps(LargeVector<double>& cap, ProgressScope& progress) const;
 template double JerkSectionPlanner<3, 3>::cell_cap(std::size_t c, bool at_end) const;
 template double JerkSectionPlanner<3, 3>::steepest(const Station<3>& at, double b) const;
 template double JerkSectionPlanner<5, 5>::cell_cap(std::size_t c, bool at_end) const;
 template double JerkSectionPlanner<5, 5>::steepest(const Station<5>& at, double b) const;
 template double JerkSectionPlanner<8, 8>::cell_cap(std::size_t c, bool at_end) const;
 template double JerkSectionPlanner<8, 8>::steepest(const Station<8>& at, double b) const;
-template void JerkSectionPlanner<3, 3>::rough(ProgressScope& pulse);
-template void JerkSectionPlanner<5, 5>::rough(ProgressScope& pulse);
-template void JerkSectionPlanner<8, 8>::rough(ProgressScope& pulse);
-template void JerkSectionPlanner<3, 3>::lay(ProgressScope& pulse);
+template void JerkSectionPlanner<3, 3>::rough(ProgressScope& progress);
+template void JerkSectionPlanner<5, 5>::rough(ProgressScope& progress);
+template void JerkSectionPlanner<8, 8>::rough(ProgressScope& progress);
+template void JerkSectionPlanner<3, 3>::build_grid(ProgressScope& progress);
 template bool JerkSectionPlanner<3, 3>::mark_long();
-template void JerkSectionPlanner<5, 5>::lay(ProgressScope& pulse);
+template void JerkSectionPlanner<5, 5>::build_grid(ProgressScope& progress);
 template bool JerkSectionPlanner<5, 5>::mark_long();
-template void JerkSectionPlanner<8, 8>::lay(ProgressScope& pulse);
+template void JerkSectionPlanner<8, 8>::build_grid(ProgressScope& progress);
 template bool JerkSectionPlanner<8, 8>::mark_long();
 template void JerkSectionPlanner<3, 3>::soften();
 template void JerkSectionPlanner<5, 5>::soften();
 template void JerkSectionPlanner<8, 8>::soften();
-template void JerkSectionPlanner<3, 3>::guess(Start start, ProgressScope& pulse);
-template void JerkSectionPlanner<5, 5>::guess(Start start, ProgressScope& pulse);
-template void JerkSectionPlanner<8, 8>::guess(Start start, ProgressScope& pulse);
+template void JerkSectionPlanner<3, 3>::guess(Start start, ProgressScope& progress);
+template void JerkSectionPlanner<5, 5>::guess(Start start, ProgressScope& progress);
+template void JerkSectionPlanner<8, 8>::guess(Start start, ProgressScope& progress);
 template double JerkSectionPlanner<3, 3>::needle_part(std::size_t c) const;
-template void JerkSectionPlanner<3, 3>::pose(ProgressScope& pulse);
+template void JerkSectionPlanner<3, 3>::build_problem(ProgressScope& progress);
 template double JerkSectionPlanner<5, 5>::needle_part(std::size_t c) const;
-template void JerkSectionPlanner<5, 5>::pose(ProgressScope& pulse);
+template void JerkSectionPlanner<5, 5>::build_problem(ProgressScope& progress);
 template double JerkSectionPlanner<8, 8>::needle_part(std::size_t c) const;
-template void JerkSectionPlanner<8, 8>::pose(ProgressScope& pulse);
-template void JerkSectionPlanner<3, 3>::pose_middles(bool looked, ProgressScope& pulse);
-template void JerkSectionPlanner<5, 5>::pose_middles(bool looked, ProgressScope& pulse);
-template void JerkSectionPlanner<8, 8>::pose_middles(bool looked, ProgressScope& pulse);
+template void JerkSectionPlanner<8, 8>::build_problem(ProgressScope& progress);
+template void JerkSectionPlanner<3, 3>::build_middle_rows(bool looked, ProgressScope& progress);
+template void JerkSectionPlanner<5, 5>::build_middle_rows(bool looked, ProgressScope& progress);
+template void JerkSectionPlanner<8, 8>::build_middle_rows(bool looked, ProgressScope& progress);
 template void JerkSectionPlanner<3, 3>::add_node(std::size_t node, const JerkStation<3>& s,
                                                  const std::array<double, 3>& inverse);
 template void JerkSectionPlanner<5, 5>::add_node(std::size_t node, const JerkStation<5>& s,
                                                  const std::array<double, 5>& inverse);
 template void JerkSectionPlanner<8, 8>::add_node(std::size_t node, const JerkStation<8>& s,
                                                  const std::array<double, 8>& inverse);
-template void JerkSectionPlanner<3, 4>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
-template void JerkSectionPlanner<5, 6>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
-template void JerkSectionPlanner<8, 9>::caps(LargeVector<double>& cap, ProgressScope& pulse) const;
+template void JerkSectionPlanner<3, 4>::caps(LargeVector<double>& cap, ProgressScope& progress) const;
+template void JerkSectionPlanner<5, 6>::caps(LargeVector<double>& cap, ProgressScope& progress) const;
+template void JerkSectionPlanner<8, 9>::caps(LargeVector<double>& cap, ProgressScope& progress) const;
 template double JerkSectionPlanner<3, 4>::cell_cap(std::size_t c, bool at_end) const;
 template double JerkSectionPlanner<3, 4>::steepest(const Station<3>& at, double b) const;
 template double JerkSectionPlanner<5, 6>::cell_cap(std::size_t c, bool at_end) const;
 template double JerkSectionPlanner<5, 6>::steepest(const Station<5>& at, double b) const;
 template double JerkSectionPlanner<8, 9>::cell_cap(std::size_t c, bool at_end) const;
 template double JerkSectionPlanner<8, 9>::steepest(const Station<8>& at, double b) const;
-template void JerkSectionPlanner<3, 4>::rough(ProgressScope& pulse);
-template void JerkSectionPlanner<5, 6>::rough(ProgressScope& pulse);
-template void JerkSectionPlanner<8, 9>::rough(ProgressScope& pulse);
-template void JerkSectionPlanner<3, 4>::lay(ProgressScope& pulse);
+template void JerkSectionPlanner<3, 4>::rough(ProgressScope& progress);
+template void JerkSectionPlanner<5, 6>::rough(ProgressScope& progress);
+template void JerkSectionPlanner<8, 9>::rough(ProgressScope& progress);
+template void JerkSectionPlanner<3, 4>::build_grid(ProgressScope& progress);
 template bool JerkSectionPlanner<3, 4>::mark_long();
-template void JerkSectionPlanner<5, 6>::lay(ProgressScope& pulse);
+template void JerkSectionPlanner<5, 6>::build_grid(ProgressScope& progress);
 template bool JerkSectionPlanner<5, 6>::mark_long();
-template void JerkSectionPlanner<8, 9>::lay(ProgressScope& pulse);
+template void JerkSectionPlanner<8, 9>::build_grid(ProgressScope& progress);
 template bool JerkSectionPlanner<8, 9>::mark_long();
 template void JerkSectionPlanner<3, 4>::soften();
 template void JerkSectionPlanner<5, 6>::soften();
 template void JerkSectionPlanner<8, 9>::soften();
-template void JerkSectionPlanner<3, 4>::guess(Start start, ProgressScope& pulse);
-template void JerkSectionPlanner<5, 6>::guess(Start start, ProgressScope& pulse);
-template void JerkSectionPlanner<8, 9>::guess(Start start, ProgressScope& pulse);
+template void JerkSectionPlanner<3, 4>::guess(Start start, ProgressScope& progress);
+template void JerkSectionPlanner<5, 6>::guess(Start start, ProgressScope& progress);
+template void JerkSectionPlanner<8, 9>::guess(Start start, ProgressScope& progress);
 template double JerkSectionPlanner<3, 4>::needle_part(std::size_t c) const;
-template void JerkSectionPlanner<3, 4>::pose(ProgressScope& pulse);
+template void JerkSectionPlanner<3, 4>::build_problem(ProgressScope& progress);
 template double JerkSectionPlanner<5, 6>::needle_part(std::size_t c) const;
-template void JerkSectionPlanner<5, 6>::pose(ProgressScope& pulse);
+template void JerkSectionPlanner<5, 6>::build_problem(ProgressScope& progress);
 template double JerkSectionPlanner<8, 9>::needle_part(std::size_t c) const;
-template void JerkSectionPlanner<8, 9>::pose(ProgressScope& pulse);
-template void JerkSectionPlanner<3, 4>::pose_middles(bool looked, ProgressScope& pulse);
-template void JerkSectionPlanner<5, 6>::pose_middles(bool looked, ProgressScope& pulse);
-template void JerkSectionPlanner<8, 9>::pose_middles(bool looked, ProgressScope& pulse);
+template void JerkSectionPlanner<8, 9>::build_problem(ProgressScope& progress);
+template void JerkSectionPlanner<3, 4>::build_middle_rows(bool looked, ProgressScope& progress);
+template void JerkSectionPlanner<5, 6>::build_middle_rows(bool looked, ProgressScope& progress);
+template void JerkSectionPlanner<8, 9>::build_middle_rows(bool looked, ProgressScope& progress);
 template void JerkSectionPlanner<3, 4>::add_node(std::size_t node, const JerkStation<4>& s,
                                                  const std::array<double, 4>& inverse);
 template void JerkSectionPlanner<5, 6>::add_node(std::size_t node, const JerkStation<6>& s,

@@ -1,4 +1,4 @@
-#include "core/winding/packing/squeeze.hpp"
+#include "core/winding/packing/overlap_energy.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,7 @@ double product(std::span<const Point> a, std::span<const Point> b) {
 
 }  // namespace
 
-void Squeeze::list(std::span<const Point> wires) {
+void OverlapEnergy::list(std::span<const Point> wires) {
   listed_.assign(wires.begin(), wires.end());
   pairs_.clear();
   const double reach = (1 + skin) * distance_, square = reach * reach;
@@ -81,7 +81,7 @@ void Squeeze::list(std::span<const Point> wires) {
   work_ += 60 * n;
 }
 
-double Squeeze::energy(std::span<const Point> wires, std::span<Point> gradient, double& deepest) {
+double OverlapEnergy::energy(std::span<const Point> wires, std::span<Point> gradient, double& deepest) {
   const std::size_t n = wires.size();
   bool stale = listed_.size() != n;
   const double moved = 0.25 * skin * skin * distance_ * distance_;
@@ -114,7 +114,7 @@ double Squeeze::energy(std::span<const Point> wires, std::span<Point> gradient, 
   return 0.5 * sum;
 }
 
-void Squeeze::share(std::span<const Point> wires, std::vector<double>& of_each) {
+void OverlapEnergy::share(std::span<const Point> wires, std::vector<double>& of_each) {
   list(wires);
   of_each.assign(wires.size(), 0);
   for (std::size_t i = 0; i < wires.size(); ++i) {
@@ -129,16 +129,16 @@ void Squeeze::share(std::span<const Point> wires, std::vector<double>& of_each) 
   }
 }
 
-Rest Minimiser::minimise(Squeeze& squeeze, std::vector<Point>& wires, double goal, int most, Progress& progress) {
+Rest Minimiser::minimise(OverlapEnergy& overlap, std::vector<Point>& wires, double goal, int most, Progress& progress) {
   const std::size_t n = wires.size();
   for (auto* list : {&gradient_, &trial_, &trial_gradient_, &direction_}) list->resize(n);
   for (std::size_t k = 0; k < memory; ++k) {
     step_[k].resize(n);
     change_[k].resize(n);
   }
-  const double longest = 0.15 * squeeze.distance();
+  const double longest = 0.15 * overlap.distance();
   double deepest = 0;
-  double energy = squeeze.energy(wires, gradient_, deepest);
+  double energy = overlap.energy(wires, gradient_, deepest);
   std::size_t kept = 0, next = 0;
   double earlier = energy;
   const int steps_per_report = static_cast<int>(2000000 / (10 * n + 1)) + 1;  // steps between two reports
@@ -186,7 +186,7 @@ Rest Minimiser::minimise(Squeeze& squeeze, std::vector<Point>& wires, double goa
     bool lower = false;
     for (int halving = 0; halving < 12; ++halving) {
       for (std::size_t i = 0; i < n; ++i) trial_[i] = wires[i] + length * direction_[i];
-      trial_energy = squeeze.energy(trial_, trial_gradient_, trial_deepest);
+      trial_energy = overlap.energy(trial_, trial_gradient_, trial_deepest);
       lower = trial_energy <= energy + 1e-4 * length * slope;
       if (lower) break;
       length *= 0.5;

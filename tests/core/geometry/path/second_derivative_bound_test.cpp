@@ -1,4 +1,4 @@
-#include "core/geometry/path/bend_bound.hpp"
+#include "core/geometry/path/second_derivative_bound.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ TEST(BendBoundTest, HoldsAndTightens) {
   const Rational curves[] = {Rational::bezier({{100, 0, 0}, {101, 3, 1}, {104, -2, 0}, {105, 1, 2}}),
                              Rational::bezier({{100, 0, 0}, {101, 3, 1}, {104, -2, 0}, {105, 1, 2}}, {1, 3, 0.5, 2})};
   for (const Rational& curve : curves) {
-    const BendBound bound(curve);
+    const SecondDerivativeBound bound(curve);
     for (double width = 1; width > 1e-3; width *= 0.5) {
       double most = 0;
       for (int i = 0; i <= 50; ++i) most = std::max(most, norm(curve.at(0.4 + width * (i / 50.0 - 0.4)).d2));

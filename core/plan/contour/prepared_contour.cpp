@@ -1,4 +1,4 @@
-#include "core/plan/contour/posed_contour.hpp"
+#include "core/plan/contour/prepared_contour.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -10,10 +10,10 @@
 
 namespace bahnwerk {
 
-PosedContour pose_contour(const std::shared_ptr<const Contour>& given, const Machine& machine,
-                          const ContourPlanning& planning, Progress& progress, double from, double to) {
+PreparedContour prepare_contour(const std::shared_ptr<const Contour>& given, const Machine& machine,
+                                const ContourPlanning& planning, Progress& progress, double from, double to) {
   constexpr double rounded = 0.2;  // of the progress
-  PosedContour posed{given, {}};
+  PreparedContour posed{given, {}};
   PathPlanning& path = posed.path;
   const std::size_t moving = std::min(machine.dimension(), given->dimension);
   if (planning.corner_mode == CornerMode::blend) {

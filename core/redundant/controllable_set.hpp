@@ -14,17 +14,17 @@
 
 namespace bahnwerk {
 
-class FollowableStates {
+class ControllableSet {
  public:
   /// Whatever a node's boxes allow, or rest inside that of its positions.
-  static FollowableStates at_node(const std::array<Range, 2>& boxes, bool rest);
+  static ControllableSet at_node(const std::array<Range, 2>& boxes, bool rest);
 
   bool empty() const { return vertices_.empty(); }
   /// To the end of a cell of duration h, or to its begin where h < 0, with controls in a range.
   void advance(double h, const Range& controls);
   void limit(const std::array<Range, 2>& boxes);
   /// Whether a state is in both. One of them has to have an inside.
-  bool meets(const FollowableStates& other) const;
+  bool meets(const ControllableSet& other) const;
 
  private:
   using State = ChainState<2>;
@@ -37,8 +37,8 @@ class FollowableStates {
 
 /// From the first node of a chain to the last (or back), starting from `states` there. Boxes of the first node are not
 /// looked at. Ends early where nothing is left. O(cells).
-FollowableStates followed_forward(FollowableStates states, const Chain<2>& chain, std::size_t first, std::size_t last);
-FollowableStates followed_backward(FollowableStates states, const Chain<2>& chain, std::size_t first, std::size_t last);
+ControllableSet followed_forward(ControllableSet states, const Chain<2>& chain, std::size_t first, std::size_t last);
+ControllableSet followed_backward(ControllableSet states, const Chain<2>& chain, std::size_t first, std::size_t last);
 
 /// Stretches that no motion can follow, as first and last node: none between them, wherever it is at the last one, ends
 /// in a state that boxes allow. After each the search goes on from its middle, so that of those that overlap only some

@@ -1,4 +1,4 @@
-#include "core/redundant/pace_search.hpp"
+#include "core/redundant/section_timing_search.hpp"
 
 #include <algorithm>
 #include <array>
@@ -33,14 +33,15 @@ constexpr int sloped_levels = 2;
 
 }  // namespace
 
-PaceSearch::PaceSearch(HeadPlan<2>& plan, const CoarseFineMachine& machine, const HeadCellOptions& cells,
-                       ProgressScope& scope, std::size_t first, std::size_t last)
+SectionTimingSearch::SectionTimingSearch(HeadPlan<2>& plan, const CoarseFineMachine& machine,
+                                         const HeadCellOptions& cells, ProgressScope& scope, std::size_t first,
+                                         std::size_t last)
     : plan_(plan), machine_(machine), cell_options_(cells), scope_(scope), first_(first), last_(last) {
   for (std::size_t k = 0; k < machine.axes.size(); ++k)
     if (machine.axes[k].stroke > 0) split_.push_back(k);
 }
 
-PaceSearch::Timed PaceSearch::timed(std::size_t first, std::size_t last) {
+SectionTimingSearch::Timed SectionTimingSearch::timed(std::size_t first, std::size_t last) {
   scope_.report();
   Timed t{first, last, 0, {}};
   const auto head = plan_.motion(first, last);
@@ -61,31 +62,31 @@ PaceSearch::Timed PaceSearch::timed(std::size_t first, std::size_t last) {
   return t;
 }
 
-void PaceSearch::carry_forward(std::size_t from, std::size_t to) {
+void SectionTimingSearch::carry_forward(std::size_t from, std::size_t to) {
   for (std::size_t i = from; i < to; ++i)
     for (std::size_t k = 0; k < split_.size(); ++k) {
       const Chain<2>& chain = sections_[i].chains[k];
-      FollowableStates states = forward_[i][k];
+      ControllableSet states = forward_[i][k];
       if (i > 0) states.limit(chain.states.front());
       forward_[i + 1][k] = followed_forward(std::move(states), chain, 0, chain.cells());
     }
 }
 
-void PaceSearch::carry_backward(std::size_t from, std::size_t to) {
+void SectionTimingSearch::carry_backward(std::size_t from, std::size_t to) {
   for (std::size_t i = to; i-- > from;)
     for (std::size_t k = 0; k < split_.size(); ++k) {
       const Chain<2>& chain = sections_[i].chains[k];
-      FollowableStates states = backward_[i + 1][k];
+      ControllableSet states = backward_[i + 1][k];
       if (i + 1 < sections_.size()) states.limit(chain.states.back());
       backward_[i][k] = followed_backward(std::move(states), chain, 0, chain.cells());
     }
 }
 
-bool PaceSearch::possible(std::size_t section, const Timed& timed) const {
+bool SectionTimingSearch::possible(std::size_t section, const Timed& timed) const {
   for (std::size_t k = 0; k < split_.size(); ++k) {
     const Chain<2>& chain = timed.chains[k];
     const std::size_t n = chain.cells(), middle = n / 2;
-    FollowableStates from = forward_[section][k], to = backward_[section + 1][k];
+    ControllableSet from = forward_[section][k], to = backward_[section + 1][k];
     if (section > 0) from.limit(chain.states.front());
     if (section + 1 < sections_.size()) to.limit(chain.states.back());
     from = followed_forward(std::move(from), chain, 0, middle);
@@ -96,7 +97,7 @@ bool PaceSearch::possible(std::size_t section, const Timed& timed) const {
   return true;
 }
 
-bool PaceSearch::set_room(double room) {
+bool SectionTimingSearch::set_room(double room) {
   room_ = room;
   sections_.clear();
   for (std::size_t i = first_; i < last_;) {
@@ -105,53 +106,54 @@ bool PaceSearch::set_room(double room) {
     i = end;
   }
   const std::size_t n = sections_.size(), axes = split_.size();
-  forward_.assign(n + 1, std::vector<FollowableStates>(axes));
+  forward_.assign(n + 1, std::vector<ControllableSet>(axes));
   backward_ = forward_;
   for (std::size_t k = 0; k < axes; ++k) {
     const Chain<2>&head = sections_.front().chains[k], &tail = sections_.back().chains[k];
-    forward_[0][k] = FollowableStates::at_node(head.states.front(), head.begins_at_rest);
-    backward_[n][k] = FollowableStates::at_node(tail.states.back(), tail.ends_at_rest);
+    forward_[0][k] = ControllableSet::at_node(head.states.front(), head.begins_at_rest);
+    backward_[n][k] = ControllableSet::at_node(tail.states.back(), tail.ends_at_rest);
   }
   carry_forward(0, n);
   carry_backward(0, n);
   return possible(n / 2, sections_[n / 2]);
 }
 
-Paces::Straight* PaceSearch::straight(std::size_t section) {
-  const auto at = plan_.paces().straight.find(sections_[section].first);
-  return at == plan_.paces().straight.end() ? nullptr : &at->second;
+SectionLimits::Straight* SectionTimingSearch::straight(std::size_t section) {
+  const auto at = plan_.section_limits().straight.find(sections_[section].first);
+  return at == plan_.section_limits().straight.end() ? nullptr : &at->second;
 }
 
-PaceSearch::Speeds PaceSearch::speeds(std::size_t section) {
+SectionTimingSearch::Speeds SectionTimingSearch::speeds(std::size_t section) {
   Speeds s;
-  if (const Paces::Straight* move = straight(section)) s.pace = move->pace, s.slowed = move->slowed;
-  const auto& feeds = plan_.paces().feeds;
-  if (const auto at = plan_.paces().gentle.find(sections_[section].first); at != plan_.paces().gentle.end())
+  if (const SectionLimits::Straight* move = straight(section)) s.pace = move->pace, s.slowed = move->slowed;
+  const auto& feeds = plan_.section_limits().feeds;
+  if (const auto at = plan_.section_limits().acceleration_share.find(sections_[section].first);
+      at != plan_.section_limits().acceleration_share.end())
     s.share = at->second;
   s.feeds.assign(feeds.begin() + static_cast<std::ptrdiff_t>(sections_[section].first),
                  feeds.begin() + static_cast<std::ptrdiff_t>(sections_[section].last));
   return s;
 }
 
-void PaceSearch::restore(std::size_t section, const Speeds& speeds) {
-  if (Paces::Straight* move = straight(section)) move->pace = speeds.pace, move->slowed = speeds.slowed;
+void SectionTimingSearch::restore(std::size_t section, const Speeds& speeds) {
+  if (SectionLimits::Straight* move = straight(section)) move->pace = speeds.pace, move->slowed = speeds.slowed;
   std::copy(speeds.feeds.begin(), speeds.feeds.end(),
-            plan_.paces().feeds.begin() + static_cast<std::ptrdiff_t>(sections_[section].first));
+            plan_.section_limits().feeds.begin() + static_cast<std::ptrdiff_t>(sections_[section].first));
   if (speeds.share < 1)
-    plan_.paces().gentle[sections_[section].first] = speeds.share;
+    plan_.section_limits().acceleration_share[sections_[section].first] = speeds.share;
   else
-    plan_.paces().gentle.erase(sections_[section].first);
+    plan_.section_limits().acceleration_share.erase(sections_[section].first);
 }
 
-bool PaceSearch::slowed(std::size_t section) {
-  if (const Paces::Straight* move = straight(section)) return move->slowed;
+bool SectionTimingSearch::slowed(std::size_t section) {
+  if (const SectionLimits::Straight* move = straight(section)) return move->slowed;
   for (std::size_t i = sections_[section].first; i < sections_[section].last; ++i)
-    if (plan_.paces().feeds[i] < plan_.feed(i)) return true;
-  return plan_.paces().gentle.count(sections_[section].first) > 0;
+    if (plan_.section_limits().feeds[i] < plan_.feed(i)) return true;
+  return plan_.section_limits().acceleration_share.count(sections_[section].first) > 0;
 }
 
-bool PaceSearch::quickest_move(std::size_t section, double limit, bool sloped) {
-  Paces::Straight& move = *straight(section);
+bool SectionTimingSearch::quickest_move(std::size_t section, double limit, bool sloped) {
+  SectionLimits::Straight& move = *straight(section);
   const StraightMove& m = move.move;
   const Speeds before = speeds(section);
   const double wait = std::max(sections_[section].duration - duration_of(m, before.pace), 0.0);  // a dwell
@@ -208,7 +210,7 @@ bool PaceSearch::quickest_move(std::size_t section, double limit, bool sloped) {
   return found;
 }
 
-bool PaceSearch::quicker_cut(std::size_t section) {
+bool SectionTimingSearch::quicker_cut(std::size_t section) {
   const Timed& old = sections_[section];
   const std::size_t first = old.first, last = old.last;
   const Speeds before = speeds(section);
@@ -277,7 +279,7 @@ bool PaceSearch::quicker_cut(std::size_t section) {
   return found;
 }
 
-bool PaceSearch::sweep() {
+bool SectionTimingSearch::sweep() {
   bool found = false;
   for (std::size_t i = 0; i < sections_.size(); ++i) {
     if (slowed(i)) {
@@ -286,7 +288,7 @@ bool PaceSearch::sweep() {
     }
     for (std::size_t k = 0; k < split_.size(); ++k) {
       const Chain<2>& chain = sections_[i].chains[k];
-      FollowableStates states = forward_[i][k];
+      ControllableSet states = forward_[i][k];
       if (i > 0) states.limit(chain.states.front());
       forward_[i + 1][k] = followed_forward(std::move(states), chain, 0, chain.cells());
     }
@@ -295,7 +297,7 @@ bool PaceSearch::sweep() {
   return found;
 }
 
-bool PaceSearch::exchange(std::size_t section, const Speeds& before, std::size_t move) {
+bool SectionTimingSearch::exchange(std::size_t section, const Speeds& before, std::size_t move) {
   const StraightMove& m = straight(move)->move;
   Timed changed = timed(sections_[section].first, sections_[section].last);
   const double limit = sections_[move].duration + sections_[section].duration - changed.duration;
@@ -307,8 +309,8 @@ bool PaceSearch::exchange(std::size_t section, const Speeds& before, std::size_t
   // The move sees the other section through what can be before it, or behind it.
   auto& states = section < move ? forward_ : backward_;
   const std::size_t low = section < move ? section + 1 : move + 1, high = section < move ? move + 1 : section + 1;
-  std::vector<std::vector<FollowableStates>> kept(states.begin() + static_cast<std::ptrdiff_t>(low),
-                                                  states.begin() + static_cast<std::ptrdiff_t>(high));
+  std::vector<std::vector<ControllableSet>> kept(states.begin() + static_cast<std::ptrdiff_t>(low),
+                                                 states.begin() + static_cast<std::ptrdiff_t>(high));
   section < move ? carry_forward(section, move) : carry_backward(move + 1, section + 1);
   if (quickest_move(move, limit * (1 - worth), false)) {
     carry_forward(std::min(section, move), sections_.size());
@@ -321,7 +323,7 @@ bool PaceSearch::exchange(std::size_t section, const Speeds& before, std::size_t
   return false;
 }
 
-bool PaceSearch::exchanges() {
+bool SectionTimingSearch::exchanges() {
   bool found = false;
   const std::size_t n = sections_.size();
   for (std::size_t i = 0; i < n; ++i)
@@ -334,16 +336,16 @@ bool PaceSearch::exchanges() {
   return found;
 }
 
-bool PaceSearch::exchange_cut(std::size_t section, std::size_t move) {
+bool SectionTimingSearch::exchange_cut(std::size_t section, std::size_t move) {
   const Speeds before = speeds(section);
   for (std::size_t k = sections_[section].first; k < sections_[section].last; ++k)
-    plan_.paces().feeds[k] = plan_.feed(k);
-  plan_.paces().gentle.erase(sections_[section].first);
+    plan_.section_limits().feeds[k] = plan_.feed(k);
+  plan_.section_limits().acceleration_share.erase(sections_[section].first);
   return exchange(section, before, move);
 }
 
-bool PaceSearch::exchange_moves(std::size_t section, std::size_t move, bool slowed, bool other_slowed) {
-  Paces::Straight& own = *straight(section);
+bool SectionTimingSearch::exchange_moves(std::size_t section, std::size_t move, bool slowed, bool other_slowed) {
+  SectionLimits::Straight& own = *straight(section);
   const StraightMove& m = own.move;
   const Speeds before = speeds(section);
   const auto changed = [&](const Pace& pace) {
@@ -366,13 +368,13 @@ bool PaceSearch::exchange_moves(std::size_t section, std::size_t move, bool slow
   return false;
 }
 
-double PaceSearch::total() const {
+double SectionTimingSearch::total() const {
   double sum = 0;
   for (const Timed& t : sections_) sum += t.duration;
   return sum;
 }
 
-bool PaceSearch::run() {
+bool SectionTimingSearch::run() {
   if (std::none_of(rooms.begin(), rooms.end(), [&](double room) { return set_room(room); })) return false;
   for (int i = 0; i < max_sweeps; ++i) {
     const double before = total();

@@ -1,4 +1,4 @@
-#include "core/redundant/followable_states.hpp"
+#include "core/redundant/controllable_set.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +13,8 @@ ChainState<2> minus(const ChainState<2>& a, const ChainState<2>& b) { return {a[
 
 }  // namespace
 
-FollowableStates FollowableStates::at_node(const std::array<Range, 2>& boxes, bool rest) {
-  FollowableStates s;
+ControllableSet ControllableSet::at_node(const std::array<Range, 2>& boxes, bool rest) {
+  ControllableSet s;
   const Range &x = boxes[0], &v = boxes[1];
   if (x.lowest > x.highest || (!rest && v.lowest > v.highest)) return s;
   if (rest)
@@ -24,14 +24,14 @@ FollowableStates FollowableStates::at_node(const std::array<Range, 2>& boxes, bo
   return s;
 }
 
-void FollowableStates::advance(double h, const Range& controls) {
+void ControllableSet::advance(double h, const Range& controls) {
   const double middle = controls.middle(), half = 0.5 * controls.width();
   for (State& s : vertices_) s = advanced<2>(s, h, middle);
   if (half > 0) add_segment({0.5 * h * h * half, h * half});
   if (vertices_.size() > most_vertices) reduce();
 }
 
-void FollowableStates::add_segment(const State& g) {
+void ControllableSet::add_segment(const State& g) {
   const std::size_t n = vertices_.size();
   if (n == 0) return;
   spare_.clear();
@@ -57,7 +57,7 @@ void FollowableStates::add_segment(const State& g) {
 }
 
 /// Removes vertices that are nearest to the line between their neighbours, by the area they stand for.
-void FollowableStates::reduce() {
+void ControllableSet::reduce() {
   while (vertices_.size() > most_vertices) {
     const std::size_t n = vertices_.size();
     std::size_t best = 0;
@@ -74,7 +74,7 @@ void FollowableStates::reduce() {
   }
 }
 
-void FollowableStates::cut(double x, double v, double most) {
+void ControllableSet::cut(double x, double v, double most) {
   const std::size_t n = vertices_.size();
   const auto beyond = [&](const State& s) { return x * s[0] + v * s[1] - most; };
   if (std::none_of(vertices_.begin(), vertices_.end(), [&](const State& s) { return beyond(s) > 0; })) return;
@@ -93,7 +93,7 @@ void FollowableStates::cut(double x, double v, double most) {
   std::swap(vertices_, spare_);
 }
 
-void FollowableStates::limit(const std::array<Range, 2>& boxes) {
+void ControllableSet::limit(const std::array<Range, 2>& boxes) {
   if (empty()) return;
   Range x{vertices_.front()[0], vertices_.front()[0]}, v{vertices_.front()[1], vertices_.front()[1]};
   for (const State& s : vertices_) {
@@ -107,8 +107,8 @@ void FollowableStates::limit(const std::array<Range, 2>& boxes) {
   if (v.lowest < boxes[1].lowest) cut(0, -1, -boxes[1].lowest);
 }
 
-bool FollowableStates::meets(const FollowableStates& other) const {
-  FollowableStates both = *this;
+bool ControllableSet::meets(const ControllableSet& other) const {
+  ControllableSet both = *this;
   const std::size_t n = other.vertices_.size();
   if (n == 0) return false;
   for (std::size_t i = 0; i < n && !both.empty(); ++i) {
@@ -118,7 +118,7 @@ bool FollowableStates::meets(const FollowableStates& other) const {
   return !both.empty();
 }
 
-FollowableStates followed_forward(FollowableStates states, const Chain<2>& chain, std::size_t first, std::size_t last) {
+ControllableSet followed_forward(ControllableSet states, const Chain<2>& chain, std::size_t first, std::size_t last) {
   for (std::size_t c = first; c < last && !states.empty(); ++c) {
     states.advance(chain.steps[c], chain.controls[c]);
     if (c + 1 < chain.cells() || !chain.ends_at_rest) states.limit(chain.states[c + 1]);
@@ -126,8 +126,7 @@ FollowableStates followed_forward(FollowableStates states, const Chain<2>& chain
   return states;
 }
 
-FollowableStates followed_backward(FollowableStates states, const Chain<2>& chain, std::size_t first,
-                                   std::size_t last) {
+ControllableSet followed_backward(ControllableSet states, const Chain<2>& chain, std::size_t first, std::size_t last) {
   for (std::size_t c = last; c-- > first && !states.empty();) {
     states.advance(-chain.steps[c], chain.controls[c]);
     if (c > 0 || !chain.begins_at_rest) states.limit(chain.states[c]);
@@ -140,10 +139,10 @@ std::vector<std::pair<std::size_t, std::size_t>> conflicts(const Chain<2>& chain
   const std::size_t n = chain.cells();
   const auto at = [&](std::size_t node) {
     const bool rests = (node == 0 && chain.begins_at_rest) || (node == n && chain.ends_at_rest);
-    return FollowableStates::at_node(chain.states[node], rests);
+    return ControllableSet::at_node(chain.states[node], rests);
   };
   // One cell on, or back. What can be done at rest is a line, which is cut by the others, not they by it.
-  const auto carried = [&](FollowableStates& states, std::size_t cell, bool forward) {
+  const auto carried = [&](ControllableSet& states, std::size_t cell, bool forward) {
     const double h = forward ? chain.steps[cell] : -chain.steps[cell];
     const std::size_t node = forward ? cell + 1 : cell;
     states.advance(h, chain.controls[cell]);
@@ -153,14 +152,14 @@ std::vector<std::pair<std::size_t, std::size_t>> conflicts(const Chain<2>& chain
     return !states.empty();
   };
   std::vector<std::pair<std::size_t, std::size_t>> found;
-  FollowableStates states = at(0);
+  ControllableSet states = at(0);
   std::size_t from = 0;  // where the states are what the boxes allow
   for (std::size_t c = 0; c < n; ++c) {
     if (tick && c % often == 0) tick();
     if (carried(states, c, true)) continue;
     const std::size_t last = c + 1;
     std::size_t first = last;
-    for (FollowableStates back = at(last); first > 0;)
+    for (ControllableSet back = at(last); first > 0;)
       if (!carried(back, --first, false)) break;
     found.emplace_back(first, last);
     // What begins inside may end later; if it does not, by rounding, it is left behind.

@@ -10,13 +10,13 @@ namespace bahnwerk {
 
 class Progress;
 
-struct PosedContour {
+struct PreparedContour {
   std::shared_ptr<const Contour> driven;
   PathPlanning path;  ///< blocks and setpoints are left to the caller, and its share of the progress, from `to` on
 };
 
 /// Throws what rounding and planning throw. Progress runs from `from` to `to`, which is `from` where corners stay.
-PosedContour pose_contour(const std::shared_ptr<const Contour>& given, const Machine& machine,
-                          const ContourPlanning& planning, Progress& progress, double from, double to);
+PreparedContour prepare_contour(const std::shared_ptr<const Contour>& given, const Machine& machine,
+                                const ContourPlanning& planning, Progress& progress, double from, double to);
 
 }  // namespace bahnwerk

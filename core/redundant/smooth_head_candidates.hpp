@@ -9,33 +9,33 @@
 
 namespace bahnwerk {
 
-struct CalmHead {
+struct SmoothHeadCandidate {
   std::shared_ptr<const PathMotion> head;
   Freedom freedom;
 };
 
 /// Each head costs a plan (HeadPlan::calmer); those that serve several durations are kept.
 template <std::size_t order>
-class CalmHeads {
+class SmoothHeadCandidates {
  public:
   /// `plan` outlives it. `share` as for calmer().
-  CalmHeads(const HeadPlan<order>& plan, double share) : plan_(plan), share_(share) {}
+  SmoothHeadCandidates(const HeadPlan<order>& plan, double share) : plan_(plan), share_(share) {}
 
   /// That take no longer than `duration`, s: with ever less of the coarse axes' accelerations, then slower long moves,
   /// as far as the time allows; and, with none of those accelerations, gentler ones for half of the time that is left
   /// then, and for all of it. None where even a little calm takes longer. `longest`: of the durations to come.
-  std::vector<CalmHead> within(double duration, double longest);
+  std::vector<SmoothHeadCandidate> within(double duration, double longest);
 
  private:
-  CalmHead planned(const Freedom& freedom) const;
-  bool gentlest(double duration, CalmHead& found);
+  SmoothHeadCandidate planned(const Freedom& freedom) const;
+  bool smoothest(double duration, SmoothHeadCandidate& found);
 
   const HeadPlan<order>& plan_;
   double share_;
-  std::vector<CalmHead> steps_;
+  std::vector<SmoothHeadCandidate> steps_;
 };
 
-extern template class CalmHeads<2>;
-extern template class CalmHeads<3>;
+extern template class SmoothHeadCandidates<2>;
+extern template class SmoothHeadCandidates<3>;
 
 }  // namespace bahnwerk

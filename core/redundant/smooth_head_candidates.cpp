@@ -1,4 +1,4 @@
-#include "core/redundant/calm_heads.hpp"
+#include "core/redundant/smooth_head_candidates.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,20 +24,20 @@ constexpr double parts_of_spare[] = {0.5, 1};  // of the time there is
 }  // namespace
 
 template <std::size_t order>
-CalmHead CalmHeads<order>::planned(const Freedom& freedom) const {
+SmoothHeadCandidate SmoothHeadCandidates<order>::planned(const Freedom& freedom) const {
   return {plan_.calmer(share_, freedom), freedom};
 }
 
 /// From a head that takes no longer than that. False: none is any gentler.
 template <std::size_t order>
-bool CalmHeads<order>::gentlest(double duration, CalmHead& found) {
+bool SmoothHeadCandidates<order>::smoothest(double duration, SmoothHeadCandidate& found) {
   const double spare = duration - found.head->duration();
   // By 1/gentle: what fits, what does not, and by how much they miss the duration.
   double low = 1, high = 2, below = spare, above = 0;
   bool any = false;
   for (int trial = 0; trial < most_trials && low * least_gentle < 1 && below > unused * spare; ++trial) {
     const double next = above > 0 ? low + (high - low) * std::clamp(below / (below + above), 0.1, 0.9) : high;
-    CalmHead head = planned({1, 1, 1 / next});
+    SmoothHeadCandidate head = planned({1, 1, 1 / next});
     const double left = found.head->duration() + below - head.head->duration();
     if (left < 0) {
       high = next, above = -left;
@@ -51,23 +51,25 @@ bool CalmHeads<order>::gentlest(double duration, CalmHead& found) {
 }
 
 template <std::size_t order>
-std::vector<CalmHead> CalmHeads<order>::within(double duration, double longest) {
+std::vector<SmoothHeadCandidate> SmoothHeadCandidates<order>::within(double duration, double longest) {
   while (steps_.size() < all_steps && (steps_.empty() || steps_.back().head->duration() <= longest))
     steps_.push_back(planned(freedom_of(steps_.size() + 1)));
-  const auto fits = [&](const CalmHead& calm) { return calm.head->duration() <= duration * (1 + same_duration); };
+  const auto fits = [&](const SmoothHeadCandidate& calm) {
+    return calm.head->duration() <= duration * (1 + same_duration);
+  };
   const auto last = std::find_if(steps_.rbegin(), steps_.rend(), fits);
-  std::vector<CalmHead> heads;
+  std::vector<SmoothHeadCandidate> heads;
   if (last != steps_.rend()) heads.push_back(*last);
   if (steps_.size() < calm_steps || !fits(steps_[calm_steps - 1])) return heads;
   const double calm = steps_[calm_steps - 1].head->duration();
   for (const double part : parts_of_spare) {
-    CalmHead gentle = steps_[calm_steps - 1];
-    if (gentlest(calm + part * (duration - calm), gentle)) heads.push_back(std::move(gentle));
+    SmoothHeadCandidate gentle = steps_[calm_steps - 1];
+    if (smoothest(calm + part * (duration - calm), gentle)) heads.push_back(std::move(gentle));
   }
   return heads;
 }
 
-template class CalmHeads<2>;
-template class CalmHeads<3>;
+template class SmoothHeadCandidates<2>;
+template class SmoothHeadCandidates<3>;
 
 }  // namespace bahnwerk

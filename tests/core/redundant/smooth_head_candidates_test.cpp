@@ -1,4 +1,4 @@
-#include "core/redundant/calm_heads.hpp"
+#include "core/redundant/smooth_head_candidates.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,26 +23,26 @@ double largest_acceleration(const PathMotion& head, std::size_t axis) {
   return most;
 }
 
-TEST(CalmHeads, TakeNoLongerThanAllowedAndAskLessThanTheFineAxesCanDo) {
+TEST(SmoothHeadCandidates, TakeNoLongerThanAllowedAndAskLessThanTheFineAxesCanDo) {
   const CoarseFineMachine machine = test::md2();
   const JointTask task = test::joint_task(test::holes(4, 3, 30, 6), machine);
   SilentProgress progress;
   HeadPlan<2> plan(task, corner_angle, 1, progress);
-  CalmHeads<2> heads(plan, 1);
+  SmoothHeadCandidates<2> heads(plan, 1);
   const double fastest = plan.motion()->duration(), longest = 2 * fastest;
   EXPECT_TRUE(heads.within(fastest * (1 - 1e-3), longest).empty());
   double before = machine.axes[0].fine.acceleration * (1 + 1e-9);
   for (const double stretch : {1.2, 1.4, 1.8}) {
     const double duration = stretch * fastest;
-    const std::vector<CalmHead> found = heads.within(duration, longest);
+    const std::vector<SmoothHeadCandidate> found = heads.within(duration, longest);
     ASSERT_EQ(found.size(), 3u);
-    for (const CalmHead& calm : found) {
+    for (const SmoothHeadCandidate& calm : found) {
       EXPECT_LE(calm.head->duration(), duration * (1 + 1e-6));
       for (std::size_t k = 0; k < 2; ++k)
         EXPECT_LE(largest_acceleration(*calm.head, k),
-                  calm.freedom.gentle * machine.axes[k].fine.acceleration * (1 + 1e-6));
+                  calm.freedom.acceleration_share * machine.axes[k].fine.acceleration * (1 + 1e-6));
     }
-    EXPECT_GT(found[1].freedom.gentle, found[2].freedom.gentle);
+    EXPECT_GT(found[1].freedom.acceleration_share, found[2].freedom.acceleration_share);
     EXPECT_GT(found[2].head->duration(), duration * (1 - 5e-3));
     const double most = largest_acceleration(*found[2].head, 0);
     EXPECT_LT(most, before);

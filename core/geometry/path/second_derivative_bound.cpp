@@ -1,4 +1,4 @@
-#include "core/geometry/path/bend_bound.hpp"
+#include "core/geometry/path/second_derivative_bound.hpp"
 
 #include <cmath>
 
@@ -23,7 +23,7 @@ std::array<double, 3> sizes(const Polynomial& p) {
 
 }  // namespace
 
-BendBound::BendBound(const Curve& curve) : curve_(&curve) {
+SecondDerivativeBound::SecondDerivativeBound(const Curve& curve) : curve_(&curve) {
   if (curve.kind() == CurveKind::arc) {
     const auto& arc = static_cast<const Arc&>(curve);
     constant_ = arc.radius() * arc.sweep() * arc.sweep();
@@ -33,10 +33,10 @@ BendBound::BendBound(const Curve& curve) : curve_(&curve) {
   }
 }
 
-double BendBound::at(double u0, double u1) const {
+double SecondDerivativeBound::at(double u0, double u1) const {
   if (!rational_) return constant_;
   const auto& curve = static_cast<const Rational&>(*curve_);
-  // t = middle + half·x, |x| ≤ 1.
+  // The variable is t = middle + half·x, |x| ≤ 1.
   const double middle = (0.5 * (u0 + u1) - curve.pivot()) / curve.reach(), half = 0.5 * (u1 - u0) / curve.reach();
   const double per_u = 2 / (u1 - u0);  // dx/du
   Polynomial weight{1.0};
@@ -55,7 +55,7 @@ double BendBound::at(double u0, double u1) const {
     second[axis] = s[2];
   }
   if (!weighted_) return norm(second) * per_u * per_u;
-  // h = N/w: h'' = (N'' − 2 h' w' − h w'')/w and h' = (N' − h w')/w.
+  // With h = N/w: h'' = (N'' − 2 h' w' − h w'')/w and h' = (N' − h w')/w.
   const auto w = sizes(weight);
   const double least = 2 * std::abs(weight[0]) - w[0];
   if (!(least > 0)) return HUGE_VAL;

@@ -1,4 +1,4 @@
-#include "core/redundant/followable_states.hpp"
+#include "core/redundant/controllable_set.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,11 +11,11 @@
 namespace bahnwerk {
 namespace {
 
-FollowableStates begin_of(const Chain<2>& chain) {
-  return FollowableStates::at_node(chain.states.front(), chain.begins_at_rest);
+ControllableSet begin_of(const Chain<2>& chain) {
+  return ControllableSet::at_node(chain.states.front(), chain.begins_at_rest);
 }
-FollowableStates end_of(const Chain<2>& chain) {
-  return FollowableStates::at_node(chain.states.back(), chain.ends_at_rest);
+ControllableSet end_of(const Chain<2>& chain) {
+  return ControllableSet::at_node(chain.states.back(), chain.ends_at_rest);
 }
 
 bool can_be_followed(const Chain<2>& chain) {
@@ -23,14 +23,14 @@ bool can_be_followed(const Chain<2>& chain) {
   return followed_forward(begin_of(chain), chain, 0, n / 2).meets(followed_backward(end_of(chain), chain, n / 2, n));
 }
 
-TEST(FollowableStates, AMoveFromRestToRestNeedsItsLeastTime) {
+TEST(ControllableSet, AMoveFromRestToRestNeedsItsLeastTime) {
   for (const double way : {0.3, 1.0, 7.0}) {
     EXPECT_TRUE(can_be_followed(test::point_to_point<2>(way, 2 * std::sqrt(way) * 1.001, 200)));
     EXPECT_FALSE(can_be_followed(test::point_to_point<2>(way, 2 * std::sqrt(way) * 0.999, 200)));
   }
 }
 
-TEST(FollowableStates, AgreeWithTheSolutionOfTheChain) {
+TEST(ControllableSet, AgreeWithTheSolutionOfTheChain) {
   Random random(3);
   int followed = 0, not_followed = 0;
   for (int round = 0; round < 200; ++round) {
@@ -49,7 +49,7 @@ TEST(FollowableStates, AgreeWithTheSolutionOfTheChain) {
   EXPECT_GT(not_followed, 20);
 }
 
-TEST(FollowableStates, ConflictsAreWhereTheSolutionHasExcess) {
+TEST(ControllableSet, ConflictsAreWhereTheSolutionHasExcess) {
   Random random(4);
   int without = 0, with = 0;
   for (int round = 0; round < 200; ++round) {
