@@ -99,7 +99,9 @@ class SplinePlanner {
       Section& whole = whole_[n];
       double divided = 0;
       for (std::size_t p = whole.first; p < whole.last; p = section(p).last) divided += duration_of(section(p));
-      if (whole.run->duration() < divided) section(whole.first) = std::move(whole);
+      if (!(whole.run->duration() < divided)) continue;
+      section(whole.first).run.emplace(std::move(*whole.run));
+      section(whole.first).last = whole.last;
     }
     whole_.clear();
     std::vector<Section> kept;
