@@ -51,7 +51,8 @@ void SpeedChoice::lower_to_reachable(const std::vector<Turn>& turns, const std::
         reached = speed[i];
         break;
       }
-      double low = 0, high = speed[i];
+      // The acceleration alone is exceeded beyond.
+      double low = 0, high = std::min(speed[i], std::sqrt(from * from + 2 * limits.acceleration * length));
       for (int step = 0; step < 24; ++step) {
         const double middle = (low + high) / 2;
         (fits(middle) ? low : high) = middle;
