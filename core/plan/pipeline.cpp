@@ -9,7 +9,7 @@ namespace bahnwerk {
 namespace {
 
 void slow_and_verify(MotionProblem& problem, const PipelineOptions& options, MotionPlan& plan) {
-  limit_setpoints(problem.duration(), options.cycle_time, options.max_setpoints);
+  limit_setpoints(problem.duration(), options.cycle_time, options.max_setpoints, options.cycle_time_place);
   for (int correction = 0;; ++correction) {
     plan.duration = problem.duration();
     plan.cycles = whole_cycles(plan.duration, options.cycle_time);

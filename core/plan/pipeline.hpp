@@ -3,6 +3,7 @@
 /// rows, bound. A kind brings a problem, and reports what becomes of it.
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/base/row_check.hpp"
@@ -54,6 +55,7 @@ struct PipelineOptions {
   double max_setpoints = 20'000'000;  ///< more are refused
   int max_corrections = 6;            ///< of a motion, before it is planned otherwise
   double rows_from = 0, rows_to = 1;  ///< the share of the job's progress that reading the rows takes
+  std::vector<std::string> cycle_time_place{"machine", "cycle_time"};  ///< where the document has it
 };
 
 /// Of a motion along a path, of a spline, of coarse and fine axes.

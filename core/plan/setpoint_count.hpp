@@ -2,18 +2,20 @@
 /// How many setpoints a motion may have.
 #include <cmath>
 #include <cstdio>
+#include <string>
+#include <vector>
 
 #include "core/base/errors.hpp"
 
 namespace bahnwerk {
 
-/// Throws InvalidInput, at the machine's cycle time, for a motion of more than `most` setpoints.
-inline void limit_setpoints(double duration, double cycle_time, double most) {
+/// Throws InvalidInput, at `place`, where the document has the cycle time, for a motion of more than `most` setpoints.
+inline void limit_setpoints(double duration, double cycle_time, double most, const std::vector<std::string>& place) {
   const double count = std::ceil(duration / cycle_time) + 1;
   if (!(count > most)) return;
   char text[120];
   std::snprintf(text, sizeof text, "the motion has %.0f setpoints, at most %.0f are allowed", count, most);
-  throw InvalidInput({{{"machine", "cycle_time"}, text}});
+  throw InvalidInput(std::vector<InputFault>{{place, text}});
 }
 
 }  // namespace bahnwerk

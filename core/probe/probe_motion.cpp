@@ -1,9 +1,62 @@
 #include "core/probe/probe_motion.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
+#include "core/probe/landing.hpp"
+
 namespace bahnwerk {
+namespace {
+
+std::array<double, 4> planned_begin(const Polynomial& p) {
+  const auto c = [&](std::size_t i) { return i < p.size() ? p[i] : 0; };
+  return {c(0), c(1), 2 * c(2), 6 * c(3)};
+}
+
+/// Piece after piece, each from where rounding of the one before it leads. Over many pieces nothing adds up: landing
+/// pieces end with the derivatives with which the next one was planned to begin, and before an exact piece at its
+/// place, too.
+void carry(std::vector<SplineMotion::Piece>& pieces, const std::vector<PieceJoint>& joints, std::size_t axis) {
+  std::array<double, 4> reached{};
+  double begin = 0;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    Polynomial& p = pieces[i].axes[axis];
+    const double duration = pieces[i].end - begin;
+    begin = pieces[i].end;
+    if (joints[i] == PieceJoint::exact) continue;
+    p.resize(8, 0.0);
+    if (i > 0 && joints[i - 1] != PieceJoint::exact)
+      p[0] = reached[0], p[1] = reached[1], p[2] = reached[2] / 2, p[3] = reached[3] / 6;
+    if (joints[i] == PieceJoint::landing) {
+      const bool last = i + 1 == pieces.size(), exact = !last && joints[i + 1] == PieceJoint::exact;
+      std::array<double, 4> missing{};
+      if (!last) missing = planned_begin(pieces[i + 1].axes[axis]);
+      const std::array<double, 4> now = state_at(p, duration);
+      for (std::size_t d = 0; d < 4; ++d) missing[d] -= now[d];
+      if (exact) {
+        const auto rest = probe::landing<double>(missing[0], missing[1], missing[2], missing[3], duration);
+        for (std::size_t k = 0; k < rest.size(); ++k) p[4 + k] += rest[k];
+      } else {
+        const auto rest = probe::landing<double>(missing[1], missing[2], missing[3], duration);
+        for (std::size_t k = 0; k < rest.size(); ++k) p[4 + k] += rest[k];
+      }
+    }
+    while (p.size() > 1 && p.back() == 0) p.pop_back();
+    reached = state_at(p, duration);
+  }
+}
+
+}  // namespace
+
+std::array<double, 4> state_at(const Polynomial& p, double t) {
+  double d[4] = {};
+  for (std::size_t i = p.size(); i-- > 0;) {
+    for (std::size_t n = 3; n > 0; --n) d[n] = d[n] * t + d[n - 1];
+    d[0] = d[0] * t + p[i];
+  }
+  return {d[0], d[1], 2 * d[2], 6 * d[3]};
+}
 
 ProbeMotion slowed(const ProbeMotion& motion, double factor) {
   return slowed(motion, factor, factor * motion.duration());
@@ -28,6 +81,9 @@ ProbeMotion slowed(const ProbeMotion& motion, double factor, double duration, Pr
       for (double& c : p) c /= power, power *= factor;
     }
   }
+  out.joints = motion.joints;
+  if (!out.joints.empty())
+    for (std::size_t k = 0; k < spline.axes(); ++k) carry(pieces, out.joints, k);
   for (const double t : motion.times) out.times.push_back(std::min(duration, factor * t));
   if (!out.times.empty()) out.times.back() = duration;
   for (ProbePhase phase : motion.phases) {

@@ -1,5 +1,6 @@
 #pragma once
 /// What every method of kind `probe_path` plans: polynomials in time with the times at which the points are passed.
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "core/base/named.hpp"
 #include "core/base/progress_scope.hpp"
 #include "core/motion/axes/spline_motion.hpp"
+#include "core/numeric/polynomial.hpp"
 
 namespace bahnwerk {
 
@@ -26,15 +28,26 @@ struct ProbePhase {
   std::size_t point = 0;      ///< in ProbeProblem::points: that of a turn or rest, else that which was passed before
 };
 
+/// What becomes of a piece where times are rounded another way than they were planned with.
+enum class PieceJoint : char {
+  exact,    ///< it stays what it is: acceleration and jerk are 0 at both ends, or nearly so
+  carried,  ///< it begins in the state in which the one before ends
+  landing,  ///< that, too, and it takes up what rounding has left open at its end (core/probe/landing.hpp)
+};
+
 struct ProbeMotion {
   std::shared_ptr<const SplineMotion> motion;  ///< as many axes as the problem has
   std::vector<double> times;  ///< s, per point of ProbeProblem::points, ascending, first 0, last duration
   /// s, per piece, as planned: the ends of pieces are their sums, rounded. Empty: differences of ends. Slowed motions
   /// are made from them, as times would otherwise be rounded once more than the verifier grants.
   std::vector<double> durations;
+  std::vector<PieceJoint> joints;  ///< per piece; empty: all exact
   std::vector<ProbePhase> phases;  ///< in order of time
   double duration() const { return motion->duration(); }
 };
+
+/// Value and first three derivatives of a polynomial, rounded as SplineMotion rounds them.
+std::array<double, 4> state_at(const Polynomial& p, double t);
 
 /// A sum of times that is rounded only where it is read.
 class TimeSum {

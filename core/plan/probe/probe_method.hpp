@@ -10,10 +10,8 @@ class Progress;
 /// The motion of the request's method. Reports progress up to 0.7.
 ProbeMotion probe_motion(const ProbeRequest& request, Progress& progress);
 
-/// The proven bound on the duration, with its gap to `duration`: for more than 1000 points and methods other than
-/// optimal only that of edges at full speed. Reports progress from 0.7 to 0.8.
-Bound probe_bound_of(const ProbeRequest& request, double duration, Progress& progress);
-/// That a duration is not below its bound, as a check.
-Check probe_bound_check(const Bound& bound, double duration);
+/// The proven bound on the duration: for more than 1000 points and methods other than optimal the quick one. Reports
+/// progress between `from` and `to`.
+Bound probe_bound_of(const ProbeRequest& request, Progress& progress, double from, double to);
 
 }  // namespace bahnwerk

@@ -1,55 +1,89 @@
 #include "core/plan/probe/probe_plan.hpp"
 
-#include <cmath>
-#include <cstdio>
 #include <utility>
 
-#include "core/base/errors.hpp"
 #include "core/base/progress_scope.hpp"
+#include "core/plan/pipeline.hpp"
 #include "core/plan/probe/probe_method.hpp"
 #include "core/plan/probe/probe_setpoints.hpp"
 #include "core/probe/arcs/arcs.hpp"
 #include "core/probe/resting_motion.hpp"
 #include "core/verify/probe/probe_setpoint_checks.hpp"
+#include "core/verify/setpoints/motion_setpoint_checks.hpp"
 
 namespace bahnwerk {
 namespace {
 
-void limit_rows(double duration, double cycle_time, double most) {
-  const double count = std::ceil(duration / cycle_time) + 1;
-  if (count <= most) return;
-  char text[120];
-  std::snprintf(text, sizeof text, "the motion has %.0f setpoints, at most %.0f are allowed", count, most);
-  throw InvalidInput(std::vector<InputFault>{{{"cycle_time"}, text}});
-}
+// Where each stage ends, of the progress; the bound comes last.
+constexpr double planned = 0.7, verified = 0.8, read = 0.85;
+
+/// Every method's motion keeps its limits by construction, with room for rounding: nothing is corrected.
+class ProbeMotionProblem final : public MotionProblem {
+ public:
+  ProbeMotionProblem(const ProbeRequest& request, std::shared_ptr<const ProbeProblem> problem, Progress& progress)
+      : request_(request), problem_(std::move(problem)), progress_(progress) {}
+
+  void plan() override { planned_ = probe_motion(request_, progress_); }
+  bool plan_otherwise() override { return false; }
+  double duration() const override { return planned_.duration(); }
+  void slow(double factor) override {
+    ProgressScope scope(progress_, "whole cycles", planned, planned);
+    slowed_ = slowed(planned_, factor, static_cast<double>(whole_cycles(duration(), cycle()).count) * cycle(), &scope);
+    resting_ = std::make_shared<const RestingMotion>(slowed_.motion, problem_->points.back());
+  }
+  Verification verify() override {
+    Verification verdict{true, {}, {}};
+    ProbeToVerify input = to_verify();
+    input.progress_from = planned, input.progress_to = verified;
+    verdict.add(probe_checks(input, progress_));
+    return verdict;
+  }
+  bool correct(const Verification&) override { return false; }
+
+  std::shared_ptr<const Motion> motion() override { return resting_; }
+  std::unique_ptr<SetpointSource> setpoints(std::size_t cycles) override {
+    return std::make_unique<ProbeSetpoints>(problem_, slowed_, cycles);
+  }
+  Rows row_checks(const SetpointSource& setpoints, const Verification&) override {
+    Rows rows{{}, 2};
+    rows.checks.push_back(motion_row_check({*resting_, problem_->machine, setpoints}));
+    rows.checks.push_back(probe_row_check(to_verify(), setpoints));
+    return rows;
+  }
+  Bound bound() override { return probe_bound_of(request_, progress_, read, 1); }
+
+  const ProbeMotion& served() const { return slowed_; }
+
+ private:
+  double cycle() const { return problem_->machine.cycle_time; }
+  ProbeToVerify to_verify() const { return {*problem_, *resting_, slowed_.times}; }
+
+  const ProbeRequest& request_;
+  std::shared_ptr<const ProbeProblem> problem_;
+  Progress& progress_;
+  ProbeMotion planned_, slowed_;
+  std::shared_ptr<const RestingMotion> resting_;
+};
 
 }  // namespace
 
 ProbePlan plan_probe(const ProbeRequest& request, Progress& progress) {
-  constexpr double bounded = 0.8, verified = 0.9;
   ProbePlan plan;
   plan.problem = std::make_shared<const ProbeProblem>(request.problem);
-  const ProbeProblem& problem = *plan.problem;
-  const ProbeMotion planned = probe_motion(request, progress);
-  plan.duration = planned.duration();
-  plan.stops = stops_duration(problem);
-  const double cycle = problem.machine.cycle_time;
-  limit_rows(plan.duration, cycle, request.max_setpoints);
-  ProgressScope scope(progress, "figures", 0.7, 0.7);
-  plan.cycles = whole_cycles(plan.duration, cycle);
-  plan.motion = slowed(planned, plan.cycles.factor, static_cast<double>(plan.cycles.count) * cycle, &scope);
-  plan.figures = probe_figures(problem, plan.motion, scope);
-  plan.bound = probe_bound_of(request, plan.duration, progress);
-  plan.setpoints = std::make_unique<ProbeSetpoints>(plan.problem, plan.motion, plan.cycles.count);
-
-  const RestingMotion motion(plan.motion.motion, problem.points.back());
-  ProbeToVerify input{problem, motion, plan.motion.times, bounded, verified};
-  plan.verification.passed = true;
-  for (Check& check : probe_checks(input, progress)) plan.verification.add(std::move(check));
-  input.progress_from = verified;
-  input.progress_to = 1;
-  for (Check& check : probe_setpoint_checks(input, *plan.setpoints, progress)) plan.verification.add(std::move(check));
-  plan.verification.add(probe_bound_check(plan.bound, plan.duration));
+  plan.stops = stops_duration(*plan.problem);
+  ProbeMotionProblem problem(request, plan.problem, progress);
+  PipelineOptions options{request.problem.machine.cycle_time, request.max_setpoints};
+  options.rows_from = verified, options.rows_to = read;
+  options.cycle_time_place = {"cycle_time"};
+  MotionPlan made = plan_motion(problem, options, progress);
+  plan.duration = made.duration;
+  plan.cycles = made.cycles;
+  plan.motion = problem.served();
+  ProgressScope scope(progress, "figures", 1, 1);
+  plan.figures = probe_figures(*plan.problem, plan.motion, scope);
+  plan.verification = std::move(made.verification);
+  plan.bound = std::move(made.bound);
+  plan.setpoints = std::move(made.setpoints);
   return plan;
 }
 

@@ -31,6 +31,48 @@ double SpeedChoice::largest_speed(std::size_t i, const Turn& turn, Vec in, Vec o
   return low;
 }
 
+void SpeedChoice::lower_to_reachable(const std::vector<Turn>& turns, const std::vector<Vec>& directions, bool backwards,
+                                     std::vector<double>& speed) const {
+  const std::size_t n = speed.size();
+  for (std::size_t k = 1; k + 1 < n; ++k) {
+    const std::size_t i = backwards ? n - 1 - k : k, last = backwards ? i + 1 : i - 1, edge = std::min(i, last);
+    const ProfileLimits limits = limits_along(problem_, directions[edge]);
+    const double length = norm(problem_.points[edge + 1] - problem_.points[edge]);
+    // A slower turn before leaves more of the edge.
+    double reached = 0;
+    for (const double share : {1.0, 0.5, 0.0}) {
+      const double from = share * speed[last];
+      const double room = length - (from > 0 ? turns[last].size(from).length : 0);
+      const auto fits = [&](double v) {
+        const double straight = room - turns[i].size(v).length;
+        return straight >= 0 && (v <= from || straight >= min_distance(from, v, limits));
+      };
+      if (fits(speed[i])) {
+        reached = speed[i];
+        break;
+      }
+      // The acceleration alone is exceeded beyond.
+      double low = 0, high = std::min(speed[i], std::sqrt(from * from + 2 * limits.acceleration * length));
+      for (int step = 0; step < 24; ++step) {
+        const double middle = (low + high) / 2;
+        (fits(middle) ? low : high) = middle;
+      }
+      reached = std::max(reached, low);
+    }
+    speed[i] = reached;
+  }
+}
+
+std::vector<double> SpeedChoice::largest_speeds(const std::vector<Turn>& turns,
+                                                const std::vector<Vec>& directions) const {
+  std::vector<double> speed(problem_.points.size(), 0.0);
+  for (std::size_t i = 1; i + 1 < speed.size(); ++i)
+    speed[i] = largest_speed(i, turns[i], directions[i - 1], directions[i]);
+  lower_to_reachable(turns, directions, false, speed);
+  lower_to_reachable(turns, directions, true, speed);
+  return speed;
+}
+
 void SpeedChoice::connect(std::size_t edge, Vec direction, const Candidates& from, Candidates& to) const {
   const Vec chord = problem_.points[edge + 1] - problem_.points[edge];
   const ProfileLimits limits = limits_along(problem_, direction);
@@ -58,6 +100,11 @@ TurnSpeeds SpeedChoice::choose(const std::vector<Vec>& directions, const std::ve
   std::vector<double> speed_before(n, 0);
   if (near)
     for (std::size_t i = 0; i < near->node.size(); ++i) speed_before[near->node[i]] = near->speed[i];
+  std::vector<Turn> turns;
+  for (std::size_t i = 0; i < n; ++i)
+    turns.emplace_back(problem_, directions[i > 0 ? i - 1 : 0], directions[std::min(i, n - 2)]);
+  const std::vector<double> largest = largest_speeds(turns, directions);
+  progress.work(10 * n);
   std::vector<Candidates> all(n);
   all[0].resize(1);
   std::size_t row_begin = 0;
@@ -65,9 +112,8 @@ TurnSpeeds SpeedChoice::choose(const std::vector<Vec>& directions, const std::ve
     Candidates& here = all[i];
     here.resize(1);  // rest
     if (i + 1 < n) {
-      const Vec in = directions[i - 1], out = directions[i];
-      const Turn turn(problem_, in, out);
-      const double most = largest_speed(i, turn, in, out);
+      const Turn& turn = turns[i];
+      const double most = largest[i];
       const auto add = [&](double speed) {
         if (!(speed > 0)) return;
         Candidate c;

@@ -14,7 +14,7 @@ class SpeedChoice {
   /// `row_end` as straight_rows() has it.
   SpeedChoice(const ProbeProblem& problem, const std::vector<std::size_t>& row_end);
 
-  /// The quickest choice among the speeds 0 and shares[…] of the largest that the tube admits at each point, and, where
+  /// The quickest choice among the speeds 0 and shares[…] of the largest at each point that can be reached, and, where
   /// `near` is a choice made before, that speed times each of `factors`. `directions` per edge of the problem.
   /// O(points · candidates²), 0.5 µs each.
   TurnSpeeds choose(const std::vector<Vec>& directions, const std::vector<double>& shares, const TurnSpeeds* near,
@@ -31,6 +31,11 @@ class SpeedChoice {
   };
   using Candidates = std::vector<Candidate>;
   double largest_speed(std::size_t i, const Turn& turn, Vec in, Vec out) const;
+  /// The largest speeds of all points: what the tube admits, and what can be reached from the start and braked from to
+  /// the end. A nominal speed that cannot be reached changes nothing.
+  std::vector<double> largest_speeds(const std::vector<Turn>& turns, const std::vector<Vec>& directions) const;
+  void lower_to_reachable(const std::vector<Turn>& turns, const std::vector<Vec>& directions, bool backwards,
+                          std::vector<double>& speed) const;
   void connect(std::size_t edge, Vec direction, const Candidates& from, Candidates& to) const;
 
   const ProbeProblem& problem_;

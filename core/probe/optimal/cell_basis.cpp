@@ -1,6 +1,7 @@
 #include "core/probe/optimal/cell_basis.hpp"
 
 #include <Eigen/Dense>
+#include <cmath>
 
 namespace bahnwerk {
 namespace {
@@ -30,8 +31,13 @@ CellBasis make_basis() {
   state.leftCols<4>().setIdentity();
   const auto put = [&](std::size_t order, std::size_t at, const Row& row) {
     const std::size_t r = CellBasis::first[order] + at;
-    for (int c = 0; c < 8; ++c) basis.row[r][c] = row(c);
+    constexpr double nothing = 1e-12;  // rounding of sums that cancel
+    for (int c = 0; c < 8; ++c) basis.row[r][c] = std::abs(row(c)) < nothing ? 0 : row(c);
     basis.order[r] = static_cast<int>(order);
+    int from = 0, to = 8;
+    while (from + 1 < to && basis.row[r][from] == 0) ++from;
+    while (to > from + 1 && basis.row[r][to - 1] == 0) --to;
+    basis.from[r] = from, basis.to[r] = to;
   };
   for (std::size_t k = 0; k < n; ++k) {
     const Row x = state.row(0), v = state.row(1), a = state.row(2), j = state.row(3),

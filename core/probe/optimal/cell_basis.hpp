@@ -18,6 +18,8 @@ struct CellBasis {
   /// rows × (x, v, a, j at the begin; x, v, a, j at the end), derivatives with respect to u.
   double row[rows][8];
   int order[rows];
+  /// The columns of a row that are not 0 lie in [from, to): points near an end depend on that end alone.
+  int from[rows], to[rows];
 };
 
 /// Computed once, thread-safe.

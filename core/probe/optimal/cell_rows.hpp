@@ -69,7 +69,7 @@ inline void evaluate_cell(const ChainNode<D>& a, const ChainNode<D>& b, double h
     for (std::size_t r = 0; r < CellBasis::rows; ++r) {
       const double* row = basis.row[r];
       double sum = 0;
-      for (int c = 0; c < 8; ++c) sum += row[c] * y[c];
+      for (int c = basis.from[r]; c < basis.to[r]; ++c) sum += row[c] * y[c];
       out.q[r][k] = r < CellBasis::first[1] ? base + sum : sum * out.power[basis.order[r]];
     }
   }

@@ -2,47 +2,33 @@
 /// The polynomials of a chain.
 #include "core/motion/axes/spline_motion.hpp"
 #include "core/numeric/polynomial.hpp"
+#include "core/probe/landing.hpp"
+#include "core/probe/optimal/cell_rows.hpp"
 #include "core/probe/optimal/chain.hpp"
+#include "core/probe/probe_motion.hpp"
 
 namespace bahnwerk {
 
 /// Appends the four pieces of each cell, as coefficients of the time since the piece began: quartics, the last one with
-/// what rounding left open. `place` turns the
-/// coefficients of D coordinates into those of the machine's axes. Appends to `times` when each point after the first
-/// is passed.
+/// what rounding left open. `place` turns the coefficients of D coordinates into those of the machine's axes. Appends
+/// to `times` when each point after the first is passed.
 template <int D, typename Place>
 void append_pieces(const CellChain<D>& chain, Place&& place, std::vector<SplineMotion::Piece>& pieces,
                    std::vector<double>& times);
-
-}  // namespace bahnwerk
-
-#include "core/probe/optimal/cell_rows.hpp"
-
-namespace bahnwerk {
 
 /// A quartic piece with state (x, v, a, j) at its begin and a snap.
 inline Polynomial quartic(const std::array<double, 4>& state, double snap) {
   return {state[0], state[1], state[2] / 2, state[3] / 6, snap / 24};
 }
 
-/// The state of a polynomial at time T, T > 0.
-inline std::array<double, 4> state_at(Polynomial p, double T) {
-  std::array<double, 4> state{};
-  for (double& value : state) value = evaluate(p, T), p = derivative(p);
-  return state;
-}
-
 /// Adds to a piece of duration T what rounding left open at its end: velocity, acceleration and jerk become those of
-/// `node`, by a quintic of velocity that vanishes with two derivatives at the begin. The position stays as it comes
-/// out.
+/// `node`. The position stays as it comes out.
 inline void land(Polynomial& p, double T, const std::array<double, 4>& node) {
   const std::array<double, 4> reached = state_at(p, T);
-  const double dv = node[1] - reached[1], da = (node[2] - reached[2]) * T, dj = (node[3] - reached[3]) * T * T;
-  const double cubic = 10 * dv - 4 * da + dj / 2, quartic = -15 * dv + 7 * da - dj, quintic = 6 * dv - 3 * da + dj / 2;
-  const double T3 = T * T * T;
-  p[4] += cubic / (4 * T3);
-  p.push_back(quartic / (5 * T3 * T));
-  p.push_back(quintic / (6 * T3 * T * T));
+  const auto rest = probe::landing<double>(node[1] - reached[1], node[2] - reached[2], node[3] - reached[3], T);
+  p[4] += rest[0];
+  p.push_back(rest[1]);
+  p.push_back(rest[2]);
 }
 
 template <int D, typename Place>

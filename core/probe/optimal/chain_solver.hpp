@@ -34,13 +34,4 @@ template <int D>
 ChainSolverReport shorten_chain(CellChain<D>& chain, const ChainLimits<D>& limits, const ChainSolverOptions& options,
                                 const std::function<void()>& stop);
 
-/// The factor by which the chain has to be slowed so that speed, acceleration, jerk and snap are kept with room
-/// `margin` (0.01: 1 % below the limit); below 1 where it may be quicker.
-template <int D>
-double slowing_factor(const CellChain<D>& chain, const ChainLimits<D>& limits, double margin);
-
-/// The motion that lasts `factor` times as long, on the path that it has.
-template <int D>
-void slow_down(CellChain<D>& chain, double factor);
-
 }  // namespace bahnwerk

@@ -57,6 +57,7 @@ ProbeMotion motion_of(std::vector<SplineMotion::Piece> pieces, std::vector<doubl
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const double duration = pieces[i].end - begin;
     out.durations.push_back(duration);
+    out.joints.push_back(i % CellBasis::pieces + 1 < CellBasis::pieces ? PieceJoint::carried : PieceJoint::landing);
     begin = pieces[i].end;
     if (i + 1 == pieces.size()) break;
     for (std::size_t k = 0; k < pieces[i].axes.size(); ++k)

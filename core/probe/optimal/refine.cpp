@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/probe/optimal/cell_rows.hpp"
-#include "core/probe/optimal/chain_solver.hpp"
+#include "core/probe/optimal/chain_speed.hpp"
 
 namespace bahnwerk {
 namespace {

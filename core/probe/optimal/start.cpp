@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/probe/optimal/cell_rows.hpp"
-#include "core/probe/optimal/chain_solver.hpp"
+#include "core/probe/optimal/chain_speed.hpp"
 #include "core/probe/optimal/refine.hpp"
 
 namespace bahnwerk {

@@ -83,7 +83,7 @@ Effort effort(std::size_t edges) {
 template <int D>
 CellChain<D> plan_chain(const ChainLimits<D>& limits, std::size_t all_edges,
                         const std::function<void(double)>& report) {
-  constexpr std::size_t whole = 3000;  // edges
+  constexpr std::size_t whole = 3000, body = 800;  // edges: of a chain in one window, of a window that is kept
   const std::size_t edges = limits.points.size() - 1;
   const Effort work = effort(all_edges);
   const Scales scale = scales(limits);
@@ -97,7 +97,7 @@ CellChain<D> plan_chain(const ChainLimits<D>& limits, std::size_t all_edges,
   while (true) {
     std::size_t keep = edges, end = edges;
     if (edges - from > whole) {
-      keep = look_ahead(limits, from, scale.braking);
+      keep = look_ahead(limits, from + body, scale.braking);
       end = look_ahead(limits, keep, scale.braking);
       end = std::max(end, to);
       if (end == edges) keep = edges;

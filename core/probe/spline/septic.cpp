@@ -1,5 +1,7 @@
 #include "core/probe/spline/septic.hpp"
 
+#include "core/probe/landing.hpp"
+
 namespace bahnwerk::probe {
 
 Bezier septic(const SepticEnd& l, const SepticEnd& r, double h) {
@@ -17,19 +19,11 @@ Bezier septic(const SepticEnd& l, const SepticEnd& r, double h) {
 }
 
 std::array<Vec, 8> septic_coefficients(const SepticEnd& l, const SepticEnd& r, double h) {
-  // What the right end has beyond the left one's Taylor polynomial, by powers of the duration.
-  const Vec x = r.x - l.x - h * (l.v + (h / 2) * (l.a + (h / 3) * l.j));
-  const Vec v = h * (r.v - l.v - h * (l.a + (h / 2) * l.j)), a = (h * h) * (r.a - l.a - h * l.j),
-            j = (h * h * h) * (r.j - l.j);
-  const double h4 = h * h * h * h;
-  return {l.x,
-          l.v,
-          l.a / 2,
-          l.j / 6,
-          (35 * x - 15 * v + 2.5 * a - (1.0 / 6) * j) / h4,
-          (-84 * x + 39 * v - 7 * a + 0.5 * j) / (h4 * h),
-          (70 * x - 34 * v + 6.5 * a - 0.5 * j) / (h4 * h * h),
-          (-20 * x + 10 * v - 2 * a + (1.0 / 6) * j) / (h4 * h * h * h)};
+  // What the right end has beyond the left one's Taylor polynomial.
+  const std::array<Vec, 4> rest =
+      landing<Vec>(r.x - l.x - h * (l.v + (h / 2) * (l.a + (h / 3) * l.j)), r.v - l.v - h * (l.a + (h / 2) * l.j),
+                   r.a - l.a - h * l.j, r.j - l.j, h);
+  return {l.x, l.v, l.a / 2, l.j / 6, rest[0], rest[1], rest[2], rest[3]};
 }
 
 }  // namespace bahnwerk::probe

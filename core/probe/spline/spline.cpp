@@ -36,22 +36,27 @@ class SplinePlanner {
         continue;
       }
       SplineRun run(problem_, first, last, jerks_);
-      if (run.solve(progress)) {
-        if (run.duration() < resting(first, last)) {
-          duration_ += run.duration();
+      const bool found = run.solve(progress);
+      const std::vector<std::size_t> rests = run.rests();
+      if (found) {
+        if (rests.empty() && run.duration() < resting(first, last)) {
           sections_.push_back({first, last, std::move(run)});
-        } else {
-          take_rests(first, last);
+          continue;
         }
-        continue;
+        if (rests.empty()) {
+          take_rests(first, last);
+          continue;
+        }
+        whole_.push_back({first, last, std::move(run)});
       }
       std::size_t end = last;
-      for (std::size_t i = run.rests().size(); i-- > 0;) {
-        open.emplace_back(run.rests()[i], end);
-        end = run.rests()[i];
+      for (std::size_t i = rests.size(); i-- > 0;) {
+        open.emplace_back(rests[i], end);
+        end = rests[i];
       }
       open.emplace_back(first, end);
     }
+    prefer_whole();
     prefer_rows();
   }
 
@@ -80,7 +85,31 @@ class SplinePlanner {
   }
   void take_rests(std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; i = next(i, last)) sections_.push_back({i, next(i, last), std::nullopt});
-    duration_ += resting(first, last);
+  }
+  double duration_of(const Section& s) const {
+    return s.run ? s.run->duration() : rest_to_rest_duration(problem_, s.first, s.last);
+  }
+  /// What was divided by rests could be passed without, too: the quicker one is taken, the inner ones first.
+  void prefer_whole() {
+    if (whole_.empty()) return;
+    std::vector<std::size_t> begins_at(problem_.points.size(), 0);  // the section that does
+    for (std::size_t i = 0; i < sections_.size(); ++i) begins_at[sections_[i].first] = i;
+    const auto section = [&](std::size_t point) -> Section& { return sections_[begins_at[point]]; };
+    for (std::size_t n = whole_.size(); n-- > 0;) {
+      Section& whole = whole_[n];
+      double divided = 0;
+      for (std::size_t p = whole.first; p < whole.last; p = section(p).last) divided += duration_of(section(p));
+      if (!(whole.run->duration() < divided)) continue;
+      section(whole.first).run.emplace(std::move(*whole.run));
+      section(whole.first).last = whole.last;
+    }
+    whole_.clear();
+    std::vector<Section> kept;
+    for (std::size_t p = 0, next = 0; p + 1 < problem_.points.size(); p = next) {
+      next = section(p).last;
+      kept.push_back(std::move(section(p)));
+    }
+    sections_ = std::move(kept);
   }
   /// Rests within a row cost time: where sections begin and end with rows, rows from rest to rest are taken if they are
   /// quicker.
@@ -96,7 +125,7 @@ class SplinePlanner {
       std::size_t b = a;
       do {
         const Section& s = sections_[b];
-        planned += s.run ? s.run->duration() : rest_to_rest_duration(problem_, s.first, s.last);
+        planned += duration_of(s);
         ++b;
       } while (!begins_row[sections_[b - 1].last]);
       const std::size_t last = sections_[b - 1].last;
@@ -124,7 +153,7 @@ class SplinePlanner {
       const double begin = writer.time();
       // Each piece begins where rounding has taken the one before, and ends where it should.
       const double h = run.times()[i];
-      writer.add(h, septic_coefficients(i == 0 ? run.end(0) : writer.carry(), run.end(i + 1), h));
+      writer.add(h, septic_coefficients(i == 0 ? run.end(0) : writer.carry(), run.end(i + 1), h), PieceJoint::landing);
       writer.phase(ProbePhaseKind::interval, begin, writer.time(), section.first + i);
       if (i + 1 < run.times().size()) writer.pass(writer.time());
     }
@@ -133,7 +162,7 @@ class SplinePlanner {
   const ProbeProblem& problem_;
   bool jerks_;
   std::vector<std::size_t> row_end_;
-  std::vector<Section> sections_;
+  std::vector<Section> sections_, whole_;  // in order of points; those that were divided, outer ones first
   double duration_ = 0;
 };
 

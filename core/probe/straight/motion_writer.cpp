@@ -16,13 +16,14 @@ void MotionWriter::add(double duration, Vec v, Vec a, Vec j, Vec snap) {
   add(duration, coefficients);
 }
 
-void MotionWriter::add(double duration, std::span<const Vec> coefficients) {
+void MotionWriter::add(double duration, std::span<const Vec> coefficients, PieceJoint joint) {
   TimeSum next = sum_;
   next.add(duration);
   const double end = next.value();
   if (!(end > time_)) return;
   sum_ = next;
   out_.durations.push_back(duration);
+  out_.joints.push_back(joint);
   SplineMotion::Piece piece{end, std::vector<Polynomial>(problem_.dimension())};
   for (std::size_t k = 0; k < problem_.dimension(); ++k) {
     Polynomial& p = piece.axes[k];
@@ -42,13 +43,8 @@ MotionWriter::State MotionWriter::carry() {
   const double x = pieces_.back().end - (pieces_.size() > 1 ? pieces_[pieces_.size() - 2].end : 0);
   out_.durations.back() = x;
   for (std::size_t k = 0; k < problem_.dimension(); ++k) {
-    double d[4] = {};
-    const Polynomial& p = pieces_.back().axes[k];
-    for (std::size_t i = p.size(); i-- > 0;) {
-      for (std::size_t n = 3; n > 0; --n) d[n] = d[n] * x + d[n - 1];
-      d[0] = d[0] * x + p[i];
-    }
-    out.v[k] = d[1], out.a[k] = 2 * d[2], out.j[k] = 6 * d[3];
+    const std::array<double, 4> end = state_at(pieces_.back().axes[k], x);
+    out.v[k] = end[1], out.a[k] = end[2], out.j[k] = end[3];
   }
   return out;
 }

@@ -28,7 +28,7 @@ class MotionWriter {
   /// Nothing is added where `duration` is lost in the rounding of the time.
   void add(double duration, Vec v, Vec a, Vec j, Vec snap);
   /// Σ c_i τⁱ, of which c_0 is replaced by position(); degree 8 at most.
-  void add(double duration, std::span<const Vec> coefficients);
+  void add(double duration, std::span<const Vec> coefficients, PieceJoint joint = PieceJoint::exact);
   /// Puts right what rounding has moved the position by, if it is no more than that.
   void aim(Vec position);
   /// The next point is passed at `t` s.

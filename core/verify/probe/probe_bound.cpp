@@ -24,14 +24,12 @@ struct Effort {
   std::size_t samples;  // of a move, at most
   int coarse_passes, fine_passes;
 };
-// Closed forms alone where there are very many.
 Effort effort(std::size_t moves) {
   if (moves <= 4) return {0.05, 600, 16, 3};
   if (moves <= 20) return {0.1, 240, 16, 2};
   if (moves <= 70) return {0.15, 120, 12, 2};
   if (moves <= 250) return {0.25, 48, 6, 1};
-  if (moves <= 1000) return {0.5, 24, 3, 1};
-  return {1, 0, 0, 0};
+  return {0.5, 24, 3, 1};
 }
 
 double reaction_time(const ProbeProblem& problem) {
@@ -43,8 +41,7 @@ double reaction_time(const ProbeProblem& problem) {
   return time;
 }
 
-// Where a sample of the move is when it passes its ends: what counts as one point lies closer than the tolerance, too.
-// In which the slowest axis changes its velocity by the speed [core/motion/profile/profile_change.hpp].
+// The time in which the slowest axis changes its velocity by the speed [core/motion/profile/profile_change.hpp].
 double ramp_time(const ProbeProblem& problem) {
   double time = 0;
   for (std::size_t k = 0; k < problem.dimension(); ++k) {
@@ -62,6 +59,7 @@ double ramp_time(const ProbeProblem& problem) {
   return time;
 }
 
+// Where a sample of the move is when it passes its ends: what counts as one point lies closer than the tolerance, too.
 double point_radius(const ProbeProblem& problem, std::size_t point) {
   if (point == 0 || point + 1 == problem.points.size()) return 1e-9;
   return problem.given.size() == problem.points.size() ? problem.point_tolerance : 2 * problem.point_tolerance;
@@ -259,12 +257,15 @@ void improve(const ProbeProblem& problem, std::vector<Move>& moves, const Effort
 
 template <int D>
 double sum_of_moves(const ProbeProblem& problem, Progress& progress) {
+  // Of very many edges only the last levels are improved, of moves that are long beside the ramps at least.
+  constexpr std::size_t many = 1000, few = 160;
   const double enough = 6 * ramp_time(problem);
   std::vector<Move> moves;
   double sum = 0, done = 0;
   for (std::size_t stride = 1;; stride *= 2) {
     moves = moves_of(problem, stride, moves);
-    improve<D>(problem, moves, effort(moves.size()), progress, done, (1 - done) / 2);
+    if (problem.edges() <= many || moves.size() <= few)
+      improve<D>(problem, moves, effort(moves.size()), progress, done, (1 - done) / 2);
     done += (1 - done) / 2;
     sum = 0;
     for (const Move& m : moves) sum += m.time;
@@ -279,6 +280,15 @@ Bound probe_bound(const ProbeProblem& problem, Progress& progress) {
   Bound bound;
   bound.value = problem.dimension() == 2 ? sum_of_moves<2>(problem, progress) : sum_of_moves<3>(problem, progress);
   bound.basis = "least times between points, proven by multipliers";
+  return bound;
+}
+
+Bound quick_probe_bound(const ProbeProblem& problem) {
+  double sum = 0;
+  for (const Move& m : moves_of(problem, 1, {})) sum += m.time;
+  Bound bound;
+  bound.value = sum * (1 - 1e-12);
+  bound.basis = "edges at full speed, from rest to rest where the head has to rest";
   return bound;
 }
 

@@ -5,10 +5,8 @@
 #include <limits>
 #include <string>
 
-#include "core/base/progress_scope.hpp"
 #include "core/base/read_rows.hpp"
 #include "core/verify/rounding.hpp"
-#include "core/verify/setpoints/motion_setpoint_checks.hpp"
 #include "core/verify/worst.hpp"
 
 namespace bahnwerk {
@@ -17,39 +15,21 @@ namespace {
 using verify::rounding;
 using verify::Strained;
 
-class RowChecker {
+class ProbeRows final : public RowCheck {
  public:
-  RowChecker(const ProbeToVerify& in, const SetpointSource& setpoints) : in_(in), setpoints_(setpoints) {
+  ProbeRows(const ProbeToVerify& in, const SetpointSource& setpoints) : in_(in), setpoints_(setpoints) {
     for (const AxisLimits& axis : in.problem.machine.axes)
       for (const char* prefix : {"", "v"}) column_.push_back(find(prefix + axis.name));
     deviation_column_ = find("deviation");
     speed_column_ = find("v");
     for (const Vec& p : in.problem.given) largest_ = std::max({largest_, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    if (complete_) return;
+    for (Strained* each : {&deviation_, &speed_}) each->raise(std::nan(""), 0, 0);
   }
 
-  std::vector<Check> run(ProgressScope& scope) {
-    if (complete_) {
-      for_each_row(
-          setpoints_, [&](std::size_t k, const double* row) { check(k, row); },
-          [&](std::size_t done, std::size_t count) {
-            scope.done(static_cast<double>(done) / static_cast<double>(setpoints_.count()));
-            scope.work(4 * count);
-          });
-    } else {
-      for (Strained* each : {&deviation_, &speed_}) each->raise(std::nan(""), 0, 0);
-    }
-    using verify::make_check;
-    return {make_check("setpoints deviation", "mm", deviation_), make_check("setpoints speed", "mm/s", speed_)};
-  }
+  bool reads() const override { return complete_; }
 
- private:
-  std::size_t find(const std::string& name) {
-    const std::size_t at = column_index(setpoints_.columns(), name);
-    complete_ = complete_ && at < setpoints_.columns().size();
-    return at;
-  }
-
-  void check(std::size_t k, const double* row) {
+  void row(std::size_t k, const double* row) override {
     const Motion& motion = in_.motion;
     const double t = std::min(motion.duration(), static_cast<double>(k) * in_.problem.machine.cycle_time);
     const bool last = k + 1 == setpoints_.count();
@@ -64,7 +44,19 @@ class RowChecker {
     speed_.raise(std::abs(row[speed_column_] - norm(velocity)), rounding * norm(velocity), t);
   }
 
-  const ProbeToVerify& in_;
+  std::vector<Check> checks() override {
+    using verify::make_check;
+    return {make_check("setpoints deviation", "mm", deviation_), make_check("setpoints speed", "mm/s", speed_)};
+  }
+
+ private:
+  std::size_t find(const std::string& name) {
+    const std::size_t at = column_index(setpoints_.columns(), name);
+    complete_ = complete_ && at < setpoints_.columns().size();
+    return at;
+  }
+
+  ProbeToVerify in_;
   const SetpointSource& setpoints_;
   std::vector<std::size_t> column_;  // per axis position, velocity
   std::size_t deviation_column_ = 0, speed_column_ = 0;
@@ -76,14 +68,8 @@ class RowChecker {
 
 }  // namespace
 
-std::vector<Check> probe_setpoint_checks(const ProbeToVerify& input, const SetpointSource& setpoints,
-                                         Progress& progress) {
-  const double middle = (input.progress_from + input.progress_to) / 2;
-  std::vector<Check> checks =
-      motion_setpoint_checks(input.motion, input.problem.machine, setpoints, progress, input.progress_from, middle);
-  ProgressScope scope(progress, "verify setpoints", middle, input.progress_to);
-  for (Check& check : RowChecker(input, setpoints).run(scope)) checks.push_back(std::move(check));
-  return checks;
+std::unique_ptr<RowCheck> probe_row_check(const ProbeToVerify& input, const SetpointSource& setpoints) {
+  return std::make_unique<ProbeRows>(input, setpoints);
 }
 
 }  // namespace bahnwerk

@@ -69,5 +69,17 @@ TEST(Arcs, ACircleOfPointsIsPassedWithoutRests) {
   expect_right(p, plan);
 }
 
+TEST(Arcs, ASpeedThatCannotBeReachedChangesNothing) {
+  // 70 mm at 0.4 mm/s⁴: some 20 mm/s are all that an edge admits.
+  const std::vector<Vec> points{{0, 0, 0}, {56, 42.01, 0}, {112.01, 84, 0.01}, {168, 126, 0}};
+  const auto duration = [&](double speed) {
+    SilentProgress silent;
+    return plan_arcs(problem(points, 30, 3, speed, 3, 1, 0.4), silent).duration();
+  };
+  const double least = duration(80);
+  for (const double speed : {95.0, 140.0, 700.0}) EXPECT_NEAR(duration(speed), least, 1e-9 * least) << speed;
+  EXPECT_LT(least, 0.55 * stops_duration(problem(points, 30, 3, 80, 3, 1, 0.4)));
+}
+
 }  // namespace
 }  // namespace bahnwerk

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/probe/landing.hpp"
+
 namespace bahnwerk {
 namespace {
 
@@ -36,6 +38,48 @@ TEST(ProbeMotion, SlowedEndsExactlyWhereItIsTold) {
   const ProbeMotion s = slowed(two_pieces(), 1.05, 2.1);
   EXPECT_EQ(s.duration(), 2.1);
   EXPECT_EQ(s.times.back(), 2.1);
+}
+
+TEST(ProbeMotion, StatesAreThoseOfSplineMotionToTheLastBit) {
+  const Polynomial p{0.1, 0.7, -0.3, 1.7, 0.9, -2.3, 0.11, 5};
+  const double t = 0.37;
+  const MotionState x = SplineMotion({{1, {p}}}).in_piece(0, t);
+  EXPECT_EQ(state_at(p, t), (std::array{x.position[0], x.velocity[0], x.acceleration[0], x.jerk[0]}));
+}
+
+/// Late in a long motion times are rounded coarsely, and each piece is 0.01 s long.
+TEST(ProbeMotion, SlowedPiecesThatAreCarriedMeetExactlyAndDoNotDriftAway) {
+  constexpr std::size_t pieces = 2000;
+  constexpr double h = 0.01;
+  // x = t⁴ about the middle of each piece, joined to its mirror image: velocity and jerk alternate.
+  const Polynomial p = shifted({0, 0, 0, 0, 1}, -h / 2, 1), q = shifted({0, 0, 0, 0, -1}, -h / 2, 1);
+  const double v = state_at(p, 0)[1];
+  std::vector<SplineMotion::Piece> list;
+  ProbeMotion m;
+  for (std::size_t i = 0; i < pieces; ++i) {
+    Polynomial x = i % 2 == 0 ? p : q;
+    // Velocity, acceleration and jerk at both ends are those of the next piece's begin.
+    const auto end = state_at(x, h), next = state_at(i % 2 == 0 ? q : p, 0);
+    const auto rest = probe::landing<double>(next[1] - end[1], next[2] - end[2], next[3] - end[3], h);
+    x.resize(7, 0.0);
+    for (std::size_t k = 0; k < 3; ++k) x[4 + k] += rest[k];
+    list.push_back({1000 + static_cast<double>(i + 1) * h, {x}});
+    m.durations.push_back(h);
+    m.joints.push_back(PieceJoint::landing);
+  }
+  list.front().end = 1000 + h, m.durations.front() = 1000 + h, m.joints.front() = PieceJoint::exact;
+  m.motion = std::make_shared<const SplineMotion>(std::move(list));
+  m.times = {0, m.motion->duration()};
+  const ProbeMotion s = slowed(m, 1.0001);
+  for (std::size_t i = 2; i < pieces; ++i) {
+    const MotionState left = s.motion->in_piece(i - 1, s.motion->begin(i)),
+                      right = s.motion->in_piece(i, s.motion->begin(i));
+    ASSERT_EQ(left.velocity[0], right.velocity[0]) << i;
+    // Acceleration and jerk lose a bit where they are halved and divided by 6.
+    ASSERT_NEAR(left.acceleration[0], right.acceleration[0], 4e-16 * std::abs(left.acceleration[0])) << i;
+    ASSERT_NEAR(left.jerk[0], right.jerk[0], 4e-16 * std::abs(left.jerk[0])) << i;
+    ASSERT_NEAR(std::abs(right.velocity[0]), std::abs(v) / 1.0001, 1e-9 * std::abs(v)) << i;
+  }
 }
 
 }  // namespace

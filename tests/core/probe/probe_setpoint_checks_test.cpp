@@ -5,6 +5,7 @@
 #include "core/base/progress.hpp"
 #include "core/probe/arcs/arcs.hpp"
 #include "core/probe/resting_motion.hpp"
+#include "core/verify/setpoints/motion_setpoint_checks.hpp"
 #include "tests/core/check_names.hpp"
 #include "tests/core/probe/probe_cases.hpp"
 
@@ -53,8 +54,15 @@ class ProbeSetpointChecks : public testing::Test {
     const RestingMotion motion(plan_.motion, problem_.points.back());
     SilentProgress silent;
     std::vector<std::string> names;
-    for (const Check& check : probe_setpoint_checks({problem_, motion, plan_.times}, table, silent))
-      if (!check.passed) names.push_back(check_name(check));
+    const ProbeToVerify input{problem_, motion, plan_.times};
+    RowChecks both;
+    both.push_back(motion_row_check({motion, problem_.machine, table}));
+    both.push_back(probe_row_check(input, table));
+    ProgressScope scope(silent, "rows", 0, 1);
+    read_rows(table, both, scope);
+    for (const auto& rows : both)
+      for (const Check& check : rows->checks())
+        if (!check.passed) names.push_back(check_name(check));
     return names;
   }
   ProbeProblem problem_ = problem({{0, 0}, {10, 0}, {10, 8}}, 0.2);

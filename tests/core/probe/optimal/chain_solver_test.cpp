@@ -1,4 +1,5 @@
 #include "core/probe/optimal/chain_solver.hpp"
+#include "core/probe/optimal/chain_speed.hpp"
 
 #include <gtest/gtest.h>
 

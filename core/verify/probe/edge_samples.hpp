@@ -1,0 +1,59 @@
+#pragma once
+/// The samples of an edge's bound as a convex problem: which h is least for samples x that lie in their sets and whose
+/// divided differences keep h^r L_r. Its constraints as slacks that are positive.
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "core/verify/probe/edge_bound.hpp"
+
+namespace bahnwerk {
+
+template <int D>
+class EdgeSamples {
+ public:
+  using Point = std::array<double, D>;
+  static constexpr double no_limit = 1e300;  ///< a slack that is not looked at
+
+  explicit EdgeSamples(const EdgeBoundProblem<D>& problem);
+
+  std::size_t count() const { return problem_.grid.size(); }
+  const EdgeBoundProblem<D>& problem() const { return problem_; }
+  /// Samples to start from, along the edge.
+  std::vector<Point> start() const;
+  /// Sample k stands where it is: there is next to no room in its set.
+  bool fixed(std::size_t k) const { return fixed_[k]; }
+  double radius(std::size_t k) const { return radius_[k]; }  ///< of its set, or what the search takes for it
+
+  std::size_t rows(std::size_t r) const { return rows_[r - 1].size(); }  ///< differences of order r = 1 … 4
+  const std::array<double, 5>& row(std::size_t r, std::size_t k) const { return rows_[r - 1][k]; }
+  /// Some sample of the difference is not fixed.
+  bool free_row(std::size_t r, std::size_t k) const;
+  /// Difference k of order r, times `power`.
+  Point value(const std::vector<Point>& x, std::size_t r, std::size_t k, double power) const;
+  /// From the set's segment to x; `u` its direction, `cap`: the nearest point is an end.
+  Point offset(std::size_t k, const Point& x, bool& cap, Point& u) const;
+
+  /// Slacks: one per sample, one per difference of first order, two per axis of the others.
+  std::size_t slacks() const { return start_[5]; }
+  std::size_t speed_slack(std::size_t k) const { return start_[1] + k; }
+  /// The upper one; the lower one is next.
+  std::size_t axis_slack(std::size_t r, std::size_t k, int axis) const {
+    return start_[r] + 2 * (D * k + static_cast<std::size_t>(axis));
+  }
+  /// The least h under which differences of x keep their limits.
+  double slowest(const std::vector<Point>& x) const;
+  /// False: one of the slacks is not positive.
+  bool evaluate(const std::vector<Point>& x, double h, std::vector<double>& slack) const;
+
+ private:
+  std::size_t sample_at(double g) const;
+
+  const EdgeBoundProblem<D>& problem_;
+  std::array<std::vector<std::array<double, 5>>, 4> rows_;
+  std::array<std::size_t, 6> start_{};
+  std::vector<char> fixed_;
+  std::vector<double> radius_;
+};
+
+}  // namespace bahnwerk
