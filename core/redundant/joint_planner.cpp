@@ -50,6 +50,24 @@ bool JointPlanner<order>::find(double below) {
 }
 
 template <std::size_t order>
+bool JointPlanner<order>::find_closed() {
+  if (!task_.dwells.empty()) return false;
+  std::optional<LoneMove> move = lone_move(*task_.path, task_.machine, task_.feeds.front());
+  if (!move || !within_ranges(*move, task_.machine)) return false;
+  take(*std::move(move));
+  alone_ = true;
+  return true;
+}
+
+template <std::size_t order>
+void JointPlanner<order>::take(LoneMove move) {
+  fastest_.head = std::make_shared<const PathMotion>(task_.path, std::move(move.head));
+  fastest_.closed = std::move(move.coarse);
+  const bool slower = fastest_.head->duration() > head_->duration() * (1 + quicker);
+  result_.slowed = result_.certified = slower ? 1 : 0;
+}
+
+template <std::size_t order>
 JointResult JointPlanner<order>::result() {
   const double chosen = options_.stretch >= 1 ? options_.stretch : stretch_of(options_.smoothness);
   if (options_.compare)
@@ -79,11 +97,8 @@ bool JointPlanner<order>::lone() {
       return true;
     }
   }
-  fastest_.head = std::make_shared<const PathMotion>(task_.path, std::move(move->head));
+  take(*std::move(move));
   fastest_.cells = head_cells(*fastest_.head, splits_.cells(), scope_);
-  fastest_.closed = std::move(move->coarse);
-  const bool slower = fastest_.head->duration() > head_->duration() * (1 + quicker);
-  result_.slowed = result_.certified = slower ? 1 : 0;
   return true;
 }
 

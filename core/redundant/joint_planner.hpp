@@ -11,6 +11,7 @@
 #include "core/redundant/head_slowing.hpp"
 #include "core/redundant/joint_smoother.hpp"
 #include "core/redundant/joint_split.hpp"
+#include "core/redundant/lone_move.hpp"
 
 namespace bahnwerk {
 
@@ -23,6 +24,8 @@ class JointPlanner {
   /// Looks for the quickest motion. False: the head by itself takes no less than `below`, s, and nothing was looked
   /// for. Throws Infeasible where no head was found that the coarse axes can follow.
   bool find(double below);
+  /// The closed form of a lone move alone, which needs no cells. False: the path has none.
+  bool find_closed();
   /// s, of what was found.
   double quickest() const { return fastest_.head->duration(); }
   std::size_t slowed() const { return result_.slowed; }
@@ -35,6 +38,7 @@ class JointPlanner {
   using Nodes = std::vector<std::pair<std::size_t, std::size_t>>;  ///< first and last ones of stretches
 
   bool lone();
+  void take(LoneMove move);
   void follow();
   void slow(const std::vector<HeadStretch>& too_fast, int attempt, HeadSlowingCounts& counts);
   std::vector<HeadStretch> exceeding(const std::vector<WindowedSolution<order>>& solutions) const;

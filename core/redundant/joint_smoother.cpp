@@ -45,8 +45,9 @@ JointSplit<order> JointSmoother<order>::smoothest(double stretch, bool calm) {
 template <std::size_t order>
 JointSplit<order> JointSmoother<order>::slowed_evenly(double stretch) {
   JointSplit<order> split{fastest_.head, fastest_.cells, stretch, {}, {}};
-  if (!splits_.axes().empty()) split.solutions = splits_.solve(fastest_.cells, stretch);
-  if (split.valid()) return split;
+  const bool cells = fastest_.cells.size() > 0;  // none of a closed form whose stroke is too small for them
+  if (cells && !splits_.axes().empty()) split.solutions = splits_.solve(fastest_.cells, stretch);
+  if ((cells || fastest_.closed.empty()) && split.valid()) return split;
   split.solutions = fastest_.solutions;
   split.closed = fastest_.closed;
   split.slowed = stretch;

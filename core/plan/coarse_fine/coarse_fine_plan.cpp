@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <optional>
 #include <string>
 #include <utility>
 
-#include "core/base/errors.hpp"
+#include "core/base/infeasible_at.hpp"
 #include "core/base/progress_scope.hpp"
 #include "core/motion/setpoints/cycles.hpp"
 #include "core/plan/coarse_fine/coarse_fine_setpoints.hpp"
@@ -86,7 +87,7 @@ class CoarseFineProblem final : public MotionProblem {
     prepare();
     find_bound();
     tried_ = options_;
-    if (!tried(bounded()) && !plan_otherwise()) throw Infeasible(why_not_);
+    if (!tried(bounded()) && !plan_otherwise()) std::rethrow_exception(why_not_);
   }
 
   /// The motion as it was before it was timed again, or the joint planner's, or that of the coarse axes alone.
@@ -96,7 +97,7 @@ class CoarseFineProblem final : public MotionProblem {
       ++given_up_;
       if (tried(planned)) return true;
     }
-    if (!found_) throw Infeasible(why_not_);
+    if (!found_) std::rethrow_exception(why_not_);
     return false;
   }
 
@@ -269,8 +270,11 @@ class CoarseFineProblem final : public MotionProblem {
     try {
       method(tried_, from);
       return found_ = true;
-    } catch (const Infeasible& e) {
-      if (why_not_.empty()) why_not_ = e.what();
+    } catch (const InfeasibleAt&) {  // what names a member of the document tells most
+      why_not_ = std::current_exception();
+      return false;
+    } catch (const Infeasible&) {
+      if (!why_not_) why_not_ = std::current_exception();
       return false;
     }
   }
@@ -333,7 +337,7 @@ class CoarseFineProblem final : public MotionProblem {
   RedundancyOptions tried_;
   RedundancyResult result_;
   bool found_ = false;                     // the last method found a motion
-  std::string why_not_;                    // the method found nothing
+  std::exception_ptr why_not_;             // the method found nothing
   std::size_t given_up_ = 0;               // plans that did not hold their limits
   double stretch_ = 1;                     // on top of what the method found
   double factor_ = 1, cycles_factor_ = 1;  // that the motion was slowed by, and the part of it for whole cycles

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <exception>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -14,11 +16,14 @@
 #include "core/redundant/known/geometric.hpp"
 #include "core/redundant/known/lag_compensation.hpp"
 #include "core/redundant/known/reparametrise.hpp"
+#include "core/redundant/reversed_task.hpp"
 
 namespace bahnwerk {
 namespace {
 
 constexpr double worth_giving_way = 1e-4;  // of a duration
+constexpr double symmetric = 5e-4;         // of the bound, by which durations forwards and backwards may differ
+constexpr double quicker = 1e-9;           // of a duration: less is rounding
 
 /// A lone straight move has a closed form. Fits of splines to it find next to it what is now quicker, now slower with
 /// more stroke or acceleration: the closed form counts where it is quicker.
@@ -63,16 +68,9 @@ bool centred(const CoarseFineMachine& machine) {
   return std::any_of(machine.axes.begin(), machine.axes.end(), [](const CoarseFineAxis& a) { return a.centred; });
 }
 
-}  // namespace
-
-const RedundancyRow& redundancy_row(RedundancyMethod method) {
-  for (const RedundancyRow& row : rows)
-    if (row.method == method) return row;
-  throw std::logic_error("a redundancy method without a row");
-}
-
-RedundancyResult plan_redundant(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
-                                double from, double to) {
+/// In the direction of time.
+RedundancyResult planned_forwards(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
+                                  double from, double to) {
   const bool again = options.reparametrise && !task.machine.limits_jerk();
   const double planned = again ? from + 0.7 * (to - from) : to;
   if (options.method != RedundancyMethod::joint && !every_axis_is_split(task.machine)) {
@@ -86,7 +84,7 @@ RedundancyResult plan_redundant(const RedundancyTask& task, const RedundancyOpti
   if (options.method == RedundancyMethod::joint && centred(task.machine)) {
     RedundancyOptions other = options;
     other.method = RedundancyMethod::iterative;
-    RedundancyResult result = plan_redundant(task, other, progress, from, to);
+    RedundancyResult result = planned_forwards(task, other, progress, from, to);
     ++result.fallbacks;
     result.notes.emplace_back(
         "the joint planner leaves open where fine axes stand at rest: the iterative method planned the contour");
@@ -98,6 +96,48 @@ RedundancyResult plan_redundant(const RedundancyTask& task, const RedundancyOpti
     result = quicker_than_lone_move(std::move(result), task, options, progress, to);
   if (options.method == RedundancyMethod::joint || task.machine.limits_jerk()) return result;
   return quicker_than_coarse_alone(std::move(result), task, options, progress, to);
+}
+
+/// Whether the same from its end to its begin may be quicker by more than `symmetric`. What a lag filters is not the
+/// same backwards; along its curve the geometric split is the quickest in both directions.
+bool gains_backwards(const RedundancyResult& found, const RedundancyTask& task, const RedundancyOptions& options) {
+  if (options.coarse_alone || options.method == RedundancyMethod::lag_compensation ||
+      options.method == RedundancyMethod::geometric)
+    return false;
+  return found.head->duration() > task.bound * (1 + symmetric);
+}
+
+}  // namespace
+
+const RedundancyRow& redundancy_row(RedundancyMethod method) {
+  for (const RedundancyRow& row : rows)
+    if (row.method == method) return row;
+  throw std::logic_error("a redundancy method without a row");
+}
+
+RedundancyResult plan_redundant(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
+                                double from, double to) {
+  std::optional<RedundancyResult> found;
+  std::exception_ptr why_not;
+  try {
+    found = planned_forwards(task, options, progress, from, to);
+  } catch (const Infeasible&) {
+    why_not = std::current_exception();
+  }
+  if (found && !gains_backwards(*found, task, options)) return *std::move(found);
+  try {
+    if (const std::optional<RedundancyTask> back = reversed(task)) {
+      RedundancyResult other = reversed(planned_forwards(*back, options, progress, to, to), task);
+      if (!found || other.head->duration() < found->head->duration() * (1 - quicker)) {
+        other.notes.emplace_back("planned from its end to its begin, which is quicker here");
+        return other;
+      }
+    }
+  } catch (const Infeasible&) {
+    // As it was, then.
+  }
+  if (!found) std::rethrow_exception(why_not);
+  return *std::move(found);
 }
 
 }  // namespace bahnwerk

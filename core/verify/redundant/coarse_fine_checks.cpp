@@ -201,13 +201,22 @@ double size_of(const AxisPath& path, std::size_t segment, const AxisJet& q) {
   return far + path[segment].length() + (bent > 0 ? 2 / std::sqrt(bent) : 0);
 }
 
-/// By how much a coarse axis without a fine one may jump at time t: as much as the head does where segments meet, and
-/// as a machine's axis may at a tangent jump.
+/// 1/mm, by which a shift of an end of the segment turns it there.
+double turned_by(const AxisPath& path, std::size_t segment, const AxisJet& q) {
+  double bent = 0;
+  for (std::size_t k = 0; k < path.axes(); ++k) bent += q.d2[k] * q.d2[k];
+  return 1 / path[segment].length() + std::sqrt(bent);
+}
+
+/// By how much a coarse axis may jump at time t: as much as the head does where segments meet, as far as that is the
+/// rounding of their points; one without a fine axis as a machine's axis may at a tangent jump, too.
 double step_of_the_head(const CoarseFineToVerify& in, std::size_t k, std::size_t derivative, double t) {
-  if (derivative > 2 || (derivative > 0 && in.fine_axes[k].highest > least_stroke)) return 0;
+  if (derivative > 2) return 0;
+  const bool rounded = derivative > 0 && in.fine_axes[k].highest > least_stroke;
   const Limits& axis = in.coarse_axes[k];
-  const double most = derivative == 0 ? unlimited : in.cycle_time * (derivative == 1 ? axis.acceleration : axis.jerk);
-  if (derivative > 0 && !std::isfinite(most)) return 0;
+  const double most =
+      derivative == 0 || rounded ? unlimited : in.cycle_time * (derivative == 1 ? axis.acceleration : axis.jerk);
+  if (derivative > 0 && !rounded && !std::isfinite(most)) return 0;
   const auto& pieces = in.law.pieces();
   const double blur = 2 * rounding * t;
   auto piece = std::lower_bound(pieces.begin(), pieces.end(), t - blur,
@@ -218,7 +227,14 @@ double step_of_the_head(const CoarseFineToVerify& in, std::size_t k, std::size_t
     const std::size_t before = (piece - 1)->segment;
     const AxisJet left = in.path.at_parameter(before, in.path[before].curve().end()),
                   right = in.path.at_parameter(piece->segment, in.path[piece->segment].curve().begin());
-    const double tangent = std::abs(right.d1[k] - left.d1[k]), curvature = std::abs(right.d2[k] - left.d2[k]);
+    double tangent = std::abs(right.d1[k] - left.d1[k]), curvature = std::abs(right.d2[k] - left.d2[k]);
+    if (rounded) {
+      const double before_size = rounding * size_of(in.path, before, left),
+                   after_size = rounding * size_of(in.path, before + 1, right),
+                   before_turn = turned_by(in.path, before, left), after_turn = turned_by(in.path, before + 1, right);
+      tangent = std::min(tangent, before_size * before_turn + after_size * after_turn);
+      curvature = std::min(curvature, before_size * before_turn * before_turn + after_size * after_turn * after_turn);
+    }
     if (derivative == 0) {
       jump =
           std::max(jump, std::min(std::abs(right.value[k] - left.value[k]),
