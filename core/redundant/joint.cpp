@@ -61,10 +61,11 @@ class Candidates {
       add(resolved(task_, options_, 1));
       if (order == 3 && best_ && best_->quickest() < mostly_slowed * head_alone_)
         for (const double share : {1.0, 0.5})
-          if (JointTask other = task_; evened(other.machine, share)) add(resolved(std::move(other), options_, 1));
+          if (JointTask other = task_; worth_it() && evened(other.machine, share))
+            add(resolved(std::move(other), options_, 1));
       const bool slowed = best_ && most_slowed_ > 0 && task_.path->size() > 1;
       for (const double part : less_stroke)
-        if (slowed && options_.bound > 0 && best_->quickest() > far_above * options_.bound &&
+        if (slowed && worth_it() && options_.bound > 0 && best_->quickest() > far_above * options_.bound &&
             within_coarse_range(*task_.path, task_.machine, part))
           add(resolved(task_, options_, part));
       if (slowed && within_coarse_range(*task_.path, task_.machine)) add(without_fine_axes(task_));
@@ -99,6 +100,9 @@ class Candidates {
     return std::make_unique<JointPlanner<order>>(std::move(task), options_, progress_, from_, to_);
   }
 
+  /// Whether another plan is, after the work so far.
+  bool worth_it() const { return work_ <= joint_work(head_alone_); }
+
   /// Some stroke is too small for cells.
   bool unresolved() const {
     return std::any_of(task_.machine.axes.begin(), task_.machine.axes.end(), [this](const CoarseFineAxis& axis) {
@@ -108,16 +112,19 @@ class Candidates {
 
   /// `closed`: only where there is a closed form, which needs no cells.
   void add(JointTask task, bool closed = false) {
+    std::unique_ptr<JointPlanner<order>> other;
+    bool found = false;
     try {
-      auto other = planner(std::move(task));
+      other = planner(std::move(task));
       head_alone_ = std::min(head_alone_, other->head_alone());
-      if (!(closed ? other->find_closed() : other->find(best_ ? best_->quickest() : unlimited))) return;
-      if (best_ && !(other->quickest() < best_->quickest())) return;
-      most_slowed_ = std::max(most_slowed_, other->slowed());
-      best_ = std::move(other);
+      found = closed ? other->find_closed() : other->find(best_ ? best_->quickest() : unlimited);
     } catch (const Infeasible&) {
       // Another plan may be one.
     }
+    if (other) work_ += other->work();
+    if (!found || (best_ && !(other->quickest() < best_->quickest()))) return;
+    most_slowed_ = std::max(most_slowed_, other->slowed());
+    best_ = std::move(other);
   }
 
   const JointTask& task_;
@@ -126,6 +133,7 @@ class Candidates {
   double from_, to_;
   std::unique_ptr<JointPlanner<order>> best_;
   double head_alone_ = unlimited;  // s, the least that a head alone takes
+  double work_ = 0;                // cells times Newton steps
   std::size_t most_slowed_ = 0;
 };
 

@@ -29,6 +29,8 @@ class JointPlanner {
   /// s, of what was found.
   double quickest() const { return fastest_.head->duration(); }
   std::size_t slowed() const { return result_.slowed; }
+  /// Of all solutions so far.
+  double work() const { return work_.done; }
   /// s, what the summed limits alone let the head do.
   double head_alone() const { return result_.fastest; }
   /// The motion that the options ask for, and the table of trades.
@@ -40,6 +42,8 @@ class JointPlanner {
   bool lone();
   void take(LoneMove move);
   void follow();
+  std::optional<std::vector<WindowedSolution<order>>> followed();
+  std::vector<WindowedSolution<order>> solved();
   void slow(const std::vector<HeadStretch>& too_fast, int attempt, HeadSlowingCounts& counts);
   std::vector<HeadStretch> exceeding(const std::vector<WindowedSolution<order>>& solutions) const;
   std::vector<HeadStretch> conflicting();
@@ -57,6 +61,7 @@ class JointPlanner {
   JointSplit<order> fastest_;
   JointSmoother<order> smoother_;
   bool alone_ = false;  // whether the head moves as the coarse axes alone can
+  SlowingWork work_;
   bool stops_ = false;  // and rests where curvature jumps, too
   JointResult result_;
 };

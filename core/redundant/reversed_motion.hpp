@@ -1,30 +1,37 @@
 #pragma once
 /// A motion run backwards in time.
 #include <memory>
-#include <utility>
+#include <vector>
 
 #include "core/motion/axes/motion.hpp"
 
 namespace bahnwerk {
 
-/// At t it is where `motion` is at its duration less t. Its pieces are those of `motion`, from the last one on.
+/// Parts of the pieces of a motion, from the last one on, each from its end to its begin.
 class ReversedMotion final : public Motion {
  public:
-  explicit ReversedMotion(std::shared_ptr<const Motion> motion) : motion_(std::move(motion)) {}
+  struct Part {
+    std::size_t piece = 0;  ///< of the motion
+    double end = 0;         ///< s, when the part ends in it
+    double begin = 0;       ///< s, when it begins backwards
+  };
+  /// `parts`: all there are, the first one begins at 0 and each where the one before ends, as long as in the motion but
+  /// for rounding. `duration`: where the last one ends.
+  ReversedMotion(std::shared_ptr<const Motion> motion, std::vector<Part> parts, double duration);
+  /// Its pieces whole.
+  explicit ReversedMotion(const std::shared_ptr<const Motion>& motion);
   std::size_t axes() const override { return motion_->axes(); }
-  std::size_t pieces() const override { return motion_->pieces(); }
-  double begin(std::size_t piece) const override {
-    return piece == 0 ? 0 : motion_->duration() - motion_->end(original(piece));
-  }
-  double duration() const override { return motion_->duration(); }
+  std::size_t pieces() const override { return parts_.size(); }
+  double begin(std::size_t piece) const override { return parts_[piece].begin; }
+  double duration() const override { return duration_; }
   MotionState in_piece(std::size_t piece, double t) const override;
   bool has_snap() const override { return motion_->has_snap(); }
   bool polynomial(std::size_t piece, std::size_t axis, Polynomial& out) const override;
 
  private:
-  std::size_t original(std::size_t piece) const { return motion_->pieces() - 1 - piece; }
-
   std::shared_ptr<const Motion> motion_;
+  std::vector<Part> parts_;
+  double duration_;
 };
 
 }  // namespace bahnwerk

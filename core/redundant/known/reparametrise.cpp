@@ -18,7 +18,7 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double margins[] = {1e-6, 1e-4, 1e-3, 1e-2};  // of all limits
+constexpr double first_margin = 1e-6, last_margin = 0.05;  // of all limits
 constexpr double exceeded = 1e-5;         // by which a peak may lie above its limit: the plan slows the whole by that
 constexpr double longest_piece = 0.5e-3;  // s, of the new motion
 constexpr double shortest_way = 1e-9;     // of path length: of the last piece before a rest
@@ -189,21 +189,26 @@ class Retiming {
   Retiming(const RedundancyResult& old, const TimedPath& path, const RedundancyTask& task, ProgressScope& scope)
       : old_(old), path_(path), task_(task), scope_(scope), open_{{0, path.length(), {}}} {}
 
-  /// Takes those of the ranges that hold the limits; the others stay open. False: none does.
-  bool add(std::vector<QuickerRange> ranges) {
+  /// Takes those of the ranges that hold the limits; the others stay open. The largest quotient of a peak and its limit
+  /// in these; 0: none is left.
+  double add(std::vector<QuickerRange> ranges) {
     std::erase_if(ranges, [&](const QuickerRange& r) {
       return std::none_of(open_.begin(), open_.end(),
                           [&](const QuickerRange& o) { return o.begin <= r.begin && r.end <= o.end; });
     });
-    if (ranges.empty()) return false;
+    if (ranges.empty()) return 0;
     const Retimed tried = driven(ranges);
     const PathMotion head(task_.path, tried.law);
     const SplineMotion coarse(tried.coarse);
     const std::vector<std::vector<RedundancyPeaks>> peaks = split_peaks(head, coarse, tried.times, scope_);
     open_.clear();
-    for (std::size_t i = 0; i < ranges.size(); ++i)
-      (use_of(peaks[2 * i + 1], task_.machine).most() <= 1 + exceeded ? taken_ : open_).push_back(std::move(ranges[i]));
-    return !open_.empty();
+    double most = 0;
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+      const double use = use_of(peaks[2 * i + 1], task_.machine).most();
+      if (use > 1 + exceeded) most = std::fmax(most, use);
+      (use <= 1 + exceeded ? taken_ : open_).push_back(std::move(ranges[i]));
+    }
+    return most;
   }
   bool gains_nothing() const { return taken_.empty(); }
   Retimed result() {
@@ -237,12 +242,14 @@ RedundancyResult reparametrised(RedundancyResult found, const RedundancyTask& ta
   const double half = from + 0.5 * (to - from);
   ProgressScope scope(progress, "planning", half, to);
   Retiming timing(found, path, task, scope);
-  for (const double margin : margins) {
+  for (double margin = first_margin; margin <= last_margin;) {
     const Machine machine = both_stages(task.machine, 1 - margin);
     const PathTask again{path, machine, feeds, std::vector<bool>(path.size() + 1, false)};
     const TimeLaw rate =
         with_moving_ends(plan_acceleration_limited(again, {}, progress, from, half).law, path, machine);
-    if (!timing.add(quicker_ranges(rate))) break;
+    const double use = timing.add(quicker_ranges(rate));
+    if (use <= 1) break;
+    margin = std::fmax(10 * margin, 1.2 * (use - 1));
     from = half;
   }
   if (timing.gains_nothing()) {

@@ -104,7 +104,7 @@ bool gains_backwards(const RedundancyResult& found, const RedundancyTask& task, 
   if (options.coarse_alone || options.method == RedundancyMethod::lag_compensation ||
       options.method == RedundancyMethod::geometric)
     return false;
-  return found.head->duration() > task.bound * (1 + symmetric);
+  return task.bound > 0 && found.head->duration() > task.bound * (1 + symmetric);
 }
 
 }  // namespace

@@ -208,6 +208,22 @@ double turned_by(const AxisPath& path, std::size_t segment, const AxisJet& q) {
   return 1 / path[segment].length() + std::sqrt(bent);
 }
 
+/// What the rounding of path lengths where two pieces of the law meet bends a coarse axis by that goes along the path.
+double bent_by_rounding(const CoarseFineToVerify& in, const LawPiece& before, const LawPiece& after, std::size_t k,
+                        std::size_t derivative) {
+  if (derivative == 0) return 0;
+  const double off = rounding_of(before).position + rounding_of(after).position;
+  double most = 0;
+  for (const bool behind : {false, true}) {
+    const LawPiece& p = behind ? after : before;
+    const LawState x = behind ? p.at(0) : p.at(p.duration);
+    const AxisJet q = in.path.at(p.segment, behind ? p.s : p.s_end);
+    most = std::max(
+        most, derivative == 1 ? std::abs(q.d2[k]) * x.v : std::abs(q.d3[k]) * x.v * x.v + std::abs(q.d2[k] * x.a));
+  }
+  return off * most;
+}
+
 /// By how much a coarse axis may jump at time t: as much as the head does where segments meet, as far as that is the
 /// rounding of their points; one without a fine axis as a machine's axis may at a tangent jump, too.
 double step_of_the_head(const CoarseFineToVerify& in, std::size_t k, std::size_t derivative, double t) {
@@ -221,9 +237,11 @@ double step_of_the_head(const CoarseFineToVerify& in, std::size_t k, std::size_t
   const double blur = 2 * rounding * t;
   auto piece = std::lower_bound(pieces.begin(), pieces.end(), t - blur,
                                 [](const LawPiece& p, double time) { return p.t0 < time; });
-  double jump = 0;
+  double jump = 0, bends = 0;
   for (; piece != pieces.end() && piece->t0 <= t + blur; ++piece) {
-    if (piece == pieces.begin() || piece->segment == (piece - 1)->segment || piece->segment >= in.path.size()) continue;
+    if (piece == pieces.begin() || piece->segment >= in.path.size()) continue;
+    bends = std::max(bends, bent_by_rounding(in, *(piece - 1), *piece, k, derivative));
+    if (piece->segment == (piece - 1)->segment) continue;
     const std::size_t before = (piece - 1)->segment;
     const AxisJet left = in.path.at_parameter(before, in.path[before].curve().end()),
                   right = in.path.at_parameter(piece->segment, in.path[piece->segment].curve().begin());
@@ -245,7 +263,7 @@ double step_of_the_head(const CoarseFineToVerify& in, std::size_t k, std::size_t
     const double v = std::max(end.v, piece->v), a = std::max(std::abs(end.a), std::abs(piece->a));
     jump = std::max(jump, derivative == 1 ? tangent * v : curvature * v * v + tangent * a);
   }
-  return std::min(jump, most) * (1 + 1e-9);
+  return std::min(jump, most) * (1 + 1e-9) + bends;
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/progress.hpp"
+#include "core/base/progress.hpp"
 #include "core/redundant/methods/method_table.hpp"
 #include "tests/core/redundant/coarse_fine_machines.hpp"
 #include "tests/core/redundant/split_excess.hpp"
