@@ -101,7 +101,7 @@ class Candidates {
   }
 
   /// Whether another plan is, after the work so far.
-  bool worth_it() const { return work_ <= joint_work(head_alone_); }
+  bool worth_it() const { return work_ <= joint_work(head_alone_, order == 3); }
 
   /// Some stroke is too small for cells.
   bool unresolved() const {

@@ -43,7 +43,8 @@ struct JointOptions {
 };
 
 /// Cells times Newton steps that are worth it for a head that takes `duration` s: some 0.3 s, and 0.3 s per second.
-inline double joint_work(double duration) { return 2e6 * (1 + duration); }
+/// With limited jerk a step takes three times as long.
+inline double joint_work(double duration, bool jerk) { return (jerk ? 7e5 : 2e6) * (1 + duration); }
 
 /// What a duration stretched by `stretch` ≥ 1 brings.
 struct Trade {

@@ -38,7 +38,7 @@ JointPlanner<order>::JointPlanner(JointTask task, const JointOptions& options, P
       head_(plan_.motion()),
       smoother_(task_, splits_, plan_, fastest_, scope_) {
   result_.fastest = head_->duration();
-  work_.most = joint_work(result_.fastest);
+  work_.most = joint_work(result_.fastest, order == 3);
 }
 
 template <std::size_t order>
@@ -99,7 +99,10 @@ bool JointPlanner<order>::lone() {
     }
   }
   take(*std::move(move));
-  fastest_.cells = head_cells(*fastest_.head, splits_.cells(), scope_);
+  HeadCellOptions cells = splits_.cells();  // its jerk is the sum of both axes', more than a head's
+  for (std::size_t k = 0; k < cells.held.size(); ++k)
+    cells.held[k].jerk = task_.machine.axes[k].coarse.jerk + task_.machine.axes[k].fine.jerk;
+  fastest_.cells = head_cells(*fastest_.head, cells, scope_);
   return true;
 }
 

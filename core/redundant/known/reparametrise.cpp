@@ -189,7 +189,7 @@ class Retiming {
   Retiming(const RedundancyResult& old, const TimedPath& path, const RedundancyTask& task, ProgressScope& scope)
       : old_(old), path_(path), task_(task), scope_(scope), open_{{0, path.length(), {}}} {}
 
-  /// Takes those of the ranges that hold the limits; the others stay open. The largest quotient of a peak and its limit
+  /// Takes those of the ranges that hold the limits; the others stay open. The least quotient of a peak and its limit
   /// in these; 0: none is left.
   double add(std::vector<QuickerRange> ranges) {
     std::erase_if(ranges, [&](const QuickerRange& r) {
@@ -202,13 +202,13 @@ class Retiming {
     const SplineMotion coarse(tried.coarse);
     const std::vector<std::vector<RedundancyPeaks>> peaks = split_peaks(head, coarse, tried.times, scope_);
     open_.clear();
-    double most = 0;
+    double least = 0;
     for (std::size_t i = 0; i < ranges.size(); ++i) {
       const double use = use_of(peaks[2 * i + 1], task_.machine).most();
-      if (use > 1 + exceeded) most = std::fmax(most, use);
+      if (use > 1 + exceeded && (least == 0 || use < least)) least = use;
       (use <= 1 + exceeded ? taken_ : open_).push_back(std::move(ranges[i]));
     }
-    return most;
+    return least;
   }
   bool gains_nothing() const { return taken_.empty(); }
   Retimed result() {

@@ -10,6 +10,7 @@
 #include "core/base/errors.hpp"
 #include "core/redundant/coarse_alone.hpp"
 #include "core/redundant/iterative/iterative.hpp"
+#include "core/redundant/joint.hpp"
 #include "core/redundant/joint_method.hpp"
 #include "core/redundant/known/filter_plan.hpp"
 #include "core/redundant/known/follow_up.hpp"
@@ -71,8 +72,6 @@ bool centred(const CoarseFineMachine& machine) {
 /// In the direction of time.
 RedundancyResult planned_forwards(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
                                   double from, double to) {
-  const bool again = options.reparametrise && !task.machine.limits_jerk();
-  const double planned = again ? from + 0.7 * (to - from) : to;
   if (options.method != RedundancyMethod::joint && !every_axis_is_split(task.machine)) {
     RedundancyResult result = plan_joint_method(task, options, progress, from, to);
     ++result.fallbacks;
@@ -90,33 +89,28 @@ RedundancyResult planned_forwards(const RedundancyTask& task, const RedundancyOp
         "the joint planner leaves open where fine axes stand at rest: the iterative method planned the contour");
     return result;
   }
-  RedundancyResult result = redundancy_row(options.method).plan(task, options, progress, from, planned);
-  if (again) result = reparametrised(std::move(result), task, progress, planned, to);
-  if (options.method == RedundancyMethod::iterative && !centred(task.machine))
-    result = quicker_than_lone_move(std::move(result), task, options, progress, to);
-  if (options.method == RedundancyMethod::joint || task.machine.limits_jerk()) return result;
-  return quicker_than_coarse_alone(std::move(result), task, options, progress, to);
+  return redundancy_row(options.method).plan(task, options, progress, from, to);
 }
 
-/// Whether the same from its end to its begin may be quicker by more than `symmetric`. What a lag filters is not the
-/// same backwards; along its curve the geometric split is the quickest in both directions.
-bool gains_backwards(const RedundancyResult& found, const RedundancyTask& task, const RedundancyOptions& options) {
-  if (options.coarse_alone || options.method == RedundancyMethod::lag_compensation ||
-      options.method == RedundancyMethod::geometric)
-    return false;
-  return task.bound > 0 && found.head->duration() > task.bound * (1 + symmetric);
+/// What a lag filters is not the same backwards; along its curve the geometric split is the quickest in both
+/// directions.
+bool has_a_direction(const RedundancyOptions& options) {
+  return !options.coarse_alone && options.method != RedundancyMethod::lag_compensation &&
+         options.method != RedundancyMethod::geometric;
 }
 
-}  // namespace
-
-const RedundancyRow& redundancy_row(RedundancyMethod method) {
-  for (const RedundancyRow& row : rows)
-    if (row.method == method) return row;
-  throw std::logic_error("a redundancy method without a row");
+/// Whether the bound leaves more than `symmetric` open.
+bool may_be_quicker(const RedundancyResult& found, const RedundancyTask& task, const RedundancyOptions& options) {
+  double slowed = 1;
+  if (options.method == RedundancyMethod::joint)
+    slowed = options.stretch >= 1 ? options.stretch : stretch_of(options.smoothness);
+  return task.bound > 0 && found.head->duration() > task.bound * slowed * (1 + symmetric);
 }
 
-RedundancyResult plan_redundant(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
-                                double from, double to) {
+/// What is planned for it in either direction, the quicker one.
+RedundancyResult planned(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress, double from,
+                         double to) {
+  if (!has_a_direction(options)) return planned_forwards(task, options, progress, from, to);
   std::optional<RedundancyResult> found;
   std::exception_ptr why_not;
   try {
@@ -124,7 +118,7 @@ RedundancyResult plan_redundant(const RedundancyTask& task, const RedundancyOpti
   } catch (const Infeasible&) {
     why_not = std::current_exception();
   }
-  if (found && !gains_backwards(*found, task, options)) return *std::move(found);
+  if (found && !may_be_quicker(*found, task, options)) return *std::move(found);
   try {
     if (const std::optional<RedundancyTask> back = reversed(task)) {
       RedundancyResult other = reversed(planned_forwards(*back, options, progress, to, to), task);
@@ -138,6 +132,30 @@ RedundancyResult plan_redundant(const RedundancyTask& task, const RedundancyOpti
   }
   if (!found) std::rethrow_exception(why_not);
   return *std::move(found);
+}
+
+}  // namespace
+
+const RedundancyRow& redundancy_row(RedundancyMethod method) {
+  for (const RedundancyRow& row : rows)
+    if (row.method == method) return row;
+  throw std::logic_error("a redundancy method without a row");
+}
+
+RedundancyResult plan_redundant(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
+                                double from, double to) {
+  const bool split = options.method == RedundancyMethod::joint || every_axis_is_split(task.machine);
+  const bool again = split && options.reparametrise && !task.machine.limits_jerk();
+  const double once = again ? from + 0.7 * (to - from) : to;
+  RedundancyResult result = planned(task, options, progress, from, once);
+  if (!split) return result;
+  if (again) result = reparametrised(std::move(result), task, progress, once, to);
+  const bool ends_count = centred(task.machine);
+  const bool iterates =
+      options.method == RedundancyMethod::iterative || (options.method == RedundancyMethod::joint && ends_count);
+  if (iterates && !ends_count) result = quicker_than_lone_move(std::move(result), task, options, progress, to);
+  if ((options.method == RedundancyMethod::joint && !ends_count) || task.machine.limits_jerk()) return result;
+  return quicker_than_coarse_alone(std::move(result), task, options, progress, to);
 }
 
 }  // namespace bahnwerk
