@@ -7,7 +7,7 @@ namespace bahnwerk {
 namespace {
 
 constexpr double one = TimedPath::per_second;  // mm/s: the old time itself
-constexpr double shortest = 1e-8;              // mm, of a piece
+constexpr double short_part = 0.02;            // of a piece
 constexpr int halvings = 60;
 
 LawPiece at_rate(std::size_t segment, double s, double s_end) {
@@ -50,19 +50,22 @@ std::vector<QuickerRange> quicker_ranges(const TimeLaw& rate) {
       add(p);
       continue;
     }
+    if (before < one) open = false;
     LawPiece part = p;
-    const double at = crossing(p, before < one);
+    const double way = p.s_end - p.s, at = crossing(p, before < one);
     const LawState x = p.at(at);
-    if (before < one) {
-      open = false;
-      part.s = std::clamp(x.s, p.s, p.s_end);
-      part.v = one, part.a = x.a, part.j = x.j;
+    if (before < one && p.s_end - x.s > short_part * way) {
+      part.s = x.s, part.v = one, part.a = x.a, part.j = x.j;
       part.duration = p.duration - at;
-    } else {
-      part.s_end = std::clamp(x.s, p.s, p.s_end);
+    } else if (before >= one && x.s - p.s > short_part * way) {
+      part.s_end = x.s;
       part.duration = at;
+    } else {  // evenly in the square over the whole piece
+      const double from = std::max(before, one), to = std::max(after, one);
+      part.v = from, part.a = (to - from) * (to + from) / (2 * way), part.j = part.q = 0;
+      part.duration = 2 * way / (from + to);
     }
-    if (part.s_end - part.s > shortest) add(part);
+    if (way > 0) add(part);
     if (after < one) open = false;
   }
   return ranges;

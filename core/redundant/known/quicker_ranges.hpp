@@ -14,7 +14,8 @@ struct QuickerRange {
   std::vector<LawPiece> pieces;
 };
 
-/// By begin. O(pieces).
+/// By begin. A piece whose rate crosses 1 is cut there, unless next to nothing of it is above 1: then it is taken
+/// whole, its rate between 1 and what it is at the other end. O(pieces).
 std::vector<QuickerRange> quicker_ranges(const TimeLaw& rate);
 
 /// The old time but for those ranges, ascending and apart. `borders` gets the number of the first piece of each range

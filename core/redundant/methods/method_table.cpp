@@ -92,10 +92,10 @@ RedundancyResult planned_forwards(const RedundancyTask& task, const RedundancyOp
   return redundancy_row(options.method).plan(task, options, progress, from, to);
 }
 
-/// What a lag filters is not the same backwards; along its curve the geometric split is the quickest in both
-/// directions.
+/// What a lag filters is not the same backwards, and what is timed anew begins with the pieces of the plan as it was
+/// made; along its curve the geometric split is the quickest in both directions.
 bool has_a_direction(const RedundancyOptions& options) {
-  return !options.coarse_alone && options.method != RedundancyMethod::lag_compensation &&
+  return !options.coarse_alone && !options.reparametrise && options.method != RedundancyMethod::lag_compensation &&
          options.method != RedundancyMethod::geometric;
 }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/motion/axes/spline_motion.hpp"
 
 namespace bahnwerk {
@@ -67,6 +69,20 @@ TEST(QuickerRanges, AreWhereTheOldTimeWouldBeSlower) {
   EXPECT_EQ(borders[3], law.pieces().size());
   const double rising = 2 * 30.0 / 3000, falling = 2 * 48.0 / 3000;
   EXPECT_NEAR(law.duration(), 0.01 + rising + 80.0 / 2000 + falling + 112.0 / 1000 + 20.0 / 1500, 1e-12);
+}
+
+/// Of a rate that is above 1 on a hundredth of a piece the piece is taken whole.
+TEST(QuickerRanges, APartThatIsTooShortTakesItsPiece) {
+  TimeLaw rate;
+  rate.append(piece(0, 0, 100, 0, 1000 / std::sqrt(0.99)));
+  rate.append(piece(1, 100, 300, 1000 / std::sqrt(0.99), 1500));
+  const std::vector<QuickerRange> ranges = quicker_ranges(rate);
+  ASSERT_EQ(ranges.size(), 1u);
+  EXPECT_EQ(ranges[0].begin, 0);
+  const LawPiece& first = ranges[0].pieces.front();
+  EXPECT_EQ(first.v, 1000);
+  EXPECT_NEAR(first.at(first.duration).v, rate.pieces()[1].v, 1e-9);
+  EXPECT_NEAR(first.at(first.duration).s, 100, 1e-9);
 }
 
 TEST(QuickerRanges, WithNoneTheOldTimeGoesOn) {
