@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "core/base/progress_scope.hpp"
@@ -210,6 +211,12 @@ class Retiming {
     }
     return least;
   }
+  /// The largest quotient of a peak and its limit.
+  double use(const Retimed& tried) const {
+    const PathMotion head(task_.path, tried.law);
+    const SplineMotion coarse(tried.coarse);
+    return use_of(split_peaks(head, coarse, scope_), task_.machine).most();
+  }
   bool gains_nothing() const { return taken_.empty(); }
   Retimed result() {
     std::sort(taken_.begin(), taken_.end(),
@@ -242,24 +249,35 @@ RedundancyResult reparametrised(RedundancyResult found, const RedundancyTask& ta
   const double half = from + 0.5 * (to - from);
   ProgressScope scope(progress, "planning", half, to);
   Retiming timing(found, path, task, scope);
+  std::optional<Retimed> whole;
   for (double margin = first_margin; margin <= last_margin;) {
     const Machine machine = both_stages(task.machine, 1 - margin);
     const PathTask again{path, machine, feeds, std::vector<bool>(path.size() + 1, false)};
     const TimeLaw rate =
         with_moving_ends(plan_acceleration_limited(again, {}, progress, from, half).law, path, machine);
-    const double use = timing.add(quicker_ranges(rate));
+    double use = timing.add(quicker_ranges(rate));
+    if (!whole) {
+      Retimed tried = Driver(found, path).run(rate, {}, scope);
+      const double all = timing.use(tried);
+      if (all <= 1 + exceeded)
+        whole = std::move(tried);
+      else
+        use = use > 1 ? std::fmin(use, all) : all;
+    }
     if (use <= 1) break;
     margin = std::fmax(10 * margin, 1.2 * (use - 1));
     from = half;
   }
-  if (timing.gains_nothing()) {
+  std::optional<Retimed> best;
+  if (!timing.gains_nothing()) best = timing.result();
+  if (whole && (!best || whole->law.duration() < best->law.duration())) best = std::move(whole);
+  if (!best || !(best->law.duration() < found.head->duration())) {
     found.notes.emplace_back("Timing the finished motion anew made it no shorter.");
     return found;
   }
-  Retimed retimed = timing.result();
   RedundancyIteration pass;
-  const auto head = std::make_shared<const PathMotion>(task.path, std::move(retimed.law));
-  const auto coarse = std::make_shared<const SplineMotion>(std::move(retimed.coarse));
+  const auto head = std::make_shared<const PathMotion>(task.path, std::move(best->law));
+  const auto coarse = std::make_shared<const SplineMotion>(std::move(best->coarse));
   pass.duration = head->duration();
   pass.peaks = split_peaks(*head, *coarse, scope);
   found.passes.push_back(std::move(pass));
