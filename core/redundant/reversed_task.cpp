@@ -173,14 +173,29 @@ std::vector<ReversedMotion::Part> parts_of(const Motion& motion, const TimeLaw& 
   }
 }
 
-/// Of a motion that is polynomials.
-std::shared_ptr<const SplineMotion> spline(const Motion& motion) {
+/// Takes out what an axis begins with in place of rest, by rounding of what was its end: on top comes e with e′(0) =
+/// −v, e′(h) = 0, and where accelerations are continuous e″(0) = −a, e″(h) = 0.
+void begin_at_rest(Polynomial& p, double h, bool continuous) {
+  const double v = p.size() > 1 ? p[1] : 0, a = continuous && p.size() > 2 ? 2 * p[2] : 0;
+  if (v == 0 && a == 0) return;
+  if (continuous)
+    p = p + Polynomial{0, -v, -a / 2, (3 * v + 2 * a * h) / (3 * h * h), -(2 * v + a * h) / (4 * h * h * h)};
+  else
+    p = p + Polynomial{0, -v, v / (2 * h)};
+  p[1] = 0;
+  if (continuous && p.size() > 2) p[2] = 0;
+}
+
+/// Of a motion that is polynomials, from rest on.
+std::shared_ptr<const SplineMotion> spline(const Motion& motion, bool jerk) {
   std::vector<SplineMotion::Piece> pieces(motion.pieces());
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     pieces[i].end = motion.end(i);
     pieces[i].axes.resize(motion.axes());
-    for (std::size_t k = 0; k < motion.axes(); ++k) motion.polynomial(i, k, pieces[i].axes[k]);
+    for (std::size_t k = 0; k < motion.axes(); ++k)
+      if (!motion.polynomial(i, k, pieces[i].axes[k])) return nullptr;
   }
+  for (Polynomial& p : pieces.front().axes) begin_at_rest(p, pieces.front().end, jerk);
   return std::make_shared<const SplineMotion>(std::move(pieces));
 }
 
@@ -210,14 +225,17 @@ RedundancyResult reversed(RedundancyResult found, const RedundancyTask& task) {
   const auto back = [&](const std::shared_ptr<const Motion>& motion) {
     return std::make_shared<const ReversedMotion>(motion, parts_of(*motion, law, begins), head->duration());
   };
+  const bool jerk = task.machine.limits_jerk();
   // What the head carries goes along the task's own path, to the last bit.
   if (found.coarse == found.head) {
     found.coarse = head;
   } else if (const auto* carried = dynamic_cast<const CarriedMotion*>(found.coarse.get())) {
-    const auto split = carried->split() ? spline(*back(carried->split())) : nullptr;
+    const auto split = carried->split() ? spline(*back(carried->split()), jerk) : nullptr;
     found.coarse = std::make_shared<const CarriedMotion>(head, split, carried->carried());
   } else {
-    found.coarse = back(found.coarse);
+    const auto reversed_coarse = back(found.coarse);
+    found.coarse = spline(*reversed_coarse, jerk);
+    if (!found.coarse) found.coarse = reversed_coarse;
   }
   found.head = std::move(head);
   for (SlowedSegment& slowed : found.slowed) slowed.segment = n - 1 - slowed.segment;

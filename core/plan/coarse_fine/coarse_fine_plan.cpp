@@ -90,8 +90,13 @@ class CoarseFineProblem final : public MotionProblem {
     if (!tried(bounded()) && !plan_otherwise()) std::rethrow_exception(why_not_);
   }
 
-  /// The motion as it was before it was timed again, or the joint planner's, or that of the coarse axes alone.
+  /// The motion in the direction of time, as it was before it was timed again, or the joint planner's, or that of the
+  /// coarse axes alone.
   bool plan_otherwise() override {
+    if (found_ && std::find(result_.notes.begin(), result_.notes.end(), backwards_note) != result_.notes.end()) {
+      either_direction_ = false;  // as it is planned in the direction of time, first
+      if (tried(planned)) return true;
+    }
     for (std::optional<RedundancyOptions> next = another(tried_); next; next = another(*next)) {
       tried_ = *next;
       ++given_up_;
@@ -258,7 +263,7 @@ class CoarseFineProblem final : public MotionProblem {
   void method(RedundancyOptions options, double from) {
     RedundancyTask task{path_.moving, contour_, machine_, path_.feeds, path_.rests, path_.dwells};
     task.machine.axes.resize(moving_);
-    task.bound = bound_.value;
+    task.bound = either_direction_ ? bound_.value : 0;
     options.corner_angle = planning_.corner_angle;
     result_ = plan_redundant(task, options, progress_, from, planned);
     stretch_ = 1;
@@ -336,6 +341,7 @@ class CoarseFineProblem final : public MotionProblem {
   Machine coarse_machine_;
   RedundancyOptions tried_;
   RedundancyResult result_;
+  bool either_direction_ = true;           // whether the contour is planned from its end to its begin, too
   bool found_ = false;                     // the last method found a motion
   std::exception_ptr why_not_;             // the method found nothing
   std::size_t given_up_ = 0;               // plans that did not hold their limits

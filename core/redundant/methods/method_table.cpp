@@ -123,7 +123,7 @@ RedundancyResult planned(const RedundancyTask& task, const RedundancyOptions& op
     if (const std::optional<RedundancyTask> back = reversed(task)) {
       RedundancyResult other = reversed(planned_forwards(*back, options, progress, to, to), task);
       if (!found || other.head->duration() < found->head->duration() * (1 - quicker)) {
-        other.notes.emplace_back("planned from its end to its begin, which is quicker here");
+        other.notes.emplace_back(backwards_note);
         return other;
       }
     }
