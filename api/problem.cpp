@@ -7,6 +7,7 @@
 
 #include "api/pointer.hpp"
 #include "core/base/errors.hpp"
+#include "core/base/infeasible_at.hpp"
 
 namespace bahnwerk::api {
 namespace {
@@ -108,10 +109,15 @@ constexpr std::array<ProblemType, 34> catalogue{{
      "This is a fault of the server, not of the request. Report it with the value of `X-Request-Id` or the job's id."},
 }};
 
-Problem semantic(const InvalidInput& fault, std::string_view prefix) {
+std::vector<FieldError> fields(const std::vector<InputFault>& faults, std::string_view prefix) {
   std::vector<FieldError> errors;
-  errors.reserve(fault.faults.size());
-  for (const auto& f : fault.faults) errors.push_back({pointer(prefix, f.place), f.message});
+  errors.reserve(faults.size());
+  for (const auto& f : faults) errors.push_back({pointer(prefix, f.place), f.message});
+  return errors;
+}
+
+Problem semantic(const InvalidInput& fault, std::string_view prefix) {
+  std::vector<FieldError> errors = fields(fault.faults, prefix);
   std::string detail = errors.empty() ? std::string(fault.what()) : summary(errors);
   return {"semantic-violation", detail, std::move(errors)};
 }
@@ -171,11 +177,14 @@ Problem problem_from_current_exception(std::string_view prefix) {
     return problem;
   } catch (const InvalidInput& fault) {
     return semantic(fault, prefix);
+  } catch (const InfeasibleAt& fault) {
+    return {"infeasible", fault.what(), fields(fault.faults, prefix)};
   } catch (const Infeasible& fault) {
     return {"infeasible", fault.what()};
   } catch (const UnreachablePose& fault) {
-    return {"unreachable-pose", std::string(fault.what()) + " (at path length " + number(fault.path_length) +
-                                    " mm, the tool at " + pose(fault.pose) + ")"};
+    const std::string where = std::string(fault.what()) + " (at path length " + number(fault.path_length) +
+                              " mm, the tool at " + pose(fault.pose) + ")";
+    return {"unreachable-pose", where, {{pointer(prefix, {"machine"}), where}}};
   } catch (const ToleranceUnreachable& fault) {
     return {"tolerance-unreachable",
             std::string(fault.what()) + " (best value reached: " + number(fault.reached) + ")"};

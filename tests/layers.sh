@@ -26,7 +26,7 @@ declare -A allowed=(
   [core/motion/jerk]="core/motion/profile/ core/motion/axes/ core/motion/grid/ core/motion/law/ core/contour/contour.hpp core/machine/ core/numeric/ core/base/"
   [core/motion/natural]="core/motion/axes/ core/motion/law/ core/geometry/path/ core/geometry/curve/ core/machine/ core/contour/contour.hpp core/base/"
   [core/motion/feed]="core/motion/axes/ core/motion/grid/ core/motion/law/ core/motion/profile/ core/geometry/path/ core/geometry/curve/ core/machine/ core/contour/contour.hpp core/numeric/golden_section.hpp core/numeric/optimise/optimise.hpp core/base/"
-  [core/redundant]="core/geometry/curve/line.hpp core/geometry/path/path.hpp core/motion/axes/ core/motion/law/ core/motion/acceleration/acceleration_limited.hpp core/motion/jerk/jerk_limited.hpp core/motion/profile/profile.hpp core/contour/contour.hpp core/machine/ core/numeric/ core/base/"
+  [core/redundant]="core/geometry/curve/line.hpp core/geometry/curve/reversed.hpp core/geometry/path/path.hpp core/motion/axes/ core/motion/law/ core/motion/acceleration/acceleration_limited.hpp core/motion/jerk/jerk_limited.hpp core/motion/profile/profile.hpp core/contour/contour.hpp core/machine/ core/numeric/ core/base/"
   [core/redundant/known]="core/redundant/ core/geometry/curve/line.hpp core/geometry/path/path.hpp core/motion/axes/ core/motion/law/ core/motion/acceleration/acceleration_limited.hpp core/motion/jerk/jerk_limited.hpp core/motion/profile/profile.hpp core/contour/contour.hpp core/machine/ core/numeric/ core/base/"
   # The table of methods is above them all.
   [core/redundant/methods]="core/redundant/ core/base/"

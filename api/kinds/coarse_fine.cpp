@@ -186,7 +186,7 @@ void check_redundancy(const json& spec, const CoarseFineMachine& machine, const 
 void check_grid(const CoarseFineMachine& machine, double shortest, std::vector<InputFault>& faults) {
   for (const CoarseFineAxis& axis : machine.axes) {
     const double cell = std::sqrt(axis.stroke / axis.coarse.acceleration) / cells_per_time;
-    if (!(cell >= JointOptions{}.least_cell)) continue;  // the fine axis stands still
+    if (axis.stroke < JointOptions{}.least_stroke) continue;  // the fine axis stands still
     if (shortest / cell > max_cells)
       faults.push_back({{"machine", "fine", axis.name, "stroke"},
                         "is so small, beside the coarse axis' acceleration, that the motion would have more than " +

@@ -18,6 +18,8 @@ class CarriedMotion final : public Motion {
   /// std::invalid_argument where axes differ in number.
   CarriedMotion(std::shared_ptr<const PathMotion> head, std::shared_ptr<const SplineMotion> split,
                 std::vector<bool> carried);
+  const std::shared_ptr<const SplineMotion>& split() const { return split_; }
+  const std::vector<bool>& carried() const { return carried_; }
   std::size_t axes() const override { return head_->axes(); }
   std::size_t pieces() const override { return begin_.size(); }
   double begin(std::size_t piece) const override { return begin_[piece].t; }

@@ -36,23 +36,32 @@ std::vector<bool> rests_at_jumps(const AxisPath& path, std::vector<bool> rests, 
   return rests;
 }
 
-bool within_coarse_range(const AxisPath& path, const CoarseFineMachine& machine, double part) {
-  const bool limited = std::any_of(machine.axes.begin(), machine.axes.end(), [](const CoarseFineAxis& axis) {
-    return std::isfinite(axis.coarse.lowest) || std::isfinite(axis.coarse.highest);
-  });
-  for (std::size_t i = 0; limited && i < path.size(); ++i) {
-    const Segment& segment = path[i];
-    const int looks = path.linear(i) ? 1 : places;
-    for (int j = 0; j <= looks; ++j) {
-      const AxisJet q = path.at(i, segment.s0() + segment.length() * j / looks);
-      for (std::size_t k = 0; k < path.axes(); ++k) {
-        const Limits& coarse = machine.axes[k].coarse;
-        const double beyond = part * machine.axes[k].stroke;
-        if (q.value[k] < coarse.lowest - beyond || q.value[k] > coarse.highest + beyond) return false;
+std::vector<std::size_t> beyond_coarse_range(const AxisPath& path, const CoarseFineMachine& machine, double part) {
+  std::vector<std::size_t> list;
+  for (std::size_t k = 0; k < machine.axes.size(); ++k) {
+    const Limits& coarse = machine.axes[k].coarse;
+    if (!std::isfinite(coarse.lowest) && !std::isfinite(coarse.highest)) continue;
+    const double beyond = part * machine.axes[k].stroke;
+    const auto leaves = [&](std::size_t i) {
+      const Segment& segment = path[i];
+      const int looks = path.linear(i) ? 1 : places;
+      for (int j = 0; j <= looks; ++j) {
+        const double x = path.at(i, segment.s0() + segment.length() * j / looks).value[k];
+        if (x < coarse.lowest - beyond || x > coarse.highest + beyond) return true;
       }
-    }
+      return false;
+    };
+    for (std::size_t i = 0; i < path.size(); ++i)
+      if (leaves(i)) {
+        list.push_back(k);
+        break;
+      }
   }
-  return true;
+  return list;
+}
+
+bool within_coarse_range(const AxisPath& path, const CoarseFineMachine& machine, double part) {
+  return beyond_coarse_range(path, machine, part).empty();
 }
 
 JointTask resting_at_jumps(JointTask task) {

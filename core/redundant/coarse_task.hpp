@@ -15,6 +15,8 @@ Machine coarse_machine(const CoarseFineMachine& machine, double share);
 /// the second ones, too, by more than rounding: 1e-9, 1e-9 1/mm.
 std::vector<bool> rests_at_jumps(const AxisPath& path, std::vector<bool> rests, int derivatives);
 
+/// Numbers of the axes along which the tool's path leaves that; see within_coarse_range().
+std::vector<std::size_t> beyond_coarse_range(const AxisPath& path, const CoarseFineMachine& machine, double part = 0);
 /// Whether the tool's path stays within the ranges of the coarse axes and that part of the strokes beyond them; with 0
 /// they can do all by themselves. Curves are looked at in 32 places each.
 bool within_coarse_range(const AxisPath& path, const CoarseFineMachine& machine, double part = 0);

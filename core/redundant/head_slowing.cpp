@@ -40,7 +40,8 @@ typename HeadSlowing<order>::Problem HeadSlowing<order>::problem(const HeadStret
     p.chains.back().begins_at_rest = stretch.first == 0;
     p.chains.back().ends_at_rest = all;
   }
-  if (work_ > most_work) throw Infeasible("slower sections were not found with the effort that is worth it");
+  if (work_ > most_work || all_work_.spent())
+    throw Infeasible("slower sections were not found with the effort that is worth it");
   return p;
 }
 
@@ -54,7 +55,7 @@ bool HeadSlowing<order>::slow_once(const HeadStretch& stretch, std::size_t round
   bool slower = false;
   for (std::size_t k = 0; k < p.chains.size(); ++k) {
     ChainSolution<order> solution = followed_if_possible(p.chains[k], rough);
-    work_ += solution.iterations * p.cells.size();
+    worked(static_cast<std::size_t>(solution.iterations), p.cells.size());
     if (solution.excess > 0 && solution.excess < unclear) {
       ChainOptions fine = rough;
       fine.gap = fine_gap;
@@ -83,7 +84,7 @@ bool HeadSlowing<order>::followed(const HeadStretch& stretch) {
   rough.tick = [this] { scope_.report(); };
   return std::all_of(p.chains.begin(), p.chains.end(), [&](const Chain<order>& chain) {
     const ChainSolution<order> solution = solve(chain, rough);
-    work_ += solution.iterations * p.cells.size();
+    worked(static_cast<std::size_t>(solution.iterations), p.cells.size());
     return solution.excess <= 0;
   });
 }
@@ -111,7 +112,7 @@ void HeadSlowing<order>::raise(const HeadStretch& stretch) {
   auto& straight = plan_.section_limits().straight;
   for (double by = first_raise; by > least_raise; by = std::pow(by, finer))
     for (auto s = straight.lower_bound(stretch.first); s != straight.end() && s->first < stretch.last; ++s) {
-      if (work_ > most_work / 2) return;  // it is followed as it is
+      if (work_ > most_work / 2 || all_work_.done > 0.5 * all_work_.most) return;  // it is followed as it is
       if (!s->second.slowed) continue;
       const HeadStretch around = neighbourhood(stretch, s->first);
       const auto raised = [&](double Pace::*limit, double factor) {
@@ -119,7 +120,7 @@ void HeadSlowing<order>::raise(const HeadStretch& stretch) {
           const double before = s->second.pace.*limit, most = s->second.move.fastest.*limit;
           if (!(before < most)) return;
           s->second.pace.*limit = std::min(before * factor, most);
-          if (work_ <= most_work / 2 && followed(around)) continue;
+          if (work_ <= most_work / 2 && !all_work_.spent() && followed(around)) continue;
           s->second.pace.*limit = before;
           return;
         }

@@ -25,16 +25,29 @@ struct HeadSlowingCounts {
   std::size_t certified = 0;  ///< clusters of cells proven to be too fast for the coarse axes
 };
 
+/// Cells times Newton steps, so that the same is given up on any machine.
+struct SlowingWork {
+  double done = 0, most = 1e300;
+  bool spent() const { return done > most; }
+};
+
 template <std::size_t order>
 class HeadSlowing {
  public:
-  /// A section matters for `around` seconds before and behind it. `plan`, `machine`, `cells` and `scope` outlive it.
+  /// A section matters for `around` seconds before and behind it. All that is passed outlives it. `work` is
+  /// what everything may take together.
   HeadSlowing(HeadPlan<order>& plan, const CoarseFineMachine& machine, const HeadCellOptions& cells, double around,
-              int max_rounds, ProgressScope& scope)
-      : plan_(plan), machine_(machine), cell_options_(cells), around_(around), max_rounds_(max_rounds), scope_(scope) {}
+              int max_rounds, SlowingWork& work, ProgressScope& scope)
+      : plan_(plan),
+        machine_(machine),
+        cell_options_(cells),
+        around_(around),
+        max_rounds_(max_rounds),
+        all_work_(work),
+        scope_(scope) {}
 
-  /// Throws Infeasible where nothing helped, the stretch would last ten times as long, or half a million cells were
-  /// solved. False: nothing had to be slowed.
+  /// Throws Infeasible where nothing helped, the stretch would last ten times as long, or took more work than it
+  /// is worth. False: nothing had to be slowed.
   bool run(const HeadStretch& stretch, HeadSlowingCounts& counts);
 
  private:
@@ -49,12 +62,17 @@ class HeadSlowing {
   bool followed(const HeadStretch& stretch);
   HeadStretch neighbourhood(const HeadStretch& stretch, std::size_t segment);
   void raise(const HeadStretch& stretch);
+  void worked(std::size_t steps, std::size_t cells) {
+    work_ += steps * cells;
+    all_work_.done += static_cast<double>(steps * cells);
+  }
 
   HeadPlan<order>& plan_;
   const CoarseFineMachine& machine_;
   const HeadCellOptions& cell_options_;
   double around_;
   int max_rounds_;
+  SlowingWork& all_work_;
   ProgressScope& scope_;
   std::size_t work_ = 0;  // cells times Newton steps, for the stretch at hand
 };

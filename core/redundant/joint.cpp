@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/base/errors.hpp"
+#include "core/base/infeasible_at.hpp"
 #include "core/redundant/coarse_task.hpp"
 #include "core/redundant/following.hpp"
 #include "core/redundant/joint_planner.hpp"
@@ -25,7 +25,7 @@ JointTask resolved(JointTask task, const JointOptions& options, double part) {
   bool small = false;
   for (CoarseFineAxis& axis : task.machine.axes) {
     axis.stroke *= part;
-    if (!(axis.stroke > 0) || options.cell * chain_units(axis).time >= options.least_cell) continue;
+    if (!(axis.stroke > 0) || axis.stroke >= options.least_stroke) continue;
     axis = coarse_alone(axis);
     small = true;
   }
@@ -57,24 +57,22 @@ class Candidates {
 
   JointResult best() {
     if (!options_.coarse_alone) {
+      if (unresolved()) add(task_, true);
       add(resolved(task_, options_, 1));
       if (order == 3 && best_ && best_->quickest() < mostly_slowed * head_alone_)
         for (const double share : {1.0, 0.5})
-          if (JointTask other = task_; evened(other.machine, share)) add(resolved(std::move(other), options_, 1));
+          if (JointTask other = task_; worth_it() && evened(other.machine, share))
+            add(resolved(std::move(other), options_, 1));
       const bool slowed = best_ && most_slowed_ > 0 && task_.path->size() > 1;
       for (const double part : less_stroke)
-        if (slowed && options_.bound > 0 && best_->quickest() > far_above * options_.bound &&
+        if (slowed && worth_it() && options_.bound > 0 && best_->quickest() > far_above * options_.bound &&
             within_coarse_range(*task_.path, task_.machine, part))
           add(resolved(task_, options_, part));
       if (slowed && within_coarse_range(*task_.path, task_.machine)) add(without_fine_axes(task_));
     }
     const bool gave_way = !best_;
     if (gave_way) {
-      if (!within_coarse_range(*task_.path, task_.machine))
-        throw Infeasible(
-            "no motion was found in which the coarse axes stay within their ranges (coarse.*.range); widen the range "
-            "or "
-            "move the contour");
+      refuse_beyond_range();
       best_ = planner(without_fine_axes(task_));
       best_->find(unlimited);
     }
@@ -86,21 +84,47 @@ class Candidates {
   }
 
  private:
+  /// The coarse axes alone would leave their ranges.
+  void refuse_beyond_range() const {
+    std::vector<InputFault> faults;
+    for (const std::size_t k : beyond_coarse_range(*task_.path, task_.machine))
+      faults.push_back(
+          {{"machine", "coarse", task_.machine.axes[k].name, "range"},
+           "no motion was found in which this coarse axis stays within its range; widen the range, or move "
+           "the contour"});
+    if (!faults.empty())
+      throw InfeasibleAt("no motion was found in which the coarse axes stay within their ranges", std::move(faults));
+  }
+
   std::unique_ptr<JointPlanner<order>> planner(JointTask task) const {
     return std::make_unique<JointPlanner<order>>(std::move(task), options_, progress_, from_, to_);
   }
 
-  void add(JointTask task) {
+  /// Whether another plan is, after the work so far.
+  bool worth_it() const { return work_ <= joint_work(head_alone_, order == 3); }
+
+  /// Some stroke is too small for cells.
+  bool unresolved() const {
+    return std::any_of(task_.machine.axes.begin(), task_.machine.axes.end(), [this](const CoarseFineAxis& axis) {
+      return axis.stroke > 0 && axis.stroke < options_.least_stroke;
+    });
+  }
+
+  /// `closed`: only where there is a closed form, which needs no cells.
+  void add(JointTask task, bool closed = false) {
+    std::unique_ptr<JointPlanner<order>> other;
+    bool found = false;
     try {
-      auto other = planner(std::move(task));
+      other = planner(std::move(task));
       head_alone_ = std::min(head_alone_, other->head_alone());
-      if (!other->find(best_ ? best_->quickest() : unlimited)) return;
-      if (best_ && !(other->quickest() < best_->quickest())) return;
-      most_slowed_ = std::max(most_slowed_, other->slowed());
-      best_ = std::move(other);
+      found = closed ? other->find_closed() : other->find(best_ ? best_->quickest() : unlimited);
     } catch (const Infeasible&) {
       // Another plan may be one.
     }
+    if (other) work_ += other->work();
+    if (!found || (best_ && !(other->quickest() < best_->quickest()))) return;
+    most_slowed_ = std::max(most_slowed_, other->slowed());
+    best_ = std::move(other);
   }
 
   const JointTask& task_;
@@ -109,6 +133,7 @@ class Candidates {
   double from_, to_;
   std::unique_ptr<JointPlanner<order>> best_;
   double head_alone_ = unlimited;  // s, the least that a head alone takes
+  double work_ = 0;                // cells times Newton steps
   std::size_t most_slowed_ = 0;
 };
 

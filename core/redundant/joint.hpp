@@ -36,11 +36,15 @@ struct JointOptions {
   bool compare = false;   ///< whether to plan every stretch of `stretches` for the table
   double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad; larger tangent jumps are corners with a stop
   double cell = 1.0 / 24;                                    ///< longest cell, of √(stroke/coarse acceleration)
-  double least_cell = 5e-5;   ///< s; a fine axis whose stroke asks for shorter cells stands still
-  int max_rounds = 60;        ///< of slowing
-  bool coarse_alone = false;  ///< whether all fine axes stand still
-  double bound = 0;           ///< s, what any motion takes at least, as far as it is known
+  double least_stroke = 0.02;  ///< mm; a fine axis with less stands still, unless a closed form knows better
+  int max_rounds = 60;         ///< of slowing
+  bool coarse_alone = false;   ///< whether all fine axes stand still
+  double bound = 0;            ///< s, what any motion takes at least, as far as it is known
 };
+
+/// Cells times Newton steps that are worth it for a head that takes `duration` s: some 0.3 s, and 0.3 s per second.
+/// With limited jerk a step takes three times as long.
+inline double joint_work(double duration, bool jerk) { return (jerk ? 7e5 : 2e6) * (1 + duration); }
 
 /// What a duration stretched by `stretch` ≥ 1 brings.
 struct Trade {
@@ -65,10 +69,10 @@ struct JointResult {
   bool gave_way = false;                  ///< whether nothing was found with fine axes that move
 };
 
-/// A coordinate without a fine axis, or with one whose stroke is too small for the grid of cells (`least_cell`), is the
-/// coarse axis' own (carried_motion.hpp). One straight move has a closed form (lone_move.hpp), which is taken where the
-/// head cannot be as fast as the sums let it be. Where no feed helps the coarse axes move alone, the last resort: as
-/// the ordinary planner plans them, at rest wherever a derivative of the path jumps that they cannot let jump.
+/// A coordinate without a fine axis, or with one whose stroke is too small for the grid of cells (`least_stroke`), is
+/// the coarse axis' own (carried_motion.hpp). One straight move has a closed form (lone_move.hpp), which is taken where
+/// the head cannot be as fast as the sums let it be. Where no feed helps the coarse axes move alone, the last resort:
+/// as the ordinary planner plans them, at rest wherever a derivative of the path jumps that they cannot let jump.
 ///
 /// A plan for a machine that can do less is one for a machine that can do more. So a head that was slowed is compared
 /// with the coarse axes alone, and one that takes 2 % longer than `bound` with plans for seven and four tenths of the

@@ -12,7 +12,8 @@ namespace bahnwerk {
 namespace {
 
 constexpr int most_attempts = 6;
-constexpr double quicker = 1e-6;  // of a duration: what the closed form has to gain
+constexpr std::size_t window_cells = 6000;  // of which a window is solved at once, about
+constexpr double quicker = 1e-6;            // of a duration: what the closed form has to gain
 
 /// The coarse axes go from where they begin to where they end.
 bool within_ranges(const LoneMove& move, const CoarseFineMachine& machine) {
@@ -37,6 +38,7 @@ JointPlanner<order>::JointPlanner(JointTask task, const JointOptions& options, P
       head_(plan_.motion()),
       smoother_(task_, splits_, plan_, fastest_, scope_) {
   result_.fastest = head_->duration();
+  work_.most = joint_work(result_.fastest, order == 3);
 }
 
 template <std::size_t order>
@@ -47,6 +49,24 @@ bool JointPlanner<order>::find(double below) {
   else if (!lone())
     follow();
   return true;
+}
+
+template <std::size_t order>
+bool JointPlanner<order>::find_closed() {
+  if (!task_.dwells.empty()) return false;
+  std::optional<LoneMove> move = lone_move(*task_.path, task_.machine, task_.feeds.front());
+  if (!move || !within_ranges(*move, task_.machine)) return false;
+  take(*std::move(move));
+  alone_ = true;
+  return true;
+}
+
+template <std::size_t order>
+void JointPlanner<order>::take(LoneMove move) {
+  fastest_.head = std::make_shared<const PathMotion>(task_.path, std::move(move.head));
+  fastest_.closed = std::move(move.coarse);
+  const bool slower = fastest_.head->duration() > head_->duration() * (1 + quicker);
+  result_.slowed = result_.certified = slower ? 1 : 0;
 }
 
 template <std::size_t order>
@@ -73,17 +93,16 @@ bool JointPlanner<order>::lone() {
   // Below the head's own duration only by what its limits keep back, which is more with limited jerk.
   if (!(move->head.duration() < head_->duration() * (1 - quicker))) {
     cells_ = head_cells(*head_, splits_.cells(), scope_);
-    std::vector<WindowedSolution<order>> solutions = splits_.solve(cells_, 1);
-    if (exceeding(solutions).empty()) {
-      fastest_ = {head_, std::move(cells_), 1, std::move(solutions), {}};
+    if (std::optional<std::vector<WindowedSolution<order>>> solutions = followed()) {
+      fastest_ = {head_, std::move(cells_), 1, *std::move(solutions), {}};
       return true;
     }
   }
-  fastest_.head = std::make_shared<const PathMotion>(task_.path, std::move(move->head));
-  fastest_.cells = head_cells(*fastest_.head, splits_.cells(), scope_);
-  fastest_.closed = std::move(move->coarse);
-  const bool slower = fastest_.head->duration() > head_->duration() * (1 + quicker);
-  result_.slowed = result_.certified = slower ? 1 : 0;
+  take(*std::move(move));
+  HeadCellOptions cells = splits_.cells();  // its jerk is the sum of both axes', more than a head's
+  for (std::size_t k = 0; k < cells.held.size(); ++k)
+    cells.held[k].jerk = task_.machine.axes[k].coarse.jerk + task_.machine.axes[k].fine.jerk;
+  fastest_.cells = head_cells(*fastest_.head, cells, scope_);
   return true;
 }
 
@@ -96,7 +115,7 @@ void JointPlanner<order>::follow() {
     cells_ = head_cells(*head_, splits_.cells(), scope_);
     std::vector<HeadStretch> too_fast = attempt == 0 ? conflicting() : std::vector<HeadStretch>();
     if (too_fast.empty()) {
-      solutions = splits_.solve(cells_, 1);
+      solutions = solved();
       too_fast = exceeding(solutions);
     }
     if (too_fast.empty()) break;
@@ -115,6 +134,26 @@ void JointPlanner<order>::follow() {
   fastest_ = {head_, std::move(cells_), 1, std::move(solutions), {}};
 }
 
+/// Solutions that exceed nothing, if there are such.
+template <std::size_t order>
+std::optional<std::vector<WindowedSolution<order>>> JointPlanner<order>::followed() {
+  try {
+    std::vector<WindowedSolution<order>> solutions = solved();
+    if (exceeding(solutions).empty()) return solutions;
+  } catch (const Infeasible&) {
+    // What the head does in a cell exceeds both axes' limits.
+  }
+  return std::nullopt;
+}
+
+template <std::size_t order>
+std::vector<WindowedSolution<order>> JointPlanner<order>::solved() {
+  std::vector<WindowedSolution<order>> solutions = splits_.solve(cells_, 1);
+  for (const WindowedSolution<order>& s : solutions)
+    work_.done += static_cast<double>(s.iterations * std::min(cells_.size(), window_cells));
+  return solutions;
+}
+
 /// The head gets slower on those stretches; it is never slower than the coarse axes alone, unless those have to rest
 /// where curvature jumps.
 template <std::size_t order>
@@ -122,8 +161,8 @@ void JointPlanner<order>::slow(const std::vector<HeadStretch>& too_fast, int att
   double around = 0;
   for (const std::size_t k : splits_.axes()) around = std::max(around, splits_.ahead(k));
   const HeadCellOptions cells = splits_.cells();
-  HeadSlowing<order> slowing(plan_, task_.machine, cells, around, options_.max_rounds, scope_);
-  bool found = attempt < most_attempts;
+  HeadSlowing<order> slowing(plan_, task_.machine, cells, around, options_.max_rounds, work_, scope_);
+  bool found = attempt < most_attempts && !work_.spent();
   try {
     for (const HeadStretch& stretch : too_fast)
       if (found) slowing.run(stretch, counts);

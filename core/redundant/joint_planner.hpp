@@ -11,6 +11,7 @@
 #include "core/redundant/head_slowing.hpp"
 #include "core/redundant/joint_smoother.hpp"
 #include "core/redundant/joint_split.hpp"
+#include "core/redundant/lone_move.hpp"
 
 namespace bahnwerk {
 
@@ -23,9 +24,13 @@ class JointPlanner {
   /// Looks for the quickest motion. False: the head by itself takes no less than `below`, s, and nothing was looked
   /// for. Throws Infeasible where no head was found that the coarse axes can follow.
   bool find(double below);
+  /// The closed form of a lone move alone, which needs no cells. False: the path has none.
+  bool find_closed();
   /// s, of what was found.
   double quickest() const { return fastest_.head->duration(); }
   std::size_t slowed() const { return result_.slowed; }
+  /// Of all solutions so far.
+  double work() const { return work_.done; }
   /// s, what the summed limits alone let the head do.
   double head_alone() const { return result_.fastest; }
   /// The motion that the options ask for, and the table of trades.
@@ -35,7 +40,10 @@ class JointPlanner {
   using Nodes = std::vector<std::pair<std::size_t, std::size_t>>;  ///< first and last ones of stretches
 
   bool lone();
+  void take(LoneMove move);
   void follow();
+  std::optional<std::vector<WindowedSolution<order>>> followed();
+  std::vector<WindowedSolution<order>> solved();
   void slow(const std::vector<HeadStretch>& too_fast, int attempt, HeadSlowingCounts& counts);
   std::vector<HeadStretch> exceeding(const std::vector<WindowedSolution<order>>& solutions) const;
   std::vector<HeadStretch> conflicting();
@@ -53,6 +61,7 @@ class JointPlanner {
   JointSplit<order> fastest_;
   JointSmoother<order> smoother_;
   bool alone_ = false;  // whether the head moves as the coarse axes alone can
+  SlowingWork work_;
   bool stops_ = false;  // and rests where curvature jumps, too
   JointResult result_;
 };

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/errors.hpp"
 #include "core/redundant/following.hpp"
 #include "core/redundant/slowed_by_energy.hpp"
 
@@ -45,8 +46,14 @@ JointSplit<order> JointSmoother<order>::smoothest(double stretch, bool calm) {
 template <std::size_t order>
 JointSplit<order> JointSmoother<order>::slowed_evenly(double stretch) {
   JointSplit<order> split{fastest_.head, fastest_.cells, stretch, {}, {}};
-  if (!splits_.axes().empty()) split.solutions = splits_.solve(fastest_.cells, stretch);
-  if (split.valid()) return split;
+  if (splits_.axes().empty()) return split;
+  if (fastest_.cells.size() > 0)  // there are none for strokes that are too small for them
+    try {
+      split.solutions = splits_.solve(fastest_.cells, stretch);
+      if (split.valid()) return split;
+    } catch (const Infeasible&) {
+      // It is slowed as it is.
+    }
   split.solutions = fastest_.solutions;
   split.closed = fastest_.closed;
   split.slowed = stretch;

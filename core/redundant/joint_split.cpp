@@ -21,6 +21,14 @@ constexpr double jerk_change = 4e-3;  // of the fine acceleration: range of the 
 constexpr double jerk_range = 1;
 constexpr double rest_of_window = 4;  // of a window of the chain, in its units of time, beyond a stop of the axis
 
+/// s, in which a coarse axis gets over a stroke: with limited jerk that of the jerk, where the acceleration is not
+/// reached.
+template <std::size_t order>
+double own_time(const CoarseFineAxis& axis) {
+  const double time = chain_units(axis).time;
+  return order == 2 ? time : std::max(time, std::cbrt(axis.stroke / axis.coarse.jerk));
+}
+
 void slow(Polynomial& p, double factor) {
   double power = 1;
   for (double& c : p) c /= power, power *= factor;
@@ -41,7 +49,7 @@ JointSplits<order>::JointSplits(const JointTask& task, double cell, std::functio
     const bool splits = axis(k).stroke > 0;
     const Limits& fine = axis(k).fine;
     if (splits) axes_.push_back(k);
-    if (splits) cell_options_.longest = std::min(cell_options_.longest, cell * chain_units(axis(k)).time);
+    if (splits) cell_options_.longest = std::min(cell_options_.longest, cell * own_time<order>(axis(k)));
     cell_options_.acceleration_change.push_back(splits && order == 2 ? change * fine.acceleration : unlimited);
     cell_options_.jerk_change.push_back(splits && order == 3 ? jerk_change * fine.acceleration : unlimited);
     cell_options_.jerk_range.push_back(splits && order == 3 ? jerk_range * fine.jerk : unlimited);

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/base/errors.hpp"
+#include "core/base/infeasible_at.hpp"
 
 namespace bahnwerk::api {
 namespace {
@@ -136,6 +137,17 @@ TEST(FromException, EveryErrorOfTheCoreHasItsSlug) {
   EXPECT_EQ(translated(Stopped(StopReason::deadline)).type().slug, "deadline-exceeded");
   EXPECT_EQ(translated(Stopped(StopReason::budget)).type().slug, "budget-exhausted");
   EXPECT_EQ(translated(Problem("verification-failed", "kept")).type().slug, "verification-failed");
+}
+
+TEST(FromException, WhatIsInTheWayIsNamed) {
+  const Problem range = translated(InfeasibleAt("no way", {{{"machine", "coarse", "x", "range"}, "too short"}}));
+  EXPECT_EQ(range.type().slug, "infeasible");
+  ASSERT_EQ(range.errors().size(), 1u);
+  EXPECT_EQ(range.errors()[0].pointer, "/spec/machine/coarse/x/range");
+  const Problem pose = translated(UnreachablePose("x", 12.5));
+  ASSERT_EQ(pose.errors().size(), 1u);
+  EXPECT_EQ(pose.errors()[0].pointer, "/spec/machine");
+  EXPECT_THAT(pose.errors()[0].message, testing::HasSubstr("12.5"));
 }
 
 TEST(FromException, AnythingElseIsInternalAndKeepsItsTextToItself) {

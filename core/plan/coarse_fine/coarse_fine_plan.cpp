@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <optional>
 #include <string>
 #include <utility>
 
-#include "core/base/errors.hpp"
+#include "core/base/infeasible_at.hpp"
 #include "core/base/progress_scope.hpp"
 #include "core/motion/setpoints/cycles.hpp"
 #include "core/plan/coarse_fine/coarse_fine_setpoints.hpp"
@@ -86,17 +87,22 @@ class CoarseFineProblem final : public MotionProblem {
     prepare();
     find_bound();
     tried_ = options_;
-    if (!tried(bounded()) && !plan_otherwise()) throw Infeasible(why_not_);
+    if (!tried(bounded()) && !plan_otherwise()) std::rethrow_exception(why_not_);
   }
 
-  /// The motion as it was before it was timed again, or the joint planner's, or that of the coarse axes alone.
+  /// The motion in the direction of time, as it was before it was timed again, or the joint planner's, or that of the
+  /// coarse axes alone.
   bool plan_otherwise() override {
+    if (found_ && std::find(result_.notes.begin(), result_.notes.end(), backwards_note) != result_.notes.end()) {
+      either_direction_ = false;  // as it is planned in the direction of time, first
+      if (tried(planned)) return true;
+    }
     for (std::optional<RedundancyOptions> next = another(tried_); next; next = another(*next)) {
       tried_ = *next;
       ++given_up_;
       if (tried(planned)) return true;
     }
-    if (!found_) throw Infeasible(why_not_);
+    if (!found_) std::rethrow_exception(why_not_);
     return false;
   }
 
@@ -257,7 +263,7 @@ class CoarseFineProblem final : public MotionProblem {
   void method(RedundancyOptions options, double from) {
     RedundancyTask task{path_.moving, contour_, machine_, path_.feeds, path_.rests, path_.dwells};
     task.machine.axes.resize(moving_);
-    task.bound = bound_.value;
+    task.bound = either_direction_ ? bound_.value : 0;
     options.corner_angle = planning_.corner_angle;
     result_ = plan_redundant(task, options, progress_, from, planned);
     stretch_ = 1;
@@ -269,8 +275,11 @@ class CoarseFineProblem final : public MotionProblem {
     try {
       method(tried_, from);
       return found_ = true;
-    } catch (const Infeasible& e) {
-      if (why_not_.empty()) why_not_ = e.what();
+    } catch (const InfeasibleAt&) {  // what names a member of the document tells most
+      why_not_ = std::current_exception();
+      return false;
+    } catch (const Infeasible&) {
+      if (!why_not_) why_not_ = std::current_exception();
       return false;
     }
   }
@@ -332,8 +341,9 @@ class CoarseFineProblem final : public MotionProblem {
   Machine coarse_machine_;
   RedundancyOptions tried_;
   RedundancyResult result_;
+  bool either_direction_ = true;           // whether the contour is planned from its end to its begin, too
   bool found_ = false;                     // the last method found a motion
-  std::string why_not_;                    // the method found nothing
+  std::exception_ptr why_not_;             // the method found nothing
   std::size_t given_up_ = 0;               // plans that did not hold their limits
   double stretch_ = 1;                     // on top of what the method found
   double factor_ = 1, cycles_factor_ = 1;  // that the motion was slowed by, and the part of it for whole cycles

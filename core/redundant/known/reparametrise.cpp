@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "core/base/progress_scope.hpp"
@@ -10,6 +11,7 @@
 #include "core/motion/axes/spline_motion.hpp"
 #include "core/motion/law/dwell.hpp"
 #include "core/motion/law/law_between.hpp"
+#include "core/redundant/known/quicker_ranges.hpp"
 #include "core/redundant/known/split_peaks.hpp"
 #include "core/redundant/known/timed_ends.hpp"
 #include "core/redundant/known/timed_path.hpp"
@@ -43,14 +45,19 @@ std::vector<double> rates(const TimedPath& path, const TimeLaw& law, const Redun
 struct Retimed {
   TimeLaw law;
   std::vector<SplineMotion::Piece> coarse;
+  std::vector<double> times;  // when ranges begin and end
 };
 
 class Driver {
  public:
   Driver(const RedundancyResult& old, const TimedPath& path) : old_(old), path_(path) {}
 
-  Retimed run(const TimeLaw& rate, ProgressScope& scope) {
-    for (const LawPiece& p : rate.pieces()) {
+  /// `marks`: numbers of pieces of `rate`, ascending; out.times gets when they begin.
+  Retimed run(const TimeLaw& rate, const std::vector<std::size_t>& marks, ProgressScope& scope) {
+    auto mark = marks.begin();
+    for (std::size_t n = 0; n < rate.pieces().size(); ++n) {
+      const LawPiece& p = rate.pieces()[n];
+      for (; mark != marks.end() && *mark == n; ++mark) out_.times.push_back(out_.law.duration());
       const auto parts = static_cast<std::size_t>(std::ceil(std::fmax(1.0, p.duration / longest_piece)));
       const double h = p.duration / static_cast<double>(parts);
       for (std::size_t i = 0; i < parts; ++i)
@@ -58,6 +65,7 @@ class Driver {
               state(p, i + 1 == parts ? p.duration : h * static_cast<double>(i + 1)), h);
       scope.work(16 * parts);
     }
+    for (; mark != marks.end(); ++mark) out_.times.push_back(out_.law.duration());
     return std::move(out_);
   }
 
@@ -176,6 +184,60 @@ class Driver {
   double begin_ = 0;        // of the last coarse piece
 };
 
+/// Ranges of the old time that may go by more quickly, and those in which that holds all limits.
+class Retiming {
+ public:
+  Retiming(const RedundancyResult& old, const TimedPath& path, const RedundancyTask& task, ProgressScope& scope)
+      : old_(old), path_(path), task_(task), scope_(scope), open_{{0, path.length(), {}}} {}
+
+  /// Takes those of the ranges that hold the limits; the others stay open. The least quotient of a peak and its limit
+  /// in these; 0: none is left.
+  double add(std::vector<QuickerRange> ranges) {
+    std::erase_if(ranges, [&](const QuickerRange& r) {
+      return std::none_of(open_.begin(), open_.end(),
+                          [&](const QuickerRange& o) { return o.begin <= r.begin && r.end <= o.end; });
+    });
+    if (ranges.empty()) return 0;
+    const Retimed tried = driven(ranges);
+    const PathMotion head(task_.path, tried.law);
+    const SplineMotion coarse(tried.coarse);
+    const std::vector<std::vector<RedundancyPeaks>> peaks = split_peaks(head, coarse, tried.times, scope_);
+    open_.clear();
+    double least = 0;
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+      const double use = use_of(peaks[2 * i + 1], task_.machine).most();
+      if (use > 1 + exceeded && (least == 0 || use < least)) least = use;
+      (use <= 1 + exceeded ? taken_ : open_).push_back(std::move(ranges[i]));
+    }
+    return least;
+  }
+  /// The largest quotient of a peak and its limit.
+  double use(const Retimed& tried) const {
+    const PathMotion head(task_.path, tried.law);
+    const SplineMotion coarse(tried.coarse);
+    return use_of(split_peaks(head, coarse, scope_), task_.machine).most();
+  }
+  bool gains_nothing() const { return taken_.empty(); }
+  Retimed result() {
+    std::sort(taken_.begin(), taken_.end(),
+              [](const QuickerRange& a, const QuickerRange& b) { return a.begin < b.begin; });
+    return driven(taken_);
+  }
+
+ private:
+  Retimed driven(const std::vector<QuickerRange>& ranges) const {
+    std::vector<std::size_t> marks;
+    const TimeLaw law = with_ranges(path_, ranges, marks);
+    return Driver(old_, path_).run(law, marks, scope_);
+  }
+
+  const RedundancyResult& old_;
+  const TimedPath& path_;
+  const RedundancyTask& task_;
+  ProgressScope& scope_;
+  std::vector<QuickerRange> open_, taken_;
+};
+
 }  // namespace
 
 RedundancyResult reparametrised(RedundancyResult found, const RedundancyTask& task, Progress& progress, double from,
@@ -184,30 +246,43 @@ RedundancyResult reparametrised(RedundancyResult found, const RedundancyTask& ta
   const Path tool = TimedPath::tool_path(stretches);
   const TimedPath path(tool, *found.head, *found.coarse, std::move(stretches));
   const std::vector<double> feeds = rates(path, found.head->law(), task);
+  const double half = from + 0.5 * (to - from);
+  ProgressScope scope(progress, "planning", half, to);
+  Retiming timing(found, path, task, scope);
+  std::optional<Retimed> whole;
   for (double margin = first_margin; margin <= last_margin;) {
     const Machine machine = both_stages(task.machine, 1 - margin);
     const PathTask again{path, machine, feeds, std::vector<bool>(path.size() + 1, false)};
-    const double half = from + 0.5 * (to - from);
     const TimeLaw rate =
         with_moving_ends(plan_acceleration_limited(again, {}, progress, from, half).law, path, machine);
-    ProgressScope scope(progress, "planning", half, to);
-    Retimed retimed = Driver(found, path).run(rate, scope);
-    const auto head = std::make_shared<const PathMotion>(task.path, std::move(retimed.law));
-    const auto coarse = std::make_shared<const SplineMotion>(std::move(retimed.coarse));
-    RedundancyIteration pass;
-    pass.duration = head->duration();
-    pass.peaks = split_peaks(*head, *coarse, scope);
-    const double use = use_of(pass.peaks, task.machine).most();
-    if (pass.duration >= found.head->duration()) break;
-    found.passes.push_back(std::move(pass));
-    if (use <= 1 + exceeded) {
-      found.head = head, found.coarse = coarse;
-      found.trades.clear();
-      return found;
+    double use = timing.add(quicker_ranges(rate));
+    if (!whole) {
+      Retimed tried = Driver(found, path).run(rate, {}, scope);
+      const double all = timing.use(tried);
+      if (all <= 1 + exceeded)
+        whole = std::move(tried);
+      else
+        use = use > 1 ? std::fmin(use, all) : all;
     }
+    if (use <= 1) break;
     margin = std::fmax(10 * margin, 1.2 * (use - 1));
+    from = half;
   }
-  found.notes.emplace_back("Timing the finished motion anew made it no shorter.");
+  std::optional<Retimed> best;
+  if (!timing.gains_nothing()) best = timing.result();
+  if (whole && (!best || whole->law.duration() < best->law.duration())) best = std::move(whole);
+  if (!best || !(best->law.duration() < found.head->duration())) {
+    found.notes.emplace_back("Timing the finished motion anew made it no shorter.");
+    return found;
+  }
+  RedundancyIteration pass;
+  const auto head = std::make_shared<const PathMotion>(task.path, std::move(best->law));
+  const auto coarse = std::make_shared<const SplineMotion>(std::move(best->coarse));
+  pass.duration = head->duration();
+  pass.peaks = split_peaks(*head, *coarse, scope);
+  found.passes.push_back(std::move(pass));
+  found.head = head, found.coarse = coarse;
+  found.trades.clear();
   return found;
 }
 

@@ -2,15 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bahnwerk {
 
 std::vector<RedundancyPeaks> split_peaks(const Motion& head, const Motion& coarse, ProgressScope& scope) {
+  return std::move(split_peaks(head, coarse, {}, scope).front());
+}
+
+std::vector<std::vector<RedundancyPeaks>> split_peaks(const Motion& head, const Motion& coarse,
+                                                      const std::vector<double>& borders, ProgressScope& scope) {
   const std::size_t axes = coarse.axes();
-  std::vector<RedundancyPeaks> peaks(axes);
-  std::size_t h = 0, c = 0;
+  std::vector<std::vector<RedundancyPeaks>> all(borders.size() + 1, std::vector<RedundancyPeaks>(axes));
+  std::size_t h = 0, c = 0, part = 0;
   for (double t = 0; h < head.pieces() && c < coarse.pieces();) {
     const double end = std::min(head.end(h), coarse.end(c));
+    while (part < borders.size() && 0.5 * (t + end) > borders[part]) ++part;
+    std::vector<RedundancyPeaks>& peaks = all[part];
     if (end > t)
       for (int i = 0; i <= 4; ++i) {
         const double at = t + 0.25 * i * (end - t);
@@ -30,7 +38,7 @@ std::vector<RedundancyPeaks> split_peaks(const Motion& head, const Motion& coars
     if (head_ends) ++h;
     scope.work(8);
   }
-  return peaks;
+  return all;
 }
 
 double SplitUse::most() const {

@@ -2,23 +2,29 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <exception>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "core/base/errors.hpp"
 #include "core/redundant/coarse_alone.hpp"
 #include "core/redundant/iterative/iterative.hpp"
+#include "core/redundant/joint.hpp"
 #include "core/redundant/joint_method.hpp"
 #include "core/redundant/known/filter_plan.hpp"
 #include "core/redundant/known/follow_up.hpp"
 #include "core/redundant/known/geometric.hpp"
 #include "core/redundant/known/lag_compensation.hpp"
 #include "core/redundant/known/reparametrise.hpp"
+#include "core/redundant/reversed_task.hpp"
 
 namespace bahnwerk {
 namespace {
 
 constexpr double worth_giving_way = 1e-4;  // of a duration
+constexpr double symmetric = 5e-4;         // of the bound, by which durations forwards and backwards may differ
+constexpr double quicker = 1e-9;           // of a duration: less is rounding
 
 /// A lone straight move has a closed form. Fits of splines to it find next to it what is now quicker, now slower with
 /// more stroke or acceleration: the closed form counts where it is quicker.
@@ -63,18 +69,9 @@ bool centred(const CoarseFineMachine& machine) {
   return std::any_of(machine.axes.begin(), machine.axes.end(), [](const CoarseFineAxis& a) { return a.centred; });
 }
 
-}  // namespace
-
-const RedundancyRow& redundancy_row(RedundancyMethod method) {
-  for (const RedundancyRow& row : rows)
-    if (row.method == method) return row;
-  throw std::logic_error("a redundancy method without a row");
-}
-
-RedundancyResult plan_redundant(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
-                                double from, double to) {
-  const bool again = options.reparametrise && !task.machine.limits_jerk();
-  const double planned = again ? from + 0.7 * (to - from) : to;
+/// In the direction of time.
+RedundancyResult planned_forwards(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
+                                  double from, double to) {
   if (options.method != RedundancyMethod::joint && !every_axis_is_split(task.machine)) {
     RedundancyResult result = plan_joint_method(task, options, progress, from, to);
     ++result.fallbacks;
@@ -86,17 +83,78 @@ RedundancyResult plan_redundant(const RedundancyTask& task, const RedundancyOpti
   if (options.method == RedundancyMethod::joint && centred(task.machine)) {
     RedundancyOptions other = options;
     other.method = RedundancyMethod::iterative;
-    RedundancyResult result = plan_redundant(task, other, progress, from, to);
+    RedundancyResult result = planned_forwards(task, other, progress, from, to);
     ++result.fallbacks;
     result.notes.emplace_back(
         "the joint planner leaves open where fine axes stand at rest: the iterative method planned the contour");
     return result;
   }
-  RedundancyResult result = redundancy_row(options.method).plan(task, options, progress, from, planned);
-  if (again) result = reparametrised(std::move(result), task, progress, planned, to);
-  if (options.method == RedundancyMethod::iterative && !centred(task.machine))
-    result = quicker_than_lone_move(std::move(result), task, options, progress, to);
-  if (options.method == RedundancyMethod::joint || task.machine.limits_jerk()) return result;
+  return redundancy_row(options.method).plan(task, options, progress, from, to);
+}
+
+/// What a lag filters is not the same backwards, and what is timed anew begins with the pieces of the plan as it was
+/// made; along its curve the geometric split is the quickest in both directions.
+bool has_a_direction(const RedundancyOptions& options) {
+  return !options.coarse_alone && !options.reparametrise && options.method != RedundancyMethod::lag_compensation &&
+         options.method != RedundancyMethod::geometric;
+}
+
+/// Whether the bound leaves more than `symmetric` open.
+bool may_be_quicker(const RedundancyResult& found, const RedundancyTask& task, const RedundancyOptions& options) {
+  double slowed = 1;
+  if (options.method == RedundancyMethod::joint)
+    slowed = options.stretch >= 1 ? options.stretch : stretch_of(options.smoothness);
+  return task.bound > 0 && found.head->duration() > task.bound * slowed * (1 + symmetric);
+}
+
+/// What is planned for it in either direction, the quicker one.
+RedundancyResult planned(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress, double from,
+                         double to) {
+  if (!has_a_direction(options)) return planned_forwards(task, options, progress, from, to);
+  std::optional<RedundancyResult> found;
+  std::exception_ptr why_not;
+  try {
+    found = planned_forwards(task, options, progress, from, to);
+  } catch (const Infeasible&) {
+    why_not = std::current_exception();
+  }
+  if (found && !may_be_quicker(*found, task, options)) return *std::move(found);
+  try {
+    if (const std::optional<RedundancyTask> back = reversed(task)) {
+      RedundancyResult other = reversed(planned_forwards(*back, options, progress, to, to), task);
+      if (!found || other.head->duration() < found->head->duration() * (1 - quicker)) {
+        other.notes.emplace_back(backwards_note);
+        return other;
+      }
+    }
+  } catch (const Infeasible&) {
+    // As it was, then.
+  }
+  if (!found) std::rethrow_exception(why_not);
+  return *std::move(found);
+}
+
+}  // namespace
+
+const RedundancyRow& redundancy_row(RedundancyMethod method) {
+  for (const RedundancyRow& row : rows)
+    if (row.method == method) return row;
+  throw std::logic_error("a redundancy method without a row");
+}
+
+RedundancyResult plan_redundant(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
+                                double from, double to) {
+  const bool split = options.method == RedundancyMethod::joint || every_axis_is_split(task.machine);
+  const bool again = split && options.reparametrise && !task.machine.limits_jerk();
+  const double once = again ? from + 0.7 * (to - from) : to;
+  RedundancyResult result = planned(task, options, progress, from, once);
+  if (!split) return result;
+  if (again) result = reparametrised(std::move(result), task, progress, once, to);
+  const bool ends_count = centred(task.machine);
+  const bool iterates =
+      options.method == RedundancyMethod::iterative || (options.method == RedundancyMethod::joint && ends_count);
+  if (iterates && !ends_count) result = quicker_than_lone_move(std::move(result), task, options, progress, to);
+  if ((options.method == RedundancyMethod::joint && !ends_count) || task.machine.limits_jerk()) return result;
   return quicker_than_coarse_alone(std::move(result), task, options, progress, to);
 }
 

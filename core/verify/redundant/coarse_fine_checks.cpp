@@ -201,24 +201,58 @@ double size_of(const AxisPath& path, std::size_t segment, const AxisJet& q) {
   return far + path[segment].length() + (bent > 0 ? 2 / std::sqrt(bent) : 0);
 }
 
-/// By how much a coarse axis without a fine one may jump at time t: as much as the head does where segments meet, and
-/// as a machine's axis may at a tangent jump.
+/// 1/mm, by which a shift of an end of the segment turns it there.
+double turned_by(const AxisPath& path, std::size_t segment, const AxisJet& q) {
+  double bent = 0;
+  for (std::size_t k = 0; k < path.axes(); ++k) bent += q.d2[k] * q.d2[k];
+  return 1 / path[segment].length() + std::sqrt(bent);
+}
+
+/// What the rounding of path lengths where two pieces of the law meet bends a coarse axis by that goes along the path.
+double bent_by_rounding(const CoarseFineToVerify& in, const LawPiece& before, const LawPiece& after, std::size_t k,
+                        std::size_t derivative) {
+  if (derivative == 0) return 0;
+  const double off = rounding_of(before).position + rounding_of(after).position;
+  double most = 0;
+  for (const bool behind : {false, true}) {
+    const LawPiece& p = behind ? after : before;
+    const LawState x = behind ? p.at(0) : p.at(p.duration);
+    const AxisJet q = in.path.at(p.segment, behind ? p.s : p.s_end);
+    most = std::max(
+        most, derivative == 1 ? std::abs(q.d2[k]) * x.v : std::abs(q.d3[k]) * x.v * x.v + std::abs(q.d2[k] * x.a));
+  }
+  return off * most;
+}
+
+/// By how much a coarse axis may jump at time t: as much as the head does where segments meet, as far as that is the
+/// rounding of their points; one without a fine axis as a machine's axis may at a tangent jump, too.
 double step_of_the_head(const CoarseFineToVerify& in, std::size_t k, std::size_t derivative, double t) {
-  if (derivative > 2 || (derivative > 0 && in.fine_axes[k].highest > least_stroke)) return 0;
+  if (derivative > 2) return 0;
+  const bool rounded = derivative > 0 && in.fine_axes[k].highest > least_stroke;
   const Limits& axis = in.coarse_axes[k];
-  const double most = derivative == 0 ? unlimited : in.cycle_time * (derivative == 1 ? axis.acceleration : axis.jerk);
-  if (derivative > 0 && !std::isfinite(most)) return 0;
+  const double most =
+      derivative == 0 || rounded ? unlimited : in.cycle_time * (derivative == 1 ? axis.acceleration : axis.jerk);
+  if (derivative > 0 && !rounded && !std::isfinite(most)) return 0;
   const auto& pieces = in.law.pieces();
   const double blur = 2 * rounding * t;
   auto piece = std::lower_bound(pieces.begin(), pieces.end(), t - blur,
                                 [](const LawPiece& p, double time) { return p.t0 < time; });
-  double jump = 0;
+  double jump = 0, bends = 0;
   for (; piece != pieces.end() && piece->t0 <= t + blur; ++piece) {
-    if (piece == pieces.begin() || piece->segment == (piece - 1)->segment || piece->segment >= in.path.size()) continue;
+    if (piece == pieces.begin() || piece->segment >= in.path.size()) continue;
+    bends = std::max(bends, bent_by_rounding(in, *(piece - 1), *piece, k, derivative));
+    if (piece->segment == (piece - 1)->segment) continue;
     const std::size_t before = (piece - 1)->segment;
     const AxisJet left = in.path.at_parameter(before, in.path[before].curve().end()),
                   right = in.path.at_parameter(piece->segment, in.path[piece->segment].curve().begin());
-    const double tangent = std::abs(right.d1[k] - left.d1[k]), curvature = std::abs(right.d2[k] - left.d2[k]);
+    double tangent = std::abs(right.d1[k] - left.d1[k]), curvature = std::abs(right.d2[k] - left.d2[k]);
+    if (rounded) {
+      const double before_size = rounding * size_of(in.path, before, left),
+                   after_size = rounding * size_of(in.path, before + 1, right),
+                   before_turn = turned_by(in.path, before, left), after_turn = turned_by(in.path, before + 1, right);
+      tangent = std::min(tangent, before_size * before_turn + after_size * after_turn);
+      curvature = std::min(curvature, before_size * before_turn * before_turn + after_size * after_turn * after_turn);
+    }
     if (derivative == 0) {
       jump =
           std::max(jump, std::min(std::abs(right.value[k] - left.value[k]),
@@ -229,7 +263,7 @@ double step_of_the_head(const CoarseFineToVerify& in, std::size_t k, std::size_t
     const double v = std::max(end.v, piece->v), a = std::max(std::abs(end.a), std::abs(piece->a));
     jump = std::max(jump, derivative == 1 ? tangent * v : curvature * v * v + tangent * a);
   }
-  return std::min(jump, most) * (1 + 1e-9);
+  return std::min(jump, most) * (1 + 1e-9) + bends;
 }
 
 }  // namespace

@@ -229,6 +229,26 @@ TEST(CoarseFine, TheTravelOfCoarseAxesIsHeld) {
   EXPECT_EQ(refused(), std::vector<std::string>{"/spec/machine/coarse/x/range"});
 }
 
+/// The tool ends where range and stroke do: nothing is left for rounding, and the refusal names the range.
+TEST(CoarseFine, ARangeThatIsTooShortIsNamed) {
+  json spec = example("coarse_fine");
+  spec["contour"] = {{"points", {{0, 0}, {60, 0}, {60, 30}}}};
+  spec["planning"] = json::object();
+  spec["machine"]["coarse"]["x"]["range"] = {0, 40};
+  for (const char* method : {"joint", "geometric"}) {
+    spec["machine"]["redundancy"] = {{"method", method}};
+    SilentProgress progress;
+    try {
+      plan(spec, progress);
+      ADD_FAILURE() << method;
+    } catch (...) {
+      const Problem problem = problem_from_current_exception();
+      EXPECT_EQ(problem.type().slug, "infeasible");
+      EXPECT_EQ(test::pointers(problem), std::vector<std::string>{"/spec/machine/coarse/x/range"});
+    }
+  }
+}
+
 TEST(CoarseFine, ThePrefilterOfTheDrivesIsTold) {
   json spec = example("coarse_fine");
   spec["machine"]["redundancy"] = {

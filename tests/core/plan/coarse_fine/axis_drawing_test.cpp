@@ -87,5 +87,17 @@ TEST(MachineStudy, TakesTheValuesThatAreAskedForAndTellsWhyThereIsNoPlan) {
   EXPECT_FALSE(study[0].machines[0].duration);
 }
 
+/// A long move takes what the coarse axes need for all but two strokes, (800 − 2 S)/1800 + 1800/16000 s; every row has
+/// it.
+TEST(MachineStudy, EveryStrokeOfALongMoveHasItsDuration) {
+  SilentProgress progress;
+  const MachineStudy study = machine_study(test::straight(800, 0), test::md2(), {}, {},
+                                           {{StudiedQuantity::stroke, {0.005, 5, 10, 40}}}, progress, 0, 1);
+  for (const StudiedMachine& m : study[0].machines) {
+    ASSERT_TRUE(m.duration) << m.value << " " << m.note;
+    EXPECT_NEAR(*m.duration, (800 - 2 * m.value) / 1800 + 0.1125, 1e-6);
+  }
+}
+
 }  // namespace
 }  // namespace bahnwerk

@@ -226,16 +226,52 @@ TEST(CoarseFinePlan, RandomLoneMovesAreVerifiedAndNeverSlowerWithMoreStrokeOrAcc
   }
 }
 
-/// The bound of a lone move is what its coarse axis needs, with its jerk. Fine axes whose stroke is too small for cells
-/// of their own stand still; the coarse ones then move as the jerk-limited planner plans, which is within 0.2 %.
+/// The bound of a lone move is what its coarse axis needs, with its jerk; the closed form needs no cells, however small
+/// the stroke is.
 TEST(CoarseFinePlan, TheBoundOfALoneMoveKnowsStrokeAndJerk) {
   for (const double stroke : {0.001, 0.5, 12.0}) {
     CoarseFineMachine machine = test::with_jerk(test::md2(), 80);
     for (CoarseFineAxis& axis : machine.axes) axis.stroke = stroke;
     const CoarseFinePlan p = plan(test::straight(430, 0), machine);
     expect_verified(p);
-    EXPECT_LE(p.contour.bound.gap, stroke < 0.01 ? 2e-3 : 1e-6);
+    EXPECT_LE(p.contour.bound.gap, 1e-6);
   }
+}
+
+/// A stroke of 9 µm is worth a half of the time that a move of 18 µm takes: whether there are cells for it does not
+/// depend on the coarse axes' acceleration.
+TEST(CoarseFinePlan, OnTinyStrokesMoreCoarseAccelerationIsNeverSlower) {
+  RedundancyOptions options;
+  options.compare = false;
+  for (const bool jerk : {false, true}) {
+    double before = 1e9;
+    for (const double acceleration : {2000.0, 6000.0, 9000.0, 40000.0}) {
+      CoarseFineMachine machine = test::md1();
+      for (CoarseFineAxis& axis : machine.axes) axis.stroke = 0.009, axis.coarse.acceleration = acceleration;
+      if (jerk)
+        for (CoarseFineAxis& axis : machine.axes) axis.coarse.jerk = 2e6, axis.fine.jerk = 2e7;
+      const CoarseFinePlan p = plan(test::straight(0.018, 0), machine, {}, options);
+      expect_verified(p);
+      EXPECT_LE(p.contour.duration, before * (1 + 1e-6)) << acceleration;
+      before = p.contour.duration;
+    }
+  }
+}
+
+/// A closed form may use the jerks of both axes in full, which a head that is planned by itself does not where one of
+/// them takes longer to build up its acceleration: its coarse axes are made smoother within what it really does.
+TEST(CoarseFinePlan, ALoneMoveWithUnevenJerksMayBeSmoother) {
+  CoarseFineMachine machine = test::md2();
+  for (CoarseFineAxis& axis : machine.axes) axis.coarse.jerk = 1e6, axis.fine.jerk = 8e6, axis.stroke = 1;
+  RedundancyOptions options;
+  options.compare = false;
+  const CoarseFinePlan quick = plan(test::straight(0.01, 0), machine, {}, options);
+  options.smoothness = 0.25;
+  const CoarseFinePlan smooth = plan(test::straight(0.01, 0), machine, {}, options);
+  expect_verified(quick);
+  expect_verified(smooth);
+  EXPECT_EQ(smooth.fallbacks, 0u);
+  EXPECT_LE(smooth.energy[0], quick.energy[0]);
 }
 
 /// x has a fine axis, y has none.

@@ -5,6 +5,7 @@
 #include "core/base/progress.hpp"
 #include "tests/core/redundant/coarse_fine_machines.hpp"
 #include "tests/core/redundant/fine_motion.hpp"
+#include "tests/core/redundant/frames.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -38,6 +39,43 @@ TEST(Redundancy, JointIsThePlannerOfThatName) {
     for (std::size_t k = 0; k < 2; ++k) {
       EXPECT_NEAR(head.position[k] - coarse.position[k], fine.position[k], 1e-12);
       EXPECT_LE(std::abs(head.position[k] - coarse.position[k]), joint.machine.axes[k].stroke);
+    }
+  }
+}
+
+TEST(Redundancy, TheJointPlanDoesNotDependOnTheFrame) {
+  for (const bool jerk : {false, true})
+    for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+      SCOPED_TRACE(seed);
+      const auto duration = [&](const test::Frame& frame) {
+        const CoarseFineMachine machine = jerk ? test::with_jerk(test::md2(), 120) : test::md2();
+        SilentProgress progress;
+        RedundancyOptions options;
+        options.compare = false;
+        return plan_redundant(test::redundancy_task(test::framed(seed, frame), machine), options, progress)
+            .head->duration();
+      };
+      const double here = duration({});
+      for (const test::Frame& frame : test::other_frames) EXPECT_NEAR(duration(frame), here, 1e-6 * here);
+    }
+}
+
+/// Where the bound leaves something open both directions are planned, and the quicker plan counts.
+TEST(Redundancy, AContourTakesAsLongBackwards) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    RedundancyTask there = test::redundancy_task(test::framed(seed, {}), test::md2()),
+                   back = test::redundancy_task(test::framed(seed, test::backwards), test::md2());
+    SilentProgress progress;
+    there.bound = back.bound = 0.1;  // s, that nothing attains
+    for (const RedundancyMethod method : {RedundancyMethod::joint, RedundancyMethod::iterative,
+                                          RedundancyMethod::filter, RedundancyMethod::follow_up}) {
+      SCOPED_TRACE(std::to_string(seed) + std::string(name_of<RedundancyMethod>(method, redundancy_methods)));
+      RedundancyOptions options;
+      options.method = method;
+      options.compare = false;
+      const double one = plan_redundant(there, options, progress).head->duration(),
+                   other = plan_redundant(back, options, progress).head->duration();
+      EXPECT_NEAR(one, other, 1e-6 * one);
     }
   }
 }

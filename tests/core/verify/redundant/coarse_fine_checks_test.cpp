@@ -171,18 +171,18 @@ TEST(CoarseFineChecks, FaultsOfTheCoarseMotionShow) {
   EXPECT_FALSE(find(switches.checks(), "acceleration xf").passed);
 }
 
-/// Two lines of 10 mm that meet under 1 mrad, passed at 100 mm/s; y has no fine axis.
-Case bent(double velocity_at_begin, double velocity_behind) {
+/// Two lines of 10 mm that meet under an angle, passed at 100 mm/s; y has no fine axis.
+Case bent(double velocity_at_begin, double velocity_behind, double angle = 1e-3) {
   ContourBuilder b(2, {0, 0, 0});
   b.block(Mode::cut, unlimited);
   b.line({10, 0, 0});
-  b.line({10 + 10 * std::cos(1e-3), 10 * std::sin(1e-3), 0});
+  b.line({10 + 10 * std::cos(angle), 10 * std::sin(angle), 0});
   Case c{path_of(b), {}, {}};
   c.law.append({0, 0.1, 0, 5, 0, 1000, 0, 0});
   c.law.append({0, 0.05, 5, 10, 100, 0, 0, 0});
   c.law.append({0, 0.05, 10, 15, 100, 0, 0, 1});
   c.law.append({0, 0.1, 15, 20, 100, -1000, 0, 1});
-  const double v = 100 * std::sin(1e-3), low = velocity_at_begin, high = velocity_behind * v;
+  const double v = 100 * std::sin(angle), low = velocity_at_begin, high = velocity_behind * v;
   c.coarse = {{0.1, {{4}, {0}}},
               {0.15, {{4}, {0, low, -low / 0.05}}},
               {0.2, {{4}, {0, high, (v - high) / 0.1}}},
@@ -205,6 +205,15 @@ TEST(CoarseFineChecks, AnAxisWithoutAFineOneStepsWithTheTangentAndNowhereElse) {
   Case split = bent(0, 1);
   split.fine_axes = limits("f", 1e4, 1e6, unlimited, 100);
   EXPECT_FALSE(continuous(split));
+}
+
+/// An end that is off by 32 ε of 20 mm turns a line of 10 mm by 1.4e-14; beside another one that is 2.8e-14.
+TEST(CoarseFineChecks, WhatTheRoundingOfPointsTurnsCoarseAxesTake) {
+  for (const auto& [angle, passes] : {std::pair{2e-14, true}, {1e-12, false}}) {
+    Case c = bent(0, 1, angle);
+    c.fine_axes = limits("f", 1e4, 1e6, unlimited, 100);
+    EXPECT_EQ(find(c.checks(), "coarse continuity of velocity").passed, passes) << angle;
+  }
 }
 
 TEST(CoarseFineChecks, AxesHaveToFitTogether) {

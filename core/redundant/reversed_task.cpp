@@ -1,0 +1,246 @@
+#include "core/redundant/reversed_task.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "core/geometry/curve/reversed.hpp"
+#include "core/motion/law/dwell.hpp"
+#include "core/redundant/carried_motion.hpp"
+#include "core/redundant/reversed_motion.hpp"
+
+namespace bahnwerk {
+namespace {
+
+Contour reversed(const Contour& contour) {
+  Contour back;
+  back.dimension = contour.dimension;
+  back.height = contour.height;
+  const std::size_t n = contour.path.size(), blocks = contour.blocks.size();
+  for (std::size_t i = n; i-- > 0;)
+    back.path.append(bahnwerk::reversed(contour.path[i].curve()), contour.path[i].source());
+  for (std::size_t i = blocks; i-- > 0;) {
+    Block block = contour.blocks[i];
+    block.first = n - contour.blocks[i].last, block.last = n - contour.blocks[i].first;
+    back.blocks.push_back(block);
+  }
+  for (std::size_t i = contour.rests.size(); i-- > 0;) {
+    Rest rest = contour.rests[i];
+    rest.segment = n - rest.segment, rest.block = blocks - 1 - rest.block;
+    back.rests.push_back(rest);
+  }
+  return back;
+}
+
+template <class T>
+std::vector<T> backwards(std::vector<T> list) {
+  std::reverse(list.begin(), list.end());
+  return list;
+}
+
+/// mm, by which a piece's polynomial goes on.
+double way(const LawPiece& p) {
+  return p.duration * (p.v + p.duration * (p.a / 2 + p.duration * (p.j / 6 + p.duration * p.q / 24)));
+}
+
+/// The piece with `more` mm on top, from rest to rest in three parts: its speed and acceleration at both ends stay.
+std::array<LawPiece, 3> with_more(const LawPiece& p, double more) {
+  const double d = p.duration, jerk = 32 * more / (d * d * d);
+  std::array<LawPiece, 3> parts{p, p, p};
+  LawState x{0, 0, 0, jerk};  // of what is on top
+  double t = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    LawPiece& part = parts[i];
+    const LawState at = p.at(t);
+    const double h = i == 1 ? d / 2 : d / 4, j = i == 1 ? -jerk : jerk;
+    part.duration = h;
+    part.v = at.v + x.v, part.a = at.a + x.a, part.j = at.j + j;
+    x.v += h * (x.a + h * j / 2), x.a += h * j;
+    t += h;
+  }
+  return parts;
+}
+
+/// A law backwards: each piece from its end to its begin. Path lengths are counted anew from the other end: near the
+/// begin rounding is finer there than it was where the law came from.
+class ReversedLaw {
+ public:
+  /// `begins` gets when each piece of the law begins backwards.
+  ReversedLaw(const TimeLaw& law, const AxisPath& planned, const AxisPath& path, std::vector<double>& begins)
+      : law_(law), planned_(planned), path_(path), begins_(begins) {
+    begins_.resize(law.pieces().size());
+  }
+
+  TimeLaw run() {
+    const auto& pieces = law_.pieces();
+    back_.reserve(pieces.size() + path_.size());
+    for (std::size_t i = pieces.size(); i-- > 0;) {
+      const LawPiece& p = pieces[i];
+      const std::size_t segment = path_.size() - 1 - p.segment;
+      if (dwells(p)) {
+        stand(i, segment);
+        continue;
+      }
+      if (!moving_.empty() && moving_.front().segment != segment) move();
+      const LawState end = p.at(p.duration);
+      const double behind = i + 1 < pieces.size() ? pieces[i + 1].v : 0;
+      LawPiece piece;
+      piece.segment = segment;
+      piece.duration = p.duration;
+      piece.v = behind == 0 || p.v > 0 ? behind : end.v;  // at rest exactly, at its begin or at its end
+      piece.a = -end.a, piece.j = end.j, piece.q = -p.q;
+      moving_.push_back(piece);
+      numbers_.push_back(i);
+    }
+    move();
+    return std::move(back_);
+  }
+
+ private:
+  /// A dwell belongs to the segment that begins where it lasts, or to the last one.
+  void stand(std::size_t number, std::size_t segment) {
+    move();
+    const LawPiece& p = law_.pieces()[number];
+    begins_[number] = back_.duration();
+    LawPiece piece;
+    const bool at_begin = p.s <= planned_[p.segment].s0();
+    piece.segment = std::min(at_begin ? segment + 1 : segment, path_.size() - 1);
+    piece.s = piece.s_end = back_.pieces().empty() ? 0 : back_.pieces().back().s_end;
+    piece.duration = p.duration;
+    back_.append(piece);
+  }
+
+  /// All pieces of a segment: what is missing to its length, by rounding, the longest one makes up for.
+  void move() {
+    if (moving_.empty()) return;
+    const Segment& segment = path_[moving_.front().segment];
+    double all = 0;
+    std::size_t longest = 0;
+    for (std::size_t i = 0; i < moving_.size(); ++i) {
+      all += way(moving_[i]);
+      if (moving_[i].duration > moving_[longest].duration) longest = i;
+    }
+    const double more = segment.length() - all;
+    double s = segment.s0(), gone = 0;
+    const auto add = [&](LawPiece piece, bool last) {
+      gone += way(piece);
+      piece.s = s;
+      piece.s_end = s = last ? segment.s1() : std::min(segment.s0() + gone, segment.s1());
+      back_.append(piece);
+    };
+    for (std::size_t i = 0; i < moving_.size(); ++i) {
+      const bool last = i + 1 == moving_.size();
+      begins_[numbers_[i]] = back_.duration();
+      if (i != longest || more == 0) {
+        add(moving_[i], last);
+        continue;
+      }
+      const std::array<LawPiece, 3> parts = with_more(moving_[i], more);
+      for (std::size_t k = 0; k < 3; ++k) add(parts[k], last && k == 2);
+    }
+    moving_.clear();
+    numbers_.clear();
+  }
+
+  const TimeLaw& law_;
+  const AxisPath &planned_, &path_;
+  std::vector<double>& begins_;
+  TimeLaw back_;
+  std::vector<LawPiece> moving_;      // of one segment, their places not set yet
+  std::vector<std::size_t> numbers_;  // of those in the law
+};
+
+/// A motion that goes with `law`, backwards. Its parts end where pieces of either do: so a part is as long as before to
+/// the rounding of two times, whatever sums of durations are rounded to. `begins`: of the law's pieces, backwards.
+std::vector<ReversedMotion::Part> parts_of(const Motion& motion, const TimeLaw& law,
+                                           const std::vector<double>& begins) {
+  const auto& pieces = law.pieces();
+  const double same = 64 * std::numeric_limits<double>::epsilon() * law.duration();
+  std::vector<ReversedMotion::Part> parts;
+  std::size_t i = pieces.size() - 1, k = motion.pieces() - 1;
+  parts.push_back({k, motion.duration(), 0});
+  for (;;) {
+    const double law_begin = pieces[i].t0, own_begin = motion.begin(k);
+    const bool law_ends = i > 0 && law_begin >= own_begin - same, own_ends = k > 0 && own_begin >= law_begin - same;
+    if (!law_ends && !own_ends) return parts;
+    const double begins_at = law_ends ? begins[i - 1] : begins[i] + (pieces[i].t0 + pieces[i].duration - own_begin);
+    if (own_ends) --k;
+    if (law_ends) --i;
+    parts.push_back({k, own_ends ? motion.end(k) : law_begin, begins_at});
+  }
+}
+
+/// Takes out what an axis begins with in place of rest, by rounding of what was its end: on top comes e with e′(0) =
+/// −v, e′(h) = 0, and where accelerations are continuous e″(0) = −a, e″(h) = 0.
+void begin_at_rest(Polynomial& p, double h, bool continuous) {
+  const double v = p.size() > 1 ? p[1] : 0, a = continuous && p.size() > 2 ? 2 * p[2] : 0;
+  if (v == 0 && a == 0) return;
+  if (continuous)
+    p = p + Polynomial{0, -v, -a / 2, (3 * v + 2 * a * h) / (3 * h * h), -(2 * v + a * h) / (4 * h * h * h)};
+  else
+    p = p + Polynomial{0, -v, v / (2 * h)};
+  p[1] = 0;
+  if (continuous && p.size() > 2) p[2] = 0;
+}
+
+/// Of a motion that is polynomials, from rest on.
+std::shared_ptr<const SplineMotion> spline(const Motion& motion, bool jerk) {
+  std::vector<SplineMotion::Piece> pieces(motion.pieces());
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    pieces[i].end = motion.end(i);
+    pieces[i].axes.resize(motion.axes());
+    for (std::size_t k = 0; k < motion.axes(); ++k)
+      if (!motion.polynomial(i, k, pieces[i].axes[k])) return nullptr;
+  }
+  for (Polynomial& p : pieces.front().axes) begin_at_rest(p, pieces.front().end, jerk);
+  return std::make_shared<const SplineMotion>(std::move(pieces));
+}
+
+}  // namespace
+
+std::optional<RedundancyTask> reversed(const RedundancyTask& task) {
+  const auto contour = std::make_shared<const Contour>(reversed(*task.contour));
+  const std::size_t n = task.path->size();
+  if (contour->path.size() != n) return std::nullopt;
+  RedundancyTask back{contour_axes(contour, task.path->axes()),
+                      contour,
+                      task.machine,
+                      backwards(task.feeds),
+                      backwards(task.rests),
+                      backwards(task.dwells)};
+  for (Rest& rest : back.dwells) rest.segment = n - rest.segment, rest.block = contour->blocks.size() - 1 - rest.block;
+  back.bound = task.bound;
+  return back;
+}
+
+RedundancyResult reversed(RedundancyResult found, const RedundancyTask& task) {
+  const std::size_t n = task.path->size();
+  const TimeLaw& law = found.head->law();
+  std::vector<double> begins;
+  auto head =
+      std::make_shared<const PathMotion>(task.path, ReversedLaw(law, found.head->path(), *task.path, begins).run());
+  const auto back = [&](const std::shared_ptr<const Motion>& motion) {
+    return std::make_shared<const ReversedMotion>(motion, parts_of(*motion, law, begins), head->duration());
+  };
+  const bool jerk = task.machine.limits_jerk();
+  // What the head carries goes along the task's own path, to the last bit.
+  if (found.coarse == found.head) {
+    found.coarse = head;
+  } else if (const auto* carried = dynamic_cast<const CarriedMotion*>(found.coarse.get())) {
+    const auto split = carried->split() ? spline(*back(carried->split()), jerk) : nullptr;
+    found.coarse = std::make_shared<const CarriedMotion>(head, split, carried->carried());
+  } else {
+    const auto reversed_coarse = back(found.coarse);
+    found.coarse = spline(*reversed_coarse, jerk);
+    if (!found.coarse) found.coarse = reversed_coarse;
+  }
+  found.head = std::move(head);
+  for (SlowedSegment& slowed : found.slowed) slowed.segment = n - 1 - slowed.segment;
+  std::reverse(found.slowed.begin(), found.slowed.end());
+  return found;
+}
+
+}  // namespace bahnwerk
