@@ -16,7 +16,7 @@ inline std::size_t column_index(const std::vector<Column>& columns, std::string_
 }
 
 /// Calls visit(k, row) for every row, in order, and passed(rows so far, rows since the last call) after every 1024 of
-/// them and at the end. Memory: that of 1024 rows.
+/// them and at the end, if given. `row` holds a number per column. Memory: that of 1024 rows.
 template <class Visit, class Passed>
 void for_each_row(const SetpointSource& setpoints, Visit&& visit, Passed&& passed) {
   constexpr std::size_t chunk_rows = 1024;
@@ -28,6 +28,10 @@ void for_each_row(const SetpointSource& setpoints, Visit&& visit, Passed&& passe
     for (std::size_t i = 0; i < count; ++i) visit(first + i, chunk.data() + i * width);
     passed(first + count, count);
   }
+}
+template <class Visit>
+void for_each_row(const SetpointSource& setpoints, Visit&& visit) {
+  for_each_row(setpoints, visit, [](std::size_t, std::size_t) {});
 }
 
 }  // namespace bahnwerk
