@@ -29,7 +29,7 @@ namespace bahnwerk::api {
 struct KindReport {
   nlohmann::ordered_json summary;
   nlohmann::ordered_json verification;  ///< as api/verification.hpp writes it, or with what the kind adds
-  nlohmann::ordered_json bound;         ///< likewise
+  nlohmann::ordered_json bound;         ///< value, gap and basis, as api/verification.hpp writes them
   nlohmann::ordered_json details;
   nlohmann::ordered_json drawings = nullptr;            ///< SVG and DXF texts by file name; null: the result has none
   std::unique_ptr<SetpointSource> setpoints = nullptr;  ///< nullptr where the kind has none

@@ -33,12 +33,12 @@ class Rows final : public SetpointSource {
 struct Countdown {
   static constexpr std::string_view name = "countdown", title = "Numbers that fall";
   static std::size_t read(const json& spec, Progress& progress) {
-    if (spec["from"] == 0) throw InvalidInput({{{"from"}, "must not be 0"}});
+    if (spec["from"] == 0) throw InvalidInput(std::vector<InputFault>{{{"from"}, "must not be 0"}});
     progress.report("reading", 0.1);
     return spec["from"];
   }
   static void check(std::size_t from) {
-    if (from == 13) throw InvalidInput({{{"from"}, "brings no luck"}});
+    if (from == 13) throw InvalidInput(std::vector<InputFault>{{{"from"}, "brings no luck"}});
   }
   static std::size_t plan(std::size_t& from, Progress& progress) {
     progress.report("counting", 0.5);

@@ -1,4 +1,6 @@
 // Binary DXF: the same drawing as in ASCII, with group codes of one byte and of two.
+#include "core/contour/dxf/read/binary.hpp"
+
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -6,8 +8,7 @@
 #include <numbers>
 
 #include "core/base/progress.hpp"
-#include "core/contour/dxf/read/binary.hpp"
-#include "dxf_text.hpp"
+#include "tests/core/contour/dxf_text.hpp"
 
 namespace bahnwerk {
 namespace {

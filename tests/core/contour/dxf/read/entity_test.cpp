@@ -1,11 +1,12 @@
+#include "core/contour/dxf/read/entity.hpp"
+
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 #include <numbers>
 
-#include "core/contour/dxf/read/entity.hpp"
-#include "dxf_text.hpp"
+#include "tests/core/contour/dxf_text.hpp"
 #include "tests/core/contour/expect_near.hpp"
 
 namespace bahnwerk {
