@@ -12,6 +12,7 @@
 /// `Kind describe_<name>() { return kind_of<K>(); }` makes it one of the list (api/kinds.cpp).
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <string_view>
 
 #include "api/embedded.hpp"
