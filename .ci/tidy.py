@@ -31,7 +31,7 @@ def sources(build, folders):
             if name.startswith(".") or name.split(os.sep)[0] not in folders:
                 continue
             words = shlex.split(entry["command"])
-            layer = words[words.index("-o") + 1].split("/CMakeFiles/")[0]
+            layer = words[words.index("-o") + 1].split(".dir/")[0].replace("/CMakeFiles/", "/")
             words = words[next(i for i, word in enumerate(words) if word.startswith("-")):]
             flags = [word for i, word in enumerate(words)
                      if word not in ("-o", "-c") and words[i - 1] not in ("-o", "-c")]

@@ -1,5 +1,5 @@
 #pragma once
-/// A kind of job is one descriptor in one list. Adding one: its core folder, api/kinds/<kind>.cpp, its schema with
+/// A kind of job is one descriptor in one list. Adding one: its core folder, its folder in api/kinds, its schemas with
 /// examples, its line in kinds.cpp, its tests. Nothing else.
 #include <nlohmann/json_fwd.hpp>
 #include <span>

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/progress.hpp"
 #include "core/motion/setpoints/contour_setpoints.hpp"
+#include "core/plan/contour/contour_faults.hpp"
 #include "core/plan/contour/contour_report.hpp"
 #include "core/plan/contour/prepared_contour.hpp"
 #include "core/plan/contour/section_gaps.hpp"
@@ -17,9 +19,18 @@ namespace bahnwerk {
 namespace {
 
 constexpr std::size_t slow_lines_listed = 20;
+
+void check(const Contour& contour, const Machine& machine, const ContourPlanning& planning) {
+  std::vector<InputFault> faults = machine_faults(machine);
+  if (faults.empty()) faults = planning_faults(machine, planning);
+  if (faults.empty()) faults = contour_faults(contour, machine, planning);
+  if (!faults.empty()) throw InvalidInput(std::move(faults));
+}
+
 }  // namespace
 
 ContourPlan plan_contour(Contour input, const Machine& machine, const ContourPlanning& planning, Progress& progress) {
+  check(input, machine, planning);
   if (planning.stop_at_mode_change) stop_at_mode_changes(input);
   const auto given = std::make_shared<const Contour>(std::move(input));
   const double all = planning.what_if ? 0.25 : 1;  // of the progress, before it is asked what if
@@ -60,6 +71,11 @@ ContourPlan plan_contour(Contour input, const Machine& machine, const ContourPla
   plan.motion = std::move(planned.motion);
   if (planning.what_if) plan.what_if = what_if(given, machine, planning, progress, all, 1.0);
   return plan;
+}
+
+ContourPlan plan_contour(Contour contour, const Machine& machine, const ContourPlanning& planning) {
+  SilentProgress silent;
+  return plan_contour(std::move(contour), machine, planning, silent);
 }
 
 }  // namespace bahnwerk

@@ -11,11 +11,12 @@
 #include "core/contour/contour.hpp"
 #include "core/machine/machine.hpp"
 #include "core/plan/contour/section_gaps.hpp"
-#include "core/plan/planning_method.hpp"
+#include "core/plan/method_options.hpp"
 #include "core/plan/slow_lines.hpp"
 
 namespace bahnwerk {
 
+class PathMotion;
 class Progress;
 
 enum class CornerMode { stop, blend };
@@ -76,6 +77,10 @@ struct ContourPlan {
 /// With CornerMode::blend the contour is rounded first, where that pays (core/plan/contour/rounding_choice.hpp), and
 /// the verification also holds how far that strays. The rest is the pipeline (core/plan/path_plan.hpp): its cost, what
 /// it throws and what it verifies; and that the motion rests where, and as long as, the contour asks for it.
+///
+/// Throws InvalidInput naming every fault of machine and planning (core/plan/contour/contour_faults.hpp), too.
 ContourPlan plan_contour(Contour contour, const Machine& machine, const ContourPlanning& planning, Progress& progress);
+/// Plans without reporting to anyone, to the end.
+ContourPlan plan_contour(Contour contour, const Machine& machine, const ContourPlanning& planning = {});
 
 }  // namespace bahnwerk

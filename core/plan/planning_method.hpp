@@ -1,37 +1,15 @@
 #pragma once
 /// The planning methods: one row each, with its name, its planner and what it limits. To add one, add a row.
 #include <cstddef>
-#include <span>
-#include <vector>
 
-#include "core/base/named.hpp"
 #include "core/machine/machine.hpp"
 #include "core/motion/axes/path_task.hpp"
 #include "core/motion/law/time_law.hpp"
-#include "core/motion/profile/speed_profile.hpp"
+#include "core/plan/method_options.hpp"
 
 namespace bahnwerk {
 
 class Progress;
-
-enum class PlanningMethod { braking_reserve, time_optimal, jerk_limited, natural, constant, critical_points, spline };
-inline constexpr Named<PlanningMethod> planning_methods[] = {{PlanningMethod::braking_reserve, "braking_reserve"},
-                                                             {PlanningMethod::time_optimal, "time_optimal"},
-                                                             {PlanningMethod::jerk_limited, "jerk_limited"},
-                                                             {PlanningMethod::natural, "natural"},
-                                                             {PlanningMethod::constant, "constant"},
-                                                             {PlanningMethod::critical_points, "critical_points"},
-                                                             {PlanningMethod::spline, "bspline"}};
-
-/// What a document may set; each method takes what it knows.
-struct MethodOptions {
-  double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad
-  double braking_reserve = 0.7;                              ///< K_b [Bock (2.11)]
-  Limits along;                                              ///< the tool's path
-  std::vector<double> shares;                                ///< of natural: see NaturalOptions
-  SpeedProfile profile = SpeedProfile::double_s;             ///< of constant and critical_points
-  double feed = 0;                                           ///< of constant: see FeedOptions
-};
 
 struct MethodResult {
   TimeLaw law;

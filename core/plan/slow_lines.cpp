@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/progress_scope.hpp"
+#include "core/motion/law/path_motion.hpp"
 
 namespace bahnwerk {
 namespace {

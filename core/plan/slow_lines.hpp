@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "core/machine/machine.hpp"
-#include "core/motion/law/path_motion.hpp"
 
 namespace bahnwerk {
 
+class PathMotion;
 class Progress;
 
 struct SlowLine {

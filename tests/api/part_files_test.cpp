@@ -10,7 +10,7 @@
 #include <set>
 #include <utility>
 
-#include "api/kinds/contour.hpp"
+#include "api/kinds/contour/contour.hpp"
 #include "core/contour/dxf.hpp"
 #include "core/contour/gcode.hpp"
 #include "core/geometry/curve/arc.hpp"

@@ -1,14 +1,11 @@
-#include "api/kinds/motion_law/motion_law.hpp"
-
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
 
+#include "api/kind_frame.hpp"
 #include "api/kinds/motion_law/motion_law_input.hpp"
 #include "api/kinds/motion_law/motion_law_result.hpp"
-#include "api/planned_job.hpp"
-#include "api/problem.hpp"
 #include "core/base/errors.hpp"
 #include "core/cam/spline/active_set.hpp"
 #include "core/plan/motion_law/law_drawings.hpp"
@@ -23,6 +20,7 @@ class SharedTable final : public SetpointSource {
   const std::vector<Column>& columns() const override { return table_->columns(); }
   std::size_t count() const override { return table_->count(); }
   double cycle_time() const override { return table_->cycle_time(); }
+  Independent independent() const override { return table_->independent(); }
   double duration() const override { return table_->duration(); }
   void read(std::size_t first, std::size_t rows, double* out) const override { table_->read(first, rows, out); }
 
@@ -30,11 +28,13 @@ class SharedTable final : public SetpointSource {
   std::shared_ptr<const SetpointSource> table_;
 };
 
-}  // namespace
+struct MotionLawKind {
+  static constexpr std::string_view name = "motion_law";
+  static constexpr std::string_view title = "A motion law for a cam or servo drive";
 
-void check(const nlohmann::json& spec) {
-  try {
-    const MotionLawRequest asked = request(spec);
+  static MotionLawRequest read(const nlohmann::json& spec, Progress&) { return request(spec); }
+
+  static void check(const MotionLawRequest& asked) {
     constexpr std::size_t quickly_solved = 200;  // points, some 2 ms
     if (asked.problem.method != cam::LawMethod::active_set || asked.problem.has_free_angles() ||
         asked.problem.points.size() > quickly_solved)
@@ -42,21 +42,23 @@ void check(const nlohmann::json& spec) {
     std::vector<double> at;
     for (const cam::MotionPoint& point : asked.problem.points) at.push_back(point.at.min);
     cam::check_spline(asked.problem, at);
-  } catch (const InvalidInput&) {
-    throw problem_from_current_exception("/spec");
   }
-}
 
-PlannedJob plan(const nlohmann::json& spec, Progress& progress) {
-  const MotionLawRequest asked = request(spec);
-  const LawPlan plan = plan_motion_law(asked.problem, asked.sampling, progress);
-  PlannedJob job;
-  job.result = result_document(asked, plan);
-  if (asked.drawings)
-    job.result["details"]["drawings"] = {{"law.svg", law_drawing(plan)}, {"spectrum.svg", spectrum_drawing(plan)}};
-  job.setpoints = std::make_unique<SharedTable>(plan.table);
-  job.verified = plan.verification.passed;
-  return job;
-}
+  static LawPlan plan(const MotionLawRequest& asked, Progress& progress) {
+    return plan_motion_law(asked.problem, asked.sampling, progress);
+  }
 
+  static KindReport report(const MotionLawRequest& asked, const LawPlan& plan, Progress&) {
+    KindReport out = report_law(asked, plan);
+    if (asked.drawings) out.drawings = {{"law.svg", law_drawing(plan)}, {"spectrum.svg", spectrum_drawing(plan)}};
+    out.setpoints = std::make_unique<SharedTable>(plan.table);
+    return out;
+  }
+};
+
+}  // namespace
 }  // namespace bahnwerk::api::motion_law
+
+namespace bahnwerk::api {
+Kind describe_motion_law() { return kind_of<motion_law::MotionLawKind>(); }
+}  // namespace bahnwerk::api

@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "api/setpoint_summary.hpp"
 #include "api/verification.hpp"
 #include "core/cam/law_table.hpp"
 #include "core/plan/motion_law/law_spectrum.hpp"
@@ -135,51 +134,47 @@ ordered_json spectrum(const LawPlan& plan) {
 
 }  // namespace
 
-ordered_json result_document(const MotionLawRequest& request, const LawPlan& plan) {
+KindReport report_law(const MotionLawRequest& request, const LawPlan& plan) {
   const cam::LawSolution& solution = plan.solution;
   const bool optimal = plan.problem.method == cam::LawMethod::optimal;
   std::vector<std::string> notes = request.notes;
   notes.insert(notes.end(), solution.notes.begin(), solution.notes.end());
   if (!optimal) note_overshoot(plan, notes);  // the optimiser's notes have its own
   const auto positions = solution.law.extremes(0);
-  ordered_json details = {
-      {"master",
-       {{"unit", plan.problem.master_unit},
-        {"begin", cam::table_begin(plan.problem)},
-        {"length", plan.problem.length},
-        {"periodic", plan.problem.periodic}}},
-      {"sections", sections(plan)},
-      {"angles", solution.at},
-      {"peaks", {{"velocity", peak(plan, 1)}, {"acceleration", peak(plan, 2)}, {"jerk", peak(plan, 3)}}},
-      {"conversions", conversions(solution.conversions)},
-      {"source_order", order_of_source(plan)},
-      {"distributions", solution.distributions},
-      {"systems", solution.systems},
-      {"condition", solution.condition ? ordered_json(*solution.condition) : ordered_json()},
-      {"lower", solution.lower ? ordered_json(*solution.lower) : ordered_json()},
-      {"classical", compared_law(plan)},
-      {"active_set", plan.source_law ? ordered_json{{"objective", plan.source_law->value.objective},
-                                                    {"degree", plan.source_law->law.max_degree()}}
-                                     : ordered_json()},
-      {"spectrum", spectrum(plan)},
-      {"notes", notes}};
-  return {{"kind", "motion_law"},
-          {"summary",
-           {{"objective", solution.value.objective},
-            {"peak_velocity", solution.value.peaks[1].value},
-            {"peak_acceleration", solution.value.peaks[2].value},
-            {"peak_jerk", solution.value.peaks[3].value},
-            {"cycle_duration", solution.cycle_duration},
-            {"stroke", positions.highest.value - positions.lowest.value},
-            {"degree", solution.law.max_degree()},
-            {"method", optimal ? "optimal" : "active_set"}}},
-          {"verification", verification(plan.verification)},
-          {"bound",
-           {{"objective", plan.lower},
-            {"gap", number_or_null(plan.lower > 0, solution.value.objective / plan.lower - 1)},
-            {"basis", plan.basis}}},
-          {"setpoints", setpoint_summary(*plan.table)},
-          {"details", std::move(details)}};
+  KindReport out;
+  out.details = {{"master",
+                  {{"unit", plan.problem.master_unit},
+                   {"begin", cam::table_begin(plan.problem)},
+                   {"length", plan.problem.length},
+                   {"periodic", plan.problem.periodic}}},
+                 {"sections", sections(plan)},
+                 {"angles", solution.at},
+                 {"peaks", {{"velocity", peak(plan, 1)}, {"acceleration", peak(plan, 2)}, {"jerk", peak(plan, 3)}}},
+                 {"conversions", conversions(solution.conversions)},
+                 {"source_order", order_of_source(plan)},
+                 {"distributions", solution.distributions},
+                 {"systems", solution.systems},
+                 {"condition", solution.condition ? ordered_json(*solution.condition) : ordered_json()},
+                 {"lower", solution.lower ? ordered_json(*solution.lower) : ordered_json()},
+                 {"classical", compared_law(plan)},
+                 {"active_set", plan.source_law ? ordered_json{{"objective", plan.source_law->value.objective},
+                                                               {"degree", plan.source_law->law.max_degree()}}
+                                                : ordered_json()},
+                 {"spectrum", spectrum(plan)},
+                 {"notes", notes}};
+  out.summary = {{"objective", solution.value.objective},
+                 {"peak_velocity", solution.value.peaks[1].value},
+                 {"peak_acceleration", solution.value.peaks[2].value},
+                 {"peak_jerk", solution.value.peaks[3].value},
+                 {"cycle_duration", solution.cycle_duration},
+                 {"stroke", positions.highest.value - positions.lowest.value},
+                 {"degree", solution.law.max_degree()},
+                 {"method", optimal ? "optimal" : "active_set"}};
+  out.verification = verification(plan.verification);
+  out.bound = {{"objective", plan.lower},
+               {"gap", number_or_null(plan.lower > 0, solution.value.objective / plan.lower - 1)},
+               {"basis", plan.basis}};
+  return out;
 }
 
 }  // namespace bahnwerk::api::motion_law

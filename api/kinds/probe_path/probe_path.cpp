@@ -4,9 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "api/planned_job.hpp"
-#include "api/problem.hpp"
-#include "api/setpoint_summary.hpp"
+#include "api/kind_frame.hpp"
 #include "api/verification.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
@@ -26,33 +24,35 @@ ordered_json summary(const ProbePlan& plan) {
           {"speed_ripple", plan.figures.speed_ripple}};
 }
 
-}  // namespace
+struct Asked {
+  ProbeRequest probe;
+  std::vector<std::string> notes;
+};
 
-void check(const json& spec) {
-  try {
-    request(spec);
-  } catch (const InvalidInput&) {
-    throw problem_from_current_exception("/spec");
+struct ProbePathKind {
+  static constexpr std::string_view name = "probe_path";
+  static constexpr std::string_view title = "A measuring head through given points, inside a tube";
+
+  static Asked read(const json& spec, Progress&) { return {request(spec), notes(spec)}; }
+
+  static ProbePlan plan(const Asked& asked, Progress& progress) { return plan_probe(asked.probe, progress); }
+
+  static KindReport report(const Asked& asked, ProbePlan& plan, Progress& progress) {
+    KindReport out;
+    out.summary = summary(plan);
+    out.verification = verification(plan.verification);
+    out.bound = bound(plan.bound);
+    out.details = details(asked.probe, asked.notes, plan);
+    progress.report("drawing", 1);
+    out.drawings = {{"path.svg", probe_path_drawing(plan)}, {"motion.svg", probe_motion_drawing(plan, progress)}};
+    out.setpoints = std::move(plan.setpoints);
+    return out;
   }
-}
+};
 
-PlannedJob plan(const json& spec, Progress& progress) {
-  progress.report("read", 0.0);
-  const ProbeRequest asked = request(spec);
-  ProbePlan plan = plan_probe(asked, progress);
-  PlannedJob job;
-  job.verified = plan.verification.passed;
-  job.result = {{"kind", "probe_path"},
-                {"summary", summary(plan)},
-                {"verification", verification(plan.verification)},
-                {"bound", bound(plan.bound)},
-                {"setpoints", setpoint_summary(*plan.setpoints)},
-                {"details", details(spec, asked, plan)}};
-  progress.report("drawing", 1);
-  job.result["details"]["drawings"] = {{"path.svg", probe_path_drawing(plan)},
-                                       {"motion.svg", probe_motion_drawing(plan, progress)}};
-  job.setpoints = std::move(plan.setpoints);
-  return job;
-}
-
+}  // namespace
 }  // namespace bahnwerk::api::probe_path
+
+namespace bahnwerk::api {
+Kind describe_probe_path() { return kind_of<probe_path::ProbePathKind>(); }
+}  // namespace bahnwerk::api

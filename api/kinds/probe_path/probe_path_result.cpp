@@ -7,7 +7,6 @@
 namespace bahnwerk::api::probe_path {
 namespace {
 
-using nlohmann::json;
 using nlohmann::ordered_json;
 
 constexpr std::size_t most_listed = 10'000;  // pieces and phases
@@ -64,7 +63,7 @@ ordered_json pieces(const ProbePlan& plan) {
 
 }  // namespace
 
-ordered_json details(const json& spec, const ProbeRequest& request, const ProbePlan& plan) {
+ordered_json details(const ProbeRequest& request, const std::vector<std::string>& notes, const ProbePlan& plan) {
   return {{"method", name_of<ProbeMethod>(request.method, probe_methods)},
           {"objective", name_of<ProbeObjective>(request.problem.objective, probe_objectives)},
           {"stops_duration", plan.stops},
@@ -73,7 +72,7 @@ ordered_json details(const json& spec, const ProbeRequest& request, const ProbeP
           {"phases_total", plan.motion.phases.size()},
           {"pieces", pieces(plan)},
           {"pieces_total", plan.motion.motion->pieces()},
-          {"notes", notes(spec)}};
+          {"notes", notes}};
 }
 
 }  // namespace bahnwerk::api::probe_path

@@ -5,11 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "api/kind_frame.hpp"
 #include "api/kinds/winding/winding_input.hpp"
 #include "api/kinds/winding/winding_result.hpp"
-#include "api/planned_job.hpp"
-#include "api/problem.hpp"
-#include "api/setpoint_summary.hpp"
 #include "api/verification.hpp"
 #include "core/base/progress.hpp"
 #include "core/plan/winding/feed_drawing.hpp"
@@ -43,46 +41,45 @@ ordered_json summary(const WindingRequest& request, const WindingPlan& plan) {
           {"clearance", std::isfinite(least) ? ordered_json(least) : ordered_json()}};
 }
 
-}  // namespace
+struct WindingKind {
+  static constexpr std::string_view name = "winding";
+  static constexpr std::string_view title =
+      "Coils of a stator or rotor wound by a needle, from slot to machine setpoints";
 
-void check(const json& spec) {
-  try {
-    request(spec);
-  } catch (const InvalidInput&) {
-    throw problem_from_current_exception("/spec");
-  }
-}
+  static WindingRequest read(const json& spec, Progress&) { return request(spec); }
 
-PlannedJob plan(const json& spec, Progress& progress) {
-  progress.report("read", 0.0);
-  const WindingRequest asked = request(spec);
-  WindingPlan plan = [&] {
+  static WindingPlan plan(const WindingRequest& asked, Progress& progress) {
     try {
       return plan_winding(asked, progress);
     } catch (const InvalidInput& error) {
       throw relocated(error);
     }
-  }();
-  PlannedJob job;
-  job.verified = plan.motion.verification.passed;
-  job.result = {{"kind", "winding"},
-                {"summary", summary(asked, plan)},
-                {"verification", placed_verification(asked, plan)},
-                {"bound", bound(plan.motion.bound)},
-                {"setpoints", setpoint_summary(*plan.motion.setpoints)},
-                {"details", details(asked, plan, progress)}};
-  progress.report("drawing", 1);
-  job.result["details"]["drawings"] = {{"needle_path.svg", needle_path_drawing(asked, plan)},
-                                       {"needle_path.dxf", needle_path_dxf(plan)},
-                                       {"curvature.svg", turn_curvature_drawing(plan)},
-                                       {"feed.svg", feed_drawing(asked, plan)}};
-  job.result["details"]["access"] = nullptr;
-  if (const auto access = slot_access(asked, progress)) {
-    job.result["details"]["access"] = slot_access_result(*access);
-    job.result["details"]["drawings"]["clearance_map.svg"] = access->drawing;
   }
-  job.setpoints = std::move(plan.motion.setpoints);
-  return job;
-}
 
+  static KindReport report(const WindingRequest& asked, WindingPlan& plan, Progress& progress) {
+    KindReport out;
+    out.summary = summary(asked, plan);
+    out.verification = placed_verification(asked, plan);
+    out.bound = bound(plan.motion.bound);
+    out.details = details(asked, plan, progress);
+    progress.report("drawing", 1);
+    out.details["drawings"] = {{"needle_path.svg", needle_path_drawing(asked, plan)},
+                               {"needle_path.dxf", needle_path_dxf(plan)},
+                               {"curvature.svg", turn_curvature_drawing(plan)},
+                               {"feed.svg", feed_drawing(asked, plan)}};
+    out.details["access"] = nullptr;  // stands behind the drawings
+    if (const auto access = slot_access(asked, progress)) {
+      out.details["access"] = slot_access_result(*access);
+      out.details["drawings"]["clearance_map.svg"] = access->drawing;
+    }
+    out.setpoints = std::move(plan.motion.setpoints);
+    return out;
+  }
+};
+
+}  // namespace
 }  // namespace bahnwerk::api::winding_kind
+
+namespace bahnwerk::api {
+Kind describe_winding() { return kind_of<winding_kind::WindingKind>(); }
+}  // namespace bahnwerk::api

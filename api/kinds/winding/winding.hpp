@@ -14,7 +14,4 @@ inline constexpr double max_setpoints = 20'000'000;
 /// Reads a spec that passed its schema. Throws InvalidInput naming every fault, with places relative to the spec.
 WindingRequest request(const nlohmann::json& spec);
 
-void check(const nlohmann::json& spec);
-PlannedJob plan(const nlohmann::json& spec, Progress& progress);
-
 }  // namespace bahnwerk::api::winding_kind

@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "api/kinds/slot_input.hpp"
+#include "api/slot/slot_input.hpp"
 #include "core/machine/kinematics.hpp"
 #include "core/plan/winding/winding_plan.hpp"
 

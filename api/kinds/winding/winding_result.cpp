@@ -6,8 +6,8 @@
 #include <numbers>
 #include <string>
 
-#include "api/kinds/slot_input.hpp"
-#include "api/kinds/windable_result.hpp"
+#include "api/slot/slot_input.hpp"
+#include "api/slot/windable_result.hpp"
 #include "core/machine/robot_winder.hpp"
 
 namespace bahnwerk::api::winding_kind {

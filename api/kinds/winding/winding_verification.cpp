@@ -3,8 +3,8 @@
 #include <numbers>
 #include <string>
 
-#include "api/kinds/slot_input.hpp"
 #include "api/kinds/winding/winding_result.hpp"
+#include "api/slot/slot_input.hpp"
 #include "api/verification.hpp"
 
 namespace bahnwerk::api::winding_kind {

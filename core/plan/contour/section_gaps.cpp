@@ -3,6 +3,9 @@
 #include <algorithm>
 
 #include "core/base/progress_scope.hpp"
+#include "core/motion/axes/axis_path.hpp"
+#include "core/motion/law/time_law.hpp"
+#include "core/verify/bound/lower_bound.hpp"
 
 namespace bahnwerk {
 

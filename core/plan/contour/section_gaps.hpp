@@ -3,13 +3,12 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/motion/axes/path_task.hpp"
-#include "core/motion/law/time_law.hpp"
-#include "core/verify/bound/lower_bound.hpp"
-
 namespace bahnwerk {
 
+class AxisPath;
 class Progress;
+class TimeLaw;
+struct SectionBound;
 
 struct SectionGap {
   std::size_t source = 0;  ///< of the first of its segments

@@ -1,10 +1,11 @@
-#include "api/kinds/coarse_fine.hpp"
+#include "api/kinds/contour/coarse_fine.hpp"
 
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
 
-#include "api/kinds/contour.hpp"
+#include "api/kind.hpp"
+#include "api/kinds/contour/contour.hpp"
 #include "api/problem.hpp"
 #include "core/base/progress.hpp"
 #include "tests/api/checked.hpp"
@@ -21,7 +22,7 @@ json example(const std::string& name) {
 
 PlannedJob planned(const json& spec) {
   SilentProgress progress;
-  return test::checked(plan(spec, progress));
+  return test::checked(find_kind("contour")->plan(spec, progress));
 }
 
 /// [Bock Table 2.1].
@@ -218,7 +219,7 @@ TEST(CoarseFine, TheTravelOfCoarseAxesIsHeld) {
   spec["machine"]["coarse"]["x"]["range"] = {60, 0};
   const auto refused = [&] {
     try {
-      check(spec);
+      find_kind("contour")->check(spec);
     } catch (const Problem& problem) {
       return test::pointers(problem);
     }

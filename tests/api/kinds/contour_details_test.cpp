@@ -4,7 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "api/kinds/contour.hpp"
+#include "api/kind.hpp"
+#include "api/kinds/contour/contour.hpp"
 #include "core/base/progress.hpp"
 #include "tests/api/checked.hpp"
 #include "tests/api/documents.hpp"
@@ -16,7 +17,7 @@ using nlohmann::json;
 
 json result(const json& spec) {
   SilentProgress progress;
-  return json::parse(test::checked(plan(spec, progress)).result.dump());
+  return json::parse(test::checked(find_kind("contour")->plan(spec, progress)).result.dump());
 }
 
 json program() {

@@ -1,4 +1,4 @@
-#include "api/kinds/contour.hpp"
+#include "api/kinds/contour/contour.hpp"
 
 #include <gmock/gmock.h>
 
@@ -9,6 +9,7 @@
 #include <set>
 
 #include "api/base64.hpp"
+#include "api/kind.hpp"
 #include "api/setpoints.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
@@ -20,7 +21,9 @@ namespace {
 
 using nlohmann::json;
 
-PlannedJob planned(const json& spec, Progress& progress) { return test::checked(plan(spec, progress)); }
+PlannedJob planned(const json& spec, Progress& progress) {
+  return test::checked(find_kind("contour")->plan(spec, progress));
+}
 
 json example(const std::string& name) {
   return test::read_json(test::source("schemas/examples/contour/" + name + ".json"));
@@ -186,7 +189,7 @@ TEST(ContourInput, NamesEveryPointOfTheWrongDimension) {
   json spec = example("points");
   for (int i = 1; i < 4; ++i) spec["contour"]["points"][i].push_back(0);
   try {
-    check(spec);
+    find_kind("contour")->check(spec);
     FAIL();
   } catch (const Problem& problem) {
     EXPECT_EQ(test::pointers(problem),
@@ -396,7 +399,7 @@ struct Impatient final : Progress {
 
 TEST(ContourPlan, StopsWhenAsked) {
   Impatient progress;
-  EXPECT_THROW(plan(example_spec("bracket"), progress), Stopped);
+  EXPECT_THROW(find_kind("contour")->plan(example_spec("bracket"), progress), Stopped);
 }
 
 /// The tangents of the examples meet where a drawing says that they do: only intended corners stop the head.

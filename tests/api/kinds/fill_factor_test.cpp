@@ -1,4 +1,4 @@
-#include "api/kinds/fill_factor.hpp"
+#include "api/kinds/fill_factor/fill_factor.hpp"
 
 #include <gmock/gmock.h>
 
@@ -7,6 +7,7 @@
 #include <numbers>
 #include <set>
 
+#include "api/kind.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
 #include "tests/api/checked.hpp"
@@ -17,7 +18,9 @@ namespace {
 
 using nlohmann::json;
 
-PlannedJob planned(const json& spec, Progress& progress) { return test::checked(plan(spec, progress)); }
+PlannedJob planned(const json& spec, Progress& progress) {
+  return test::checked(find_kind("fill_factor")->plan(spec, progress));
+}
 
 json example(const std::string& name) {
   return test::read_json(test::source("schemas/examples/fill_factor/" + name + ".json"));

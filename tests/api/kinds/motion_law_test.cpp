@@ -1,12 +1,12 @@
-#include "api/kinds/motion_law/motion_law.hpp"
-
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "api/kind.hpp"
 #include "api/kinds/motion_law/controller_layouts.hpp"
+#include "api/kinds/motion_law/motion_law_input.hpp"
 #include "core/base/progress.hpp"
 #include "tests/api/checked.hpp"
 #include "tests/api/documents.hpp"
@@ -18,7 +18,7 @@ using nlohmann::json;
 
 PlannedJob planned(const json& spec) {
   SilentProgress silent;
-  return test::checked(plan(spec, silent));
+  return test::checked(find_kind("motion_law")->plan(spec, silent));
 }
 json example(const std::string& name) {
   return test::read_json(test::source("schemas/examples/motion_law/" + name + ".json"));

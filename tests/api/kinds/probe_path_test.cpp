@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "api/kind.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
 #include "tests/api/checked.hpp"
@@ -17,7 +18,7 @@ using nlohmann::json;
 
 PlannedJob planned(const json& spec) {
   SilentProgress silent;
-  return test::checked(plan(spec, silent));
+  return test::checked(find_kind("probe_path")->plan(spec, silent));
 }
 
 json spec(json points, double tolerance, const std::string& method) {
@@ -154,7 +155,7 @@ TEST(ProbePath, TooManySetpointsAreRefusedAtTheCycleTime) {
   slow["cycle_time"] = 1e-5;
   SilentProgress silent;
   try {
-    plan(slow, silent);
+    find_kind("probe_path")->plan(slow, silent);
     FAIL();
   } catch (const InvalidInput& error) {
     EXPECT_THAT(error.faults[0].place, testing::ElementsAre("cycle_time"));

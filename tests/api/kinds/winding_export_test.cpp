@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "api/kind.hpp"
 #include "api/kinds/winding/winding.hpp"
 #include "core/base/progress.hpp"
 #include "tests/api/checked.hpp"
@@ -59,7 +60,7 @@ TEST(WindingExport, IndependentEvaluationConfirmsJointsAndArcs) {
     for (const std::string objective : {"curvature", "minimum_time"}) {
       spec["path"]["objective"] = objective;
       SilentProgress silent;
-      const json details = test::checked(plan(spec, silent)).result["details"];
+      const json details = test::checked(find_kind("winding")->plan(spec, silent)).result["details"];
       json document = details["path"];
       if (name == "stator_coil") document["circles"] = circles(details);
       EXPECT_EQ(judged(name + "_" + objective, document), 0) << name << ' ' << objective;

@@ -6,7 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "api/kinds/fill_factor.hpp"
+#include "api/kind.hpp"
+#include "api/kinds/fill_factor/fill_factor.hpp"
 #include "api/kinds/winding/winding_result.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
@@ -22,14 +23,14 @@ using nlohmann::json;
 
 PlannedJob planned(const json& spec) {
   SilentProgress silent;
-  return test::checked(plan(spec, silent));
+  return test::checked(find_kind("winding")->plan(spec, silent));
 }
 
 /// The problem that a job with this spec ends with.
 std::string problem_of(const json& spec, std::string_view slug) {
   try {
     SilentProgress silent;
-    plan(spec, silent);
+    find_kind("winding")->plan(spec, silent);
   } catch (...) {
     const Problem problem = problem_from_current_exception();
     EXPECT_EQ(problem.type().slug, slug);
@@ -168,7 +169,7 @@ TEST(WindingPlan, SaysAsKindFillFactorDoesThatAWireIsPushedOut) {
                   {"turns", {{"serial", 16}, {"parallel", 1}}},
                   {"drawings", false}};
   SilentProgress silent;
-  const json layout = json(fill_factor::plan(fill, silent).result)["details"]["layouts"][0];
+  const json layout = json(find_kind("fill_factor")->plan(fill, silent).result)["details"]["layouts"][0];
   EXPECT_EQ(said["details"]["layout"]["regions"]["slot"]["positions"], layout["positions"]);
   for (const char* member : {"producible", "slips", "blocked_by", "windable"})
     EXPECT_EQ(said["details"]["layout"][member], layout[member]) << member;
@@ -355,7 +356,7 @@ TEST(WindingPlan, ANeedleThatComesTooNearFails) {
   spec["path"]["extra_point"] = 0;  // links that bend before they are out of the slot
   spec["needle"] = {{"width", 3.0}, {"pivot_limit", 10}, {"clearance", 0}};
   SilentProgress silent;
-  const PlannedJob job = test::checked(plan(spec, silent));
+  const PlannedJob job = test::checked(find_kind("winding")->plan(spec, silent));
   EXPECT_FALSE(job.verified);
   EXPECT_LT(job.result["details"]["clearance"]["minimum"].get<double>(), 0);
   bool failed = false;

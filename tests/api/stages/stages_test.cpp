@@ -7,6 +7,7 @@
 #include <map>
 #include <vector>
 
+#include "api/kind.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
 #include "large_documents.hpp"
@@ -145,6 +146,12 @@ TEST(StagesOfExamples, StopAtWhicheverReportTheyAreTold) {
   for (const std::string file : {"bracket", "circle", "helix", "line", "polyline"}) {
     const auto document = test::read_json(test::source("examples/" + file + ".json"));
     small.push_back({file, document["kind"], document["spec"]});
+  }
+  for (const Kind& kind : kinds()) {
+    const std::string name(kind.name);
+    if (name == "fill_factor") continue;  // its smallest example takes seconds, and is above
+    small.push_back(
+        {name + " minimal", name, test::read_json(test::source("schemas/examples/" + name + "/minimal.json"))});
   }
   for (const test::Large& each : small) {
     const std::string document = test::job(each);

@@ -50,5 +50,14 @@ TEST(ReadRows, AColumnIsFoundByItsName) {
   EXPECT_EQ(column_index(source.columns(), "c"), 2u);
 }
 
+TEST(ReadRows, NobodyNeedsToBeToldHowFarItIs) {
+  std::size_t next = 0;
+  for_each_row(Counted(1500), [&](std::size_t k, const double* row) {
+    EXPECT_EQ(k, next++);
+    EXPECT_EQ(row[1], -static_cast<double>(k));
+  });
+  EXPECT_EQ(next, 1500u);
+}
+
 }  // namespace
 }  // namespace bahnwerk

@@ -1,0 +1,67 @@
+#pragma once
+/// The frame that every kind stands in: a document is read, checked, planned and reported in the same way, whatever it
+/// plans. A kind is a type K with
+///
+///   name, title                                     string constants
+///   Request read(const json& spec, Progress&)       the spec in core's terms; throws InvalidInput naming every fault
+///   Plan plan(Request&, Progress&)                  throws core's errors
+///   KindReport report(const Request&, Plan&, Progress&)
+///
+/// and, where a document's faults are known only after some computation, check(const Request&), which throws
+/// InvalidInput when the document is submitted. All of them are static members. In a file api/kinds/<name>/<name>.cpp,
+/// `Kind describe_<name>() { return kind_of<K>(); }` makes it one of the list (api/kinds.cpp).
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "api/embedded.hpp"
+#include "api/kind.hpp"
+#include "api/planned_job.hpp"
+#include "api/problem.hpp"
+#include "core/base/errors.hpp"
+#include "core/base/progress.hpp"
+#include "core/base/setpoint_source.hpp"
+#include "core/base/verification.hpp"
+
+namespace bahnwerk::api {
+
+/// What a kind says of its plan.
+struct KindReport {
+  nlohmann::ordered_json summary;
+  nlohmann::ordered_json verification;  ///< as api/verification.hpp writes it, or with what the kind adds
+  nlohmann::ordered_json bound;         ///< value, gap and basis, as api/verification.hpp writes them
+  nlohmann::ordered_json details;
+  nlohmann::ordered_json drawings = nullptr;            ///< SVG and DXF texts by file name; null: the result has none
+  std::unique_ptr<SetpointSource> setpoints = nullptr;  ///< nullptr where the kind has none
+};
+
+/// The result document with its setpoints. It is verified if `verification.passed` says so.
+PlannedJob planned_job(std::string_view kind, KindReport report);
+
+template <class K>
+void check_spec(const nlohmann::json& spec) {
+  try {
+    SilentProgress silent;
+    const auto request = K::read(spec, silent);
+    if constexpr (requires { K::check(request); }) K::check(request);
+  } catch (const InvalidInput&) {
+    throw problem_from_current_exception("/spec");
+  }
+}
+
+template <class K>
+PlannedJob plan_spec(const nlohmann::json& spec, Progress& progress) {
+  progress.report("read", 0.0);
+  auto request = K::read(spec, progress);
+  auto plan = K::plan(request, progress);
+  return planned_job(K::name, K::report(request, plan, progress));
+}
+
+template <class K>
+Kind kind_of() {
+  return {K::name,       K::title,    embedded(K::name), embedded(std::string(K::name) + ".result"),
+          check_spec<K>, plan_spec<K>};
+}
+
+}  // namespace bahnwerk::api

@@ -1,0 +1,283 @@
+#include "api/kinds/contour/contour.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <optional>
+
+#include "api/kind_frame.hpp"
+#include "api/kinds/contour/coarse_fine.hpp"
+#include "api/verification.hpp"
+#include "core/base/errors.hpp"
+#include "core/base/progress_part.hpp"
+#include "core/plan/coarse_fine/axis_drawing.hpp"
+#include "core/plan/contour/contour_faults.hpp"
+#include "core/plan/contour_drawing.hpp"
+#include "core/plan/path_plan.hpp"
+#include "core/plan/planning_method.hpp"
+
+namespace bahnwerk::api::contour {
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+constexpr std::size_t max_joints_listed = 1000;  // a fine polyline passes as many as it has points
+
+/// "line 1204: 14 % of the time, acceleration y, stops".
+std::string sentence(const SlowLine& line, const char* what) {
+  char text[160];
+  std::snprintf(text, sizeof text, "%s %zu: %.*f %% of the time", what, line.source, line.share < 0.1 ? 1 : 0,
+                100 * line.share);
+  std::string all = text;
+  if (!line.limit.empty()) all += ", " + line.limit;
+  if (line.stops && line.limit != "dwell") all += ", stops";
+  return all;
+}
+
+/// The lines that cost most time. Only a program has lines: elsewhere it is the segment's number, from 0.
+ordered_json slowest(const ContourPlan& plan, bool program) {
+  ordered_json list = ordered_json::array();
+  const char* const what = program ? "line" : "segment";
+  for (const SlowLine& line : plan.slow_lines)
+    list.push_back({{what, line.source},
+                    {"time", line.time},
+                    {"share", line.share},
+                    {"length", line.length},
+                    {"feed", std::isfinite(line.feed) ? ordered_json(line.feed) : ordered_json()},
+                    {"limit", line.limit.empty() ? ordered_json() : ordered_json(line.limit)},
+                    {"limit_share", line.limit_share},
+                    {"stops", line.stops},
+                    {"text", sentence(line, what)}});
+  return list;
+}
+
+/// Sections between two rests, against their own bounds: how good the plan is where it is worst.
+ordered_json sections(const ContourPlan& plan, bool program) {
+  const SectionGaps& s = plan.sections;
+  if (s.count == 0) return {{"count", 0}, {"median_gap", nullptr}, {"worst", nullptr}};
+  return {{"count", s.count},
+          {"median_gap", s.median},
+          {"worst",
+           {{program ? "line" : "segment", s.worst.source},
+            {"length", s.worst.length},
+            {"time", s.worst.time},
+            {"bound", s.worst.bound},
+            {"gap", s.worst.gap}}}};
+}
+
+/// "half the jerk: 12.31 s, 4.2 % more".
+std::string sentence(const WhatIf& answer, const char* change, double planned) {
+  if (!answer.duration) return std::string(change) + ": cannot be planned";
+  const double more = 100 * (*answer.duration / planned - 1);
+  char text[120];
+  if (std::abs(more) < 1e-6) {
+    std::snprintf(text, sizeof text, "%s: %.6g s, no change", change, *answer.duration);
+    return text;
+  }
+  std::snprintf(text, sizeof text, "%s: %.6g s, %.2g %% %s", change, *answer.duration, std::abs(more),
+                more < 0 ? "less" : "more");
+  return text;
+}
+
+ordered_json what_if(const ContourPlan& plan) {
+  ordered_json list = ordered_json::array();
+  for (const WhatIf& answer : plan.what_if) {
+    const bool twice = answer.factor > 1;
+    const char *limit = "tolerance", *change = "twice the tolerance";
+    if (answer.what == WhatIf::What::jerk) limit = "jerk", change = twice ? "twice the jerk" : "half the jerk";
+    if (answer.what == WhatIf::What::acceleration) limit = "acceleration", change = "half the accelerations";
+    list.push_back({{"limit", limit},
+                    {"factor", answer.factor},
+                    {"duration", answer.duration ? ordered_json(*answer.duration) : ordered_json()},
+                    {"ratio", answer.duration ? ordered_json(*answer.duration / plan.duration) : ordered_json()},
+                    {"text", sentence(answer, change, plan.duration)}});
+  }
+  return list;
+}
+
+ordered_json details(const ContourPlan& plan, const Machine& machine, const ContourPlanning& planning, bool program) {
+  ordered_json blocks = ordered_json::array(), joints = ordered_json::array();
+  for (const auto& block : plan.blocks)
+    blocks.push_back({{"mode", block.mode == Mode::cut ? "cut" : "position"},
+                      {"start_time", block.start_time},
+                      {"end_time", block.end_time},
+                      {"length", block.length}});
+  for (const auto& joint : plan.joints) {
+    if (joints.size() == max_joints_listed) break;
+    ordered_json step = ordered_json::object();
+    for (std::size_t k = 0; k < joint.step.size(); ++k) step[machine.axes[k].name] = joint.step[k];
+    joints.push_back({{"s", joint.s},
+                      {"angle", joint.angle * 180 / std::numbers::pi},
+                      {"velocity", joint.velocity},
+                      {"velocity_step", std::move(step)}});
+  }
+  ordered_json all = {{"method", name_of<PlanningMethod>(planning.method, planning_methods)},
+                      {"law_pieces", plan.pieces},
+                      {"notes", plan.notes},
+                      {"blocks", std::move(blocks)},
+                      {"joints_passed", plan.joints.size()},
+                      {"joints", std::move(joints)},
+                      {"sections", sections(plan, program)},
+                      {"slowest", slowest(plan, program)}};
+  if (planning.what_if) all["what_if"] = what_if(plan);
+  return all;
+}
+
+/// `law`: of the motion along the path; `way`: of the coarse axes, if there are such.
+ordered_json drawings(const ContourPlan& plan, const TimeLaw& law, std::vector<Vec> way, Progress& progress) {
+  char title[80];
+  std::snprintf(title, sizeof title, "path of %.6g mm, %.6g s", plan.path_length, plan.duration);
+  return {{"contour.svg", contour_drawing(*plan.path, {.title = title, .way = std::move(way), .law = &law}, progress)}};
+}
+
+}  // namespace
+
+namespace {
+
+void throw_if_any(std::vector<InputFault> faults) {
+  if (!faults.empty()) throw InvalidInput(std::move(faults));
+}
+
+/// What a job asks for, checked as far as its geometry is not needed.
+struct ContourJob {
+  std::optional<CoarseFineMachine> coarse_fine;
+  Machine head;  ///< of coarse and fine axes the sums
+  ContourPlanning planning;
+  RedundancyOptions redundancy;
+  std::vector<StudyRequest> studies;
+  std::vector<std::string> unused;  ///< notes on options that the method does not look at
+  bool program = false;             ///< whether the contour is a program, which has lines
+  Contour contour;
+};
+
+ContourJob read_contour_job(const json& spec) {
+  ContourJob job;
+  job.program = spec["contour"].contains("gcode");
+  job.planning = planning(spec);
+  job.planning.max_setpoints = max_setpoints;
+  std::vector<InputFault> faults;
+  if (coarse_fine(spec)) {
+    job.coarse_fine = coarse_fine_machine(spec);
+    job.head = summed(*job.coarse_fine);
+    job.redundancy = redundancy(spec, job.planning);
+    job.studies = study_requests(spec);
+    job.unused = unused_options(spec);
+    check_redundancy(spec, *job.coarse_fine, job.planning, faults);
+    check_corners(job.planning, faults);
+    throw_if_any(std::move(faults));
+    job.planning.method = job.coarse_fine->limits_jerk() ? PlanningMethod::jerk_limited : PlanningMethod::time_optimal;
+    return job;
+  }
+  job.head = machine(spec);
+  if (job.planning.machine_study)
+    faults.push_back({{"planning", "machine_study"}, "is for machines with coarse and fine axes"});
+  throw_if_any(std::move(faults));
+  throw_if_any(planning_faults(job.head, job.planning));
+  return job;
+}
+
+void check_contour(const Contour& contour, const ContourJob& job) {
+  std::vector<InputFault> faults;
+  if (!job.coarse_fine) return throw_if_any(contour_faults(contour, job.head, job.planning));
+  check_axes(contour, job.head, "coarse", faults);
+  const double shortest = shortest_time(contour, job.head);
+  check_setpoints(shortest, job.head, max_setpoints, faults);
+  check_grid(*job.coarse_fine, shortest, faults);
+  check_range(*job.coarse_fine, contour, faults);
+  throw_if_any(std::move(faults));
+}
+
+/// What is planned: along Cartesian axes, or with coarse and fine ones, which may be studied besides.
+struct Planned {
+  ContourPlan contour;
+  std::optional<CoarseFinePlan> coarse_fine;  ///< has its own `contour`
+  std::optional<MachineStudy> study;
+
+  ContourPlan& head() { return coarse_fine ? coarse_fine->contour : contour; }
+};
+
+ContourPlan plan_cartesian(ContourJob& job, Progress& progress) {
+  ContourPlan plan = plan_contour(std::move(job.contour), job.head, job.planning, progress);
+  if (!method_row(job.planning.method).limits_jerk)
+    for (const auto& axis : job.head.axes)
+      if (axis.jerk < unlimited) {
+        plan.notes.push_back("jerk limits are given but not held: only method jerk_limited holds them");
+        break;
+      }
+  return plan;
+}
+
+constexpr double planned_of_study = 0.15;  // of the progress of a job with a study: the machine as it is
+
+Planned plan_with_fine_axes(const ContourJob& job, Progress& progress) {
+  const CoarseFineMachine& machine = *job.coarse_fine;
+  const bool study = job.planning.machine_study;
+  ProgressPart part(progress, "planning", 0, planned_of_study);
+  Progress& first = study ? static_cast<Progress&>(part) : progress;  // without a study its stages have their names
+  Planned planned;
+  planned.coarse_fine = plan_coarse_fine(job.contour, machine, job.planning, job.redundancy, first);
+  std::vector<std::string>& notes = planned.head().notes;
+  notes.insert(notes.end(), job.unused.begin(), job.unused.end());
+  if (study)
+    planned.study =
+        machine_study(job.contour, machine, job.planning, job.redundancy, job.studies, progress, planned_of_study, 1);
+  return planned;
+}
+
+void report_fine_axes(const ContourJob& job, const Planned& planned, Progress& progress, KindReport& out) {
+  const CoarseFinePlan& plan = *planned.coarse_fine;
+  report(plan, *job.coarse_fine, job.redundancy.method, job.program, out);
+  if (job.redundancy.method == RedundancyMethod::lag_compensation)
+    report_prefilter(job.redundancy, job.coarse_fine->cycle_time, out);
+  out.drawings["axes.svg"] = axis_drawing(plan, *job.coarse_fine, progress);
+  if (!planned.study) return;
+  report(*planned.study, plan.contour.duration, out);
+  out.drawings["machine_study.svg"] = machine_study_drawing(*planned.study, plan.contour.duration);
+}
+
+struct ContourKind {
+  static constexpr std::string_view name = "contour";
+  static constexpr std::string_view title = "A tool head along a planar or spatial contour";
+
+  static ContourJob read(const json& spec, Progress& progress) {
+    ContourJob job = read_contour_job(spec);
+    job.contour = geometry(spec, progress);
+    check_contour(job.contour, job);
+    return job;
+  }
+
+  static Planned plan(ContourJob& job, Progress& progress) {
+    return job.coarse_fine ? plan_with_fine_axes(job, progress)
+                           : Planned{plan_cartesian(job, progress), std::nullopt, std::nullopt};
+  }
+
+  static KindReport report(const ContourJob& job, Planned& planned, Progress& progress) {
+    ContourPlan& plan = planned.head();
+    KindReport out;
+    out.summary = {{"duration", plan.duration},
+                   {"cut_time", plan.cut_time},
+                   {"position_time", plan.position_time},
+                   {"path_length", plan.path_length},
+                   {"iterations", plan.iterations}};
+    out.verification = verification(plan.verification);
+    out.bound = bound(plan.bound);
+    out.details = details(plan, job.head, job.planning, job.program);
+    const auto& fine = planned.coarse_fine;
+    out.drawings = drawings(plan, fine ? fine->head->law() : plan.motion->law(),
+                            fine ? coarse_way(*fine) : std::vector<Vec>{}, progress);
+    if (fine) report_fine_axes(job, planned, progress, out);
+    out.setpoints = std::move(plan.setpoints);
+    return out;
+  }
+};
+
+}  // namespace
+
+}  // namespace bahnwerk::api::contour
+
+namespace bahnwerk::api {
+Kind describe_contour() { return kind_of<contour::ContourKind>(); }
+}  // namespace bahnwerk::api

@@ -1,0 +1,23 @@
+#pragma once
+/// Kind "contour": JSON spec → core → result document.
+#include <nlohmann/json_fwd.hpp>
+
+#include "api/kind.hpp"
+#include "core/contour/contour.hpp"
+#include "core/machine/machine.hpp"
+#include "core/plan/contour_plan.hpp"
+
+namespace bahnwerk::api::contour {
+
+/// Largest number of segments, and of setpoints of one job.
+inline constexpr std::size_t max_segments = 2'000'000;
+inline constexpr double max_setpoints = 20'000'000;
+
+/// The readers take a spec that passed its schema.
+Machine machine(const nlohmann::json& spec);
+ContourPlanning planning(const nlohmann::json& spec);
+/// Throws InvalidInput naming every fault, with places relative to the spec.
+Contour geometry(const nlohmann::json& spec, Progress& progress);
+Contour geometry(const nlohmann::json& spec);
+
+}  // namespace bahnwerk::api::contour

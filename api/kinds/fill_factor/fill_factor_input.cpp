@@ -1,0 +1,173 @@
+// The spec of kind "fill_factor" → slot, wires, options.
+#include "api/kinds/fill_factor/fill_factor_input.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "api/kinds/fill_factor/fill_factor.hpp"
+#include "core/base/errors.hpp"
+#include "core/winding/layout/count_bound.hpp"
+#include "core/winding/part/part.hpp"
+#include "core/winding/slot/coil_sides.hpp"
+
+namespace bahnwerk::api::fill_factor {
+namespace {
+
+using nlohmann::json;
+
+constexpr double degree = std::numbers::pi / 180;
+
+Point point(const json& value) { return {value[0].get<double>(), value[1].get<double>()}; }
+
+winding::Slot slot(const json& s, Progress* progress) {
+  if (s["type"] == "stator") return make_slot(stator_slot(s));
+  if (s["type"] == "rotor") return make_slot(rotor_slot(s));
+  return make_slot(polygon_slot(s), progress);
+}
+
+/// Which members of `heads` one type of slot has.
+void allow_only(std::initializer_list<const char*> known, const json& heads, const std::string& type,
+                std::vector<InputFault>& faults) {
+  for (const auto& [member, value] : heads.items())
+    if (std::find(known.begin(), known.end(), member) == known.end())
+      faults.push_back({{"heads", member}, "does not belong to " + type});
+}
+
+winding::StatorHeads heads_of_stator(const json& heads, const winding::StatorSlot& slot,
+                                     std::vector<InputFault>& faults) {
+  allow_only({"slot_pitch", "span", "tool_radius", "tool_shift", "tool_height", "stack"}, heads, "a stator slot",
+             faults);
+  winding::StatorHeads h = stator_heads(heads, slot, {"heads"}, faults);
+  take(heads, "slot_pitch", h.slot_pitch, degree);
+  take(heads, "span", h.span);
+  if (2 * std::atan2(h.tool_shift, h.tool_radius) >= h.span * h.slot_pitch)
+    faults.push_back({{"heads", "tool_shift"}, "lets the winding tools of the coil's two sides pass each other"});
+  if (h.span * h.slot_pitch >= std::numbers::pi)
+    faults.push_back(
+        {{"heads", "span"}, "takes the coil to the other side of the stator: less than half a turn is possible"});
+  return h;
+}
+
+winding::RotorHeads heads_of_rotor(const json& heads, std::vector<InputFault>& faults) {
+  allow_only({"cap_height", "cap_base", "stack", "tooth_half_width", "tooth_radius"}, heads, "a rotor slot", faults);
+  return rotor_heads(heads, {"heads"}, faults);
+}
+
+void read_algorithms(const json& spec, FillRequest& request, std::vector<InputFault>& faults) {
+  json all = json::array();
+  for (const auto& entry : winding::algorithms) all.push_back(entry.name);
+  const json list = spec.value("algorithms", all);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const auto each = value_of<winding::Algorithm>(list[i].get<std::string>(), winding::algorithms);
+    if (std::find(request.algorithms.begin(), request.algorithms.end(), each) != request.algorithms.end())
+      faults.push_back({{"algorithms", std::to_string(i)}, "is named twice"});
+    request.algorithms.push_back(each);
+  }
+}
+
+void read_heads(const json& spec, FillRequest& request, std::vector<InputFault>& faults) {
+  const json heads = spec.value("heads", json::object());
+  if (spec["slot"]["type"] == "stator") {
+    const winding::StatorHeads h = heads_of_stator(heads, stator_slot(spec["slot"]), faults);
+    // The default is the source's, whatever the slot: it only says where the heads lie.
+    if (heads.contains("slot_pitch") && !winding::leaves_teeth(request.slot, h.base_radius, h.slot_pitch))
+      faults.push_back({{"heads", "slot_pitch"}, "leaves no tooth between the slots: a larger one is needed"});
+    request.heads = h;
+  }
+  if (spec["slot"]["type"] == "rotor") request.heads = heads_of_rotor(heads, faults);
+  if (spec["slot"]["type"] == "polygon" && !heads.empty())
+    faults.push_back({{"heads"}, "a polygon has no winding heads: tie_in draws all its wires"});
+}
+
+/// Usable area for one of two coil sides, and the needle that lays it.
+void read_sides(const json& spec, FillRequest& request, std::vector<InputFault>& faults) {
+  const bool two = spec.value("coil_sides", 1) == 2;
+  const auto* stator = std::get_if<winding::StatorHeads>(&request.heads);
+  const auto how = stator && stator->span > 1 ? winding::Sharing::layers : winding::Sharing::beside;
+  if (two && request.slot.type != winding::Slot::Type::rotor) {
+    winding::SharedSlot half = shared(request.slot, how);
+    request.slot = std::move(half.slot);
+    request.back = std::move(half.back);
+    request.sides = 2;
+  }
+  const auto width = given<double>(spec, "needle_width");
+  if (!width) return;
+  if (!request.slot.opening) faults.push_back({{"needle_width"}, "needs the opening of the polygon, slot.opening"});
+  const bool beside = two && how == winding::Sharing::beside && request.slot.type != winding::Slot::Type::rotor;
+  request.needle = winding::Needle{*width, beside ? winding::Needle::Stand::left : winding::Needle::Stand::middle};
+}
+
+/// Wires that do not fit at all, more than anybody winds, turns that no layout can take. By the thinnest wire: the
+/// thicker the fewer.
+void check_sizes(const FillRequest& request, bool listed, std::vector<InputFault>& faults) {
+  const auto thinnest =
+      std::min_element(request.wires.begin(), request.wires.end(),
+                       [](const winding::Wire& a, const winding::Wire& b) { return a.outer < b.outer; });
+  if (thinnest == request.wires.end()) return;
+  const double r = thinnest->radius();
+  const std::size_t bound = winding::max_wires(request.slot.usable_area, r, 2 * r);
+  if (bound == 0) faults.push_back({{"wires"}, "none of the wires fits into the slot"});
+  if (bound > max_wires) {
+    const std::string index = std::to_string(thinnest - request.wires.begin());
+    const std::vector<std::string> place =
+        listed ? std::vector<std::string>{"wires", index} : std::vector<std::string>{"wire_range", "least"};
+    faults.push_back({place, "is too thin for this slot: the bound is " + short_number(static_cast<double>(bound)) +
+                                 " wires, at most " + std::to_string(max_wires) + " are computed"});
+  }
+  if (bound == 0 || bound > max_wires || !(request.serial || request.parallel)) return;
+  // Layout potential may overlap wires, by different shares of their radii.
+  std::size_t most = bound;
+  if (std::find(request.algorithms.begin(), request.algorithms.end(), winding::Algorithm::potential) !=
+      request.algorithms.end())
+    for (const winding::Wire& wire : request.wires) {
+      const double overlap = allowed_overlap(request, winding::Algorithm::potential, wire);
+      if (wire.outer - overlap > 2 * r) continue;  // takes no more than the thinnest without overlap
+      most = std::max(most, winding::max_wires(request.slot.usable_area, wire.radius(), wire.outer - overlap));
+    }
+  const std::size_t needed = request.serial.value_or(1) * request.parallel.value_or(1);
+  if (needed > most)
+    faults.push_back({{"turns"},
+                      "need " + std::to_string(needed) + " places; the slot has no more than " + std::to_string(most) +
+                          ", by a proven bound"});
+}
+
+}  // namespace
+
+FillRequest request(const json& spec, Progress* progress) {
+  FillRequest request;
+  request.slot = slot(spec["slot"], progress);
+  std::vector<InputFault> faults;
+  request.wires = wires(spec, spec.value("grade", 2), faults);
+  read_algorithms(spec, request, faults);
+  request.overlap_tolerance = given<double>(spec, "overlap_tolerance");
+  request.seed = spec.value("seed", std::uint64_t{1});
+  request.effort = spec.value("effort", 1.0);
+  request.shifts = spec.value("shifts", 4);
+  request.tie_in = spec.contains("tie_in") ? point(spec["tie_in"]) : request.slot.tension_point;
+  read_heads(spec, request, faults);
+  read_sides(spec, request, faults);
+  const json turns = spec.value("turns", json::object());
+  request.serial = given<std::size_t>(turns, "serial");
+  request.parallel = given<std::size_t>(turns, "parallel");
+  request.temperature = spec.value("temperature", 20.0);
+  const json hold = spec.value("producible", json::object());
+  request.producible.friction = hold.value("friction", request.producible.friction);
+  request.producible.touch = hold.value("touch", request.producible.touch);
+  if (spec.contains("robustness")) {
+    const json& r = spec["robustness"];
+    request.sampling = {r["samples"].get<int>(), given<double>(r, "wire_tolerance"), r.value("slot_tolerance", 0.0)};
+    if (request.slot.usable_area.inward(request.sampling.slot_tolerance, progress).empty())
+      faults.push_back(
+          {{"robustness", "slot_tolerance"}, "leaves no usable area where the walls stand inside by so much"});
+  }
+  // Heads that cannot be built are refused before anything is planned.
+  if (faults.empty() && std::holds_alternative<winding::RotorHeads>(request.heads))
+    laying_regions(request.slot, std::get<winding::RotorHeads>(request.heads));
+  if (faults.empty()) check_sizes(request, spec.contains("wires") && spec["wires"].is_array(), faults);
+  if (!faults.empty()) throw InvalidInput(std::move(faults));
+  return request;
+}
+
+}  // namespace bahnwerk::api::fill_factor

@@ -1,0 +1,21 @@
+# Installs ${headers} of ${core} with all that they include, by way of the folder ${made}: core/a/b.hpp becomes include/bahnwerk/a/b.hpp, and so it is
+# included there.
+cmake_minimum_required(VERSION 3.25) # install scripts have no policies of their own
+file(REMOVE_RECURSE "${made}")
+set(installed "")
+while(headers)
+  list(POP_FRONT headers header)
+  if(header IN_LIST installed)
+    continue()
+  endif()
+  list(APPEND installed ${header})
+  file(READ "${core}/${header}" text)
+  string(REGEX MATCHALL "#include \"core/[^\"]*\"" includes "${text}")
+  foreach(include ${includes})
+    string(REGEX REPLACE "^.*core/(.*)\"$" "\\1" include "${include}")
+    list(APPEND headers ${include})
+  endforeach()
+  string(REPLACE "#include \"core/" "#include \"bahnwerk/" text "${text}")
+  file(WRITE "${made}/bahnwerk/${header}" "${text}")
+endwhile()
+file(INSTALL "${made}/bahnwerk" DESTINATION "${CMAKE_INSTALL_PREFIX}/include" USE_SOURCE_PERMISSIONS)
