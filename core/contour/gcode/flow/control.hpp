@@ -33,7 +33,8 @@ class Control {
     return spent_ <= options_.steps;
   }
 
-  /// Carries out a line with a flow: the next line is another one then. False, with fault(), where that is impossible.
+  /// Carries out a line with a flow: the next line is another one then. False, with fault(), where that is impossible,
+  /// or where words stand behind the O word and its values.
   bool execute(const Line& line);
   /// M98: the numbered subprogram, so often.
   bool call(int program, std::size_t repeats);
@@ -65,6 +66,7 @@ class Control {
 
   bool fail(std::string why);
   const Outline& outline();
+  bool ends(const Line& line, const char* at);
   bool condition(const Line& line, double& value);
   bool arguments(const Line& line, std::vector<double>& values);
   bool end_of(std::size_t head, Place& place);

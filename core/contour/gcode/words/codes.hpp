@@ -64,6 +64,8 @@ bool takes_words(int tenfold);
 bool known_m(int m);
 /// M words of printers' firmware that a machine tool does not know.
 bool printer_m(int m);
+/// What such a word would change of the motion, for its note; null where it concerns the motion in no way.
+const char* printer_effect(int m);
 /// The M word without its decimal, by its entry in Line::m.
 inline int whole_m(int m) { return m < 0 ? -m / 10 : m; }
 /// "M862.3", by its entry in Line::m.
