@@ -148,6 +148,16 @@ class Blender {
     owner_.insert(owner_.end(), result_.path.size() - before, from.block);
   }
 
+  /// A piece of a given segment remains one segment.
+  void keep(const std::shared_ptr<const Curve>& piece, const Element& from) {
+    try {
+      result_.path.append_piece(piece, from.source);
+    } catch (const InvalidInput&) {
+      return;  // without length
+    }
+    owner_.push_back(from.block);
+  }
+
   /// Copies the part between a and b unchanged.
   void keep(const Stretch& stretch, double a, double b, std::size_t& hint) {
     if (!(b > a)) return;
@@ -156,7 +166,7 @@ class Blender {
       if (e.begin >= b) break;
       hint = i;
       const double low = std::max(0.0, a - e.begin), high = std::min(e.length, b - e.begin);
-      if (high - low > shortest_rest || (low <= 0 && high >= e.length)) append(e.part(low, high), e);
+      if (high - low > shortest_rest || (low <= 0 && high >= e.length)) keep(e.part(low, high), e);
       tick();
     }
   }
@@ -271,7 +281,7 @@ class Blender {
       e.segment = nullptr;
       return e;
     }
-    parts_.push_back(std::make_unique<Segment>(whole.part(low, high), 0.0, whole.source));
+    parts_.push_back(std::make_unique<Segment>(Segment::piece(whole.part(low, high), 0.0, whole.source)));
     e.segment = parts_.back().get();
     e.length = e.segment->length();
     return e;

@@ -158,7 +158,8 @@ class PathProblem final : public MotionProblem {
   }
 
   /// Plans on finer grids while that is worthwhile. The proven bound tells whether the grid was fine enough, by the
-  /// motion alone; a braking reserve has no bound that it reaches, there the grid before tells.
+  /// motion alone. A braking reserve has no bound that it reaches: there the grid before tells, and the finer law
+  /// counts even if it takes longer, for between the nodes of a coarse grid a law may use some of its reserve.
   TimeLaw law_near_the_bound() {
     TimeLaw law = solve();
     const bool reaches_bound = method_.reaches_bound && planning_.jerk_share == 1;
@@ -171,8 +172,9 @@ class PathProblem final : public MotionProblem {
       if (gap <= closer || cells_ > max_cells || (gap <= close_enough && !may_gain)) break;
       ++refinement_;
       TimeLaw finer = solve();
-      gained = finer.duration() < law.duration() * (1 - worthwhile);
-      if (finer.duration() < law.duration()) law = std::move(finer);
+      const double gain = 1 - finer.duration() / law.duration();
+      gained = reaches_bound ? gain > worthwhile : std::abs(gain) > worthwhile;
+      if (gain > 0 || (!reaches_bound && std::isfinite(finer.duration()))) law = std::move(finer);
     }
     return law;
   }

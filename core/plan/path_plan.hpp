@@ -68,9 +68,10 @@ struct PathPlan {
 
 /// Verified are the motion (core/verify/verifier.hpp), every setpoint (core/verify/setpoints/setpoint_checks.hpp), and
 /// that the duration is not below its bound. A plan of a method that reaches the bound but is not within 5e-6 of it (of
-/// 20 000 cells at most: 5e-7, while finer grids gain 2e-7; these with a braking reserve, too), and any plan that the
-/// verifier rejects, is planned again on a finer grid, three times at most; what is returned may still be unverified:
-/// look at `verification.passed`. A limit exceeded by so little that it is rounding slows the section by as much.
+/// 20 000 cells at most: 5e-7, while finer grids gain 2e-7, with a braking reserve while they change it by that), and
+/// any plan that the verifier rejects, is planned again on a finer grid, three times at most; what is returned may
+/// still be unverified: look at `verification.passed`. A limit exceeded by so little that it is rounding slows the
+/// section by as much.
 ///
 /// Cost: that of the method, about 1 µs per grid cell with verification and bound, and 0.1 to 0.3 µs per setpoint.
 /// Throws InvalidInput, also for a motion of more than max_setpoints, UnreachablePose and Stopped.

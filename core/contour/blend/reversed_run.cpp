@@ -34,7 +34,7 @@ ReversedRun::ReversedRun(const Stretch& stretch, const RunRange& range) : given_
       e.tangent = -1.0 * e.tangent;
       e.segment = nullptr;
     } else {
-      segments_.push_back(std::make_unique<Segment>(reversed(e.segment->curve()), 0.0, e.source));
+      segments_.push_back(std::make_unique<Segment>(Segment::piece(reversed(e.segment->curve()), 0.0, e.source)));
       e.segment = segments_.back().get();
     }
     stretch_.elements.push_back(e);

@@ -85,12 +85,14 @@ void Interpreter::m_word(const Line& line, int m) {
       return note(key_m + 19, line, "orientation of the spindle (M19) ignored");
     case 48:
     case 49:
+      return;
     case 50:
     case 51:
     case 52:
-    case 53:  // overrides
+    case 53:
       takes(line, letters("P"));
-      return;
+      return note(key_m + 50, line,
+                  "overrides, adaptive feed, feed stop (M50 … M53) ignored: F is taken as it is written");
     case 61:
       if (takes(line, letters("Q")) && line['Q'] >= 0 && line['Q'] <= 999'999)
         tool_ = current_tool_ = static_cast<int>(line['Q']);
@@ -135,7 +137,11 @@ void Interpreter::m_word(const Line& line, int m) {
 /// Its words are its own (Lines), whatever they are.
 void Interpreter::foreign_m(const Line& line, int m) {
   unknown_m_ = true;
-  if (printer_m(whole_m(m))) return note(key_printer, line, printer_text);
+  if (printer_m(whole_m(m))) {
+    const char* effect = printer_effect(whole_m(m));
+    if (effect == nullptr) return note(key_printer, line, printer_text);
+    return note(key_m + whole_m(m), line, (m_name(whole_m(m)) + " " + effect).c_str());
+  }
   const bool words = line.foreign != 0 || line.text;
   const int key = key_m + (m < 0 ? 100'000 - m : m);
   note(key, line, (m_name(m) + " is not known and ignored" + (words ? ", what follows it too" : "")).c_str());

@@ -2,6 +2,7 @@
 /// Consecutive curves over the arc length s ∈ [0, length()], mm: the geometry that planner and verifier share.
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "core/geometry/curve/curve.hpp"
@@ -22,6 +23,11 @@ class Segment {
   /// length (≤ 1e-12 mm), std::invalid_argument for one whose parametric tangent vanishes inside or at both ends:
   /// Path::append cuts such curves.
   Segment(std::shared_ptr<const Curve> curve, double s0, std::size_t source);
+  /// Makes a segment of a piece of another segment's curve, as it is or reversed: it is regular inside, and rounding
+  /// shall not decide that again. Throws InvalidInput for a curve without length.
+  static Segment piece(std::shared_ptr<const Curve> curve, double s0, std::size_t source) {
+    return {std::move(curve), s0, source, Regular{}};
+  }
 
   const Curve& curve() const { return *curve_; }
   bool straight() const {
@@ -76,6 +82,10 @@ class Path {
   /// vanishing parametric tangent; the caller drops lines of zero length. Throws InvalidInput for a curve without
   /// length; the path is then unchanged.
   void append(const std::shared_ptr<const Curve>& curve, std::size_t source);
+  /// Appends one segment, Segment::piece.
+  void append_piece(const std::shared_ptr<const Curve>& curve, std::size_t source) {
+    segments_.push_back(Segment::piece(curve, length(), source));
+  }
 
   std::size_t size() const { return segments_.size(); }
   bool empty() const { return segments_.empty(); }

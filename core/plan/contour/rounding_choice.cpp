@@ -143,7 +143,7 @@ class Chooser {
   /// The curve stays where it is: the new path keeps the contour.
   static void append(Path& path, const std::shared_ptr<const Contour>& from, std::size_t segment) {
     const Segment& s = from->path[segment];
-    path.append(std::shared_ptr<const Curve>(from, &s.curve()), s.source());
+    path.append_piece(std::shared_ptr<const Curve>(from, &s.curve()), s.source());
   }
 
   RoundingChoice put_together(MethodResult planned) {

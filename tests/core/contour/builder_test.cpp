@@ -105,6 +105,24 @@ TEST(ContourBuilder, ACircleMayStartAHairBesideItsEnd) {
   EXPECT_NEAR(b.finish().path[1].length(), 10 * M_PI, 1e-6);
 }
 
+// A third of a turn of radius 4e-7 mm is no circle, in neither direction.
+TEST(ContourBuilder, AnArcOfNanometresIsDropped) {
+  constexpr double r = 4e-7;
+  const Vec first{10, 0, 0}, centre{10, r, 0}, last{10 + r * std::sin(2.0), r - r * std::cos(2.0), 0};
+  for (const bool forward : {true, false}) {
+    ContourBuilder b(2, forward ? first : last);
+    b.arc(forward ? last : first, centre, forward);
+    b.line({20, 0, 0});
+    const Contour c = b.finish();
+    ASSERT_EQ(c.path.size(), 1u);
+    EXPECT_NEAR(c.path.length(), 10, 2e-6);
+    EXPECT_FALSE(c.notes.empty());
+  }
+  ContourBuilder larger(2, {10, 0, 0});
+  larger.arc({10 + 4e-7, 1e-8, 0}, {10, 5, 0}, true);
+  EXPECT_NEAR(larger.finish().path.length(), 10 * 3.14159265358979, 1e-5);
+}
+
 TEST(ContourBuilder, AReaderOfTextNamesLines) {
   ContourBuilder b(2, {}, "gcode");
   b.at_line(3);

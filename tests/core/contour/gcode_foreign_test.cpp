@@ -56,6 +56,34 @@ TEST(GcodeForeign, HeadersOfPrinters) {
   EXPECT_EQ(fault("G1 X1,5"), "line 1: a number has a point, no comma");
 }
 
+TEST(GcodeForeign, WhatWouldChangeAPrintersMotionIsNamed) {
+  const Contour c = read_gcode(
+      "M201 X500 Y500\nM206 X10\nM220 S50\nM220 S80\nM852 I0.01\nM104 S200\nG1 X30 F600\nM52 P1\nM50 P0\nX40\n");
+  EXPECT_EQ(end_of(c).x, 40);
+  EXPECT_EQ(c.blocks.back().feed, 10);
+  EXPECT_TRUE(noted(c, "line 1: M201 sets limits of a printer's motion: skipped, the limits of the document hold"));
+  EXPECT_TRUE(noted(c, "line 2: M206 shifts, turns or scales coordinates"));
+  EXPECT_TRUE(noted(c, "line 3 and 1 more: M220 changes the feeds of a printer"));
+  EXPECT_TRUE(noted(c, "line 5: M852 shifts, turns or scales coordinates"));
+  EXPECT_TRUE(noted(c, "line 6: words of printers"));
+  EXPECT_TRUE(noted(c, "line 8 and 1 more: overrides"));
+}
+
+TEST(GcodeForeign, MoreThan64MattersAreCounted) {
+  std::string text = "G0 X0 Y0\nG1 X5 F60\n";
+  for (int m = 1000; m < 1070; ++m) text += "M" + std::to_string(m) + "\n";
+  const Contour c = read_gcode(text + "X6");
+  EXPECT_EQ(c.notes.size(), 65u);
+  EXPECT_TRUE(noted(c, "line 67 and 5 more: something else was left out"));
+}
+
+TEST(GcodeForeign, WordsOfOtherControlsAreNamed) {
+  for (const char* text : {"IF [#1 EQ 1] GOTO 5", "GOTO 5", "WHILE [1] DO1", "END1"})
+    EXPECT_NE(fault(std::string("G1 X5\n") + text).find("line 2: statements of macros"), std::string::npos) << text;
+  EXPECT_NE(fault("G1 X=5").find("line 1: X=, the form of another control"), std::string::npos);
+  EXPECT_NE(fault("G1 X5 Y=IC(3)").find("line 1: Y=, the form of another control"), std::string::npos);
+}
+
 TEST(GcodeForeign, LinesForTheController) {
   const Contour c = read_gcode("$X\n$110=4000\nG0 X0 Y0\n$H\nG0 X0 Y0\nG1 X10 F60\n$I");
   EXPECT_EQ(c.path.length(), 10);

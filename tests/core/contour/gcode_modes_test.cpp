@@ -174,8 +174,9 @@ TEST(GcodeModes, WordsOfPrintersAreSkipped) {
       "X10 Y2 E5.5\nM117 Hot [end #1 (\nG11\nX20 E6\nM84 X Y\nM106 S255");
   EXPECT_EQ(c.path.size(), 3u);
   expect_near(end_of(c), {20, 2, 5}, 0);
-  ASSERT_EQ(c.notes.size(), 2u);
+  ASSERT_EQ(c.notes.size(), 3u);
   EXPECT_TRUE(noted(c, "line 1 and ", "printers"));
+  EXPECT_TRUE(noted(c, "line 8: ", "M201"));
 }
 
 TEST(GcodeModes, AToolsLengthIsNoMove) {

@@ -118,6 +118,20 @@ TEST(RoundingChoice, SectionsOfBothKindsMakeOneMotion) {
   for (std::size_t k = 0; k < 4; ++k) EXPECT_GT(rounded.blocks[k].length, 0) << k;
 }
 
+// Both handles retracted, one of them but for 2.5e-12: what is kept, or driven with stops, is the same segment.
+TEST(RoundingChoice, ACurveThatIsKeptIsNotCutAgain) {
+  ContourBuilder b(2, {2, 1, 0});
+  b.polynomial({{2, 0, 3, -2, -2.5e-12, 2.5e-12}, {1, 0, 0.4, -0.8, 0.4}});
+  b.line({9, 1, 0});
+  const Contour contour = b.finish();
+  ASSERT_EQ(contour.path.size(), 2U);
+  for (const PlanningMethod method : {PlanningMethod::time_optimal, PlanningMethod::jerk_limited}) {
+    const Machine m = machine(method == PlanningMethod::jerk_limited ? 1e6 : HUGE_VAL);
+    const double stops = plan(contour, m, method, 0).duration;
+    EXPECT_LE(plan(contour, m, method, 0.01).duration, stops * (1 + 1e-9));
+  }
+}
+
 TEST(RoundingChoice, RoundedSectionsStayWhereRoundingIsFaster) {
   ContourBuilder b(2, {});
   b.block(Mode::cut, 500);

@@ -153,7 +153,7 @@ class Reader {
           entity.shape = std::move(shape);
           parts.push_back(entity);
         }
-      } else if (record.type != "SEQEND" && record.type != "VERTEX" && record.type != "ATTRIB") {
+      } else if (record.type != "SEQEND" && record.type != "VERTEX") {
         const std::string name = dxf_quoted(record.type);
         note("skipped: " + name.substr(1, name.size() - 2) + " is nothing to move along", record.line);
       }

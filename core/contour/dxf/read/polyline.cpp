@@ -10,6 +10,15 @@ namespace {
 /// Below this an arc is straight to 5e-4 mm even over a chord of 1e9 mm.
 constexpr double straight = 1e-12;
 
+constexpr const char* wide = "a polyline with a width: its centre line was taken";
+
+/// Widths at both ends (40, 41), and of an LWPOLYLINE that of all its parts (43).
+bool has_width(const DxfTag& tag, bool lightweight) {
+  if (tag.code != 40 && tag.code != 41 && !(lightweight && tag.code == 43)) return false;
+  double width = 0;
+  return take_number(tag, tag.code, width) && width != 0;
+}
+
 DrawnArc bulged(Vec from, Vec to, double bulge) {
   // Centre on the bisector of the chord, (1 − b²)/(4b) chords to its left.
   const Vec chord = to - from, left{-chord.y, chord.x, 0};
@@ -45,10 +54,11 @@ DxfShape dxf_lightweight_polyline(const DxfRecord& record, DxfTags& tags) {
   std::vector<DxfVertex> vertices;
   Vec normal{0, 0, 1};
   double elevation = 0;
-  bool closed = false;
+  bool closed = false, width = false;
   DxfVertex none;
   for (const DxfTag& tag : record.tags) {
     tags.progress().work();
+    width = has_width(tag, true) || width;
     if (tag.code == 10) vertices.emplace_back();
     if (tag.code == 70) closed = (dxf_integer(tag) & 1) != 0;
     DxfVertex& vertex = vertices.empty() ? none : vertices.back();
@@ -58,14 +68,18 @@ DxfShape dxf_lightweight_polyline(const DxfRecord& record, DxfTags& tags) {
         take_point(tag, 210, normal);
   }
   for (DxfVertex& v : vertices) v.at.z = elevation;
-  return dxf_joined(vertices, closed, dxf_object_system(normal, record.line), tags);
+  DxfShape shape = dxf_joined(vertices, closed, dxf_object_system(normal, record.line), tags);
+  if (width && !shape.curves.empty()) shape.note = wide;
+  return shape;
 }
 
 DxfShape dxf_polyline(const DxfRecord& record, DxfTags& tags) {
   Vec normal{0, 0, 1};
   double elevation = 0;
   long flags = 0;
+  bool width = false;
   for (const DxfTag& tag : record.tags) {
+    width = has_width(tag, false) || width;
     if (tag.code == 70) flags = dxf_integer(tag);
     take_number(tag, 30, elevation) || take_point(tag, 210, normal);
   }
@@ -84,6 +98,7 @@ DxfShape dxf_polyline(const DxfRecord& record, DxfTags& tags) {
       DxfVertex v;
       long kind = 0;
       for (const DxfTag& tag : part.tags) {
+        width = has_width(tag, false) || width;
         if (tag.code == 70) kind = dxf_integer(tag);
         take_point(tag, 10, v.at) || take_number(tag, 42, v.bulge);
       }
@@ -96,7 +111,10 @@ DxfShape dxf_polyline(const DxfRecord& record, DxfTags& tags) {
   }
   if ((flags & (16 | 64)) != 0) return {{}, 0, "skipped: a POLYLINE that is a mesh"};
   if (!faults.empty()) throw InvalidInput(std::move(faults));
-  return dxf_joined(vertices, (flags & 1) != 0, in_space ? Affine{} : dxf_object_system(normal, record.line), tags);
+  DxfShape shape =
+      dxf_joined(vertices, (flags & 1) != 0, in_space ? Affine{} : dxf_object_system(normal, record.line), tags);
+  if (width && !in_space && !shape.curves.empty()) shape.note = wide;
+  return shape;
 }
 
 }  // namespace bahnwerk

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/contour/gcode/words/characters.hpp"
+
 namespace bahnwerk::gcode {
 
 bool Control::fail(std::string why) {
@@ -16,11 +18,21 @@ const Outline& Control::outline() {
   return *outline_;
 }
 
+/// Refuses words behind an O word, from `at` on: they would never be carried out.
+bool Control::ends(const Line& line, const char* at) {
+  for (; at != line.end && *at != ';'; ++at) {
+    if (blank(*at)) continue;
+    if (*at != '(') return fail("words behind an O word are not carried out: write them in a line of their own");
+    while (at + 1 != line.end && *at != ')') ++at;
+  }
+  return true;
+}
+
 bool Control::arguments(const Line& line, std::vector<double>& values) {
   Expression expression(line.arguments, line.end, line.number, parameters_);
   for (;;) {
     expression.skip_blanks();
-    if (expression.at() == line.end || *expression.at() != '[') return true;
+    if (expression.at() == line.end || *expression.at() != '[') return ends(line, expression.at());
     double value = 0;
     if (values.size() == Parameters::locals) return fail("a subprogram takes 30 values at most");
     if (!expression.value(value)) return fail(expression.fault());
@@ -30,7 +42,7 @@ bool Control::arguments(const Line& line, std::vector<double>& values) {
 
 bool Control::condition(const Line& line, double& value) {
   Expression expression(line.arguments, line.end, line.number, parameters_);
-  return expression.value(value) || fail(expression.fault());
+  return expression.value(value) ? ends(line, expression.at()) : fail(expression.fault());
 }
 
 bool Control::end_of(std::size_t head, Place& place) {
@@ -46,6 +58,20 @@ bool Control::execute(const Line& line) {
   const std::size_t index = outline().of_line(line.number);
   const std::size_t from_branch = std::exchange(pending_, Outline::none);
   Place end;
+  switch (line.flow) {
+    case Flow::sub:
+    case Flow::otherwise:
+    case Flow::endif:
+    case Flow::endloop:
+    case Flow::begin:
+    case Flow::endrepeat:
+    case Flow::stop:
+    case Flow::next:
+      if (!ends(line, line.arguments)) return false;
+      break;
+    default:  // with values behind it
+      break;
+  }
   switch (line.flow) {
     case Flow::sub:
       if (index == Outline::none || !end_of(outline()[index].head, end))

@@ -64,6 +64,32 @@ bool printer_m(int m) {
          (m >= 500 && m <= 605) || (m >= 851 && m <= 928);
 }
 
+const char* printer_effect(int m) {
+  switch (m) {
+    case 92:
+    case 206:
+    case 218:
+    case 290:
+    case 428:
+    case 556:
+    case 579:
+    case 851:
+    case 852:
+      return "shifts, turns or scales coordinates of a printer: skipped, they are taken as they are written";
+    case 201:
+    case 202:
+    case 203:
+    case 204:
+    case 205:
+    case 566:
+      return "sets limits of a printer's motion: skipped, the limits of the document hold";
+    case 220:
+      return "changes the feeds of a printer: skipped, F is taken as it is written";
+    default:
+      return nullptr;
+  }
+}
+
 Code meaning(int tenfold) {
   switch (tenfold) {
     case 0:

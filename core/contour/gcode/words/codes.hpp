@@ -64,6 +64,8 @@ bool takes_words(int tenfold);
 bool known_m(int m);
 /// Whether it is an M word of printers' firmware that a machine tool does not have.
 bool printer_m(int m);
+/// Returns what such a word would change of the motion, for its note; null if it does not concern the motion.
+const char* printer_effect(int m);
 /// Returns the M word without its decimal, by its entry in Line::m.
 inline int whole_m(int m) { return m < 0 ? -m / 10 : m; }
 /// Returns "M862.3", by its entry in Line::m.

@@ -123,16 +123,21 @@ bool Lines::computed_number(Line& line, char letter, const char* word, double& v
   const char c = at_ == end_ ? '\n' : *at_;
   const bool name = is_letter(c) && at_ + 1 != end_ && (is_letter(at_[1]) || at_[1] == '_');
   const bool bare = letter != 'G' && letter != 'M' && bare_letters(line);
+  if (macro_word(letter, at_, end_)) {
+    line.fault = "statements of macros (IF, WHILE, GOTO …) are not supported: O words are (O100 IF, O100 WHILE …)";
+    return false;
+  }
+  if (c == '=') {
+    line.fault =
+        name_of(letter) + "=, the form of another control, is not supported: write the number behind the letter";
+    return false;
+  }
   if (c != '#' && c != '[' && ((!name && c != '_') || (bare && axes_follow()))) {
     if (bare) {
       value = 0;
       return line.bare = true;
     }
     line.fault = "the letter " + name_of(letter) + " has no number";
-    return false;
-  }
-  if (macro_word(letter, at_, end_)) {
-    line.fault = "statements of macros (IF, WHILE, GOTO …) are not supported: O words are (O100 IF, O100 WHILE …)";
     return false;
   }
   if (name || c == '_') {

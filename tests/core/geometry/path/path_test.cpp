@@ -6,6 +6,7 @@
 #include "core/geometry/curve/curvature.hpp"
 #include "core/geometry/curve/line.hpp"
 #include "core/geometry/curve/rational.hpp"
+#include "core/geometry/curve/reversed.hpp"
 #include "tests/core/geometry/support.hpp"
 
 namespace bahnwerk {
@@ -261,6 +262,32 @@ TEST(Segment, RejectsCurvesWithoutLength) {
   EXPECT_TRUE(path.empty());
   EXPECT_THROW(Segment(std::make_shared<Rational>(Rational::from_power_basis({{0, 1, -1}, {0, 2, -2}})), 0, 0),
                std::invalid_argument);
+}
+
+// At the end the tangent vanishes but for 2.5e-12: more than rounding of the curve as it is given, less than that of
+// the piece, which is expanded about its begin.
+TEST(Path, APieceIsNotCutAgain) {
+  constexpr double left = 2.5e-12;
+  Path path, copy, back;
+  path.append(
+      std::make_shared<Rational>(Rational::from_power_basis({{2, 0, 3, -2, -left, left}, {1, 0, 0.4, -0.8, 0.4}})), 7);
+  ASSERT_EQ(path.size(), 1U);
+  const Segment& one = path[0];
+  EXPECT_TRUE(one.cusp_begin() && one.cusp_end());
+  copy.append_piece(std::make_shared<Rational>(static_cast<const Rational&>(one.curve())), one.source());
+  ASSERT_EQ(copy.size(), 1U);
+  EXPECT_EQ(copy[0].source(), 7U);
+  EXPECT_EQ(copy.length(), path.length());
+  for (const double s : {0.0, 1e-9, 0.3, path.length()}) {
+    EXPECT_EQ(copy.at(s).value, path.at(s).value);
+    EXPECT_EQ(copy.at(s).d1, path.at(s).d1);
+  }
+  back.append_piece(reversed(one.curve()), one.source());
+  ASSERT_EQ(back.size(), 1U);
+  EXPECT_TRUE(back[0].cusp_begin() && back[0].cusp_end());
+  EXPECT_NEAR(back.length(), path.length(), 1e-12);
+  for (const double s : {0.0, 1e-9, 0.3, path.length()})
+    EXPECT_LE(norm(back.at(path.length() - s).d1 + path.at(s).d1), 1e-5) << s;
 }
 
 TEST(Path, FindsTheSegmentWithAnyHint) {

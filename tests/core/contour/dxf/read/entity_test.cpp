@@ -227,6 +227,39 @@ TEST(DxfEntity, FaultsNameTheLine) {
   EXPECT_EQ(list[0].rfind("/contour/dxf line " + std::to_string(line) + ": \"abc\"", 0), 0u) << list[0];
 }
 
+TEST(DxfEntity, WidthsOfPolylinesAreNoted) {
+  const auto note = "a polyline with a width: its centre line was taken";
+  const auto wide = [&](auto... tags) {
+    const Contour c = read([&](DxfText& t) { t.tag(0, "LWPOLYLINE", 8, "0", 90, 2, 70, 0, tags...); });
+    EXPECT_NEAR(c.path.length(), 4, 1e-12);
+    return noted(c, note);
+  };
+  EXPECT_TRUE(wide(43, 2.5, 10, 1, 20, 0, 10, 5, 20, 0));
+  EXPECT_TRUE(wide(10, 1, 20, 0, 40, 0, 41, 0.5, 10, 5, 20, 0));
+  EXPECT_FALSE(wide(43, 0, 10, 1, 20, 0, 10, 5, 20, 0));
+  const auto older = [&](double all, double one) {
+    const Contour c = read([&](DxfText& t) {
+      t.tag(0, "POLYLINE", 8, "0", 66, 1, 70, 0, 40, all, 41, all);
+      t.tag(0, "VERTEX", 8, "0", 10, 1, 20, 0, 40, one);
+      t.tag(0, "VERTEX", 8, "0", 10, 5, 20, 0);
+      t.tag(0, "SEQEND");
+    });
+    EXPECT_NEAR(c.path.length(), 4, 1e-12);
+    return noted(c, note);
+  };
+  EXPECT_TRUE(older(1, 0));
+  EXPECT_TRUE(older(0, 1));
+  EXPECT_FALSE(older(0, 0));
+}
+
+TEST(DxfEntity, AttributesAreNoted) {
+  EXPECT_TRUE(noted(read([](DxfText& t) {
+                      t.line(0, 0, 1, 0);
+                      t.tag(0, "ATTRIB", 8, "0", 10, 5, 20, 0, 1, "N7");
+                    }),
+                    "ATTRIB is nothing to move along"));
+}
+
 TEST(DxfEntity, EveryBadEntityIsNamed) {
   const auto list = faults(drawing([](DxfText& t) {
     t.tag(0, "CIRCLE", 10, 0, 20, 0, 40, -3);

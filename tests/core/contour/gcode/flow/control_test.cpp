@@ -224,6 +224,34 @@ TEST(GcodeControl, UnmatchedWordsAreFaults) {
   for (const auto& [text, at] : cases) EXPECT_EQ(fault_lines(text), (std::vector{at})) << text;
 }
 
+TEST(GcodeControl, WordsBehindAnOWordAreRefused) {
+  const std::pair<const char*, int> cases[] = {
+      {"o1 if [1] G1 X9\no1 endif", 2},
+      {"o1 if [1]\no1 endif G1 X9", 3},
+      {"o1 if [0]\no1 else X9\no1 endif", 3},
+      {"o1 if [0]\no1 elseif [1] X9\no1 endif", 3},
+      {"o1 while [0] X9\no1 endwhile", 2},
+      {"#1=0\no1 while [#1 LT 1]\n#1=1\no1 endwhile X9", 5},
+      {"o1 do X9\no1 while [0]", 2},
+      {"o1 do\no1 while [0] X9", 3},
+      {"o1 repeat [1] X9\no1 endrepeat", 2},
+      {"o1 repeat [1]\no1 endrepeat X9", 3},
+      {"o1 repeat [1]\no1 break X9\no1 endrepeat", 3},
+      {"o1 repeat [1]\no1 continue X9\no1 endrepeat", 3},
+      {"o1 sub X9\no1 endsub", 2},
+      {"o1 sub\no1 endsub X9\no1 call", 3},
+      {"o1 sub\no1 return [3] X9\no1 endsub\no1 call", 3},
+      {"o1 sub\no1 endsub\no1 call [1] F30", 4},
+      {"o1 sub\no1 endsub\no1 call #4", 4},
+      {"#1=0\no1 if #1 EQ 1\no1 endif", 3},
+  };
+  for (const auto& [text, at] : cases)
+    EXPECT_EQ(fault_lines(std::string("G1 X1\n") + text + "\nX2"), (std::vector{at})) << text;
+  // Comments may stand there.
+  EXPECT_EQ(xs("o1 sub (a) ; b\nX#1\no1 endsub(c)\no1 call [5] (d) (e) ; f\no2 if [1];g\nX6\no2 endif (h)"),
+            (List{5, 6}));
+}
+
 TEST(GcodeOutline, Chains) {
   SilentProgress progress;
   const gcode::Outline outline(
