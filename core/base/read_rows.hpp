@@ -15,8 +15,8 @@ inline std::size_t column_index(const std::vector<Column>& columns, std::string_
   return static_cast<std::size_t>(at - columns.begin());
 }
 
-/// Calls visit(k, row) for every row in order, and passed(rows so far, rows since the last call) after every 1024 rows
-/// and at the end. Memory: 1024 rows.
+/// Calls visit(k, row) for every row in order, and passed(rows so far, rows since the last call), if given, after every
+/// 1024 rows and at the end. `row` has one number per column. Memory: 1024 rows.
 template <class Visit, class Passed>
 void for_each_row(const SetpointSource& setpoints, Visit&& visit, Passed&& passed) {
   constexpr std::size_t chunk_rows = 1024;
@@ -28,6 +28,10 @@ void for_each_row(const SetpointSource& setpoints, Visit&& visit, Passed&& passe
     for (std::size_t i = 0; i < count; ++i) visit(first + i, chunk.data() + i * width);
     passed(first + count, count);
   }
+}
+template <class Visit>
+void for_each_row(const SetpointSource& setpoints, Visit&& visit) {
+  for_each_row(setpoints, visit, [](std::size_t, std::size_t) {});
 }
 
 }  // namespace bahnwerk

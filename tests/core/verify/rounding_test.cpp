@@ -7,7 +7,7 @@ namespace {
 
 TEST(Rounding, IsThatOfTheTermsOfThePiecesPolynomials) {
   LawPiece p;
-  p.duration = 2, p.s = 1, p.s_end = 5, p.v = -3, p.a = 0.5, p.j = -6, p.q = 12;
+  p.duration = 2, p.s = 1, p.s_end = 5, p.v = -3, p.a = 0.5, p.j = -6, p.snap = 12;
   const PieceRounding r = rounding_of(p);
   // Terms at T = 2: 5; 3·2, 0.5·4/2, 6·8/6, 12·16/24.
   EXPECT_DOUBLE_EQ(r.position, 32 * epsilon * (5 + 6 + 1 + 8 + 8));
