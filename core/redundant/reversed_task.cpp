@@ -43,7 +43,7 @@ std::vector<T> backwards(std::vector<T> list) {
 
 /// mm, by which a piece's polynomial goes on.
 double way(const LawPiece& p) {
-  return p.duration * (p.v + p.duration * (p.a / 2 + p.duration * (p.j / 6 + p.duration * p.q / 24)));
+  return p.duration * (p.v + p.duration * (p.a / 2 + p.duration * (p.j / 6 + p.duration * p.snap / 24)));
 }
 
 /// The piece with `more` mm on top, from rest to rest in three parts: its speed and acceleration at both ends stay.
@@ -91,7 +91,7 @@ class ReversedLaw {
       piece.segment = segment;
       piece.duration = p.duration;
       piece.v = behind == 0 || p.v > 0 ? behind : end.v;  // at rest exactly, at its begin or at its end
-      piece.a = -end.a, piece.j = end.j, piece.q = -p.q;
+      piece.a = -end.a, piece.j = end.j, piece.snap = -p.snap;
       moving_.push_back(piece);
       numbers_.push_back(i);
     }

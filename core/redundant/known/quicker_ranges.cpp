@@ -62,7 +62,7 @@ std::vector<QuickerRange> quicker_ranges(const TimeLaw& rate) {
       part.duration = at;
     } else {  // evenly in the square over the whole piece
       const double from = std::max(before, one), to = std::max(after, one);
-      part.v = from, part.a = (to - from) * (to + from) / (2 * way), part.j = part.q = 0;
+      part.v = from, part.a = (to - from) * (to + from) / (2 * way), part.j = part.snap = 0;
       part.duration = 2 * way / (from + to);
     }
     if (way > 0) add(part);

@@ -16,7 +16,7 @@ TEST(Rounding, IsThatOfTheTermsOfThePiecesPolynomials) {
 }
 
 TEST(Rounding, NothingIsGrantedToAPieceThatStandsAtZero) {
-  const PieceRounding r = rounding_of({});
+  const PieceRounding r = rounding_of(LawPiece{});
   EXPECT_EQ(r.position, 0);
   EXPECT_EQ(r.speed, 0);
   EXPECT_EQ(r.acceleration, 0);
