@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "core/probe/landing.hpp"
@@ -25,21 +26,31 @@ void carry(std::vector<SplineMotion::Piece>& pieces, const std::vector<PieceJoin
     const double duration = pieces[i].end - begin;
     begin = pieces[i].end;
     if (joints[i] == PieceJoint::exact) continue;
+    if (i > 0 && std::all_of(p.begin() + 1, p.end(), [](double c) { return c == 0; })) {
+      // The axis stands still: what rounding left of the movement before would become smaller from piece to piece,
+      // until its last digits are lost.
+      if (joints[i - 1] != PieceJoint::exact) p[0] = reached[0];
+      reached = {p[0]};
+      continue;
+    }
     p.resize(8, 0.0);
     if (i > 0 && joints[i - 1] != PieceJoint::exact)
       p[0] = reached[0], p[1] = reached[1], p[2] = reached[2] / 2, p[3] = reached[3] / 6;
     if (joints[i] == PieceJoint::landing) {
       const bool last = i + 1 == pieces.size(), exact = !last && joints[i + 1] == PieceJoint::exact;
-      std::array<double, 4> missing{};
-      if (!last) missing = planned_begin(pieces[i + 1].axes[axis]);
-      const std::array<double, 4> now = state_at(p, duration);
-      for (std::size_t d = 0; d < 4; ++d) missing[d] -= now[d];
-      if (exact) {
-        const auto rest = probe::landing<double>(missing[0], missing[1], missing[2], missing[3], duration);
-        for (std::size_t k = 0; k < rest.size(); ++k) p[4 + k] += rest[k];
-      } else {
-        const auto rest = probe::landing<double>(missing[1], missing[2], missing[3], duration);
-        for (std::size_t k = 0; k < rest.size(); ++k) p[4 + k] += rest[k];
+      std::array<double, 4> target{};
+      if (!last) target = planned_begin(pieces[i + 1].axes[axis]);
+      for (int round = 0; round < 2; ++round) {  // the second one takes up how the first one was rounded
+        const std::array<double, 4> now = state_at(p, duration);
+        std::array<double, 4> missing{};
+        for (std::size_t d = 0; d < 4; ++d) missing[d] = target[d] - now[d];
+        if (exact) {
+          const auto rest = probe::landing<double>(missing[0], missing[1], missing[2], missing[3], duration);
+          for (std::size_t k = 0; k < rest.size(); ++k) p[4 + k] += rest[k];
+        } else {
+          const auto rest = probe::landing<double>(missing[1], missing[2], missing[3], duration);
+          for (std::size_t k = 0; k < rest.size(); ++k) p[4 + k] += rest[k];
+        }
       }
     }
     while (p.size() > 1 && p.back() == 0) p.pop_back();
@@ -48,6 +59,12 @@ void carry(std::vector<SplineMotion::Piece>& pieces, const std::vector<PieceJoin
 }
 
 }  // namespace
+
+void drop_vanishing(Polynomial& p) {
+  constexpr double vanishing = 1e-200;
+  for (double& c : p)
+    if (std::abs(c) < vanishing) c = 0;
+}
 
 std::array<double, 4> state_at(const Polynomial& p, double t) {
   double d[4] = {};
@@ -79,6 +96,7 @@ ProbeMotion slowed(const ProbeMotion& motion, double factor, double duration, Pr
       spline.polynomial(i, k, p);
       double power = 1;
       for (double& c : p) c /= power, power *= factor;
+      drop_vanishing(p);
     }
   }
   out.joints = motion.joints;

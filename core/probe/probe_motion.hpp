@@ -49,6 +49,10 @@ struct ProbeMotion {
 /// Value and first three derivatives of a polynomial, rounded as SplineMotion rounds them.
 std::array<double, 4> state_at(const Polynomial& p, double t);
 
+/// Sets coefficients below 1e-200 to 0: an axis that stands still may be left with numbers so small that they lose
+/// digits, and then it ends nearly at rest.
+void drop_vanishing(Polynomial& p);
+
 /// A sum of times that is rounded only where it is read.
 class TimeSum {
  public:

@@ -28,7 +28,7 @@ std::vector<InputFault> machine_faults(const Machine& machine) {
   static constexpr const char* names[] = {"velocity", "acceleration", "jerk", "snap"};
   for (const AxisLimits& axis : machine.axes) {
     for (int order = 1; order <= Limits::highest_order; ++order)
-      if (!(axis.of(order) > 0) || (order <= 2 && !std::isfinite(axis.of(order))))
+      if (!(axis.of(order) > 0) || (order == 2 && !std::isfinite(axis.of(order))))
         fault({"axes", axis.name, names[order - 1]}, "must be a positive number");
     if (!(axis.lowest < axis.highest))
       fault({"axes", axis.name, "range"}, "must go from the lower end to the higher one");

@@ -36,27 +36,22 @@ class SplinePlanner {
         continue;
       }
       SplineRun run(problem_, first, last, jerks_);
-      const bool found = run.solve(progress);
-      const std::vector<std::size_t> rests = run.rests();
-      if (found) {
-        if (rests.empty() && run.duration() < resting(first, last)) {
+      if (run.solve(progress)) {
+        if (run.duration() < resting(first, last)) {
+          duration_ += run.duration();
           sections_.push_back({first, last, std::move(run)});
-          continue;
-        }
-        if (rests.empty()) {
+        } else {
           take_rests(first, last);
-          continue;
         }
-        whole_.push_back({first, last, std::move(run)});
+        continue;
       }
       std::size_t end = last;
-      for (std::size_t i = rests.size(); i-- > 0;) {
-        open.emplace_back(rests[i], end);
-        end = rests[i];
+      for (std::size_t i = run.rests().size(); i-- > 0;) {
+        open.emplace_back(run.rests()[i], end);
+        end = run.rests()[i];
       }
       open.emplace_back(first, end);
     }
-    prefer_whole();
     prefer_rows();
   }
 
@@ -85,31 +80,7 @@ class SplinePlanner {
   }
   void take_rests(std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; i = next(i, last)) sections_.push_back({i, next(i, last), std::nullopt});
-  }
-  double duration_of(const Section& s) const {
-    return s.run ? s.run->duration() : rest_to_rest_duration(problem_, s.first, s.last);
-  }
-  /// What was divided by rests could be passed without, too: the quicker one is taken, the inner ones first.
-  void prefer_whole() {
-    if (whole_.empty()) return;
-    std::vector<std::size_t> begins_at(problem_.points.size(), 0);  // the section that does
-    for (std::size_t i = 0; i < sections_.size(); ++i) begins_at[sections_[i].first] = i;
-    const auto section = [&](std::size_t point) -> Section& { return sections_[begins_at[point]]; };
-    for (std::size_t n = whole_.size(); n-- > 0;) {
-      Section& whole = whole_[n];
-      double divided = 0;
-      for (std::size_t p = whole.first; p < whole.last; p = section(p).last) divided += duration_of(section(p));
-      if (!(whole.run->duration() < divided)) continue;
-      section(whole.first).run.emplace(std::move(*whole.run));
-      section(whole.first).last = whole.last;
-    }
-    whole_.clear();
-    std::vector<Section> kept;
-    for (std::size_t p = 0, next = 0; p + 1 < problem_.points.size(); p = next) {
-      next = section(p).last;
-      kept.push_back(std::move(section(p)));
-    }
-    sections_ = std::move(kept);
+    duration_ += resting(first, last);
   }
   /// Rests within a row cost time: where sections begin and end with rows, rows from rest to rest are taken if they are
   /// quicker.
@@ -125,7 +96,7 @@ class SplinePlanner {
       std::size_t b = a;
       do {
         const Section& s = sections_[b];
-        planned += duration_of(s);
+        planned += s.run ? s.run->duration() : rest_to_rest_duration(problem_, s.first, s.last);
         ++b;
       } while (!begins_row[sections_[b - 1].last]);
       const std::size_t last = sections_[b - 1].last;
@@ -162,7 +133,7 @@ class SplinePlanner {
   const ProbeProblem& problem_;
   bool jerks_;
   std::vector<std::size_t> row_end_;
-  std::vector<Section> sections_, whole_;  // in order of points; those that were divided, outer ones first
+  std::vector<Section> sections_;
   double duration_ = 0;
 };
 

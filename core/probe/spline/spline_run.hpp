@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "core/base/progress_scope.hpp"
-#include "core/motion/profile/profile.hpp"
 #include "core/probe/problem.hpp"
 #include "core/probe/spline/septic.hpp"
 
@@ -15,7 +14,7 @@ class SplineRun {
   /// From rest at point `first` to rest at point `last`, with jerks at the points or without.
   SplineRun(const ProbeProblem& problem, std::size_t first, std::size_t last, bool jerks);
 
-  /// Whether times were found. Where rests() is not empty, resting there may be quicker, or is all that there is.
+  /// Whether times were found; else rests() is not empty.
   bool solve(ProgressScope& progress);
   /// Points at which the head has to rest.
   const std::vector<std::size_t>& rests() const { return rests_; }
@@ -31,34 +30,19 @@ class SplineRun {
     double tube = 0;  // deviation / δ
   };
   std::size_t intervals() const { return time_.size(); }
-  /// The profile along the whole length under limits × `share`: times, and what of its states the points take. Where
-  /// points are dense, a speed that changes as smoothly as the profile's is most of what there is to gain.
-  void start(double share);
-  void follow_profile();
-  /// As the points' parabolas say, from the times alone.
+  void start();
   void make_ends();
-  struct Best {
-    double duration = unlimited;  // once limits are kept
-    std::vector<double> time;
-    std::vector<SepticEnd> ends;
-  };
-  /// Strains at the times and ends at hand, which become the best ones if they are; whether all is in the tube.
-  bool look(std::vector<Strains>& strains, ProgressScope& progress);
-  void search(ProgressScope& progress);
-  bool finish(ProgressScope& progress);
   Strains strains(std::size_t i, double resolution) const;
   /// Lets factors spread along the path, so that speeds change slowly enough.
   void smooth(std::vector<double>& factor) const;
-  void reduce(const std::vector<Strains>& strains);
+  bool reduce(const std::vector<Strains>& strains);
 
   const ProbeProblem& problem_;
   std::size_t first_;
-  bool jerks_, quick_;
+  bool jerks_;
   double rounding_, reach_ = 0;                // mm: of distances; along which speeds change
   std::vector<double> length_, time_, share_;  // per interval, per interval, λ per point
   std::vector<SepticEnd> ends_;                // per point
-  std::vector<ProfileState> along_;            // per point: of the profile
-  Best best_;
   std::vector<std::size_t> rests_;
 };
 

@@ -40,6 +40,14 @@ TEST(ProbeMotion, SlowedEndsExactlyWhereItIsTold) {
   EXPECT_EQ(s.times.back(), 2.1);
 }
 
+TEST(ProbeMotion, AnAxisThatStandsStillEndsExactlyAtRest) {
+  ProbeMotion m;
+  m.motion =
+      std::make_shared<const SplineMotion>(std::vector<SplineMotion::Piece>{{1, {{3, 1e-310, 2e-320, -1e-315}}}});
+  m.times = {0, 1};
+  EXPECT_EQ(slowed(m, 1.1).motion->evaluate(1.1).velocity[0], 0);
+}
+
 TEST(ProbeMotion, StatesAreThoseOfSplineMotionToTheLastBit) {
   const Polynomial p{0.1, 0.7, -0.3, 1.7, 0.9, -2.3, 0.11, 5};
   const double t = 0.37;
