@@ -188,12 +188,16 @@ void begin_at_rest(Polynomial& p, double h, bool continuous) {
 
 /// Of a motion that is polynomials, from rest on.
 std::shared_ptr<const SplineMotion> spline(const Motion& motion, bool jerk) {
-  std::vector<SplineMotion::Piece> pieces(motion.pieces());
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    pieces[i].end = motion.end(i);
-    pieces[i].axes.resize(motion.axes());
+  std::vector<SplineMotion::Piece> pieces;
+  pieces.reserve(motion.pieces());
+  for (std::size_t i = 0; i < motion.pieces(); ++i) {
+    // Times are counted from the other end: the shortest pieces may be rounded away.
+    if (!(motion.end(i) > (pieces.empty() ? 0 : pieces.back().end))) continue;
+    SplineMotion::Piece& piece = pieces.emplace_back();
+    piece.end = motion.end(i);
+    piece.axes.resize(motion.axes());
     for (std::size_t k = 0; k < motion.axes(); ++k)
-      if (!motion.polynomial(i, k, pieces[i].axes[k])) return nullptr;
+      if (!motion.polynomial(i, k, piece.axes[k])) return nullptr;
   }
   for (Polynomial& p : pieces.front().axes) begin_at_rest(p, pieces.front().end, jerk);
   return std::make_shared<const SplineMotion>(std::move(pieces));

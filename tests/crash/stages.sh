@@ -28,7 +28,7 @@ slot() {
     printf "]},\"wires\":[0.71]}}"
   }'
 }
-waves $((4000 / slower)) '{"method":"jerk_limited","corner":{"mode":"blend","tolerance":0.02}}' 800000 >"$work/contour.json"
+waves $((60000 / slower)) '{"method":"jerk_limited","corner":{"mode":"blend","tolerance":0.02}}' 800000 >"$work/contour.json"
 slot "${CORNERS:-200}" >"$work/slot.json"
 
 # reach: posts $document and holds until a stage is shown that is not in $seen; false when the job has ended without one.

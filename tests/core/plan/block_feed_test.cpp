@@ -178,7 +178,7 @@ TEST_P(BlockFeeds, HoldInEveryRow) {
         ContourPlanning planning;
         planning.method = method;
         planning.corner_mode = corner;
-        planning.blend_tolerance = tolerance;
+        planning.blend_tolerance = corner == CornerMode::blend ? tolerance : 0;
         SilentProgress progress;
         const ContourPlan plan = plan_contour(given, machine, planning, progress);
         EXPECT_TRUE(plan.verification.passed) << failures(plan.verification);

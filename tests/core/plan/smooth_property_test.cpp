@@ -24,11 +24,12 @@ TEST_P(SmoothProperty, RoundedAndJerkLimitedPlansAreVerified) {
     Machine machine = testing::random_machine(random, dimension);
     for (AxisLimits& axis : machine.axes) axis.jerk = axis.acceleration * std::pow(10, random.uniform(0.5, 3));
     ContourPlanning planning;
-    planning.blend_tolerance = std::pow(10, random.uniform(-3, 0));
+    const double tolerance = std::pow(10, random.uniform(-3, 0));
     SilentProgress progress;
     const auto plan = [&](PlanningMethod method, CornerMode corner) {
       planning.method = method;
       planning.corner_mode = corner;
+      planning.blend_tolerance = corner == CornerMode::blend ? tolerance : 0;
       ContourPlan result = plan_contour(testing::build(outline), machine, planning, progress);
       EXPECT_TRUE(result.verification.passed);
       for (const Check& check : result.verification.checks) {
