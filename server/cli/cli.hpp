@@ -18,9 +18,10 @@ int run(int argc, char** argv, const BuildInfo& build);
 
 int serve(const ServiceOptions& options);
 /// `job` is the document; with `out`, writes result.json and drawings there, and setpoints.csv in a layout of
-/// api::csv_layouts (empty: plain), of a frame of api::setpoint_frames (empty: that of the layout). A plan that is not
-/// verified has no setpoints, and its problem is printed. Each of `drives`, "coarse=0.004" for a group and its delay in
-/// s, makes a file of its own, setpoints_coarse.csv; throws std::runtime_error for one that is not written so.
+/// api::csv_layouts (empty: plain) or, beside plain ones, a motion law's cam table in one of api::controller_layouts;
+/// of a frame of api::setpoint_frames (empty: that of the layout). A plan that is not verified has no setpoints, and
+/// its problem is printed. Each of `drives`, "coarse=0.004" for a group and its delay in s, makes a file of its own,
+/// setpoints_coarse.csv; throws std::runtime_error for one that is not written so.
 int plan(const std::string& job, const std::string& out, const std::string& layout, const std::string& frame,
          const std::vector<std::string>& drives = {});
 int submit(const std::string& server, const std::string& job, const std::string& key, bool wait);

@@ -23,6 +23,7 @@ class SharedTable final : public SetpointSource {
   const std::vector<Column>& columns() const override { return table_->columns(); }
   std::size_t count() const override { return table_->count(); }
   double cycle_time() const override { return table_->cycle_time(); }
+  Independent independent() const override { return table_->independent(); }
   double duration() const override { return table_->duration(); }
   void read(std::size_t first, std::size_t rows, double* out) const override { table_->read(first, rows, out); }
 
