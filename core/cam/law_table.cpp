@@ -21,6 +21,12 @@ LawTable::LawTable(CamLaw law, const MotionLawProblem& problem, double cycle_dur
   columns_ = {{"phi", problem.master_unit}, {"s", unit}, {"v", unit + "/s"}, {"a", unit + "/s²"}, {"j", unit + "/s³"}};
 }
 
+Independent LawTable::independent() const {
+  const std::string& unit = columns_.front().unit;
+  if (unit == "s") return SetpointSource::independent();
+  return {"phi", unit, length_ / static_cast<double>(steps_)};
+}
+
 void LawTable::read(std::size_t first, std::size_t rows, double* out) const {
   const double n = static_cast<double>(steps_), step = cycle_duration_ / n;
   std::size_t hint = 0;

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <thread>
 
+#include "api/kinds/motion_law/controller_layouts.hpp"
 #include "server/runtime/log.hpp"
 
 namespace bahnwerk::server::cli {
@@ -117,12 +118,14 @@ int run(int argc, char** argv, const BuildInfo& build) {
   add_contour(plan_command);
   CLI::Option* out_option =
       plan_command->add_option("--out", out, "directory for result.json, setpoints.csv and drawings")->type_name("DIR");
+  std::vector<std::string> layouts{"plain", "twincat", "twincat_poses"};
+  for (const auto& each : api::controller_layouts) layouts.emplace_back(each.name);
   const auto add_layout = [&](CLI::App* command) {
     return command
         ->add_option("--layout", layout,
                      "of csv: plain, twincat (axes, their velocities, brake; semicolons), twincat_poses (the tool's "
-                     "pose and its rates instead)")
-        ->check(CLI::IsMember({"plain", "twincat", "twincat_poses"}));
+                     "pose and its rates instead); of a motion law: a cam table as the controller reads it")
+        ->check(CLI::IsMember(layouts));
   };
   const auto add_frame = [&](CLI::App* command) {
     return command

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "api/kinds/motion_law/controller_layouts.hpp"
 #include "api/planned_job.hpp"
 #include "api/problem.hpp"
 #include "api/setpoints.hpp"
@@ -97,6 +98,13 @@ api::SetpointStream csv(const SetpointSource& source, const std::string& layout,
   return {std::move(series), std::move(query), api::SetpointFormat::csv};
 }
 
+/// The cam table of a layout that belongs to a controller; none: the layout is one of rows.
+std::optional<api::ControllerLayout> controller_layout(const std::string& name) {
+  for (const auto& each : api::controller_layouts)
+    if (each.name == name) return each.value;
+  return std::nullopt;
+}
+
 struct SetpointFile {
   std::string name;
   api::SetpointStream rows;
@@ -129,8 +137,11 @@ int plan(const std::string& job, const std::string& out, const std::string& layo
          const std::vector<std::string>& drives) {
   std::vector<Drives> files{{}};
   for (const std::string& each : drives) files.push_back(read_drives(each));
+  const auto controller = controller_layout(layout);
+  const std::string row_layout = controller ? "" : layout;
   api::PlannedJob planned;
   std::vector<SetpointFile> setpoints;
+  std::optional<api::ControllerFile> table;
   try {
     const api::JobRequest request = api::parse_job(job);
     TerminalProgress progress(request);
@@ -142,11 +153,17 @@ int plan(const std::string& job, const std::string& out, const std::string& layo
     if (!out.empty() && planned.setpoints)
       for (const Drives& each : files)
         setpoints.push_back({each.name.empty() ? "setpoints.csv" : "setpoints_" + each.name + ".csv",
-                             csv(*planned.setpoints, layout, frame, each)});
+                             csv(*planned.setpoints, row_layout, frame, each)});
+    if (controller) table = api::controller_file(nlohmann::json(planned.result), *controller);
   } catch (...) {
     return report_problem(api::problem_from_current_exception("/spec"));
   }
   if (!out.empty()) write_files(out, planned.result, std::move(setpoints));
+  if (table) {
+    const std::string name = layout + "." + table->extension;
+    write(std::filesystem::path(out) / name, table->text);
+    std::cerr << name << " differs from the law by " << table->refit_error << '\n';
+  }
   std::cout << planned.result.dump(2) << std::endl;
   if (!std::cout) throw std::runtime_error("cannot write the result document");
   return exit_ok;

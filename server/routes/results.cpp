@@ -60,9 +60,6 @@ Response controller_table(Context& context, const Request& request, api::Control
   if (!document) throw api::Problem("not-found", "There is no job " + id + ".");
   const auto result = nlohmann::json::parse(*document);
   const std::string name = name_of<api::ControllerLayout>(layout, api::controller_layouts);
-  if (result.value("kind", "") != "motion_law")
-    throw api::Problem("schema-violation", "layout " + name + " is of motion laws alone",
-                       {{"/query/layout", "is of jobs of kind motion_law alone"}});
   api::ControllerFile file = api::controller_file(result, layout);
   Response response = text_answer(200, file.content_type, std::move(file.text));
   response.set("X-Refit-Error", file.refit_error);

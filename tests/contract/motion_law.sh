@@ -18,6 +18,7 @@ jq -S . "$work/body" >"$work/one.json"
 request GET "/v1/jobs/$id/setpoints?first=120&count=1"
 expect_status 200
 expect_json '.columns | length == 5'
+expect_json '.independent == {"name": "phi", "unit": "deg", "step": 0.5}'
 request GET "/v1/jobs/$id/setpoints?layout=csv"
 expect_status 200
 [[ $(head -n 1 "$work/body") == phi,s,v,a,j && $(wc -l <"$work/body") == 722 ]] || fail "csv"
@@ -40,6 +41,16 @@ expect_same_bits_elsewhere "$work/job.json" "$work/other.json" "$work/one.json"
 for name in law spectrum; do
   [[ $(head -c 4 "$work/offline/$name.svg") == '<svg' ]] || fail "$name.svg"
 done
+
+# The command line knows the layouts, too.
+code=0
+"$bahnwerk" plan "$work/job.json" --out "$work/cam" --layout codesys_xyva >/dev/null 2>"$work/errors" || code=$?
+[[ $code == 0 && $(grep -c 'dX :=' "$work/cam/codesys_xyva.st") -gt 4 && -s "$work/cam/setpoints.csv" ]] || fail "plan --layout codesys_xyva"
+grep -q '^codesys_xyva.st differs from the law by position ' "$work/errors" || fail "plan --layout says what the layout loses"
+code=0
+"$bahnwerk" plan "$examples/line.json" --out "$work/line" --layout isg >"$work/body" 2>/dev/null || code=$?
+[[ $code == 2 && ! -e "$work/line/result.json" ]] || fail "a contour has no cam table"
+expect_json '.errors[0].pointer == "/query/layout"'
 
 jq '.spec.points[1].position = {"min": 20, "max": 15}' "$work/job.json" >"$work/bad.json"
 post "$work/bad.json"

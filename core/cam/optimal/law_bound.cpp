@@ -243,8 +243,12 @@ class Relaxation {
       if (section == BorderedRow::none) continue;
       for (int r = 0; r < limited_orders; ++r) {
         const auto o = static_cast<std::size_t>(r);
-        const Range& limit = task_.limits[section][o];
+        Range limit = task_.limits[section][o];
         if (limit.free()) continue;
+        if (limit.fixed()) {  // a little room, for a program with an interior: what the bound loses is as little
+          const double room = 1e-6 * (r == 0 ? 1 : unit_[o]);
+          limit = {limit.min - room, limit.max + room};
+        }
         if (r == 3) {
           for (std::size_t d = 0; d < 3 && smooth >= 2; ++d)
             jerk_row(directions[d], {limit.min / unit_[3], limit.max / unit_[3]}, false);

@@ -10,6 +10,8 @@
 #include "core/cam/optimal/drive.hpp"
 #include "core/cam/optimal/law_bound.hpp"
 #include "core/cam/optimal/law_faults.hpp"
+#include "core/cam/optimal/spline_program.hpp"
+#include "core/cam/optimal/straight_sections.hpp"
 
 namespace bahnwerk::cam {
 namespace {
@@ -76,12 +78,8 @@ void note_overshoot(const MotionLawProblem& problem, const CamLaw& law, std::vec
 }  // namespace
 
 OptimalLaw plan_optimal_law(const MotionLawProblem& given, Progress& progress) {
-  MotionLawProblem problem = given;
+  MotionLawProblem problem = with_straight_sections(given);
   problem.objective.zero_crossing_penalty = 0;
-  for (std::size_t i = 0; i < problem.sections(); ++i)
-    if (problem.points[i].law)
-      throw InvalidInput({{{"points", std::to_string(i), "law"},
-                           "method optimal plans every section itself: leave the law out, or take method active_set"}});
   OptimalLaw result;
   LawSolution& solution = result.solution;
   DegreeChoice chosen;
@@ -121,7 +119,12 @@ OptimalLaw plan_optimal_law(const MotionLawProblem& given, Progress& progress) {
   solution.degrees.assign(problem.sections(), chosen.degree);
   solution.systems = static_cast<std::size_t>(chosen.programs);
   if (shortest) {
-    // The law was made for the cycle, not for J.
+    // The law was made for the cycle, not for J: what J could be at its angles says another program.
+    const std::vector<double> times(spline.breaks.begin(),
+                                    spline.breaks.begin() + static_cast<std::ptrdiff_t>(task.points()));
+    ++solution.systems;
+    const SplineResult least = SplineProgram(task, basis, times).solve({}, progress);
+    if (least.feasible) solution.lower = std::min(least.lower, solution.value.objective);
   } else {
     solution.lower = std::min(spline.lower, solution.value.objective);
     result.proven = solution.value.objective - *solution.lower <= 1e-7 * solution.value.objective;

@@ -18,7 +18,7 @@ struct OptimalLaw {
 };
 
 /// Throws InvalidInput naming the point or section where values contradict each other, where a limit cannot hold, or
-/// where a section has a classical law.
+/// where a section has a classical law that is not straight.
 OptimalLaw plan_optimal_law(const MotionLawProblem& problem, Progress& progress);
 
 }  // namespace bahnwerk::cam

@@ -100,18 +100,30 @@ class Search {
   Step step(const Conversions& conversions) {
     Step out;
     const SplineTask& task = with(conversions);
-    const DegreeDistributions found = distributions(task, options_.distributions);
-    if (found.degrees.empty() && conversions.empty()) throw degree_faults(problem_, task, found.least_maximum);
     std::optional<SingularSystem> singular;
-    for (const auto& degrees : found.degrees) {
+    const auto succeeds = [&](const std::vector<int>& degrees) {
       SolvedSpline solved = solve(task, degrees);
-      if (!solved.singular) {
-        out.solved = true;
-        out.violations = violations(assemble_law(task, solved), conversions);
-        return out;
+      if (solved.singular) {
+        if (!singular) singular = std::move(solved.singular);
+        return false;
       }
-      if (!singular) singular = std::move(solved.singular);
-    }
+      out.solved = true;
+      out.violations = violations(assemble_law(task, solved), conversions);
+      last_degrees_ = degrees;
+      return true;
+    };
+    DegreeDistributions found = distributions(task, 1);
+    if (found.degrees.empty() && conversions.empty()) throw degree_faults(problem_, task, found.least_maximum);
+    if (!found.degrees.empty() && succeeds(found.degrees.front())) return out;
+    const std::vector<int> first = found.degrees.empty() ? std::vector<int>{} : found.degrees.front();
+    found = distributions(task, options_.distributions);
+    // Of many the ones that are most like the last that was not singular.
+    if (!found.complete && last_degrees_.size() == task.sections())
+      std::stable_sort(found.degrees.begin(), found.degrees.end(), [&](const auto& a, const auto& b) {
+        return distance(a, last_degrees_) < distance(b, last_degrees_);
+      });
+    for (const auto& degrees : found.degrees)
+      if (degrees != first && succeeds(degrees)) return out;
     if (conversions.empty()) throw singular_faults(problem_, *singular);
     return out;
   }
@@ -121,7 +133,10 @@ class Search {
   void explore(const Conversions& conversions) {
     if (!visited_.insert(key(conversions)).second) return;
     const SplineTask& task = with(conversions);
-    const DegreeDistributions found = distributions(task, options_.distributions);
+    // No more than may be solved, but for those of the source's own law.
+    const std::size_t left = options_.sections > solved_sections_ ? options_.sections - solved_sections_ : 0;
+    const std::size_t wanted = best_.law.pieces() > 0 ? 1 + left / task.sections() : options_.distributions;
+    const DegreeDistributions found = distributions(task, std::min(options_.distributions, wanted));
     for (const auto& degrees : found.degrees) {
       if (spent() && best_.law.pieces() > 0) return;
       const SolvedSpline solved = solve(task, degrees);
@@ -137,6 +152,12 @@ class Search {
         waiting_.back().push_back(each.conversion);
       }
     }
+  }
+
+  static int distance(const std::vector<int>& a, const std::vector<int>& b) {
+    int sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += std::abs(a[i] - b[i]);
+    return sum;
   }
 
   static std::vector<std::pair<std::size_t, int>> key(const Conversions& conversions) {
@@ -236,6 +257,7 @@ class Search {
   static constexpr std::size_t most_sections = 100000;  // solved on the way to a first law
   std::set<std::vector<std::pair<std::size_t, int>>> visited_, tried_;
   std::set<std::pair<std::size_t, int>> broken_limits_;
+  std::vector<int> last_degrees_;  // of the last system on the way that was not singular
   std::deque<Conversions> waiting_;
   std::size_t solved_sections_ = 0;
 };

@@ -30,7 +30,8 @@ std::vector<double> start_vector(std::size_t n) {
 }  // namespace
 
 // Row i holds columns i − lower … i + upper + lower: exchanged rows fill `lower` more places.
-BandLu::BandLu(std::size_t n, const std::vector<Entry>& entries) : n_(n), entries_(entries) {
+BandLu::BandLu(std::size_t n, std::vector<Entry> given) : n_(n), entries_(std::move(given)) {
+  const std::vector<Entry>& entries = entries_;
   std::size_t upper = 0;
   double largest = 0;
   for (const Entry& e : entries) {

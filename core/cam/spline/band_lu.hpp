@@ -14,7 +14,7 @@ class BandLu {
     double value;
   };
   /// O(n · bandwidth²).
-  BandLu(std::size_t n, const std::vector<Entry>& entries);
+  BandLu(std::size_t n, std::vector<Entry> entries);
 
   std::size_t size() const { return n_; }
   /// Overwrites b with A⁻¹ b, or A⁻ᵀ b. O(n · bandwidth). A singular matrix has its vanishing pivots replaced.

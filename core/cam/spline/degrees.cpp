@@ -1,6 +1,7 @@
 #include "core/cam/spline/degrees.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <set>
 
@@ -20,8 +21,10 @@ class Chain {
   int least_maximum() { return run(unreachable - 1, true); }
   /// The least sum of squares with degrees up to `cap`; keeps what it found for list().
   int least_squares(int cap) { return run(cap, false); }
-  /// Adds the distributions of that sum, up to `at_most` in `out`; false when there are more.
-  bool list(std::set<std::vector<int>>& out, std::size_t at_most) const {
+  /// Adds the distributions of that sum, up to `at_most` in `out`; false when there are more. `variety` 0: the earliest
+  /// sections get the most first; else each point begins with a choice of its own.
+  bool list(std::set<std::vector<int>>& out, std::size_t at_most, std::size_t variety) {
+    variety_ = variety;
     std::vector<int> degrees(sections_.size(), -1);
     return follow(0, -1, best_, degrees, out, at_most);
   }
@@ -70,7 +73,9 @@ class Chain {
           return false;
       return true;
     }
-    for (int next = 0; next < choices(i + 1); ++next) {
+    const int count = choices(i + 1);
+    for (int k = 0; k < count; ++k) {
+      const int next = (k + first_choice(i)) % count;
       const int own = cost(i, choice, next, false), rest = costs_[i + 1][static_cast<std::size_t>(next)];
       if (own == unreachable || rest == unreachable || own + rest != left) continue;
       degrees[i] = sections_[i] ? degree(i, choice, next) : -1;
@@ -79,6 +84,13 @@ class Chain {
     return true;
   }
 
+  int first_choice(std::size_t i) const {
+    if (variety_ == 0) return 0;
+    const std::uint64_t mixed = (i + 1) * 0x9e3779b97f4a7c15ULL ^ variety_ * 0xbf58476d1ce4e5b9ULL;
+    return static_cast<int>((mixed * 0x94d049bb133111ebULL) >> 56);
+  }
+
+  std::size_t variety_ = 0;
   std::vector<PointShare> points_;
   const std::vector<bool>& sections_;
   std::vector<std::vector<int>> costs_;
@@ -110,8 +122,20 @@ DegreeDistributions balance_degrees(const std::vector<PointShare>& shares, const
   std::vector<int> costs;
   for (Chain& chain : chains) costs.push_back(chain.least_squares(least)), squares = std::min(squares, costs.back());
   std::set<std::vector<int>> found;
-  for (std::size_t i = 0; i < chains.size(); ++i)
-    if (costs[i] == squares && !chains[i].list(found, at_most)) out.complete = false;
+  const auto list = [&](std::size_t limit, std::size_t variety) {
+    bool complete = true;
+    for (std::size_t i = 0; i < chains.size(); ++i)
+      if (costs[i] == squares && !chains[i].list(found, limit, variety)) complete = false;
+    return complete;
+  };
+  out.complete = list(at_most, 0);
+  if (!out.complete && at_most > 1) {
+    // One after the other they differ at the end of the law alone: some of each kind instead.
+    constexpr std::size_t varieties = 16;
+    const std::vector<int> first = *found.rbegin();
+    found = {first};
+    for (std::size_t v = 1; v <= varieties; ++v) list(std::max<std::size_t>(2, at_most * v / varieties), v);
+  }
   out.degrees.assign(found.rbegin(), found.rend());
   return out;
 }

@@ -1,6 +1,7 @@
 #include "core/cam/spline/spline_system.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -47,14 +48,15 @@ std::vector<std::vector<ValueCondition>> conditions(const SplineTask& task) {
 }
 
 /// A row of the system: at most two sections take part.
+struct Part {
+  std::size_t section = none;
+  bool at_end = false;
+  double factor = 0;
+};
 struct Row {
   SingularSystem::Row name;
-  struct Part {
-    std::size_t section;
-    bool at_end;
-    double factor;
-  };
-  std::vector<Part> parts;
+  std::array<Part, 2> parts;
+  std::size_t count;
   double value = 0;
 };
 
@@ -72,7 +74,8 @@ class System {
     place_rows();
   }
   std::size_t size() const { return size_; }
-  BandLu factors() const { return {size_, entries_}; }
+  /// Once: the entries go with it.
+  BandLu factors() { return {size_, std::move(entries_)}; }
   const std::vector<double>& right_side() const { return right_; }
   const std::vector<SingularSystem::Row>& names() const { return names_; }
 
@@ -131,11 +134,13 @@ class System {
       for (const ValueCondition& c : conditions_[p]) {
         const bool here = both ? to_left-- > 0 : unknown(task_, left);
         const std::size_t section = here ? left : right;
-        rows[section].push_back({{p, c.order, false}, {{section, here, 1}}, c.value - (c.order == 0 ? reference_ : 0)});
+        rows[section].push_back(
+            {{p, c.order, false}, {Part{section, here, 1}, Part{}}, 1, c.value - (c.order == 0 ? reference_ : 0)});
       }
       if (!both) continue;
       for (int r = 0; r <= task_.continuity[p]; ++r)
-        rows[to_left-- > 0 ? left : right].push_back({{p, r, true}, {{left, true, 1}, {right, false, -1}}, 0});
+        rows[to_left-- > 0 ? left : right].push_back(
+            {{p, r, true}, {Part{left, true, 1}, Part{right, false, -1}}, 2, 0});
     }
     for (const std::size_t s : order())
       for (const Row& row : rows[s]) add(row);
@@ -146,7 +151,8 @@ class System {
     // (n!/(n − r)!) / T^r Σ (−1)^(r−k) C(r, k) b_k, at the end with the last coefficients.
     const std::size_t index = names_.size(), from = entries_.size();
     double largest = 0;
-    for (const Row::Part& part : row.parts) {
+    for (std::size_t which = 0; which < row.count; ++which) {
+      const Part& part = row.parts[which];
       const int n = degrees_[part.section], r = row.name.order;
       if (r > n) continue;
       const double duration = task_.breaks[part.section + 1] - task_.breaks[part.section];
@@ -242,7 +248,7 @@ std::vector<bool> sections_with_unknowns(const SplineTask& task) {
 }
 
 SolvedSpline solve_spline(const SplineTask& task, const std::vector<int>& degrees) {
-  const System system(task, degrees);
+  System system(task, degrees);
   SolvedSpline out;
   if (system.size() == 0) {
     out.bernstein.resize(task.sections());
@@ -250,11 +256,12 @@ SolvedSpline solve_spline(const SplineTask& task, const std::vector<int>& degree
   }
   const BandLu factors = system.factors();
   if (factors.pivot_ratio() < 1e-7) {
-    const auto null = factors.null_vectors();
-    if (null.smallest < singular_below) {
-      out.singular = explain(task, system, null);
-      return out;
-    }
+    constexpr int few = 4;  // iterations: the estimate comes down to the singular value
+    if (factors.null_vectors(few).smallest < 10 * singular_below)
+      if (const auto null = factors.null_vectors(); null.smallest < singular_below) {
+        out.singular = explain(task, system, null);
+        return out;
+      }
   }
   std::vector<double> x = system.right_side();
   factors.solve(x.data());
@@ -263,7 +270,7 @@ SolvedSpline solve_spline(const SplineTask& task, const std::vector<int>& degree
 }
 
 double spline_condition(const SplineTask& task, const std::vector<int>& degrees) {
-  const System system(task, degrees);
+  System system(task, degrees);
   return system.size() == 0 ? 1 : system.factors().condition();
 }
 

@@ -8,7 +8,21 @@ namespace {
 
 // Regularisation of the factors where a solution is not unique or conditions are redundant; refinement removes its
 // effect.
-constexpr double primal_shift = 1e-11, dual_shift = 1e-13;
+constexpr double primal_shift = 1e-11, dual_shift = 1e-13, rounding = 1e-17;
+
+/// Σ a b, four sums side by side: additions that do not wait for each other.
+double dot(const double* a, const double* b, std::size_t count) {
+  double sums[4] = {0, 0, 0, 0};
+  std::size_t k = 0;
+  for (; k + 4 <= count; k += 4)
+    for (std::size_t i = 0; i < 4; ++i) sums[i] += a[k + i] * b[k + i];
+  for (; k < count; ++k) sums[0] += a[k] * b[k];
+  return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
+/// out += factor a.
+void add(double* __restrict out, double factor, const double* __restrict a, std::size_t count) {
+  for (std::size_t k = 0; k < count; ++k) out[k] += factor * a[k];
+}
 
 }  // namespace
 
@@ -81,8 +95,7 @@ void BorderedBand::multiply(const std::vector<double>& x, std::vector<double>& g
   const double* const shared = x.data() + position_.size();
   for (const Row& row : rows_) {
     const double *const a = row_weights_.data() + row.weights, *const at = x.data() + row.first;
-    double sum = 0;
-    for (std::size_t k = 0; k < row.count; ++k) sum += a[k] * at[k];
+    double sum = dot(a, at, row.count);
     for (std::size_t k = 0; k < row.border_count; ++k) {
       const Term& term = row_borders_[row.borders + k];
       sum += term.weight * shared[term.border];
@@ -115,7 +128,7 @@ void BorderedBand::add_transposed(const std::vector<double>& z, const std::vecto
     const double factor = upper - lower;
     const double* const a = row_weights_.data() + row.weights;
     double* const at = out.data() + row.first;
-    for (std::size_t k = 0; k < row.count; ++k) at[k] += factor * a[k];
+    add(at, factor, a, row.count);
     for (std::size_t k = 0; k < row.border_count; ++k) {
       const Term& term = row_borders_[row.borders + k];
       shared[term.border] += factor * term.weight;
@@ -171,8 +184,7 @@ bool BorderedBand::factor(const std::vector<double>& weights) {
       for (std::size_t i = 0; i < row.count; ++i) {
         const double factor = both * a[i];
         if (adjoining) {
-          double* const out = &band(at[i], at[i]);
-          for (std::size_t j = i; j < row.count; ++j) out[j - i] += factor * a[j];
+          add(&band(at[i], at[i]), factor, a + i, row.count - i);
         } else {
           for (std::size_t j = i; j < row.count; ++j) band(at[i], at[j]) += factor * a[j];
         }
@@ -233,15 +245,11 @@ bool BorderedBand::factor(const std::vector<double>& weights) {
     for (std::size_t j = i + 1; j < std::min(slots_, i + half_ + 1); ++j) band(j, i) = band(i, j);
   if (!factor_band()) return false;
   // Schur complement of the border: corner − borderᵀ band⁻¹ border.
-  solved_ = border_;
-  for (std::size_t k = 0; k < columns; ++k) solve_band(solved_.data() + k * slots_);
-  for (std::size_t i = 0; i < columns; ++i)
-    for (std::size_t j = 0; j < columns; ++j) {
-      const double *const a = border_.data() + i * slots_, *const b = solved_.data() + j * slots_;
-      double sum = 0;
-      for (std::size_t k = 0; k < slots_; ++k) sum += a[k] * b[k];
-      corner_[i * columns + j] -= sum;
-    }
+  solve_border(columns);
+  for (std::size_t k = 0; k < slots_; ++k)
+    for (std::size_t i = 0; i < columns; ++i)
+      if (const double value = border_[i * slots_ + k]; value != 0)
+        add(corner_.data() + i * columns, -value, solved_.data() + k * columns, columns);
   corner_pivots_.resize(columns);
   for (std::size_t k = 0; k < columns; ++k) {
     std::size_t pivot = k;
@@ -261,6 +269,9 @@ bool BorderedBand::factor(const std::vector<double>& weights) {
 
 bool BorderedBand::factor_band() {
   pivots_.resize(slots_);
+  double largest = 0;
+  for (const double value : band_) largest = std::max(largest, std::abs(value));
+  if (largest == 0) return slots_ == 0;
   std::size_t reach = 0;  // last column that a row so far has
   for (std::size_t k = 0; k < slots_; ++k) {
     const std::size_t last = std::min(slots_ - 1, k + half_);
@@ -269,7 +280,9 @@ bool BorderedBand::factor_band() {
       if (std::abs(band(i, k)) > std::abs(band(pivot, k))) pivot = i;
     pivots_[k] = pivot;
     reach = std::max(reach, std::min(slots_ - 1, pivot + half_));
-    if (!(std::abs(band(pivot, k)) > 0)) return false;
+    if (std::isnan(band(pivot, k))) return false;
+    // Nothing is left but what rounding lost: a pivot of its size, whose effect refinement takes out again.
+    if (band(pivot, k) == 0) band(pivot, k) = rounding * largest;
     if (pivot != k)
       for (std::size_t j = k; j <= reach; ++j) std::swap(band(k, j), band(pivot, j));
     const double inverse = 1 / band(k, k);
@@ -278,10 +291,31 @@ bool BorderedBand::factor_band() {
       double* const row = &band(i, k);
       if (row[0] == 0) continue;
       const double factor = row[0] *= inverse;
-      for (std::size_t j = 1; j <= reach - k; ++j) row[j] -= factor * top[j];
+      add(row + 1, -factor, top + 1, reach - k);
     }
   }
   return true;
+}
+
+/// All columns of the border at once: solved_ has a row per slot.
+void BorderedBand::solve_border(std::size_t columns) {
+  solved_.resize(slots_ * columns);
+  const auto row = [&](std::size_t i) { return solved_.data() + i * columns; };
+  for (std::size_t i = 0; i < slots_; ++i)
+    for (std::size_t k = 0; k < columns; ++k) row(i)[k] = border_[k * slots_ + i];
+  for (std::size_t k = 0; k < slots_; ++k) {
+    if (pivots_[k] != k) std::swap_ranges(row(k), row(k) + columns, row(pivots_[k]));
+    const std::size_t last = std::min(slots_ - 1, k + half_);
+    for (std::size_t i = k + 1; i <= last; ++i)
+      if (const double factor = band(i, k); factor != 0) add(row(i), -factor, row(k), columns);
+  }
+  for (std::size_t k = slots_; k-- > 0;) {
+    const std::size_t last = std::min(slots_ - 1, k + 2 * half_);
+    for (std::size_t j = k + 1; j <= last; ++j)
+      if (const double factor = band(k, j); factor != 0) add(row(k), -factor, row(j), columns);
+    const double pivot = band(k, k);
+    for (std::size_t j = 0; j < columns; ++j) row(k)[j] /= pivot;
+  }
 }
 
 void BorderedBand::solve_band(double* right) const {
@@ -296,9 +330,7 @@ void BorderedBand::solve_band(double* right) const {
   for (std::size_t k = slots_; k-- > 0;) {
     const std::size_t last = std::min(slots_ - 1, k + 2 * half_);
     const double* const row = at(k, k);
-    double sum = right[k];
-    for (std::size_t j = k + 1; j <= last; ++j) sum -= row[j - k] * right[j];
-    right[k] = sum / row[0];
+    right[k] = (right[k] - dot(row + 1, right + k + 1, last - k)) / row[0];
   }
 }
 
@@ -322,10 +354,8 @@ void BorderedBand::solve(std::vector<double>& x, std::vector<double>& y) const {
     for (std::size_t j = k + 1; j < columns; ++j) right_border_[k] -= corner_[k * columns + j] * right_border_[j];
     right_border_[k] /= corner_[k * columns + k];
   }
-  for (std::size_t k = 0; k < columns; ++k) {
-    const double* const b = solved_.data() + k * slots_;
-    for (std::size_t i = 0; i < slots_; ++i) right_[i] -= b[i] * right_border_[k];
-  }
+  for (std::size_t i = 0; i < slots_; ++i)
+    right_[i] -= dot(solved_.data() + i * columns, right_border_.data(), columns);
   for (std::size_t i = 0; i < position_.size(); ++i) x[i] = right_[position_[i]];
   for (std::size_t k = 0; k < shared; ++k) x[position_.size() + k] = right_border_[k];
   for (std::size_t i = 0; i < equalities_.size(); ++i)

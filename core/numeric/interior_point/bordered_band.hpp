@@ -84,6 +84,7 @@ class BorderedBand final : public InteriorPointSystem {
   void prepare();
   double& band(std::size_t i, std::size_t j) { return band_[i * width_ + (j + half_ - i)]; }
   void solve_band(double* right) const;
+  void solve_border(std::size_t columns);
   bool factor_band();
 
   std::vector<std::size_t> position_;  // of the band's variables
@@ -101,7 +102,7 @@ class BorderedBand final : public InteriorPointSystem {
   std::size_t half_ = 0, width_ = 0;
   std::vector<double> band_;                      // rows of 3 half_ + 1: row i begins with column i − half_
   std::vector<std::size_t> pivots_;               // row that was swapped with k
-  std::vector<double> border_, solved_, corner_;  // border_ and solved_: one column after the other
+  std::vector<double> border_, solved_, corner_;  // border_: one column after the other; solved_: a row per slot
   std::vector<std::size_t> corner_pivots_;
   mutable std::vector<double> right_, right_border_;
 };

@@ -53,7 +53,8 @@ class Driver {
       result.dual_residual = largest(dual_residual_);
       if (!std::isfinite(result.gap) || !std::isfinite(result.primal_residual) || !std::isfinite(result.dual_residual))
         return result;
-      result.converged = result.gap <= options_.gap && result.primal_residual <= options_.residual &&
+      result.converged = result.gap <= options_.gap &&
+                         result.primal_residual <= std::min(options_.residual, options_.primal_residual) &&
                          result.dual_residual <= options_.residual;
       if (result.converged || result.iterations >= options_.max_iterations) return result;
       for (std::size_t i = 0; i < rows_; ++i) weights_[i] = p_.z[i] / p_.s[i];

@@ -9,6 +9,7 @@
 /// per iteration, 10 to 40 iterations.
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <vector>
 
 namespace bahnwerk {
@@ -39,6 +40,7 @@ struct InteriorPoint {
 struct InteriorPointOptions {
   double gap = 1e-9;       ///< mean of s z at which the method ends, relative to 1 + |cᵀx|, times the number of rows
   double residual = 1e-9;  ///< of all equations, absolute: programs are scaled to the order of 1
+  double primal_residual = std::numeric_limits<double>::infinity();  ///< of rows and equalities, where it is to be less
   int max_iterations = 80;
   std::function<void()> tick;  ///< called every iteration; may throw
 };

@@ -25,12 +25,13 @@ double mean_velocity_bound(const cam::MotionLawProblem& problem) {
 
 namespace {
 
-/// What method `optimal` proves of a problem that `active_set` solved: with fixed angles and no classical laws it has a
-/// bound over all laws.
+/// What method `optimal` proves of a problem that `active_set` solved: with fixed angles and no classical laws but
+/// straight ones it has a bound over all laws.
 void bound_by_optimum(const cam::MotionLawProblem& problem, PlannedLaw& out, Progress& progress) {
   constexpr std::size_t most_sections = 100;
-  const bool classical =
-      std::any_of(problem.points.begin(), problem.points.end(), [](const cam::MotionPoint& p) { return p.law; });
+  const bool classical = std::any_of(problem.points.begin(), problem.points.end(), [](const cam::MotionPoint& p) {
+    return p.law && *p.law != cam::ClassicalLaw::straight;
+  });
   if (classical || problem.sections() > most_sections) return;
   cam::MotionLawProblem same = problem;
   same.method = cam::LawMethod::optimal;

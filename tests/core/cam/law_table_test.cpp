@@ -21,9 +21,20 @@ TEST(LawTable, AnOpenLawEndsWithItsLastState) {
   const LawTable table({{0.4, 2.4}, {{0, {0, 0, 0, 40, 40, 40}}}, false}, p, 2, 8);
   ASSERT_EQ(table.count(), 9u);
   EXPECT_DOUBLE_EQ(table.cycle_time(), 0.25);
+  EXPECT_EQ(table.independent().name, "phi");
+  EXPECT_EQ(table.independent().unit, "deg");
+  EXPECT_DOUBLE_EQ(table.independent().step, 12.5);
   EXPECT_EQ(row(table, 0), (std::vector<double>{20, 0, 0, 0, 300}));
   EXPECT_DOUBLE_EQ(row(table, 4)[1], 20);
   EXPECT_EQ(row(table, 8), (std::vector<double>{120, 40, 0, 0, 300}));
+}
+
+TEST(LawTable, RowsOverAMasterInSecondsAreOverTime) {
+  MotionLawProblem p = problem(2, false, {rest(0, 0), rest(2, 40)});
+  p.master_unit = "s";
+  const LawTable table({{0, 2}, {{0, {0, 0, 0, 40, 40, 40}}}, false}, p, 2, 8);
+  EXPECT_TRUE(table.independent().time());
+  EXPECT_DOUBLE_EQ(table.independent().step, 0.25);
 }
 
 TEST(LawTable, APeriodicLawBeginsWhereTheMasterDoesAndRowsAtBreaksAreBehindThem) {

@@ -112,6 +112,9 @@ TEST(OptimalLaw, TheDriveDecidesWhereTheCycleHasNoDuration) {
   EXPECT_LE(law.solution.value.peaks[1].value, 100 * (1 + 1e-9));
   EXPECT_LE(law.solution.value.peaks[2].value, 1200 * (1 + 1e-9));
   EXPECT_LE(law.solution.value.peaks[3].value, 30000 * (1 + 1e-9));
+  ASSERT_TRUE(law.solution.lower);
+  EXPECT_LE(*law.solution.lower, law.solution.value.objective);
+  EXPECT_GE(*law.solution.lower, law.solution.bound->objective * (1 - 1e-6));
 }
 
 }  // namespace
