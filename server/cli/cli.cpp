@@ -4,7 +4,7 @@
 #include <iostream>
 #include <thread>
 
-#include "api/kinds/motion_law/controller_layouts.hpp"
+#include "api/setpoints.hpp"
 #include "server/runtime/log.hpp"
 
 namespace bahnwerk::server::cli {

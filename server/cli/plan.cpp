@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "api/kinds/motion_law/controller_layouts.hpp"
 #include "api/planned_job.hpp"
 #include "api/problem.hpp"
 #include "api/setpoints.hpp"

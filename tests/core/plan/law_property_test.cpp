@@ -1,4 +1,4 @@
-/// What every motion law has to keep, on random problems: 1000 of them with BAHNWERK_CASES=25. The verifier, which
+/// What every motion law has to keep, on random problems: 1000 of them with BAHNWERK_CASES=50. The verifier, which
 /// shares nothing with the solvers, looks at the law between its rows, too.
 #include <gtest/gtest.h>
 
@@ -31,16 +31,16 @@ double proven_to(const LawPlan& plan) {
   return (objective - plan.solution.lower.value_or(objective)) / objective;
 }
 
-/// The 6th of each 20 problems has up to 50 points.
+/// The 4th of each 20 problems has up to 50 points.
 cam::MotionLawProblem problem_of(int number) {
   Random random(static_cast<std::uint64_t>(number) + 1000003);
-  const std::size_t points = number % 20 == 5 ? 9 + random.below(42) : 2 + random.below(7);
+  const std::size_t points = number % 20 == 3 ? 9 + random.below(42) : 2 + random.below(7);
   return cam::testing::random_law(random, points);
 }
 
 TEST(LawProperty, RandomProblemsAreProvenAndScale) {
   int planned_count = 0, proven = 0, compared = 0;
-  const int count = testing::cases(40);
+  const int count = testing::cases(20);
   for (int number = 0; number < count; ++number) {
     cam::MotionLawProblem problem = problem_of(number);
     problem.method = cam::LawMethod::active_set;
