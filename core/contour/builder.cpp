@@ -136,8 +136,8 @@ void ContourBuilder::line(Vec to) {
 void ContourBuilder::arc(Vec to, Vec centre, bool counter_clockwise, Vec normal, double tolerance) {
   next_segment();
   if (!finite(to) || !finite(centre) || !finite(normal)) return fault({"arc"}, "a coordinate is not finite");
-  // An arc too short to be one means a full circle whose start came out beside its end by rounding, unless its radius is
-  // as small.
+  // An arc too short to be one means a full circle whose start came out beside its end by rounding, unless its radius
+  // is as small.
   constexpr double rounding = 0.01;  // of the radius
   const double chord = norm(to - position_);
   if (chord < min_segment_length && chord < rounding * norm(centre - position_)) to = position_;

@@ -36,7 +36,7 @@ Rational backwards(const Rational& curve) {
     const std::vector<double> row = bernstein(curve.coordinate(axis), begin, end, n);
     for (std::size_t i = 0; i <= n; ++i) points[n - i][axis] += row[i] / weights[i];
   }
-  const Rational turned = Rational::bezier(
+  Rational turned = Rational::bezier(
       points, curve.rational() ? std::vector<double>(weights.rbegin(), weights.rend()) : std::vector<double>{});
   // A tangent that vanishes at an end does so at the other one now.
   if (const std::size_t order = curve.vanishing_begin(); order > 0)

@@ -34,8 +34,8 @@ class Control {
     return spent_ <= options_.steps;
   }
 
-  /// Executes a line with a flow: the next line is then another one. Returns false, with fault(), if that is impossible or
-  /// if words follow the O word and its values.
+  /// Executes a line with a flow: the next line is then another one. Returns false, with fault(), if that is impossible
+  /// or if words follow the O word and its values.
   bool execute(const Line& line);
   /// Executes M98: calls the numbered subprogram `repeats` times.
   bool call(int program, std::size_t repeats);

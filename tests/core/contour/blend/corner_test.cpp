@@ -1,8 +1,9 @@
+#include "core/contour/blend/corner.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/contour/blend/corner.hpp"
 #include "core/contour/polyline.hpp"
 #include "core/geometry/curve/arc.hpp"
 #include "core/geometry/curve/curvature.hpp"

@@ -1,8 +1,9 @@
+#include "core/contour/blend/elements.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/contour/blend/elements.hpp"
 #include "core/contour/builder.hpp"
 #include "core/contour/polyline.hpp"
 #include "tests/core/silent_scope.hpp"

@@ -1,8 +1,9 @@
+#include "core/contour/blend/layout.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/contour/blend/layout.hpp"
 #include "core/contour/polyline.hpp"
 #include "core/numeric/random.hpp"
 #include "tests/core/silent_scope.hpp"

@@ -1,10 +1,10 @@
 #include "core/probe/optimal/chain_solver.hpp"
-#include "core/probe/optimal/chain_speed.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "core/probe/optimal/chain_speed.hpp"
 #include "core/probe/optimal/refine.hpp"
 #include "core/probe/optimal/start.hpp"
 

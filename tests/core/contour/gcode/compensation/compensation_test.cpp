@@ -1,9 +1,10 @@
 // Cutter radius compensation: where the cutter's centre goes, and what it refuses.
+#include "core/contour/gcode/compensation/compensation.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "core/contour/gcode/compensation/compensation.hpp"
 #include "core/numeric/random.hpp"
 #include "tests/core/contour/gcode_support.hpp"
 

@@ -1,6 +1,7 @@
+#include "core/contour/gcode/words/expression.hpp"
+
 #include <cmath>
 
-#include "core/contour/gcode/words/expression.hpp"
 #include "core/numeric/random.hpp"
 #include "tests/core/contour/gcode_support.hpp"
 

@@ -1,6 +1,6 @@
-#include <gtest/gtest.h>
-
 #include "core/contour/gcode/words/words.hpp"
+
+#include <gtest/gtest.h>
 
 namespace bahnwerk::gcode {
 namespace {
