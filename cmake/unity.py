@@ -4,8 +4,8 @@
     cmake/unity.py SIZE FILE...      one line per group: names of files, separated by semicolons
 
 Reading the headers takes half of a compiler's time; files that are compiled together read them once. A file goes into the first group in which no other file
-declares or includes one of its local names (what stands in an unnamed namespace, aliases, macros), or a namespace of a name that it knows another one by. A group holds SIZE files at most; large files count as
-several, so that no group keeps one processor busy while others have ended.
+declares or includes one of its local names (what stands in an unnamed namespace, constants, aliases, macros), or a namespace that hides one whose name it uses.
+A group holds SIZE files at most; large files count as several, so that no group keeps one processor busy while others have ended.
 """
 import functools
 import os
@@ -48,7 +48,8 @@ def names_of(text):
     scopes, start = [], 0  # of each open brace: "unnamed", "namespace" or "other"
 
     def note(statement):
-        own = re.match(r"\s*(?:static\b|const\b|constexpr\b|using\s+\w+\s*=)", statement) or "unnamed" in scopes and not re.match(r"\s*using\b", statement)
+        own = re.match(r"\s*(?:static\b|const\b|constexpr\b|using\s+\w+\s*=)", statement)
+        own = own or "unnamed" in scopes and not re.match(r"\s*using\b", statement)
         (local if own else public).update(declared(statement))
 
     for place in (sign.start() for sign in re.finditer(r"[{};]", text)):
@@ -75,9 +76,8 @@ def names_of(text):
 
 
 class Source:
-    """What decides which sources may be compiled together: `local`, names that it declares for itself; `seen`, all names that it or a header of its declares
-    at namespace scope; `namespaces` that are seen; `qualifiers`, names before :: in
-    their text; `opened`, namespaces of which it uses all."""
+    """What decides which sources may be compiled together: `local`, names that it declares for itself; `seen`, all names that it or what it includes declares
+    at namespace scope; `namespaces` that are seen; `qualifiers`, names before :: in their text; `opened`, namespaces of which it uses all."""
 
     def __init__(self, name):
         with open(name) as stream:
