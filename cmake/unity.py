@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Prints which sources of a layer can be compiled together, in unity files.
+"""Writes the unity files of all targets: sources that can be compiled together, included by their paths within the project.
 
-    cmake/unity.py SIZE FILE...      one line per group: names of files, separated by semicolons
+    cmake/unity.py SIZE FOLDER     FOLDER/targets.txt: one line per target, its name and its sources; written: FOLDER/TARGET/NUMBER.cpp
 
 Reading the headers takes half of a compiler's time; files that are compiled together read them once. A file goes into the first group in which no other file
 declares or includes one of its local names (what stands in an unnamed namespace, constants, aliases, macros), or a namespace that hides one whose name it uses.
@@ -80,7 +80,7 @@ class Source:
     at namespace scope; `namespaces` that are seen; `qualifiers`, names before :: in their text; `opened`, namespaces of which it uses all."""
 
     def __init__(self, name):
-        with open(name) as stream:
+        with open(os.path.join(ROOT, name)) as stream:
             text = stream.read()
         self.name, self.weight = name, 1 + len(text) // LARGE
         local, public = names_of(text)
@@ -139,9 +139,25 @@ def groups(files, size):
     return [[source.name for source in group] for group in made]
 
 
+def write(folder, files):
+    """Makes a folder hold these texts by name and nothing else; what is the same already stays untouched, so that it is not compiled again."""
+    os.makedirs(folder, exist_ok=True)
+    for name in set(os.listdir(folder)) - set(files):
+        os.remove(os.path.join(folder, name))
+    for name, text in files.items():
+        path = os.path.join(folder, name)
+        if not os.path.exists(path) or open(path).read() != text:
+            with open(path, "w") as stream:
+                stream.write(text)
+
+
 def main():
-    for group in groups(sorted(sys.argv[2:]), int(sys.argv[1])):
-        print(";".join(group))
+    size, folder = int(sys.argv[1]), sys.argv[2]
+    with open(os.path.join(folder, "targets.txt")) as stream:
+        targets = dict(line.split(maxsplit=1) for line in stream)
+    for target, sources in targets.items():
+        made = groups(sorted(sources.split()), size)
+        write(os.path.join(folder, target), {f"{k:02}.cpp": "".join(f'#include "{name}"\n' for name in group) for k, group in enumerate(made, 1)})
 
 
 if __name__ == "__main__":
