@@ -154,9 +154,9 @@ def write(folder, files):
 def main():
     size, folder = int(sys.argv[1]), sys.argv[2]
     with open(os.path.join(folder, "targets.txt")) as stream:
-        targets = dict(line.split(maxsplit=1) for line in stream)
-    for target, sources in targets.items():
-        made = groups(sorted(sources.split()), size)
+        targets = [line.split() for line in stream]
+    for target, *sources in targets:
+        made = groups(sorted(sources), size)
         write(os.path.join(folder, target), {f"{k:02}.cpp": "".join(f'#include "{name}"\n' for name in group) for k, group in enumerate(made, 1)})
 
 

@@ -1,0 +1,35 @@
+#!/usr/bin/env python3
+"""Fails where a pattern of LONG in a CMakeLists.txt of tests/ names no test: a test that was renamed would run under sanitizers, for minutes.
+
+    tests/long_tests.py ROOT
+"""
+import fnmatch
+import pathlib
+import re
+import sys
+
+
+def tests_of(folder, flat):
+    """Names of the tests in the sources of a folder, as GoogleTest prints them; of an instantiated test the first one."""
+    names = set()
+    for path in folder.glob("*.cpp" if flat else "**/*.cpp"):
+        text = path.read_text()
+        names |= {f"{suite}.{test}" for suite, test in re.findall(r"TEST(?:_F)?\(\s*(\w+),\s*(\w+)", text)}
+        for prefix, suite in re.findall(r"INSTANTIATE_TEST_SUITE_P\(\s*(\w+),\s*(\w+)", text):
+            names |= {f"{prefix}/{suite}.{test}/0" for test in re.findall(rf"TEST_P\(\s*{suite},\s*(\w+)", text)}
+    return names
+
+
+def main():
+    root, wrong = pathlib.Path(sys.argv[1]), []
+    for lists in (root / "tests").glob("**/CMakeLists.txt"):
+        for name, words in re.findall(r"^bahnwerk_tests\((\w+)([^)]*)\)", lists.read_text(), flags=re.M):
+            names = tests_of(lists.parent, "FLAT" in words.split())
+            patterns = words.partition(" LONG ")[2].split()
+            wrong += [f"{lists.relative_to(root)}: no test of {name} is called {p}" for p in patterns if not any(fnmatch.fnmatchcase(n, p) for n in names)]
+    print("\n".join(wrong))
+    sys.exit(1 if wrong else 0)
+
+
+if __name__ == "__main__":
+    main()
