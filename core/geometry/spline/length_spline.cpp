@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/numeric/tridiagonal.hpp"
+
 namespace bahnwerk {
 namespace {
 
@@ -36,22 +38,22 @@ struct Simpson {
   }
 };
 
-/// Slopes of the C² cubic spline through the points with given slopes at both ends (Thomas' algorithm).
+/// Slopes of the C² cubic spline through the points with given slopes at both ends [de Boor, A Practical Guide to
+/// Splines, IV].
 std::vector<double> spline_slopes(const std::vector<double>& x, const std::vector<double>& y, double first,
                                   double last) {
   const std::size_t n = x.size();
-  std::vector<double> m(n), upper(n, 0.0);
-  m.front() = first;
+  Tridiagonal matrix(n);
+  std::vector<double> slopes(n);
+  slopes.front() = first;
   for (std::size_t i = 1; i + 1 < n; ++i) {
     const double a = 1 / (x[i] - x[i - 1]), b = 1 / (x[i + 1] - x[i]);
-    const double right = 3 * (a * a * (y[i] - y[i - 1]) + b * b * (y[i + 1] - y[i]));
-    const double pivot = 2 * (a + b) - a * upper[i - 1];
-    upper[i] = b / pivot;
-    m[i] = (right - a * m[i - 1]) / pivot;
+    matrix.below[i] = a, matrix.at[i] = 2 * (a + b), matrix.above[i] = b;
+    slopes[i] = 3 * (a * a * (y[i] - y[i - 1]) + b * b * (y[i + 1] - y[i]));
   }
-  m.back() = last;
-  for (std::size_t i = n - 1; i-- > 1;) m[i] -= upper[i] * m[i + 1];
-  return m;
+  slopes.back() = last;
+  matrix.solve(slopes);
+  return slopes;
 }
 
 }  // namespace

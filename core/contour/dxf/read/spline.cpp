@@ -3,46 +3,10 @@
 #include <cmath>
 
 #include "core/contour/dxf/read/entity.hpp"
+#include "core/numeric/tridiagonal.hpp"
 
 namespace bahnwerk {
 namespace {
-
-/// Solves for the slopes of a cubic spline: below[i] x[i−1] + at[i] x[i] + above[i] x[i+1] = right[i] (Thomas'
-/// algorithm; the matrix is diagonally dominant). For a closed spline below[0] and above[n−1] are the corners, taken
-/// out by the Sherman–Morrison formula [Press et al.: Numerical Recipes, 2.7]. Eigen's SparseLU takes 20 times as long.
-std::vector<Vec> solved(std::vector<double> below, std::vector<double> at, std::vector<double> above,
-                        std::vector<Vec> right, bool closed) {
-  const std::size_t n = at.size();
-  std::vector<double> corner(n, 0.0);
-  double gamma = 0, share = 0;
-  if (closed) {
-    gamma = -at[0];
-    share = below[0] / gamma;
-    corner[0] = gamma;
-    corner[n - 1] = above[n - 1];
-    at[n - 1] -= above[n - 1] * share;
-    at[0] -= gamma;
-  }
-  for (std::size_t i = 1; i < n; ++i) {
-    const double f = below[i] / at[i - 1];
-    at[i] -= f * above[i - 1];
-    right[i] = right[i] - f * right[i - 1];
-    corner[i] -= f * corner[i - 1];
-  }
-  for (std::size_t i = n; i-- > 0;) {
-    if (i + 1 < n) {
-      right[i] = right[i] - above[i] * right[i + 1];
-      corner[i] -= above[i] * corner[i + 1];
-    }
-    right[i] = right[i] / at[i];
-    corner[i] /= at[i];
-  }
-  if (closed) {
-    const Vec k = (right[0] + share * right[n - 1]) / (1 + corner[0] + share * corner[n - 1]);
-    for (std::size_t i = 0; i < n; ++i) right[i] = right[i] - corner[i] * k;
-  }
-  return right;
-}
 
 /// The cubic spline with continuous curvature through the points, over the length of its chords; ends with the given
 /// tangents, or straight (natural) where none is given; closed: periodic. [de Boor: A Practical Guide to Splines, IV]
@@ -57,29 +21,33 @@ DrawnSpline through(std::vector<Vec> p, bool closed, Vec start_tangent, Vec end_
   std::vector<double> h(spans);
   for (std::size_t i = 0; i < spans; ++i) h[i] = norm(p[i + 1] - p[i]);
   const std::size_t n = closed ? spans : spans + 1;  // unknown slopes
-  std::vector<double> below(n, 0.0), at(n, 1.0), above(n, 0.0);
-  std::vector<Vec> right(n);
+  Tridiagonal matrix(n);
+  std::vector<Vec> slope(n);  // at first the right side
   for (std::size_t i = 0; i < n; ++i) {
     if (!closed && (i == 0 || i == spans)) {
       const Vec tangent = i == 0 ? start_tangent : end_tangent;
       const std::size_t side = i == 0 ? 0 : spans - 1;
       if (norm(tangent) > 0) {
-        right[i] = tangent / norm(tangent);
+        slope[i] = tangent / norm(tangent);
       } else {  // 2 m₀ + m₁ = 3 Δ₀/h₀
-        at[i] = 2;
-        (i == 0 ? above : below)[i] = 1;
-        right[i] = 3 / h[side] * (p[side + 1] - p[side]);
+        matrix.at[i] = 2;
+        (i == 0 ? matrix.above : matrix.below)[i] = 1;
+        slope[i] = 3 / h[side] * (p[side + 1] - p[side]);
       }
       continue;
     }
     const std::size_t before = i == 0 ? spans - 1 : i - 1;
-    below[i] = h[i];
-    at[i] = 2 * (h[before] + h[i]);
-    above[i] = h[before];
-    right[i] = 3 * (h[i] / h[before] * (p[before + 1] - p[before]) + h[before] / h[i] * (p[i + 1] - p[i]));
+    matrix.below[i] = h[i];
+    matrix.at[i] = 2 * (h[before] + h[i]);
+    matrix.above[i] = h[before];
+    slope[i] = 3 * (h[i] / h[before] * (p[before + 1] - p[before]) + h[before] / h[i] * (p[i + 1] - p[i]));
   }
-  std::vector<Vec> slope = solved(std::move(below), std::move(at), std::move(above), std::move(right), closed);
-  if (closed) slope.push_back(slope.front());
+  if (closed) {
+    matrix.solve_periodic(slope);
+    slope.push_back(slope.front());
+  } else {
+    matrix.solve(slope);
+  }
 
   std::vector<Vec> points{p[0]};
   std::vector<double> knots{0, 0, 0, 0};
