@@ -1,8 +1,9 @@
 #include "core/drawing/spline_points.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+
+#include "core/numeric/gauss_legendre.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -55,10 +56,6 @@ std::vector<SplinePoint> spline_points(std::span<const BezierPiece> pieces, doub
 }
 
 std::vector<CurvaturePoint> curvature_points(std::span<const BezierPiece> pieces, std::size_t intervals) {
-  constexpr std::array<double, 5> nodes{-0.9061798459386640, -0.5384693101056831, 0, 0.5384693101056831,
-                                        0.9061798459386640};
-  constexpr std::array<double, 5> weights{0.1184634425280945, 0.2393143352496832, 0.2844444444444444,
-                                          0.2393143352496832, 0.1184634425280945};
   const std::size_t n = std::max<std::size_t>(1, intervals);
   std::vector<CurvaturePoint> points;
   points.reserve(pieces.size() * (n + 1));
@@ -67,8 +64,8 @@ std::vector<CurvaturePoint> curvature_points(std::span<const BezierPiece> pieces
     for (std::size_t i = 0; i <= n; ++i) {
       const double width = 1 / static_cast<double>(n), v = static_cast<double>(i) * width;
       if (i > 0)
-        for (std::size_t g = 0; g < nodes.size(); ++g)
-          length += weights[g] * width * norm(place(pieces[k].at(v - width / 2 + nodes[g] * width / 2)[1]));
+        for (const GaussPoint& g : gauss_legendre<5>())
+          length += g.weight / 2 * width * norm(place(pieces[k].at(v - width / 2 + g.place * width / 2)[1]));
       const SplineJet jet = pieces[k].at(v);
       const Vec first = place(jet[1]);
       const double speed = norm(first);

@@ -12,18 +12,16 @@
 #include "core/motion/feed/speed_spline.hpp"
 #include "core/motion/law/law_between.hpp"
 #include "core/motion/law/law_excess.hpp"
+#include "core/numeric/gauss_legendre.hpp"
 #include "core/numeric/optimise/optimise.hpp"
 
 namespace bahnwerk {
 namespace {
 
-/// Gauss's rule of four points on [0, 1] [Abramowitz, Stegun, Handbook of Mathematical Functions, table 25.4]: the
-/// places at which limits are evaluated, and the duration's quadrature.
-constexpr std::array<double, 4> nodes{0.0694318442029737, 0.3300094782075719, 0.6699905217924281, 0.9305681557970263},
-    weights{0.1739274225687269, 0.3260725774312731, 0.3260725774312731, 0.1739274225687269};
-
+/// Gauss's rule gives the places at which limits are evaluated, and the duration's quadrature.
+constexpr std::size_t per_part = 4;
 constexpr int parts = 2;  // of a span, each with these places
-constexpr std::size_t per_span = parts * nodes.size();
+constexpr std::size_t per_span = parts * per_part;
 constexpr double slack = 1e-6;  // of a limit: what windows leave to each other's rounding
 
 std::vector<double> breaks(const Path& tool, std::size_t spans) {
@@ -76,9 +74,10 @@ class SplinePlanner {
     for (std::size_t i = 0; i < spline_.spans(); ++i)
       for (std::size_t k = 0; k < per_span; ++k) {
         Node node;
-        const std::size_t part = k / nodes.size();
-        node.place = spline_.at(i, (static_cast<double>(part) + nodes[k % nodes.size()]) / parts);
-        node.weight = weights[k % nodes.size()] / parts * spline_.width(i) * node.place.s1;
+        const std::size_t part = k / per_part;
+        const auto [place, weight] = gauss_legendre<per_part>()[k % per_part];
+        node.place = spline_.at(i, (static_cast<double>(part) + (1 + place) / 2) / parts);
+        node.weight = weight / 2 / parts * spline_.width(i) * node.place.s1;
         const std::size_t segment = i / options_.spans;
         const AxisJet q = task_.path.at(segment, node.place.s);
         node.d1 = q.d1, node.d2 = q.d2, node.d3 = q.d3;
@@ -225,9 +224,9 @@ class SplinePlanner {
   }
   double duration(std::size_t span, double x0, double dx) const {
     double sum = 0;
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-      const SpeedSpline::Place at = spline_.at(span, x0 + nodes[k] * dx);
-      sum += weights[k] * dx * spline_.width(span) * at.s1 / SpeedSpline::state(at, control_).v;
+    for (const auto& [place, weight] : gauss_legendre<per_part>()) {
+      const SpeedSpline::Place at = spline_.at(span, x0 + (1 + place) / 2 * dx);
+      sum += weight / 2 * dx * spline_.width(span) * at.s1 / SpeedSpline::state(at, control_).v;
     }
     return sum;
   }

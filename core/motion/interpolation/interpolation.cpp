@@ -1,9 +1,11 @@
 #include "core/motion/interpolation/interpolation.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <span>
 #include <utility>
+
+#include "core/numeric/gauss_legendre.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -11,16 +13,11 @@ namespace {
 constexpr std::size_t kept_rows = 256;
 constexpr double least_share = 1e-3;  // of the longest step
 
-/// Gauss's rule of eight points on [−1, 1] [Abramowitz, Stegun, Handbook of Mathematical Functions, table 25.4].
-constexpr std::array<double, 4> nodes{0.183434642495649805, 0.525532409916328986, 0.796666477413626740,
-                                      0.960289856497536232},
-    weights{0.362683783378361983, 0.313706645877887287, 0.222381034453374471, 0.101228536290376259};
-
 double arc(const Curve& curve, double from, double to) {
   const double middle = (from + to) / 2, half = (to - from) / 2;
   double sum = 0;
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    sum += weights[i] * (curve.speed(middle - half * nodes[i]) + curve.speed(middle + half * nodes[i]));
+  for (const auto& [place, weight] : std::span(gauss_legendre<8>()).last<4>())  // the others lie opposite
+    sum += weight * (curve.speed(middle - half * place) + curve.speed(middle + half * place));
   return half * sum;
 }
 

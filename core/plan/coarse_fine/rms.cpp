@@ -1,29 +1,27 @@
 #include "core/plan/coarse_fine/rms.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+
+#include "core/numeric/gauss_legendre.hpp"
 
 namespace bahnwerk {
 
 RmsAccelerations rms_accelerations(const Motion& head, const Motion& coarse, ProgressScope& scope) {
-  constexpr std::array<double, 5> place{-0.906179845938664, -0.538469310105683, 0, 0.538469310105683,
-                                        0.906179845938664};
-  constexpr std::array<double, 5> weight{0.236926885056189, 0.478628670499366, 0.568888888888889, 0.478628670499366,
-                                         0.236926885056189};
   const std::size_t axes = coarse.axes(), moving = std::min(axes, head.axes());
   RmsAccelerations rms{std::vector<double>(axes, 0.0), std::vector<double>(axes, 0.0)};
   std::size_t h = 0, c = 0;
   for (double t = 0; h < head.pieces() && c < coarse.pieces();) {
     const double head_end = head.end(h), coarse_end = coarse.end(c), end = std::min(head_end, coarse_end);
     const double half = 0.5 * (end - t);
-    for (std::size_t i = 0; half > 0 && i < place.size(); ++i) {
-      const double at = t + half * (1 + place[i]);
+    for (const auto& [place, weight] : gauss_legendre<5>()) {
+      if (!(half > 0)) break;
+      const double at = t + half * (1 + place);
       const MotionState x = head.in_piece(h, at), g = coarse.in_piece(c, at);
       for (std::size_t k = 0; k < axes; ++k) {
         const double a = g.acceleration[k], f = (k < moving ? x.acceleration[k] : 0) - a;
-        rms.coarse[k] += half * weight[i] * a * a;
-        rms.fine[k] += half * weight[i] * f * f;
+        rms.coarse[k] += half * weight * a * a;
+        rms.fine[k] += half * weight * f * f;
       }
     }
     t = std::max(t, end);
