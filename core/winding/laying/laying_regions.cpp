@@ -10,11 +10,6 @@
 namespace bahnwerk::winding {
 namespace {
 
-Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-Vec3 operator*(double k, Vec3 a) { return {k * a.x, k * a.y, k * a.z}; }
-double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
 Region rectangle(double width, double height) {
   return Region({line({0, 0}, {width, 0}), line({width, 0}, {width, height}), line({width, height}, {0, height}),
                  line({0, height}, {0, 0})});

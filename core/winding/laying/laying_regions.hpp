@@ -8,15 +8,13 @@
 #include <cstddef>
 #include <numbers>
 
+#include "core/geometry/curve/vec.hpp"
 #include "core/winding/slot/slot.hpp"
 
 namespace bahnwerk::winding {
 
 /// A point or vector in the part's coordinates.
-struct Vec3 {
-  double x = 0, y = 0, z = 0;
-  friend bool operator==(const Vec3&, const Vec3&) = default;
-};
+using Vec3 = Vec;
 
 /// A section's plane in the part: orthonormal x and y axis.
 struct Frame {

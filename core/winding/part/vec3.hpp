@@ -1,17 +1,11 @@
 #pragma once
-/// Arithmetic of points and directions in the part's coordinates, mm.
+/// Rotations about the axis of a part, in the part's coordinates, mm.
 #include <cmath>
 
 #include "core/winding/laying/laying_regions.hpp"
 
 namespace bahnwerk::winding {
 
-inline Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-inline Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-inline Vec3 operator*(double k, Vec3 a) { return {k * a.x, k * a.y, k * a.z}; }
-inline double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-inline Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
-inline double norm(Vec3 a) { return std::sqrt(dot(a, a)); }
 /// Rotation about the part's axis, counterclockwise seen from above; sine and cosine serve many points.
 struct Rotation {
   double cosine = 1, sine = 0;
