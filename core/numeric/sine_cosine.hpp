@@ -2,11 +2,13 @@
 /// Sine and cosine of one angle at once, and the angle of a direction, for numbers of any type: one of a pair takes
 /// nearly as long as both.
 ///
-/// The versions for doubles are accurate to 2 units in the last place. They are own code: kinematics call them a
-/// million times per path, and the C library, accurate to one unit, sets the processor's rounding mode at every call
-/// and takes 1.3 times (sine, cosine) and 2.4 times (angle) as long. Sine and cosine: reduction by parts of π/2 [Cody,
-/// Waite, "Software Manual for the Elementary Functions", 1980, chapter 8], polynomials as in FreeBSD's k_sin.c and
-/// k_cos.c. Angle: the rational function of Cephes' atan.c.
+/// The versions for doubles are accurate to 2 units in the last place. They are own code because results must not
+/// depend on the machine: the C library chooses among versions with and without fused multiply-add by the processor,
+/// and its sine, cosine and angle differ between them in the last bit (seen with glibc 2.36 and
+/// GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-AVX2); these give the same bits everywhere. Kinematics call them a million
+/// times per path, and the C library also takes 1.3 times (sine, cosine) and 2.4 times (angle) as long. Sine and
+/// cosine: reduction by parts of π/2 [Cody, Waite, "Software Manual for the Elementary Functions", 1980, chapter 8],
+/// polynomials as in FreeBSD's k_sin.c and k_cos.c. Angle: the rational function of Cephes' atan.c.
 #include <bit>
 #include <cmath>
 #include <cstddef>
