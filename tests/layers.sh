@@ -61,5 +61,5 @@ while IFS=: read -r file line include; do
     for entry in ${libraries[$own]}; do [[ $header == "${entry%>}" || ($entry == */ && $header == "$entry"*) ]] && ok=1; done
     [[ $ok == 1 ]] || { echo "$file:$line includes <$header>, which $own may not"; bad=1; }
   fi
-done < <(grep -RnE '^#include ["<]' core api server --include='*.hpp' --include='*.cpp' | grep -vE '#include <[a-z_]+>')
+done < <(grep -RnE '^#include ["<]' core api server --include='*.hpp' --include='*.ipp' --include='*.cpp' | grep -vE '#include <[a-z_]+>')
 exit $bad

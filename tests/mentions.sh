@@ -7,7 +7,7 @@ cd "${1:-.}"
   find . -path ./build -prune -o -path ./.git -prune -o -type f -printf '%P\n'
   printf '%s\n' json.hpp result.json setpoints.csv schemas_embedded.cpp
   echo ---
-  grep -RnoE '(^|[^:"])//.*$' core api server tests docs/draw --include='*.hpp' --include='*.cpp' | grep -E '\.(hpp|cpp|md|sh|json|cmake|sql|txt)'
+  grep -RnoE '(^|[^:"])//.*$' core api server tests docs/draw --include='*.hpp' --include='*.ipp' --include='*.cpp' | grep -E '\.(hpp|ipp|cpp|md|sh|json|cmake|sql|txt)'
 } | awk '
   /^---$/ { texts = 1; next }
   !texts {
@@ -18,7 +18,7 @@ cd "${1:-.}"
   {
     match($0, /^[^:]*:[0-9]+:/)
     where = substr($0, 1, RLENGTH); text = substr($0, RLENGTH + 1)
-    while (match(text, /[A-Za-z0-9_\/]+\.(hpp|cpp|md|sh|json|cmake|sql|txt)/)) {
+    while (match(text, /[A-Za-z0-9_\/]+\.(hpp|ipp|cpp|md|sh|json|cmake|sql|txt)/)) {
       name = substr(text, RSTART, RLENGTH)
       if (!(name in known)) { print where " names " name ", which does not exist"; bad = 1 }
       text = substr(text, RSTART + RLENGTH)

@@ -10,7 +10,7 @@
 /// take over its law (core/motion/grid/section_repeats.hpp). If the method fails, other starts are tried, and finally a
 /// slow law that holds the limits.
 ///
-/// Long sections are planned in windows (windows.cpp). Cost: O(cells); a smooth spline takes 20 to 28 iterations, 3.5
+/// Long sections are planned in windows (windows.ipp). Cost: O(cells); a smooth spline takes 20 to 28 iterations, 3.5
 /// to 4.7 µs per cell from 1e3 to 1e6 cells (tests/bench/bench_jerk.cpp). Through kinematics cells are wider, windows
 /// shorter and the start is slower (docs/methods/motion.md): 400 cells per turn of a coil, 40 to 80 Newton steps.
 #include <cstddef>

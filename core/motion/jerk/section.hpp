@@ -1,7 +1,7 @@
 #pragma once
 /// Plans the sections of a contour one after the other under limits of jerk (jerk_limited.hpp). This class holds the
-/// state of one section. build_problem.cpp makes the grid and the rows, refine.cpp divides cells in which the law
-/// switches, certify.cpp examines the law between the nodes, section.cpp sequences these steps, windows.cpp plans long
+/// state of one section. build_problem.ipp makes the grid and the rows, refine.ipp divides cells in which the law
+/// switches, certify.ipp examines the law between the nodes, section.ipp sequences these steps, windows.ipp plans long
 /// sections in windows.
 #include <algorithm>
 #include <cmath>

@@ -1,140 +1,18 @@
+// The members of JerkSolver stand in files by idea; here they are compiled for every number of rows.
 #include "core/motion/jerk/solver.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include "core/motion/jerk/adopt.ipp"
+#include "core/motion/jerk/newton.ipp"
+#include "core/motion/jerk/solver.ipp"
 
 namespace bahnwerk {
 
-namespace {
-
-constexpr double stuck_step = 0.05;
-constexpr int stuck_steps = 3;
-/// The gap is reduced to no less than this part of the requested one.
-constexpr double min_gap = 0.3;
-/// From a solution, step lengths vary along the section; after this many steps they are equal everywhere, which is
-/// slower but converges. From a rough start, one with a barrier parameter larger than this, they are always equal:
-/// large steps of different lengths would violate the equations too much.
-constexpr int uneven_steps = 10;
-constexpr double rough_start = 5e-3;
-
-}  // namespace
-
-template <int M>
-void JerkSolver<M>::start(double mu, ProgressScope& progress) {
-  // A slack starts at what is free, but not too near the wall.
-  const Lane2 least = all(std::min(0.1, mu));
-  scale_ = 0;
-  for (std::size_t g = 0; g < groups_; ++g) {
-    progress(lane_count * g, n_);
-    const Ends x = ends(g);
-    evaluate(g, x);
-    Cells& cells = cells_[g];
-    const Lane2 T = cells.weight = cells.law.T;
-    cells.end[0].begin(x.b1, x.v1, x.a1, cells.law.j1, mu * T, least);
-    cells.end[1].begin(x.b2, x.v2, x.a2, cells.law.j2, mu * T, least);
-    scale_ += 2 * 2 * M * (T[0] + T[1]);
-  }
-  for (std::size_t i = 0; i <= groups_; ++i) {
-    Nodes& nodes = nodes_[i];
-    for (std::size_t half = 0; half < lane_count; ++half) {
-      nodes.weight[half] = holds(i, half) ? 0.5 * (cell_weight(i - 1, half) + cell_weight(i, half)) : no_weight;
-      scale_ += (2 * M + 2) * nodes.weight[half];
-    }
-    const Lane2 b = b_[i], a = a_[i], w = mu * nodes.weight;
-    for (std::size_t k = 0; k < 2; ++k) nodes.capped[k].begin(1.0 - nodes.cap[k] * (b + nodes.slope[k] * a), w, least);
-    nodes.rows.begin(b, a, w, least);
-  }
-  for (Joint& joint : joints_) {
-    const std::size_t i = joint.node, half = joint.half;
-    const double weight = nodes_[i].weight[half];
-    joint.rows.begin(b_[i][half], a_[i][half], mu * weight, least[0]);
-    scale_ += 2 * M * weight;
-  }
-  start_middles(mu);
-  steps_.still(groups_);
-}
-
-/// Rows for cells' middles may come later than the others.
-template <int M>
-void JerkSolver<M>::start_middles(double mu) {
-  for (Middles& set : middles_) {
-    const Ends x = ends(set.cells);
-    const Cells& cells = cells_[set.cells];
-    for (std::size_t e = 0; e < lane_count; ++e)
-      if (set.weight[e] != no_weight) set.weight[e] = cells.weight[e];
-    const JerkMiddle<Lane2> m = jerk_middle(x.v1, x.w1, x.a1, x.v2, x.w2, x.a2, cells.law);
-    set.rows.begin(x.b1 + x.b2, m.g, mu * set.weight, all(std::min(0.1, mu)));
-    scale_ += 2 * M * (set.weight[0] + set.weight[1]);
-  }
-}
-
-template <int M>
-JerkSolverResult JerkSolver<M>::solve(const JerkProblem<M>& problem, LargeVector<JerkNode>& x, double mu,
-                                      const JerkSolverOptions& options, ProgressScope& progress) {
-  JerkSolverResult result;
-  if (problem.cells.size() < lane_count) {  // nothing is unknown
-    result.duration = jerk_piece(x[0], x[1], problem.cells[0].h).duration;
-    result.converged = true;
-    return result;
-  }
-  problem_ = &problem;
-  adopt(x);
-  const bool same_middles = adopt_middles();
-  if (mu > 0) start(mu, progress);
-  if (mu == 0 && !same_middles) start_middles(gap_ / scale_);
-  steps_.still(groups_);
-  int stuck = 0;
-  target_ = mu > 0 ? mu : gap_ / scale_;
-  for (;; ++result.iterations) {
-    assemble(progress);
-    result.duration = duration_;
-    result.gap = gap_ / duration_;
-    result.violation = violation_;
-    result.mu = gap_ / scale_;
-    if (!std::isfinite(duration_ + gap_)) break;
-    direction(progress);
-    if (result.gap <= options.gap && result.violation <= options.violation &&
-        std::abs(predicted_decrease_) <= options.gap * duration_) {
-      result.converged = true;
-      break;
-    }
-    if (result.iterations == options.iterations) break;
-    steps_.fit(std::max(0.9, 1 - 10 * target_), mu > rough_start || result.iterations >= uneven_steps, odd());
-    // Target of the next step: the smaller the part of this step that could be taken, the closer to the present μ.
-    const double step = std::min(steps_.mean_primal, steps_.mean_dual), miss = 1 - step;
-    const double now = (1 - step) * gap_ / scale_ + step * target_;
-    target_ = std::max(now * std::clamp(miss * miss, 0.1, 0.8), min_gap * options.gap * duration_ / scale_);
-    stuck = step < stuck_step ? stuck + 1 : 0;
-    if (stuck == stuck_steps) {  // too near a wall: from here again, with slacks and multipliers in balance
-      move_nodes();
-      target_ = std::min(0.1, std::max(1e-3, 10 * now));
-      start(target_, progress);
-      stuck = 0;
-    }
-  }
-  for (std::size_t i = 0; i <= n_; ++i)
-    x[i] = i <= groups_ ? JerkNode{b_[i][0], a_[i][0]} : JerkNode{b_[n_ - i][1], -a_[n_ - i][1]};
-  return result;
-}
-
-template <int M>
-void JerkSolver<M>::add_share_costs(LargeVector<double>& cost) const {
-  for (std::size_t g = 0; g < groups_; ++g)
-    for (std::size_t half = 0; half < lane_count; ++half) {
-      if (missing(g, half)) continue;
-      double& c = cost[cell_of(g, half)];
-      for (const auto& end : cells_[g].end)
-        for (std::size_t k = 0; k < M; ++k)
-          c += (end.rows[k].up.z[half] + end.rows[k].down.z[half]) * (1 - end.share[k][half]);
-    }
-}
-
 template class JerkSolver<2>;
 template class JerkSolver<3>;
-template class JerkSolver<5>;
-template class JerkSolver<8>;
 template class JerkSolver<4>;
+template class JerkSolver<5>;
 template class JerkSolver<6>;
+template class JerkSolver<8>;
 template class JerkSolver<9>;
 
 }  // namespace bahnwerk

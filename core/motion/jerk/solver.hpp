@@ -13,7 +13,7 @@
 /// The elimination runs from both ends of the section towards its middle, with one cell of each half in a vector
 /// register (rows.hpp). The second half is traversed backwards in time, which changes the sign of a and leaves b and
 /// jerk unchanged, so both halves have one form. The remaining block of the node in the middle gives its step.
-/// adopt.cpp brings the problem into this form. Cost: O(cells) per step, 0.11 µs per cell with two axes, 1 kB of memory
+/// adopt.ipp brings the problem into this form. Cost: O(cells) per step, 0.11 µs per cell with two axes, 1 kB of memory
 /// per cell; 9 to 14 steps from a rough start to a gap of 3e-2, about as many again to 1e-4.
 #include <algorithm>
 #include <cstddef>

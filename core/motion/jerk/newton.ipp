@@ -1,3 +1,4 @@
+#pragma once
 /// One step of the interior-point method: from the section's ends to its middle the last step is taken, the linear
 /// system assembled and eliminated, and back to the ends its solution found and how much of it can be taken.
 #include <algorithm>
@@ -230,83 +231,5 @@ void JerkSolver<M>::direction(ProgressScope& progress) {
     inner_dual = node_dual;
   }
 }
-
-template void JerkSolver<2>::move_nodes();
-template void JerkSolver<2>::evaluate(std::size_t, const Ends&);
-template NodeBlock<Lane2> JerkSolver<2>::assemble_nodes(std::size_t, JerkTotals<Lane2>&);
-template CellMatrix<Lane2> JerkSolver<2>::assemble_cells(std::size_t, std::size_t&, JerkTotals<Lane2>&);
-template NodeBlock<Lane2> JerkSolver<2>::assemble_joint(Joint&, JerkTotals<double>&);
-template void JerkSolver<2>::eliminate_first(const NodeBlock<Lane2>&, const CellMatrix<Lane2>&, NodeBlock<Lane2>&);
-template JerkNode JerkSolver<2>::meet(const NodeBlock<Lane2>&) const;
-template void JerkSolver<2>::assemble(ProgressScope&);
-template void JerkSolver<2>::direct_cells(std::size_t, std::size_t&, Lane2&, Lane2&);
-template void JerkSolver<2>::direct_nodes(std::size_t, std::size_t&, Lane2&, Lane2&);
-template void JerkSolver<2>::direction(ProgressScope&);
-template void JerkSolver<3>::move_nodes();
-template void JerkSolver<5>::move_nodes();
-template void JerkSolver<8>::move_nodes();
-template void JerkSolver<3>::evaluate(std::size_t, const Ends&);
-template void JerkSolver<5>::evaluate(std::size_t, const Ends&);
-template void JerkSolver<8>::evaluate(std::size_t, const Ends&);
-template NodeBlock<Lane2> JerkSolver<3>::assemble_nodes(std::size_t, JerkTotals<Lane2>&);
-template NodeBlock<Lane2> JerkSolver<5>::assemble_nodes(std::size_t, JerkTotals<Lane2>&);
-template NodeBlock<Lane2> JerkSolver<8>::assemble_nodes(std::size_t, JerkTotals<Lane2>&);
-template CellMatrix<Lane2> JerkSolver<3>::assemble_cells(std::size_t, std::size_t&, JerkTotals<Lane2>&);
-template CellMatrix<Lane2> JerkSolver<5>::assemble_cells(std::size_t, std::size_t&, JerkTotals<Lane2>&);
-template CellMatrix<Lane2> JerkSolver<8>::assemble_cells(std::size_t, std::size_t&, JerkTotals<Lane2>&);
-template NodeBlock<Lane2> JerkSolver<3>::assemble_joint(Joint&, JerkTotals<double>&);
-template NodeBlock<Lane2> JerkSolver<5>::assemble_joint(Joint&, JerkTotals<double>&);
-template NodeBlock<Lane2> JerkSolver<8>::assemble_joint(Joint&, JerkTotals<double>&);
-template void JerkSolver<3>::eliminate_first(const NodeBlock<Lane2>&, const CellMatrix<Lane2>&, NodeBlock<Lane2>&);
-template void JerkSolver<5>::eliminate_first(const NodeBlock<Lane2>&, const CellMatrix<Lane2>&, NodeBlock<Lane2>&);
-template void JerkSolver<8>::eliminate_first(const NodeBlock<Lane2>&, const CellMatrix<Lane2>&, NodeBlock<Lane2>&);
-template JerkNode JerkSolver<3>::meet(const NodeBlock<Lane2>&) const;
-template JerkNode JerkSolver<5>::meet(const NodeBlock<Lane2>&) const;
-template JerkNode JerkSolver<8>::meet(const NodeBlock<Lane2>&) const;
-template void JerkSolver<3>::assemble(ProgressScope&);
-template void JerkSolver<5>::assemble(ProgressScope&);
-template void JerkSolver<8>::assemble(ProgressScope&);
-template void JerkSolver<3>::direct_cells(std::size_t, std::size_t&, Lane2&, Lane2&);
-template void JerkSolver<5>::direct_cells(std::size_t, std::size_t&, Lane2&, Lane2&);
-template void JerkSolver<8>::direct_cells(std::size_t, std::size_t&, Lane2&, Lane2&);
-template void JerkSolver<3>::direct_nodes(std::size_t, std::size_t&, Lane2&, Lane2&);
-template void JerkSolver<5>::direct_nodes(std::size_t, std::size_t&, Lane2&, Lane2&);
-template void JerkSolver<8>::direct_nodes(std::size_t, std::size_t&, Lane2&, Lane2&);
-template void JerkSolver<3>::direction(ProgressScope&);
-template void JerkSolver<5>::direction(ProgressScope&);
-template void JerkSolver<8>::direction(ProgressScope&);
-template void JerkSolver<4>::move_nodes();
-template void JerkSolver<6>::move_nodes();
-template void JerkSolver<9>::move_nodes();
-template void JerkSolver<4>::evaluate(std::size_t, const Ends&);
-template void JerkSolver<6>::evaluate(std::size_t, const Ends&);
-template void JerkSolver<9>::evaluate(std::size_t, const Ends&);
-template NodeBlock<Lane2> JerkSolver<4>::assemble_nodes(std::size_t, JerkTotals<Lane2>&);
-template NodeBlock<Lane2> JerkSolver<6>::assemble_nodes(std::size_t, JerkTotals<Lane2>&);
-template NodeBlock<Lane2> JerkSolver<9>::assemble_nodes(std::size_t, JerkTotals<Lane2>&);
-template CellMatrix<Lane2> JerkSolver<4>::assemble_cells(std::size_t, std::size_t&, JerkTotals<Lane2>&);
-template CellMatrix<Lane2> JerkSolver<6>::assemble_cells(std::size_t, std::size_t&, JerkTotals<Lane2>&);
-template CellMatrix<Lane2> JerkSolver<9>::assemble_cells(std::size_t, std::size_t&, JerkTotals<Lane2>&);
-template NodeBlock<Lane2> JerkSolver<4>::assemble_joint(Joint&, JerkTotals<double>&);
-template NodeBlock<Lane2> JerkSolver<6>::assemble_joint(Joint&, JerkTotals<double>&);
-template NodeBlock<Lane2> JerkSolver<9>::assemble_joint(Joint&, JerkTotals<double>&);
-template void JerkSolver<4>::eliminate_first(const NodeBlock<Lane2>&, const CellMatrix<Lane2>&, NodeBlock<Lane2>&);
-template void JerkSolver<6>::eliminate_first(const NodeBlock<Lane2>&, const CellMatrix<Lane2>&, NodeBlock<Lane2>&);
-template void JerkSolver<9>::eliminate_first(const NodeBlock<Lane2>&, const CellMatrix<Lane2>&, NodeBlock<Lane2>&);
-template JerkNode JerkSolver<4>::meet(const NodeBlock<Lane2>&) const;
-template JerkNode JerkSolver<6>::meet(const NodeBlock<Lane2>&) const;
-template JerkNode JerkSolver<9>::meet(const NodeBlock<Lane2>&) const;
-template void JerkSolver<4>::assemble(ProgressScope&);
-template void JerkSolver<6>::assemble(ProgressScope&);
-template void JerkSolver<9>::assemble(ProgressScope&);
-template void JerkSolver<4>::direct_cells(std::size_t, std::size_t&, Lane2&, Lane2&);
-template void JerkSolver<6>::direct_cells(std::size_t, std::size_t&, Lane2&, Lane2&);
-template void JerkSolver<9>::direct_cells(std::size_t, std::size_t&, Lane2&, Lane2&);
-template void JerkSolver<4>::direct_nodes(std::size_t, std::size_t&, Lane2&, Lane2&);
-template void JerkSolver<6>::direct_nodes(std::size_t, std::size_t&, Lane2&, Lane2&);
-template void JerkSolver<9>::direct_nodes(std::size_t, std::size_t&, Lane2&, Lane2&);
-template void JerkSolver<4>::direction(ProgressScope&);
-template void JerkSolver<6>::direction(ProgressScope&);
-template void JerkSolver<9>::direction(ProgressScope&);
 
 }  // namespace bahnwerk

@@ -1,3 +1,4 @@
+#pragma once
 /// Divides cells in which the law switches.
 #include <algorithm>
 #include <cmath>
@@ -102,30 +103,5 @@ void JerkSectionPlanner<N, M>::refine(ProgressScope& progress) {
   }
   state_[c] = old.back();
 }
-
-template double JerkSectionPlanner<2, 2>::slack_ramp(std::size_t c, double change, double jerk) const;
-template bool JerkSectionPlanner<2, 2>::mark(ProgressScope& progress);
-template void JerkSectionPlanner<2, 2>::refine(ProgressScope& progress);
-template double JerkSectionPlanner<2, 3>::slack_ramp(std::size_t c, double change, double jerk) const;
-template bool JerkSectionPlanner<2, 3>::mark(ProgressScope& progress);
-template void JerkSectionPlanner<2, 3>::refine(ProgressScope& progress);
-template double JerkSectionPlanner<3, 3>::slack_ramp(std::size_t c, double change, double jerk) const;
-template double JerkSectionPlanner<5, 5>::slack_ramp(std::size_t c, double change, double jerk) const;
-template double JerkSectionPlanner<8, 8>::slack_ramp(std::size_t c, double change, double jerk) const;
-template bool JerkSectionPlanner<3, 3>::mark(ProgressScope& progress);
-template bool JerkSectionPlanner<5, 5>::mark(ProgressScope& progress);
-template bool JerkSectionPlanner<8, 8>::mark(ProgressScope& progress);
-template void JerkSectionPlanner<3, 3>::refine(ProgressScope& progress);
-template void JerkSectionPlanner<5, 5>::refine(ProgressScope& progress);
-template void JerkSectionPlanner<8, 8>::refine(ProgressScope& progress);
-template double JerkSectionPlanner<3, 4>::slack_ramp(std::size_t c, double change, double jerk) const;
-template double JerkSectionPlanner<5, 6>::slack_ramp(std::size_t c, double change, double jerk) const;
-template double JerkSectionPlanner<8, 9>::slack_ramp(std::size_t c, double change, double jerk) const;
-template bool JerkSectionPlanner<3, 4>::mark(ProgressScope& progress);
-template bool JerkSectionPlanner<5, 6>::mark(ProgressScope& progress);
-template bool JerkSectionPlanner<8, 9>::mark(ProgressScope& progress);
-template void JerkSectionPlanner<3, 4>::refine(ProgressScope& progress);
-template void JerkSectionPlanner<5, 6>::refine(ProgressScope& progress);
-template void JerkSectionPlanner<8, 9>::refine(ProgressScope& progress);
 
 }  // namespace bahnwerk

@@ -1,3 +1,4 @@
+#pragma once
 /// Brings a JerkProblem into the form that the interior-point method calculates with: both halves of the section side
 /// by side, from its ends inwards, the second one backwards in time.
 #include <cmath>
@@ -138,41 +139,5 @@ void JerkSolver<M>::take_middle(const MiddleRows<M>& rows, std::size_t half, Mid
     to.rows.share[k][half] = rows.share[k];
   }
 }
-
-template void JerkSolver<2>::adopt(const LargeVector<JerkNode>&);
-template void JerkSolver<2>::adopt_nodes();
-template void JerkSolver<2>::adopt_cells();
-template bool JerkSolver<2>::adopt_middles();
-template void JerkSolver<2>::take_middle(const MiddleRows<2>&, std::size_t, Middles&);
-template void JerkSolver<3>::adopt(const LargeVector<JerkNode>&);
-template void JerkSolver<5>::adopt(const LargeVector<JerkNode>&);
-template void JerkSolver<8>::adopt(const LargeVector<JerkNode>&);
-template void JerkSolver<3>::adopt_nodes();
-template void JerkSolver<5>::adopt_nodes();
-template void JerkSolver<8>::adopt_nodes();
-template void JerkSolver<3>::adopt_cells();
-template void JerkSolver<5>::adopt_cells();
-template void JerkSolver<8>::adopt_cells();
-template bool JerkSolver<3>::adopt_middles();
-template bool JerkSolver<5>::adopt_middles();
-template bool JerkSolver<8>::adopt_middles();
-template void JerkSolver<3>::take_middle(const MiddleRows<3>&, std::size_t, Middles&);
-template void JerkSolver<5>::take_middle(const MiddleRows<5>&, std::size_t, Middles&);
-template void JerkSolver<8>::take_middle(const MiddleRows<8>&, std::size_t, Middles&);
-template void JerkSolver<4>::adopt(const LargeVector<JerkNode>&);
-template void JerkSolver<6>::adopt(const LargeVector<JerkNode>&);
-template void JerkSolver<9>::adopt(const LargeVector<JerkNode>&);
-template void JerkSolver<4>::adopt_nodes();
-template void JerkSolver<6>::adopt_nodes();
-template void JerkSolver<9>::adopt_nodes();
-template void JerkSolver<4>::adopt_cells();
-template void JerkSolver<6>::adopt_cells();
-template void JerkSolver<9>::adopt_cells();
-template bool JerkSolver<4>::adopt_middles();
-template bool JerkSolver<6>::adopt_middles();
-template bool JerkSolver<9>::adopt_middles();
-template void JerkSolver<4>::take_middle(const MiddleRows<4>&, std::size_t, Middles&);
-template void JerkSolver<6>::take_middle(const MiddleRows<6>&, std::size_t, Middles&);
-template void JerkSolver<9>::take_middle(const MiddleRows<9>&, std::size_t, Middles&);
 
 }  // namespace bahnwerk

@@ -1,3 +1,4 @@
+#pragma once
 /// Looks between the nodes: peaks of every cell, shares of limits, and what a section has to be slowed by.
 #include <algorithm>
 #include <cmath>
@@ -152,54 +153,5 @@ void JerkSectionPlanner<N, M>::tighten(double times, bool acceleration) {
     }
   }
 }
-
-template void JerkSectionPlanner<2, 2>::look_half_way(ProgressScope& progress);
-template CellPeaks<2> JerkSectionPlanner<2, 2>::peaks_of(std::size_t cell, bool exact) const;
-template void JerkSectionPlanner<2, 2>::measure(bool exact, ProgressScope& progress);
-template void JerkSectionPlanner<2, 2>::certify(ProgressScope& progress);
-template bool JerkSectionPlanner<2, 2>::mark_unresolved_cells();
-template void JerkSectionPlanner<2, 2>::tighten(double times, bool acceleration);
-template void JerkSectionPlanner<2, 3>::look_half_way(ProgressScope& progress);
-template CellPeaks<3> JerkSectionPlanner<2, 3>::peaks_of(std::size_t cell, bool exact) const;
-template void JerkSectionPlanner<2, 3>::measure(bool exact, ProgressScope& progress);
-template void JerkSectionPlanner<2, 3>::certify(ProgressScope& progress);
-template bool JerkSectionPlanner<2, 3>::mark_unresolved_cells();
-template void JerkSectionPlanner<2, 3>::tighten(double times, bool acceleration);
-template void JerkSectionPlanner<3, 3>::look_half_way(ProgressScope& progress);
-template void JerkSectionPlanner<5, 5>::look_half_way(ProgressScope& progress);
-template void JerkSectionPlanner<8, 8>::look_half_way(ProgressScope& progress);
-template CellPeaks<3> JerkSectionPlanner<3, 3>::peaks_of(std::size_t cell, bool exact) const;
-template void JerkSectionPlanner<3, 3>::measure(bool exact, ProgressScope& progress);
-template CellPeaks<5> JerkSectionPlanner<5, 5>::peaks_of(std::size_t cell, bool exact) const;
-template void JerkSectionPlanner<5, 5>::measure(bool exact, ProgressScope& progress);
-template CellPeaks<8> JerkSectionPlanner<8, 8>::peaks_of(std::size_t cell, bool exact) const;
-template void JerkSectionPlanner<8, 8>::measure(bool exact, ProgressScope& progress);
-template void JerkSectionPlanner<3, 3>::certify(ProgressScope& progress);
-template void JerkSectionPlanner<5, 5>::certify(ProgressScope& progress);
-template void JerkSectionPlanner<8, 8>::certify(ProgressScope& progress);
-template bool JerkSectionPlanner<3, 3>::mark_unresolved_cells();
-template bool JerkSectionPlanner<5, 5>::mark_unresolved_cells();
-template bool JerkSectionPlanner<8, 8>::mark_unresolved_cells();
-template void JerkSectionPlanner<3, 3>::tighten(double times, bool acceleration);
-template void JerkSectionPlanner<5, 5>::tighten(double times, bool acceleration);
-template void JerkSectionPlanner<8, 8>::tighten(double times, bool acceleration);
-template void JerkSectionPlanner<3, 4>::look_half_way(ProgressScope& progress);
-template void JerkSectionPlanner<5, 6>::look_half_way(ProgressScope& progress);
-template void JerkSectionPlanner<8, 9>::look_half_way(ProgressScope& progress);
-template CellPeaks<4> JerkSectionPlanner<3, 4>::peaks_of(std::size_t cell, bool exact) const;
-template void JerkSectionPlanner<3, 4>::measure(bool exact, ProgressScope& progress);
-template CellPeaks<6> JerkSectionPlanner<5, 6>::peaks_of(std::size_t cell, bool exact) const;
-template void JerkSectionPlanner<5, 6>::measure(bool exact, ProgressScope& progress);
-template CellPeaks<9> JerkSectionPlanner<8, 9>::peaks_of(std::size_t cell, bool exact) const;
-template void JerkSectionPlanner<8, 9>::measure(bool exact, ProgressScope& progress);
-template void JerkSectionPlanner<3, 4>::certify(ProgressScope& progress);
-template void JerkSectionPlanner<5, 6>::certify(ProgressScope& progress);
-template void JerkSectionPlanner<8, 9>::certify(ProgressScope& progress);
-template bool JerkSectionPlanner<3, 4>::mark_unresolved_cells();
-template bool JerkSectionPlanner<5, 6>::mark_unresolved_cells();
-template bool JerkSectionPlanner<8, 9>::mark_unresolved_cells();
-template void JerkSectionPlanner<3, 4>::tighten(double times, bool acceleration);
-template void JerkSectionPlanner<5, 6>::tighten(double times, bool acceleration);
-template void JerkSectionPlanner<8, 9>::tighten(double times, bool acceleration);
 
 }  // namespace bahnwerk

@@ -1,3 +1,4 @@
+#pragma once
 /// Plans long sections in windows. A window is a range of the section's cells, passed from the state at which the
 /// previous window was cut to rest at its own end. After a rough solution the cells that this rest slows are dropped,
 /// and the state at the cut is final: slightly inside all limits, so that the next window has an interior. The loss is
@@ -175,46 +176,5 @@ void JerkSectionPlanner<N, M>::blend_previous_window() {
     state_[i].a += share * (tail_[i].a - state_[i].a) + 0.5 * slope * more;
   }
 }
-
-template bool JerkSectionPlanner<2, 2>::plan_windows(std::size_t window, double from, double to);
-template std::size_t JerkSectionPlanner<2, 2>::take_window(std::size_t begin, std::size_t cells);
-template double JerkSectionPlanner<2, 2>::speed_up() const;
-template void JerkSectionPlanner<2, 2>::drop_braking_tail();
-template void JerkSectionPlanner<2, 2>::blend_previous_window();
-template bool JerkSectionPlanner<2, 3>::plan_windows(std::size_t window, double from, double to);
-template std::size_t JerkSectionPlanner<2, 3>::take_window(std::size_t begin, std::size_t cells);
-template double JerkSectionPlanner<2, 3>::speed_up() const;
-template void JerkSectionPlanner<2, 3>::drop_braking_tail();
-template void JerkSectionPlanner<2, 3>::blend_previous_window();
-template bool JerkSectionPlanner<3, 3>::plan_windows(std::size_t window, double from, double to);
-template bool JerkSectionPlanner<5, 5>::plan_windows(std::size_t window, double from, double to);
-template bool JerkSectionPlanner<8, 8>::plan_windows(std::size_t window, double from, double to);
-template std::size_t JerkSectionPlanner<3, 3>::take_window(std::size_t begin, std::size_t cells);
-template std::size_t JerkSectionPlanner<5, 5>::take_window(std::size_t begin, std::size_t cells);
-template std::size_t JerkSectionPlanner<8, 8>::take_window(std::size_t begin, std::size_t cells);
-template double JerkSectionPlanner<3, 3>::speed_up() const;
-template double JerkSectionPlanner<5, 5>::speed_up() const;
-template double JerkSectionPlanner<8, 8>::speed_up() const;
-template void JerkSectionPlanner<3, 3>::drop_braking_tail();
-template void JerkSectionPlanner<5, 5>::drop_braking_tail();
-template void JerkSectionPlanner<8, 8>::drop_braking_tail();
-template void JerkSectionPlanner<3, 3>::blend_previous_window();
-template void JerkSectionPlanner<5, 5>::blend_previous_window();
-template void JerkSectionPlanner<8, 8>::blend_previous_window();
-template bool JerkSectionPlanner<3, 4>::plan_windows(std::size_t window, double from, double to);
-template bool JerkSectionPlanner<5, 6>::plan_windows(std::size_t window, double from, double to);
-template bool JerkSectionPlanner<8, 9>::plan_windows(std::size_t window, double from, double to);
-template std::size_t JerkSectionPlanner<3, 4>::take_window(std::size_t begin, std::size_t cells);
-template std::size_t JerkSectionPlanner<5, 6>::take_window(std::size_t begin, std::size_t cells);
-template std::size_t JerkSectionPlanner<8, 9>::take_window(std::size_t begin, std::size_t cells);
-template double JerkSectionPlanner<3, 4>::speed_up() const;
-template double JerkSectionPlanner<5, 6>::speed_up() const;
-template double JerkSectionPlanner<8, 9>::speed_up() const;
-template void JerkSectionPlanner<3, 4>::drop_braking_tail();
-template void JerkSectionPlanner<5, 6>::drop_braking_tail();
-template void JerkSectionPlanner<8, 9>::drop_braking_tail();
-template void JerkSectionPlanner<3, 4>::blend_previous_window();
-template void JerkSectionPlanner<5, 6>::blend_previous_window();
-template void JerkSectionPlanner<8, 9>::blend_previous_window();
 
 }  // namespace bahnwerk
