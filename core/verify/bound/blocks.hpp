@@ -1,41 +1,14 @@
 #pragma once
-/// An array that grows at its end without moving its elements.
+/// Arrays that grow at their end without moving their elements: copying a large one would take longer than the interval
+/// between two progress calls.
+#include <boost/container/deque.hpp>
 #include <cstddef>
-#include <utility>
-#include <vector>
 
 namespace bahnwerk::verify {
 
-/// Copying a large array would take longer than the interval between two progress calls. It uses ordinary memory; the
-/// large pages that are reused from plan to plan are left to the planners, whose arrays fit them.
+using LargeBlocks = boost::container::deque_options<boost::container::block_size<512u>>::type;
 template <class T>
-class Blocks {
- public:
-  std::size_t size() const { return size_; }
-  T& operator[](std::size_t i) { return blocks_[i / each][i % each]; }
-  const T& operator[](std::size_t i) const { return blocks_[i / each][i % each]; }
-  void push_back(const T& value) {
-    if (size_ == each * blocks_.size()) blocks_.emplace_back().reserve(each);
-    std::vector<T>& block = blocks_[size_ / each];
-    if (const std::size_t i = size_ % each; i < block.size())
-      block[i] = value;
-    else
-      block.push_back(value);
-    ++size_;
-  }
-  /// Both keep the memory for later elements.
-  void clear() { size_ = 0; }
-  /// Removes all but the first `count`. O(elements behind them).
-  void drop(std::size_t count) {
-    for (std::size_t i = count; i < size_; ++i) (*this)[i - count] = std::move((*this)[i]);
-    size_ -= count;
-  }
-
- private:
-  static constexpr std::size_t each = 512;
-  std::size_t size_ = 0;
-  std::vector<std::vector<T>> blocks_;
-};
+using Blocks = boost::container::deque<T, void, LargeBlocks>;
 
 /// A view of the elements of an array in another order. Valid as long as both exist and do not grow.
 template <class T, class Index>

@@ -5,11 +5,13 @@
 #include <limits>
 #include <utility>
 
+#include "core/verify/bound/bound_cell.ipp"
+#include "core/verify/bound/bound_range.ipp"
+#include "core/verify/bound/bound_width.ipp"
+
 namespace bahnwerk::verify {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr double no_direction = 1e-12;  // |q'_k| below this: the axis stands still, its conditions are dropped
 constexpr int deepest = 40;
 // Cells in which q'_k may have the wrong sign by more than this are halved, so often at most.
 constexpr double undecided = 1e-6;

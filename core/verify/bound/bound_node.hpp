@@ -8,8 +8,11 @@
 #include <limits>
 
 #include "core/geometry/curve/vec.hpp"
+#include "core/verify/rounding.hpp"
 
 namespace bahnwerk::verify {
+
+inline double sq(double x) { return x * x; }
 
 /// Axes through kinematics have any units: they and their limits are scaled by powers of two so that |q'_k| is at most
 /// about 1. Cartesian axes are unchanged.
@@ -24,11 +27,8 @@ struct BoundNode {
   static constexpr std::uint32_t unknown = ~std::uint32_t{0};
 
   /// Bounds of q'_k² under that rounding: conditions are always used in their weaker form.
-  double least(std::size_t k) const { return square(std::max(0.0, std::abs(tangent[k]) - rounding_error)); }
-  double most(std::size_t k) const { return square(std::abs(tangent[k]) + rounding_error); }
-
- private:
-  static double square(double x) { return x * x; }
+  double least(std::size_t k) const { return sq(std::max(0.0, std::abs(tangent[k]) - rounding_error)); }
+  double most(std::size_t k) const { return sq(std::abs(tangent[k]) + rounding_error); }
 };
 
 /// The cell between node i and node i + 1. Across a joint both nodes are one place with the tangents of either side; so
@@ -59,6 +59,6 @@ Vec direction(const std::array<double, N>& v) {
   return {v[0], v[1], N == 3 ? v[2] : 0};
 }
 /// Rounding of a difference of path lengths up to s: shorter cells are useless.
-inline double rounding_of(double s) { return 64 * std::numeric_limits<double>::epsilon() * (1 + s); }
+inline double rounding_of(double s) { return 64 * epsilon * (1 + s); }
 
 }  // namespace bahnwerk::verify

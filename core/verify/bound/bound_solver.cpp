@@ -10,8 +10,6 @@ namespace {
 
 constexpr double negligible_time = 1e-10;  // share of the whole
 
-double sq(double x) { return x * x; }
-
 }  // namespace
 
 template <int N>

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "core/verify/rounding.hpp"
+
 namespace bahnwerk::verify {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon(), infinite = std::numeric_limits<double>::infinity();
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 Polynomial sizes(Polynomial p) {
   for (double& c : p) c = std::abs(c);

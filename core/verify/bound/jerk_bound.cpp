@@ -28,8 +28,6 @@ constexpr double no_ramp = 4;  // cells that take longer than so many ramps show
 constexpr std::size_t few_cells = 1000;
 constexpr double much_longer = 2e-3;
 
-double sq(double x) { return x * x; }
-
 /// The jerk for which cells are to be narrow enough, per axis.
 template <int N>
 std::array<double, N> shown_jerk(const BoundGrid<N>& grid) {

@@ -8,7 +8,7 @@ namespace bahnwerk::verify {
 namespace {
 
 constexpr double tiny = 1e-30;
-constexpr double epsilon = std::numeric_limits<double>::epsilon(), infinite = std::numeric_limits<double>::infinity();
+constexpr double infinite = std::numeric_limits<double>::infinity();
 // Pieces are halved that lose more than this part of their time, so often at most; through kinematics the cells'
 // width costs far more than that.
 constexpr double much = 2e-4, kinematic_much = 1e-2;

@@ -8,7 +8,6 @@
 namespace bahnwerk::verify {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double infinite = std::numeric_limits<double>::infinity(), never = 1e300, root_4_5 = 2.1213203435596424;
 // Next to rest a cell is this part of its distance from there.
 constexpr double cell_of_distance = 0.2, part_of_first = 0.25;
@@ -31,8 +30,6 @@ constexpr double part_joined = 0.125;  // of the longest piece: shorter cells of
 // often.
 constexpr double much_change = 0.1, kinematic_change = 0.015;
 constexpr int halvings = 3;
-
-double sq(double x) { return x * x; }
 
 }  // namespace
 
@@ -350,7 +347,8 @@ bool JerkPieces<N>::has(std::size_t i) {
 
 template <int N>
 void JerkPieces<N>::drop(std::size_t count) {
-  pieces_.drop(count), extents_.drop(count);
+  pieces_.erase(pieces_.begin(), pieces_.begin() + static_cast<std::ptrdiff_t>(count));
+  extents_.erase(extents_.begin(), extents_.begin() + static_cast<std::ptrdiff_t>(count));
   dropped_ = dropped_ || count > 0;
 }
 

@@ -48,7 +48,7 @@ class JerkPieces {
              bool fine);
   /// Whether there is a piece i; if so, the lists contain it.
   bool has(std::size_t i);
-  /// Removes the first `count`; the following one becomes piece 0. O(those that follow).
+  /// Removes the first `count`; the following one becomes piece 0. O(count).
   void drop(std::size_t count);
   bool dropped() const { return dropped_; }  ///< whether any was removed since begin()
 

@@ -7,7 +7,7 @@
 namespace bahnwerk::verify {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon(), infinite = std::numeric_limits<double>::infinity();
+constexpr double infinite = std::numeric_limits<double>::infinity();
 // Jumps of q' up to this part of it are rounding; each adds a step of this part of the axis' acceleration, and the
 // distance ends when many of them have added up.
 constexpr double no_jump = 1e-9, step_of_jump = 1e-5, most_steps = 0.02;

@@ -1,3 +1,4 @@
+#pragma once
 // Enclosures of q' between two nodes.
 #include <algorithm>
 #include <cmath>
@@ -9,7 +10,6 @@
 namespace bahnwerk::verify {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double bend_rounding = 1e-9;  // of q'' at a node, generously
 
 Hodograph::DerivativeBounds second_derivative_bounds_of(const Arc& arc) {
@@ -178,46 +178,5 @@ std::array<double, N> BoundGrid<N>::third(const Node& a, const Node& b) const {
   }
   return axis_sizes(a, b).third;
 }
-
-template Hodograph::DerivativeBounds BoundGrid<2>::derivative_bounds(std::size_t, double, double) const;
-template BoundGrid<2>::AxisSizes BoundGrid<2>::axis_sizes(std::size_t, double, double, double, int) const;
-template const BoundGrid<2>::AxisSizes& BoundGrid<2>::axis_sizes(const Node&, const Node&) const;
-template Hodograph& BoundGrid<2>::hodograph(std::size_t) const;
-template BoundGrid<2>::AxisSizes BoundGrid<2>::within(const AxisSizes&, const Node&, const Node&) const;
-template BoundGrid<3>::AxisSizes BoundGrid<3>::within(const AxisSizes&, const Node&, const Node&) const;
-template BoundGrid<5>::AxisSizes BoundGrid<5>::within(const AxisSizes&, const Node&, const Node&) const;
-template BoundGrid<8>::AxisSizes BoundGrid<8>::within(const AxisSizes&, const Node&, const Node&) const;
-template void BoundGrid<2>::remember(const Node&, const Node&) const;
-template void BoundGrid<3>::remember(const Node&, const Node&) const;
-template void BoundGrid<5>::remember(const Node&, const Node&) const;
-template void BoundGrid<8>::remember(const Node&, const Node&) const;
-template Hodograph::DerivativeBounds BoundGrid<3>::derivative_bounds(std::size_t, double, double) const;
-template BoundGrid<3>::AxisSizes BoundGrid<3>::axis_sizes(std::size_t, double, double, double, int) const;
-template const BoundGrid<3>::AxisSizes& BoundGrid<3>::axis_sizes(const Node&, const Node&) const;
-template Hodograph& BoundGrid<3>::hodograph(std::size_t) const;
-template Hodograph::DerivativeBounds BoundGrid<5>::derivative_bounds(std::size_t, double, double) const;
-template Hodograph::DerivativeBounds BoundGrid<8>::derivative_bounds(std::size_t, double, double) const;
-template BoundGrid<5>::AxisSizes BoundGrid<5>::axis_sizes(std::size_t, double, double, double, int) const;
-template BoundGrid<8>::AxisSizes BoundGrid<8>::axis_sizes(std::size_t, double, double, double, int) const;
-template const BoundGrid<5>::AxisSizes& BoundGrid<5>::axis_sizes(const Node&, const Node&) const;
-template const BoundGrid<8>::AxisSizes& BoundGrid<8>::axis_sizes(const Node&, const Node&) const;
-template Hodograph& BoundGrid<5>::hodograph(std::size_t) const;
-template Hodograph& BoundGrid<8>::hodograph(std::size_t) const;
-template DirectionRange<2> BoundGrid<2>::range(const Node&, const Node&) const;
-template DirectionRange<3> BoundGrid<3>::range(const Node&, const Node&) const;
-template DirectionRange<5> BoundGrid<5>::range(const Node&, const Node&) const;
-template DirectionRange<8> BoundGrid<8>::range(const Node&, const Node&) const;
-template DirectionRange<2> BoundGrid<2>::range_by_map(const Node&, const Node&) const;
-template DirectionRange<3> BoundGrid<3>::range_by_map(const Node&, const Node&) const;
-template DirectionRange<5> BoundGrid<5>::range_by_map(const Node&, const Node&) const;
-template DirectionRange<8> BoundGrid<8>::range_by_map(const Node&, const Node&) const;
-template double BoundGrid<2>::jerk_cap(const Node&, const Node&) const;
-template double BoundGrid<3>::jerk_cap(const Node&, const Node&) const;
-template double BoundGrid<5>::jerk_cap(const Node&, const Node&) const;
-template double BoundGrid<8>::jerk_cap(const Node&, const Node&) const;
-template std::array<double, 2> BoundGrid<2>::third(const Node&, const Node&) const;
-template std::array<double, 3> BoundGrid<3>::third(const Node&, const Node&) const;
-template std::array<double, 5> BoundGrid<5>::third(const Node&, const Node&) const;
-template std::array<double, 8> BoundGrid<8>::third(const Node&, const Node&) const;
 
 }  // namespace bahnwerk::verify

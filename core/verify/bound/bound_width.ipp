@@ -1,3 +1,4 @@
+#pragma once
 // Chooses the width of cells by samples, which affects the tightness of the bound, not its validity.
 #include <algorithm>
 #include <cmath>
@@ -8,11 +9,8 @@
 namespace bahnwerk::verify {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 // A valley of the caps inside counts from this on, a share of them.
 constexpr double shallow = 2e-5, slight_turn = 1e-4;
-
-double sq(double x) { return x * x; }
 
 template <std::size_t N>
 std::array<double, N> difference(const std::array<double, N>& a, const std::array<double, N>& b) {
@@ -64,18 +62,5 @@ double BoundGrid<N>::valley(const Node& a, const Node& middle, const Node& b) co
   if (!std::isfinite(off)) return cap;
   return off > shallow * cap ? cap - off / 4 : unlimited;
 }
-
-template bool BoundGrid<2>::too_wide(const Node&, const Node&) const;
-template bool BoundGrid<3>::too_wide(const Node&, const Node&) const;
-template bool BoundGrid<5>::too_wide(const Node&, const Node&) const;
-template bool BoundGrid<8>::too_wide(const Node&, const Node&) const;
-template bool BoundGrid<2>::changes(const Node&, const Node&, const Node&) const;
-template bool BoundGrid<3>::changes(const Node&, const Node&, const Node&) const;
-template bool BoundGrid<5>::changes(const Node&, const Node&, const Node&) const;
-template bool BoundGrid<8>::changes(const Node&, const Node&, const Node&) const;
-template double BoundGrid<2>::valley(const Node&, const Node&, const Node&) const;
-template double BoundGrid<3>::valley(const Node&, const Node&, const Node&) const;
-template double BoundGrid<5>::valley(const Node&, const Node&, const Node&) const;
-template double BoundGrid<8>::valley(const Node&, const Node&, const Node&) const;
 
 }  // namespace bahnwerk::verify

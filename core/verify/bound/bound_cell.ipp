@@ -1,3 +1,4 @@
+#pragma once
 // Conditions that every motion satisfies at a node and between two of them.
 #include <algorithm>
 #include <cmath>
@@ -9,12 +10,9 @@
 namespace bahnwerk::verify {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double no_direction = 1e-12;  // |q'_k| below this: the axis stands still, its conditions are dropped
 constexpr double give = 1 + 1e-11;      // caps are increased by the rounding of curvatures
 constexpr double slow = 1e-3;           // |q'_m| below this: what the axis allows along the path is not used
-
-double sq(double x) { return x * x; }
 
 // 12 (1 − x/tan x)/(4x²) with x = turn/2: what the curvature term of the trapezoid rule lacks on a circle. At most a
 // few 1e-2 rad.
@@ -198,14 +196,15 @@ BoundCell<N> BoundGrid<N>::cell(Node& a, Node& b, const DirectionRange<N>* range
   }
   c.kind = known.linear ? Cell::Kind::straight : Cell::Kind::curved;
   const bool arc = path_.cartesian() && known.arc != nullptr;
-  double q2 = 0, rounding = 0;
+  double q2 = 0, position_error = 0;
   if (arc) {
     q2 = sq(c.length) / 12 * circle_factor(known.arc->sweep() * (b.u - a.u));
   } else if (c.kind == Cell::Kind::curved) {
     double size = length_of(a.position) + length_of(b.position);
     if (known.rational != nullptr) size += known.rational->extent();
-    rounding = 4 * epsilon * size;
-    if (!path_.cartesian()) rounding = 4 * rounding + 16 * epsilon * norm(path_[a.segment].curve().at(a.u).value);
+    position_error = 4 * epsilon * size;
+    if (!path_.cartesian())
+      position_error = 4 * position_error + 16 * epsilon * norm(path_[a.segment].curve().at(a.u).value);
   }
   if (c.kind == Cell::Kind::curved && range == nullptr) {
     const DirectionRange<N> own = this->range(a, b);
@@ -219,14 +218,14 @@ BoundCell<N> BoundGrid<N>::cell(Node& a, Node& b, const DirectionRange<N>* range
       way = std::abs((a.tangent[k] + b.tangent[k]) / 2 * c.length + q2 * (a.curvature[k] - b.curvature[k]));
     else
       way = std::abs(b.position[k] - a.position[k]);
-    c.displacement[k] = std::max(0.0, way * (1 - 1e-13) - rounding);
+    c.displacement[k] = std::max(0.0, way * (1 - 1e-13) - position_error);
     if (c.kind == Cell::Kind::curved)  // there and back
       way = std::min(way + 2 * c.length * range->wrong(k), c.length * range->most(k));
-    c.energy[k] = 2 * acceleration_[k] * (way + 1e-13 * c.length + rounding);
+    c.energy[k] = 2 * acceleration_[k] * (way + 1e-13 * c.length + position_error);
     if (c.kind == Cell::Kind::curved && range->wrong(k) > 0) c.turning = static_cast<std::uint8_t>(c.turning | 1u << k);
   }
   if (c.kind == Cell::Kind::straight) return c;
-  c.divisible = c.length > 1e4 * rounding;
+  c.divisible = c.length > 1e4 * position_error;
   c.valley = valley_;
   double fastest = feeds_[a.segment];
   for (std::size_t k = 0; k < axes_; ++k)
@@ -246,50 +245,5 @@ BoundCell<N> BoundGrid<N>::cell(Node& a, Node& b, const DirectionRange<N>* range
     }
   return c;
 }
-
-template void BoundGrid<2>::learn(std::size_t) const;
-template BoundNode<2> BoundGrid<2>::place(std::size_t, double) const;
-template void BoundGrid<2>::complete(Node&) const;
-template void BoundGrid<3>::learn(std::size_t) const;
-template BoundNode<3> BoundGrid<3>::place(std::size_t, double) const;
-template void BoundGrid<3>::complete(Node&) const;
-template void BoundGrid<5>::learn(std::size_t) const;
-template void BoundGrid<8>::learn(std::size_t) const;
-template BoundNode<5> BoundGrid<5>::place(std::size_t, double) const;
-template BoundNode<8> BoundGrid<8>::place(std::size_t, double) const;
-template void BoundGrid<5>::complete(Node&) const;
-template void BoundGrid<8>::complete(Node&) const;
-template double BoundGrid<2>::place_cap(const Node&) const;
-template double BoundGrid<2>::jerk_cap(const AxisSizes&) const;
-template double BoundGrid<2>::turn_cap(const Node&) const;
-template double BoundGrid<3>::place_cap(const Node&) const;
-template double BoundGrid<3>::jerk_cap(const AxisSizes&) const;
-template double BoundGrid<3>::turn_cap(const Node&) const;
-template double BoundGrid<5>::place_cap(const Node&) const;
-template double BoundGrid<8>::place_cap(const Node&) const;
-template double BoundGrid<5>::jerk_cap(const AxisSizes&) const;
-template double BoundGrid<8>::jerk_cap(const AxisSizes&) const;
-template double BoundGrid<5>::turn_cap(const Node&) const;
-template double BoundGrid<8>::turn_cap(const Node&) const;
-template double BoundGrid<2>::along(const Node&, const Node&, double) const;
-template double BoundGrid<2>::step_cap(const Node&, const Node&, double) const;
-template double BoundGrid<2>::corner(const Node&, const Node&) const;
-template double BoundGrid<3>::along(const Node&, const Node&, double) const;
-template double BoundGrid<3>::step_cap(const Node&, const Node&, double) const;
-template double BoundGrid<3>::corner(const Node&, const Node&) const;
-template double BoundGrid<5>::along(const Node&, const Node&, double) const;
-template double BoundGrid<8>::along(const Node&, const Node&, double) const;
-template double BoundGrid<5>::step_cap(const Node&, const Node&, double) const;
-template double BoundGrid<8>::step_cap(const Node&, const Node&, double) const;
-template double BoundGrid<5>::corner(const Node&, const Node&) const;
-template double BoundGrid<8>::corner(const Node&, const Node&) const;
-template bool BoundGrid<2>::unit_direction(const Node&) const;
-template bool BoundGrid<3>::unit_direction(const Node&) const;
-template bool BoundGrid<5>::unit_direction(const Node&) const;
-template bool BoundGrid<8>::unit_direction(const Node&) const;
-template BoundCell<2> BoundGrid<2>::cell(Node&, Node&, const DirectionRange<2>*) const;
-template BoundCell<3> BoundGrid<3>::cell(Node&, Node&, const DirectionRange<3>*) const;
-template BoundCell<5> BoundGrid<5>::cell(Node&, Node&, const DirectionRange<5>*) const;
-template BoundCell<8> BoundGrid<8>::cell(Node&, Node&, const DirectionRange<8>*) const;
 
 }  // namespace bahnwerk::verify
