@@ -8,6 +8,7 @@
 #include "core/base/progress.hpp"
 #include "core/geometry/region/crossings.hpp"
 #include "core/geometry/region/region.hpp"
+#include "core/numeric/bisection.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -175,11 +176,7 @@ double Region::first_reached(const Edge& parallel, double depth) const {
       return bahnwerk::distance(edge.at(edge.nearest(p)), p) < depth - reach_margin;
     };
     if (near(1)) return 1;
-    double last = from, beyond = 1;
-    for (int k = 0; k < 50; ++k) {
-      const double middle = (last + beyond) / 2;
-      (near(middle) ? last : beyond) = middle;
-    }
+    const double last = bisect(from, 1, 0, 50, near).low;
     if (last <= from) return from;
     from = last;
   }

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "core/numeric/bisection.hpp"
+
 namespace bahnwerk {
 namespace {
 
@@ -30,15 +32,9 @@ Turns turns(const Quartic& f, double from, double end) {
   double low = from;
   for (const double border : {bends[0], bends[1], end}) {
     if (!(border > low && border <= end)) continue;
-    double high = border;
     const bool rises = f.slope(low) > 0;
-    if (rises != (f.slope(high) > 0) && found.count < found.at.size()) {
-      for (int i = 0; i < 100; ++i) {
-        const double middle = (low + high) / 2;
-        ((f.slope(middle) > 0) == rises ? low : high) = middle;
-      }
-      found.at[found.count++] = low;
-    }
+    if (rises != (f.slope(border) > 0) && found.count < found.at.size())
+      found.at[found.count++] = bisect(low, border, 0, 100, [&](double x) { return (f.slope(x) > 0) == rises; }).low;
     low = border;
   }
   return found;

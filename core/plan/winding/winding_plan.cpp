@@ -11,6 +11,7 @@
 #include "core/base/progress_part.hpp"
 #include "core/motion/feed/curvature_feed.hpp"
 #include "core/motion/setpoints/needle_setpoints.hpp"
+#include "core/numeric/bisection.hpp"
 #include "core/plan/winding/link_timer.hpp"
 #include "core/plan/winding/wire_length.hpp"
 #include "core/verify/law/total_jerk.hpp"
@@ -394,10 +395,9 @@ class Planner {
   double time_at(double s) const {
     const auto& pieces = plan_.motion.motion->law().pieces();
     for (const LawPiece& law : pieces) {
-      double low = 0, high = law.duration;
-      if (law.at(high).s < s) continue;
-      while (high - low > 1e-6 * law.duration) (law.at((low + high) / 2).s < s ? low : high) = (low + high) / 2;
-      return law.t0 + high;
+      if (law.at(law.duration).s < s) continue;
+      const auto before = [&](double t) { return law.at(t).s < s; };
+      return law.t0 + bisect(0, law.duration, 1e-6 * law.duration, 100, before).high;
     }
     return plan_.motion.motion->duration();
   }
