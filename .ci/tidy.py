@@ -7,10 +7,12 @@
 BUILD is a configured build folder; its compile_commands.json tells flags. Reading the headers takes three quarters of clang-tidy's time, so the files of a
 layer are included into a few unity files. Two files that define the same name cannot stand in one unity file: the compiler names the later one, which
 moves on to another. What one file declares hides names of another there, so -Wshadow is the compilers' matter. Exits with 1 where clang-tidy finds
-something.
+something. A layer in which nothing was found is not looked at again until a file of it, a header that it includes, a flag or a check changes.
 """
 import collections
 import concurrent.futures
+import functools
+import hashlib
 import json
 import os
 import re
@@ -20,6 +22,7 @@ import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 MOST_FILES = 40  # of one unity file
+CLEAN = os.path.join(os.environ.get("XDG_CACHE_HOME", os.path.expanduser("~/.cache")), "bahnwerk", "tidy")  # an empty file for each clean layer
 
 
 def sources(build, folders):
@@ -37,6 +40,38 @@ def sources(build, folders):
                      if word not in ("-o", "-c") and words[i - 1] not in ("-o", "-c")]
             found[layer].append((name, flags))
     return found
+
+
+@functools.cache
+def text_of(name):
+    with open(os.path.join(ROOT, name), "rb") as stream:
+        return stream.read()
+
+
+def with_includes(names):
+    """The files and all headers of the project that they include."""
+    found, left = set(), list(names)
+    while left:
+        name = left.pop()
+        if name not in found and os.path.isfile(os.path.join(ROOT, name)):
+            found.add(name)
+            left += re.findall(r'^#include "([^"]+)"', text_of(name).decode(), re.M)
+    return sorted(found)
+
+
+@functools.cache
+def version():
+    return subprocess.run(["clang-tidy", "--version"], capture_output=True, check=True).stdout
+
+
+def key_of(layer, names, flags):
+    """What clang-tidy's findings in a layer depend on."""
+    key = hashlib.sha256(version() + text_of(".clang-tidy") + text_of(".ci/tidy.py"))
+    for word in [layer, *names, *(flag.replace(ROOT, "") for flag in flags)]:
+        key.update(word.encode() + b"\0")
+    for name in with_includes(names):
+        key.update(name.encode() + b"\0" + hashlib.sha256(text_of(name)).digest())
+    return os.path.join(CLEAN, key.hexdigest())
 
 
 def write_unity(build, layer, number, files):
@@ -81,6 +116,9 @@ def check_together(build, layer, entries):
     flags = list(dict.fromkeys(flag for _, flags in entries for flag in joined(flags)))
     flags = [word for flag in flags for word in flag.split("\n")]
     names = sorted(name for name, _ in entries)
+    key = key_of(layer, names, flags)
+    if os.path.exists(key):
+        return []
     results, number = [], 0
     while names:
         count = -(-len(names) // MOST_FILES)
@@ -91,6 +129,9 @@ def check_together(build, layer, entries):
             later += more
             number += 1
         names = sorted(later)
+    if not any(code for code, _ in results):
+        os.makedirs(CLEAN, exist_ok=True)
+        open(key, "w").close()
     return results
 
 

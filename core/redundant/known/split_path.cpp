@@ -24,7 +24,7 @@ void SplitPath::at_parameters(std::size_t segment, PathBatch& batch) const {
   const double begin = tool()[segment].s0();
   const bool flat = batch.planar && n > 2;  // what nobody wrote is 0
   batch.planar = false;
-  for (std::size_t i = 0; i < 2 * batch.used_pairs(); ++i) {
+  for (std::size_t i = 0; i < batch.count; ++i) {
     AxisJet at;
     for (std::size_t k = 0; k < (flat ? 2 : n); ++k)
       at.d1[k] = batch.d1[k][i], at.d2[k] = batch.d2[k][i], at.d3[k] = batch.d3[k][i];
