@@ -120,19 +120,24 @@ double SplineProgram::lower_bound(const SplineResult& law) const {
 /// Multipliers of equalities may be large: what is missing there is taken out with the last factors.
 void SplineProgram::settle_equalities() {
   std::vector<double> gx(band_.inequality_side().size()), ex(point_.y.size()), x(point_.x.size());
-  constexpr double rounding = 1e-11;
-  for (int refinement = 0; refinement < 2; ++refinement) {
+  std::vector<double> kept;
+  double least = std::numeric_limits<double>::infinity();
+  for (int refinement = 0;; ++refinement) {
     band_.multiply(point_.x, gx, ex);
     double worst = 0;
     for (std::size_t i = 0; i < ex.size(); ++i) {
       ex[i] = band_.equality_side()[i] - ex[i];
       worst = std::max(worst, std::abs(ex[i]));
     }
-    if (worst <= rounding) return;
+    if (!(worst < least)) {  // rounding, or factors that failed
+      if (!kept.empty()) point_.x = std::move(kept);
+      return;
+    }
+    if (refinement == 2) return;
+    least = worst;
+    kept = point_.x;
     std::fill(x.begin(), x.end(), 0.0);
     band_.solve(x, ex);
-    const auto last = x.begin() + static_cast<std::ptrdiff_t>(band_.band_variables());
-    if (!std::all_of(x.begin(), last, [](double each) { return std::isfinite(each); })) return;
     for (std::size_t i = 0; i < band_.band_variables(); ++i) point_.x[i] += x[i];
   }
 }
