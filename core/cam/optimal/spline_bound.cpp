@@ -133,7 +133,7 @@ void SplineProgram::settle_equalities() {
       if (!kept.empty()) point_.x = std::move(kept);
       return;
     }
-    if (refinement == 2) return;
+    if (refinement == 6) return;
     least = worst;
     kept = point_.x;
     std::fill(x.begin(), x.end(), 0.0);
