@@ -10,6 +10,7 @@
 #include "core/cam/optimal/free_angles.hpp"
 #include "core/cam/optimal/law_bound.hpp"
 #include "core/cam/optimal/law_faults.hpp"
+#include "core/cam/optimal/relaxation.hpp"
 
 namespace bahnwerk::cam {
 namespace {
