@@ -9,6 +9,7 @@ namespace bahnwerk::cam {
 namespace {
 
 constexpr int most_steps = 30;
+constexpr double coarsest_gap = 1e-4;   // of J, of the programs on the way
 constexpr double least_section = 1e-3;  // share of the mean section by which angles are kept apart
 
 class AngleSearch {
@@ -24,7 +25,8 @@ class AngleSearch {
   }
 
   /// Descends from one start.
-  SplineResult descend(std::vector<double> times, double gap) {
+  SplineResult descend(std::vector<double> times, double least_gap) {
+    double gap = coarsest_gap;  // a small part of what the last step promised
     SplineResult now = at(times, gap, nullptr);
     double share = 1;  // how much is taken from the largest radius that is allowed
     for (int step = 0; step < most_steps && share > 1e-5; ++step) {
@@ -39,6 +41,7 @@ class AngleSearch {
       const JointStep next = SplineProgram(task_, basis_, times, &reference).joint_step(now.samples, progress_);
       const double predicted = now.objective - next.objective;
       if (next.converged && predicted <= 3e-7 * now.objective) break;
+      if (next.converged) gap = std::clamp(0.05 * predicted / now.objective, least_gap, gap);
       SplineResult there;
       if (next.converged) there = at(next.times, gap, &now.samples);
       const double gained = usable(there) ? now.objective - there.objective : -1;
