@@ -57,6 +57,17 @@ class AngleSearch {
     return now;
   }
 
+  /// The law at the angles that were found, to the gap of fixed angles.
+  void finish(FreeAngles& result) {
+    if (usable(result.spline)) {
+      const std::vector<double> times(result.spline.breaks.begin(),
+                                      result.spline.breaks.begin() + static_cast<std::ptrdiff_t>(task_.points()));
+      SplineResult fine = at(times, SplineOptions{}.gap, &result.spline.samples);
+      if (usable(fine) && fine.objective <= result.spline.objective) result.spline = std::move(fine);
+    }
+    result.programs = programs;
+  }
+
   static bool usable(const SplineResult& result) { return result.feasible && result.violation < 1e-6; }
 
   int programs = 0;
@@ -113,13 +124,17 @@ FreeAngles optimise_angles(const LawTask& task, const SectionBasis& basis, std::
       result.spline = std::move(found);
     if (same) break;
   }
-  if (search.usable(result.spline)) {
-    const std::vector<double> times(result.spline.breaks.begin(),
-                                    result.spline.breaks.begin() + static_cast<std::ptrdiff_t>(task.points()));
-    SplineResult fine = search.at(times, SplineOptions{}.gap, &result.spline.samples);
-    if (search.usable(fine)) result.spline = std::move(fine);
-  }
-  result.programs = search.programs;
+  search.finish(result);
+  return result;
+}
+
+FreeAngles refine_angles(const LawTask& task, const SectionBasis& basis, const std::vector<double>& times,
+                         Progress& progress) {
+  AngleSearch search(task, basis, progress);
+  FreeAngles result;
+  result.spline = search.descend(times, 1e-6);
+  result.start_results.push_back(result.spline.objective);
+  search.finish(result);
   return result;
 }
 

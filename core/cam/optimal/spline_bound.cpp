@@ -142,4 +142,14 @@ void SplineProgram::settle_equalities() {
   }
 }
 
+/// Where the interior-point method has ended badly its last factors do not bring equalities to rounding: factors of the
+/// smoothest law do.
+void SplineProgram::settle_finally() {
+  std::vector<double> gx(band_.inequality_side().size()), ex(point_.y.size());
+  band_.multiply(point_.x, gx, ex);
+  double worst = 0;
+  for (std::size_t i = 0; i < ex.size(); ++i) worst = std::max(worst, std::abs(ex[i] - band_.equality_side()[i]));
+  if (worst > 1e-13 && band_.factor(std::vector<double>(gx.size(), row_weight()))) settle_equalities();
+}
+
 }  // namespace bahnwerk::cam

@@ -97,6 +97,7 @@ SplineResult SplineProgram::solve(const SplineOptions& options, Progress& progre
   }
   if (!best.feasible) return result;
   point_.x = best.coefficients;
+  settle_finally();
   evaluate(result, true);
   // A bound above a law's own J is Farkas' certificate that no law keeps all ranges and limits.
   result.feasible = best.feasible && result.violation <= 1e-6 && result.lower <= result.objective * (1 + 1e-6);
