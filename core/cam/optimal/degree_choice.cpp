@@ -119,6 +119,9 @@ DegreeChoice choose_degree(const MotionLawProblem& problem, const LawTask& task,
   SplineResult first;
   int first_degree = std::max(least, 7), first_pieces = 1;
   for (; first_degree <= max_degree; first_degree += 2, first_pieces = std::min(most_pieces, 2 * first_pieces)) {
+    // Angles elsewhere than in the middle are tried with few pieces alone: where none has a law, degrees seldom help.
+    if (first_pieces > 2 && task.free_angles() && !usable(search.at(first_degree, first_pieces, task.middle(), 1e-4)))
+      continue;
     first = solve(first_degree, first_pieces, 1e-6);
     if (usable(first)) break;
   }

@@ -9,6 +9,7 @@ namespace bahnwerk::cam {
 namespace {
 
 constexpr int most_steps = 30;
+constexpr int most_halvings = 4;        // of the distance to the middle of the ranges
 constexpr double coarsest_gap = 1e-4;   // of J, of the programs on the way
 constexpr double least_section = 1e-3;  // share of the mean section by which angles are kept apart
 
@@ -32,6 +33,7 @@ class AngleSearch {
     for (int step = 0; step < most_steps && share > 1e-5; ++step) {
       if (!usable(now)) {  // towards the middle of the ranges, where a law is likelier
         const std::vector<double> middle = task_.middle();
+        if (times == middle || step == most_halvings) break;
         for (std::size_t i = 0; i < times.size(); ++i) times[i] += 0.5 * (middle[i] - times[i]);
         now = at(times, gap, nullptr);
         continue;
