@@ -18,7 +18,7 @@ namespace {
 
 constexpr double wanted_gap = 0.01;
 constexpr int most_pieces = 16;
-constexpr int hopeless_degrees = 3;     // in a row that gain nothing: the search ends
+constexpr int hopeless_degrees = 3;     // in a row that gain nothing: with free angles the search ends
 constexpr std::size_t most_boxes = 60;  // programs of branch and bound
 
 class Search {
@@ -149,7 +149,8 @@ DegreeChoice choose_degree(const MotionLawProblem& problem, const LawTask& task,
   double least_objective = std::numeric_limits<double>::infinity();
   bool found = false;
   int without_gain = 0;
-  for (int degree = least; degree <= max_degree && !found && without_gain < hopeless_degrees; ++degree) {
+  for (int degree = least; degree <= max_degree && !found && !(task.free_angles() && without_gain == hopeless_degrees);
+       ++degree) {
     // More pieces are never worse where they divide each other: the most first.
     SplineResult most = search.at(degree, most_pieces, times, 1e-5);
     found = good(most);
@@ -162,7 +163,9 @@ DegreeChoice choose_degree(const MotionLawProblem& problem, const LawTask& task,
   choice.pieces = first_pieces;
   choice.spline = std::move(first);
   if (!tried.empty()) {
-    if (!found) target = least_objective;
+    // Where the bound is out of reach: the least J, with free angles, whose refinement is dear, the smallest within 1
+    // %.
+    if (!found) target = least_objective * (task.free_angles() ? 1 : (1 + 1e-4) / (1 + wanted_gap));
     Tried& smallest = *std::find_if(tried.begin(), tried.end(), [&](const Tried& each) { return good(each.spline); });
     choice.degree = smallest.degree;
     choice.spline = std::move(smallest.spline);
@@ -184,8 +187,10 @@ DegreeChoice choose_degree(const MotionLawProblem& problem, const LawTask& task,
   if (usable(settled) && settled.objective <= choice.spline.objective * (1 + 1e-6)) choice.spline = std::move(settled);
   if (!found)
     choice.notes.push_back(
-        "No degree up to 21 with up to 16 pieces comes within 1 % of the bound; this is the smallest within 1 % of the "
-        "least J among them.");
+        task.free_angles()
+            ? "No degree up to 21 with up to 16 pieces comes within 1 % of the bound at these angles; this is the "
+              "smallest within 1 % of the least J among them."
+            : "No degree up to 21 with up to 16 pieces comes within 1 % of the bound; this is the least J among them.");
   bound_of(choice.spline, choice.degree, choice.pieces);
   choice.programs += search.programs;
   return choice;
