@@ -6,6 +6,7 @@
 #include "core/base/progress.hpp"
 #include "core/cam/optimal/free_angles.hpp"
 #include "core/cam/optimal/law_bound.hpp"
+#include "core/cam/optimal/relaxation.hpp"
 
 namespace bahnwerk::cam {
 namespace {

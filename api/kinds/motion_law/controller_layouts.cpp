@@ -126,12 +126,29 @@ std::string pairs(const ControllerTable& table, char separator, const char* head
   return rows.take();
 }
 
-std::string isg(const ControllerTable& table, const std::string& name) {
-  std::string out = "Tablename=" + name +
-                    "\r\nTable-ID=1\r\nTabletype=0\r\nFunctiontype=0\r\nLines=" + std::to_string(table.points.size()) +
-                    "\r\nBegintable\r\n";
-  for (const TablePoint& p : table.points) out += text_of(p.master) + " " + text_of(p.position) + "\r\n";
+/// One column of slave positions in 1e-4 of the slave's unit (Tabletype 3), straight lines between them (Functiontype
+/// 1); the controller lays them evenly over the master's modulo range and goes from the last one back to the first.
+std::string isg(const ControllerTable& table, const std::string& name, const std::string& unit,
+                const std::string& error) {
+  const std::size_t rows = table.points.size() - 1;
+  std::string out =
+      "Tablename=" + name + "\r\nTable-ID=1\r\nTabletype=3\r\nFunctiontype=1\r\nLines=" + std::to_string(rows) +
+      "\r\n# slave positions in 1e-4 " + unit + ", evenly over the master's cycle from " +
+      text_of(table.points.front().master) + "\r\n# differs from the law by: " + error + "\r\nBegintable\r\n";
+  for (std::size_t k = 0; k < rows; ++k) out += text_of(1e4 * table.points[k].position) + "\r\n";
   return out + "EndTable\r\n";
+}
+
+/// What a controller makes of a law whose end is not its begin when the table closes: it goes back within the last
+/// step.
+void close_table(ControllerTable& table, const cam::TableCycle& cycle) {
+  TablePoint& last = table.points.back();
+  const double jump = std::abs(table.points.front().position - last.position);
+  const double step = cycle.duration / static_cast<double>(table.points.size() - 1);
+  last.position = table.points.front().position;
+  if (jump <= table.error[0]) return;
+  table.error[0] += jump;
+  table.error[1] += jump / step;
 }
 
 std::string lcamhdl_basic(const ControllerTable& table) {
@@ -198,7 +215,11 @@ ControllerTable table_for(const StoredLaw& stored, ControllerLayout layout) {
     }
     case ControllerLayout::lcamhdl_xy:
       return cam::even_table(stored.law, stored.cycle, steps - 1, Between::straight);
-    case ControllerLayout::isg:
+    case ControllerLayout::isg: {
+      ControllerTable table = cam::even_table(stored.law, stored.cycle, steps, Between::straight);
+      close_table(table, stored.cycle);
+      return table;
+    }
     case ControllerLayout::codesys_xy:
       break;
   }
@@ -232,7 +253,7 @@ ControllerFile controller_file(const json& result, ControllerLayout layout, std:
       csv(twincat_mc3(table));
       break;
     case ControllerLayout::isg:
-      file.text = isg(table, inside);
+      file.text = isg(table, inside, stored.unit, file.refit_error);
       break;
     case ControllerLayout::lcamhdl_xy:
       csv(pairs(table, ',', "x,y"));

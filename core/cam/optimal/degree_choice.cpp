@@ -2,20 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <optional>
+#include <limits>
+#include <utility>
+#include <vector>
 
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
 #include "core/cam/optimal/free_angles.hpp"
 #include "core/cam/optimal/law_bound.hpp"
 #include "core/cam/optimal/law_faults.hpp"
+#include "core/cam/optimal/relaxation.hpp"
 
 namespace bahnwerk::cam {
 namespace {
 
 constexpr double wanted_gap = 0.01;
 constexpr int most_pieces = 16;
+constexpr int hopeless_degrees = 3;     // in a row that gain nothing: with free angles the search ends
 constexpr std::size_t most_boxes = 60;  // programs of branch and bound
 
 class Search {
@@ -116,6 +119,9 @@ DegreeChoice choose_degree(const MotionLawProblem& problem, const LawTask& task,
   SplineResult first;
   int first_degree = std::max(least, 7), first_pieces = 1;
   for (; first_degree <= max_degree; first_degree += 2, first_pieces = std::min(most_pieces, 2 * first_pieces)) {
+    // Angles elsewhere than in the middle are tried with few pieces alone: where none has a law, degrees seldom help.
+    if (first_pieces > 2 && task.free_angles() && !usable(search.at(first_degree, first_pieces, task.middle(), 1e-4)))
+      continue;
     first = solve(first_degree, first_pieces, 1e-6);
     if (usable(first)) break;
   }
@@ -135,33 +141,57 @@ DegreeChoice choose_degree(const MotionLawProblem& problem, const LawTask& task,
   const auto good = [&](const SplineResult& spline) {
     return usable(spline) && spline.objective <= (1 + wanted_gap) * target;
   };
-  std::optional<SplineResult> best;
-  int best_degree = first_degree, best_pieces = first_pieces;
+  struct Tried {
+    int degree;
+    SplineResult spline;
+  };
+  std::vector<Tried> tried;  // with the most pieces
+  double least_objective = std::numeric_limits<double>::infinity();
   bool found = false;
-  for (int degree = least; degree <= max_degree && !found; ++degree) {
+  int without_gain = 0;
+  for (int degree = least; degree <= max_degree && !found && !(task.free_angles() && without_gain == hopeless_degrees);
+       ++degree) {
     // More pieces are never worse where they divide each other: the most first.
     SplineResult most = search.at(degree, most_pieces, times, 1e-5);
-    if (!good(most)) {
-      if (usable(most) && (!best || most.objective < best->objective * (1 - 1e-4)))
-        best = std::move(most), best_degree = degree, best_pieces = most_pieces;
-      continue;
-    }
-    found = true;
-    best_degree = degree, best_pieces = most_pieces;
-    for (int pieces = 1; pieces < most_pieces; ++pieces)
-      if (good(search.at(degree, pieces, times, 1e-5))) {
-        best_pieces = pieces;
+    found = good(most);
+    const bool gains = usable(most) && most.objective < least_objective * (1 - 1e-4);
+    if (gains) least_objective = most.objective;
+    if (usable(most)) tried.push_back({degree, std::move(most)});
+    without_gain = gains || tried.empty() ? 0 : without_gain + 1;
+  }
+  choice.degree = first_degree;
+  choice.pieces = first_pieces;
+  choice.spline = std::move(first);
+  if (!tried.empty()) {
+    // Where the bound is out of reach: the least J, with free angles, whose refinement is dear, the smallest within 1
+    // %.
+    if (!found) target = least_objective * (task.free_angles() ? 1 : (1 + 1e-4) / (1 + wanted_gap));
+    Tried& smallest = *std::find_if(tried.begin(), tried.end(), [&](const Tried& each) { return good(each.spline); });
+    choice.degree = smallest.degree;
+    choice.spline = std::move(smallest.spline);
+    for (choice.pieces = 1; choice.pieces < most_pieces; ++choice.pieces)
+      if (SplineResult fewer = search.at(choice.degree, choice.pieces, times, 1e-5); good(fewer)) {
+        choice.spline = std::move(fewer);
         break;
       }
   }
-  choice.degree = best_degree;
-  choice.pieces = best_pieces;
-  choice.spline = solve(best_degree, best_pieces, fine);
-  if (!usable(choice.spline)) choice.spline = search.at(best_degree, best_pieces, times, fine);
+  // To the gap of laws with a given degree; what rounding makes worse is not taken.
+  SplineResult settled;
+  if (task.free_angles()) {
+    FreeAngles free = refine_angles(task, SectionBasis(choice.degree, choice.pieces), times, progress);
+    search.programs += free.programs;
+    settled = std::move(free.spline);
+  } else {
+    settled = search.at(choice.degree, choice.pieces, times, fine);
+  }
+  if (usable(settled) && settled.objective <= choice.spline.objective * (1 + 1e-6)) choice.spline = std::move(settled);
   if (!found)
     choice.notes.push_back(
-        "No degree up to 21 with up to 16 pieces comes within 1 % of the bound; this is the least J among them.");
-  bound_of(choice.spline, best_degree, best_pieces);
+        task.free_angles()
+            ? "No degree up to 21 with up to 16 pieces comes within 1 % of the bound at these angles; this is the "
+              "smallest within 1 % of the least J among them."
+            : "No degree up to 21 with up to 16 pieces comes within 1 % of the bound; this is the least J among them.");
+  bound_of(choice.spline, choice.degree, choice.pieces);
   choice.programs += search.programs;
   return choice;
 }

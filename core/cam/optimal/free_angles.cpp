@@ -9,6 +9,8 @@ namespace bahnwerk::cam {
 namespace {
 
 constexpr int most_steps = 30;
+constexpr int most_halvings = 4;        // of the distance to the middle of the ranges
+constexpr double coarsest_gap = 1e-4;   // of J, of the programs on the way
 constexpr double least_section = 1e-3;  // share of the mean section by which angles are kept apart
 
 class AngleSearch {
@@ -24,12 +26,14 @@ class AngleSearch {
   }
 
   /// Descends from one start.
-  SplineResult descend(std::vector<double> times, double gap) {
+  SplineResult descend(std::vector<double> times, double least_gap) {
+    double gap = coarsest_gap;  // a small part of what the last step promised
     SplineResult now = at(times, gap, nullptr);
     double share = 1;  // how much is taken from the largest radius that is allowed
     for (int step = 0; step < most_steps && share > 1e-5; ++step) {
       if (!usable(now)) {  // towards the middle of the ranges, where a law is likelier
         const std::vector<double> middle = task_.middle();
+        if (times == middle || step == most_halvings) break;
         for (std::size_t i = 0; i < times.size(); ++i) times[i] += 0.5 * (middle[i] - times[i]);
         now = at(times, gap, nullptr);
         continue;
@@ -39,6 +43,7 @@ class AngleSearch {
       const JointStep next = SplineProgram(task_, basis_, times, &reference).joint_step(now.samples, progress_);
       const double predicted = now.objective - next.objective;
       if (next.converged && predicted <= 3e-7 * now.objective) break;
+      if (next.converged) gap = std::clamp(0.05 * predicted / now.objective, least_gap, gap);
       SplineResult there;
       if (next.converged) there = at(next.times, gap, &now.samples);
       const double gained = usable(there) ? now.objective - there.objective : -1;
@@ -52,6 +57,17 @@ class AngleSearch {
       }
     }
     return now;
+  }
+
+  /// The law at the angles that were found, to the gap of fixed angles.
+  void finish(FreeAngles& result) {
+    if (usable(result.spline)) {
+      const std::vector<double> times(result.spline.breaks.begin(),
+                                      result.spline.breaks.begin() + static_cast<std::ptrdiff_t>(task_.points()));
+      SplineResult fine = at(times, SplineOptions{}.gap, &result.spline.samples);
+      if (usable(fine) && fine.objective <= result.spline.objective) result.spline = std::move(fine);
+    }
+    result.programs = programs;
   }
 
   static bool usable(const SplineResult& result) { return result.feasible && result.violation < 1e-6; }
@@ -110,13 +126,17 @@ FreeAngles optimise_angles(const LawTask& task, const SectionBasis& basis, std::
       result.spline = std::move(found);
     if (same) break;
   }
-  if (search.usable(result.spline)) {
-    const std::vector<double> times(result.spline.breaks.begin(),
-                                    result.spline.breaks.begin() + static_cast<std::ptrdiff_t>(task.points()));
-    SplineResult fine = search.at(times, SplineOptions{}.gap, &result.spline.samples);
-    if (search.usable(fine)) result.spline = std::move(fine);
-  }
-  result.programs = search.programs;
+  search.finish(result);
+  return result;
+}
+
+FreeAngles refine_angles(const LawTask& task, const SectionBasis& basis, const std::vector<double>& times,
+                         Progress& progress) {
+  AngleSearch search(task, basis, progress);
+  FreeAngles result;
+  result.spline = search.descend(times, 1e-6);
+  result.start_results.push_back(result.spline.objective);
+  search.finish(result);
   return result;
 }
 

@@ -6,6 +6,7 @@
 /// times inside a trust region; the program at these times gives their true J. Several seeded starts; the least J is
 /// taken.
 #include <cstdint>
+#include <vector>
 
 #include "core/cam/optimal/spline_program.hpp"
 
@@ -17,5 +18,8 @@ struct FreeAngles {
   int programs = 0;
 };
 FreeAngles optimise_angles(const LawTask& task, const SectionBasis& basis, std::uint64_t seed, Progress& progress);
+/// One descent, from times that are known to be good, say those of another degree.
+FreeAngles refine_angles(const LawTask& task, const SectionBasis& basis, const std::vector<double>& times,
+                         Progress& progress);
 
 }  // namespace bahnwerk::cam

@@ -129,7 +129,9 @@ OptimalLaw plan_optimal_law(const MotionLawProblem& given, Progress& progress) {
     solution.lower = std::min(spline.lower, solution.value.objective);
     result.proven = solution.value.objective - *solution.lower <= 1e-7 * solution.value.objective;
   }
-  if (!result.proven)
+  if (!result.proven && !(solution.lower.value_or(0) > 0))
+    solution.notes.push_back("No least J above 0 is proven: what this law has may be rounding.");
+  else if (!result.proven)
     solution.notes.push_back("The law is proven to be within " +
                              number(100 * (solution.value.objective / *solution.lower - 1)) +
                              " % of the least J of its degree, pieces and angles.");

@@ -120,21 +120,58 @@ double SplineProgram::lower_bound(const SplineResult& law) const {
 /// Multipliers of equalities may be large: what is missing there is taken out with the last factors.
 void SplineProgram::settle_equalities() {
   std::vector<double> gx(band_.inequality_side().size()), ex(point_.y.size()), x(point_.x.size());
-  constexpr double rounding = 1e-11;
-  for (int refinement = 0; refinement < 2; ++refinement) {
+  std::vector<double> kept;
+  double least = std::numeric_limits<double>::infinity();
+  for (int refinement = 0;; ++refinement) {
     band_.multiply(point_.x, gx, ex);
     double worst = 0;
     for (std::size_t i = 0; i < ex.size(); ++i) {
       ex[i] = band_.equality_side()[i] - ex[i];
       worst = std::max(worst, std::abs(ex[i]));
     }
-    if (worst <= rounding) return;
+    if (!(worst < least)) {  // rounding, or factors that failed
+      if (!kept.empty()) point_.x = std::move(kept);
+      return;
+    }
+    if (refinement == 6) return;
+    least = worst;
+    kept = point_.x;
     std::fill(x.begin(), x.end(), 0.0);
     band_.solve(x, ex);
-    const auto last = x.begin() + static_cast<std::ptrdiff_t>(band_.band_variables());
-    if (!std::all_of(x.begin(), last, [](double each) { return std::isfinite(each); })) return;
     for (std::size_t i = 0; i < band_.band_variables(); ++i) point_.x[i] += x[i];
   }
+}
+
+/// What the interior-point method has left at points: equalities where its last factors were bad, and ranges by as
+/// little as a program may. The smoothest change takes both out.
+void SplineProgram::settle_points() {
+  constexpr double rounding = 1e-13;
+  const std::vector<double>& g = band_.inequality_side();
+  std::vector<double> gx(g.size()), ex(point_.y.size()), x(point_.x.size()), y(point_.y.size());
+  const std::vector<double> none(point_.y.size(), 0);
+  std::vector<double> weights(g.size(), row_weight());
+  for (int pass = 0; pass < 3; ++pass) {
+    band_.multiply(point_.x, gx, ex);
+    bool off = false;
+    for (std::size_t i = 0; i < ex.size(); ++i) {
+      y[i] = band_.equality_side()[i] - ex[i];
+      off = off || std::abs(y[i]) > rounding;
+    }
+    std::vector<double> push(g.size(), 0);
+    for (std::size_t i = 0; i < ranges_.size(); ++i)
+      for (const std::size_t side : {band_.upper_side(i), band_.lower_side(i)}) {
+        if (side == BorderedRow::none || !(gx[side] - g[side] > rounding)) continue;
+        weights[side] = 1;
+        push[side] = g[side] - gx[side];
+        off = true;
+      }
+    if (!off || !band_.factor(weights)) return;
+    std::fill(x.begin(), x.end(), 0.0);
+    band_.add_transposed(push, none, x);
+    band_.solve(x, y);
+    for (std::size_t i = 0; i < band_.band_variables(); ++i) point_.x[i] += x[i];
+  }
+  settle_equalities();
 }
 
 }  // namespace bahnwerk::cam

@@ -97,7 +97,12 @@ SplineResult SplineProgram::solve(const SplineOptions& options, Progress& progre
   }
   if (!best.feasible) return result;
   point_.x = best.coefficients;
+  if (best.violation <= 1e-6) settle_points();
   evaluate(result, true);
+  if (!(result.violation <= std::max(best.violation, options.violation))) {
+    point_.x = best.coefficients;
+    evaluate(result, true);
+  }
   // A bound above a law's own J is Farkas' certificate that no law keeps all ranges and limits.
   result.feasible = best.feasible && result.violation <= 1e-6 && result.lower <= result.objective * (1 + 1e-6);
   result.lower = std::max(result.lower, 0.0);

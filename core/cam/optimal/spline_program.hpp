@@ -87,6 +87,8 @@ class SplineProgram {
   void center();
   void set_peaks(const std::array<double, limited_orders>& peaks, double factor);
   void settle_equalities();
+  void settle_points();
+  double row_weight() const;
   double settle_multipliers(const SplineResult& law);
   void find_contacts();
   void exchange();

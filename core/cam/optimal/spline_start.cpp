@@ -6,12 +6,8 @@
 
 namespace bahnwerk::cam {
 
-/// The smoothest law of values and continuity, ranges in their middle, in the sense of least squares.
-bool SplineProgram::find_start() {
-  for (std::size_t r = 0; r < limited_orders; ++r) unit_[r] = first_units[r];
-  add_rows();
-  const std::size_t sides = band_.inequality_side().size();
-  // The squares of rows are kept to the order of the equalities.
+/// What keeps the squares of rows to the order of the equalities.
+double SplineProgram::row_weight() const {
   double steepest = 1;
   std::vector<double> magnitudes(basis_.degree() + 1);
   for (const int order : {1, 2, 3}) {
@@ -21,7 +17,15 @@ bool SplineProgram::find_start() {
         steepest =
             std::max(steepest, std::abs(weight) / std::pow(length, order) / unit_[static_cast<std::size_t>(order)]);
   }
-  std::vector<double> weights(sides, 1 / (steepest * steepest)), target(sides, 0);
+  return 1 / (steepest * steepest);
+}
+
+/// The smoothest law of values and continuity, ranges in their middle, in the sense of least squares.
+bool SplineProgram::find_start() {
+  for (std::size_t r = 0; r < limited_orders; ++r) unit_[r] = first_units[r];
+  add_rows();
+  const std::size_t sides = band_.inequality_side().size();
+  std::vector<double> weights(sides, row_weight()), target(sides, 0);
   for (std::size_t i = 0; i < ranges_.size(); ++i) {
     const std::size_t upper = band_.upper_side(i), lower = band_.lower_side(i);
     const double above = upper != BorderedRow::none ? band_.inequality_side()[upper] : 0;

@@ -25,17 +25,21 @@ double mean_velocity_bound(const cam::MotionLawProblem& problem) {
 
 namespace {
 
-/// What method `optimal` proves of a problem that `active_set` solved: with fixed angles and no classical laws but
-/// straight ones it has a bound over all laws.
+/// What method `optimal` proves of a problem that `active_set` solved: with fixed angles it has a bound over all laws.
+/// A classical law is one of these laws where its acceleration does not jump inside the section.
 void bound_by_optimum(const cam::MotionLawProblem& problem, PlannedLaw& out, Progress& progress) {
   constexpr std::size_t most_sections = 100;
-  const bool classical = std::any_of(problem.points.begin(), problem.points.end(), [](const cam::MotionPoint& p) {
-    return p.law && *p.law != cam::ClassicalLaw::straight;
-  });
-  if (classical || problem.sections() > most_sections) return;
+  if (problem.sections() > most_sections) return;
   cam::MotionLawProblem same = problem;
-  same.method = cam::LawMethod::optimal;
   same.degree = std::clamp(static_cast<int>(out.solution.law.max_degree()), 5, problem.sections() > 10 ? 9 : 21);
+  for (cam::MotionPoint& point : same.points) {
+    if (!point.law || *point.law == cam::ClassicalLaw::straight) continue;
+    if (*point.law == cam::ClassicalLaw::quadratic) return;
+    point.law.reset();
+    point.inflection.reset();
+    same.degree = 9;
+  }
+  same.method = cam::LawMethod::optimal;
   same.pieces = 1;
   same.objective.zero_crossing_penalty = 0;
   try {

@@ -259,12 +259,12 @@ class Verifier {
   /// Distances of a row from a piece at t, and what time's rounding and the coefficients' may make of them.
   void compare(std::size_t piece, double t, const double* row, double* distance, double* off) const {
     const double x = std::clamp((t - law_.breaks[piece]) / duration(piece), 0.0, 1.0);
-    const double moment = 8 * 2.3e-16 * (std::abs(t) + law_.cycle_duration) + 2e-9 * 0;
+    const double moment = 8 * 2.3e-16 * (std::abs(t) + law_.cycle_duration);
     for (int r = 0; r < 4; ++r) {
       distance[r] = std::abs(row[1 + r] - bernstein_sum(derived(piece, r), x));
       const DerivativeScale scale = derivative_scale(law_.bernstein[piece], duration(piece), r),
                             next = derivative_scale(law_.bernstein[piece], duration(piece), r + 1);
-      off[r] = 1e-12 * scale.size + scale.rounding + next.size * (moment + 1e-9 * row_step_) + 1e-300;
+      off[r] = 1e-12 * scale.size + scale.rounding + next.size * moment + 1e-300;
     }
   }
 
@@ -273,7 +273,6 @@ class Verifier {
   Progress& progress_;
   Verification out_;
   std::vector<std::size_t> first_piece_;
-  double row_step_ = 0;
 };
 
 }  // namespace

@@ -12,15 +12,29 @@
 namespace bahnwerk::verify {
 namespace {
 
-/// Simpson's rule with so many steps that a step turns the mode by 0.02 rad and is a 64th of a piece at most: errors
-/// are below 1e-9 of the integrand's peak times the interval.
+/// Romberg's rule over trapezoids with n, 2n … 32n steps, of which one turns the mode by half a radian at most: errors
+/// are below 1e-9 of the integrand's peak times the interval for accelerations up to degree 19.
 std::complex<double> response(const std::vector<double>& a, double begin, double duration, std::complex<double> rate,
                               double until) {
   const auto value = [&](double x) { return bernstein_sum(a, x) * std::exp(rate * (begin + x * duration - until)); };
-  const int steps = 2 * std::max(32, static_cast<int>(std::ceil(std::abs(rate) * duration / 0.04)));
-  std::complex<double> sum = value(0) + value(1);
-  for (int k = 1; k < steps; ++k) sum += (k % 2 == 1 ? 4.0 : 2.0) * value(static_cast<double>(k) / steps);
-  return sum * duration / (3.0 * steps);
+  constexpr int levels = 6;
+  int steps = std::max(8, static_cast<int>(std::ceil(std::abs(rate) * duration / 0.5)));
+  std::complex<double> row[levels];
+  for (int level = 0; level < levels; ++level, steps *= 2) {
+    std::complex<double> sum = 0;  // of the places that the level before does not have
+    if (level == 0) sum = (value(0) + value(1)) / 2.0;
+    for (int k = 1; k < steps; k += level == 0 ? 1 : 2) sum += value(static_cast<double>(k) / steps);
+    std::complex<double> now = sum / static_cast<double>(steps) + (level == 0 ? 0 : row[0] / 2.0);
+    double power = 1;
+    for (int k = 0; k < level; ++k) {
+      power *= 4;
+      const std::complex<double> better = now + (now - row[k]) / (power - 1);
+      row[k] = now;
+      now = better;
+    }
+    row[level] = now;
+  }
+  return row[levels - 1] * duration;
 }
 
 }  // namespace

@@ -119,7 +119,29 @@ TEST(ControllerLayouts, EveryLayoutHoldsTheLaw) {
   EXPECT_EQ(lines(controller_file(result, ControllerLayout::lcamhdl_xy).text).size(), 1001u);
   EXPECT_THAT(controller_file(result, ControllerLayout::codesys_xyva, "lift").text,
               testing::HasSubstr("lift : MC_CAM_REF := (nElements := 3, byType := 3, xStart := 0, xEnd := 130,"));
-  EXPECT_EQ(lines(controller_file(result, ControllerLayout::isg).text).back(), "EndTable\r");
+}
+
+TEST(ControllerLayouts, IsgTablesHaveOneColumnThatTheControllerClosesOverTheCycle) {
+  const json closed = json::parse(planned(example("free_angles")).result.dump());
+  const ControllerFile file = controller_file(closed, ControllerLayout::isg, "lift");
+  const auto rows = lines(file.text);
+  ASSERT_EQ(rows.size(), 5u + 2u + 1u + 1000u + 1u);
+  EXPECT_EQ(rows[0], "Tablename=lift\r");
+  EXPECT_EQ(rows[2], "Tabletype=3\r");     // one column of floating-point numbers
+  EXPECT_EQ(rows[3], "Functiontype=1\r");  // straight lines
+  EXPECT_EQ(rows[4], "Lines=1000\r");
+  EXPECT_EQ(rows.back(), "EndTable\r");
+  // Row 250 of 1000 is the position at a quarter of the cycle, in 1e-4 mm.
+  const auto pairs = lines(controller_file(closed, ControllerLayout::codesys_xy).text);
+  ASSERT_EQ(pairs.size(), 1001u);
+  EXPECT_NEAR(std::stod(rows[8 + 250]), 1e4 * std::stod(pairs[250].substr(pairs[250].find('\t'))), 1e-6);
+  EXPECT_NEAR(file.error[0], controller_file(closed, ControllerLayout::codesys_xy).error[0], 1e-9);
+
+  // From 0 to 45 mm: the table closes, and says so.
+  const ControllerFile open =
+      controller_file(json::parse(planned(through_a_range()).result.dump()), ControllerLayout::isg);
+  EXPECT_GT(open.error[0], 1);
+  EXPECT_THAT(open.text, testing::HasSubstr("# differs from the law by: position "));
 }
 
 }  // namespace

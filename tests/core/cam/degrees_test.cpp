@@ -66,6 +66,15 @@ TEST(Degrees, ManyTiesAreListedUpToTheNumberAskedFor) {
   const auto found = balance_degrees(shares, std::vector<bool>(39, true), 21, 16);
   EXPECT_EQ(found.degrees.size(), 16u);
   EXPECT_FALSE(found.complete);
+  // A choice that makes the first sections singular is not in all of them.
+  std::set<std::vector<int>> beginnings;
+  for (const auto& degrees : found.degrees) {
+    beginnings.insert({degrees.begin(), degrees.begin() + 8});
+    int sum = 0;
+    for (const int degree : degrees) sum += degree;
+    EXPECT_EQ(sum, 3 + 38 * 5 + 5 - 39);
+  }
+  EXPECT_GE(beginnings.size(), 8u);
 }
 
 TEST(Degrees, AGivenSectionHasNone) {

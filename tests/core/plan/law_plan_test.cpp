@@ -69,6 +69,21 @@ TEST(LawPlan, RandomProblemsAreVerifiedAndTheOptimumIsNoWorseThanTheActiveSet) {
   EXPECT_GT(compared, testing::cases(12) / 2);
 }
 
+/// A law of the textbook is one of all laws: their bound says what it costs. One whose acceleration jumps is none.
+TEST(LawPlan, ClassicalLawsAreComparedWithTheBoundOverAllLaws) {
+  cam::MotionLawProblem p =
+      problem(1, false, {point(0, 2, {number(0), number(0)}), point(1, 2, {number(20), number(0)})});
+  p.objective.weight = {0, 1, 0.1, 0.01};
+  p.points[0].law = cam::ClassicalLaw::modified_sine;
+  const LawPlan smooth = planned(p);
+  EXPECT_LE(smooth.lower, smooth.solution.value.objective);
+  EXPECT_GT(smooth.lower, 0.5 * smooth.solution.value.objective);
+  p.points[0].law = cam::ClassicalLaw::quadratic;
+  const LawPlan jumping = planned(p);
+  EXPECT_NEAR(jumping.lower, 20 / jumping.solution.cycle_duration, 1e-9);  // the mean velocity
+  EXPECT_TRUE(jumping.verification.passed);
+}
+
 TEST(LawPlan, ACycleTimeThatDoesNotDivideTheCycleHasNoSteps) {
   EXPECT_EQ(table_steps({0.001, {}}, 0.5), 500u);
   EXPECT_EQ(table_steps({0.003, {}}, 0.5), 0u);

@@ -98,6 +98,29 @@ TEST(SplineProgram, ResultsAreProvenAndKeepTheirConditions) {
   EXPECT_GE(proven, count - 3);
 }
 
+/// The first of 16 pieces reaches 0.01 mm of 30: its value is the condition's but for its own rounding.
+TEST(SplineProgram, ValuesHoldToTheRoundingOfSmallPieces) {
+  MotionLawProblem problem = testing::rest_to_rest(30, 0.065);
+  problem.points.insert(problem.points.begin() + 1, testing::point_at(49, {Range{18.8, 22.8}}, 3));
+  const LawTask task = make_law_task(problem);
+  const SplineResult result = solve(task, 5, 16);
+  EXPECT_NEAR(result.coefficients[0] * task.unit_position + task.origin, 0, 1e-15);
+}
+
+/// A law that stays just inside its limits of velocity and acceleration touches them between the samples.
+TEST(SplineProgram, LimitsThatAreTouchedInsideASectionConverge) {
+  MotionLawProblem problem = testing::rest_to_rest(30, 1);
+  problem.points.insert(problem.points.begin() + 1, testing::point_at(25, {Range{17, 19}}, 3));
+  problem.points[0].section[2] = {-700, 700};
+  problem.points[1].section[1] = {0, 100};
+  problem.points[1].section[0].max = 30.01;
+  for (const int degree : {7, 9, 12}) {
+    const SplineResult result = solve(make_law_task(problem), degree, 1);
+    EXPECT_TRUE(result.converged) << degree << ' ' << result.objective << ' ' << result.lower << ' '
+                                  << result.violation;
+  }
+}
+
 /// A stroke of 30 with a rest in between overshoots unless the section says otherwise.
 TEST(SplineProgram, SectionLimitsHoldBetweenTheirSamples) {
   MotionLawProblem problem = testing::rest_to_rest(30, 1);

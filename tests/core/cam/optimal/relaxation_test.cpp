@@ -1,0 +1,72 @@
+#include "core/cam/optimal/relaxation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/base/progress.hpp"
+#include "tests/core/cam/optimal/laws.hpp"
+
+namespace bahnwerk::cam {
+namespace {
+
+SplineResult solve(const LawTask& task, const SectionBasis& basis) {
+  SilentProgress progress;
+  return SplineProgram(task, basis, task.middle()).solve({}, progress);
+}
+
+/// From rest to rest the best of all laws has a trapezoidal acceleration with ramps r of the duration: J = w₁ 2h/T +
+/// A/(½ − r) + B/(r (½ − r)), A = w₂ 2h/T², B = w₃ 2h/T³, stationary at r = (−B + √(B² + AB/2))/A, where
+/// its jerk is dear enough for a velocity without plateau.
+TEST(Relaxation, ReachesTheClosedFormFromBelow) {
+  SilentProgress progress;
+  for (const double jerk_weight : {1.0, 2.0, 4.0}) {
+    MotionLawProblem problem = testing::rest_to_rest(25, 0.4);
+    problem.objective.weight[3] *= jerk_weight;
+    const auto& w = problem.objective.weight;
+    const double h = 25, t = 0.4, a = w[2] * 2 * h / (t * t), b = w[3] * 2 * h / (t * t * t);
+    const double r = (-b + std::sqrt(b * b + a * b / 2)) / a;
+    const double closed = w[1] * 2 * h / t + a / (0.5 - r) + b / (r * (0.5 - r));
+    const LawTask task = make_law_task(problem);
+    const SectionBasis basis(7, 1);
+    const KnownLaw law(task, basis, solve(task, basis));
+    const double bound = relaxation_bound(task, task.at, law, {}, progress);
+    EXPECT_LE(bound, closed * (1 + 1e-9));
+    EXPECT_GE(bound, closed * (1 - 5e-4));
+  }
+}
+
+/// No law that exists is better, whatever its degree and pieces.
+TEST(Relaxation, IsBelowEveryLaw) {
+  SilentProgress progress;
+  Random random(4);
+  for (int k = 0; k < 12; ++k) {
+    const LawTask task = make_law_task(testing::random_problem(random));
+    const SectionBasis basis(7, 1), fine(4, 12);
+    const SplineResult spline = solve(task, basis), close = solve(task, fine);
+    RelaxationOptions options;
+    options.cells = 120;
+    const double bound = relaxation_bound(task, task.at, KnownLaw(task, basis, spline), options, progress);
+    EXPECT_LE(bound, std::min(spline.objective, close.objective) * (1 + 1e-9)) << k;
+    EXPECT_GE(bound, 0.9 * close.objective) << k;
+  }
+}
+
+/// Where acceleration may jump, laws below the bound of smooth ones exist: the nodes there are two.
+TEST(Relaxation, JumpsThatAPointAllowsCountAsLaws) {
+  SilentProgress progress;
+  MotionLawProblem problem = testing::rest_to_rest(0, 1);
+  problem.points.insert(problem.points.begin() + 1, testing::point_at(45, {testing::fixed(20)}, 1));
+  LawTask task = make_law_task(problem);
+  const SectionBasis basis(5, 4);
+  const SplineResult jumping = solve(task, basis);
+  const double bound = relaxation_bound(task, task.at, KnownLaw(task, basis, jumping), {}, progress);
+  EXPECT_LE(bound, jumping.objective);
+  problem.points[1].continuity = 2;
+  task = make_law_task(problem);
+  const SplineResult smooth = solve(task, basis);
+  EXPECT_GE(relaxation_bound(task, task.at, KnownLaw(task, basis, smooth), {}, progress), bound * (1 - 1e-4));
+}
+
+}  // namespace
+}  // namespace bahnwerk::cam
