@@ -12,7 +12,8 @@ namespace bahnwerk {
 Machine coarse_machine(const CoarseFineMachine& machine, double share);
 
 /// Returns `rests`, and each segment's begin at which first derivatives of the axes differ on both sides, with
-/// `derivatives` 2 the second ones, too, by more than rounding: 1e-9, 1e-9 1/mm.
+/// `derivatives` 2 the second ones, too, by more than the rounding of the segments' points turns and bends them: with
+/// size = distance from zero + length + 2 radii, 32 ε size (1/length + 1/radius), and (1/length + 1/radius) times that.
 std::vector<bool> rests_at_jumps(const AxisPath& path, std::vector<bool> rests, int derivatives);
 
 /// Returns the numbers of the axes along which the tool's path leaves that; see within_coarse_range().

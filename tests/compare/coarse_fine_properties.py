@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 """Plans random lone moves and programs on machines with coarse and fine axes by every method, and holds the plans to what must be so.
 
-    tests/compare/coarse_fine_properties.py BINARY [--moves 500] [--programs 200] [--first 0] [--method NAME …] [--keep FOLDER]
+    tests/compare/coarse_fine_properties.py BINARY [--moves 500] [--programs 200] [--first 0] [--method NAME …] [--all] [--keep FOLDER]
 
-Case i is the same every time: machine MD1, MD2 or a random one, a stroke of 0 to 500 mm, with limited jerk every other
-time (`joint` and `iterative`, which hold it), and a straight move of 0.01 to 3 000 mm or a program of coarse_fine_methods.py.
-Each method plans it as it is and once more each
+Case i is the same every time: machine MD1, MD2 or a random one, a stroke of 0 to 500 mm (0, 0.001, 0.02 and 500 mm in
+every tenth case each), one coordinate without a fine axis (z where there is one) in every seventh, with limited jerk every
+other time (`joint` and `iterative`, which hold it), and a straight move of 0.01 to 3 000 mm or a program of
+coarse_fine_methods.py. Each method plans it as it is and once more each (programs, without --all, with one of the first
+three and in one of the other ways, in turn)
 
     stroke, coarse, fine          with more stroke, more acceleration of the coarse or of the fine axes
     shift, mirror, turn, reverse  elsewhere, mirrored, turned by 90°, from its end to its begin
@@ -43,7 +45,7 @@ def decade(r, low, high):
 
 
 def stroke_of(number, r):
-    """Every tenth case has none, the least one of the schema's examples, the least that is split, the largest; mm."""
+    """Of every twenty cases two each have none, one far below what is split, the least that is, and the largest one; mm."""
     special = {2: 0, 3: 0.001, 4: 0.02, 5: 500}.get(number // 2 % 10)
     return special if special is not None else decade(r, 0.001, 500) if number // 2 % 10 > 6 else None
 

@@ -22,6 +22,8 @@ namespace bahnwerk {
 namespace verify {
 namespace {
 
+constexpr double position_scale = 0.1;  // mm: resolved to 2e-11 of it at least
+
 struct Channel {
   std::size_t axis, derivative;  // of the fine axis
   double limit;
@@ -38,9 +40,10 @@ std::vector<Channel> make_channels(const CoarseFineToVerify& in) {
   return list;
 }
 
+/// Positions are resolved to what they are rounded to, also where the stroke is nothing.
 std::vector<double> scales(const std::vector<Channel>& channels) {
   std::vector<double> list;
-  for (const Channel& c : channels) list.push_back(c.limit);
+  for (const Channel& c : channels) list.push_back(c.derivative == 0 ? std::max(c.limit, position_scale) : c.limit);
   return list;
 }
 

@@ -78,8 +78,8 @@ TEST(ContourDrawing, TheLegendEndsInsideTheDrawing) {
   }
   SilentProgress progress;
   for (const TimeLaw* speeds : {static_cast<const TimeLaw*>(nullptr), static_cast<const TimeLaw*>(&law)}) {
-    const std::string drawing =
-        contour_drawing(contour, {.title = "legend", .law = speeds, .way = {{0, 0, 0}, {10.25, 1210.75, 0}}}, progress);
+    const std::vector<Vec> way{{0, 0, 0}, {10.25, 1210.75, 0}};
+    const std::string drawing = contour_drawing(contour, {.title = "legend", .way = way, .law = speeds}, progress);
     std::smatch size;
     ASSERT_TRUE(std::regex_search(drawing, size, std::regex("<svg[^>]* width=\"([0-9.]+)\"")));
     const std::regex text("<text x=\"([0-9.]+)\" y=\"42\"[^>]*>([^<]*)</text>");
