@@ -121,11 +121,14 @@ class Drawer {
     measure();
     find_fastest();
     arrange();
-    std::string frame = svg::open(std::max(left + views_[0].width() + right, by_speed() ? least_width : 0),
-                                  views_.back().y0 + views_.back().height() + gap);
+    double legend_end = 0;
+    const std::size_t legend_size = legend(first_tolerance, &legend_end).size();
+    std::string frame =
+        svg::open(std::max({left + views_[0].width() + right, legend_end, by_speed() ? least_width : 0}),
+                  views_.back().y0 + views_.back().height() + gap);
     frame += svg::text({6, 20}, options_.title, ink);
     for (const View& view : views_) frame += axes(view);
-    const std::size_t around = frame.size() + legend(first_tolerance).size() + 400;
+    const std::size_t around = frame.size() + legend_size + 400;
     budget_ = options_.max_bytes - std::min(options_.max_bytes, around);
     std::string paths;
     double tolerance = first_tolerance;
@@ -324,7 +327,8 @@ class Drawer {
         .append("/>\n");
   }
 
-  std::string legend(double tolerance) const {
+  /// `end`: px, where the longest legend of any tolerance ends.
+  std::string legend(double tolerance, double* end = nullptr) const {
     std::string out;
     double x = left;
     const auto entry = [&](const std::string& sample, const std::string& words) {
@@ -346,6 +350,7 @@ class Drawer {
       std::snprintf(words, sizeof words, "drawn to %.2g mm", tolerance / views_[0].scale);
       out += svg::text({x + 8, 42}, words, "fill=\"#5c6570\" font-size=\"12\"");
     }
+    if (end) *end = x + 8 + 6.6 * static_cast<double>(std::string("drawn to 1.2e-05 mm").size());
     return out;
   }
 

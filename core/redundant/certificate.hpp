@@ -21,8 +21,8 @@ struct Certificate {
   double value = 0;            ///< as infeasibility() gives it
 };
 
-/// The least value, −∞ where an infinite range leaves it unbounded. `costates`, if given, gets the costates at the
-/// nodes of the stretch. O(nodes).
+/// Returns the least value of the sum, −∞ where an infinite range leaves it unbounded. `costates`, if given, gets the
+/// costates at the nodes of the stretch. O(nodes).
 template <std::size_t order>
 double infeasibility(const Chain<order>& chain, const Certificate<order>& certificate,
                      std::vector<ChainState<order>>* costates = nullptr);

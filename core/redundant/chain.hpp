@@ -37,16 +37,16 @@ struct Chain {
   bool begins_at_rest = true, ends_at_rest = true;
   std::optional<ChainState<order>> begin = {};  ///< the state it begins with, where that is given
   std::size_t cells() const { return steps.size(); }
-  /// Numbers of the first state that are free.
+  /// Tells how many numbers of the first state are free.
   std::size_t free_at_begin() const { return begin ? 0 : begins_at_rest ? 1 : order; }
-  /// Whether the range of number k of the state at a node counts.
+  /// Tells whether the range of number k of the state at a node counts.
   bool counts(std::size_t node, std::size_t k) const {
     if (node == 0 && begin) return false;
     return k == 0 || ((node > 0 || !begins_at_rest) && (node < cells() || !ends_at_rest));
   }
 };
 
-/// Where a cell leads.
+/// Returns the state that a cell of duration h leads to.
 template <std::size_t order>
 ChainState<order> advanced(const ChainState<order>& x, double h, double u) {
   if constexpr (order == 2)
@@ -54,7 +54,7 @@ ChainState<order> advanced(const ChainState<order>& x, double h, double u) {
   else
     return {x[0] + h * (x[1] + h * (0.5 * x[2] + h * u / 6)), x[1] + h * (x[2] + 0.5 * h * u), x[2] + h * u};
 }
-/// Transposed: what a gradient by the state at the end of a cell is by that at its begin.
+/// Returns the gradient by the state at the begin of a cell, given that by the state at its end: `advanced` transposed.
 template <std::size_t order>
 ChainState<order> pulled_back(const ChainState<order>& g, double h) {
   if constexpr (order == 2)
@@ -62,7 +62,7 @@ ChainState<order> pulled_back(const ChainState<order>& g, double h) {
   else
     return {g[0], g[1] + h * g[0], g[2] + h * (g[1] + 0.5 * h * g[0])};
 }
-/// The same by its control.
+/// Returns the gradient by a cell's control, given that by the state at its end.
 template <std::size_t order>
 double by_control(const ChainState<order>& g, double h) {
   if constexpr (order == 2)

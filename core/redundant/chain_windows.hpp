@@ -31,7 +31,7 @@ struct WindowedSolution {
   std::vector<std::pair<std::size_t, std::size_t>> exceeds;  ///< stretches of nodes, ascending: first and last
 };
 
-/// The solution of a chain; where a little is exceeded, with a larger penalty.
+/// Returns the solution of a chain; where a little is exceeded, that with a larger penalty.
 template <std::size_t order>
 ChainSolution<order> followed_if_possible(const Chain<order>& chain, ChainOptions options);
 

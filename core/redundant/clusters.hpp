@@ -19,8 +19,8 @@ struct Cluster {
   std::vector<double> gain;
 };
 
-/// Groups of nodes whose states exceed their boxes by more than `tolerance`, each with the stretch around it that its
-/// multipliers reach over. O(nodes).
+/// Returns groups of nodes whose states exceed their boxes by more than `tolerance`, each with the stretch around it
+/// that its multipliers reach over. O(nodes).
 template <std::size_t order>
 std::vector<Cluster<order>> clusters(const Chain<order>& chain, const ChainSolution<order>& solution, double tolerance);
 

@@ -5,12 +5,13 @@
 
 namespace bahnwerk {
 
-/// Without limited jerk. Cost: that of the acceleration-limited planner. Throws what it throws.
+/// Plans the coarse axes alone, without limited jerk. Cost: that of the acceleration-limited planner. Throws what it
+/// throws.
 RedundancyResult plan_coarse_alone(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
                                    double at);
 
-/// `found`, or the coarse axes alone where they are quicker and stay within their ranges: then one fallback more, with
-/// a note.
+/// Returns `found`, or the coarse axes alone where they are quicker and stay within their ranges: then one fallback
+/// more, with a note.
 RedundancyResult quicker_than_coarse_alone(RedundancyResult found, const RedundancyTask& task,
                                            const RedundancyOptions& options, Progress& progress, double at);
 

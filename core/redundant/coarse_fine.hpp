@@ -18,7 +18,7 @@ struct CoarseFineAxis {
   bool centred = false;  ///< whether the fine axis stands in the middle of its stroke at the begin and at the end
 };
 
-/// The axis without its fine one: the coarse axis does all that the tool does.
+/// Returns the axis without its fine one: the coarse axis does all that the tool does.
 inline CoarseFineAxis coarse_alone(CoarseFineAxis axis) {
   axis.stroke = 0;
   axis.fine = {0, 0, axis.coarse.jerk < unlimited ? 0 : unlimited};
@@ -35,7 +35,8 @@ struct CoarseFineMachine {
   }
 };
 
-/// What the tool can do at most: both axes' limits, summed. Its ranges are those of the coarse axes with the stroke.
+/// Returns what the tool can do at most: both axes' limits, summed. Its ranges are those of the coarse axes with the
+/// stroke.
 inline Machine summed(const CoarseFineMachine& machine) {
   Machine sum;
   sum.cycle_time = machine.cycle_time;
@@ -49,9 +50,10 @@ inline Machine summed(const CoarseFineMachine& machine) {
   return sum;
 }
 
-/// What the head is planned with: the sums, but a jerk at which each axis can take its share of the acceleration all
-/// the way from one end of its limits to the other. With more, the slower of both would still be on its way when the
-/// head changes from full acceleration to full braking. It is the sum if both axes take equally long for that.
+/// Returns what the head is planned with: the sums, but a jerk at which each axis can take its share of the
+/// acceleration all the way from one end of its limits to the other. With more, the slower of both would still be on
+/// its way when the head changes from full acceleration to full braking. It is the sum if both axes take equally long
+/// for that.
 inline Machine head_limits(const CoarseFineMachine& machine) {
   Machine head = summed(machine);
   for (std::size_t k = 0; k < head.axes.size(); ++k) {
@@ -65,7 +67,8 @@ inline Machine head_limits(const CoarseFineMachine& machine) {
   return head;
 }
 
-/// The axes of a split motion, all coarse ones before all fine ones, with this share of their speeds and accelerations.
+/// Returns the axes of a split motion, all coarse ones before all fine ones, with this share of their speeds and
+/// accelerations.
 inline Machine both_stages(const CoarseFineMachine& machine, double share) {
   Machine axes;
   axes.cycle_time = machine.cycle_time;

@@ -2,20 +2,34 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace bahnwerk {
 namespace {
 
-constexpr double same = 1e-9;  // rounding of derivatives
-constexpr int places = 32;     // of a curve
+constexpr double rounding = 32 * std::numeric_limits<double>::epsilon();  // of what points are computed with
+constexpr int places = 32;                                                // of a curve
+
+/// What the rounding of a segment's points does to its derivatives at an end of it: it turns and bends the end.
+struct Rounding {
+  double tangent, curvature;
+};
+Rounding rounding_at(const AxisPath& path, std::size_t segment, const AxisJet& q) {
+  double far = 0, square = 0;
+  for (std::size_t k = 0; k < path.axes(); ++k) far += std::abs(q.value[k]), square += q.d2[k] * q.d2[k];
+  const double length = path[segment].length(), curvature = std::sqrt(square), turn = 1 / length + curvature;
+  const double off = rounding * (far + length + (curvature > 0 ? 2 / curvature : 0));
+  return {off * turn, off * turn * turn};
+}
 
 bool derivatives_jump(const AxisPath& path, std::size_t segment, int derivatives) {
   const AxisJet before = path.at_parameter(segment - 1, path[segment - 1].curve().end()),
                 after = path.at_parameter(segment, path[segment].curve().begin());
+  const Rounding left = rounding_at(path, segment - 1, before), right = rounding_at(path, segment, after);
   for (std::size_t k = 0; k < path.axes(); ++k)
-    if (!(std::abs(after.d1[k] - before.d1[k]) <= same &&
-          (derivatives < 2 || std::abs(after.d2[k] - before.d2[k]) <= same)))
+    if (!(std::abs(after.d1[k] - before.d1[k]) <= left.tangent + right.tangent &&
+          (derivatives < 2 || std::abs(after.d2[k] - before.d2[k]) <= left.curvature + right.curvature)))
       return true;
   return false;
 }

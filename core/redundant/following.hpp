@@ -16,7 +16,7 @@
 
 namespace bahnwerk {
 
-/// Units of an axis' chain.
+/// The units in which the chain of an axis is solved.
 struct ChainUnits {
   double length = 1;  ///< mm: the stroke
   double time = 1;    ///< s: √(stroke/coarse acceleration)
@@ -26,8 +26,8 @@ struct ChainUnits {
 };
 ChainUnits chain_units(const CoarseFineAxis& axis);
 
-/// Boxes of axis `axis`. The head is slowed to last `stretch` ≥ 1 times as long. Throws Infeasible where the head
-/// exceeds the sum of the limits by more than rounding.
+/// Returns the boxes of axis `axis`. The head is slowed to last `stretch` ≥ 1 times as long. Throws Infeasible where
+/// the head exceeds the sum of the limits by more than rounding.
 template <std::size_t order>
 Chain<order> following(const HeadCells& head, std::size_t axis, const CoarseFineAxis& limits, double stretch = 1);
 

@@ -44,7 +44,7 @@ struct HeadCellOptions {
 /// degree 4 through five values of each piece, as far as the head's limits let it. O(pieces + duration/longest), five
 /// evaluations of the path each.
 HeadCells head_cells(const PathMotion& head, const HeadCellOptions& options, ProgressScope& scope);
-/// The same of the pieces [first, last) of the law alone; times are those of the law.
+/// Divides the pieces [first, last) of the law alone; times are those of the law.
 HeadCells head_cells(const PathMotion& head, std::size_t first, std::size_t last, const HeadCellOptions& options,
                      ProgressScope& scope);
 

@@ -13,7 +13,7 @@ namespace bahnwerk {
 
 class Progress;
 
-/// What a calmer head leaves unused.
+/// Tells what a calmer head leaves unused.
 struct Freedom {
   double calm = 0;  ///< part of the coarse axes' accelerations, and of the fine ones' velocities, that it does without
   double longer = 1;              ///< so many times as long moves of more than two strokes last
@@ -36,21 +36,21 @@ class HeadPlan {
   const Machine& limits() const { return limits_; }
   SectionLimits& section_limits() { return section_limits_; }
   const SectionLimits& section_limits() const { return section_limits_; }
-  /// Of the task.
+  /// Returns the task's feed of a segment, mm/s.
   double feed(std::size_t segment) const { return task_.feeds[segment]; }
-  /// Largest speed of the head on segments [first, last) with the task's feeds.
+  /// Returns the largest speed of the head, mm/s, on segments [first, last) with the task's feeds.
   double peak(std::size_t first, std::size_t last) const;
-  /// Segments that may not be passed as fast as the task lets them be.
+  /// Counts the segments that may not be passed as fast as the task lets them be.
   std::size_t slowed() const;
   std::shared_ptr<const PathMotion> motion() { return motion(0, task_.path->size()); }
-  /// Of the sections that begin in the segments [first, last), and one more piece behind them unless they are the last:
-  /// `last` is the begin of a section. Time begins with 0.
+  /// Plans the sections that begin in the segments [first, last), and one more piece behind them unless they are the
+  /// last; `last` is the begin of a section. Time begins with 0.
   std::shared_ptr<const PathMotion> motion(std::size_t first, std::size_t last);
-  /// The begin of the section that a segment is in, or of the one behind that.
+  /// Returns the begin of the section that a segment is in; section_end() that of the one behind it.
   std::size_t section_begin(std::size_t segment) const;
   std::size_t section_end(std::size_t segment) const;
-  /// Every section with the limits of the coarse axes alone, which can follow that by themselves. With limited jerk
-  /// they cannot where curvature jumps; `stops`: the head rests there, too.
+  /// Plans every section with the limits of the coarse axes alone, which can follow that by themselves. With limited
+  /// jerk they cannot where curvature jumps; `stops`: the head rests there, too.
   std::shared_ptr<const PathMotion> coarse_alone(bool stops = false) const;
 
  private:

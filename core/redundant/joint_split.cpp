@@ -121,18 +121,25 @@ std::vector<SplineMotion::Piece> JointSplits<order>::pieces_of(const JointSplit<
   for (std::size_t c = 0; c < cells.size(); ++c) {
     coarse[c].end = c + 1 < cells.size() ? cells.times[c + 1] * split.stretch : duration;
     coarse[c].axes.assign(task_.machine.axes.size(), Polynomial{0});
-    for (std::size_t j = 0; j < axes_.size(); ++j) {
-      const ChainUnits u = chain_units(axis(axes_[j]));
-      const ChainState<order>& x = split.solutions[j].states[c];
-      Polynomial p{x[0] * u.length, x[1] * u.velocity()};
-      if constexpr (order == 2) {
-        p.push_back(0.5 * split.solutions[j].controls[c] * u.acceleration());
-      } else {
-        p.push_back(0.5 * x[2] * u.acceleration());
-        p.push_back(split.solutions[j].controls[c] * u.jerk() / 6);
-      }
-      slow(p, split.slowed);
-      coarse[c].axes[axes_[j]] = std::move(p);
+  }
+  for (std::size_t j = 0; j < axes_.size(); ++j) {
+    const ChainUnits u = chain_units(axis(axes_[j]));
+    const WindowedSolution<order>& solution = split.solutions[j];
+    const ChainState<order>& first = solution.states.front();
+    // Coefficients over time: x, v, order 3: a/2; the last one is the control's.
+    Polynomial p{first[0] * u.length, first[1] * u.velocity()};
+    if constexpr (order == 3) p.push_back(0.5 * first[2] * u.acceleration());
+    p.push_back(0);
+    slow(p, split.slowed);
+    const double control = (order == 2 ? u.acceleration() / 2 : u.jerk() / 6) / std::pow(split.slowed, order);
+    // Each piece begins with what the one before ends with, to the rounding of both: the solution's states have that of
+    // the solver's first guesses.
+    double begin = 0;
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      p[order] = solution.controls[c] * control;
+      coarse[c].axes[axes_[j]] = p;
+      p = shifted(std::move(p), coarse[c].end - begin, 1);
+      begin = coarse[c].end;
     }
   }
   return coarse;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "core/motion/profile/profile.hpp"
 
@@ -29,23 +31,59 @@ ProfileLimits stage(const AxisJet& jet, const CoarseFineMachine& machine, Limits
   return along;
 }
 
-/// A profile, slowed.
-struct Slowed {
+/// A profile that begins at `begin`, lasts `factor` times as long and counts `weight` times.
+struct Part {
   Profile profile;
-  double factor = 1;
-  ProfileState at(double t) const {
-    ProfileState x = profile.sample(t / factor);
-    x.v /= factor, x.a /= factor * factor, x.j /= factor * factor * factor;
-    return x;
+  double factor = 1, begin = 0, weight = 1;
+  void add_to(ProfileState& sum, double t) const {
+    if (t < begin) return;
+    const ProfileState x = profile.sample((t - begin) / factor);
+    double w = weight;
+    sum.s += w * x.s, w /= factor;
+    sum.v += w * x.v, w /= factor;
+    sum.a += w * x.a, w /= factor;
+    sum.j += w * x.j;
+    if (const double gone = t - end(); gone > 0) sum.s += gone * weight * profile.end_speed / factor;
   }
-  double duration() const { return profile.duration * factor; }
-  void last(double time) { factor = profile.duration > 0 ? time / profile.duration : 1; }
+  double end() const { return begin + profile.duration * factor; }
+};
+
+/// What one stage does: the sum of its parts.
+struct Stage {
+  std::vector<Part> parts;
+  ProfileState at(double t) const {
+    ProfileState sum;
+    for (const Part& part : parts) part.add_to(sum, t);
+    return sum;
+  }
+  void add(const Profile& profile, double factor = 1, double begin = 0, double weight = 1) {
+    parts.push_back({profile, factor, begin, weight});
+  }
+  /// Makes a stage of one part last that long.
+  void last(double time) {
+    for (Part& part : parts) part.factor = time / part.profile.duration;
+  }
 };
 
 struct Stages {
-  Slowed coarse, fine;
+  Stage coarse, fine;
   double half = 0;  // σ
   double duration = unlimited;
+  /// Where a piece of either begins, and the end, ascending.
+  std::vector<double> borders() const {
+    std::vector<double> times;
+    for (const Stage* one : {&coarse, &fine})
+      for (const Part& part : one->parts) {
+        for (const ProfilePiece& p : part.profile.pieces()) times.push_back(part.begin + p.t0 * part.factor);
+        times.push_back(part.end());
+      }
+    std::sort(times.begin(), times.end());
+    std::vector<double> apart{0};
+    for (const double t : times)
+      if (t > apart.back() + rounding * duration && t < duration * (1 - rounding)) apart.push_back(t);
+    apart.push_back(duration);
+    return apart;
+  }
 };
 
 class Search {
@@ -55,7 +93,9 @@ class Search {
 
   Stages best() const {
     Stages best = apart();
-    if (peak(best) > feed_) best = together();
+    if (!(peak(best) > feed_)) return best;
+    best = together();
+    if (Stages other = at_feed(); other.duration < best.duration) best = std::move(other);
     return best;
   }
 
@@ -79,22 +119,83 @@ class Search {
       low = high;
     Stages s;
     s.half = low;
-    if (const double way = length_ - 2 * s.half; way > 0) s.coarse.profile = moved(way, coarse_);
-    if (s.half > 0) s.fine.profile = moved(2 * s.half, fine_);
-    s.duration = std::max(s.coarse.profile.duration, s.fine.profile.duration);
-    s.coarse.last(s.duration), s.fine.last(s.duration);
+    if (const double way = length_ - 2 * s.half; way > 0) s.coarse.add(moved(way, coarse_));
+    if (s.half > 0) s.fine.add(moved(2 * s.half, fine_));
+    last_alike(s);
     return s;
+  }
+  /// Both as long as the longer one.
+  static void last_alike(Stages& s) {
+    s.duration = 0;
+    for (const Stage* one : {&s.coarse, &s.fine})
+      for (const Part& part : one->parts) s.duration = std::max(s.duration, part.end());
+    s.coarse.last(s.duration), s.fine.last(s.duration);
   }
 
   /// The largest speed of both.
   static double peak(const Stages& s) {
     double most = 0;
-    for (const Slowed* one : {&s.coarse, &s.fine})
-      for (const ProfilePiece& p : one->profile.pieces()) {
-        const double t = p.t0 * one->factor;
-        most = std::max(most, s.coarse.at(t).v + s.fine.at(t).v);
-      }
+    for (const double t : s.borders()) most = std::max(most, s.coarse.at(t).v + s.fine.at(t).v);
     return most * (1 - 1e-12);
+  }
+
+  /// Up to the feed and down from it in the time of the coarse axes, with a push of the fine ones by q on top of it at
+  /// both ends: the head gets to the feed sooner by q/feed. Behind the first push the fine axes go back as far as the
+  /// second one needs, while the head keeps its feed and the coarse axes are ahead of it.
+  Stages at_feed() const {
+    ProfileLimits driven = coarse_;
+    driven.velocity = std::min(driven.velocity, feed_);
+    if (!(coarse_.velocity >= feed_)) return {};
+    const bool jerk = coarse_.jerk < unlimited;
+    const double way = direct_distance(0, feed_, driven);
+    if (!(length_ > 2 * way)) return {};
+    const Profile up = straight_profile(way, 0, feed_, driven);
+    // A push is the coarse axes' own change of speed by a share of the feed, in a part of their time, and back in what
+    // is left of it. Its height and its slopes (and their slopes) are limited, and with the coarse axes' speed on top
+    // it stays below the feed: a share of 1 − part does, and with limited jerk a quarter in half of the time.
+    const double steepest = fine_.acceleration / up.peak_acceleration;
+    double part = 0.5, height = 0.25;
+    if (jerk) {
+      height = std::min({height, fine_.velocity / feed_, steepest / 2, fine_.jerk / up.peak_jerk / 4});
+    } else {
+      part = std::clamp(1 / (1 + steepest), 1e-6, 0.5);
+      height = std::min({1 - part, fine_.velocity / feed_, steepest * part, steepest * (1 - part)});
+    }
+    const auto cruise = [&](double push) { return (length_ - 2 * push - 2 * way) / feed_; };
+    ProfileLimits backwards{std::min(fine_.velocity, coarse_.velocity - feed_),
+                            std::min(fine_.acceleration, coarse_.acceleration), std::min(fine_.jerk, coarse_.jerk),
+                            unlimited};
+    const auto back = [&](double push) { return std::max(0.0, 2 * push - 2 * most_); };
+    const auto back_time = [&](double push) {
+      return !(back(push) > 0) ? 0 : backwards.velocity > 0 ? moved(back(push), backwards).duration : unlimited;
+    };
+    double push = std::min(2 * most_, height * feed_ * up.duration / 2);
+    if (!(back_time(push) <= cruise(push))) {
+      double low = 0, high = push;
+      for (int i = 0; i < halvings; ++i) {
+        const double middle = 0.5 * (low + high);
+        (back_time(middle) <= cruise(middle) ? low : high) = middle;
+      }
+      push = low;
+    }
+    if (!(push > 0)) return {};
+    height = std::min(height, 2 * push / (feed_ * up.duration));
+    Stages s;
+    s.half = push - back(push) / 2;
+    s.coarse.add(moved(length_ - 2 * push, driven));
+    s.duration = s.coarse.parts.front().profile.duration;
+    const double early = up.duration * part, late = up.duration - early, last = s.duration - up.duration;
+    s.fine.add(up, part, 0, height * part);
+    s.fine.add(up, 1 - part, early, -height * (1 - part));
+    s.fine.add(up, 1 - part, last, height * (1 - part));
+    s.fine.add(up, part, last + late, -height * part);
+    if (back(push) > 0) {
+      const Profile returned = moved(back(push), backwards);
+      const double begin = 0.5 * (s.duration - returned.duration);
+      s.coarse.add(returned, 1, begin);
+      s.fine.add(returned, 1, begin, -1);
+    }
+    return s;
   }
 
   /// Limits of a profile of the whole way that both follow in proportion.
@@ -124,10 +225,9 @@ class Search {
     const double fine = 2 * best / length_;
     Stages s;
     s.half = best;
-    s.coarse.profile = moved(length_ - 2 * best, part(1 - fine));
-    if (best > 0) s.fine.profile = moved(2 * best, part(fine));
-    s.duration = std::max(s.coarse.profile.duration, s.fine.profile.duration);
-    s.coarse.last(s.duration), s.fine.last(s.duration);
+    s.coarse.add(moved(length_ - 2 * best, part(1 - fine)));
+    if (best > 0) s.fine.add(moved(2 * best, part(fine)));
+    last_alike(s);
     return s;
   }
 
@@ -138,7 +238,7 @@ class Search {
 
 /// The polynomial from one time to another that fits what the stage does at both: its velocities, with limited jerk its
 /// accelerations, too. So pieces fit together whatever rounding does to a border of another stage nearby.
-ProfileState between(const Slowed& stage, double begin, double end, bool jerk) {
+ProfileState between(const Stage& stage, double begin, double end, bool jerk) {
   ProfileState x = stage.at(begin);
   const ProfileState y = stage.at(end);
   const double h = end - begin, mean = (y.v - x.v) / h;
@@ -147,18 +247,6 @@ ProfileState between(const Slowed& stage, double begin, double end, bool jerk) {
   x.snap = 6 * (da - 2 * dv) / h;
   x.j = da - 0.5 * h * x.snap;
   return x;
-}
-
-std::vector<double> borders(const Stages& s) {
-  std::vector<double> times;
-  for (const Slowed* one : {&s.coarse, &s.fine})
-    for (const ProfilePiece& p : one->profile.pieces()) times.push_back(p.t0 * one->factor);
-  std::sort(times.begin(), times.end());
-  std::vector<double> apart{0};
-  for (const double t : times)
-    if (t > apart.back() + rounding * s.duration && t < s.duration * (1 - rounding)) apart.push_back(t);
-  apart.push_back(s.duration);
-  return apart;
 }
 
 }  // namespace
@@ -176,7 +264,7 @@ std::optional<LoneMove> lone_move(const AxisPath& path, const CoarseFineMachine&
   const Stages s = Search(length, half, coarse, fine, share * feed).best();
   const bool jerk = coarse.jerk < unlimited;
   LoneMove move;
-  const std::vector<double> times = borders(s);
+  const std::vector<double> times = s.borders();
   for (std::size_t i = 0; i + 1 < times.size(); ++i) {
     const double t = times[i], end = times[i + 1], h = end - t;
     const ProfileState c = between(s.coarse, t, end, jerk), f = between(s.fine, t, end, jerk);

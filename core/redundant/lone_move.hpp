@@ -6,8 +6,12 @@
 /// − 2σ) and T_f(2σ). The first falls with σ and the second rises: the best σ is where they are equal, or the largest
 /// one. Where all axes have the same limits nothing is quicker, with limited jerk or without, and more stroke, speed,
 /// acceleration or jerk never takes longer.
-/// Where a feed is less than both speeds reach together, both follow one profile of the whole way, in proportion to
-/// their shares of it, and σ is the best of those looked at.
+/// Where a feed is less than both speeds reach together there are two forms, of which the quicker one counts. Both
+/// follow one profile of the whole way, in proportion to their shares of it, and σ is the best of those looked at. Or
+/// the coarse axes go up to the feed and down from it at their limits, and the fine ones push by q on top of that at
+/// both ends: the head gets to the feed sooner, and leaves it later, by q/feed. Two pushes are 2 q; what is beyond two
+/// strokes the fine axes go back in between, while the head keeps its feed. q is the largest one that strokes and the
+/// fine axes' limits allow (with limited jerk a quarter of what the coarse axes need for the change of speed).
 #include <memory>
 #include <optional>
 #include <vector>

@@ -64,7 +64,7 @@ std::array<LawPiece, 3> with_more(const LawPiece& p, double more) {
   return parts;
 }
 
-/// A law backwards: each piece from its end to its begin. Path lengths are counted anew from the other end: near the
+/// A law backwards: each piece from its end to its begin. Path lengths are counted from the other end: near the
 /// begin rounding is finer there than it was where the law came from.
 class ReversedLaw {
  public:

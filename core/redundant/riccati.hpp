@@ -18,7 +18,7 @@ class Riccati {
   using State = ChainState<order>;
   using Matrix = std::array<State, order>;
 
-  /// Of the first state only the first `free` numbers may change.
+  /// Only the first `free` numbers of the first state may change.
   Riccati(const std::vector<double>& steps, std::size_t free)
       : h_(steps), free_(free), gain_(steps.size()), inverse_(steps.size()) {}
 

@@ -3,7 +3,8 @@
 /// that it can have while the others stay.
 ///
 /// What the coarse axes can do before and behind a section are convex sets of states (controllable_set.hpp) that do
-/// not change with its pace, so that a pace is judged on the cells of that section alone. A straight move is searched
+/// not change with its pace, so that the cells of that section alone tell whether a pace
+/// can be followed. A straight move is searched
 /// over its acceleration, its braking, its feed and what is between them, other sections over a feed for all of it, the
 /// accelerations, and feeds of its segments. Then pairs: a section that is not a move becomes as quick as ever, or a
 /// move a little slower or quicker, in all or at one end, and another move near it makes up for that; what takes less
@@ -23,11 +24,11 @@ namespace bahnwerk {
 
 class SectionTimingSearch {
  public:
-  /// Of the sections in the path's segments [first, last).
+  /// Searches the sections in the path's segments [first, last).
   SectionTimingSearch(HeadPlan<2>& plan, const CoarseFineMachine& machine, const HeadCellOptions& cells,
                       ProgressScope& scope, std::size_t first, std::size_t last);
 
-  /// SectionLimits of the plan become quicker where that is found. False: the section_limits given cannot be followed
+  /// Makes limits of the plan's sections quicker where that is found. False: the limits given cannot be followed
   /// with the little room that the search leaves. Some 0.2 ms per pace that is looked at, 20 to 60 of them per slowed
   /// section.
   bool run();
@@ -57,13 +58,13 @@ class SectionTimingSearch {
   void restore(std::size_t section, const Speeds& speeds);
   bool slowed(std::size_t section);
 
-  /// The pace of a straight move with the least duration below `limit`; the plan keeps it if there is one. `sloped`:
-  /// whether other slopes than that of its pace are looked at.
+  /// Finds the pace of a straight move with the least duration below `limit`, s; the plan keeps it if there is one.
+  /// `sloped`: whether other slopes than that of its pace are looked at.
   bool quickest_move(std::size_t section, double limit, bool sloped);
-  /// The same of another section, over feeds of its segments and one share of its accelerations.
+  /// Searches a section that is no straight move over feeds of its segments and one share of its accelerations.
   bool quicker_cut(std::size_t section);
   bool sweep();
-  /// A section whose section_limits were changed from `before`, and a move that makes up for it; else they are
+  /// Searches a move that makes up for a section whose limits were changed from `before`; where there is none they are
   /// restored.
   bool exchange(std::size_t section, const Speeds& before, std::size_t move);
   bool exchange_cut(std::size_t section, std::size_t move);

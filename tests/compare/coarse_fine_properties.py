@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 """Plans random lone moves and programs on machines with coarse and fine axes by every method, and holds the plans to what must be so.
 
-    tests/compare/coarse_fine_properties.py BINARY [--moves 500] [--programs 200] [--first 0] [--method NAME …] [--keep FOLDER]
+    tests/compare/coarse_fine_properties.py BINARY [--moves 500] [--programs 200] [--first 0] [--method NAME …] [--all] [--keep FOLDER]
 
-Case i is the same every time: machine MD1, MD2 or a random one, a stroke of 0 to 500 mm, with limited jerk every other
-time (`joint` and `iterative`, which hold it), and a straight move of 0.01 to 3 000 mm or a program of coarse_fine_methods.py.
-Each method plans it as it is and once more each
+Case i is the same every time: machine MD1, MD2 or a random one, a stroke of 0 to 500 mm (0, 0.001, 0.02 and 500 mm in
+every tenth case each), one coordinate without a fine axis (z where there is one) in every seventh, with limited jerk every
+other time (`joint` and `iterative`, which hold it), and a straight move of 0.01 to 3 000 mm or a program of
+coarse_fine_methods.py. Each method plans it as it is and once more each (programs, without --all, with one of the first
+three and in one of the other ways, in turn)
 
     stroke, coarse, fine          with more stroke, more acceleration of the coarse or of the fine axes
     shift, mirror, turn, reverse  elsewhere, mirrored, turned by 90°, from its end to its begin
@@ -42,7 +44,14 @@ def decade(r, low, high):
     return math.exp(r.uniform(math.log(low), math.log(high)))
 
 
-def machine(r, jerk, axes):
+def stroke_of(number, r):
+    """Of every twenty cases two each have none, one far below what is split, the least that is, and the largest one; mm."""
+    special = {2: 0, 3: 0.001, 4: 0.02, 5: 500}.get(number // 2 % 10)
+    return special if special is not None else decade(r, 0.001, 500) if number // 2 % 10 > 6 else None
+
+
+def machine(r, jerk, axes, stroke, alone):
+    """A stroke of None is the machine's own; `alone`: one coordinate, z where there is one, has a coarse axis only."""
     pick = r.random()
     if pick < 0.6:
         found = json.loads((ROOT / "examples" / "machines" / ("md1.json" if pick < 0.3 else "md2.json")).read_text())
@@ -56,14 +65,16 @@ def machine(r, jerk, axes):
             coarse = {"velocity": decade(r, 300, 3000), "acceleration": decade(r, 2000, 20000)}
             found["coarse"][name] = coarse
             found["fine"][name] = {"velocity": coarse["velocity"] * decade(r, 0.5, 3), "acceleration": coarse["acceleration"] * decade(r, 1.2, 15)}
-    pick = r.random()
-    stroke = 0 if pick < 0.05 else 500 if pick < 0.1 else decade(r, 0.01, 500) if pick < 0.8 else None
     for fine in found["fine"].values():
         if stroke is not None or "stroke" not in fine:
             fine["stroke"] = 20 if stroke is None else stroke
+    if axes == 3:
+        found["coarse"]["z"] = dict(found["coarse"]["x"])
+        if not alone:
+            found["fine"]["z"] = dict(found["fine"]["x"])
+    elif alone:
+        del found["fine"][r.choice("xy")]
     for stage in ("coarse", "fine"):
-        if axes == 3:
-            found[stage]["z"] = dict(found[stage]["x"])
         if jerk:
             factor = decade(r, 30, 500)
             for axis in found[stage].values():
@@ -94,7 +105,7 @@ def case(number, method, programs):
     r = random.Random(f"{'program' if programs else 'move'} {number}")
     jerk = number % 2 == 1
     kind, contour = coarse_fine_methods.contour(10000 + number) if programs else ("move", lone_move(r))
-    spec = {"contour": contour, "machine": machine(r, jerk, 3 if kind == "space" else 2), "planning": {"corner": {"mode": "stop"}}}
+    spec = {"contour": contour, "machine": machine(r, jerk, 3 if kind == "space" else 2, stroke_of(number, r), number // 2 % 7 == 3), "planning": {"corner": {"mode": "stop"}}}
     if programs and number % 3 == 0:
         spec["planning"]["corner"] = {"mode": "blend", "tolerance": decade(r, 0.01, 0.3)}
     more = {name: decade(r, 1.02, 3) for name in MORE}
@@ -171,7 +182,7 @@ def in_frame(job, frame):
         job = moved(job, lambda p: [-p[1], p[0]] + p[2:], False)
         for stage in ("coarse", "fine"):
             axes = job["spec"]["machine"][stage]
-            axes["x"], axes["y"] = axes["y"], axes["x"]
+            job["spec"]["machine"][stage] = {{"x": "y", "y": "x"}.get(name, name): axis for name, axis in axes.items()}
         return job
     return reversed_(job)
 
@@ -214,11 +225,17 @@ class Run:
         base = self.duration(method, "as it is", job)
         if base is None:
             return
+        of_more, of_frames = MORE, tuple(FRAMES)
+        if programs and not self.options.all:
+            of_more, of_frames = (MORE[number // 2 % 3],), (("reverse", "shift", "reverse", "mirror", "reverse", "turn")[number // 2 % 6],)
         for which, factor in more.items():
+            if which not in of_more:
+                continue
             other = increased(job, which, factor)
             if (found := self.duration(method, which, other)) is not None:
                 self.compare(method, which, job, other, found / base - 1, f"× {factor:.4g}: {base:.8g} became {found:.8g}", LONGER_WITH_MORE)
-        for frame, tolerance in FRAMES.items():
+        for frame in of_frames:
+            tolerance = FRAMES[frame]
             other = in_frame(job, frame)
             if (found := self.duration(method, frame, other)) is not None:
                 self.compare(method, frame, job, other, abs(found / base - 1), f"{base:.8g} became {found:.8g}", tolerance)
@@ -236,6 +253,7 @@ def main():
     parser.add_argument("--moves", type=int, default=500)
     parser.add_argument("--programs", type=int, default=200)
     parser.add_argument("--method", nargs="+", choices=METHODS, default=METHODS)
+    parser.add_argument("--all", action="store_true", help="programs, too, with more of everything and in every frame")
     parser.add_argument("--keep", type=pathlib.Path)
     options = parser.parse_args()
     run = Run(options)

@@ -242,9 +242,10 @@ std::vector<std::vector<SplitPeaks>> AdaptiveSplit::exact_peaks(const TimeLaw& l
   return peaks;
 }
 
-AdaptiveSplit::Judged AdaptiveSplit::judged(double duration, const std::vector<std::vector<SplitPeaks>>& peaks) const {
-  Judged judged;
-  RedundancyIteration& pass = judged.pass;
+AdaptiveSplit::Assessment AdaptiveSplit::assessed(double duration,
+                                                  const std::vector<std::vector<SplitPeaks>>& peaks) const {
+  Assessment assessment;
+  RedundancyIteration& pass = assessment.pass;
   pass.duration = duration;
   pass.peaks.resize(axes());
   for (std::size_t b = 0; b < peaks.front().size(); ++b) {
@@ -258,7 +259,8 @@ AdaptiveSplit::Judged AdaptiveSplit::judged(double duration, const std::vector<s
         most = std::max(most, value);
         if (!(value > limit * (1 + rounding))) return;
         violated = true;
-        judged.slowing = std::max(judged.slowing, order == 0 ? unlimited : std::pow(value / limit, 1.0 / order));
+        assessment.slowing =
+            std::max(assessment.slowing, order == 0 ? unlimited : std::pow(value / limit, 1.0 / order));
       };
       double coarse_jerk = 0, fine_jerk = 0;
       look(p.offset, a.stroke, 0, worst.offset);
@@ -271,7 +273,7 @@ AdaptiveSplit::Judged AdaptiveSplit::judged(double duration, const std::vector<s
     }
     pass.violated_blocks += violated;
   }
-  return judged;
+  return assessment;
 }
 
 bool AdaptiveSplit::adapt_all(const std::vector<std::vector<SplitPeaks>>& peaks, std::size_t first, std::size_t last,
@@ -330,7 +332,7 @@ std::optional<SplitPart> AdaptiveSplit::solve(std::size_t first, std::size_t las
   const auto takes = [&] { return best ? best->law.duration() * best_slowing : unlimited; };
   // Slowed by what it exceeds between samples; none where that does not help.
   const auto slowed = [&](SplitPart part) -> std::optional<SplitPart> {
-    Judged found = judged(part.law.duration(), exact_peaks(part.law, part.coarse, first, last));
+    Assessment found = assessed(part.law.duration(), exact_peaks(part.law, part.coarse, first, last));
     if (!(found.slowing < unlimited) || !(found.slowing * part.law.duration() <= longest)) return std::nullopt;
     if (found.slowing > 1) slow(part, found.pass, found.slowing);
     passes_.push_back(found.pass);
@@ -346,10 +348,10 @@ std::optional<SplitPart> AdaptiveSplit::solve(std::size_t first, std::size_t las
     if (!fit(samples, begin, iteration, backward, last == sections_.size(), part.coarse)) break;
     std::vector<std::vector<SplitPeaks>> peaks;
     for (std::size_t k = 0; k < axes(); ++k) peaks.push_back(sampled_peaks(samples, k, part.coarse[k], block, end));
-    Judged found = judged(head.duration(), peaks);
+    Assessment found = assessed(head.duration(), peaks);
     if (found.slowing <= bearable) {  // at samples: look between them
       peaks = exact_peaks(part.law, part.coarse, first, last);
-      found = judged(head.duration(), peaks);
+      found = assessed(head.duration(), peaks);
     }
     if (found.slowing <= bearable) {
       if (found.slowing > 1) slow(part, found.pass, found.slowing);

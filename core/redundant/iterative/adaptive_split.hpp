@@ -24,7 +24,7 @@ struct IterativeOptions {
   /// Least squares without a second phase, jerk not limited: gaps between knots are graded (KnotChoice), and after so
   /// many iterations (≥ 1) knots are kept and only added to.
   double grading = 1.5;
-  int knots_anew = 3;
+  int iterations_with_new_knots = 3;
   bool sampled_limits = false;  ///< programs of phase 2 hold limits at the samples (4.29), not of control points (4.30)
   int max_iterations = 40;      ///< of one window
   double long_move = 10;        ///< straight segments longer than so many strokes are windows of their own (4.3.4)
@@ -37,7 +37,7 @@ struct IterativeOptions {
   double backward_from = 9e-4;
 };
 
-/// Sections [first, last) from time 0 on.
+/// The motion of sections [first, last); its time begins with 0.
 struct SplitPart {
   std::size_t first = 0, last = 0;
   TimeLaw law;
@@ -53,11 +53,12 @@ class AdaptiveSplit {
 
   const HeadSections& sections() const { return sections_; }
   double fastest() const { return fastest_; }  ///< s, the head's first plan
-  /// The head as the coarse axes move it alone, within their own limits.
+  /// Returns the head as the coarse axes move it alone, within their own limits.
   const HeadSections& alone() const { return alone_; }
-  /// Of all windows so far, those that were given up included; the last one of a solved window is valid.
+  /// Returns the passes of all windows so far, those that were given up included; the last one of a solved window is
+  /// valid.
   const std::vector<RedundancyIteration>& passes() const { return passes_; }
-  /// Blocks whose limits are below those of the first iteration.
+  /// Returns the blocks whose limits are below those of the first iteration.
   std::vector<SlowedSegment> slowed() const;
 
   /// Valid motions of these sections, from what the coarse axes do at their begin to rest, with the first limits of
@@ -74,23 +75,25 @@ class AdaptiveSplit {
   Machine limits_of(std::size_t section) const;
   void reset(std::size_t first, std::size_t last);
   HeadSamples sample(const PathMotion& head) const;
-  /// What fine axes may make up for at samples so far apart.
+  /// Returns what fine axes may make up for, mm, where samples are that far apart.
   double tolerance(std::size_t axis, double spacing, double speed) const;
   /// How many iterations have kept their knots, iteration `iteration` included.
-  int kept(int iteration) const { return may_keep_ ? std::max(0, iteration - constants_.knots_anew) : 0; }
+  int kept(int iteration) const {
+    return may_keep_ ? std::max(0, iteration - constants_.iterations_with_new_knots) : 0;
+  }
   /// `ends`: whether the head is at the end of the path at last.
   bool fit(const HeadSamples& head, const std::vector<SplineBegin>& begin, int iteration, bool backward, bool ends,
            std::vector<TimeSpline>& coarse);
-  /// Between samples, per axis and block, of sections [first, last).
+  /// Returns bounds of the peaks between samples, [axis][block], of sections [first, last).
   std::vector<std::vector<SplitPeaks>> exact_peaks(const TimeLaw& law, const std::vector<TimeSpline>& coarse,
                                                    std::size_t first, std::size_t last);
   HeadCells cells_of(const TimeLaw& law);
   void replan(std::size_t section);
-  struct Judged {
+  struct Assessment {
     RedundancyIteration pass;
     double slowing = 1;  ///< factor of the duration that makes all valid; infinite where none does
   };
-  Judged judged(double duration, const std::vector<std::vector<SplitPeaks>>& peaks) const;
+  Assessment assessed(double duration, const std::vector<std::vector<SplitPeaks>>& peaks) const;
   /// Lowers limits, and plans sections again whose limits fell. False: nothing fell.
   bool adapt_all(const std::vector<std::vector<SplitPeaks>>& peaks, std::size_t first, std::size_t last, int iteration);
 

@@ -19,11 +19,11 @@ namespace bahnwerk {
 
 class Progress;
 
-/// Throws InvalidInput for degrees and knots that do not make the coarse motion as smooth as it has to be, for thinning
-/// that leaves nothing of the stroke, and as the head's planner does; Stopped.
+/// Plans the task with those constants. Throws InvalidInput for degrees and knots that do not make the coarse motion as
+/// smooth as it has to be, for thinning that leaves nothing of the stroke, and as the head's planner does; Stopped.
 RedundancyResult plan_iterative(const RedundancyTask& task, const RedundancyOptions& options,
                                 const IterativeOptions& constants, Progress& progress, double from = 0, double to = 1);
-/// The same with the constants of the source.
+/// Plans with the constants of the source.
 RedundancyResult plan_iterative(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
                                 double from, double to);
 

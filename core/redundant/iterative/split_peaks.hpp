@@ -8,7 +8,7 @@
 
 namespace bahnwerk {
 
-/// Of one axis on one segment: mm, mm/s, mm/s², mm/s³.
+/// The peaks of one axis on one segment: mm, mm/s, mm/s², mm/s³.
 struct SplitPeaks {
   double offset = 0;
   double coarse_velocity = 0, coarse_acceleration = 0, coarse_jerk = 0;
@@ -20,15 +20,14 @@ struct CellsBegin {
   std::size_t law = 0, coarse = 0;
 };
 
-/// Per segment of [first, last) of the path, for one axis; `law` is the head's and `cells` are cells of it, from `at`
-/// on, which becomes where they end in the spline. Bounds, not samples, as far as the cells' ranges are: between nodes
-/// the fine velocity is at most w h/4 beyond those at both ends (w: range of the fine acceleration in a cell of h
-/// seconds), the offset A h²/8. O(cells + pieces).
+/// Returns the peaks of one axis per segment of [first, last) of the path; `law` is the head's and `cells` are cells of
+/// it, from `at` on, which becomes where they end in the spline. Bounds, not samples, as far as the cells' ranges are:
+/// between nodes the fine velocity is at most w h/4 beyond those at both ends (w: range of the fine acceleration in a
+/// cell of h seconds), the offset A h²/8. O(cells + pieces).
 std::vector<SplitPeaks> split_peaks(const HeadCells& cells, const TimeLaw& law, std::size_t axis,
                                     const TimeSpline& coarse, std::size_t first, std::size_t last, CellsBegin& at);
 
-/// The same at `times`, ascending, of which the head's states are given: what the source looks at, quicker and below
-/// the truth.
+/// The head's states at `times`, ascending: the source looks at peaks there, which is quicker and below the truth.
 struct HeadSamples {
   std::vector<double> times;
   std::vector<std::size_t> segments;         ///< in which the head is at each

@@ -23,27 +23,27 @@ class TimeSpline {
   double duration() const { return end_; }
   const Coefficients& coefficients(std::size_t i) const { return pieces_[i].coefficients; }
 
-  /// From where the last piece ends to `end`.
+  /// Appends a piece from where the last one ends to `end`, s.
   void append(double end, const Coefficients& coefficients) {
     pieces_.push_back({end_, coefficients});
     end_ = end;
   }
-  /// The piece that holds t, searched from `hint` on; the later one where two meet.
+  /// Returns the piece that holds t, searched from `hint` on; the later one where two meet.
   std::size_t find(double t, std::size_t hint) const {
     std::size_t i = hint < pieces_.size() && pieces_[hint].begin <= t ? hint : 0;
     while (i + 1 < pieces_.size() && pieces_[i + 1].begin <= t) ++i;
     return i;
   }
   AxisState in_piece(std::size_t i, double t) const;
-  /// Of powers of time − t.
+  /// Returns the coefficients of powers of time − t.
   Coefficients from(std::size_t i, double t) const;
   /// Continues with what another one does up to `until`, shifted by where this one ends; then it ends at `end`, which
   /// differs from their sum by rounding only.
   void append(const TimeSpline& other, double until, double end);
-  /// The same motion, lasting `factor` times as long. O(pieces).
+  /// Makes the motion last `factor` times as long. O(pieces).
   void slow(double factor);
-  /// The same motion from its end to its begin. Its first `rest` derivatives are 0 at its begin, where this one ends at
-  /// rest but for rounding. O(pieces).
+  /// Returns the motion from its end to its begin. Its first `rest` derivatives are 0 at its begin, where this one ends
+  /// at rest but for rounding. O(pieces).
   TimeSpline reversed(std::size_t rest) const;
 
  private:

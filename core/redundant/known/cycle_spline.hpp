@@ -13,7 +13,7 @@ namespace bahnwerk {
 /// three of an axis are equal, so that it begins and ends at rest. Throws std::invalid_argument for fewer than four.
 SplineMotion cycle_spline(const std::vector<std::vector<double>>& control, double step);
 
-/// Positions of a motion at the times i · duration/n, i = 0 … n: [axis][i].
+/// Returns the positions of a motion at the times i · duration/n, i = 0 … n: [axis][i].
 std::vector<std::vector<double>> sampled(const Motion& motion, std::size_t n);
 
 }  // namespace bahnwerk

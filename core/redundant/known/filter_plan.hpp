@@ -6,7 +6,7 @@
 
 namespace bahnwerk {
 
-/// Taps and cut-off are those of the options. Cost: some 5 to 30 plans of the head.
+/// Plans with the taps and the cut-off of the options. Cost: some 5 to 30 plans of the head.
 RedundancyResult plan_filter(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
                              double from, double to);
 

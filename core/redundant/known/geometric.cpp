@@ -38,7 +38,7 @@ AxisArray place(const AxisPath& path, double s, std::size_t& hint) {
   return path.at(hint, std::clamp(s, path[hint].s0(), path[hint].s1())).value;
 }
 
-/// The same, beyond both ends turned about the end point by half a turn.
+/// Returns the place; beyond both ends the path is turned about its end point by half a turn.
 AxisArray turned_place(const AxisPath& path, double s, std::size_t& hint) {
   const double end = s < 0 ? 0 : path.length();
   if (s >= 0 && s <= end) return place(path, s, hint);

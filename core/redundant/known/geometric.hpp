@@ -38,8 +38,8 @@ class CoarseCurve final : public CoarsePath {
   std::vector<AxisArray> control_;  ///< of s = begin − 2Δ, begin − Δ, …
 };
 
-/// The coarse curve with the longest pitch that keeps the fine axes inside their strokes. Its ends are centred where a
-/// fine axis has to be.
+/// Returns the coarse curve with the longest pitch that keeps the fine axes inside their strokes. Its ends are centred
+/// where a fine axis has to be.
 std::shared_ptr<const CoarseCurve> coarse_curve(const AxisPath& path, const CoarseFineMachine& machine,
                                                 Progress& progress);
 

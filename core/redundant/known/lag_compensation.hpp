@@ -12,9 +12,10 @@
 
 namespace bahnwerk {
 
-/// By how much the tool overshoots a unit step without the prefilter: r^((1 + r)/(1 − r)) with r = T_f/T_c ∈ (0, 1).
+/// Tells by how much the tool overshoots a unit step without the prefilter: r^((1 + r)/(1 − r)) with r = T_f/T_c ∈ (0,
+/// 1).
 double step_overshoot(double coarse_lag, double fine_lag);
-/// Radius of the circle that the tool makes of one of radius 1 that it goes round with `rate` rad/s.
+/// Returns the radius of the circle that the tool makes of one of radius 1 that it goes round with `rate` rad/s.
 double circle_gain(double coarse_lag, double fine_lag, double rate, bool prefilter);
 
 /// V(σ) = 1 + G_c − G_c/G_f = (1 + (T_c − T_f) σ)/(1 + T_c σ) before the fine drive [Bock 3.4.2]: what a controller

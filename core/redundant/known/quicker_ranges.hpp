@@ -18,8 +18,8 @@ struct QuickerRange {
 /// whole, its rate between 1 and what it is at the other end. O(pieces).
 std::vector<QuickerRange> quicker_ranges(const TimeLaw& rate);
 
-/// The old time but for those ranges, ascending and apart. `borders` gets the number of the first piece of each range
-/// and of the piece behind it. O(segments + pieces).
+/// Returns the old time but for those ranges, ascending and apart. `borders` gets the number of the first piece of each
+/// range and of the piece behind it. O(segments + pieces).
 TimeLaw with_ranges(const TimedPath& path, const std::vector<QuickerRange>& ranges, std::vector<std::size_t>& borders);
 
 }  // namespace bahnwerk

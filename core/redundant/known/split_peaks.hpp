@@ -12,8 +12,8 @@ namespace bahnwerk {
 /// Peaks per axis, looked for at both ends, middle and quarters of every stretch on which neither motion has a joint:
 /// exact for what is linear there, close for the rest. The verifier decides. O(pieces of both).
 std::vector<RedundancyPeaks> split_peaks(const Motion& head, const Motion& coarse, ProgressScope& scope);
-/// The same of each part between those times, ascending, before the first and behind the last one. A stretch belongs to
-/// the part that its middle lies in.
+/// Returns the peaks of each part between those times, ascending, before the first and behind the last one. A stretch
+/// belongs to the part that its middle lies in.
 std::vector<std::vector<RedundancyPeaks>> split_peaks(const Motion& head, const Motion& coarse,
                                                       const std::vector<double>& borders, ProgressScope& scope);
 

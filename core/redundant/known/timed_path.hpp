@@ -1,6 +1,6 @@
 #pragma once
-/// A finished motion of coarse and fine axes as a path over its own time, which planners of time laws can drive anew
-/// [Bock 5.1].
+/// A finished motion of coarse and fine axes as a path over its own time, which planners of time laws can drive once
+/// more [Bock 5.1].
 #include <cstddef>
 #include <memory>
 #include <vector>

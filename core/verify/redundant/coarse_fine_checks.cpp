@@ -22,6 +22,8 @@ namespace bahnwerk {
 namespace verify {
 namespace {
 
+constexpr double position_scale = 0.1;  // mm: resolved to 2e-11 of it at least
+
 struct Channel {
   std::size_t axis, derivative;  // of the fine axis
   double limit;
@@ -38,9 +40,10 @@ std::vector<Channel> make_channels(const CoarseFineToVerify& in) {
   return list;
 }
 
+/// Positions are resolved to what they are rounded to, also where the stroke is nothing.
 std::vector<double> scales(const std::vector<Channel>& channels) {
   std::vector<double> list;
-  for (const Channel& c : channels) list.push_back(c.limit);
+  for (const Channel& c : channels) list.push_back(c.derivative == 0 ? std::max(c.limit, position_scale) : c.limit);
   return list;
 }
 
@@ -224,8 +227,9 @@ double bent_by_rounding(const CoarseFineToVerify& in, const LawPiece& before, co
   return off * most;
 }
 
-/// By how much a coarse axis may jump at time t: as much as the head does where segments meet, as far as that is the
-/// rounding of their points; one without a fine axis as a machine's axis may at a tangent jump, too.
+/// By how much a coarse axis may jump at time t: its place by the rounding of the head's, its derivatives as the head's
+/// do where segments meet, as far as that is the rounding of their points; one without a fine axis as a machine's axis
+/// may at a tangent jump, too.
 double step_of_the_head(const CoarseFineToVerify& in, std::size_t k, std::size_t derivative, double t) {
   if (derivative > 2) return 0;
   const bool rounded = derivative > 0 && in.fine_axes[k].highest > least_stroke;
@@ -241,6 +245,11 @@ double step_of_the_head(const CoarseFineToVerify& in, std::size_t k, std::size_t
   for (; piece != pieces.end() && piece->t0 <= t + blur; ++piece) {
     if (piece == pieces.begin() || piece->segment >= in.path.size()) continue;
     bends = std::max(bends, bent_by_rounding(in, *(piece - 1), *piece, k, derivative));
+    if (derivative == 0) {  // the head's own places there have the rounding of their segments
+      for (const LawPiece& p : {*(piece - 1), *piece})
+        jump = std::max(jump, 2 * rounding * size_of(in.path, p.segment, in.path.at(p.segment, p.s)));
+      continue;
+    }
     if (piece->segment == (piece - 1)->segment) continue;
     const std::size_t before = (piece - 1)->segment;
     const AxisJet left = in.path.at_parameter(before, in.path[before].curve().end()),
@@ -252,12 +261,6 @@ double step_of_the_head(const CoarseFineToVerify& in, std::size_t k, std::size_t
                    before_turn = turned_by(in.path, before, left), after_turn = turned_by(in.path, before + 1, right);
       tangent = std::min(tangent, before_size * before_turn + after_size * after_turn);
       curvature = std::min(curvature, before_size * before_turn * before_turn + after_size * after_turn * after_turn);
-    }
-    if (derivative == 0) {
-      jump =
-          std::max(jump, std::min(std::abs(right.value[k] - left.value[k]),
-                                  rounding * (size_of(in.path, before, left) + size_of(in.path, before + 1, right))));
-      continue;
     }
     const LawState end = (piece - 1)->at((piece - 1)->duration);
     const double v = std::max(end.v, piece->v), a = std::max(std::abs(end.a), std::abs(piece->a));

@@ -34,10 +34,10 @@ struct CoarseFineToVerify {
 /// speed, acceleration times cycle time at most (its acceleration by what tangent and curvature make of speed and
 /// acceleration, jerk times cycle time at most). Nothing else of it jumps, and nothing of any other coarse axis, but
 /// what the path's own joints do by rounding: positions by that of what the curve is computed with (its radius, its
-/// length, 32 ε of them), tangents and curvatures by what that turns and bends the segment's end (times 1/length +
-/// 1/radius, and its square).
-/// Where pieces of the law meet in a bend velocities may also differ by what the rounding of the path length there
-/// (rounding.hpp) is bent by: at 1.3 mm/s, 15 mm along a path, in a bend of 15 µm that is 1e-11 mm/s.
+/// length, its distance from zero, 32 ε of them; within a segment, too, where pieces of the law meet), tangents and
+/// curvatures by what that turns and bends the segment's end (times 1/length + 1/radius, and its square). Where pieces
+/// of the law meet in a bend velocities may also differ by what the rounding of the path length there (rounding.hpp) is
+/// bent by: at 1.3 mm/s, 15 mm along a path, in a bend of 15 µm that is 1e-11 mm/s.
 ///
 /// Head and coarse motion are looked at together on every piece of time on which both are smooth. Where the segment is
 /// linear and the coarse motion a polynomial their difference is one: its peak is an enclosure by Bernstein

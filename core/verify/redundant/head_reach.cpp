@@ -76,7 +76,7 @@ class Walk {
       time = std::max(time, from_rest(std::abs(q.value[k] - rest_.value[k]), task_.machine.axes[k]));
     return time;
   }
-  /// Of the ellipsoid around a curve.
+  /// Returns the boxes of the ellipsoid around a curve.
   std::vector<AxisReach> boxes(const AxisJet& from, const AxisJet& to, double part) const {
     const double length = part * (1 + 1e-9);
     double chord = 0;

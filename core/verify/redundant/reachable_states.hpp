@@ -12,25 +12,25 @@ namespace bahnwerk {
 
 class ReachableStates {
  public:
-  /// All of a box; both ranges are widened as above.
+  /// Returns all states of a box; both ranges are widened as above.
   static ReachableStates box(double lowest, double highest, double velocity);
 
   bool empty() const { return vertices_.size() < 3; }
   bool holds(double x, double v) const;
-  /// h units of time later, with velocities within their limit all the time. O(vertices); beyond 128 of them
-  /// some edges give way, outwards.
+  /// Moves the states on by h units of time, with velocities within their limit all the time. O(vertices); beyond 128
+  /// of them some edges give way, outwards.
   void advance(double h, double velocity, double acceleration = 1);
-  /// h units of time later without any acceleration.
+  /// Moves the states on by h units of time without any acceleration.
   void coast(double h);
   /// Only those with lowest ≤ x ≤ highest and |v| ≤ velocity remain.
   void limit(double lowest, double highest, double velocity);
   /// Adds at least those whose velocity is up to `factor` times as large or as small, factor ≥ 1.
   void scale_velocity(double factor);
-  /// The same states in time that runs backwards.
+  /// Returns the states in time that runs backwards.
   ReachableStates reversed() const;
-  /// (x, 0) minus each state.
+  /// Returns (x, 0) minus each state.
   ReachableStates subtracted_from(double x) const;
-  /// Sums of a state of either.
+  /// Returns the sums of a state of either.
   ReachableStates plus(const ReachableStates& other) const;
   /// Only those that are among the others, too, remain.
   void limit(const ReachableStates& other);

@@ -14,7 +14,7 @@ namespace bahnwerk::verify {
 struct Passage {
   AxisJet begin, end;
   HeadReach forward, backward;
-  /// The same in time that runs backwards.
+  /// Returns the passage in time that runs backwards.
   Passage reversed() const { return {end, begin, backward, forward}; }
 };
 
@@ -25,13 +25,14 @@ class StrokeAxis {
   StrokeAxis(const AxisLimits& coarse, const AxisLimits& fine, std::size_t index, double origin);
 
   double unit() const { return time_; }  ///< s
-  /// Until when, s, motion before a rest has a say in the states at it.
+  /// Returns how long before a rest, s, motion has a say in the states at it.
   double horizon() const;
 
-  /// States in which the coarse axis can be at a rest, if the head was on `reach` before. `rests`: it begins there.
+  /// Returns the states in which the coarse axis can be at a rest, if the head was on `reach` before. `rests`: it
+  /// begins there.
   ReachableStates before(const HeadReach& reach, bool rests) const;
-  /// States in which the coarse axis may be at the end of a passage that takes `duration`, from those at its begin;
-  /// empty: there is no motion. O(duration).
+  /// Returns the states in which the coarse axis may be at the end of a passage that takes `duration`, from those at
+  /// its begin; empty: there is no motion. O(duration).
   ReachableStates pass(const ReachableStates& begin, const Passage& passage, double duration) const;
 
  private:

@@ -61,6 +61,35 @@ double tolerance_mm(const std::string& drawing) {
 
 bool has(const std::string& drawing, const std::string& text) { return drawing.find(text) != std::string::npos; }
 
+TEST(ContourDrawing, TheLegendEndsInsideTheDrawing) {
+  // As tall as it is narrow, with everything that a legend can name and lengths of many digits.
+  ContourBuilder b(2, {});
+  b.block(Mode::position, unlimited);
+  b.line({10.25, 1210.75, 0});
+  b.block(Mode::cut, unlimited);
+  b.line({10.25, 26.0625, 0});
+  const Contour contour = b.finish();
+  TimeLaw law;
+  double s = 0;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double length = contour.path[i].length();
+    law.append({.duration = 1, .s = s, .s_end = s + length, .v = length, .a = 0, .j = 0, .segment = i});
+    s += length;
+  }
+  SilentProgress progress;
+  for (const TimeLaw* speeds : {static_cast<const TimeLaw*>(nullptr), static_cast<const TimeLaw*>(&law)}) {
+    const std::vector<Vec> way{{0, 0, 0}, {10.25, 1210.75, 0}};
+    const std::string drawing = contour_drawing(contour, {.title = "legend", .way = way, .law = speeds}, progress);
+    std::smatch size;
+    ASSERT_TRUE(std::regex_search(drawing, size, std::regex("<svg[^>]* width=\"([0-9.]+)\"")));
+    const std::regex text("<text x=\"([0-9.]+)\" y=\"42\"[^>]*>([^<]*)</text>");
+    std::size_t texts = 0;
+    for (std::sregex_iterator it(drawing.begin(), drawing.end(), text), end; it != end; ++it, ++texts)
+      EXPECT_LE(std::stod((*it)[1]) + 6.5 * static_cast<double>((*it)[2].length()), std::stod(size[1])) << (*it)[2];
+    EXPECT_GE(texts, 5u) << "cut, position, coarse axes, begin, drawn to";
+  }
+}
+
 TEST(ContourDrawing, CutsAreColouredByTheirSpeed) {
   // A line of 100 mm from rest to rest at 1000 mm/s²: v = √(2 a s) up to the middle, there 316 mm/s.
   ContourBuilder b(2, {});

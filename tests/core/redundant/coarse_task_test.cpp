@@ -34,5 +34,17 @@ TEST(CoarseTask, TheToolRestsWhereTheTangentJumpsWithLimitedJerkWhereCurvatureDo
   for (const CoarseFineAxis& axis : without_fine_axes(task).machine.axes) EXPECT_EQ(axis.stroke, 0);
 }
 
+/// Points 20 mm away (10 mm from zero, 10 mm long) are off by 1.4e-13 mm at most, which turns either line by 1.4e-14;
+/// an angle of 1e-10 is no rounding.
+TEST(CoarseTask, RoundingIsThatOfThePoints) {
+  for (const auto& [angle, rests] : {std::pair{2e-14, false}, {1e-10, true}}) {
+    ContourBuilder b(2, {0, 0, 0});
+    b.block(Mode::cut, unlimited);
+    b.line({10, 0, 0});
+    b.line({20, 10 * angle, 0});
+    EXPECT_EQ(resting_at_jumps(test::joint_task(b.finish(), test::md2())).rests[1], rests) << angle;
+  }
+}
+
 }  // namespace
 }  // namespace bahnwerk

@@ -72,6 +72,47 @@ TEST(LoneMove, KnowsTheJerk) {
   EXPECT_NEAR(lasts(machine, 48, 0), std::cbrt(32 * 40 / (20 * 16000.0)), 1e-8);
 }
 
+/// 100 mm at 400 mm/s: without fine axes 100/400 + 400/16000. Two pushes of 1 mm leave 98 mm to the feed; the fine axes
+/// go back by 1 mm between them. With more stroke than the pushes need both accelerate together, and with jerk a push
+/// is an eighth of the feed times the time of the change of speed.
+TEST(LoneMove, IsPushedToItsFeedAtBothEnds) {
+  CoarseFineMachine machine = test::md2();
+  for (CoarseFineAxis& axis : machine.axes) axis.stroke = 0.5;
+  EXPECT_NEAR(lasts(machine, 100, 0, 400), 98.0 / 400 + 400.0 / 16000, 1e-9);
+  EXPECT_NEAR(lasts(machine, 0, -100, 400), 98.0 / 400 + 400.0 / 16000, 1e-9);
+  expect_held(test::straight(60, -80, 400), machine);
+  EXPECT_NEAR(lasts(test::md2(), 100, 0, 400), 100.0 / 400 + 400.0 / 76000, 1e-9);
+  machine = test::with_jerk(machine, 20);
+  EXPECT_NEAR(lasts(machine, 100, 0, 400), 98.0 / 400 + 2 * std::sqrt(400 / (20 * 16000.0)), 1e-9);
+  expect_held(test::straight(100, 0, 400), machine);
+}
+
+/// Moves whose feed is what counts, with strokes about as long as what the coarse axes need to get to it.
+TEST(LoneMove, HoldsEveryLimitAtAFeed) {
+  Random random(353);
+  for (int i = 0; i < 60; ++i) {
+    CoarseFineMachine machine = i % 2 == 0 ? test::md1() : test::md2();
+    const double feed = std::pow(10, random.uniform(1, 3.2)), reach = feed * feed / 16000;
+    for (CoarseFineAxis& axis : machine.axes) {
+      axis.stroke = reach * std::pow(10, random.uniform(-2, 0.5));
+      axis.fine.acceleration = std::pow(10, random.uniform(3.5, 5.5));
+      axis.fine.velocity = random.uniform(50, 3000);
+    }
+    if (i % 3 == 0) machine = test::with_jerk(machine, random.uniform(20, 300));
+    const double way = 2 * reach * std::pow(10, random.uniform(-0.3, 1)), angle = random.uniform(0, 6.28);
+    const Contour contour = test::straight(way * std::cos(angle), way * std::sin(angle), feed);
+    expect_held(contour, machine);
+    double before = unlimited;
+    for (const double more : {0.25, 0.5, 0.9, 1.0, 1.5, 4.0}) {
+      CoarseFineMachine other = machine;
+      for (CoarseFineAxis& axis : other.axes) axis.stroke *= more;
+      const double now = move_of(contour, other).head.duration();
+      EXPECT_LE(now, before * (1 + 1e-8)) << "stroke times " << more << " at feed " << feed;
+      before = now;
+    }
+  }
+}
+
 TEST(LoneMove, HoldsEveryLimit) {
   Random random(351);
   for (int i = 0; i < 60; ++i) {

@@ -79,7 +79,7 @@ TEST(Iterative, KeptKnotsEndShorterThanKnotsAnew) {
   Random random(11);
   SilentProgress progress;
   IterativeOptions anew;
-  anew.knots_anew = anew.max_iterations;
+  anew.iterations_with_new_knots = anew.max_iterations;
   anew.grading = 0;
   RedundancyOptions o;
   o.smoothing = CoarseSmoothing::none;
@@ -100,7 +100,7 @@ TEST(Iterative, OnlyLeastSquaresAloneKeepsKnots) {
   Random random(4);
   SilentProgress progress;
   IterativeOptions other;
-  other.knots_anew = 1;
+  other.iterations_with_new_knots = 1;
   other.grading = 2;
   const RedundancyTask task = test::redundancy_task(test::random_contour(random, 100), test::md2());
   RedundancyOptions o;

@@ -9,6 +9,7 @@
 #include "core/contour/builder.hpp"
 #include "core/motion/axes/path_task.hpp"
 #include "core/motion/axes/spline_motion.hpp"
+#include "core/motion/law/path_motion.hpp"
 #include "tests/core/check_names.hpp"
 
 namespace bahnwerk {
@@ -213,6 +214,45 @@ TEST(CoarseFineChecks, WhatTheRoundingOfPointsTurnsCoarseAxesTake) {
     Case c = bent(0, 1, angle);
     c.fine_axes = limits("f", 1e4, 1e6, unlimited, 100);
     EXPECT_EQ(find(c.checks(), "coarse continuity of velocity").passed, passes) << angle;
+  }
+}
+
+/// A bend of 15 µm behind a line of 15 mm, taken at 1.3 mm/s: two pieces of the law meet in it, and the coarse axes go
+/// on from a path length that is off there. 32 ε of 15 mm, twice, are 2.1e-13 mm, which the bend turns into 1.9e-11
+/// mm/s; the rounding of the velocities themselves is 4e-14 mm/s.
+TEST(CoarseFineChecks, WhatABendMakesOfTheRoundingOfPathLengthsCoarseAxesTake) {
+  constexpr double radius = 0.015, speed = 1.3;
+  for (const auto& [off, passes] : {std::pair{0.0, true}, {1e-13, true}, {4e-13, false}}) {
+    ContourBuilder b(2, {0, 0, 0});
+    b.block(Mode::cut, unlimited);
+    b.line({15, 0, 0});
+    b.arc({15 + radius, radius, 0}, {15, radius, 0}, true);
+    Case c{path_of(b), {}, {}};
+    const double begin = (*c.path)[1].s0(), end = (*c.path)[1].s1(), middle = (begin + end) / 2,
+                 time = (middle - begin) / speed;
+    c.law.append({0, time, begin, middle, speed, 0, 0, 1});
+    c.law.append({0, time, middle, end, speed, 0, 0, 1});
+    TimeLaw shifted;
+    shifted.append({0, time, begin, middle, speed, 0, 0, 1});
+    shifted.append({0, time, middle + off, end, speed, 0, 0, 1});
+    const PathMotion coarse(c.path, std::move(shifted));
+    SilentProgress progress;
+    const auto checks = coarse_fine_checks({*c.path, c.law, coarse, c.coarse_axes, c.fine_axes}, progress);
+    EXPECT_EQ(find(checks, "coarse continuity of velocity").passed, passes) << off;
+  }
+}
+
+/// A line of 60 mm through zero: what is next to it comes from points 30 mm away.
+TEST(CoarseFineChecks, NextToZeroCoarseAxesHaveTheRoundingOfTheLinesEnds) {
+  for (const auto& [off, passes] : {std::pair{0.0, true}, {2e-14, true}, {1e-11, false}}) {
+    ContourBuilder b(2, {-30, 0, 0});
+    b.block(Mode::cut, unlimited);
+    b.line({30, 0, 0});
+    Case c{path_of(b), {}, {}};
+    c.law.append({0, 0.3, 0, 30, 0, 2000.0 / 3, 0, 0});
+    c.law.append({0, 0.3, 30, 60, 200, -2000.0 / 3, 0, 0});
+    c.coarse = {{0.3, {{0}, {0}}}, {0.6, {{off}, {0}}}};
+    EXPECT_EQ(find(c.checks(), "coarse continuity of position").passed, passes) << off;
   }
 }
 
