@@ -54,8 +54,6 @@ ProbeMotion motion_of(std::vector<SplineMotion::Piece> pieces, std::vector<doubl
   ProbeMotion out;
   // Every piece begins at the very place at which rounding leaves the one before it.
   double begin = 0;
-  for (SplineMotion::Piece& piece : pieces)
-    for (Polynomial& p : piece.axes) drop_vanishing(p);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const double duration = pieces[i].end - begin;
     out.durations.push_back(duration);
