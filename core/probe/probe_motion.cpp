@@ -26,7 +26,8 @@ void carry(std::vector<SplineMotion::Piece>& pieces, const std::vector<PieceJoin
     const double duration = pieces[i].end - begin;
     begin = pieces[i].end;
     if (joints[i] == PieceJoint::exact) continue;
-    if (i > 0 && std::all_of(p.begin() + 1, p.end(), [](double c) { return c == 0; })) {
+    if (i > 0 && joints[i - 1] != PieceJoint::carried &&
+        std::all_of(p.begin() + 1, p.end(), [](double c) { return c == 0; })) {
       // The axis stands still: what rounding left of the movement before would become smaller from piece to piece,
       // until its last digits are lost.
       if (joints[i - 1] != PieceJoint::exact) p[0] = reached[0];

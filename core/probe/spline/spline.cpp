@@ -9,6 +9,7 @@
 #include "core/base/progress_scope.hpp"
 #include "core/probe/spline/spline_run.hpp"
 #include "core/probe/straight/straight.hpp"
+#include "core/probe/within_limits.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -179,7 +180,7 @@ ProbeMotion plan_spline(const ProbeProblem& problem, Progress& progress, double 
   scope.part(0.5, 1);
   with_jerks.solve(scope);
   const ProbeMotion best = with_jerks.duration() < plain.duration() ? with_jerks.write(scope) : plain.write(scope);
-  return slowed(best, 1);  // whose pieces land
+  return within_limits(problem, slowed(best, 1), scope);  // slowed motions land
 }
 
 }  // namespace bahnwerk
