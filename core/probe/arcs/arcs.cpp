@@ -7,6 +7,7 @@
 #include "core/probe/arcs/speed_choice.hpp"
 #include "core/probe/arcs/turn_path.hpp"
 #include "core/probe/straight/straight.hpp"
+#include "core/probe/tighter.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -56,6 +57,33 @@ std::vector<Vec> edge_directions(const ProbeProblem& problem) {
   return directions;
 }
 
+/// Straights and turns for the problem as it is. Refers to it.
+TurnPath quickest_path(const ProbeProblem& problem, ProgressScope& scope, double from, double to) {
+  const std::vector<std::size_t> row_end = straight_rows(problem);
+  std::optional<TurnPath> best;
+  best.emplace(problem, all_rests(problem, row_end));
+  if (best->nodes() == 2) return std::move(*best);
+  double shortest = best->duration();
+  const SpeedChoice choice(problem, row_end);
+  std::vector<Vec> directions = edge_directions(problem);
+  std::optional<TurnSpeeds> near;
+  const std::vector<Round>& rounds = rounds_for(problem.points.size());
+  for (std::size_t k = 0; k < rounds.size(); ++k) {
+    const double part = (to - from) / static_cast<double>(rounds.size());
+    scope.part(from + static_cast<double>(k) * part, from + static_cast<double>(k + 1) * part);
+    near = choice.choose(directions, rounds[k].shares, near ? &*near : nullptr, rounds[k].factors, scope);
+    TurnPath path(problem, *near);
+    path.solve(k + 1 < rounds.size() ? 1e-9 : 1e-15, scope);
+    directions = spread(problem, path);
+    path.solve(1e-15, scope);
+    path.repair(scope);
+    path.prefer_rests(row_end);
+    if (const double duration = path.duration(); duration < shortest)
+      shortest = duration, best.emplace(std::move(path));
+  }
+  return std::move(*best);
+}
+
 }  // namespace
 
 ProbeMotion plan_stops(const ProbeProblem& problem, Progress& progress) {
@@ -70,27 +98,12 @@ double stops_duration(const ProbeProblem& problem) {
 ProbeMotion plan_arcs(const ProbeProblem& problem, Progress& progress, double progress_from, double progress_to) {
   ProgressScope scope(progress, "arcs", progress_from, progress_to);
   scope.report();
-  const std::vector<std::size_t> row_end = straight_rows(problem);
+  const std::vector<ProbeProblem> problems = with_tighter(problem);
   std::optional<TurnPath> best;
-  best.emplace(problem, all_rests(problem, row_end));
-  if (best->nodes() == 2) return best->write(scope);
-  double shortest = best->duration();
-  const SpeedChoice choice(problem, row_end);
-  std::vector<Vec> directions = edge_directions(problem);
-  std::optional<TurnSpeeds> near;
-  const std::vector<Round>& rounds = rounds_for(problem.points.size());
-  for (std::size_t k = 0; k < rounds.size(); ++k) {
-    scope.part(static_cast<double>(k) / static_cast<double>(rounds.size()),
-               static_cast<double>(k + 1) / static_cast<double>(rounds.size()));
-    near = choice.choose(directions, rounds[k].shares, near ? &*near : nullptr, rounds[k].factors, scope);
-    TurnPath path(problem, *near);
-    path.solve(k + 1 < rounds.size() ? 1e-9 : 1e-15, scope);
-    directions = spread(problem, path);
-    path.solve(1e-15, scope);
-    path.repair(scope);
-    path.prefer_rests(row_end);
-    if (const double duration = path.duration(); duration < shortest)
-      shortest = duration, best.emplace(std::move(path));
+  for (std::size_t i = 0; i < problems.size(); ++i) {
+    const auto n = static_cast<double>(problems.size()), at = static_cast<double>(i);
+    TurnPath path = quickest_path(problems[i], scope, at / n, (at + 1) / n);
+    if (!best || path.duration() < best->duration()) best.emplace(std::move(path));
   }
   return best->write(scope);
 }

@@ -8,6 +8,7 @@
 #include "core/probe/figures.hpp"
 #include "core/probe/optimal/chain_motion.hpp"
 #include "core/probe/optimal/windows.hpp"
+#include "core/probe/tighter.hpp"
 #include "core/probe/within_limits.hpp"
 
 namespace bahnwerk {
@@ -162,9 +163,10 @@ ProbeMotion shortest(const ProbeProblem& problem, const Report& report, Progress
   constexpr double no_tube = 1e-9;  // mm
   double length = 0;
   for (std::size_t i = 0; i < problem.edges(); ++i) length += norm(problem.points[i + 1] - problem.points[i]);
-  const double unit = length / problem.speed / static_cast<double>(problem.edges());  // s
+  const double speed = std::min(problem.speed, probe::unreachable_speed(problem));
+  const double unit = length / speed / static_cast<double>(problem.edges());  // s
   ProbeProblem timeless = problem;
-  timeless.speed *= unit;
+  timeless.speed = speed * unit;
   for (AxisLimits& axis : timeless.machine.axes) {
     axis.acceleration *= unit * unit;
     axis.jerk *= unit * unit * unit;

@@ -4,11 +4,13 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/base/progress_scope.hpp"
 #include "core/probe/spline/spline_run.hpp"
 #include "core/probe/straight/straight.hpp"
+#include "core/probe/tighter.hpp"
 #include "core/probe/within_limits.hpp"
 
 namespace bahnwerk {
@@ -174,13 +176,16 @@ class SplinePlanner {
 ProbeMotion plan_spline(const ProbeProblem& problem, Progress& progress, double progress_from, double progress_to) {
   ProgressScope scope(progress, "spline", progress_from, progress_to);
   scope.report();
-  scope.part(0, 0.5);
-  SplinePlanner plain(problem, false), with_jerks(problem, true);
-  plain.solve(scope);
-  scope.part(0.5, 1);
-  with_jerks.solve(scope);
-  const ProbeMotion best = with_jerks.duration() < plain.duration() ? with_jerks.write(scope) : plain.write(scope);
-  return within_limits(problem, slowed(best, 1), scope);  // slowed motions land
+  const std::vector<ProbeProblem> problems = with_tighter(problem);
+  std::optional<SplinePlanner> best;
+  for (std::size_t i = 0; i < 2 * problems.size(); ++i) {
+    const auto n = static_cast<double>(2 * problems.size()), at = static_cast<double>(i);
+    scope.part(at / n, (at + 1) / n);
+    SplinePlanner planner(problems[i / 2], i % 2 == 1);
+    planner.solve(scope);
+    if (!best || planner.duration() < best->duration()) best.emplace(std::move(planner));
+  }
+  return within_limits(problem, slowed(best->write(scope), 1), scope);  // slowed motions land
 }
 
 }  // namespace bahnwerk
