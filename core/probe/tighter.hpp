@@ -1,5 +1,5 @@
 #pragma once
-/// Methods that search may find less where more is allowed. What keeps tighter values keeps the given ones, so plans
+/// A method that searches may find less where more is allowed. What keeps tighter values keeps the given ones, so plans
 /// for a few tighter ones are candidates, too.
 #include <vector>
 

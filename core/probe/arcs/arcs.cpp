@@ -1,5 +1,6 @@
 #include "core/probe/arcs/arcs.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -58,7 +59,7 @@ std::vector<Vec> edge_directions(const ProbeProblem& problem) {
 }
 
 /// Straights and turns for the problem as it is. Refers to it.
-TurnPath quickest_path(const ProbeProblem& problem, ProgressScope& scope, double from, double to) {
+TurnPath quickest_path(const ProbeProblem& problem, ProgressScope& scope) {
   const std::vector<std::size_t> row_end = straight_rows(problem);
   std::optional<TurnPath> best;
   best.emplace(problem, all_rests(problem, row_end));
@@ -69,8 +70,8 @@ TurnPath quickest_path(const ProbeProblem& problem, ProgressScope& scope, double
   std::optional<TurnSpeeds> near;
   const std::vector<Round>& rounds = rounds_for(problem.points.size());
   for (std::size_t k = 0; k < rounds.size(); ++k) {
-    const double part = (to - from) / static_cast<double>(rounds.size());
-    scope.part(from + static_cast<double>(k) * part, from + static_cast<double>(k + 1) * part);
+    scope.part(static_cast<double>(k) / static_cast<double>(rounds.size()),
+               static_cast<double>(k + 1) / static_cast<double>(rounds.size()));
     near = choice.choose(directions, rounds[k].shares, near ? &*near : nullptr, rounds[k].factors, scope);
     TurnPath path(problem, *near);
     path.solve(k + 1 < rounds.size() ? 1e-9 : 1e-15, scope);
@@ -98,14 +99,10 @@ double stops_duration(const ProbeProblem& problem) {
 ProbeMotion plan_arcs(const ProbeProblem& problem, Progress& progress, double progress_from, double progress_to) {
   ProgressScope scope(progress, "arcs", progress_from, progress_to);
   scope.report();
-  const std::vector<ProbeProblem> problems = with_tighter(problem);
-  std::optional<TurnPath> best;
-  for (std::size_t i = 0; i < problems.size(); ++i) {
-    const auto n = static_cast<double>(problems.size()), at = static_cast<double>(i);
-    TurnPath path = quickest_path(problems[i], scope, at / n, (at + 1) / n);
-    if (!best || path.duration() < best->duration()) best.emplace(std::move(path));
-  }
-  return best->write(scope);
+  // Speeds that cannot be reached are one problem.
+  ProbeProblem reachable = problem;
+  reachable.speed = std::min(problem.speed, unreachable_speed(problem));
+  return quickest_path(reachable, scope).write(scope);
 }
 
 }  // namespace bahnwerk
