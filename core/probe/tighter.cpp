@@ -33,6 +33,7 @@ double unreachable_speed(const ProbeProblem& problem) {
 
 std::vector<ProbeProblem> with_tighter(const ProbeProblem& problem) {
   constexpr std::size_t many = 300;  // points: from here on a search is not worth its time
+  const bool few = problem.points.size() <= 100;
   std::vector<ProbeProblem> list{problem};
   const double speed = std::min(problem.speed, unreachable_speed(problem));
   const double highest = unreachable_along(problem, polyline_length(problem));
@@ -44,8 +45,9 @@ std::vector<ProbeProblem> with_tighter(const ProbeProblem& problem) {
     for (AxisLimits& axis : p.machine.axes) axis.jerk *= jerk, axis.snap *= snap;
     list.push_back(std::move(p));
   };
+  add(0.95 * speed, 1, 1, 1);
   add(0.85 * speed, 1, 1, 1);
-  constexpr int per_octave = 2, lower = 4;
+  const int per_octave = few ? 3 : 2, lower = few ? 9 : 4;
   const int first = static_cast<int>(std::floor(per_octave * std::log2(std::max(1.0, highest / speed)))) + 1;
   for (int i = first; i < first + lower; ++i) add(highest * std::exp2(-static_cast<double>(i) / per_octave), 1, 1, 1);
   constexpr double less = 0.8;
