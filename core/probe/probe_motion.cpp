@@ -16,8 +16,8 @@ std::array<double, 4> planned_begin(const Polynomial& p) {
 }
 
 /// Piece after piece, each from where rounding of the one before it leads. Over many pieces nothing adds up: landing
-/// pieces end with the derivatives with which the next one was planned to begin, and before an exact piece at its
-/// place, too.
+/// pieces end with the derivatives with which the next one was planned to begin, and before an exact or a settling
+/// piece at its place, too.
 void carry(std::vector<SplineMotion::Piece>& pieces, const std::vector<PieceJoint>& joints, std::size_t axis) {
   std::array<double, 4> reached{};
   double begin = 0;
@@ -26,7 +26,8 @@ void carry(std::vector<SplineMotion::Piece>& pieces, const std::vector<PieceJoin
     const double duration = pieces[i].end - begin;
     begin = pieces[i].end;
     if (joints[i] == PieceJoint::exact) continue;
-    if (i > 0 && std::all_of(p.begin() + 1, p.end(), [](double c) { return c == 0; })) {
+    if (i > 0 && joints[i - 1] != PieceJoint::carried &&
+        std::all_of(p.begin() + 1, p.end(), [](double c) { return c == 0; })) {
       // The axis stands still: what rounding left of the movement before would become smaller from piece to piece,
       // until its last digits are lost.
       if (joints[i - 1] != PieceJoint::exact) p[0] = reached[0];
@@ -36,8 +37,10 @@ void carry(std::vector<SplineMotion::Piece>& pieces, const std::vector<PieceJoin
     p.resize(8, 0.0);
     if (i > 0 && joints[i - 1] != PieceJoint::exact)
       p[0] = reached[0], p[1] = reached[1], p[2] = reached[2] / 2, p[3] = reached[3] / 6;
-    if (joints[i] == PieceJoint::landing) {
-      const bool last = i + 1 == pieces.size(), exact = !last && joints[i + 1] == PieceJoint::exact;
+    if (joints[i] == PieceJoint::landing || joints[i] == PieceJoint::settling) {
+      const bool last = i + 1 == pieces.size();
+      const bool exact = !last && joints[i] == PieceJoint::landing &&
+                         (joints[i + 1] == PieceJoint::exact || joints[i + 1] == PieceJoint::settling);
       std::array<double, 4> target{};
       if (!last) target = planned_begin(pieces[i + 1].axes[axis]);
       for (int round = 0; round < 2; ++round) {  // the second one takes up how the first one was rounded

@@ -30,9 +30,10 @@ struct ProbePhase {
 
 /// What becomes of a piece where times are rounded another way than they were planned with.
 enum class PieceJoint : char {
-  exact,    ///< it stays what it is: acceleration and jerk are 0 at both ends, or nearly so
-  carried,  ///< it begins in the state in which the one before ends
-  landing,  ///< that, too, and it takes up what rounding has left open at its end (core/probe/landing.hpp)
+  exact,     ///< it stays what it is: acceleration and jerk are 0 at both ends, or nearly so
+  carried,   ///< it begins in the state in which the one before ends
+  landing,   ///< that, too, and it takes up what rounding has left open at its end (core/probe/landing.hpp)
+  settling,  ///< that, too, but for its position: it is short and ends at rest
 };
 
 struct ProbeMotion {

@@ -1,5 +1,6 @@
 #include "core/probe/arcs/arcs.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "core/probe/arcs/speed_choice.hpp"
 #include "core/probe/arcs/turn_path.hpp"
 #include "core/probe/straight/straight.hpp"
+#include "core/probe/tighter.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -56,24 +58,12 @@ std::vector<Vec> edge_directions(const ProbeProblem& problem) {
   return directions;
 }
 
-}  // namespace
-
-ProbeMotion plan_stops(const ProbeProblem& problem, Progress& progress) {
-  ProgressScope scope(progress, "stops", 0, 1);
-  return TurnPath(problem, all_rests(problem, straight_rows(problem))).write(scope);
-}
-
-double stops_duration(const ProbeProblem& problem) {
-  return TurnPath(problem, all_rests(problem, straight_rows(problem))).duration();
-}
-
-ProbeMotion plan_arcs(const ProbeProblem& problem, Progress& progress, double progress_from, double progress_to) {
-  ProgressScope scope(progress, "arcs", progress_from, progress_to);
-  scope.report();
+/// Straights and turns for the problem as it is. Refers to it.
+TurnPath quickest_path(const ProbeProblem& problem, ProgressScope& scope) {
   const std::vector<std::size_t> row_end = straight_rows(problem);
   std::optional<TurnPath> best;
   best.emplace(problem, all_rests(problem, row_end));
-  if (best->nodes() == 2) return best->write(scope);
+  if (best->nodes() == 2) return std::move(*best);
   double shortest = best->duration();
   const SpeedChoice choice(problem, row_end);
   std::vector<Vec> directions = edge_directions(problem);
@@ -92,7 +82,27 @@ ProbeMotion plan_arcs(const ProbeProblem& problem, Progress& progress, double pr
     if (const double duration = path.duration(); duration < shortest)
       shortest = duration, best.emplace(std::move(path));
   }
-  return best->write(scope);
+  return std::move(*best);
+}
+
+}  // namespace
+
+ProbeMotion plan_stops(const ProbeProblem& problem, Progress& progress) {
+  ProgressScope scope(progress, "stops", 0, 1);
+  return TurnPath(problem, all_rests(problem, straight_rows(problem))).write(scope);
+}
+
+double stops_duration(const ProbeProblem& problem) {
+  return TurnPath(problem, all_rests(problem, straight_rows(problem))).duration();
+}
+
+ProbeMotion plan_arcs(const ProbeProblem& problem, Progress& progress, double progress_from, double progress_to) {
+  ProgressScope scope(progress, "arcs", progress_from, progress_to);
+  scope.report();
+  // Speeds that cannot be reached are one problem.
+  ProbeProblem reachable = problem;
+  reachable.speed = std::min(problem.speed, unreachable_speed(problem));
+  return quickest_path(reachable, scope).write(scope);
 }
 
 }  // namespace bahnwerk

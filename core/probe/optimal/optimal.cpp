@@ -8,6 +8,8 @@
 #include "core/probe/figures.hpp"
 #include "core/probe/optimal/chain_motion.hpp"
 #include "core/probe/optimal/windows.hpp"
+#include "core/probe/tighter.hpp"
+#include "core/probe/within_limits.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -28,9 +30,10 @@ ChainLimits<D> limits_of(const ProbeProblem& problem) {
     limits.derivative[1][k] = axis.jerk * (1 - rounding_room);
     limits.derivative[2][k] = axis.snap * (1 - rounding_room);
   }
+  // Relative to the first point: cells are short beside the digits of coordinates that are far from 0.
   for (const Vec& p : problem.points) {
     std::array<double, D> at;
-    for (std::size_t k = 0; k < D; ++k) at[k] = p[k];
+    for (std::size_t k = 0; k < D; ++k) at[k] = p[k] - problem.points.front()[k];
     limits.points.push_back(at);
   }
   // What is left of the tolerance of points that stand for several given ones.
@@ -54,8 +57,6 @@ ProbeMotion motion_of(std::vector<SplineMotion::Piece> pieces, std::vector<doubl
   ProbeMotion out;
   // Every piece begins at the very place at which rounding leaves the one before it.
   double begin = 0;
-  for (SplineMotion::Piece& piece : pieces)
-    for (Polynomial& p : piece.axes) drop_vanishing(p);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const double duration = pieces[i].end - begin;
     out.durations.push_back(duration);
@@ -79,8 +80,13 @@ ProbeMotion in_tube(const ProbeProblem& problem, const Report& report) {
   std::vector<SplineMotion::Piece> pieces;
   std::vector<double> times{0};
   append_pieces(
-      chain, [](const std::array<Polynomial, D>& x) { return std::vector<Polynomial>(x.begin(), x.end()); }, pieces,
-      times);
+      chain,
+      [&](const std::array<Polynomial, D>& x) {
+        std::vector<Polynomial> axes(x.begin(), x.end());
+        for (std::size_t k = 0; k < D; ++k) axes[k][0] += problem.points.front()[k];
+        return axes;
+      },
+      pieces, times);
   return motion_of(std::move(pieces), std::move(times));
 }
 
@@ -153,22 +159,24 @@ ProbeMotion on_polyline(const ProbeProblem& problem, const Report& report) {
 
 // Planned in units of the time that an edge takes at full speed on average: a problem whose time is scaled is the same
 // problem.
-ProbeMotion shortest(const ProbeProblem& problem, const Report& report) {
+ProbeMotion shortest(const ProbeProblem& problem, const Report& report, ProgressScope& scope) {
   constexpr double no_tube = 1e-9;  // mm
   double length = 0;
   for (std::size_t i = 0; i < problem.edges(); ++i) length += norm(problem.points[i + 1] - problem.points[i]);
-  const double unit = length / problem.speed / static_cast<double>(problem.edges());  // s
+  const double speed = std::min(problem.speed, probe::unreachable_speed(problem));
+  const double unit = length / speed / static_cast<double>(problem.edges());  // s
   ProbeProblem timeless = problem;
-  timeless.speed *= unit;
+  timeless.speed = speed * unit;
   for (AxisLimits& axis : timeless.machine.axes) {
     axis.acceleration *= unit * unit;
     axis.jerk *= unit * unit * unit;
     axis.snap *= unit * unit * unit * unit;
   }
-  return slowed(timeless.tolerance <= no_tube ? on_polyline(timeless, report)
-                : timeless.dimension() == 2   ? in_tube<2>(timeless, report)
-                                              : in_tube<3>(timeless, report),
-                unit);
+  ProbeMotion motion = timeless.tolerance <= no_tube ? on_polyline(timeless, report)
+                       : timeless.dimension() == 2   ? in_tube<2>(timeless, report)
+                                                     : in_tube<3>(timeless, report);
+  motion = slowed(motion, unit);
+  return probe::within_limits(problem, std::move(motion), scope);
 }
 
 // The shortest motion for a lower speed goes at that speed wherever it can, so the lowest speed that leaves time enough
@@ -191,7 +199,8 @@ ProbeMotion least_ripple(const ProbeProblem& problem, const ProbeMotion& start, 
   ProbeProblem slower = problem;
   for (int i = 0; i < steps && least > 0; ++i) {
     slower.speed = i == 0 ? high / problem.stretch : (low + high) / 2;
-    const ProbeMotion motion = shortest(slower, [&](double f) { report((i + f) / steps); });
+    const ProbeMotion motion = shortest(
+        slower, [&](double f) { report((i + f) / steps); }, scope);
     (motion.duration() > most ? low : high) = slower.speed;
     offer(motion);
   }
@@ -203,10 +212,11 @@ ProbeMotion least_ripple(const ProbeProblem& problem, const ProbeMotion& start, 
 ProbeMotion plan_optimal(const ProbeProblem& problem, const ProbeMotion& start, Progress& progress) {
   const bool ripple = problem.objective == ProbeObjective::ripple;
   const double share = ripple ? 0.2 : 1;
-  ProbeMotion best = shortest(problem, [&](double f) { progress.report("optimal", share * f, {}); });
+  ProgressScope scope(progress, "optimal", share, share);
+  ProbeMotion best = shortest(
+      problem, [&](double f) { progress.report("optimal", share * f, {}); }, scope);
   if (!(best.duration() < start.duration())) best = start;
   if (!ripple) return best;
-  ProgressScope scope(progress, "optimal", share, share);
   return least_ripple(
       problem, start, best, [&](double f) { progress.report("optimal", share + (1 - share) * f, {}); }, scope);
 }

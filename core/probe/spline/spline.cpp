@@ -1,13 +1,17 @@
 #include "core/probe/spline/spline.hpp"
 
 #include <algorithm>
+#include <array>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/base/progress_scope.hpp"
 #include "core/probe/spline/spline_run.hpp"
 #include "core/probe/straight/straight.hpp"
+#include "core/probe/tighter.hpp"
+#include "core/probe/within_limits.hpp"
 
 namespace bahnwerk {
 namespace {
@@ -17,7 +21,7 @@ using namespace probe;
 /// What is between two rests: a spline, or straights from rest to rest.
 struct Section {
   std::size_t first = 0, last = 0;
-  std::optional<SplineRun> run;
+  std::unique_ptr<SplineRun> run;
 };
 
 class SplinePlanner {
@@ -35,23 +39,28 @@ class SplinePlanner {
         take_rests(first, last);
         continue;
       }
-      SplineRun run(problem_, first, last, jerks_);
-      if (run.solve(progress)) {
-        if (run.duration() < resting(first, last)) {
-          duration_ += run.duration();
+      auto run = std::make_unique<SplineRun>(problem_, first, last, jerks_);
+      const bool found = run->solve(progress);
+      const std::vector<std::size_t> rests = run->rests();
+      if (found) {
+        if (rests.empty() && run->duration() < resting(first, last)) {
           sections_.push_back({first, last, std::move(run)});
-        } else {
-          take_rests(first, last);
+          continue;
         }
-        continue;
+        if (rests.empty()) {
+          take_rests(first, last);
+          continue;
+        }
+        whole_.push_back({first, last, std::move(run)});
       }
       std::size_t end = last;
-      for (std::size_t i = run.rests().size(); i-- > 0;) {
-        open.emplace_back(run.rests()[i], end);
-        end = run.rests()[i];
+      for (std::size_t i = rests.size(); i-- > 0;) {
+        open.emplace_back(rests[i], end);
+        end = rests[i];
       }
       open.emplace_back(first, end);
     }
+    prefer_whole();
     prefer_rows();
   }
 
@@ -79,8 +88,30 @@ class SplinePlanner {
     return sum;
   }
   void take_rests(std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; i = next(i, last)) sections_.push_back({i, next(i, last), std::nullopt});
-    duration_ += resting(first, last);
+    for (std::size_t i = first; i < last; i = next(i, last)) sections_.push_back({i, next(i, last), nullptr});
+  }
+  double duration_of(const Section& s) const {
+    return s.run ? s.run->duration() : rest_to_rest_duration(problem_, s.first, s.last);
+  }
+  /// What was divided by rests could be passed without, too: the quicker one is taken, the inner ones first.
+  void prefer_whole() {
+    if (whole_.empty()) return;
+    std::vector<std::size_t> begins_at(problem_.points.size(), 0);  // the section that does
+    for (std::size_t i = 0; i < sections_.size(); ++i) begins_at[sections_[i].first] = i;
+    const auto section = [&](std::size_t point) -> Section& { return sections_[begins_at[point]]; };
+    for (std::size_t n = whole_.size(); n-- > 0;) {
+      Section& whole = whole_[n];
+      double divided = 0;
+      for (std::size_t p = whole.first; p < whole.last; p = section(p).last) divided += duration_of(section(p));
+      if (whole.run->duration() < divided) section(whole.first) = std::move(whole);
+    }
+    whole_.clear();
+    std::vector<Section> kept;
+    for (std::size_t p = 0, next = 0; p + 1 < problem_.points.size(); p = next) {
+      next = section(p).last;
+      kept.push_back(std::move(section(p)));
+    }
+    sections_ = std::move(kept);
   }
   /// Rests within a row cost time: where sections begin and end with rows, rows from rest to rest are taken if they are
   /// quicker.
@@ -96,13 +127,13 @@ class SplinePlanner {
       std::size_t b = a;
       do {
         const Section& s = sections_[b];
-        planned += s.run ? s.run->duration() : rest_to_rest_duration(problem_, s.first, s.last);
+        planned += duration_of(s);
         ++b;
       } while (!begins_row[sections_[b - 1].last]);
       const std::size_t last = sections_[b - 1].last;
       if (const double rows = resting(first, last); rows <= planned) {
         total += rows;
-        for (std::size_t i = first; i < last; i = next(i, last)) kept.push_back({i, next(i, last), std::nullopt});
+        for (std::size_t i = first; i < last; i = next(i, last)) kept.push_back({i, next(i, last), nullptr});
       } else {
         total += planned;
         for (std::size_t i = a; i < b; ++i) kept.push_back(std::move(sections_[i]));
@@ -122,18 +153,21 @@ class SplinePlanner {
     for (std::size_t i = 0; i < run.times().size(); ++i) {
       progress.work(8);
       const double begin = writer.time();
-      // Each piece begins where rounding has taken the one before, and ends where it should.
       const double h = run.times()[i];
-      writer.add(h, septic_coefficients(i == 0 ? run.end(0) : writer.carry(), run.end(i + 1), h), PieceJoint::landing);
+      const bool last = i + 1 == run.times().size();
+      // Terms of a whole interval cancel where it ends at rest, those of its second half hardly do.
+      const std::array<Vec, 8> c = septic_coefficients(i == 0 ? run.end(0) : writer.carry(), run.end(i + 1), h);
+      writer.add(last ? h / 2 : h, c, PieceJoint::landing);
+      if (last) writer.add(h / 2, septic_coefficients(writer.carry(), run.end(i + 1), h / 2), PieceJoint::settling);
       writer.phase(ProbePhaseKind::interval, begin, writer.time(), section.first + i);
-      if (i + 1 < run.times().size()) writer.pass(writer.time());
+      if (!last) writer.pass(writer.time());
     }
   }
 
   const ProbeProblem& problem_;
   bool jerks_;
   std::vector<std::size_t> row_end_;
-  std::vector<Section> sections_;
+  std::vector<Section> sections_, whole_;  // in order of points; those that were divided, outer ones first
   double duration_ = 0;
 };
 
@@ -142,12 +176,19 @@ class SplinePlanner {
 ProbeMotion plan_spline(const ProbeProblem& problem, Progress& progress, double progress_from, double progress_to) {
   ProgressScope scope(progress, "spline", progress_from, progress_to);
   scope.report();
-  scope.part(0, 0.5);
-  SplinePlanner plain(problem, false), with_jerks(problem, true);
-  plain.solve(scope);
-  scope.part(0.5, 1);
-  with_jerks.solve(scope);
-  return with_jerks.duration() < plain.duration() ? with_jerks.write(scope) : plain.write(scope);
+  const std::vector<ProbeProblem> problems = with_tighter(problem);
+  const bool many = problem.points.size() > 2000;  // one rule has to do
+  std::optional<SplinePlanner> best;
+  for (std::size_t i = 0; i < 2 * problems.size(); ++i) {
+    const auto n = static_cast<double>(2 * problems.size()), at = static_cast<double>(i);
+    scope.part(at / n, (at + 1) / n);
+    const bool jerks = i % 2 == 0;
+    if (many && !jerks) break;
+    SplinePlanner planner(problems[i / 2], jerks);
+    planner.solve(scope);
+    if (!best || planner.duration() < best->duration()) best.emplace(std::move(planner));
+  }
+  return within_limits(problem, slowed(best->write(scope), 1), scope);  // slowed motions land
 }
 
 }  // namespace bahnwerk

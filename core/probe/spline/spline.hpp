@@ -4,12 +4,14 @@
 ///
 /// Velocity and acceleration at a point are those of the parabola through it and its neighbours, the jerk is 0 or the
 /// difference of the neighbours' accelerations, whichever turns out quicker. Pieces of degree 7 share all of them, so
-/// that the jerk is continuous. Where a piece leaves the tube, velocity (by λ), acceleration (by λ²) and jerk (by λ³)
-/// at its ends are reduced, down to a rest. Times begin with the profile of 15 phases along the whole length and are
-/// stretched, smoothly along the path, where speed or a limit is exceeded, and shortened where there is room; in the
-/// end all times between two rests are scaled by what the true peaks ask for, which leaves the path as it is. From rest
-/// to rest along a straight row the profile itself is taken. Between two rests never slower than resting at every
-/// point.
+/// that the jerk is continuous. Times begin with the profile of 15 phases along the whole length. Where points are
+/// dense it is followed to the third derivative: parabolas over the length give tangent and curvature, the profile
+/// speed, acceleration and jerk along them. Elsewhere times are stretched, smoothly along the path, where speed or a
+/// limit is exceeded, and shortened where there is room. Where a piece leaves the tube, velocity (by λ), acceleration
+/// (by λ²) and jerk (by λ³) at its ends are reduced, down to a rest. In the end all times between two rests are scaled
+/// by what the true peaks ask for, which leaves the path as it is. From rest to rest along a straight row the profile
+/// itself is taken. Between two rests never slower than resting at every point, nor than without rests between, where a
+/// spline without them was found.
 ///
 /// O(points), some 50 µs each.
 #include "core/probe/probe_motion.hpp"

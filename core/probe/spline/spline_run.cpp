@@ -8,7 +8,7 @@
 namespace bahnwerk::probe {
 namespace {
 
-constexpr int rounds = 24;
+constexpr std::size_t many = 2000;    // points: from there on there are fewer rounds
 constexpr double least_share = 0.04;  // of velocity at a point: below it the head rests there
 
 /// Limits that hold along every direction.
@@ -29,20 +29,23 @@ SplineRun::SplineRun(const ProbeProblem& problem, std::size_t first, std::size_t
     : problem_(problem),
       first_(first),
       jerks_(jerks),
+      quick_(problem.points.size() > many),
       rounding_(coordinate_rounding(problem)),
       length_(last - first),
       time_(last - first),
       share_(last - first + 1, 1.0),
-      ends_(last - first + 1) {
+      ends_(last - first + 1),
+      along_(last - first + 1) {
   for (std::size_t i = 0; i < intervals(); ++i)
     length_[i] = norm(problem.points[first + i + 1] - problem.points[first + i]);
   for (std::size_t i = 0; i <= intervals(); ++i) ends_[i].x = problem.points[first + i];
 }
 
-void SplineRun::start() {
+void SplineRun::start(double share) {
   double total = 0;
   for (const double length : length_) total += length;
-  const ProfileLimits limits = limits_anywhere(problem_);
+  ProfileLimits limits = limits_anywhere(problem_);
+  limits.acceleration *= share, limits.jerk *= share, limits.snap *= share;
   const Profile profile = straight_profile(total, 0, 0, limits);
   reach_ = std::min(direct_distance(0, problem_.speed, limits), total / 4);
   double way = 0, before = 0;
@@ -50,15 +53,43 @@ void SplineRun::start() {
   for (std::size_t i = 0; i < intervals(); ++i) {
     way += length_[i];
     double t = profile.duration;
+    along_[i + 1] = {};
     if (i + 1 < intervals()) {
       while (piece + 1 < profile.count && profile.piece[piece + 1].s <= way) ++piece;
       const ProfilePiece& p = profile.piece[piece];
       double low = 0, high = p.duration;
       for (int step = 0; step < 50; ++step) (p.at((low + high) / 2).s < way ? low : high) = (low + high) / 2;
       t = p.t0 + (low + high) / 2;
+      along_[i + 1] = p.at((low + high) / 2);
     }
     time_[i] = std::max(t - before, 1e-3 * length_[i] / problem_.speed);
     before = t;
+  }
+}
+
+void SplineRun::follow_profile(std::size_t points) {
+  const std::size_t n = intervals();
+  std::vector<double> at(n + 1, 0.0);
+  for (std::size_t i = 0; i < n; ++i) at[i + 1] = at[i] + length_[i];
+  for (std::size_t i = 1; i < n; ++i) {
+    const std::size_t first = std::min(i - std::min(i, points / 2), n + 1 - points);
+    // Newton's divided differences; Taylor coefficients at the point from there.
+    std::array<double, 5> s{};
+    std::array<Vec, 5> f{};
+    for (std::size_t m = 0; m < points; ++m) s[m] = at[first + m] - at[i], f[m] = ends_[first + m].x - ends_[i].x;
+    for (std::size_t step = 1; step < points; ++step)
+      for (std::size_t m = points - 1; m >= step; --m) f[m] = (f[m] - f[m - 1]) / (s[m] - s[m - step]);
+    std::array<Vec, 4> x{};  // Σ x_k (ℓ − ℓ_i)ᵏ
+    for (std::size_t m = points; m-- > 0;) {
+      for (std::size_t k = 3; k > 0; --k) x[k] = x[k - 1] - s[m] * x[k];
+      x[0] = f[m] - s[m] * x[0];
+    }
+    // The chain rule.
+    const ProfileState& p = along_[i];
+    const Vec tangent = x[1], bend = 2 * x[2], change = 6 * x[3];
+    ends_[i].v = p.v * tangent;
+    ends_[i].a = p.a * tangent + (p.v * p.v) * bend;
+    ends_[i].j = p.j * tangent + (3 * p.v * p.a) * bend + (p.v * p.v * p.v) * change;
   }
 }
 
@@ -86,7 +117,7 @@ SplineRun::Strains SplineRun::strains(std::size_t i, double resolution) const {
   const std::array<Strain, 3> axis = axis_strains(problem_);
   const Bezier x = septic(ends_[i], ends_[i + 1], h), v = derivative(x, h), a = derivative(v, h), j = derivative(a, h),
                s = derivative(j, h);
-  const int depth = resolution < 1e-3 ? 40 : 3;
+  const int depth = resolution < 1e-3 ? 40 : resolution < 0.05 ? 3 : 2;
   Strains out;
   const double slow = 0.5;  // below it nothing matters
   out.time = peak_of(
@@ -135,13 +166,11 @@ void SplineRun::smooth(std::vector<double>& factor) const {
   }
 }
 
-/// Reduces what the points at the ends of intervals outside of the tube prescribe; whether there were any.
-bool SplineRun::reduce(const std::vector<Strains>& strains) {
-  bool any = false;
+/// Reduces what the points at the ends of intervals outside of the tube prescribe.
+void SplineRun::reduce(const std::vector<Strains>& strains) {
   std::vector<double> factor(share_.size(), 1.0);
   for (std::size_t i = 0; i < intervals(); ++i) {
     if (strains[i].tube <= 1) continue;
-    any = true;
     const double by = std::clamp(0.97 / std::sqrt(strains[i].tube), 0.4, 0.97);
     factor[i] = std::min(factor[i], by), factor[i + 1] = std::min(factor[i + 1], by);
   }
@@ -149,43 +178,57 @@ bool SplineRun::reduce(const std::vector<Strains>& strains) {
     share_[i] *= factor[i];
     if (share_[i] < least_share) rests_.push_back(first_ + i);
   }
-  return any;
 }
 
-bool SplineRun::solve(ProgressScope& progress) {
-  start();
-  std::vector<double> best_time, best_share;
-  double best = unlimited;
+bool SplineRun::look(std::vector<Strains>& strains, ProgressScope& progress) {
+  double worst = 0, sum = 0;
+  bool inside = true;
+  for (std::size_t i = 0; i < intervals(); ++i) {
+    strains[i] = this->strains(i, quick_ ? 0.1 : 0.02);
+    worst = std::max(worst, strains[i].time), sum += time_[i];
+    inside = inside && strains[i].tube <= 1;
+    progress.work(4);
+  }
+  if (inside && worst * sum < best_.duration) best_ = {worst * sum, time_, ends_};
+  return inside;
+}
+
+void SplineRun::search(ProgressScope& progress) {
+  std::vector<Strains> now(intervals());
+  // Where points are dense, a speed that changes as smoothly as the profile's is most of what there is to gain. The
+  // path hardly depends on the share.
+  for (const std::size_t points : {3u, 5u}) {
+    if (!jerks_ || points > intervals() + 1) continue;
+    for (const double share : {0.5, 0.25, 1.0}) {
+      start(share);
+      follow_profile(points);
+      if (!look(now, progress)) break;
+    }
+  }
+  start(1);
+  const int rounds = quick_ ? 10 : 24;
   for (int round = 0; round < rounds; ++round) {
     make_ends();
-    std::vector<Strains> now(intervals());
-    double worst = 0, sum = 0;
-    for (std::size_t i = 0; i < intervals(); ++i) {
-      now[i] = strains(i, 0.02);
-      worst = std::max(worst, now[i].time), sum += time_[i];
-      progress.work(4);
-    }
-    if (!reduce(now)) {
-      if (worst * sum < best) best = worst * sum, best_time = time_, best_share = share_;
-    } else if (!rests_.empty()) {
-      return false;
+    if (!look(now, progress)) {
+      reduce(now);
+      if (!rests_.empty()) return;
     }
     std::vector<double> factor(intervals());
     for (std::size_t i = 0; i < intervals(); ++i) factor[i] = now[i].time;
     smooth(factor);
     for (std::size_t i = 0; i < intervals(); ++i) time_[i] *= std::pow(std::clamp(factor[i], 0.8, 4.0), 0.8);
   }
-  if (best_time.empty()) {
-    // The tube is too narrow for what is still prescribed at the point that is left with least.
-    std::size_t least = 1;
-    for (std::size_t i = 1; i < intervals(); ++i)
-      if (share_[i] < share_[least]) least = i;
-    rests_.push_back(first_ + least);
-    return false;
-  }
-  time_ = std::move(best_time), share_ = std::move(best_share);
-  make_ends();
-  // Time scaled as a whole leaves the path as it is.
+  if (best_.duration < unlimited) return;
+  // The tube is too narrow for what is still prescribed at the point that is left with least.
+  std::size_t least = 1;
+  for (std::size_t i = 1; i < intervals(); ++i)
+    if (share_[i] < share_[least]) least = i;
+  rests_.push_back(first_ + least);
+}
+
+/// Limits are kept exactly: time scaled as a whole leaves the path as it is.
+bool SplineRun::finish(ProgressScope& progress) {
+  time_ = std::move(best_.time), ends_ = std::move(best_.ends);
   double scale = 0;
   bool inside = true;
   for (std::size_t i = 0; i < intervals(); ++i) {
@@ -194,14 +237,18 @@ bool SplineRun::solve(ProgressScope& progress) {
     inside = inside && exact.tube <= 1;
     progress.work(16);
   }
-  if (!inside) {
-    rests_.push_back(first_ + intervals() / 2);
-    return false;
-  }
-  scale *= 1 + 1e-12;
+  if (!inside) return false;
+  scale *= 1 + 2e-9;  // room for rounding, and for enclosures of whoever checks
   for (double& t : time_) t *= scale;
   for (SepticEnd& e : ends_) e.v = e.v / scale, e.a = e.a / (scale * scale), e.j = e.j / (scale * scale * scale);
   return true;
+}
+
+bool SplineRun::solve(ProgressScope& progress) {
+  search(progress);
+  if (best_.duration < unlimited && finish(progress)) return true;
+  if (rests_.empty()) rests_.push_back(first_ + intervals() / 2);
+  return false;
 }
 
 double SplineRun::duration() const {

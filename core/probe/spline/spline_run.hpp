@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/base/progress_scope.hpp"
+#include "core/motion/profile/profile.hpp"
 #include "core/probe/problem.hpp"
 #include "core/probe/spline/septic.hpp"
 
@@ -14,7 +15,7 @@ class SplineRun {
   /// From rest at point `first` to rest at point `last`, with jerks at the points or without.
   SplineRun(const ProbeProblem& problem, std::size_t first, std::size_t last, bool jerks);
 
-  /// Whether times were found; else rests() is not empty.
+  /// Whether times were found. Where rests() is not empty, resting there may be quicker, or is all that there is.
   bool solve(ProgressScope& progress);
   /// Points at which the head has to rest.
   const std::vector<std::size_t>& rests() const { return rests_; }
@@ -30,19 +31,36 @@ class SplineRun {
     double tube = 0;  // deviation / δ
   };
   std::size_t intervals() const { return time_.size(); }
-  void start();
+  /// The profile along the whole length under limits × `share`: times, and what of its states the points take.
+  void start(double share);
+  /// The states at the points as the profile says. Path derivatives over the length of the polyline are those of the
+  /// polynomial through `points` = 3 or 5 points; pieces between states of less accuracy need the more snap the denser
+  /// the points are.
+  void follow_profile(std::size_t points);
+  /// As the points' parabolas say, from the times alone.
   void make_ends();
+  struct Best {
+    double duration = unlimited;  // once limits are kept
+    std::vector<double> time;
+    std::vector<SepticEnd> ends;
+  };
+  /// Strains at the times and ends at hand, which become the best ones if they are; whether all is in the tube.
+  bool look(std::vector<Strains>& strains, ProgressScope& progress);
+  void search(ProgressScope& progress);
+  bool finish(ProgressScope& progress);
   Strains strains(std::size_t i, double resolution) const;
   /// Lets factors spread along the path, so that speeds change slowly enough.
   void smooth(std::vector<double>& factor) const;
-  bool reduce(const std::vector<Strains>& strains);
+  void reduce(const std::vector<Strains>& strains);
 
   const ProbeProblem& problem_;
   std::size_t first_;
-  bool jerks_;
+  bool jerks_, quick_;
   double rounding_, reach_ = 0;                // mm: of distances; along which speeds change
   std::vector<double> length_, time_, share_;  // per interval, per interval, λ per point
   std::vector<SepticEnd> ends_;                // per point
+  std::vector<ProfileState> along_;            // per point: of the profile
+  Best best_;
   std::vector<std::size_t> rests_;
 };
 

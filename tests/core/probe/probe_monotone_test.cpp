@@ -28,7 +28,7 @@ ProbeProblem scaled(ProbeProblem p, double k) {
 }
 
 TEST(ProbeMonotone, TimeIsOnlyAScale) {
-  for (int i = 0; i < testing::cases(10); ++i) {
+  for (int i = 0; i < testing::cases(5); ++i) {
     const RandomSet set(static_cast<std::uint64_t>(1000 + i));
     for (const double k : {4.0, 0.3}) {
       const double a = arcs(set.problem), b = spline(set.problem);

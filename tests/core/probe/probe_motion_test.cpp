@@ -48,6 +48,19 @@ TEST(ProbeMotion, AnAxisThatStandsStillEndsExactlyAtRest) {
   EXPECT_EQ(slowed(m, 1.1).motion->evaluate(1.1).velocity[0], 0);
 }
 
+TEST(ProbeMotion, WhatDecaysWithinACarriedRowIsCarriedToTheEnd) {
+  ProbeMotion m;
+  m.motion = std::make_shared<const SplineMotion>(
+      std::vector<SplineMotion::Piece>{{1, {{3, 4e-200}}}, {2, {{3, 1e-201}}}, {3, {{3, 1e-202}}}});
+  m.times = {0, 3};
+  m.joints = {PieceJoint::carried, PieceJoint::carried, PieceJoint::landing};
+  const ProbeMotion s = slowed(m, 1.1);
+  for (std::size_t i = 1; i < 3; ++i) {
+    const double t = s.motion->begin(i);
+    EXPECT_EQ(s.motion->in_piece(i, t).velocity[0], s.motion->in_piece(i - 1, t).velocity[0]) << i;
+  }
+}
+
 TEST(ProbeMotion, StatesAreThoseOfSplineMotionToTheLastBit) {
   const Polynomial p{0.1, 0.7, -0.3, 1.7, 0.9, -2.3, 0.11, 5};
   const double t = 0.37;

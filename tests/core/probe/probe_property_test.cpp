@@ -13,7 +13,7 @@ using namespace probe_cases;
 /// Plans and checks one random problem; a line that says what it was.
 TEST(ProbeProperty, EveryMethodEndsVerifiedAndArcsAreNeverSlowerThanRests) {
   double arcs_to_stops = 0, spline_to_stops = 0;
-  const int n = testing::cases(24);
+  const int n = testing::cases(16);
   for (int i = 0; i < n; ++i) {
     const RandomSet set(static_cast<std::uint64_t>(i));
     SCOPED_TRACE(set.words);

@@ -41,5 +41,13 @@ TEST(Spline, IsNeverSlowerThanRestsAndKeepsEverything) {
   }
 }
 
+TEST(Spline, DensePointsArePassedAtNominalSpeed) {
+  for (const std::size_t n : {80u, 900u}) {
+    const ProbeProblem p = problem(circle(n, 9), 0.05);
+    const double at_speed = 2 * M_PI * 9 / 20;
+    EXPECT_LT(spline(p).duration(), 1.25 * (at_speed + 0.17)) << n;
+  }
+}
+
 }  // namespace
 }  // namespace bahnwerk
