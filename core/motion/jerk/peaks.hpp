@@ -25,7 +25,7 @@ class CellPath {
     const Lanes<M> a1 = h * left.d3, a2 = ix * (fx - f0), a3 = h * middle.d3, a4 = iy * (f1 - fx), a5 = h * right.d3;
     const Lanes<M> b1 = ix * (a2 - a1), b2 = ix * (a3 - a2), b3 = iy * (a4 - a3), b4 = iy * (a5 - a4);
     const Lanes<M> c1 = ix * (b2 - b1), c2 = b3 - b2, c3 = iy * (b4 - b3);
-    const Lanes<M> e = c2 - c1, q = iy * (c3 - c2) - e;
+    const Lanes<M> e = c2 - c1, q = c3 - c2 - e;
     // f0 + s (a1 + s (b1 + (s − x)(c1 + (s − x)(e + (s − 1) q)))) in powers of s = arc/h
     p_ = {f0, a1, b1 - x * c1 + (x * x) * (e - q), c1 - (2 * x) * e + (x * x + 2 * x) * q, e - (2 * x + 1) * q, q};
   }
