@@ -84,6 +84,22 @@ TEST(LawPlan, ClassicalLawsAreComparedWithTheBoundOverAllLaws) {
   EXPECT_TRUE(jumping.verification.passed);
 }
 
+/// A law of degree 11 that stands still at both points: its residual vibration is as small as the verifier asks.
+TEST(LawPlan, ResidualVibrationOfAHighDegreeIsVerified) {
+  cam::MotionLawProblem p = problem(45, true, {rest(0, 47), rest(15, 38)});
+  p.cycle_duration = 0.125;
+  p.method = cam::LawMethod::optimal;
+  p.objective.weight = {0, 1, 0.02, 0.0005};
+  p.degree = 11;
+  p.pieces = 2;
+  p.vibration = {{9, 0}};
+  for (cam::MotionPoint& each : p.points) each.still = true;
+  p.points[1].values.resize(5);
+  p.points[1].values[4] = number(0);
+  const LawPlan plan = planned(p);
+  EXPECT_TRUE(plan.verification.passed);
+}
+
 TEST(LawPlan, ACycleTimeThatDoesNotDivideTheCycleHasNoSteps) {
   EXPECT_EQ(table_steps({0.001, {}}, 0.5), 500u);
   EXPECT_EQ(table_steps({0.003, {}}, 0.5), 0u);

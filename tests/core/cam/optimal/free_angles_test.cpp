@@ -45,5 +45,18 @@ TEST(FreeAngles, SameSeedSameLaw) {
             optimise_angles(task, basis, 5, progress).spline.coefficients);
 }
 
+/// Where no angle has a law, no start is followed for long.
+TEST(FreeAngles, StartsWithoutALawAreGivenUp) {
+  MotionLawProblem problem = testing::rest_to_rest(30, 1);
+  problem.points.insert(problem.points.begin() + 1, testing::point_at(40, {testing::fixed(12)}, 3));
+  problem.points[1].at = {30, 50};
+  problem.points[0].section[1] = {-1, 1};  // mm/s: too slow for 12 mm
+  const LawTask task = make_law_task(problem);
+  SilentProgress progress;
+  const FreeAngles found = optimise_angles(task, SectionBasis(7, 1), 1, progress);
+  EXPECT_FALSE(found.spline.feasible);
+  EXPECT_LE(found.programs, 20);
+}
+
 }  // namespace
 }  // namespace bahnwerk::cam
