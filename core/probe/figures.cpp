@@ -12,14 +12,16 @@ namespace {
 
 using namespace probe;
 
-/// A part of a piece between two times within it.
-Bezier part(const SplineMotion& motion, std::size_t piece, double from, double to) {
+/// A part of a piece between two times within it, or of its velocity: differences of positions are lost in rounding
+/// where the part is short.
+Bezier part(const SplineMotion& motion, std::size_t piece, double from, double to, bool velocity) {
   std::array<Vec, Bezier::max_points + 1> c{};
   std::size_t n = 1;
   const double begin = motion.begin(piece);
   for (std::size_t k = 0; k < motion.axes(); ++k) {
     Polynomial p;
     motion.polynomial(piece, k, p);
+    if (velocity) p = bahnwerk::derivative(p);
     if (from > begin) p = shifted(std::move(p), from - begin, 1);
     n = std::max(n, p.size());
     for (std::size_t i = 0; i < p.size(); ++i) c[i][k] = p[i];
@@ -76,7 +78,7 @@ ProbeFigures probe_figures(const ProbeProblem& problem, const ProbeMotion& plan,
     for (double from = motion.begin(i); from < motion.end(i);) {
       while (edge + 1 < problem.edges() && plan.times[edge + 1] <= from) ++edge;
       const double to = edge + 1 < problem.edges() ? std::min(motion.end(i), plan.times[edge + 1]) : motion.end(i);
-      const Bezier x = part(motion, i, from, to), v = derivative(x, to - from);
+      const Bezier x = part(motion, i, from, to, false), v = part(motion, i, from, to, true);
       const double way = length(v, to - from);
       out.path_length += way;
       const Vec a = problem.points[edge], b = problem.points[edge + 1];

@@ -29,5 +29,16 @@ TEST(ProbeFigures, ARestInBetweenIsARippleAboveOne) {
   EXPECT_NEAR(f.speed_ripple, 20 / (30 / (1.5 + 0.17)), 1e-6);
 }
 
+TEST(ProbeFigures, APointThatIsPassedJustBesideAJointIsNoRipple) {
+  const ProbeProblem p = problem({{100, 0}, {120, 0}, {140, 0}, {160, 0}}, 0.1);
+  ProbeMotion plan;
+  plan.motion = std::make_shared<const SplineMotion>(
+      std::vector<SplineMotion::Piece>{{1, {{100, 20}, {0}}}, {2, {{120, 20}, {0}}}, {3, {{140, 20}, {0}}}});
+  plan.times = {0, std::nextafter(1.0, 0.0), std::nextafter(2.0, 3.0), 3};
+  SilentProgress silent;
+  ProgressScope scope(silent, "test", 0, 1);
+  EXPECT_NEAR(probe_figures(p, plan, scope).speed_ripple, 0, 1e-9);
+}
+
 }  // namespace
 }  // namespace bahnwerk
