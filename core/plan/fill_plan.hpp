@@ -34,7 +34,7 @@ struct FillRequest {
   double effort = 1;
   int shifts = 4;
   Point tie_in;
-  /// Of layout needle; without heads every wire is drawn to tie_in.
+  /// Winding heads of layout needle; without heads every wire is drawn to tie_in.
   std::variant<std::monostate, winding::StatorHeads, winding::RotorHeads> heads;
   std::optional<std::size_t> serial, parallel;
   double temperature = 20;  ///< °C
@@ -74,15 +74,15 @@ struct FillPlan {
   Bound bound;  ///< on the wires of the best of all, from above
 };
 
-/// Same request, same bits. Throws Stopped; Infeasible if turns are asked for and no layout takes them. Cost: that of
-/// the algorithms, see their headers; verification is quadratic in the wires of a layout.
+/// Plans the same request to the same bits. Throws Stopped; Infeasible if turns are asked for and no layout takes them.
+/// Cost: that of the algorithms, see their headers; verification is quadratic in the wires of a layout.
 FillPlan plan_fill(const FillRequest& request, Progress& progress);
 
-/// By how much two wires of a layout may be nearer than their diameter, mm [Herrmann 4.2.3].
+/// Returns by how much two wires of a layout may be nearer than their diameter, mm [Herrmann 4.2.3].
 double allowed_overlap(const FillRequest& request, winding::Algorithm algorithm, const winding::Wire& wire);
 
 const char* name(winding::Algorithm algorithm);
-/// Of FilledLayout::regions.
+/// Returns the name of an element of FilledLayout::regions.
 const char* region_name(std::size_t region);
 
 }  // namespace bahnwerk

@@ -58,7 +58,7 @@ struct PipelineOptions {
   std::vector<std::string> cycle_time_place{"machine", "cycle_time"};  ///< where the document has it
 };
 
-/// Of a motion along a path, of a spline, of coarse and fine axes.
+/// The plan of any motion: along a path, of a spline, of coarse and fine axes.
 struct MotionPlan {
   double duration = 0;                   ///< s, as planned
   Cycles cycles;                         ///< that it was slowed to
@@ -69,10 +69,10 @@ struct MotionPlan {
   Bound bound;           ///< with its gap to the motion as planned
 };
 
-/// A motion that lasts whole cycles, and its verdict: MotionPlan::duration, cycles, verification. It may still be
-/// unverified. Throws what the problem throws, and InvalidInput for more than max_setpoints.
+/// Returns a motion that lasts whole cycles, with its verdict: MotionPlan::duration, cycles, verification. It may fail
+/// verification. Throws what the problem throws, and InvalidInput for more than max_setpoints.
 MotionPlan verified_motion(MotionProblem& problem, const PipelineOptions& options);
-/// Adds all the rest.
+/// Adds setpoints, what their rows are checked for, and the bound.
 MotionPlan served_motion(MotionProblem& problem, MotionPlan plan, const PipelineOptions& options, Progress& progress);
 
 inline MotionPlan plan_motion(MotionProblem& problem, const PipelineOptions& options, Progress& progress) {

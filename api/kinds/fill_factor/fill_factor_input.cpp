@@ -151,6 +151,7 @@ FillRequest request(const json& spec, Progress* progress) {
   const json turns = spec.value("turns", json::object());
   request.serial = given<std::size_t>(turns, "serial");
   request.parallel = given<std::size_t>(turns, "parallel");
+  if (request.needle) request.needle->wires = request.parallel.value_or(1);
   request.temperature = spec.value("temperature", 20.0);
   const json hold = spec.value("producible", json::object());
   request.producible.friction = hold.value("friction", request.producible.friction);

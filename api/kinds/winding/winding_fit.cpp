@@ -1,9 +1,11 @@
 // Whether the quantities of a spec of kind "winding" fit each other: what no plan could do is refused before planning.
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <type_traits>
 #include <variant>
 
 #include "api/kinds/winding/winding_input.hpp"
+#include "core/winding/laying/access.hpp"
 #include "core/winding/part/part.hpp"
 
 namespace bahnwerk::api::winding_kind {
@@ -62,9 +64,16 @@ class Fit {
       add({"needle", "clearance"}, "is " + mm(keep) + ": a needle of " + mm(width) + " leaves " +
                                        mm((clear_ - width) / 2) + " on either side in " + way);
     }
-    if (outer_ >= width)
-      add({"needle", "width"}, "is " + mm(width) + usual("needle", "width") + ": the wire of " + mm(outer_) +
-                                   " overall, which is led inside the needle, does not run in it");
+    const std::size_t wires = request_.parallel;
+    const double bundle = winding::bundle_diameter(wires, outer_);
+    if (bundle >= width)
+      add({"needle", "width"}, "is " + mm(width) + usual("needle", "width") + ": " +
+                                   (wires > 1 ? "coil.parallel wires of " + mm(outer_) +
+                                                    " overall, which are led inside the needle in a "
+                                                    "bundle of " +
+                                                    mm(bundle) + ", do not run in it"
+                                              : "the wire of " + mm(outer_) +
+                                                    " overall, which is led inside the needle, does not run in it"));
   }
 
   void pull() {
@@ -95,6 +104,33 @@ class Fit {
       add({"pull", "bend_radius"},
           "is " + mm(pull.bend_radius) + usual("pull", "bend_radius") + ": a wire of " + mm(outer_) +
               " overall is not bent in a smaller circle than round a mandrel of its own diameter, " + mm(outer_));
+    const double circle = std::max(pull.bend_radius, stretched()), most = turn_height() / 2;
+    if (circle >= most)
+      add(bends(),
+          bend_in_words() + ": a turn is no higher than " + mm(2 * most) + ", its bends are smaller than half");
+  }
+
+  /// Height of a turn along the part's axis, mm.
+  double turn_height() const {
+    return std::visit(
+        [](const auto& part) {
+          if constexpr (std::is_same_v<std::decay_t<decltype(part)>, StatorPart>)
+            return part.heads.stack + 2 * part.heads.tool_height;
+          else
+            return part.heads.stack + 2 * part.heads.cap_height;
+        },
+        request_.part);
+  }
+
+  /// Radius of the circle in which the wire's stiffness bends it, mm.
+  double stretched() const { return request_.model.pull.bending_moment / request_.model.pull.force; }
+  std::vector<std::string> bends() const {
+    if (stretched() <= request_.model.pull.bend_radius) return {"pull", "bend_radius"};
+    return {"pull", given_in("pull", "bending_moment") ? "bending_moment" : "force"};
+  }
+  std::string bend_in_words() const {
+    if (stretched() > request_.model.pull.bend_radius) return "bends the wire in a circle of " + mm(stretched());
+    return "is " + mm(request_.model.pull.bend_radius);
   }
 
   /// The needle, and the wire between it and its place, stand across the bore.
@@ -108,12 +144,8 @@ class Fit {
       add({"machine", "l_tool"},
           "is " + mm(request_.swivel_length) + usual("machine", "l_tool") + ": the swivel's axis lies beyond" + in);
     const winding::Pull& pull = request_.model.pull;
-    const double stretched = pull.bending_moment / pull.force;
-    if (std::max(pull.bend_radius, stretched) >= bore / 2) {
-      const bool moment = stretched > pull.bend_radius;
-      add({"pull", moment ? (given_in("pull", "bending_moment") ? "bending_moment" : "force") : "bend_radius"},
-          (moment ? "bends the wire in a circle of " + mm(stretched) : "is " + mm(pull.bend_radius)) +
-              ": the bend does not fit into half of" + in);
+    if (std::max(pull.bend_radius, stretched()) >= bore / 2) {
+      add(bends(), bend_in_words() + ": the bend does not fit into half of" + in);
     } else if (pull.free_length >= bore) {
       add({"pull", "free_length"}, "is " + mm(pull.free_length) + ": the free wire does not fit across" + in);
     }
@@ -129,6 +161,14 @@ class Fit {
     if (request_.tool.height < heads.tool_height)
       add({"tool", "height"}, "is " + mm(request_.tool.height) + ": the wire lies at part.tool_height, " +
                                   mm(heads.tool_height) + ", above the post");
+    // Tools stand behind every slot. The default size gives way nowhere: the source has none.
+    const double pitch = stator_->pitch(), width = request_.tool.width, thickness = request_.tool.thickness,
+                 room = 2 * (heads.tool_radius - thickness) * std::tan(pitch / 2);
+    const bool wide = given_in("tool", "width"), thick = given_in("tool", "thickness");
+    if (stator_->slots > 2 && width >= room && (wide || thick))
+      add({"tool", wide ? "width" : "thickness"}, "is " + mm(wide ? width : thickness) + ": posts of " + mm(width) +
+                                                      " behind neighbouring slots meet, they are " +
+                                                      mm(std::max(room, 0.0)) + " apart at their inner ends");
   }
 
   const json& spec_;

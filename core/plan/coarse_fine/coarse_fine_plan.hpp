@@ -51,7 +51,7 @@ std::vector<AxisLimits> fine_limits(const CoarseFineMachine& machine);
 /// of them, and that the duration is not below the bound, which holds for any split: that of the head by itself with
 /// the sums. A limit exceeded by so little that it is rounding (1e-4 of it) slows everything by as much. Of `planning`
 /// corners, mode changes and the number of setpoints count; the head's law is the shortest one, with limited jerk where
-/// the machine limits it. A plan that does not pass gives way to the same one not timed anew, if it was, then to the
+/// the machine limits it. A plan that does not pass gives way to the same one without its new timing, then to the
 /// joint planner's, and at last to that of the coarse axes alone, with fine axes that stand still; so does a method
 /// that finds none. That is counted in `fallbacks`, with a note.
 ///

@@ -24,7 +24,7 @@ inline constexpr Named<StudiedQuantity> studied_quantities[] = {
 /// One table that is asked for.
 struct StudyRequest {
   StudiedQuantity quantity = StudiedQuantity::stroke;
-  /// Of the first axis, mm, mm/s, mm/s², all other axes being scaled alike; a stroke is every axis'. None: strokes from
+  /// Values of the first axis, mm, mm/s, mm/s²; other axes scale alike, a stroke is every axis'. None: strokes from
   /// 0.5 to 100 mm, limits from half to twice what they are.
   std::vector<double> values;
 };

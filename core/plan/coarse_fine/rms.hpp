@@ -12,8 +12,8 @@ struct RmsAccelerations {
   std::vector<double> coarse, fine;
 };
 
-/// Of the axes of `coarse`, and of what they leave of `head`, which lasts as long: Gauss' rule of five points wherever
-/// both are smooth, exact where positions are polynomials. O(pieces of both).
+/// Returns both for the axes of `coarse` and for the rest of `head`, which lasts as long; Gauss' rule of five points in
+/// every smooth piece of both, exact where positions are polynomials. O(pieces of both).
 RmsAccelerations rms_accelerations(const Motion& head, const Motion& coarse, ProgressScope& scope);
 
 }  // namespace bahnwerk

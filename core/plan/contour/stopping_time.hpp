@@ -24,7 +24,8 @@ class StoppingTime {
   /// `axes`: those of the contour that move, with the limits that are held. `corner_angle` rad. All outlive it.
   StoppingTime(const Contour& contour, const AxisPath& axes, const Machine& machine, double corner_angle);
 
-  /// Of the segments [first, last), at rest at both ends, s; without dwells. O(segments), 50 to 200 ns each.
+  /// Returns the bound for segments [first, last), at rest at both ends, s; without dwells. O(segments), 50 to 200 ns
+  /// each.
   double least(std::size_t first, std::size_t last, ProgressScope& progress) const;
   /// Whether the motion rests where segment i begins, at a corner for one.
   bool rests(std::size_t i) const;

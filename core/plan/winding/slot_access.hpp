@@ -12,11 +12,11 @@ namespace bahnwerk {
 struct SlotAccess {
   double step = 0;                            ///< of the cells, mm
   std::vector<winding::DrawnClearance> maps;  ///< without pivot shift; then with it, if the request has one
-  std::vector<double> shares;                 ///< per map: of the slot's cells that keep least_clearance (1)
+  std::vector<double> shares;                 ///< per map: share of the slot's cells that keep least_clearance (1)
   std::string drawing;                        ///< SVG
 };
 
-/// Of a rotor nothing: its slots are open. Some 500 cells in all, 0.05 to 0.1 s. Throws Stopped.
+/// Returns nothing for a rotor: its slots are open. Some 500 cells in all, 0.05 to 0.1 s. Throws Stopped.
 std::optional<SlotAccess> slot_access(const WindingRequest& request, Progress& progress);
 
 }  // namespace bahnwerk

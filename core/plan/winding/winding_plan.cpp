@@ -142,7 +142,7 @@ class Planner {
       layout.wires.resize(count), layout.tension_points.resize(count);
     }
     winding::LaidCoil coil{slot, request_.wire.radius(), layouts[0], slot.tension_point,
-                           winding::Needle{request_.needle.width}};
+                           winding::Needle{request_.needle.width, winding::Needle::Stand::middle, request_.parallel}};
     coil.back = &layouts[1];
     coil.swivels = request_.model.pivot_limit.has_value();
     ProgressPart verdict(progress_, "layout", fitted, fitted);

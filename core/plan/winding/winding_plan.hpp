@@ -38,7 +38,7 @@ inline constexpr Named<PlanningMethod> feed_methods[] = {
 /// How `optimised` finds its law: by the convex problem, or for comparison as the source does it [4.4.3].
 enum class FeedLaw { convex, bspline };
 inline constexpr Named<FeedLaw> feed_laws[] = {{FeedLaw::convex, "convex"}, {FeedLaw::bspline, "bspline"}};
-/// Of all coils together, that bspline plans: it takes seconds for each.
+/// The largest number of turns, of all coils together, that bspline plans: it takes seconds for each.
 inline constexpr std::size_t max_spline_turns = 4;
 std::string too_many_spline_turns(std::size_t turns);  ///< what a document's author is told
 
@@ -71,7 +71,7 @@ struct WindingRequest {
   double cycle_time = 0.002;                           ///< s
   PlanningMethod feed = PlanningMethod::jerk_limited;  ///< one of feed_methods
   FeedLaw law = FeedLaw::convex;                       ///< of jerk_limited
-  /// Of constant and critical_points.
+  /// How the feed changes with methods constant and critical_points.
   SpeedProfile profile = SpeedProfile::double_s;
   Limits along;                        ///< of the needle along its path: feed mm/s, tangential acceleration, jerk
   double feed_tolerance = 0.004;       ///< fraction by which setpoints of an interpolator may exceed along.velocity
@@ -118,7 +118,7 @@ struct WindingPlan {
   std::vector<FeedFluctuation> fluctuation;  ///< of all `interpolators`, in their order
 };
 
-/// A pose of the needle's path out of the machine's reach: in which turn and where.
+/// Says in which turn and where a pose of the needle's path is out of the machine's reach.
 struct UnreachableTurn : UnreachablePose {
   UnreachableTurn(const UnreachablePose& place, const std::string& what, const winding::FixedPiece& piece)
       : UnreachablePose(what, place.path_length, place.pose),
@@ -128,14 +128,14 @@ struct UnreachableTurn : UnreachablePose {
   std::size_t coil, turn, region;
 };
 
-/// A constant feed that was asked for and breaks a limit: in which turn and where.
+/// Says in which turn and where a constant feed that was asked for breaks a limit.
 struct FeedTooFastAtTurn : FeedTooFast {
   FeedTooFastAtTurn(const FeedTooFast& feed, const std::string& text, const winding::FixedPiece& piece)
       : FeedTooFast(text, feed.limit, feed.asked), coil(piece.coil), turn(piece.turn), region(piece.region) {}
   std::size_t coil, turn, region;
 };
 
-/// Where a needle's path is at parameter `v` of a piece, mm.
+/// Returns the needle's path length at parameter `v` of a piece, mm.
 double tool_length(const Path& tool, std::size_t piece, double v);
 
 /// Throws InvalidInput naming members of the kind's document (part, coil, machine, path, feed, pull, needle);

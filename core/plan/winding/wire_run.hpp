@@ -30,9 +30,10 @@ class WireRun {
   WireRun(std::shared_ptr<const PosePath> tool, std::vector<winding::Anchor> anchors, const winding::Pull& pull,
           const winding::TensionModel& model);
 
-  /// With the needle at parameter u of a segment, moving by `law`. O(degree), 0.3 µs.
+  /// Returns how the wire is drawn while the needle moves by `law` at parameter u of a segment. O(degree), 0.3 µs.
   winding::Drawing drawing(std::size_t segment, double u, const LawState& law) const;
-  /// The set-force there, N. Where nothing moves with the wire and nothing rubs it is the force, at no cost.
+  /// Returns the brake's set-force there, N. Where nothing moves with the wire and nothing rubs it is the force, at no
+  /// cost.
   double brake(std::size_t segment, double u, const LawState& law) const {
     const bool ideal = model_.mass == 0 && model_.friction == 0;
     return winding::compensating_brake(model_, ideal ? winding::Drawing{} : drawing(segment, u, law));

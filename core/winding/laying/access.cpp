@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "core/base/progress.hpp"
 #include "core/winding/margin.hpp"
@@ -89,6 +90,16 @@ double floor_of(const Region& usable_area, const Upright& upright, const Opening
 
 }  // namespace
 
+double bundle_diameter(std::size_t wires, double diameter) {
+  using std::numbers::pi, std::numbers::sqrt2, std::numbers::sqrt3;
+  const double five = std::sqrt(2 + 2 / std::sqrt(5.0));
+  const double exact[] = {0, 1, 2, 1 + 2 / sqrt3, 1 + sqrt2, 1 + five, 3, 3};
+  if (wires < std::size(exact)) return exact[wires] * diameter;
+  // Centres lie in a circle of radius x diameters: n ≤ 2 π x²/√3 + π x + 1.
+  const double a = 2 * pi / sqrt3, x = (std::sqrt(pi * pi + 4 * a * (static_cast<double>(wires) - 1)) - pi) / (2 * a);
+  return std::max(3.0, 1 + 2 * x) * diameter;
+}
+
 std::vector<Obstruction> opening_obstructions(const Opening& opening, double radius,
                                               const std::optional<Needle>& needle) {
   std::vector<Obstruction> found;
@@ -97,8 +108,8 @@ std::vector<Obstruction> opening_obstructions(const Opening& opening, double rad
   if (!needle) return found;
   const double clear = needle->stand == Needle::Stand::middle ? opening.clear : opening.clear / 2;
   if (needle->width > clear + verify_margin) found.push_back({Obstruction::Part::needle, needle->width, clear, 0});
-  if (2 * radius > needle->width - verify_margin)
-    found.push_back({Obstruction::Part::bore, 2 * radius, needle->width, 0});
+  const double bundle = bundle_diameter(needle->wires, 2 * radius);
+  if (bundle > needle->width - verify_margin) found.push_back({Obstruction::Part::bore, bundle, needle->width, 0});
   return found;
 }
 

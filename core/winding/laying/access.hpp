@@ -21,22 +21,28 @@ struct Needle {
   enum class Stand { middle, left, right };  ///< seen with the opening at the top
   double width = 0;                          ///< mm
   Stand stand = Stand::middle;
+  std::size_t wires = 1;  ///< wires in hand: it leads them all, side by side
 };
+
+/// Returns the diameter of the least circle round `wires` circles of `diameter`: exactly for up to seven [Graham: Sets
+/// of points with given minimum separation, 1968], for more a lower bound by Oler's inequality for their centres, see
+/// core/winding/layout/count_bound.hpp.
+double bundle_diameter(std::size_t wires, double diameter);
 
 struct Obstruction {
   enum class Part {
     wire,     ///< the wire does not pass the opening
     needle,   ///< the needle does not pass the opening, or the part of it beside the other coil side
-    bore,     ///< the needle's bore is too narrow for the wire that it leads
+    bore,     ///< the needle's bore is too narrow for the wires that it leads
     channel,  ///< wires laid before block the needle's channel to the place of `wire`
   };
   Part part = Part::wire;
-  double needed = 0, clear = 0;  ///< mm, of wire and needle; for the bore the wire's and the needle's width
+  double needed = 0, clear = 0;  ///< mm, of wire and needle; for the bore the bundle's and the needle's width
   std::size_t wire = 0;          ///< for the channel: index of the first wire that cannot be reached
 };
 
-/// Compares wire and needle with the opening's clear width, and the wire with the needle's width: a needle has walls,
-/// so a wire as thick as the needle does not run in it.
+/// Compares wire and needle with the opening's clear width, and the bundle of wires in hand with the needle's width: a
+/// needle has walls, so a bundle as thick as the needle does not run in it.
 std::vector<Obstruction> opening_obstructions(const Opening& opening, double radius, const std::optional<Needle>&);
 
 /// Returns the first wire, in laying order, that the needle cannot bring to its place. The needle stands at most as

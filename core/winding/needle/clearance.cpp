@@ -18,12 +18,12 @@ double turned_by(double phi, double psi_change, double psi) {
 }
 
 /// A piece of a move.
-class MoveStretch {
+class MoveInterval {
  public:
-  explicit MoveStretch(const NeedleMove& move, double u = 0.5, double half = 0.5) : move_(&move), u_(u), half_(half) {}
+  explicit MoveInterval(const NeedleMove& move, double u = 0.5, double half = 0.5) : move_(&move), u_(u), half_(half) {}
   double at() const { return u_; }
   NeedlePose middle() const { return move_->at(u_); }
-  MoveStretch half(bool second) const { return MoveStretch(*move_, u_ + (second ? half_ : -half_) / 2, half_ / 2); }
+  MoveInterval half(bool second) const { return MoveInterval(*move_, u_ + (second ? half_ : -half_) / 2, half_ / 2); }
   Reach reach(Vec3 d) const {
     const NeedleMove& m = *move_;
     const double turn = turned_by(half_ * (m.to.phi - m.from.phi), half_ * (m.to.psi - m.from.psi), middle().psi);
@@ -52,16 +52,16 @@ class MoveStretch {
 };
 
 /// A part of a rational piece: its own control points, and those of both halves.
-class PieceStretch {
+class PieceInterval {
  public:
-  explicit PieceStretch(const BezierPiece& piece) : degree_(piece.degree()) {
+  explicit PieceInterval(const BezierPiece& piece) : degree_(piece.degree()) {
     std::copy(piece.points().begin(), piece.points().end(), points_.begin());
     divide();
   }
   double at() const { return u_; }
   NeedlePose middle() const { return {{middle_[0], middle_[1], middle_[2]}, middle_[3], middle_[4]}; }
-  PieceStretch half(bool second) const {
-    PieceStretch h(*this);
+  PieceInterval half(bool second) const {
+    PieceInterval h(*this);
     h.points_ = second ? right_ : left_;
     h.half_ = half_ / 2;
     h.u_ = u_ + (second ? h.half_ : -h.half_);
@@ -158,16 +158,16 @@ std::vector<NeedleMove> straight_links(const std::vector<FixedPiece>& pieces) {
 Clearance clearance(const std::vector<NeedleMove>& moves, const NeedleShape& needle,
                     const std::vector<const Obstacle*>& obstacles, double tolerance, Progress& progress) {
   check(needle, tolerance);
-  return ClearanceSearch<MoveStretch>(needle, obstacles, tolerance, progress).over(moves.size(), [&](std::size_t n) {
-    return MoveStretch(moves[n]);
+  return ClearanceSearch<MoveInterval>(needle, obstacles, tolerance, progress).over(moves.size(), [&](std::size_t n) {
+    return MoveInterval(moves[n]);
   });
 }
 
 Clearance clearance(std::span<const BezierPiece> pieces, const NeedleShape& needle,
                     const std::vector<const Obstacle*>& obstacles, double tolerance, Progress& progress) {
   check(needle, tolerance);
-  return ClearanceSearch<PieceStretch>(needle, obstacles, tolerance, progress).over(pieces.size(), [&](std::size_t n) {
-    return PieceStretch(pieces[n]);
+  return ClearanceSearch<PieceInterval>(needle, obstacles, tolerance, progress).over(pieces.size(), [&](std::size_t n) {
+    return PieceInterval(pieces[n]);
   });
 }
 

@@ -32,9 +32,9 @@ struct Reach {
   double turn = 0;    ///< of the needle's direction: length of the difference of unit vectors
 };
 
-/// `Stretch` is an interval of the path: it has middle(), the pose there; at(), its place on the piece; reach(direction
-/// in the middle); lowest(n), the least of n · (tip − tip in the middle); half(bool second).
-template <class Stretch>
+/// `PathInterval` is an interval of the path: it has middle(), the pose there; at(), its place on the piece;
+/// reach(direction in the middle); lowest(n), the least of n · (tip − tip in the middle); half(bool second).
+template <class PathInterval>
 class ClearanceSearch {
  public:
   ClearanceSearch(const NeedleShape& needle, const std::vector<const Obstacle*>& obstacles, double tolerance,
@@ -88,29 +88,29 @@ class ClearanceSearch {
     seen(k, found, u, s);
     return found;
   }
-  double coarse(const Stretch& whole) {
+  double coarse(const PathInterval& whole) {
     double least = std::numeric_limits<double>::infinity();
-    const Stretch halves[] = {whole.half(false), whole.half(true)};
-    for (const Stretch* stretch : {&halves[0], &whole, &halves[1]}) {
+    const PathInterval halves[] = {whole.half(false), whole.half(true)};
+    for (const PathInterval* interval : {&halves[0], &whole, &halves[1]}) {
       ask();
-      const NeedlePose pose = stretch->middle();
+      const NeedlePose pose = interval->middle();
       const Vec3 d = pose.direction();
       for (int j = 0; j <= 8; ++j) {
         const double s = radius_ + j / 8.0 * (length_ - radius_);
         for (std::size_t k = 0; k < obstacles_.size(); ++k)
-          least = std::min(least, look(k, pose.tip - s * d, stretch->at(), s));
+          least = std::min(least, look(k, pose.tip - s * d, interval->at(), s));
       }
     }
     return least;
   }
 
   /// Decides the parts open_[begin] to open_[end] of the needle over an interval.
-  void descend(const Stretch& stretch, std::size_t begin, std::size_t end) {
-    pose_ = stretch.middle(), direction_ = pose_.direction(), at_ = stretch.at(), reach_ = stretch.reach(direction_);
+  void descend(const PathInterval& interval, std::size_t begin, std::size_t end) {
+    pose_ = interval.middle(), direction_ = pose_.direction(), at_ = interval.at(), reach_ = interval.reach(direction_);
     for (std::size_t i = begin; i < end; ++i) {
       const Part part = open_[i];
       if (obstacles_[part.obstacle]->convex()) {
-        if (!decided(stretch, part.obstacle)) open_.push_back(part);
+        if (!decided(interval, part.obstacle)) open_.push_back(part);
         continue;
       }
       low_ = std::numeric_limits<double>::infinity(), high_ = -low_;
@@ -122,14 +122,14 @@ class ClearanceSearch {
     }
     const std::size_t left = open_.size();
     if (left == end) return;
-    descend(stretch.half(false), end, left);
-    descend(stretch.half(true), end, left);
+    descend(interval.half(false), end, left);
+    descend(interval.half(true), end, left);
     open_.resize(end);
   }
 
   /// For a convex obstacle the nearest point of the needle is found exactly, and the obstacle lies behind the plane
   /// there.
-  bool decided(const Stretch& stretch, std::size_t k) {
+  bool decided(const PathInterval& interval, std::size_t k) {
     ask();
     const Obstacle& obstacle = *obstacles_[k];
     const double enough = best_.minimum - tolerance_ + round_off + along_exact, turned = length_ * reach_.turn;
@@ -141,7 +141,7 @@ class ClearanceSearch {
     if (found - reach_.whole - turned >= enough) return true;
     const Vec3 n = obstacle.away(at);
     const double slope = -dot(n, direction_), ahead = std::min(slope * (radius_ - s), slope * (length_ - s));
-    return found + ahead + stretch.lowest(n) - turned >= enough;
+    return found + ahead + interval.lowest(n) - turned >= enough;
   }
   /// Returns the place on the needle that is nearest to the obstacle, by a golden section search, which also works for
   /// a needle that lies flat against a face.

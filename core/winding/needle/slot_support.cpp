@@ -28,7 +28,13 @@ SupportPoint slot_support(Vec3 place, Vec3 along, double bend_radius, double fre
   const auto tangent_of = [&](double tangent) {
     const Vec3 c = place + (free_length + tangent) * along;
     const double at = azimuth(c), from_axis = std::hypot(c.x, c.y);
-    if (!(from_axis > tangent)) throw Infeasible("the needle's tip would lie beyond the part's axis");
+    if (!(from_axis > tangent))
+      throw Infeasible(
+          "the needle's tip would lie beyond the part's axis: the wire leaves its place in a head too steeply, or "
+          "bends in "
+          "too large a circle for the bore; needed is a part.tool_radius nearer to the slots' base, more "
+          "part.tool_height, "
+          "or less pull.bend_radius");
     gamma = 0;
     if (pivot_limit) {
       const Vec3 through = c - pivot;

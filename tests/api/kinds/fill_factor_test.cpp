@@ -172,6 +172,14 @@ TEST(FillFactorPlan, SaysWhatBlocksTheNeedle) {
   ASSERT_EQ(layout["blocked_by"].size(), 1u);
   EXPECT_EQ(layout["blocked_by"][0]["part"], "needle");
   EXPECT_TRUE(result["summary"]["best_producible"].is_null());
+  // Seven wires of 0.989 mm in hand need a needle of three diameters.
+  spec["needle_width"] = 2.9;
+  spec["turns"] = {{"parallel", 7}};
+  spec["algorithms"] = {"orthocyclic_base"};
+  const json bundle = planned(spec, silent).result["details"]["layouts"][0]["blocked_by"];
+  ASSERT_EQ(bundle.size(), 1u);
+  EXPECT_EQ(bundle[0]["passage"], "needle");
+  EXPECT_NEAR(bundle[0]["needed"].get<double>(), 3 * 0.989, 1e-9);
   std::set<std::string> names;
   for (const auto& check : result["verification"]["checks"]) names.insert(check["name"]);
   for (const char* region : {"head_bottom", "slot_back", "head_top"})

@@ -204,6 +204,37 @@ TEST(WindingInput, ObstructionsOfTheOpeningAreReportedInMillimetres) {
   EXPECT_THAT(message_at(spec, "/needle/width"), testing::HasSubstr("neighbouring poles"));
 }
 
+TEST(WindingInput, WiresInHandRunInTheNeedleTogether) {
+  json spec = example("minimal");
+  spec["coil"]["parallel"] = 2;
+  EXPECT_THAT(fault_places(spec), testing::IsEmpty()) << "2 · 1.217 mm in 2.6 mm";
+  spec["coil"]["parallel"] = 3;
+  EXPECT_THAT(message_at(spec, "/needle/width"),
+              testing::AllOf(testing::HasSubstr("2.6 mm (the default)"), testing::HasSubstr("2.622 mm")));
+  spec["needle"] = {{"width", 2.7}};
+  EXPECT_THAT(fault_places(spec), testing::IsEmpty());
+}
+
+TEST(WindingInput, BendsAreSmallerThanHalfATurn) {
+  json spec = example("minimal");  // 202 mm and two caps of 28 mm
+  spec["pull"] = {{"bend_radius", 128.9}};
+  EXPECT_THAT(fault_places(spec), testing::IsEmpty());
+  spec["pull"] = {{"bend_radius", 129}};
+  EXPECT_THAT(fault_places(spec), testing::ElementsAre("/pull/bend_radius"));
+  spec["pull"] = {{"force", 0.2}};  // 150 · 1.12³/6 N mm
+  EXPECT_THAT(message_at(spec, "/pull/force"), testing::HasSubstr("a circle of 175.6 mm"));
+}
+
+TEST(WindingInput, PostsBehindNeighbouringSlotsDoNotMeet) {
+  json spec = example("complete");  // 2 (99.971 - 3) tan 3.75° = 12.71 mm
+  spec["tool"] = {{"width", 12.7}};
+  EXPECT_THAT(fault_places(spec), testing::IsEmpty());
+  spec["tool"] = {{"width", 12.72}};
+  EXPECT_THAT(fault_places(spec), testing::ElementsAre("/tool/width"));
+  spec["tool"] = {{"thickness", 80}};
+  EXPECT_THAT(message_at(spec, "/tool/thickness"), testing::HasSubstr("posts of 4 mm"));
+}
+
 TEST(WindingInput, SizesThatFitAreNotRefused) {
   json spec = example("complete");
   spec["needle"] = {{"width", 3.08}, {"length", 158.9}};

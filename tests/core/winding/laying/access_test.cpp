@@ -44,6 +44,30 @@ TEST(Opening, TheWireRunsInsideTheNeedle) {
   EXPECT_TRUE(opening_obstructions(opening, 0.74, Needle{1.5}).empty());
 }
 
+TEST(Opening, AllWiresInHandRunInsideTheNeedle) {
+  const auto obstructions = [](double width, std::size_t wires) {
+    return opening_obstructions(opening, 0.5, Needle{width, Needle::Stand::middle, wires});
+  };
+  EXPECT_TRUE(obstructions(2.5, 4).empty()) << "1 + √2 = 2.414 mm";
+  ASSERT_EQ(obstructions(2.4, 4).size(), 1u);
+  EXPECT_EQ(obstructions(2.4, 4)[0].part, Obstruction::Part::bore);
+  EXPECT_NEAR(obstructions(2.4, 4)[0].needed, 2.41421356, 1e-8);
+}
+
+TEST(BundleDiameter, IsThatOfTheLeastCircleRoundTheWires) {
+  const double known[] = {1, 2, 2.154700538, 2.414213562, 2.701301617, 3, 3};
+  for (std::size_t n = 1; n <= 7; ++n) EXPECT_NEAR(bundle_diameter(n, 0.5), 0.5 * known[n - 1], 1e-9) << n;
+  // Best circles known [Graham, Lubachevsky, Nurmela, Östergård 1998]: the bound lies below them and grows.
+  const double best[] = {3.304764871, 3.613125930, 3.813025631, 3.923804400, 4.029601930};
+  for (std::size_t n = 8; n <= 12; ++n) {
+    EXPECT_LE(bundle_diameter(n, 1), best[n - 8]) << n;
+    EXPECT_GE(bundle_diameter(n, 1), 0.89 * best[n - 8]) << n;
+    EXPECT_GE(bundle_diameter(n, 1), bundle_diameter(n - 1, 1)) << n;
+  }
+  EXPECT_LE(bundle_diameter(37, 1), 6.7588) << "37 wires";
+  EXPECT_GE(bundle_diameter(1000, 1), std::sqrt(1000.0)) << "the wires' own section";
+}
+
 TEST(Opening, HasTheSourcesWidthInTheExampleSlot) {
   // [Herrmann Fig. 4.16]: 3.1 mm, for a needle of 2.6 mm.
   EXPECT_NEAR(make_slot(StatorSlot{}).opening->clear, 3.083, 1e-12);
