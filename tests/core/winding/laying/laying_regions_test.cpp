@@ -37,8 +37,6 @@ void expect_same(const Matrix& m, const Frame& frame) {
   }
 }
 
-double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-Vec3 minus(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 
 LayingRegions stator() { return laying_regions(make_slot(StatorSlot{}), StatorHeads{}); }
 LayingRegions rotor() { return laying_regions(make_slot(RotorSlot{}), RotorHeads{}); }
@@ -101,7 +99,7 @@ TEST(LayingRegions, FootKeepsThePartOfAForceThatIsNormalToTheWire) {
     const Vec3 wire{f.x.y * f.y.z - f.x.z * f.y.y, f.x.z * f.y.x - f.x.x * f.y.z, f.x.x * f.y.y - f.x.y * f.y.x};
     const Vec3 from{random.uniform(-9, 9), random.uniform(-9, 9), random.uniform(-9, 9)};
     const Point place{random.uniform(-5, 5), random.uniform(-5, 5)};
-    const Vec3 force = minus(from, f.place(place));  // (4.15)
+    const Vec3 force = from - f.place(place);  // (4.15)
     const double along = dot(force, wire);
     EXPECT_NEAR(distance(f.foot(from), place), std::sqrt(dot(force, force) - along * along), 1e-9);
   }
