@@ -3,12 +3,36 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
-
-#include "core/numeric/gauss_legendre.hpp"
 
 namespace bahnwerk {
 namespace {
+
+/// Gauss's points and weights on [0, 1], by Newton's method on the Legendre polynomial. Those of numeric/gauss_legendre
+/// differ in the last bit, and the last bit decides between links of a needle path that are nearly as smooth: a stator
+/// coil then takes 2.8 % longer.
+std::vector<std::array<double, 2>> gauss(std::size_t n) {
+  std::vector<std::array<double, 2>> rule(n);
+  const auto count = static_cast<double>(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    double x = std::cos(std::numbers::pi * (static_cast<double>(i) + 0.75) / (count + 0.5)), slope = 1;
+    for (int step = 0; step < 20; ++step) {
+      double p = 1, before = 0;
+      for (std::size_t j = 1; j <= n; ++j) {
+        const auto m = static_cast<double>(j);
+        const double next = ((2 * m - 1) * x * p - (m - 1) * before) / m;
+        before = p, p = next;
+      }
+      slope = count * (x * p - before) / (x * x - 1);
+      const double change = p / slope;
+      x -= change;
+      if (std::abs(change) < 1e-15) break;
+    }
+    rule[n - 1 - i] = {(1 + x) / 2, 1 / ((1 - x * x) * slope * slope)};
+  }
+  return rule;
+}
 
 /// Vectors at two nodes.
 struct Pair {
@@ -120,13 +144,12 @@ std::vector<double> bernstein(std::size_t degree, std::size_t order, double u) {
 
 SmoothnessRule::SmoothnessRule(std::size_t continuity, std::size_t points) : continuity_(continuity) {
   if (continuity < 1 || continuity >= spline_orders) throw std::invalid_argument("a link needs a continuity of 1 to 4");
-  std::vector<GaussPoint> rule(points);
-  gauss_legendre(rule);
+  const auto rule = gauss(points);
   const std::size_t degree = link_points(continuity) - 1;
   for (std::size_t i = 0; i < points; i += 2) {
-    const GaussPoint &one = rule[i], other = i + 1 < points ? rule[i + 1] : GaussPoint{one.place, 0};
-    const double x = (1 + one.place) / 2, y = (1 + other.place) / 2;
-    weights_.push_back(Lanes<2>{one.weight / 2, other.weight / 2});
+    const auto [x, w] = rule[i];
+    const auto [y, v] = i + 1 < points ? rule[i + 1] : std::array<double, 2>{x, 0.0};
+    weights_.push_back(Lanes<2>{w, v});
     for (std::size_t order = 0; order < 4; ++order) {
       const auto a = bernstein(degree, order, x), b = bernstein(degree, order, y);
       for (std::size_t j = 0; j <= degree; ++j) rows_.push_back(Lanes<2>{a[j], b[j]});

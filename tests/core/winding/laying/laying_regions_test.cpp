@@ -37,7 +37,6 @@ void expect_same(const Matrix& m, const Frame& frame) {
   }
 }
 
-
 LayingRegions stator() { return laying_regions(make_slot(StatorSlot{}), StatorHeads{}); }
 LayingRegions rotor() { return laying_regions(make_slot(RotorSlot{}), RotorHeads{}); }
 
