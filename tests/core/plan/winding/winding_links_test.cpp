@@ -48,19 +48,26 @@ TEST(WindingPlan, LinksAreTimedByTheCyclesOfTheSetpoints) {
   EXPECT_GT(times[0], 1.02 * times[1]);
 }
 
-// Beside a high post the quickest links cut the corner: quicker or not, they are not taken.
+// Beside a high post the quickest links cut the corner. Whether they are then too near hangs on the last digits of
+// their search, so several distances are asked for.
 TEST(WindingPlan, LinksByTimeComeNoNearerThanIsAllowed) {
   WindingRequest r = stator_request(1);
   r.model.pivot_limit = 10 * std::numbers::pi / 180;
-  r.needle.width = 1.6, r.least_clearance = 0.3;
+  r.needle.width = 1.6;
   r.tool.width = 2.5, r.tool.height = 40;
   r.minimum_time = true;
-  const WindingPlan p = planned(r);
-  expect_verified(p, "by time, beside a post");
-  ASSERT_TRUE(p.link_times);
-  EXPECT_LT(p.link_times->minimum_time, p.link_times->curvature);
-  EXPECT_NE(p.link_times->taken, LinkChoice::minimum_time);
-  EXPECT_GE(p.clearance.minimum, r.least_clearance);
+  int too_near = 0;
+  for (const double least : {0.25, 0.3, 0.32, 0.34, 0.36}) {
+    SCOPED_TRACE(least);
+    r.least_clearance = least;
+    const WindingPlan p = planned(r);
+    expect_verified(p, "by time, beside a post");
+    ASSERT_TRUE(p.link_times);
+    EXPECT_LT(p.link_times->minimum_time, p.link_times->curvature);
+    EXPECT_GE(p.clearance.minimum, least);
+    too_near += p.link_times->taken != LinkChoice::minimum_time;
+  }
+  EXPECT_GE(too_near, 1);
 }
 
 }  // namespace
