@@ -3,10 +3,12 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/base/named.hpp"
 #include "core/base/progress_scope.hpp"
+#include "core/geometry/curve/vec.hpp"
 #include "core/motion/axes/spline_motion.hpp"
 #include "core/numeric/polynomial.hpp"
 
@@ -43,6 +45,9 @@ struct ProbeMotion {
   /// are made from them, as times would otherwise be rounded once more than the verifier grants.
   std::vector<double> durations;
   std::vector<PieceJoint> joints;  ///< per piece; empty: all exact
+  /// Where the motion has to end, where positions are carried all the way: what rounding makes of minutes at full speed
+  /// is taken out in the longest piece.
+  std::optional<Vec> end;
   std::vector<ProbePhase> phases;  ///< in order of time
   double duration() const { return motion->duration(); }
 };

@@ -53,8 +53,9 @@ ChainLimits<D> limits_of(const ProbeProblem& problem) {
   return limits;
 }
 
-ProbeMotion motion_of(std::vector<SplineMotion::Piece> pieces, std::vector<double> times) {
+ProbeMotion motion_of(std::vector<SplineMotion::Piece> pieces, std::vector<double> times, const Vec& end) {
   ProbeMotion out;
+  out.end = end;
   // Every piece begins at the very place at which rounding leaves the one before it.
   double begin = 0;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -87,7 +88,7 @@ ProbeMotion in_tube(const ProbeProblem& problem, const Report& report) {
         return axes;
       },
       pieces, times);
-  return motion_of(std::move(pieces), std::move(times));
+  return motion_of(std::move(pieces), std::move(times), problem.points.back());
 }
 
 // The last point up to which the polyline from `from` stays on one line, there and back included.
@@ -154,7 +155,7 @@ ProbeMotion on_polyline(const ProbeProblem& problem, const Report& report) {
         pieces, times);
     from = to;
   }
-  return motion_of(std::move(pieces), std::move(times));
+  return motion_of(std::move(pieces), std::move(times), problem.points.back());
 }
 
 // Planned in units of the time that an edge takes at full speed on average: a problem whose time is scaled is the same

@@ -46,6 +46,11 @@ TEST(Optimal, AShortMoveIsQuickerThanFifteenPhases) {
   EXPECT_LT(planned, 1.002 * std::pow(384 * 0.03 / 200000, 0.25));
 }
 
+TEST(Optimal, MinutesAtFullSpeedEndOnTheLastPoint) {
+  // Places are carried from piece to piece; rounding of 250 s at 20 mm/s adds up to more than the verifier grants.
+  optimal(problem({{0, 0}, {3, 0.2}, {6, 0.8}, {9, 0.9}, {12, -5000}, {15, 0}}, 0.2));
+}
+
 TEST(Optimal, TwoPointsTakeNoLongerThanTheProfile) {
   const ProbeProblem p = problem({{0, 0, 0}, {0, 60, 0}}, 0.05, 3);
   EXPECT_LE(optimal(p).duration(), 3.17 + 1e-9);
