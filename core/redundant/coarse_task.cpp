@@ -8,8 +8,8 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double rounding = 32 * std::numeric_limits<double>::epsilon();  // of what points are computed with
-constexpr int places = 32;                                                // of a curve
+constexpr double rounding = 32 * std::numeric_limits<double>::epsilon();  // relative, of coordinates
+constexpr int places = 32;                                                // looked at per curve
 
 /// What the rounding of a segment's points does to its derivatives at an end of it: it turns and bends the end.
 struct Rounding {

@@ -9,8 +9,8 @@ namespace bahnwerk::cam {
 namespace {
 
 constexpr int most_steps = 30;
-constexpr int most_halvings = 4;        // of the distance to the middle of the ranges
-constexpr double coarsest_gap = 1e-4;   // of J, of the programs on the way
+constexpr int most_halvings = 4;        // each halves the distance to the middle of the ranges
+constexpr double coarsest_gap = 1e-4;   // relative to J, for programs on the way
 constexpr double least_section = 1e-3;  // share of the mean section by which angles are kept apart
 
 class AngleSearch {

@@ -82,7 +82,7 @@ class Relaxation {
  private:
   struct Node {
     double time;
-    std::size_t first;  // of its three variables
+    std::size_t first;  // index among the variables; the other two follow
     bool before;        // it ends a cell before a jump
     std::size_t point;  // BorderedRow::none: of none
   };

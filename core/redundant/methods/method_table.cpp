@@ -22,7 +22,7 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double worth_giving_way = 1e-6;  // of a duration
+constexpr double worth_giving_way = 1e-6;  // share of the duration
 constexpr double symmetric = 5e-4;         // of the bound, by which durations forwards and backwards may differ
 constexpr double quicker = 1e-9;           // of a duration: less is rounding
 

@@ -10,11 +10,6 @@
 namespace bahnwerk::cam {
 namespace {
 
-SplineResult solve(const LawTask& task, const SectionBasis& basis) {
-  SilentProgress progress;
-  return SplineProgram(task, basis, task.middle()).solve({}, progress);
-}
-
 TEST(LawBound, BoxesOfAnglesHoldForEveryAngleInThem) {
   SilentProgress progress;
   MotionLawProblem problem = testing::rest_to_rest(30, 1);
@@ -24,11 +19,11 @@ TEST(LawBound, BoxesOfAnglesHoldForEveryAngleInThem) {
   for (const double at : {30.0, 35.0, 40.0, 50.0}) {
     problem.points[1].at = {at, at};
     const LawTask task = make_law_task(problem);
-    least = std::min(least, solve(task, basis).objective);
+    least = std::min(least, testing::solve(task, basis).objective);
   }
   problem.points[1].at = {30, 50};
   const LawTask task = make_law_task(problem);
-  const KnownLaw law(task, basis, solve(task, basis));
+  const KnownLaw law(task, basis, testing::solve(task, basis));
   const AllLawsBound one = bound_over_angles(task, law, 1, 1e-3, progress);
   const AllLawsBound many = bound_over_angles(task, law, 20, 1e-3, progress);
   EXPECT_LE(one.objective, many.objective * (1 + 1e-6));

@@ -1,5 +1,7 @@
 #pragma once
 /// Problems that the tests of optimal laws share.
+#include "core/base/progress.hpp"
+#include "core/cam/optimal/spline_program.hpp"
 #include "core/cam/problem.hpp"
 #include "core/numeric/random.hpp"
 
@@ -24,6 +26,12 @@ inline MotionLawProblem rest_to_rest(double stroke, double duration) {
   problem.objective.weight = {0, 1, 0.25 * duration, 0.06 * duration * duration};
   problem.points = {point_at(0, {fixed(0), fixed(0), fixed(0)}), point_at(90, {fixed(stroke), fixed(0), fixed(0)})};
   return problem;
+}
+
+/// The least objective of a basis, with the angles in the middle of their ranges.
+inline SplineResult solve(const LawTask& task, const SectionBasis& basis) {
+  SilentProgress progress;
+  return SplineProgram(task, basis, task.middle()).solve({}, progress);
 }
 
 /// Open or periodic, some ranges, some monotone sections; derivatives are such that a law of degree 7 exists.

@@ -10,11 +10,6 @@
 namespace bahnwerk::cam {
 namespace {
 
-SplineResult solve(const LawTask& task, const SectionBasis& basis) {
-  SilentProgress progress;
-  return SplineProgram(task, basis, task.middle()).solve({}, progress);
-}
-
 /// From rest to rest the best of all laws has a trapezoidal acceleration with ramps r of the duration: J = w₁ 2h/T +
 /// A/(½ − r) + B/(r (½ − r)), A = w₂ 2h/T², B = w₃ 2h/T³, stationary at r = (−B + √(B² + AB/2))/A, where
 /// its jerk is dear enough for a velocity without plateau.
@@ -29,7 +24,7 @@ TEST(Relaxation, ReachesTheClosedFormFromBelow) {
     const double closed = w[1] * 2 * h / t + a / (0.5 - r) + b / (r * (0.5 - r));
     const LawTask task = make_law_task(problem);
     const SectionBasis basis(7, 1);
-    const KnownLaw law(task, basis, solve(task, basis));
+    const KnownLaw law(task, basis, testing::solve(task, basis));
     const double bound = relaxation_bound(task, task.at, law, {}, progress);
     EXPECT_LE(bound, closed * (1 + 1e-9));
     EXPECT_GE(bound, closed * (1 - 5e-4));
@@ -43,7 +38,7 @@ TEST(Relaxation, IsBelowEveryLaw) {
   for (int k = 0; k < 12; ++k) {
     const LawTask task = make_law_task(testing::random_problem(random));
     const SectionBasis basis(7, 1), fine(4, 12);
-    const SplineResult spline = solve(task, basis), close = solve(task, fine);
+    const SplineResult spline = testing::solve(task, basis), close = testing::solve(task, fine);
     RelaxationOptions options;
     options.cells = 120;
     const double bound = relaxation_bound(task, task.at, KnownLaw(task, basis, spline), options, progress);
@@ -59,12 +54,12 @@ TEST(Relaxation, JumpsThatAPointAllowsCountAsLaws) {
   problem.points.insert(problem.points.begin() + 1, testing::point_at(45, {testing::fixed(20)}, 1));
   LawTask task = make_law_task(problem);
   const SectionBasis basis(5, 4);
-  const SplineResult jumping = solve(task, basis);
+  const SplineResult jumping = testing::solve(task, basis);
   const double bound = relaxation_bound(task, task.at, KnownLaw(task, basis, jumping), {}, progress);
   EXPECT_LE(bound, jumping.objective);
   problem.points[1].continuity = 2;
   task = make_law_task(problem);
-  const SplineResult smooth = solve(task, basis);
+  const SplineResult smooth = testing::solve(task, basis);
   EXPECT_GE(relaxation_bound(task, task.at, KnownLaw(task, basis, smooth), {}, progress), bound * (1 - 1e-4));
 }
 

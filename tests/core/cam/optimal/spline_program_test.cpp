@@ -14,9 +14,7 @@ namespace bahnwerk::cam {
 namespace {
 
 SplineResult solve(const LawTask& task, int degree, int pieces) {
-  SilentProgress progress;
-  const SectionBasis basis(degree, pieces);
-  return SplineProgram(task, basis, task.middle()).solve({}, progress);
+  return testing::solve(task, SectionBasis(degree, pieces));
 }
 
 TEST(SplineProgram, SixValuesAndDegreeFiveAreThe345Polynomial) {
