@@ -26,6 +26,7 @@ Machine shared(Machine machine, double share) {
 
 Machine calmed(Machine head, const CoarseFineMachine& machine, const Freedom& freedom) {
   for (std::size_t k = 0; k < head.axes.size(); ++k) {
+    if (!(machine.axes[k].stroke > 0)) continue;  // no fine axis, which could leave the coarse one more
     const auto lower = [&](double& value, double without) {
       value += freedom.calm * (std::min(value, without) - value);
     };

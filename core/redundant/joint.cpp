@@ -79,7 +79,7 @@ class Candidates {
     JointResult result = best_->result();
     result.gave_way = gave_way;
     result.slowed = std::max(result.slowed, most_slowed_);
-    result.fastest = std::min(result.fastest, head_alone_);
+    result.fastest = std::min({result.fastest, head_alone_, result.chosen.duration});
     return result;
   }
 

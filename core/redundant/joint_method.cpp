@@ -13,6 +13,7 @@ RedundancyResult plan_joint_method(const RedundancyTask& task, const RedundancyO
   given.stretch = options.stretch;
   given.compare = options.compare;
   given.coarse_alone = options.coarse_alone;
+  given.least_stroke = options.least_stroke;
   given.bound = task.bound;
   given.corner_angle = options.corner_angle;
   JointResult found =

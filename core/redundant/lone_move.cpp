@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -12,7 +13,9 @@ namespace bahnwerk {
 namespace {
 
 constexpr double share = 1 - 1e-10;  // of limits and strokes: so that rounding leaves them held
-constexpr double least_way = 1e-9;   // of the move, that is left to the coarse axes where both are in proportion
+constexpr double places =
+    32 * std::numeric_limits<double>::epsilon();  // of coordinates: what their rounding sums up to
+constexpr double least_way = 1e-9;  // of the move, that is left to the coarse axes where both are in proportion
 constexpr int halvings = 60;
 constexpr int parts = 16, thirds = 60;  // of a search over σ
 constexpr double rounding = 1e-13;      // of a duration: shorter pieces are none
@@ -53,7 +56,12 @@ struct Stage {
   std::vector<Part> parts;
   ProfileState at(double t) const {
     ProfileState sum;
-    for (const Part& part : parts) part.add_to(sum, t);
+    double most = 0;
+    for (const Part& part : parts) {
+      part.add_to(sum, t);
+      most += std::abs(part.weight) * part.profile.peak_acceleration / (part.factor * part.factor);
+    }
+    if (std::abs(sum.a) <= places * most) sum.a = 0;  // or seconds of it at one speed add up to picometres
     return sum;
   }
   void add(const Profile& profile, double factor = 1, double begin = 0, double weight = 1) {
@@ -238,9 +246,10 @@ class Search {
 
 /// The polynomial from one time to another that fits what the stage does at both: its velocities, with limited jerk its
 /// accelerations, too. So pieces fit together whatever rounding does to a border of another stage nearby.
-ProfileState between(const Stage& stage, double begin, double end, bool jerk) {
+ProfileState between(const Stage& stage, double begin, double end, bool last, bool jerk) {
   ProfileState x = stage.at(begin);
-  const ProfileState y = stage.at(end);
+  ProfileState y = stage.at(end);
+  if (last) y.v = y.a = 0;  // the time's last place counts for more than theirs
   const double h = end - begin, mean = (y.v - x.v) / h;
   if (!jerk) return {x.s, x.v, mean, 0, 0};
   const double da = (y.a - x.a) / h, dv = (mean - x.a) / h;  // j + q h/2, j/2 + q h/6
@@ -260,16 +269,19 @@ std::optional<LoneMove> lone_move(const AxisPath& path, const CoarseFineMachine&
   if (!(coarse.acceleration < unlimited)) return std::nullopt;
   double half = unlimited;
   for (std::size_t k = 0; k < machine.axes.size(); ++k)
-    if (const double rate = std::abs(jet.d1[k]); rate > 0) half = std::min(half, share * machine.axes[k].stroke / rate);
+    if (const double rate = std::abs(jet.d1[k]); rate > 0) {
+      const double rounded = places * (std::abs(jet.value[k]) + rate * length);
+      half = std::min(half, std::max(0.0, share * machine.axes[k].stroke - rounded) / rate);
+    }
   const Stages s = Search(length, half, coarse, fine, share * feed).best();
   const bool jerk = coarse.jerk < unlimited;
   LoneMove move;
   const std::vector<double> times = s.borders();
   for (std::size_t i = 0; i + 1 < times.size(); ++i) {
     const double t = times[i], end = times[i + 1], h = end - t;
-    const ProfileState c = between(s.coarse, t, end, jerk), f = between(s.fine, t, end, jerk);
-    const ProfileState ce = s.coarse.at(end), fe = s.fine.at(end);
     const bool last = i + 2 == times.size();
+    const ProfileState c = between(s.coarse, t, end, last, jerk), f = between(s.fine, t, end, last, jerk);
+    const ProfileState ce = s.coarse.at(end), fe = s.fine.at(end);
     move.head.append(
         {0, h, c.s + f.s, last ? length : ce.s + fe.s, c.v + f.v, c.a + f.a, c.j + f.j, 0, c.snap + f.snap});
     SplineMotion::Piece piece{move.head.duration(), {}};

@@ -56,6 +56,7 @@ struct RedundancyOptions {
   double smoothness = 0;         ///< joint: 0 … 1, how far the duration is stretched for a smoother coarse axis
   double stretch = 0;            ///< joint: ≥ 1, in place of what `smoothness` stands for
   bool coarse_alone = false;     ///< joint: whether the fine axes stand still, the last resort
+  double least_stroke = 0.02;    ///< joint: mm; a fine axis with less stands still, unless a closed form knows better
   bool compare = true;           ///< whether to make the table of trades, where the method has one
   bool keep_reserve = false;     ///< whether the head's law keeps the braking reserve K_b [Bock (2.11)]
   double braking_reserve = 0.7;  ///< K_b

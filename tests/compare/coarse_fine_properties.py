@@ -6,8 +6,8 @@
 Case i is the same every time: machine MD1, MD2 or a random one, a stroke of 0 to 500 mm (0, 0.001, 0.02 and 500 mm in
 every tenth case each), one coordinate without a fine axis (z where there is one) in every seventh, with limited jerk every
 other time (`joint` and `iterative`, which hold it), and a straight move of 0.01 to 3 000 mm or a program of
-coarse_fine_methods.py. Each method plans it as it is and once more each (programs, without --all, with one of the first
-three and in one of the other ways, in turn)
+coarse_fine_methods.py. Each method plans it as it is, once more with one of the first three and once more in one of the other
+ways, in turn (with --all in all of them)
 
     stroke, coarse, fine          with more stroke, more acceleration of the coarse or of the fine axes
     shift, mirror, turn, reverse  elsewhere, mirrored, turned by 90°, from its end to its begin
@@ -226,7 +226,7 @@ class Run:
         if base is None:
             return
         of_more, of_frames = MORE, tuple(FRAMES)
-        if programs and not self.options.all:
+        if not self.options.all:
             of_more, of_frames = (MORE[number // 2 % 3],), (("reverse", "shift", "reverse", "mirror", "reverse", "turn")[number // 2 % 6],)
         for which, factor in more.items():
             if which not in of_more:
@@ -253,7 +253,7 @@ def main():
     parser.add_argument("--moves", type=int, default=500)
     parser.add_argument("--programs", type=int, default=200)
     parser.add_argument("--method", nargs="+", choices=METHODS, default=METHODS)
-    parser.add_argument("--all", action="store_true", help="programs, too, with more of everything and in every frame")
+    parser.add_argument("--all", action="store_true", help="with more of everything and in every frame")
     parser.add_argument("--keep", type=pathlib.Path)
     options = parser.parse_args()
     run = Run(options)

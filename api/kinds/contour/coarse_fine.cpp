@@ -19,7 +19,7 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 
 constexpr std::size_t max_slowed_listed = 1000;
-constexpr double cells_per_time = 24;  // of √(stroke/coarse acceleration): JointOptions::cell
+constexpr double cells_per_time = 24;  // of √(stroke/coarse acceleration), as JointOptions::cell has it
 
 constexpr const char* axis_names[] = {"x", "y", "z"};
 
@@ -184,16 +184,28 @@ void check_redundancy(const json& spec, const CoarseFineMachine& machine, const 
   if (planning.what_if) fault({"planning", "what_if"}, "is not available with coarse and fine axes; machine_study is");
 }
 
-void check_grid(const CoarseFineMachine& machine, double shortest, std::vector<InputFault>& faults) {
+double least_stroke(const CoarseFineMachine& machine, double shortest) {
+  double least = RedundancyOptions{}.least_stroke;
   for (const CoarseFineAxis& axis : machine.axes) {
-    const double cell = std::sqrt(axis.stroke / axis.coarse.acceleration) / cells_per_time;
-    if (axis.stroke < JointOptions{}.least_stroke) continue;  // the fine axis stands still
-    if (shortest / cell > max_cells)
-      faults.push_back({{"machine", "fine", axis.name, "stroke"},
-                        "is so small, beside the coarse axis' acceleration, that the motion would have more than " +
-                            std::to_string(static_cast<long>(max_cells)) +
-                            " cells in which the coarse axes move evenly: split the contour"});
+    const double time = cells_per_time * shortest / max_cells;  // √(stroke/coarse acceleration) with as many cells
+    least = std::max(least, axis.coarse.acceleration * time * time);
   }
+  return least;
+}
+
+std::vector<std::string> unresolved_strokes(const CoarseFineMachine& machine, double least) {
+  std::vector<std::string> notes;
+  for (const CoarseFineAxis& axis : machine.axes) {
+    if (!(axis.stroke > RedundancyOptions{}.least_stroke && axis.stroke < least)) continue;
+    char note[240];
+    std::snprintf(
+        note, sizeof note,
+        "fine axis %s stands still wherever no closed form moves it: in a motion as long as this one a stroke "
+        "below %.3g mm is too short to plan; split the contour into shorter ones to use it",
+        axis.name.c_str(), least);
+    notes.emplace_back(note);
+  }
+  return notes;
 }
 
 std::vector<std::string> unused_options(const json& spec) {

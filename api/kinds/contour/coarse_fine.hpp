@@ -32,9 +32,11 @@ RedundancyOptions redundancy(const nlohmann::json& spec, const ContourPlanning& 
 /// Faults of what the spec asks for: a method that is not built, what it does not know, what such machines do not have.
 void check_redundancy(const nlohmann::json& spec, const CoarseFineMachine& machine, const ContourPlanning& planning,
                       std::vector<InputFault>& faults);
-/// Faults of a contour on that machine: an axis that is missing, a grid with more than max_cells for a motion of at
-/// least `shortest` s.
-void check_grid(const CoarseFineMachine& machine, double shortest, std::vector<InputFault>& faults);
+/// Returns the least stroke, mm, that a motion of at least `shortest` s is planned with: with less its grid would have
+/// more than max_cells.
+double least_stroke(const CoarseFineMachine& machine, double shortest);
+/// Returns a note for each fine axis whose stroke is less than that, but not as little as never counts.
+std::vector<std::string> unresolved_strokes(const CoarseFineMachine& machine, double least);
 
 /// What of the spec the method does not look at, as sentences.
 std::vector<std::string> unused_options(const nlohmann::json& spec);

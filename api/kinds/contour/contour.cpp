@@ -148,7 +148,7 @@ struct ContourJob {
   ContourPlanning planning;
   RedundancyOptions redundancy;
   std::vector<StudyRequest> studies;
-  std::vector<std::string> unused;  ///< notes on options that the method does not look at
+  std::vector<std::string> unused;  ///< notes on what of the document plays no part
   bool program = false;             ///< whether the contour is a program, which has lines
   Contour contour;
 };
@@ -179,15 +179,17 @@ ContourJob read_contour_job(const json& spec) {
   return job;
 }
 
-void check_contour(const Contour& contour, const ContourJob& job) {
+void check_contour(const Contour& contour, ContourJob& job) {
   std::vector<InputFault> faults;
   if (!job.coarse_fine) return throw_if_any(contour_faults(contour, job.head, job.planning));
   check_axes(contour, job.head, "coarse", faults);
   const double shortest = shortest_time(contour, job.head);
   check_setpoints(shortest, job.head, max_setpoints, faults);
-  check_grid(*job.coarse_fine, shortest, faults);
   check_range(*job.coarse_fine, contour, faults);
   throw_if_any(std::move(faults));
+  job.redundancy.least_stroke = least_stroke(*job.coarse_fine, shortest);
+  for (std::string& note : unresolved_strokes(*job.coarse_fine, job.redundancy.least_stroke))
+    job.unused.push_back(std::move(note));
 }
 
 /// What is planned: along Cartesian axes, or with coarse and fine ones, which may be studied besides.

@@ -142,6 +142,25 @@ TEST(CoarseFine, WhatTheMethodDoesNotLookAtIsNoted) {
               testing::AllOf(testing::HasSubstr("redundancy.degree"), testing::HasSubstr("braking reserve")));
 }
 
+/// 0.02 mm of stroke ask for cells of 66 µs: too many in four minutes, with or without corners.
+TEST(CoarseFine, AStrokeTooShortForALongContourStandsStillWithANote) {
+  const json spec{
+      {"contour",
+       {{"start", {0, 0}},
+        {"blocks",
+         {{{"mode", "cut"}, {"feed", 11}, {"segments", {{{"line", {1400, 0}}}, {{"line", {1400, 1400}}}}}}}}}},
+      {"machine", test::read_json(test::source("examples/machines/md1.json"))}};
+  json small = spec;
+  for (json& axis : small["machine"]["fine"]) axis["stroke"] = 0.02;
+  const PlannedJob job = planned(small);
+  EXPECT_THAT(job.result["details"]["notes"].dump(), testing::HasSubstr("fine axis x stands still"));
+  EXPECT_NEAR(job.result["summary"]["duration"].get<double>(), 2800.0 / 11, 0.01);
+  const CoarseFineMachine machine = coarse_fine_machine(spec);
+  EXPECT_EQ(least_stroke(machine, 1), 0.02);
+  EXPECT_GT(least_stroke(machine, 254), 0.02);
+  EXPECT_NEAR(least_stroke(machine, 2540), 100 * least_stroke(machine, 254), 1e-9);
+}
+
 TEST(CoarseFine, AStudyOfTheMachineIsATableAndAChart) {
   json spec = example("coarse_fine");
   spec["planning"] = {{"machine_study", true}};

@@ -253,6 +253,30 @@ TEST(Joint, AFineAxisOfAMicrometreStandsStill) {
   EXPECT_EQ(r.cells, 0u);
 }
 
+/// Its coarse axis is an ordinary one, which gentler limits of the others have nothing to give to.
+TEST(Joint, AMoveWithOneFineAxisIsSmoothedToo) {
+  CoarseFineMachine machine = test::md1();
+  machine.axes[0] = coarse_alone(machine.axes[0]);
+  JointOptions options;
+  options.smoothness = 0.25;
+  for (const auto& [contour, least] : {std::pair{test::straight(0, 1787.2), (1787.2 - 90) / 1600 + 1600.0 / 8000},
+                                       std::pair{test::straight(209, 209, 50), 209 * std::sqrt(2) / 50}}) {
+    const JointResult r = plan(test::joint_task(contour, machine), options);
+    EXPECT_FALSE(r.gave_way);
+    EXPECT_NEAR(r.chosen.duration, least * stretch_of(0.25), 1e-3 * least);
+  }
+}
+
+TEST(Joint, AMoveAtASlowFeedHoldsItWithALargeStroke) {
+  const CoarseFineAxis axis{"x", {1800, 16000, 3418851.8}, {2000, 60000, 15370936.3}, 25};
+  CoarseFineMachine machine{{axis, axis}, 0.001};
+  machine.axes[1].name = "y";
+  const JointTask task = test::joint_task(test::straight(48.2996, 48.2996, 19.446867615109927), machine);
+  const JointResult r = plan(task);
+  expect_valid(task, r, 50);
+  EXPECT_LT(r.chosen.duration, 3.5142);
+}
+
 /// What the coarse axes can do by themselves is always there, the fine ones standing still.
 TEST(Joint, RandomContoursAreNeverSlowerThanTheCoarseAxesAlone) {
   Random random(14);

@@ -44,6 +44,23 @@ void expect_held(const Contour& contour, const CoarseFineMachine& machine) {
         EXPECT_LE(std::abs(x.jerk[k] - c.jerk[k]), a.fine.jerk * (1 + 1e-6) + 1);
       }
     }
+  const MotionState end = coarse.in_piece(head.pieces() - 1, head.duration());
+  for (std::size_t k = 0; k < machine.axes.size(); ++k) {
+    EXPECT_NEAR(end.velocity[k], 0, 1e-11 * machine.axes[k].coarse.velocity);
+    if (machine.limits_jerk()) {
+      EXPECT_NEAR(end.acceleration[k], 0, 1e-14 * machine.axes[k].coarse.acceleration);
+    }
+  }
+  for (std::size_t i = 1; i < head.pieces(); ++i) {
+    const double t = head.begin(i), places = 1e-14 * contour.path.length();
+    for (const Motion* motion : {static_cast<const Motion*>(&head), static_cast<const Motion*>(&coarse)}) {
+      const MotionState before = motion->in_piece(i - 1, t), after = motion->in_piece(i, t);
+      for (std::size_t k = 0; k < machine.axes.size(); ++k) {
+        EXPECT_NEAR(before.position[k], after.position[k], places);
+        EXPECT_NEAR(before.velocity[k], after.velocity[k], 1e-11 * machine.axes[k].coarse.velocity);
+      }
+    }
+  }
   EXPECT_NEAR(head.along(head.pieces() - 1, head.duration()).v, 0, 1e-7);
   EXPECT_NEAR(move.head.pieces().back().s_end, contour.path.length(), 1e-9);
 }
@@ -55,6 +72,42 @@ TEST(LoneMove, TakesWhatTheCoarseAxesNeedForAllButTwoStrokes) {
   EXPECT_NEAR(lasts(machine, 1030, 0), 1000.0 / 1600 + 1600.0 / 8000, 1e-9);
   for (CoarseFineAxis& axis : machine.axes) axis = coarse_alone(axis);
   EXPECT_NEAR(lasts(machine, 290, 0), 2 * std::sqrt(290.0 / 8000), 1e-9);
+}
+
+/// A slow feed, with strokes that the push to it uses in part, in full, and not at all.
+TEST(LoneMove, HoldsASlowFeedWithEveryStroke) {
+  double before = HUGE_VAL;
+  for (const double stroke : {0.0, 0.5, 5.0, 15.0, 17.5, 19.0, 19.99, 20.0, 22.0, 30.0, 60.0}) {
+    SCOPED_TRACE(stroke);
+    const CoarseFineAxis axis{"x", {1800, 16000, 3418851.8}, {2000, 60000, 15370936.3}, stroke};
+    CoarseFineMachine machine{{axis, axis}, 0.001};
+    machine.axes[1].name = "y";
+    const Contour contour = test::straight(48.2996, 48.2996, 19.446867615109927);
+    expect_held(contour, machine);
+    const double now = move_of(contour, machine).head.duration();
+    EXPECT_LE(now, before * (1 + 1e-9));
+    before = now;
+  }
+}
+
+/// Positions of some metres are rounded to 1e-12 mm and a little: a stroke of 1 µm has to leave that open.
+TEST(LoneMove, HoldsAStrokeOfAMicrometreFarFromTheOrigin) {
+  CoarseFineMachine machine = test::md2();
+  for (CoarseFineAxis& axis : machine.axes) axis.stroke = 0.001;
+  ContourBuilder b(2, {38.267, 18.454, 0});
+  b.block(Mode::cut, 78);
+  b.line({2624.3615, 18.454, 0});
+  const Contour contour = b.finish();
+  machine = test::with_jerk(machine, 30);
+  const JointTask task = test::joint_task(contour, machine);
+  LoneMove move = lone_move(*task.path, machine, task.feeds.front()).value();
+  const PathMotion head(task.path, move.head);
+  const SplineMotion coarse(move.coarse);
+  for (std::size_t i = 0; i < head.pieces(); ++i)
+    for (int n = 0; n <= 4000; ++n) {
+      const double t = head.begin(i) + (head.end(i) - head.begin(i)) * n / 4000;
+      ASSERT_LE(std::abs(head.in_piece(i, t).position[0] - coarse.in_piece(i, t).position[0]), 0.001) << t;
+    }
 }
 
 /// With strokes that do not matter both drive as hard as they can all the time.
