@@ -196,7 +196,7 @@ double least_stroke(const CoarseFineMachine& machine, double shortest) {
 std::vector<std::string> unresolved_strokes(const CoarseFineMachine& machine, double least) {
   std::vector<std::string> notes;
   for (const CoarseFineAxis& axis : machine.axes) {
-    if (!(axis.stroke > RedundancyOptions{}.least_stroke && axis.stroke < least)) continue;
+    if (axis.stroke < RedundancyOptions{}.least_stroke || axis.stroke >= least) continue;
     char note[240];
     std::snprintf(
         note, sizeof note,
