@@ -32,12 +32,6 @@ RedundancyResult plan_coarse_alone(const RedundancyTask& task, const RedundancyO
   return alone;
 }
 
-bool slower_than_coarse_alone(const RedundancyResult& found, const RedundancyTask& task,
-                              const RedundancyOptions& options, Progress& progress, double at) {
-  return within_coarse_range(*task.path, task.machine) &&
-         found.head->duration() > plan_coarse_alone(task, options, progress, at).head->duration() * (1 + slower);
-}
-
 RedundancyResult quicker_than_coarse_alone(RedundancyResult found, const RedundancyTask& task,
                                            const RedundancyOptions& options, Progress& progress, double at) {
   if (!within_coarse_range(*task.path, task.machine)) return found;

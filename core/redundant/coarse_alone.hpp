@@ -10,10 +10,6 @@ namespace bahnwerk {
 RedundancyResult plan_coarse_alone(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
                                    double at);
 
-/// Whether the coarse axes alone are quicker than `found` and stay within their ranges.
-bool slower_than_coarse_alone(const RedundancyResult& found, const RedundancyTask& task,
-                              const RedundancyOptions& options, Progress& progress, double at);
-
 /// Returns `found`, or the coarse axes alone where they are quicker and stay within their ranges: then one fallback
 /// more, with a note.
 RedundancyResult quicker_than_coarse_alone(RedundancyResult found, const RedundancyTask& task,

@@ -49,6 +49,11 @@ struct RedundancyTask {
   double bound = 0;  ///< s, what any motion takes at least, as far as it is known
 };
 
+/// Whether the path is one straight line without a rest on the way: then there is a closed form (lone_move.hpp).
+inline bool is_lone_straight_move(const RedundancyTask& task) {
+  return task.path->size() == 1 && task.path->linear(0) && task.dwells.empty();
+}
+
 /// What a document may set; each method takes what it knows.
 struct RedundancyOptions {
   RedundancyMethod method = RedundancyMethod::joint;

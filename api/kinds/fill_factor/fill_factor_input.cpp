@@ -44,9 +44,10 @@ winding::StatorHeads heads_of_stator(const json& heads, const winding::StatorSlo
   take(heads, "span", h.span);
   if (2 * std::atan2(h.tool_shift, h.tool_radius) >= h.span * h.slot_pitch)
     faults.push_back({{"heads", "tool_shift"}, "lets the winding tools of the coil's two sides pass each other"});
-  if (h.span * h.slot_pitch >= std::numbers::pi)
+  if (h.span * h.slot_pitch > std::numbers::pi * (1 + 1e-9))
     faults.push_back(
-        {{"heads", "span"}, "takes the coil to the other side of the stator: less than half a turn is possible"});
+        {{"heads", "span"},
+         "takes the coil around more than half of the stator; the shorter way has the number of slots less this span"});
   return h;
 }
 

@@ -26,10 +26,6 @@ constexpr double worth_giving_way = 1e-6;  // share of the duration
 constexpr double symmetric = 5e-4;         // of the bound, by which durations forwards and backwards may differ
 constexpr double quicker = 1e-9;           // of a duration: less is rounding
 
-bool is_lone_straight_move(const RedundancyTask& task) {
-  return task.path->size() == 1 && task.path->linear(0) && task.dwells.empty();
-}
-
 /// A lone straight move has a closed form. Fits of splines to it find next to it what is now quicker, now slower with
 /// more stroke or acceleration: the closed form counts where it is quicker.
 RedundancyResult quicker_than_lone_move(RedundancyResult found, const RedundancyTask& task,
@@ -159,10 +155,6 @@ RedundancyResult plan_redundant(const RedundancyTask& task, const RedundancyOpti
       options.method == RedundancyMethod::iterative || (options.method == RedundancyMethod::joint && ends_count);
   if (iterates && !ends_count) result = quicker_than_lone_move(std::move(result), task, options, progress, to);
   if ((options.method == RedundancyMethod::joint && !ends_count) || task.machine.limits_jerk()) return result;
-  // Along a lone straight move the methods that filter or follow find no motion with one stroke, and with a little more
-  // a bad one: what takes their place is the same then, so that no move takes longer with more stroke.
-  if (!ends_count && is_lone_straight_move(task) && slower_than_coarse_alone(result, task, options, progress, to))
-    return quicker_than_lone_move(std::move(result), task, options, progress, to);
   return quicker_than_coarse_alone(std::move(result), task, options, progress, to);
 }
 

@@ -158,6 +158,16 @@ TEST(FillFactorInput, CoilSidesShareTheSlot) {
   EXPECT_EQ(request(spec).needle->stand, winding::Needle::Stand::left) << "the other side lies beside";
 }
 
+/// A stator of two poles has coils of half a turn; 24 slots are 15 deg apart.
+TEST(FillFactorInput, ACoilSpansHalfATurnAtMost) {
+  json spec = example("complete");
+  spec["heads"]["slot_pitch"] = 15;
+  spec["heads"]["span"] = 12;
+  EXPECT_NO_THROW(request(spec));
+  spec["heads"]["span"] = 13;
+  EXPECT_THROW(request(spec), InvalidInput);
+}
+
 TEST(FillFactorPlan, SaysWhatBlocksTheNeedle) {
   SilentProgress silent;
   json spec = example("complete");

@@ -4,9 +4,7 @@
 
 #include <cmath>
 
-#include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
-#include "core/redundant/joint_method.hpp"
 #include "core/redundant/methods/method_table.hpp"
 #include "tests/core/redundant/coarse_fine_machines.hpp"
 #include "tests/core/redundant/frames.hpp"
@@ -39,33 +37,6 @@ TEST(CoarseAlone, ASlowerMotionOfAMethodGivesWayToIt) {
     EXPECT_EQ(r.fallbacks, own.fallbacks + slower);
     EXPECT_EQ(slower, method.value == RedundancyMethod::filter || method.value == RedundancyMethod::lag_compensation);
     EXPECT_LE(test::split_excess(task, r).limits, 1e-4);
-  }
-}
-
-/// What the joint planner plans where a method finds no motion.
-double lasts(const RedundancyTask& task, const RedundancyOptions& options) {
-  SilentProgress progress;
-  try {
-    return plan_redundant(task, options, progress).head->duration();
-  } catch (const Infeasible&) {
-    return plan_joint_method(task, options, progress, 0, 1).head->duration();
-  }
-}
-
-/// With 1 µm of stroke the filter finds no motion along 0.45 mm, with 2.5 µm one of 0.34 s where the gantry alone takes
-/// 0.015 s.
-TEST(CoarseAlone, AlongAStraightMoveMoreStrokeIsNeverSlower) {
-  RedundancyOptions options;
-  for (const RedundancyMethod method : {RedundancyMethod::filter, RedundancyMethod::follow_up}) {
-    options.method = method;
-    double before = HUGE_VAL;
-    for (const double stroke : {0.001, 0.0025, 0.02}) {
-      CoarseFineMachine machine = test::md1();
-      for (CoarseFineAxis& axis : machine.axes) axis.stroke = stroke;
-      const double now = lasts(test::redundancy_task(test::straight(0.4501, 0), machine), options);
-      EXPECT_LE(now, before * (1 + 1e-6)) << stroke;
-      before = now;
-    }
   }
 }
 
