@@ -75,6 +75,11 @@ struct Stage {
 
 struct Stages {
   Stage coarse, fine;
+  Stage head() const {
+    Stage both = coarse;
+    both.parts.insert(both.parts.end(), fine.parts.begin(), fine.parts.end());
+    return both;
+  }
   double half = 0;  // σ
   double duration = unlimited;
   /// Where a piece of either begins, and the end, ascending.
@@ -250,6 +255,7 @@ ProfileState between(const Stage& stage, double begin, double end, bool last, bo
   ProfileState x = stage.at(begin);
   ProfileState y = stage.at(end);
   if (last) y.v = y.a = 0;  // the time's last place counts for more than theirs
+  if (std::abs(y.v - x.v) <= places * std::abs(x.v)) y.v = x.v;
   const double h = end - begin, mean = (y.v - x.v) / h;
   if (!jerk) return {x.s, x.v, mean, 0, 0};
   const double da = (y.a - x.a) / h, dv = (mean - x.a) / h;  // j + q h/2, j/2 + q h/6
@@ -275,15 +281,16 @@ std::optional<LoneMove> lone_move(const AxisPath& path, const CoarseFineMachine&
     }
   const Stages s = Search(length, half, coarse, fine, share * feed).best();
   const bool jerk = coarse.jerk < unlimited;
+  const Stage head = s.head();
   LoneMove move;
   const std::vector<double> times = s.borders();
   for (std::size_t i = 0; i + 1 < times.size(); ++i) {
     const double t = times[i], end = times[i + 1], h = end - t;
     const bool last = i + 2 == times.size();
-    const ProfileState c = between(s.coarse, t, end, last, jerk), f = between(s.fine, t, end, last, jerk);
-    const ProfileState ce = s.coarse.at(end), fe = s.fine.at(end);
-    move.head.append(
-        {0, h, c.s + f.s, last ? length : ce.s + fe.s, c.v + f.v, c.a + f.a, c.j + f.j, 0, c.snap + f.snap});
+    // Where the fine axes give back what the coarse ones gain, the head keeps its speed to the last place: its
+    // polynomial is that of both together, not the sum of two that are rounded by themselves.
+    const ProfileState c = between(s.coarse, t, end, last, jerk), x = between(head, t, end, last, jerk);
+    move.head.append({0, h, x.s, last ? length : head.at(end).s, x.v, x.a, x.j, 0, x.snap});
     SplineMotion::Piece piece{move.head.duration(), {}};
     for (std::size_t k = 0; k < machine.axes.size(); ++k) {
       const double rate = jet.d1[k];
