@@ -8,15 +8,37 @@ namespace {
 
 using Vector = std::vector<double>;
 
+// Sums and maxima run over every fourth entry, four at once: one after the other they would wait for each other.
+constexpr std::size_t lanes = 4;
+
+/// Returns the sum of term(i) for i < size.
+template <class Term>
+double sum_of(std::size_t size, const Term& term) {
+  double sum[lanes] = {};
+  std::size_t i = 0;
+  for (; i + lanes <= size; i += lanes)
+    for (std::size_t k = 0; k < lanes; ++k) sum[k] += term(i + k);
+  for (; i < size; ++i) sum[0] += term(i);
+  return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+}
+/// Returns the largest term(i) for i < size, or `least`.
+template <class Term>
+double most_of(std::size_t size, double least, const Term& term) {
+  double most[lanes] = {least, least, least, least};
+  std::size_t i = 0;
+  for (; i + lanes <= size; i += lanes)
+    for (std::size_t k = 0; k < lanes; ++k) {
+      const double value = term(i + k);
+      most[k] = most[k] < value ? value : most[k];
+    }
+  for (; i < size; ++i) most[0] = std::max(most[0], term(i));
+  return std::max({most[0], most[1], most[2], most[3]});
+}
 double dot(const Vector& a, const Vector& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
+  return sum_of(a.size(), [&](std::size_t i) { return a[i] * b[i]; });
 }
 double largest(const Vector& a) {
-  double most = 0;
-  for (const double value : a) most = std::max(most, std::abs(value));
-  return most;
+  return most_of(a.size(), 0, [&](std::size_t i) { return std::abs(a[i]); });
 }
 
 constexpr int most_directions = 12;  // of GMRES
@@ -38,6 +60,7 @@ class Driver {
         push_(rows_),
         row_residual_(rows_),
         ex_(equalities_),
+        qx_(variables_),
         dual_residual_(variables_),
         equality_residual_(equalities_) {}
 
@@ -46,7 +69,7 @@ class Driver {
     for (;; ++result.iterations) {
       if (options_.tick) options_.tick();
       residuals();
-      const double objective = dot(system_.cost(), p_.x);
+      const double objective = dot(system_.cost(), p_.x) + 0.5 * dot(qx_, p_.x);
       const double mu = dot(p_.s, p_.z) / static_cast<double>(std::max<std::size_t>(rows_, 1));
       result.gap = mu * static_cast<double>(rows_) / (1 + std::abs(objective));
       result.primal_residual = std::max(largest(row_residual_), largest(equality_residual_));
@@ -55,14 +78,14 @@ class Driver {
         return result;
       result.converged = result.gap <= options_.gap &&
                          result.primal_residual <= std::min(options_.residual, options_.primal_residual) &&
-                         result.dual_residual <= options_.residual;
+                         result.dual_residual <= options_.dual_residual.value_or(options_.residual);
       if (result.converged || result.iterations >= options_.max_iterations) return result;
       for (std::size_t i = 0; i < rows_; ++i) weights_[i] = p_.z[i] / p_.s[i];
       if (!system_.factor(weights_)) return result;
       std::fill(predicted_.begin(), predicted_.end(), 0.0);
       step(0);
-      double after = 0;
-      for (std::size_t i = 0; i < rows_; ++i) after += (p_.s[i] + primal_ * ds_[i]) * (p_.z[i] + dual_ * dz_[i]);
+      const double after =
+          sum_of(rows_, [&](std::size_t i) { return (p_.s[i] + primal_ * ds_[i]) * (p_.z[i] + dual_ * dz_[i]); });
       const double share = rows_ ? after / static_cast<double>(rows_) / mu : 0;
       for (std::size_t i = 0; i < rows_; ++i) predicted_[i] = ds_[i] * dz_[i];
       // Products far below the requested ones would only increase residuals.
@@ -87,7 +110,10 @@ class Driver {
     const Vector &g = system_.inequality_side(), &e = system_.equality_side();
     for (std::size_t i = 0; i < rows_; ++i) row_residual_[i] = gx_[i] + p_.s[i] - g[i];
     for (std::size_t i = 0; i < equalities_; ++i) equality_residual_[i] = ex_[i] - e[i];
+    std::fill(qx_.begin(), qx_.end(), 0.0);
+    system_.add_quadratic(p_.x, qx_);
     dual_residual_ = system_.cost();
+    for (std::size_t i = 0; i < variables_; ++i) dual_residual_[i] += qx_[i];
     system_.add_transposed(p_.z, p_.y, dual_residual_);
   }
 
@@ -103,18 +129,21 @@ class Driver {
     for (double& value : right_y_) value = -value;
     dx_ = right_x_;
     dy_ = right_y_;
-    solve_refined(system_, weights_, dx_, dy_);
+    if (options_.refined)
+      solve_refined(system_, weights_, dx_, dy_);
+    else
+      system_.solve(dx_, dy_);
     system_.multiply(dx_, gx_, ex_);
-    primal_ = dual_ = 1;
     for (std::size_t i = 0; i < rows_; ++i) {
       ds_[i] = -row_residual_[i] - gx_[i];
       dz_[i] = push_[i] + weights_[i] * gx_[i];
-      if (ds_[i] < 0) primal_ = std::min(primal_, -p_.s[i] / ds_[i]);
-      if (dz_[i] < 0) dual_ = std::min(dual_, -p_.z[i] / dz_[i]);
     }
+    primal_ = 1 / most_of(rows_, 1, [&](std::size_t i) { return -ds_[i] / p_.s[i]; });
+    dual_ = 1 / most_of(rows_, 1, [&](std::size_t i) { return -dz_[i] / p_.z[i]; });
   }
 
   void move() {
+    if (options_.common_step) primal_ = dual_ = std::min(primal_, dual_);
     const double primal = primal_ < 1 ? keep * primal_ : 1, dual = dual_ < 1 ? keep * dual_ : 1;
     for (std::size_t i = 0; i < variables_; ++i) p_.x[i] += primal * dx_[i];
     for (std::size_t i = 0; i < equalities_; ++i) p_.y[i] += dual * dy_[i];
@@ -130,7 +159,7 @@ class Driver {
   InteriorPoint& p_;
   const InteriorPointOptions& options_;
   std::size_t variables_, equalities_, rows_;
-  Vector gx_, ds_, dz_, predicted_, weights_, push_, row_residual_, ex_, dual_residual_, equality_residual_;
+  Vector gx_, ds_, dz_, predicted_, weights_, push_, row_residual_, ex_, qx_, dual_residual_, equality_residual_;
   Vector right_x_, right_y_, dx_, dy_, none_;
   double primal_ = 1, dual_ = 1;
 };
@@ -146,6 +175,7 @@ void solve_refined(const InteriorPointSystem& system, const std::vector<double>&
     system.multiply(from_x, gx, ay);
     for (std::size_t i = 0; i < gx.size(); ++i) gx[i] *= weights[i];
     std::fill(ax.begin(), ax.end(), 0.0);
+    system.add_quadratic(from_x, ax);
     system.add_transposed(gx, from_y, ax);
   };
   system.solve(x, y);

@@ -1,15 +1,17 @@
 #pragma once
-/// A primal–dual interior-point method for linear programs with free variables:
+/// A primal–dual interior-point method for linear and convex quadratic programs with free variables:
 ///
-///   minimise cᵀx so that E x = e, G x + s = g, s ≥ 0;   dual: maximise −gᵀz − eᵀy so that c + Gᵀz + Eᵀy = 0, z ≥ 0.
+///   minimise ½ xᵀQx + cᵀx so that E x = e, G x + s = g, s ≥ 0;
+///   dual: maximise −½ xᵀQx − gᵀz − eᵀy so that Qx + c + Gᵀz + Eᵀy = 0, z ≥ 0.
 ///
 /// Mehrotra's predictor–corrector method [Mehrotra, On the implementation of a primal-dual interior point method, SIAM
 /// J. Optim. 2, 1992]. The driver uses vectors only; an `InteriorPointSystem`, one class per structure, assembles,
-/// factors and solves the system of a step. Cost: one factorisation and two solutions with a step of refinement each
-/// per iteration, 10 to 40 iterations.
+/// factors and solves the system of a step. Cost: one factorisation and two solutions, with a step of refinement each
+/// where it is wanted, per iteration, 10 to 40 iterations.
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace bahnwerk {
@@ -26,7 +28,9 @@ class InteriorPointSystem {
   /// Computes out += Gᵀz + Eᵀy.
   virtual void add_transposed(const std::vector<double>& z, const std::vector<double>& y,
                               std::vector<double>& out) const = 0;
-  /// Assembles and factors K = [GᵀWG Eᵀ; E 0] with W = diag(weights) > 0. Returns false if it is singular.
+  /// Computes out += Q x. A linear program has Q = 0.
+  virtual void add_quadratic(const std::vector<double>& /*x*/, std::vector<double>& /*out*/) const {}
+  /// Assembles and factors K = [Q + GᵀWG Eᵀ; E 0] with W = diag(weights) > 0. Returns false if it is singular.
   virtual bool factor(const std::vector<double>& weights) = 0;
   /// Computes (x, y) := K⁻¹ (x, y) with the last factors.
   virtual void solve(std::vector<double>& x, std::vector<double>& y) const = 0;
@@ -41,6 +45,11 @@ struct InteriorPointOptions {
   double gap = 1e-9;       ///< mean of s z at which the method ends, relative to 1 + |cᵀx|, times the number of rows
   double residual = 1e-9;  ///< of all equations, absolute: programs are scaled to the order of 1
   double primal_residual = std::numeric_limits<double>::infinity();  ///< of rows and equalities, where it is to be less
+  std::optional<double> dual_residual;  ///< of Qx + c + Gᵀz + Eᵀy, in place of `residual`
+  /// Slacks and multipliers go equally far. A quadratic objective needs it: it couples both sides' residuals.
+  bool common_step = false;
+  /// Solutions are refined (solve_refined). A positive definite K without equalities does well without.
+  bool refined = true;
   int max_iterations = 80;
   std::function<void()> tick;  ///< called every iteration; may throw
 };
@@ -63,8 +72,8 @@ InteriorPointResult solve_interior_point(InteriorPointSystem& system, InteriorPo
 void solve_refined(const InteriorPointSystem& system, const std::vector<double>& weights, std::vector<double>& x,
                    std::vector<double>& y);
 
-/// A lower bound of cᵀx over all feasible x is value − Σ |residual_k| magnitude_k where |x_k| ≤ magnitude_k, by weak
-/// duality, for any multipliers. Dual infeasibility is charged with its largest effect.
+/// For linear programs: a lower bound of cᵀx over all feasible x is value − Σ |residual_k| magnitude_k where |x_k| ≤
+/// magnitude_k, by weak duality, for any multipliers. Dual infeasibility is charged with its largest effect.
 struct DualValue {
   double value = 0;              ///< −gᵀz − eᵀy
   std::vector<double> residual;  ///< c + Gᵀz + Eᵀy

@@ -182,17 +182,31 @@ std::string title(const LawPlan& plan) {
   return text;
 }
 
+/// Names what the panels show, and nothing else.
 std::string legend(const LawPlan& plan, double y) {
-  const char* other = plan.source_law ? "active_set" : "modified sines";
-  return svg::segment({left, y - 4}, {left + 24, y - 4},
-                      std::string("stroke-width=\"1.8\" stroke=\"") + law_colour + "\"") +
-         svg::text({left + 30, y}, "law", small) +
-         svg::segment({left + 80, y - 4}, {left + 104, y - 4},
-                      std::string("stroke-dasharray=\"5 3\" stroke=\"") + other_colour + "\"") +
-         svg::text({left + 110, y}, other, small) +
-         rectangle(left + 220, y - 9, 16, 9,
-                   std::string("fill=\"") + box_colour + "\" fill-opacity=\"0.18\" stroke=\"" + box_colour + "\"") +
-         svg::text({left + 242, y}, "ranges; dots: numbers; dashed red: limits of sections", small);
+  std::string out = svg::segment({left, y - 4}, {left + 24, y - 4},
+                                 std::string("stroke-width=\"1.8\" stroke=\"") + law_colour + "\"") +
+                    svg::text({left + 30, y}, "law", small);
+  if (plan.source_law || plan.classical)
+    out += svg::segment({left + 80, y - 4}, {left + 104, y - 4},
+                        std::string("stroke-dasharray=\"5 3\" stroke=\"") + other_colour + "\"") +
+           svg::text({left + 110, y}, plan.source_law ? "active_set" : "modified sines", small);
+  bool ranges = false, limits = false;
+  for (const cam::MotionPoint& point : plan.problem.points) {
+    for (int order = 0; order < cam::limited_orders; ++order) {
+      const Range value = point.value(order);
+      ranges = ranges || !(value.free() || (value.fixed() && point.at.fixed()));
+      limits = limits || !point.section[static_cast<std::size_t>(order)].free();
+    }
+  }
+  std::string words = "dots: numbers";
+  if (ranges) {
+    out += rectangle(left + 220, y - 9, 16, 9,
+                     std::string("fill=\"") + box_colour + "\" fill-opacity=\"0.18\" stroke=\"" + box_colour + "\"");
+    words = "ranges; " + words;
+  }
+  if (limits) words += "; dashed red: limits of sections";
+  return out + svg::text({left + (ranges ? 242 : 220), y}, words, small);
 }
 
 }  // namespace
@@ -224,7 +238,16 @@ std::string spectrum_drawing(const LawPlan& plan) {
     out += svg::text({left - 6, y + 4}, drawing::tick_label(value), std::string(small) + " text-anchor=\"end\"");
   });
   const double each = width / static_cast<double>(n), bar = std::max(1.0, 0.36 * each);
-  const std::size_t every = std::max<std::size_t>(1, n / 20);
+  // Three digits, or all before the point.
+  const auto frequency = [&](std::size_t k) {
+    const double hertz = static_cast<double>(k + 1) / plan.solution.cycle_duration;
+    const double unit = std::min(1.0, std::pow(10.0, std::floor(std::log10(hertz)) - 2));
+    return drawing::tick_label(std::round(hertz / unit) * unit);
+  };
+  std::size_t letters = 1;
+  for (std::size_t k = 0; k < n; ++k) letters = std::max(letters, frequency(k).size());
+  const double label = 7 * static_cast<double>(letters) + 8;  // px that a label takes
+  const auto every = static_cast<std::size_t>(std::max(1.0, std::ceil(label / each)));
   for (std::size_t k = 0; k < n; ++k) {
     const double x = left + (static_cast<double>(k) + 0.5) * each;
     const auto draw = [&](double value, double at, const char* colour) {
@@ -234,9 +257,7 @@ std::string spectrum_drawing(const LawPlan& plan) {
     draw(law[k], x - bar, law_colour);
     draw(classical[k], x, other_colour);
     if ((k + 1) % every == 0)
-      out += svg::text({x, top + tall + 15},
-                       drawing::tick_label(static_cast<double>(k + 1) / plan.solution.cycle_duration),
-                       std::string(small) + " text-anchor=\"middle\"");
+      out += svg::text({x, top + tall + 15}, frequency(k), std::string(small) + " text-anchor=\"middle\"");
   }
   out += svg::text({left + width, top + tall + 32}, "frequency, Hz", std::string(small) + " text-anchor=\"end\"");
   return out + "</svg>\n";

@@ -19,18 +19,20 @@ class BandMatrix {
   double& at(std::size_t i, std::size_t d) { return a_[i * stride_ + d]; }
   double at(std::size_t i, std::size_t d) const { return a_[i * stride_ + d]; }
   /// += weight · row rowᵀ.
-  void add(const VariableRow& row, double weight) {
-    switch (row.count) {  // constants save 6 to 8 % of a whole plan's time
+  void add(const VariableRow& row, double weight) { add(row.first, row.count, row.weights.data(), weight); }
+  /// += weight · row rowᵀ for the row of `count` weights from variable `first` on.
+  void add(std::size_t first, std::size_t count, const double* weights, double weight) {
+    switch (count) {  // constants save 6 to 8 % of a whole plan's time
       case 2:
-        return add_of<2>(row, weight, 2);
+        return add_of<2>(first, weights, weight, 2);
       case 3:
-        return add_of<3>(row, weight, 3);
+        return add_of<3>(first, weights, weight, 3);
       case 4:
-        return add_of<4>(row, weight, 4);
+        return add_of<4>(first, weights, weight, 4);
       case 5:
-        return add_of<5>(row, weight, 5);
+        return add_of<5>(first, weights, weight, 5);
       default:
-        return add_of<0>(row, weight, row.count);
+        return add_of<0>(first, weights, weight, count);
     }
   }
   void add(const BandMatrix& other, double weight) {
@@ -76,12 +78,12 @@ class BandMatrix {
  private:
   // The first template argument: the row's count, the stride; 0: known at run time alone.
   template <std::size_t C>
-  void add_of(const VariableRow& row, double weight, std::size_t any) {
+  void add_of(std::size_t first, const double* weights, double weight, std::size_t any) {
     const std::size_t count = C > 0 ? C : any;
-    double* entry = &at(row.first, 0);
+    double* entry = &at(first, 0);
     for (std::size_t i = 0; i < count; ++i, entry += stride_) {
-      const double w = weight * row.weights[i];
-      for (std::size_t d = 0; d <= i; ++d) entry[d] += w * row.weights[i - d];
+      const double w = weight * weights[i];
+      for (std::size_t d = 0; d <= i; ++d) entry[d] += w * weights[i - d];
     }
   }
   template <std::size_t S>

@@ -2,265 +2,224 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
+
+#include "core/numeric/interior_point/interior_point.hpp"
 
 namespace bahnwerk {
 namespace {
 
-constexpr double keep = 0.995;            // of the way to the nearest bound that a step goes
 constexpr double least_objective = 1e-2;  // that the first multipliers are taken from, without a price
 constexpr double first_slack = 1e-2;      // that every row has at least at the begin
 
+/// A row's weights without what VariableRow leaves empty: programs do not fit the cache, and every pass reads all rows.
+struct PackedRow {
+  std::uint32_t first, count;
+  std::size_t weights;  ///< place of the first one among all
+  double elastic;
+};
+
 template <std::size_t C>
-double value_of(const VariableRow& row, const double* y, std::size_t any) {
+double value_of(const double* weights, const double* y, std::size_t any) {
   double sum = 0;
-  for (std::size_t r = 0; r < (C > 0 ? C : any); ++r) sum += row.weights[r] * y[r];
+  for (std::size_t r = 0; r < (C > 0 ? C : any); ++r) sum += weights[r] * y[r];
   return sum;
 }
-double value(const VariableRow& row, const std::vector<double>& all) {
-  const double* const y = all.data() + row.first;
-  switch (row.count) {
+double value(std::size_t count, const double* weights, const double* y) {
+  switch (count) {
     case 2:
-      return value_of<2>(row, y, 2);
+      return value_of<2>(weights, y, 2);
     case 3:
-      return value_of<3>(row, y, 3);
+      return value_of<3>(weights, y, 3);
     case 4:
-      return value_of<4>(row, y, 4);
+      return value_of<4>(weights, y, 4);
     case 5:
-      return value_of<5>(row, y, 5);
+      return value_of<5>(weights, y, 5);
     default:
-      return value_of<0>(row, y, row.count);
+      return value_of<0>(weights, y, count);
   }
 }
 template <std::size_t C>
-void scatter_of(const VariableRow& row, double factor, double* out, std::size_t any) {
-  for (std::size_t r = 0; r < (C > 0 ? C : any); ++r) out[r] += factor * row.weights[r];
+void scatter_of(const double* weights, double factor, double* out, std::size_t any) {
+  for (std::size_t r = 0; r < (C > 0 ? C : any); ++r) out[r] += factor * weights[r];
 }
-void scatter(const VariableRow& row, double factor, std::vector<double>& all) {
-  double* const out = all.data() + row.first;
-  switch (row.count) {
+void scatter(std::size_t count, const double* weights, double factor, double* out) {
+  switch (count) {
     case 2:
-      return scatter_of<2>(row, factor, out, 2);
+      return scatter_of<2>(weights, factor, out, 2);
     case 3:
-      return scatter_of<3>(row, factor, out, 3);
+      return scatter_of<3>(weights, factor, out, 3);
     case 4:
-      return scatter_of<4>(row, factor, out, 4);
+      return scatter_of<4>(weights, factor, out, 4);
     case 5:
-      return scatter_of<5>(row, factor, out, 5);
+      return scatter_of<5>(weights, factor, out, 5);
     default:
-      return scatter_of<0>(row, factor, out, row.count);
+      return scatter_of<0>(weights, factor, out, count);
   }
 }
+/// Sums over the entries of `a`; `b` may have more.
 double dot(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
   return sum;
 }
 
-/// Slack s of one side of a row, its multiplier z, and what a step changes.
-struct Side {
-  double s = 0, z = 0;
-  double ds = 0, dz = 0;
-  double residual = 0, complement = 0;
-};
-struct Pair {
-  Side upper, lower;
-};
-
-class Solver {
+/// The program for the driver: variables are y, then w where there is one; a row's upper side is inequality 2i, its
+/// lower side 2i + 1; w ≥ 0 is the last one.
+class BandSystem final : public InteriorPointSystem {
  public:
-  Solver(const BandProgram& program, const std::vector<double>& start, const BandProgramOptions& options)
+  explicit BandSystem(const BandProgram& program)
       : p_(program),
-        options_(options),
-        elastic_(program.price > 0),
         n_(program.quadratic.size()),
-        y_(start),
-        dy_(n_),
-        border_(n_),
+        elastic_(program.price > 0),
+        cost_(n_ + (elastic_ ? 1 : 0), 0.0),
+        inequality_side_(2 * program.rows.size() + (elastic_ ? 1 : 0), 0.0),
         normal_(program.quadratic),
-        pairs_(program.rows.size()) {
-    begin();
-  }
-
-  BandSolution run() {
-    BandSolution result;
-    for (; result.iterations < options_.max_iterations; ++result.iterations) {
-      if (options_.tick) options_.tick();
-      residuals();
-      const double objective = value_now();
-      const double mu = mean_;
-      if (mu * count() <= options_.gap * (1 + std::abs(objective)) && worst_ <= options_.residual &&
-          dual_ <= options_.gap) {
-        result.converged = true;
-        break;
-      }
-      if (!factor()) break;
-      step<false>(0);
-      const double primal = primal_, dual = dual_length_;
-      double after = elastic_ ? (w_.s + primal * w_.ds) * (w_.z + dual * w_.dz) : 0;
-      for (const Pair& pair : pairs_)
-        for (const Side* side : {&pair.upper, &pair.lower})
-          after += (side->s + primal * side->ds) * (side->z + dual * side->dz);
-      const double share = after / count() / mu;
-      step<true>(share * share * share * mu);
-      move();
-    }
-    result.y = std::move(y_);
-    result.w = elastic_ ? w_.s : 0;
-    return result;
-  }
-
- private:
-  double value_now() const {
-    double sum = 0.5 * dot(y_, qy_) + p_.price * w_.s;
-    for (std::size_t i = 0; i < p_.linear.size(); ++i) sum += p_.linear[i] * y_[i];
-    return sum;
-  }
-  double count() const { return static_cast<double>(2 * pairs_.size() + (elastic_ ? 1 : 0)); }
-
-  void begin() {
-    qy_.assign(n_, 0);
-    p_.quadratic.multiply(y_, qy_);
-    double excess = 0;
-    for (const BandRow& row : p_.rows) {
-      const double a = value(row.row, y_);
-      if (row.elastic > 0) excess = std::max({excess, (a - row.upper) / row.elastic, (row.lower - a) / row.elastic});
-    }
-    w_.s = elastic_ ? 1.1 * excess + first_slack : 0;
-    double share = elastic_ ? 1 / w_.s : 0;  // Σ e/s: what the multipliers of w take of its price
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+        border_(n_) {
+    std::copy(p_.linear.begin(), p_.linear.end(), cost_.begin());
+    if (elastic_) cost_[n_] = p_.price;
+    rows_.reserve(p_.rows.size());
+    for (std::size_t i = 0; i < p_.rows.size(); ++i) {
       const BandRow& row = p_.rows[i];
-      const double a = value(row.row, y_), give = row.elastic * w_.s;
-      pairs_[i].upper.s = std::max(row.upper + give - a, first_slack);
-      pairs_[i].lower.s = std::max(a - row.lower + give, first_slack);
-      share += row.elastic * (1 / pairs_[i].upper.s + 1 / pairs_[i].lower.s);
+      inequality_side_[2 * i] = row.upper;
+      inequality_side_[2 * i + 1] = -row.lower;
+      rows_.push_back({static_cast<std::uint32_t>(row.row.first), static_cast<std::uint32_t>(row.row.count),
+                       weights_.size(), row.elastic});
+      weights_.insert(weights_.end(), row.row.weights.begin(),
+                      row.row.weights.begin() + static_cast<std::ptrdiff_t>(row.row.count));
     }
-    // With a price the multipliers begin where that of w is met: a start far from it takes w to where rounding rules.
-    const double objective = std::abs(value_now());
-    const double mu = elastic_ ? p_.price / share : std::max(objective, least_objective) / count();
-    for (Pair& pair : pairs_)
-      for (Side* side : {&pair.upper, &pair.lower}) side->z = mu / side->s;
-    w_.z = elastic_ ? mu / w_.s : 0;
   }
 
-  void residuals() {
-    std::fill(qy_.begin(), qy_.end(), 0.0);
-    p_.quadratic.multiply(y_, qy_);
-    gradient_ = qy_;
-    for (std::size_t i = 0; i < p_.linear.size(); ++i) gradient_[i] += p_.linear[i];
-    by_w_ = p_.price - w_.z;
-    worst_ = 0;
-    double products = elastic_ ? w_.s * w_.z : 0;
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      const BandRow& row = p_.rows[i];
-      Side &u = pairs_[i].upper, &l = pairs_[i].lower;
-      products += u.s * u.z + l.s * l.z;
-      const double a = value(row.row, y_), give = row.elastic * w_.s;
-      u.residual = row.upper + give - a - u.s;
-      l.residual = a - row.lower + give - l.s;
-      worst_ = std::max({worst_, std::abs(u.residual), std::abs(l.residual)});
-      scatter(row.row, u.z - l.z, gradient_);
-      by_w_ -= row.elastic * (u.z + l.z);
+  const std::vector<double>& cost() const override { return cost_; }
+  const std::vector<double>& equality_side() const override { return equality_side_; }
+  const std::vector<double>& inequality_side() const override { return inequality_side_; }
+
+  void multiply(const std::vector<double>& x, std::vector<double>& gx, std::vector<double>& /*ex*/) const override {
+    const double w = elastic_ ? x[n_] : 0;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const double a = value_at(i, x), give = rows_[i].elastic * w;
+      gx[2 * i] = a - give;
+      gx[2 * i + 1] = -a - give;
     }
-    mean_ = products / count();
-    if (!elastic_) by_w_ = 0;
-    double most = std::abs(by_w_), size = 1 + p_.price;
-    for (std::size_t i = 0; i < n_; ++i) {
-      most = std::max(most, std::abs(gradient_[i]));
-      size = std::max(size, std::abs(qy_[i]));
+    if (elastic_) gx.back() = -w;
+  }
+  void add_transposed(const std::vector<double>& z, const std::vector<double>& /*y*/,
+                      std::vector<double>& out) const override {
+    double by_w = elastic_ ? -z.back() : 0;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const double upper = z[2 * i], lower = z[2 * i + 1];
+      scatter_at(i, upper - lower, out);
+      by_w -= rows_[i].elastic * (upper + lower);
     }
-    dual_ = most / size;
+    if (elastic_) out[n_] += by_w;
+  }
+  void add_quadratic(const std::vector<double>& x, std::vector<double>& out) const override {
+    p_.quadratic.multiply(x, out);
   }
 
-  bool factor() {
+  /// The band by Cholesky's method, w by its Schur complement.
+  bool factor(const std::vector<double>& weights) override {
     normal_ = p_.quadratic;
     std::fill(border_.begin(), border_.end(), 0.0);
-    corner_ = elastic_ ? w_.z / w_.s : 1;
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      const BandRow& row = p_.rows[i];
-      const double u = pairs_[i].upper.z / pairs_[i].upper.s, l = pairs_[i].lower.z / pairs_[i].lower.s;
-      normal_.add(row.row, u + l);
+    double corner = elastic_ ? weights.back() : 1;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const PackedRow& row = rows_[i];
+      const double upper = weights[2 * i], lower = weights[2 * i + 1];
+      normal_.add(row.first, row.count, &weights_[row.weights], upper + lower);
       if (row.elastic > 0) {
-        scatter(row.row, row.elastic * (l - u), border_);
-        corner_ += row.elastic * row.elastic * (u + l);
+        scatter_at(i, row.elastic * (lower - upper), border_);
+        corner += row.elastic * row.elastic * (upper + lower);
       }
     }
     if (!normal_.factor()) return false;
     solved_border_ = border_;
     if (elastic_) normal_.solve(solved_border_);
+    complement_ = corner - dot(solved_border_, border_);
     return true;
   }
-
-  /// Newton's step for s z = complement, of all sides: 0 in the predictor; in the corrector `centre` less what the
-  /// predictor left out. And how far slacks and multipliers may go until the first is 0, at most 1. Programs do not fit
-  /// the cache, so everything is done in two passes over the rows.
-  template <bool corrector>
-  void step(double centre) {
-    const auto aim = [centre](Side& side) { side.complement = corrector ? centre - side.ds * side.dz : 0; };
-    const auto push = [](const Side& side) { return (side.complement - side.z * side.residual) / side.s - side.z; };
-    double right_w = -by_w_;
-    for (std::size_t i = 0; i < n_; ++i) dy_[i] = -gradient_[i];
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      const BandRow& row = p_.rows[i];
-      aim(pairs_[i].upper), aim(pairs_[i].lower);
-      const double u = push(pairs_[i].upper), l = push(pairs_[i].lower);
-      scatter(row.row, l - u, dy_);
-      right_w += row.elastic * (u + l);
-    }
-    aim(w_);
-    double dw = 0;
-    if (elastic_) {
-      right_w += w_.complement / w_.s - w_.z;
-      dw = (right_w - dot(solved_border_, dy_)) / (corner_ - dot(solved_border_, border_));
-    }
-    normal_.solve(dy_);
-    if (elastic_)
-      for (std::size_t i = 0; i < n_; ++i) dy_[i] -= dw * solved_border_[i];
-    primal_ = dual_length_ = 1;
-    const auto look = [this](const Side& side) {
-      if (side.ds < 0) primal_ = std::min(primal_, -side.s / side.ds);
-      if (side.dz < 0) dual_length_ = std::min(dual_length_, -side.z / side.dz);
-    };
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      const BandRow& row = p_.rows[i];
-      Side &u = pairs_[i].upper, &l = pairs_[i].lower;
-      const double a = value(row.row, dy_), give = row.elastic * dw;
-      u.ds = u.residual - a + give;
-      l.ds = l.residual + a + give;
-      for (Side* side : {&u, &l}) {
-        side->dz = (side->complement - side->z * side->ds) / side->s - side->z;
-        look(*side);
-      }
-    }
-    w_.ds = dw;
-    w_.dz = elastic_ ? (w_.complement - w_.z * dw) / w_.s - w_.z : 0;
-    if (elastic_) look(w_);
+  void solve(std::vector<double>& x, std::vector<double>& /*y*/) const override {
+    const double w = elastic_ ? (x[n_] - dot(solved_border_, x)) / complement_ : 0;
+    normal_.solve(x);
+    if (!elastic_) return;
+    for (std::size_t i = 0; i < n_; ++i) x[i] -= w * solved_border_[i];
+    x[n_] = w;
   }
 
-  void move() {
-    const double least = std::min(primal_, dual_length_), step = least < 1 ? keep * least : 1;
-    // One length for both: with a quadratic objective rows and multipliers are coupled.
-    for (std::size_t i = 0; i < n_; ++i) y_[i] += step * dy_[i];
-    const auto go = [step](Side& side) { side.s += step * side.ds, side.z += step * side.dz; };
-    for (Pair& pair : pairs_) go(pair.upper), go(pair.lower);
-    if (elastic_) go(w_);
+  /// Slacks of at least `first_slack` and multipliers of one product with them.
+  InteriorPoint start(const std::vector<double>& y) const {
+    InteriorPoint point;
+    point.x = y;
+    point.s.resize(inequality_side_.size());
+    double excess = 0;
+    for (std::size_t i = 0; i < p_.rows.size(); ++i) {
+      const BandRow& row = p_.rows[i];
+      const double a = value_at(i, y);
+      if (row.elastic > 0) excess = std::max({excess, (a - row.upper) / row.elastic, (row.lower - a) / row.elastic});
+    }
+    const double w = elastic_ ? 1.1 * excess + first_slack : 0;
+    if (elastic_) point.x.push_back(w), point.s.back() = w;
+    double share = elastic_ ? 1 / w : 0;  // Σ e/s: what the multipliers of w take of its price
+    for (std::size_t i = 0; i < p_.rows.size(); ++i) {
+      const BandRow& row = p_.rows[i];
+      const double a = value_at(i, y), give = row.elastic * w;
+      double &upper = point.s[2 * i], &lower = point.s[2 * i + 1];
+      upper = std::max(row.upper + give - a, first_slack);
+      lower = std::max(a - row.lower + give, first_slack);
+      share += row.elastic * (1 / upper + 1 / lower);
+    }
+    // With a price the multipliers begin where that of w is met: a start far from it takes w to where rounding rules.
+    std::vector<double> qx(point.x.size(), 0.0);
+    add_quadratic(point.x, qx);
+    const double objective = std::abs(0.5 * dot(qx, point.x) + dot(cost_, point.x));
+    const double mu =
+        elastic_ ? p_.price / share : std::max(objective, least_objective) / static_cast<double>(point.s.size());
+    for (const double s : point.s) point.z.push_back(mu / s);
+    return point;
+  }
+
+ private:
+  double value_at(std::size_t row, const std::vector<double>& x) const {
+    return value(rows_[row].count, &weights_[rows_[row].weights], &x[rows_[row].first]);
+  }
+  void scatter_at(std::size_t row, double factor, std::vector<double>& out) const {
+    scatter(rows_[row].count, &weights_[rows_[row].weights], factor, &out[rows_[row].first]);
   }
 
   const BandProgram& p_;
-  const BandProgramOptions& options_;
-  bool elastic_;
   std::size_t n_;
-  std::vector<double> y_, dy_, qy_, gradient_, border_, solved_border_;
+  bool elastic_;
+  std::vector<double> cost_, equality_side_, inequality_side_;
+  std::vector<PackedRow> rows_;
+  std::vector<double> weights_;  // of all rows
   BandMatrix normal_;
-  double corner_ = 1, by_w_ = 0, worst_ = 0, dual_ = 0, mean_ = 0, primal_ = 1, dual_length_ = 1;
-  std::vector<Pair> pairs_;
-  Side w_;
+  std::vector<double> border_, solved_border_;
+  double complement_ = 1;
 };
 
 }  // namespace
 
 BandSolution solve(const BandProgram& program, const std::vector<double>& start, const BandProgramOptions& options) {
-  return Solver(program, start, options).run();
+  BandSystem system(program);
+  InteriorPoint point = system.start(start);
+  InteriorPointOptions interior;
+  interior.gap = options.gap;
+  interior.residual = options.residual;
+  interior.dual_residual = options.gap * (1 + program.price);
+  interior.common_step = true;
+  interior.refined = false;
+  interior.max_iterations = options.max_iterations;
+  interior.tick = options.tick;
+  const InteriorPointResult result = solve_interior_point(system, point, interior);
+  BandSolution solution;
+  solution.converged = result.converged;
+  solution.iterations = result.iterations;
+  if (program.price > 0) {
+    solution.w = point.x.back();
+    point.x.pop_back();
+  }
+  solution.y = std::move(point.x);
+  return solution;
 }
 
 }  // namespace bahnwerk

@@ -1,14 +1,14 @@
 #pragma once
-/// Convex quadratic programs whose rows are of few neighbouring variables, with one more variable w that all rows may
+/// Convex quadratic programs whose rows have few neighbouring variables and one more variable w that all rows may
 /// share:
 ///
 ///   minimise ½ yᵀQy + cᵀy + γ w   so that   lower_i − e_i w ≤ a_iᵀ y ≤ upper_i + e_i w,   w ≥ 0.
 ///
-/// With Q = 0, γ = 1 and e = 1 this is the least largest deviation from rows with lower = upper; with a large γ and e
-/// in some rows these are elastic: what they exceed is the least that can be.
+/// With Q = 0, γ = 1 and e = 1 the optimum w is the least largest deviation from rows with lower = upper. With a large
+/// γ and e > 0 in some rows these are elastic: they are exceeded by as little as the other rows allow.
 ///
-/// Mehrotra's predictor and corrector [Mehrotra, On the implementation of a primal-dual interior point method, 1992];
-/// its normal matrix is a band with one border. Cost: O(rows · band²) per iteration, 10 to 40 iterations.
+/// The driver of core/numeric/interior_point solves the program. The matrix of its steps is a band with one border.
+/// Cost: O(rows · band²) per iteration, 10 to 40 iterations.
 #include <cstddef>
 #include <functional>
 #include <vector>

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
@@ -127,6 +130,42 @@ TEST(LawPlan, DrawingsShowTheLawItsBoxesAndItsLimits) {
   EXPECT_EQ(drawing.find("nan"), std::string::npos);
   EXPECT_LT(drawing.size(), 200000u);
   EXPECT_EQ(spectrum_drawing(plan).find("nan"), std::string::npos);
+}
+
+TEST(LawPlan, LegendNamesOnlyWhatIsDrawn) {
+  cam::MotionLawProblem p = problem(130, false, {rest(0, 0), point(55, 3, {{25, 25}}), rest(130, 45)});
+  const std::string plain = law_drawing(planned(p));
+  EXPECT_NE(plain.find(">dots: numbers<"), std::string::npos);
+  EXPECT_EQ(plain.find("ranges"), std::string::npos);
+  EXPECT_EQ(plain.find("limits of sections"), std::string::npos);
+  p.points[1].values[0] = {24, 26};
+  EXPECT_NE(law_drawing(planned(p)).find(">ranges; dots: numbers<"), std::string::npos);
+  p.points[1].section[1] = {-0.1, 1};
+  EXPECT_NE(law_drawing(planned(p)).find(">ranges; dots: numbers; dashed red: limits of sections<"), std::string::npos);
+}
+
+/// Centres and lengths of the labels along the master of a drawing.
+std::vector<std::pair<double, std::size_t>> centred_labels(const std::string& drawing) {
+  std::vector<std::pair<double, std::size_t>> labels;
+  for (std::size_t at = drawing.find("<text x="); at != std::string::npos; at = drawing.find("<text x=", at + 1)) {
+    const std::size_t open = drawing.find('>', at), close = drawing.find('<', open);
+    if (drawing.substr(at, open - at).find("\"middle\"") == std::string::npos) continue;
+    labels.emplace_back(std::stod(drawing.substr(at + 9)), close - open - 1);
+  }
+  return labels;
+}
+
+TEST(LawPlan, FrequenciesUnderTheSpectrumDoNotOverlap) {
+  for (const double duration : {0.6, 1.0, 0.0007, 7.0}) {
+    cam::MotionLawProblem p = problem(2, true, {rest(0, 0), rest(1, 20)});
+    p.cycle_duration = duration;
+    const auto labels = centred_labels(spectrum_drawing(planned(p)));
+    ASSERT_GE(labels.size(), 5u);
+    for (std::size_t i = 1; i < labels.size(); ++i) {
+      const double letters = 0.5 * static_cast<double>(labels[i - 1].second + labels[i].second);
+      EXPECT_GE(labels[i].first - labels[i - 1].first, 6.5 * letters + 4) << duration << " s";
+    }
+  }
 }
 
 }  // namespace

@@ -1,9 +1,11 @@
-/// Linear programs whose optimum is known, through the driver.
+/// Linear and quadratic programs whose optimum is known, through the driver.
 #include "core/numeric/interior_point/interior_point.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/numeric/interior_point/bordered_band.hpp"
 #include "core/numeric/random.hpp"
@@ -91,6 +93,62 @@ TEST(InteriorPoint, InfeasibleProgramsDoNotConverge) {
   program.add_row(below);
   InteriorPoint point = start_of(program);
   EXPECT_FALSE(solve_interior_point(program, point, {}).converged);
+}
+
+/// x_i ≤ high and −x_i ≤ −low for each variable, ½ Σ q_i x_i² − Σ q_i a_i x_i to minimise: the nearest point of a box.
+class BoxProgram final : public InteriorPointSystem {
+ public:
+  BoxProgram(std::vector<double> curvature, const std::vector<double>& target, double low, double high)
+      : curvature_(std::move(curvature)) {
+    for (std::size_t i = 0; i < curvature_.size(); ++i) {
+      cost_.push_back(-curvature_[i] * target[i]);
+      side_.push_back(high);
+      side_.push_back(-low);
+    }
+  }
+  const std::vector<double>& cost() const override { return cost_; }
+  const std::vector<double>& equality_side() const override { return none_; }
+  const std::vector<double>& inequality_side() const override { return side_; }
+  void multiply(const std::vector<double>& x, std::vector<double>& gx, std::vector<double>&) const override {
+    for (std::size_t i = 0; i < x.size(); ++i) gx[2 * i] = x[i], gx[2 * i + 1] = -x[i];
+  }
+  void add_transposed(const std::vector<double>& z, const std::vector<double>&,
+                      std::vector<double>& out) const override {
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] += z[2 * i] - z[2 * i + 1];
+  }
+  void add_quadratic(const std::vector<double>& x, std::vector<double>& out) const override {
+    for (std::size_t i = 0; i < x.size(); ++i) out[i] += curvature_[i] * x[i];
+  }
+  bool factor(const std::vector<double>& weights) override {
+    diagonal_ = curvature_;
+    for (std::size_t i = 0; i < diagonal_.size(); ++i) diagonal_[i] += weights[2 * i] + weights[2 * i + 1];
+    return true;
+  }
+  void solve(std::vector<double>& x, std::vector<double>&) const override {
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] /= diagonal_[i];
+  }
+
+ private:
+  std::vector<double> curvature_, cost_, side_, none_, diagonal_;
+};
+
+TEST(InteriorPoint, QuadraticProgramsEndAtTheNearestPointOfTheBox) {
+  Random random(11);
+  for (const bool refined : {false, true}) {
+    std::vector<double> curvature, target;
+    for (int i = 0; i < 30; ++i) {
+      curvature.push_back(random.uniform(0.1, 10));
+      target.push_back(random.uniform(-3, 3));
+    }
+    BoxProgram program(curvature, target, -1, 2);
+    InteriorPoint point{std::vector<double>(30, 0.0), {}, std::vector<double>(60, 1.0), std::vector<double>(60, 1.0)};
+    InteriorPointOptions options;
+    options.common_step = true;
+    options.refined = refined;
+    EXPECT_TRUE(solve_interior_point(program, point, options).converged);
+    // Where the target is at a side, the square root of the gap is what the place is known to.
+    for (std::size_t i = 0; i < 30; ++i) EXPECT_NEAR(point.x[i], std::clamp(target[i], -1.0, 2.0), 1e-4);
+  }
 }
 
 }  // namespace
