@@ -1,5 +1,6 @@
 #pragma once
-/// Symmetric band matrices and their Cholesky factor: what sums of rows of few neighbouring variables make.
+/// Symmetric band matrices and their Cholesky factorisation, for normal equations whose rows have few neighbouring
+/// variables.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -9,7 +10,7 @@
 
 namespace bahnwerk {
 
-/// n rows, `band` diagonals below the main one. Memory n (band + 1).
+/// A symmetric matrix with n rows and `band` diagonals below the main one. Memory n (band + 1).
 class BandMatrix {
  public:
   BandMatrix(std::size_t n, std::size_t band) : n_(n), stride_(band + 1), a_(n * stride_, 0.0) {}
@@ -18,7 +19,7 @@ class BandMatrix {
   /// Entry (i, i − d), 0 ≤ d ≤ band.
   double& at(std::size_t i, std::size_t d) { return a_[i * stride_ + d]; }
   double at(std::size_t i, std::size_t d) const { return a_[i * stride_ + d]; }
-  /// += weight · row rowᵀ.
+  /// Adds weight · row rowᵀ.
   void add(const VariableRow& row, double weight) {
     switch (row.count) {  // constants save 6 to 8 % of a whole plan's time
       case 2:
@@ -36,7 +37,7 @@ class BandMatrix {
   void add(const BandMatrix& other, double weight) {
     for (std::size_t k = 0; k < a_.size(); ++k) a_[k] += weight * other.a_[k];
   }
-  /// out += A x.
+  /// Adds A x to `out`.
   void multiply(const std::vector<double>& x, std::vector<double>& out) const {
     for (std::size_t i = 0; i < n_; ++i) {
       out[i] += at(i, 0) * x[i];
@@ -46,7 +47,8 @@ class BandMatrix {
       }
     }
   }
-  /// Becomes its Cholesky factor L. False where it is not positive definite but for rounding. O(n band²).
+  /// Replaces the matrix by its Cholesky factor L. Returns false if it is not positive definite up to rounding. O(n
+  /// band²).
   bool factor() {
     switch (stride_) {
       case 3:
@@ -59,7 +61,7 @@ class BandMatrix {
         return factor_of<0>();
     }
   }
-  /// Of a factor: x becomes (L Lᵀ)⁻¹ x.
+  /// Replaces x by (L Lᵀ)⁻¹ x; to be called after factor().
   void solve(std::vector<double>& x) const {
     switch (stride_) {
       case 3:
@@ -74,7 +76,7 @@ class BandMatrix {
   }
 
  private:
-  // The first template argument: the row's count, the stride; 0: known at run time alone.
+  // The first template argument is the row's count or the stride; 0 means that it is known at run time only.
   template <std::size_t C>
   void add_of(const VariableRow& row, double weight, std::size_t any) {
     const std::size_t count = C > 0 ? C : any;
@@ -87,7 +89,7 @@ class BandMatrix {
   template <std::size_t S>
   bool factor_of() {
     const std::size_t stride = S > 0 ? S : stride_;
-    constexpr double least = 1e-15;  // of the diagonal entry that the pivot was
+    constexpr double least = 1e-15;  // least pivot, relative to its original diagonal entry
     for (std::size_t i = 0; i < n_; ++i) {
       double* const row = &a_[i * stride];  // row[d]: entry (i, i − d)
       const std::size_t before = std::min<std::size_t>(i, stride - 1);

@@ -57,7 +57,7 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
   return sum;
 }
 
-/// Slack s of one side of a row, its multiplier z, and what a step changes.
+/// Slack s of one side of a row, its multiplier z, and their steps.
 struct Side {
   double s = 0, z = 0;
   double ds = 0, dz = 0;
@@ -135,7 +135,8 @@ class Solver {
       pairs_[i].lower.s = std::max(a - row.lower + give, first_slack);
       share += row.elastic * (1 / pairs_[i].upper.s + 1 / pairs_[i].lower.s);
     }
-    // With a price the multipliers begin where that of w is met: a start far from it takes w to where rounding rules.
+    // With a price γ the multipliers begin where the dual condition of w holds; from a start far away w would reach
+    // values dominated by rounding.
     const double objective = std::abs(value_now());
     const double mu = elastic_ ? p_.price / share : std::max(objective, least_objective) / count();
     for (Pair& pair : pairs_)
@@ -191,9 +192,9 @@ class Solver {
     return true;
   }
 
-  /// Newton's step for s z = complement, of all sides: 0 in the predictor; in the corrector `centre` less what the
-  /// predictor left out. And how far slacks and multipliers may go until the first is 0, at most 1. Programs do not fit
-  /// the cache, so everything is done in two passes over the rows.
+  /// Computes Newton's step for s z = complement on all sides: 0 in the predictor; in the corrector `centre` less the
+  /// predictor's second-order term. Also computes the step lengths, at most 1, up to which slacks and multipliers stay
+  /// positive. Large programs do not fit the cache, so everything is done in two passes over the rows.
   template <bool corrector>
   void step(double centre) {
     const auto aim = [centre](Side& side) { side.complement = corrector ? centre - side.ds * side.dz : 0; };
@@ -239,7 +240,7 @@ class Solver {
 
   void move() {
     const double least = std::min(primal_, dual_length_), step = least < 1 ? keep * least : 1;
-    // One length for both: with a quadratic objective rows and multipliers are coupled.
+    // One step length is used for both, because a quadratic objective couples rows and multipliers.
     for (std::size_t i = 0; i < n_; ++i) y_[i] += step * dy_[i];
     const auto go = [step](Side& side) { side.s += step * side.ds, side.z += step * side.dz; };
     for (Pair& pair : pairs_) go(pair.upper), go(pair.lower);

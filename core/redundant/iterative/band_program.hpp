@@ -1,14 +1,15 @@
 #pragma once
-/// Convex quadratic programs whose rows are of few neighbouring variables, with one more variable w that all rows may
-/// share:
+/// Interior-point solver for convex quadratic programs whose rows have few neighbouring variables, with one more
+/// variable w that all rows may share:
 ///
 ///   minimise ½ yᵀQy + cᵀy + γ w   so that   lower_i − e_i w ≤ a_iᵀ y ≤ upper_i + e_i w,   w ≥ 0.
 ///
-/// With Q = 0, γ = 1 and e = 1 this is the least largest deviation from rows with lower = upper; with a large γ and e
-/// in some rows these are elastic: what they exceed is the least that can be.
+/// Q = 0, γ = 1, e = 1 and lower = upper give the Chebyshev approximation (least largest deviation). A large γ with e >
+/// 0 in some rows makes these elastic: their largest excess is as small as possible.
 ///
-/// Mehrotra's predictor and corrector [Mehrotra, On the implementation of a primal-dual interior point method, 1992];
-/// its normal matrix is a band with one border. Cost: O(rows · band²) per iteration, 10 to 40 iterations.
+/// The method is Mehrotra's predictor–corrector method [Mehrotra, On the implementation of a primal-dual interior point
+/// method, 1992]; its normal matrix is a band with one border. Cost: O(rows · band²) per iteration, 10 to 40
+/// iterations.
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -18,21 +19,21 @@
 namespace bahnwerk {
 
 struct BandRow {
-  VariableRow row;              ///< its offset is part of lower and upper already
+  VariableRow row;              ///< a_i; its offset is already subtracted from lower and upper
   double lower = 0, upper = 0;  ///< finite
   double elastic = 0;           ///< e
 };
 
 struct BandProgram {
-  BandMatrix quadratic;  ///< Q: as wide a band as the rows have
+  BandMatrix quadratic;  ///< Q, with the band width of the rows
   std::vector<BandRow> rows;
-  std::vector<double> linear;  ///< c; none: 0
-  double price = 0;            ///< γ; with 0 there is no w
+  std::vector<double> linear;  ///< c; empty: 0
+  double price = 0;            ///< γ; 0: w does not exist
 };
 
 struct BandProgramOptions {
-  double gap = 1e-5;       ///< of the objective, relative to 1 + its value, at which it ends
-  double residual = 1e-9;  ///< of the rows, in their unit
+  double gap = 1e-5;       ///< duality gap at which iterations end, relative to 1 + the objective
+  double residual = 1e-9;  ///< residual of the rows at which iterations end
   int max_iterations = 80;
   std::function<void()> tick;  ///< called every iteration; may throw
 };
@@ -44,7 +45,9 @@ struct BandSolution {
   bool converged = false;
 };
 
-/// Rows should be scaled so that they and their bounds are of the order of 1. `start`: any y, the closer the better.
+/// Returns the solution; `converged` is false if iterations ended before the gap was reached. Rows should be scaled so
+/// that they and their bounds have the order of 1. `start` is an arbitrary y; a start close to the solution saves
+/// iterations.
 BandSolution solve(const BandProgram& program, const std::vector<double>& start, const BandProgramOptions& options);
 
 }  // namespace bahnwerk
