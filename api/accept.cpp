@@ -31,7 +31,7 @@ std::string lower(std::string_view text) {
   return result;
 }
 
-/// Cuts the part before `separator` off the front of `text`.
+/// Removes the part before `separator` from the front of `text` and returns it.
 std::string_view take(std::string_view& text, char separator) {
   const auto at = text.find(separator);
   const auto part = text.substr(0, at);
@@ -39,7 +39,7 @@ std::string_view take(std::string_view& text, char separator) {
   return trim(part);
 }
 
-/// nullopt for what is no media range; such entries are ignored.
+/// Parses a media range; nullopt for entries that are none, which are ignored.
 std::optional<Range> parse_range(std::string_view entry) {
   const auto name = take(entry, ';');
   const auto slash = name.find('/');

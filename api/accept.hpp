@@ -1,5 +1,5 @@
 #pragma once
-/// Content negotiation.
+/// Content negotiation by Accept headers [RFC 9110, 12.5.1].
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -7,10 +7,10 @@
 
 namespace bahnwerk::api {
 
-/// Which of the offered media types an Accept header prefers [RFC 9110, 12.5.1]: the most specific range decides each
-/// type's q, the highest q wins; ties go to the type that was named more specifically, then to the earlier offer.
-/// Entries that are no media ranges, or whose q is none, are ignored. Absent header = the first offer; nullopt =
-/// nothing acceptable.
+/// Returns the index of the offered media type that an Accept header prefers: for each type the most specific range
+/// determines q, and the largest q wins; of equal ones the type named more specifically, then the earlier offer.
+/// Entries that are not media ranges, or have an invalid q, are ignored. Without a header the first offer is taken;
+/// nullopt means that no offer is acceptable.
 std::optional<std::size_t> negotiate(std::optional<std::string_view> accept, std::span<const std::string_view> offers);
 
 }  // namespace bahnwerk::api

@@ -1,5 +1,5 @@
 #pragma once
-/// What people read of a check: its name and its unit. In one header without JSON, for tests of core, too.
+/// Names and units of checks as people read them. The header does not depend on JSON, so that tests of core can use it.
 #include <array>
 #include <cstddef>
 #include <cstdio>
@@ -22,7 +22,7 @@ inline std::string feed_name(double feed) {
   return text;
 }
 
-/// The name without its subject.
+/// Returns the name of a check without its subject.
 inline std::string general_name(const Checked& what, double limit) {
   const std::string of = derivative(what.order);
   using enum CheckedQuantity;
@@ -130,7 +130,8 @@ inline std::string general_name(const Checked& what, double limit) {
   return {};
 }
 
-/// Whether a subject is one of several that have such a check each, and not the group of axes that is meant.
+/// Tells whether each of several subjects (axes, layouts) has a check of this kind; otherwise a subject denotes a group
+/// of axes.
 inline bool one_of_several(CheckedQuantity quantity) {
   using enum CheckedQuantity;
   switch (quantity) {
@@ -150,8 +151,8 @@ inline bool one_of_several(CheckedQuantity quantity) {
 
 }  // namespace text
 
-/// "velocity x", "path velocity (feed 400)": `limit` is part of some names. A subject stands behind the name of what
-/// one axis or layout has, before that of a group of axes.
+/// Returns the name of a check, such as "velocity x" or "path velocity (feed 400)"; `limit` is part of some names. The
+/// subject follows the name if each axis or layout has such a check, and precedes it if it denotes a group of axes.
 inline std::string check_name(const Checked& what, double limit) {
   const std::string name = text::general_name(what, limit);
   if (name.empty() || what.subject.empty()) return name + what.subject;
@@ -160,7 +161,7 @@ inline std::string check_name(const Checked& what, double limit) {
 
 inline std::string check_name(const Check& check) { return check_name(check, check.limit); }
 
-/// "mm/s²": the unit of order 0 and per what.
+/// Returns the unit of a check, such as "mm/s²": the unit of order 0 divided by a power of the independent variable's.
 inline std::string check_unit(const Checked& what) {
   constexpr std::array per{"", "/s", "/s²", "/s³", "/s⁴"};
   return what.unit + per.at(static_cast<std::size_t>(what.order));

@@ -33,7 +33,7 @@ const Schema& kind_schema(const Kind& kind) {
   return schemas[static_cast<std::size_t>(&kind - kinds().data())];
 }
 
-/// scheme://host…, http or https, of printable ASCII without blanks.
+/// Tells whether a text is a URL scheme://host… with http or https, of printable ASCII without blanks.
 bool is_web_address(std::string_view uri) {
   const auto scheme = uri.find("://");
   if (scheme == uri.npos || (uri.substr(0, scheme) != "http" && uri.substr(0, scheme) != "https")) return false;
@@ -58,7 +58,7 @@ ordered_json nullable_time(const std::optional<std::int64_t>& ms) {
   return ms ? ordered_json(rfc3339(*ms)) : ordered_json(nullptr);
 }
 
-/// What the envelope's schema leaves to code: texts with a grammar of their own.
+/// Checks the members of the envelope whose grammar the schema does not express.
 void check_texts(const json& document, std::vector<FieldError>& errors) {
   const auto control = [](const std::string& text) {
     return std::any_of(text.begin(), text.end(),
@@ -73,7 +73,7 @@ void check_texts(const json& document, std::vector<FieldError>& errors) {
     errors.push_back({"/callback", "must be an absolute http or https address"});
 }
 
-/// What the document asks for and cannot have, of the envelope and of the spec together.
+/// Throws Problem semantic-violation with all faults of envelope and spec that the schema does not find.
 void check_meaning(const json& document, const Kind& kind) {
   std::vector<FieldError> errors;
   if (optional_string(document, "callback"))
@@ -106,7 +106,7 @@ JobRequest parse_job(std::string_view body) {
   auto errors = envelope_schema().validate(document);
   if (errors.empty()) check_texts(document, errors);
 
-  // The spec's faults are worth naming even when the envelope has some of its own.
+  // The spec's faults are reported even if the envelope has some.
   const Kind* kind = nullptr;
   if (document.is_object() && document.contains("kind") && document["kind"].is_string())
     kind = find_kind(document["kind"].get_ref<const std::string&>());

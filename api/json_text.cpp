@@ -29,7 +29,7 @@ class Builder : public nlohmann::json_sax<json> {
   bool boolean(bool value) override { return place(value); }
   bool number_integer(number_integer_t value) override { return place(value); }
   bool number_unsigned(number_unsigned_t value) override {
-    // One form for an integer: signed where it fits, as the schema's numbers are compared as such.
+    // An integer has one form: signed where it fits, because the schema compares numbers that way.
     if (value <= static_cast<number_unsigned_t>(std::numeric_limits<number_integer_t>::max()))
       return place(static_cast<number_integer_t>(value));
     return place(static_cast<double>(value));
@@ -112,7 +112,7 @@ class Builder : public nlohmann::json_sax<json> {
     append_token(result, last);
     return result;
   }
-  /// The library's text without its own name and position, and without bytes that are no text.
+  /// Returns the library's message without its name and position, and without bytes that are not text.
   static std::string describe(std::string_view what) {
     const auto skip = [&](std::string_view mark) {
       const auto at = what.find(mark);

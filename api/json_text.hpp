@@ -1,5 +1,5 @@
 #pragma once
-/// Strict reading of JSON text (RFC 8259).
+/// Strict parser of JSON text [RFC 8259] with limits of depth, size and memory.
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
 #include <string_view>
@@ -12,13 +12,12 @@ namespace bahnwerk::api {
 
 inline constexpr std::size_t deepest_nesting = 64;
 
-/// Items of an array, as many as the largest of any schema, and members of an object.
+/// Limits: items of an array (the largest number in any schema) and members of an object.
 inline constexpr std::size_t max_items = 2'000'000, max_members = 10'000;
-/// Bytes that a document may take in memory. Two million points in space take 320 MB, two million segments 540 MB.
+/// Largest memory of a document, bytes. Two million points in space take 320 MB, two million segments 540 MB.
 inline constexpr std::size_t max_document_memory = std::size_t{768} << 20;
-/// About how many bytes a document takes in memory once it is read, from its text alone; nothing is allocated. Text
-/// like
-/// "[],[],[]" takes 37 times its length, coordinates about 6 times. Cost: 1 ns per byte.
+/// Returns an estimate, from the text alone and without allocation, of the memory that the parsed document takes,
+/// bytes. Text like "[],[],[]" takes 37 times its length, coordinates about 6 times. Cost: 1 ns per byte.
 std::size_t document_memory(std::string_view text);
 
 /// Reads one document. Throws Problem "invalid-json", with line and column in its detail, for anything but one complete

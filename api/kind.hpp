@@ -1,6 +1,6 @@
 #pragma once
-/// A kind of job is one descriptor in one list. Adding one: its core folder, its folder in api/kinds, its schemas with
-/// examples, its line in kinds.cpp, its tests. Nothing else.
+/// Descriptor of a kind of job, and the list of kinds. A new kind takes its core folder, its folder in api/kinds, its
+/// schemas with examples, its line in kinds.cpp and its tests.
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string_view>
@@ -15,16 +15,17 @@ struct PlannedJob;  // api/planned_job.hpp
 struct Kind {
   std::string_view name;
   std::string_view title;
-  std::string_view schema;         ///< the schema's JSON text, embedded at build time; served as /v1/schemas/<name>
-  std::string_view result_schema;  ///< every result keeps it; served as /v1/schemas/<name>.result
-  /// Semantic checks of a spec that passed the schema; throws Problem "semantic-violation" naming every fault.
+  std::string_view schema;  ///< the schema's JSON text, embedded at build time; served as /v1/schemas/<name>
+  std::string_view
+      result_schema;  ///< JSON text of the schema that every result satisfies; served as /v1/schemas/<name>.result
+  /// Checks a spec that passed the schema; throws Problem "semantic-violation" naming every fault.
   void (*check)(const nlohmann::json& spec);
-  /// Plans. Deterministic: same spec and version, same bits. Throws core's errors; never returns an unverified plan as
-  /// verified.
+  /// Plans a spec. Equal specs and versions give identical results. Throws core's errors; never returns an unverified
+  /// plan as verified.
   PlannedJob (*plan)(const nlohmann::json& spec, Progress& progress);
 };
 
 std::span<const Kind> kinds();
-const Kind* find_kind(std::string_view name);  ///< nullptr when unknown
+const Kind* find_kind(std::string_view name);  ///< returns nullptr for an unknown name
 
 }  // namespace bahnwerk::api

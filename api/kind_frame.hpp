@@ -1,15 +1,15 @@
 #pragma once
-/// The frame that every kind stands in: a document is read, checked, planned and reported in the same way, whatever it
-/// plans. A kind is a type K with
+/// The procedure that all kinds share: read, check, plan and report a document. A kind is a type K with the static
+/// members
 ///
 ///   name, title                                     string constants
 ///   Request read(const json& spec, Progress&)       the spec in core's terms; throws InvalidInput naming every fault
 ///   Plan plan(Request&, Progress&)                  throws core's errors
 ///   KindReport report(const Request&, Plan&, Progress&)
 ///
-/// and, where a document's faults are known only after some computation, check(const Request&), which throws
-/// InvalidInput when the document is submitted. All of them are static members. In a file api/kinds/<name>/<name>.cpp,
-/// `Kind describe_<name>() { return kind_of<K>(); }` makes it one of the list (api/kinds.cpp).
+/// and, if some faults of a document require computation, check(const Request&), which throws InvalidInput when the
+/// document is submitted. The file api/kinds/<name>/<name>.cpp contains `Kind describe_<name>() { return kind_of<K>();
+/// }`, and api/kinds.cpp lists it.
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -26,20 +26,21 @@
 
 namespace bahnwerk::api {
 
-/// What a kind says of its plan.
+/// A kind's report on its plan.
 struct KindReport {
   nlohmann::ordered_json summary;
-  nlohmann::ordered_json verification;  ///< as api/verification.hpp writes it, or with what the kind adds
+  nlohmann::ordered_json verification;  ///< as api/verification.hpp writes it, possibly extended by the kind
   nlohmann::ordered_json bound;         ///< value, gap and basis, as api/verification.hpp writes them
   nlohmann::ordered_json details;
-  nlohmann::ordered_json drawings = nullptr;            ///< SVG and DXF texts by file name; null: the result has none
-  std::unique_ptr<SetpointSource> setpoints = nullptr;  ///< nullptr where the kind has none
+  nlohmann::ordered_json drawings = nullptr;            ///< SVG and DXF texts by file name; null: none
+  std::unique_ptr<SetpointSource> setpoints = nullptr;  ///< nullptr if the kind has none
 };
 
-/// The result document with its setpoints. It is verified if `verification.passed` says so.
+/// Returns the result document with its setpoints; the plan is verified if `verification.passed` is true.
 PlannedJob planned_job(std::string_view kind, KindReport report);
 
 template <class K>
+/// Implements Kind::check.
 void check_spec(const nlohmann::json& spec) {
   try {
     SilentProgress silent;
@@ -51,6 +52,7 @@ void check_spec(const nlohmann::json& spec) {
 }
 
 template <class K>
+/// Implements Kind::plan.
 PlannedJob plan_spec(const nlohmann::json& spec, Progress& progress) {
   progress.report("read", 0.0);
   auto request = K::read(spec, progress);

@@ -78,7 +78,7 @@ ordered_json openapi_document() {
     results.push_back({{"$ref", "#/components/schemas/" + result}});
     kind.push_back(each.name);
   }
-  // Only now: adding a member to an ordered object moves all others.
+  // This has to be last, because adding a member to an ordered object moves all others.
   schemas["JobDocument"]["properties"]["kind"]["enum"] = std::move(kind);
   components["parameters"]["name"]["schema"]["enum"] = std::move(name);
   schemas["Result"]["oneOf"] = std::move(results);

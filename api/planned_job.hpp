@@ -1,5 +1,5 @@
 #pragma once
-/// What planning a document yields.
+/// The outcome of planning a document.
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -10,9 +10,9 @@ namespace bahnwerk::api {
 
 struct PlannedJob {
   nlohmann::ordered_json result;              ///< the result document, with the setpoints' summary
-  std::unique_ptr<SetpointSource> setpoints;  ///< nullptr where the kind has none
+  std::unique_ptr<SetpointSource> setpoints;  ///< nullptr if the kind has none
   bool verified = false;
-  std::string failure = {};  ///< of a plan that is not verified: which checks failed, for a person
+  std::string failure = {};  ///< the failed checks of a plan that is not verified, as text for a person
 };
 
 }  // namespace bahnwerk::api

@@ -13,7 +13,7 @@ namespace bahnwerk::api {
 namespace {
 
 constexpr std::array<ProblemType, 34> catalogue{{
-    // What a request can meet.
+    // Problems of requests.
     {"invalid-json", 400, "The body is not valid JSON",
      "The body has to be one JSON document (RFC 8259) in UTF-8: no NaN or Infinity, no duplicate keys, no comments, "
      "nothing behind the "
@@ -84,7 +84,7 @@ constexpr std::array<ProblemType, 34> catalogue{{
      "Of the transfer codings only `chunked` is known; compress a body with `Content-Encoding: gzip` instead."},
     {"http-version-not-supported", 505, "The HTTP version is not supported",
      "Send the request as HTTP/1.1 or HTTP/1.0; later versions are not spoken here."},
-    // Why planning failed; found in a job's `error`.
+    // Problems of planning, which appear in a job's `error`.
     {"infeasible", 0, "No motion satisfies the limits",
      "The limits contradict each other or the contour. `detail` names where. Loosen the limits or change the contour."},
     {"unreachable-pose", 0, "A pose lies outside what the machine reaches",

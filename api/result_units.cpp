@@ -21,7 +21,7 @@ bool is_base_unit(std::string_view text) {
   return std::find(known.begin(), known.end(), text) != known.end();
 }
 
-/// mm, mm², mm/s, mm²/s³.
+/// Tells whether a text is a unit such as mm, mm², mm/s, mm²/s³.
 bool is_unit(std::string_view text) {
   const auto slash = text.find('/');
   if (slash == text.npos) return text != "1" && is_base_unit(text);

@@ -7,7 +7,7 @@
 namespace bahnwerk::api {
 namespace {
 
-/// Reads exactly `digits` digits off the front.
+/// Reads exactly `digits` digits from the front.
 bool take_number(std::string_view& text, std::size_t digits, int& value) {
   if (text.size() < digits) return false;
   value = 0;

@@ -14,7 +14,8 @@ namespace {
 
 using nlohmann::json;
 
-/// What valijson must not see: its "format" runs std::regex over text of any length, which can exhaust the stack.
+/// Removes what valijson must not see: its "format" runs std::regex over text of any length, which can exhaust the
+/// stack.
 void strip_format(json& schema) {
   if (schema.is_object() && schema.contains("format") && schema["format"].is_string()) schema.erase("format");
   for (auto& child : schema)

@@ -1,6 +1,6 @@
 #pragma once
-/// Documents against a JSON Schema. The keywords are those where draft 7 and 2020-12 agree; a schema with any other one
-/// is refused when it is loaded, so that no rule is silently ignored.
+/// Validation of documents by JSON Schema. The supported keywords are those on which draft 7 and 2020-12 agree; a
+/// schema with another keyword is refused when it is loaded, so that no rule is ignored.
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <string_view>
@@ -10,8 +10,8 @@
 
 namespace bahnwerk::api {
 
-/// Immutable and thread-safe. valijson gives the verdict; the messages are ours, because its own neither name the limit
-/// broken nor stop.
+/// A compiled schema, immutable and thread-safe. valijson decides validity; explain() (schema_explain.hpp) writes the
+/// messages, because valijson's neither name the violated limit nor stop after a number of faults.
 class Schema {
  public:
   /// Throws std::invalid_argument for a schema that uses an unknown keyword or a $ref that leads nowhere.
@@ -19,9 +19,9 @@ class Schema {
   ~Schema();
   Schema(Schema&&) noexcept;
 
-  /// The faults, at most `max_faults`, one per place, each at prefix + the pointer of the deepest field at fault; a
-  /// missing member is named by the pointer that it would have. Empty: the document is valid. Cost: linear in the
-  /// document, ≈ 0.6 µs per number.
+  /// Returns the faults, at most `max_faults`, one per place, each at `prefix` + the pointer to the deepest faulty
+  /// member; a missing member is named by the pointer that it would have. An empty list means that the document is
+  /// valid. Cost: linear in the document, about 0.6 µs per number.
   std::vector<FieldError> validate(const nlohmann::json& document, std::string_view prefix = {}) const;
   static constexpr std::size_t max_faults = 50;
 

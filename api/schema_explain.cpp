@@ -61,7 +61,7 @@ class Explainer {
     if (value.is_string()) string(schema, value.get_ref<const std::string&>(), at);
     if (value.is_array()) array(schema, value, at);
     if (value.is_object()) object(schema, value, at);
-    // A choice between forms says little where something more precise was said.
+    // A choice between forms is dropped if there is a more precise message.
     if (errors.size() == before && schema.contains("oneOf")) one_of(schema["oneOf"], value, at);
   }
 
@@ -190,7 +190,7 @@ class Explainer {
     return text;
   }
 
-  /// Whether a branch of a choice speaks of another type, or of another value of a member that it holds constant.
+  /// Tells whether a branch of a choice has another type than the value, or another value of a constant member.
   static bool excluded(const json& branch, const json& value) {
     if (branch.contains("const")) return value.type() != branch["const"].type();
     if (branch.contains("type") && branch["type"].is_string() && !is_type(value, branch["type"])) return true;
@@ -207,7 +207,7 @@ class Explainer {
                        [&](const json& name) { return value.contains(name.get_ref<const std::string&>()); });
   }
 
-  /// Whether a branch requires a member that it holds constant, by which documents name it, and the value lacks that.
+  /// Tells whether a branch requires a constant member, by which documents select it, that the value lacks.
   static bool unnamed(const json& branch, const json& value) {
     if (!branch.contains("required") || !branch.contains("properties") || !value.is_object()) return false;
     const json& members = branch["properties"];
@@ -217,9 +217,9 @@ class Explainer {
     });
   }
 
-  /// Speaks for the one branch that the value means, by its type or a constant member, else for the one that needs not
-  /// be named by such a member, else by the required members that are there; if that leaves none or several, says which
-  /// branches there are.
+  /// Explains the branch that the value means: the one selected by its type or a constant member, else the one that
+  /// needs no such member, else the one whose required members are present. If none or several remain, lists the
+  /// branches.
   void one_of(const json& branches, const json& value, std::string& at) {
     std::vector<const json*> possible, filled;
     std::size_t valid = 0;

@@ -8,7 +8,7 @@
 namespace bahnwerk::api {
 
 std::optional<SetpointFormat> negotiate_setpoints(std::string_view accept) {
-  /// In the server's order of preference.
+  /// The formats in the server's order of preference.
   static constexpr std::array formats{SetpointFormat::json, SetpointFormat::csv, SetpointFormat::ndjson,
                                       SetpointFormat::f64};
   static constexpr std::array<std::string_view, formats.size()> types{

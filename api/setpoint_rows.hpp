@@ -1,5 +1,5 @@
 #pragma once
-/// Rows of a stored series in bounded memory, and the min/max envelope that charts draw.
+/// Rows of a stored series in bounded memory, and the min/max envelope for charts.
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -8,12 +8,12 @@
 
 namespace bahnwerk::api {
 
-/// Walks rows first, first + every, … of a series, reading blocks of at most 2048 rows.
+/// Iterates over the rows first, first + every, … of a series, reading blocks of at most 2048 rows.
 class RowCursor {
  public:
-  /// `rows`: how many rows next() hands out. The series outlives the cursor.
+  /// `rows` is the number of rows that next() returns. The series must outlive the cursor.
   RowCursor(const SetpointSeries& series, std::size_t first, std::size_t every, std::size_t rows);
-  const double* next();  ///< all columns of the next row, valid until the next call; nullptr at the end
+  const double* next();  ///< returns all columns of the next row, valid until the next call; nullptr at the end
   void rewind();
 
  private:
@@ -24,17 +24,19 @@ class RowCursor {
   std::vector<double> block_;
 };
 
-/// The series with columns x, y, z, phi, vx and vy, as far as it has them, in the machine's frame. It must know that.
+/// Returns the series with those of its columns x, y, z, phi, vx and vy that exist converted to the machine's frame,
+/// which the series must know.
 SetpointSeries in_base_frame(SetpointSeries series);
-/// The series with one more column, behind the others, that is 1 in every row.
+/// Returns the series with an additional last column that is 1 in every row.
 SetpointSeries with_mark(SetpointSeries series, const std::string& name);
-/// The series begun so many rows later: its first row stands before it as often, with 0 in the columns that are the
-/// rate vc or ac of another column c.
+/// Returns the series delayed by `rows` rows: its first row is repeated before it, with 0 in columns vc and ac, the
+/// rates of a column c.
 SetpointSeries delayed(SetpointSeries series, std::size_t rows);
 
-/// The envelope of rows [first, first + rows) as a series of min(points, rows) rows: column "index" (the bucket's first
-/// row), then per column of `columns` its smallest and largest value in the bucket, named x_min, x_max. Bucket b covers
-/// rows [first + b·rows/n, first + (b+1)·rows/n). Computed on the first read; holds points · (2 · columns + 1) doubles.
+/// Returns the envelope of the rows [first, first + rows) as a series of n = min(points, rows) rows: column "index"
+/// (the bucket's first row), then for each of `columns` its smallest and largest value in the bucket, named x_min,
+/// x_max. Bucket b covers the rows [first + b·rows/n, first + (b+1)·rows/n). The envelope is computed on the first read
+/// and takes points · (2 · columns + 1) doubles.
 SetpointSeries envelope(SetpointSeries series, std::size_t first, std::size_t rows, std::size_t points,
                         std::vector<std::size_t> columns);
 

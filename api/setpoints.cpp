@@ -25,7 +25,7 @@ std::string text(std::string_view value) {
   return nlohmann::json(value).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-/// RFC 4180: quotes only where needed.
+/// Writes a field by RFC 4180, with quotes only where needed.
 std::string csv_field(const std::string& name) {
   if (name.find_first_of(",;\"\r\n") == name.npos) return name;
   std::string field = "\"";
@@ -38,7 +38,7 @@ void append_f64(std::string& out, double value) {
   for (int i = 0; i < 8; ++i, bits >>= 8) out += static_cast<char>(bits & 0xFF);
 }
 
-/// The names of the columns that a layout holds for a group of drives where none are asked for; none: all.
+/// Returns the names of the columns that a layout has for a group of drives if no columns are requested; none: all.
 std::vector<std::string> columns_of(const SetpointSeries& series, CsvLayout layout, DriveGroup group) {
   std::vector<std::string> names;
   const auto has = [&](const std::string& name) { return column_index(series.columns, name) < series.columns.size(); };
@@ -65,7 +65,7 @@ std::vector<std::string> columns_of(const SetpointSeries& series, CsvLayout layo
   return names;
 }
 
-/// Throws where that is not whole cycles.
+/// Throws if the delay is not a whole number of cycles.
 std::size_t rows_of(double delay, double cycle_time) {
   if (delay == 0) return 0;
   const double cycles = delay / cycle_time, whole = std::round(cycles);
@@ -173,7 +173,7 @@ void SetpointStream::State::prepare_rows() {
   if (format == SetpointFormat::csv) head += line_end;
 }
 
-/// Column after column, reading the series once per column, so that nothing holds the whole.
+/// Writes column after column and reads the series once per column, so that it is never in memory as a whole.
 bool SetpointStream::State::json_step(std::string& out, std::size_t limit) {
   if (array == opening.size()) {
     out += tail;

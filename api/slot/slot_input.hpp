@@ -1,5 +1,5 @@
 #pragma once
-/// What several kinds of documents say of slots, winding heads and wires.
+/// Readers of slots, winding heads and wires, which several kinds of documents contain.
 #include <cstdio>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace bahnwerk::api {
 
-/// Where something stands in a spec.
+/// Place of a member in a spec: names from the spec down.
 using Place = std::vector<std::string>;
 Place below(Place place, const std::string& member);
 
@@ -23,15 +23,15 @@ inline std::string short_number(double value) {
   return text;
 }
 
-/// Returns a member that may be absent or null.
+/// Returns a member; none if it is absent or null.
 template <class T, class Json>
 std::optional<T> given(const Json& object, const char* member) {
   const auto at = object.find(member);
   if (at == object.end() || at->is_null()) return std::nullopt;
   return at->template get<T>();
 }
-/// Reads such a member into a variable, which keeps its value otherwise; `unit` is one of the document's units in
-/// core's.
+/// Reads a member into a variable, which keeps its value if the member is absent or null; `unit` is the document's unit
+/// in core's.
 template <class T, class Json>
 void take(const Json& object, const char* member, T& value) {
   if (const auto v = given<T>(object, member)) value = *v;
@@ -41,18 +41,18 @@ void take(const Json& object, const char* member, double& value, double unit) {
   if (const auto v = given<double>(object, member)) value = unit * *v;
 }
 
-/// Read a slot from a document that passed its schema; a member "type" is not looked at.
+/// Read a slot from a document that passed its schema; they ignore a member "type".
 winding::StatorSlot stator_slot(const nlohmann::json& document);
 winding::PolygonSlot polygon_slot(const nlohmann::json& document);
 winding::RotorSlot rotor_slot(const nlohmann::json& document);
 
-/// Reads winding heads from members of `document`, which stands at `place`; each has a default that is taken from the
-/// slot or the source's. Pitch and span keep theirs. Adds a fault for what is impossible.
+/// Reads winding heads from members of `document`, which has the place `place`; defaults are those of the slot or the
+/// source. Pitch and span are not read. Adds faults for impossible values.
 winding::StatorHeads stator_heads(const nlohmann::json& document, const winding::StatorSlot& slot, const Place& place,
                                   std::vector<InputFault>& faults);
 winding::RotorHeads rotor_heads(const nlohmann::json& document, const Place& place, std::vector<InputFault>& faults);
 
-/// Reads a standard wire by its copper diameter, or any wire by its diameters; adds a fault if it is none.
+/// Reads a standard wire by its copper diameter, or any wire by its diameters; adds a fault if it is invalid.
 std::optional<winding::Wire> read_wire(const nlohmann::json& value, const Place& place, int grade,
                                        std::vector<InputFault>& faults);
 /// Returns the standard wires on both sides of a diameter that none has, in words: "0.9 and 0.95".

@@ -55,10 +55,10 @@ class Blender {
       take_rests(i);
       std::size_t j = i + 1;
       while (j < n && mode(j) == mode(i) && !rest_[j]) ++j;
-      auto list = stretches(given_.path, i, j, block_, tiny_share * options_.tolerance, reversal, progress_);
+      auto list = element_runs(given_.path, i, j, block_, tiny_share * options_.tolerance, reversal, progress_);
       list.front().rest_begin = i == 0 || rests(i);
       list.back().rest_end = j == n || rests(j);
-      for (const Stretch& s : list) {
+      for (const ElementRun& s : list) {
         begin_section(s.elements.front().first);
         process(s, 0);
       }
@@ -118,7 +118,7 @@ class Blender {
     return a;
   }
 
-  void process(const Stretch& stretch, int depth) {
+  void process(const ElementRun& stretch, int depth) {
     std::vector<Ability> abilities;
     abilities.reserve(stretch.elements.size());
     for (const Element& e : stretch.elements) abilities.push_back(ability(e.block));
@@ -159,7 +159,7 @@ class Blender {
   }
 
   /// Copies the part between a and b unchanged.
-  void keep(const Stretch& stretch, double a, double b, std::size_t& hint) {
+  void keep(const ElementRun& stretch, double a, double b, std::size_t& hint) {
     if (!(b > a)) return;
     for (std::size_t i = hint = stretch.find(a, hint); i < stretch.elements.size(); ++i) {
       const Element& e = stretch.elements[i];
@@ -177,7 +177,7 @@ class Blender {
 
   /// Copies the part between `at` and the blend, and moves `at` behind it. Changes nothing if the joint cannot be
   /// blended within the tolerance.
-  void corner(const Stretch& stretch, const Change& change, double& at, std::size_t& hint) {
+  void corner(const ElementRun& stretch, const Change& change, double& at, std::size_t& hint) {
     tick();
     const Element &before = stretch.elements[change.joint - 1], &after = stretch.elements[change.joint];
     double d1 = after.begin - change.a, d2 = change.b - after.begin;
@@ -208,7 +208,7 @@ class Blender {
     if (count_.failed++ == 0) count_.first_failed = after.at(0).value;
   }
 
-  bool smooth(const Stretch& stretch, const Change& change, int depth, std::size_t hint) {
+  bool smooth(const ElementRun& stretch, const Change& change, int depth, std::size_t hint) {
     const double length = stretch.length(), near = 1e-9 * length;
     RunRange range{change.a, change.b, true, true};
     if (range.a <= near) range.a = 0, range.clamped_begin = !stretch.rest_begin;
@@ -252,12 +252,12 @@ class Blender {
 
   /// Divides a run that cannot be smoothed as a whole: the sharpest joints next to the failure become rests, and the
   /// parts between them are laid out again.
-  void split(const Stretch& stretch, const RunRange& range, std::vector<std::size_t> cuts, int depth,
+  void split(const ElementRun& stretch, const RunRange& range, std::vector<std::size_t> cuts, int depth,
              std::size_t hint) {
     std::size_t i = stretch.find(range.a, hint);
     cuts.push_back(stretch.elements.size());
     for (std::size_t k = 0; k < cuts.size(); ++k) {
-      Stretch part;
+      ElementRun part;
       part.rest_begin = k > 0 || !range.clamped_begin;
       part.rest_end = k + 1 < cuts.size() || !range.clamped_end;
       for (; i < cuts[k] && stretch.elements[i].begin < range.b; ++i) {

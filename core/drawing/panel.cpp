@@ -16,7 +16,7 @@ constexpr const char* ink = "fill=\"#20242a\" font-size=\"11\"";
 struct Range {
   double low = HUGE_VAL, high = -HUGE_VAL;
   void hold(double value) { low = std::min(low, value), high = std::max(high, value); }
-  /// A little wider, and never empty.
+  /// Widens the range slightly, so that it is never empty.
   void widen() {
     if (!(high >= low)) low = 0, high = 1;
     const double more = std::max(0.06 * (high - low), 1e-9 * std::max({1.0, std::abs(low), std::abs(high)}));

@@ -10,7 +10,7 @@ namespace bahnwerk::drawing {
 struct PanelCurve {
   std::string name, colour;
   std::vector<Point> points;  ///< in the units of the panel, x ascending
-  bool marked = false;        ///< a dot at every point
+  bool marked = false;        ///< whether every point has a dot
 };
 
 struct Panel {
@@ -21,15 +21,15 @@ struct Panel {
   bool from_zero = false;      ///< whether the range of values begins at 0
 };
 
-/// Returns the panel with its frame at (left, top) px, `width` · `height` px, values upwards from the frame's bottom.
-/// Curves are lines from point to point, in tenths of a px. O(points).
+/// Returns the SVG of the panel; its frame is at (left, top), `width` by `height`, in px; values grow upwards. Curves
+/// are polylines through their points, rounded to tenths of a px. O(points).
 std::string panel_drawing(const Panel& panel, double left, double top, double width, double height);
 
 /// Margins that a panel needs around its frame, px.
 inline constexpr double panel_left = 72, panel_top = 24, panel_bottom = 34;
 
-/// Thins a curve with many more points than the panel has columns: the lowest and highest value in each of `columns`
-/// columns over [0, end], two points at the column's middle. O(1) per value.
+/// Reduces a curve with many more points than the panel has columns to the lowest and highest value in each of
+/// `columns` columns over [0, end]: two points at the column's middle. O(1) per value.
 class Envelope {
  public:
   Envelope(std::size_t columns, double end);

@@ -1,5 +1,5 @@
 #pragma once
-/// Polylines of a path for drawings: points whose chords are close enough, and lines thinned to what is visible.
+/// Polylines of a path for drawings: sampling of curves within a tolerance, and thinning of lines to what is visible.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -16,7 +16,8 @@
 
 namespace bahnwerk::drawing {
 
-/// Points of a segment whose chords stay within `tolerance`, mm; the segment's beginning is left out.
+/// Calls `to` with points of a segment whose chords stay within `tolerance`, mm, of it; the segment's begin is left
+/// out.
 class Sampler {
  public:
   Sampler(double tolerance, const std::function<void(Vec)>& to) : tolerance_(tolerance), to_(to) {}
@@ -65,8 +66,9 @@ class Sampler {
   const std::function<void(Vec)>& to_;
 };
 
-/// Path data of many lines, thinned: a point is left out while one straight line passes all points since the last one
-/// used within half of the tolerance. Points are rounded to a lattice of a third of it, and no line is drawn twice.
+/// Builds SVG path data of many lines with fewer points: a point is left out while one straight line passes all points
+/// since the last kept one within half of the tolerance, px. Points are rounded to a lattice of a third of the
+/// tolerance, and no line is drawn twice.
 class Thinned {
  public:
   explicit Thinned(double tolerance) : reach_(tolerance / 2), lattice_(tolerance / 3) {}
@@ -91,7 +93,7 @@ class Thinned {
     open_ = false;
     pen_ = nowhere;
   }
-  /// Path data in units of lattice(), px.
+  /// Returns the path data in units of lattice(), px.
   const std::string& data() const { return data_; }
   double lattice() const { return lattice_; }
 
@@ -99,7 +101,7 @@ class Thinned {
   using Place = std::pair<std::int32_t, std::int32_t>;
   static constexpr Place nowhere{INT32_MIN, INT32_MIN};
 
-  /// Whether the line from the anchor to p passes all points since; restricts the directions of later ones.
+  /// Tells whether the line from the anchor to p passes all points since; restricts the directions of later ones.
   bool fits(Point p) {
     const double dx = p.x - anchor_.x, dy = p.y - anchor_.y, d = std::hypot(dx, dy);
     if (d < farthest_ - reach_) return false;  // turned back

@@ -10,7 +10,7 @@
 namespace bahnwerk {
 namespace {
 
-/// Pairs of lines, group code and value.
+/// Writes pairs of lines: group code and value.
 class Tags {
  public:
   Tags& tag(int code, const std::string& value) {
@@ -42,7 +42,7 @@ class Tags {
   std::string text_;
 };
 
-// Handles of what every drawing has.
+// Handles of the tables and objects that every drawing has.
 enum Handle { ltypes = 0x10, layers, styles, apps, records, model, paper, root, groups, next };
 
 void tables(Tags& t, const std::string& layer, int& handle) {

@@ -16,8 +16,8 @@ struct Sampler {
   std::vector<SplinePoint>& points;
 
   SplinePoint at(double v) const { return piece.at(v)[0]; }
-  /// Whether `p` is that far from the straight line from a to b. Angles are compared at its foot on the line or,
-  /// without a line, at the share of the parameter.
+  /// Tells whether `p` is farther than the tolerance from the straight line from a to b. Angles are compared at its
+  /// foot on the line or, if a equals b, at the share of the parameter.
   bool off(const SplinePoint& p, const SplinePoint& a, const SplinePoint& b, double share) const {
     const Vec way = place(b) - place(a), from = place(p) - place(a);
     const double length = norm(way), beside = length > 0 ? norm(cross(way, from)) / length : norm(from);

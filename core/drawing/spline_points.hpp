@@ -1,5 +1,5 @@
 #pragma once
-/// A path of rational pieces as points for drawings and viewers, and its curvature over the arc length.
+/// Samples of a path of rational pieces for drawings and viewers, and its curvature over the arc length.
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -15,8 +15,8 @@ std::vector<SplinePoint> spline_points(std::span<const BezierPiece> pieces, doub
                                        double angle_tolerance = 0.01);
 
 struct CurvaturePoint {
-  double length = 0;     ///< from the path's beginning, mm
-  double curvature = 0;  ///< of the first three coordinates, 1/mm
+  double length = 0;     ///< mm, arc length from the path's begin
+  double curvature = 0;  ///< 1/mm, curvature of the curve in space
   std::size_t piece = 0;
 };
 /// Returns `intervals` + 1 points for each piece, both ends included: where curvature jumps, two points have one

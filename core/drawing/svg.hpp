@@ -1,5 +1,5 @@
 #pragma once
-/// Pieces of SVG text.
+/// Elements of SVG text. Lengths and positions are in px.
 #include <cstdio>
 #include <string>
 
@@ -7,6 +7,7 @@
 
 namespace bahnwerk::svg {
 
+/// Returns a number with at most four digits behind the decimal point.
 inline std::string number(double value) {
   char text[40];
   std::snprintf(text, sizeof text, "%.4f", value);
@@ -16,10 +17,12 @@ inline std::string number(double value) {
   return s == "-0" ? "0" : s;
 }
 
+/// Returns ` name="value"`.
 inline std::string attribute(const char* name, const std::string& value) {
   return std::string(" ") + name + "=\"" + value + "\"";
 }
 
+/// Returns the opening tag of a drawing with a white background.
 inline std::string open(double width, double height) {
   return "<svg xmlns=\"http://www.w3.org/2000/svg\"" + attribute("width", number(width)) +
          attribute("height", number(height)) + attribute("viewBox", "0 0 " + number(width) + " " + number(height)) +
@@ -32,12 +35,14 @@ inline std::string circle(Point at, double radius, const std::string& style) {
          " " + style + "/>\n";
 }
 
+/// Returns a straight line from a to b.
 inline std::string segment(Point a, Point b, const std::string& style) {
   return "<path" +
          attribute("d", std::string("M") + number(a.x) + " " + number(a.y) + "L" + number(b.x) + " " + number(b.y)) +
          " " + style + "/>\n";
 }
 
+/// Returns text with & and < escaped.
 inline std::string escaped(const std::string& words) {
   std::string out;
   for (const char c : words) {

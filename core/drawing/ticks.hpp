@@ -1,12 +1,12 @@
 #pragma once
-/// Places of the ticks of an axis of a drawing.
+/// Positions and labels of ticks on the axes of charts.
 #include <cmath>
 #include <cstdio>
 #include <string>
 
 namespace bahnwerk::drawing {
 
-/// Returns 1, 2 or 5 times a power of ten, the smallest that is at least `least` > 0.
+/// Returns the smallest number of the form 1, 2 or 5 times a power of ten that is at least `least` > 0.
 inline double nice(double least) {
   const double power = std::pow(10, std::floor(std::log10(least)));
   for (const double factor : {1.0, 2.0, 5.0})

@@ -28,16 +28,16 @@ constexpr double plot_size = 720, least_width = 780, left = 64, right = 16, top 
 constexpr double first_tolerance = 0.2, last_tolerance = 52;                                     // px
 constexpr const char* ink = "fill=\"#20242a\"";
 
-// From rest to the largest speed of a cut.
+// Colours from rest to the largest speed of a cut.
 constexpr char speed_colours[][8] = {"#2f3a9e", "#2c6fb0", "#2a97a8", "#35a77a", "#86b82f",
                                      "#c8b21f", "#e8971a", "#e06a18", "#cf3a1c", "#a3121a"};
-// What lines there are: positioning, the way of the coarse axes, and cuts, one class per colour.
+// Classes of lines: positioning, the path of the coarse axes, and cuts, one class per colour.
 constexpr std::size_t position_lines = 0, way_lines = 1, cut_lines = 2, classes = cut_lines + std::size(speed_colours);
 const char* class_name(std::size_t of) {
   return of == position_lines ? "position" : of == way_lines ? "coarse" : "cut";
 }
 
-/// How lines of a class are drawn, on a canvas whose unit is `unit` px.
+/// Returns the style of a class of lines on a canvas whose unit is `unit` px.
 std::string style(std::size_t of, bool by_speed, double unit = 1) {
   char text[120];
   if (of >= cut_lines)
@@ -51,11 +51,12 @@ std::string style(std::size_t of, bool by_speed, double unit = 1) {
   return text;
 }
 
-/// The speed along a path by its law, at places that come one behind the other.
+/// Speed along a path by its time law, at ascending places.
 class Speeds {
  public:
   explicit Speeds(const TimeLaw& law) : pieces_(law.pieces()) {}
-  /// mm/s; within a piece v² changes evenly with s where the acceleration is constant, and nearly so where it is not.
+  /// Returns the speed, mm/s; within a piece v² is interpolated linearly in s, which is exact for a constant
+  /// acceleration.
   double operator()(double s) {
     while (at_ + 1 < pieces_.size() && pieces_[at_].s_end < s) ++at_;
     const LawPiece& piece = pieces_[at_];
@@ -143,7 +144,7 @@ class Drawer {
   bool cuts(const Block& block) const { return block.mode == Mode::cut; }
   bool by_speed() const { return options_.law && !options_.law->pieces().empty(); }
 
-  /// The largest speed of a cut.
+  /// Returns the largest speed of a cut.
   void find_fastest() {
     if (!by_speed()) return;
     std::vector<bool> cut(contour_.path.size(), false);
@@ -173,7 +174,7 @@ class Drawer {
     for (const Vec p : options_.way) box_.hold(p);
   }
 
-  /// Views below each other at one scale, each with a margin.
+  /// Arranges the views below each other at one scale, each with a margin.
   void arrange() {
     const Vec size = box_.high - box_.low;
     const double largest = std::max({size.x, size.y, size.z, 1e-9}), margin = 0.04 * largest;
@@ -181,7 +182,7 @@ class Drawer {
     view.scale = plot_size / (largest + 2 * margin);
     view.low = box_.low - Vec{margin, margin, margin};
     view.high = box_.high + Vec{margin, margin, margin};
-    // Room for the legend and for ticks on paths along one axis.
+    // Leave space for the legend and for ticks of paths along one axis.
     const double least = 320 / view.scale, thin = 60 / view.scale;
     if (const double wide = view.high.x - view.low.x; wide < least) view.high.x += least - wide;
     for (const std::size_t k : {1U, 2U}) {
@@ -197,7 +198,7 @@ class Drawer {
 
   using Lines = std::vector<Thinned>;  // by class
 
-  /// Lines of a cut, in all views, each in the colour of its speed.
+  /// Draws the lines of a cut in all views, coloured by speed.
   class CutLines {
    public:
     CutLines(const Drawer& drawer, std::vector<Lines>& views, double step)
@@ -209,7 +210,7 @@ class Drawer {
       at_ = p, s_ = s;
       open(colour_at(s));
     }
-    /// Straight on; the speed is looked at every `step` px.
+    /// Draws a straight line; the speed is evaluated every `step` px.
     void to(Vec p) {
       const double length = norm(p - at_);
       const double px = drawer_.views_[0].scale * length;
@@ -226,7 +227,7 @@ class Drawer {
       }
       at_ = p, s_ += length;
     }
-    /// Chords are a little shorter than what they stand for: the next segment begins at `s`.
+    /// Chords are shorter than the curve, so the length is set to `s` at the next segment's begin.
     void go_on(double s) { s_ = s; }
     void end() {
       if (colour_ < classes) in_each([](Thinned& line, const View&) { line.end(); });
@@ -254,7 +255,8 @@ class Drawer {
     std::size_t colour_ = classes;
   };
 
-  /// False: larger than allowed. All views at once: points of a path take longer to find than to draw.
+  /// Draws all views at once, because points of a path take longer to compute than to draw. Returns false if the
+  /// drawing exceeds its size limit.
   bool draw(double tolerance, std::string& paths) {
     std::vector<Lines> views(views_.size(), Lines(classes, Thinned(tolerance)));
     const auto size = [&] {
@@ -327,7 +329,7 @@ class Drawer {
         .append("/>\n");
   }
 
-  /// `end`: px, where the longest legend of any tolerance ends.
+  /// `end` is the position, px, at which the longest legend of any tolerance ends.
   std::string legend(double tolerance, double* end = nullptr) const {
     std::string out;
     double x = left;
@@ -354,7 +356,7 @@ class Drawer {
     return out;
   }
 
-  /// "cut 300 mm, 0 [colours] 400 mm/s"; moves `x` behind it.
+  /// Draws "cut 300 mm, 0 [colours] 400 mm/s" and moves `x` behind it.
   std::string speed_key(double& x, const std::string& length) const {
     std::string out = svg::text({x, 42}, length + ": 0", std::string(ink) + " font-size=\"12\"");
     x += 7 * static_cast<double>(length.size() + 3) + 2;

@@ -35,7 +35,8 @@ std::string fill_factor_chart(const FillPlan& plan, const std::string& title) {
   std::vector<winding::FillCurve> curves;
   for (const std::size_t best : plan.best) {
     const winding::Algorithm algorithm = plan.layouts[best].algorithm;
-    // One curve per enamel; wires of one diameter whose enamels are of one grade, but differ, are of several.
+    // One curve per enamel: wires of equal diameter and grade may have different enamels, which belong to different
+    // curves.
     std::map<std::pair<int, std::size_t>, winding::FillCurve> by_enamel;
     for (const FilledLayout& each : plan.layouts) {
       if (each.algorithm != algorithm) continue;

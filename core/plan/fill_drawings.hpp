@@ -1,14 +1,14 @@
 #pragma once
-/// Drawings of a fill plan as SVG, the same for the service and for the documentation.
+/// Drawings of a fill plan as SVG, shared by the service and the documentation.
 #include <string>
 
 #include "core/plan/fill_plan.hpp"
 
 namespace bahnwerk {
 
-/// A layout in its slot; its title names algorithm, wire, count and copper.
+/// Returns a layout drawn in its slot; the title names algorithm, wire, count and copper.
 std::string layout_drawing(const FillRequest& request, const FilledLayout& filled);
-/// Fill factors over the wires, a curve for each algorithm.
+/// Returns the chart of fill factors over wire diameters, one curve per algorithm.
 std::string fill_factor_chart(const FillPlan& plan, const std::string& title);
 
 }  // namespace bahnwerk

@@ -27,7 +27,7 @@ winding::LayingRegions regions_of(const FillRequest& request) {
   return regions;
 }
 
-/// The slot in which layouts are made, nominal or with its walls moved outwards by `wall` mm.
+/// Returns the slot for layouts, nominal or with its walls moved outwards by `wall` mm.
 class Filler {
  public:
   Filler(const FillRequest& request, double wall, Progress& progress)
@@ -65,7 +65,7 @@ class Filler {
   winding::Slot slot_;
   double wall_;
 
-  /// A search tells nothing of an order: the one that gives every wire the most support.
+  /// A search determines no order of laying: take the order that gives every wire the most support.
   void nearest_first(std::vector<Point>& wires) const {
     std::stable_sort(wires.begin(), wires.end(), [&](Point a, Point b) {
       return square_distance(a, request_.tie_in) < square_distance(b, request_.tie_in);
@@ -83,7 +83,7 @@ class Filler {
   }
 };
 
-/// A wire and a slot as they may turn out.
+/// A wire and a slot with random deviations.
 struct Sample {
   double diameter, wall;  ///< 0 … 1 and −1 … 1 of the tolerances
 };
@@ -126,7 +126,8 @@ void report(const FillRequest& request, FilledLayout& filled, Progress& progress
   filled.turns = winding::turns(filled.count(), request.serial, request.parallel);
   filled.resistance =
       resistance_per_metre(filled.wire, std::max<std::size_t>(filled.turns.parallel, 1), request.temperature);
-  // In a rotor a wire comes from its own place in the head before; elsewhere that is unknown but to the simulation.
+  // In a rotor a wire comes from its own place in the previous winding head; elsewhere its origin is known to the
+  // simulation only.
   if (filled.algorithm != Algorithm::needle && std::holds_alternative<winding::RotorHeads>(request.heads))
     filled.layout.tension_points =
         turn_pulls(laying_regions(request.slot, std::get<winding::RotorHeads>(request.heads)), filled.layout);
@@ -142,7 +143,7 @@ std::string max_places(const FillPlan& plan) {
   return "the largest has " + std::to_string(most) + " wires";
 }
 
-/// All layouts in all regions.
+/// Returns the layouts in all regions.
 Verification verified(const FillRequest& request, const FillPlan& plan, Progress& progress, double from) {
   winding::LayingRegions at;
   if (!std::holds_alternative<std::monostate>(request.heads)) at = regions_of(request);
@@ -162,14 +163,14 @@ Verification verified(const FillRequest& request, const FillPlan& plan, Progress
   return verify_layouts(request.slot.usable_area, verified, progress, from, 1);
 }
 
-/// Relative time of an algorithm.
+/// Returns the relative computing time of an algorithm.
 double weight(Algorithm algorithm) { return algorithm == Algorithm::potential ? 20 : 1; }
 
 }  // namespace
 
 const char* name(Algorithm algorithm) { return name_of<Algorithm>(algorithm, winding::algorithms); }
 
-/// By [Herrmann 4.2.3] two wires may share half of what their diameters may be too large.
+/// By [Herrmann 4.2.3] two wires may overlap by half of the tolerance of their diameters.
 double allowed_overlap(const FillRequest& request, Algorithm algorithm, const Wire& wire) {
   if (algorithm != Algorithm::potential) return 0;
   return request.overlap_tolerance.value_or(0.5 * wire.tolerance) * wire.radius();

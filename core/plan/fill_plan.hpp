@@ -1,6 +1,6 @@
 #pragma once
-/// From a slot to its layouts: every wire by every algorithm, checked by the independent verifier, with a proven bound
-/// on the count.
+/// The plan of a slot's fill: layouts of every wire by every algorithm, checked by the independent verifier, with a
+/// proven upper bound of the count.
 #include <cstdint>
 #include <optional>
 #include <variant>
@@ -18,29 +18,30 @@ namespace bahnwerk {
 
 class Progress;
 
-/// Samples of a slot and a wire that are not nominal.
+/// Random deviations of slot and wire from their nominal sizes.
 struct FillSampling {
   int samples = 0;
-  std::optional<double> wire_tolerance;  ///< fraction of the overall diameter; the wire's own if not given
-  double slot_tolerance = 0;             ///< mm, of the walls
+  std::optional<double> wire_tolerance;  ///< fraction of the overall diameter; none: the wire's own
+  double slot_tolerance = 0;             ///< mm, largest displacement of the walls
 };
 
 struct FillRequest {
   winding::Slot slot;
   std::vector<winding::Wire> wires;
   std::vector<winding::Algorithm> algorithms;
-  std::optional<double> overlap_tolerance;  ///< fraction of the radius; 0.5 ε_D if not given [Herrmann 4.2.3]
+  std::optional<double>
+      overlap_tolerance;  ///< allowed overlap as a fraction of the radius; none: 0.5 ε_D [Herrmann 4.2.3]
   std::uint64_t seed = 1;
   double effort = 1;
   int shifts = 4;
   Point tie_in;
-  /// Winding heads of layout needle; without heads every wire is drawn to tie_in.
+  /// Winding heads for the algorithm `needle`; without heads every wire is drawn to `tie_in`.
   std::variant<std::monostate, winding::StatorHeads, winding::RotorHeads> heads;
   std::optional<std::size_t> serial, parallel;
   double temperature = 20;  ///< °C
   winding::ProducibleOptions producible;
-  std::optional<winding::Needle> needle;  ///< needs a channel; none: only the wire must pass the opening
-  /// Where the coil's wires go in its other slot; empty: in the same usable area. See core/winding/slot/coil_sides.hpp.
+  std::optional<winding::Needle> needle;  ///< needle that needs a channel; none: only the wire must pass the opening
+  /// Usable area of the coil's other side; empty: equal to the first one. See core/winding/slot/coil_sides.hpp.
   Region back;
   std::size_t sides = 1;  ///< coil sides that share the slot's area, all with as many wires
   FillSampling sampling;
@@ -50,37 +51,39 @@ struct FilledLayout {
   winding::Algorithm algorithm = winding::Algorithm::needle;
   winding::Wire wire;
   winding::Layout layout;
-  std::vector<winding::Layout> regions;  ///< of needle with heads: winding head, other slot, winding head
-  double overlap = 0;                    ///< mm, allowed
-  std::size_t bound = 0;                 ///< no layout has more wires
+  std::vector<winding::Layout> regions;  ///< for `needle` with heads: layouts of winding head, other slot, winding head
+  double overlap = 0;                    ///< mm, allowed overlap
+  std::size_t bound = 0;                 ///< proven upper bound of the number of wires
   double electrical = 0, mechanical = 0;
   winding::Overlaps overlaps;
-  winding::Windable windable;  ///< of the whole layout
+  winding::Windable windable;  ///< verdict on the whole layout
   winding::Turns turns;
   double resistance = 0;             ///< Ω/m of the coil's conductor
-  std::vector<std::size_t> sampled;  ///< counts of the samples
+  std::vector<std::size_t> sampled;  ///< numbers of wires in the samples
 
   std::size_t count() const { return layout.wires.size(); }
-  /// Wires of the coil that is wanted; all of them where the layout does not take it.
+  /// Returns the number of wires of the requested coil; all wires if the layout does not hold the coil.
   std::size_t wanted() const { return turns.fits ? turns.wires : count(); }
   bool can_be_wound() const { return windable.can_be_wound(wanted()); }
 };
 
 struct FillPlan {
-  std::vector<FilledLayout> layouts;  ///< by wires, then by algorithms, in the order of the request
-  std::vector<std::size_t> best;      ///< per algorithm: the layout with the largest electrical fill factor
-  std::size_t top = 0;                ///< the best of all
+  std::vector<FilledLayout> layouts;  ///< ordered by wires, then by algorithms, as in the request
+  std::vector<std::size_t> best;      ///< per algorithm: index of the layout with the largest electrical fill factor
+  std::size_t top = 0;                ///< index of the best layout of all
   Verification verification;
-  Bound bound;  ///< on the wires of the best of all, from above
+  Bound bound;  ///< upper bound of the number of wires of the best layout
 };
 
-/// Plans the same request to the same bits. Throws Stopped; Infeasible if turns are asked for and no layout takes them.
-/// Cost: that of the algorithms, see their headers; verification is quadratic in the wires of a layout.
+/// Returns the plan; equal requests give identical plans. Throws Stopped, and Infeasible if turns are requested and no
+/// layout holds them. Cost: that of the algorithms, see their headers; verification is quadratic in the wires of a
+/// layout.
 FillPlan plan_fill(const FillRequest& request, Progress& progress);
 
-/// Returns by how much two wires of a layout may be nearer than their diameter, mm [Herrmann 4.2.3].
+/// Returns the largest amount, mm, by which the distance of two wires may be less than their diameter [Herrmann 4.2.3].
 double allowed_overlap(const FillRequest& request, winding::Algorithm algorithm, const winding::Wire& wire);
 
+/// Returns the algorithm's name in documents.
 const char* name(winding::Algorithm algorithm);
 /// Returns the name of an element of FilledLayout::regions.
 const char* region_name(std::size_t region);

@@ -1,5 +1,5 @@
 #pragma once
-/// The planning methods by name, and what may be set for them.
+/// The planning methods by name, and their options in documents.
 #include <vector>
 
 #include "core/base/named.hpp"
@@ -17,14 +17,14 @@ inline constexpr Named<PlanningMethod> planning_methods[] = {{PlanningMethod::br
                                                              {PlanningMethod::critical_points, "critical_points"},
                                                              {PlanningMethod::spline, "bspline"}};
 
-/// What a document may set; each method takes what it knows.
+/// Options of a document; each method reads those that concern it.
 struct MethodOptions {
   double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad
   double braking_reserve = 0.7;                              ///< K_b [Bock (2.11)]
-  Limits along;                                              ///< the tool's path
-  std::vector<double> shares;                                ///< of natural: see NaturalOptions
-  SpeedProfile profile = SpeedProfile::double_s;             ///< of constant and critical_points
-  double feed = 0;                                           ///< of constant: see FeedOptions
+  Limits along;                                              ///< limits along the tool's path, mm/s and its derivatives
+  std::vector<double> shares;                                ///< for `natural`: see NaturalOptions
+  SpeedProfile profile = SpeedProfile::double_s;             ///< for `constant` and `critical_points`
+  double feed = 0;                                           ///< for `constant`, mm/s: see FeedOptions
 };
 
 }  // namespace bahnwerk

@@ -19,15 +19,15 @@ namespace {
 constexpr int attempts = 4;                 // on finer and finer grids
 constexpr std::size_t max_cells = 500'000;  // that may be planned once more for the sake of the gap
 constexpr double close_enough = 5e-6;       // gap to the bound at which a plan counts as converged
-// Where a finer grid costs little a plan is to be closer, so that a contour and the same one backwards take as long to
-// 1e-6; unless the grid before gained less than this.
+// If a finer grid costs little, the plan has to be closer to its bound, so that both directions of a contour take
+// equally long to 1e-6; refinement ends when the last grid gained less than this.
 constexpr double closer = 5e-7, worthwhile = 2e-7;
 constexpr std::size_t few_cells = 20'000;
 constexpr double largest_excess = 1e-4;  // of a limit, that counts as rounding
 
-/// On pieces so short that rounding shows, or so wide that the planner's model of them does, the verifier may find a
-/// limit exceeded by a little, no more than `largest` of it: slows those sections of the law verified by as much, all
-/// of them at once. False if that is not what is wrong.
+/// Slows the sections of the verified law in which limits are exceeded by little, at most relatively by `largest`, all
+/// at once. Such excess occurs in pieces so short that rounding shows, or so wide that the planner's model of them is
+/// inexact. Returns false if the verdict has another reason.
 bool slow_by_the_excess(const Verification& verification, double largest, TimeLaw& law) {
   for (const Check& check : verification.checks) {
     if (!check.passed && !(falls_with_speed(check) && check.value < check.limit * (1 + largest))) return false;
@@ -67,7 +67,7 @@ class PathProblem final : public MotionProblem {
     return true;
   }
   double duration() const override { return law_.duration() / slowed_; }
-  /// In place: a law may be large.
+  /// Slows in place, because a law may be large.
   void slow(double factor) override {
     law_.slow(factor / slowed_);
     slowed_ = factor;
@@ -104,7 +104,7 @@ class PathProblem final : public MotionProblem {
   }
   Bound bound() override { return bound_; }
 
-  /// What the path has besides other motions.
+  /// Limits that only motions along a path have.
   PathPlan report(MotionPlan found) {
     PathPlan plan;
     plan.duration = found.duration, plan.cycles = found.cycles, plan.bound = std::move(found.bound);
@@ -119,14 +119,15 @@ class PathProblem final : public MotionProblem {
   }
 
  private:
-  /// Those along the path that the method holds.
+  /// Limits along the path that the method keeps.
   Limits limits_along() const {
     Limits along = method_.limits_along ? planning_.options.along : Limits{};
     if (!method_.limits_jerk) along.jerk = unlimited;
     return along;
   }
 
-  /// Under the same limits: the speed along the path is one of its feeds, the others are limits of one more axis.
+  /// The bound applies to the same limits: the path's speed limit is one of its feeds, the other path limits those of
+  /// one more axis.
   Bound find_bound() {
     const auto of = [&](const PathTask& task) {
       return lower_bound(task, planning_.options.corner_angle, progress_, at(0), at(bounded), &section_bounds_);
@@ -157,9 +158,10 @@ class PathProblem final : public MotionProblem {
     return std::move(result.law);
   }
 
-  /// Plans on finer grids while that is worthwhile. The proven bound tells whether the grid was fine enough, by the
-  /// motion alone. A braking reserve has no bound that it reaches: there the grid before tells, and the finer law
-  /// counts even if it takes longer, for between the nodes of a coarse grid a law may use some of its reserve.
+  /// Plans on finer grids while that is worthwhile. The proven bound of the motion tells whether a grid was fine
+  /// enough. Methods with a braking reserve do not reach the bound: there the change from the grid before tells, and
+  /// the finer law is kept even if it takes longer, because between the nodes of a coarse grid a law may use part of
+  /// its reserve.
   TimeLaw law_near_the_bound() {
     TimeLaw law = solve();
     const bool reaches_bound = method_.reaches_bound && planning_.jerk_share == 1;

@@ -1,6 +1,7 @@
 #pragma once
-/// Axes that follow a path as a problem of the pipeline (core/plan/pipeline.hpp): time law, whole cycles, verification,
-/// bound, setpoints, with refinement on demand. A kind brings the geometry before it and the report behind it.
+/// Axes that follow a path, as a problem of the pipeline (core/plan/pipeline.hpp): time law, whole cycles,
+/// verification, bound, setpoints, with refinement of the grid where needed. A kind supplies the geometry and writes
+/// the report.
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -21,59 +22,62 @@ namespace bahnwerk {
 class Progress;
 
 struct PathPlanning {
-  std::shared_ptr<const AxisPath> path;  ///< of every axis of the machine
-  /// The axes that move, if the machine's last ones stand still all the time: they limit nothing. Else as `path`.
+  std::shared_ptr<const AxisPath> path;  ///< axis path with every axis of the machine
+  /// Axis path of the moving axes only, if the machine's last axes stand still and limit nothing; otherwise equal to
+  /// `path`.
   std::shared_ptr<const AxisPath> moving;
   Machine machine;
-  std::vector<double> feeds;  ///< per segment: the tool's speed that is planned, mm/s, infinite where not limited
-  /// Per segment: what the verifier holds the motion to, from the document; the same where nothing came between.
+  std::vector<double> feeds;  ///< per segment, mm/s: largest tool speed for the planner, infinite where not limited
+  /// Per segment, mm/s: the document's feeds, which the verifier checks; equal to `feeds` unless a step in between
+  /// changed those.
   std::vector<double> feeds_to_verify;
-  std::vector<bool> rests;   ///< per segment, whether the motion rests at its begin; and one for the end of the path
+  std::vector<bool>
+      rests;  ///< whether the motion rests at the begin of each segment, and at the end of the path (one more entry)
   std::vector<Rest> dwells;  ///< by segment
   PlanningMethod method = PlanningMethod::braking_reserve;
   MethodOptions options;
   double max_setpoints = 20'000'000;
-  std::shared_ptr<MethodResult> planned;  ///< the method's first law, if it is known already: it is taken from here
-  /// The share of every axis' jerk limit that the method plans with. Verification and bound are by the whole limit.
+  std::shared_ptr<MethodResult> planned;  ///< the method's first law, if it is known already; it is moved out of here
+  /// Share of every axis' jerk limit with which the method plans. Verification and bound use the whole limit.
   double jerk_share = 1;
-  /// No setpoints are made, and the bound only where the method needs it: for the duration alone.
+  /// Whether only the duration is needed: no setpoints are made, and the bound is computed only if the method needs it.
   bool only_duration = false;
-  const Contour* blocks = nullptr;  ///< whose blocks the setpoints' columns mode and block tell, if they have such
-  /// What a kind derives from PathSetpoints; those themselves if it is empty.
+  const Contour* blocks =
+      nullptr;  ///< contour whose blocks appear in the setpoints' columns mode and block, if they have such
+  /// Makes a kind's own setpoints, derived from PathSetpoints; empty: PathSetpoints themselves.
   std::function<std::unique_ptr<SetpointSource>(const std::shared_ptr<const PathMotion>&, std::size_t cycles)>
       setpoints;
-  /// Checks of rows that the kind has besides, made for a motion with its verdict; none if it is empty. They look at
-  /// the rows in the pipeline's one pass.
+  /// Makes a kind's own checks of rows for a motion and its verdict; empty: none. They see the rows in the pipeline's
+  /// one pass.
   std::function<RowChecks(const PathMotion&, const SetpointSource&, const Verification&)> row_checks = {};
-  /// Per axis: what one of its units is in the setpoints' columns, such as 180/π for rad shown in deg; empty: 1.
+  /// Per axis: factor from its unit to that of the setpoints' columns, such as 180/π for rad shown in deg; empty: 1.
   std::vector<double> shown;
-  /// By how much these setpoints may be off the law's place (SetpointInput::lag).
+  /// Largest distance of these setpoints from the law's place (SetpointInput::lag).
   double lag = 0;
-  double from = 0, to = 1;  ///< the share of the whole job's progress that this takes
+  double from = 0, to = 1;  ///< range of the job's progress that this plan covers
 };
 
 struct PathPlan {
-  double duration = 0;     ///< s, as planned, dwells included
-  std::size_t pieces = 0;  ///< of the law
+  double duration = 0;     ///< s, duration as planned, including dwells
+  std::size_t pieces = 0;  ///< pieces of the time law
   Cycles cycles;
-  std::shared_ptr<const PathMotion> motion;  ///< slowed to whole cycles: what is verified and sampled
+  std::shared_ptr<const PathMotion> motion;  ///< the motion slowed to whole cycles, which is verified and sampled
   std::unique_ptr<SetpointSource> setpoints;
   Verification verification;
-  RowChecks
-      row_checks;  ///< those of PathPlanning::row_checks, which have seen all rows; their verdicts are for the kind
-  Bound bound;     ///< with its gap to the law as planned
+  RowChecks row_checks;  ///< checks made by PathPlanning::row_checks after all rows; their verdicts are for the kind
+  Bound bound;           ///< bound with its gap to the law as planned
   std::vector<SectionBound> section_bounds;
   std::size_t iterations = 0;  ///< passes of the planner over its grid
 };
 
-/// Verified are the motion (core/verify/verifier.hpp), every setpoint (core/verify/setpoints/setpoint_checks.hpp), and
-/// that the duration is not below its bound. A plan of a method that reaches the bound but is not within 5e-6 of it (of
-/// 20 000 cells at most: 5e-7, while finer grids gain 2e-7, with a braking reserve while they change it by that), and
-/// any plan that the verifier rejects, is planned again on a finer grid, three times at most; what is returned may
-/// still be unverified: look at `verification.passed`. A limit exceeded by so little that it is rounding slows the
-/// section by as much.
+/// Plans, verifies and samples a motion along a path. The verification covers the motion (core/verify/verifier.hpp),
+/// every setpoint (core/verify/setpoints/setpoint_checks.hpp), and that the duration is not below its bound. The plan
+/// is repeated on a finer grid, at most three times, if the verifier rejects it, or if its method converges to the
+/// bound and the gap is above 5e-6 (for at most 20 000 cells: above 5e-7, while finer grids gain 2e-7; with a braking
+/// reserve while they change the duration by that). The returned plan may still fail verification: see
+/// `verification.passed`. A limit exceeded by rounding only slows the section accordingly.
 ///
-/// Cost: that of the method, about 1 µs per grid cell with verification and bound, and 0.1 to 0.3 µs per setpoint.
+/// Cost: that of the method, about 1 µs per grid cell for verification and bound, and 0.1 to 0.3 µs per setpoint.
 /// Throws InvalidInput, also for a motion of more than max_setpoints, UnreachablePose and Stopped.
 PathPlan plan_along(const PathPlanning& planning, Progress& progress);
 

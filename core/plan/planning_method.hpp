@@ -1,5 +1,5 @@
 #pragma once
-/// The planning methods: one row each, with its name, its planner and what it limits. To add one, add a row.
+/// Table of the planning methods: each row has the method's name, planner and properties. A new method is one more row.
 #include <cstddef>
 
 #include "core/machine/machine.hpp"
@@ -19,28 +19,30 @@ struct MethodResult {
 
 struct MethodRow {
   PlanningMethod method;
-  /// The law of the whole path, without its dwells. `refinement` 0, 1 …: each on a grid half as wide as the one before,
-  /// with a tenth of its loss. Throws as the planner does.
+  /// Returns the time law of the whole path without dwells. Each `refinement` 0, 1 … halves the cell width and reduces
+  /// the excess over the optimum to about a tenth. Throws as the planner does.
   MethodResult (*plan)(const PathTask& task, const MethodOptions& options, int refinement, Progress& progress,
                        double from, double to);
-  /// Jerk limits of the axes hold, and that along the path; the motion's acceleration is continuous.
+  /// Whether jerk limits of the axes and along the path hold; the acceleration is then continuous.
   bool limits_jerk;
-  /// Limits along the path hold.
+  /// Whether limits along the path hold.
   bool limits_along;
-  /// Its options' profile decides whether jerk is limited.
+  /// Whether the option `profile` decides if jerk is limited.
   bool takes_profile;
-  /// Its law tends to the proven bound as the grid is refined: worth while until it is there.
+  /// Whether its duration converges to the proven bound as the grid is refined, so that refinement is worthwhile.
   bool reaches_bound;
-  /// Its changes of speed hold limits at the nodes of a grid. What they exceed between, on the finest grid, slows them.
+  /// Whether changes of speed keep the limits at the nodes of a grid only; an excess between nodes, on the finest grid,
+  /// slows them.
   bool holds_at_nodes;
 };
 
-/// Throws std::logic_error for a method without a row.
+/// Returns a method's row. Throws std::logic_error for a method without a row.
 const MethodRow& method_row(PlanningMethod method);
-/// The row with what these options make of it: a profile whose acceleration jumps limits no jerk.
+/// Returns the row adapted to the options: a profile whose acceleration jumps limits no jerk.
 MethodRow method_row(PlanningMethod method, const MethodOptions& options);
 
-/// The limits that a method holds, of the machine's first `axes`: jerk is unlimited where it is not among them.
+/// Returns the limits of the machine's first `axes` axes that a method keeps; jerk is unlimited if the method does not
+/// limit it.
 Machine held_limits(Machine machine, const MethodRow& method, std::size_t axes);
 
 }  // namespace bahnwerk

@@ -1,5 +1,5 @@
 #pragma once
-/// How many setpoints a motion may have.
+/// The limit of the number of setpoints of a motion.
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -9,7 +9,8 @@
 
 namespace bahnwerk {
 
-/// Throws InvalidInput, at `place`, where the document has the cycle time, for a motion of more than `most` setpoints.
+/// Throws InvalidInput at `place`, the document's place of the cycle time, if a motion of `duration` s would have more
+/// than `most` setpoints.
 inline void limit_setpoints(double duration, double cycle_time, double most, const std::vector<std::string>& place) {
   const double count = std::ceil(duration / cycle_time) + 1;
   if (!(count > most)) return;

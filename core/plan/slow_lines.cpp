@@ -16,8 +16,8 @@ struct Line {
   double time = 0;
 };
 
-/// Everything that may bind, in a fixed order: feed, the axes' velocity, acceleration and jerk, the path's acceleration
-/// and jerk, a dwell.
+/// All limits in a fixed order: feed, the axes' velocity, acceleration and jerk, the path's acceleration and jerk, a
+/// dwell.
 class Reasons {
  public:
   Reasons(const Machine& machine, const Limits& along) : machine_(machine), along_(along) {
@@ -31,7 +31,7 @@ class Reasons {
   const std::string& name(std::size_t i) const { return names_[i]; }
   std::size_t dwell() const { return names_.size() - 1; }
 
-  /// What binds most of all, count() if nothing does.
+  /// Returns the limit that is closest to being active; count() if none is.
   std::size_t at(const MotionState& x, const LawState& law, double feed) const {
     std::size_t best = count(), i = 0;
     double most = binds;

@@ -1,5 +1,5 @@
 #pragma once
-/// Axes that follow splines in time as a problem of the pipeline: no path, any number of axes.
+/// Axes that follow splines in time, as a problem of the pipeline: no path, any number of axes.
 #include <functional>
 #include <vector>
 
@@ -12,19 +12,19 @@ namespace bahnwerk {
 class Progress;
 
 struct SplinePlanning {
-  std::vector<SplineMotion::Piece> pieces;  ///< as planned, from rest to rest
-  Machine machine;                          ///< limits, up to the snap, of as many axes
-  int continuous = 3;                       ///< up to which derivative pieces fit together
-  int columns = 2;                          ///< up to which derivative the setpoints have columns, 0 to 4
+  std::vector<SplineMotion::Piece> pieces;  ///< pieces as planned, from rest to rest
+  Machine machine;                          ///< as many axes, with limits up to the snap
+  int continuous = 3;                       ///< order up to which derivatives are continuous
+  int columns = 2;                          ///< order up to which the setpoints have columns of derivatives, 0 to 4
   Bound bound;
-  /// What is checked besides of the motion that is served; nothing if it is empty.
+  /// Makes additional checks of the served motion; empty: none.
   std::function<std::vector<Check>(const Motion&)> more_checks = {};
   double max_setpoints = 20'000'000;
 };
 
-/// Slows the motion to whole cycles, verifies it (core/verify/motion/motion_checks.hpp), and samples it. A limit that
-/// is exceeded by 1e-4 of itself at most slows the whole motion by as much. What is returned may be unverified. Throws
-/// what SplineMotion and the pipeline throw.
+/// Slows the motion to whole cycles, verifies it (core/verify/motion/motion_checks.hpp) and samples it. A limit
+/// exceeded by at most 1e-4 of itself slows the whole motion accordingly. The returned plan may fail verification.
+/// Throws what SplineMotion and the pipeline throw.
 MotionPlan plan_spline(const SplinePlanning& planning, Progress& progress);
 
 }  // namespace bahnwerk

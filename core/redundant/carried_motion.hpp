@@ -1,5 +1,6 @@
 #pragma once
-/// Coarse axes some of which do exactly what the head does, so that their fine axes stand still or need not exist.
+/// Motion of the coarse axes in which some axes carry out the head's motion themselves, so that their fine axes stand
+/// still or do not exist.
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -10,12 +11,12 @@
 
 namespace bahnwerk {
 
-/// Axis k is that of the head where `carried[k]`, else that of `split`. Its pieces end where a piece of either does. On
-/// straight segments a carried axis is a polynomial, on curves it is not.
+/// Motion of N coarse axes. Axis k equals axis k of the head where `carried[k]` is true, else axis k of `split`. Piece
+/// borders are those of both motions. A carried axis is polynomial in time on straight segments only.
 class CarriedMotion final : public Motion {
  public:
-  /// `split` has as many axes as the head and lasts as long; none where every axis is carried. Throws
-  /// std::invalid_argument where axes differ in number.
+  /// `split` has as many axes and the same duration as the head; it may be null if every axis is carried. Throws
+  /// std::invalid_argument if the numbers of axes differ.
   CarriedMotion(std::shared_ptr<const PathMotion> head, std::shared_ptr<const SplineMotion> split,
                 std::vector<bool> carried);
   const std::shared_ptr<const SplineMotion>& split() const { return split_; }
@@ -31,7 +32,7 @@ class CarriedMotion final : public Motion {
  private:
   struct Begin {
     double t;
-    std::size_t head, split;  // the piece of either
+    std::size_t head, split;  // the pieces of both motions that hold t
   };
   MotionState chosen(MotionState carried, const MotionState& split) const;
 

@@ -6,7 +6,7 @@
 namespace bahnwerk {
 namespace {
 
-/// Least g·x over a range.
+/// Returns the least value of g·x for x in a range.
 double least(double g, const Range& r) { return g > 0 ? g * r.lowest : g < 0 ? g * r.highest : 0; }
 
 }  // namespace

@@ -9,8 +9,8 @@
 namespace bahnwerk {
 namespace {
 
-/// One side of a box: sign·x + slack − excess = limit. The multiplier z of it is between 0 and the penalty; what it is
-/// below the penalty is a number of its own, because near the penalty a difference would have lost its digits.
+/// One side of a box: sign·x + slack − excess = limit. Its multiplier z lies between 0 and the penalty. The difference
+/// penalty − z is stored separately, because near the penalty a computed difference would have lost its digits.
 struct Bound {
   double limit = 0;  // infinite: there is none
   double slack = 1, excess = 1, z = 1, below = 1;
@@ -100,7 +100,7 @@ class Method {
     return k == 2 ? chain_.energy_weight * node_step(i) : 0;
   }
 
-  /// The motion that stays near the middles of the boxes, whatever its controls.
+  /// Computes the first guess, which stays near the middles of the state boxes, whatever its controls.
   void start() {
     for (std::size_t c = 0; c < n_; ++c) {
       const Range& r = chain_.controls[c];
@@ -160,7 +160,7 @@ class Method {
     for (std::size_t c = 0; c < n_; ++c) states_[c + 1] = x = advanced<order>(x, chain_.steps[c], controls_[c]);
   }
 
-  /// Takes the part `taken_` of the bounds' steps, too: one pass over all of them.
+  /// Applies the share `taken_` of the bounds' steps as well, in one pass over all bounds.
   void measure() {
     double sum = 0, residual = 0, excess = 0, violation = 0;
     std::size_t count = 0;
@@ -194,12 +194,12 @@ class Method {
     objective_ = 0.5 * energy + options_.penalty * excess;
   }
 
-  /// By what a bound is missed, with what its aims add.
+  /// Returns the residual of a bound, including its centring terms.
   static double shift(const Bound& b, double x) {
     return x + b.slack - b.excess - b.limit + b.aim1 * b.by_z - b.aim2 * b.by_elastic;
   }
 
-  /// Weights and gradient for the aims of the bounds, which aim(bound, penalty) sets.
+  /// Computes weights and gradient for the complementarity targets of the bounds, which aim(bound, penalty) sets.
   template <class Aim>
   void assemble(bool weights, Aim&& aim) {
     const auto bound = [&](Bound& b, double sign, double x, double penalty, double& w, double& g) {
@@ -235,7 +235,7 @@ class Method {
     }
   }
 
-  /// Factorises, and finds what a multiplier at the end changes.
+  /// Factorises, and computes the response to a multiplier of the condition of rest at the end.
   void factorise() {
     riccati_.factorise(weight_, cell_weight_);
     if (!chain_.ends_at_rest) return;
@@ -247,7 +247,7 @@ class Method {
     }
   }
 
-  /// The step that brings the derivatives at the end to 0.
+  /// Adds the step that brings the derivatives at the end to 0.
   void solve_step() {
     riccati_.solve(gradient_, cell_gradient_, d_states_, d_controls_);
     if (!chain_.ends_at_rest) return;
@@ -275,11 +275,12 @@ class Method {
     solve_step();
   }
 
-  /// Complementarity after a step a: now + a (linear + a square).
+  /// Returns the complementarity after a step of length a: now + a (linear + a square).
   struct Products {
     double linear = 0, square = 0;
   };
-  /// Steps of slacks and multipliers; returns the largest step that keeps them positive, 1 at most.
+  /// Computes the steps of slacks and multipliers; returns the largest step length, at most 1, that keeps them
+  /// positive.
   double reach(double keep, Products* products = nullptr) {
     double least = 1;
     Products sums;
@@ -305,7 +306,7 @@ class Method {
     return least;
   }
 
-  /// False: the Newton system has no solution in these digits, and nothing has changed.
+  /// Returns false, without any change, if the Newton system has no solution in floating-point arithmetic.
   bool step() {
     assemble(true, [](Bound& b, double penalty) {
       b.aim1 = -b.slack * b.z;
@@ -332,7 +333,7 @@ class Method {
     return true;
   }
 
-  /// Whether the step is a number everywhere.
+  /// Tells whether the step is finite everywhere.
   bool finite() {
     double sum = 0;
     for (const State& d : d_states_)

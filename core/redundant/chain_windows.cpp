@@ -43,14 +43,15 @@ double energy_of(const Chain<order>& chain, const WindowedSolution<order>& s) {
   return energy;
 }
 
-/// In which its acceleration, in the mean square, takes the axis over a unit of length.
+/// Returns the time constant of a motion: the time in which the root mean square of its acceleration moves the axis by
+/// one unit of length.
 template <std::size_t order>
 double own_time(const Chain<order>& chain, const ChainSolution<order>& s) {
   const double time = std::accumulate(chain.steps.begin(), chain.steps.end(), 0.0);
   return std::sqrt(std::sqrt(time / s.energy));
 }
 
-/// The axis stands still, if there is a place inside all boxes.
+/// Returns the solution in which the axis stands still, if there is a position inside all boxes.
 template <std::size_t order>
 std::optional<WindowedSolution<order>> standing(const Chain<order>& chain) {
   if (chain.begin) return std::nullopt;
@@ -73,8 +74,9 @@ std::optional<WindowedSolution<order>> standing(const Chain<order>& chain) {
 }  // namespace
 
 template <std::size_t order>
-ChainSolution<order> followed_if_possible(const Chain<order>& chain, ChainOptions options) {
-  // Where there is hardly any freedom multipliers may be above the penalty: then a little excess is no proof yet.
+ChainSolution<order> solve_raising_penalty(const Chain<order>& chain, ChainOptions options) {
+  // If the feasible set is very small, multipliers may be above the penalty, so a little excess does not prove
+  // infeasibility.
   ChainSolution<order> solution = solve(chain, options);
   if (solution.excess <= 0 || solution.excess > small_excess) return solution;
   for (const Cluster<order>& c : clusters(chain, solution, 0.0))
@@ -102,7 +104,7 @@ WindowedSolution<order> solve_in_windows(const Chain<order>& chain, const ChainO
     if (n - last < windows.kept / 2) keep = last = n;  // rather than a short one at the end
     Chain<order> window = part(chain, first, last);
     if (first > 0) window.begin = all.states[first];
-    const ChainSolution<order> s = followed_if_possible(window, options);
+    const ChainSolution<order> s = solve_raising_penalty(window, options);
     all.iterations += static_cast<std::size_t>(s.iterations);
     const double before = std::exchange(ahead, std::max(windows.ahead, windows.own_times * own_time(window, s)));
     if (first == 0 && last < n && last - keep < windows.kept && ahead > much_further * before) continue;
@@ -119,8 +121,8 @@ WindowedSolution<order> solve_in_windows(const Chain<order>& chain, const ChainO
   return all;
 }
 
-template ChainSolution<2> followed_if_possible(const Chain<2>&, ChainOptions);
-template ChainSolution<3> followed_if_possible(const Chain<3>&, ChainOptions);
+template ChainSolution<2> solve_raising_penalty(const Chain<2>&, ChainOptions);
+template ChainSolution<3> solve_raising_penalty(const Chain<3>&, ChainOptions);
 template WindowedSolution<2> solve_in_windows(const Chain<2>&, const ChainOptions&, const ChainWindowOptions&);
 template WindowedSolution<3> solve_in_windows(const Chain<3>&, const ChainOptions&, const ChainWindowOptions&);
 

@@ -1,12 +1,14 @@
 #pragma once
-/// A long chain solved window by window: time and memory per window do not grow with the chain, and stay in a cache.
+/// Receding-horizon solution of a long chain: windows of cells are solved one after the other, so that memory and time
+/// per window do not grow with the length of the chain.
 ///
-/// Each window begins with the state that the one before left, and reaches beyond what is kept of it, anywhere inside
-/// the boxes there. With more time ahead than a stop takes it finds a solution where there is one; that one window
-/// ended where the next cannot go on is possible, so what exceeds boxes here proves nothing. What lies ahead matters to
-/// the energy for some of the motion's own times, in which its acceleration, in the mean square, takes the axis over a
-/// unit of length: smooth motions have long ones. So far ahead a window loses next to no energy against the solution of
-/// the whole. An axis that can stand still does. O(cells).
+/// Each window begins with the last kept state of the window before. It looks ahead beyond its kept cells and ends free
+/// inside the boxes there. If the look-ahead exceeds the time that a stop takes, a window rarely ends in a state from
+/// which the next one is infeasible; it still can, so an excess found here proves nothing about the whole chain. How
+/// much energy is lost against the solution of the whole depends on the look-ahead compared with the time constant of
+/// the motion, which is the time in which the root mean square of its acceleration moves the axis by one unit of
+/// length: a look-ahead of several time constants makes the loss negligible. An axis that can stand still is not moved.
+/// Cost: O(cells).
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -17,30 +19,33 @@ namespace bahnwerk {
 
 struct ChainWindowOptions {
   std::size_t kept = 4000;  ///< cells of a window that are kept
-  double ahead = 10;        ///< units of time, at least
-  double own_times = 3;     ///< of the window before, that one looks ahead, for as many cells as are kept at most
-  double followed = 0;      ///< excess that counts as none
+  double ahead = 10;        ///< least look-ahead in the chain's unit of time
+  double own_times = 3;     ///< look-ahead in time constants of the window before, at most `kept` cells
+  double followed = 0;      ///< excess up to which a solution counts as feasible
 };
 
 template <std::size_t order>
 struct WindowedSolution {
-  std::vector<ChainState<order>> states;                     ///< at the nodes
-  std::vector<double> controls;                              ///< in the cells
-  double energy = 0;                                         ///< as of a ChainSolution
-  std::size_t iterations = 0;                                ///< of all windows
-  std::vector<std::pair<std::size_t, std::size_t>> exceeds;  ///< stretches of nodes, ascending: first and last
+  std::vector<ChainState<order>> states;  ///< at the n + 1 nodes
+  std::vector<double> controls;           ///< in the n cells
+  double energy = 0;                      ///< Σ h·a², see ChainSolution
+  std::size_t iterations = 0;             ///< Newton iterations of all windows
+  std::vector<std::pair<std::size_t, std::size_t>>
+      exceeds;  ///< intervals of infeasible nodes, ascending: first and last node
 };
 
-/// Returns the solution of a chain; where a little is exceeded, that with a larger penalty.
+/// Returns the solution of a chain. Where it has a small excess, the chain is solved again with a larger penalty,
+/// because multipliers may have been above the first one.
 template <std::size_t order>
-ChainSolution<order> followed_if_possible(const Chain<order>& chain, ChainOptions options);
+ChainSolution<order> solve_raising_penalty(const Chain<order>& chain, ChainOptions options);
 
 template <std::size_t order>
+/// Returns the joined solution of all windows.
 WindowedSolution<order> solve_in_windows(const Chain<order>& chain, const ChainOptions& options,
                                          const ChainWindowOptions& windows);
 
-extern template ChainSolution<2> followed_if_possible(const Chain<2>&, ChainOptions);
-extern template ChainSolution<3> followed_if_possible(const Chain<3>&, ChainOptions);
+extern template ChainSolution<2> solve_raising_penalty(const Chain<2>&, ChainOptions);
+extern template ChainSolution<3> solve_raising_penalty(const Chain<3>&, ChainOptions);
 extern template WindowedSolution<2> solve_in_windows(const Chain<2>&, const ChainOptions&, const ChainWindowOptions&);
 extern template WindowedSolution<3> solve_in_windows(const Chain<3>&, const ChainOptions&, const ChainWindowOptions&);
 

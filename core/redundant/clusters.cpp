@@ -17,7 +17,7 @@ double excess_at(const Chain<order>& chain, const ChainSolution<order>& s, std::
   return excess;
 }
 
-/// What the excess of a stretch weighs.
+/// Returns the weighted excess of the states on an interval.
 template <std::size_t order>
 double weighed_excess(const Chain<order>& chain, const ChainSolution<order>& s, std::size_t first, std::size_t last) {
   double sum = 0;

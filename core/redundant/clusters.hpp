@@ -1,6 +1,6 @@
 #pragma once
-/// Where a chain cannot stay inside its boxes, and what more time there would help: from the solution with the least
-/// excess and its multipliers.
+/// Infeasible intervals of a chain, found from the solution with the least excess: a Farkas certificate for each, and
+/// how much more time in each cell would help.
 #include <cstddef>
 #include <vector>
 
@@ -11,16 +11,17 @@ namespace bahnwerk {
 
 template <std::size_t order>
 struct Cluster {
-  std::size_t first = 0, last = 0;  ///< nodes between which the costates are at least a hundredth of their peak
-  Certificate<order> certificate;   ///< proves something only where its value is positive
-  double need = 0;                  ///< what has to be gained, at least: its value, or the weighted excess
-  /// By how much the value falls per unit of time by which a cell of the stretch is lengthened: −λ·(d/dt of the state),
-  /// the Hamiltonian of optimal control.
+  std::size_t first = 0, last = 0;  ///< nodes between which the costates are at least 1 % of their peak
+  Certificate<order> certificate;   ///< a proof only if its value is positive
+  double need =
+      0;  ///< what more time has to gain at least: the certificate's value, or the weighted excess if there is no proof
+  /// gain[i]: decrease of the certificate's value per unit of time by which cell first + i is lengthened: −λ·(d/dt of
+  /// the state), the Hamiltonian of optimal control.
   std::vector<double> gain;
 };
 
-/// Returns groups of nodes whose states exceed their boxes by more than `tolerance`, each with the stretch around it
-/// that its multipliers reach over. O(nodes).
+/// Returns the groups of nodes whose states exceed their boxes by more than `tolerance`, each with the interval over
+/// which its multipliers have an effect. O(nodes).
 template <std::size_t order>
 std::vector<Cluster<order>> clusters(const Chain<order>& chain, const ChainSolution<order>& solution, double tolerance);
 

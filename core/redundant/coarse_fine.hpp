@@ -1,6 +1,7 @@
 #pragma once
-/// A machine each of whose axes is two: a coarse one with a long way, and a fine one on it that is quicker but reaches
-/// only `stroke` to either side. The tool stands at the sum of both [Bock 2.1.5].
+/// A machine with redundant axes [Bock 2.1.5]: each coordinate has a coarse axis with a long range and a fine axis
+/// carried by it, which is quicker but moves by at most `stroke` to either side. The tool's coordinate is the sum of
+/// both positions.
 #include <algorithm>
 #include <cstddef>
 #include <string>
@@ -13,7 +14,7 @@ namespace bahnwerk {
 
 struct CoarseFineAxis {
   std::string name;
-  Limits coarse, fine;   ///< their accelerations are finite; jerks of both are, or of neither
+  Limits coarse, fine;   ///< mm/s, mm/s², mm/s³; accelerations are finite; the jerks of both are finite or none is
   double stroke = 0;     ///< mm, one-sided: |x − x_c| ≤ stroke; 0: there is no fine axis, and its limits are 0
   bool centred = false;  ///< whether the fine axis stands in the middle of its stroke at the begin and at the end
 };
@@ -35,8 +36,8 @@ struct CoarseFineMachine {
   }
 };
 
-/// Returns what the tool can do at most: both axes' limits, summed. Its ranges are those of the coarse axes with the
-/// stroke.
+/// Returns a machine whose limits are the sums of the coarse and fine ones: no motion of the tool can exceed them.
+/// Position ranges are those of the coarse axes widened by the stroke.
 inline Machine summed(const CoarseFineMachine& machine) {
   Machine sum;
   sum.cycle_time = machine.cycle_time;
@@ -50,10 +51,10 @@ inline Machine summed(const CoarseFineMachine& machine) {
   return sum;
 }
 
-/// Returns what the head is planned with: the sums, but a jerk at which each axis can take its share of the
-/// acceleration all the way from one end of its limits to the other. With more, the slower of both would still be on
-/// its way when the head changes from full acceleration to full braking. It is the sum if both axes take equally long
-/// for that.
+/// Returns the limits with which the head is planned: the sums, but with a jerk at which each axis can follow its share
+/// of the acceleration from one limit to the other. With a higher jerk the slower axis would still be changing its
+/// acceleration when the head has already changed from full acceleration to full braking. The jerk equals the sum if
+/// both axes take equally long from one acceleration limit to the other.
 inline Machine head_limits(const CoarseFineMachine& machine) {
   Machine head = summed(machine);
   for (std::size_t k = 0; k < head.axes.size(); ++k) {
@@ -67,8 +68,7 @@ inline Machine head_limits(const CoarseFineMachine& machine) {
   return head;
 }
 
-/// Returns the axes of a split motion, all coarse ones before all fine ones, with this share of their speeds and
-/// accelerations.
+/// Returns a machine of 2 N axes, all coarse axes before all fine ones, with `share` of their speeds and accelerations.
 inline Machine both_stages(const CoarseFineMachine& machine, double share) {
   Machine axes;
   axes.cycle_time = machine.cycle_time;

@@ -11,7 +11,7 @@ namespace {
 constexpr double rounding = 32 * std::numeric_limits<double>::epsilon();  // relative, of coordinates
 constexpr int places = 32;                                                // looked at per curve
 
-/// What the rounding of a segment's points does to its derivatives at an end of it: it turns and bends the end.
+/// Effect of the rounding of a segment's points on its first and second derivative at one end.
 struct Rounding {
   double tangent, curvature;
 };

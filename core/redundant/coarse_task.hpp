@@ -1,5 +1,6 @@
 #pragma once
-/// What coarse axes do without fine ones: their own limits, and where the tool has to rest for them.
+/// Planning tasks for the coarse axes alone: their limits, whether their ranges suffice, and where the tool has to rest
+/// because coarse axes cannot follow a jump of a derivative.
 #include <cstddef>
 #include <vector>
 
@@ -8,24 +9,26 @@
 
 namespace bahnwerk {
 
-/// Returns that part of the coarse axes' own limits; its axes are named as the machine's axes.
+/// Returns `share` (0 … 1) of the coarse axes' own limits as a machine with the machine's axis names.
 Machine coarse_machine(const CoarseFineMachine& machine, double share);
 
-/// Returns `rests`, and each segment's begin at which first derivatives of the axes differ on both sides, with
-/// `derivatives` 2 the second ones, too, by more than the rounding of the segments' points turns and bends them: with
-/// size = distance from zero + length + 2 radii, 32 ε size (1/length + 1/radius), and (1/length + 1/radius) times that.
+/// Returns `rests` (one entry per segment: rest at its begin) with additional rests wherever the first derivatives of
+/// the axes jump between segments; with `derivatives` = 2 also wherever the second ones jump. A jump counts if it
+/// exceeds what rounding of the segments' points can cause: with size = distance from zero + length + 2 radii that is
+/// 32 ε size (1/length + 1/radius) for the first derivative and (1/length + 1/radius) times as much for the second.
 std::vector<bool> rests_at_jumps(const AxisPath& path, std::vector<bool> rests, int derivatives);
 
-/// Returns the numbers of the axes along which the tool's path leaves that; see within_coarse_range().
+/// Returns the indices of the axes whose coordinate of the tool's path leaves the range that within_coarse_range()
+/// checks.
 std::vector<std::size_t> beyond_coarse_range(const AxisPath& path, const CoarseFineMachine& machine, double part = 0);
-/// Tells whether the tool's path stays within the ranges of the coarse axes and that part of the strokes beyond them;
-/// with 0 they can do all by themselves. Curves are looked at in 32 places each.
+/// Tells whether the tool's path stays within the coarse axes' ranges, widened by `part` of the strokes; with `part` =
+/// 0 the coarse axes can do the whole motion alone. Curved segments are sampled at 32 places.
 bool within_coarse_range(const AxisPath& path, const CoarseFineMachine& machine, double part = 0);
 
-/// Returns the task at rest wherever derivatives jump that coarse axes have to let be continuous: the first, with
-/// limited jerk the second ones, too.
+/// Returns the task with rests at all jumps of first derivatives (with limited jerk also of second derivatives), which
+/// coarse axes alone cannot follow.
 JointTask resting_at_jumps(JointTask task);
-/// Returns the task for the coarse axes alone, at rest there.
+/// Returns the task with rests at those jumps and without fine axes.
 JointTask without_fine_axes(JointTask task);
 
 }  // namespace bahnwerk

@@ -56,7 +56,7 @@ void ControllableSet::add_segment(const State& g) {
   std::swap(vertices_, spare_);
 }
 
-/// Removes vertices that are nearest to the line between their neighbours, by the area they stand for.
+/// Removes the vertices whose triangles with their neighbours have the least areas.
 void ControllableSet::reduce() {
   while (vertices_.size() > most_vertices) {
     const std::size_t n = vertices_.size();
@@ -100,7 +100,7 @@ void ControllableSet::limit(const std::array<Range, 2>& boxes) {
     x = {std::min(x.lowest, s[0]), std::max(x.highest, s[0])};
     v = {std::min(v.lowest, s[1]), std::max(v.highest, s[1])};
   }
-  // Most often nothing is beyond.
+  // In most cases no vertex is beyond the line.
   if (x.highest > boxes[0].highest) cut(1, 0, boxes[0].highest);
   if (x.lowest < boxes[0].lowest) cut(-1, 0, -boxes[0].lowest);
   if (v.highest > boxes[1].highest) cut(0, 1, boxes[1].highest);
@@ -141,7 +141,8 @@ std::vector<std::pair<std::size_t, std::size_t>> conflicts(const Chain<2>& chain
     const bool rests = (node == 0 && chain.begins_at_rest) || (node == n && chain.ends_at_rest);
     return ControllableSet::at_node(chain.states[node], rests);
   };
-  // One cell on, or back. What can be done at rest is a line, which is cut by the others, not they by it.
+  // Advances one cell forward or backward. The states at rest are a segment without interior, so the other set is cut
+  // by the boxes, not this one by the other set.
   const auto carried = [&](ControllableSet& states, std::size_t cell, bool forward) {
     const double h = forward ? chain.steps[cell] : -chain.steps[cell];
     const std::size_t node = forward ? cell + 1 : cell;
@@ -162,7 +163,8 @@ std::vector<std::pair<std::size_t, std::size_t>> conflicts(const Chain<2>& chain
     for (ControllableSet back = at(last); first > 0;)
       if (!carried(back, --first, false)) break;
     found.emplace_back(first, last);
-    // What begins inside may end later; if it does not, by rounding, it is left behind.
+    // A conflict that begins inside this interval may end later; if it does not, because of rounding, the search goes
+    // on behind it.
     from = found.size() > 1 && last <= found[found.size() - 2].second ? last : first + (last - first) / 2 + 1;
     states = at(from);
     c = from - 1;

@@ -1,10 +1,11 @@
 #pragma once
-/// States (position, velocity) of a coarse axis from which, or to which, it can follow the head along a chain of cells:
-/// a convex polygon, carried from node to node.
+/// Reachable and controllable sets of a coarse axis that follows the head along a chain of order 2 (chain.hpp): convex
+/// polygons of states (position, velocity), carried from node to node.
 ///
-/// It is the set itself, up to rounding, as long as it has no more than 96 vertices; beyond that those go that matter
-/// least, so the polygon lies inside the set: what it allows is possible. A solution of the chain costs some 20 times
-/// as much, and tells multipliers and the best motion; this only tells whether there is one.
+/// A polygon is exact up to rounding as long as it has no more than 96 vertices. Beyond that the vertices that
+/// contribute the least area are removed, so the polygon lies inside the true set and every state in it is feasible. A
+/// polygon costs about 1/20 of a solution of the chain (chain_solver.hpp), but only decides feasibility; the solution
+/// also gives multipliers and the optimal motion.
 #include <cstddef>
 #include <functional>
 #include <utility>
@@ -16,14 +17,17 @@ namespace bahnwerk {
 
 class ControllableSet {
  public:
-  /// Whatever a node's boxes allow, or rest inside that of its positions.
+  /// Returns all states inside a node's boxes; with `rest` only those with velocity 0.
   static ControllableSet at_node(const std::array<Range, 2>& boxes, bool rest);
 
+  /// Tells whether no state is feasible.
   bool empty() const { return vertices_.empty(); }
-  /// Carries the set to the end of a cell of duration h, or to its begin where h < 0, with controls in a range.
+  /// Carries the set forward over a cell of duration h > 0, or backward over a cell of duration −h if h < 0, with any
+  /// control in `controls`.
   void advance(double h, const Range& controls);
+  /// Intersects the set with the boxes of a node.
   void limit(const std::array<Range, 2>& boxes);
-  /// Tells whether a state is in both. One of them has to have an inside.
+  /// Tells whether the sets have a common state. At least one of them must have interior points.
   bool meets(const ControllableSet& other) const;
 
  private:
@@ -32,18 +36,19 @@ class ControllableSet {
   void add_segment(const State& g);
   void reduce();
 
-  std::vector<State> vertices_, spare_;  // counter-clockwise; two of a set without an inside
+  std::vector<State> vertices_, spare_;  // counter-clockwise; a set without interior has two
 };
 
-/// Carries sets from the first node of a chain to the last (or back), starting from `states` there. Boxes of the first
-/// node are not looked at. Ends early where nothing is left. O(cells).
+/// Carries `states` from node `first` to node `last` (or back from `last` to `first`). The boxes of the node at which
+/// it starts are not applied. Ends early if the set becomes empty. O(cells).
 ControllableSet followed_forward(ControllableSet states, const Chain<2>& chain, std::size_t first, std::size_t last);
 ControllableSet followed_backward(ControllableSet states, const Chain<2>& chain, std::size_t first, std::size_t last);
 
-/// Returns the stretches that no motion can follow, as first and last node: none between them, wherever it is at the
-/// last one, ends in a state that boxes allow. After each the search goes on from its middle, so that of those that
-/// overlap only some are found. Beyond 96 vertices sets are smaller than they should be: a stretch may be one that
-/// could just be followed. `tick` is called often. O(cells), three times for those of a stretch.
+/// Returns intervals (first node, last node) that no trajectory can pass: none that begins inside the boxes of the
+/// first node stays inside the boxes up to the last one. After each conflict the search continues from its middle, so
+/// of overlapping conflicts only some are found. Above 96 vertices the sets are inner approximations, so that an
+/// interval may be reported although it is just feasible. `tick` is called often. Cost: O(cells), three times that for
+/// the cells of conflicts.
 std::vector<std::pair<std::size_t, std::size_t>> conflicts(const Chain<2>& chain, const std::function<void()>& tick);
 
 }  // namespace bahnwerk

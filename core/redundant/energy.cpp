@@ -5,7 +5,8 @@
 namespace bahnwerk {
 
 std::vector<double> acceleration_energy(const Motion& motion) {
-  // Gauss–Legendre on [−1, 1]: exact to degree 9, which a² has where positions are of degree 6.
+  // Gauss–Legendre quadrature on [−1, 1] with five points is exact to degree 9; a² has degree 8 where positions have
+  // degree 6.
   constexpr std::array<double, 5> place{-0.906179845938664, -0.538469310105683, 0, 0.538469310105683,
                                         0.906179845938664};
   constexpr std::array<double, 5> weight{0.236926885056189, 0.478628670499366, 0.568888888888889, 0.478628670499366,

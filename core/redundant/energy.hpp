@@ -1,13 +1,13 @@
 #pragma once
-/// How roughly a motion drives its axes.
+/// Energy of accelerations: a measure of how much a motion stresses its axes.
 #include <vector>
 
 #include "core/motion/axes/motion.hpp"
 
 namespace bahnwerk {
 
-/// Returns ∫a² dt of every axis, unit²/s³, by Gauss' rule of five points on every piece: exact up to rounding where
-/// positions are polynomials of degree 6 at most. O(pieces · axes).
+/// Returns ∫a² dt over the whole motion, per axis, in mm²/s³ (or deg²/s³). Gauss–Legendre quadrature with five points
+/// per piece is exact up to rounding where positions are polynomials of degree at most 6. O(pieces · axes).
 std::vector<double> acceleration_energy(const Motion& motion);
 
 }  // namespace bahnwerk

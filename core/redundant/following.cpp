@@ -11,8 +11,8 @@ namespace {
 constexpr double excess_allowed = 1e-6;  // of a limit: rounding of the head's planner
 constexpr double kept = 1 - 1e-6;        // of strokes and velocities: what the solver leaves open is less
 
-/// What is left for the coarse axis, whose own limit is `coarse`, where the head's value lies within `head` and the
-/// fine axis has `fine`.
+/// Returns the range of the coarse axis, whose own limit is `coarse`, such that the fine axis keeps its limit `fine`
+/// while the head's value lies in `head`.
 Range left(double coarse, double fine, const Range& head, const char* what) {
   Range r{std::max(-coarse, head.highest - fine), std::min(coarse, head.lowest + fine)};
   if (r.lowest > r.highest) {
@@ -54,7 +54,7 @@ Chain<order> following(const HeadCells& head, std::size_t axis, const CoarseFine
           units.jerk());
   }
   for (std::size_t i = 0; i <= n; ++i) {
-    // What the cells on either side take away.
+    // Reductions of the boxes that the cells on both sides require.
     double position = 0, own_position = 0, velocity = 0, own_velocity = 0, acceleration = 0;
     for (std::size_t c = i > 0 ? i - 1 : 0; c < std::min(i + 1, n); ++c) {
       const double h = (head.times[c + 1] - head.times[c]) * stretch;

@@ -1,13 +1,13 @@
 #pragma once
-/// A coarse axis that follows the head so closely that the fine one makes up for the rest: the chain whose boxes hold
-/// the limits of both, in the chain's own units.
+/// The chain (chain.hpp) of one coarse axis that follows a given head motion: its boxes express the limits of the
+/// coarse axis and, since the fine axis makes up for the rest (x_f = x − x_c), those of the fine axis.
 ///
-/// In a cell the coarse acceleration is constant (order 2) or linear (order 3), so what the head does between its nodes
-/// is the only thing that boxes have to leave room for: with the head's acceleration within a range of width w in a
-/// cell of h seconds the fine velocity is at most w·h/4 beyond what it is at the nodes, the fine position at most
-/// A_f·h²/8, the coarse one at most A_c·h²/8 beyond the nodes', the fine acceleration (its jerk's range of width w) at
-/// most w·h/4; with order 3 both velocities lie at most J_c·h²/8, and A_c·h/4, beyond. Where the head's velocity or
-/// acceleration jumps at a node what it is on either side counts.
+/// The coarse acceleration is constant in a cell (order 2) or linear (order 3). The boxes hold at nodes only, so they
+/// are reduced by the largest excess that the motion can have between nodes. For a cell of duration h in which the
+/// head's acceleration lies in a range of width w, the fine velocity exceeds its values at the nodes by at most w·h/4,
+/// the fine position by A_f·h²/8, the coarse position by A_c·h²/8, and (order 3, w being the range of the head's jerk)
+/// the fine acceleration by w·h/4. For order 3 both velocities exceed their values by at most J_c·h²/8 and A_c·h/4,
+/// respectively. Where the head's velocity or acceleration jumps at a node, the values on both sides count.
 #include <cstddef>
 
 #include "core/redundant/chain.hpp"
@@ -16,7 +16,7 @@
 
 namespace bahnwerk {
 
-/// The units in which the chain of an axis is solved.
+/// The units that make the chain of an axis dimensionless.
 struct ChainUnits {
   double length = 1;  ///< mm: the stroke
   double time = 1;    ///< s: √(stroke/coarse acceleration)
@@ -24,10 +24,11 @@ struct ChainUnits {
   double acceleration() const { return length / (time * time); }
   double jerk() const { return length / (time * time * time); }
 };
+/// Returns the units for an axis with a stroke above 0.
 ChainUnits chain_units(const CoarseFineAxis& axis);
 
-/// Returns the boxes of axis `axis`. The head is slowed to last `stretch` ≥ 1 times as long. Throws Infeasible where
-/// the head exceeds the sum of the limits by more than rounding.
+/// Returns the chain of axis `axis` with one cell per cell of `head`, whose times are first multiplied by `stretch` ≥
+/// 1. Throws Infeasible where the head exceeds the sum of the limits by more than rounding.
 template <std::size_t order>
 Chain<order> following(const HeadCells& head, std::size_t axis, const CoarseFineAxis& limits, double stretch = 1);
 

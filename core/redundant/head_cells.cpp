@@ -12,12 +12,13 @@ namespace {
 constexpr double rounding = 1e-12;  // by which ranges are wider than the polynomial's, relative
 constexpr double jump = 1e-9;       // of what the head holds, that an acceleration jumps by at least
 
-/// Of one axis.
+/// Position, velocity and acceleration of one axis.
 struct State {
   double x, v, a, j;
 };
 
-/// Hull of the Bernstein coefficients of the polynomial through the samples.
+/// Returns the range of the Bernstein coefficients of the polynomial through the samples, which encloses the
+/// polynomial.
 Range hull(const std::array<double, ChebyshevRule::max_points>& samples, const ChebyshevRule& rule) {
   const auto n = static_cast<std::size_t>(rule.points);
   Range r{samples[0], samples[0]};
@@ -45,7 +46,7 @@ class Division {
   }
 
   HeadCells run(std::size_t first, std::size_t last) {
-    // What is not needed of it is never touched.
+    // Entries that are not needed are never written.
     const double longest = (head_.end(last - 1) - head_.begin(first)) / options_.longest;
     reserve(last - first + static_cast<std::size_t>(std::min(longest, 1e7)) + 2);
     for (std::size_t i = first; i < last; ++i) {
@@ -74,7 +75,8 @@ class Division {
     for (std::size_t a = 0; a < axes_; ++a) cells_.nodes[a].reserve(count), cells_.cells[a].reserve(count);
   }
 
-  /// The part [begin, end] of a piece: in the open cell, or in a new one. Halved while accelerations differ too much.
+  /// Adds the part [begin, end] of a piece to the open cell or to a new one, and halves it while accelerations differ
+  /// too much.
   void add(std::size_t piece, double begin, double end, int halvings = 10) {
     scope_.work(10);
     const ChebyshevRule& rule = lobatto_rule(5);
@@ -121,7 +123,7 @@ class Division {
                                  first ? 0 : first_state[a].a - before[a].a});
   }
 
-  /// PathMotion::in_piece() without what it keeps for axes that the machine has not.
+  /// Evaluates a piece like PathMotion::in_piece(), for the machine's axes only.
   void evaluate(std::size_t piece, double t, State* out) const {
     std::array<double, 4 * max_axes> q;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled as far as it is read
     const LawState x = head_.along(piece, t);
@@ -133,7 +135,7 @@ class Division {
     }
   }
 
-  /// Whether with limited jerk an acceleration jumps.
+  /// Tells whether an acceleration jumps although jerk is limited.
   bool jumps(const State* before, const State* after) const {
     for (std::size_t a = 0; a < axes_; ++a)
       if (options_.jerk_range[a] < unlimited &&

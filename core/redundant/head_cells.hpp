@@ -1,6 +1,6 @@
 #pragma once
-/// A head's motion in cells short enough for a coarse axis whose acceleration is constant in each (or whose jerk is):
-/// what the axes do at the nodes between them, and between which values their acceleration lies inside.
+/// A head's motion divided into cells that are short enough for a coarse axis with a constant acceleration (or jerk) in
+/// each: states of the axes at the nodes and ranges of acceleration and jerk in the cells.
 #include <cstddef>
 #include <vector>
 
@@ -12,39 +12,39 @@
 namespace bahnwerk {
 
 struct HeadNode {
-  double x = 0, v = 0, a = 0;     ///< mm, mm/s, mm/s²; v and a just after the node
-  double v_jump = 0, a_jump = 0;  ///< what they changed by at the node itself, where tangent or curvature jump
+  double x = 0, v = 0, a = 0;     ///< mm, mm/s, mm/s²; v and a are the limits from the right
+  double v_jump = 0, a_jump = 0;  ///< jumps of v and a at the node, where tangent or curvature jump
 };
 struct HeadCell {
-  Range acceleration, jerk;  ///< mm/s², mm/s³; what the head does inside
+  Range acceleration, jerk;  ///< mm/s², mm/s³; ranges inside the cell
 };
 
-/// Of one axis there are cells + 1 nodes.
+/// n cells and n + 1 nodes per axis.
 struct HeadCells {
-  std::vector<double> times;                 ///< of the nodes, s
+  std::vector<double> times;                 ///< times of the nodes, s, ascending
   std::vector<std::vector<HeadNode>> nodes;  ///< [axis][node]
   std::vector<std::vector<HeadCell>> cells;  ///< [axis][cell]
-  std::vector<std::size_t> pieces;           ///< of the law: the one in which each cell begins
+  std::vector<std::size_t> pieces;           ///< piece of the time law in which each cell begins
   std::size_t size() const { return times.empty() ? 0 : times.size() - 1; }
 };
 
 struct HeadCellOptions {
   double longest = 1e-3;     ///< s
-  std::vector<Limits> held;  ///< per axis, what the head is known to hold: ranges end there
-  /// Per axis, mm/s²: what the acceleration changes by in a cell, and the range of the jerk times the cell's duration.
-  /// A piece with more is divided, unless it is too short for that; others are not merged. Infinite where it does not
-  /// matter.
+  std::vector<Limits> held;  ///< per axis: limits that the head is known to keep; ranges are cut there
+  /// Per axis, mm/s²: largest change of the acceleration in a cell, and largest product of the jerk's range and the
+  /// cell's duration. A piece with more is divided, unless it is too short for that; a piece with less may be merged
+  /// with others. Infinite where a criterion does not apply.
   std::vector<double> acceleration_change, jerk_change;
-  /// Per axis, mm/s³: range of the jerk in a cell, however short.
+  /// Per axis, mm/s³: largest range of the jerk in a cell, however short it is.
   std::vector<double> jerk_range;
 };
 
-/// Pieces of the law are divided evenly, or merged while they fit. A cell never reaches over a jump of the acceleration
-/// that is larger than that, with a limited range of the jerk over none at all. The ranges enclose the polynomial of
-/// degree 4 through five values of each piece, as far as the head's limits let it. O(pieces + duration/longest), five
-/// evaluations of the path each.
+/// Returns the cells of the whole motion. Pieces of the time law are divided evenly, or merged as long as the options
+/// hold. No cell contains a jump of the acceleration above `acceleration_change`; none contains any jump if
+/// `jerk_range` is finite. Ranges enclose the polynomial of degree 4 through five samples of each piece, cut at `held`.
+/// Cost: O(pieces + duration/longest) with five evaluations of the path each.
 HeadCells head_cells(const PathMotion& head, const HeadCellOptions& options, ProgressScope& scope);
-/// Divides the pieces [first, last) of the law alone; times are those of the law.
+/// Returns the cells of the time law's pieces [first, last) only; times are those of the law.
 HeadCells head_cells(const PathMotion& head, std::size_t first, std::size_t last, const HeadCellOptions& options,
                      ProgressScope& scope);
 

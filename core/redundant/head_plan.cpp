@@ -24,20 +24,20 @@ Machine shared(Machine machine, double share) {
   return machine;
 }
 
-Machine calmed(Machine head, const CoarseFineMachine& machine, const Freedom& freedom) {
+Machine with_reserve(Machine head, const CoarseFineMachine& machine, const HeadReserve& reserve) {
   for (std::size_t k = 0; k < head.axes.size(); ++k) {
     if (!(machine.axes[k].stroke > 0)) continue;  // no fine axis, which could leave the coarse one more
     const auto lower = [&](double& value, double without) {
-      value += freedom.calm * (std::min(value, without) - value);
+      value += reserve.unused_share * (std::min(value, without) - value);
     };
     lower(head.axes[k].acceleration, machine.axes[k].fine.acceleration);
-    head.axes[k].acceleration *= freedom.acceleration_share;
+    head.axes[k].acceleration *= reserve.acceleration_share;
     lower(head.axes[k].velocity, machine.axes[k].coarse.velocity);
   }
   return head;
 }
 
-/// End of the section of the law that begins with piece `begin`.
+/// Returns the index behind the last piece of the section that begins with piece `begin`.
 std::size_t end_of_section(const TimeLaw& law, std::size_t begin) {
   std::size_t end = begin + 1;
   while (end < law.pieces().size() && law.pieces()[end].v > 0) ++end;
@@ -48,11 +48,11 @@ std::size_t end_of_section(const TimeLaw& law, std::size_t begin) {
 
 template <std::size_t order>
 HeadPlan<order>::HeadPlan(const JointTask& task, double corner_angle, double share, Progress& progress,
-                          const Freedom& freedom)
+                          const HeadReserve& reserve)
     : task_(task),
       corner_angle_(corner_angle),
       progress_(progress),
-      limits_(calmed(shared(head_limits(task.machine), share), task.machine, freedom)),
+      limits_(with_reserve(shared(head_limits(task.machine), share), task.machine, reserve)),
       section_limits_{task.feeds, {}},
       base_(planned(limits_, task.feeds, task.rests)) {
   for (std::size_t i = 0; i < base_.pieces().size();) {
@@ -126,19 +126,19 @@ double HeadPlan<order>::peak(std::size_t first, std::size_t last) const {
 }
 
 template <std::size_t order>
-std::shared_ptr<const PathMotion> HeadPlan<order>::calmer(double share, const Freedom& freedom) const {
-  HeadPlan other(task_, corner_angle_, share, progress_, freedom);
+std::shared_ptr<const PathMotion> HeadPlan<order>::smoother_head(double share, const HeadReserve& reserve) const {
+  HeadPlan other(task_, corner_angle_, share, progress_, reserve);
   other.section_limits_.feeds = section_limits_.feeds;
   other.section_limits_.acceleration_share = section_limits_.acceleration_share;
-  if (freedom.acceleration_share < 1) {
-    const double most = freedom.acceleration_share * other.peak(0, task_.path->size());
+  if (reserve.acceleration_share < 1) {
+    const double most = reserve.acceleration_share * other.peak(0, task_.path->size());
     for (double& feed : other.section_limits_.feeds) feed = std::min(feed, most);
     for (auto& [segment, straight] : other.section_limits_.straight)
       if (straight.pace.feed > most) straight.pace.feed = most, straight.slowed = true;
   }
   double stroke = 0;
   for (const CoarseFineAxis& axis : task_.machine.axes) stroke = std::max(stroke, axis.stroke);
-  const double slower = 1 / freedom.longer;
+  const double slower = 1 / reserve.longer;
   for (const auto& [segment, straight] : section_limits_.straight) {
     const auto at = other.section_limits_.straight.find(segment);
     if (at == other.section_limits_.straight.end()) continue;
@@ -146,7 +146,7 @@ std::shared_ptr<const PathMotion> HeadPlan<order>::calmer(double share, const Fr
     if (!straight.slowed && !slows) continue;
     Pace& pace = at->second.pace;
     pace = {std::min(pace.feed, straight.pace.feed), std::min(pace.rise, straight.pace.rise),
-            std::min(pace.fall, straight.pace.fall), freedom.acceleration_share < 1 ? 0 : straight.pace.slope};
+            std::min(pace.fall, straight.pace.fall), reserve.acceleration_share < 1 ? 0 : straight.pace.slope};
     if (slows) {  // from the speed that it really reaches
       const double peak = std::sqrt(2 * straight.move.length / (1 / pace.rise + 1 / pace.fall));
       pace = {std::min(pace.feed, peak) * slower, pace.rise * slower * slower, pace.fall * slower * slower,

@@ -1,9 +1,9 @@
 #pragma once
-/// SectionLimits of a head that its coarse axes can follow, on stretches where they cannot.
+/// Lowers the section limits of a head on ranges of sections in which the coarse axes cannot follow it, until they can.
 ///
-/// Every stretch is solved by itself: section_limits fall round by round (slower_sections.hpp) until both axes have a
-/// solution, then each pace of a straight move that fell rises again as far as it can while the others stay, to 0.7 %
-/// of a speed.
+/// Each range is solved separately: section limits fall in rounds (slower_sections.hpp) until the chains of all axes
+/// are feasible. Then the speed limit of each straight move that was lowered is raised again as far as the other limits
+/// permit, to 0.7 % of a speed.
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -15,17 +15,17 @@
 
 namespace bahnwerk {
 
-/// Sections of the path's segments [first, last).
-struct HeadStretch {
+/// The path's segments [first, last), whole sections.
+struct SegmentRange {
   std::size_t first = 0, last = 0;
 };
 
 struct HeadSlowingCounts {
-  std::size_t rounds = 0;     ///< most that a stretch took
-  std::size_t certified = 0;  ///< clusters of cells proven to be too fast for the coarse axes
+  std::size_t rounds = 0;     ///< most rounds that one range took
+  std::size_t certified = 0;  ///< intervals of cells with a certificate that the coarse axes cannot follow
 };
 
-/// Cells times Newton steps, so that the same is given up on any machine.
+/// A budget of work, counted in cells times Newton steps, so that the result is the same on every machine.
 struct SlowingWork {
   double done = 0, most = 1e300;
   bool spent() const { return done > most; }
@@ -34,8 +34,8 @@ struct SlowingWork {
 template <std::size_t order>
 class HeadSlowing {
  public:
-  /// A section matters for `around` seconds before and behind it. All that is passed outlives it. `work` is
-  /// what everything may take together.
+  /// `around`: seconds before and behind a section over which it influences the coarse axes. `max_rounds` limits the
+  /// rounds per range, `work` the work of all ranges together. All references must outlive this object.
   HeadSlowing(HeadPlan<order>& plan, const CoarseFineMachine& machine, const HeadCellOptions& cells, double around,
               int max_rounds, SlowingWork& work, ProgressScope& scope)
       : plan_(plan),
@@ -46,22 +46,22 @@ class HeadSlowing {
         all_work_(work),
         scope_(scope) {}
 
-  /// Throws Infeasible where nothing helped, the stretch would last ten times as long, or took more work than it
-  /// is worth. False: nothing had to be slowed.
-  bool run(const HeadStretch& stretch, HeadSlowingCounts& counts);
+  /// Makes the sections in `range` feasible and adds to `counts`. Returns false if nothing had to be slowed. Throws
+  /// Infeasible where no lower limit helps, the duration would grow tenfold, or the budget is spent.
+  bool run(const SegmentRange& range, HeadSlowingCounts& counts);
 
  private:
   struct Problem {
     std::shared_ptr<const PathMotion> head;
     HeadCells cells;
-    std::vector<std::size_t> axes;  // that have a fine one
+    std::vector<std::size_t> axes;  // indices of the axes with a fine axis
     std::vector<Chain<order>> chains;
   };
-  Problem problem(const HeadStretch& stretch);
-  bool slow_once(const HeadStretch& stretch, std::size_t round, HeadSlowingCounts& counts);
-  bool followed(const HeadStretch& stretch);
-  HeadStretch neighbourhood(const HeadStretch& stretch, std::size_t segment);
-  void raise(const HeadStretch& stretch);
+  Problem problem(const SegmentRange& range);
+  bool slow_once(const SegmentRange& range, std::size_t round, HeadSlowingCounts& counts);
+  bool followed(const SegmentRange& range);
+  SegmentRange neighbourhood(const SegmentRange& range, std::size_t segment);
+  void raise(const SegmentRange& range);
   void worked(std::size_t steps, std::size_t cells) {
     work_ += steps * cells;
     all_work_.done += static_cast<double>(steps * cells);
@@ -74,7 +74,7 @@ class HeadSlowing {
   int max_rounds_;
   SlowingWork& all_work_;
   ProgressScope& scope_;
-  std::size_t work_ = 0;  // cells times Newton steps, for the stretch at hand
+  std::size_t work_ = 0;  // work spent on the current range
 };
 
 extern template class HeadSlowing<2>;

@@ -20,7 +20,8 @@ constexpr double far_above = 1.02;                      // times the bound: then
 constexpr double mostly_slowed = 1.5;                   // times the head alone: its limits are not what counts
 constexpr double uneven_jerk = 1.02;  // quotient of both axes' times to build up their acceleration that counts
 
-/// The task on that part of the strokes, without the fine axes whose strokes are too small for cells.
+/// Returns the task with the share `part` of the strokes and without the fine axes whose strokes are too small for
+/// cells.
 JointTask resolved(JointTask task, const JointOptions& options, double part) {
   bool small = false;
   for (CoarseFineAxis& axis : task.machine.axes) {
@@ -32,9 +33,9 @@ JointTask resolved(JointTask task, const JointOptions& options, double part) {
   return small ? resting_at_jumps(std::move(task)) : task;
 }
 
-/// The machine with as much less of the accelerations that all axes build them up in the same time: `share` 1; 0: the
-/// machine as it is. A head's jerk is a share of its acceleration (head_limits), so with less of that it may be more.
-/// False: they do anyhow.
+/// Lowers accelerations so that all axes reach theirs in the same time (`share` 1; 0 leaves the machine unchanged). The
+/// head's jerk is a share of its acceleration (head_limits), so with lower accelerations its jerk may be higher.
+/// Returns false if all axes take equally long already.
 bool evened(CoarseFineMachine& machine, double share) {
   bool changed = false;
   for (CoarseFineAxis& axis : machine.axes) {
@@ -48,7 +49,7 @@ bool evened(CoarseFineMachine& machine, double share) {
   return changed;
 }
 
-/// Plans for the machine and for machines that can do less, of which the quickest counts.
+/// Plans for the machine and for machines with smaller limits, and keeps the quickest plan.
 template <std::size_t order>
 class Candidates {
  public:
@@ -84,7 +85,7 @@ class Candidates {
   }
 
  private:
-  /// The coarse axes alone would leave their ranges.
+  /// Tells whether the coarse axes alone would leave their ranges.
   void refuse_beyond_range() const {
     std::vector<InputFault> faults;
     for (const std::size_t k : beyond_coarse_range(*task_.path, task_.machine))
@@ -100,17 +101,17 @@ class Candidates {
     return std::make_unique<JointPlanner<order>>(std::move(task), options_, progress_, from_, to_);
   }
 
-  /// Whether another plan is, after the work so far.
+  /// Tells whether the work so far leaves budget for another plan.
   bool worth_it() const { return work_ <= joint_work(head_alone_, order == 3); }
 
-  /// Some stroke is too small for cells.
+  /// Tells whether some stroke is too small for cells.
   bool unresolved() const {
     return std::any_of(task_.machine.axes.begin(), task_.machine.axes.end(), [this](const CoarseFineAxis& axis) {
       return axis.stroke > 0 && axis.stroke < options_.least_stroke;
     });
   }
 
-  /// `closed`: only where there is a closed form, which needs no cells.
+  /// Plans a task; `closed`: only if there is a closed form, which needs no cells.
   void add(JointTask task, bool closed = false) {
     std::unique_ptr<JointPlanner<order>> other;
     bool found = false;
@@ -119,7 +120,7 @@ class Candidates {
       head_alone_ = std::min(head_alone_, other->head_alone());
       found = closed ? other->find_closed() : other->find(best_ ? best_->quickest() : unlimited);
     } catch (const Infeasible&) {
-      // Another plan may be one.
+      // Another plan may be feasible.
     }
     if (other) work_ += other->work();
     if (!found || (best_ && !(other->quickest() < best_->quickest()))) return;

@@ -1,10 +1,10 @@
 #pragma once
-/// The joint planner (core/redundant/joint.hpp) as one of the redundancy methods.
+/// The joint planner (joint.hpp) with the signature that all redundancy methods have (methods/method_table.hpp).
 #include "core/redundant/redundancy.hpp"
 
 namespace bahnwerk {
 
-/// Throws what plan_joint() throws.
+/// Plans `task` with the joint planner; progress runs from `from` to `to`. Throws what plan_joint() throws.
 RedundancyResult plan_joint_method(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
                                    double from, double to);
 

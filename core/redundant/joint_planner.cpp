@@ -15,7 +15,7 @@ constexpr int most_attempts = 6;
 constexpr std::size_t window_cells = 6000;  // of which a window is solved at once, about
 constexpr double quicker = 1e-6;            // of a duration: what the closed form has to gain
 
-/// The coarse axes go from where they begin to where they end.
+/// Returns the positions of the coarse axes at both ends.
 bool within_ranges(const LoneMove& move, const CoarseFineMachine& machine) {
   const SplineMotion motion(move.coarse);
   const MotionState begin = motion.in_piece(0, 0), end = motion.final_state();
@@ -84,13 +84,14 @@ JointResult JointPlanner<order>::result() {
   return std::move(result_);
 }
 
-/// The closed form of a lone move, where no head that the coarse axes can follow is known to be as quick.
+/// Takes the closed form of a single straight move if no feasible head is known to be as quick.
 template <std::size_t order>
 bool JointPlanner<order>::lone() {
   if (!task_.dwells.empty()) return false;
   std::optional<LoneMove> move = lone_move(*task_.path, task_.machine, task_.feeds.front());
   if (!move || !within_ranges(*move, task_.machine)) return false;
-  // Below the head's own duration only by what its limits keep back, which is more with limited jerk.
+  // The closed form can be below the head's duration only by the share of the limits that the head leaves unused, which
+  // is larger with limited jerk.
   if (!(move->head.duration() < head_->duration() * (1 - quicker))) {
     cells_ = head_cells(*head_, splits_.cells(), scope_);
     if (std::optional<std::vector<WindowedSolution<order>>> solutions = followed()) {
@@ -106,14 +107,14 @@ bool JointPlanner<order>::lone() {
   return true;
 }
 
-/// The quickest head that the coarse axes are found to be able to follow.
+/// Finds the quickest head that the coarse axes are found to be able to follow.
 template <std::size_t order>
 void JointPlanner<order>::follow() {
   std::vector<WindowedSolution<order>> solutions;
   HeadSlowingCounts counts;
   for (int attempt = 0;; ++attempt) {
     cells_ = head_cells(*head_, splits_.cells(), scope_);
-    std::vector<HeadStretch> too_fast = attempt == 0 ? conflicting() : std::vector<HeadStretch>();
+    std::vector<SegmentRange> too_fast = attempt == 0 ? conflicting() : std::vector<SegmentRange>();
     if (too_fast.empty()) {
       solutions = solved();
       too_fast = exceeding(solutions);
@@ -134,14 +135,14 @@ void JointPlanner<order>::follow() {
   fastest_ = {head_, std::move(cells_), 1, std::move(solutions), {}};
 }
 
-/// Solutions that exceed nothing, if there are such.
+/// Returns solutions without excess, if there are any.
 template <std::size_t order>
 std::optional<std::vector<WindowedSolution<order>>> JointPlanner<order>::followed() {
   try {
     std::vector<WindowedSolution<order>> solutions = solved();
     if (exceeding(solutions).empty()) return solutions;
   } catch (const Infeasible&) {
-    // What the head does in a cell exceeds both axes' limits.
+    // The head exceeds the summed limits in a cell.
   }
   return std::nullopt;
 }
@@ -154,17 +155,17 @@ std::vector<WindowedSolution<order>> JointPlanner<order>::solved() {
   return solutions;
 }
 
-/// The head gets slower on those stretches; it is never slower than the coarse axes alone, unless those have to rest
-/// where curvature jumps.
+/// Slows the head on the given ranges; it never gets slower than the coarse axes alone, unless those have to rest at
+/// jumps of curvature.
 template <std::size_t order>
-void JointPlanner<order>::slow(const std::vector<HeadStretch>& too_fast, int attempt, HeadSlowingCounts& counts) {
+void JointPlanner<order>::slow(const std::vector<SegmentRange>& too_fast, int attempt, HeadSlowingCounts& counts) {
   double around = 0;
   for (const std::size_t k : splits_.axes()) around = std::max(around, splits_.ahead(k));
   const HeadCellOptions cells = splits_.cells();
   HeadSlowing<order> slowing(plan_, task_.machine, cells, around, options_.max_rounds, work_, scope_);
   bool found = attempt < most_attempts && !work_.spent();
   try {
-    for (const HeadStretch& stretch : too_fast)
+    for (const SegmentRange& stretch : too_fast)
       if (found) slowing.run(stretch, counts);
   } catch (const Infeasible&) {
     found = false;
@@ -173,20 +174,20 @@ void JointPlanner<order>::slow(const std::vector<HeadStretch>& too_fast, int att
   const auto alone = plan_.coarse_alone();
   alone_ = !found || alone->duration() < head_->duration();
   if (alone_) head_ = alone;
-  splits_.look_further();  // should it have been too short
+  splits_.double_look_ahead();  // should it have been too short
 }
 
-/// The sections around what exceeds boxes.
+/// Returns the sections around the nodes that exceed their boxes.
 template <std::size_t order>
-std::vector<HeadStretch> JointPlanner<order>::exceeding(const std::vector<WindowedSolution<order>>& solutions) const {
+std::vector<SegmentRange> JointPlanner<order>::exceeding(const std::vector<WindowedSolution<order>>& solutions) const {
   std::vector<Nodes> nodes;
   for (const WindowedSolution<order>& solution : solutions) nodes.push_back(solution.exceeds);
   return sections_around(nodes);
 }
 
-/// The sections around what no coarse motion can follow, as far as sets of states tell: much sooner than a solution.
+/// Returns the sections around conflicts found by reachable sets, which is much quicker than solving the chains.
 template <std::size_t order>
-std::vector<HeadStretch> JointPlanner<order>::conflicting() {
+std::vector<SegmentRange> JointPlanner<order>::conflicting() {
   std::vector<Nodes> nodes;
   if constexpr (order == 2)
     for (const std::size_t k : splits_.axes())
@@ -195,8 +196,8 @@ std::vector<HeadStretch> JointPlanner<order>::conflicting() {
 }
 
 template <std::size_t order>
-std::vector<HeadStretch> JointPlanner<order>::sections_around(const std::vector<Nodes>& nodes) const {
-  std::vector<HeadStretch> found;
+std::vector<SegmentRange> JointPlanner<order>::sections_around(const std::vector<Nodes>& nodes) const {
+  std::vector<SegmentRange> found;
   for (std::size_t j = 0; j < nodes.size(); ++j) {
     const double around = splits_.ahead(splits_.axes()[j]);
     for (const auto& [first, last] : nodes[j])
@@ -204,8 +205,8 @@ std::vector<HeadStretch> JointPlanner<order>::sections_around(const std::vector<
                        plan_.section_end(segment_at(cells_.times[last] + around))});
   }
   std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<HeadStretch> merged;
-  for (const HeadStretch& s : found)
+  std::vector<SegmentRange> merged;
+  for (const SegmentRange& s : found)
     if (!merged.empty() && s.first < merged.back().last)
       merged.back().last = std::max(merged.back().last, s.last);
     else

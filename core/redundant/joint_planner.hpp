@@ -1,6 +1,6 @@
 #pragma once
-/// One machine's joint plan: the quickest head that the coarse axes are found to be able to follow, then the coarse
-/// axes' motion for the duration that was asked for.
+/// The joint plan of one machine (steps of joint.hpp): first the quickest head found that the coarse axes can follow,
+/// then the coarse motion with the least energy for the requested duration.
 #include <memory>
 #include <optional>
 #include <utility>
@@ -18,36 +18,37 @@ namespace bahnwerk {
 template <std::size_t order>
 class JointPlanner {
  public:
-  /// Plans the head within the summed limits. Throws as its planner does. `options` outlives it.
+  /// Plans the head under the summed limits; throws as its planner does. `options` and `progress` must outlive this
+  /// object; progress runs from `from` to `to`.
   JointPlanner(JointTask task, const JointOptions& options, Progress& progress, double from, double to);
 
-  /// Looks for the quickest motion. False: the head by itself takes no less than `below`, s, and nothing was looked
-  /// for. Throws Infeasible where no head was found that the coarse axes can follow.
+  /// Searches the quickest motion. Returns false without a search if the head under the summed limits already takes
+  /// `below` s or longer. Throws Infeasible if no head was found that the coarse axes can follow.
   bool find(double below);
-  /// The closed form of a lone move alone, which needs no cells. False: the path has none.
+  /// Takes the closed form of a single straight move, which needs no cells. Returns false if the path has none.
   bool find_closed();
-  /// s, of what was found.
+  /// Returns the duration of the motion found, s.
   double quickest() const { return fastest_.head->duration(); }
   std::size_t slowed() const { return result_.slowed; }
-  /// Of all solutions so far.
+  /// Returns the work of all solutions so far, in cells times Newton steps.
   double work() const { return work_.done; }
-  /// s, what the summed limits alone let the head do.
+  /// Returns the duration of the head under the summed limits, s.
   double head_alone() const { return result_.fastest; }
-  /// The motion that the options ask for, and the table of trades.
+  /// Returns the motion for the requested duration and the table of trade-offs.
   JointResult result();
 
  private:
-  using Nodes = std::vector<std::pair<std::size_t, std::size_t>>;  ///< first and last ones of stretches
+  using Nodes = std::vector<std::pair<std::size_t, std::size_t>>;  ///< intervals: first and last node
 
   bool lone();
   void take(LoneMove move);
   void follow();
   std::optional<std::vector<WindowedSolution<order>>> followed();
   std::vector<WindowedSolution<order>> solved();
-  void slow(const std::vector<HeadStretch>& too_fast, int attempt, HeadSlowingCounts& counts);
-  std::vector<HeadStretch> exceeding(const std::vector<WindowedSolution<order>>& solutions) const;
-  std::vector<HeadStretch> conflicting();
-  std::vector<HeadStretch> sections_around(const std::vector<Nodes>& nodes) const;
+  void slow(const std::vector<SegmentRange>& too_fast, int attempt, HeadSlowingCounts& counts);
+  std::vector<SegmentRange> exceeding(const std::vector<WindowedSolution<order>>& solutions) const;
+  std::vector<SegmentRange> conflicting();
+  std::vector<SegmentRange> sections_around(const std::vector<Nodes>& nodes) const;
   std::size_t segment_at(double t) const;
   void keep(double stretch, const JointSplit<order>& split);
 
@@ -60,9 +61,9 @@ class JointPlanner {
   HeadCells cells_;
   JointSplit<order> fastest_;
   JointSmoother<order> smoother_;
-  bool alone_ = false;  // whether the head moves as the coarse axes alone can
+  bool alone_ = false;  // whether the head keeps the limits of the coarse axes alone
   SlowingWork work_;
-  bool stops_ = false;  // and rests where curvature jumps, too
+  bool stops_ = false;  // whether it also rests at jumps of curvature
   JointResult result_;
 };
 

@@ -11,23 +11,24 @@
 namespace bahnwerk {
 namespace {
 
-// What is slowed by no more than this is slowed evenly, and so is what would keep more than this of its energy.
+// A factor up to this is applied evenly; so is one whose uneven distribution would keep more than this share of the
+// energy.
 constexpr double least_spread = 1e-6, worth_spreading = 0.9;
 constexpr double hopeless = 3;  // times the least energy so far: no spreading makes up for that
 
 }  // namespace
 
 template <std::size_t order>
-JointSplit<order> JointSmoother<order>::smoothest(double stretch, bool calm) {
+JointSplit<order> JointSmoother<order>::smoothest(double stretch, bool with_reserve) {
   if (stretch == 1) return fastest_;
   JointSplit<order> slowed = slowed_evenly(stretch);
-  if (order != 2 || !calm || splits_.axes().empty()) return slowed;
+  if (order != 2 || !with_reserve || splits_.axes().empty()) return slowed;
   const double duration = fastest_.head->duration() * stretch;
   std::vector<std::pair<JointSplit<order>, HeadCellOptions>> found{{std::move(slowed), splits_.cells()}};
   double least = splits_.energy(found.front().first);
   const double longest = std::max(duration, fastest_.head->duration() * stretches[std::size(stretches) - 1]);
   for (const SmoothHeadCandidate& head : smooth_heads_.within(duration, longest)) {
-    const HeadCellOptions cells = splits_.cells(head.freedom);
+    const HeadCellOptions cells = splits_.cells(head.reserve);
     JointSplit<order> split = split_of(head.head, duration, cells);
     if (!split.valid()) continue;
     least = std::min(least, splits_.energy(split));
@@ -42,7 +43,8 @@ JointSplit<order> JointSmoother<order>::smoothest(double stretch, bool calm) {
   return *std::move(best);
 }
 
-/// The quickest head, slowed, with the coarse axes' least energy then; where that is not found they are slowed with it.
+/// Returns the quickest head, slowed, with the least energy of the coarse axes; if that is not found, the coarse axes
+/// are slowed with it.
 template <std::size_t order>
 JointSplit<order> JointSmoother<order>::slowed_evenly(double stretch) {
   JointSplit<order> split{fastest_.head, fastest_.cells, stretch, {}, {}};
@@ -52,7 +54,7 @@ JointSplit<order> JointSmoother<order>::slowed_evenly(double stretch) {
       split.solutions = splits_.solve(fastest_.cells, stretch);
       if (split.valid()) return split;
     } catch (const Infeasible&) {
-      // It is slowed as it is.
+      // The motion found is slowed unchanged.
     }
   split.solutions = fastest_.solutions;
   split.closed = fastest_.closed;
@@ -70,7 +72,7 @@ JointSplit<order> JointSmoother<order>::split_of(std::shared_ptr<const PathMotio
   return split;
 }
 
-/// Lets a split that is slowed evenly be slow where its coarse axes work hardest instead.
+/// Replaces an evenly slowed split by one that is slow mostly where its coarse axes need most energy.
 template <std::size_t order>
 JointSplit<order> JointSmoother<order>::spread(JointSplit<order> even, double duration,
                                                const HeadCellOptions& options) {

@@ -1,6 +1,7 @@
 #pragma once
-/// The smoothest coarse axes for a duration: by slowing the quickest motion, or by a head that asks less of them and
-/// takes as long, either of them evenly or most where the coarse axes work hardest (slowed_by_energy.hpp).
+/// Step 4 of the joint planner (joint.hpp): the coarse motion with the least energy ∫a² for a given duration.
+/// Candidates are the quickest motion slowed down and heads that need less coarse acceleration, both slowed evenly or
+/// mostly where the coarse axes need most energy (slowed_by_energy.hpp).
 #include "core/base/progress_scope.hpp"
 #include "core/redundant/joint_split.hpp"
 #include "core/redundant/smooth_head_candidates.hpp"
@@ -10,15 +11,15 @@ namespace bahnwerk {
 template <std::size_t order>
 class JointSmoother {
  public:
-  /// All outlive it. `plan`: whose heads are calmed; `fastest`: the quickest motion that was found.
+  /// All references must outlive this object. `plan` supplies smoother heads; `fastest` is the quickest motion found.
   JointSmoother(const JointTask& task, JointSplits<order>& splits, const HeadPlan<order>& plan,
                 const JointSplit<order>& fastest, ProgressScope& scope)
       : task_(task), splits_(splits), fastest_(fastest), scope_(scope), smooth_heads_(plan, joint_head_share<order>) {}
 
-  /// The quickest motion, slowed, or a head that leaves the coarse axes more freedom and takes as long (`calm`, without
-  /// limited jerk): with what the summed limits demand of it a coarse axis has to accelerate wherever the fine one
-  /// could not alone.
-  JointSplit<order> smoothest(double stretch, bool calm);
+  /// Returns the candidate with the least energy for the duration of `fastest` times `stretch`. `with_reserve` adds
+  /// heads that need less coarse acceleration (without limited jerk only): a head that uses the summed limits forces
+  /// the coarse axis to accelerate wherever the fine one alone could not.
+  JointSplit<order> smoothest(double stretch, bool with_reserve);
 
  private:
   JointSplit<order> slowed_evenly(double stretch);

@@ -12,17 +12,19 @@
 namespace bahnwerk {
 namespace {
 
-// Excess that counts as none, in the chain's units, of what boxes keep back (1e-6 of strokes and velocities). Stretches
-// that are slowed have to have none at all, so that the whole is not left just above.
+// Excess that counts as 0, in the chain's units, as a share of the reduction of the boxes (1e-6 of strokes and
+// velocities). Intervals that were slowed must have no excess at all, so that the whole motion does not end just above
+// the limit.
 constexpr double followed = 2e-7;
 constexpr double change = 0.05;       // of the fine acceleration, within a cell where it is what is limited
 constexpr double jerk_change = 4e-3;  // of the fine acceleration: range of the jerk in a cell, times its duration
-// Of the fine jerk: range of the jerk in a cell. With twice the fine jerk no coarse jerk would do for the whole cell.
+// Range of the jerk in a cell, relative to the fine jerk. With a range of twice the fine jerk no coarse jerk would be
+// feasible for the whole cell.
 constexpr double jerk_range = 1;
 constexpr double rest_of_window = 4;  // of a window of the chain, in its units of time, beyond a stop of the axis
 
-/// s, in which a coarse axis gets over a stroke: with limited jerk that of the jerk, where the acceleration is not
-/// reached.
+/// Returns the time, s, in which a coarse axis moves by one stroke; with limited jerk the time that the jerk needs for
+/// it, if the acceleration is not reached.
 template <std::size_t order>
 double own_time(const CoarseFineAxis& axis) {
   const double time = chain_units(axis).time;
@@ -59,12 +61,12 @@ JointSplits<order>::JointSplits(const JointTask& task, double cell, std::functio
 }
 
 template <std::size_t order>
-HeadCellOptions JointSplits<order>::cells(const Freedom& freedom) const {
+HeadCellOptions JointSplits<order>::cells(const HeadReserve& reserve) const {
   HeadCellOptions cells = cell_options_;
   for (std::size_t k = 0; k < cells.held.size(); ++k) {
     double& held = cells.held[k].acceleration;
-    held += freedom.calm * (std::min(held, axis(k).fine.acceleration) - held);
-    held *= freedom.acceleration_share;
+    held += reserve.unused_share * (std::min(held, axis(k).fine.acceleration) - held);
+    held *= reserve.acceleration_share;
   }
   return cells;
 }
@@ -126,14 +128,14 @@ std::vector<SplineMotion::Piece> JointSplits<order>::pieces_of(const JointSplit<
     const ChainUnits u = chain_units(axis(axes_[j]));
     const WindowedSolution<order>& solution = split.solutions[j];
     const ChainState<order>& first = solution.states.front();
-    // Coefficients over time: x, v, order 3: a/2; the last one is the control's.
+    // Coefficients over time: x, v, for order 3 a/2; the last one belongs to the control.
     Polynomial p{first[0] * u.length, first[1] * u.velocity()};
     if constexpr (order == 3) p.push_back(0.5 * first[2] * u.acceleration());
     p.push_back(0);
     slow(p, split.slowed);
     const double control = (order == 2 ? u.acceleration() / 2 : u.jerk() / 6) / std::pow(split.slowed, order);
-    // Each piece begins with what the one before ends with, to the rounding of both: the solution's states have that of
-    // the solver's first guesses.
+    // Each piece begins exactly where the one before ends; the solution's own states contain the rounding of the
+    // solver's first guesses.
     double begin = 0;
     for (std::size_t c = 0; c < cells.size(); ++c) {
       p[order] = solution.controls[c] * control;

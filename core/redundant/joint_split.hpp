@@ -1,5 +1,6 @@
 #pragma once
-/// A head with the coarse axes that follow it: solutions of all axes that have a fine one, and the motion made of them.
+/// A head motion with the coarse axes that follow it: the chains' solutions per axis, and the motion assembled from
+/// them.
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -15,53 +16,58 @@
 
 namespace bahnwerk {
 
-/// Part of the summed limits that a head uses, so that rounding leaves the coarse axis something. With jerk limited
+/// Share of the summed limits that a head uses, so that rounding leaves the coarse axis some freedom. With limited jerk
 /// accelerations are linear in a cell, which leaves the fine axis a little less than its limit.
 template <std::size_t order>
 inline constexpr double joint_head_share = order == 2 ? 1 - 1e-7 : 1 - 2e-3;
 
-/// A head, stretched, and what the coarse axes do.
+/// A head, slowed by a factor, and the coarse motion.
 template <std::size_t order>
 struct JointSplit {
   std::shared_ptr<const PathMotion> head;
   HeadCells cells;
   double stretch = 1;
-  std::vector<WindowedSolution<order>> solutions;  ///< of each axis that is split
-  std::vector<SplineMotion::Piece> closed;         ///< in place of solutions, of all axes; not stretched
-  double slowed = 1;  ///< by which solutions of the motion were slowed that are those of a quicker one
+  std::vector<WindowedSolution<order>> solutions;  ///< per axis that has a fine one
+  std::vector<SplineMotion::Piece>
+      closed;         ///< a closed form of all coarse axes, not slowed, used in place of solutions
+  double slowed = 1;  ///< factor by which the solutions of a quicker motion were slowed to give this one
 
-  /// Whether the coarse axes follow.
+  /// Tells whether the coarse axes follow the head within all limits.
   bool valid() const;
 };
 
-/// What splits of one task have in common.
+/// Solves splits of one task: it holds the axes, options and units that all splits share.
 template <std::size_t order>
 class JointSplits {
  public:
-  /// `task` outlives it. `cell`: the longest one, of √(stroke/coarse acceleration). `tick` is called now and then.
+  /// `task` must outlive this object. `cell` is the longest cell in units of √(stroke/coarse acceleration). `tick` is
+  /// called often and may throw.
   JointSplits(const JointTask& task, double cell, std::function<void()> tick);
 
-  /// The axes that have a fine one.
+  /// Returns the indices of the axes that have a fine one.
   const std::vector<std::size_t>& axes() const { return axes_; }
   const CoarseFineAxis& axis(std::size_t k) const { return task_.machine.axes[k]; }
-  /// For a head that leaves the coarse axes that freedom.
-  HeadCellOptions cells(const Freedom& freedom = {}) const;
+  /// Returns the options of the cells for a head with the given reserve.
+  HeadCellOptions cells(const HeadReserve& reserve = {}) const;
   const ChainOptions& chain() const { return chain_options_; }
-  /// Newton steps so far.
+  /// Returns the Newton steps so far.
   std::size_t iterations() const { return iterations_; }
 
-  /// s, what a window of the chain of an axis needs beyond what is kept.
+  /// Returns the look-ahead, s, of a window of axis k's chain (chain_windows.hpp).
   double ahead(std::size_t k) const;
-  /// From now on twice that.
-  void look_further() { ahead_ *= 2; }
-  /// Of each axis that is split.
+  /// Doubles the look-ahead.
+  void double_look_ahead() { ahead_ *= 2; }
+  /// Solves the chain of each axis that has a fine one, for the head slowed by `stretch`; one result per entry of
+  /// axes().
   std::vector<WindowedSolution<order>> solve(const HeadCells& cells, double stretch);
 
+  /// Returns the split's head, slowed by its factor.
   std::shared_ptr<const PathMotion> head_of(const JointSplit<order>& split) const;
-  /// What the coarse axes do; `head` is slowed already.
+  /// Returns the coarse motion; `head` is head_of(split).
   std::shared_ptr<const Motion> coarse_of(const JointSplit<order>& split, std::shared_ptr<const PathMotion> head) const;
+  /// Returns the row of the table of trade-offs for a split.
   Trade trade(double stretch, const JointSplit<order>& split) const;
-  /// mm²/s³, of all coarse axes together.
+  /// Returns the sum of the coarse axes' energies ∫a², mm²/s³.
   double energy(const JointSplit<order>& split) const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// What a joint plan of head and coarse axes is given.
+/// The input of the joint planner: path, machine, feeds and rests.
 #include <memory>
 #include <vector>
 
@@ -12,9 +12,9 @@ namespace bahnwerk {
 struct JointTask {
   std::shared_ptr<const AxisPath> path;  ///< Cartesian, with as many axes as the machine
   CoarseFineMachine machine;
-  std::vector<double> feeds;  ///< as those of a PathTask
-  std::vector<bool> rests;
-  std::vector<Rest> dwells = {};
+  std::vector<double> feeds;      ///< per segment, mm/s, see PathTask
+  std::vector<bool> rests;        ///< per segment: whether the motion rests at its begin
+  std::vector<Rest> dwells = {};  ///< rests of given durations
 };
 
 }  // namespace bahnwerk

@@ -20,7 +20,7 @@ constexpr int halvings = 60;
 constexpr int parts = 16, thirds = 60;  // of a search over σ
 constexpr double rounding = 1e-13;      // of a duration: shorter pieces are none
 
-/// What one stage may do along the line.
+/// Limits of one stage along the line.
 ProfileLimits stage(const AxisJet& jet, const CoarseFineMachine& machine, Limits CoarseFineAxis::*limits) {
   ProfileLimits along;
   for (std::size_t k = 0; k < machine.axes.size(); ++k) {
@@ -34,7 +34,7 @@ ProfileLimits stage(const AxisJet& jet, const CoarseFineMachine& machine, Limits
   return along;
 }
 
-/// A profile that begins at `begin`, lasts `factor` times as long and counts `weight` times.
+/// A profile that begins at time `begin`, lasts `factor` times as long as planned and is multiplied by `weight`.
 struct Part {
   Profile profile;
   double factor = 1, begin = 0, weight = 1;
@@ -51,7 +51,7 @@ struct Part {
   double end() const { return begin + profile.duration * factor; }
 };
 
-/// What one stage does: the sum of its parts.
+/// Motion of one stage: the sum of its parts.
 struct Stage {
   std::vector<Part> parts;
   ProfileState at(double t) const {
@@ -67,7 +67,7 @@ struct Stage {
   void add(const Profile& profile, double factor = 1, double begin = 0, double weight = 1) {
     parts.push_back({profile, factor, begin, weight});
   }
-  /// Makes a stage of one part last that long.
+  /// Slows a stage of one part so that it lasts the given time.
   void last(double time) {
     for (Part& part : parts) part.factor = time / part.profile.duration;
   }
@@ -82,7 +82,7 @@ struct Stages {
   }
   double half = 0;  // σ
   double duration = unlimited;
-  /// Where a piece of either begins, and the end, ascending.
+  /// Returns the ascending begins of the pieces of both stages, and the end.
   std::vector<double> borders() const {
     std::vector<double> times;
     for (const Stage* one : {&coarse, &fine})
@@ -120,7 +120,7 @@ class Search {
   }
   double fine_time(double half) const { return half > 0 ? moved(2 * half, fine_).duration : 0; }
 
-  /// Each by itself.
+  /// Both stages move independently at their own limits.
   Stages apart() const {
     double low = 0, high = most_;
     if (fine_time(high) > coarse_time(high))
@@ -137,7 +137,7 @@ class Search {
     last_alike(s);
     return s;
   }
-  /// Both as long as the longer one.
+  /// Both stages take the time of the slower one.
   static void last_alike(Stages& s) {
     s.duration = 0;
     for (const Stage* one : {&s.coarse, &s.fine})
@@ -145,15 +145,15 @@ class Search {
     s.coarse.last(s.duration), s.fine.last(s.duration);
   }
 
-  /// The largest speed of both.
+  /// Returns the largest sum of both speeds.
   static double peak(const Stages& s) {
     double most = 0;
     for (const double t : s.borders()) most = std::max(most, s.coarse.at(t).v + s.fine.at(t).v);
     return most * (1 - 1e-12);
   }
 
-  /// Up to the feed and down from it in the time of the coarse axes, with a push of the fine ones by q on top of it at
-  /// both ends: the head gets to the feed sooner by q/feed. Behind the first push the fine axes go back as far as the
+  /// The coarse axes accelerate to the feed and brake from it in their own time; the fine axes add a move of length q
+  /// at both ends, so the head reaches the feed q/feed earlier. After the first move the fine axes return as far as the
   /// second one needs, while the head keeps its feed and the coarse axes are ahead of it.
   Stages at_feed() const {
     ProfileLimits driven = coarse_;
@@ -163,9 +163,10 @@ class Search {
     const double way = direct_distance(0, feed_, driven);
     if (!(length_ > 2 * way)) return {};
     const Profile up = straight_profile(way, 0, feed_, driven);
-    // A push is the coarse axes' own change of speed by a share of the feed, in a part of their time, and back in what
-    // is left of it. Its height and its slopes (and their slopes) are limited, and with the coarse axes' speed on top
-    // it stays below the feed: a share of 1 − part does, and with limited jerk a quarter in half of the time.
+    // The additional move is the coarse axes' own change of speed scaled by a share of the feed, in a part of their
+    // time, and its reverse in the remaining time. Its speed, acceleration and jerk are limited, and together with the
+    // coarse axes' speed it stays below the feed: a share of 1 − part does so, with limited jerk a quarter in half of
+    // the time.
     const double steepest = fine_.acceleration / up.peak_acceleration;
     double part = 0.5, height = 0.25;
     if (jerk) {
@@ -211,7 +212,7 @@ class Search {
     return s;
   }
 
-  /// Limits of a profile of the whole way that both follow in proportion.
+  /// Limits of a profile of the whole length that both stages follow in proportion.
   ProfileLimits proportional(double half) const {
     const double fine = 2 * half / length_, coarse = 1 - fine;
     const auto least = [&](double a, double b) { return std::min(a / coarse, fine > 0 ? b / fine : unlimited); };
@@ -249,8 +250,9 @@ class Search {
   double feed_;
 };
 
-/// The polynomial from one time to another that fits what the stage does at both: its velocities, with limited jerk its
-/// accelerations, too. So pieces fit together whatever rounding does to a border of another stage nearby.
+/// Returns the polynomial between two times that has the stage's position at the first one and its velocities at both,
+/// with limited jerk its accelerations, too. Adjacent pieces thus fit together even if rounding moves a border of the
+/// other stage. At the end of the `last` piece velocity and acceleration are 0.
 ProfileState between(const Stage& stage, double begin, double end, bool last, bool jerk) {
   ProfileState x = stage.at(begin);
   ProfileState y = stage.at(end);

@@ -1,5 +1,5 @@
 #pragma once
-/// A motion run backwards in time.
+/// A motion run backwards in time, composed of the pieces of another motion.
 #include <memory>
 #include <vector>
 
@@ -7,18 +7,18 @@
 
 namespace bahnwerk {
 
-/// Parts of the pieces of a motion, from the last one on, each from its end to its begin.
+/// Runs parts of the pieces of a motion backwards, beginning with the last piece.
 class ReversedMotion final : public Motion {
  public:
   struct Part {
-    std::size_t piece = 0;  ///< of the motion
-    double end = 0;         ///< s, when the part ends in it
-    double begin = 0;       ///< s, when it begins backwards
+    std::size_t piece = 0;  ///< piece of the original motion
+    double end = 0;         ///< s, time in the original motion at which the part ends
+    double begin = 0;       ///< s, time in the reversed motion at which the part begins
   };
-  /// `parts`: all there are, the first one begins at 0 and each where the one before ends, as long as in the motion but
-  /// for rounding. `duration`: where the last one ends.
+  /// `parts` covers the whole motion: the first part begins at 0, and each begins where the one before ends. `duration`
+  /// is the end of the last part. Durations agree with the original motion's up to rounding.
   ReversedMotion(std::shared_ptr<const Motion> motion, std::vector<Part> parts, double duration);
-  /// Its pieces whole.
+  /// Reverses the motion with one part per piece.
   explicit ReversedMotion(const std::shared_ptr<const Motion>& motion);
   std::size_t axes() const override { return motion_->axes(); }
   std::size_t pieces() const override { return parts_.size(); }

@@ -41,12 +41,13 @@ std::vector<T> backwards(std::vector<T> list) {
   return list;
 }
 
-/// mm, by which a piece's polynomial goes on.
+/// Returns the length, mm, by which a piece's polynomial advances.
 double way(const LawPiece& p) {
   return p.duration * (p.v + p.duration * (p.a / 2 + p.duration * (p.j / 6 + p.duration * p.snap / 24)));
 }
 
-/// The piece with `more` mm on top, from rest to rest in three parts: its speed and acceleration at both ends stay.
+/// Lengthens a piece by `more` mm, added as a motion from rest to rest in three parts, so that its speed and
+/// acceleration at both ends stay.
 std::array<LawPiece, 3> with_more(const LawPiece& p, double more) {
   const double d = p.duration, jerk = 32 * more / (d * d * d);
   std::array<LawPiece, 3> parts{p, p, p};
@@ -64,11 +65,11 @@ std::array<LawPiece, 3> with_more(const LawPiece& p, double more) {
   return parts;
 }
 
-/// A law backwards: each piece from its end to its begin. Path lengths are counted from the other end: near the
-/// begin rounding is finer there than it was where the law came from.
+/// Reverses a time law: each piece runs from its end to its begin. Path lengths are counted from the other end, so
+/// rounding near the new begin is finer than it was in the original law.
 class ReversedLaw {
  public:
-  /// `begins` gets when each piece of the law begins backwards.
+  /// `begins` receives the reversed begin of each piece of the law.
   ReversedLaw(const TimeLaw& law, const AxisPath& planned, const AxisPath& path, std::vector<double>& begins)
       : law_(law), planned_(planned), path_(path), begins_(begins) {
     begins_.resize(law.pieces().size());
@@ -100,7 +101,7 @@ class ReversedLaw {
   }
 
  private:
-  /// A dwell belongs to the segment that begins where it lasts, or to the last one.
+  /// Returns the segment of a dwell: the one that begins where it lasts, or the last one.
   void stand(std::size_t number, std::size_t segment) {
     move();
     const LawPiece& p = law_.pieces()[number];
@@ -113,7 +114,7 @@ class ReversedLaw {
     back_.append(piece);
   }
 
-  /// All pieces of a segment: what is missing to its length, by rounding, the longest one makes up for.
+  /// Adds all pieces of a segment; the longest piece absorbs the rounding error of the segment's length.
   void move() {
     if (moving_.empty()) return;
     const Segment& segment = path_[moving_.front().segment];
@@ -153,8 +154,9 @@ class ReversedLaw {
   std::vector<std::size_t> numbers_;  // of those in the law
 };
 
-/// A motion that goes with `law`, backwards. Its parts end where pieces of either do: so a part is as long as before to
-/// the rounding of two times, whatever sums of durations are rounded to. `begins`: of the law's pieces, backwards.
+/// Returns the reversed motion that belongs to the reversed law. Its parts end where pieces of either end, so a part's
+/// duration is exact up to the rounding of two times, independently of the rounding of sums. `begins` are the reversed
+/// begins of the law's pieces.
 std::vector<ReversedMotion::Part> parts_of(const Motion& motion, const TimeLaw& law,
                                            const std::vector<double>& begins) {
   const auto& pieces = law.pieces();
@@ -173,8 +175,8 @@ std::vector<ReversedMotion::Part> parts_of(const Motion& motion, const TimeLaw& 
   }
 }
 
-/// Takes out what an axis begins with in place of rest, by rounding of what was its end: on top comes e with e′(0) =
-/// −v, e′(h) = 0, and where accelerations are continuous e″(0) = −a, e″(h) = 0.
+/// Removes the rounding error of velocity and acceleration with which an axis begins instead of rest: adds e with e′(0)
+/// = −v, e′(h) = 0, and for continuous accelerations e″(0) = −a, e″(h) = 0.
 void begin_at_rest(Polynomial& p, double h, bool continuous) {
   const double v = p.size() > 1 ? p[1] : 0, a = continuous && p.size() > 2 ? 2 * p[2] : 0;
   if (v == 0 && a == 0) return;
@@ -186,12 +188,12 @@ void begin_at_rest(Polynomial& p, double h, bool continuous) {
   if (continuous && p.size() > 2) p[2] = 0;
 }
 
-/// Of a motion that is polynomials, from rest on.
+/// Reverses a polynomial motion that begins at rest.
 std::shared_ptr<const SplineMotion> spline(const Motion& motion, bool jerk) {
   std::vector<SplineMotion::Piece> pieces;
   pieces.reserve(motion.pieces());
   for (std::size_t i = 0; i < motion.pieces(); ++i) {
-    // Times are counted from the other end: the shortest pieces may be rounded away.
+    // Times are counted from the other end, so the shortest pieces may vanish by rounding.
     if (!(motion.end(i) > (pieces.empty() ? 0 : pieces.back().end))) continue;
     SplineMotion::Piece& piece = pieces.emplace_back();
     piece.end = motion.end(i);
@@ -230,7 +232,7 @@ RedundancyResult reversed(RedundancyResult found, const RedundancyTask& task) {
     return std::make_shared<const ReversedMotion>(motion, parts_of(*motion, law, begins), head->duration());
   };
   const bool jerk = task.machine.limits_jerk();
-  // What the head carries goes along the task's own path, to the last bit.
+  // Carried axes follow the task's own path exactly.
   if (found.coarse == found.head) {
     found.coarse = head;
   } else if (const auto* carried = dynamic_cast<const CarriedMotion*>(found.coarse.get())) {

@@ -1,16 +1,18 @@
 #pragma once
-/// A task run from its end to its begin. Limits are the same in both directions of time, so what is planned for it is,
-/// backwards in time, a plan of the task itself. Who plans both and takes the quicker one depends on no direction.
+/// A redundancy task run from the end of its path to its begin. Limits are symmetric in time, so a plan of the reversed
+/// task, run backwards, is a plan of the task. A planner that plans both directions and takes the quicker plan gives a
+/// result that does not depend on the direction.
 #include <optional>
 
 #include "core/redundant/redundancy.hpp"
 
 namespace bahnwerk {
 
-/// None where the path falls into other segments backwards. O(segments · degree²).
+/// Returns the reversed task; none if the reversed path has other segments. O(segments · degree²).
 std::optional<RedundancyTask> reversed(const RedundancyTask& task);
 
-/// A plan of the reversed task, backwards in time. `task`: not reversed. O(pieces).
+/// Returns a plan `found` of the reversed task, run backwards, as a plan of `task` (the task that is not reversed).
+/// O(pieces).
 RedundancyResult reversed(RedundancyResult found, const RedundancyTask& task);
 
 }  // namespace bahnwerk

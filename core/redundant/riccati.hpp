@@ -1,9 +1,10 @@
 #pragma once
-/// Newton systems of chains: minimises ½ Σ xᵀWx + gᵀx + ½ r u² + c u over steps x of the states (W diagonal) and u of
-/// the controls, along x⁺ = A x + B u. One factorisation serves several right-hand sides.
+/// Riccati recursion for the Newton systems of a chain (chain.hpp): it minimises ½ Σ xᵀWx + gᵀx + ½ r u² + c u over the
+/// steps x of the states (W diagonal) and u of the controls, subject to x⁺ = A x + B u. One factorisation serves
+/// several right-hand sides.
 ///
-/// The backward recursion is in the form that adds only positive terms (Joseph's), so that stiff rows do not cost
-/// definiteness. O(cells), some 50 ns each.
+/// The backward recursion has Joseph's form, which adds only positive terms, so that badly scaled rows do not destroy
+/// definiteness. O(cells), about 50 ns each.
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -18,11 +19,13 @@ class Riccati {
   using State = ChainState<order>;
   using Matrix = std::array<State, order>;
 
-  /// Only the first `free` numbers of the first state may change.
+  /// `steps` are the durations of the cells and must outlive this object. Only the first `free` components of the first
+  /// state may change.
   Riccati(const std::vector<double>& steps, std::size_t free)
       : h_(steps), free_(free), gain_(steps.size()), inverse_(steps.size()) {}
 
-  /// W of each node; r of each cell, 0 where the control is fixed. Both positive otherwise.
+  /// Factorises for the diagonals `node` of W (n + 1 nodes) and the weights `cell` = r (n cells). All are positive, but
+  /// for r = 0, which marks a fixed control.
   void factorise(const std::vector<State>& node, const std::vector<double>& cell) {
     const std::size_t n = h_.size();
     Matrix p{};
@@ -64,7 +67,8 @@ class Riccati {
     first_ = p;
   }
 
-  /// Steps of the right-hand side g (nodes), c (cells). `states` n + 1, `controls` n.
+  /// Computes the steps for the right-hand side g = `node` (n + 1 nodes), c = `cell` (n cells). `states` receives n + 1
+  /// and `controls` n steps.
   void solve(const std::vector<State>& node, const std::vector<double>& cell, std::vector<State>& states,
              std::vector<double>& controls) const {
     const std::size_t n = h_.size();
@@ -87,7 +91,8 @@ class Riccati {
   }
 
  private:
-  /// Minimises ½ xᵀPx + qᵀx over what is free at the first node: Gaussian elimination of a positive definite matrix.
+  /// Minimises ½ xᵀPx + qᵀx over the free components of the first state, by Gaussian elimination of a positive definite
+  /// matrix.
   State begin(const State& q) const {
     Matrix p = first_;
     State x{};
@@ -106,9 +111,9 @@ class Riccati {
   }
 
   const std::vector<double>& h_;
-  std::size_t free_;  // numbers of the first state that are
+  std::size_t free_;  // number of free components of the first state
   std::vector<State> gain_;
-  std::vector<double> inverse_;  // of r + BᵀPB; 0 where the control is fixed
+  std::vector<double> inverse_;  // 1/(r + BᵀPB) per cell; 0 where the control is fixed
   Matrix first_{};
 };
 

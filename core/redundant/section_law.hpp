@@ -1,5 +1,5 @@
 #pragma once
-/// The law of one section of a path, from rest to rest, planned by itself.
+/// The time law of one section of a path, from rest to rest, planned separately from the rest of the path.
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -11,9 +11,9 @@
 
 namespace bahnwerk {
 
-/// `plan` is given the segments [first, last) of a Cartesian path alone, their feeds, and rests at both ends; places
-/// and segments of what it returns become those of the whole path. Throws Infeasible where a segment cannot be planned
-/// by itself, and what `plan` throws.
+/// Calls `plan` with the segments [first, last) of a Cartesian path, their feeds (mm/s) and rests at both ends, and
+/// returns its time law with path lengths and segment indices of the whole path. Throws Infeasible where a segment
+/// cannot be planned separately, and what `plan` throws.
 TimeLaw section_law(const AxisPath& path, std::size_t first, std::size_t last, const Machine& machine,
                     const std::vector<double>& feeds, const std::function<TimeLaw(const PathTask&)>& plan);
 

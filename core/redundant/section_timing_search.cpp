@@ -10,7 +10,7 @@
 namespace bahnwerk {
 namespace {
 
-// Room that is left in all boxes, in the chain's units: the solution of the chain needs some.
+// Margin left in all boxes, in the chain's units, because the solution of the chain needs some.
 constexpr std::array<double, 3> rooms{3e-4, 3e-5, 0};
 constexpr int levels = 4;           // of acceleration and of braking, from both axes' to the coarse one's
 constexpr double finest = 1.1;      // quotient of accelerations at which the search ends
@@ -24,10 +24,11 @@ constexpr std::size_t most_segments = 12;  // of a section whose segments get fe
 constexpr int max_sweeps = 20;
 constexpr double enough = 2e-5;   // of the stretch's duration, gained by a sweep
 constexpr std::size_t reach = 4;  // sections between the two of an exchange, at most
-// Of the duration of a move, and of its acceleration or braking, in an exchange.
+// Relative changes of a move's duration, and of its acceleration or braking, in an exchange.
 constexpr std::array<double, 9> shifts{1.01, 1.04, 1.12, 1.3, 1 / 1.01, 1 / 1.04, 1 / 1.1, 1 / 1.2, 1 / 1.5};
 constexpr std::array<double, 3> ends{0.9, 0.7, 0.4};
-// Of a move's reserve, to either side, with the two highest levels of acceleration and of braking.
+// Slopes relative to the move's reserve, to both sides, tried with the two highest levels of acceleration and of
+// braking.
 constexpr std::array<double, 2> slopes{1, 0.4};
 constexpr int sloped_levels = 2;
 
@@ -244,7 +245,7 @@ bool SectionTimingSearch::quicker_cut(std::size_t section) {
           std::max(share == before.share ? before.feeds[i - first] : 0.0, std::min(plan_.feed(i), cap));
     return tried(now);
   };
-  // The highest feed for all of it with these accelerations.
+  // Search the highest feed for the whole section with these accelerations.
   const auto searched = [&](double share) {
     if (capped(unlimited, share) != Outcome::impossible) return;
     double low = share == before.share ? lowest : cut_least * highest, high = highest;
@@ -260,7 +261,7 @@ bool SectionTimingSearch::quicker_cut(std::size_t section) {
   for (step = std::sqrt(step); found && step < finest_share; step = std::sqrt(step))
     for (const double share : {best.share * step, best.share / step})
       if (share <= 1) searched(share);
-  // Segments by themselves.
+  // Search the feed of each segment.
   if (last - first > 1 && last - first <= most_segments)
     for (std::size_t i = 0; i < last - first; ++i) {
       if (!(best.feeds[i] < plan_.feed(first + i))) continue;
@@ -306,7 +307,8 @@ bool SectionTimingSearch::exchange(std::size_t section, const Speeds& before, st
     return false;
   }
   std::swap(sections_[section], changed);
-  // The move sees the other section through what can be before it, or behind it.
+  // The move is constrained by the other section through the reachable set before it, or the controllable set behind
+  // it.
   auto& states = section < move ? forward_ : backward_;
   const std::size_t low = section < move ? section + 1 : move + 1, high = section < move ? move + 1 : section + 1;
   std::vector<std::vector<ControllableSet>> kept(states.begin() + static_cast<std::ptrdiff_t>(low),

@@ -1,8 +1,9 @@
 #pragma once
-/// Where a motion that may take longer should be slower, for the sake of the coarse axes' energy ∫a².
+/// Distribution of additional time over the parts of a motion between rests, so that the coarse axes' energy ∫a² falls
+/// most.
 ///
-/// About: the coarse axes do not rest where the head does. The energy E of what lies between two rests falls with the
-/// cube of how many times as long it lasts, s; Σ E/s³ is least for a given Σ T s where s⁴ is as E/T, and 1 at least.
+/// If a part lasts s times as long, its energy E becomes E/s³. Σ E/s³ is least for a given total duration Σ T s if s⁴
+/// is proportional to E/T, where s ≥ 1. This is an estimate, because the coarse axes do not rest where the head does.
 #include <vector>
 
 #include "core/motion/law/time_law.hpp"
@@ -10,12 +11,12 @@
 namespace bahnwerk {
 
 struct SlowedByEnergy {
-  std::vector<TimeLaw::Slowing> slowings;  ///< of what lies between two rests; none where there is no energy
-  double energy = 1;                       ///< what that leaves of it, about, over what slowing evenly would
+  std::vector<TimeLaw::Slowing> slowings;  ///< one per part between two rests; empty if there is no energy
+  double energy = 1;                       ///< estimated energy relative to that of even slowing
 };
 
-/// So that the whole lasts `duration` s, no part more than 16 times as long as it does. `times`: of the nodes
-/// between cells, both ends included, s; `energies`: of each cell, in any unit. O(pieces + cells).
+/// Returns the slowing after which the whole motion lasts `duration` s; no part gets longer than 16 times. `times` are
+/// the n + 1 nodes of cells, s; `energies` are the energies of the n cells in any unit. O(pieces + cells).
 SlowedByEnergy slowed_by_energy(const TimeLaw& law, const std::vector<double>& times,
                                 const std::vector<double>& energies, double duration);
 

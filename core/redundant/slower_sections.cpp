@@ -12,8 +12,8 @@ namespace {
 constexpr double feed_step = 0.97, acceleration_step = feed_step * feed_step;
 constexpr int most_steps = 10;           // in one round: what is gained is known only nearby
 constexpr double untrusted_factor = 30;  // relaxation_factor from which on the estimate is not trusted any more
-// Of what a lower acceleration is estimated to gain: changing it by that much shifts the whole section, and where the
-// coarse axis can start before the head does a lower feed is the better choice in the end.
+// Share of the estimated gain of a lower acceleration that is credited: such a change shifts the whole section, and
+// where the coarse axis can start before the head a lower feed turns out to be better.
 constexpr double trust = 0.2;
 constexpr double trust_below =
     0.1;  // the same of what is slower than the coarse axes alone: not before that relaxation_factor
@@ -23,7 +23,7 @@ constexpr double all_slower = 0.8;
 constexpr double worth =
     0.5;  // of what the first step gains per unit of time; what gains less waits for the next round
 
-/// A cell of a section, in the chain's units of time.
+/// A cell of a section, with times in the chain's units.
 struct Lengthened {
   double speed = 0;               // mm/s, of the head along its path
   double behind = 0, before = 0;  // mm, from the begin of the section and to its end
@@ -53,14 +53,14 @@ struct Section {
     }
     return p;
   }
-  /// How far the gain of one more step of a limit is believed.
+  /// Factor up to which the linear gain of one more step of a limit is trusted.
   double trusted(std::size_t kind, const Pace& p) const {
     if (!straight) return 1;
     const Pace& coarse = straight->move.slowest;
     const bool low = kind == 0 ? p.feed < coarse.feed : (kind == 1 ? p.rise < coarse.rise : p.fall < coarse.fall);
     return (kind == 0 ? 1 : trust) * (low ? trust_below : 1);
   }
-  /// Of other limits: by how much longer each cell takes.
+  /// Returns, for other limits, how much longer each cell takes.
   Effect effect(const Pace& p) const {
     Effect e;
     for (const Lengthened& c : cells) {
@@ -73,7 +73,7 @@ struct Section {
     }
     return e;
   }
-  /// Lets the limits fall to those of a pace.
+  /// Lowers the limits to those of a pace.
   void lower(const Pace& p, SectionLimits& section_limits) const {
     if (!straight) {
       for (std::size_t i = first; i < last; ++i) section_limits.feeds[i] = std::min(section_limits.feeds[i], p.feed);
@@ -88,7 +88,7 @@ struct Section {
   }
 };
 
-/// Sections of the law that the cells [first, last) lie in.
+/// Returns the sections of the law that hold the cells [first, last).
 std::vector<Section> sections_of(const TimeLaw& law, const HeadCells& head, std::size_t first, std::size_t last,
                                  SectionLimits& section_limits) {
   std::vector<Section> sections;
@@ -128,7 +128,7 @@ void lower_section_limits(const TimeLaw& law, const HeadCells& head, std::size_t
     for (Lengthened& cell : s.cells) {
       cell.duration = (head.times[c + 1] - head.times[c]) / units.time;
       cell.gain = cell.duration * cluster.gain[c - first];
-      // A multiplier of the velocity's box where that is the fine axis' limit: it moves with the head.
+      // The multiplier belongs to a velocity box given by the fine axis' limit, which moves with the head.
       const double z = cluster.certificate.multipliers[c - first][1], v = head.nodes[axis][c].v;
       const bool fine = z > 0 ? v + limits.fine.velocity < limits.coarse.velocity
                               : v - limits.fine.velocity > -limits.coarse.velocity;

@@ -1,12 +1,12 @@
 #pragma once
-/// Which sections to slow down, and how far, so that the coarse axes can follow: what gains most for infeasible
-/// stretches for the least time.
+/// Chooses which sections of a head become slower, and by how much, so that an infeasible interval of a coarse axis'
+/// chain becomes feasible with the least additional time.
 ///
-/// A lower feed lengthens those cells of a section in which the head is faster than it; a lower acceleration of a
-/// straight move those near its begin or end. What that gains on a stretch is known per unit of time (Cluster::gain),
-/// and for velocities out of reach by how much the head gets slower. Feeds and accelerations fall step by step, always
-/// that whose next step gains most per unit of time; what would make a straight move slower than its coarse axes alone
-/// only where little else helps.
+/// A lower feed lengthens the cells in which the head is faster than that feed; a lower acceleration of a straight move
+/// lengthens the cells near its ends. The gain per unit of time of each cell is known (Cluster::gain); for velocities
+/// out of reach it is the decrease of the head's speed. Limits fall in steps, and each step lowers the limit with the
+/// largest gain per unit of time. A step that would make a straight move slower than its coarse axes alone is only
+/// taken where little else helps.
 #include <cstddef>
 #include <map>
 #include <vector>
@@ -19,7 +19,7 @@
 
 namespace bahnwerk {
 
-/// How fast the head may go.
+/// Speed and acceleration limits of the head, section by section.
 struct SectionLimits {
   std::vector<double> feeds;  ///< per segment of the path, mm/s
   struct Straight {
@@ -27,14 +27,14 @@ struct SectionLimits {
     Pace pace;
     bool slowed = false;
   };
-  std::map<std::size_t, Straight> straight;  ///< by segment; their feeds are not those above
-  /// Share of the accelerations that other sections are planned with, by their first segment; 1 where there is none.
+  std::map<std::size_t, Straight> straight;  ///< by segment; `feeds` does not apply to these
+  /// Share of the accelerations that other sections are planned with, by first segment; 1 if there is no entry.
   std::map<std::size_t, double> acceleration_share = {};
 };
 
-/// Lowers section_limits for one stretch of axis `axis`; never raises one. `cluster` is of the chain of the cells.
-/// `relaxation_factor` ≥ 1 multiplies the need. Where nothing is known to help, and with a relaxation_factor above 30,
-/// all sections of the stretch get slower by a fifth. O(cells · steps).
+/// Lowers `section_limits` for one infeasible interval `cluster` of the chain of axis `axis`; never raises a limit.
+/// `relaxation_factor` ≥ 1 multiplies the required gain. If no limit is known to help, or `relaxation_factor` exceeds
+/// 30, all sections of the interval become slower by a fifth. O(cells · steps).
 template <std::size_t order>
 void lower_section_limits(const TimeLaw& law, const HeadCells& head, std::size_t axis, const CoarseFineAxis& limits,
                           const Cluster<order>& cluster, double relaxation_factor, SectionLimits& section_limits);

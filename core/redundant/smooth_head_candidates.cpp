@@ -8,34 +8,37 @@ namespace bahnwerk {
 namespace {
 
 constexpr double same_duration = 1e-6;  // relative
-// The coarse axes' accelerations go in so many steps, then long moves last up to twice as long in twice as many.
-constexpr std::size_t calm_steps = 8, all_steps = 3 * calm_steps;
-Freedom freedom_of(std::size_t step) {
-  if (step <= calm_steps) return {static_cast<double>(step) / calm_steps, 1, 1};
-  return {1, std::pow(2, static_cast<double>(step - calm_steps) / (2 * calm_steps)), 1};
+// Number of steps in which the coarse axes' accelerations go to 0; afterwards long moves get up to twice as long in
+// twice as many steps.
+constexpr std::size_t acceleration_steps = 8, all_steps = 3 * acceleration_steps;
+HeadReserve reserve_of(std::size_t step) {
+  if (step <= acceleration_steps) return {static_cast<double>(step) / acceleration_steps, 1, 1};
+  return {1, std::pow(2, static_cast<double>(step - acceleration_steps) / (2 * acceleration_steps)), 1};
 }
 
-// Accelerations and the largest speed fall to no less than this part, which so many plans at most find, or until no
-// more than so much of the time there is stays unused.
-constexpr double least_gentle = 1.0 / 8, unused = 0.01;
+// Least share of accelerations and of the largest speed, most plans of its search, and share of the available time that
+// may stay unused.
+constexpr double least_acceleration_share = 1.0 / 8, unused = 0.01;
 constexpr int most_trials = 8;
 constexpr double parts_of_spare[] = {0.5, 1};  // of the time there is
 
 }  // namespace
 
 template <std::size_t order>
-SmoothHeadCandidate SmoothHeadCandidates<order>::planned(const Freedom& freedom) const {
-  return {plan_.calmer(share_, freedom), freedom};
+SmoothHeadCandidate SmoothHeadCandidates<order>::planned(const HeadReserve& reserve) const {
+  return {plan_.smoother_head(share_, reserve), reserve};
 }
 
-/// From a head that takes no longer than that. False: none is any gentler.
+/// Searches the smallest acceleration share whose head takes no longer than `duration`. Returns false if no share below
+/// 1 fits.
 template <std::size_t order>
 bool SmoothHeadCandidates<order>::smoothest(double duration, SmoothHeadCandidate& found) {
   const double spare = duration - found.head->duration();
-  // By 1/gentle: what fits, what does not, and by how much they miss the duration.
+  // The search variable is 1/share: the largest value that fits, the least that does not, and their errors of the
+  // duration.
   double low = 1, high = 2, below = spare, above = 0;
   bool any = false;
-  for (int trial = 0; trial < most_trials && low * least_gentle < 1 && below > unused * spare; ++trial) {
+  for (int trial = 0; trial < most_trials && low * least_acceleration_share < 1 && below > unused * spare; ++trial) {
     const double next = above > 0 ? low + (high - low) * std::clamp(below / (below + above), 0.1, 0.9) : high;
     SmoothHeadCandidate head = planned({1, 1, 1 / next});
     const double left = found.head->duration() + below - head.head->duration();
@@ -45,7 +48,7 @@ bool SmoothHeadCandidates<order>::smoothest(double duration, SmoothHeadCandidate
     }
     low = next, below = left, any = true;
     found = std::move(head);
-    if (!(above > 0)) high = std::min(2 * low, 1 / least_gentle);
+    if (!(above > 0)) high = std::min(2 * low, 1 / least_acceleration_share);
   }
   return any;
 }
@@ -53,18 +56,18 @@ bool SmoothHeadCandidates<order>::smoothest(double duration, SmoothHeadCandidate
 template <std::size_t order>
 std::vector<SmoothHeadCandidate> SmoothHeadCandidates<order>::within(double duration, double longest) {
   while (steps_.size() < all_steps && (steps_.empty() || steps_.back().head->duration() <= longest))
-    steps_.push_back(planned(freedom_of(steps_.size() + 1)));
-  const auto fits = [&](const SmoothHeadCandidate& calm) {
-    return calm.head->duration() <= duration * (1 + same_duration);
+    steps_.push_back(planned(reserve_of(steps_.size() + 1)));
+  const auto fits = [&](const SmoothHeadCandidate& candidate) {
+    return candidate.head->duration() <= duration * (1 + same_duration);
   };
   const auto last = std::find_if(steps_.rbegin(), steps_.rend(), fits);
   std::vector<SmoothHeadCandidate> heads;
   if (last != steps_.rend()) heads.push_back(*last);
-  if (steps_.size() < calm_steps || !fits(steps_[calm_steps - 1])) return heads;
-  const double calm = steps_[calm_steps - 1].head->duration();
+  if (steps_.size() < acceleration_steps || !fits(steps_[acceleration_steps - 1])) return heads;
+  const double shortest = steps_[acceleration_steps - 1].head->duration();
   for (const double part : parts_of_spare) {
-    SmoothHeadCandidate gentle = steps_[calm_steps - 1];
-    if (smoothest(calm + part * (duration - calm), gentle)) heads.push_back(std::move(gentle));
+    SmoothHeadCandidate candidate = steps_[acceleration_steps - 1];
+    if (smoothest(shortest + part * (duration - shortest), candidate)) heads.push_back(std::move(candidate));
   }
   return heads;
 }

@@ -1,6 +1,7 @@
 #pragma once
-/// Heads that take longer than the quickest one and leave the coarse axes more freedom: what the summed limits demand
-/// of a head, coarse axes have to accelerate for wherever the fine ones could not do it alone.
+/// Heads that take longer than the quickest one and need less acceleration of the coarse axes. Wherever a head needs
+/// more acceleration than the fine axes have, the coarse axes must accelerate; these heads stay below the summed
+/// limits.
 #include <memory>
 #include <vector>
 
@@ -11,23 +12,24 @@ namespace bahnwerk {
 
 struct SmoothHeadCandidate {
   std::shared_ptr<const PathMotion> head;
-  Freedom freedom;
+  HeadReserve reserve;
 };
 
-/// Each head costs a plan (HeadPlan::calmer); those that serve several durations are kept.
+/// Plans candidates by HeadPlan and keeps those that serve several durations.
 template <std::size_t order>
 class SmoothHeadCandidates {
  public:
-  /// `plan` outlives it. `share` as for calmer().
+  /// `plan` must outlive this object; `share` of the summed limits is available to the heads.
   SmoothHeadCandidates(const HeadPlan<order>& plan, double share) : plan_(plan), share_(share) {}
 
-  /// That take no longer than `duration`, s: with ever less of the coarse axes' accelerations, then slower long moves,
-  /// as far as the time allows; and, with none of those accelerations, gentler ones for half of the time that is left
-  /// then, and for all of it. None where even a little calm takes longer. `longest`: of the durations to come.
+  /// Returns heads that take no longer than `duration`, s. The first ones use ever less of the coarse axes'
+  /// accelerations; the next ones, which use none of these, make long moves slower; the last ones reduce accelerations
+  /// until half of the remaining time, and then all of it, is used. Empty if even the smallest reserve takes longer.
+  /// `longest` is the largest duration that later calls will ask for.
   std::vector<SmoothHeadCandidate> within(double duration, double longest);
 
  private:
-  SmoothHeadCandidate planned(const Freedom& freedom) const;
+  SmoothHeadCandidate planned(const HeadReserve& reserve) const;
   bool smoothest(double duration, SmoothHeadCandidate& found);
 
   const HeadPlan<order>& plan_;

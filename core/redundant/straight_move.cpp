@@ -15,14 +15,14 @@ constexpr int halvings = 60;
 constexpr double rounding = 1e-12;   // of a length
 constexpr double least_feed = 1e-3;  // of the peak speed without a cruise
 
-/// A stretch of constant acceleration: from v0 to v1, mm/s, over a length, mm.
+/// A part of constant acceleration: from v0 to v1, mm/s, over a length, mm.
 struct Phase {
   double v0 = 0, v1 = 0, length = 0;
   double duration() const { return 2 * length / (v0 + v1); }
   double acceleration() const { return (v1 - v0) / duration(); }
 };
 
-/// At most: rise, slope, cruise at the largest speed, fall.
+/// At most four parts: rise, slope, cruise at the largest speed, fall.
 struct Phases {
   std::array<Phase, 4> list{};
   std::size_t size = 0;
@@ -31,7 +31,7 @@ struct Phases {
   }
 };
 
-/// Speed² / 2 is linear in the way.
+/// With constant acceleration v²/2 is linear in path length.
 Phases phases_of(const StraightMove& move, Pace pace) {
   const bool mirrored = pace.slope < 0;
   if (mirrored) std::swap(pace.rise, pace.fall);
@@ -133,7 +133,7 @@ void append_move(TimeLaw& law, const StraightMove& move, const Pace& pace) {
   const auto way = [&](double speed) {
     return direct_distance(0, speed, limits(speed, pace.rise)) + direct_distance(speed, 0, limits(speed, pace.fall));
   };
-  // A move without a cruise peaks below √(2 L A), with limited jerk all the more.
+  // The speed of a move without cruise stays below √(2 L A), the more so with limited jerk.
   double speed = std::min(pace.feed, std::sqrt(2 * move.length * std::max(pace.rise, pace.fall)));
   if (way(speed) > move.length) {
     double low = 0, high = speed;

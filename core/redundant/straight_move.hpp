@@ -1,15 +1,16 @@
 #pragma once
-/// A section that is one straight line from rest to rest, and how fast its head may go there: more slowly than both
-/// axes together could, so that the coarse axes can follow.
+/// A section that consists of one straight line from rest to rest, and limits under which the coarse axes can follow
+/// the head there.
 ///
-/// A lower feed alone does not help a coarse axis that starts from rest: then accelerations have to fall, and not
-/// necessarily by as much at both ends. The coarse axes of a lone move of length L stand S ahead of the tool at its
-/// begin and S behind it at its end, and a head with L/(L − 2S) times their velocity and acceleration is as quick as
-/// they are over L − 2S: the least time there is.
+/// A lower feed alone does not help a coarse axis that starts from rest; accelerations have to fall as well, possibly
+/// by different amounts at both ends. If the coarse axes of a single move of length L stand S ahead of the tool at its
+/// begin and S behind it at its end, they travel L − 2S. A head with L/(L − 2S) times their velocity and acceleration
+/// then takes as long as they do, which is the least time.
 ///
-/// Coarse axes that have to be slow behind a move brake before the head does. From there on the fine axes drive it by
-/// themselves, with what they have left of their acceleration besides the coarse axes' braking: so between rise and
-/// fall the speed need not stay, and rises on with that `slope`; or falls, likewise, where they had to be slow before.
+/// If the coarse axes have to be slow after a move, they brake before the head does. From then on the fine axes drive
+/// the head with the acceleration that the coarse axes' braking leaves them. Between rise and fall of the speed there
+/// may thus be a third part with a small constant acceleration, the `slope`; it is negative where the coarse axes had
+/// to be slow before the move.
 #include <cstddef>
 #include <optional>
 
@@ -19,30 +20,32 @@
 
 namespace bahnwerk {
 
-/// What the head of a straight move is planned with.
+/// Limits of the head on a straight move.
 struct Pace {
-  double feed = 0;            ///< mm/s; with a slope the speed where that begins, or ends if it is below 0
-  double rise = 0, fall = 0;  ///< mm/s², most acceleration and most braking
-  double slope = 0;           ///< mm/s², acceleration between them; 0 where jerk is limited
+  double feed =
+      0;  ///< mm/s, largest speed; with a slope the speed at the begin of that part, for a negative slope at its end
+  double rise = 0, fall = 0;  ///< mm/s², largest acceleration and largest deceleration
+  double slope = 0;           ///< mm/s², acceleration between rise and fall; 0 if jerk is limited
 };
 
 struct StraightMove {
   double begin = 0, length = 0;  ///< mm, along the path
   std::size_t segment = 0;
-  Pace fastest, slowest;             ///< with both axes, and with the coarse axes alone, whatever comes before or after
-  double jerk_per_acceleration = 0;  ///< 1/s: jerk falls with acceleration; infinite where it is not limited
-  double reserve = 0;  ///< mm/s², what the head can accelerate with while all coarse axes brake; not above 0: nothing
+  Pace fastest, slowest;             ///< limits of both stages, and of the coarse axes alone, for a single move
+  double jerk_per_acceleration = 0;  ///< 1/s, ratio of jerk and acceleration limit; infinite if jerk is not limited
+  double reserve = 0;  ///< mm/s², acceleration that the head can have while all coarse axes brake; ≤ 0: none
 };
 
-/// The segments [first, last) as a straight move, if they are one. `head`: limits it is planned with.
+/// Returns the segments [first, last) as a straight move if they form one line. `head` are the limits that the head is
+/// planned with, `feed` is in mm/s.
 std::optional<StraightMove> straight_move(const AxisPath& path, const CoarseFineMachine& machine, const Machine& head,
                                           double feed, std::size_t first, std::size_t last);
 
-/// How long it takes at that pace, s, jerk apart. O(1).
+/// Returns the move's duration at `pace`, s, without regard to jerk limits. O(1).
 double duration_of(const StraightMove& move, const Pace& pace);
-/// The pace with that feed replaced by the one for a duration, the highest where that is too short. O(1).
+/// Returns `pace` with the feed for which the move takes `duration` s; the highest feed if that is too short. O(1).
 Pace lasting(const StraightMove& move, Pace pace, double duration);
-/// Appends its quickest law at that pace. O(1).
+/// Appends the quickest time law of the move at `pace`. O(1).
 void append_move(TimeLaw& law, const StraightMove& move, const Pace& pace);
 
 }  // namespace bahnwerk

@@ -8,9 +8,9 @@
 namespace bahnwerk::winding {
 namespace {
 
-/// IEC 60317-0-1, tables of dimensions: for each nominal diameter of the R 20 series the smallest increase by the
+/// Tables of dimensions of IEC 60317-0-1: for each nominal diameter of the R 20 series the smallest increase by the
 /// enamel and the largest one (largest overall diameter less the nominal one), grades 1 to 3. The R 40 size before it
-/// has the same increases. All in µm.
+/// has the same increases. Values are in µm.
 struct Row {
   int r20, r40;
   std::array<int, 3> least, most;

@@ -300,7 +300,7 @@ void check_range(const CoarseFineMachine& machine, const Contour& contour, std::
   }
 }
 
-/// "velocity xc 2476 mm/s, limit 1800 mm/s".
+/// Returns text such as "velocity xc 2476 mm/s, limit 1800 mm/s".
 static std::string against_limit(const Check& check) {
   char text[200];
   const std::string name = check_name(check), unit = check_unit(check);

@@ -26,7 +26,7 @@ using nlohmann::ordered_json;
 
 constexpr std::size_t max_joints_listed = 1000;  // a fine polyline passes as many as it has points
 
-/// "line 1204: 14 % of the time, acceleration y, stops".
+/// Returns text such as "line 1204: 14 % of the time, acceleration y, stops".
 std::string sentence(const SlowLine& line, const char* what) {
   char text[160];
   std::snprintf(text, sizeof text, "%s %zu: %.*f %% of the time", what, line.source, line.share < 0.1 ? 1 : 0,
@@ -37,7 +37,7 @@ std::string sentence(const SlowLine& line, const char* what) {
   return all;
 }
 
-/// The lines that cost most time. Only a program has lines: elsewhere it is the segment's number, from 0.
+/// Reports the lines that take most time. Only programs have lines; elsewhere it is the segment's number, from 0.
 ordered_json slowest(const ContourPlan& plan, bool program) {
   ordered_json list = ordered_json::array();
   const char* const what = program ? "line" : "segment";
@@ -54,7 +54,7 @@ ordered_json slowest(const ContourPlan& plan, bool program) {
   return list;
 }
 
-/// Sections between two rests, against their own bounds: how good the plan is where it is worst.
+/// Reports the gaps of sections between two rests, which show where the plan is farthest from its bound.
 ordered_json sections(const ContourPlan& plan, bool program) {
   const SectionGaps& s = plan.sections;
   if (s.count == 0) return {{"count", 0}, {"median_gap", nullptr}, {"worst", nullptr}};
@@ -68,7 +68,7 @@ ordered_json sections(const ContourPlan& plan, bool program) {
             {"gap", s.worst.gap}}}};
 }
 
-/// "half the jerk: 12.31 s, 4.2 % more".
+/// Returns text such as "half the jerk: 12.31 s, 4.2 % more".
 std::string sentence(const WhatIf& answer, const char* change, double planned) {
   if (!answer.duration) return std::string(change) + ": cannot be planned";
   const double more = 100 * (*answer.duration / planned - 1);
@@ -126,7 +126,7 @@ ordered_json details(const ContourPlan& plan, const Machine& machine, const Cont
   return all;
 }
 
-/// `law`: of the motion along the path; `way`: of the coarse axes, if there are such.
+/// `law` is the time law of the motion along the path; `way` is the path of the coarse axes, if there are any.
 ordered_json drawings(const ContourPlan& plan, const TimeLaw& law, std::vector<Vec> way, Progress& progress) {
   char title[80];
   std::snprintf(title, sizeof title, "path of %.6g mm, %.6g s", plan.path_length, plan.duration);
@@ -141,7 +141,7 @@ void throw_if_any(std::vector<InputFault> faults) {
   if (!faults.empty()) throw InvalidInput(std::move(faults));
 }
 
-/// What a job asks for, checked as far as its geometry is not needed.
+/// The request of a job, with all checks that do not need its geometry.
 struct ContourJob {
   std::optional<CoarseFineMachine> coarse_fine;
   Machine head;  ///< of coarse and fine axes the sums
@@ -192,7 +192,7 @@ void check_contour(const Contour& contour, ContourJob& job) {
     job.unused.push_back(std::move(note));
 }
 
-/// What is planned: along Cartesian axes, or with coarse and fine ones, which may be studied besides.
+/// The plan: along Cartesian axes, or with coarse and fine ones and possibly a study of machines.
 struct Planned {
   ContourPlan contour;
   std::optional<CoarseFinePlan> coarse_fine;  ///< has its own `contour`

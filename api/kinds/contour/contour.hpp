@@ -1,5 +1,5 @@
 #pragma once
-/// Kind "contour": JSON spec → core → result document.
+/// Kind "contour": reads its spec into the terms of core.
 #include <nlohmann/json_fwd.hpp>
 
 #include "api/kind.hpp"
@@ -13,10 +13,10 @@ namespace bahnwerk::api::contour {
 inline constexpr std::size_t max_segments = 2'000'000;
 inline constexpr double max_setpoints = 20'000'000;
 
-/// The readers take a spec that passed its schema.
+/// Read machine and planning options of a spec that passed its schema.
 Machine machine(const nlohmann::json& spec);
 ContourPlanning planning(const nlohmann::json& spec);
-/// Throws InvalidInput naming every fault, with places relative to the spec.
+/// Reads the contour. Throws InvalidInput naming every fault, with places relative to the spec.
 Contour geometry(const nlohmann::json& spec, Progress& progress);
 Contour geometry(const nlohmann::json& spec);
 

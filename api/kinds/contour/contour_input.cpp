@@ -33,13 +33,13 @@ std::vector<Vec> vecs(const json& points) {
   return list;
 }
 
-/// mm/s; infinity where the axes alone limit.
+/// Returns the feed, mm/s; infinity if only the axes limit it.
 double feed(const json& block) {
   const auto at = block.find("feed");
   return at == block.end() || at->is_null() ? unlimited : at->get<double>();
 }
 
-/// Before any geometry: whether every point has as many coordinates as the first one.
+/// Checks, before any geometry is built, that every point has as many coordinates as the first one.
 class DimensionCheck {
  public:
   explicit DimensionCheck(std::size_t dimension) : dimension_(dimension) {}
@@ -170,13 +170,13 @@ Contour from_blocks(const json& contour, Progress& progress) {
   return builder.finish();
 }
 
-/// The index of "G54" … "G59.3".
+/// Returns the index of "G54" … "G59.3".
 std::size_t work_offset(const std::string& name) {
   const auto digit = [](char c) { return static_cast<std::size_t>(c - '0'); };
   return name.size() > 3 ? 5 + digit(name[4]) : digit(name[2]) - 4;
 }
 
-/// By D number.
+/// Returns tool radii by D number.
 std::map<int, double> cutter_radius(const json& document) {
   std::map<int, double> list;
   std::vector<InputFault> faults;
@@ -208,7 +208,7 @@ Contour from_gcode(const json& contour, Progress& progress) {
   return read_gcode(contour["gcode"].get_ref<const std::string&>(), options, progress);
 }
 
-/// "AutoCAD Binary DXF" in base64.
+/// The text "AutoCAD Binary DXF" in base64.
 constexpr const char* binary_drawing = "QXV0b0NBRCBCaW5hcnkgRFhG";
 
 Contour from_dxf(const json& contour, Progress& progress) {

@@ -24,7 +24,7 @@ ordered_json points(std::span<const Point> list) {
   return out;
 }
 
-/// Edges in order, each from the end of the one before; a loop begins where "from" stands.
+/// Returns the edges in order, each from the end of the one before; an edge with "from" begins a loop.
 ordered_json outline(const Region& region) {
   ordered_json list = ordered_json::array();
   for (std::size_t i = 0; i < region.edges().size(); ++i) {
@@ -119,7 +119,7 @@ ordered_json summary(const FilledLayout& filled) {
           {"windable", windable(filled.windable, filled.turns.parallel, filled.count())}};
 }
 
-/// The best of those that can be wound and take the turns asked for.
+/// Returns the best layout that can be wound and holds the requested turns.
 ordered_json best_producible(const FillPlan& plan) {
   const FilledLayout* best = nullptr;
   for (const FilledLayout& filled : plan.layouts)

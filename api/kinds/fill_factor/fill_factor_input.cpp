@@ -27,7 +27,7 @@ winding::Slot slot(const json& s, Progress* progress) {
   return make_slot(polygon_slot(s), progress);
 }
 
-/// Which members of `heads` one type of slot has.
+/// Adds a fault for every member of `heads` that a type of slot does not have.
 void allow_only(std::initializer_list<const char*> known, const json& heads, const std::string& type,
                 std::vector<InputFault>& faults) {
   for (const auto& [member, value] : heads.items())
@@ -72,7 +72,7 @@ void read_heads(const json& spec, FillRequest& request, std::vector<InputFault>&
   const json heads = spec.value("heads", json::object());
   if (spec["slot"]["type"] == "stator") {
     const winding::StatorHeads h = heads_of_stator(heads, stator_slot(spec["slot"]), faults);
-    // The default is the source's, whatever the slot: it only says where the heads lie.
+    // The default is the source's for every slot, because it only determines where the heads lie.
     if (heads.contains("slot_pitch") && !winding::leaves_teeth(request.slot, h.base_radius, h.slot_pitch))
       faults.push_back({{"heads", "slot_pitch"}, "leaves no tooth between the slots: a larger one is needed"});
     request.heads = h;
@@ -82,7 +82,7 @@ void read_heads(const json& spec, FillRequest& request, std::vector<InputFault>&
     faults.push_back({{"heads"}, "a polygon has no winding heads: tie_in draws all its wires"});
 }
 
-/// Usable area for one of two coil sides, and the needle that lays it.
+/// Computes the usable area of one of two coil sides, and the needle that lays it.
 void read_sides(const json& spec, FillRequest& request, std::vector<InputFault>& faults) {
   const bool two = spec.value("coil_sides", 1) == 2;
   const auto* stator = std::get_if<winding::StatorHeads>(&request.heads);
@@ -100,8 +100,8 @@ void read_sides(const json& spec, FillRequest& request, std::vector<InputFault>&
   request.needle = winding::Needle{*width, beside ? winding::Needle::Stand::left : winding::Needle::Stand::middle};
 }
 
-/// Wires that do not fit at all, more than anybody winds, turns that no layout can take. By the thinnest wire: the
-/// thicker the fewer.
+/// Adds faults for wires that do not fit, too many wires, and turns that no layout can hold, by the thinnest wire,
+/// because thicker ones are fewer.
 void check_sizes(const FillRequest& request, bool listed, std::vector<InputFault>& faults) {
   const auto thinnest =
       std::min_element(request.wires.begin(), request.wires.end(),
@@ -118,7 +118,7 @@ void check_sizes(const FillRequest& request, bool listed, std::vector<InputFault
                                  " wires, at most " + std::to_string(max_wires) + " are computed"});
   }
   if (bound == 0 || bound > max_wires || !(request.serial || request.parallel)) return;
-  // Layout potential may overlap wires, by different shares of their radii.
+  // The algorithm `potential` may overlap wires, by different shares of their radii.
   std::size_t most = bound;
   if (std::find(request.algorithms.begin(), request.algorithms.end(), winding::Algorithm::potential) !=
       request.algorithms.end())

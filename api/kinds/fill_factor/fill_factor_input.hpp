@@ -1,5 +1,5 @@
 #pragma once
-/// Parts of reading a spec of kind "fill_factor".
+/// Parts of the reader of kind "fill_factor".
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
@@ -7,7 +7,7 @@
 
 namespace bahnwerk::api::fill_factor {
 
-/// The wires of a spec that passed its schema; adds a fault for each that is none.
+/// Returns the wires of a spec that passed its schema; adds a fault for each invalid one.
 std::vector<winding::Wire> wires(const nlohmann::json& spec, int grade, std::vector<InputFault>& faults);
 
 }  // namespace bahnwerk::api::fill_factor

@@ -1,4 +1,4 @@
-// The wires of a spec of kind "fill_factor": standard ones by range or diameter, and any others.
+// The wires of a spec of kind "fill_factor": standard ones by a range or by diameters, and arbitrary ones.
 #include <nlohmann/json.hpp>
 
 #include "api/kinds/fill_factor/fill_factor_input.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-/// Kind "winding": JSON spec → core → result document. Angles are deg in documents and rad in core.
+/// Kind "winding": reads its spec into the terms of core. Angles are deg in documents and rad in core.
 #include <nlohmann/json_fwd.hpp>
 
 #include "api/kind.hpp"
@@ -7,7 +7,7 @@
 
 namespace bahnwerk::api::winding_kind {
 
-/// Most turns of one coil, by the proven bound of the slot, and of all coils together.
+/// Limits of the turns of one coil, which the proven bound of the slot also limits, and of all coils together.
 inline constexpr std::size_t max_turns = 2000, max_all_turns = 4000;
 inline constexpr double max_setpoints = 20'000'000;
 

@@ -45,7 +45,7 @@ class Fit {
   bool given_in(const char* object, const char* member) const {
     return spec_.contains(object) && spec_[object].contains(member) && !spec_[object][member].is_null();
   }
-  /// "" where the document says the value itself.
+  /// Returns "" if the document gives the value itself.
   const char* usual(const char* object, const char* member) const {
     return given_in(object, member) ? "" : " (the default)";
   }
@@ -110,7 +110,7 @@ class Fit {
           bend_in_words() + ": a turn is no higher than " + mm(2 * most) + ", its bends are smaller than half");
   }
 
-  /// Height of a turn along the part's axis, mm.
+  /// Returns the height of a turn along the part's axis, mm.
   double turn_height() const {
     return std::visit(
         [](const auto& part) {
@@ -122,7 +122,7 @@ class Fit {
         request_.part);
   }
 
-  /// Radius of the circle in which the wire's stiffness bends it, mm.
+  /// Returns the radius of the circle in which the wire's stiffness bends it, mm.
   double stretched() const { return request_.model.pull.bending_moment / request_.model.pull.force; }
   std::vector<std::string> bends() const {
     if (stretched() <= request_.model.pull.bend_radius) return {"pull", "bend_radius"};
@@ -133,7 +133,7 @@ class Fit {
     return "is " + mm(request_.model.pull.bend_radius);
   }
 
-  /// The needle, and the wire between it and its place, stand across the bore.
+  /// Checks that the needle, and the wire between it and its place, fit into the bore.
   void bore() {
     const double bore = winding::bore(*stator_);
     const std::string in = " the bore of " + mm(bore) + " (twice base_radius less height)";
@@ -161,7 +161,7 @@ class Fit {
     if (request_.tool.height < heads.tool_height)
       add({"tool", "height"}, "is " + mm(request_.tool.height) + ": the wire lies at part.tool_height, " +
                                   mm(heads.tool_height) + ", above the post");
-    // Tools stand behind every slot. The default size gives way nowhere: the source has none.
+    // Tools stand behind every slot. The default size is never reduced, because the source gives none.
     const double pitch = stator_->pitch(), width = request_.tool.width, thickness = request_.tool.thickness,
                  room = 2 * (heads.tool_radius - thickness) * std::tan(pitch / 2);
     const bool wide = given_in("tool", "width"), thick = given_in("tool", "thickness");

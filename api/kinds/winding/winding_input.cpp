@@ -16,7 +16,7 @@ using winding::Slot;
 
 std::string in_hand(std::size_t parallel) { return parallel > 1 ? " of " + std::to_string(parallel) + " wires" : ""; }
 
-/// Turns that no layout can have, by a proven bound, and more than anybody winds.
+/// Adds faults for turns that no layout can have, by a proven bound, and for too many turns.
 void check_turns(const WindingRequest& request, const Slot& slot, Faults& faults) {
   const double r = request.wire.radius();
   const std::size_t bound = winding::max_wires(slot.usable_area, r, 2 * r), coils = request.coils.size();
@@ -43,7 +43,7 @@ void check_turns(const WindingRequest& request, const Slot& slot, Faults& faults
   }
 }
 
-/// Slot and regions are made to find what is impossible; planning makes them again.
+/// Slot and regions are computed to find what is impossible; planning computes them again.
 void check_part(WindingRequest& request, const json& spec, Faults& faults) {
   const auto* stator = std::get_if<winding::StatorPart>(&request.part);
   const auto* rotor = std::get_if<winding::RotorPart>(&request.part);
@@ -102,7 +102,7 @@ WindingRequest request(const json& spec) {
   try {
     check_part(request, spec, faults);
   } catch (const InvalidInput& error) {
-    // What was found wrong on reading is not said again in core's words.
+    // Faults found while reading are not repeated in core's words.
     for (const InputFault& fault : relocated(error).faults)
       if (std::none_of(faults.begin(), faults.end(),
                        [&](const InputFault& known) { return known.place == fault.place; }))

@@ -1,5 +1,5 @@
 #pragma once
-/// Parts of reading a spec of kind "winding"; each adds a fault for whatever is impossible.
+/// Parts of the reader of kind "winding"; each adds a fault for whatever is impossible.
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <variant>
@@ -20,7 +20,7 @@ std::vector<winding::Coil> coils(const nlohmann::json& spec,
 /// Returns the machine; for a robot one per arm that may be used.
 std::vector<std::shared_ptr<const Kinematics>> machine(const nlohmann::json& spec, Faults& faults);
 
-/// Returns where the part's coordinates stand in the machine's.
+/// Returns the position and rotation of the part's coordinates in the machine's.
 PoseFrame pose_frame(const nlohmann::json& spec);
 /// Returns the distance from the swivel's axis to the needle's tip, mm.
 double swivel_length(const nlohmann::json& spec);
@@ -31,10 +31,10 @@ winding::NeedleModel needle_model(const nlohmann::json& spec, const winding::Wir
 winding::TensionModel tension_model(const nlohmann::json& spec, const winding::Wire& wire);
 /// Returns the tensile strength of the wire's copper, N/mm².
 double wire_strength(const nlohmann::json& spec);
-/// Returns the tension that the wire shall have, N; a tenth of what it bears where the document leaves it open.
+/// Returns the requested tension of the wire, N; by default a tenth of its breaking force.
 double wire_force(const nlohmann::json& spec, const winding::Wire& wire);
-/// Adds a fault where wire, needle, pull or winding tools do not fit each other or the part, whose slot is `slot`: what
-/// no plan could do is refused. The wire must be known.
+/// Adds a fault where wire, needle, pull or winding tools do not fit each other or the part with the slot `slot`, so
+/// that no plan can exist. The wire must be known.
 void check_fit(const nlohmann::json& spec, const WindingRequest& request, const winding::Slot& slot, Faults& faults);
 winding::NeedleShape needle_shape(const nlohmann::json& spec);
 winding::ToolPost tool(const nlohmann::json& spec, const winding::StatorHeads* heads, Faults& faults);

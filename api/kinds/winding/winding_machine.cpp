@@ -25,7 +25,7 @@ PartPlace place(const json& document, PartPlace standing) {
   return standing;
 }
 
-/// In the axes' units, mm and rad, as `rotary` tells them apart.
+/// Reads the limits of the five axes in mm or, where `rotary`, in rad.
 std::vector<Limits> limits(const json& document, const std::array<bool, 5>& rotary, Faults& faults) {
   std::vector<Limits> list(5);
   for (std::size_t k = 0; k < 5; ++k) {
@@ -76,7 +76,7 @@ Machines horizontal(const json& document, Faults& faults) {
   return {std::make_shared<const HorizontalWinder>(sizes, limits(document, {false, false, false, true, true}, faults))};
 }
 
-/// The machines by the names that documents give them. To add one, add a row.
+/// The machines by their names in documents. A new machine is one more row.
 struct Row {
   const char* name;
   Machines (*read)(const json& document, Faults& faults);

@@ -64,7 +64,7 @@ winding::TensionModel tension_model(const json& spec, const winding::Wire& wire)
   take(pull, "effective_mass", model.mass);
   take(pull, "friction", model.friction);
   take(pull, "brake_range", model.range);
-  // Where the copper yields; a wire that shall be drawn thinner may be pulled as far as it bears.
+  // Stress at which the copper yields; a wire that may become thinner can be pulled up to its breaking force.
   const double bears = winding::breaking_pull(wire, wire_strength(spec)),
                yields = std::min(winding::yield_pull(wire), bears);
   model.permitted = model.force <= yields ? yields : bears;

@@ -13,7 +13,7 @@ using winding::Coil;
 
 int reduced(int n, int slots) { return ((n % slots) + slots) % slots; }
 
-/// What no two coils may share: a stator's slot takes one coil side, a rotor's pole one coil.
+/// Return what no two coils may share: a stator's slot takes one coil side, a rotor's pole one coil.
 std::vector<int> sides(const Coil& coil, int slots) {
   return {reduced(coil.first, slots), reduced(coil.first + coil.span, slots)};
 }

@@ -77,7 +77,7 @@ ordered_json arm(const WindingPlan& plan) {
 
 bool takes_profile(const WindingRequest& request) { return method_row(request.feed).takes_profile; }
 
-/// What of the layout cannot be wound, and how many turns can.
+/// Reports which wires of the layout cannot be wound, and how many turns can.
 void add_windable_notes(const WindingRequest& request, const WindingPlan& plan, ordered_json& list) {
   const std::size_t wanted = wires_per_coil(request, plan);
   if (plan.windable.can_be_wound(wanted)) return;
@@ -164,7 +164,7 @@ ordered_json wire(const WindingRequest& request, const WindingPlan& plan) {
           {"acceleration", w.acceleration}};
 }
 
-/// From a turn's begin to the next one's, or to the end.
+/// Returns the least, mean and largest duration of a turn, s, from its begin to the next one's, or to the end.
 ordered_json turn_time(const WindingPlan& plan) {
   const auto& begins = plan.turn_begins;
   double least = unlimited, most = 0;

@@ -1,5 +1,5 @@
 #pragma once
-/// What is reported of a winding plan. Angles are deg, turns and coils are counted from 1.
+/// The result of kind "winding". Angles are deg; turns and coils are counted from 1.
 #include <nlohmann/json_fwd.hpp>
 
 #include "core/plan/winding/winding_plan.hpp"

@@ -1,4 +1,4 @@
-// What the verifier says of a winding: rotary axes in deg, and of what failed the place and what to change.
+// The verdict on a winding: rotary axes in deg; failed checks with their place and advice.
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
@@ -21,7 +21,7 @@ Verification in_degrees(Verification verdict) {
   return verdict;
 }
 
-/// Piece of the needle's path at time `t`.
+/// Returns the piece of the needle's path at time `t`, s.
 const winding::NeedlePiece& piece_at(const WindingPlan& plan, double t) {
   const TimeLaw& law = plan.motion.motion->law();
   return plan.path.pieces.at(plan.tool->tool[law.pieces().at(law.find(t)).segment].source());

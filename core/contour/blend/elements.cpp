@@ -39,7 +39,7 @@ std::shared_ptr<const Curve> Element::part(double a, double b) const {
   return std::make_shared<Rational>(rational.restricted(u0, u1, 0.5 * (u0 + u1)));
 }
 
-std::size_t Stretch::find(double t, std::size_t hint) const {
+std::size_t ElementRun::find(double t, std::size_t hint) const {
   const std::size_t n = elements.size();
   for (std::size_t i = hint; i < std::min(n, hint + 2); ++i)
     if ((i == 0 || t >= elements[i].begin) && (i + 1 == n || t < elements[i + 1].begin)) return i;
@@ -48,7 +48,7 @@ std::size_t Stretch::find(double t, std::size_t hint) const {
   return after == elements.begin() ? 0 : static_cast<std::size_t>(after - elements.begin()) - 1;
 }
 
-std::size_t Stretch::near(double t, std::size_t from) const {
+std::size_t ElementRun::near(double t, std::size_t from) const {
   constexpr int few = 16;
   const std::size_t n = elements.size();
   std::size_t i = std::min(from, n - 1);
@@ -126,9 +126,9 @@ void append_lines(const Path& path, std::size_t first, std::size_t last, const s
 
 }  // namespace
 
-std::vector<Stretch> stretches(const Path& path, std::size_t first, std::size_t last,
-                               const std::vector<std::size_t>& blocks, double tiny, double reversal,
-                               ProgressScope& progress) {
+std::vector<ElementRun> element_runs(const Path& path, std::size_t first, std::size_t last,
+                                     const std::vector<std::size_t>& blocks, double tiny, double reversal,
+                                     ProgressScope& progress) {
   std::vector<Element> elements;
   for (std::size_t i = first; i < last;) {
     progress.work();
@@ -146,7 +146,7 @@ std::vector<Stretch> stretches(const Path& path, std::size_t first, std::size_t 
       for (std::size_t k = i; k < j; ++k) elements.push_back(whole(path, k, blocks[k]));
     i = j;
   }
-  std::vector<Stretch> list;
+  std::vector<ElementRun> list;
   for (std::size_t i = 0; i < elements.size(); ++i) {
     progress.work();
     Element& e = elements[i];

@@ -31,7 +31,7 @@ struct Element {
 };
 
 /// Consecutive elements of one mode. The path stays unchanged at both ends.
-struct Stretch {
+struct ElementRun {
   std::vector<Element> elements;
   bool rest_begin = true, rest_end = true;  ///< the motion rests there, so the direction is free
   double length() const { return elements.empty() ? 0.0 : elements.back().end(); }
@@ -46,8 +46,8 @@ struct Stretch {
 /// at cusps. Lines shorter than `tiny` mm are merged with neighbours of their block: vertices move by at most twice
 /// that, borders of blocks not at all, and each block has at least one element. `blocks[i]` is the block of segment i.
 /// O(segments); tells `progress`.
-std::vector<Stretch> stretches(const Path& path, std::size_t first, std::size_t last,
-                               const std::vector<std::size_t>& blocks, double tiny, double reversal,
-                               ProgressScope& progress);
+std::vector<ElementRun> element_runs(const Path& path, std::size_t first, std::size_t last,
+                                     const std::vector<std::size_t>& blocks, double tiny, double reversal,
+                                     ProgressScope& progress);
 
 }  // namespace bahnwerk::blending

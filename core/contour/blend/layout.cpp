@@ -27,7 +27,7 @@ void add_run(std::vector<Change>& list, double a, double b) {
 
 }  // namespace
 
-std::vector<Change> lay_out(const Stretch& stretch, double tolerance, const std::vector<Ability>& ability,
+std::vector<Change> lay_out(const ElementRun& stretch, double tolerance, const std::vector<Ability>& ability,
                             ProgressScope& progress) {
   const auto& elements = stretch.elements;
   const std::size_t n = elements.size();
@@ -70,7 +70,7 @@ std::vector<Change> lay_out(const Stretch& stretch, double tolerance, const std:
   return list;
 }
 
-std::vector<std::size_t> sharpest_joints(const Stretch& stretch, double a, double b,
+std::vector<std::size_t> sharpest_joints(const ElementRun& stretch, double a, double b,
                                          const std::vector<double>& failure_positions, std::size_t hint) {
   std::vector<std::size_t> cuts;
   for (const double t : failure_positions) {

@@ -21,13 +21,13 @@ struct Change {
 /// curvature jumps) is crowded: it and everything within its request belong to a run; overlapping requests form one
 /// run. Runs end before corners that the tolerance alone limits. `ability[i]` are the machine's limits on element i.
 /// O(elements); tells `progress` every few ms.
-std::vector<Change> lay_out(const Stretch& stretch, double tolerance, const std::vector<Ability>& ability,
+std::vector<Change> lay_out(const ElementRun& stretch, double tolerance, const std::vector<Ability>& ability,
                             ProgressScope& progress);
 
 /// Returns, for each of `failure_positions` (ascending) on a run from a to b, the sharpest joint inside the run near
 /// that place, as the element that begins there: ascending, without duplicates, none where no joint turns. `hint` is an
 /// element not behind a.
-std::vector<std::size_t> sharpest_joints(const Stretch& stretch, double a, double b,
+std::vector<std::size_t> sharpest_joints(const ElementRun& stretch, double a, double b,
                                          const std::vector<double>& failure_positions, std::size_t hint);
 
 }  // namespace bahnwerk::blending

@@ -9,7 +9,7 @@
 
 namespace bahnwerk::blending {
 
-bool begins_at_end(const Stretch& stretch, const RunRange& range) {
+bool begins_at_end(const ElementRun& stretch, const RunRange& range) {
   constexpr double clear = 1e-7;
   const double length = range.b - range.a;
   const Vec begin = point_of(stretch, range.a), end = point_of(stretch, range.b);
@@ -21,7 +21,7 @@ bool begins_at_end(const Stretch& stretch, const RunRange& range) {
   return false;
 }
 
-ReversedRun::ReversedRun(const Stretch& stretch, const RunRange& range) : given_(range) {
+ReversedRun::ReversedRun(const ElementRun& stretch, const RunRange& range) : given_(range) {
   const std::size_t first = stretch.find(range.a, 0);
   std::size_t last = first;
   while (last < stretch.elements.size() && stretch.elements[last].begin < range.b) ++last;

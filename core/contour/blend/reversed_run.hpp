@@ -11,20 +11,20 @@ namespace bahnwerk::blending {
 /// Whether a run is smoothed from its end: the first of several chords decides that is longer at the beginning than its
 /// mirror image at the end, by 1e-7 of its length. The choice is independent of the frame and of the direction of the
 /// contour; a run that is its own mirror image begins at its beginning. O(log elements).
-bool begins_at_end(const Stretch& stretch, const RunRange& range);
+bool begins_at_end(const ElementRun& stretch, const RunRange& range);
 
 class ReversedRun {
  public:
   /// Copies the elements of the range. O(elements of the range).
-  ReversedRun(const Stretch& stretch, const RunRange& range);
-  const Stretch& stretch() const { return stretch_; }
+  ReversedRun(const ElementRun& stretch, const RunRange& range);
+  const ElementRun& stretch() const { return stretch_; }
   const RunRange& range() const { return range_; }
   /// Returns the result of smoothing in the direction of the given run. O(pieces).
   SmoothedRun turned_back(SmoothedRun run) const;
 
  private:
   std::vector<std::unique_ptr<Segment>> segments_;  ///< for curved elements
-  Stretch stretch_;
+  ElementRun stretch_;
   RunRange given_, range_;
   double end_ = 0;  ///< a place t of the given stretch is end_ − t here
 };

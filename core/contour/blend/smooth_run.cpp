@@ -23,7 +23,7 @@ constexpr double site_step = 0.25;   // of H
 constexpr double slowest = 0.05;     // smallest |f'|: below it the curve all but turns round in a point
 
 /// All joints of the run, and places between them so that none is further from the next than H/4.
-std::vector<TubeSite> sites_of(const Stretch& stretch, const RunRange& range, const TubeScale& scale, double radius,
+std::vector<TubeSite> sites_of(const ElementRun& stretch, const RunRange& range, const TubeScale& scale, double radius,
                                const std::vector<double>& extra) {
   std::vector<double> places;
   const double tiny = 1e-9 * (range.b - range.a);
@@ -86,7 +86,7 @@ void cut_at(const std::vector<double>& borders, SmoothedRun& run) {
   run.breaks = std::move(breaks);
 }
 
-TubeEnd end_of(const Stretch& stretch, double t, bool clamped) {
+TubeEnd end_of(const ElementRun& stretch, double t, bool clamped) {
   const Element& e = stretch.elements[stretch.find(t, 0)];
   const double along = std::clamp(t - e.begin, 0.0, e.length);
   return {clamped, e.at(along)};
@@ -128,7 +128,7 @@ struct Finding {
 /// Looks at the distance, everywhere, and at the speed.
 class Inspection {
  public:
-  Inspection(const Stretch& stretch, const TubeProblem& problem, const TubeSpline& spline,
+  Inspection(const ElementRun& stretch, const TubeProblem& problem, const TubeSpline& spline,
              const RunTolerance& tolerance)
       : stretch_(stretch),
         problem_(problem),
@@ -196,7 +196,7 @@ class Inspection {
     if (outside_ < 0) prove(middle, b, depth - 1);
   }
 
-  const Stretch& stretch_;
+  const ElementRun& stretch_;
   const TubeProblem& problem_;
   const SpanPolynomials spline_;
   const RunTolerance& tolerance_;
@@ -213,7 +213,7 @@ struct Window {
   std::vector<double> failure_positions;  ///< if not done
 };
 
-Window smooth_window(const Stretch& stretch, const RunRange& range, TubeScale scale, const TubeEnd& begin,
+Window smooth_window(const ElementRun& stretch, const RunRange& range, TubeScale scale, const TubeEnd& begin,
                      const TubeEnd& end, const RunTolerance& tolerance, std::size_t dimension,
                      ProgressScope& progress) {
   Window window;
@@ -254,7 +254,7 @@ Window smooth_window(const Stretch& stretch, const RunRange& range, TubeScale sc
 /// Window by window along a run, each on from where the one before it was cut.
 class WindowedRun {
  public:
-  WindowedRun(const Stretch& stretch, const RunRange& range, const RunTolerance& tolerance, std::size_t dimension,
+  WindowedRun(const ElementRun& stretch, const RunRange& range, const RunTolerance& tolerance, std::size_t dimension,
               bool rests, ProgressScope& progress)
       : stretch_(stretch),
         range_(range),
@@ -357,7 +357,7 @@ class WindowedRun {
     run_.failure_positions = window.failure_positions;
   }
 
-  const Stretch& stretch_;
+  const ElementRun& stretch_;
   const RunRange& range_;
   const RunTolerance& tolerance_;
   std::size_t dimension_;
@@ -378,7 +378,7 @@ class WindowedRun {
 
 }  // namespace
 
-SmoothedRun smooth_run(const Stretch& stretch, const RunRange& range, const std::vector<double>& borders,
+SmoothedRun smooth_run(const ElementRun& stretch, const RunRange& range, const std::vector<double>& borders,
                        const RunTolerance& tolerance, std::size_t dimension, bool rests, ProgressScope& progress) {
   SmoothedRun run;
   if (begins_at_end(stretch, range)) {

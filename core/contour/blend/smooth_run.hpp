@@ -42,7 +42,7 @@ struct SmoothedRun {
 /// previous one was cut (three derivatives are common there) and extends 96 intervals beyond its own cut, where its end
 /// has no visible influence. If a window cannot start from a cut, it is merged with the previous one. Memory: about 1.5
 /// kB per interval of a window, and the pieces.
-SmoothedRun smooth_run(const Stretch& stretch, const RunRange& range, const std::vector<double>& borders,
+SmoothedRun smooth_run(const ElementRun& stretch, const RunRange& range, const std::vector<double>& borders,
                        const RunTolerance& tolerance, std::size_t dimension, bool rests, ProgressScope& progress);
 
 }  // namespace bahnwerk::blending

@@ -12,7 +12,7 @@ constexpr double node_step = 0.25;  // of H
 constexpr std::size_t fewest = 8;   // intervals
 
 /// The contour around t, `h` long, stays within the tolerance of its chord. `near`: an element near t.
-bool flat(const Stretch& stretch, double a, double b, double t, double h, double tolerance, std::size_t near) {
+bool flat(const ElementRun& stretch, double a, double b, double t, double h, double tolerance, std::size_t near) {
   const double low = std::max(a, t - 0.5 * h), high = std::min(b, t + 0.5 * h);
   const Vec p = point_of(stretch, low, near);
   std::size_t last = near;
@@ -29,13 +29,13 @@ bool flat(const Stretch& stretch, double a, double b, double t, double h, double
 
 }  // namespace
 
-Vec point_of(const Stretch& stretch, double t, std::size_t& at) {
+Vec point_of(const ElementRun& stretch, double t, std::size_t& at) {
   const Element& e = stretch.elements[at = stretch.near(t, at)];
   const double along = std::clamp(t - e.begin, 0.0, e.length);
   return e.straight ? e.from + along * e.tangent : e.at(along).value;
 }
 
-TubeScale::TubeScale(const Stretch& stretch, double a, double b, double tolerance, ProgressScope& progress) {
+TubeScale::TubeScale(const ElementRun& stretch, double a, double b, double tolerance, ProgressScope& progress) {
   const double most = 0.5 * (b - a), least = std::min(tolerance, most);
   min_ = least / 16;
   double h = most;

@@ -13,7 +13,7 @@ namespace bahnwerk::blending {
 class TubeScale {
  public:
   /// Computes H between a and b of a stretch, mm; `tolerance` in mm. O(nodes · log elements), some 4 nodes per H.
-  TubeScale(const Stretch& stretch, double a, double b, double tolerance, ProgressScope& progress);
+  TubeScale(const ElementRun& stretch, double a, double b, double tolerance, ProgressScope& progress);
 
   /// Returns H at `t`, mm along the stretch. O(log nodes).
   double at(double t) const;
@@ -40,9 +40,9 @@ class TubeScale {
 
 /// Returns the point of a stretch at `t`; `at` becomes the element that holds it. O(1) near the previous element `at`,
 /// else O(log elements).
-Vec point_of(const Stretch& stretch, double t, std::size_t& at);
+Vec point_of(const ElementRun& stretch, double t, std::size_t& at);
 /// Returns the point of a stretch at `t`.
-inline Vec point_of(const Stretch& stretch, double t) {
+inline Vec point_of(const ElementRun& stretch, double t) {
   std::size_t at = stretch.find(t, stretch.elements.size());
   return point_of(stretch, t, at);
 }

@@ -38,7 +38,7 @@ AxisTurns::AxisTurns(const KinematicAxisPath& path) {
   };
   std::vector<Span> open;
   for (std::size_t segment = 0; segment < path.size(); ++segment) {
-    first_.push_back(stretches_.size());
+    first_.push_back(intervals_.size());
     const Curve& curve = path[segment].curve();
     follow(segment, curve.begin());
     open.assign(1, {curve.begin(), curve.end(), 0});
@@ -61,27 +61,27 @@ AxisTurns::AxisTurns(const KinematicAxisPath& path) {
         continue;
       }
       follow(segment, middle);
-      stretches_.push_back({span.end, now});
+      intervals_.push_back({span.end, now});
       follow(segment, span.end);
     }
   }
-  first_.push_back(stretches_.size());
+  first_.push_back(intervals_.size());
   for (std::size_t k = 0; k < axes_; ++k) {
-    if (!(period_[k] > 0) || stretches_.empty()) continue;
+    if (!(period_[k] > 0) || intervals_.empty()) continue;
     const AxisLimits& axis = machine.axes()[k];
     const bool ranged = std::isfinite(axis.lowest) && std::isfinite(axis.highest);
     const double wanted = ranged ? axis.lowest + (axis.highest - axis.lowest) / 2 : 0,
-                 is = ranged ? lowest[k] + (highest[k] - lowest[k]) / 2 : stretches_.front().middle[k],
+                 is = ranged ? lowest[k] + (highest[k] - lowest[k]) / 2 : intervals_.front().middle[k],
                  shift = period_[k] * whole((wanted - is) / period_[k]);
-    for (Stretch& stretch : stretches_) stretch.middle[k] += shift;
+    for (Interval& stretch : intervals_) stretch.middle[k] += shift;
   }
 }
 
 void AxisTurns::add(std::size_t segment, double u, AxisArray& position) const {
   if (axes_ == 0) return;
-  const auto begin = stretches_.begin() + static_cast<std::ptrdiff_t>(first_[segment]),
-             end = stretches_.begin() + static_cast<std::ptrdiff_t>(first_[segment + 1]) - 1;
-  const Stretch& here = *std::lower_bound(begin, end, u, [](const Stretch& s, double at) { return s.end < at; });
+  const auto begin = intervals_.begin() + static_cast<std::ptrdiff_t>(first_[segment]),
+             end = intervals_.begin() + static_cast<std::ptrdiff_t>(first_[segment + 1]) - 1;
+  const Interval& here = *std::lower_bound(begin, end, u, [](const Interval& s, double at) { return s.end < at; });
   for (std::size_t k = 0; k < axes_; ++k)
     if (period_[k] > 0) position[k] += period_[k] * whole((here.middle[k] - position[k]) / period_[k]);
 }

@@ -25,13 +25,13 @@ class AxisTurns {
   void add(std::size_t segment, double u, AxisArray& position) const;
 
  private:
-  struct Stretch {
+  struct Interval {
     double end = 0;  ///< parameter at which the interval ends
     AxisArray middle{};
   };
   AxisArray period_{};
   std::size_t axes_ = 0;
-  std::vector<Stretch> stretches_;
+  std::vector<Interval> intervals_;
   std::vector<std::size_t> first_;  ///< first interval of each segment, and one more entry for the end
 };
 

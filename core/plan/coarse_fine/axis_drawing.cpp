@@ -18,7 +18,7 @@ constexpr std::size_t columns = 360;
 constexpr double width = 720, height = 96, right = 16, title = 30;
 constexpr const char *head_colour = "#8a919b", *coarse_colour = "#1f5fbf", *fine_colour = "#d9730d";
 
-/// What one axis does: of head, coarse and fine axis the position, velocity and acceleration.
+/// Curves of one axis: position, velocity and acceleration of head, coarse and fine axis.
 struct Curves {
   std::vector<Envelope> head, coarse, fine;
   explicit Curves(double end) : head(3, {columns, end}), coarse(head), fine(head) {}

@@ -1,5 +1,5 @@
 #pragma once
-/// Drawings of a plan with coarse and fine axes.
+/// Drawings of the axes of a plan with coarse and fine axes.
 #include <string>
 #include <vector>
 
@@ -10,13 +10,13 @@ namespace bahnwerk {
 
 class Progress;
 
-/// Per moving axis over time: positions of head and coarse axis, the fine axis within its stroke, velocities and
-/// accelerations of both with their limits [kind of Bock, Figs. 4.6 to 4.9], as SVG below 200 kB. What is drawn are the
-/// least and largest values near ends and at middles of the motion's cells in each of 360 columns; limits are drawn
-/// where they are not far from what is reached. O(cells).
+/// Returns an SVG below 200 kB with, per moving axis over time, the positions of head and coarse axis, the position of
+/// the fine axis within its stroke, and velocities and accelerations of both with their limits [as Bock, Figs. 4.6 to
+/// 4.9]. Curves show the least and largest values, at ends and middles of the motion's cells, in each of 360 columns. A
+/// limit far from the values reached is not drawn. O(cells).
 std::string axis_drawing(const CoarseFinePlan& plan, const CoarseFineMachine& machine, Progress& progress);
 
-/// The way of the coarse axes: the ends of their cells, mm.
+/// Returns the path of the coarse axes, mm, at the ends of their cells.
 std::vector<Vec> coarse_way(const CoarseFinePlan& plan);
 
 }  // namespace bahnwerk

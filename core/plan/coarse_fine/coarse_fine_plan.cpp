@@ -45,7 +45,7 @@ AxisLimits stage(const Limits& limits, const std::string& name) {
   return axis;
 }
 
-/// How much longer everything has to last so that limits hold which are exceeded by rounding; 1: nothing helps.
+/// Returns the factor ≥ 1 of the duration with which limits that are exceeded by rounding hold; 1: no factor helps.
 double slower(const Verification& verification) {
   double factor = 1;
   for (const Check& check : verification.checks) {
@@ -56,7 +56,7 @@ double slower(const Verification& verification) {
   return factor > 1 ? factor * (1 + 1e-12) : 1;
 }
 
-/// Those that lose most time against their bounds, first.
+/// Sorts the sections by their excess over their bounds, the largest first.
 std::vector<SectionGap> slowest(std::vector<SectionGap> sections) {
   std::erase_if(sections, [](const SectionGap& s) { return !(s.gap > slow_section); });
   const auto more = [](const SectionGap& a, const SectionGap& b) { return a.time - a.bound > b.time - b.bound; };
@@ -91,8 +91,7 @@ class CoarseFineProblem final : public MotionProblem {
     if (!tried(bounded()) && !plan_otherwise()) std::rethrow_exception(why_not_);
   }
 
-  /// The motion in the direction of time, as it was before it was timed again, or the joint planner's, or that of the
-  /// coarse axes alone.
+  /// The motion before reparametrisation, or the joint planner's, or that of the coarse axes alone, as alternatives.
   bool plan_otherwise() override {
     if (found_ && std::find(result_.notes.begin(), result_.notes.end(), backwards_note) != result_.notes.end()) {
       either_direction_ = false;  // as it is planned in the direction of time, first
@@ -217,7 +216,7 @@ class CoarseFineProblem final : public MotionProblem {
   }
 
  private:
-  // Where the stages end.
+  // Ends of the stages in the job's progress.
   double posed() const { return blended() ? 0.3 : 0.0; }
   double bounded() const { return posed() + 0.05; }
   bool blended() const { return planning_.corner_mode == CornerMode::blend; }
@@ -247,8 +246,8 @@ class CoarseFineProblem final : public MotionProblem {
 
   PathTask head_task() const { return {*path_.moving, moving_head_, path_.feeds, path_.rests, path_.dwells}; }
 
-  /// Where sections take longer than their bounds they may have to, together. A motion that is slower on purpose says
-  /// nothing of that.
+  /// Adds the gain of chains of sections (stroke_chains.hpp) where sections take longer than their bounds. A motion
+  /// that is slower on purpose gives no indication where to look.
   void bound_chains() {
     const bool fastest =
         options_.method == RedundancyMethod::joint && options_.smoothness == 0 && options_.stretch <= 1;
@@ -271,7 +270,7 @@ class CoarseFineProblem final : public MotionProblem {
     stretch_ = 1;
   }
 
-  /// With the options tried_. False: there is no plan.
+  /// Plans with the options tried_. Returns false if there is no plan.
   bool tried(double from) {
     found_ = false;
     try {
@@ -286,7 +285,7 @@ class CoarseFineProblem final : public MotionProblem {
     }
   }
 
-  /// What is planned where a plan with those options did not hold its limits.
+  /// Returns the options of the next attempt after a plan with the given ones exceeded limits.
   std::optional<RedundancyOptions> another(RedundancyOptions options) const {
     options.compare = false;
     if (options.reparametrise)
@@ -303,7 +302,7 @@ class CoarseFineProblem final : public MotionProblem {
     return options;
   }
 
-  /// Of what gave way to another plan.
+  /// Adds the notes of plans that were replaced.
   void note_other_ways() {
     if (given_up_ == 0) return;
     result_.fallbacks += given_up_;
@@ -319,7 +318,7 @@ class CoarseFineProblem final : public MotionProblem {
     return check == nullptr ? 0 : check->value;
   }
 
-  /// Of the motion that is sampled, as verified.
+  /// Reports the figures of the motion that is sampled, as verified.
   std::vector<RedundancyPeaks> peaks() {
     std::vector<RedundancyPeaks> list;
     using enum CheckedQuantity;

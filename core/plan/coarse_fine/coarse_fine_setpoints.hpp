@@ -1,5 +1,5 @@
 #pragma once
-/// The setpoints of a head whose motion is the sum of coarse and fine axes.
+/// The setpoints of a head and its coarse and fine axes.
 #include <memory>
 
 #include "core/motion/axes/motion.hpp"
@@ -7,12 +7,12 @@
 
 namespace bahnwerk {
 
-/// Columns of ContourSetpoints, then of every axis x the coarse xc, then the fine xf, then vxc …, vxf …, axc …, axf ….
-/// The fine axes' are those of the head less those of the coarse axes, in every row. A row costs what one of the head
-/// does and one Motion::evaluate().
+/// The columns are those of ContourSetpoints, then for all axes x the coarse xc, the fine xf, then vxc …, vxf …, axc …,
+/// axf …. Fine values are the head's less the coarse ones, in every row. A row costs one row of the head and one
+/// Motion::evaluate().
 class CoarseFineSetpoints final : public ContourSetpoints {
  public:
-  /// `coarse` has the machine's axes and lasts as long as `head`.
+  /// `coarse` has the machine's axes and the same duration as `head`.
   CoarseFineSetpoints(const std::shared_ptr<const PathMotion>& head, std::shared_ptr<const Motion> coarse,
                       const Contour& contour, const Machine& machine, std::size_t cycles);
 

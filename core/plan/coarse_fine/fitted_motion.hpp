@@ -1,5 +1,6 @@
 #pragma once
-/// A coarse motion fitted to the head's motion that is served.
+/// A coarse motion adapted to the head's motion as it is served: slowed alike, with common borders of pieces and exact
+/// rest at the end.
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -9,15 +10,15 @@
 
 namespace bahnwerk {
 
-/// `motion`, slowed to last `factor` ≥ 1 times as long, as the head's law already is; followed by axes that stand still
-/// at `still`. Where its pieces and the law's end at the same time but for rounding, they end at the law's: else there
-/// would be moments at which the head has switched its acceleration and the coarse axes have not. What thousands of
-/// pieces added up to at the end instead of rest, by rounding, the last one takes out, in each axis that is a
-/// polynomial there: it is the fitted motion that is verified and served. final_state() is at rest.
+/// `motion` slowed by `factor` ≥ 1, like the head's law, followed by axes that stand still at `still`. Where its pieces
+/// and the law's pieces end at the same time up to rounding, they end at the law's time; otherwise there would be
+/// instants at which the head has changed its acceleration and the coarse axes have not. The rounding error that
+/// thousands of pieces sum up to at the end, instead of rest, is removed within the last piece of each axis that is
+/// polynomial there. The fitted motion is verified and served. final_state() is at rest.
 class FittedMotion final : public Motion {
  public:
-  /// `rest`: the derivatives that are 0 at the end: 1 the velocity, 2 the acceleration, too. O(pieces of both). Throws
-  /// std::invalid_argument for more than max_axes.
+  /// `rest` is the order up to which derivatives are 0 at the end: 1 velocity, 2 also acceleration. O(pieces of both).
+  /// Throws std::invalid_argument for more than max_axes axes.
   FittedMotion(std::shared_ptr<const Motion> motion, double factor, const TimeLaw& law, std::vector<double> still,
                int rest = 1);
   std::size_t axes() const override { return motion_->axes() + still_.size(); }
@@ -35,7 +36,7 @@ class FittedMotion final : public Motion {
   std::shared_ptr<const Motion> motion_;
   double factor_, duration_;
   std::vector<double> still_, begin_;
-  std::vector<Polynomial> last_;  // per axis: the last piece, corrected; empty where it is no polynomial
+  std::vector<Polynomial> last_;  // per axis: the corrected last piece; empty if it is not polynomial
 };
 
 }  // namespace bahnwerk

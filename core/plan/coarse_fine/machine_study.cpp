@@ -16,7 +16,7 @@ constexpr double factors[] = {0.25, 0.5, 0.75, 1, 1.5, 2};             // of the
 constexpr double other_factors[] = {0.5, 0.75, 1, 1.5, 2};             // of all other limits
 constexpr const char* stage = "machine study";
 
-/// The figure of that axis that is changed.
+/// Returns the studied figure of an axis.
 double& figure(CoarseFineAxis& axis, StudiedQuantity quantity) {
   switch (quantity) {
     case StudiedQuantity::fine_acceleration:
@@ -33,7 +33,7 @@ double& figure(CoarseFineAxis& axis, StudiedQuantity quantity) {
   return axis.stroke;
 }
 
-/// The first axis that has a fine one: what others are scaled by.
+/// Returns the first axis with a fine axis, by which others are scaled.
 std::size_t leading(const CoarseFineMachine& machine) {
   for (std::size_t k = 0; k < machine.axes.size(); ++k)
     if (machine.axes[k].stroke > 0) return k;
@@ -87,13 +87,13 @@ StudiedMachine studied(double value, const Contour& contour, const CoarseFineMac
   } catch (const Stopped&) {
     throw;
   } catch (const PlanningError& e) {
-    // A machine with which nothing can be planned: that is the answer.
+    // No plan exists with this machine, which is a valid answer.
     result.note = std::string("nothing can be planned: ") + e.what();
   }
   return result;
 }
 
-/// What a machine can do those with more can, too.
+/// A plan for a machine also is one for machines with larger values.
 void take_over(std::vector<StudiedMachine>& machines) {
   const StudiedMachine* best = nullptr;
   for (StudiedMachine& m : machines) {

@@ -1,5 +1,5 @@
 #pragma once
-/// What other axes would bring on a contour: for who buys or tunes the machine.
+/// A study of machines: the duration of a contour with other coarse and fine axes, for buying or tuning a machine.
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,36 +21,37 @@ inline constexpr Named<StudiedQuantity> studied_quantities[] = {
     {StudiedQuantity::coarse_acceleration, "coarse_acceleration"},
     {StudiedQuantity::coarse_velocity, "coarse_velocity"}};
 
-/// One table that is asked for.
+/// One requested table.
 struct StudyRequest {
   StudiedQuantity quantity = StudiedQuantity::stroke;
-  /// Values of the first axis, mm, mm/s, mm/s²; other axes scale alike, a stroke is every axis'. None: strokes from
-  /// 0.5 to 100 mm, limits from half to twice what they are.
+  /// Values of the first axis, mm, mm/s or mm/s²; other axes are scaled by the same factor, but strokes are equal for
+  /// all axes. Empty: strokes from 0.5 to 100 mm, limits from half to twice the present ones.
   std::vector<double> values;
 };
-/// One of each quantity.
+/// Returns one request per quantity.
 std::vector<StudyRequest> usual_studies();
 
 struct StudiedMachine {
   double value = 0;
-  std::optional<double> duration;    ///< s; none where nothing verified can be planned
-  std::string note;                  ///< why there is none, or which machine's plan it is
-  std::optional<Check> failed = {};  ///< the first check that no plan passed, where that is why
+  std::optional<double> duration;    ///< s; none if no verified plan exists
+  std::string note;                  ///< the reason why there is none, or the machine whose plan it is
+  std::optional<Check> failed = {};  ///< the first check that no plan passed, if that is the reason
 };
 struct Study {
   StudiedQuantity quantity = StudiedQuantity::stroke;
-  std::vector<StudiedMachine> machines;  ///< by ascending value
+  std::vector<StudiedMachine> machines;  ///< in ascending order of values
 };
 using MachineStudy = std::vector<Study>;
 
-/// Plans the contour again for every machine, all else being equal, with the shortest duration asked for. As many plans
-/// as machines. What a machine can do one with more of the same can, too: where its own plan is longer, theirs counts.
+/// Plans the contour for every machine, all else being equal, for the shortest duration: one plan per machine. A plan
+/// for smaller values also is one for larger values; where a machine's own plan takes longer, that one is reported.
 /// Throws Stopped.
 MachineStudy machine_study(const Contour& contour, const CoarseFineMachine& machine, const ContourPlanning& planning,
                            const RedundancyOptions& options, const std::vector<StudyRequest>& requests,
                            Progress& progress, double from, double to);
 
-/// All as curves over the figure that is changed, in SVG; `duration`: that of the machine as it is.
+/// Returns an SVG with the duration over the changed quantity, one curve per quantity; `duration` is that of the given
+/// machine, s.
 std::string machine_study_drawing(const MachineStudy& study, double duration);
 
 }  // namespace bahnwerk

@@ -1,5 +1,5 @@
 #pragma once
-/// How much coarse and fine axes accelerate on the whole: what heats their motors.
+/// Root mean square accelerations of coarse and fine axes, a measure of the heat in their motors.
 #include <vector>
 
 #include "core/base/progress_scope.hpp"
@@ -12,8 +12,9 @@ struct RmsAccelerations {
   std::vector<double> coarse, fine;
 };
 
-/// Returns both for the axes of `coarse` and for the rest of `head`, which lasts as long; Gauss' rule of five points in
-/// every smooth piece of both, exact where positions are polynomials. O(pieces of both).
+/// Returns the values for the coarse axes and for the fine ones (`head` less `coarse`, of equal duration), by Gauss
+/// quadrature with five points in every interval in which both are smooth; exact where positions are polynomials.
+/// O(pieces of both).
 RmsAccelerations rms_accelerations(const Motion& head, const Motion& coarse, ProgressScope& scope);
 
 }  // namespace bahnwerk

@@ -1,6 +1,6 @@
 #pragma once
-/// What contradicts itself in a contour, a machine and what is asked for. A fault's place is that in a document of kind
-/// "contour", such as {"machine", "axes", "z"}; `axes` are the machine's in their order.
+/// Faults of a contour, a machine and planning options, and contradictions between them. A fault's place is that in a
+/// document of kind "contour", such as {"machine", "axes", "z"}; `axes` are the machine's in their order.
 #include <cstddef>
 #include <vector>
 
@@ -11,22 +11,23 @@
 
 namespace bahnwerk {
 
-/// Limits and cycle times that are no positive numbers, ranges without extent. A schema excludes them; a machine that
-/// is built by hand may have them.
+/// Returns a fault for every limit or cycle time that is not a positive number and every range without extent. A schema
+/// excludes them, but a machine built by a program may have them.
 std::vector<InputFault> machine_faults(const Machine& machine);
 
-/// What the planning asks for and machine and options do not give, whatever the contour.
+/// Returns faults of the planning options that do not depend on the contour: whatever the method needs and machine or
+/// options lack.
 std::vector<InputFault> planning_faults(const Machine& machine, const ContourPlanning& planning);
 
-/// An axis is missing that the contour moves; none that it moves has the jerk limit that the method needs; or the
-/// motion would have more than planning.max_setpoints even at full speed. O(segments).
+/// Returns a fault if an axis that the contour moves is missing, if no moved axis has the jerk limit that the method
+/// needs, or if the motion would have more than planning.max_setpoints even at full speed. O(segments).
 std::vector<InputFault> contour_faults(const Contour& contour, const Machine& machine, const ContourPlanning& planning);
 
-/// Parts of the above, for machines whose head has other axes behind it; each adds its faults.
-/// `member` of the machine has the axes that its head needs.
+/// The following functions are parts of those above, for machines whose head carries other axes; each adds its faults.
+/// `member` is the machine's member with the axes that its head needs.
 void check_axes(const Contour& contour, const Machine& head, const char* member, std::vector<InputFault>& faults);
-/// s: no motion along a segment is faster than its feed or all axes at full speed together. Axes beyond the plane of a
-/// planar contour stand still.
+/// Returns a lower bound of the duration, s: no segment is passed faster than its feed or all axes at full speed
+/// permit. Axes outside the plane of a planar contour stand still.
 double shortest_time(const Contour& contour, const Machine& head);
 void check_setpoints(double shortest, const Machine& head, double max_setpoints, std::vector<InputFault>& faults);
 void check_corners(const ContourPlanning& planning, std::vector<InputFault>& faults);

@@ -1,5 +1,5 @@
 #pragma once
-/// What every plan of a contour tells, whatever its axes are.
+/// Parts of the report that all plans of contours have, whatever their axes are.
 #include <cstddef>
 
 #include "core/contour/contour.hpp"
@@ -11,14 +11,16 @@ namespace bahnwerk {
 
 class Progress;
 
-/// Times of the blocks in the motion that is sampled; the sums per mode in the planned one, which is `factor` quicker.
+/// Adds the times of the blocks, in the sampled motion, and the sums per mode, in the planned motion, which is shorter
+/// by `factor`.
 void report_blocks(const Contour& contour, const TimeLaw& sampled, double factor, ContourPlan& plan);
 
-/// Tangent jumps that are passed. Speeds as planned: `factor` times those that are sampled.
+/// Adds the tangent jumps that are passed at speed. Speeds are those of the planned motion: `factor` times the sampled
+/// ones.
 void report_joints(const Contour& contour, std::size_t axes, const TimeLaw& sampled, double factor, double corner_angle,
                    ContourPlan& plan, Progress& progress, double progress_at);
 
-/// A note of every axis that a planar contour does not move.
+/// Adds a note for every axis that a planar contour does not move.
 void note_still_axes(const Contour& contour, const Machine& machine, ContourPlan& plan);
 
 }  // namespace bahnwerk

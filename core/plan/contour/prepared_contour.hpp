@@ -1,5 +1,5 @@
 #pragma once
-/// A contour made ready for the pipeline: rounded, if that is asked for, where it pays.
+/// A contour prepared for the pipeline: rounded where that is requested and makes it quicker.
 #include <memory>
 
 #include "core/contour/contour.hpp"
@@ -12,10 +12,11 @@ class Progress;
 
 struct PreparedContour {
   std::shared_ptr<const Contour> driven;
-  PathPlanning path;  ///< blocks and setpoints are left to the caller, and its share of the progress, from `to` on
+  PathPlanning path;  ///< problem of the pipeline; the caller adds blocks and setpoints; its progress begins at `to`
 };
 
-/// Throws what rounding and planning throw. Progress runs from `from` to `to`, which is `from` where corners stay.
+/// Returns the prepared contour. Throws what rounding and planning throw. Progress runs from `from` to `to`; they are
+/// equal if corners stay.
 PreparedContour prepare_contour(const std::shared_ptr<const Contour>& given, const Machine& machine,
                                 const ContourPlanning& planning, Progress& progress, double from, double to);
 

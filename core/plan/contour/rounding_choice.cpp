@@ -12,13 +12,13 @@ namespace {
 
 constexpr double quicker = 1 - 1e-9;  // than this is rounding
 
-/// The pieces of a law that lie on the path's segments [first, last).
+/// Returns the range of pieces of a law on the path's segments [first, last).
 struct Part {
   std::size_t begin = 0, end = 0;
   double duration = 0;
 };
 
-/// Sections as they are looked at: segments [given, given_end) and [rounded, rounded_end).
+/// A section in both contours: segments [given, given_end) and [rounded, rounded_end).
 struct Section {
   std::size_t given = 0, given_end = 0, rounded = 0, rounded_end = 0;
   bool changed = false;
@@ -88,7 +88,8 @@ class Chooser {
     return method_.plan(task, options_, 0, progress_, from, to);
   }
 
-  /// The rounded law's time of every section; sections at whose begin it does not rest belong to the one before.
+  /// Computes the rounded law's time of every section; a section at whose begin it does not rest belongs to the one
+  /// before.
   void find_times(const TimeLaw& law) {
     std::vector<Section> found;
     std::size_t next = 0;
@@ -109,7 +110,7 @@ class Chooser {
     sections_ = std::move(found);
   }
 
-  /// Plans the sections that may be quicker with stops, one behind the other on a path of their own. False: there are
+  /// Plans the sections that may be quicker with stops, concatenated to a path of their own. Returns false if there are
   /// none.
   bool plan_with_stops(double from) {
     const CartesianAxisPath axes(given_->path, machine_.dimension());
@@ -140,7 +141,7 @@ class Chooser {
     return true;
   }
 
-  /// The curve stays where it is: the new path keeps the contour.
+  /// The segment shares its curve, so the new path keeps the contour.
   static void append(Path& path, const std::shared_ptr<const Contour>& from, std::size_t segment) {
     const Segment& s = from->path[segment];
     path.append_piece(std::shared_ptr<const Curve>(from, &s.curve()), s.source());
@@ -195,7 +196,8 @@ class Chooser {
       contour.rests.push_back({contour.path.size(), given_->rests[next].seconds, given_->rests[next].block});
   }
 
-  /// The pieces of a part of a law, whose path begins with segment `before` of `from`, on segments `after` … of `to`.
+  /// Copies pieces of a law from the path `from`, where they begin with segment `before`, to the segments `after` … of
+  /// `to`.
   void copy(const TimeLaw& law, const Part& part, const Path& from, std::size_t before, const Path& to,
             std::size_t after, TimeLaw& out) {
     for (std::size_t i = part.begin; i < part.end; ++i) {

@@ -1,6 +1,6 @@
 #pragma once
-/// Rounded corners where they pay, corners as they are where they do not: section by section between two rests, what is
-/// driven is the quicker one of both motions.
+/// Chooses section by section, between two rests, the quicker one of two motions: along the rounded contour, or along
+/// the given one with stops at its corners.
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -15,19 +15,19 @@ class Progress;
 
 struct RoundingChoice {
   std::shared_ptr<const Contour> driven;
-  MethodResult planned;  ///< its law, without dwells, on the method's first grid
+  MethodResult planned;  ///< its time law, without dwells, on the method's first grid
 };
 
-/// `sections`: of `blend`, with its result `rounded`. `machine`: limits of the axes that move, as the method holds
-/// them.
+/// Returns the contour to drive. `sections` and `rounded` are results of `blend`. `machine` has the limits of the
+/// moving axes, as the method keeps them.
 ///
-/// The rounded contour is planned. A section that this takes no longer than stopping at its corners takes at least
-/// (core/plan/contour/stopping_time.hpp) stays rounded; all others are planned with their corners, too, and if that is
-/// quicker they are driven so, exactly as they were given, with a note of how many there are and where the first one
-/// is. The two laws are put together without planning anything again. Hence no section takes longer than with stops,
-/// planned by the same method on the same grid.
+/// The rounded contour is planned. A section stays rounded if its rounded time does not exceed the lower bound of its
+/// time with stops (core/plan/contour/stopping_time.hpp). Every other section is also planned with its corners; if that
+/// is quicker it is driven exactly as given, and a note states how many such sections there are and where the first one
+/// is. The two laws are joined without further planning. No section therefore takes longer than with stops, planned by
+/// the same method on the same grid.
 ///
-/// Cost: 0.1 µs per given segment and, for the sections in doubt, what the method takes: none of polygons, few of arcs.
+/// Cost: 0.1 µs per given segment, and the method's cost for the sections in doubt (none of polygons, few of arcs).
 RoundingChoice choose_rounding(const std::shared_ptr<const Contour>& given, std::shared_ptr<const Contour> rounded,
                                const std::vector<BlendSection>& sections, const Machine& machine,
                                const MethodRow& method, const MethodOptions& options, Progress& progress, double from,

@@ -10,14 +10,14 @@ namespace {
 
 constexpr double rounding = 1e-9;  // of the sum, and of what a joint allows
 
-/// ∫ (1 − v/F) dt over a window of `tau` s at most, for v ≤ w + A t.
+/// Returns ∫ (1 − v/F) dt over at most `tau` s, for v ≤ w + A t.
 double lost_to_acceleration(double speed, double w, double acceleration, double tau) {
   if (!(speed > w)) return 0;
   tau = std::min(tau, (speed - w) / acceleration);
   return ((speed - w) * tau - 0.5 * acceleration * tau * tau) / speed;
 }
 
-/// The same for v ≤ w + J t²/2.
+/// Returns ∫ (1 − v/F) dt over at most `tau` s, for v ≤ w + J t²/2.
 double lost_to_jerk(double speed, double w, double jerk, double tau) {
   if (!(speed > w) || !std::isfinite(jerk)) return 0;
   tau = std::min(tau, std::sqrt(2 * (speed - w) / jerk));
@@ -78,8 +78,8 @@ StoppingTime::Limit StoppingTime::limit(std::size_t i) const {
   return l;
 }
 
-/// The speed at which the joint before segment `next` may be passed: no axis steps by more than acceleration · cycle in
-/// velocity, and jerk · cycle in acceleration, |Δq″ v² + Δq′ v̇|.
+/// Returns the largest speed at the joint before segment `next`, at which no axis steps by more than acceleration ·
+/// cycle in velocity and jerk · cycle in acceleration, |Δq″ v² + Δq′ v̇|.
 double StoppingTime::joint_speed(std::size_t next) const {
   const Segment &before = contour_.path[next - 1], &after = contour_.path[next];
   const PathPoint a = before.at_parameter(before.curve().end()), b = after.at_parameter(after.curve().begin());

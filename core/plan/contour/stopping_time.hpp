@@ -1,6 +1,6 @@
 #pragma once
-/// How long a contour takes at least if the motion stops at its corners: closed form, to tell where rounding them has
-/// certainly paid without planning the other motion.
+/// A lower bound, in closed form, of the time that a contour takes with stops at its corners. It shows where rounding
+/// is certainly quicker without planning the motion with stops.
 #include <cstddef>
 #include <vector>
 
@@ -11,27 +11,29 @@
 
 namespace bahnwerk {
 
-/// A bound, looser than core/verify/bound and a hundred times as quick, of what follows a contour as it is.
+/// A bound that is weaker than that of core/verify/bound but computed a hundred times as quickly.
 ///
-/// A single line between two stops: exactly what it takes. Else speed stays below F, by the feed, the axes and, on
-/// arcs, the centripetal acceleration; that alone costs ∫ ds/F. From what 1 − v/F loses about a place of speed w (a
-/// stop: w = 0; a joint that the acceleration of an axis may step at by jerk · cycle only) within ±τ:
-///   speed v with |v̇| ≤ |A|: v ≤ w + |A| t,
-///   with |v̈| ≤ |J| + κ²F³, because q⃛ · t = v̈ − κ²v³: v(t) + v(−t) ≤ 2 w + J t², and at a stop v(t) ≤ J t²/2;
+/// A single line between two stops has its exact least time. Otherwise the speed stays below F, given by the feed, the
+/// axes and, on arcs, the centripetal acceleration, which costs at least ∫ ds/F. Additional time is lost near each
+/// place of low speed w (w = 0 at a stop; at a joint the acceleration of an axis may jump by at most jerk · cycle). The
+/// loss 1 − v/F is integrated over ±τ with
+///   v ≤ w + |A| t for |v̇| ≤ |A|,
+///   v(t) + v(−t) ≤ 2 w + J t², and v(t) ≤ J t²/2 at a stop, for |v̈| ≤ |J| + κ²F³ (since q⃛ · t = v̈ − κ²v³).
 /// τ is half of the least time on the segments beside the place, so no two places share any time.
 class StoppingTime {
  public:
-  /// `axes`: those of the contour that move, with the limits that are held. `corner_angle` rad. All outlive it.
+  /// `axes` are the moving axes of the contour, `machine` the limits that the method keeps, `corner_angle` is in rad.
+  /// All arguments must outlive this object.
   StoppingTime(const Contour& contour, const AxisPath& axes, const Machine& machine, double corner_angle);
 
   /// Returns the bound for segments [first, last), at rest at both ends, s; without dwells. O(segments), 50 to 200 ns
   /// each.
   double least(std::size_t first, std::size_t last, ProgressScope& progress) const;
-  /// Whether the motion rests where segment i begins, at a corner for one.
+  /// Tells whether the motion rests at the begin of segment i, for instance at a corner.
   bool rests(std::size_t i) const;
 
  private:
-  /// What bounds the motion on a segment.
+  /// Limits of the motion on a segment, mm/s, mm/s², mm/s³.
   struct Limit {
     double speed = 0, acceleration = 0, jerk = 0;
     double time = 0;  ///< length / speed
@@ -46,7 +48,7 @@ class StoppingTime {
   double corner_angle_;
   std::vector<double> feeds_;
   std::vector<bool> rests_;
-  double speed_, acceleration_, jerk_;  // of all axes together
+  double speed_, acceleration_, jerk_;  // limits of all axes together
 };
 
 }  // namespace bahnwerk

@@ -34,7 +34,7 @@ std::optional<double> duration(const std::shared_ptr<const Contour>& given, cons
   } catch (const Stopped&) {
     throw;
   } catch (const PlanningError&) {
-    // A tolerance or a limit with which nothing can be planned: that is the answer.
+    // No plan exists with this tolerance or limit, which is a valid answer.
   }
   return {};
 }

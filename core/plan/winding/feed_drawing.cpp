@@ -25,7 +25,7 @@ constexpr const char* small = "font-size=\"12\" fill=\"#4a525c\"";
 
 using Line = std::vector<Point>;  // over s, mm
 
-/// Segments of the first coil's first turn: [0, n).
+/// Returns the segments of the first coil's first turn, [0, n).
 std::size_t first_turn(const WindingPlan& plan) {
   const Path& tool = plan.tool->tool;
   std::size_t n = 0;
@@ -44,7 +44,7 @@ double constant_speed(const Machine& machine, const AxisJet& q, std::size_t axis
                    std::cbrt(over(limit.jerk, q.d3[axis]))});
 }
 
-/// What the law does up to a segment: its feed, acceleration and jerk.
+/// Samples of the law up to a segment: feed, acceleration and jerk.
 std::array<Line, 3> law_lines(const TimeLaw& law, std::size_t segments) {
   std::array<Line, 3> lines;
   for (const LawPiece& piece : law.pieces()) {
@@ -58,17 +58,17 @@ std::array<Line, 3> law_lines(const TimeLaw& law, std::size_t segments) {
   return lines;
 }
 
-/// A frame with its ticks; what leaves it is not seen.
+/// A frame with ticks that clips its contents.
 class Chart {
  public:
   Chart(const char* id, double longest, double least, double most, double y, double height)
       : id_(id), longest_(longest), least_(least), most_(most), y_(y), height_(height) {}
   Point at(Point p) const {
-    // Far beyond the frame no number of pixels is needed.
+    // Coordinates far outside the frame are clamped, since no number of pixels is needed there.
     const double share = std::clamp((p.y - least_) / (most_ - least_), -1.0, 2.0);
     return {left + p.x / longest_ * (width - left - right), y_ + height_ - share * height_};
   }
-  /// Points that show nothing new are left out, and so is what has no end.
+  /// Adds points; those that do not change the drawing, and infinite ones, are left out.
   std::string drawn(const Line& line, const std::string& style) const {
     std::string path;
     Point last{};
@@ -121,14 +121,14 @@ class Chart {
   double longest_, least_, most_, y_, height_;
 };
 
-/// The range of acceleration or jerk: what the law has, and its limit unless that lies far beyond.
+/// Returns the range of acceleration or jerk: that of the law, and its limit unless that lies far outside.
 double range(const Line& line, double limit) {
   double most = 1e-6;
   for (const Point& p : line) most = std::max(most, std::abs(p.y));
   return 1.12 * (limit < 4 * most ? std::max(most, limit) : most);
 }
 
-/// "limit 700 mm/s", and that it is not in the frame where it is not.
+/// Returns "limit 700 mm/s", with a remark if the limit is outside the frame.
 std::string limit_words(double limit, double most, const char* unit) {
   char text[80];
   std::snprintf(text, sizeof text, "limit %.5g %s%s", limit, unit, limit < most ? "" : ", above");

@@ -10,8 +10,8 @@
 namespace bahnwerk {
 namespace {
 
-/// Passes on at an even fraction that work goes on, and ends it when it has gone on for long: counted in reports and
-/// not in seconds, so that the same pieces end the same way every time.
+/// Reports progress at a constant fraction and stops a plan after a number of reports, not of seconds, so that equal
+/// pieces always stop equally.
 class Effort final : public Progress {
  public:
   struct Spent {};

@@ -1,5 +1,5 @@
 #pragma once
-/// How long a machine takes along pieces of a needle's path: by limited jerk, from rest to rest.
+/// The time that a machine takes along pieces of a needle's path, from rest to rest with limited jerk.
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -13,14 +13,16 @@ class Progress;
 
 class LinkTimer {
  public:
-  /// `machine` and `progress` outlive it. `along`: limits of the tip along its path; `cycle_time`: of the setpoints, s.
+  /// `machine` and `progress` must outlive this object. `along` are limits of the tip along its path; `cycle_time` is
+  /// that of the setpoints, s.
   LinkTimer(const Kinematics& machine, const Limits& along, double cycle_time, Progress& progress)
       : machine_(machine), along_(along), cycle_time_(cycle_time), progress_(progress) {}
 
-  /// On a coarse grid, some 3e-3 above what exact() gives: 3 to 6 ms of a slot, a link and a head. Infinite where a
-  /// pose is out of reach, and where the planner takes far longer than usual, which only links with sharp bends do.
+  /// Returns the time, s, on a coarse grid: relatively about 3e-3 above exact(). It takes 3 to 6 ms for a slot, a link
+  /// and a head. Infinite if a pose is out of reach, or if the planner takes far longer than usual, which only happens
+  /// for links with sharp bends.
   double operator()(std::span<const BezierPiece> pieces) const;
-  /// As a plan takes, whatever the effort; infinite out of reach. 10 to 30 ms per link.
+  /// Returns the time, s, as in a plan; infinite if a pose is out of reach. It takes 10 to 30 ms per link.
   double exact(std::span<const BezierPiece> pieces) const;
 
  private:

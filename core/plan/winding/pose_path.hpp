@@ -1,5 +1,6 @@
 #pragma once
-/// Rational pieces in five coordinates as what machines follow: a path of the tool and its orientation.
+/// Converts rational pieces in five coordinates (position and two angles) to the form that machines follow: a path of
+/// the tool and its orientation.
 #include <memory>
 #include <vector>
 
@@ -9,11 +10,12 @@
 namespace bahnwerk {
 
 struct PosePath {
-  Path tool;  ///< source() of a segment: index of its piece
+  Path tool;  ///< source() of a segment is the index of its piece
   std::shared_ptr<const Orientation> orientation;
 };
 
-/// Pieces begin where the ones before end. Throws what Rational::bezier, Path::append and Orientation throw. O(pieces).
+/// Returns path and orientation of consecutive pieces. Throws what Rational::bezier, Path::append and Orientation
+/// throw. O(pieces).
 PosePath pose_path(const std::vector<BezierPiece>& pieces);
 
 }  // namespace bahnwerk

@@ -1,5 +1,6 @@
 #pragma once
-/// Where in a stator's slot the needle of a job can go, with and without its pivot shift [Herrmann Fig. 4.16].
+/// The part of a stator's slot that the needle of a job can reach, with and without its pivot shift [Herrmann Fig.
+/// 4.16].
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,13 +11,13 @@
 namespace bahnwerk {
 
 struct SlotAccess {
-  double step = 0;                            ///< of the cells, mm
+  double step = 0;                            ///< mm, width of the cells
   std::vector<winding::DrawnClearance> maps;  ///< without pivot shift; then with it, if the request has one
   std::vector<double> shares;                 ///< per map: share of the slot's cells that keep least_clearance (1)
   std::string drawing;                        ///< SVG
 };
 
-/// Returns nothing for a rotor: its slots are open. Some 500 cells in all, 0.05 to 0.1 s. Throws Stopped.
+/// Returns the maps; none for a rotor, whose slots are open. About 500 cells in all, 0.05 to 0.1 s. Throws Stopped.
 std::optional<SlotAccess> slot_access(const WindingRequest& request, Progress& progress);
 
 }  // namespace bahnwerk

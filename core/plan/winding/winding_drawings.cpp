@@ -10,7 +10,7 @@
 namespace bahnwerk {
 namespace {
 
-/// The pieces before `end`.
+/// Returns the pieces before `end`.
 std::vector<BezierPiece> curves(const WindingPlan& plan, std::size_t end) {
   std::vector<BezierPiece> all;
   for (std::size_t i = 0; i < end; ++i) all.push_back(plan.path.pieces[i].curve);

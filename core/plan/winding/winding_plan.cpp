@@ -30,11 +30,12 @@ using winding::FixedPiece;
 using winding::RotorPart;
 using winding::StatorPart;
 
-// Of the longest step: each setpoint is nearer to its own place than to those of its neighbours.
+// Relative to the longest step: each setpoint is nearer to its own place than to those of its neighbours.
 constexpr double most_lag = 0.5;
-// By which an axis' setpoint may be off the motion, mm or deg: inverse of the arc length and rounding.
+// mm or deg, largest deviation of an axis' setpoint from the motion, from the inverse of the arc length and rounding.
 constexpr double rounding_of_rows = 1e-10;
-// Wires whose pile is decided beyond those that are wound: 400 take some 0.5 s, 1200 ten.
+// Number of wires beyond those wound for which the stability of the pile is decided: 400 take about 0.5 s, 1200 about
+// 10 s.
 constexpr std::size_t most_decided = 400;
 constexpr double clearance_tolerance = 0.001;  // mm
 // Where links have the tangent alone in common an axis' acceleration steps at joints, by jerk · cycle time at most
@@ -102,7 +103,7 @@ class Planner {
     plan_.support = support(part, supporting);
     check_depth(slot_depth(part, slot));
   }
-  /// How deep the tip goes into the slot, mm: below a stator's bore, under a rotor's outer circle.
+  /// Returns the depth of the tip in the slot, mm: below a stator's bore, or under a rotor's outer circle.
   double slot_depth(const StatorPart& part, const winding::Slot&) const {
     return farthest([bore = winding::bore(part) / 2](double from_axis) { return from_axis - bore; });
   }
@@ -122,7 +123,7 @@ class Planner {
           most = std::max(most, depth(std::hypot(point->pose.tip.x, point->pose.tip.y)));
     return most;
   }
-  /// Holder and swivel stay out of the slot.
+  /// Checks that holder and swivel stay outside the slot.
   void check_depth(double depth) const {
     const auto deep = [&](const char* what) {
       char text[160];
@@ -133,7 +134,7 @@ class Planner {
     if (request_.needle.length < depth) throw fault({"needle", "length"}, deep("the needle's holder"));
     if (request_.swivel_length < depth) throw fault({"machine", "l_tool"}, deep("the swivel"));
   }
-  /// Whether the layout can be wound, by the verdict of kind fill_factor.
+  /// Decides whether the layout can be wound, as kind fill_factor does.
   void decide_windable(const winding::Slot& slot) {
     const std::size_t wanted = plan_.turns.size() / request_.coils.size() * request_.parallel;
     std::array<winding::Layout, 2> layouts{plan_.layout[0], plan_.layout[2]};
@@ -186,7 +187,7 @@ class Planner {
     const winding::QuickLinks quick = winding::quick_links(
         plan_.support, plan_.path, substitute, request_.links,
         [&](std::span<const BezierPiece> pieces) { return timer(pieces); }, timing);
-    // Links are looked for by the shortest law; which path is taken is decided by the feed that was asked for.
+    // Links are searched with the time-optimal law; the path is then chosen by the time with the requested feed.
     LinkTimes times{timed(plan_.path), timed(substitute), timed(quick.path), quick.changed, LinkChoice::curvature};
     const double allowed = std::min(request_.least_clearance, clear(smooth, linked).minimum);
     double least = times.curvature;
@@ -208,11 +209,11 @@ class Planner {
     }
   }
 
-  /// Which takes from `linked` to `to` of the job.
+  /// This stage covers the job's progress from `linked` to `to`.
   winding::Clearance clear(const std::vector<BezierPiece>& curves, double to) {
     return std::visit([&](const auto& part) { return clear(part, curves, to); }, request_.part);
   }
-  /// Coil by coil, with what stands in the way while that is wound.
+  /// Checks coil by coil, with the obstacles present while that coil is wound.
   template <class Part>
   winding::Clearance clear(const Part& part, const std::vector<BezierPiece>& curves, double to) {
     const winding::Slot slot = winding::checked_slot(part);
@@ -244,7 +245,7 @@ class Planner {
     return winding::part_obstacles(part, slot);
   }
 
-  /// Of the motion along a path, which `tool` and `machine` are of.
+  /// Builds the problem of the motion along a path, which belongs to `tool` and `machine`.
   PathPlanning planning_of(const winding::NeedlePath& path, const Path& tool, const MachinePath& machine) const {
     PathPlanning planning;
     planning.path = planning.moving = machine.axes;
@@ -258,19 +259,19 @@ class Planner {
     planning.method = request_.law == FeedLaw::bspline ? PlanningMethod::spline : request_.feed;
     planning.options.along = request_.along;
     planning.options.profile = request_.profile;
-    // The speed that is allowed where the path is straight limits a feed, it is none.
+    // The feed on straight pieces limits the speed; it is not a required feed.
     if (!(request_.half_speed_curvature < unlimited) && request_.along.velocity < unlimited)
       planning.options.feed = request_.along.velocity;
     for (std::size_t i = 0; i < n; ++i) planning.options.shares.push_back(path.pieces[tool[i].source()].share);
     planning.max_setpoints = request_.max_setpoints;
     planning.shown = NeedleSetpoints::shown(planning.machine);
-    // A feed that is given is not slowed: the differences of its setpoints tell whether it can be had.
+    // A required constant feed is not slowed; the differences of its setpoints tell whether it is possible.
     const bool given = request_.feed == PlanningMethod::constant && planning.options.feed > 0;
     if (request_.links.continuity < 2 && !given) planning.jerk_share = share_beside_steps;
     return planning;
   }
 
-  /// How long the whole path takes with the feed that was asked for, s; infinite where it cannot be had.
+  /// Returns the duration of the whole path with the requested feed, s; infinite if that is impossible.
   double timed(const winding::NeedlePath& path) {
     const PosePath tool = pose_path(path.curves());
     try {
@@ -329,7 +330,8 @@ class Planner {
     verdict.add(rows[2]->checks());
   }
 
-  /// Measures all interpolators; the one that was asked for, nothing of the exact one: its places are the law's.
+  /// Measures all interpolators, and takes the setpoints of the requested one; the exact one needs no measurement,
+  /// because its places are the law's.
   std::shared_ptr<const Interpolation> interpolate(const std::shared_ptr<const PathMotion>& motion,
                                                    std::size_t cycles) {
     std::shared_ptr<const Interpolation> chosen;
@@ -343,7 +345,7 @@ class Planner {
     return chosen;
   }
 
-  /// Where on the path: which fixed piece, or the one that a link starts from.
+  /// Returns the fixed piece at a place of the path, or the one from which a link starts.
   const FixedPiece& piece_at(double s) const {
     const Path& tool = plan_.tool->tool;
     return plan_.support[plan_.path.pieces[tool[tool.find(s)].source()].fixed];
@@ -391,7 +393,7 @@ class Planner {
         verify::make_check(Checked{CheckedQuantity::clearance}, least, found, at, found >= least));
   }
 
-  /// When the needle is `s` mm along its path, s: to a millionth of the law's piece.
+  /// Returns the time, s, at which the needle is `s` mm along its path, to 1e-6 of the law's piece.
   double time_at(double s) const {
     const auto& pieces = plan_.motion.motion->law().pieces();
     for (const LawPiece& law : pieces) {

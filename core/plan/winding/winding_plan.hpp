@@ -1,6 +1,6 @@
 #pragma once
-/// From a slot, a coil and a machine to the motion of the needle: layouts, turns, support points, path, machine axes,
-/// time law, setpoints [Herrmann chapter 4].
+/// The plan of a winding, from slot, coil and machine to the needle's motion: layouts, turns, support points, path,
+/// machine axes, time law, setpoints [Herrmann chapter 4].
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -28,21 +28,21 @@ namespace bahnwerk {
 
 class Progress;
 
-/// How fast the needle goes along its path.
+/// The methods for the feed along the needle's path.
 inline constexpr Named<PlanningMethod> feed_methods[] = {
     {PlanningMethod::natural, "natural"},                  // every link evenly in its own parameter [Herrmann 3.3.1]
     {PlanningMethod::constant, "constant"},                // from rest to one speed and back to rest [3.3.1]
     {PlanningMethod::critical_points, "critical_points"},  // one speed per piece of the path, changes between [4.4.2]
     {PlanningMethod::jerk_limited, "optimised"}};          // least time under all limits [4.4.3]
 
-/// How `optimised` finds its law: by the convex problem, or for comparison as the source does it [4.4.3].
+/// The algorithm of `optimised`: the convex problem, or for comparison that of the source [4.4.3].
 enum class FeedLaw { convex, bspline };
 inline constexpr Named<FeedLaw> feed_laws[] = {{FeedLaw::convex, "convex"}, {FeedLaw::bspline, "bspline"}};
 /// The largest number of turns, of all coils together, that bspline plans: it takes seconds for each.
 inline constexpr std::size_t max_spline_turns = 4;
-std::string too_many_spline_turns(std::size_t turns);  ///< what a document's author is told
+std::string too_many_spline_turns(std::size_t turns);  ///< message for the document's author
 
-/// Whose links a path has.
+/// Criterion by which the links of a path were chosen.
 enum class LinkChoice { curvature, control_distance, minimum_time };
 inline constexpr Named<LinkChoice> link_choices[] = {{LinkChoice::curvature, "curvature"},
                                                      {LinkChoice::control_distance, "control_distance"},
@@ -51,27 +51,27 @@ inline constexpr Named<LinkChoice> link_choices[] = {{LinkChoice::curvature, "cu
 struct WindingRequest {
   std::variant<winding::StatorPart, winding::RotorPart> part;
   winding::Wire wire;
-  std::vector<winding::Coil> coils;  ///< in the order in which they are wound, one at least
+  std::vector<winding::Coil> coils;  ///< in the order in which they are wound, at least one
   std::size_t turns = 0;             ///< of each coil; 0: as many as the slot takes
   std::size_t parallel = 1;          ///< wires in hand: every turn lays as many
-  winding::ProducibleOptions hold;   ///< what holds a wire that was laid
+  winding::ProducibleOptions hold;   ///< friction and tolerance that hold a laid wire
   winding::NeedleModel model;
   winding::TensionModel tension;  ///< its force is model.pull's
-  double bears = 0;               ///< the pull at which the wire breaks, N
+  double bears = 0;               ///< N, breaking force of the wire
   winding::NeedleShape needle;
   double swivel_length = unlimited;  ///< from the swivel's axis to the needle's tip, mm
   winding::ToolPost tool;            ///< of a stator's winding tools
-  double least_clearance = 0;        ///< that the needle has to keep, mm
+  double least_clearance = 0;        ///< mm, least clearance that the needle has to keep
   winding::LinkOptions links;
-  /// β and weights of the links by the time that the machine takes, from those of `links` on
+  /// Whether β and weights of the links minimise the machine's time, starting with those of `links`
   /// (core/winding/path/quick_links.hpp).
   bool minimum_time = false;
-  /// The machine: one, or one for each way in which its arm can reach a pose.
+  /// The machine, one entry for each configuration in which its arm can reach a pose.
   std::vector<std::shared_ptr<const Kinematics>> configurations;
   double cycle_time = 0.002;                           ///< s
   PlanningMethod feed = PlanningMethod::jerk_limited;  ///< one of feed_methods
   FeedLaw law = FeedLaw::convex;                       ///< of jerk_limited
-  /// How the feed changes with methods constant and critical_points.
+  /// Speed profile of feed changes for the methods constant and critical_points.
   SpeedProfile profile = SpeedProfile::double_s;
   Limits along;                        ///< of the needle along its path: feed mm/s, tangential acceleration, jerk
   double feed_tolerance = 0.004;       ///< fraction by which setpoints of an interpolator may exceed along.velocity
@@ -83,12 +83,11 @@ struct WindingRequest {
   std::optional<PoseFrame> frame = {};  ///< of the setpoints' poses
 };
 
-/// What links by time gain: durations of the whole path with the feed that was asked for, s. The least of them is
-/// taken, but for paths that come nearer to what the needle must not touch than the smoothest does and the request
-/// allows.
+/// Durations of the whole path with the requested feed, s, for links chosen by each criterion. The path with the least
+/// one is taken, unless it comes nearer to obstacles than both the smoothest path and the request allow.
 struct LinkTimes {
   double curvature = 0, control_distance = 0, minimum_time = 0;
-  std::size_t changed = 0;  ///< links that are not the smoothest, of the path with quick links
+  std::size_t changed = 0;  ///< number of links in the quick path that differ from the smoothest ones
   LinkChoice taken = LinkChoice::curvature;
 };
 
@@ -98,12 +97,12 @@ struct WindingPlan {
   std::vector<winding::Turn> turns;          ///< of all coils
   std::vector<winding::FixedPiece> support;  ///< the support points are their ends
   winding::NeedlePath path;
-  std::optional<LinkTimes> link_times;   ///< of minimum_time
+  std::optional<LinkTimes> link_times;   ///< if minimum_time was requested
   winding::Clearance clearance;          ///< its `move`: index in path.pieces
-  std::string nearest;                   ///< the obstacle there, such as "stack"
-  std::shared_ptr<const PosePath> tool;  ///< the same as a path; source() of a segment: index in path.pieces
+  std::string nearest;                   ///< name of the nearest obstacle, such as "stack"
+  std::shared_ptr<const PosePath> tool;  ///< path.pieces as a path; source() of a segment is the index in path.pieces
   MachinePath machine;
-  PathPlan motion;         ///< its verification is the whole plan's: clearance and forward kinematics, too
+  PathPlan motion;         ///< its verification is that of the whole plan, including clearance and forward kinematics
   double path_length = 0;  ///< mm
   double wire_length = 0;  ///< mm, of all wires of all coils: through the middle of their places
   double resistance = 0;   ///< Ω, of all coils in series
@@ -118,7 +117,7 @@ struct WindingPlan {
   std::vector<FeedFluctuation> fluctuation;  ///< of all `interpolators`, in their order
 };
 
-/// Says in which turn and where a pose of the needle's path is out of the machine's reach.
+/// A pose of the needle's path is out of the machine's reach; the error names its turn and region.
 struct UnreachableTurn : UnreachablePose {
   UnreachableTurn(const UnreachablePose& place, const std::string& what, const winding::FixedPiece& piece)
       : UnreachablePose(what, place.path_length, place.pose),
@@ -128,7 +127,7 @@ struct UnreachableTurn : UnreachablePose {
   std::size_t coil, turn, region;
 };
 
-/// Says in which turn and where a constant feed that was asked for breaks a limit.
+/// A requested constant feed exceeds a limit; the error names turn and region.
 struct FeedTooFastAtTurn : FeedTooFast {
   FeedTooFastAtTurn(const FeedTooFast& feed, const std::string& text, const winding::FixedPiece& piece)
       : FeedTooFast(text, feed.limit, feed.asked), coil(piece.coil), turn(piece.turn), region(piece.region) {}
@@ -138,8 +137,8 @@ struct FeedTooFastAtTurn : FeedTooFast {
 /// Returns the needle's path length at parameter `v` of a piece, mm.
 double tool_length(const Path& tool, std::size_t piece, double v);
 
-/// Throws InvalidInput naming members of the kind's document (part, coil, machine, path, feed, pull, needle);
-/// Infeasible; FeedTooFastAtTurn; UnreachableTurn; Stopped. Cost: some ms per turn and machine.
+/// Returns the verified plan. Throws InvalidInput naming members of the kind's document (part, coil, machine, path,
+/// feed, pull, needle), Infeasible, FeedTooFastAtTurn, UnreachableTurn and Stopped. Cost: some ms per turn and machine.
 WindingPlan plan_winding(const WindingRequest& request, Progress& progress);
 
 }  // namespace bahnwerk

@@ -9,7 +9,8 @@
 namespace bahnwerk::winding {
 namespace {
 
-/// About the axis from one place to the other, counterclockwise for sense > 0, rising evenly.
+/// Returns the length of an arc about the axis from one place to the other, counterclockwise for sense > 0, with evenly
+/// increasing height.
 double arc(Vec3 from, Vec3 to, double sense) {
   const double between = sense * (azimuth(to) - azimuth(from)),
                sweep = between - 2 * std::numbers::pi * std::floor(between / (2 * std::numbers::pi)),

@@ -1,5 +1,6 @@
 #pragma once
-/// The wire along the needle's motion: how fast it is drawn off, the brake's set-force, and the tension that results.
+/// The wire along the needle's motion: the speed at which it is drawn, the brake's set force, and the resulting
+/// tension.
 #include <memory>
 #include <vector>
 
@@ -14,26 +15,27 @@
 
 namespace bahnwerk {
 
-/// What becomes of the wire, at setpoints and between.
+/// Extreme values of the wire's quantities over the motion.
 struct WireFigures {
-  double peak = 0, least = 0;                    ///< tension where the wire comes to lie, N
+  double peak = 0, least = 0;                    ///< N, tension at the wire's place
   double peak_at = 0, least_at = 0;              ///< s
-  double constant_peak = 0, constant_least = 0;  ///< the same with the brake at pull.force all the time, N
-  double speed = 0, taken_back = 0;              ///< largest speed at which wire is drawn off, and taken back, mm/s
-  double acceleration = 0;                       ///< largest one of the wire, mm/s²
+  double constant_peak = 0, constant_least = 0;  ///< N, tension with the brake at pull.force all the time
+  double speed = 0, taken_back = 0;              ///< mm/s, largest speeds at which wire is drawn and taken back
+  double acceleration = 0;                       ///< mm/s², largest acceleration of the wire
 };
 
 /// Immutable and thread-safe.
 class WireRun {
  public:
-  /// `anchors`: one per piece of the path, which source() of `tool`'s segments are; the force is that of `pull`.
+  /// `anchors` has one entry per piece of the path; source() of `tool`'s segments are indices of pieces. The force is
+  /// that of `pull`.
   WireRun(std::shared_ptr<const PosePath> tool, std::vector<winding::Anchor> anchors, const winding::Pull& pull,
           const winding::TensionModel& model);
 
-  /// Returns how the wire is drawn while the needle moves by `law` at parameter u of a segment. O(degree), 0.3 µs.
+  /// Returns speed and acceleration of the wire while the needle moves by `law` at parameter u of a segment. O(degree),
+  /// 0.3 µs.
   winding::Drawing drawing(std::size_t segment, double u, const LawState& law) const;
-  /// Returns the brake's set-force there, N. Where nothing moves with the wire and nothing rubs it is the force, at no
-  /// cost.
+  /// Returns the brake's set force there, N: the force itself, at no cost, if the model has neither mass nor friction.
   double brake(std::size_t segment, double u, const LawState& law) const {
     const bool ideal = model_.mass == 0 && model_.friction == 0;
     return winding::compensating_brake(model_, ideal ? winding::Drawing{} : drawing(segment, u, law));
@@ -47,18 +49,18 @@ class WireRun {
   std::vector<winding::Anchor> anchors_;
   winding::TensionModel model_;
   double bend_radius_, free_length_;
-  std::vector<double> before_;  ///< per segment: what makes the wire's length continuous where segments meet, mm
+  std::vector<double> before_;  ///< mm, per segment: offset that makes the wire's length continuous at joints
 };
 
-/// Measures the wire in rows as they are served, with columns x, y, z, phi, psi, s, brake. The length that is drawn is
-/// measured in every row; its speed and acceleration are differences of three rows, the mean over two cycles. In the
-/// middle of every cycle, from the motion that rows are samples of, they are the mean over that cycle, with the mean of
-/// the brake's forces at both rows: sampling, no enclosure. Shorter means would grow without bound: where the wire
-/// begins to lie on its bend circle, ds of its length has a square root, and its acceleration a pole. Nothing is told
-/// about a change of coils, whose wire nobody describes. 2 µs per row.
+/// Measures the wire in served rows with the columns x, y, z, phi, psi, s, brake. The drawn length is computed in every
+/// row; its speed and acceleration are differences of three rows, means over two cycles. In the middle of every cycle
+/// they are means over that cycle from the sampled motion, with the mean of the brake's forces of both rows. These are
+/// samples, not enclosures. Means over shorter times would be unbounded: where the wire begins to lie on its bend
+/// circle, the derivative of its length has a square root, and its acceleration a pole. Changes of coils are left out,
+/// because nothing describes their wire. 2 µs per row.
 class WireRows final : public RowCheck {
  public:
-  /// What it is given has to live as long as it does. Throws std::invalid_argument for columns that are missing.
+  /// All arguments must outlive this object. Throws std::invalid_argument if columns are missing.
   WireRows(const WireRun& wire, const SetpointSource& setpoints, const PathMotion& motion, double permitted);
   ~WireRows() override;
   void row(std::size_t k, const double* row) override;
@@ -71,8 +73,8 @@ class WireRows final : public RowCheck {
   double permitted_;
 };
 
-/// `wire pull`: the peak of the tension against what the wire bears, where that is known; `wire slack`: the least
-/// tension, no less than 0.
+/// Returns `wire pull`, the peak of the tension with the breaking force as its limit if that is known, and `wire
+/// slack`, the least tension with the limit 0.
 std::vector<Check> wire_checks(const WireFigures& figures, double permitted);
 
 }  // namespace bahnwerk

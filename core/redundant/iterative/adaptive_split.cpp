@@ -18,8 +18,8 @@ constexpr double rounding = 1e-9;             // of limits, excess that counts a
 
 constexpr double least_tolerance = 0.1;  // of the stroke, that has to be left at samples
 
-/// Between samples so far apart a fine axis may leave its stroke. Fewer samples are the document's wish, samples of the
-/// cycle are all there are.
+/// Largest distance of samples at which a fine axis cannot leave its stroke unnoticed. Larger distances come from the
+/// document, and samples of every cycle are the densest possible.
 [[noreturn]] void too_far_apart(const std::string& axis, double spacing, int thinning) {
   char text[160];
   std::snprintf(text, sizeof text, "between samples %.3g ms apart the fine axis %s may leave its stroke", 1e3 * spacing,
@@ -28,8 +28,8 @@ constexpr double least_tolerance = 0.1;  // of the stroke, that has to be left a
   throw InvalidInput({{{"machine", "redundancy", "thinning"}, std::string(text) + "; give a smaller number"}});
 }
 
-/// [Bock 4.3.2]: the coarse axes are to hold still at best, so the fine ones' limits are the head's; velocities count
-/// with both, and feeds hold them.
+/// [Bock 4.3.2]: ideally the coarse axes stand still, so the head gets the fine axes' limits; velocities are sums of
+/// both axes', and feeds keep them.
 Machine first_limits(const CoarseFineMachine& machine) {
   Machine head = summed(machine);
   for (std::size_t k = 0; k < head.axes.size(); ++k) {
@@ -45,7 +45,7 @@ std::vector<double> first_feeds(const RedundancyTask& task) {
   return feeds;
 }
 
-/// Head and coarse axes together, and what a pass tells of them.
+/// Head and coarse motion with the assessment of a pass.
 void slow(SplitPart& part, RedundancyIteration& pass, double factor) {
   part.law.slow(factor);
   for (TimeSpline& axis : part.coarse) axis.slow(factor);
@@ -150,7 +150,8 @@ HeadSamples AdaptiveSplit::sample(const PathMotion& head) const {
 
 double AdaptiveSplit::tolerance(std::size_t axis, double spacing, double speed) const {
   const CoarseFineAxis& a = task_.machine.axes[axis];
-  // [Bock 4.3.5]: half of what both may go between samples; or, sharper for close samples, by the fine acceleration.
+  // [Bock 4.3.5]: half of the distance that both axes can travel between samples; for close samples the fine
+  // acceleration gives a sharper value.
   const double by_velocity = 0.5 * (a.coarse.velocity + speed) * spacing;
   const double by_acceleration = a.fine.acceleration * spacing * spacing / 8;
   const double cell = task_.machine.cycle_time, of_check = a.fine.acceleration * cell * cell / 8;
@@ -254,7 +255,7 @@ AdaptiveSplit::Assessment AdaptiveSplit::assessed(double duration,
       const SplitPeaks& p = peaks[k][b];
       const CoarseFineAxis& a = task_.machine.axes[k];
       RedundancyPeaks& worst = pass.peaks[k];
-      // `order`: of the derivative, which falls with that power of a slowing.
+      // `order` of the derivative: a slowing by a factor divides it by that power.
       const auto look = [&](double value, double limit, int order, double& most) {
         most = std::max(most, value);
         if (!(value > limit * (1 + rounding))) return;
@@ -291,7 +292,7 @@ bool AdaptiveSplit::adapt_all(const std::vector<std::vector<SplitPeaks>>& peaks,
       for (std::size_t b = 0; b < blocks; ++b) coarse[b] = peaks[k][b].*coarse_peak, fine[b] = peaks[k][b].*fine_peak;
     };
     of(&SplitPeaks::coarse_acceleration, &SplitPeaks::fine_acceleration);
-    // The stroke cannot be exceeded but between samples, by fine accelerations beyond their limit.
+    // Within the limit of the fine acceleration the stroke can only be exceeded between samples.
     fell |= adapt(limits_.acceleration[k], begin, coarse, a.coarse.acceleration, fine, a.fine.acceleration, iteration,
                   adaptation);
     if (!jerk_) continue;
@@ -330,7 +331,7 @@ std::optional<SplitPart> AdaptiveSplit::solve(std::size_t first, std::size_t las
   std::optional<SplitPart> best;  // not slowed yet
   double best_slowing = unlimited;
   const auto takes = [&] { return best ? best->law.duration() * best_slowing : unlimited; };
-  // Slowed by what it exceeds between samples; none where that does not help.
+  // Slow the motion by the factor of its excess between samples; none if that does not help.
   const auto slowed = [&](SplitPart part) -> std::optional<SplitPart> {
     Assessment found = assessed(part.law.duration(), exact_peaks(part.law, part.coarse, first, last));
     if (!(found.slowing < unlimited) || !(found.slowing * part.law.duration() <= longest)) return std::nullopt;
@@ -341,7 +342,7 @@ std::optional<SplitPart> AdaptiveSplit::solve(std::size_t first, std::size_t las
   for (int iteration = 1; iteration <= constants_.max_iterations; ++iteration) {
     scope_.half_of_rest();
     SplitPart part{first, last, sections_.law(first, last), {}};
-    // Limits only fall: what comes now takes as long as the head by itself, at least.
+    // Limits only fall, so later passes take at least as long as the head alone does now.
     if (part.law.duration() > longest || part.law.duration() * (1 + constants_.most_slowing) >= takes()) break;
     const PathMotion head(task_.path, part.law);
     const HeadSamples samples = sample(head);
@@ -363,7 +364,7 @@ std::optional<SplitPart> AdaptiveSplit::solve(std::size_t first, std::size_t las
       best = std::move(part);
       best_slowing = found.slowing;
     }
-    // Where nothing falls the anchor has to, first.
+    // If no limit falls, the anchor has to fall first.
     bool fell = adapt_all(peaks, first, last, iteration);
     while (!fell && ++iteration <= constants_.adaptation.anchor_steps) fell = adapt_all(peaks, first, last, iteration);
     if (!fell) break;

@@ -10,8 +10,9 @@ namespace bahnwerk {
 namespace {
 
 constexpr int max_passes = 400;
-// Least squares are off by so many times the least largest error at most: the norm of the projection, which no knots
-// make large [de Boor, Shadrin]. With more even the best spline with these knots is out of tolerance.
+// Bound of the ratio of the least-squares error to the least largest error: the norm of the projection, bounded
+// independently of the knots [de Boor, Shadrin]. If the ratio of error and tolerance is larger, the best spline with
+// these knots is out of tolerance, too.
 constexpr double projection_norm = 10;
 constexpr int refinements = 6;  // of Schoenberg's T_max, should its ends need it
 
@@ -45,7 +46,8 @@ std::optional<std::vector<double>> chebyshev(const CoarseTask& task, const FitRo
   BandProgram program{BandMatrix(rows.ends.variables(), rows.space.degree()), {}, {}, 1};
   program.rows.reserve(rows.rows.size());
   for (std::size_t i = 0; i < rows.rows.size(); ++i) {
-    // Rows of B-splines sum up to 1 − what is fixed: positions are counted from the first one, in tolerances.
+    // Rows of B-splines sum up to 1 less the share of fixed control points, so positions are counted from the first
+    // one, in tolerances.
     const VariableRow& row = rows.rows[i];
     double fixed = 1;
     for (std::size_t r = 0; r < row.count; ++r) fixed -= row.weights[r];
@@ -61,7 +63,7 @@ std::optional<std::vector<double>> chebyshev(const CoarseTask& task, const FitRo
   return y;
 }
 
-/// Times of the largest errors of each stretch of samples out of tolerance, the largest first.
+/// Returns the times of the largest error of each interval of samples out of tolerance, the largest first.
 std::vector<double> worst_times(const CoarseTask& task, const FitRows& rows, const std::vector<double>& y) {
   std::vector<std::pair<double, double>> worst;  // error, time
   bool out = false;
@@ -97,7 +99,7 @@ class Fitter {
     const std::size_t most = KnotChoice::interpolating(task_.positions.size(), options_.degree, options_.multiplicity);
     if (options_.approximation == CoarseApproximation::chebyshev) return evenly(most);
     if (options_.approximation == CoarseApproximation::least_squares) return inserted(most);
-    // (4.19), without the half sample that the nearest one may be off.
+    // (4.19) without the error of half a sample that the nearest sample may have.
     const double rate = task_.speed > 0 ? task_.speed : 1;
     const double spacing = task_.tolerance / rate * std::sqrt(12.0 / static_cast<double>(options_.degree + 1));
     double places = std::ceil(task_.duration / spacing);
@@ -111,7 +113,7 @@ class Fitter {
     if (options_.tick) options_.tick();
   }
 
-  /// Enough control points for the ends.
+  /// Inserts knots until there are enough control points for the end conditions.
   void begin(KnotChoice& choice) const {
     const std::size_t least = SplineEnds::least(task_.begin), have = options_.degree + 1;
     if (least > have) choice.choose_evenly((least - have + options_.multiplicity - 1) / options_.multiplicity);
@@ -141,7 +143,7 @@ class Fitter {
 
   bool within(const Approximation& a) const { return a.rows.largest_error(task_, a.variables) <= task_.tolerance; }
 
-  /// Knots where the error is too large, then those of the afterburner.
+  /// Inserts knots where the error is too large, then those of the afterburner.
   std::optional<Approximation> inserted(std::size_t places) const {
     const bool least_squares = options_.approximation == CoarseApproximation::least_squares;
     KnotChoice choice(task_.duration, places, options_.degree, options_.multiplicity, options_.wide,
@@ -165,7 +167,7 @@ class Fitter {
     return best;
   }
 
-  /// Without a second phase more knots only make the fit rougher.
+  /// Without a second phase more knots only make the spline rougher.
   std::size_t burns() const { return options_.smoothing == CoarseSmoothing::none ? 0 : options_.afterburner; }
 
   std::optional<Approximation> evenly(std::size_t places) const {

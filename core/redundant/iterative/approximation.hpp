@@ -1,6 +1,6 @@
 #pragma once
-/// Phase 1: knots and a spline within tolerance, by least squares [Bock 4.2.2], with the least largest error [4.2.4],
-/// or by Schoenberg's operator [4.2.5].
+/// Phase 1 of the coarse fit: knots, and a spline within tolerance of the samples, by least squares [Bock 4.2.2],
+/// Chebyshev approximation (least largest error) [4.2.4] or Schoenberg's operator [4.2.5].
 #include <optional>
 #include <vector>
 
@@ -11,15 +11,17 @@ namespace bahnwerk {
 
 struct Approximation {
   FitRows rows;
-  std::vector<double> variables;
-  std::size_t knots = 0;  ///< inner places
+  std::vector<double> variables;  ///< free control points, mm
+  std::size_t knots = 0;          ///< number of places of inner knots
 };
 
-/// None where not even T_max brings the error within tolerance. Deviations from the source, which inserts one knot per
-/// pass: every pass inserts one wherever the error is too large, provided that those are so far apart that one does
-/// not help the other, so the number of passes does not grow with the duration. Even knots of Chebyshev's
-/// approximation are found by doubling and halving their number. The control points of Schoenberg's are the
-/// positions at the Greville abscissae interpolated between samples, not those at the nearest one.
+/// Returns the approximation, or none if not even the finest knots, T_max, bring the error within tolerance.
+///
+/// Deviations from the source: each pass inserts a knot at every place where the error is too large, unless two such
+/// places are so close that one knot may serve both; the source inserts one per pass, so that its number of passes
+/// grows with the duration. Even knots of Chebyshev's approximation are found by doubling and halving their number.
+/// Schoenberg's control points are the positions at the Greville abscissae interpolated between samples; the source
+/// takes the nearest sample.
 std::optional<Approximation> approximate(const CoarseTask& task, const CoarseFitOptions& options);
 
 }  // namespace bahnwerk

@@ -18,21 +18,21 @@
 namespace bahnwerk {
 
 struct BandRow {
-  VariableRow row;              ///< its offset is part of lower and upper already
+  VariableRow row;              ///< a_i; its offset is already subtracted from lower and upper
   double lower = 0, upper = 0;  ///< finite
   double elastic = 0;           ///< e
 };
 
 struct BandProgram {
-  BandMatrix quadratic;  ///< Q: as wide a band as the rows have
+  BandMatrix quadratic;  ///< Q, with the band width of the rows
   std::vector<BandRow> rows;
-  std::vector<double> linear;  ///< c; none: 0
-  double price = 0;            ///< γ; with 0 there is no w
+  std::vector<double> linear;  ///< c; empty: 0
+  double price = 0;            ///< γ; 0: w does not exist
 };
 
 struct BandProgramOptions {
-  double gap = 1e-5;       ///< of the objective, relative to 1 + its value, at which it ends
-  double residual = 1e-9;  ///< of the rows, in their unit
+  double gap = 1e-5;       ///< duality gap at which iterations end, relative to 1 + the objective
+  double residual = 1e-9;  ///< residual of the rows at which iterations end
   int max_iterations = 80;
   std::function<void()> tick;  ///< called every iteration; may throw
 };
@@ -44,7 +44,9 @@ struct BandSolution {
   bool converged = false;
 };
 
-/// Rows should be scaled so that they and their bounds are of the order of 1. `start`: any y, the closer the better.
+/// Returns the solution; `converged` is false if iterations ended before the gap was reached. Rows should be scaled so
+/// that they and their bounds have the order of 1. `start` is an arbitrary y; a start close to the solution saves
+/// iterations.
 BandSolution solve(const BandProgram& program, const std::vector<double>& start, const BandProgramOptions& options);
 
 }  // namespace bahnwerk

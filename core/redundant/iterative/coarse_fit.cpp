@@ -15,7 +15,7 @@ constexpr double inside = 1 - 1e-6;      // of the limits that programs keep
 constexpr double violation_price = 1e3;  // of exceeding limits by all of them, in energies of the fit
 constexpr double noise = 1e-4;           // of the limits: excess that counts as none
 
-/// Counts positions from the first one in tolerances, and limits in themselves.
+/// Scales the problem: positions are counted from the first one in units of the tolerance, and limits are 1.
 class Programs {
  public:
   Programs(const CoarseTask& task, const FitRows& fit, const CoarseFitOptions& options)
@@ -26,7 +26,8 @@ class Programs {
     BandMatrix h = energy(fit_, linear);
     BandProgram program = positions();
     for (std::size_t order = 1; order <= 3; ++order) limits(program, order, 1);
-    // Relative to the energy of the start; the linear part, which fixed control points leave, becomes one more row.
+    // The energy is relative to that of the start; the linear part, which fixed control points leave, becomes one more
+    // row.
     const std::vector<double> y = scaled(start);
     std::vector<double> hy(y.size(), 0.0);
     h.multiply(y, hy);
@@ -77,7 +78,7 @@ class Programs {
     return y;
   }
 
-  /// The row of the scaled variables of what `row` is of those in mm, with its constant in `offset`.
+  /// Returns the row of the scaled variables for `row`, whose variables are in mm, with its constant in `offset`.
   static double constant(const VariableRow& row, double middle) {
     double sum = row.offset;
     for (std::size_t r = 0; r < row.count; ++r) sum += row.weights[r] * middle;
@@ -99,7 +100,7 @@ class Programs {
     for (std::size_t i = 0; i < fit_.rows.size(); ++i) {
       const VariableRow& row = fit_.rows[i];
       const double place = constant(row, middle_), x = task_.positions[i + 1], give = inside * scale_;
-      // Within the coarse axis' range, too, between samples as well, where the tool lets it be.
+      // Where the tool's path permits, the spline also stays within the coarse axis' range, between samples as well.
       const double lowest = std::clamp(task_.limits.lowest + between, x - give, x + give),
                    highest = std::clamp(task_.limits.highest - between, x - give, x + give);
       program.rows.push_back(
@@ -108,7 +109,7 @@ class Programs {
     return program;
   }
 
-  /// Of |derivative| ≤ limit: elastic > 0: with that elasticity; 0: ≤ w limits; < 0: hard.
+  /// Adds |derivative| ≤ limit. `elastic` > 0 is the row's elasticity; 0 stands for ≤ w limits; < 0 makes the row hard.
   void limits(BandProgram& program, std::size_t order, double elastic) const {
     const double limit = order == 1   ? task_.limits.velocity
                          : order == 2 ? task_.limits.acceleration
@@ -148,7 +149,7 @@ std::optional<CoarseFit> fit_coarse(const CoarseTask& task, const CoarseFitOptio
   if (options.smoothing == CoarseSmoothing::smoothing_spline) {
     y = smoothing_spline(task, a->rows, options.tick);
     if (!y && options.approximation != CoarseApproximation::least_squares) {
-      // Knots of another approximation need not bring least squares, where λ = 0, within tolerance [Bock 4.3.1].
+      // With knots of another approximation, least squares (λ = 0) need not be within tolerance [Bock 4.3.1].
       CoarseFitOptions own = options;
       own.approximation = CoarseApproximation::least_squares;
       if (std::optional<Approximation> b = approximate(task, own)) {

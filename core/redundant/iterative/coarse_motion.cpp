@@ -22,7 +22,7 @@ AxisState at(const TimeSpline::Coefficients& c, double h) {
   return s;
 }
 
-/// One axis, piece by piece, each going on where the one before ended.
+/// Builds one axis piece by piece; each piece continues where the one before ended.
 class Continued {
  public:
   explicit Continued(const Limits& limits) : limits_(limits), jerk_(limits.jerk < unlimited) {}
@@ -36,7 +36,8 @@ class Continued {
     begun_ = true;
     state_ = at(c, h);
     const double x = end.x - state_.x, v = (end.v - state_.v) * h, a = (end.a - state_.a) * h * h;
-    // Powers of time/h from the second or third on that change the end by that and nothing at the begin.
+    // Powers of time/h, from the second or third on, that change the values at the end by the difference and nothing at
+    // the begin.
     TimeSpline::Coefficients e{};
     double most = 0;
     if (jerk_) {

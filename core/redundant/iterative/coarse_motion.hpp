@@ -1,5 +1,5 @@
 #pragma once
-/// Coarse axes, each a spline with knots of its own, as one motion.
+/// Assembles the splines of the coarse axes, each with knots of its own, to one motion.
 #include <memory>
 #include <vector>
 
@@ -9,11 +9,11 @@
 
 namespace bahnwerk {
 
-/// Ends at `duration`, which the splines end at but for rounding. O(pieces of all).
+/// Returns the motion of all axes, which ends at `duration`, s; the splines end there up to rounding. O(pieces of all).
 ///
-/// With limits of each axis every piece begins with the position and velocity that the one before ends with, to the
-/// last bit, where jerk is limited with the acceleration, too. What the splines differ by at their knots, by rounding,
-/// is made up for within pieces that are long enough for it to take no more than 1e-10 of the acceleration, or jerk.
+/// If `limits` are given, every piece begins exactly with the position and velocity with which the one before ends, and
+/// with its acceleration if jerk is limited. Differences of the splines at knots are due to rounding; they are
+/// distributed over pieces long enough for the correction to need no more than 1e-10 of the acceleration or jerk limit.
 std::shared_ptr<const SplineMotion> coarse_motion(const std::vector<TimeSpline>& axes, double duration,
                                                   const std::vector<Limits>& limits = {});
 

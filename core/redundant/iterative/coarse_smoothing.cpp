@@ -10,7 +10,7 @@ namespace {
 
 constexpr double inside = 1 - 1e-6;  // of the limits that fits keep
 
-/// By how much control points of derivatives exceed the limits, at most: a quotient.
+/// Returns the largest quotient of a derivative's control point and its limit.
 double use_of_limits(const CoarseTask& task, const FitRows& fit, const std::vector<double>& y) {
   double most = 0;
   for (std::size_t order = 1; order <= std::min<std::size_t>(3, fit.space.degree()); ++order) {

@@ -1,6 +1,7 @@
 #pragma once
-/// Phase 2 by smoothing splines [Bock 4.2.6]: (1 − λ) E + λ G of the squared errors E at the samples and the energy
-/// G = ∫ (f″)², for the λ that the tolerance or the limits ask for. Each λ takes one band system: O(samples).
+/// Phase 2 by smoothing splines [Bock 4.2.6]: minimises (1 − λ) E + λ G, with the sum E of squared errors at the
+/// samples and the energy G = ∫ (f″)², for the λ that the tolerance or the limits require. Each λ takes one band
+/// system: O(samples).
 #include <functional>
 #include <optional>
 #include <vector>
@@ -11,17 +12,18 @@
 
 namespace bahnwerk {
 
-/// ∫ (f″)² of the variables, half its Hessian: Gauss' rule is exact in every span. The gradient's constant part, which
-/// fixed control points leave, goes to `linear`.
+/// Returns half the Hessian of ∫ (f″)² with respect to the variables, exact by Gauss' rule in every span. `linear`
+/// receives the constant part of the gradient, which comes from fixed control points.
 BandMatrix energy(const FitRows& fit, std::vector<double>& linear);
 
-/// The smoothest of (1 − λ) E + λ G within tolerance, searched from large λ on by its logarithm.
+/// Returns the control points of the smoothest spline within tolerance, searched over log λ from large λ on; none if no
+/// λ is within tolerance.
 std::optional<std::vector<double>> smoothing_spline(const CoarseTask& task, const FitRows& fit,
                                                     const std::function<void()>& tick);
 
-/// Least squares that exceed a limit of the coarse axis while the fine one has room, made as much smoother as the limit
-/// needs and the room allows: (1 − λ) E + λ G with the least such λ. Where no λ within tolerance holds the limits, the
-/// one that exceeds them least. Ours: the source lowers the head's limits there, which the fit does not depend on.
+/// Smooths a least-squares spline y that exceeds a limit of the coarse axis, with the least λ that keeps the limits. If
+/// no λ within tolerance keeps them, returns the spline that exceeds them least. This step is not in the source, which
+/// lowers the head's limits instead, on which the fit does not depend.
 std::vector<double> relieved(const CoarseTask& task, const FitRows& fit, std::vector<double> y,
                              const std::function<void()>& tick);
 

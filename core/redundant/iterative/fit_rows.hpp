@@ -1,5 +1,5 @@
 #pragma once
-/// The samples of a CoarseTask as rows of a spline's variables.
+/// The linear system of a coarse fit: one row of the spline's free control points per sample of a CoarseTask.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -11,11 +11,11 @@
 
 namespace bahnwerk {
 
-/// A space with its end conditions and, per sample from the second on (the first is given), its row.
+/// A spline space with its end conditions, and one row per sample from the second one on (the first position is given).
 struct FitRows {
   SplineSpace space;
   SplineEnds ends;
-  LargeVector<VariableRow> rows;  ///< row i is of sample i + 1
+  LargeVector<VariableRow> rows;  ///< row i belongs to sample i + 1
 
   FitRows(const CoarseTask& task, std::size_t degree, std::vector<double> knots)
       : space(degree, std::move(knots)), ends(space, task.begin) {
@@ -34,18 +34,20 @@ struct FitRows {
     }
   }
 
+  /// Returns the spline with the variables y less the position of sample i + 1, mm.
   double error(const CoarseTask& task, const std::vector<double>& y, std::size_t i) const {
     const VariableRow& row = rows[i];
     double sum = row.offset;
     for (std::size_t r = 0; r < row.count; ++r) sum += row.weights[r] * y[row.first + r];
     return sum - task.positions[i + 1];
   }
+  /// Returns the largest magnitude of error() over all rows, mm.
   double largest_error(const CoarseTask& task, const std::vector<double>& y) const {
     double most = 0;
     for (std::size_t i = 0; i < rows.size(); ++i) most = std::max(most, std::abs(error(task, y, i)));
     return most;
   }
-  /// Σ a aᵀ, and Σ a x on the right.
+  /// Returns the normal matrix Σ a aᵀ; `right` receives Σ a x.
   BandMatrix normal(const CoarseTask& task, std::vector<double>& right) const {
     BandMatrix matrix(ends.variables(), space.degree());
     right.assign(ends.variables(), 0);

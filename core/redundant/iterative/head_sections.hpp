@@ -1,10 +1,10 @@
 #pragma once
-/// A head's motion law section by section from rest to rest, each with limits of its own: lowering those of one section
-/// plans that section again and no other.
+/// The head's time law, section by section from rest to rest, each section with its own limits, so that only a section
+/// whose limits fall is planned again.
 ///
-/// With limited acceleration cells are so wide that the law has about four pieces per cycle, up to 8 times as wide as
-/// usual: the axes are fitted to samples of it, and more cells would only take time. Durations change by 1e-5 or so
-/// (AccelerationLimitedOptions::width).
+/// With limited acceleration the cells of the planner's grid are up to 8 times as wide as usual, so that the law has
+/// about four pieces per cycle: the coarse axes are fitted to samples of it, and a finer law would not change the fit.
+/// Durations change by about 1e-5 (AccelerationLimitedOptions::width).
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -23,24 +23,24 @@ class Progress;
 
 class HeadSections {
  public:
-  /// Plans all sections at once with the limits of `machine` and `feeds`. With jerks where `machine` limits them.
-  /// `task` and `options` outlive it. `width` of cells, in usual ones; 0: it is found, by planning twice where it is
-  /// not 1. Throws what the planners throw.
+  /// Plans all sections with the limits of `machine` and `feeds`, mm/s; with limited jerk if `machine` limits it.
+  /// `task` and `options` must outlive this object. `width` is that of cells in units of the usual one; 0: it is
+  /// determined, with a second plan unless it is 1. Throws what the planners throw.
   HeadSections(const RedundancyTask& task, const RedundancyOptions& options, const Machine& machine,
                const std::vector<double>& feeds, Progress& progress, double from, double to, double width = 0);
 
   double width() const { return width_; }
   std::size_t size() const { return begin_.size() - 1; }
-  /// The first segment of a section; of size(): one past the last.
+  /// Returns the first segment of a section; begin(size()) is the number of segments.
   std::size_t begin(std::size_t section) const { return begin_[section]; }
   std::size_t section_of(std::size_t segment) const;
 
-  /// Plans a section again, with these limits and feeds. O(cells of the section).
+  /// Plans a section again with the given limits and feeds. O(cells of the section).
   void replan(std::size_t section, const Machine& machine, const std::vector<double>& feeds);
-  /// The law of sections [first, last) from time 0 on, with the dwells that come before each, and those at the end of
-  /// the path. O(pieces).
+  /// Returns the law of the sections [first, last) from time 0 on, including the dwells before each section and those
+  /// at the end of the path. O(pieces).
   TimeLaw law(std::size_t first, std::size_t last) const;
-  /// How long that lasts, s. O(sections + dwells).
+  /// Returns the duration of law(first, last), s. O(sections + dwells).
   double duration(std::size_t first, std::size_t last) const;
 
  private:
@@ -50,10 +50,10 @@ class HeadSections {
   const RedundancyTask& task_;
   const RedundancyOptions& options_;
   Progress& progress_;
-  double at_;         // of the progress, while sections are planned again
-  double width_ = 1;  ///< of the cells in which laws are planned, in usual ones
+  double at_;         // progress reported while sections are planned again
+  double width_ = 1;  ///< width of the cells, in units of the usual one
   std::vector<std::size_t> begin_;
-  std::vector<TimeLaw> laws_;  ///< per section, places along the whole path
+  std::vector<TimeLaw> laws_;  ///< per section, with path lengths of the whole path
 };
 
 }  // namespace bahnwerk

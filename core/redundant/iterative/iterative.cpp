@@ -63,14 +63,14 @@ class Planner {
  private:
   const HeadSections& sections() const { return split_.sections(); }
 
-  /// Where the head is, at rest.
+  /// Returns the head's resting position.
   std::vector<SplineBegin> at_head() const {
     std::vector<SplineBegin> begin(coarse_.size());
     const AxisJet q = task_.path->at_parameter(0, (*task_.path)[0].curve().begin());
     for (std::size_t k = 0; k < begin.size(); ++k) begin[k] = {q.value[k], 0, 0, task_.machine.limits_jerk(), {}};
     return begin;
   }
-  /// What the coarse axes do at time t of a part.
+  /// Returns the coarse axes' states at time t of a part.
   std::vector<SplineBegin> state(const SplitPart& part, double t) const {
     std::vector<SplineBegin> begin(coarse_.size());
     for (std::size_t k = 0; k < begin.size(); ++k) {
@@ -92,7 +92,7 @@ class Planner {
     return part;
   }
 
-  /// In the direction of time, and against it where that leaves something to gain: the better one counts.
+  /// Plans forward in time, and also backward if that may gain; the quicker plan is kept.
   bool whole() {
     std::optional<SplitPart> part = solved_whole(false);
     if (!part || part->law.duration() > split_.fastest() * (1 + constants_.backward_from)) {
@@ -112,7 +112,7 @@ class Planner {
     return true;
   }
 
-  /// Algorithm 4.2, with windows that begin where the head rests.
+  /// Plans in windows by Algorithm 4.2; windows begin where the head rests.
   bool windowed() {
     const std::size_t n = sections().size();
     std::vector<SplineBegin> begin = at_head();
@@ -149,8 +149,8 @@ class Planner {
     return (*task_.path)[i].length() > constants_.long_move * stroke;
   }
 
-  /// One past the last section of the window that begins at `first`: as many blocks as wished, whole sections. Long
-  /// moves are windows of their own.
+  /// Returns the index behind the last section of the window that begins at `first`: as many blocks as requested,
+  /// rounded to whole sections. Long moves are windows of their own.
   std::size_t window_end(std::size_t first) const {
     std::size_t last = first + 1;
     if (long_move(first)) return last;
@@ -158,7 +158,7 @@ class Planner {
     while (last < sections().size() && sections().begin(last) < wished && !long_move(last)) ++last;
     return last;
   }
-  /// Up to which section a window is kept.
+  /// Returns the section up to which a window is kept.
   std::size_t keeps(std::size_t first, std::size_t last) const {
     if (last == sections().size() || long_move(last) || long_move(first)) return last;
     std::size_t kept = last;
@@ -166,7 +166,7 @@ class Planner {
     return kept;
   }
 
-  /// When a part gets to the begin of a section; dwells there come afterwards.
+  /// Returns when a part reaches the begin of a section, before the dwells there.
   double time_of(const SplitPart& part, std::size_t section) const {
     if (section >= part.last) return part.law.duration();
     return part.law.pieces()[pieces_before(part, section)].t0;
@@ -206,7 +206,7 @@ class Planner {
       options.method = RedundancyMethod::joint;
       options.compare = false;
       RedundancyResult joint = plan_joint_method(task_, options, progress_, to_, to_);
-      // With limited jerk the coarse axes alone cannot follow where curvature jumps.
+      // With limited jerk the coarse axes alone cannot follow jumps of curvature.
       if (!task_.machine.limits_jerk() && !(joint.head->duration() < other.head->duration())) return;
       other = std::move(joint);
       other.notes.push_back("the iterative method found no valid split; the joint planner planned the contour");
@@ -214,7 +214,7 @@ class Planner {
     }
   }
 
-  /// The coarse axes do all, within their own limits; the fine ones stand in the middle.
+  /// Plans the coarse axes alone, within their own limits, with all fine axes in the middle of their strokes.
   RedundancyResult coarse_alone() const {
     RedundancyResult alone;
     alone.head = std::make_shared<const PathMotion>(task_.path, split_.alone().law(0, sections().size()));

@@ -1,17 +1,17 @@
 #pragma once
-/// The source's own method [Bock chapter 4]: the head is planned with the fine axes' limits, the coarse axes are
-/// splines fitted to its motion over time, and where the split exceeds a limit the head's limits fall, block by block,
-/// until it does not. A block is a segment of the path; a section from rest to rest is planned with the least limits of
-/// its blocks.
+/// The iterative method [Bock chapter 4]: the head is planned with the fine axes' limits, the coarse axes are splines
+/// fitted to its motion over time, and where the split exceeds a limit the head's limits fall, block by block, until
+/// the split is valid. A block is a segment of the path; a section from rest to rest is planned with the least limits
+/// of its blocks.
 ///
-/// The whole contour at once, or in windows that overlap [Bock 4.3.4]: then windows begin where the head rests, so only
-/// the coarse axes' motion is carried over. Where a window finds no valid split the one before is kept to its end, at
-/// rest, and the window begins there (the source's rescue stop). Should that fail, too, the joint planner plans the
-/// contour, and where it finds nothing the coarse axes move alone: every contour ends in a split that holds all limits,
-/// by bounds between samples (split_peaks.hpp); `fallbacks` counts.
+/// The contour is planned at once or in overlapping windows [Bock 4.3.4]. Windows begin where the head rests, so only
+/// the coarse axes' state is carried over. If a window has no valid split, the window before is kept up to its end, at
+/// rest, and the window begins there (the source's rescue stop). If that fails, too, the joint planner plans the
+/// contour, and if that fails the coarse axes move alone. Every contour thus gets a split that keeps all limits, by
+/// bounds between samples (split_peaks.hpp); `fallbacks` of the result counts replacements.
 ///
-/// Not the fastest motion: the head never gets more than the fine axes' acceleration. Cost: O(samples) per iteration;
-/// docs/methods/coarse_fine_iterative.md has times.
+/// The motion is not the fastest one, because the head never gets more than the fine axes' acceleration. Cost:
+/// O(samples) per iteration; docs/methods/coarse_fine_iterative.md lists times.
 #include "core/redundant/iterative/adaptive_split.hpp"
 #include "core/redundant/redundancy.hpp"
 
@@ -19,11 +19,12 @@ namespace bahnwerk {
 
 class Progress;
 
-/// Plans the task with those constants. Throws InvalidInput for degrees and knots that do not make the coarse motion as
-/// smooth as it has to be, for thinning that leaves nothing of the stroke, and as the head's planner does; Stopped.
+/// Plans the task with the given constants; progress runs from `from` to `to`. Throws InvalidInput if degree and knots
+/// do not make the coarse motion smooth enough, if thinning leaves nothing of the stroke, and where the head's planner
+/// does; Stopped.
 RedundancyResult plan_iterative(const RedundancyTask& task, const RedundancyOptions& options,
                                 const IterativeOptions& constants, Progress& progress, double from = 0, double to = 1);
-/// Plans with the constants of the source.
+/// Plans with the constants of the source. Throws as above.
 RedundancyResult plan_iterative(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
                                 double from, double to);
 

@@ -3,7 +3,8 @@
 namespace bahnwerk {
 namespace {
 
-/// When the head gets to each block, to a sample, and the end. Blocks without a sample take no time.
+/// Returns the times at which the head reaches each block, rounded to samples, and the end. Blocks without a sample
+/// take no time.
 std::vector<double> entries(const HeadSamples& head) {
   std::vector<double> times;
   times.reserve(head.segments.back() - head.segments.front() + 2);

@@ -1,6 +1,6 @@
 #pragma once
-/// Knots of one iteration for the next, whose head takes longer here and there: each keeps its block, and its share of
-/// the time in it. Where nothing else changes the coarse axes then do what they did before.
+/// Transfers the knots of one iteration to the next, whose head takes longer in some blocks: each knot keeps its block
+/// and its relative time in that block. Where nothing else changes, the coarse axes then keep their motion.
 #include <cstddef>
 #include <vector>
 
@@ -11,9 +11,9 @@ namespace bahnwerk {
 
 class KeptKnots {
  public:
-  /// Where those splines, one per axis, are made of pieces. O(samples + pieces).
+  /// Stores the knots of `coarse`, one spline per axis. O(samples + pieces).
   void keep(const HeadSamples& head, const std::vector<TimeSpline>& coarse);
-  /// When that is with another head on the same blocks, s, ascending. O(samples + knots).
+  /// Returns the knots' times, s, ascending, for another head on the same blocks. O(samples + knots).
   std::vector<double> times(const HeadSamples& head, std::size_t axis) const;
 
  private:

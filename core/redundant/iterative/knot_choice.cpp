@@ -45,7 +45,7 @@ std::size_t KnotChoice::choice(double t) const {
     }
     return middle(grading_ > 0 ? graded(best) : best);
   }
-  // A chosen place: the wider of the nearest gaps on both sides that are not used up.
+  // The place is chosen already: take the wider of the nearest gaps on both sides that have places left.
   std::size_t left = next, right = next;
   while (left > 0 && gap(left - 1) == 0) --left;
   while (right < gaps && gap(right) == 0) ++right;

@@ -1,21 +1,21 @@
 #pragma once
-/// Which knots a coarse axis' spline has: chosen from the largest sensible ones, T_max, where the approximation is
-/// worst [Bock 4.2.3, 4.3.1].
+/// Choice of the knots of a coarse axis' spline: from the finest sensible knots, T_max, those are chosen where the
+/// approximation is worst [Bock 4.2.3, 4.3.1].
 #include <cstddef>
 #include <vector>
 
 namespace bahnwerk {
 
-/// Places for inner knots, evenly spaced over [0, duration]; each, if chosen, counts `multiplicity` times.
+/// Evenly spaced places for inner knots over [0, duration], s; a chosen place has `multiplicity` equal knots.
 class KnotChoice {
  public:
-  /// `places` ≥ 0 inner ones. `wide` is K*: gaps of more places are always divided themselves, unless there is a
-  /// `grading` > 0: gaps with a neighbour more than so many times as long are not, that neighbour is in their place.
-  /// Next to a long gap splines swing in a short one.
+  /// There are `places` ≥ 0 inner places. `wide` is K*: a gap of more places is divided itself. With `grading` > 0, a
+  /// gap whose neighbour is more than `grading` times as long is not divided; the neighbour is divided instead, because
+  /// splines oscillate in a short gap beside a long one.
   KnotChoice(double duration, std::size_t places, std::size_t degree, std::size_t multiplicity, std::size_t wide,
              double grading = 0);
-  /// As many as interpolating `samples` values takes (4.11), but never more than that: knots beyond would leave the
-  /// approximation undetermined.
+  /// Returns the number of places with which the spline interpolates `samples` values (4.11), at most; more would make
+  /// the approximation singular.
   static std::size_t interpolating(std::size_t samples, std::size_t degree, std::size_t multiplicity);
 
   std::size_t places() const { return places_; }
@@ -23,23 +23,24 @@ class KnotChoice {
   bool full() const { return chosen() == places_; }
   std::vector<double> knots() const;
 
-  /// Chooses one more place because of the error at time t. False: there is none left.
+  /// Chooses one more place because of the error at time t, s. Returns false if none is left.
   bool insert(double t);
-  /// One more in the middle of the widest gap.
+  /// Chooses one more place in the middle of the widest gap. Returns false if none is left.
   bool insert_in_widest();
-  /// One at each of several times, the most important first. Those that would fall closer than `apart` chosen knots to
-  /// one that was inserted before are left out, because that one may have helped there, too. Returns how many.
+  /// Chooses one place at each of `times`, s, the most important first. A place closer than `apart` chosen knots to one
+  /// inserted by this call is left out, because that knot may have helped there as well. Returns the number of new
+  /// places.
   std::size_t insert_apart(const std::vector<double>& times, std::size_t apart);
-  /// The places nearest to `times`, ascending, in addition.
+  /// Chooses the places nearest to `times`, s, ascending, in addition.
   void choose_nearest(const std::vector<double>& times);
-  /// Even choice of `count` places, at most all; replaces what was chosen (4.39).
+  /// Replaces the choice by `count` evenly distributed places, at most all (4.39).
   void choose_evenly(std::size_t count);
 
  private:
   std::size_t place_at(double t) const;
-  /// The place to choose, 0 = none. (4.37), (4.38) and the cases around them.
+  /// Returns the place to choose because of an error at t by (4.37), (4.38) and their special cases; 0: none.
   std::size_t choice(double t) const;
-  std::size_t graded(std::size_t i) const;  ///< the gap to divide in place of gap i
+  std::size_t graded(std::size_t i) const;  ///< the gap to divide instead of gap i, see `grading`
   void add(std::size_t place);
   std::size_t gap(std::size_t i) const { return chosen_[i + 1] - chosen_[i] - 1; }  ///< places behind chosen i
   std::size_t middle(std::size_t i) const { return (chosen_[i] + chosen_[i + 1]) / 2; }

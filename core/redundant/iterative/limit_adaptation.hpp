@@ -1,5 +1,5 @@
 #pragma once
-/// How the head's limits fall where a split exceeds those of the coarse or the fine axes [Bock 4.3.2].
+/// Adaptation of the head's limits where a split exceeds limits of the coarse or the fine axes [Bock 4.3.2].
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -10,43 +10,42 @@
 namespace bahnwerk {
 
 struct AdaptationOptions {
-  /// λ_k: by how much of what the coarse axis exceeds its limit, here and on the neighbours 1, 2 … k* blocks away.
+  /// λ_k: share of the coarse axis' excess by which limits fall in the block itself and in blocks 1, 2 … k* away.
   std::array<double, 3> spread{1.0, 0.7, 0.4};
-  double fine_factor = 1.15;  ///< K_xf: by how much of what the fine axis exceeds its limit
-  double feed_factor = 1.1;   ///< of (4.42)
-  int anchor_steps = 20;      ///< of (4.40): the least limit is that of the coarse axis over this
-  /// What falls, falls by this at least, relative: ours, for excess that vanishes slowly.
+  double fine_factor = 1.15;  ///< K_xf: factor of the fine axis' excess by which limits fall
+  double feed_factor = 1.1;   ///< factor of (4.42)
+  int anchor_steps = 20;      ///< of (4.40): the least limit is the coarse axis' limit divided by this
+  /// Least relative decrease of a limit that falls (not in the source), against excess that vanishes slowly.
   double least_change = 2e-3;
-  /// With `proportional`: acceleration and jerk limits fall at least by the share by which the coarse axis has to.
-  /// Ours.
+  /// Whether acceleration and jerk limits fall at least in proportion to the coarse axis' excess (not in the source).
   bool proportional = false;
-  /// Excess that counts as none, relative: rounding.
+  /// Relative excess that counts as rounding.
   double rounding = 1e-9;
 };
 
-/// Ours, for passes in which excess only vanishes by what falls: in proportion, and in each by half as much again as in
-/// the one before, at least. `passes` ≥ 1 such passes so far.
+/// Returns options whose limits fall proportionally, and by half as much again per pass, for the pass number `passes` ≥
+/// 1 in which only falling limits can remove the excess. Not in the source.
 AdaptationOptions with_larger_steps(AdaptationOptions options, int passes);
 
-/// The head's limits per block (segment of the path), of each axis.
+/// The head's limits per block (segment of the path): accelerations mm/s² and jerks mm/s³ per axis, feeds mm/s.
 struct HeadLimits {
   std::vector<std::vector<double>> acceleration, jerk;  ///< [axis][block]
-  std::vector<double> feeds;                            ///< (per block) mm/s
+  std::vector<double> feeds;                            ///< [block]
 };
 
-/// Algorithm 4.1 for one axis and one kind of limit, for blocks [first, first + coarse.size()): `limits` of all blocks
-/// fall where `coarse` or `fine`, the peaks of those blocks, exceed `coarse_limit` or `fine_limit` in iteration
-/// `iteration` ≥ 1. Nothing rises, nothing falls below the anchor (4.40), of the fine axis' branch neither (the source
-/// has none there), nor by what the coarse axis does beyond that. Returns whether anything fell.
+/// Algorithm 4.1 for one axis and one kind of limit in the blocks [first, first + coarse.size()): `limits`, of all
+/// blocks, fall where the peaks `coarse` or `fine` of those blocks exceed `coarse_limit` or `fine_limit` in iteration
+/// `iteration` ≥ 1. No limit rises, and none falls below the anchor (4.40) or the coarse axis' peak below it; the
+/// source has no anchor for the fine axis. Returns whether a limit fell.
 bool adapt(std::vector<double>& limits, std::size_t first, const std::vector<double>& coarse, double coarse_limit,
            const std::vector<double>& fine, double fine_limit, int iteration, const AdaptationOptions& options);
 
-/// (4.41), (4.42): the feed of one block. `peaks` are those of its axes.
+/// Lowers the feed of one block by (4.41), (4.42); `peaks` has one entry per axis. Returns whether it fell.
 bool adapt_feed(double& feed, double first_feed, const std::vector<SplitPeaks>& peaks, const CoarseFineMachine& machine,
                 const AdaptationOptions& options);
 
-/// The feed of the first iteration: what the document says, and not more than the coarse axes reach by themselves along
-/// that segment, end of [Bock 4.3.2]. By q′ at a few places of a curved one.
+/// Returns the feed of a segment in the first iteration, mm/s: the document's feed, at most the speed that the coarse
+/// axes alone reach along the segment (end of [Bock 4.3.2]), by q′ at a few places of a curved segment.
 double first_feed(const AxisPath& path, std::size_t segment, double feed, const CoarseFineMachine& machine);
 
 }  // namespace bahnwerk

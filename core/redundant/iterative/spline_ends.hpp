@@ -1,7 +1,7 @@
 #pragma once
-/// Conditions at both ends of a spline by elimination of control points [Bock 4.2.3, (4.7)–(4.9)]: at the begin
-/// position and velocity are given, and the acceleration where it has to be continuous; at the end it rests wherever it
-/// is.
+/// End conditions of a spline, imposed by elimination of control points [Bock 4.2.3, (4.7)–(4.9)]: position and
+/// velocity are given at the begin, and the acceleration where it has to be continuous; at the end the spline is at
+/// rest at a free or given position.
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -12,38 +12,40 @@ namespace bahnwerk {
 
 struct SplineBegin {
   double position = 0, velocity = 0, acceleration = 0;  ///< mm, mm/s, mm/s²
-  bool with_acceleration = false;                       ///< given, and 0 at the end
-  std::optional<double> end = {};                       ///< mm, where it comes to rest, if not wherever it is
+  bool with_acceleration = false;  ///< whether the acceleration is given at the begin, and 0 at the end
+  std::optional<double> end = {};  ///< mm, given end position; none: it is free
 };
 
-/// Σ weights[r] · y[first + r] + offset, of the variables y.
+/// An affine function of the variables y: Σ weights[r] · y[first + r] + offset, r < count.
 struct VariableRow {
   std::size_t first = 0, count = 0;
   std::array<double, max_spline_degree + 1> weights{};
   double offset = 0;
 };
 
-/// With K = 2 control points fixed at the begin and 2 equal ones at the end (3 each with accelerations), fixed, too,
-/// where the end is given.
+/// The free control points of a spline. K = 2 control points are fixed at the begin and K are equal at the end (K = 3
+/// with accelerations); the latter are fixed as well if the end position is given.
 class SplineEnds {
  public:
-  /// Control points that are needed at least.
+  /// Returns the least number of control points.
   static std::size_t least(const SplineBegin& begin) { return (begin.with_acceleration ? 6 : 4) + (begin.end ? 1 : 0); }
   SplineEnds(const SplineSpace& space, const SplineBegin& begin);
 
   std::size_t variables() const { return variables_; }
+  /// Returns a row of control points as a row of the variables.
   VariableRow reduced(const SplineRow& row) const;
-  /// Whether control points [first, first + count) are variables, each its own.
+  /// Tells whether each of the control points [first, first + count) is a variable of its own.
   bool fixes_none_of(std::size_t first, std::size_t count) const {
     return first >= fixed_.size() && first + count <= fixed_.size() + variables_;
   }
+  /// Returns all control points for given variables.
   std::vector<double> controls(const std::vector<double>& variables) const;
-  /// The control point that variable i is, the first of those that it is.
+  /// Returns the index of the (first) control point that is variable i.
   std::size_t control(std::size_t i) const { return i + fixed_.size(); }
 
  private:
   std::size_t size_, variables_;
-  std::vector<double> fixed_;  ///< at the begin
+  std::vector<double> fixed_;  ///< fixed control points at the begin
   std::optional<double> end_;
 };
 

@@ -51,7 +51,7 @@ SplineRow SplineSpace::at(double t, std::size_t order, std::size_t& span) const 
 
 bool SplineSpace::control(std::size_t order, std::size_t i, SplineRow& row) const {
   row = {i, order + 1, {}};
-  // Triangle of differences: stencil r of order o spans controls i + r … i + r + o.
+  // Triangle of differences: the stencil r of order o covers the control points i + r … i + r + o.
   std::array<std::array<double, limit>, limit> stencil{};
   for (std::size_t r = 0; r <= order; ++r) stencil[r][r] = 1;
   for (std::size_t o = 1; o <= order; ++o)
@@ -69,7 +69,7 @@ TimeSpline SplineSpace::spline(const std::vector<double>& controls) const {
   TimeSpline s;
   for (std::size_t k = degree_; k < size(); ++k) {
     if (!(knots_[k + 1] > knots_[k])) continue;
-    // Derivatives at the left end of the span by differences of its control points.
+    // Derivatives at the left end of the span follow from differences of its control points.
     TimeSpline::Coefficients d{}, c{};
     for (std::size_t r = 0; r <= degree_; ++r) d[r] = controls[k - degree_ + r];
     const auto value = [&](std::size_t order) {  // de Boor on the control points of the derivative

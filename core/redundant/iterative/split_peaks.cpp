@@ -10,8 +10,8 @@ Range hull(const Range& a, const Range& b) { return {std::min(a.lowest, b.lowest
 double largest(const Range& r) { return std::max(std::abs(r.lowest), std::abs(r.highest)); }
 Range minus(const Range& a, const Range& b) { return {a.lowest - b.highest, a.highest - b.lowest}; }
 
-/// Range of a polynomial's second and third derivative over h seconds: their values at both ends, and at most
-/// h²/8·max|f″| beyond, f″ being linear.
+/// Returns the ranges of a polynomial's second and third derivative over h seconds: the values at both ends, widened by
+/// at most h²/8·max|f″|, where f″ is linear.
 struct CoarseRange {
   Range acceleration, jerk;
 };

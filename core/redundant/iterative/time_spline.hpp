@@ -1,5 +1,5 @@
 #pragma once
-/// One axis over time as polynomials end to end: a coarse axis once its spline is known.
+/// One axis over time as consecutive polynomials: the form that a coarse axis' spline has for evaluation.
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -8,7 +8,7 @@ namespace bahnwerk {
 
 inline constexpr std::size_t max_spline_degree = 5;
 
-/// Position mm, velocity mm/s, acceleration mm/s², jerk mm/s³.
+/// State of an axis: position mm, velocity mm/s, acceleration mm/s², jerk mm/s³.
 struct AxisState {
   double x = 0, v = 0, a = 0, j = 0;
 };
@@ -23,27 +23,28 @@ class TimeSpline {
   double duration() const { return end_; }
   const Coefficients& coefficients(std::size_t i) const { return pieces_[i].coefficients; }
 
-  /// Appends a piece from where the last one ends to `end`, s.
+  /// Appends a piece that reaches from the current end to `end`, s.
   void append(double end, const Coefficients& coefficients) {
     pieces_.push_back({end_, coefficients});
     end_ = end;
   }
-  /// Returns the piece that holds t, searched from `hint` on; the later one where two meet.
+  /// Returns the piece that holds t, searched from `hint` on; at a border the later one.
   std::size_t find(double t, std::size_t hint) const {
     std::size_t i = hint < pieces_.size() && pieces_[hint].begin <= t ? hint : 0;
     while (i + 1 < pieces_.size() && pieces_[i + 1].begin <= t) ++i;
     return i;
   }
+  /// Returns the state by the polynomial of piece i at time t, s.
   AxisState in_piece(std::size_t i, double t) const;
-  /// Returns the coefficients of powers of time − t.
+  /// Returns the coefficients of piece i by powers of (time − t).
   Coefficients from(std::size_t i, double t) const;
-  /// Continues with what another one does up to `until`, shifted by where this one ends; then it ends at `end`, which
-  /// differs from their sum by rounding only.
+  /// Appends the motion of `other` from 0 to `until`, s, shifted to the current end; the new end is `end`, which equals
+  /// their sum up to rounding.
   void append(const TimeSpline& other, double until, double end);
-  /// Makes the motion last `factor` times as long. O(pieces).
+  /// Scales time so that the motion lasts `factor` times as long. O(pieces).
   void slow(double factor);
-  /// Returns the motion from its end to its begin. Its first `rest` derivatives are 0 at its begin, where this one ends
-  /// at rest but for rounding. O(pieces).
+  /// Returns the time-reversed motion. Its first `rest` derivatives are set to 0 at its begin, where this motion is at
+  /// rest up to rounding. O(pieces).
   TimeSpline reversed(std::size_t rest) const;
 
  private:

@@ -1,7 +1,7 @@
 #pragma once
-/// A coarse motion from one number per cycle: the uniform cubic B-spline in time that has the output of a filter as its
-/// control points. It smooths by three more taps (1/6, 4/6, 1/6) and makes a motion whose peaks are known exactly:
-/// velocity and acceleration are largest at differences of control points.
+/// A coarse motion from one filtered number per cycle: the uniform cubic B-spline in time with these numbers as control
+/// points. It is itself a low-pass with the taps 1/6, 4/6, 1/6, and its peaks of velocity and acceleration follow
+/// exactly from differences of control points.
 #include <cstddef>
 #include <vector>
 
@@ -9,11 +9,12 @@
 
 namespace bahnwerk {
 
-/// control[axis][i], i = 0 … n: of the times (i) · step; as many cells between. At least the first three and the last
-/// three of an axis are equal, so that it begins and ends at rest. Throws std::invalid_argument for fewer than four.
+/// Returns the spline with the control points control[axis][i], i = 0 … n, mm, at the times i · `step`, s; it has n
+/// cells. The first three and the last three of an axis must be equal, so that the axis begins and ends at rest. Throws
+/// std::invalid_argument for fewer than four control points.
 SplineMotion cycle_spline(const std::vector<std::vector<double>>& control, double step);
 
-/// Returns the positions of a motion at the times i · duration/n, i = 0 … n: [axis][i].
+/// Returns the positions of a motion, [axis][i], at the n + 1 times i · duration/n.
 std::vector<std::vector<double>> sampled(const Motion& motion, std::size_t n);
 
 }  // namespace bahnwerk

@@ -9,7 +9,8 @@ RedundancyResult plan_filter(const RedundancyTask& task, const RedundancyOptions
                              double from, double to) {
   const std::size_t taps = options.taps;
   FilterSearch search;
-  // Two samples more than the group delay: the spline's rest takes three control points that are equal.
+  // The rests are two samples longer than the group delay, because the spline is at rest where three control points are
+  // equal.
   search.lead = search.tail = (static_cast<double>(taps - 1) / 2 + 2) * task.machine.cycle_time;
   search.filter = [&](const std::vector<double>& x, double step) {
     return filtered(x, low_pass(taps, options.cutoff, step));

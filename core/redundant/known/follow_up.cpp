@@ -26,7 +26,8 @@ struct Box {
   }
 };
 
-/// Encloses where the tool is on a segment: between two looks it goes no further than half of the way between them.
+/// Encloses the tool's positions on a segment: between two samples the tool leaves both by at most half of the path
+/// length between them.
 void add_segment(Box& box, const AxisPath& path, std::size_t i, double stroke, ProgressScope& scope) {
   const Segment& segment = path[i];
   box.add(path.at(i, segment.s0()).value, path.axes());
@@ -62,7 +63,7 @@ FollowUp::FollowUp(const AxisPath& path, const Contour& contour, const CoarseFin
     run.length = path[run.last - 1].s1() - run.s0;
     for (std::size_t i = run.first; i < run.last; ++i) run_[i] = r;
     if (!run.cuts) continue;
-    // A run that begins or ends the contour leaves the fine axes where they are.
+    // A run at the begin or end of the contour leaves the fine axes where they are.
     if (centred && (r == 0 || r + 1 == runs_.size())) continue;
     Box box;
     run.fits = true;
@@ -74,7 +75,7 @@ FollowUp::FollowUp(const AxisPath& path, const Contour& contour, const CoarseFin
     if (run.fits)
       for (std::size_t k = 0; k < axes_; ++k) run.centre[k] = 0.5 * (box.lowest[k] + box.highest[k]);
   }
-  // What the fine axes are off where a run that fits begins or ends is what the move before or behind it has to reach.
+  // The offset of the fine axes at the ends of a run that fits is what the moves before and behind it have to reach.
   for (std::size_t r = 0; r < runs_.size(); ++r) {
     Run& run = runs_[r];
     if (run.cuts) continue;
@@ -116,7 +117,7 @@ RedundancyResult plan_follow_up(const RedundancyTask& task, const RedundancyOpti
     stops.rests[run.first] = true;
     if (run.cuts) ++(run.fits ? fine : coarse);
     if (run.fits) continue;
-    // The coarse axes take every step of the tool's velocity, and theirs has to be continuous.
+    // The coarse axes carry all jumps of the tool's velocity, but their own velocity has to be continuous.
     for (std::size_t i = run.first + 1; i < run.last; ++i)
       if (stops_at(task.path->tool(), i, smallest_step)) stops.rests[i] = true;
   }

@@ -1,10 +1,11 @@
 #pragma once
-/// Following up [Bock 3.1]: what fits into the strokes of the fine axes they cut alone, while the coarse axes stand;
-/// everything else the coarse axes cut alone; between, all axes move from point to point.
+/// The follow-up method (Nachführung) [Bock 3.1]: whatever fits into the strokes of the fine axes is cut by them alone
+/// while the coarse axes stand; everything else is cut by the coarse axes alone; all axes move during positioning.
 ///
-/// What counts is a run: all that is cut between two positioning moves. The coarse axes stand where a run that fits has
-/// its middle. While positioning, what the fine axes are off goes evenly along the path from one run's to the next
-/// one's, so the tool stays on its path, and in between their strokes, and all axes end together.
+/// The contour is divided into runs. A run is everything that is cut between two positioning moves. For a run that
+/// fits, the coarse axes stand where the run has its middle. During a positioning move the offset of the fine axes
+/// changes linearly with path length from that of one run to that of the next, so the tool stays on its path, the fine
+/// axes stay within their strokes, and all axes arrive together.
 #include <cstddef>
 #include <vector>
 
@@ -13,16 +14,18 @@
 
 namespace bahnwerk {
 
-/// Along a run the fine axes cut it, or the offset x − x_c is linear in s.
+/// Positions of the coarse axes over path length: constant on a run that fits, else the tool's position less an offset
+/// that is linear in s.
 class FollowUp final : public CoarsePath {
  public:
   struct Run {
     std::size_t first = 0, last = 0;  ///< segments
     bool cuts = false, fits = false;
-    AxisArray centre{};           ///< where the coarse axes stand, if it fits
-    AxisArray begin{}, change{};  ///< else: the offset where it begins, and by how much it changes
+    AxisArray centre{};           ///< mm, where the coarse axes stand, if the run fits
+    AxisArray begin{}, change{};  ///< mm, else: offset x − x_c at the run's begin, and its change along the run
     double s0 = 0, length = 0;
   };
+  /// Divides `path`, the path of `contour`, into runs.
   FollowUp(const AxisPath& path, const Contour& contour, const CoarseFineMachine& machine, Progress& progress);
   bool linear(std::size_t) const override { return true; }
   AxisJet at(std::size_t segment, double s, const AxisJet& tool) const override;
@@ -31,10 +34,10 @@ class FollowUp final : public CoarsePath {
  private:
   std::size_t axes_;
   std::vector<Run> runs_;
-  std::vector<std::size_t> run_;  ///< of each segment
+  std::vector<std::size_t> run_;  ///< index of the run of each segment
 };
 
-/// Everything stops where runs meet.
+/// Plans with rests at all borders between runs; progress runs from `from` to `to`. Throws as plan_split() does.
 RedundancyResult plan_follow_up(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
                                 double from, double to);
 

@@ -20,7 +20,7 @@ constexpr double cells_per_pitch = 64;                         // of the planner
 constexpr double least_cells_per_pitch = 4, most_cells = 2e4;  // along the path
 constexpr int patience = 1;                                    // curves closer to the path that are no quicker
 
-/// The degree + 1 uniform B-splines that are not zero on a span, at t ∈ [0, 1] of it (Cox, de Boor).
+/// Returns the degree + 1 uniform B-splines that do not vanish on a span, at t ∈ [0, 1] of it (Cox, de Boor).
 std::array<double, degree + 1> basis(std::size_t of, double t) {
   std::array<double, degree + 1> b{1};
   for (std::size_t d = 1; d <= of; ++d)
@@ -31,14 +31,14 @@ std::array<double, degree + 1> basis(std::size_t of, double t) {
   return b;
 }
 
-/// The tool's place at path length s, kept to the path.
+/// Returns the tool's position at path length s, clamped to the path.
 AxisArray place(const AxisPath& path, double s, std::size_t& hint) {
   s = std::clamp(s, 0.0, path.length());
   hint = path.tool().find(s, hint);
   return path.at(hint, std::clamp(s, path[hint].s0(), path[hint].s1())).value;
 }
 
-/// Returns the place; beyond both ends the path is turned about its end point by half a turn.
+/// Returns the tool's position; beyond its ends the path is continued by point reflection at its end point.
 AxisArray turned_place(const AxisPath& path, double s, std::size_t& hint) {
   const double end = s < 0 ? 0 : path.length();
   if (s >= 0 && s <= end) return place(path, s, hint);
@@ -58,7 +58,7 @@ bool within_strokes(const AxisPath& path, const CoarseCurve& curve, const Coarse
     const double s = step * static_cast<double>(i);
     const AxisArray tool = place(path, s, hint), coarse = curve.at(hint, s, {}).value;
     for (std::size_t k = 0; k < path.axes(); ++k) {
-      // The tool goes no further than half a step from a look, the coarse axis neither.
+      // Between samples the tool, like the coarse axis, moves by at most half a step.
       if (std::abs(tool[k] - coarse[k]) + step > used_stroke * machine.axes[k].stroke) return false;
     }
   }
@@ -109,7 +109,7 @@ CoarseCurve::Ends ends_of(const CoarseFineMachine& machine) {
 
 double pitch_of(const AxisPath& path, int step) { return path.length() * std::pow(2.0, -0.5 * step); }
 
-/// The first step whose curve keeps the fine axes inside their strokes.
+/// Returns the first pitch whose curve keeps the fine axes within their strokes.
 int widest_step(const AxisPath& path, const CoarseFineMachine& machine, Progress& progress) {
   ProgressScope scope(progress, "planning", 0, 0);
   double stroke = machine.axes.front().stroke;

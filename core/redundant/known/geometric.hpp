@@ -1,13 +1,15 @@
 #pragma once
-/// Geometric decomposition [Bock 3.2]: the coarse axes follow a smooth curve along the contour, whatever the time law.
+/// The geometric decomposition [Bock 3.2]: the coarse axes follow a smooth curve along the contour that does not depend
+/// on the time law.
 ///
-/// The curve is the contour's variation-diminishing spline of degree 5 over arc length (Schoenberg): its control points
-/// are the tool's places at knots Δ apart. Because |x′| ≤ 1, it stays within Δ/√2 of the tool. Pitches are the path's
-/// length over powers of √2, whatever the stroke: from the widest that leaves 1 % of it on, as long as closer curves
-/// are quicker. So a machine with more stroke has the curves of one with less. The source takes degree 3 or a QP; with
-/// degree 5 what the planner looks at between knots is smooth where they are, too. Knots lie alike as seen from both
-/// ends of the contour, so it takes as long backwards. At corners all axes stop, since x_c′ is finite there: that is
-/// why the coarse axes' acceleration decides how long cutting takes.
+/// The curve is Schoenberg's variation-diminishing spline of degree 5 over path length: its control points are the
+/// tool's positions at knots that are Δ (the pitch) apart. As |x′| ≤ 1, it stays within Δ/√2 of the tool. Candidates
+/// for the pitch are the path's length divided by powers of √2, from the widest one within the stroke on, as long as
+/// closer curves are quicker. The candidates do not depend on the stroke, so a machine with a larger stroke has all
+/// curves of one with a smaller stroke. Degree 5 (the source takes 3 or a quadratic program) makes the curve's
+/// derivatives smooth at knots, where the planner evaluates them only nearby. The knots are symmetric, so both
+/// directions of the contour take equally long. At corners all axes rest, because x_c′ is finite there; therefore the
+/// coarse axes' acceleration limits the speed.
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -17,16 +19,16 @@
 
 namespace bahnwerk {
 
-/// Uniform B-spline of degree 5 over path length.
+/// Uniform B-spline of degree 5 over path length with the tool's positions as control points.
 class CoarseCurve final : public CoarsePath {
  public:
-  /// How the path goes on beyond its ends, where control points lie.
+  /// Continuation of the path beyond its ends, where control points lie.
   enum class Ends {
-    free,     ///< by its end points
-    centred,  ///< turned about its end points: there the curve meets the path
+    free,     ///< by its end points, repeated
+    centred,  ///< by point reflection at its end points, so that the curve ends on the path
   };
-  /// Control points every `pitch` mm, symmetric about the middle of the path; with centred ends at whole fractions of
-  /// its length, `pitch` at most.
+  /// Places control points every `pitch` mm, symmetric about the middle of the path. With centred ends the distance is
+  /// a whole fraction of the path's length, at most `pitch`.
   CoarseCurve(const AxisPath& path, double pitch, Ends ends = Ends::free);
   bool linear(std::size_t) const override { return false; }
   AxisJet at(std::size_t segment, double s, const AxisJet& tool) const override;
@@ -34,17 +36,17 @@ class CoarseCurve final : public CoarsePath {
 
  private:
   std::size_t axes_;
-  double pitch_, begin_;            ///< mm; where the first span begins, 0 at most
-  std::vector<AxisArray> control_;  ///< of s = begin − 2Δ, begin − Δ, …
+  double pitch_, begin_;            ///< mm, pitch and begin of the first span (≤ 0)
+  std::vector<AxisArray> control_;  ///< at s = begin − 2Δ, begin − Δ, …
 };
 
-/// Returns the coarse curve with the longest pitch that keeps the fine axes inside their strokes. Its ends are centred
-/// where a fine axis has to be.
+/// Returns the coarse curve with the longest pitch that keeps the fine axes within their strokes. Its ends are centred
+/// if a fine axis has to be in the middle of its stroke there.
 std::shared_ptr<const CoarseCurve> coarse_curve(const AxisPath& path, const CoarseFineMachine& machine,
                                                 Progress& progress);
 
-/// Throws Infeasible where no curve is found: along a path of more than 5 000 pitches none is looked for. Cost: two
-/// plans of all axes along the path, mostly.
+/// Plans head and coarse axes with the best curve; progress runs from `from` to `to`. Usually two plans of all axes are
+/// made. Throws Infeasible where no curve is found; along paths of more than 5 000 pitches none is searched.
 RedundancyResult plan_geometric(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,
                                 double from, double to);
 

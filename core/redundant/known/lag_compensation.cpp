@@ -15,7 +15,7 @@ namespace {
 
 constexpr double settled = 1e-5;  // mm: the lag that is left when the coarse axes are told to stand at the end
 
-/// Where the tool really is, and how far from where it should be.
+/// Simulates the drives: the tool's true position and its distance from the setpoint.
 RedundancyLag simulated(const PathMotion& head, const RedundancyOptions& options, std::size_t cells, bool prefilter) {
   RedundancyLag lag;
   lag.prefilter = prefilter;
@@ -65,7 +65,7 @@ double circle_gain(double coarse_lag, double fine_lag, double rate, bool prefilt
 }
 
 Prefilter prefilter(double coarse_lag, double fine_lag, double cycle_time) {
-  // y = x − (T_f/T_c) · lag, and lag_i = d lag_{i−1} + (1 − d) T_c/h (x_i − x_{i−1}), see lagged().
+  // y = x − (T_f/T_c) · lag with lag_i = d lag_{i−1} + (1 − d) T_c/h (x_i − x_{i−1}), see lagged().
   const double decay = std::exp(-cycle_time / coarse_lag), gain = (1 - decay) * fine_lag / cycle_time;
   return {{1, coarse_lag - fine_lag}, {1, coarse_lag}, {1 - gain, gain - decay}, -decay};
 }

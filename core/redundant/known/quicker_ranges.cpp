@@ -19,7 +19,7 @@ LawPiece at_rate(std::size_t segment, double s, double s_end) {
   return piece;
 }
 
-/// When the rate of a piece passes 1.
+/// Returns the time at which the rate of a piece crosses 1.
 double crossing(const LawPiece& p, bool rises) {
   double low = 0, high = p.duration;
   for (int i = 0; i < halvings; ++i) {

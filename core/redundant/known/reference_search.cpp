@@ -20,7 +20,7 @@ constexpr double largest_step = 0.7;  // by which limits fall at most in one pas
 constexpr double beyond = 1e-3;       // by which they fall below what the quotients ask for
 constexpr double exceeded = 1e-5;     // of a limit: what the plan makes up for by slowing the whole that little
 
-/// The limits fall by the quotient, but neither by everything at once nor by nothing.
+/// Limits the factor by which limits fall in one pass, at both ends.
 double fallen(double share, double use) {
   return use <= 1 + exceeded ? share : share * std::clamp((1 - beyond) / use, largest_step, 1 - beyond);
 }

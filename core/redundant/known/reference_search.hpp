@@ -1,11 +1,11 @@
 #pragma once
-/// Methods that filter a head's motion in time [Bock 3.3, 3.4]: the limits of that reference motion are searched until
-/// what comes out of the filter holds the limits of coarse and fine axes. The source leaves that to trials by hand.
+/// Search for the reference motion of methods that filter the head in time [Bock 3.3, 3.4]: its limits fall until the
+/// filtered coarse motion and the remaining fine motion keep all limits. The source finds them by trial.
 ///
-/// Velocity and acceleration of the reference start with the sums of both axes' limits and fall by the largest quotient
-/// of a peak and its limit: the velocity's with velocities, the acceleration's with accelerations, and both with the
-/// offset; then by a fraction of a percent at a time. Slower motions are filtered to smaller peaks in the end, so it
-/// ends.
+/// The reference's limits of velocity and acceleration start with the sums of both axes' limits. In each pass they fall
+/// by the largest quotient of a peak and its limit: the velocity limit because of velocities, the acceleration limit
+/// because of accelerations, both because of the offset x − x_c; close to the solution they fall by a fraction of a
+/// percent per pass. The search terminates, because slower references have smaller peaks after the filter.
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -15,14 +15,15 @@
 
 namespace bahnwerk {
 
+/// The filter of a method.
 struct FilterSearch {
-  double lead = 0, tail = 0;  ///< s that the head stands before and after
-  /// Control points of the coarse spline (cycle_spline.hpp) from the head's positions at the same times, `step` s
-  /// apart.
+  double lead = 0, tail = 0;  ///< s, rests of the head before and after the motion
+  /// Returns the control points of the coarse spline (cycle_spline.hpp) for the head's positions x, mm, which are
+  /// `step` s apart.
   std::function<std::vector<double>(const std::vector<double>& x, double step)> filter;
 };
 
-/// Throws what the planner throws; Infeasible where 200 passes found no valid split.
+/// Returns the first valid split. Throws what the head's planner throws, and Infeasible after 200 passes.
 RedundancyResult search_reference(const RedundancyTask& task, const RedundancyOptions& options,
                                   const FilterSearch& search, Progress& progress, double from, double to);
 

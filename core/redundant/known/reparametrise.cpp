@@ -24,24 +24,25 @@ constexpr double exceeded = 1e-5;         // by which a peak may lie above its l
 constexpr double longest_piece = 0.5e-3;  // s, of the new motion
 constexpr double shortest_way = 1e-9;     // of path length: of the last piece before a rest
 
-/// How fast the old time may go on each stretch, mm/s of the timed path: the head keeps to its feed, dwells last.
+/// Returns the largest rate of the old time on each interval, mm/s of the timed path: the head keeps its feed and
+/// dwells keep their durations.
 std::vector<double> rates(const TimedPath& path, const TimeLaw& law, const RedundancyTask& task) {
   std::vector<double> feeds;
   for (std::size_t i = 0; i < path.size(); ++i) {
-    const TimedPath::Stretch& stretch = path.stretch(i);
-    const LawPiece& piece = law.pieces()[stretch.head];
+    const TimedPath::SmoothInterval& interval = path.interval(i);
+    const LawPiece& piece = law.pieces()[interval.head];
     double fastest = 0;
     const auto look = [&](double tau) { fastest = std::fmax(fastest, std::abs(piece.at(tau).v)); };
-    look(stretch.begin - piece.t0), look(stretch.end - piece.t0);
+    look(interval.begin - piece.t0), look(interval.end - piece.t0);
     for (const double tau : turning_points(piece))
-      if (tau > stretch.begin - piece.t0 && tau < stretch.end - piece.t0) look(tau);
+      if (tau > interval.begin - piece.t0 && tau < interval.end - piece.t0) look(tau);
     const double rate = piece.s_end == piece.s ? 1 : std::fmin(fastest_rate, task.feeds[piece.segment] / fastest);
     feeds.push_back(rate * TimedPath::per_second);
   }
   return feeds;
 }
 
-/// Head and coarse axes driven by the new law of the old time.
+/// Builds head and coarse motion for the new law of the old time.
 struct Retimed {
   TimeLaw law;
   std::vector<SplineMotion::Piece> coarse;
@@ -52,7 +53,7 @@ class Driver {
  public:
   Driver(const RedundancyResult& old, const TimedPath& path) : old_(old), path_(path) {}
 
-  /// `marks`: numbers of pieces of `rate`, ascending; out.times gets when they begin.
+  /// `marks` are ascending indices of pieces of `rate`; out.times receives their begins.
   Retimed run(const TimeLaw& rate, const std::vector<std::size_t>& marks, ProgressScope& scope) {
     auto mark = marks.begin();
     for (std::size_t n = 0; n < rate.pieces().size(); ++n) {
@@ -75,20 +76,20 @@ class Driver {
     MotionState coarse;
   };
 
-  /// Where everything is at the new time tau of a piece of the old time's law.
+  /// Returns the states of all axes at the new time tau in a piece of the law.
   Both state(const LawPiece& p, double tau) const {
-    const TimedPath::Stretch& stretch = path_.stretch(p.segment);
+    const TimedPath::SmoothInterval& interval = path_.interval(p.segment);
     const LawState x = p.at(tau);
-    const LawPiece& piece = old_.head->law().pieces()[stretch.head];
-    double at = std::clamp(x.s / TimedPath::per_second, stretch.begin, stretch.end);
-    if (tau == p.duration && p.s_end == path_[p.segment].s1()) at = stretch.end;
-    // Where pieces of the old law end they end exactly there, at rest above all.
-    const double from = at - piece.t0, there = at == old_.head->end(stretch.head) ? piece.duration : from;
+    const LawPiece& piece = old_.head->law().pieces()[interval.head];
+    double at = std::clamp(x.s / TimedPath::per_second, interval.begin, interval.end);
+    if (tau == p.duration && p.s_end == path_[p.segment].s1()) at = interval.end;
+    // Ends of pieces of the old law are reproduced exactly, rests in particular.
+    const double from = at - piece.t0, there = at == old_.head->end(interval.head) ? piece.duration : from;
     const double w = x.v / TimedPath::per_second, dw = x.a / TimedPath::per_second;
-    Both both{piece.at(at == piece.t0 ? 0 : there), old_.coarse->in_piece(stretch.coarse, at)};
+    Both both{piece.at(at == piece.t0 ? 0 : there), old_.coarse->in_piece(interval.coarse, at)};
     if (there == piece.duration) {
       both.head.s = piece.s_end;
-      if (ends_at_rest(stretch.head)) both.head.v = 0;
+      if (ends_at_rest(interval.head)) both.head.v = 0;
     }
     both.head.a = both.head.a * w * w + both.head.v * dw;
     both.head.v *= w;
@@ -104,10 +105,10 @@ class Driver {
     return piece + 1 == pieces.size() || pieces[piece + 1].v == 0;
   }
 
-  /// From state to state: each goes on where what came before it ended, to the last bit.
-  void drive(std::size_t stretch, Both left, const Both& right, double h) {
+  /// Appends pieces from state to state; each begins exactly where the one before ended.
+  void drive(std::size_t interval, Both left, const Both& right, double h) {
     if (!(h > 0)) return;
-    const LawPiece& old = old_.head->law().pieces()[path_.stretch(stretch).head];
+    const LawPiece& old = old_.head->law().pieces()[path_.interval(interval).head];
     const double time = out_.law.duration();
     if (!out_.law.pieces().empty()) {
       const LawPiece& before = out_.law.pieces().back();
@@ -122,7 +123,7 @@ class Driver {
       }
       append_between(out_.law, old.segment, left.head, right.head, h);
     } else {
-      stand(path_.stretch(stretch).head, left.head.s, h);
+      stand(path_.interval(interval).head, left.head.s, h);
     }
     append_coarse(time, left, right);
   }
@@ -137,7 +138,7 @@ class Driver {
     begin_ = time;
   }
 
-  /// A dwell is one piece, however many it is driven in.
+  /// Appends a dwell as one piece, however many intervals it covers.
   void stand(std::size_t old, double s, double h) {
     LawPiece piece;
     piece.s = piece.s_end = s, piece.duration = h, piece.segment = old_.head->law().pieces()[old].segment;
@@ -150,7 +151,7 @@ class Driver {
     out_.law.append(piece);
   }
 
-  /// The last way to a rest is too short for path length to tell: it is driven together with what came before it.
+  /// The last piece before a rest is too short for path lengths to resolve, so it is joined with the piece before it.
   void come_to_rest(std::size_t segment, const Both& right, double h) {
     const auto& pieces = out_.law.pieces();
     const double shortest = shortest_way * std::abs(right.head.s);
@@ -184,14 +185,14 @@ class Driver {
   double begin_ = 0;        // of the last coarse piece
 };
 
-/// Ranges of the old time that may go by more quickly, and those in which that holds all limits.
+/// The ranges of the old time that may be traversed more quickly, and those for which all limits hold.
 class Retiming {
  public:
   Retiming(const RedundancyResult& old, const TimedPath& path, const RedundancyTask& task, ProgressScope& scope)
       : old_(old), path_(path), task_(task), scope_(scope), open_{{0, path.length(), {}}} {}
 
-  /// Takes those of the ranges that hold the limits; the others stay open. The least quotient of a peak and its limit
-  /// in these; 0: none is left.
+  /// Accepts the ranges that keep the limits; the others stay open. Returns the least quotient of a peak and its limit
+  /// among the open ones; 0: none is open.
   double add(std::vector<QuickerRange> ranges) {
     std::erase_if(ranges, [&](const QuickerRange& r) {
       return std::none_of(open_.begin(), open_.end(),
@@ -211,7 +212,7 @@ class Retiming {
     }
     return least;
   }
-  /// The largest quotient of a peak and its limit.
+  /// Returns the largest quotient of a peak and its limit.
   double use(const Retimed& tried) const {
     const PathMotion head(task_.path, tried.law);
     const SplineMotion coarse(tried.coarse);
@@ -242,9 +243,9 @@ class Retiming {
 
 RedundancyResult reparametrised(RedundancyResult found, const RedundancyTask& task, Progress& progress, double from,
                                 double to) {
-  std::vector<TimedPath::Stretch> stretches = TimedPath::stretches(*found.head, *found.coarse);
-  const Path tool = TimedPath::tool_path(stretches);
-  const TimedPath path(tool, *found.head, *found.coarse, std::move(stretches));
+  std::vector<TimedPath::SmoothInterval> intervals = TimedPath::smooth_intervals(*found.head, *found.coarse);
+  const Path tool = TimedPath::tool_path(intervals);
+  const TimedPath path(tool, *found.head, *found.coarse, std::move(intervals));
   const std::vector<double> feeds = rates(path, found.head->law(), task);
   const double half = from + 0.5 * (to - from);
   ProgressScope scope(progress, "planning", half, to);

@@ -1,6 +1,6 @@
 #pragma once
-/// Axis path of a machine whose coarse axes stand somewhere for every place of the tool [Bock 3.2]: 2 N axes, which any
-/// planner of time laws can drive.
+/// Axis path of a machine whose coarse positions are a function of the tool's place on the path [Bock 3.2]: 2 N axes
+/// that any planner of time laws can plan.
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -9,18 +9,18 @@
 
 namespace bahnwerk {
 
-/// Where the coarse axes stand, given the tool.
+/// Positions of the coarse axes as a function of the tool's path length.
 class CoarsePath {
  public:
   virtual ~CoarsePath() = default;
-  /// Whether that is linear in s over the segment, if the tool's place is.
+  /// Tells whether the coarse positions are linear in s on a segment on which the tool's are.
   virtual bool linear(std::size_t segment) const = 0;
-  /// Positions and derivatives by s at path length s of a segment, where the tool's are `tool`. Positions count only if
-  /// the tool's are given.
+  /// Returns positions and derivatives by s at path length s of a segment; `tool` holds the tool's. Positions are valid
+  /// only if those of `tool` are.
   virtual AxisJet at(std::size_t segment, double s, const AxisJet& tool) const = 0;
 };
 
-/// Axes 0 … N−1: coarse; N … 2N−1: fine, what is left to the tool's place.
+/// Axes 0 … N−1 are the coarse axes; axes N … 2N−1 are the fine ones, x_f = x − x_c.
 class SplitPath final : public AxisPath {
  public:
   /// `path` has N ≤ max_axes/2 axes.

@@ -1,5 +1,5 @@
 #pragma once
-/// A time law over coarse and fine axes together, once it is settled where the coarse axes stand [Bock 3.2].
+/// A time law for coarse and fine axes together, given the coarse positions over path length [Bock 3.2].
 #include <memory>
 
 #include "core/redundant/known/split_path.hpp"
@@ -7,10 +7,10 @@
 
 namespace bahnwerk {
 
-/// Returns the fastest law within the limits of all 2 N axes; the coarse motion as polynomials in time. `coarse` keeps
-/// the fine axes inside their strokes; the planner's cells are `longest_cell` mm long at most where it is not linear.
-/// Cost: that of the acceleration-limited planner with twice the axes. Throws what it throws, and Infeasible if limits
-/// were exceeded between the planner's stations even with 10 % less of them.
+/// Returns the fastest time law within the limits of all 2 N axes, with the coarse motion as polynomials in time.
+/// `coarse` must keep the fine axes within their strokes. Where it is not linear, the planner's cells are at most
+/// `longest_cell` mm long. Cost: the acceleration-limited planner with twice the axes. Throws what that planner throws,
+/// and Infeasible if limits are exceeded between its nodes even with 10 % lower limits.
 RedundancyResult plan_split(const RedundancyTask& task, const std::shared_ptr<const CoarsePath>& coarse,
                             double longest_cell, const RedundancyOptions& options, Progress& progress, double from,
                             double to);

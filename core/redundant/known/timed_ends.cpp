@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t looked_at = 8;  // pieces at either end
 constexpr int places = 4;             // of a piece
 
-/// Whether all axes hold their limits on [p.s, p.s_end] with dt/dτ = v all along.
+/// Tells whether all axes keep their limits on [p.s, p.s_end] at the constant rate dt/dτ = v.
 bool evenly(const LawPiece& p, double v, const TimedPath& path, const Machine& axes) {
   const Segment& segment = path[p.segment];
   for (int i = 0; i <= places; ++i) {
@@ -24,7 +24,7 @@ bool evenly(const LawPiece& p, double v, const TimedPath& path, const Machine& a
   return true;
 }
 
-/// Makes the `count` pieces at one end even, as many as are quickest so.
+/// Gives the pieces at one end, at most `count`, a constant rate; as many as make the motion shortest.
 void even_end(std::vector<LawPiece>& pieces, bool last, const TimedPath& path, const Machine& axes) {
   const std::size_t n = pieces.size(), most = std::min(looked_at, n > 0 ? n - 1 : 0);
   const auto piece = [&](std::size_t i) -> LawPiece& { return pieces[last ? n - 1 - i : i]; };

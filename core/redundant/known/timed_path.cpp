@@ -11,8 +11,8 @@ namespace {
 constexpr double shortest = 1e-11;  // s
 }
 
-std::vector<TimedPath::Stretch> TimedPath::stretches(const Motion& head, const Motion& coarse) {
-  std::vector<Stretch> list;
+std::vector<TimedPath::SmoothInterval> TimedPath::smooth_intervals(const Motion& head, const Motion& coarse) {
+  std::vector<SmoothInterval> list;
   std::size_t h = 0, c = 0;
   for (double t = 0; h < head.pieces() && c < coarse.pieces();) {
     const double head_end = head.end(h), coarse_end = coarse.end(c), end = std::min(head_end, coarse_end);
@@ -26,25 +26,25 @@ std::vector<TimedPath::Stretch> TimedPath::stretches(const Motion& head, const M
   return list;
 }
 
-Path TimedPath::tool_path(const std::vector<Stretch>& stretches) {
+Path TimedPath::tool_path(const std::vector<SmoothInterval>& intervals) {
   Path path;
-  for (std::size_t i = 0; i < stretches.size(); ++i)
-    path.append(std::make_shared<const Line>(Vec{per_second * stretches[i].begin, 0, 0},
-                                             Vec{per_second * stretches[i].end, 0, 0}),
+  for (std::size_t i = 0; i < intervals.size(); ++i)
+    path.append(std::make_shared<const Line>(Vec{per_second * intervals[i].begin, 0, 0},
+                                             Vec{per_second * intervals[i].end, 0, 0}),
                 i);
   return path;
 }
 
-TimedPath::TimedPath(const Path& tool, const Motion& head, const Motion& coarse, std::vector<Stretch> stretches)
+TimedPath::TimedPath(const Path& tool, const Motion& head, const Motion& coarse, std::vector<SmoothInterval> intervals)
     : AxisPath(borrowed(tool), 2 * coarse.axes(), false),
       head_(head),
       coarse_(coarse),
-      stretches_(std::move(stretches)) {}
+      intervals_(std::move(intervals)) {}
 
 AxisJet TimedPath::at_time(std::size_t segment, double t) const {
-  const Stretch& stretch = stretches_[segment];
-  t = std::clamp(t, stretch.begin, stretch.end);
-  const MotionState x = head_.in_piece(stretch.head, t), c = coarse_.in_piece(stretch.coarse, t);
+  const SmoothInterval& interval = intervals_[segment];
+  t = std::clamp(t, interval.begin, interval.end);
+  const MotionState x = head_.in_piece(interval.head, t), c = coarse_.in_piece(interval.coarse, t);
   constexpr double w = 1 / per_second;
   AxisJet q;
   const std::size_t n = coarse_.axes();
@@ -58,8 +58,8 @@ AxisJet TimedPath::at_time(std::size_t segment, double t) const {
 }
 
 AxisJet TimedPath::at_parameter(std::size_t segment, double u) const {
-  const Stretch& stretch = stretches_[segment];
-  return at_time(segment, stretch.begin + u * (stretch.end - stretch.begin));
+  const SmoothInterval& interval = intervals_[segment];
+  return at_time(segment, interval.begin + u * (interval.end - interval.begin));
 }
 
 void TimedPath::at_parameters(std::size_t segment, PathBatch& batch) const {

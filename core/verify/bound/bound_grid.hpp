@@ -161,14 +161,14 @@ class BoundGrid {
   std::vector<Span> fresh_;
   double valley_ = unlimited;  ///< of the cells that are being appended
   bool jerk_limited_ = false;
-  struct Stretch {
+  struct SizedInterval {
     std::size_t segment = static_cast<std::size_t>(-1);
     double u0 = 0, u1 = 0;
     AxisSizes sizes;
   };
-  mutable Stretch stretch_;  ///< of the last query
-  mutable Stretch whole_;    ///< of remember()
-  mutable Shape shape_;      ///< of the segment of the last query
+  mutable SizedInterval stretch_;  ///< of the last query
+  mutable SizedInterval whole_;    ///< of remember()
+  mutable Shape shape_;            ///< of the segment of the last query
   mutable std::size_t shape_of_ = static_cast<std::size_t>(-1);
   mutable std::optional<Hodograph> hodograph_;  ///< of the segment of the last query
   mutable std::size_t hodograph_of_ = 0;

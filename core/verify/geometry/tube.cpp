@@ -9,8 +9,8 @@ namespace bahnwerk {
 
 namespace {
 
-/// The stretch of a block; of all of a contour without blocks.
-verify::Stretch stretch(const Contour& contour, std::size_t block) {
+/// Returns the path range of a block; the whole path of a contour without blocks.
+verify::PathRange range_of(const Contour& contour, std::size_t block) {
   if (contour.blocks.empty()) return {&contour.path, 0, contour.path.size()};
   return {&contour.path, contour.blocks[block].first, contour.blocks[block].last};
 }
@@ -50,10 +50,10 @@ std::vector<Check> tube_checks(const Contour& given, const Contour& path, double
     worst = {};
     verify::TubeBlock tube(tolerance, stage_progress);
     for (std::size_t b = 0; b < std::max<std::size_t>(1, given.blocks.size()); ++b) {
-      const verify::Stretch piece = stretch(path, b);
+      const verify::PathRange piece = range_of(path, b);
       if (piece.first == piece.last) continue;
       stage_progress.done(static_cast<double>(piece.first) / static_cast<double>(path.path.size()));
-      const verify::Worst found = tube.measure(stretch(given, b), piece);
+      const verify::Worst found = tube.measure(range_of(given, b), piece);
       if (std::isnan(found.value) || found.value > worst.value) worst.raise(found.value, found.at);
     }
   }

@@ -21,7 +21,7 @@ constexpr std::size_t limb_units = 16, cell_units = 8;  // units of work for pro
 
 }  // namespace
 
-Worst TubeBlock::measure(const Stretch& given, const Stretch& path) {
+Worst TubeBlock::measure(const PathRange& given, const PathRange& path) {
   given_ = given;
   path_ = path;
   cut(given, limbs_);
@@ -43,7 +43,7 @@ Worst TubeBlock::measure(const Stretch& given, const Stretch& path) {
   }
 }
 
-void TubeBlock::cut(const Stretch& stretch, std::vector<CurvePiece>& curve_pieces) {
+void TubeBlock::cut(const PathRange& stretch, std::vector<CurvePiece>& curve_pieces) {
   curve_pieces.clear();
   for (std::size_t i = stretch.first; i < stretch.last; ++i) {
     progress_.work(limb_units);

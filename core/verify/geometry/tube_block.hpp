@@ -10,7 +10,7 @@
 namespace bahnwerk::verify {
 
 /// The segments [first, last) of a path.
-struct Stretch {
+struct PathRange {
   const Path* path = nullptr;
   std::size_t first = 0, last = 0;
 };
@@ -26,7 +26,7 @@ class TubeBlock {
 
   /// Returns a bound of the distance, mm, under the matching found, and its place on the path, mm; above the tolerance
   /// a distance under the matching of the first method.
-  Worst measure(const Stretch& given, const Stretch& path);
+  Worst measure(const PathRange& given, const PathRange& path);
 
  private:
   /// Matched pieces of a path segment and of a contour segment.
@@ -45,7 +45,7 @@ class TubeBlock {
     std::size_t first = 0, last = 0;
   };
 
-  void cut(const Stretch& stretch, std::vector<CurvePiece>& curve_pieces);
+  void cut(const PathRange& stretch, std::vector<CurvePiece>& curve_pieces);
   void match();
   Match follow(const CurvePiece& link, const Match& from) const;
   void lay(const CurvePiece& link, const Match& from, const Match& to);
@@ -58,7 +58,7 @@ class TubeBlock {
 
   double tolerance_;
   ProgressScope& progress_;
-  Stretch given_, path_;
+  PathRange given_, path_;
   std::vector<CurvePiece> limbs_, links_;  ///< of the contour and of the path
   std::vector<Match> ends_;                ///< of the path's pieces
   std::vector<Cell> cells_;                ///< of one piece of the path

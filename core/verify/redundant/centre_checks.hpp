@@ -1,5 +1,5 @@
 #pragma once
-/// Whether fine axes stand in the middle of their strokes where a motion begins and ends.
+/// Checks that the fine axes are in the middle of their strokes at the begin and the end of a motion.
 #include <vector>
 
 #include "core/base/verification.hpp"
@@ -8,8 +8,8 @@
 
 namespace bahnwerk {
 
-/// Checks `centred at start <fine axis>` and `centred at end <fine axis>` of every axis k with centred[k]: |x − x_c|,
-/// mm, against 1e-6 mm. Axes of all arguments are numbered alike. O(1).
+/// Returns the checks `centred at start <fine axis>` and `centred at end <fine axis>` for every axis k with centred[k]:
+/// |x − x_c|, mm, with the limit 1e-6 mm. All arguments have the same number and order of axes. O(1).
 std::vector<Check> centre_checks(const Motion& head, const Motion& coarse, const std::vector<AxisLimits>& fine_axes,
                                  const std::vector<bool>& centred);
 

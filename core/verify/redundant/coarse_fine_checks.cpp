@@ -40,14 +40,14 @@ std::vector<Channel> make_channels(const CoarseFineToVerify& in) {
   return list;
 }
 
-/// Positions are resolved to what they are rounded to, also where the stroke is nothing.
+/// Positions are compared up to their rounding, also if the stroke is 0.
 std::vector<double> scales(const std::vector<Channel>& channels) {
   std::vector<double> list;
   for (const Channel& c : channels) list.push_back(c.derivative == 0 ? std::max(c.limit, position_scale) : c.limit);
   return list;
 }
 
-/// The head's derivative number `d` of axis k.
+/// Returns the head's derivative of order `d` for axis k.
 double head(const AxisJet& q, const LawState& x, std::size_t k, std::size_t d) {
   const double v = x.v;
   if (d == 0) return q.value[k];
@@ -73,7 +73,7 @@ class FineSweep {
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       scope_.now(i, pieces.size());
       const double end = i + 1 < pieces.size() ? pieces[i + 1].t0 : in_.law.duration();
-      // Neither motion tells its borders better than rounding does t: shorter pieces of time are none.
+      // Borders of both motions are known up to the rounding of t, so shorter intervals are left out.
       const double blur = rounding * end;
       for (double from = pieces[i].t0; end - from > blur;) {
         while (c < last && in_.coarse.begin(c + 1) <= from + blur) ++c;
@@ -140,7 +140,7 @@ class FineSweep {
     }
   }
 
-  /// Next to a vanishing tangent nothing is known of the curve over time.
+  /// Next to a vanishing tangent no bound of the curve over time is known.
   bool at_vanishing_tangent(const LawPiece& piece, const LawPiece& local, const Segment& segment, double begin,
                             double end) {
     CurveDiscs& all = discs(piece.segment);
@@ -197,21 +197,23 @@ class FineSweep {
   std::size_t discs_of_ = 0;
 };
 
-/// mm, what a segment's points are computed with: its own length, the radius of its curvature, its distance from zero.
+/// Returns the size, mm, from which the rounding of a segment's points follows: its length, its radius of curvature,
+/// its distance from zero.
 double size_of(const AxisPath& path, std::size_t segment, const AxisJet& q) {
   double far = 0, bent = 0;
   for (std::size_t k = 0; k < path.axes(); ++k) far += std::abs(q.value[k]), bent += q.d2[k] * q.d2[k];
   return far + path[segment].length() + (bent > 0 ? 2 / std::sqrt(bent) : 0);
 }
 
-/// 1/mm, by which a shift of an end of the segment turns it there.
+/// Returns the factor, 1/mm, by which a shift of an end of the segment turns its tangent there.
 double turned_by(const AxisPath& path, std::size_t segment, const AxisJet& q) {
   double bent = 0;
   for (std::size_t k = 0; k < path.axes(); ++k) bent += q.d2[k] * q.d2[k];
   return 1 / path[segment].length() + std::sqrt(bent);
 }
 
-/// What the rounding of path lengths where two pieces of the law meet bends a coarse axis by that goes along the path.
+/// Returns the jump of a coarse axis' velocity, for an axis that follows the path, caused by rounding of path lengths
+/// where two pieces of the law meet.
 double bent_by_rounding(const CoarseFineToVerify& in, const LawPiece& before, const LawPiece& after, std::size_t k,
                         std::size_t derivative) {
   if (derivative == 0) return 0;
@@ -227,9 +229,9 @@ double bent_by_rounding(const CoarseFineToVerify& in, const LawPiece& before, co
   return off * most;
 }
 
-/// By how much a coarse axis may jump at time t: its place by the rounding of the head's, its derivatives as the head's
-/// do where segments meet, as far as that is the rounding of their points; one without a fine axis as a machine's axis
-/// may at a tangent jump, too.
+/// Returns the jumps that a coarse axis may have at time t: of its position by the head's rounding, of its derivatives
+/// by the head's own jumps at joints as far as rounding of points causes them; an axis without fine axis may also jump
+/// at a tangent jump like any axis of a machine.
 double step_of_the_head(const CoarseFineToVerify& in, std::size_t k, std::size_t derivative, double t) {
   if (derivative > 2) return 0;
   const bool rounded = derivative > 0 && in.fine_axes[k].highest > least_stroke;
@@ -280,7 +282,7 @@ std::vector<Check> coarse_fine_checks(const CoarseFineToVerify& input, Progress&
   const double between = input.progress_from + 0.3 * (input.progress_to - input.progress_from);
   MotionToVerify coarse{input.coarse, input.coarse_axes};
   coarse.continuous = input.check_jerk ? 2 : 1;
-  // Its pieces have been fitted to the head's times: both ends of each may be off by the rounding of t once more.
+  // The pieces were fitted to the head's times, so both ends of each may be off by the rounding of t once more.
   coarse.resolution = std::numeric_limits<double>::epsilon() * input.law.duration();
   coarse.step = [&input](std::size_t axis, std::size_t derivative, double t) {
     return verify::step_of_the_head(input, axis, derivative, t);

@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t most_pieces = 20'000, most_of_segment = 2'000;
 constexpr double turns = 8;  // pieces of a curved segment, at least
 
-/// Least time from a rest to a place `way` away.
+/// Returns the least time from a rest to a place at distance `way`.
 double from_rest(double way, const AxisLimits& axis) {
   const double full = axis.velocity / axis.acceleration, accelerating = 0.5 * axis.velocity * full;
   return way <= accelerating || !(axis.velocity < unlimited) ? std::sqrt(2 * way / axis.acceleration)
@@ -21,13 +21,13 @@ class Walk {
   Walk(const PathTask& task, bool forward, double horizon, double step)
       : task_(task), forward_(forward), horizon_(horizon), step_(step) {}
 
-  /// Begins at a place of a segment.
+  /// Starts at a place of a segment.
   void begin(std::size_t segment, double s) {
     const AxisJet q = task_.path.at(segment, s);
     reach_.pieces.push_back({0, boxes(q, q, 0)});
     reach_.until = unlimited;
   }
-  /// Goes along a section. False: far enough.
+  /// Advances along a section. Returns false once the horizon is reached.
   bool section(const SectionBound& bound, bool dwells) {
     if (dwells) wait(forward_ ? bound.first : bound.last);
     const double left = time_;
@@ -47,7 +47,7 @@ class Walk {
   HeadReach result() { return std::move(reach_); }
 
  private:
-  /// Where a segment is entered, or left.
+  /// Returns the positions at which a segment is entered, or left.
   double edge(std::size_t segment, bool entered) const {
     return entered == forward_ ? task_.path[segment].s0() : task_.path[segment].s1();
   }

@@ -1,6 +1,6 @@
 #pragma once
-/// How far the tool can be from a rest, in either direction along its path, in a given time: the least time to every
-/// place, and what lies between two rests as boxes of the axes.
+/// Enclosures of the places that the tool can reach within a given time of a rest, in both directions along its path: a
+/// lower bound of the time to each piece of the path, and boxes of the axes that enclose the piece.
 #include <cstddef>
 #include <vector>
 
@@ -10,36 +10,36 @@
 
 namespace bahnwerk::verify {
 
-/// Where an axis can be by some time, mm.
+/// Interval of an axis' positions, mm.
 struct AxisReach {
   double lowest = 0, highest = 0;
 };
 
-/// A stretch of the path and when it can be entered at the earliest.
+/// A piece of the path with the earliest time at which it can be entered.
 struct ReachedPiece {
-  double after = 0;              ///< s from the rest, ascending
+  double after = 0;              ///< s after the rest, ascending over pieces
   std::vector<AxisReach> boxes;  ///< per axis
 };
 
 struct HeadReach {
   std::vector<ReachedPiece> pieces;  ///< the first is the rest itself
-  double until = 0;                  ///< s; pieces that are entered later may be missing
+  double until = 0;                  ///< s; pieces that are entered later than this may be missing
 };
 
-/// How long the head dwells before a segment, or behind the last one, s.
+/// Returns the duration of the dwell before a segment, or behind the last one, s.
 double dwell_before(const PathTask& task, std::size_t segment);
 
-/// From the rest before section `from` of `sections` (or after all) along the sections up to the rest before section
-/// `to`, backward if to < from, in stretches of at most `step` mm, for `horizon` seconds. No motion that keeps the
-/// axes' limits, the feeds, the sections' bounds and the dwells of `task` is at a place of a piece earlier than that
-/// (backward: is there later, before it leaves the rest). A curve of length l whose ends are c apart lies in the
-/// ellipsoid with these foci and axis l; that encloses pieces whatever the curve is. `dwells`: whether the head stays
-/// at the first rest as long as it has to; otherwise it leaves it at once. O(pieces).
+/// Returns the reach from the rest before section `from` of `sections` (or behind all of them) along the sections up to
+/// the rest before section `to`, backward in time if to < from, in pieces of at most `step` mm, for `horizon` seconds.
+/// No motion that keeps the axes' limits, the feeds, the sections' bounds and the dwells of `task` is in a piece
+/// earlier than its `after` (backward: later before the rest than it). `dwells`: whether the head stays at the first
+/// rest for its dwell; otherwise it leaves at once. The boxes enclose pieces of any curve: a curve of length l between
+/// points at distance c lies in the ellipsoid with these foci and the axis l. O(pieces).
 HeadReach reached(const PathTask& task, const std::vector<SectionBound>& sections, std::size_t from, std::size_t to,
                   double horizon, double step, bool dwells = true);
 
-/// Boxes of one axis at the times i · spacing, i = 0 … count: that of all pieces reached by then; infinite behind
-/// `until`.
+/// Returns, for the times i · spacing, i = 0 … count, the interval of one axis that encloses all pieces reachable by
+/// then; infinite behind `until`.
 std::vector<AxisReach> reach_at(const HeadReach& reach, std::size_t axis, double spacing, std::size_t count);
 
 }  // namespace bahnwerk::verify

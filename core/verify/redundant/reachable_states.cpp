@@ -38,7 +38,7 @@ void ReachableStates::advance(double h, double velocity, double acceleration) {
   const auto [low, high] = std::minmax_element(vertices_.begin(), vertices_.end(), by_place);
   const double lowest = low->x - h * velocity, highest = high->x + h * velocity;
   coast(h);
-  // The hexagon, as a sum of three segments.
+  // The hexagon is the Minkowski sum of three segments.
   const double v = 0.25 * h * acceleration, x = h * v;
   add_segment({0, v});
   add_segment({x, 2 * v});
@@ -47,8 +47,8 @@ void ReachableStates::advance(double h, double velocity, double acceleration) {
   if (vertices_.size() > vertices_before_simplifying) simplify();
 }
 
-/// The sum with the segment from −g to g: every vertex moves by +g or −g, whichever lies further out there, and those
-/// at which that changes become two.
+/// Adds (Minkowski sum) the segment from −g to g: every vertex moves by +g or −g, whichever lies farther outside, and a
+/// vertex at which the sign changes becomes two.
 void ReachableStates::add_segment(State g) {
   spare_.clear();
   const std::size_t n = vertices_.size();
@@ -121,7 +121,7 @@ ReachableStates ReachableStates::plus(const ReachableStates& other) const {
                          [](const State& a, const State& b) { return a.v < b.v || (a.v == b.v && a.x < b.x); }) -
         list.begin());
   };
-  // Edges of both, by their direction.
+  // Merge the edges of both polygons by direction.
   const std::size_t n = vertices_.size(), m = other.vertices_.size(), first = lowest(vertices_),
                     second = lowest(other.vertices_);
   const auto edge = [](const std::vector<State>& list, std::size_t i) {
@@ -152,7 +152,8 @@ void ReachableStates::limit(const ReachableStates& other) {
   }
 }
 
-/// Removes edges whose removal adds least, no two next to each other: the neighbours of each go on until they meet.
+/// Removes the edges whose removal enlarges the set least, no two adjacent ones: the neighbours of a removed edge are
+/// extended until they meet.
 void ReachableStates::simplify() {
   const std::size_t n = vertices_.size();
   struct Removal {
@@ -179,7 +180,7 @@ void ReachableStates::simplify() {
   std::size_t left = n;
   for (const Removal& r : list) {
     if (left <= most_vertices) break;
-    // Its two vertices become one, and the edges on either side get longer.
+    // The two vertices of the edge become one, and the edges on both sides get longer.
     bool free = true;
     for (const std::size_t k : {r.edge + n - 1, r.edge, r.edge + 1, r.edge + 2}) free = free && touched[k % n] == 0;
     if (!free) continue;

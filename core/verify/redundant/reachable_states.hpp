@@ -1,10 +1,12 @@
 #pragma once
-/// States (position, velocity) that an axis can be in: an enclosure of all that lead there within limits.
+/// Outer approximation of the reachable set of an axis: a convex polygon that contains all states (position, velocity)
+/// that the axis can be in.
 ///
-/// A convex polygon that holds every reachable state. The axis' acceleration is any function of time with |a| ≤ 1
-/// (units are the caller's), not one that is constant over a step: what a step of h adds to a state is a lens between
-/// (±h²/2, ±h), and the polygon takes up the hexagon around it that touches it at both ends and in its middle. Limits
-/// are widened by 1e-9, more than all rounding does; an empty polygon therefore proves that no motion exists.
+/// The acceleration is an arbitrary function of time with |a| ≤ 1 (in units of the caller), not constant over a step.
+/// The set of changes of state during a step h is a lens between (±h²/2, ±h); the polygon is enlarged by a hexagon that
+/// contains the lens and touches it at both ends and in its middle. Limits are widened by 1e-9, which exceeds all
+/// rounding errors. An empty polygon therefore proves that no motion exists. (The planner's inner approximation is
+/// core/redundant/controllable_set.hpp.)
 #include <cstddef>
 #include <vector>
 
@@ -12,27 +14,27 @@ namespace bahnwerk {
 
 class ReachableStates {
  public:
-  /// Returns all states of a box; both ranges are widened as above.
+  /// Returns the states with lowest ≤ x ≤ highest and |v| ≤ velocity, widened as above.
   static ReachableStates box(double lowest, double highest, double velocity);
 
   bool empty() const { return vertices_.size() < 3; }
   bool holds(double x, double v) const;
-  /// Moves the states on by h units of time, with velocities within their limit all the time. O(vertices); beyond 128
-  /// of them some edges give way, outwards.
+  /// Carries the set forward by h units of time, with velocities within their limit all the time. O(vertices); beyond
+  /// 128 vertices some edges are removed, which enlarges the set.
   void advance(double h, double velocity, double acceleration = 1);
-  /// Moves the states on by h units of time without any acceleration.
+  /// Carries the set forward by h units of time without acceleration.
   void coast(double h);
-  /// Only those with lowest ≤ x ≤ highest and |v| ≤ velocity remain.
+  /// Intersects the set with lowest ≤ x ≤ highest and |v| ≤ velocity.
   void limit(double lowest, double highest, double velocity);
-  /// Adds at least those whose velocity is up to `factor` times as large or as small, factor ≥ 1.
+  /// Enlarges the set by, at least, all states whose velocity is up to `factor` ≥ 1 times as large or as small.
   void scale_velocity(double factor);
-  /// Returns the states in time that runs backwards.
+  /// Returns the set for reversed time: velocities change their sign.
   ReachableStates reversed() const;
-  /// Returns (x, 0) minus each state.
+  /// Returns the set of (x, 0) minus each state.
   ReachableStates subtracted_from(double x) const;
-  /// Returns the sums of a state of either.
+  /// Returns the Minkowski sum of both sets.
   ReachableStates plus(const ReachableStates& other) const;
-  /// Only those that are among the others, too, remain.
+  /// Intersects the set with another one.
   void limit(const ReachableStates& other);
 
  private:

@@ -9,7 +9,8 @@ namespace {
 constexpr double nodes_per_unit = 6;  // of time
 constexpr double settled = 4;         // units beyond a stop from full speed
 constexpr std::size_t most_nodes = 4000;
-// Units of time. Accelerations alone allow so much in a longer time that it tells nothing, and rounding would count.
+// Units of time. Over a longer time acceleration limits alone do not restrict the states any more, and rounding would
+// count.
 constexpr double together = 20;
 
 }  // namespace
@@ -49,7 +50,8 @@ ReachableStates StrokeAxis::pass(const ReachableStates& begin, const Passage& pa
                last = (passage.end.value[index_] - origin_) / stroke_;
   const std::vector<AxisReach> from = reach_at(passage.forward, index_, spacing, n),
                                to = reach_at(passage.backward, index_, spacing, n);
-  // The coarse axis; the fine one, which is where the coarse one is not; what accelerations of either can add up to.
+  // Limits of the coarse axis; limits of the fine one, whose position is the head's less the coarse one's; largest
+  // change that both accelerations permit together.
   ReachableStates coarse = begin, fine = begin.subtracted_from(first), free = begin;
   const bool both_count = duration < together * time_;
   ReachableStates by_coarse = ReachableStates::box(0, 0, 0), by_fine = by_coarse;

@@ -1,6 +1,6 @@
 #pragma once
-/// Which states the coarse axis of a coordinate can be in where the head rests, so far as its own limits, those of the
-/// fine axis and what the head can do within a given time say (stroke_bound.hpp).
+/// Enclosures of the states that the coarse axis of one coordinate can have where the head rests. They follow from its
+/// own limits, those of the fine axis, and the places that the head can reach within a given time (stroke_bound.hpp).
 #include <cstddef>
 
 #include "core/machine/machine.hpp"
@@ -10,29 +10,29 @@
 
 namespace bahnwerk::verify {
 
-/// One or more sections: where they lead from and to, and how far from either end the head may be.
+/// One or more consecutive sections: the axes' positions at both ends, and the head's reach from both ends.
 struct Passage {
   AxisJet begin, end;
   HeadReach forward, backward;
-  /// Returns the passage in time that runs backwards.
+  /// Returns the passage in reversed time.
   Passage reversed() const { return {end, begin, backward, forward}; }
 };
 
-/// Axis `index` of the path, in units of its stroke and of √(stroke/acceleration), places from `origin`, mm. Times are
-/// given in s.
+/// Axis `index` of the path in dimensionless units: lengths by its stroke, counted from `origin` (mm), times by
+/// √(stroke/acceleration). Arguments that are times are in s.
 class StrokeAxis {
  public:
   StrokeAxis(const AxisLimits& coarse, const AxisLimits& fine, std::size_t index, double origin);
 
   double unit() const { return time_; }  ///< s
-  /// Returns how long before a rest, s, motion has a say in the states at it.
+  /// Returns the time before a rest, s, beyond which earlier motion does not restrict the states at the rest.
   double horizon() const;
 
-  /// Returns the states in which the coarse axis can be at a rest, if the head was on `reach` before. `rests`: it
-  /// begins there.
+  /// Returns the states that the coarse axis can have at a rest, if the head was within `reach` before. `rests`: the
+  /// axis begins at rest there.
   ReachableStates before(const HeadReach& reach, bool rests) const;
-  /// Returns the states in which the coarse axis may be at the end of a passage that takes `duration`, from those at
-  /// its begin; empty: there is no motion. O(duration).
+  /// Returns the states that the coarse axis can have at the end of a passage of `duration` s that begins in one of
+  /// `begin`; an empty set proves that no motion exists. O(duration).
   ReachableStates pass(const ReachableStates& begin, const Passage& passage, double duration) const;
 
  private:

@@ -13,13 +13,13 @@ using verify::StrokeAxis;
 using verify::StrokeSections;
 
 constexpr double closed = 1e-5;  // relative
-// Units of time. Longer sections are left as they are.
+// Units of time. The bounds of longer sections are not raised.
 constexpr double longest = 100;
 constexpr int most_doublings = 20;
 constexpr double first_step = 0.02;  // of a unit of time
 constexpr double rounding = 1e-9;    // of a bound
 
-/// Time from one speed to rest or back within acceleration and jerk.
+/// Returns the time from one speed to rest, or back, within limits of acceleration and jerk.
 double change(double speed, const AxisLimits& axis) {
   if (!(axis.jerk < unlimited)) return speed / axis.acceleration;
   return speed * axis.jerk >= axis.acceleration * axis.acceleration
@@ -27,7 +27,7 @@ double change(double speed, const AxisLimits& axis) {
              : 2 * std::sqrt(speed / axis.jerk);
 }
 
-/// The least time over a way from rest to rest: trapezoid or double-S.
+/// Returns the least time over a distance from rest to rest: trapezoid or double-S.
 double rest_to_rest(double way, const AxisLimits& axis) {
   if (axis.velocity < unlimited && way >= axis.velocity * change(axis.velocity, axis))
     return way / axis.velocity + change(axis.velocity, axis);
@@ -37,20 +37,20 @@ double rest_to_rest(double way, const AxisLimits& axis) {
   return 2 * change(0.5 * (std::sqrt(turning * turning + 4 * a * way) - turning), axis);
 }
 
-/// What the way of a section is to its coarse axes, in closed form: all but two strokes at their largest speed, or from
-/// rest to rest where there is nothing before and behind.
+/// Returns the closed-form bound of the coarse axes of a section: its distance less two strokes at their largest speed,
+/// or from rest to rest if there is nothing before and behind.
 double least_way(const StrokeSections& sections, std::size_t section) {
   const bool lone = sections.count() == 1 && !sections.waits(0) && !sections.waits(1);
   double time = 0;
   for (std::size_t k = 0; k < sections.axes(); ++k) {
-    const double way = sections.way(k, section) - 2 * sections.stroke(k);
+    const double way = sections.end_distance(k, section) - 2 * sections.stroke(k);
     if (!(way > 0)) continue;
     time = std::max(time, lone ? rest_to_rest(way, sections.coarse(k)) : way / sections.coarse(k).velocity);
   }
   return time * (1 - rounding);
 }
 
-/// What a section takes at least, s.
+/// Returns the lower bound of a section's time, s.
 double least(const StrokeSections& sections, std::size_t section, ProgressScope& scope) {
   const double given = std::max(sections.bound(section, section + 1), least_way(sections, section));
   double bound = given;

@@ -14,7 +14,7 @@ using verify::StrokeSections;
 
 constexpr std::size_t most_sections = 5;  // of a chain
 constexpr double worth = 1.5e-3;          // of all bounds: a smaller gap is left
-// Of a chain's bounds, and of the gap of the whole: a chain that could gain less is left out.
+// Shares of a chain's bounds, and of the gap of the whole path, below which a possible gain is ignored.
 constexpr double worth_of_chain = 2e-4, worth_of_gap = 0.02;
 constexpr double most_gain = 0.5;  // of a chain's bounds
 constexpr double enough = 0.7;     // of what a chain could gain: no other one is asked
@@ -22,7 +22,7 @@ constexpr std::size_t cells = 32;  // of what it could gain
 constexpr double longest = 50;     // units of time, of a part
 constexpr double rounding = 1e-9;  // of a bound
 
-/// Two parts of a chain and what may be at the rest between them.
+/// The two parts of a chain and the states possible at the rest between them.
 class PartedChain {
  public:
   /// `step`, s: width of a cell.
@@ -41,7 +41,7 @@ class PartedChain {
     }
   }
 
-  /// What both take more at least, s.
+  /// Returns the lower bound, s, of the additional time of both parts.
   double gain() {
     for (std::size_t sum = 0; sum < cells; ++sum)
       for (std::size_t i = 0; i <= sum; ++i)

@@ -1,15 +1,16 @@
 #pragma once
-/// A lower bound that knows the stroke, of sections together: what one long move takes away from the next.
+/// A lower bound of the duration that takes strokes into account, for several consecutive sections together: what one
+/// long move costs the next one.
 ///
-/// The argument. Sections one after the other are parted at one of their rests. What either part takes more than the
-/// sum of its bounds lies in some cell of a grid. Slow either part about that rest until it takes the most of its cell:
-/// velocities and accelerations become no larger, at each time the head is where it was nearer to the rest, as it may
-/// be (stroke_bound.hpp holds for a part as for one section, with what the head can do from rest to rest on the way),
-/// and only the velocities at the rest, slowed by two factors, need not agree any more: they differ by no more than the
-/// factors between the least and the most of the cells. So if all states in which the first part may end in the most of
-/// its time, and all from which the second one may go on in the most of its own, widened by these factors, have none in
-/// common, the two times are not in those cells. The least sum of the cells that are left bounds what both take more.
-/// No section counts twice: of all chains those that do not overlap and gain most.
+/// Proof. A chain of sections is divided into two parts at one of its rests. The time that each part takes beyond the
+/// sum of its bounds lies in some cell of a grid. Slow each part about that rest until it takes the upper end of its
+/// cell: velocities and accelerations do not grow, and at each time the head is where it had been closer to the rest,
+/// which is permitted (stroke_bound.hpp holds for a part as for one section, with the reach of the head from rest to
+/// rest inside it). Only the velocities at the rest, slowed by two different factors, need not agree any more; their
+/// ratio is bounded by the ratios of the cells' ends. If no state at the end of the first part within the upper end of
+/// its time, and no state at the begin of the second part, widened by these ratios, agree, the two times do not lie in
+/// these cells. The least sum over the remaining cells bounds the additional time of the chain. Chains that do not
+/// overlap are chosen such that the sum of their gains is largest, so no section counts twice.
 #include <vector>
 
 #include "core/verify/redundant/stroke_sections.hpp"
@@ -18,9 +19,10 @@ namespace bahnwerk {
 
 class Progress;
 
-/// By how much a path takes longer than the sum of the bounds of its sections, s. `planned`: what they take in a plan,
-/// without dwells. That only says where to look: where they take longer than their bounds, and in steps that could
-/// close the gap. Cost: 1 ms per chain, 50 ms where it gains; of at most 5 sections, with a long one, without dwells.
+/// Returns a lower bound, s, of the time that the path takes beyond the sum of the bounds of its sections. `planned`
+/// are the durations of the sections in a plan, without dwells; they only guide the search (sections that take longer
+/// than their bounds, in steps that could close the gap) and do not affect validity. Chains have at most 5 sections, at
+/// least one long one, and no dwells. Cost: 1 ms per chain, 50 ms if it gains.
 double gain_of_chains(const StrokeBoundTask& task, const std::vector<SectionBound>& sections,
                       const std::vector<double>& planned, Progress& progress);
 

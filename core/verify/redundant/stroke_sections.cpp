@@ -23,7 +23,7 @@ StrokeSections::StrokeSections(const StrokeBoundTask& task, const std::vector<Se
 
 bool StrokeSections::split(std::size_t k) const { return task_.fine[k].highest > least_stroke; }
 
-double StrokeSections::way(std::size_t k, std::size_t section) const {
+double StrokeSections::end_distance(std::size_t k, std::size_t section) const {
   return std::abs(rest(section + 1).value[k] - rest(section).value[k]);
 }
 

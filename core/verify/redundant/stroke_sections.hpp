@@ -1,5 +1,6 @@
 #pragma once
-/// The sections of a path as bounds that know the stroke look at them (stroke_bound.hpp, stroke_chains.hpp).
+/// The sections of a path in the form that stroke_bound.hpp and stroke_chains.hpp need: their bounds, the distances of
+/// their ends, and the head's reach around them.
 #include <cstddef>
 #include <vector>
 
@@ -11,8 +12,8 @@
 namespace bahnwerk {
 
 struct StrokeBoundTask {
-  const PathTask& head;                        ///< with the limits of both axes summed
-  const std::vector<AxisLimits>&coarse, fine;  ///< per axis of the path; a fine axis' stroke is its `highest`
+  const PathTask& head;                        ///< path, feeds and rests with the summed limits
+  const std::vector<AxisLimits>&coarse, fine;  ///< limits per axis of the path; a fine axis' stroke is its `highest`
   double progress_from = 0, progress_to = 1;
 };
 
@@ -20,34 +21,35 @@ namespace verify {
 
 class StrokeSections {
  public:
-  /// What lies around some of them: where the head may be before and behind.
+  /// The head's reach before and behind some sections.
   struct Surroundings {
     HeadReach before, behind;
-    bool rests_before, rests_behind;  ///< the path begins, or ends, there
+    bool rests_before, rests_behind;  ///< whether the path begins, or ends, there
     bool known() const { return before.until > 0 && behind.until > 0; }
     ReachableStates begin(const StrokeAxis& axis) const { return axis.before(before, rests_before); }
-    /// In time that runs backwards.
+    /// Returns the states at the end, in reversed time.
     ReachableStates end(const StrokeAxis& axis) const { return axis.before(behind, rests_behind); }
   };
 
-  /// Both outlive it, and bounds may be raised meanwhile.
+  /// Both arguments must outlive this object; bounds may be raised meanwhile.
   StrokeSections(const StrokeBoundTask& task, const std::vector<SectionBound>& sections);
 
   std::size_t count() const { return sections_.size(); }
   std::size_t axes() const { return task_.head.path.axes(); }
-  /// Whether an axis has a fine one; of others the limits of the head are all there is to say.
+  /// Tells whether an axis has a fine axis; without one the limits of the head are the only conditions.
   bool split(std::size_t k) const;
-  /// Sum of the bounds of sections [first, last), s.
+  /// Returns the sum of the bounds of the sections [first, last), s.
   double bound(std::size_t first, std::size_t last) const;
-  /// How far apart the ends of a section are along axis k, mm; its stroke; its coarse axis.
-  double way(std::size_t k, std::size_t section) const;
+  /// Returns the distance of a section's ends along axis k, mm.
+  double end_distance(std::size_t k, std::size_t section) const;
   double stroke(std::size_t k) const { return split(k) ? task_.fine[k].highest : 0; }
   const AxisLimits& coarse(std::size_t k) const { return task_.coarse[k]; }
-  /// Whether one is longer than the shortest stroke, and faster than the coarse axes alone may be.
+  /// Tells whether a section is longer than the shortest stroke and its bound shorter than the coarse axes alone
+  /// permit.
   bool far(std::size_t section) const;
-  /// Whether the head dwells before a section, or behind the last one.
+  /// Tells whether the head dwells before a section, or behind the last one.
   bool waits(std::size_t before) const;
-  /// Places from where section `origin` begins.
+  /// Returns axis k with positions counted from the begin of section `origin`.
   StrokeAxis axis(std::size_t k, std::size_t origin) const;
   Surroundings around(std::size_t first, std::size_t last) const;
   Passage passage(std::size_t first, std::size_t last) const;

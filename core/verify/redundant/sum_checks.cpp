@@ -16,7 +16,7 @@ using verify::Strained;
 
 constexpr double sum_tolerance = 1e-12;  // mm
 
-/// Columns of one axis and derivative.
+/// Indices of the columns of one axis and derivative.
 struct Triple {
   std::size_t head = 0, coarse = 0, fine = 0, derivative = 0;
   double limit = 0;  // of the fine axis

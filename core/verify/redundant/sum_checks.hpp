@@ -1,5 +1,5 @@
 #pragma once
-/// The independent check of the setpoints of coarse and fine axes: that they add up to the head's, row by row.
+/// The independent check that setpoints of coarse and fine axes add up to the head's setpoints, row by row.
 #include <memory>
 #include <vector>
 
@@ -18,19 +18,19 @@ struct SumInput {
   double progress_from = 0, progress_to = 1;
 };
 
-/// With ε = 2⁻⁵²:
+/// Returns a check of rows with these quantities and limits (ε = 2⁻⁵²):
 ///
-/// `setpoints sum`                   mm     |x_c + x_f − x|, added up without rounding: 1e-12
-/// `setpoints sum of velocities`     mm/s   the same of them: 32 ε (|v| + |v_c|)
-/// `setpoints sum of accelerations`  mm/s²  the same of them: 32 ε (|a| + |a_c|)
-/// `setpoints stroke`                mm     |x_f| against the stroke, of the axis that comes nearest to it
-/// `setpoints fine velocity`         mm/s   |v_f| against its limit, likewise
-/// `setpoints fine acceleration`     mm/s²  |a_f| against its limit, likewise
+/// `setpoints sum`                   mm     |x_c + x_f − x|, added without rounding: 1e-12
+/// `setpoints sum of velocities`     mm/s   |v_c + v_f − v|: 32 ε (|v| + |v_c|)
+/// `setpoints sum of accelerations`  mm/s²  |a_c + a_f − a|: 32 ε (|a| + |a_c|)
+/// `setpoints stroke`                mm     |x_f|: the stroke
+/// `setpoints fine velocity`         mm/s   |v_f|: the fine axis' limit
+/// `setpoints fine acceleration`     mm/s²  |a_f|: the fine axis' limit
 ///
-/// Missing columns and what is not a number fail.
+/// The last three report the axis that comes nearest to its limit. Missing columns and values that are not finite fail.
 std::unique_ptr<RowCheck> sum_row_check(const SumInput& input);
 
-/// Reads all rows for that check alone.
+/// Reads all rows for sum_row_check() and returns its verdicts.
 std::vector<Check> sum_checks(const SumInput& input, Progress& progress);
 
 }  // namespace bahnwerk

@@ -16,7 +16,7 @@ constexpr double margin = 24, title_height = 64, scale = 34, key_width = 190;  /
 constexpr const char* touches = "#c1121f";
 constexpr std::array<const char*, 6> steps{"#f6d55c", "#cddc6a", "#9ccc65", "#5fb870", "#2f9c7a", "#1f7a8c"};
 
-/// Millimetres to pixels, y upwards.
+/// Converts millimetres to pixels, y upwards.
 struct Window {
   Box box;
   Point corner;
@@ -40,8 +40,8 @@ const char* colour(double clearance, double most) {
   return steps[std::min(step, steps.size() - 1)];
 }
 
-/// Cells of one row that have one colour as one rectangle. The first and last of a row reach one cell further: the
-/// slot's outline clips them where its wall lies.
+/// Draws adjacent cells of one row and colour as one rectangle. The first and last rectangle of a row extend by one
+/// cell, where the slot's outline clips them.
 std::string cells(const ClearanceMap& map, const Window& window, double most) {
   std::string out;
   const auto inside = [&](std::size_t column, std::size_t row) {

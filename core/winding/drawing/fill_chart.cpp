@@ -41,7 +41,7 @@ Scale scale(double least, double most, double step, double pixel_from, double pi
   return {from, std::max(to, from + step), pixel_from, pixel_to};
 }
 
-/// The mark of enamel number `which`: a dot, a ring, a square, an open square.
+/// Returns the mark of enamel number `which`: a dot, a ring, a square, an open square.
 std::string mark(Point p, std::size_t which, const char* colour) {
   const bool open = which % 2 == 1;
   const std::string look = std::string("fill=\"") + (open ? "#ffffff" : colour) + "\" stroke=\"" + colour + "\"";

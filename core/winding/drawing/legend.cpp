@@ -24,7 +24,7 @@ class Entries {
     out_ += rect(0, symbol - 8, fill, stroke, round);
     words_of(words);
   }
-  /// The colours in their order.
+  /// Draws the colours in their order.
   void colours(const std::string& words) {
     const double wide = (symbol - 4) / static_cast<double>(look::layer_count);
     for (std::size_t k = 0; k < look::layer_count; ++k)

@@ -10,7 +10,7 @@
 namespace bahnwerk::winding {
 namespace {
 
-/// Lines of one slot or pole in the section, x along its middle from the axis.
+/// Lines of one slot or pole in the section; x runs along its middle from the axis.
 using Section = std::vector<std::vector<Point>>;
 
 void append(std::vector<Point>& line, const Edge& edge) {

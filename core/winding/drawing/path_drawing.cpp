@@ -15,7 +15,8 @@ namespace {
 constexpr double size = 860, margin = 24, title_height = 56, foot = 40, fine = 0.3;  // px
 constexpr const char* curve_colour = "#1f5fbf";
 
-/// Isometric: x and y lead down to the left and to the right, 30° below the horizontal; mm of the paper, y upwards.
+/// Isometric projection: x and y lead down to the left and to the right, 30° below the horizontal; mm on paper, y
+/// upwards.
 Point isometric(Vec p) {
   const double c = std::sqrt(0.5), s = std::sqrt(1 / 6.0);
   return {c * (p.y - p.x), 2 * s * p.z - s * (p.x + p.y)};
@@ -59,7 +60,7 @@ std::string drawn(const drawing::Thinned& lines, const char* colour, double widt
          " fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\"/>\n";
 }
 
-/// The directions of the axes and how long they are drawn.
+/// Directions and drawn lengths of the axes.
 std::string scale_bar(const View& view, double bottom) {
   const double power = std::pow(10, std::floor(std::log10(80 / view.scale))), left = 80 / view.scale / power,
                mm = power * (left >= 5   ? 5
@@ -120,7 +121,7 @@ std::string path_drawing(const DrawnPath& path) {
   View view;
   for (const Polyline3& line : path.outline)
     for (const Vec at : line) view.widen(at);
-  // Once for the size, then as fine as that needs.
+  // The first pass determines the size, the second one draws with the accuracy that this size needs.
   for (const BezierPiece& piece : path.pieces)
     for (int i = 0; i <= 8; ++i) view.widen(place(piece.at(i / 8.0)[0]));
   view.fit();

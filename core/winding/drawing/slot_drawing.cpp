@@ -11,7 +11,7 @@ namespace {
 
 constexpr double margin = 24, title_height = 34;  // px
 
-/// Millimetres to pixels, y upwards.
+/// Converts millimetres to pixels, y upwards.
 struct Frame {
   Box box;
   double scale;
@@ -23,7 +23,7 @@ struct Frame {
 }  // namespace
 
 std::vector<int> layers(const Region& usable_area, double radius, std::span<const Point> wires) {
-  // The base layer: what stands on a wall that looks up.
+  // The base layer consists of the wires on a wall that faces up.
   std::vector<int> layer(wires.size(), -1);
   std::vector<std::size_t> queue;
   const double touch = 0.05 * radius;
@@ -67,7 +67,7 @@ std::string filled(const Region& region, const Frame& frame, const char* fill, c
          svg::attribute("stroke", stroke) + svg::attribute("stroke-width", width) + "/>\n";
 }
 
-/// The opening between the tooth tips, and these.
+/// Draws the opening between the tooth tips, and the tips.
 std::string opening(const Slot& slot, const Frame& frame) {
   if (!slot.opening) return {};
   const Opening& o = *slot.opening;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
 
-/// Coordinates with the origin in the opening's middle, y out of the slot.
+/// Converts to coordinates with the origin in the opening's middle and y out of the slot.
 struct Upright {
   Point middle, x, y;
   explicit Upright(const Opening& opening) : middle(opening.middle), x(left_of(opening.into)), y(-opening.into) {}
@@ -45,13 +45,13 @@ Interval hidden(Point disc, double reach, double x) {
     at.widen(disc.y - std::sqrt(inside));
     at.widen(disc.y + std::sqrt(inside));
   }
-  // Far up or down the upright is seen along y.
+  // Points far up or down the upright are seen along y.
   if (d.y > c) at.widen(endless);
   if (-d.y > c) at.widen(-endless);
   return at;
 }
 
-/// Whether any finite height from `low` to `high` is in none of the open intervals.
+/// Tells whether any finite height from `low` to `high` is in none of the open intervals.
 bool left_open(std::vector<Interval>& taken, double low, double high) {
   std::sort(taken.begin(), taken.end(), [](const Interval& a, const Interval& b) { return a.low < b.low; });
   for (const Interval& each : taken) {
@@ -61,7 +61,7 @@ bool left_open(std::vector<Interval>& taken, double low, double high) {
   return low <= high && low < endless;
 }
 
-/// The highest that walls facing the opening rise to between two uprights, below the opening.
+/// Returns the largest height of walls that face the opening, between two uprights and below the opening.
 double floor_of(const Region& usable_area, const Upright& upright, const Opening& opening, double left, double right) {
   double highest = -endless;
   const double size = 1 + norm(usable_area.box().high - usable_area.box().low);

@@ -23,7 +23,7 @@ Point raised(Point foot, Point end, double height) {
 
 [[noreturn]] void refuse_cap_height(const char* why) { throw InvalidInput({{{"heads", "cap_height"}, why}}); }
 
-/// The rotor slot's outline with its flanks up to `height`.
+/// Returns the rotor slot's outline with its flanks extended to `height`.
 Region cap(const Region& slot, double height) {
   const auto edges = slot.edges();
   // The line that closes the slot runs back above the base.
@@ -73,7 +73,7 @@ LayingRegions laying_regions(const Slot& slot, const StatorHeads& h) {
     const Vec3 axial{0, 0, top ? h.stack + h.tool_height : -h.tool_height};
     return Frame{h.tool_radius * s.radial + shift * s.tangential + axial, s.radial, {0, 0, top ? 1.0 : -1.0}};
   };
-  // Larger than any pile of the wires that the slot holds.
+  // The size exceeds any pile of the wires that the slot holds.
   const Point size = slot.usable_area.box().high - slot.usable_area.box().low;
   const Region head = rectangle(2 * std::max(size.x, size.y), 2 * std::max(size.x, size.y));
   LayingRegions regions;
@@ -86,7 +86,7 @@ LayingRegions laying_regions(const Slot& slot, const StatorHeads& h) {
 
 LayingRegions laying_regions(const Slot& slot, const RotorHeads& h) {
   const double low = -h.cap_base, high = h.stack + h.cap_base, half = h.tooth_half_width;
-  // Both slots mirror each other at the tooth: y from the tooth outwards, x along it.
+  // Both slots are mirror images at the tooth: y from the tooth outwards, x along it.
   const auto in_slot = [&](double side, double z) {
     return Frame{{h.tooth_radius, side * half, z}, {1, 0, 0}, {0, side, 0}};
   };

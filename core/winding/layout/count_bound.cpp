@@ -10,7 +10,8 @@
 namespace bahnwerk::winding {
 namespace {
 
-/// Points whose hull holds the set: corners, ends of pieces and, about arcs, the corners of tangents every 0.2°.
+/// Returns points whose convex hull contains the set: corners, ends of pieces and, for arcs, the corners of tangents
+/// every 0.2°.
 std::vector<Point> around(const CentreBorders& borders) {
   std::vector<Point> points = borders.corners;
   for (const Edge& edge : borders.pieces) {

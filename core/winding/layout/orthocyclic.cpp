@@ -10,7 +10,7 @@
 namespace bahnwerk::winding {
 namespace {
 
-/// Least and greatest extent of the usable area's box along a unit vector, from `origin`.
+/// Returns the least and greatest extent of the usable area's box along a unit vector, from `origin`.
 struct Extent {
   double low = std::numeric_limits<double>::max(), high = std::numeric_limits<double>::lowest();
 };

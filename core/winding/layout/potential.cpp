@@ -23,7 +23,7 @@ std::uint64_t work_of(const PotentialOptions& options, double share) {
   return static_cast<std::uint64_t>(std::max(1.0, share * unit_work * options.effort));
 }
 
-/// Few wires have few layouts; more tries would repeat them.
+/// Few wires have few layouts, which more tries would only repeat.
 std::size_t tries_of(const PotentialOptions& options, double share, std::size_t count) {
   return static_cast<std::size_t>(share * options.effort * (300 + 60.0 * static_cast<double>(count))) + 8;
 }
@@ -69,7 +69,7 @@ std::vector<Point> potential(const Region& usable_area, double radius, std::span
   take(best);
   take(best_rows(centres, search.sides(), least, static_cast<std::size_t>(400 * std::max(1.0, options.effort)),
                  search.random()));
-  // Upwards in growing strides with little work, then one by one with all of it.
+  // The count grows in increasing steps with little work each, then one by one with all of it.
   std::size_t stride = 1 + best.size() / 64;
   while (stride > 0 && best.size() < options.most) {
     const std::size_t count = std::min(best.size() + stride, options.most);

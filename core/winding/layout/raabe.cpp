@@ -10,7 +10,7 @@ namespace {
 
 constexpr Point up{0, 1};
 
-/// The lowest place of a first wire at this x.
+/// Returns the lowest place of a first wire at this x.
 std::optional<Point> lowest_at(double x, const Sites& sites, const Box& box) {
   const Edge upright = line({x, box.low.y - 1}, {x, box.high.y + 1});
   std::optional<Point> lowest;

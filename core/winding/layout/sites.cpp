@@ -14,7 +14,7 @@ constexpr double slack = fit_margin;
 constexpr double on_edge = 1e-10;  // mm by which a point may miss the edge it belongs to
 constexpr double equal = 1e-9;     // mm; smaller differences of cost are ties
 
-/// Points of `edge` at `reach` from `centre`, at most two.
+/// Returns the points of `edge` at distance `reach` from `centre`, at most two.
 template <class Found>
 void at_reach(const Edge& edge, Point centre, double reach, Found found) {
   Point foot, along;
@@ -54,7 +54,7 @@ Sites::Sites(const Region& usable_area, double radius, Progress* progress)
 
 namespace {
 
-/// Clamped, so that what lies outside the usable area's box belongs to a cell at its rim.
+/// Indices are clamped, so that a point outside the usable area's box belongs to a cell at its rim.
 int cell_at(double offset, double size, int cells) {
   return static_cast<int>(std::clamp(std::floor(offset / size), 0.0, static_cast<double>(cells - 1)));
 }
@@ -130,7 +130,7 @@ std::optional<Point> Sites::nearest(Point p) {
     const Point foot = border.at(border.nearest(p));
     if (clear_of_wires(foot)) feet_.push_back(foot);
   }
-  // Only where `p` lies within the circle around a wire is the circle's nearest point a resting place.
+  // The circle's nearest point is a resting place only if `p` lies inside the circle around a wire.
   around(p, 1, [&](Point wire) {
     const Point d = p - wire;
     if (dot(d, d) >= apart_ * apart_) return true;

@@ -100,7 +100,7 @@ SupportPoint kept_clear(Vec3 along, Vec3 across, const std::function<SupportPoin
   }
   if (best == 0) return straight;
   if (most < enough) return leaning(best);
-  // The lean that is a step less leaves too little.
+  // The lean that is one step smaller leaves too little distance.
   double less = best - std::copysign(std::min(lean_step, std::abs(best)), best);
   while (std::abs(best - less) > lean_exact) {
     const double middle = (less + best) / 2;

@@ -17,7 +17,7 @@ double turned_by(double phi, double psi_change, double psi) {
   return std::hypot(phi * std::min(1.0, std::abs(std::cos(psi)) + std::abs(psi_change)), psi_change);
 }
 
-/// A piece of a move.
+/// An interval of a move.
 class MoveInterval {
  public:
   explicit MoveInterval(const NeedleMove& move, double u = 0.5, double half = 0.5) : move_(&move), u_(u), half_(half) {}
@@ -51,7 +51,7 @@ class MoveInterval {
   double u_, half_;
 };
 
-/// A part of a rational piece: its own control points, and those of both halves.
+/// An interval of a rational piece: its own control points, and those of both halves.
 class PieceInterval {
  public:
   explicit PieceInterval(const BezierPiece& piece) : degree_(piece.degree()) {
@@ -96,7 +96,7 @@ class PieceInterval {
 
  private:
   using Points = std::array<HomogeneousPoint, BezierPiece::max_degree + 1>;
-  /// Calls with how far each control point of both halves is from the middle.
+  /// Calls `call` with the distance of each control point of both halves from the middle.
   template <class Each>
   void each(const Each& call) const {
     for (const Points* half : {&left_, &right_})

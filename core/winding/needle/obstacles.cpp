@@ -10,7 +10,7 @@
 namespace bahnwerk::winding {
 namespace {
 
-/// A drawn slot's outline with the bore in place of its mouth, from one end of the opening to the other.
+/// Returns a drawn slot's outline with the bore in place of its mouth, from one end of the opening to the other.
 Region drawn_air(const StatorPart& part, const Slot& slot) {
   const Opening& opening = *slot.opening;
   const double half = opening.clear / 2, axis = part.heads.base_radius;
@@ -30,7 +30,7 @@ Region drawn_air(const StatorPart& part, const Slot& slot) {
   const auto append = [&](const Edge& e) {
     if (e.length() > 1e-9) loop.push_back(e);
   };
-  // Both ends of the opening may be on one edge: then all of the outline lies between them.
+  // If both ends of the opening are on one edge, all of the outline lies between them.
   append(edges[first].part(edges[first].nearest(left), 1));
   std::size_t i = first;
   do {
@@ -44,7 +44,7 @@ Region drawn_air(const StatorPart& part, const Slot& slot) {
   return Region(std::move(loop));
 }
 
-/// The slot's outline with the line between the tooth tips replaced by tips, opening and bore.
+/// Returns the slot's outline with the line between the tooth tips replaced by tips, opening and bore.
 Region air_of(const StatorPart& part, const Slot& slot) {
   if (part.drawn) return drawn_air(part, slot);
   const double h = part.slot.height, r = part.slot.tip_corner_radius, axis = part.heads.base_radius;
@@ -99,7 +99,7 @@ Vec3 Block::away(Vec3 p) const {
   const Vec3 d = turned(p, inwards_) - middle_;
   Vec3 out{std::abs(d.x) - half_.x, std::abs(d.y) - half_.y, std::abs(d.z) - half_.z};
   const double most = std::max({out.x, out.y, out.z});
-  // Outside the block the vector from the nearest point counts, inside the nearest face.
+  // Outside the block the vector from the nearest point counts, inside it the nearest face.
   if (most > 0) {
     out = {std::max(out.x, 0.0), std::max(out.y, 0.0), std::max(out.z, 0.0)};
   } else {
@@ -122,7 +122,7 @@ std::vector<Block> tool_posts(const StatorPart& part, const ToolPost& post, Coil
   const double r = part.heads.tool_radius, shift = part.heads.tool_shift * (coil.span > 0 ? 1 : -1);
   std::vector<Block> posts;
   for (const bool second : {false, true}) {
-    // Tools stand shifted towards the coil's middle.
+    // Tools are shifted towards the coil's middle.
     const double azimuth = (coil.first + (second ? coil.span : 0)) * part.pitch(), at = second ? -shift : shift;
     for (const bool top : {false, true})
       posts.emplace_back(azimuth, r - post.thickness, r, at - post.width / 2, at + post.width / 2,

@@ -24,7 +24,7 @@ Anchor lying(const FixedPiece& piece, const Passage& passage) {
   return anchor;
 }
 
-/// The angle about the axis by which the wire lies on the arc, in the arc's sense: from 0 to all of it.
+/// Returns the angle about the axis by which the wire lies on the arc, in the arc's sense, between 0 and the whole arc.
 Rate lying_angle(const PoseRates& needle, const Anchor& anchor, double lead) {
   const double sense = anchor.sweep > 0 ? 1 : -1, all = std::abs(anchor.sweep);
   const double quarter = std::numbers::pi / 2, turn = 2 * std::numbers::pi;
@@ -77,7 +77,7 @@ FreeWire free_wire(const PoseRates& needle, const Anchor& anchor, double bend_ra
   const Rate level = cos(needle.psi),
              along = level * (wx * cos(needle.phi) + wy * sin(needle.phi)) - wz * sin(needle.psi);
   const Rate square = wx * wx + wy * wy + wz * wz, rest = square - along * along + Rate(straight * straight);
-  // Rounding may leave the square of what is across the axis below 0.
+  // Rounding may make the square of the component across the axis negative.
   const Rate across = rest.value() > 0 ? sqrt(rest) : Rate(straight);
   Rate run = square - 2 * bend_radius * across;
   if (!(run.value() > shortest * shortest)) run = Rate(shortest * shortest);

@@ -23,7 +23,7 @@ void check(const RotorShape& shape) {
   if (!faults.empty()) throw InvalidInput(faults);
 }
 
-/// Which edge closes the slot: the one that runs back above the base.
+/// Returns the edge that closes the slot: the one that runs back above the base.
 std::size_t closing_edge(const Region& slot) {
   const auto edges = slot.edges();
   std::size_t closing = edges.size();
@@ -59,7 +59,7 @@ Region pole_of(const RotorPart& part, const Slot& slot, double shoe_edge) {
   const Point axis{0, 0}, root = side.front().from, tip = side.back().to;
   if (shoe_edge > 0) side.push_back(line(tip, tip + shoe_edge * unit(tip)));
   const Point edge = side.back().to;
-  // The iron lies on the left of the other direction.
+  // The outline is reversed, because the iron has to lie on its left.
   std::vector<Edge> loop{arc_between(axis, {edge.x, -edge.y}, edge, true)};
   for (std::size_t i = side.size(); i-- > 0;) loop.push_back(side[i].reversed());
   loop.push_back(arc_between(axis, root, {root.x, -root.y}, true));

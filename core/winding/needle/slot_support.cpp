@@ -24,7 +24,7 @@ SupportPoint slot_support(Vec3 place, Vec3 along, double bend_radius, double fre
   const Vec3 out = radial(azimuth(pivot));
   SupportPoint found;
   double gamma = 0;
-  /// The support point for this t; what ρ tan(α/2) is for it.
+  /// Computes the support point for this t, and its value of ρ tan(α/2).
   const auto tangent_of = [&](double tangent) {
     const Vec3 c = place + (free_length + tangent) * along;
     const double at = azimuth(c), from_axis = std::hypot(c.x, c.y);

@@ -13,7 +13,8 @@ namespace bahnwerk::winding {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-// Margin of a moved tip beyond the required clearance, and its accuracy, mm: links and lines come slightly nearer.
+// mm: margin of a moved tip beyond the required clearance, because links and lines come slightly nearer; and its
+// accuracy.
 constexpr double margin = 0.1, lack_exact = 1e-3;
 constexpr std::size_t units_per_tip = 400;  // of work for progress, per tip with its distances
 
@@ -35,7 +36,7 @@ void check(const NeedleModel& model) {
   if (!faults.empty()) throw InvalidInput(faults);
 }
 
-/// Collects pieces; angles run on.
+/// Collects pieces with continuous angles.
 class Pieces {
  public:
   explicit Pieces(const NeedleModel& model) : model_(model) {}
@@ -50,7 +51,7 @@ class Pieces {
       highest_ = std::max(highest_, s->pose.tip.z);
     }
   }
-  /// Puts an arc between each two coils, above and outside all else.
+  /// Inserts an arc between each two coils, above and outside all other pieces.
   std::vector<FixedPiece> with_changes() && {
     std::vector<FixedPiece> pieces = std::move(list_);
     list_.clear();
@@ -82,8 +83,8 @@ class Pieces {
   double farthest_ = 0, highest_ = 0;
 };
 
-/// A stator's winding head: the needle points along the axis towards the stack. The arc keeps the larger radius and the
-/// larger distance from the stack of both of its ends, so that nowhere the wire bends more than at these.
+/// The winding head of a stator, in which the needle points along the axis towards the stack. The arc has the larger
+/// radius and the larger distance from the stack of both its ends, so that the wire bends nowhere more than at these.
 FixedPiece head(const Passage& p, double sense, bool top, double rho, double length) {
   FixedPiece piece;
   piece.shape = FixedPiece::Shape::arc;
@@ -106,8 +107,8 @@ FixedPiece head(const Passage& p, double sense, bool top, double rho, double len
   return piece;
 }
 
-/// The ends of a line in a laying region. `leading(place, along)` is the support point of a wire over `place`;
-/// `standing(pose)` what the part leaves the needle there, `between(begin, end)` along the line, mm. Tells
+/// Computes the ends of a line in a laying region. `leading(place, along)` is the support point of a wire over `place`;
+/// `standing(pose)` is the clearance of the needle there and `between(begin, end)` that along the line, mm. Reports
 /// `stage_progress`.
 template <class Leading, class Standing, class Between>
 void set_ends(FixedPiece& piece, const Passage& p, Vec3 across, const NeedleModel& model, const Leading& leading,

@@ -52,7 +52,7 @@ CentreArea::CentreArea(const Region& usable_area, double radius, Progress& progr
     pieces_[i].corner_from = region_.juts_at(i) ? -1 : region_.recedes_at(i) ? 1 : 0;
   for (std::size_t i = 0; i < areas; ++i) pieces_[region_.before(i)].corner_to = pieces_[i].corner_from;
 
-  // A margin outside, as wires are pushed out while they are squeezed.
+  // The box has a margin, because wires are pushed out while they are squeezed.
   const Box& box = box_;
   const double margin = 0.5 * radius;
   const double width = box.high.x - box.low.x + 2 * margin, height = box.high.y - box.low.y + 2 * margin;

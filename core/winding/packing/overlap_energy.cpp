@@ -11,7 +11,7 @@ namespace {
 constexpr double hopeless = 300;  // times the squared force: energy that a descent may still lose
 constexpr double skin = 0.35;     // of the distance: pairs are listed that much further than they act
 
-/// Four sums, as one would wait for each addition.
+/// Four independent sums avoid waiting for each addition.
 double product(std::span<const Point> a, std::span<const Point> b) {
   double x = 0, y = 0, u = 0, v = 0;
   const std::size_t n = a.size();
@@ -45,7 +45,7 @@ void OverlapEnergy::list(std::span<const Point> wires) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
-  // Wires may be strewn far more thinly than they are wide.
+  // Wires may be distributed far more sparsely than they are wide.
   const double side = std::max(reach, std::sqrt((high.x - low.x) * (high.y - low.y) / (4.0 * static_cast<double>(n))));
   const auto columns = static_cast<std::size_t>((high.x - low.x) / side) + 1;
   const auto rows = static_cast<std::size_t>((high.y - low.y) / side) + 1;
@@ -105,7 +105,7 @@ double OverlapEnergy::energy(std::span<const Point> wires, std::span<Point> grad
     const double apart = std::sqrt(square), overlap = distance_ - apart;
     sum += overlap * overlap;
     deep = std::max(deep, overlap);
-    // Wires on one point are parted along x.
+    // Wires on one point are separated along x.
     const Point force = apart > 0 ? (overlap / apart) * d : Point{overlap, 0};
     gradient[pair.a] -= force;
     gradient[pair.b] += force;
@@ -147,13 +147,13 @@ Rest Minimiser::minimise(OverlapEnergy& overlap, std::vector<Point>& wires, doub
     const double square = product(gradient_, gradient_);
     // Forces balance although wires overlap: a local minimum.
     if (square <= 1e-5 * energy) break;
-    // Even soft directions do not lead below the goal any more.
+    // Not even soft directions lead below the goal any more.
     if (hopeless * square < energy - goal) break;
     if (step % 40 == 39) {
       if (energy > 0.98 * earlier) break;
       earlier = energy;
     }
-    // Two-loop recursion.
+    // Two-loop recursion of L-BFGS [Nocedal, Updating quasi-Newton matrices with limited storage, 1980].
     for (std::size_t i = 0; i < n; ++i) direction_[i] = -gradient_[i];
     double alpha[memory];
     for (std::size_t k = 0; k < kept; ++k) {

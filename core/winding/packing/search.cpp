@@ -19,7 +19,7 @@ PackingSearch::PackingSearch(const CentreArea& usable_area, double distance, std
     : usable_area_(usable_area), energy_(usable_area, distance), random_(seed), progress_(progress) {
   if (usable_area.empty()) return;
   sides_ = winding::sides(usable_area.edges(), 1.5 * distance);
-  // Points in cells a distance wide, for the holes between wires.
+  // Candidate points, in cells one distance wide, for the holes between wires.
   std::vector<Point> points = usable_area.spread(distance / 4);
   const Box& box = usable_area.box();
   low_ = box.low;
@@ -98,7 +98,8 @@ std::vector<Point> PackingSearch::start(std::size_t count) {
   const double full = energy_.distance();
   const bool few = count < 12;
   if (random_.chance(few ? 0.8 : 0.25)) {
-    // Uniform in the usable area, then grown [Herrmann Algorithm 4.3, lines 4 to 17].
+    // Start from wires uniformly distributed in the usable area, which then grow [Herrmann Algorithm 4.3, lines 4 to
+    // 17].
     for (std::size_t i = 0; i < count; ++i) {
       const Point jitter{random_.uniform(-0.125, 0.125) * full, random_.uniform(-0.125, 0.125) * full};
       const Point p = pool_[random_.below(pool_.size())] + jitter;
@@ -113,7 +114,7 @@ std::vector<Point> PackingSearch::start(std::size_t count) {
   }
   wires = random_rows(usable_area_, sides_, full, count, random_);
   adjust(wires, count);
-  // Lattices are saddles of the energy.
+  // Lattices are saddle points of the energy, so they are perturbed.
   for (Point& p : wires) p += Point{random_.uniform(-0.02, 0.02) * full, random_.uniform(-0.02, 0.02) * full};
   return wires;
 }
@@ -125,7 +126,7 @@ std::vector<Point> PackingSearch::hop(const State& from) {
   if (kind < 0.4) {
     energy_.share(wires, share_);
     std::size_t which = random_.below(n);
-    // A wire that is squeezed hard, or one that carries nothing, or any.
+    // Move a wire with a large overlap, one without contact force, or any wire.
     const double whom = random_.uniform();
     if (whom < 0.6) {
       for (int i = 0; i < 5; ++i)

@@ -38,7 +38,7 @@ bool settle(const CentreArea& usable_area, Point& p) {
   return true;
 }
 
-/// Rows whose nearest neighbours are `distance` apart although their pitch is stretched.
+/// Returns rows whose nearest neighbours are `distance` apart although their pitch is stretched.
 Rows stretched(double distance, double stretch) {
   Rows rows;
   rows.pitch = distance * stretch;
@@ -119,7 +119,7 @@ std::vector<Point> random_rows(const CentreArea& usable_area, const std::vector<
           const double a = dot(p - anchors[0].at, anchors[0].inwards), b = dot(p - anchors[1].at, anchors[1].inwards);
           if ((a < b + border) != (g == 0)) return;
         }
-        // Wires just outside are pushed in rather than lost.
+        // Wires just outside are pushed in so that they are not lost.
         const Point in = usable_area.way_in(p);
         if (dot(in, in) < 0.01 * distance * distance) points.push_back(p + in);
       });
@@ -145,7 +145,7 @@ std::vector<Point> best_rows(const CentreArea& usable_area, const std::vector<Si
     } else {
       rows = along_side(sides[(i / 4) % sides.size()], distance, stretch, false, random);
     }
-    // Slightly wider, or rounding lets neighbours overlap.
+    // The distance is slightly larger, so that rounding lets no neighbours overlap.
     rows.pitch *= 1 + 1e-13;
     rows.height *= 1 + 1e-13;
     std::vector<Point> points = points_of(rows, usable_area);

@@ -27,7 +27,7 @@ void check_numbers(int from, int to, int slots) {
 
 int reduced(int n, int slots) { return ((n % slots) + slots) % slots; }
 
-/// Whether the outline stays on the right of the line through `on` along `direction`.
+/// Tells whether the outline stays on the right of the line through `on` along `direction`.
 bool right_of(const Region& outline, Point on, Point direction) {
   const Point left = left_of(direction);
   for (const Edge& e : outline.edges()) {
@@ -115,7 +115,7 @@ Slot checked_slot(const StatorPart& part) {
 Slot checked_slot(const RotorPart& part) {
   Slot slot = make_slot(part.slot);
   if (part.poles < 2) refuse({"part", "poles"}, "is less than 2");
-  // The middle between two poles, in slot coordinates, from the axis outwards. The slot lies on its right.
+  // The line between two poles, in slot coordinates, from the axis outwards. The slot lies on its right.
   const double half = part.pitch() / 2;
   const Point axis{-part.heads.tooth_radius, -part.heads.tooth_half_width}, middle{std::cos(half), std::sin(half)};
   if (!right_of(slot.iron, axis, middle))
@@ -125,7 +125,7 @@ Slot checked_slot(const RotorPart& part) {
 }
 
 bool leaves_teeth(const Slot& slot, double base_radius, double pitch) {
-  // The middle of the tooth beside, seen in slot coordinates, from the axis outwards.
+  // The middle of the adjacent tooth in slot coordinates, from the axis outwards.
   return right_of(slot.iron, {0, base_radius}, {std::sin(pitch / 2), -std::cos(pitch / 2)});
 }
 

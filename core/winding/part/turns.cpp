@@ -24,7 +24,7 @@ std::vector<int> layers(const std::vector<Point>& wires, double radius, double t
 
 namespace {
 
-/// The middle of the places that turn `i` takes.
+/// Returns the mean of the places of turn `i`.
 Point middle(const Layout& layout, std::size_t i, std::size_t parallel) {
   Point sum{};
   for (std::size_t k = i * parallel; k < (i + 1) * parallel; ++k) sum = sum + layout.wires[k];
@@ -54,7 +54,7 @@ std::vector<Turn> turns_of(const std::vector<LayingRegions>& coils, const Needle
           .coil = coil, .number = i, .at = {}, .layer = layer(i), .layer_jump = i > 0 && layer(i) != layer(i - 1)};
       for (std::size_t j = 0; j < 4; ++j) {
         const Point place = middle(layouts[j], i, parallel);
-        // The first slot is entered from the head of the turn before.
+        // The first slot is entered from the winding head of the turn before.
         const Point before =
             j > 0 ? middle(layouts[j - 1], i, parallel) : middle(layouts[3], i > 0 ? i - 1 : 0, parallel);
         turn.at[j] = {coils[coil].at[j].begin.place(place), coils[coil].at[j].end.place(place),

@@ -8,7 +8,7 @@
 namespace bahnwerk::winding {
 namespace {
 
-// Evaluations of J. More of them gain nothing from the shape of the turn before.
+// Most evaluations of J; a start from the turn before gains nothing from more.
 constexpr std::size_t evaluations_from_a_neighbour = 250, evaluations_of_a_search = 250, evaluations_of_the_best = 1000;
 constexpr double far_rougher = 10;  // in J
 constexpr double loop = 1.5;        // rad: by what a loop turns more than a bend, at least
@@ -72,7 +72,7 @@ FoundLink LinkSearch::find(const LinkEnds& ends, const std::optional<FoundLink>&
              : found;
 }
 
-/// Searches from the link of the turn before, if that leads to about as smooth a link.
+/// Searches from the link of the turn before, and succeeds if the result is about as smooth.
 FoundLink LinkSearch::again(const LinkEnds& ends, const std::optional<FoundLink>& known, LinkObjective objective,
                             Progress& progress) const {
   if (!known) return search(ends, objective, progress);
@@ -80,7 +80,7 @@ FoundLink LinkSearch::again(const LinkEnds& ends, const std::optional<FoundLink>
   return found.best.smoothness <= 1.5 * known->best.smoothness ? found : search(ends, objective, progress);
 }
 
-/// `seen`: J by the rule of the search.
+/// `seen` is J by the quadrature rule of the search.
 FoundLink LinkSearch::by(const SmoothnessRule& rule, const LinkEnds& ends, const LinkShape& start,
                          LinkObjective objective, std::size_t evaluations, Progress& progress, double& seen) const {
   FoundLink found{best_link(rule, ends, objective, options_.weights, start, progress, evaluations), objective, 0};
@@ -91,8 +91,8 @@ FoundLink LinkSearch::by(const SmoothnessRule& rule, const LinkEnds& ends, const
   return found;
 }
 
-/// A bend so sharp that it falls between the nodes of the quadrature looks smooth: where a finer rule sees more, the
-/// search is made with that.
+/// A bend so sharp that it lies between the nodes of the quadrature looks smooth; if a finer rule gives a larger J, the
+/// search is repeated with that rule.
 FoundLink LinkSearch::solve(const LinkEnds& ends, const LinkShape& start, LinkObjective objective,
                             std::size_t evaluations, Progress& progress) const {
   double seen = 0;

@@ -47,7 +47,7 @@ std::vector<BezierPiece> curve(const FixedPiece& piece, std::size_t continuity) 
                     {0, 0, to[2] - from[2], piece.sweep, to[4] - from[4]}, continuity);
 }
 
-/// On the slot's radius, towards that of the other piece [Herrmann 4.3.4].
+/// Returns the extra point on the slot's radius, towards that of the other piece [Herrmann 4.3.4].
 ExtraPoint on_the_radius(const Way& way, double share) {
   const Vec3 a = way.slot.tip, b = way.head.tip;
   return {azimuth(a), std::hypot(a.x, a.y) + share * std::hypot(b.x - a.x, b.y - a.y)};
@@ -83,16 +83,16 @@ class Maker {
   }
 
  private:
-  /// Kind and region that a link comes from, kind that it leads to, and which part of it.
+  /// Key of a link: kind and region of the piece that it comes from, kind of the piece that it leads to, and its part.
   using Place = std::tuple<FixedPiece::Kind, std::size_t, FixedPiece::Kind, std::size_t>;
-  /// A link that is not yet part of the path.
+  /// A candidate link.
   struct Found {
     LinkEnds ends;
     FoundLink link;
     BezierPiece piece;
   };
   using Both = std::array<Found, 2>;
-  /// The passage of a post at this place of the turn before.
+  /// The passage of a post at the same place of the turn before.
   struct Passed {
     std::optional<std::size_t> place;  ///< of PostPassage::beside(); none: the point was on the slot's radius
     bool exhausted = false;            ///< no place was enough

@@ -35,7 +35,7 @@ double PostPassage::from_all(std::size_t coil, std::span<const BezierPiece> piec
 ExtraPoint PostPassage::beside(const Way& way, std::size_t place) const {
   const Coil& coil = coils_.at(way.coil);
   const double slot = (coil.first + (way.second ? coil.span : 0)) * part_.pitch();
-  // Towards the coil's middle, counterclockwise positive.
+  // The direction towards the coil's middle, counterclockwise positive.
   const double inwards = (coil.span > 0) == way.second ? -1 : 1;
   const Vec3 tip = turned(way.slot.tip, -slot);
   const double width = post_.width / 2 + needle_.width / 2 + std::max(clearance_, -needle_.width / 2) + least_beside +

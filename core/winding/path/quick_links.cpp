@@ -14,7 +14,8 @@ namespace bahnwerk::winding {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::infinity();
-// Calls of the timer: of a link like no other; of one that is like another of its turn; in later turns.
+// Most calls of the timer: for a link unlike all others, for one similar to another link of its turn, and for later
+// turns.
 constexpr std::size_t first_betas = 30, first_weights = 15, twin_betas = 20, twin_weights = 10, later_betas = 15;
 constexpr double rougher = 5;            // in J, at most
 constexpr double turn = 0.5;             // rad that the tangent may turn more
@@ -34,7 +35,7 @@ double overshoot(const BezierPiece& piece) {
   return most;
 }
 
-/// The variables: γ, then the logarithm of a weight for each half.
+/// The variables of the search: γ, then the logarithm of a weight for each half.
 struct Point {
   std::vector<double> gamma;
   std::array<double, 2> log_weight{};
@@ -60,7 +61,7 @@ class Quickener {
   }
 
  private:
-  /// The link at one place, while it is searched.
+  /// The state of the search for the link at one place.
   struct Search {
     const NeedleLink& link;
     LinkVariables variables;
@@ -83,7 +84,7 @@ class Quickener {
     ++result_.evaluations;
     return time_(window);
   }
-  /// The time with this link in its window; keeps the best.
+  /// Returns the time with this link in its window, and keeps the best link.
   double look(Search& search, const Point& point) {
     const LinkShape shape = this->shape(search, point);
     const BezierPiece piece = link(options_.continuity, search.link.ends, shape);
@@ -162,7 +163,7 @@ class Quickener {
     look_at((from.region + 3) % 4, other_part, true);
     return any;
   }
-  /// The derivatives of f⁻¹ of a link that is passed backwards: those of odd order stay.
+  /// Returns the derivatives of f⁻¹ of a link that is passed backwards: odd orders keep their sign.
   static Point reversed(const Point& point) {
     const std::size_t k = point.gamma.size() / 2;
     Point back{point.gamma, {point.log_weight[1], point.log_weight[0]}};
@@ -207,7 +208,7 @@ class Quickener {
                 std::size_t evaluations, Make&& point) {
     problem.objective_scale = 0.1 * before;
     problem.objective = [&](std::span<const double> x, std::span<double>) {
-      // The value is limited: a linear model of the time must not be distorted by far worse points.
+      // The value is limited, so that far worse points do not distort a linear model of the time.
       return std::min(look(search, point(x)), 1.2 * before);
     };
     bahnwerk::minimise(problem, start, options(evaluations), progress_);
@@ -240,7 +241,8 @@ class Quickener {
   SmoothnessRule rule_;
   QuickLinks result_;
   std::vector<BezierPiece> curves_;
-  /// Kind and region that a link comes from, kind that it leads to, whether it begins at an extra point.
+  /// Key of a link: kind and region of the piece that it comes from, kind of the piece that it leads to, and whether it
+  /// begins at an extra point.
   std::map<std::tuple<FixedPiece::Kind, std::size_t, FixedPiece::Kind, bool>, std::optional<Known>> known_;
 };
 

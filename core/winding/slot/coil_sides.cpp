@@ -8,7 +8,7 @@
 namespace bahnwerk::winding {
 namespace {
 
-/// Everything to the left of a line through `p` along `direction` as far as a usable area may reach.
+/// Returns the half-plane to the left of the line through `p` along `direction`, as far as a usable area may extend.
 Region half_plane(Point p, Point direction, double size) {
   const Point along = size * direction, aside = size * left_of(direction);
   const Point a = p - along, b = p + along, c = b + aside, d = a + aside;
@@ -38,7 +38,7 @@ SharedSlot shared(const Slot& slot, Sharing how) {
     // The left side of a line that runs to the right is the part above it.
     const Point right = -left_of(up);
     const auto below = [&](double at) { return slot.usable_area.without(half_plane(middle + at * up, right, size)); };
-    // The sign alone: rounding makes the difference 0 at several heights, and the lowest of them is the border.
+    // Only the sign is used: rounding makes the difference 0 at several heights, the lowest of which is the border.
     const auto side = [&](double at) { return below(at).area() < slot.usable_area.area() / 2 ? -1.0 : 1.0; };
     const auto adjacent = [](double low, double high) { return std::nextafter(low, high) >= high; };
     const double border = boost::math::tools::bisect(side, -size / 2, size / 2, adjacent).second;

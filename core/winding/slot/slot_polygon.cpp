@@ -10,7 +10,7 @@
 namespace bahnwerk::winding {
 namespace {
 
-/// Edges that meet elsewhere than at their common corners, or turn back there: the polygon crosses itself.
+/// Finds edges that meet elsewhere than at their common corners, or turn back there: the polygon intersects itself.
 void check_simple(const std::vector<Edge>& loop) {
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const std::size_t next = i + 1 == loop.size() ? 0 : i + 1;
@@ -23,7 +23,7 @@ void check_simple(const std::vector<Edge>& loop) {
                                     " meets the one that begins at point " + std::to_string(contact->first));
 }
 
-/// The longest edge steeper than 45°, else the longest.
+/// Returns the longest edge steeper than 45°, else the longest edge.
 double flank_of(const std::vector<Edge>& loop) {
   double best = -1, angle = 0;
   for (const Edge& edge : loop) {
@@ -49,8 +49,8 @@ Point centroid(const Region& outline) {
   return origin + (1 / (3 * twice)) * sum;
 }
 
-/// Both ends on the outline. The slot lies where most of its area does: the mouth between the ends may be drawn
-/// straight or as the bore's arc, which dips into the slot or, of a rotor, bulges out of it.
+/// Finds both ends of the opening on the outline. The slot is the part with the larger area: the mouth between the ends
+/// may be drawn straight or as the bore's arc, which dips into the slot or, for a rotor, bulges out of it.
 Opening opening_of(const Region& iron, const std::array<Point, 2>& ends, double liner) {
   constexpr double deepest_mouth = 0.5;  // of the opening's width, that the mouth may dip: half a circle
   const double clear = distance(ends[0], ends[1]);

@@ -70,7 +70,7 @@ Slot make_slot(const RotorSlot& s) {
     // A single groove that does not reach the root's flank vanishes: the shoe's arc begins at its bottom.
     if (groove.length() > 1e-9) loop.push_back(groove);
   }
-  // The last groove runs out into the pole shoe's flank.
+  // The last groove ends in the pole shoe's flank.
   const Edge shoe = arc({s.base_width, s.shoe_radius}, s.shoe_radius, -quarter, std::atan2(shape.shoe.y, shape.shoe.x));
   const Point end = shoe.to + s.shoe_flank * shape.shoe;
   loop.push_back(shoe);
@@ -84,7 +84,7 @@ Slot make_slot(const RotorSlot& s) {
   slot.iron = Region(std::move(loop));
   if (!(slot.iron.area() > 0)) SlotFaults().stop("root_flank", "leaves no usable area");
   slot.usable_area = slot.iron;
-  // Open from flank end to flank end: the needle moves beside the coil, between the poles.
+  // The slot is open from one flank's end to the other's: the needle moves beside the coil, between the poles.
   slot.opening = Opening{0.5 * (end + loop_end), -left_of(unit(end - loop_end)), distance(end, loop_end), 0};
   slot.tension_point = slot.flank_tension_point = {-4, -4};
   slot.flank = s.root_angle;

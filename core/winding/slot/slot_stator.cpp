@@ -10,7 +10,7 @@
 namespace bahnwerk::winding {
 namespace {
 
-/// Base, right flank, tooth tips with the opening between them, left flank.
+/// The outline: base, right flank, tooth tips with the opening between them, left flank.
 Region iron(const StatorSlot& s, SlotFaults& faults) {
   const double half = s.base_width / 2;
   if (half >= s.base_radius)
@@ -30,7 +30,7 @@ Region iron(const StatorSlot& s, SlotFaults& faults) {
                "is 0: a wedge of " + faults.mm(s.wedge_thickness) + " needs its width, or wedge_thickness 0");
   if (s.wedge_thickness >= s.height)
     faults.add("wedge_thickness", "is no less than the slot's height, " + faults.mm(s.height));
-  // The slot is as wide at the wedge's lower side, or at the tooth tips where it opens towards them.
+  // The given width applies at the wedge's lower side, or at the tooth tips if the slot opens towards them.
   const double lean = (half - top) / (s.height - corner), wide = 2 * (top + std::max(0.0, lean * s.wedge_thickness));
   if (s.wedge_thickness > 0 && s.wedge_width > wide + 1e-9)
     faults.add("wedge_width", "is wider than the slot there, " + faults.mm(wide));
@@ -68,7 +68,7 @@ Slot make_slot(const StatorSlot& s) {
     slot.wedge = wedge(s, s.height);
   }
   if (slot.usable_area.empty()) faults.stop("wedge_thickness", "leaves no usable area");
-  // The opening is without its liner, as in [Herrmann Fig. 4.16]: 3.1 mm in the example.
+  // The opening does not include the liner, as in [Herrmann Fig. 4.16]: 3.1 mm in the example.
   slot.opening = Opening{{0, s.height}, {0, -1}, s.opening_width - 2 * s.tip_corner_radius, s.liner};
   slot.tension_point = {-4, -4};
   slot.flank_tension_point = {-4, 0};

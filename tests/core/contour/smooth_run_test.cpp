@@ -34,8 +34,8 @@ std::vector<Vec> chords(int n, const std::vector<int>& reversals = {}) {
 
 struct Smoothable {
   explicit Smoothable(const std::vector<Vec>& points) : contour(polyline(2, points, false, unlimited)) {
-    auto list = stretches(contour.path, 0, contour.path.size(), std::vector<std::size_t>(contour.path.size(), 0), 1e-6,
-                          4.0, silent_scope());
+    auto list = element_runs(contour.path, 0, contour.path.size(), std::vector<std::size_t>(contour.path.size(), 0),
+                             1e-6, 4.0, silent_scope());
     EXPECT_EQ(list.size(), 1u);
     stretch = list[0];
   }
@@ -43,7 +43,7 @@ struct Smoothable {
     return smooth_run(stretch, {a, b, false, false}, {}, {0.97 * tolerance, tolerance}, 2, rests, silent_scope());
   }
   Contour contour;
-  Stretch stretch;
+  ElementRun stretch;
 };
 
 /// Largest |f'''| between two places, f over the length of the contour.

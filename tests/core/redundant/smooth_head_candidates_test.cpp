@@ -36,13 +36,13 @@ TEST(SmoothHeadCandidates, TakeNoLongerThanAllowedAndAskLessThanTheFineAxesCanDo
     const double duration = stretch * fastest;
     const std::vector<SmoothHeadCandidate> found = heads.within(duration, longest);
     ASSERT_EQ(found.size(), 3u);
-    for (const SmoothHeadCandidate& calm : found) {
-      EXPECT_LE(calm.head->duration(), duration * (1 + 1e-6));
+    for (const SmoothHeadCandidate& candidate : found) {
+      EXPECT_LE(candidate.head->duration(), duration * (1 + 1e-6));
       for (std::size_t k = 0; k < 2; ++k)
-        EXPECT_LE(largest_acceleration(*calm.head, k),
-                  calm.freedom.acceleration_share * machine.axes[k].fine.acceleration * (1 + 1e-6));
+        EXPECT_LE(largest_acceleration(*candidate.head, k),
+                  candidate.reserve.acceleration_share * machine.axes[k].fine.acceleration * (1 + 1e-6));
     }
-    EXPECT_GT(found[1].freedom.acceleration_share, found[2].freedom.acceleration_share);
+    EXPECT_GT(found[1].reserve.acceleration_share, found[2].reserve.acceleration_share);
     EXPECT_GT(found[2].head->duration(), duration * (1 - 5e-3));
     const double most = largest_acceleration(*found[2].head, 0);
     EXPECT_LT(most, before);

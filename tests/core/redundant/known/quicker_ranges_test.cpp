@@ -25,7 +25,7 @@ LawPiece piece(std::size_t segment, double s, double s_end, double v, double v_e
   return p;
 }
 
-/// The rate rises from 0 to 2 on 40 ms, stays on 80 ms, over the border of both stretches, falls to a half on 60 ms,
+/// The rate rises from 0 to 2 on 40 ms, stays on 80 ms, over the border of both intervals, falls to a half on 60 ms,
 /// and is 1.5 at the end.
 TEST(QuickerRanges, AreWhereTheOldTimeWouldBeSlower) {
   TimeLaw rate;
@@ -44,9 +44,9 @@ TEST(QuickerRanges, AreWhereTheOldTimeWouldBeSlower) {
   EXPECT_EQ(ranges[1].end, 300);
 
   const SplineMotion head = standing(), coarse = standing();
-  std::vector<TimedPath::Stretch> stretches = TimedPath::stretches(head, coarse);
-  const Path tool = TimedPath::tool_path(stretches);
-  const TimedPath path(tool, head, coarse, std::move(stretches));
+  std::vector<TimedPath::SmoothInterval> intervals = TimedPath::smooth_intervals(head, coarse);
+  const Path tool = TimedPath::tool_path(intervals);
+  const TimedPath path(tool, head, coarse, std::move(intervals));
   std::vector<std::size_t> borders;
   const TimeLaw law = with_ranges(path, ranges, borders);
   ASSERT_EQ(borders.size(), 4u);
@@ -87,9 +87,9 @@ TEST(QuickerRanges, APartThatIsTooShortTakesItsPiece) {
 
 TEST(QuickerRanges, WithNoneTheOldTimeGoesOn) {
   const SplineMotion head = standing(), coarse = standing();
-  std::vector<TimedPath::Stretch> stretches = TimedPath::stretches(head, coarse);
-  const Path tool = TimedPath::tool_path(stretches);
-  const TimedPath path(tool, head, coarse, std::move(stretches));
+  std::vector<TimedPath::SmoothInterval> intervals = TimedPath::smooth_intervals(head, coarse);
+  const Path tool = TimedPath::tool_path(intervals);
+  const TimedPath path(tool, head, coarse, std::move(intervals));
   std::vector<std::size_t> borders;
   const TimeLaw law = with_ranges(path, {}, borders);
   EXPECT_NEAR(law.duration(), 0.3, 1e-12);

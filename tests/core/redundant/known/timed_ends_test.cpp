@@ -18,10 +18,10 @@ TEST(TimedEnds, TheOldTimeGoesOnWhereAllAxesStand) {
     pieces[0].end = 0.2, pieces[0].axes = {Polynomial{0}};
     return pieces;
   }());
-  std::vector<TimedPath::Stretch> stretches = TimedPath::stretches(motion, still);
-  ASSERT_EQ(stretches.size(), 2u);
-  const Path tool = TimedPath::tool_path(stretches);
-  const TimedPath path(tool, motion, still, std::move(stretches));
+  std::vector<TimedPath::SmoothInterval> intervals = TimedPath::smooth_intervals(motion, still);
+  ASSERT_EQ(intervals.size(), 2u);
+  const Path tool = TimedPath::tool_path(intervals);
+  const TimedPath path(tool, motion, still, std::move(intervals));
   Machine axes;
   axes.axes = {AxisLimits("xc", 100, 400), AxisLimits("xf", 100, 400)};
   // As a planner writes it: from rest to twice the old time and back, mm of 1 ms.
