@@ -17,7 +17,7 @@
 
 namespace bahnwerk::cam {
 
-inline constexpr int max_degree = 21;     ///< of a section
+inline constexpr int max_degree = 21;     ///< the highest one of a section
 inline constexpr int limited_orders = 4;  ///< position, velocity, acceleration, jerk: orders that sections and J know
 
 /// A value (min = max) or a range; an end that is absent is infinite.
@@ -30,11 +30,11 @@ struct Range {
 };
 
 struct MotionPoint {
-  Range at;                                     ///< the angle, master's unit; fixed or a bounded range
-  std::vector<Range> values;                    ///< by order, 0 position; what is absent or free() is not asked for
-  int continuity = 2;                           ///< as the document gives it; see MotionLawProblem::continuity()
+  Range at;                   ///< the angle, master's unit; fixed or a bounded range
+  std::vector<Range> values;  ///< one per order, 0 position; what is absent or free() is not asked for
+  int continuity = 2;         ///< the document's; see MotionLawProblem::continuity()
   std::array<Range, limited_orders> section{};  ///< limits by order, all over the section that begins here
-  std::optional<ClassicalLaw> law;              ///< of the section that begins here; none: a polynomial
+  std::optional<ClassicalLaw> law;              ///< the law of the section that begins here; none: a polynomial
   std::optional<double> inflection;             ///< λ of that law, 0 < λ < 1; none: 0.5
   bool still = false;                           ///< no residual vibration of `vibration` from here on
 
@@ -67,14 +67,14 @@ enum class LawMethod { active_set, optimal };
 
 struct MotionLawProblem {
   std::string master_unit = "deg", slave_unit = "mm";
-  double length = 360;                   ///< of one cycle, master's unit, > 0
+  double length = 360;                   ///< one cycle's, master's unit, > 0
   std::optional<double> cycle_duration;  ///< s, > 0; none: as short as `drive` allows
   bool periodic = false;
   std::vector<MotionPoint> points;  ///< ascending; an open law's first and last are fixed and `length` apart
   LawObjective objective;
   LawMethod method = LawMethod::active_set;
-  std::optional<int> degree;  ///< of `optimal`; none: degree and pieces as the bound asks
-  int pieces = 1;             ///< into which `optimal` cuts each section
+  std::optional<int> degree;  ///< `optimal` alone; none: degree and pieces as the bound asks
+  int pieces = 1;             ///< `optimal` cuts each section into so many
   std::optional<DriveLimits> drive;
   std::vector<VibrationMode> vibration;
   std::uint64_t seed = 1;
@@ -83,7 +83,7 @@ struct MotionLawProblem {
   /// Where section i ends.
   std::size_t end_point(std::size_t section) const { return section + 1 < points.size() ? section + 1 : 0; }
   /// Derivatives 0 … continuity(i) are the same on both sides of point i: the document's, or the highest order of a
-  /// value or range there if that is larger. Of the ends of an open law it means nothing.
+  /// value or range there if that is larger. It has no meaning at the ends of an open law.
   int continuity(std::size_t point) const;
   bool has_free_angles() const;
   /// s per master's unit. Needs the cycle's duration.

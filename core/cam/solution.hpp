@@ -39,9 +39,9 @@ struct LawSolution {
   std::vector<Conversion> conversions;  ///< `active_set`, in the order in which they happened
   /// `active_set` in the source's order of conversion, where another one (`conversions`) gave less.
   std::optional<ConversionOrder> source_order;
-  std::vector<int> degrees;         ///< by section
+  std::vector<int> degrees;         ///< one per section
   std::size_t distributions = 0;    ///< balanced distributions of degrees that were compared for `conversions`
-  std::optional<double> condition;  ///< of the scaled linear system (2-norm), `active_set`
+  std::optional<double> condition;  ///< `active_set`: condition number (2-norm) of the scaled linear system
   std::size_t systems = 0;          ///< linear systems solved, or programs
   /// `optimal`: J of the dual at the same degree, pieces and angles, ≤ value.objective.
   std::optional<double> lower;

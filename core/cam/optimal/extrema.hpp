@@ -6,7 +6,7 @@
 namespace bahnwerk::cam {
 
 struct Extremum {
-  double at;     ///< in [0, 1]
+  double at;     ///< parameter, [0, 1]
   double value;  ///< the polynomial's, with its sign
 };
 /// Local extrema and both ends, rising in `at`. Two that lie closer than a seventh of what Chebyshev points of the

@@ -23,11 +23,11 @@ struct LawTask {
 
   bool periodic = false;
   double cycle = 0;                                       ///< duration
-  std::vector<Range> at;                                  ///< of the points
-  std::vector<int> continuity;                            ///< of the points
+  std::vector<Range> at;                                  ///< each point's time
+  std::vector<int> continuity;                            ///< each point's order of continuity
   std::vector<Condition> conditions;                      ///< values and ranges at points
-  std::vector<std::array<Range, limited_orders>> limits;  ///< of the sections
-  std::array<double, limited_orders> weight{};            ///< of the peaks in these units; J is in the user's
+  std::vector<std::array<Range, limited_orders>> limits;  ///< each section's limits by order
+  std::array<double, limited_orders> weight{};            ///< each peak's, in these units; J is in the user's
   /// J is the largest weight · peak instead of their sum: how far a law exceeds limits that are 1 / weight.
   bool largest_peak = false;
   std::vector<Vibration> vibration;

@@ -22,7 +22,7 @@ namespace bahnwerk::cam {
 /// What is limited at a point of a section: peak of an order, or the section's own limit.
 struct LawSample {
   std::size_t section, piece;
-  double v;  ///< in the piece, [0, 1]
+  double v;  ///< parameter inside the piece, [0, 1]
   int order;
   bool limit;
 };
@@ -30,30 +30,30 @@ struct LawSample {
 struct SplineResult {
   bool feasible = false;             ///< values and continuity do not contradict each other, limits hold
   bool converged = false;            ///< objective and lower agree
-  std::vector<double> breaks;        ///< of the sections, in the task's units
-  std::vector<double> coefficients;  ///< by section, SectionBasis::size() each
+  std::vector<double> breaks;        ///< where sections begin, and the end; the task's units
+  std::vector<double> coefficients;  ///< SectionBasis::size() per section
   double objective = 0;              ///< J of the true peaks
   double lower = 0;                  ///< no spline of this degree, with these angles, has less
   std::array<double, limited_orders> peaks{};
-  double violation = 0;  ///< of section limits and ranges at most, in parts of the order's unit
+  double violation = 0;  ///< the largest one of section limits and ranges, in parts of the order's unit
   int rounds = 0, iterations = 0;
-  std::vector<LawSample> samples;  ///< of the last round: a start for a neighbouring program
+  std::vector<LawSample> samples;  ///< the last round's: a start for a neighbouring program
 };
 
 struct SplineOptions {
-  double gap = 1e-8;  ///< of J
+  double gap = 1e-8;  ///< (J − lower bound)/J
   double violation = 1e-10;
   int max_rounds = 25;
 };
 
 /// What a joint program in coefficients and times is linear at.
 struct JointReference {
-  const std::vector<double>& coefficients;  ///< of the law at the program's times
-  std::vector<double> radius;               ///< by point: how far its time may move; 0: not at all
+  const std::vector<double>& coefficients;  ///< the law's, at the program's times
+  std::vector<double> radius;               ///< how far each point's time may move; 0: not at all
 };
 struct JointStep {
   bool converged = false;
-  std::vector<double> times;  ///< of the points
+  std::vector<double> times;  ///< one per point
   double objective = 0;       ///< J that the linear model expects there
 };
 

@@ -17,7 +17,7 @@ class Progress;
 namespace bahnwerk::cam {
 
 struct ActiveSetOptions {
-  std::size_t distributions = 64;  ///< of degrees that tie, at most, per set of conversions
+  std::size_t distributions = 64;  ///< the most ties of degrees per set of conversions
   std::size_t sections = 1000;     ///< solved once there is a law, about: linear systems times their sections
   bool source_order_only = false;  ///< no other order of conversion, one distribution until the end
 };

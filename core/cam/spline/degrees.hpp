@@ -2,7 +2,7 @@
 /// Balance of polynomial degrees [Nolte 4]: each condition at a point is given to one of the two sections that meet
 /// there; a section's degree is the number of its conditions less one.
 ///
-/// Of all distributions those are taken whose largest degree is the least, and among them those whose sum of squared
+/// Those distributions are taken whose largest degree is the least, and among them those whose sum of squared
 /// degrees is the least: an exact dynamic program over the shares of the points, along a path or around a cycle.
 #include <cstddef>
 #include <vector>

@@ -45,7 +45,7 @@ struct SingularSystem {
   struct Row {
     std::size_t point = 0;
     int order = 0;
-    bool continuity = false;  ///< of a derivative's continuity, not of a value
+    bool continuity = false;  ///< it asks for a derivative's continuity, not for a value
   };
   std::vector<Row> dependent;     ///< rows that follow from each other or contradict, from the left null vector
   std::vector<Row> undetermined;  ///< derivatives at points that remain free, from the right null vector

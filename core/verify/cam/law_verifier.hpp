@@ -17,12 +17,12 @@ class Progress;
 /// A law as it is published.
 struct LawToVerify {
   std::vector<double> breaks;                  ///< s, one more than pieces
-  std::vector<std::size_t> sections;           ///< of every piece
-  std::vector<std::vector<double>> bernstein;  ///< of every piece, over its local parameter 0 … 1
+  std::vector<std::size_t> sections;           ///< the section of each piece
+  std::vector<std::vector<double>> bernstein;  ///< each piece's, over its local parameter 0 … 1
   std::vector<double> at;                      ///< chosen angles, one per point, master's unit
   double cycle_duration = 0;                   ///< s
   double objective = 0;                        ///< J as reported
-  std::vector<double> peaks;                   ///< by order, as reported
+  std::vector<double> peaks;                   ///< one per order, as reported
   std::optional<double> bound;                 ///< on J, as reported
 };
 
@@ -34,8 +34,8 @@ struct LawToVerify {
 ///   drive <derivative>          peak against what the drive can do
 ///   peak <derivative>           enclosed peak beyond the reported one
 ///   objective                   J from the enclosed peaks beyond the reported one
-///   classical law               distance from a section's law by its textbook formula (rest to rest, in parts of the
-///   stroke) residual vibration          of a mode at a point that is to be still, in parts of the peak acceleration
+///   classical law               distance from the textbook's formula, rest to rest, in parts of the stroke
+///   residual vibration          what a mode has left where the law is to be still, in parts of the peak acceleration
 ///   table <column>              distance of a row from the law
 ///   table section limit <derivative>   rows beyond the limits of their section
 ///   bound                       bound beyond J

@@ -1,5 +1,5 @@
 #pragma once
-/// Residual vibration at points that are to be still.
+/// Checks residual vibration at points where the law is to be still.
 #include "core/base/verification.hpp"
 #include "core/cam/problem.hpp"
 

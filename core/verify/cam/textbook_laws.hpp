@@ -1,5 +1,5 @@
 #pragma once
-/// Sections that name a classical law against its textbook formula.
+/// Compares sections that name a classical law with its textbook formula.
 #include "core/base/verification.hpp"
 #include "core/cam/problem.hpp"
 
