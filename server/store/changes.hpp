@@ -31,7 +31,7 @@ class ChangeSource {
  public:
   virtual ~ChangeSource() = default;
 
-  /// Whether other processes may change the store: then only polling shows all changes.
+  /// Tells whether other processes may change the store: then only polling shows all changes.
   virtual bool shared() const = 0;
 
   /// `call` receives every commit made through this object, before the callers of the commit do: from any thread, one

@@ -7,9 +7,9 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double keep = 0.995;            // of the way to the nearest bound that a step goes
-constexpr double least_objective = 1e-2;  // that the first multipliers are taken from, without a price
-constexpr double first_slack = 1e-2;      // that every row has at least at the begin
+constexpr double keep = 0.995;            // share of the step to the nearest bound
+constexpr double least_objective = 1e-2;  // least objective from which the first multipliers follow, without a price
+constexpr double first_slack = 1e-2;      // least slack of every row at the start
 
 template <std::size_t C>
 double value_of(const VariableRow& row, const double* y, std::size_t any) {
