@@ -15,7 +15,7 @@ constexpr double untrusted_factor = 30;  // relaxation_factor from which on the 
 // Share of the estimated gain of a lower acceleration that is credited: such a change shifts the whole section, and
 // where the coarse axis can start before the head a lower feed turns out to be better.
 constexpr double trust = 0.2;
-constexpr double trust_below = 0.1;  // trust in steps below the speed of the coarse axes alone, from `patient` on
+constexpr double trust_below = 0.1;  // additional factor for limits below those of the coarse axes alone
 constexpr double patient = 1.3;
 constexpr double least_share = 0.02;  // least share of a step
 constexpr double all_slower = 0.8;
@@ -52,7 +52,7 @@ struct Section {
     }
     return p;
   }
-  /// Factor up to which the linear gain of one more step of a limit is trusted.
+  /// Returns the share of a limit's estimated gain that is credited.
   double trusted(std::size_t kind, const Pace& p) const {
     if (!straight) return 1;
     const Pace& coarse = straight->move.slowest;

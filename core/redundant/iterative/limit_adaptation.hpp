@@ -35,8 +35,9 @@ struct HeadLimits {
 
 /// Algorithm 4.1 for one axis and one kind of limit in the blocks [first, first + coarse.size()): `limits`, of all
 /// blocks, fall where the peaks `coarse` or `fine` of those blocks exceed `coarse_limit` or `fine_limit` in iteration
-/// `iteration` ≥ 1. No limit rises, and none falls below the anchor (4.40) or the coarse axis' peak below it; the
-/// source has no anchor for the fine axis. Returns whether a limit fell.
+/// `iteration` ≥ 1. No limit rises. Excess of the coarse axis lowers limits at most to the iteration's anchor (4.40),
+/// excess of the fine axis at most to coarse_limit/anchor_steps, where the source has no bound. Returns whether a limit
+/// fell.
 bool adapt(std::vector<double>& limits, std::size_t first, const std::vector<double>& coarse, double coarse_limit,
            const std::vector<double>& fine, double fine_limit, int iteration, const AdaptationOptions& options);
 
