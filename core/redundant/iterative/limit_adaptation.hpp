@@ -14,7 +14,7 @@ struct AdaptationOptions {
   std::array<double, 3> spread{1.0, 0.7, 0.4};
   double fine_factor = 1.15;  ///< K_xf: factor of the fine axis' excess by which limits fall
   double feed_factor = 1.1;   ///< factor of (4.42)
-  int anchor_steps = 20;      ///< of (4.40): the least limit is the coarse axis' limit divided by this
+  int anchor_steps = 20;      ///< divisor in (4.40): the least limit is the coarse axis' limit divided by this
   /// Least relative decrease of a limit that falls (not in the source), against excess that vanishes slowly.
   double least_change = 2e-3;
   /// Whether acceleration and jerk limits fall at least in proportion to the coarse axis' excess (not in the source).

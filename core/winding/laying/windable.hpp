@@ -18,7 +18,7 @@ namespace bahnwerk::winding {
 /// The wires of a coil in its slot, and in its other slot if those are known.
 struct LaidCoil {
   const Slot& slot;
-  double radius = 0;  ///< of a wire with its enamel, mm
+  double radius = 0;  ///< mm, radius of a wire with its enamel
   const Layout& layout;
   Point tension_point;                ///< draws the wires of a layout without tension points
   std::optional<Needle> needle;       ///< none: only the wire must pass the opening
