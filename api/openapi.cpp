@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// #/$defs/point → #/components/schemas/contour.point, everywhere below.
+/// Replaces #/$defs/point by #/components/schemas/contour.point, everywhere below.
 void move_refs(ordered_json& node, const std::string& name) {
   constexpr std::string_view local = "#/$defs/";
   for (auto& [key, child] : node.items()) {
@@ -38,7 +38,7 @@ void add_schema(ordered_json& components, std::string_view file, const std::stri
 
 std::string result_schema_name(const Kind& kind) { return std::string(kind.name) + ".result"; }
 
-/// What every operation can answer before its handler is asked: faults of the message and of the query.
+/// The answers that every operation can give before its handler is called: faults of the message and of the query.
 void add_common_responses(ordered_json& paths) {
   static constexpr std::array<std::pair<const char*, const char*>, 10> common{{{"400", "BadRequest"},
                                                                                {"408", "RequestTimeout"},

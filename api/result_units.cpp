@@ -46,7 +46,7 @@ std::string unit_of(const ordered_json& schema, const ordered_json& member) {
 
 using Units = std::map<std::pair<std::string, std::string>, std::string, std::less<>>;
 
-/// By part and member.
+/// Units by part and member.
 std::map<std::string, Units, std::less<>> all_units() {
   std::map<std::string, Units, std::less<>> all;
   for (const Kind& kind : kinds()) {

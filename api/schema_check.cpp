@@ -1,4 +1,4 @@
-// Whether a schema keeps to the keywords that are understood.
+// Checks that a schema uses only supported keywords.
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>

@@ -33,7 +33,7 @@ struct PathPlanning {
   std::vector<double> feeds_to_verify;
   std::vector<bool>
       rests;  ///< whether the motion rests at the begin of each segment, and at the end of the path (one more entry)
-  std::vector<Rest> dwells;  ///< by segment
+  std::vector<Rest> dwells;  ///< rests of given durations, ordered by segment
   PlanningMethod method = PlanningMethod::braking_reserve;
   MethodOptions options;
   double max_setpoints = 20'000'000;

@@ -8,7 +8,8 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double same = 64 * std::numeric_limits<double>::epsilon();  // of t: what rounding leaves of equal times
+constexpr double same =
+    64 * std::numeric_limits<double>::epsilon();  // largest relative difference of times that counts as rounding
 
 }  // namespace
 

@@ -12,17 +12,17 @@ namespace {
 /// One side of a box: sign·x + slack − excess = limit. Its multiplier z lies between 0 and the penalty. The difference
 /// penalty − z is stored separately, because near the penalty a computed difference would have lost its digits.
 struct Bound {
-  double limit = 0;  // infinite: there is none
+  double limit = 0;  // infinite: no bound
   double slack = 1, excess = 1, z = 1, below = 1;
-  double d_slack = 0, d_excess = 0, dz = 0;  // the step
-  double aim1 = 0, aim2 = 0;                 // what slack·z and excess·below are to change by
-  double by_z = 0, by_elastic = 0;           // 1/z, 1/below; 0: there is no excess
-  double inverse = 0;                        // weight in the Newton system
+  double d_slack = 0, d_excess = 0, dz = 0;  // Newton step
+  double aim1 = 0, aim2 = 0;                 // required changes of slack·z and excess·below
+  double by_z = 0, by_elastic = 0;           // 1/z, 1/below; 0: no excess variable
+  double inverse = 0;                        // weight of the bound in the Newton system
   bool active() const { return std::isfinite(limit); }
 };
 
 constexpr double hard = std::numeric_limits<double>::infinity();
-constexpr double rest = 1e-9;  // derivatives at the end, that count as none
+constexpr double rest = 1e-9;  // derivatives at the end up to this count as 0
 
 struct Pair {
   Bound lower, upper;

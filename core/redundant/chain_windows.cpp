@@ -11,10 +11,10 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double small_excess = 0.05;  // with which a second, stricter solution may have none
+constexpr double small_excess = 0.05;  // largest excess at which a larger penalty is tried
 constexpr double stricter = 100;
-constexpr double rounding = 1e-9;     // of a range that ends at 0
-constexpr double much_further = 1.2;  // ahead, for which the first window is solved again
+constexpr double rounding = 1e-9;     // relative rounding of a range that ends at 0
+constexpr double much_further = 1.2;  // factor of the look-ahead from which on the first window is solved again
 
 template <std::size_t order>
 Chain<order> part(const Chain<order>& whole, std::size_t first, std::size_t last) {
@@ -101,7 +101,7 @@ WindowedSolution<order> solve_in_windows(const Chain<order>& chain, const ChainO
       return time < windows.ahead || (time < ahead && last - keep < windows.kept);
     };
     for (double time = 0; last < n && further(time); ++last) time += chain.steps[last];
-    if (n - last < windows.kept / 2) keep = last = n;  // rather than a short one at the end
+    if (n - last < windows.kept / 2) keep = last = n;  // avoids a short last window
     Chain<order> window = part(chain, first, last);
     if (first > 0) window.begin = all.states[first];
     const ChainSolution<order> s = solve_raising_penalty(window, options);

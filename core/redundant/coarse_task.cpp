@@ -8,8 +8,8 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double rounding = 32 * std::numeric_limits<double>::epsilon();  // relative, of coordinates
-constexpr int places = 32;                                                // looked at per curve
+constexpr double rounding = 32 * std::numeric_limits<double>::epsilon();  // relative rounding of coordinates
+constexpr int places = 32;                                                // samples per curve
 
 /// Effect of the rounding of a segment's points on its first and second derivative at one end.
 struct Rounding {

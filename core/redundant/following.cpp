@@ -8,8 +8,9 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double excess_allowed = 1e-6;  // of a limit: rounding of the head's planner
-constexpr double kept = 1 - 1e-6;        // of strokes and velocities: what the solver leaves open is less
+constexpr double excess_allowed = 1e-6;  // relative excess of a limit that counts as rounding of the head's planner
+constexpr double kept =
+    1 - 1e-6;  // share of strokes and velocities that boxes use; the rest exceeds the solver's residual
 
 /// Returns the range of the coarse axis, whose own limit is `coarse`, such that the fine axis keeps its limit `fine`
 /// while the head's value lies in `head`.

@@ -6,8 +6,9 @@
 /// are reduced by the largest excess that the motion can have between nodes. For a cell of duration h in which the
 /// head's acceleration lies in a range of width w, the fine velocity exceeds its values at the nodes by at most w·h/4,
 /// the fine position by A_f·h²/8, the coarse position by A_c·h²/8, and (order 3, w being the range of the head's jerk)
-/// the fine acceleration by w·h/4. For order 3 both velocities exceed their values by at most J_c·h²/8 and A_c·h/4,
-/// respectively. Where the head's velocity or acceleration jumps at a node, the values on both sides count.
+/// the fine acceleration by w·h/4. For order 3 both velocities exceed their values
+/// by at most min(J_c·h²/8, A_c·h/4). Where the head's velocity or acceleration jumps at a node, the values on both
+/// sides count.
 #include <cstddef>
 
 #include "core/redundant/chain.hpp"

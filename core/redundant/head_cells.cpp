@@ -9,8 +9,8 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double rounding = 1e-12;  // by which ranges are wider than the polynomial's, relative
-constexpr double jump = 1e-9;       // of what the head holds, that an acceleration jumps by at least
+constexpr double rounding = 1e-12;  // relative widening of ranges
+constexpr double jump = 1e-9;       // least jump of an acceleration, relative to the head's limit
 
 /// Position, velocity and acceleration of one axis.
 struct State {

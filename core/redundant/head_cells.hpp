@@ -32,8 +32,8 @@ struct HeadCellOptions {
   double longest = 1e-3;     ///< s
   std::vector<Limits> held;  ///< per axis: limits that the head is known to keep; ranges are cut there
   /// Per axis, mm/s²: largest change of the acceleration in a cell, and largest product of the jerk's range and the
-  /// cell's duration. A piece with more is divided, unless it is too short for that; a piece with less may be merged
-  /// with others. Infinite where a criterion does not apply.
+  /// cell's duration. A piece that exceeds them is divided, unless it is too short for that; pieces are merged only as
+  /// long as the cell keeps them. Infinite where a criterion does not apply.
   std::vector<double> acceleration_change, jerk_change;
   /// Per axis, mm/s³: largest range of the jerk in a cell, however short it is.
   std::vector<double> jerk_range;

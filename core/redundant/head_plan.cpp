@@ -13,7 +13,8 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double coarse_share = 1 - 1e-5;  // of the coarse axes' limits: more than their boxes keep back
+constexpr double coarse_share =
+    1 - 1e-5;  // used share of the coarse axes' limits; the rest exceeds the reduction of their boxes
 
 Machine shared(Machine machine, double share) {
   for (AxisLimits& axis : machine.axes) {

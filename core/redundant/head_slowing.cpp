@@ -12,12 +12,12 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double first_raise = 1.06, least_raise = 1.006, finer = 1.0 / 3;  // of a speed
+constexpr double first_raise = 1.06, least_raise = 1.006, finer = 1.0 / 3;  // factors of a speed
 // A loose gap suffices to see how much time is needed; the penalty makes its effect on the excess 1e-4 of the gap.
 constexpr double rough_gap = 1e-2, unclear = 1e-5, fine_gap = 1e-5;
-constexpr std::size_t most_work = 8000000;  // cells times Newton steps until a range is given up: some 5 s
-constexpr double hopeless = 10;             // times as long as at first: so slow a range serves nobody
-constexpr int patience = 30;                // Newton steps until a raised pace counts as too fast
+constexpr std::size_t most_work = 8000000;  // cells times Newton steps after which a range is given up: about 5 s
+constexpr double hopeless = 10;             // largest factor of a range's first duration
+constexpr int patience = 30;                // Newton steps after which a raised speed counts as infeasible
 
 /// Factor on the first-order estimate of the required slowing, which is a fifth too low. Applied to late rounds it
 /// saves rounds; applied to early ones it would lose time.

@@ -15,10 +15,10 @@
 namespace bahnwerk {
 namespace {
 
-constexpr std::array<double, 2> less_stroke{0.7, 0.4};  // parts of the strokes that may be planned for instead
-constexpr double far_above = 1.02;                      // times the bound: then they are
-constexpr double mostly_slowed = 1.5;                   // times the head alone: its limits are not what counts
-constexpr double uneven_jerk = 1.02;  // quotient of both axes' times to build up their acceleration that counts
+constexpr std::array<double, 2> less_stroke{0.7, 0.4};  // shares of the strokes for which other plans are made
+constexpr double far_above = 1.02;                      // factor of the bound from which on they are made
+constexpr double mostly_slowed = 1.5;  // factor of the head's own duration from which on its limits do not matter
+constexpr double uneven_jerk = 1.02;   // least quotient of both axes' times to reach their accelerations that matters
 
 /// Returns the task with the share `part` of the strokes and without the fine axes whose strokes are too small for
 /// cells.
@@ -133,7 +133,7 @@ class Candidates {
   Progress& progress_;
   double from_, to_;
   std::unique_ptr<JointPlanner<order>> best_;
-  double head_alone_ = unlimited;  // s, the least that a head alone takes
+  double head_alone_ = unlimited;  // s, least duration of a head under its own limits
   double work_ = 0;                // cells times Newton steps
   std::size_t most_slowed_ = 0;
 };

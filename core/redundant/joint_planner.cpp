@@ -12,8 +12,8 @@ namespace bahnwerk {
 namespace {
 
 constexpr int most_attempts = 6;
-constexpr std::size_t window_cells = 6000;  // of which a window is solved at once, about
-constexpr double quicker = 1e-6;            // of a duration: what the closed form has to gain
+constexpr std::size_t window_cells = 6000;  // approximate number of cells that a window solves at once
+constexpr double quicker = 1e-6;            // least relative gain of the closed form
 
 /// Returns the positions of the coarse axes at both ends.
 bool within_ranges(const LoneMove& move, const CoarseFineMachine& machine) {
@@ -100,7 +100,7 @@ bool JointPlanner<order>::lone() {
     }
   }
   take(*std::move(move));
-  HeadCellOptions cells = splits_.cells();  // its jerk is the sum of both axes', more than a head's
+  HeadCellOptions cells = splits_.cells();  // the closed form's jerk is the sum of both axes', more than a head's
   for (std::size_t k = 0; k < cells.held.size(); ++k)
     cells.held[k].jerk = task_.machine.axes[k].coarse.jerk + task_.machine.axes[k].fine.jerk;
   fastest_.cells = head_cells(*fastest_.head, cells, scope_);
@@ -174,7 +174,7 @@ void JointPlanner<order>::slow(const std::vector<SegmentRange>& too_fast, int at
   const auto alone = plan_.coarse_alone();
   alone_ = !found || alone->duration() < head_->duration();
   if (alone_) head_ = alone;
-  splits_.double_look_ahead();  // should it have been too short
+  splits_.double_look_ahead();  // the look-ahead may have been too short
 }
 
 /// Returns the sections around the nodes that exceed their boxes.

@@ -14,7 +14,7 @@ namespace {
 // A factor up to this is applied evenly; so is one whose uneven distribution would keep more than this share of the
 // energy.
 constexpr double least_spread = 1e-6, worth_spreading = 0.9;
-constexpr double hopeless = 3;  // times the least energy so far: no spreading makes up for that
+constexpr double hopeless = 3;  // factor of the least energy from which on uneven slowing cannot make up
 
 }  // namespace
 

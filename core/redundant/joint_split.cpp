@@ -16,12 +16,14 @@ namespace {
 // velocities). Intervals that were slowed must have no excess at all, so that the whole motion does not end just above
 // the limit.
 constexpr double followed = 2e-7;
-constexpr double change = 0.05;       // of the fine acceleration, within a cell where it is what is limited
-constexpr double jerk_change = 4e-3;  // of the fine acceleration: range of the jerk in a cell, times its duration
+constexpr double change =
+    0.05;  // largest change of the acceleration in a cell, relative to the fine one's limit, which then matters
+constexpr double jerk_change = 4e-3;  // range of the jerk times a cell's duration, relative to the fine acceleration
 // Range of the jerk in a cell, relative to the fine jerk. With a range of twice the fine jerk no coarse jerk would be
 // feasible for the whole cell.
 constexpr double jerk_range = 1;
-constexpr double rest_of_window = 4;  // of a window of the chain, in its units of time, beyond a stop of the axis
+constexpr double rest_of_window =
+    4;  // look-ahead of a window in the chain's unit of time, in addition to a stop of the axis
 
 /// Returns the time, s, in which a coarse axis moves by one stroke; with limited jerk the time that the jerk needs for
 /// it, if the acceleration is not reached.

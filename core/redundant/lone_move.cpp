@@ -12,13 +12,13 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double share = 1 - 1e-10;  // of limits and strokes: so that rounding leaves them held
-constexpr double places =
-    32 * std::numeric_limits<double>::epsilon();  // of coordinates: what their rounding sums up to
-constexpr double least_way = 1e-9;  // of the move, that is left to the coarse axes where both are in proportion
+constexpr double share = 1 - 1e-10;  // used share of limits and strokes, so that they hold in spite of rounding
+// relative rounding that sums of coordinates, speeds and accelerations collect
+constexpr double places = 32 * std::numeric_limits<double>::epsilon();
+constexpr double least_way = 1e-9;   // least share of the move for the coarse axes if both stages move in proportion
 constexpr int halvings = 60;
-constexpr int parts = 16, thirds = 60;  // of a search over σ
-constexpr double rounding = 1e-13;      // of a duration: shorter pieces are none
+constexpr int parts = 16, thirds = 60;  // of the search for σ
+constexpr double rounding = 1e-13;      // relative duration of pieces that are left out
 
 /// Limits of one stage along the line.
 ProfileLimits stage(const AxisJet& jet, const CoarseFineMachine& machine, Limits CoarseFineAxis::*limits) {

@@ -67,7 +67,7 @@ struct RedundancyOptions {
   double braking_reserve = 0.7;  ///< K_b
   CoarseApproximation approximation = CoarseApproximation::least_squares;
   CoarseSmoothing smoothing = CoarseSmoothing::quadratic_program;
-  int degree = 3;             ///< of the coarse axes' splines, 2 … 5
+  int degree = 3;             ///< degree of the coarse axes' splines, 2 … 5
   int knot_multiplicity = 1;  ///< 1 … degree
   int afterburner = 5;        ///< N*: additional passes with more knots [Bock 4.2]
   struct Window {

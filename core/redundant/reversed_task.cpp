@@ -51,7 +51,7 @@ double way(const LawPiece& p) {
 std::array<LawPiece, 3> with_more(const LawPiece& p, double more) {
   const double d = p.duration, jerk = 32 * more / (d * d * d);
   std::array<LawPiece, 3> parts{p, p, p};
-  LawState x{0, 0, 0, jerk};  // of what is on top
+  LawState x{0, 0, 0, jerk};  // state of the added motion
   double t = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     LawPiece& part = parts[i];
@@ -150,8 +150,8 @@ class ReversedLaw {
   const AxisPath &planned_, &path_;
   std::vector<double>& begins_;
   TimeLaw back_;
-  std::vector<LawPiece> moving_;      // of one segment, their places not set yet
-  std::vector<std::size_t> numbers_;  // of those in the law
+  std::vector<LawPiece> moving_;      // pieces of one segment whose places are not set yet
+  std::vector<std::size_t> numbers_;  // their indices in the law
 };
 
 /// Returns the reversed motion that belongs to the reversed law. Its parts end where pieces of either end, so a part's

@@ -12,18 +12,19 @@ namespace {
 
 // Margin left in all boxes, in the chain's units, because the solution of the chain needs some.
 constexpr std::array<double, 3> rooms{3e-4, 3e-5, 0};
-constexpr int levels = 4;           // of acceleration and of braking, from both axes' to the coarse one's
+constexpr int levels = 4;           // levels of acceleration and of braking, from both axes' limits to the coarse one's
 constexpr double finest = 1.1;      // quotient of accelerations at which the search ends
-constexpr double worth = 1e-3;      // of a duration, below which a pace counts as no quicker
-constexpr double closed = 5e-4;     // bisection of a duration
-constexpr int cut_steps = 6;        // of bisecting a feed
-constexpr double cut_least = 0.3;   // of a peak speed: the least feed that is looked at
-constexpr double share_step = 0.8;  // of accelerations of sections that are no straight moves
+constexpr double worth = 1e-3;      // least relative gain of duration that counts
+constexpr double closed = 5e-4;     // relative accuracy of the bisection of a duration
+constexpr int cut_steps = 6;        // steps of the bisection of a feed
+constexpr double cut_least = 0.3;   // least feed to try, relative to the peak speed
+constexpr double share_step = 0.8;  // factor of accelerations of sections that are no straight moves
 constexpr double least_share = 0.1, finest_share = 0.98;
-constexpr std::size_t most_segments = 12;  // of a section whose segments get feeds of their own
+constexpr std::size_t most_segments =
+    12;  // largest number of segments of a section whose feeds are searched separately
 constexpr int max_sweeps = 20;
-constexpr double enough = 2e-5;   // of the stretch's duration, gained by a sweep
-constexpr std::size_t reach = 4;  // sections between the two of an exchange, at most
+constexpr double enough = 2e-5;   // relative gain below which no further sweep follows
+constexpr std::size_t reach = 4;  // most sections between the two of an exchange
 // Relative changes of a move's duration, and of its acceleration or braking, in an exchange.
 constexpr std::array<double, 9> shifts{1.01, 1.04, 1.12, 1.3, 1 / 1.01, 1 / 1.04, 1 / 1.1, 1 / 1.2, 1 / 1.5};
 constexpr std::array<double, 3> ends{0.9, 0.7, 0.4};

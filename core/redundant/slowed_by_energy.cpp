@@ -7,14 +7,14 @@ namespace bahnwerk {
 
 namespace {
 
-constexpr double most = 16;  // times as long
+constexpr double most = 16;  // largest factor of a part's duration
 constexpr int halvings = 50;
 
 }  // namespace
 
 SlowedByEnergy slowed_by_energy(const TimeLaw& law, const std::vector<double>& times,
                                 const std::vector<double>& energies, double duration) {
-  std::vector<double> ends;  // of what lies between two rests
+  std::vector<double> ends;  // s, ends of the parts between rests
   double begin = 0;
   for (const LawPiece& piece : law.pieces())
     if (!(piece.v > 0) && piece.t0 > begin) ends.push_back(begin = piece.t0);

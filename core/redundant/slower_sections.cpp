@@ -10,25 +10,24 @@ namespace bahnwerk {
 namespace {
 
 constexpr double feed_step = 0.97, acceleration_step = feed_step * feed_step;
-constexpr int most_steps = 10;           // in one round: what is gained is known only nearby
-constexpr double untrusted_factor = 30;  // relaxation_factor from which on the estimate is not trusted any more
+constexpr int most_steps = 10;           // most steps per round, because the gain is known locally only
+constexpr double untrusted_factor = 30;  // relaxation_factor from which on the estimate is not trusted
 // Share of the estimated gain of a lower acceleration that is credited: such a change shifts the whole section, and
 // where the coarse axis can start before the head a lower feed turns out to be better.
 constexpr double trust = 0.2;
-constexpr double trust_below =
-    0.1;  // the same of what is slower than the coarse axes alone: not before that relaxation_factor
+constexpr double trust_below = 0.1;  // additional factor for limits below those of the coarse axes alone
 constexpr double patient = 1.3;
-constexpr double least_share = 0.02;  // of a step
+constexpr double least_share = 0.02;  // least share of a step
 constexpr double all_slower = 0.8;
 constexpr double worth =
-    0.5;  // of what the first step gains per unit of time; what gains less waits for the next round
+    0.5;  // least gain per unit of time relative to the first step; smaller gains wait for the next round
 
 /// A cell of a section, with times in the chain's units.
 struct Lengthened {
-  double speed = 0;               // mm/s, of the head along its path
-  double behind = 0, before = 0;  // mm, from the begin of the section and to its end
-  double duration = 0;            // of the cell
-  double gain = 0;                // per unit of the cell's duration by which it is lengthened, relative to that
+  double speed = 0;               // mm/s, speed of the head along its path
+  double behind = 0, before = 0;  // mm, distance from the section's begin and to its end
+  double duration = 0;            // duration of the cell
+  double gain = 0;                // relative gain per unit of time by which the cell is lengthened
 };
 
 struct Section {
@@ -36,8 +35,8 @@ struct Section {
   double peak = 0;                  // mm/s
   SectionLimits::Straight* straight = nullptr;
   std::vector<Lengthened> cells;
-  std::array<double, 3> steps{};  // of feed, rise, fall
-  bool floor = false;             // whether section_limits of straight moves end at those of the coarse axes alone
+  std::array<double, 3> steps{};  // relative steps of feed, rise, fall
+  bool floor = false;             // whether limits of straight moves end at those of the coarse axes alone
 
   struct Effect {
     double gain = 0, time = 0;
@@ -53,7 +52,7 @@ struct Section {
     }
     return p;
   }
-  /// Factor up to which the linear gain of one more step of a limit is trusted.
+  /// Returns the share of a limit's estimated gain that is credited.
   double trusted(std::size_t kind, const Pace& p) const {
     if (!straight) return 1;
     const Pace& coarse = straight->move.slowest;

@@ -7,7 +7,7 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double same_duration = 1e-6;  // relative
+constexpr double same_duration = 1e-6;  // relative difference of durations that counts as rounding
 // Number of steps in which the coarse axes' accelerations go to 0; afterwards long moves get up to twice as long in
 // twice as many steps.
 constexpr std::size_t acceleration_steps = 8, all_steps = 3 * acceleration_steps;
@@ -20,7 +20,7 @@ HeadReserve reserve_of(std::size_t step) {
 // may stay unused.
 constexpr double least_acceleration_share = 1.0 / 8, unused = 0.01;
 constexpr int most_trials = 8;
-constexpr double parts_of_spare[] = {0.5, 1};  // of the time there is
+constexpr double parts_of_spare[] = {0.5, 1};  // shares of the remaining time
 
 }  // namespace
 

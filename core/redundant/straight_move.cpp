@@ -10,10 +10,11 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double coarse_share = 1 - 1e-5;  // of the coarse axes' limits: more than their boxes keep back
+constexpr double coarse_share =
+    1 - 1e-5;  // used share of the coarse axes' limits; the rest exceeds the reduction of their boxes
 constexpr int halvings = 60;
-constexpr double rounding = 1e-12;   // of a length
-constexpr double least_feed = 1e-3;  // of the peak speed without a cruise
+constexpr double rounding = 1e-12;   // relative rounding of a length
+constexpr double least_feed = 1e-3;  // least feed, relative to the peak speed without a cruise
 
 /// A part of constant acceleration: from v0 to v1, mm/s, over a length, mm.
 struct Phase {

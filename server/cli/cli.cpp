@@ -10,7 +10,7 @@
 namespace bahnwerk::server::cli {
 namespace {
 
-/// A duration given in seconds.
+/// A duration in seconds.
 CLI::Option* add_seconds(CLI::App& app, const std::string& name, std::chrono::milliseconds& value,
                          const std::string& text) {
   return app

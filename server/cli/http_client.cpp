@@ -18,7 +18,7 @@ namespace {
 constexpr std::chrono::seconds connect_patience{10};
 constexpr std::chrono::seconds silence_patience{90};  ///< more than the longest wait that a server grants
 
-/// Runs one asynchronous operation to its end under the stream's timeout (synchronous calls have none).
+/// Runs one asynchronous operation to its end under the stream's timeout, because synchronous calls have none.
 template <class Start>
 beast::error_code finish(asio::io_context& io, beast::tcp_stream& stream, std::chrono::seconds patience,
                          Start&& start) {

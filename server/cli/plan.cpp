@@ -18,7 +18,7 @@
 namespace bahnwerk::server::cli {
 namespace {
 
-/// Shows progress on a terminal and holds the document's own time limits, as a worker does.
+/// Shows progress on a terminal and enforces the document's own time limits, as a worker does.
 class TerminalProgress final : public Progress {
  public:
   explicit TerminalProgress(const api::JobRequest& request) : request_(request) {}
@@ -53,7 +53,7 @@ void write(const std::filesystem::path& path, const std::string& text) {
   finish(file, path);
 }
 
-/// Drives that a file of setpoints is for.
+/// The drives that a file of setpoints is for, and their delay.
 struct Drives {
   std::string name;
   api::DriveGroup group = api::DriveGroup::all;
@@ -97,7 +97,7 @@ api::SetpointStream csv(const SetpointSource& source, const std::string& layout,
   return {std::move(series), std::move(query), api::SetpointFormat::csv};
 }
 
-/// The cam table of a layout that belongs to a controller; none: the layout is one of rows.
+/// Returns the cam table in a controller's layout; none if the layout is one of rows.
 std::optional<api::ControllerLayout> controller_layout(const std::string& name) {
   for (const auto& each : api::controller_layouts)
     if (each.name == name) return each.value;

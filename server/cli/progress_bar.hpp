@@ -4,7 +4,7 @@
 
 namespace bahnwerk::server::cli {
 
-/// One line on stderr that is rewritten in place; silent when stderr is no terminal.
+/// A line on stderr that is rewritten in place; nothing is shown if stderr is not a terminal.
 class ProgressBar {
  public:
   ProgressBar();

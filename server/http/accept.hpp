@@ -16,7 +16,7 @@ using api::negotiate;
 enum class Coding { identity, gzip };
 std::optional<Coding> content_coding(std::string_view content_encoding);
 
-/// Whether a Content-Type header says application/json (any charset parameter must be utf-8).
+/// Tells whether a Content-Type header is application/json (any charset parameter must be utf-8).
 bool is_json(std::string_view content_type);
 
 }  // namespace bahnwerk::server

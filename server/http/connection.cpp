@@ -41,7 +41,7 @@ int fault_status(const error_code& error) {
              : 0;
 }
 
-/// The memory set aside for bodies is taken.
+/// The error of a request for whose body the memory for all bodies has no room.
 const error_code no_room = make_error_code(boost::system::errc::not_enough_memory);
 
 std::string lower(std::string_view text) {

@@ -33,14 +33,14 @@ class ConnectionTable {
   struct Admission {
     Place place = Place::none;
     Id id = 0;                ///< unless none
-    std::optional<Id> leave;  ///< has to be closed; it does not count any more
+    std::optional<Id> leave;  ///< connection to close; it does not count any more
   };
 
   explicit ConnectionTable(Rules rules) : rules_(rules) {}
   Admission admit(const std::string& address, Time now);
   void enter(Id id, Phase phase, Time now);
   void remove(Id id);
-  std::optional<Id> longest_waiting(Time now);  ///< to be closed because descriptors have run out
+  std::optional<Id> longest_waiting(Time now);  ///< returns the connection to close when descriptors have run out
   std::size_t size() const;
 
  private:
@@ -50,13 +50,13 @@ class ConnectionTable {
     Time since;
     bool spare = false, leaving = false;
   };
-  using Waiting = std::set<std::pair<Time, Id>>;  ///< not busy, longest first
+  using Waiting = std::set<std::pair<Time, Id>>;  ///< connections that are not busy, the longest waiting first
   struct Group {
-    std::size_t count = 0;  ///< not leaving
+    std::size_t count = 0;  ///< connections that are not being closed
     Waiting waiting;
   };
   std::optional<Id> oldest(const Waiting& waiting, Time now) const;
-  void dismiss(Id id);  ///< from all counts
+  void dismiss(Id id);  ///< removes it from all counts
   void list(Id id, const Entry& entry);
   void unlist(Id id, const Entry& entry);
 

@@ -25,7 +25,7 @@ namespace {
 
 constexpr auto tuple_awaitable = asio::as_tuple(asio::use_awaitable);
 
-/// Which connections are open, so that one can be closed and an orderly end can wait for all.
+/// The open connections, so that one can be closed and an orderly end can wait for all.
 class Open {
  public:
   std::size_t add(ConnectionTable::Id id, const std::shared_ptr<Connection>& connection) {

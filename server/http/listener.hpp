@@ -12,18 +12,19 @@
 namespace bahnwerk::server {
 
 struct Limits {
-  std::size_t max_body = std::size_t{64} << 20;      ///< bytes; larger ones are answered 413
-  std::size_t max_bodies = std::size_t{256} << 20;   ///< bytes of all current bodies; further ones are answered 503
-  std::size_t max_header = 32 << 10;                 ///< bytes; larger ones are answered 431
-  std::size_t max_connections = 1024;                ///< beyond it the longest idle one is closed
-  std::size_t max_per_address = 512;                 ///< limit for one address (IPv6: one /64); 0 = none
-  std::size_t spare_connections = 32;                ///< beyond the limit, for /healthz and /readyz alone
-  std::chrono::milliseconds header_timeout{10'000};  ///< for the header: from connecting, later from its first byte
-  std::chrono::milliseconds body_timeout{30'000};    ///< for the body, plus 1 s per 100 kB received
+  std::size_t max_body = std::size_t{64} << 20;     ///< bytes; larger ones are answered 413
+  std::size_t max_bodies = std::size_t{256} << 20;  ///< bytes of all current bodies; further ones are answered 503
+  std::size_t max_header = 32 << 10;                ///< bytes; larger ones are answered 431
+  std::size_t max_connections = 1024;               ///< beyond it the longest idle one is closed
+  std::size_t max_per_address = 512;                ///< limit for one address (IPv6: one /64); 0 = none
+  std::size_t spare_connections = 32;               ///< connections beyond the limit, for /healthz and /readyz only
+  std::chrono::milliseconds header_timeout{
+      10'000};                                     ///< limit for the header: from connecting, later from its first byte
+  std::chrono::milliseconds body_timeout{30'000};  ///< limit for the body, plus 1 s per 100 kB received
   std::chrono::milliseconds stall_timeout{
       5'000};  ///< after it a body without progress may be closed in favour of others
-  std::chrono::milliseconds idle_timeout{75'000};   ///< between requests of a connection
-  std::chrono::milliseconds write_timeout{30'000};  ///< for each piece of an answer, plus 1 s per 100 kB of it
+  std::chrono::milliseconds idle_timeout{75'000};   ///< longest time between requests of a connection
+  std::chrono::milliseconds write_timeout{30'000};  ///< limit for each piece of an answer, plus 1 s per 100 kB of it
 };
 
 struct ListenerHooks {

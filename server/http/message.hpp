@@ -31,12 +31,13 @@ struct Request {
 
   std::string id;              ///< request id, set by middleware
   std::string route;           ///< the matched pattern, set by the router; empty when none matched
-  Pairs parameters;            ///< of the pattern, e.g. {id}
+  Pairs parameters;            ///< values of the pattern's names, e.g. {id}
   std::optional<Fault> fault;  ///< if set, the other members are incomplete
 
   /// Returns the value of a header (lower-case name), several lines joined by ", "; nullopt when absent.
   std::optional<std::string> header(std::string_view name) const;
-  const std::string& parameter(std::string_view name) const;  ///< of the matched pattern; throws std::out_of_range
+  const std::string& parameter(
+      std::string_view name) const;  ///< value of a name in the matched pattern; throws std::out_of_range
 };
 
 /// A body that is produced while it is sent, possibly for hours, without a waiting thread.

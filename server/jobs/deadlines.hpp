@@ -19,7 +19,7 @@ class Deadlines {
   Deadlines(const Deadlines&) = delete;
   Deadlines& operator=(const Deadlines&) = delete;
 
-  void notify();  ///< a job was queued
+  void notify();  ///< has to be called when a job was queued
 
  private:
   std::int64_t look();  ///< ends what is due; returns how long (ms) to sleep if not notified

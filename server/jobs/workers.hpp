@@ -35,7 +35,7 @@ class Workers {
 
   /// `nice` is the difference of their priority to that of the answering threads (Linux).
   void start(unsigned threads, int nice = 0);
-  void notify(std::size_t jobs = 1);                   ///< that many jobs were queued
+  void notify(std::size_t jobs = 1);                   ///< has to be called when `jobs` jobs were queued
   void stop_claiming();                                ///< running jobs continue, no new ones begin
   bool wait_idle(std::chrono::milliseconds patience);  ///< after stop_claiming: true when all threads have ended
   void interrupt();  ///< running planners stop at their next report; their jobs go back to the queue
@@ -55,9 +55,9 @@ class Workers {
   Notifier& notifier_;
   Metrics& metrics_;
   Planner planner_;
-  const std::string name_;  ///< of this process, new at every start
+  const std::string name_;  ///< name of this process, new at every start
   const std::optional<std::chrono::milliseconds> lease_;
-  const TimeSource& time_;  ///< of leases, deadlines, budgets and progress
+  const TimeSource& time_;  ///< time of leases, deadlines, budgets and progress
   std::mutex mutex_;
   std::condition_variable wake_, idle_;
   std::uint64_t notifications_ = 0;

@@ -22,7 +22,7 @@ struct Context {
   LiveJobs& live;
   Notifier& notifier;
   Pool& pool;
-  Pool& checks;  ///< for posted documents
+  Pool& checks;  ///< threads that check posted documents
   Pool& heavy;   ///< one thread, for large documents: one after the other they cannot exhaust memory together
   Metrics& metrics;
   Parser parse;
@@ -48,7 +48,7 @@ void require_success(Context& context, const std::string& id);
 /// Throws like require_success(), except for a job that failed its verification, which has a result, too: the plan and
 /// its failed checks.
 void require_result(Context& context, const std::string& id);
-bool final(const api::Job& job);  ///< whether it has ended
+bool final(const api::Job& job);  ///< returns whether the job has ended
 std::string job_etag(const api::Job& job);
 Response job_answer(int status, const api::Job& job);
 /// Throws Problem not-acceptable unless the request accepts application/json.

@@ -69,7 +69,7 @@ class JobFeed final : public Feed, public std::enable_shared_from_this<JobFeed> 
     if (stopped_ || revision() != job->revision) context_.notifier.wake(token_);
   }
 
-  /// The job's revision now; 0, which is never one, when it cannot be read.
+  /// Returns the job's current revision; 0, which is never one, if it cannot be read.
   std::uint64_t revision() {
     try {
       return find_job(context_, id_).revision;
@@ -78,7 +78,7 @@ class JobFeed final : public Feed, public std::enable_shared_from_this<JobFeed> 
     }
   }
 
-  /// The events that the client has not had.
+  /// Returns the events that the client has not received.
   std::string news(api::Job& job) {
     if (job.revision <= sent_) return "";
     const bool entered = job.state_revision == 0 || sent_ < job.state_revision;

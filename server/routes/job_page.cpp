@@ -18,7 +18,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// The result without the details that a page does not show: they may have a hundred megabytes, parsed many times that.
+/// Returns the result without the details, which a page does not show: they may have a hundred megabytes, and many
+/// times that when parsed.
 ordered_json read_result(const std::string& text) {
   int kept = 0;  // depth at which a member of details begins that is left out
   const auto filter = [&](int depth, ordered_json::parse_event_t event, ordered_json& value) {
@@ -29,7 +30,7 @@ ordered_json read_result(const std::string& text) {
   return ordered_json::parse(text, filter, false);
 }
 
-/// Six significant digits are enough for the eye; the exact value is in the result.
+/// Returns a number with six significant digits; the exact value is in the result.
 std::string number(double value) {
   if (std::abs(value) >= 1e6 || (value != 0 && std::abs(value) < 1e-4)) {
     std::array<char, 32> text;
@@ -54,7 +55,7 @@ std::string text_of(const ordered_json& value) {
   return escape_html(value.dump());
 }
 
-/// `part` of the result of a kind: its summary or bound. Units are those of the kind's schema.
+/// Returns a table of `part`, summary or bound, of a kind's result, with the units of the kind's schema.
 std::string rows_of(const ordered_json& object, const std::string& kind, std::string_view part) {
   std::string rows;
   if (!object.is_object()) return rows;
@@ -103,7 +104,7 @@ std::string verification(const ordered_json& verdict) {
   return text + "</table></div>\n";
 }
 
-/// The media type of a drawing, by its name.
+/// Returns the media type of a drawing by its name.
 std::string_view drawing_type(std::string_view name) {
   return name.ends_with(".dxf") ? "image/vnd.dxf" : "image/svg+xml";
 }

@@ -71,7 +71,7 @@ Response cancel(Context& context, const Request& request) {
   return response;
 }
 
-/// The document as it was posted, byte for byte: ready to be posted again.
+/// Answers the document exactly as it was posted.
 Response document(Context& context, const Request& request) {
   require_json(request);
   const std::string& id = request.parameter("id");

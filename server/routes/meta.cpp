@@ -15,7 +15,7 @@
 namespace bahnwerk::server {
 namespace {
 
-/// Texts that never change while the process runs.
+/// Texts that do not change while the process runs.
 Handler constant(const std::function<std::string()>& make, std::string type) {
   const auto text = std::make_shared<const std::string>(make());
   return [text, type = std::move(type)](const RequestPtr& request, const Reply& reply) {

@@ -21,7 +21,7 @@ Response result(Context& context, const Request& request) {
   return with_etag(request, "\"result\"", text_answer(200, "application/json", std::move(*document)));
 }
 
-/// Reads rows through the store's chunks; the last chunk is stored, since rows are read in order.
+/// Reads rows through the store's chunks and keeps the last chunk, because rows are read in order.
 api::SetpointSeries stored_series(Store& store, const SeriesInfo& info) {
   struct Chunk {
     std::size_t first = static_cast<std::size_t>(-1);
@@ -52,7 +52,7 @@ api::SetpointSeries stored_series(Store& store, const SeriesInfo& info) {
   return series;
 }
 
-/// A cam table in the layout of a controller, from the stored result.
+/// Answers a cam table in the layout of a controller, from the stored result.
 Response controller_table(Context& context, const Request& request, api::ControllerLayout layout) {
   const std::string& id = request.parameter("id");
   require_success(context, id);

@@ -64,7 +64,7 @@ Response accepted(Context& context, const Inserted& inserted) {
   return response;
 }
 
-/// The body without its packing, with the limit that a plain one has.
+/// Returns the uncompressed body, with the size limit of a plain one.
 void unpack_body(Request& request, std::size_t most) {
   auto text = gunzip(request.body, most);
   if (!text) throw http_problem(413, "The request body, unpacked, is larger than " + std::to_string(most) + " bytes.");

@@ -23,7 +23,7 @@ struct Waiting : std::enable_shared_from_this<Waiting> {
         progress_from(context.time.now() + progress_interval) {}
 
   bool over() const { return context.draining || context.time.now() >= until; }
-  /// Whether the condition of the client is fulfilled.
+  /// Tells whether the client's condition is fulfilled.
   bool due(const api::Job& job) const {
     if (final(job)) return true;
     if (!any_change || matches_etag(*request, job_etag(job))) return false;

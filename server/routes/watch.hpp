@@ -14,8 +14,8 @@ void watch(Context& context, const RequestPtr& request, const Reply& reply);
 /// Returns the seconds of a Prefer header's wait, 0 without one.
 int preferred_wait(const Request& request);
 
-/// Whether If-None-Match names an ETag that the job has had since it entered its present state, so that only progress
-/// has changed.
+/// Tells whether If-None-Match names an ETag that the job has had since it entered its present state, so that only
+/// progress has changed.
 bool knows_state(const Request& request, const api::Job& job);
 
 }  // namespace bahnwerk::server

@@ -6,13 +6,13 @@
 
 namespace bahnwerk::server {
 
-/// Milliseconds since 1970 UTC.
+/// Returns milliseconds since 1970 UTC.
 inline std::int64_t now_ms() {
   using namespace std::chrono;
   return duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count();
 }
 
-/// Seconds since `start` on the steady clock.
+/// Returns the seconds since `start` on the steady clock.
 inline double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -31,7 +31,7 @@ class TimeSource {
   }
 };
 
-/// The machine's clocks.
+/// Returns the machine's clocks.
 inline const TimeSource& system_time() {
   static const TimeSource time;
   return time;

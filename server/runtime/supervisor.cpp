@@ -12,7 +12,7 @@
 namespace bahnwerk::server {
 namespace {
 
-/// The bytes of the address; empty where `socket` names none.
+/// Returns the bytes of the address; empty if `socket` names none.
 std::string socket_address(std::string_view socket) {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
@@ -34,7 +34,7 @@ std::optional<long long> whole_number(const char* text) {
   return value;
 }
 
-/// A status is one line.
+/// Returns the status in one line.
 std::string one_line(std::string_view status) {
   std::string line(status);
   std::replace(line.begin(), line.end(), '\n', ' ');

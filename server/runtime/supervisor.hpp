@@ -17,7 +17,7 @@ class Supervisor {
   Supervisor(const Supervisor&) = delete;
   Supervisor& operator=(const Supervisor&) = delete;
 
-  /// Whether there is a service manager.
+  /// Tells whether there is a service manager.
   bool present() const { return descriptor_ >= 0; }
   /// Interval for calls of alive(): half of the manager's interval; without a value no call is expected.
   std::optional<std::chrono::milliseconds> heartbeat() const;

@@ -16,7 +16,7 @@ struct Changed {
   std::uint64_t sequence = 0;
   std::string id;
   std::optional<api::JobState> state;  ///< nullopt: removed
-  bool cancel_requested = false;       ///< of a running job
+  bool cancel_requested = false;       ///< whether the cancellation of a running job was requested
   std::uint64_t revision = 0;          ///< 0 where the store does not know it without a query (callbacks, removed jobs)
 };
 
@@ -31,7 +31,7 @@ class ChangeSource {
  public:
   virtual ~ChangeSource() = default;
 
-  /// Whether other processes may change the store: then only polling shows all changes.
+  /// Tells whether other processes may change the store: then only polling shows all changes.
   virtual bool shared() const = 0;
 
   /// `call` receives every commit made through this object, before the callers of the commit do: from any thread, one

@@ -1,4 +1,5 @@
-// Whether the quantities of a spec of kind "winding" fit each other: what no plan could do is refused before planning.
+// Checks that the quantities of a spec of kind "winding" fit each other, so that impossible requests are refused before
+// planning.
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <type_traits>

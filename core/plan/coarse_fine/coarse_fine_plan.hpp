@@ -18,12 +18,12 @@ class Progress;
 
 struct CoarseFinePlan {
   ContourPlan contour;  ///< the parts that all plans of contours have; its setpoints are CoarseFineSetpoints
-  std::shared_ptr<const PathMotion> head;        ///< as sampled
-  std::shared_ptr<const Motion> coarse;          ///< as sampled, every axis of the machine
+  std::shared_ptr<const PathMotion> head;        ///< the head's motion as sampled
+  std::shared_ptr<const Motion> coarse;          ///< the coarse axes' motion as sampled, with every axis of the machine
   double fastest = 0;                            ///< s, duration of the head that was planned first
   std::vector<double> energy;                    ///< ∫a_c² dt per axis, mm²/s³, as planned
   std::vector<double> peak_coarse_acceleration;  ///< per axis, mm/s², as sampled and verified
-  RmsAccelerations rms;                          ///< as sampled
+  RmsAccelerations rms;                          ///< root mean square accelerations of the sampled motion
   std::vector<RedundancyTrade> trades;
   std::vector<RedundancyIteration> passes;
   struct Slowed {

@@ -38,12 +38,12 @@ constexpr double rounding_of_rows = 1e-10;
 // 10 s.
 constexpr std::size_t most_decided = 400;
 constexpr double clearance_tolerance = 0.001;  // mm
-// Where links have the tangent alone in common an axis' acceleration steps at joints, by jerk · cycle time at most
-// (core/motion/grid/sections.hpp). A third difference of setpoints is the mean of the jerk weighed by the quadratic
-// B-spline over three cycles, whose peak is 3/(4 T): a step counts with up to 3/4 of the limit, beside the jerk itself.
-// Planned with this share of the limit both together keep it.
+// Links that share only the tangent cause steps of an axis' acceleration at joints, by at most jerk · cycle time
+// (core/motion/grid/sections.hpp). A third difference of setpoints is the mean of the jerk weighted by the quadratic
+// B-spline over three cycles, whose peak is 3/(4 T), so a step contributes up to 3/4 of the limit in addition to the
+// jerk itself. With this share of the limit both together keep it.
 constexpr double share_beside_steps = 1 / 1.75;
-// Where the stages end, as shares of the whole job.
+// Ends of the stages, as shares of the whole job.
 constexpr double fitted = 0.03, laid = 0.05, linked = 0.2, cleared = 0.25, reached = 0.3, planned = 0.97;
 
 InvalidInput fault(std::vector<std::string> place, std::string message) {

@@ -52,7 +52,7 @@ struct WindingRequest {
   std::variant<winding::StatorPart, winding::RotorPart> part;
   winding::Wire wire;
   std::vector<winding::Coil> coils;  ///< in the order in which they are wound, at least one
-  std::size_t turns = 0;             ///< of each coil; 0: as many as the slot takes
+  std::size_t turns = 0;             ///< turns of each coil; 0: as many as the slot takes
   std::size_t parallel = 1;          ///< wires in hand: every turn lays as many
   winding::ProducibleOptions hold;   ///< friction and tolerance that hold a laid wire
   winding::NeedleModel model;
@@ -60,7 +60,7 @@ struct WindingRequest {
   double bears = 0;               ///< N, breaking force of the wire
   winding::NeedleShape needle;
   double swivel_length = unlimited;  ///< from the swivel's axis to the needle's tip, mm
-  winding::ToolPost tool;            ///< of a stator's winding tools
+  winding::ToolPost tool;            ///< posts of a stator's winding tools
   double least_clearance = 0;        ///< mm, least clearance that the needle has to keep
   winding::LinkOptions links;
   /// Whether β and weights of the links minimise the machine's time, starting with those of `links`
@@ -70,17 +70,17 @@ struct WindingRequest {
   std::vector<std::shared_ptr<const Kinematics>> configurations;
   double cycle_time = 0.002;                           ///< s
   PlanningMethod feed = PlanningMethod::jerk_limited;  ///< one of feed_methods
-  FeedLaw law = FeedLaw::convex;                       ///< of jerk_limited
+  FeedLaw law = FeedLaw::convex;                       ///< algorithm of jerk_limited
   /// Speed profile of feed changes for the methods constant and critical_points.
   SpeedProfile profile = SpeedProfile::double_s;
-  Limits along;                        ///< of the needle along its path: feed mm/s, tangential acceleration, jerk
-  double feed_tolerance = 0.004;       ///< fraction by which setpoints of an interpolator may exceed along.velocity
-  double chord_tolerance = unlimited;  ///< mm, of the path from the chords between setpoints
+  Limits along;                   ///< limits of the needle along its path: feed mm/s, tangential acceleration, jerk
+  double feed_tolerance = 0.004;  ///< fraction by which setpoints of an interpolator may exceed along.velocity
+  double chord_tolerance = unlimited;       ///< mm, of the path from the chords between setpoints
   double half_speed_curvature = unlimited;  ///< 1/mm, at which half of along.velocity is allowed
   double temperature = 20;                  ///< °C, of the coil's resistance
   Interpolator interpolator = Interpolator::exact;
   double max_setpoints = 20'000'000;
-  std::optional<PoseFrame> frame = {};  ///< of the setpoints' poses
+  std::optional<PoseFrame> frame = {};  ///< frame of the setpoints' poses
 };
 
 /// Durations of the whole path with the requested feed, s, for links chosen by each criterion. The path with the least
@@ -92,9 +92,9 @@ struct LinkTimes {
 };
 
 struct WindingPlan {
-  winding::NeedleLayout layout;              ///< of all four regions: as many wires as the slot takes
+  winding::NeedleLayout layout;              ///< layouts of all four regions with as many wires as the slot takes
   winding::Windable windable;                ///< the verdict on the layout: its first 400 wires, and all that are wound
-  std::vector<winding::Turn> turns;          ///< of all coils
+  std::vector<winding::Turn> turns;          ///< turns of all coils
   std::vector<winding::FixedPiece> support;  ///< the support points are their ends
   winding::NeedlePath path;
   std::optional<LinkTimes> link_times;   ///< if minimum_time was requested
@@ -113,8 +113,8 @@ struct WindingPlan {
   } jerk;
   double strokes_per_minute = 0;             ///< wires in hand by the mean time of a turn [Herrmann (2.3)]
   std::vector<double> turn_begins;           ///< s, when each turn begins
-  WireFigures wire;                          ///< of the setpoints
-  std::vector<FeedFluctuation> fluctuation;  ///< of all `interpolators`, in their order
+  WireFigures wire;                          ///< figures of the wire in the setpoints
+  std::vector<FeedFluctuation> fluctuation;  ///< one entry per interpolator in `interpolators`
 };
 
 /// A pose of the needle's path is out of the machine's reach; the error names its turn and region.

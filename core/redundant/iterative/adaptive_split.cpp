@@ -12,11 +12,12 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double acceleration_change = 5e-2;  // of the fine acceleration, in a cell of the exact check
-constexpr double stroke_share = 1 - 1e-9;     // that the fit may use: rounding
-constexpr double rounding = 1e-9;             // of limits, excess that counts as none
+constexpr double acceleration_change =
+    5e-2;  // largest change of the acceleration in a cell of the exact check, relative to the fine one's limit
+constexpr double stroke_share = 1 - 1e-9;  // share of the stroke that the fit may use, because of rounding
+constexpr double rounding = 1e-9;          // relative excess of limits that counts as rounding
 
-constexpr double least_tolerance = 0.1;  // of the stroke, that has to be left at samples
+constexpr double least_tolerance = 0.1;  // least share of the stroke that thinning has to leave
 
 /// Largest distance of samples at which a fine axis cannot leave its stroke unnoticed. Larger distances come from the
 /// document, and samples of every cycle are the densest possible.
@@ -127,7 +128,7 @@ HeadSamples AdaptiveSplit::sample(const PathMotion& head) const {
   const double duration = head.duration();
   const auto thinning = static_cast<std::size_t>(options_.thinning);
   const double spacing = task_.machine.cycle_time * static_cast<double>(thinning);
-  const std::size_t least = 4 * max_spline_degree;  // so that short motions have knots at all
+  const std::size_t least = 4 * max_spline_degree;  // short motions need some knots, too
   const std::size_t fitted = std::max(static_cast<std::size_t>(std::ceil(duration / spacing)), least);
   HeadSamples s;
   const std::size_t n = fitted * thinning;
@@ -214,7 +215,8 @@ HeadCells AdaptiveSplit::cells_of(const TimeLaw& law) {
   }
   const PathMotion head(task_.path, law);
   HeadCells cells = head_cells(head, o, scope_);
-  const MotionState end = head.in_piece(head.pieces() - 1, head.duration());  // not that of the whole path
+  const MotionState end =
+      head.in_piece(head.pieces() - 1, head.duration());  // the end of these sections, not of the path
   for (std::size_t k = 0; k < axes(); ++k)
     cells.nodes[k].back() = {end.position[k], end.velocity[k], end.acceleration[k]};
   return cells;
@@ -328,7 +330,7 @@ std::optional<SplitPart> AdaptiveSplit::solve(std::size_t first, std::size_t las
                        return at.velocity == 0 && at.acceleration == 0;
                      });
   const double bearable = rests ? 1 + constants_.most_slowing : 1;
-  std::optional<SplitPart> best;  // not slowed yet
+  std::optional<SplitPart> best;  // best pass so far, before slowing
   double best_slowing = unlimited;
   const auto takes = [&] { return best ? best->law.duration() * best_slowing : unlimited; };
   // Slow the motion by the factor of its excess between samples; none if that does not help.

@@ -14,7 +14,7 @@ constexpr int max_passes = 400;
 // independently of the knots [de Boor, Shadrin]. If the ratio of error and tolerance is larger, the best spline with
 // these knots is out of tolerance, too.
 constexpr double projection_norm = 10;
-constexpr int refinements = 6;  // of Schoenberg's T_max, should its ends need it
+constexpr int refinements = 6;  // most refinements of Schoenberg's T_max for the end conditions
 
 double position_at(const CoarseTask& task, double t) {
   const auto last = static_cast<double>(task.positions.size() - 1);

@@ -11,9 +11,9 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double inside = 1 - 1e-6;      // of the limits that programs keep
-constexpr double violation_price = 1e3;  // of exceeding limits by all of them, in energies of the fit
-constexpr double noise = 1e-4;           // of the limits: excess that counts as none
+constexpr double inside = 1 - 1e-6;      // share of the limits that programs keep
+constexpr double violation_price = 1e3;  // price of an excess of all limits, in units of the fit's energy
+constexpr double noise = 1e-4;           // relative excess of limits that counts as rounding
 
 /// Scales the problem: positions are counted from the first one in units of the tolerance, and limits are 1.
 class Programs {

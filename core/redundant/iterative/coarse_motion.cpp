@@ -7,12 +7,12 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double apart = 1e-11;    // s: knots that are closer are one
-constexpr double made_up = 1e-10;  // of a limit: what making up for rounding may take
+constexpr double apart = 1e-11;    // s: knots that are closer are merged
+constexpr double made_up = 1e-10;  // largest share of a limit for the correction of rounding
 
 AxisState at(const TimeSpline::Coefficients& c, double h) {
   AxisState s;
-  double a = 0;  // half of it
+  double a = 0;  // half of the acceleration
   for (std::size_t i = c.size(); i-- > 0;) {
     a = a * h + s.v;
     s.v = s.v * h + s.x;
@@ -58,7 +58,7 @@ class Continued {
   Limits limits_;
   bool jerk_;
   bool begun_ = false;
-  AxisState state_;  // at the end of the piece before
+  AxisState state_;  // state at the end of the piece before
 };
 
 }  // namespace

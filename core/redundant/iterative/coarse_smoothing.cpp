@@ -8,7 +8,7 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double inside = 1 - 1e-6;  // of the limits that fits keep
+constexpr double inside = 1 - 1e-6;  // share of the limits that fits keep
 
 /// Returns the largest quotient of a derivative's control point and its limit.
 double use_of_limits(const CoarseTask& task, const FitRows& fit, const std::vector<double>& y) {

@@ -6,8 +6,8 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double growth = 1.5;        // of what falls at least, from one such pass to the next
-constexpr double largest_least = 30;  // first ones that it grows to
+constexpr double growth = 1.5;        // factor of the least decrease from one such pass to the next
+constexpr double largest_least = 30;  // largest multiple of the first least decrease
 
 }  // namespace
 

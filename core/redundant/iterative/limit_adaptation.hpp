@@ -14,7 +14,7 @@ struct AdaptationOptions {
   std::array<double, 3> spread{1.0, 0.7, 0.4};
   double fine_factor = 1.15;  ///< K_xf: factor of the fine axis' excess by which limits fall
   double feed_factor = 1.1;   ///< factor of (4.42)
-  int anchor_steps = 20;      ///< of (4.40): the least limit is the coarse axis' limit divided by this
+  int anchor_steps = 20;      ///< divisor in (4.40): the least limit is the coarse axis' limit divided by this
   /// Least relative decrease of a limit that falls (not in the source), against excess that vanishes slowly.
   double least_change = 2e-3;
   /// Whether acceleration and jerk limits fall at least in proportion to the coarse axis' excess (not in the source).
@@ -35,8 +35,9 @@ struct HeadLimits {
 
 /// Algorithm 4.1 for one axis and one kind of limit in the blocks [first, first + coarse.size()): `limits`, of all
 /// blocks, fall where the peaks `coarse` or `fine` of those blocks exceed `coarse_limit` or `fine_limit` in iteration
-/// `iteration` ≥ 1. No limit rises, and none falls below the anchor (4.40) or the coarse axis' peak below it; the
-/// source has no anchor for the fine axis. Returns whether a limit fell.
+/// `iteration` ≥ 1. No limit rises. Excess of the coarse axis lowers limits at most to the iteration's anchor (4.40),
+/// excess of the fine axis at most to coarse_limit/anchor_steps, where the source has no bound. Returns whether a limit
+/// fell.
 bool adapt(std::vector<double>& limits, std::size_t first, const std::vector<double>& coarse, double coarse_limit,
            const std::vector<double>& fine, double fine_limit, int iteration, const AdaptationOptions& options);
 

@@ -15,7 +15,7 @@ struct AxisState {
 
 class TimeSpline {
  public:
-  using Coefficients = std::array<double, max_spline_degree + 1>;  ///< of powers of t − begin, lowest first
+  using Coefficients = std::array<double, max_spline_degree + 1>;  ///< by powers of t − begin, lowest first
 
   std::size_t pieces() const { return pieces_.size(); }
   double begin(std::size_t i) const { return pieces_[i].begin; }

@@ -23,7 +23,7 @@ std::vector<double> filtered(const std::vector<double>& x, const std::vector<dou
   const std::size_t n = x.size(), delay = (taps.size() - 1) / 2;
   std::vector<double> y(n);
   for (std::size_t i = 0; i < n; ++i) {
-    double sum = 0;  // of differences: a motion that stands is left exactly where it is
+    double sum = 0;  // a sum of differences, so that a motion at rest stays exactly where it is
     for (std::size_t j = 0; j < taps.size(); ++j) {
       const std::size_t at = i + j < delay ? 0 : i + j - delay;
       sum += taps[j] * (x[at < n ? at : n - 1] - x[i]);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double used_stroke = 1 - 1e-9;
 constexpr double looks_per_stroke = 200;
-constexpr double smallest_step = 1e-8;  // rad, of the tangent: less is rounding
+constexpr double smallest_step = 1e-8;  // rad, tangent jumps up to this are rounding
 
 struct Box {
   AxisArray lowest, highest;

@@ -16,9 +16,9 @@ namespace {
 constexpr double used_stroke = 0.99;
 constexpr int looks_per_pitch = 16;
 constexpr std::size_t degree = 5;
-constexpr double cells_per_pitch = 64;                         // of the planner: the curve's knots lie inside them
-constexpr double least_cells_per_pitch = 4, most_cells = 2e4;  // along the path
-constexpr int patience = 1;                                    // curves closer to the path that are no quicker
+constexpr double cells_per_pitch = 64;  // cells of the planner per pitch; the curve's knots lie inside cells
+constexpr double least_cells_per_pitch = 4, most_cells = 2e4;  // limits for the whole path
+constexpr int patience = 1;  // closer curves that are not quicker after which the search ends
 
 /// Returns the degree + 1 uniform B-splines that do not vanish on a span, at t ∈ [0, 1] of it (Cox, de Boor).
 std::array<double, degree + 1> basis(std::size_t of, double t) {

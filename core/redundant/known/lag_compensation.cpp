@@ -13,7 +13,7 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double settled = 1e-5;  // mm: the lag that is left when the coarse axes are told to stand at the end
+constexpr double settled = 1e-5;  // mm: remaining lag at which the coarse axes are told to stand at the end
 
 /// Simulates the drives: the tool's true position and its distance from the setpoint.
 RedundancyLag simulated(const PathMotion& head, const RedundancyOptions& options, std::size_t cells, bool prefilter) {

@@ -6,8 +6,8 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double one = TimedPath::per_second;  // mm/s: the old time itself
-constexpr double short_part = 0.02;            // of a piece
+constexpr double one = TimedPath::per_second;  // mm/s: the rate of the old time
+constexpr double short_part = 0.02;            // share of a piece
 constexpr int halvings = 60;
 
 LawPiece at_rate(std::size_t segment, double s, double s_end) {

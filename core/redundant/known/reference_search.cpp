@@ -15,10 +15,10 @@ namespace bahnwerk {
 namespace {
 
 constexpr int most_passes = 200;
-constexpr double longest = 100;       // of the first duration: a filtered motion slower than that serves nobody
-constexpr double largest_step = 0.7;  // by which limits fall at most in one pass
-constexpr double beyond = 1e-3;       // by which they fall below what the quotients ask for
-constexpr double exceeded = 1e-5;     // of a limit: what the plan makes up for by slowing the whole that little
+constexpr double longest = 100;       // largest factor of the first duration
+constexpr double largest_step = 0.7;  // least factor of limits per pass
+constexpr double beyond = 1e-3;       // relative decrease of limits beyond the quotients
+constexpr double exceeded = 1e-5;     // relative excess of a limit that the plan removes by slowing the whole motion
 
 /// Limits the factor by which limits fall in one pass, at both ends.
 double fallen(double share, double use) {

@@ -19,10 +19,10 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double first_margin = 1e-6, last_margin = 0.05;  // of all limits
-constexpr double exceeded = 1e-5;         // by which a peak may lie above its limit: the plan slows the whole by that
-constexpr double longest_piece = 0.5e-3;  // s, of the new motion
-constexpr double shortest_way = 1e-9;     // of path length: of the last piece before a rest
+constexpr double first_margin = 1e-6, last_margin = 0.05;  // relative margins of all limits
+constexpr double exceeded = 1e-5;         // relative excess of a peak that the plan removes by slowing the whole motion
+constexpr double longest_piece = 0.5e-3;  // s, longest piece of the new motion
+constexpr double shortest_way = 1e-9;     // path length of the last piece before a rest, at least
 
 /// Returns the largest rate of the old time on each interval, mm/s of the timed path: the head keeps its feed and
 /// dwells keep their durations.
@@ -46,7 +46,7 @@ std::vector<double> rates(const TimedPath& path, const TimeLaw& law, const Redun
 struct Retimed {
   TimeLaw law;
   std::vector<SplineMotion::Piece> coarse;
-  std::vector<double> times;  // when ranges begin and end
+  std::vector<double> times;  // s, ends of ranges
 };
 
 class Driver {
@@ -181,8 +181,8 @@ class Driver {
   const RedundancyResult& old_;
   const TimedPath& path_;
   Retimed out_;
-  std::size_t stands_ = 0;  // the old piece that the last dwell is of
-  double begin_ = 0;        // of the last coarse piece
+  std::size_t stands_ = 0;  // old piece of the last dwell
+  double begin_ = 0;        // s, begin of the last coarse piece
 };
 
 /// The ranges of the old time that may be traversed more quickly, and those for which all limits hold.

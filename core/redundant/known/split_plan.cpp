@@ -13,10 +13,10 @@
 namespace bahnwerk {
 namespace {
 
-constexpr double first_margin = 1e-6, last_margin = 0.1;  // of all limits
-constexpr double exceeded = 1e-5;   // by which a peak may lie above its limit: the plan slows the whole by that little
-constexpr double grid_loss = 2e-7;  // relative: the cells of a path depend a little on the order of its axes
-constexpr double longest_piece = 0.5e-3;  // s, of the coarse motion
+constexpr double first_margin = 1e-6, last_margin = 0.1;  // relative margins of all limits
+constexpr double exceeded = 1e-5;         // relative excess of a peak that the plan removes by slowing the whole motion
+constexpr double grid_loss = 2e-7;        // relative: the cells of a path depend a little on the order of its axes
+constexpr double longest_piece = 0.5e-3;  // s, longest piece of the coarse motion
 
 }  // namespace
 
@@ -47,7 +47,7 @@ RedundancyResult plan_split(const RedundancyTask& task, const std::shared_ptr<co
     pass.duration = result.head->duration();
     pass.peaks = split_peaks(*result.head, *result.coarse, scope);
     SplitUse use = use_of(pass.peaks, task.machine);
-    use.offset = 0;  // slower is no nearer
+    use.offset = 0;  // slowing does not reduce offsets
     result.passes.push_back(std::move(pass));
     if (result.passes.size() == 1) result.fastest = result.head->duration();
     if (use.most() <= 1 + exceeded) return result;

@@ -7,8 +7,8 @@
 namespace bahnwerk {
 namespace {
 
-constexpr std::size_t looked_at = 8;  // pieces at either end
-constexpr int places = 4;             // of a piece
+constexpr std::size_t looked_at = 8;  // pieces at either end that may become constant
+constexpr int places = 4;             // samples per piece
 
 /// Tells whether all axes keep their limits on [p.s, p.s_end] at the constant rate dt/dτ = v.
 bool evenly(const LawPiece& p, double v, const TimedPath& path, const Machine& axes) {

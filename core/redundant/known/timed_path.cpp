@@ -8,7 +8,7 @@
 namespace bahnwerk {
 
 namespace {
-constexpr double shortest = 1e-11;  // s
+constexpr double shortest = 1e-11;  // s: shorter intervals are left out
 }
 
 std::vector<TimedPath::SmoothInterval> TimedPath::smooth_intervals(const Motion& head, const Motion& coarse) {

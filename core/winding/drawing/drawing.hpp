@@ -12,8 +12,8 @@ namespace bahnwerk::winding {
 
 struct DrawnWires {
   std::string title;
-  double radius = 0;                          ///< of a wire with its enamel, mm
-  double copper = 0;                          ///< diameter of its conductor, mm
+  double radius = 0;                          ///< mm, radius of a wire with its enamel
+  double copper = 0;                          ///< mm, diameter of the conductor
   std::vector<Point> wires;                   ///< in laying order
   std::vector<std::size_t> slipping;          ///< indices of wires that do not stay where they are laid
   std::optional<std::size_t> unreached = {};  ///< index of the first wire that the needle cannot lay
@@ -40,7 +40,7 @@ struct FillCurve {
     double copper = 0, electrical = 0, mechanical = 0;
   };
   std::vector<Value> values;
-  std::string enamel = {};  ///< of all its wires; curves of different enamels have different marks
+  std::string enamel = {};  ///< enamel of all its wires; curves of different enamels have different marks
 };
 /// Draws the electrical (solid) and mechanical (dashed) fill factor over the copper diameter. Each curve's values are
 /// joined in the order of their diameters.

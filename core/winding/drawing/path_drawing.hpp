@@ -12,7 +12,7 @@ namespace bahnwerk::winding {
 struct DrawnPath {
   std::string title;
   std::span<const BezierPiece> pieces;
-  std::vector<Polyline3> outline;  ///< of the part, drawn below the path
+  std::vector<Polyline3> outline;  ///< lines of the part, drawn below the path
   std::size_t last_turn = 0;       ///< the piece that begins the last turn, which is drawn bold
   std::size_t turns = 1;           ///< number of turns; the earlier ones are the fainter the more there are
 };

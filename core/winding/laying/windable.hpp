@@ -18,7 +18,7 @@ namespace bahnwerk::winding {
 /// The wires of a coil in its slot, and in its other slot if those are known.
 struct LaidCoil {
   const Slot& slot;
-  double radius = 0;  ///< of a wire with its enamel, mm
+  double radius = 0;  ///< mm, radius of a wire with its enamel
   const Layout& layout;
   Point tension_point;                ///< draws the wires of a layout without tension points
   std::optional<Needle> needle;       ///< none: only the wire must pass the opening
@@ -38,7 +38,7 @@ struct Windable {
 
   /// Returns how many wires, from the first one on, wire and needle can bring to their places in a stable pile.
   std::size_t most() const;
-  /// Whether the first `wires` of the layout can be wound.
+  /// Tells whether the first `count` wires of the layout can be wound.
   bool can_be_wound(std::size_t count) const { return count <= most(); }
   /// Returns the obstructions of the first `count` wires, slipping wires included.
   std::vector<Blocked> blocked_among(std::size_t count) const;

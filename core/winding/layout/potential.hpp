@@ -41,7 +41,7 @@ std::optional<std::vector<Point>> pack(const Region& usable_area, double radius,
                                        std::span<const std::vector<Point>> hints, const PotentialOptions& options,
                                        Progress& progress);
 
-/// Whether `wires` keep the rules above.
+/// Tells whether `wires` satisfy the rules above.
 bool packed(const Region& usable_area, double radius, double overlap, std::span<const Point> wires);
 
 }  // namespace bahnwerk::winding

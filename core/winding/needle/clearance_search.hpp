@@ -24,12 +24,12 @@ namespace bahnwerk::winding {
 /// Bounds of the displacement of the needle's tip, anywhere on an interval, from its place in the interval's middle,
 /// mm.
 struct Reach {
-  double whole = 0;   ///< in total
-  double along = 0;   ///< along the needle's axis in the middle
-  double beside = 0;  ///< of the rest, normal to that: in total,
-  double across = 0;  ///< in sections normal to the part's axis,
-  double height = 0;  ///< and along the part's axis
-  double turn = 0;    ///< of the needle's direction: length of the difference of unit vectors
+  double whole = 0;   ///< total displacement
+  double along = 0;   ///< component along the needle's axis in the middle
+  double beside = 0;  ///< the remaining component, normal to the axis
+  double across = 0;  ///< part of `beside` in sections normal to the part's axis
+  double height = 0;  ///< part of `beside` along the part's axis
+  double turn = 0;    ///< change of the needle's direction: length of the difference of unit vectors
 };
 
 /// `PathInterval` is an interval of the path: it has middle(), the pose there; at(), its place on the piece;

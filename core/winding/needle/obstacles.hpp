@@ -19,7 +19,7 @@ class Obstacle {
  public:
   virtual ~Obstacle() = default;
   virtual double distance(Vec3 p) const = 0;
-  /// Whether the obstacle is convex: then distance() is convex along every line.
+  /// Tells whether the obstacle is convex: then distance() is convex along every line.
   virtual bool convex() const { return false; }
   /// Returns for a convex obstacle a unit vector n such that all of it lies behind the plane normal to n at distance(p)
   /// before `p`, inside as well as outside.

@@ -30,7 +30,7 @@ using Rate = Taylor<2>;
 /// (core/winding/needle/support_points.hpp): straight wire and bend.
 struct Anchor {
   Vec3 begin;              ///< end of the laid wire at the beginning of the piece
-  double sweep = 0;        ///< of the arc, rad, counterclockwise positive; 0: no arc
+  double sweep = 0;        ///< rad, sweep of the arc, counterclockwise positive; 0: no arc
   double out = 0, up = 0;  ///< increase of the arc's distance from the axis, and of its height, mm
   bool free = false;       ///< whether the wire's end differs from that of the piece before: between two coils
 };

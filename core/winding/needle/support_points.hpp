@@ -39,11 +39,11 @@ struct FixedPiece {
   enum class Shape { line, arc };  ///< arc: about the part's axis, at one height
   enum class Kind { region, coil_change };
   Kind kind = Kind::region;
-  std::size_t coil = 0, turn = 0;  ///< of a change: those from which it starts
+  std::size_t coil = 0, turn = 0;  ///< indices; for a change of coils those from which it starts
   std::size_t region = 0;          ///< 0 … 3; of a change 3
   Shape shape = Shape::line;
   SupportPoint begin, end;  ///< φ is continuous from piece to piece, without jumps by whole turns
-  double sweep = 0;         ///< of an arc about the axis, counterclockwise positive
+  double sweep = 0;         ///< rad, sweep of an arc about the axis, counterclockwise positive
 };
 
 /// Returns the name of laying region 0 … 3 for messages: "the first slot" …

@@ -67,7 +67,8 @@ double bore(const StatorPart& part);
 double clear_way(const StatorPart& part, const Slot& slot);
 double clear_way(const RotorPart& part, const Slot& slot);
 
-/// Whether a tooth remains between neighbouring slots, `pitch` rad apart, whose base is at `base_radius` from the axis.
+/// Tells whether a tooth remains between neighbouring slots, `pitch` rad apart, whose base is at `base_radius` from the
+/// axis.
 bool leaves_teeth(const Slot& slot, double base_radius, double pitch);
 
 /// Returns the four laying regions of one coil, at its place in the part. Sections and layouts are equal for all coils

@@ -19,7 +19,7 @@ struct Passage {
 struct Turn {
   std::size_t coil = 0, number = 0;  ///< number: 0 … turns − 1 of its coil
   std::array<Passage, 4> at;
-  int layer = 1;            ///< of the wire in the first slot, from its base
+  int layer = 1;            ///< layer of the wire in the first slot, counted from its base
   bool layer_jump = false;  ///< whether the turn begins another layer than the turn before it in its coil
 };
 

@@ -49,7 +49,7 @@ struct RotorSlot {
 struct PolygonSlot {
   std::vector<Point> points;
   double liner = 0;
-  double corner_radius = 0;                          ///< of convex corners
+  double corner_radius = 0;                          ///< mm, radius of convex corners
   std::optional<std::array<Point, 2>> opening = {};  ///< its two ends, on the outline
 };
 
@@ -58,7 +58,7 @@ struct Opening {
   Point middle;
   Point into{0, -1};  ///< unit vector
   double clear = 0;   ///< width between the tooth tips, mm
-  double cover = 0;   ///< of the tooth tips on the inside: the liner's thickness, mm
+  double cover = 0;   ///< mm, thickness of the liner on the inside of the tooth tips
 };
 
 struct Slot {
@@ -66,7 +66,7 @@ struct Slot {
   Type type = Type::polygon;
   Region iron;                     ///< the slot as punched
   Region usable_area;              ///< what wires may fill
-  std::optional<Opening> opening;  ///< of a polygon only if it is given
+  std::optional<Opening> opening;  ///< opening; a polygon has one only if it is given
   Region wedge;                    ///< as it is drawn; the usable area excludes it
   Region taken;                    ///< area of a coil side laid before; empty: none
   /// The point from which the winding head pulls a wire: [Herrmann 4.2.1] uses (−4, −4) mm for the stator.

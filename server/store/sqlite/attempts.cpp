@@ -1,4 +1,4 @@
-/// SqliteStore: a worker's side, from claim to end. Every change is conditional on the attempt that makes it.
+/// SqliteStore: the calls of workers, from claim to end. Every change is conditional on the attempt that makes it.
 #include "server/store/codec.hpp"
 #include "server/store/problems.hpp"
 #include "server/store/sqlite/rows.hpp"
@@ -70,7 +70,7 @@ void SqliteStore::progress(Progressed progress, std::function<void()> done) {
          << std::int64_t{p->attempt})
             .run();
       },
-      // Progress is a courtesy: when it cannot be stored, the next one may.
+      // Progress is optional: if it cannot be stored, the next one may.
       [done = std::move(done)](const std::exception_ptr&) { done(); }, Writer::row);
 }
 

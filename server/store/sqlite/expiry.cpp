@@ -1,4 +1,4 @@
-/// SqliteStore: what ends by the clock, deadlines in the queue and leases of running jobs.
+/// SqliteStore: jobs that end by the clock, by deadlines in the queue and leases of running jobs.
 #include <algorithm>
 
 #include "server/store/problems.hpp"
@@ -12,7 +12,7 @@ namespace {
 /// above them.
 constexpr std::int64_t lost_leap = 1 << 20;
 
-/// The queued jobs with a deadline, the next one first.
+/// Selects the queued jobs with a deadline, the next one first.
 constexpr auto deadlines =
     "SELECT id, deadline FROM jobs WHERE state = 'queued' AND deadline IS NOT NULL ORDER BY deadline LIMIT ?";
 

@@ -22,7 +22,7 @@ FileLock::FileLock(std::string path) {
     throw StoreError("another bahnwerk" + who + " uses this store; one process owns it (" + path + " is locked)",
                      false);
   }
-  // Who holds it, for the sentence above; the lock itself does not depend on it.
+  // The holder's process id is written for the message above; the lock does not depend on it.
   const std::string pid = std::to_string(::getpid());
   if (::ftruncate(descriptor_, 0) == 0) (void)!::write(descriptor_, pid.data(), pid.size());
 }

@@ -1,4 +1,4 @@
-/// SqliteStore: what only reads.
+/// SqliteStore: the calls that only read.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 

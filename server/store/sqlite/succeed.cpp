@@ -1,6 +1,6 @@
-/// SqliteStore: how a plan gets into the store. Setpoints are packed on the worker's thread and written in pieces of a
-/// few megabytes, each a transaction of its own: other writers get their turn in between, and the worker can be
-/// stopped. Rows that are stored before the result is are seen by nobody; the end of the attempt removes them.
+/// SqliteStore: storing a plan. Setpoints are packed on the worker's thread and written in pieces of a few megabytes,
+/// each in a transaction of its own, so that other writers can proceed in between and the worker can be stopped. Rows
+/// stored before the result are not visible; the end of the attempt removes them.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -21,7 +21,7 @@ struct Chunk {
   std::string packed;
 };
 
-/// Chunks from row `first` on, as many as make a piece; `first` moves behind them.
+/// Reads the chunks of one piece from row `first` on, and moves `first` behind them.
 std::vector<Chunk> pack_piece(const SetpointSource& source, std::size_t& first, Progress& progress) {
   std::vector<Chunk> piece;
   std::vector<double> values;
@@ -52,8 +52,8 @@ void insert_chunks(SqliteConnection& connection, std::int64_t seq, const std::ve
   }
 }
 
-/// An array of columns; where the poses' frame is known, or the independent variable is not time, an object with that,
-/// too.
+/// Returns the columns as an array, or as an object with the poses' frame if it is known and the independent variable
+/// if it is not time.
 std::string column_list(const SetpointSource& source) {
   nlohmann::json list = nlohmann::json::array();
   for (const Column& column : source.columns()) list.push_back({{"name", column.name}, {"unit", column.unit}});
