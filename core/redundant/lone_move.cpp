@@ -15,7 +15,7 @@ namespace {
 constexpr double share = 1 - 1e-10;  // used share of limits and strokes, so that they hold in spite of rounding
 // relative rounding that sums of coordinates, speeds and accelerations collect
 constexpr double places = 32 * std::numeric_limits<double>::epsilon();
-constexpr double least_way = 1e-9;   // least share of the move for the coarse axes if both stages move in proportion
+constexpr double least_way = 1e-9;  // least share of the move for the coarse axes if both stages move in proportion
 constexpr int halvings = 60;
 constexpr int parts = 16, thirds = 60;  // of the search for σ
 constexpr double rounding = 1e-13;      // relative duration of pieces that are left out

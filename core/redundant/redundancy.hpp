@@ -49,11 +49,6 @@ struct RedundancyTask {
   double bound = 0;  ///< s, proven lower bound of the duration of any motion; 0: none is known
 };
 
-/// Tells whether the path is one straight line without a rest inside it, for which lone_move.hpp has a closed form.
-inline bool is_lone_straight_move(const RedundancyTask& task) {
-  return task.path->size() == 1 && task.path->linear(0) && task.dwells.empty();
-}
-
 /// Options of a document; each method reads those that concern it.
 struct RedundancyOptions {
   RedundancyMethod method = RedundancyMethod::joint;

@@ -45,7 +45,6 @@ struct Steps {
 template <int N>
 typename RelaxationSolver<N>::Sides RelaxationSolver<N>::hat_change(std::size_t node, std::size_t k, double before,
                                                                     double after) const {
-  if (form_.rooted[node] != 0) return before * slopes_[node][k].before + after * slopes_[node][k].after;
   return both(form_.cells[node + 1].acceleration[1][k] * (b_[node + 1] * before) +
               form_.cells[node + 2].acceleration[0][k] * (b_[node + 2] * after));
 }
@@ -60,29 +59,13 @@ void RelaxationSolver<N>::assemble_hat(std::size_t j, double primal, double dual
     return q.weight();
   };
   double d11 = 0, d10 = 0, d00 = 0, g1 = 0, g0 = 0;
-  if (form_.rooted[j] == 0) {
-    for (std::size_t k = 0; k < N; ++k) {
-      Inequality<Sides>& q = hats_[j][k];
-      const double f1 = before.acceleration[1][k] * b_[j + 1], f0 = after.acceleration[0][k] * b_[j + 2];
-      const Sides w = take(q, both(f1 + f0) - 1.0), h = w * q.residual;
-      const double weight = w[0] + w[1], pull = h[0] - h[1];
-      d11 += weight * f1 * f1, d10 += weight * f1 * f0, d00 += weight * f0 * f0;
-      g1 += pull * f1, g0 += pull * f0;
-    }
-  } else {
-    Sides s11{}, s10{}, s00{}, h1{}, h0{};
-    const double fourth1 = 0.25 * fourth_[j + 1], fourth0 = 0.25 * fourth_[j + 2];
-    for (std::size_t k = 0; k < N; ++k) {
-      Inequality<Sides>& q = hats_[j][k];
-      const Sides w = take(q, hat_value(j, k)), h = w * q.residual;
-      const Slope& e = slopes_[j][k];
-      const Sides r1 = fourth1 * before.root[1][k], r0 = fourth0 * after.root[0][k], z = q.multiplier * e.share,
-                  second = q.multiplier * e.second, pull = w * e.before, bent = second * r1;
-      s11 = s11 + pull * e.before + 0.75 * z * r1 + bent * r1, s10 = s10 + pull * e.after + bent * r0;
-      s00 = s00 + w * e.after * e.after + 0.75 * z * r0 + second * r0 * r0;
-      h1 = h1 + h * e.before, h0 = h0 + h * e.after;
-    }
-    d11 = sum(s11), d10 = sum(s10), d00 = sum(s00), g1 = sum(h1), g0 = sum(h0);
+  for (std::size_t k = 0; k < N; ++k) {
+    Inequality<Sides>& q = hats_[j][k];
+    const double f1 = before.acceleration[1][k] * b_[j + 1], f0 = after.acceleration[0][k] * b_[j + 2];
+    const Sides w = take(q, both(f1 + f0) - 1.0), h = w * q.residual;
+    const double weight = w[0] + w[1], pull = h[0] - h[1];
+    d11 += weight * f1 * f1, d10 += weight * f1 * f0, d00 += weight * f0 * f0;
+    g1 += pull * f1, g0 += pull * f0;
   }
   matrix_[j + 1][0] += d11, matrix_[j + 1][1] += d10, matrix_[j + 2][0] += d00;
   step_[j + 1] -= g1, step_[j + 2] -= g0;
@@ -100,7 +83,6 @@ void RelaxationSolver<N>::assemble() {
     const double primal = parts_.primal(i + 1), dual = parts_.dual(i + 1);
     b_[a] *= 1 + primal * step_[a];
     root_[a] = 1 / std::sqrt(b_[a]);
-    if (form_.any_rooted) fourth_[a] = std::sqrt(b_[a] * root_[a]);
     Inequality<double>& c = caps_[i];
     c.advance(primal, dual);
     const double e = b_[a] * inverse_cap_[a], w = c.weight();
@@ -235,19 +217,11 @@ void RelaxationSolver<N>::correct(double target) {
     const double part = parts_.of_product(j);
     if (j < hats_.size()) {
       Sides g0{}, g1{};
-      if (form_.rooted[j] == 0) {
-        for (std::size_t k = 0; k < N; ++k) {
-          const Sides h = hats_[j][k].pending = hats_[j][k].aim(target, part);
-          g1 = g1 + c[1]->acceleration[1][k] * h, g0 = g0 + c[0]->acceleration[0][k] * h;
-        }
-        step_[j + 1] -= (g1[0] - g1[1]) * b_[j + 1], step_[j + 2] -= (g0[0] - g0[1]) * b_[j + 2];
-      } else {
-        for (std::size_t k = 0; k < N; ++k) {
-          const Sides h = hats_[j][k].pending = hats_[j][k].aim(target, part);
-          g1 = g1 + h * slopes_[j][k].before, g0 = g0 + h * slopes_[j][k].after;
-        }
-        step_[j + 1] -= sum(g1), step_[j + 2] -= sum(g0);
+      for (std::size_t k = 0; k < N; ++k) {
+        const Sides h = hats_[j][k].pending = hats_[j][k].aim(target, part);
+        g1 = g1 + c[1]->acceleration[1][k] * h, g0 = g0 + c[0]->acceleration[0][k] * h;
       }
+      step_[j + 1] -= (g1[0] - g1[1]) * b_[j + 1], step_[j + 2] -= (g0[0] - g0[1]) * b_[j + 2];
     }
     Spline& s = splines_[j];
     const double h0 = s.time.pending = s.time.aim(target, part);

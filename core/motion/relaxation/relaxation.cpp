@@ -14,7 +14,6 @@ constexpr double near = 0.03;  // from this gap on all places have one step leng
 constexpr double dual_tolerance = 1e-3;
 constexpr double never = 1e300;
 constexpr double first_cap = 0.3, first_slope = 0.8;  // of caps and of the steepest b at which the search begins
-constexpr double blend = 0.02;  // of two limits into one; its square over 4 has to be less than any of them
 
 }  // namespace
 
@@ -26,9 +25,8 @@ void RelaxationSolver<N>::take(const RelaxationProblem<N>& problem) {
   form_.take(problem);
   splines_.assign(cells_ + 2, {});
   hats_.assign(cells_ + 1, {});
-  slopes_.assign(form_.any_rooted ? cells_ + 1 : 0, {});
   caps_.assign(cells_, {});
-  for (std::vector<double>* v : {&b_, &root_, &fourth_}) v->assign(cells_ + 4, 1);
+  for (std::vector<double>* v : {&b_, &root_}) v->assign(cells_ + 4, 1);
   for (std::vector<double>* v : {&inverse_cap_, &step_}) v->assign(cells_ + 4, 0);
   matrix_.assign(cells_ + 4, {});
   for (std::size_t k = 0; k < N; ++k)
@@ -86,7 +84,6 @@ void RelaxationSolver<N>::start() {
       q.residual = value + q.slack;
     }
   }
-  for (std::size_t a = 2; a < cells_ + 2; ++a) fourth_[a] = std::sqrt(std::sqrt(b_[a]));
   constexpr double least = 0.1;
   const double mu = total / static_cast<double>(rows_);
   for (std::size_t i = 0; i < hats_.size(); ++i)
@@ -102,22 +99,12 @@ void RelaxationSolver<N>::start() {
   }
 }
 
-// ± acceleration less its limit, in parts of A_k: 1, or the lesser of 1 and what jerk allows, r, made smooth:
-// (1 + r − √((1 − r)² + blend²))/2.
+// ± acceleration less its limit, in parts of A_k.
 template <int N>
-typename RelaxationSolver<N>::Sides RelaxationSolver<N>::hat_value(std::size_t node, std::size_t k) {
-  const WeakCell<N>&before = form_.cells[node + 1], &after = form_.cells[node + 2];
-  const double a1 = before.acceleration[1][k] * b_[node + 1], a0 = after.acceleration[0][k] * b_[node + 2],
-               sum = a1 + a0;
-  const Sides value{sum, -sum};
-  if (form_.rooted[node] == 0) return value - 1.0;
-  const Sides r1 = fourth_[node + 1] * before.root[1][k], r0 = fourth_[node + 2] * after.root[0][k],
-              left = 1.0 - form_.fixed[node][k] - r1 - r0, width = root(left * left + blend * blend),
-              inverse = 1.0 / width;
-  Slope& s = slopes_[node][k];
-  s.share = 0.5 + 0.5 * left * inverse, s.second = (0.5 * blend * blend) * inverse * inverse * inverse;
-  s.before = Sides{a1, -a1} - 0.25 * s.share * r1, s.after = Sides{a0, -a0} - 0.25 * s.share * r0;
-  return value - 1.0 + 0.5 * (left + width);
+typename RelaxationSolver<N>::Sides RelaxationSolver<N>::hat_value(std::size_t node, std::size_t k) const {
+  const double sum =
+      form_.cells[node + 1].acceleration[1][k] * b_[node + 1] + form_.cells[node + 2].acceleration[0][k] * b_[node + 2];
+  return Sides{sum, -sum} - 1.0;
 }
 
 // Returns the target of the next step relative to the present complementarity.
@@ -174,16 +161,6 @@ RelaxationMultipliers<N> RelaxationSolver<N>::multipliers() const {
     for (std::size_t k = 0; k < N; ++k)
       m.acceleration[i][k] =
           (hats_[i][k].multiplier[0] - hats_[i][k].multiplier[1]) * inverse_acceleration_[k] / form_.mass[i];
-  if (form_.limited) m.limited.resize(hats_.size());
-  if (!form_.limited) return m;
-  m.b.resize(hats_.size());
-  for (std::size_t i = 0; i < hats_.size(); ++i) {
-    const double before = b_[i > 0 ? i + 1 : 2], after = b_[i < cells_ ? i + 2 : i + 1];
-    m.b[i] = std::sqrt(before * after);
-  }
-  if (!form_.any_rooted) return m;
-  for (std::size_t i = 0; i < hats_.size(); ++i)
-    for (std::size_t k = 0; k < N; ++k) m.limited[i][k] = slopes_[i][k].share[m.acceleration[i][k] > 0 ? 0 : 1];
   return m;
 }
 

@@ -31,9 +31,6 @@ struct RelaxationMultipliers {
   using Row = std::array<double, N>;
   std::vector<Row> jerk;          ///< s³/mm
   std::vector<Row> acceleration;  ///< s³/mm²
-  /// Part of `acceleration` that belongs to RelaxationLimit in place of A_k, 0 to 1; empty if none does.
-  std::vector<Row> limited;
-  std::vector<double> b;  ///< approximate b per node, mm²/s²; empty where `limited` is
 };
 
 struct RelaxationOutcome {
@@ -75,11 +72,6 @@ class RelaxationSolver {
     std::array<double, 3> coupling{};        ///< with b of its cells
   };
   using Hat = std::array<Inequality<Sides>, N>;
-  /// Derivatives of a hat's inequality by relative changes of b before and after its node. Its limit is the smaller of
-  /// A_k and of what jerk allows, smoothed; `share` is the weight of the latter.
-  struct Slope {
-    Sides before{}, after{}, share{}, second{};
-  };
   /// Change of the complementarity under the predictor's steps.
   struct Promise {
     double change = 0, both = 0;  ///< Σ multiplier · slack step; Σ of both steps
@@ -96,7 +88,7 @@ class RelaxationSolver {
   void correct(double target);
   void follow(bool even);
   double dual_residual() const;
-  Sides hat_value(std::size_t node, std::size_t k);
+  Sides hat_value(std::size_t node, std::size_t k) const;
   Sides hat_change(std::size_t node, std::size_t k, double before, double after) const;
 
   std::size_t cells_ = 0, rows_ = 0;
@@ -104,13 +96,11 @@ class RelaxationSolver {
   WeakForm<N> form_;
   std::vector<Spline> splines_;
   std::vector<Hat> hats_;
-  std::vector<std::array<Slope, N>> slopes_;  ///< of the hats whose limits depend on b
   std::vector<Inequality<double>> caps_;
   /// Two more cells at each end, on which nothing depends. `step_` is the right-hand side, then the relative change of
   /// b.
   std::vector<double> b_, inverse_cap_, root_, step_;
   NewtonParts parts_;                          ///< place j: spline j, hat j, cell j − 1 and its cap
-  std::vector<double> fourth_;                 ///< b^(1/4), where limits of acceleration contain it
   std::vector<std::array<double, 3>> matrix_;  ///< the diagonal and two above it; factored: 1/D, L₁, L₂
   Row inverse_jerk_{}, inverse_acceleration_{};
   double duration_ = 0, complementarity_ = 0, violation_ = 0;

@@ -1,13 +1,6 @@
 #include "core/motion/relaxation/weak_form.hpp"
 
-#include <cmath>
-
 namespace bahnwerk {
-namespace {
-
-constexpr double no_limit = 100;  // of A_k
-
-}  // namespace
 
 template <int N>
 void WeakForm<N>::take(const RelaxationProblem<N>& problem) {
@@ -45,26 +38,6 @@ void WeakForm<N>::take(const RelaxationProblem<N>& problem) {
       if (hat_counts(i)) c.acceleration[0][k] = (slope - 0.5 * cell.begin[k]) * inverse_acceleration[k];
       if (hat_counts(i + 1)) c.acceleration[1][k] = (0.5 * cell.end[k] - slope) * inverse_acceleration[k];
     }
-  }
-  limited = !problem.limits.empty(), any_rooted = false;
-  fixed.assign(limited ? n + 1 : 0, {}), rooted.assign(n + 1, 0);
-  for (std::size_t node = 0; node < problem.limits.size(); ++node) {
-    if (!hat_counts(node)) continue;
-    const RelaxationLimit<N>& limit = problem.limits[node];
-    for (std::size_t k = 0; k < N; ++k) {
-      const Lanes<2> root{limit.root[k][0], limit.root[k][1]};
-      fixed[node][k] = Lanes<2>{no_limit, no_limit};
-      for (std::size_t side = 0; side < 2; ++side)
-        if (root[side] > 0) rooted[node] = 1, fixed[node][k][side] = limit.fixed[k][side] * inverse_acceleration[k];
-      const auto part = [&](std::size_t cell, double near, double away) {
-        return given[cell].length / 2 * std::sqrt((2 * std::abs(near) + std::abs(away)) / 3) * inverse_acceleration[k] /
-               mass[node];
-      };
-      if (node > 0)
-        cells[node + 1].root[1][k] = part(node - 1, given[node - 1].end[k], given[node - 1].begin[k]) * root;
-      if (node < n) cells[node + 2].root[0][k] = part(node, given[node].begin[k], given[node].end[k]) * root;
-    }
-    any_rooted = any_rooted || rooted[node] != 0;
   }
   // Integrating by parts, a jump of q′ leaves −½ Δq′ b for a weight of 1, and ½ B′ Δq′ b for jerk. The step Δq″ b of
   // the acceleration takes no jerk.

@@ -4,8 +4,7 @@
 /// Discretisation: b is constant in each cell. The limits hold in the mean: acceleration weighted by hat functions,
 /// jerk weighted by the quadratic B-splines B_j, with T_j ≥ ∫ B_j c ds the time under that weight:
 ///   minimise Σ T_j,   |∫ B_j da_k − Σ B_j step_k b| ≤ J_k (T_j + time_jk),   |∫ hat_i a_k ds| ≤ A_k ∫ hat_i ds,   b ≤
-///   cap,
-/// (or |…| ≤ ∫ hat_i (fixed + root √|q′_k| b^(1/4)) ds where b^(1/4), which is concave, is part of a limit.)
+///   cap.
 /// The sum is over the joints in the support of B_j; step_k is their acceleration step, time_jk their J_k · time with
 /// the weight B_j.
 /// Integrated by parts, the integrals need q at the nodes and q′ on both sides of them, no q″. The weak form is chosen
@@ -17,7 +16,6 @@
 #include <vector>
 
 #include "core/motion/relaxation/splines.hpp"
-#include "core/numeric/lanes.hpp"
 
 namespace bahnwerk {
 
@@ -40,20 +38,11 @@ struct RelaxationStep {
   std::array<double, N> tangent_jump{}, acceleration_step{};
 };
 
-/// Limit of the acceleration of an axis wherever the hat of a node is not 0: ± a_k ≤ fixed + root √u on each side, with
-/// u = |q′_k| √b its speed.
-template <int N>
-struct RelaxationLimit {
-  std::array<std::array<double, 2>, N> fixed{}, root{};
-};
-
 template <int N>
 struct RelaxationProblem {
   using Row = std::array<double, N>;
   std::vector<RelaxationCell<N>> cells;
   std::vector<RelaxationStep<N>> steps;
-  /// Limits per node in place of A_k; empty: A_k everywhere.
-  std::vector<RelaxationLimit<N>> limits;
   Row acceleration{}, jerk{};                ///< limits; jerk may be infinite
   bool rest_first = true, rest_last = true;  ///< otherwise speed and acceleration are free at that end
 };
@@ -72,8 +61,6 @@ struct WeakCell {
   std::array<double, 3> time{};       ///< ∫ B_j ds
   std::array<Row, 3> jerk{};          ///< ∫ B_j da_k / J_k per b; 0 of splines that a free end excludes
   std::array<Row, 2> acceleration{};  ///< ∫ hat a_k ds / (A_k ∫ hat ds) per b; 0 of hats that a free end excludes
-  /// Part of b^(1/4) in the limit on each side, divided by A_k.
-  std::array<std::array<Lanes<2>, N>, 2> root{};
 };
 
 template <int N>
@@ -81,10 +68,6 @@ struct WeakForm {
   std::vector<WeakCell<N>> cells;              ///< two empty cells at each end: cell i is stored as i + 2
   std::vector<std::array<double, N>> allowed;  ///< per spline: step_jk, s
   std::vector<double> mass;                    ///< per node: ∫ hat ds, mm
-  std::vector<std::array<Lanes<2>, N>>
-      fixed;  ///< per node: the constant part of the limit of acceleration, divided by A_k
-  bool limited = false, any_rooted = false;
-  std::vector<unsigned char> rooted;  ///< per node: whether any limit depends on b^(1/4)
 
   /// O(cells). Reuses its memory.
   void take(const RelaxationProblem<N>& problem);

@@ -18,8 +18,7 @@ const RelaxationMultipliers<N>& RelaxationWindows<N>::next(const RelaxationProbl
         for (std::size_t k = 0; k < N; ++k) after[j][k] = share * after[j][k] + (1 - share) * before[j][k];
       }
     };
-    std::copy_n(now_.b.begin(), std::min({begin, now_.b.size(), found.b.size()}), found.b.begin());
-    fade(now_.jerk, found.jerk), fade(now_.acceleration, found.acceleration), fade(now_.limited, found.limited);
+    fade(now_.jerk, found.jerk), fade(now_.acceleration, found.acceleration);
   }
   return now_ = std::move(found);
 }
@@ -29,9 +28,6 @@ void RelaxationWindows<N>::drop(std::size_t cells) {
   const auto count = static_cast<std::ptrdiff_t>(cells);
   now_.jerk.erase(now_.jerk.begin(), now_.jerk.begin() + count);
   now_.acceleration.erase(now_.acceleration.begin(), now_.acceleration.begin() + count);
-  if (now_.limited.empty()) return;
-  now_.limited.erase(now_.limited.begin(), now_.limited.begin() + count);
-  now_.b.erase(now_.b.begin(), now_.b.begin() + count);
 }
 
 template <int N>
@@ -51,17 +47,13 @@ RelaxationMultipliers<N> RelaxationWindows<N>::solve(const RelaxationProblem<N>&
     part.steps.assign(std::lower_bound(problem.steps.begin(), problem.steps.end(), first, before),
                       std::lower_bound(problem.steps.begin(), problem.steps.end(), last, before));
     for (RelaxationStep<N>& step : part.steps) step.cell -= first;
-    if (!problem.limits.empty())
-      part.limits.assign(problem.limits.begin() + static_cast<std::ptrdiff_t>(first),
-                         problem.limits.begin() + static_cast<std::ptrdiff_t>(last + 1));
     if (begin > 0) drop(first - from);
     from = first;
     const RelaxationMultipliers<N>& found = next(part, begin - first, options, progress);
     const auto put = [&](const auto& some, auto& to) {
       to.resize(first), to.insert(to.end(), some.begin(), some.end());
     };
-    put(found.jerk, all.jerk), put(found.acceleration, all.acceleration), put(found.limited, all.limited),
-        put(found.b, all.b);
+    put(found.jerk, all.jerk), put(found.acceleration, all.acceleration);
   }
   return all;
 }

@@ -15,7 +15,6 @@
 #include "core/plan/contour/contour_report.hpp"
 #include "core/plan/contour/prepared_contour.hpp"
 #include "core/plan/pipeline.hpp"
-#include "core/redundant/coarse_task.hpp"
 #include "core/redundant/energy.hpp"
 #include "core/redundant/methods/method_table.hpp"
 #include "core/verify/geometry/tube.hpp"
@@ -265,7 +264,7 @@ class CoarseFineProblem final : public MotionProblem {
     task.machine.axes.resize(moving_);
     task.bound = either_direction_ ? bound_.value : 0;
     options.corner_angle = planning_.corner_angle;
-    lone_ = is_lone_straight_move(task) && within_coarse_range(*task.path, task.machine);
+    gantry_takes_over_ = gantry_takes_over(task, options.method);
     result_ = plan_redundant(task, options, progress_, from, planned);
     stretch_ = 1;
   }
@@ -291,10 +290,7 @@ class CoarseFineProblem final : public MotionProblem {
     if (options.reparametrise)
       options.reparametrise = false;
     else if (options.method != RedundancyMethod::joint)
-      // Where the method is slower than the coarse axes by themselves these move alone. Along a lone move they do so
-      // where it finds no motion, too: found or not may hang on the stroke, and no move takes longer with more of it.
-      options.coarse_alone = lone_ && options.method != RedundancyMethod::iterative,
-      options.method = RedundancyMethod::joint;
+      options.coarse_alone = gantry_takes_over_, options.method = RedundancyMethod::joint;
     else if (!options.coarse_alone)
       options.coarse_alone = true;
     else
@@ -347,7 +343,7 @@ class CoarseFineProblem final : public MotionProblem {
   RedundancyResult result_;
   bool either_direction_ = true;           // whether the contour is planned from its end to its begin, too
   bool found_ = false;                     // the last method found a motion
-  bool lone_ = false;                      // a lone straight move, which the coarse axes can make by themselves
+  bool gantry_takes_over_ = false;         // whether the coarse axes alone replace a method without a motion
   std::exception_ptr why_not_;             // the method found nothing
   std::size_t given_up_ = 0;               // plans that did not hold their limits
   double stretch_ = 1;                     // on top of what the method found

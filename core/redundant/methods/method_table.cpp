@@ -9,6 +9,7 @@
 
 #include "core/base/errors.hpp"
 #include "core/redundant/coarse_alone.hpp"
+#include "core/redundant/coarse_task.hpp"
 #include "core/redundant/iterative/iterative.hpp"
 #include "core/redundant/joint.hpp"
 #include "core/redundant/joint_method.hpp"
@@ -25,6 +26,10 @@ namespace {
 constexpr double worth_giving_way = 1e-6;  // share of the duration
 constexpr double symmetric = 5e-4;         // of the bound, by which durations forwards and backwards may differ
 constexpr double quicker = 1e-9;           // of a duration: less is rounding
+
+bool is_lone_straight_move(const RedundancyTask& task) {
+  return task.path->size() == 1 && task.path->linear(0) && task.dwells.empty();
+}
 
 /// A lone straight move has a closed form. Fits of splines to it find next to it what is now quicker, now slower with
 /// more stroke or acceleration: the closed form counts where it is quicker.
@@ -140,6 +145,11 @@ const RedundancyRow& redundancy_row(RedundancyMethod method) {
   for (const RedundancyRow& row : rows)
     if (row.method == method) return row;
   throw std::logic_error("a redundancy method without a row");
+}
+
+bool gantry_takes_over(const RedundancyTask& task, RedundancyMethod method) {
+  return method != RedundancyMethod::joint && method != RedundancyMethod::iterative && is_lone_straight_move(task) &&
+         within_coarse_range(*task.path, task.machine);
 }
 
 RedundancyResult plan_redundant(const RedundancyTask& task, const RedundancyOptions& options, Progress& progress,

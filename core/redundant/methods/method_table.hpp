@@ -20,6 +20,11 @@ inline constexpr const char* backwards_note = "planned from its end to its begin
 /// Throws std::logic_error for a method without a row.
 const RedundancyRow& redundancy_row(RedundancyMethod method);
 
+/// Tells whether the coarse axes alone take the place of a method that finds no motion, as they do where its motion is
+/// slower than theirs: along a lone straight move, on which a little more or less stroke decides whether `geometric`,
+/// `filter`, `follow_up` and `lag_compensation` find one. So no such move takes longer with more stroke.
+bool gantry_takes_over(const RedundancyTask& task, RedundancyMethod method);
+
 /// Plans with the row of `options.method`, and times the motion again if `options.reparametrise` says so (without
 /// limited jerk). Where an axis has no fine one the joint planner takes the place of every other method, which is
 /// counted and noted. Where the coarse axes alone are quicker than any method but `joint`, which knows of them, they

@@ -86,7 +86,6 @@ bool JerkBound<N>::pose(std::size_t most) {
       if (problem_.cells.size() == most) return true;
       ++cells_;
       problem_.cells.emplace_back().begin = p.begin;
-      if (!grid_.cartesian()) ways_.emplace_back();
       time_ = turn_ = capped_ = swing_ = 0;
       slowest_ = fastest_ = p.cap;
     }
@@ -97,7 +96,6 @@ bool JerkBound<N>::pose(std::size_t most) {
       for (std::size_t k = 0; k < N; ++k) step.time[k] = p.joint.step[k] / problem_.jerk[k];
       problem_.steps.push_back(step);
     }
-    if (!grid_.cartesian()) ways_.back().add(p, extents[i].ahead, extents[i].behind, extents[i].speed);
     for (std::size_t k = 0; k < N; ++k) cell.displacement[k] += p.displacement[k];
     cell.end = p.end;
     cell.length += p.length;
@@ -117,7 +115,6 @@ void JerkBound<N>::forget(std::size_t first) {
   cell_of_.erase(cell_of_.begin(), piece);
   for (std::size_t& cell : cell_of_) cell -= first;
   problem_.cells.erase(problem_.cells.begin(), problem_.cells.begin() + cells);
-  if (!ways_.empty()) ways_.erase(ways_.begin(), ways_.begin() + cells);
   auto& steps = problem_.steps;
   steps.erase(steps.begin(), std::find_if(steps.begin(), steps.end(), [&](const auto& s) { return s.cell >= first; }));
   for (RelaxationStep<N>& step : steps) step.cell -= first;
@@ -131,7 +128,7 @@ double JerkBound<N>::stretch(bool rest_first, bool rest_last) {
   RelaxationOptions options;
   options.gap = gap, options.violation = violation;
   if (!grid_.cartesian()) options.beyond = beyond, options.gap = kinematic_gap, options.violation = kinematic_violation;
-  problem_.cells.clear(), problem_.steps.clear(), ways_.clear(), cell_of_.clear();
+  problem_.cells.clear(), problem_.steps.clear(), cell_of_.clear();
   for (Attempt& attempt : attempts_) attempt.total = 0;
   const Row limits = problem_.jerk;
   std::size_t begin = 0, done = 0;  // cell from which the window counts, piece up to which values are added up
@@ -144,9 +141,6 @@ double JerkBound<N>::stretch(bool rest_first, bool rest_last) {
     problem_.rest_last = !more && rest_last && !pieces_.has(cell_of_.size());
     const auto until =
         static_cast<std::size_t>(std::lower_bound(cell_of_.begin(), cell_of_.end(), sure) - cell_of_.begin());
-    problem_.limits.clear();
-    for (std::size_t i = 0; !ways_.empty() && i <= ways_.size(); ++i)
-      problem_.limits.push_back(jerk_limit(ways_[i > 0 ? i - 1 : 0], ways_[i < ways_.size() ? i : i - 1], grid_));
     for (Attempt& attempt : attempts_) {
       problem_.jerk = attempt.jerk;
       const RelaxationMultipliers<N>& found = attempt.solver.next(problem_, begin, options, progress_);

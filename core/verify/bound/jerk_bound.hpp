@@ -6,9 +6,7 @@
 /// in core/motion/relaxation are close to the best. That solver only supplies numbers: none of its results can make the
 /// bound wrong.
 ///
-/// Through kinematics the relaxation also contains the limits of the axes' accelerations that follow from jerk
-/// (core/verify/bound/jerk_ways.hpp), and the dual function includes them. Several pieces of the path
-/// (core/verify/bound/jerk_pieces.hpp) form a cell of the relaxation.
+/// Several pieces of the path (core/verify/bound/jerk_pieces.hpp) form a cell of the relaxation.
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -20,7 +18,6 @@
 #include "core/verify/bound/bound_grid.hpp"
 #include "core/verify/bound/jerk_dual.hpp"
 #include "core/verify/bound/jerk_pieces.hpp"
-#include "core/verify/bound/jerk_ways.hpp"
 
 namespace bahnwerk::verify {
 
@@ -70,7 +67,6 @@ class JerkBound {
   /// Of the current cell: time, s; turn, rad; integral of the caps; change of the axes' acceleration.
   double time_ = 0, turn_ = 0, capped_ = 0, swing_ = 0;
   double slowest_ = 0, fastest_ = 0;  ///< smallest and largest cap of its pieces
-  std::vector<JerkWays<N>> ways_;     ///< per current cell, through kinematics
   JerkPieces<N> pieces_;
   RelaxationProblem<N> problem_;
   std::vector<Attempt> attempts_;

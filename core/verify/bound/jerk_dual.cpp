@@ -7,7 +7,6 @@
 namespace bahnwerk::verify {
 namespace {
 
-constexpr double tiny = 1e-30;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 // Pieces are halved that lose more than this part of their time, so often at most; through kinematics the cells'
 // width costs far more than that.
@@ -88,56 +87,10 @@ void JerkDual<N>::enter(std::size_t cell, const RelaxationProblem<N>& problem,
     weight_[r] = 1 - load;
   }
   mu_ = {multipliers.acceleration[cell], multipliers.acceleration[cell + 1]};
-  rooted_.fill(false);
-  if (problem.limits.empty() || multipliers.limited.empty()) return;
-  for (std::size_t e = 0; e < 2; ++e) {
-    const double v = std::sqrt(std::max(multipliers.b[cell + e], tiny));
-    for (std::size_t k = 0; k < grid_.axes(); ++k) {
-      const std::size_t side = mu_[e][k] > 0 ? 0 : 1;
-      const RelaxationLimit<N>& limit = problem.limits[cell + e];
-      const double root = limit.root[k][side];
-      const double share = root > 0 ? std::clamp(multipliers.limited[cell + e][k], 0.0, 1.0) : 0;
-      fixed_[e][k] = share * limit.fixed[k][side] + (1 - share) * grid_.acceleration(k);
-      root_[e][k] = 0.75 * share * root * std::sqrt(v);
-      slope_[e][k] = root_[e][k] / (3 * v * v);
-      rooted_[k] = rooted_[k] || (share > 0 && mu_[e][k] != 0);
-    }
-  }
 }
 
 template <int N>
-typename JerkDual<N>::Limits JerkDual<N>::limits(const DualPiece<N>& p, std::size_t k, double x) const {
-  const double m0 = std::abs(mu_[0][k]) / length_, m1 = std::abs(mu_[1][k]) / length_, y = x + p.length,
-               x0 = std::max(0.0, length_ - x), y0 = std::max(0.0, length_ - y);
-  // |q′| is within `off` of what is linear between both ends.
-  const double off = p.third[k] * p.length * p.length / 8 + p.rounding, t0 = std::abs(p.begin[k]) + off,
-               t1 = std::abs(p.end[k]) + off;
-  const auto ends = [&](const std::array<Row, 2>& of) {
-    return std::pair(m0 * of[0][k] * x0 + m1 * of[1][k] * x, m0 * of[0][k] * y0 + m1 * of[1][k] * y);
-  };
-  // Upper bound of the mean of a linear weight times √|q′| [Cauchy, Schwarz].
-  const auto mean_root = [&](double r0, double r1) {
-    return std::sqrt((r0 + r1) / 2 * (2 * (r0 * t0 + r1 * t1) + r0 * t1 + r1 * t0) / 6) * (1 + 8 * epsilon);
-  };
-  const auto [f0, f1] = ends(fixed_);
-  const auto [r0, r1] = ends(root_);
-  const auto [d0, d1] = ends(slope_);
-  return {p.length * ((f0 + f1) / 2 + mean_root(r0, r1)), p.length * mean_root(d0, d1),
-          std::min(d0, d1) * std::sqrt(std::max(0.0, std::min(t0, t1) - 2 * off)),
-          std::max(d0, d1) * std::sqrt(std::max(t0, t1))};
-}
-
-template <int N>
-typename JerkDual<N>::AllLimits JerkDual<N>::limits(const DualPiece<N>& p, double x) const {
-  AllLimits all;
-  for (std::size_t k = 0; k < grid_.axes(); ++k)
-    if (rooted_[k]) all[k] = limits(p, k, x);
-  return all;
-}
-
-template <int N>
-typename JerkDual<N>::Value JerkDual<N>::of(const DualPiece<N>& p, double x, const DualPiece<N>* next,
-                                            const AllLimits& limits) const {
+typename JerkDual<N>::Value JerkDual<N>::of(const DualPiece<N>& p, double x, const DualPiece<N>* next) const {
   const double y = x + p.length;
   // w is at least a quadratic with these Bernstein coefficients.
   double w0 = 0, w1 = 0, slope = 0;
@@ -148,7 +101,6 @@ typename JerkDual<N>::Value JerkDual<N>::of(const DualPiece<N>& p, double x, con
   const Range w{positive(std::min({w0, w1, middle})), positive(std::max({w0, w1, middle})),
                 positive((w0 + w1 + middle) / 3)};
   double integral = 0, size = 0, moved = 0, radius = 0, cost = 0, tangent_jump = 0, next_tangent_jump = 0, loss = 0;
-  double low = 0, high = 0;  // D
   for (std::size_t k = 0; k < grid_.axes(); ++k) {
     const double rise = (mu_[1][k] - mu_[0][k]) / length_;
     double slope0 = 0, slope1 = 0, second = 0;
@@ -167,13 +119,7 @@ typename JerkDual<N>::Value JerkDual<N>::of(const DualPiece<N>& p, double x, con
     size += (std::abs(e0) + std::abs(e1)) * (1 + p.q2[k] * p.length) + std::abs(change) * p.length;
     moved += std::abs(change) * p.displacement_error;
     radius += 0.5 * std::max(std::abs(e0), std::abs(e1)) * p.third[k];
-    if (rooted_[k]) {
-      const Limits& l = limits[k];
-      cost += l.cost;
-      low += l.low, high += l.high;
-    } else {
-      cost += grid_.acceleration(k) * p.length * (std::abs(u0) + std::abs(u1)) / 2;
-    }
+    cost += grid_.acceleration(k) * p.length * (std::abs(u0) + std::abs(u1)) / 2;
     if (p.joint.here) {
       const double l = lambda(x);
       cost += std::abs(l) * p.joint.step[k];
@@ -181,13 +127,6 @@ typename JerkDual<N>::Value JerkDual<N>::of(const DualPiece<N>& p, double x, con
     }
     if (next != nullptr)
       next_tangent_jump -= 0.5 * e1 * next->joint.tangent_jump[k] + lambda(y) * next->joint.acceleration_step[k];
-  }
-  if (taken_ > 0) {
-    // Only the mean of D over the cell counts.
-    const double centre = length_ / 2, a = std::abs(x - centre), b = std::abs(y - centre),
-                 away = (x - centre) * (y - centre) > 0 ? p.length * (a + b) / 2 : (a * a + b * b) / 2;
-    integral -= taken_ * p.length, size += taken_ * p.length;
-    loss += std::max(high - taken_, taken_ - low) * std::min(2 * along_ * away, p.cap * p.length);
   }
   // The contribution of jumps of q′ and q″ to G lies at the joint. Half of it may be distributed to the pieces on
   // either side, since b cannot change much there: on average by |v̇| times the length.
@@ -222,7 +161,7 @@ double JerkDual<N>::refined(const DualPiece<N>& p, double x, const DualPiece<N>*
   const DualPiece<N> right = dual_piece(grid_, m, b, p.cap, enclosed ? grid_.third(m, b) : p.third);
   left.joint = p.joint;
   const double middle = x + left.length;
-  const Value first = of(left, x, nullptr, limits(left, x)), second = of(right, middle, next, limits(right, middle));
+  const Value first = of(left, x, nullptr), second = of(right, middle, next);
   if (!(first.now + second.now > coarse.now)) return coarse.now;
   return refined(left, x, nullptr, first, depth + 1, {&a, &m}) +
          refined(right, middle, next, second, depth + 1, {&m, &b});
@@ -233,25 +172,16 @@ double JerkDual<N>::value(const Blocks<DualPiece<N>>& pieces, std::size_t first,
                           const std::vector<std::size_t>& cell_of, const RelaxationProblem<N>& problem,
                           const RelaxationMultipliers<N>& multipliers) {
   Sum sum;
-  std::size_t cell = problem.cells.size(), begin = first;  // of the pieces: where that begins
+  std::size_t cell = problem.cells.size();
   double x = 0;
   for (std::size_t i = first; i < last; ++i) {
     const DualPiece<N>& p = pieces[i];
     if (cell_of[i] != cell) {
       cell = cell_of[i], x = 0;
       enter(cell, problem, multipliers);
-      begin = i;
-      taken_ = along_ = 0;
-      of_pieces_.clear();
-      for (std::size_t j = i; j < last && cell_of[j] == cell; ++j) {
-        along_ = std::max(along_, pieces[j].along);
-        for (const Limits& l : of_pieces_.emplace_back(limits(pieces[j], x))) taken_ += l.taken / length_;
-        x += pieces[j].length;
-      }
-      x = 0;
     }
     const DualPiece<N>* next = i + 1 < cell_of.size() && pieces[i + 1].joint.here ? &pieces[i + 1] : nullptr;
-    sum.add(refined(p, x, next, of(p, x, next, of_pieces_[i - begin]), 0, {}));
+    sum.add(refined(p, x, next, of(p, x, next), 0, {}));
     x += p.length;
     progress_.work(1);
   }

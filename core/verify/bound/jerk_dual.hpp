@@ -12,19 +12,10 @@
 /// Every choice of multipliers yields a lower bound; those of the convex problem in core/motion/relaxation are close to
 /// the best. That solver only supplies numbers: none of its results can make the bound wrong.
 ///
-/// Some accelerations have tighter limits than A_k, ± a_k ≤ fixed + root √u with u = |q′_k| v; there μ_k costs that in
-/// place of A_k. Such limits are given per node and hold wherever its hat is not 0, so with μ_k = Σ μ_ik hat_i node i
-/// costs |μ_ik| ∫ hat_i (fixed + root √|q′_k| b^(1/4)) ds, on the side of the sign of μ_ik, or any convex combination
-/// of that and of the cost with A_k. b^(1/4) is at most its tangent at any b₀, (3 b₀^(1/4) + b₀^(−3/4) b)/4, so this is
-/// a constant cost and subtracts D(s) from G(s).
-///
 /// Enclosures: f is concave and increasing in w and in G. Over a piece both have known means (∫ G ds follows from q and
 /// q′ at its ends, w is at least a quadratic) and known ranges (|G′| ≤ ½ Σ |η_k| |q‴_k|, since η_k is linear), and the
-/// mean of a concave function is at least the least mean over the corners of these ranges. The mean of D is bounded
-/// from above (μ_k is linear, |q′_k| within |q‴_k| length²/8 of that, and the mean of a root is at most the root of the
-/// mean). As b changes by at most 2 |v̇| per length, D may be replaced by its mean over the cell: with b₀ in the middle
-/// of it ∫ (D − mean) b ds = ∫ (D − mean) (b − b₀) ds. Rounding is covered by margins from the magnitudes of the
-/// summands, as in lower_bound.hpp.
+/// mean of a concave function is at least the least mean over the corners of these ranges. Rounding is covered by
+/// margins from the magnitudes of the summands, as in lower_bound.hpp.
 ///
 /// At a joint an axis steps by Δa_k = Δq″_k b + Δq′_k v̇, since the acceleration v̇ along the path is continuous, and
 /// by at most J_k · cycle time: the verifier demands both. So either the first part is known, and costs λ_k Δq″_k b, of
@@ -93,16 +84,9 @@ class JerkDual {
     double now = 0, loss = 0;  ///< value, and bound of what halving can gain
   };
   void enter(std::size_t cell, const RelaxationProblem<N>& problem, const RelaxationMultipliers<N>& multipliers);
-  /// Terms of μ_k on a piece where it counts against tighter limits: its cost, a bound of ∫ D ds, and the range of D.
-  struct Limits {
-    double cost = 0, taken = 0, low = 0, high = 0;
-  };
-  Limits limits(const DualPiece<N>& piece, std::size_t k, double x) const;
-  using AllLimits = std::array<Limits, N>;  ///< per axis with such limits
-  AllLimits limits(const DualPiece<N>& piece, double x) const;
-  /// Returns the value of a piece x mm from the cell's beginning, with its limits; `next` is the piece behind it, if a
-  /// joint lies between.
-  Value of(const DualPiece<N>& piece, double x, const DualPiece<N>* next, const AllLimits& limits) const;
+  /// Returns the value of a piece x mm from the cell's beginning; `next` is the piece behind it, if a joint lies
+  /// between.
+  Value of(const DualPiece<N>& piece, double x, const DualPiece<N>* next) const;
   /// The nodes at the beginning and end of a piece, if known.
   using Ends = std::pair<const BoundNode<N>*, const BoundNode<N>*>;
   double refined(const DualPiece<N>& piece, double x, const DualPiece<N>* next, Value coarse, int depth, Ends ends);
@@ -115,11 +99,6 @@ class JerkDual {
   std::array<double, 3> weight_{};
   std::array<Row, 3> lambda_{};
   std::array<Row, 2> mu_{};
-  /// Their limits: fixed + √|q′_k| (root + slope b).
-  std::array<Row, 2> fixed_{}, root_{}, slope_{};
-  std::array<bool, N> rooted_{};
-  double taken_ = 0, along_ = 0;      ///< mean of D over the cell; the largest |v̇| in it
-  std::vector<AllLimits> of_pieces_;  ///< per piece of the cell
 };
 
 extern template class JerkDual<2>;

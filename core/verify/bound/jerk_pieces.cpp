@@ -115,16 +115,10 @@ void JerkPieces<N>::append(const Node& a, const Node& b, double cap, Extent exte
                            int depth, double without) {
   if (depth == 0) without = cap;
   if (!(b.s > a.s) || !std::isfinite(cap)) return push(a, b, cap, without, extent);
-  if (!grid_.cartesian()) {
-    one_way_.set(piece_, a, b, first, last);
-    for (std::size_t k = 0; k < grid_.axes(); ++k)
-      extent.ahead[k] = piece_.ahead[k].steps + piece_.ahead[k].end,
-      extent.behind[k] = piece_.behind[k].steps + piece_.behind[k].end;
-  }
   piece_.length = b.s - a.s, piece_.rounding_error = std::max(a.rounding_error, b.rounding_error);
   piece_.tangent = {a.tangent, b.tangent}, piece_.q2 = {a.curvature, b.curvature};
   if (!jerk_may_limit(piece_, cap)) return push(a, b, cap, without, extent);
-  if (grid_.cartesian()) one_way_.set(piece_, a, b, first, last);
+  one_way_.set(piece_, a, b, first, last);
   const DirectionRange<N> range = this->range(a, b, first, last);
   for (std::size_t k = 0; k < grid_.axes(); ++k) {
     piece_.least[k] = range.least(k), piece_.most[k] = range.most(k);
@@ -258,7 +252,6 @@ typename JerkPieces<N>::Extent JerkPieces<N>::extent(std::size_t cell, double x,
   e.spacing = std::min(ease, cruising) * spacing_;
   if (growth_[cell] < never)
     e.spacing = std::min(e.spacing, ease * part_of_change_ * root_4_5 * std::sqrt(speed) / growth_[cell]);
-  e.speed = speed;
   e.finest = per_cell_ / 2 * std::max(e.spacing * speed, part_of_first * first_piece_);
   e.piece = std::min({e.finest / per_cell_, before_[cell] + part_of_distance_ * x,
                       (behind_[cell + 1] + part_of_distance_ * left) / (1 + part_of_distance_)});

@@ -30,10 +30,6 @@ class JerkPieces {
     double finest = 0;   ///< mm, longest cell here
     double spacing = 0;  ///< s, longest cell here
     double piece = 0;    ///< mm, longest piece
-    double speed = 0;    ///< mm/s, approximate speed of a motion
-    /// Through kinematics: bounds of the excess of an axis' acceleration against its direction (ahead) and in it
-    /// (behind) over √(2 J u), u its speed; infinite where it may turn round.
-    Row ahead{}, behind{};
   };
   /// Number of pieces of equal length per cell, independent of rounding.
   double per_cell() const { return per_cell_; }

@@ -78,24 +78,6 @@ TEST(Relaxation, LooserLimitsAreNotSlower) {
   }
 }
 
-TEST(Relaxation, LimitsByJerkOnlySlowDown) {
-  // Round a circle each axis may have what its jerk lets it have, and something more.
-  const auto base = circle(10, 200, 1800, 16000, 1e6);
-  const double before = solved(base);
-  double last = 0;
-  for (const double beyond : {16000.0, 8000.0, 4000.0, 2000.0}) {
-    auto limited = base;
-    limited.limits.resize(201);
-    for (auto& limit : limited.limits)
-      for (std::size_t k = 0; k < 2; ++k) limit.fixed[k] = {beyond, beyond}, limit.root[k] = {300, 300};
-    const double now = solved(limited);
-    EXPECT_GE(now, before * (1 - 2e-5)) << beyond;
-    EXPECT_GE(now, last * (1 - 2e-5)) << beyond;
-    last = now;
-  }
-  EXPECT_GT(last, before * 1.01);
-}
-
 // Lagrange: for the multipliers found, the least of Σ T_j + multipliers · violated limits over all b and T is the
 // duration again; for any others it is less.
 TEST(Relaxation, MultipliersAreFeasibleAndTheirDualIsTheOptimum) {

@@ -10,8 +10,6 @@
 #include "core/base/progress.hpp"
 #include "core/motion/jerk/jerk_limited.hpp"
 #include "core/verify/bound/bound_solver.hpp"
-#include "core/verify/bound/jerk_ways.hpp"
-#include "core/verify/bound/one_way.hpp"
 #include "tests/core/verify/reference.hpp"
 
 namespace bahnwerk::verify {
@@ -70,33 +68,6 @@ Laid lay(const BoundGrid<2>& grid, bool known) {
   return laid;
 }
 
-// What jerk leaves of the axes' accelerations around the nodes, in the place of A; `quickest`: speeds at which it
-// counts.
-int limit(Laid& laid, BoundGrid<2>& grid, double quickest, ProgressScope& progress) {
-  BoundSolver<2> solver(grid, progress);
-  solver.solve();
-  OneWay<2> one_way;
-  const std::vector<double> b = solver.speed_squares(grid.order().size());
-  one_way.take(grid, b, true, true, machine().cycle_time);
-  const auto nodes = grid.nodes();
-  std::vector<JerkWays<2>> ways;
-  std::size_t piece = 0;
-  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-    if (nodes[i].segment != nodes[i + 1].segment) continue;
-    JerkCapPiece<2> p;
-    one_way.set(p, nodes[i], nodes[i + 1], i, i);
-    ways.emplace_back().add(laid.pieces[piece++],
-                            {p.ahead[0].steps + p.ahead[0].end, p.ahead[1].steps + p.ahead[1].end},
-                            {p.behind[0].steps + p.behind[0].end, p.behind[1].steps + p.behind[1].end}, quickest);
-  }
-  int limited = 0;
-  for (std::size_t i = 0; i <= ways.size(); ++i) {
-    laid.problem.limits.push_back(jerk_limit(ways[i > 0 ? i - 1 : 0], ways[i < ways.size() ? i : i - 1], grid));
-    for (const auto& sides : laid.problem.limits.back().root) limited += (sides[0] > 0) + (sides[1] > 0);
-  }
-  return limited;
-}
-
 constexpr double corner_angle = 0.03;
 
 /// What a motion takes, s.
@@ -105,65 +76,6 @@ double planned(const Contour& contour) {
   JerkLimitedOptions options;
   options.corner_angle = corner_angle;
   return plan_jerk_limited(contour, machine(), options, silent).law.duration();
-}
-
-TEST(JerkDual, NoMultipliersProveMoreThanAMotionTakesUnderAccelerationLimitsFromJerk) {
-  const std::vector<Contour> contours{
-      Maker().line({20, 0}).arc({30, 10}, {20, 10}, true).line({30, 30}).done(),
-      Maker().line({10, 0}).arc({20, 10}, {10, 10}, true).arc({10, 20}, {10, 10}, true).done(),
-      Maker().bezier({{30, 40}, {60, -40}, {80, 20}}).done(),
-      Maker().arc({5, 5}, {0, 5}, true).arc({-1, 11}, {-1, 5}, true).arc({-8, 4}, {-1, 4}, true).done(),
-  };
-  SilentProgress silent;
-  ProgressScope progress(silent, "test", 0, 1);
-  std::mt19937_64 random(11);
-  std::uniform_real_distribution<double> part(0, 1), sign(-1, 1);
-  for (const Contour& contour : contours) {
-    const CartesianAxisPath path(contour.path, 2);
-    const double time = planned(contour);
-    BoundGrid<2> grid(path, machine(), contour.feeds(), corner_angle, progress);
-    grid.build(0, path.size());
-    for (int i = 0; i < 2; ++i) grid.refine(std::vector<unsigned char>(grid.order().size() - 1, 1));
-    Laid laid = lay(grid, true);
-    EXPECT_GT(limit(laid, grid, 10, progress), 50);
-    RelaxationSolver<2> solver;
-    EXPECT_TRUE(solver.solve(laid.problem, {}, progress).converged);
-    const RelaxationMultipliers<2> best = solver.multipliers();
-    JerkDual<2> dual(grid, progress);
-    const auto value = [&](const RelaxationMultipliers<2>& m) {
-      return dual.value(laid.pieces, 0, laid.pieces.size(), laid.cell_of, laid.problem, m);
-    };
-    EXPECT_LE(value(best), time);
-    EXPECT_GE(value(best), 0.4 * time);
-    for (int i = 0; i < 200; ++i) {
-      // Any part of the multipliers, at either side; any tangent; any part of them against either limit.
-      RelaxationMultipliers<2> m = best;
-      for (std::size_t n = 0; n < m.acceleration.size(); ++n)
-        for (std::size_t k = 0; k < 2; ++k) {
-          if (i % 3 == 0) m.acceleration[n][k] *= 1.5 * part(random);
-          if (i % 2 == 0) m.acceleration[n][k] += sign(random) * 1e-9;
-          if (i % 5 < 2) m.limited[n][k] = part(random);
-        }
-      if (i % 7 < 3)
-        for (double& b : m.b) b *= std::exp(sign(random));
-      EXPECT_LE(value(m), time) << i;
-    }
-    // The multipliers of a problem with too little acceleration ask for more than these limits give.
-    for (const double factor : {0.9, 0.8, 0.6, 0.4}) {
-      RelaxationProblem<2> slower = laid.problem;
-      for (auto& around : slower.limits)
-        for (auto& sides : around.root)
-          for (double& root : sides) root *= factor;
-      solver.solve(slower, {}, progress);
-      for (const double at : {1.0, 0.3, 0.1}) {
-        RelaxationMultipliers<2> m = solver.multipliers();
-        for (double& b : m.b) b *= at;
-        EXPECT_LE(value(m), time) << factor << ' ' << at;
-        for (auto& row : m.limited) row = {1, 1};
-        EXPECT_LE(value(m), time) << factor << ' ' << at;
-      }
-    }
-  }
 }
 
 TEST(JerkDual, NoMultipliersProveMoreThanAMotionTakes) {
