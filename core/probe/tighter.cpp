@@ -39,21 +39,46 @@ std::vector<ProbeProblem> with_tighter(const ProbeProblem& problem) {
   const double highest = unreachable_along(problem, polyline_length(problem));
   list[0].speed = speed;
   if (problem.points.size() > many) return list;
-  const auto add = [&](double v, double tolerance, double jerk, double snap) {
+  struct Shares {
+    double acceleration = 1, jerk = 1, snap = 1;
+  };
+  const auto add = [&](double v, double tolerance, Shares of) {
     ProbeProblem p = problem;
-    p.speed = v, p.tolerance *= tolerance;
-    for (AxisLimits& axis : p.machine.axes) axis.jerk *= jerk, axis.snap *= snap;
+    p.speed = v, p.tolerance = tolerance;
+    for (AxisLimits& axis : p.machine.axes)
+      axis.acceleration *= of.acceleration, axis.jerk *= of.jerk, axis.snap *= of.snap;
     list.push_back(std::move(p));
   };
-  add(0.95 * speed, 1, 1, 1);
-  add(0.85 * speed, 1, 1, 1);
+  const double tolerance = problem.tolerance;
+  add(0.95 * speed, tolerance, {});
+  add(0.85 * speed, tolerance, {});
   const int per_octave = few ? 3 : 2, lower = few ? 9 : 4;
-  const int first = static_cast<int>(std::floor(per_octave * std::log2(std::max(1.0, highest / speed)))) + 1;
-  for (int i = first; i < first + lower; ++i) add(highest * std::exp2(-static_cast<double>(i) / per_octave), 1, 1, 1);
+  // Shares 2^(−i/n) of `most`, the largest ones below `value`.
+  const auto steps_below = [](double value, double most, int n) {
+    return static_cast<int>(std::floor(n * std::log2(std::max(1.0, most / value)))) + 1;
+  };
+  const auto share = [](int i, int n) { return std::exp2(-static_cast<double>(i) / n); };
+  const int first = steps_below(speed, highest, per_octave);
+  for (int i = first; i < first + lower; ++i) add(highest * share(i, per_octave), tolerance, {});
+  if (tolerance > 0) {
+    const double length = polyline_length(problem);
+    const int widest = steps_below(tolerance, length, 2);
+    for (int i = widest; i < widest + (few ? 4 : 2); ++i) add(speed, length * share(i, 2), {});
+  }
   constexpr double less = 0.8;
-  add(speed, less, 1, 1);
-  add(speed, 1, less, 1);
-  add(speed, 1, 1, less);
+  add(speed, tolerance, {less, 1, 1});
+  add(speed, tolerance, {1, less, 1});
+  add(speed, tolerance, {1, 1, less});
+  // Every axis as the weakest one: what a stronger one adds changes nothing.
+  AxisLimits weakest = problem.axis(0);
+  for (const AxisLimits& axis : problem.machine.axes) {
+    weakest.acceleration = std::min(weakest.acceleration, axis.acceleration);
+    weakest.jerk = std::min(weakest.jerk, axis.jerk);
+    weakest.snap = std::min(weakest.snap, axis.snap);
+  }
+  add(speed, tolerance, {});
+  for (AxisLimits& axis : list.back().machine.axes)
+    axis.acceleration = weakest.acceleration, axis.jerk = weakest.jerk, axis.snap = weakest.snap;
   return list;
 }
 

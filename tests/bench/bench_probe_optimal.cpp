@@ -43,7 +43,7 @@ void shortest(benchmark::State& state) {
   SilentProgress silent;
   const ProbeMotion start = plan_stops(p, silent);
   double duration = 0;
-  for (auto _ : state) duration = plan_optimal(p, start, silent).duration();
+  for (auto _ : state) duration = plan_optimal(p, {start}, silent).duration();
   state.counters["duration"] = duration;
   state.SetItemsProcessed(state.iterations() * state.range(1));
 }

@@ -1,6 +1,8 @@
 #include "core/plan/probe/probe_method.hpp"
 
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "core/base/progress_part.hpp"
 #include "core/probe/arcs/arcs.hpp"
@@ -12,10 +14,10 @@ namespace bahnwerk {
 namespace {
 
 ProbeMotion optimal(const ProbeProblem& problem, Progress& progress) {
-  const ProbeMotion arcs = plan_arcs(problem, progress, 0, 0.1), spline = plan_spline(problem, progress, 0.1, 0.2);
+  std::vector<ProbeMotion> starts{plan_arcs(problem, progress, 0, 0.1)};
+  starts.push_back(plan_spline(problem, progress, 0.1, 0.2));
   ProgressPart part(progress, "optimal", 0.2, 0.7);
-  const ProbeMotion& start = arcs.duration() <= spline.duration() ? arcs : spline;
-  return plan_optimal(problem, start, part);
+  return plan_optimal(problem, starts, part);
 }
 
 struct ProbeMethodRow {

@@ -58,32 +58,81 @@ std::vector<Vec> edge_directions(const ProbeProblem& problem) {
   return directions;
 }
 
-/// Straights and turns for the problem as it is. Refers to it.
-TurnPath quickest_path(const ProbeProblem& problem, ProgressScope& scope) {
-  const std::vector<std::size_t> row_end = straight_rows(problem);
-  std::optional<TurnPath> best;
-  best.emplace(problem, all_rests(problem, row_end));
-  if (best->nodes() == 2) return std::move(*best);
-  double shortest = best->duration();
-  const SpeedChoice choice(problem, row_end);
-  std::vector<Vec> directions = edge_directions(problem);
-  std::optional<TurnSpeeds> near;
-  const std::vector<Round>& rounds = rounds_for(problem.points.size());
-  for (std::size_t k = 0; k < rounds.size(); ++k) {
-    scope.part(static_cast<double>(k) / static_cast<double>(rounds.size()),
-               static_cast<double>(k + 1) / static_cast<double>(rounds.size()));
-    near = choice.choose(directions, rounds[k].shares, near ? &*near : nullptr, rounds[k].factors, scope);
-    TurnPath path(problem, *near);
-    path.solve(k + 1 < rounds.size() ? 1e-9 : 1e-15, scope);
-    directions = spread(problem, path);
+/// Straights and turns for one problem: the quickest path that is found. Refers to the problem.
+class ArcSearch {
+ public:
+  explicit ArcSearch(const ProbeProblem& problem)
+      : problem_(problem),
+        row_end_(straight_rows(problem)),
+        choice_(problem, row_end_),
+        best_(problem, all_rests(problem, row_end_)) {
+    shortest_ = best_.duration();
+  }
+
+  const TurnPath& best() const { return best_; }
+  double duration() const { return shortest_; }
+  /// Whether all points are in one row, so that there is nothing to choose.
+  bool single() const { return best_.nodes() == 2; }
+
+  /// Alternates between speeds and directions, from the edges' directions on.
+  void search(ProgressScope& scope) {
+    std::vector<Vec> directions = edge_directions(problem_);
+    std::optional<TurnSpeeds> near;
+    const std::vector<Round>& rounds = rounds_for(problem_.points.size());
+    for (std::size_t k = 0; k < rounds.size(); ++k) {
+      near = choice_.choose(directions, rounds[k].shares, near ? &*near : nullptr, rounds[k].factors, scope);
+      TurnPath path(problem_, *near);
+      path.solve(k + 1 < rounds.size() ? 1e-9 : 1e-15, scope);
+      directions = spread(problem_, path);
+      offer(std::move(path), scope);
+    }
+  }
+  /// Begins with the quickest path and searches closer and closer about it, for as long as that helps.
+  void polish(ProgressScope& scope) { polish(best_, shortest_, scope); }
+  /// Begins with speeds and directions of a path that keeps more than this problem asks for.
+  void adopt(const TurnPath& other, ProgressScope& scope) {
+    constexpr double promising = 1.003;
+    const double known = shortest_;
+    TurnPath path(problem_, other.speeds());
+    path.start_from(other.directions());
+    path = offer(std::move(path), scope);
+    const double duration = path.duration();
+    // What ends where a search has ended before is the same path again.
+    if (duration != known && duration < promising * shortest_) polish(std::move(path), duration, scope);
+  }
+
+ private:
+  void polish(TurnPath path, double duration, ProgressScope& scope) {
+    constexpr int most = 9;
+    constexpr double worth_while = 1e-5;
+    static const std::vector<double> shares{1, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2, 0.1}, none;
+    double width = 0.1;
+    for (int round = 0; round < most && width > 1e-4; ++round) {
+      const TurnSpeeds near = path.speeds();
+      const std::vector<double> factors{1 - 2 * width, 1 - width, 1 - width / 3, 1 + width / 3, 1 + width};
+      TurnPath next = offer(
+          {problem_, choice_.choose(spread(problem_, path), shares, &near, factors, scope, round == 0 ? shares : none)},
+          scope);
+      const double before = duration;
+      if (const double now = next.duration(); now < duration) path = std::move(next), duration = now;
+      if (!(duration < before * (1 - worth_while))) width /= 3;
+    }
+  }
+  /// The path with turns and straights that fit; it becomes the best one if it is.
+  TurnPath offer(TurnPath path, ProgressScope& scope) {
     path.solve(1e-15, scope);
     path.repair(scope);
-    path.prefer_rests(row_end);
-    if (const double duration = path.duration(); duration < shortest)
-      shortest = duration, best.emplace(std::move(path));
+    path.prefer_rests(row_end_);
+    if (const double duration = path.duration(); duration < shortest_) shortest_ = duration, best_ = path;
+    return path;
   }
-  return std::move(*best);
-}
+
+  const ProbeProblem& problem_;
+  std::vector<std::size_t> row_end_;
+  SpeedChoice choice_;
+  TurnPath best_;
+  double shortest_ = 0;
+};
 
 }  // namespace
 
@@ -99,10 +148,22 @@ double stops_duration(const ProbeProblem& problem) {
 ProbeMotion plan_arcs(const ProbeProblem& problem, Progress& progress, double progress_from, double progress_to) {
   ProgressScope scope(progress, "arcs", progress_from, progress_to);
   scope.report();
-  // Speeds that cannot be reached are one problem.
-  ProbeProblem reachable = problem;
-  reachable.speed = std::min(problem.speed, unreachable_speed(problem));
-  return quickest_path(reachable, scope).write(scope);
+  const std::vector<ProbeProblem> problems = with_tighter(problem);  // the first one is the problem itself
+  ArcSearch search(problems.front());
+  constexpr std::size_t many = 2000;
+  for (std::size_t i = 0; i < problems.size() && !search.single(); ++i) {
+    const auto n = static_cast<double>(problems.size()), at = static_cast<double>(i);
+    scope.part(at / n, (at + 1) / n);
+    if (i == 0) {
+      search.search(scope);
+      if (problem.points.size() <= many) search.polish(scope);
+    } else {
+      ArcSearch tighter(problems[i]);
+      tighter.search(scope);
+      search.adopt(tighter.best(), scope);
+    }
+  }
+  return search.best().write(scope);
 }
 
 }  // namespace bahnwerk

@@ -6,6 +6,9 @@
 #include "core/probe/straight/straight.hpp"
 
 namespace bahnwerk::probe {
+namespace {
+constexpr double length_rounding = 1e-9;  // of an edge: room for what directions leave
+}
 
 SpeedChoice::SpeedChoice(const ProbeProblem& problem, const std::vector<std::size_t>& row_end)
     : problem_(problem), row_end_(row_end), rounding_(coordinate_rounding(problem)) {}
@@ -24,7 +27,7 @@ double SpeedChoice::largest_speed(std::size_t i, const Turn& turn, Vec in, Vec o
   };
   if (fits(problem_.speed)) return problem_.speed;
   double low = 0, high = problem_.speed;
-  for (int step = 0; step < 40 && high - low > 1e-7 * high; ++step) {
+  for (int step = 0; step < 60 && high - low > 1e-13 * high; ++step) {
     const double middle = (low + high) / 2;
     (fits(middle) ? low : high) = middle;
   }
@@ -37,7 +40,7 @@ void SpeedChoice::lower_to_reachable(const std::vector<Turn>& turns, const std::
   for (std::size_t k = 1; k + 1 < n; ++k) {
     const std::size_t i = backwards ? n - 1 - k : k, last = backwards ? i + 1 : i - 1, edge = std::min(i, last);
     const ProfileLimits limits = limits_along(problem_, directions[edge]);
-    const double length = norm(problem_.points[edge + 1] - problem_.points[edge]);
+    const double length = norm(problem_.points[edge + 1] - problem_.points[edge]) * (1 - 2 * length_rounding);
     // A slower turn before leaves more of the edge.
     double reached = 0;
     for (const double share : {1.0, 0.5, 0.0}) {
@@ -53,7 +56,7 @@ void SpeedChoice::lower_to_reachable(const std::vector<Turn>& turns, const std::
       }
       // The acceleration alone is exceeded beyond.
       double low = 0, high = std::min(speed[i], std::sqrt(from * from + 2 * limits.acceleration * length));
-      for (int step = 0; step < 24; ++step) {
+      for (int step = 0; step < 60 && high - low > 1e-13 * high; ++step) {
         const double middle = (low + high) / 2;
         (fits(middle) ? low : high) = middle;
       }
@@ -83,7 +86,7 @@ void SpeedChoice::connect(std::size_t edge, Vec direction, const Candidates& fro
       if (!(last.time < unlimited)) continue;
       const double way = norm(chord + (next.offset - last.offset)),
                    turns = last.size.duration / 2 + next.size.duration / 2;
-      const double length = way * (1 - 1e-9) - last.size.length - next.size.length;
+      const double length = way * (1 - length_rounding) - last.size.length - next.size.length;
       if (!(length >= 0) || last.time + turns + length / problem_.speed >= next.time) continue;
       if (length < min_distance(last.speed, next.speed, limits)) continue;
       const double time = last.time + turns + straight_profile(length, last.speed, next.speed, limits).duration;
@@ -94,8 +97,8 @@ void SpeedChoice::connect(std::size_t edge, Vec direction, const Candidates& fro
 }
 
 TurnSpeeds SpeedChoice::choose(const std::vector<Vec>& directions, const std::vector<double>& shares,
-                               const TurnSpeeds* near, const std::vector<double>& factors,
-                               ProgressScope& progress) const {
+                               const TurnSpeeds* near, const std::vector<double>& factors, ProgressScope& progress,
+                               const std::vector<double>& anywhere) const {
   const std::size_t n = problem_.points.size();
   std::vector<double> speed_before(n, 0);
   if (near)
@@ -127,7 +130,12 @@ TurnSpeeds SpeedChoice::choose(const std::vector<Vec>& directions, const std::ve
       add(speed_before[i]);
       for (const double share : speed_before[i] > 0 ? factors : shares)
         add(share * (speed_before[i] > 0 ? speed_before[i] : most));
-      if (near && speed_before[i] > 0) add(most);
+      if (near && speed_before[i] > 0) {
+        add(most);
+        add(speed_before[i - 1]);
+        add(speed_before[i + 1]);
+        for (const double share : anywhere) add(share * most);
+      }
     }
     connect(i - 1, directions[i - 1], all[i - 1], here);
     if (row_end_[row_begin] == i) {

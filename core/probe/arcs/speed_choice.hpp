@@ -16,9 +16,11 @@ class SpeedChoice {
 
   /// The quickest choice among the speeds 0 and shares[…] of the largest at each point that can be reached, and, where
   /// `near` is a choice made before, that speed times each of `factors`. `directions` per edge of the problem.
+  /// There the neighbours' speeds are candidates, too, and the shares `anywhere` of the largest one.
   /// O(points · candidates²), 0.5 µs each.
   TurnSpeeds choose(const std::vector<Vec>& directions, const std::vector<double>& shares, const TurnSpeeds* near,
-                    const std::vector<double>& factors, ProgressScope& progress) const;
+                    const std::vector<double>& factors, ProgressScope& progress,
+                    const std::vector<double>& anywhere = {}) const;
 
  private:
   struct Candidate {

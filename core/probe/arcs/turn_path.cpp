@@ -16,7 +16,7 @@ Vec unit(Vec x) { return x / norm(x); }
 }  // namespace
 
 TurnPath::TurnPath(const ProbeProblem& problem, TurnSpeeds speeds)
-    : problem_(problem),
+    : problem_(&problem),
       speeds_(std::move(speeds)),
       size_(speeds_.node.size()),
       offset_(speeds_.node.size()),
@@ -70,7 +70,7 @@ double TurnPath::straight_length(std::size_t i) const {
 
 double TurnPath::straight_duration(std::size_t i) const {
   const double length = std::max(0.0, straight_length(i));
-  return straight_profile(length, speeds_.speed[i], speeds_.speed[i + 1], limits_along(problem_, direction_[i]))
+  return straight_profile(length, speeds_.speed[i], speeds_.speed[i + 1], limits_along(*problem_, direction_[i]))
       .duration;
 }
 
@@ -91,8 +91,8 @@ void TurnPath::repair(ProgressScope& progress) {
     for (std::size_t i = 0; i + 1 < nodes(); ++i) {
       const double v = speeds_.speed[i], w = speeds_.speed[i + 1], length = straight_length(i);
       const bool opposite = dot(way(i), point(i + 1) - point(i)) <= 0;
-      const bool fits =
-          !opposite && length >= 0 && length >= lengthening * min_distance(v, w, limits_along(problem_, direction_[i]));
+      const bool fits = !opposite && length >= 0 &&
+                        length >= lengthening * min_distance(v, w, limits_along(*problem_, direction_[i]));
       if (fits) continue;
       if (v >= w || length < 0 || opposite) lower(i);
       if (w >= v || length < 0 || opposite) lower(i + 1);
@@ -100,8 +100,8 @@ void TurnPath::repair(ProgressScope& progress) {
     for (std::size_t i = 1; i + 1 < nodes(); ++i) {
       if (!turns(i)) continue;
       const double deviation =
-          turn(i).deviation(speeds_.speed[i], point(i - 1), point(i), point(i + 1), problem_.tolerance + rounding_);
-      if (deviation <= problem_.tolerance + rounding_) continue;
+          turn(i).deviation(speeds_.speed[i], point(i - 1), point(i), point(i + 1), problem_->tolerance + rounding_);
+      if (deviation <= problem_->tolerance + rounding_) continue;
       lower(i);
       // The edge's other end moves the straight, too.
       if (i > 1 && turns(i - 1) && lowered[i] > 4) lower(i - 1);
@@ -133,9 +133,10 @@ void TurnPath::prefer_rests(const std::vector<std::size_t>& row_end) {
     const std::size_t first = speeds_.node[a], last = speeds_.node[b];
     const auto next = [&](std::size_t i) { return std::min(last, row_end[i]); };
     for (std::size_t i = first; i < last && resting <= turning; i = next(i))
-      resting += rest_to_rest_duration(problem_, i, next(i));
+      resting += rest_to_rest_duration(*problem_, i, next(i));
     if (resting <= turning) {
-      for (std::size_t i = first; i < last; i = next(i)) add(i, 0, unit(problem_.points[next(i)] - problem_.points[i]));
+      for (std::size_t i = first; i < last; i = next(i))
+        add(i, 0, unit(problem_->points[next(i)] - problem_->points[i]));
     } else {
       for (std::size_t i = a; i < b; ++i) add(speeds_.node[i], speeds_.speed[i], direction_[i]);
     }
@@ -157,7 +158,7 @@ double TurnPath::duration() const {
 }
 
 ProbeMotion TurnPath::write(ProgressScope& progress) const {
-  MotionWriter writer(problem_);
+  MotionWriter writer(*problem_);
   for (std::size_t i = 0; i + 1 < nodes(); ++i) {
     const std::size_t number = speeds_.node[i];
     progress.work(64);
@@ -168,16 +169,17 @@ ProbeMotion TurnPath::write(ProgressScope& progress) const {
       writer.phase(ProbePhaseKind::rest, writer.time(), writer.time(), number);
     }
     if (!turns(i) && !turns(i + 1)) {
-      append_rest_to_rest(writer, problem_, number, speeds_.node[i + 1]);
+      append_rest_to_rest(writer, *problem_, number, speeds_.node[i + 1]);
       continue;
     }
     const double length = std::max(0.0, straight_length(i));
     writer.aim(point(i) + offset_[i] + size_[i].length * direction_[i]);
     append_straight(
-        writer, straight_profile(length, speeds_.speed[i], speeds_.speed[i + 1], limits_along(problem_, direction_[i])),
+        writer,
+        straight_profile(length, speeds_.speed[i], speeds_.speed[i + 1], limits_along(*problem_, direction_[i])),
         direction_[i], number);
   }
-  writer.aim(problem_.points.back());
+  writer.aim(problem_->points.back());
   return writer.finish();
 }
 

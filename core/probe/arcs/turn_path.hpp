@@ -38,8 +38,8 @@ class TurnPath {
   ProbeMotion write(ProgressScope& progress) const;
 
  private:
-  Turn turn(std::size_t i) const { return {problem_, direction_[i - 1], direction_[i]}; }
-  Vec point(std::size_t i) const { return problem_.points[speeds_.node[i]]; }
+  Turn turn(std::size_t i) const { return {*problem_, direction_[i - 1], direction_[i]}; }
+  Vec point(std::size_t i) const { return problem_->points[speeds_.node[i]]; }
   /// From apex i to the next one.
   Vec way(std::size_t i) const { return (point(i + 1) - point(i)) + (offset_[i + 1] - offset_[i]); }
   bool turns(std::size_t i) const { return speeds_.speed[i] > 0; }
@@ -49,7 +49,7 @@ class TurnPath {
   double straight_length(std::size_t i) const;
   double straight_duration(std::size_t i) const;
 
-  const ProbeProblem& problem_;
+  const ProbeProblem* problem_;  // not null
   TurnSpeeds speeds_;
   std::vector<Vec> direction_;  // per edge between nodes
   std::vector<TurnSize> size_;  // per node

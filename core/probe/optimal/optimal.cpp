@@ -182,8 +182,8 @@ ProbeMotion shortest(const ProbeProblem& problem, const Report& report, Progress
 
 // The shortest motion for a lower speed goes at that speed wherever it can, so the lowest speed that leaves time enough
 // has the least ripple, about. Bisection; what was really the least is kept.
-ProbeMotion least_ripple(const ProbeProblem& problem, const ProbeMotion& start, const ProbeMotion& quickest,
-                         const Report& report, ProgressScope& scope) {
+ProbeMotion least_ripple(const ProbeProblem& problem, const std::vector<ProbeMotion>& starts,
+                         const ProbeMotion& quickest, const Report& report, ProgressScope& scope) {
   constexpr int steps = 8;
   const double most = problem.stretch * quickest.duration();
   ProbeMotion best = quickest;
@@ -195,7 +195,7 @@ ProbeMotion least_ripple(const ProbeProblem& problem, const ProbeMotion& start, 
     least = ripple;
     best = motion;
   };
-  offer(start);
+  for (const ProbeMotion& start : starts) offer(start);
   double low = 0.02 * problem.speed, high = problem.speed;
   ProbeProblem slower = problem;
   for (int i = 0; i < steps && least > 0; ++i) {
@@ -210,16 +210,17 @@ ProbeMotion least_ripple(const ProbeProblem& problem, const ProbeMotion& start, 
 
 }  // namespace
 
-ProbeMotion plan_optimal(const ProbeProblem& problem, const ProbeMotion& start, Progress& progress) {
+ProbeMotion plan_optimal(const ProbeProblem& problem, const std::vector<ProbeMotion>& starts, Progress& progress) {
   const bool ripple = problem.objective == ProbeObjective::ripple;
   const double share = ripple ? 0.2 : 1;
   ProgressScope scope(progress, "optimal", share, share);
   ProbeMotion best = shortest(
       problem, [&](double f) { progress.report("optimal", share * f, {}); }, scope);
-  if (!(best.duration() < start.duration())) best = start;
+  for (const ProbeMotion& start : starts)
+    if (!(best.duration() < start.duration())) best = start;
   if (!ripple) return best;
   return least_ripple(
-      problem, start, best, [&](double f) { progress.report("optimal", share + (1 - share) * f, {}); }, scope);
+      problem, starts, best, [&](double f) { progress.report("optimal", share + (1 - share) * f, {}); }, scope);
 }
 
 }  // namespace bahnwerk

@@ -1,6 +1,6 @@
 #pragma once
 /// Method `optimal` of kind `probe_path`: a quartic spline in time whose steps and passing times are free, from coarse
-/// to fine, as quick as limits and tube allow; never slower than `start`.
+/// to fine, as quick as limits and tube allow; never slower than any of `starts`.
 ///
 /// Unknowns are the states at the points and at nodes between them, and the durations between (core/probe/optimal/
 /// cell_basis.hpp, chain_solver.hpp). Where the tube has no width the head rests at every corner, and each straight
@@ -9,6 +9,8 @@
 /// `stretch` times as long as the quickest is taken; no motion is promised to have less.
 /// The problem has local optima; the search starts from a motion that rests at every point.
 /// Cost: linear in the points; a few hundred cells take 0.1 s, 10 000 points some seconds.
+#include <vector>
+
 #include "core/probe/probe_motion.hpp"
 #include "core/probe/problem.hpp"
 
@@ -16,8 +18,8 @@ namespace bahnwerk {
 
 class Progress;
 
-/// `start`: a motion that is right, which is returned where nothing quicker is found. Asks `progress` at every
-/// iteration.
-ProbeMotion plan_optimal(const ProbeProblem& problem, const ProbeMotion& start, Progress& progress);
+/// `starts`: one motion or more that are right; the quickest is returned where nothing quicker is found, and with
+/// `ripple` any of them that is not too slow where nothing ripples less. Asks `progress` at every iteration.
+ProbeMotion plan_optimal(const ProbeProblem& problem, const std::vector<ProbeMotion>& starts, Progress& progress);
 
 }  // namespace bahnwerk

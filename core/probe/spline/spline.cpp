@@ -64,6 +64,12 @@ class SplinePlanner {
     prefer_rows();
   }
 
+  /// Rests at every point but for those in a row, instead of solve().
+  void rest_everywhere() {
+    take_rests(0, problem_.points.size() - 1);
+    duration_ = resting(0, problem_.points.size() - 1);
+  }
+
   double duration() const { return duration_; }
 
   ProbeMotion write(ProgressScope& progress) const {
@@ -188,7 +194,11 @@ ProbeMotion plan_spline(const ProbeProblem& problem, Progress& progress, double 
     planner.solve(scope);
     if (!best || planner.duration() < best->duration()) best.emplace(std::move(planner));
   }
-  return within_limits(problem, slowed(best->write(scope), 1), scope);  // slowed motions land
+  const ProbeMotion plan = within_limits(problem, slowed(best->write(scope), 1), scope);  // slowed motions land
+  // Where phases are so short that rounding slows the motion, straights as they are written may be quicker.
+  SplinePlanner rests(problem, false);
+  rests.rest_everywhere();
+  return plan.duration() <= rests.duration() * (1 + 1e-12) ? plan : rests.write(scope);
 }
 
 }  // namespace bahnwerk

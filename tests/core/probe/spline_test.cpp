@@ -49,5 +49,14 @@ TEST(Spline, DensePointsArePassedAtNominalSpeed) {
   }
 }
 
+TEST(Spline, PhasesTooShortForTheirRoundingAreNoReasonToBeSlowerThanRests) {
+  // The jerk is reached within 4e-12 s.
+  const ProbeProblem p = problem({{0, 0}, {5, 0}, {5, 5}}, 0.05, 2, 20, 200, 4000, 1e15);
+  SilentProgress silent;
+  const ProbeMotion plan = plan_spline(p, silent);
+  expect_right(p, plan);
+  EXPECT_LT(plan.duration(), 0.84);  // what rests take where the snap is 200 000 mm/s⁴
+}
+
 }  // namespace
 }  // namespace bahnwerk

@@ -33,7 +33,7 @@ TEST(WithinLimits, AMotionThatIsTooQuickIsSlowedByWhatItExceeds) {
 TEST(WithinLimits, PiecesThatAreShortBesideTheirCoordinatesKeepLimits) {
   SilentProgress silent;
   const RandomSet set(53);
-  const ProbeMotion start = plan_arcs(set.problem, silent), plan = plan_optimal(set.problem, start, silent);
+  const ProbeMotion start = plan_arcs(set.problem, silent), plan = plan_optimal(set.problem, {start}, silent);
   EXPECT_LT(plan.duration(), 0.95 * start.duration());
   expect_right(set.problem, plan);
 }
