@@ -113,9 +113,14 @@ TEST(Optimal, RandomSetsAreRightNeverSlowerThanTheirStartAndNeverBelowTheBound) 
 }
 
 TEST(Optimal, RippleIsNoMoreThanThatOfAnyStartInTime) {
-  // From 5 mm edges with a wide tube to a row that turns back: no search finds less than what it begins with for sure.
-  for (const auto& [points, tolerance] : {std::pair<std::vector<Vec>, double>{{{0, 0}, {5, 0}, {9, 3}, {9, 7}}, 0.4},
-                                          {{{0, 0}, {3, 0}, {7, 0}, {4, 0}, {6, 1}}, 0.02}}) {
+  // Edges of 5 mm with a wide tube, and a row that turns back: no search finds less than what it begins with for sure.
+  struct Case {
+    std::vector<Vec> points;
+    double tolerance;
+  };
+  const std::vector<Case> cases{{{{0, 0}, {5, 0}, {9, 3}, {9, 7}}, 0.4},
+                                {{{0, 0}, {3, 0}, {7, 0}, {4, 0}, {6, 1}}, 0.02}};
+  for (const auto& [points, tolerance] : cases) {
     ProbeProblem p = problem(points, tolerance);
     p.objective = ProbeObjective::ripple;
     p.stretch = 3;
