@@ -201,7 +201,9 @@ std::string time_label(std::int64_t ms) {
 std::string state_label(const api::Job& job) {
   const std::string state(api::to_string(job.state));
   std::string text = "<span class=\"state " + state + "\">" + state + "</span>";
-  if (job.state == api::JobState::running) text += " " + std::to_string(static_cast<int>(job.fraction * 100)) + " %";
+  // 0.29 · 100 is below 29.
+  if (job.state == api::JobState::running)
+    text += " " + std::to_string(static_cast<int>(job.fraction * 100 + 1e-9)) + " %";
   return text;
 }
 

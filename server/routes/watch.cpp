@@ -83,10 +83,15 @@ int preferred_wait(const Request& request) {
     const std::size_t end = rest.find_first_of(",;");
     std::string_view item = rest.substr(0, end);
     rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
-    while (item.starts_with(' ')) item.remove_prefix(1);
-    if (!item.starts_with("wait=")) continue;
+    while (item.starts_with(' ') || item.starts_with('\t')) item.remove_prefix(1);
+    // Names of preferences are case-insensitive [RFC 7240, 2].
+    constexpr std::string_view name = "wait=";
+    const auto same = [](char small, char c) { return c == small || (c >= 'A' && c <= 'Z' && c - 'A' + 'a' == small); };
+    if (item.size() < name.size() || !std::equal(name.begin(), name.end(), item.begin(), same)) continue;
+    item.remove_prefix(name.size());
     int seconds = 0;
-    std::from_chars(item.data() + 5, item.data() + item.size(), seconds);
+    const auto read = std::from_chars(item.data(), item.data() + item.size(), seconds);
+    if (read.ec == std::errc::result_out_of_range) seconds = item.starts_with('-') ? 0 : longest_wait;
     return std::clamp(seconds, 0, longest_wait);
   }
   return 0;
