@@ -177,6 +177,18 @@ class SplinePlanner {
   double duration_ = 0;
 };
 
+constexpr double least_phase = 1e-6;  // duration of a phase relative to the motion's, far above the rounding of time
+
+/// Returns the problem with jerk and snap lowered until no axis reaches its acceleration or jerk in less than `phase`
+/// s.
+ProbeProblem with_phases_of(double phase, ProbeProblem problem) {
+  for (AxisLimits& axis : problem.machine.axes) {
+    axis.jerk = std::min(axis.jerk, axis.acceleration / phase);
+    axis.snap = std::min(axis.snap, axis.jerk / phase);
+  }
+  return problem;
+}
+
 }  // namespace
 
 ProbeMotion plan_spline(const ProbeProblem& problem, Progress& progress, double progress_from, double progress_to) {
@@ -195,10 +207,15 @@ ProbeMotion plan_spline(const ProbeProblem& problem, Progress& progress, double 
     if (!best || planner.duration() < best->duration()) best.emplace(std::move(planner));
   }
   const ProbeMotion plan = within_limits(problem, slowed(best->write(scope), 1), scope);  // slowed motions land
-  // Where phases are so short that rounding slows the motion, straights as they are written may be quicker.
+  // Phases that are so short that rounding blurs them slow the motion: rests in phases that are longer may be quicker.
   SplinePlanner rests(problem, false);
   rests.rest_everywhere();
-  return plan.duration() <= rests.duration() * (1 + 1e-12) ? plan : rests.write(scope);
+  if (plan.duration() <= rests.duration() * (1 + 1e-12)) return plan;
+  const ProbeProblem eased = with_phases_of(least_phase * rests.duration(), problem);
+  SplinePlanner eased_rests(eased, false);
+  eased_rests.rest_everywhere();
+  const ProbeMotion resting = within_limits(problem, eased_rests.write(scope), scope);
+  return plan.duration() <= resting.duration() ? plan : resting;
 }
 
 }  // namespace bahnwerk
