@@ -206,7 +206,7 @@ ProbeMotion plan_spline(const ProbeProblem& problem, Progress& progress, double 
     planner.solve(scope);
     if (!best || planner.duration() < best->duration()) best.emplace(std::move(planner));
   }
-  const ProbeMotion plan = within_limits(problem, slowed(best->write(scope), 1), scope);  // slowed motions land
+  ProbeMotion plan = within_limits(problem, slowed(best->write(scope), 1), scope);  // slowed motions land
   // Phases that are so short that rounding blurs them slow the motion: rests in phases that are longer may be quicker.
   SplinePlanner rests(problem, false);
   rests.rest_everywhere();
@@ -214,7 +214,7 @@ ProbeMotion plan_spline(const ProbeProblem& problem, Progress& progress, double 
   const ProbeProblem eased = with_phases_of(least_phase * rests.duration(), problem);
   SplinePlanner eased_rests(eased, false);
   eased_rests.rest_everywhere();
-  const ProbeMotion resting = within_limits(problem, eased_rests.write(scope), scope);
+  ProbeMotion resting = within_limits(problem, eased_rests.write(scope), scope);
   return plan.duration() <= resting.duration() ? plan : resting;
 }
 
