@@ -36,7 +36,7 @@ const std::vector<Round>& rounds_for(std::size_t points) {
                                            {{}, {0.995, 0.998, 1.002, 1.005}}};
   static const std::vector<Round> quick{
       {{1, 0.75, 0.55, 0.4, 0.25, 0.1}, {}}, {{0.5}, {0.8, 0.92, 1.1, 1.3}}, {{}, {0.96, 1.04}}};
-  constexpr std::size_t many = 2000;
+  constexpr std::size_t many = 100;
   return points > many ? quick : thorough;
 }
 
@@ -150,13 +150,15 @@ ProbeMotion plan_arcs(const ProbeProblem& problem, Progress& progress, double pr
   scope.report();
   const std::vector<ProbeProblem> problems = with_tighter(problem);  // the first one is the problem itself
   ArcSearch search(problems.front());
-  constexpr std::size_t many = 2000;
-  for (std::size_t i = 0; i < problems.size() && !search.single(); ++i) {
-    const auto n = static_cast<double>(problems.size()), at = static_cast<double>(i);
+  // Each further problem costs as much as the first one, which is seconds for some hundred points.
+  constexpr std::size_t many = 100;
+  const std::size_t tried = problem.points.size() <= many ? problems.size() : 1;
+  for (std::size_t i = 0; i < tried && !search.single(); ++i) {
+    const auto n = static_cast<double>(tried), at = static_cast<double>(i);
     scope.part(at / n, (at + 1) / n);
     if (i == 0) {
       search.search(scope);
-      if (problem.points.size() <= many) search.polish(scope);
+      if (tried > 1) search.polish(scope);
     } else {
       ArcSearch tighter(problems[i]);
       tighter.search(scope);
