@@ -10,39 +10,39 @@
 
 namespace bahnwerk {
 
-/// Base of everything that core throws on purpose.
+/// Base class of every exception that core throws on purpose.
 struct PlanningError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// One fault in the input, at a place inside the document: {"blocks", 3, "segments", 0, "arc"} is
-/// /blocks/3/segments/0/arc.
+/// A fault in the input. Its place is a list of member names and indices: {"blocks", "3", "arc"} is the JSON pointer
+/// /blocks/3/arc.
 struct InputFault {
   std::vector<std::string> place;
   std::string message;
 };
-/// The input is well-formed but contradictory: zero length, a gap, limits that exclude each other. Contains all faults,
-/// in document order.
+/// Thrown for input that is well-formed but contradictory: zero length, a gap, limits that exclude each other. It
+/// contains all faults, in document order.
 struct InvalidInput : PlanningError {
   explicit InvalidInput(std::vector<InputFault> list)
       : PlanningError(list.empty() ? std::string("invalid input") : list.front().message), faults(std::move(list)) {}
   std::vector<InputFault> faults;
 };
 
-/// No motion satisfies the limits.
+/// Thrown where no motion satisfies the limits.
 struct Infeasible : PlanningError {
   using PlanningError::PlanningError;
 };
-/// A pose outside the machine's reach, or one at which its axes cannot follow the tool (a singularity, the end of a
-/// range).
+/// Thrown for a pose outside the machine's reach, and for one at which its axes cannot follow the tool (a singularity,
+/// the end of a range).
 struct UnreachablePose : PlanningError {
   using Pose = std::array<double, 5>;
   UnreachablePose(const std::string& what, double at, const Pose& tool = {})
       : PlanningError(what), path_length(at), pose(tool) {}
   double path_length;  ///< place on the path, mm; NaN as long as only the pose is known
-  Pose pose;           ///< of the tool: x, y, z, mm; φ, ψ, rad
+  Pose pose;           ///< the tool: x, y, z, mm; φ, ψ, rad
 };
-/// A tolerance cannot be met; `reached` is the best found, in the tolerance's unit.
+/// Thrown where a tolerance cannot be met; `reached` is the smallest deviation found, in the tolerance's unit.
 struct ToleranceUnreachable : PlanningError {
   ToleranceUnreachable(const std::string& what, double best) : PlanningError(what), reached(best) {}
   double reached;

@@ -1,5 +1,6 @@
 #pragma once
-/// No motion satisfies the limits, and it is known which members of the document are in the way.
+/// The error of a task without a solution whose cause is known: it names the members of the document that exclude
+/// every motion.
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,7 +11,7 @@ namespace bahnwerk {
 
 struct InfeasibleAt : Infeasible {
   InfeasibleAt(const std::string& what, std::vector<InputFault> list) : Infeasible(what), faults(std::move(list)) {}
-  std::vector<InputFault> faults;  ///< one at least; places as those of InvalidInput
+  std::vector<InputFault> faults;  ///< at least one; places have the form of InputFault::place
 };
 
 }  // namespace bahnwerk

@@ -14,7 +14,7 @@ struct Named {
   const char* name;
 };
 
-/// Throws std::logic_error for a value without a name.
+/// Returns the name of a value. Throws std::logic_error for a value without one.
 template <class Enumeration>
 const char* name_of(Enumeration value, std::span<const Named<Enumeration>> table) {
   for (const auto& entry : table)
@@ -22,7 +22,7 @@ const char* name_of(Enumeration value, std::span<const Named<Enumeration>> table
   throw std::logic_error("a value without a name");
 }
 
-/// Throws std::invalid_argument for an unknown name.
+/// Returns the value of a name. Throws std::invalid_argument for an unknown one.
 template <class Enumeration>
 Enumeration value_of(std::string_view name, std::span<const Named<Enumeration>> table) {
   for (const auto& entry : table)

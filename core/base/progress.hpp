@@ -8,7 +8,8 @@ namespace bahnwerk {
 class Progress {
  public:
   virtual ~Progress() = default;
-  /// `fraction` in [0,1] over the whole job. Throws Stopped (core/base/errors.hpp) when the planner has to end.
+  /// Reports the completed `fraction` of the whole job, in [0, 1]. Throws Stopped (core/base/errors.hpp) when the
+  /// planner has to end.
   virtual void report(std::string_view stage, double fraction, std::string_view message = {}) = 0;
 };
 

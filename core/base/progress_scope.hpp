@@ -54,9 +54,9 @@ class ProgressScope {
 
   Progress& progress_;
   std::string_view stage_;
-  double from_, to_;     // of the job
-  double begin_, end_;   // of the job, this part
-  double fraction_ = 0;  // of this part
+  double from_, to_;     // range of the stage, fractions of the job
+  double begin_, end_;   // range of this part, fractions of the job
+  double fraction_ = 0;  // completed fraction of this part
   std::size_t work_ = 0;
 };
 

@@ -29,6 +29,7 @@ void for_each_row(const SetpointSource& setpoints, Visit&& visit, Passed&& passe
     passed(first + count, count);
   }
 }
+/// Calls visit(k, row) for every row in order.
 template <class Visit>
 void for_each_row(const SetpointSource& setpoints, Visit&& visit) {
   for_each_row(setpoints, visit, [](std::size_t, std::size_t) {});

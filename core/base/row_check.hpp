@@ -19,7 +19,7 @@ class RowCheck {
   virtual void row(std::size_t k, const double* row) = 0;
   /// Whether the check can read the rows: false if columns are missing.
   virtual bool reads() const { return true; }
-  /// Called once, behind the last row.
+  /// Returns the results. Called once, after the last row.
   virtual std::vector<Check> checks() = 0;
 };
 
@@ -29,7 +29,7 @@ using RowChecks = std::vector<std::unique_ptr<RowCheck>>;
 void read_rows(const SetpointSource& setpoints, std::span<const std::unique_ptr<RowCheck>> all,
                ProgressScope& progress);
 
-/// Reads the series for one check alone.
+/// Reads the series for a single check and returns its results.
 std::vector<Check> check_rows(const SetpointSource& setpoints, std::unique_ptr<RowCheck> check,
                               ProgressScope& progress);
 

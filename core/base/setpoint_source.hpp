@@ -12,7 +12,8 @@ struct Column {
   std::string unit;
 };
 
-/// Place of the frame of the columns x, y, z, phi in the machine's frame: rotation about z, then translation.
+/// Place, in the machine's frame, of the frame in which the columns x, y, z, phi are given: rotation about z, then
+/// translation.
 struct PoseFrame {
   double x = 0, y = 0, z = 0;  ///< mm
   double angle = 0;            ///< deg
@@ -22,7 +23,7 @@ struct PoseFrame {
 struct Independent {
   std::string name = "time";
   std::string unit = "s";
-  double step = 0;  ///< in `unit`
+  double step = 0;  ///< distance of two rows, in `unit`
   bool time() const { return name == "time"; }
 };
 
@@ -33,12 +34,11 @@ class SetpointSource {
   virtual ~SetpointSource() = default;
   virtual const std::vector<Column>& columns() const = 0;
   virtual std::size_t count() const = 0;
-  virtual double cycle_time() const = 0;  ///< s; over a master's position: the cycle at its nominal speed
+  virtual double cycle_time() const = 0;  ///< s per row; over a master's position: at the master's nominal speed
   virtual Independent independent() const { return {"time", "s", cycle_time()}; }
   virtual double duration() const = 0;  ///< s, (count − 1) · cycle_time
-  virtual std::optional<PoseFrame> pose_frame() const {
-    return std::nullopt;
-  }  ///< for a machine that moves a part's tool
+  /// Returns the frame of the columns of the pose; none if the rows have no pose, or if poses exist in one frame only.
+  virtual std::optional<PoseFrame> pose_frame() const { return std::nullopt; }
   /// Writes rows [first, first + rows) into `out`, columns().size() doubles each. Thread-safe, deterministic per row.
   virtual void read(std::size_t first, std::size_t rows, double* out) const = 0;
 };

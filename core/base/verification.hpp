@@ -9,7 +9,7 @@ namespace bahnwerk {
 
 /// The quantity that a check compares. Where an order is named, the check's `order` is the derivative.
 enum class CheckedQuantity {
-  named,             ///< of one kind only: `subject` is its name, `unit` the whole unit
+  named,             ///< a quantity that one kind alone checks: `subject` is its name, `unit` the whole unit
   axis,              ///< an axis' range (order 0), or its derivative
   path,              ///< the derivative along the tool's path
   feed,              ///< the speed along the path in blocks of one feed, which is the limit
@@ -64,15 +64,15 @@ enum class CheckedQuantity {
 struct Checked {
   CheckedQuantity quantity = CheckedQuantity::named;
   int order = 0;             ///< 0 position, 1 velocity, 2 acceleration, 3 jerk, 4 snap
-  std::string unit = "mm";   ///< the unit of order 0
+  std::string unit = "mm";   ///< unit of the quantity at order 0; api appends /s, /s² …
   std::string subject = {};  ///< the axis, the group of axes, or the layout that is checked; empty: everything
 };
 
-/// One check of the verifier: the true continuous peak `value` at `at` seconds against `limit`.
+/// A comparison by the verifier: the true continuous peak of a quantity against its limit.
 struct Check : Checked {
-  double limit = 0;  ///< in the unit of its order, as `value` is
-  double value = 0;
-  double at = 0;
+  double limit = 0;  ///< in the unit of the order (mm/s for order 1), like `value`
+  double value = 0;  ///< largest (or smallest) value of the quantity
+  double at = 0;     ///< s, where that value occurs
   bool passed = false;
 };
 
@@ -88,12 +88,13 @@ inline bool falls_with_speed(const Check& check) {
                              q == CheckedQuantity::joint_step);
 }
 
-/// A limit is exceeded at `at` seconds; a motion that lasts `factor` times as long keeps it.
+/// An excess of a limit that a slower motion does not have.
 struct TooFast {
-  double at = 0;
-  double factor = 1;
+  double at = 0;      ///< s
+  double factor = 1;  ///< a motion that lasts this many times as long keeps the limit
 };
 
+/// The verdict on a plan.
 struct Verification {
   bool passed = false;
   std::vector<Check> checks;
@@ -117,14 +118,14 @@ struct Verification {
 
 /// The bounded quantity: a duration (s), a count, or a kind's own objective.
 enum class BoundQuantity { duration, count, objective };
-/// Whether no solution is below the bound, or none above it.
+/// lower: no solution is below the bound. upper: no solution is above it.
 enum class BoundSense { lower, upper };
 
-/// No solution under the given limits is better than `value`; `gap` is the fraction by which the planned one is worse.
+/// A bound on every solution of the task.
 struct Bound {
-  double value = 0;
-  double gap = 0;
-  std::string basis;
+  double value = 0;   ///< no solution within the given limits is better
+  double gap = 0;     ///< fraction by which the planned solution is worse
+  std::string basis;  ///< how the bound was proven, for people
   BoundQuantity quantity = BoundQuantity::duration;
   BoundSense sense = BoundSense::lower;
   std::string unit = "s";

@@ -31,8 +31,8 @@ namespace bahnwerk {
 class Progress;
 
 struct BlendOptions {
-  double tolerance = 0.01;                                   ///< mm, both from and to the given contour
-  double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad; larger jumps that remain are noted as stops
+  double tolerance = 0.01;                                   ///< mm, from the given contour to the path and back
+  double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad; larger tangent jumps that remain are stops
 };
 
 /// The segments between two places at which the motion rests both on the given contour and on the blended one, which

@@ -26,18 +26,19 @@ class ContourBuilder {
 
   void at_line(std::size_t number) { line_ = number; }  ///< counted from 1; also the `source` of path segments
   std::size_t line() const { return line_; }
-  void start(Vec at) { position_ = at; }  ///< beginning of the contour, if known only now: no segment yet
-  void block(Mode mode, double feed);     ///< mm/s; infinity = limited by the axes alone
+  void start(Vec at) { position_ = at; }  ///< sets the beginning of the contour; only before the first segment
+  void block(Mode mode, double feed);     ///< begins a block; mm/s; infinite: limited by the axes alone
   void line(Vec to);
-  /// `normal` points to the viewer who sees the sense of rotation. Different heights along it make a helix. The radii
+  /// Appends an arc. `normal` points to the viewer who sees the sense of rotation; different heights along it make a
+  /// helix. The radii
   /// at both ends may differ by `tolerance`, mm (Arc::through). After a fault the contour continues from `to`, so that
   /// one wrong arc does not make the next one wrong.
   void arc(Vec to, Vec centre, bool counter_clockwise, Vec normal = {0, 0, 1}, double tolerance = 0.01);
-  /// Polynomial in the power basis on u ∈ [0,1], one row per coordinate.
+  /// Appends a polynomial in the power basis on u ∈ [0, 1]; `rows` has one row of coefficients per coordinate.
   void polynomial(const std::vector<std::vector<double>>& rows);
   void nurbs(int degree, std::vector<Vec> points, std::vector<double> weights, std::vector<double> knots);
 
-  /// The head rests at the current point for `seconds`; 0 only stops it.
+  /// Adds a rest of `seconds` at the current point; 0 only stops the motion.
   void dwell(double seconds);
 
   /// Adds a fault that the reader found in the current segment's document.
@@ -69,7 +70,7 @@ class ContourBuilder {
   Vec position_;
   std::string reader_;
   std::size_t line_ = 0;
-  std::size_t segment_ = 0;  // of the current block, counted from 1
+  std::size_t segment_ = 0;  // number of the segment in the current block, from 1
   std::size_t total_ = 0;
   std::size_t dropped_ = 0, first_dropped_ = 0, moved_ = 0;
   double worst_move_ = 0;
@@ -78,7 +79,7 @@ class ContourBuilder {
     std::string message;
     std::size_t line, count;
   };
-  std::vector<Cause> causes_;  // faults of a text
+  std::vector<Cause> causes_;  // faults of a text, merged by message
 };
 
 }  // namespace bahnwerk

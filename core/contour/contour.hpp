@@ -9,41 +9,41 @@
 
 namespace bahnwerk {
 
-enum class Mode { cut, position };  ///< tool on, tool off
+enum class Mode { cut, position };  ///< whether the tool is on (cut) or off
 
-/// One block: the path segments [first, last) share a mode and a feed.
+/// The path segments [first, last), which share a mode and a feed.
 struct Block {
   Mode mode = Mode::cut;
-  double feed = 0;  ///< mm/s, infinity = limited by the axes alone
+  double feed = 0;  ///< largest speed of the tool, mm/s; infinite: limited by the axes alone
   std::size_t first = 0, last = 0;
 };
 
-/// The motion rests where path segment `segment` begins; segment == path.size(): at the end of the path.
+/// A rest of the motion where path segment `segment` begins, or at the end of the path for segment == path.size().
 struct Rest {
   std::size_t segment = 0;
-  double seconds = 0;     ///< duration, 0 = it only stops
+  double seconds = 0;     ///< duration; 0: the motion only stops
   std::size_t block = 0;  ///< the block to which the rest belongs; it may have no segments
 };
-inline constexpr double longest_rest = 86400;  ///< s, of one dwell
+inline constexpr double longest_rest = 86400;  ///< longest dwell, s
 
 struct Contour {
-  std::size_t dimension = 2;  ///< coordinates of the path, 2 or 3
-  double height = 0;  ///< mm, of a planar contour (whose path has z = 0): position of a third axis, 0 if unknown
+  std::size_t dimension = 2;  ///< number of coordinates of the path, 2 or 3
+  double height = 0;  ///< position of a third axis along a planar contour, whose path has z = 0; mm; 0 if unknown
   Path path;
-  std::vector<Block> blocks;          ///< in order, covering every segment; empty blocks have first == last
-  std::vector<Rest> rests;            ///< by segment, at one place by block: dwells add up
-  std::vector<std::string> notes;     ///< what the reader dropped or moved, for the report
-  std::vector<double> feeds() const;  ///< per path segment, mm/s
+  std::vector<Block> blocks;          ///< in order; they cover every segment; empty ones have first == last
+  std::vector<Rest> rests;            ///< ordered by segment, then by block; dwells at one place add up
+  std::vector<std::string> notes;     ///< remarks of the reader on what it dropped or moved
+  std::vector<double> feeds() const;  ///< feed of each path segment, mm/s
   /// Returns whether the motion rests at the beginning of each path segment and, as the last entry, at the end of the
   /// path. O(segments + rests).
   std::vector<bool> rest_places() const;
-  double dwell() const;  ///< s, of all rests
+  double dwell() const;  ///< sum of all rests, s
 };
 
 /// Adds a rest of 0 s wherever cutting and positioning meet. O(blocks + rests).
 void stop_at_mode_changes(Contour& contour);
 
-/// A place at which two path segments meet; the tangent may jump there.
+/// A place at which two path segments meet. The tangent may jump there.
 struct Joint {
   double s = 0;          ///< mm along the path
   std::size_t next = 0;  ///< index of the segment that begins here
@@ -54,7 +54,7 @@ struct Joint {
 /// rad.
 bool stops_at(const Path& path, std::size_t i, double corner_angle);
 
-/// Returns every inner joint of the path, in order. O(n), up to 2 µs each; tells `progress`, if any.
+/// Returns every inner joint of the path, in order. O(n), up to 2 µs each; reports to `progress`, if given.
 std::vector<Joint> joints(const Path& path, ProgressScope* progress = nullptr);
 
 }  // namespace bahnwerk

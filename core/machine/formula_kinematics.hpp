@@ -4,11 +4,11 @@
 ///
 /// A machine derives from FormulaKinematics<itself> and brings
 ///
-///   template <class T> std::array<T, n> solve(const NeedleOf<T>& needle) const;   the axes, n of them
-///   void check(const ToolPose& pose, const AxisArray& axes) const;   throws UnreachablePose where solve(), which gave
-///                                                                    these axes, NaN maybe, is not defined
-///   ToolPose forward(const AxisArray& axes) const override;
-///   static constexpr std::size_t swivel;   the axis that is ψ, if one is
+///   template <class T> std::array<T, n> solve(const NeedleOf<T>& needle) const;   returns the positions of n axes
+///   void check(const ToolPose& pose, const AxisArray& axes) const;   throws UnreachablePose where solve() is not
+///                                                                    defined; `axes` is its result, possibly NaN
+///   ToolPose forward(const AxisArray& axes) const override;   returns the pose at these positions
+///   static constexpr std::size_t swivel;   the index of the axis that equals ψ, if one does
 ///
 /// T is Taylor<3> (core/numeric/taylor.hpp), of numbers or of discs, or Majorant<4> (core/numeric/majorant.hpp). A
 /// machine needs nothing else and is one file.
@@ -27,6 +27,7 @@
 
 namespace bahnwerk {
 
+/// Tip and angles of a needle, as numbers of type T.
 template <class T>
 struct NeedleOf {
   T x, y, z, phi, psi;  ///< mm, rad
@@ -37,6 +38,7 @@ struct PartPlace {
   Vec origin;        ///< mm
   double angle = 0;  ///< rad
 
+  /// Maps a pose in the part's frame to the machine's.
   template <class T>
   NeedleOf<T> placed(const NeedleOf<T>& n) const {
     if (angle == 0) return {T(origin.x) + n.x, T(origin.y) + n.y, T(origin.z) + n.z, n.phi, n.psi};
@@ -44,6 +46,7 @@ struct PartPlace {
     return {T(origin.x) + c * n.x - s * n.y, T(origin.y) + s * n.x + c * n.y, T(origin.z) + n.z, n.phi + T(angle),
             n.psi};
   }
+  /// Maps a pose in the machine's frame to the part's.
   ToolPose taken_back(const ToolPose& machine) const {
     const double c = std::cos(angle), s = std::sin(angle);
     const Vec p = machine.position - origin;
@@ -67,12 +70,12 @@ std::vector<AxisLimits> numbered_axes(const std::vector<Limits>& limits, const s
 template <class Machine>
 class FormulaKinematics : public Kinematics {
  public:
-  static constexpr std::size_t swivel = max_axes;  ///< none
+  static constexpr std::size_t swivel = max_axes;  ///< index of the axis that equals ψ; max_axes: no axis does
   const std::vector<AxisLimits>& axes() const override { return axes_; }
-  /// The scale is the size of the parts that are wound, so that no coordinate outweighs the others.
+  /// Returns the size of typical wound parts, mm, so that no coordinate of a pose outweighs the others.
   double lever() const override { return 100; }
-  /// Rotary axes are periodic; ranges exclude unlimited turns. The swivel is not: ψ is between −90° and 90°, and a
-  /// range that is whole turns away from that is a mistake.
+  /// Returns 2π for rotary axes, whose ranges exclude unlimited turns. The swivel has no period: ψ lies between −90°
+  /// and 90°, and a range that is whole turns away from that is a mistake.
   double period(std::size_t axis) const override {
     return axis != Machine::swivel && axes_[axis].unit == "rad" ? 2 * std::numbers::pi : 0;
   }
@@ -100,7 +103,7 @@ class FormulaKinematics : public Kinematics {
     }
     return known;
   }
-  /// Every formula is analytic: bounds in the complex ball hold in the real one.
+  /// Returns complex_bounds(): every formula is analytic, so bounds in the complex ball hold in the real one.
   MapBounds bounds(const ToolPose& centre, double radius) const override { return complex_bounds(centre, radius); }
   MapBounds complex_bounds(const ToolPose& centre, double radius) const override {
     using M = Majorant<4>;

@@ -1,9 +1,9 @@
 #pragma once
-/// A winder whose stroke is horizontal: the part turns in a spindle, everything else moves the needle [Herrmann 2.3.2,
-/// appendix A].
+/// A winder whose stroke is horizontal: one axis turns the part in a spindle, the other four move the needle [Herrmann
+/// 2.3.2, appendix A].
 ///
-/// Axes: q1 shifts across, q2 feed, q3 stroke, mm; q4 turns the spindle, q5 swivels the needle, rad. About the
-/// spindle's axis, z along it, turned with it:
+/// Axes: q1 shifts across, q2 feed, q3 stroke, mm; q4 turns the spindle, q5 swivels the needle, rad. In a frame
+/// that turns with the spindle and has z along its axis, the needle's pose is
 ///
 ///   (x, y) = R(−q4) (q2 + l − l cos q5, q1),   z = q3 + z_B − l sin q5,   φ = π − q4,   ψ = q5.
 ///
@@ -15,17 +15,17 @@
 
 namespace bahnwerk {
 
-/// mm; the source gives no values.
+/// Sizes, mm; the source gives no values.
 struct HorizontalWinderSizes {
-  double z_part = 0;   ///< z_B, along the spindle, from q3 = 0 to the part
-  double l_tool = 40;  ///< l_Tool, from the swivel's axis to the needle's tip
-  PartPlace part;      ///< in the spindle
+  double z_part = 0;   ///< z_B: distance along the spindle from q3 = 0 to the part
+  double l_tool = 40;  ///< l_Tool: distance from the swivel's axis to the needle's tip
+  PartPlace part;      ///< place of the part in the spindle
 };
 
 class HorizontalWinder final : public FormulaKinematics<HorizontalWinder> {
  public:
   static constexpr std::size_t swivel = 4;
-  /// Limits of q1 … q5, angles in rad. Throws std::invalid_argument for another count.
+  /// `limits` are those of q1 … q5, angles in rad. Throws std::invalid_argument for another count.
   HorizontalWinder(const HorizontalWinderSizes& sizes, const std::vector<Limits>& limits)
       : FormulaKinematics(numbered_axes<5>(limits, {false, false, false, true, true})), sizes_(sizes) {}
 
@@ -35,7 +35,7 @@ class HorizontalWinder final : public FormulaKinematics<HorizontalWinder> {
     const auto [s, c] = sine_cosine(n.phi);
     const auto [swivel_s, swivel_c] = sine_cosine(n.psi);
     const double l = sizes_.l_tool;
-    const T forth = c * n.x + s * n.y, aside = c * n.y - s * n.x;  // along the needle's azimuth, and across
+    const T forth = c * n.x + s * n.y, aside = c * n.y - s * n.x;  // components along the needle's azimuth and across
     return {-aside, l * swivel_c - T(l) - forth, n.z - T(sizes_.z_part) + l * swivel_s, T(std::numbers::pi) - n.phi,
             n.psi};
   }

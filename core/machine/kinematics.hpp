@@ -17,10 +17,11 @@ struct MapBounds {
   std::array<AxisArray, 4> order{};
 };
 
+/// Immutable and thread-safe.
 class Kinematics {
  public:
   virtual ~Kinematics() = default;
-  /// Returns names, units and ranges, in the axes' order; 1 to max_axes of them.
+  /// Returns name, unit and limits of each axis; there are 1 to max_axes axes.
   virtual const std::vector<AxisLimits>& axes() const = 0;
   /// Returns the length that one radian of the tool's angles counts as, mm; 0: the machine ignores the angles.
   virtual double lever() const { return 0; }
@@ -45,8 +46,8 @@ class Kinematics {
   /// q(s).
   virtual MapBounds bounds(const ToolPose& centre, double radius) const = 0;
   /// Returns bounds for complex poses and directions: wherever |pose − centre| ≤ radius (norm of a complex vector)
-  /// inverse() is analytic and its derivatives of order 1 to 3 are no larger. Infinite where unknown or false; smaller
-  /// discs may have bounds. They make the verifier's peaks proofs instead of estimates.
+  /// inverse() is analytic and its derivatives of order 1 to 3 are no larger. Entries are infinite where no bound is
+  /// known; smaller balls may have bounds. They make the verifier's peaks proofs instead of estimates.
   virtual MapBounds complex_bounds(const ToolPose& centre, double radius) const {
     (void)centre, (void)radius;
     MapBounds unknown;

@@ -8,13 +8,13 @@ namespace bahnwerk {
 
 inline constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-/// Magnitudes in the axis' unit (mm for a linear axis, rad for a rotary one) and s; infinite = not limited.
+/// Largest magnitudes, in the axis' unit (mm for a linear axis, rad for a rotary one) and s; infinite: not limited.
 struct Limits {
   double velocity = unlimited;                      ///< unit/s
   double acceleration = unlimited;                  ///< unit/s²
   double jerk = unlimited;                          ///< unit/s³
   double snap = unlimited;                          ///< unit/s⁴
-  double lowest = -unlimited, highest = unlimited;  ///< range of positions, unit; without meaning along a path
+  double lowest = -unlimited, highest = unlimited;  ///< range of positions, unit; has no meaning along a path
 
   static constexpr int highest_order = 4;
   /// Returns the bound of derivative 1 (velocity) to 4 (snap).

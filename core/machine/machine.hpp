@@ -9,9 +9,10 @@
 
 namespace bahnwerk {
 
+/// An axis: its name, unit and limits.
 struct AxisLimits : Limits {
   std::string name;
-  std::string unit = "mm";
+  std::string unit = "mm";  ///< mm or rad: the unit of positions, in which limits per s, s² … are given
   AxisLimits() = default;
   AxisLimits(std::string axis, const Limits& limits) : Limits(limits), name(std::move(axis)) {}
   AxisLimits(std::string axis, double fastest, double strongest = unlimited, double jerkiest = unlimited)
@@ -19,8 +20,8 @@ struct AxisLimits : Limits {
 };
 
 struct Machine {
-  std::vector<AxisLimits> axes;  ///< in the order of an AxisPath's axes; Cartesian: axis k is coordinate k
-  double cycle_time = 0.001;     ///< s
+  std::vector<AxisLimits> axes;  ///< axis k here is axis k of the AxisPath; on a Cartesian machine, coordinate k
+  double cycle_time = 0.001;     ///< s, time from one setpoint to the next
   std::size_t dimension() const { return axes.size(); }
 };
 

@@ -2,8 +2,8 @@
 /// A SCARA robot with a swivel at the lower end of its quill [Herrmann 2.3.3, 3.1.2, 3.1.3].
 ///
 /// Axes: q1 shoulder, q2 elbow, rad; q3 height of the swivel, mm; q4 turns the quill, q5 swivels the needle, rad. The
-/// machine's frame has its z axis in that of the shoulder, upwards. With θ = q1 + q2 + q4 and the swivel's axis o
-/// beside the quill's, the needle's tip l before it [Herrmann (3.7), corrected]:
+/// machine's frame has its z axis along the shoulder's, upwards. With θ = q1 + q2 + q4, the distance o of the swivel's
+/// axis from the quill's and the distance l of the needle's tip from the swivel's axis [Herrmann (3.7), corrected]:
 ///
 ///   x = l1 cos q1 + l2 cos(q1 + q2) + (o + l cos q5) cos θ
 ///   y = l1 sin q1 + l2 sin(q1 + q2) + (o + l cos q5) sin θ
@@ -18,30 +18,30 @@ namespace bahnwerk {
 /// The elbow's configuration: righty has q2 > 0 [Herrmann (3.18)].
 enum class RobotArm { lefty, righty };
 
-/// mm. The source gives no values (it shows them in a figure); the defaults are assumed for a reach of 800 mm, as the
-/// robot has that it names.
+/// Sizes, mm. The source gives no values (it shows them in a figure); the defaults are assumed for a reach of 800 mm,
+/// that of the robot named there.
 struct RobotWinderSizes {
   double l1 = 400, l2 = 400;  ///< upper arm l_1, lower arm l_2
-  double o_tool = 20;         ///< o_Tool, from the quill's axis to the swivel's
-  double l_tool = 50;         ///< l_Tool, from the swivel's axis to the needle's tip
-  double least_bend = 0.01;   ///< rad; a smaller elbow angle, or one as close to 180°, is singular
+  double o_tool = 20;         ///< o_Tool: distance from the quill's axis to the swivel's
+  double l_tool = 50;         ///< l_Tool: distance from the swivel's axis to the needle's tip
+  double least_bend = 0.01;   ///< rad; an elbow angle closer to 0° or 180° is singular
   PartPlace part{{450, 0, 0}, 0};
 };
 
 class RobotWinder final : public FormulaKinematics<RobotWinder> {
  public:
   static constexpr std::size_t swivel = 4;
-  /// Limits of q1 … q5, angles in rad. Throws std::invalid_argument for another count.
+  /// `limits` are those of q1 … q5, angles in rad. Throws std::invalid_argument for another count.
   RobotWinder(const RobotWinderSizes& sizes, RobotArm arm, const std::vector<Limits>& limits)
       : FormulaKinematics(numbered_axes<5>(limits, {true, true, false, true, true})), sizes_(sizes), arm_(arm) {}
 
-  /// [Herrmann (3.13)–(3.19)], the sign of (3.19) corrected, for a quill at (x, y) from the shoulder. With w = x² + y²,
-  /// p = √(((l1 + l2)² − w)(w − (l1 − l2)²)) and σ = 1 for righty, −1 for lefty
+  /// Returns the axes [Herrmann (3.13)–(3.19)], the sign of (3.19) corrected. With the quill at (x, y) from the
+  /// shoulder, w = x² + y², p = √(((l1 + l2)² − w)(w − (l1 − l2)²)) and σ = 1 for righty, −1 for lefty
   ///
   ///   q2 = σ atan2(p, w − l1² − l2²),   q1 = atan2(y, x) − β,   β = σ atan2(p, w + l1² − l2²),
   ///
-  /// where p = 2 l1 l2 |sin q2| = 2 l1 · (the quill's distance from the upper arm's line). The derivatives are, with p
-  /// p′ = (l1² + l2² − w) w′,
+  /// where p = 2 l1 l2 |sin q2| = 2 l1 · (the quill's distance from the upper arm's line). With
+  /// p p′ = (l1² + l2² − w) w′ the derivatives are
   ///
   ///   q2′ = −σ w′/p,   β′ = −σ (1 + (l2² − l1²)/w) w′/2p,
   ///

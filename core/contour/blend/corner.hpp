@@ -2,7 +2,8 @@
 /// The curve that replaces one joint: a Bézier curve of degree 7 that has position and three derivatives by arc length
 /// in common with the contour at both ends.
 ///
-/// With L = λ(d₁ + d₂) as the length of its parameter interval the ends are f⁽ᵏ⁾ = Lᵏ h⁽ᵏ⁾. Between two lines that turn
+/// The contour is cut back by d₁ before the joint and d₂ behind it. With h the contour by arc length and a parameter
+/// interval of length L = λ(d₁ + d₂), the derivatives at both ends are f⁽ᵏ⁾ = Lᵏ h⁽ᵏ⁾. Between two lines that turn
 /// by θ, both cut back by d, its control points lie at d, (1 − 2λ/7) d, (1 − 4λ/7) d, (1 − 6λ/7) d from the corner; its
 /// middle is then 2 S d sin(θ/2) away from the corner, S = (64 − 44 λ)/128, which is the largest distance in either
 /// direction. λ = 0.9 + 0.03 θ is what passes a corner of given deviation soonest with a limit on |h''v² + h'a| (found
@@ -19,28 +20,28 @@ namespace bahnwerk::blending {
 struct JointShape {
   double turn = 0;            ///< θ, rad
   double curvature_jump = 0;  ///< |jump of the curvature vector|, 1/mm
-  double tightest = 0;        ///< larger curvature of both sides, 1/mm
+  double tightest = 0;        ///< larger one of the curvatures on both sides, 1/mm
 };
+/// Returns the shape of the joint between two elements.
 JointShape joint_shape(const Element& before, const Element& after);
 
-/// Limits of the machine at a joint: the speed that feed and axes allow, mm/s, the weakest axis, and the length covered
-/// in one cycle.
+/// Limits of the machine at a joint.
 struct Ability {
-  double speed = 0, acceleration = 0, jerk = 0;
-  double step = 0;         ///< mm; shorter blends are useless
-  double pull = HUGE_VAL;  ///< largest acceleration of all axes together, mm/s²
-  double corner = 0;       ///< rad; smaller tangent jumps are passed as given, if slowly
+  double speed = 0, acceleration = 0, jerk = 0;  ///< speed that feed and axes allow; limits of the weakest axis; mm, s
+  double step = 0;                               ///< length covered in one cycle, mm; shorter blends are useless
+  double pull = HUGE_VAL;                        ///< largest acceleration of all axes together, mm/s²
+  double corner = 0;                             ///< rad; smaller tangent jumps are passed without a blend, if slowly
 };
 
 /// Lengths of a blend on one side of the joint, mm.
 struct Reach {
-  double allowed = 0;  ///< by the tolerance
-  double wanted = 0;   ///< the part of it that the machine can use
-  double least = 0;    ///< a shorter blend would be slower than the joint as given
+  double allowed = 0;  ///< length that the tolerance allows
+  double wanted = 0;   ///< part of `allowed` that the machine can use
+  double least = 0;    ///< length below which a blend is slower than the given joint
 };
-/// Computes the reach of a blend. Where jerk is limited a blend has a cost, its curvature rate: Δκ v³/d of the jerk.
-/// The joint as given may step the acceleration by jerk · cycle (and the velocity by acceleration · cycle). `wanted` is
-/// 0 where this allows any speed that the curvature beside the joint allows.
+/// Returns the reach of a blend. Where jerk is limited a blend has a cost: its curvature rate takes Δκ v³/d of the
+/// jerk. The given joint may step the acceleration by jerk · cycle (and the velocity by acceleration · cycle). `wanted`
+/// is 0 where these steps allow any speed that the curvature beside the joint allows.
 Reach reach(const JointShape& joint, double tolerance, const Ability& ability);
 
 /// Returns the blend from `d1` before the end of `before` to `d2` behind the beginning of `after`.

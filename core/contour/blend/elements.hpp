@@ -9,15 +9,15 @@
 
 namespace bahnwerk::blending {
 
-/// One curve of a stretch: a path segment, or the line that replaces several tiny ones.
+/// A curve of an element run: a path segment, or the line that replaces several tiny ones.
 struct Element {
-  const Segment* segment = nullptr;  ///< none for a line that replaces several
+  const Segment* segment = nullptr;  ///< null for a line that replaces several segments
   bool straight = true;
-  Vec from, tangent;  ///< of a straight element
-  double begin = 0;   ///< beginning along the stretch, mm
-  double length = 0;
+  Vec from, tangent;  ///< beginning and direction of a straight element
+  double begin = 0;   ///< place along the run at which the element begins, mm
+  double length = 0;  ///< mm
   std::size_t source = 0, block = 0;
-  std::size_t first = 0;  ///< path segment with which it begins
+  std::size_t first = 0;  ///< path segment with which the element begins
 
   double end() const { return begin + length; }
   /// Returns h and its derivatives by arc length at `along` ∈ [0, length] from the element's beginning.
@@ -33,7 +33,7 @@ struct Element {
 /// Consecutive elements of one mode. The path stays unchanged at both ends.
 struct ElementRun {
   std::vector<Element> elements;
-  bool rest_begin = true, rest_end = true;  ///< the motion rests there, so the direction is free
+  bool rest_begin = true, rest_end = true;  ///< whether the motion rests there, so that the direction is free
   double length() const { return elements.empty() ? 0.0 : elements.back().end(); }
   /// Returns the index of the element that holds `t` (the later one at a joint). O(log n), O(1) with a good hint.
   std::size_t find(double t, std::size_t hint) const;
@@ -45,7 +45,7 @@ struct ElementRun {
 /// Divides the segments [first, last) of a path (all of one mode) at joints that turn by more than `reversal` rad and
 /// at cusps. Lines shorter than `tiny` mm are merged with neighbours of their block: vertices move by at most twice
 /// that, borders of blocks not at all, and each block has at least one element. `blocks[i]` is the block of segment i.
-/// O(segments); tells `progress`.
+/// O(segments); reports to `progress`.
 std::vector<ElementRun> element_runs(const Path& path, std::size_t first, std::size_t last,
                                      const std::vector<std::size_t>& blocks, double tiny, double reversal,
                                      ProgressScope& progress);

@@ -23,7 +23,7 @@ class ReversedRun {
   SmoothedRun turned_back(SmoothedRun run) const;
 
  private:
-  std::vector<std::unique_ptr<Segment>> segments_;  ///< for curved elements
+  std::vector<std::unique_ptr<Segment>> segments_;  ///< reversed segments of the curved elements
   ElementRun stretch_;
   RunRange given_, range_;
   double end_ = 0;  ///< a place t of the given stretch is end_ − t here

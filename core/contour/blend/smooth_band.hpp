@@ -21,16 +21,16 @@ class BandMatrix {
   explicit BandMatrix(std::size_t n) : n_(n), a_((n + Width) * (Width + 1), 0.0) {}
   void clear() { std::fill(a_.begin(), a_.end(), 0.0); }
   std::size_t size() const { return n_; }
-  /// Entry of the lower half, j ≤ i ≤ j + Width. Entries of one j are contiguous.
+  /// Returns an entry of the lower half, j ≤ i ≤ j + Width. Entries of one column j are contiguous.
   double& at(std::size_t i, std::size_t j) { return a_[j * Width + i]; }
   double at(std::size_t i, std::size_t j) const { return a_[j * Width + i]; }
 
-  /// The entries (j, j) … (j + Width, j).
+  /// Returns the address of the entries (j, j) … (j + Width, j).
   double* column(std::size_t j) { return &a_[j * (Width + 1)]; }
   const double* column(std::size_t j) const { return &a_[j * (Width + 1)]; }
 
   /// Factors in place. A pivot that rounding has made non-positive is replaced, which leaves that unknown unchanged.
-  /// `progress` is told every few thousand columns.
+  /// Reports to `progress` every few thousand columns.
   [[gnu::always_inline]] void factor(ProgressScope& progress) {
     given_.resize(n_);
     for (std::size_t k = 0; k < n_; ++k) given_[k] = at(k, k);
@@ -47,7 +47,7 @@ class BandMatrix {
     }
   }
 
-  /// x ← A⁻¹ x after factor().
+  /// Replaces x by A⁻¹ x. To be called after factor().
   [[gnu::always_inline]] void solve(std::vector<double>& x) const {
     x.resize(n_ + Width, 0.0);
     for (std::size_t k = 0; k < n_; ++k) {

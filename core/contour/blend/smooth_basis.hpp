@@ -1,5 +1,5 @@
 #pragma once
-/// B-splines of degree 5: values and three derivatives of the six that do not vanish at a place.
+/// Values and three derivatives of the six B-splines of degree 5 that do not vanish at a place.
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -11,26 +11,27 @@ namespace bahnwerk::blending {
 inline constexpr std::size_t spline_degree = 5;
 inline constexpr std::size_t spline_order = spline_degree + 1;
 
-/// [k][i] is the k-th derivative of the i-th of the six.
+/// Entry [k][i] is the k-th derivative of the i-th of the six.
 using BasisRow = BsplineBasis<spline_order>;
 
-/// Returns the breaks with both ends six times: four continuous derivatives inside, position at the ends.
+/// Returns the knots: the breaks with both ends repeated six times. The spline has four continuous derivatives inside
+/// and interpolates its first and last control point.
 std::vector<double> clamped_knots(const std::vector<double>& breaks);
 
-/// Evaluates basis functions span … span + 5 at t in [breaks[span], breaks[span + 1]]. O(degree²).
+/// Evaluates the basis functions span … span + 5 at t in [breaks[span], breaks[span + 1]]. O(degree²).
 BasisRow basis_at(const std::vector<double>& knots, std::size_t span, double t);
-/// Evaluates them without the derivatives of order 3, or without any, which stay 0: in two thirds or a fifth of the
-/// time.
+/// These leave derivatives 0: the first one those of order 3, the second one all. They take two thirds and a fifth of
+/// the time of basis_at().
 BasisRow second_derivative_basis_at(const std::vector<double>& knots, std::size_t span, double t);
 BasisRow value_basis_at(const std::vector<double>& knots, std::size_t span, double t);
 
-/// Evaluates the third derivatives of the six at `Count` places of one interval. They are those of three quadratic
-/// B-splines, so the divisions by interval lengths are done once for all places.
+/// Returns the third derivatives of the six basis functions at `Count` places of one interval. They are combinations of
+/// three quadratic B-splines, so the divisions by interval lengths are done once for all places.
 template <std::size_t Count>
 std::array<std::array<double, spline_order>, Count> third_basis_at(const std::vector<double>& knots, std::size_t span,
                                                                    const std::array<double, Count>& places) {
   const double* const u = &knots[span];  // the interval is [u[5], u[6]]
-  // Row i: control point i of f', f'' and then f''' by those of f.
+  // Row i expresses control point i of f', then of f'', then of f''' by the control points of f.
   std::array<std::array<double, spline_order>, spline_order> row{};
   for (std::size_t i = 0; i < spline_order; ++i) row[i][i] = 1;
   for (std::size_t order = 1; order <= 3; ++order)

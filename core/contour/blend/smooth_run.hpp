@@ -1,5 +1,5 @@
 #pragma once
-/// One smooth curve in place of a run of short segments.
+/// Replaces a run of short segments by one smooth curve.
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -10,14 +10,14 @@
 namespace bahnwerk::blending {
 
 struct RunRange {
-  double a = 0, b = 0;  ///< along the stretch, mm
+  double a = 0, b = 0;  ///< ends of the range along the element run, mm
   bool clamped_begin = false,
        clamped_end = false;  ///< whether the curve has three derivatives in common with the contour at that end
 };
 
 struct RunTolerance {
-  double aimed = 0;   ///< mm, at every place that is evaluated
-  double proven = 0;  ///< mm, everywhere; a little larger
+  double aimed = 0;   ///< largest distance at every place that is evaluated, mm
+  double proven = 0;  ///< largest distance anywhere, mm; a little larger
 };
 
 struct SmoothedRun {
@@ -25,15 +25,15 @@ struct SmoothedRun {
   /// Bézier curves of degree 5, joined with three or four continuous derivatives; an empty entry means that the contour
   /// stays as given.
   std::vector<std::optional<Rational>> pieces;
-  std::vector<double> breaks;             ///< along the stretch, pieces + 1
-  std::vector<double> failure_positions;  ///< if not done: places of failure along the stretch, ascending
+  std::vector<double> breaks;             ///< places along the element run at which pieces meet, pieces + 1
+  std::vector<double> failure_positions;  ///< places at which no curve was found, ascending; empty if done
 };
 
 /// Replaces a run by one curve with |f(t) − contour(t)| ≤ tolerance.proven for all t, from distances at places so close
 /// together that the bulges of both curves between them are included. Each curve is therefore within the tolerance of
 /// the other, in order, and a place of the contour has its place on the curve. A piece ends at each of `borders`
-/// (changes of the block, strictly ascending), however close together they are. Not done if the curve would reverse in
-/// a point or cannot stay inside.
+/// (changes of the block, strictly ascending), however close together they are. `done` is false if the curve would
+/// reverse in a point or cannot stay inside.
 ///
 /// The shape of a run decides from which end it is smoothed (core/contour/blend/reversed_run.hpp), so its reverse
 /// becomes the same curve.

@@ -12,10 +12,11 @@ namespace bahnwerk::blending {
 /// arc). It changes by at most 0.4 per mm of t, so neighbouring spline intervals are of similar size.
 class TubeScale {
  public:
-  /// Computes H between a and b of a stretch, mm; `tolerance` in mm. O(nodes · log elements), some 4 nodes per H.
+  /// Computes H between the places a and b of an element run, mm; `tolerance` in mm. O(nodes · log elements), about 4
+  /// nodes per H.
   TubeScale(const ElementRun& stretch, double a, double b, double tolerance, ProgressScope& progress);
 
-  /// Returns H at `t`, mm along the stretch. O(log nodes).
+  /// Returns H at the place `t`, both in mm. O(log nodes).
   double at(double t) const;
   /// Returns at(t) for queries in nearly ascending order; `node` is the place of the last query, 0 at first.
   double at(double t, std::size_t& node) const;
@@ -31,17 +32,17 @@ class TubeScale {
 
  private:
   TubeScale() = default;
-  /// Limits the slope of H.
+  /// Lowers H where its slope exceeds 0.4.
   void grade();
 
-  std::vector<double> t_, h_;  ///< nodes: places along the stretch, ascending, and H there, mm
+  std::vector<double> t_, h_;  ///< nodes: places along the element run, ascending, and H there, mm
   double min_ = 0;             ///< least H that refine() reaches
 };
 
-/// Returns the point of a stretch at `t`; `at` becomes the element that holds it. O(1) near the previous element `at`,
-/// else O(log elements).
+/// Returns the point of an element run at `t`; `at` becomes the element that holds it. O(1) near the previous element
+/// `at`, else O(log elements).
 Vec point_of(const ElementRun& stretch, double t, std::size_t& at);
-/// Returns the point of a stretch at `t`.
+/// Returns the point of an element run at `t`.
 inline Vec point_of(const ElementRun& stretch, double t) {
   std::size_t at = stretch.find(t, stretch.elements.size());
   return point_of(stretch, t, at);

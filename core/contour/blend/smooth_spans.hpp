@@ -11,15 +11,15 @@ namespace bahnwerk::blending {
 
 class SpanPolynomials {
  public:
-  /// Each span follows from position and two derivatives at both ends, which determine a polynomial of degree 5.
+  /// Computes each span from position and two derivatives at both ends, which determine a polynomial of degree 5.
   /// O(spans).
   explicit SpanPolynomials(const TubeSpline& spline);
 
   struct Place {
     Vec value, slope;  ///< f and its derivative by t
   };
-  /// Evaluates break interval `span`, accurate to some 1e-15 of the coordinates, the slope to as much per length of the
-  /// span.
+  /// Evaluates break interval `span`: the value is accurate to about 1e-15 of the coordinates, the slope to that
+  /// divided by the length of the span.
   Place at(std::size_t span, double t) const {
     const Span& s = spans_[span];
     const double x = (t - s.begin) * s.inverse;

@@ -1,6 +1,11 @@
 #pragma once
-/// The quadratic model of a tube's spline (smooth.hpp): its energy and the terms of the sites, as one banded system for
-/// the control points. smooth.cpp decides which terms the sites add and how long a step is.
+/// Newton's system for the control points of the smoothest spline through a tube of balls (smooth.hpp).
+///
+/// The objective is the energy ½∫w|f'''|² dt of the spline f plus one term per ball ("site"). The term of site i
+/// depends on the residual r = f(tᵢ) − pᵢ alone, the distance vector from the ball's centre; its gradient by r is force
+/// · r, its Hessian pull · I + twist · r rᵀ. A residual depends on six control points, so the matrix of the system is
+/// banded. The caller (smooth.cpp) chooses the terms, which make the penalty or the barrier, and the length of each
+/// step; this class assembles, solves and moves the spline.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -13,15 +18,15 @@
 
 namespace bahnwerk::blending {
 
-/// A site with its basis values.
+/// A site's row: f(tᵢ) is the sum of six control points with the weights `value`.
 struct TubeRow {
-  std::size_t first = 0;  // of its six control points
-  std::array<double, spline_order> value{};
-  double gain = 0;  // g
+  std::size_t first = 0;                     // index of the first of the six control points
+  std::array<double, spline_order> value{};  // values of the six B-splines at tᵢ
+  double gain = 0;                           // weight gᵢ of the site's barrier term
 };
 
-/// Adds column C of a site's matrix, and all columns after it: `share[e]` is the column of a control point of weight 1
-/// for coordinate e.
+/// Adds column C of a site's matrix to the band matrix, and all columns after it. A site's matrix has spline_order ·
+/// Dim rows and columns; `share[e]` is its column of coordinate e for a control point whose B-spline has the value 1.
 template <std::size_t Dim, std::size_t C = 0>
 [[gnu::always_inline]] inline void add_columns(double* column, const std::array<double, spline_order>& weight,
                                                const std::array<std::array<double, spline_order * Dim>, Dim>& share) {
@@ -32,56 +37,63 @@ template <std::size_t Dim, std::size_t C = 0>
   }
 }
 
-/// Terms of a site: gradient `force`·r, Hessian `pull` I + `twist` r rᵀ.
+/// Derivatives of a site's term: gradient force · r, Hessian pull · I + twist · r rᵀ.
 struct SiteTerm {
   double force, pull, twist;
 };
 
-/// The system in the plane or in space, `Dim` coordinates. A step consists of start(), add_sites(), solve() and move(),
-/// each O(breaks + sites).
+/// The system for `Dim` = 2 or 3 coordinates. A step consists of start(), add_sites(), solve() and move(), each
+/// O(breaks + sites).
 template <std::size_t Dim>
 class TubeSystem {
  public:
   using Coordinates = std::array<double, Dim>;
+  /// Returns the scalar product.
   static double product(const Coordinates& a, const Coordinates& b) {
     double sum = 0;
     for (std::size_t d = 0; d < Dim; ++d) sum += a[d] * b[d];
     return sum;
   }
 
-  /// Both have to outlive the object. Control points that the ends determine are set, all others are 0.
+  /// Sets the control points that the end conditions determine; all others are 0. `problem` and `progress` have to
+  /// outlive the object.
   TubeSystem(const TubeProblem& problem, ProgressScope& progress);
 
   std::size_t sites() const { return rows_.size(); }
+  /// Returns the radius of a site's ball, mm.
   double radius(std::size_t site) const { return p_.sites[site].radius; }
+  /// Returns the weight gᵢ of a site's barrier term.
   double gain(std::size_t site) const { return rows_[site].gain; }
-  /// Returns f(tᵢ) − pᵢ of the last call of fullest().
+  /// Returns f(tᵢ) − pᵢ as of the last call of fullest() or look_at_sites(), mm.
   const Coordinates& residual(std::size_t site) const { return residual_[site]; }
+  /// Evaluates the residuals of all sites.
   void look_at_sites();
-  /// Evaluates the sites. Returns the largest |residual|/radius, infinite if one is NaN, and its site.
+  /// Evaluates the residuals. Returns the largest |residual|/radius, infinite if one is NaN, and its site.
   std::pair<double, std::size_t> fullest();
 
-  /// Sets gradient and matrix to those of the energy.
+  /// Sets gradient and matrix to those of the energy alone.
   void start();
-  /// Adds the terms of all sites.
+  /// Adds the terms of all sites; terms[i] belongs to site i.
   void add_sites(const std::vector<SiteTerm>& terms);
 
-  /// Returns −gradient until solve(), then the step.
+  /// Returns the negative gradient before solve(), the step after it: Dim numbers per control point.
   const std::vector<double>& right() const { return right_; }
-  /// Solves for the step; the ends stay unchanged.
+  /// Solves for the step. Control points that the end conditions determine stay unchanged.
   void solve();
   /// Returns the displacement of the spline at the site in the step.
   Coordinates step_at(std::size_t site) const { return value(rows_[site], right_); }
-  /// Adds the first and second derivative of ½∫w|f'''|² along the step at its beginning. To be called once after
-  /// solve().
+  /// Adds the derivatives of the energy along the step, at its beginning: the first one to `linear`, the second one to
+  /// `quadratic`. To be called once after solve().
   void energy_along(double& quadratic, double& linear);
-  /// Moves by that part of the step.
+  /// Moves the control points by `share` times the step.
   void move(double share);
 
   const std::vector<double>& knots() const { return knots_; }
+  /// Returns the control points, mm.
   std::vector<Vec> points() const;
 
  private:
+  /// Adds the term of a site to gradient and matrix.
   [[gnu::always_inline]] void add_site(std::size_t s, const SiteTerm& term) {
     progress_.work();
     const auto& [force, pull, twist] = term;
@@ -108,7 +120,7 @@ class TubeSystem {
   void place(std::size_t i, const Vec& c) {
     for (std::size_t d = 0; d < Dim; ++d) c_[i * Dim + d] = c[d];
   }
-  /// Returns Σ of the site's basis values times rows of `x`.
+  /// Returns the sum of the site's B-spline values times its rows of `x`: its point, for control points x.
   Coordinates value(const TubeRow& row, const std::vector<double>& x) const {
     Coordinates f{};
     for (std::size_t j = 0; j < spline_order; ++j)
@@ -118,22 +130,23 @@ class TubeSystem {
   void assemble_energy();
   void prepare_sites();
   void fix_ends();
-  /// Computes energy_ times x, whose rows behind the last point are 0.
+  /// Computes product = energy_ · x. The rows of x behind the last control point are 0.
   void times_energy(const std::vector<double>& x, std::vector<double>& product) const;
-  /// Replaces the rows of the control points that the ends determine by those of the identity.
+  /// Replaces the rows of control points that the end conditions determine by rows of the identity.
   void keep_ends();
 
   const TubeProblem& p_;
   ProgressScope& progress_;
   std::size_t points_;
   std::vector<double> knots_;
-  BandMatrix<spline_degree> energy_;
-  BandMatrix<spline_order * Dim - 1> energies_, system_;  // the energy's matrix of all coordinates; with the sites'
-  std::vector<double> c_;                                 // Dim coordinates per point, and a few zeros
-  std::size_t fixed_begin_ = 0, fixed_end_ = 0;
+  BandMatrix<spline_degree> energy_;             // Hessian of the energy for one coordinate
+  BandMatrix<spline_order * Dim - 1> energies_,  // Hessian of the energy for all coordinates
+      system_;                                   // Hessian of energy and sites
+  std::vector<double> c_;                        // control points, Dim coordinates each, and a few zeros behind them
+  std::size_t fixed_begin_ = 0, fixed_end_ = 0;  // number of control points that the end conditions determine
   LargeVector<TubeRow> rows_;
   std::vector<Coordinates> residual_;
-  std::vector<double> right_, pull_;  // pull_: the energy's gradient
+  std::vector<double> right_, pull_;  // negative gradient or step; gradient of the energy
 };
 
 extern template class TubeSystem<2>;

@@ -82,7 +82,7 @@ class AxisPath {
 };
 
 /// Returns the largest |q′| of each axis at six places of every panel; 0 for an axis that stands still but for
-/// rounding, below 1e-12 of what the map lets it move. O(panels); tells `progress`, if any.
+/// rounding, below 1e-12 of what the map lets it move. O(panels); reports to `progress`, if given.
 AxisArray largest_rates(const AxisPath& path, ProgressScope* progress = nullptr);
 
 /// The axes are the first `axes` ≤ 3 coordinates of the tool's path; the third is `height` above the path's. It costs
@@ -112,7 +112,7 @@ class CartesianAxisPath final : public AxisPath {
 /// if possible, in their ranges (AxisTurns).
 class KinematicAxisPath final : public AxisPath {
  public:
-  /// Without `orientation` the tool's angles are 0. Throws UnreachablePose.
+  /// The tool's angles are those of `orientation`, or 0 if there is none. Throws UnreachablePose.
   KinematicAxisPath(std::shared_ptr<const Path> tool, std::shared_ptr<const Kinematics> kinematics,
                     std::shared_ptr<const Orientation> orientation = nullptr);
   /// `tool` and `kinematics` have to outlive the object.

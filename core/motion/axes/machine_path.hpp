@@ -9,7 +9,7 @@ namespace bahnwerk {
 
 /// Range and travel of an axis along a path.
 struct AxisSpan {
-  double lowest = 0, highest = 0;        ///< in the axis' unit
+  double lowest = 0, highest = 0;        ///< range of positions, in the axis' unit
   double lowest_at = 0, highest_at = 0;  ///< mm along the path
   double travel = 0;                     ///< total variation of the axis
 };

@@ -20,9 +20,9 @@ class Motion {
  public:
   virtual ~Motion() = default;
   virtual std::size_t axes() const = 0;               ///< 1 … max_axes
-  virtual std::size_t pieces() const = 0;             ///< 1 at least
-  virtual double begin(std::size_t piece) const = 0;  ///< s; the first one's is 0, ascending
-  virtual double duration() const = 0;                ///< s; where the last piece ends
+  virtual std::size_t pieces() const = 0;             ///< at least 1
+  virtual double begin(std::size_t piece) const = 0;  ///< time at which a piece begins, s; 0 for the first, ascending
+  virtual double duration() const = 0;                ///< s; the last piece ends there
   /// Returns the state at t inside piece `piece`; at its ends the one-sided limits.
   virtual MotionState in_piece(std::size_t piece, double t) const = 0;
   /// Returns the state in which the motion ends: the last piece's at its end, unless the motion knows it without

@@ -12,12 +12,13 @@ namespace bahnwerk {
 
 struct PathTask {
   const AxisPath& path;
-  const Machine& machine;     ///< as many axes as the path has, in its order
-  std::vector<double> feeds;  ///< per segment: speed of the tool, mm/s, infinite where not limited
+  const Machine& machine;     ///< limits of the path's axes, in its order
+  std::vector<double> feeds;  ///< largest speed of the tool per segment, mm/s; infinite where not limited
   std::vector<bool>
-      rests;  ///< per segment, whether the motion rests at its beginning; one more entry for the end of the path
-  std::vector<Rest> dwells = {};  ///< all dwells by segment, also those of duration 0; `rests` is true at each of them
-  double dwell() const {          ///< s, sum of all
+      rests;  ///< whether the motion rests at the beginning of each segment; one more entry for the end of the path
+  std::vector<Rest> dwells =
+      {};                 ///< dwells in the order of their segments, also those of duration 0; `rests` is true at each
+  double dwell() const {  ///< sum of all dwells, s
     double seconds = 0;
     for (const Rest& rest : dwells) seconds += rest.seconds;
     return seconds;

@@ -31,7 +31,7 @@ class PoseDiscs {
     double pivot = 0, reach = 1;
   };
   std::shared_ptr<const Orientation> orientation_;
-  std::vector<std::unique_ptr<const Quotient>> quotients_;  ///< by segment; empty for lines and arcs
+  std::vector<std::unique_ptr<const Quotient>> quotients_;  ///< one per segment; empty for lines and arcs
 };
 
 }  // namespace bahnwerk

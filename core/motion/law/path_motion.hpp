@@ -11,8 +11,8 @@
 
 namespace bahnwerk {
 
-/// Its pieces are those of the law, which ends at rest at the end of the path. Snap is not available: it needs a fourth
-/// derivative of the path.
+/// The motion has the pieces of the law, which ends at rest at the end of the path. Snap is not available: it needs a
+/// fourth derivative of the path.
 class PathMotion final : public Motion {
  public:
   /// The law has at least one piece.

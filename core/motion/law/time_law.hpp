@@ -12,19 +12,19 @@
 
 namespace bahnwerk {
 
-/// State of the law: s mm, v mm/s, a mm/s², j mm/s³.
+/// State of the law: path length s, mm; speed v, mm/s; acceleration a, mm/s²; jerk j, mm/s³.
 struct LawState {
   double s = 0, v = 0, a = 0, j = 0;
 };
 
-/// One piece: s(t) = s + v τ + a τ²/2 + j τ³/6 + snap τ⁴/24 with τ = t − t0 ∈ [0, duration]; it ends at path length
-/// `s_end`.
+/// A piece of the law: s(t) = s + v τ + a τ²/2 + j τ³/6 + snap τ⁴/24 with τ = t − t0 ∈ [0, duration]; it ends at path
+/// length `s_end`.
 struct LawPiece {
-  double t0 = 0, duration = 0;
-  double s = 0, s_end = 0;
-  double v = 0, a = 0, j = 0;
-  std::size_t segment = 0;  ///< the path segment in which the whole piece lies
-  double snap = 0;          ///< mm/s⁴; jerk is linear over the piece
+  double t0 = 0, duration = 0;  ///< s
+  double s = 0, s_end = 0;      ///< mm
+  double v = 0, a = 0, j = 0;   ///< at the beginning
+  std::size_t segment = 0;      ///< the path segment in which the whole piece lies
+  double snap = 0;              ///< mm/s⁴; jerk is linear over the piece
 
   LawState at(double tau) const {
     return {s + tau * (v + tau * (a / 2 + tau * (j / 6 + tau * snap / 24))),
@@ -46,6 +46,7 @@ struct LawPiece {
 /// where there are none. They may lie outside the piece.
 std::array<double, 3> turning_points(const LawPiece& piece);
 
+/// Pieces in the order of time, without gaps.
 class TimeLaw {
  public:
   /// Appends a piece; its t0 is set here.
@@ -91,12 +92,13 @@ class TimeLaw {
     double t, factor;
   };
   void slow_sections(std::vector<Slowing> sections);
-  /// Removes all but the first pieces.
+  /// Keeps the first `pieces` pieces only.
   void truncate(std::size_t pieces) { pieces_.resize(pieces); }
-  /// Slows everything from piece `first` on to last `factor` ≥ 1 times as long. O(pieces).
+  /// Slows the pieces from `first` on, so that they last `factor` ≥ 1 times as long. O(pieces).
   void slow_from(std::size_t first, double factor);
   /// Slows the whole law uniformly to last `factor` times as long. O(pieces).
   void slow(double factor);
+  /// Returns a slowed copy.
   TimeLaw slowed(double factor) const {
     TimeLaw law = *this;
     law.slow(factor);
