@@ -38,21 +38,22 @@ class Progress;
 enum class DxfOrder { as_drawn, nearest };
 
 struct DxfOptions {
-  double tolerance = 0.01;              ///< ends this close are joined, mm; 0 … 10
-  DxfOrder order = DxfOrder::as_drawn;  ///< of blocks: by their first entity in the file, or always the nearest next
-                                        ///< (open ones may then be reversed, closed ones start at another corner)
-  std::vector<std::string> layers{};    ///< only these, each of which has to exist; empty = all
-  double feed = std::numeric_limits<double>::infinity();  ///< mm/s, > 0; infinity = limited by the axes alone
-  std::optional<double> millimetres_per_unit{};  ///< > 0; otherwise $INSUNITS, and mm with a note where that is missing
-  std::size_t max_curves = 2'000'000;            ///< after blocks are resolved; a drawing with more is refused
-  bool hatch = false;                            ///< whether the outlines of HATCH are cut, too
+  double tolerance = 0.01;  ///< largest distance of ends that are joined, mm; 0 … 10
+  DxfOrder order =
+      DxfOrder::as_drawn;             ///< order of the blocks: that of their first entities in the file, or nearest
+                                      ///< neighbours (which may reverse open blocks and turn the start of closed ones)
+  std::vector<std::string> layers{};  ///< the only layers to read, each of which has to exist; empty: all
+  double feed = std::numeric_limits<double>::infinity();  ///< mm/s, > 0; infinite: limited by the axes alone
+  std::optional<double> millimetres_per_unit{};           ///< > 0; unset: as $INSUNITS says, or 1 with a note
+  std::size_t max_curves = 2'000'000;  ///< most curves, with blocks resolved; a drawing with more is refused
+  bool hatch = false;                  ///< whether the outlines of HATCH are cut, too
 };
 
-/// Throws InvalidInput with up to 100 faults at {"contour","dxf"}, each with a message "line 123: …"; for an option
-/// without a meaning at {"contour","tolerance"}, {"contour","feed"}, {"contour","unit"} or {"contour","layers",index};
-/// the last one's message lists the layers that exist.
+/// Returns the contour. Throws InvalidInput with up to 100 faults at {"contour","dxf"}, each with a message "line 123:
+/// …"; for an option without a meaning at {"contour","tolerance"}, {"contour","feed"}, {"contour","unit"} or
+/// {"contour","layers",index}, whose message lists the layers that exist.
 Contour read_dxf(std::string_view text, const DxfOptions& options = {});
-/// `progress` receives the stage "reading" at least every 100 ms; its exceptions are passed on.
+/// Reports the stage "reading" to `progress` at least every 100 ms and passes its exceptions on.
 Contour read_dxf(std::string_view text, const DxfOptions& options, Progress& progress);
 
 }  // namespace bahnwerk

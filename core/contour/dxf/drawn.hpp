@@ -24,8 +24,8 @@ struct Affine {
 struct DrawnLine {
   Vec from, to;
 };
-/// p(φ) = centre + a cos φ + b sin φ from φ = start over `sweep` (rad, may be negative). a, b are conjugate half-axes:
-/// an affine map of the arc maps only them and the centre.
+/// The elliptic arc p(φ) = centre + a cos φ + b sin φ from φ = start over `sweep` (rad, may be negative). a, b are
+/// conjugate half-axes: an affine map of the arc maps only them and the centre.
 struct DrawnArc {
   Vec centre, a, b;
   double start = 0, sweep = 0;
@@ -36,7 +36,7 @@ struct DrawnArc {
 struct DrawnSpline {
   std::size_t degree = 0;
   std::vector<Vec> points;
-  std::vector<double> weights, knots;  ///< no weights = all one
+  std::vector<double> weights, knots;  ///< no weights: all are 1
   Vec from, to, from_direction, to_direction;
 };
 using Drawn = std::variant<DrawnLine, DrawnArc, DrawnSpline>;
@@ -50,7 +50,7 @@ DrawnSpline drawn_spline(const DrawnArc& arc);
 
 Vec first_point(const Drawn& curve);
 Vec last_point(const Drawn& curve);
-/// Unit tangents in the direction of travel; 0 for a curve without length.
+/// These return unit tangents in the direction of travel, and 0 for a curve without length.
 Vec first_direction(const Drawn& curve);
 Vec last_direction(const Drawn& curve);
 /// Returns an upper bound on the length: of the control polygon, or of the circle of the larger half-axis.

@@ -23,7 +23,7 @@ inline constexpr int key_dwell = 40, key_reference = 280, key_m = 100'000, key_s
                      key_look_ahead = 200'010, key_text_end = 200'011, key_main_end = 200'012, key_initial = 200'013,
                      key_peck = 200'014;
 
-/// Requests of a line to the order of the lines: M98, M99.
+/// What a line requests of the order of execution: M98, M99.
 struct Request {
   int program = -1;
   std::size_t repeats = 1;
@@ -43,18 +43,18 @@ class Interpreter final : public SystemParameters {
   Request request() const { return request_; }
   /// Refuses the line; the program cannot continue.
   void refuse(const Line& line, const std::string& why);
-  /// M99 in the main program ends it.
+  /// Ends the main program at M99.
   void end(const Line& line);
-  /// The main program has no M30, and a subprogram of its own begins.
+  /// Ends the main program where, without M30, the text of a subprogram begins.
   void end_before_subprogram(const Line& line);
   /// Enters and leaves subprograms; at a return the modes that M73 has saved are restored.
   void enter_subprogram();
   void leave_subprogram(const Line& line);
-  /// 0x1A ends the text; everything behind it is no text.
+  /// Notes that 0x1A ends the text.
   void end_of_text(std::size_t line) {
     notes_.add(key_text_end, line, "what follows 0x1A, the end of a text, is not read");
   }
-  /// No further lines follow.
+  /// Ends the interpretation: no further lines follow.
   void close(const Parameters::Unset& unset);
   std::optional<double> system_parameter(int number) const override;
   std::optional<double> predefined(std::string_view name) const override;
@@ -149,24 +149,24 @@ class Interpreter final : public SystemParameters {
   Notes notes_;
   Offsets offsets_;
 
-  // modal
+  // Modal state
   Action motion_ = Action::no_motion;
-  bool initial_ = true;  // no word of a motion yet
+  bool initial_ = true;  // whether no motion word has occurred yet
   Plane plane_ = Plane::xy;
-  double unit_;  // mm
+  double unit_;  // length of the program's unit, mm
   bool absolute_ = true, absolute_centres_ = false;
   double feed_;                          // mm/s; with G93 1/s
-  bool fed_ = false;                     // a feed is known
-  bool feed_lost_ = false;               // by G94 after G93
-  bool inverse_time_ = false;            // G93
-  bool spindle_ = true, output_ = true;  // on as long as the program does not use them
+  bool fed_ = false;                     // whether a feed is known
+  bool feed_lost_ = false;               // whether G94 after G93 has made the feed invalid
+  bool inverse_time_ = false;            // whether G93 is active
+  bool spindle_ = true, output_ = true;  // whether they are on; true until the program uses them
   bool uses_spindle_ = false, uses_output_ = false;
   std::optional<int> switch_output_;
-  std::optional<Vec> last_handle_;  // of the G5 before: P Q
+  std::optional<Vec> last_handle_;  // P Q of the preceding G5
   Cycle cycle_;
-  int tool_ = 0;  // T
+  int tool_ = 0;  // last T word
   int selected_tool_ = -1, current_tool_ = 0;
-  double speed_ = 0;  // S
+  double speed_ = 0;  // last S word
   bool clockwise_ = true, mist_ = false, flood_ = false, tool_length_ = false;
   std::optional<Vec> g28_, g30_;
   SavedModes saved_;
@@ -178,7 +178,7 @@ class Interpreter final : public SystemParameters {
   std::size_t away_line_ = 0;
   Vec back_;
 
-  // of the current line
+  // State of the current line
   std::uint32_t used_ = 0;
   std::optional<double> dwell_;  // s
   Request request_;

@@ -43,25 +43,25 @@ class Mover {
   /// `flat` sets every height to 0, for a contour that stays at one height.
   explicit Mover(bool flat) : builder_(2, {}, "gcode"), flat_(flat) {}
 
-  /// The next moves have this mode and feed (mm/s); a change begins a new block.
+  /// Sets mode and feed (mm/s) of the next moves. A change begins a new block.
   void use(Mode mode, double feed);
-  /// The program uses a switch for the first time: earlier moves did not cut.
+  /// Declares that earlier moves did not cut, because the program uses a switch for the first time.
   void first_switch();
 
   /// Sets the head's position before the first move, if that is known or assumed.
   void place(Vec at);
-  /// The first move of all may only define where the contour starts.
+  /// Starts the contour at a point, without a move from the position before.
   void start(Vec at);
   bool started() const { return started_; }
   void line(Vec to);
   void arc(Vec to, Vec centre, ArcMove how);
-  /// Bézier curve; without a second control point of degree 2.
+  /// Appends a Bézier curve of degree 3, or of degree 2 without a second control point.
   void spline(Vec to, Vec first, std::optional<Vec> second);
 
-  /// The head rests at its position for `seconds`, as part of a block of this mode.
+  /// Adds a rest of `seconds` at the head's position, in a block of this mode.
   void dwell(Mode mode, double seconds);
 
-  Vec position() const { return at_; }  ///< as programmed
+  Vec position() const { return at_; }  ///< programmed position of the head, mm
   bool climbs() const { return climbs_; }
   ContourBuilder& builder() { return builder_; }
   /// Throws InvalidInput.

@@ -15,8 +15,8 @@ constexpr std::size_t work_offset_index(int tenfold) {
   return static_cast<std::size_t>(tenfold <= 590 ? (tenfold - 540) / 10 : tenfold - 585);
 }
 
-/// All lengths are in mm, in the coordinates of the contour: machine coordinates where the document gives the work
-/// offsets.
+/// Lengths are in mm, in the coordinates of the contour, which are machine coordinates where the document gives the
+/// work offsets.
 class Offsets {
  public:
   explicit Offsets(const std::array<std::optional<Vec>, work_offsets>& given) {
@@ -27,9 +27,9 @@ class Offsets {
   Vec origin() const { return origin_; }  ///< zero of the program with the current offsets
   std::size_t active() const { return active_; }
   Vec work(std::size_t index) const { return work_[index]; }
-  bool known(std::size_t index) const { return known_[index]; }  ///< given by the document or by the program, else zero
+  bool known(std::size_t index) const { return known_[index]; }  ///< whether document or program gave it; else it is 0
   Vec local() const { return on_ ? local_ : Vec{}; }
-  bool shifted() const { return on_; }  ///< by G52 or G92
+  bool shifted() const { return on_; }  ///< whether an offset of G52 or G92 is active
 
   void select(std::size_t index) { active_ = index, update(); }
   void set_work(std::size_t index, Vec at) { work_[index] = at, known_[index] = true, update(); }

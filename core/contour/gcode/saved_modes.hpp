@@ -10,19 +10,19 @@
 namespace bahnwerk::gcode {
 
 struct Modes {
-  double unit = 1;  ///< mm
+  double unit = 1;  ///< length of the program's unit, mm
   Plane plane = Plane::xy;
   bool absolute = true, absolute_centres = false;
   double feed = 0;  ///< mm/s; with G93 1/s
   bool fed = false, feed_lost = false, inverse_time = false;
-  std::size_t work_offset = 0;  ///< index
-  bool back_to_start = true;    ///< G98
-  bool spindle = false;         ///< switched on
+  std::size_t work_offset = 0;  ///< index of the active work offset
+  bool back_to_start = true;    ///< whether G98 is active
+  bool spindle = false;         ///< whether the spindle is switched on
   double aside = 0;             ///< cutter radius compensation, mm; 0: off
-  double speed = 0;             ///< S
+  double speed = 0;             ///< last S word
 };
 
-/// One place for saved modes in the main program and in each active subprogram.
+/// Holds the saved modes of the main program and of each active subprogram.
 class SavedModes {
  public:
   void save(const Modes& modes, bool at_return) { levels_.back() = {modes, at_return}; }

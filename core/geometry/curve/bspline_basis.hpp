@@ -6,13 +6,13 @@
 
 namespace bahnwerk {
 
-/// [o][r] is the derivative of order o of basis function r, of the degree + 1 that do not vanish in knots[k] … knots[k
-/// + 1].
+/// Entry [o][r] is the derivative of order o of the r-th of the degree + 1 basis functions that do not vanish between
+/// knots[k] and knots[k + 1].
 template <std::size_t Limit>
 using BsplineBasis = std::array<std::array<double, Limit>, 4>;
 
-/// Evaluates the values alone, for a degree known to the compiler; `knots` starts at knots[k]. The numbers are those of
-/// the function below, from one row of the triangle [A2.2].
+/// Evaluates the values alone, for a degree known to the compiler; `knots` points to knots[k]. The results equal those
+/// of bspline_basis() bit for bit; only one row of the triangle is stored [A2.2].
 template <std::size_t degree>
 inline void bspline_values(const double* knots, double u, double* values) {
   std::array<double, degree + 1> left{}, right{};

@@ -4,9 +4,9 @@
 
 namespace bahnwerk {
 
-/// κ = |h''|, 1/mm.
+/// Returns κ = |h''|, 1/mm.
 inline double curvature(const Jet& point) { return norm(point.d2); }
-/// dκ/ds = h''·h'''/κ, 1/mm²; 0 where the curvature vanishes (a minimum of κ).
+/// Returns dκ/ds = h''·h'''/κ, 1/mm²; 0 where the curvature vanishes (a minimum of κ).
 inline double curvature_rate(const Jet& point) {
   const double k = norm(point.d2);
   return k > 0 ? dot(point.d2, point.d3) / k : 0.0;

@@ -19,8 +19,9 @@ class Curve {
   virtual CurveKind kind() const = 0;
   virtual double begin() const = 0;
   virtual double end() const = 0;
+  /// Returns the point, mm, and its derivatives by u.
   virtual Jet at(double u) const = 0;
-  /// |dh/du|, mm per unit of u; cheaper than at().
+  /// Returns |dh/du|, mm per unit of u. Cheaper than at().
   virtual double speed(double u) const = 0;
   /// Writes the derivatives by the parameter at all points of a batch. Returns false if the curve evaluates points one
   /// by one.

@@ -8,9 +8,10 @@
 
 namespace bahnwerk {
 
-/// With ρ ≥ 0 the scaled distance from the end, V = w² h' = ρᵐ W(ρ) and W × W' = ρʳ C(ρ) are divided out as
-/// polynomials, so the tangent W/|W|, the binormal curvature b = w² ρ^(r−m) C/|W|³ and db/ds are free of cancellation
-/// for every ρ > 0, and have limits at 0. Valid in the near zone ρ ≤ 1/16. O(degree), no allocation after construction.
+/// The curve is h = N/w, and ρ ≥ 0 is the scaled distance from the end. The zeros of V = w² h' = ρᵐ W(ρ) and of
+/// W × W' = ρʳ C(ρ) are divided out as polynomials, so the tangent W/|W|, the binormal curvature b = w² ρ^(r−m) C/|W|³
+/// and db/ds are free of cancellation for every ρ > 0, and have limits at 0. Valid in the near zone ρ ≤ 1/16.
+/// O(degree), no allocation after construction.
 class EndExpansion {
  public:
   /// `curve` has a vanishing tangent at exactly one end.

@@ -8,7 +8,7 @@
 
 namespace bahnwerk {
 
-/// Domain [knots[p], knots[n]], p = degree, n = number of points; clamped ends are not required.
+/// A curve over the domain [knots[p], knots[n]], p = degree, n = number of points. Clamped ends are not required.
 class Nurbs {
  public:
   static constexpr std::size_t max_degree = 16;
@@ -22,16 +22,17 @@ class Nurbs {
 
   std::size_t degree() const { return degree_; }
   const std::vector<Vec>& points() const { return points_; }
-  const std::vector<double>& weights() const { return weights_; }  ///< as many as points
+  const std::vector<double>& weights() const { return weights_; }  ///< one per point
   const std::vector<double>& knots() const { return knots_; }
   double begin() const { return knots_[degree_]; }
   double end() const { return knots_[points_.size()]; }
 
-  /// Derivatives to order 3 by basis functions on homogeneous coordinates [Piegl, Tiller: The NURBS Book, A2.3, A4.2];
-  /// at a knot the span to its right counts (at the end the last one). O(degree²), no allocation.
+  /// Returns value and derivatives to order 3 by basis functions on homogeneous coordinates [Piegl, Tiller: The NURBS
+  /// Book, A2.3, A4.2]; at a knot those of the span to its right, at the end those of the last span. O(degree²), no
+  /// allocation.
   Jet at(double u) const;
 
-  /// The non-empty knot spans [u_k, u_{k+1}], ascending.
+  /// Returns the non-empty knot spans [u_k, u_{k+1}], ascending.
   std::vector<std::pair<double, double>> spans() const;
   /// Returns the Bézier pieces by blossoms: one piece per span of spans(), each over its own parameter (u −
   /// u_k)/(u_{k+1} − u_k) ∈ [0, 1]; spans on which all control points coincide are pieces without length. O(spans ·

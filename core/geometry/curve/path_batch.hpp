@@ -1,6 +1,6 @@
 #pragma once
-/// Up to 16 neighbouring points of one path segment, evaluated at once at a fraction of the cost of single points.
-/// Planners build their grids with it.
+/// A batch of up to 16 neighbouring points of one path segment. Evaluating them at once costs a fraction of evaluating
+/// single points; planners build their grids in this way.
 #include <array>
 #include <cstddef>
 
@@ -8,12 +8,12 @@
 
 namespace bahnwerk {
 
-/// Two points at a time.
+/// Numbers of two points, computed at once.
 using PointPair = Lanes<2>;
 
 struct PathBatch {
   static constexpr std::size_t most = 16, pairs = most / 2;
-  /// One number per point; the last one of an odd count is stored twice.
+  /// A number per point; the last one of an odd count is stored twice.
   struct Row {
     std::array<PointPair, pairs> pair;
     double operator[](std::size_t i) const { return pair[i / 2][i % 2]; }

@@ -1,10 +1,10 @@
 #pragma once
-/// One C∞ piece: a polynomial, or a quotient of polynomials N(u)/w(u) with w > 0, of degree ≤ 24.
+/// A C∞ piece of a curve: a polynomial, or a quotient of polynomials N(u)/w(u) with w > 0, of degree ≤ 24.
 ///
-/// Stored in the power basis of t = (u − pivot)/reach with |t| ≤ 1, relative to an origin on the curve, so that neither
-/// large coordinates nor a parameter far from 0 cost digits. Power-basis rounding grows like 2.4ⁿ ε at worst (degree 5:
-/// 80 ε, degree 16: 1e6 ε), and with the ratio of the weights. Evaluation is Horner's scheme with derivatives; its cost
-/// is measured by tests/bench/bench_curve.cpp.
+/// It is stored in the power basis of t = (u − pivot)/reach with |t| ≤ 1, relative to an origin on the curve, so that
+/// neither large coordinates nor a parameter far from 0 cost digits. Power-basis rounding grows like 2.4ⁿ ε at worst
+/// (degree 5: 80 ε, degree 16: 1e6 ε), and with the ratio of the weights. Evaluation is Horner's scheme with
+/// derivatives; its cost is measured by tests/bench/bench_curve.cpp.
 #include <cstddef>
 #include <vector>
 
@@ -74,8 +74,8 @@ class Rational final : public Curve {
   Vec origin_;
   std::size_t degree_ = 0, stride_ = 2, vanishing_ = 0;
   bool rational_ = false, plane_ = true;
-  std::vector<double> c_;  ///< t^k from k·stride: x y [z w]; z = 0 and w = 1 where they are not stored
-  std::vector<double> d_;  ///< those of the derivative, for polynomials
+  std::vector<double> c_;  ///< coefficients of t^k begin at k·stride: x y [z w]; z = 0 and w = 1 if not stored
+  std::vector<double> d_;  ///< coefficients of the derivative, for polynomials
   double extent_ = 0, noise_ = 0;
 };
 

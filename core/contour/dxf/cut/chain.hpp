@@ -25,11 +25,11 @@ struct StrandChain {
   bool closed = false;
 };
 
-/// Every strand is in exactly one chain. Ends within `tolerance` (mm) of each other may be joined, each with at most
-/// one other. Where several coincide (to a tenth of the tolerance) the pair with the smallest tangent turn is joined
-/// first; then larger gaps between the remaining ends are closed, nearest first; equal cases in the order of the
-/// strands. The result is therefore independent of the strand with which the search begins. A strand whose own ends
-/// meet (within the tolerance and a tenth of its length) is a closed chain of its own.
+/// Returns the chains. Every strand is in exactly one. Ends within `tolerance` (mm) of each other may be joined, each
+/// with at most one other. Where several coincide (to a tenth of the tolerance) the pair with the smallest tangent turn
+/// is joined first; then larger gaps between the remaining ends are closed, nearest first. Equal cases are decided by
+/// the order of the strands. The result is therefore independent of the strand with which the search begins. A strand
+/// whose own ends meet (within the tolerance and a tenth of its length) is a closed chain of its own.
 ///
 /// Chains are in the order of their first strand, which is not reversed; a closed chain starts with it. O(n log n). If
 /// more than 8 earlier ends surround an end, 8 of them are considered, by a deterministic choice.

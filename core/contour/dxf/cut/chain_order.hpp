@@ -19,10 +19,10 @@ struct ChainVisit {
   std::size_t chain = 0, entry = 0;
 };
 
-/// Starts with the first chain at its first entry, then continues with the nearest remaining entry. A tour of nearest
-/// neighbours is on average some 25 % longer than the shortest one [Johnson, McGeoch: The traveling salesman problem: a
-/// case study in local optimization, 1997]. It uses a k-d tree whose empty branches are not searched: O(n log n) for n
-/// uniformly distributed entries. Every chain needs an entry.
+/// Returns the order of the visits. It starts with the first chain at its first entry, then continues with the nearest
+/// remaining entry. A tour of nearest neighbours is on average some 25 % longer than the shortest one [Johnson,
+/// McGeoch: The traveling salesman problem: a case study in local optimization, 1997]. It uses a k-d tree whose empty
+/// branches are not searched: O(n log n) for n uniformly distributed entries. Every chain needs an entry.
 std::vector<ChainVisit> nearest_order(const std::vector<ChainEntries>& chains, Progress& progress);
 
 }  // namespace bahnwerk

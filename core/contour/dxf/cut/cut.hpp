@@ -13,8 +13,8 @@ namespace bahnwerk {
 class Progress;
 
 struct Cut {
-  std::vector<Drawn> curves;       ///< ends may miss each other by the chaining tolerance
-  std::vector<std::size_t> lines;  ///< of the file, one per curve
+  std::vector<Drawn> curves;       ///< consecutive; ends may miss each other by the chaining tolerance
+  std::vector<std::size_t> lines;  ///< line of the file in which each curve begins
   bool closed = false;
 };
 

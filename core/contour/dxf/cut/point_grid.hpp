@@ -61,7 +61,7 @@ class PointGrid {
   /// The grid is shifted by half a cell, so that integers do not lie on borders, and its cells are 4 radii wide, so
   /// that a query meets at most 2 per axis.
   std::int64_t index(double x) const {
-    constexpr double largest = 4e18;  // all points beyond share a cell
+    constexpr double largest = 4e18;  // points beyond this index share one cell
     return static_cast<std::int64_t>(std::clamp(std::floor(x * inverse_ + 0.5), -largest, largest));
   }
   std::size_t slot(std::array<std::int64_t, 3> cell) const {

@@ -14,24 +14,24 @@ namespace bahnwerk {
 class Progress;
 
 struct DxfReading {
-  std::vector<std::string> layers;             ///< only these (case-insensitive); empty = all
-  std::optional<double> millimetres_per_unit;  ///< instead of the file's unit
-  std::size_t max_curves = 2'000'000;          ///< after blocks are resolved; a drawing with more is refused
+  std::vector<std::string> layers;             ///< the only layers to read, case-insensitive; empty: all
+  std::optional<double> millimetres_per_unit;  ///< replaces the file's unit
+  std::size_t max_curves = 2'000'000;          ///< most curves, with blocks resolved; a drawing with more is refused
   bool hatch = false;                          ///< whether the outlines of HATCH are drawn
 };
 
-/// One entity: consecutive curves.
+/// An entity of the drawing as consecutive curves.
 struct DxfStrand {
   std::vector<Drawn> curves;
-  std::size_t line = 0;  ///< of the entity in the file
+  std::size_t line = 0;  ///< line of the file in which the entity begins
 };
 
 struct DxfDrawing {
-  std::vector<DxfStrand> strands;  ///< in the order of the file, none without length
+  std::vector<DxfStrand> strands;  ///< in the order of the file; each has a length
   std::vector<std::string> notes;
 };
 
-/// Throws InvalidInput with all faults found, 100 at most; Stopped.
+/// Returns the drawing. Throws InvalidInput with all faults found, at most 100, and Stopped.
 DxfDrawing read_dxf_drawing(std::string_view text, const DxfReading& reading, Progress& progress);
 
 }  // namespace bahnwerk

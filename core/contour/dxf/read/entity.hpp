@@ -23,7 +23,7 @@ DxfCommon dxf_common(const DxfRecord& record);
 struct DxfInsert {
   std::string_view block;
   Vec at, scale{1, 1, 1};
-  double cosine = 1, sine = 0;  ///< of the rotation
+  double cosine = 1, sine = 0;  ///< cosine and sine of the rotation
   std::size_t columns = 1, rows = 1;
   double column_spacing = 0, row_spacing = 0;
   Vec normal{0, 0, 1};
@@ -33,7 +33,7 @@ struct DxfInsert {
 struct DxfShape {
   std::vector<Drawn> curves;       ///< consecutive
   std::size_t without_length = 0;  ///< dropped parts without length
-  std::string note;                ///< a remark of the reader, empty = none
+  std::string note;                ///< a remark of the reader; may be empty
 };
 
 /// Whether the type is LINE, ARC, CIRCLE, ELLIPSE, LWPOLYLINE, POLYLINE or SPLINE.
@@ -57,7 +57,7 @@ DxfShape dxf_joined(const std::vector<DxfVertex>& vertices, bool closed, const A
 /// Returns the outlines of a HATCH, each path as one shape or, where its edges do not meet, as several.
 std::vector<DxfShape> dxf_hatch(const DxfRecord& record, DxfTags& tags);
 
-/// Computes cos and sin of an angle in degrees, exact at multiples of 90°, which are frequent in drawings.
+/// Computes cosine and sine of an angle in degrees, exact at multiples of 90°, which are frequent in drawings.
 void dxf_direction(double degrees, double& c, double& s);
 
 /// Returns the object coordinate system of an extrusion direction: arbitrary axis algorithm of the DXF reference,

@@ -13,20 +13,20 @@ namespace bahnwerk {
 
 struct DxfLayer {
   bool frozen = false, off = false, unplotted = false;
-  std::string_view name = {};  ///< as written
+  std::string_view name = {};  ///< name as written in the file
 };
 struct DxfBlockPlace {
-  DxfTags::Mark first;  ///< its first entity
+  DxfTags::Mark first;  ///< the first entity of the block
   Vec base;
   bool external = false;  ///< whether it is a reference to another file
   std::size_t line = 0;
 };
 
 struct DxfFile {
-  long unit = 0;  ///< $INSUNITS, 0 = none
+  long unit = 0;  ///< $INSUNITS; 0: none
   std::size_t unit_line = 0;
-  std::unordered_map<std::string, DxfLayer> layers;       ///< by name in lower case
-  std::unordered_map<std::string, DxfBlockPlace> blocks;  ///< by name in lower case
+  std::unordered_map<std::string, DxfLayer> layers;       ///< keys are names in lower case
+  std::unordered_map<std::string, DxfBlockPlace> blocks;  ///< keys are names in lower case
   std::optional<DxfTags::Mark> entities;                  ///< the first entity of the drawing
   std::vector<std::string> notes;
 };

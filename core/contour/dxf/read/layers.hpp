@@ -31,9 +31,9 @@ class DxfLayers {
   std::vector<InputFault> missing() const;
 
  private:
-  std::vector<std::string> wanted_;                     // in lower case
-  std::unordered_map<std::string, DxfLayer> declared_;  // by the name in lower case
-  std::unordered_map<std::string_view, Layer> layers_;  // by the names as written, of entities
+  std::vector<std::string> wanted_;                     // names in lower case
+  std::unordered_map<std::string, DxfLayer> declared_;  // keys are names in lower case
+  std::unordered_map<std::string_view, Layer> layers_;  // keys are names as entities write them
 };
 
 }  // namespace bahnwerk

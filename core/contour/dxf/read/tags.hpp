@@ -17,8 +17,8 @@ InputFault dxf_fault(std::size_t line, const std::string& what);
 
 struct DxfTag {
   int code = 0;
-  std::string_view value;  ///< without the white space around it
-  std::size_t line = 0;    ///< of the value, counted from 1
+  std::string_view value;  ///< value without surrounding white space
+  std::size_t line = 0;    ///< line of the value, from 1
 };
 
 /// Returns a finite number; throws InvalidInput with the tag's line for anything else.
@@ -30,8 +30,8 @@ long dxf_integer(const DxfTag& tag);
 std::string dxf_quoted(std::string_view text);
 
 struct DxfRecord {
-  std::string_view type;  ///< value of the code 0
-  std::size_t line = 0;   ///< of that value
+  std::string_view type;  ///< value of the group code 0
+  std::size_t line = 0;   ///< line of that value
   std::vector<DxfTag> tags;
 };
 
@@ -56,7 +56,7 @@ class DxfTags {
   /// Returns the text behind the record EOF.
   std::string_view behind_end() const { return behind_; }
   std::size_t line() const { return line_; }       ///< lines read so far
-  ProgressScope& progress() { return progress_; }  ///< for code that works on the records
+  ProgressScope& progress() { return progress_; }  ///< the scope to which code that works on records reports
 
  private:
   bool next_line(std::string_view& line);

@@ -4,11 +4,10 @@
 ///
 /// - Outside corners are rounded by an arc about the corner, inside corners trimmed to the crossing of the offset
 /// curves.
-/// - The first move leads in. A straight one goes to beside the beginning of the next one, or, where the cutter would
-/// touch
-///   that beginning on its path, along the tangent and round it; an arc ends beside its end in its direction, with
-///   another radius. The first move behind G40, a straight one, leads out in the mirrored manner. At another height
-///   than the contour both are straight.
+/// - The first move leads in. A straight one ends beside the beginning of the next move, or, where the cutter would
+///   touch that beginning on its way, continues along the tangent and round it; an arc ends beside its programmed end,
+///   in its direction, with another radius. The first move behind G40 is straight and leads out in the mirrored manner.
+///   At another height than the contour both are straight.
 /// - Moves along z alone, dwells and switches happen at the cutter's position at that time.
 ///
 /// These are refused as gouges: an arc narrower than the cutter, an inside corner in which one of its two moves is
@@ -26,12 +25,13 @@ namespace bahnwerk::gcode {
 
 class Compensation {
  public:
-  static constexpr double slack = 1e-3;  ///< mm; moves may be too short by this, since coordinates are rounded
+  static constexpr double slack = 1e-3;  ///< mm by which moves may be too short, since coordinates are rounded
 
   explicit Compensation(bool flat) : mover_(flat) {}
 
-  /// Offsets from the next move on by `aside` mm (positive: to the left), which is not zero.
+  /// Begins the offset of `aside` ≠ 0 mm (positive: to the left) with the next move.
   void begin(double aside);
+  /// Ends the offset; the next move leads out.
   void end();
   bool on() const { return state_ == State::leads_in || state_ == State::on; }
   double aside() const { return aside_; }
@@ -99,9 +99,9 @@ class Compensation {
   Manner manner_;
   std::optional<Vec> lead_;  // end of the move that leads in
   Manner lead_manner_;
-  std::optional<Move> last_;          // not written yet: its end depends on the next one
-  std::optional<OffsetPiece> first_;  // of the section
-  std::vector<Event> events_;         // behind that move
+  std::optional<Move> last_;          // last move, not written yet because its end depends on the next one
+  std::optional<OffsetPiece> first_;  // first piece since the lead-in
+  std::vector<Event> events_;         // events behind the last move
 };
 
 }  // namespace bahnwerk::gcode

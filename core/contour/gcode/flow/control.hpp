@@ -18,7 +18,7 @@ namespace bahnwerk::gcode {
 class Control {
  public:
   static constexpr std::size_t max_calls = 64;       ///< depth of nested subprograms
-  static constexpr std::size_t bytes_per_step = 64;  ///< a longer line takes one step more for each
+  static constexpr std::size_t bytes_per_step = 64;  ///< a line takes one step more for each such number of bytes
 
   Control(std::string_view text, const GcodeOptions& options, Parameters& parameters, Lines& lines, Progress& progress)
       : text_(text), options_(options), parameters_(parameters), lines_(lines), progress_(progress) {}
@@ -44,7 +44,7 @@ class Control {
 
   /// Whether the end of the text was reached inside a subprogram.
   bool inside() const { return !frames_.empty(); }
-  std::size_t depth() const { return frames_.size(); }  ///< active subprograms
+  std::size_t depth() const { return frames_.size(); }  ///< number of active subprograms
   /// Whether M98 has called the subprogram that begins in this line.
   bool called(const Line& line) const {
     return std::find(called_.begin(), called_.end(), line.number) != called_.end();
@@ -55,7 +55,7 @@ class Control {
  private:
   struct Frame {
     Place back;
-    std::size_t head;       // in the outline
+    std::size_t head;       // index of the subprogram's first entry in the outline
     std::size_t remaining;  // remaining repetitions
     std::size_t loops;      // number of enclosing loops
     bool numbered;

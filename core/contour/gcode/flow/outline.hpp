@@ -21,14 +21,14 @@ class Outline {
   /// A line with an O word. The words of one label from sub to endsub, from if to endif, from while, do or repeat to
   /// the end of the loop form a chain; the label may be used again behind it.
   struct Entry {
-    Place before, after;      ///< the line
-    Flow flow = Flow::none;   ///< none: a number alone, as programs and subprograms of M98 have it
-    std::size_t head = none;  ///< first of the chain; for break and continue that of their loop
-    std::size_t next = none;  ///< in the chain
-    std::size_t last = none;  ///< of the chain, at its head; none: it has no end
+    Place before, after;      ///< places before and after the line
+    Flow flow = Flow::none;   ///< none: a number alone, with which subprograms of M98 begin
+    std::size_t head = none;  ///< first entry of the chain; for break and continue: of their loop's
+    std::size_t next = none;  ///< next entry of the chain
+    std::size_t last = none;  ///< last entry of the chain, set at its head; none: the chain has no end
   };
 
-  /// O(bytes + O words · log labels).
+  /// Finds the O words. O(bytes + O words · log labels).
   Outline(std::string_view text, bool skip_slash, Progress& progress);
 
   bool full() const { return full_; }  ///< whether there are more than `most`; the others are unknown
@@ -41,7 +41,7 @@ class Outline {
  private:
   void link(const std::string& label, std::size_t index, std::map<std::string, std::size_t>& open);
 
-  std::vector<Entry> entries_;  // by line
+  std::vector<Entry> entries_;  // ordered by line
   bool full_ = false;
   std::map<std::string, std::size_t> subs_, numbers_;
 };

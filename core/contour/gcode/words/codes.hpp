@@ -44,7 +44,7 @@ enum class Action {
   machine_coordinates,
   path_control,
   tool_length,
-  cancel,  ///< of modes that are never active: scaling, mirroring
+  cancel,  ///< cancels modes that are never active: scaling, mirroring
   printer,
   nothing,  ///< has no effect on a contour, or states a default
   refuse,
@@ -53,7 +53,7 @@ enum class Action {
 struct Code {
   Group group;
   Action action;
-  const char* text;  ///< why it is refused, or the text of its note
+  const char* text;  ///< reason of the refusal, or text of the note
 };
 
 /// Returns the meaning of ten times a G word: G5.1 is 51. Unknown words are refused.
@@ -64,7 +64,7 @@ bool takes_words(int tenfold);
 bool known_m(int m);
 /// Whether it is an M word of printers' firmware that a machine tool does not have.
 bool printer_m(int m);
-/// Returns what such a word would change of the motion, for its note; null if it does not concern the motion.
+/// Returns the effect of such a word on the motion, for its note; null if it has none.
 const char* printer_effect(int m);
 /// Returns the M word without its decimal, by its entry in Line::m.
 inline int whole_m(int m) { return m < 0 ? -m / 10 : m; }

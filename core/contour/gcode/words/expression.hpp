@@ -33,7 +33,7 @@ class Expression {
   bool name(std::string& result);
 
   void skip_blanks();
-  bool next_is(char c);  ///< and consumes it
+  bool next_is(char c);  ///< whether the next character is c, which is then consumed
   const char* at() const { return at_; }
   const std::string& fault() const { return fault_; }
 

@@ -27,7 +27,7 @@ class Parameters {
  public:
   static constexpr int most = 9999, locals = 30;  ///< #1 … #30 belong to a subprogram
   static constexpr int position_first = 5021, system_first = 5161, system_last = 5602;
-  static constexpr std::size_t max_names = 10'000;  ///< in all active subprograms
+  static constexpr std::size_t max_names = 10'000;  ///< most names in all active subprograms together
 
   explicit Parameters(const SystemParameters& system) : system_(system) {}
 
@@ -55,9 +55,8 @@ class Parameters {
     int number = 0;
     std::size_t line = 0, count = 0;
   };
-  const Unset& unset() const {
-    return unset_;
-  }  ///< parameters that were read without a value: the first one, and their count
+  /// Returns the parameters that were read without a value: the first one, and their count.
+  const Unset& unset() const { return unset_; }
 
  private:
   using Names = std::map<std::string, double, std::less<>>;

@@ -32,28 +32,28 @@ enum class Flow : std::uint8_t {
   next
 };
 
-/// One line of a program. G and M words are lists; every other letter has at most one number.
+/// The words of a line. G and M words are lists; every other letter has at most one number.
 struct Line {
   static constexpr std::size_t max_codes = 16, max_assignments = 64;
 
-  std::size_t number = 0;  ///< in the text, from 1
+  std::size_t number = 0;  ///< number of the line in the text, from 1
   std::array<int, max_codes> g{};
-  std::size_t g_count = 0;         ///< g has ten times the number: G5.1 is 51
-  std::array<int, max_codes> m{};  ///< with a decimal ten times the number and negative: M862.3 is −8623
+  std::size_t g_count = 0;         ///< an entry of g is ten times the number: G5.1 is 51
+  std::array<int, max_codes> m{};  ///< a number with a decimal is stored as −10 times itself: M862.3 is −8623
   std::size_t m_count = 0;
   std::uint32_t behind_m6 = 0;      ///< letters behind M6
   std::uint32_t foreign = 0;        ///< letters behind unknown M words, which belong to those words
   bool has_foreign = false;         ///< whether such an M word is in the line
   bool text = false;                ///< whether something other than words follows such an M word
-  std::string controller;           ///< a line for the controller, such as $H, in full; nothing else of it is read
-  bool slash = false;               ///< begins with /
-  bool bare = false;                ///< whether a letter has no number, as in G28 X Y of printers: 0
-  bool percent = false;             ///< begins with %
-  Flow flow = Flow::none;           ///< with its label; the rest of the line is not read
-  const char* arguments = nullptr;  ///< text behind it
-  const char* end = nullptr;        ///< of the line
-  std::string label;                ///< of an O word: its name, or its number without leading zeros
-  std::string fault;                ///< the first text that is not a word; empty = none
+  std::string controller;           ///< the whole text of a line for the controller, such as $H
+  bool slash = false;               ///< whether the line begins with /
+  bool bare = false;                ///< whether a letter has no number, as in G28 X Y of printers; it then counts as 0
+  bool percent = false;             ///< whether the line begins with %
+  Flow flow = Flow::none;           ///< effect of the O word; the rest of its line is not read
+  const char* arguments = nullptr;  ///< text behind the O word
+  const char* end = nullptr;        ///< end of the line
+  std::string label;                ///< name of the O word, or its number without leading zeros
+  std::string fault;                ///< first text that is not a word; may be empty
 
   bool has(char letter) const { return (letters_ >> (letter - 'A')) & 1U; }
   double operator[](char letter) const { return values_[static_cast<std::size_t>(letter - 'A')]; }
@@ -66,7 +66,7 @@ struct Line {
   std::array<double, 26> values_{};
 };
 
-/// Bit set of letters, for Line::any.
+/// Returns the bit set of letters that Line::any takes.
 constexpr std::uint32_t letters(std::string_view list) {
   std::uint32_t mask = 0;
   for (char c : list) mask |= 1U << (c - 'A');
@@ -76,18 +76,18 @@ constexpr std::uint32_t letters(std::string_view list) {
 /// A place between two lines of a text.
 struct Place {
   const char* at = nullptr;
-  std::size_t number = 0;  ///< of the line before it
+  std::size_t number = 0;  ///< number of the line before the place
 };
 
 /// Reads a text line by line, O(bytes). Numbers are decimal, within ±1e9, independent of the locale; an exponent is
-/// read where nothing else can be meant (number_exponent.hpp) and is a fault where a word E can be. Values that a line
-/// gives to parameters hold from the next line on.
+/// read where no other reading is possible (number_exponent.hpp) and is a fault where a word E can be. Values that a
+/// line gives to parameters hold from the next line on.
 ///
 /// Words behind an M word that no machine tool has (codes.hpp, known_m) belong to that word, unless the line has a G
 /// word that takes words: then they are words of the line.
 class Lines {
  public:
-  /// Without parameters, every use of a parameter is a fault.
+  /// `parameters` may be null: every use of a parameter is then a fault.
   explicit Lines(std::string_view text, Parameters* parameters = nullptr);
   /// Reads the next line; returns false at the end of the text. With `skip_slash` the words of a line that begins with
   /// / are not read.
@@ -123,12 +123,12 @@ class Lines {
   void skip_line();
 
   const char *at_, *end_;
-  const char* line_end_ = nullptr;  // of the current line, once found
+  const char* line_end_ = nullptr;  // end of the current line, once found
   std::array<char, 64> joined_{};   // a number with blanks in it
   bool printer_ = false;            // whether words E are alone, or words of printers occur: a program for a printer
   std::size_t number_ = 0;
   Parameters* parameters_;
-  std::vector<std::pair<Expression::Reference, double>> assigned_;  // by the current line
+  std::vector<std::pair<Expression::Reference, double>> assigned_;  // values that the current line gives to parameters
 };
 
 }  // namespace bahnwerk::gcode
