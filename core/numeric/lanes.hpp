@@ -1,5 +1,6 @@
 #pragma once
-/// One number per axis, or per cell, computed at once: two fit a vector register of every 64-bit processor. The
+/// Vectors of N numbers that are computed at once, such as one number per axis or per cell. Two doubles fit a vector
+/// register of every 64-bit processor. The
 /// functions below accept plain numbers as well, so that one piece of code serves both.
 #include <array>
 #include <bit>

@@ -115,7 +115,7 @@ class Majorant {
   Majorant through(double value, const Series& f) const {
     Majorant r(value);
     r.radius_ = radius_;
-    Series power = m_;  // of the series without its constant
+    Series power = m_;  // powers of the series without its constant
     power[0] = 0;
     for (std::size_t n = 1; n <= N; ++n) {
       for (std::size_t i = n; i <= N; ++i) r.m_[i] += times(f[n], power[i]);

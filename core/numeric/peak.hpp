@@ -28,14 +28,14 @@ struct ChebyshevRule {
   std::array<std::array<double, max_points>, max_points>
       integral{};                          ///< row i: weights of ∫ from 0 to node i; see `whole`
   std::array<double, max_points> whole{};  ///< weights of ∫ from 0 to 1
-  double rounding = 0;                     ///< of Bernstein coefficients, relative to the largest sample
+  double rounding = 0;                     ///< rounding error of Bernstein coefficients, relative to the largest sample
 };
 /// Returns the Chebyshev–Lobatto points, ends included: 5, 9 or 13 of them.
 const ChebyshevRule& lobatto_rule(int points);
 /// Returns 9 points without the ends, for functions that cannot be evaluated there.
 const ChebyshevRule& open_rule();
 
-inline constexpr int max_coefficients = 22;  ///< of a polynomial whose peak is searched: degree 21
+inline constexpr int max_coefficients = 22;  ///< most coefficients of a polynomial whose peak is searched: degree 21
 
 struct PolynomialPeak {
   double value = 0;  ///< max |p| over [0,1]
@@ -60,7 +60,7 @@ struct Peak {
 /// Approximation Practice, 2013, theorem 8.2]. Infinite for reach ≤ 1.
 double interpolation_error(int points, double reach);
 
-/// One sampled interval.
+/// Samples of a function over an interval.
 struct PeakSamples {
   const ChebyshevRule& rule;
   double begin, end;
@@ -114,7 +114,8 @@ class PeakSweep {
     std::array<Interval, 2 * max_depth + 2> stack;
     std::size_t top = 0;
     stack[top++] = {a, b, 0};
-    std::size_t allowance = budget_ / 2 + 128;  // one irregular function must not use up the budget of the others
+    std::size_t allowance =
+        budget_ / 2 + 128;  // evaluations allowed here, so that one irregular function leaves some to the others
     budget_ -= budget_ / 2;
     while (top > 0) {
       const Interval now = stack[--top];

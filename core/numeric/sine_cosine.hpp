@@ -61,7 +61,7 @@ inline double direction_angle(double y, double x) {
   const double across = std::abs(x), up = std::abs(y);
   const bool steep = up > across;
   const double longer = steep ? up : across, shorter = steep ? across : up;
-  const bool turned = shorter > tan_of_eighth * longer;  // by π/4
+  const bool turned = shorter > tan_of_eighth * longer;  // whether the angle is reduced by π/4
   const double t = turned ? (shorter - longer) / (shorter + longer) : shorter / longer, z = t * t;
   const double above = horner(z, {-6.485021904942025371773e1, -1.228866684490136173410e2, -7.500855792314704667340e1,
                                   -1.615753718733365076637e1, -8.750608600031904122785e-1}),

@@ -13,13 +13,12 @@ class Progress;
 
 struct LayoutToVerify {
   std::string algorithm;
-  double copper = 0;   ///< mm, identifies the wire
-  double radius = 0;   ///< of a wire with its enamel, mm
+  double copper = 0;   ///< diameter of the copper, mm, which identifies the wire
+  double radius = 0;   ///< radius of a wire with its enamel, mm
   double overlap = 0;  ///< allowed overlap of two wires, mm
   std::span<const Point> wires;
   std::size_t bound = 0;  ///< upper bound of the number of wires
-  /// For a layout with several regions: the region's name, its usable area, and the number of wires of the first
-  /// region.
+  /// Name and usable area of the region, and number of wires in the first region, for a layout with several regions.
   std::string region = {};
   const Region* usable_area = nullptr;
   std::size_t count = 0;

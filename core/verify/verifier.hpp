@@ -15,14 +15,14 @@ class Progress;
 /// Axes that follow a path by a time law, 1 to max_axes of them.
 struct VerifierInput {
   const AxisPath& path;
-  const Machine& machine;            ///< as many axes as the path has, in its order
-  const TimeLaw& law;                ///< the law that is sampled
-  std::vector<double> feeds;         ///< per segment: the tool's speed, mm/s, infinite where not limited
-  std::vector<bool> rests;           ///< per segment, whether the motion rests at its beginning; one more for the end
-  double corner_angle = 0;           ///< rad, a larger jump of the tool's tangent needs a stop
-  bool check_jerk = false;           ///< whether jerk is verified where its limit is finite, with related checks
-  Limits along = {};                 ///< limits along the tool's path
-  double position_tolerance = 1e-6;  ///< mm, allowed gap of curves at a joint
+  const Machine& machine;     ///< limits of the path's axes, in its order
+  const TimeLaw& law;         ///< the law that is sampled
+  std::vector<double> feeds;  ///< largest speed of the tool per segment, mm/s; infinite where not limited
+  std::vector<bool> rests;    ///< whether the motion rests at the beginning of each segment; one more for the end
+  double corner_angle = 0;    ///< largest jump of the tool's tangent without a stop, rad
+  bool check_jerk = false;    ///< whether jerk is verified where its limit is finite, with related checks
+  Limits along = {};          ///< limits along the tool's path
+  double position_tolerance = 1e-6;           ///< allowed gap of curves at a joint, mm
   double progress_from = 0, progress_to = 1;  ///< the part of the whole job's progress that verifying covers
 };
 

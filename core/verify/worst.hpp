@@ -27,7 +27,8 @@ struct Strained {
   double limit = 0;
   double at = 0;
   void raise(double candidate, double bound, double when) {
-    if (candidate <= enough_ * bound && bound <= std::numeric_limits<double>::max()) return;  // no division
+    if (candidate <= enough_ * bound && bound <= std::numeric_limits<double>::max())
+      return;                              // the common case needs no division
     if (!std::isfinite(bound)) bound = 0;  // an unbounded law does not widen its own tolerance
     double strain = candidate == 0 ? 0 : candidate / bound;
     if (std::isnan(strain)) strain = std::numeric_limits<double>::infinity();

@@ -35,8 +35,8 @@ class ArcLength {
   std::vector<double> borders() const;
 
  private:
-  static constexpr std::size_t terms = 13;  ///< of s on a panel
-  static constexpr std::size_t starts = 8;  ///< of the start of Newton's method
+  static constexpr std::size_t terms = 13;  ///< number of coefficients of s on a panel
+  static constexpr std::size_t starts = 8;  ///< number of coefficients of the polynomial that starts Newton's method
   struct Panel {
     double centre, inverse_half;      ///< x = (u − centre)·inverse_half ∈ [−1, 1]
     double base;                      ///< s = base + Σ s[k] x^k

@@ -15,7 +15,7 @@ using PathPoint = Jet;
 
 class EndExpansion;
 
-/// One smooth piece [s0, s1] of a path. Cost: at_parameter O(degree), parameter(s) one or two Newton steps on the
+/// A smooth piece [s0, s1] of a path. Cost: at_parameter O(degree), parameter(s) one or two Newton steps on the
 /// arc-length table.
 class Segment {
  public:
@@ -72,8 +72,9 @@ class Segment {
   double s0_, s1_;
   std::size_t source_;
   bool straight_ = false, cusp_begin_ = false, cusp_end_ = false;
-  Vec start_, tangent_;                            ///< for a straight segment
-  std::shared_ptr<const EndExpansion> expansion_;  ///< for a segment whose parametric tangent vanishes at one end
+  Vec start_, tangent_;  ///< beginning and unit tangent of a straight segment
+  std::shared_ptr<const EndExpansion>
+      expansion_;  ///< derivatives near an end at which the parametric tangent vanishes; else null
 };
 
 class Path {

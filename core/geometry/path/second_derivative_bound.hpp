@@ -18,7 +18,7 @@ class SecondDerivativeBound {
 
  private:
   const Curve* curve_;
-  double constant_ = 0;  ///< for lines and arcs
+  double constant_ = 0;  ///< the bound of a line or an arc
   bool rational_ = false, weighted_ = false;
 };
 

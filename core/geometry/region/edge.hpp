@@ -1,5 +1,5 @@
 #pragma once
-/// One piece of a boundary: a straight line or an arc of a circle.
+/// An edge of a boundary: a straight line or an arc of a circle.
 #include <vector>
 
 #include "core/geometry/region/point.hpp"
@@ -12,9 +12,9 @@ struct Box {
 
 struct Edge {
   Point from, to;
-  Point centre;       ///< of an arc
-  double radius = 0;  ///< of an arc, mm; 0: a straight line
-  double turn = 0;    ///< of an arc, rad: positive counterclockwise, at most a full circle
+  Point centre;       ///< centre of an arc, mm
+  double radius = 0;  ///< radius of an arc, mm; 0: the edge is a straight line
+  double turn = 0;    ///< angle of an arc, rad: positive counterclockwise, at most a full circle
 
   bool straight() const { return radius == 0; }
   double length() const;

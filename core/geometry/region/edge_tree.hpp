@@ -27,7 +27,7 @@ class EdgeTree {
  private:
   static constexpr std::size_t block = 32;
   std::size_t count_ = 0, leaves_ = 0;
-  std::vector<Box> boxes_;  ///< of node k, whose halves are 2 k and 2 k + 1; leaves are last
+  std::vector<Box> boxes_;  ///< box of each node; the halves of node k are 2 k and 2 k + 1, leaves are last
 
   static double square_distance_to(const Box& box, Point p) {
     const double x = std::max({box.low.x - p.x, p.x - box.high.x, 0.0});

@@ -11,7 +11,7 @@ namespace bahnwerk {
 
 class Progress;
 
-/// From this number of edges on, computing where parallels are needed before crossing them saves time.
+/// Number of edges from which it saves time to compute first where parallels are needed, and to intersect them then.
 inline constexpr std::size_t many_edges = 200;
 
 class Region {
@@ -27,12 +27,12 @@ class Region {
     Point at, normal;
     std::size_t edge = 0;
   };
-  Nearest nearest(Point p) const;  ///< of equally near points the one on the first edge
+  Nearest nearest(Point p) const;  ///< nearest point of the boundary; among equally near ones that of the first edge
   double distance(Point p) const { return nearest(p).distance; }
 
   bool empty() const { return edges_.empty(); }
-  double area() const;    ///< mm²
-  double length() const;  ///< of the boundary, mm
+  double area() const;    ///< area, mm²
+  double length() const;  ///< length of the boundary, mm
   const Box& box() const { return box_; }
   std::span<const Edge> edges() const { return edges_; }
   /// Whether the boundary turns to the right (more than 1e-9) where edge `i` begins: a corner that projects into the
@@ -60,7 +60,7 @@ class Region {
  private:
   std::vector<Edge> edges_;
   std::vector<std::size_t> before_, after_;
-  std::vector<int> corner_;  ///< at the beginning of each edge: +1 turns left, 0 smooth, −1 turns right
+  std::vector<int> corner_;  ///< corner at the beginning of each edge: +1 turns left, 0 smooth, −1 turns right
   EdgeTree tree_;
 
   /// Returns the fraction from which on a straight parallel is far enough from all edges; 1 if nowhere.

@@ -1,5 +1,5 @@
 #pragma once
-/// One rational Bézier piece of a pose path: up to five coordinates over v ∈ [0, 1], three of a place (mm) and two
+/// A rational Bézier piece of a pose path: up to five coordinates over v ∈ [0, 1], three of a position (mm) and two
 /// angles (rad), after [Herrmann 4.3]. Unused coordinates are 0.
 #include <array>
 #include <cstddef>

@@ -33,7 +33,7 @@ struct AccelerationLimitedOptions {
   double excess = 2e-9;     ///< allowed relative excess over a limit inside a cell; a larger one slows the section
   double tolerance = 2e-7;  ///< estimated loss of duration to the grid, relative
   int max_divisions = 5,
-      max_rounds = 5;  ///< how often the grid is divided, then how often limits inside cells are reduced
+      max_rounds = 5;  ///< largest number of divisions of the grid, then of reductions of limits inside cells
   GridOptions grid;
   std::size_t window =
       1 << 16;               ///< approximate number of cells planned at once; longer sections are planned in windows

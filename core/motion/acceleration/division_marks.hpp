@@ -90,8 +90,9 @@ class DivisionMarks {
   /// At a minimum v² stays lower along the arcs that leave it until they have doubled it, which costs about an eighth
   /// of the cell's time.
   double switching_loss(std::size_t c, double second_difference, double v, double h) const {
-    const double change = std::max(std::abs(chain_.middle(c) - chain_.node(c)),
-                                   std::abs(chain_.node(c + 1) - chain_.middle(c)));  // of v², over each half
+    const double change =
+        std::max(std::abs(chain_.middle(c) - chain_.node(c)),
+                 std::abs(chain_.node(c + 1) - chain_.middle(c)));  // larger change of v² over one half of the cell
     const double jump = std::abs(second_difference) * h * h, area = jump * h / (16 * v * v * v);
     return second_difference > 0 && jump > 0.2 * change ? std::max(area, 0.125 * jump / change * h / v) : area;
   }

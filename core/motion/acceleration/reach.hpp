@@ -1,7 +1,8 @@
 #pragma once
-/// One link of a chain of speeds: the half-planes between two neighbouring variables, the largest reachable second
-/// variable for a given first one, and the largest first variable from which an allowed second one can be reached
-/// (one-step reachable and controllable sets [Pham, Pham 2018]).
+/// One-step reachable and controllable sets [Pham, Pham 2018] between two neighbouring variables of a chain of speeds.
+///
+/// Two neighbouring variables x, y are linked by half-planes. The reachable set of a given x is [0, largest y]; the
+/// controllable set of an allowed y is [0, largest x].
 ///
 /// Inside a grid cell of length Δ, b = v² is a quadratic in s with Bernstein coefficients b1, g, b2. The path
 /// acceleration is (g − b1)/Δ at the left and (b2 − g)/Δ at the right. An axis acceleration h'' b + h' a [Bock (2.7)]
@@ -49,7 +50,7 @@ double reach_backward(const LinkRows<M>& rows, double cap_x, double cap_y) {
   const auto n = static_cast<std::size_t>(rows.n);
   double y = cap_y;
   for (int step = 0; step < 3 * M; ++step) {
-    // These are the tightest upper and lower bound on x at this y, with their slopes dx/dy.
+    // The tightest upper and lower bound on x at this y are computed, with their slopes dx/dy.
     double upper = cap_x, upper_slope = 0, upper_margin = 0, lower = 0, lower_slope = 0, lower_margin = 0, most = y;
     for (std::size_t i = 0; i < n; ++i) {
       const double p = std::abs(rows.p[i]);

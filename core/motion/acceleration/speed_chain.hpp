@@ -55,23 +55,27 @@ class SpeedChain {
   /// Solves again where `dirty` cells (1) have a new share, and marks in `dirty` every cell whose speeds changed.
   void update(const UnsetVector<double>& share, CellFlags& dirty, ProgressScope& progress);
 
-  double node(std::size_t c) const { return speed_[c].node; }      ///< v² at the left end of cell c, mm²/s²
-  double middle(std::size_t c) const { return speed_[c].middle; }  ///< its middle Bernstein coefficient
-  double acceleration(std::size_t c) const;                   ///< largest path acceleration of a straight cell, mm/s²
+  double node(std::size_t c) const { return speed_[c].node; }  ///< v² at the left end of cell c, mm²/s²
+  double middle(std::size_t c) const {
+    return speed_[c].middle;
+  }                                          ///< middle Bernstein coefficient of v² in cell c, mm²/s²
+  double acceleration(std::size_t c) const;  ///< largest path acceleration of a straight cell, mm/s²
   double cap(std::size_t c) const { return caps(c).middle; }  ///< v² that a straight cell may hold
 
  private:
   static constexpr std::size_t none = -1;
   struct Caps {
     double left, middle,
-        right;  // on v², from limits that need no neighbour; the whole cap in the middle of a straight cell
+        right;  // caps of v² from limits at one place; `middle` of a straight cell is its only cap
   };
   Caps caps(std::size_t c) const;
   double first_cap(std::size_t c, double cap) const;
-  /// At a cusp the curvature is unbounded while v² κ → 0: half of the limit is reserved there.
+  /// Returns the part of the limits that rows at the left end of a cell use. At a cusp it is half: the curvature is
+  /// unbounded while v² κ → 0.
   double left_part(std::size_t c) const {
     return grid_.cells[c].any_way ? any_way(grid_.left(c)) : grid_.cells[c].cusp_left ? 0.5 : 1;
   }
+  /// Returns the part at the right end.
   double right_part(std::size_t c) const {
     return grid_.cells[c].any_way ? any_way(grid_.right(c)) : grid_.cells[c].cusp_right ? 0.5 : 1;
   }
@@ -117,7 +121,7 @@ class SpeedChain {
   struct Speeds {
     double node_stop, middle_stop, node, middle;
   };
-  UnsetVector<Speeds> speed_;  // one more than cells
+  UnsetVector<Speeds> speed_;  // one entry per node, one more than cells
 };
 
 template <int N>

@@ -18,7 +18,7 @@ struct FeedOptions {
   Limits path;                                               ///< along the tool's path
   /// The constant feed, mm/s, as given; 0 chooses the largest one that keeps all limits.
   double feed = 0;
-  std::size_t nodes = 16;  ///< of the grid, per panel of the path
+  std::size_t nodes = 16;  ///< nodes of the grid per panel of the path
 };
 
 /// The requested feed breaks a limit. The text names the limit, the largest feed and the place; `limit` describes the
@@ -26,8 +26,8 @@ struct FeedOptions {
 struct FeedTooFast : Infeasible {
   FeedTooFast(const std::string& text, FeedLimit what, double asked_feed)
       : Infeasible(text), limit(what), asked(asked_feed) {}
-  FeedLimit limit;  ///< its speed is the largest feed
-  double asked;
+  FeedLimit limit;  ///< the limit; limit.speed is the largest feed that it allows
+  double asked;     ///< requested feed, mm/s
 };
 
 /// An interval of constant speed; FeedChanges finds the changes before and behind it.

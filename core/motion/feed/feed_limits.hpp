@@ -20,17 +20,17 @@ struct FeedLimit {
   enum class Kind { velocity, acceleration, jerk, velocity_step, acceleration_step, path_velocity, segment_feed };
   double speed = unlimited;  ///< mm/s
   Kind kind = Kind::path_velocity;
-  std::size_t axis = 0;     ///< if the limit is one of an axis
+  std::size_t axis = 0;     ///< index of the axis, if the limit is an axis'
   double s = 0;             ///< mm along the path
-  std::size_t segment = 0;  ///< that contains s
+  std::size_t segment = 0;  ///< path segment that contains s
 };
 /// Returns a name such as "the jerk limit of q5".
 std::string in_words(const FeedLimit& limit, const Machine& machine);
 
-/// One place of the grid. A joint has two nodes, with the derivatives before and behind it.
+/// A node of the grid. A joint has two nodes, with the derivatives before and behind it.
 struct FeedNode {
   double s = 0;
-  const double *d1 = nullptr, *d2 = nullptr, *d3 = nullptr;  ///< per axis: q′, q″, q‴
+  const double *d1 = nullptr, *d2 = nullptr, *d3 = nullptr;  ///< q′, q″, q‴ of each axis
 };
 
 /// Speed, acceleration and jerk of the tool at a place.
@@ -39,10 +39,10 @@ struct FeedState {
 };
 
 struct FeedGridOptions {
-  std::size_t nodes = 16;  ///< per panel of the path
+  std::size_t nodes = 16;  ///< nodes per panel of the path
   bool limits_jerk = true;
   double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad
-  Limits along;                                              ///< along the tool's path
+  Limits along;                                              ///< limits along the tool's path
 };
 
 /// `task` has to outlive the object. O(nodes), about 1 µs each through a machine's kinematics; 8 (3 axes + 1) bytes
@@ -93,9 +93,9 @@ class FeedGrid {
   FeedGridOptions options_;
   std::size_t axes_;
   Sections sections_;
-  std::vector<double> s_, u_, rows_, speed_;  // per node; speed_ is the largest constant speed
+  std::vector<double> s_, u_, rows_, speed_;  // values at each node; speed_ is the largest constant speed
   std::vector<FeedLimit> minima_;             // local minima between nodes, ascending
-  std::vector<double> joint_;                 // per segment: largest speed at the joint at its beginning
+  std::vector<double> joint_;                 // largest speed at the joint at the beginning of each segment
   std::vector<std::size_t> first_;
   std::vector<FeedLimit> hold_;
 };

@@ -36,7 +36,9 @@ class SpeedSpline {
   };
   /// Returns the place at x ∈ [0, 1] of a span's width in w.
   Place at(std::size_t span, double x) const;
-  double width(std::size_t span) const { return knot(span + order) - knot(span + order - 1); }  ///< in w
+  double width(std::size_t span) const {
+    return knot(span + order) - knot(span + order - 1);
+  }  ///< width of a span in the parameter w
 
   struct State {
     double v = 0, a = 0, j = 0;

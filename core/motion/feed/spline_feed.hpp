@@ -16,11 +16,11 @@ namespace bahnwerk {
 class Progress;
 
 struct SplineFeedOptions {
-  Limits path;                    ///< along the tool's path
-  std::size_t spans = 16;         ///< per segment of the path
-  std::size_t window = 24;        ///< control points that are variables of one window
-  std::size_t overlap = 12;       ///< number of these that the next window optimises again
-  std::size_t passes = 2;         ///< sweeps over the path; the source makes two
+  Limits path;                    ///< limits along the tool's path
+  std::size_t spans = 16;         ///< spans of the spline per segment of the path
+  std::size_t window = 24;        ///< number of control points that are variables of a window
+  std::size_t overlap = 12;       ///< number of these that are variables of the next window, too
+  std::size_t passes = 2;         ///< number of sweeps over the path; the source makes two
   std::size_t evaluations = 400;  ///< largest number per window
   std::size_t steps = 16;         ///< pieces of the law per span
 };

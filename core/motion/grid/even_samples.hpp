@@ -11,8 +11,9 @@ namespace bahnwerk {
 /// gives four more samples, parabolas the peaks between these nine. L is a number, or a vector of one number per axis.
 template <class L>
 struct EvenSamples {
-  L most;     ///< of the five samples
-  L between;  ///< of all nine, with the peaks of the parabolas; equal to `most` if no `most` reaches `worth`
+  L most;     ///< largest of the five samples
+  L between;  ///< largest of all nine samples and of the peaks of parabolas through them; `most` if no `most` reaches
+              ///< `worth`
   L third;  ///< largest third difference of the nine samples: a cubic exceeds the parabola through its neighbours by at
             ///< most 0.065 of it; 0 if no `most` reaches `worth`
 

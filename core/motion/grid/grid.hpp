@@ -20,7 +20,7 @@
 namespace bahnwerk {
 
 struct GridCell {
-  std::uint32_t station = 0;  ///< its left station; the right one is station + 1
+  std::uint32_t station = 0;  ///< index of the station at the left end; the right one is station + 1
   std::uint32_t segment = 0;  ///< path segment
   bool straight = false;
   bool cusp_left = false, cusp_right = false;  ///< unbounded curvature at that end, where the speed is zero

@@ -17,8 +17,8 @@
 
 namespace bahnwerk {
 
-/// One side of a node: path length from the beginning of its segment (short differences stay exact on long paths),
-/// curve parameter, and the lanes' derivatives by path length.
+/// A node seen from one side: path length from the beginning of its segment (short differences stay exact on long
+/// paths), curve parameter, and the lanes' derivatives by path length.
 template <int N>
 struct Station {
   double s = 0, u = 0;
@@ -94,7 +94,7 @@ Lanes<N> LanePath<N>::lanes(const AxisArray& values) const {
 template <int N>
 Station<N> LanePath<N>::derivatives(std::size_t segment, double u) const {
   if constexpr (N < 8)
-    if (path_.cartesian() && path_.axes() == N) {  // without conversion from eight axes
+    if (path_.cartesian() && path_.axes() == N) {  // the path's own derivatives, without a conversion from eight axes
       const PathPoint p = path_[segment].at_parameter(u);
       Station<N> station;
       station.u = u;

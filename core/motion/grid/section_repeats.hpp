@@ -16,7 +16,7 @@ namespace bahnwerk {
 /// is no proof; every law that is taken over is verified. Axes through kinematics seldom repeat where the tool does.
 class SectionRepeats {
  public:
-  /// All arguments outlive it.
+  /// The arguments have to outlive the object.
   SectionRepeats(const PathTask& task, const Sections& sections, ProgressScope& stage_progress);
   /// Returns the earlier section that section i repeats (which repeats none itself), or i. It has to be called for the
   /// sections in order. O(segments) of the section, below 2 µs per arc.
@@ -29,7 +29,7 @@ class SectionRepeats {
   const PathTask& task_;
   const Sections& sections_;
   ProgressScope& progress_;
-  double acceleration_ = 0;  ///< of all axes together, mm/s²
+  double acceleration_ = 0;  ///< largest acceleration of all axes together, mm/s²
   RoughIndex index_;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// One step of the polynomial interpolator [Herrmann 4.4.1, appendix B].
+/// A step of the polynomial interpolator [Herrmann 4.4.1, appendix B].
 #include <optional>
 
 #include "core/motion/interpolation/piece_series.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-/// One cycle's step along a path by one of the interpolators.
+/// Steps along a path, one per cycle, by one of the interpolators.
 #include <cstddef>
 
 #include "core/geometry/path/path.hpp"

@@ -98,7 +98,7 @@ void JerkSectionPlanner<N, M>::find_steady() {
     return true;
   };
   steady_.assign(n, 0);
-  double time = 0;  // at one speed so far
+  double time = 0;  // s, time at constant speed so far
   const auto look = [&](std::size_t c) {
     const bool same = b[c] > 0 && b[c] == b[c + 1] && easy(grid_.left(c), b[c]) && easy(grid_.right(c), b[c]);
     const bool long_enough = time >= steady_times * (jerk_time_ + std::sqrt(b[c]) / acceleration);
@@ -162,7 +162,7 @@ void JerkSectionPlanner<N, M>::soften() {
   double total = 0, cells = 0;
   for (std::size_t c = 0; c < grid_.cells.size(); ++c)
     if (steady_[c] == 0) total += rough_.duration[c], cells += 1;
-  const double mean = total / cells;  // those at both ends never are
+  const double mean = total / cells;  // cells > 0: those at both ends are never steady
   soft_ = limit_;
   for (std::size_t k = 0; k < M; ++k)
     soft_.inverse_jerk[k] = std::max(limit_.inverse_jerk[k], 0.125 * mean * limit_.inverse_acceleration[k]);

@@ -12,8 +12,8 @@ using jerk_section_detail::sure;
 
 namespace {
 
-/// Where an axis turns round, its jerk inside a cell depends only weakly on its jerk at both ends. A share below this
-/// does not help; a smaller cell does.
+/// Least share. Where an axis reverses, its jerk inside a cell depends only weakly on its jerk at both ends: a smaller
+/// share does not help, a smaller cell does.
 constexpr double min_share = 0.5;
 /// A peak from which on shares are not even tried, and one for which they are.
 constexpr double hopeless = 1.15, bearable = 1.05;

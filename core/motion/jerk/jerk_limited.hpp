@@ -34,8 +34,8 @@ struct JerkLimitedOptions {
   /// Number of cells, before division, that are planned at once in longer sections; half of it through kinematics. 0
   /// plans every section as a whole.
   std::size_t window = 2400;
-  /// How often the grid is divided for accuracy, and how often it is divided, or shares are reduced, because of
-  /// excesses.
+  /// Largest number of divisions of the grid for accuracy, and largest number of divisions and reductions of shares
+  /// because of excesses.
   int max_divisions = 3, max_rounds = 40;
 };
 

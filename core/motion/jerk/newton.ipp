@@ -1,6 +1,7 @@
 #pragma once
-/// One step of the interior-point method: from the section's ends to its middle the last step is taken, the linear
-/// system assembled and eliminated, and back to the ends its solution found and how much of it can be taken.
+/// A step of the interior-point method, in two sweeps. The sweep from the section's ends to its middle takes the last
+/// step, assembles the linear system and eliminates. The sweep back to the ends finds the solution and the largest step
+/// lengths.
 #include <algorithm>
 #include <cmath>
 
@@ -47,7 +48,7 @@ NodeBlock<Lane2> JerkSolver<M>::assemble_nodes(std::size_t i, JerkTotals<Lane2>&
   const Lane2 b = b_[i], a = a_[i], w = w_[i], mu = target_ * nodes.weight;
   const Lane2 primal = steps_.node_primal[i], dual = steps_.node_dual[i];
   NodeBlock<Lane2> block;
-  // This is the convex part of the duration's second derivative, 3 (h₁ + h₂)/(8 v⁵).
+  // bb is the convex part of the duration's second derivative, 3 (h₁ + h₂)/(8 v⁵).
   const Lane2 w2 = w * w;
   block.bb = 12.0 * nodes.length * (w2 * w2 * w);
   for (std::size_t k = 0; k < 2; ++k) {
@@ -143,7 +144,7 @@ void JerkSolver<M>::assemble(ProgressScope& progress) {
       eliminate_first(now, K, after);
     else if (g > 1)
       elimination_[g] = eliminate(now, bb, aa, K, after);
-    if (missing(g, 1)) set(after, 1, lane(now, 1));  // it is the node in the middle, and stays
+    if (missing(g, 1)) set(after, 1, lane(now, 1));  // the node in the middle stays
   }
   after.add(assemble_nodes(groups_, totals));
   while (joint_at(groups_, next_joint)) after.add(assemble_joint(joints_[next_joint++], at_joints));
@@ -160,8 +161,8 @@ void JerkSolver<M>::direct_cells(std::size_t g, std::size_t& next_middle, Lane2&
   const Lane2 b1 = db_[g], a1 = da_[g], b2 = db_[g + 1], a2 = da_[g + 1];
   const Lane2 mu = target_ * cells.weight, change = along(cells.law.dT, b1, a1, b2, a2);
   predicted_decrease_ += change[0] + change[1];
-  // No cell may leave the range in which its linearisation means something: of its duration, and of the root in its
-  // law (cell.hpp), it loses no more than half.
+  // The step is limited so that no cell loses more than half of its duration, or of the root in its law (cell.hpp):
+  // beyond that the linearisation is useless.
   Lane2 primal = -2.0 * magnitude(change) / cells.law.T, dual{};
   const Lane2 mean = 0.5 * (x.v1 + x.v2), h3 = (1.0 / 3) * cells.h;
   const Lane2 now = mean * mean + h3 * (x.a1 - x.a2), fall = -mean * (x.w1 * b1 + x.w2 * b2) - h3 * (a1 - a2);

@@ -45,9 +45,9 @@ struct MiddleRows {
 template <int M>
 struct JerkProblem {
   struct Cell {
-    double h = 0;                                  ///< mm
-    std::uint32_t station = 0;                     ///< station of its left end; the right end is the next one
-    std::array<std::array<double, M>, 2> share{};  ///< of the jerk limits, at both ends
+    double h = 0;               ///< mm
+    std::uint32_t station = 0;  ///< index of the station at the left end; the right end is the next one
+    std::array<std::array<double, M>, 2> share{};  ///< shares of the jerk limits at both ends
   };
   LargeVector<JerkStation<M>> stations;
   LargeVector<Cell> cells;
@@ -57,8 +57,8 @@ struct JerkProblem {
   /// its cap between the nodes.
   LargeVector<std::array<double, 2>> inverse_cap;
   LargeVector<std::array<double, 2>> cap_reach;  ///< mm
-  LargeVector<NodeRows<M>> nodes;                ///< by node, ascending
-  LargeVector<MiddleRows<M>> middles;            ///< by cell, ascending
+  LargeVector<NodeRows<M>> nodes;                ///< rows of nodes, in ascending order of nodes
+  LargeVector<MiddleRows<M>> middles;            ///< rows inside cells, in ascending order of cells
 };
 
 }  // namespace bahnwerk

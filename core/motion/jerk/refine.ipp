@@ -18,7 +18,7 @@ template <int N, int M>
 double JerkSectionPlanner<N, M>::slack_ramp(std::size_t c, double change, double jerk) const {
   const PathLimits here = path_limits<N>(grid_.left(c), machine_, options_.path, unlimited);
   if (change < 0.2 * here.acceleration) return 0;
-  double used = 0;  // of the jerk that the solver may use
+  double used = 0;  // used part of the jerk that the solver may use
   for (std::size_t k = 0; k < N; ++k)
     used = std::max(used, jerk * std::abs(grid_.left(c).d1[k]) * soft_.inverse_jerk[k]);
   if constexpr (M > N) used = std::max(used, jerk * soft_.inverse_jerk[N]);
@@ -43,7 +43,7 @@ bool JerkSectionPlanner<N, M>::mark(ProgressScope& progress) {
     const bool rest = from_rest(c) || to_rest(c);
     if (rest || end > p.a) loss_[c] += (rest ? 0.5 : 0.125) * T * slack_ramp(c, std::abs(end - p.a), jerk);
   }
-  // In wide cells, where jerk inside exceeds that at the ends, smaller shares cost as much as switching does.
+  // Wide cells, in which jerk inside exceeds that at the ends, lose as much by smaller shares as by switching.
   if (!path_.cartesian()) solver_.add_share_costs(loss_);
   for (const double l : loss_) total += l;
   const double bearable = (path_.cartesian() ? 1 : kinematic_loss) * options_.tolerance * time;

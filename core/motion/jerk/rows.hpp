@@ -9,7 +9,7 @@
 
 namespace bahnwerk {
 
-/// One cell, or node, of each half of the section.
+/// Numbers of two cells, or nodes: one of each half of the section.
 using Lane2 = Lanes<2>;
 constexpr std::size_t lane_count = 2;
 inline Lane2 all(double a) { return Lane2{a, a}; }

@@ -271,7 +271,7 @@ class JerkSectionPlanner {
   JerkNode entry_, exit_;  // states at both ends: rest, except in windows
   static constexpr std::size_t all_cells = std::numeric_limits<std::size_t>::max();
   double share_ = jerk_section_detail::full_share;
-  LargeVector<double> ceiling_;   // of v² per node of the current grid; empty: none
+  LargeVector<double> ceiling_;   // caps of v² at each node of the current grid; empty: none
   bool divides_ = true;           // whether cells in which the law switches are divided
   std::size_t keep_ = all_cells;  // number of cells of a window that the rest at its end does not slow
   /// Whether caps of nodes give the cells beside them more room (build_problem()), and whether that is forbidden
@@ -286,7 +286,7 @@ class JerkSectionPlanner {
   LargeVector<JerkNode> state_, before_;  // the solution, and the one before
   JerkProblem<M> problem_;
   JerkSolver<M> solver_;
-  LargeVector<CellPath<M>> shape_;  // per curved cell
+  LargeVector<CellPath<M>> shape_;  // one entry per curved cell
   LargeVector<CellPeaks<M>> peaks_;
   bool certain_ = false;  ///< whether peaks_ are exact ones of the current states
   Worst worst_;

@@ -59,7 +59,7 @@ void JerkSectionPlanner<N, M>::plan(std::size_t first, std::size_t last, double 
     const std::size_t next = usual_start() + 1;
     done = plan_whole(starts[0], progress);
     for (std::size_t i = 1; i < starts.size() && !done; ++i) {
-      build(first, last, progress);  // its cells may have been divided
+      build(first, last, progress);  // again: cells may have been divided
       // If a long section fails, shorter windows may succeed.
       done = (i == next && window > 0 && n > few_cells && plan_windows(n / 4, from, to)) ||
              plan_whole(starts[i], progress);
@@ -68,7 +68,7 @@ void JerkSectionPlanner<N, M>::plan(std::size_t first, std::size_t last, double 
       build(first, last, progress);
       plan_under_ceilings(progress);
     }
-    if (!done && best_duration_ == unlimited) {  // no optimum at all, but a law
+    if (!done && best_duration_ == unlimited) {  // any law serves, optimal or not
       build(first, last, progress);
       done = plan_whole({0, 0}, progress);
     }
@@ -160,7 +160,7 @@ bool JerkSectionPlanner<N, M>::alone(std::size_t segment, JerkLimitedResult& res
     limits.acceleration = std::min(limits.acceleration, machine_.axes[k].acceleration / t);
     limits.jerk = std::min(limits.jerk, machine_.axes[k].jerk / t);
   }
-  if (!std::isfinite(limits.jerk)) return false;  // its acceleration would jump
+  if (!std::isfinite(limits.jerk)) return false;  // without a jerk limit, the acceleration would jump
   append(result.law, straight_profile(line.length(), 0, 0, limits), line.s0(), segment);
   ++result.cells;
   return true;
@@ -219,7 +219,7 @@ void JerkSectionPlanner<N, M>::improve(double mu, ProgressScope& progress) {
       anew = true;
       mu = 1e-2;
       if (!wider_caps_) continue;
-      strict_caps_ = true;  // it may well have been these
+      strict_caps_ = true;  // the wider caps may be the cause
       build_problem(progress);
       fresh = true;
       continue;
@@ -228,7 +228,7 @@ void JerkSectionPlanner<N, M>::improve(double mu, ProgressScope& progress) {
     if (round == 0) sped_up_ = speed_up();
     mu = 0;
     if (reach > 1e-3 && reach < 1e-2 && divides_ && division < options_.max_divisions && mark(progress)) {
-      if (!cartesian) {  // both at once
+      if (!cartesian) {  // divisions for both reasons at once
         measure(false, progress);
         mark_unresolved_cells();
       }

@@ -28,13 +28,13 @@ namespace bahnwerk {
 
 struct JerkSolverOptions {
   double gap = 1e-5;        ///< complementarity relative to the duration at which the solver stops
-  double violation = 1e-6;  ///< of rows, relative to their limits, at which the solver stops
+  double violation = 1e-6;  ///< violation of rows, relative to their limits, at which the solver stops
   int iterations = 60;
 };
 
 struct JerkSolverResult {
   int iterations = 0;
-  double duration = 0, gap = 0, violation = 0;  ///< at the last iterate; gap and violation are relative
+  double duration = 0, gap = 0, violation = 0;  ///< values at the last iterate; gap and violation are relative
   double mu = 0;                                ///< mean complementarity reached
   bool converged = false;
 };
@@ -63,9 +63,9 @@ class JerkSolver {
   /// Node i of each half with its rows; the node in the middle belongs to the first half.
   struct Nodes {
     Lane2 weight;
-    Lane2 length;                           ///< of both neighbouring cells
+    Lane2 length;                           ///< length of both neighbouring cells, mm
     std::array<Lane2, 2> cap, slope;        ///< rows cap (b + slope a) ≤ 1 towards the outer and the inner cell
-    std::array<JerkSide<Lane2>, 2> capped;  ///< their states
+    std::array<JerkSide<Lane2>, 2> capped;  ///< states of these rows
     JerkNodeRows<Lane2, M> rows;
   };
   /// Further rows of one node.
@@ -124,7 +124,7 @@ class JerkSolver {
 
   const JerkProblem<M>* problem_ = nullptr;
   std::size_t n_ = 0, groups_ = 0;    ///< number of cells, and of cells in the longer half
-  LargeVector<Lane2> b_, a_, v_, w_;  ///< per node: v², a, v, 1/(2v); the last is 0 at rest
+  LargeVector<Lane2> b_, a_, v_, w_;  ///< v², a, v, 1/(2v) of each node; the last one is 0 at rest
   LargeVector<Lane2> db_, da_;
   LargeVector<Cells> cells_;
   LargeVector<Nodes> nodes_;

@@ -12,9 +12,9 @@ constexpr double stuck_step = 0.05;
 constexpr int stuck_steps = 3;
 /// The gap is reduced to no less than this part of the requested one.
 constexpr double min_gap = 0.3;
-/// From a solution, step lengths vary along the section; after this many steps they are equal everywhere, which is
-/// slower but converges. From a rough start, one with a barrier parameter larger than this, they are always equal:
-/// large steps of different lengths would violate the equations too much.
+/// Number of steps from a solution during which step lengths vary along the section. After these, step lengths are
+/// equal everywhere, which is slower but converges. From a rough start, one with a barrier parameter larger than the
+/// constant below, they are always equal: large steps of different lengths would violate the equations too much.
 constexpr int uneven_steps = 10;
 constexpr double rough_start = 5e-3;
 

@@ -15,9 +15,9 @@ namespace bahnwerk {
 
 /// Limits along the path at one place.
 struct PathLimits {
-  double cap = unlimited;           ///< of v², mm²/s²
-  double acceleration = unlimited;  ///< along a straight, mm/s²
-  double jerk = unlimited;          ///< along a straight, mm/s³
+  double cap = unlimited;           ///< largest v², mm²/s²
+  double acceleration = unlimited;  ///< acceleration along a straight line, mm/s²
+  double jerk = unlimited;          ///< jerk along a straight line, mm/s³
 };
 
 template <int N>
@@ -26,11 +26,11 @@ PathLimits path_limits(const Station<N>& at, const Machine& machine, const Limit
 /// v² at every node, and the approximate duration of each cell, s (with rest at its ends allowed).
 struct RoughProfile {
   LargeVector<double> b, duration;
-  LargeVector<double> smooth_b;     ///< made by smooth()
-  LargeVector<double> s, t;         ///< of the nodes, from the section's beginning; made by smooth()
-  LargeVector<double> half_window;  ///< s, per node; made by smooth()
+  LargeVector<double> smooth_b;  ///< made by smooth()
+  LargeVector<double> s, t;  ///< place (mm) and time (s) of each node from the section's beginning; made by smooth()
+  LargeVector<double> half_window;  ///< half width of the window at each node, s; made by smooth()
 };
-/// `node_cap` is the largest v² per node from joints and feeds; zero at both ends.
+/// `node_cap` is the largest v² of each node from joints and feeds, mm²/s²; it is zero at both ends.
 template <int N>
 void rough_profile(const Grid<N>& grid, const std::vector<double>& feed, const Machine& machine, const Limits& path,
                    const LargeVector<double>& node_cap, RoughProfile& profile, ProgressScope& progress);

@@ -11,8 +11,8 @@ namespace bahnwerk {
 /// The order is that of solver.hpp: both halves of the section from its ends inwards.
 struct JerkSteps {
   LargeVector<Lane2> primal,
-      dual;  ///< per cell: first 1/(part of the step that reaches a boundary), after fit() the part taken
-  LargeVector<Lane2> node_primal, node_dual;  ///< per node: the smaller part of both its cells
+      dual;  ///< inverse of the part of each cell's step that reaches a boundary; after fit() the part taken
+  LargeVector<Lane2> node_primal, node_dual;  ///< part taken at each node, the smaller one of both its cells
   double mean_primal = 0, mean_dual = 0;
 
   void still(std::size_t cells) {

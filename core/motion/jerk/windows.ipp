@@ -37,7 +37,7 @@ constexpr std::size_t clear_cells = 4, farthest_cut = 64;
 
 template <int N, int M>
 bool JerkSectionPlanner<N, M>::plan_windows(std::size_t window, double from, double to) {
-  struct Place {  // where a window begins, and what is known there
+  struct Place {  // beginning of a window, with the state there
     std::size_t begin, cells, pieces;
     double slow;
     JerkNode entry;
@@ -67,7 +67,7 @@ bool JerkSectionPlanner<N, M>::plan_windows(std::size_t window, double from, dou
         grow(pieces_, foreseen(least, static_cast<double>(here.begin) / static_cast<double>(n)), stage_progress);
       attempt(start, stage_progress);
       end = here.begin + keep_;
-      if (end < n && !(exit_.b > 0)) slow_ = unlimited;  // it never came to that
+      if (end < n && !(exit_.b > 0)) slow_ = unlimited;  // the law has no state at the cut
       if (slow_ < start.enough) break;
     }
     // If the section failed as a whole, longer windows would fail, too.
@@ -119,7 +119,7 @@ std::size_t JerkSectionPlanner<N, M>::take_window(std::size_t begin, std::size_t
     for (std::size_t c = keep_; c < end - begin; ++c) braking += rough_.duration[c];
     for (double time = overlap_ * (jerk_times * jerk_time_ + braking_times * braking); keep_ > 0 && time > 0;)
       time -= rough_.duration[--keep_];
-    while (keep_ > 0 && joint(keep_)) --keep_;  // what holds across a joint is one window's affair
+    while (keep_ > 0 && joint(keep_)) --keep_;  // both sides of a joint belong to one window
     if (2 * keep_ >= cells) return cells;
   }
 }

@@ -22,7 +22,7 @@ struct LawState {
 struct LawPiece {
   double t0 = 0, duration = 0;  ///< s
   double s = 0, s_end = 0;      ///< mm
-  double v = 0, a = 0, j = 0;   ///< at the beginning
+  double v = 0, a = 0, j = 0;   ///< state at the beginning, mm/s, mm/s², mm/s³
   std::size_t segment = 0;      ///< the path segment in which the whole piece lies
   double snap = 0;              ///< mm/s⁴; jerk is linear over the piece
 

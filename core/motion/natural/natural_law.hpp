@@ -19,7 +19,7 @@ namespace bahnwerk {
 class Progress;
 
 struct NaturalOptions {
-  /// Per segment: its share of its link's parameter, 0 between links. Consecutive segments with shares belong to one
+  /// Share of each segment in its link's parameter, 0 between links. Consecutive segments with shares belong to one
   /// link until their shares add up to 1.
   std::vector<double> shares;
   std::size_t steps = 64;  ///< pieces of the law per segment

@@ -20,8 +20,8 @@ namespace bahnwerk {
 /// Durations (s) of the phases: jerk rises (ramp), holds, falls; acceleration holds; then the mirror image.
 struct SpeedChange {
   double ramp = 0, jerk_hold = 0, hold = 0;
-  double acceleration = 0;  ///< its peak, mm/s²
-  double jerk = 0;          ///< its peak, mm/s³; infinite without jerk and snap limit
+  double acceleration = 0;  ///< peak acceleration, mm/s²
+  double jerk = 0;          ///< peak jerk, mm/s³; infinite without limits of jerk and snap
 };
 
 /// Limits on acceleration (mm/s²), jerk (mm/s³) and snap (mm/s⁴), positive, at least one of them finite.

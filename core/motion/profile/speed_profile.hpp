@@ -25,7 +25,7 @@ inline constexpr Named<SpeedProfile> speed_profiles[] = {{SpeedProfile::double_s
                                                          {SpeedProfile::trapezoid, "trapezoid"},
                                                          {SpeedProfile::trigonometric, "trigonometric"}};
 
-/// One piece: v(τ) = v + a τ + j τ²/2 + snap τ³/6 above the lower speed, mm/s, over τ ∈ [0, duration].
+/// A piece of a rise: v(τ) = v + a τ + j τ²/2 + snap τ³/6 above the lower speed, mm/s, over τ ∈ [0, duration].
 struct RisePiece {
   double duration = 0, v = 0, a = 0, j = 0, snap = 0;
 };
@@ -34,7 +34,7 @@ struct Rise {
   std::array<RisePiece, 16> piece{};
   std::size_t count = 0;
   double height = 0, duration = 0;  ///< mm/s, s
-  double acceleration = 0;          ///< its peak, mm/s²
+  double acceleration = 0;          ///< peak acceleration, mm/s²
   std::span<const RisePiece> pieces() const { return {piece.data(), count}; }
   /// Returns the distance of the rise from speed `low`, or of the fall down to it, mm.
   double distance(double low) const { return duration * (low + height / 2); }
@@ -42,7 +42,7 @@ struct Rise {
 
 struct SpeedProfileRow {
   SpeedProfile profile;
-  bool limits_jerk;  ///< its acceleration is continuous and its jerk stays within the limit
+  bool limits_jerk;  ///< whether acceleration is continuous and jerk stays within the limit
   /// Returns the fastest rise of this profile by `height` ≥ 0 within acceleration (mm/s²) and jerk (mm/s³), both
   /// positive, one of them finite; acceleration has to be finite for a profile that does not limit jerk.
   Rise (*rise)(double height, double acceleration, double jerk);

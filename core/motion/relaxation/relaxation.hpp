@@ -37,7 +37,7 @@ struct RelaxationOutcome {
   int iterations = 0;
   double duration = 0;   ///< s, Σ T_j at the last iterate
   double gap = 0;        ///< complementarity relative to the duration
-  double violation = 0;  ///< of the rows, relative to their limits
+  double violation = 0;  ///< largest violation of rows, relative to their limits
   bool converged = false;
 };
 
@@ -62,14 +62,14 @@ class RelaxationSolver {
   RelaxationMultipliers<N> multipliers() const;
 
  private:
-  using Sides = Lanes<2>;  ///< of |x| ≤ limit
+  using Sides = Lanes<2>;  ///< both sides of |x| ≤ limit
   /// Spline j has the stored cells j … j + 2 as its support; place r of its support is stored as j + 2 − r.
   struct Spline {
     Inequality<double> time;
     std::array<Inequality<Sides>, N> jerk;
-    double T = 0, step = 0;                  ///< and its step
+    double T = 0, step = 0;                  ///< variable T_j, s, and its step
     double inverse_curvature = 0, rest = 0;  ///< inverse second derivative by T; right-hand side
-    std::array<double, 3> coupling{};        ///< with b of its cells
+    std::array<double, 3> coupling{};        ///< coupling of T_j with b of the cells of its support
   };
   using Hat = std::array<Inequality<Sides>, N>;
   /// Change of the complementarity under the predictor's steps.

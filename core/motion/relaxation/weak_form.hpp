@@ -66,10 +66,10 @@ struct WeakCell {
 template <int N>
 struct WeakForm {
   std::vector<WeakCell<N>> cells;              ///< two empty cells at each end: cell i is stored as i + 2
-  std::vector<std::array<double, N>> allowed;  ///< per spline: step_jk, s
-  std::vector<double> mass;                    ///< per node: ∫ hat ds, mm
+  std::vector<std::array<double, N>> allowed;  ///< step_jk of each spline j and axis k, s
+  std::vector<double> mass;                    ///< ∫ hat ds of each node, mm
 
-  /// O(cells). Reuses its memory.
+  /// Computes the weak form of a problem. O(cells). Reuses its memory.
   void take(const RelaxationProblem<N>& problem);
 };
 

@@ -32,7 +32,7 @@ class ContourSetpoints : public PathSetpoints {
     std::size_t block;
     bool cut;
   };
-  std::vector<Label> labels_;  // of the blocks that are not empty, in order; at least one
+  std::vector<Label> labels_;  // labels of the blocks that are not empty, in order; at least one
 };
 
 }  // namespace bahnwerk

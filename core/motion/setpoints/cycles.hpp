@@ -9,7 +9,8 @@ struct Cycles {
   std::size_t count = 0;  ///< setpoints = count + 1
   double factor = 1;
 };
-/// Both arguments in s; at least one cycle.
+/// Returns the least number of cycles, at least one, that `duration` fits into, and the factor by which the motion is
+/// slowed to last so many. Both arguments in s.
 Cycles whole_cycles(double duration, double cycle_time);
 
 }  // namespace bahnwerk

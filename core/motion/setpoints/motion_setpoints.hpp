@@ -29,7 +29,7 @@ class MotionSetpoints : public SetpointSource {
   struct Row {
     std::size_t index = 0;
     double t = 0;           ///< s
-    std::size_t piece = 0;  ///< of the motion
+    std::size_t piece = 0;  ///< piece of the motion that holds t
     bool last = false;
     std::size_t place = unknown;  ///< position of write() after the row before, if it is stored there
     Interpolation::Row stepped;   ///< the row before, where places are stepped from row to row

@@ -39,7 +39,7 @@ class NeedleSetpoints final : public MotionSetpoints {
   struct Place {
     std::size_t segment = 0;
     double u = 0;
-    LawState law;  ///< its s: where the needle is
+    LawState law;  ///< state of the law; law.s is the needle's place
   };
   void write(Row& row, double* out) const override;
   Place place(Row& row) const;

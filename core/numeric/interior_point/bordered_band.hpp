@@ -87,8 +87,8 @@ class BorderedBand final : public InteriorPointSystem {
   void solve_border(std::size_t columns);
   bool factor_band();
 
-  std::vector<std::size_t> position_;  // of the band's variables
-  std::size_t slots_ = 0;              // of the band: variables and local equalities
+  std::vector<std::size_t> position_;  // place of each variable in the band
+  std::size_t slots_ = 0;              // size of the band: number of variables and local equalities
   std::size_t far_ = 0;
   std::vector<double> border_cost_, equality_side_, inequality_side_;
   mutable std::vector<double> cost_;

@@ -43,12 +43,14 @@ struct InteriorPoint {
 
 struct InteriorPointOptions {
   double gap = 1e-9;       ///< mean of s z at which the method ends, relative to 1 + |cᵀx|, times the number of rows
-  double residual = 1e-9;  ///< of all equations, absolute: programs are scaled to the order of 1
-  double primal_residual = std::numeric_limits<double>::infinity();  ///< of rows and equalities, where it is to be less
-  std::optional<double> dual_residual;  ///< of Qx + c + Gᵀz + Eᵀy, in place of `residual`
-  /// Slacks and multipliers go equally far. A quadratic objective needs it: it couples both sides' residuals.
+  double residual = 1e-9;  ///< largest residual of all equations, absolute: programs are scaled to the order of 1
+  double primal_residual =
+      std::numeric_limits<double>::infinity();  ///< largest residual of rows and equalities, if smaller
+  std::optional<double> dual_residual;          ///< largest residual of Qx + c + Gᵀz + Eᵀy; unset: `residual`
+  /// Whether slacks and multipliers take equal step lengths. A quadratic objective needs this: it couples the residuals
+  /// of both.
   bool common_step = false;
-  /// Solutions are refined (solve_refined). A positive definite K without equalities does well without.
+  /// Whether solutions are refined (solve_refined). A positive definite K without equalities does not need it.
   bool refined = true;
   int max_iterations = 80;
   std::function<void()> tick;  ///< called every iteration; may throw
@@ -57,7 +59,7 @@ struct InteriorPointOptions {
 struct InteriorPointResult {
   bool converged = false;
   int iterations = 0;
-  double gap = 0, primal_residual = 0, dual_residual = 0;  ///< at the last iterate
+  double gap = 0, primal_residual = 0, dual_residual = 0;  ///< values at the last iterate
 };
 
 /// Iterates from `point`, whose sizes and signs have to be right, to the optimum. Without convergence `point` is the
@@ -72,8 +74,9 @@ InteriorPointResult solve_interior_point(InteriorPointSystem& system, InteriorPo
 void solve_refined(const InteriorPointSystem& system, const std::vector<double>& weights, std::vector<double>& x,
                    std::vector<double>& y);
 
-/// For linear programs: a lower bound of cᵀx over all feasible x is value − Σ |residual_k| magnitude_k where |x_k| ≤
-/// magnitude_k, by weak duality, for any multipliers. Dual infeasibility is charged with its largest effect.
+/// A lower bound of a linear program, for any multipliers, by weak duality. Over all feasible x, cᵀx is at least value
+/// − Σ |residual_k| magnitude_k where |x_k| ≤ magnitude_k: the dual infeasibility is subtracted with its largest
+/// possible effect.
 struct DualValue {
   double value = 0;              ///< −gᵀz − eᵀy
   std::vector<double> residual;  ///< c + Gᵀz + Eᵀy

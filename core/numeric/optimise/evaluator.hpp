@@ -10,13 +10,13 @@
 
 namespace bahnwerk {
 
-/// All values at one point, scaled.
+/// Values of objective and constraints at a point, scaled.
 struct OptimisationPoint {
   std::vector<double> z, x;  ///< x = scale · z within the bounds
   double objective = 0;
   std::vector<double> rows;   ///< inequalities, then equalities
-  double violation = 0;       ///< largest one of a row
-  bool defined = false;       ///< all values finite
+  double violation = 0;       ///< largest violation of a row
+  bool defined = false;       ///< whether all values are finite
   bool has_gradient = false;  ///< whether the next two are valid and finite
   std::vector<double> gradient, jacobian;
 };

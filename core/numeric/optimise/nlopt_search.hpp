@@ -1,5 +1,5 @@
 #pragma once
-/// One run of NLopt. No other pair of files includes NLopt.
+/// Runs NLopt once. No other header or source includes NLopt.
 #include <cstddef>
 #include <vector>
 

@@ -31,7 +31,7 @@ struct Constraints {
 /// of callbacks are passed on by minimise() unchanged.
 struct OptimisationProblem {
   std::size_t dimension = 0;
-  std::vector<double> lower, upper;  ///< per variable; may be infinite; empty: unbounded
+  std::vector<double> lower, upper;  ///< bounds of each variable; may be infinite; empty: unbounded
   std::vector<double> scale;         ///< typical size of each variable's change; empty: 1
   double objective_scale = 1;        ///< typical change of the objective when a variable changes by its scale
   /// Returns f(x) and fills `gradient` (dimension) unless it is empty.
@@ -59,7 +59,7 @@ struct OptimisationOptions {
   double kkt_tolerance = 1e-6;         ///< see kkt_residual
   double constraint_tolerance = 1e-8;  ///< largest violation of a feasible point
   std::size_t max_evaluations = 10000;
-  std::uint64_t seed = 1;  ///< for isres and for the starts of repeated searches
+  std::uint64_t seed = 1;  ///< seed of isres and of the starting points of repeated searches
 };
 
 enum class OptimisationStatus {

@@ -46,7 +46,7 @@ BoundNode<N> BoundGrid<N>::place(std::size_t segment, double u) const {
   n.u = u, n.segment = static_cast<std::uint32_t>(segment);
   if (path_.cartesian()) {
     Jet h;
-    if (const Arc* arc = shape(segment).arc) {  // of constant speed
+    if (const Arc* arc = shape(segment).arc) {  // an arc has constant parametric speed
       h = arc->at(u);
       const double inverse = 1 / arc->length(), square = inverse * inverse;
       h.d1 = inverse * h.d1, h.d2 = square * h.d2;
@@ -106,11 +106,12 @@ double BoundGrid<N>::jerk_cap(const AxisSizes& sizes) const {
     for (std::size_t k = 0; k < axes_; ++k) {
       if (k == m || !std::isfinite(jerk_[k]) || !(sizes.least_third[k] > 0)) continue;
       const double d1 = most(sizes.low[k], sizes.high[k]), d2 = most(sizes.q2_low[k], sizes.q2_high[k]),
-                   weight = 3 * (d2 + d1 * q2);  // of v |v̇|
+                   weight = 3 * (d2 + d1 * q2);  // factor of v |v̇|
       const double c3 = sizes.least_third[k] - d1 * sizes.third[m] / rate - weight * q2, c1 = weight * along,
                    c0 = jerk_[k] + d1 * jerk_[m] / rate;
       if (!(c3 > 0) || !std::isfinite(c0 + c1)) continue;
-      double v = std::cbrt(c0 / c3) + std::sqrt(c1 / c3);  // no less than the root; Newton's steps stay above it
+      double v =
+          std::cbrt(c0 / c3) + std::sqrt(c1 / c3);  // an upper bound of the root; Newton's steps stay above the root
       for (int i = 0; i < 4; ++i) v -= (c3 * v * v * v - c1 * v - c0) / (3 * c3 * v * v - c1);
       cap = std::min(cap, sq(v * give));
     }

@@ -24,9 +24,9 @@ class BoundGrid {
  public:
   using Node = BoundNode<N>;
   using Cell = BoundCell<N>;
-  static constexpr double widest_turn = 0.02;  ///< rad per cell
+  static constexpr double widest_turn = 0.02;  ///< largest turn of q' in a cell, rad
   static constexpr double widest_change =
-      0.1;  ///< of q'' over half a cell, relative to q''; cells are halved beyond that
+      0.1;  ///< largest change of q'' over half a cell, relative to q''; wider cells are halved
 
   /// `path` and `progress` have to outlive the object. `feeds` are speeds of the tool per segment, infinite where not
   /// limited. O(panels) for axes through kinematics.
@@ -104,11 +104,11 @@ class BoundGrid {
   using Row = std::array<double, N>;
   /// Properties of a segment that every node needs.
   struct Shape {
-    const Arc* arc = nullptr;            ///< if it is one
-    const Rational* rational = nullptr;  ///< likewise
-    double first = 0, last = 0;          ///< parameters
+    const Arc* arc = nullptr;            ///< the segment's arc; null for other curves
+    const Rational* rational = nullptr;  ///< the segment's rational piece; null for other curves
+    double first = 0, last = 0;          ///< parameters at both ends
     double third = 0;                    ///< |h'''| of arcs, 1/mm²
-    bool linear = false;                 ///< in all axes
+    bool linear = false;                 ///< whether all axes are linear in s
   };
   const Shape& shape(std::size_t segment) const {
     if (segment != shape_of_) learn(segment);
@@ -136,7 +136,7 @@ class BoundGrid {
   /// Enclosures of q' and q'', and bounds of |q'''|, between two places of a segment, for axes through kinematics.
   struct AxisSizes {
     Row low{}, high{}, q2_low{}, q2_high{}, third{};
-    Row least_third{};  ///< of |q'''|, from below
+    Row least_third{};  ///< lower bounds of |q'''|
   };
   double jerk_cap(const AxisSizes& sizes) const;
   /// `depth` limits how often the interval, `length` mm, is halved to find enclosures of short intervals.
@@ -156,21 +156,21 @@ class BoundGrid {
   std::vector<double> feeds_;
   ProgressScope& progress_;
   Blocks<Node> nodes_;
-  Blocks<Cell> cells_;  ///< of the same id as the node that they begin at
+  Blocks<Cell> cells_;  ///< cell with the id of its first node
   std::vector<std::uint32_t> order_, former_;
   std::vector<Span> fresh_;
-  double valley_ = unlimited;  ///< of the cells that are being appended
+  double valley_ = unlimited;  ///< value for the cells that are being appended
   bool jerk_limited_ = false;
   struct SizedInterval {
     std::size_t segment = static_cast<std::size_t>(-1);
     double u0 = 0, u1 = 0;
     AxisSizes sizes;
   };
-  mutable SizedInterval stretch_;  ///< of the last query
-  mutable SizedInterval whole_;    ///< of remember()
-  mutable Shape shape_;            ///< of the segment of the last query
+  mutable SizedInterval stretch_;  ///< interval of the last query
+  mutable SizedInterval whole_;    ///< interval of remember()
+  mutable Shape shape_;            ///< shape of the segment of the last query
   mutable std::size_t shape_of_ = static_cast<std::size_t>(-1);
-  mutable std::optional<Hodograph> hodograph_;  ///< of the segment of the last query
+  mutable std::optional<Hodograph> hodograph_;  ///< hodograph of the segment of the last query
   mutable std::size_t hodograph_of_ = 0;
 };
 

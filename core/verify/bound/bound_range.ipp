@@ -10,7 +10,7 @@
 namespace bahnwerk::verify {
 namespace {
 
-constexpr double bend_rounding = 1e-9;  // of q'' at a node, generously
+constexpr double bend_rounding = 1e-9;  // relative rounding error of q'' at a node, estimated generously
 
 Hodograph::DerivativeBounds second_derivative_bounds_of(const Arc& arc) {
   const double turn = std::abs(arc.sweep()) / arc.length() * (1 + 8 * epsilon);  // rad/mm
@@ -51,7 +51,7 @@ DirectionRange<N> BoundGrid<N>::range(const Node& a, const Node& b) const {
   return range;
 }
 
-// Where q'' has one sign, q' lies between its end values.
+// q' lies between its end values where q'' has one sign.
 template <int N>
 DirectionRange<N> BoundGrid<N>::range_by_map(const Node& a, const Node& b) const {
   const double length = b.s - a.s, rounding_error = std::max(a.rounding_error, b.rounding_error);
@@ -90,7 +90,7 @@ typename BoundGrid<N>::AxisSizes BoundGrid<N>::axis_sizes(std::size_t segment, d
   if (known) return sizes;
   const Hodograph::DerivativeBounds derivative_bounds = this->derivative_bounds(segment, u0, u1);
   const MapBounds map = path_.map_bounds(segment, middle, length);
-  known = path_.pose_turn(segment, middle, half) == 0;  // else the tool's angles move the axes, too
+  known = path_.pose_turn(segment, middle, half) == 0;  // otherwise the tool's angles move the axes, too
   for (std::size_t k = 0; k < axes_; ++k) {
     const double m1 = scale_[k] * map.order[0][k], m2 = scale_[k] * map.order[1][k], m3 = scale_[k] * map.order[2][k];
     const double first = known ? m1 : unlimited, second = known ? m2 + m1 * derivative_bounds.second : unlimited;

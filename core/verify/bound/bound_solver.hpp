@@ -16,7 +16,7 @@ namespace bahnwerk::verify {
 template <int N>
 class BoundSolver {
  public:
-  /// Both have to outlive the object.
+  /// `grid` and `progress` have to outlive the object.
   BoundSolver(const BoundGrid<N>& grid, ProgressScope& progress) : grid_(grid), progress_(progress) {}
 
   /// Solves the whole grid.
@@ -66,9 +66,9 @@ class BoundSolver {
 
   const BoundGrid<N>& grid_;
   ProgressScope& progress_;
-  // By id. `ahead_` is the largest b after the forward pass. `active_` is 0 for none, else the condition that binds
-  // from one end of the cell to the other: feed, axis accelerates, brakes, runs at its velocity. `state_` has the flags
-  // above.
+  // Entries belong to nodes and cells by their ids. `ahead_` is the largest b after the forward pass. `active_` is 0
+  // for none, else the condition that binds from one end of the cell to the other: feed, axis accelerates, brakes, runs
+  // at its velocity. `state_` has the flags above.
   std::vector<double> ahead_, b_, time_;
   std::vector<unsigned char> active_, state_;
   std::vector<Span> reached_;  ///< nodes [first, last) that the passes reached

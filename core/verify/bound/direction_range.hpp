@@ -29,8 +29,8 @@ struct DirectionRange {
   std::array<double, N> low{}, high{};
   /// Returns how far q'_k may have the wrong sign; 0: q_k is monotone.
   double wrong(std::size_t k) const { return std::max(0.0, std::min(high[k], -low[k])); }
-  double least(std::size_t k) const { return std::max({0.0, low[k], -high[k]}); }  ///< of |q'_k|
-  double most(std::size_t k) const { return std::max({0.0, high[k], -low[k]}); }   ///< of |q'_k|
+  double least(std::size_t k) const { return std::max({0.0, low[k], -high[k]}); }  ///< smallest |q'_k|
+  double most(std::size_t k) const { return std::max({0.0, high[k], -low[k]}); }   ///< largest |q'_k|
 };
 
 }  // namespace bahnwerk::verify

@@ -7,7 +7,7 @@
 
 namespace bahnwerk::verify {
 
-/// With h = N/w the tangent has the direction of V = N' w − N w' (N' for a polynomial), whose components are
+/// The tangent of a curve h = N/w has the direction of V = N' w − N w' (N' for a polynomial), whose components are
 /// polynomials with the signs of those of h'. About the middle of the interval, V = Σ v_j x^j with |x| ≤ 1: the
 /// magnitudes of the v_j bound everything. Rounding of the v_j is included, from the magnitudes of their terms.
 class Hodograph {
@@ -43,7 +43,7 @@ class Hodograph {
   std::array<Row, 3> v_{};  ///< V
   Row size_{};              ///< magnitudes of the coefficients of all components together without cancellation
   Row w_{};
-  double begin_, width_;                              ///< of t
+  double begin_, width_;                              ///< interval of t
   std::array<std::array<double, 3>, parts> fifth_{};  ///< bounds of V⁽⁵⁾/5! over parts of the curve, computed on demand
   std::array<bool, parts> known_{};
 };

@@ -60,11 +60,11 @@ class JerkBound {
   ProgressScope& progress_;
   bool limited_ = false;
   std::size_t cells_ = 0;
-  Row shown_jerk_{};                                       ///< per axis: jerk that the cells resolve
+  Row shown_jerk_{};                                       ///< jerk that the cells resolve, one entry per axis
   double ramp_ = std::numeric_limits<double>::infinity();  ///< s, shortest time from zero acceleration to the limit
-  double acceleration_of_ramp_ = 0;                        ///< of that axis
-  std::vector<std::size_t> cell_of_;                       ///< per current piece
-  /// Of the current cell: time, s; turn, rad; integral of the caps; change of the axes' acceleration.
+  double acceleration_of_ramp_ = 0;                        ///< acceleration limit of the axis with that ramp
+  std::vector<std::size_t> cell_of_;                       ///< cell of each current piece
+  /// Sums over the current cell: time, s; turn, rad; integral of the caps; change of the axes' acceleration.
   double time_ = 0, turn_ = 0, capped_ = 0, swing_ = 0;
   double slowest_ = 0, fastest_ = 0;  ///< smallest and largest cap of its pieces
   JerkPieces<N> pieces_;

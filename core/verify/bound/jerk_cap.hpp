@@ -45,12 +45,13 @@ template <int N>
 struct JerkCapPiece {
   using Row = std::array<double, N>;
   std::size_t axes = N;
-  Row acceleration{}, jerk{};                ///< limits; jerk may be infinite
-  std::array<AxisWay, N> ahead{}, behind{};  ///< from its end onwards, from its beginning backwards
-  double length = 0;                         ///< mm
-  std::array<Row, 2> tangent{}, q2{};        ///< q′, q″ at both ends
-  Row least{}, most{};        ///< of |q′_k| over the whole piece; least is 0 where the axis may turn round
-  Row displacement{};         ///< |Δq_k| at most
+  Row acceleration{}, jerk{};  ///< limits of the axes; jerk may be infinite
+  std::array<AxisWay, N> ahead{},
+      behind{};                        ///< ways of the axes from the end onwards, and from the beginning backwards
+  double length = 0;                   ///< mm
+  std::array<Row, 2> tangent{}, q2{};  ///< q′, q″ at both ends
+  Row least{}, most{};        ///< bounds of |q′_k| over the whole piece; least is 0 where the axis may reverse
+  Row displacement{};         ///< upper bound of |Δq_k|
   double rounding_error = 0;  ///< effect of rounding on a component of q′
   bool unit = false;          ///< |q′| = 1, and q″ ⟂ q′
 };

@@ -47,17 +47,17 @@ template <int N>
 struct DualPiece {
   using Row = std::array<double, N>;
   std::size_t segment = 0;
-  double u0 = 0, u1 = 0;               ///< its ends on the segment's curve
+  double u0 = 0, u1 = 0;               ///< parameters of the ends on the segment's curve
   Row displacement{}, begin{}, end{};  ///< q at the end − at the begin, q′ at both ends
-  Row q2{};                            ///< largest |q″_k| at its ends
+  Row q2{};                            ///< largest |q″_k| at the ends
   Row third{};                         ///< bounds of |q‴_k|, 1/mm²
   double length = 0;
   double cap = 0;                 ///< largest b anywhere in it
   double along = 0;               ///< largest |v̇| in it
   double time = 0;                ///< approximate, s
-  double rounding = 0;            ///< of the length and of q′, relative
+  double rounding = 0;            ///< relative rounding error of the length and of q′
   double displacement_error = 0;  ///< effect of rounding of q at either end on a component of `displacement`
-  DualJoint<N> joint;             ///< before its beginning
+  DualJoint<N> joint;             ///< joint before the beginning
 };
 
 /// Returns the piece between two places of one segment with |q‴_k| ≤ `third`; without a joint.
@@ -93,7 +93,7 @@ class JerkDual {
 
   const BoundGrid<N>& grid_;
   ProgressScope& progress_;
-  /// Of the current cell: its length, its splines with their w and λ, μ at its ends.
+  /// Values of the current cell: its length, its splines with their w and λ, and μ at its ends.
   double length_ = 0;
   std::array<SplinePart, 3> parts_{};
   std::array<double, 3> weight_{};

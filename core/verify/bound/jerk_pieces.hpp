@@ -49,7 +49,7 @@ class JerkPieces {
   bool dropped() const { return dropped_; }  ///< whether any was removed since begin()
 
   const Blocks<DualPiece<N>>& list() const { return pieces_; }
-  const Blocks<Extent>& extents() const { return extents_; }  ///< per piece
+  const Blocks<Extent>& extents() const { return extents_; }  ///< extent of each piece
 
  private:
   using Node = BoundNode<N>;
@@ -84,9 +84,9 @@ class JerkPieces {
   double much_change_;       ///< change of b along a piece above which it is halved
   Row shown_jerk_;
   double part_of_change_ = 0;  ///< time of a cell relative to the time in which jerk changes the speed
-  double spacing_ = 0;         ///< s, time of a cell
-  double first_piece_ = 0;     ///< mm, next to rest
-  /// Per node of the grid: the longest piece, mm, that rests and steps of acceleration before and behind it allow.
+  double spacing_ = 0;         ///< time of a cell, s
+  double first_piece_ = 0;     ///< length of the piece next to a rest, mm
+  /// Longest piece at each node of the grid, mm, that rests and steps of acceleration before and behind it allow.
   std::vector<double> before_, behind_;
   /// Approximate v^(3/2) of a motion at the nodes of the grid, without feeds; its lower estimate; and its largest
   /// growth per mm. They only decide where pieces are short.

@@ -34,7 +34,7 @@ class OneWay {
     double at = 0, steps = 0;  ///< position of the axis there; sum of the steps up to there
     double acceleration = 0;   ///< upper bound there
   };
-  /// Per cell, the indices of the ends, which neighbouring cells mostly share.
+  /// Ends of all cells, with the index of each cell's end; neighbouring cells mostly share one.
   struct Ends {
     std::vector<std::uint32_t> of;
     std::vector<std::array<End, N>> list;

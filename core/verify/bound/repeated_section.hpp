@@ -33,9 +33,9 @@ class RepeatedSections {
   struct Known {
     std::size_t first, last;
     double duration;
-    std::size_t nodes, cells;  ///< of the bound's grid, of the relaxation
+    std::size_t nodes, cells;  ///< number of nodes of the bound's grid, and of cells of the relaxation
   };
-  /// All have to outlive the object.
+  /// The arguments have to outlive the object.
   RepeatedSections(const AxisPath& path, const Machine& machine, const std::vector<double>& feeds,
                    ProgressScope& progress)
       : path_(path), machine_(machine), feeds_(feeds), progress_(progress) {}

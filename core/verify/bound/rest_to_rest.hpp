@@ -25,7 +25,7 @@ inline double rest_to_rest(double way, double speed, double acceleration, double
 /// Returns the duration along a segment over which q is linear: all axes share one law.
 inline double rest_to_rest(const AxisPath& path, std::size_t linear, double feed, const Machine& machine) {
   const double u = path[linear].curve().begin();
-  const bool cartesian = path.cartesian();  // without conversion from eight axes
+  const bool cartesian = path.cartesian();  // the path's own derivatives, without a conversion from eight axes
   const Vec way = cartesian ? path[linear].at_parameter(u).d1 : Vec{};
   const AxisArray other = cartesian ? AxisArray{} : path.at_parameter(linear, u).d1;
   double speed = feed, acceleration = unlimited, jerk = unlimited;

@@ -59,11 +59,11 @@ class TubeBlock {
   double tolerance_;
   ProgressScope& progress_;
   PathRange given_, path_;
-  std::vector<CurvePiece> limbs_, links_;  ///< of the contour and of the path
-  std::vector<Match> ends_;                ///< of the path's pieces
-  std::vector<Cell> cells_;                ///< of one piece of the path
+  std::vector<CurvePiece> limbs_, links_;  ///< pieces of the contour and of the path
+  std::vector<Match> ends_;                ///< matches of the ends of the path's pieces
+  std::vector<Cell> cells_;                ///< cells of the current piece of the path
   std::vector<std::size_t> strayed_;       ///< pieces of the path that are farther away than the tolerance
-  Worst near_, far_;                       ///< of all other pieces, and of these
+  Worst near_, far_;  ///< largest distances: of the pieces that stay within the tolerance, and of those in strayed_
   std::vector<Vec> given_points_, path_points_;
 };
 

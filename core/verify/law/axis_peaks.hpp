@@ -10,7 +10,7 @@ namespace bahnwerk::verify {
 
 struct AxisPeaks {
   std::vector<Check> checks;      ///< velocity, acceleration, jerk of each limited axis
-  std::vector<TooFast> too_fast;  ///< one per motion between two rests in which a limit is exceeded
+  std::vector<TooFast> too_fast;  ///< an entry for each motion between two rests in which a limit is exceeded
   /// |∫|dh/du|du − (s_end − s)| of a piece on a free-form segment, mm, relative to five times the resolution of the
   /// quadrature: 1e-11 of the piece and 2e-12 of the segment, and the rounding of s.
   Strained arc_length;

@@ -10,7 +10,7 @@ namespace bahnwerk::verify {
 
 /// The functions whose peaks are searched: v², a and j² of one axis, with h by arc length and the law's v, a, j.
 enum class Quantity { velocity, acceleration, jerk };
-/// One bound per quantity, for every coordinate of the tool; infinite where unknown.
+/// A bound of each quantity, valid for every coordinate of the tool; infinite where unknown.
 using ChannelBounds = std::array<double, 3>;
 
 /// Bounds for a piece of constant acceleration `a`, over the curve's parameter: an interval of half width `half` about

@@ -12,8 +12,8 @@
 
 namespace bahnwerk::verify {
 
-/// For all complex u with |u − centre| < radius, h′, h″, h‴ (by arc length) and s are analytic, and the members are
-/// upper bounds of their magnitudes (norms of complex vectors, mm). radius = 0 means that nothing is known.
+/// A disc |u − centre| < radius of complex parameters in which h′, h″, h‴ (by arc length) and s are analytic. The
+/// members are upper bounds of their magnitudes (norms of complex vectors, mm). radius = 0 means that nothing is known.
 struct CurveDisc {
   double centre = 0, radius = 0;
   double first = 0, second = 0, third = 0;  ///< |h′|, |h″|, |h‴|
@@ -58,7 +58,7 @@ class CurveDiscs {
   double pivot_ = 0, reach_ = 1, begin_ = 0, end_ = 1;
   Polynomial v_[3], w_, v_terms_, w_terms_;  ///< *_terms_: sums of the magnitudes that enter a coefficient
   std::vector<Vec> v_at_, x_at_;             ///< Taylor coefficients about a centre
-  std::vector<double> v_sizes_, x_sizes_;    ///< their norms
+  std::vector<double> v_sizes_, x_sizes_;    ///< norms of these coefficients
   Polynomial w_at_, q_at_;
 };
 
@@ -82,7 +82,7 @@ class AxisDiscsAlong {
   bool enclose(std::size_t segment, const CurveDisc& tool, double radius);
 
   const KinematicAxisPath& path_;
-  std::size_t segment_ = none;  ///< of made_
+  std::size_t segment_ = none;  ///< segment to which made_ belongs
   std::array<CurveDisc, max_axes> made_, moved_;
 };
 

@@ -37,7 +37,7 @@ class LocalPlaces {
 
   const VerifierInput& in_;
   std::size_t first_ = 0, last_ = 0;  ///< pieces of the segment of the last query
-  std::vector<double> places_;        ///< their ends; empty where s − s0 suffices
+  std::vector<double> places_;        ///< places of the pieces' ends; empty where s − s0 suffices
   double nearest_begin_ = 0, nearest_end_ = 0;
 };
 

@@ -15,7 +15,7 @@ class Progress;
 struct DifferenceInput {
   const SetpointSource& setpoints;  ///< columns of every axis' name, and s
   const Machine& machine;
-  std::vector<double> shown;  ///< per axis: the factor from its unit to that of its column
+  std::vector<double> shown;  ///< factor from each axis' unit to that of its column
   /// The verdict on the motion from which the rows were taken; its limits apply to the rows, too. It has to be complete
   /// when the check is made.
   const Verification& motion;

@@ -15,9 +15,9 @@ class Progress;
 
 struct NeedleInput {
   const KinematicAxisPath& path;    ///< required pose of the needle at each s
-  const Kinematics& machine;        ///< its forward() is independent of inverse(), which gave the axes
+  const Kinematics& machine;        ///< the machine; forward() is independent of inverse(), which gave the axes
   const SetpointSource& setpoints;  ///< columns of every axis' name, x, y, z, phi, psi, s
-  std::vector<double> shown;        ///< per axis: the factor from its unit to that of its column
+  std::vector<double> shown;        ///< factor from each axis' unit to that of its column
 };
 
 /// `forward kinematics position`  mm   forward(axes) against the path at the row's s: 1e-6

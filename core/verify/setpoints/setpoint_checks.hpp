@@ -18,11 +18,11 @@ class Progress;
 struct SetpointInput {
   const AxisPath& path;
   const Machine& machine;
-  const TimeLaw& law;  ///< as verified: slowed to whole cycles
+  const TimeLaw& law;  ///< the verified law, slowed to whole cycles
   const SetpointSource& setpoints;
-  const Contour* contour = nullptr;           ///< whose blocks the columns mode and block describe, if they exist
+  const Contour* contour = nullptr;  ///< contour whose blocks the columns mode and block describe, if they exist
   double progress_from = 0, progress_to = 1;  ///< the part of the whole job's progress that the checks cover
-  /// Per axis: the factor from its unit to that of its columns, such as 180/π for rad shown in deg; empty: 1.
+  /// Factor from each axis' unit to that of its columns, such as 180/π for rad shown in deg; empty: 1.
   std::vector<double> shown = {};
   /// Distance by which an interpolator may place a row before or behind the law's place, along the path, relative to
   /// the longest distance of the law in one cycle.

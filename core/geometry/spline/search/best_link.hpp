@@ -15,7 +15,7 @@ struct BestLink {
   LinkShape shape;          ///< β by the parameters of the given ends
   double objective = 0;     ///< the minimised value, without the term that makes (4.61) unique
   double smoothness = 0;    ///< J of (4.60), also for other objectives
-  double kkt_residual = 0;  ///< of the search; see OptimisationResult
+  double kkt_residual = 0;  ///< residual of the KKT conditions at the end of the search; see OptimisationResult
   OptimisationStatus status = OptimisationStatus::undefined;
   std::size_t evaluations = 0;
 };
