@@ -24,9 +24,8 @@
 ///   only if others are given). G52 and G92 (.1, .2, .3) share one offset on top of them, as with LinuxCNC. The contour
 ///   is in the coordinates of the machine; without offsets these are the program's.
 /// - The position before the first move is unknown. The contour starts where G92 X Y or G10 L20 X Y states, or at the
-/// end of the first
-///   motion if that is G0 in G90 with X and Y, else at the program's zero. It has 3 coordinates if any motion changes
-///   Z, else 2 and one height.
+///   end of the first motion if that is G0 in G90 with X and Y, else at the program's zero. It has 3 coordinates if any
+///   motion changes Z, else 2 and one height.
 /// - G28 and G30 go to points that the options give, G53 moves in machine coordinates if the work offset in force is
 ///   known. Otherwise the target is unknown: the move is left out with a note, and the head stops. The axes concerned
 ///   have to be named by straight moves in G90 before the next cut; the contour then continues from the last known

@@ -22,7 +22,7 @@ struct Element {
   double end() const { return begin + length; }
   /// Returns h and its derivatives by arc length at `along` ∈ [0, length] from the element's beginning.
   Jet at(double along) const;
-  /// Returns the curve between two places; the segment's own curve if that is all of it.
+  /// Returns the curve between two places; for the whole element the segment's own curve.
   std::shared_ptr<const Curve> part(double a, double b) const;
   /// Returns the parameter of a curved element at `along`.
   double parameter(double along) const {

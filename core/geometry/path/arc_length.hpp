@@ -27,7 +27,8 @@ class ArcLength {
   /// s(u) from the beginning, mm; u is clamped to the curve. O(log panels).
   double at(double u) const;
   void at(PathBatch& batch) const;
-  /// u(s); s is clamped to [0, length()]. O(log panels), usually one step, of third order, from a polynomial start.
+  /// Returns u(s); s is clamped to [0, length()]. O(log panels), usually one step, of third order, from a polynomial
+  /// start.
   double inverse(double s) const;
   /// Returns two values at once, at little more than the cost of one where they lie in one panel, ascending.
   PointPair inverse(PointPair s) const;

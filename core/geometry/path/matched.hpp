@@ -30,7 +30,7 @@ struct MatchedPieces {
 /// with the middle matched to the nearest place on the other curve, until that suffices.
 class MatchedDistance {
  public:
-  /// `progress`, if any, is told: long curves take many halvings, 1 to 3 µs each.
+  /// Reports to `progress`, if given: long curves take many halvings, 1 to 3 µs each.
   MatchedDistance(const Curve& a, const Curve& b, ProgressScope* progress = nullptr)
       : a_(a), b_(b), second_a_(a), second_b_(b), progress_(progress) {}
 

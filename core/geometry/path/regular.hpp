@@ -17,8 +17,8 @@ constexpr double sharpest_curvature = 1e8;
 /// A tangent vanishes to order m if the Taylor coefficients 1 … m of h there are below 1e-12 of the piece's extent (or
 /// of what rounding of the coordinates may cause); they are then set to exactly 0. The curve is also cut, with
 /// unchanged coefficients, at a minimum of the speed below 1e-7 of the largest coefficient that does not qualify, and
-/// at a needle point, where it turns round within nanometres: curvature times length above `sharpest_curvature`. Pieces
-/// beside such places are expanded about them. Curves whose speed vanishes nowhere are returned unchanged. Cost:
+/// at a needle point, where the curve reverses within nanometres: curvature times length above `sharpest_curvature`.
+/// Pieces beside such places are expanded about them. Curves whose speed vanishes nowhere are returned unchanged. Cost:
 /// O(degree²) per bisection, a few µs for ordinary cubics.
 std::vector<Rational> regular_pieces(const Rational& curve);
 

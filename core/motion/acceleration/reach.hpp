@@ -85,7 +85,7 @@ double reach_backward(const LinkRows<M>& rows, double cap_x, double cap_y) {
       continue;
     }
     if (upper_slope >= 0 || y <= 0) return upper;
-    // A smaller y lets x grow along the active line, until a line of larger slope takes over.
+    // With smaller y, x grows along the active line until a line of larger slope becomes active.
     double next = 0;
     for (std::size_t i = 0; i < n; ++i) {
       const double p = std::abs(rows.p[i]);

@@ -6,7 +6,7 @@
 /// driven. The forward pass takes, from rest, the largest v² inside them. Links are convex polygons around the origin,
 /// so the forward pass always finds what the backward pass allows. After a change of some cells, only the part that
 /// they influence is solved again. Cost: O(cells); four divisions per axis and cell, and two small linear programs
-/// where an axis turns round (core/motion/acceleration/station_limits.hpp).
+/// where an axis reverses (core/motion/acceleration/station_limits.hpp).
 #include <cstdint>
 #include <optional>
 #include <vector>

@@ -40,7 +40,7 @@ inline void acceleration_rows(Rows<N>& rows, const Station<N>& at, double h, dou
     const double A = share * limit.acceleration[k];
     const double t = w * at.d1[k], p = at.d2[k] - t;
     Flip ? rows.add(t, p, A) : rows.add(p, t, A);
-    // Where the axis turns round (h'_k ≈ 0, a zero-inertia point) its acceleration hardly depends on a, but its slope
+    // Where the axis reverses (h'_k ≈ 0, a zero-inertia point) its acceleration hardly depends on a, but its slope
     // h''' v² + 3 h'' a does; without this row the law would oscillate around the point. The neglected term h'_k da/ds
     // is of second order in the cell there.
     if (std::abs(at.d1[k]) < 4 * std::abs(h * at.d2[k])) {
@@ -65,7 +65,7 @@ struct PlainStation {
   }
 };
 
-/// Rows of a plain link. Where no axis turns round near the station, |h'_k| ≥ 4 |h h''_k|, all rows rise together and
+/// Rows of a plain link. Where no axis reverses near the station, |h'_k| ≥ 4 |h h''_k|, all rows rise together and
 /// reach.hpp needs no search. Divided by |h'_k|/h, with t = h h''_k/h'_k and w = h A_k/|h'_k|, the row of axis k is |t
 /// b + g − b| ≤ w at the cell's left end and |t b + b − g| ≤ w at its right end.
 template <int N>

@@ -1,6 +1,6 @@
 #pragma once
 /// An axis path with the arc length s as one more axis behind the others. Its limits are those of the tool along its
-/// path, so code that knows axes only, such as the bound, includes them.
+/// path, so code that treats axes only, such as the bound, includes them.
 #include <cmath>
 
 #include "core/machine/limits.hpp"

@@ -2,9 +2,9 @@
 /// The stations of one section of a path at which a planner evaluates limits: dense where the path turns, one cell per
 /// straight segment.
 ///
-/// A section goes from rest to rest. Cells lie inside one segment each, so curvature may jump from cell to cell. Inside
-/// a cell the curvature vector is reproduced by the cubic through its values and derivatives at both ends to `hermite`
-/// of an axis limit. This lets the planner hold limits between stations.
+/// A section extends from one rest to the next. Cells lie inside one segment each, so curvature may jump from cell to
+/// cell. Inside a cell the curvature vector is reproduced by the cubic through its values and derivatives at both ends
+/// to `hermite` of an axis limit. With this the planner holds limits between stations.
 #include <array>
 #include <cstddef>
 #include <cstdint>

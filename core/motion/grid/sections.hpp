@@ -15,7 +15,7 @@ struct Sections {
 
 /// A tangent jump of the tool above `corner_angle` (rad), a cusp or a rest ends a section. A smaller jump Δ of q′ is
 /// passed so slowly that the velocity step |Δ_k| v of every axis stays within its acceleration · cycle_time.
-/// O(segments); tells `progress`.
+/// O(segments); reports to `progress`.
 Sections find_sections(const PathTask& task, double corner_angle, ProgressScope& progress);
 
 /// Plans section by section: plan(first segment, one past the last, begin and end of its share of the progress from

@@ -30,7 +30,7 @@ struct FeedFluctuation {
 class Interpolation {
  public:
   /// Steps through all cycles once: 0.1 to 0.5 µs each (bench_interpolation), half of it for the quadrature. Stores the
-  /// place of every 256th row. Tells `progress`.
+  /// place of every 256th row. Reports to `progress`.
   Interpolation(std::shared_ptr<const PathMotion> motion, Interpolator interpolator, double cycle_time,
                 std::size_t cycles, ProgressScope& progress);
 

@@ -131,9 +131,9 @@ struct Elimination {
   }
 };
 
-/// A node's diagonal is the sum of its rows less what the elimination of the nodes before it subtracts. Stiff rows make
-/// this a small difference of large sums, and rounding may turn it negative. This part of the sum, which rounding may
-/// have taken, is added back.
+/// Share of a diagonal's sum that is added to it. A node's diagonal is the sum of its rows minus the terms that the
+/// elimination of earlier nodes subtracts. With stiff rows it is a small difference of large sums, which rounding may
+/// make negative.
 constexpr double given_back = 0.5 * std::numeric_limits<double>::epsilon();
 
 /// Eliminates the left node of a cell. `now` is its block, the cell's matrix included, `after` the block of the right

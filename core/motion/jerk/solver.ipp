@@ -22,7 +22,7 @@ constexpr double rough_start = 5e-3;
 
 template <int M>
 void JerkSolver<M>::start(double mu, ProgressScope& progress) {
-  // A slack starts at what is free, but not too near the wall.
+  // A slack starts at its room, but at a distance from the boundary.
   const Lane2 least = all(std::min(0.1, mu));
   scale_ = 0;
   for (std::size_t g = 0; g < groups_; ++g) {
@@ -106,7 +106,7 @@ JerkSolverResult JerkSolver<M>::solve(const JerkProblem<M>& problem, LargeVector
     const double now = (1 - step) * gap_ / scale_ + step * target_;
     target_ = std::max(now * std::clamp(miss * miss, 0.1, 0.8), min_gap * options.gap * duration_ / scale_);
     stuck = step < stuck_step ? stuck + 1 : 0;
-    if (stuck == stuck_steps) {  // too near a wall: from here again, with slacks and multipliers in balance
+    if (stuck == stuck_steps) {  // too near the boundary: restart from here, with balanced slacks and multipliers
       move_nodes();
       target_ = std::min(0.1, std::max(1e-3, 10 * now));
       start(target_, progress);

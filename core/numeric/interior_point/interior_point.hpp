@@ -7,7 +7,7 @@
 /// Mehrotra's predictor–corrector method [Mehrotra, On the implementation of a primal-dual interior point method, SIAM
 /// J. Optim. 2, 1992]. The driver uses vectors only; an `InteriorPointSystem`, one class per structure, assembles,
 /// factors and solves the system of a step. Cost: one factorisation and two solutions, with a step of refinement each
-/// where it is wanted, per iteration, 10 to 40 iterations.
+/// where that is requested, per iteration, 10 to 40 iterations.
 #include <cstddef>
 #include <functional>
 #include <limits>

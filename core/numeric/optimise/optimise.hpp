@@ -3,7 +3,7 @@
 /// The NLopt nonlinear-optimization package] that verifies NLopt's result.
 ///
 /// Cost beside the callbacks: 1 µs per evaluation of a few variables; `slsqp` n³ + n² · (active rows) per iteration,
-/// during which Progress is not asked: 10 ms at 200 variables and 200 rows (the longest one 0.1 s), 70 ms at 400 and
+/// without a call of Progress: 10 ms at 200 variables and 200 rows (the longest one 0.1 s), 70 ms at 400 and
 /// 400 (0.5 s); `mma` up to 10 ms. Measured by tests/bench/bench_optimise.cpp.
 #include <cstddef>
 #include <cstdint>

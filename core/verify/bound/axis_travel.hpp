@@ -10,11 +10,12 @@
 
 namespace bahnwerk::verify {
 
-inline constexpr double negligible_direction = 1e-24;  ///< a q'_k² below this does not limit b
+inline constexpr double negligible_direction = 1e-24;  ///< an axis with q'_k² below this does not limit b
 
-/// Returns the shortest time over the distance `way`, mm, from speed² ≤ e0 to speed² ≤ e1: accelerate, cruise, brake.
-/// If the distance is too short for one end speed given the other, that end speed is reduced first: e0 and e1 are
-/// bounds that include the rounding of q′, which is large next to a vanishing tangent.
+/// Returns the shortest time over the distance `way`, mm, that begins with speed² ≤ e0 and ends with speed² ≤ e1: the
+/// axis accelerates, cruises and brakes. If the distance is too short for one end speed given the other, that end speed
+/// is reduced first, since e0 and e1 are bounds that include the rounding of q′, which is large next to a vanishing
+/// tangent.
 inline double travel_time(double e0, double e1, double way, double acceleration, double velocity) {
   if (!(way > 0)) return 0;
   e0 = std::min({e0, velocity * velocity, e1 + 2 * acceleration * way});
@@ -28,7 +29,7 @@ inline double travel_time(double e0, double e1, double way, double acceleration,
   return (velocity - start + velocity - end) / acceleration + std::max(0.0, way - ramps) / velocity;
 }
 
-/// Returns the longest time that one of the axes takes for its distance; the others wait for it.
+/// Returns the largest of the axes' travel times (travel_time()).
 template <int N>
 double slowest(Lanes<N> e0, Lanes<N> e1, Lanes<N> way, Lanes<N> acceleration, Lanes<N> velocity) {
   const Lanes<N> none{}, energy = acceleration * way;
@@ -46,7 +47,7 @@ double slowest(Lanes<N> e0, Lanes<N> e1, Lanes<N> way, Lanes<N> acceleration, La
   return longest;
 }
 
-/// Bounds of q'_k² of all axes at a node.
+/// Return bounds of q'_k² of all axes at a node, rounding included.
 template <int N>
 Lanes<N> most(const BoundNode<N>& n) {
   const Lanes<N> t = n.rounding_error + magnitude(lanes(n.tangent));
@@ -58,7 +59,8 @@ Lanes<N> least(const BoundNode<N>& n) {
   return t * t;
 }
 
-/// Condition of a cell between a node with speed² b and the other one: q b' ≤ p b + energy for every axis.
+/// Returns the largest b' at node `to` of a cell, given b at node `from`: q b' ≤ p b + energy for every axis, with p, q
+/// the values of q'_k² at both nodes.
 template <int N>
 double across(const BoundCell<N>& cell, const BoundNode<N>& from, const BoundNode<N>& to, double b) {
   if (cell.kind == BoundCell<N>::Kind::joint) return b + cell.slip;

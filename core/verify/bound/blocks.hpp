@@ -10,7 +10,7 @@ using LargeBlocks = boost::container::deque_options<boost::container::block_size
 template <class T>
 using Blocks = boost::container::deque<T, void, LargeBlocks>;
 
-/// A view of the elements of an array in another order. Valid as long as both exist and do not grow.
+/// A view of the elements of an array in another order. It is valid as long as array and order exist and do not grow.
 template <class T, class Index>
 class Ordered {
  public:

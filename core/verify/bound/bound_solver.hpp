@@ -10,9 +10,9 @@
 
 namespace bahnwerk::verify {
 
-/// Solves a grid, and solves it again where refinement has changed it: b is recomputed from the first new node of every
-/// place on, forwards and backwards, until it is unchanged. The results equal those of a complete solution to the last
-/// bit. Cost: 30 to 60 ns per node reached, for two axes.
+/// Solves a grid by a forward and a backward pass, and solves it again where refinement has changed it: from each group
+/// of new nodes b is recomputed, forwards and backwards, as far as it changes. The results equal those of a complete
+/// solution to the last bit. Cost: 30 to 60 ns per node reached, for two axes.
 template <int N>
 class BoundSolver {
  public:
@@ -39,7 +39,7 @@ class BoundSolver {
 
   struct Doubt {
     std::size_t cells = 0;  ///< number of cells in which the binding condition may change
-    double time = 0;        ///< s, spent in cells that no single condition explains
+    double time = 0;        ///< time spent in cells without a single binding condition, s
   };
   /// Marks, in the order of BoundGrid::cells(), the new cells inside which b reaches a minimum of the caps. Returns
   /// their number.

@@ -8,11 +8,11 @@
 namespace bahnwerk::verify {
 
 /// The tangent of a curve h = N/w has the direction of V = N' w − N w' (N' for a polynomial), whose components are
-/// polynomials with the signs of those of h'. About the middle of the interval, V = Σ v_j x^j with |x| ≤ 1: the
-/// magnitudes of the v_j bound everything. Rounding of the v_j is included, from the magnitudes of their terms.
+/// polynomials with the signs of those of h'. About the middle of the interval, V = Σ v_j x^j with |x| ≤ 1; all bounds
+/// follow from the magnitudes of the v_j. Rounding of the v_j is included, from the magnitudes of their terms.
 class Hodograph {
  public:
-  /// O(degree²).
+  /// Computes V. O(degree²).
   explicit Hodograph(const Rational& curve);
 
   /// Range of every component of h' by arc length over [u0, u1].
@@ -40,7 +40,7 @@ class Hodograph {
 
   double pivot_, inverse_reach_;
   std::size_t axes_ = 2, count_ = 0, weights_ = 1;
-  std::array<Row, 3> v_{};  ///< V
+  std::array<Row, 3> v_{};  ///< coefficients of V
   Row size_{};              ///< magnitudes of the coefficients of all components together without cancellation
   Row w_{};
   double begin_, width_;                              ///< interval of t

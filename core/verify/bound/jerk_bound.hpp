@@ -21,7 +21,7 @@
 
 namespace bahnwerk::verify {
 
-/// N axes of the BoundGrid.
+/// `N` is the number of axes of the BoundGrid.
 template <int N>
 class JerkBound {
  public:
@@ -39,17 +39,17 @@ class JerkBound {
   std::size_t cells() const { return cells_; }
 
  private:
-  /// Bound of the current pieces at once.
+  /// Returns the bound of the current pieces, solved at once.
   double whole(bool rest_first, bool rest_last);
-  /// Bound of the current pieces as far as they are known, window by window; drops them.
+  /// Returns the bound of the known pieces, solved window by window, and drops them.
   double stretch(bool rest_first, bool rest_last);
   /// Forms at most `most` cells from pieces. Returns false if there are no more pieces.
   bool pose(std::size_t most);
   /// Drops the cells before cell `first`.
   void forget(std::size_t first);
 
-  /// A set of multipliers and what it proves: one for all limits, one without the limits that cells are too wide to
-  /// resolve, which may keep the solver from good multipliers.
+  /// A set of multipliers and the bound that it proves. There are two: one for all limits, and one without the limits
+  /// that cells are too wide to resolve, which may keep the solver from good multipliers.
   struct Attempt {
     Row jerk{};
     RelaxationWindows<N> solver;
@@ -66,7 +66,7 @@ class JerkBound {
   std::vector<std::size_t> cell_of_;                       ///< cell of each current piece
   /// Sums over the current cell: time, s; turn, rad; integral of the caps; change of the axes' acceleration.
   double time_ = 0, turn_ = 0, capped_ = 0, swing_ = 0;
-  double slowest_ = 0, fastest_ = 0;  ///< smallest and largest cap of its pieces
+  double slowest_ = 0, fastest_ = 0;  ///< smallest and largest cap of the current cell's pieces
   JerkPieces<N> pieces_;
   RelaxationProblem<N> problem_;
   std::vector<Attempt> attempts_;

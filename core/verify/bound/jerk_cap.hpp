@@ -1,26 +1,26 @@
 #pragma once
-/// The largest b = v² that limits of jerk leave on a short piece of the path.
+/// An upper bound of b = v² on a short piece of the path, from limits of jerk.
 ///
-/// Over a piece that takes the time T the acceleration of axis k, q″_k b + q′_k v̇, changes by at most J_k T. The sum
-/// of two axes' accelerations weighted by q′_m and −q′_k of the middle hardly contains v̇; the rest is P b with P = Σ
-/// weight · q″, and P is known at both ends. A fast motion takes little time, and b cannot change much: where P does,
-/// the motion is too fast. This limits the speed where curvature sets in, where the convex problem in v² would let time
-/// pass instead.
+/// The idea. Over a piece that takes the time T, the acceleration of axis k, q″_k b + q′_k v̇, changes by at most J_k T.
+/// Take two axes m and k, and the sum of their accelerations with the weights q′_m and −q′_k of the middle of the
+/// piece. v̇ nearly cancels in this sum; P b remains, with P = Σ weight · q″, which is known at both ends. A fast motion
+/// takes little time, in which b cannot change much. If P changes more than J_k T allows, the motion is too fast. This
+/// limits the speed where curvature begins, which the convex problem in v² does not: it can let time pass there.
 ///
-/// Bounds of the change of b: q′_k² b changes by at most 2 Y_k |Δq_k|, with Y_k the largest acceleration of an axis;
-/// where q′ is a unit vector b changes by at most 2 Σ |q′_k| Y_k per length. Y_k ≤ A_k, and an axis that keeps its
-/// direction for a distance D cannot brake arbitrarily. With u its speed, y its deceleration and jerk ≤ J, y² − 2 J u
-/// does not fall while it brakes; so it would come to rest, still braking, and turn round, within u²/(2 √(y² − 2 J u)).
-/// Hence
+/// Bounds of the change of b. With Y_k the largest acceleration of axis k on the piece, q′_k² b changes by at most
+/// 2 Y_k |Δq_k|; where q′ is a unit vector, b changes by at most 2 Σ |q′_k| Y_k per length. Y_k is at most A_k. It is
+/// less for an axis that keeps its direction over a distance D behind the piece, because braking takes distance: with
+/// its speed u, its deceleration y and jerk ≤ J, the quantity y² − 2 J u does not fall while the axis brakes. If it is
+/// positive, the axis comes to rest, still braking, and reverses within u²/(2 √(y² − 2 J u)). Therefore
 ///   y ≤ √(2 J u) + u²/(2 D).
-/// At the end of that distance, at a place that it reaches in an unchanged direction, its acceleration is at most some
-/// y_end: if it brakes throughout, y² − 2 J u is at most y_end² there, otherwise y² ≤ 2 J u, so
+/// If the acceleration at the end of the distance D is known to be at most y_end, y² − 2 J u is at most y_end² there
+/// for an axis that brakes throughout, and y² ≤ 2 J u otherwise. Therefore
 ///   y ≤ √(2 J u + y_end²).
-/// Joints at which its acceleration may step add the sum s of these steps: y less the steps to come grows likewise. All
-/// of this holds backwards in time for an axis that speeds up.
+/// If joints on the distance allow steps of the acceleration, their sum is added to y. Backwards in time the bounds
+/// hold for an axis that accelerates.
 ///
-/// A motion that exceeds some b anywhere in the piece can be slowed down to reach just that, and keeps all limits. So
-/// if b is impossible, larger values are, too.
+/// If some b is impossible on the piece, so are all larger values: a motion that exceeds b anywhere in the piece can be
+/// slowed down uniformly until its largest value there is b, and it keeps all limits.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,18 +29,21 @@
 
 namespace bahnwerk::verify {
 
-/// Distance that an axis travels in an unchanged direction, mm, the sum of the steps of its acceleration on that
-/// distance, and its largest acceleration at the end of it, mm/s². Without a value nothing is known.
+/// How far an axis keeps its direction. The default values state that nothing is known.
 struct AxisWay {
-  double displacement = 0, steps = 0, end = std::numeric_limits<double>::infinity();
+  double displacement = 0, steps = 0,
+         end = std::numeric_limits<double>::infinity();  ///< distance, mm; sum of the steps of acceleration on it, and
+                                                         ///< largest acceleration at its end, mm/s²
 };
 
-/// Returns the largest acceleration of an axis at speed u against (ahead) or in (behind) its direction, mm/s².
+/// Returns the largest acceleration of an axis at speed u (mm/s), against its direction for the way ahead, in its
+/// direction for the way behind; mm/s².
 inline double most_braking(double u, double jerk, const AxisWay& w) {
   const double free = 2 * jerk * u;
   return w.steps + std::min(std::sqrt(free) + u * u / (2 * w.displacement), std::sqrt(free + w.end * w.end));
 }
 
+/// A piece of the path with N axes.
 template <int N>
 struct JerkCapPiece {
   using Row = std::array<double, N>;
@@ -53,15 +56,15 @@ struct JerkCapPiece {
   Row least{}, most{};        ///< bounds of |q′_k| over the whole piece; least is 0 where the axis may reverse
   Row displacement{};         ///< upper bound of |Δq_k|
   double rounding_error = 0;  ///< effect of rounding on a component of q′
-  bool unit = false;          ///< |q′| = 1, and q″ ⟂ q′
+  bool unit = false;          ///< whether |q′| = 1 and q″ ⟂ q′
 };
 
 struct JerkCap {
-  double cap = 0;     ///< mm²/s²
+  double cap = 0;     ///< largest b, mm²/s²
   double change = 0;  ///< bound of the change of b along the piece at that cap
 };
 
-/// Whether jerk may leave less than `most`, by the ends alone. 20 ns for two axes.
+/// Whether jerk may limit b to less than `most`, as far as the ends of the piece show. 20 ns for two axes.
 template <int N>
 bool jerk_may_limit(const JerkCapPiece<N>& piece, double most);
 

@@ -7,7 +7,7 @@
 /// integrating λ_k a_k′ by parts twice gives, for every motion within the limits,
 ///   ∫ c ds ≥ ∫ (w c + G b) ds − Σ_k [ A_k ∫ |μ_k| ds + Σ_joints (λ_k Δa_k + ½ η_k Δq′_k b) ],
 /// since acceleration and b vanish at rests; at a free end λ, λ′ and μ have to vanish instead. Because c = b^(−1/2) and
-/// b ≤ cap (what the bound without jerk leaves), w c + G b is no less than
+/// b ≤ cap (from the bound without jerk), w c + G b is no less than
 ///   f(w, G) = min over 0 < b ≤ cap of w b^(−1/2) + G b:   3/2 w^(2/3) (2G)^(1/3), or w cap^(−1/2) + G cap.
 /// Every choice of multipliers yields a lower bound; those of the convex problem in core/motion/relaxation are close to
 /// the best. That solver only supplies numbers: none of its results can make the bound wrong.
@@ -18,8 +18,8 @@
 /// margins from the magnitudes of the summands, as in lower_bound.hpp.
 ///
 /// At a joint an axis steps by Δa_k = Δq″_k b + Δq′_k v̇, since the acceleration v̇ along the path is continuous, and
-/// by at most J_k · cycle time: the verifier demands both. So either the first part is known, and costs λ_k Δq″_k b, of
-/// either sign, or only the magnitude of the whole, |λ_k| J_k · cycle time.
+/// by at most J_k · cycle time; the verifier checks both. The joint's term is therefore bounded in one of two ways: by
+/// its known part λ_k Δq″_k b, which may have either sign, or by the magnitude of the whole, |λ_k| J_k · cycle time.
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -32,14 +32,14 @@
 
 namespace bahnwerk::verify {
 
-/// Steps at one place of the path; joints without a piece between them are added up.
+/// Steps at a place of the path. Joints without a piece between them are added up.
 template <int N>
 struct DualJoint {
   using Row = std::array<double, N>;
-  bool here = false;
+  bool here = false;                        ///< whether there is a joint
   Row tangent_jump{}, acceleration_step{};  ///< Δq′_k, and the known part of Δa_k, per b
   Row step{};                               ///< bound of |Δa_k − acceleration_step_k b|
-  double cap = 0;                           ///< largest b
+  double cap = 0;                           ///< largest b, mm²/s²
 };
 
 /// A part of a segment on which the dual function is evaluated.
@@ -51,13 +51,13 @@ struct DualPiece {
   Row displacement{}, begin{}, end{};  ///< q at the end − at the begin, q′ at both ends
   Row q2{};                            ///< largest |q″_k| at the ends
   Row third{};                         ///< bounds of |q‴_k|, 1/mm²
-  double length = 0;
-  double cap = 0;                 ///< largest b anywhere in it
-  double along = 0;               ///< largest |v̇| in it
-  double time = 0;                ///< approximate, s
-  double rounding = 0;            ///< relative rounding error of the length and of q′
-  double displacement_error = 0;  ///< effect of rounding of q at either end on a component of `displacement`
-  DualJoint<N> joint;             ///< joint before the beginning
+  double length = 0;                   ///< mm
+  double cap = 0;                      ///< largest b on the piece, mm²/s²
+  double along = 0;                    ///< largest |v̇| on the piece, mm/s²
+  double time = 0;                     ///< approximate duration, s
+  double rounding = 0;                 ///< relative rounding error of the length and of q′
+  double displacement_error = 0;       ///< effect of rounding of q at either end on a component of `displacement`
+  DualJoint<N> joint;                  ///< joint before the beginning
 };
 
 /// Returns the piece between two places of one segment with |q‴_k| ≤ `third`; without a joint.
@@ -87,7 +87,7 @@ class JerkDual {
   /// Returns the value of a piece x mm from the cell's beginning; `next` is the piece behind it, if a joint lies
   /// between.
   Value of(const DualPiece<N>& piece, double x, const DualPiece<N>* next) const;
-  /// The nodes at the beginning and end of a piece, if known.
+  /// Nodes at the beginning and end of a piece; null if unknown.
   using Ends = std::pair<const BoundNode<N>*, const BoundNode<N>*>;
   double refined(const DualPiece<N>& piece, double x, const DualPiece<N>* next, Value coarse, int depth, Ends ends);
 

@@ -2,7 +2,7 @@
 /// The pieces of a path for the bound under limited jerk (core/verify/bound/jerk_bound.hpp), each with the largest b =
 /// v² on it.
 ///
-/// They are short enough to resolve jerk: by time, by turn, by the change of centripetal acceleration, and shorter
+/// Pieces are short enough to resolve jerk: by time, by turn, by the change of centripetal acceleration, and shorter
 /// towards rests and towards joints at which an axis has to step by more acceleration than one cycle allows. Where
 /// curvature changes, jerk limits b as well (core/verify/bound/jerk_cap.hpp).
 #include <array>
@@ -19,19 +19,19 @@
 
 namespace bahnwerk::verify {
 
-/// N axes of the BoundGrid.
+/// `N` is the number of axes of the BoundGrid.
 template <int N>
 class JerkPieces {
  public:
   using Row = std::array<double, N>;
   /// Properties of a piece that limit the length of cells.
   struct Extent {
-    double swing = 0;    ///< change of q″_k b along it, relative to A_k
-    double finest = 0;   ///< mm, longest cell here
-    double spacing = 0;  ///< s, longest cell here
-    double piece = 0;    ///< mm, longest piece
+    double swing = 0;    ///< change of q″_k b along the piece, relative to A_k
+    double finest = 0;   ///< longest cell here, mm
+    double spacing = 0;  ///< longest cell here, s
+    double piece = 0;    ///< longest piece, mm
   };
-  /// Number of pieces of equal length per cell, independent of rounding.
+  /// Returns the number of pieces of equal length per cell, independent of rounding.
   double per_cell() const { return per_cell_; }
 
   /// `grid` and `progress` have to outlive the object. `shown` is the jerk per axis that pieces have to resolve.
@@ -44,9 +44,9 @@ class JerkPieces {
              bool fine);
   /// Whether there is a piece i; if so, the lists contain it.
   bool has(std::size_t i);
-  /// Removes the first `count`; the following one becomes piece 0. O(count).
+  /// Removes the first `count` pieces; the following one becomes piece 0. O(count).
   void drop(std::size_t count);
-  bool dropped() const { return dropped_; }  ///< whether any was removed since begin()
+  bool dropped() const { return dropped_; }  ///< whether pieces were removed since begin()
 
   const Blocks<DualPiece<N>>& list() const { return pieces_; }
   const Blocks<Extent>& extents() const { return extents_; }  ///< extent of each piece
@@ -91,12 +91,12 @@ class JerkPieces {
   /// Approximate v^(3/2) of a motion at the nodes of the grid, without feeds; its lower estimate; and its largest
   /// growth per mm. They only decide where pieces are short.
   std::vector<double> expected_, slow_, growth_;
-  JerkCapPiece<N> piece_;  ///< the current one
+  JerkCapPiece<N> piece_;  ///< current piece
   OneWay<N> one_way_;
   Blocks<DualPiece<N>> pieces_;
   Blocks<Extent> extents_;
-  DualJoint<N> joint_;                         ///< before the next piece
-  const std::vector<double>* most_ = nullptr;  ///< v² at the nodes
+  DualJoint<N> joint_;                         ///< joint before the next piece
+  const std::vector<double>* most_ = nullptr;  ///< largest v² at the nodes
   std::size_t next_ = 0;                       ///< next cell of the grid
   bool dropped_ = false;
 };

@@ -41,17 +41,15 @@ struct SectionBound {
 /// Enclosures: two figures of a cell depend on the range of q' between its nodes: the energy 2 A_k ∫|q'_k| ds, and the
 /// largest speed of an axis there, from the least |q'| of the others and its own largest. Both follow from an interval
 /// that contains q'_k throughout the cell (core/verify/bound/direction_range.hpp), and ∫|q'_k| ds ≤ |Δq_k| + 2 length ·
-/// (the part of the interval with the wrong sign). The interval is
-///   - exact for linear segments;
-///   - for arcs and helices from values and slopes at both ends and the exact |q'''|;
-///   - for rational curves from the Taylor coefficients of the polynomial N' w − N w' about the cell's middle, which
-///   bound
-///     its components and the cone that contains it (core/verify/bound/hodograph.hpp);
-///   - for axes through kinematics from values at both ends where q''_k keeps its sign, else from values and slopes
-///   there
-///     and a bound of |q'''_k|; q'_k, q''_k and q'''_k are enclosed by the machine's formula over discs
-///     (AxisPath::enclose; core/numeric/disc.hpp), or, of machines without one, |q'''_k| ≤ B₃ + 3 B₂ |h''| + B₁ |h'''
-/// |    with the MapBounds B that they state (taken as true).
+/// (the part of the interval with the wrong sign). The interval is computed
+///   - for linear segments: exactly;
+///   - for arcs and helices: from values and slopes at both ends and the exact |q'''|;
+///   - for rational curves: from the Taylor coefficients of the polynomial N' w − N w' about the middle of the cell,
+///     which bound its components and the cone that contains it (core/verify/bound/hodograph.hpp);
+///   - for axes through kinematics: from the values at both ends where q''_k keeps its sign, else from values and
+///     slopes there and a bound of |q'''_k|. The machine's formula over discs encloses q'_k, q''_k and q'''_k
+///     (AxisPath::enclose, core/numeric/disc.hpp). For machines without a formula |q'''_k| is at most
+///     B₃ + 3 B₂ |h''| + B₁ |h'''|, with the MapBounds B of the machine (taken as true).
 /// Conditions of axes through kinematics that stand still but for rounding (largest_rates) are dropped. Cells for which
 /// a wrong sign of more than 1e-6 cannot be excluded are halved, at most 12 times; the rest counts. The width of other
 /// cells depends on samples, which affects the tightness of the bound, not its validity.
@@ -63,8 +61,8 @@ struct SectionBound {
 ///
 /// Distance to the true optimum: exact on polylines; ≤ 5e-6 beyond the reference's own error on 3,000 random contours
 /// of arcs, lines and rational pieces (held to 2e-5 by tests against a dense solution); within 8e-6 of the planner's
-/// duration on a made-up machine with five axes (held to 1e-4). With limits of jerk mostly 0.05 to 2 %; 0.7 to 1.2 % on
-/// needle paths, fast in slots and slow over winding heads (docs/methods/winding_path.md). Cost: 90 ns per
+/// duration on a made-up machine with five axes (held to 1e-4). With limits of jerk it is mostly 0.05 to 2 %, on
+/// needle paths 0.7 to 1.2 % (docs/methods/winding_path.md). Cost: 90 ns per
 /// line between corners, 170–340 ns per node on arcs, 350–600 ns on free-form curves, O(n) time; with limits of
 /// jerk 2 to 4 µs per cell of theirs more.
 ///
@@ -76,8 +74,8 @@ struct SectionBound {
 /// begin with get wider cells, up to 8 times, and are refined less: the bound then lies up to 1e-4 below what it would
 /// be.
 ///
-/// Calls progress every few ms; throws what it throws, and UnreachablePose. `sections`, if given, receives the bounds
-/// of the sections, in order, whose sum (and the dwells) is the bound.
+/// Reports to `progress` every few ms and passes its exceptions on; throws UnreachablePose. `sections`, if given,
+/// receives the bounds of the sections, in order, whose sum (and the dwells) is the bound.
 Bound lower_bound(const PathTask& task, double corner_angle, Progress& progress, double progress_from = 0,
                   double progress_to = 1, std::vector<SectionBound>* sections = nullptr);
 

@@ -2,11 +2,11 @@
 /// The distance that every axis travels in an unchanged direction from a place of the bound's grid, forwards and
 /// backwards.
 ///
-/// An axis may turn round in a cell whose enclosure does not exclude it, at joints where its q′ jumps by more than
-/// rounding, and beyond an open end of the grid. It does not at a rest, where its acceleration is zero: from there on
-/// the distance is unlimited. Steps of its acceleration that limits of jerk allow at joints are added up; when they
-/// reach a part of its acceleration the distance ends, too. At the node where it ends its acceleration is at most
-/// |q″_k| b + |q′_k| |v̇|, which is small where it turns round.
+/// The distance ends in a cell whose enclosure does not exclude that the axis reverses, at a joint where q′_k jumps by
+/// more than rounding, and at an open end of the grid. It does not end at a rest, where the acceleration is zero: it is
+/// unlimited if it reaches one. The steps of acceleration that limits of jerk allow at joints are added up; when their
+/// sum reaches a part of the acceleration limit, the distance ends as well. At the node where the distance ends, the
+/// acceleration is at most |q″_k| b + |q′_k| |v̇|, which is small where the axis reverses.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -20,8 +20,8 @@ namespace bahnwerk::verify {
 template <int N>
 class OneWay {
  public:
-  /// Takes the first nodes of the current grid, which has to outlive the object; `b` is the largest v² at each of them.
-  /// O(nodes · N), 4 bytes per node and direction.
+  /// Computes the distances for the first nodes of the current grid, which has to outlive the object; `b` is the
+  /// largest v² at each of them. O(nodes · N), 4 bytes per node and direction.
   void take(const BoundGrid<N>& grid, const std::vector<double>& b, bool rest_first, bool rest_last, double cycle_time);
 
   /// Sets both directions of every axis: ahead from `to` in or at the end of cell `last`, behind from `from` in or at
@@ -31,8 +31,8 @@ class OneWay {
 
  private:
   struct End {
-    double at = 0, steps = 0;  ///< position of the axis there; sum of the steps up to there
-    double acceleration = 0;   ///< upper bound there
+    double at = 0, steps = 0;  ///< position of the axis at the end; sum of the steps up to the end
+    double acceleration = 0;   ///< upper bound of the acceleration at the end
   };
   /// Ends of all cells, with the index of each cell's end; neighbouring cells mostly share one.
   struct Ends {

@@ -14,10 +14,10 @@ namespace bahnwerk::verify {
 
 /// Returns an η such that no motion along segments [b, b + n), from rest to rest within the limits, is shorter than 1 −
 /// η times the shortest one along [a, a + n); infinite if the two do not match, or this cannot be decided. Cartesian
-/// axes only. O(n); tells `progress`.
+/// axes only. O(n); reports to `progress`.
 ///
-/// The argument: free-form curves have to agree but for their place, to the last bit. Differences in the parameters of
-/// lines and arcs bound the differences of q′, q″, q‴ at corresponding places by ε₁, ε₂, ε₃. Segments whose lengths
+/// The argument: free-form curves have to be translates of each other, to the last bit. Differences in the parameters
+/// of lines and arcs bound the differences of q′, q″, q‴ at corresponding places by ε₁, ε₂, ε₃. Segments whose lengths
 /// differ by D are mapped onto each other by w(s) with w′ = 1 + D · 30 x²(1 − x)²/L, x = s/L, so that w is C² at
 /// joints: |w′ − 1| ≤ 2|D|/L, |w″| ≤ 6|D|/L², |w‴| ≤ 60|D|/L³. A motion s(t) along b becomes w(s(t)) along a, with
 /// accelerations and jerks that differ by less than the sums computed here: |s̈| ≤ A with A² = Σ A_k², hence v² ≤ A L

@@ -1,5 +1,5 @@
 #pragma once
-/// Recognises arcs on which a law repeats what it did on an earlier arc, such as a hole at another place. The peaks of
+/// Recognises arcs on which a law is the same as on an earlier arc, such as a hole at another place. The peaks of
 /// the axes are then equal.
 #include <cstddef>
 #include <vector>

@@ -39,7 +39,7 @@ struct MotionSetpointInput {
 /// that is not a number fails.
 std::unique_ptr<RowCheck> motion_row_check(const MotionSetpointInput& input);
 
-/// Reads all rows for this check alone, 1024 at a time. Calls progress every 2048 rows; throws what it throws.
+/// Reads all rows for this check alone, 1024 at a time. Calls progress every 2048 rows; passes its exceptions on.
 std::vector<Check> motion_setpoint_checks(const Motion& motion, const Machine& machine, const SetpointSource& setpoints,
                                           Progress& progress, double progress_from = 0, double progress_to = 1,
                                           const std::string& group = {});

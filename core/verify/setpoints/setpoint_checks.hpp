@@ -52,7 +52,7 @@ struct SetpointInput {
 /// that `input` refers to have to outlive the check.
 std::unique_ptr<RowCheck> path_row_check(const SetpointInput& input);
 
-/// Reads all rows for this check alone, 1024 at a time. Calls progress every 2048 rows; throws what it throws.
+/// Reads all rows for this check alone, 1024 at a time. Calls progress every 2048 rows; passes its exceptions on.
 std::vector<Check> setpoint_checks(const SetpointInput& input, Progress& progress);
 
 }  // namespace bahnwerk
