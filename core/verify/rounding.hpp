@@ -25,11 +25,12 @@ namespace bahnwerk::verify {
 inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
 inline constexpr double rounding = 32 * epsilon;
 
+/// Tolerances of position (mm), speed (mm/s) and acceleration (mm/s²).
 struct PieceRounding {
   double position = 0, speed = 0, acceleration = 0;
 };
 
-/// O(1).
+/// Returns the tolerances of a piece's states. O(1).
 inline PieceRounding rounding_of(const LawPiece& p) {
   const double T = std::abs(p.duration), v = std::abs(p.v), a = std::abs(p.a) * T, j = std::abs(p.j) * T * T,
                q = std::abs(p.snap) * T * T * T;

@@ -28,14 +28,14 @@ struct VerifierInput {
 
 /// A contour on a Cartesian machine: axis k is coordinate k of the tool.
 struct ContourVerifierInput {
-  const Contour& contour;  ///< the path driven
+  const Contour& contour;  ///< the driven path
   const Machine& machine;  ///< 1 to 3 axes
   const TimeLaw& law;
   double corner_angle = 0;
   bool check_jerk = false;
   Limits path = {};                  ///< limits along the path
   const Contour* given = nullptr;    ///< contour whose feeds hold for the blocks of `contour`, if another
-  double position_tolerance = 1e-6;  ///< mm
+  double position_tolerance = 1e-6;  ///< allowed gap of curves at a joint, mm
   double progress_from = 0, progress_to = 1;
 };
 
@@ -51,19 +51,25 @@ std::vector<double> feeds_to_hold(const Contour& driven, const Contour& given);
 /// other tolerances are the rounding of the pieces (core/verify/rounding.hpp), each reported with the value closest to
 /// it. A value that is not a number fails its check; no law makes the verifier crash.
 ///
-/// The checks, in this order: `velocity <axis>`, `acceleration <axis>`, `jerk <axis>` (limited axes only); `path
-/// velocity (feed F)` per distinct finite feed (of `given`, if that is set); `path velocity`, `path acceleration`,
-/// `path jerk`, `path snap` where limited (the last two: with check_jerk); `velocity step at joints` (|Δq′|·v against
-/// acceleration · cycle time, the worst axis and joint); with check_jerk `acceleration step at joints` (|Δ(q″v² + q′a)|
-/// against jerk · cycle time, the worst axis and joint); `corner rest` (at the contour's rests, too), `cusp rest`,
-/// `start at rest`, `end at rest`; `continuity of velocity`; with check_jerk `continuity of acceleration` (also zero at
-/// rests); `continuity of position` (law and path, the worse in relation to its limit); `continuity of time`; `pieces
-/// within segments`; `forward motion`; `path covered` (32 ε of its length); `distance from contour` (law evaluated on
-/// the path, at the segments' ends, against position_tolerance + 32 ε of the coordinates); `arc length` (∫|dh/du|du of
-/// every piece on a free-form segment, integrated here, against the length that the law uses). A piece of rest (v = a =
-/// j = 0, s = s_end) is a motion like any other: a dwell. Cost: ≈ 50 ns per law piece on straight segments, ≈ 0.4 µs on
-/// arcs and cubics. Calls progress every few ms. Throws std::invalid_argument if axes, feeds or rests do not match the
-/// path.
+/// The checks, in this order:
+///   - `velocity <axis>`, `acceleration <axis>`, `jerk <axis>`, for limited axes;
+///   - `path velocity (feed F)` per distinct finite feed (of `given`, if that is set);
+///   - `path velocity`, `path acceleration`, `path jerk`, `path snap` where limited (the last two with check_jerk);
+///   - `velocity step at joints`: |Δq′|·v against acceleration · cycle time, for the worst axis and joint;
+///   - with check_jerk `acceleration step at joints`: |Δ(q″v² + q′a)| against jerk · cycle time, for the worst joint;
+///   - `corner rest` (at the contour's rests, too), `cusp rest`, `start at rest`, `end at rest`;
+///   - `continuity of velocity`; with check_jerk `continuity of acceleration` (also zero at rests);
+///   - `continuity of position`: law and path, the worse one in relation to its limit;
+///   - `continuity of time`, `pieces within segments`, `forward motion`;
+///   - `path covered`: 32 ε of the path's length;
+///   - `distance from contour`: the law evaluated on the path, at the ends of segments, against position_tolerance and
+///     32 ε of the coordinates;
+///   - `arc length`: ∫|dh/du|du of every piece on a free-form segment, integrated here, against the length that the law
+///     uses.
+/// A piece of rest (v = a = j = 0, s = s_end) is a motion like any other: a dwell.
+///
+/// Cost: ≈ 50 ns per law piece on straight segments, ≈ 0.4 µs on arcs and cubics. Reports to `progress` every few ms.
+/// Throws std::invalid_argument if axes, feeds or rests do not match the path.
 Verification verify_motion(const VerifierInput& input, Progress& progress);
 /// Verifies a contour. Throws std::invalid_argument for more than three axes.
 Verification verify_motion(const ContourVerifierInput& input, Progress& progress);

@@ -18,7 +18,7 @@
 
 namespace bahnwerk::verify {
 
-/// Over any axis path of at most N axes; N is 2, 3, 5 or max_axes.
+/// The grid of an axis path of at most N axes; N is 2, 3, 5 or max_axes.
 template <int N>
 class BoundGrid {
  public:
@@ -33,14 +33,14 @@ class BoundGrid {
   BoundGrid(const AxisPath& path, const Machine& machine, std::vector<double> feeds, double corner_angle,
             ProgressScope& progress);
 
-  /// Cells become up to `factor` times as wide as usual, 8 at most, in grids that are built later: the bound loses with
-  /// the square of that, and remains valid.
+  /// Makes cells of grids that are built later up to `factor` ≤ 8 times as wide. The bound remains valid; its loss
+  /// grows with the square of the width.
   void widen(double factor) {
     turn_ = factor * widest_turn;
     change_ = factor * widest_change;
   }
-  /// Builds the first grid over the segments [first, last), at rest at each end or as fast there as the place itself
-  /// allows.
+  /// Builds the first grid over the segments [first, last). At each end the motion is at rest, or as fast as the limits
+  /// at that place allow.
   void build(std::size_t first, std::size_t last, bool rest_first = true, bool rest_last = true);
   /// Returns the number of cells that begin in segments before this one. O(log n).
   std::size_t cells_before(std::size_t segment) const {
@@ -48,13 +48,13 @@ class BoundGrid {
                                              [&](std::uint32_t id) { return nodes_[id].segment < segment; });
     return static_cast<std::size_t>(behind - order_.begin());
   }
-  /// Limits b at the beginning of that grid to `most`.
+  /// Limits b at the beginning of the grid to `most`.
   void enter(double most) {
     Node& first = nodes_[order_.front()];
     first.cap = std::min(first.cap, most);
   }
-  /// Quarters the marked cells, in the order of cells(). Results of the other cells stay valid: O(marked), and 1 ns per
-  /// node for their order.
+  /// Quarters the marked cells; marks are in the order of cells(). Results of the other cells stay valid. O(marked) and
+  /// 1 ns per node for their order.
   void refine(const std::vector<unsigned char>& marked);
 
   std::size_t axes() const { return axes_; }
@@ -116,7 +116,7 @@ class BoundGrid {
   }
   void learn(std::size_t segment) const;
   void scale_axes();
-  Node place(std::size_t segment, double u) const;  ///< position and derivatives only
+  Node place(std::size_t segment, double u) const;  ///< returns a node with position and derivatives only
   void complete(Node& n) const;
   double place_cap(const Node& n) const;
   double turn_cap(const Node& n) const;
@@ -159,7 +159,7 @@ class BoundGrid {
   Blocks<Cell> cells_;  ///< cell with the id of its first node
   std::vector<std::uint32_t> order_, former_;
   std::vector<Span> fresh_;
-  double valley_ = unlimited;  ///< value for the cells that are being appended
+  double valley_ = unlimited;  ///< BoundCell::valley of the cells that are being appended
   bool jerk_limited_ = false;
   struct SizedInterval {
     std::size_t segment = static_cast<std::size_t>(-1);

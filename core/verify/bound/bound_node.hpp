@@ -41,8 +41,8 @@ struct BoundCell {
   std::array<double, N> velocity{};      ///< largest speed of axis k by its own limit, the feed and the other axes'
   double length = 0;                     ///< mm
   double slip = 0;                       ///< bound of the change of b across a joint, mm²/s²
-  double valley = std::numeric_limits<double>::infinity();  ///< a value of b that the limits inside may not allow,
-                                                            ///< though those at the ends do
+  double valley =
+      std::numeric_limits<double>::infinity();  ///< estimated minimum of the caps inside, mm²/s²; infinite: none
   Kind kind = Kind::joint;
   std::uint8_t turning = 0;  ///< bit k: whether axis k may reverse
   bool divisible = false;    ///< whether the cell is curved and long enough for halving to be useful

@@ -24,15 +24,15 @@ class TubeBlock {
  public:
   TubeBlock(double tolerance, ProgressScope& progress) : tolerance_(tolerance), progress_(progress) {}
 
-  /// Returns a bound of the distance, mm, under the matching found, and its place on the path, mm; above the tolerance
-  /// a distance under the matching of the first method.
+  /// Returns a bound of the distance, mm, under the matching found, and its place on the path, mm; if above the
+  /// tolerance, a distance under the matching of the first method.
   Worst measure(const PathRange& given, const PathRange& path);
 
  private:
   /// Matched pieces of a path segment and of a contour segment.
   struct Cell {
     std::size_t path = 0, given = 0;
-    MatchedPieces pieces;  ///< a: of the path, b: of the contour
+    MatchedPieces pieces;  ///< a is the path's piece, b the contour's
   };
   /// The place of the contour that is matched to the end of a piece: a piece of the contour, a parameter, and the
   /// distance, mm.

@@ -7,7 +7,7 @@
 
 namespace bahnwerk::verify {
 
-/// Stores the largest error, mm, relative to the error of quadrature and rounding.
+/// Collects the largest error, mm, in relation to the error of quadrature and rounding.
 class ArcLengthCheck {
  public:
   /// `progress` has to outlive the object.
@@ -16,7 +16,7 @@ class ArcLengthCheck {
   /// Compares the length that the law covers in a piece with the length of the segment's part, mm.
   void believe(const LawPiece& piece, const Segment& segment, double way);
   /// Compares ∫|dh/du| du over [u0, u1] with the length from s0 to s1 of the segment, by Lobatto's rule, with more
-  /// points and then halved until the rule resolves it.
+  /// points and on halved intervals until the rule resolves the integral.
   void measure(const LawPiece& piece, const Segment& segment, double u0, double u1, double s0, double s1) {
     measure(piece, segment, u0, u1, s0, s1, 0);
   }

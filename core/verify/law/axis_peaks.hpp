@@ -8,6 +8,7 @@
 
 namespace bahnwerk::verify {
 
+/// The result of axis_peaks().
 struct AxisPeaks {
   std::vector<Check> checks;      ///< velocity, acceleration, jerk of each limited axis
   std::vector<TooFast> too_fast;  ///< an entry for each motion between two rests in which a limit is exceeded
@@ -19,10 +20,10 @@ struct AxisPeaks {
 };
 
 /// Returns the peaks of v_k = q′v, a_k = q″v² + q′a, j_k = q‴v³ + 3q″va + q′j, with q by arc length and the law's v, a,
-/// j. Pieces of constant a are evaluated over the curve's parameter, where b = v² is linear in s and everything is
-/// smooth up to rest and cusps (the peaks of v_k² and j_k² are searched); pieces with jerk or snap over time. Pieces
-/// with an invalid segment are skipped (another check reports them). Arcs on which a law repeats an earlier one, every
-/// piece compared, are not searched again (core/verify/law/repeated_run.hpp).
+/// j. Pieces of constant a are evaluated over the curve's parameter, where b = v² is linear in s and all functions
+/// are smooth up to rest and cusps (the peaks of v_k² and j_k² are searched); pieces with jerk or snap over time.
+/// Pieces with an invalid segment are skipped (another check reports them). Arcs on which a law repeats an earlier one,
+/// every piece compared, are not searched again (core/verify/law/repeated_run.hpp).
 ///
 /// Each peak is an enclosure: the interpolant's maximum plus a proven bound of its error
 /// (core/verify/law/channel_bounds.hpp), from the curve in the complex plane (curve_disc.hpp), but for the rounding of

@@ -16,8 +16,8 @@ namespace bahnwerk::verify {
 /// members are upper bounds of their magnitudes (norms of complex vectors, mm). radius = 0 means that nothing is known.
 struct CurveDisc {
   double centre = 0, radius = 0;
-  double first = 0, second = 0, third = 0;  ///< |h′|, |h″|, |h‴|
-  double speed = 0, pace = 0;               ///< |ds/du|, |du/ds|
+  double first = 0, second = 0, third = 0;  ///< bounds of |h′|, |h″|, |h‴|
+  double speed = 0, pace = 0;               ///< bounds of |ds/du|, |du/ds|
 };
 
 /// Discs of one curve, computed on demand. With V = w² h_u, X = V′ × V, ν² = V·V, from u = pivot + reach·t:
@@ -36,7 +36,7 @@ class CurveDiscs {
   /// Returns a suitable start for a similar curve.
   double start() const { return start_; }
   /// Returns a disc about `u`, at least half as large as the largest one there. O(degree²) for a new one, a few ns
-  /// where the last one serves; in ascending order, one disc serves many queries.
+  /// where the previous disc is large enough, as for most queries in ascending order.
   CurveDisc about(double u);
 
   /// Returns the order m of the zero of h_u at an end of the curve; 0: none.
@@ -63,9 +63,9 @@ class CurveDiscs {
 };
 
 /// Computes the discs of every axis of a machine whose tool, which does not turn, follows the path through the disc's
-/// centre, by the chain rule: |q′| ≤ m₁|h′|, |q″| ≤ m₂|h′|² + m₁|h″|, |q‴| ≤ m₃|h′|³ + 3m₂|h′
-/// h″| + m₁|h‴| with the map's bounds m for the range of the tool's position h on the disc. The disc is halved until
-/// they are known; returns false if they never are.
+/// centre, by the chain rule: |q′| ≤ m₁|h′|, |q″| ≤ m₂|h′|² + m₁|h″|, |q‴| ≤ m₃|h′|³ + 3m₂|h′ h″| + m₁|h‴|, with the
+/// map's bounds m for the range of the tool's position h on the disc. The disc is halved until bounds are known;
+/// returns false if none are found.
 bool through(const KinematicAxisPath& path, std::size_t segment, const CurveDisc& tool,
              std::array<CurveDisc, max_axes>& axes);
 
@@ -74,7 +74,8 @@ class AxisDiscsAlong {
  public:
   explicit AxisDiscsAlong(const KinematicAxisPath& path) : path_(path) {}
   /// Returns the discs about the centre of the tool's disc, as large as intervals of half width `half` (of the
-  /// parameter) need, or null if unknown. Valid until the next call. For queries in order one enclosure serves many.
+  /// parameter) need, or null if unknown. The result is valid until the next call. For queries in order one
+  /// enclosure is used many times.
   const std::array<CurveDisc, max_axes>* about(std::size_t segment, const CurveDisc& tool, double half);
 
  private:

@@ -9,23 +9,24 @@
 namespace bahnwerk::verify {
 
 /// A law counts s from the beginning of the path and rounds it to ε s. Next to a (nearly) vanishing tangent curvature
-/// may change by its whole size within less than that, while v² falls as quickly as curvature grows: the motion of an
-/// axis there cannot be computed from rounded places. On such segments places are summed from the pieces' own lengths
-/// ∫v dt, beginning at the end of the segment where the tangent vanishes; another check (continuity of position)
-/// compares these lengths with s. On all other segments a place is s − s0.
+/// may change by its own magnitude over a shorter distance, while v² falls as quickly as curvature grows: the motion of
+/// an axis cannot be computed there from rounded places. On such segments places are summed from the pieces' own
+/// lengths ∫v dt, beginning at the end of the segment where the tangent vanishes; another check (continuity of
+/// position) compares these lengths with s. On all other segments a place is s − s0.
 class LocalPlaces {
  public:
   explicit LocalPlaces(const VerifierInput& input) : in_(input) {}
   /// Returns the beginning of piece i, which lies in a segment of the path. O(1) for queries in order.
   double begin(std::size_t i) { return summed(i) ? places_[i - first_] : piece(i).s - segment(i).s0(); }
+  /// Returns the end of piece i.
   double end(std::size_t i) { return summed(i) ? places_[i - first_ + 1] : piece(i).s_end - segment(i).s0(); }
   /// Whether the piece ends where its segment does.
   bool at_end(std::size_t i) {
     return summed(i) ? !(end(i) < length(segment(i))) : !(piece(i).s_end < segment(i).s1());
   }
   /// Returns the place at which the curve is evaluated where piece i is at `s`: no nearer to a cusp than 64 ε of the
-  /// segment's length, where u(s) is rounding and curvature arbitrary. Curvature times v² is smaller there than at the
-  /// place returned.
+  /// segment's length. Nearer, rounding determines u(s), and curvature is arbitrary. Curvature times v² is smaller
+  /// there than at the place returned.
   double looked_at(std::size_t i, double s) { return summed(i) ? std::clamp(s, nearest_begin_, nearest_end_) : s; }
 
  private:

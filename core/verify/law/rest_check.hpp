@@ -1,5 +1,5 @@
 #pragma once
-/// Checks that a motion rests where its contour requires it, and as long.
+/// Checks that a motion rests where its contour requires it, and for as long.
 #include "core/base/verification.hpp"
 #include "core/contour/contour.hpp"
 #include "core/motion/law/time_law.hpp"
@@ -8,12 +8,12 @@ namespace bahnwerk {
 
 class Progress;
 
-/// Matches the times at which the law is at rest, in order, with the places of `given.rests`: the path driven has to be
-/// within `position_tolerance` (mm) of the place, and the law at rest there for the sum of the seconds. `value`, s, is
-/// the largest deficit of a rest, infinite where the motion does not rest at all; `limit` is 16 ε of the law's
-/// duration, the rounding of adding and slowing dwells; `at` is that rest, s. The check's name is "dwell". It reads
-/// geometry, rests and law only. O(pieces + rests). Progress stays at the fraction `progress_at`; throws what it
-/// throws.
+/// Returns the check of the rests. It matches the times at which the law is at rest, in order, with the places of
+/// `given.rests`: the path driven has to be within `position_tolerance` (mm) of the place, and the law at rest there
+/// for the sum of the seconds. `value`, s, is the largest deficit of a rest, infinite where the motion does not rest at
+/// all; `limit` is 16 ε of the law's duration, the rounding of adding and slowing dwells; `at` is the time of that
+/// rest, s. The check's name is "dwell". O(pieces + rests). Progress stays at the fraction `progress_at`; its
+/// exceptions are passed on.
 Check rest_check(const Contour& given, const Contour& driven, const TimeLaw& law, Progress& progress,
                  double progress_at = 1, double position_tolerance = 1e-6);
 

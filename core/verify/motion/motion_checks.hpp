@@ -25,18 +25,18 @@ struct MotionToVerify {
   /// pieces meet at time t, as where the tangent of its path jumps; empty: no jump.
   std::function<double(std::size_t axis, std::size_t derivative, double t)> step = {};
   double progress_from = 0, progress_to = 1;  ///< the part of the whole job's progress that the checks cover
-  std::string group = {};                     ///< the subject of checks of all axes together
-  std::string unit = "unit";                  ///< their unit: that of the axes, if they have one
+  std::string group = {};                     ///< subject of the checks of all axes together
+  std::string unit = "unit";                  ///< unit of these checks: that of the axes, if they share one
 };
 
-/// Returns these checks, in this order, per axis where limited: `range <axis>` (excess of positions over lowest and
+/// Returns these checks, in this order. For each limited axis: `range <axis>` (excess of positions over lowest and
 /// highest, against 32 ε of the position), `velocity <axis>`, `acceleration <axis>`, `jerk <axis>`, `snap <axis>`
 /// (fails if the motion has no snap); then `continuity of position`, `… velocity`, `… acceleration`, `… jerk` up to
 /// `continuous`, `start at rest`, `end at rest` (with velocity every derivative that has to be continuous). Units of
 /// the latter are those of the axis that is closest to its tolerance.
 ///
 /// For pieces that are polynomials (Motion::polynomial) every peak and range is an enclosure, up to rounding: Bernstein
-/// coefficients over the piece, subdivided until they decide, to 1e-13. Peaks of other pieces are found by
+/// coefficients over the piece, subdivided until the peak is known to 1e-13. Peaks of other pieces are found by
 /// interpolation (core/numeric/peak.hpp), resolved to 2e-11 of the limit. A limit holds when value ≤ limit · (1 +
 /// 1e-9). Continuity and rest are held to the rounding of a piece of duration T: 32 ε (|x| + |v| T + |a| T²/2 + |j|
 /// T³/6) and its derivatives, from both sides, and to |x′| (ε t + resolution) for the error of t; where an axis is no
@@ -44,7 +44,7 @@ struct MotionToVerify {
 /// number fails.
 ///
 /// Cost: O(pieces · axes), about 0.2 µs per polynomial and derivative. Throws std::invalid_argument if the numbers of
-/// axes differ, and what progress throws.
+/// axes differ, and passes exceptions of `progress` on.
 std::vector<Check> motion_checks(const MotionToVerify& input, Progress& progress);
 
 }  // namespace bahnwerk

@@ -14,12 +14,12 @@ class Progress;
 
 struct CurvatureInput {
   const AxisPath& path;
-  const TimeLaw& law;  ///< the law that is sampled
-  double cycle_time = 0.001;
-  double chord_tolerance = unlimited;       ///< mm
+  const TimeLaw& law;                       ///< the law that is sampled
+  double cycle_time = 0.001;                ///< s
+  double chord_tolerance = unlimited;       ///< largest distance of path and chord, mm
   double half_speed_curvature = unlimited;  ///< κ̂, 1/mm
   double velocity = unlimited;              ///< v_max, mm/s
-  double at = 1;                            ///< fraction of the job's progress
+  double at = 1;                            ///< fraction of the job's progress during the checks
 };
 
 /// Returns these checks, over four places of every cycle:

@@ -13,13 +13,13 @@ namespace bahnwerk {
 class Progress;
 
 struct DifferenceInput {
-  const SetpointSource& setpoints;  ///< columns of every axis' name, and s
+  const SetpointSource& setpoints;  ///< has a column for every axis, and s
   const Machine& machine;
   std::vector<double> shown;  ///< factor from each axis' unit to that of its column
   /// The verdict on the motion from which the rows were taken; its limits apply to the rows, too. It has to be complete
   /// when the check is made.
   const Verification& motion;
-  /// Rounding of positions, in their column's unit: a difference of order n is off by 2ⁿ of it.
+  /// Rounding error of positions, in their column's unit; a difference of order n has 2ⁿ times that error.
   double rounding = 0;
   /// Fraction by which the speed along the path may exceed its limit: the stated accuracy of an interpolator's feed.
   double feed_tolerance = 0;
@@ -34,7 +34,7 @@ struct DifferenceInput {
 /// that are not numbers fail. `at` is the middle of the rows. 0.05 µs per row.
 std::unique_ptr<RowCheck> difference_row_check(const DifferenceInput& input);
 
-/// Reads all rows for this check alone.
+/// Returns the results after reading all rows for this check alone.
 std::vector<Check> difference_checks(const DifferenceInput& input, Progress& progress);
 
 }  // namespace bahnwerk

@@ -15,18 +15,19 @@ namespace bahnwerk {
 
 class Progress;
 
-/// The inputs of the check, which have to exist while rows are read.
+/// Inputs of the check. The objects referred to have to outlive it.
 struct MotionSetpointInput {
   const Motion& motion;
   const Machine& machine;
   const SetpointSource& setpoints;
-  std::string group = {};  ///< the subject of all checks
+  std::string group = {};  ///< subject of all checks
 };
 
-/// Row k is the state just after t = k · cycle time, found by a sweep through the motion's pieces; the last row is the
-/// motion's final state. With ε, t's own rounding and the state x, v, a, j, s at that time, T the piece's duration:
+/// Returns the check of every row. Row k is the state just after t = k · cycle time, found by a sweep through the
+/// motion's pieces; the last row is the motion's final state. With ε, t's own rounding and the state x, v, a, j, s at
+/// that time, T the piece's duration:
 ///
-/// `setpoints count`         1         |rows − (duration / cycle time + 1)|; columns that are missing count, too: 0
+/// `setpoints count`         1         |rows − (duration / cycle time + 1)|; plus the number of missing columns: 0
 /// `setpoints time`          s         (rows − 1) · cycle time against the motion's duration: 32 ε of it
 /// `setpoints position`      mm        columns of the axes: 32 ε (|x| + |v| T + |a| T²/2 + |j| T³/6) + |v| ε t
 /// `setpoints velocity`      mm/s      columns v: 32 ε (|v| + |a| T + |j| T²/2) + |a| ε t
@@ -39,7 +40,8 @@ struct MotionSetpointInput {
 /// that is not a number fails.
 std::unique_ptr<RowCheck> motion_row_check(const MotionSetpointInput& input);
 
-/// Reads all rows for this check alone, 1024 at a time. Calls progress every 2048 rows; passes its exceptions on.
+/// Returns the results after reading all rows for this check alone, 1024 at a time. Reports every 2048 rows; passes its
+/// exceptions on.
 std::vector<Check> motion_setpoint_checks(const Motion& motion, const Machine& machine, const SetpointSource& setpoints,
                                           Progress& progress, double progress_from = 0, double progress_to = 1,
                                           const std::string& group = {});

@@ -20,16 +20,18 @@ struct NeedleInput {
   std::vector<double> shown;        ///< factor from each axis' unit to that of its column
 };
 
+/// Returns the check of every row by forward kinematics, with its tolerances:
+///
 /// `forward kinematics position`  mm   forward(axes) against the path at the row's s: 1e-6
-///   `forward kinematics angle`     deg  φ (to whole turns) and ψ against the path: 1e-6
-///   `setpoints pose`               mm   columns x, y, z, phi, psi against forward(axes), an angle as the arc that it
-///   moves
-///                                        a point 100 mm away: 1e-6
+/// `forward kinematics angle`     deg  φ (to whole turns) and ψ against the path: 1e-6
+/// `setpoints pose`               mm   columns x, y, z, phi, psi against forward(axes): 1e-6; an angle counts as the
+/// arc
+///                                     of a point 100 mm away
 ///
 /// Missing columns and values that are not numbers fail. About 0.5 µs per row.
 std::unique_ptr<RowCheck> needle_row_check(const NeedleInput& input);
 
-/// Reads all rows for this check alone.
+/// Returns the results after reading all rows for this check alone.
 std::vector<Check> needle_checks(const NeedleInput& input, Progress& progress);
 
 }  // namespace bahnwerk

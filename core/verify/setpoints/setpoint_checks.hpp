@@ -29,15 +29,16 @@ struct SetpointInput {
   double lag = 0;
 };
 
-/// Path and law are evaluated at the rows' times, so the rows keep the limits of the motion. Row k is the state just
+/// Returns the check of every row. It evaluates path and law at the rows' times, so the rows keep the limits of the
+/// motion. Row k is the state just
 /// after t = k · cycle time; the last row is at rest, exactly at the path's end. core/verify/rounding.hpp defines ε and
 /// the rounding of a piece of the law. In addition t has an error of ε t, so with the law's v, a, j at that time:
 ///
-/// `setpoints count`         1      |rows − (duration / cycle time + 1)|; columns that are missing count, too: 0
+/// `setpoints count`         1      |rows − (duration / cycle time + 1)|; plus the number of missing columns: 0
 /// `setpoints time`          s      (rows − 1) · cycle time against the law's duration: 32 ε of it
 /// `setpoints path`          mm     column s against the law: 32 ε (|s| + |v| T …) + v ε t + lag · max v · cycle time
 /// `setpoints speed`         mm/s   column v against the law: 32 ε (|v| + |a| T …) + |a| ε t
-/// `setpoints forward`       mm     by what s falls from row to row: 32 ε of the path's length
+/// `setpoints forward`       mm     largest decrease of s from row to row: 32 ε of the path's length
 /// `setpoints position`      mm     axes against the path at the row's s: 32 ε (|q| + |q′| · length of the segment)
 /// `setpoints velocity`      mm/s   axes against q′ v with the row's s and v: 32 ε |q′| v
 /// `setpoints acceleration`  mm/s²  axes against q″ v² + q′ a: 32 ε (|q″| v² + |q′| |a|) + |q′| (32 ε (|a| + |j| T …) +
@@ -52,7 +53,8 @@ struct SetpointInput {
 /// that `input` refers to have to outlive the check.
 std::unique_ptr<RowCheck> path_row_check(const SetpointInput& input);
 
-/// Reads all rows for this check alone, 1024 at a time. Calls progress every 2048 rows; passes its exceptions on.
+/// Returns the results after reading all rows for this check alone, 1024 at a time. Reports every 2048 rows; passes its
+/// exceptions on.
 std::vector<Check> setpoint_checks(const SetpointInput& input, Progress& progress);
 
 }  // namespace bahnwerk
