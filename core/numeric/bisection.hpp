@@ -4,7 +4,8 @@
 
 namespace bahnwerk {
 
-/// The condition holds at `low` and not at `high`, as far as it was evaluated.
+/// An interval at whose lower end the condition holds and at whose upper end it does not; the ends given by the caller
+/// are not evaluated.
 struct Bisection {
   double low = 0, high = 0;
 };

@@ -41,12 +41,13 @@ struct Disc {
   Disc& operator-=(const Disc& b) { return *this = *this - b; }
   Disc& operator/=(double b) { return *this = rounded(centre / b, radius / std::abs(b)); }
 
-  /// |√(c + δ) − √c| = |δ|/|√(c + δ) + √c|, and Re √(c + δ) ≥ √(c − r).
+  /// Returns the root, from |√(c + δ) − √c| = |δ|/|√(c + δ) + √c|, and Re √(c + δ) ≥ √(c − r).
   friend Disc sqrt(const Disc& a) {
     const double root = std::sqrt(a.centre), least = a.centre - a.radius;
     return least > 0 ? rounded(root, a.radius / (root + std::sqrt(least))) : unknown(root);
   }
-  /// sin(c + δ) − sin c = cos c sin δ − sin c (1 − cos δ), |sin δ| ≤ sinh r, |1 − cos δ| ≤ cosh r − 1.
+  /// Returns the sine, from sin(c + δ) − sin c = cos c sin δ − sin c (1 − cos δ), |sin δ| ≤ sinh r, |1 − cos δ| ≤ cosh
+  /// r − 1.
   friend SineCosine<Disc> sine_cosine(const Disc& a) {
     const auto [s, c] = bahnwerk::sine_cosine(a.centre);
     const double first = grown_sine(a.radius), second = grown_cosine(a.radius);
@@ -55,13 +56,13 @@ struct Disc {
   }
   friend Disc sin(const Disc& a) { return sine_cosine(a).sine; }
   friend Disc cos(const Disc& a) { return sine_cosine(a).cosine; }
-  /// The angle is (log(x + iy) − log(x − iy))/2i, and |log(1 + z)| ≤ −log(1 − |z|).
+  /// Returns the angle of the direction (x, y): (log(x + iy) − log(x − iy))/2i, and |log(1 + z)| ≤ −log(1 − |z|).
   friend Disc direction_angle(const Disc& y, const Disc& x) {
     const double angle = bahnwerk::direction_angle(y.centre, x.centre),
                  part = (x.radius + y.radius) / std::sqrt(x.centre * x.centre + y.centre * y.centre);
     return part < 1 ? rounded(angle, -std::log1p(-part)) : unknown(angle);
   }
-  /// |acos′ z| = 1/|√(1 − z²)|.
+  /// Returns the arc cosine, from |acos′ z| = 1/|√(1 − z²)|.
   friend Disc acos(const Disc& a) {
     const double angle = std::acos(a.centre), most = a.most();
     return most < 1 ? rounded(angle, a.radius / std::sqrt(1 - most * most)) : unknown(angle);
@@ -72,7 +73,7 @@ struct Disc {
 
   static Disc rounded(double centre, double radius) { return {centre, radius + rounding * std::abs(centre)}; }
   static Disc unknown(double centre) { return {centre, std::numeric_limits<double>::infinity()}; }
-  /// Upper bounds of sinh r and of cosh r − 1.
+  /// Return upper bounds of sinh r and of cosh r − 1.
   static double grown_sine(double r) { return r <= 1 ? r * (1 + 0.18 * r * r) : std::sinh(r); }
   static double grown_cosine(double r) { return r <= 1 ? 0.55 * r * r : std::cosh(r) - 1; }
 };

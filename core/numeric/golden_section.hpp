@@ -10,8 +10,9 @@ struct GoldenSection {
   Value value{};  ///< the larger value of its two inner points
 };
 
-/// `value` has one maximum over [first, last]; if it has several, one is found. The search ends when the interval is no
-/// longer than `exact`; every evaluation reduces it to 0.62 of its length. Values need `<` only.
+/// Returns the maximum of `value` over [first, last]; if there are several local ones, one of them. The search ends
+/// when the interval is no longer than `exact`; every evaluation reduces it to 0.62 of its length. Values need `<`
+/// only.
 template <class Function>
 auto golden_section(const Function& value, double first, double last, double exact) {
   constexpr double golden = 0.61803398874989484820;

@@ -1,7 +1,7 @@
 #pragma once
-/// Step lengths of a Newton step that vary along a banded problem. One tight row would shorten the step of a long
-/// problem everywhere; so each place has its own step length, and step lengths rise only gradually from one place to
-/// the next. Where they differ, the step's linear equations are violated by their difference.
+/// Step lengths of a Newton step that vary along a banded problem. A single step length would be shortened everywhere
+/// by one tight row. Here each place has its own, and it rises only gradually from one place to the next, because the
+/// step's linear equations are violated by the difference of neighbouring step lengths.
 #include "core/numeric/lanes.hpp"
 
 namespace bahnwerk {

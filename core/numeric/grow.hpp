@@ -7,8 +7,8 @@
 
 namespace bahnwerk {
 
-/// Makes room for at least `least` values, and half as many again as there are; calls progress.report() while it
-/// copies. O(values) if they need new memory.
+/// Reserves room for at least `least` values and at least 1.5 times the present ones; calls progress.report() while it
+/// copies. O(values) if new memory is needed.
 template <class Values, class Pulse>
 void grow(Values& values, std::size_t least, Pulse& progress) {
   if (least <= values.capacity()) return;

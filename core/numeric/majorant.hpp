@@ -8,7 +8,8 @@
 /// Krantz, Parks, "A Primer of Real Analytic Functions", 2nd ed., 2002, section 1.4]. Where the ball may reach a
 /// singularity bounds are infinite. Bounds are proven but for rounding, 1e-15 of their size.
 ///
-/// It has the functions of Taylor (core/numeric/taylor.hpp). Cost: O(N²) per operation, O(N³) for sin, cos, sqrt, /.
+/// The type has the functions of Taylor (core/numeric/taylor.hpp). Cost: O(N²) per operation, O(N³) for sin, cos, sqrt,
+/// /.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -104,7 +105,7 @@ class Majorant {
     r.radius_ = std::max(a.radius_, b.radius_);
     return r;
   }
-  /// Returns this with its magnitude over the ball as the constant; `most` is one bound of it.
+  /// Returns the series with a bound of its magnitude over the ball as the constant; `most` is one such bound.
   Majorant sized(double most) {
     const double about = std::abs(centre_) + off();
     m_[0] = about < most ? about : most;  // the centre may be unknown, NaN
@@ -147,7 +148,7 @@ class Majorant {
   }
 
   double centre_ = 0, radius_ = 0;
-  Series m_{};  ///< magnitudes over the ball: of f, and of its derivatives/n!
+  Series m_{};  ///< bounds over the ball of |f| and of its derivatives/n!
 };
 
 }  // namespace bahnwerk

@@ -39,19 +39,19 @@ inline constexpr int max_coefficients = 22;  ///< most coefficients of a polynom
 
 struct PolynomialPeak {
   double value = 0;  ///< max |p| over [0,1]
-  double at = 0;     ///< where, in [0,1]
+  double at = 0;     ///< place of the maximum, in [0, 1]
 };
 /// Returns the largest |p| of a polynomial in Bernstein form (n ≤ max_coefficients, overwritten), to 1e-13 relative, or
 /// `floor` with at = −1 when nothing exceeds it. Cost: ≈ 30 ns when the coefficients do not exceed `floor`, else ≈ 200
 /// ns.
 PolynomialPeak polynomial_peak(double* coefficients, int n, double floor);
 
-/// The highest |value| of one function so far.
+/// The largest |value| of a function so far.
 struct Peak {
   double value = 0;
   double at = 0;        ///< argument of the peak, in the variable of the sweep that found it
   std::size_t tag = 0;  ///< the caller's number of that sweep
-  bool finite = true;   ///< false once any sample was NaN or infinite
+  bool finite = true;   ///< whether all samples were finite
 };
 
 /// Returns a bound of the distance of the interpolant in Chebyshev points (with or without the ends) from a function
@@ -64,10 +64,10 @@ double interpolation_error(int points, double reach);
 struct PeakSamples {
   const ChebyshevRule& rule;
   double begin, end;
-  bool last;           ///< whether it will not be halved any more
+  bool last;           ///< whether the interval will not be halved any more
   bool more;           ///< whether more points follow if these do not suffice
   double* values;      ///< out: channel c at rule.node[i] of [begin, end] at values[c · rule.points + i]
-  double* missing;     ///< out: per channel, a proven bound of |f − interpolant|; NaN, its initial value: unknown
+  double* missing;     ///< out: for each channel a proven bound of |f − interpolant|; NaN, its initial value: unknown
   bool empty = false;  ///< out: nothing was written because the bound is useless; not when `last`
   double at(int i) const { return begin + rule.node[static_cast<std::size_t>(i)] * (end - begin); }
 };
@@ -90,9 +90,9 @@ class PeakSweep {
   /// Raises the peak to an exactly known value. O(1).
   void raise(std::size_t channel, double value, double at, std::size_t tag);
 
-  /// Whether these samples may settle an interval, by the missing part and by the distance of the previous samples from
-  /// the peaks, since neighbours are similar. A caller of this function is offered 5 points on every interval, and
-  /// after 9 points 13 before it is halved. O(channels).
+  /// Returns whether these samples may settle an interval, by the missing part and by the distance of the previous
+  /// samples from the peaks, since neighbours are similar. A caller of this function is offered 5 points on every
+  /// interval, and after 9 points 13 before it is halved. O(channels).
   bool promising(const double* missing) {
     asked_ = true;
     for (std::size_t c = 0; c < peaks_.size(); ++c)
@@ -100,7 +100,8 @@ class PeakSweep {
     return true;
   }
 
-  /// Number of sampled intervals decided by an estimate: no bound was known, or halving ended before one was finite.
+  /// Returns the number of sampled intervals decided by an estimate: no bound was known, or halving ended before one
+  /// was finite.
   std::size_t estimated() const { return estimated_; }
 
   /// Sweeps [a, b]. `sample(PeakSamples&)` fills values and missing, and returns false if it knows that it is

@@ -5,10 +5,10 @@
 
 namespace bahnwerk {
 
-/// Coefficients, lowest first; an empty polynomial is zero.
+/// The coefficients, lowest first; an empty polynomial is zero.
 using Polynomial = std::vector<double>;
 
-/// Horner, O(degree).
+/// Returns p(x) by Horner's scheme. O(degree).
 double evaluate(const Polynomial& p, double x);
 Polynomial derivative(const Polynomial& p);
 Polynomial operator+(const Polynomial& p, const Polynomial& q);

@@ -12,9 +12,9 @@
 
 namespace bahnwerk {
 
-/// Encloses p^(n)(x)/n!, n = 0 … 3, for all complex |x − at| ≤ radius, and those of q: Taylor coefficients about `at`,
-/// with the magnitudes of the higher ones. The degree is at most 31. Rounding is included. O(degree²), for both as long
-/// as for one.
+/// Encloses p^(n)(x)/n! and q^(n)(x)/n!, n = 0 … 3, for all complex |x − at| ≤ radius, by Taylor coefficients about
+/// `at` and the magnitudes of the higher ones. The degree is at most 31. Rounding is included. O(degree²); both take as
+/// long as one.
 inline std::array<Taylor<3, Disc>, 2> enclose(const Polynomial& p, const Polynomial& q, double at, double radius) {
   using Both = Lanes<2>;
   constexpr std::size_t orders = 4, most_terms = 32;

@@ -7,10 +7,10 @@
 namespace bahnwerk {
 
 struct SignChange {
-  double low, f_low, high, f_high;  ///< f_low and f_high have opposite signs; they may be halved values
+  double low, f_low, high, f_high;  ///< bracket and values; f_low and f_high have opposite signs and may be halved
   int side = 0;                     ///< end that the last place replaced: −1 low, 1 high
 
-  /// The result may coincide with an end, or be beyond it, by rounding.
+  /// Returns the next place. By rounding it may coincide with an end or lie beyond it.
   double next() const { return (low * f_high - high * f_low) / (f_high - f_low); }
   double middle() const { return low + (high - low) / 2; }
   bool holds(double x) const { return x > low && x < high; }

@@ -133,7 +133,7 @@ struct Taylor {
     return r;
   }
 
-  /// Returns d/dx: the last coefficient is unknown, and not needed where integral() drops it.
+  /// Returns the derivative. Its last coefficient is unknown and not needed where integral() drops it.
   friend Taylor derived(const Taylor& a) {
     Taylor r;
     unrolled<N>([&](auto n) __attribute__((always_inline)) { r.c[n] = static_cast<double>(n + 1) * a.c[n + 1]; });

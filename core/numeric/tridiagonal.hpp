@@ -7,7 +7,7 @@
 
 namespace bahnwerk {
 
-/// below[i] x[i−1] + at[i] x[i] + above[i] x[i+1] = right[i]; below.front() and above.back() are not used.
+/// The system below[i] x[i−1] + at[i] x[i] + above[i] x[i+1] = right[i]. below.front() and above.back() are not used.
 struct Tridiagonal {
   std::vector<double> below, at, above;
 

@@ -6,9 +6,9 @@
 /// coefficients are below 2e-13 of its mean speed (or negligible for the whole). Next to an end where the tangent
 /// vanishes the panels shrink geometrically and the innermost one is the monomial s ~ ρ^(m+1), so that both directions
 /// have full relative accuracy there. Accuracy of s(u), u(s): some 1e-15 of the length (tests hold 1e-12). Cost: below
-/// 1 µs per panel; 4–25 panels for ordinary pieces. The inverse is a Newton method of its own: Boost's
-/// newton_raphson_iterate takes 1.2 times as long per point and measures its tolerance relative to the root, which lies
-/// anywhere around 0 here.
+/// 1 µs per panel; 4–25 panels for ordinary pieces. The inverse does not use Boost's
+/// newton_raphson_iterate, which takes 1.2 times as long per point and measures its tolerance relative to the root,
+/// which may be near 0 here.
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -24,8 +24,9 @@ class ArcLength {
   explicit ArcLength(const Curve& curve);
 
   double length() const { return length_; }
-  /// s(u) from the beginning, mm; u is clamped to the curve. O(log panels).
+  /// Returns s(u) from the beginning, mm; u is clamped to the curve. O(log panels).
   double at(double u) const;
+  /// Writes s(u) at all parameters of a batch to batch.s.
   void at(PathBatch& batch) const;
   /// Returns u(s); s is clamped to [0, length()]. O(log panels), usually one step, of third order, from a polynomial
   /// start.

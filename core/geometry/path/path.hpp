@@ -38,17 +38,20 @@ class Segment {
   double length() const { return s1_ - s0_; }
   std::size_t source() const { return source_; }
 
-  double parameter(double s) const;  ///< u(s), to 1e-10 of the segment's length
+  double parameter(double s) const;  ///< returns u(s), to 1e-10 of the segment's length
   double parameter_at(double travelled) const { return arc_length_.inverse(travelled); }  ///< inverse of travelled(u)
   PointPair parameter_at(PointPair travelled) const { return arc_length_.inverse(travelled); }
-  double arc_length(double u) const;  ///< s(u) on the path, exact to 1e-12 of the segment's length
-  double travelled(double u) const { return arc_length_.at(u); }  ///< s(u) from the beginning of the segment, mm
+  double arc_length(double u) const;  ///< returns s(u) on the path, exact to 1e-12 of the segment's length
+  double travelled(double u) const {
+    return arc_length_.at(u);
+  }  ///< returns s(u) from the beginning of the segment, mm
   /// Writes travelled() at the ascending parameters of a batch to batch.s. Two values take little longer than one.
   void travelled(PathBatch& batch) const { arc_length_.at(batch); }
   PathPoint at_parameter(
       double u) const;  ///< derivatives by arc length at u; one-sided limits at vanishing parametric tangents
   /// Returns the derivatives by arc length from known derivatives by the parameter.
   PathPoint at_parameter(double u, const Jet& by_parameter) const;
+  /// Returns the point at path length s ∈ [s0, s1].
   PathPoint at(double s) const;
   /// Writes path length and derivatives by it at all parameters of a batch.
   void at_parameters(PathBatch& batch) const;
@@ -77,6 +80,7 @@ class Segment {
       expansion_;  ///< derivatives near an end at which the parametric tangent vanishes; else null
 };
 
+/// Segments end to end. It is immutable and thread-safe after the last append().
 class Path {
  public:
   /// Appends a curve that starts where the path ends (not checked). Curves are split at interior points with a
@@ -91,10 +95,12 @@ class Path {
   std::size_t size() const { return segments_.size(); }
   bool empty() const { return segments_.empty(); }
   const Segment& operator[](std::size_t i) const { return segments_[i]; }
+  /// Returns the total length, mm.
   double length() const { return segments_.empty() ? 0.0 : segments_.back().s1(); }
   /// Returns the index of the segment that holds s (the later one at a joint; the last one at the end). O(log n), O(1)
   /// with a good hint.
   std::size_t find(double s, std::size_t hint = 0) const;
+  /// Returns the point at path length s. O(log n).
   PathPoint at(double s) const;
 
  private:

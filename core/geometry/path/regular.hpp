@@ -6,8 +6,8 @@
 
 namespace bahnwerk {
 
-/// Product of curvature and length beyond which a curve counts as turning in a point. Passing it at v² = A/κ instead of
-/// resting there would save less than 1/√(κ L) of the time that the curve takes.
+/// Product of curvature and length beyond which a curve counts as turning in a point. Passing such a point at v² = A/κ
+/// instead of resting would save less than 1/√(κ L) of the time that the curve takes.
 constexpr double sharpest_curvature = 1e8;
 
 /// Returns the pieces between the parameters at which dh/du vanishes, in order. A piece with such a point at an end is

@@ -14,10 +14,10 @@ namespace bahnwerk {
 /// copies it differs). Equal numbers prove nothing. O(1).
 std::uint64_t rough_shape(const Path& path, std::size_t first, std::size_t last);
 
-/// The latest few indices that were added for each number.
+/// Stores the latest four indices that were added for each number.
 class RoughIndex {
  public:
-  /// Returns the indices, the latest first. Valid until the next add().
+  /// Returns the indices, the latest first. The result is valid until the next add().
   std::span<const std::size_t> of(std::uint64_t shape) const;
   void add(std::uint64_t shape, std::size_t index);
 

@@ -10,8 +10,8 @@
 namespace bahnwerk {
 
 /// A binary tree over blocks of edges in their order: consecutive edges lie side by side, so no sorting is needed. O(n)
-/// to build; a query takes O(log n) blocks where one part of the boundary is clearly the nearest, all of them in the
-/// middle of a circle.
+/// to build; a query evaluates O(log n) blocks where one part of the boundary is clearly the nearest, and all
+/// of them in the centre of a circle.
 class EdgeTree {
  public:
   EdgeTree() = default;

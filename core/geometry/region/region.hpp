@@ -46,15 +46,15 @@ class Region {
   /// Returns every edge moved by `depth` into the region, with arcs about the corners at which that opens gaps.
   /// Trimmed, they bound inward(depth).
   std::vector<Edge> parallels(double depth) const;
-  /// Returns for each parallel a box that contains all of its points at `depth` inside the boundary. Most parallels of
-  /// many short edges lie elsewhere and would cross each other there, up to n² times. It takes a few distances each and
-  /// reports fraction 0 to `progress`, if there is one.
+  /// Returns for each parallel a box that contains all of its points at `depth` inside the boundary. The other parts of
+  /// parallels of many short edges would cross each other up to n² times. Computes a few distances per parallel and
+  /// reports fraction 0 to `progress`, if given.
   std::vector<Box> reached(const std::vector<Edge>& parallels, double depth, Progress* progress = nullptr) const;
   /// Returns the areas of all points at least `depth` inside the boundary: several loops where a neck closes, empty
-  /// where nothing remains. Lines and points are left out (see centre_borders). A negative depth widens the region,
-  /// around its corners by arcs. O(n²) for n edges.
+  /// where nothing remains. Remaining lines and points are left out (see centre_borders). A negative depth widens the
+  /// region, around its corners by arcs. O(n²) for n edges.
   Region inward(double depth, Progress* progress = nullptr) const;
-  /// Returns this region without the region `other`. Boundaries must not coincide along a part. O(n·m).
+  /// Returns the difference of this region and `other`. Boundaries must not coincide along a part. O(n·m).
   Region without(const Region& other) const;
 
  private:

@@ -12,13 +12,13 @@ namespace bahnwerk {
 /// Returns the first three coordinates as a curve of space over the piece's parameter.
 Rational place_curve(const BezierPiece& piece);
 
-/// σ(v), mm, on [0, 1], of the first three coordinates.
+/// The arc length σ(v) of the first three coordinates, mm, for v on [0, 1].
 ///
-/// An interval is halved until (4.69) holds with its share of `tolerance`: ε holds for the whole piece (in the source
-/// for each interval). The factor 1/10 of (4.69) is asymptotically safe by 1.5. The spline between the points has an
-/// error that ε does not limit: tests compare both with the exact length. Each piece has its own spline: σ′ jumps where
-/// pieces join geometrically, and a C² spline over the whole path, as in the source, oscillates there. Cost: 4 speeds
-/// per point; the number of points grows with ε^(−1/4).
+/// An interval is halved until (4.69) holds with its share of `tolerance`, so the tolerance ε applies to the whole
+/// piece (in the source to each interval). The factor 1/10 of (4.69) has an asymptotic safety of 1.5. The spline
+/// between the points has an error that ε does not limit: tests compare both with the exact length. Each piece has its
+/// own spline, because σ′ jumps where pieces join geometrically: a C² spline over the whole path, as in the source,
+/// oscillates there. Cost: 4 speeds per point; the number of points grows with ε^(−1/4).
 class LengthSpline {
  public:
   /// Throws std::invalid_argument for a tolerance below 1e-12 mm.

@@ -25,7 +25,7 @@ struct LinkShape {
   std::vector<double> weights;
 };
 
-/// Number of control points of a link: k + 1 from the conditions at each end.
+/// Returns the number of control points of a link: k + 1 from the conditions at each end.
 constexpr std::size_t link_points(std::size_t continuity) { return 2 * continuity + 2; }
 
 /// Returns the link of this continuity, on [0, 1]. O(k²). Throws std::invalid_argument for k outside 1 … 4, β₁ ≤ 0,

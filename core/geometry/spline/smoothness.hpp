@@ -9,14 +9,15 @@
 
 namespace bahnwerk {
 
-/// J = curvature · ∫ κ dv + rate · ∫ |dκ/dv| dv, κ of the first three coordinates, 1/mm.
+/// The weights in J = curvature · ∫ κ dv + rate · ∫ |dκ/dv| dv, with κ that of the first three coordinates, 1/mm.
 ///
 /// (4.60) prints d|κ|/dv in the second integral, which is κ(1) − κ(0) for any link. The total variation of κ is meant,
 /// which does not depend on the parameter; the first integral does, unless taken by the arc length.
 struct SmoothnessWeights {
   double curvature = 1, rate = 8;
-  bool by_length = false;  ///< ∫ κ ds, the turned angle, instead of ∫ κ dv
-  /// κ and |κ′| are smoothed where they are not differentiable: √(x² + r²) − r, 1/mm. This lowers J by up to (curvature
+  bool by_length = false;  ///< whether the first integral is ∫ κ ds, the turned angle, instead of ∫ κ dv
+  /// Radius r of smoothing, 1/mm: κ and |κ′| are replaced by √(x² + r²) − r where they are not differentiable. This
+  /// lowers J by up to (curvature
   /// + rate)·r.
   double rounding = 1e-5;
 };
@@ -41,8 +42,8 @@ class SmoothnessRule {
 };
 
 /// Returns J of the link by the rule and, unless `gradient` is empty, its gradient: ∂/∂β₁ … β_k before, then after. The
-/// gradient is that of the sum, exact to round-off. Not finite where the derivative of the link vanishes. About 4 µs
-/// for k = 3 with gradient.
+/// gradient is that of the sum, exact to round-off. The result is not finite where the derivative of the link vanishes.
+/// About 4 µs for k = 3 with gradient.
 double smoothness(const SmoothnessRule& rule, const LinkEnds& ends, const LinkShape& shape,
                   const SmoothnessWeights& weights, std::span<double> gradient = {});
 

@@ -1,8 +1,8 @@
 #pragma once
 /// The variables of a search for links, in place of β.
 ///
-/// They are the derivatives γ_j of f⁻¹ at both ends, by arc length in units of the chord: beside lines control points
-/// are linear in them, and they do not depend on the neighbours' lengths. (The β differ in size by 1e3, see the
+/// The variables are the derivatives γ_j of f⁻¹ at both ends, by arc length in units of the chord: beside lines control
+/// points are linear in them, and they do not depend on the neighbours' lengths. (The β differ in size by 1e3, see the
 /// source's optimum.) |γ_j| ≤ 5, 20, 100, 500, and γ₁ ≥ 0.2: without that limit (4.60) has no minimum. It weighs the
 /// height of κ, not its rate of change, and tends to the largest circle between the neighbours, with κ rising in a
 /// vanishing part of the link (γ₁ → 0) although it is formally G^k.
@@ -29,12 +29,15 @@ class LinkVariables {
 
   static double lower(std::size_t order) { return order == 1 ? 0.2 : -upper(order); }
   static double upper(std::size_t order) { return std::array{0.0, 5.0, 20.0, 100.0, 500.0}[order]; }
-  static double scale(std::size_t order) { return std::array{1.0, 1.0, 2.0, 6.0, 24.0}[order]; }  ///< order!
+  static double scale(std::size_t order) {
+    return std::array{1.0, 1.0, 2.0, 6.0, 24.0}[order];
+  }  ///< returns the factorial of the order
   std::size_t order(std::size_t variable) const { return variable % continuity_ + 1; }
 
   /// Returns the γ of a shape whose β are by the ends' own parameters, within the bounds; without a shape γ₁ = 1 and
   /// the rest 0.
   std::vector<double> of(const LinkShape& own) const;
+  /// Returns γ₁ = 1 and 0 for the rest.
   std::vector<double> straight() const;
   /// Returns β by the parameters of ends(), or by the ends' own, without weights.
   LinkShape scaled(std::span<const double> gamma) const;
