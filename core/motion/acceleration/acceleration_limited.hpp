@@ -8,11 +8,11 @@
 /// loss is below `tolerance`; cells in which a limit is exceeded between the stations get a smaller share of it.
 /// Sections beyond `window` cells are planned in overlapping windows, each to a stop at its end; only the part is used
 /// that this stop does not influence, so the law is that of the whole section. Paths that need more than `usual_cells`
-/// get wider cells, at most 10 times as wide: there the duration is up to 5e-4 above that of finer cells, and the law
-/// stays 1e-5 of the limits below them. Straight segments are one cell each and exact. Sections that repeat an earlier
-/// one take over its law (core/motion/grid/section_repeats.hpp). The result is piecewise cubic in time. Cost: O(cells)
-/// time and memory per section; for two axes, path evaluation included, about 85 ns per cell for one solution and 0.6
-/// µs with all rounds (tests/bench/bench_motion.cpp).
+/// get wider cells, at most 10 times as wide: the duration is then up to 5e-4 above that of finer cells, and the law
+/// stays below the limits by 1e-5 of them. Straight segments are one cell each and exact. Sections that repeat an
+/// earlier one take over its law (core/motion/grid/section_repeats.hpp). The result is piecewise cubic in time. Cost:
+/// O(cells) time and memory per section; for two axes, path evaluation included, about 85 ns per cell for one solution
+/// and 0.6 µs with all rounds (tests/bench/bench_motion.cpp).
 #include <cstddef>
 #include <vector>
 
@@ -27,9 +27,9 @@ namespace bahnwerk {
 class Progress;
 
 struct AccelerationLimitedOptions {
-  bool keep_reserve = false;     ///< braking_reserve instead of time_optimal
+  bool keep_reserve = false;     ///< whether to keep a braking reserve; otherwise the law is time-optimal
   double braking_reserve = 0.7;  ///< K_b ∈ (0,1): the share of an axis' acceleration that bending may use
-  double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad; larger tangent jumps are corners with a stop
+  double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< largest tangent jump without a stop, rad
   double excess = 2e-9;     ///< allowed relative excess over a limit inside a cell; a larger one slows the section
   double tolerance = 2e-7;  ///< estimated loss of duration to the grid, relative
   int max_divisions = 5,

@@ -33,16 +33,16 @@ inline CellLaw cell_law(double b1, double v1, double g, double v2, double h) {
   return {duration, v1, (v2 - v1) / duration, 0};
 }
 
-/// Relative excess over the limits: of |axis acceleration|/A, of (axis velocity/V)² and of (v/feed)². Negative values
-/// are within the limits.
+/// Relative excess over the limits: |axis acceleration|/A − 1, and the larger one of (axis velocity/V)² − 1 and
+/// (v/feed)² − 1. It is negative within the limits.
 struct Excess {
   double acceleration, velocity;
 };
 
 namespace cell_law_detail {
 
-/// The path between two stations from their derivatives: the cubic of h'' and the quintic of h', which the grid keeps
-/// accurate enough.
+/// The path between two stations from their derivatives: the cubic of h'' and the quintic of h', which are accurate
+/// enough on the grid's cells.
 template <int N>
 struct Between {
   const Station<N>&l, &r;

@@ -18,7 +18,7 @@ class LengthAxisPath final : public AxisPath {
   bool linear(std::size_t segment) const override { return path_.linear(segment); }
   AxisJet at_parameter(std::size_t segment, double u) const override;
   void at_parameters(std::size_t segment, PathBatch& batch) const override;
-  /// The axis acts like a coordinate of the tool with value s: no direction changes it faster.
+  /// Returns the bounds of the path and, for the additional axis, those of a coordinate of the tool.
   MapBounds map_bounds(std::size_t segment, double u, double radius) const override;
   bool enclose(std::size_t segment, double u, double radius, AxisDiscs& axes) const override;
   double pose_turn(std::size_t segment, double u, double radius) const override {

@@ -23,6 +23,7 @@ class Orientation {
 
   /// Returns the tool at parameter u of a segment: derivatives by arc length, one-sided at its ends.
   ToolJet tool(const Segment& segment, std::size_t index, double u) const;
+  /// Returns the pose at parameter u of a segment.
   ToolPose pose(const Segment& segment, std::size_t index, double u) const;
   /// Returns an upper bound of |(φ, ψ) − (φ, ψ)(u)|, rad (norm of a complex vector), over all complex parameters within
   /// `radius` of u; infinite where there is none. O(degree²).

@@ -8,9 +8,10 @@ namespace bahnwerk {
 
 inline constexpr std::size_t max_motion_degree = 21;
 
+/// Immutable and thread-safe.
 class SplineMotion final : public Motion {
  public:
-  /// A piece lasts from the end of the piece before (0 for the first) to `end` s.
+  /// A piece lasts from the end of the previous piece (0 for the first) to `end` s.
   struct Piece {
     double end = 0;
     std::vector<Polynomial> axes;  ///< positions over the time since the beginning of the piece, unit; one per axis

@@ -15,14 +15,14 @@ class Progress;
 struct FeedOptions {
   SpeedProfile profile = SpeedProfile::double_s;
   double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad
-  Limits path;                                               ///< along the tool's path
+  Limits path;                                               ///< limits along the tool's path
   /// The constant feed, mm/s, as given; 0 chooses the largest one that keeps all limits.
   double feed = 0;
   std::size_t nodes = 16;  ///< nodes of the grid per panel of the path
 };
 
-/// The requested feed breaks a limit. The text names the limit, the largest feed and the place; `limit` describes the
-/// limit that determines the largest feed.
+/// Thrown where the requested feed breaks a limit. The text names the limit, the largest feed and the place; `limit`
+/// describes the limit that determines the largest feed.
 struct FeedTooFast : Infeasible {
   FeedTooFast(const std::string& text, FeedLimit what, double asked_feed)
       : Infeasible(text), limit(what), asked(asked_feed) {}
@@ -32,7 +32,7 @@ struct FeedTooFast : Infeasible {
 
 /// An interval of constant speed; FeedChanges finds the changes before and behind it.
 struct FeedHold {
-  double s0 = 0, s1 = 0;  ///< mm; a place of rest where s0 = s1 and v = 0
+  double s0 = 0, s1 = 0;  ///< ends, mm; s0 = s1 with v = 0 is a rest
   double v = 0;           ///< mm/s
 };
 
@@ -51,7 +51,7 @@ FeedHold largest_feed(const FeedGrid& grid, SpeedProfile profile, double begin, 
 /// the grid, about 0.1 ms per segment.
 TimeLaw plan_constant_feed(const PathTask& task, const FeedOptions& options, Progress& progress, double from,
                            double to);
-/// Plans on an existing grid.
+/// Plans the feed on an existing grid.
 TimeLaw constant_feed(const FeedGrid& grid, const FeedOptions& options);
 
 }  // namespace bahnwerk

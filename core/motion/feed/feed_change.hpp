@@ -12,9 +12,9 @@ namespace bahnwerk {
 /// A rise placed on a path: forwards from the place of the lowest speed, or mirrored, so that the speed falls to it.
 struct FeedChange {
   Rise rise;
-  double low = 0;        ///< mm/s
-  double s = 0;          ///< mm, the place where the speed is `low`
-  bool forwards = true;  ///< rises from s; else falls to s
+  double low = 0;        ///< lower speed, mm/s
+  double s = 0;          ///< place at which the speed is `low`, mm
+  bool forwards = true;  ///< whether the speed rises from s; otherwise it falls to s
 
   double distance() const { return rise.distance(low); }
   double high() const { return low + rise.height; }

@@ -1,9 +1,9 @@
 #pragma once
 /// The largest constant speed at each place of a path, and the largest change of speed there.
 ///
-/// At constant speed v axis k has velocity q′v, acceleration q″v² and jerk q‴v³, so a place may be passed at
-///     min over k of V/|q′|, √(A/|q″|), ∛(J/|q‴|), the feed of its segment, the limit along the path,
-/// A joint at which q′ or q″ jumps by Δ requires |Δ| v ≤ A T, |Δ| v² ≤ J T over a cycle T.
+/// At constant speed v axis k has velocity q′v, acceleration q″v² and jerk q‴v³. So the largest constant speed at a
+/// place is the least of V/|q′|, √(A/|q″|), ∛(J/|q‴|) over all axes, of the feed of the segment and of the limit along
+/// the path. A joint at which q′ or q″ jumps by Δ requires |Δ| v ≤ A T, |Δ| v² ≤ J T over a cycle T.
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -18,10 +18,10 @@ namespace bahnwerk {
 /// The limit that determines the largest feed, and its place.
 struct FeedLimit {
   enum class Kind { velocity, acceleration, jerk, velocity_step, acceleration_step, path_velocity, segment_feed };
-  double speed = unlimited;  ///< mm/s
+  double speed = unlimited;  ///< largest constant speed, mm/s
   Kind kind = Kind::path_velocity;
   std::size_t axis = 0;     ///< index of the axis, if the limit is an axis'
-  double s = 0;             ///< mm along the path
+  double s = 0;             ///< place, mm along the path
   std::size_t segment = 0;  ///< path segment that contains s
 };
 /// Returns a name such as "the jerk limit of q5".
@@ -39,14 +39,14 @@ struct FeedState {
 };
 
 struct FeedGridOptions {
-  std::size_t nodes = 16;  ///< nodes per panel of the path
-  bool limits_jerk = true;
+  std::size_t nodes = 16;                                    ///< nodes per panel of the path
+  bool limits_jerk = true;                                   ///< whether limits of jerk hold
   double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad
   Limits along;                                              ///< limits along the tool's path
 };
 
-/// `task` has to outlive the object. O(nodes), about 1 µs each through a machine's kinematics; 8 (3 axes + 1) bytes
-/// each.
+/// Nodes along a path with the largest constant speed at each. `task` has to outlive the object. O(nodes), about 1 µs
+/// each through a machine's kinematics; 8 (3 axes + 1) bytes each.
 class FeedGrid {
  public:
   FeedGrid(const PathTask& task, const FeedGridOptions& options, ProgressScope& progress);
@@ -66,13 +66,14 @@ class FeedGrid {
     const double* row = rows_.data() + 3 * axes_ * i;
     return {s_[i], row, row + axes_, row + 2 * axes_};
   }
-  /// First node of a segment; the nodes of a segment are [first, last).
+  /// The nodes of a segment are [first, last).
   std::size_t first(std::size_t segment) const { return first_[segment]; }
   std::size_t last(std::size_t segment) const { return first_[segment + 1]; }
   std::size_t segment_of(double s, std::size_t hint) const { return task_.path.tool().find(s, hint); }
 
   /// Returns the largest acceleration along the path that the axes allow at a node at rest.
   double acceleration(std::size_t node) const;
+  /// Returns the largest jerk along the path that the axes allow at a node at rest.
   double jerk(std::size_t node) const;
 
   /// Returns 1 if a place is passed within `margin` of all limits at this speed, acceleration and jerk; otherwise the

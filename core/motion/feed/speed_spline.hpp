@@ -17,8 +17,8 @@ namespace bahnwerk {
 
 class SpeedSpline {
  public:
-  static constexpr std::size_t order = 4;  ///< control points with an influence on a span
-  static constexpr std::size_t fixed = 3;  ///< control points that are 0 at each end
+  static constexpr std::size_t order = 4;  ///< number of control points that influence a span
+  static constexpr std::size_t fixed = 3;  ///< number of control points that are 0 at each end
 
   /// `breaks` are places along the path, mm, ascending, the path's ends included; a span lies between any two
   /// neighbours. The first and the last `graded` ≥ 1 spans, which may be all, have equal widths in w instead.
@@ -27,8 +27,8 @@ class SpeedSpline {
   std::size_t spans() const { return breaks_.size() - 1; }
   std::size_t points() const { return spans() + order - 1; }
 
-  /// A place: σ with its derivatives by w, and, per control point of the span (from number `span` on), its part of v,
-  /// v_w, v_ww.
+  /// A place: σ with its derivatives by w, and for each control point of the span (from number `span` on) its share of
+  /// v, v_w, v_ww.
   struct Place {
     std::size_t span = 0;
     double s = 0, s1 = 0, s2 = 0;
@@ -52,7 +52,7 @@ class SpeedSpline {
 
   std::vector<double> breaks_, knots_;
   std::size_t graded_;
-  double first_width_, last_width_;  ///< sum over the graded spans, in w
+  double first_width_, last_width_;  ///< widths in w of the graded spans together
 };
 
 }  // namespace bahnwerk

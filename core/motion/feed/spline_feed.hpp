@@ -21,7 +21,7 @@ struct SplineFeedOptions {
   std::size_t window = 24;        ///< number of control points that are variables of a window
   std::size_t overlap = 12;       ///< number of these that are variables of the next window, too
   std::size_t passes = 2;         ///< number of sweeps over the path; the source makes two
-  std::size_t evaluations = 400;  ///< largest number per window
+  std::size_t evaluations = 400;  ///< largest number of evaluations per window
   std::size_t steps = 16;         ///< pieces of the law per span
 };
 
@@ -30,8 +30,8 @@ struct SplineFeed {
   std::size_t evaluations = 0;  ///< evaluations of the problem's functions
 };
 
-/// Plans with rest at both ends of the path and nowhere else: throws InvalidInput for a task that rests within. Cost:
-/// seconds per turn of a winding. Throws Stopped.
+/// Plans a law that rests at both ends of the path and nowhere else. Throws InvalidInput for a task with rests between,
+/// and Stopped. Cost: seconds per turn of a winding.
 SplineFeed plan_spline_feed(const PathTask& task, const SplineFeedOptions& options, Progress& progress, double from,
                             double to);
 

@@ -7,7 +7,8 @@
 
 namespace bahnwerk {
 
-/// Times of the law, s. A block without length has begin = end, and so has one that the motion never reaches.
+/// Beginning and end of a block in the time of the law, s. They are equal for a block without length and for one that
+/// the motion never reaches.
 struct BlockTime {
   double begin = 0, end = 0;
 };

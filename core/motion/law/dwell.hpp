@@ -8,8 +8,8 @@ namespace bahnwerk {
 class Progress;
 
 /// Returns the law with a piece at rest for every dwell of positive duration, in their order. The law has to be at rest
-/// at these places. The other pieces are only shifted in time. O(pieces + rests). Progress stays at the fraction `at`;
-/// throws what it throws.
+/// at these places. The other pieces are only shifted in time. O(pieces + rests). Progress stays at the fraction
+/// `at`; its exceptions are passed on.
 TimeLaw with_dwells(TimeLaw law, const PathTask& task, Progress& progress, double at = 0);
 
 /// Whether a piece is a dwell.

@@ -6,8 +6,8 @@
 
 namespace bahnwerk {
 
-/// Appends a piece from state to state (their jerks do not count). A quartic meets both speeds and accelerations for
-/// any duration; the distance from `from.s` to `to.s` fixes the duration, close to the given one. O(1).
+/// Appends a piece from one state to another; their jerks are ignored. A quartic meets both speeds and accelerations
+/// for any duration; the distance from `from.s` to `to.s` fixes the duration, close to the given one. O(1).
 void append_between(TimeLaw& law, std::size_t segment, const LawState& from, const LawState& to, double duration);
 
 }  // namespace bahnwerk

@@ -6,8 +6,8 @@
 /// stop at full speed. Only curves with a share (free links) are therefore passed in this manner, each with the λ that
 /// gives all of them one mean speed. The pieces between them (lines, arcs) are passed at that mean speed, which cubics
 /// in time connect with the links, with continuous acceleration and with the durations that need the least acceleration
-/// and jerk. Finally the law is slowed until all limits hold. Nothing can be optimised then, which is why other feeds
-/// are planned.
+/// and jerk. Finally the law is slowed until all limits hold. This leaves nothing to optimise; other feeds are
+/// quicker.
 #include <cstddef>
 #include <vector>
 
@@ -23,12 +23,13 @@ struct NaturalOptions {
   /// link until their shares add up to 1.
   std::vector<double> shares;
   std::size_t steps = 64;  ///< pieces of the law per segment
-  Limits path;             ///< along the tool's path
+  Limits path;             ///< limits along the tool's path
 };
 
-/// Plans with rest at both ends and at the task's rests, which are not within links. Limits hold along the whole path,
-/// between samples, too (core/motion/law/law_excess.hpp). O(segments · steps). Throws Infeasible where the pieces
-/// between two links are so short that no cubic connects their speeds; std::invalid_argument for inconsistent shares.
+/// Plans a law that rests at both ends and at the task's rests, none of which is within a link. Limits hold along the
+/// whole path, between samples, too (core/motion/law/law_excess.hpp). O(segments · steps). Throws Infeasible where the
+/// pieces between two links are so short that no cubic connects their speeds; std::invalid_argument for inconsistent
+/// shares.
 TimeLaw plan_natural(const PathTask& task, const NaturalOptions& options, Progress& progress, double from, double to);
 
 }  // namespace bahnwerk

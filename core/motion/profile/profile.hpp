@@ -2,17 +2,17 @@
 /// Straight moves in closed form: a distance under limits on speed, acceleration, jerk and snap, from any start speed
 /// to any end speed; acceleration (and jerk, if snap is limited) is zero at both ends.
 ///
-/// trapezoid   acceleration limited             ≤ 3 pieces of constant acceleration
-///   double-S    and jerk limited                 ≤ 7 pieces of constant jerk
-///               and snap limited                 ≤ 15 pieces of constant snap
+/// - trapezoid: acceleration is limited; at most 3 pieces of constant acceleration;
+/// - double-S: jerk is limited, too; at most 7 pieces of constant jerk;
+/// - with a limit of snap: at most 15 pieces of constant snap.
+///
 /// Sources: [Herrmann 3.3.1] for the phases (formulas re-derived), [Thielemann] for the limit on snap.
 ///
-/// The move changes speed from v0 to a turning speed w, holds w, changes to v1. With the change D(x,y) =
-/// T(|x−y|)(x+y)/2 (core/motion/profile/profile_change.hpp) the distance without hold, D(v0,w) + D(w,v1), grows with w
-/// ≥ max(v0,v1), so w is the speed limit or the root. Below the direct change D(v0,v1) only a *dip* w < min(v0,v1) can
-/// help: the time spent braking and turning is regained where the speed is low. The distance is concave in w there
-/// (between the points at which the formula of T changes), hence the least one is that of w = 0 or of the direct
-/// change, and the root can be enclosed.
+/// The move changes speed from v0 to a turning speed w, holds w, and changes to v1. A change takes the distance D(x,y)
+/// = T(|x−y|)(x+y)/2 (core/motion/profile/profile_change.hpp). The distance without hold, D(v0,w) + D(w,v1), grows with
+/// w ≥ max(v0,v1), so w is the speed limit or the root. A distance below that of the direct change, D(v0,v1), requires
+/// a *dip*, w < min(v0,v1). The distance is concave in w there (between the points at which the formula of T changes),
+/// hence the least one is that of w = 0 or of the direct change, and the root can be enclosed.
 ///
 /// Trapezoid and double-S are the fastest of all motions with 0 ≤ v ≤ V under their limits: for given T the distance is
 /// a linear function under linear constraints, and the switching parabola of the phases is feasible in the dual problem
@@ -31,11 +31,12 @@
 
 namespace bahnwerk {
 
-/// mm/s, mm/s², mm/s³, mm/s⁴; each is positive or infinite, and one of the last three is finite.
+/// Limits in mm/s, mm/s², mm/s³, mm/s⁴. Each is positive or infinite, and one of the last three is finite.
 struct ProfileLimits {
   double velocity = unlimited, acceleration = unlimited, jerk = unlimited, snap = unlimited;
 };
 
+/// State of a move: mm, mm/s, mm/s², mm/s³, mm/s⁴.
 struct ProfileState {
   double s = 0, v = 0, a = 0, j = 0, snap = 0;
 };
@@ -51,6 +52,7 @@ struct ProfilePiece {
   }
 };
 
+/// A straight move.
 struct Profile {
   std::array<ProfilePiece, 15> piece{};
   std::size_t count = 0;

@@ -24,8 +24,8 @@ struct SpeedChange {
   double jerk = 0;          ///< peak jerk, mm/s³; infinite without limits of jerk and snap
 };
 
-/// Limits on acceleration (mm/s²), jerk (mm/s³) and snap (mm/s⁴), positive, at least one of them finite.
-/// Every function costs a few operations and at most one root.
+/// The law of changes within limits on acceleration (mm/s²), jerk (mm/s³) and snap (mm/s⁴), which are positive and at
+/// least one of which is finite. Every function costs a few operations and at most one root.
 class SpeedChangeLaw {
  public:
   SpeedChangeLaw(double acceleration, double jerk, double snap)
@@ -38,25 +38,25 @@ class SpeedChangeLaw {
         full_(acceleration < unlimited ? acceleration * rise_ : unlimited),
         knee_(2 * jerk_reached_ * jerk_ramp_) {}
 
-  /// T(d), s: increasing, and concave except at full_height() if snap is limited.
+  /// Returns T(d), s: increasing, and concave except at full_height() if snap is limited.
   double duration(double height) const {
     if (height >= full_) return height / A_ + rise_;
     if (height >= knee_) return jerk_ramp_ + std::sqrt(jerk_ramp_ * jerk_ramp_ + 4 * height / J_);
     return 4 * std::cbrt(height / (2 * S_));
   }
-  /// dT/dd for height > 0.
+  /// Returns dT/dd, for height > 0.
   double slope(double height) const {
     if (height >= full_) return 1 / A_;
     if (height >= knee_) return 2 / J_ / std::sqrt(jerk_ramp_ * jerk_ramp_ + 4 * height / J_);
     return 4 * std::cbrt(height / (2 * S_)) / (3 * height);
   }
-  /// The inverse d(T), which needs no roots.
+  /// Returns d(T), the inverse of duration(), which needs no roots.
   double height(double duration) const {
     if (duration >= 2 * rise_) return A_ * (duration - rise_);
     const double half = duration / 2;
     return half >= 2 * jerk_ramp_ ? J_ * (half - jerk_ramp_) * half : S_ * half * half * half / 4;
   }
-  /// dd/dT.
+  /// Returns dd/dT.
   double height_slope(double duration) const {
     if (duration >= 2 * rise_) return A_;
     const double half = duration / 2;
@@ -69,10 +69,11 @@ class SpeedChangeLaw {
     const double snap_only = std::sqrt(quarter * std::sqrt(quarter * 2 * S_));
     return duration(std::min({std::sqrt(product * A_), jerk_only, snap_only}));
   }
-  /// A θ(A): the height from which on the acceleration limit is reached; infinite without one.
+  /// Returns A θ(A), the height from which on the acceleration limit is reached; infinite without one.
   double full_height() const { return full_; }
   /// Whether neither jerk nor snap is limited, so that the acceleration jumps.
   bool jumps() const { return rise_ == 0; }
+  /// Returns the phases of a change by `height`.
   SpeedChange shape(double height) const;
 
  private:

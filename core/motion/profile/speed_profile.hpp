@@ -6,12 +6,12 @@
 /// All profiles are symmetric about their middle, so the distance is duration · (mean of both speeds), and they scale:
 /// λ times the acceleration with λ² times the jerk limit gives the change in 1/λ of the time.
 ///
-/// double_s       jerk J, 0, −J; no phase of constant acceleration where h < A²/J [(3.96)–(3.101); the printed
-///                  branches for slowing down and the reduced cases are wrong]
-///   trapezoid      constant acceleration A, which jumps at both ends: jerk is not limited [(3.93), (3.94)]
-///   trigonometric  half a cosine wave, long enough for both A and J; the source takes one of them [(3.102)–(3.105)]. A
-///                  law is made of polynomials, so it is 16 cubics of the speed that meet speed and acceleration of the
-///                  wave at their ends: 2e-6 h off, acceleration no larger, J held by the cubics themselves.
+/// - double_s: jerk J, 0, −J, without a phase of constant acceleration where h < A²/J [(3.96)–(3.101); the printed
+///   branches for slowing down and the reduced cases are wrong].
+/// - trapezoid: constant acceleration A, which jumps at both ends; jerk is not limited [(3.93), (3.94)].
+/// - trigonometric: half a cosine wave, long enough for both A and J; the source uses one of them [(3.102)–(3.105)]. A
+///   law is made of polynomials, so it consists of 16 cubics of the speed that have speed and acceleration in common
+///   with the wave at their ends: they are 2e-6 h off, their acceleration is no larger, and they hold J themselves.
 #include <array>
 #include <cstddef>
 #include <span>
@@ -30,6 +30,7 @@ struct RisePiece {
   double duration = 0, v = 0, a = 0, j = 0, snap = 0;
 };
 
+/// A rise as consecutive pieces.
 struct Rise {
   std::array<RisePiece, 16> piece{};
   std::size_t count = 0;
@@ -48,7 +49,7 @@ struct SpeedProfileRow {
   Rise (*rise)(double height, double acceleration, double jerk);
 };
 
-/// Throws std::logic_error for a profile without a row.
+/// Returns the row of a profile. Throws std::logic_error for a profile without one.
 const SpeedProfileRow& speed_profile_row(SpeedProfile profile);
 
 }  // namespace bahnwerk

@@ -3,20 +3,20 @@
 /// vector of one number per side of |x| ≤ limit.
 namespace bahnwerk {
 
-/// V: a number, or one per side of |x| ≤ limit.
+/// V is a number, or a vector of one number per side of |x| ≤ limit.
 template <class V>
 struct Inequality {
   V slack{}, multiplier{};
   V inverse{};   ///< 1/slack, the only form in which it is used
   V residual{};  ///< value + slack
-  V pending{};   ///< the product of the predictor's steps, then aim(), then the slack's step
+  V pending{};   ///< product of the predictor's steps; then the result of aim(); then the slack's step
   V multiplier_step{};
 
   V weight() const { return multiplier * inverse; }
   /// Returns the new multiplier for complementarity `target` if the value does not change. `part` is the weight of the
   /// product of the predictor's steps.
   V aim(double target, double part) const { return (target - part * pending + multiplier * residual) * inverse; }
-  /// Predictor: steps towards complementarity 0 for a given change of the value.
+  /// Computes the predictor's steps, towards complementarity 0, for a given change of the value.
   void predict(V change) {
     const V step = -(residual + change);
     multiplier_step = -(weight() * step + multiplier);

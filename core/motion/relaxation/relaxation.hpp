@@ -9,9 +9,9 @@
 ///
 /// core/motion/relaxation/weak_form.hpp has the discretisation.
 ///
-/// It is solved by a primal-dual interior-point method with predictor and corrector [Mehrotra, SIAM J. Optim. 2
-/// (1992)]. Each T_j is eliminated on its own, which leaves one pentadiagonal system for b. Far from the solution each
-/// place has its own step length (newton_parts.hpp); near it all have one, and the Newton equations hold.
+/// The problem is solved by a primal-dual interior-point method with predictor and corrector [Mehrotra, SIAM J. Optim.
+/// 2 (1992)]. Each T_j is eliminated on its own, which leaves one pentadiagonal system for b. Far from the solution
+/// each place has its own step length (newton_parts.hpp); near it all places share one, and the Newton equations hold.
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -24,8 +24,8 @@
 
 namespace bahnwerk {
 
-/// Signed multipliers of axis k: of jerk per B-spline, with index j + 1 for the one whose support is the cells j − 1 …
-/// j + 1, j = −1 … n, and Σ_k J_k |jerk[j][k]| ≤ 1; of acceleration per node.
+/// Signed multipliers of the axes. Those of jerk belong to B-splines: index j + 1 to the one whose support is the cells
+/// j − 1 … j + 1, j = −1 … n; Σ_k J_k |jerk[j][k]| ≤ 1. Those of acceleration belong to nodes.
 template <int N>
 struct RelaxationMultipliers {
   using Row = std::array<double, N>;
@@ -42,7 +42,7 @@ struct RelaxationOutcome {
 };
 
 struct RelaxationOptions {
-  double gap = 1e-5, violation = 1e-6;
+  double gap = 1e-5, violation = 1e-6;  ///< values at which the solver stops; see RelaxationOutcome
   int iterations = 40;
   std::size_t beyond = 150;  ///< overlap of windows on each side, cells (windows.hpp)
 };
@@ -53,12 +53,13 @@ template <int N>
 class RelaxationSolver {
  public:
   using Row = std::array<double, N>;
-  /// Solves a problem of at least one cell. Throws what `progress` throws.
+  /// Solves a problem of at least one cell. Passes exceptions of `progress` on.
   RelaxationOutcome solve(const RelaxationProblem<N>& problem, const RelaxationOptions& options,
                           ProgressScope& progress);
 
   /// Returns b per cell of the last solution, mm²/s².
   std::vector<double> b() const { return {b_.begin() + 2, b_.end() - 2}; }
+  /// Returns the multipliers of the last solution.
   RelaxationMultipliers<N> multipliers() const;
 
  private:
@@ -97,8 +98,8 @@ class RelaxationSolver {
   std::vector<Spline> splines_;
   std::vector<Hat> hats_;
   std::vector<Inequality<double>> caps_;
-  /// Two more cells at each end, on which nothing depends. `step_` is the right-hand side, then the relative change of
-  /// b.
+  /// Values of the cells, with two unused cells at each end. `step_` is the right-hand side, then the relative change
+  /// of b.
   std::vector<double> b_, inverse_cap_, root_, step_;
   NewtonParts parts_;                          ///< place j: spline j, hat j, cell j − 1 and its cap
   std::vector<std::array<double, 3>> matrix_;  ///< the diagonal and two above it; factored: 1/D, L₁, L₂

@@ -11,10 +11,10 @@
 
 namespace bahnwerk {
 
-/// Columns of PathSetpoints, then mode and block. `mode` is 1 in a block that cuts, 0 in one that positions; `block` is
-/// the index of that block in the contour, from 0. Both follow from the times of the blocks, not from the place on the
-/// path. A row at the time at which two blocks meet belongs to the later one, the last row to the last block that is
-/// not empty. Derived classes add columns.
+/// The columns are those of PathSetpoints, then mode and block. `mode` is 1 in a block that cuts, 0 in one that
+/// positions; `block` is the index of that block in the contour, from 0. Both follow from the times of the blocks, not
+/// from the place on the path. A row at the time at which two blocks meet belongs to the later one, the last row to the
+/// last block that is not empty. Derived classes add columns.
 class ContourSetpoints : public PathSetpoints {
  public:
   /// `motion` follows the contour's path and already lasts a whole number of cycles. O(pieces + blocks).
@@ -22,7 +22,7 @@ class ContourSetpoints : public PathSetpoints {
                    std::size_t cycles);
 
  protected:
-  /// Number of columns before those that derived classes add.
+  /// Returns the number of columns before those that derived classes add.
   std::size_t contour_columns() const { return path_columns() + 2; }
   void write(Row& row, double* out) const override;
 

@@ -11,9 +11,9 @@
 
 namespace bahnwerk {
 
-/// Columns `<axis>` for every axis of the machine, then `v<axis>`, `a<axis>`, and if requested `j<axis>` and `s<axis>`
-/// (jerk and snap), in the axis' unit, unit/s … unit/s⁴. Row k is the state just after k · cycle_time; the last row is
-/// Motion::final_state(). Derived classes add columns. A row costs one Motion::evaluate() and its numbers.
+/// The columns are `<axis>` for every axis of the machine, then `v<axis>`, `a<axis>`, and if requested `j<axis>` and
+/// `s<axis>` (jerk and snap), in the axis' unit, unit/s … unit/s⁴. Row k is the state just after k · cycle_time; the
+/// last row is Motion::final_state(). Derived classes add columns. A row costs one Motion::evaluate() and its numbers.
 class MotionSetpoints : public SetpointSource {
  public:
   /// The motion lasts `cycles` whole cycles; columns go up to derivative `highest`, 0 to 4. Throws
@@ -28,7 +28,7 @@ class MotionSetpoints : public SetpointSource {
  protected:
   struct Row {
     std::size_t index = 0;
-    double t = 0;           ///< s
+    double t = 0;           ///< time of the row, s
     std::size_t piece = 0;  ///< piece of the motion that holds t
     bool last = false;
     std::size_t place = unknown;  ///< position of write() after the row before, if it is stored there

@@ -17,9 +17,9 @@ namespace bahnwerk {
 /// the speed and acceleration of `law`.
 using BrakeForce = std::function<double(std::size_t segment, double u, const LawState& law)>;
 
-/// Columns of MotionSetpoints, then j<axis> of every axis, x, y, z (mm), phi, psi (deg) of the needle in the part's
-/// frame, s (mm) and v (mm/s) along its path, brake (N), and vx, vy, vz (mm/s), vphi, vpsi (deg/s), the rates of the
-/// pose. Rotary axes are in deg, deg/s …: shown() has the factor of an axis of unit rad.
+/// The columns are those of MotionSetpoints, then j<axis> of every axis, x, y, z (mm), phi, psi (deg) of the needle in
+/// the part's frame, s (mm) and v (mm/s) along its path, brake (N), and vx, vy, vz (mm/s), vphi, vpsi (deg/s), the
+/// rates of the pose. Rotary axes are in deg, deg/s …: shown() has the factor of an axis of unit rad.
 ///
 /// With an interpolation, the rows' places are its own, slightly off those of the law; speed, acceleration and jerk
 /// along the path are the law's at the row's time.
