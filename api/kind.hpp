@@ -5,12 +5,22 @@
 #include <span>
 #include <string_view>
 
+#include "api/result_files.hpp"
+
 namespace bahnwerk {
 class Progress;
 }
 
 namespace bahnwerk::api {
 struct PlannedJob;  // api/planned_job.hpp
+
+/// The files that a kind makes of a stored result, in layouts of its own.
+struct ResultFiles {
+  std::string_view title = {};                     ///< name of such a file for people, such as "cam table"
+  std::span<const std::string_view> layouts = {};  ///< no two kinds have a layout of one name
+  /// Returns the file of a result of this kind in one of `layouts`.
+  ResultFile (*make)(const nlohmann::json& result, std::string_view layout) = nullptr;
+};
 
 struct Kind {
   std::string_view name;
@@ -23,6 +33,7 @@ struct Kind {
   /// Plans a spec. Equal specs and versions give identical results. Throws core's errors; never returns an unverified
   /// plan as verified.
   PlannedJob (*plan)(const nlohmann::json& spec, Progress& progress);
+  ResultFiles files = {};  ///< empty if the kind has no layouts of its own
 };
 
 std::span<const Kind> kinds();

@@ -8,7 +8,8 @@
 ///   KindReport report(const Request&, Plan&, Progress&)
 ///
 /// and, if some faults of a document require computation, check(const Request&), which throws InvalidInput when the
-/// document is submitted. The file api/kinds/<name>/<name>.cpp contains `Kind describe_<name>() { return kind_of<K>();
+/// document is submitted; and, if the kind makes files of a result, `ResultFiles files`. The file
+/// api/kinds/<name>/<name>.cpp contains `Kind describe_<name>() { return kind_of<K>();
 /// }`, and api/kinds.cpp lists it.
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -62,8 +63,10 @@ PlannedJob plan_spec(const nlohmann::json& spec, Progress& progress) {
 
 template <class K>
 Kind kind_of() {
-  return {K::name,       K::title,    embedded(K::name), embedded(std::string(K::name) + ".result"),
-          check_spec<K>, plan_spec<K>};
+  Kind kind{K::name,       K::title,    embedded(K::name), embedded(std::string(K::name) + ".result"),
+            check_spec<K>, plan_spec<K>};
+  if constexpr (requires { K::files; }) kind.files = K::files;
+  return kind;
 }
 
 }  // namespace bahnwerk::api

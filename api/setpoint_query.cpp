@@ -6,6 +6,7 @@
 
 #include "api/pointer.hpp"
 #include "api/problem.hpp"
+#include "api/result_files.hpp"
 #include "api/setpoints.hpp"
 
 namespace bahnwerk::api {
@@ -75,10 +76,8 @@ SetpointQuery parse_setpoint_query(const std::vector<std::pair<std::string, std:
       continue;
     }
     if (key == "layout") {
-      const auto controller = std::find_if(std::begin(controller_layouts), std::end(controller_layouts),
-                                           [&, &text = value](const auto& entry) { return entry.name == text; });
-      if (controller != std::end(controller_layouts)) {
-        result.controller = controller->value;
+      if (kind_of_layout(value)) {
+        result.file_layout = value;
         continue;
       }
       if (value == "csv") {  // plain rows, as CSV whatever the Accept header says
@@ -88,9 +87,7 @@ SetpointQuery parse_setpoint_query(const std::vector<std::pair<std::string, std:
       try {
         result.layout = value_of<CsvLayout>(value, csv_layouts);
       } catch (const std::invalid_argument&) {
-        fault(
-            "must be plain, csv, twincat or twincat_poses, of a motion law also twincat_nc, twincat_mc3, isg, "
-            "lcamhdl_xy, lcamhdl_basic, lcamhdl_advanced, codesys_xyva or codesys_xy");
+        fault("must be plain, csv, twincat or twincat_poses" + result_layouts_text());
       }
       continue;
     }
@@ -143,8 +140,8 @@ SetpointQuery parse_setpoint_query(const std::vector<std::pair<std::string, std:
   if (csv && result.format && *result.format != SetpointFormat::csv)
     errors.push_back({"/query/format", "must be csv where layout is csv"});
   if (csv) result.format = SetpointFormat::csv;
-  if (result.controller && seen.size() > 1)
-    errors.push_back({"/query/layout", "is a whole cam table: it cannot be combined with other parameters"});
+  if (result.file_layout && seen.size() > 1)
+    errors.push_back({"/query/layout", "is a whole file: it cannot be combined with other parameters"});
   if (result.points && every_given)
     errors.push_back({"/query/points", "cannot be combined with every: an envelope looks at every row"});
   if (result.points && result.layout != CsvLayout::plain)

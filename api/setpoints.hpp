@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "api/kinds/motion_law/controller_layouts.hpp"
 #include "core/base/named.hpp"
 #include "core/base/setpoint_source.hpp"
 
@@ -46,8 +45,8 @@ struct SetpointQuery {
   std::optional<std::size_t> points;    ///< min/max envelope with about this many points, for charts
   std::vector<std::string> columns;     ///< empty = all
   CsvLayout layout = CsvLayout::plain;  ///< only for CSV and rows, not with `points`
-  /// Format of a controller's cam table instead of rows; for motion laws only, and without other options.
-  std::optional<ControllerLayout> controller;
+  /// Layout of a file that a kind makes of its result (api/result_files.hpp), instead of rows; without other options.
+  std::optional<std::string> file_layout;
   /// Frame of the columns x, y, z, phi and their rates; by default base in the layout twincat_poses if the machine is
   /// known [4.5.1: the controller takes ^O s], the part otherwise. Unless `columns` are given, that layout ends with a
   /// column of ones whose name states the frame, base_frame or part_frame.

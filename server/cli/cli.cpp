@@ -4,6 +4,7 @@
 #include <iostream>
 #include <thread>
 
+#include "api/kind.hpp"
 #include "api/setpoints.hpp"
 #include "server/runtime/log.hpp"
 
@@ -119,18 +120,24 @@ int run(int argc, char** argv, const BuildInfo& build) {
   CLI::Option* out_option =
       plan_command->add_option("--out", out, "directory for result.json, setpoints.csv and drawings")->type_name("DIR");
   std::vector<std::string> layouts{"plain", "twincat", "twincat_poses"};
-  for (const auto& each : api::controller_layouts) layouts.emplace_back(each.name);
+  std::string kind_layouts;
+  for (const auto& kind : api::kinds()) {
+    layouts.insert(layouts.end(), kind.files.layouts.begin(), kind.files.layouts.end());
+    if (!kind.files.layouts.empty())
+      kind_layouts.append("; of kind ").append(kind.name).append(": a ").append(kind.files.title);
+  }
   const auto add_layout = [&](CLI::App* command) {
     return command
         ->add_option("--layout", layout,
                      "of csv: plain, twincat (axes, their velocities, brake; semicolons), twincat_poses (the tool's "
-                     "pose and its rates instead); of a motion law: a cam table as the controller reads it")
+                     "pose and its rates instead)" +
+                         kind_layouts)
         ->check(CLI::IsMember(layouts));
   };
   const auto add_frame = [&](CLI::App* command) {
     return command
         ->add_option("--frame", frame,
-                     "of a winding's poses: part, or base, the machine's own (default: base with twincat_poses)")
+                     "of the columns of a pose: part, or base, the machine's own (default: base with twincat_poses)")
         ->check(CLI::IsMember({"part", "base"}));
   };
   add_layout(plan_command)->needs(out_option);

@@ -18,9 +18,9 @@ int run(int argc, char** argv, const BuildInfo& build);
 
 int serve(const ServiceOptions& options);
 /// Plans the document `job` in this process. With `out`, writes result.json and drawings there, and setpoints.csv in a
-/// layout of api::csv_layouts (empty: plain) or a motion law's cam table in one of api::controller_layouts, in a frame
-/// of api::setpoint_frames (empty: that of the layout). A plan that is not verified has no setpoints, and its problem
-/// is printed. Each of `drives`, "coarse=0.004" for a group and its delay in s, makes a separate file,
+/// layout of api::csv_layouts (empty: plain), in a frame of api::setpoint_frames (empty: that of the layout); for a
+/// layout of api::result_layouts() also the kind's file in that layout. A plan that is not verified has no setpoints,
+/// and its problem is printed. Each of `drives`, "coarse=0.004" for a group and its delay in s, makes a separate file,
 /// setpoints_coarse.csv; throws std::runtime_error for an entry of another form.
 int plan(const std::string& job, const std::string& out, const std::string& layout, const std::string& frame,
          const std::vector<std::string>& drives = {});

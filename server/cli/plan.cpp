@@ -8,6 +8,7 @@
 
 #include "api/planned_job.hpp"
 #include "api/problem.hpp"
+#include "api/result_files.hpp"
 #include "api/setpoints.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/progress.hpp"
@@ -97,13 +98,6 @@ api::SetpointStream csv(const SetpointSource& source, const std::string& layout,
   return {std::move(series), std::move(query), api::SetpointFormat::csv};
 }
 
-/// Returns the cam table in a controller's layout; none if the layout is one of rows.
-std::optional<api::ControllerLayout> controller_layout(const std::string& name) {
-  for (const auto& each : api::controller_layouts)
-    if (each.name == name) return each.value;
-  return std::nullopt;
-}
-
 struct SetpointFile {
   std::string name;
   api::SetpointStream rows;
@@ -136,11 +130,11 @@ int plan(const std::string& job, const std::string& out, const std::string& layo
          const std::vector<std::string>& drives) {
   std::vector<Drives> files{{}};
   for (const std::string& each : drives) files.push_back(read_drives(each));
-  const auto controller = controller_layout(layout);
-  const std::string row_layout = controller ? "" : layout;
+  const bool kind_layout = api::kind_of_layout(layout) != nullptr;  // otherwise a layout of rows
+  const std::string row_layout = kind_layout ? "" : layout;
   api::PlannedJob planned;
   std::vector<SetpointFile> setpoints;
-  std::optional<api::ControllerFile> table;
+  std::optional<api::ResultFile> file;
   try {
     const api::JobRequest request = api::parse_job(job);
     TerminalProgress progress(request);
@@ -153,15 +147,15 @@ int plan(const std::string& job, const std::string& out, const std::string& layo
       for (const Drives& each : files)
         setpoints.push_back({each.name.empty() ? "setpoints.csv" : "setpoints_" + each.name + ".csv",
                              csv(*planned.setpoints, row_layout, frame, each)});
-    if (controller) table = api::controller_file(nlohmann::json(planned.result), *controller);
+    if (kind_layout) file = api::result_file(nlohmann::json(planned.result), layout);
   } catch (...) {
     return report_problem(api::problem_from_current_exception("/spec"));
   }
   if (!out.empty()) write_files(out, planned.result, std::move(setpoints));
-  if (table) {
-    const std::string name = layout + "." + table->extension;
-    write(std::filesystem::path(out) / name, table->text);
-    std::cerr << name << " differs from the law by " << table->refit_error << '\n';
+  if (file) {
+    const std::string name = layout + "." + file->extension;
+    write(std::filesystem::path(out) / name, file->text);
+    if (!file->difference.empty()) std::cerr << name << " " << file->difference << '\n';
   }
   std::cout << planned.result.dump(2) << std::endl;
   if (!std::cout) throw std::runtime_error("cannot write the result document");

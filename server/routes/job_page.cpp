@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "api/kind.hpp"
 #include "api/problem.hpp"
 #include "api/result_units.hpp"
 #include "api/setpoints.hpp"
@@ -132,9 +133,13 @@ std::string downloads(const std::string& link, const std::string& page, const or
         const std::string name(api::format_name(format));
         text += " · <a href=\"" + link + "/setpoints?format=" + name + "\">setpoints, " + name + "</a>";
       }
-    if (result.contains("setpoints") && result.value("kind", "") == "motion_law")
-      for (const auto& layout : api::controller_layouts)
-        text += " · <a href=\"" + link + "/setpoints?layout=" + layout.name + "\">cam table, " + layout.name + "</a>";
+    const api::Kind* const kind = api::find_kind(result.value("kind", ""));
+    if (result.contains("setpoints") && kind)
+      for (const std::string_view layout : kind->files.layouts) {
+        const std::string name(layout);
+        text += " · <a href=\"" + link + "/setpoints?layout=" + name + "\">" + std::string(kind->files.title) + ", " +
+                name + "</a>";
+      }
     if (result.contains("details") && result["details"].contains("drawings"))
       for (const auto& [name, drawing] : result["details"]["drawings"].items())
         if (!shown_by_browsers(name))

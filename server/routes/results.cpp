@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/problem.hpp"
+#include "api/result_files.hpp"
 #include "api/setpoints.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/middleware.hpp"
@@ -52,25 +53,24 @@ api::SetpointSeries stored_series(Store& store, const SeriesInfo& info) {
   return series;
 }
 
-/// Answers a cam table in the layout of a controller, from the stored result.
-Response controller_table(Context& context, const Request& request, api::ControllerLayout layout) {
+/// Answers a file that the job's kind makes of its stored result.
+Response kind_file(Context& context, const Request& request, const std::string& layout) {
   const std::string& id = request.parameter("id");
   require_success(context, id);
   const auto document = context.store.result(id);
   if (!document) throw api::Problem("not-found", "There is no job " + id + ".");
   const auto result = nlohmann::json::parse(*document);
-  const std::string name = name_of<api::ControllerLayout>(layout, api::controller_layouts);
-  api::ControllerFile file = api::controller_file(result, layout);
+  api::ResultFile file = api::result_file(result, layout);
   Response response = text_answer(200, file.content_type, std::move(file.text));
-  response.set("X-Refit-Error", file.refit_error);
-  response.set("Content-Disposition", "attachment; filename=\"" + id + "-" + name + "." + file.extension + "\"");
-  return with_etag(request, "\"table-" + name + "\"", std::move(response));
+  if (!file.header.empty()) response.set(file.header, file.header_value);
+  response.set("Content-Disposition", "attachment; filename=\"" + id + "-" + layout + "." + file.extension + "\"");
+  return with_etag(request, "\"table-" + layout + "\"", std::move(response));
 }
 
 Response setpoints(Context& context, const Request& request) {
   const std::string& id = request.parameter("id");
   const api::SetpointQuery query = api::parse_setpoint_query(request.query);
-  if (query.controller) return controller_table(context, request, *query.controller);
+  if (query.file_layout) return kind_file(context, request, *query.file_layout);
   const auto format = query.format ? query.format : api::negotiate_setpoints(request.header("accept").value_or(""));
   if (!format)
     throw api::Problem(

@@ -30,7 +30,7 @@ TEST(SetpointQuery, ReadsEveryParameter) {
   EXPECT_EQ(parse_setpoint_query({{"format", "ndjson"}}).format, SetpointFormat::ndjson);
   EXPECT_EQ(parse_setpoint_query({{"layout", "twincat"}}).layout, CsvLayout::twincat);
   EXPECT_EQ(parse_setpoint_query({{"layout", "twincat_poses"}}).layout, CsvLayout::twincat_poses);
-  EXPECT_EQ(parse_setpoint_query({{"layout", "codesys_xyva"}}).controller, ControllerLayout::codesys_xyva);
+  EXPECT_EQ(parse_setpoint_query({{"layout", "codesys_xyva"}}).file_layout, "codesys_xyva");
   EXPECT_EQ(parse_setpoint_query({{"layout", "csv"}}).format, SetpointFormat::csv);
   EXPECT_FALSE(parse_setpoint_query({}).frame);
   EXPECT_EQ(parse_setpoint_query({{"frame", "part"}}).frame, SetpointFrame::part);

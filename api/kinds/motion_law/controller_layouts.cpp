@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "api/problem.hpp"
 #include "api/setpoints.hpp"
 #include "core/cam/table/controller_table.hpp"
 
@@ -229,11 +228,6 @@ ControllerTable table_for(const StoredLaw& stored, ControllerLayout layout) {
 }  // namespace
 
 ControllerFile controller_file(const json& result, ControllerLayout layout, std::string_view name) {
-  if (result.value("kind", "") != "motion_law")
-    throw Problem(
-        "schema-violation",
-        std::string("layout ") + name_of<ControllerLayout>(layout, controller_layouts) + " is of motion laws alone",
-        {{"/query/layout", "is of jobs of kind motion_law alone"}});
   const StoredLaw stored(result);
   const ControllerTable table = table_for(stored, layout);
   ControllerFile file;

@@ -43,8 +43,8 @@ struct ControllerFile {
   std::string refit_error;
   std::array<double, 4> error{};  ///< the same, unit/s^r
 };
-/// `result`: a result document. `name`: of the table inside the file, letters and digits. Throws Problem
-/// (schema-violation) where the result is of another kind than motion_law.
+/// Returns the table of `result`, a result document of kind motion_law. `name` is the table's name inside the file,
+/// letters and digits.
 ControllerFile controller_file(const nlohmann::json& result, ControllerLayout layout, std::string_view name = "law");
 
 }  // namespace bahnwerk::api

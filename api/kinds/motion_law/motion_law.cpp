@@ -1,9 +1,12 @@
+#include <array>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
 
 #include "api/kind_frame.hpp"
+#include "api/kinds/motion_law/controller_layouts.hpp"
 #include "api/kinds/motion_law/motion_law_input.hpp"
 #include "api/kinds/motion_law/motion_law_result.hpp"
 #include "core/base/errors.hpp"
@@ -28,9 +31,27 @@ class SharedTable final : public SetpointSource {
   std::shared_ptr<const SetpointSource> table_;
 };
 
+constexpr auto layout_names = [] {
+  std::array<std::string_view, std::size(controller_layouts)> names;
+  for (std::size_t i = 0; i < names.size(); ++i) names[i] = controller_layouts[i].name;
+  return names;
+}();
+
+/// Returns a controller's cam table of a result.
+ResultFile cam_table(const nlohmann::json& result, std::string_view layout) {
+  ControllerFile table = controller_file(result, value_of<ControllerLayout>(layout, controller_layouts));
+  return {std::move(table.text),
+          std::move(table.content_type),
+          std::move(table.extension),
+          "differs from the law by " + table.refit_error,
+          "X-Refit-Error",
+          table.refit_error};
+}
+
 struct MotionLawKind {
   static constexpr std::string_view name = "motion_law";
   static constexpr std::string_view title = "A motion law for a cam or servo drive";
+  static constexpr ResultFiles files{"cam table", layout_names, cam_table};
 
   static MotionLawRequest read(const nlohmann::json& spec, Progress&) { return request(spec); }
 

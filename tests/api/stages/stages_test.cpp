@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <ctime>
 #include <map>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "api/kind.hpp"
@@ -12,7 +14,6 @@
 #include "core/base/progress.hpp"
 #include "large_documents.hpp"
 #include "tests/api/checked.hpp"
-#include "tests/api/documents.hpp"
 
 namespace bahnwerk::api {
 namespace {
@@ -95,7 +96,7 @@ TEST_P(Stages, ReportOften) {
   GapMeter few, many;
   few.plan(small);
   EXPECT_EQ(test::result_faults(many.plan(large).result), std::vector<std::string>{});
-  if (large.kind == "contour") {  // a search for layouts does not take longer in a slot with more corners
+  if (large.reports_grow) {
     // Small documents are planned on finer grids, too, for the sake of the gap: less than four times as often.
     EXPECT_GE(2 * many.gaps.size(), 3 * few.gaps.size());
   }
@@ -129,6 +130,13 @@ INSTANTIATE_TEST_SUITE_P(Large, Stages, testing::Range(std::size_t{0}, test::lar
                            return name;
                          });
 
+TEST(StagesOfKinds, EveryKindEntersLargeDocuments) {
+  std::set<std::string> entered, all;
+  for (const test::Large& each : test::large_documents(0.01)) entered.insert(each.kind);
+  for (const Kind& kind : kinds()) all.emplace(kind.name);
+  EXPECT_EQ(entered, all) << "a kind without a file large_<kind>.cpp";
+}
+
 /// Stops at the k-th report; a k beyond the last counts them.
 struct StopAt final : Progress {
   explicit StopAt(int at) : left(at) {}
@@ -142,18 +150,7 @@ struct StopAt final : Progress {
 };
 
 TEST(StagesOfExamples, StopAtWhicheverReportTheyAreTold) {
-  std::vector<test::Large> small{{"small slot", "fill_factor", {{"slot", test::wavy_slot(20)}, {"wires", {3.0}}}}};
-  for (const std::string file : {"bracket", "circle", "helix", "line", "polyline"}) {
-    const auto document = test::read_json(test::source("examples/" + file + ".json"));
-    small.push_back({file, document["kind"], document["spec"]});
-  }
-  for (const Kind& kind : kinds()) {
-    const std::string name(kind.name);
-    if (name == "fill_factor") continue;  // its smallest example takes seconds, and is above
-    small.push_back(
-        {name + " minimal", name, test::read_json(test::source("schemas/examples/" + name + "/minimal.json"))});
-  }
-  for (const test::Large& each : small) {
+  for (const test::Large& each : test::small_documents()) {
     const std::string document = test::job(each);
     StopAt all(0);
     test::checked(plan_job(each.kind, document, all));
