@@ -48,6 +48,7 @@ struct ToleranceUnreachable : PlanningError {
   double reached;
 };
 
+/// Why a planner has to end.
 enum class StopReason { cancelled, deadline, budget };
 /// Thrown by Progress::report when the planner has to end.
 struct Stopped : PlanningError {

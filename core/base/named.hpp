@@ -8,6 +8,7 @@
 
 namespace bahnwerk {
 
+/// A value and its name.
 template <class Enumeration>
 struct Named {
   Enumeration value;

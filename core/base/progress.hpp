@@ -5,6 +5,7 @@
 
 namespace bahnwerk {
 
+/// Receives the reports of a planner.
 class Progress {
  public:
   virtual ~Progress() = default;

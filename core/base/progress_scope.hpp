@@ -8,6 +8,7 @@
 
 namespace bahnwerk {
 
+/// Reports the progress of one stage.
 class ProgressScope {
  public:
   /// `stage` is the stage's name and has to outlive this object; it runs from `from` to `to` of the whole job.

@@ -7,6 +7,7 @@
 
 namespace bahnwerk {
 
+/// A column of a series.
 struct Column {
   std::string name;
   std::string unit;

@@ -30,6 +30,7 @@ namespace bahnwerk {
 
 class Progress;
 
+/// The options of rounding.
 struct BlendOptions {
   double tolerance = 0.01;                                   ///< mm, from the given contour to the path and back
   double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad; larger tangent jumps that remain are stops

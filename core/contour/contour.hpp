@@ -26,6 +26,7 @@ struct Rest {
 };
 inline constexpr double longest_rest = 86400;  ///< longest dwell, s
 
+/// A path with the blocks, rests and notes that planning needs.
 struct Contour {
   std::size_t dimension = 2;  ///< number of coordinates of the path, 2 or 3
   double height = 0;  ///< position of a third axis along a planar contour, whose path has z = 0; mm; 0 if unknown

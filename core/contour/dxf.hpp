@@ -35,8 +35,10 @@ namespace bahnwerk {
 
 class Progress;
 
+/// The order of the blocks: as in the file, or by nearest neighbours.
 enum class DxfOrder { as_drawn, nearest };
 
+/// The options of a document with a drawing.
 struct DxfOptions {
   double tolerance = 0.01;  ///< largest distance of ends that are joined, mm; 0 … 10
   DxfOrder order =

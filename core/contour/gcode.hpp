@@ -84,8 +84,10 @@ namespace bahnwerk {
 
 class Progress;
 
+/// The motion of lines before the first motion word.
 enum class GcodeMotion { rapid, line };
 
+/// The options of a document with a part program.
 struct GcodeOptions {
   double feed = std::numeric_limits<double>::infinity();  ///< feed before the first F, mm/s
   bool inch = false;                                      ///< whether units are inches before the first G20 or G21

@@ -67,6 +67,7 @@ std::vector<AxisLimits> numbered_axes(const std::vector<Limits>& limits, const s
   return axes;
 }
 
+/// The kinematics that follow from the formula of `Machine`, the derived class. Immutable and thread-safe.
 template <class Machine>
 class FormulaKinematics : public Kinematics {
  public:

@@ -19,6 +19,7 @@ struct AxisLimits : Limits {
       : Limits{fastest, strongest, jerkiest}, name(std::move(axis)) {}
 };
 
+/// The axes of a machine and the cycle time of its controller.
 struct Machine {
   std::vector<AxisLimits> axes;  ///< axis k here is axis k of the AxisPath; on a Cartesian machine, coordinate k
   double cycle_time = 0.001;     ///< s, time from one setpoint to the next

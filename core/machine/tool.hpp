@@ -14,6 +14,7 @@
 
 namespace bahnwerk {
 
+/// Position and angles of a tool.
 struct ToolPose {
   Vec position;             ///< mm
   double phi = 0, psi = 0;  ///< rad

@@ -7,6 +7,7 @@
 
 namespace bahnwerk {
 
+/// A polynomial by its Chebyshev coefficients.
 class Chebyshev {
  public:
   /// Takes the series with coefficients c (at least one; c₀ counts fully) on [a, b], a < b.

@@ -13,6 +13,7 @@
 
 namespace bahnwerk {
 
+/// All complex numbers within `radius` of `centre`.
 struct Disc {
   double centre = 0, radius = 0;
 

@@ -8,6 +8,7 @@
 
 namespace bahnwerk {
 
+/// A place of the rule and its weight.
 struct GaussPoint {
   double place = 0, weight = 0;
 };

@@ -4,6 +4,7 @@
 
 namespace bahnwerk {
 
+/// The result of the search.
 template <class Value>
 struct GoldenSection {
   double at = 0;  ///< middle of an interval that contains the largest value

@@ -20,6 +20,7 @@
 
 namespace bahnwerk {
 
+/// Bounds of a function and of its derivatives up to order N.
 template <std::size_t N>
 class Majorant {
  public:

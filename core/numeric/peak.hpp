@@ -37,6 +37,7 @@ const ChebyshevRule& open_rule();
 
 inline constexpr int max_coefficients = 22;  ///< most coefficients of a polynomial whose peak is searched: degree 21
 
+/// The largest magnitude of a polynomial.
 struct PolynomialPeak {
   double value = 0;  ///< max |p| over [0,1]
   double at = 0;     ///< place of the maximum, in [0, 1]

@@ -6,6 +6,7 @@
 ///   for (…) { const double x = bracket.next(); bracket.take(x, f(x)); }
 namespace bahnwerk {
 
+/// A bracket with a change of sign.
 struct SignChange {
   double low, f_low, high, f_high;  ///< bracket and values; f_low and f_high have opposite signs and may be halved
   int side = 0;                     ///< end that the last place replaced: −1 low, 1 high

@@ -17,6 +17,7 @@
 
 namespace bahnwerk {
 
+/// Sine and cosine of an angle.
 template <class T>
 struct SineCosine {
   T sine, cosine;

@@ -25,6 +25,7 @@ template <std::size_t count, class F>
   (std::make_index_sequence<count>());
 }
 
+/// A truncated series with coefficients of type S.
 template <std::size_t N, class S = double>
 struct Taylor {
   std::array<S, N + 1> c{};

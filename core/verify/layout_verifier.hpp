@@ -11,6 +11,7 @@ namespace bahnwerk {
 
 class Progress;
 
+/// A layout: wires of one size in a region of the slot.
 struct LayoutToVerify {
   std::string algorithm;         ///< name of the algorithm that made the layout
   double copper = 0;             ///< diameter of the copper, mm, which identifies the wire

@@ -11,9 +11,11 @@ namespace bahnwerk::verify {
 
 inline constexpr double limit_tolerance = 1e-9;  ///< relative, of every limit that the document sets
 
+/// The largest value so far, with its time, s.
 struct Worst {
   double value = 0;
   double at = 0;
+  /// Takes a candidate that is larger or not a number; a value that is not a number remains.
   void raise(double candidate, double when) {
     if (std::isnan(value) || candidate <= value) return;
     value = candidate;
@@ -21,7 +23,8 @@ struct Worst {
   }
 };
 
-/// The value of many that is closest to its own limit, or exceeds it by most; not-a-number stays here, too.
+/// The value, among many, that is closest to its own limit or exceeds it by most. A value that is not a number counts
+/// as an excess, and it remains.
 struct Strained {
   double value = 0;
   double limit = 0;
@@ -45,7 +48,7 @@ inline Check make_check(Checked what, double limit, double value, double at, boo
   return {std::move(what), limit, value, at, passed};
 }
 
-/// passed = value ≤ limit · (1 + 1e-9); false for NaN.
+/// Makes a check that passes for value ≤ limit · (1 + 1e-9), and fails for NaN.
 inline Check make_check(Checked what, double limit, const Worst& worst) {
   return make_check(std::move(what), limit, worst.value, worst.at, worst.value <= limit * (1 + limit_tolerance));
 }

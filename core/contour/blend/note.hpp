@@ -6,6 +6,7 @@
 
 namespace bahnwerk::blending {
 
+/// Figures of the blending.
 struct BlendCount {
   std::size_t corners = 0, runs = 0,
               run_segments = 0;            ///< number of blended corners and of smoothed runs, with their segments

@@ -13,6 +13,7 @@ namespace bahnwerk::blending {
 /// contour; a run that is its own mirror image begins at its beginning. O(log elements).
 bool begins_at_end(const ElementRun& stretch, const RunRange& range);
 
+/// A range of an element run, traversed backwards.
 class ReversedRun {
  public:
   /// Copies the elements of the range. O(elements of the range).

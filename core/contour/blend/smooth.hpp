@@ -29,6 +29,7 @@ struct TubeEnd {
   Jet jet;
 };
 
+/// The tube, the breaks of the spline, and the conditions at its ends.
 struct TubeProblem {
   std::size_t dimension = 2;    ///< 2 or 3 coordinates
   std::vector<TubeSite> sites;  ///< ascending t, strictly inside the breaks
@@ -37,6 +38,7 @@ struct TubeProblem {
   TubeEnd begin, end;
 };
 
+/// The result: a spline with its knots and control points.
 struct TubeSpline {
   std::vector<double> knots;
   std::vector<Vec> points;  ///< degree 5

@@ -9,17 +9,20 @@
 
 namespace bahnwerk::blending {
 
+/// A range of an element run.
 struct RunRange {
   double a = 0, b = 0;  ///< ends of the range along the element run, mm
   bool clamped_begin = false,
        clamped_end = false;  ///< whether the curve has three derivatives in common with the contour at that end
 };
 
+/// Largest distances of the curve from the contour.
 struct RunTolerance {
   double aimed = 0;   ///< largest distance at every place that is evaluated, mm
   double proven = 0;  ///< largest distance anywhere, mm; a little larger
 };
 
+/// The result of smooth_run().
 struct SmoothedRun {
   bool done = false;
   /// Bézier curves of degree 5, joined with three or four continuous derivatives; an empty entry means that the contour

@@ -9,6 +9,7 @@
 
 namespace bahnwerk::blending {
 
+/// A spline as one polynomial per span.
 class SpanPolynomials {
  public:
   /// Computes each span from position and two derivatives at both ends, which determine a polynomial of degree 5.

@@ -21,6 +21,7 @@ struct Affine {
   }
 };
 
+/// A straight line.
 struct DrawnLine {
   Vec from, to;
 };

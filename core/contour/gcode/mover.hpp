@@ -10,6 +10,7 @@ namespace bahnwerk::gcode {
 /// Plane of arcs by its normal: G17 z, G18 y, G19 x. Seen against the normal, G3 turns counter-clockwise.
 enum class Plane { xy, zx, yz };
 
+/// The manner of an arc.
 struct ArcMove {
   Plane plane = Plane::xy;
   bool counter_clockwise = false;
@@ -38,6 +39,7 @@ std::optional<ArcHalves> halves_of_arc(Vec from, Vec to, Vec centre, const ArcMo
 /// Returns the length in mm, all turns of a helix included.
 double arc_length(Vec from, Vec to, Vec centre, const ArcMove& how);
 
+/// Appends moves to a contour.
 class Mover {
  public:
   /// `flat` sets every height to 0, for a contour that stays at one height.

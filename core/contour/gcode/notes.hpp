@@ -9,6 +9,7 @@
 
 namespace bahnwerk::gcode {
 
+/// Collects notes. A matter is identified by its key.
 class Notes {
  public:
   /// `key` identifies the matter; its first text remains. O(log matters), of which 64 are stored; a last note says how

@@ -9,6 +9,7 @@
 
 namespace bahnwerk::gcode {
 
+/// The modes that are saved.
 struct Modes {
   double unit = 1;  ///< length of the program's unit, mm
   Plane plane = Plane::xy;

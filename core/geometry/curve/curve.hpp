@@ -10,6 +10,7 @@ struct Jet {
   Vec value, d1, d2, d3;
 };
 
+/// The type of a curve, for code that has a closed form for some.
 enum class CurveKind { line, arc, rational };
 
 /// Immutable; every call is thread-safe, allocation-free and O(degree).

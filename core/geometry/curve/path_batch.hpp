@@ -11,6 +11,7 @@ namespace bahnwerk {
 /// Numbers of two points, computed at once.
 using PointPair = Lanes<2>;
 
+/// Parameters of neighbouring points, and the results of their evaluation.
 struct PathBatch {
   static constexpr std::size_t most = 16, pairs = most / 2;
   /// A number per point; the last one of an odd count is stored twice.

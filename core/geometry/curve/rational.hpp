@@ -13,6 +13,7 @@
 
 namespace bahnwerk {
 
+/// Immutable; see Curve.
 class Rational final : public Curve {
  public:
   static constexpr std::size_t max_degree = 24;

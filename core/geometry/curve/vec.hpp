@@ -7,6 +7,7 @@
 
 namespace bahnwerk {
 
+/// A vector of space.
 struct Vec {
   double x = 0, y = 0, z = 0;
   double& operator[](std::size_t i) { return i == 0 ? x : i == 1 ? y : z; }

@@ -18,6 +18,7 @@
 
 namespace bahnwerk {
 
+/// The arc length of one curve.
 class ArcLength {
  public:
   /// The curve is read, not stored. Rational pieces have to be regular inside (core/geometry/path/regular.hpp).

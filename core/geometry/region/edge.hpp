@@ -6,10 +6,12 @@
 
 namespace bahnwerk {
 
+/// A rectangle with sides along the axes.
 struct Box {
   Point low, high;
 };
 
+/// A straight line, or an arc if `radius` > 0.
 struct Edge {
   Point from, to;     ///< ends, mm
   Point centre;       ///< centre of an arc, mm

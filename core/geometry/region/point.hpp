@@ -5,6 +5,7 @@
 
 namespace bahnwerk {
 
+/// A point or a vector of the plane.
 struct Point {
   double x = 0, y = 0;
   friend bool operator==(const Point&, const Point&) = default;

@@ -14,6 +14,7 @@ class Progress;
 /// Number of edges from which it saves time to compute first where parallels are needed, and to intersect them then.
 inline constexpr std::size_t many_edges = 200;
 
+/// A region by its boundary.
 class Region {
  public:
   Region() = default;

@@ -25,6 +25,7 @@ SplinePoint projected(const HomogeneousPoint& p);
 /// Returns the derivatives of the quotient from those of numerator and weight.
 SplineJet projected(const HomogeneousJet& jet);
 
+/// A rational Bézier curve by its homogeneous control points.
 class BezierPiece {
  public:
   static constexpr std::size_t max_degree = 9;  ///< 2k + 1 for k = 4

@@ -26,6 +26,7 @@ namespace bahnwerk {
 
 class Progress;
 
+/// The options of plan_acceleration_limited().
 struct AccelerationLimitedOptions {
   bool keep_reserve = false;     ///< whether to keep a braking reserve; otherwise the law is time-optimal
   double braking_reserve = 0.7;  ///< K_b ∈ (0,1): the share of an axis' acceleration that bending may use
@@ -41,6 +42,7 @@ struct AccelerationLimitedOptions {
   double width = 1;          ///< least factor of the cells' width, 1 … 10
 };
 
+/// The law, with figures of its computation.
 struct AccelerationLimitedResult {
   TimeLaw law;
   std::size_t rounds = 0;  ///< largest number of passes of any section

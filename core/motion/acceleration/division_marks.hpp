@@ -11,6 +11,7 @@
 
 namespace bahnwerk {
 
+/// Marks the cells of a grid to be divided. `grid` and `chain` have to outlive the object.
 template <int N>
 class DivisionMarks {
  public:

@@ -10,6 +10,7 @@
 
 namespace bahnwerk {
 
+/// A path and the limits along it. Path and machine have to outlive it.
 struct PathTask {
   const AxisPath& path;
   const Machine& machine;     ///< limits of the path's axes, in its order

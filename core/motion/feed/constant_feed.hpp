@@ -12,6 +12,7 @@ namespace bahnwerk {
 
 class Progress;
 
+/// The options of feeds that are constant in parts.
 struct FeedOptions {
   SpeedProfile profile = SpeedProfile::double_s;
   double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad

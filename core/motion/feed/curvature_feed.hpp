@@ -17,6 +17,7 @@
 
 namespace bahnwerk {
 
+/// The limits from which feeds follow.
 struct CurvatureFeedLimits {
   double chord_tolerance = unlimited;       ///< ε, mm
   double cycle_time = 0.001;                ///< T, s

@@ -38,6 +38,7 @@ struct FeedState {
   double v = 0, a = 0, j = 0;
 };
 
+/// The options of a FeedGrid.
 struct FeedGridOptions {
   std::size_t nodes = 16;                                    ///< nodes per panel of the path
   bool limits_jerk = true;                                   ///< whether limits of jerk hold

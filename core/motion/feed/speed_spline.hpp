@@ -15,6 +15,7 @@
 
 namespace bahnwerk {
 
+/// The knots of the spline. Control points are given with each call.
 class SpeedSpline {
  public:
   static constexpr std::size_t order = 4;  ///< number of control points that influence a span

@@ -15,6 +15,7 @@ namespace bahnwerk {
 
 class Progress;
 
+/// The options of plan_spline_feed().
 struct SplineFeedOptions {
   Limits path;                    ///< limits along the tool's path
   std::size_t spans = 16;         ///< spans of the spline per segment of the path
@@ -25,6 +26,7 @@ struct SplineFeedOptions {
   std::size_t steps = 16;         ///< pieces of the law per span
 };
 
+/// The law, with the effort of the search.
 struct SplineFeed {
   TimeLaw law;
   std::size_t evaluations = 0;  ///< evaluations of the problem's functions

@@ -19,6 +19,7 @@
 
 namespace bahnwerk {
 
+/// A cell of the grid.
 struct GridCell {
   std::uint32_t station = 0;  ///< index of the station at the left end; the right one is station + 1
   std::uint32_t segment = 0;  ///< path segment
@@ -28,6 +29,7 @@ struct GridCell {
   bool regular() const { return !(straight | cusp_left | cusp_right | any_way); }
 };
 
+/// What determines the width of cells.
 struct GridOptions {
   double angle = 0.004;  ///< largest turn of a cell, rad
   double hermite =
@@ -40,6 +42,7 @@ struct GridOptions {
 /// parameter resolves. A motion from rest takes 1e-6 of the segment's time for this length.
 constexpr double shortest_cell = 1e-12;
 
+/// The stations and cells of a section, with N lanes.
 template <int N>
 class Grid {
  public:

@@ -25,6 +25,7 @@ struct Station {
   Lanes<N> d1{}, d2{}, d3{};
 };
 
+/// An axis path with N lanes.
 template <int N>
 class LanePath {
  public:

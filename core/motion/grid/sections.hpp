@@ -6,6 +6,7 @@
 
 namespace bahnwerk {
 
+/// The sections of a path.
 struct Sections {
   /// Segment indices at which a section begins: 0 first, path.size() last. The motion does not stop inside a section.
   std::vector<std::size_t> begin;

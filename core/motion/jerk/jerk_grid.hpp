@@ -10,6 +10,7 @@ namespace bahnwerk {
 /// Spacing of the parts of a cell: equal lengths, or equal times next to a rest.
 enum class Spread : std::uint8_t { even, from_rest, to_rest, both };
 
+/// The division of a cell.
 struct Division {
   std::uint16_t parts = 1;
   Spread spread = Spread::even;

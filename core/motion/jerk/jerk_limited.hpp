@@ -25,6 +25,7 @@ namespace bahnwerk {
 
 class Progress;
 
+/// The options of plan_jerk_limited().
 struct JerkLimitedOptions {
   double corner_angle = 0.1 * 3.14159265358979323846 / 180;  ///< rad; larger tangent jumps are corners with a stop
   Limits path;              ///< limits of v mm/s, |a| mm/s², |j| mm/s³ along the path; infinite by default
@@ -39,6 +40,7 @@ struct JerkLimitedOptions {
   int max_divisions = 3, max_rounds = 40;
 };
 
+/// The law, with figures of its computation.
 struct JerkLimitedResult {
   TimeLaw law;
   std::size_t iterations = 0;  ///< Newton steps times cells, divided by the cells, over all rounds

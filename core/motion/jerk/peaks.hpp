@@ -58,6 +58,7 @@ struct CellPeaks {
   }
 };
 
+/// Inverse limits: 1/V², 1/A, 1/J of each quantity.
 template <int M>
 struct RowLimits {
   std::array<double, M> inverse_velocity2{}, inverse_acceleration{}, inverse_jerk{};

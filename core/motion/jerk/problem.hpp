@@ -42,6 +42,7 @@ struct MiddleRows {
   std::array<double, M> d1{}, d2{}, share{};  ///< derivatives in the middle, divided by A; d2 is halved
 };
 
+/// The problem of a section with M limited quantities.
 template <int M>
 struct JerkProblem {
   struct Cell {

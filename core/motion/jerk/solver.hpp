@@ -26,12 +26,14 @@
 
 namespace bahnwerk {
 
+/// The options of the interior-point method.
 struct JerkSolverOptions {
   double gap = 1e-5;        ///< complementarity relative to the duration at which the solver stops
   double violation = 1e-6;  ///< violation of rows, relative to their limits, at which the solver stops
   int iterations = 60;
 };
 
+/// The outcome of the interior-point method.
 struct JerkSolverResult {
   int iterations = 0;
   double duration = 0, gap = 0, violation = 0;  ///< values at the last iterate; gap and violation are relative
@@ -39,6 +41,7 @@ struct JerkSolverResult {
   bool converged = false;
 };
 
+/// The interior-point method for a JerkProblem with M limited quantities.
 template <int M>
 class JerkSolver {
  public:

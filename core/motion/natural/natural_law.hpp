@@ -18,6 +18,7 @@ namespace bahnwerk {
 
 class Progress;
 
+/// The options of plan_natural().
 struct NaturalOptions {
   /// Share of each segment in its link's parameter, 0 between links. Consecutive segments with shares belong to one
   /// link until their shares add up to 1.

@@ -20,6 +20,7 @@
 
 namespace bahnwerk {
 
+/// The profiles by name.
 enum class SpeedProfile { double_s, trapezoid, trigonometric };
 inline constexpr Named<SpeedProfile> speed_profiles[] = {{SpeedProfile::double_s, "double_s"},
                                                          {SpeedProfile::trapezoid, "trapezoid"},
@@ -41,6 +42,7 @@ struct Rise {
   double distance(double low) const { return duration * (low + height / 2); }
 };
 
+/// A row of the table of profiles.
 struct SpeedProfileRow {
   SpeedProfile profile;
   bool limits_jerk;  ///< whether acceleration is continuous and jerk stays within the limit

@@ -9,6 +9,7 @@
 
 namespace bahnwerk {
 
+/// The step lengths of primal and dual variables at each place.
 class NewtonParts {
  public:
   using Both = Lanes<2>;  ///< primal, dual

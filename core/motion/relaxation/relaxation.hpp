@@ -33,6 +33,7 @@ struct RelaxationMultipliers {
   std::vector<Row> acceleration;  ///< s³/mm²
 };
 
+/// The outcome of the interior-point method.
 struct RelaxationOutcome {
   int iterations = 0;
   double duration = 0;   ///< s, Σ T_j at the last iterate
@@ -41,6 +42,7 @@ struct RelaxationOutcome {
   bool converged = false;
 };
 
+/// The options of the interior-point method.
 struct RelaxationOptions {
   double gap = 1e-5, violation = 1e-6;  ///< values at which the solver stops; see RelaxationOutcome
   int iterations = 40;

@@ -39,6 +39,7 @@ struct RelaxationStep {
   std::array<double, N> tangent_jump{}, acceleration_step{};
 };
 
+/// The input: cells, joints and limits of N axes.
 template <int N>
 struct RelaxationProblem {
   using Row = std::array<double, N>;
@@ -66,6 +67,7 @@ struct WeakCell {
   std::array<Row, 2> acceleration{};  ///< ∫ hat a_k ds / (A_k ∫ hat ds) per b; 0 for hats that a free end excludes
 };
 
+/// The coefficients of the finite problem.
 template <int N>
 struct WeakForm {
   std::vector<WeakCell<N>> cells;              ///< two empty cells at each end: cell i is stored as i + 2

@@ -10,6 +10,7 @@
 
 namespace bahnwerk {
 
+/// A solver for problems of any length, with N axes.
 template <int N>
 class RelaxationWindows {
  public:

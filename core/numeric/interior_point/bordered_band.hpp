@@ -1,5 +1,6 @@
 #pragma once
-/// Linear programs whose rows have few neighbouring variables and a few more that all rows may share (the border).
+/// Linear programs each of whose rows has a few neighbouring variables, and possibly some of a few variables that all
+/// rows share (the border).
 ///
 /// Variables and local equalities are ordered as they are added: the system of a step is a band over them with a border
 /// of shared variables and of far-reaching equalities. The band is factored by Gaussian elimination with partial
@@ -24,14 +25,15 @@ struct BorderedRow {
     std::size_t border;  ///< number of the shared variable
     double weight;
   };
-  std::size_t first = 0;            ///< first variable of a
-  std::span<const double> weights;  ///< a; copied by add_row
+  std::size_t first = 0;            ///< number of the first variable of a
+  std::span<const double> weights;  ///< the coefficients a; add_row copies them
   double lower = -unlimited, upper = unlimited;
   std::size_t elastic = none;  ///< shared variable that widens both sides
-  double elastic_weight = 1;   ///< f
+  double elastic_weight = 1;   ///< the factor f
   std::span<const Term> border;
 };
 
+/// A program whose rows have neighbouring variables, and a few variables that occur in any row.
 class BorderedBand final : public InteriorPointSystem {
  public:
   using Term = BorderedRow::Term;

@@ -41,6 +41,7 @@ struct InteriorPoint {
   std::vector<double> x, y, s, z;
 };
 
+/// The options of the method.
 struct InteriorPointOptions {
   double gap = 1e-9;       ///< mean of s z at which the method ends, relative to 1 + |cᵀx|, times the number of rows
   double residual = 1e-9;  ///< largest residual of all equations, absolute: programs are scaled to the order of 1
@@ -56,6 +57,7 @@ struct InteriorPointOptions {
   std::function<void()> tick;  ///< called every iteration; may throw
 };
 
+/// The outcome of the method.
 struct InteriorPointResult {
   bool converged = false;
   int iterations = 0;

@@ -21,6 +21,7 @@ struct OptimisationPoint {
   std::vector<double> gradient, jacobian;
 };
 
+/// Evaluates a problem in scaled variables.
 class OptimisationEvaluator {
  public:
   OptimisationEvaluator(const OptimisationProblem& problem, const OptimisationOptions& options, Progress& progress);

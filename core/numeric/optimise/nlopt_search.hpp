@@ -7,6 +7,7 @@
 
 namespace bahnwerk {
 
+/// Why NLopt stopped.
 enum class SearchEnd {
   itself,       ///< a tolerance, rounding, or a step that the method could not take
   evaluations,  ///< the budget

@@ -40,6 +40,7 @@ struct OptimisationProblem {
   Constraints equality;    ///< c(x) = 0
 };
 
+/// The algorithms of NLopt that are offered.
 enum class OptimisationMethod {
   slsqp,   ///< sequential quadratic programming [Kraft 1988]; gradients, any constraints, up to a few hundred variables
   mma,     ///< method of moving asymptotes [Svanberg 2002]; gradients, inequalities, slower and more robust than slsqp
@@ -62,6 +63,7 @@ struct OptimisationOptions {
   std::uint64_t seed = 1;  ///< seed of isres and of the starting points of repeated searches
 };
 
+/// How a search ended.
 enum class OptimisationStatus {
   /// slsqp, mma: the point is feasible and its KKT residual within its tolerance: a local minimum to first order.
   converged,
@@ -78,6 +80,7 @@ enum class OptimisationStatus {
   undefined,
 };
 
+/// The best point found.
 struct OptimisationResult {
   OptimisationStatus status = OptimisationStatus::undefined;
   std::vector<double> x;                                        ///< within the bounds

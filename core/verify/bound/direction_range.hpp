@@ -7,6 +7,7 @@
 
 namespace bahnwerk::verify {
 
+/// The interval [low, high].
 struct Interval {
   double low = 0, high = 0;
 };

@@ -59,6 +59,7 @@ struct JerkCapPiece {
   bool unit = false;          ///< whether |q′| = 1 and q″ ⟂ q′
 };
 
+/// The result of jerk_cap().
 struct JerkCap {
   double cap = 0;     ///< largest b, mm²/s²
   double change = 0;  ///< bound of the change of b along the piece at that cap

@@ -65,6 +65,7 @@ template <int N>
 DualPiece<N> dual_piece(const BoundGrid<N>& grid, const BoundNode<N>& a, const BoundNode<N>& b, double cap,
                         const typename DualPiece<N>::Row& third);
 
+/// Evaluates the dual function for N axes.
 template <int N>
 class JerkDual {
  public:

@@ -17,6 +17,7 @@
 
 namespace bahnwerk::verify {
 
+/// The distances of N axes at all nodes of a grid.
 template <int N>
 class OneWay {
  public:

@@ -9,6 +9,7 @@
 
 namespace bahnwerk::verify {
 
+/// The answer; too_long: more cells than allowed would have to be evaluated.
 enum class Traversal { possible, impossible, too_long };
 
 /// Traverses from both first points to both last ones [H. Alt, M. Godau: Computing the Fréchet distance between two

@@ -13,6 +13,7 @@ namespace bahnwerk {
 
 class Progress;
 
+/// Inputs of the checks.
 struct MotionToVerify {
   const Motion& motion;
   const std::vector<AxisLimits>& axes;  ///< limits, names and units, one per axis of the motion

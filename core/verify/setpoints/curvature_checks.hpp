@@ -12,6 +12,7 @@ namespace bahnwerk {
 
 class Progress;
 
+/// Inputs of the checks.
 struct CurvatureInput {
   const AxisPath& path;
   const TimeLaw& law;                       ///< the law that is sampled

@@ -12,6 +12,7 @@ namespace bahnwerk {
 
 class Progress;
 
+/// Inputs of the check. The objects referred to have to outlive it.
 struct DifferenceInput {
   const SetpointSource& setpoints;  ///< has a column for every axis, and s
   const Machine& machine;

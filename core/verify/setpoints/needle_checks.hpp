@@ -13,6 +13,7 @@ namespace bahnwerk {
 
 class Progress;
 
+/// Inputs of the check. The objects referred to have to outlive it.
 struct NeedleInput {
   const KinematicAxisPath& path;    ///< required pose of the needle at each s
   const Kinematics& machine;        ///< the machine; forward() is independent of inverse(), which gave the axes

@@ -15,6 +15,7 @@ namespace bahnwerk {
 
 class Progress;
 
+/// Inputs of the check.
 struct SetpointInput {
   const AxisPath& path;
   const Machine& machine;

@@ -16,10 +16,12 @@ struct Strand {
   double length = 0;                 ///< mm, roughly
 };
 
+/// A strand in a chain, possibly reversed.
 struct ChainLink {
   std::size_t strand = 0;
   bool reversed = false;
 };
+/// Strands end to end.
 struct StrandChain {
   std::vector<ChainLink> links;
   bool closed = false;

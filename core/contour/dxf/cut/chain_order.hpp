@@ -15,6 +15,7 @@ struct ChainEntries {
   std::vector<Vec> at;
   bool closed = false;
 };
+/// A chain and the entry at which it is entered.
 struct ChainVisit {
   std::size_t chain = 0, entry = 0;
 };

@@ -12,6 +12,7 @@ namespace bahnwerk {
 
 class Progress;
 
+/// Consecutive curves that become one block.
 struct Cut {
   std::vector<Drawn> curves;       ///< consecutive; ends may miss each other by the chaining tolerance
   std::vector<std::size_t> lines;  ///< line of the file in which each curve begins

@@ -14,6 +14,7 @@
 
 namespace bahnwerk {
 
+/// Points with their numbers in the order of add().
 class PointGrid {
  public:
   static constexpr std::size_t max_looks = 256;

@@ -13,6 +13,7 @@ namespace bahnwerk {
 
 class Progress;
 
+/// The options of reading.
 struct DxfReading {
   std::vector<std::string> layers;             ///< the only layers to read, case-insensitive; empty: all
   std::optional<double> millimetres_per_unit;  ///< replaces the file's unit
@@ -26,6 +27,7 @@ struct DxfStrand {
   std::size_t line = 0;  ///< line of the file in which the entity begins
 };
 
+/// The result of reading.
 struct DxfDrawing {
   std::vector<DxfStrand> strands;  ///< in the order of the file; each has a length
   std::vector<std::string> notes;

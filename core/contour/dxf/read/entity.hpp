@@ -30,6 +30,7 @@ struct DxfInsert {
   Affine map(Vec block_base, std::size_t row, std::size_t column) const;
 };
 
+/// The curves of an entity.
 struct DxfShape {
   std::vector<Drawn> curves;       ///< consecutive
   std::size_t without_length = 0;  ///< dropped parts without length

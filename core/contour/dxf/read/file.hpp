@@ -11,10 +11,12 @@
 
 namespace bahnwerk {
 
+/// State of a layer.
 struct DxfLayer {
   bool frozen = false, off = false, unplotted = false;
   std::string_view name = {};  ///< name as written in the file
 };
+/// Place of a block's definition in the file.
 struct DxfBlockPlace {
   DxfTags::Mark first;  ///< the first entity of the block
   Vec base;
@@ -22,6 +24,7 @@ struct DxfBlockPlace {
   std::size_t line = 0;
 };
 
+/// The structure of a file.
 struct DxfFile {
   long unit = 0;  ///< $INSUNITS; 0: none
   std::size_t unit_line = 0;

@@ -10,6 +10,7 @@
 
 namespace bahnwerk {
 
+/// The layers that a file declares and its entities use.
 class DxfLayers {
  public:
   struct Layer {

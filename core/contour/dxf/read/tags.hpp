@@ -15,6 +15,7 @@ InputFault dxf_fault(std::size_t line, const std::string& what);
 /// Throws that fault as InvalidInput.
 [[noreturn]] void refuse_dxf(std::size_t line, const std::string& what);
 
+/// A group code with its value.
 struct DxfTag {
   int code = 0;
   std::string_view value;  ///< value without surrounding white space
@@ -29,12 +30,14 @@ long dxf_integer(const DxfTag& tag);
 /// Shortens text of a file for a message and replaces characters that are not printable ASCII by '?'.
 std::string dxf_quoted(std::string_view text);
 
+/// The pairs from one group code 0 to the next.
 struct DxfRecord {
   std::string_view type;  ///< value of the group code 0
   std::size_t line = 0;   ///< line of that value
   std::vector<DxfTag> tags;
 };
 
+/// Reads a text pair by pair, or record by record.
 class DxfTags {
  public:
   /// Refuses DWG files. A byte order mark is skipped.

@@ -23,6 +23,7 @@
 
 namespace bahnwerk::gcode {
 
+/// A Mover whose moves are offset while compensation is on. With it off, moves are passed on unchanged.
 class Compensation {
  public:
   static constexpr double slack = 1e-3;  ///< mm by which moves may be too short, since coordinates are rounded

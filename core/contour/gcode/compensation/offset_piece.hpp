@@ -38,6 +38,7 @@ OffsetPiece offset_line(Vec from, Vec to, double aside);
 std::optional<OffsetPiece> offset_arc(Vec from, Vec to, Vec centre, double sense, double sweep, double aside,
                                       double slack);
 
+/// A crossing of two pieces.
 struct Meeting {
   Vec at;
   double before, behind;  ///< lengths cut off: of the first piece behind `at`, of the second piece before it, mm

@@ -15,6 +15,7 @@
 
 namespace bahnwerk::gcode {
 
+/// Decides which line follows: by O words, M98 and M99.
 class Control {
  public:
   static constexpr std::size_t max_calls = 64;       ///< depth of nested subprograms

@@ -14,6 +14,7 @@ class Progress;
 
 namespace bahnwerk::gcode {
 
+/// The O words of a text, in the order of lines.
 class Outline {
  public:
   static constexpr std::size_t none = ~std::size_t{0}, most = 100'000;

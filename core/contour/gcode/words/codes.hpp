@@ -7,6 +7,7 @@ namespace bahnwerk::gcode {
 /// Words of one group exclude each other in a line.
 enum class Group { motion, plane, units, distance, centres, work, feed_mode, retract, compensation, none };
 
+/// The effect of a G word.
 enum class Action {
   rapid,
   line,
@@ -50,6 +51,7 @@ enum class Action {
   refuse,
 };
 
+/// A G word's group, effect and text.
 struct Code {
   Group group;
   Action action;

@@ -6,6 +6,7 @@
 
 namespace bahnwerk::gcode {
 
+/// The reading of an e or E behind a number.
 enum class ExponentReading {
   word,      ///< a separate word E
   exponent,  ///< part of the number

@@ -23,6 +23,7 @@ class SystemParameters {
   virtual bool of_the_machine(std::string_view name) const = 0;
 };
 
+/// The parameters of a program, with those that subprograms save.
 class Parameters {
  public:
   static constexpr int most = 9999, locals = 30;  ///< #1 … #30 belong to a subprogram

@@ -9,8 +9,10 @@ namespace bahnwerk {
 
 class Progress;
 
+/// The measure that is minimised: (4.60) or (4.61).
 enum class LinkObjective { curvature, control_distance };
 
+/// The result of the search.
 struct BestLink {
   LinkShape shape;          ///< β by the parameters of the given ends
   double objective = 0;     ///< the minimised value, without the term that makes (4.61) unique
